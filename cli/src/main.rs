@@ -1,0 +1,2 @@
+//! The `twinedge` program.
+fn main() {}

@@ -1,0 +1,9 @@
+//! twinedge
+#![cfg_attr(not(feature = "geometry"), no_std)]
+
+extern crate alloc;
+
+#[cfg(feature = "geometry")]
+pub mod geometry;
+#[cfg(feature = "geometry")]
+pub mod io;
