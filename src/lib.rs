@@ -3,6 +3,8 @@
 
 extern crate alloc;
 
+pub mod validate;
+
 #[cfg(feature = "geometry")]
 pub mod geometry;
 #[cfg(feature = "geometry")]

@@ -1,0 +1,123 @@
+//! What a structure is held to: where it lives, and which parts it has.
+
+/// A part that a structure may lack. What it lacks is not checked, and the report says so.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash, PartialOrd, Ord)]
+#[non_exhaustive]
+pub enum Part {
+    /// `prev` links.
+    Prev,
+    /// A half-edge kept by each vertex.
+    Leaving,
+    /// Faces. Without them the structure is a combinatorial map: B and F do not apply.
+    Faces,
+    /// Records for boundary components. Without them half-edges name their face and faces name half-edges.
+    BoundaryComponents,
+    /// The place in its face's list that a boundary component says it has.
+    Places,
+    /// Lists of inner boundary components. Without them each face has one cycle, as in a mesh, and containment (T1, T2) is
+    /// not represented.
+    Holes,
+    /// The one face without outer boundary component.
+    UnboundedFace,
+}
+
+impl Part {
+    const fn bit(self) -> u8 {
+        1 << self as u8
+    }
+
+    /// What a person calls it.
+    #[must_use]
+    pub const fn name(self) -> &'static str {
+        match self {
+            Self::Prev => "prev links",
+            Self::Leaving => "a half-edge at each vertex",
+            Self::Faces => "faces",
+            Self::BoundaryComponents => "boundary component records",
+            Self::Places => "places in the list of the face",
+            Self::Holes => "lists of inner boundary components",
+            Self::UnboundedFace => "an unbounded face",
+        }
+    }
+}
+
+/// Where the structure is to live.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
+pub enum Surface {
+    /// The plane: every component has genus 0 and containment is a tree rooted at the unbounded face.
+    Plane,
+    /// Orientable surfaces of any genus, one per component.
+    Any,
+}
+
+/// What a structure is held to.
+///
+/// ```
+/// use twinedge::validate::{Expectation, Part};
+/// // A triangle mesh: no holes in faces, no unbounded face, a border whose half-edges have no face or no twin.
+/// let mesh = Expectation::surface().without(Part::BoundaryComponents).without(Part::Prev).open();
+/// assert!(!mesh.has(Part::Prev));
+/// assert!(mesh.is_open());
+/// ```
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
+pub struct Expectation {
+    surface: Surface,
+    open: bool,
+    lacks: u8,
+}
+
+impl Expectation {
+    /// A planar subdivision with everything that the design gives it.
+    #[must_use]
+    pub const fn plane() -> Self {
+        Self { surface: Surface::Plane, open: false, lacks: 0 }
+    }
+
+    /// A subdivision of closed orientable surfaces: no unbounded face, no holes in faces.
+    #[must_use]
+    pub const fn surface() -> Self {
+        let lacks = Part::Holes.bit() | Part::UnboundedFace.bit();
+        Self { surface: Surface::Any, open: false, lacks }
+    }
+
+    /// The same, for a structure that lacks this part, and what cannot be had without it.
+    #[must_use]
+    pub const fn without(mut self, part: Part) -> Self {
+        self.lacks |= part.bit();
+        self.lacks |= match part {
+            Part::Faces => {
+                Part::BoundaryComponents.bit() | Part::Places.bit() | Part::Holes.bit() | Part::UnboundedFace.bit()
+            }
+            Part::BoundaryComponents => Part::Places.bit(),
+            // An unbounded face has inner boundary components only.
+            Part::Holes => Part::UnboundedFace.bit(),
+            _ => 0,
+        };
+        self
+    }
+
+    /// The same, but open boundaries are legal: half-edges without twin, or half-edges with a twin but without face.
+    #[must_use]
+    pub const fn open(mut self) -> Self {
+        self.open = true;
+        self
+    }
+
+    /// Where the structure is to live.
+    #[must_use]
+    pub const fn surface_kind(&self) -> Surface {
+        self.surface
+    }
+
+    /// Whether open boundaries are legal.
+    #[must_use]
+    pub const fn is_open(&self) -> bool {
+        self.open
+    }
+
+    /// Whether the structure has this part.
+    #[must_use]
+    pub const fn has(&self, part: Part) -> bool {
+        self.lacks & part.bit() == 0
+    }
+}

@@ -1,0 +1,80 @@
+//! V1 and V2: the half-edges around each vertex.
+//!
+//! ```text
+//!        \   |   /              \   |
+//!         \  |  /                \  |   ___
+//!   ───────  v  ───────    ───────  v  ___   two fans that share a vertex: each is closed under
+//!         /  |  \                /  |        next∘twin, and neither sees the other
+//!        /   |   \              /   |
+//! ```
+//!
+//! Where L holds, `next∘twin` permutes the half-edges that leave one vertex, so the rotation of a vertex is all of them if
+//! and only if its orbit is as long as the vertex has half-edges.
+
+use super::report::Flow;
+use super::run::{NIL, Run};
+use super::{Part, Rule, Unchecked, View, Violation};
+
+impl<V: View + ?Sized> Run<'_, V> {
+    /// Runs V1 and V2.
+    pub(super) fn rotations(&mut self) -> Flow {
+        if self.expect.has(Part::Leaving) {
+            self.leaving()?;
+        } else {
+            self.findings.not_checked(Rule::V1, Unchecked::Lacks(Part::Leaving));
+        }
+        if let Some(rule) = self.map_broken() {
+            self.findings.not_checked(Rule::V2, Unchecked::Broken(rule));
+            return Ok(());
+        }
+        let mut checked = 0;
+        for v in 0..self.vertices {
+            let degree = self.degree[v as usize];
+            if degree == 0 {
+                continue;
+            }
+            checked += 1;
+            let mut reached = 0;
+            self.around(v, degree, |_| reached += 1);
+            if reached != degree {
+                self.findings.add(Violation::SplitRotation {
+                    vertex: v as usize,
+                    half_edge: self.some_leaving[v as usize] as usize,
+                    reached: reached as usize,
+                    degree: degree as usize,
+                })?;
+            }
+        }
+        self.findings.checked(Rule::V2, checked);
+        Ok(())
+    }
+
+    fn leaving(&mut self) -> Flow {
+        let mut checked = 0;
+        for v in 0..self.vertices {
+            if !self.live_vertex(v) {
+                continue;
+            }
+            let Some(h) = self.view.leaving(v as usize).filter(|h| *h < self.half_edges as usize) else {
+                continue;
+            };
+            if !self.view.is_half_edge(h) {
+                continue;
+            }
+            let origin = self.origin(h as u32);
+            if origin == NIL {
+                continue;
+            }
+            checked += 1;
+            if origin != v {
+                self.findings.add(Violation::NotLeaving {
+                    vertex: v as usize,
+                    half_edge: h,
+                    origin: origin as usize,
+                })?;
+            }
+        }
+        self.findings.checked(Rule::V1, checked);
+        Ok(())
+    }
+}
