@@ -214,23 +214,22 @@ fn the_other_completion_is_accepted_too() {
 
 /// The changes of one field after which the table is another right table, each with the reason. There are two reasons only:
 /// a vertex may keep any half-edge that leaves it, and a boundary component may start at any half-edge of its cycle.
-fn harmless(table: &Table, by_record: bool) -> BTreeSet<(Cell, Value)> {
-    let half_edges = 0..table.half_edges.len();
+fn harmless(textbook: &Table, records: &Table, by_record: bool) -> BTreeSet<(Cell, Value)> {
+    let half_edges = 0..textbook.half_edges.len();
     let mut harmless = BTreeSet::new();
     for h in half_edges.clone() {
-        let v = table.origin(h).unwrap();
-        if table.leaving(v) != Some(h) {
+        let v = textbook.origin(h).unwrap();
+        if textbook.leaving(v) != Some(h) {
             harmless.insert((Cell::Leaving(v), Value::Link(Some(h))));
         }
     }
-    for (f, face) in table.faces.iter().flatten().enumerate() {
-        for h in half_edges.clone().filter(|h| table.face(*h) == Some(f)) {
-            // In these two maps each face has one boundary component.
+    for (f, face) in textbook.faces.iter().flatten().enumerate() {
+        // In these two maps each face has one boundary component.
+        for h in half_edges.clone().filter(|h| textbook.face(*h) == Some(f)) {
             let start = Some(Start::HalfEdge(h));
             let (cell, value, before) = if by_record {
-                let b = table.boundary(h).unwrap();
-                let before = Value::Start(table.boundary_start(b));
-                (Cell::BoundaryStart(b), Value::Start(start), before)
+                let b = records.boundary(h).unwrap();
+                (Cell::BoundaryStart(b), Value::Start(start), Value::Start(records.boundary_start(b)))
             } else if face.outer_half_edge.is_some() {
                 (Cell::OuterHalfEdge(f), Value::Link(Some(h)), Value::Link(face.outer_half_edge))
             } else {
@@ -245,8 +244,10 @@ fn harmless(table: &Table, by_record: bool) -> BTreeSet<(Cell, Value)> {
 }
 
 /// Changes one field at a time; returns how many changes were made, and how many of them were harmless.
-fn change_every_field(mut table: Table, expectation: Expectation) -> (usize, usize) {
-    let expected = harmless(&table, expectation.has(Part::BoundaryComponents));
+fn change_every_field(textbook: &Table, expectation: Expectation) -> (usize, usize) {
+    let records = with_boundary_components(textbook);
+    let by_record = expectation.has(Part::BoundaryComponents);
+    let mut table = if by_record { records.clone() } else { textbook.clone() };
     let (mut changes, mut accepted) = (0, BTreeSet::new());
     for_each_corruption(&mut table, &expectation, |changed, cell, value| {
         changes += 1;
@@ -254,7 +255,7 @@ fn change_every_field(mut table: Table, expectation: Expectation) -> (usize, usi
             accepted.insert((cell, value));
         }
     });
-    assert_eq!(accepted, expected);
+    assert_eq!(accepted, harmless(textbook, &records, by_record));
     (changes, accepted.len())
 }
 
@@ -265,21 +266,19 @@ fn change_every_field(mut table: Table, expectation: Expectation) -> (usize, usi
 #[test]
 fn every_change_of_one_field_of_the_first_map_is_judged_right() {
     let table = DANGLING.table();
-    let records = with_boundary_components(&table);
     let harmless = (8 - 4) + (8 - 2);
     let rows = 8 * (6 + 10 + 10 + 10 + 4) + 4 * 10;
-    assert_eq!(change_every_field(table, TEXTBOOK), (rows + 2 * 10 + 16, harmless));
-    assert_eq!(change_every_field(records, RECORDS), (rows + 4 * 4 + 2 * (4 + 16 + 4) + 2 * 4 + 4, harmless));
+    assert_eq!(change_every_field(&table, TEXTBOOK), (rows + 2 * 10 + 16, harmless));
+    assert_eq!(change_every_field(&table, RECORDS), (rows + 4 * 4 + 2 * (4 + 16 + 4) + 2 * 4 + 4, harmless));
 }
 
 #[test]
 fn every_change_of_one_field_of_the_second_map_is_judged_right() {
     let table = FIVE_FACES.table();
-    let records = with_boundary_components(&table);
     let harmless = (18 - 6) + (18 - 5);
     let rows = 18 * (8 + 20 + 20 + 20 + 7) + 6 * 20;
-    assert_eq!(change_every_field(table, TEXTBOOK), (rows + 5 * 20 + 28, harmless));
-    assert_eq!(change_every_field(records, RECORDS), (rows + 6 * 7 + 5 * (7 + 28 + 4) + 5 * 7 + 7, harmless));
+    assert_eq!(change_every_field(&table, TEXTBOOK), (rows + 5 * 20 + 28, harmless));
+    assert_eq!(change_every_field(&table, RECORDS), (rows + 6 * 7 + 5 * (7 + 28 + 4) + 5 * 7 + 7, harmless));
 }
 
 /// Lists one entry longer or shorter are never right, whatever the entry.
@@ -306,7 +305,6 @@ fn every_change_of_the_length_of_a_list_is_caught() {
             }
             let (mut shorter, mut shorter_records) = (table.clone(), records.clone());
             if face(&mut shorter, f).inner_starts.pop().is_some() {
-                face(&mut shorter_records, f).inner_starts.pop();
                 face(&mut shorter_records, f).inner.pop();
                 assert_eq!(agree(&shorter, TEXTBOOK), Some(Rule::F2));
                 assert_eq!(agree(&shorter_records, RECORDS), Some(Rule::F2));

@@ -5,9 +5,14 @@ use twinedge::validate::{BoundaryRow, FaceRow, HalfEdgeRow, Place, Start, Table,
 /// A face in the short way: a half-edge of its outer cycle, and where its inner boundary components start.
 pub(crate) type ShortFace<'a> = (Option<usize>, &'a [Start]);
 
-/// A map with this origin and next for each half-edge, the twins being 0 and 1, 2 and 3, … Faces are as listed, and there
-/// are boundary components for those who ask for them.
+/// A map with this origin and next for each half-edge, the twins being 0 and 1, 2 and 3, …, and these faces, with records
+/// for its boundary components, numbered as the faces list them.
 pub(crate) fn map(vertices: usize, half_edges: &[(usize, usize)], faces: &[ShortFace<'_>]) -> Table {
+    with_boundary_components(&textbook_map(vertices, half_edges, faces))
+}
+
+/// The same in the form of the textbook, without records for boundary components.
+pub(crate) fn textbook_map(vertices: usize, half_edges: &[(usize, usize)], faces: &[ShortFace<'_>]) -> Table {
     let mut table = Table {
         vertices: (0..vertices)
             .map(|v| {
@@ -36,29 +41,54 @@ pub(crate) fn map(vertices: usize, half_edges: &[(usize, usize)], faces: &[Short
             })
             .collect(),
     };
-    label_faces(&mut table);
-    with_boundary_components(&table)
-}
-
-/// Writes each face into the half-edges of the cycles that it lists.
-fn label_faces(table: &mut Table) {
-    for (f, start) in listed(table).into_iter().map(|(f, _, start)| (f, start)) {
-        for h in cycle(table, start) {
-            half_edge(table, h).face = Some(f);
+    for (f, _, start) in listed(&table) {
+        for h in cycle(&table, start) {
+            half_edge(&mut table, h).face = Some(f);
         }
     }
+    table
 }
 
-/// A textbook table with records for its boundary components besides: one for each entry of the list of each face.
+/// A mesh of these triangles, each a face with that outer boundary component, no two with a side in the same direction.
+pub(crate) fn mesh(vertices: usize, triangles: &[[usize; 3]]) -> Table {
+    with_boundary_components(&textbook_mesh(vertices, triangles))
+}
+
+/// The same in the form of the textbook.
+pub(crate) fn textbook_mesh(vertices: usize, triangles: &[[usize; 3]]) -> Table {
+    let sides = |[a, b, c]: [usize; 3]| [(a, b), (b, c), (c, a)];
+    let mut pairs: Vec<(usize, usize)> = vec![];
+    for (a, b) in triangles.iter().copied().flat_map(sides) {
+        if !pairs.contains(&(a, b)) {
+            pairs.extend([(a, b), (b, a)]);
+        }
+    }
+    let number = |pair| pairs.iter().position(|p| *p == pair).unwrap();
+    let mut half_edges = vec![(0, 0); pairs.len()];
+    let mut faces: Vec<ShortFace<'_>> = vec![];
+    for triangle in triangles {
+        let [ab, bc, ca] = sides(*triangle);
+        for (side, next) in [(ab, bc), (bc, ca), (ca, ab)] {
+            half_edges[number(side)] = (side.0, number(next));
+        }
+        faces.push((Some(number(ab)), &[]));
+    }
+    textbook_map(vertices, &half_edges, &faces)
+}
+
+/// A textbook table with records for its boundary components instead: one for each entry of the list of each face.
 pub(crate) fn with_boundary_components(textbook: &Table) -> Table {
     let mut table = textbook.clone();
+    for half_edge in table.half_edges.iter_mut().flatten() {
+        half_edge.face = None;
+    }
+    table.faces.fill(Some(FaceRow::default()));
     for (f, place, start) in listed(textbook) {
         let b = table.boundaries.len();
         table.boundaries.push(Some(BoundaryRow { face: Some(f), start: Some(start), place: Some(place) }));
-        let row = table.faces[f].as_mut().unwrap();
         match place {
-            Place::Outer => row.outer = Some(b),
-            Place::Inner(_) => row.inner.push(Some(b)),
+            Place::Outer => face(&mut table, f).outer = Some(b),
+            Place::Inner(_) => face(&mut table, f).inner.push(Some(b)),
         }
         for h in cycle(textbook, start) {
             half_edge(&mut table, h).boundary = Some(b);
