@@ -51,6 +51,11 @@
 //! exactly one face, exactly once; T1 and T2 make containment a tree; T3 makes every component plane. From the tree one can
 //! draw the map, outermost component first, each inside a face already drawn. So what keeps R, L, V, B, F and T is the
 //! topology of some planar subdivision, and every planar subdivision keeps them.
+//!
+//! # Why believe it
+//!
+//! There is a second opinion: [`mod@reference`] says each rule once more in sets and quantifiers, and [`enumerate`] makes every
+//! small [`Table`], and every change of one cell of a larger one, for the two to agree on.
 
 mod boundaries;
 pub mod enumerate;
