@@ -1,8 +1,9 @@
 //! Audit a half-edge structure of your own: one trait to implement, one function to call.
 //!
-//! The first part is a DCEL as one finds it in many projects, a vector for each of the textbook's three tables. The second
-//! lets the validator look at it. Then a face is split, once right, and once with one assignment forgotten, which nothing
-//! notices at the time: only a later walk around the face, from the new half-edge, would never come back to it.
+//! The first part is a DCEL as one finds it in many projects, a vector for each of the textbook's three tables. The
+//! second lets the validator look at it. Then a face is split, once right, and once with one assignment forgotten,
+//! which nothing notices at the time: only a later walk around the face, from the new half-edge, would never come back
+//! to it.
 //!
 //! ```text
 //! cargo run --example audit_your_own
@@ -11,7 +12,7 @@
 use std::process::ExitCode;
 use twinedge::validate::{Collect, Expectation, Link, Part, Start, View, Violation, validate};
 
-// ---- somebody's DCEL -------------------------------------------------------------------------------------------------
+// ---- somebody's DCEL ---------------------------------------------------------------------------------------------
 
 struct Vertex {
     leaving: usize,
@@ -74,7 +75,7 @@ impl Dcel {
     }
 }
 
-// ---- what the validator asks of it -----------------------------------------------------------------------------------
+// ---- what the validator asks of it -------------------------------------------------------------------------------
 
 impl View for Dcel {
     fn vertex_slots(&self) -> usize {
@@ -115,7 +116,7 @@ impl View for Dcel {
     }
 }
 
-// ---- the audit -------------------------------------------------------------------------------------------------------
+// ---- the audit ---------------------------------------------------------------------------------------------------
 
 fn main() -> ExitCode {
     // Faces keep half-edges here, and there are no records for boundary components.

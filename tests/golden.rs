@@ -1,8 +1,8 @@
 //! The tables of the textbooks, entered by hand, and every change of one field of them.
 //!
 //! (a) is the polygonal map with a dangling edge of the lecture notes CS60064, lecture 12, after de Berg et al.,
-//! *Computational Geometry*, chapter 2. (b) is the map of five faces that is often used to explain the three tables; of its
-//! half-edge table only four rows are given (marked `*`), along with all of the vertex and the face table.
+//! *Computational Geometry*, chapter 2. (b) is the map of five faces that is often used to explain the three tables; of
+//! its half-edge table only four rows are given (marked `*`), along with all of the vertex and the face table.
 
 mod support;
 
@@ -58,8 +58,8 @@ const DANGLING: Textbook = Textbook {
 ///              v5
 /// ```
 ///
-/// What is given leaves two completions, which differ in which of e7 and e9 joins v3 to v6. This is the one that numbers the
-/// edges of each triangle as the drawing does, in the order in which the faces are added.
+/// What is given leaves two completions, which differ in which of e7 and e9 joins v3 to v6. This is the one that
+/// numbers the edges of each triangle as the drawing does, in the order in which the faces are added.
 const FIVE_FACES: Textbook = Textbook {
     half_edges: "
         e1,1  V3  e1,2  f1  e2,1  e3,1
@@ -95,8 +95,8 @@ const FIVE_FACES: Textbook = Textbook {
       * f5  nil   e9,2",
 };
 
-/// Three tables as they are printed. A half-edge has origin, twin, face, next and prev; a vertex a half-edge that leaves it;
-/// a face a half-edge of its outer boundary component and one of each inner one.
+/// Three tables as they are printed. A half-edge has origin, twin, face, next and prev; a vertex a half-edge that
+/// leaves it; a face a half-edge of its outer boundary component and one of each inner one.
 struct Textbook {
     half_edges: &'static str,
     vertices: &'static str,
@@ -212,8 +212,9 @@ fn the_other_completion_is_accepted_too() {
     assert_eq!(certificate(&table, TEXTBOOK).faces, 5);
 }
 
-/// The changes of one field after which the table is another right table, each with the reason. There are two reasons only:
-/// a vertex may keep any half-edge that leaves it, and a boundary component may start at any half-edge of its cycle.
+/// The changes of one field after which the table is another right table, each with the reason. There are two reasons
+/// only: a vertex may keep any half-edge that leaves it, and a boundary component may start at any half-edge of its
+/// cycle.
 fn harmless(textbook: &Table, records: &Table, by_record: bool) -> BTreeSet<(Cell, Value)> {
     let half_edges = 0..textbook.half_edges.len();
     let mut harmless = BTreeSet::new();
@@ -259,8 +260,8 @@ fn change_every_field(textbook: &Table, expectation: Expectation) -> (usize, usi
     (changes, accepted.len())
 }
 
-/// A link has two more wrong values than there are slots to lead to: nil, and past the end one near and one far, less the
-/// one that was there. A start has half-edges and vertices to choose from.
+/// A link has two more wrong values than there are slots to lead to: nil, and past the end one near and one far, less
+/// the one that was there. A start has half-edges and vertices to choose from.
 ///
 /// Of the harmless changes there are 2E − V at the vertices and 2E − cycles at the starts.
 #[test]
@@ -313,7 +314,8 @@ fn every_change_of_the_length_of_a_list_is_caught() {
     }
 }
 
-/// The tables as a mesh would keep them: no lists of inner boundary components, so the unbounded face is a face like others.
+/// The tables as a mesh would keep them: no lists of inner boundary components, so the unbounded face is a face like
+/// others.
 #[test]
 fn the_maps_are_meshes_of_a_sphere_too() {
     let mesh = Expectation::surface().without(Part::BoundaryComponents);

@@ -1,5 +1,5 @@
-//! Structures that lie: the validator returns, and refuses them. No answer may make it panic, ask about what is not there, or
-//! go on for ever.
+//! Structures that lie: the validator returns, and refuses them. No answer may make it panic, ask about what is not
+//! there, or go on for ever.
 
 mod support;
 
@@ -355,8 +355,8 @@ fn loops() -> Table {
     table
 }
 
-/// Whatever changes while it is being looked at, and from whichever question on: only a few questions more are asked, and none
-/// about what is not there.
+/// Whatever changes while it is being looked at, and from whichever question on: only a few questions more are asked,
+/// and none about what is not there.
 #[test]
 fn answers_may_change_from_call_to_call() {
     let table = loops();
@@ -375,8 +375,8 @@ fn answers_may_change_from_call_to_call() {
     }
 }
 
-/// `next` is a permutation when R1 and L2 look at it, and another when T3 counts its cycles: the only way to a surface that
-/// does not exist, because where L and V2 hold, the numbers of a component are those of a surface.
+/// `next` is a permutation when R1 and L2 look at it, and another when T3 counts its cycles: the only way to a surface
+/// that does not exist, because where L and V2 hold, the numbers of a component are those of a surface.
 #[test]
 fn a_surface_that_does_not_exist() {
     struct Fickle(Cell<usize>, usize);

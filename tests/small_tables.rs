@@ -1,5 +1,5 @@
-//! All small tables: every assignment of the cells named, right or wrong. Both validators judge each alike, and as many are
-//! right as there are maps to be written down.
+//! All small tables: every assignment of the cells named, right or wrong. Both validators judge each alike, and as many
+//! are right as there are maps to be written down.
 
 mod support;
 
@@ -51,7 +51,8 @@ fn blank(vertices: usize, half_edges: usize, boundaries: usize, lists: &[usize])
     }
 }
 
-/// Sets all cells that matter, and are wanted, to everything; returns how many tables there were and how many were right.
+/// Sets all cells that matter, and are wanted, to everything; returns how many tables there were and how many were
+/// right.
 fn judge_all(
     mut table: Table,
     expectation: Expectation,
@@ -89,8 +90,8 @@ fn pairings(edges: u64) -> u64 {
     (1..=edges).map(|i| 2 * i - 1).product()
 }
 
-/// The maps of n edges on labelled half-edges, with the labels of k of m vertices given to their rotations, which may be any
-/// permutation `next∘twin`. What is left of the m are isolated vertices.
+/// The maps of n edges on labelled half-edges, with the labels of k of m vertices given to their rotations, which may
+/// be any permutation `next∘twin`. What is left of the m are isolated vertices.
 fn labelled_maps(edges: u64, vertices: u64) -> u64 {
     let labelled = |k| factorial(k) * binomial(vertices, k) * permutations_with_orbits(2 * edges, k);
     pairings(edges) * (0..=vertices).map(labelled).sum::<u64>()
@@ -125,7 +126,8 @@ fn four_half_edges_and_two_vertices() {
     assert_eq!(found, (4_u64.pow(8) * 2_u64.pow(4), labelled_maps(2, 2)));
 }
 
-/// Gives each half-edge the origin that it must have, that of the next of its twin, and each rotation a vertex of its own.
+/// Gives each half-edge the origin that it must have, that of the next of its twin, and each rotation a vertex of its
+/// own.
 fn derive_origins(table: &mut Table) {
     let half_edges = table.half_edges.len();
     let mut origin: Vec<usize> = (0..half_edges).collect();
@@ -161,8 +163,8 @@ fn judge_with_origins(mut table: Table, expectation: Expectation, cells: &[(Cell
     (all, right, planar)
 }
 
-/// Rooted maps with n edges on a surface have no symmetry, so each can be labelled in (2n − 1)! ways, its root being first.
-/// There are 2, 9, 54 of them in the plane (Tutte; A000168) and 0, 1, 20 on the torus (A006300) for n = 1, 2, 3.
+/// Rooted maps with n edges on a surface have no symmetry, so each can be labelled in (2n − 1)! ways, its root being
+/// first. There are 2, 9, 54 of them in the plane (Tutte; A000168) and 0, 1, 20 on the torus (A006300) for n = 1, 2, 3.
 const fn connected(rooted: u64, edges: u64) -> u64 {
     let mut labelled = rooted;
     let mut i = 2 * edges - 1;
@@ -217,8 +219,8 @@ fn each_next_has_one_prev() {
     assert_eq!(judge_with_origins(table, expectation, &cells), (4_u64.pow(8), factorial(4), planar));
 }
 
-/// Every twin, or none, and next of four half-edges: 0, 1 or 2 pairs of twins. Borders that are closed by one more cycle
-/// each always give a surface.
+/// Every twin, or none, and next of four half-edges: 0, 1 or 2 pairs of twins. Borders that are closed by one more
+/// cycle each always give a surface.
 #[test]
 fn open_maps_of_four_half_edges() {
     let expectation = MAP.without(Part::Prev).without(Part::Leaving).open();
@@ -248,8 +250,8 @@ fn each_map_of_two_edges(mut visit: impl FnMut(&Table, usize)) {
     });
 }
 
-/// Every face of each half-edge and half-edge of each face, for each map of two edges: there are as many faces as cycles, in
-/// any order, and each keeps any half-edge of its cycle.
+/// Every face of each half-edge and half-edge of each face, for each map of two edges: there are as many faces as
+/// cycles, in any order, and each keeps any half-edge of its cycle.
 #[test]
 fn the_faces_of_a_mesh() {
     let expectation =
@@ -321,8 +323,8 @@ fn two_isolated_vertices() {
     }
 }
 
-/// Two loops and three faces, the first of them unbounded: which half-edge of each is outside, which face is inside which,
-/// and one in the other or, in any order, both side by side.
+/// Two loops and three faces, the first of them unbounded: which half-edge of each is outside, which face is inside
+/// which, and one in the other or, in any order, both side by side.
 #[test]
 fn two_loops_and_how_they_nest() {
     let loops = textbook_map(2, &[(0, 0), (0, 1), (1, 2), (1, 3)], &[]);
@@ -370,8 +372,9 @@ fn loops_nest_as_trees() {
     }
 }
 
-/// Every change of two fields of a loop in a loop beside a vertex. Harmless is to let both vertices keep the other half-edge
-/// that leaves them, and, where no boundary component says its place, to list the two in the unbounded face the other way.
+/// Every change of two fields of a loop in a loop beside a vertex. Harmless is to let both vertices keep the other
+/// half-edge that leaves them, and, where no boundary component says its place, to list the two in the unbounded face
+/// the other way.
 #[test]
 fn two_fields_at_once() {
     let (outside, between) = ([Start::HalfEdge(1), Start::Vertex(2)], [Start::HalfEdge(3)]);

@@ -436,9 +436,10 @@ fn t3_and_t4_seven_vertices_all_joined_do_not_fit_in_the_plane() {
     assert_eq!(agree(&table, PLANE), Some(Rule::T3));
 }
 
-/// T4 is never broken alone. Where all rules before it hold, the structure is a planar subdivision, and those have no more
-/// edges and faces than T4 grants, by Euler's formula. In particular too many edges mean T3; too many faces can also mean
-/// that the faces are counted wrong, as here: four triangles of a tetrahedron all face inwards, and a fifth face is outside.
+/// T4 is never broken alone. Where all rules before it hold, the structure is a planar subdivision, and those have no
+/// more edges and faces than T4 grants, by Euler's formula. In particular too many edges mean T3; too many faces can
+/// also mean that the faces are counted wrong, as here: four triangles of a tetrahedron all face inwards, and a fifth
+/// face is outside.
 #[test]
 fn t4_is_broken_with_t1_where_faces_are_counted_wrong() {
     let mut table = mesh(4, &[[0, 1, 2], [0, 3, 1], [1, 3, 2], [0, 2, 3]]);

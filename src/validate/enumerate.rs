@@ -1,8 +1,8 @@
 //! Every table: the cells of a [`Table`], and what each of them could be set to.
 //!
-//! Two walks are made of these. [`for_each_corruption`] sets one cell at a time to everything else that it could be: what
-//! one broken pointer can do. [`for_each_assignment`] sets many cells to everything in all combinations: all tables of a
-//! size, right or wrong.
+//! Two walks are made of these. [`for_each_corruption`] sets one cell at a time to everything else that it could be:
+//! what one broken pointer can do. [`for_each_assignment`] sets many cells to everything in all combinations: all
+//! tables of a size, right or wrong.
 
 use super::{Expectation, Link, Part, Place, Start, Table};
 use alloc::vec::Vec;
@@ -83,8 +83,8 @@ impl Table {
         cells
     }
 
-    /// Everything that the cell could be set to: nil, the index of every slot of the kind that it leads to, the one past
-    /// the end and the largest number there is. O(n).
+    /// Everything that the cell could be set to: nil, the index of every slot of the kind that it leads to, the one
+    /// past the end and the largest number there is. O(n).
     #[must_use]
     pub fn values(&self, cell: Cell) -> Vec<Value> {
         let indices = |slots: usize| (0..=slots).chain([usize::MAX]);
@@ -110,8 +110,8 @@ impl Table {
         }
     }
 
-    /// Sets a cell and returns what it held. `None`, and nothing changes, if there is no such cell or it cannot hold a value
-    /// of this kind. O(1).
+    /// Sets a cell and returns what it held. `None`, and nothing changes, if there is no such cell or it cannot hold a
+    /// value of this kind. O(1).
     pub fn set(&mut self, cell: Cell, value: Value) -> Option<Value> {
         match (self.stored(cell)?, value) {
             (Stored::Link(stored), Value::Link(link)) => Some(Value::Link(core::mem::replace(stored, link))),
@@ -150,8 +150,8 @@ fn row<T>(rows: &mut [Option<T>], i: usize) -> Option<&mut T> {
     rows.get_mut(i)?.as_mut()
 }
 
-/// Calls `visit` with the table as it is after each change of one cell to another of its [values](Table::values), and with
-/// that cell and value. The table is the same again in the end. O(n) changes for each of the O(n) cells.
+/// Calls `visit` with the table as it is after each change of one cell to another of its [values](Table::values), and
+/// with that cell and value. The table is the same again in the end. O(n) changes for each of the O(n) cells.
 ///
 /// ```
 /// use twinedge::validate::enumerate::for_each_corruption;
@@ -193,7 +193,8 @@ pub fn for_each_assignment(table: &mut Table, cells: &[(Cell, Vec<Value>)], mut 
     loop {
         visit(table);
         count += 1;
-        // Like a mileage counter: the last position moves on, and where it is through, starts again and takes the one before.
+        // Like a mileage counter: the last position moves on, and where it is through, starts again and takes the one
+        // before.
         let mut digits = positions.iter_mut().zip(cells).rev();
         let moved = digits.find_map(|(position, (cell, values))| {
             *position = (*position + 1) % values.len();

@@ -1,12 +1,12 @@
 //! The reference validator: a second opinion, slow and obvious.
 //!
 //! Each rule is one function, headed by its sentence, and its body is that sentence in sets and quantifiers. It shares
-//! nothing with [`validate`](super::validate) but the questions that a [`View`] answers, so that where both agree on all
-//! small structures, neither has a blind spot that the other lacks.
+//! nothing with [`validate`](super::validate) but the questions that a [`View`] answers, so that where both agree on
+//! all small structures, neither has a blind spot that the other lacks.
 //!
-//! What it is exact about: a structure is valid if and only if no rule is broken; and the *first* broken rule, in the order
-//! of the ladder, is the same for both validators. A later rule says what its sentence says, also where an earlier one that
-//! it relies on is broken, while the fast validator then declines to check it.
+//! What it is exact about: a structure is valid if and only if no rule is broken; and the *first* broken rule, in the
+//! order of the ladder, is the same for both validators. A later rule says what its sentence says, also where an
+//! earlier one that it relies on is broken, while the fast validator then declines to check it.
 //!
 //! It is total: nil is followed to nil, no walk goes on once it meets what it has seen, and nothing recurses. But it is
 //! cubic and worse, and it is for small structures only: it reads every slot and every list entry that the view claims.
@@ -152,11 +152,12 @@ fn b1<V: View + ?Sized>(s: &Structure<'_, V>) -> bool {
     }
 }
 
-/// B2 isolated: a vertex has no half-edge if and only if exactly one boundary component starts at it, and they name each
-/// other.
+/// B2 isolated: a vertex has no half-edge if and only if exactly one boundary component starts at it, and they name
+/// each other.
 ///
-/// At other vertices none starts, and they name none. Without a record of the unbounded face, an isolated vertex may lie
-/// there, where none starts. Without records for boundary components, entries of the lists of the faces stand for them.
+/// At other vertices none starts, and they name none. Without a record of the unbounded face, an isolated vertex may
+/// lie there, where none starts. Without records for boundary components, entries of the lists of the faces stand for
+/// them.
 fn b2<V: View + ?Sized>(s: &Structure<'_, V>) -> bool {
     s.lacks(Part::Holes)
         || s.vertices.iter().all(|&v| {
@@ -187,8 +188,8 @@ fn f1<V: View + ?Sized>(s: &Structure<'_, V>) -> bool {
 
 /// F2 listed: every boundary component is listed exactly once, by the face it names, at the place it says.
 ///
-/// Without records for boundary components: every cycle that has a face is listed exactly once, one that has none at most
-/// once (and then B1 is broken).
+/// Without records for boundary components: every cycle that has a face is listed exactly once, one that has none at
+/// most once (and then B1 is broken).
 fn f2<V: View + ?Sized>(s: &Structure<'_, V>) -> bool {
     match s.says {
         Says::Nothing => true,

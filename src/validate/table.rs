@@ -91,8 +91,8 @@ fn rows<T>(n: usize, row: impl FnMut(usize) -> T) -> Option<Vec<T>> {
 }
 
 impl Table {
-    /// Everything that a structure says, copied; `None` if there is no memory for all that it claims to have. O(n) for n
-    /// slots and list entries.
+    /// Everything that a structure says, copied; `None` if there is no memory for all that it claims to have. O(n) for
+    /// n slots and list entries.
     #[must_use]
     pub fn copy_of<V: View + ?Sized>(view: &V) -> Option<Self> {
         let vertices = rows(view.vertex_slots(), |v| {

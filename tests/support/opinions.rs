@@ -11,8 +11,8 @@ pub(crate) fn broken(report: &Report) -> Vec<Rule> {
 
 /// Asserts that both validators judge the structure alike, and returns the first broken rule.
 ///
-/// Alike means: valid for both or for neither; the same first broken rule; and where every link is live, the same verdict on
-/// every rule that the fast validator did not decline to check because of another.
+/// Alike means: valid for both or for neither; the same first broken rule; and where every link is live, the same
+/// verdict on every rule that the fast validator did not decline to check because of another.
 pub(crate) fn agree<V: View + Debug>(view: &V, expectation: Expectation) -> Option<Rule> {
     let report = validate(view, &expectation, Collect::All);
     let (fast, slow) = (broken(&report), broken_rules(view, &expectation));

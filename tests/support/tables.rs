@@ -5,8 +5,8 @@ use twinedge::validate::{BoundaryRow, FaceRow, HalfEdgeRow, Place, Start, Table,
 /// A face in the short way: a half-edge of its outer cycle, and where its inner boundary components start.
 pub(crate) type ShortFace<'a> = (Option<usize>, &'a [Start]);
 
-/// A map with this origin and next for each half-edge, the twins being 0 and 1, 2 and 3, …, and these faces, with records
-/// for its boundary components, numbered as the faces list them.
+/// A map with this origin and next for each half-edge, the twins being 0 and 1, 2 and 3, …, and these faces, with
+/// records for its boundary components, numbered as the faces list them.
 pub(crate) fn map(vertices: usize, half_edges: &[(usize, usize)], faces: &[ShortFace<'_>]) -> Table {
     with_boundary_components(&textbook_map(vertices, half_edges, faces))
 }
