@@ -187,6 +187,13 @@ impl<'a, S: Store> HalfEdge<'a, S> {
         self.twin().next()
     }
 
+    /// The half-edges that leave the same vertex, counter-clockwise from this one on. O(1) per step.
+    #[must_use]
+    #[inline]
+    pub fn rotation(self) -> Rotation<'a, S> {
+        Rotation::new(Some(self))
+    }
+
     /// The boundary component that it is part of. O(1).
     #[must_use]
     #[inline]
