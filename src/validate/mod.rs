@@ -53,10 +53,12 @@
 //! topology of some planar subdivision, and every planar subdivision keeps them.
 
 mod boundaries;
+pub mod enumerate;
 mod expectation;
 mod faces;
 mod links;
 mod live;
+pub mod reference;
 mod report;
 mod rotations;
 mod rule;

@@ -153,6 +153,7 @@ pub struct Report {
 
 impl Report {
     /// The rules that were to be checked, in order, each with what became of it.
+    #[must_use]
     pub fn outcomes(&self) -> impl ExactSizeIterator<Item = (Rule, Outcome)> + '_ {
         self.outcomes.iter().copied()
     }

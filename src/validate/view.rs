@@ -36,7 +36,8 @@ pub enum Place {
 /// | half-edges (the textbook's tables, most meshes) | `face`, `outer_half_edge`, `inner_start` | `boundary…`, `outer`, `inner` |
 /// | nothing: twins and rotations only | neither | all of these |
 ///
-/// No answer can make the validator panic or loop, not even answers that change from call to call.
+/// No answer can make the validator panic or loop, not even answers that change from call to call. And it asks only about
+/// slots that there are, and about positions below `inner_count`, so an answer may well be `self.next[half_edge]`.
 pub trait View {
     /// The number of slots for vertices: their indices are `0 .. vertex_slots()`.
     fn vertex_slots(&self) -> usize;
