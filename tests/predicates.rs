@@ -10,16 +10,13 @@ use exact::{Grid, Meets, area, lies_on, meets, point};
 use quickcheck::{Arbitrary, Gen, QuickCheck, TestResult, Testable};
 use twinedge::geometry::Point;
 use twinedge::geometry::predicates::{
-    Endpoint, MAX_COORDINATE, MIN_COORDINATE, Meeting, Orientation, compare_angle,
-    compare_lexicographic, in_range, meeting, on_segment, orientation,
+    Endpoint, MAX_COORDINATE, MIN_COORDINATE, Meeting, Orientation, compare_angle, compare_lexicographic, in_range,
+    meeting, on_segment, orientation,
 };
 
 fn check(tests: u64, property: impl Testable) {
     let generator = Gen::from_size_and_seed(50, 1975);
-    let quickcheck = QuickCheck::new()
-        .rng(generator)
-        .tests(tests)
-        .max_tests(20 * tests);
+    let quickcheck = QuickCheck::new().rng(generator).tests(tests).max_tests(20 * tests);
     quickcheck.min_tests_passed(tests).quickcheck(property);
 }
 
@@ -54,9 +51,7 @@ impl Arbitrary for Wild {
         if exponent == 0 {
             return Self(0.0);
         }
-        Self(f64::from_bits(
-            (u64::from(bool::arbitrary(g)) << 63) | (exponent << 52) | fraction,
-        ))
+        Self(f64::from_bits((u64::from(bool::arbitrary(g)) << 63) | (exponent << 52) | fraction))
     }
 }
 
@@ -71,10 +66,7 @@ impl Sum {
         let parts = |c: f64| {
             let (bits, exponent) = (c.abs().to_bits(), (c.abs().to_bits() >> 52) as usize);
             let mantissa = (bits & ((1 << 52) - 1)) | (u64::from(exponent > 0) << 52);
-            (
-                i128::from(mantissa) * if c < 0.0 { -1 } else { 1 },
-                exponent.max(1),
-            )
+            (i128::from(mantissa) * if c < 0.0 { -1 } else { 1 }, exponent.max(1))
         };
         let ((m, e), (n, f)) = (parts(a), parts(b));
         // m and n count units of 2^(exponent - 1075), so the product counts units of 2^(e + f - 2150).
@@ -96,11 +88,7 @@ impl Sum {
             self.limbs[i + 1] += carry;
         }
         // All limbs but the last are from 0 to 2^32 now.
-        self.limbs[self.limbs.len() - 1].cmp(&0).then(if any {
-            Ordering::Greater
-        } else {
-            Ordering::Equal
-        })
+        self.limbs[self.limbs.len() - 1].cmp(&0).then(if any { Ordering::Greater } else { Ordering::Equal })
     }
 }
 
@@ -126,32 +114,13 @@ fn side(sign: Ordering) -> Orientation {
 fn the_bounds_are_the_powers_of_two_that_are_promised() {
     assert_eq!(MAX_COORDINATE.to_bits(), 2_f64.powi(500).to_bits());
     assert_eq!(MIN_COORDINATE.to_bits(), 2_f64.powi(-400).to_bits());
-    for good in [
-        0.0,
-        -0.0,
-        1.0,
-        -MAX_COORDINATE,
-        MAX_COORDINATE,
-        MIN_COORDINATE,
-        -MIN_COORDINATE,
-    ] {
-        assert!(
-            in_range(Point::new(good, 1.0)) && in_range(Point::new(1.0, good)),
-            "{good}"
-        );
+    for good in [0.0, -0.0, 1.0, -MAX_COORDINATE, MAX_COORDINATE, MIN_COORDINATE, -MIN_COORDINATE] {
+        assert!(in_range(Point::new(good, 1.0)) && in_range(Point::new(1.0, good)), "{good}");
     }
-    let beyond = [
-        f64::NAN,
-        f64::INFINITY,
-        MAX_COORDINATE.next_up(),
-        -MAX_COORDINATE.next_up(),
-        MIN_COORDINATE.next_down(),
-    ];
+    let beyond =
+        [f64::NAN, f64::INFINITY, MAX_COORDINATE.next_up(), -MAX_COORDINATE.next_up(), MIN_COORDINATE.next_down()];
     for bad in beyond {
-        assert!(
-            !in_range(Point::new(bad, 1.0)) && !in_range(Point::new(1.0, bad)),
-            "{bad}"
-        );
+        assert!(!in_range(Point::new(bad, 1.0)) && !in_range(Point::new(1.0, bad)), "{bad}");
     }
 }
 
@@ -162,44 +131,27 @@ fn orientation_is_exact_at_both_ends_of_the_range() {
         assert!([a, b, c].into_iter().all(in_range));
         orientation(a, b, c) == exact_orientation(a, b, c)
     }
-    check(
-        50_000,
-        property as fn((Wild, Wild), (Wild, Wild), (Wild, Wild)) -> bool,
-    );
+    check(50_000, property as fn((Wild, Wild), (Wild, Wild), (Wild, Wild)) -> bool);
 }
 
 #[test]
 fn orientation_is_exact_for_nearly_collinear_points() {
     /// Points in a row, each moved by a few units in the last place, scaled to where it hurts.
-    fn property(
-        start: Wild,
-        steps: (i16, i16),
-        stretch: (u8, u8),
-        nudges: [i8; 3],
-        scale: i16,
-    ) -> TestResult {
+    fn property(start: Wild, steps: (i16, i16), stretch: (u8, u8), nudges: [i8; 3], scale: i16) -> TestResult {
         let scale = 2_f64.powi(i32::from(scale % 490));
         let start = start.0.clamp(-1.0, 1.0);
         let at = |k: u8, nudge: i8| {
             let along = |step: i16| start + f64::from(step) * f64::from(k) / 7.0;
-            let moved =
-                |c: f64| f64::from_bits(c.to_bits().wrapping_add_signed(i64::from(nudge % 3)));
+            let moved = |c: f64| f64::from_bits(c.to_bits().wrapping_add_signed(i64::from(nudge % 3)));
             Point::new(along(steps.0) * scale, moved(along(steps.1) * scale))
         };
-        let [a, b, c] = [
-            at(0, nudges[0]),
-            at(stretch.0, nudges[1]),
-            at(stretch.1, nudges[2]),
-        ];
+        let [a, b, c] = [at(0, nudges[0]), at(stretch.0, nudges[1]), at(stretch.1, nudges[2])];
         if ![a, b, c].into_iter().all(in_range) {
             return TestResult::discard();
         }
         TestResult::from_bool(orientation(a, b, c) == exact_orientation(a, b, c))
     }
-    check(
-        50_000,
-        property as fn(Wild, (i16, i16), (u8, u8), [i8; 3], i16) -> TestResult,
-    );
+    check(50_000, property as fn(Wild, (i16, i16), (u8, u8), [i8; 3], i16) -> TestResult);
 }
 
 #[test]
@@ -226,11 +178,7 @@ fn angles_are_ordered_as_the_arc_tangent_orders_them() {
     fn angle(center: Grid, a: Grid) -> Option<f64> {
         let (dx, dy) = (a.0 - center.0, a.1 - center.1);
         let angle = f64::from(dy).atan2(f64::from(dx));
-        ((dx, dy) != (0, 0)).then_some(if angle < 0.0 {
-            angle + std::f64::consts::TAU
-        } else {
-            angle
-        })
+        ((dx, dy) != (0, 0)).then_some(if angle < 0.0 { angle + std::f64::consts::TAU } else { angle })
     }
     fn property(center: Near, a: Near, b: Near) -> bool {
         let expected = match (angle(center.0, a.0), angle(center.0, b.0)) {

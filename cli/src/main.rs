@@ -10,8 +10,10 @@ use std::process::ExitCode;
 /// Builds and audits planar maps, and the structure they are kept in.
 #[derive(Debug, Parser)]
 #[command(name = "twinedge", version, propagate_version = true, arg_required_else_help = true)]
-#[command(after_help = "Exit status: 0 all is well; 1 something is wrong with what was examined; 2 the input could not be \
-read, or the command was misused.")]
+#[command(
+    after_help = "Exit status: 0 all is well; 1 something is wrong with what was examined; 2 the input could not be \
+read, or the command was misused."
+)]
 struct Arguments {
     #[command(subcommand)]
     command: Command,

@@ -122,17 +122,9 @@ pub enum BadDrawing {
 /// assert_eq!(total, 3);
 /// # Ok::<(), twinedge::geometry::crossing::BadDrawing>(())
 /// ```
-pub fn clashes(
-    points: &[Point],
-    segments: &[[u32; 2]],
-    cap: usize,
-) -> Result<(Vec<Clash>, u64), BadDrawing> {
+pub fn clashes(points: &[Point], segments: &[[u32; 2]], cap: usize) -> Result<(Vec<Clash>, u64), BadDrawing> {
     check(points, segments)?;
-    let mut found = Found {
-        first: Vec::new(),
-        total: 0,
-        cap,
-    };
+    let mut found = Found { first: Vec::new(), total: 0, cap };
     same_places(points, &mut found);
 
     let tree = boxes(points, segments);
@@ -144,9 +136,7 @@ pub fn clashes(
                 What::Segment(other) if other != id => {
                     match classify(points, segments, id, other) {
                         // This is found from both sides: the smaller reports it.
-                        Some(clash @ (Clash::Cross { a, .. } | Clash::Overlap { a, .. }))
-                            if a == id =>
-                        {
+                        Some(clash @ (Clash::Cross { a, .. } | Clash::Overlap { a, .. })) if a == id => {
                             here.push(clash);
                         }
                         // This may be found for several segments that end there: see below.
@@ -157,20 +147,15 @@ pub fn clashes(
                     }
                 }
                 What::Point(vertex)
-                    if on_segment(points[vertex as usize], p, q)
-                        && !at_end(points[vertex as usize], p, q) =>
+                    if on_segment(points[vertex as usize], p, q) && !at_end(points[vertex as usize], p, q) =>
                 {
-                    here.push(Clash::Touch {
-                        vertex,
-                        segment: id,
-                    });
+                    here.push(Clash::Touch { vertex, segment: id });
                 }
                 _ => {}
             }
             ControlFlow::<()>::Continue(())
         };
-        let _never_breaks =
-            tree.locate_in_envelope_intersecting_int(AABB::from_corners(p.into(), q.into()), visit);
+        let _never_breaks = tree.locate_in_envelope_intersecting_int(AABB::from_corners(p.into(), q.into()), visit);
         here.sort_unstable();
         here.dedup();
         found.extend(&mut here);
@@ -202,17 +187,11 @@ impl Found {
 /// Finds the pairs of points with the same coordinates, sorted.
 fn same_places(points: &[Point], found: &mut Found) {
     let mut order: Vec<u32> = (0..points.len() as u32).collect();
-    let compare =
-        |&a: &u32, &b: &u32| compare_lexicographic(points[a as usize], points[b as usize]);
+    let compare = |&a: &u32, &b: &u32| compare_lexicographic(points[a as usize], points[b as usize]);
     order.sort_unstable_by(|a, b| compare(a, b).then(a.cmp(b)));
-    let mut groups: Vec<&[u32]> = order
-        .chunk_by(|a, b| compare(a, b) == Ordering::Equal)
-        .filter(|group| group.len() > 1)
-        .collect();
-    found.total += groups
-        .iter()
-        .map(|group| (group.len() as u64) * (group.len() as u64 - 1) / 2)
-        .sum::<u64>();
+    let mut groups: Vec<&[u32]> =
+        order.chunk_by(|a, b| compare(a, b) == Ordering::Equal).filter(|group| group.len() > 1).collect();
+    found.total += groups.iter().map(|group| (group.len() as u64) * (group.len() as u64 - 1) / 2).sum::<u64>();
 
     // The pairs sorted: all of the smallest point, then all of the next. Each group gives its first point up in its
     // turn.
@@ -221,9 +200,7 @@ fn same_places(points: &[Point], found: &mut Found) {
         pairs.extend((0..group.len()).map(|i| (group[i], &group[i + 1..])));
     }
     pairs.sort_unstable();
-    let pairs = pairs
-        .into_iter()
-        .flat_map(|(a, later)| later.iter().map(move |&b| Clash::SamePlace { a, b }));
+    let pairs = pairs.into_iter().flat_map(|(a, later)| later.iter().map(move |&b| Clash::SamePlace { a, b }));
     found.first.extend(pairs.take(found.room()));
 }
 
@@ -255,17 +232,11 @@ fn boxes(points: &[Point], segments: &[[u32; 2]]) -> RTree<Boxed> {
             isolated[end as usize] = false;
             points[end as usize].into()
         });
-        all.push(Boxed {
-            what: What::Segment(id),
-            envelope: AABB::from_corners(p, q),
-        });
+        all.push(Boxed { what: What::Segment(id), envelope: AABB::from_corners(p, q) });
     }
     for (id, &p) in (0..).zip(points) {
         if isolated[id as usize] {
-            all.push(Boxed {
-                what: What::Point(id),
-                envelope: AABB::from_point(p.into()),
-            });
+            all.push(Boxed { what: What::Point(id), envelope: AABB::from_point(p.into()) });
         }
     }
     RTree::bulk_load(all)
@@ -276,12 +247,7 @@ fn at_end(p: Point, a: Point, b: Point) -> bool {
 }
 
 /// How two segments of a checked drawing clash, if they do.
-pub(super) fn classify(
-    points: &[Point],
-    segments: &[[u32; 2]],
-    one: u32,
-    other: u32,
-) -> Option<Clash> {
+pub(super) fn classify(points: &[Point], segments: &[[u32; 2]], one: u32, other: u32) -> Option<Clash> {
     let (a, b) = (one.min(other), one.max(other));
     let ([first, second], [third, fourth]) = (segments[a as usize], segments[b as usize]);
     let at = |point: u32| points[point as usize];
@@ -290,22 +256,10 @@ pub(super) fn classify(
         Meeting::Cross => Some(Clash::Cross { a, b }),
         Meeting::Overlap => Some(Clash::Overlap { a, b }),
         Meeting::Touch(end) => Some(match end {
-            Endpoint::A => Clash::Touch {
-                vertex: first,
-                segment: b,
-            },
-            Endpoint::B => Clash::Touch {
-                vertex: second,
-                segment: b,
-            },
-            Endpoint::C => Clash::Touch {
-                vertex: third,
-                segment: a,
-            },
-            Endpoint::D => Clash::Touch {
-                vertex: fourth,
-                segment: a,
-            },
+            Endpoint::A => Clash::Touch { vertex: first, segment: b },
+            Endpoint::B => Clash::Touch { vertex: second, segment: b },
+            Endpoint::C => Clash::Touch { vertex: third, segment: a },
+            Endpoint::D => Clash::Touch { vertex: fourth, segment: a },
         }),
     }
 }
@@ -317,16 +271,10 @@ pub(super) fn check(points: &[Point], segments: &[[u32; 2]]) -> Result<(), BadDr
         return Err(BadDrawing::TooLarge);
     }
     if let Some(point) = points.iter().position(|&p| !in_range(p)) {
-        return Err(BadDrawing::OutOfRange {
-            point: point as u32,
-        });
+        return Err(BadDrawing::OutOfRange { point: point as u32 });
     }
     for (segment, &[u, v]) in (0..).zip(segments) {
-        let at = |point: u32| {
-            points
-                .get(point as usize)
-                .ok_or(BadDrawing::NoSuchPoint { segment, point })
-        };
+        let at = |point: u32| points.get(point as usize).ok_or(BadDrawing::NoSuchPoint { segment, point });
         if at(u)? == at(v)? {
             return Err(BadDrawing::NoLength { segment });
         }

@@ -124,13 +124,11 @@ pub fn compare_angle(center: Point, a: Point, b: Point) -> Ordering {
         }
     };
     // Within half a turn, "smaller angle" is "the turn to the other is to the left".
-    half(a)
-        .cmp(&half(b))
-        .then_with(|| match orientation(center, a, b) {
-            Orientation::CounterClockwise => Ordering::Less,
-            Orientation::Collinear => Ordering::Equal,
-            Orientation::Clockwise => Ordering::Greater,
-        })
+    half(a).cmp(&half(b)).then_with(|| match orientation(center, a, b) {
+        Orientation::CounterClockwise => Ordering::Less,
+        Orientation::Collinear => Ordering::Equal,
+        Orientation::Clockwise => Ordering::Greater,
+    })
 }
 
 /// Whether `p` lies on the closed segment from `a` to `b`. O(1).
@@ -191,11 +189,7 @@ pub fn meeting(a: Point, b: Point, c: Point, d: Point) -> Meeting {
     }
     let (at_c, at_d) = (orientation(a, b, c), orientation(a, b, d));
     if at_c == at_d {
-        return if at_c == Collinear {
-            meeting_on_a_line(a, b, c, d)
-        } else {
-            Meeting::Disjoint
-        };
+        return if at_c == Collinear { meeting_on_a_line(a, b, c, d) } else { Meeting::Disjoint };
     }
     let (at_a, at_b) = (orientation(c, d, a), orientation(c, d, b));
     if at_a == at_b {
@@ -240,11 +234,7 @@ fn meeting_on_a_line(a: Point, b: Point, c: Point, d: Point) -> Meeting {
         return at_point(c, Endpoint::C, a, b);
     }
     let ascending = |p, q| {
-        if compare_lexicographic(p, q).is_le() {
-            (p, q)
-        } else {
-            (q, p)
-        }
+        if compare_lexicographic(p, q).is_le() { (p, q) } else { (q, p) }
     };
     let ((first_low, first_high), (second_low, second_high)) = (ascending(a, b), ascending(c, d));
     let (_, low) = ascending(first_low, second_low);

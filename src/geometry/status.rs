@@ -57,11 +57,7 @@ struct Node {
 
 impl Status {
     pub(super) const fn new() -> Self {
-        Self {
-            nodes: alloc::vec::Vec::new(),
-            root: NIL,
-            free: NIL,
-        }
+        Self { nodes: alloc::vec::Vec::new(), root: NIL, free: NIL }
     }
 
     /// O(1).
@@ -82,13 +78,7 @@ impl Status {
     /// The neighbours of a point that is not under the sweep line yet, and a strand on which the point lies, or NIL.
     /// Such a strand counts as below. O(log n).
     pub(super) fn locate(&self, p: Point) -> (Gap, u32) {
-        let (mut gap, mut on) = (
-            Gap {
-                below: NIL,
-                above: NIL,
-            },
-            NIL,
-        );
+        let (mut gap, mut on) = (Gap { below: NIL, above: NIL }, NIL);
         let mut at = self.root;
         while at != NIL {
             let node = &self.nodes[at as usize];
@@ -113,14 +103,7 @@ impl Status {
         let Gap { below, above } = gap;
         let under_lower = below != NIL && self.nodes[below as usize].right == NIL;
         let parent = if under_lower { below } else { above };
-        let node = Node {
-            strand,
-            left: NIL,
-            right: NIL,
-            parent,
-            below,
-            above,
-        };
+        let node = Node { strand, left: NIL, right: NIL, parent, below, above };
         let handle = if self.free == NIL {
             self.nodes.push(node);
             self.nodes.len() as u32 - 1
@@ -167,18 +150,9 @@ impl Status {
             if right == NIL {
                 break left;
             }
-            self.rotate_up(if priority(left) > priority(right) {
-                left
-            } else {
-                right
-            });
+            self.rotate_up(if priority(left) > priority(right) { left } else { right });
         };
-        let Node {
-            parent,
-            below,
-            above,
-            ..
-        } = self.nodes[handle as usize];
+        let Node { parent, below, above, .. } = self.nodes[handle as usize];
         if child != NIL {
             self.nodes[child as usize].parent = parent;
         }
@@ -211,24 +185,13 @@ impl Status {
         let was_left = self.nodes[parent as usize].left == handle;
         let node = &mut self.nodes[handle as usize];
         node.parent = grandparent;
-        let moved = core::mem::replace(
-            if was_left {
-                &mut node.right
-            } else {
-                &mut node.left
-            },
-            parent,
-        );
+        let moved = core::mem::replace(if was_left { &mut node.right } else { &mut node.left }, parent);
         if moved != NIL {
             self.nodes[moved as usize].parent = parent;
         }
         let lowered = &mut self.nodes[parent as usize];
         lowered.parent = handle;
-        *(if was_left {
-            &mut lowered.left
-        } else {
-            &mut lowered.right
-        }) = moved;
+        *(if was_left { &mut lowered.left } else { &mut lowered.right }) = moved;
         self.hang(grandparent, parent, handle);
     }
 
@@ -238,11 +201,7 @@ impl Status {
             self.root = new;
         } else {
             let parent = &mut self.nodes[parent as usize];
-            *(if parent.left == old {
-                &mut parent.left
-            } else {
-                &mut parent.right
-            }) = new;
+            *(if parent.left == old { &mut parent.left } else { &mut parent.right }) = new;
         }
     }
 }
@@ -264,13 +223,7 @@ mod tests {
     /// A level strand at this height, under the point `beside(height)`.
     fn level(height: u32) -> Strand {
         let [low, high] = [0.0, 2.0].map(|x| Point::new(x, height.into()));
-        Strand {
-            low,
-            high,
-            segment: height,
-            end: 0,
-            companion: NIL,
-        }
+        Strand { low, high, segment: height, end: 0, companion: NIL }
     }
 
     fn beside(height: f64) -> Point {
@@ -285,10 +238,7 @@ mod tests {
         loop {
             while next != NIL {
                 for child in [node(next).left, node(next).right] {
-                    assert!(
-                        child == NIL
-                            || node(child).parent == next && priority(child) < priority(next)
-                    );
+                    assert!(child == NIL || node(child).parent == next && priority(child) < priority(next));
                 }
                 path.push(next);
                 next = node(next).left;
@@ -299,21 +249,10 @@ mod tests {
         }
         assert!(status.root == NIL || node(status.root).parent == NIL);
         for pair in order.windows(2) {
-            assert_eq!(
-                (status.above(pair[0]), status.below(pair[1])),
-                (pair[1], pair[0])
-            );
+            assert_eq!((status.above(pair[0]), status.below(pair[1])), (pair[1], pair[0]));
         }
-        assert!(
-            order
-                .first()
-                .is_none_or(|&lowest| status.below(lowest) == NIL)
-        );
-        assert!(
-            order
-                .last()
-                .is_none_or(|&highest| status.above(highest) == NIL)
-        );
+        assert!(order.first().is_none_or(|&lowest| status.below(lowest) == NIL));
+        assert!(order.last().is_none_or(|&highest| status.above(highest) == NIL));
         order
     }
 
@@ -334,10 +273,7 @@ mod tests {
                 Err(i) => {
                     let (gap, on) = status.locate(beside(height.into()));
                     let neighbour = |i: usize| model.get(i).map_or(NIL, |&(_, handle)| handle);
-                    assert_eq!(
-                        (gap.below, gap.above, on),
-                        (neighbour(i.wrapping_sub(1)), neighbour(i), NIL)
-                    );
+                    assert_eq!((gap.below, gap.above, on), (neighbour(i.wrapping_sub(1)), neighbour(i), NIL));
                     model.insert(i, (height, status.insert(gap, level(height))));
                 }
             }
@@ -356,13 +292,8 @@ mod tests {
         const N: u32 = 1 << 16;
         let rising = (0..N).collect();
         let falling = (0..N).rev().collect();
-        let inwards = (0..N)
-            .map(|i| if i % 2 == 0 { i / 2 } else { N - 1 - i / 2 })
-            .collect();
-        let outwards = (0..N)
-            .rev()
-            .map(|i| if i % 2 == 0 { i / 2 } else { N - 1 - i / 2 })
-            .collect();
+        let inwards = (0..N).map(|i| if i % 2 == 0 { i / 2 } else { N - 1 - i / 2 }).collect();
+        let outwards = (0..N).rev().map(|i| if i % 2 == 0 { i / 2 } else { N - 1 - i / 2 }).collect();
         let mixed = (0..N).map(|i| i * 7919 % N).collect();
         let orders: [Vec<u32>; 5] = [rising, falling, inwards, outwards, mixed];
         for order in orders {
@@ -384,10 +315,7 @@ mod tests {
             let mean = f64::from(depths.iter().sum::<u32>()) / f64::from(N);
             // A random search tree has a mean of 2 ln n - 3 or so, here 20, and hardly ever a depth beyond 4.3 ln n,
             // here 48.
-            assert!(
-                deepest <= 48 && mean <= 24.0,
-                "depth {deepest}, mean {mean}"
-            );
+            assert!(deepest <= 48 && mean <= 24.0, "depth {deepest}, mean {mean}");
         }
     }
 }

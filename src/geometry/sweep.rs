@@ -102,11 +102,7 @@ pub struct Sweep {
 /// assert_eq!(sweep(&points, &segments, &[])?.clash, Some(Clash::Touch { vertex: 3, segment: 0 }));
 /// # Ok::<(), twinedge::geometry::crossing::BadDrawing>(())
 /// ```
-pub fn sweep(
-    points: &[Point],
-    segments: &[[u32; 2]],
-    queries: &[u32],
-) -> Result<Sweep, BadDrawing> {
+pub fn sweep(points: &[Point], segments: &[[u32; 2]], queries: &[u32]) -> Result<Sweep, BadDrawing> {
     check(points, segments)?;
     for (query, &point) in (0..).zip(queries) {
         if point as usize >= points.len() {
@@ -121,14 +117,8 @@ pub fn sweep(
             below[line.events[event].vertex as usize] = line.status.strand(under).segment;
         }
     }
-    let below = queries
-        .iter()
-        .map(|&q| Some(below[q as usize]).filter(|&segment| segment != NIL))
-        .collect();
-    Ok(Sweep {
-        below,
-        clash: line.clash,
-    })
+    let below = queries.iter().map(|&q| Some(below[q as usize]).filter(|&segment| segment != NIL)).collect();
+    Ok(Sweep { below, clash: line.clash })
 }
 
 /// A point that the line has to pass.
@@ -168,10 +158,7 @@ impl<'a> Line<'a> {
     fn new(points: &'a [Point], segments: &'a [[u32; 2]]) -> Self {
         let events = sorted(points);
         let same_place = events.windows(2).find(|pair| pair[0].at == pair[1].at);
-        let clash = same_place.map(|pair| Clash::SamePlace {
-            a: pair[0].vertex,
-            b: pair[1].vertex,
-        });
+        let clash = same_place.map(|pair| Clash::SamePlace { a: pair[0].vertex, b: pair[1].vertex });
         let mut rank = vec![0; points.len()];
         for (i, event) in (0..).zip(&events) {
             rank[event.vertex as usize] = i;
@@ -187,13 +174,7 @@ impl<'a> Line<'a> {
             first[span(segment).0 as usize + 2] += 1;
         }
         accumulate(&mut first);
-        let mut starts = vec![
-            Start {
-                segment: NIL,
-                end: NIL
-            };
-            segments.len()
-        ];
+        let mut starts = vec![Start { segment: NIL, end: NIL }; segments.len()];
         for (id, segment) in (0..).zip(segments) {
             let (start, end) = span(segment);
             let place = &mut first[start as usize + 1];
@@ -238,9 +219,7 @@ impl<'a> Line<'a> {
             (below, last, above) = self.exchange(event, one, &mut starts);
         }
         for start in starts {
-            let node = self
-                .status
-                .insert(Gap { below: last, above }, self.strand(at, start));
+            let node = self.status.insert(Gap { below: last, above }, self.strand(at, start));
             self.arriving[self.starts[start].end as usize] = node;
             self.examine(last, node);
             last = node;
@@ -279,8 +258,7 @@ impl<'a> Line<'a> {
     /// they take over the places. Says which node is below, which was placed last (or else is below), and which is
     /// above.
     fn exchange(&mut self, event: usize, one: u32, starts: &mut Range<usize>) -> (u32, u32, u32) {
-        let ends_here =
-            |status: &Status, node: u32| node != NIL && status.strand(node).end as usize == event;
+        let ends_here = |status: &Status, node: u32| node != NIL && status.strand(node).end as usize == event;
         self.ending.clear();
         let mut node = one;
         while node != NIL {
@@ -330,13 +308,7 @@ impl<'a> Line<'a> {
     /// The strand of a segment that starts at a point.
     fn strand(&self, at: Point, start: usize) -> Strand {
         let Start { segment, end } = self.starts[start];
-        Strand {
-            low: at,
-            high: self.events[end as usize].at,
-            segment,
-            end,
-            companion: self.arriving[end as usize],
-        }
+        Strand { low: at, high: self.events[end as usize].at, segment, end, companion: self.arriving[end as usize] }
     }
 
     /// Examines two neighbours.
@@ -346,10 +318,7 @@ impl<'a> Line<'a> {
             return;
         }
         let (a, b) = (self.status.strand(lower), self.status.strand(upper));
-        if !matches!(
-            meeting(a.low, a.high, b.low, b.high),
-            Meeting::Disjoint | Meeting::SharedEndpoint
-        ) {
+        if !matches!(meeting(a.low, a.high, b.low, b.high), Meeting::Disjoint | Meeting::SharedEndpoint) {
             self.clash = classify(self.points, self.segments, a.segment, b.segment);
         }
     }
@@ -360,16 +329,8 @@ impl<'a> Line<'a> {
 /// Cuts the width into as many strips as there are points, deals the points out to them, and sorts each strip. That
 /// is O(n) for points that are spread somehow, and never worse than sorting, O(n log n).
 fn sorted(points: &[Point]) -> Vec<Event> {
-    let (left, right) = points
-        .iter()
-        .fold((f64::MAX, f64::MIN), |(left, right), p| {
-            (left.min(p.x), right.max(p.x))
-        });
-    let per_width = if left < right {
-        points.len() as f64 / (right - left)
-    } else {
-        0.0
-    };
+    let (left, right) = points.iter().fold((f64::MAX, f64::MIN), |(left, right), p| (left.min(p.x), right.max(p.x)));
+    let per_width = if left < right { points.len() as f64 / (right - left) } else { 0.0 };
     // Rounding may move a point to a neighbouring strip, but never past another point: it is monotone.
     #[expect(clippy::cast_sign_loss, reason = "x is not less than left")]
     let strip = |p: Point| (((p.x - left) * per_width) as usize).min(points.len());
@@ -380,22 +341,15 @@ fn sorted(points: &[Point]) -> Vec<Event> {
         first[strip(p) + 2] += 1;
     }
     accumulate(&mut first);
-    let mut events = vec![
-        Event {
-            at: Point::new(0.0, 0.0),
-            vertex: NIL
-        };
-        points.len()
-    ];
+    let mut events = vec![Event { at: Point::new(0.0, 0.0), vertex: NIL }; points.len()];
     for (vertex, &at) in (0..).zip(points) {
         let place = &mut first[strip(at) + 1];
         events[*place as usize] = Event { at, vertex };
         *place += 1;
     }
     for strip in first.windows(2) {
-        events[strip[0] as usize..strip[1] as usize].sort_unstable_by(|a, b| {
-            compare_lexicographic(a.at, b.at).then(a.vertex.cmp(&b.vertex))
-        });
+        events[strip[0] as usize..strip[1] as usize]
+            .sort_unstable_by(|a, b| compare_lexicographic(a.at, b.at).then(a.vertex.cmp(&b.vertex)));
     }
     events
 }
@@ -419,18 +373,13 @@ mod tests {
     /// A drawing with n segments, none sharing a point.
     fn apart(ends: impl Iterator<Item = [(f64, f64); 2]>) -> (Vec<Point>, Vec<[u32; 2]>) {
         let points: Vec<Point> = ends.flatten().map(|(x, y)| Point::new(x, y)).collect();
-        let segments = (0..points.len() as u32 / 2)
-            .map(|i| [2 * i, 2 * i + 1])
-            .collect();
+        let segments = (0..points.len() as u32 / 2).map(|i| [2 * i, 2 * i + 1]).collect();
         (points, segments)
     }
 
     /// A drawing with segments from point 0 to all others.
     fn star(tips: impl Iterator<Item = (f64, f64)>) -> (Vec<Point>, Vec<[u32; 2]>) {
-        let points: Vec<Point> = core::iter::once((0.0, 0.0))
-            .chain(tips)
-            .map(|(x, y)| Point::new(x, y))
-            .collect();
+        let points: Vec<Point> = core::iter::once((0.0, 0.0)).chain(tips).map(|(x, y)| Point::new(x, y)).collect();
         let segments = (1..points.len() as u32).map(|i| [i, 0]).collect();
         (points, segments)
     }
@@ -454,11 +403,7 @@ mod tests {
         let n = f64::from(N);
         let rising = apart(shuffled().map(|k| [(k, -k), (k + n, n - k)]));
         let nested = apart(shuffled().map(|k| [(k, k), (2.0 * n - k, k)]));
-        let mixed = apart(
-            shuffled()
-                .zip(0..N)
-                .map(|(k, i)| [(i.into(), k), (n + k, k)]),
-        );
+        let mixed = apart(shuffled().zip(0..N).map(|(k, i)| [(i.into(), k), (n + k, k)]));
         for parallels in [rising, nested, mixed] {
             assert_eq!(work_is_bounded(&parallels).clash, None);
         }
@@ -498,9 +443,7 @@ mod tests {
     #[test]
     fn zigzags_cost_n_log_n() {
         // One chain that goes right and left all the time, so that all of it lives at once.
-        let points: Vec<Point> = (0..N)
-            .map(|i| Point::new(f64::from(i % 2), f64::from(i)))
-            .collect();
+        let points: Vec<Point> = (0..N).map(|i| Point::new(f64::from(i % 2), f64::from(i))).collect();
         let segments = (1..N).map(|i| [i - 1, i]).collect();
         assert_eq!(work_is_bounded(&(points, segments)).clash, None);
     }
@@ -508,20 +451,10 @@ mod tests {
     #[test]
     fn clashes_cost_n_log_n() {
         let n = f64::from(N);
-        let grid = apart(shuffled().map(|k| {
-            if k % 2.0 == 0.0 {
-                [(k, -1.0), (k, n)]
-            } else {
-                [(-1.0, k), (n, k)]
-            }
-        }));
+        let grid = apart(shuffled().map(|k| if k % 2.0 == 0.0 { [(k, -1.0), (k, n)] } else { [(-1.0, k), (n, k)] }));
         let pencil = apart(shuffled().map(|k| [(-n, -k), (n, k)]));
         let pile = apart(shuffled().map(|k| [(-1.0 - k, 0.0), (1.0 + k, 0.0)]));
-        let tangle = apart(
-            shuffled()
-                .zip(shuffled().skip(1))
-                .map(|(k, l)| [(k, l), (n - l, k)]),
-        );
+        let tangle = apart(shuffled().zip(shuffled().skip(1)).map(|(k, l)| [(k, l), (n - l, k)]));
         let knot = (alloc::vec![Point::new(1.0, 1.0); N as usize], Vec::new());
         for drawing in [grid, pencil, pile, tangle, knot] {
             assert_ne!(work_is_bounded(&drawing).clash, None);

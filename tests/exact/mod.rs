@@ -16,10 +16,7 @@ pub(crate) fn point((x, y): Grid) -> Point {
 }
 
 fn minus(a: Grid, b: Grid) -> Vector {
-    (
-        i128::from(a.0) - i128::from(b.0),
-        i128::from(a.1) - i128::from(b.1),
-    )
+    (i128::from(a.0) - i128::from(b.0), i128::from(a.1) - i128::from(b.1))
 }
 
 fn cross(a: Vector, b: Vector) -> i128 {
@@ -63,20 +60,13 @@ pub(crate) fn meets(a: Grid, b: Grid, c: Grid, d: Grid) -> Meets {
             Ordering::Greater => Meets::Overlap,
         };
     }
-    let (t, u) = (
-        cross(ac, cd) * scale.signum(),
-        cross(ac, ab) * scale.signum(),
-    );
+    let (t, u) = (cross(ac, cd) * scale.signum(), cross(ac, ab) * scale.signum());
     let scale = scale.abs();
     if t < 0 || t > scale || u < 0 || u > scale {
         return Meets::No;
     }
     let end = |parameter: i128| {
-        if parameter == 0 {
-            Some(0)
-        } else {
-            (parameter == scale).then_some(1)
-        }
+        if parameter == 0 { Some(0) } else { (parameter == scale).then_some(1) }
     };
     match (end(t), end(u)) {
         (Some(_), Some(_)) => Meets::AtEnds,
@@ -96,11 +86,7 @@ pub(crate) fn all_clashes(points: &[Grid], segments: &[[u32; 2]]) -> Vec<Clash> 
     let mut all = Vec::new();
     let places = 0..points.len() as u32;
     for b in places.clone() {
-        all.extend(
-            (0..b)
-                .filter(|&a| points[a as usize] == points[b as usize])
-                .map(|a| Clash::SamePlace { a, b }),
-        );
+        all.extend((0..b).filter(|&a| points[a as usize] == points[b as usize]).map(|a| Clash::SamePlace { a, b }));
     }
     for (b, &[k, l]) in (0u32..).zip(segments) {
         for (a, &[i, j]) in (0..b).zip(segments) {
@@ -110,10 +96,7 @@ pub(crate) fn all_clashes(points: &[Grid], segments: &[[u32; 2]]) -> Vec<Clash> 
                 Meets::Cross => all.push(Clash::Cross { a, b }),
                 Meets::Overlap => all.push(Clash::Overlap { a, b }),
                 Meets::Touch(end) => {
-                    all.push(Clash::Touch {
-                        vertex: [i, j, k, l][end],
-                        segment: if end < 2 { b } else { a },
-                    });
+                    all.push(Clash::Touch { vertex: [i, j, k, l][end], segment: if end < 2 { b } else { a } });
                 }
             }
         }
