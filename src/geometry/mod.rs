@@ -22,3 +22,10 @@ mod planar_map;
 mod point;
 mod shape;
 mod status;
+
+pub use build::{BuildError, BuildSummary, Builder, Position};
+pub use drawing::{Drawing, places, validate_drawing};
+pub use planar_map::{FeatureId, PlanarMap};
+pub use point::Point;
+pub use predicates::{MAX_COORDINATE, MIN_COORDINATE};
+pub use shape::{Feature, Shape};
