@@ -5,6 +5,12 @@ extern crate alloc;
 
 pub mod validate;
 
+#[cfg(feature = "dcel")]
+pub mod store;
+
+#[cfg(feature = "dcel")]
+pub mod dcel;
+
 #[cfg(feature = "geometry")]
 pub mod geometry;
 #[cfg(feature = "geometry")]

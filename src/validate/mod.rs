@@ -76,8 +76,7 @@ mod violation;
 pub use expectation::{Expectation, Part, Surface};
 pub use report::{Bounds, Certificate, Collect, Counts, Outcome, Report, Unchecked};
 #[cfg(feature = "geometry")]
-#[allow(unused_imports)]
-pub(crate) use report::{Findings, Flow};
+pub(crate) use report::{Findings, Flow, Halt};
 pub use rule::Rule;
 pub use run::validate;
 pub use table::{BoundaryRow, FaceRow, HalfEdgeRow, Table, VertexRow};

@@ -1,0 +1,66 @@
+//! Walks that come back to where they started.
+
+use super::HalfEdge;
+use crate::store::{SlotStore, Store};
+use core::iter::FusedIterator;
+
+macro_rules! circulator {
+    ($(#[$doc:meta])* $name:ident, $forward:ident, $backward:ident) => {
+        $(#[$doc])*
+        pub struct $name<'a, S: Store = SlotStore> {
+            /// The next half-edge from the front and the next from the back; none once they have met.
+            ends: Option<(HalfEdge<'a, S>, HalfEdge<'a, S>)>,
+        }
+
+        impl<S: Store> Clone for $name<'_, S> {
+            fn clone(&self) -> Self {
+                Self { ends: self.ends }
+            }
+        }
+
+        impl<S: Store> core::fmt::Debug for $name<'_, S> {
+            fn fmt(&self, f: &mut core::fmt::Formatter<'_>) -> core::fmt::Result {
+                f.debug_list().entries(self.clone()).finish()
+            }
+        }
+
+        impl<'a, S: Store> $name<'a, S> {
+            #[inline]
+            pub(super) fn new(start: Option<HalfEdge<'a, S>>) -> Self {
+                Self { ends: start.map(|start| (start, start.$backward())) }
+            }
+        }
+
+        impl<'a, S: Store> Iterator for $name<'a, S> {
+            type Item = HalfEdge<'a, S>;
+
+            #[inline]
+            fn next(&mut self) -> Option<Self::Item> {
+                let (front, back) = self.ends?;
+                self.ends = if front.is(back) { None } else { Some((front.$forward(), back)) };
+                Some(front)
+            }
+        }
+
+        impl<S: Store> DoubleEndedIterator for $name<'_, S> {
+            #[inline]
+            fn next_back(&mut self) -> Option<Self::Item> {
+                let (front, back) = self.ends?;
+                self.ends = if front.is(back) { None } else { Some((front, back.$backward())) };
+                Some(back)
+            }
+        }
+
+        impl<S: Store> FusedIterator for $name<'_, S> {}
+    };
+}
+
+circulator! {
+    /// The half-edges of one cycle, in order of `next`; `rev()` for `prev`.
+    Cycle, next, prev
+}
+
+circulator! {
+    /// The half-edges that leave one vertex, counter-clockwise; `rev()` for clockwise.
+    Rotation, counter_clockwise, clockwise
+}

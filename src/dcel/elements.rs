@@ -1,0 +1,301 @@
+//! References to records: a key once checked, and from there on bare steps.
+
+use super::circulators::{Cycle, Rotation};
+use super::{BoundaryKey, Dcel, FaceKey, HalfEdgeKey, VertexKey};
+use crate::store::links::{Anchor, OUTER, Origin};
+use crate::store::{SlotStore, Store};
+use core::fmt;
+use core::hash::{Hash, Hasher};
+
+macro_rules! element {
+    ($(#[$doc:meta])* $name:ident, $slot:ident, $key:ident, $key_of:ident, $index_of:ident) => {
+        $(#[$doc])*
+        pub struct $name<'a, S: Store = SlotStore> {
+            dcel: &'a Dcel<S>,
+            slot: S::$slot,
+        }
+
+        impl<S: Store> Clone for $name<'_, S> {
+            fn clone(&self) -> Self {
+                *self
+            }
+        }
+
+        impl<S: Store> Copy for $name<'_, S> {}
+
+        /// Two references are equal if they name the same record of the same structure.
+        impl<S: Store> PartialEq for $name<'_, S> {
+            fn eq(&self, other: &Self) -> bool {
+                core::ptr::eq(self.dcel, other.dcel) && self.slot == other.slot
+            }
+        }
+
+        impl<S: Store> Eq for $name<'_, S> {}
+
+        impl<S: Store> Hash for $name<'_, S> {
+            fn hash<H: Hasher>(&self, state: &mut H) {
+                self.index().hash(state);
+            }
+        }
+
+        impl<S: Store> fmt::Debug for $name<'_, S> {
+            fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+                self.key().fmt(f)
+            }
+        }
+
+        impl<'a, S: Store> $name<'a, S> {
+            #[inline]
+            pub(super) const fn new(dcel: &'a Dcel<S>, slot: S::$slot) -> Self {
+                Self { dcel, slot }
+            }
+
+            /// The key. O(1).
+            #[must_use]
+            #[inline]
+            pub fn key(self) -> $key {
+                self.dcel.store.$key_of(self.slot)
+            }
+
+            /// The index, by which reports name it and by which plain arrays can be kept while nothing is removed. O(1).
+            #[must_use]
+            #[inline]
+            pub fn index(self) -> usize {
+                self.dcel.store.$index_of(self.slot)
+            }
+        }
+    };
+}
+
+element! {
+    /// A vertex.
+    Vertex, Vertex, VertexKey, vertex_key, vertex_index
+}
+element! {
+    /// A half-edge.
+    ///
+    /// ```text
+    ///             face
+    ///    prev             next
+    ///   ──────► · ──────► · ──────►
+    ///        origin     target
+    ///           · ◄────── ·
+    ///             twin
+    /// ```
+    HalfEdge, HalfEdge, HalfEdgeKey, half_edge_key, half_edge_index
+}
+element! {
+    /// A boundary component: a cycle of half-edges, or one isolated vertex.
+    Boundary, Boundary, BoundaryKey, boundary_key, boundary_index
+}
+element! {
+    /// A face.
+    Face, Face, FaceKey, face_key, face_index
+}
+
+impl<'a, S: Store> Vertex<'a, S> {
+    /// A half-edge that leaves the vertex; none if it is isolated. O(1).
+    #[must_use]
+    pub fn leaving(self) -> Option<HalfEdge<'a, S>> {
+        match self.dcel.store.anchor(self.slot) {
+            Anchor::Leaving(h) => Some(HalfEdge::new(self.dcel, h)),
+            Anchor::Isolated(_) => None,
+        }
+    }
+
+    /// The boundary component that the vertex is, if it is isolated. O(1).
+    #[must_use]
+    pub fn isolated(self) -> Option<Boundary<'a, S>> {
+        match self.dcel.store.anchor(self.slot) {
+            Anchor::Leaving(_) => None,
+            Anchor::Isolated(b) => Some(Boundary::new(self.dcel, b)),
+        }
+    }
+
+    /// The half-edges that leave the vertex, counter-clockwise; `rev()` for clockwise. O(1) per step.
+    #[must_use]
+    pub fn rotation(self) -> Rotation<'a, S> {
+        Rotation::new(self.leaving())
+    }
+
+    /// The vertices at the other ends of its edges, counter-clockwise; one that parallel edges lead to comes as often, and a
+    /// loop gives the vertex itself, twice. O(degree).
+    pub fn neighbours(self) -> impl Iterator<Item = Self> {
+        self.rotation().map(HalfEdge::target)
+    }
+
+    /// How many half-edges leave the vertex: a loop counts twice. O(degree).
+    #[must_use]
+    pub fn degree(self) -> usize {
+        self.rotation().count()
+    }
+}
+
+impl<'a, S: Store> HalfEdge<'a, S> {
+    /// Whether both are the same half-edge, of structures known to be the same.
+    #[inline]
+    pub(super) fn is(self, other: Self) -> bool {
+        self.slot == other.slot
+    }
+
+    /// The vertex where it starts. O(1).
+    #[must_use]
+    #[inline]
+    pub fn origin(self) -> Vertex<'a, S> {
+        Vertex::new(self.dcel, self.dcel.store.origin(self.slot))
+    }
+
+    /// The vertex where it ends. O(1).
+    #[must_use]
+    #[inline]
+    pub fn target(self) -> Vertex<'a, S> {
+        self.twin().origin()
+    }
+
+    /// The other half-edge of its edge. O(1).
+    #[must_use]
+    #[inline]
+    pub fn twin(self) -> Self {
+        Self::new(self.dcel, self.dcel.store.twin(self.slot))
+    }
+
+    /// The half-edge that follows on its cycle. O(1).
+    #[must_use]
+    #[inline]
+    pub fn next(self) -> Self {
+        Self::new(self.dcel, self.dcel.store.next(self.slot))
+    }
+
+    /// The half-edge that precedes on its cycle. O(1).
+    #[must_use]
+    #[inline]
+    pub fn prev(self) -> Self {
+        Self::new(self.dcel, self.dcel.store.prev(self.slot))
+    }
+
+    /// The half-edge that leaves the same vertex and comes next counter-clockwise: `twin(prev(h))`. O(1).
+    #[must_use]
+    #[inline]
+    pub fn counter_clockwise(self) -> Self {
+        self.prev().twin()
+    }
+
+    /// The half-edge that leaves the same vertex and comes next clockwise: `next(twin(h))`. O(1).
+    #[must_use]
+    #[inline]
+    pub fn clockwise(self) -> Self {
+        self.twin().next()
+    }
+
+    /// The half-edges that leave the same vertex, counter-clockwise from this one on. O(1) per step.
+    #[must_use]
+    #[inline]
+    pub fn rotation(self) -> Rotation<'a, S> {
+        Rotation::new(Some(self))
+    }
+
+    /// The boundary component that it is part of. O(1).
+    #[must_use]
+    #[inline]
+    pub fn boundary(self) -> Boundary<'a, S> {
+        Boundary::new(self.dcel, self.dcel.store.component(self.slot))
+    }
+
+    /// The face to its left. O(1).
+    #[must_use]
+    #[inline]
+    pub fn face(self) -> Face<'a, S> {
+        self.boundary().face()
+    }
+
+    /// The half-edges of its cycle, from this one on; `rev()` goes the other way. O(1) per step.
+    #[must_use]
+    #[inline]
+    pub fn cycle(self) -> Cycle<'a, S> {
+        Cycle::new(Some(self))
+    }
+}
+
+impl<'a, S: Store> Boundary<'a, S> {
+    /// The face that it bounds. O(1).
+    #[must_use]
+    #[inline]
+    pub fn face(self) -> Face<'a, S> {
+        Face::new(self.dcel, self.dcel.store.bounded(self.slot))
+    }
+
+    /// Whether it is the outer boundary component of its face. O(1).
+    #[must_use]
+    pub fn is_outer(self) -> bool {
+        self.dcel.store.place(self.slot) == OUTER
+    }
+
+    /// The half-edge where its cycle starts; none if it is an isolated vertex. O(1).
+    #[must_use]
+    #[inline]
+    pub fn start(self) -> Option<HalfEdge<'a, S>> {
+        match self.dcel.store.start(self.slot) {
+            Origin::HalfEdge(h) => Some(HalfEdge::new(self.dcel, h)),
+            Origin::Vertex(_) => None,
+        }
+    }
+
+    /// The isolated vertex that it is; none if it is a cycle. O(1).
+    #[must_use]
+    pub fn isolated_vertex(self) -> Option<Vertex<'a, S>> {
+        match self.dcel.store.start(self.slot) {
+            Origin::HalfEdge(_) => None,
+            Origin::Vertex(v) => Some(Vertex::new(self.dcel, v)),
+        }
+    }
+
+    /// The half-edges of its cycle; none if it is an isolated vertex. O(1) per step.
+    #[must_use]
+    #[inline]
+    pub fn cycle(self) -> Cycle<'a, S> {
+        Cycle::new(self.start())
+    }
+}
+
+impl<'a, S: Store> Face<'a, S> {
+    /// Whether it is the unbounded face. O(1).
+    #[must_use]
+    pub fn is_unbounded(self) -> bool {
+        self.slot == self.dcel.store.unbounded()
+    }
+
+    /// Its outer boundary component; none for the unbounded face. O(1).
+    #[must_use]
+    #[inline]
+    pub fn outer(self) -> Option<Boundary<'a, S>> {
+        self.dcel.store.outer(self.slot).map(|b| Boundary::new(self.dcel, b))
+    }
+
+    /// How many inner boundary components it has. O(1).
+    #[must_use]
+    pub fn inner_count(self) -> usize {
+        self.dcel.store.inner_count(self.slot)
+    }
+
+    /// Its inner boundary components: holes and isolated vertices. O(1) per step.
+    pub fn inner(self) -> impl Iterator<Item = Boundary<'a, S>> {
+        (0..self.inner_count())
+            .filter_map(move |i| self.dcel.store.inner(self.slot, i).map(|b| Boundary::new(self.dcel, b)))
+    }
+
+    /// All its boundary components, the outer one first. O(1) per step.
+    pub fn boundaries(self) -> impl Iterator<Item = Boundary<'a, S>> {
+        self.outer().into_iter().chain(self.inner())
+    }
+
+    /// All half-edges that have the face to their left. O(1) per step.
+    pub fn half_edges(self) -> impl Iterator<Item = HalfEdge<'a, S>> {
+        self.boundaries().flat_map(Boundary::cycle)
+    }
+
+    /// The faces across its half-edges, in order of these: one that shares several edges comes as often, and the face
+    /// itself comes where both sides of an edge lie in it. O(1) per step.
+    pub fn neighbours(self) -> impl Iterator<Item = Self> {
+        self.half_edges().map(|h| h.twin().face())
+    }
+}

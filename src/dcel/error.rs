@@ -1,0 +1,62 @@
+//! What can be wrong with a call.
+
+use super::{BoundaryKey, FaceKey, HalfEdgeKey, Kind, VertexKey};
+use thiserror::Error;
+
+/// A key that names no record of this structure: its record is gone, or it is of another structure.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash, Error)]
+#[non_exhaustive]
+pub enum StaleKey {
+    /// No such vertex.
+    #[error("{0:?} names no vertex of this structure (any more)")]
+    Vertex(VertexKey),
+    /// No such half-edge.
+    #[error("{0:?} names no half-edge of this structure (any more)")]
+    HalfEdge(HalfEdgeKey),
+    /// No such boundary component.
+    #[error("{0:?} names no boundary component of this structure (any more)")]
+    Boundary(BoundaryKey),
+    /// No such face.
+    #[error("{0:?} names no face of this structure (any more)")]
+    Face(FaceKey),
+}
+
+/// Why an operator refused. The structure is as it was.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash, Error)]
+#[non_exhaustive]
+pub enum OperatorError {
+    /// A key names nothing.
+    #[error(transparent)]
+    Stale(#[from] StaleKey),
+    /// There is no room for more records of this kind.
+    #[error("there is no room for more {0}")]
+    Full(Kind),
+    /// The vertex has half-edges, and the operator needs an isolated one.
+    #[error("{0:?} is not isolated")]
+    NotIsolated(VertexKey),
+    /// The two corners lie in different faces, so an edge between them would cross something.
+    #[error("the corners lie in different faces, {0:?} and {1:?}")]
+    FacesDiffer(FaceKey, FaceKey),
+    /// The two corners are at different vertices.
+    #[error("the corners are at different vertices, {0:?} and {1:?}")]
+    VerticesDiffer(VertexKey, VertexKey),
+    /// The boundary component cannot go to the new face: it is no inner one of the face that is split, or it is the very
+    /// one that is split.
+    #[error("{0:?} is not another inner boundary component of the face that is split")]
+    NotInner(BoundaryKey),
+    /// The boundary component is an outer one, which cannot be moved.
+    #[error("{0:?} is the outer boundary component of its face")]
+    IsOuter(BoundaryKey),
+    /// The target of the half-edge has another degree than 2, so its edges cannot be joined.
+    #[error("the target of {0:?} does not have degree 2")]
+    DegreeNotTwo(HalfEdgeKey),
+    /// The half-edge starts and ends at the same vertex.
+    #[error("{0:?} is a loop")]
+    Loop(HalfEdgeKey),
+    /// Both sides of the edge lie on one boundary component, so it separates nothing and cannot be turned.
+    #[error("{0:?} has the same boundary component on both sides")]
+    NotSeparating(HalfEdgeKey),
+    /// The face lies inside the component that was to be moved into it.
+    #[error("{1:?} lies inside the component of {0:?}")]
+    InsideItself(BoundaryKey, FaceKey),
+}

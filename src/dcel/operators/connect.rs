@@ -1,0 +1,258 @@
+//! Connecting two corners by an edge.
+
+use super::super::{BoundaryKey, Dcel, FaceKey, HalfEdgeKey, OperatorError, StaleKey};
+use super::corner::{Corner, Spot};
+use super::walk::Which;
+use crate::store::Store;
+use crate::store::links::{Anchor, Need, Origin};
+
+/// A side of a half-edge.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash, Default)]
+pub enum Side {
+    /// Where its face is.
+    #[default]
+    Left,
+    /// Where the face of its twin is.
+    Right,
+}
+
+/// How a face is to be split, where topology leaves it open. A bridge needs none of it.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash, Default)]
+pub struct Split<'a> {
+    /// On which side of the new edge the new face lies. The face that was there keeps the other side.
+    ///
+    /// If the cycle that is split is an inner one, the new face is what becomes enclosed.
+    pub new_face: Side,
+    /// The inner boundary components of the old face that go to the new one.
+    pub inner: &'a [BoundaryKey],
+}
+
+/// What [`Dcel::connect`] made of the boundary components.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
+#[non_exhaustive]
+pub enum Connection {
+    /// Two boundary components became one.
+    Bridge {
+        /// The one that has all half-edges now: the longer one; that of the second corner on a tie.
+        kept: BoundaryKey,
+        /// The one that is gone.
+        dropped: BoundaryKey,
+    },
+    /// One cycle became two, and one face two.
+    Split {
+        /// The boundary component that was split; it has the longer of the two cycles (the left one on a tie).
+        kept: BoundaryKey,
+        /// The new boundary component, of the other cycle.
+        made: BoundaryKey,
+        /// The new face.
+        face: FaceKey,
+    },
+}
+
+/// What [`Dcel::connect`] did.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
+pub struct Connected {
+    /// The new half-edge, from the first corner to the second.
+    pub half_edge: HalfEdgeKey,
+    /// What became of the boundary components.
+    pub connection: Connection,
+}
+
+impl Connected {
+    /// The new face, if one was split.
+    #[must_use]
+    pub const fn new_face(&self) -> Option<FaceKey> {
+        match self.connection {
+            Connection::Split { face, .. } => Some(face),
+            Connection::Bridge { .. } => None,
+        }
+    }
+}
+
+impl<S: Store> Dcel<S> {
+    /// Connects two corners of one face by a new edge.
+    ///
+    /// If they are of different boundary components, the edge is a bridge and makes them one. If they are of the same, it
+    /// splits the face.
+    ///
+    /// ```text
+    ///   bridge                                split
+    ///   ┌──────────┐      ┌──────────┐        ┌──────────┐      ┌──────────┐
+    ///   │ ┌──┐     │      │ ┌──┐     │        a          │      a──╮   new │
+    ///   │ └──a   b·│  ──► │ └──a━━━b·│        │    f     │  ──► │  ╰─╮     │
+    ///   │          │      │          │        │          │      │ f  ╰─╮   │
+    ///   └──────────┘      └──────────┘        └──────b───┘      └──────b───┘
+    /// ```
+    ///
+    /// Two equal corners give a loop, whose left side is the face that was there and whose right side is empty (with
+    /// [`Split::new_face`] as usual).
+    ///
+    /// O(length of the shorter of the two cycles + boundary components that go to the new face): both sides are walked in
+    /// step, and only the shorter is relabelled. O(1) to or from an isolated vertex.
+    ///
+    /// Inverse: [`Dcel::remove_edge`].
+    ///
+    /// # Errors
+    /// A stale key; [`OperatorError::NotIsolated`]; [`OperatorError::FacesDiffer`]; [`OperatorError::NotInner`] for a
+    /// component to be moved that is not another inner one of the face; [`OperatorError::Full`].
+    pub fn connect(
+        &mut self,
+        from: impl Into<Corner>,
+        to: impl Into<Corner>,
+        split: Split<'_>,
+    ) -> Result<Connected, OperatorError> {
+        let (from, to) = (self.spot(from.into())?, self.spot(to.into())?);
+        let (ba, bb) = (from.boundary(&self.store), to.boundary(&self.store));
+        let (fa, fb) = (self.store.bounded(ba), self.store.bounded(bb));
+        if fa != fb {
+            return Err(OperatorError::FacesDiffer(self.store.face_key(fa), self.store.face_key(fb)));
+        }
+        if ba != bb {
+            self.room_for(Need { edges: 1, ..Need::default() })?;
+            return Ok(self.bridge(from, to));
+        }
+        self.room_for(Need { edges: 1, boundaries: 1, faces: 1, ..Need::default() })?;
+        for key in split.inner {
+            let b = self.store.boundary(*key).ok_or(StaleKey::Boundary(*key))?;
+            if b == ba || self.store.bounded(b) != fa || self.is_outer(b) {
+                return Err(OperatorError::NotInner(*key));
+            }
+        }
+        Ok(self.split_face(from, to, split))
+    }
+
+    /// Puts a new edge between two corners, which are not the same unless it is that of an isolated vertex or a loop, and
+    /// gives the half-edge from the first to the second. Its boundary component is not settled.
+    fn attach(&mut self, from: Spot<S>, to: Spot<S>) -> S::HalfEdge {
+        let (va, vb) = (from.vertex(&self.store), to.vertex(&self.store));
+        let n = self.store.add_edge(va, vb, from.boundary(&self.store));
+        let t = self.store.twin(n);
+        match (from, to) {
+            (Spot::Isolated(v, _), Spot::Isolated(w, _)) if v == w => {
+                self.store.join(n, n);
+                self.store.join(t, t);
+            }
+            (Spot::At(ha), Spot::At(hb)) if ha == hb => {
+                let before = self.store.prev(ha);
+                self.store.join(before, n);
+                self.store.join(n, ha);
+                self.store.join(t, t);
+            }
+            _ => {
+                // A new edge is next and prev of itself, which is right at an isolated vertex.
+                let before = |spot| match spot {
+                    Spot::At(h) => Some((self.store.prev(h), h)),
+                    Spot::Isolated(..) => None,
+                };
+                let (at_from, at_to) = (before(from), before(to));
+                if let Some((before, after)) = at_from {
+                    self.store.join(before, n);
+                    self.store.join(t, after);
+                }
+                if let Some((before, after)) = at_to {
+                    self.store.join(before, t);
+                    self.store.join(n, after);
+                }
+            }
+        }
+        for (spot, leaving) in [(from, n), (to, t)] {
+            if let Spot::Isolated(v, _) = spot {
+                self.store.set_anchor(v, Anchor::Leaving(leaving));
+            }
+        }
+        n
+    }
+
+    fn bridge(&mut self, from: Spot<S>, to: Spot<S>) -> Connected {
+        let (ba, bb) = (from.boundary(&self.store), to.boundary(&self.store));
+        let stretch = |spot: Spot<S>| match spot {
+            Spot::At(h) => Some(h),
+            Spot::Isolated(..) => None,
+        };
+        // An isolated vertex is an empty stretch, for which any stop will do.
+        let (sa, sb) = (stretch(from), stretch(to));
+        let shorter = match (sa, sb) {
+            (Some(a), Some(b)) => self.other_if_tied((a, a), (b, b)),
+            (Some(_), None) => Which::Second,
+            (None, _) => Which::First,
+        };
+        let (kept, dropped, relabelled) = match shorter {
+            Which::First => (bb, ba, sa),
+            Which::Second => (ba, bb, sb),
+        };
+        if let Some(h) = relabelled {
+            self.relabel(h, h, kept);
+        }
+        let n = self.attach(from, to);
+        let t = self.store.twin(n);
+        self.store.set_component(n, kept);
+        self.store.set_component(t, kept);
+        if let Origin::Vertex(_) = self.store.start(kept) {
+            self.store.set_start(kept, Origin::HalfEdge(n));
+        }
+        let f = self.store.bounded(kept);
+        if self.is_outer(dropped) {
+            self.store.unlist(kept);
+            self.store.unlist(dropped);
+            self.store.list_outer(f, kept);
+        } else {
+            self.store.unlist(dropped);
+        }
+        let connection =
+            Connection::Bridge { kept: self.store.boundary_key(kept), dropped: self.store.boundary_key(dropped) };
+        self.store.remove_boundary(dropped);
+        Connected { half_edge: self.store.half_edge_key(n), connection }
+    }
+
+    /// The shorter of two whole cycles; the first on a tie.
+    fn other_if_tied(&self, a: (S::HalfEdge, S::HalfEdge), b: (S::HalfEdge, S::HalfEdge)) -> Which {
+        match self.shorter((Some(b.0), b.1), (Some(a.0), a.1)) {
+            Which::First => Which::Second,
+            Which::Second => Which::First,
+        }
+    }
+
+    fn split_face(&mut self, from: Spot<S>, to: Spot<S>, split: Split<'_>) -> Connected {
+        let kept = from.boundary(&self.store);
+        let f = self.store.bounded(kept);
+        let was_outer = self.is_outer(kept);
+        let n = self.attach(from, to);
+        let t = self.store.twin(n);
+        self.store.set_component(n, kept);
+        self.store.set_component(t, kept);
+        let shorter = self.shorter((Some(n), n), (Some(t), t));
+        let (made_start, kept_start) = match shorter {
+            Which::First => (n, t),
+            Which::Second => (t, n),
+        };
+        let made = self.store.add_boundary(f, Origin::HalfEdge(made_start));
+        self.relabel(made_start, made_start, made);
+        self.store.set_start(kept, Origin::HalfEdge(kept_start));
+
+        let g = self.store.add_face();
+        let new_side = match split.new_face {
+            Side::Left => n,
+            Side::Right => t,
+        };
+        let (of_new, of_old) = if made_start == new_side { (made, kept) } else { (kept, made) };
+        self.store.unlist(kept);
+        self.store.list_outer(g, of_new);
+        self.list(f, of_old, was_outer);
+        for key in split.inner {
+            if let Some(b) = self.store.boundary(*key)
+                && self.store.bounded(b) != g
+            {
+                self.store.unlist(b);
+                self.store.list_inner(g, b);
+            }
+        }
+        Connected {
+            half_edge: self.store.half_edge_key(n),
+            connection: Connection::Split {
+                kept: self.store.boundary_key(kept),
+                made: self.store.boundary_key(made),
+                face: self.store.face_key(g),
+            },
+        }
+    }
+}

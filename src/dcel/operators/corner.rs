@@ -1,0 +1,80 @@
+//! Corners: where an edge can be attached.
+
+use super::super::{Dcel, HalfEdgeKey, OperatorError, VertexKey};
+use crate::store::Store;
+use crate::store::links::Anchor;
+
+/// A place at a vertex where an edge can be attached.
+///
+/// ```text
+///        \ ccw(h)
+///         \    corner of h: to its left, between it and the half-edge
+///          \ ∙               that leaves the vertex next counter-clockwise
+///           v ──────► h
+/// ```
+///
+/// Keys convert: a half-edge stands for the corner at its origin, an isolated vertex for its only one.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
+pub enum Corner {
+    /// At the origin of the half-edge, to its left: on the boundary cycle, between `prev(h)` and `h`.
+    At(HalfEdgeKey),
+    /// All around an isolated vertex.
+    Isolated(VertexKey),
+}
+
+impl From<HalfEdgeKey> for Corner {
+    fn from(h: HalfEdgeKey) -> Self {
+        Self::At(h)
+    }
+}
+
+impl From<VertexKey> for Corner {
+    fn from(v: VertexKey) -> Self {
+        Self::Isolated(v)
+    }
+}
+
+/// A corner whose key has been checked.
+pub(super) enum Spot<S: Store> {
+    At(S::HalfEdge),
+    Isolated(S::Vertex, S::Boundary),
+}
+
+impl<S: Store> Clone for Spot<S> {
+    fn clone(&self) -> Self {
+        *self
+    }
+}
+
+impl<S: Store> Copy for Spot<S> {}
+
+impl<S: Store> Spot<S> {
+    pub(super) fn vertex(self, store: &S) -> S::Vertex {
+        match self {
+            Self::At(h) => store.origin(h),
+            Self::Isolated(v, _) => v,
+        }
+    }
+
+    pub(super) fn boundary(self, store: &S) -> S::Boundary {
+        match self {
+            Self::At(h) => store.component(h),
+            Self::Isolated(_, b) => b,
+        }
+    }
+}
+
+impl<S: Store> Dcel<S> {
+    pub(super) fn spot(&self, corner: Corner) -> Result<Spot<S>, OperatorError> {
+        match corner {
+            Corner::At(h) => self.half_edge_slot(h).map(Spot::At),
+            Corner::Isolated(key) => {
+                let v = self.vertex_slot(key)?;
+                match self.store.anchor(v) {
+                    Anchor::Isolated(b) => Ok(Spot::Isolated(v, b)),
+                    Anchor::Leaving(_) => Err(OperatorError::NotIsolated(key)),
+                }
+            }
+        }
+    }
+}

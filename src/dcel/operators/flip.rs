@@ -1,0 +1,131 @@
+//! Turning an edge inside the two faces that it separates.
+
+use super::super::{Dcel, HalfEdgeKey, OperatorError};
+use crate::store::Store;
+use crate::store::links::{Anchor, Origin};
+
+/// The sense in which an edge is turned.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
+pub enum Turn {
+    /// Each end moves on along the boundary of the face to its left, seen from the middle.
+    CounterClockwise,
+    /// The other way.
+    Clockwise,
+}
+
+impl Turn {
+    /// The other sense.
+    #[must_use]
+    pub const fn reversed(self) -> Self {
+        match self {
+            Self::CounterClockwise => Self::Clockwise,
+            Self::Clockwise => Self::CounterClockwise,
+        }
+    }
+}
+
+impl<S: Store> Dcel<S> {
+    /// Turns an edge one step: each of its ends moves to the next vertex along the boundary of the two faces that it
+    /// separates. In a triangulation this is the flip of a diagonal.
+    ///
+    /// ```text
+    ///      c ─────── b            c ─────── b
+    ///      │      ↗  │            │  ↖      │
+    ///      │   h     │    ──►     │     h   │      counter-clockwise
+    ///      │ ↗       │            │       ↖ │
+    ///      a ─────── d            a ─────── d
+    /// ```
+    ///
+    /// A loop with nothing on one side slides along the boundary of the face on its other side. O(1).
+    ///
+    /// Inverse: the same with [`Turn::reversed`].
+    ///
+    /// # Errors
+    /// A stale key; [`OperatorError::NotSeparating`] if both sides of the edge lie on the same boundary component.
+    pub fn flip_edge(&mut self, half_edge: HalfEdgeKey, turn: Turn) -> Result<(), OperatorError> {
+        let n = self.half_edge_slot(half_edge)?;
+        let t = self.store.twin(n);
+        let (bn, bt) = (self.store.component(n), self.store.component(t));
+        if bn == bt {
+            return Err(OperatorError::NotSeparating(half_edge));
+        }
+        match (self.store.next(n) == n, self.store.next(t) == t) {
+            (true, true) => return Ok(()),
+            (true, false) => self.slide(n, t, turn),
+            (false, true) => self.slide(t, n, turn),
+            (false, false) => {
+                self.release_end(n);
+                self.release_end(t);
+                match turn {
+                    Turn::CounterClockwise => self.turn_counter_clockwise(n, t),
+                    Turn::Clockwise => self.turn_clockwise(n, t),
+                }
+            }
+        }
+        self.store.set_start(bn, Origin::HalfEdge(n));
+        self.store.set_start(bt, Origin::HalfEdge(t));
+        Ok(())
+    }
+
+    /// Gives the origin of `h` the half-edge that leaves it clockwise of `h`.
+    fn release_end(&mut self, h: S::HalfEdge) {
+        let other = self.store.next(self.store.twin(h));
+        self.store.set_anchor(self.store.origin(h), Anchor::Leaving(other));
+    }
+
+    /// `x` and `y`, the first half-edges after `n` and `t`, change sides.
+    fn turn_counter_clockwise(&mut self, n: S::HalfEdge, t: S::HalfEdge) {
+        let (x, y) = (self.store.next(n), self.store.next(t));
+        let (before_n, before_t) = (self.store.prev(n), self.store.prev(t));
+        // Without the edge there is one cycle …
+        self.store.join(before_n, y);
+        self.store.join(before_t, x);
+        let (after_x, after_y) = (self.store.next(x), self.store.next(y));
+        // … which is cut again one step further.
+        self.store.join(y, n);
+        self.store.join(n, after_x);
+        self.store.join(x, t);
+        self.store.join(t, after_y);
+        self.store.set_origin(n, self.store.origin(after_y));
+        self.store.set_origin(t, self.store.origin(after_x));
+        self.swap_sides(x, y);
+    }
+
+    /// `x` and `y`, the last half-edges before `n` and `t`, change sides.
+    fn turn_clockwise(&mut self, n: S::HalfEdge, t: S::HalfEdge) {
+        let (x, y) = (self.store.prev(n), self.store.prev(t));
+        let (after_n, after_t) = (self.store.next(n), self.store.next(t));
+        self.store.join(x, after_t);
+        self.store.join(y, after_n);
+        let (before_x, before_y) = (self.store.prev(x), self.store.prev(y));
+        self.store.join(n, y);
+        self.store.join(before_x, n);
+        self.store.join(t, x);
+        self.store.join(before_y, t);
+        self.store.set_origin(n, self.store.origin(x));
+        self.store.set_origin(t, self.store.origin(y));
+        self.swap_sides(x, y);
+    }
+
+    fn swap_sides(&mut self, x: S::HalfEdge, y: S::HalfEdge) {
+        let (bx, by) = (self.store.component(x), self.store.component(y));
+        self.store.set_component(x, by);
+        self.store.set_component(y, bx);
+    }
+
+    /// Slides a loop, alone on the side of `lone`, along the cycle on the side of `t`.
+    fn slide(&mut self, lone: S::HalfEdge, t: S::HalfEdge, turn: Turn) {
+        let (before, after) = (self.store.prev(t), self.store.next(t));
+        self.store.set_anchor(self.store.origin(t), Anchor::Leaving(after));
+        self.store.join(before, after);
+        let (last, first) = match turn {
+            Turn::CounterClockwise => (after, self.store.next(after)),
+            Turn::Clockwise => (self.store.prev(before), before),
+        };
+        self.store.join(last, t);
+        self.store.join(t, first);
+        let v = self.store.origin(first);
+        self.store.set_origin(t, v);
+        self.store.set_origin(lone, v);
+    }
+}

@@ -1,0 +1,61 @@
+//! Adding and removing isolated vertices.
+
+use super::super::{BoundaryKey, Dcel, FaceKey, OperatorError, VertexKey};
+use crate::store::Store;
+use crate::store::links::{Anchor, Need};
+
+/// What [`Dcel::add_isolated_vertex`] made.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
+pub struct AddedVertex {
+    /// The vertex.
+    pub vertex: VertexKey,
+    /// The boundary component that it is.
+    pub boundary: BoundaryKey,
+}
+
+/// What [`Dcel::remove_isolated_vertex`] dropped, and from where.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
+pub struct RemovedVertex {
+    /// The boundary component that the vertex was.
+    pub boundary: BoundaryKey,
+    /// The face in which it lay.
+    pub face: FaceKey,
+}
+
+impl<S: Store> Dcel<S> {
+    /// Adds an isolated vertex in a face, as a new inner boundary component. O(1).
+    ///
+    /// ```text
+    ///   ┌───────┐      ┌───────┐
+    ///   │   f   │  ──► │ f  ·v │
+    ///   └───────┘      └───────┘
+    /// ```
+    ///
+    /// Inverse: [`Dcel::remove_isolated_vertex`].
+    ///
+    /// # Errors
+    /// A stale key; [`OperatorError::Full`].
+    pub fn add_isolated_vertex(&mut self, face: FaceKey) -> Result<AddedVertex, OperatorError> {
+        let f = self.face_slot(face)?;
+        self.room_for(Need { vertices: 1, boundaries: 1, ..Need::default() })?;
+        let (v, b) = self.store.add_isolated(f);
+        Ok(AddedVertex { vertex: self.store.vertex_key(v), boundary: self.store.boundary_key(b) })
+    }
+
+    /// Removes an isolated vertex. O(1).
+    ///
+    /// Inverse: [`Dcel::add_isolated_vertex`].
+    ///
+    /// # Errors
+    /// A stale key; [`OperatorError::NotIsolated`] if half-edges leave the vertex.
+    pub fn remove_isolated_vertex(&mut self, vertex: VertexKey) -> Result<RemovedVertex, OperatorError> {
+        let v = self.vertex_slot(vertex)?;
+        let Anchor::Isolated(b) = self.store.anchor(v) else { return Err(OperatorError::NotIsolated(vertex)) };
+        let removed =
+            RemovedVertex { boundary: self.store.boundary_key(b), face: self.store.face_key(self.store.bounded(b)) };
+        self.store.unlist(b);
+        self.store.remove_boundary(b);
+        self.store.remove_vertex(v);
+        Ok(removed)
+    }
+}

@@ -1,0 +1,200 @@
+//! Removing an edge.
+
+use super::super::{BoundaryKey, Dcel, FaceKey, HalfEdgeKey, OperatorError};
+use super::walk::Which;
+use crate::store::Store;
+use crate::store::links::{Anchor, Need, Origin};
+
+/// What [`Dcel::remove_edge`] did.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
+#[non_exhaustive]
+pub enum RemovedEdge {
+    /// Two faces became one, and two cycles one.
+    Merged {
+        /// The face that has everything now.
+        kept_face: FaceKey,
+        /// The face that is gone.
+        dropped_face: FaceKey,
+        /// The boundary component of the joined cycle.
+        kept: BoundaryKey,
+        /// The boundary component that is gone.
+        dropped: BoundaryKey,
+    },
+    /// One boundary component became two, and one component two.
+    Parted {
+        /// The boundary component that was cut; it has the longer of the two parts.
+        kept: BoundaryKey,
+        /// The new boundary component, of the other part.
+        made: BoundaryKey,
+    },
+}
+
+/// The half-edges around the one that is removed.
+struct Around<H> {
+    n: H,
+    t: H,
+    before_n: H,
+    after_n: H,
+    before_t: H,
+    after_t: H,
+}
+
+impl<S: Store> Dcel<S> {
+    /// Removes an edge; its vertices stay, isolated if it was their last.
+    ///
+    /// If the edge separates two faces, they become one. If both are bounded by it from outside, the face to the left of
+    /// `half_edge` is kept; else the one that lies around the other. The inner boundary components of the face that is
+    /// dropped come along. If both its sides lie on the same cycle, the edge is a bridge, and its component falls in two:
+    /// the part that lay outside stays so, the other becomes an inner boundary component.
+    ///
+    /// ```text
+    ///   merge                              part
+    ///   ┌─────┬─────┐      ┌───────────┐   ┌────────┐      ┌────────┐
+    ///   │  f  │  g  │  ──► │     f     │   │ ┌┐     │  ──► │ ┌┐     │
+    ///   │     │     │      │           │   │ └┘━━━━━┤      │ └┘     │
+    ///   └─────┴─────┘      └───────────┘   └────────┘      └────────┘
+    /// ```
+    ///
+    /// Merging: O(length of the shorter cycle + inner boundary components of the face that is dropped). Parting:
+    /// O(length of the shorter part of the cycle); where the cycle is an outer one, which part keeps the outside is found
+    /// by searching both in step, O(size of the smaller part). That it takes a search is the price of asking nothing: only
+    /// one answer keeps T1.
+    ///
+    /// Inverse: [`Dcel::connect`].
+    ///
+    /// # Errors
+    /// A stale key; [`OperatorError::Full`] for the boundary component that parting makes.
+    pub fn remove_edge(&mut self, half_edge: HalfEdgeKey) -> Result<RemovedEdge, OperatorError> {
+        let n = self.half_edge_slot(half_edge)?;
+        let t = self.store.twin(n);
+        let around = Around {
+            n,
+            t,
+            before_n: self.store.prev(n),
+            after_n: self.store.next(n),
+            before_t: self.store.prev(t),
+            after_t: self.store.next(t),
+        };
+        if self.store.component(n) != self.store.component(t) {
+            return Ok(self.merge(&around));
+        }
+        self.room_for(Need { boundaries: 1, ..Need::default() })?;
+        Ok(self.part(&around))
+    }
+
+    /// Gives the ends of the edge another leaving half-edge, if they have one.
+    fn release_ends(&mut self, around: &Around<S::HalfEdge>) {
+        let Around { n, t, after_n, after_t, .. } = *around;
+        let others = [after_t, after_n];
+        for end in [self.store.origin(n), self.store.origin(t)] {
+            if let Some(h) = others.into_iter().find(|h| *h != n && *h != t && self.store.origin(*h) == end) {
+                self.store.set_anchor(end, Anchor::Leaving(h));
+            }
+        }
+    }
+
+    fn merge(&mut self, around: &Around<S::HalfEdge>) -> RemovedEdge {
+        let Around { n, t, before_n, after_n, before_t, after_t } = *around;
+        let (bn, bt) = (self.store.component(n), self.store.component(t));
+        let (fn_, ft) = (self.store.bounded(bn), self.store.bounded(bt));
+        // The face around the other has the cycle as an inner one; of two that are side by side the left one is kept.
+        let (kept_face, dropped_face, outer) = match (self.is_outer(bn), self.is_outer(bt)) {
+            (true, true) => (fn_, ft, true),
+            (true, false) => (ft, fn_, false),
+            (false, _) => (fn_, ft, false),
+        };
+        let shorter = self.shorter((Some(n), n), (Some(t), t));
+        let (kept, dropped, relabelled) = match shorter {
+            Which::First => (bt, bn, n),
+            Which::Second => (bn, bt, t),
+        };
+        self.relabel(relabelled, relabelled, kept);
+
+        self.release_ends(around);
+        let start = match (after_n == n, after_t == t) {
+            (true, true) => None,
+            (true, false) => {
+                self.store.join(before_t, after_t);
+                Some(after_t)
+            }
+            (false, true) => {
+                self.store.join(before_n, after_n);
+                Some(after_n)
+            }
+            (false, false) => {
+                self.store.join(before_n, after_t);
+                self.store.join(before_t, after_n);
+                Some(after_t)
+            }
+        };
+        let v = self.store.origin(n);
+        self.store.set_start(kept, start.map_or(Origin::Vertex(v), Origin::HalfEdge));
+        if start.is_none() {
+            self.store.set_anchor(v, Anchor::Isolated(kept));
+        }
+        self.store.unlist(kept);
+        self.store.unlist(dropped);
+        self.list(kept_face, kept, outer);
+        while let Some(last) = self.store.inner_count(dropped_face).checked_sub(1)
+            && let Some(b) = self.store.inner(dropped_face, last)
+        {
+            self.store.unlist(b);
+            self.store.list_inner(kept_face, b);
+        }
+        let merged = RemovedEdge::Merged {
+            kept_face: self.store.face_key(kept_face),
+            dropped_face: self.store.face_key(dropped_face),
+            kept: self.store.boundary_key(kept),
+            dropped: self.store.boundary_key(dropped),
+        };
+        self.store.remove_boundary(dropped);
+        self.store.remove_face(dropped_face);
+        self.store.remove_edge(n);
+        merged
+    }
+
+    fn part(&mut self, around: &Around<S::HalfEdge>) -> RemovedEdge {
+        let Around { n, t, before_n, after_n, before_t, after_t } = *around;
+        let kept = self.store.component(n);
+        let f = self.store.bounded(kept);
+        let (origin, target) = (self.store.origin(n), self.store.origin(t));
+        let outside = self.is_outer(kept).then(|| self.part_with_outside(n, t));
+        let at_origin = (after_t != n).then_some(after_t);
+        let at_target = (after_n != t).then_some(after_n);
+        let shorter = self.shorter((at_origin, n), (at_target, t));
+
+        self.release_ends(around);
+        if at_origin.is_some() {
+            self.store.join(before_n, after_t);
+        }
+        if at_target.is_some() {
+            self.store.join(before_t, after_n);
+        }
+        let made = self.store.add_boundary(f, Origin::Vertex(target));
+        let (of_origin, of_target) = match shorter {
+            Which::First => (made, kept),
+            Which::Second => (kept, made),
+        };
+        for (b, start, vertex) in [(of_origin, at_origin, origin), (of_target, at_target, target)] {
+            if let Some(h) = start {
+                self.store.set_start(b, Origin::HalfEdge(h));
+                if b == made {
+                    self.relabel(h, h, made);
+                }
+            } else {
+                self.store.set_start(b, Origin::Vertex(vertex));
+                self.store.set_anchor(vertex, Anchor::Isolated(b));
+            }
+        }
+        let stays_outer = outside.map(|which| match which {
+            Which::First => of_origin,
+            Which::Second => of_target,
+        });
+        self.store.unlist(kept);
+        for b in [kept, made] {
+            self.list(f, b, Some(b) == stays_outer);
+        }
+        self.store.remove_edge(n);
+        RemovedEdge::Parted { kept: self.store.boundary_key(kept), made: self.store.boundary_key(made) }
+    }
+}

@@ -1,0 +1,109 @@
+//! A vertex on an edge, and the way back.
+
+use super::super::{Dcel, HalfEdgeKey, OperatorError, VertexKey};
+use crate::store::Store;
+use crate::store::links::{Anchor, Need, Origin};
+
+/// What [`Dcel::split_edge`] made.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
+pub struct SplitEdge {
+    /// The new vertex.
+    pub vertex: VertexKey,
+    /// The new half-edge, from the new vertex to the old target.
+    pub half_edge: HalfEdgeKey,
+}
+
+/// What [`Dcel::join_edges`] dropped.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
+pub struct JoinedEdges {
+    /// The vertex that was between the two edges.
+    pub vertex: VertexKey,
+    /// The half-edge that followed; its edge is gone.
+    pub half_edge: HalfEdgeKey,
+}
+
+impl<S: Store> Dcel<S> {
+    /// Puts a new vertex on an edge. The given half-edge keeps its origin and ends at the new vertex. O(1).
+    ///
+    /// ```text
+    ///        h                    h         new
+    ///   a ────────► b   ──►   a ─────► w ───────► b
+    /// ```
+    ///
+    /// Inverse: [`Dcel::join_edges`] on the same half-edge.
+    ///
+    /// # Errors
+    /// A stale key; [`OperatorError::Full`].
+    pub fn split_edge(&mut self, half_edge: HalfEdgeKey) -> Result<SplitEdge, OperatorError> {
+        let h = self.half_edge_slot(half_edge)?;
+        self.room_for(Need { vertices: 1, edges: 1, ..Need::default() })?;
+        let t = self.store.twin(h);
+        let b = self.store.origin(t);
+        let (after_h, before_t) = (self.store.next(h), self.store.prev(t));
+
+        let n = self.store.add_edge(b, b, self.store.component(h));
+        let m = self.store.twin(n);
+        let w = self.store.add_vertex(Anchor::Leaving(n));
+        self.store.set_origin(n, w);
+        self.store.set_origin(t, w);
+        self.store.set_component(m, self.store.component(t));
+        if after_h != t {
+            self.store.join(n, after_h);
+            self.store.join(before_t, m);
+        }
+        self.store.join(h, n);
+        self.store.join(m, t);
+        if self.store.anchor(b) == Anchor::Leaving(t) {
+            self.store.set_anchor(b, Anchor::Leaving(m));
+        }
+        Ok(SplitEdge { vertex: self.store.vertex_key(w), half_edge: self.store.half_edge_key(n) })
+    }
+
+    /// Joins the edge of a half-edge with the one that follows it, dropping the vertex of degree 2 between them. O(1).
+    ///
+    /// ```text
+    ///      h                           h
+    ///   a ─────► v ──────► b   ──►  a ──────► b
+    /// ```
+    ///
+    /// Inverse: [`Dcel::split_edge`] of the same half-edge.
+    ///
+    /// # Errors
+    /// A stale key; [`OperatorError::DegreeNotTwo`] if the target of the half-edge has another degree;
+    /// [`OperatorError::Loop`] if both ends there are of the same edge.
+    pub fn join_edges(&mut self, half_edge: HalfEdgeKey) -> Result<JoinedEdges, OperatorError> {
+        let h = self.half_edge_slot(half_edge)?;
+        let t = self.store.twin(h);
+        let n = self.store.next(h);
+        let m = self.store.twin(n);
+        if n == t || self.store.next(m) != t {
+            return Err(OperatorError::DegreeNotTwo(half_edge));
+        }
+        if n == h || m == h {
+            return Err(OperatorError::Loop(half_edge));
+        }
+        let v = self.store.origin(t);
+        let b = self.store.origin(m);
+        let (after_n, before_m) = (self.store.next(n), self.store.prev(m));
+        if after_n == m {
+            self.store.join(h, t);
+        } else {
+            self.store.join(h, after_n);
+            self.store.join(before_m, t);
+        }
+        self.store.set_origin(t, b);
+        if self.store.anchor(b) == Anchor::Leaving(m) {
+            self.store.set_anchor(b, Anchor::Leaving(t));
+        }
+        for (gone, stays) in [(n, h), (m, t)] {
+            let component = self.store.component(gone);
+            if self.store.start(component) == Origin::HalfEdge(gone) {
+                self.store.set_start(component, Origin::HalfEdge(stays));
+            }
+        }
+        let joined = JoinedEdges { vertex: self.store.vertex_key(v), half_edge: self.store.half_edge_key(n) };
+        self.store.remove_edge(n);
+        self.store.remove_vertex(v);
+        Ok(joined)
+    }
+}

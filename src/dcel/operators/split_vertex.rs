@@ -1,0 +1,170 @@
+//! Two vertices out of one, and the way back.
+
+use super::super::{Dcel, HalfEdgeKey, OperatorError, VertexKey};
+use super::corner::{Corner, Spot};
+use super::walk::Which;
+use crate::store::Store;
+use crate::store::links::{Anchor, Need, Origin};
+
+/// What [`Dcel::split_vertex`] made.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
+pub struct SplitVertex {
+    /// The new vertex: the one that got fewer half-edges.
+    pub vertex: VertexKey,
+    /// The new half-edge, to the vertex with the half-edges counter-clockwise between the corners.
+    pub half_edge: HalfEdgeKey,
+}
+
+/// What [`Dcel::contract_edge`] kept and dropped.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
+pub struct ContractedEdge {
+    /// The vertex that has all half-edges now: the one that had more; the origin on a tie.
+    pub kept: VertexKey,
+    /// The vertex that is gone.
+    pub dropped: VertexKey,
+}
+
+impl<S: Store> Dcel<S> {
+    /// Splits a vertex in two, joined by a new edge that runs between two of its corners.
+    ///
+    /// The half-edges met when turning counter-clockwise from the first corner to the second go to the target of the new
+    /// half-edge, the others to its origin. Equal corners make the target a leaf in that corner, and an isolated vertex
+    /// becomes an edge.
+    ///
+    /// ```text
+    ///      \  b  /              \     /
+    ///       \ ∙ /         b      \   /
+    ///   ──── v ────   ──►   ──── ·━━►· ────
+    ///       / ∙ \                /   \      a
+    ///      /  a  \              /     \
+    /// ```
+    ///
+    /// O(size of the smaller of the two rotations): both are walked in step, and the smaller goes to the new vertex, that
+    /// of the target on a tie.
+    ///
+    /// Inverse: [`Dcel::contract_edge`].
+    ///
+    /// # Errors
+    /// A stale key; [`OperatorError::NotIsolated`]; [`OperatorError::VerticesDiffer`]; [`OperatorError::Full`].
+    pub fn split_vertex(
+        &mut self,
+        from: impl Into<Corner>,
+        to: impl Into<Corner>,
+    ) -> Result<SplitVertex, OperatorError> {
+        let (from, to) = (self.spot(from.into())?, self.spot(to.into())?);
+        let (v, other) = (from.vertex(&self.store), to.vertex(&self.store));
+        if v != other {
+            return Err(OperatorError::VerticesDiffer(self.store.vertex_key(v), self.store.vertex_key(other)));
+        }
+        self.room_for(Need { vertices: 1, edges: 1, ..Need::default() })?;
+        let b = from.boundary(&self.store);
+        let n = self.store.add_edge(v, v, to.boundary(&self.store));
+        let t = self.store.twin(n);
+        self.store.set_component(t, b);
+        let w = self.store.add_vertex(Anchor::Leaving(t));
+        if let (Spot::At(ha), Spot::At(hb)) = (from, to) {
+            let (before_a, before_b) = (self.store.prev(ha), self.store.prev(hb));
+            self.store.join(t, ha);
+            self.store.join(before_b, n);
+            if ha == hb {
+                self.store.join(n, t);
+            } else {
+                self.store.join(n, hb);
+                self.store.join(before_a, t);
+            }
+        } else {
+            self.store.set_start(b, Origin::HalfEdge(n));
+        }
+        // The edge is in place, and all half-edges but `t` leave `v` or should leave `w`.
+        match self.smaller_rotation(n, t) {
+            Which::Second => {
+                self.hand_over(t, w);
+                self.store.set_anchor(v, Anchor::Leaving(n));
+            }
+            Which::First => {
+                self.hand_over(n, w);
+                self.store.set_anchor(v, Anchor::Leaving(t));
+                self.store.set_anchor(w, Anchor::Leaving(n));
+            }
+        }
+        Ok(SplitVertex { vertex: self.store.vertex_key(w), half_edge: self.store.half_edge_key(n) })
+    }
+
+    /// Which of two rotations, of different vertices, is the smaller; the second on a tie. O(smaller).
+    fn smaller_rotation(&self, first: S::HalfEdge, second: S::HalfEdge) -> Which {
+        let turn = |h: S::HalfEdge| self.store.next(self.store.twin(h));
+        let (mut a, mut b) = (first, second);
+        loop {
+            b = turn(b);
+            if b == second {
+                return Which::Second;
+            }
+            a = turn(a);
+            if a == first {
+                return Which::First;
+            }
+        }
+    }
+
+    /// Makes all half-edges of a rotation leave `v`.
+    fn hand_over(&mut self, first: S::HalfEdge, v: S::Vertex) {
+        let mut h = first;
+        loop {
+            self.store.set_origin(h, v);
+            h = self.store.next(self.store.twin(h));
+            if h == first {
+                return;
+            }
+        }
+    }
+
+    /// Contracts an edge to a point: its two vertices become one.
+    ///
+    /// ```text
+    ///   \     /           \ /
+    ///    ·━━━·      ──►    ·
+    ///   /     \           / \
+    /// ```
+    ///
+    /// O(size of the smaller rotation).
+    ///
+    /// Inverse: [`Dcel::split_vertex`].
+    ///
+    /// # Errors
+    /// A stale key; [`OperatorError::Loop`] if the edge starts and ends at the same vertex.
+    pub fn contract_edge(&mut self, half_edge: HalfEdgeKey) -> Result<ContractedEdge, OperatorError> {
+        let n = self.half_edge_slot(half_edge)?;
+        let t = self.store.twin(n);
+        let (origin, target) = (self.store.origin(n), self.store.origin(t));
+        if origin == target {
+            return Err(OperatorError::Loop(half_edge));
+        }
+        let (kept, dropped) = match self.smaller_rotation(n, t) {
+            Which::Second => (origin, target),
+            Which::First => (target, origin),
+        };
+        self.hand_over(if dropped == target { t } else { n }, kept);
+        let stays = [self.store.next(t), self.store.next(n)].into_iter().find(|h| *h != n && *h != t);
+        for h in [n, t] {
+            let (before, after) = (self.store.prev(h), self.store.next(h));
+            let component = self.store.component(h);
+            if self.store.start(component) == Origin::HalfEdge(h) {
+                // In a cycle of the edge and nothing else, `after` goes next, and the isolated vertex is settled below.
+                let start = if after == self.store.twin(h) { before } else { after };
+                self.store.set_start(component, Origin::HalfEdge(start));
+            }
+            self.store.join(before, after);
+        }
+        if let Some(h) = stays {
+            self.store.set_anchor(kept, Anchor::Leaving(h));
+        } else {
+            let component = self.store.component(n);
+            self.store.set_start(component, Origin::Vertex(kept));
+            self.store.set_anchor(kept, Anchor::Isolated(component));
+        }
+        let contracted = ContractedEdge { kept: self.store.vertex_key(kept), dropped: self.store.vertex_key(dropped) };
+        self.store.remove_edge(n);
+        self.store.remove_vertex(dropped);
+        Ok(contracted)
+    }
+}

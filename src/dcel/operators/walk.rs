@@ -1,0 +1,208 @@
+//! Walks that operators share: two sides in step, and the search for the outside of a component.
+
+use super::super::Dcel;
+use crate::store::Store;
+use crate::store::links::{OUTER, Origin};
+
+/// One of two sides that are walked in step.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub(super) enum Which {
+    First,
+    Second,
+}
+
+/// Ends a queue threaded through the places of outer boundary components, which mean nothing while an operator runs.
+const LAST: u32 = OUTER - 1;
+
+/// A queue of outer boundary components. Being in it is also the mark of having been seen.
+struct Queue<S: Store> {
+    ends: Option<(S::Boundary, S::Boundary)>,
+    current: Option<S::Boundary>,
+}
+
+impl<S: Store> Queue<S> {
+    const fn new() -> Self {
+        Self { ends: None, current: None }
+    }
+
+    /// Appends `b` unless it has been seen.
+    fn offer(&mut self, store: &mut S, b: S::Boundary) {
+        if store.place(b) != OUTER {
+            return;
+        }
+        store.set_place(b, LAST);
+        match &mut self.ends {
+            Some((_, last)) => {
+                store.set_place(*last, store.boundary_index(b) as u32);
+                *last = b;
+            }
+            None => self.ends = Some((b, b)),
+        }
+    }
+
+    /// The next one that has not been handed out.
+    fn take(&mut self, store: &S) -> Option<S::Boundary> {
+        let next = match self.current {
+            None => self.ends.map(|(first, _)| first),
+            Some(b) => Self::after(store, b),
+        };
+        if next.is_some() {
+            self.current = next;
+        }
+        next
+    }
+
+    fn after(store: &S, b: S::Boundary) -> Option<S::Boundary> {
+        match store.place(b) {
+            LAST => None,
+            index => store.boundary_at(index as usize),
+        }
+    }
+
+    /// Takes all marks off again.
+    fn clear(self, store: &mut S) {
+        let mut at = self.ends.map(|(first, _)| first);
+        while let Some(b) = at {
+            at = Self::after(store, b);
+            store.set_place(b, OUTER);
+        }
+    }
+}
+
+/// A search through the faces of one part of a component: first along a stretch of the cycle that is being cut, then along
+/// every outer cycle met across it.
+struct Search<S: Store> {
+    at: Option<S::HalfEdge>,
+    stop: S::HalfEdge,
+    queue: Queue<S>,
+}
+
+/// What one step of a search came to.
+enum Step {
+    GoOn,
+    FoundOutside,
+    Exhausted,
+}
+
+impl<S: Store> Search<S> {
+    fn along(first: S::HalfEdge, stop: S::HalfEdge) -> Self {
+        Self { at: (first != stop).then_some(first), stop, queue: Queue::new() }
+    }
+
+    fn step(&mut self, store: &mut S) -> Step {
+        let Some(h) = self.at else {
+            let Some(b) = self.queue.take(store) else { return Step::Exhausted };
+            if let Origin::HalfEdge(start) = store.start(b) {
+                (self.at, self.stop) = (Some(start), start);
+            }
+            return Step::GoOn;
+        };
+        let across = store.component(store.twin(h));
+        if store.outer(store.bounded(across)) != Some(across) {
+            return Step::FoundOutside;
+        }
+        self.queue.offer(store, across);
+        let next = store.next(h);
+        self.at = (next != self.stop).then_some(next);
+        Step::GoOn
+    }
+}
+
+impl<S: Store> Dcel<S> {
+    /// Walks two cycles in step, from `first` until `first_stop` and from `second` until `second_stop` (each excluded; an
+    /// empty stretch where they are equal at once if so said), and tells which is the shorter; the second on a tie.
+    ///
+    /// O(shorter).
+    pub(super) fn shorter(
+        &self,
+        (mut first, first_stop): (Option<S::HalfEdge>, S::HalfEdge),
+        (mut second, second_stop): (Option<S::HalfEdge>, S::HalfEdge),
+    ) -> Which {
+        let step = |h: S::HalfEdge, stop: S::HalfEdge| Some(self.store.next(h)).filter(|next| *next != stop);
+        loop {
+            let Some(b) = second else { return Which::Second };
+            let Some(a) = first else { return Which::First };
+            second = step(b, second_stop);
+            first = step(a, first_stop);
+        }
+    }
+
+    /// Labels the half-edges from `first` until `stop` (excluded, or the whole cycle if they are equal).
+    pub(super) fn relabel(&mut self, first: S::HalfEdge, stop: S::HalfEdge, b: S::Boundary) {
+        let mut h = first;
+        loop {
+            self.store.set_component(h, b);
+            h = self.store.next(h);
+            if h == stop {
+                return;
+            }
+        }
+    }
+
+    /// An edge whose sides `n` and `t` lie on one outer cycle is about to be removed. Which part of its component keeps the
+    /// outside: that of the origin of `n` (first) or that of its target (second)?
+    ///
+    /// Topology decides: the part from which an inner boundary component can be reached across edges. Both parts are
+    /// searched in step, so the cost is O(size of the smaller part), and less if the outside is near. No memory is
+    /// allocated: the queues run through a field that is free in outer boundary components.
+    pub(super) fn part_with_outside(&mut self, n: S::HalfEdge, t: S::HalfEdge) -> Which {
+        let cut = self.store.component(n);
+        // The cycle that is cut counts as seen by both.
+        self.store.set_place(cut, LAST);
+        let mut origin = Search::<S>::along(self.store.next(t), n);
+        let mut target = Search::<S>::along(self.store.next(n), t);
+        let which = loop {
+            match origin.step(&mut self.store) {
+                Step::GoOn => {}
+                Step::FoundOutside => break Which::First,
+                Step::Exhausted => break Which::Second,
+            }
+            match target.step(&mut self.store) {
+                Step::GoOn => {}
+                Step::FoundOutside => break Which::Second,
+                Step::Exhausted => break Which::First,
+            }
+        };
+        origin.queue.clear(&mut self.store);
+        target.queue.clear(&mut self.store);
+        self.store.set_place(cut, OUTER);
+        which
+    }
+
+    /// Whether face `f` belongs to the component of the inner boundary component `b`, or to one that lies inside it.
+    ///
+    /// O(size of that component and of all that lies inside it), without allocating.
+    pub(super) fn encloses(&mut self, b: S::Boundary, f: S::Face) -> bool {
+        let mut queue = Queue::<S>::new();
+        self.offer_across(&mut queue, b);
+        let mut found = false;
+        while !found && let Some(outer) = queue.take(&self.store) {
+            let inside = self.store.bounded(outer);
+            found = inside == f;
+            self.offer_across(&mut queue, outer);
+            let mut position = 0;
+            while let Some(inner) = self.store.inner(inside, position) {
+                self.offer_across(&mut queue, inner);
+                position += 1;
+            }
+        }
+        queue.clear(&mut self.store);
+        found
+    }
+
+    /// Queues the outer boundary components met across the half-edges of `b`.
+    fn offer_across(&mut self, queue: &mut Queue<S>, b: S::Boundary) {
+        let Origin::HalfEdge(start) = self.store.start(b) else { return };
+        let mut h = start;
+        loop {
+            let across = self.store.component(self.store.twin(h));
+            if self.is_outer(across) {
+                queue.offer(&mut self.store, across);
+            }
+            h = self.store.next(h);
+            if h == start {
+                return;
+            }
+        }
+    }
+}

@@ -1,0 +1,102 @@
+//! The structure as the validator sees it.
+
+use super::Dcel;
+use crate::store::Store;
+use crate::store::links::{Anchor, OUTER, Origin};
+use crate::validate::{Link, Place, Start, View};
+
+/// Indices are those of [`HalfEdge::index`](super::HalfEdge::index) and its kin.
+impl<S: Store> View for Dcel<S> {
+    fn vertex_slots(&self) -> usize {
+        self.store.vertex_slots()
+    }
+    fn half_edge_slots(&self) -> usize {
+        self.store.half_edge_slots()
+    }
+    fn boundary_slots(&self) -> usize {
+        self.store.boundary_slots()
+    }
+    fn face_slots(&self) -> usize {
+        self.store.face_slots()
+    }
+    #[inline]
+    fn is_vertex(&self, vertex: usize) -> bool {
+        self.store.vertex_at(vertex).is_some()
+    }
+    #[inline]
+    fn is_half_edge(&self, half_edge: usize) -> bool {
+        self.store.half_edge_at(half_edge).is_some()
+    }
+    #[inline]
+    fn is_boundary(&self, boundary: usize) -> bool {
+        self.store.boundary_at(boundary).is_some()
+    }
+    #[inline]
+    fn is_face(&self, face: usize) -> bool {
+        self.store.face_at(face).is_some()
+    }
+    #[inline]
+    fn origin(&self, half_edge: usize) -> Link {
+        Some(self.store.vertex_index(self.store.origin(self.store.half_edge_at(half_edge)?)))
+    }
+    #[inline]
+    fn twin(&self, half_edge: usize) -> Link {
+        Some(self.store.half_edge_index(self.store.twin(self.store.half_edge_at(half_edge)?)))
+    }
+    #[inline]
+    fn next(&self, half_edge: usize) -> Link {
+        Some(self.store.half_edge_index(self.store.next(self.store.half_edge_at(half_edge)?)))
+    }
+    #[inline]
+    fn prev(&self, half_edge: usize) -> Link {
+        Some(self.store.half_edge_index(self.store.prev(self.store.half_edge_at(half_edge)?)))
+    }
+    #[inline]
+    fn boundary(&self, half_edge: usize) -> Link {
+        Some(self.store.boundary_index(self.store.component(self.store.half_edge_at(half_edge)?)))
+    }
+    #[inline]
+    fn leaving(&self, vertex: usize) -> Link {
+        match self.store.anchor(self.store.vertex_at(vertex)?) {
+            Anchor::Leaving(h) => Some(self.store.half_edge_index(h)),
+            Anchor::Isolated(_) => None,
+        }
+    }
+    #[inline]
+    fn isolated(&self, vertex: usize) -> Link {
+        match self.store.anchor(self.store.vertex_at(vertex)?) {
+            Anchor::Leaving(_) => None,
+            Anchor::Isolated(b) => Some(self.store.boundary_index(b)),
+        }
+    }
+    #[inline]
+    fn boundary_face(&self, boundary: usize) -> Link {
+        Some(self.store.face_index(self.store.bounded(self.store.boundary_at(boundary)?)))
+    }
+    #[inline]
+    fn boundary_start(&self, boundary: usize) -> Option<Start> {
+        Some(match self.store.start(self.store.boundary_at(boundary)?) {
+            Origin::HalfEdge(h) => Start::HalfEdge(self.store.half_edge_index(h)),
+            Origin::Vertex(v) => Start::Vertex(self.store.vertex_index(v)),
+        })
+    }
+    #[inline]
+    fn boundary_place(&self, boundary: usize) -> Option<Place> {
+        Some(match self.store.place(self.store.boundary_at(boundary)?) {
+            OUTER => Place::Outer,
+            i => Place::Inner(i as usize),
+        })
+    }
+    #[inline]
+    fn outer(&self, face: usize) -> Link {
+        self.store.outer(self.store.face_at(face)?).map(|b| self.store.boundary_index(b))
+    }
+    #[inline]
+    fn inner_count(&self, face: usize) -> usize {
+        self.store.face_at(face).map_or(0, |f| self.store.inner_count(f))
+    }
+    #[inline]
+    fn inner(&self, face: usize, position: usize) -> Link {
+        self.store.inner(self.store.face_at(face)?, position).map(|b| self.store.boundary_index(b))
+    }
+}

@@ -1,0 +1,74 @@
+//! One slotmap per kind of record issues, checks and retires its keys.
+
+use super::keys::{key, parts};
+use alloc::vec::Vec;
+use core::sync::atomic::{AtomicU32, Ordering};
+use slotmap::{Key, SlotMap};
+
+/// Counts the structures made so far, to tell their keys apart.
+static STRUCTURES: AtomicU32 = AtomicU32::new(0);
+
+/// An even number to add to the generations of the keys of one structure, so that the keys of another are stale to it.
+///
+/// Multiples of the golden ratio lie as far from one another as can be, so the key of another structure passes for one of
+/// this only if one of the two slots was used again hundreds of thousands of times while only some thousands of
+/// structures were made. `SecondaryMap` compares generations by their difference, which an offset does not change.
+pub(crate) fn structure_offset() -> u32 {
+    STRUCTURES.fetch_add(1, Ordering::Relaxed).wrapping_mul(0x9E37_79B1) << 1
+}
+
+/// Issues, checks and retires the keys of one kind of record.
+///
+/// The slotmap decides which slot is next and what its generation is. A column beside it repeats the generation of each
+/// live slot, because a link is a bare slot and the key for it must be had in one load.
+#[derive(Clone, Debug)]
+pub(super) struct Issuer<K: Key> {
+    slots: SlotMap<K, ()>,
+    /// Per slot the generation that its key shows, or 0 if vacant.
+    generations: Vec<u32>,
+    offset: u32,
+}
+
+impl<K: Key> Issuer<K> {
+    pub(super) fn with_room(room: usize, offset: u32) -> Self {
+        let mut generations = Vec::with_capacity(room + 1);
+        generations.push(0);
+        Self { slots: SlotMap::with_capacity_and_key(room), generations, offset }
+    }
+
+    /// Issues a key and gives its slot.
+    pub(super) fn issue(&mut self) -> u32 {
+        let (slot, generation) = parts(self.slots.insert(()));
+        let shown = generation.wrapping_add(self.offset);
+        match self.generations.get_mut(slot as usize) {
+            Some(entry) => *entry = shown,
+            None => self.generations.push(shown),
+        }
+        slot
+    }
+
+    pub(super) fn retire(&mut self, slot: u32) {
+        let generation = core::mem::replace(&mut self.generations[slot as usize], 0).wrapping_sub(self.offset);
+        self.slots.remove(key(slot, generation));
+    }
+
+    /// The generation of a slot: odd if live, 0 if not.
+    #[inline]
+    pub(super) fn generation(&self, slot: u32) -> u32 {
+        self.generations.get(slot as usize).copied().unwrap_or(0)
+    }
+
+    #[inline]
+    pub(super) fn is_live(&self, slot: u32) -> bool {
+        self.generation(slot) != 0
+    }
+
+    pub(super) fn len(&self) -> usize {
+        self.slots.len()
+    }
+
+    /// One more than the highest slot in use so far.
+    pub(super) fn end(&self) -> usize {
+        self.generations.len()
+    }
+}

@@ -1,0 +1,167 @@
+//! What a store does: issue and check keys, keep links, list the inner boundary components of a face.
+//!
+//! This trait is public in name only: nobody outside the crate can name it, hold a store, or get at a slot.
+
+use super::{BoundaryKey, FaceKey, HalfEdgeKey, VertexKey};
+use core::fmt::Debug;
+
+/// A bare reference to a record.
+pub trait Slot: Copy + Eq + Debug {}
+
+impl<T: Copy + Eq + Debug> Slot for T {}
+
+/// What a vertex keeps.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Anchor<H, B> {
+    /// A half-edge that leaves it.
+    Leaving(H),
+    /// The boundary component that it is.
+    Isolated(B),
+}
+
+/// Where a boundary component starts.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Origin<H, V> {
+    /// A half-edge of its cycle.
+    HalfEdge(H),
+    /// The isolated vertex that it is.
+    Vertex(V),
+}
+
+/// The place of a boundary component that is an outer one.
+pub(crate) const OUTER: u32 = u32::MAX;
+
+/// How many records of each kind an operator is about to add.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+pub struct Need {
+    /// Vertices.
+    pub vertices: usize,
+    /// Edges: pairs of half-edges.
+    pub edges: usize,
+    /// Boundary components.
+    pub boundaries: usize,
+    /// Faces.
+    pub faces: usize,
+}
+
+/// The kind of record for which there is no room.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
+#[non_exhaustive]
+pub enum Kind {
+    /// Vertices.
+    Vertex,
+    /// Edges: pairs of half-edges.
+    Edge,
+    /// Boundary components.
+    Boundary,
+    /// Faces.
+    Face,
+}
+
+impl core::fmt::Display for Kind {
+    fn fmt(&self, f: &mut core::fmt::Formatter<'_>) -> core::fmt::Result {
+        f.write_str(match self {
+            Self::Vertex => "vertices",
+            Self::Edge => "edges",
+            Self::Boundary => "boundary components",
+            Self::Face => "faces",
+        })
+    }
+}
+
+/// The interface between `Dcel` and the stores. Every slot handed in must be live, but for [`Links::is_face`]-like look-ups
+/// by index.
+#[allow(missing_docs, reason = "getters and setters of the fields of design section 3, by their names")]
+pub trait Links: Sized {
+    type Vertex: Slot;
+    type HalfEdge: Slot;
+    type Boundary: Slot;
+    type Face: Slot;
+
+    /// A store with the unbounded face and nothing else, with room for that many records where it allocates.
+    fn with_room(need: Need) -> Self;
+    /// The unbounded face.
+    fn unbounded(&self) -> Self::Face;
+    /// Whether so many more records fit; what does not is named.
+    fn room_for(&self, need: Need) -> Result<(), Kind>;
+
+    fn vertex(&self, key: VertexKey) -> Option<Self::Vertex>;
+    fn half_edge(&self, key: HalfEdgeKey) -> Option<Self::HalfEdge>;
+    fn boundary(&self, key: BoundaryKey) -> Option<Self::Boundary>;
+    fn face(&self, key: FaceKey) -> Option<Self::Face>;
+
+    fn vertex_key(&self, v: Self::Vertex) -> VertexKey;
+    fn half_edge_key(&self, h: Self::HalfEdge) -> HalfEdgeKey;
+    fn boundary_key(&self, b: Self::Boundary) -> BoundaryKey;
+    fn face_key(&self, f: Self::Face) -> FaceKey;
+
+    /// Live records, for counting.
+    fn vertex_count(&self) -> usize;
+    fn edge_count(&self) -> usize;
+    fn boundary_count(&self) -> usize;
+    fn face_count(&self) -> usize;
+
+    /// Indices are below these.
+    fn vertex_slots(&self) -> usize;
+    fn half_edge_slots(&self) -> usize;
+    fn boundary_slots(&self) -> usize;
+    fn face_slots(&self) -> usize;
+
+    /// The live record with this index.
+    fn vertex_at(&self, index: usize) -> Option<Self::Vertex>;
+    fn half_edge_at(&self, index: usize) -> Option<Self::HalfEdge>;
+    fn boundary_at(&self, index: usize) -> Option<Self::Boundary>;
+    fn face_at(&self, index: usize) -> Option<Self::Face>;
+
+    fn vertex_index(&self, v: Self::Vertex) -> usize;
+    fn half_edge_index(&self, h: Self::HalfEdge) -> usize;
+    fn boundary_index(&self, b: Self::Boundary) -> usize;
+    fn face_index(&self, f: Self::Face) -> usize;
+
+    /// Adds a vertex. The caller has asked for room, here and below.
+    fn add_vertex(&mut self, anchor: Anchor<Self::HalfEdge, Self::Boundary>) -> Self::Vertex;
+    /// Adds an isolated vertex together with the inner boundary component that it is.
+    fn add_isolated(&mut self, f: Self::Face) -> (Self::Vertex, Self::Boundary);
+    /// Adds an edge: two half-edges that are each other's twin, next and prev. Gives the one that leaves `from`.
+    fn add_edge(&mut self, from: Self::Vertex, to: Self::Vertex, b: Self::Boundary) -> Self::HalfEdge;
+    /// Adds a boundary component that no face lists yet.
+    fn add_boundary(&mut self, f: Self::Face, start: Origin<Self::HalfEdge, Self::Vertex>) -> Self::Boundary;
+    /// Adds a face without boundary components.
+    fn add_face(&mut self) -> Self::Face;
+
+    fn remove_vertex(&mut self, v: Self::Vertex);
+    /// Removes a half-edge and its twin.
+    fn remove_edge(&mut self, h: Self::HalfEdge);
+    /// Removes a boundary component that no face lists.
+    fn remove_boundary(&mut self, b: Self::Boundary);
+    /// Removes a face without inner boundary components.
+    fn remove_face(&mut self, f: Self::Face);
+
+    fn origin(&self, h: Self::HalfEdge) -> Self::Vertex;
+    fn twin(&self, h: Self::HalfEdge) -> Self::HalfEdge;
+    fn next(&self, h: Self::HalfEdge) -> Self::HalfEdge;
+    fn prev(&self, h: Self::HalfEdge) -> Self::HalfEdge;
+    fn component(&self, h: Self::HalfEdge) -> Self::Boundary;
+    fn anchor(&self, v: Self::Vertex) -> Anchor<Self::HalfEdge, Self::Boundary>;
+    fn bounded(&self, b: Self::Boundary) -> Self::Face;
+    fn start(&self, b: Self::Boundary) -> Origin<Self::HalfEdge, Self::Vertex>;
+    fn place(&self, b: Self::Boundary) -> u32;
+    fn outer(&self, f: Self::Face) -> Option<Self::Boundary>;
+    fn inner_count(&self, f: Self::Face) -> usize;
+    fn inner(&self, f: Self::Face, position: usize) -> Option<Self::Boundary>;
+
+    fn set_origin(&mut self, h: Self::HalfEdge, v: Self::Vertex);
+    /// Makes `n` follow `h` on its cycle: sets `next(h)` and `prev(n)`.
+    fn join(&mut self, h: Self::HalfEdge, n: Self::HalfEdge);
+    fn set_component(&mut self, h: Self::HalfEdge, b: Self::Boundary);
+    fn set_anchor(&mut self, v: Self::Vertex, anchor: Anchor<Self::HalfEdge, Self::Boundary>);
+    fn set_start(&mut self, b: Self::Boundary, start: Origin<Self::HalfEdge, Self::Vertex>);
+    fn set_place(&mut self, b: Self::Boundary, place: u32);
+
+    /// Makes `b` the outer boundary component of `f`.
+    fn list_outer(&mut self, f: Self::Face, b: Self::Boundary);
+    /// Appends `b` to the inner boundary components of `f`.
+    fn list_inner(&mut self, f: Self::Face, b: Self::Boundary);
+    /// Takes `b` off the lists of its face. The last inner boundary component takes the place that becomes free. O(1).
+    fn unlist(&mut self, b: Self::Boundary);
+}

@@ -1,0 +1,23 @@
+//! Where the records live. A [`Dcel`](crate::dcel::Dcel) is written once, over any of these.
+//!
+//! | store | links are | grows | choose it |
+//! | --- | --- | --- | --- |
+//! | [`SlotStore`] | 32-bit slots in columns, twins implicit | yes | always, unless you know why not |
+//!
+//! # Keys and slots
+//!
+//! A *key* is what users hold: it names a record for ever, and once the record is gone the key is an error, never another
+//! record. A *slot* is what the links are made of: bare, fast, and of no meaning once its record is gone. Keys are checked
+//! where they enter; from there on slots are followed unchecked, which is sound because nothing can be removed while a
+//! structure is borrowed for reading, and because an operator keeps no slot beyond its own end.
+
+mod issuer;
+mod keys;
+pub(crate) mod links;
+mod slots;
+
+pub use keys::{BoundaryKey, FaceKey, HalfEdgeKey, VertexKey};
+pub use slots::SlotStore;
+
+/// A place for records to live. The trait is sealed: the stores are those of this module.
+pub trait Store: links::Links {}

@@ -1,0 +1,450 @@
+//! The default store: slotmap keys over columns of 32-bit slots.
+//!
+//! ```text
+//!   keys                       columns
+//!   edge slotmap   [e1][e2]…   origin   [· ·][· ·]…   two half-edges per edge, side by side:
+//!                              next     [· ·][· ·]…   slot 2e and 2e + 1, so that twin(h) is h ^ 1
+//!                              prev     [· ·][· ·]…   and L1 holds by construction
+//!                              boundary [· ·][· ·]…
+//!   vertex slotmap [v1][v2]…   anchor   [·][·]…       a half-edge, or (high bit) a boundary component
+//!   …
+//! ```
+//!
+//! Bytes per record, all keys included: 44 per edge, 16 per vertex, 24 per boundary component, 24 per face, and 4 more for
+//! each inner boundary component. A triangulated grid needs about 40 per half-edge.
+
+use super::issuer::{Issuer, structure_offset};
+use super::keys::{key, parts};
+use super::links::{Anchor, Kind, Links, Need, OUTER, Origin};
+use super::{BoundaryKey, FaceKey, HalfEdgeKey, Store, VertexKey};
+use alloc::boxed::Box;
+use alloc::vec::Vec;
+use slotmap::DefaultKey;
+
+/// Marks a link that leads to the rarer of two kinds of record.
+const OTHER: u32 = 1 << 31;
+
+/// Slots must leave room for [`OTHER`], and edges for two half-edges each.
+const MOST: usize = OTHER as usize - 2;
+const MOST_EDGES: usize = MOST / 2;
+
+const NIL: u32 = u32::MAX;
+
+macro_rules! slot_types {
+    ($($(#[$doc:meta])* $name:ident;)*) => {$(
+        $(#[$doc])*
+        #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord, Hash)]
+        #[repr(transparent)]
+        pub struct $name(u32);
+    )*};
+}
+
+slot_types! {
+    /// The slot of a vertex.
+    VertexSlot;
+    /// The slot of a half-edge.
+    HalfEdgeSlot;
+    /// The slot of a boundary component.
+    BoundarySlot;
+    /// The slot of a face.
+    FaceSlot;
+}
+
+/// The inner boundary components of one face. Boxed, because most faces have none.
+#[derive(Clone, Debug, Default)]
+struct InnerList(Vec<BoundarySlot>);
+
+/// The default store: slotmap keys over columns of 32-bit slots.
+#[derive(Clone, Debug)]
+pub struct SlotStore {
+    edges: Issuer<DefaultKey>,
+    origin: Vec<VertexSlot>,
+    next: Vec<HalfEdgeSlot>,
+    prev: Vec<HalfEdgeSlot>,
+    component: Vec<BoundarySlot>,
+
+    vertices: Issuer<VertexKey>,
+    anchor: Vec<u32>,
+
+    boundaries: Issuer<BoundaryKey>,
+    bounded: Vec<FaceSlot>,
+    start: Vec<u32>,
+    place: Vec<u32>,
+
+    faces: Issuer<FaceKey>,
+    outer: Vec<u32>,
+    inner: Vec<Option<Box<InnerList>>>,
+    unbounded: FaceSlot,
+}
+
+impl Store for SlotStore {}
+
+/// Writes to a column, growing it by one where the slot is new.
+fn put<T>(column: &mut Vec<T>, slot: u32, value: T) {
+    match column.get_mut(slot as usize) {
+        Some(entry) => *entry = value,
+        None => column.push(value),
+    }
+}
+
+/// A column with room for `room` slots beyond the first, which slotmap does not use.
+fn column<T: Clone>(room: usize, unused: T, count: usize) -> Vec<T> {
+    let mut column = Vec::with_capacity(room + count);
+    column.resize(count, unused);
+    column
+}
+
+const fn anchor_bits(anchor: Anchor<HalfEdgeSlot, BoundarySlot>) -> u32 {
+    match anchor {
+        Anchor::Leaving(h) => h.0,
+        Anchor::Isolated(b) => b.0 | OTHER,
+    }
+}
+
+const fn origin_bits(start: Origin<HalfEdgeSlot, VertexSlot>) -> u32 {
+    match start {
+        Origin::HalfEdge(h) => h.0,
+        Origin::Vertex(v) => v.0 | OTHER,
+    }
+}
+
+impl Links for SlotStore {
+    type Vertex = VertexSlot;
+    type HalfEdge = HalfEdgeSlot;
+    type Boundary = BoundarySlot;
+    type Face = FaceSlot;
+
+    fn with_room(need: Need) -> Self {
+        let offset = structure_offset();
+        let faces = need.faces + 1;
+        let mut store = Self {
+            edges: Issuer::with_room(need.edges, offset),
+            origin: column(2 * need.edges, VertexSlot(NIL), 2),
+            next: column(2 * need.edges, HalfEdgeSlot(NIL), 2),
+            prev: column(2 * need.edges, HalfEdgeSlot(NIL), 2),
+            component: column(2 * need.edges, BoundarySlot(NIL), 2),
+            vertices: Issuer::with_room(need.vertices, offset),
+            anchor: column(need.vertices, NIL, 1),
+            boundaries: Issuer::with_room(need.boundaries, offset),
+            bounded: column(need.boundaries, FaceSlot(NIL), 1),
+            start: column(need.boundaries, NIL, 1),
+            place: column(need.boundaries, NIL, 1),
+            faces: Issuer::with_room(faces, offset),
+            outer: column(faces, NIL, 1),
+            inner: column(faces, None, 1),
+            unbounded: FaceSlot(NIL),
+        };
+        store.unbounded = store.add_face();
+        store
+    }
+
+    fn unbounded(&self) -> FaceSlot {
+        self.unbounded
+    }
+
+    fn room_for(&self, need: Need) -> Result<(), Kind> {
+        let checks = [
+            (Kind::Vertex, self.vertices.len(), need.vertices, MOST),
+            (Kind::Edge, self.edges.len(), need.edges, MOST_EDGES),
+            (Kind::Boundary, self.boundaries.len(), need.boundaries, MOST),
+            (Kind::Face, self.faces.len(), need.faces, MOST),
+        ];
+        match checks.into_iter().find(|(_, len, more, most)| len.saturating_add(*more) > *most) {
+            Some((kind, ..)) => Err(kind),
+            None => Ok(()),
+        }
+    }
+
+    fn vertex(&self, key: VertexKey) -> Option<VertexSlot> {
+        let (slot, generation) = parts(key);
+        (self.vertices.generation(slot) == generation).then_some(VertexSlot(slot))
+    }
+
+    fn half_edge(&self, key: HalfEdgeKey) -> Option<HalfEdgeSlot> {
+        let (slot, generation) = parts(key);
+        (self.edges.generation(slot >> 1) == generation).then_some(HalfEdgeSlot(slot))
+    }
+
+    fn boundary(&self, key: BoundaryKey) -> Option<BoundarySlot> {
+        let (slot, generation) = parts(key);
+        (self.boundaries.generation(slot) == generation).then_some(BoundarySlot(slot))
+    }
+
+    fn face(&self, key: FaceKey) -> Option<FaceSlot> {
+        let (slot, generation) = parts(key);
+        (self.faces.generation(slot) == generation).then_some(FaceSlot(slot))
+    }
+
+    #[inline]
+    fn vertex_key(&self, v: VertexSlot) -> VertexKey {
+        key(v.0, self.vertices.generation(v.0))
+    }
+
+    #[inline]
+    fn half_edge_key(&self, h: HalfEdgeSlot) -> HalfEdgeKey {
+        key(h.0, self.edges.generation(h.0 >> 1))
+    }
+
+    #[inline]
+    fn boundary_key(&self, b: BoundarySlot) -> BoundaryKey {
+        key(b.0, self.boundaries.generation(b.0))
+    }
+
+    #[inline]
+    fn face_key(&self, f: FaceSlot) -> FaceKey {
+        key(f.0, self.faces.generation(f.0))
+    }
+
+    fn vertex_count(&self) -> usize {
+        self.vertices.len()
+    }
+
+    fn edge_count(&self) -> usize {
+        self.edges.len()
+    }
+
+    fn boundary_count(&self) -> usize {
+        self.boundaries.len()
+    }
+
+    fn face_count(&self) -> usize {
+        self.faces.len()
+    }
+
+    fn vertex_slots(&self) -> usize {
+        self.vertices.end()
+    }
+
+    fn half_edge_slots(&self) -> usize {
+        2 * self.edges.end()
+    }
+
+    fn boundary_slots(&self) -> usize {
+        self.boundaries.end()
+    }
+
+    fn face_slots(&self) -> usize {
+        self.faces.end()
+    }
+
+    #[inline]
+    fn vertex_at(&self, index: usize) -> Option<VertexSlot> {
+        let slot = u32::try_from(index).ok()?;
+        self.vertices.is_live(slot).then_some(VertexSlot(slot))
+    }
+
+    #[inline]
+    fn half_edge_at(&self, index: usize) -> Option<HalfEdgeSlot> {
+        let slot = u32::try_from(index).ok()?;
+        self.edges.is_live(slot >> 1).then_some(HalfEdgeSlot(slot))
+    }
+
+    #[inline]
+    fn boundary_at(&self, index: usize) -> Option<BoundarySlot> {
+        let slot = u32::try_from(index).ok()?;
+        self.boundaries.is_live(slot).then_some(BoundarySlot(slot))
+    }
+
+    #[inline]
+    fn face_at(&self, index: usize) -> Option<FaceSlot> {
+        let slot = u32::try_from(index).ok()?;
+        self.faces.is_live(slot).then_some(FaceSlot(slot))
+    }
+
+    #[inline]
+    fn vertex_index(&self, v: VertexSlot) -> usize {
+        v.0 as usize
+    }
+
+    #[inline]
+    fn half_edge_index(&self, h: HalfEdgeSlot) -> usize {
+        h.0 as usize
+    }
+
+    #[inline]
+    fn boundary_index(&self, b: BoundarySlot) -> usize {
+        b.0 as usize
+    }
+
+    #[inline]
+    fn face_index(&self, f: FaceSlot) -> usize {
+        f.0 as usize
+    }
+
+    fn add_vertex(&mut self, anchor: Anchor<HalfEdgeSlot, BoundarySlot>) -> VertexSlot {
+        let slot = self.vertices.issue();
+        put(&mut self.anchor, slot, anchor_bits(anchor));
+        VertexSlot(slot)
+    }
+
+    fn add_isolated(&mut self, f: FaceSlot) -> (VertexSlot, BoundarySlot) {
+        let v = VertexSlot(self.vertices.issue());
+        let b = self.add_boundary(f, Origin::Vertex(v));
+        put(&mut self.anchor, v.0, anchor_bits(Anchor::Isolated(b)));
+        self.list_inner(f, b);
+        (v, b)
+    }
+
+    fn add_edge(&mut self, from: VertexSlot, to: VertexSlot, b: BoundarySlot) -> HalfEdgeSlot {
+        let h = self.edges.issue() << 1;
+        for (slot, origin) in [(h, from), (h | 1, to)] {
+            put(&mut self.origin, slot, origin);
+            put(&mut self.next, slot, HalfEdgeSlot(slot ^ 1));
+            put(&mut self.prev, slot, HalfEdgeSlot(slot ^ 1));
+            put(&mut self.component, slot, b);
+        }
+        HalfEdgeSlot(h)
+    }
+
+    fn add_boundary(&mut self, f: FaceSlot, start: Origin<HalfEdgeSlot, VertexSlot>) -> BoundarySlot {
+        let slot = self.boundaries.issue();
+        put(&mut self.bounded, slot, f);
+        put(&mut self.start, slot, origin_bits(start));
+        put(&mut self.place, slot, OUTER);
+        BoundarySlot(slot)
+    }
+
+    fn add_face(&mut self) -> FaceSlot {
+        let slot = self.faces.issue();
+        put(&mut self.outer, slot, NIL);
+        put(&mut self.inner, slot, None);
+        FaceSlot(slot)
+    }
+
+    fn remove_vertex(&mut self, v: VertexSlot) {
+        self.vertices.retire(v.0);
+    }
+
+    fn remove_edge(&mut self, h: HalfEdgeSlot) {
+        self.edges.retire(h.0 >> 1);
+    }
+
+    fn remove_boundary(&mut self, b: BoundarySlot) {
+        self.boundaries.retire(b.0);
+    }
+
+    fn remove_face(&mut self, f: FaceSlot) {
+        self.inner[f.0 as usize] = None;
+        self.faces.retire(f.0);
+    }
+
+    #[inline]
+    fn origin(&self, h: HalfEdgeSlot) -> VertexSlot {
+        self.origin[h.0 as usize]
+    }
+
+    #[inline]
+    fn twin(&self, h: HalfEdgeSlot) -> HalfEdgeSlot {
+        HalfEdgeSlot(h.0 ^ 1)
+    }
+
+    #[inline]
+    fn next(&self, h: HalfEdgeSlot) -> HalfEdgeSlot {
+        self.next[h.0 as usize]
+    }
+
+    #[inline]
+    fn prev(&self, h: HalfEdgeSlot) -> HalfEdgeSlot {
+        self.prev[h.0 as usize]
+    }
+
+    #[inline]
+    fn component(&self, h: HalfEdgeSlot) -> BoundarySlot {
+        self.component[h.0 as usize]
+    }
+
+    #[inline]
+    fn anchor(&self, v: VertexSlot) -> Anchor<HalfEdgeSlot, BoundarySlot> {
+        let bits = self.anchor[v.0 as usize];
+        if bits & OTHER == 0 {
+            Anchor::Leaving(HalfEdgeSlot(bits))
+        } else {
+            Anchor::Isolated(BoundarySlot(bits ^ OTHER))
+        }
+    }
+
+    #[inline]
+    fn bounded(&self, b: BoundarySlot) -> FaceSlot {
+        self.bounded[b.0 as usize]
+    }
+
+    #[inline]
+    fn start(&self, b: BoundarySlot) -> Origin<HalfEdgeSlot, VertexSlot> {
+        let bits = self.start[b.0 as usize];
+        if bits & OTHER == 0 { Origin::HalfEdge(HalfEdgeSlot(bits)) } else { Origin::Vertex(VertexSlot(bits ^ OTHER)) }
+    }
+
+    #[inline]
+    fn place(&self, b: BoundarySlot) -> u32 {
+        self.place[b.0 as usize]
+    }
+
+    #[inline]
+    fn outer(&self, f: FaceSlot) -> Option<BoundarySlot> {
+        let bits = self.outer[f.0 as usize];
+        (bits != NIL).then_some(BoundarySlot(bits))
+    }
+
+    #[inline]
+    fn inner_count(&self, f: FaceSlot) -> usize {
+        self.inner[f.0 as usize].as_ref().map_or(0, |list| list.0.len())
+    }
+
+    #[inline]
+    fn inner(&self, f: FaceSlot, position: usize) -> Option<BoundarySlot> {
+        self.inner[f.0 as usize].as_ref()?.0.get(position).copied()
+    }
+
+    fn set_origin(&mut self, h: HalfEdgeSlot, v: VertexSlot) {
+        self.origin[h.0 as usize] = v;
+    }
+
+    fn join(&mut self, h: HalfEdgeSlot, n: HalfEdgeSlot) {
+        self.next[h.0 as usize] = n;
+        self.prev[n.0 as usize] = h;
+    }
+
+    fn set_component(&mut self, h: HalfEdgeSlot, b: BoundarySlot) {
+        self.component[h.0 as usize] = b;
+    }
+
+    fn set_anchor(&mut self, v: VertexSlot, anchor: Anchor<HalfEdgeSlot, BoundarySlot>) {
+        self.anchor[v.0 as usize] = anchor_bits(anchor);
+    }
+
+    fn set_start(&mut self, b: BoundarySlot, start: Origin<HalfEdgeSlot, VertexSlot>) {
+        self.start[b.0 as usize] = origin_bits(start);
+    }
+
+    fn set_place(&mut self, b: BoundarySlot, place: u32) {
+        self.place[b.0 as usize] = place;
+    }
+
+    fn list_outer(&mut self, f: FaceSlot, b: BoundarySlot) {
+        self.outer[f.0 as usize] = b.0;
+        self.bounded[b.0 as usize] = f;
+        self.place[b.0 as usize] = OUTER;
+    }
+
+    fn list_inner(&mut self, f: FaceSlot, b: BoundarySlot) {
+        let list = self.inner[f.0 as usize].get_or_insert_default();
+        self.place[b.0 as usize] = list.0.len() as u32;
+        self.bounded[b.0 as usize] = f;
+        list.0.push(b);
+    }
+
+    fn unlist(&mut self, b: BoundarySlot) {
+        let f = self.bounded[b.0 as usize].0 as usize;
+        let place = core::mem::replace(&mut self.place[b.0 as usize], OUTER);
+        if place == OUTER {
+            self.outer[f] = NIL;
+        } else if let Some(list) = &mut self.inner[f] {
+            list.0.swap_remove(place as usize);
+            if let Some(moved) = list.0.get(place as usize) {
+                self.place[moved.0 as usize] = place;
+            } else if list.0.is_empty() {
+                self.inner[f] = None;
+            }
+        }
+    }
+}
