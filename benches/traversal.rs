@@ -13,7 +13,8 @@ use twinedge::dcel::Dcel;
 fn face_loops(dcel: &Dcel) -> usize {
     let mut sum = 0;
     for face in dcel.faces() {
-        for h in face.outer().into_iter().flat_map(|b| b.cycle()) {
+        let Some(start) = face.outer_half_edge() else { continue };
+        for h in start.cycle() {
             sum += h.origin().index();
         }
     }

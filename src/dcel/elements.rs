@@ -271,6 +271,13 @@ impl<'a, S: Store> Face<'a, S> {
         self.dcel.store.outer(self.slot).map(|b| Boundary::new(self.dcel, b))
     }
 
+    /// A half-edge of its outer boundary component, the textbooks' `OuterComponent`; none for the unbounded face. O(1).
+    #[must_use]
+    #[inline]
+    pub fn outer_half_edge(self) -> Option<HalfEdge<'a, S>> {
+        self.dcel.store.outer_half_edge(self.slot).map(|h| HalfEdge::new(self.dcel, h))
+    }
+
     /// How many inner boundary components it has. O(1).
     #[must_use]
     pub fn inner_count(self) -> usize {
