@@ -32,7 +32,10 @@ pub enum Origin<H, V> {
 pub(crate) const OUTER: u32 = u32::MAX;
 
 /// How many records of each kind an operator is about to add.
-#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+///
+/// Code outside the crate that is generic over a store can call [`Links::with_room`] without naming it. That it has no way
+/// to make a `Need`, and so no bare store and no slots, is what keeps it out; so there is no `Default`.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub struct Need {
     /// Vertices.
     pub vertices: usize,
@@ -42,6 +45,10 @@ pub struct Need {
     pub boundaries: usize,
     /// Faces.
     pub faces: usize,
+}
+
+impl Need {
+    pub(crate) const NONE: Self = Self { vertices: 0, edges: 0, boundaries: 0, faces: 0 };
 }
 
 /// The kind of record for which there is no room.
