@@ -76,6 +76,20 @@ impl core::fmt::Display for Kind {
     }
 }
 
+/// Whether so many more records fit into a store with room for `most`; the first kind that does not is named.
+pub(super) fn room<S: Links>(store: &S, more: Need, most: Need) -> Result<(), Kind> {
+    let checks = [
+        (Kind::Vertex, store.vertex_count(), more.vertices, most.vertices),
+        (Kind::Edge, store.edge_count(), more.edges, most.edges),
+        (Kind::Boundary, store.boundary_count(), more.boundaries, most.boundaries),
+        (Kind::Face, store.face_count(), more.faces, most.faces),
+    ];
+    match checks.into_iter().find(|(_, count, more, most)| count.saturating_add(*more) > *most) {
+        Some((kind, ..)) => Err(kind),
+        None => Ok(()),
+    }
+}
+
 /// The interface between `Dcel` and the stores. Every slot handed in must be live, but for [`Links::is_face`]-like look-ups
 /// by index.
 #[allow(missing_docs, reason = "getters and setters of the fields of design section 3, by their names")]
