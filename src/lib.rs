@@ -11,6 +11,9 @@ pub mod store;
 #[cfg(feature = "dcel")]
 pub mod dcel;
 
+#[cfg(feature = "program")]
+pub mod program;
+
 #[cfg(feature = "geometry")]
 pub mod geometry;
 #[cfg(feature = "geometry")]
