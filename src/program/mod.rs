@@ -2,7 +2,16 @@
 //!
 //! A structure that implements [`Kernel`] can be driven by them; [`Dcel`](crate::dcel::Dcel) does, over every store.
 
+pub mod canonical;
 mod dcel;
+mod interpret;
 mod kernel;
+mod op;
+mod rust;
+mod text;
 
+pub use crate::dcel::{Side, Turn};
+pub use interpret::{Outcome, Runner};
 pub use kernel::{Corner, CornerOf, Kernel, Refusal};
+pub use op::{CornerPick, FacePick, HalfEdgePick, InnerPick, Op, Program, SecondPick, VertexPick};
+pub use text::{Expected, ParseError};

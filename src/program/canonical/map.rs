@@ -1,0 +1,144 @@
+//! A view's half-edges, numbered without gaps, with their cycles and components.
+
+use crate::validate::View;
+use alloc::vec::Vec;
+
+/// No record, or one not yet met.
+pub(super) const NIL: u32 = u32::MAX;
+
+/// Makes a column of so many equal values. None if there is no memory for it.
+pub(super) fn fill<T: Clone>(column: &mut Vec<T>, len: usize, value: T) -> Option<()> {
+    column.clear();
+    column.try_reserve(len).ok()?;
+    column.resize(len, value);
+    Some(())
+}
+
+/// The half-edges of a view. In all columns they go by their numbers here.
+#[derive(Debug, Default)]
+pub(super) struct Map {
+    /// By index in the view: the number.
+    numbers: Vec<u32>,
+    pub(super) next: Vec<u32>,
+    pub(super) twin: Vec<u32>,
+    /// The cycle of each half-edge.
+    pub(super) cycle: Vec<u32>,
+    /// The component of each half-edge.
+    pub(super) component: Vec<u32>,
+    /// One half-edge of each cycle, by cycle.
+    pub(super) cycles: Vec<u32>,
+    components: usize,
+    stack: Vec<u32>,
+    /// By index in the view: whether the vertex has half-edges, or a place of its own as an isolated one.
+    busy: Vec<bool>,
+}
+
+impl Map {
+    /// Reads a view. None unless `twin` pairs its half-edges and `next` permutes them. O(slots).
+    pub(super) fn read<V: View + ?Sized>(&mut self, view: &V) -> Option<()> {
+        let slots = view.half_edge_slots();
+        u32::try_from(slots).ok().filter(|slots| *slots < NIL)?;
+        fill(&mut self.numbers, slots, NIL)?;
+        let mut count = 0;
+        for (h, number) in self.numbers.iter_mut().enumerate() {
+            if view.is_half_edge(h) {
+                *number = count;
+                count += 1;
+            }
+        }
+        fill(&mut self.next, count as usize, NIL)?;
+        fill(&mut self.twin, count as usize, NIL)?;
+        for h in 0..slots {
+            let number = self.numbers[h];
+            if number != NIL {
+                self.next[number as usize] = self.dense(view.next(h)?)?;
+                self.twin[number as usize] = self.dense(view.twin(h)?)?;
+            }
+        }
+        self.check_twins()?;
+        self.trace_cycles()?;
+        self.trace_components()
+    }
+
+    /// The number of half-edges.
+    pub(super) fn len(&self) -> usize {
+        self.next.len()
+    }
+
+    /// The number of components that have edges.
+    pub(super) const fn components(&self) -> usize {
+        self.components
+    }
+
+    /// The number of the half-edge with this index in the view.
+    pub(super) fn dense(&self, index: usize) -> Option<u32> {
+        self.numbers.get(index).copied().filter(|number| *number != NIL)
+    }
+
+    /// Marks the vertices that half-edges leave as busy, and no other. None if there is no such vertex. O(slots).
+    pub(super) fn mark_busy<V: View + ?Sized>(&mut self, view: &V) -> Option<()> {
+        u32::try_from(view.vertex_slots()).ok()?;
+        fill(&mut self.busy, view.vertex_slots(), false)?;
+        for h in (0..self.numbers.len()).filter(|h| self.numbers[*h] != NIL) {
+            *self.busy.get_mut(view.origin(h)?)? = true;
+        }
+        Some(())
+    }
+
+    /// Marks one more vertex. None if it is marked already.
+    pub(super) fn mark_isolated(&mut self, vertex: usize) -> Option<()> {
+        (!core::mem::replace(self.busy.get_mut(vertex)?, true)).then_some(())
+    }
+
+    /// Whether all vertices are marked.
+    pub(super) fn all_busy<V: View + ?Sized>(&self, view: &V) -> bool {
+        self.busy.iter().enumerate().all(|(v, busy)| *busy || !view.is_vertex(v))
+    }
+
+    fn check_twins(&self) -> Option<()> {
+        let paired = |(h, t): (usize, &u32)| self.twin[*t as usize] as usize == h && *t as usize != h;
+        self.twin.iter().enumerate().all(paired).then_some(())
+    }
+
+    fn trace_cycles(&mut self) -> Option<()> {
+        fill(&mut self.cycle, self.next.len(), NIL)?;
+        self.cycles.clear();
+        for start in 0..self.next.len() as u32 {
+            if self.cycle[start as usize] != NIL {
+                continue;
+            }
+            let mut h = start;
+            while self.cycle[h as usize] == NIL {
+                self.cycle[h as usize] = self.cycles.len() as u32;
+                h = self.next[h as usize];
+            }
+            if h != start {
+                return None;
+            }
+            self.cycles.push(start);
+        }
+        Some(())
+    }
+
+    fn trace_components(&mut self) -> Option<()> {
+        fill(&mut self.component, self.next.len(), NIL)?;
+        self.components = 0;
+        for start in 0..self.next.len() as u32 {
+            if self.component[start as usize] != NIL {
+                continue;
+            }
+            self.component[start as usize] = self.components as u32;
+            self.stack.push(start);
+            while let Some(h) = self.stack.pop() {
+                for other in [self.next[h as usize], self.twin[h as usize]] {
+                    if self.component[other as usize] == NIL {
+                        self.component[other as usize] = self.components as u32;
+                        self.stack.push(other);
+                    }
+                }
+            }
+            self.components += 1;
+        }
+        Some(())
+    }
+}

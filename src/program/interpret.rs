@@ -1,0 +1,341 @@
+//! The interpreter: it keeps the handles in order of creation and chooses among them as a program says.
+
+use super::kernel::{Corner, CornerOf, Kernel, Refusal};
+use super::op::{CornerPick, FacePick, HalfEdgePick, InnerPick, Op, Program, SecondPick, VertexPick};
+use alloc::vec::Vec;
+
+/// What became of one operator of a program.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
+pub enum Outcome {
+    /// The kernel did it.
+    Applied,
+    /// The kernel refused.
+    Refused(Refusal),
+    /// It was not asked: there is nothing (no half-edge, no stale handle, …) to choose from.
+    Skipped,
+}
+
+impl core::fmt::Display for Outcome {
+    fn fmt(&self, f: &mut core::fmt::Formatter<'_>) -> core::fmt::Result {
+        match self {
+            Self::Applied => f.write_str("applied"),
+            Self::Refused(refusal) => write!(f, "refused: {refusal}"),
+            Self::Skipped => f.write_str("skipped: nothing to choose from"),
+        }
+    }
+}
+
+/// A kernel together with all handles it ever gave out, in order of creation.
+///
+/// What a program chooses depends on these lists and on what the kernel says of corners, faces and vertices, never on the
+/// names of its records, so the same program does the same to every right kernel.
+#[derive(Clone, Debug)]
+pub struct Runner<K: Kernel> {
+    kernel: K,
+    half_edges: Vec<K::HalfEdge>,
+    isolated: Vec<K::Vertex>,
+    retired_half_edges: Vec<K::HalfEdge>,
+    retired_vertices: Vec<K::Vertex>,
+    retired_faces: Vec<K::Face>,
+}
+
+/// The `k`-th of a list that starts again where it ends.
+fn nth<T: Copy>(list: &[T], k: u16) -> Result<T, Outcome> {
+    let position = usize::from(k).checked_rem(list.len()).ok_or(Outcome::Skipped)?;
+    list.get(position).copied().ok_or(Outcome::Skipped)
+}
+
+#[allow(clippy::needless_pass_by_value, reason = "what `map_err` hands over")]
+fn refused<K: Kernel>(error: K::Error) -> Outcome {
+    Outcome::Refused(K::refusal(&error))
+}
+
+impl<K: Kernel> Runner<K> {
+    /// Starts with a kernel that is the empty map.
+    pub const fn new(kernel: K) -> Self {
+        Self {
+            kernel,
+            half_edges: Vec::new(),
+            isolated: Vec::new(),
+            retired_half_edges: Vec::new(),
+            retired_vertices: Vec::new(),
+            retired_faces: Vec::new(),
+        }
+    }
+
+    /// The kernel.
+    pub const fn kernel(&self) -> &K {
+        &self.kernel
+    }
+
+    /// The kernel, for good.
+    pub fn into_kernel(self) -> K {
+        self.kernel
+    }
+
+    /// The half-edges in order of creation; the two of an edge side by side.
+    pub fn half_edges(&self) -> &[K::HalfEdge] {
+        &self.half_edges
+    }
+
+    /// The isolated vertices in the order in which they became so.
+    pub fn isolated(&self) -> &[K::Vertex] {
+        &self.isolated
+    }
+
+    /// The half-edges that are gone.
+    pub fn retired_half_edges(&self) -> &[K::HalfEdge] {
+        &self.retired_half_edges
+    }
+
+    /// The vertices that are gone.
+    pub fn retired_vertices(&self) -> &[K::Vertex] {
+        &self.retired_vertices
+    }
+
+    /// The faces that are gone.
+    pub fn retired_faces(&self) -> &[K::Face] {
+        &self.retired_faces
+    }
+
+    /// All corners, those of half-edges first.
+    pub fn corners(&self) -> impl Iterator<Item = CornerOf<K>> + '_ {
+        let isolated = self.isolated.iter().copied().map(Corner::Isolated);
+        self.half_edges.iter().copied().map(Corner::At).chain(isolated)
+    }
+
+    /// Runs a whole program and tells what became of each operator.
+    pub fn run(&mut self, program: &Program) -> Vec<Outcome> {
+        program.0.iter().map(|op| self.step(*op)).collect()
+    }
+
+    /// Runs one operator.
+    ///
+    /// O(live elements) beside what the operator itself costs, and O(length²) of the boundary of the face that is split if
+    /// some of its inner boundary components are to be chosen.
+    pub fn step(&mut self, op: Op) -> Outcome {
+        let done = match op {
+            Op::AddIsolatedVertex { face } => self.add_isolated_vertex(face),
+            Op::RemoveIsolatedVertex { vertex } => self.remove_isolated_vertex(vertex),
+            Op::Connect { from, to, new_face, inner } => self.connect(from, to, new_face, inner),
+            Op::RemoveEdge { half_edge } => self.remove_edge(half_edge),
+            Op::SplitEdge { half_edge } => self.split_edge(half_edge),
+            Op::JoinEdges { half_edge } => self.join_edges(half_edge),
+            Op::SplitVertex { from, to } => self.split_vertex(from, to),
+            Op::ContractEdge { half_edge } => self.contract_edge(half_edge),
+            Op::FlipEdge { half_edge, turn } => {
+                self.half_edge(half_edge).and_then(|h| self.kernel.flip_edge(h, turn).map_err(refused::<K>))
+            }
+            Op::MoveInner { inner, face } => self.move_inner(inner, face),
+        };
+        done.err().unwrap_or(Outcome::Applied)
+    }
+
+    fn half_edge(&self, pick: HalfEdgePick) -> Result<K::HalfEdge, Outcome> {
+        match pick {
+            HalfEdgePick::Live(k) => nth(&self.half_edges, k),
+            HalfEdgePick::Retired(k) => nth(&self.retired_half_edges, k),
+        }
+    }
+
+    fn vertex(&self, pick: VertexPick) -> Result<K::Vertex, Outcome> {
+        match pick {
+            VertexPick::Isolated(k) => nth(&self.isolated, k),
+            VertexPick::OriginOf(k) => self.kernel.origin_of(nth(&self.half_edges, k)?).map_err(refused::<K>),
+            VertexPick::Retired(k) => nth(&self.retired_vertices, k),
+        }
+    }
+
+    fn corner(&self, pick: CornerPick) -> Result<CornerOf<K>, Outcome> {
+        match pick {
+            Corner::At(pick) => self.half_edge(pick).map(Corner::At),
+            Corner::Isolated(pick) => self.vertex(pick).map(Corner::Isolated),
+        }
+    }
+
+    fn face(&self, pick: FacePick) -> Result<K::Face, Outcome> {
+        match pick {
+            FacePick::Unbounded => Ok(self.kernel.unbounded_face()),
+            FacePick::Of(pick) => self.kernel.face_of(self.corner(pick)?).map_err(refused::<K>),
+            FacePick::Retired(k) => nth(&self.retired_faces, k),
+        }
+    }
+
+    /// The vertex of a corner.
+    fn vertex_of(&self, corner: CornerOf<K>) -> Result<K::Vertex, Outcome> {
+        match corner {
+            Corner::At(h) => self.kernel.origin_of(h).map_err(refused::<K>),
+            Corner::Isolated(v) => Ok(v),
+        }
+    }
+
+    /// The second corner, of those for which `key` says the same as for the first.
+    fn second<T: PartialEq>(
+        &self,
+        pick: SecondPick,
+        first: CornerOf<K>,
+        key: impl Fn(CornerOf<K>) -> Result<T, Outcome>,
+    ) -> Result<CornerOf<K>, Outcome> {
+        let k = match pick {
+            SecondPick::Any(pick) => return self.corner(pick),
+            SecondPick::Fitting(k) => k,
+        };
+        let wanted = key(first)?;
+        let fitting: Vec<_> = self.corners().filter(|corner| key(*corner).as_ref() == Ok(&wanted)).collect();
+        nth(&fitting, k)
+    }
+
+    /// One corner of each boundary component to be named.
+    fn inner(&self, pick: InnerPick, from: CornerOf<K>) -> Result<Vec<CornerOf<K>>, Outcome> {
+        let mut named = Vec::new();
+        if pick.mask != 0 {
+            let face = self.kernel.face_of(from).map_err(refused::<K>)?;
+            let mut seen = Vec::new();
+            self.append_boundary(from, &mut seen);
+            let mut count = 0;
+            for corner in self.corners() {
+                if self.kernel.face_of(corner).is_ok_and(|f| f == face) && !seen.contains(&corner) {
+                    self.append_boundary(corner, &mut seen);
+                    if pick.mask >> (count % 16) & 1 == 1 {
+                        named.push(corner);
+                    }
+                    count += 1;
+                }
+            }
+        }
+        if let Some(also) = pick.also {
+            named.push(self.corner(also)?);
+        }
+        Ok(named)
+    }
+
+    /// Appends all corners of one boundary component: no more than there are, even if the kernel's cycle never closes.
+    fn append_boundary(&self, corner: CornerOf<K>, corners: &mut Vec<CornerOf<K>>) {
+        corners.push(corner);
+        let Corner::At(start) = corner else { return };
+        let mut h = start;
+        for _ in 1..self.half_edges.len() {
+            match self.kernel.next_of(h) {
+                Ok(next) if next != start => h = next,
+                _ => return,
+            }
+            corners.push(Corner::At(h));
+        }
+    }
+
+    fn add_isolated_vertex(&mut self, face: FacePick) -> Result<(), Outcome> {
+        let face = self.face(face)?;
+        let v = self.kernel.add_isolated_vertex(face).map_err(refused::<K>)?;
+        self.isolated.push(v);
+        Ok(())
+    }
+
+    fn remove_isolated_vertex(&mut self, vertex: VertexPick) -> Result<(), Outcome> {
+        let v = self.vertex(vertex)?;
+        self.kernel.remove_isolated_vertex(v).map_err(refused::<K>)?;
+        self.no_longer_isolated(v);
+        self.retired_vertices.push(v);
+        Ok(())
+    }
+
+    fn connect(
+        &mut self,
+        from: CornerPick,
+        to: SecondPick,
+        new_face: crate::dcel::Side,
+        inner: InnerPick,
+    ) -> Result<(), Outcome> {
+        let from = self.corner(from)?;
+        let to = self.second(to, from, |corner| self.kernel.face_of(corner).map_err(refused::<K>))?;
+        let inner = self.inner(inner, from)?;
+        let n = self.kernel.connect(from, to, new_face, &inner).map_err(refused::<K>)?;
+        for corner in [from, to] {
+            if let Corner::Isolated(v) = corner {
+                self.no_longer_isolated(v);
+            }
+        }
+        self.made_edge(n)
+    }
+
+    fn remove_edge(&mut self, half_edge: HalfEdgePick) -> Result<(), Outcome> {
+        let h = self.half_edge(half_edge)?;
+        let ends = self.ends(h)?;
+        let dropped = self.kernel.remove_edge(h).map_err(refused::<K>)?;
+        self.retired_faces.extend(dropped);
+        self.retire_edge(h);
+        for v in ends {
+            self.perhaps_isolated(v);
+        }
+        Ok(())
+    }
+
+    fn split_edge(&mut self, half_edge: HalfEdgePick) -> Result<(), Outcome> {
+        let h = self.half_edge(half_edge)?;
+        let n = self.kernel.split_edge(h).map_err(refused::<K>)?;
+        self.made_edge(n)
+    }
+
+    fn join_edges(&mut self, half_edge: HalfEdgePick) -> Result<(), Outcome> {
+        let h = self.half_edge(half_edge)?;
+        let following = self.kernel.next_of(h).map_err(refused::<K>)?;
+        let v = self.kernel.origin_of(following).map_err(refused::<K>)?;
+        self.kernel.join_edges(h).map_err(refused::<K>)?;
+        self.retire_edge(following);
+        self.retired_vertices.push(v);
+        Ok(())
+    }
+
+    fn split_vertex(&mut self, from: CornerPick, to: SecondPick) -> Result<(), Outcome> {
+        let from = self.corner(from)?;
+        let to = self.second(to, from, |corner| self.vertex_of(corner))?;
+        let n = self.kernel.split_vertex(from, to).map_err(refused::<K>)?;
+        if let Corner::Isolated(v) = from {
+            self.no_longer_isolated(v);
+        }
+        self.made_edge(n)
+    }
+
+    fn contract_edge(&mut self, half_edge: HalfEdgePick) -> Result<(), Outcome> {
+        let h = self.half_edge(half_edge)?;
+        let [origin, target] = self.ends(h)?;
+        let dropped = self.kernel.contract_edge(h).map_err(refused::<K>)?;
+        self.retire_edge(h);
+        self.retired_vertices.push(dropped);
+        self.perhaps_isolated(if dropped == origin { target } else { origin });
+        Ok(())
+    }
+
+    fn move_inner(&mut self, inner: CornerPick, face: FacePick) -> Result<(), Outcome> {
+        let (inner, face) = (self.corner(inner)?, self.face(face)?);
+        self.kernel.move_inner(inner, face).map_err(refused::<K>)
+    }
+
+    fn ends(&self, h: K::HalfEdge) -> Result<[K::Vertex; 2], Outcome> {
+        let target = self.kernel.twin_of(h).and_then(|t| self.kernel.origin_of(t));
+        Ok([self.kernel.origin_of(h).map_err(refused::<K>)?, target.map_err(refused::<K>)?])
+    }
+
+    fn made_edge(&mut self, h: K::HalfEdge) -> Result<(), Outcome> {
+        let t = self.kernel.twin_of(h).map_err(refused::<K>)?;
+        self.half_edges.extend([h, t]);
+        Ok(())
+    }
+
+    fn retire_edge(&mut self, h: K::HalfEdge) {
+        if let Some(position) = self.half_edges.iter().position(|other| *other == h) {
+            let first = position & !1;
+            self.retired_half_edges.extend(self.half_edges.drain(first..first + 2));
+        }
+    }
+
+    fn no_longer_isolated(&mut self, v: K::Vertex) {
+        self.isolated.retain(|other| *other != v);
+    }
+
+    /// Lists a vertex that has just lost an edge among the isolated ones if it was its last.
+    fn perhaps_isolated(&mut self, v: K::Vertex) {
+        if self.kernel.face_of(Corner::Isolated(v)).is_ok() && !self.isolated.contains(&v) {
+            self.isolated.push(v);
+        }
+    }
+}

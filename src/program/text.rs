@@ -1,0 +1,318 @@
+//! Programs as text: to be read by people, kept in files, and read back.
+//!
+//! ```text
+//! twinedge program 1
+//! add_isolated_vertex unbounded
+//! split_vertex i0 ~0               # ~k: the k-th corner that fits the one before it
+//! connect h0 h1 left inner 0,2 also h5
+//! remove_edge !h0                  # !h, !v, !f: a handle that is gone
+//! ```
+//!
+//! | word | chooses |
+//! | --- | --- |
+//! | `h3` | the half-edge with number 3 (counted from 0), and its corner |
+//! | `i3` | the isolated vertex with number 3, and its corner |
+//! | `o3` | the origin of `h3`, taken for an isolated vertex |
+//! | `!h3`, `!v3`, `!f3` | of the half-edges, vertices, faces that are gone |
+//! | `~3` | of the corners that fit the first one |
+//! | `unbounded` | the unbounded face |
+
+use super::kernel::Corner;
+use super::op::{CornerPick, FacePick, HalfEdgePick, InnerPick, Op, Program, SecondPick, VertexPick};
+use crate::dcel::{Side, Turn};
+use alloc::vec::Vec;
+use core::fmt;
+use core::str::FromStr;
+use thiserror::Error;
+
+/// The first line of a program's text.
+const HEADER: &str = "twinedge program 1";
+
+impl fmt::Display for HalfEdgePick {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        match self {
+            Self::Live(k) => write!(f, "h{k}"),
+            Self::Retired(k) => write!(f, "!h{k}"),
+        }
+    }
+}
+
+impl fmt::Display for VertexPick {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        match self {
+            Self::Isolated(k) => write!(f, "i{k}"),
+            Self::OriginOf(k) => write!(f, "o{k}"),
+            Self::Retired(k) => write!(f, "!v{k}"),
+        }
+    }
+}
+
+impl fmt::Display for CornerPick {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        match self {
+            Self::At(pick) => pick.fmt(f),
+            Self::Isolated(pick) => pick.fmt(f),
+        }
+    }
+}
+
+impl fmt::Display for SecondPick {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        match self {
+            Self::Fitting(k) => write!(f, "~{k}"),
+            Self::Any(pick) => pick.fmt(f),
+        }
+    }
+}
+
+impl fmt::Display for FacePick {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        match self {
+            Self::Unbounded => f.write_str("unbounded"),
+            Self::Of(pick) => pick.fmt(f),
+            Self::Retired(k) => write!(f, "!f{k}"),
+        }
+    }
+}
+
+impl fmt::Display for InnerPick {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        let mut before = " inner ";
+        for bit in (0..16).filter(|bit| self.mask >> bit & 1 == 1) {
+            write!(f, "{before}{bit}")?;
+            before = ",";
+        }
+        self.also.map_or(Ok(()), |pick| write!(f, " also {pick}"))
+    }
+}
+
+/// One line of a program's text.
+impl fmt::Display for Op {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        match self {
+            Self::AddIsolatedVertex { face } => write!(f, "add_isolated_vertex {face}"),
+            Self::RemoveIsolatedVertex { vertex } => write!(f, "remove_isolated_vertex {vertex}"),
+            Self::Connect { from, to, new_face, inner } => {
+                let side = match new_face {
+                    Side::Left => "left",
+                    Side::Right => "right",
+                };
+                write!(f, "connect {from} {to} {side}{inner}")
+            }
+            Self::RemoveEdge { half_edge } => write!(f, "remove_edge {half_edge}"),
+            Self::SplitEdge { half_edge } => write!(f, "split_edge {half_edge}"),
+            Self::JoinEdges { half_edge } => write!(f, "join_edges {half_edge}"),
+            Self::SplitVertex { from, to } => write!(f, "split_vertex {from} {to}"),
+            Self::ContractEdge { half_edge } => write!(f, "contract_edge {half_edge}"),
+            Self::FlipEdge { half_edge, turn } => {
+                let turn = match turn {
+                    Turn::CounterClockwise => "ccw",
+                    Turn::Clockwise => "cw",
+                };
+                write!(f, "flip_edge {half_edge} {turn}")
+            }
+            Self::MoveInner { inner, face } => write!(f, "move_inner {inner} {face}"),
+        }
+    }
+}
+
+/// The text that [`FromStr`] reads: a header, and one operator per line.
+impl fmt::Display for Program {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        writeln!(f, "{HEADER}")?;
+        self.0.iter().try_for_each(|op| writeln!(f, "{op}"))
+    }
+}
+
+/// What a word of a program's text should have been.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash, Error)]
+#[non_exhaustive]
+pub enum Expected {
+    /// The first line.
+    #[error("the line `twinedge program 1`")]
+    Header,
+    /// The name of an operator.
+    #[error("the name of an operator")]
+    Operator,
+    /// A half-edge.
+    #[error("a half-edge (`h0` or `!h0`)")]
+    HalfEdge,
+    /// A vertex.
+    #[error("an isolated vertex (`i0`, `o0` or `!v0`)")]
+    Vertex,
+    /// A corner.
+    #[error("a corner (`h0`, `i0`, `o0`, `!h0` or `!v0`)")]
+    Corner,
+    /// The second of two corners.
+    #[error("a second corner (`~0`, or as the first)")]
+    SecondCorner,
+    /// A face.
+    #[error("a face (`unbounded`, a corner, or `!f0`)")]
+    Face,
+    /// A side.
+    #[error("a side (`left` or `right`)")]
+    Side,
+    /// A turn.
+    #[error("a turn (`ccw` or `cw`)")]
+    Turn,
+    /// Numbers of inner boundary components.
+    #[error("numbers below 16 in rising order, with commas between them")]
+    Inner,
+    /// Nothing more.
+    #[error("the end of the line")]
+    End,
+}
+
+/// Why a text is no program, and where.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash, Error)]
+#[error("line {line}, column {column}: expected {expected}")]
+pub struct ParseError {
+    /// The line, counted from 1.
+    pub line: usize,
+    /// The column in characters, counted from 1.
+    pub column: usize,
+    /// What should stand there.
+    pub expected: Expected,
+}
+
+/// What is left of one line.
+struct Words<'a> {
+    text: &'a str,
+    rest: &'a str,
+    line: usize,
+}
+
+impl<'a> Words<'a> {
+    fn new(line: usize, text: &'a str) -> Self {
+        let text = text.split('#').next().unwrap_or_default();
+        Self { text, rest: text.trim(), line }
+    }
+
+    fn peek(&self) -> &'a str {
+        self.rest.split_whitespace().next().unwrap_or_default()
+    }
+
+    fn error(&self, expected: Expected) -> ParseError {
+        let before = self.text.trim_end().len() - self.rest.len();
+        let column = self.text.get(..before).map_or(0, |text| text.chars().count()) + 1;
+        ParseError { line: self.line, column, expected }
+    }
+
+    /// Takes the next word if `read` understands it.
+    fn take<T>(&mut self, expected: Expected, read: impl FnOnce(&'a str) -> Option<T>) -> Result<T, ParseError> {
+        let word = self.peek();
+        let value = read(word).ok_or_else(|| self.error(expected))?;
+        self.rest = self.rest.get(word.len()..).unwrap_or_default().trim_start();
+        Ok(value)
+    }
+
+    fn half_edge(&mut self) -> Result<HalfEdgePick, ParseError> {
+        self.take(Expected::HalfEdge, half_edge)
+    }
+
+    fn corner(&mut self) -> Result<CornerPick, ParseError> {
+        self.take(Expected::Corner, corner)
+    }
+
+    fn second(&mut self) -> Result<SecondPick, ParseError> {
+        self.take(Expected::SecondCorner, |word| match number(word, "~") {
+            Some(k) => Some(SecondPick::Fitting(k)),
+            None => corner(word).map(SecondPick::Any),
+        })
+    }
+
+    fn face(&mut self) -> Result<FacePick, ParseError> {
+        self.take(Expected::Face, |word| match number(word, "!f") {
+            Some(k) => Some(FacePick::Retired(k)),
+            None if word == "unbounded" => Some(FacePick::Unbounded),
+            None => corner(word).map(FacePick::Of),
+        })
+    }
+
+    fn inner(&mut self) -> Result<InnerPick, ParseError> {
+        let mut inner = InnerPick::default();
+        if self.peek() == "inner" {
+            self.take(Expected::Inner, Some)?;
+            inner.mask = self.take(Expected::Inner, |word| {
+                word.split(',').try_fold(0_u16, |mask, bit| {
+                    let bit = number(bit, "").filter(|bit| *bit < 16)?;
+                    (mask >> bit == 0).then_some(mask | 1 << bit)
+                })
+            })?;
+        }
+        if self.peek() == "also" {
+            self.take(Expected::Corner, Some)?;
+            inner.also = Some(self.corner()?);
+        }
+        Ok(inner)
+    }
+
+    fn op(&mut self) -> Result<Op, ParseError> {
+        let start = self.error(Expected::Operator);
+        let op = match self.take(Expected::Operator, Some)? {
+            "add_isolated_vertex" => Op::AddIsolatedVertex { face: self.face()? },
+            "remove_isolated_vertex" => Op::RemoveIsolatedVertex { vertex: self.take(Expected::Vertex, vertex)? },
+            "connect" => Op::Connect {
+                from: self.corner()?,
+                to: self.second()?,
+                new_face: self.take(Expected::Side, |word| match word {
+                    "left" => Some(Side::Left),
+                    "right" => Some(Side::Right),
+                    _ => None,
+                })?,
+                inner: self.inner()?,
+            },
+            "remove_edge" => Op::RemoveEdge { half_edge: self.half_edge()? },
+            "split_edge" => Op::SplitEdge { half_edge: self.half_edge()? },
+            "join_edges" => Op::JoinEdges { half_edge: self.half_edge()? },
+            "split_vertex" => Op::SplitVertex { from: self.corner()?, to: self.second()? },
+            "contract_edge" => Op::ContractEdge { half_edge: self.half_edge()? },
+            "flip_edge" => Op::FlipEdge {
+                half_edge: self.half_edge()?,
+                turn: self.take(Expected::Turn, |word| match word {
+                    "ccw" => Some(Turn::CounterClockwise),
+                    "cw" => Some(Turn::Clockwise),
+                    _ => None,
+                })?,
+            },
+            "move_inner" => Op::MoveInner { inner: self.corner()?, face: self.face()? },
+            _ => return Err(start),
+        };
+        if self.rest.is_empty() { Ok(op) } else { Err(self.error(Expected::End)) }
+    }
+}
+
+/// The number after a prefix: digits only.
+fn number(word: &str, prefix: &str) -> Option<u16> {
+    let digits = word.strip_prefix(prefix)?;
+    digits.bytes().all(|byte| byte.is_ascii_digit()).then(|| digits.parse().ok())?
+}
+
+fn half_edge(word: &str) -> Option<HalfEdgePick> {
+    number(word, "h").map(HalfEdgePick::Live).or_else(|| number(word, "!h").map(HalfEdgePick::Retired))
+}
+
+fn vertex(word: &str) -> Option<VertexPick> {
+    let live = number(word, "i").map(VertexPick::Isolated).or_else(|| number(word, "o").map(VertexPick::OriginOf));
+    live.or_else(|| number(word, "!v").map(VertexPick::Retired))
+}
+
+fn corner(word: &str) -> Option<CornerPick> {
+    half_edge(word).map(Corner::At).or_else(|| vertex(word).map(Corner::Isolated))
+}
+
+impl FromStr for Program {
+    type Err = ParseError;
+
+    /// Reads a program from its text. Empty lines count for nothing, nor does what follows a `#`. O(length).
+    fn from_str(text: &str) -> Result<Self, ParseError> {
+        let mut lines = text.lines().enumerate().map(|(i, line)| Words::new(i + 1, line));
+        let header = lines.find(|words| !words.rest.is_empty()).unwrap_or_else(|| Words::new(1, ""));
+        if !header.rest.split_whitespace().eq(HEADER.split_whitespace()) {
+            return Err(header.error(Expected::Header));
+        }
+        let ops: Result<Vec<Op>, ParseError> =
+            lines.filter(|words| !words.rest.is_empty()).map(|mut words| words.op()).collect();
+        Ok(Self(ops?))
+    }
+}
