@@ -35,7 +35,10 @@ pub(crate) const OUTER: u32 = u32::MAX;
 pub(crate) const UNLISTED: u32 = u32::MAX - 2;
 
 /// How many records of each kind an operator is about to add.
-#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+///
+/// Code outside the crate that is generic over a store can call [`Links::with_room`] without naming it. That it has no way
+/// to make a `Need`, and so no bare store and no slots, is what keeps it out; so there is no `Default`.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub struct Need {
     /// Vertices.
     pub vertices: usize,
@@ -45,6 +48,10 @@ pub struct Need {
     pub boundaries: usize,
     /// Faces.
     pub faces: usize,
+}
+
+impl Need {
+    pub(crate) const NONE: Self = Self { vertices: 0, edges: 0, boundaries: 0, faces: 0 };
 }
 
 /// The kind of record for which there is no room.
@@ -69,6 +76,20 @@ impl core::fmt::Display for Kind {
             Self::Boundary => "boundary components",
             Self::Face => "faces",
         })
+    }
+}
+
+/// Whether so many more records fit into a store with room for `most`; the first kind that does not is named.
+pub(super) fn room<S: Links>(store: &S, more: Need, most: Need) -> Result<(), Kind> {
+    let checks = [
+        (Kind::Vertex, store.vertex_count(), more.vertices, most.vertices),
+        (Kind::Edge, store.edge_count(), more.edges, most.edges),
+        (Kind::Boundary, store.boundary_count(), more.boundaries, most.boundaries),
+        (Kind::Face, store.face_count(), more.faces, most.faces),
+    ];
+    match checks.into_iter().find(|(_, count, more, most)| count.saturating_add(*more) > *most) {
+        Some((kind, ..)) => Err(kind),
+        None => Ok(()),
     }
 }
 

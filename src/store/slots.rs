@@ -15,7 +15,7 @@
 
 use super::issuer::{Issuer, structure_offset};
 use super::keys::{key, parts};
-use super::links::{Anchor, Kind, Links, Need, OUTER, Origin, UNLISTED};
+use super::links::{Anchor, Kind, Links, Need, OUTER, Origin, UNLISTED, room};
 use super::{BoundaryKey, FaceKey, HalfEdgeKey, Store, VertexKey};
 use alloc::boxed::Box;
 use alloc::vec::Vec;
@@ -148,16 +148,7 @@ impl Links for SlotStore {
     }
 
     fn room_for(&self, need: Need) -> Result<(), Kind> {
-        let checks = [
-            (Kind::Vertex, self.vertices.len(), need.vertices, MOST),
-            (Kind::Edge, self.edges.len(), need.edges, MOST_EDGES),
-            (Kind::Boundary, self.boundaries.len(), need.boundaries, MOST),
-            (Kind::Face, self.faces.len(), need.faces, MOST),
-        ];
-        match checks.into_iter().find(|(_, len, more, most)| len.saturating_add(*more) > *most) {
-            Some((kind, ..)) => Err(kind),
-            None => Ok(()),
-        }
+        room(self, need, Need { vertices: MOST, edges: MOST_EDGES, boundaries: MOST, faces: MOST })
     }
 
     fn vertex(&self, key: VertexKey) -> Option<VertexSlot> {
