@@ -1,4 +1,4 @@
-//! Laws of `io::geojson`: what was written is read, and where another reader has an opinion, it is the same.
+//! Laws of `io::geojson`: what was written is read, and nothing depends on its being read feature by feature.
 #![cfg(feature = "geojson")]
 #![expect(clippy::needless_pass_by_value, reason = "quickcheck hands over what it has made")]
 
@@ -240,8 +240,8 @@ impl Arbitrary for Damaged {
     }
 }
 
-/// What the `geojson` crate makes of a document.
-fn second_opinion(text: &[u8]) -> Option<Vec<Feature>> {
+/// What the `geojson` crate makes of a document that it reads as a whole.
+fn whole(text: &[u8]) -> Option<Vec<Feature>> {
     fn draw(value: &GeometryValue, shapes: &mut Vec<Shape>) {
         let point = |p: &geojson::Position| Point { x: p[0], y: p[1] };
         let line = |l: &Vec<geojson::Position>| -> Vec<Point> { l.iter().map(point).collect() };
@@ -288,18 +288,18 @@ fn second_opinion(text: &[u8]) -> Option<Vec<Feature>> {
     })
 }
 
-/// Whatever the other reader takes, this one takes in the same way, except positions of fewer than two numbers.
+/// Feature by feature or all at once: the crate's reader of whole documents takes the same ones, in the same way. But
+/// it also takes positions of fewer than two numbers, and does not take just anything as a `bbox`.
 #[test]
-fn damaged_documents_are_read_as_another_reader_reads_them() {
+fn damaged_documents_are_read_as_they_are_when_read_whole() {
     fn law(Damaged(text): Damaged) -> bool {
         let ours = read(&text);
         if let Err(ReadError::Feature { fault: Fault::ShortPosition { numbers: 0 | 1 }, .. }) = ours {
             return true;
         }
-        match (ours, second_opinion(&text)) {
+        match (ours, whole(&text)) {
             (Ok((ours, _)), Some(theirs)) => ours == theirs,
             (Err(_), Some(_)) => false,
-            // What the other reader refuses must at least be JSON if this one takes it.
             (Ok(_), None) => serde_json::from_slice::<serde_json::Value>(&text).is_ok(),
             (Err(_), None) => true,
         }
@@ -308,9 +308,9 @@ fn damaged_documents_are_read_as_another_reader_reads_them() {
 }
 
 #[test]
-fn the_world_is_read_as_another_reader_reads_it() {
+fn the_world_is_read_as_it_is_when_read_whole() {
     let text = include_bytes!("../cli/data/world-110m.geojson");
-    assert_eq!(read(text).unwrap().0, second_opinion(text).unwrap());
+    assert_eq!(read(text).unwrap().0, whole(text).unwrap());
 }
 
 /// Any bytes whatever: an error tells a place inside the text, and only JSON is taken.

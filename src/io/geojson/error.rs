@@ -23,8 +23,10 @@ impl fmt::Display for Place {
 
 /// Why a GeoJSON file could not be read. Every variant says where.
 ///
-/// For a fault of an array or object the place is its opening bracket, for one of a number or string the byte at which
-/// its end was noticed. Where an object stands instead of something else, it is the end of its first key.
+/// The place is the byte that `serde_json` had got to when the fault showed. Of a value that cannot stand where it
+/// stands this is its last byte, its opening bracket or the byte behind that. What only shows when an object is
+/// complete, such as a missing member or a short position, has the place of the closing brace of the feature or the
+/// outermost object; what a geometry inside a feature lacks, that of its own closing brace or of what follows it.
 #[derive(Debug, Error)]
 #[non_exhaustive]
 pub enum ReadError {
@@ -48,10 +50,10 @@ pub enum ReadError {
         /// Where it ends.
         at: Place,
     },
-    /// This is not JSON.
-    #[error("{at}: not JSON: {message}")]
+    /// This is not JSON, or has a `"type"` that is not a string, between which `serde_json` makes no difference.
+    #[error("{at}: syntax error: {message}")]
     Syntax {
-        /// Where it stops being JSON.
+        /// Where that shows.
         at: Place,
         /// What was expected there.
         message: String,
@@ -62,7 +64,7 @@ pub enum ReadError {
         /// Where that begins.
         at: Place,
     },
-    /// This is JSON, but not GeoJSON.
+    /// This is JSON, but its outermost object is not GeoJSON.
     #[error("{at}: not GeoJSON: {fault}")]
     NotGeoJson {
         /// Where that shows.
@@ -70,12 +72,12 @@ pub enum ReadError {
         /// What is wrong.
         fault: Fault,
     },
-    /// One feature is wrong.
+    /// One element of `"features"` is wrong, or the positions or collections of a feature or geometry on its own.
     #[error("{at}: feature {index}{}: {fault}", Named(.name.as_deref()))]
     Feature {
         /// The place of the feature among the others, the first being 0.
         index: usize,
-        /// Its name, if one stands in front of the fault or anywhere in the rest of the feature.
+        /// Its name, if it has one and could be read as a whole: faults of the form have no name.
         name: Option<String>,
         /// Where in the file.
         at: Place,
@@ -104,64 +106,24 @@ impl ReadError {
 #[derive(Clone, Debug, PartialEq, Eq, Error)]
 #[non_exhaustive]
 pub enum Fault {
-    /// Something else stands where an object should.
-    #[error("expected an object")]
-    NotAnObject,
-    /// Something else stands where an array should.
-    #[error("\"{member}\" is not an array")]
-    NotAnArray {
-        /// The name of the member.
-        member: &'static str,
+    /// The object is not of the form that its type asks for.
+    #[error("{message}")]
+    Malformed {
+        /// What the `geojson` crate says, cut after 200 characters.
+        message: String,
     },
-    /// The object does not say what it is.
-    #[error("an object without \"type\"")]
-    NoType,
-    /// The type is unknown, or does not belong here.
-    #[error("objects of type {found:?} do not belong here")]
-    Type {
-        /// The type, cut after 40 characters.
-        found: String,
-    },
-    /// A member that this type must have is not there.
-    #[error("\"{member}\" is missing")]
-    Missing {
-        /// The name of the member.
-        member: &'static str,
-    },
-    /// A member is there twice.
-    #[error("\"{member}\" is given twice")]
-    Repeated {
-        /// The name of the member.
-        member: &'static str,
-    },
-    /// A member that this type must not have.
-    #[error("\"{member}\" does not belong to an object of this type")]
-    Misplaced {
-        /// The name of the member.
-        member: &'static str,
-    },
-    /// Among coordinates there is something else than numbers.
-    #[error("something else than a number among the coordinates")]
-    NotANumber,
     /// A number that no 64-bit float comes near to.
     #[error("a number out of range")]
     OutOfRange,
-    /// A position with one number, or none.
+    /// A position with one number, or none. That of a `Point` is [`Fault::Malformed`], since the crate sees to it.
     #[error("a position needs two numbers, this one has {numbers}")]
     ShortPosition {
         /// How many numbers it has.
         numbers: usize,
     },
-    /// The brackets around a position are too few or too many.
-    #[error("a position at level {found} of the coordinates, expected at level {expected}")]
-    Nesting {
-        /// The level of brackets at which positions of this geometry stand, the outermost being 1.
-        expected: usize,
-        /// The level at which this one stands.
-        found: usize,
-    },
-    /// A geometry inside more than [`MAX_NESTED_COLLECTIONS`](crate::io::MAX_NESTED_COLLECTIONS) geometry collections.
-    #[error("geometry collections are nested too deep")]
+    /// A geometry inside more than [`MAX_NESTED_COLLECTIONS`](crate::io::MAX_NESTED_COLLECTIONS) geometry collections,
+    /// or arrays and objects inside each other more than about 128 deep.
+    #[error("nested too deep")]
     TooDeep,
 }
 
