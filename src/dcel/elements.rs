@@ -187,6 +187,13 @@ impl<'a, S: Store> HalfEdge<'a, S> {
         self.twin().next()
     }
 
+    /// The half-edges that leave the same vertex, counter-clockwise from this one on. O(1) per step.
+    #[must_use]
+    #[inline]
+    pub fn rotation(self) -> Rotation<'a, S> {
+        Rotation::new(Some(self))
+    }
+
     /// The boundary component that it is part of. O(1).
     #[must_use]
     #[inline]
@@ -262,6 +269,13 @@ impl<'a, S: Store> Face<'a, S> {
     #[inline]
     pub fn outer(self) -> Option<Boundary<'a, S>> {
         self.dcel.store.outer(self.slot).map(|b| Boundary::new(self.dcel, b))
+    }
+
+    /// A half-edge of its outer boundary component, the textbooks' `OuterComponent`; none for the unbounded face. O(1).
+    #[must_use]
+    #[inline]
+    pub fn outer_half_edge(self) -> Option<HalfEdge<'a, S>> {
+        self.dcel.store.outer_half_edge(self.slot).map(|h| HalfEdge::new(self.dcel, h))
     }
 
     /// How many inner boundary components it has. O(1).

@@ -93,7 +93,7 @@ impl Dcel {
 
 impl<S: Store> Default for Dcel<S> {
     fn default() -> Self {
-        Self::with_room(Need::default())
+        Self::with_room(Need::NONE)
     }
 }
 

@@ -31,8 +31,14 @@ pub enum Origin<H, V> {
 /// The place of a boundary component that is an outer one.
 pub(crate) const OUTER: u32 = u32::MAX;
 
+/// The place of a boundary component that no face lists.
+pub(crate) const UNLISTED: u32 = u32::MAX - 2;
+
 /// How many records of each kind an operator is about to add.
-#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+///
+/// Code outside the crate that is generic over a store can call [`Links::with_room`] without naming it. That it has no way
+/// to make a `Need`, and so no bare store and no slots, is what keeps it out; so there is no `Default`.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub struct Need {
     /// Vertices.
     pub vertices: usize,
@@ -42,6 +48,10 @@ pub struct Need {
     pub boundaries: usize,
     /// Faces.
     pub faces: usize,
+}
+
+impl Need {
+    pub(crate) const NONE: Self = Self { vertices: 0, edges: 0, boundaries: 0, faces: 0 };
 }
 
 /// The kind of record for which there is no room.
@@ -69,8 +79,21 @@ impl core::fmt::Display for Kind {
     }
 }
 
-/// The interface between `Dcel` and the stores. Every slot handed in must be live, but for [`Links::is_face`]-like look-ups
-/// by index.
+/// Whether so many more records fit into a store with room for `most`; the first kind that does not is named.
+pub(super) fn room<S: Links>(store: &S, more: Need, most: Need) -> Result<(), Kind> {
+    let checks = [
+        (Kind::Vertex, store.vertex_count(), more.vertices, most.vertices),
+        (Kind::Edge, store.edge_count(), more.edges, most.edges),
+        (Kind::Boundary, store.boundary_count(), more.boundaries, most.boundaries),
+        (Kind::Face, store.face_count(), more.faces, most.faces),
+    ];
+    match checks.into_iter().find(|(_, count, more, most)| count.saturating_add(*more) > *most) {
+        Some((kind, ..)) => Err(kind),
+        None => Ok(()),
+    }
+}
+
+/// The interface between `Dcel` and the stores. Every slot handed in must be live.
 #[allow(missing_docs, reason = "getters and setters of the fields of design section 3, by their names")]
 pub trait Links: Sized {
     type Vertex: Slot;
@@ -113,6 +136,17 @@ pub trait Links: Sized {
     fn boundary_at(&self, index: usize) -> Option<Self::Boundary>;
     fn face_at(&self, index: usize) -> Option<Self::Face>;
 
+    /// The record with this index, or perhaps one that is gone, if telling costs something. For who has asked before.
+    fn vertex_in(&self, index: usize) -> Option<Self::Vertex> {
+        self.vertex_at(index)
+    }
+    fn half_edge_in(&self, index: usize) -> Option<Self::HalfEdge> {
+        self.half_edge_at(index)
+    }
+    fn boundary_in(&self, index: usize) -> Option<Self::Boundary> {
+        self.boundary_at(index)
+    }
+
     fn vertex_index(&self, v: Self::Vertex) -> usize;
     fn half_edge_index(&self, h: Self::HalfEdge) -> usize;
     fn boundary_index(&self, b: Self::Boundary) -> usize;
@@ -147,6 +181,13 @@ pub trait Links: Sized {
     fn start(&self, b: Self::Boundary) -> Origin<Self::HalfEdge, Self::Vertex>;
     fn place(&self, b: Self::Boundary) -> u32;
     fn outer(&self, f: Self::Face) -> Option<Self::Boundary>;
+    /// Where the outer boundary component starts.
+    fn outer_half_edge(&self, f: Self::Face) -> Option<Self::HalfEdge> {
+        match self.start(self.outer(f)?) {
+            Origin::HalfEdge(h) => Some(h),
+            Origin::Vertex(_) => None,
+        }
+    }
     fn inner_count(&self, f: Self::Face) -> usize;
     fn inner(&self, f: Self::Face, position: usize) -> Option<Self::Boundary>;
 
@@ -158,7 +199,7 @@ pub trait Links: Sized {
     fn set_start(&mut self, b: Self::Boundary, start: Origin<Self::HalfEdge, Self::Vertex>);
     fn set_place(&mut self, b: Self::Boundary, place: u32);
 
-    /// Makes `b` the outer boundary component of `f`.
+    /// Makes `b`, a cycle, the outer boundary component of `f`.
     fn list_outer(&mut self, f: Self::Face, b: Self::Boundary);
     /// Appends `b` to the inner boundary components of `f`.
     fn list_inner(&mut self, f: Self::Face, b: Self::Boundary);

@@ -15,7 +15,7 @@
 
 use super::issuer::{Issuer, structure_offset};
 use super::keys::{key, parts};
-use super::links::{Anchor, Kind, Links, Need, OUTER, Origin};
+use super::links::{Anchor, Kind, Links, Need, OUTER, Origin, UNLISTED, room};
 use super::{BoundaryKey, FaceKey, HalfEdgeKey, Store, VertexKey};
 use alloc::boxed::Box;
 use alloc::vec::Vec;
@@ -29,6 +29,9 @@ const MOST: usize = OTHER as usize - 2;
 const MOST_EDGES: usize = MOST / 2;
 
 const NIL: u32 = u32::MAX;
+
+/// Stands for the outer half-edge of a face that is gone.
+const VACANT: u32 = u32::MAX - 1;
 
 macro_rules! slot_types {
     ($($(#[$doc:meta])* $name:ident;)*) => {$(
@@ -72,6 +75,8 @@ pub struct SlotStore {
     place: Vec<u32>,
 
     faces: Issuer<FaceKey>,
+    /// The half-edge where the outer boundary component starts, as in the textbooks: most walks around a face need nothing
+    /// else. The boundary component is had through it.
     outer: Vec<u32>,
     inner: Vec<Option<Box<InnerList>>>,
     unbounded: FaceSlot,
@@ -130,7 +135,7 @@ impl Links for SlotStore {
             start: column(need.boundaries, NIL, 1),
             place: column(need.boundaries, NIL, 1),
             faces: Issuer::with_room(faces, offset),
-            outer: column(faces, NIL, 1),
+            outer: column(faces, VACANT, 1),
             inner: column(faces, None, 1),
             unbounded: FaceSlot(NIL),
         };
@@ -143,16 +148,7 @@ impl Links for SlotStore {
     }
 
     fn room_for(&self, need: Need) -> Result<(), Kind> {
-        let checks = [
-            (Kind::Vertex, self.vertices.len(), need.vertices, MOST),
-            (Kind::Edge, self.edges.len(), need.edges, MOST_EDGES),
-            (Kind::Boundary, self.boundaries.len(), need.boundaries, MOST),
-            (Kind::Face, self.faces.len(), need.faces, MOST),
-        ];
-        match checks.into_iter().find(|(_, len, more, most)| len.saturating_add(*more) > *most) {
-            Some((kind, ..)) => Err(kind),
-            None => Ok(()),
-        }
+        room(self, need, Need { vertices: MOST, edges: MOST_EDGES, boundaries: MOST, faces: MOST })
     }
 
     fn vertex(&self, key: VertexKey) -> Option<VertexSlot> {
@@ -247,8 +243,23 @@ impl Links for SlotStore {
 
     #[inline]
     fn face_at(&self, index: usize) -> Option<FaceSlot> {
-        let slot = u32::try_from(index).ok()?;
-        self.faces.is_live(slot).then_some(FaceSlot(slot))
+        let outer = *self.outer.get(index)?;
+        (outer != VACANT).then_some(FaceSlot(index as u32))
+    }
+
+    #[inline]
+    fn vertex_in(&self, index: usize) -> Option<VertexSlot> {
+        (index < self.anchor.len()).then_some(VertexSlot(index as u32))
+    }
+
+    #[inline]
+    fn half_edge_in(&self, index: usize) -> Option<HalfEdgeSlot> {
+        (index < self.origin.len()).then_some(HalfEdgeSlot(index as u32))
+    }
+
+    #[inline]
+    fn boundary_in(&self, index: usize) -> Option<BoundarySlot> {
+        (index < self.start.len()).then_some(BoundarySlot(index as u32))
     }
 
     #[inline]
@@ -300,7 +311,7 @@ impl Links for SlotStore {
         let slot = self.boundaries.issue();
         put(&mut self.bounded, slot, f);
         put(&mut self.start, slot, origin_bits(start));
-        put(&mut self.place, slot, OUTER);
+        put(&mut self.place, slot, UNLISTED);
         BoundarySlot(slot)
     }
 
@@ -325,6 +336,7 @@ impl Links for SlotStore {
 
     fn remove_face(&mut self, f: FaceSlot) {
         self.inner[f.0 as usize] = None;
+        self.outer[f.0 as usize] = VACANT;
         self.faces.retire(f.0);
     }
 
@@ -381,8 +393,13 @@ impl Links for SlotStore {
 
     #[inline]
     fn outer(&self, f: FaceSlot) -> Option<BoundarySlot> {
+        self.outer_half_edge(f).map(|h| self.component(h))
+    }
+
+    #[inline]
+    fn outer_half_edge(&self, f: FaceSlot) -> Option<HalfEdgeSlot> {
         let bits = self.outer[f.0 as usize];
-        (bits != NIL).then_some(BoundarySlot(bits))
+        (bits < VACANT).then_some(HalfEdgeSlot(bits))
     }
 
     #[inline]
@@ -414,6 +431,11 @@ impl Links for SlotStore {
 
     fn set_start(&mut self, b: BoundarySlot, start: Origin<HalfEdgeSlot, VertexSlot>) {
         self.start[b.0 as usize] = origin_bits(start);
+        if let Origin::HalfEdge(h) = start
+            && self.place[b.0 as usize] == OUTER
+        {
+            self.outer[self.bounded[b.0 as usize].0 as usize] = h.0;
+        }
     }
 
     fn set_place(&mut self, b: BoundarySlot, place: u32) {
@@ -421,7 +443,7 @@ impl Links for SlotStore {
     }
 
     fn list_outer(&mut self, f: FaceSlot, b: BoundarySlot) {
-        self.outer[f.0 as usize] = b.0;
+        self.outer[f.0 as usize] = self.start[b.0 as usize];
         self.bounded[b.0 as usize] = f;
         self.place[b.0 as usize] = OUTER;
     }
@@ -435,7 +457,7 @@ impl Links for SlotStore {
 
     fn unlist(&mut self, b: BoundarySlot) {
         let f = self.bounded[b.0 as usize].0 as usize;
-        let place = core::mem::replace(&mut self.place[b.0 as usize], OUTER);
+        let place = core::mem::replace(&mut self.place[b.0 as usize], UNLISTED);
         if place == OUTER {
             self.outer[f] = NIL;
         } else if let Some(list) = &mut self.inner[f] {

@@ -224,6 +224,10 @@ impl<V: View + ?Sized> Run<'_, V> {
                     self.findings.add(Violation::ConnectedNamesBoundary { vertex, boundary })?;
                 }
             } else if claim == NIL {
+                // Where the unbounded face is no record, nothing can start at a vertex that lies in it.
+                if names.is_none() && !self.expect.has(Part::UnboundedFace) {
+                    continue;
+                }
                 self.findings.add(Violation::IsolatedUnclaimed { vertex })?;
             } else if by_record && names != Some(claim as usize) {
                 self.findings.add(Violation::IsolatedMismatch { vertex, boundary: claim as usize, found: names })?;

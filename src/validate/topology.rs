@@ -28,6 +28,8 @@ struct Component {
     paired: u32,
     unpaired: u32,
     cycles: u32,
+    /// Whether some half-edge lacks its twin or its face: its outside may be there.
+    open: bool,
     /// The face that lists its outside, once known.
     lies_in: u32,
     outside: Option<Record>,
@@ -87,6 +89,7 @@ impl<V: View + ?Sized> Run<'_, V> {
                 paired: 0,
                 unpaired: 0,
                 cycles: 0,
+                open: false,
                 lies_in: NIL,
                 outside: None,
             };
@@ -113,16 +116,24 @@ impl<V: View + ?Sized> Run<'_, V> {
                         t => self.origin(t),
                     };
                     *(if twin == NIL { &mut component.unpaired } else { &mut component.paired }) += 1;
-                    if let Some(from) = seen_from.get_mut(target as usize) {
-                        simple &= *from != v && target != v;
-                        *from = v;
-                    }
-                    reach(target);
-                    if open && let Some(before) = self.before(h) {
-                        reach(self.origin(before));
+                    let mut neighbour = |u: u32| {
+                        if let Some(from) = seen_from.get_mut(u as usize) {
+                            simple &= *from != v && u != v;
+                            *from = v;
+                        }
+                        reach(u);
+                    };
+                    neighbour(target);
+                    // An edge without twin that ends at `v` is seen from there only as what comes before `h`.
+                    if open
+                        && let Some(before) = self.before(h)
+                        && self.twin(before) == NIL
+                    {
+                        neighbour(self.origin(before));
                     }
                 });
             }
+            component.open = component.unpaired > 0;
             all.try_reserve(1).map_err(|_| Halt::OutOfMemory)?;
             all.push(component);
         }
@@ -163,6 +174,7 @@ impl<V: View + ?Sized> Run<'_, V> {
             cycles += 1;
             if let Some(c) = self.component_at(components, start) {
                 components.all[c].cycles += 1;
+                components.all[c].open |= self.lacks_face(start as usize);
             }
         }
         self.counts.cycles = Some(cycles);
@@ -172,6 +184,15 @@ impl<V: View + ?Sized> Run<'_, V> {
             }
         }
         if self.expect.is_open() { self.borders(components) } else { Ok(()) }
+    }
+
+    /// Whether the half-edge has no face, or no boundary component to have one: a cycle of such is an open boundary.
+    fn lacks_face(&self, h: usize) -> bool {
+        if self.expect.has(Part::BoundaryComponents) {
+            self.view.boundary(h).is_none()
+        } else {
+            self.view.face(h).is_none()
+        }
     }
 
     /// Half-edges without twin follow one another around each open boundary: where V2 holds, one at most leaves a vertex.
@@ -216,11 +237,11 @@ impl<V: View + ?Sized> Run<'_, V> {
 
     /// Why T1 and T2 cannot be checked, if so.
     fn containment_unchecked(&self) -> Option<Unchecked> {
-        if !self.expect.has(Part::Holes) {
-            return Some(Unchecked::Lacks(Part::Holes));
-        }
         if self.expect.surface_kind() != Surface::Plane {
             return Some(Unchecked::PlaneOnly);
+        }
+        if !self.expect.has(Part::Holes) {
+            return Some(Unchecked::Lacks(Part::Holes));
         }
         let below = [Rule::R1, Rule::V1, Rule::B1, Rule::B2, Rule::F1, Rule::F2];
         self.findings.broken(&below).map(Unchecked::Broken)
@@ -242,7 +263,7 @@ impl<V: View + ?Sized> Run<'_, V> {
             budget -= listed;
             for i in 0..listed {
                 let (start, record) = if by_record {
-                    let b = self.view.inner(f, i);
+                    let b = self.view.inner(f, i).filter(|b| *b < self.boundaries as usize);
                     (b.and_then(|b| self.view.boundary_start(b)), b.map(Record::Boundary))
                 } else {
                     let start = self.view.inner_start(f, i);
@@ -266,8 +287,10 @@ impl<V: View + ?Sized> Run<'_, V> {
             }
         }
         self.findings.checked(Rule::T1, components.all.len() as u64);
+        // What has no face around it, by design, has no inner boundary component either.
+        let needed = self.expect.has(Part::UnboundedFace);
         for component in &components.all {
-            if component.outside.is_none() {
+            if component.outside.is_none() && needed && !component.open {
                 self.findings.add(Violation::NoOutside { vertex: component.vertex as usize })?;
             }
         }

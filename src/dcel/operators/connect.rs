@@ -108,10 +108,10 @@ impl<S: Store> Dcel<S> {
             return Err(OperatorError::FacesDiffer(self.store.face_key(fa), self.store.face_key(fb)));
         }
         if ba != bb {
-            self.room_for(Need { edges: 1, ..Need::default() })?;
+            self.room_for(Need { edges: 1, ..Need::NONE })?;
             return Ok(self.bridge(from, to));
         }
-        self.room_for(Need { edges: 1, boundaries: 1, faces: 1, ..Need::default() })?;
+        self.room_for(Need { edges: 1, boundaries: 1, faces: 1, ..Need::NONE })?;
         for key in split.inner {
             let b = self.store.boundary(*key).ok_or(StaleKey::Boundary(*key))?;
             if b == ba || self.store.bounded(b) != fa || self.is_outer(b) {

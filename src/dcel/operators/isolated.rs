@@ -37,7 +37,7 @@ impl<S: Store> Dcel<S> {
     /// A stale key; [`OperatorError::Full`].
     pub fn add_isolated_vertex(&mut self, face: FaceKey) -> Result<AddedVertex, OperatorError> {
         let f = self.face_slot(face)?;
-        self.room_for(Need { vertices: 1, boundaries: 1, ..Need::default() })?;
+        self.room_for(Need { vertices: 1, boundaries: 1, ..Need::NONE })?;
         let (v, b) = self.store.add_isolated(f);
         Ok(AddedVertex { vertex: self.store.vertex_key(v), boundary: self.store.boundary_key(b) })
     }

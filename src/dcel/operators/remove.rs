@@ -78,7 +78,7 @@ impl<S: Store> Dcel<S> {
         if self.store.component(n) != self.store.component(t) {
             return Ok(self.merge(&around));
         }
-        self.room_for(Need { boundaries: 1, ..Need::default() })?;
+        self.room_for(Need { boundaries: 1, ..Need::NONE })?;
         Ok(self.part(&around))
     }
 

@@ -36,7 +36,7 @@ impl<S: Store> Dcel<S> {
     /// A stale key; [`OperatorError::Full`].
     pub fn split_edge(&mut self, half_edge: HalfEdgeKey) -> Result<SplitEdge, OperatorError> {
         let h = self.half_edge_slot(half_edge)?;
-        self.room_for(Need { vertices: 1, edges: 1, ..Need::default() })?;
+        self.room_for(Need { vertices: 1, edges: 1, ..Need::NONE })?;
         let t = self.store.twin(h);
         let b = self.store.origin(t);
         let (after_h, before_t) = (self.store.next(h), self.store.prev(t));

@@ -56,7 +56,7 @@ impl<S: Store> Dcel<S> {
         if v != other {
             return Err(OperatorError::VerticesDiffer(self.store.vertex_key(v), self.store.vertex_key(other)));
         }
-        self.room_for(Need { vertices: 1, edges: 1, ..Need::default() })?;
+        self.room_for(Need { vertices: 1, edges: 1, ..Need::NONE })?;
         let b = from.boundary(&self.store);
         let n = self.store.add_edge(v, v, to.boundary(&self.store));
         let t = self.store.twin(n);

@@ -1,0 +1,93 @@
+//! Whatever the pointer-style store allocates it gives back when it is dropped, and what is removed is used again.
+#![cfg(feature = "dcel")]
+#![allow(unsafe_code, reason = "an allocator that counts has to be an allocator")]
+
+use std::alloc::{GlobalAlloc, Layout, System};
+use std::cell::Cell;
+use twinedge::dcel::{Dcel, Split};
+use twinedge::store::PointerStore;
+
+thread_local! {
+    /// Allocations less deallocations on this thread.
+    static LIVE: Cell<isize> = const { Cell::new(0) };
+    static LIVE_BYTES: Cell<isize> = const { Cell::new(0) };
+}
+
+struct Counting;
+
+// SAFETY: every call is handed on to the system's allocator as it is; the counters do not allocate.
+unsafe impl GlobalAlloc for Counting {
+    unsafe fn alloc(&self, layout: Layout) -> *mut u8 {
+        LIVE.set(LIVE.get() + 1);
+        LIVE_BYTES.set(LIVE_BYTES.get() + layout.size().cast_signed());
+        // SAFETY: the caller's promise is the one that is asked for.
+        unsafe { System.alloc(layout) }
+    }
+
+    unsafe fn dealloc(&self, pointer: *mut u8, layout: Layout) {
+        LIVE.set(LIVE.get() - 1);
+        LIVE_BYTES.set(LIVE_BYTES.get() - layout.size().cast_signed());
+        // SAFETY: as above.
+        unsafe { System.dealloc(pointer, layout) }
+    }
+}
+
+#[global_allocator]
+static COUNTING: Counting = Counting;
+
+/// A wheel of `n` spokes around a vertex, a hole with an island in each sector, taken apart halfway.
+fn wheel(n: usize) -> Dcel<PointerStore> {
+    let mut dcel: Dcel<PointerStore> = Dcel::default();
+    let outside = dcel.unbounded_face().key();
+    let hub = dcel.add_isolated_vertex(outside).unwrap().vertex;
+    let first = dcel.connect(hub, hub, Split::default()).unwrap().half_edge;
+    for i in 0..n {
+        let spoke = dcel.split_vertex(first, first).unwrap().half_edge;
+        let made = dcel.connect(first, first, Split::default()).unwrap();
+        for _ in 0..i % 5 {
+            dcel.add_isolated_vertex(made.new_face().unwrap()).unwrap();
+        }
+        if i % 3 == 0 {
+            dcel.remove_edge(made.half_edge).unwrap();
+        }
+        if i % 4 == 0 {
+            dcel.contract_edge(spoke).unwrap();
+        }
+    }
+    assert!(dcel.validate().is_valid());
+    dcel
+}
+
+#[test]
+fn all_that_is_allocated_is_freed() {
+    let before = (LIVE.get(), LIVE_BYTES.get());
+    let dcel = wheel(200);
+    let copy = dcel.clone();
+    let held = LIVE_BYTES.get() - before.1;
+    let records = dcel.vertex_count() + dcel.half_edge_count() + dcel.boundary_count() + dcel.face_count();
+    assert!(held > 2 * 16 * records.cast_signed(), "{held} bytes are held for twice {records} records");
+    drop(dcel);
+    assert!(copy.validate().is_valid());
+    drop(copy);
+    assert_eq!((LIVE.get(), LIVE_BYTES.get()), before);
+}
+
+#[test]
+fn records_that_were_removed_are_used_again() {
+    let mut dcel = wheel(20);
+    let outside = dcel.unbounded_face().key();
+    let churn = |dcel: &mut Dcel<PointerStore>| {
+        let v = dcel.add_isolated_vertex(outside).unwrap().vertex;
+        let h = dcel.connect(v, v, Split::default()).unwrap().half_edge;
+        dcel.split_edge(h).unwrap();
+        dcel.join_edges(h).unwrap();
+        dcel.remove_edge(h).unwrap();
+        dcel.remove_isolated_vertex(v).unwrap();
+    };
+    churn(&mut dcel);
+    let before = LIVE_BYTES.get();
+    for _ in 0..1000 {
+        churn(&mut dcel);
+    }
+    assert_eq!(LIVE_BYTES.get(), before);
+}
