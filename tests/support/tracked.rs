@@ -128,7 +128,7 @@ impl Tracked {
     }
 
     pub(crate) fn cycle(&self, h: HalfEdgeKey) -> Vec<HalfEdgeKey> {
-        self.map.half_edge(h).unwrap().cycle().map(HalfEdge::key).collect()
+        self.map.half_edge(h).unwrap().boundary_cycle().map(HalfEdge::key).collect()
     }
 
     /// V, E, F, components.
@@ -197,8 +197,8 @@ impl Tracked {
                         assert_eq!(BTreeSet::from(sides), BTreeSet::from([kept, b]));
                         let new = if split.new_face == Side::Left { h } else { h.twin() };
                         assert_eq!((new.face().key(), new.boundary().is_outer()), (face, true));
-                        let longer = h.cycle().count().max(h.twin().cycle().count());
-                        assert_eq!(after.boundary(kept).unwrap().cycle().count(), longer);
+                        let longer = h.boundary_cycle().count().max(h.twin().boundary_cycle().count());
+                        assert_eq!(after.boundary(kept).unwrap().boundary_cycle().count(), longer);
                         (made.boundary(b).face(face), Keys::default())
                     }
                     other => panic!("{other:?}"),
@@ -220,15 +220,15 @@ impl Tracked {
                         let faces = BTreeSet::from([h.face().key(), h.twin().face().key()]);
                         assert_eq!(faces, BTreeSet::from([kept_face, dropped_face]));
                         assert_eq!(after.boundary(kept).unwrap().face().key(), kept_face);
-                        let shorter = h.cycle().count().min(h.twin().cycle().count());
-                        assert_eq!(before.boundary(dropped).unwrap().cycle().count(), shorter);
+                        let shorter = h.boundary_cycle().count().min(h.twin().boundary_cycle().count());
+                        assert_eq!(before.boundary(dropped).unwrap().boundary_cycle().count(), shorter);
                         (Keys::default(), gone.boundary(dropped).face(dropped_face))
                     }
                     RemovedEdge::Parted { kept, made } => {
                         assert_eq!(sides, BTreeSet::from([kept]));
-                        let count = |b| after.boundary(b).unwrap().cycle().count();
+                        let count = |b| after.boundary(b).unwrap().boundary_cycle().count();
                         assert!(count(kept) >= count(made));
-                        assert_eq!(count(kept) + count(made) + 2, h.cycle().count());
+                        assert_eq!(count(kept) + count(made) + 2, h.boundary_cycle().count());
                         (Keys::default().boundary(made), gone)
                     }
                     ref other => panic!("{other:?}"),
@@ -300,7 +300,7 @@ impl Tracked {
             |(), before, after| {
                 let faces = |map: &Dcel| {
                     let h = map.half_edge(h).unwrap();
-                    [h, h.twin()].map(|h| (h.face().key(), h.boundary().key(), h.cycle().count()))
+                    [h, h.twin()].map(|h| (h.face().key(), h.boundary().key(), h.boundary_cycle().count()))
                 };
                 assert_eq!(faces(before), faces(after), "an edge that turns stays between its faces");
                 (Keys::default(), Keys::default())
