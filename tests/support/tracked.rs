@@ -198,7 +198,7 @@ impl Tracked {
                         let new = if split.new_face == Side::Left { h } else { h.twin() };
                         assert_eq!((new.face().key(), new.boundary().is_outer()), (face, true));
                         let longer = h.boundary_cycle().count().max(h.twin().boundary_cycle().count());
-                        assert_eq!(after.boundary(kept).unwrap().boundary_cycle().count(), longer);
+                        assert_eq!(after.boundary(kept).unwrap().half_edges().count(), longer);
                         (made.boundary(b).face(face), Keys::default())
                     }
                     other => panic!("{other:?}"),
@@ -221,12 +221,12 @@ impl Tracked {
                         assert_eq!(faces, BTreeSet::from([kept_face, dropped_face]));
                         assert_eq!(after.boundary(kept).unwrap().face().key(), kept_face);
                         let shorter = h.boundary_cycle().count().min(h.twin().boundary_cycle().count());
-                        assert_eq!(before.boundary(dropped).unwrap().boundary_cycle().count(), shorter);
+                        assert_eq!(before.boundary(dropped).unwrap().half_edges().count(), shorter);
                         (Keys::default(), gone.boundary(dropped).face(dropped_face))
                     }
                     RemovedEdge::Parted { kept, made } => {
                         assert_eq!(sides, BTreeSet::from([kept]));
-                        let count = |b| after.boundary(b).unwrap().boundary_cycle().count();
+                        let count = |b| after.boundary(b).unwrap().half_edges().count();
                         assert!(count(kept) >= count(made));
                         assert_eq!(count(kept) + count(made) + 2, h.boundary_cycle().count());
                         (Keys::default().boundary(made), gone)
