@@ -7,7 +7,8 @@ mod tracked;
 use std::collections::BTreeSet;
 use tracked::{Keys, Tracked};
 use twinedge::dcel::{
-    Connection, Corner, Dcel, HalfEdge, OperatorError, RemovedEdge, Side, Split, StaleKey, Turn, VertexKey,
+    BoundaryKey, Connection, Corner, Dcel, FaceKey, HalfEdge, HalfEdgeKey, OperatorError, RemovedEdge, Side, Split,
+    StaleKey, Turn, Vertex, VertexKey,
 };
 
 const LEFT: Split<'_> = Split { new_face: Side::Left, inner: &[] };
@@ -476,7 +477,7 @@ fn split_a_corner_makes_a_leaf_there() {
 }
 
 /// A vertex with so many leaves, counter-clockwise.
-fn star(t: &mut Tracked, leaves: usize) -> (VertexKey, Vec<twinedge::dcel::HalfEdgeKey>) {
+fn star(t: &mut Tracked, leaves: usize) -> (VertexKey, Vec<HalfEdgeKey>) {
     let outside = t.outside();
     let first = t.edge(outside);
     let mut rays = vec![first];
@@ -568,7 +569,7 @@ fn contract_keeps_the_vertex_with_more_edges() {
 }
 
 /// A square with a diagonal, from its first corner to its third.
-fn square(t: &mut Tracked) -> (Vec<twinedge::dcel::HalfEdgeKey>, twinedge::dcel::HalfEdgeKey) {
+fn square(t: &mut Tracked) -> (Vec<HalfEdgeKey>, HalfEdgeKey) {
     let outside = t.outside();
     let sides = t.polygon(outside, 4);
     let diagonal = t.connect(sides[0], sides[2], LEFT).half_edge;
@@ -600,7 +601,7 @@ fn flip_an_edge_to_the_face_around() {
         // It now joins the ends of the side opposite, and its own old ends are leaves.
         let ends = BTreeSet::from([t.origin(sides[0]), t.target(sides[0])]);
         assert_eq!(ends, BTreeSet::from([t.origin(sides[2]), t.target(sides[2])]));
-        let mut degrees: Vec<_> = t.map.vertices().map(|v| v.degree()).collect();
+        let mut degrees: Vec<_> = t.map.vertices().map(Vertex::degree).collect();
         degrees.sort_unstable();
         assert_eq!(degrees, [1, 1, 3, 3]);
     }
@@ -778,10 +779,10 @@ fn null_keys_are_refused_by_every_function() {
     let mut t = sample();
     let good = Keys::of(&t.map);
     let bad = Keys {
-        vertices: BTreeSet::from([Default::default()]),
-        half_edges: BTreeSet::from([Default::default()]),
-        boundaries: BTreeSet::from([Default::default()]),
-        faces: BTreeSet::from([Default::default()]),
+        vertices: BTreeSet::from([VertexKey::default()]),
+        half_edges: BTreeSet::from([HalfEdgeKey::default()]),
+        boundaries: BTreeSet::from([BoundaryKey::default()]),
+        faces: BTreeSet::from([FaceKey::default()]),
     };
     refused_by_every_function(&mut t, &good, &bad);
 }
@@ -796,7 +797,7 @@ fn errors_name_the_keys() {
     assert_eq!(error.to_string(), format!("{h:?} is a loop"));
     let error = map.remove_isolated_vertex(v).unwrap_err();
     assert_eq!(error.to_string(), format!("{v:?} is not isolated"));
-    let null = twinedge::dcel::FaceKey::default();
+    let null = FaceKey::default();
     let error = map.add_isolated_vertex(null).unwrap_err();
     assert_eq!(error.to_string(), format!("{null:?} names no face of this structure (any more)"));
 }

@@ -1,10 +1,12 @@
 //! A structure of which every change is checked against what the operator said of it.
 #![allow(dead_code, reason = "each test file uses a part of it")]
+#![allow(clippy::infinite_iter, reason = "the cycle of a half-edge has nothing to do with `Iterator::cycle`")]
 
 use std::collections::BTreeSet;
 use twinedge::dcel::{
-    AddedVertex, BoundaryKey, Connected, Connection, ContractedEdge, Corner, Dcel, FaceKey, HalfEdge, HalfEdgeKey,
-    JoinedEdges, OperatorError, RemovedEdge, RemovedVertex, Side, Split, SplitEdge, SplitVertex, Turn, VertexKey,
+    AddedVertex, Boundary, BoundaryKey, Connected, Connection, ContractedEdge, Corner, Dcel, Face, FaceKey, HalfEdge,
+    HalfEdgeKey, JoinedEdges, OperatorError, RemovedEdge, RemovedVertex, Side, Split, SplitEdge, SplitVertex, Turn,
+    Vertex, VertexKey,
 };
 use twinedge::validate::Table;
 
@@ -20,10 +22,10 @@ pub(crate) struct Keys {
 impl Keys {
     pub(crate) fn of(map: &Dcel) -> Self {
         Self {
-            vertices: map.vertices().map(|v| v.key()).collect(),
+            vertices: map.vertices().map(Vertex::key).collect(),
             half_edges: map.half_edges().map(HalfEdge::key).collect(),
-            boundaries: map.boundaries().map(|b| b.key()).collect(),
-            faces: map.faces().map(|f| f.key()).collect(),
+            boundaries: map.boundaries().map(Boundary::key).collect(),
+            faces: map.faces().map(Face::key).collect(),
         }
     }
 
@@ -124,7 +126,7 @@ impl Tracked {
 
     /// The boundary components that a face lists as inner ones.
     pub(crate) fn inner(&self, f: FaceKey) -> BTreeSet<BoundaryKey> {
-        self.map.face(f).unwrap().inner().map(|b| b.key()).collect()
+        self.map.face(f).unwrap().inner().map(Boundary::key).collect()
     }
 
     pub(crate) fn cycle(&self, h: HalfEdgeKey) -> Vec<HalfEdgeKey> {
