@@ -9,9 +9,11 @@ mod kernel;
 mod op;
 mod rust;
 mod text;
+mod textbook;
 
 pub use crate::dcel::{Side, Turn};
 pub use interpret::{Outcome, Runner};
 pub use kernel::{Corner, CornerOf, Kernel, Refusal};
 pub use op::{CornerPick, FacePick, HalfEdgePick, InnerPick, Op, Program, SecondPick, VertexPick};
 pub use text::{Expected, ParseError};
+pub use textbook::{Textbook, TextbookFace, TextbookHalfEdge, TextbookVertex};
