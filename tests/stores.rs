@@ -169,7 +169,7 @@ impl<S: Store + Clone> Run<S> {
 
     /// Everything that the structure says, the live records numbered in the order in which they were made.
     fn table(&self) -> Table {
-        let said = Table::copy_of(&self.dcel);
+        let said = Table::copy_of(&self.dcel).expect("a small map fits");
         let v = self.vertices.ranks(|key| self.dcel.vertex(key).ok().map(twinedge::dcel::Vertex::index));
         let h = self.half_edges.ranks(|key| self.dcel.half_edge(key).ok().map(twinedge::dcel::HalfEdge::index));
         let b = self.boundaries.ranks(|key| self.dcel.boundary(key).ok().map(twinedge::dcel::Boundary::index));

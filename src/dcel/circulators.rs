@@ -8,7 +8,8 @@ macro_rules! circulator {
     ($(#[$doc:meta])* $name:ident, $forward:ident, $backward:ident) => {
         $(#[$doc])*
         pub struct $name<'a, S: Store = SlotStore> {
-            /// The next half-edge from the front and the next from the back; none once they have met.
+            /// The next half-edge from the front, and the last one given from the back; none once they have met. Both are
+            /// the start at first, so that nothing is followed before it is asked for.
             ends: Option<(HalfEdge<'a, S>, HalfEdge<'a, S>)>,
         }
 
@@ -27,7 +28,7 @@ macro_rules! circulator {
         impl<'a, S: Store> $name<'a, S> {
             #[inline]
             pub(super) fn new(start: Option<HalfEdge<'a, S>>) -> Self {
-                Self { ends: start.map(|start| (start, start.$backward())) }
+                Self { ends: start.map(|start| (start, start)) }
             }
         }
 
@@ -37,7 +38,8 @@ macro_rules! circulator {
             #[inline]
             fn next(&mut self) -> Option<Self::Item> {
                 let (front, back) = self.ends?;
-                self.ends = if front.is(back) { None } else { Some((front.$forward(), back)) };
+                let after = front.$forward();
+                self.ends = if after.is(back) { None } else { Some((after, back)) };
                 Some(front)
             }
         }
@@ -46,8 +48,9 @@ macro_rules! circulator {
             #[inline]
             fn next_back(&mut self) -> Option<Self::Item> {
                 let (front, back) = self.ends?;
-                self.ends = if front.is(back) { None } else { Some((front, back.$backward())) };
-                Some(back)
+                let before = back.$backward();
+                self.ends = if before.is(front) { None } else { Some((front, before)) };
+                Some(before)
             }
         }
 

@@ -187,6 +187,13 @@ impl<'a, S: Store> HalfEdge<'a, S> {
         self.twin().next()
     }
 
+    /// The half-edges that leave the same vertex, counter-clockwise from this one on. O(1) per step.
+    #[must_use]
+    #[inline]
+    pub fn rotation(self) -> Rotation<'a, S> {
+        Rotation::new(Some(self))
+    }
+
     /// The boundary component that it is part of. O(1).
     #[must_use]
     #[inline]
@@ -204,7 +211,7 @@ impl<'a, S: Store> HalfEdge<'a, S> {
     /// The half-edges of its cycle, from this one on; `rev()` goes the other way. O(1) per step.
     #[must_use]
     #[inline]
-    pub fn cycle(self) -> Cycle<'a, S> {
+    pub fn boundary_cycle(self) -> Cycle<'a, S> {
         Cycle::new(Some(self))
     }
 }
@@ -245,7 +252,7 @@ impl<'a, S: Store> Boundary<'a, S> {
     /// The half-edges of its cycle; none if it is an isolated vertex. O(1) per step.
     #[must_use]
     #[inline]
-    pub fn cycle(self) -> Cycle<'a, S> {
+    pub fn half_edges(self) -> Cycle<'a, S> {
         Cycle::new(self.start())
     }
 }
@@ -262,6 +269,13 @@ impl<'a, S: Store> Face<'a, S> {
     #[inline]
     pub fn outer(self) -> Option<Boundary<'a, S>> {
         self.dcel.store.outer(self.slot).map(|b| Boundary::new(self.dcel, b))
+    }
+
+    /// A half-edge of its outer boundary component, the textbooks' `OuterComponent`; none for the unbounded face. O(1).
+    #[must_use]
+    #[inline]
+    pub fn outer_half_edge(self) -> Option<HalfEdge<'a, S>> {
+        self.dcel.store.outer_half_edge(self.slot).map(|h| HalfEdge::new(self.dcel, h))
     }
 
     /// How many inner boundary components it has. O(1).
@@ -283,7 +297,7 @@ impl<'a, S: Store> Face<'a, S> {
 
     /// All half-edges that have the face to their left. O(1) per step.
     pub fn half_edges(self) -> impl Iterator<Item = HalfEdge<'a, S>> {
-        self.boundaries().flat_map(Boundary::cycle)
+        self.boundaries().flat_map(Boundary::half_edges)
     }
 
     /// The faces across its half-edges, in order of these: one that shares several edges comes as often, and the face

@@ -5,7 +5,8 @@ use crate::store::Store;
 use crate::store::links::{Anchor, OUTER, Origin};
 use crate::validate::{Link, Place, Start, View};
 
-/// Indices are those of [`HalfEdge::index`](super::HalfEdge::index) and its kin.
+/// Indices are those of [`HalfEdge::index`](super::HalfEdge::index) and its kin. What is said of a slot that holds no live
+/// record means nothing.
 impl<S: Store> View for Dcel<S> {
     fn vertex_slots(&self) -> usize {
         self.store.vertex_slots()
@@ -37,23 +38,23 @@ impl<S: Store> View for Dcel<S> {
     }
     #[inline]
     fn origin(&self, half_edge: usize) -> Link {
-        Some(self.store.vertex_index(self.store.origin(self.store.half_edge_at(half_edge)?)))
+        self.store.origin_in(half_edge)
     }
     #[inline]
     fn twin(&self, half_edge: usize) -> Link {
-        Some(self.store.half_edge_index(self.store.twin(self.store.half_edge_at(half_edge)?)))
+        self.store.twin_in(half_edge)
     }
     #[inline]
     fn next(&self, half_edge: usize) -> Link {
-        Some(self.store.half_edge_index(self.store.next(self.store.half_edge_at(half_edge)?)))
+        self.store.next_in(half_edge)
     }
     #[inline]
     fn prev(&self, half_edge: usize) -> Link {
-        Some(self.store.half_edge_index(self.store.prev(self.store.half_edge_at(half_edge)?)))
+        self.store.prev_in(half_edge)
     }
     #[inline]
     fn boundary(&self, half_edge: usize) -> Link {
-        Some(self.store.boundary_index(self.store.component(self.store.half_edge_at(half_edge)?)))
+        self.store.component_in(half_edge)
     }
     #[inline]
     fn leaving(&self, vertex: usize) -> Link {

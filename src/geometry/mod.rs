@@ -1,5 +1,31 @@
 //! Points, exact predicates, and the maps they draw.
+//!
+//! A [`PlanarMap`] is a [`Dcel`](crate::dcel::Dcel) whose vertices have coordinates. [`Builder`] makes one from rings, lines
+//! and points in O(n log n); [`validate_drawing`] checks, for this or any other structure with coordinates, that they draw
+//! what its links say.
+//!
+//! | module | purpose |
+//! | --- | --- |
+//! | [`predicates`] | exact answers about points, directions and segments |
+//! | [`mod@sweep`] | one pass that tells whether a drawing is plane, and what lies below what |
+//! | [`crossing`] | all places where it is not |
 
+pub mod crossing;
+pub mod predicates;
+pub mod sweep;
+
+mod arrange;
+mod build;
+mod cover;
+mod drawing;
+mod planar_map;
 mod point;
+mod shape;
+mod status;
 
+pub use build::{BuildError, BuildSummary, Builder, Position};
+pub use drawing::{Drawing, places, validate_drawing};
+pub use planar_map::{FeatureId, PlanarMap};
 pub use point::Point;
+pub use predicates::{MAX_COORDINATE, MIN_COORDINATE};
+pub use shape::{Feature, Shape};

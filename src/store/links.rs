@@ -31,6 +31,9 @@ pub enum Origin<H, V> {
 /// The place of a boundary component that is an outer one.
 pub(crate) const OUTER: u32 = u32::MAX;
 
+/// The place of a boundary component that no face lists.
+pub(crate) const UNLISTED: u32 = u32::MAX - 2;
+
 /// How many records of each kind an operator is about to add.
 ///
 /// Code outside the crate that is generic over a store can call [`Links::with_room`] without naming it. That it has no way
@@ -90,8 +93,7 @@ pub(super) fn room<S: Links>(store: &S, more: Need, most: Need) -> Result<(), Ki
     }
 }
 
-/// The interface between `Dcel` and the stores. Every slot handed in must be live, but for [`Links::is_face`]-like look-ups
-/// by index.
+/// The interface between `Dcel` and the stores. Every slot handed in must be live.
 #[allow(missing_docs, reason = "getters and setters of the fields of design section 3, by their names")]
 pub trait Links: Sized {
     type Vertex: Slot;
@@ -134,6 +136,24 @@ pub trait Links: Sized {
     fn boundary_at(&self, index: usize) -> Option<Self::Boundary>;
     fn face_at(&self, index: usize) -> Option<Self::Face>;
 
+    /// The links of the half-edge with this index, for the validator, who asks for one after the other. If the slot is
+    /// vacant, any answer will do.
+    fn origin_in(&self, index: usize) -> Option<usize> {
+        Some(self.vertex_index(self.origin(self.half_edge_at(index)?)))
+    }
+    fn twin_in(&self, index: usize) -> Option<usize> {
+        Some(self.half_edge_index(self.twin(self.half_edge_at(index)?)))
+    }
+    fn next_in(&self, index: usize) -> Option<usize> {
+        Some(self.half_edge_index(self.next(self.half_edge_at(index)?)))
+    }
+    fn prev_in(&self, index: usize) -> Option<usize> {
+        Some(self.half_edge_index(self.prev(self.half_edge_at(index)?)))
+    }
+    fn component_in(&self, index: usize) -> Option<usize> {
+        Some(self.boundary_index(self.component(self.half_edge_at(index)?)))
+    }
+
     fn vertex_index(&self, v: Self::Vertex) -> usize;
     fn half_edge_index(&self, h: Self::HalfEdge) -> usize;
     fn boundary_index(&self, b: Self::Boundary) -> usize;
@@ -168,6 +188,13 @@ pub trait Links: Sized {
     fn start(&self, b: Self::Boundary) -> Origin<Self::HalfEdge, Self::Vertex>;
     fn place(&self, b: Self::Boundary) -> u32;
     fn outer(&self, f: Self::Face) -> Option<Self::Boundary>;
+    /// Where the outer boundary component starts.
+    fn outer_half_edge(&self, f: Self::Face) -> Option<Self::HalfEdge> {
+        match self.start(self.outer(f)?) {
+            Origin::HalfEdge(h) => Some(h),
+            Origin::Vertex(_) => None,
+        }
+    }
     fn inner_count(&self, f: Self::Face) -> usize;
     fn inner(&self, f: Self::Face, position: usize) -> Option<Self::Boundary>;
 
@@ -179,7 +206,7 @@ pub trait Links: Sized {
     fn set_start(&mut self, b: Self::Boundary, start: Origin<Self::HalfEdge, Self::Vertex>);
     fn set_place(&mut self, b: Self::Boundary, place: u32);
 
-    /// Makes `b` the outer boundary component of `f`.
+    /// Makes `b`, a cycle, the outer boundary component of `f`.
     fn list_outer(&mut self, f: Self::Face, b: Self::Boundary);
     /// Appends `b` to the inner boundary components of `f`.
     fn list_inner(&mut self, f: Self::Face, b: Self::Boundary);

@@ -15,7 +15,7 @@
 
 use super::issuer::{Issuer, structure_offset};
 use super::keys::{key, parts};
-use super::links::{Anchor, Kind, Links, Need, OUTER, Origin, room};
+use super::links::{Anchor, Kind, Links, Need, OUTER, Origin, UNLISTED, room};
 use super::{BoundaryKey, FaceKey, HalfEdgeKey, Store, VertexKey};
 use alloc::boxed::Box;
 use alloc::vec::Vec;
@@ -29,6 +29,9 @@ const MOST: usize = OTHER as usize - 2;
 const MOST_EDGES: usize = MOST / 2;
 
 const NIL: u32 = u32::MAX;
+
+/// Stands for the outer half-edge of a face that is gone.
+const VACANT: u32 = u32::MAX - 1;
 
 macro_rules! slot_types {
     ($($(#[$doc:meta])* $name:ident;)*) => {$(
@@ -72,6 +75,8 @@ pub struct SlotStore {
     place: Vec<u32>,
 
     faces: Issuer<FaceKey>,
+    /// The half-edge where the outer boundary component starts, as in the textbooks: most walks around a face need nothing
+    /// else. The boundary component is had through it.
     outer: Vec<u32>,
     inner: Vec<Option<Box<InnerList>>>,
     unbounded: FaceSlot,
@@ -130,7 +135,7 @@ impl Links for SlotStore {
             start: column(need.boundaries, NIL, 1),
             place: column(need.boundaries, NIL, 1),
             faces: Issuer::with_room(faces, offset),
-            outer: column(faces, NIL, 1),
+            outer: column(faces, VACANT, 1),
             inner: column(faces, None, 1),
             unbounded: FaceSlot(NIL),
         };
@@ -238,8 +243,33 @@ impl Links for SlotStore {
 
     #[inline]
     fn face_at(&self, index: usize) -> Option<FaceSlot> {
-        let slot = u32::try_from(index).ok()?;
-        self.faces.is_live(slot).then_some(FaceSlot(slot))
+        let outer = *self.outer.get(index)?;
+        (outer != VACANT).then_some(FaceSlot(index as u32))
+    }
+
+    #[inline]
+    fn origin_in(&self, index: usize) -> Option<usize> {
+        self.origin.get(index).map(|v| v.0 as usize)
+    }
+
+    #[inline]
+    fn twin_in(&self, index: usize) -> Option<usize> {
+        (index < self.origin.len()).then_some(index ^ 1)
+    }
+
+    #[inline]
+    fn next_in(&self, index: usize) -> Option<usize> {
+        self.next.get(index).map(|h| h.0 as usize)
+    }
+
+    #[inline]
+    fn prev_in(&self, index: usize) -> Option<usize> {
+        self.prev.get(index).map(|h| h.0 as usize)
+    }
+
+    #[inline]
+    fn component_in(&self, index: usize) -> Option<usize> {
+        self.component.get(index).map(|b| b.0 as usize)
     }
 
     #[inline]
@@ -291,7 +321,7 @@ impl Links for SlotStore {
         let slot = self.boundaries.issue();
         put(&mut self.bounded, slot, f);
         put(&mut self.start, slot, origin_bits(start));
-        put(&mut self.place, slot, OUTER);
+        put(&mut self.place, slot, UNLISTED);
         BoundarySlot(slot)
     }
 
@@ -316,6 +346,7 @@ impl Links for SlotStore {
 
     fn remove_face(&mut self, f: FaceSlot) {
         self.inner[f.0 as usize] = None;
+        self.outer[f.0 as usize] = VACANT;
         self.faces.retire(f.0);
     }
 
@@ -372,8 +403,13 @@ impl Links for SlotStore {
 
     #[inline]
     fn outer(&self, f: FaceSlot) -> Option<BoundarySlot> {
+        self.outer_half_edge(f).map(|h| self.component(h))
+    }
+
+    #[inline]
+    fn outer_half_edge(&self, f: FaceSlot) -> Option<HalfEdgeSlot> {
         let bits = self.outer[f.0 as usize];
-        (bits != NIL).then_some(BoundarySlot(bits))
+        (bits < VACANT).then_some(HalfEdgeSlot(bits))
     }
 
     #[inline]
@@ -405,6 +441,11 @@ impl Links for SlotStore {
 
     fn set_start(&mut self, b: BoundarySlot, start: Origin<HalfEdgeSlot, VertexSlot>) {
         self.start[b.0 as usize] = origin_bits(start);
+        if let Origin::HalfEdge(h) = start
+            && self.place[b.0 as usize] == OUTER
+        {
+            self.outer[self.bounded[b.0 as usize].0 as usize] = h.0;
+        }
     }
 
     fn set_place(&mut self, b: BoundarySlot, place: u32) {
@@ -412,7 +453,7 @@ impl Links for SlotStore {
     }
 
     fn list_outer(&mut self, f: FaceSlot, b: BoundarySlot) {
-        self.outer[f.0 as usize] = b.0;
+        self.outer[f.0 as usize] = self.start[b.0 as usize];
         self.bounded[b.0 as usize] = f;
         self.place[b.0 as usize] = OUTER;
     }
@@ -426,7 +467,7 @@ impl Links for SlotStore {
 
     fn unlist(&mut self, b: BoundarySlot) {
         let f = self.bounded[b.0 as usize].0 as usize;
-        let place = core::mem::replace(&mut self.place[b.0 as usize], OUTER);
+        let place = core::mem::replace(&mut self.place[b.0 as usize], UNLISTED);
         if place == OUTER {
             self.outer[f] = NIL;
         } else if let Some(list) = &mut self.inner[f] {

@@ -14,10 +14,11 @@ pub enum Part {
     BoundaryComponents,
     /// The place in its face's list that a boundary component says it has.
     Places,
-    /// Lists of inner boundary components. Without them each face has one cycle, as in a mesh, and containment (T1, T2) is
-    /// not represented.
+    /// Lists of inner boundary components. Without them each face has one cycle, as in a mesh, and containment (T1, T2)
+    /// is not represented.
     Holes,
-    /// The one face without outer boundary component.
+    /// The one face without outer boundary component. Without it, what lies outside everything lies in no face: a
+    /// component there has no inner boundary component, and at an isolated vertex there no boundary component starts.
     UnboundedFace,
 }
 
@@ -97,6 +98,7 @@ impl Expectation {
     }
 
     /// The same, but open boundaries are legal: half-edges without twin, or half-edges with a twin but without face.
+    /// The outside of a component may be one of them, and then it has no inner boundary component.
     #[must_use]
     pub const fn open(mut self) -> Self {
         self.open = true;

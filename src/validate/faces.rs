@@ -91,12 +91,12 @@ impl<V: View + ?Sized> Run<'_, V> {
             }
         }
         let mut checked = 0;
-        for b in 0..self.boundaries as usize {
+        for (b, listed) in listed.into_iter().enumerate() {
             if !self.view.is_boundary(b) {
                 continue;
             }
             checked += 1;
-            if !listed[b] && !cut_short {
+            if !listed && !cut_short {
                 let face = self.view.boundary_face(b);
                 self.findings.add(Violation::NotListed { boundary: b, face })?;
             }

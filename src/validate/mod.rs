@@ -1,9 +1,9 @@
 //! The validator: the rules, the trait that a structure implements to be judged, and the report.
 //!
-//! [`validate`] answers one question about any half-edge structure whatever: *is this the topology of a planar subdivision*
-//! (or, if asked so, of a map on surfaces), and if not, which record breaks which rule? It trusts nothing that the
-//! structure says, its own counters included. On any input (dangling, cyclic, contradictory, huge) it returns, in time and
-//! memory linear in the number of records, without panic, recursion or unbounded loop.
+//! [`validate`] answers one question about any half-edge structure whatever: *is this the topology of a planar
+//! subdivision* (or, if asked so, of a map on surfaces), and if not, which record breaks which rule? It trusts nothing
+//! that the structure says, its own counters included. On any input (dangling, cyclic, contradictory, huge) it returns,
+//! in time and memory linear in the number of records, without panic, recursion or unbounded loop.
 //!
 //! ```
 //! use twinedge::validate::{Collect, Expectation, Link, Part, Rule, View, validate};
@@ -44,19 +44,28 @@
 //!                               F2 listed ───┘
 //! ```
 //!
-//! A rule to the right makes sense only where those to its left hold. If they do not, it is reported as *not checked*, with
-//! the reason, and never passed over in silence; so is whatever the structure lacks.
+//! A rule to the right makes sense only where those to its left hold. If they do not, it is reported as *not checked*,
+//! with the reason, and never passed over in silence; so is whatever the structure lacks.
 //!
 //! They are complete. R1, L and V make a combinatorial map; B and F give each of its cycles and each isolated vertex to
-//! exactly one face, exactly once; T1 and T2 make containment a tree; T3 makes every component plane. From the tree one can
-//! draw the map, outermost component first, each inside a face already drawn. So what keeps R, L, V, B, F and T is the
-//! topology of some planar subdivision, and every planar subdivision keeps them.
+//! exactly one face, exactly once; T1 and T2 make containment a tree; T3 makes every component plane. From the tree one
+//! can draw the map, outermost component first, each inside a face already drawn. So what keeps R, L, V, B, F and T is
+//! the topology of some planar subdivision, and every planar subdivision keeps them.
+//!
+//! # Why believe it
+//!
+//! There is a second opinion: [`mod@reference`] says each rule once more in sets and quantifiers, and [`enumerate`]
+//! makes every small [`Table`], and every change of one cell of a larger one, for the two to agree on.
 
 mod boundaries;
+mod components;
+pub mod enumerate;
 mod expectation;
 mod faces;
+mod glance;
 mod links;
 mod live;
+pub mod reference;
 mod report;
 mod rotations;
 mod rule;
@@ -69,8 +78,7 @@ mod violation;
 pub use expectation::{Expectation, Part, Surface};
 pub use report::{Bounds, Certificate, Collect, Counts, Outcome, Report, Unchecked};
 #[cfg(feature = "geometry")]
-#[allow(unused_imports)]
-pub(crate) use report::{Findings, Flow};
+pub(crate) use report::{Findings, Flow, Halt};
 pub use rule::Rule;
 pub use run::validate;
 pub use table::{BoundaryRow, FaceRow, HalfEdgeRow, Table, VertexRow};

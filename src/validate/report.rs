@@ -20,7 +20,7 @@ impl Collect {
     /// How many violations `All` keeps.
     pub const DEFAULT_CAP: usize = 1000;
 
-    const fn cap(self) -> usize {
+    pub(crate) const fn cap(self) -> usize {
         match self {
             Self::First => 1,
             Self::All => Self::DEFAULT_CAP,
@@ -153,6 +153,7 @@ pub struct Report {
 
 impl Report {
     /// The rules that were to be checked, in order, each with what became of it.
+    #[must_use]
     pub fn outcomes(&self) -> impl ExactSizeIterator<Item = (Rule, Outcome)> + '_ {
         self.outcomes.iter().copied()
     }
@@ -167,6 +168,22 @@ impl Report {
     #[must_use]
     pub fn violations(&self) -> &[Violation] {
         &self.violations
+    }
+
+    /// Adds what was found by rules that are checked after these.
+    #[cfg(feature = "geometry")]
+    pub(crate) fn append(&mut self, outcomes: Vec<(Rule, Outcome)>, violations: Vec<Violation>) {
+        self.outcomes.extend(outcomes);
+        self.violations.extend(violations);
+    }
+
+    /// What is left to collect after these violations.
+    #[cfg(feature = "geometry")]
+    pub(crate) const fn collect_left(&self, collect: Collect) -> Collect {
+        match collect {
+            Collect::First => Collect::First,
+            _ => Collect::AtMost(collect.cap().saturating_sub(self.violations.len())),
+        }
     }
 
     /// How many violations were found, kept or not.
@@ -280,6 +297,18 @@ impl Findings {
 
     pub(crate) const fn not_checked(&mut self, rule: Rule, why: Unchecked) {
         self.outcomes[rule.index()].unchecked = Some(why);
+    }
+
+    /// How many more violations will be kept.
+    #[cfg(feature = "geometry")]
+    pub(crate) const fn room(&self) -> usize {
+        self.collect.cap().saturating_sub(self.violations.len())
+    }
+
+    /// Counts violations that were found elsewhere and not kept.
+    #[cfg(feature = "geometry")]
+    pub(crate) const fn add_uncollected(&mut self, rule: Rule, count: u64) {
+        self.outcomes[rule.index()].violations += count;
     }
 
     /// The same, for a rule of which nothing was checked so far.

@@ -82,43 +82,50 @@ pub struct Table {
     pub faces: Vec<Option<FaceRow>>,
 }
 
+/// `n` rows, or nothing if there is no memory for them.
+fn rows<T>(n: usize, row: impl FnMut(usize) -> T) -> Option<Vec<T>> {
+    let mut rows = Vec::new();
+    rows.try_reserve_exact(n).ok()?;
+    rows.extend((0..n).map(row));
+    Some(rows)
+}
+
 impl Table {
-    /// Everything that a structure says, copied. O(n) for n slots and list entries.
+    /// Everything that a structure says, copied; `None` if there is no memory for all that it claims to have. O(n) for
+    /// n slots and list entries.
     #[must_use]
-    pub fn copy_of<V: View + ?Sized>(view: &V) -> Self {
-        let half_edge = |h| HalfEdgeRow {
-            origin: view.origin(h),
-            twin: view.twin(h),
-            next: view.next(h),
-            prev: view.prev(h),
-            boundary: view.boundary(h),
-            face: view.face(h),
-        };
-        let face = |f| {
-            let positions = 0..view.inner_count(f);
-            FaceRow {
+    pub fn copy_of<V: View + ?Sized>(view: &V) -> Option<Self> {
+        let vertices = rows(view.vertex_slots(), |v| {
+            view.is_vertex(v).then(|| VertexRow { leaving: view.leaving(v), isolated: view.isolated(v) })
+        })?;
+        let half_edges = rows(view.half_edge_slots(), |h| {
+            view.is_half_edge(h).then(|| HalfEdgeRow {
+                origin: view.origin(h),
+                twin: view.twin(h),
+                next: view.next(h),
+                prev: view.prev(h),
+                boundary: view.boundary(h),
+                face: view.face(h),
+            })
+        })?;
+        let boundaries = rows(view.boundary_slots(), |b| {
+            view.is_boundary(b).then(|| BoundaryRow {
+                face: view.boundary_face(b),
+                start: view.boundary_start(b),
+                place: view.boundary_place(b),
+            })
+        })?;
+        let mut faces = rows(view.face_slots(), |_| None)?;
+        for (f, row) in faces.iter_mut().enumerate().filter(|(f, _)| view.is_face(*f)) {
+            let listed = view.inner_count(f);
+            *row = Some(FaceRow {
                 outer: view.outer(f),
-                inner: positions.clone().map(|i| view.inner(f, i)).collect(),
+                inner: rows(listed, |i| view.inner(f, i))?,
                 outer_half_edge: view.outer_half_edge(f),
-                inner_starts: positions.map(|i| view.inner_start(f, i)).collect(),
-            }
-        };
-        Self {
-            vertices: (0..view.vertex_slots())
-                .map(|v| view.is_vertex(v).then(|| VertexRow { leaving: view.leaving(v), isolated: view.isolated(v) }))
-                .collect(),
-            half_edges: (0..view.half_edge_slots()).map(|h| view.is_half_edge(h).then(|| half_edge(h))).collect(),
-            boundaries: (0..view.boundary_slots())
-                .map(|b| {
-                    view.is_boundary(b).then(|| BoundaryRow {
-                        face: view.boundary_face(b),
-                        start: view.boundary_start(b),
-                        place: view.boundary_place(b),
-                    })
-                })
-                .collect(),
-            faces: (0..view.face_slots()).map(|f| view.is_face(f).then(|| face(f))).collect(),
+                inner_starts: rows(listed, |i| view.inner_start(f, i))?,
+            });
         }
+        Some(Self { vertices, half_edges, boundaries, faces })
     }
 
     fn half_edge(&self, h: usize) -> HalfEdgeRow {

@@ -2,8 +2,8 @@
 
 /// A link as a structure stores it: `None` is nil, `Some(i)` leads to the record with index `i`, if there is one.
 ///
-/// The validator trusts no link. An index past the end, or of a record that is not live, is a violation of R1 and nothing
-/// worse, so a structure with generational keys answers `Some(usize::MAX)` where it keeps a stale one.
+/// The validator trusts no link. An index past the end, or of a record that is not live, is a violation of R1 and
+/// nothing worse, so a structure with generational keys answers `Some(usize::MAX)` where it keeps a stale one.
 pub type Link = Option<usize>;
 
 /// Where a boundary component starts: on a half-edge of its cycle, or at the isolated vertex that it is.
@@ -36,7 +36,9 @@ pub enum Place {
 /// | half-edges (the textbook's tables, most meshes) | `face`, `outer_half_edge`, `inner_start` | `boundary…`, `outer`, `inner` |
 /// | nothing: twins and rotations only | neither | all of these |
 ///
-/// No answer can make the validator panic or loop, not even answers that change from call to call.
+/// No answer can make the validator panic or loop, not even answers that change from call to call. And it asks only
+/// about slots that there are, and about positions below `inner_count`, so an answer may well be
+/// `self.next[half_edge]`.
 pub trait View {
     /// The number of slots for vertices: their indices are `0 .. vertex_slots()`.
     fn vertex_slots(&self) -> usize;

@@ -462,12 +462,12 @@ impl fmt::Display for Violation {
             V::TooManyEdges { vertices, edges } => write!(
                 f,
                 "the map is simple and has {edges} edges on {vertices} vertices, more than 3V − 6 = {}: it is not planar",
-                (3 * vertices).saturating_sub(6)
+                vertices.saturating_mul(3).saturating_sub(6)
             ),
             V::TooManyFaces { vertices, faces } => write!(
                 f,
                 "the map is simple and has {faces} faces on {vertices} vertices, more than 2V − 4 = {}: some face bounds nothing",
-                (2 * vertices).saturating_sub(4)
+                vertices.saturating_mul(2).saturating_sub(4)
             ),
             V::NotFinite { vertex } => {
                 write!(f, "vertex {vertex} has a coordinate that is not finite or out of range: it lies nowhere")

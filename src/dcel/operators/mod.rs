@@ -20,7 +20,7 @@ pub use split_vertex::{ContractedEdge, SplitVertex};
 
 use super::{Dcel, FaceKey, HalfEdgeKey, OperatorError, StaleKey, VertexKey};
 use crate::store::Store;
-use crate::store::links::Need;
+use crate::store::links::{Need, OUTER};
 
 impl<S: Store> Dcel<S> {
     fn vertex_slot(&self, key: VertexKey) -> Result<S::Vertex, OperatorError> {
@@ -41,7 +41,7 @@ impl<S: Store> Dcel<S> {
 
     /// Whether `b` is the outer boundary component of its face.
     fn is_outer(&self, b: S::Boundary) -> bool {
-        self.store.outer(self.store.bounded(b)) == Some(b)
+        self.store.place(b) == OUTER
     }
 
     /// Lists `b` in `f` as the outer or as an inner boundary component.

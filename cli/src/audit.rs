@@ -1,0 +1,227 @@
+//! `twinedge audit`: builds a map and validates it.
+
+use crate::input::{self, MapFile};
+use crate::output::style::{BAD, GOOD, QUIET};
+use crate::output::{Format, grouped, print, print_json};
+use crate::{Failure, Verdict};
+use serde::Serialize;
+use std::collections::BTreeSet;
+use std::fmt::Write as _;
+use std::time::Instant;
+use twinedge::dcel::{Boundary, Face, Vertex};
+use twinedge::geometry::{BuildSummary, PlanarMap, places, validate_drawing};
+use twinedge::validate::{Collect, Expectation, Record, Report, Violation};
+
+/// Build the planar subdivision of a map and check every rule on it.
+#[derive(Debug, clap::Args)]
+#[command(after_help = "Examples:
+  twinedge audit                          the built-in map of the world
+  twinedge audit parcels.geojson
+  twinedge audit --format json - < parcels.geojson | jq .valid
+
+Exit status: 0 the map is valid; 1 violations were found; 2 the input could not be read.")]
+pub(crate) struct Audit {
+    #[command(flatten)]
+    map: MapFile,
+
+    /// For whom to print.
+    #[arg(long, value_enum, default_value_t)]
+    format: Format,
+
+    /// How many violations to list; all are counted.
+    #[arg(long, value_name = "N", default_value_t = Collect::DEFAULT_CAP)]
+    list: usize,
+}
+
+impl Audit {
+    pub(crate) fn run(&self) -> Result<Verdict, Failure> {
+        let start = Instant::now();
+        let (name, builder) = input::read(self.map.file.as_deref())?;
+        let map = builder.build().map_err(|error| Failure(format!("{name}: {error}")))?;
+        let report = validate_drawing(&map, &Expectation::plane(), Collect::AtMost(self.list));
+        let elapsed = start.elapsed().as_secs_f64() * 1000.0;
+        match self.format {
+            Format::Text => print(&text(&name, &map, &report, elapsed)?)?,
+            Format::Json => print_json(&Json::new(&name, &map, &report, elapsed))?,
+        }
+        Ok(if report.is_valid() { Verdict::Sound } else { Verdict::Wrong })
+    }
+}
+
+/// The names of the features that a violation touches; numbers, counted from 0, for those without name.
+fn features(map: &PlanarMap, violation: &Violation) -> Vec<String> {
+    let dcel = map.dcel();
+    let mut found = BTreeSet::new();
+    for record in violation.records().into_iter().flatten() {
+        let half_edges: Vec<_> = match record {
+            Record::HalfEdge(h) => dcel.half_edge_at(h).into_iter().collect(),
+            Record::Vertex(v) => dcel.vertex_at(v).into_iter().flat_map(Vertex::rotation).collect(),
+            Record::Boundary(b) => dcel.boundary_at(b).and_then(Boundary::start).into_iter().collect(),
+            Record::Face(f) => {
+                let face = dcel.face_at(f).map(Face::key);
+                found.extend(face.and_then(|f| map.features_of(f).ok()).into_iter().flatten());
+                Vec::new()
+            }
+        };
+        for h in half_edges {
+            found.extend(map.features_along(h.key()).into_iter().flatten());
+        }
+    }
+    let name = |feature| map.name(feature).map_or_else(|| format!("feature {}", feature.index()), str::to_owned);
+    found.into_iter().map(name).collect()
+}
+
+fn text(name: &str, map: &PlanarMap, report: &Report, elapsed: f64) -> Result<String, std::fmt::Error> {
+    let mut out = String::new();
+    writeln!(out, "{name}")?;
+    writeln!(out, "{QUIET}{}{QUIET:#}\n", input_line(map.summary()))?;
+    let counts = report.counts();
+    let or_unknown = |n: Option<usize>| n.map_or_else(|| "unknown".to_owned(), grouped);
+    for (what, count) in [
+        ("vertices (V)", grouped(counts.vertices)),
+        ("edges (E)", grouped(counts.edges)),
+        ("half-edges", grouped(counts.half_edges)),
+        ("faces (F), the unbounded one included", grouped(counts.faces)),
+        ("components (C)", or_unknown(counts.components)),
+        ("outer boundary components", grouped(counts.outer_boundaries)),
+        ("inner boundary components", grouped(counts.inner_boundaries)),
+        ("isolated vertices", grouped(counts.isolated_vertices)),
+        ("genus", or_unknown(counts.genus)),
+    ] {
+        writeln!(out, "  {what:38} {count:>12}")?;
+    }
+    out.push('\n');
+    for (rule, outcome) in report.outcomes() {
+        write!(out, "  {:2}  {:10} ", rule.id(), rule.name())?;
+        match (outcome.violations, outcome.unchecked) {
+            (0, None) => write!(out, "{GOOD}ok{GOOD:#}      {} {}", grouped(outcome.checked), rule.unit())?,
+            (0, Some(why)) => write!(out, "{QUIET}not checked: {why}{QUIET:#}")?,
+            (n, _) => {
+                let of = grouped(outcome.checked);
+                write!(out, "{BAD}BROKEN{BAD:#}  {} violation(s) in {of} {}", grouped(n), rule.unit())?;
+            }
+        }
+        out.push('\n');
+    }
+    out.push('\n');
+    for violation in report.violations() {
+        writeln!(out, "{BAD}{}{BAD:#} {violation}", violation.rule())?;
+        let at: Vec<_> = places(map, violation).iter().map(|p| format!("({}, {})", p.x, p.y)).collect();
+        if !at.is_empty() {
+            writeln!(out, "   at {}", at.join(" "))?;
+        }
+        let features = features(map, violation);
+        if !features.is_empty() {
+            writeln!(out, "   on the border of {}", features.join(", "))?;
+        }
+    }
+    let more = report.violation_count().saturating_sub(report.violations().len() as u64);
+    if more > 0 {
+        writeln!(out, "… and {} more; see --list", grouped(more))?;
+    }
+    if report.is_valid() {
+        writeln!(out, "{GOOD}valid{GOOD:#}: every rule that applies holds ({elapsed:.0} ms)")?;
+    } else {
+        let count = report.violation_count();
+        writeln!(out, "{BAD}not valid{BAD:#}: {} violation(s) ({elapsed:.0} ms)", grouped(count))?;
+    }
+    Ok(out)
+}
+
+fn input_line(summary: &BuildSummary) -> String {
+    let mut line = format!("{} features, {} segments", grouped(summary.features), grouped(summary.segments));
+    for (count, what) in [
+        (summary.duplicate_segments, "repeated and merged"),
+        (summary.zero_length_segments, "of zero length and dropped"),
+        (summary.open_rings, "added to close open rings"),
+    ] {
+        if count > 0 {
+            let _ = write!(line, ", {} {what}", grouped(count));
+        }
+    }
+    if summary.degenerate_rings > 0 {
+        let _ = write!(line, "; {} ring(s) enclose nothing", grouped(summary.degenerate_rings));
+    }
+    line
+}
+
+#[derive(Debug, Serialize)]
+struct Json<'a> {
+    input: &'a str,
+    valid: bool,
+    counts: JsonCounts,
+    rules: Vec<JsonRule>,
+    violations: Vec<JsonViolation>,
+    elapsed_ms: f64,
+}
+
+#[derive(Debug, Serialize)]
+struct JsonCounts {
+    vertices: usize,
+    edges: usize,
+    half_edges: usize,
+    faces: usize,
+    components: Option<usize>,
+    outer_boundaries: usize,
+    inner_boundaries: usize,
+    isolated_vertices: usize,
+    genus: Option<usize>,
+}
+
+#[derive(Debug, Serialize)]
+struct JsonRule {
+    id: &'static str,
+    checked: u64,
+    violations: u64,
+    #[serde(skip_serializing_if = "Option::is_none")]
+    not_checked: Option<String>,
+}
+
+#[derive(Debug, Serialize)]
+struct JsonViolation {
+    rule: &'static str,
+    message: String,
+    at: Vec<[f64; 2]>,
+    features: Vec<String>,
+}
+
+impl<'a> Json<'a> {
+    fn new(input: &'a str, map: &PlanarMap, report: &Report, elapsed_ms: f64) -> Self {
+        let counts = report.counts();
+        Self {
+            input,
+            valid: report.is_valid(),
+            counts: JsonCounts {
+                vertices: counts.vertices,
+                edges: counts.edges,
+                half_edges: counts.half_edges,
+                faces: counts.faces,
+                components: counts.components,
+                outer_boundaries: counts.outer_boundaries,
+                inner_boundaries: counts.inner_boundaries,
+                isolated_vertices: counts.isolated_vertices,
+                genus: counts.genus,
+            },
+            rules: report
+                .outcomes()
+                .map(|(rule, outcome)| JsonRule {
+                    id: rule.id(),
+                    checked: outcome.checked,
+                    violations: outcome.violations,
+                    not_checked: outcome.unchecked.map(|why| why.to_string()),
+                })
+                .collect(),
+            violations: report
+                .violations()
+                .iter()
+                .map(|violation| JsonViolation {
+                    rule: violation.rule().id(),
+                    message: violation.to_string(),
+                    at: places(map, violation).into_iter().map(Into::into).collect(),
+                    features: features(map, violation),
+                })
+                .collect(),
+            elapsed_ms,
+        }
+    }
+}

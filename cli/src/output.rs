@@ -1,0 +1,65 @@
+//! What the commands print alike.
+
+use clap::ValueEnum;
+use std::io::{self, Write};
+
+/// For whom a command prints.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, ValueEnum)]
+pub(crate) enum Format {
+    /// For people.
+    #[default]
+    Text,
+    /// For machines: one JSON object.
+    Json,
+}
+
+/// A number with its thousands set off.
+pub(crate) fn grouped(n: impl TryInto<u64>) -> String {
+    let digits = n.try_into().unwrap_or_default().to_string();
+    let mut out = String::with_capacity(digits.len() * 4 / 3);
+    for (i, digit) in digits.chars().enumerate() {
+        if i > 0 && (digits.len() - i).is_multiple_of(3) {
+            out.push(',');
+        }
+        out.push(digit);
+    }
+    out
+}
+
+/// Prints to standard output. That nobody reads on (`… | head`) is no error.
+pub(crate) fn print(text: &str) -> Result<(), crate::Failure> {
+    let mut out = anstream::stdout().lock();
+    match out.write_all(text.as_bytes()).and_then(|()| out.flush()) {
+        Err(error) if error.kind() != io::ErrorKind::BrokenPipe => Err(error.into()),
+        _ => Ok(()),
+    }
+}
+
+/// Prints one JSON object.
+pub(crate) fn print_json(value: &impl serde::Serialize) -> Result<(), crate::Failure> {
+    let mut text = serde_json::to_string_pretty(value)?;
+    text.push('\n');
+    print(&text)
+}
+
+/// How results are coloured; off where the output is no terminal.
+pub(crate) mod style {
+    use anstyle::{AnsiColor, Style};
+
+    pub(crate) const GOOD: Style = AnsiColor::Green.on_default().bold();
+    pub(crate) const BAD: Style = AnsiColor::Red.on_default().bold();
+    pub(crate) const QUIET: Style = AnsiColor::BrightBlack.on_default();
+}
+
+#[cfg(test)]
+mod tests {
+    use super::grouped;
+
+    #[test]
+    fn thousands_are_set_off() {
+        assert_eq!(grouped(0_u64), "0");
+        assert_eq!(grouped(999_usize), "999");
+        assert_eq!(grouped(1_000_u32), "1,000");
+        assert_eq!(grouped(1_876_446_u64), "1,876,446");
+    }
+}

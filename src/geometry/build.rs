@@ -1,0 +1,268 @@
+//! Gathering rings, lines and points, and building the map of them all at once.
+
+use super::arrange::arrange;
+use super::cover::cover;
+use super::planar_map::{FeatureId, PlanarMap};
+use super::predicates::in_range;
+use super::{Feature, Point, Shape};
+use crate::dcel::Kind;
+use rustc_hash::FxHashMap;
+use thiserror::Error;
+
+/// Where in the input something is.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Hash)]
+pub struct Position {
+    /// The feature, counted from 0.
+    pub feature: usize,
+    /// The shape in the feature.
+    pub shape: usize,
+    /// The ring in the shape, for a polygon.
+    pub ring: usize,
+    /// The point in the ring or line.
+    pub point: usize,
+}
+
+impl std::fmt::Display for Position {
+    fn fmt(&self, f: &mut std::fmt::Formatter<'_>) -> std::fmt::Result {
+        write!(f, "feature {}, shape {}, ring {}, point {}", self.feature, self.shape, self.ring, self.point)
+    }
+}
+
+/// Why a shape was not taken, or no map built.
+#[derive(Clone, Copy, Debug, PartialEq, Error)]
+#[non_exhaustive]
+pub enum BuildError {
+    /// A coordinate is NaN or infinite.
+    #[error("{position}: the coordinates ({x}, {y}) are not finite")]
+    NotFinite {
+        /// Where.
+        position: Position,
+        /// The first coordinate.
+        x: f64,
+        /// The second coordinate.
+        y: f64,
+    },
+    /// A coordinate is too large, or too close to zero without being it, for the predicates to be exact.
+    #[error("{position}: the coordinates ({x}, {y}) are out of range: magnitudes must be zero or from 2^-400 to 2^500")]
+    OutOfRange {
+        /// Where.
+        position: Position,
+        /// The first coordinate.
+        x: f64,
+        /// The second coordinate.
+        y: f64,
+    },
+    /// There is no room for more records of this kind.
+    #[error("there is no room for more {0}")]
+    Full(Kind),
+}
+
+/// What became of the input.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Hash)]
+pub struct BuildSummary {
+    /// Features taken.
+    pub features: usize,
+    /// Segments given, of rings and lines, before any was dropped.
+    pub segments: usize,
+    /// Segments that were dropped because they repeat another one, in either direction.
+    pub duplicate_segments: usize,
+    /// Segments that were dropped because both ends are the same point.
+    pub zero_length_segments: usize,
+    /// Rings whose last point does not repeat the first, which were closed.
+    pub open_rings: usize,
+    /// Rings with fewer than three different points on end, which enclose nothing.
+    pub degenerate_rings: usize,
+}
+
+/// Gathers rings, lines and points, and builds the map of them.
+///
+/// Vertices with the same coordinates become one (−0 is 0), segments that repeat another are merged, those without length
+/// are dropped; all of it is counted. Segments should meet at shared endpoints only. If they do not, the map is built as
+/// far as it goes, and [`PlanarMap::validate`] says where it is not plane.
+///
+/// ```
+/// use twinedge::geometry::{Builder, Shape};
+///
+/// let square = [[0.0, 0.0], [4.0, 0.0], [4.0, 4.0], [0.0, 4.0], [0.0, 0.0]].map(Into::into).to_vec();
+/// let island = [[1.0, 1.0], [2.0, 1.0], [1.0, 2.0], [1.0, 1.0]].map(Into::into).to_vec();
+/// let mut builder = Builder::new();
+/// builder.shape(&Shape::Polygon(vec![square, island]))?;
+/// let map = builder.build()?;
+/// assert_eq!((map.dcel().vertex_count(), map.dcel().face_count()), (7, 3));
+/// assert!(map.validate().is_valid());
+/// # Ok::<(), twinedge::geometry::BuildError>(())
+/// ```
+#[derive(Debug, Default)]
+pub struct Builder {
+    points: Vec<Point>,
+    places: FxHashMap<(u64, u64), u32>,
+    /// Distinct segments, by their ends in order of vertex numbers.
+    segments: Vec<[u32; 2]>,
+    segment_numbers: FxHashMap<(u32, u32), u32>,
+    pub(super) features: Vec<GatheredFeature>,
+    summary: BuildSummary,
+}
+
+/// A half-edge before there are any: twice the number of its segment, plus 1 if it runs against it.
+pub(super) type Dart = u32;
+
+/// What is kept of a feature until the map is built.
+#[derive(Clone, Debug, Default)]
+pub(super) struct GatheredFeature {
+    pub(super) name: Option<String>,
+    /// For each polygon its rings, one after the other.
+    pub(super) polygons: Vec<Vec<Dart>>,
+    /// All segments of lines.
+    pub(super) lines: Vec<Dart>,
+}
+
+impl Builder {
+    /// A builder with nothing in it.
+    #[must_use]
+    pub fn new() -> Self {
+        Self::default()
+    }
+
+    /// Takes a feature. O(its points), expected.
+    ///
+    /// # Errors
+    /// [`BuildError::NotFinite`] and [`BuildError::OutOfRange`], with the position. Nothing of the feature is taken then.
+    pub fn feature(&mut self, feature: &Feature) -> Result<FeatureId, BuildError> {
+        let id = FeatureId(self.features.len() as u32);
+        for (shape, what) in feature.shapes.iter().enumerate() {
+            let at = Position { feature: id.index(), shape, ..Position::default() };
+            Self::check(what, at)?;
+        }
+        let mut gathered = GatheredFeature { name: feature.name.clone(), ..GatheredFeature::default() };
+        for shape in &feature.shapes {
+            self.take(shape, &mut gathered)?;
+        }
+        self.features.push(gathered);
+        self.summary.features += 1;
+        Ok(id)
+    }
+
+    /// Takes a shape, as a feature without name.
+    ///
+    /// # Errors
+    /// As for [`Builder::feature`].
+    pub fn shape(&mut self, shape: &Shape) -> Result<FeatureId, BuildError> {
+        self.feature(&Feature { shapes: vec![shape.clone()], ..Feature::default() })
+    }
+
+    /// Takes a single segment, as a feature without name.
+    ///
+    /// # Errors
+    /// As for [`Builder::feature`].
+    pub fn segment(&mut self, from: impl Into<Point>, to: impl Into<Point>) -> Result<FeatureId, BuildError> {
+        self.shape(&Shape::Line(vec![from.into(), to.into()]))
+    }
+
+    /// What became of the input so far.
+    #[must_use]
+    pub const fn summary(&self) -> &BuildSummary {
+        &self.summary
+    }
+
+    fn check(shape: &Shape, at: Position) -> Result<(), BuildError> {
+        let point = |p: &Point, position: Position| {
+            let (x, y) = (p.x, p.y);
+            if !x.is_finite() || !y.is_finite() {
+                Err(BuildError::NotFinite { position, x, y })
+            } else if in_range(*p) {
+                Ok(())
+            } else {
+                Err(BuildError::OutOfRange { position, x, y })
+            }
+        };
+        let chain = |points: &[Point], at: Position| {
+            points.iter().enumerate().try_for_each(|(i, p)| point(p, Position { point: i, ..at }))
+        };
+        match shape {
+            Shape::Polygon(rings) => {
+                rings.iter().enumerate().try_for_each(|(ring, points)| chain(points, Position { ring, ..at }))
+            }
+            Shape::Line(points) => chain(points, at),
+            Shape::Point(p) => point(p, at),
+        }
+    }
+
+    fn take(&mut self, shape: &Shape, into: &mut GatheredFeature) -> Result<(), BuildError> {
+        match shape {
+            Shape::Polygon(rings) => {
+                let mut darts = Vec::new();
+                for ring in rings {
+                    let before = darts.len();
+                    self.chain(ring, &mut darts)?;
+                    if let (Some(first), Some(last)) = (ring.first(), ring.last())
+                        && first != last
+                    {
+                        self.summary.open_rings += 1;
+                        self.chain(&[*last, *first], &mut darts)?;
+                    }
+                    self.summary.degenerate_rings += usize::from(darts.len() - before < 3);
+                }
+                into.polygons.push(darts);
+            }
+            Shape::Line(points) => self.chain(points, &mut into.lines)?,
+            Shape::Point(p) => {
+                self.vertex(*p)?;
+            }
+        }
+        Ok(())
+    }
+
+    /// Takes the segments of a chain of points; one point alone is an isolated vertex.
+    fn chain(&mut self, points: &[Point], darts: &mut Vec<Dart>) -> Result<(), BuildError> {
+        let Some((first, rest)) = points.split_first() else { return Ok(()) };
+        let mut from = self.vertex(*first)?;
+        for p in rest {
+            let to = self.vertex(*p)?;
+            self.summary.segments += 1;
+            if from == to {
+                self.summary.zero_length_segments += 1;
+                continue;
+            }
+            let ends = if from < to { (from, to) } else { (to, from) };
+            let next = self.segments.len() as u32;
+            let number = *self.segment_numbers.entry(ends).or_insert(next);
+            if number == next {
+                if next >= 1 << 30 {
+                    return Err(BuildError::Full(Kind::Edge));
+                }
+                self.segments.push([ends.0, ends.1]);
+            } else {
+                self.summary.duplicate_segments += 1;
+            }
+            darts.push(number << 1 | u32::from(from > to));
+            from = to;
+        }
+        Ok(())
+    }
+
+    fn vertex(&mut self, p: Point) -> Result<u32, BuildError> {
+        // Adding zero turns −0 into 0.
+        let p = Point::new(p.x + 0.0, p.y + 0.0);
+        let next = self.points.len() as u32;
+        let number = *self.places.entry((p.x.to_bits(), p.y.to_bits())).or_insert(next);
+        if number == next {
+            if next >= 1 << 30 {
+                return Err(BuildError::Full(Kind::Vertex));
+            }
+            self.points.push(p);
+        }
+        Ok(number)
+    }
+
+    /// Builds the map. O(n log n).
+    ///
+    /// # Errors
+    /// [`BuildError::Full`].
+    pub fn build(self) -> Result<PlanarMap, BuildError> {
+        let Self { points, places, segments, segment_numbers, features, summary } = self;
+        drop((places, segment_numbers));
+        let arranged = arrange(&points, &segments)?;
+        let covered = cover(&points, &segments, &arranged, &features);
+        Ok(PlanarMap::from_parts(points, arranged, features, covered, summary))
+    }
+}

@@ -1,0 +1,463 @@
+//! One pass of a sweep line over a drawing of points and straight segments: is it plane, and what lies below what?
+//!
+//! A vertical line runs from left to right. The *status* is the list of the segments that it meets just now, from the
+//! bottom up; it changes only where the line passes a point of the drawing. If the drawing is plane, the status is
+//! always in order, so a point finds its place among the segments by binary search, and what it finds below itself is
+//! what a ray going straight down would hit first. If the drawing is not plane, then just left of the leftmost fault
+//! the offending segments are neighbours in the status; so it is enough to examine segments that become neighbours.
+//!
+//! ```text
+//!      a ________|_______
+//!                |    ___
+//!            ____|___/ d        status: e, c, a
+//!     b \___/  c |               next event: c ends and d starts in its place
+//!                |
+//!      e ________|____
+//! ```
+//!
+//! The line leans over a little, by less than any angle of the drawing, so that points are met in lexicographic order
+//! and no segment is parallel to it: a vertical segment starts at its lower end and is, for the moment of its life,
+//! the steepest of all. No case is left over that would need a rule of its own.
+//!
+//! # Why no fault escapes
+//!
+//! A fault is a point that two segments share and that is not an endpoint of both, or a point of the drawing inside a
+//! segment, or the left end of what two overlapping segments share. Points in the same place follow each other in the
+//! order of events and are found before the line moves. Otherwise let f be the lexicographically smallest fault. Just
+//! before f nothing has gone wrong: the status is in order, and the segments that reach f stand next to each other in
+//! it.
+//!
+//! - If several reach f and not all of them end there, then some two neighbours among them clash in f, and they were
+//!   examined when they became neighbours.
+//! - If one reaches f and passes through, then f is a point of the drawing at which nothing ends. So its place is
+//!   searched for, and the search for a point that lies on a segment of the status comes upon that segment.
+//! - If all that reach f end there, then two segments start at f in the same direction. What starts together is put
+//!   into the status sorted by angle, so two such segments become neighbours and are examined.
+//!
+//! After the first fault the pass goes on, without examining neighbours. The status may be out of order then, and
+//! what it says about "below" is a guess; but it remains a list, and everything but the search goes by handles. So
+//! the pass ends, and in the same time.
+//!
+//! Sources: M. I. Shamos and D. Hoey, "Geometric intersection problems", FOCS 1976, 208-215; M. de Berg, O. Cheong,
+//! M. van Kreveld, M. Overmars, "Computational Geometry", 3rd edition, 2008, chapter 2.
+
+use alloc::vec;
+use alloc::vec::Vec;
+use core::cmp::Ordering;
+use core::ops::Range;
+
+use super::Point;
+use super::crossing::{BadDrawing, Clash, check, classify};
+use super::predicates::{Meeting, Orientation, compare_lexicographic, meeting, orientation, work};
+use super::status::{Gap, NIL, Status, Strand};
+
+/// What [`sweep`] finds out.
+#[derive(Clone, Debug, PartialEq, Eq)]
+#[non_exhaustive]
+pub struct Sweep {
+    /// For each query the segment directly below the point, if there is one. A guess, if there is a clash.
+    pub below: Vec<Option<u32>>,
+    /// A reason why the drawing is not plane; none, if it is plane. One of those that
+    /// [`clashes`](super::crossing::clashes) lists, not always the leftmost.
+    pub clash: Option<Clash>,
+}
+
+/// Decides whether segments meet at shared endpoints only, and finds the segment below each of some points.
+///
+/// `segments` holds pairs of places in `points`, and `queries` places in `points`. The segment *below* a point is the
+/// first that a ray going straight down from it meets; segments that end at the point itself do not count. Where the
+/// ray runs into an endpoint, or along a segment, think of it as leaning to the right, by less than any angle of the
+/// drawing:
+///
+/// ```text
+///        q                   q                   q
+///        :                   :   / b         b   :
+///   _____:_____ a            :  /             \  :
+///        :                   : /               \ :
+///   _____:_____ b            :/____ a      a ___\:
+///
+///    below: a              below: b         below: none
+/// ```
+///
+/// Isolated points are part of the drawing, too: one in the interior of a segment is a clash.
+///
+/// Time O(n log n) for n points and segments, whether or not they clash, and memory O(n). The time is an expectation
+/// over the shapes of a treap whose priorities are hashes, so it is the same in every run.
+///
+/// # Errors
+///
+/// [`BadDrawing`], if the arrays do not describe a drawing. That segments clash is not an error here but a finding.
+///
+/// ```
+/// use twinedge::geometry::{Point, crossing::Clash, sweep::sweep};
+///
+/// // A triangle, and a point in it.
+/// let mut points = [[0.0, 0.0], [4.0, 0.0], [1.0, 4.0], [1.0, 1.0]].map(Point::from);
+/// let segments = [[0, 1], [1, 2], [2, 0]];
+/// let swept = sweep(&points, &segments, &[0, 3])?;
+/// assert_eq!(swept.below, [None, Some(0)]);
+/// assert_eq!(swept.clash, None);
+///
+/// points[3] = Point::new(3.0, 0.0);
+/// assert_eq!(sweep(&points, &segments, &[])?.clash, Some(Clash::Touch { vertex: 3, segment: 0 }));
+/// # Ok::<(), twinedge::geometry::crossing::BadDrawing>(())
+/// ```
+pub fn sweep(points: &[Point], segments: &[[u32; 2]], queries: &[u32]) -> Result<Sweep, BadDrawing> {
+    check(points, segments)?;
+    for (query, &point) in (0..).zip(queries) {
+        if point as usize >= points.len() {
+            return Err(BadDrawing::NoSuchQuery { query, point });
+        }
+    }
+    let mut line = Line::new(points, segments);
+    let mut below = vec![NIL; points.len()];
+    for event in 0..points.len() {
+        let under = line.pass(event);
+        if under != NIL {
+            below[line.events[event].vertex as usize] = line.status.strand(under).segment;
+        }
+    }
+    let below = queries.iter().map(|&q| Some(below[q as usize]).filter(|&segment| segment != NIL)).collect();
+    Ok(Sweep { below, clash: line.clash })
+}
+
+/// A point that the line has to pass.
+#[derive(Clone, Copy)]
+struct Event {
+    at: Point,
+    vertex: u32,
+}
+
+/// A segment, filed under the event at which it starts.
+#[derive(Clone, Copy)]
+struct Start {
+    segment: u32,
+    /// The event at which it ends.
+    end: u32,
+}
+
+/// The sweep line.
+struct Line<'a> {
+    points: &'a [Point],
+    segments: &'a [[u32; 2]],
+    /// The points, in lexicographic order.
+    events: Vec<Event>,
+    /// The segments, by the event at which they start: those of event i from place `first[i]` to `first[i + 1]`.
+    starts: Vec<Start>,
+    first: Vec<u32>,
+    /// For each event, the node of a strand that ends there; the others follow as its companions.
+    arriving: Vec<u32>,
+    status: Status,
+    clash: Option<Clash>,
+    /// The nodes that end at the present event.
+    ending: Vec<u32>,
+}
+
+impl<'a> Line<'a> {
+    /// Sorts the events and files the segments.
+    fn new(points: &'a [Point], segments: &'a [[u32; 2]]) -> Self {
+        let events = sorted(points);
+        let same_place = events.windows(2).find(|pair| pair[0].at == pair[1].at);
+        let clash = same_place.map(|pair| Clash::SamePlace { a: pair[0].vertex, b: pair[1].vertex });
+        let mut rank = vec![0; points.len()];
+        for (i, event) in (0..).zip(&events) {
+            rank[event.vertex as usize] = i;
+        }
+        let span = |&[u, v]: &[u32; 2]| {
+            let (i, j) = (rank[u as usize], rank[v as usize]);
+            (i.min(j), i.max(j))
+        };
+        // Counting sort, two places ahead: summed up, `first[i + 1]` is where the segments of event i begin, and
+        // filing them moves it to where they end.
+        let mut first = vec![0; points.len() + 2];
+        for segment in segments {
+            first[span(segment).0 as usize + 2] += 1;
+        }
+        accumulate(&mut first);
+        let mut starts = vec![Start { segment: NIL, end: NIL }; segments.len()];
+        for (id, segment) in (0..).zip(segments) {
+            let (start, end) = span(segment);
+            let place = &mut first[start as usize + 1];
+            starts[*place as usize] = Start { segment: id, end };
+            *place += 1;
+        }
+        Self {
+            points,
+            segments,
+            arriving: vec![NIL; events.len()],
+            events,
+            starts,
+            first,
+            status: Status::new(),
+            clash,
+            ending: Vec::new(),
+        }
+    }
+
+    /// Moves the line over an event and says which node was directly below it.
+    fn pass(&mut self, event: usize) -> u32 {
+        let Event { at, vertex } = self.events[event];
+        let mut starts = self.first[event] as usize..self.first[event + 1] as usize;
+        let one = self.arriving[event];
+        let (below, above, mut last);
+        if one == NIL {
+            Gap { below, above } = self.find(at, vertex, &starts);
+            if starts.is_empty() {
+                return below;
+            }
+            last = below;
+            self.sort(at, starts.clone());
+        } else if self.status.strand(one).companion == NIL && starts.len() == 1 {
+            // One segment continues another: most points of most drawings are like this.
+            self.replace(one, at, starts.start);
+            starts = 0..0;
+            (below, above) = (self.status.below(one), self.status.above(one));
+            self.examine(below, one);
+            last = one;
+        } else {
+            self.sort(at, starts.clone());
+            (below, last, above) = self.exchange(event, one, &mut starts);
+        }
+        for start in starts {
+            let node = self.status.insert(Gap { below: last, above }, self.strand(at, start));
+            self.arriving[self.starts[start].end as usize] = node;
+            self.examine(last, node);
+            last = node;
+        }
+        self.examine(last, above);
+        below
+    }
+
+    /// Searches for the place of a point at which no segment ends, and reports it if it lies on a segment.
+    fn find(&mut self, at: Point, vertex: u32, starts: &Range<usize>) -> Gap {
+        let (gap, on) = self.status.locate(at);
+        if on != NIL && self.clash.is_none() {
+            let segment = self.status.strand(on).segment;
+            // Perhaps what starts here lies along that segment.
+            let of_start = self.starts[starts.clone()]
+                .first()
+                .and_then(|start| classify(self.points, self.segments, start.segment, segment));
+            self.clash = of_start.or(Some(Clash::Touch { vertex, segment }));
+        }
+        gap
+    }
+
+    /// Sorts segments that start at a point by angle, from the lowest to the highest.
+    fn sort(&mut self, at: Point, starts: Range<usize>) {
+        let events = &self.events;
+        self.starts[starts].sort_unstable_by(|a, b| {
+            match orientation(at, events[a.end as usize].at, events[b.end as usize].at) {
+                Orientation::CounterClockwise => Ordering::Less,
+                Orientation::Collinear => a.segment.cmp(&b.segment),
+                Orientation::Clockwise => Ordering::Greater,
+            }
+        });
+    }
+
+    /// Takes out the strands that end at an event, of which `one` is one; as long as there are segments that start,
+    /// they take over the places. Says which node is below, which was placed last (or else is below), and which is
+    /// above.
+    fn exchange(&mut self, event: usize, one: u32, starts: &mut Range<usize>) -> (u32, u32, u32) {
+        let ends_here = |status: &Status, node: u32| node != NIL && status.strand(node).end as usize == event;
+        self.ending.clear();
+        let mut node = one;
+        while node != NIL {
+            self.ending.push(node);
+            node = self.status.strand(node).companion;
+        }
+        let at = self.events[event].at;
+        let mut remaining = self.ending.len();
+
+        let mut lowest = one;
+        while ends_here(&self.status, self.status.below(lowest)) {
+            work();
+            lowest = self.status.below(lowest);
+        }
+        let below = self.status.below(lowest);
+        let (mut last, mut node) = (below, lowest);
+        while ends_here(&self.status, node) {
+            work();
+            let above = self.status.above(node);
+            if let Some(start) = starts.next() {
+                self.replace(node, at, start);
+                self.examine(last, node);
+                last = node;
+            } else {
+                self.status.remove(node);
+            }
+            remaining -= 1;
+            node = above;
+        }
+        // They stand together, unless the status is out of order.
+        if remaining > 0 {
+            for &stray in &self.ending {
+                if ends_here(&self.status, stray) {
+                    self.status.remove(stray);
+                }
+            }
+        }
+        (below, last, node)
+    }
+
+    /// Puts a segment that starts in the place of one that ends.
+    fn replace(&mut self, node: u32, at: Point, start: usize) {
+        self.status.replace(node, self.strand(at, start));
+        self.arriving[self.starts[start].end as usize] = node;
+    }
+
+    /// The strand of a segment that starts at a point.
+    fn strand(&self, at: Point, start: usize) -> Strand {
+        let Start { segment, end } = self.starts[start];
+        Strand { low: at, high: self.events[end as usize].at, segment, end, companion: self.arriving[end as usize] }
+    }
+
+    /// Examines two neighbours.
+    #[inline]
+    fn examine(&mut self, lower: u32, upper: u32) {
+        if lower == NIL || upper == NIL || self.clash.is_some() {
+            return;
+        }
+        let (a, b) = (self.status.strand(lower), self.status.strand(upper));
+        if !matches!(meeting(a.low, a.high, b.low, b.high), Meeting::Disjoint | Meeting::SharedEndpoint) {
+            self.clash = classify(self.points, self.segments, a.segment, b.segment);
+        }
+    }
+}
+
+/// The points in lexicographic order, and those in the same place by number.
+///
+/// Cuts the width into as many strips as there are points, deals the points out to them, and sorts each strip. That
+/// is O(n) for points that are spread somehow, and never worse than sorting, O(n log n).
+fn sorted(points: &[Point]) -> Vec<Event> {
+    let (left, right) = points.iter().fold((f64::MAX, f64::MIN), |(left, right), p| (left.min(p.x), right.max(p.x)));
+    let per_width = if left < right { points.len() as f64 / (right - left) } else { 0.0 };
+    // Rounding may move a point to a neighbouring strip, but never past another point: it is monotone.
+    #[expect(clippy::cast_sign_loss, reason = "x is not less than left")]
+    let strip = |p: Point| (((p.x - left) * per_width) as usize).min(points.len());
+
+    // Counting sort, as for the segments.
+    let mut first = vec![0; points.len() + 3];
+    for &p in points {
+        first[strip(p) + 2] += 1;
+    }
+    accumulate(&mut first);
+    let mut events = vec![Event { at: Point::new(0.0, 0.0), vertex: NIL }; points.len()];
+    for (vertex, &at) in (0..).zip(points) {
+        let place = &mut first[strip(at) + 1];
+        events[*place as usize] = Event { at, vertex };
+        *place += 1;
+    }
+    for strip in first.windows(2) {
+        events[strip[0] as usize..strip[1] as usize]
+            .sort_unstable_by(|a, b| compare_lexicographic(a.at, b.at).then(a.vertex.cmp(&b.vertex)));
+    }
+    events
+}
+
+/// Turns numbers into the sums of all numbers up to them.
+fn accumulate(numbers: &mut [u32]) {
+    let mut sum = 0;
+    for number in numbers {
+        sum += *number;
+        *number = sum;
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::super::predicates::work_of;
+    use super::*;
+
+    const N: u32 = 100_000;
+
+    /// A drawing with n segments, none sharing a point.
+    fn apart(ends: impl Iterator<Item = [(f64, f64); 2]>) -> (Vec<Point>, Vec<[u32; 2]>) {
+        let points: Vec<Point> = ends.flatten().map(|(x, y)| Point::new(x, y)).collect();
+        let segments = (0..points.len() as u32 / 2).map(|i| [2 * i, 2 * i + 1]).collect();
+        (points, segments)
+    }
+
+    /// A drawing with segments from point 0 to all others.
+    fn star(tips: impl Iterator<Item = (f64, f64)>) -> (Vec<Point>, Vec<[u32; 2]>) {
+        let points: Vec<Point> = core::iter::once((0.0, 0.0)).chain(tips).map(|(x, y)| Point::new(x, y)).collect();
+        let segments = (1..points.len() as u32).map(|i| [i, 0]).collect();
+        (points, segments)
+    }
+
+    /// 0 .. N as coordinates, in an order without order.
+    fn shuffled() -> impl Iterator<Item = f64> {
+        (0..N).map(|i| f64::from((i * 7919) % N))
+    }
+
+    /// Runs the sweep and checks that its work, counted in orientations and steps in the tree, is at most 3 n log n.
+    #[track_caller]
+    fn work_is_bounded((points, segments): &(Vec<Point>, Vec<[u32; 2]>)) -> Sweep {
+        let (swept, work) = work_of(|| sweep(points, segments, &[]).unwrap());
+        let n = points.len().max(segments.len()) as u64;
+        assert!(work <= 3 * n * u64::from(n.ilog2()), "{work} steps for {n}");
+        swept
+    }
+
+    #[test]
+    fn long_parallels_cost_n_log_n() {
+        let n = f64::from(N);
+        let rising = apart(shuffled().map(|k| [(k, -k), (k + n, n - k)]));
+        let nested = apart(shuffled().map(|k| [(k, k), (2.0 * n - k, k)]));
+        let mixed = apart(shuffled().zip(0..N).map(|(k, i)| [(i.into(), k), (n + k, k)]));
+        for parallels in [rising, nested, mixed] {
+            assert_eq!(work_is_bounded(&parallels).clash, None);
+        }
+    }
+
+    #[test]
+    fn segments_that_start_on_one_vertical_line_cost_n_log_n() {
+        let level = apart(shuffled().map(|k| [(0.0, k), (1.0, k)]));
+        let upright = apart(shuffled().map(|k| [(0.0, 2.0 * k), (0.0, 2.0 * k + 1.0)]));
+        assert_eq!(work_is_bounded(&level).clash, None);
+        assert_eq!(work_is_bounded(&upright).clash, None);
+    }
+
+    #[test]
+    fn stars_cost_n_log_n() {
+        let n = f64::from(N);
+        let opening = star(shuffled().map(|k| (n, k)));
+        let closing = star(shuffled().map(|k| (-n, k)));
+        let through = star(shuffled().map(|k| if k < n / 2.0 { (n, k) } else { (-n, k) }));
+        for star in [opening, closing, through] {
+            assert_eq!(work_is_bounded(&star).clash, None);
+        }
+    }
+
+    #[test]
+    fn combs_cost_n_log_n() {
+        // Point 2k is on the back of the comb, point 2k + 1 is the tip of its tooth.
+        let points = (0..N).map(|i| (f64::from(i / 2), f64::from(i % 2)));
+        let back = (0..N - 2).step_by(2).map(|i| [i, i + 2]);
+        let segments: Vec<[u32; 2]> = (0..N).step_by(2).map(|i| [i + 1, i]).chain(back).collect();
+        let lying: Vec<Point> = points.clone().map(|(x, y)| Point::new(x, y)).collect();
+        let standing = points.map(|(x, y)| Point::new(y, x)).collect();
+        assert_eq!(work_is_bounded(&(lying, segments.clone())).clash, None);
+        assert_eq!(work_is_bounded(&(standing, segments)).clash, None);
+    }
+
+    #[test]
+    fn zigzags_cost_n_log_n() {
+        // One chain that goes right and left all the time, so that all of it lives at once.
+        let points: Vec<Point> = (0..N).map(|i| Point::new(f64::from(i % 2), f64::from(i))).collect();
+        let segments = (1..N).map(|i| [i - 1, i]).collect();
+        assert_eq!(work_is_bounded(&(points, segments)).clash, None);
+    }
+
+    #[test]
+    fn clashes_cost_n_log_n() {
+        let n = f64::from(N);
+        let grid = apart(shuffled().map(|k| if k % 2.0 == 0.0 { [(k, -1.0), (k, n)] } else { [(-1.0, k), (n, k)] }));
+        let pencil = apart(shuffled().map(|k| [(-n, -k), (n, k)]));
+        let pile = apart(shuffled().map(|k| [(-1.0 - k, 0.0), (1.0 + k, 0.0)]));
+        let tangle = apart(shuffled().zip(shuffled().skip(1)).map(|(k, l)| [(k, l), (n - l, k)]));
+        let knot = (alloc::vec![Point::new(1.0, 1.0); N as usize], Vec::new());
+        for drawing in [grid, pencil, pile, tangle, knot] {
+            assert_ne!(work_is_bounded(&drawing).clash, None);
+        }
+    }
+}

@@ -1,0 +1,222 @@
+//! Reading well-known text, one geometry per line.
+//!
+//! The grammar is that of the `wkt` crate: `POINT`, `LINESTRING`, `LINEARRING`, `POLYGON`, their `MULTI` forms and
+//! `GEOMETRYCOLLECTION`, each with an optional `Z`, `M` or `ZM`, in capitals or not.
+//!
+//! ```
+//! use twinedge::io::wkt::{self, ReadError};
+//!
+//! let text = "# two parcels\nPOLYGON((0 0, 1 0, 1 1, 0 0))\nPOLYGON((0 0, 1 1, 0 1, 0 0))\n";
+//! let summary = wkt::read(text.as_bytes(), |feature| {
+//!     assert_eq!(feature.shapes.len(), 1);
+//!     Ok::<_, ReadError>(())
+//! })?;
+//! assert_eq!((summary.polygons, summary.positions), (2, 8));
+//! # Ok::<_, ReadError>(())
+//! ```
+
+use core::str;
+use std::io::{self, BufRead, BufReader, Read};
+
+use ::wkt::Wkt;
+use ::wkt::types::{Coord, LineString, Polygon};
+use thiserror::Error;
+
+use super::{MAX_NESTED_COLLECTIONS, Summary};
+use crate::geometry::{Feature, Point, Shape};
+
+/// Why a file of well-known text could not be read. Every variant says on which line, the first being 1.
+#[derive(Debug, Error)]
+#[non_exhaustive]
+pub enum ReadError {
+    /// The reader underneath failed.
+    #[error("line {line}: {source}")]
+    Io {
+        /// The line that could not be read to its end.
+        line: usize,
+        /// What the reader said.
+        source: io::Error,
+    },
+    /// The line is not UTF-8.
+    #[error("line {line}: not UTF-8")]
+    NotUtf8 {
+        /// The line.
+        line: usize,
+    },
+    /// The line is not well-known text.
+    #[error("line {line}: not well-known text: {message}")]
+    Syntax {
+        /// The line.
+        line: usize,
+        /// What is wrong.
+        message: &'static str,
+    },
+    /// Something follows the geometry.
+    #[error("line {line}: text after the end of the geometry")]
+    Trailing {
+        /// The line.
+        line: usize,
+    },
+    /// A number that is none, or infinite, or that no 64-bit float comes near to.
+    #[error("line {line}: a number out of range")]
+    OutOfRange {
+        /// The line.
+        line: usize,
+    },
+    /// A geometry inside more than [`MAX_NESTED_COLLECTIONS`] geometry collections.
+    #[error("line {line}: geometry collections are nested too deep")]
+    TooDeep {
+        /// The line.
+        line: usize,
+    },
+}
+
+impl ReadError {
+    /// The line, the first being 1.
+    #[must_use]
+    pub fn line(&self) -> usize {
+        match *self {
+            Self::Io { line, .. }
+            | Self::NotUtf8 { line }
+            | Self::Syntax { line, .. }
+            | Self::Trailing { line }
+            | Self::OutOfRange { line }
+            | Self::TooDeep { line } => line,
+        }
+    }
+}
+
+/// Reads a map, handing the geometry of each line to `each` as a feature without a name.
+///
+/// Blank lines and lines that start with `#` are skipped, and so is a byte order mark. Collections are flattened, empty
+/// geometries draw nothing, numbers beyond x and y are dropped and counted, and rings may be open. The reader is
+/// buffered inside. Time O(bytes); memory O(longest line).
+///
+/// # Errors
+///
+/// Whatever [`ReadError`] describes, turned into `E`, and whatever `each` returns. Lines before the faulty one have
+/// been handed over by then.
+pub fn read<R, E>(reader: R, mut each: impl FnMut(Feature) -> Result<(), E>) -> Result<Summary, E>
+where
+    R: Read,
+    E: From<ReadError>,
+{
+    let mut input = BufReader::new(reader);
+    let mut summary = Summary::default();
+    let mut bytes = Vec::new();
+    for line in 1.. {
+        bytes.clear();
+        if input.read_until(b'\n', &mut bytes).map_err(|source| ReadError::Io { line, source })? == 0 {
+            break;
+        }
+        let text = str::from_utf8(&bytes).map_err(|_| ReadError::NotUtf8 { line })?;
+        let text = if line == 1 { text.strip_prefix('\u{FEFF}').unwrap_or(text) } else { text };
+        let text = text.trim();
+        if text.is_empty() || text.starts_with('#') {
+            continue;
+        }
+        check_frame(text, line)?;
+        let geometry = text.parse().map_err(|message| ReadError::Syntax { line, message })?;
+        let mut drawing = Drawing { line, shapes: Vec::new(), with_extra_dimensions: 0 };
+        drawing.add(geometry, 0)?;
+        let feature = Feature { shapes: drawing.shapes, ..Feature::default() };
+        summary.add(&feature, drawing.with_extra_dimensions);
+        each(feature)?;
+    }
+    Ok(summary)
+}
+
+/// Checks what the `wkt` crate does not: that nothing follows the geometry, and that its brackets are not nested so
+/// deep that a recursive parser runs out of stack. The text is taken as words, then one pair of brackets unless the
+/// last word is `EMPTY`.
+fn check_frame(text: &str, line: usize) -> Result<(), ReadError> {
+    let is_empty_mark = |word: &str| word.eq_ignore_ascii_case("EMPTY");
+    let (head, body) = text.split_at(text.find('(').unwrap_or(text.len()));
+    if !head.chars().all(|c| c.is_ascii_alphabetic() || c.is_ascii_whitespace()) {
+        return Err(ReadError::Syntax { line, message: "expected the type of a geometry" });
+    }
+    if let Some(mark) = head.split_ascii_whitespace().position(is_empty_mark) {
+        let is_last = head.split_ascii_whitespace().count() == mark + 1 && body.is_empty();
+        return if is_last { Ok(()) } else { Err(ReadError::Trailing { line }) };
+    }
+    let mut depth = 0_usize;
+    for (at, byte) in body.bytes().enumerate() {
+        match byte {
+            b'(' => depth += 1,
+            b')' => depth = depth.saturating_sub(1),
+            _ => {}
+        }
+        // A multi-polygon has three pairs of brackets of its own.
+        if depth > MAX_NESTED_COLLECTIONS + 3 {
+            return Err(ReadError::TooDeep { line });
+        }
+        if depth == 0 {
+            return if at + 1 == body.len() { Ok(()) } else { Err(ReadError::Trailing { line }) };
+        }
+    }
+    Err(ReadError::Syntax { line, message: "expected ( or EMPTY, and a ) for every (" })
+}
+
+/// The shapes of one line.
+struct Drawing {
+    line: usize,
+    shapes: Vec<Shape>,
+    with_extra_dimensions: usize,
+}
+
+impl Drawing {
+    /// Adds what a geometry inside `depth` collections draws. The recursion is as deep as they are nested.
+    fn add(&mut self, geometry: Wkt<f64>, depth: usize) -> Result<(), ReadError> {
+        if depth > MAX_NESTED_COLLECTIONS {
+            return Err(ReadError::TooDeep { line: self.line });
+        }
+        match geometry {
+            Wkt::Point(point) => self.add_point(&point),
+            Wkt::MultiPoint(points) => points.points().iter().try_for_each(|point| self.add_point(point)),
+            Wkt::LineString(line) => self.add_line(&line),
+            Wkt::MultiLineString(lines) => lines.line_strings().iter().try_for_each(|line| self.add_line(line)),
+            Wkt::Polygon(polygon) => self.add_polygon(&polygon),
+            Wkt::MultiPolygon(polygons) => polygons.polygons().iter().try_for_each(|polygon| self.add_polygon(polygon)),
+            Wkt::GeometryCollection(all) => {
+                let (geometries, _) = all.into_inner();
+                geometries.into_iter().try_for_each(|geometry| self.add(geometry, depth + 1))
+            }
+        }
+    }
+
+    fn add_point(&mut self, point: &::wkt::types::Point<f64>) -> Result<(), ReadError> {
+        if let Some(coord) = point.coord() {
+            let point = self.position(coord)?;
+            self.shapes.push(Shape::Point(point));
+        }
+        Ok(())
+    }
+
+    fn add_line(&mut self, line: &LineString<f64>) -> Result<(), ReadError> {
+        let points = self.positions(line)?;
+        if !points.is_empty() {
+            self.shapes.push(Shape::Line(points));
+        }
+        Ok(())
+    }
+
+    fn add_polygon(&mut self, polygon: &Polygon<f64>) -> Result<(), ReadError> {
+        let rings: Vec<_> = polygon.rings().iter().map(|ring| self.positions(ring)).collect::<Result<_, _>>()?;
+        if !rings.is_empty() {
+            self.shapes.push(Shape::Polygon(rings));
+        }
+        Ok(())
+    }
+
+    fn positions(&mut self, line: &LineString<f64>) -> Result<Vec<Point>, ReadError> {
+        line.coords().iter().map(|coord| self.position(coord)).collect()
+    }
+
+    fn position(&mut self, &Coord { x, y, z, m }: &Coord<f64>) -> Result<Point, ReadError> {
+        if !(x.is_finite() && y.is_finite()) {
+            return Err(ReadError::OutOfRange { line: self.line });
+        }
+        self.with_extra_dimensions += usize::from(z.is_some() || m.is_some());
+        Ok(Point { x, y })
+    }
+}

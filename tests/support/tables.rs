@@ -1,0 +1,146 @@
+//! Tables, written down the short way.
+
+use twinedge::validate::{BoundaryRow, FaceRow, HalfEdgeRow, Place, Start, Table, VertexRow};
+
+/// A face in the short way: a half-edge of its outer cycle, and where its inner boundary components start.
+pub(crate) type ShortFace<'a> = (Option<usize>, &'a [Start]);
+
+/// A map with this origin and next for each half-edge, the twins being 0 and 1, 2 and 3, …, and these faces, with
+/// records for its boundary components, numbered as the faces list them.
+pub(crate) fn map(vertices: usize, half_edges: &[(usize, usize)], faces: &[ShortFace<'_>]) -> Table {
+    with_boundary_components(&textbook_map(vertices, half_edges, faces))
+}
+
+/// The same in the form of the textbook, without records for boundary components.
+pub(crate) fn textbook_map(vertices: usize, half_edges: &[(usize, usize)], faces: &[ShortFace<'_>]) -> Table {
+    let mut table = Table {
+        vertices: (0..vertices)
+            .map(|v| {
+                Some(VertexRow { leaving: half_edges.iter().position(|(origin, _)| *origin == v), isolated: None })
+            })
+            .collect(),
+        half_edges: half_edges
+            .iter()
+            .enumerate()
+            .map(|(h, (origin, next))| {
+                Some(HalfEdgeRow {
+                    origin: Some(*origin),
+                    twin: Some(h ^ 1),
+                    next: Some(*next),
+                    prev: half_edges.iter().position(|(_, next)| *next == h),
+                    ..HalfEdgeRow::default()
+                })
+            })
+            .collect(),
+        boundaries: vec![],
+        faces: faces
+            .iter()
+            .map(|(outer, inner)| {
+                let inner_starts = inner.iter().copied().map(Some).collect();
+                Some(FaceRow { outer_half_edge: *outer, inner_starts, ..FaceRow::default() })
+            })
+            .collect(),
+    };
+    for (f, _, start) in listed(&table) {
+        for h in cycle(&table, start) {
+            half_edge(&mut table, h).face = Some(f);
+        }
+    }
+    table
+}
+
+/// A mesh of these triangles, each a face with that outer boundary component, no two with a side in the same direction.
+pub(crate) fn mesh(vertices: usize, triangles: &[[usize; 3]]) -> Table {
+    with_boundary_components(&textbook_mesh(vertices, triangles))
+}
+
+/// The same in the form of the textbook.
+pub(crate) fn textbook_mesh(vertices: usize, triangles: &[[usize; 3]]) -> Table {
+    let sides = |[a, b, c]: [usize; 3]| [(a, b), (b, c), (c, a)];
+    let mut pairs: Vec<(usize, usize)> = vec![];
+    for (a, b) in triangles.iter().copied().flat_map(sides) {
+        if !pairs.contains(&(a, b)) {
+            pairs.extend([(a, b), (b, a)]);
+        }
+    }
+    let number = |pair| pairs.iter().position(|p| *p == pair).unwrap();
+    let mut half_edges = vec![(0, 0); pairs.len()];
+    let mut faces: Vec<ShortFace<'_>> = vec![];
+    for triangle in triangles {
+        let [ab, bc, ca] = sides(*triangle);
+        for (side, next) in [(ab, bc), (bc, ca), (ca, ab)] {
+            half_edges[number(side)] = (side.0, number(next));
+        }
+        faces.push((Some(number(ab)), &[]));
+    }
+    textbook_map(vertices, &half_edges, &faces)
+}
+
+/// A textbook table with records for its boundary components instead: one for each entry of the list of each face.
+pub(crate) fn with_boundary_components(textbook: &Table) -> Table {
+    let mut table = textbook.clone();
+    for half_edge in table.half_edges.iter_mut().flatten() {
+        half_edge.face = None;
+    }
+    table.faces.fill(Some(FaceRow::default()));
+    for (f, place, start) in listed(textbook) {
+        let b = table.boundaries.len();
+        table.boundaries.push(Some(BoundaryRow { face: Some(f), start: Some(start), place: Some(place) }));
+        match place {
+            Place::Outer => face(&mut table, f).outer = Some(b),
+            Place::Inner(_) => face(&mut table, f).inner.push(Some(b)),
+        }
+        for h in cycle(textbook, start) {
+            half_edge(&mut table, h).boundary = Some(b);
+        }
+        if let Start::Vertex(v) = start {
+            vertex(&mut table, v).isolated = Some(b);
+        }
+    }
+    table
+}
+
+/// What the faces of a textbook table list.
+fn listed(table: &Table) -> Vec<(usize, Place, Start)> {
+    let mut listed = vec![];
+    for (f, face) in table.faces.iter().enumerate() {
+        let face = face.as_ref().unwrap();
+        listed.extend(face.outer_half_edge.map(|h| (f, Place::Outer, Start::HalfEdge(h))));
+        listed.extend(face.inner_starts.iter().enumerate().map(|(i, start)| (f, Place::Inner(i), start.unwrap())));
+    }
+    listed
+}
+
+/// The half-edges of the cycle that starts there; none at an isolated vertex.
+fn cycle(table: &Table, start: Start) -> Vec<usize> {
+    let Start::HalfEdge(start) = start else {
+        return vec![];
+    };
+    let mut cycle = vec![];
+    let mut h = start;
+    while !cycle.contains(&h) {
+        cycle.push(h);
+        h = table.half_edges[h].unwrap().next.unwrap();
+    }
+    cycle
+}
+
+/// The row of a half-edge, to change it.
+pub(crate) fn half_edge(table: &mut Table, h: usize) -> &mut HalfEdgeRow {
+    table.half_edges[h].as_mut().unwrap()
+}
+
+/// The row of a vertex, to change it.
+pub(crate) fn vertex(table: &mut Table, v: usize) -> &mut VertexRow {
+    table.vertices[v].as_mut().unwrap()
+}
+
+/// The row of a boundary component, to change it.
+pub(crate) fn boundary(table: &mut Table, b: usize) -> &mut BoundaryRow {
+    table.boundaries[b].as_mut().unwrap()
+}
+
+/// The row of a face, to change it.
+pub(crate) fn face(table: &mut Table, f: usize) -> &mut FaceRow {
+    table.faces[f].as_mut().unwrap()
+}
