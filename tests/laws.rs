@@ -421,7 +421,7 @@ fn only_the_shorter_side_is_relabelled() {
             let split = map.connect(big[i], big[j], Split { new_face, inner: &[] }).unwrap();
             let Connection::Split { kept, made, .. } = split.connection else { panic!("{split:?}") };
             assert_eq!(kept, whole);
-            assert!(map.boundary(made).unwrap().cycle().take(10).count() < 10);
+            assert!(map.boundary(made).unwrap().half_edges().take(10).count() < 10);
             let removed = map.remove_edge(split.half_edge).unwrap();
             let RemovedEdge::Merged { kept, dropped, .. } = removed else { panic!("{removed:?}") };
             assert_eq!((kept, dropped), (whole, made));
