@@ -16,6 +16,7 @@ fn links(textbook: &Textbook) -> usize {
     6 * half_edges + textbook.vertex_slots() + isolated + 2 * textbook.boundary_slots() + listed
 }
 
+#[allow(clippy::needless_pass_by_value, reason = "quickcheck hands over what it makes")]
 fn records_are_freed(bytes: Vec<u8>) -> bool {
     let mut runner = Runner::new(Textbook::new());
     for op in &Program::from_bytes(&bytes).0 {

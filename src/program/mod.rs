@@ -9,7 +9,6 @@ pub mod conformance;
 mod dcel;
 mod interpret;
 mod kernel;
-mod model;
 mod op;
 #[cfg(feature = "quickcheck")]
 mod quickcheck;
@@ -23,7 +22,7 @@ mod textbook;
 pub use crate::dcel::{Side, Turn};
 pub use interpret::{Outcome, Runner};
 pub use kernel::{Corner, CornerOf, Kernel, Refusal};
-pub use model::Model;
+
 pub use op::{CornerPick, FacePick, HalfEdgePick, InnerPick, Op, Program, SecondPick, VertexPick};
 pub use shrink::{candidates, shrink};
 pub use text::{Expected, ParseError};
