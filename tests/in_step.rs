@@ -54,6 +54,7 @@ fn first_difference(program: &Program) -> Option<Op> {
     })
 }
 
+#[allow(clippy::needless_pass_by_value, reason = "quickcheck hands over what it makes")]
 fn in_step(bytes: Vec<u8>) -> bool {
     first_difference(&Program::from_bytes(&bytes)).is_none()
 }
