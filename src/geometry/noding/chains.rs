@@ -85,8 +85,8 @@ pub(super) fn snap(
 ) -> Result<(Chains, usize), NodingError> {
     let found = search(pixels, runs, vertices)?;
     let chains = Chains::through(runs, vertices, found.visits);
-    // All edges of a chain that is bent are new lines, which can visit pixels that the run did not visit. So can the only edge of one that
-    // is not bent, if the ends of the run moved.
+    // All edges of a chain that is bent are new lines, which can visit pixels that the run did not visit. So can the
+    // only edge of one that is not bent, if the ends of the run moved.
     let straight = found
         .doubtful
         .into_iter()
@@ -137,7 +137,8 @@ fn bend(chains: &Chains, bends: &FxHashMap<[u32; 2], Vec<u32>>) -> (Chains, usiz
         starts: Vec::with_capacity(chains.starts.len()),
     };
     let mut deepest = 0;
-    // The vertices that are still to come, the next one last, with the number of bends that the edge to it comes from.
+    // The vertices that are still to come, the next one last, with the number of bends that the edge to it comes
+    // from.
     let mut ahead: Vec<(u32, usize)> = Vec::new();
     for chain in chains.all() {
         bent.starts.push(bent.pool.len());

@@ -11,9 +11,9 @@
 //!
 //! So O(m log m) steps answer for the m²/2 pairs. That is what keeps stars, fans and bundles sub-quadratic.
 //!
-//! A block owns its left and its lower side. To have that exactly right, the border is taken at `left − ε`, `right − ε`, `lower − δ`
-//! and `upper − δ` with infinitely small `0 < δ < ε`, `δ` infinitely smaller than `ε`: then no chord meets a corner, no two meet the
-//! border at one point, and a crossing is inside exactly if the block owns it.
+//! A block owns its left and its lower side. To have that exactly right, the border is shifted by infinitely
+//! little: the sides to the left by ε, the lower and the upper one downwards by δ, infinitely smaller than ε: then no chord
+//! meets a corner, no two meet the border at one point, and a crossing is inside exactly if the block owns it.
 
 use super::pixel::{Block, Pixels, Segment, compare, cross, minus};
 use core::cmp::Ordering;
@@ -107,12 +107,13 @@ pub(super) fn chords(pixels: Pixels, block: &Block, segments: &[Segment], ids: &
             open.push(chord);
         }
     }
-    // A chord whose ends are neighbours on the border has all others on one side. If there are two such, all lie between them.
+    // A chord whose ends are neighbours on the border has all others on one side. If there are two such, all lie
+    // between them.
     let mut lone = (0..ends.len()).filter(|&i| ends[i].chord == ends[(i + 1) % ends.len()].chord);
     match (lone.next(), lone.next(), lone.next()) {
         (Some(i), Some(_), None) => {
-            // From the second end of the first one, counter-clockwise: one end of each, in order. What is before a chord is to the left of
-            // the way from this end to the other.
+            // From the second end of the first one, counter-clockwise: one end of each, in order. What is before a
+            // chord is to the left of the way from this end to the other.
             let side_by_side = ends.iter().cycle().skip(i + 1).take(ends.len() / 2);
             let chords = side_by_side.map(|end| Chord {
                 segment: ids[end.chord as usize],

@@ -7,8 +7,8 @@ use crate::geometry::Point;
 /// Coordinates are at most 2^53 steps: any whole number up to there is a double.
 const REACH: i32 = 53;
 
-/// With [`Snap::Auto`], a cell is 2^3 steps, so coordinates are at most 2^50 cells. That the input is read more finely than
-/// it is rounded keeps crossings where they were, and lets those that should be one point be one.
+/// With [`Snap::Auto`], a cell is 2^3 steps, so coordinates are at most 2^50 cells. That the input is read more
+/// finely than it is rounded keeps crossings where they were, and lets those that should be one point be one.
 const SPARE: i32 = 3;
 
 /// The smallest positive double is 2^-1074.

@@ -1,9 +1,9 @@
 //! Noding: any finite segments, made into edges that meet only at their ends.
 //!
-//! Segments drawn by hand, or taken from files, cross, touch and overlap. [`node`] cuts them wherever they meet and rounds the
-//! cuts to a grid, so that what comes out is the exact drawing of a plane graph in `f64` coordinates: every point is on the
-//! grid, edges are distinct and not of zero length, and two edges meet at a common end or not at all. It never fails on finite
-//! input, except that the input must be in reach of the grid.
+//! Segments drawn by hand, or taken from files, cross, touch and overlap. [`node`] cuts them wherever they meet and
+//! rounds the cuts to a grid, so that what comes out is the exact drawing of a plane graph in `f64` coordinates:
+//! every point is on the grid, edges are distinct and not of zero length, and two edges meet at a common end or not
+//! at all. It never fails on finite input, except that the input must be in reach of the grid.
 //!
 //! ```
 //! use twinedge::geometry::Point;
@@ -19,61 +19,71 @@
 //!
 //! # Snap rounding
 //!
-//! The grid has square cells of a power of two, and each grid point has a *pixel*: the cell around it, with its left and its lower side.
-//! A pixel is *hot* if a segment ends in it, or two segments cross in it, or an input point lies in it. Every segment is
-//! replaced by the chain of the centres of the hot pixels that it visits, in the order of its visits (Hobby, *Practical segment
-//! intersection with finite precision output*, 1999; Guibas and Marimont, *Rounding arrangements dynamically*, 1998).
+//! The grid has square cells, a power of two wide. Each grid point has a *pixel*: the square of one cell around it,
+//! of whose border only the left and the lower side belong to it. A pixel is *hot* if a segment ends in it, two
+//! segments cross in it, or an input point lies in it. Every segment is replaced by the chain of the centres of the
+//! hot pixels that it visits, in the order of its visits (J. D. Hobby, *Practical segment intersection with finite
+//! precision output*, 1999; L. J. Guibas and D. H. Marimont, *Rounding arrangements dynamically*, 1998).
 //!
 //! ```text
-//!   ┌─────┐                    ┌─────┐
-//!   │  ·  │ ____,,,,----'''    │  ·__│_____,,,,,,,,-     Three hot pixels, two of them ends. The segment visits
-//!   │ ,---''─────┐      =>     │ /   │─────┐             the third one, and is bent to go through its centre.
-//!   '' ·  │   ·  │             ' ·   │  ·  │
-//!   └─────┘──────┘             └─────┘─────┘
+//!   +-----+-----+-----+      +-----+-----+-----+
+//!   |     |  h  |  b  |      |     |  h--|--b  |     The segment from a to b misses vertex h,
+//!   |     |   __|--'  |      |     | /   |     |     but visits its pixel, which is hot.
+//!   +-----+-''--+-----+  =>  +-----+/----+-----+
+//!   |  a--|'    |     |      |  a-/|     |     |     It becomes the chain a, h, b.
+//!   |     |     |     |      |     |     |     |
+//!   +-----+-----+-----+      +-----+-----+-----+
 //! ```
 //!
-//! *Why two edges never cross.* Let a chain edge go from pixel `c` to `c'`. It comes from a stretch of its segment between points
-//! `c + u` and `c' + u'` of these pixels, with `u` and `u'` in the half-open pixel around 0. Shrink all pixels to their centres at the
-//! same rate: at time `t` the stretch goes from `c + (1−t)u` to `c' + (1−t)u'`. At `t = 0` two stretches cross in no
-//! point, as crossings are in hot pixels. Were they to cross at `t = 1`, then at some time an end `c₁ + (1−t)u₁` of one would be
-//! on the other, `(1−μ)(c + (1−t)u) + μ(c' + (1−t)u')`. Moved back to time 0, that point of the other is `c₁ + (1−t)u₁ + t((1−μ)u + μu')`, and
-//! lies in the pixel of `c₁`, which is convex. So that stretch visited a hot pixel between `c` and `c'`, which it does
-//! not. With `t = 1` the same says that no edge passes through a grid point that is a vertex.
+//! *Why edges never cross.* An edge from `c` to `c'` comes from a stretch of a segment between a point `c + u` of the
+//! pixel of `c` and a point `c' + u'` of that of `c'`. Let all pixels shrink to their centres at the same rate, so
+//! that at time `t` the stretch goes from `c + (1−t)u` to `c' + (1−t)u'`. At time 0, no two stretches cross:
+//! crossings are in hot pixels, where stretches end. Had two of them crossed by time 1, then at some time an end of the one,
+//! `e + (1−t)w`, would have lain on the other, at `(1−μ)(c + (1−t)u) + μ(c' + (1−t)u')`, say. At time 0, this
+//! point of the other is `e + (1−t)w + t((1−μ)u + μu')`: that is `e` and a mean of `w`, `u` and `u'`, hence in the
+//! pixel of `e`, as pixels are convex. But the stretch visits no hot pixel on its way from `c` to `c'`; and if `e` is
+//! one of these, the two edges have a common end, and do not cross. The same, with `t = 1`, says that no edge passes
+//! through a vertex.
 //!
-//! *Why that is not the end.* A chain edge is a new line. It can visit a hot pixel that its segment did not visit, and
-//! noding once more would bend it again. Here, noding again changes nothing: edges are bent until none visits the pixel of a vertex that is
-//! not its end (iterated snap rounding: Halperin and Packer, 2002). Bending makes no new vertices, because the edges
-//! do not cross. It comes to an end because it is monotone: the vertices on a chain go one way in x and one way in
-//! y, so the pieces of an edge of length L, measured as |Δx| + |Δy| in cells, have lengths that are whole numbers and add up to L.
-//! On real maps, one round does nearly all, and two or three are rare.
+//! *Why once is not enough.* An edge is a new line. It can visit a hot pixel that its segment did not visit, so
+//! noding once more would bend it again. Here, edges are bent until none visits the pixel of a vertex that is not an
+//! end of it (iterated snap rounding: D. Halperin and E. Packer, 2002). So noding the result changes nothing, on the
+//! same grid or on a finer one. Bending makes no new vertices, as edges do not cross; and it ends, as chains never
+//! turn back, neither in x nor in y: the pieces of an edge that is `|Δx| + |Δy|` cells long have lengths that are
+//! whole numbers and add up to that.
 //!
 //! # What moves, and how far
 //!
-//! - Every input point and every end of a segment moves to the centre of its pixel: at most half a cell in each
-//!   direction. So does every crossing, from where the segments, as read, cross.
-//! - Each round moves a chain by at most half a cell in each direction, measured to the nearest point of what it was before; reading
-//!   the input adds at most another half. So a chain is within `(rounds + 1) / 2` cells of its segment, in each
-//!   direction, and [`Summary::rounds`] says how many there were.
-//! - A vertex can come to lie *on* an edge that it was near to, never on its other side.
+//! - Every input point and every end of a segment goes to the centre of its pixel, so it moves by half a cell at most
+//!   in each direction. So does every crossing of segments, as they were read.
+//! - Each round of bending moves chains by half a cell at most in each direction. After [`Summary::rounds`] of them, a
+//!   chain is within `(rounds + 1) / 2` cells of its segment. There are 0 or 1 for most maps on a fine grid. Long lines that pass many vertices on a coarse grid can need more: iterating is known to let them
+//!   drift.
+//! - A vertex can come to lie *on* an edge that passed nearby, but never on its other side.
 //!
-//! The input is read to 2^53 steps of the largest coordinate, which is exact for coordinates within a factor of two of the largest and
-//! for all that have as few digits as numbers in files have: with [`Snap::Auto`] a cell is such a step, and with a larger cell the
-//! crossings are those of the segments as they were before their ends moved.
+//! The input is read to 2^53 steps of the largest coordinate. That is exact for coordinates of more than half of the
+//! largest, and off by less than a step for smaller ones that use all their digits. Pixels are larger than steps, by a
+//! factor of 8 with [`Snap::Auto`] and of whatever is asked for with [`Snap::Size`]; the exception is a size of just
+//! one step. So whether and where segments cross is decided before their ends move, which is why vertices do not
+//! change sides.
 //!
 //! # Exactness
 //!
-//! Coordinates are whole numbers of steps, of at most 54 bits. Whether segments cross, in which pixel, whether a segment visits
-//! a pixel, and in which order: all are signs and quotients of whole numbers of at most 112 bits, so `i128` is exact
-//! without any filter, and a tie is a tie.
+//! Coordinates are whole numbers of steps, of up to 54 bits. Whether segments cross, in which pixel, which pixels a
+//! segment visits, and in which order, are signs and quotients of whole numbers of up to 112 bits. So `i128` is
+//! exact, and needs no filter before it.
 //!
 //! # Cost
 //!
-//! O((n + k) log n) in practice, for n segments and k visits of hot pixels; the k are unavoidable, as the chains list them. Not the
-//! pairs of segments that overlap on a line (see `runs.rs`), nor those that cross in one pixel or pass each other closely (see
-//! `chords.rs`): stars, fans, bundles and spirals of n segments do not cost n².
+//! O((n + k) log n) in practice, for n segments and k visits of hot pixels. Segments on one line have up to n²
+//! visits, but as their chains are stretches of one chain, O(n) time and memory do (see `runs.rs`). Pairs of segments
+//! that pass each other closely, or cross in the same pixel, do not count: stars, fans, bundles and spirals are not
+//! quadratic (see `search.rs` and `chords.rs`).
 //!
-//! An R-tree (`rstar`) was measured and not taken.
-//! It is slower on maps, and it compares bounding boxes, which for the long slanted segments of a star or a fan all overlap.
+//! The index is a tree of halved blocks, and not an R-tree: boxes around the long slanted segments of a star or a
+//! bundle all overlap, so an R-tree tries n² pairs there. Nor is it faster elsewhere. On a map of 75,863 segments,
+//! loading `rstar` took 13 ms and all pairs of overlapping boxes took another 11 ms; the whole search, visits
+//! included, takes 20 ms, of 39 ms for noding.
 
 mod bundle;
 mod chains;
@@ -95,12 +105,12 @@ use runs::Runs;
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 #[non_exhaustive]
 pub enum Snap {
-    /// The finest grid on which all is exact: the largest coordinate is at most 2^53 cells. It stays where it is, and all others move
-    /// by at most half of *its* last binary digit. For longitudes up to 180 a cell is 2^-45, a few nanometres on the ground.
+    /// So fine that the largest coordinate (short of the ends of the range of doubles) is between 2^49 and 2^50 cells: coordinates keep some 15 decimal digits.
+    /// For longitudes up to 180, a cell is 2^-42 degrees, or 25 nanometres on the ground.
     #[default]
     Auto,
-    /// The largest power of two that is at most this number. Zero, negative, infinite and NaN are refused, and so is a cell
-    /// so small that a coordinate would be more than 2^53 of it.
+    /// The largest power of two that is at most this number. Zero, negative, infinite and NaN are refused, and so is
+    /// a cell so small that a coordinate would be more than 2^53 of it.
     Size(f64),
 }
 
@@ -129,13 +139,13 @@ pub enum NodingError {
     /// A coordinate is infinite or NaN.
     #[error("{at} has a coordinate that is not a finite number")]
     NotFinite {
-        /// The first one that does.
+        /// The first one that has it.
         at: Input,
     },
     /// A coordinate is more than 2^53 cells, or the grid point next to it is not a finite number.
     #[error("{at} has a coordinate out of reach of the grid")]
     OutOfRange {
-        /// The first one with the largest coordinate.
+        /// The first one with the coordinate of the largest magnitude.
         at: Input,
     },
     /// The size of a cell is not a positive finite number.
@@ -162,7 +172,8 @@ pub struct Summary {
     pub collapsed: usize,
     /// By how many the distinct points of the input are more than the vertices they became.
     pub merged: usize,
-    /// The number of rounds that bent a chain. 0: no segment touched or crossed another, nor came near a vertex.
+    /// How many times over a chain was bent, see [the module](self). If 0, no segment met or nearly met anything
+    /// between its ends.
     pub rounds: usize,
     /// The largest move of a point of the input, in x and in y.
     pub largest_move: [f64; 2],
@@ -178,14 +189,14 @@ struct Stretch {
 
 /// A plane graph drawn with straight edges on a grid, and how the input runs along it.
 ///
-/// It does not depend on the order of the input, nor on the direction of segments; the chains and vertices *of* the input follow
-/// the input, of course.
+/// It does not depend on the order of the input, nor on the direction of segments; the chains and vertices *of* the
+/// input follow the input, of course.
 #[derive(Clone, Debug)]
 pub struct Noded {
     /// The vertices: distinct points of the grid, in lexicographical order.
     pub points: Vec<Point>,
-    /// The edges, as pairs of indices of points: the smaller one first, distinct, in lexicographical order. They meet only at
-    /// common ends.
+    /// The edges, as pairs of indices of points: the smaller one first, distinct, in lexicographical order. They meet
+    /// only at common ends.
     pub segments: Vec<[u32; 2]>,
     /// What happened on the way.
     pub summary: Summary,
@@ -261,14 +272,15 @@ impl FusedIterator for Chain<'_> {}
 
 /// Cuts segments where they meet, and rounds to a grid, so that they meet only at common ends.
 ///
-/// `points` are vertices too: a segment that visits the pixel of one goes through it, and one that nothing touches is an
-/// isolated vertex of the result, as is what is left of a collapsed segment.
+/// `points` are vertices too: a segment that visits the pixel of one goes through it, and one that nothing touches is
+/// an isolated vertex of the result, as is what is left of a collapsed segment.
 ///
 /// Cost: see [the module](self#cost).
 ///
 /// # Errors
 ///
-/// [`NodingError`]: coordinates that are not finite, or out of reach of the grid; a size that is not one; too many points.
+/// [`NodingError`]: coordinates that are not finite, or out of reach of the grid; a size that is not one; too many
+/// points.
 pub fn node(segments: &[[Point; 2]], points: &[Point], snap: Snap) -> Result<Noded, NodingError> {
     let (largest, holder) = largest_coordinate(segments, points)?;
     let grid = Grid::new(snap, largest, holder)?;
@@ -292,22 +304,20 @@ pub fn node(segments: &[[Point; 2]], points: &[Point], snap: Snap) -> Result<Nod
 
     let mut collapsed = Vec::new();
     let mut runs = of.into_iter().map(|run| run as usize);
-    let stretch = |[from, to]: [u32; 2]| match if from == to { None } else { runs.next() } {
-        Some(run) => {
-            let [i, j] = [from, to].map(|end| chains.place(run, &joined[run], &vertices, end));
-            Stretch {
-                start: i.min(j),
-                len: i.abs_diff(j) + 1,
-                reversed: i > j,
-            }
-        }
-        None => {
+    let stretch = |[from, to]: [u32; 2]| {
+        let Some(run) = (if from == to { None } else { runs.next() }) else {
             collapsed.push(from);
-            Stretch {
+            return Stretch {
                 start: chains.pool().len() + collapsed.len() - 1,
                 len: 1,
                 reversed: false,
-            }
+            };
+        };
+        let [i, j] = [from, to].map(|end| chains.place(run, &joined[run], &vertices, end));
+        Stretch {
+            start: i.min(j),
+            len: i.abs_diff(j) + 1,
+            reversed: i > j,
         }
     };
     let stretches: Vec<Stretch> = read.ends().map(stretch).collect();

@@ -1,10 +1,11 @@
-//! Integer geometry: segments in whole steps, square pixels of a power of two of steps, and the exact tests between them.
+//! Integer geometry: segments in whole steps, square pixels of a power of two of steps, and the exact tests between
+//! them.
 //!
 //! # Sizes
 //!
-//! A coordinate is at most 2^53 steps, so a difference of two is at most 2^54, and the difference of a doubled coordinate and
-//! a doubled corner or centre of a block of pixels at most 2^56. Every product below is one of these by a difference, at most
-//! 2^110, and every sum of two of them at most 2^111: `i128` holds all with room to spare.
+//! A coordinate is at most 2^53 steps, so a difference of two is at most 2^54, and the difference of a doubled
+//! coordinate and a doubled corner or centre of a block of pixels at most 2^56. Every product below is one of these
+//! by a difference, at most 2^110, and every sum of two of them at most 2^111: `i128` holds all with room to spare.
 
 use core::cmp::Ordering;
 
@@ -31,8 +32,8 @@ impl Segment {
 
     /// The order of two vertices on the way from `a` to `b`, given that the segment visits both pixels.
     ///
-    /// A segment is monotone in both coordinates, and so is the pixel of a point that moves along it. So of two pixels
-    /// that it visits, the later one is at least as far in both directions, and farther in one.
+    /// A segment is monotone in both coordinates, and so is the pixel of a point that moves along it. So of two
+    /// pixels that it visits, the later one is at least as far in both directions, and farther in one.
     pub(super) fn progress(&self, pixel: Pixel) -> i64 {
         let [dx, dy] = self.direction();
         dx.signum() * pixel[0] + dy.signum() * pixel[1]
@@ -154,7 +155,8 @@ impl Pixels {
 
     /// Does the line of a segment come within half a pixel of the block, in each direction?
     ///
-    /// It does if it meets the block, or if the line from centre to centre of the pixels in which the segment ends meets it.
+    /// It does if it meets the block, or if the line from centre to centre of the pixels in which the segment ends
+    /// meets it.
     pub(super) fn line_nears(self, s: &Segment, block: &Block) -> bool {
         let [left, lower, right, upper] = self.sides(block);
         let [dx, dy] = s.direction();
@@ -171,9 +173,10 @@ impl Pixels {
 
     /// Does the segment visit the pixel?
     ///
-    /// Given that the two overlap in each coordinate (with the half-open borders), it does if its line enters the inside of
-    /// the pixel, that is, if the centre is nearer to the line than the farthest corner; or if it touches the lower left corner,
-    /// the only one that belongs to the pixel. The same formula is right for a segment along the left or lower side.
+    /// Given that the two overlap in each coordinate (with the half-open borders), it does if its line enters the
+    /// inside of the pixel, that is, if the centre is nearer to the line than the farthest corner; or if it touches
+    /// the lower left corner, the only one that belongs to the pixel. The same formula is right for a segment along
+    /// the left or lower side.
     pub(super) fn visits(self, s: &Segment, pixel: Pixel) -> bool {
         if !self.around(s).contains(pixel) {
             return false;
@@ -194,8 +197,8 @@ impl Pixels {
         }
     }
 
-    /// The pixel in which two segments cross, each inside the other: `None` if they do not, if one ends on the other, or if they
-    /// are on one line.
+    /// The pixel in which two segments cross, each inside the other: `None` if they do not, if one ends on the other,
+    /// or if they are on one line.
     pub(super) fn crossing(self, s: &Segment, t: &Segment) -> Option<Pixel> {
         let apart = |axis: usize| {
             s.a[axis].max(s.b[axis]) < t.a[axis].min(t.b[axis])

@@ -1,8 +1,9 @@
 //! Runs: what the segments of one line cover together.
 //!
-//! A thousand overlapping segments on one line have a million pieces between them, and a thousand different ones. So overlapping
-//! segments of one line, equal ones included, are joined into a *run* first; runs are noded, and each segment then is a stretch
-//! of the chain of its run. That changes nothing: a run visits the pixels that its segments visit, and in the same order.
+//! A thousand overlapping segments on one line have a million pieces between them, and a thousand different ones. So
+//! overlapping segments of one line, equal ones included, are joined into a *run* first; runs are noded, and each
+//! segment then is a stretch of the chain of its run. That changes nothing: a run visits the pixels that its segments
+//! visit, and in the same order.
 
 use super::pixel::{Segment, cross, minus};
 use core::cmp::Ordering;
@@ -22,7 +23,8 @@ pub(super) struct Runs {
 ///
 /// Cost: O(n) expected, and O(g log g) for g segments of one line.
 pub(super) fn join(segments: &[Segment]) -> Runs {
-    // Segments of one line in linked lists. Different lines can share a list (a rare thing), which the exact order undoes.
+    // Segments of one line in linked lists. Different lines can share a list (a rare thing), which the exact order
+    // undoes.
     const NONE: u32 = u32::MAX;
     let mut last = FxHashMap::with_capacity_and_hasher(segments.len(), rustc_hash::FxBuildHasher);
     let mut before = vec![NONE; segments.len()];
@@ -75,9 +77,9 @@ impl Runs {
 
 /// A number that all segments of a line share.
 ///
-/// Slope and intercept, as residues modulo 2^64. With the common powers of two taken out, one of the differences `dx`, `dy` is odd
-/// and so has an inverse; the slope `dy / dx` does not depend on the other common factors, and the intercept
-/// `y − slope · x` is the same at all lattice points of the line.
+/// Slope and intercept, as residues modulo 2^64. With the common powers of two taken out, one of the differences
+/// `dx`, `dy` is odd and so has an inverse; the slope `dy / dx` does not depend on the other common factors, and the
+/// intercept `y − slope · x` is the same at all lattice points of the line.
 fn line(s: &Segment) -> u64 {
     let [dx, dy] = s.direction();
     let twos = (dx | dy).trailing_zeros();
@@ -97,7 +99,8 @@ fn line(s: &Segment) -> u64 {
     hasher.finish()
 }
 
-/// The inverse of an odd number modulo 2^64, by Newton's method: each round doubles the number of bits that are right.
+/// The inverse of an odd number modulo 2^64, by Newton's method: each round doubles the number of bits that are
+/// right.
 fn inverse(odd: u64) -> u64 {
     let mut inverse = odd.wrapping_mul(3) ^ 2;
     for _ in 0..4 {

@@ -1,11 +1,12 @@
 //! Which segments visit which hot pixels?
 //!
-//! The plane is halved, and halved again, until a block holds few segments and few vertices; there, every pair is tried. Where
-//! halving does not thin the segments out, one of three things helps:
+//! The plane is halved, and halved again, until a block holds few segments and few vertices; there, every pair is
+//! tried. Where halving does not thin the segments out, one of three things helps:
 //!
-//! - If most segments end in one pixel, or cross in one, that pixel is cut out of the block: in the rest they are apart.
-//! - If most segments cut right across the block and lie side by side, they are set aside as a *bundle*. The rest are searched without
-//!   them, and what is between them is found by bisection.
+//! - If most segments end in one pixel, or cross in one, that pixel is cut out of the block: in the rest they are
+//!   apart.
+//! - If most segments cut right across the block and lie side by side, they are set aside as a *bundle*. The rest are
+//!   searched without them, and what is between them is found by bisection.
 //! - If no vertex is in the block and no two segments cross, there is nothing to find.
 //!
 //! ```text
@@ -28,8 +29,9 @@ use super::pixel::{Block, Pixel, Pixels, Segment, Steps};
 #[cfg(test)]
 mod tests;
 
-/// Up to this many pairs, trying all is cheaper than halving. (In tests of this crate less, so that small input goes every way.)
-const FEW: usize = if cfg!(test) { 8 } else { 512 };
+/// Up to this many pairs, trying all is cheaper than halving. (In tests of this crate less, so that small input goes
+/// every way.)
+const FEW: usize = if cfg!(test) { 8 } else { 256 };
 
 /// Up to this many pairs, trying all is cheaper than anything but halving.
 const SOME: usize = if cfg!(test) { 16 } else { 8192 };
@@ -39,8 +41,8 @@ const SOME: usize = if cfg!(test) { 16 } else { 8192 };
 pub(super) struct Found {
     /// Pairs of a segment and a vertex whose pixel it visits, but in which it does not end.
     pub(super) visits: Vec<[u32; 2]>,
-    /// Segments of which the way from centre to centre may visit a pixel that the segment does not visit. Those from centre to
-    /// centre are not among them.
+    /// Segments of which the way from centre to centre may visit a pixel that the segment does not visit. Those from
+    /// centre to centre are not among them.
     pub(super) doubtful: Vec<u32>,
 }
 
@@ -104,6 +106,9 @@ pub(super) fn search(
     segments: &[Segment],
     vertices: &mut Vec<Pixel>,
 ) -> Result<Found, NodingError> {
+    if segments.len() >= u32::MAX as usize {
+        return Err(NodingError::TooMany);
+    }
     let all = vertices
         .iter()
         .copied()
@@ -152,7 +157,7 @@ pub(super) fn search(
 
 /// The number of pairs to try among `m` segments and between them and `h` vertices.
 fn pairs(m: usize, h: usize) -> usize {
-    m * (m + h)
+    m.saturating_mul(m + h)
 }
 
 /// What to do with a block that halving does not thin out.
@@ -214,7 +219,8 @@ impl Search<'_> {
         }
     }
 
-    /// Puts off parts of a block, those without anything to find excepted. Returns the number of pairs in the part with most.
+    /// Puts off parts of a block, those without anything to find excepted. Returns the number of pairs in the part
+    /// with most.
     fn part(&mut self, parts: &[Block], segments: &[u32], vertices: &[u32], cut: bool) -> usize {
         let mut contents = core::mem::take(&mut self.contents);
         contents.resize_with(parts.len(), Content::default);
