@@ -135,6 +135,9 @@ fn nothing_comes_of_nothing_and_points_of_points() {
     let nothing = auto(&[]);
     assert_eq!((counts(&nothing), nothing.summary.cell), ([0, 0, 0], 1.0));
     assert!(nothing.chain(0).is_none() && nothing.vertex_of_point(0).is_none());
+    // Zero has no sign.
+    let zeros = [Point::new(0.0, 1.0), Point::new(-0.0, 1.0)];
+    assert_eq!(check(&[], &zeros, Snap::Auto).summary.merged, 0);
     let p = Point::new(0.25, -0.0);
     let noded = check(
         &[[p, p]],
