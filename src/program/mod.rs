@@ -3,6 +3,7 @@
 //! A structure that implements [`Kernel`] can be driven by them; [`Dcel`](crate::dcel::Dcel) does, over every store.
 
 pub mod canonical;
+pub mod choose;
 mod dcel;
 mod interpret;
 mod kernel;
