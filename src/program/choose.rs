@@ -82,8 +82,9 @@ pub struct Odometer {
 }
 
 impl Odometer {
-    /// What was answered so far in this run where there was a choice. As bytes they make [`Bytes`] answer the same, as long
-    /// as none was of more than 256.
+    /// What was answered so far in this run where there was a choice. As bytes they make [`Bytes`] answer the same,
+    /// as long as none was of more than 256.
+    #[must_use]
     pub fn answers(&self) -> impl ExactSizeIterator<Item = usize> + '_ {
         self.wheels[..self.asked].iter().map(|(answer, _)| *answer)
     }
@@ -120,8 +121,8 @@ impl Choose for Odometer {
 
 /// Runs the body once for every sequence of answers that it can get, and tells how many these were.
 ///
-/// The body must ask the same after the same answers, and its number of questions must be bounded; otherwise this does not
-/// end.
+/// The body must ask the same after the same answers, and its number of questions must be bounded; otherwise this
+/// does not end.
 pub fn for_each_choice(mut body: impl FnMut(&mut Odometer)) -> u64 {
     let mut odometer = Odometer::default();
     let mut count = 0;
