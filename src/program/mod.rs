@@ -19,6 +19,7 @@ mod rust;
 mod shrink;
 mod simpler;
 mod text;
+mod textbook;
 
 pub use crate::dcel::{Side, Turn};
 pub use interpret::{Outcome, Runner};
@@ -27,3 +28,4 @@ pub use model::Model;
 pub use op::{CornerPick, FacePick, HalfEdgePick, InnerPick, Op, Program, SecondPick, VertexPick};
 pub use shrink::{candidates, shrink};
 pub use text::{Expected, ParseError};
+pub use textbook::{Textbook, TextbookFace, TextbookHalfEdge, TextbookVertex};
