@@ -5,6 +5,7 @@
 #[cfg(feature = "arbitrary")]
 mod arbitrary;
 pub mod canonical;
+pub mod choose;
 pub mod conformance;
 mod dcel;
 mod interpret;
