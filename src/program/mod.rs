@@ -3,7 +3,9 @@
 //! A structure that implements [`Kernel`] can be driven by them; [`Dcel`](crate::dcel::Dcel) does, over every store.
 
 pub mod canonical;
+pub mod census;
 mod dcel;
+mod every;
 mod interpret;
 mod kernel;
 mod op;
@@ -11,6 +13,7 @@ mod rust;
 mod text;
 
 pub use crate::dcel::{Side, Turn};
+pub use every::{every_op, try_every_op};
 pub use interpret::{Outcome, Runner};
 pub use kernel::{Corner, CornerOf, Kernel, Refusal};
 pub use op::{CornerPick, FacePick, HalfEdgePick, InnerPick, Op, Program, SecondPick, VertexPick};
