@@ -1,7 +1,7 @@
 //! Canonical forms: against published counts of maps, and against a search through all correspondences.
 
 use std::collections::{BTreeMap, BTreeSet};
-use twinedge::dcel::{Dcel, HalfEdgeKey, Side, Split};
+use twinedge::dcel::{Dcel, HalfEdge, HalfEdgeKey, Side, Split};
 use twinedge::program::canonical::{Canonizer, Code, isomorphic};
 use twinedge::program::{FacePick, Op, Program, Runner};
 use twinedge::validate::{
@@ -19,7 +19,7 @@ fn grow(maps: &[Dcel]) -> Vec<Dcel> {
         }
     };
     for map in maps {
-        let corners: Vec<HalfEdgeKey> = map.half_edges().map(|h| h.key()).collect();
+        let corners: Vec<HalfEdgeKey> = map.half_edges().map(HalfEdge::key).collect();
         if corners.is_empty() {
             let v = map.vertices().next().unwrap().key();
             let mut more = map.clone();
@@ -123,8 +123,8 @@ fn rooted_maps_of_every_genus_are_as_many_as_published() {
             // Connected ones have a form without root.
             if let Some(unrooted) = canonizer.unrooted(table) {
                 let next = |h: usize| table.next(h).unwrap();
-                let euler = (table.vertices.len() + cycles(next, 2 * edges)) as isize - edges as isize;
-                let genus = usize::try_from(2 - euler).unwrap() / 2;
+                // V - E + cycles = 2 - 2g.
+                let genus = (2 + edges - table.vertices.len() - cycles(next, 2 * edges)) / 2;
                 codes.entry(genus).or_default().insert(canonizer.rooted(table, 0).unwrap());
                 assert_eq!(unrooted.rootings * unrooted.automorphisms, 2 * edges);
                 rootings.insert(unrooted.code, unrooted.rootings);

@@ -1,5 +1,7 @@
 //! The language of programs: its text, its Rust source, and what the interpreter makes of it.
 
+use arbitrary::{Arbitrary, Unstructured};
+use quickcheck::Gen;
 use twinedge::dcel::Dcel;
 use twinedge::program::*;
 use twinedge::validate::Table;
@@ -272,4 +274,77 @@ fn inner_boundary_components_are_counted_as_their_first_corners_were_made() {
         assert_eq!([edge, vertices[0], vertices[1]], [0, 1, 2].map(|bit| mask >> bit & 1 == 1));
         assert!(map.validate().is_valid());
     }
+}
+
+#[test]
+fn a_fuzzer_gets_the_program_that_its_bytes_are() {
+    for seed in 0..50 {
+        let bytes = noise(seed, 100);
+        let program = Program::from_bytes(&bytes);
+        assert_eq!(<Program as Arbitrary>::arbitrary_take_rest(Unstructured::new(&bytes)), Ok(program.clone()));
+        assert_eq!(<Op as Arbitrary>::arbitrary(&mut Unstructured::new(&bytes)), Ok(program.0[0]));
+    }
+    // One operator that took the most bytes there can be.
+    let longest = [0x06, 0, 0xF1, 0, 7, 0, 0xF1, 0, 1, 0, 0, 31, 0xF1, 0];
+    assert_eq!(Program::from_bytes(&longest).0.len(), 1);
+    assert_eq!(Program::from_bytes(&longest[..13]).0.len(), 0);
+    assert_eq!(<Op as Arbitrary>::size_hint(0).1, Some(longest.len()));
+}
+
+#[test]
+fn random_programs_do_much_and_are_refused_for_every_reason() {
+    let mut g = Gen::from_size_and_seed(200, 1);
+    let mut counts = std::collections::BTreeMap::new();
+    let (mut edges, mut nested) = (0, 0);
+    for _ in 0..100 {
+        let program = <Program as quickcheck::Arbitrary>::arbitrary(&mut g);
+        let mut runner = Runner::new(Dcel::new());
+        for outcome in runner.run(&program) {
+            *counts.entry(outcome).or_insert(0) += 1;
+        }
+        edges += runner.kernel().edge_count();
+        nested += runner.kernel().faces().filter(|f| !f.is_unbounded() && f.inner_count() > 0).count();
+    }
+    let sum: i32 = counts.values().sum();
+    assert!(counts[&Outcome::Applied] * 2 > sum, "less than half is applied: {counts:?}");
+    assert!(counts.len() == 12, "all outcomes but those of small stores: {counts:?}");
+    assert!(edges > 1000 && nested > 100, "{edges} edges, {nested} faces with something in them");
+}
+
+#[test]
+fn shrinking_goes_on_until_nothing_more_can_be_left_out() {
+    // Whether some bounded face has a hole that is a cycle.
+    let has_hole = |program: &Program| {
+        let mut runner = Runner::new(Dcel::new());
+        runner.run(program);
+        let map = runner.into_kernel();
+        map.faces().any(|f| !f.is_unbounded() && f.inner().any(|b| b.start().is_some()))
+    };
+    let mut lengths = Vec::new();
+    for seed in 0..20 {
+        let program = Program::from_bytes(&noise(seed, 800));
+        if has_hole(&program) {
+            let small = shrink(&program, has_hole);
+            assert!(has_hole(&small));
+            assert!(candidates(&small).all(|smaller| !has_hole(&smaller)), "{small}");
+            lengths.push(small.0.len());
+        }
+    }
+    // Four operators are enough: two vertices, an edge at one of them, and a loop around that.
+    assert!(lengths.len() > 5 && lengths.contains(&4), "{lengths:?}");
+    assert!(lengths.iter().all(|length| *length <= 8), "{lengths:?}");
+}
+
+#[test]
+fn what_remains_of_a_program_goes_on_choosing_the_same() {
+    // `h4` is made by the third operator. Without the second it is `h2`, and the number beyond the end comes down to it.
+    let long: Program = "twinedge program 1\nadd_isolated_vertex unbounded\nsplit_vertex i0 ~0\nsplit_edge h0\n\
+                         split_edge h1\nremove_edge h10"
+        .parse()
+        .unwrap();
+    let short: Program =
+        "twinedge program 1\nadd_isolated_vertex unbounded\nsplit_vertex i0 ~0\nsplit_edge h1\nremove_edge h2"
+            .parse()
+            .unwrap();
+    assert!(candidates(&long).any(|candidate| candidate == short), "{long}");
 }

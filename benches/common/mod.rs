@@ -2,7 +2,7 @@
 
 #![allow(dead_code, unreachable_pub, reason = "each benchmark uses its part")]
 
-use twinedge::dcel::Dcel;
+use twinedge::dcel::{Dcel, Face, HalfEdge, Vertex};
 use twinedge::geometry::{Builder, Feature, PlanarMap};
 
 /// A grid of `side` × `side` vertices, each square cut in two triangles.
@@ -42,13 +42,13 @@ pub struct PlainArrays {
 impl PlainArrays {
     pub fn of(dcel: &Dcel) -> Self {
         let end = |last: Option<usize>| last.map_or(0, |last| last + 1);
-        let half_edges = end(dcel.half_edges().map(|h| h.index()).max());
+        let half_edges = end(dcel.half_edges().map(HalfEdge::index).max());
         let mut plain = Self {
             origin: vec![u32::MAX; half_edges],
             twin: vec![u32::MAX; half_edges],
             next: vec![u32::MAX; half_edges],
-            leaving: vec![u32::MAX; end(dcel.vertices().map(|v| v.index()).max())],
-            outer: vec![u32::MAX; end(dcel.faces().map(|f| f.index()).max())],
+            leaving: vec![u32::MAX; end(dcel.vertices().map(Vertex::index).max())],
+            outer: vec![u32::MAX; end(dcel.faces().map(Face::index).max())],
         };
         for h in dcel.half_edges() {
             plain.origin[h.index()] = h.origin().index() as u32;
@@ -59,7 +59,7 @@ impl PlainArrays {
             plain.leaving[v.index()] = v.leaving().map_or(u32::MAX, |h| h.index() as u32);
         }
         for f in dcel.faces() {
-            plain.outer[f.index()] = f.outer().and_then(|b| b.start()).map_or(u32::MAX, |h| h.index() as u32);
+            plain.outer[f.index()] = f.outer_half_edge().map_or(u32::MAX, |h| h.index() as u32);
         }
         plain
     }

@@ -8,6 +8,7 @@ use serde::Serialize;
 use std::collections::BTreeSet;
 use std::fmt::Write as _;
 use std::time::Instant;
+use twinedge::dcel::{Boundary, Face, Vertex};
 use twinedge::geometry::{BuildSummary, PlanarMap, places, validate_drawing};
 use twinedge::validate::{Collect, Expectation, Record, Report, Violation};
 
@@ -54,10 +55,10 @@ fn features(map: &PlanarMap, violation: &Violation) -> Vec<String> {
     for record in violation.records().into_iter().flatten() {
         let half_edges: Vec<_> = match record {
             Record::HalfEdge(h) => dcel.half_edge_at(h).into_iter().collect(),
-            Record::Vertex(v) => dcel.vertex_at(v).into_iter().flat_map(|v| v.rotation()).collect(),
-            Record::Boundary(b) => dcel.boundary_at(b).and_then(|b| b.start()).into_iter().collect(),
+            Record::Vertex(v) => dcel.vertex_at(v).into_iter().flat_map(Vertex::rotation).collect(),
+            Record::Boundary(b) => dcel.boundary_at(b).and_then(Boundary::start).into_iter().collect(),
             Record::Face(f) => {
-                let face = dcel.face_at(f).map(|f| f.key());
+                let face = dcel.face_at(f).map(Face::key);
                 found.extend(face.and_then(|f| map.features_of(f).ok()).into_iter().flatten());
                 Vec::new()
             }

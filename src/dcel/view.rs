@@ -38,52 +38,52 @@ impl<S: Store> View for Dcel<S> {
     }
     #[inline]
     fn origin(&self, half_edge: usize) -> Link {
-        Some(self.store.vertex_index(self.store.origin(self.store.half_edge_in(half_edge)?)))
+        self.store.origin_in(half_edge)
     }
     #[inline]
     fn twin(&self, half_edge: usize) -> Link {
-        Some(self.store.half_edge_index(self.store.twin(self.store.half_edge_in(half_edge)?)))
+        self.store.twin_in(half_edge)
     }
     #[inline]
     fn next(&self, half_edge: usize) -> Link {
-        Some(self.store.half_edge_index(self.store.next(self.store.half_edge_in(half_edge)?)))
+        self.store.next_in(half_edge)
     }
     #[inline]
     fn prev(&self, half_edge: usize) -> Link {
-        Some(self.store.half_edge_index(self.store.prev(self.store.half_edge_in(half_edge)?)))
+        self.store.prev_in(half_edge)
     }
     #[inline]
     fn boundary(&self, half_edge: usize) -> Link {
-        Some(self.store.boundary_index(self.store.component(self.store.half_edge_in(half_edge)?)))
+        self.store.component_in(half_edge)
     }
     #[inline]
     fn leaving(&self, vertex: usize) -> Link {
-        match self.store.anchor(self.store.vertex_in(vertex)?) {
+        match self.store.anchor(self.store.vertex_at(vertex)?) {
             Anchor::Leaving(h) => Some(self.store.half_edge_index(h)),
             Anchor::Isolated(_) => None,
         }
     }
     #[inline]
     fn isolated(&self, vertex: usize) -> Link {
-        match self.store.anchor(self.store.vertex_in(vertex)?) {
+        match self.store.anchor(self.store.vertex_at(vertex)?) {
             Anchor::Leaving(_) => None,
             Anchor::Isolated(b) => Some(self.store.boundary_index(b)),
         }
     }
     #[inline]
     fn boundary_face(&self, boundary: usize) -> Link {
-        Some(self.store.face_index(self.store.bounded(self.store.boundary_in(boundary)?)))
+        Some(self.store.face_index(self.store.bounded(self.store.boundary_at(boundary)?)))
     }
     #[inline]
     fn boundary_start(&self, boundary: usize) -> Option<Start> {
-        Some(match self.store.start(self.store.boundary_in(boundary)?) {
+        Some(match self.store.start(self.store.boundary_at(boundary)?) {
             Origin::HalfEdge(h) => Start::HalfEdge(self.store.half_edge_index(h)),
             Origin::Vertex(v) => Start::Vertex(self.store.vertex_index(v)),
         })
     }
     #[inline]
     fn boundary_place(&self, boundary: usize) -> Option<Place> {
-        Some(match self.store.place(self.store.boundary_in(boundary)?) {
+        Some(match self.store.place(self.store.boundary_at(boundary)?) {
             OUTER => Place::Outer,
             i => Place::Inner(i as usize),
         })

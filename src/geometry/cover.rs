@@ -12,7 +12,7 @@ use super::Point;
 use super::arrange::{Arranged, target};
 use super::build::{Dart, GatheredFeature};
 use super::predicates::{Orientation, compare_lexicographic, orientation};
-use crate::dcel::Dcel;
+use crate::dcel::{Dcel, Face, HalfEdge, Vertex};
 use core::cmp::Ordering;
 
 /// Which features cover which faces, and which run along which edges.
@@ -47,11 +47,11 @@ pub(super) fn cover(
 ) -> Covered {
     let dcel = &arranged.dcel;
     let end = |slots: Option<usize>| slots.map_or(0, |last| last + 1);
-    let faces = end(dcel.faces().map(|f| f.index()).max());
+    let faces = end(dcel.faces().map(Face::index).max());
     let mut marks = Marks {
         round: 0,
-        in_piece: vec![0; end(dcel.half_edges().map(|h| h.index()).max())],
-        visited: vec![0; end(dcel.vertices().map(|v| v.index()).max())],
+        in_piece: vec![0; end(dcel.half_edges().map(HalfEdge::index).max())],
+        visited: vec![0; end(dcel.vertices().map(Vertex::index).max())],
         flooded: vec![0; faces],
         odd: vec![false; faces],
         taken_by: vec![0; faces],

@@ -43,8 +43,6 @@
 //! Two of its limits are limits here: a point or the first polygon of a multi-polygon must not be empty, and no file
 //! can be read in a program that turns on the feature `arbitrary_precision` of `serde_json`.
 
-#![expect(clippy::doc_markdown, reason = "GeoJSON is a name, not an item")]
-
 mod error;
 mod input;
 

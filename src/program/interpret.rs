@@ -5,7 +5,7 @@ use super::op::{CornerPick, FacePick, HalfEdgePick, InnerPick, Op, Program, Seco
 use alloc::vec::Vec;
 
 /// What became of one operator of a program.
-#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash, PartialOrd, Ord)]
 pub enum Outcome {
     /// The kernel did it.
     Applied,
@@ -37,6 +37,13 @@ pub struct Runner<K: Kernel> {
     retired_half_edges: Vec<K::HalfEdge>,
     retired_vertices: Vec<K::Vertex>,
     retired_faces: Vec<K::Face>,
+}
+
+/// What two corners must have in common.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub(super) enum Fit {
+    Face,
+    Vertex,
 }
 
 /// The `k`-th of a list that starts again where it ends.
@@ -146,7 +153,7 @@ impl<K: Kernel> Runner<K> {
         }
     }
 
-    fn corner(&self, pick: CornerPick) -> Result<CornerOf<K>, Outcome> {
+    pub(super) fn corner(&self, pick: CornerPick) -> Result<CornerOf<K>, Outcome> {
         match pick {
             Corner::At(pick) => self.half_edge(pick).map(Corner::At),
             Corner::Isolated(pick) => self.vertex(pick).map(Corner::Isolated),
@@ -169,20 +176,31 @@ impl<K: Kernel> Runner<K> {
         }
     }
 
-    /// The second corner, of those for which `key` says the same as for the first.
-    fn second<T: PartialEq>(
-        &self,
-        pick: SecondPick,
-        first: CornerOf<K>,
-        key: impl Fn(CornerOf<K>) -> Result<T, Outcome>,
-    ) -> Result<CornerOf<K>, Outcome> {
-        let k = match pick {
-            SecondPick::Any(pick) => return self.corner(pick),
-            SecondPick::Fitting(k) => k,
-        };
-        let wanted = key(first)?;
-        let fitting: Vec<_> = self.corners().filter(|corner| key(*corner).as_ref() == Ok(&wanted)).collect();
-        nth(&fitting, k)
+    /// The places, in [`Runner::corners`], of those that fit a first one.
+    pub(super) fn fitting(&self, first: CornerOf<K>, fit: Fit) -> Result<Vec<usize>, Outcome> {
+        let corners = self.corners().enumerate();
+        Ok(match fit {
+            Fit::Face => {
+                let face = self.kernel.face_of(first).map_err(refused::<K>)?;
+                let same = |corner| self.kernel.face_of(corner).is_ok_and(|other| other == face);
+                corners.filter(|(_, corner)| same(*corner)).map(|(place, _)| place).collect()
+            }
+            Fit::Vertex => {
+                let vertex = self.vertex_of(first)?;
+                let same = |corner| self.vertex_of(corner) == Ok(vertex);
+                corners.filter(|(_, corner)| same(*corner)).map(|(place, _)| place).collect()
+            }
+        })
+    }
+
+    fn second(&self, pick: SecondPick, first: CornerOf<K>, fit: Fit) -> Result<CornerOf<K>, Outcome> {
+        match pick {
+            SecondPick::Any(pick) => self.corner(pick),
+            SecondPick::Fitting(k) => {
+                let place = nth(&self.fitting(first, fit)?, k)?;
+                self.corners().nth(place).ok_or(Outcome::Skipped)
+            }
+        }
     }
 
     /// One corner of each boundary component to be named.
@@ -246,7 +264,7 @@ impl<K: Kernel> Runner<K> {
         inner: InnerPick,
     ) -> Result<(), Outcome> {
         let from = self.corner(from)?;
-        let to = self.second(to, from, |corner| self.kernel.face_of(corner).map_err(refused::<K>))?;
+        let to = self.second(to, from, Fit::Face)?;
         let inner = self.inner(inner, from)?;
         let n = self.kernel.connect(from, to, new_face, &inner).map_err(refused::<K>)?;
         for corner in [from, to] {
@@ -287,7 +305,7 @@ impl<K: Kernel> Runner<K> {
 
     fn split_vertex(&mut self, from: CornerPick, to: SecondPick) -> Result<(), Outcome> {
         let from = self.corner(from)?;
-        let to = self.second(to, from, |corner| self.vertex_of(corner))?;
+        let to = self.second(to, from, Fit::Vertex)?;
         let n = self.kernel.split_vertex(from, to).map_err(refused::<K>)?;
         if let Corner::Isolated(v) = from {
             self.no_longer_isolated(v);

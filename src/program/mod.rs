@@ -2,19 +2,30 @@
 //!
 //! A structure that implements [`Kernel`] can be driven by them; [`Dcel`](crate::dcel::Dcel) does, over every store.
 
+#[cfg(feature = "arbitrary")]
+mod arbitrary;
 pub mod canonical;
 pub mod census;
+pub mod conformance;
 mod dcel;
 mod every;
 mod interpret;
 mod kernel;
+mod model;
 mod op;
+#[cfg(feature = "quickcheck")]
+mod quickcheck;
+mod retarget;
 mod rust;
+mod shrink;
+mod simpler;
 mod text;
 
 pub use crate::dcel::{Side, Turn};
 pub use every::{every_op, try_every_op};
 pub use interpret::{Outcome, Runner};
 pub use kernel::{Corner, CornerOf, Kernel, Refusal};
+pub use model::Model;
 pub use op::{CornerPick, FacePick, HalfEdgePick, InnerPick, Op, Program, SecondPick, VertexPick};
+pub use shrink::{candidates, shrink};
 pub use text::{Expected, ParseError};

@@ -119,14 +119,14 @@ impl Op {
     /// The operator with which these bytes begin, and how likely random ones make it: those that make something come
     /// more often than those that remove it, those that fit more often than those that will be refused.
     ///
-    /// None if they end too early. At most 16 bytes are taken.
+    /// None if they end too early. At most 14 bytes are taken.
     pub fn from_bytes(bytes: &mut impl Iterator<Item = u8>) -> Option<Self> {
         let kind = bytes.next()?;
         let upper = kind >> 5;
         Some(match kind & 31 {
-            0..=3 => Self::AddIsolatedVertex { face: face(bytes)? },
-            4 => Self::RemoveIsolatedVertex { vertex: vertex(bytes)? },
-            5..=14 => Self::Connect {
+            0..=4 => Self::AddIsolatedVertex { face: face(bytes)? },
+            5 => Self::RemoveIsolatedVertex { vertex: vertex(bytes)? },
+            6..=14 => Self::Connect {
                 from: corner(bytes)?,
                 to: second(bytes)?,
                 new_face: if upper & 1 == 0 { Side::Left } else { Side::Right },
@@ -171,8 +171,8 @@ fn vertex(bytes: &mut impl Iterator<Item = u8>) -> Option<VertexPick> {
 
 fn corner(bytes: &mut impl Iterator<Item = u8>) -> Option<CornerPick> {
     Some(match bytes.next()? & 31 {
-        0..=21 => Corner::At(HalfEdgePick::Live(number(bytes)?)),
-        22..=28 => Corner::Isolated(VertexPick::Isolated(number(bytes)?)),
+        0..=23 => Corner::At(HalfEdgePick::Live(number(bytes)?)),
+        24..=28 => Corner::Isolated(VertexPick::Isolated(number(bytes)?)),
         29 => Corner::Isolated(VertexPick::OriginOf(number(bytes)?)),
         30 => Corner::Isolated(VertexPick::Retired(number(bytes)?)),
         _ => Corner::At(HalfEdgePick::Retired(number(bytes)?)),
@@ -188,8 +188,8 @@ fn second(bytes: &mut impl Iterator<Item = u8>) -> Option<SecondPick> {
 
 fn face(bytes: &mut impl Iterator<Item = u8>) -> Option<FacePick> {
     Some(match bytes.next()? & 15 {
-        0..=5 => FacePick::Unbounded,
-        6..=14 => FacePick::Of(corner(bytes)?),
+        0..=7 => FacePick::Unbounded,
+        8..=14 => FacePick::Of(corner(bytes)?),
         _ => FacePick::Retired(number(bytes)?),
     })
 }

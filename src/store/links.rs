@@ -136,15 +136,22 @@ pub trait Links: Sized {
     fn boundary_at(&self, index: usize) -> Option<Self::Boundary>;
     fn face_at(&self, index: usize) -> Option<Self::Face>;
 
-    /// The record with this index, or perhaps one that is gone, if telling costs something. For who has asked before.
-    fn vertex_in(&self, index: usize) -> Option<Self::Vertex> {
-        self.vertex_at(index)
+    /// The links of the half-edge with this index, for the validator, who asks for one after the other. If the slot is
+    /// vacant, any answer will do.
+    fn origin_in(&self, index: usize) -> Option<usize> {
+        Some(self.vertex_index(self.origin(self.half_edge_at(index)?)))
     }
-    fn half_edge_in(&self, index: usize) -> Option<Self::HalfEdge> {
-        self.half_edge_at(index)
+    fn twin_in(&self, index: usize) -> Option<usize> {
+        Some(self.half_edge_index(self.twin(self.half_edge_at(index)?)))
     }
-    fn boundary_in(&self, index: usize) -> Option<Self::Boundary> {
-        self.boundary_at(index)
+    fn next_in(&self, index: usize) -> Option<usize> {
+        Some(self.half_edge_index(self.next(self.half_edge_at(index)?)))
+    }
+    fn prev_in(&self, index: usize) -> Option<usize> {
+        Some(self.half_edge_index(self.prev(self.half_edge_at(index)?)))
+    }
+    fn component_in(&self, index: usize) -> Option<usize> {
+        Some(self.boundary_index(self.component(self.half_edge_at(index)?)))
     }
 
     fn vertex_index(&self, v: Self::Vertex) -> usize;

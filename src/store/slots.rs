@@ -248,18 +248,28 @@ impl Links for SlotStore {
     }
 
     #[inline]
-    fn vertex_in(&self, index: usize) -> Option<VertexSlot> {
-        (index < self.anchor.len()).then_some(VertexSlot(index as u32))
+    fn origin_in(&self, index: usize) -> Option<usize> {
+        self.origin.get(index).map(|v| v.0 as usize)
     }
 
     #[inline]
-    fn half_edge_in(&self, index: usize) -> Option<HalfEdgeSlot> {
-        (index < self.origin.len()).then_some(HalfEdgeSlot(index as u32))
+    fn twin_in(&self, index: usize) -> Option<usize> {
+        (index < self.origin.len()).then_some(index ^ 1)
     }
 
     #[inline]
-    fn boundary_in(&self, index: usize) -> Option<BoundarySlot> {
-        (index < self.start.len()).then_some(BoundarySlot(index as u32))
+    fn next_in(&self, index: usize) -> Option<usize> {
+        self.next.get(index).map(|h| h.0 as usize)
+    }
+
+    #[inline]
+    fn prev_in(&self, index: usize) -> Option<usize> {
+        self.prev.get(index).map(|h| h.0 as usize)
+    }
+
+    #[inline]
+    fn component_in(&self, index: usize) -> Option<usize> {
+        self.component.get(index).map(|b| b.0 as usize)
     }
 
     #[inline]

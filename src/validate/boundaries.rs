@@ -14,14 +14,17 @@ use alloc::vec::Vec;
 
 impl<V: View + ?Sized> Run<'_, V> {
     /// Runs B1 and B2.
-    pub(super) fn boundaries(&mut self) -> Result<(), Halt> {
+    pub(super) fn boundaries(&mut self, glanced: bool) -> Result<(), Halt> {
         if !self.expect.has(Part::Faces) {
             self.findings.not_checked(Rule::B1, Unchecked::Lacks(Part::Faces));
             self.findings.not_checked(Rule::B2, Unchecked::Lacks(Part::Faces));
             return Ok(());
         }
         if self.expect.has(Part::BoundaryComponents) {
-            self.cycles_have_one_component()?;
+            if !glanced {
+                self.constant_along_next()?;
+            }
+            self.components_have_one_cycle()?;
         } else {
             self.cycles_have_one_face()?;
         }
@@ -33,15 +36,15 @@ impl<V: View + ?Sized> Run<'_, V> {
         }
     }
 
-    fn cycles_have_one_component(&mut self) -> Result<(), Halt> {
-        let mut sizes: Vec<u32> = column(self.boundaries, 0)?;
+    fn constant_along_next(&mut self) -> Result<(), Halt> {
+        self.sizes = column(self.boundaries, 0)?;
         let mut checked = 0;
         for h in 0..self.half_edges {
             if !self.live_half_edge(h) {
                 continue;
             }
             let (b, n) = (self.boundary(h), self.next(h));
-            if let Some(size) = sizes.get_mut(b as usize) {
+            if let Some(size) = self.sizes.get_mut(b as usize) {
                 *size += 1;
             }
             if !self.live_half_edge(n) {
@@ -62,6 +65,10 @@ impl<V: View + ?Sized> Run<'_, V> {
             }
         }
         self.findings.checked(Rule::B1, checked);
+        Ok(())
+    }
+
+    fn components_have_one_cycle(&mut self) -> Flow {
         let constant_along_next = self.findings.holds(Rule::B1);
         let walkable = self.map_is_live && self.findings.holds(Rule::L2) && constant_along_next;
         for b in 0..self.boundaries {
@@ -81,7 +88,7 @@ impl<V: View + ?Sized> Run<'_, V> {
                     found: self.view.boundary(start),
                 })?;
             } else if walkable {
-                let half_edges = sizes[b as usize];
+                let half_edges = self.sizes[b as usize];
                 let cycle = self.cycle_length(start as u32, half_edges);
                 if cycle < half_edges {
                     let (cycle, half_edges) = (cycle as usize, half_edges as usize);
@@ -91,11 +98,11 @@ impl<V: View + ?Sized> Run<'_, V> {
         }
         // A component that starts at a vertex has no half-edges of its own.
         for b in 0..self.boundaries {
-            if sizes[b as usize] > 0
+            if self.sizes[b as usize] > 0
                 && self.live_boundary(b)
                 && let Some(Start::Vertex(_)) = self.view.boundary_start(b as usize)
             {
-                let half_edges = sizes[b as usize] as usize;
+                let half_edges = self.sizes[b as usize] as usize;
                 self.findings.add(Violation::SecondCycle { boundary: b as usize, cycle: 0, half_edges })?;
             }
         }
@@ -219,7 +226,7 @@ impl<V: View + ?Sized> Run<'_, V> {
             let vertex = v as usize;
             let claim = claimed[vertex];
             let names = if by_record { self.view.isolated(vertex) } else { None };
-            if self.degree[vertex] > 0 {
+            if self.fans[vertex].degree > 0 {
                 if let Some(boundary) = names {
                     self.findings.add(Violation::ConnectedNamesBoundary { vertex, boundary })?;
                 }
@@ -242,7 +249,7 @@ impl<V: View + ?Sized> Run<'_, V> {
             return Ok(());
         }
         let record = kind(by as usize);
-        if self.degree[v] > 0 {
+        if self.fans[v].degree > 0 {
             self.findings.add(Violation::StartsAtConnected { record, vertex: v })
         } else if claimed[v] == NIL {
             claimed[v] = by;

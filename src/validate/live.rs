@@ -7,7 +7,7 @@
 //! ```
 
 use super::report::{Flow, Halt};
-use super::run::{NIL, Run, column};
+use super::run::{Fan, NIL, Run, column};
 use super::{Field, Link, Part, Record, Rule, Start, View, Violation};
 
 /// The kind of record that a link leads to.
@@ -20,11 +20,12 @@ enum Kind {
 }
 
 impl<V: View + ?Sized> Run<'_, V> {
-    /// Runs R1, and counts what there is while at it.
-    pub(super) fn live(&mut self) -> Result<(), Halt> {
-        self.degree = column(self.vertices, 0)?;
-        self.some_leaving = column(self.vertices, NIL)?;
-        self.live_half_edges()?;
+    /// Runs R1, and counts what there is while at it. Of half-edges a glance may have seen to it already.
+    pub(super) fn live(&mut self, glanced: bool) -> Result<(), Halt> {
+        if !glanced {
+            self.fans = column(self.vertices, Fan { degree: 0, leaving: NIL })?;
+            self.live_half_edges()?;
+        }
         self.map_is_live = self.findings.holds(Rule::R1);
         self.live_vertices()?;
         self.live_boundaries()?;
@@ -69,8 +70,7 @@ impl<V: View + ?Sized> Run<'_, V> {
             let origin = self.view.origin(h);
             self.link(record, Field::Origin, origin, Kind::Vertex, true)?;
             if let Some(v) = origin.filter(|v| *v < self.vertices as usize) {
-                self.degree[v] += 1;
-                self.some_leaving[v] = h as u32;
+                self.fans[v] = Fan { degree: self.fans[v].degree + 1, leaving: h as u32 };
             }
             let twin = self.view.twin(h);
             without_twin += usize::from(twin.is_none());
@@ -101,7 +101,7 @@ impl<V: View + ?Sized> Run<'_, V> {
                 continue;
             }
             live += 1;
-            let connected = self.degree[v] > 0;
+            let connected = self.fans[v].degree > 0;
             self.counts.isolated_vertices += usize::from(!connected);
             let record = Record::Vertex(v);
             if with_leaving {

@@ -58,9 +58,11 @@
 //! makes every small [`Table`], and every change of one cell of a larger one, for the two to agree on.
 
 mod boundaries;
+mod components;
 pub mod enumerate;
 mod expectation;
 mod faces;
+mod glance;
 mod links;
 mod live;
 pub mod reference;

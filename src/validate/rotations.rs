@@ -11,13 +11,13 @@
 //! Where L holds, `next∘twin` permutes the half-edges that leave one vertex, so the rotation of a vertex is all of them if
 //! and only if its orbit is as long as the vertex has half-edges.
 
-use super::report::Flow;
+use super::report::{Flow, Halt};
 use super::run::{NIL, Run};
 use super::{Part, Rule, Unchecked, View, Violation};
 
 impl<V: View + ?Sized> Run<'_, V> {
-    /// Runs V1 and V2.
-    pub(super) fn rotations(&mut self) -> Flow {
+    /// Runs V1 and V2. The walk around the vertices that V2 takes finds the components, too.
+    pub(super) fn rotations(&mut self) -> Result<(), Halt> {
         if self.expect.has(Part::Leaving) {
             self.leaving()?;
         } else {
@@ -27,26 +27,7 @@ impl<V: View + ?Sized> Run<'_, V> {
             self.findings.not_checked(Rule::V2, Unchecked::Broken(rule));
             return Ok(());
         }
-        let mut checked = 0;
-        for v in 0..self.vertices {
-            let degree = self.degree[v as usize];
-            if degree == 0 {
-                continue;
-            }
-            checked += 1;
-            let mut reached = 0;
-            self.around(v, degree, |_| reached += 1);
-            if reached != degree {
-                self.findings.add(Violation::SplitRotation {
-                    vertex: v as usize,
-                    half_edge: self.some_leaving[v as usize] as usize,
-                    reached: reached as usize,
-                    degree: degree as usize,
-                })?;
-            }
-        }
-        self.findings.checked(Rule::V2, checked);
-        Ok(())
+        self.components()
     }
 
     fn leaving(&mut self) -> Flow {

@@ -1,5 +1,6 @@
 //! The order in which the rules are run, and the columns that they share.
 
+use super::components::Components;
 use super::report::{Findings, Halt};
 use super::{Collect, Counts, Expectation, Link, Part, Report, Rule, Unchecked, View};
 use alloc::vec::Vec;
@@ -33,6 +34,13 @@ pub(super) fn column<T: Clone>(n: u32, value: T) -> Result<Vec<T>, Halt> {
     Ok(column)
 }
 
+/// The half-edges that leave one vertex: how many there are, and one of them.
+#[derive(Clone, Copy)]
+pub(super) struct Fan {
+    pub(super) degree: u32,
+    pub(super) leaving: u32,
+}
+
 /// One run of the validator over one structure.
 pub(super) struct Run<'a, V: ?Sized> {
     pub(super) view: &'a V,
@@ -49,8 +57,11 @@ pub(super) struct Run<'a, V: ?Sized> {
     /// Whether the links among half-edges and vertices (all that makes the combinatorial map) are live.
     pub(super) map_is_live: bool,
     /// Per vertex: how many half-edges name it as their origin, and one of those.
-    pub(super) degree: Vec<u32>,
-    pub(super) some_leaving: Vec<u32>,
+    pub(super) fans: Vec<Fan>,
+    /// Per boundary component: how many half-edges name it.
+    pub(super) sizes: Vec<u32>,
+    /// The components, once V2 is known to hold.
+    pub(super) components: Option<Components>,
     /// `prev` as it follows from `next`, where the structure has none of its own.
     pub(super) derived_prev: Vec<u32>,
 }
@@ -71,8 +82,9 @@ pub fn validate<V: View + ?Sized>(view: &V, expectation: &Expectation, collect: 
         faces: 0,
         list_budget: 0,
         map_is_live: true,
-        degree: Vec::new(),
-        some_leaving: Vec::new(),
+        fans: Vec::new(),
+        sizes: Vec::new(),
+        components: None,
         derived_prev: Vec::new(),
     };
     let mut bounds = None;
@@ -104,10 +116,13 @@ impl<V: View + ?Sized> Run<'_, V> {
     }
 
     fn all_rules(&mut self, bounds: &mut Option<super::Bounds>) -> Result<(), Halt> {
-        self.live()?;
-        self.links()?;
+        let glanced = self.glance()?;
+        self.live(glanced)?;
+        if !glanced {
+            self.links()?;
+        }
         self.rotations()?;
-        self.boundaries()?;
+        self.boundaries(glanced)?;
         self.faces()?;
         self.topology(bounds)
     }
@@ -173,46 +188,53 @@ impl<V: View + ?Sized> Run<'_, V> {
         b != NIL && self.view.is_boundary(b as usize)
     }
 
-    /// `next(twin(h))`, the half-edge clockwise of `h` around its origin; [`NIL`] at an open boundary.
+    /// Calls `visit` for each half-edge leaving `v` and its twin, in order of rotation, stopping when the walk returns or
+    /// has met as many half-edges as name `v` as their origin. Tells how many it met. With an open boundary it goes on from
+    /// the start in the other direction.
     #[inline]
-    pub(super) fn clockwise(&self, h: u32) -> u32 {
-        match self.twin(h) {
-            NIL => NIL,
-            t => self.next(t),
-        }
-    }
-
-    /// Calls `visit` for each half-edge leaving `v`, in order of rotation, stopping when the walk returns or after `limit`.
-    /// With an open boundary it goes on from the start in the other direction.
-    #[inline]
-    pub(super) fn around(&self, v: u32, limit: u32, mut visit: impl FnMut(u32)) {
-        let start = self.some_leaving[v as usize];
+    pub(super) fn around(&self, v: u32, mut visit: impl FnMut(u32, u32)) -> u32 {
+        let Fan { degree, leaving: start } = self.fans[v as usize];
         let mut h = start;
         let mut seen = 0;
-        while h != NIL && seen < limit {
-            visit(h);
+        while h != NIL && seen < degree {
+            let t = self.twin(h);
+            visit(h, t);
             seen += 1;
-            h = self.clockwise(h);
+            h = if t == NIL { NIL } else { self.next(t) };
             if h == start {
-                return;
+                return seen;
             }
         }
         if !self.expect.is_open() {
-            return;
+            return seen;
         }
         let mut h = start;
-        while seen < limit {
-            let before = if self.expect.has(Part::Prev) {
-                self.prev(h)
-            } else {
-                self.derived_prev.get(h as usize).copied().unwrap_or(NIL)
-            };
-            h = if before == NIL { NIL } else { self.twin(before) };
+        while seen < degree {
+            h = self.before(h).map_or(NIL, |before| self.twin(before));
             if h == NIL || h == start {
-                return;
+                break;
             }
-            visit(h);
+            visit(h, self.twin(h));
             seen += 1;
+        }
+        seen
+    }
+
+    /// The half-edge before `h` on its cycle.
+    pub(super) fn before(&self, h: u32) -> Option<u32> {
+        let before = if self.expect.has(Part::Prev) {
+            self.prev(h)
+        } else {
+            self.derived_prev.get(h as usize).copied().unwrap_or(NIL)
+        };
+        (before != NIL).then_some(before)
+    }
+
+    /// The target of a half-edge without twin.
+    pub(super) fn target_by_next(&self, h: u32) -> u32 {
+        match self.next(h) {
+            NIL => NIL,
+            n => self.origin(n),
         }
     }
 }

@@ -13,42 +13,10 @@
 //!   T3  V − E + cycles = 2 − 2g per component
 //! ```
 
+use super::components::Components;
 use super::report::{Flow, Halt};
 use super::run::{NIL, Run, column};
 use super::{Bounds, Part, Record, Rule, Start, Surface, Unchecked, View, Violation};
-use alloc::vec::Vec;
-
-/// What a component is made of.
-#[derive(Clone, Copy)]
-struct Component {
-    /// Its first vertex, to name it by.
-    vertex: u32,
-    vertices: u32,
-    /// Half-edges with and without a twin: the edges are half the former and all of the latter.
-    paired: u32,
-    unpaired: u32,
-    cycles: u32,
-    /// Whether some half-edge lacks its twin or its face: its outside may be there.
-    open: bool,
-    /// The face that lists its outside, once known.
-    lies_in: u32,
-    outside: Option<Record>,
-}
-
-impl Component {
-    const fn edges(&self) -> usize {
-        self.paired as usize / 2 + self.unpaired as usize
-    }
-}
-
-/// The components of the whole map.
-struct Components {
-    /// Per vertex, the number of its component.
-    of: Vec<u32>,
-    all: Vec<Component>,
-    /// Whether there is neither a loop nor a pair of parallel edges.
-    simple: bool,
-}
 
 impl<V: View + ?Sized> Run<'_, V> {
     /// Runs T1, T2, T3 and T4.
@@ -59,7 +27,7 @@ impl<V: View + ?Sized> Run<'_, V> {
             }
             return Ok(());
         }
-        let mut components = self.components()?;
+        let Some(mut components) = self.components.take() else { return Ok(()) };
         self.counts.components = Some(components.all.len());
         self.cycles(&mut components)?;
         self.outside(&mut components)?;
@@ -68,98 +36,40 @@ impl<V: View + ?Sized> Run<'_, V> {
         self.bounds(&components, bounds)
     }
 
-    /// Finds the components breadth first. The queue holds each vertex once.
-    fn components(&self) -> Result<Components, Halt> {
-        let mut of = column(self.vertices, NIL)?;
-        // The last vertex from which this one was seen as a neighbour: seen twice means parallel edges.
-        let mut seen_from = column(self.vertices, NIL)?;
-        let mut queue: Vec<u32> = Vec::new();
-        queue.try_reserve_exact(self.vertices as usize).map_err(|_| Halt::OutOfMemory)?;
-        let mut all: Vec<Component> = Vec::new();
-        let mut simple = true;
-        let open = self.expect.is_open();
-        for first in 0..self.vertices {
-            if !self.live_vertex(first) || of[first as usize] != NIL {
-                continue;
-            }
-            let number = all.len() as u32;
-            let mut component = Component {
-                vertex: first,
-                vertices: 0,
-                paired: 0,
-                unpaired: 0,
-                cycles: 0,
-                open: false,
-                lies_in: NIL,
-                outside: None,
-            };
-            of[first as usize] = number;
-            queue.clear();
-            queue.push(first);
-            let mut head = 0;
-            while let Some(&v) = queue.get(head) {
-                head += 1;
-                component.vertices += 1;
-                let mut reach = |u: u32| {
-                    if let Some(entry) = of.get_mut(u as usize)
-                        && *entry == NIL
-                        && queue.len() < self.vertices as usize
-                    {
-                        *entry = number;
-                        queue.push(u);
-                    }
-                };
-                self.around(v, self.degree[v as usize], |h| {
-                    let twin = self.twin(h);
-                    let target = match twin {
-                        NIL => self.slot_target(h),
-                        t => self.origin(t),
-                    };
-                    *(if twin == NIL { &mut component.unpaired } else { &mut component.paired }) += 1;
-                    let mut neighbour = |u: u32| {
-                        if let Some(from) = seen_from.get_mut(u as usize) {
-                            simple &= *from != v && u != v;
-                            *from = v;
-                        }
-                        reach(u);
-                    };
-                    neighbour(target);
-                    // An edge without twin that ends at `v` is seen from there only as what comes before `h`.
-                    if open
-                        && let Some(before) = self.before(h)
-                        && self.twin(before) == NIL
-                    {
-                        neighbour(self.origin(before));
-                    }
-                });
-            }
-            component.open = component.unpaired > 0;
-            all.try_reserve(1).map_err(|_| Halt::OutOfMemory)?;
-            all.push(component);
-        }
-        Ok(Components { of, all, simple })
-    }
-
-    /// The target of a half-edge without twin.
-    fn slot_target(&self, h: u32) -> u32 {
-        match self.next(h) {
-            NIL => NIL,
-            n => self.origin(n),
-        }
-    }
-
-    /// The half-edge before `h` on its cycle.
-    fn before(&self, h: u32) -> Option<u32> {
-        let before = if self.expect.has(Part::Prev) {
-            self.prev(h)
-        } else {
-            self.derived_prev.get(h as usize).copied().unwrap_or(NIL)
-        };
-        (before != NIL).then_some(before)
-    }
-
     /// Counts the cycles of each component: those of `next`, one for each isolated vertex, and one for each open boundary.
     fn cycles(&mut self, components: &mut Components) -> Flow {
+        let by_record = self.expect.has(Part::BoundaryComponents) && !self.expect.is_open();
+        let cycles = if by_record && self.findings.broken(&[Rule::R1, Rule::B1]).is_none() {
+            // B1 has shown that boundary components and cycles are the same.
+            self.count_components_with_cycle(components)
+        } else {
+            self.count_cycles(components)?
+        };
+        self.counts.cycles = Some(cycles);
+        for component in &mut components.all {
+            if component.paired + component.unpaired == 0 {
+                component.cycles += 1;
+            }
+        }
+        if self.expect.is_open() { self.borders(components) } else { Ok(()) }
+    }
+
+    fn count_components_with_cycle(&self, components: &mut Components) -> usize {
+        let mut cycles = 0;
+        for b in 0..self.boundaries {
+            if !self.live_boundary(b) {
+                continue;
+            }
+            let start = self.view.boundary_start(b as usize).filter(|start| matches!(start, Start::HalfEdge(_)));
+            if let Some(c) = self.component_of_start(components, start) {
+                cycles += 1;
+                components.all[c].cycles += 1;
+            }
+        }
+        cycles
+    }
+
+    fn count_cycles(&self, components: &mut Components) -> Result<usize, Halt> {
         let mut seen = column(self.half_edges, false)?;
         let mut cycles = 0;
         for start in 0..self.half_edges {
@@ -177,13 +87,7 @@ impl<V: View + ?Sized> Run<'_, V> {
                 components.all[c].open |= self.lacks_face(start as usize);
             }
         }
-        self.counts.cycles = Some(cycles);
-        for component in &mut components.all {
-            if component.paired + component.unpaired == 0 {
-                component.cycles += 1;
-            }
-        }
-        if self.expect.is_open() { self.borders(components) } else { Ok(()) }
+        Ok(cycles)
     }
 
     /// Whether the half-edge has no face, or no boundary component to have one: a cycle of such is an open boundary.
@@ -215,7 +119,7 @@ impl<V: View + ?Sized> Run<'_, V> {
                 components.all[c].cycles += 1;
             }
             while h != NIL {
-                let target = self.slot_target(h);
+                let target = self.target_by_next(h);
                 h = border_at.get_mut(target as usize).map_or(NIL, |entry| core::mem::replace(entry, NIL));
             }
         }
@@ -223,14 +127,16 @@ impl<V: View + ?Sized> Run<'_, V> {
     }
 
     fn component_at(&self, components: &Components, h: u32) -> Option<usize> {
-        let c = *components.of.get(self.origin(h) as usize)?;
+        let c = components.of.get(self.origin(h) as usize)?.component;
         (c != NIL).then_some(c as usize)
     }
 
     fn component_of_start(&self, components: &Components, start: Option<Start>) -> Option<usize> {
         match start? {
             Start::HalfEdge(h) if h < self.half_edges as usize => self.component_at(components, h as u32),
-            Start::Vertex(v) => components.of.get(v).filter(|c| **c != NIL).map(|c| *c as usize),
+            Start::Vertex(v) => {
+                components.of.get(v).map(|mark| mark.component).filter(|c| *c != NIL).map(|c| c as usize)
+            }
             Start::HalfEdge(_) => None,
         }
     }
