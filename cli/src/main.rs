@@ -1,8 +1,10 @@
-//! The `twinedge` program: builds and audits planar maps.
+//! The `twinedge` program: builds and audits planar maps, and puts the structure they are kept in to the proof.
 
 mod audit;
 mod input;
 mod output;
+mod prove;
+mod work;
 
 use clap::{Parser, Subcommand};
 use std::process::ExitCode;
@@ -12,7 +14,7 @@ use std::process::ExitCode;
 #[command(name = "twinedge", version, propagate_version = true, arg_required_else_help = true)]
 #[command(
     after_help = "Exit status: 0 all is well; 1 something is wrong with what was examined; 2 the input could not be \
-read, or the command was misused."
+read, or the command was misused; 130 interrupted."
 )]
 struct Arguments {
     #[command(subcommand)]
@@ -22,6 +24,7 @@ struct Arguments {
 #[derive(Debug, Subcommand)]
 enum Command {
     Audit(audit::Audit),
+    Prove(prove::Prove),
 }
 
 /// What a command came to, as exit codes say it.
@@ -29,6 +32,7 @@ enum Command {
 enum Verdict {
     Sound,
     Wrong,
+    Interrupted,
 }
 
 /// Why a command could not be carried out: one line for standard error.
@@ -44,10 +48,12 @@ impl<E: std::error::Error> From<E> for Failure {
 fn main() -> ExitCode {
     let verdict = match Arguments::parse().command {
         Command::Audit(audit) => audit.run(),
+        Command::Prove(prove) => prove.run(),
     };
     match verdict {
         Ok(Verdict::Sound) => ExitCode::SUCCESS,
         Ok(Verdict::Wrong) => ExitCode::from(1),
+        Ok(Verdict::Interrupted) => ExitCode::from(130),
         Err(Failure(message)) => {
             eprintln!("twinedge: {message}");
             ExitCode::from(2)

@@ -5,9 +5,11 @@
 #[cfg(feature = "arbitrary")]
 mod arbitrary;
 pub mod canonical;
+pub mod census;
 pub mod choose;
 pub mod conformance;
 mod dcel;
+mod every;
 mod interpret;
 mod kernel;
 mod op;
@@ -21,9 +23,9 @@ mod text;
 mod textbook;
 
 pub use crate::dcel::{Side, Turn};
+pub use every::{every_op, try_every_op};
 pub use interpret::{Outcome, Runner};
 pub use kernel::{Corner, CornerOf, Kernel, Refusal};
-
 pub use op::{CornerPick, FacePick, HalfEdgePick, InnerPick, Op, Program, SecondPick, VertexPick};
 pub use shrink::{candidates, shrink};
 pub use text::{Expected, ParseError};

@@ -15,10 +15,8 @@ fn map(text: &str) -> Vec<Segment> {
         .map(|feature| &feature["geometry"]["coordinates"])
         .collect();
     while let Some(list) = stack.pop().and_then(serde_json::Value::as_array) {
-        let points: Vec<Point> = list
-            .iter()
-            .filter_map(|p| Some(Point::new(p.get(0)?.as_f64()?, p.get(1)?.as_f64()?)))
-            .collect();
+        let points: Vec<Point> =
+            list.iter().filter_map(|p| Some(Point::new(p.get(0)?.as_f64()?, p.get(1)?.as_f64()?))).collect();
         if points.is_empty() {
             stack.extend(list);
         }
@@ -29,47 +27,21 @@ fn map(text: &str) -> Vec<Segment> {
 
 #[test]
 fn two_crossings_of_the_small_world_are_cut() {
-    let noded = check(
-        &map(include_str!("../data/world-110m-crossing.geojson")),
-        &[],
-        Snap::Auto,
-    );
+    let noded = check(&map(include_str!("../data/world-110m-crossing.geojson")), &[], Snap::Auto);
     assert_eq!(counts(&noded), [7_493, 7_655, 125]);
     let summary = noded.summary;
-    assert_eq!(
-        (summary.crossings, summary.rounds, summary.merged),
-        (2, 1, 0)
-    );
+    assert_eq!((summary.crossings, summary.rounds, summary.merged), (2, 1, 0));
     // The same map with the crossings cut by somebody else has the two points.
-    for [x, y] in [
-        [23.888_056_018_6, 8.619_090_951_7],
-        [33.962_861_161_9, 9.463_914_345_4],
-    ] {
-        assert!(
-            noded
-                .points
-                .iter()
-                .any(|p| (p.x - x).abs() < 1e-9 && (p.y - y).abs() < 1e-9)
-        );
+    for [x, y] in [[23.888_056_018_6, 8.619_090_951_7], [33.962_861_161_9, 9.463_914_345_4]] {
+        assert!(noded.points.iter().any(|p| (p.x - x).abs() < 1e-9 && (p.y - y).abs() < 1e-9));
     }
 }
 
 #[test]
 fn the_small_world_is_plane_as_it_stands() {
-    let noded = check(
-        &map(include_str!("../../cli/data/world-110m.geojson")),
-        &[],
-        Snap::Auto,
-    );
+    let noded = check(&map(include_str!("../../cli/data/world-110m.geojson")), &[], Snap::Auto);
     assert_eq!(counts(&noded), [7_493, 7_655, 125]);
-    assert_eq!(
-        (
-            noded.summary.crossings,
-            noded.summary.split,
-            noded.summary.merged
-        ),
-        (0, 0, 0)
-    );
+    assert_eq!((noded.summary.crossings, noded.summary.split, noded.summary.merged), (0, 0, 0));
 }
 
 #[test]
@@ -77,14 +49,7 @@ fn the_large_world_is_plane_as_it_stands() {
     let rings = map(include_str!("../data/world-50m.geojson"));
     let noded = check(&rings, &[], Snap::Auto);
     assert_eq!(counts(&noded), [75_685, 75_863, 1_438]);
-    assert_eq!(
-        (
-            noded.summary.crossings,
-            noded.summary.split,
-            noded.summary.merged
-        ),
-        (0, 0, 0)
-    );
+    assert_eq!((noded.summary.crossings, noded.summary.split, noded.summary.merged), (0, 0, 0));
     assert_eq!(noded.summary.duplicates, rings.len() - 75_863);
     // On a coarse grid much is merged, and the rest is plane.
     let coarse = check(&rings, &[], Snap::Size(0.1));

@@ -25,22 +25,11 @@ pub(crate) fn cross(a: Whole, b: Whole, c: Whole) -> i128 {
 
 /// Do two segments, or a segment and a point, have a point in common that is not an end of both?
 pub(crate) fn clash([a, b]: [Whole; 2], [c, d]: [Whole; 2]) -> bool {
-    let signs = [
-        cross(a, b, c),
-        cross(a, b, d),
-        cross(c, d, a),
-        cross(c, d, b),
-    ]
-    .map(i128::signum);
+    let signs = [cross(a, b, c), cross(a, b, d), cross(c, d, a), cross(c, d, b)].map(i128::signum);
     let inside = |[p, q]: [Whole; 2], r: Whole| p.min(q) < r && r < p.max(q) && cross(p, q, r) == 0;
     let crossing = signs[0] * signs[1] < 0 && signs[2] * signs[3] < 0;
     let same = [a.min(b), a.max(b)] == [c.min(d), c.max(d)];
-    crossing
-        || same
-        || inside([a, b], c)
-        || inside([a, b], d)
-        || inside([c, d], a)
-        || inside([c, d], b)
+    crossing || same || inside([a, b], c) || inside([a, b], d) || inside([c, d], a) || inside([c, d], b)
 }
 
 /// When a point that goes from `a` to `b` is in a pixel: from, until.
@@ -56,15 +45,8 @@ fn visit(a: Whole, b: Whole, pixel: Whole, size: i128) -> Option<[Fraction; 2]> 
             continue;
         }
         // The low side belongs to the pixel, the high side does not.
-        let (at_low, at_high) = (
-            (Fraction::new(low - start, step), true),
-            (Fraction::new(high - start, step), false),
-        );
-        let (enters, leaves) = if step > 0 {
-            (at_low, at_high)
-        } else {
-            (at_high, at_low)
-        };
+        let (at_low, at_high) = ((Fraction::new(low - start, step), true), (Fraction::new(high - start, step), false));
+        let (enters, leaves) = if step > 0 { (at_low, at_high) } else { (at_high, at_low) };
         from = match from.0.order(enters.0) {
             Ordering::Less => enters,
             Ordering::Equal => (from.0, from.1 && enters.1),
@@ -85,10 +67,8 @@ fn visit(a: Whole, b: Whole, pixel: Whole, size: i128) -> Option<[Fraction; 2]> 
 
 /// The hot pixels that a segment visits, in order.
 fn snapped(hot: &BTreeSet<Whole>, [a, b]: [Whole; 2], size: i128) -> Vec<Whole> {
-    let mut visits: Vec<(Whole, [Fraction; 2])> = hot
-        .iter()
-        .filter_map(|&pixel| Some((pixel, visit(a, b, pixel, size)?)))
-        .collect();
+    let mut visits: Vec<(Whole, [Fraction; 2])> =
+        hot.iter().filter_map(|&pixel| Some((pixel, visit(a, b, pixel, size)?))).collect();
     visits.sort_by(|(_, [p, q]), (_, [r, s])| p.order(*r).then(q.order(*s)));
     visits.into_iter().map(|(pixel, _)| pixel).collect()
 }
@@ -109,13 +89,7 @@ fn meeting([a, b]: [Whole; 2], [c, d]: [Whole; 2], size: i128) -> Option<Whole> 
     let other = (c[0] - a[0]) * dy - (c[1] - a[1]) * dx;
     let (along, other, whole) = (along * whole.signum(), other * whole.signum(), whole.abs());
     let meets = (0..=whole).contains(&along) && (0..=whole).contains(&other);
-    meets.then(|| {
-        pixel(
-            [a[0] * whole + along * dx, a[1] * whole + along * dy],
-            whole,
-            size,
-        )
-    })
+    meets.then(|| pixel([a[0] * whole + along * dx, a[1] * whole + along * dy], whole, size))
 }
 
 pub(crate) struct Ideal {
@@ -127,45 +101,23 @@ pub(crate) struct Ideal {
 
 /// Iterated snap rounding by definition, for segments and points in steps, and pixels of `size` steps.
 pub(crate) fn node(segments: &[[Whole; 2]], points: &[Whole], size: i128) -> Ideal {
-    let ends: BTreeSet<Whole> = segments
-        .iter()
-        .flatten()
-        .chain(points)
-        .map(|&p| pixel(p, 1, size))
-        .collect();
-    let pairs = segments
-        .iter()
-        .enumerate()
-        .flat_map(|(i, s)| segments[..i].iter().map(move |t| (s, t)));
+    let ends: BTreeSet<Whole> = segments.iter().flatten().chain(points).map(|&p| pixel(p, 1, size)).collect();
+    let pairs = segments.iter().enumerate().flat_map(|(i, s)| segments[..i].iter().map(move |t| (s, t)));
     let meetings = pairs.filter_map(|(&s, &t)| meeting(s, t, size));
     let vertices: BTreeSet<Whole> = ends.iter().copied().chain(meetings).collect();
-    let mut chains: Vec<Vec<Whole>> = segments
-        .iter()
-        .map(|&s| snapped(&vertices, s, size))
-        .collect();
+    let mut chains: Vec<Vec<Whole>> = segments.iter().map(|&s| snapped(&vertices, s, size)).collect();
     let mut rounds = usize::from(chains.iter().any(|chain| chain.len() > 2));
     loop {
         let bent: Vec<Vec<Whole>> = chains
             .iter()
             .map(|chain| {
-                let edges = chain
-                    .windows(2)
-                    .map(|edge| snapped(&vertices, [edge[0], edge[1]], 1));
-                chain[..1]
-                    .iter()
-                    .copied()
-                    .chain(edges.flat_map(|pieces| pieces[1..].to_vec()))
-                    .collect()
+                let edges = chain.windows(2).map(|edge| snapped(&vertices, [edge[0], edge[1]], 1));
+                chain[..1].iter().copied().chain(edges.flat_map(|pieces| pieces[1..].to_vec())).collect()
             })
             .collect();
         if bent == chains {
             let crossings = vertices.len() - ends.len();
-            return Ideal {
-                vertices,
-                chains,
-                crossings,
-                rounds,
-            };
+            return Ideal { vertices, chains, crossings, rounds };
         }
         rounds += 1;
         chains = bent;

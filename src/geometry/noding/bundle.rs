@@ -35,26 +35,14 @@ impl Bundle<'_> {
     /// The crossings inside the block of a segment that has an end in it.
     ///
     /// Cost: O(log m) for m chords, and O(1) for each crossing.
-    pub(super) fn crossings(
-        &self,
-        block: &Block,
-        segment: &Segment,
-        end: Steps,
-    ) -> impl Iterator<Item = Pixel> {
+    pub(super) fn crossings(&self, block: &Block, segment: &Segment, end: Steps) -> impl Iterator<Item = Pixel> {
         let crossing = |chord: &Chord| {
             let pixel = self.pixels.crossing(segment, self.segment(*chord));
             pixel.filter(|&pixel| block.contains(pixel))
         };
-        let (before, rest) = self.chords.split_at(
-            self.chords
-                .partition_point(|chord| self.side(*chord, end) < 0),
-        );
+        let (before, rest) = self.chords.split_at(self.chords.partition_point(|chord| self.side(*chord, end) < 0));
         let after = &rest[rest.partition_point(|chord| self.side(*chord, end) == 0)..];
-        before
-            .iter()
-            .rev()
-            .map_while(crossing)
-            .chain(after.iter().map_while(crossing))
+        before.iter().rev().map_while(crossing).chain(after.iter().map_while(crossing))
     }
 
     /// The segments that visit a pixel of the block.
@@ -63,12 +51,7 @@ impl Bundle<'_> {
     pub(super) fn visitors(&self, pixel: Pixel) -> impl Iterator<Item = u32> {
         let centre = self.pixels.centre(pixel);
         let visits = move |chord: &Chord| self.pixels.visits(self.segment(*chord), pixel);
-        let from = self
-            .chords
-            .partition_point(|chord| !visits(chord) && self.side(*chord, centre) < 0);
-        self.chords[from..]
-            .iter()
-            .take_while(move |chord| visits(chord))
-            .map(|chord| chord.segment)
+        let from = self.chords.partition_point(|chord| !visits(chord) && self.side(*chord, centre) < 0);
+        self.chords[from..].iter().take_while(move |chord| visits(chord)).map(|chord| chord.segment)
     }
 }

@@ -36,13 +36,7 @@ impl Chains {
     }
 
     /// Where in the pool a vertex is on the chain of a run that visits it.
-    pub(super) fn place(
-        &self,
-        chain: usize,
-        run: &Segment,
-        vertices: &[Pixel],
-        vertex: u32,
-    ) -> usize {
+    pub(super) fn place(&self, chain: usize, run: &Segment, vertices: &[Pixel], vertex: u32) -> usize {
         let along = |v: u32| run.progress(vertices[v as usize]);
         let vertices_of = self.get(chain);
         let place = match run.ends {
@@ -87,20 +81,12 @@ pub(super) fn snap(
     let chains = Chains::through(runs, vertices, found.visits);
     // All edges of a chain that is bent are new lines, which can visit pixels that the run did not visit. So can the
     // only edge of one that is not bent, if the ends of the run moved.
-    let straight = found
-        .doubtful
-        .into_iter()
-        .map(|run| chains.get(run as usize))
-        .filter(|chain| chain.len() == 2);
+    let straight = found.doubtful.into_iter().map(|run| chains.get(run as usize)).filter(|chain| chain.len() == 2);
     let crooked = chains.all().filter(|chain| chain.len() > 2);
     let rounds = usize::from(crooked.clone().next().is_some());
     let mut seen = FxHashSet::default();
-    let mut fresh: Vec<[u32; 2]> = straight
-        .chain(crooked)
-        .flat_map(edges)
-        .map(sorted)
-        .filter(|&e| seen.insert(e))
-        .collect();
+    let mut fresh: Vec<[u32; 2]> =
+        straight.chain(crooked).flat_map(edges).map(sorted).filter(|&e| seen.insert(e)).collect();
     // The chain of each edge that was bent, by its ends.
     let mut bends: FxHashMap<[u32; 2], Vec<u32>> = FxHashMap::default();
     let hot = vertices.len();
@@ -110,11 +96,7 @@ pub(super) fn snap(
         debug_assert_eq!(hot, vertices.len(), "snapped edges do not cross");
         let pieces = Chains::through(&segments, vertices, found);
         fresh.clear();
-        for (segment, chain) in segments
-            .iter()
-            .zip(pieces.all())
-            .filter(|(_, chain)| chain.len() > 2)
-        {
+        for (segment, chain) in segments.iter().zip(pieces.all()).filter(|(_, chain)| chain.len() > 2) {
             let mut chain = chain.to_vec();
             fresh.extend(edges(&chain).map(sorted).filter(|&e| seen.insert(e)));
             if segment.ends[0] > segment.ends[1] {
@@ -132,10 +114,8 @@ pub(super) fn snap(
 
 /// The chains with each bent edge replaced by its chain, and the edges of that likewise; and how many times over.
 fn bend(chains: &Chains, bends: &FxHashMap<[u32; 2], Vec<u32>>) -> (Chains, usize) {
-    let mut bent = Chains {
-        pool: Vec::with_capacity(chains.pool.len()),
-        starts: Vec::with_capacity(chains.starts.len()),
-    };
+    let mut bent =
+        Chains { pool: Vec::with_capacity(chains.pool.len()), starts: Vec::with_capacity(chains.starts.len()) };
     let mut deepest = 0;
     // The vertices that are still to come, the next one last, with the number of bends that the edge to it comes
     // from.
@@ -177,17 +157,5 @@ pub(super) fn sorted([a, b]: [u32; 2]) -> [u32; 2] {
 /// The segment from the centre of one pixel to that of another, in steps of one pixel.
 fn between(vertices: &[Pixel], [p, q]: [u32; 2]) -> Segment {
     let (at_p, at_q) = (vertices[p as usize], vertices[q as usize]);
-    if at_p < at_q {
-        Segment {
-            a: at_p,
-            b: at_q,
-            ends: [p, q],
-        }
-    } else {
-        Segment {
-            a: at_q,
-            b: at_p,
-            ends: [q, p],
-        }
-    }
+    if at_p < at_q { Segment { a: at_p, b: at_q, ends: [p, q] } } else { Segment { a: at_q, b: at_p, ends: [q, p] } }
 }

@@ -41,23 +41,9 @@ impl End {
             let upwards = self
                 .floor
                 .cmp(&other.floor)
-                .then_with(|| {
-                    compare(
-                        (self.rest, self.denominator),
-                        (other.rest, other.denominator),
-                    )
-                })
-                .then_with(|| {
-                    compare(
-                        (other.rate, other.denominator),
-                        (self.rate, self.denominator),
-                    )
-                });
-            if self.side < 2 {
-                upwards
-            } else {
-                upwards.reverse()
-            }
+                .then_with(|| compare((self.rest, self.denominator), (other.rest, other.denominator)))
+                .then_with(|| compare((other.rate, other.denominator), (self.rate, self.denominator)));
+            if self.side < 2 { upwards } else { upwards.reverse() }
         })
     }
 }
@@ -86,12 +72,7 @@ pub(super) struct Chord {
 pub(super) fn chords(pixels: Pixels, block: &Block, segments: &[Segment], ids: &[u32]) -> Chords {
     let mut ends = Vec::with_capacity(2 * ids.len());
     for (number, &id) in (0..).zip(ids) {
-        chord(
-            pixels.sides(block),
-            &segments[id as usize],
-            number,
-            &mut ends,
-        );
+        chord(pixels.sides(block), &segments[id as usize], number, &mut ends);
     }
     ends.sort_unstable_by(End::order);
     let mut opened = vec![false; ids.len()];
@@ -115,10 +96,7 @@ pub(super) fn chords(pixels: Pixels, block: &Block, segments: &[Segment], ids: &
             // From the second end of the first one, counter-clockwise: one end of each, in order. What is before a
             // chord is to the left of the way from this end to the other.
             let side_by_side = ends.iter().cycle().skip(i + 1).take(ends.len() / 2);
-            let chords = side_by_side.map(|end| Chord {
-                segment: ids[end.chord as usize],
-                first_is_left: !end.leaves,
-            });
+            let chords = side_by_side.map(|end| Chord { segment: ids[end.chord as usize], first_is_left: !end.leaves });
             Chords::SideBySide(chords.collect())
         }
         _ => Chords::Apart,
@@ -141,18 +119,12 @@ fn chord([left, lower, right, upper]: [i64; 4], s: &Segment, number: u32, ends: 
             continue;
         }
         // Towards the side, and along it.
-        let (across, along) = if side % 2 == 0 {
-            ((dy, start[1]), (dx, start[0]))
-        } else {
-            ((dx, start[0]), (dy, start[1]))
-        };
+        let (across, along) =
+            if side % 2 == 0 { ((dy, start[1]), (dx, start[0])) } else { ((dx, start[0]), (dy, start[1])) };
         let denominator = across.0.abs();
         let rate = along.0 * across.0.signum();
         let product = i128::from(at - across.1) * i128::from(rate);
-        let (floor, rest) = (
-            product.div_euclid(denominator.into()),
-            product.rem_euclid(denominator.into()),
-        );
+        let (floor, rest) = (product.div_euclid(denominator.into()), product.rem_euclid(denominator.into()));
         ends.push(End {
             side: side as u8,
             floor: along.1 + floor as i64,

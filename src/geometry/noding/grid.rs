@@ -30,35 +30,20 @@ impl Grid {
         let above = exponent_above(largest);
         let finest = above.map(|e| (e - REACH).max(SMALLEST));
         let cells = match snap {
-            Snap::Auto => above.map_or([0; 2], |e| {
-                [e - REACH + SPARE, e - REACH].map(|cell| cell.max(SMALLEST))
-            }),
+            Snap::Auto => above.map_or([0; 2], |e| [e - REACH + SPARE, e - REACH].map(|cell| cell.max(SMALLEST))),
             Snap::Size(size) if size.is_finite() && size > 0.0 => [exponent_below(size); 2],
             Snap::Size(_) => return Err(NodingError::Size),
         };
         let grids = cells.map(|cell| Self::of_cells(cell, finest.unwrap_or(cell)));
         let reaches = |grid: &Self| {
-            grid.cell >= grid.step
-                && grid
-                    .point(grid.pixels.at(grid.steps(Point::new(largest, 0.0))))
-                    .x
-                    .is_finite()
+            grid.cell >= grid.step && grid.point(grid.pixels.at(grid.steps(Point::new(largest, 0.0)))).x.is_finite()
         };
-        grids
-            .into_iter()
-            .find(reaches)
-            .ok_or(NodingError::OutOfRange { at: holder })
+        grids.into_iter().find(reaches).ok_or(NodingError::OutOfRange { at: holder })
     }
 
     fn of_cells(cell: i32, step: i32) -> Self {
         // From 2^55 steps on, every position is in pixel 0, and a larger pixel makes no difference.
-        Self {
-            cell,
-            step,
-            pixels: Pixels {
-                shift: cell.abs_diff(step).min(55),
-            },
-        }
+        Self { cell, step, pixels: Pixels { shift: cell.abs_diff(step).min(55) } }
     }
 
     /// The width of a cell.
@@ -79,11 +64,7 @@ impl Grid {
             let (below, nearest) = (mantissa >> drop, (mantissa + (1 << (drop - 1))) >> drop);
             // If a pixel is many steps, its borders are whole steps, and the position below is in the same one.
             let same = |p, q| self.pixels.along(p) == self.pixels.along(q);
-            if self.pixels.shift == 0 || same(below, nearest) {
-                nearest
-            } else {
-                below
-            }
+            if self.pixels.shift == 0 || same(below, nearest) { nearest } else { below }
         })
     }
 
@@ -142,10 +123,7 @@ mod tests {
         }
         for e in -1021..=1023 {
             let below = power_of_two(e).next_down();
-            assert_eq!(
-                (exponent_below(below), exponent_above(below)),
-                (e - 1, Some(e))
-            );
+            assert_eq!((exponent_below(below), exponent_above(below)), (e - 1, Some(e)));
         }
         assert_eq!(exponent_above(f64::MAX), Some(1024));
         assert_eq!(exponent_above(0.0), None);
@@ -153,33 +131,18 @@ mod tests {
 
     #[test]
     fn the_automatic_grid_has_2_to_the_50_cells_for_the_largest_coordinate() {
-        for (x, cell) in [
-            (180.0, -42),
-            (128.0, -43),
-            (1.0, -50),
-            (0.1, -53),
-            (1e-300, -1046),
-        ] {
+        for (x, cell) in [(180.0, -42), (128.0, -43), (1.0, -50), (0.1, -53), (1e-300, -1046)] {
             assert_eq!(grid(Snap::Auto, x).cell, cell, "{x}");
         }
     }
 
     #[test]
     fn the_automatic_grid_never_rounds_to_infinity() {
-        for x in [
-            f64::MAX,
-            f64::MAX.next_down(),
-            f64::MIN_POSITIVE,
-            f64::MIN_POSITIVE.next_down(),
-            5e-324,
-        ] {
+        for x in [f64::MAX, f64::MAX.next_down(), f64::MIN_POSITIVE, f64::MIN_POSITIVE.next_down(), 5e-324] {
             let grid = grid(Snap::Auto, x);
             for p in [Point::new(x, -x), Point::new(-x, x)] {
                 let to = grid.point(grid.pixels.at(grid.steps(p)));
-                assert!(
-                    (to.x - p.x).abs() <= grid.cell() / 2.0
-                        && (to.y - p.y).abs() <= grid.cell() / 2.0
-                );
+                assert!((to.x - p.x).abs() <= grid.cell() / 2.0 && (to.y - p.y).abs() <= grid.cell() / 2.0);
             }
         }
     }
@@ -190,14 +153,9 @@ mod tests {
         for largest in [power_of_two(53), 4.0] {
             let grid = grid(Snap::Size(1.0), largest);
             let rounded = |x: f64| grid.pixels.at(grid.steps(Point::new(x, x)));
-            for (x, to) in [
-                (0.5, 1),
-                (-0.5, 0),
-                (1.5, 2),
-                (-1.5, -1),
-                (0.5_f64.next_down(), 0),
-                ((-0.5_f64).next_up(), 0),
-            ] {
+            for (x, to) in
+                [(0.5, 1), (-0.5, 0), (1.5, 2), (-1.5, -1), (0.5_f64.next_down(), 0), ((-0.5_f64).next_up(), 0)]
+            {
                 assert_eq!(rounded(x), [to, to], "{x}");
             }
             assert_eq!(rounded((-0.5_f64).next_down()), [-1, -1]);

@@ -212,15 +212,8 @@ impl Noded {
     /// Two vertices in a row are an edge. The chains of a ring's segments make up a closed chain.
     #[must_use]
     pub fn chain(&self, segment: usize) -> Option<Chain<'_>> {
-        let &Stretch {
-            start,
-            len,
-            reversed,
-        } = self.stretches.get(segment)?;
-        Some(Chain {
-            vertices: &self.pool[start..start + len],
-            reversed,
-        })
+        let &Stretch { start, len, reversed } = self.stretches.get(segment)?;
+        Some(Chain { vertices: &self.pool[start..start + len], reversed })
     }
 
     /// The vertex that an input point became. `None` if there is no such point. O(1).
@@ -239,11 +232,7 @@ pub struct Chain<'a> {
 
 impl Chain<'_> {
     fn take(&mut self, at_end: bool) -> Option<u32> {
-        let (&vertex, rest) = if at_end {
-            self.vertices.split_last()
-        } else {
-            self.vertices.split_first()
-        }?;
+        let (&vertex, rest) = if at_end { self.vertices.split_last() } else { self.vertices.split_first() }?;
         self.vertices = rest;
         Some(vertex)
     }
@@ -284,21 +273,12 @@ impl FusedIterator for Chain<'_> {}
 pub fn node(segments: &[[Point; 2]], points: &[Point], snap: Snap) -> Result<Noded, NodingError> {
     let (largest, holder) = largest_coordinate(segments, points)?;
     let grid = Grid::new(snap, largest, holder)?;
-    if segments
-        .len()
-        .saturating_mul(2)
-        .saturating_add(points.len())
-        >= u32::MAX as usize
-    {
+    if segments.len().saturating_mul(2).saturating_add(points.len()) >= u32::MAX as usize {
         return Err(NodingError::TooMany);
     }
     let read = Read::new(&grid, segments, points);
     let given = read.segments();
-    let Runs {
-        joined,
-        of,
-        duplicates,
-    } = runs::join(&given);
+    let Runs { joined, of, duplicates } = runs::join(&given);
     let mut vertices = read.vertices.clone();
     let (chains, rounds) = chains::snap(grid.pixels, &joined, &mut vertices)?;
 
@@ -307,18 +287,10 @@ pub fn node(segments: &[[Point; 2]], points: &[Point], snap: Snap) -> Result<Nod
     let stretch = |[from, to]: [u32; 2]| {
         let Some(run) = (if from == to { None } else { runs.next() }) else {
             collapsed.push(from);
-            return Stretch {
-                start: chains.pool().len() + collapsed.len() - 1,
-                len: 1,
-                reversed: false,
-            };
+            return Stretch { start: chains.pool().len() + collapsed.len() - 1, len: 1, reversed: false };
         };
         let [i, j] = [from, to].map(|end| chains.place(run, &joined[run], &vertices, end));
-        Stretch {
-            start: i.min(j),
-            len: i.abs_diff(j) + 1,
-            reversed: i > j,
-        }
+        Stretch { start: i.min(j), len: i.abs_diff(j) + 1, reversed: i > j }
     };
     let stretches: Vec<Stretch> = read.ends().map(stretch).collect();
 
@@ -330,17 +302,11 @@ pub fn node(segments: &[[Point; 2]], points: &[Point], snap: Snap) -> Result<Nod
         number[v as usize] = place;
     }
     let renamed = |v: u32| number[v as usize];
-    let mut edges: Vec<[u32; 2]> = chains
-        .edges()
-        .map(|edge| sorted(edge.map(renamed)))
-        .collect();
+    let mut edges: Vec<[u32; 2]> = chains.edges().map(|edge| sorted(edge.map(renamed))).collect();
     edges.sort_unstable();
     edges.dedup();
     Ok(Noded {
-        points: order
-            .iter()
-            .map(|&v| grid.point(vertices[v as usize]))
-            .collect(),
+        points: order.iter().map(|&v| grid.point(vertices[v as usize])).collect(),
         segments: edges,
         summary: Summary {
             cell: grid.cell(),
@@ -352,13 +318,7 @@ pub fn node(segments: &[[Point; 2]], points: &[Point], snap: Snap) -> Result<Nod
             rounds,
             largest_move: read.largest_move(&grid),
         },
-        pool: chains
-            .pool()
-            .iter()
-            .copied()
-            .chain(collapsed)
-            .map(renamed)
-            .collect(),
+        pool: chains.pool().iter().copied().chain(collapsed).map(renamed).collect(),
         stretches,
         vertex_of_point: read.points().map(renamed).collect(),
     })

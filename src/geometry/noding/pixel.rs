@@ -60,10 +60,7 @@ pub(super) struct Block {
 impl Block {
     /// The block of one pixel.
     pub(super) fn one(pixel: Pixel) -> Self {
-        Self {
-            low: pixel,
-            high: pixel,
-        }
+        Self { low: pixel, high: pixel }
     }
 
     pub(super) fn contains(&self, [x, y]: Pixel) -> bool {
@@ -82,10 +79,7 @@ impl Block {
     pub(super) fn join(&self, other: &Self) -> Self {
         Self {
             low: [self.low[0].min(other.low[0]), self.low[1].min(other.low[1])],
-            high: [
-                self.high[0].max(other.high[0]),
-                self.high[1].max(other.high[1]),
-            ],
+            high: [self.high[0].max(other.high[0]), self.high[1].max(other.high[1])],
         }
     }
 
@@ -93,10 +87,7 @@ impl Block {
     pub(super) fn meet(&self, other: &Self) -> Self {
         Self {
             low: [self.low[0].max(other.low[0]), self.low[1].max(other.low[1])],
-            high: [
-                self.high[0].min(other.high[0]),
-                self.high[1].min(other.high[1]),
-            ],
+            high: [self.high[0].min(other.high[0]), self.high[1].min(other.high[1])],
         }
     }
 }
@@ -135,22 +126,14 @@ impl Pixels {
     /// The smallest block that holds a segment.
     pub(super) fn around(self, s: &Segment) -> Block {
         let (a, b) = (self.at(s.a), self.at(s.b));
-        Block {
-            low: [a[0], a[1].min(b[1])],
-            high: [b[0], a[1].max(b[1])],
-        }
+        Block { low: [a[0], a[1].min(b[1])], high: [b[0], a[1].max(b[1])] }
     }
 
     /// The corners of a block in doubled steps: left, lower, right, upper.
     pub(super) fn sides(self, block: &Block) -> [i64; 4] {
         let Block { low, high } = block;
         let size = self.size();
-        [
-            (2 * low[0] - 1) * size,
-            (2 * low[1] - 1) * size,
-            (2 * high[0] + 1) * size,
-            (2 * high[1] + 1) * size,
-        ]
+        [(2 * low[0] - 1) * size, (2 * low[1] - 1) * size, (2 * high[0] + 1) * size, (2 * high[1] + 1) * size]
     }
 
     /// Does the line of a segment come within half a pixel of the block, in each direction?
@@ -162,13 +145,9 @@ impl Pixels {
         let [dx, dy] = s.direction();
         // Twice the centre and twice the half extents are the sum and the difference of the doubled sides, halved.
         let centre = [i64::midpoint(left, right), i64::midpoint(lower, upper)];
-        let (wide, tall) = (
-            (right - left) / 2 + self.size(),
-            (upper - lower) / 2 + self.size(),
-        );
+        let (wide, tall) = ((right - left) / 2 + self.size(), (upper - lower) / 2 + self.size());
         let offset = cross([dx, dy], minus(centre, s.a.map(|c| 2 * c)));
-        offset.abs()
-            <= i128::from(wide) * i128::from(dy.abs()) + i128::from(tall) * i128::from(dx.abs())
+        offset.abs() <= i128::from(wide) * i128::from(dy.abs()) + i128::from(tall) * i128::from(dx.abs())
     }
 
     /// Does the segment visit the pixel?
@@ -184,25 +163,19 @@ impl Pixels {
         let [dx, dy] = s.direction();
         let offset = 2 * cross([dx, dy], minus(self.centre(pixel), s.a));
         let size = i128::from(self.size());
-        offset.abs() < size * i128::from(dx.abs() + dy.abs())
-            || offset == size * i128::from(dx - dy)
+        offset.abs() < size * i128::from(dx.abs() + dy.abs()) || offset == size * i128::from(dx - dy)
     }
 
     /// The segment from centre to centre of the pixels in which a segment ends, in steps of a pixel.
     pub(super) fn between_centres(self, s: &Segment) -> Segment {
-        Segment {
-            a: self.at(s.a),
-            b: self.at(s.b),
-            ends: s.ends,
-        }
+        Segment { a: self.at(s.a), b: self.at(s.b), ends: s.ends }
     }
 
     /// The pixel in which two segments cross, each inside the other: `None` if they do not, if one ends on the other,
     /// or if they are on one line.
     pub(super) fn crossing(self, s: &Segment, t: &Segment) -> Option<Pixel> {
         let apart = |axis: usize| {
-            s.a[axis].max(s.b[axis]) < t.a[axis].min(t.b[axis])
-                || t.a[axis].max(t.b[axis]) < s.a[axis].min(s.b[axis])
+            s.a[axis].max(s.b[axis]) < t.a[axis].min(t.b[axis]) || t.a[axis].max(t.b[axis]) < s.a[axis].min(s.b[axis])
         };
         if apart(0) || apart(1) {
             return None;

@@ -27,12 +27,8 @@ pub(super) struct Read {
 
 impl Read {
     pub(super) fn new(grid: &Grid, segments: &[[Point; 2]], points: &[Point]) -> Self {
-        let mut reader = Reader {
-            grid,
-            read: Self::default(),
-            sites: FxHashMap::default(),
-            vertices: FxHashMap::default(),
-        };
+        let mut reader =
+            Reader { grid, read: Self::default(), sites: FxHashMap::default(), vertices: FxHashMap::default() };
         reader.sites.reserve(segments.len());
         reader.vertices.reserve(segments.len());
         // The segments of a ring follow each other.
@@ -55,33 +51,22 @@ impl Read {
 
     /// The segments that are more than a vertex.
     pub(super) fn segments(&self) -> Vec<Segment> {
-        let longer = self
-            .ends
-            .iter()
-            .map(|ends| ends.map(|site| &self.sites[site as usize]));
+        let longer = self.ends.iter().map(|ends| ends.map(|site| &self.sites[site as usize]));
         longer
             .filter(|[p, q]| p.vertex != q.vertex)
             .map(|[p, q]| if p.at < q.at { [p, q] } else { [q, p] })
-            .map(|[p, q]| Segment {
-                a: p.at,
-                b: q.at,
-                ends: [p.vertex, q.vertex],
-            })
+            .map(|[p, q]| Segment { a: p.at, b: q.at, ends: [p.vertex, q.vertex] })
             .collect()
     }
 
     /// The vertices where each segment starts and ends.
     pub(super) fn ends(&self) -> impl Iterator<Item = [u32; 2]> {
-        self.ends
-            .iter()
-            .map(|ends| ends.map(|site| self.sites[site as usize].vertex))
+        self.ends.iter().map(|ends| ends.map(|site| self.sites[site as usize].vertex))
     }
 
     /// The vertices of the single points.
     pub(super) fn points(&self) -> impl Iterator<Item = u32> {
-        self.points
-            .iter()
-            .map(|&site| self.sites[site as usize].vertex)
+        self.points.iter().map(|&site| self.sites[site as usize].vertex)
     }
 
     /// How many distinct points there are.
@@ -91,15 +76,10 @@ impl Read {
 
     /// The largest move of a point, in x and in y.
     pub(super) fn largest_move(&self, grid: &Grid) -> [f64; 2] {
-        self.sites
-            .iter()
-            .fold([0.0; 2], |[x, y], Site { point, vertex, .. }| {
-                let to = grid.point(self.vertices[*vertex as usize]);
-                [
-                    f64::max(x, (to.x - point.x).abs()),
-                    f64::max(y, (to.y - point.y).abs()),
-                ]
-            })
+        self.sites.iter().fold([0.0; 2], |[x, y], Site { point, vertex, .. }| {
+            let to = grid.point(self.vertices[*vertex as usize]);
+            [f64::max(x, (to.x - point.x).abs()), f64::max(y, (to.y - point.y).abs())]
+        })
     }
 }
 
@@ -128,24 +108,17 @@ impl Reader<'_> {
 }
 
 /// The largest magnitude of a coordinate, and the first that has it.
-pub(super) fn largest_coordinate(
-    segments: &[[Point; 2]],
-    points: &[Point],
-) -> Result<(f64, Input), NodingError> {
-    let ends = segments
-        .iter()
-        .enumerate()
-        .flat_map(|(i, ends)| ends.iter().map(move |p| (p, Input::Segment(i))));
+pub(super) fn largest_coordinate(segments: &[[Point; 2]], points: &[Point]) -> Result<(f64, Input), NodingError> {
+    let ends = segments.iter().enumerate().flat_map(|(i, ends)| ends.iter().map(move |p| (p, Input::Segment(i))));
     let points = points.iter().enumerate().map(|(i, p)| (p, Input::Point(i)));
-    ends.chain(points)
-        .try_fold((0.0, Input::Segment(0)), |largest, (p, at)| {
-            let magnitude = p.x.abs().max(p.y.abs());
-            if !(p.x.is_finite() && p.y.is_finite()) {
-                Err(NodingError::NotFinite { at })
-            } else if magnitude > largest.0 {
-                Ok((magnitude, at))
-            } else {
-                Ok(largest)
-            }
-        })
+    ends.chain(points).try_fold((0.0, Input::Segment(0)), |largest, (p, at)| {
+        let magnitude = p.x.abs().max(p.y.abs());
+        if !(p.x.is_finite() && p.y.is_finite()) {
+            Err(NodingError::NotFinite { at })
+        } else if magnitude > largest.0 {
+            Ok((magnitude, at))
+        } else {
+            Ok(largest)
+        }
+    })
 }

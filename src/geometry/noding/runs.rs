@@ -31,11 +31,7 @@ pub(super) fn join(segments: &[Segment]) -> Runs {
     for (id, segment) in segments.iter().enumerate() {
         before[id] = last.insert(line(segment), id as u32).unwrap_or(NONE);
     }
-    let mut runs = Runs {
-        joined: Vec::with_capacity(last.len()),
-        of: vec![NONE; segments.len()],
-        duplicates: 0,
-    };
+    let mut runs = Runs { joined: Vec::with_capacity(last.len()), of: vec![NONE; segments.len()], duplicates: 0 };
     let mut group = Vec::new();
     for id in (0..segments.len() as u32).rev() {
         if runs.of[id as usize] != NONE {
@@ -85,11 +81,7 @@ fn line(s: &Segment) -> u64 {
     let twos = (dx | dy).trailing_zeros();
     let [dx, dy, x, y] = [dx >> twos, dy >> twos, s.a[0], s.a[1]].map(i64::cast_unsigned);
     let steep = dx % 2 == 0;
-    let [along, across, from, to] = if steep {
-        [dy, dx, y, x]
-    } else {
-        [dx, dy, x, y]
-    };
+    let [along, across, from, to] = if steep { [dy, dx, y, x] } else { [dx, dy, x, y] };
     let slope = across.wrapping_mul(inverse(along));
     let intercept = to.wrapping_sub(slope.wrapping_mul(from));
     let mut hasher = FxHasher::default();
@@ -141,22 +133,12 @@ mod tests {
     #[test]
     fn a_line_has_one_number_and_its_neighbours_have_others() {
         let far = (1_i64 << 53) - 1;
-        for [p, q] in [
-            [1, 0],
-            [0, 1],
-            [3, 5],
-            [2, 5],
-            [4, -6],
-            [far, -far],
-            [far - 1, far],
-        ] {
+        for [p, q] in [[1, 0], [0, 1], [3, 5], [2, 5], [4, -6], [far, -far], [far - 1, far]] {
             let number = line(&segment([0, 0], [p, q]));
             assert_eq!(line(&segment([-p, -q], [p, q])), number);
             assert_eq!(line(&segment([-p, -q], [0, 0])), number);
-            let (beside, turned) = (
-                segment([-q.signum(), p.signum()], [p - q.signum(), q + p.signum()]),
-                segment([0, 0], [p + 1, q + 2]),
-            );
+            let (beside, turned) =
+                (segment([-q.signum(), p.signum()], [p - q.signum(), q + p.signum()]), segment([0, 0], [p + 1, q + 2]));
             assert_ne!(line(&beside), number);
             assert_ne!(line(&turned), number);
         }
@@ -165,13 +147,7 @@ mod tests {
     #[test]
     fn overlapping_segments_are_joined_and_touching_ones_are_not() {
         let on_a_line = |i: i64, j: i64| segment([3 * i, 5 * i], [3 * j, 5 * j]);
-        let segments = [
-            on_a_line(4, 6),
-            on_a_line(0, 2),
-            on_a_line(1, 3),
-            on_a_line(3, 4),
-            on_a_line(0, 2),
-        ];
+        let segments = [on_a_line(4, 6), on_a_line(0, 2), on_a_line(1, 3), on_a_line(3, 4), on_a_line(0, 2)];
         let runs = join(&segments);
         assert_eq!((runs.joined.len(), runs.duplicates), (3, 1));
         assert_eq!(runs.of[1], runs.of[2]);

@@ -101,19 +101,11 @@ struct Search<'a> {
 /// No two segments may overlap in more than a point, and the vertices are distinct and include all ends.
 ///
 /// Cost: O((n + k) log n) in practice, for n segments and vertices and k crossings and visits.
-pub(super) fn search(
-    pixels: Pixels,
-    segments: &[Segment],
-    vertices: &mut Vec<Pixel>,
-) -> Result<Found, NodingError> {
+pub(super) fn search(pixels: Pixels, segments: &[Segment], vertices: &mut Vec<Pixel>) -> Result<Found, NodingError> {
     if segments.len() >= u32::MAX as usize {
         return Err(NodingError::TooMany);
     }
-    let all = vertices
-        .iter()
-        .copied()
-        .map(Block::one)
-        .reduce(|a, b| a.join(&b));
+    let all = vertices.iter().copied().map(Block::one).reduce(|a, b| a.join(&b));
     let mut search = Search {
         pixels,
         segments,
@@ -124,14 +116,7 @@ pub(super) fn search(
         contents: Vec::new(),
         vertices,
     };
-    search.tasks.extend(all.map(|block| {
-        Task::Look(Look {
-            block,
-            segments_from: 0,
-            vertices_from: 0,
-            cut: false,
-        })
-    }));
+    search.tasks.extend(all.map(|block| Task::Look(Look { block, segments_from: 0, vertices_from: 0, cut: false })));
     let (mut segment_ids, mut vertex_ids) = (Vec::new(), Vec::new());
     while let Some(task) = search.tasks.pop() {
         match task {
@@ -142,10 +127,7 @@ pub(super) fn search(
                 vertex_ids.extend(search.vertex_pool.drain(look.vertices_from..));
                 search.look(&look, &segment_ids, &mut vertex_ids)?;
             }
-            Task::Finish {
-                bundle,
-                vertices_from,
-            } => {
+            Task::Finish { bundle, vertices_from } => {
                 for v in vertices_from..search.vertices.len() {
                     search.try_bundle(&bundle, v as u32);
                 }
@@ -167,12 +149,7 @@ enum Instead {
 }
 
 impl Search<'_> {
-    fn look(
-        &mut self,
-        look: &Look,
-        segments: &[u32],
-        vertices: &mut Vec<u32>,
-    ) -> Result<(), NodingError> {
+    fn look(&mut self, look: &Look, segments: &[u32], vertices: &mut Vec<u32>) -> Result<(), NodingError> {
         let block = &look.block;
         let work = pairs(segments.len(), vertices.len());
         if block.low == block.high {
@@ -188,20 +165,12 @@ impl Search<'_> {
                 Chords::SideBySide(_) | Chords::Apart => return Ok(()),
             }
         }
-        let (tasks, segments_to, vertices_to) = (
-            self.tasks.len(),
-            self.segment_pool.len(),
-            self.vertex_pool.len(),
-        );
+        let (tasks, segments_to, vertices_to) = (self.tasks.len(), self.segment_pool.len(), self.vertex_pool.len());
         let most = self.part(&halves(block), segments, vertices, false);
         if most <= work - work / 4 {
             return Ok(());
         }
-        let instead = if work <= SOME || look.cut {
-            None
-        } else {
-            self.instead(block, segments, crossing)
-        };
+        let instead = if work <= SOME || look.cut { None } else { self.instead(block, segments, crossing) };
         if work <= SOME || instead.is_some() {
             self.tasks.truncate(tasks);
             self.segment_pool.truncate(segments_to);
@@ -229,9 +198,7 @@ impl Search<'_> {
             let segment = &self.segments[id as usize];
             let around = self.pixels.around(segment);
             for (part, content) in parts.iter().zip(&mut contents) {
-                if around.overlaps(part)
-                    && (part.includes(&around) || self.pixels.line_nears(segment, part))
-                {
+                if around.overlaps(part) && (part.includes(&around) || self.pixels.line_nears(segment, part)) {
                     content.segments.push(id);
                     content.grow(around);
                 }
@@ -247,15 +214,7 @@ impl Search<'_> {
             }
         }
         let mut most = 0;
-        for (
-            part,
-            Content {
-                segments,
-                vertices,
-                all,
-            },
-        ) in parts.iter().zip(&contents)
-        {
+        for (part, Content { segments, vertices, all }) in parts.iter().zip(&contents) {
             let (m, h) = (segments.len(), vertices.len());
             let Some(all) = all.filter(|_| m > 1 || (m == 1 && h > 0)) else {
                 continue;
@@ -271,24 +230,12 @@ impl Search<'_> {
         let (segments_from, vertices_from) = (self.segment_pool.len(), self.vertex_pool.len());
         self.segment_pool.extend(segments);
         self.vertex_pool.extend(vertices);
-        self.tasks.push(Task::Look(Look {
-            block,
-            segments_from,
-            vertices_from,
-            cut,
-        }));
+        self.tasks.push(Task::Look(Look { block, segments_from, vertices_from, cut }));
     }
 
-    fn instead(
-        &self,
-        block: &Block,
-        segments: &[u32],
-        crossing: Option<[u32; 2]>,
-    ) -> Option<Instead> {
+    fn instead(&self, block: &Block, segments: &[u32], crossing: Option<[u32; 2]>) -> Option<Instead> {
         let cut_at = |[s, t]: [u32; 2]| {
-            let crossing = self
-                .pixels
-                .crossing(&self.segments[s as usize], &self.segments[t as usize]);
+            let crossing = self.pixels.crossing(&self.segments[s as usize], &self.segments[t as usize]);
             crossing.map(Instead::Cut)
         };
         if let Some(pair) = crossing {
@@ -297,11 +244,7 @@ impl Search<'_> {
         if let Some(hub) = self.hub(block, segments) {
             return Some(Instead::Cut(hub));
         }
-        let across: Vec<u32> = segments
-            .iter()
-            .copied()
-            .filter(|&id| self.end_in(block, id).is_none())
-            .collect();
+        let across: Vec<u32> = segments.iter().copied().filter(|&id| self.end_in(block, id).is_none()).collect();
         if across.len() < segments.len() / 2 {
             return None;
         }
@@ -315,45 +258,28 @@ impl Search<'_> {
     /// A pixel in the block in which more than half of the segments end.
     fn hub(&self, block: &Block, segments: &[u32]) -> Option<Pixel> {
         // The majority vote of Boyer and Moore, and then a count of its winner.
-        let ends = || {
-            segments
-                .iter()
-                .flat_map(|&id| self.segments[id as usize].ends)
-        };
+        let ends = || segments.iter().flat_map(|&id| self.segments[id as usize].ends);
         let (mut leader, mut lead) = (None, 0_usize);
         for end in ends().filter(|&end| block.contains(self.vertices[end as usize])) {
             if lead == 0 {
                 leader = Some(end);
             }
-            lead = if leader == Some(end) {
-                lead + 1
-            } else {
-                lead - 1
-            };
+            lead = if leader == Some(end) { lead + 1 } else { lead - 1 };
         }
-        let leader = leader
-            .filter(|&leader| ends().filter(|&end| end == leader).count() > segments.len() / 2);
+        let leader = leader.filter(|&leader| ends().filter(|&end| end == leader).count() > segments.len() / 2);
         leader.map(|id| self.vertices[id as usize])
     }
 
     /// The position of an end of a segment that is in the block.
     fn end_in(&self, block: &Block, id: u32) -> Option<Steps> {
         let Segment { a, b, .. } = self.segments[id as usize];
-        [a, b]
-            .into_iter()
-            .find(|&end| block.contains(self.pixels.at(end)))
+        [a, b].into_iter().find(|&end| block.contains(self.pixels.at(end)))
     }
 
     /// One pixel: it is hot if it has a vertex, or if two segments cross in it.
-    fn look_at_pixel(
-        &mut self,
-        pixel: Pixel,
-        segments: &[u32],
-        vertices: &mut Vec<u32>,
-    ) -> Result<(), NodingError> {
+    fn look_at_pixel(&mut self, pixel: Pixel, segments: &[u32], vertices: &mut Vec<u32>) -> Result<(), NodingError> {
         if vertices.is_empty() {
-            let Chords::Cross(_) = chords(self.pixels, &Block::one(pixel), self.segments, segments)
-            else {
+            let Chords::Cross(_) = chords(self.pixels, &Block::one(pixel), self.segments, segments) else {
                 return Ok(());
             };
             self.add(vec![pixel], vertices)?;
@@ -362,21 +288,12 @@ impl Search<'_> {
         Ok(())
     }
 
-    fn try_all(
-        &mut self,
-        block: &Block,
-        segments: &[u32],
-        vertices: &mut Vec<u32>,
-    ) -> Result<(), NodingError> {
+    fn try_all(&mut self, block: &Block, segments: &[u32], vertices: &mut Vec<u32>) -> Result<(), NodingError> {
         let mut crossings = Vec::new();
         for (i, &s) in segments.iter().enumerate() {
             let s = &self.segments[s as usize];
             let others = segments[..i].iter().map(|&t| &self.segments[t as usize]);
-            crossings.extend(
-                others
-                    .filter_map(|t| self.pixels.crossing(s, t))
-                    .filter(|&pixel| block.contains(pixel)),
-            );
+            crossings.extend(others.filter_map(|t| self.pixels.crossing(s, t)).filter(|&pixel| block.contains(pixel)));
         }
         self.add(crossings, vertices)?;
         self.try_visits(segments, vertices);
@@ -392,8 +309,7 @@ impl Search<'_> {
                 if self.pixels.visits(segment, pixel) {
                     self.found.visits.push([id, v]);
                 } else if self.pixels.shift > 0 {
-                    doubtful |=
-                        Pixels::ONE_STEP.visits(&self.pixels.between_centres(segment), pixel);
+                    doubtful |= Pixels::ONE_STEP.visits(&self.pixels.between_centres(segment), pixel);
                 }
             }
             if doubtful {
@@ -409,10 +325,7 @@ impl Search<'_> {
         }
         pixels.sort_unstable();
         pixels.dedup();
-        let mut known: Vec<Pixel> = vertices
-            .iter()
-            .map(|&v| self.vertices[v as usize])
-            .collect();
+        let mut known: Vec<Pixel> = vertices.iter().map(|&v| self.vertices[v as usize]).collect();
         known.sort_unstable();
         for pixel in pixels {
             if known.binary_search(&pixel).is_err() {
@@ -435,11 +348,7 @@ impl Search<'_> {
         segments: &[u32],
         vertices: &mut Vec<u32>,
     ) -> Result<(), NodingError> {
-        let bundle = Bundle {
-            pixels: self.pixels,
-            segments: self.segments,
-            chords,
-        };
+        let bundle = Bundle { pixels: self.pixels, segments: self.segments, chords };
         let (mut others, mut crossings) = (Vec::new(), Vec::new());
         for &id in segments {
             if let Some(end) = self.end_in(block, id) {
@@ -453,10 +362,7 @@ impl Search<'_> {
         for &v in &*vertices {
             self.try_bundle(&bundle, v);
         }
-        self.tasks.push(Task::Finish {
-            bundle,
-            vertices_from: self.vertices.len(),
-        });
+        self.tasks.push(Task::Finish { bundle, vertices_from: self.vertices.len() });
         self.wait(*block, &others, vertices, false);
         Ok(())
     }

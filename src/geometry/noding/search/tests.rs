@@ -13,13 +13,7 @@ fn family(kind: u8, raw: &[(i8, i8, i8, i8)]) -> Vec<[[i64; 2]; 2]> {
         // Through or near the origin.
         1 => [[a, b], [-a + c % 3, -b + d % 3]],
         // From the origin, or far from it.
-        2 => [
-            [
-                if i % 4 == 0 { c } else { 0 },
-                if i % 4 == 0 { d } else { 0 },
-            ],
-            [a, b],
-        ],
+        2 => [[if i % 4 == 0 { c } else { 0 }, if i % 4 == 0 { d } else { 0 }], [a, b]],
         // A bundle with short ones between.
         3 if i % 3 > 0 => [[-130, a], [130, a + b % 4]],
         4 if i % 3 > 0 => [[a - 130, -a - 130], [a + 130, -a + 130 + b % 4]],
@@ -34,9 +28,7 @@ fn family(kind: u8, raw: &[(i8, i8, i8, i8)]) -> Vec<[[i64; 2]; 2]> {
 /// Everything found, against what trying all pairs finds.
 #[expect(clippy::needless_pass_by_value, reason = "what quickcheck asks for")]
 fn finds_all(kind: u8, raw: Vec<(i8, i8, i8, i8)>, shift: u8) -> bool {
-    let pixels = Pixels {
-        shift: u32::from(shift % 4),
-    };
+    let pixels = Pixels { shift: u32::from(shift % 4) };
     let mut vertices: Vec<Pixel> = Vec::new();
     let mut vertex = |pixel: Pixel| {
         let known = vertices.iter().position(|&v| v == pixel);
@@ -45,23 +37,14 @@ fn finds_all(kind: u8, raw: Vec<(i8, i8, i8, i8)>, shift: u8) -> bool {
             vertices.len() - 1
         }) as u32
     };
-    let oriented = family(kind, &raw)
-        .into_iter()
-        .map(|[a, b]| [a.min(b), a.max(b)]);
+    let oriented = family(kind, &raw).into_iter().map(|[a, b]| [a.min(b), a.max(b)]);
     let segments: Vec<Segment> = oriented
-        .map(|[a, b]| Segment {
-            a,
-            b,
-            ends: [vertex(pixels.at(a)), vertex(pixels.at(b))],
-        })
+        .map(|[a, b]| Segment { a, b, ends: [vertex(pixels.at(a)), vertex(pixels.at(b))] })
         .filter(|segment| segment.ends[0] != segment.ends[1])
         .collect();
     let runs = join(&segments).joined;
 
-    let crossings = runs
-        .iter()
-        .enumerate()
-        .flat_map(|(i, s)| runs[..i].iter().filter_map(|t| pixels.crossing(s, t)));
+    let crossings = runs.iter().enumerate().flat_map(|(i, s)| runs[..i].iter().filter_map(|t| pixels.crossing(s, t)));
     let hot: BTreeSet<Pixel> = vertices.iter().copied().chain(crossings).collect();
     let found = search(pixels, &runs, &mut vertices).unwrap();
     assert_eq!(vertices.len(), hot.len());
@@ -74,19 +57,10 @@ fn finds_all(kind: u8, raw: Vec<(i8, i8, i8, i8)>, shift: u8) -> bool {
     for (id, run) in (0..).zip(&runs) {
         let mut visited = visits.remove(&id).unwrap_or_default();
         visited.sort_unstable();
-        let inner = || {
-            hot.iter()
-                .copied()
-                .filter(|&pixel| !run.ends.map(|v| vertices[v as usize]).contains(&pixel))
-        };
-        assert!(
-            inner()
-                .filter(|&pixel| pixels.visits(run, pixel))
-                .eq(visited.iter().copied())
-        );
+        let inner = || hot.iter().copied().filter(|&pixel| !run.ends.map(|v| vertices[v as usize]).contains(&pixel));
+        assert!(inner().filter(|&pixel| pixels.visits(run, pixel)).eq(visited.iter().copied()));
         let straight = pixels.between_centres(run);
-        let strays = inner()
-            .any(|pixel| Pixels::ONE_STEP.visits(&straight, pixel) && !visited.contains(&pixel));
+        let strays = inner().any(|pixel| Pixels::ONE_STEP.visits(&straight, pixel) && !visited.contains(&pixel));
         assert!(!strays || found.doubtful.contains(&id));
     }
     true
@@ -96,9 +70,6 @@ fn finds_all(kind: u8, raw: Vec<(i8, i8, i8, i8)>, shift: u8) -> bool {
 fn halving_and_cutting_and_setting_aside_find_what_trying_all_finds() {
     for (size, tests) in [(8, 2000), (40, 700), (120, 60)] {
         let check = finds_all as fn(u8, Vec<(i8, i8, i8, i8)>, u8) -> bool;
-        QuickCheck::new()
-            .rng(Gen::from_size_and_seed(size, 7))
-            .tests(tests)
-            .quickcheck(check);
+        QuickCheck::new().rng(Gen::from_size_and_seed(size, 7)).tests(tests).quickcheck(check);
     }
 }

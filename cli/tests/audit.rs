@@ -1,0 +1,138 @@
+//! `twinedge audit`.
+
+mod support;
+
+use serde_json::{Value, json};
+use support::{complaint, data, json as run, twinedge, twinedge_reading};
+
+fn counts(found: &Value) -> [u64; 4] {
+    ["vertices", "edges", "components", "faces"].map(|what| found["counts"][what].as_u64().unwrap())
+}
+
+/// How many violations of each broken rule.
+fn broken(found: &Value) -> Vec<(&str, u64)> {
+    let rules = found["rules"].as_array().unwrap().iter();
+    let rules = rules.map(|rule| (rule["id"].as_str().unwrap(), rule["violations"].as_u64().unwrap()));
+    rules.filter(|(_, violations)| *violations > 0).collect()
+}
+
+fn keys(value: &Value) -> Vec<&str> {
+    value.as_object().unwrap().keys().map(String::as_str).collect()
+}
+
+#[test]
+fn the_built_in_map_is_valid() {
+    let (status, found) = run(&["audit", "--format", "json"]);
+    assert_eq!(status, Some(0));
+    assert_eq!(counts(&found), [7_493, 7_655, 125, 288]);
+    assert_eq!(found["counts"]["genus"], 0);
+    assert_eq!((&found["valid"], broken(&found).len()), (&json!(true), 0));
+    assert_eq!(found["violations"], json!([]));
+    let text = String::from_utf8(twinedge(&["audit"]).stdout).unwrap();
+    assert!(text.contains("7,655") && text.contains("valid: every rule that applies holds"), "{text}");
+}
+
+#[test]
+fn a_larger_map_is_valid() {
+    let (status, found) = run(&["audit", "--format", "json", &data("world-50m.geojson")]);
+    assert_eq!(status, Some(0));
+    assert_eq!(counts(&found), [75_685, 75_863, 1_438, 1_617]);
+}
+
+#[test]
+fn machines_get_these_keys() {
+    let (_, found) = run(&["audit", "--format", "json", &data("world-110m-crossing.geojson")]);
+    assert_eq!(keys(&found), ["counts", "elapsed_ms", "input", "rules", "valid", "violations"]);
+    assert_eq!(
+        keys(&found["counts"]),
+        [
+            "components",
+            "edges",
+            "faces",
+            "genus",
+            "half_edges",
+            "inner_boundaries",
+            "isolated_vertices",
+            "outer_boundaries",
+            "vertices"
+        ]
+    );
+    for rule in found["rules"].as_array().unwrap() {
+        let names: Vec<&str> = keys(rule).into_iter().filter(|key| *key != "not_checked").collect();
+        assert_eq!(names, ["checked", "id", "violations"]);
+    }
+    for violation in found["violations"].as_array().unwrap() {
+        assert_eq!(keys(violation), ["at", "features", "message", "rule"]);
+    }
+}
+
+#[test]
+fn two_crossings_are_found_and_named() {
+    let file = data("world-110m-crossing.geojson");
+    let (status, found) = run(&["audit", "--format", "json", &file]);
+    assert_eq!((status, &found["valid"]), (Some(1), &json!(false)));
+    let broken = broken(&found);
+    assert!(broken.contains(&("G4", 2)) && broken.contains(&("T3", 1)), "{broken:?}");
+    assert_eq!(found["counts"]["genus"], 1);
+    let crossings = [
+        [[23.80524, 8.66648], [24.56845, 8.22980], [23.88804, 8.61908], [24.19404, 8.72910]],
+        [[33.96094, 9.58384], [33.97534, 8.68509], [33.82414, 9.48398], [33.96454, 9.46367]],
+    ];
+    let of_rule = |rule: &'static str| {
+        found["violations"].as_array().unwrap().iter().filter(move |violation| violation["rule"] == rule)
+    };
+    let mut matched = [0, 0];
+    for violation in of_rule("G4") {
+        let places: Vec<[f64; 2]> = serde_json::from_value(violation["at"].clone()).unwrap();
+        for (crossing, matched) in crossings.iter().zip(&mut matched) {
+            // Given to five decimal places.
+            let names = |corner: &[f64; 2]| {
+                places.iter().any(|place| (place[0] - corner[0]).abs() < 6e-6 && (place[1] - corner[1]).abs() < 6e-6)
+            };
+            *matched += usize::from(crossing.iter().all(names));
+        }
+        assert!(!violation["features"].as_array().unwrap().is_empty());
+    }
+    assert_eq!(matched, [1, 1]);
+    assert_eq!(of_rule("T3").count(), 1);
+
+    let output = twinedge(&["audit", "--list", "1", &file]);
+    assert_eq!(output.status.code(), Some(1));
+    let text = String::from_utf8(output.stdout).unwrap();
+    assert!(text.contains("BROKEN") && text.contains("more; see --list"), "{text}");
+}
+
+const TRIANGLE: &[u8] =
+    br#"{"type": "FeatureCollection", "features": [{"type": "Feature", "properties": {"name": "A"}, "geometry":
+        {"type": "Polygon", "coordinates": [[[0, 0], [1, 0], [0, 1], [0, 0]]]}}]}"#;
+
+#[test]
+fn standard_input_is_read_where_the_file_is_a_dash() {
+    let output = twinedge_reading(&["audit", "--format", "json", "-"], TRIANGLE);
+    assert_eq!(output.status.code(), Some(0));
+    let found: Value = serde_json::from_slice(&output.stdout).unwrap();
+    assert_eq!((counts(&found), &found["input"]), ([3, 3, 1, 2], &json!("standard input")));
+}
+
+#[test]
+fn what_cannot_be_read_is_said_in_one_line() {
+    let output = twinedge(&["audit", "no-such-file.geojson"]);
+    assert_eq!(output.status.code(), Some(2));
+    assert!(complaint(&output).contains("no-such-file.geojson"));
+
+    for (input, place) in [
+        (&b"{\n  \"type\": }"[..], "line 2 column 11"),
+        (b"{\"type\": \"FeatureCollection\",\n\"features\": [", "line 2"),
+        (b"", "line 1"),
+        (b"\xFF\xFE", "line 1"),
+    ] {
+        let output = twinedge_reading(&["audit", "-"], input);
+        assert_eq!(output.status.code(), Some(2));
+        assert!(output.stdout.is_empty());
+        let complaint = complaint(&output);
+        assert!(complaint.starts_with("twinedge: standard input: ") && complaint.contains(place), "{complaint}");
+    }
+    for arguments in [&["audit", "--format", "xml"][..], &["audit", "--list", "-1"], &["audit", "a", "b"], &[]] {
+        assert_eq!(twinedge(arguments).status.code(), Some(2), "{arguments:?}");
+    }
+}

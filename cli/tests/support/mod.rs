@@ -1,0 +1,45 @@
+//! Running the program.
+#![allow(dead_code, reason = "each test file uses a part of it")]
+
+use std::io::Write;
+use std::process::{Command, Output, Stdio};
+
+/// Runs the program with these arguments, without input.
+pub(crate) fn twinedge(arguments: &[&str]) -> Output {
+    twinedge_reading(arguments, b"")
+}
+
+/// Runs the program with these arguments and this input.
+pub(crate) fn twinedge_reading(arguments: &[&str], input: &[u8]) -> Output {
+    let mut child = Command::new(env!("CARGO_BIN_EXE_twinedge"))
+        .args(arguments)
+        .stdin(Stdio::piped())
+        .stdout(Stdio::piped())
+        .stderr(Stdio::piped())
+        .spawn()
+        .unwrap();
+    let mut stdin = child.stdin.take().unwrap();
+    // A program that does not read its input may have ended by now.
+    let _ = stdin.write_all(input);
+    drop(stdin);
+    child.wait_with_output().unwrap()
+}
+
+/// Runs the program and reads its JSON. Nothing may stand on standard error.
+pub(crate) fn json(arguments: &[&str]) -> (Option<i32>, serde_json::Value) {
+    let output = twinedge(arguments);
+    assert_eq!(String::from_utf8_lossy(&output.stderr), "");
+    (output.status.code(), serde_json::from_slice(&output.stdout).unwrap())
+}
+
+/// A file of the tests of the library.
+pub(crate) fn data(name: &str) -> String {
+    format!("{}/../tests/data/{name}", env!("CARGO_MANIFEST_DIR"))
+}
+
+/// What the program says on standard error: one line.
+pub(crate) fn complaint(output: &Output) -> String {
+    let text = String::from_utf8(output.stderr.clone()).unwrap();
+    assert_eq!(text.lines().count(), 1, "{text}");
+    text
+}

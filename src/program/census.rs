@@ -1,0 +1,146 @@
+//! A census of small maps: every one up to a bound, once, grown by the operators.
+//!
+//! ```
+//! use twinedge::program::census::{Census, Scope};
+//! // Connected maps with a distinguished outside, by their number of edges: Liskovets and Walsh, OEIS A103937.
+//! let mut counts = [0; 4];
+//! for map in Census::new(Scope::Connected { edges: 3 }) {
+//!     counts[map.runner.kernel().edge_count()] += 1;
+//! }
+//! assert_eq!(counts, [1, 2, 6, 26]);
+//! ```
+//!
+//! # How
+//!
+//! From the smallest map on, [every operator](every_op) that makes something is applied to every map found, and what comes of
+//! it is a new one if its [canonical form](super::canonical) has not been met. What is missing, if anything, can be counted:
+//! the numbers of maps are published.
+//!
+//! All maps are reached. An edge of a connected map can be removed if it separates two faces, or contracted if it does not,
+//! so by [`split_vertex`](Op::SplitVertex) and [`connect`](Op::Connect), their inverses, each comes of one with an edge less;
+//! and any subdivision comes of isolated vertices by [`connect`](Op::Connect) alone.
+
+use super::canonical::{Canonizer, Code};
+use super::every::every_op;
+use super::interpret::{Outcome, Runner};
+use super::op::{FacePick, HalfEdgePick, InnerPick, Op, Program, SecondPick, VertexPick};
+use crate::dcel::{Dcel, Side};
+use crate::store::Store;
+use alloc::collections::{BTreeSet, VecDeque};
+use alloc::vec;
+
+/// Which maps a census takes in.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
+pub enum Scope {
+    /// Connected maps, from one vertex on.
+    Connected {
+        /// How many edges they have at most.
+        edges: usize,
+    },
+    /// All planar subdivisions: of several components or none, nested or side by side, and with isolated vertices.
+    Subdivisions {
+        /// How many edges they have at most.
+        edges: usize,
+        /// How many vertices they have at most.
+        vertices: usize,
+    },
+}
+
+impl Scope {
+    /// A program that makes the smallest map. It makes and removes some more before, so that there are handles of
+    /// half-edges, vertices and faces that are gone.
+    #[must_use]
+    pub fn start(&self) -> Program {
+        let add = Op::AddIsolatedVertex { face: FacePick::Unbounded };
+        let vertex = super::Corner::Isolated(VertexPick::Isolated(0));
+        let mut ops = vec![
+            add,
+            Op::Connect {
+                from: vertex,
+                to: SecondPick::Any(vertex),
+                new_face: Side::Left,
+                inner: InnerPick { mask: 0, also: None },
+            },
+            Op::RemoveEdge { half_edge: HalfEdgePick::Live(0) },
+            Op::RemoveIsolatedVertex { vertex: VertexPick::Isolated(0) },
+        ];
+        if matches!(self, Self::Connected { .. }) {
+            ops.push(add);
+        }
+        Program(ops)
+    }
+
+    /// Whether the census takes in this map. O(1).
+    #[must_use]
+    pub fn takes_in<S: Store>(&self, map: &Dcel<S>) -> bool {
+        match *self {
+            // Of a valid map: V − E + F = 1 + C.
+            Self::Connected { edges } => {
+                let (v, e, f) = (map.vertex_count(), map.edge_count(), map.face_count());
+                e <= edges && v + f == e + 2
+            }
+            Self::Subdivisions { edges, vertices } => map.edge_count() <= edges && map.vertex_count() <= vertices,
+        }
+    }
+}
+
+/// A map of a census.
+#[derive(Clone, Debug)]
+pub struct Found {
+    /// The map, with its handles.
+    pub runner: Runner<Dcel>,
+    /// The program that made it.
+    pub program: Program,
+}
+
+/// The maps of a census, one after the other; the connected ones of [`Scope::Connected`] in order of their edges.
+///
+/// Time and memory go with the number of maps, which grows about ninefold with each edge.
+#[derive(Debug)]
+pub struct Census {
+    scope: Scope,
+    canonizer: Canonizer,
+    seen: BTreeSet<Code>,
+    waiting: VecDeque<Found>,
+}
+
+impl Census {
+    /// Begins a census.
+    #[must_use]
+    pub fn new(scope: Scope) -> Self {
+        let mut census = Self { scope, canonizer: Canonizer::new(), seen: BTreeSet::new(), waiting: VecDeque::new() };
+        let mut runner = Runner::new(Dcel::new());
+        let program = scope.start();
+        runner.run(&program);
+        if scope.takes_in(runner.kernel()) {
+            census.meet(Found { runner, program });
+        }
+        census
+    }
+
+    /// Keeps a map if it is new.
+    fn meet(&mut self, found: Found) {
+        let code = self.canonizer.subdivision(found.runner.kernel());
+        if code.is_some_and(|code| self.seen.insert(code)) {
+            self.waiting.push_back(found);
+        }
+    }
+}
+
+impl Iterator for Census {
+    type Item = Found;
+
+    fn next(&mut self) -> Option<Found> {
+        let found = self.waiting.pop_front()?;
+        let makes = |op: &Op| matches!(op, Op::AddIsolatedVertex { .. } | Op::Connect { .. } | Op::SplitVertex { .. });
+        for op in every_op(&found.runner).into_iter().filter(makes) {
+            let mut runner = found.runner.clone();
+            if runner.step(op) == Outcome::Applied && self.scope.takes_in(runner.kernel()) {
+                let mut program = found.program.clone();
+                program.0.push(op);
+                self.meet(Found { runner, program });
+            }
+        }
+        Some(found)
+    }
+}
