@@ -1,6 +1,8 @@
 //! Whatever a program does, it does the same to the textbook's structure and to the one of this crate over each of its
 //! stores: the same refusals, the same map after each step, and never anything for the validator to find.
 
+#![allow(clippy::needless_pass_by_value, reason = "quickcheck hands over what it makes")]
+
 use quickcheck::{Arbitrary, Gen, QuickCheck};
 use twinedge::dcel::Dcel;
 use twinedge::program::canonical::{Canonizer, Code};

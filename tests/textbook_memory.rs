@@ -1,5 +1,7 @@
 //! The textbook's structure owns each record once, and its links, however they run in circles, keep none alive.
 
+#![allow(clippy::needless_pass_by_value, reason = "quickcheck hands over what it makes")]
+
 use quickcheck::{Gen, QuickCheck};
 use std::rc::Weak;
 use twinedge::program::{Kernel, Program, Runner, Textbook};
