@@ -27,7 +27,7 @@ struct HalfEdge {
 /// boundary component has a record, handles are numbers that are never used again, and where an operator leaves open what is
 /// kept, it keeps the other. Every operator is O(n) or worse.
 #[derive(Clone, Debug)]
-pub struct Model {
+pub(crate) struct Model {
     vertices: BTreeMap<usize, Vertex>,
     /// The twin of `h` is `h ^ 1`.
     half_edges: BTreeMap<usize, HalfEdge>,
@@ -51,7 +51,7 @@ impl Default for Model {
 impl Model {
     /// The empty map.
     #[must_use]
-    pub fn new() -> Self {
+    pub(crate) fn new() -> Self {
         Self {
             vertices: BTreeMap::new(),
             half_edges: BTreeMap::new(),
@@ -64,7 +64,7 @@ impl Model {
 
     /// What the validator can hold it to.
     #[must_use]
-    pub const fn expectation() -> Expectation {
+    pub(crate) const fn expectation() -> Expectation {
         Expectation::plane().without(Part::BoundaryComponents)
     }
 
