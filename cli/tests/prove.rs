@@ -57,7 +57,8 @@ fn what_would_not_finish_is_refused() {
 
 #[test]
 fn misuse_has_its_own_status() {
-    for arguments in [&["prove", "--edges", "many"][..], &["prove", "--edges", "99"], &["prove", "extra"], &["proove"]] {
+    for arguments in [&["prove", "--edges", "many"][..], &["prove", "--edges", "99"], &["prove", "extra"], &["proove"]]
+    {
         let output = twinedge(arguments);
         assert_eq!(output.status.code(), Some(2), "{arguments:?}");
         assert!(output.stdout.is_empty() && !output.stderr.is_empty());
