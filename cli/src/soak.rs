@@ -159,13 +159,11 @@ impl Worker {
             return;
         }
         for row in &mut self.rows {
-            match row.on.run(Conform(program)) {
-                Ok(summary) => row.count(summary),
-                Err(_) => {
-                    self.failing = Some(Failing::of(row.on, number, program));
-                    return;
-                }
-            }
+            let Ok(summary) = row.on.run(Conform(program)) else {
+                self.failing = Some(Failing::of(row.on, number, program));
+                return;
+            };
+            row.count(summary);
         }
     }
 }

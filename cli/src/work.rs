@@ -101,7 +101,7 @@ pub(crate) fn share<L: Send>(
         local
     };
     let states = std::thread::scope(|scope| {
-        let workers: Vec<_> = (1..threads).map(|_| scope.spawn(&work)).collect();
+        let workers: Vec<_> = (1..threads).map(|_| scope.spawn(work)).collect();
         let mut states = vec![work()];
         for worker in workers {
             match worker.join() {

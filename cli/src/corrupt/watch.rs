@@ -8,7 +8,7 @@ use std::time::{Duration, Instant};
 pub(super) const HUNG: Duration = Duration::from_secs(1);
 
 /// After how long the wait for one ends.
-const GIVEN_UP: Duration = Duration::from_secs(60);
+const GIVEN_UP: Duration = Duration::from_mins(1);
 
 /// What one thread is doing.
 #[derive(Debug, Default)]

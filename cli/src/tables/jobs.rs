@@ -39,8 +39,8 @@ enum To {
 
 impl Share {
     /// All assignments of the wanted ones among the cells that matter.
-    fn new(table: Table, expectation: &Expectation, wanted: impl Fn(Cell) -> Option<To>) -> Self {
-        let cells = table.cells(expectation);
+    fn new(table: Table, expectation: Expectation, wanted: impl Fn(Cell) -> Option<To>) -> Self {
+        let cells = table.cells(&expectation);
         let cells = cells.into_iter().filter_map(|cell| Some((cell, values(&table, cell, wanted(cell)?)))).collect();
         Self { table, cells }
     }
@@ -177,33 +177,33 @@ fn job(name: &'static str, half_edges: usize, expectation: Expectation, shares: 
 
 /// Every link between two half-edges and two vertices.
 fn every_link() -> Job {
-    let share = Share::new(blank(2, 2, 0, &[]), &MAP, |_| Some(To::OrNil));
+    let share = Share::new(blank(2, 2, 0, &[]), MAP, |_| Some(To::OrNil));
     let right = formulas::maps_with_leaving(1, 2);
     job("origin, twin, next, prev, leaving; nil", 2, MAP, vec![share], right)
 }
 
 /// The same with links to the slot past the end.
 fn every_link_and_dangling() -> Job {
-    let share = Share::new(blank(2, 2, 0, &[]), &MAP, |_| Some(To::OrPastTheEnd));
+    let share = Share::new(blank(2, 2, 0, &[]), MAP, |_| Some(To::OrPastTheEnd));
     let right = formulas::maps_with_leaving(1, 2);
     Job { from: 4, ..job("origin, twin, next, prev, leaving; nil, dangling", 2, MAP, vec![share], right) }
 }
 
 fn links_of_four() -> Job {
-    let share = Share::new(blank(2, 4, 0, &[]), &BARE, |_| Some(To::Live));
+    let share = Share::new(blank(2, 4, 0, &[]), BARE, |_| Some(To::Live));
     job("origin, twin, next; 2 vertices", 4, BARE, vec![share], formulas::maps_with_vertices(2, 2))
 }
 
 fn twins_of_four() -> Job {
     let is_free = |cell| matches!(cell, Cell::Twin(_) | Cell::Next(_)).then_some(To::Live);
-    let share = Share::new(blank(0, 4, 0, &[]), &BARE, is_free);
+    let share = Share::new(blank(0, 4, 0, &[]), BARE, is_free);
     Job { derive_origins: true, ..job("twin, next", 4, BARE, vec![share], formulas::maps(2)) }
 }
 
 /// Every `next` for every way to pair off the half-edges.
 fn paired(name: &'static str, edges: usize, expectation: Expectation, right: u128) -> Job {
     let is_free = |cell| matches!(cell, Cell::Next(_)).then_some(To::Live);
-    let shares = all_pairings(2 * edges).into_iter().map(|twins| Share::new(with_twins(&twins), &expectation, is_free));
+    let shares = all_pairings(2 * edges).into_iter().map(|twins| Share::new(with_twins(&twins), expectation, is_free));
     Job { derive_origins: true, ..job(name, 2 * edges, expectation, shares.collect(), right) }
 }
 
@@ -211,14 +211,14 @@ fn paired(name: &'static str, edges: usize, expectation: Expectation, right: u12
 fn next_and_prev() -> Job {
     let expectation = MAP.without(Part::Leaving);
     let is_free = |cell| matches!(cell, Cell::Next(_) | Cell::Prev(_)).then_some(To::Live);
-    let shares = all_pairings(4).iter().map(|twins| Share::new(with_twins(twins), &expectation, is_free)).collect();
+    let shares = all_pairings(4).iter().map(|twins| Share::new(with_twins(twins), expectation, is_free)).collect();
     Job { derive_origins: true, ..job("next, prev, for all twins", 4, expectation, shares, formulas::maps(2)) }
 }
 
 /// Every twin, or none: 0, 1 or 2 pairs of twins. Borders that are closed by one more cycle each always give a surface.
 fn open_borders() -> Job {
     let expectation = BARE.open();
-    let share = Share::new(blank(0, 4, 0, &[]), &expectation, |cell| match cell {
+    let share = Share::new(blank(0, 4, 0, &[]), expectation, |cell| match cell {
         Cell::Twin(_) => Some(To::OrNil),
         Cell::Next(_) => Some(To::Live),
         _ => None,
@@ -232,7 +232,7 @@ fn open_borders() -> Job {
 /// One edge between two vertices in one face: the vertices can be swapped and the start chosen.
 fn textbook_edge() -> Job {
     let lists: [&[usize]; 2] = [&[1], &[0]];
-    let shares = lists.map(|lists| Share::new(blank(2, 2, 0, lists), &TEXTBOOK, |_| Some(To::OrNil)));
+    let shares = lists.map(|lists| Share::new(blank(2, 2, 0, lists), TEXTBOOK, |_| Some(To::OrNil)));
     job("an edge in one face, as in textbooks; nil", 2, TEXTBOOK, shares.to_vec(), 2 * 2)
 }
 
@@ -242,7 +242,7 @@ const LISTS: [[usize; 2]; 4] = [[0, 0], [1, 0], [0, 1], [1, 1]];
 /// A loop and two faces: which half-edge is outside, and which face.
 fn textbook_loop() -> Job {
     let expectation = TEXTBOOK.without(Part::Prev);
-    let shares = LISTS.map(|lists| Share::new(blank(1, 2, 0, &lists), &expectation, |_| Some(To::OrNil)));
+    let shares = LISTS.map(|lists| Share::new(blank(1, 2, 0, &lists), expectation, |_| Some(To::OrNil)));
     Job { from: 4, ..job("a loop and two faces, as in textbooks; nil", 2, expectation, shares.to_vec(), 2 * 2) }
 }
 
@@ -258,7 +258,7 @@ fn loop_with_records() -> Job {
             table.set(Cell::Prev(h), Value::Link(Some(h)));
         }
         table.set(Cell::Leaving(0), Value::Link(Some(0)));
-        Share::new(table, &expectation, |cell| match cell {
+        Share::new(table, expectation, |cell| match cell {
             cell if is_of_the_map(cell) => None,
             Cell::Boundary(_) | Cell::BoundaryFace(_) | Cell::BoundaryStart(_) => Some(To::Live),
             _ => Some(To::OrNil),
@@ -270,6 +270,6 @@ fn loop_with_records() -> Job {
 /// Two isolated vertices in one face: which boundary component is which vertex, and in which order they are listed.
 fn isolated_vertices() -> Job {
     let expectation = Expectation::plane().without(Part::Leaving);
-    let shares = [0, 1, 2].map(|listed| Share::new(blank(2, 0, 2, &[listed]), &expectation, |_| Some(To::OrNil)));
+    let shares = [0, 1, 2].map(|listed| Share::new(blank(2, 0, 2, &[listed]), expectation, |_| Some(To::OrNil)));
     job("boundary and face fields of two isolated vertices", 0, expectation, shares.to_vec(), 2 * 2)
 }

@@ -107,7 +107,7 @@ impl Tables {
 /// What one thread found.
 #[derive(Debug, Default)]
 struct Judged {
-    judged: u64,
+    tables: u64,
     right: u64,
     disagreements: u64,
     finding: Option<String>,
@@ -125,9 +125,9 @@ fn judge(job: &Job, threads: usize) -> (Row, Option<String>) {
             if job.derive_origins {
                 let mut table = table.clone();
                 derive_origins(&mut table);
-                judged.compare(&table, &job.expectation);
+                judged.compare(&table, job.expectation);
             } else {
-                judged.compare(table, &job.expectation);
+                judged.compare(table, job.expectation);
             }
         });
     });
@@ -135,21 +135,21 @@ fn judge(job: &Job, threads: usize) -> (Row, Option<String>) {
     let row = Row {
         half_edges: job.half_edges,
         free: job.name,
-        judged: sum(|judged| judged.judged),
+        judged: sum(|judged| judged.tables),
         right: sum(|judged| judged.right),
         right_by_formula: u64::try_from(job.right).unwrap_or(u64::MAX),
         disagreements: sum(|judged| judged.disagreements),
-        done: job.shares.iter().map(Share::len).sum::<u128>() == u128::from(sum(|judged| judged.judged)),
+        done: job.shares.iter().map(Share::len).sum::<u128>() == u128::from(sum(|judged| judged.tables)),
     };
     (row, found.into_iter().find_map(|judged| judged.finding))
 }
 
 impl Judged {
-    fn compare(&mut self, table: &Table, expectation: &Expectation) {
-        let report = validate(table, expectation, Collect::AtMost(0));
+    fn compare(&mut self, table: &Table, expectation: Expectation) {
+        let report = validate(table, &expectation, Collect::AtMost(0));
         let fast = report.outcomes().find(|(_, outcome)| outcome.violations > 0).map(|(rule, _)| rule);
-        let slow = first_broken_rule(table, expectation);
-        self.judged += 1;
+        let slow = first_broken_rule(table, &expectation);
+        self.tables += 1;
         self.right += u64::from(report.is_valid());
         if fast != slow || report.is_valid() != slow.is_none() {
             self.disagreements += 1;
