@@ -1,9 +1,16 @@
 //! The `twinedge` program: builds and audits planar maps, and puts the structure they are kept in to the proof.
 
 mod audit;
+mod corrupt;
+mod counting;
 mod input;
+mod kernels;
 mod output;
 mod prove;
+mod random;
+mod replay;
+mod soak;
+mod tables;
 mod work;
 
 use clap::{Parser, Subcommand};
@@ -25,6 +32,10 @@ struct Arguments {
 enum Command {
     Audit(audit::Audit),
     Prove(prove::Prove),
+    Corrupt(corrupt::Corrupt),
+    Tables(tables::Tables),
+    Soak(soak::Soak),
+    Replay(replay::Replay),
 }
 
 /// What a command came to, as exit codes say it.
@@ -49,6 +60,10 @@ fn main() -> ExitCode {
     let verdict = match Arguments::parse().command {
         Command::Audit(audit) => audit.run(),
         Command::Prove(prove) => prove.run(),
+        Command::Corrupt(corrupt) => corrupt.run(),
+        Command::Tables(tables) => tables.run(),
+        Command::Soak(soak) => soak.run(),
+        Command::Replay(replay) => replay.run(),
     };
     match verdict {
         Ok(Verdict::Sound) => ExitCode::SUCCESS,

@@ -78,19 +78,24 @@ pub(crate) fn bar(length: usize, what: impl Into<std::borrow::Cow<'static, str>>
     bar
 }
 
-/// Does `each` to all items, on several threads, each with state of its own, until told to stop. Gives the states.
-pub(crate) fn share<T: Sync, L: Send>(
+/// Does `each` to so many items, by their numbers, on several threads, each with state of its own, until told to stop. Gives
+/// the states.
+pub(crate) fn share<L: Send>(
     threads: usize,
-    items: &[T],
+    count: usize,
     bar: &ProgressBar,
     state: impl Fn() -> L + Sync,
-    each: impl Fn(&mut L, &T) + Sync,
+    each: impl Fn(&mut L, usize) + Sync,
 ) -> Vec<L> {
     let taken = AtomicUsize::new(0);
     let work = || {
         let mut local = state();
-        while let Some(item) = items.get(taken.fetch_add(1, Ordering::Relaxed)).filter(|_| !stopped()) {
-            each(&mut local, item);
+        while !stopped() {
+            let number = taken.fetch_add(1, Ordering::Relaxed);
+            if number >= count {
+                break;
+            }
+            each(&mut local, number);
             bar.inc(1);
         }
         local

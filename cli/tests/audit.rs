@@ -121,10 +121,10 @@ fn what_cannot_be_read_is_said_in_one_line() {
     assert!(complaint(&output).contains("no-such-file.geojson"));
 
     for (input, place) in [
-        (&b"{\n  \"type\": }"[..], "line 2 column 11"),
-        (b"{\"type\": \"FeatureCollection\",\n\"features\": [", "line 2"),
-        (b"", "line 1"),
-        (b"\xFF\xFE", "line 1"),
+        (&b"{\n  \"type\": }"[..], "line 2, column 11"),
+        (b"{\"type\": \"FeatureCollection\",\n\"features\": [", "line 2, column"),
+        (b"", "line 1, column"),
+        (b"\xFF\xFE", "line 1, column"),
     ] {
         let output = twinedge_reading(&["audit", "-"], input);
         assert_eq!(output.status.code(), Some(2));

@@ -102,8 +102,8 @@ pub(super) fn explore(scope: Scope, threads: usize, what: &str) -> Explored {
     while !generation.is_empty() && !work::stopped() {
         let bar = work::bar(generation.len(), format!("{what}, step {step}"));
         let worker = || Worker { canonizer: Canonizer::new(), explored: Explored::default(), fresh: Vec::new() };
-        let workers = work::share(threads, &generation, &bar, worker, |worker, program| {
-            worker.visit(scope, program, &seen, &sensed);
+        let workers = work::share(threads, generation.len(), &bar, worker, |worker, number| {
+            worker.visit(scope, &generation[number], &seen, &sensed);
         });
         generation = Vec::new();
         for worker in workers {

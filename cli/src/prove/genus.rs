@@ -24,11 +24,11 @@ pub(super) fn histogram(edges: usize, threads: usize) -> (Vec<u64>, u64) {
     let bar = work::bar(shares.len(), format!("rotation systems of {edges} edges"));
     let found = work::share(
         threads,
-        &shares,
+        shares.len(),
         &bar,
         || (Vec::new(), 0),
-        |(by_genus, refused), beginning| {
-            for_each(half_edges, beginning, |map| judge(map, by_genus, refused));
+        |(by_genus, refused), number| {
+            for_each(half_edges, &shares[number], |map| judge(map, by_genus, refused));
         },
     );
     let names: u64 = (1..edges as u64).map(|i| 2 * i).product();
@@ -60,8 +60,8 @@ fn judge(map: &RotationSystem, by_genus: &mut Vec<u64>, refused: &mut u64) {
 
 #[cfg(test)]
 mod tests {
-    use super::super::published::BY_GENUS;
     use super::histogram;
+    use crate::counting::BY_GENUS;
 
     #[test]
     fn rooted_maps_of_every_genus_are_as_many_as_published() {

@@ -3,9 +3,9 @@
 mod explore;
 mod genus;
 mod permutations;
-mod published;
 mod recount;
 
+use crate::counting;
 use crate::output::style::{BAD, GOOD, QUIET};
 use crate::output::{Format, grouped, print, print_json};
 use crate::work::{self, Effort};
@@ -112,7 +112,7 @@ impl Prove {
         let n = usize::from(self.edges);
         // The last edge makes nine tenths of the maps; each has 2n corners, so 4n² pairs of them, for `connect` on both sides
         // and for `split_vertex`, and as many wrong ones again.
-        let maps: u128 = (0..=n).map(published::plane).sum();
+        let maps: u128 = (0..=n).map(counting::plane).sum();
         self.effort.refuse_too_much(maps * 24 * (n * n) as u128, "operators to try", PER_SECOND)?;
         work::stop_on_interrupt()?;
         let start = Instant::now();
@@ -152,11 +152,11 @@ fn edges_row(n: usize, explored: &Explored) -> EdgesRow {
     EdgesRow {
         n,
         rooted: sum.rooted,
-        rooted_published: narrow(published::rooted(n)),
+        rooted_published: narrow(counting::rooted(n)),
         sensed: sum.sensed,
-        sensed_published: narrow(published::sensed(n)),
+        sensed_published: narrow(counting::sensed(n)),
         plane: sum.maps,
-        plane_published: narrow(published::plane(n)),
+        plane_published: narrow(counting::plane(n)),
         applications: sum.applied,
         refused: sum.refused,
         violations: sum.violations,
@@ -165,7 +165,7 @@ fn edges_row(n: usize, explored: &Explored) -> EdgesRow {
 
 fn genus_rows(n: usize, threads: usize) -> Vec<GenusRow> {
     let mut rows = Vec::new();
-    for (n, published) in published::BY_GENUS.iter().enumerate().take(n.min(genus::MOST_EDGES) + 1) {
+    for (n, published) in counting::BY_GENUS.iter().enumerate().take(n.min(genus::MOST_EDGES) + 1) {
         let (by_genus, refused) = genus::histogram(n, threads);
         if work::stopped() {
             break;

@@ -1,6 +1,10 @@
 //! The numbers of maps, by the formulas with which they were published.
 
-fn binomial(n: u128, k: u128) -> u128 {
+pub(crate) fn factorial(n: u128) -> u128 {
+    (1..=n).product()
+}
+
+pub(crate) fn binomial(n: u128, k: u128) -> u128 {
     if k > n { 0 } else { (0..k).fold(1, |product, i| product * (n - i) / (i + 1)) }
 }
 

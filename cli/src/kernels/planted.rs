@@ -1,0 +1,89 @@
+//! A structure with a planted bug, to see that it is found.
+
+use twinedge::dcel::{Dcel, FaceKey, HalfEdgeKey, OperatorError, Side, Turn, VertexKey};
+use twinedge::program::{CornerOf, Kernel, Refusal};
+use twinedge::validate::{Link, Place, Start, View};
+
+/// The structure of the library, but it turns edges the wrong way. It keeps every rule.
+#[derive(Clone, Debug, Default)]
+pub(super) struct Planted(Dcel);
+
+macro_rules! view_as_it_is {
+    ($($name:ident($($arg:ident),*) -> $answer:ty;)*) => {
+        impl View for Planted {
+            $(fn $name(&self $(, $arg: usize)*) -> $answer { View::$name(&self.0 $(, $arg)*) })*
+        }
+    };
+}
+
+view_as_it_is! {
+    vertex_slots() -> usize;
+    half_edge_slots() -> usize;
+    boundary_slots() -> usize;
+    face_slots() -> usize;
+    is_vertex(v) -> bool;
+    is_half_edge(h) -> bool;
+    is_boundary(b) -> bool;
+    is_face(f) -> bool;
+    origin(h) -> Link;
+    twin(h) -> Link;
+    next(h) -> Link;
+    prev(h) -> Link;
+    boundary(h) -> Link;
+    leaving(v) -> Link;
+    isolated(v) -> Link;
+    boundary_face(b) -> Link;
+    boundary_start(b) -> Option<Start>;
+    boundary_place(b) -> Option<Place>;
+    outer(f) -> Link;
+    inner_count(f) -> usize;
+    inner(f, position) -> Link;
+}
+
+macro_rules! operators_as_they_are {
+    ($($name:ident($($arg:ident: $argument:ty),*) -> $answer:ty;)*) => {
+        $(fn $name(&mut self $(, $arg: $argument)*) -> Result<$answer, OperatorError> {
+            Kernel::$name(&mut self.0 $(, $arg)*)
+        })*
+    };
+}
+
+impl Kernel for Planted {
+    type Vertex = VertexKey;
+    type HalfEdge = HalfEdgeKey;
+    type Face = FaceKey;
+    type Error = OperatorError;
+
+    fn refusal(error: &OperatorError) -> Refusal {
+        <Dcel as Kernel>::refusal(error)
+    }
+    fn unbounded_face(&self) -> FaceKey {
+        Kernel::unbounded_face(&self.0)
+    }
+    fn face_of(&self, corner: CornerOf<Self>) -> Result<FaceKey, OperatorError> {
+        Kernel::face_of(&self.0, corner)
+    }
+    fn origin_of(&self, half_edge: HalfEdgeKey) -> Result<VertexKey, OperatorError> {
+        Kernel::origin_of(&self.0, half_edge)
+    }
+    fn twin_of(&self, half_edge: HalfEdgeKey) -> Result<HalfEdgeKey, OperatorError> {
+        Kernel::twin_of(&self.0, half_edge)
+    }
+    fn next_of(&self, half_edge: HalfEdgeKey) -> Result<HalfEdgeKey, OperatorError> {
+        Kernel::next_of(&self.0, half_edge)
+    }
+    operators_as_they_are! {
+        add_isolated_vertex(face: FaceKey) -> VertexKey;
+        remove_isolated_vertex(vertex: VertexKey) -> ();
+        connect(from: CornerOf<Self>, to: CornerOf<Self>, side: Side, inner: &[CornerOf<Self>]) -> HalfEdgeKey;
+        remove_edge(half_edge: HalfEdgeKey) -> Option<FaceKey>;
+        split_edge(half_edge: HalfEdgeKey) -> HalfEdgeKey;
+        join_edges(half_edge: HalfEdgeKey) -> ();
+        split_vertex(from: CornerOf<Self>, to: CornerOf<Self>) -> HalfEdgeKey;
+        contract_edge(half_edge: HalfEdgeKey) -> VertexKey;
+        move_inner(inner: CornerOf<Self>, face: FaceKey) -> ();
+    }
+    fn flip_edge(&mut self, half_edge: HalfEdgeKey, turn: Turn) -> Result<(), OperatorError> {
+        Kernel::flip_edge(&mut self.0, half_edge, turn.reversed())
+    }
+}

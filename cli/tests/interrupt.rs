@@ -1,0 +1,38 @@
+//! Ctrl-C.
+#![cfg(target_os = "linux")]
+
+use std::process::{Child, Command, Stdio};
+
+/// Whether the process handles SIGINT by itself.
+fn is_ready(child: &Child) -> bool {
+    let status = std::fs::read_to_string(format!("/proc/{}/status", child.id())).unwrap();
+    let caught = status.lines().find_map(|line| line.strip_prefix("SigCgt:")).unwrap();
+    u64::from_str_radix(caught.trim(), 16).unwrap() & 1 << 1 != 0
+}
+
+#[test]
+fn what_was_covered_is_printed() {
+    for arguments in [
+        &["prove", "--edges", "10", "--force"][..],
+        &["corrupt", "--edges", "8", "--force"],
+        &["tables", "--half-edges", "8", "--force"],
+        &["soak", "--programs", "100000000", "--force"],
+    ] {
+        let mut child = Command::new(env!("CARGO_BIN_EXE_twinedge"))
+            .args(arguments)
+            .stdin(Stdio::null())
+            .stdout(Stdio::piped())
+            .stderr(Stdio::piped())
+            .spawn()
+            .unwrap();
+        while child.try_wait().unwrap().is_none() && !is_ready(&child) {
+            std::thread::yield_now();
+        }
+        let sent = Command::new("kill").args(["-INT", &child.id().to_string()]).status().unwrap();
+        assert!(sent.success());
+        let output = child.wait_with_output().unwrap();
+        assert_eq!(output.status.code(), Some(130), "{arguments:?}");
+        let text = String::from_utf8(output.stdout).unwrap();
+        assert!(text.contains("interrupted: this is what was covered") && text.contains("not finished"), "{text}");
+    }
+}

@@ -1,0 +1,106 @@
+//! `twinedge soak` and `twinedge replay`.
+
+mod support;
+
+use std::path::PathBuf;
+use support::{complaint, json, twinedge, twinedge_reading};
+use twinedge::program::Program;
+
+/// A file in the directory for tests, and its name.
+fn scratch(name: &str) -> (PathBuf, String) {
+    let path = PathBuf::from(env!("CARGO_TARGET_TMPDIR")).join(name);
+    let name = path.to_str().unwrap().to_owned();
+    (path, name)
+}
+
+#[test]
+fn all_stores_stay_in_step() {
+    let (status, found) = json(&["soak", "--programs", "60", "--steps", "60", "--seed", "1", "--format", "json"]);
+    assert_eq!((status, &found["ok"], &found["failure"]), (Some(0), &true.into(), &serde_json::Value::Null));
+    let rows = found["structures"].as_array().unwrap();
+    let names: Vec<&str> = rows.iter().map(|row| row["on"].as_str().unwrap()).collect();
+    assert_eq!(names, ["slots", "pointers", "fixed", "model"]);
+    let count = |row: &serde_json::Value, key: &str| row[key].as_u64().unwrap();
+    for row in rows {
+        let steps = ["applied", "refused", "skipped", "no_room"].map(|key| count(row, key)).iter().sum::<u64>();
+        assert_eq!((count(row, "programs"), steps), (60, 60 * 60));
+        // What is refused or has no room is tried on purpose, and not most of it.
+        assert!(count(row, "applied") > 1000 && count(row, "refused") > 300, "{row}");
+        assert_eq!(count(row, "no_room") > 0, row["on"] == "fixed" && count(row, "no_room") > 0);
+    }
+    // The same seed gives the same programs.
+    let (_, again) = json(&["soak", "--programs", "60", "--steps", "60", "--seed", "1", "--format", "json"]);
+    assert_eq!(found["structures"], again["structures"]);
+}
+
+#[test]
+fn a_planted_bug_is_found_made_small_saved_and_replayed() {
+    let (path, name) = scratch("planted.program");
+    let arguments = ["soak", "--programs", "50", "--steps", "60", "--seed", "1", "--on", "planted", "--save", &name];
+    let output = twinedge(&arguments);
+    assert_eq!(output.status.code(), Some(1));
+    let text = String::from_utf8(output.stdout).unwrap();
+    assert!(text.contains("planted differs") && text.contains("#[test]"), "{text}");
+    assert!(text.contains("conformance::run(&program, Planted::default(), &Expectation::plane())"), "{text}");
+    assert!(text.contains(&format!("twinedge replay {name}")), "{text}");
+
+    // As small as it can be: the bug takes an edge that separates two faces, with more on both sides.
+    let saved = std::fs::read_to_string(&path).unwrap();
+    let program: Program = saved.parse().unwrap();
+    assert!(program.0.len() <= 6, "{saved}");
+    assert!(program.to_string().contains("flip_edge"), "{saved}");
+    assert!(text.contains(&program.to_rust().replace('\n', "\n    ")), "{text}");
+
+    let (status, replayed) = json(&["replay", &name, "--format", "json"]);
+    assert_eq!((status, &replayed["on"]), (Some(1), &"planted".into()));
+    assert!(replayed["difference"].as_str().unwrap().contains("flip_edge"));
+    let steps = replayed["steps"].as_array().unwrap();
+    assert_eq!(steps.len(), program.0.len());
+    // The bug keeps every rule: only the model can tell.
+    assert!(steps.iter().all(|step| step["valid"] == true));
+
+    let (status, replayed) = json(&["replay", &name, "--on", "pointers", "--format", "json"]);
+    assert_eq!((status, &replayed["ok"]), (Some(0), &true.into()));
+}
+
+#[test]
+fn a_replay_shows_the_structure_after_each_step() {
+    let program = b"twinedge program 1\nadd_isolated_vertex unbounded\nsplit_vertex i0 ~0\nremove_edge !h0\n";
+    let output = twinedge_reading(&["replay", "-"], program);
+    assert_eq!(output.status.code(), Some(0));
+    let text = String::from_utf8(output.stdout).unwrap();
+    for line in [
+        "1. add_isolated_vertex unbounded: applied",
+        "  v1  isolated b1",
+        "  b1  face f1  start v1  inner, place 0",
+        "   V 2  E 1  F 1  C 1",
+        "  h2  origin v1  twin h3  next h3  prev h3  boundary b1",
+        "  f1  outer nil  inner [b1]",
+        "3. remove_edge !h0: skipped: nothing to choose from",
+        "in step: slots did as the reference does",
+    ] {
+        assert!(text.lines().any(|shown| shown == line), "{line}\n{text}");
+    }
+    let output = twinedge_reading(&["replay", "-", "--on", "model"], program);
+    assert!(String::from_utf8(output.stdout).unwrap().contains("  h0  origin v0  twin h1  next h1  prev h1  face f0"));
+}
+
+#[test]
+fn misuse_has_its_own_status() {
+    let output = twinedge(&["replay", "no-such.program"]);
+    assert_eq!(output.status.code(), Some(2));
+    assert!(complaint(&output).contains("no-such.program"));
+    let output = twinedge_reading(&["replay", "-"], b"twinedge program 1\nconnect h0\n");
+    assert_eq!(output.status.code(), Some(2));
+    assert!(complaint(&output).contains("line 2, column"));
+    let output = twinedge_reading(&["replay", "-"], b"\xFF");
+    assert_eq!(output.status.code(), Some(2));
+
+    let output = twinedge(&["soak", "--programs", "4000000000"]);
+    assert_eq!(output.status.code(), Some(2));
+    let complaint = complaint(&output);
+    assert!(complaint.contains("steps") && complaint.contains("--force"), "{complaint}");
+    for arguments in [&["soak", "--on", "nothing"][..], &["soak", "--programs", "-1"], &["replay"]] {
+        assert_eq!(twinedge(arguments).status.code(), Some(2), "{arguments:?}");
+    }
+}

@@ -1,0 +1,39 @@
+//! `twinedge tables`.
+
+mod support;
+
+use support::{complaint, json, twinedge};
+
+#[test]
+fn the_tables_of_two_half_edges_are_judged_alike_and_counted() {
+    let (status, found) = json(&["tables", "--half-edges", "2", "--format", "json"]);
+    assert_eq!(status, Some(0));
+    assert_eq!(found["ok"], true);
+    let rows = found["tables"].as_array().unwrap();
+    for row in rows {
+        assert_eq!((&row["disagreements"], &row["done"]), (&0.into(), &true.into()), "{row}");
+        assert_eq!(row["right"], row["right_by_formula"], "{row}");
+    }
+    let judged = |free: &str| rows.iter().find(|row| row["free"] == free).unwrap()["judged"].as_u64();
+    // Ten links, each to one of two records or nil.
+    assert_eq!(judged("origin, twin, next, prev, leaving; nil"), Some(3_u64.pow(10)));
+    // An edge or a loop: `next` of two half-edges, for the one way to pair them off.
+    assert_eq!(judged("next, for all twins; surfaces"), Some(4));
+}
+
+#[test]
+fn without_half_edges_there_are_isolated_vertices() {
+    let output = twinedge(&["tables", "--half-edges", "0"]);
+    assert_eq!(output.status.code(), Some(0));
+    let text = String::from_utf8(output.stdout).unwrap();
+    assert!(text.contains("two isolated vertices") && text.contains("agreed"), "{text}");
+}
+
+#[test]
+fn what_would_not_finish_is_refused() {
+    let output = twinedge(&["tables", "--half-edges", "8"]);
+    assert_eq!(output.status.code(), Some(2));
+    let complaint = complaint(&output);
+    assert!(complaint.contains("tables") && complaint.contains("--force"), "{complaint}");
+    assert_eq!(twinedge(&["tables", "--half-edges", "-1"]).status.code(), Some(2));
+}
