@@ -1,8 +1,6 @@
 //! Whatever a program does, it does the same to the textbook's structure and to the one of this crate over each of its
 //! stores: the same refusals, the same map after each step, and never anything for the validator to find.
 
-#![allow(clippy::needless_pass_by_value, reason = "quickcheck hands over what it makes")]
-
 use quickcheck::{Arbitrary, Gen, QuickCheck};
 use twinedge::dcel::Dcel;
 use twinedge::program::canonical::{Canonizer, Code};
@@ -56,6 +54,7 @@ fn first_difference(program: &Program) -> Option<Op> {
     })
 }
 
+#[allow(clippy::needless_pass_by_value, reason = "what quickcheck hands over")]
 fn in_step(program: Program) -> bool {
     first_difference(&program).is_none()
 }

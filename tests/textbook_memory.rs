@@ -1,7 +1,5 @@
 //! The textbook's structure owns each record once, and its links, however they run in circles, keep none alive.
 
-#![allow(clippy::needless_pass_by_value, reason = "quickcheck hands over what it makes")]
-
 use quickcheck::{Gen, QuickCheck};
 use std::rc::Weak;
 use twinedge::program::{Kernel, Program, Runner, Textbook};
@@ -18,6 +16,7 @@ fn links(textbook: &Textbook) -> usize {
     6 * half_edges + textbook.vertex_slots() + isolated + 2 * textbook.boundary_slots() + listed
 }
 
+#[allow(clippy::needless_pass_by_value, reason = "what quickcheck hands over")]
 fn records_are_freed(program: Program) -> bool {
     let mut runner = Runner::new(Textbook::new());
     for op in &program.0 {
