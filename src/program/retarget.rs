@@ -1,7 +1,7 @@
 //! Changing a program without changing what the rest of it chooses.
 //!
-//! An operator chooses by numbers, and these count in lists that hold something else once an earlier operator is gone. Here
-//! every half-edge and vertex has a name, that of the operator that made it, and the numbers follow the names.
+//! An operator chooses by numbers, and these count in lists that hold something else once an earlier operator is gone.
+//! Here every half-edge and vertex has a name, that of the operator that made it, and the numbers follow the names.
 
 use super::interpret::{Fit, Runner};
 use super::kernel::Corner;
