@@ -1,9 +1,9 @@
 //! A half-edge structure of somebody's own, tried against the reference: `cargo run --example conformance`.
 //!
 //! The structure is the textbook's, with four of the ten operators. It has a bug that is easily made. Removing an edge
-//! whose two sides lie in the same face cuts a component in two; if that happened inside a face, one part still bounds the
-//! face from outside and the other is an island now. Which is which? `Mine` believes that the part where the half-edge
-//! starts stays outside. Random programs find the bug, and shrinking leaves what matters of the one that did.
+//! whose two sides lie in the same face cuts a component in two; if that happened inside a face, one part still bounds
+//! the face from outside and the other is an island now. Which is which? `Mine` believes that the part where the
+//! half-edge starts stays outside. Random programs find the bug, and shrinking leaves what matters of the one that did.
 
 use twinedge::program::{Corner, Kernel, Program, Refusal, Side, Turn, conformance, shrink};
 use twinedge::validate::{Expectation, Link, Part, Start, View};

@@ -8,7 +8,8 @@ use twinedge::validate::{
     BoundaryRow, Collect, Expectation, FaceRow, HalfEdgeRow, Part, Place, Start, Table, VertexRow, View, validate,
 };
 
-/// All maps with one more edge, from one of each kind: a leaf in every corner, an edge between any two corners of a face.
+/// All maps with one more edge, from one of each kind: a leaf in every corner, an edge between any two corners of a
+/// face.
 fn grow(maps: &[Dcel]) -> Vec<Dcel> {
     let mut canonizer = Canonizer::new();
     let mut seen = BTreeSet::new();
@@ -342,7 +343,8 @@ fn forms_do_not_depend_on_names_nor_on_the_kind_of_records() {
 
 #[test]
 fn a_mirror_image_is_another_map() {
-    // A triangle with a path of two edges inside at one vertex and a single edge inside at the next, or the other way round.
+    // A triangle with a path of two edges inside at one vertex and a single edge inside at the next, or the other way
+    // round.
     let triangle = |lengths: [usize; 3]| {
         let mut map = Dcel::new();
         let v = map.add_isolated_vertex(map.unbounded_face().key()).unwrap().vertex;

@@ -1,5 +1,5 @@
-//! The textbooks' maps, drawn edge by edge with the operators: the same as the tables entered by hand, row by row, and so
-//! isomorphic to them. `tests/golden.rs` has the tables as they are printed, and what the maps look like.
+//! The textbooks' maps, drawn edge by edge with the operators: the same as the tables entered by hand, row by row, and
+//! so isomorphic to them. `tests/golden.rs` has the tables as they are printed, and what the maps look like.
 
 mod support;
 
@@ -12,8 +12,8 @@ use twinedge::validate::{Start, Table, View};
 const LEFT: Split<'_> = Split { new_face: Side::Left, inner: &[] };
 const RIGHT: Split<'_> = Split { new_face: Side::Right, inner: &[] };
 
-/// A table in short: origin and next of e1,1, e1,2, e2,1, …, and of each face a half-edge of its outer boundary component
-/// and of each inner one, all counted from 0.
+/// A table in short: origin and next of e1,1, e1,2, e2,1, …, and of each face a half-edge of its outer boundary
+/// component and of each inner one, all counted from 0.
 struct Golden {
     vertices: usize,
     half_edges: &'static [(usize, usize)],

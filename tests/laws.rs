@@ -1,5 +1,5 @@
-//! What holds for every program: rules are kept, what is done can be undone, an error changes nothing, and a key that is
-//! stale stays so.
+//! What holds for every program: rules are kept, what is done can be undone, an error changes nothing, and a key that
+//! is stale stays so.
 
 #![allow(clippy::needless_pass_by_value, reason = "quickcheck hands over what it makes")]
 
@@ -134,7 +134,8 @@ impl Undo<'_> {
         let map = self.map;
         for h in map.half_edges() {
             let (n, t) = (h, h.twin());
-            // Where the edge was attached, if something else is; a loop around nothing stands on the corner of its twin.
+            // Where the edge was attached, if something else is; a loop around nothing stands on the corner of its
+            // twin.
             let corner = |h: HalfEdge<'_>, other: HalfEdge<'_>| -> Option<Corner> {
                 [other.next(), h.next()]
                     .into_iter()
@@ -430,7 +431,8 @@ fn only_the_shorter_side_is_relabelled() {
     assert!(map.validate().is_valid());
 }
 
-/// Ten thousand changes at a boundary of sixty thousand half-edges. If each walked along it, that would be billions of steps.
+/// Ten thousand changes at a boundary of sixty thousand half-edges. If each walked along it, that would be billions of
+/// steps.
 #[test]
 fn small_changes_to_a_long_boundary_are_cheap() {
     let mut t = Tracked::default();

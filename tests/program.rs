@@ -142,8 +142,8 @@ fn rust_source_is_the_program() {
         "\
 Program(vec![
     Op::AddIsolatedVertex { face: FacePick::Of(Corner::At(HalfEdgePick::Live(3))) },
-    Op::Connect { from: Corner::Isolated(VertexPick::Isolated(0)), to: SecondPick::Any(Corner::At(HalfEdgePick::Live(3))), \
-new_face: Side::Right, inner: InnerPick { mask: 32773, also: Some(Corner::At(HalfEdgePick::Retired(4))) } },
+    Op::Connect { from: Corner::Isolated(VertexPick::Isolated(0)), \
+to: SecondPick::Any(Corner::At(HalfEdgePick::Live(3))), new_face: Side::Right, inner: InnerPick { mask: 32773, also: Some(Corner::At(HalfEdgePick::Retired(4))) } },
     Op::SplitVertex { from: Corner::At(HalfEdgePick::Live(3)), to: SecondPick::Fitting(0) },
     Op::FlipEdge { half_edge: HalfEdgePick::Live(0), turn: Turn::Clockwise },
 ])"
@@ -212,8 +212,8 @@ fn everything_that_is_gone_can_be_asked_for_again_and_is_stale() {
     let again = "\
         remove_edge !h3\nsplit_edge !h2\njoin_edges !h1\ncontract_edge !h0\nflip_edge !h0 cw\n\
         remove_isolated_vertex !v0\nremove_isolated_vertex !v1\nadd_isolated_vertex !f0\nadd_isolated_vertex !h0\n\
-        connect !h0 ~0 left\nconnect i0 !v0 left\nconnect i0 i0 left also !h0\nsplit_vertex !h0 ~0\nsplit_vertex i0 !v1\n\
-        move_inner !v0 unbounded\nmove_inner !h0 unbounded\nmove_inner i0 !f0\n";
+        connect !h0 ~0 left\nconnect i0 !v0 left\nconnect i0 i0 left also !h0\n\
+        split_vertex !h0 ~0\nsplit_vertex i0 !v1\nmove_inner !v0 unbounded\nmove_inner !h0 unbounded\nmove_inner i0 !f0\n";
     let before = Table::copy_of(runner.kernel());
     for op in format!("twinedge program 1\n{again}").parse::<Program>().unwrap().0 {
         assert_eq!(runner.step(op), Outcome::Refused(Refusal::Stale), "{op}");
@@ -337,7 +337,8 @@ fn shrinking_goes_on_until_nothing_more_can_be_left_out() {
 
 #[test]
 fn what_remains_of_a_program_goes_on_choosing_the_same() {
-    // `h4` is made by the third operator. Without the second it is `h2`, and the number beyond the end comes down to it.
+    // `h4` is made by the third operator. Without the second it is `h2`, and the number beyond the end comes down to
+    // it.
     let long: Program = "twinedge program 1\nadd_isolated_vertex unbounded\nsplit_vertex i0 ~0\nsplit_edge h0\n\
                          split_edge h1\nremove_edge h10"
         .parse()

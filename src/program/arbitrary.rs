@@ -14,7 +14,8 @@ impl<'a> Arbitrary<'a> for Op {
     }
 }
 
-/// Where a program is all that is wanted, the bytes are read as by [`Program::from_bytes`], so a corpus is that of the bytes.
+/// Where a program is all that is wanted, the bytes are read as by [`Program::from_bytes`], so a corpus is that of the
+/// bytes.
 impl<'a> Arbitrary<'a> for Program {
     fn arbitrary(u: &mut Unstructured<'a>) -> Result<Self> {
         u.arbitrary_iter()?.collect()

@@ -1,22 +1,21 @@
-//! Does a kernel do what the operators say? A program is run on it and on [`Dcel`] in step, and after every operator both
-//! must have done the same.
+//! Does a kernel do what the operators say? A program is run on it and on [`Dcel`] in step, and after every operator
+//! both must have done the same.
 //!
 //! Compared are, after each operator:
 //!
 //! 1. whether it was applied, refused (and with which category of error) or skipped;
 //! 2. whether the kernel is valid, by the validator;
 //! 3. whether both are isomorphic, nesting and unbounded face included, by their canonical forms;
-//! 4. whether the handles say the same: `twin`, `next`, origins and faces of every half-edge and isolated vertex, in order of
-//!    their creation. So a kernel that hands out the wrong handle is found at once, and not when it is used.
+//! 4. whether the handles say the same: `twin`, `next`, origins and faces of every half-edge and isolated vertex, in
+//!    order of their creation. So a kernel that hands out the wrong handle is found at once, and not when it is used.
 //!
-//! An operator that the kernel does not have, or has no room for, is not run on the reference either, but the kernel must be
-//! as it was.
+//! An operator that the kernel does not have, or has no room for, is not run on the reference either, but the kernel
+//! must be as it was.
 //!
 //! ```
-//! use twinedge::program::{Program, Textbook, conformance};
-//! use twinedge::validate::Expectation;
+//! use twinedge::program::{Model, Program, conformance};
 //! let program = Program::from_bytes(b"some bytes that came from a fuzzer");
-//! conformance::run(&program, Textbook::new(), &Expectation::plane())?;
+//! conformance::run(&program, Model::new(), &Model::expectation())?;
 //! # Ok::<(), conformance::Failure>(())
 //! ```
 
@@ -135,8 +134,8 @@ impl fmt::Display for Failure {
     }
 }
 
-/// Runs a program on a kernel that is the empty map, and on the reference in step. `expectation` says what the validator can
-/// hold the kernel to.
+/// Runs a program on a kernel that is the empty map, and on the reference in step. `expectation` says what the
+/// validator can hold the kernel to.
 ///
 /// O(n²) per operator for n half-edges.
 ///

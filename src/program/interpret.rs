@@ -27,8 +27,8 @@ impl core::fmt::Display for Outcome {
 
 /// A kernel together with all handles it ever gave out, in order of creation.
 ///
-/// What a program chooses depends on these lists and on what the kernel says of corners, faces and vertices, never on the
-/// names of its records, so the same program does the same to every right kernel.
+/// What a program chooses depends on these lists and on what the kernel says of corners, faces and vertices, never on
+/// the names of its records, so the same program does the same to every right kernel.
 #[derive(Clone, Debug)]
 pub struct Runner<K: Kernel> {
     kernel: K,
@@ -118,8 +118,8 @@ impl<K: Kernel> Runner<K> {
 
     /// Runs one operator.
     ///
-    /// O(live elements) beside what the operator itself costs, and O(length²) of the boundary of the face that is split if
-    /// some of its inner boundary components are to be chosen.
+    /// O(live elements) beside what the operator itself costs, and O(length²) of the boundary of the face that is split
+    /// if some of its inner boundary components are to be chosen.
     pub fn step(&mut self, op: Op) -> Outcome {
         let done = match op {
             Op::AddIsolatedVertex { face } => self.add_isolated_vertex(face),

@@ -8,7 +8,8 @@ use thiserror::Error;
 /// A corner, named by handles. It also names the one boundary component on which it lies, and the one face.
 ///
 /// No structure is asked for a handle of a boundary component, because which record survives when two become one is its
-/// own affair: the cheaper one to keep, in [`Dcel`](crate::dcel::Dcel). What lies on it says the same in every structure.
+/// own affair: the cheaper one to keep, in [`Dcel`](crate::dcel::Dcel). What lies on it says the same in every
+/// structure.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash, PartialOrd, Ord)]
 pub enum Corner<H, V> {
     /// At the origin of the half-edge, to its left: between `prev(h)` and `h`.
@@ -64,15 +65,15 @@ pub enum Refusal {
 
 /// A structure that programs can drive: handles, questions and operators.
 ///
-/// The meaning of each operator is that of the method of the same name of [`Dcel`](crate::dcel::Dcel), where its picture is.
-/// An operator that the structure does not have answers [`Refusal::Unsupported`].
+/// The meaning of each operator is that of the method of the same name of [`Dcel`](crate::dcel::Dcel), where its
+/// picture is. An operator that the structure does not have answers [`Refusal::Unsupported`].
 ///
 /// # Refusing
 ///
-/// An operator that refuses leaves the structure as it was. So that two kernels refuse for the same reason where several
-/// apply, the order is fixed: first each argument by itself, in their order ([`Stale`](Refusal::Stale), then
-/// [`NotIsolated`](Refusal::NotIsolated) for a corner said to be that of an isolated vertex); then what the operator asks of
-/// them together, in the order given there. [`Full`](Refusal::Full) may come anywhere.
+/// An operator that refuses leaves the structure as it was. So that two kernels refuse for the same reason where
+/// several apply, the order is fixed: first each argument by itself, in their order ([`Stale`](Refusal::Stale), then
+/// [`NotIsolated`](Refusal::NotIsolated) for a corner said to be that of an isolated vertex); then what the operator
+/// asks of them together, in the order given there. [`Full`](Refusal::Full) may come anywhere.
 ///
 /// # The view
 ///
@@ -131,9 +132,9 @@ pub trait Kernel: View {
 
     /// Connects two corners of one face by a new edge, and gives the half-edge from the first to the second.
     ///
-    /// If it splits the face, the new face lies to the `new_face` side of that half-edge, and the inner boundary components
-    /// named in `inner` (one named twice counts once) go there. A bridge needs neither, but a stale handle is refused even
-    /// so.
+    /// If it splits the face, the new face lies to the `new_face` side of that half-edge, and the inner boundary
+    /// components named in `inner` (one named twice counts once) go there. A bridge needs neither, but a stale handle
+    /// is refused even so.
     ///
     /// # Errors
     /// For `from`, `to`, and each of `inner`: [`Stale`](Refusal::Stale), [`NotIsolated`](Refusal::NotIsolated). Then
@@ -146,8 +147,8 @@ pub trait Kernel: View {
         inner: &[CornerOf<Self>],
     ) -> Result<Self::HalfEdge, Self::Error>;
 
-    /// Removes an edge, and gives the handle of the face that is gone, if two became one. Which of the two that is, is the
-    /// kernel's affair, but the unbounded face stays.
+    /// Removes an edge, and gives the handle of the face that is gone, if two became one. Which of the two that is, is
+    /// the kernel's affair, but the unbounded face stays.
     ///
     /// # Errors
     /// [`Stale`](Refusal::Stale); [`Full`](Refusal::Full).
@@ -159,16 +160,16 @@ pub trait Kernel: View {
     /// [`Stale`](Refusal::Stale); [`Full`](Refusal::Full).
     fn split_edge(&mut self, half_edge: Self::HalfEdge) -> Result<Self::HalfEdge, Self::Error>;
 
-    /// Joins the edge of a half-edge with the one that follows it. The given half-edge keeps its origin; the following edge
-    /// and the vertex between them are gone.
+    /// Joins the edge of a half-edge with the one that follows it. The given half-edge keeps its origin; the following
+    /// edge and the vertex between them are gone.
     ///
     /// # Errors
     /// [`Stale`](Refusal::Stale); then [`DegreeNotTwo`](Refusal::DegreeNotTwo); then [`Loop`](Refusal::Loop).
     fn join_edges(&mut self, half_edge: Self::HalfEdge) -> Result<(), Self::Error>;
 
-    /// Splits a vertex in two, and gives the new half-edge between them: to its target go the half-edges met when turning
-    /// counter-clockwise from the first corner to the second, none if these are the same. Which of the two vertices is new
-    /// is the kernel's affair.
+    /// Splits a vertex in two, and gives the new half-edge between them: to its target go the half-edges met when
+    /// turning counter-clockwise from the first corner to the second, none if these are the same. Which of the two
+    /// vertices is new is the kernel's affair.
     ///
     /// # Errors
     /// For `from` and `to`: [`Stale`](Refusal::Stale), [`NotIsolated`](Refusal::NotIsolated). Then
@@ -188,8 +189,8 @@ pub trait Kernel: View {
     /// [`Stale`](Refusal::Stale); then [`NotSeparating`](Refusal::NotSeparating).
     fn flip_edge(&mut self, half_edge: Self::HalfEdge, turn: Turn) -> Result<(), Self::Error>;
 
-    /// Moves the inner boundary component on which the corner lies to another face, with all that lies inside. Moving it
-    /// to the face where it is does nothing.
+    /// Moves the inner boundary component on which the corner lies to another face, with all that lies inside. Moving
+    /// it to the face where it is does nothing.
     ///
     /// # Errors
     /// For `inner`: [`Stale`](Refusal::Stale), [`NotIsolated`](Refusal::NotIsolated); for `face`:

@@ -1,6 +1,44 @@
 //! Programs: sequences of operators as data, for everything that tests a structure by changing it.
 //!
-//! A structure that implements [`Kernel`] can be driven by them; [`Dcel`](crate::dcel::Dcel) does, over every store.
+//! A program chooses its arguments by small numbers that count in lists of what there is, and begin again where a list
+//! ends. So any bytes are a program that runs, whatever the structure; no run is lost to an argument that does not
+//! exist. Some choose a handle that is *gone*, on purpose: a structure that is right refuses it.
+//!
+//! ```
+//! use twinedge::dcel::Dcel;
+//! use twinedge::program::{Outcome, Program, Refusal, Runner};
+//!
+//! let program: Program = "twinedge program 1
+//!     add_isolated_vertex unbounded
+//!     split_vertex i0 i0              # the vertex becomes an edge, h0 and h1,
+//!     connect h0 h1 left              # and the edge a face
+//!     remove_edge h0
+//!     remove_edge !h0                 # once more: a stale handle
+//! ".parse()?;
+//! let mut runner = Runner::new(Dcel::new());
+//! let outcomes = runner.run(&program);
+//! assert_eq!(outcomes[3], Outcome::Applied);
+//! assert_eq!(outcomes[4], Outcome::Refused(Refusal::Stale));
+//! assert!(runner.kernel().validate().is_valid());
+//! # Ok::<(), twinedge::program::ParseError>(())
+//! ```
+//!
+//! | to | take |
+//! | --- | --- |
+//! | drive a structure of your own | the trait [`Kernel`]; [`Dcel`](crate::dcel::Dcel) has it, over every store |
+//! | see whether it does what it should | [`conformance::run`]: it and `Dcel` in step, compared after every operator |
+//! | get programs | [`Program::from_bytes`]; the features `arbitrary` and `quickcheck` for the crates of these names |
+//! | make a failing one small | [`shrink`]; `quickcheck` does it by itself |
+//! | keep it | its text ([`Display`](core::fmt::Display), [`FromStr`](core::str::FromStr)), or [`Program::to_rust`] |
+//! | tell whether two maps are the same | [`canonical`] |
+//! | have a second opinion | [`Model`], a rotation system, and [`Textbook`], the pointers of the literature: slow and obvious |
+//!
+//! # In step
+//!
+//! Two structures may keep different records where an operator leaves it open: of two faces made one, say, or of two
+//! vertices. So a [`Runner`] never compares handles of different structures. It lists what each structure made in order
+//! of creation, and takes off what it says is gone; then the same place in two lists is the same element in both, as
+//! long as both are right.
 
 #[cfg(feature = "arbitrary")]
 mod arbitrary;
@@ -12,6 +50,7 @@ mod dcel;
 mod every;
 mod interpret;
 mod kernel;
+mod model;
 mod op;
 #[cfg(feature = "quickcheck")]
 mod quickcheck;
@@ -26,6 +65,7 @@ pub use crate::dcel::{Side, Turn};
 pub use every::{every_op, try_every_op};
 pub use interpret::{Outcome, Runner};
 pub use kernel::{Corner, CornerOf, Kernel, Refusal};
+pub use model::Model;
 pub use op::{CornerPick, FacePick, HalfEdgePick, InnerPick, Op, Program, SecondPick, VertexPick};
 pub use shrink::{candidates, shrink};
 pub use text::{Expected, ParseError};

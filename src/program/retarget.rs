@@ -1,12 +1,12 @@
 //! Changing a program without changing what the rest of it chooses.
 //!
-//! An operator chooses by numbers, and these count in lists that hold something else once an earlier operator is gone. Here
-//! every half-edge and vertex has a name, that of the operator that made it, and the numbers follow the names.
+//! An operator chooses by numbers, and these count in lists that hold something else once an earlier operator is gone.
+//! Here every half-edge and vertex has a name, that of the operator that made it, and the numbers follow the names.
 
 use super::interpret::{Fit, Runner};
 use super::kernel::Corner;
+use super::model::Model;
 use super::op::{CornerPick, FacePick, HalfEdgePick, InnerPick, Op, Program, SecondPick, VertexPick};
-use super::textbook::Textbook;
 use alloc::vec::Vec;
 use core::iter::repeat;
 
@@ -75,7 +75,7 @@ impl Script {
 
 /// A runner, and beside each of its lists the names of what is on it.
 struct Stage {
-    runner: Runner<Textbook>,
+    runner: Runner<Model>,
     half_edges: Vec<Name>,
     isolated: Vec<Name>,
     retired_half_edges: Vec<Name>,
@@ -86,7 +86,7 @@ struct Stage {
 impl Stage {
     fn new() -> Self {
         Self {
-            runner: Runner::new(Textbook::new()),
+            runner: Runner::new(Model::new()),
             half_edges: Vec::new(),
             isolated: Vec::new(),
             retired_half_edges: Vec::new(),

@@ -5,12 +5,12 @@ use super::retarget::Script;
 use alloc::vec::Vec;
 use core::ops::Range;
 
-/// Makes a program smaller for as long as it fails: drops ever smaller runs of operators, then simplifies the operators that
-/// remain. The result fails too (if `program` does), and no longer if any one operator is dropped or simplified.
+/// Makes a program smaller for as long as it fails: drops ever smaller runs of operators, then simplifies the operators
+/// that remain. The result fails too (if `program` does), and no longer if any one operator is dropped or simplified.
 ///
-/// Zeller and Hildebrandt's delta debugging (*Simplifying and Isolating Failure-Inducing Input*, 2002), with one addition:
-/// what remains goes on choosing the same half-edges and vertices, although the lists in which they are counted have
-/// changed. Every step makes the program smaller, so it ends.
+/// Zeller and Hildebrandt's delta debugging (*Simplifying and Isolating Failure-Inducing Input*, 2002), with one
+/// addition: what remains goes on choosing the same half-edges and vertices, although the lists in which they are
+/// counted have changed. Every step makes the program smaller, so it ends.
 pub fn shrink(program: &Program, mut fails: impl FnMut(&Program) -> bool) -> Program {
     let mut smallest = program.clone();
     while let Some(smaller) = candidates(&smallest).find(&mut fails) {
@@ -21,8 +21,8 @@ pub fn shrink(program: &Program, mut fails: impl FnMut(&Program) -> bool) -> Pro
 
 /// Programs that are a little smaller than this one, the smallest first.
 ///
-/// This is what `quickcheck` is given to shrink with; [`shrink`] repeats it as often as it helps. Each takes a run of the
-/// program on the [`Textbook`](super::Textbook) to find.
+/// This is what `quickcheck` is given to shrink with; [`shrink`] repeats it as often as it helps. Each takes a run of
+/// the program on the [`Model`](super::Model) to find.
 pub fn candidates(program: &Program) -> impl Iterator<Item = Program> + use<> {
     let script = Script::of(program);
     let count = program.0.len();

@@ -80,8 +80,8 @@ impl Keys {
     }
 }
 
-/// A structure. After each operator it is valid, and has the keys that it had, with those reported made and without those
-/// reported dropped. After one that refuses it is as it was.
+/// A structure. After each operator it is valid, and has the keys that it had, with those reported made and without
+/// those reported dropped. After one that refuses it is as it was.
 #[derive(Clone, Default)]
 pub(crate) struct Tracked {
     pub(crate) map: Dcel,

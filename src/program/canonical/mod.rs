@@ -1,8 +1,8 @@
 //! Canonical forms: two structures have the same one if and only if they are isomorphic.
 //!
-//! Isomorphic means: there is a one-to-one correspondence of half-edges and isolated vertices that keeps `twin`, `next`, faces
-//! and outer boundary components. So the orientation of the plane is kept, and so are nesting and the unbounded face; names
-//! of records, the order of lists, and which half-edge a record starts with are not.
+//! Isomorphic means: there is a one-to-one correspondence of half-edges and isolated vertices that keeps `twin`,
+//! `next`, faces and outer boundary components. So the orientation of the plane is kept, and so are nesting and the
+//! unbounded face; names of records, the order of lists, and which half-edge a record starts with are not.
 //!
 //! ```
 //! use twinedge::dcel::Dcel;
@@ -26,14 +26,15 @@
 //! half-edge a number that depends on the map alone. The code of the rooted map says, in that order, for each cycle how
 //! long it is and for each half-edge the number of its twin. It takes O(E).
 //!
-//! Without root, the code is the least of those of all roots. Where the unbounded face or the surrounding one is marked,
-//! only the half-edges of the outside cycle come into question, and no mark is needed in the code. A root is given up at the
-//! first place where its code exceeds the least so far, so the worst case, O(E · number of roots), is that of maps with many
-//! symmetries.
+//! Without root, the code is the least of those of all roots. Where the unbounded face or the surrounding one is
+//! marked, only the half-edges of the outside cycle come into question, and no mark is needed in the code. A root is
+//! given up at the first place where its code exceeds the least so far, so the worst case, O(E · number of roots), is
+//! that of maps with many symmetries.
 //!
-//! Nesting is a tree, and trees are put in canonical form as Aho, Hopcroft and Ullman do it (*The Design and Analysis of
-//! Computer Algorithms*, 1974, section 3.2): from the deepest level upwards, every component gets its rank among the codes of
-//! its level, and the code of a component says of each face how many isolated vertices lie in it and which ranks.
+//! Nesting is a tree, and trees are put in canonical form as Aho, Hopcroft and Ullman do it (*The Design and Analysis
+//! of Computer Algorithms*, 1974, section 3.2): from the deepest level upwards, every component gets its rank among the
+//! codes of its level, and the code of a component says of each face how many isolated vertices lie in it and which
+//! ranks.
 
 mod map;
 mod nesting;
@@ -88,7 +89,8 @@ pub fn code<V: View + ?Sized>(view: &V) -> Option<Code> {
     Canonizer::new().subdivision(view)
 }
 
-/// Whether two structures are the same planar subdivision but for names. Ones that are not valid are isomorphic to nothing.
+/// Whether two structures are the same planar subdivision but for names. Ones that are not valid are isomorphic to
+/// nothing.
 pub fn isomorphic<V: View + ?Sized, W: View + ?Sized>(one: &V, other: &W) -> bool {
     let mut canonizer = Canonizer::new();
     canonizer.subdivision(one).is_some_and(|code| canonizer.subdivision(other) == Some(code))
@@ -96,8 +98,8 @@ pub fn isomorphic<V: View + ?Sized, W: View + ?Sized>(one: &V, other: &W) -> boo
 
 /// Finds canonical forms. Keep one where many are to be found: its working memory is used again.
 ///
-/// A structure that is not valid may have no form; one in which `twin` pairs the half-edges and `next` permutes them is enough
-/// for the forms of connected maps. No structure whatever makes these functions panic or run on: they give up.
+/// A structure that is not valid may have no form; one in which `twin` pairs the half-edges and `next` permutes them is
+/// enough for the forms of connected maps. No structure whatever makes these functions panic or run on: they give up.
 #[derive(Debug, Default)]
 pub struct Canonizer {
     map: Map,
@@ -132,7 +134,8 @@ impl Canonizer {
         Some(Code::of_numbers(self.search.least()))
     }
 
-    /// The code of a connected map, on whatever surface and without marks. None if there are several components, or none.
+    /// The code of a connected map, on whatever surface and without marks. None if there are several components, or
+    /// none.
     ///
     /// O(E²) in the worst case, that of many symmetries.
     pub fn unrooted<V: View + ?Sized>(&mut self, view: &V) -> Option<Unrooted> {

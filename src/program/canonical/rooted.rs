@@ -34,8 +34,8 @@ impl Search {
         self.ties
     }
 
-    /// Tries another root of the same component. `note` is what the code is to say of the cycle of a half-edge besides its
-    /// length; it must tell itself where it ends.
+    /// Tries another root of the same component. `note` is what the code is to say of the cycle of a half-edge besides
+    /// its length; it must tell itself where it ends.
     pub(super) fn offer<'a>(&mut self, map: &Map, root: u32, note: impl Fn(u32) -> &'a [u32]) {
         self.trial.clear();
         let smaller = self.write(map, root, note);
