@@ -287,10 +287,9 @@ fn along_cycle<V: View + ?Sized>(view: &V, extent: Extent, b: usize, start: usiz
         met += 1;
         let t = view.twin(h).filter(|t| *t < extent.half_edges)?;
         let n = view.next(h).filter(|n| *n < extent.half_edges)?;
-        if !(view.is_half_edge(h) && view.is_half_edge(t) && view.boundary(h) == Some(b))
-            || !(t != h && view.twin(t) == Some(h) && view.prev(n) == Some(h))
-            || view.origin(n)? != view.origin(t)?
-        {
+        let live = view.is_half_edge(h) && view.is_half_edge(t) && view.boundary(h) == Some(b);
+        let mutual = live && t != h && view.twin(t) == Some(h) && view.prev(n) == Some(h);
+        if !mutual || view.origin(n)? != view.origin(t)? {
             return None;
         }
         if n == start {
