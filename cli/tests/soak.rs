@@ -26,7 +26,7 @@ fn all_stores_stay_in_step() {
         assert_eq!((count(row, "programs"), steps), (60, 60 * 60));
         // What is refused or has no room is tried on purpose, and not most of it.
         assert!(count(row, "applied") > 1000 && count(row, "refused") > 300, "{row}");
-        assert_eq!(count(row, "no_room") > 0, row["on"] == "fixed" && count(row, "no_room") > 0);
+        assert!(row["on"] == "fixed" || count(row, "no_room") == 0, "{row}");
     }
     // The same seed gives the same programs.
     let (_, again) = json(&["soak", "--programs", "60", "--steps", "60", "--seed", "1", "--format", "json"]);
