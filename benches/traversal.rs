@@ -14,7 +14,7 @@ fn face_loops(dcel: &Dcel) -> usize {
     let mut sum = 0;
     for face in dcel.faces() {
         let Some(start) = face.outer_half_edge() else { continue };
-        for h in start.cycle() {
+        for h in start.boundary_cycle() {
             sum += h.origin().index();
         }
     }

@@ -1,5 +1,9 @@
 //! Kernels in step with the reference: right ones pass, and each kind of difference is told from the others.
 
+#[path = "support/rotation_system.rs"]
+mod rotation_system;
+
+use rotation_system::Model;
 use twinedge::dcel::Dcel;
 use twinedge::program::conformance::{Answer, Difference, Failure, Question, Summary};
 use twinedge::program::*;

@@ -211,7 +211,7 @@ impl<'a, S: Store> HalfEdge<'a, S> {
     /// The half-edges of its cycle, from this one on; `rev()` goes the other way. O(1) per step.
     #[must_use]
     #[inline]
-    pub fn cycle(self) -> Cycle<'a, S> {
+    pub fn boundary_cycle(self) -> Cycle<'a, S> {
         Cycle::new(Some(self))
     }
 }
@@ -252,7 +252,7 @@ impl<'a, S: Store> Boundary<'a, S> {
     /// The half-edges of its cycle; none if it is an isolated vertex. O(1) per step.
     #[must_use]
     #[inline]
-    pub fn cycle(self) -> Cycle<'a, S> {
+    pub fn half_edges(self) -> Cycle<'a, S> {
         Cycle::new(self.start())
     }
 }
@@ -297,7 +297,7 @@ impl<'a, S: Store> Face<'a, S> {
 
     /// All half-edges that have the face to their left. O(1) per step.
     pub fn half_edges(self) -> impl Iterator<Item = HalfEdge<'a, S>> {
-        self.boundaries().flat_map(Boundary::cycle)
+        self.boundaries().flat_map(Boundary::half_edges)
     }
 
     /// The faces across its half-edges, in order of these: one that shares several edges comes as often, and the face

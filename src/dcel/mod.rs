@@ -17,7 +17,7 @@
 //!
 //! let inside = map.half_edge(ab)?.face();
 //! assert_eq!(Some(inside.key()), ca.new_face());
-//! assert_eq!(inside.outer().unwrap().cycle().count(), 3);
+//! assert_eq!(inside.outer().unwrap().half_edges().count(), 3);
 //! assert_eq!((map.vertex_count(), map.edge_count(), map.face_count()), (3, 3, 2));
 //! assert!(map.validate().is_valid());
 //! # Ok::<(), twinedge::dcel::OperatorError>(())

@@ -9,8 +9,10 @@
 //! | [`predicates`] | exact answers about points, directions and segments |
 //! | [`mod@sweep`] | one pass that tells whether a drawing is plane, and what lies below what |
 //! | [`crossing`] | all places where it is not |
+//! | [`noding`] | snap rounding: any segments made to meet at shared endpoints only |
 
 pub mod crossing;
+pub mod noding;
 pub mod predicates;
 pub mod sweep;
 

@@ -13,9 +13,10 @@
 //! as it was.
 //!
 //! ```
-//! use twinedge::program::{Model, Program, conformance};
+//! use twinedge::program::{Program, Textbook, conformance};
+//! use twinedge::validate::Expectation;
 //! let program = Program::from_bytes(b"some bytes that came from a fuzzer");
-//! conformance::run(&program, Model::new(), &Model::expectation())?;
+//! conformance::run(&program, Textbook::new(), &Expectation::plane())?;
 //! # Ok::<(), conformance::Failure>(())
 //! ```
 

@@ -5,8 +5,8 @@
 
 use super::interpret::{Fit, Runner};
 use super::kernel::Corner;
-use super::model::Model;
 use super::op::{CornerPick, FacePick, HalfEdgePick, InnerPick, Op, Program, SecondPick, VertexPick};
+use super::textbook::Textbook;
 use alloc::vec::Vec;
 use core::iter::repeat;
 
@@ -75,7 +75,7 @@ impl Script {
 
 /// A runner, and beside each of its lists the names of what is on it.
 struct Stage {
-    runner: Runner<Model>,
+    runner: Runner<Textbook>,
     half_edges: Vec<Name>,
     isolated: Vec<Name>,
     retired_half_edges: Vec<Name>,
@@ -86,7 +86,7 @@ struct Stage {
 impl Stage {
     fn new() -> Self {
         Self {
-            runner: Runner::new(Model::new()),
+            runner: Runner::new(Textbook::new()),
             half_edges: Vec::new(),
             isolated: Vec::new(),
             retired_half_edges: Vec::new(),

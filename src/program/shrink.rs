@@ -22,7 +22,7 @@ pub fn shrink(program: &Program, mut fails: impl FnMut(&Program) -> bool) -> Pro
 /// Programs that are a little smaller than this one, the smallest first.
 ///
 /// This is what `quickcheck` is given to shrink with; [`shrink`] repeats it as often as it helps. Each takes a run of the
-/// program on the [`Model`](super::Model) to find.
+/// program on the [`Textbook`](super::Textbook) to find.
 pub fn candidates(program: &Program) -> impl Iterator<Item = Program> + use<> {
     let script = Script::of(program);
     let count = program.0.len();

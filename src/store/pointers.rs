@@ -270,8 +270,14 @@ impl<R: Record> Drop for Records<R> {
 /// Nearly three times the memory of [`SlotStore`](super::SlotStore), and slower where a map does not fit into the cache. It
 /// is here to be measured against, and to show that the operators do not depend on how records are kept.
 ///
-/// It is neither `Send` nor `Sync`. The memory of records that were removed is used again, and given back when the store
-/// is dropped.
+/// The memory of records that were removed is used again, and given back when the store is dropped.
+///
+/// It is neither `Send` nor `Sync`:
+///
+/// ```compile_fail,E0277
+/// fn cross_threads(map: impl Send) {}
+/// cross_threads(twinedge::dcel::Dcel::<twinedge::store::PointerStore>::default());
+/// ```
 pub struct PointerStore {
     vertices: Records<VertexRecord>,
     half_edges: Records<HalfEdgeRecord>,

@@ -14,16 +14,14 @@ use alloc::vec::Vec;
 
 impl<V: View + ?Sized> Run<'_, V> {
     /// Runs B1 and B2.
-    pub(super) fn boundaries(&mut self, glanced: bool) -> Result<(), Halt> {
+    pub(super) fn boundaries(&mut self) -> Result<(), Halt> {
         if !self.expect.has(Part::Faces) {
             self.findings.not_checked(Rule::B1, Unchecked::Lacks(Part::Faces));
             self.findings.not_checked(Rule::B2, Unchecked::Lacks(Part::Faces));
             return Ok(());
         }
         if self.expect.has(Part::BoundaryComponents) {
-            if !glanced {
-                self.constant_along_next()?;
-            }
+            self.constant_along_next()?;
             self.components_have_one_cycle()?;
         } else {
             self.cycles_have_one_face()?;

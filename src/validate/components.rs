@@ -23,6 +23,11 @@ pub(super) struct Component {
 }
 
 impl Component {
+    /// The component of this vertex, of which nothing else is known yet.
+    pub(super) const fn at(vertex: u32) -> Self {
+        Self { vertex, vertices: 0, paired: 0, unpaired: 0, cycles: 0, open: false, lies_in: NIL, outside: None }
+    }
+
     pub(super) const fn edges(&self) -> usize {
         self.paired as usize / 2 + self.unpaired as usize
     }
@@ -30,57 +35,42 @@ impl Component {
 
 /// The components of the whole map.
 pub(super) struct Components {
-    /// Per vertex.
-    pub(super) of: Vec<Mark>,
+    /// Per vertex the number of its component.
+    pub(super) of: Vec<u32>,
     pub(super) all: Vec<Component>,
     /// Whether there is neither a loop nor a pair of parallel edges.
     pub(super) simple: bool,
 }
 
-/// What is known of a vertex.
-#[derive(Clone, Copy)]
-pub(super) struct Mark {
-    /// The number of its component.
-    pub(super) component: u32,
-    /// The last vertex from which it was seen as a neighbour: seen twice from one means parallel edges.
-    seen_from: u32,
-}
-
 impl<V: View + ?Sized> Run<'_, V> {
-    /// Runs V2, and finds the components. Each vertex waits once; the last to come goes first, which keeps near
-    /// records together.
+    /// Runs V2, and finds the components. Each vertex waits once, and the first to come goes first: by far the fewest
+    /// cache misses where numbers follow places.
     pub(super) fn components(&mut self) -> Result<(), Halt> {
-        let mut of = column(self.vertices, Mark { component: NIL, seen_from: NIL })?;
+        let mut of = column(self.vertices, NIL)?;
+        // The last vertex from which a vertex was seen as a neighbour: seen twice from one means parallel edges.
+        let mut seen_from = column(self.vertices, NIL)?;
         let mut waiting: Vec<u32> = Vec::new();
+        let mut served = 0;
         waiting.try_reserve_exact(self.vertices as usize).map_err(|_| Halt::OutOfMemory)?;
         let mut all: Vec<Component> = Vec::new();
         let mut simple = true;
         let open = self.expect.is_open();
         for first in 0..self.vertices {
-            if of[first as usize].component != NIL || !self.live_vertex(first) {
+            if of[first as usize] != NIL || !self.live_vertex(first) {
                 continue;
             }
             let number = all.len() as u32;
-            let mut component = Component {
-                vertex: first,
-                vertices: 0,
-                paired: 0,
-                unpaired: 0,
-                cycles: 0,
-                open: false,
-                lies_in: NIL,
-                outside: None,
-            };
-            of[first as usize].component = number;
+            let mut component = Component::at(first);
+            of[first as usize] = number;
             waiting.push(first);
-            while let Some(v) = waiting.pop() {
+            while let Some(v) = waiting.get(served).copied() {
+                served += 1;
                 component.vertices += 1;
                 let mut neighbour = |u: u32| {
-                    let Some(mark) = of.get_mut(u as usize) else { return };
-                    simple &= mark.seen_from != v && u != v;
-                    mark.seen_from = v;
-                    if mark.component == NIL && waiting.len() < self.vertices as usize {
-                        mark.component = number;
+                    let Some(component) = of.get_mut(u as usize) else { return };
+                    simple &= u != v && core::mem::replace(&mut seen_from[u as usize], v) != v;
+                    if *component == NIL {
+                        *component = number;
                         waiting.push(u);
                     }
                 };

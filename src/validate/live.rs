@@ -20,12 +20,10 @@ enum Kind {
 }
 
 impl<V: View + ?Sized> Run<'_, V> {
-    /// Runs R1, and counts what there is while at it. Of half-edges a glance may have seen to it already.
-    pub(super) fn live(&mut self, glanced: bool) -> Result<(), Halt> {
-        if !glanced {
-            self.fans = column(self.vertices, Fan { degree: 0, leaving: NIL })?;
-            self.live_half_edges()?;
-        }
+    /// Runs R1, and counts what there is while at it.
+    pub(super) fn live(&mut self) -> Result<(), Halt> {
+        self.fans = column(self.vertices, Fan { degree: 0, leaving: NIL })?;
+        self.live_half_edges()?;
         self.map_is_live = self.findings.holds(Rule::R1);
         self.live_vertices()?;
         self.live_boundaries()?;

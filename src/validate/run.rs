@@ -68,8 +68,9 @@ pub(super) struct Run<'a, V: ?Sized> {
 
 /// Validates any half-edge structure: rules R1 … T4.
 ///
-/// Cost: O(n) time and memory, n being the number of slots of all kinds; at most about 9 bytes per half-edge and 16 per
-/// vertex. It does not panic unless the [`View`] does, and it always ends.
+/// Cost: O(n) time and memory, n being the number of slots of all kinds: 12 bytes per vertex and 52 per component where
+/// every part is there and right, at most about 9 more per half-edge and 8 per vertex elsewhere. It does not panic
+/// unless the [`View`] does, and it always ends.
 pub fn validate<V: View + ?Sized>(view: &V, expectation: &Expectation, collect: Collect) -> Report {
     let mut run = Run {
         view,
@@ -116,15 +117,15 @@ impl<V: View + ?Sized> Run<'_, V> {
     }
 
     fn all_rules(&mut self, bounds: &mut Option<super::Bounds>) -> Result<(), Halt> {
-        let glanced = self.glance()?;
-        self.live(glanced)?;
+        let glanced = self.glance();
         if !glanced {
+            self.live()?;
             self.links()?;
+            self.rotations()?;
+            self.boundaries()?;
+            self.faces()?;
         }
-        self.rotations()?;
-        self.boundaries(glanced)?;
-        self.faces()?;
-        self.topology(bounds)
+        self.topology(glanced, bounds)
     }
 
     /// Marks as not checked whatever has neither been checked nor has a reason of its own.

@@ -19,8 +19,8 @@ use super::run::{NIL, Run, column};
 use super::{Bounds, Part, Record, Rule, Start, Surface, Unchecked, View, Violation};
 
 impl<V: View + ?Sized> Run<'_, V> {
-    /// Runs T1, T2, T3 and T4.
-    pub(super) fn topology(&mut self, bounds: &mut Option<Bounds>) -> Result<(), Halt> {
+    /// Runs T1, T2, T3 and T4. A glance may have counted the cycles and seen to T1 already.
+    pub(super) fn topology(&mut self, glanced: bool, bounds: &mut Option<Bounds>) -> Result<(), Halt> {
         if let Some(rule) = self.map_broken().or_else(|| self.findings.broken(&[Rule::V2])) {
             for rule_waiting in [Rule::T1, Rule::T2, Rule::T3, Rule::T4] {
                 self.findings.not_checked(rule_waiting, Unchecked::Broken(rule));
@@ -29,8 +29,10 @@ impl<V: View + ?Sized> Run<'_, V> {
         }
         let Some(mut components) = self.components.take() else { return Ok(()) };
         self.counts.components = Some(components.all.len());
-        self.cycles(&mut components)?;
-        self.outside(&mut components)?;
+        if !glanced {
+            self.cycles(&mut components)?;
+            self.outside(&mut components)?;
+        }
         self.nesting(&components)?;
         self.euler(&components)?;
         self.bounds(&components, bounds)
@@ -127,22 +129,20 @@ impl<V: View + ?Sized> Run<'_, V> {
     }
 
     fn component_at(&self, components: &Components, h: u32) -> Option<usize> {
-        let c = components.of.get(self.origin(h) as usize)?.component;
+        let c = components.of.get(self.origin(h) as usize).copied()?;
         (c != NIL).then_some(c as usize)
     }
 
     fn component_of_start(&self, components: &Components, start: Option<Start>) -> Option<usize> {
         match start? {
             Start::HalfEdge(h) if h < self.half_edges as usize => self.component_at(components, h as u32),
-            Start::Vertex(v) => {
-                components.of.get(v).map(|mark| mark.component).filter(|c| *c != NIL).map(|c| c as usize)
-            }
+            Start::Vertex(v) => components.of.get(v).filter(|c| **c != NIL).map(|c| *c as usize),
             Start::HalfEdge(_) => None,
         }
     }
 
     /// Why T1 and T2 cannot be checked, if so.
-    fn containment_unchecked(&self) -> Option<Unchecked> {
+    pub(super) fn containment_unchecked(&self) -> Option<Unchecked> {
         if self.expect.surface_kind() != Surface::Plane {
             return Some(Unchecked::PlaneOnly);
         }

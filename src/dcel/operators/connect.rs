@@ -16,7 +16,7 @@ pub enum Side {
     Right,
 }
 
-/// How a face is to be split, where topology leaves it open. A bridge needs none of it.
+/// How a face is to be split, where topology leaves it open. A bridge needs none of it, but refuses a stale key.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash, Default)]
 pub struct Split<'a> {
     /// On which side of the new edge the new face lies. The face that was there keeps the other side.
@@ -104,6 +104,14 @@ impl<S: Store> Dcel<S> {
         let (from, to) = (self.spot(from.into())?, self.spot(to.into())?);
         let (ba, bb) = (from.boundary(&self.store), to.boundary(&self.store));
         let (fa, fb) = (self.store.bounded(ba), self.store.bounded(bb));
+        // A bridge needs none of these, but a stale key is an error even so.
+        let mut not_inner = None;
+        for key in split.inner {
+            let b = self.store.boundary(*key).ok_or(StaleKey::Boundary(*key))?;
+            if b == ba || self.store.bounded(b) != fa || self.is_outer(b) {
+                not_inner = not_inner.or(Some(*key));
+            }
+        }
         if fa != fb {
             return Err(OperatorError::FacesDiffer(self.store.face_key(fa), self.store.face_key(fb)));
         }
@@ -112,11 +120,8 @@ impl<S: Store> Dcel<S> {
             return Ok(self.bridge(from, to));
         }
         self.room_for(Need { edges: 1, boundaries: 1, faces: 1, ..Need::NONE })?;
-        for key in split.inner {
-            let b = self.store.boundary(*key).ok_or(StaleKey::Boundary(*key))?;
-            if b == ba || self.store.bounded(b) != fa || self.is_outer(b) {
-                return Err(OperatorError::NotInner(*key));
-            }
+        if let Some(key) = not_inner {
+            return Err(OperatorError::NotInner(key));
         }
         Ok(self.split_face(from, to, split))
     }

@@ -1,11 +1,8 @@
-//! A second structure, slow and obvious, for a second opinion.
+//! A user's kernel that has nothing in common with the library's: a rotation system.
 
-use super::kernel::{Corner, Kernel, Refusal};
-use crate::dcel::{Side, Turn};
-use crate::validate::{Expectation, Link, Part, Start, View};
-use alloc::collections::{BTreeMap, BTreeSet};
-use alloc::vec;
-use alloc::vec::Vec;
+use std::collections::{BTreeMap, BTreeSet};
+use twinedge::program::{Corner, Kernel, Refusal, Side, Turn};
+use twinedge::validate::{Expectation, Link, Part, Start, View};
 
 /// A vertex.
 #[derive(Clone, Debug, PartialEq, Eq)]
@@ -26,11 +23,11 @@ struct HalfEdge {
 /// A planar subdivision as a rotation system: each vertex lists its half-edges counter-clockwise, each half-edge names its
 /// face, each bounded face a half-edge of its outer cycle. All else is searched for where it is needed.
 ///
-/// It has nothing in common with [`Dcel`](crate::dcel::Dcel) but the meaning of the operators: `next` is not stored, no
+/// It has nothing in common with [`Dcel`](twinedge::dcel::Dcel) but the meaning of the operators: `next` is not stored, no
 /// boundary component has a record, handles are numbers that are never used again, and where an operator leaves open what is
 /// kept, it keeps the other. Every operator is O(n) or worse.
 #[derive(Clone, Debug)]
-pub struct Model {
+pub(crate) struct Model {
     vertices: BTreeMap<usize, Vertex>,
     /// The twin of `h` is `h ^ 1`.
     half_edges: BTreeMap<usize, HalfEdge>,
@@ -54,7 +51,7 @@ impl Default for Model {
 impl Model {
     /// The empty map.
     #[must_use]
-    pub fn new() -> Self {
+    pub(crate) fn new() -> Self {
         Self {
             vertices: BTreeMap::new(),
             half_edges: BTreeMap::new(),
@@ -67,7 +64,7 @@ impl Model {
 
     /// What the validator can hold it to.
     #[must_use]
-    pub const fn expectation() -> Expectation {
+    pub(crate) const fn expectation() -> Expectation {
         Expectation::plane().without(Part::BoundaryComponents)
     }
 

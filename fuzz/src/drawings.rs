@@ -1,0 +1,222 @@
+//! Targets that build maps from coordinates.
+
+use arbitrary::Unstructured;
+use std::collections::BTreeSet;
+use twinedge::geometry::predicates::{Meeting, in_range, meeting, on_segment};
+use twinedge::geometry::{BuildError, Builder, Feature, PlanarMap, Point, Shape};
+use twinedge::io::geojson::{self, ReadError};
+use twinedge::program::choose::Choose;
+use twinedge::validate::Rule;
+
+/// The most segments that are compared pair by pair.
+const FEW: usize = 200;
+
+/// A coordinate: mostly of a small grid, where points coincide and segments cross; else close to it, or any bits at all.
+fn coordinate(source: &mut Unstructured<'_>) -> f64 {
+    let grid = f64::from(Choose::choose(source, 8) as u8);
+    match Choose::choose(source, 16) {
+        0 => f64::from_bits(u64::from_le_bytes([(); 8].map(|()| Choose::choose(source, 256) as u8))),
+        1 => grid.next_up(),
+        2 => grid.next_down(),
+        3 => grid / 3.0,
+        4 => -grid,
+        5 => grid * 2.0_f64.powi(495),
+        6 => grid * 2.0_f64.powi(-399),
+        7 => grid * 1e9,
+        _ => grid,
+    }
+}
+
+fn point(source: &mut Unstructured<'_>) -> Point {
+    Point::new(coordinate(source), coordinate(source))
+}
+
+fn chain(source: &mut Unstructured<'_>) -> Vec<Point> {
+    (0..Choose::choose(source, 7)).map(|_| point(source)).collect()
+}
+
+fn shape(source: &mut Unstructured<'_>) -> Shape {
+    match Choose::choose(source, 4) {
+        0 => Shape::Polygon((0..Choose::choose(source, 3)).map(|_| chain(source)).collect()),
+        1 => Shape::Point(point(source)),
+        _ => Shape::Line(chain(source)),
+    }
+}
+
+/// Rings, lines and points of any coordinates go to the builder: there is a map, and it is valid or the violation is named;
+/// or there is an error that names the coordinate at fault.
+///
+/// # Panics
+/// If not.
+pub fn segments(bytes: &[u8]) {
+    let mut source = Unstructured::new(bytes);
+    let mut builder = Builder::new();
+    let mut taken = Vec::new();
+    while !source.is_empty() && taken.len() < 60 {
+        let shapes = (0..1 + Choose::choose(&mut source, 2)).map(|_| shape(&mut source)).collect();
+        let feature = Feature { shapes, ..Feature::default() };
+        if takes(&mut builder, &feature) {
+            taken.push(feature);
+        }
+    }
+    built(builder, &taken);
+}
+
+/// Hands a feature to the builder, which takes it if and only if all coordinates are in range.
+fn takes(builder: &mut Builder, feature: &Feature) -> bool {
+    let before = *builder.summary();
+    let all_in_range = points(feature).all(in_range);
+    match builder.feature(feature) {
+        Ok(_) => {
+            assert!(all_in_range, "{feature:?} is out of range");
+            true
+        }
+        Err(BuildError::NotFinite { position, x, y }) => {
+            assert!(!x.is_finite() || !y.is_finite(), "{position}: ({x}, {y}) is finite");
+            refused(builder, before, feature, position, (x, y))
+        }
+        Err(BuildError::OutOfRange { position, x, y }) => {
+            assert!(x.is_finite() && y.is_finite() && !in_range(Point::new(x, y)), "{position}: ({x}, {y}) is in range");
+            refused(builder, before, feature, position, (x, y))
+        }
+        Err(error) => panic!("{feature:?}: {error}"),
+    }
+}
+
+/// A feature that was refused left nothing behind, and the point named is the one at that position.
+fn refused(
+    builder: &Builder,
+    before: twinedge::geometry::BuildSummary,
+    feature: &Feature,
+    at: twinedge::geometry::Position,
+    (x, y): (f64, f64),
+) -> bool {
+    assert_eq!(*builder.summary(), before);
+    let named = match &feature.shapes[at.shape] {
+        Shape::Polygon(rings) => rings[at.ring][at.point],
+        Shape::Line(points) => points[at.point],
+        Shape::Point(p) => *p,
+    };
+    assert_eq!((named.x.to_bits(), named.y.to_bits()), (x.to_bits(), y.to_bits()), "{at}");
+    false
+}
+
+fn points(feature: &Feature) -> impl Iterator<Item = Point> + '_ {
+    feature.shapes.iter().flat_map(|shape| match shape {
+        Shape::Polygon(rings) => rings.concat(),
+        Shape::Line(points) => points.clone(),
+        Shape::Point(p) => vec![*p],
+    })
+}
+
+/// The map of these features is valid, or it breaks G4 and says where; and it is valid if the features do not clash.
+fn built(builder: Builder, features: &[Feature]) {
+    let map = match builder.build() {
+        Ok(map) => map,
+        Err(error) => panic!("no map of {features:?}: {error}"),
+    };
+    let report = map.validate();
+    let broken = |rule| report.outcome(rule).is_some_and(|outcome| outcome.violations > 0);
+    assert_eq!(report.is_valid(), map.is_plane(), "{features:?}\n{report}");
+    assert_eq!(broken(Rule::G4), !map.is_plane(), "{features:?}\n{report}");
+    for rule in Rule::ALL.iter().copied() {
+        let drawn = matches!(rule, Rule::G2 | Rule::G3 | Rule::G4 | Rule::G5);
+        assert!(drawn || !broken(rule), "{rule} of {features:?}\n{report}");
+    }
+    if let Some(plane) = is_plane(features) {
+        assert_eq!(map.is_plane(), plane, "{features:?}\n{report}");
+    }
+    counted(&map, features);
+}
+
+/// Distinct points and segments, as the builder is to count them. A ring is closed.
+fn drawn(features: &[Feature]) -> (BTreeSet<[u64; 2]>, BTreeSet<[[u64; 2]; 2]>) {
+    let bits = |p: &Point| [(p.x + 0.0).to_bits(), (p.y + 0.0).to_bits()];
+    let (mut vertices, mut segments) = (BTreeSet::new(), BTreeSet::new());
+    let mut chain = |points: &[Point], closed: bool| {
+        vertices.extend(points.iter().map(bits));
+        let closing = points.last().zip(points.first()).filter(|_| closed);
+        let sides = points.windows(2).map(|side| (&side[0], &side[1])).chain(closing);
+        for (a, b) in sides {
+            let mut ends = [bits(a), bits(b)];
+            ends.sort_unstable();
+            if ends[0] != ends[1] {
+                segments.insert(ends);
+            }
+        }
+    };
+    for shape in features.iter().flat_map(|feature| &feature.shapes) {
+        match shape {
+            Shape::Polygon(rings) => rings.iter().for_each(|ring| chain(ring, true)),
+            Shape::Line(points) => chain(points, false),
+            Shape::Point(p) => chain(&[*p], false),
+        }
+    }
+    (vertices, segments)
+}
+
+fn counted(map: &PlanarMap, features: &[Feature]) {
+    let (vertices, segments) = drawn(features);
+    assert_eq!(map.dcel().vertex_count(), vertices.len(), "{features:?}");
+    assert_eq!(map.dcel().edge_count(), segments.len(), "{features:?}");
+}
+
+/// Whether no two segments clash, pair by pair; none if there are too many for that.
+fn is_plane(features: &[Feature]) -> Option<bool> {
+    let (vertices, segments) = drawn(features);
+    if segments.len() > FEW || vertices.len() > FEW {
+        return None;
+    }
+    let point = |bits: &[u64; 2]| Point::new(f64::from_bits(bits[0]), f64::from_bits(bits[1]));
+    let segments: Vec<[Point; 2]> = segments.iter().map(|[a, b]| [point(a), point(b)]).collect();
+    let clash = |(i, [a, b]): (usize, &[Point; 2])| {
+        segments[..i].iter().any(|[c, d]| !matches!(meeting(*a, *b, *c, *d), Meeting::Disjoint | Meeting::SharedEndpoint))
+            || vertices.iter().map(point).any(|p| p != *a && p != *b && on_segment(p, *a, *b))
+    };
+    Some(!segments.iter().enumerate().any(clash))
+}
+
+/// A reader that gives a few bytes at a time.
+struct Dripping<'a>(&'a [u8]);
+
+impl std::io::Read for Dripping<'_> {
+    fn read(&mut self, into: &mut [u8]) -> std::io::Result<usize> {
+        let n = into.len().min(self.0.len()).min(3);
+        into[..n].copy_from_slice(&self.0[..n]);
+        self.0 = &self.0[n..];
+        Ok(n)
+    }
+}
+
+/// Any bytes go to the reader of GeoJSON, in one piece and in small ones, and what it makes of them to the builder.
+///
+/// # Panics
+/// If the pieces make a difference, an error names a place outside the input, or the map is not as for [`segments`].
+pub fn geojson(bytes: &[u8]) {
+    let mut features = Vec::new();
+    let outcome = geojson::read(bytes, |feature| {
+        features.push(feature);
+        Ok::<_, ReadError>(())
+    });
+    let mut dripped = Vec::new();
+    let again = geojson::read(Dripping(bytes), |feature| {
+        dripped.push(feature);
+        Ok::<_, ReadError>(())
+    });
+    assert_eq!(format!("{outcome:?}"), format!("{again:?}"), "the size of the pieces makes a difference");
+    assert_eq!(features, dripped, "the size of the pieces makes a difference");
+    match outcome {
+        Ok(summary) => {
+            assert_eq!(summary.features, features.len());
+            assert_eq!(summary.positions, features.iter().flat_map(points).count());
+        }
+        Err(error) => {
+            let lines = 1 + bytes.iter().filter(|byte| **byte == b'\n').count();
+            let place = error.place();
+            assert!((1..=lines).contains(&place.line) && place.column <= bytes.len() + 1, "{error}");
+        }
+    }
+    let mut builder = Builder::new();
+    features.retain(|feature| takes(&mut builder, feature));
+    built(builder, &features);
+}

@@ -1,0 +1,11 @@
+//! The bodies of the fuzz targets, as plain functions of bytes, so that a test can replay what a fuzzer found.
+//!
+//! Each returns if all is well and panics if not.
+
+mod drawings;
+mod maps;
+mod tables;
+
+pub use drawings::{geojson, segments};
+pub use maps::{in_step, programs, stale_keys};
+pub use tables::validator_total;

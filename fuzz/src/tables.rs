@@ -1,0 +1,268 @@
+//! The target that gives the validator anything at all.
+
+use arbitrary::Unstructured;
+use std::cell::RefCell;
+use twinedge::dcel::Dcel;
+use twinedge::program::choose::Choose;
+use twinedge::program::{Program, Runner};
+use twinedge::validate::{
+    BoundaryRow, Collect, Expectation, FaceRow, HalfEdgeRow, Link, Part, Place, Report, Rule, Start, Table, Unchecked,
+    VertexRow, View, reference, validate,
+};
+
+/// The largest table that goes to the reference validator, which is cubic, in records of each kind.
+const SMALL: usize = 12;
+
+/// Numbers from bytes.
+struct Source<'a>(Unstructured<'a>);
+
+impl Source<'_> {
+    fn below(&mut self, n: usize) -> usize {
+        Choose::choose(&mut self.0, n)
+    }
+
+    fn one_in(&mut self, n: usize) -> bool {
+        self.below(n) == 1
+    }
+
+    /// Mostly an index that there is; else nil, one past the end, or a huge one.
+    fn link(&mut self, n: usize) -> Link {
+        match self.below(16) {
+            0 => None,
+            1 => Some(n),
+            2 => Some(usize::MAX - self.below(3)),
+            _ => Some(self.below(n)),
+        }
+    }
+
+    fn start(&mut self, half_edges: usize, vertices: usize) -> Option<Start> {
+        if self.one_in(3) {
+            self.link(vertices).map(Start::Vertex)
+        } else {
+            self.link(half_edges).map(Start::HalfEdge)
+        }
+    }
+
+    fn place(&mut self, longest: usize) -> Option<Place> {
+        if self.below(2) == 0 { Some(Place::Outer) } else { self.link(longest).map(Place::Inner) }
+    }
+
+    fn rows<T>(&mut self, n: usize, mut row: impl FnMut(&mut Self) -> T) -> Vec<Option<T>> {
+        (0..n).map(|_| (!self.one_in(16)).then(|| row(self))).collect()
+    }
+
+    /// Any table.
+    fn table(&mut self) -> Table {
+        let most = if self.one_in(8) { 200 } else { SMALL + 1 };
+        let [v, h, b, f] = [(); 4].map(|()| self.below(most));
+        let longest = 4;
+        Table {
+            vertices: self.rows(v, |s| VertexRow { leaving: s.link(h), isolated: s.link(b) }),
+            half_edges: self.rows(h, |s| HalfEdgeRow {
+                origin: s.link(v),
+                twin: s.link(h),
+                next: s.link(h),
+                prev: s.link(h),
+                boundary: s.link(b),
+                face: s.link(f),
+            }),
+            boundaries: self.rows(b, |s| BoundaryRow {
+                face: s.link(f),
+                start: s.start(h, v),
+                place: s.place(longest),
+            }),
+            faces: self.rows(f, |s| FaceRow {
+                outer: s.link(b),
+                inner: (0..s.below(longest)).map(|_| s.link(b)).collect(),
+                outer_half_edge: s.link(h),
+                inner_starts: (0..s.below(longest)).map(|_| s.start(h, v)).collect(),
+            }),
+        }
+    }
+
+    fn expectation(&mut self) -> Expectation {
+        let mut expectation = if self.one_in(4) { Expectation::surface() } else { Expectation::plane() };
+        if self.one_in(4) {
+            expectation = expectation.open();
+        }
+        if self.one_in(2) {
+            let parts = [
+                Part::Prev,
+                Part::Leaving,
+                Part::Faces,
+                Part::BoundaryComponents,
+                Part::Places,
+                Part::Holes,
+                Part::UnboundedFace,
+            ];
+            for part in parts {
+                if self.one_in(3) {
+                    expectation = expectation.without(part);
+                }
+            }
+        }
+        expectation
+    }
+
+    /// A right map with a few cells set to something else.
+    fn corrupt_map(&mut self, expectation: &Expectation) -> Table {
+        let corruptions = self.below(4);
+        let choices: Vec<(usize, usize)> =
+            (0..corruptions).map(|_| (self.below(0x1_0000), self.below(0x1_0000))).collect();
+        let bytes = self.0.bytes(self.0.len()).unwrap_or_default();
+        let mut program = Program::from_bytes(bytes);
+        program.0.truncate(40);
+        let mut runner = Runner::new(Dcel::new());
+        runner.run(&program);
+        let mut table = Table::copy_of(runner.kernel()).unwrap_or_default();
+        for (cell, value) in choices {
+            let cells = table.cells(expectation);
+            let Some(cell) = cells.get(cell % cells.len().max(1)) else { continue };
+            let values = table.values(*cell);
+            table.set(*cell, values[value % values.len()]);
+        }
+        table
+    }
+}
+
+/// A structure that says something else each time it is asked.
+struct Fickle<'a> {
+    slots: [usize; 4],
+    source: RefCell<Source<'a>>,
+}
+
+impl Fickle<'_> {
+    fn link(&self, kind: usize) -> Link {
+        self.source.borrow_mut().link(self.slots[kind])
+    }
+}
+
+impl View for Fickle<'_> {
+    fn vertex_slots(&self) -> usize {
+        self.slots[0]
+    }
+    fn half_edge_slots(&self) -> usize {
+        self.slots[1]
+    }
+    fn boundary_slots(&self) -> usize {
+        self.slots[2]
+    }
+    fn face_slots(&self) -> usize {
+        self.slots[3]
+    }
+    fn is_vertex(&self, _: usize) -> bool {
+        !self.source.borrow_mut().one_in(16)
+    }
+    fn is_half_edge(&self, _: usize) -> bool {
+        !self.source.borrow_mut().one_in(16)
+    }
+    fn origin(&self, _: usize) -> Link {
+        self.link(0)
+    }
+    fn twin(&self, _: usize) -> Link {
+        self.link(1)
+    }
+    fn next(&self, _: usize) -> Link {
+        self.link(1)
+    }
+    fn prev(&self, _: usize) -> Link {
+        self.link(1)
+    }
+    fn boundary(&self, _: usize) -> Link {
+        self.link(2)
+    }
+    fn face(&self, _: usize) -> Link {
+        self.link(3)
+    }
+    fn leaving(&self, _: usize) -> Link {
+        self.link(1)
+    }
+    fn isolated(&self, _: usize) -> Link {
+        self.link(2)
+    }
+    fn boundary_face(&self, _: usize) -> Link {
+        self.link(3)
+    }
+    fn boundary_start(&self, _: usize) -> Option<Start> {
+        self.source.borrow_mut().start(self.slots[1], self.slots[0])
+    }
+    fn boundary_place(&self, _: usize) -> Option<Place> {
+        self.source.borrow_mut().place(4)
+    }
+    fn outer(&self, _: usize) -> Link {
+        self.link(2)
+    }
+    fn inner_count(&self, _: usize) -> usize {
+        match self.source.borrow_mut().below(64) {
+            63 => usize::MAX,
+            n => n % 4,
+        }
+    }
+    fn inner(&self, _: usize, _: usize) -> Link {
+        self.link(2)
+    }
+    fn outer_half_edge(&self, _: usize) -> Link {
+        self.link(1)
+    }
+    fn inner_start(&self, _: usize, _: usize) -> Option<Start> {
+        self.source.borrow_mut().start(self.slots[1], self.slots[0])
+    }
+}
+
+/// The validator is given any table, a right map with a few cells changed, or a structure that changes its answers. It
+/// returns, contradicts itself nowhere, and on small tables agrees with the reference validator.
+///
+/// # Panics
+/// If not.
+pub fn validator_total(bytes: &[u8]) {
+    let mut source = Source(Unstructured::new(bytes));
+    let mode = source.below(4);
+    let expectation = source.expectation();
+    match mode {
+        0 => judged(&source.table(), expectation),
+        3 => {
+            let slots = [(); 4].map(|()| source.below(64));
+            let fickle = Fickle { slots, source: RefCell::new(source) };
+            coherent(&validate(&fickle, &expectation, Collect::AtMost(5)), 5);
+        }
+        _ => judged(&source.corrupt_map(&expectation), expectation),
+    }
+}
+
+fn judged(table: &Table, expectation: Expectation) {
+    let report = validate(table, &expectation, Collect::All);
+    coherent(&report, Collect::DEFAULT_CAP);
+    for (collect, cap) in [(Collect::First, 1), (Collect::AtMost(0), 0)] {
+        let other = validate(table, &expectation, collect);
+        coherent(&other, cap);
+        assert_eq!(other.is_valid(), report.is_valid(), "{collect:?}: {table:?}\n{expectation:?}\n{report}");
+    }
+    let kinds = [table.vertices.len(), table.half_edges.len() / 2, table.boundaries.len(), table.faces.len()];
+    if kinds.iter().all(|n| *n <= SMALL) {
+        agrees(table, expectation, &report);
+    }
+}
+
+/// What a report says about itself fits together.
+fn coherent(report: &Report, cap: usize) {
+    let found = report.violation_count();
+    assert_eq!(report.violations().len() as u64, found.min(cap as u64), "{report}");
+    assert!(found == 0 || !report.is_valid(), "{report}");
+    assert_eq!(report.certificate().is_some(), report.is_valid(), "{report}");
+    assert!(!report.to_string().is_empty());
+}
+
+/// The verdicts of both validators, as in the tests of all small tables.
+fn agrees(table: &Table, expectation: Expectation, report: &Report) {
+    let fast: Vec<Rule> = report.outcomes().filter(|(_, o)| o.violations > 0).map(|(rule, _)| rule).collect();
+    let slow = reference::broken_rules(table, &expectation);
+    let shown = || format!("{table:#?}\n{expectation:?}\nreference: {slow:?}\n{report}");
+    assert_eq!(report.is_valid(), slow.is_empty(), "{}", shown());
+    assert_eq!(fast.first(), slow.first(), "{}", shown());
+    if fast.first() != Some(&Rule::R1) {
+        for (rule, outcome) in report.outcomes() {
+            let declined = matches!(outcome.unchecked, Some(Unchecked::Broken(_)));
+            assert!(declined || fast.contains(&rule) == slow.contains(&rule), "{rule}: {}", shown());
+        }
+    }
+}

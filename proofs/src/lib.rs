@@ -1,0 +1,27 @@
+//! Harnesses: properties of every operator and of the validator, each over all maps (or tables) up to a bound.
+//!
+//! A harness is one body over a source of choices ([`twinedge::program::choose`]). Under `cargo test` every sequence
+//! of choices is run; under `cargo kani` all of them are one symbolic run. The bound is in the name either way, and
+//! the body is the same function. `README.md` says which of the two was actually done.
+//!
+//! | file | purpose |
+//! | --- | --- |
+//! | [`grow`] | choosing a map, and an operator with its arguments |
+//! | [`operators`] | what is to hold: rules kept, inverses, refusals without a trace, stale handles |
+//! | [`judges`] | the same for the validator and the reference |
+//! | `engine` | the engine of choices, and the macro that makes a harness and its broken twin |
+//! | `planted` | a kernel with one fault, for the twins |
+//! | `harnesses` | the list |
+//!
+//! The last three are compiled for tests and for Kani only.
+
+pub mod grow;
+pub mod judges;
+pub mod operators;
+
+#[cfg(any(test, kani))]
+mod engine;
+#[cfg(any(test, kani))]
+pub mod harnesses;
+#[cfg(all(test, not(kani)))]
+mod planted;

@@ -1,0 +1,250 @@
+//! A kernel with one fault: what a harness must notice.
+
+use crate::grow::Operator;
+use crate::operators::Handle;
+use core::cell::Cell;
+use twinedge::dcel::{Dcel, FaceKey, HalfEdge, HalfEdgeKey, OperatorError, Vertex, VertexKey};
+use twinedge::program::{Corner, CornerOf, Kernel, Refusal, Side, Turn};
+use twinedge::store::Store;
+use twinedge::validate::{Link, Place, Start, Table, View};
+
+/// A field of a record.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub(crate) enum Field {
+    Origin,
+    Next,
+    Prev,
+    Boundary,
+    Leaving,
+    Face,
+    Inner,
+}
+
+/// What is wrong with the kernel.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub(crate) enum Fault {
+    /// What the operator writes to this field of records that there were before is lost.
+    Loses(Operator, Field),
+    /// The operator says that it is done, and nothing is, from this call on, counted from 0.
+    Skips(Operator, u32),
+    /// The operator issues a record before it knows that it will refuse, and then retires it again.
+    LeavesTrace(Operator),
+    /// A stale handle is taken for that of some live record.
+    TakesStale(Handle),
+}
+
+/// The structure of the library, seen through a fault.
+#[derive(Clone, Debug)]
+pub(crate) struct Planted<S: Store> {
+    dcel: Dcel<S>,
+    /// What it says of itself.
+    table: Table,
+    fault: Fault,
+    /// How often the operator that is to be skipped was called.
+    calls: Cell<u32>,
+}
+
+impl<S: Store> Planted<S> {
+    pub(crate) fn new(fault: Fault) -> Self {
+        let dcel = Dcel::default();
+        let table = Table::copy_of(&dcel).unwrap_or_default();
+        Self { dcel, table, fault, calls: Cell::new(0) }
+    }
+
+    /// Runs an operator, unless it is skipped, and plants the fault in what the structure then says.
+    fn run<T>(
+        &mut self,
+        operator: Operator,
+        skipped: T,
+        run: impl FnOnce(&mut Dcel<S>) -> Result<T, OperatorError>,
+    ) -> Result<T, OperatorError> {
+        if let Fault::Skips(faulty, from) = self.fault
+            && faulty == operator
+        {
+            let call = self.calls.replace(self.calls.get() + 1);
+            if call >= from {
+                return Ok(skipped);
+            }
+        }
+        let before = Table::copy_of(&self.dcel).unwrap_or_default();
+        let answer = run(&mut self.dcel);
+        self.table = Table::copy_of(&self.dcel).unwrap_or_default();
+        match self.fault {
+            Fault::Loses(faulty, field) if faulty == operator => lose(&before, &mut self.table, field),
+            Fault::LeavesTrace(faulty) if faulty == operator && answer.is_err() => self.table.vertices.push(None),
+            _ => {}
+        }
+        answer
+    }
+
+    fn half_edge(&self, h: HalfEdgeKey) -> HalfEdgeKey {
+        let deceived = self.fault == Fault::TakesStale(Handle::HalfEdge) && self.dcel.half_edge(h).is_err();
+        self.dcel.half_edges().next().filter(|_| deceived).map_or(h, HalfEdge::key)
+    }
+
+    fn vertex(&self, v: VertexKey) -> VertexKey {
+        let deceived = self.fault == Fault::TakesStale(Handle::Vertex) && self.dcel.vertex(v).is_err();
+        self.dcel.vertices().next().filter(|_| deceived).map_or(v, Vertex::key)
+    }
+
+    fn face(&self, f: FaceKey) -> FaceKey {
+        let deceived = self.fault == Fault::TakesStale(Handle::Face) && self.dcel.face(f).is_err();
+        if deceived { self.dcel.unbounded_face().key() } else { f }
+    }
+
+    fn corner(&self, corner: CornerOf<Self>) -> CornerOf<Self> {
+        match corner {
+            Corner::At(h) => Corner::At(self.half_edge(h)),
+            Corner::Isolated(v) => Corner::Isolated(self.vertex(v)),
+        }
+    }
+}
+
+/// Puts back what a field said before, in all records that were there.
+fn lose(before: &Table, after: &mut Table, field: Field) {
+    fn pairs<'a, T>(before: &'a [Option<T>], after: &'a mut [Option<T>]) -> impl Iterator<Item = (&'a T, &'a mut T)> {
+        before.iter().zip(after).filter_map(|(before, after)| Some((before.as_ref()?, after.as_mut()?)))
+    }
+    for (old, new) in pairs(&before.half_edges, &mut after.half_edges) {
+        match field {
+            Field::Origin => new.origin = old.origin,
+            Field::Next => new.next = old.next,
+            Field::Prev => new.prev = old.prev,
+            Field::Boundary => new.boundary = old.boundary,
+            _ => {}
+        }
+    }
+    for (old, new) in pairs(&before.vertices, &mut after.vertices).filter(|_| field == Field::Leaving) {
+        new.leaving = old.leaving;
+    }
+    for (old, new) in pairs(&before.boundaries, &mut after.boundaries).filter(|_| field == Field::Face) {
+        new.face = old.face;
+    }
+    for (old, new) in pairs(&before.faces, &mut after.faces).filter(|_| field == Field::Inner) {
+        new.inner.clone_from(&old.inner);
+    }
+}
+
+impl<S: Store> Kernel for Planted<S> {
+    type Vertex = VertexKey;
+    type HalfEdge = HalfEdgeKey;
+    type Face = FaceKey;
+    type Error = OperatorError;
+
+    fn refusal(error: &OperatorError) -> Refusal {
+        <Dcel<S> as Kernel>::refusal(error)
+    }
+
+    fn unbounded_face(&self) -> FaceKey {
+        Kernel::unbounded_face(&self.dcel)
+    }
+
+    fn face_of(&self, corner: CornerOf<Self>) -> Result<FaceKey, OperatorError> {
+        self.dcel.face_of(self.corner(corner))
+    }
+
+    fn origin_of(&self, half_edge: HalfEdgeKey) -> Result<VertexKey, OperatorError> {
+        self.dcel.origin_of(self.half_edge(half_edge))
+    }
+
+    fn twin_of(&self, half_edge: HalfEdgeKey) -> Result<HalfEdgeKey, OperatorError> {
+        self.dcel.twin_of(self.half_edge(half_edge))
+    }
+
+    fn next_of(&self, half_edge: HalfEdgeKey) -> Result<HalfEdgeKey, OperatorError> {
+        self.dcel.next_of(self.half_edge(half_edge))
+    }
+
+    fn add_isolated_vertex(&mut self, face: FaceKey) -> Result<VertexKey, OperatorError> {
+        let face = self.face(face);
+        let skipped = VertexKey::default();
+        self.run(Operator::AddIsolatedVertex, skipped, |dcel| Kernel::add_isolated_vertex(dcel, face))
+    }
+
+    fn remove_isolated_vertex(&mut self, vertex: VertexKey) -> Result<(), OperatorError> {
+        let vertex = self.vertex(vertex);
+        self.run(Operator::RemoveIsolatedVertex, (), |dcel| Kernel::remove_isolated_vertex(dcel, vertex))
+    }
+
+    fn connect(
+        &mut self,
+        from: CornerOf<Self>,
+        to: CornerOf<Self>,
+        new_face: Side,
+        inner: &[CornerOf<Self>],
+    ) -> Result<HalfEdgeKey, OperatorError> {
+        let (from, to) = (self.corner(from), self.corner(to));
+        let inner: Vec<_> = inner.iter().map(|corner| self.corner(*corner)).collect();
+        let skipped = HalfEdgeKey::default();
+        self.run(Operator::Connect, skipped, |dcel| Kernel::connect(dcel, from, to, new_face, &inner))
+    }
+
+    fn remove_edge(&mut self, half_edge: HalfEdgeKey) -> Result<Option<FaceKey>, OperatorError> {
+        let half_edge = self.half_edge(half_edge);
+        self.run(Operator::RemoveEdge, None, |dcel| Kernel::remove_edge(dcel, half_edge))
+    }
+
+    fn split_edge(&mut self, half_edge: HalfEdgeKey) -> Result<HalfEdgeKey, OperatorError> {
+        let half_edge = self.half_edge(half_edge);
+        self.run(Operator::SplitEdge, half_edge, |dcel| Kernel::split_edge(dcel, half_edge))
+    }
+
+    fn join_edges(&mut self, half_edge: HalfEdgeKey) -> Result<(), OperatorError> {
+        let half_edge = self.half_edge(half_edge);
+        self.run(Operator::JoinEdges, (), |dcel| Kernel::join_edges(dcel, half_edge))
+    }
+
+    fn split_vertex(&mut self, from: CornerOf<Self>, to: CornerOf<Self>) -> Result<HalfEdgeKey, OperatorError> {
+        let (from, to) = (self.corner(from), self.corner(to));
+        self.run(Operator::SplitVertex, HalfEdgeKey::default(), |dcel| Kernel::split_vertex(dcel, from, to))
+    }
+
+    fn contract_edge(&mut self, half_edge: HalfEdgeKey) -> Result<VertexKey, OperatorError> {
+        let half_edge = self.half_edge(half_edge);
+        self.run(Operator::ContractEdge, VertexKey::default(), |dcel| Kernel::contract_edge(dcel, half_edge))
+    }
+
+    fn flip_edge(&mut self, half_edge: HalfEdgeKey, turn: Turn) -> Result<(), OperatorError> {
+        let half_edge = self.half_edge(half_edge);
+        self.run(Operator::FlipEdge, (), |dcel| Kernel::flip_edge(dcel, half_edge, turn))
+    }
+
+    fn move_inner(&mut self, inner: CornerOf<Self>, face: FaceKey) -> Result<(), OperatorError> {
+        let (inner, face) = (self.corner(inner), self.face(face));
+        self.run(Operator::MoveInner, (), |dcel| Kernel::move_inner(dcel, inner, face))
+    }
+}
+
+macro_rules! from_table {
+    ($($name:ident($($arg:ident),*) -> $out:ty;)*) => {$(
+        fn $name(&self, $($arg: usize),*) -> $out {
+            self.table.$name($($arg),*)
+        }
+    )*};
+}
+
+impl<S: Store> View for Planted<S> {
+    from_table! {
+        vertex_slots() -> usize;
+        half_edge_slots() -> usize;
+        boundary_slots() -> usize;
+        face_slots() -> usize;
+        is_vertex(vertex) -> bool;
+        is_half_edge(half_edge) -> bool;
+        is_boundary(boundary) -> bool;
+        is_face(face) -> bool;
+        origin(half_edge) -> Link;
+        twin(half_edge) -> Link;
+        next(half_edge) -> Link;
+        prev(half_edge) -> Link;
+        boundary(half_edge) -> Link;
+        leaving(vertex) -> Link;
+        isolated(vertex) -> Link;
+        boundary_face(boundary) -> Link;
+        boundary_start(boundary) -> Option<Start>;
+        boundary_place(boundary) -> Option<Place>;
+        outer(face) -> Link;
+        inner_count(face) -> usize;
+        inner(face, position) -> Link;
+    }
+}

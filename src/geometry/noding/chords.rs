@@ -1,0 +1,138 @@
+//! Many segments that all cut right across a block: do any two cross in it, and if not, are they in order?
+//!
+//! ```text
+//!      c   b
+//!   ┌──┴───┴───┐    Each segment is a chord. Walking round the border, chords that do not cross close in the reverse of
+//!   ┤a         │    the order in which they opened, like brackets: here a b b c c a, say. The first chord that closes out
+//!   │          ├a   of turn crosses the one that should have closed.
+//!   └───┬──┬───┘
+//!       c   b
+//! ```
+//!
+//! So O(m log m) steps answer for the m²/2 pairs. That is what keeps stars, fans and bundles sub-quadratic.
+//!
+//! A block owns its left and its lower side. To have that exactly right, the border is shifted by infinitely
+//! little: the sides to the left by ε, the lower and the upper one downwards by δ, infinitely smaller than ε: then no chord
+//! meets a corner, no two meet the border at one point, and a crossing is inside exactly if the block owns it.
+
+use super::pixel::{Block, Pixels, Segment, compare, cross, minus};
+use core::cmp::Ordering;
+
+/// Where a chord meets the border.
+struct End {
+    /// Counter-clockwise: lower, right, upper, left.
+    side: u8,
+    /// The coordinate along the side, in doubled steps: a floor, and a rest with its denominator.
+    floor: i64,
+    rest: i64,
+    denominator: i64,
+    /// Over the same denominator: how much that coordinate falls as the side moves by the infinitely small amount.
+    rate: i64,
+    /// The number of the chord.
+    chord: u32,
+    /// Does the segment leave the block here?
+    leaves: bool,
+}
+
+impl End {
+    /// Counter-clockwise round the border.
+    fn order(&self, other: &Self) -> Ordering {
+        self.side.cmp(&other.side).then_with(|| {
+            let upwards = self
+                .floor
+                .cmp(&other.floor)
+                .then_with(|| compare((self.rest, self.denominator), (other.rest, other.denominator)))
+                .then_with(|| compare((other.rate, other.denominator), (self.rate, self.denominator)));
+            if self.side < 2 { upwards } else { upwards.reverse() }
+        })
+    }
+}
+
+/// What the chords of a block do.
+pub(super) enum Chords {
+    /// These two cross inside.
+    Cross([u32; 2]),
+    /// They lie side by side.
+    SideBySide(Vec<Chord>),
+    /// They do not cross.
+    Apart,
+}
+
+/// One of many segments that lie side by side.
+#[derive(Clone, Copy)]
+pub(super) struct Chord {
+    pub(super) segment: u32,
+    /// Are those before it to its left?
+    pub(super) first_is_left: bool,
+}
+
+/// What these segments do in the block. None may end inside, and no two may overlap.
+///
+/// Cost: O(m log m) for m segments.
+pub(super) fn chords(pixels: Pixels, block: &Block, segments: &[Segment], ids: &[u32]) -> Chords {
+    let mut ends = Vec::with_capacity(2 * ids.len());
+    for (number, &id) in (0..).zip(ids) {
+        chord(pixels.sides(block), &segments[id as usize], number, &mut ends);
+    }
+    ends.sort_unstable_by(End::order);
+    let mut opened = vec![false; ids.len()];
+    let mut open = Vec::new();
+    for chord in ends.iter().map(|end| end.chord as usize) {
+        if opened[chord] {
+            match open.pop() {
+                Some(inner) if inner != chord => return Chords::Cross([ids[inner], ids[chord]]),
+                _ => {}
+            }
+        } else {
+            opened[chord] = true;
+            open.push(chord);
+        }
+    }
+    // A chord whose ends are neighbours on the border has all others on one side. If there are two such, all lie
+    // between them.
+    let mut lone = (0..ends.len()).filter(|&i| ends[i].chord == ends[(i + 1) % ends.len()].chord);
+    match (lone.next(), lone.next(), lone.next()) {
+        (Some(i), Some(_), None) => {
+            // From the second end of the first one, counter-clockwise: one end of each, in order. What is before a
+            // chord is to the left of the way from this end to the other.
+            let side_by_side = ends.iter().cycle().skip(i + 1).take(ends.len() / 2);
+            let chords = side_by_side.map(|end| Chord { segment: ids[end.chord as usize], first_is_left: !end.leaves });
+            Chords::SideBySide(chords.collect())
+        }
+        _ => Chords::Apart,
+    }
+}
+
+/// The two ends of a chord; none if the segment misses the block.
+fn chord([left, lower, right, upper]: [i64; 4], s: &Segment, number: u32, ends: &mut Vec<End>) {
+    let [dx, dy] = s.direction();
+    let start = s.a.map(|c| 2 * c);
+    // Is a corner to the left of the segment? A corner on its line moves by (−ε, −δ), that is by ε·dy − δ·dx.
+    let is_left = [[left, lower], [right, lower], [right, upper], [left, upper]].map(|corner| {
+        match cross([dx, dy], minus(corner, start)).cmp(&0) {
+            Ordering::Equal => dy > 0 || (dy == 0 && dx < 0),
+            sign => sign == Ordering::Greater,
+        }
+    });
+    for (side, at) in [lower, right, upper, left].into_iter().enumerate() {
+        if is_left[side] == is_left[(side + 1) % 4] {
+            continue;
+        }
+        // Towards the side, and along it.
+        let (across, along) =
+            if side % 2 == 0 { ((dy, start[1]), (dx, start[0])) } else { ((dx, start[0]), (dy, start[1])) };
+        let denominator = across.0.abs();
+        let rate = along.0 * across.0.signum();
+        let product = i128::from(at - across.1) * i128::from(rate);
+        let (floor, rest) = (product.div_euclid(denominator.into()), product.rem_euclid(denominator.into()));
+        ends.push(End {
+            side: side as u8,
+            floor: along.1 + floor as i64,
+            rest: rest as i64,
+            denominator,
+            rate,
+            chord: number,
+            leaves: is_left[(side + 1) % 4],
+        });
+    }
+}

@@ -1,0 +1,171 @@
+//! The grid: coordinates as whole numbers of steps, and back.
+
+use super::pixel::{Pixel, Pixels, Steps};
+use super::{Input, NodingError, Snap};
+use crate::geometry::Point;
+
+/// Coordinates are at most 2^53 steps: any whole number up to there is a double.
+const REACH: i32 = 53;
+
+/// With [`Snap::Auto`], a cell is 2^3 steps, so coordinates are at most 2^50 cells. That the input is read more
+/// finely than it is rounded keeps crossings where they were, and lets those that should be one point be one.
+const SPARE: i32 = 3;
+
+/// The smallest positive double is 2^-1074.
+const SMALLEST: i32 = -1074;
+
+/// A grid of cells, and the finer one on which the input is read.
+#[derive(Clone, Copy, Debug)]
+pub(super) struct Grid {
+    /// A cell is 2^cell wide.
+    cell: i32,
+    /// A step is 2^step wide.
+    step: i32,
+    pub(super) pixels: Pixels,
+}
+
+impl Grid {
+    /// The grid for coordinates up to `largest` in magnitude, which `holder` has.
+    pub(super) fn new(snap: Snap, largest: f64, holder: Input) -> Result<Self, NodingError> {
+        let above = exponent_above(largest);
+        let finest = above.map(|e| (e - REACH).max(SMALLEST));
+        let cells = match snap {
+            Snap::Auto => above.map_or([0; 2], |e| [e - REACH + SPARE, e - REACH].map(|cell| cell.max(SMALLEST))),
+            Snap::Size(size) if size.is_finite() && size > 0.0 => [exponent_below(size); 2],
+            Snap::Size(_) => return Err(NodingError::Size),
+        };
+        let grids = cells.map(|cell| Self::of_cells(cell, finest.unwrap_or(cell)));
+        let reaches = |grid: &Self| {
+            grid.cell >= grid.step && grid.point(grid.pixels.at(grid.steps(Point::new(largest, 0.0)))).x.is_finite()
+        };
+        grids.into_iter().find(reaches).ok_or(NodingError::OutOfRange { at: holder })
+    }
+
+    fn of_cells(cell: i32, step: i32) -> Self {
+        // From 2^55 steps on, every position is in pixel 0, and a larger pixel makes no difference.
+        Self { cell, step, pixels: Pixels { shift: cell.abs_diff(step).min(55) } }
+    }
+
+    /// The width of a cell.
+    pub(super) fn cell(&self) -> f64 {
+        power_of_two(self.cell)
+    }
+
+    /// The position of a point: the nearest one, halves going up, of those in the same pixel.
+    pub(super) fn steps(&self, p: Point) -> Steps {
+        [p.x, p.y].map(|x| {
+            let (mantissa, exponent) = decode(x);
+            let drop = self.step - exponent;
+            if drop <= 0 {
+                return mantissa << drop.unsigned_abs().min(63);
+            }
+            // A mantissa has 53 bits, so the rest of a longer way down makes no difference.
+            let drop = drop.min(62);
+            let (below, nearest) = (mantissa >> drop, (mantissa + (1 << (drop - 1))) >> drop);
+            // If a pixel is many steps, its borders are whole steps, and the position below is in the same one.
+            let same = |p, q| self.pixels.along(p) == self.pixels.along(q);
+            if self.pixels.shift == 0 || same(below, nearest) { nearest } else { below }
+        })
+    }
+
+    /// The centre of a pixel.
+    pub(super) fn point(&self, pixel: Pixel) -> Point {
+        let [x, y] = pixel.map(|c| c as f64 * self.cell());
+        Point { x, y }
+    }
+}
+
+/// `x = mantissa * 2^exponent`, for finite `x`.
+fn decode(x: f64) -> (i64, i32) {
+    let bits = x.to_bits();
+    let fraction = (bits & ((1 << 52) - 1)).cast_signed();
+    let (magnitude, exponent) = match (bits >> 52) & 0x7ff {
+        0 => (fraction, SMALLEST),
+        e => (fraction | 1 << 52, e as i32 - 1075),
+    };
+    (if x < 0.0 { -magnitude } else { magnitude }, exponent)
+}
+
+/// The least `e` with `x <= 2^e`, for finite `x`; `None` for zero.
+fn exponent_above(x: f64) -> Option<i32> {
+    let (mantissa, exponent) = decode(x.abs());
+    (mantissa != 0).then(|| exponent + (64 - (mantissa - 1).leading_zeros().cast_signed()))
+}
+
+/// The greatest `e` with `2^e <= x`, for positive finite `x`.
+fn exponent_below(x: f64) -> i32 {
+    let (mantissa, exponent) = decode(x);
+    exponent + 63 - mantissa.leading_zeros().cast_signed()
+}
+
+/// 2^exponent, for the exponents that a double has.
+fn power_of_two(exponent: i32) -> f64 {
+    if exponent < -1022 {
+        f64::from_bits(1 << (exponent - SMALLEST).unsigned_abs())
+    } else {
+        f64::from_bits(u64::from((exponent + 1023).unsigned_abs()) << 52)
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::{Grid, Input, Point, Snap, exponent_above, exponent_below, power_of_two};
+
+    fn grid(snap: Snap, largest: f64) -> Grid {
+        Grid::new(snap, largest, Input::Point(0)).unwrap()
+    }
+
+    #[test]
+    fn powers_of_two_have_their_own_exponent() {
+        for e in -1074..=1023 {
+            let x = power_of_two(e);
+            assert_eq!((exponent_below(x), exponent_above(x)), (e, Some(e)));
+        }
+        for e in -1021..=1023 {
+            let below = power_of_two(e).next_down();
+            assert_eq!((exponent_below(below), exponent_above(below)), (e - 1, Some(e)));
+        }
+        assert_eq!(exponent_above(f64::MAX), Some(1024));
+        assert_eq!(exponent_above(0.0), None);
+    }
+
+    #[test]
+    fn the_automatic_grid_has_2_to_the_50_cells_for_the_largest_coordinate() {
+        for (x, cell) in [(180.0, -42), (128.0, -43), (1.0, -50), (0.1, -53), (1e-300, -1046)] {
+            assert_eq!(grid(Snap::Auto, x).cell, cell, "{x}");
+        }
+    }
+
+    #[test]
+    fn the_automatic_grid_never_rounds_to_infinity() {
+        for x in [f64::MAX, f64::MAX.next_down(), f64::MIN_POSITIVE, f64::MIN_POSITIVE.next_down(), 5e-324] {
+            let grid = grid(Snap::Auto, x);
+            for p in [Point::new(x, -x), Point::new(-x, x)] {
+                let to = grid.point(grid.pixels.at(grid.steps(p)));
+                assert!((to.x - p.x).abs() <= grid.cell() / 2.0 && (to.y - p.y).abs() <= grid.cell() / 2.0);
+            }
+        }
+    }
+
+    #[test]
+    fn halves_go_up() {
+        // Once where a cell is a step, and once where it is many.
+        for largest in [power_of_two(53), 4.0] {
+            let grid = grid(Snap::Size(1.0), largest);
+            let rounded = |x: f64| grid.pixels.at(grid.steps(Point::new(x, x)));
+            for (x, to) in
+                [(0.5, 1), (-0.5, 0), (1.5, 2), (-1.5, -1), (0.5_f64.next_down(), 0), ((-0.5_f64).next_up(), 0)]
+            {
+                assert_eq!(rounded(x), [to, to], "{x}");
+            }
+            assert_eq!(rounded((-0.5_f64).next_down()), [-1, -1]);
+            assert_eq!(rounded(-1e-300), [0, 0]);
+        }
+    }
+
+    #[test]
+    fn a_cell_far_larger_than_the_input_is_one_pixel() {
+        let grid = grid(Snap::Size(1e300), 1.0);
+        assert_eq!(grid.pixels.at(grid.steps(Point::new(-1.0, 1.0))), [0, 0]);
+    }
+}

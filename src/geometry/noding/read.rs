@@ -1,0 +1,124 @@
+//! The input on the grid: equal points made one, and the vertices that they become.
+
+use super::grid::Grid;
+use super::pixel::{Pixel, Segment, Steps};
+use super::{Input, NodingError};
+use crate::geometry::Point;
+use rustc_hash::FxHashMap;
+
+/// A distinct point of the input.
+struct Site {
+    point: Point,
+    at: Steps,
+    vertex: u32,
+}
+
+/// The input, read.
+#[derive(Default)]
+pub(super) struct Read {
+    sites: Vec<Site>,
+    /// The sites where each segment starts and ends.
+    ends: Vec<[u32; 2]>,
+    /// The sites of the single points.
+    points: Vec<u32>,
+    /// The pixels of all sites, distinct.
+    pub(super) vertices: Vec<Pixel>,
+}
+
+impl Read {
+    pub(super) fn new(grid: &Grid, segments: &[[Point; 2]], points: &[Point]) -> Self {
+        let mut reader =
+            Reader { grid, read: Self::default(), sites: FxHashMap::default(), vertices: FxHashMap::default() };
+        reader.sites.reserve(segments.len());
+        reader.vertices.reserve(segments.len());
+        // The segments of a ring follow each other.
+        let mut last: Option<(Point, u32)> = None;
+        for &[from, to] in segments {
+            let from = match last {
+                Some((point, site)) if point == from => site,
+                _ => reader.site(from),
+            };
+            let end = reader.site(to);
+            last = Some((to, end));
+            reader.read.ends.push([from, end]);
+        }
+        for &point in points {
+            let site = reader.site(point);
+            reader.read.points.push(site);
+        }
+        reader.read
+    }
+
+    /// The segments that are more than a vertex.
+    pub(super) fn segments(&self) -> Vec<Segment> {
+        let longer = self.ends.iter().map(|ends| ends.map(|site| &self.sites[site as usize]));
+        longer
+            .filter(|[p, q]| p.vertex != q.vertex)
+            .map(|[p, q]| if p.at < q.at { [p, q] } else { [q, p] })
+            .map(|[p, q]| Segment { a: p.at, b: q.at, ends: [p.vertex, q.vertex] })
+            .collect()
+    }
+
+    /// The vertices where each segment starts and ends.
+    pub(super) fn ends(&self) -> impl Iterator<Item = [u32; 2]> {
+        self.ends.iter().map(|ends| ends.map(|site| self.sites[site as usize].vertex))
+    }
+
+    /// The vertices of the single points.
+    pub(super) fn points(&self) -> impl Iterator<Item = u32> {
+        self.points.iter().map(|&site| self.sites[site as usize].vertex)
+    }
+
+    /// How many distinct points there are.
+    pub(super) fn distinct(&self) -> usize {
+        self.sites.len()
+    }
+
+    /// The largest move of a point, in x and in y.
+    pub(super) fn largest_move(&self, grid: &Grid) -> [f64; 2] {
+        self.sites.iter().fold([0.0; 2], |[x, y], Site { point, vertex, .. }| {
+            let to = grid.point(self.vertices[*vertex as usize]);
+            [f64::max(x, (to.x - point.x).abs()), f64::max(y, (to.y - point.y).abs())]
+        })
+    }
+}
+
+struct Reader<'a> {
+    grid: &'a Grid,
+    read: Read,
+    sites: FxHashMap<(u64, u64), u32>,
+    vertices: FxHashMap<(i64, i64), u32>,
+}
+
+impl Reader<'_> {
+    fn site(&mut self, point: Point) -> u32 {
+        // Adding zero makes −0 and 0 one.
+        let bits = ((point.x + 0.0).to_bits(), (point.y + 0.0).to_bits());
+        *self.sites.entry(bits).or_insert_with(|| {
+            let at = self.grid.steps(point);
+            let pixel = self.grid.pixels.at(at);
+            let vertex = *self.vertices.entry(pixel.into()).or_insert_with(|| {
+                self.read.vertices.push(pixel);
+                self.read.vertices.len() as u32 - 1
+            });
+            self.read.sites.push(Site { point, at, vertex });
+            self.read.sites.len() as u32 - 1
+        })
+    }
+}
+
+/// The largest magnitude of a coordinate, and the first that has it.
+pub(super) fn largest_coordinate(segments: &[[Point; 2]], points: &[Point]) -> Result<(f64, Input), NodingError> {
+    let ends = segments.iter().enumerate().flat_map(|(i, ends)| ends.iter().map(move |p| (p, Input::Segment(i))));
+    let points = points.iter().enumerate().map(|(i, p)| (p, Input::Point(i)));
+    ends.chain(points).try_fold((0.0, Input::Segment(0)), |largest, (p, at)| {
+        let magnitude = p.x.abs().max(p.y.abs());
+        if !(p.x.is_finite() && p.y.is_finite()) {
+            Err(NodingError::NotFinite { at })
+        } else if magnitude > largest.0 {
+            Ok((magnitude, at))
+        } else {
+            Ok(largest)
+        }
+    })
+}

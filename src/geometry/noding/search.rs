@@ -1,0 +1,404 @@
+//! Which segments visit which hot pixels?
+//!
+//! The plane is halved, and halved again, until a block holds few segments and few vertices; there, every pair is
+//! tried. Where halving does not thin the segments out, one of three things helps:
+//!
+//! - If most segments end in one pixel, or cross in one, that pixel is cut out of the block: in the rest they are
+//!   apart.
+//! - If most segments cut right across the block and lie side by side, they are set aside as a *bundle*. The rest are
+//!   searched without them, and what is between them is found by bisection.
+//! - If no vertex is in the block and no two segments cross, there is nothing to find.
+//!
+//! ```text
+//!   ┌───────┬─┬───────┐
+//!   │       │ │       │   A block with a busy pixel p: two large parts, two parts of a column,
+//!   │       ├─┤       │   and p itself, which is hot. Segments that meet in p and nowhere
+//!   │       │p│       │   else are chords that do not cross in the other four.
+//!   │       ├─┤       │
+//!   │       │ │       │
+//!   └───────┴─┴───────┘
+//! ```
+//!
+//! Blocks are made of whole pixels, so each hot pixel is met in one leaf, and each visit is found once.
+
+use super::NodingError;
+use super::bundle::Bundle;
+use super::chords::{Chord, Chords, chords};
+use super::pixel::{Block, Pixel, Pixels, Segment, Steps};
+
+#[cfg(test)]
+mod tests;
+
+/// Up to this many pairs, trying all is cheaper than halving. (In tests of this crate less, so that small input goes
+/// every way.)
+const FEW: usize = if cfg!(test) { 8 } else { 256 };
+
+/// Up to this many pairs, trying all is cheaper than anything but halving.
+const SOME: usize = if cfg!(test) { 16 } else { 8192 };
+
+/// What is found.
+#[derive(Default)]
+pub(super) struct Found {
+    /// Pairs of a segment and a vertex whose pixel it visits, but in which it does not end.
+    pub(super) visits: Vec<[u32; 2]>,
+    /// Segments of which the way from centre to centre may visit a pixel that the segment does not visit. Those from
+    /// centre to centre are not among them.
+    pub(super) doubtful: Vec<u32>,
+}
+
+enum Task<'a> {
+    Look(Look),
+    /// Try a bundle on the vertices that were found in its block since it was set aside.
+    Finish {
+        bundle: Bundle<'a>,
+        vertices_from: usize,
+    },
+}
+
+/// A block to look at, with its segments and vertices at the top of the two pools.
+struct Look {
+    block: Block,
+    segments_from: usize,
+    vertices_from: usize,
+    /// Was a pixel cut out to make it? Then the next step is to halve it, which bounds the depth.
+    cut: bool,
+}
+
+/// What is in a part of a block, and the smallest block around that.
+#[derive(Default)]
+struct Content {
+    segments: Vec<u32>,
+    vertices: Vec<u32>,
+    all: Option<Block>,
+}
+
+impl Content {
+    fn clear(&mut self) {
+        self.segments.clear();
+        self.vertices.clear();
+        self.all = None;
+    }
+
+    fn grow(&mut self, item: Block) {
+        self.all = Some(self.all.map_or(item, |all| all.join(&item)));
+    }
+}
+
+struct Search<'a> {
+    pixels: Pixels,
+    segments: &'a [Segment],
+    vertices: &'a mut Vec<Pixel>,
+    found: Found,
+    tasks: Vec<Task<'a>>,
+    segment_pool: Vec<u32>,
+    vertex_pool: Vec<u32>,
+    /// Room for the parts of a block, kept.
+    contents: Vec<Content>,
+}
+
+/// Adds a vertex for each pixel where two segments cross and that has none, and finds all visits.
+///
+/// No two segments may overlap in more than a point, and the vertices are distinct and include all ends.
+///
+/// Cost: O((n + k) log n) in practice, for n segments and vertices and k crossings and visits.
+pub(super) fn search(pixels: Pixels, segments: &[Segment], vertices: &mut Vec<Pixel>) -> Result<Found, NodingError> {
+    if segments.len() >= u32::MAX as usize {
+        return Err(NodingError::TooMany);
+    }
+    let all = vertices.iter().copied().map(Block::one).reduce(|a, b| a.join(&b));
+    let mut search = Search {
+        pixels,
+        segments,
+        found: Found::default(),
+        tasks: Vec::new(),
+        segment_pool: (0..segments.len() as u32).collect(),
+        vertex_pool: (0..vertices.len() as u32).collect(),
+        contents: Vec::new(),
+        vertices,
+    };
+    search.tasks.extend(all.map(|block| Task::Look(Look { block, segments_from: 0, vertices_from: 0, cut: false })));
+    let (mut segment_ids, mut vertex_ids) = (Vec::new(), Vec::new());
+    while let Some(task) = search.tasks.pop() {
+        match task {
+            Task::Look(look) => {
+                segment_ids.clear();
+                segment_ids.extend(search.segment_pool.drain(look.segments_from..));
+                vertex_ids.clear();
+                vertex_ids.extend(search.vertex_pool.drain(look.vertices_from..));
+                search.look(&look, &segment_ids, &mut vertex_ids)?;
+            }
+            Task::Finish { bundle, vertices_from } => {
+                for v in vertices_from..search.vertices.len() {
+                    search.try_bundle(&bundle, v as u32);
+                }
+            }
+        }
+    }
+    Ok(search.found)
+}
+
+/// The number of pairs to try among `m` segments and between them and `h` vertices.
+fn pairs(m: usize, h: usize) -> usize {
+    m.saturating_mul(m + h)
+}
+
+/// What to do with a block that halving does not thin out.
+enum Instead {
+    Cut(Pixel),
+    SetAside(Vec<Chord>),
+}
+
+impl Search<'_> {
+    fn look(&mut self, look: &Look, segments: &[u32], vertices: &mut Vec<u32>) -> Result<(), NodingError> {
+        let block = &look.block;
+        let work = pairs(segments.len(), vertices.len());
+        if block.low == block.high {
+            return self.look_at_pixel(block.low, segments, vertices);
+        }
+        if work <= FEW {
+            return self.try_all(block, segments, vertices);
+        }
+        let mut crossing = None;
+        if vertices.is_empty() {
+            match chords(self.pixels, block, self.segments, segments) {
+                Chords::Cross(pair) => crossing = Some(pair),
+                Chords::SideBySide(_) | Chords::Apart => return Ok(()),
+            }
+        }
+        let (tasks, segments_to, vertices_to) = (self.tasks.len(), self.segment_pool.len(), self.vertex_pool.len());
+        let most = self.part(&halves(block), segments, vertices, false);
+        if most <= work - work / 4 {
+            return Ok(());
+        }
+        let instead = if work <= SOME || look.cut { None } else { self.instead(block, segments, crossing) };
+        if work <= SOME || instead.is_some() {
+            self.tasks.truncate(tasks);
+            self.segment_pool.truncate(segments_to);
+            self.vertex_pool.truncate(vertices_to);
+        }
+        match instead {
+            Some(Instead::Cut(pixel)) => {
+                self.part(&around(block, pixel), segments, vertices, true);
+                vertices.retain(|&v| self.vertices[v as usize] == pixel);
+                self.look_at_pixel(pixel, segments, vertices)
+            }
+            Some(Instead::SetAside(chords)) => self.set_aside(chords, block, segments, vertices),
+            None if work <= SOME => self.try_all(block, segments, vertices),
+            None => Ok(()),
+        }
+    }
+
+    /// Puts off parts of a block, those without anything to find excepted. Returns the number of pairs in the part
+    /// with most.
+    fn part(&mut self, parts: &[Block], segments: &[u32], vertices: &[u32], cut: bool) -> usize {
+        let mut contents = core::mem::take(&mut self.contents);
+        contents.resize_with(parts.len(), Content::default);
+        contents.iter_mut().for_each(Content::clear);
+        for &id in segments {
+            let segment = &self.segments[id as usize];
+            let around = self.pixels.around(segment);
+            for (part, content) in parts.iter().zip(&mut contents) {
+                if around.overlaps(part) && (part.includes(&around) || self.pixels.line_nears(segment, part)) {
+                    content.segments.push(id);
+                    content.grow(around);
+                }
+            }
+        }
+        for &id in vertices {
+            let pixel = self.vertices[id as usize];
+            for (part, content) in parts.iter().zip(&mut contents) {
+                if part.contains(pixel) {
+                    content.vertices.push(id);
+                    content.grow(Block::one(pixel));
+                }
+            }
+        }
+        let mut most = 0;
+        for (part, Content { segments, vertices, all }) in parts.iter().zip(&contents) {
+            let (m, h) = (segments.len(), vertices.len());
+            let Some(all) = all.filter(|_| m > 1 || (m == 1 && h > 0)) else {
+                continue;
+            };
+            self.wait(part.meet(&all), segments, vertices, cut);
+            most = most.max(pairs(m, h));
+        }
+        self.contents = contents;
+        most
+    }
+
+    fn wait(&mut self, block: Block, segments: &[u32], vertices: &[u32], cut: bool) {
+        let (segments_from, vertices_from) = (self.segment_pool.len(), self.vertex_pool.len());
+        self.segment_pool.extend(segments);
+        self.vertex_pool.extend(vertices);
+        self.tasks.push(Task::Look(Look { block, segments_from, vertices_from, cut }));
+    }
+
+    fn instead(&self, block: &Block, segments: &[u32], crossing: Option<[u32; 2]>) -> Option<Instead> {
+        let cut_at = |[s, t]: [u32; 2]| {
+            let crossing = self.pixels.crossing(&self.segments[s as usize], &self.segments[t as usize]);
+            crossing.map(Instead::Cut)
+        };
+        if let Some(pair) = crossing {
+            return cut_at(pair);
+        }
+        if let Some(hub) = self.hub(block, segments) {
+            return Some(Instead::Cut(hub));
+        }
+        let across: Vec<u32> = segments.iter().copied().filter(|&id| self.end_in(block, id).is_none()).collect();
+        if across.len() < segments.len() / 2 {
+            return None;
+        }
+        match chords(self.pixels, block, self.segments, &across) {
+            Chords::Cross(pair) => cut_at(pair),
+            Chords::SideBySide(chords) => Some(Instead::SetAside(chords)),
+            Chords::Apart => None,
+        }
+    }
+
+    /// A pixel in the block in which more than half of the segments end.
+    fn hub(&self, block: &Block, segments: &[u32]) -> Option<Pixel> {
+        // The majority vote of Boyer and Moore, and then a count of its winner.
+        let ends = || segments.iter().flat_map(|&id| self.segments[id as usize].ends);
+        let (mut leader, mut lead) = (None, 0_usize);
+        for end in ends().filter(|&end| block.contains(self.vertices[end as usize])) {
+            if lead == 0 {
+                leader = Some(end);
+            }
+            lead = if leader == Some(end) { lead + 1 } else { lead - 1 };
+        }
+        let leader = leader.filter(|&leader| ends().filter(|&end| end == leader).count() > segments.len() / 2);
+        leader.map(|id| self.vertices[id as usize])
+    }
+
+    /// The position of an end of a segment that is in the block.
+    fn end_in(&self, block: &Block, id: u32) -> Option<Steps> {
+        let Segment { a, b, .. } = self.segments[id as usize];
+        [a, b].into_iter().find(|&end| block.contains(self.pixels.at(end)))
+    }
+
+    /// One pixel: it is hot if it has a vertex, or if two segments cross in it.
+    fn look_at_pixel(&mut self, pixel: Pixel, segments: &[u32], vertices: &mut Vec<u32>) -> Result<(), NodingError> {
+        if vertices.is_empty() {
+            let Chords::Cross(_) = chords(self.pixels, &Block::one(pixel), self.segments, segments) else {
+                return Ok(());
+            };
+            self.add(vec![pixel], vertices)?;
+        }
+        self.try_visits(segments, vertices);
+        Ok(())
+    }
+
+    fn try_all(&mut self, block: &Block, segments: &[u32], vertices: &mut Vec<u32>) -> Result<(), NodingError> {
+        let mut crossings = Vec::new();
+        for (i, &s) in segments.iter().enumerate() {
+            let s = &self.segments[s as usize];
+            let others = segments[..i].iter().map(|&t| &self.segments[t as usize]);
+            crossings.extend(others.filter_map(|t| self.pixels.crossing(s, t)).filter(|&pixel| block.contains(pixel)));
+        }
+        self.add(crossings, vertices)?;
+        self.try_visits(segments, vertices);
+        Ok(())
+    }
+
+    fn try_visits(&mut self, segments: &[u32], vertices: &[u32]) {
+        for &id in segments {
+            let segment = &self.segments[id as usize];
+            let mut doubtful = false;
+            for &v in vertices.iter().filter(|v| !segment.ends.contains(v)) {
+                let pixel = self.vertices[v as usize];
+                if self.pixels.visits(segment, pixel) {
+                    self.found.visits.push([id, v]);
+                } else if self.pixels.shift > 0 {
+                    doubtful |= Pixels::ONE_STEP.visits(&self.pixels.between_centres(segment), pixel);
+                }
+            }
+            if doubtful {
+                self.found.doubtful.push(id);
+            }
+        }
+    }
+
+    /// Adds the pixels that are not among the vertices of their block to these.
+    fn add(&mut self, mut pixels: Vec<Pixel>, vertices: &mut Vec<u32>) -> Result<(), NodingError> {
+        if pixels.is_empty() {
+            return Ok(());
+        }
+        pixels.sort_unstable();
+        pixels.dedup();
+        let mut known: Vec<Pixel> = vertices.iter().map(|&v| self.vertices[v as usize]).collect();
+        known.sort_unstable();
+        for pixel in pixels {
+            if known.binary_search(&pixel).is_err() {
+                let id = self.vertices.len() as u32;
+                if id == u32::MAX {
+                    return Err(NodingError::TooMany);
+                }
+                self.vertices.push(pixel);
+                vertices.push(id);
+            }
+        }
+        Ok(())
+    }
+
+    /// Sets a bundle aside, and puts off the search of the block without it.
+    fn set_aside(
+        &mut self,
+        chords: Vec<Chord>,
+        block: &Block,
+        segments: &[u32],
+        vertices: &mut Vec<u32>,
+    ) -> Result<(), NodingError> {
+        let bundle = Bundle { pixels: self.pixels, segments: self.segments, chords };
+        let (mut others, mut crossings) = (Vec::new(), Vec::new());
+        for &id in segments {
+            if let Some(end) = self.end_in(block, id) {
+                others.push(id);
+                crossings.extend(bundle.crossings(block, &self.segments[id as usize], end));
+            } else if self.pixels.shift > 0 {
+                self.found.doubtful.push(id);
+            }
+        }
+        self.add(crossings, vertices)?;
+        for &v in &*vertices {
+            self.try_bundle(&bundle, v);
+        }
+        self.tasks.push(Task::Finish { bundle, vertices_from: self.vertices.len() });
+        self.wait(*block, &others, vertices, false);
+        Ok(())
+    }
+
+    fn try_bundle(&mut self, bundle: &Bundle<'_>, v: u32) {
+        let visitors = bundle.visitors(self.vertices[v as usize]);
+        self.found.visits.extend(visitors.map(|id| [id, v]));
+    }
+}
+
+/// The axis along which a block of more than one pixel is longer.
+fn longer(block: &Block) -> usize {
+    usize::from(block.high[1] - block.low[1] > block.high[0] - block.low[0])
+}
+
+/// A block, parted across its longer side.
+fn halves(block: &Block) -> [Block; 2] {
+    let axis = longer(block);
+    let mut halves = [*block; 2];
+    let middle = block.low[axis] + (block.high[axis] - block.low[axis]) / 2;
+    halves[0].high[axis] = middle;
+    halves[1].low[axis] = middle + 1;
+    halves
+}
+
+/// A block without a pixel of it, in four parts. Parts without pixels have borders in the wrong order.
+fn around(block: &Block, pixel: Pixel) -> [Block; 4] {
+    let axis = longer(block);
+    let mut parts = [*block; 4];
+    parts[0].high[axis] = pixel[axis] - 1;
+    parts[1].low[axis] = pixel[axis] + 1;
+    for part in &mut parts[2..] {
+        part.low[axis] = pixel[axis];
+        part.high[axis] = pixel[axis];
+    }
+    parts[2].high[1 - axis] = pixel[1 - axis] - 1;
+    parts[3].low[1 - axis] = pixel[1 - axis] + 1;
+    parts
+}

@@ -1,0 +1,75 @@
+//! The search, in small, against trying all pairs.
+
+use super::{Pixel, Pixels, Segment, search};
+use crate::geometry::noding::runs::join;
+use quickcheck::{Gen, QuickCheck};
+use std::collections::{BTreeMap, BTreeSet};
+
+/// Segments of one of some families, made from arbitrary numbers.
+fn family(kind: u8, raw: &[(i8, i8, i8, i8)]) -> Vec<[[i64; 2]; 2]> {
+    let numbers = raw.iter().map(|&(a, b, c, d)| [a, b, c, d].map(i64::from));
+    let segment = |(i, [a, b, c, d]): (usize, [i64; 4])| match kind % 7 {
+        0 => [[a, b], [c, d]],
+        // Through or near the origin.
+        1 => [[a, b], [-a + c % 3, -b + d % 3]],
+        // From the origin, or far from it.
+        2 => [[if i % 4 == 0 { c } else { 0 }, if i % 4 == 0 { d } else { 0 }], [a, b]],
+        // A bundle with short ones between.
+        3 if i % 3 > 0 => [[-130, a], [130, a + b % 4]],
+        4 if i % 3 > 0 => [[a - 130, -a - 130], [a + 130, -a + 130 + b % 4]],
+        5 if i % 3 > 0 => [[a, -130], [a + b % 4, 130]],
+        // All on a few lines.
+        6 => [[a, 2 * a + d % 2], [c, 2 * c + d % 2]],
+        _ => [[a, b], [a + c % 5, b + d % 5]],
+    };
+    numbers.enumerate().map(segment).collect()
+}
+
+/// Everything found, against what trying all pairs finds.
+#[expect(clippy::needless_pass_by_value, reason = "what quickcheck asks for")]
+fn finds_all(kind: u8, raw: Vec<(i8, i8, i8, i8)>, shift: u8) -> bool {
+    let pixels = Pixels { shift: u32::from(shift % 4) };
+    let mut vertices: Vec<Pixel> = Vec::new();
+    let mut vertex = |pixel: Pixel| {
+        let known = vertices.iter().position(|&v| v == pixel);
+        known.unwrap_or_else(|| {
+            vertices.push(pixel);
+            vertices.len() - 1
+        }) as u32
+    };
+    let oriented = family(kind, &raw).into_iter().map(|[a, b]| [a.min(b), a.max(b)]);
+    let segments: Vec<Segment> = oriented
+        .map(|[a, b]| Segment { a, b, ends: [vertex(pixels.at(a)), vertex(pixels.at(b))] })
+        .filter(|segment| segment.ends[0] != segment.ends[1])
+        .collect();
+    let runs = join(&segments).joined;
+
+    let crossings = runs.iter().enumerate().flat_map(|(i, s)| runs[..i].iter().filter_map(|t| pixels.crossing(s, t)));
+    let hot: BTreeSet<Pixel> = vertices.iter().copied().chain(crossings).collect();
+    let found = search(pixels, &runs, &mut vertices).unwrap();
+    assert_eq!(vertices.len(), hot.len());
+    assert_eq!(vertices.iter().copied().collect::<BTreeSet<_>>(), hot);
+
+    let mut visits: BTreeMap<u32, Vec<Pixel>> = BTreeMap::new();
+    for [run, v] in found.visits {
+        visits.entry(run).or_default().push(vertices[v as usize]);
+    }
+    for (id, run) in (0..).zip(&runs) {
+        let mut visited = visits.remove(&id).unwrap_or_default();
+        visited.sort_unstable();
+        let inner = || hot.iter().copied().filter(|&pixel| !run.ends.map(|v| vertices[v as usize]).contains(&pixel));
+        assert!(inner().filter(|&pixel| pixels.visits(run, pixel)).eq(visited.iter().copied()));
+        let straight = pixels.between_centres(run);
+        let strays = inner().any(|pixel| Pixels::ONE_STEP.visits(&straight, pixel) && !visited.contains(&pixel));
+        assert!(!strays || found.doubtful.contains(&id));
+    }
+    true
+}
+
+#[test]
+fn halving_and_cutting_and_setting_aside_find_what_trying_all_finds() {
+    for (size, tests) in [(8, 2000), (40, 700), (120, 60)] {
+        let check = finds_all as fn(u8, Vec<(i8, i8, i8, i8)>, u8) -> bool;
+        QuickCheck::new().rng(Gen::from_size_and_seed(size, 7)).tests(tests).quickcheck(check);
+    }
+}

@@ -1,0 +1,138 @@
+//! One body, many engines: a test that takes its decisions from a source of choices.
+//!
+//! A body asks a [`Choose`] for numbers and builds from them whatever it needs. Who answers is the engine:
+//!
+//! | source | engine |
+//! | --- | --- |
+//! | [`Odometer`], turned by [`for_each_choice`] | every sequence of answers, one after the other |
+//! | [`Bytes`] | a fuzzer's bytes, or a `Vec<u8>` of quickcheck, which then shrinks the choices too |
+//! | `arbitrary::Unstructured` (feature `arbitrary`) | the same, where the bytes are already wrapped |
+//! | one that answers with `kani::any` | a model checker: all sequences at once |
+//!
+//! ```
+//! use twinedge::program::choose::{Bytes, Choose, for_each_choice};
+//!
+//! /// Two dice, of which the second has as many sides as the first shows.
+//! fn throw(source: &mut impl Choose) -> usize {
+//!     let first = 1 + source.choose(6);
+//!     first + source.choose(first)
+//! }
+//!
+//! let mut most = 0;
+//! assert_eq!(for_each_choice(|source| most = most.max(throw(source))), 1 + 2 + 3 + 4 + 5 + 6);
+//! assert_eq!(most, 11);
+//! assert_eq!(throw(&mut Bytes::new(&[5, 5])), 11);
+//! ```
+
+use alloc::vec::Vec;
+
+/// A source of choices.
+pub trait Choose {
+    /// A number below `n`; 0 if `n` is 0, where there is nothing to choose.
+    fn choose(&mut self, n: usize) -> usize;
+}
+
+/// Choices from bytes: as few for each as `n` needs, the lowest first, modulo `n`. Where they have run out it is 0.
+#[derive(Clone, Copy, Debug)]
+pub struct Bytes<'a> {
+    rest: &'a [u8],
+}
+
+impl<'a> Bytes<'a> {
+    /// Choices from these bytes.
+    #[must_use]
+    pub const fn new(bytes: &'a [u8]) -> Self {
+        Self { rest: bytes }
+    }
+
+    /// What no choice has taken yet.
+    #[must_use]
+    pub const fn rest(&self) -> &'a [u8] {
+        self.rest
+    }
+}
+
+impl Choose for Bytes<'_> {
+    fn choose(&mut self, n: usize) -> usize {
+        let largest = n.saturating_sub(1);
+        if largest == 0 {
+            return 0;
+        }
+        let wanted = (usize::BITS - largest.leading_zeros()).div_ceil(8) as usize;
+        let (taken, rest) = self.rest.split_at(wanted.min(self.rest.len()));
+        self.rest = rest;
+        taken.iter().rev().fold(0, |number, byte| number << 8 | usize::from(*byte)) % n
+    }
+}
+
+#[cfg(feature = "arbitrary")]
+impl Choose for arbitrary::Unstructured<'_> {
+    /// 0 where the bytes have run out.
+    fn choose(&mut self, n: usize) -> usize {
+        self.int_in_range(0..=n.saturating_sub(1)).unwrap_or(0)
+    }
+}
+
+/// The answers of one run of a body, to be turned to those of the next run. See [`for_each_choice`].
+#[derive(Clone, Debug, Default)]
+pub struct Odometer {
+    /// What was answered, and of how many.
+    wheels: Vec<(usize, usize)>,
+    asked: usize,
+}
+
+impl Odometer {
+    /// What was answered so far in this run where there was a choice. As bytes they make [`Bytes`] answer the same,
+    /// as long as none was of more than 256.
+    #[must_use]
+    pub fn answers(&self) -> impl ExactSizeIterator<Item = usize> + '_ {
+        self.wheels[..self.asked].iter().map(|(answer, _)| *answer)
+    }
+
+    /// On to the next sequence: the last answer that can moves on, and those after it are forgotten. False at the end.
+    fn turn(&mut self) -> bool {
+        self.asked = 0;
+        while let Some((answer, n)) = self.wheels.pop() {
+            if answer + 1 < n {
+                self.wheels.push((answer + 1, n));
+                return true;
+            }
+        }
+        false
+    }
+}
+
+impl Choose for Odometer {
+    fn choose(&mut self, n: usize) -> usize {
+        if n <= 1 {
+            return 0;
+        }
+        if self.asked == self.wheels.len() {
+            self.wheels.push((0, n));
+        }
+        let (answer, known) = &mut self.wheels[self.asked];
+        // A body that asks otherwise the second time is answered nevertheless.
+        *known = n;
+        *answer = (*answer).min(n - 1);
+        self.asked += 1;
+        *answer
+    }
+}
+
+/// Runs the body once for every sequence of answers that it can get, and tells how many these were.
+///
+/// The body must ask the same after the same answers, and its number of questions must be bounded; otherwise this
+/// does not end.
+pub fn for_each_choice(mut body: impl FnMut(&mut Odometer)) -> u64 {
+    let mut odometer = Odometer::default();
+    let mut count = 0;
+    loop {
+        body(&mut odometer);
+        count += 1;
+        // Answers that were not asked for again belong to no sequence.
+        odometer.wheels.truncate(odometer.asked);
+        if !odometer.turn() {
+            return count;
+        }
+    }
+}
