@@ -6,7 +6,7 @@ use clap::ValueEnum;
 use planted::Planted;
 use serde::Serialize;
 use twinedge::dcel::Dcel;
-use twinedge::program::{Kernel, Model, Textbook};
+use twinedge::program::{Kernel, Textbook};
 use twinedge::store::{FixedStore, PointerStore};
 use twinedge::validate::Expectation;
 
@@ -21,9 +21,7 @@ pub(crate) enum KernelName {
     Pointers,
     /// Fixed arrays, with room for 24 vertices, 40 edges, 40 boundary components and 24 faces.
     Fixed,
-    /// An independent model: a rotation system.
-    Model,
-    /// An independent model: the pointers of the textbooks.
+    /// The independent model: the structure of the textbooks, records joined by references that are counted.
     Textbook,
     /// A structure with a planted bug: it turns edges the wrong way.
     Planted,
@@ -37,15 +35,14 @@ pub(crate) trait Task {
 }
 
 impl KernelName {
-    /// The stores and the models; not the structure with the bug.
-    pub(crate) const SOUND: [Self; 5] = [Self::Slots, Self::Pointers, Self::Fixed, Self::Model, Self::Textbook];
+    /// The stores and the model; not the structure with the bug.
+    pub(crate) const SOUND: [Self; 4] = [Self::Slots, Self::Pointers, Self::Fixed, Self::Textbook];
 
     pub(crate) const fn name(self) -> &'static str {
         match self {
             Self::Slots => "slots",
             Self::Pointers => "pointers",
             Self::Fixed => "fixed",
-            Self::Model => "model",
             Self::Textbook => "textbook",
             Self::Planted => "planted",
         }
@@ -57,7 +54,6 @@ impl KernelName {
             Self::Slots => ("Dcel::new()", "Expectation::plane()"),
             Self::Pointers => ("Dcel::<PointerStore>::default()", "Expectation::plane()"),
             Self::Fixed => ("Dcel::<FixedStore<24, 40, 40, 24>>::default()", "Expectation::plane()"),
-            Self::Model => ("Model::new()", "Model::expectation()"),
             Self::Textbook => ("Textbook::new()", "Expectation::plane()"),
             Self::Planted => ("Planted::default()", "Expectation::plane()"),
         }
@@ -69,7 +65,6 @@ impl KernelName {
             Self::Slots => task.run(Dcel::new, Expectation::plane()),
             Self::Pointers => task.run(Dcel::<PointerStore>::default, Expectation::plane()),
             Self::Fixed => task.run(Dcel::<FixedStore<24, 40, 40, 24>>::default, Expectation::plane()),
-            Self::Model => task.run(Model::new, Model::expectation()),
             Self::Textbook => task.run(Textbook::new, Expectation::plane()),
             Self::Planted => task.run(Planted::default, Expectation::plane()),
         }

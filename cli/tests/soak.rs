@@ -19,14 +19,14 @@ fn all_stores_stay_in_step() {
     assert_eq!((status, &found["ok"], &found["failure"]), (Some(0), &true.into(), &serde_json::Value::Null));
     let rows = found["structures"].as_array().unwrap();
     let names: Vec<&str> = rows.iter().map(|row| row["on"].as_str().unwrap()).collect();
-    assert_eq!(names, ["slots", "pointers", "fixed", "model"]);
+    assert_eq!(names, ["slots", "pointers", "fixed", "textbook"]);
     let count = |row: &serde_json::Value, key: &str| row[key].as_u64().unwrap();
     for row in rows {
         let steps = ["applied", "refused", "skipped", "no_room"].map(|key| count(row, key)).iter().sum::<u64>();
         assert_eq!((count(row, "programs"), steps), (60, 60 * 60));
         // What is refused or has no room is tried on purpose, and not most of it.
         assert!(count(row, "applied") > 1000 && count(row, "refused") > 300, "{row}");
-        assert_eq!(count(row, "no_room") > 0, row["on"] == "fixed" && count(row, "no_room") > 0);
+        assert!(row["on"] == "fixed" || count(row, "no_room") == 0, "{row}");
     }
     // The same seed gives the same programs.
     let (_, again) = json(&["soak", "--programs", "60", "--steps", "60", "--seed", "1", "--format", "json"]);
@@ -56,7 +56,7 @@ fn a_planted_bug_is_found_made_small_saved_and_replayed() {
     assert!(replayed["difference"].as_str().unwrap().contains("flip_edge"));
     let steps = replayed["steps"].as_array().unwrap();
     assert_eq!(steps.len(), program.0.len());
-    // The bug keeps every rule: only the model can tell.
+    // The bug keeps every rule: only the reference can tell.
     assert!(steps.iter().all(|step| step["valid"] == true));
 
     let (status, replayed) = json(&["replay", &name, "--on", "pointers", "--format", "json"]);
@@ -81,8 +81,9 @@ fn a_replay_shows_the_structure_after_each_step() {
     ] {
         assert!(text.lines().any(|shown| shown == line), "{line}\n{text}");
     }
-    let output = twinedge_reading(&["replay", "-", "--on", "model"], program);
-    assert!(String::from_utf8(output.stdout).unwrap().contains("  h0  origin v0  twin h1  next h1  prev h1  face f0"));
+    let output = twinedge_reading(&["replay", "-", "--on", "textbook"], program);
+    let text = String::from_utf8(output.stdout).unwrap();
+    assert!(text.contains("  h0  origin v0  twin h1  next h1  prev h1  boundary b0"), "{text}");
 }
 
 #[test]

@@ -9,10 +9,9 @@ use std::panic::{AssertUnwindSafe, catch_unwind};
 use std::sync::Arc;
 use std::time::Duration;
 use twinedge::program::census::Found;
-use twinedge::program::{Model, Runner};
 use twinedge::validate::enumerate::{Cell, Value, for_each_corruption};
 use twinedge::validate::reference::first_broken_rule;
-use twinedge::validate::{Collect, Expectation, Part, Table, validate};
+use twinedge::validate::{Collect, Expectation, Link, Part, Start, Table, validate};
 
 /// What the tables of a map look like.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord, Serialize)]
@@ -51,19 +50,34 @@ pub(super) struct Specimen {
 impl Specimen {
     /// The tables of a map, each with a vacant row. None if there is no memory for it.
     pub(super) fn new(found: &Found, form: Form) -> Option<Self> {
-        let mut table = match form {
-            Form::Records => Table::copy_of(found.runner.kernel()),
-            Form::Textbook => {
-                let mut runner = Runner::new(Model::new());
-                runner.run(&found.program);
-                Table::copy_of(runner.kernel())
-            }
-        }?;
+        let mut table = Table::copy_of(found.runner.kernel())?;
+        if form == Form::Textbook {
+            drop_boundaries(&mut table);
+        }
         table.vertices.push(None);
         table.half_edges.push(None);
         table.boundaries.push(None);
         table.faces.push(None);
         Some(Self { form, table, program: found.program.to_string() })
+    }
+}
+
+/// Takes the records for boundary components away: half-edges name their face instead, and faces where their cycles start.
+fn drop_boundaries(table: &mut Table) {
+    let boundaries = std::mem::take(&mut table.boundaries);
+    let record = |b: Link| boundaries.get(b?).copied().flatten();
+    for half_edge in table.half_edges.iter_mut().flatten() {
+        half_edge.face = record(half_edge.boundary.take()).and_then(|b| b.face);
+    }
+    for vertex in table.vertices.iter_mut().flatten() {
+        vertex.isolated = None;
+    }
+    for face in table.faces.iter_mut().flatten() {
+        face.outer_half_edge = match record(face.outer.take()).and_then(|b| b.start) {
+            Some(Start::HalfEdge(h)) => Some(h),
+            _ => None,
+        };
+        face.inner_starts = std::mem::take(&mut face.inner).into_iter().map(|b| record(b)?.start).collect();
     }
 }
 
