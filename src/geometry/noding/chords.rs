@@ -11,8 +11,8 @@
 //!
 //! So O(m log m) steps and one for each crossing do for the m²/2 pairs.
 //!
-//! A block owns its left and its lower side. To have that exactly right, the border is shifted by infinitely
-//! little: the sides to the left by ε, the lower and the upper one downwards by δ, infinitely smaller than ε: then no chord
+//! A block owns its left and its lower side. To have that exactly right, the border is shifted by infinitely little:
+//! the sides to the left by ε, the lower and the upper one downwards by δ, infinitely smaller than ε: then no chord
 //! meets a corner, no two meet the border at one point, and a crossing is inside exactly if the block owns it.
 
 use super::pixel::{Block, Pixels, Segment, compare, cross, minus};
@@ -80,7 +80,8 @@ pub(super) struct Chord {
     pub(super) first_is_left: bool,
 }
 
-/// What these segments do in the block. None may end inside, and no two may overlap. Only so many crossings are listed.
+/// What these segments do in the block. None may end inside, and no two may overlap. Only so many crossings are
+/// listed.
 ///
 /// Cost: O(m log m) for m segments, and O(1) for each crossing.
 pub(super) fn chords(

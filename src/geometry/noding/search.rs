@@ -1,14 +1,14 @@
 //! Which segments visit which hot pixels?
 //!
-//! The plane is halved, and halved again, until a block holds few segments and few vertices; there, every pair is tried.
-//! Three things spare most of the rest:
+//! The plane is halved, and halved again, until a block holds few segments and few vertices; there, every pair is
+//! tried. Three things spare most of the rest:
 //!
-//! - If no vertex is in a block, all its segments are chords, and their crossings are listed without trying pairs. If there
-//!   are none, there is nothing to find, and else only visits to the vertices that are known by now.
-//! - If halving does not thin the segments out because most of them meet in one pixel, that pixel is cut out of the block: in
-//!   the other parts they are apart.
-//! - If it does not because most of them lie side by side, these are set aside as a *bundle*. The others are searched without
-//!   them, and what is between them is found by bisection.
+//! - If no vertex is in a block, all its segments are chords, and their crossings are listed without trying pairs. If
+//!   there are none, there is nothing to find, and else only visits to the vertices that are known by now.
+//! - If halving does not thin the segments out because most of them meet in one pixel, that pixel is cut out of the
+//!   block: in the other parts they are apart.
+//! - If it does not because most of them lie side by side, these are set aside as a *bundle*. The others are searched
+//!   without them, and what is between them is found by bisection.
 //!
 //! ```text
 //!   ┌───────┬─┬───────┐
@@ -564,10 +564,10 @@ fn halves(block: &Block) -> [Block; 2] {
     halves
 }
 
-/// A block without a pixel of it, in four parts. Parts without pixels have borders in the wrong order.
-fn around(block: &Block, pixel: Pixel) -> [Block; 4] {
+/// A block without a pixel of it, in up to four parts.
+fn around(block: &Block, pixel: Pixel) -> Vec<Block> {
     let axis = longer(block);
-    let mut parts = [*block; 4];
+    let mut parts = vec![*block; 4];
     parts[0].high[axis] = pixel[axis] - 1;
     parts[1].low[axis] = pixel[axis] + 1;
     for part in &mut parts[2..] {
@@ -576,5 +576,7 @@ fn around(block: &Block, pixel: Pixel) -> [Block; 4] {
     }
     parts[2].high[1 - axis] = pixel[1 - axis] - 1;
     parts[3].low[1 - axis] = pixel[1 - axis] + 1;
+    // A pixel on the border leaves nothing on the other side.
+    parts.retain(|part| part.low[0] <= part.high[0] && part.low[1] <= part.high[1]);
     parts
 }
