@@ -7,12 +7,12 @@ use twinedge::geometry::noding::Snap;
 
 #[test]
 fn a_star_through_one_point_has_one_crossing() {
-    let n = 3000_i32;
+    let n = 10_000_i32;
     let ray = |i: i32| [f64::from(i), f64::from(n - i)];
     let star: Vec<Segment> = (0..n).map(|i| segment(ray(i).map(|x| -x), ray(i))).collect();
     let noded = check(&star, &[], Snap::Auto);
-    assert_eq!(counts(&noded), [6001, 6000, 1]);
-    assert_eq!((noded.summary.crossings, noded.summary.split), (1, 3000));
+    assert_eq!(counts(&noded), [20_001, 20_000, 1]);
+    assert_eq!((noded.summary.crossings, noded.summary.split), (1, 10_000));
 }
 
 #[test]

@@ -84,7 +84,8 @@ fn a_point_on_a_segment_splits_it_and_one_beside_it_bends_it() {
     let long = [segment([0.0, 0.0], [10.0, 0.0])];
     let on = check(&long, &[Point::new(4.0, 0.0)], Snap::Size(1.0));
     assert!(on.chain(0).unwrap().eq([0, 1, 2]));
-    // The pixel of a vertex half a cell above a line has the line on its lower side; half a cell below, on its upper side.
+    // The pixel of a vertex half a cell above a line has the line on its lower side; half a cell below, on its upper
+    // side.
     let slanted = [segment([0.0, 0.0], [2.0, 1.0])];
     let above = check(&slanted, &[Point::new(1.0, 1.0)], Snap::Size(1.0));
     assert_eq!(counts(&above), [3, 2, 1]);
@@ -96,7 +97,8 @@ fn a_point_on_a_segment_splits_it_and_one_beside_it_bends_it() {
 
 #[test]
 fn a_vertex_near_a_coarsely_rounded_segment_does_not_change_sides() {
-    // The tip is just above the long side. Were the ends rounded first, it would get below, and there would be crossings.
+    // The tip is just above the long side. Were the ends rounded first, it would get below, and there would be
+    // crossings.
     let long = segment([0.4, 0.4], [100.4, 33.6]);
     let tip = Point::new(50.4, 17.01);
     let spike = [long, [tip, Point::new(49.0, 30.0)], [tip, Point::new(52.0, 30.0)]];

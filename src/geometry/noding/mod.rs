@@ -38,12 +38,12 @@
 //! *Why edges never cross.* An edge from `c` to `c'` comes from a stretch of a segment between a point `c + u` of the
 //! pixel of `c` and a point `c' + u'` of that of `c'`. Let all pixels shrink to their centres at the same rate, so
 //! that at time `t` the stretch goes from `c + (1−t)u` to `c' + (1−t)u'`. At time 0, no two stretches cross:
-//! crossings are in hot pixels, where stretches end. Had two of them crossed by time 1, then at some time an end of the one,
-//! `e + (1−t)w`, would have lain on the other, at `(1−μ)(c + (1−t)u) + μ(c' + (1−t)u')`, say. At time 0, this
-//! point of the other is `e + (1−t)w + t((1−μ)u + μu')`: that is `e` and a mean of `w`, `u` and `u'`, hence in the
-//! pixel of `e`, as pixels are convex. But the stretch visits no hot pixel on its way from `c` to `c'`; and if `e` is
-//! one of these, the two edges have a common end, and do not cross. The same, with `t = 1`, says that no edge passes
-//! through a vertex.
+//! crossings are in hot pixels, where stretches end. Had two of them crossed by time 1, then at some time an end of
+//! the one, `e + (1−t)w`, would have lain on the other, at `(1−μ)(c + (1−t)u) + μ(c' + (1−t)u')`, say. At time 0,
+//! this point of the other is `e + (1−t)w + t((1−μ)u + μu')`: that is `e` and a mean of `w`, `u` and `u'`, hence in
+//! the pixel of `e`, as pixels are convex. But the stretch visits no hot pixel on its way from `c` to `c'`; and if
+//! `e` is one of these, the two edges have a common end, and do not cross. The same, with `t = 1`, says that no edge
+//! passes through a vertex.
 //!
 //! *Why once is not enough.* An edge is a new line. It can visit a hot pixel that its segment did not visit, so
 //! noding once more would bend it again. Here, edges are bent until none visits the pixel of a vertex that is not an
@@ -56,15 +56,15 @@
 //!
 //! - Every input point and every end of a segment goes to the centre of its pixel, so it moves by half a cell at most
 //!   in each direction. So does every crossing of segments, as they were read.
-//! - Each round of bending moves chains by half a cell at most in each direction. After [`Summary::rounds`] of them, a
-//!   chain is within `(rounds + 1) / 2` cells of its segment. There are 0 or 1 for most maps on a fine grid. Long lines that pass many vertices on a coarse grid can need more: iterating is known to let them
-//!   drift.
+//! - Each round of bending moves chains by half a cell at most in each direction. After [`Summary::rounds`] of them,
+//!   a chain is within `(rounds + 1) / 2` cells of its segment. There are 0 or 1 for most maps on a fine grid. Long
+//!   lines that pass many vertices on a coarse grid can need more: iterating is known to let them drift.
 //! - A vertex can come to lie *on* an edge that passed nearby, but never on its other side.
 //!
 //! The input is read to 2^53 steps of the largest coordinate. That is exact for coordinates of more than half of the
-//! largest, and off by less than a step for smaller ones that use all their digits. Pixels are larger than steps, by a
-//! factor of 8 with [`Snap::Auto`] and of whatever is asked for with [`Snap::Size`]; the exception is a size of just
-//! one step. So whether and where segments cross is decided before their ends move, which is why vertices do not
+//! largest, and off by less than a step for smaller ones that use all their digits. Pixels are larger than steps, by
+//! a factor of 8 with [`Snap::Auto`] and of whatever is asked for with [`Snap::Size`]; the exception is a size of
+//! just one step. So whether and where segments cross is decided before their ends move, which is why vertices do not
 //! change sides.
 //!
 //! # Exactness
@@ -83,7 +83,7 @@
 //! The index is a tree of halved blocks, and not an R-tree: boxes around the long slanted segments of a star or a
 //! bundle all overlap, so an R-tree tries n² pairs there. Nor is it faster elsewhere. On a map of 75,863 segments,
 //! loading `rstar` took 13 ms and all pairs of overlapping boxes took another 11 ms; the whole search, visits
-//! included, takes 20 ms, of 39 ms for noding.
+//! included, takes some 20 ms, and noding some 40.
 
 mod bundle;
 mod chains;
@@ -105,8 +105,9 @@ use runs::Runs;
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 #[non_exhaustive]
 pub enum Snap {
-    /// So fine that the largest coordinate (short of the ends of the range of doubles) is between 2^49 and 2^50 cells: coordinates keep some 15 decimal digits.
-    /// For longitudes up to 180, a cell is 2^-42 degrees, or 25 nanometres on the ground.
+    /// So fine that the largest coordinate (short of the ends of the range of doubles) is between 2^49 and 2^50
+    /// cells: coordinates keep some 15 decimal digits. For longitudes up to 180, a cell is 2^-42 degrees, or 25
+    /// nanometres on the ground.
     #[default]
     Auto,
     /// The largest power of two that is at most this number. Zero, negative, infinite and NaN are refused, and so is

@@ -1,13 +1,14 @@
 //! Which segments visit which hot pixels?
 //!
 //! The plane is halved, and halved again, until a block holds few segments and few vertices; there, every pair is
-//! tried. Where halving does not thin the segments out, one of three things helps:
+//! tried. Three things spare most of the rest:
 //!
-//! - If most segments end in one pixel, or cross in one, that pixel is cut out of the block: in the rest they are
-//!   apart.
-//! - If most segments cut right across the block and lie side by side, they are set aside as a *bundle*. The rest are
-//!   searched without them, and what is between them is found by bisection.
-//! - If no vertex is in the block and no two segments cross, there is nothing to find.
+//! - If no vertex is in a block, all its segments are chords, and their crossings are listed without trying pairs. If
+//!   there are none, there is nothing to find, and else only visits to the vertices that are known by now.
+//! - If halving does not thin the segments out because most of them meet in one pixel, that pixel is cut out of the
+//!   block: in the other parts they are apart.
+//! - If it does not because most of them lie side by side, these are set aside as a *bundle*. The others are searched
+//!   without them, and what is between them is found by bisection.
 //!
 //! ```text
 //!   ┌───────┬─┬───────┐
@@ -29,12 +30,22 @@ use super::pixel::{Block, Pixel, Pixels, Segment, Steps};
 #[cfg(test)]
 mod tests;
 
-/// Up to this many pairs, trying all is cheaper than halving. (In tests of this crate less, so that small input goes
-/// every way.)
-const FEW: usize = if cfg!(test) { 8 } else { 256 };
+/// A limit, and the one in tests of this crate, which is so low that small input goes every way.
+const fn limit(usual: usize, in_tests: usize) -> usize {
+    if cfg!(test) { in_tests } else { usual }
+}
+
+/// Up to this many pairs, trying all is cheaper than halving.
+const FEW_PAIRS: usize = limit(256, 8);
 
 /// Up to this many pairs, trying all is cheaper than anything but halving.
-const SOME: usize = if cfg!(test) { 16 } else { 8192 };
+const SOME_PAIRS: usize = limit(8192, 16);
+
+/// Up to this many vertices are tried on all segments, and as many segments that end in a block on all others.
+const FEW: usize = limit(16, 2);
+
+/// More crossings than this for each chord of a block are not listed.
+const DENSE: usize = limit(8, 1);
 
 /// What is found.
 #[derive(Default)]
@@ -60,8 +71,17 @@ struct Look {
     block: Block,
     segments_from: usize,
     vertices_from: usize,
-    /// Was a pixel cut out to make it? Then the next step is to halve it, which bounds the depth.
-    cut: bool,
+    state: State,
+}
+
+/// What is known of a block.
+#[derive(Clone, Copy, PartialEq)]
+enum State {
+    New,
+    /// A pixel was cut out to make it. The next step is to halve it, which bounds the depth.
+    Cut,
+    /// Its crossings are among the vertices.
+    Crossed,
 }
 
 /// What is in a part of a block, and the smallest block around that.
@@ -116,7 +136,9 @@ pub(super) fn search(pixels: Pixels, segments: &[Segment], vertices: &mut Vec<Pi
         contents: Vec::new(),
         vertices,
     };
-    search.tasks.extend(all.map(|block| Task::Look(Look { block, segments_from: 0, vertices_from: 0, cut: false })));
+    search
+        .tasks
+        .extend(all.map(|block| Task::Look(Look { block, segments_from: 0, vertices_from: 0, state: State::New })));
     let (mut segment_ids, mut vertex_ids) = (Vec::new(), Vec::new());
     while let Some(task) = search.tasks.pop() {
         match task {
@@ -146,51 +168,78 @@ fn pairs(m: usize, h: usize) -> usize {
 enum Instead {
     Cut(Pixel),
     SetAside(Vec<Chord>),
+    /// All crossings are in these pixels.
+    Cross(Vec<Pixel>),
 }
 
 impl Search<'_> {
     fn look(&mut self, look: &Look, segments: &[u32], vertices: &mut Vec<u32>) -> Result<(), NodingError> {
         let block = &look.block;
-        let work = pairs(segments.len(), vertices.len());
+        if look.state == State::Crossed {
+            self.look_for_visits(block, segments, vertices);
+            return Ok(());
+        }
         if block.low == block.high {
             return self.look_at_pixel(block.low, segments, vertices);
         }
-        if work <= FEW {
+        let work = pairs(segments.len(), vertices.len());
+        if work <= FEW_PAIRS {
             return self.try_all(block, segments, vertices);
         }
-        let mut crossing = None;
+        let mut busy = None;
         if vertices.is_empty() {
-            match chords(self.pixels, block, self.segments, segments) {
-                Chords::Cross(pair) => crossing = Some(pair),
+            match chords(self.pixels, block, self.segments, segments, DENSE * segments.len()) {
+                Chords::Cross { pairs, all: true } => {
+                    self.add(self.crossings(&pairs), vertices)?;
+                    self.look_for_visits(block, segments, vertices);
+                    return Ok(());
+                }
+                Chords::Cross { pairs, all: false } => busy = self.busy(&pairs),
                 Chords::SideBySide(_) | Chords::Apart => return Ok(()),
             }
         }
         let (tasks, segments_to, vertices_to) = (self.tasks.len(), self.segment_pool.len(), self.vertex_pool.len());
-        let most = self.part(&halves(block), segments, vertices, false);
-        if most <= work - work / 4 {
+        let most = self.part(&halves(block), segments, vertices, State::New);
+        if most <= work - work / 4 || (work > SOME_PAIRS && look.state == State::Cut) {
             return Ok(());
         }
-        let instead = if work <= SOME || look.cut { None } else { self.instead(block, segments, crossing) };
-        if work <= SOME || instead.is_some() {
+        // Halving is hardly worth it.
+        let instead =
+            if work <= SOME_PAIRS { None } else { busy.map(Instead::Cut).or_else(|| self.instead(block, segments)) };
+        if work <= SOME_PAIRS || instead.is_some() {
             self.tasks.truncate(tasks);
             self.segment_pool.truncate(segments_to);
             self.vertex_pool.truncate(vertices_to);
         }
         match instead {
             Some(Instead::Cut(pixel)) => {
-                self.part(&around(block, pixel), segments, vertices, true);
+                self.part(&around(block, pixel), segments, vertices, State::Cut);
                 vertices.retain(|&v| self.vertices[v as usize] == pixel);
                 self.look_at_pixel(pixel, segments, vertices)
             }
             Some(Instead::SetAside(chords)) => self.set_aside(chords, block, segments, vertices),
-            None if work <= SOME => self.try_all(block, segments, vertices),
+            Some(Instead::Cross(crossings)) => {
+                self.add(crossings, vertices)?;
+                self.look_for_visits(block, segments, vertices);
+                Ok(())
+            }
+            None if work <= SOME_PAIRS => self.try_all(block, segments, vertices),
             None => Ok(()),
+        }
+    }
+
+    /// A block whose crossings are among its vertices.
+    fn look_for_visits(&mut self, block: &Block, segments: &[u32], vertices: &[u32]) {
+        if vertices.len() <= FEW || segments.len().saturating_mul(vertices.len()) <= FEW_PAIRS {
+            self.try_visits(segments, vertices);
+        } else {
+            self.part(&halves(block), segments, vertices, State::Crossed);
         }
     }
 
     /// Puts off parts of a block, those without anything to find excepted. Returns the number of pairs in the part
     /// with most.
-    fn part(&mut self, parts: &[Block], segments: &[u32], vertices: &[u32], cut: bool) -> usize {
+    fn part(&mut self, parts: &[Block], segments: &[u32], vertices: &[u32], state: State) -> usize {
         let mut contents = core::mem::take(&mut self.contents);
         contents.resize_with(parts.len(), Content::default);
         contents.iter_mut().for_each(Content::clear);
@@ -216,43 +265,66 @@ impl Search<'_> {
         let mut most = 0;
         for (part, Content { segments, vertices, all }) in parts.iter().zip(&contents) {
             let (m, h) = (segments.len(), vertices.len());
-            let Some(all) = all.filter(|_| m > 1 || (m == 1 && h > 0)) else {
+            // A visit takes a vertex, and a crossing that is not known two segments.
+            let Some(all) = all.filter(|_| m > 0 && (h > 0 || m >= 2 && state != State::Crossed)) else {
                 continue;
             };
-            self.wait(part.meet(&all), segments, vertices, cut);
+            self.wait(part.meet(&all), segments, vertices, state);
             most = most.max(pairs(m, h));
         }
         self.contents = contents;
         most
     }
 
-    fn wait(&mut self, block: Block, segments: &[u32], vertices: &[u32], cut: bool) {
+    fn wait(&mut self, block: Block, segments: &[u32], vertices: &[u32], state: State) {
         let (segments_from, vertices_from) = (self.segment_pool.len(), self.vertex_pool.len());
         self.segment_pool.extend(segments);
         self.vertex_pool.extend(vertices);
-        self.tasks.push(Task::Look(Look { block, segments_from, vertices_from, cut }));
+        self.tasks.push(Task::Look(Look { block, segments_from, vertices_from, state }));
     }
 
-    fn instead(&self, block: &Block, segments: &[u32], crossing: Option<[u32; 2]>) -> Option<Instead> {
-        let cut_at = |[s, t]: [u32; 2]| {
-            let crossing = self.pixels.crossing(&self.segments[s as usize], &self.segments[t as usize]);
-            crossing.map(Instead::Cut)
-        };
-        if let Some(pair) = crossing {
-            return cut_at(pair);
-        }
+    fn instead(&self, block: &Block, segments: &[u32]) -> Option<Instead> {
         if let Some(hub) = self.hub(block, segments) {
             return Some(Instead::Cut(hub));
         }
-        let across: Vec<u32> = segments.iter().copied().filter(|&id| self.end_in(block, id).is_none()).collect();
-        if across.len() < segments.len() / 2 {
+        let (ending, across): (Vec<u32>, Vec<u32>) = segments.iter().partition(|&&id| self.end_in(block, id).is_some());
+        if across.len() < ending.len() {
             return None;
         }
-        match chords(self.pixels, block, self.segments, &across) {
-            Chords::Cross(pair) => cut_at(pair),
-            Chords::SideBySide(chords) => Some(Instead::SetAside(chords)),
-            Chords::Apart => None,
+        let pairs = match chords(self.pixels, block, self.segments, &across, DENSE * across.len()) {
+            Chords::SideBySide(chords) => return Some(Instead::SetAside(chords)),
+            Chords::Cross { pairs, all: false } => return self.busy(&pairs).map(Instead::Cut),
+            Chords::Cross { pairs, all: true } => pairs,
+            Chords::Apart => Vec::new(),
+        };
+        if ending.len() > FEW {
+            return None;
         }
+        let mut crossings = self.crossings(&pairs);
+        for &id in &ending {
+            crossings.extend(self.crossings_with(id, block, segments));
+        }
+        Some(Instead::Cross(crossings))
+    }
+
+    /// The pixels in which pairs of segments cross.
+    fn crossings(&self, pairs: &[[u32; 2]]) -> Vec<Pixel> {
+        let segments = pairs.iter().map(|pair| pair.map(|id| &self.segments[id as usize]));
+        segments.filter_map(|[s, t]| self.pixels.crossing(s, t)).collect()
+    }
+
+    /// The pixels of a block in which a segment crosses others.
+    fn crossings_with(&self, id: u32, block: &Block, others: &[u32]) -> impl Iterator<Item = Pixel> {
+        let segment = &self.segments[id as usize];
+        let others = others.iter().map(|&other| &self.segments[other as usize]);
+        others.filter_map(|other| self.pixels.crossing(segment, other)).filter(|&pixel| block.contains(pixel))
+    }
+
+    /// The pixel in which most of the first pairs cross.
+    fn busy(&self, pairs: &[[u32; 2]]) -> Option<Pixel> {
+        let mut some = self.crossings(&pairs[..pairs.len().min(64)]);
+        some.sort_unstable();
+        some.chunk_by(|p, q| p == q).max_by_key(|equal| equal.len()).map(|equal| equal[0])
     }
 
     /// A pixel in the block in which more than half of the segments end.
@@ -279,7 +351,7 @@ impl Search<'_> {
     /// One pixel: it is hot if it has a vertex, or if two segments cross in it.
     fn look_at_pixel(&mut self, pixel: Pixel, segments: &[u32], vertices: &mut Vec<u32>) -> Result<(), NodingError> {
         if vertices.is_empty() {
-            let Chords::Cross(_) = chords(self.pixels, &Block::one(pixel), self.segments, segments) else {
+            let Chords::Cross { .. } = chords(self.pixels, &Block::one(pixel), self.segments, segments, 1) else {
                 return Ok(());
             };
             self.add(vec![pixel], vertices)?;
@@ -290,10 +362,8 @@ impl Search<'_> {
 
     fn try_all(&mut self, block: &Block, segments: &[u32], vertices: &mut Vec<u32>) -> Result<(), NodingError> {
         let mut crossings = Vec::new();
-        for (i, &s) in segments.iter().enumerate() {
-            let s = &self.segments[s as usize];
-            let others = segments[..i].iter().map(|&t| &self.segments[t as usize]);
-            crossings.extend(others.filter_map(|t| self.pixels.crossing(s, t)).filter(|&pixel| block.contains(pixel)));
+        for (i, &id) in segments.iter().enumerate() {
+            crossings.extend(self.crossings_with(id, block, &segments[..i]));
         }
         self.add(crossings, vertices)?;
         self.try_visits(segments, vertices);
@@ -363,7 +433,7 @@ impl Search<'_> {
             self.try_bundle(&bundle, v);
         }
         self.tasks.push(Task::Finish { bundle, vertices_from: self.vertices.len() });
-        self.wait(*block, &others, vertices, false);
+        self.wait(*block, &others, vertices, State::New);
         Ok(())
     }
 
@@ -388,10 +458,10 @@ fn halves(block: &Block) -> [Block; 2] {
     halves
 }
 
-/// A block without a pixel of it, in four parts. Parts without pixels have borders in the wrong order.
-fn around(block: &Block, pixel: Pixel) -> [Block; 4] {
+/// A block without a pixel of it, in up to four parts.
+fn around(block: &Block, pixel: Pixel) -> Vec<Block> {
     let axis = longer(block);
-    let mut parts = [*block; 4];
+    let mut parts = vec![*block; 4];
     parts[0].high[axis] = pixel[axis] - 1;
     parts[1].low[axis] = pixel[axis] + 1;
     for part in &mut parts[2..] {
@@ -400,5 +470,7 @@ fn around(block: &Block, pixel: Pixel) -> [Block; 4] {
     }
     parts[2].high[1 - axis] = pixel[1 - axis] - 1;
     parts[3].low[1 - axis] = pixel[1 - axis] + 1;
+    // A pixel on the border leaves nothing on the other side.
+    parts.retain(|part| part.low[0] <= part.high[0] && part.low[1] <= part.high[1]);
     parts
 }

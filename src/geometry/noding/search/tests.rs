@@ -1,6 +1,6 @@
 //! The search, in small, against trying all pairs.
 
-use super::{Pixel, Pixels, Segment, search};
+use super::{Block, Pixel, Pixels, Segment, around, search};
 use crate::geometry::noding::runs::join;
 use quickcheck::{Gen, QuickCheck};
 use std::collections::{BTreeMap, BTreeSet};
@@ -71,5 +71,20 @@ fn halving_and_cutting_and_setting_aside_find_what_trying_all_finds() {
     for (size, tests) in [(8, 2000), (40, 700), (120, 60)] {
         let check = finds_all as fn(u8, Vec<(i8, i8, i8, i8)>, u8) -> bool;
         QuickCheck::new().rng(Gen::from_size_and_seed(size, 7)).tests(tests).quickcheck(check);
+    }
+}
+
+#[test]
+fn the_parts_around_a_pixel_and_the_pixel_make_the_block() {
+    for (high, pixels) in [([4, 2], 15), ([0, 5], 6), ([1, 1], 4)] {
+        let block = Block { low: [0, 0], high };
+        for pixel in (0..=high[0]).flat_map(|x| (0..=high[1]).map(move |y| [x, y])) {
+            let parts = around(&block, pixel);
+            let held = |at: Pixel| parts.iter().filter(|part| part.contains(at)).count();
+            let all = || (0..=high[0]).flat_map(|x| (0..=high[1]).map(move |y| [x, y]));
+            assert!(all().all(|at| held(at) == usize::from(at != pixel)));
+            assert_eq!(all().count(), pixels);
+            assert!(parts.iter().all(|part| part.contains(part.low) && block.includes(part)));
+        }
     }
 }
