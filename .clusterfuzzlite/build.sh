@@ -1,0 +1,2 @@
+#!/bin/bash -eu
+exec "$SRC/twinedge/fuzz/oss-fuzz/build.sh"

@@ -1,0 +1,46 @@
+#!/usr/bin/env bash
+# Builds all fuzz targets and runs each for a fixed number of runs, beginning with its corpus:
+#
+#     fuzz/run.sh [RUNS [TARGET…]]
+#
+# With cargo-fuzz and a nightly toolchain the targets have coverage feedback and AddressSanitizer. Without, they are built as
+# plain binaries: libFuzzer then replays the corpus and mutates it blindly, which is less, but needs stable Rust only.
+set -euo pipefail
+cd "$(dirname "$0")"
+
+runs=${1:-2000}
+shift || true
+targets=("$@")
+if [ ${#targets[@]} -eq 0 ]; then
+  targets=(programs in_step stale_keys validator_total segments geojson)
+fi
+build=${CARGO_TARGET_DIR:-$PWD/target}
+
+if cargo fuzz --version >/dev/null 2>&1 && cargo +nightly --version >/dev/null 2>&1; then
+  echo '==> cargo-fuzz, nightly: coverage feedback, AddressSanitizer'
+  cargo +nightly fuzz build --fuzz-dir . --target-dir "$build"
+  binaries=$build/$(rustc -vV | sed -n 's/^host: //p')/release
+else
+  echo '==> no cargo-fuzz with a nightly toolchain: plain build, no coverage feedback'
+  RUSTFLAGS='--cfg fuzzing' cargo build --release --bins --target-dir "$build"
+  binaries=$build/release
+fi
+
+# What is found new goes to a folder of its own, so that the corpus stays small.
+found=$(mktemp -d)
+trap 'rm -rf "$found"' EXIT
+mkdir -p artifacts
+for target in "${targets[@]}"; do
+  options=(-runs="$runs" -timeout=20 -seed=1 -print_final_stats=0 -artifact_prefix="artifacts/$target-")
+  if [ -f "dictionaries/$target.dict" ]; then
+    options+=(-dict="dictionaries/$target.dict")
+  fi
+  mkdir "$found/$target"
+  echo "==> $target, $runs runs"
+  "$binaries/$target" "${options[@]}" "$found/$target" "corpus/$target" 2>"$found/$target.log" || {
+    cat "$found/$target.log"
+    echo "==> $target failed; see artifacts/"
+    exit 1
+  }
+  tail -n 1 "$found/$target.log"
+done
