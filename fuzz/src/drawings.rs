@@ -11,11 +11,12 @@ use twinedge::validate::Rule;
 /// The most segments that are compared pair by pair.
 const FEW: usize = 200;
 
-/// A coordinate: mostly of a small grid, where points coincide and segments cross; else close to it, or any bits at all.
+/// A coordinate: mostly of a small grid, where points coincide and segments cross; else close to it, or any bits at
+/// all.
 fn coordinate(source: &mut Unstructured<'_>) -> f64 {
-    let grid = f64::from(Choose::choose(source, 8) as u8);
+    let grid = Choose::choose(source, 8) as f64;
     match Choose::choose(source, 16) {
-        0 => f64::from_bits(u64::from_le_bytes([(); 8].map(|()| Choose::choose(source, 256) as u8))),
+        0 => f64::from_bits(source.arbitrary().unwrap_or_default()),
         1 => grid.next_up(),
         2 => grid.next_down(),
         3 => grid / 3.0,
@@ -43,8 +44,8 @@ fn shape(source: &mut Unstructured<'_>) -> Shape {
     }
 }
 
-/// Rings, lines and points of any coordinates go to the builder: there is a map, and it is valid or the violation is named;
-/// or there is an error that names the coordinate at fault.
+/// Rings, lines and points of any coordinates go to the builder: there is a map, and it is valid, or G4 is named as
+/// broken if and only if two segments clash; or there is an error that names the coordinate at fault.
 ///
 /// # Panics
 /// If not.
@@ -53,7 +54,7 @@ pub fn segments(bytes: &[u8]) {
     let mut builder = Builder::new();
     let mut taken = Vec::new();
     while !source.is_empty() && taken.len() < 60 {
-        let shapes = (0..1 + Choose::choose(&mut source, 2)).map(|_| shape(&mut source)).collect();
+        let shapes = (0..=Choose::choose(&mut source, 2)).map(|_| shape(&mut source)).collect();
         let feature = Feature { shapes, ..Feature::default() };
         if takes(&mut builder, &feature) {
             taken.push(feature);
@@ -76,7 +77,10 @@ fn takes(builder: &mut Builder, feature: &Feature) -> bool {
             refused(builder, before, feature, position, (x, y))
         }
         Err(BuildError::OutOfRange { position, x, y }) => {
-            assert!(x.is_finite() && y.is_finite() && !in_range(Point::new(x, y)), "{position}: ({x}, {y}) is in range");
+            assert!(
+                x.is_finite() && y.is_finite() && !in_range(Point::new(x, y)),
+                "{position}: ({x}, {y}) is in range"
+            );
             refused(builder, before, feature, position, (x, y))
         }
         Err(error) => panic!("{feature:?}: {error}"),
@@ -119,9 +123,9 @@ fn built(builder: Builder, features: &[Feature]) {
     let broken = |rule| report.outcome(rule).is_some_and(|outcome| outcome.violations > 0);
     assert_eq!(report.is_valid(), map.is_plane(), "{features:?}\n{report}");
     assert_eq!(broken(Rule::G4), !map.is_plane(), "{features:?}\n{report}");
-    for rule in Rule::ALL.iter().copied() {
-        let drawn = matches!(rule, Rule::G2 | Rule::G3 | Rule::G4 | Rule::G5);
-        assert!(drawn || !broken(rule), "{rule} of {features:?}\n{report}");
+    // What clashes can have handles, as rotations go, and then there is no telling what lies in what.
+    for rule in Rule::ALL.iter().copied().filter(|rule| *rule < Rule::T1 || *rule == Rule::G1) {
+        assert!(!broken(rule), "{rule} of {features:?}\n{report}");
     }
     if let Some(plane) = is_plane(features) {
         assert_eq!(map.is_plane(), plane, "{features:?}\n{report}");
@@ -170,7 +174,9 @@ fn is_plane(features: &[Feature]) -> Option<bool> {
     let point = |bits: &[u64; 2]| Point::new(f64::from_bits(bits[0]), f64::from_bits(bits[1]));
     let segments: Vec<[Point; 2]> = segments.iter().map(|[a, b]| [point(a), point(b)]).collect();
     let clash = |(i, [a, b]): (usize, &[Point; 2])| {
-        segments[..i].iter().any(|[c, d]| !matches!(meeting(*a, *b, *c, *d), Meeting::Disjoint | Meeting::SharedEndpoint))
+        segments[..i]
+            .iter()
+            .any(|[c, d]| !matches!(meeting(*a, *b, *c, *d), Meeting::Disjoint | Meeting::SharedEndpoint))
             || vertices.iter().map(point).any(|p| p != *a && p != *b && on_segment(p, *a, *b))
     };
     Some(!segments.iter().enumerate().any(clash))
@@ -211,7 +217,7 @@ pub fn geojson(bytes: &[u8]) {
             assert_eq!(summary.positions, features.iter().flat_map(points).count());
         }
         Err(error) => {
-            let lines = 1 + bytes.iter().filter(|byte| **byte == b'\n').count();
+            let lines = bytes.split(|byte| *byte == b'\n').count();
             let place = error.place();
             assert!((1..=lines).contains(&place.line) && place.column <= bytes.len() + 1, "{error}");
         }

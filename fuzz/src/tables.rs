@@ -36,11 +36,7 @@ impl Source<'_> {
     }
 
     fn start(&mut self, half_edges: usize, vertices: usize) -> Option<Start> {
-        if self.one_in(3) {
-            self.link(vertices).map(Start::Vertex)
-        } else {
-            self.link(half_edges).map(Start::HalfEdge)
-        }
+        if self.one_in(3) { self.link(vertices).map(Start::Vertex) } else { self.link(half_edges).map(Start::HalfEdge) }
     }
 
     fn place(&mut self, longest: usize) -> Option<Place> {
@@ -105,7 +101,7 @@ impl Source<'_> {
     }
 
     /// A right map with a few cells set to something else.
-    fn corrupt_map(&mut self, expectation: &Expectation) -> Table {
+    fn corrupt_map(&mut self, expectation: Expectation) -> Table {
         let corruptions = self.below(4);
         let choices: Vec<(usize, usize)> =
             (0..corruptions).map(|_| (self.below(0x1_0000), self.below(0x1_0000))).collect();
@@ -116,7 +112,7 @@ impl Source<'_> {
         runner.run(&program);
         let mut table = Table::copy_of(runner.kernel()).unwrap_or_default();
         for (cell, value) in choices {
-            let cells = table.cells(expectation);
+            let cells = table.cells(&expectation);
             let Some(cell) = cells.get(cell % cells.len().max(1)) else { continue };
             let values = table.values(*cell);
             table.set(*cell, values[value % values.len()]);
@@ -225,7 +221,7 @@ pub fn validator_total(bytes: &[u8]) {
             let fickle = Fickle { slots, source: RefCell::new(source) };
             coherent(&validate(&fickle, &expectation, Collect::AtMost(5)), 5);
         }
-        _ => judged(&source.corrupt_map(&expectation), expectation),
+        _ => judged(&source.corrupt_map(expectation), expectation),
     }
 }
 
