@@ -34,7 +34,8 @@ use twinedge::program::census::Scope;
 #[derive(Debug, clap::Args)]
 #[command(after_help = "Examples:
   twinedge prove                          maps of up to 5 edges: a few seconds
-  twinedge prove --edges 7                8,074 × 8 maps: minutes
+  twinedge prove --edges 7                67,086 maps, 94 million operators: a minute
+  twinedge prove --edges 8                586,752 maps, a thousand million operators: ten minutes
   twinedge prove --edges 4 --format json | jq .ok
 
 Exit status: 0 all counts are the published ones and no rule was broken; 1 something fell short; 2 misuse;
