@@ -454,3 +454,34 @@ fn t4_is_broken_with_t1_where_faces_are_counted_wrong() {
     let bounds = validate(&table, &PLANE, Collect::All).certificate().unwrap().bounds.unwrap();
     assert_eq!((bounds.most_edges, bounds.most_faces), (6, 4));
 }
+
+#[test]
+fn r1_alone_reports_the_boundary_component_of_a_half_edge_that_leads_nowhere() {
+    // None of these starts a boundary component, or that would not be on its own cycle.
+    for h in [2, 3, 8, 9] {
+        let (record, field) = (Record::HalfEdge(h), Field::Boundary);
+        change(Rule::R1, |t| half_edge(t, h).boundary = None, &[Violation::Nil { record, field }]);
+        for value in [5, usize::MAX] {
+            let dangling = Violation::Dangling { record, field, value };
+            change(Rule::R1, |t| half_edge(t, h).boundary = Some(value), &[dangling]);
+        }
+    }
+}
+
+#[test]
+fn every_rule_says_how_much_it_checked_whatever_else_is_broken() {
+    // By counting the drawing. T1 and T2 rely on V1.
+    let expected = |links| [links, 12, 12, 12, 6, 6, 12, 7, 3, 5, 3, 3, 3, 1];
+    for (mut table, expectation, links) in [(nested(), PLANE, 83), (nested_textbook(), TEXTBOOK, 73)] {
+        let checked = |table: &Table| {
+            let report = validate(table, &expectation, Collect::All);
+            let topological = report.outcomes().filter(|(rule, _)| *rule <= Rule::T4);
+            topological.map(|(_, outcome)| outcome.checked).collect::<Vec<_>>()
+        };
+        let mut expected = expected(links);
+        assert_eq!(checked(&table), expected);
+        vertex(&mut table, 3).leaving = Some(0);
+        (expected[10], expected[11]) = (0, 0);
+        assert_eq!(checked(&table), expected);
+    }
+}
