@@ -263,6 +263,6 @@ impl Builder {
         drop((places, segment_numbers));
         let arranged = arrange(&points, &segments)?;
         let covered = cover(&points, &segments, &arranged, &features);
-        Ok(PlanarMap::from_parts(points, arranged, features, covered, summary))
+        Ok(PlanarMap::from_parts(points, arranged, features, &covered, summary))
     }
 }
