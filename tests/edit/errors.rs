@@ -1,0 +1,1 @@
+//! Each refusal, with what it names.

@@ -1,0 +1,10 @@
+//! Edits of planar maps, held against maps built in bulk, against plain models, and against what they say they did.
+
+#[path = "../exact/mod.rs"]
+mod exact;
+
+mod describe;
+mod errors;
+mod follow;
+mod laws;
+mod model;
