@@ -66,5 +66,15 @@ impl Shadow {
             let set = self.faces[old].clone();
             assert!(self.faces.insert(*new, set).is_none(), "{new:?} is not new");
         }
+        for h in &edited.edges_relabelled {
+            let set: Set = map.features_along(*h).expect("it is there").collect();
+            let (twin, _) = self.edges[h];
+            for (h, twin) in [(*h, twin), (twin, *h)] {
+                self.edges.insert(h, (twin, set.clone()));
+            }
+        }
+        for f in &edited.faces_relabelled {
+            self.faces.insert(*f, map.features_of(*f).expect("it is there").collect());
+        }
     }
 }

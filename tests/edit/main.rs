@@ -8,3 +8,4 @@ mod errors;
 mod follow;
 mod laws;
 mod model;
+mod snapped;

@@ -55,6 +55,8 @@ mod insert;
 mod move_vertex;
 mod outcome;
 mod place;
+mod region;
+mod relabel;
 mod remove;
 mod sides;
 mod snapped;

@@ -34,4 +34,10 @@ pub struct Edited {
     /// Faces that were split: the face that was there and has the rest of itself now, and the new one. Both are covered by
     /// the features of the face that was there.
     pub faces_split: Vec<(FaceKey, FaceKey)>,
+    /// Faces whose features are others than the lists above make them. Only
+    /// [`insert_segment_snapped`](super::super::PlanarMap::insert_segment_snapped) fills this, and only where rounding
+    /// brings an edge onto vertices that were there.
+    pub faces_relabelled: Vec<FaceKey>,
+    /// Edges whose features are others than the lists above make them, for the same reason.
+    pub edges_relabelled: Vec<HalfEdgeKey>,
 }
