@@ -9,3 +9,4 @@ mod follow;
 mod laws;
 mod model;
 mod snapped;
+mod world;
