@@ -261,6 +261,35 @@ fn features_stay_with_the_area_and_the_edges_that_they_had() {
 }
 
 #[test]
+fn a_ring_may_touch_an_edge_from_both_sides() {
+    let mut map = PlanarMap::new();
+    map.insert_segment([0.0, 0.0], [6.0, 0.0]).expect("nothing is there");
+    let mut run = Run::new(map);
+    // The edge is split four times, twice from each side, around its right end.
+    run.step(&Edit::Ring(vec![(1, 0), (2, 1), (3, 0), (8, 2), (8, -2), (4, 0), (3, -1), (2, 0), (1, -3), (-1, -3), (-1, 3)]));
+    assert_eq!((run.map.dcel().vertex_count(), run.map.dcel().face_count()), (13, 5));
+}
+
+#[test]
+fn the_outside_may_pass_the_leftmost_vertex_several_times() {
+    // A spike below or above two arms, and between these one so long that the way around the outside is the shorter one.
+    for (spike, turned) in [((1, -3), false), ((1, -3), true), ((1, 9), false), ((1, 9), true)] {
+        let mut run = Run::new(PlanarMap::new());
+        let line = [(0, 0), (1, 1), (2, 1), (3, 1), (4, 1), (4, 2)];
+        for pair in line.windows(2) {
+            run.step(&Edit::Segment(pair[0], pair[1], false));
+        }
+        for tip in [spike, (6, -2), (6, 7)] {
+            run.step(&Edit::Segment((0, 0), tip, false));
+        }
+        run.step(&Edit::Point((5, 2)));
+        let (from, to) = if turned { ((6, 7), (6, -2)) } else { ((6, -2), (6, 7)) };
+        run.step(&Edit::Segment(from, to, false));
+        assert_eq!(run.map.dcel().face_count(), 2);
+    }
+}
+
+#[test]
 fn segments_in_any_order_and_direction_give_the_same_map() {
     fn law(segments: Vec<((u8, u8), (u8, u8))>, turns: Vec<bool>) -> bool {
         let whole = |(x, y): (u8, u8)| (i32::from(x % SIDE), i32::from(y % SIDE));

@@ -24,10 +24,18 @@ impl PlanarMap {
             Place::Vertex(v) => Ok(v),
             Place::Face(face) => self.make_isolated(p, face, edited),
             Place::Edge(h) => {
-                // An edge may have been split since the place was found; the parts follow each other.
-                let mut part = self.dcel.half_edge(h)?;
-                while !on_segment(p, self.at(part.origin()), self.at(part.target())) {
-                    part = part.next();
+                // The edge may have been split since the place was found. Its parts follow each other, in one direction or,
+                // if it was split as the edge of the twin, in the other.
+                let on = |part: &HalfEdge<'_>| on_segment(p, self.at(part.origin()), self.at(part.target()));
+                let (mut part, mut back) = (self.dcel.half_edge(h)?, self.dcel.half_edge(h)?);
+                while !on(&part) {
+                    (part, back) = (part.next(), back.prev());
+                    if on(&back) {
+                        part = back;
+                    }
+                }
+                if p == self.at(part.origin()) {
+                    return Ok(part.origin().key());
                 }
                 if p == self.at(part.target()) {
                     return Ok(part.target().key());

@@ -72,6 +72,8 @@ use crate::dcel::{HalfEdgeKey, VertexKey};
 
 /// A point for an edit, with what is known of where it lies. Points, pairs of coordinates, vertices, and pairs of a point
 /// and a half-edge convert.
+///
+/// Of several points only the first is searched for, and its hint used: from there on the way leads to the others.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub enum At {
     /// Anywhere. It is searched for, O(n).
