@@ -71,7 +71,10 @@ fn main() -> Result<(), Box<dyn Error>> {
 
     // A road may not cross the border just so: where it does is no point with coordinates of its own in general.
     let refused = map.insert_segment([1.0, 1.0], [11.0, 2.0]);
-    println!("an exact road: {}", refused.as_ref().err().map_or("laid".to_owned(), |_| "it would cross an edge".to_owned()));
+    println!(
+        "an exact road: {}",
+        refused.as_ref().err().map_or("laid".to_owned(), |_| "it would cross an edge".to_owned())
+    );
     assert!(matches!(refused, Err(EditError::Crosses(_))));
     let road = map.insert_segment_snapped([1.0, 1.0], [11.0, 2.0], grid)?;
     register.follow(&road);
@@ -85,16 +88,13 @@ fn main() -> Result<(), Box<dyn Error>> {
     println!("the post moves to {:?}, and not into the lake", map.position(post)?);
     assert!(matches!(into_the_lake, Err(EditError::EdgeInTheWay(_) | EditError::VertexInTheWay(_))));
 
-    // The border falls, edge by edge. What was covered by one country on each side is covered by none that had both.
-    let along_the_border: Vec<_> = map.dcel().vertex(post)?.rotation().map(|h| h.key()).collect();
-    for h in along_the_border {
-        let target = map.dcel().half_edge(h)?.target().key();
-        if map.position(target)?.x == 6.0 {
-            let edited = map.remove_edge(h)?;
-            register.follow(&edited);
-            for (_, feature) in &edited.features_dropped {
-                println!("{} no longer covers all of one face", map.name(*feature).unwrap_or("?"));
-            }
+    // The border falls, edge by edge. What had one country on each side is covered by none of them all over.
+    let (south, north) = road.edges_split[0];
+    for h in [south, north] {
+        let edited = map.remove_edge(h)?;
+        register.follow(&edited);
+        for (_, feature) in &edited.features_dropped {
+            println!("{} no longer covers all of one face", map.name(*feature).unwrap_or("?"));
         }
     }
     let union = map.dcel().half_edge(road.way[0])?.face().key();

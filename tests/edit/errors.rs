@@ -139,8 +139,11 @@ fn grids_that_do_not_fit() {
     });
     let corner = map.dcel().vertices().find(|v| grid_is(&map, v.key(), [8.0, 8.0])).expect("it is there").key();
     map.move_vertex(corner, [8.5, 8.0]).expect("nothing is in the way");
-    let refusal = map.insert_segment_snapped([-1.0, -1.0], [-2.0, -2.0], Snap::Size(1.0));
-    assert_eq!(refusal, Err(EditError::NotOnGrid(corner)));
+    refused(&mut map, EditError::NotOnGrid(corner), |map| {
+        map.insert_segment_snapped([9.0, 9.0], [10.0, 10.0], Snap::Size(1.0))
+    });
+    // What is far away is not looked at.
+    assert!(map.insert_segment_snapped([-20.0, 0.0], [-20.0, 5.0], Snap::Size(1.0)).is_ok());
     refused(&mut map, EditError::Noding(NodingError::Size), |map| {
         map.insert_segment_snapped([1.0, 1.0], [2.0, 2.0], Snap::Size(0.0))
     });

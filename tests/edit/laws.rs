@@ -121,7 +121,9 @@ impl Run {
                 if ways.iter().any(cross) {
                     return Err(|e| matches!(e, EditError::SelfCrossing { .. }));
                 }
-                ways.iter().for_each(|[a, b]| self.model.insert_segment(*a, *b));
+                for [a, b] in ways {
+                    self.model.insert_segment(a, b);
+                }
             }
             Edit::RemoveEdge(which) => {
                 if let Some((_, ends)) = some_edge(&self.map, *which) {
@@ -205,7 +207,10 @@ impl Run {
             assert_eq!(turns, points);
         }
         let ends_in = way.last().map(|h| grid(&self.map, h.target()));
-        assert!(ends_in.is_none_or(|p| Some(&p) == if matches!(edit, Edit::Ring(_)) { points.first() } else { points.last() }));
+        assert!(
+            ends_in
+                .is_none_or(|p| Some(&p) == if matches!(edit, Edit::Ring(_)) { points.first() } else { points.last() })
+        );
     }
 }
 
@@ -266,7 +271,19 @@ fn a_ring_may_touch_an_edge_from_both_sides() {
     map.insert_segment([0.0, 0.0], [6.0, 0.0]).expect("nothing is there");
     let mut run = Run::new(map);
     // The edge is split four times, twice from each side, around its right end.
-    run.step(&Edit::Ring(vec![(1, 0), (2, 1), (3, 0), (8, 2), (8, -2), (4, 0), (3, -1), (2, 0), (1, -3), (-1, -3), (-1, 3)]));
+    run.step(&Edit::Ring(vec![
+        (1, 0),
+        (2, 1),
+        (3, 0),
+        (8, 2),
+        (8, -2),
+        (4, 0),
+        (3, -1),
+        (2, 0),
+        (1, -3),
+        (-1, -3),
+        (-1, 3),
+    ]));
     assert_eq!((run.map.dcel().vertex_count(), run.map.dcel().face_count()), (13, 5));
 }
 

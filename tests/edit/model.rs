@@ -47,11 +47,11 @@ impl Model {
     /// Whether a vertex can go straight to another point with nothing in the way of it and of its edges, which are looked
     /// for in the whole map.
     pub(crate) fn way_is_free(&self, from: Grid, to: Grid) -> bool {
-        let stars: Vec<Grid> = self.edges.iter().filter(|ends| ends.contains(&from)).map(|e| other_end(e, from)).collect();
+        let stars: Vec<Grid> =
+            self.edges.iter().filter(|ends| ends.contains(&from)).map(|e| other_end(e, from)).collect();
         let others = || self.vertices.iter().copied().filter(|w| *w != from);
-        let vertex_in_the_way = others().any(|w| {
-            lies_on(w, from, to) || stars.iter().any(|end| *end != w && in_triangle(w, from, to, *end))
-        });
+        let vertex_in_the_way = others()
+            .any(|w| lies_on(w, from, to) || stars.iter().any(|end| *end != w && in_triangle(w, from, to, *end)));
         let static_edges = || self.edges.iter().filter(|ends| !ends.contains(&from));
         let edge_in_the_way = from != to && static_edges().any(|[c, d]| meets(from, to, *c, *d) != Meets::No);
         !vertex_in_the_way && !edge_in_the_way

@@ -46,7 +46,9 @@ impl Drawing {
             builder.shape(&Shape::Polygon(vec![ring.clone()])).expect("in range");
         }
         for line in &self.lines {
-            builder.feature(&Feature { shapes: vec![Shape::Line(line.clone())], ..Feature::default() }).expect("in range");
+            builder
+                .feature(&Feature { shapes: vec![Shape::Line(line.clone())], ..Feature::default() })
+                .expect("in range");
         }
         for p in &self.points {
             builder.shape(&Shape::Point(*p)).expect("in range");
@@ -127,8 +129,11 @@ fn law(rings: Vec<Vec<Quarter>>, points: Vec<Quarter>, segments: Vec<(Quarter, Q
         assert_eq!(covers(&map, rings), covers(&at_once, rings), "{a:?} {b:?}");
 
         let way: Vec<Point> = drawing.lines.last().cloned().unwrap_or_default();
-        let mut walked: Vec<Point> =
-            edited.way.iter().map(|h| map.position(map.dcel().half_edge(*h).expect("made").origin().key()).expect("there")).collect();
+        let mut walked: Vec<Point> = edited
+            .way
+            .iter()
+            .map(|h| map.position(map.dcel().half_edge(*h).expect("made").origin().key()).expect("there"))
+            .collect();
         walked.extend(map.position(edited.vertices[1]));
         walked.dedup();
         assert_eq!(walked, way);

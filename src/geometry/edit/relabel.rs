@@ -65,7 +65,7 @@ impl PlanarMap {
             if changed.contains_key(&i) {
                 continue;
             }
-            let h = self.dcel.half_edge(edge.half_edge)?;
+            let h = self.dcel.half_edge(edge.key)?;
             let alone = borders.get(&(h.index() / 2)).is_some_and(|border| border.users == 1);
             for ((side, set), inside) in [h, h.twin()].into_iter().zip(edge.covers).zip(edge.inside) {
                 if alone || !inside {

@@ -9,7 +9,7 @@ impl PlanarMap {
     /// Removes an edge. Its ends stay, isolated if it was their last edge.
     ///
     /// If it separates two faces, these become one, covered by the features that covered both
-    /// ([why](super::edit#features)). The face to the left of `half_edge` is kept, or the one that lies around the other.
+    /// ([why](super#features)). The face to the left of `half_edge` is kept, or the one that lies around the other.
     ///
     /// O(length of the shorter of the two cycles + inner boundary components of the face that is dropped); for a bridge
     /// O(size of the smaller part). See [`Dcel::remove_edge`](crate::dcel::Dcel::remove_edge).

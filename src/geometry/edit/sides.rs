@@ -121,9 +121,8 @@ impl PlanarMap {
         let queries: Vec<u32> = (0..candidates.len() as u32).collect();
         let swept = sweep(&points, &segments, &queries).map_err(|_| OperatorError::Full(Kind::Vertex))?;
         // What lies above an edge lies to the left of the half-edge that rises along it.
-        let lies_inside = |below: &Option<u32>| {
-            below.is_some_and(|segment| rises_on_the_left[&segments[segment as usize]] != around)
-        };
+        let lies_inside =
+            |below: &Option<u32>| below.is_some_and(|segment| rises_on_the_left[&segments[segment as usize]] != around);
         Ok(candidates.into_iter().zip(&swept.below).filter(|(_, below)| lies_inside(below)).map(|(b, _)| b).collect())
     }
 }

@@ -64,7 +64,8 @@ impl PlanarMap {
     /// merged and split for a moment; see [`Edited::faces_relabelled`] then.
     ///
     /// O(s log s) for s edges around the faces that the segment passes and beside the edges that are bent, once its first
-    /// point is found (see [`At`]), and what it costs to split each face. With [`Snap::Auto`], O(vertices) besides.
+    /// point is found (see [`At`]), and what it costs to split each face. Only those that come near the segment or a bent
+    /// edge are noded. With [`Snap::Auto`], O(vertices) besides.
     ///
     /// ```
     /// use twinedge::geometry::{PlanarMap, Point, noding::Snap};
@@ -97,28 +98,30 @@ impl PlanarMap {
             return Err(EditError::NoLength { x: ends[0].x, y: ends[0].y });
         }
         let start = self.place_of(from)?;
-        let (region, noded) = self.region(start, ends, self.fixed(snap, ends)?)?;
+        let (region, noded) = self.region(start, ends, self.cell(snap, ends)?)?;
         let mut plan = Plan::new(region, noded)?;
         let through = plan.changes.iter().map(|change| change.chain.len()).sum::<usize>() + plan.way.len();
         self.room_for_drawing(through)?;
         self.apply(&mut plan, start)
     }
 
-    /// The grid, whatever part of the map is noded.
-    fn fixed(&self, snap: Snap, ends: [Point; 2]) -> Result<Snap, EditError> {
-        if snap != Snap::Auto {
-            return Ok(snap);
+    /// The width of a cell, whatever part of the map is noded. One that is asked for is only rounded down, if it is one.
+    fn cell(&self, snap: Snap, ends: [Point; 2]) -> Result<f64, EditError> {
+        match snap {
+            Snap::Size(size) => Ok(size),
+            Snap::Auto => {
+                let points = self.dcel.vertices().map(|v| self.at(v)).chain(ends);
+                let largest = points.fold(0.0, |largest: f64, p| largest.max(p.x.abs()).max(p.y.abs()));
+                Ok(node(&[], &[Point::new(largest, 0.0)], snap)?.summary.cell)
+            }
         }
-        let points = self.dcel.vertices().map(|v| self.at(v)).chain(ends);
-        let largest = points.fold(0.0, |largest: f64, p| largest.max(p.x.abs()).max(p.y.abs()));
-        Ok(Snap::Size(node(&[], &[Point::new(largest, 0.0)], snap)?.summary.cell))
     }
 
     fn apply(&mut self, plan: &mut Plan, start: Place) -> Result<Edited, EditError> {
         let mut edited = Edited::default();
         let outside = self.features.of_face(self.dcel.unbounded_face().index());
         for change in plan.changes.iter().filter(|change| change.bends) {
-            let mut part = plan.region.edges[change.edge].half_edge;
+            let mut part = plan.region.edges[change.edge].key;
             for number in &change.chain[1..change.chain.len() - 1] {
                 let v = self.split(part, plan.points[*number as usize], &mut edited)?;
                 plan.vertices.insert(*number, v);
@@ -127,7 +130,7 @@ impl PlanarMap {
         }
         let rerouted: Vec<&Change> = plan.changes.iter().filter(|change| !change.bends).collect();
         for change in &rerouted {
-            self.erase(plan.region.edges[change.edge].half_edge, &mut edited)?;
+            self.erase(plan.region.edges[change.edge].key, &mut edited)?;
         }
         let vertices = &mut plan.vertices;
         for change in &rerouted {
@@ -154,27 +157,25 @@ impl PlanarMap {
         edited: &mut Edited,
     ) -> Result<Vec<HalfEdgeKey>, EditError> {
         let point = |number: u32| points[number as usize];
-        let first = match chain.iter().position(|number| vertices.contains_key(number)) {
-            Some(first) => first,
-            None => {
-                // Nothing of the map is met, so all of it lies in the face where the segment starts.
-                let v = self.make_in_the_open(point(chain[0]), start, edited)?;
-                vertices.insert(chain[0], v);
-                0
-            }
+        let first = if let Some(first) = chain.iter().position(|number| vertices.contains_key(number)) {
+            first
+        } else {
+            // Nothing of the map is met, so all of it lies in the face where the segment starts.
+            let v = self.make_in_the_open(point(chain[0]), start, edited)?;
+            vertices.insert(chain[0], v);
+            0
         };
         // From what is there in both directions: each vertex lies in the corner towards it of the one before.
         let outwards = (0..first).rev().map(|i| [i + 1, i]).chain((first + 1..chain.len()).map(|i| [i - 1, i]));
         let mut way = vec![None; chain.len() - 1];
         for [i, j] in outwards {
             let from = vertices[&chain[i]];
-            let to = match vertices.get(&chain[j]) {
-                Some(v) => *v,
-                None => {
-                    let v = self.make_beside(from, point(chain[j]), edited)?;
-                    vertices.insert(chain[j], v);
-                    v
-                }
+            let to = if let Some(v) = vertices.get(&chain[j]) {
+                *v
+            } else {
+                let v = self.make_beside(from, point(chain[j]), edited)?;
+                vertices.insert(chain[j], v);
+                v
             };
             let h = self.join(from, to, edited)?;
             way[i.min(j)] = Some(if i < j { h } else { self.dcel.half_edge(h)?.twin().key() });
@@ -222,14 +223,15 @@ impl Plan {
         let chain = |segment: usize| noded.chain(segment).into_iter().flatten().collect::<Chain>();
         let mut vertices = FxHashMap::default();
         let mut changes = Vec::new();
-        for (i, edge) in region.edges.iter().enumerate() {
-            let chain = chain(i + 1);
-            vertices.extend([chain.first(), chain.last()].into_iter().flatten().copied().zip(edge.ends));
+        for (segment, edge) in (1..).zip(&region.near) {
+            let chain = chain(segment);
+            let ends = region.edges[*edge].ends;
+            vertices.extend([chain.first(), chain.last()].into_iter().flatten().copied().zip(ends));
             if chain.len() > 2 {
-                changes.push(Change { edge: i, chain, bends: false });
+                changes.push(Change { edge: *edge, chain, bends: false });
             }
         }
-        let isolated = region.isolated.iter().enumerate();
+        let isolated = region.near_isolated.iter().enumerate();
         vertices.extend(isolated.filter_map(|(i, v)| Some((noded.vertex_of_point(i)?, *v))));
         // A new vertex bends the first edge through it; others must be joined to it.
         let mut taken: FxHashSet<u32> = FxHashSet::default();
