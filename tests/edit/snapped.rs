@@ -6,6 +6,7 @@ use crate::follow::Shadow;
 use quickcheck::{Arbitrary, Gen, QuickCheck};
 use std::collections::{BTreeMap, BTreeSet};
 use twinedge::dcel::Face;
+use twinedge::geometry::edit::EditError;
 use twinedge::geometry::noding::{Noded, Snap, node};
 use twinedge::geometry::{Builder, Feature, PlanarMap, Point, Shape};
 
@@ -167,4 +168,24 @@ fn what_is_crossed_keeps_its_faces_unless_it_comes_to_lie_on_something() {
     assert!(map.features_of(inside).expect("it is still there").eq(map.features()));
     let Description { vertices, .. } = describe(&map);
     assert_eq!(vertices.len(), 8);
+}
+
+#[test]
+fn the_automatic_grid_is_that_of_the_largest_coordinate() {
+    let mut map = PlanarMap::new();
+    // A third of a degree is on no grid, and is rounded to the nearest point of one of 2^-42.
+    let third = 1.0 / 3.0;
+    let first = map.insert_segment_snapped([third, 0.0], [170.0, 100.0], Snap::Auto).expect("nothing is there");
+    let at = |map: &PlanarMap, v| map.position(v).expect("it is there");
+    let rounded = (third * 2_f64.powi(42)).round() / 2_f64.powi(42);
+    assert_eq!(at(&map, first.vertices[0]), Point::new(rounded, 0.0));
+    // The same grid for a segment within smaller coordinates: else the crossing would be off it for the next one.
+    let second = map.insert_segment_snapped([0.0, third], [1.0, 0.0], Snap::Auto).expect("on the grid");
+    assert_eq!(second.edges_split.len(), 1);
+    let scaled = at(&map, second.vertices_made[0]).y * 2_f64.powi(42);
+    assert!(scaled.fract() == 0.0);
+    assert!(map.validate().is_valid());
+    // A larger coordinate makes a coarser grid.
+    let off = map.insert_segment_snapped([0.0, 0.0], [1e9, 1.0], Snap::Auto);
+    assert!(matches!(off, Err(EditError::NotOnGrid(_))));
 }
