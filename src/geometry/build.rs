@@ -335,6 +335,6 @@ impl Builder {
             return Err(BuildError::Crossing { one, other, count });
         }
         let covered = cover(&points, &segments, &arranged, &features);
-        Ok(PlanarMap::from_parts(points, arranged, features, covered, summary, noded))
+        Ok(PlanarMap::from_parts(points, arranged, features, &covered, summary, noded))
     }
 }

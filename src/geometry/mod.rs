@@ -10,8 +10,10 @@
 //! | [`mod@sweep`] | one pass that tells whether a drawing is plane, and what lies below what |
 //! | [`crossing`] | all places where it is not |
 //! | [`noding`] | snap rounding: any segments made to meet at shared endpoints only |
+//! | [`edit`] | drawing and erasing points, segments and rings on a map, one after the other |
 
 pub mod crossing;
+pub mod edit;
 pub mod noding;
 pub mod predicates;
 pub mod sweep;
@@ -21,6 +23,7 @@ mod build;
 mod cover;
 mod cut;
 mod drawing;
+mod features;
 mod planar_map;
 mod point;
 mod shape;

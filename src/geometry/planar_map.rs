@@ -4,6 +4,8 @@ use super::arrange::Arranged;
 use super::build::{BuildSummary, GatheredFeature};
 use super::cover::Covered;
 use super::crossing::Clash;
+use super::edit::EditError;
+use super::features::Features;
 use super::noding;
 use super::{Drawing, Point, validate_drawing};
 use crate::dcel::{Dcel, FaceKey, HalfEdgeKey, StaleKey, VertexKey};
@@ -24,26 +26,32 @@ impl FeatureId {
 /// A planar subdivision with coordinates: a [`Dcel`] whose edges are straight segments, and the features that cover its
 /// faces.
 ///
-/// Made by [`Builder`](super::Builder). The topology is read through [`PlanarMap::dcel`]; coordinates and features are had by
-/// key.
-#[derive(Clone, Debug)]
+/// Made all at once by [`Builder`](super::Builder), or step by step from [`PlanarMap::new`] by [edits](super::edit). The
+/// topology is read through [`PlanarMap::dcel`]; coordinates and features are had by key.
+#[derive(Clone, Debug, Default)]
 pub struct PlanarMap {
-    dcel: Dcel,
+    pub(super) dcel: Dcel,
     /// By index of vertex.
-    points: Vec<Point>,
+    pub(super) points: Vec<Point>,
     names: Vec<Option<String>>,
-    covered: Covered,
+    pub(super) features: Features,
     summary: BuildSummary,
     noding: Option<noding::Summary>,
     clash: Option<Clash>,
 }
 
 impl PlanarMap {
+    /// The empty map: the unbounded face, and nothing in it. O(1).
+    #[must_use]
+    pub fn new() -> Self {
+        Self::default()
+    }
+
     pub(super) fn from_parts(
         points: Vec<Point>,
         arranged: Arranged,
         features: Vec<GatheredFeature>,
-        covered: Covered,
+        covered: &Covered,
         summary: BuildSummary,
         noding: Option<noding::Summary>,
     ) -> Self {
@@ -54,7 +62,7 @@ impl PlanarMap {
             by_index[vertex as usize] = point;
         }
         let names = features.into_iter().map(|feature| feature.name).collect();
-        Self { dcel, points: by_index, names, covered, summary, noding, clash }
+        Self { dcel, points: by_index, names, features: Features::new(covered), summary, noding, clash }
     }
 
     /// The topology.
@@ -71,26 +79,71 @@ impl PlanarMap {
         Ok(self.point(self.dcel.vertex(vertex)?.index()))
     }
 
-    /// The features that cover a face, in order. O(log n).
+    /// The features that cover a face, in order. O(1).
     ///
     /// # Errors
     /// [`StaleKey::Face`].
     pub fn features_of(&self, face: FaceKey) -> Result<impl Iterator<Item = FeatureId> + '_, StaleKey> {
-        Ok(Self::pairs(&self.covered.faces, self.dcel.face(face)?.index()))
+        let set = self.features.of_face(self.dcel.face(face)?.index());
+        Ok(self.features.set(set).iter().copied())
     }
 
-    /// The features whose rings or lines run along an edge, in order. O(log n).
+    /// The features whose rings or lines run along an edge, in order. O(1).
     ///
     /// # Errors
     /// [`StaleKey::HalfEdge`].
     pub fn features_along(&self, half_edge: HalfEdgeKey) -> Result<impl Iterator<Item = FeatureId> + '_, StaleKey> {
-        let h = self.dcel.half_edge(half_edge)?;
-        Ok(Self::pairs(&self.covered.edges, h.index().min(h.twin().index())))
+        let set = self.features.along(self.dcel.half_edge(half_edge)?.index());
+        Ok(self.features.set(set).iter().copied())
     }
 
-    fn pairs(pairs: &[(u32, u32)], index: usize) -> impl Iterator<Item = FeatureId> + '_ {
-        let start = pairs.partition_point(|(i, _)| (*i as usize) < index);
-        pairs[start..].iter().take_while(move |(i, _)| *i as usize == index).map(|(_, feature)| FeatureId(*feature))
+    /// Adds a feature that covers nothing yet. O(1), amortised.
+    pub fn add_feature(&mut self, name: Option<String>) -> FeatureId {
+        self.names.push(name);
+        FeatureId(self.names.len() as u32 - 1)
+    }
+
+    /// Says which features cover a face, in place of those that did. O(k log k) for k features.
+    ///
+    /// # Errors
+    /// A stale key; [`EditError::NoSuchFeature`]. Nothing changes then.
+    pub fn set_features_of(
+        &mut self,
+        face: FaceKey,
+        features: impl IntoIterator<Item = FeatureId>,
+    ) -> Result<(), EditError> {
+        let index = self.dcel.face(face)?.index();
+        let set = self.checked(features)?;
+        let set = self.features.number(&set);
+        self.features.put_face(index, set);
+        Ok(())
+    }
+
+    /// Says which features run along an edge, in place of those that did. O(k log k) for k features.
+    ///
+    /// # Errors
+    /// A stale key; [`EditError::NoSuchFeature`]. Nothing changes then.
+    pub fn set_features_along(
+        &mut self,
+        half_edge: HalfEdgeKey,
+        features: impl IntoIterator<Item = FeatureId>,
+    ) -> Result<(), EditError> {
+        let index = self.dcel.half_edge(half_edge)?.index();
+        let set = self.checked(features)?;
+        let set = self.features.number(&set);
+        self.features.put_along(index, set);
+        Ok(())
+    }
+
+    /// The features in order, each once.
+    fn checked(&self, features: impl IntoIterator<Item = FeatureId>) -> Result<Vec<FeatureId>, EditError> {
+        let mut set: Vec<FeatureId> = features.into_iter().collect();
+        if let Some(unknown) = set.iter().find(|feature| feature.index() >= self.names.len()) {
+            return Err(EditError::NoSuchFeature(*unknown));
+        }
+        set.sort_unstable();
+        set.dedup();
+        Ok(set)
     }
 
     /// All features, in order of input.
@@ -104,7 +157,7 @@ impl PlanarMap {
         self.names.get(feature.index())?.as_deref()
     }
 
-    /// What became of the input of the builder.
+    /// What became of the input of the builder. Edits leave it as it was.
     #[must_use]
     pub const fn summary(&self) -> &BuildSummary {
         &self.summary
@@ -116,7 +169,8 @@ impl PlanarMap {
         self.noding.as_ref()
     }
 
-    /// Whether the segments from which the map was built meet at shared endpoints only.
+    /// Whether the segments from which the map was built meet at shared endpoints only. Edits keep it so, and refuse a map
+    /// where it is not so.
     #[must_use]
     pub const fn is_plane(&self) -> bool {
         self.clash.is_none()

@@ -35,7 +35,7 @@ impl<S: Store> Dcel<S> {
         self.store.face(key).ok_or(OperatorError::Stale(StaleKey::Face(key)))
     }
 
-    fn room_for(&self, need: Need) -> Result<(), OperatorError> {
+    pub(crate) fn room_for(&self, need: Need) -> Result<(), OperatorError> {
         self.store.room_for(need).map_err(OperatorError::Full)
     }
 

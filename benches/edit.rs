@@ -1,0 +1,161 @@
+//! Edits of a map, beside building it anew.
+//!
+//! - `world-50m`: a point inserted and removed again, searched for and with a hint; a segment from border to border within
+//!   one country, likewise; a line across everything, rounded; and building the whole map, which is what an edit saves.
+//! - `islands`: squares in an ocean, 10 of them and 4,000. Per edge, building costs the same, and so does cutting an island
+//!   in two and joining it again. What is drawn in the ocean is held against all its coast, so it does not.
+//!
+//! Run with `cargo bench --bench edit`.
+
+mod common;
+
+use criterion::{BatchSize, Criterion, Throughput, criterion_group, criterion_main};
+use std::hint::black_box;
+use twinedge::dcel::HalfEdgeKey;
+use twinedge::geometry::edit::At;
+use twinedge::geometry::noding::{Snap, node};
+use twinedge::geometry::{Builder, PlanarMap, Point, Shape};
+
+/// A point inside each of some faces whose outer boundary is a few dozen edges, and a half-edge of it: the middle between
+/// the ends of two edges in a row, where this is in the face.
+fn inside_points(map: &mut PlanarMap) -> Vec<(Point, HalfEdgeKey)> {
+    let mut candidates = Vec::new();
+    for face in map.dcel().faces() {
+        let Some(h) = face.outer_half_edge() else { continue };
+        let at = |h: twinedge::dcel::HalfEdge<'_>| map.position(h.origin().key()).expect("it is of this map");
+        let (p, q, r) = (at(h), at(h.next()), at(h.next().next()));
+        let middle = Point::new((p.x + q.x + r.x) / 3.0, (p.y + q.y + r.y) / 3.0);
+        if (20..60).contains(&h.boundary_cycle().count()) {
+            candidates.push((middle, h.key(), face.key()));
+        }
+    }
+    candidates.retain(|(p, h, face)| {
+        let vertex = map.insert_point((*p, *h)).expect("in range").vertices[0];
+        let isolated = map.dcel().vertex(vertex).expect("just made").isolated();
+        let inside = isolated.is_some_and(|b| b.face().key() == *face);
+        if isolated.is_some() {
+            map.remove_vertex(vertex).expect("just made");
+        }
+        inside
+    });
+    candidates.into_iter().map(|(p, h, _)| (p, h)).collect()
+}
+
+/// The map of world-50m with its points on a grid, and the grid.
+fn noded_world() -> (PlanarMap, Snap) {
+    let world = common::world_50m();
+    let at = |v: twinedge::dcel::Vertex<'_>| world.position(v.key()).expect("it is of this map");
+    let segments: Vec<[Point; 2]> = world.dcel().edges().map(|h| [at(h.origin()), at(h.target())]).collect();
+    let noded = node(&segments, &[], Snap::Auto).expect("longitudes and latitudes are in reach");
+    let mut builder = Builder::new();
+    for ends in &noded.segments {
+        let [a, b] = ends.map(|v| noded.points[v as usize]);
+        builder.segment(a, b).expect("in range");
+    }
+    (builder.build().expect("the world fits"), Snap::Size(noded.summary.cell))
+}
+
+fn world(criterion: &mut Criterion) {
+    let features = common::world_50m_features();
+    let build = || {
+        let mut builder = Builder::new();
+        for feature in &features {
+            builder.feature(feature).expect("longitudes and latitudes are in range");
+        }
+        builder.build().expect("the world fits")
+    };
+    let mut map = build();
+    let points = inside_points(&mut map);
+    assert!(points.len() > 100);
+
+    let mut group = criterion.benchmark_group("edit world-50m");
+    group.sample_size(10);
+    group.bench_function("baseline: build it anew", |b| b.iter(|| black_box(build())));
+    let mut which = points.iter().cycle();
+    let mut point = |near: bool| {
+        let (p, h) = which.next().expect("it goes round");
+        let at = if near { At::from((*p, *h)) } else { At::from(*p) };
+        let vertex = map.insert_point(black_box(at)).expect("in range").vertices[0];
+        map.remove_vertex(vertex).expect("just made")
+    };
+    group.bench_function("a point in and out, near a half-edge", |b| b.iter(|| point(true)));
+    group.bench_function("a point in and out, searched for", |b| b.iter(|| point(false)));
+
+    let mut which = points.iter().cycle();
+    let mut segment = |near: bool| {
+        // From a vertex of the boundary to the point, which lies beside it.
+        let (p, h) = which.next().expect("it goes round");
+        let corner = map.dcel().half_edge(*h).expect("it stays").next().next().origin().key();
+        let from = map.position(corner).expect("it stays");
+        let at = if near { At::from(corner) } else { At::from(from) };
+        if let Ok(edited) = map.insert_segment(black_box(at), *p) {
+            map.remove_vertex(edited.vertices[1]).expect("just made");
+        }
+    };
+    group.bench_function("a segment in and out, from a vertex", |b| b.iter(|| segment(true)));
+    group.bench_function("a segment in and out, searched for", |b| b.iter(|| segment(false)));
+
+    let (noded, grid) = noded_world();
+    group.bench_function("a line across it, rounded", |b| {
+        b.iter_batched_ref(
+            || noded.clone(),
+            |map| map.insert_segment_snapped([-170.0, -50.0], [170.0, 70.0], grid).expect("it is on the grid"),
+            BatchSize::LargeInput,
+        );
+    });
+    group.finish();
+}
+
+fn square(i: u32) -> [Point; 4] {
+    let (x, y) = (f64::from(i % 64) * 3.0, f64::from(i / 64) * 3.0);
+    [[x, y], [x + 2.0, y], [x + 2.0, y + 2.0], [x, y + 2.0]].map(Point::from)
+}
+
+fn islands(criterion: &mut Criterion) {
+    for count in [10, 4_000] {
+        let build = || {
+            let mut builder = Builder::new();
+            for i in 0..count {
+                builder.shape(&Shape::Polygon(vec![square(i).to_vec()])).expect("small integers are in range");
+            }
+            builder.build().expect("it fits")
+        };
+        let mut map = build();
+        let corners: Vec<_> = (0..count)
+            .map(|i| {
+                let at = |p: Point| map.dcel().vertices().find(|v| map.position(v.key()) == Ok(p)).map(|v| v.key());
+                let [a, _, c, _] = square(i * 7 % count);
+                (at(a).expect("it is there"), at(c).expect("it is there"))
+            })
+            .take(1_000)
+            .collect();
+
+        let mut group = criterion.benchmark_group(format!("{count} islands"));
+        group.sample_size(20);
+        group.throughput(Throughput::Elements(4 * u64::from(count)));
+        group.bench_function("build, per edge", |b| b.iter(|| black_box(build())));
+        group.throughput(Throughput::Elements(1));
+        let mut which = corners.iter().cycle();
+        group.bench_function("an edge across an island in and out", |b| {
+            b.iter(|| {
+                let (a, c) = which.next().expect("it goes round");
+                let edge = map.insert_segment(*a, *c).expect("it crosses nothing").way[0];
+                map.remove_edge(edge).expect("just made")
+            });
+        });
+        let mut which = corners.iter().cycle();
+        group.bench_function("an edge of the coast out and in", |b| {
+            b.iter(|| {
+                let (a, _) = which.next().expect("it goes round");
+                let shore = map.dcel().vertex(*a).expect("it stays").leaving().expect("it is on the coast");
+                let (edge, from, to) = (shore.key(), shore.origin().key(), shore.target().key());
+                map.remove_edge(edge).expect("it is there");
+                map.insert_segment(from, to).expect("it was there")
+            });
+        });
+        group.finish();
+    }
+}
+
+criterion_group!(benches, world, islands);
+criterion_main!(benches);

@@ -1,0 +1,147 @@
+//! The way of a segment through the map, before anything is drawn.
+
+use super::super::predicates::{Endpoint, Meeting, Orientation, compare_angle, meeting, orientation};
+use super::super::{PlanarMap, Point};
+use super::EditError;
+use super::place::{Place, on_the_way};
+use crate::dcel::{Face, HalfEdge, Vertex, VertexKey};
+use core::cmp::Ordering;
+
+/// The way of a segment that crosses nothing.
+pub(super) struct Trace {
+    /// The vertices that it passes through, in order, without its ends.
+    pub(super) stops: Vec<VertexKey>,
+    /// Where it ends.
+    pub(super) end: Place,
+}
+
+/// What leaves a vertex towards a point.
+pub(super) enum Towards<'a> {
+    /// This half-edge, in exactly that direction.
+    Along(HalfEdge<'a>),
+    /// Nothing: the direction is in the corner of this half-edge.
+    Corner(HalfEdge<'a>),
+    /// Nothing: the vertex is isolated.
+    Isolated,
+}
+
+impl<'a> Towards<'a> {
+    /// The half-edge whose corner it is.
+    pub(super) const fn corner(self) -> Option<HalfEdge<'a>> {
+        match self {
+            Self::Along(h) | Self::Corner(h) => Some(h),
+            Self::Isolated => None,
+        }
+    }
+}
+
+impl PlanarMap {
+    /// What leaves a vertex towards a point elsewhere. O(degree).
+    pub(super) fn towards<'a>(&self, v: Vertex<'a>, p: Point) -> Towards<'a> {
+        let at = self.at(v);
+        let mut corner = None;
+        for h in v.rotation() {
+            let (from, to) = (self.at(h.target()), self.at(h.counter_clockwise().target()));
+            let after = compare_angle(at, from, p);
+            if after == Ordering::Equal {
+                return Towards::Along(h);
+            }
+            let before = compare_angle(at, p, to);
+            // The corner that spans the positive x axis is not ordered; that of an only half-edge is all around.
+            let inside = match compare_angle(at, from, to) {
+                Ordering::Less => after.is_lt() && before.is_lt(),
+                _ => after.is_lt() || before.is_lt(),
+            };
+            if inside {
+                corner = Some(h);
+            }
+        }
+        corner.map_or(Towards::Isolated, Towards::Corner)
+    }
+
+    /// The way of a segment from a point in a known place to another point. O(sizes of the faces that it passes and
+    /// degrees of the vertices that it passes).
+    pub(super) fn trace(&self, start: Place, from: Point, to: Point) -> Result<Trace, EditError> {
+        let mut stops = Vec::new();
+        let (mut place, mut at) = (start, from);
+        loop {
+            let ahead = match place {
+                Place::Vertex(key) => {
+                    let v = self.dcel.vertex(key)?;
+                    match self.towards(v, to) {
+                        Towards::Along(h) => self.ahead_along(h, at, to),
+                        Towards::Corner(h) => self.ahead_in(h.face(), at, to)?,
+                        Towards::Isolated => match v.isolated() {
+                            Some(b) => self.ahead_in(b.face(), at, to)?,
+                            None => Ahead::End(place),
+                        },
+                    }
+                }
+                Place::Edge(key) => {
+                    let h = self.dcel.half_edge(key)?;
+                    let [tail, head] = self.ends(h);
+                    match orientation(tail, head, to) {
+                        Orientation::CounterClockwise => self.ahead_in(h.face(), at, to)?,
+                        Orientation::Clockwise => self.ahead_in(h.twin().face(), at, to)?,
+                        Orientation::Collinear => {
+                            // Either way leads along the edge; the end that lies beyond `to` is not reached.
+                            let onwards = if compare_angle(at, head, to).is_eq() { h } else { h.twin() };
+                            self.ahead_along(onwards, at, to)
+                        }
+                    }
+                }
+                Place::Face(key) => self.ahead_in(self.dcel.face(key)?, at, to)?,
+            };
+            match ahead {
+                Ahead::End(end) => return Ok(Trace { stops, end }),
+                Ahead::Vertex(v) => {
+                    (place, at) = (Place::Vertex(v.key()), self.at(v));
+                    if at == to {
+                        return Ok(Trace { stops, end: place });
+                    }
+                    stops.push(v.key());
+                }
+            }
+        }
+    }
+
+    /// What lies ahead on the way along a half-edge.
+    fn ahead_along<'a>(&self, h: HalfEdge<'a>, at: Point, to: Point) -> Ahead<'a> {
+        let v = h.target();
+        if on_the_way(self.at(v), at, to) { Ahead::Vertex(v) } else { Ahead::End(Place::Edge(h.key())) }
+    }
+
+    /// What lies ahead on the way through a face.
+    fn ahead_in<'a>(&self, face: Face<'a>, at: Point, to: Point) -> Result<Ahead<'a>, EditError> {
+        let mut nearest: Option<(Vertex<'_>, Point)> = None;
+        let mut look_at = |v: Vertex<'a>| {
+            let w = self.at(v);
+            // A vertex on the way to the one found so far is nearer.
+            if on_the_way(w, at, nearest.map_or(to, |(_, p)| p)) {
+                nearest = Some((v, w));
+            }
+        };
+        let mut end = Place::Face(face.key());
+        for h in face.half_edges() {
+            let [tail, head] = self.ends(h);
+            match meeting(at, to, tail, head) {
+                Meeting::Disjoint => continue,
+                Meeting::Cross => return Err(EditError::Crosses(h.key())),
+                Meeting::Touch(Endpoint::B) => end = Place::Edge(h.key()),
+                Meeting::Touch(_) | Meeting::SharedEndpoint | Meeting::Overlap => {}
+            }
+            look_at(h.origin());
+            look_at(h.target());
+        }
+        face.inner().filter_map(|b| b.isolated_vertex()).for_each(look_at);
+        Ok(nearest.map_or(Ahead::End(end), |(v, _)| Ahead::Vertex(v)))
+    }
+}
+
+/// What lies ahead on the way of a segment.
+enum Ahead<'a> {
+    /// This vertex, and nothing before it.
+    Vertex(Vertex<'a>),
+    /// Nothing but the end of the segment, which is there.
+    End(Place),
+}
