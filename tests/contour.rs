@@ -5,7 +5,7 @@ use std::collections::BTreeSet;
 use twinedge::algorithm::area::{boundary_area, face_area, feature_area, ring_area};
 use twinedge::algorithm::contour::{Contour, ContourError, Polygon, of_face, of_faces, of_feature, of_features};
 use twinedge::algorithm::coverage::{faces_by_feature, faces_of, overlaps};
-use twinedge::dcel::{Face, FaceKey, StaleKey};
+use twinedge::dcel::{Face, FaceKey, StaleKey, Vertex};
 use twinedge::geometry::predicates::{Orientation, orientation};
 use twinedge::geometry::{Builder, Feature, PlanarMap, Point, Shape};
 
@@ -209,12 +209,17 @@ fn areas_and_coverage_agree() {
 
 #[test]
 fn areas_lose_nothing_far_from_the_origin_nor_by_length() {
-    // A strip of a million triangles' worth of teeth, 2^30 away: exact in whole numbers.
+    // All in whole numbers, so it is known to the last digit: a comb with a hundred thousand teeth, 2^30 away,
     let far = f64::from(1 << 30);
     let teeth = 100_000;
     let lower = (0..=2 * teeth).map(|i| Point::new(far + f64::from(i), far + f64::from(i % 2)));
     let upper = [Point::new(far + f64::from(2 * teeth), far + 3.0), Point::new(far, far + 3.0)];
     assert_eq!(ring_area(lower.chain(upper)), f64::from(2 * teeth) * 2.5);
+    // and a triangle of area 2^53 with a thousand others of area 1/2, none of which a plain sum would see.
+    let side = f64::from(1 << 27);
+    let triangle = [at(0, 0), Point::new(side, 0.0), Point::new(side, side)];
+    let ring = triangle.into_iter().chain((1..=1001).map(|y| at(1, y)));
+    assert_eq!(ring_area(ring), side * side / 2.0 + 500.0);
     assert_eq!(ring_area([]), 0.0);
 }
 
@@ -228,4 +233,36 @@ fn where_no_ring_encloses_a_face_that_is_said() {
     let face = map.dcel().faces().last().map(Face::key).expect("two faces");
     assert!(!map.is_plane());
     assert_eq!(of_face(&map, face), Err(ContourError::NotPlane(face)));
+}
+
+/// The contour of a face of any map, plane or not, has the edges that the face has to itself, each once, or is refused.
+fn contours_have_the_edges_of_the_face(segments: Vec<((u8, u8), (u8, u8))>) -> bool {
+    let mut builder = Builder::new();
+    for ((a, b), (c, d)) in segments {
+        let [a, b, c, d] = [a, b, c, d].map(|i| f64::from(i % 5));
+        builder.segment([a, b], [c, d]).expect("in range");
+    }
+    let map = builder.build().expect("fits");
+    let bits = |p: Point| (p.x.to_bits(), p.y.to_bits());
+    let position = |v: Vertex<'_>| bits(map.position(v.key()).expect("live"));
+    map.dcel().faces().all(|face| match of_face(&map, face.key()) {
+        Err(ContourError::Unbounded) => face.is_unbounded(),
+        Err(_) => !map.is_plane(),
+        Ok(polygon) => {
+            let mut found: Vec<_> =
+                polygon.rings().flat_map(|ring| ring.windows(2)).map(|e| (bits(e[0]), bits(e[1]))).collect();
+            let own = face.half_edges().filter(|h| h.twin().face() != face);
+            let mut expected: Vec<_> = own.map(|h| (position(h.origin()), position(h.target()))).collect();
+            found.sort_unstable();
+            expected.sort_unstable();
+            found == expected
+        }
+    })
+}
+
+#[test]
+fn contours_of_faces_are_made_of_their_edges() {
+    QuickCheck::new()
+        .tests(3000)
+        .quickcheck(contours_have_the_edges_of_the_face as fn(Vec<((u8, u8), (u8, u8))>) -> bool);
 }

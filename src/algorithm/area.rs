@@ -1,8 +1,8 @@
 //! Areas, by the shoelace formula.
 //!
 //! The sum runs over triangles that share the first point of the ring, so that a small ring far from the origin loses
-//! nothing to its coordinates, and is compensated, so that a long one loses nothing to its length: the error is a few units
-//! in the last place of the sum of the triangles' magnitudes, however many there are.
+//! nothing to its coordinates, and is compensated, so that a long one loses nothing to its length. What remains is the
+//! rounding of each triangle: a few units in the last place of the squared diameter of the ring, at worst.
 //!
 //! Where coordinates are near [`MAX_COORDINATE`](crate::geometry::MAX_COORDINATE), an area may be infinite.
 //!
