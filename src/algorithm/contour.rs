@@ -168,7 +168,7 @@ pub fn of_faces(map: &PlanarMap, faces: impl IntoIterator<Item = FaceKey>) -> Re
 /// The contour of a feature: of all faces that it covers. O(faces of the map · log + half-edges of those covered), expected.
 ///
 /// # Errors
-/// [`ContourError::NotPlane`].
+/// [`ContourError`], if the map is not plane.
 pub fn of_feature(map: &PlanarMap, feature: FeatureId) -> Result<Contour, ContourError> {
     of_faces(map, faces_of(map, feature))
 }
@@ -176,7 +176,7 @@ pub fn of_feature(map: &PlanarMap, feature: FeatureId) -> Result<Contour, Contou
 /// The contours of all features, by [`FeatureId::index`]. O(faces · log + half-edges of the faces of each), expected.
 ///
 /// # Errors
-/// [`ContourError::NotPlane`].
+/// [`ContourError`], if the map is not plane.
 pub fn of_features(map: &PlanarMap) -> Result<Vec<Contour>, ContourError> {
     faces_by_feature(map).into_iter().map(|faces| of_faces(map, faces)).collect()
 }

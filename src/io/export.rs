@@ -12,7 +12,7 @@ use crate::geometry::{Feature, FeatureId, PlanarMap, Shape};
 /// the same faces.
 ///
 /// # Errors
-/// [`ContourError::NotPlane`].
+/// [`ContourError`], if the map is not plane.
 pub fn features(map: &PlanarMap) -> Result<Vec<Feature>, ContourError> {
     let mut features: Vec<Feature> = contour::of_features(map)?.into_iter().map(Feature::from).collect();
     let mut lines = vec![Vec::new(); features.len()];
@@ -39,7 +39,7 @@ fn covers(map: &PlanarMap, face: Face<'_>, feature: FeatureId) -> bool {
 /// the features that cover it, with slashes between. O(n), expected.
 ///
 /// # Errors
-/// [`ContourError::NotPlane`].
+/// [`ContourError`], if the map is not plane.
 pub fn faces(map: &PlanarMap) -> Result<Vec<Feature>, ContourError> {
     let bounded = map.dcel().faces().filter(|f| !f.is_unbounded());
     bounded
