@@ -136,7 +136,10 @@ fn exported_maps_are_the_same_again(shapes: Vec<Shapes>) -> bool {
 
 #[test]
 fn any_plane_map_exported_is_the_same_again() {
-    QuickCheck::new().rng(Gen::new(9)).tests(5000).quickcheck(exported_maps_are_the_same_again as fn(Vec<Shapes>) -> bool);
+    QuickCheck::new()
+        .rng(Gen::new(9))
+        .tests(5000)
+        .quickcheck(exported_maps_are_the_same_again as fn(Vec<Shapes>) -> bool);
 }
 
 fn closed(mut features: Vec<Feature>) -> Vec<Feature> {
@@ -171,7 +174,10 @@ fn shapes_come_back_as_they_were(shapes: Vec<Shapes>, exponents: Vec<i16>) -> bo
 
 #[test]
 fn any_shapes_come_back_as_they_were() {
-    QuickCheck::new().rng(Gen::new(9)).tests(300).quickcheck(shapes_come_back_as_they_were as fn(Vec<Shapes>, Vec<i16>) -> bool);
+    QuickCheck::new()
+        .rng(Gen::new(9))
+        .tests(300)
+        .quickcheck(shapes_come_back_as_they_were as fn(Vec<Shapes>, Vec<i16>) -> bool);
 }
 
 #[test]

@@ -3,6 +3,7 @@
 use crate::input::{self, MapFile};
 use crate::output::style::{BAD, GOOD, QUIET};
 use crate::output::{Format, grouped, print, print_json};
+use crate::query::label;
 use crate::{Failure, Verdict};
 use serde::Serialize;
 use std::collections::BTreeSet;
@@ -67,8 +68,7 @@ fn features(map: &PlanarMap, violation: &Violation) -> Vec<String> {
             found.extend(map.features_along(h.key()).into_iter().flatten());
         }
     }
-    let name = |feature| map.name(feature).map_or_else(|| format!("feature {}", feature.index()), str::to_owned);
-    found.into_iter().map(name).collect()
+    found.into_iter().map(|feature| label(map, feature)).collect()
 }
 
 fn text(name: &str, map: &PlanarMap, report: &Report, elapsed: f64) -> Result<String, std::fmt::Error> {

@@ -23,8 +23,7 @@
 //! Cutting needs no geometry: the parts of the set are found across its inner edges, each part has one ring that turns
 //! counter-clockwise, and all its others are holes.
 //!
-//! Source for the rules: OpenGIS Implementation Standard for Geographic information, Simple feature access, part 1 (OGC
-//! 06-103r4), section 6.1.11.
+//! Source for the rules: "Simple feature access, part 1: common architecture" (OGC 06-103r4), section 6.1.11.
 
 use super::area::{Sum, ring_area};
 use super::coverage::{faces_by_feature, faces_of};
