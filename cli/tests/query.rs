@@ -137,3 +137,18 @@ fn an_unknown_name_gets_suggestions() {
         assert_eq!(twinedge(arguments).status.code(), Some(2), "{arguments:?}");
     }
 }
+
+#[test]
+fn a_map_that_is_not_plane_is_answered_with_a_warning() {
+    let file = support::data("world-110m-crossing.geojson");
+    let output = twinedge(&["query", &file, "neighbours", "Switzerland", "--format", "json"]);
+    assert_eq!(output.status.code(), Some(0));
+    assert!(complaint(&output).contains("the map is not plane"));
+    let found: Value = serde_json::from_slice(&output.stdout).unwrap();
+    assert_eq!(names(&found["neighbours"]), BTreeSet::from(["Austria", "France", "Germany", "Italy"]));
+    // Its border crosses another one.
+    let output = twinedge(&["query", &file, "contour", "S. Sudan"]);
+    assert_eq!(output.status.code(), Some(2));
+    let text = String::from_utf8(output.stderr).unwrap();
+    assert!(text.contains("what it covers is not known"), "{text}");
+}

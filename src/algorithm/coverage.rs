@@ -1,10 +1,21 @@
 //! Which faces a feature covers.
+//!
+//! Where a map is not plane, the inside of a feature whose edges cross others may leak out, up to the unbounded face.
 
 use crate::dcel::{Face, FaceKey};
 use crate::geometry::{FeatureId, PlanarMap};
 
-pub(super) fn features_of<'a>(map: &'a PlanarMap, face: Face<'a>) -> impl Iterator<Item = FeatureId> + 'a {
-    map.features_of(face.key()).into_iter().flatten()
+/// The features that cover a face, but for those that have leaked out: O(log n), as long as the map is plane.
+pub(crate) fn features_of<'a>(map: &'a PlanarMap, face: Face<'a>) -> impl Iterator<Item = FeatureId> + 'a {
+    let plane = map.is_plane();
+    map.features_of(face.key()).into_iter().flatten().filter(move |feature| plane || !leaks(map, *feature))
+}
+
+/// Whether a feature seems to cover the unbounded face, as none does on a plane map: what it covers is not known then.
+/// O(log n + features that do).
+#[must_use]
+pub fn leaks(map: &PlanarMap, feature: FeatureId) -> bool {
+    map.features_of(map.dcel().unbounded_face().key()).into_iter().flatten().any(|f| f == feature)
 }
 
 /// The faces that a feature covers, in order of their indices. O(faces · log).
@@ -12,7 +23,8 @@ pub(super) fn features_of<'a>(map: &'a PlanarMap, face: Face<'a>) -> impl Iterat
 /// None for a feature of another map that this one does not have.
 #[must_use]
 pub fn faces_of(map: &PlanarMap, feature: FeatureId) -> Vec<FaceKey> {
-    map.dcel().faces().filter(|f| features_of(map, *f).any(|g| g == feature)).map(Face::key).collect()
+    let covers = |f: &Face<'_>| map.features_of(f.key()).into_iter().flatten().any(|g| g == feature);
+    map.dcel().faces().filter(covers).map(Face::key).collect()
 }
 
 /// The faces that each feature covers, by [`FeatureId::index`]. O(faces · log + answer).

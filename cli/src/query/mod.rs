@@ -49,6 +49,9 @@ impl Query {
     pub(crate) fn run(&self) -> Result<Verdict, Failure> {
         let (input, builder) = input::read(self.map.file.as_deref())?;
         let map = builder.build().map_err(|error| Failure(format!("{input}: {error}")))?;
+        if !map.is_plane() {
+            eprintln!("twinedge: {input}: the map is not plane, see audit; answers are those that its links give");
+        }
         let asked = Asked { input, map };
         match &self.question {
             Question::Neighbours(question) => question.answer(&asked),

@@ -2,6 +2,7 @@
 
 use super::Asked;
 use crate::Failure;
+use twinedge::algorithm::coverage::leaks;
 use twinedge::geometry::{FeatureId, PlanarMap};
 
 /// What people call a feature: its name, or its number, counted from 0.
@@ -14,8 +15,19 @@ const SUGGESTIONS: usize = 3;
 /// How similar a name must be to be suggested, from 0 to 1.
 const SIMILAR: f64 = 0.75;
 
-/// The feature with this name, or with the number after a `#`.
+/// The feature with this name, or with the number after a `#`; none of which nobody knows what it covers.
 pub(super) fn find(asked: &Asked, name: &str) -> Result<FeatureId, Failure> {
+    let feature = named(asked, name)?;
+    if leaks(&asked.map, feature) {
+        let input = &asked.input;
+        return Err(Failure(format!(
+            "{input}: the edges of {name} cross others, so what it covers is not known; see audit"
+        )));
+    }
+    Ok(feature)
+}
+
+fn named(asked: &Asked, name: &str) -> Result<FeatureId, Failure> {
     let Asked { input, map } = asked;
     let named: Vec<FeatureId> = map.features().filter(|f| map.name(*f) == Some(name)).collect();
     let numbered = name.strip_prefix('#').and_then(|number| number.parse().ok());
