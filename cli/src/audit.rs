@@ -1,6 +1,6 @@
 //! `twinedge audit`: builds a map and validates it.
 
-use crate::input::{self, MapFile};
+use crate::input::MapFile;
 use crate::output::style::{BAD, GOOD, QUIET};
 use crate::output::{Format, grouped, print, print_json};
 use crate::query::label;
@@ -10,7 +10,7 @@ use std::collections::BTreeSet;
 use std::fmt::Write as _;
 use std::time::Instant;
 use twinedge::dcel::{Boundary, Face, Vertex};
-use twinedge::geometry::{BuildSummary, PlanarMap, places, validate_drawing};
+use twinedge::geometry::{BuildSummary, PlanarMap, noding, places, validate_drawing};
 use twinedge::validate::{Collect, Expectation, Record, Report, Violation};
 
 /// Build the planar subdivision of a map and check every rule on it.
@@ -18,6 +18,7 @@ use twinedge::validate::{Collect, Expectation, Record, Report, Violation};
 #[command(after_help = "Examples:
   twinedge audit                          the built-in map of the world
   twinedge audit parcels.geojson
+  twinedge audit --snap auto drawn-by-hand.geojson
   twinedge audit --format json - < parcels.geojson | jq .valid
 
 Exit status: 0 the map is valid; 1 violations were found; 2 the input could not be read.")]
@@ -37,8 +38,7 @@ pub(crate) struct Audit {
 impl Audit {
     pub(crate) fn run(&self) -> Result<Verdict, Failure> {
         let start = Instant::now();
-        let (name, builder) = input::read(self.map.file.as_deref())?;
-        let map = builder.build().map_err(|error| Failure(format!("{name}: {error}")))?;
+        let (name, map) = self.map.build()?;
         let report = validate_drawing(&map, &Expectation::plane(), Collect::AtMost(self.list));
         let elapsed = start.elapsed().as_secs_f64() * 1000.0;
         match self.format {
@@ -74,7 +74,11 @@ fn features(map: &PlanarMap, violation: &Violation) -> Vec<String> {
 fn text(name: &str, map: &PlanarMap, report: &Report, elapsed: f64) -> Result<String, std::fmt::Error> {
     let mut out = String::new();
     writeln!(out, "{name}")?;
-    writeln!(out, "{QUIET}{}{QUIET:#}\n", input_line(map.summary()))?;
+    writeln!(out, "{QUIET}{}{QUIET:#}", input_line(map.summary()))?;
+    if let Some(noding) = map.noding() {
+        writeln!(out, "{QUIET}{}{QUIET:#}", noding_line(noding))?;
+    }
+    out.push('\n');
     let counts = report.counts();
     let or_unknown = |n: Option<usize>| n.map_or_else(|| "unknown".to_owned(), grouped);
     for (what, count) in [
@@ -145,14 +149,58 @@ fn input_line(summary: &BuildSummary) -> String {
     line
 }
 
+fn noding_line(noding: &noding::Summary) -> String {
+    let mut line = format!("snapped to a grid of {:e}: {} segments cut", noding.cell, grouped(noding.split));
+    for (count, what) in [
+        (noding.crossings, "vertices made where they cross"),
+        (noding.merged, "points merged with others"),
+        (noding.collapsed, "segments collapsed"),
+        (noding.duplicates, "segments repeated"),
+    ] {
+        if count > 0 {
+            let _ = write!(line, ", {} {what}", grouped(count));
+        }
+    }
+    let [x, y] = noding.largest_move;
+    let _ = write!(line, "; points moved by at most {x:.2e} in x and {y:.2e} in y");
+    line
+}
+
 #[derive(Debug, Serialize)]
 struct Json<'a> {
     input: &'a str,
+    #[serde(skip_serializing_if = "Option::is_none")]
+    noding: Option<JsonNoding>,
     valid: bool,
     counts: JsonCounts,
     rules: Vec<JsonRule>,
     violations: Vec<JsonViolation>,
     elapsed_ms: f64,
+}
+
+#[derive(Debug, Serialize)]
+struct JsonNoding {
+    cell: f64,
+    segments_cut: usize,
+    crossings: usize,
+    points_merged: usize,
+    segments_collapsed: usize,
+    segments_repeated: usize,
+    largest_move: [f64; 2],
+}
+
+impl From<&noding::Summary> for JsonNoding {
+    fn from(summary: &noding::Summary) -> Self {
+        Self {
+            cell: summary.cell,
+            segments_cut: summary.split,
+            crossings: summary.crossings,
+            points_merged: summary.merged,
+            segments_collapsed: summary.collapsed,
+            segments_repeated: summary.duplicates,
+            largest_move: summary.largest_move,
+        }
+    }
 }
 
 #[derive(Debug, Serialize)]
@@ -190,6 +238,7 @@ impl<'a> Json<'a> {
         let counts = report.counts();
         Self {
             input,
+            noding: map.noding().map(JsonNoding::from),
             valid: report.is_valid(),
             counts: JsonCounts {
                 vertices: counts.vertices,

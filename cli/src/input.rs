@@ -5,7 +5,8 @@ use indicatif::{ProgressBar, ProgressStyle};
 use std::fs::File;
 use std::io::{self, Read};
 use std::path::{Path, PathBuf};
-use twinedge::geometry::{BuildError, Builder};
+use twinedge::geometry::noding::Snap;
+use twinedge::geometry::{BuildError, Builder, Noding, PlanarMap};
 use twinedge::io::geojson::{self, ReadError};
 
 /// The map of the world that is built in; see `data/README.md`.
@@ -23,7 +24,7 @@ enum InputError {
 
 /// Reads a GeoJSON map into a builder: from `path`, from standard input where that is `-`, or the built-in map where there
 /// is none. Gives the name of the input along with it.
-pub(crate) fn read(path: Option<&Path>) -> Result<(String, Builder), Failure> {
+fn read(path: Option<&Path>) -> Result<(String, Builder), Failure> {
     let (name, builder) = match path {
         None => (EMBEDDED_NAME.to_owned(), gather(EMBEDDED)),
         Some(path) if path == Path::new("-") => ("standard input".to_owned(), gather(io::stdin().lock())),
@@ -60,5 +61,37 @@ fn progress(bytes: u64) -> ProgressBar {
 #[derive(Debug, clap::Args)]
 pub(crate) struct MapFile {
     /// A GeoJSON file, or `-` for standard input; without it, the built-in map of the world.
-    pub(crate) file: Option<PathBuf>,
+    file: Option<PathBuf>,
+
+    #[command(flatten)]
+    cutting: Cutting,
+}
+
+/// What is done about segments that cross, touch or overlap.
+#[derive(Debug, clap::Args)]
+pub(crate) struct Cutting {
+    /// Cut segments wherever they cross, touch or overlap, and round everything to a grid: `auto` for one as fine as
+    /// coordinates allow, or the width of its cells.
+    #[arg(long, value_name = "auto|SIZE", value_parser = snap)]
+    snap: Option<Snap>,
+}
+
+impl MapFile {
+    /// Reads the map and builds it. Gives the name of the input along with it.
+    pub(crate) fn build(&self) -> Result<(String, PlanarMap), Failure> {
+        let (name, builder) = read(self.file.as_deref())?;
+        let noding = self.cutting.snap.map_or(Noding::None, Noding::Snap);
+        let map = builder.build_with(noding).map_err(|error| Failure(format!("{name}: {error}")))?;
+        Ok((name, map))
+    }
+}
+
+fn snap(text: &str) -> Result<Snap, String> {
+    if text == "auto" {
+        return Ok(Snap::Auto);
+    }
+    match text.parse() {
+        Ok(size) if size > 0.0 && f64::is_finite(size) => Ok(Snap::Size(size)),
+        _ => Err("neither `auto` nor a positive number".to_owned()),
+    }
 }

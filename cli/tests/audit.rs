@@ -102,6 +102,44 @@ fn two_crossings_are_found_and_named() {
     assert!(text.contains("BROKEN") && text.contains("more; see --list"), "{text}");
 }
 
+#[test]
+fn snapped_the_crossing_map_is_valid_and_what_was_done_is_said() {
+    let file = data("world-110m-crossing.geojson");
+    let (status, found) = run(&["audit", "--snap", "auto", "--format", "json", &file]);
+    assert_eq!((status, &found["valid"]), (Some(0), &json!(true)));
+    assert_eq!(counts(&found), [7_493, 7_655, 125, 288]);
+    let noding = &found["noding"];
+    assert_eq!(
+        (&noding["crossings"], &noding["segments_cut"], &noding["points_merged"]),
+        (&json!(2), &json!(4), &json!(0))
+    );
+    let cell = noding["cell"].as_f64().unwrap();
+    assert!(noding["largest_move"].as_array().unwrap().iter().all(|moved| moved.as_f64().unwrap() <= cell / 2.0));
+
+    let text = String::from_utf8(twinedge(&["audit", "--snap", "auto", &file]).stdout).unwrap();
+    assert!(text.contains("4 segments cut, 2 vertices made where they cross; points moved by at most"), "{text}");
+}
+
+#[test]
+fn on_a_coarse_grid_the_map_is_smaller_and_valid() {
+    // 0.3 is taken as the largest power of two below it.
+    let (status, found) = run(&["audit", "--snap", "0.3", "--format", "json"]);
+    assert_eq!((status, &found["noding"]["cell"]), (Some(0), &json!(0.25)));
+    assert!(counts(&found)[0] < 7_493 && found["noding"]["points_merged"].as_u64().unwrap() > 0);
+}
+
+#[test]
+fn grids_that_cannot_be_are_refused() {
+    for size in ["0", "-1", "NaN", "inf", "fine"] {
+        let output = twinedge(&["audit", &format!("--snap={size}")]);
+        assert_eq!(output.status.code(), Some(2), "{size}");
+        assert!(String::from_utf8(output.stderr).unwrap().contains("neither `auto` nor a positive number"));
+    }
+    let output = twinedge(&["audit", "--snap", "1e-30"]);
+    assert_eq!(output.status.code(), Some(2));
+    assert!(complaint(&output).contains("out of reach of the grid: take larger cells"));
+}
+
 const TRIANGLE: &[u8] =
     br#"{"type": "FeatureCollection", "features": [{"type": "Feature", "properties": {"name": "A"}, "geometry":
         {"type": "Polygon", "coordinates": [[[0, 0], [1, 0], [0, 1], [0, 0]]]}}]}"#;

@@ -2,8 +2,9 @@
 
 use arbitrary::Unstructured;
 use std::collections::BTreeSet;
+use twinedge::geometry::noding::Snap;
 use twinedge::geometry::predicates::{Meeting, in_range, meeting, on_segment};
-use twinedge::geometry::{BuildError, Builder, Feature, PlanarMap, Point, Shape};
+use twinedge::geometry::{BuildError, Builder, Feature, Noding, PlanarMap, Point, Shape};
 use twinedge::io::geojson::{self, ReadError};
 use twinedge::program::choose::Choose;
 use twinedge::validate::Rule;
@@ -61,6 +62,53 @@ pub fn segments(bytes: &[u8]) {
         }
     }
     built(builder, &taken);
+}
+
+/// Rings, lines and points of any coordinates are noded. Snapped, they make a valid map, or there is an error that names
+/// a coordinate out of reach. Cut exactly, they make a valid map of the same points, or cross where there is none.
+///
+/// # Panics
+/// If not.
+pub fn noding(bytes: &[u8]) {
+    let mut source = Unstructured::new(bytes);
+    let snap = match Choose::choose(&mut source, 4) {
+        0 => Snap::Size(1.0),
+        1 => Snap::Size(2.0_f64.powi(Choose::choose(&mut source, 60) as i32 - 30)),
+        _ => Snap::Auto,
+    };
+    let mut builder = Builder::new();
+    let mut taken = Vec::new();
+    while !source.is_empty() && taken.len() < 60 {
+        let feature = Feature { shapes: vec![shape(&mut source)], ..Feature::default() };
+        if takes(&mut builder, &feature) {
+            taken.push(feature);
+        }
+    }
+    let mut again = Builder::new();
+    taken.iter().for_each(|feature| assert!(takes(&mut again, feature)));
+
+    match builder.build_with(Noding::Snap(snap)) {
+        Ok(map) => {
+            let report = map.validate();
+            assert!(map.is_plane() && report.is_valid(), "{snap:?} {taken:?}\n{report}");
+        }
+        Err(BuildError::OutOfReach { x, y }) => {
+            let Snap::Size(cell) = snap else { panic!("nothing is out of reach of the finest grid: {taken:?}") };
+            assert!(x.abs().max(y.abs()) >= cell * 2.0_f64.powi(53), "({x}, {y}) is in reach of {cell}");
+        }
+        Err(error) => panic!("{snap:?} {taken:?}: {error}"),
+    }
+    match again.build_with(Noding::Exact) {
+        Ok(map) => {
+            let report = map.validate();
+            assert!(map.is_plane() && report.is_valid(), "{taken:?}\n{report}");
+            assert_eq!(map.dcel().vertex_count(), drawn(&taken).0.len(), "{taken:?}");
+        }
+        Err(BuildError::Crossing { one: [a, b], other: [c, d], .. }) => {
+            assert_eq!(meeting(a, b, c, d), Meeting::Cross, "{taken:?}");
+        }
+        Err(error) => panic!("{taken:?}: {error}"),
+    }
 }
 
 /// Hands a feature to the builder, which takes it if and only if all coordinates are in range.

@@ -6,6 +6,6 @@ mod drawings;
 mod maps;
 mod tables;
 
-pub use drawings::{geojson, segments};
+pub use drawings::{geojson, noding, segments};
 pub use maps::{in_step, programs, stale_keys};
 pub use tables::validator_total;

@@ -2,6 +2,8 @@
 
 use super::arrange::arrange;
 use super::cover::cover;
+use super::crossing::{Clash, clashes};
+use super::cut::{self, Cut, Noding};
 use super::planar_map::{FeatureId, PlanarMap};
 use super::predicates::in_range;
 use super::{Feature, Point, Shape};
@@ -55,6 +57,28 @@ pub enum BuildError {
     /// There is no room for more records of this kind.
     #[error("there is no room for more {0}")]
     Full(Kind),
+    /// Segments cross where the input has no point, and [`Noding::Exact`] was asked for.
+    #[error("{count} pair(s) of segments cross where the input has no point, the first ({}, {})-({}, {}) and ({}, {})-({}, {}): snap to a grid to cut them there",
+        one[0].x, one[0].y, one[1].x, one[1].y, other[0].x, other[0].y, other[1].x, other[1].y)]
+    Crossing {
+        /// A segment that crosses another.
+        one: [Point; 2],
+        /// The other.
+        other: [Point; 2],
+        /// How many pairs cross.
+        count: u64,
+    },
+    /// The size of a cell is not a finite number of at least 2^-400 ([`Noding::Snap`]).
+    #[error("the size of a cell of the grid must be a finite number of at least 2^-400")]
+    CellSize,
+    /// A coordinate is more than 2^53 cells of the grid ([`Noding::Snap`]).
+    #[error("({x}, {y}) is out of reach of the grid: take larger cells")]
+    OutOfReach {
+        /// The first coordinate.
+        x: f64,
+        /// The second coordinate.
+        y: f64,
+    },
 }
 
 /// What became of the input.
@@ -77,8 +101,9 @@ pub struct BuildSummary {
 /// Gathers rings, lines and points, and builds the map of them.
 ///
 /// Vertices with the same coordinates become one (−0 is 0), segments that repeat another are merged, those without length
-/// are dropped; all of it is counted. Segments should meet at shared endpoints only. If they do not, the map is built as
-/// far as it goes, and [`PlanarMap::validate`] says where it is not plane.
+/// are dropped; all of it is counted. Segments should meet at shared endpoints only. Where they do not,
+/// [`build_with`](Self::build_with) can cut them; [`build`](Self::build) goes on as far as it goes, and
+/// [`PlanarMap::validate`] says where the map is not plane.
 ///
 /// ```
 /// use twinedge::geometry::{Builder, Shape};
@@ -254,15 +279,62 @@ impl Builder {
         Ok(number)
     }
 
-    /// Builds the map. O(n log n).
+    /// Builds the map of the segments as they are, [`Noding::None`]. O(n log n).
     ///
     /// # Errors
     /// [`BuildError::Full`].
     pub fn build(self) -> Result<PlanarMap, BuildError> {
-        let Self { points, places, segments, segment_numbers, features, summary } = self;
+        self.build_with(Noding::None)
+    }
+
+    /// Cuts the segments where they meet, as asked, and builds the map. What cutting did is then told by
+    /// [`PlanarMap::noding`].
+    ///
+    /// O(n log n) without noding; see [`noding`](super::noding#cost) for what that adds.
+    ///
+    /// ```
+    /// use twinedge::geometry::noding::Snap;
+    /// use twinedge::geometry::{BuildError, Builder, Noding};
+    ///
+    /// let cross = || {
+    ///     let mut builder = Builder::new();
+    ///     builder.segment([0.0, 0.0], [2.0, 2.0])?;
+    ///     builder.segment([0.0, 2.0], [2.0, 0.0])?;
+    ///     Ok::<_, BuildError>(builder)
+    /// };
+    /// let map = cross()?.build_with(Noding::Snap(Snap::Auto))?;
+    /// assert_eq!((map.dcel().vertex_count(), map.dcel().edge_count()), (5, 4));
+    /// assert_eq!(map.noding().map(|summary| summary.crossings), Some(1));
+    /// assert!(matches!(cross()?.build_with(Noding::Exact), Err(BuildError::Crossing { count: 1, .. })));
+    /// # Ok::<(), BuildError>(())
+    /// ```
+    ///
+    /// # Errors
+    /// [`BuildError::Full`]; with [`Noding::Exact`], [`BuildError::Crossing`]; with [`Noding::Snap`],
+    /// [`BuildError::CellSize`] and [`BuildError::OutOfReach`].
+    pub fn build_with(self, noding: Noding) -> Result<PlanarMap, BuildError> {
+        let Self { points, places, segments, segment_numbers, mut features, summary } = self;
         drop((places, segment_numbers));
+        let (points, segments, noded) = match noding {
+            Noding::None => (points, segments, None),
+            Noding::Exact => {
+                let Cut { points, segments, summary } = cut::exact(points, &segments, &mut features)?;
+                (points, segments, Some(summary))
+            }
+            Noding::Snap(snap) => {
+                let Cut { points, segments, summary } = cut::snapped(&points, &segments, &mut features, snap)?;
+                (points, segments, Some(summary))
+            }
+        };
         let arranged = arrange(&points, &segments)?;
+        if noding == Noding::Exact
+            && let Some(Clash::Cross { a, b }) = arranged.clash
+        {
+            let [one, other] = [a, b].map(|segment| segments[segment as usize].map(|v| points[v as usize]));
+            let count = clashes(&points, &segments, 0).map_or(1, |(_, count)| count);
+            return Err(BuildError::Crossing { one, other, count });
+        }
         let covered = cover(&points, &segments, &arranged, &features);
-        Ok(PlanarMap::from_parts(points, arranged, features, covered, summary))
+        Ok(PlanarMap::from_parts(points, arranged, features, covered, summary, noded))
     }
 }

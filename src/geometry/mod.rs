@@ -19,6 +19,7 @@ pub mod sweep;
 mod arrange;
 mod build;
 mod cover;
+mod cut;
 mod drawing;
 mod planar_map;
 mod point;
@@ -26,6 +27,7 @@ mod shape;
 mod status;
 
 pub use build::{BuildError, BuildSummary, Builder, Position};
+pub use cut::Noding;
 pub use drawing::{Drawing, places, validate_drawing};
 pub use planar_map::{FeatureId, PlanarMap};
 pub use point::Point;

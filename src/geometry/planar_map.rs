@@ -4,6 +4,7 @@ use super::arrange::Arranged;
 use super::build::{BuildSummary, GatheredFeature};
 use super::cover::Covered;
 use super::crossing::Clash;
+use super::noding;
 use super::{Drawing, Point, validate_drawing};
 use crate::dcel::{Dcel, FaceKey, HalfEdgeKey, StaleKey, VertexKey};
 use crate::validate::{Collect, Expectation, Link, Place, Report, Start, View};
@@ -33,6 +34,7 @@ pub struct PlanarMap {
     names: Vec<Option<String>>,
     covered: Covered,
     summary: BuildSummary,
+    noding: Option<noding::Summary>,
     clash: Option<Clash>,
 }
 
@@ -43,6 +45,7 @@ impl PlanarMap {
         features: Vec<GatheredFeature>,
         covered: Covered,
         summary: BuildSummary,
+        noding: Option<noding::Summary>,
     ) -> Self {
         let Arranged { dcel, vertices, clash, .. } = arranged;
         let end = vertices.iter().max().map_or(0, |last| *last as usize + 1);
@@ -51,7 +54,7 @@ impl PlanarMap {
             by_index[vertex as usize] = point;
         }
         let names = features.into_iter().map(|feature| feature.name).collect();
-        Self { dcel, points: by_index, names, covered, summary, clash }
+        Self { dcel, points: by_index, names, covered, summary, noding, clash }
     }
 
     /// The topology.
@@ -105,6 +108,12 @@ impl PlanarMap {
     #[must_use]
     pub const fn summary(&self) -> &BuildSummary {
         &self.summary
+    }
+
+    /// What noding did to the segments; none, if the map was built of them as they are.
+    #[must_use]
+    pub const fn noding(&self) -> Option<&noding::Summary> {
+        self.noding.as_ref()
     }
 
     /// Whether the segments from which the map was built meet at shared endpoints only.
