@@ -1,6 +1,6 @@
 //! `twinedge draw`: a picture of a map.
 
-use crate::input::{self, MapFile};
+use crate::input::MapFile;
 use crate::output::{grouped, print};
 use crate::{Failure, Verdict};
 use std::path::{Path, PathBuf};
@@ -60,8 +60,7 @@ impl Draw {
             }
             Some(_) => return Err(Failure("--window needs two corners of a rectangle with an area".to_owned())),
         };
-        let (name, builder) = input::read(self.map.file.as_deref())?;
-        let map = builder.build().map_err(|error| Failure(format!("{name}: {error}")))?;
+        let (name, map) = self.map.build()?;
         let half_edges = svg::half_edges_in(&map, window);
         if self.detail && half_edges > LEGIBLE && !self.force {
             let (found, limit) = (grouped(half_edges), grouped(LEGIBLE));

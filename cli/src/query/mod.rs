@@ -7,7 +7,7 @@ mod neighbours;
 
 pub(crate) use names::label;
 
-use crate::input::{self, MapFile};
+use crate::input::MapFile;
 use crate::{Failure, Verdict};
 use clap::Subcommand;
 use twinedge::geometry::PlanarMap;
@@ -47,10 +47,9 @@ struct Asked {
 
 impl Query {
     pub(crate) fn run(&self) -> Result<Verdict, Failure> {
-        let (input, builder) = input::read(self.map.file.as_deref())?;
-        let map = builder.build().map_err(|error| Failure(format!("{input}: {error}")))?;
+        let (input, map) = self.map.build()?;
         if !map.is_plane() {
-            eprintln!("twinedge: {input}: the map is not plane, see audit; answers are those that its links give");
+            eprintln!("twinedge: {input}: the map is not plane, see audit; --snap auto would make it so");
         }
         let asked = Asked { input, map };
         match &self.question {

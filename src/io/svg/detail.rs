@@ -8,10 +8,9 @@ use core::f64::consts::{PI, TAU};
 
 type Pixel = [f64; 2];
 
-/// How far an arrow lies from its edge, how far from the ends it starts and stops, and how far away its name is: at most.
+/// How far an arrow lies from its edge, and how far from the ends it starts and stops: at most.
 const ASIDE: f64 = 6.0;
 const SHORT: f64 = 15.0;
-const NAME: f64 = 8.0;
 
 /// The arrow of a half-edge.
 struct Arrow {
@@ -32,13 +31,14 @@ fn arrow(map: &PlanarMap, frame: &Frame, h: HalfEdge<'_>) -> Arrow {
     let (aside, short) = (ASIDE.min(length * 0.12), SHORT.min(length * 0.25));
     let from = |p: Pixel, on: f64, off: f64| [0, 1].map(|i| p[i] + along[i] * on + left[i] * off);
     let middle = [f64::midpoint(a[0], b[0]), f64::midpoint(a[1], b[1])];
-    Arrow {
-        tail: from(a, short, aside),
-        head: from(b, -short, aside),
-        name: from(middle, 0.0, aside + NAME),
-        aside,
-        short,
-    }
+    let name = from(middle, 0.0, aside + room(&format!("h{}", h.index()), left));
+    Arrow { tail: from(a, short, aside), head: from(b, -short, aside), name, aside, short }
+}
+
+/// How far from a line the middle of a text lies that is beside it in this direction.
+fn room(text: &str, direction: Pixel) -> f64 {
+    const HALF_A_LETTER: f64 = 2.7;
+    (direction[1] * 7.0).hypot(direction[0] * (HALF_A_LETTER * text.len() as f64 + 3.0))
 }
 
 /// The angle at which a half-edge leaves, as on the map.
@@ -95,14 +95,18 @@ pub(super) fn draw(out: &mut String, map: &PlanarMap, frame: &Frame) {
             text(out, "fname", spot.middle, format_args!("f{}", face.index()));
         }
     }
-    text(out, "fname", [16.0, 12.0], format_args!("f{}", map.dcel().unbounded_face().index()));
+    if frame.is_whole() {
+        text(out, "fname", [16.0, 12.0], format_args!("f{}", map.dcel().unbounded_face().index()));
+    }
     for v in map.dcel().vertices().filter(|v| frame.shows([map.point(v.index())])) {
         let here = frame.at(map.point(v.index()));
         put(out, format_args!("<circle class=\"vertex\" cx=\"{:.1}\" cy=\"{:.1}\" r=\"3\"/>\n", here[0], here[1]));
         // In the widest corner, beyond the curve that leads through it.
         let widest = v.rotation().map(|h| corner(map, frame, h)).max_by(|a, b| a.0.total_cmp(&b.0));
-        let (distance, direction) = widest.map_or((11.0, PI / 2.0), |(_, direction)| (19.0, direction));
-        text(out, "vname", towards(here, direction, distance), format_args!("v{}", v.index()));
+        let (distance, direction) = widest.map_or((5.0, PI / 2.0), |(_, direction)| (9.0, direction));
+        let name = format!("v{}", v.index());
+        let distance = distance + room(&name, [direction.cos(), direction.sin()]);
+        text(out, "vname", towards(here, direction, distance), format_args!("{name}"));
     }
 }
 

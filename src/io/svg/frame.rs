@@ -9,6 +9,7 @@ pub(super) struct Frame {
     high: Point,
     scale: f64,
     margin: f64,
+    whole: bool,
 }
 
 impl Frame {
@@ -17,11 +18,17 @@ impl Frame {
         let mut all = Bounds::EMPTY;
         map.dcel().vertices().for_each(|v| all.add(map.point(v.index())));
         let window = options.window.and_then(Bounds::of_window);
-        let Bounds { low, high } = window.unwrap_or(if all.low.x <= all.high.x { all } else { Bounds::UNIT });
+        let Bounds { low, high } =
+            *window.as_ref().unwrap_or(if all.low.x <= all.high.x { &all } else { &Bounds::UNIT });
         let size = if options.size.is_nan() { 1000.0 } else { options.size.clamp(100.0, 1e5) };
         let span = (high.x - low.x).max(high.y - low.y);
         let scale = if span > 0.0 { (size - 2.0 * margin) / span } else { 1.0 };
-        Self { low, high, scale, margin }
+        Self { low, high, scale, margin, whole: window.is_none() }
+    }
+
+    /// Whether it shows everything.
+    pub(super) const fn is_whole(&self) -> bool {
+        self.whole
     }
 
     /// The width and height of the picture.
