@@ -25,7 +25,9 @@
 //! | build one from rings and segments, with coordinates | [`geometry::Builder`], [`geometry::PlanarMap`] | `geometry` (default) |
 //! | draw and erase on one with coordinates, step by step | [`geometry::edit`] | `geometry` (default) |
 //! | check that coordinates draw what the links say | [`geometry::validate_drawing`] | `geometry` (default) |
-//! | read a map | `io::geojson`, `io::wkt` | `geojson`, `wkt` |
+//! | ask who borders whom, what a country's outline is, how large it is | [`algorithm`] | `geometry` (default) |
+//! | draw a map, half-edges and all | [`io::svg`] | `geometry` (default) |
+//! | read and write a map | `io::geojson`, `io::wkt`, `io::geo_types` | `geojson`, `wkt`, `geo-types` |
 //! | test a structure by random, exhaustive or fuzzed operator sequences | `program` | `program`, `quickcheck`, `arbitrary` |
 //!
 //! With no feature on, the crate is the validator alone: no dependency, `no_std` with `alloc`.
@@ -40,7 +42,8 @@
 //!   dcel       the structure: accessors, circulators, operators
 //!   program    operator sequences as data, canonical forms
 //!   geometry   points, exact predicates, maps with coordinates
-//!   io         GeoJSON, WKT
+//!   algorithm  contours, neighbours, areas
+//!   io         GeoJSON, WKT, geo-types, SVG
 //! ```
 //!
 //! # Caveats, in plain words
@@ -70,6 +73,9 @@ pub mod program;
 
 #[cfg(feature = "geometry")]
 pub mod geometry;
+
+#[cfg(feature = "geometry")]
+pub mod algorithm;
 
 #[cfg(feature = "geometry")]
 pub mod io;

@@ -3,13 +3,16 @@
 use crate::input::MapFile;
 use crate::output::style::{BAD, GOOD, QUIET};
 use crate::output::{Format, grouped, print, print_json};
+use crate::query::label;
 use crate::{Failure, Verdict};
 use serde::Serialize;
 use std::collections::BTreeSet;
 use std::fmt::Write as _;
 use std::time::Instant;
 use twinedge::dcel::{Boundary, Face, Vertex};
-use twinedge::geometry::{BuildSummary, PlanarMap, noding, places, validate_drawing};
+use twinedge::geometry::{
+    BuildSummary, Irregularity, IrregularityKind, PlanarMap, Position, noding, places, validate_drawing,
+};
 use twinedge::validate::{Collect, Expectation, Record, Report, Violation};
 
 /// Build the planar subdivision of a map and check every rule on it.
@@ -67,8 +70,7 @@ fn features(map: &PlanarMap, violation: &Violation) -> Vec<String> {
             found.extend(map.features_along(h.key()).into_iter().flatten());
         }
     }
-    let name = |feature| map.name(feature).map_or_else(|| format!("feature {}", feature.index()), str::to_owned);
-    found.into_iter().map(name).collect()
+    found.into_iter().map(|feature| label(map, feature)).collect()
 }
 
 fn text(name: &str, map: &PlanarMap, report: &Report, elapsed: f64) -> Result<String, std::fmt::Error> {
@@ -78,6 +80,7 @@ fn text(name: &str, map: &PlanarMap, report: &Report, elapsed: f64) -> Result<St
     if let Some(noding) = map.noding() {
         writeln!(out, "{QUIET}{}{QUIET:#}", noding_line(noding))?;
     }
+    out.push_str(&irregularities(map));
     out.push('\n');
     let counts = report.counts();
     let or_unknown = |n: Option<usize>| n.map_or_else(|| "unknown".to_owned(), grouped);
@@ -143,10 +146,40 @@ fn input_line(summary: &BuildSummary) -> String {
             let _ = write!(line, ", {} {what}", grouped(count));
         }
     }
-    if summary.degenerate_rings > 0 {
-        let _ = write!(line, "; {} ring(s) enclose nothing", grouped(summary.degenerate_rings));
+    let mut mark = ';';
+    for (count, what) in [
+        (summary.degenerate_rings, "ring(s) enclose nothing"),
+        (summary.rings_wound_wrongly, "ring(s) are wound the wrong way"),
+        (summary.self_touching_rings, "ring(s) touch themselves"),
+        (summary.spikes, "spike(s)"),
+    ] {
+        if count > 0 {
+            let _ = write!(line, "{mark} {} {what}", grouped(count));
+            mark = ',';
+        }
     }
     line
+}
+
+/// How many irregularities of each kind are shown to people; the windings, of which a file usually has all or none, are not.
+const SHOWN: usize = 3;
+
+fn irregularities(map: &PlanarMap) -> String {
+    let mut out = String::new();
+    let found = &map.summary().irregularities;
+    let kinds: BTreeSet<_> =
+        found.iter().map(|one| one.kind).filter(|kind| *kind != IrregularityKind::WoundWrongly).collect();
+    for kind in kinds {
+        for one in found.iter().filter(|one| one.kind == kind).take(SHOWN) {
+            let (at, position) = (one.at, one.position);
+            let _ = write!(out, "{QUIET}  {kind} at ({}, {}): {position}", at.x, at.y);
+            if let Some(name) = map.features().nth(position.feature).and_then(|feature| map.name(feature)) {
+                let _ = write!(out, " ({name})");
+            }
+            let _ = writeln!(out, "{QUIET:#}");
+        }
+    }
+    out
 }
 
 fn noding_line(noding: &noding::Summary) -> String {
@@ -169,6 +202,7 @@ fn noding_line(noding: &noding::Summary) -> String {
 #[derive(Debug, Serialize)]
 struct Json<'a> {
     input: &'a str,
+    import: JsonImport,
     #[serde(skip_serializing_if = "Option::is_none")]
     noding: Option<JsonNoding>,
     valid: bool,
@@ -176,6 +210,54 @@ struct Json<'a> {
     rules: Vec<JsonRule>,
     violations: Vec<JsonViolation>,
     elapsed_ms: f64,
+}
+
+#[derive(Debug, Serialize)]
+struct JsonImport {
+    features: usize,
+    segments: usize,
+    repeated_segments: usize,
+    repeated_points: usize,
+    open_rings: usize,
+    degenerate_rings: usize,
+    rings_wound_wrongly: usize,
+    self_touching_rings: usize,
+    spikes: usize,
+    irregularities: Vec<JsonIrregularity>,
+}
+
+#[derive(Debug, Serialize)]
+struct JsonIrregularity {
+    kind: String,
+    at: [f64; 2],
+    feature: usize,
+    name: Option<String>,
+    shape: usize,
+    ring: usize,
+    point: usize,
+}
+
+impl JsonImport {
+    fn new(map: &PlanarMap) -> Self {
+        let summary = map.summary();
+        let irregularity = |one: &Irregularity| {
+            let Position { feature, shape, ring, point } = one.position;
+            let name = map.features().nth(feature).and_then(|f| map.name(f)).map(str::to_owned);
+            JsonIrregularity { kind: one.kind.to_string(), at: one.at.into(), feature, name, shape, ring, point }
+        };
+        Self {
+            features: summary.features,
+            segments: summary.segments,
+            repeated_segments: summary.duplicate_segments,
+            repeated_points: summary.zero_length_segments,
+            open_rings: summary.open_rings,
+            degenerate_rings: summary.degenerate_rings,
+            rings_wound_wrongly: summary.rings_wound_wrongly,
+            self_touching_rings: summary.self_touching_rings,
+            spikes: summary.spikes,
+            irregularities: summary.irregularities.iter().map(irregularity).collect(),
+        }
+    }
 }
 
 #[derive(Debug, Serialize)]
@@ -238,6 +320,7 @@ impl<'a> Json<'a> {
         let counts = report.counts();
         Self {
             input,
+            import: JsonImport::new(map),
             noding: map.noding().map(JsonNoding::from),
             valid: report.is_valid(),
             counts: JsonCounts {

@@ -3,10 +3,12 @@
 mod audit;
 mod corrupt;
 mod counting;
+mod draw;
 mod input;
 mod kernels;
 mod output;
 mod prove;
+mod query;
 mod random;
 mod replay;
 mod soak;
@@ -31,6 +33,8 @@ struct Arguments {
 #[derive(Debug, Subcommand)]
 enum Command {
     Audit(audit::Audit),
+    Query(query::Query),
+    Draw(draw::Draw),
     Prove(prove::Prove),
     Corrupt(corrupt::Corrupt),
     Tables(tables::Tables),
@@ -59,6 +63,8 @@ impl<E: std::error::Error> From<E> for Failure {
 fn main() -> ExitCode {
     let verdict = match Arguments::parse().command {
         Command::Audit(audit) => audit.run(),
+        Command::Query(query) => query.run(),
+        Command::Draw(draw) => draw.run(),
         Command::Prove(prove) => prove.run(),
         Command::Corrupt(corrupt) => corrupt.run(),
         Command::Tables(tables) => tables.run(),

@@ -26,6 +26,11 @@ pub(crate) fn grouped(n: impl TryInto<u64>) -> String {
     out
 }
 
+/// A measure with four decimal places, or with four digits where these would show none.
+pub(crate) fn measure(x: f64) -> String {
+    if x != 0.0 && !(1e-3..1e12).contains(&x.abs()) { format!("{x:.3e}") } else { format!("{x:.4}") }
+}
+
 /// Prints to standard output. That nobody reads on (`… | head`) is no error.
 pub(crate) fn print(text: &str) -> Result<(), crate::Failure> {
     let mut out = anstream::stdout().lock();
@@ -53,7 +58,7 @@ pub(crate) mod style {
 
 #[cfg(test)]
 mod tests {
-    use super::grouped;
+    use super::{grouped, measure};
 
     #[test]
     fn thousands_are_set_off() {
@@ -61,5 +66,13 @@ mod tests {
         assert_eq!(grouped(999_usize), "999");
         assert_eq!(grouped(1_000_u32), "1,000");
         assert_eq!(grouped(1_876_446_u64), "1,876,446");
+    }
+
+    #[test]
+    fn measures_show_digits() {
+        assert_eq!(measure(2.5), "2.5000");
+        assert_eq!(measure(0.0), "0.0000");
+        assert_eq!(measure(-0.000_012_34), "-1.234e-5");
+        assert_eq!(measure(1.5e300), "1.500e300");
     }
 }

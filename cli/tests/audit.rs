@@ -42,7 +42,7 @@ fn a_larger_map_is_valid() {
 #[test]
 fn machines_get_these_keys() {
     let (_, found) = run(&["audit", "--format", "json", &data("world-110m-crossing.geojson")]);
-    assert_eq!(keys(&found), ["counts", "elapsed_ms", "input", "rules", "valid", "violations"]);
+    assert_eq!(keys(&found), ["counts", "elapsed_ms", "import", "input", "rules", "valid", "violations"]);
     assert_eq!(
         keys(&found["counts"]),
         [
@@ -173,4 +173,35 @@ fn what_cannot_be_read_is_said_in_one_line() {
     for arguments in [&["audit", "--format", "xml"][..], &["audit", "--list", "-1"], &["audit", "a", "b"], &[]] {
         assert_eq!(twinedge(arguments).status.code(), Some(2), "{arguments:?}");
     }
+}
+
+#[test]
+fn irregular_rings_are_told() {
+    let map = br#"{"type": "FeatureCollection", "features": [{"type": "Feature", "properties": {"name": "Bow"}, "geometry":
+        {"type": "Polygon", "coordinates": [[[0, 0], [0, 0], [2, 2], [4, 0], [4, 4], [2, 2], [0, 4], [-1, 4], [0, 4]]]}}]}"#;
+    let output = twinedge_reading(&["audit", "--format", "json", "-"], map);
+    assert_eq!(output.status.code(), Some(0));
+    let found: Value = serde_json::from_slice(&output.stdout).unwrap();
+    let import = &found["import"];
+    for (what, count) in [
+        ("features", 1),
+        ("segments", 9),
+        ("repeated_segments", 1),
+        ("repeated_points", 1),
+        ("open_rings", 1),
+        ("degenerate_rings", 0),
+        ("rings_wound_wrongly", 0),
+        ("self_touching_rings", 1),
+        ("spikes", 1),
+    ] {
+        assert_eq!(import[what], count, "{what}");
+    }
+    let spike = import["irregularities"].as_array().unwrap().iter().find(|one| one["kind"] == "spike").unwrap();
+    let expected =
+        json!({"kind": "spike", "at": [-1.0, 4.0], "feature": 0, "name": "Bow", "shape": 0, "ring": 0, "point": 7});
+    assert_eq!(*spike, expected);
+    let text = String::from_utf8(twinedge_reading(&["audit", "-"], map).stdout).unwrap();
+    assert!(text.contains("1 ring(s) touch themselves, 1 spike(s)\n"), "{text}");
+    let line = "  ring that touches itself at (2, 2): feature 0, shape 0, ring 0, point 5 (Bow)\n";
+    assert!(text.contains(line), "{text}");
 }

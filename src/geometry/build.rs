@@ -6,6 +6,7 @@ use super::crossing::{Clash, clashes};
 use super::cut::{self, Cut, Noding};
 use super::planar_map::{FeatureId, PlanarMap};
 use super::predicates::in_range;
+use super::rings::{self, Irregularity, Ring};
 use super::{Feature, Point, Shape};
 use crate::dcel::Kind;
 use rustc_hash::FxHashMap;
@@ -82,7 +83,9 @@ pub enum BuildError {
 }
 
 /// What became of the input.
-#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Hash)]
+///
+/// All of it is legal, and built as it is: what is counted here is for those who did not mean it.
+#[derive(Clone, Debug, Default, PartialEq)]
 pub struct BuildSummary {
     /// Features taken.
     pub features: usize,
@@ -96,6 +99,26 @@ pub struct BuildSummary {
     pub open_rings: usize,
     /// Rings with fewer than three different points on end, which enclose nothing.
     pub degenerate_rings: usize,
+    /// Outer rings that turn clockwise and holes that turn counter-clockwise; what a polygon covers does not depend on it.
+    pub rings_wound_wrongly: usize,
+    /// Rings that visit a point twice, not counting there-and-back along a spike.
+    pub self_touching_rings: usize,
+    /// Points at which a ring turns straight back, but for those of rings that enclose nothing.
+    pub spikes: usize,
+    /// Where all this is: of each kind the first [`BuildSummary::LISTED`], in order of input.
+    pub irregularities: Vec<Irregularity>,
+}
+
+impl BuildSummary {
+    /// How many irregularities of each kind are listed.
+    pub const LISTED: usize = 20;
+
+    /// Lists an irregularity, the `count`-th of its kind.
+    fn list(&mut self, count: usize, kind: rings::Kind, position: Position, at: Point) {
+        if count <= Self::LISTED {
+            self.irregularities.push(Irregularity { kind, position, at });
+        }
+    }
 }
 
 /// Gathers rings, lines and points, and builds the map of them.
@@ -159,8 +182,9 @@ impl Builder {
             Self::check(what, at)?;
         }
         let mut gathered = GatheredFeature { name: feature.name.clone(), ..GatheredFeature::default() };
-        for shape in &feature.shapes {
-            self.take(shape, &mut gathered)?;
+        for (shape, what) in feature.shapes.iter().enumerate() {
+            let at = Position { feature: id.index(), shape, ..Position::default() };
+            self.take(what, at, &mut gathered)?;
         }
         self.features.push(gathered);
         self.summary.features += 1;
@@ -212,24 +236,16 @@ impl Builder {
         }
     }
 
-    fn take(&mut self, shape: &Shape, into: &mut GatheredFeature) -> Result<(), BuildError> {
+    fn take(&mut self, shape: &Shape, at: Position, into: &mut GatheredFeature) -> Result<(), BuildError> {
         match shape {
             Shape::Polygon(rings) => {
                 let mut darts = Vec::new();
-                for ring in rings {
-                    let before = darts.len();
-                    self.chain(ring, &mut darts)?;
-                    if let (Some(first), Some(last)) = (ring.first(), ring.last())
-                        && first != last
-                    {
-                        self.summary.open_rings += 1;
-                        self.chain(&[*last, *first], &mut darts)?;
-                    }
-                    self.summary.degenerate_rings += usize::from(darts.len() - before < 3);
+                for (ring, points) in rings.iter().enumerate() {
+                    self.ring(points, Position { ring, ..at }, &mut darts)?;
                 }
                 into.polygons.push(darts);
             }
-            Shape::Line(points) => self.chain(points, &mut into.lines)?,
+            Shape::Line(points) => self.chain(points, at, &mut into.lines, &mut Vec::new())?,
             Shape::Point(p) => {
                 self.vertex(*p)?;
             }
@@ -237,15 +253,61 @@ impl Builder {
         Ok(())
     }
 
-    /// Takes the segments of a chain of points; one point alone is an isolated vertex.
-    fn chain(&mut self, points: &[Point], darts: &mut Vec<Dart>) -> Result<(), BuildError> {
+    /// Takes the segments of a ring, closes it, and looks at it.
+    fn ring(&mut self, ring: &[Point], at: Position, darts: &mut Vec<Dart>) -> Result<(), BuildError> {
+        let (Some(first), Some(last)) = (ring.first(), ring.last()) else {
+            self.summary.degenerate_rings += 1;
+            return Ok(());
+        };
+        let before = darts.len();
+        let mut starts = Vec::with_capacity(ring.len());
+        self.chain(ring, at, darts, &mut starts)?;
+        if first != last {
+            let end = Position { point: ring.len() - 1, ..at };
+            self.summary.open_rings += 1;
+            self.summary.list(self.summary.open_rings, rings::Kind::OpenRing, end, *last);
+            self.chain(&[*last, *first], end, darts, &mut starts)?;
+        }
+        let darts = &darts[before..];
+        let looks = Ring { points: &self.points, segments: &self.segments, darts, starts: &starts }.looks();
+        let summary = &mut self.summary;
+        if darts.len() < 3 {
+            summary.degenerate_rings += 1;
+            summary.list(summary.degenerate_rings, rings::Kind::DegenerateRing, at, *first);
+        }
+        if looks.counter_clockwise == Some(at.ring > 0) {
+            summary.rings_wound_wrongly += 1;
+            summary.list(summary.rings_wound_wrongly, rings::Kind::WoundWrongly, at, *first);
+        }
+        let place = |point: u32| (Position { point: point as usize, ..at }, ring[point as usize]);
+        if let Some((position, point)) = looks.touches.map(place) {
+            summary.self_touching_rings += 1;
+            summary.list(summary.self_touching_rings, rings::Kind::SelfTouching, position, point);
+        }
+        for (position, point) in looks.spikes.into_iter().map(place) {
+            summary.spikes += 1;
+            summary.list(summary.spikes, rings::Kind::Spike, position, point);
+        }
+        Ok(())
+    }
+
+    /// Takes the segments of a chain of points, with the place where each starts; one point alone is an isolated vertex.
+    fn chain(
+        &mut self,
+        points: &[Point],
+        at: Position,
+        darts: &mut Vec<Dart>,
+        starts: &mut Vec<u32>,
+    ) -> Result<(), BuildError> {
         let Some((first, rest)) = points.split_first() else { return Ok(()) };
         let mut from = self.vertex(*first)?;
-        for p in rest {
+        for (p, point) in rest.iter().zip(at.point..) {
             let to = self.vertex(*p)?;
             self.summary.segments += 1;
             if from == to {
                 self.summary.zero_length_segments += 1;
+                let position = Position { point: point + 1, ..at };
+                self.summary.list(self.summary.zero_length_segments, rings::Kind::RepeatedPoint, position, *p);
                 continue;
             }
             let ends = if from < to { (from, to) } else { (to, from) };
@@ -260,6 +322,7 @@ impl Builder {
                 self.summary.duplicate_segments += 1;
             }
             darts.push(number << 1 | u32::from(from > to));
+            starts.push(point as u32);
             from = to;
         }
         Ok(())

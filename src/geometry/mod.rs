@@ -26,6 +26,7 @@ mod drawing;
 mod features;
 mod planar_map;
 mod point;
+mod rings;
 mod shape;
 mod status;
 
@@ -35,4 +36,5 @@ pub use drawing::{Drawing, places, validate_drawing};
 pub use planar_map::{FeatureId, PlanarMap};
 pub use point::Point;
 pub use predicates::{MAX_COORDINATE, MIN_COORDINATE};
+pub use rings::{Irregularity, Kind as IrregularityKind};
 pub use shape::{Feature, Shape};

@@ -1,4 +1,4 @@
-//! Reading GeoJSON ([RFC 7946](https://www.rfc-editor.org/rfc/rfc7946)), one feature at a time.
+//! Reading GeoJSON ([RFC 7946](https://www.rfc-editor.org/rfc/rfc7946)), one feature at a time, and writing it.
 //!
 //! [`read`] takes a feature collection, a feature or a bare geometry, and hands over each feature as soon as its
 //! closing brace is read. Nothing is kept but the feature at hand, so a map of any size can be read as long as its
@@ -45,6 +45,7 @@
 
 mod error;
 mod input;
+mod output;
 
 use core::cell::Cell;
 use core::fmt;
@@ -59,6 +60,7 @@ use serde_json::error::Category;
 
 pub use self::error::{Fault, Place, ReadError};
 use self::input::Progress;
+pub use self::output::write;
 use super::{MAX_NESTED_COLLECTIONS, Summary};
 use crate::geometry::{Feature, Point, Shape};
 

@@ -1,4 +1,4 @@
-//! Reading well-known text, one geometry per line.
+//! Reading and writing well-known text, one geometry per line.
 //!
 //! The grammar is that of the `wkt` crate: `POINT`, `LINESTRING`, `LINEARRING`, `POLYGON`, their `MULTI` forms and
 //! `GEOMETRYCOLLECTION`, each with an optional `Z`, `M` or `ZM`, in capitals or not.
@@ -16,12 +16,15 @@
 //! ```
 
 use core::str;
-use std::io::{self, BufRead, BufReader, Read};
+use std::io::{self, BufRead, BufReader, Read, Write};
 
 use ::wkt::Wkt;
-use ::wkt::types::{Coord, LineString, Polygon};
+use ::wkt::types::{
+    Coord, Dimension, GeometryCollection, LineString, MultiLineString, MultiPoint, MultiPolygon, Polygon,
+};
 use thiserror::Error;
 
+use super::write::{self, Piece, WriteError};
 use super::{MAX_NESTED_COLLECTIONS, Summary};
 use crate::geometry::{Feature, Point, Shape};
 
@@ -218,5 +221,65 @@ impl Drawing {
         }
         self.with_extra_dimensions += usize::from(z.is_some() || m.is_some());
         Ok(Point { x, y })
+    }
+}
+
+/// Writes features, the geometry of each on a line of its own; names are not written.
+///
+/// One shape is written as what it is, several of a kind as a multi-geometry, other mixtures and features without shapes as a
+/// collection. Numbers have as many digits as it takes to read the same ones again. Points, lines and rings are written as
+/// they are, so rings should be closed, as those of a [contour](crate::algorithm::contour) are. The writer is not buffered
+/// inside. O(points).
+///
+/// # Errors
+///
+/// [`WriteError::NotFinite`], before anything is written, and [`WriteError::Io`].
+///
+/// ```
+/// use twinedge::geometry::{Feature, Shape};
+/// use twinedge::io::wkt;
+///
+/// let corners = [[0.0, 0.0], [1.0, 0.0], [0.0, 0.5], [0.0, 0.0]].map(Into::into).to_vec();
+/// let parcel = Feature { shapes: vec![Shape::Polygon(vec![corners])], ..Feature::default() };
+/// let mut text = Vec::new();
+/// wkt::write(&mut text, &[parcel])?;
+/// assert_eq!(text, b"POLYGON((0 0,1 0,0 0.5,0 0))\n");
+/// # Ok::<_, twinedge::io::WriteError>(())
+/// ```
+pub fn write(mut writer: impl Write, features: &[Feature]) -> Result<(), WriteError> {
+    write::check(features)?;
+    for feature in features {
+        let mut geometries: Vec<Wkt<f64>> = write::pieces(feature).into_iter().map(written).collect();
+        let geometry = match geometries.pop() {
+            Some(only) if geometries.is_empty() => only,
+            last => {
+                geometries.extend(last);
+                GeometryCollection::new(geometries, Dimension::XY).into()
+            }
+        };
+        writeln!(writer, "{geometry}")?;
+    }
+    Ok(())
+}
+
+fn written(piece: Piece) -> Wkt<f64> {
+    const XY: Dimension = Dimension::XY;
+    let coord = |p: Point| Coord { x: p.x, y: p.y, z: None, m: None };
+    let line = |points: Vec<Point>| LineString::new(points.into_iter().map(coord).collect(), XY);
+    let polygon = |rings: Vec<Vec<Point>>| Polygon::new(rings.into_iter().map(line).collect(), XY);
+    let point = |p: Point| ::wkt::types::Point::from_coord(coord(p));
+    match piece {
+        Piece::Points(points) => match points[..] {
+            [only] => point(only).into(),
+            _ => MultiPoint::new(points.into_iter().map(point).collect(), XY).into(),
+        },
+        Piece::Lines(mut lines) => match lines.pop() {
+            Some(only) if lines.is_empty() => line(only).into(),
+            last => MultiLineString::new(lines.into_iter().chain(last).map(line).collect(), XY).into(),
+        },
+        Piece::Polygons(mut polygons) => match polygons.pop() {
+            Some(only) if polygons.is_empty() => polygon(only).into(),
+            last => MultiPolygon::new(polygons.into_iter().chain(last).map(polygon).collect(), XY).into(),
+        },
     }
 }

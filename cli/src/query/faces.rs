@@ -1,0 +1,82 @@
+//! `twinedge query … faces`.
+
+use super::Asked;
+use super::names::label;
+use crate::Failure;
+use crate::output::style::BAD;
+use crate::output::{Format, grouped, measure, print, print_json};
+use serde::Serialize;
+use std::collections::BTreeSet;
+use std::fmt::Write as _;
+use twinedge::algorithm::area::face_area;
+use twinedge::dcel::Face;
+
+/// All faces: who covers them, how large they are, what bounds them, what lies next to them.
+#[derive(Debug, clap::Args)]
+pub(super) struct Faces {
+    /// For whom to print.
+    #[arg(long, value_enum, default_value_t)]
+    format: Format,
+}
+
+#[derive(Debug, Serialize)]
+struct Answer<'a> {
+    input: &'a str,
+    faces: Vec<Row>,
+}
+
+/// One face. An edge that has it on both sides is counted once.
+#[derive(Debug, Serialize)]
+struct Row {
+    id: usize,
+    features: Vec<String>,
+    overlap: bool,
+    unbounded: bool,
+    /// None for the unbounded face.
+    area: Option<f64>,
+    edges: usize,
+    holes: usize,
+    neighbours: Vec<usize>,
+}
+
+impl Faces {
+    pub(super) fn answer(&self, asked: &Asked) -> Result<(), Failure> {
+        let Asked { input, map } = asked;
+        let mut faces = Vec::with_capacity(map.dcel().face_count());
+        for face in map.dcel().faces() {
+            let features: Vec<String> = map.features_of(face.key())?.map(|f| label(map, f)).collect();
+            let mut neighbours: BTreeSet<usize> = face.neighbours().map(Face::index).collect();
+            neighbours.remove(&face.index());
+            let both_sides = |h: twinedge::dcel::HalfEdge<'_>| h.twin().face() == face && h.twin().index() < h.index();
+            faces.push(Row {
+                id: face.index(),
+                overlap: features.len() > 1,
+                features,
+                unbounded: face.is_unbounded(),
+                area: Some(face_area(map, face.key())?).filter(|area| area.is_finite()),
+                edges: face.half_edges().filter(|h| !both_sides(*h)).count(),
+                holes: face.inner_count(),
+                neighbours: neighbours.into_iter().collect(),
+            });
+        }
+        match self.format {
+            Format::Text => print(&text(&faces)?),
+            Format::Json => print_json(&Answer { input, faces }),
+        }
+    }
+}
+
+fn text(faces: &[Row]) -> Result<String, std::fmt::Error> {
+    let mut out = String::new();
+    writeln!(out, "{:>8} {:>14} {:>8} {:>6} {:>10}  features", "face", "area", "edges", "holes", "neighbours")?;
+    for row in faces {
+        let area = row.area.map_or_else(|| "unbounded".to_owned(), measure);
+        let [edges, holes, neighbours] = [row.edges, row.holes, row.neighbours.len()].map(grouped);
+        write!(out, "{:>8} {area:>14} {edges:>8} {holes:>6} {neighbours:>10}  ", format!("f{}", row.id))?;
+        if row.overlap {
+            write!(out, "{BAD}overlap{BAD:#}: ")?;
+        }
+        writeln!(out, "{}", if row.features.is_empty() { "-".to_owned() } else { row.features.join(", ") })?;
+    }
+    Ok(out)
+}

@@ -1,0 +1,62 @@
+//! `twinedge query`: asks a map one question.
+
+mod contour;
+mod faces;
+mod names;
+mod neighbours;
+
+pub(crate) use names::label;
+
+use crate::input::MapFile;
+use crate::{Failure, Verdict};
+use clap::Subcommand;
+use twinedge::geometry::PlanarMap;
+
+/// Ask a map: who borders whom, what a country's outline is, which faces there are.
+#[derive(Debug, clap::Args)]
+#[command(after_help = "Examples:
+  twinedge query neighbours Switzerland                   in the built-in map of the world
+  twinedge query world.geojson neighbours Switzerland
+  twinedge query world.geojson contour Lesotho --format wkt
+  twinedge query - faces --format json < parcels.geojson
+
+NAME is the name of a feature as the map writes it, or # and its number, counted from 0: '#12'. A file whose name is that \
+of a question, such as faces, is named with its folder: ./faces
+
+Exit status: 0 there is an answer; 2 the input could not be read, or has nothing of that name.")]
+pub(crate) struct Query {
+    #[command(flatten)]
+    map: MapFile,
+
+    #[command(subcommand)]
+    question: Question,
+}
+
+#[derive(Debug, Subcommand)]
+enum Question {
+    Neighbours(neighbours::Neighbours),
+    Contour(contour::Contour),
+    Faces(faces::Faces),
+}
+
+/// A map and what it was read from.
+struct Asked {
+    input: String,
+    map: PlanarMap,
+}
+
+impl Query {
+    pub(crate) fn run(&self) -> Result<Verdict, Failure> {
+        let (input, map) = self.map.build()?;
+        if !map.is_plane() {
+            eprintln!("twinedge: {input}: the map is not plane, see audit; --snap auto would make it so");
+        }
+        let asked = Asked { input, map };
+        match &self.question {
+            Question::Neighbours(question) => question.answer(&asked),
+            Question::Contour(question) => question.answer(&asked),
+            Question::Faces(question) => question.answer(&asked),
+        }?;
+        Ok(Verdict::Sound)
+    }
+}

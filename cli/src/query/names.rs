@@ -1,0 +1,62 @@
+//! Which feature is meant.
+
+use super::Asked;
+use crate::Failure;
+use twinedge::algorithm::coverage::leaks;
+use twinedge::geometry::{FeatureId, PlanarMap};
+
+/// What people call a feature: its name, or its number, counted from 0.
+pub(crate) fn label(map: &PlanarMap, feature: FeatureId) -> String {
+    map.name(feature).map_or_else(|| format!("feature {}", feature.index()), str::to_owned)
+}
+
+/// How many names to suggest.
+const SUGGESTIONS: usize = 3;
+/// How similar a name must be to be suggested, from 0 to 1.
+const SIMILAR: f64 = 0.75;
+
+/// The feature with this name, or with the number after a `#`; none of which nobody knows what it covers.
+pub(super) fn find(asked: &Asked, name: &str) -> Result<FeatureId, Failure> {
+    let feature = named(asked, name)?;
+    if leaks(&asked.map, feature) {
+        let input = &asked.input;
+        return Err(Failure(format!(
+            "{input}: the edges of {name} cross others, so what it covers is not known; see audit"
+        )));
+    }
+    Ok(feature)
+}
+
+fn named(asked: &Asked, name: &str) -> Result<FeatureId, Failure> {
+    let Asked { input, map } = asked;
+    let named: Vec<FeatureId> = map.features().filter(|f| map.name(*f) == Some(name)).collect();
+    let numbered = name.strip_prefix('#').and_then(|number| number.parse().ok());
+    match (&named[..], numbered.and_then(|number: usize| map.features().nth(number))) {
+        ([only], _) => Ok(*only),
+        ([], Some(feature)) => Ok(feature),
+        ([], None) => {
+            let like = similar(map, name);
+            let hint = if like.is_empty() { String::new() } else { format!("; did you mean {}?", like.join(", ")) };
+            Err(Failure(format!("{input}: no feature has the name {name}{hint}")))
+        }
+        (several, _) => {
+            let numbers: Vec<String> = several.iter().map(|f| format!("'#{}'", f.index())).collect();
+            let numbers = numbers.join(", ");
+            Err(Failure(format!("{input}: {} features have the name {name}; ask for one of {numbers}", several.len())))
+        }
+    }
+}
+
+/// The names most like this one, the most similar first.
+fn similar<'a>(map: &'a PlanarMap, name: &str) -> Vec<&'a str> {
+    let name = name.to_lowercase();
+    let mut scored: Vec<(f64, &str)> = map
+        .features()
+        .filter_map(|f| map.name(f))
+        .map(|other| (strsim::jaro_winkler(&name, &other.to_lowercase()), other))
+        .filter(|(score, _)| *score >= SIMILAR)
+        .collect();
+    scored.sort_by(|(a, x), (b, y)| b.total_cmp(a).then_with(|| x.cmp(y)));
+    scored.dedup_by(|(_, x), (_, y)| x == y);
+    scored.into_iter().take(SUGGESTIONS).map(|(_, other)| other).collect()
+}

@@ -1,0 +1,154 @@
+//! `twinedge query`.
+
+mod support;
+
+use serde_json::{Value, json};
+use std::collections::BTreeSet;
+use support::{complaint, json as run, twinedge, twinedge_reading};
+
+fn names(found: &Value) -> BTreeSet<&str> {
+    found.as_array().unwrap().iter().map(|one| one["name"].as_str().unwrap()).collect()
+}
+
+/// Two squares side by side, of which the second claims a quarter of the first, and one that touches the first at a corner.
+const SQUARES: &[u8] = br#"{"type": "FeatureCollection", "features": [
+    {"type": "Feature", "properties": {"name": "West"}, "geometry":
+        {"type": "Polygon", "coordinates": [[[0, 0], [3, 0], [4, 0], [4, 4], [3, 4], [0, 4], [0, 0]]]}},
+    {"type": "Feature", "properties": {"name": "East"}, "geometry":
+        {"type": "Polygon", "coordinates": [[[3, 0], [4, 0], [7, 0], [7, 4], [4, 4], [3, 4], [3, 0]]]}},
+    {"type": "Feature", "properties": {"name": "Corner"}, "geometry":
+        {"type": "Polygon", "coordinates": [[[0, 4], [0, 5], [-1, 5], [-1, 4], [0, 4]]]}},
+    {"type": "Feature", "properties": {"name": "Twice"}, "geometry": null},
+    {"type": "Feature", "properties": {"name": "Twice"}, "geometry": null}]}"#;
+
+fn ask(arguments: &[&str]) -> Value {
+    let output = twinedge_reading(arguments, SQUARES);
+    assert_eq!((output.status.code(), String::from_utf8_lossy(&output.stderr).as_ref()), (Some(0), ""));
+    serde_json::from_slice(&output.stdout).unwrap()
+}
+
+#[test]
+fn switzerland_has_four_neighbours_in_the_built_in_map() {
+    let (status, found) = run(&["query", "neighbours", "Switzerland", "--format", "json"]);
+    assert_eq!(status, Some(0));
+    assert_eq!(names(&found["neighbours"]), BTreeSet::from(["Austria", "France", "Germany", "Italy"]));
+    assert_eq!((&found["feature"], &found["overlaps"]), (&json!("Switzerland"), &json!([])));
+    let text = String::from_utf8(twinedge(&["query", "neighbours", "Switzerland"]).stdout).unwrap();
+    assert!(text.starts_with("Switzerland\n") && text.contains("  Austria "), "{text}");
+
+    let file = format!("{}/data/world-110m.geojson", env!("CARGO_MANIFEST_DIR"));
+    let (_, same) = run(&["query", &file, "neighbours", "Switzerland", "--format", "json"]);
+    assert_eq!(same["neighbours"], found["neighbours"]);
+    let (_, lesotho) = run(&["query", &file, "neighbours", "Lesotho", "--format", "json"]);
+    assert_eq!(names(&lesotho["neighbours"]), BTreeSet::from(["South Africa"]));
+}
+
+#[test]
+fn neighbours_tell_borders_corners_and_overlaps_apart() {
+    let found = ask(&["query", "-", "neighbours", "West", "--format", "json"]);
+    assert_eq!(found["input"], "standard input");
+    let expected = json!([{"name": "East", "id": 1, "length": 8.0,
+        "borders": [[[4.0, 0.0], [4.0, 4.0]], [[3.0, 0.0], [3.0, 4.0]]]}]);
+    let mut neighbours = found["neighbours"].clone();
+    neighbours[0]["borders"].as_array_mut().unwrap().sort_by_key(|chain| -chain[0][0].as_f64().unwrap() as i64);
+    assert_eq!(neighbours, expected);
+    assert_eq!(found["touching"], json!([{"name": "Corner", "id": 2}]));
+    assert_eq!(found["overlaps"], json!([{"name": "East", "id": 1, "faces": 1, "area": 4.0}]));
+
+    let output = twinedge_reading(&["query", "-", "neighbours", "#0"], SQUARES);
+    let text = String::from_utf8(output.stdout).unwrap();
+    assert!(text.contains("touches Corner at a vertex only"), "{text}");
+    assert!(text.contains("overlap: 1 face(s) of area 4.0000 are claimed by East too"), "{text}");
+}
+
+#[test]
+fn a_contour_is_written_in_every_format() {
+    let text = |format: &str| {
+        let output = twinedge_reading(&["query", "-", "contour", "East", "--format", format], SQUARES);
+        assert_eq!(output.status.code(), Some(0));
+        String::from_utf8(output.stdout).unwrap()
+    };
+    assert_eq!(text("wkt"), "POLYGON((3 0,4 0,7 0,7 4,4 4,3 4,3 0))\n");
+    let geojson: Value = serde_json::from_str(&text("geojson")).unwrap();
+    let ring = json!([[3.0, 0.0], [4.0, 0.0], [7.0, 0.0], [7.0, 4.0], [4.0, 4.0], [3.0, 4.0], [3.0, 0.0]]);
+    assert_eq!(geojson["features"][0]["geometry"], json!({"type": "Polygon", "coordinates": [ring]}));
+    assert_eq!(geojson["features"][0]["properties"], json!({"name": "East"}));
+    let found: Value = serde_json::from_str(&text("json")).unwrap();
+    let polygon = json!({"outer": ring, "holes": []});
+    let expected = json!({"input": "standard input", "feature": "East", "id": 1, "area": 16.0, "polygons": [polygon]});
+    assert_eq!(found, expected);
+    let summary = text("text");
+    assert!(summary.contains("vertices            6") && summary.contains("16.0000"), "{summary}");
+}
+
+#[test]
+fn the_contour_of_south_africa_has_a_hole() {
+    let (_, found) = run(&["query", "contour", "South Africa", "--format", "json"]);
+    let holes = |polygon: &Value| polygon["holes"].as_array().unwrap().len();
+    assert_eq!(found["polygons"].as_array().unwrap().iter().map(holes).collect::<Vec<_>>(), [1]);
+}
+
+#[test]
+fn faces_are_listed_with_what_bounds_them() {
+    let found = ask(&["query", "-", "faces", "--format", "json"]);
+    let faces = found["faces"].as_array().unwrap();
+    assert_eq!(faces.len(), 5);
+    let of = |features: Value| faces.iter().find(|face| face["features"] == features).unwrap();
+    let both = of(json!(["West", "East"]));
+    assert_eq!((&both["overlap"], &both["area"], &both["edges"]), (&json!(true), &json!(4.0), &json!(4)));
+    let west = of(json!(["West"]));
+    assert_eq!((&west["overlap"], &west["area"], &west["holes"]), (&json!(false), &json!(12.0), &json!(0)));
+    assert!(west["neighbours"].as_array().unwrap().contains(&both["id"]));
+    let unbounded = of(json!([]));
+    assert_eq!(
+        (&unbounded["unbounded"], &unbounded["area"], &unbounded["holes"]),
+        (&json!(true), &json!(null), &json!(1))
+    );
+
+    let text = String::from_utf8(twinedge_reading(&["query", "-", "faces"], SQUARES).stdout).unwrap();
+    assert!(text.contains("overlap: West, East") && text.contains("unbounded"), "{text}");
+    assert_eq!(text.lines().count(), 6);
+}
+
+#[test]
+fn an_unknown_name_gets_suggestions() {
+    for (name, hint) in
+        [("Swizerland", "did you mean Switzerland"), ("germany", "did you mean Germany"), ("#999", "#999")]
+    {
+        let output = twinedge(&["query", "contour", name]);
+        assert_eq!(output.status.code(), Some(2), "{name}");
+        assert!(output.stdout.is_empty());
+        let complaint = complaint(&output);
+        assert!(complaint.contains("no feature has the name") && complaint.contains(hint), "{complaint}");
+    }
+    assert!(!complaint(&twinedge(&["query", "contour", "zzzzzz"])).contains("did you mean"));
+    let output = twinedge_reading(&["query", "-", "neighbours", "Twice"], SQUARES);
+    assert_eq!(output.status.code(), Some(2));
+    assert!(complaint(&output).contains("2 features have the name Twice; ask for one of '#3', '#4'"));
+    let output = twinedge(&["query", "no-such-file.geojson", "faces"]);
+    assert_eq!(output.status.code(), Some(2));
+    assert!(complaint(&output).contains("no-such-file.geojson"));
+    for arguments in [
+        &["query"][..],
+        &["query", "neighbours"],
+        &["query", "a", "b", "faces"],
+        &["query", "contour", "Fiji", "--format", "xml"],
+    ] {
+        assert_eq!(twinedge(arguments).status.code(), Some(2), "{arguments:?}");
+    }
+}
+
+#[test]
+fn a_map_that_is_not_plane_is_answered_with_a_warning() {
+    let file = support::data("world-110m-crossing.geojson");
+    let output = twinedge(&["query", &file, "neighbours", "Switzerland", "--format", "json"]);
+    assert_eq!(output.status.code(), Some(0));
+    assert!(complaint(&output).contains("the map is not plane"));
+    let found: Value = serde_json::from_slice(&output.stdout).unwrap();
+    assert_eq!(names(&found["neighbours"]), BTreeSet::from(["Austria", "France", "Germany", "Italy"]));
+    // Its border crosses another one.
+    let output = twinedge(&["query", &file, "contour", "S. Sudan"]);
+    assert_eq!(output.status.code(), Some(2));
+    let text = String::from_utf8(output.stderr).unwrap();
+    assert!(text.contains("what it covers is not known"), "{text}");
+}

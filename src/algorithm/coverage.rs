@@ -1,0 +1,60 @@
+//! Which faces a feature covers.
+//!
+//! Where a map is not plane, the inside of a feature whose edges cross others may leak out, up to the unbounded face.
+
+use crate::dcel::{Face, FaceKey};
+use crate::geometry::{FeatureId, PlanarMap};
+
+/// The features that cover a face, but for those that have leaked out: O(log n), as long as the map is plane.
+pub(crate) fn features_of<'a>(map: &'a PlanarMap, face: Face<'a>) -> impl Iterator<Item = FeatureId> + 'a {
+    let plane = map.is_plane();
+    map.features_of(face.key()).into_iter().flatten().filter(move |feature| plane || !leaks(map, *feature))
+}
+
+/// Whether a feature seems to cover the unbounded face, as none does on a plane map: what it covers is not known then.
+/// O(log n + features that do).
+#[must_use]
+pub fn leaks(map: &PlanarMap, feature: FeatureId) -> bool {
+    map.features_of(map.dcel().unbounded_face().key()).into_iter().flatten().any(|f| f == feature)
+}
+
+/// The faces that a feature covers, in order of their indices. O(faces · log).
+///
+/// None for a feature of another map that this one does not have.
+#[must_use]
+pub fn faces_of(map: &PlanarMap, feature: FeatureId) -> Vec<FaceKey> {
+    let covers = |f: &Face<'_>| map.features_of(f.key()).into_iter().flatten().any(|g| g == feature);
+    map.dcel().faces().filter(covers).map(Face::key).collect()
+}
+
+/// The faces that each feature covers, by [`FeatureId::index`]. O(faces · log + answer).
+#[must_use]
+pub fn faces_by_feature(map: &PlanarMap) -> Vec<Vec<FaceKey>> {
+    let mut faces = vec![Vec::new(); map.features().count()];
+    for face in map.dcel().faces() {
+        for feature in features_of(map, face) {
+            faces[feature.index()].push(face.key());
+        }
+    }
+    faces
+}
+
+/// The faces that more than one feature covers, in order of their indices. O(faces · log).
+///
+/// ```
+/// use twinedge::algorithm::coverage::overlaps;
+/// use twinedge::geometry::{Builder, Shape};
+///
+/// // The upper half of the square is claimed again, by the triangle.
+/// let mut builder = Builder::new();
+/// let square = [[0.0, 0.0], [2.0, 0.0], [2.0, 2.0], [0.0, 2.0]].map(Into::into).to_vec();
+/// let triangle = [[0.0, 0.0], [2.0, 2.0], [0.0, 2.0]].map(Into::into).to_vec();
+/// builder.shape(&Shape::Polygon(vec![square]))?;
+/// builder.shape(&Shape::Polygon(vec![triangle]))?;
+/// assert_eq!(overlaps(&builder.build()?).len(), 1);
+/// # Ok::<(), twinedge::geometry::BuildError>(())
+/// ```
+#[must_use]
+pub fn overlaps(map: &PlanarMap) -> Vec<FaceKey> {
+    map.dcel().faces().filter(|f| features_of(map, *f).nth(1).is_some()).map(Face::key).collect()
+}

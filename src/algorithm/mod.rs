@@ -1,0 +1,17 @@
+//! Questions about a map that walk over more than one record.
+//!
+//! Each takes a [`PlanarMap`](crate::geometry::PlanarMap), changes nothing, and says what it costs.
+//!
+//! | module | answers |
+//! | --- | --- |
+//! | [`area`] | how large is a face, a feature? |
+//! | [`colouring`] | which colours tell neighbours apart? |
+//! | [`contour`] | what is the outline of a feature, a face, any set of faces? |
+//! | [`coverage`] | which faces does a feature cover, and which are claimed twice? |
+//! | [`neighbours`] | who shares a border with whom, where, and how long is it? |
+
+pub mod area;
+pub mod colouring;
+pub mod contour;
+pub mod coverage;
+pub mod neighbours;

@@ -1,0 +1,189 @@
+//! Who shares a border with whom, where, and how long it is.
+//!
+//! Two faces are neighbours if an edge has one of them on one side and the other on the other. Two features are neighbours
+//! if an edge has a face of one on one side and a face of the other on the other side; an edge with both features on both
+//! sides, inside an overlap, is no border.
+//!
+//! Lengths are those of the plane, in the units of the coordinates: for longitudes and latitudes, degrees.
+
+use super::area::Sum;
+use super::coverage::{faces_of, features_of};
+use crate::dcel::{Face, FaceKey, HalfEdge, StaleKey, Vertex};
+use crate::geometry::{Drawing, FeatureId, PlanarMap, Point};
+use rustc_hash::FxHashSet;
+use std::collections::BTreeMap;
+
+/// A neighbour, and the border with it.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Neighbour<K> {
+    /// Who.
+    pub neighbour: K,
+    /// The border, in maximal chains: each ends where nothing of this border goes on, or more than one edge of it does. A
+    /// chain that comes back to its start repeats it. What was asked about lies to the left.
+    pub borders: Vec<Vec<Point>>,
+    /// The length of all these chains together.
+    pub length: f64,
+}
+
+/// The neighbours of a face across its edges, in order of their indices; the unbounded face may be one. An edge with the
+/// face on both sides is no border. O(n log n) for its n half-edges.
+///
+/// # Errors
+/// [`StaleKey::Face`].
+///
+/// ```
+/// use twinedge::algorithm::neighbours::of_face;
+/// use twinedge::geometry::{Builder, Shape};
+///
+/// let square = |x: f64| [[x, 0.0], [x + 1.0, 0.0], [x + 1.0, 1.0], [x, 1.0]].map(Into::into).to_vec();
+/// let mut builder = Builder::new();
+/// builder.shape(&Shape::Polygon(vec![square(0.0)]))?;
+/// builder.shape(&Shape::Polygon(vec![square(1.0)]))?;
+/// let map = builder.build()?;
+/// let left = map.dcel().faces().nth(1).unwrap();
+/// let lengths: Vec<f64> = of_face(&map, left.key())?.iter().map(|n| n.length).collect();
+/// assert_eq!(lengths, [3.0, 1.0]); // with the unbounded face, with the other square
+/// # Ok::<(), Box<dyn std::error::Error>>(())
+/// ```
+pub fn of_face(map: &PlanarMap, key: FaceKey) -> Result<Vec<Neighbour<FaceKey>>, StaleKey> {
+    let face = map.dcel().face(key)?;
+    let mut borders: BTreeMap<usize, Vec<HalfEdge<'_>>> = BTreeMap::new();
+    for h in face.half_edges() {
+        let other = h.twin().face();
+        if other != face {
+            borders.entry(other.index()).or_default().push(h);
+        }
+    }
+    let with = |(_, border): (usize, Vec<HalfEdge<'_>>)| {
+        let other = border.first()?.twin().face().key();
+        Some(neighbour(map, other, &border))
+    };
+    Ok(borders.into_iter().filter_map(with).collect())
+}
+
+/// The neighbours of a feature across edges, in order. O(faces of the map · log + m log n) for m pairs of a half-edge of a face
+/// that the feature covers and a feature on the other side.
+///
+/// None for a feature of another map that this one does not have.
+#[must_use]
+pub fn of_feature(map: &PlanarMap, feature: FeatureId) -> Vec<Neighbour<FeatureId>> {
+    let mut borders: BTreeMap<FeatureId, Vec<HalfEdge<'_>>> = BTreeMap::new();
+    for face in covered(map, feature) {
+        for h in face.half_edges() {
+            let across = h.twin().face();
+            if across == face {
+                continue;
+            }
+            let back_too = features_of(map, across).any(|f| f == feature);
+            for other in features_of(map, across).filter(|f| *f != feature) {
+                if !(back_too && features_of(map, face).any(|f| f == other)) {
+                    borders.entry(other).or_default().push(h);
+                }
+            }
+        }
+    }
+    borders.into_iter().map(|(other, border)| neighbour(map, other, &border)).collect()
+}
+
+/// The faces that meet a face at a vertex and nowhere along an edge, in order of their indices. O(n log n) for the n
+/// half-edges that leave its vertices.
+///
+/// # Errors
+/// [`StaleKey::Face`].
+pub fn touching_face(map: &PlanarMap, key: FaceKey) -> Result<Vec<FaceKey>, StaleKey> {
+    let face = map.dcel().face(key)?;
+    let mut touching: BTreeMap<usize, FaceKey> = around(&[face])
+        .into_iter()
+        .flat_map(|v| v.rotation())
+        .map(|h| h.face())
+        .map(|f| (f.index(), f.key()))
+        .collect();
+    touching.remove(&face.index());
+    for other in face.neighbours() {
+        touching.remove(&other.index());
+    }
+    Ok(touching.into_values().collect())
+}
+
+/// The features that meet a feature at a vertex and nowhere along an edge, in order. Features that overlap it meet it in
+/// more than that. O(faces of the map · log + n log n) for n pairs of a half-edge that leaves one of its vertices and a feature
+/// there.
+#[must_use]
+pub fn touching_feature(map: &PlanarMap, feature: FeatureId) -> Vec<FeatureId> {
+    let faces = covered(map, feature);
+    let corners = around(&faces).into_iter().flat_map(Vertex::rotation);
+    let mut touching: FxHashSet<FeatureId> = corners.flat_map(|h| features_of(map, h.face())).collect();
+    touching.remove(&feature);
+    let sides = faces.iter().flat_map(|f| f.half_edges()).flat_map(|h| [h.face(), h.twin().face()]);
+    for other in sides.flat_map(|side| features_of(map, side)) {
+        touching.remove(&other);
+    }
+    let mut touching: Vec<_> = touching.into_iter().collect();
+    touching.sort_unstable();
+    touching
+}
+
+fn covered(map: &PlanarMap, feature: FeatureId) -> Vec<Face<'_>> {
+    faces_of(map, feature).into_iter().filter_map(|f| map.dcel().face(f).ok()).collect()
+}
+
+/// The vertices on the boundaries of faces, each once.
+fn around<'a>(faces: &[Face<'a>]) -> Vec<Vertex<'a>> {
+    let mut seen = FxHashSet::default();
+    faces.iter().flat_map(|f| f.half_edges()).map(HalfEdge::origin).filter(|v| seen.insert(v.index())).collect()
+}
+
+fn neighbour<K>(map: &PlanarMap, neighbour: K, border: &[HalfEdge<'_>]) -> Neighbour<K> {
+    let point = |v: Vertex<'_>| map.point(v.index());
+    let length: Sum = border
+        .iter()
+        .map(|h| {
+            let (a, b) = (point(h.origin()), point(h.target()));
+            (b.x - a.x).hypot(b.y - a.y)
+        })
+        .collect();
+    Neighbour { neighbour, borders: chains(map, border), length: length.value() }
+}
+
+/// A set of half-edges as maximal chains: each ends where none goes on, or more than one comes or leaves. O(n log n).
+pub(crate) fn chains(map: &PlanarMap, border: &[HalfEdge<'_>]) -> Vec<Vec<Point>> {
+    // By where they start.
+    let mut leaving: Vec<(usize, usize)> = border.iter().enumerate().map(|(i, h)| (h.origin().index(), i)).collect();
+    leaving.sort_unstable();
+    let mut arriving: Vec<usize> = border.iter().map(|h| h.target().index()).collect();
+    arriving.sort_unstable();
+    let starts_at = |v: usize| {
+        let first = leaving.partition_point(|(w, _)| *w < v);
+        leaving[first..].iter().take_while(move |(w, _)| *w == v)
+    };
+    let ends_at = |v: usize| {
+        let first = arriving.partition_point(|w| *w < v);
+        arriving[first..].iter().take(2).filter(|w| **w == v).count()
+    };
+    // What goes on at a vertex, if one half-edge comes and one leaves.
+    let onward = |v: usize| {
+        let mut here = starts_at(v);
+        let next = here.next().map(|(_, i)| *i);
+        next.filter(|_| here.next().is_none() && ends_at(v) == 1)
+    };
+    let mut taken = vec![false; border.len()];
+    let mut found = Vec::new();
+    let ends = (0..border.len()).filter(|i| onward(border[*i].origin().index()).is_none());
+    // What is left after all chains with ends are closed ones, which may start anywhere.
+    for start in ends.chain(0..border.len()) {
+        let mut chain = Vec::new();
+        let mut at = Some(start);
+        while let Some(i) = at.filter(|i| !core::mem::replace(&mut taken[*i], true)) {
+            if chain.is_empty() {
+                chain.push(map.point(border[i].origin().index()));
+            }
+            let target = border[i].target().index();
+            chain.push(map.point(target));
+            at = onward(target);
+        }
+        if !chain.is_empty() {
+            found.push(chain);
+        }
+    }
+    found
+}

@@ -1,0 +1,55 @@
+//! Features of a map, as its writers take them.
+
+use crate::algorithm::contour::{self, ContourError};
+use crate::algorithm::neighbours::chains;
+use crate::dcel::Face;
+use crate::geometry::{Feature, FeatureId, PlanarMap, Shape};
+
+/// The features of a map, in order, for a writer: the [contour](contour::of_feature) of each as polygons, and as lines all its
+/// edges that are not on that contour. The id is the [number](FeatureId::index). O(n log n).
+///
+/// What is built from these has the same edges as the map, the same vertices but for isolated ones, and the same features on
+/// the same faces.
+///
+/// # Errors
+/// [`ContourError`], if the map is not plane.
+pub fn features(map: &PlanarMap) -> Result<Vec<Feature>, ContourError> {
+    let mut features: Vec<Feature> = contour::of_features(map)?.into_iter().map(Feature::from).collect();
+    let mut lines = vec![Vec::new(); features.len()];
+    for h in map.dcel().edges() {
+        for feature in map.features_along(h.key())? {
+            if covers(map, h.face(), feature) == covers(map, h.twin().face(), feature) {
+                lines[feature.index()].push(h);
+            }
+        }
+    }
+    for ((feature, lines), id) in features.iter_mut().zip(lines).zip(map.features()) {
+        feature.shapes.extend(chains(map, &lines).into_iter().map(Shape::Line));
+        feature.name = map.name(id).map(str::to_owned);
+        feature.id = Some(id.index().to_string());
+    }
+    Ok(features)
+}
+
+fn covers(map: &PlanarMap, face: Face<'_>, feature: FeatureId) -> bool {
+    map.features_of(face.key()).into_iter().flatten().any(|f| f == feature)
+}
+
+/// The bounded faces of a map, in order of their indices, for a writer: a polygon each. The id is the index, the name those of
+/// the features that cover it, with slashes between. O(n), expected.
+///
+/// # Errors
+/// [`ContourError`], if the map is not plane.
+pub fn faces(map: &PlanarMap) -> Result<Vec<Feature>, ContourError> {
+    let bounded = map.dcel().faces().filter(|f| !f.is_unbounded());
+    bounded
+        .map(|face| {
+            let names: Vec<&str> = map.features_of(face.key())?.filter_map(|f| map.name(f)).collect();
+            Ok(Feature {
+                name: (!names.is_empty()).then(|| names.join(" / ")),
+                id: Some(face.index().to_string()),
+                shapes: vec![contour::of_face(map, face.key())?.into()],
+            })
+        })
+        .collect()
+}

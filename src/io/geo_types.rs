@@ -1,0 +1,132 @@
+//! The types of the crate [geo-types](::geo_types), which the Rust geospatial crates share, both ways.
+//!
+//! ```
+//! use geo_types::{Geometry, MultiPolygon, polygon};
+//! use twinedge::algorithm::contour;
+//! use twinedge::geometry::{Builder, Feature};
+//!
+//! let west = polygon![(x: 0.0, y: 0.0), (x: 1.0, y: 0.0), (x: 1.0, y: 1.0), (x: 0.0, y: 1.0)];
+//! let east = polygon![(x: 1.0, y: 0.0), (x: 2.0, y: 0.0), (x: 2.0, y: 1.0), (x: 1.0, y: 1.0)];
+//! let both = Geometry::MultiPolygon(MultiPolygon(vec![west, east]));
+//!
+//! let mut builder = Builder::new();
+//! let feature = builder.feature(&Feature::from(&both))?;
+//! let map = builder.build()?;
+//! assert_eq!(map.dcel().face_count(), 3);
+//!
+//! // The contour has no edge between the two.
+//! let outline = MultiPolygon::from(&contour::of_feature(&map, feature)?);
+//! assert_eq!(outline.0.len(), 1);
+//! # Ok::<(), Box<dyn std::error::Error>>(())
+//! ```
+
+use crate::algorithm::contour::{Contour, Polygon};
+use crate::geometry::{Feature, Point, Shape};
+use ::geo_types as geo;
+
+impl From<geo::Coord<f64>> for Point {
+    fn from(coord: geo::Coord<f64>) -> Self {
+        Self { x: coord.x, y: coord.y }
+    }
+}
+
+impl From<Point> for geo::Coord<f64> {
+    fn from(p: Point) -> Self {
+        Self { x: p.x, y: p.y }
+    }
+}
+
+impl From<Point> for geo::Point<f64> {
+    fn from(p: Point) -> Self {
+        Self(p.into())
+    }
+}
+
+fn points(line: &geo::LineString<f64>) -> Vec<Point> {
+    line.coords().copied().map(Point::from).collect()
+}
+
+fn line(points: &[Point]) -> geo::LineString<f64> {
+    geo::LineString(points.iter().copied().map(Into::into).collect())
+}
+
+impl From<geo::Point<f64>> for Shape {
+    fn from(point: geo::Point<f64>) -> Self {
+        Self::Point(point.0.into())
+    }
+}
+
+impl From<&geo::LineString<f64>> for Shape {
+    fn from(line: &geo::LineString<f64>) -> Self {
+        Self::Line(points(line))
+    }
+}
+
+impl From<&geo::Polygon<f64>> for Shape {
+    fn from(polygon: &geo::Polygon<f64>) -> Self {
+        Self::Polygon(core::iter::once(polygon.exterior()).chain(polygon.interiors()).map(points).collect())
+    }
+}
+
+/// A polygon gets closed rings, whatever the shape had; one without rings is empty.
+impl From<&Shape> for geo::Geometry<f64> {
+    fn from(shape: &Shape) -> Self {
+        match shape {
+            Shape::Polygon(rings) => {
+                let mut rings = rings.iter().map(|ring| line(ring));
+                let outer = rings.next().unwrap_or_else(|| line(&[]));
+                Self::Polygon(geo::Polygon::new(outer, rings.collect()))
+            }
+            Shape::Line(points) => Self::LineString(line(points)),
+            Shape::Point(p) => Self::Point((*p).into()),
+        }
+    }
+}
+
+/// All shapes of the geometry, collections inside collections included; empty lines and polygons draw nothing. O(coordinates),
+/// however deep the collections are nested.
+impl From<&geo::Geometry<f64>> for Feature {
+    fn from(geometry: &geo::Geometry<f64>) -> Self {
+        let mut shapes = Vec::new();
+        let mut stack = vec![geometry];
+        while let Some(geometry) = stack.pop() {
+            match geometry {
+                geo::Geometry::Point(point) => shapes.push((*point).into()),
+                geo::Geometry::Line(line) => shapes.push(Shape::Line(vec![line.start.into(), line.end.into()])),
+                geo::Geometry::LineString(line) => shapes.push(line.into()),
+                geo::Geometry::Polygon(polygon) => shapes.push(polygon.into()),
+                geo::Geometry::MultiPoint(points) => shapes.extend(points.iter().map(|p| Shape::from(*p))),
+                geo::Geometry::MultiLineString(lines) => shapes.extend(lines.iter().map(Shape::from)),
+                geo::Geometry::MultiPolygon(polygons) => shapes.extend(polygons.iter().map(Shape::from)),
+                geo::Geometry::GeometryCollection(all) => stack.extend(all.0.iter().rev()),
+                geo::Geometry::Rect(rect) => shapes.push((&rect.to_polygon()).into()),
+                geo::Geometry::Triangle(triangle) => shapes.push((&triangle.to_polygon()).into()),
+            }
+        }
+        shapes.retain(|shape| match shape {
+            Shape::Polygon(rings) => rings.iter().any(|ring| !ring.is_empty()),
+            Shape::Line(points) => !points.is_empty(),
+            Shape::Point(_) => true,
+        });
+        Self { shapes, ..Self::default() }
+    }
+}
+
+/// One geometry for each shape.
+impl From<&Feature> for geo::GeometryCollection<f64> {
+    fn from(feature: &Feature) -> Self {
+        Self(feature.shapes.iter().map(geo::Geometry::from).collect())
+    }
+}
+
+impl From<&Polygon> for geo::Polygon<f64> {
+    fn from(polygon: &Polygon) -> Self {
+        Self::new(line(&polygon.outer), polygon.holes.iter().map(|hole| line(hole)).collect())
+    }
+}
+
+impl From<&Contour> for geo::MultiPolygon<f64> {
+    fn from(contour: &Contour) -> Self {
+        Self(contour.polygons.iter().map(geo::Polygon::from).collect())
+    }
+}
