@@ -10,11 +10,15 @@
 //! | [`mod@sweep`] | one pass that tells whether a drawing is plane, and what lies below what |
 //! | [`crossing`] | all places where it is not |
 //! | [`noding`] | snap rounding: any segments made to meet at shared endpoints only |
+//! | [`locate`] | where a point lies, by an index or by walking there |
+//! | [`zone`] | what a line meets, in order |
 
 pub mod crossing;
+pub mod locate;
 pub mod noding;
 pub mod predicates;
 pub mod sweep;
+pub mod zone;
 
 mod arrange;
 mod build;
@@ -27,7 +31,9 @@ mod status;
 
 pub use build::{BuildError, BuildSummary, Builder, Position};
 pub use drawing::{Drawing, places, validate_drawing};
+pub use locate::{LocateError, Located, Locator};
 pub use planar_map::{FeatureId, PlanarMap};
 pub use point::Point;
 pub use predicates::{MAX_COORDINATE, MIN_COORDINATE};
 pub use shape::{Feature, Shape};
+pub use zone::{Met, Stretch};
