@@ -3,7 +3,7 @@
 
 use crate::maps::{Drawing, Random, point, quickcheck, world, world_110m};
 use crate::oracle::Plain;
-use twinedge::geometry::{Builder, LocateError, Locator, Met, PlanarMap, Point, Stretch};
+use twinedge::geometry::{Builder, LocateError, Locator, Met, PlanarMap, Point, Shape, Stretch};
 
 /// Where queries begin and end: on the grid of the vertices more often than not.
 fn place(x: u8, y: u8) -> Point {
@@ -93,38 +93,30 @@ fn across_the_world_and_back() {
         assert_eq!(there[0], Met::Vertex(v.key()));
         assert_eq!(locator.zone(&Stretch::Segment(to, from)).unwrap(), turned(&map, &there));
         assert_eq!(map.zone_from(v.key(), to).unwrap(), there);
-        // The segment, what comes before, and what comes after make up the line.
+        // The line is what the two rays have in common, and what each of them has alone.
         let line = locator.zone(&Stretch::Line(from, to)).unwrap();
-        let before = turned(
-            &map,
-            &locator.zone(&Stretch::Ray(from, Point::new(2.0 * from.x - to.x, 2.0 * from.y - to.y))).unwrap(),
-        );
-        let ray = locator.zone(&Stretch::Ray(from, to)).unwrap();
-        assert!(ray.starts_with(&there));
-        if i % 4 != 1 {
-            // Level or not, but the point behind is exact only for some.
-            assert!(line.ends_with(&ray) && is_a_way(&map, &line) && is_a_way(&map, &before));
-        }
+        let onwards = locator.zone(&Stretch::Ray(from, to)).unwrap();
+        let back = locator.zone(&Stretch::Ray(to, from)).unwrap();
+        assert!(is_a_way(&map, &line) && onwards.starts_with(&there));
+        assert!(line.ends_with(&onwards) && line.starts_with(&turned(&map, &back)));
         most = most.max(there.len());
     }
-    assert!(most > 100, "{most}");
+    assert!(most > 80, "{most}");
 }
 
 #[test]
-fn a_parallel_crosses_the_borders_that_the_longitudes_say() {
-    // Along 1 degree north, from the Atlantic to the Indian Ocean. Names by hand, from an atlas.
+fn a_parallel_crosses_the_countries_of_the_atlas() {
+    // Along 1.5 degrees north, from the Atlantic to the Indian Ocean.
     let map = world(include_bytes!("../data/world-50m.geojson"));
     let met = Locator::new(&map).unwrap().zone(&Stretch::Segment(Point::new(5.0, 1.5), Point::new(50.0, 1.5))).unwrap();
     let mut countries = Vec::new();
     for met in met {
         if let Met::Face(face) = met {
-            let names: Vec<_> = map.features_of(face).unwrap().filter_map(|f| map.name(f)).collect();
-            countries.push(names.join(" and "));
+            countries.extend(map.features_of(face).unwrap().filter_map(|f| map.name(f)));
         }
     }
     countries.dedup();
-    println!("{countries:?}");
-    assert_eq!(countries.first(), Some(&String::new()));
+    assert_eq!(countries, ["Eq. Guinea", "Gabon", "Congo", "Dem. Rep. Congo", "Uganda", "Kenya", "Somalia"]);
 }
 
 #[test]
@@ -172,12 +164,13 @@ fn what_cannot_be_asked_is_an_error() {
     let stale = Drawing::square().map().dcel().vertices().next().unwrap().key();
     assert_eq!(map.zone_from(stale, p), Err(twinedge::dcel::StaleKey::Vertex(stale).into()));
 
-    // Two edges that cross: the walk comes upon the second from the wrong side.
+    // Two triangles that overlap: inside the first, the walk comes upon the second from what should be outside.
     let mut builder = Builder::new();
-    for (from, to) in [((0, 0), (4, 4)), ((4, 4), (0, 4)), ((0, 4), (0, 0)), ((1, 0), (1, 4))] {
-        builder.segment(point(from.0, from.1), point(to.0, to.1)).unwrap();
+    for corners in [[(0, 0), (8, 0), (0, 8)], [(1, 1), (9, 1), (1, 9)]] {
+        let ring = corners.map(|(x, y)| point(x, y)).to_vec();
+        builder.shape(&Shape::Polygon(vec![ring])).unwrap();
     }
     let map = builder.build().unwrap();
     let at_origin = map.dcel().vertices().find(|v| map.position(v.key()) == Ok(point(0, 0))).unwrap().key();
-    assert_eq!(map.zone_from(at_origin, point(2, 3)), Err(LocateError::NotPlane));
+    assert_eq!(map.zone_from(at_origin, point(7, 6)), Err(LocateError::NotPlane));
 }

@@ -6,7 +6,7 @@ use crate::oracle::{Plain, whole};
 use std::collections::HashMap;
 use twinedge::dcel::{FaceKey, StaleKey};
 use twinedge::geometry::predicates::{Orientation, compare_lexicographic, on_segment, orientation};
-use twinedge::geometry::{Builder, LocateError, Located, Locator, MAX_COORDINATE, PlanarMap, Point};
+use twinedge::geometry::{Builder, LocateError, Located, Locator, MAX_COORDINATE, PlanarMap, Point, Shape};
 
 /// Every point of a grid twice as fine, and a little beyond, is where every edge and every vertex says.
 fn grid_maps(drawing: Drawing) -> bool {
@@ -66,7 +66,7 @@ fn neither_scale_nor_place_matters() {
             let mut builder = Builder::new();
             for v in map.dcel().vertices() {
                 let p = scaled(map.position(v.key()).unwrap());
-                builder.shape(&twinedge::geometry::Shape::Point(p)).unwrap();
+                builder.shape(&Shape::Point(p)).unwrap();
             }
             for h in map.dcel().edges() {
                 let [from, to] = [h.origin(), h.target()].map(|v| scaled(map.position(v.key()).unwrap()));
@@ -126,10 +126,11 @@ fn a_map_that_is_not_plane_has_no_index_but_every_walk_ends() {
     assert!(!map.is_plane());
     assert_eq!(Locator::new(&map).unwrap_err(), LocateError::NotPlane);
 
-    // Ten segments, each crossing all others; the walks come upon edges from the wrong side.
+    // Triangles that overlap: the walks come upon edges from the wrong side.
     let mut builder = Builder::new();
-    for i in 0..10 {
-        builder.segment(point(i, 0), point(10 - i, 7 + i % 3)).unwrap();
+    for i in 0..5 {
+        let ring = [point(i, i % 3), point(i + 6, 1 + i % 2), point(i, 9)].to_vec();
+        builder.shape(&Shape::Polygon(vec![ring])).unwrap();
     }
     let map = builder.build().unwrap();
     let mut lost = 0;
