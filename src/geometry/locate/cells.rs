@@ -5,8 +5,9 @@ use crate::geometry::Point;
 use alloc::vec;
 use alloc::vec::Vec;
 
-/// How many questions a cell may take while the grid is built.
-const PATIENCE: usize = 64;
+/// How many questions one cell may take while the grid is built, and all of them on average. An empty cell of a real map
+/// takes a few hundred if its quarter of the world is not empty.
+const PATIENCE: [usize; 2] = [4096, 128];
 
 /// A grid of as many columns as rows, with a cell or so for each segment. Each cell knows a stage of the search graph that
 /// all points in the cell come through: often already a face, else a few questions before the end. The grid only saves
@@ -69,6 +70,7 @@ impl Cells {
         let side = 1 << levels;
         let (columns, rows) = (Axis::new(min.x, max.x, side), Axis::new(min.y, max.y, side));
         let (across, up) = (columns.bounds(), rows.bounds());
+        let mut patience = PATIENCE[1] * side * side;
         let mut stages = vec![graph.root()];
         let mut open = Vec::new();
         for level in 0..=levels {
@@ -81,10 +83,14 @@ impl Cells {
                     let min = Point::new(across[left][0], up[low][0]);
                     let max = Point::new(across[left + cell - 1][1], up[low + cell - 1][1]);
                     let from = coarser[(row / 2) * side.div_ceil(2) + column / 2];
-                    stages.push(graph.settle(from, [min, max], PATIENCE, &mut open));
+                    let most = patience.min(PATIENCE[0]);
+                    let mut left = most;
+                    stages.push(graph.settle(from, [min, max], &mut left, &mut open));
+                    patience -= most - left;
                 }
             }
         }
+
         Self { columns, rows, stages }
     }
 

@@ -30,6 +30,13 @@ pub(super) enum Found {
     Segment(u32),
 }
 
+/// A stage that some of a box comes to: no more than what is lexicographically from the first point to the last.
+pub(super) struct Open {
+    stage: Stage,
+    first: Point,
+    last: Point,
+}
+
 /// The packed graph.
 pub(super) struct Graph {
     root: Stage,
@@ -102,55 +109,84 @@ impl Graph {
     /// The last stage that everything in a box comes through, after one that it comes through, and before any question
     /// about something in the box itself; or an earlier one, if that takes more than `patience` questions. `open` is
     /// scratch.
-    pub(super) fn settle(&self, from: Stage, [min, max]: [Point; 2], patience: usize, open: &mut Vec<Stage>) -> Stage {
-        // The stages that something in the box may come to next, the smallest last. None is left out: if there is only
-        // one, all comes through it.
+    pub(super) fn settle(&self, from: Stage, bounds: [Point; 2], patience: &mut usize, open: &mut Vec<Open>) -> Stage {
+        let [min, max] = bounds;
+        // None is left out: if only one is open, everything comes through it.
         open.clear();
-        open.push(from);
+        open.push(Open { stage: from, first: min, last: max });
         let mut settled = from;
-        for _ in 0..patience {
-            let Some(stage) = open.pop() else { break };
+        while let Some(Open { stage, first, last }) = open.pop() {
             if open.is_empty() {
                 settled = stage;
             }
             // Faces have the largest numbers: only faces are left.
-            if stage & MARK != 0 {
+            if stage & MARK != 0 || *patience == 0 {
                 break;
             }
+            *patience -= 1;
             let question = self.questions[stage as usize];
-            let Some((below, above)) = self.answers(question.of, min, max) else { break };
-            for (given, next) in [(below, question.below), (above, question.above)] {
-                if given && let Err(place) = open.binary_search_by(|other| next.cmp(other)) {
-                    open.insert(place, next);
+            let (below, above) = if question.of & MARK == 0 {
+                // Whoever is asked about a segment is between the walls of its ends.
+                let [low, high] = self.segments[question.of as usize];
+                let part = [larger(first, low), smaller(last, high)];
+                let Some((below, above)) = sides([low, high], part, bounds) else { break };
+                (below.then_some(part), above.then_some(part))
+            } else {
+                let p = self.points[(question.of ^ MARK) as usize];
+                if (min.x..=max.x).contains(&p.x) && (min.y..=max.y).contains(&p.y) {
+                    break;
+                }
+                (Some([first, smaller(last, p)]), Some([larger(first, p), last]))
+            };
+            for (part, stage) in [(below, question.below), (above, question.above)] {
+                let Some([first, last]) = part.filter(|part| reaches(*part, bounds)) else { continue };
+                match open.binary_search_by(|other| stage.cmp(&other.stage)) {
+                    Ok(place) => {
+                        let same = &mut open[place];
+                        (same.first, same.last) = (smaller(same.first, first), larger(same.last, last));
+                    }
+                    Err(place) => open.insert(place, Open { stage, first, last }),
                 }
             }
         }
         settled
     }
 
-    /// Whether something in a box may get the answer "below", and "above"; nothing, if what is asked about is in the box.
-    fn answers(&self, of: u32, min: Point, max: Point) -> Option<(bool, bool)> {
-        work();
-        let beside = |low: f64, high: f64, min: f64, max: f64| high < min || max < low;
-        if of & MARK != 0 {
-            let p = self.points[(of ^ MARK) as usize];
-            let (left, right) = (min.x <= p.x, p.x <= max.x);
-            return (!(left && right) || beside(p.y, p.y, min.y, max.y)).then_some((left, right));
-        }
-        let [low, high] = self.segments[of as usize];
-        // The corners furthest to the left and to the right of the segment.
-        let (left, right) =
-            if high.y >= low.y { (Point::new(min.x, max.y), Point::new(max.x, min.y)) } else { (max, min) };
-        let exact = in_range(left) && in_range(right);
-        let below = !exact || orientation(low, high, right) != Orientation::CounterClockwise;
-        let above = !exact || orientation(low, high, left) != Orientation::Clockwise;
-        let (bottom, top) = (low.y.min(high.y), low.y.max(high.y));
-        let outside = !(below && above) || beside(low.x, high.x, min.x, max.x) || beside(bottom, top, min.y, max.y);
-        outside.then_some((below, above))
-    }
-
     #[cfg(test)]
     pub(super) fn questions(&self) -> usize {
         self.questions.len()
     }
+}
+
+/// The lexicographically smaller of two points.
+fn smaller(a: Point, b: Point) -> Point {
+    if compare_lexicographic(a, b).is_le() { a } else { b }
+}
+
+/// The lexicographically larger of two points.
+fn larger(a: Point, b: Point) -> Point {
+    if compare_lexicographic(a, b).is_le() { b } else { a }
+}
+
+/// Whether there may be a point in a box that is lexicographically from the first to the last.
+fn reaches([first, last]: [Point; 2], [min, max]: [Point; 2]) -> bool {
+    first.x < last.x || first.x == last.x && first.y.max(min.y) <= last.y.min(max.y)
+}
+
+/// Whether something in a box, lexicographically from the first to the last, may lie on the right of a segment, and on the
+/// left; nothing, if the segment itself is there.
+fn sides([low, high]: [Point; 2], [first, last]: [Point; 2], [min, max]: [Point; 2]) -> Option<(bool, bool)> {
+    work();
+    // The corners furthest to the left and to the right of the segment.
+    let (left, right) = if high.y >= low.y {
+        (Point::new(first.x, max.y), Point::new(last.x, min.y))
+    } else {
+        (Point::new(last.x, max.y), Point::new(first.x, min.y))
+    };
+    if !in_range(left) || !in_range(right) {
+        return None;
+    }
+    let below = orientation(low, high, right) != Orientation::CounterClockwise;
+    let above = orientation(low, high, left) != Orientation::Clockwise;
+    (!(below && above)).then_some((below, above))
 }

@@ -207,3 +207,6 @@ fn bounds(points: &[Point]) -> Option<[Point; 2]> {
         [Point::new(min.x.min(p.x), min.y.min(p.y)), Point::new(max.x.max(p.x), max.y.max(p.y))]
     }))
 }
+
+#[cfg(test)]
+mod tests;
