@@ -2,13 +2,13 @@
 
 use super::trapezoids::{Drawn, Failure, Node, search_graph};
 use crate::geometry::Point;
-use crate::geometry::predicates::{Orientation, compare_lexicographic, in_range, orientation, work};
+use crate::geometry::predicates::{Orientation, compare_lexicographic, orientation, work};
 use core::cmp::Ordering;
 
 /// Marks the number of a face among those of questions, and the number of a point among those of segments.
 const MARK: u32 = 1 << 31;
 
-/// A question of the graph, or a face, marked. The number of a question is smaller than those to which it leads.
+/// A question of the graph, or a face, marked.
 pub(super) type Stage = u32;
 
 /// Which side of something?
@@ -28,13 +28,6 @@ pub(super) enum Found {
     Face(u32),
     Point(u32),
     Segment(u32),
-}
-
-/// A stage that some of a box comes to: no more than what is lexicographically from the first point to the last.
-pub(super) struct Open {
-    stage: Stage,
-    first: Point,
-    last: Point,
 }
 
 /// The packed graph.
@@ -106,87 +99,23 @@ impl Graph {
         Found::Face(stage ^ MARK)
     }
 
-    /// The last stage that everything in a box comes through, after one that it comes through, and before any question
-    /// about something in the box itself; or an earlier one, if that takes more than `patience` questions. `open` is
-    /// scratch.
-    pub(super) fn settle(&self, from: Stage, bounds: [Point; 2], patience: &mut usize, open: &mut Vec<Open>) -> Stage {
-        let [min, max] = bounds;
-        // None is left out: if only one is open, everything comes through it.
-        open.clear();
-        open.push(Open { stage: from, first: min, last: max });
-        let mut settled = from;
-        while let Some(Open { stage, first, last }) = open.pop() {
-            if open.is_empty() {
-                settled = stage;
-            }
-            // Faces have the largest numbers: only faces are left.
-            if stage & MARK != 0 || *patience == 0 {
-                break;
-            }
-            *patience -= 1;
-            let question = self.questions[stage as usize];
-            let (below, above) = if question.of & MARK == 0 {
-                // Whoever is asked about a segment is between the walls of its ends.
-                let [low, high] = self.segments[question.of as usize];
-                let part = [larger(first, low), smaller(last, high)];
-                let Some((below, above)) = sides([low, high], part, bounds) else { break };
-                (below.then_some(part), above.then_some(part))
-            } else {
-                let p = self.points[(question.of ^ MARK) as usize];
-                if (min.x..=max.x).contains(&p.x) && (min.y..=max.y).contains(&p.y) {
-                    break;
-                }
-                (Some([first, smaller(last, p)]), Some([larger(first, p), last]))
-            };
-            for (part, stage) in [(below, question.below), (above, question.above)] {
-                let Some([first, last]) = part.filter(|part| reaches(*part, bounds)) else { continue };
-                match open.binary_search_by(|other| stage.cmp(&other.stage)) {
-                    Ok(place) => {
-                        let same = &mut open[place];
-                        (same.first, same.last) = (smaller(same.first, first), larger(same.last, last));
-                    }
-                    Err(place) => open.insert(place, Open { stage, first, last }),
-                }
-            }
-        }
-        settled
+    /// The stage at which it is known that a point lies in this face.
+    pub(super) const fn stage(face: u32) -> Stage {
+        MARK | face
+    }
+
+    /// The points, in lexicographic order.
+    pub(super) fn points(&self) -> &[Point] {
+        &self.points
+    }
+
+    /// The segments, each from its lower end to its higher.
+    pub(super) fn segments(&self) -> &[[Point; 2]] {
+        &self.segments
     }
 
     #[cfg(test)]
     pub(super) fn questions(&self) -> usize {
         self.questions.len()
     }
-}
-
-/// The lexicographically smaller of two points.
-fn smaller(a: Point, b: Point) -> Point {
-    if compare_lexicographic(a, b).is_le() { a } else { b }
-}
-
-/// The lexicographically larger of two points.
-fn larger(a: Point, b: Point) -> Point {
-    if compare_lexicographic(a, b).is_le() { b } else { a }
-}
-
-/// Whether there may be a point in a box that is lexicographically from the first to the last.
-fn reaches([first, last]: [Point; 2], [min, max]: [Point; 2]) -> bool {
-    first.x < last.x || first.x == last.x && first.y.max(min.y) <= last.y.min(max.y)
-}
-
-/// Whether something in a box, lexicographically from the first to the last, may lie on the right of a segment, and on the
-/// left; nothing, if the segment itself is there.
-fn sides([low, high]: [Point; 2], [first, last]: [Point; 2], [min, max]: [Point; 2]) -> Option<(bool, bool)> {
-    work();
-    // The corners furthest to the left and to the right of the segment.
-    let (left, right) = if high.y >= low.y {
-        (Point::new(first.x, max.y), Point::new(last.x, min.y))
-    } else {
-        (Point::new(last.x, max.y), Point::new(first.x, min.y))
-    };
-    if !in_range(left) || !in_range(right) {
-        return None;
-    }
-    let below = orientation(low, high, right) != Orientation::CounterClockwise;
-    let above = orientation(low, high, left) != Orientation::Clockwise;
-    (!(below && above)).then_some((below, above))
 }

@@ -31,9 +31,9 @@
 //! # How
 //!
 //! The index is the search graph of a trapezoidal map (see `trapezoids.rs`): O(n) memory and O(log n) questions, whatever
-//! the drawing. In front of it stands a grid of about one cell per edge. Each cell knows the last question that all its
-//! points come to, so most searches are over before they begin, or a few questions later; and the worst is still the
-//! worst of the graph, since the grid holds one number per cell and no lists.
+//! the drawing. In front of it stands a grid of about one cell per edge. A cell that no edge meets knows its face, so most
+//! searches on a map end where they begin; and the worst is still the worst of the graph, since the grid has one number per
+//! cell and no lists.
 
 mod cells;
 mod graph;
@@ -166,7 +166,7 @@ impl<'m> Locator<'m> {
             Failure::TooLarge => LocateError::TooLarge,
             Failure::Clash => LocateError::NotPlane,
         })?;
-        let cells = bounds.map(|bounds| Cells::new(&graph, bounds, rising.len()));
+        let cells = bounds.map(|bounds| Cells::new(&graph, bounds));
         Ok(Self { map, graph, cells, vertices, rising, boxes })
     }
 

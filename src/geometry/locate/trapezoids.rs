@@ -47,7 +47,7 @@ impl Drawn {
     }
 }
 
-/// A node of the search graph. Its number is smaller than those of the nodes to which it leads.
+/// A node of the search graph. Its number is smaller than those of the nodes to which it leads, so every search ends.
 #[derive(Clone, Copy)]
 pub(super) enum Node {
     /// Is it left or right of this vertex, in the lexicographic sense?

@@ -19,32 +19,34 @@ enum What {
     Vertex(u32),
 }
 
+/// With its ends, so that the map need be asked only about what is met.
 struct Boxed {
     what: What,
-    envelope: AABB<[f64; 2]>,
+    ends: [Point; 2],
 }
 
 impl RTreeObject for Boxed {
     type Envelope = AABB<[f64; 2]>;
 
     fn envelope(&self) -> Self::Envelope {
-        self.envelope
+        let [a, b] = self.ends.map(<[f64; 2]>::from);
+        AABB::from_corners(a, b)
     }
 }
 
 impl Boxes {
     /// O(n log n).
     pub(in crate::geometry) fn new(map: &PlanarMap) -> Self {
-        let place = |v: Vertex<'_>| <[f64; 2]>::from(map.point(v.index()));
-        let edges = map.dcel().edges().map(|h| Boxed {
-            what: What::Edge(h.index() as u32),
-            envelope: AABB::from_corners(place(h.origin()), place(h.target())),
-        });
+        let place = |v: Vertex<'_>| map.point(v.index());
+        let edges = map
+            .dcel()
+            .edges()
+            .map(|h| Boxed { what: What::Edge(h.index() as u32), ends: [place(h.origin()), place(h.target())] });
         let isolated = map
             .dcel()
             .boundaries()
             .filter_map(|b| b.isolated_vertex())
-            .map(|v| Boxed { what: What::Vertex(v.index() as u32), envelope: AABB::from_point(place(v)) });
+            .map(|v| Boxed { what: What::Vertex(v.index() as u32), ends: [place(v); 2] });
         Self { tree: RTree::bulk_load(edges.chain(isolated).collect()) }
     }
 
@@ -57,30 +59,23 @@ impl Boxes {
         mut visit: impl FnMut(Event<'m>),
     ) {
         let dcel = map.dcel();
-        let mut at_vertex = |vertex: Vertex<'m>| {
-            let p = map.point(vertex.index());
-            let side = line.side(p);
-            (p, side)
-        };
         for boxed in self.tree.locate_with_selection_function(Selection::new(line, stretch)) {
             match boxed.what {
                 What::Vertex(vertex) => {
-                    if let Some(vertex) = dcel.vertex_at(vertex as usize)
-                        && at_vertex(vertex).1 == Orientation::Collinear
-                    {
+                    if let Some(vertex) = dcel.vertex_at(vertex as usize) {
                         visit(Line::at(map, vertex));
                     }
                 }
                 What::Edge(half_edge) => {
                     let Some(h) = dcel.half_edge_at(half_edge as usize) else { continue };
-                    let ends = [h.origin(), h.target()];
-                    let sided = ends.map(&mut at_vertex);
-                    for (vertex, (_, side)) in ends.into_iter().zip(sided) {
-                        if side == Orientation::Collinear {
-                            visit(Line::at(map, vertex));
-                        }
+                    let [origin, target] = boxed.ends.map(|p| (p, line.side(p)));
+                    if origin.1 == Orientation::Collinear {
+                        visit(Line::at(map, h.origin()));
                     }
-                    if let Some(event) = Line::crossing(h, sided[0], sided[1]) {
+                    if target.1 == Orientation::Collinear {
+                        visit(Line::at(map, h.target()));
+                    }
+                    if let Some(event) = Line::crossing(h, origin, target) {
                         visit(event);
                     }
                 }
@@ -115,20 +110,29 @@ impl<'l> Selection<'l> {
     }
 }
 
+impl Selection<'_> {
+    /// Whether two points are on different sides of the line, or on it.
+    fn parts(&self, a: Point, b: Point) -> bool {
+        let (a, b) = (self.line.side(a), self.line.side(b));
+        a != b || a == Orientation::Collinear
+    }
+
+    fn is_near(&self, [left, bottom]: [f64; 2], [right, top]: [f64; 2]) -> bool {
+        let ([first, lowest], [last, highest]) = (self.around.lower(), self.around.upper());
+        first <= right && left <= last && lowest <= top && bottom <= highest
+    }
+}
+
 impl SelectionFunction<Boxed> for Selection<'_> {
     fn should_unpack_parent(&self, envelope: &AABB<[f64; 2]>) -> bool {
-        let ([left, bottom], [right, top]) = (envelope.lower(), envelope.upper());
-        let ([first, lowest], [last, highest]) = (self.around.lower(), self.around.upper());
-        if right < first || last < left || top < lowest || highest < bottom {
-            return false;
-        }
+        let (min, max) = (envelope.lower(), envelope.upper());
         // The corners furthest from the line on either side, in one order or the other.
-        let (one, other) = if self.rises { ([left, top], [right, bottom]) } else { ([left, bottom], [right, top]) };
-        let (one, other) = (self.line.side(Point::from(one)), self.line.side(Point::from(other)));
-        one != other || one == Orientation::Collinear
+        let (one, other) = if self.rises { ([min[0], max[1]], [max[0], min[1]]) } else { (min, max) };
+        self.is_near(min, max) && self.parts(Point::from(one), Point::from(other))
     }
 
     fn should_unpack_leaf(&self, leaf: &Boxed) -> bool {
-        self.should_unpack_parent(&leaf.envelope)
+        let envelope = leaf.envelope();
+        self.is_near(envelope.lower(), envelope.upper()) && self.parts(leaf.ends[0], leaf.ends[1])
     }
 }
