@@ -1,0 +1,138 @@
+//! The boxes around edges and isolated vertices, in an R-tree, and those that a line meets.
+
+use super::Stretch;
+use super::line::{Event, Line};
+use crate::dcel::Vertex;
+use crate::geometry::predicates::Orientation;
+use crate::geometry::{Drawing, PlanarMap, Point};
+use rstar::{AABB, RTree, RTreeObject, SelectionFunction};
+
+/// The tree.
+pub(in crate::geometry) struct Boxes {
+    tree: RTree<Boxed>,
+}
+
+/// An edge, by the index of one of its half-edges, or an isolated vertex, by its own.
+#[derive(Clone, Copy)]
+enum What {
+    Edge(u32),
+    Vertex(u32),
+}
+
+/// With its ends, so that the map need be asked only about what is met.
+struct Boxed {
+    what: What,
+    ends: [Point; 2],
+}
+
+impl RTreeObject for Boxed {
+    type Envelope = AABB<[f64; 2]>;
+
+    fn envelope(&self) -> Self::Envelope {
+        let [a, b] = self.ends.map(<[f64; 2]>::from);
+        AABB::from_corners(a, b)
+    }
+}
+
+impl Boxes {
+    /// O(n log n).
+    pub(in crate::geometry) fn new(map: &PlanarMap) -> Self {
+        let place = |v: Vertex<'_>| map.point(v.index());
+        let edges = map
+            .dcel()
+            .edges()
+            .map(|h| Boxed { what: What::Edge(h.index() as u32), ends: [place(h.origin()), place(h.target())] });
+        let isolated = map
+            .dcel()
+            .boundaries()
+            .filter_map(|b| b.isolated_vertex())
+            .map(|v| Boxed { what: What::Vertex(v.index() as u32), ends: [place(v); 2] });
+        Self { tree: RTree::bulk_load(edges.chain(isolated).collect()) }
+    }
+
+    /// Finds everything that the line of a stretch meets in one point, and that the stretch may meet; some of it twice.
+    pub(super) fn each_event<'m>(
+        &self,
+        map: &'m PlanarMap,
+        line: &Line,
+        stretch: &Stretch,
+        mut visit: impl FnMut(Event<'m>),
+    ) {
+        let dcel = map.dcel();
+        for boxed in self.tree.locate_with_selection_function(Selection::new(line, stretch)) {
+            match boxed.what {
+                What::Vertex(vertex) => {
+                    if let Some(vertex) = dcel.vertex_at(vertex as usize) {
+                        visit(Line::at(map, vertex));
+                    }
+                }
+                What::Edge(half_edge) => {
+                    let Some(h) = dcel.half_edge_at(half_edge as usize) else { continue };
+                    let [origin, target] = boxed.ends.map(|p| (p, line.side(p)));
+                    if origin.1 == Orientation::Collinear {
+                        visit(Line::at(map, h.origin()));
+                    }
+                    if target.1 == Orientation::Collinear {
+                        visit(Line::at(map, h.target()));
+                    }
+                    if let Some(event) = Line::crossing(h, origin, target) {
+                        visit(event);
+                    }
+                }
+            }
+        }
+    }
+}
+
+/// Selects the boxes that a stretch meets.
+struct Selection<'l> {
+    line: &'l Line,
+    /// The box around the stretch, perhaps infinite.
+    around: AABB<[f64; 2]>,
+    /// Whether the line rises to the right, or falls to the left.
+    rises: bool,
+}
+
+impl<'l> Selection<'l> {
+    fn new(line: &'l Line, stretch: &Stretch) -> Self {
+        let Line { from, through } = *line;
+        // From where to where, in one coordinate.
+        let range = |from: f64, through: f64| match stretch {
+            _ if from == through => [from, through],
+            Stretch::Segment(..) => [from.min(through), from.max(through)],
+            Stretch::Ray(..) if from < through => [from, f64::INFINITY],
+            Stretch::Ray(..) => [f64::NEG_INFINITY, from],
+            Stretch::Line(..) => [f64::NEG_INFINITY, f64::INFINITY],
+        };
+        let ([left, right], [bottom, top]) = (range(from.x, through.x), range(from.y, through.y));
+        let around = AABB::from_corners([left, bottom], [right, top]);
+        Self { line, around, rises: (from.x <= through.x) == (from.y <= through.y) }
+    }
+}
+
+impl Selection<'_> {
+    /// Whether two points are on different sides of the line, or on it.
+    fn parts(&self, a: Point, b: Point) -> bool {
+        let (a, b) = (self.line.side(a), self.line.side(b));
+        a != b || a == Orientation::Collinear
+    }
+
+    fn is_near(&self, [left, bottom]: [f64; 2], [right, top]: [f64; 2]) -> bool {
+        let ([first, lowest], [last, highest]) = (self.around.lower(), self.around.upper());
+        first <= right && left <= last && lowest <= top && bottom <= highest
+    }
+}
+
+impl SelectionFunction<Boxed> for Selection<'_> {
+    fn should_unpack_parent(&self, envelope: &AABB<[f64; 2]>) -> bool {
+        let (min, max) = (envelope.lower(), envelope.upper());
+        // The corners furthest from the line on either side, in one order or the other.
+        let (one, other) = if self.rises { ([min[0], max[1]], [max[0], min[1]]) } else { (min, max) };
+        self.is_near(min, max) && self.parts(Point::from(one), Point::from(other))
+    }
+
+    fn should_unpack_leaf(&self, leaf: &Boxed) -> bool {
+        let envelope = leaf.envelope();
+        self.is_near(envelope.lower(), envelope.upper()) && self.parts(leaf.ends[0], leaf.ends[1])
+    }
+}

@@ -1,0 +1,169 @@
+//! From face to face along a segment, without an index.
+
+use super::line::{Event, Line, Piece, Place};
+use super::{Begin, Met, follow};
+use crate::dcel::{Face, Vertex, VertexKey};
+use crate::geometry::locate::check;
+use crate::geometry::predicates::Orientation;
+use crate::geometry::{Drawing, LocateError, Located, PlanarMap, Point};
+use core::cmp::Ordering;
+use rustc_hash::FxHashSet;
+use std::collections::BinaryHeap;
+
+impl PlanarMap {
+    /// Where a point lies, by walking there on a straight line from something that is near, if possible: a face, edge or
+    /// vertex, such as the last answer. Needs no index, so the map may change between two questions.
+    ///
+    /// Takes time in proportion to the boundaries of the faces that the line meets, each counted once however often it is
+    /// entered, plus O(k log k) for k edges and vertices on the way. On a map that is not plane, the answer may be wrong,
+    /// but comes in the same time.
+    ///
+    /// # Errors
+    /// [`LocateError::OutOfRange`]. [`LocateError::Stale`], if the hint is. [`LocateError::NotPlane`], if the walk comes
+    /// upon an edge from the wrong side.
+    pub fn locate_from(&self, p: Point, hint: impl Into<Located>) -> Result<Located, LocateError> {
+        check(p)?;
+        let dcel = self.dcel();
+        let start = match hint.into() {
+            Located::Vertex(vertex) => dcel.vertex(vertex)?,
+            Located::Edge(half_edge) => dcel.half_edge(half_edge)?.origin(),
+            Located::Face(face) => {
+                let face = dcel.face(face)?;
+                match face.boundaries().find_map(|b| b.start().map(|h| h.origin()).or(b.isolated_vertex())) {
+                    Some(vertex) => vertex,
+                    // There is nothing in the map.
+                    None => return Ok(Located::Face(face.key())),
+                }
+            }
+        };
+        let mut last = Located::Vertex(start.key());
+        self.walk(start, p, |met| {
+            last = match met {
+                Met::Face(face) => Located::Face(face),
+                Met::Edge(half_edge) | Met::Along(half_edge) => Located::Edge(half_edge),
+                Met::Vertex(vertex) => Located::Vertex(vertex),
+            };
+        })?;
+        Ok(last)
+    }
+
+    /// What the segment from a vertex to a point meets, in order, the vertex first: as
+    /// [`Locator::zone`](crate::geometry::Locator::zone) has it, but without an index. Nothing but the vertex, if the
+    /// point is the vertex.
+    ///
+    /// Takes the time of [`PlanarMap::locate_from`].
+    ///
+    /// # Errors
+    /// As [`PlanarMap::locate_from`].
+    pub fn zone_from(&self, start: VertexKey, to: Point) -> Result<Vec<Met>, LocateError> {
+        check(to)?;
+        let mut all = Vec::new();
+        self.walk(self.dcel().vertex(start)?, to, |met| all.push(met))?;
+        Ok(all)
+    }
+
+    fn walk(&self, start: Vertex<'_>, to: Point, mut visit: impl FnMut(Met)) -> Result<(), LocateError> {
+        let event = Line::at(self, start);
+        let from = self.point(start.index());
+        if from == to {
+            visit(Met::Vertex(start.key()));
+            return Ok(());
+        }
+        let line = Line { from, through: to };
+        let mut known = Known { map: self, line: &line, to, scanned: FxHashSet::default(), ahead: BinaryHeap::new() };
+        follow(self, &line, Some(to), Begin::Event(event), |piece, at| known.next(piece, at), visit)
+    }
+}
+
+/// What is known of the way ahead: where it meets the boundaries of the faces that it has come to.
+struct Known<'m, 'l> {
+    map: &'m PlanarMap,
+    line: &'l Line,
+    to: Point,
+    scanned: FxHashSet<usize>,
+    ahead: BinaryHeap<Ahead<'m, 'l>>,
+}
+
+impl<'m> Known<'m, '_> {
+    /// What comes next after a place, in a piece.
+    fn next(&mut self, piece: Piece<'m>, at: Option<Place>) -> Option<Event<'m>> {
+        match piece {
+            Piece::Face(face) => {
+                if self.scanned.insert(face.index()) {
+                    self.scan(face, at);
+                }
+            }
+            Piece::Along(h) => self.add(Line::at(self.map, h.target()), at),
+        }
+        // A face that was scanned later has seen again what is there.
+        while let Some(Ahead { event, .. }) = self.ahead.pop() {
+            if at.is_none_or(|at| self.line.order(at, event.place).is_lt()) {
+                return Some(event);
+            }
+        }
+        None
+    }
+
+    fn scan(&mut self, face: Face<'m>, at: Option<Place>) {
+        for boundary in face.boundaries() {
+            if let Some(vertex) = boundary.isolated_vertex()
+                && self.line.side(self.map.point(vertex.index())) == Orientation::Collinear
+            {
+                self.add(Line::at(self.map, vertex), at);
+            }
+            let sided = |vertex: Vertex<'_>| {
+                let p = self.map.point(vertex.index());
+                (p, self.line.side(p))
+            };
+            let Some(start) = boundary.start() else { continue };
+            let mut origin = sided(start.origin());
+            let mut found = Vec::new();
+            for h in start.boundary_cycle() {
+                let target = sided(h.target());
+                if origin.1 == Orientation::Collinear {
+                    found.push(Line::at(self.map, h.origin()));
+                }
+                found.extend(Line::crossing(h, origin, target));
+                origin = target;
+            }
+            for event in found {
+                self.add(event, at);
+            }
+        }
+    }
+
+    /// Takes note of an event, if it is ahead and not beyond the end.
+    fn add(&mut self, event: Event<'m>, at: Option<Place>) {
+        if at.is_none_or(|at| self.line.order(at, event.place).is_lt())
+            && self.line.order(event.place, Place::At(self.to)).is_le()
+        {
+            self.ahead.push(Ahead { event, line: self.line });
+        }
+    }
+}
+
+/// An event in a heap, which gives the nearest first.
+struct Ahead<'m, 'l> {
+    event: Event<'m>,
+    line: &'l Line,
+}
+
+impl PartialEq for Ahead<'_, '_> {
+    fn eq(&self, other: &Self) -> bool {
+        self.cmp(other).is_eq()
+    }
+}
+
+impl Eq for Ahead<'_, '_> {}
+
+impl PartialOrd for Ahead<'_, '_> {
+    fn partial_cmp(&self, other: &Self) -> Option<Ordering> {
+        Some(self.cmp(other))
+    }
+}
+
+impl Ord for Ahead<'_, '_> {
+    fn cmp(&self, other: &Self) -> Ordering {
+        self.line.order(other.event.place, self.event.place)
+    }
+}

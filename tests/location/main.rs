@@ -1,0 +1,8 @@
+//! Where points lie and what lines meet: against an oracle that asks everything, on hostile families, and on real maps.
+#![cfg(feature = "geojson")]
+
+mod families;
+mod lines;
+mod maps;
+mod oracle;
+mod points;
