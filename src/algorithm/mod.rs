@@ -9,9 +9,11 @@
 //! | [`contour`] | what is the outline of a feature, a face, any set of faces? |
 //! | [`coverage`] | which faces does a feature cover, and which are claimed twice? |
 //! | [`neighbours`] | who shares a border with whom, where, and how long is it? |
+//! | [`mod@overlay`] | what do two maps make together? |
 
 pub mod area;
 pub mod colouring;
 pub mod contour;
 pub mod coverage;
 pub mod neighbours;
+pub mod overlay;

@@ -135,6 +135,12 @@ impl PlanarMap {
         Ok(())
     }
 
+    /// Takes all features away, and the numbers that were given to them.
+    pub(crate) fn forget_features(&mut self) {
+        self.names.clear();
+        self.features = Features::default();
+    }
+
     /// The features in order, each once.
     fn checked(&self, features: impl IntoIterator<Item = FeatureId>) -> Result<Vec<FeatureId>, EditError> {
         let mut set: Vec<FeatureId> = features.into_iter().collect();
