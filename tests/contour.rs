@@ -1,4 +1,5 @@
 //! Contours: which rings, which polygons, which holes, and that they are valid by the rules of the OGC.
+#![allow(clippy::float_cmp, reason = "areas on a grid of whole numbers are exact")]
 
 use quickcheck::QuickCheck;
 use std::collections::BTreeSet;

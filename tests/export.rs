@@ -1,4 +1,5 @@
 //! Maps written and read again, through every format.
+#![allow(clippy::needless_pass_by_value, reason = "quickcheck passes values")]
 
 use quickcheck::{Gen, QuickCheck};
 use std::collections::BTreeSet;
@@ -54,9 +55,12 @@ fn through_geo_types(features: &[Feature]) -> Vec<Feature> {
 
 type Bits = (u64, u64);
 
+/// A half-edge: where it starts and ends, and the features to its left.
+type Side = (Bits, Bits, Vec<usize>);
+
 /// All that a map draws: the half-edges by their ends, each with the features to its left, and the numbers of faces and
 /// components; isolated vertices apart.
-fn drawn(map: &PlanarMap) -> (BTreeSet<(Bits, Bits, Vec<usize>)>, usize, usize) {
+fn drawn(map: &PlanarMap) -> (BTreeSet<Side>, usize, usize) {
     let bits = |p: Point| (p.x.to_bits(), p.y.to_bits());
     let at = |v: twinedge::dcel::Vertex<'_>| bits(map.position(v.key()).expect("live"));
     let half_edges = map.dcel().half_edges().map(|h| {

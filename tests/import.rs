@@ -1,4 +1,6 @@
 //! Irregular rings are legal: built as they are, counted, and listed with their places.
+#![allow(clippy::float_cmp, reason = "areas on a grid of whole numbers are exact")]
+#![allow(clippy::needless_pass_by_value, reason = "quickcheck passes values")]
 
 use quickcheck::{Gen, QuickCheck, TestResult};
 use std::collections::BTreeSet;

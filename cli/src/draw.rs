@@ -55,7 +55,7 @@ impl Draw {
     pub(crate) fn run(&self) -> Result<Verdict, Failure> {
         let window = match self.window.as_deref() {
             None => None,
-            Some(&[x0, y0, x1, y1]) if [x0, y0, x1, y1].iter().all(|c| c.is_finite()) && x0 != x1 && y0 != y1 => {
+            Some(&[x0, y0, x1, y1]) if [x1 - x0, y1 - y0].iter().all(|side| side.is_finite() && *side != 0.0) => {
                 Some([Point::new(x0, y0), Point::new(x1, y1)])
             }
             Some(_) => return Err(Failure("--window needs two corners of a rectangle with an area".to_owned())),

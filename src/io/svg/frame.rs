@@ -15,8 +15,7 @@ pub(super) struct Frame {
 impl Frame {
     pub(super) fn new(map: &PlanarMap, options: &Options<'_>) -> Self {
         let margin = if options.detail { 40.0 } else { 12.0 };
-        let mut all = Bounds::EMPTY;
-        map.dcel().vertices().for_each(|v| all.add(map.point(v.index())));
+        let all = Bounds::around(map.dcel().vertices().map(|v| map.point(v.index())));
         let window = options.window.and_then(Bounds::of_window);
         let Bounds { low, high } =
             *window.as_ref().unwrap_or(if all.low.x <= all.high.x { &all } else { &Bounds::UNIT });
@@ -43,9 +42,7 @@ impl Frame {
 
     /// Whether the box around these points meets the picture.
     pub(super) fn shows(&self, points: impl IntoIterator<Item = Point>) -> bool {
-        let mut bounds = Bounds::EMPTY;
-        points.into_iter().for_each(|p| bounds.add(p));
-        bounds.meets(&Bounds { low: self.low, high: self.high })
+        Bounds::around(points).meets(&Bounds { low: self.low, high: self.high })
     }
 }
 
@@ -61,16 +58,17 @@ impl Bounds {
 
     /// None for one without area, or that is not finite.
     fn of_window(corners: [Point; 2]) -> Option<Self> {
-        let mut window = Self::EMPTY;
-        corners.into_iter().for_each(|p| window.add(p));
+        let window = Self::around(corners);
         let sides = [window.high.x - window.low.x, window.high.y - window.low.y];
         let finite = corners.iter().all(|p| p.x.is_finite() && p.y.is_finite());
         (finite && sides.iter().all(|side| side.is_finite() && *side > 0.0)).then_some(window)
     }
 
-    fn add(&mut self, p: Point) {
-        self.low = Point::new(self.low.x.min(p.x), self.low.y.min(p.y));
-        self.high = Point::new(self.high.x.max(p.x), self.high.y.max(p.y));
+    fn around(points: impl IntoIterator<Item = Point>) -> Self {
+        points.into_iter().fold(Self::EMPTY, |Self { low, high }, p| Self {
+            low: Point::new(low.x.min(p.x), low.y.min(p.y)),
+            high: Point::new(high.x.max(p.x), high.y.max(p.y)),
+        })
     }
 
     fn meets(&self, other: &Self) -> bool {
@@ -87,9 +85,7 @@ impl Bounds {
 pub fn half_edges_in(map: &PlanarMap, window: Option<[Point; 2]>) -> usize {
     let Some(window) = window.and_then(Bounds::of_window) else { return map.dcel().half_edge_count() };
     let seen = |h: &crate::dcel::HalfEdge<'_>| {
-        let mut bounds = Bounds::EMPTY;
-        [h.origin(), h.target()].into_iter().for_each(|v| bounds.add(map.point(v.index())));
-        bounds.meets(&window)
+        Bounds::around([h.origin(), h.target()].map(|v| map.point(v.index()))).meets(&window)
     };
     map.dcel().half_edges().filter(seen).count()
 }

@@ -23,7 +23,7 @@ pub(super) fn draw(out: &mut String, map: &PlanarMap, frame: &Frame, violations:
                 Record::Boundary(b) => ('b', b),
                 Record::Face(f) => ('f', f),
             };
-            label.push_str(&format!(" {letter}{index}"));
+            put(&mut label, format_args!(" {letter}{index}"));
             if let Record::HalfEdge(h) = record {
                 edges.extend(map.dcel().half_edge_at(h).map(|h| ends(map, h)));
             }
