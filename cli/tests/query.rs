@@ -4,7 +4,7 @@ mod support;
 
 use serde_json::{Value, json};
 use std::collections::BTreeSet;
-use support::{complaint, json as run, twinedge, twinedge_reading};
+use support::{complaint, data, json as run, twinedge, twinedge_reading};
 
 fn names(found: &Value) -> BTreeSet<&str> {
     found.as_array().unwrap().iter().map(|one| one["name"].as_str().unwrap()).collect()
@@ -151,4 +151,105 @@ fn a_map_that_is_not_plane_is_answered_with_a_warning() {
     assert_eq!(output.status.code(), Some(2));
     let text = String::from_utf8(output.stderr).unwrap();
     assert!(text.contains("what it covers is not known"), "{text}");
+}
+
+/// What is found at a point of the built-in map.
+fn at(x: &str, y: &str) -> Value {
+    let (status, answer) = run(&["query", "at", x, y, "--format", "json"]);
+    assert_eq!(status, Some(0));
+    assert_eq!(answer["point"], json!([x.parse::<f64>().unwrap(), y.parse::<f64>().unwrap()]));
+    answer["found"].clone()
+}
+
+#[test]
+fn points_lie_in_the_countries_where_they_should() {
+    for (x, y, country) in [("28.25", "-29.5", "Lesotho"), ("24", "-29", "South Africa")] {
+        let found = at(x, y);
+        assert_eq!((&found["kind"], &found["features"]), (&json!("face"), &json!([country])));
+    }
+    // The Caspian Sea is a hole in five countries; the Atlantic is not.
+    for (x, y, unbounded) in [("51", "42", false), ("-30", "0", true)] {
+        let found = at(x, y);
+        assert_eq!((&found["kind"], &found["unbounded"]), (&json!("face"), &json!(unbounded)));
+        assert_eq!(found["features"], json!([]));
+    }
+}
+
+/// Two squares side by side; the right one is claimed by two.
+const CLAIMS: &[u8] = br#"{"type": "FeatureCollection", "features": [
+    {"type": "Feature", "properties": {"name": "A"}, "geometry":
+        {"type": "Polygon", "coordinates": [[[0, 0], [2, 0], [2, 2], [0, 2], [0, 0]]]}},
+    {"type": "Feature", "properties": {"name": "B"}, "geometry":
+        {"type": "Polygon", "coordinates": [[[2, 0], [4, 0], [4, 2], [2, 2], [2, 0]]]}},
+    {"type": "Feature", "properties": {"name": "C"}, "geometry":
+        {"type": "Polygon", "coordinates": [[[2, 0], [4, 0], [4, 2], [2, 2], [2, 0]]]}}]}"#;
+
+fn ask_of_claims(question: &[&str]) -> (Option<i32>, String) {
+    let output = twinedge_reading(&[&["query", "-"], question].concat(), CLAIMS);
+    (output.status.code(), String::from_utf8(output.stdout).unwrap())
+}
+
+#[test]
+fn points_on_edges_and_vertices_and_in_overlaps_are_told_apart() {
+    let said = |x, y| {
+        let (status, said) = ask_of_claims(&["at", x, y]);
+        assert_eq!(status, Some(0));
+        // Numbers of records are nobody's business here.
+        said.split(' ')
+            .filter(|word| !word.starts_with(['f', 'h', 'v']) || word.len() > 3)
+            .collect::<Vec<_>>()
+            .join(" ")
+    };
+    assert_eq!(said("1", "1"), "face of A\n");
+    assert_eq!(said("3", "1"), "face of B, C, an overlap\n");
+    assert_eq!(said("2", "2"), "vertex at (2, 2), where A, B, C meet(s)\n");
+    let edge = said("2", "1");
+    assert!(edge.starts_with("edge from (2, ") && edge.contains("B, C to its") && edge.contains("A to its"), "{edge}");
+}
+
+#[test]
+fn a_line_meets_faces_edges_and_vertices_in_order() {
+    let met = |question: &[&str]| {
+        let (status, answer) = ask_of_claims(&[question, &["--format", "json"]].concat());
+        assert_eq!(status, Some(0));
+        let answer: Value = serde_json::from_str(&answer).unwrap();
+        let step = |step: &Value| {
+            let along = if step["along"] == json!(true) { "along " } else { "" };
+            format!("{along}{} {}", step["kind"].as_str().unwrap(), step["features"])
+        };
+        answer["met"].as_array().unwrap().iter().map(step).collect::<Vec<_>>()
+    };
+    let through = [
+        "face []",
+        r#"edge ["A"]"#,
+        r#"face ["A"]"#,
+        r#"edge ["A","B","C"]"#,
+        r#"face ["B","C"]"#,
+        r#"edge ["B","C"]"#,
+        "face []",
+    ];
+    assert_eq!(met(&["line", "-1", "1", "5", "1"]), through);
+    assert_eq!(met(&["line", "-1", "1", "3", "1"]), through[..5]);
+    assert_eq!(met(&["line", "1", "1", "3", "1", "--extent", "ray"]), through[2..]);
+    assert_eq!(met(&["line", "1", "1", "3", "1", "--extent", "line"]), through);
+    assert_eq!(
+        met(&["line", "-1", "0", "2", "0"]),
+        ["face []", r#"vertex ["A"]"#, r#"along edge ["A"]"#, r#"vertex ["A","B","C"]"#]
+    );
+}
+
+#[test]
+fn points_and_lines_that_cannot_be_are_refused() {
+    for (question, why) in [
+        (&["at", "nan", "0"][..], "not in the range"),
+        (&["line", "1", "1", "1", "1"], "there is no direction"),
+        (&["line", "0", "0", "inf", "1"], "not in the range"),
+    ] {
+        let output = twinedge(&[&["query"], question].concat());
+        assert_eq!(output.status.code(), Some(2));
+        assert!(complaint(&output).contains(why), "{question:?}");
+    }
+    let output = twinedge(&["query", &data("world-110m-crossing.geojson"), "at", "0", "0"]);
+    assert_eq!(output.status.code(), Some(2));
+    assert!(String::from_utf8(output.stderr).unwrap().contains("the map is not plane"));
 }

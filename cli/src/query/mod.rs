@@ -1,7 +1,10 @@
 //! `twinedge query`: asks a map one question.
 
+mod at;
 mod contour;
 mod faces;
+mod line;
+mod met;
 mod names;
 mod neighbours;
 
@@ -12,11 +15,13 @@ use crate::{Failure, Verdict};
 use clap::Subcommand;
 use twinedge::geometry::PlanarMap;
 
-/// Ask a map: who borders whom, what a country's outline is, which faces there are.
+/// Ask a map: who borders whom, what lies where, what a country's outline is, which faces there are.
 #[derive(Debug, clap::Args)]
 #[command(after_help = "Examples:
   twinedge query neighbours Switzerland                   in the built-in map of the world
   twinedge query world.geojson neighbours Switzerland
+  twinedge query at 28.25 -29.5
+  twinedge query line -10 52 30 52 --format json
   twinedge query world.geojson contour Lesotho --format wkt
   twinedge query - faces --format json < parcels.geojson
 
@@ -35,6 +40,8 @@ pub(crate) struct Query {
 #[derive(Debug, Subcommand)]
 enum Question {
     Neighbours(neighbours::Neighbours),
+    At(at::At),
+    Line(line::Line),
     Contour(contour::Contour),
     Faces(faces::Faces),
 }
@@ -54,6 +61,8 @@ impl Query {
         let asked = Asked { input, map };
         match &self.question {
             Question::Neighbours(question) => question.answer(&asked),
+            Question::At(question) => question.answer(&asked),
+            Question::Line(question) => question.answer(&asked),
             Question::Contour(question) => question.answer(&asked),
             Question::Faces(question) => question.answer(&asked),
         }?;

@@ -1,0 +1,95 @@
+//! `twinedge query … line`.
+
+use super::Asked;
+use super::met::Record;
+use crate::Failure;
+use crate::output::{Format, print, print_json};
+use clap::ValueEnum;
+use serde::Serialize;
+use twinedge::geometry::{Locator, Met, Point, Stretch};
+
+/// All faces, edges and vertices that a line meets, in order.
+#[derive(Debug, clap::Args)]
+pub(super) struct Line {
+    /// The first coordinate of where it starts.
+    #[arg(allow_negative_numbers = true)]
+    x1: f64,
+
+    /// The second coordinate of where it starts.
+    #[arg(allow_negative_numbers = true)]
+    y1: f64,
+
+    /// The first coordinate of where it ends.
+    #[arg(allow_negative_numbers = true)]
+    x2: f64,
+
+    /// The second coordinate of where it ends.
+    #[arg(allow_negative_numbers = true)]
+    y2: f64,
+
+    /// Whether it ends at these points.
+    #[arg(long, value_enum, default_value_t)]
+    extent: Extent,
+
+    /// For whom to print.
+    #[arg(long, value_enum, default_value_t)]
+    format: Format,
+}
+
+/// How far a line goes.
+#[derive(Clone, Copy, Debug, Default, ValueEnum)]
+enum Extent {
+    /// From the first point to the second.
+    #[default]
+    Segment,
+    /// From the first point through the second and on for ever.
+    Ray,
+    /// Through both points, without end on either side.
+    Line,
+}
+
+#[derive(Debug, Serialize)]
+struct Answer<'a> {
+    input: &'a str,
+    from: [f64; 2],
+    to: [f64; 2],
+    met: Vec<Step>,
+}
+
+/// What the line meets next.
+#[derive(Debug, Serialize)]
+struct Step {
+    #[serde(flatten)]
+    record: Record,
+    /// Whether the line runs along it, as opposed to across; only edges can be run along.
+    along: bool,
+}
+
+impl Line {
+    pub(super) fn answer(&self, asked: &Asked) -> Result<(), Failure> {
+        let Asked { input, map } = asked;
+        let (from, to) = (Point::new(self.x1, self.y1), Point::new(self.x2, self.y2));
+        let stretch = match self.extent {
+            Extent::Segment => Stretch::Segment(from, to),
+            Extent::Ray => Stretch::Ray(from, to),
+            Extent::Line => Stretch::Line(from, to),
+        };
+        let zone = Locator::new(map)?.zone(&stretch)?;
+        let steps = zone.into_iter().map(|met| {
+            let record = match met {
+                Met::Face(key) => Record::face(map, key),
+                Met::Edge(key) | Met::Along(key) => Record::edge(map, key),
+                Met::Vertex(key) => Record::vertex(map, key),
+            };
+            record.map(|record| Step { record, along: matches!(met, Met::Along(_)) })
+        });
+        let met = steps.collect::<Result<Vec<_>, _>>()?;
+        match self.format {
+            Format::Text => {
+                let line = |Step { record, along }: &Step| format!("{}{record}\n", if *along { "along " } else { "" });
+                print(&met.iter().map(line).collect::<String>())
+            }
+            Format::Json => print_json(&Answer { input, from: from.into(), to: to.into(), met }),
+        }
+    }
+}
