@@ -1,7 +1,7 @@
 //! Edits of a map, beside building it anew.
 //!
-//! - `world-50m`: a point inserted and removed again, searched for and with a hint; a segment from border to border within
-//!   one country, likewise; a line across everything, rounded; and building the whole map, which is what an edit saves.
+//! - `world-50m`: a point inserted and removed again, searched for and with a hint; a segment from a border to a point inside
+//!   a country, likewise; a line across everything, rounded; and building the whole map, which is what an edit saves.
 //! - `islands`: squares in an ocean, 10 of them and 4,000. Per edge, building costs the same, and so does cutting an island
 //!   in two and joining it again. What is drawn in the ocean is held against all its coast, so it does not.
 //!
@@ -11,34 +11,31 @@ mod common;
 
 use criterion::{BatchSize, Criterion, Throughput, criterion_group, criterion_main};
 use std::hint::black_box;
-use twinedge::dcel::HalfEdgeKey;
+use twinedge::dcel::{HalfEdge, HalfEdgeKey};
 use twinedge::geometry::edit::At;
 use twinedge::geometry::noding::{Snap, node};
 use twinedge::geometry::{Builder, PlanarMap, Point, Shape};
 
-/// A point inside each of some faces whose outer boundary is a few dozen edges, and a half-edge of it: the middle between
-/// the ends of two edges in a row, where this is in the face.
+/// Points inside some faces whose outer boundary is a few dozen edges, each with a half-edge of that boundary: points that
+/// see the target of that half-edge.
 fn inside_points(map: &mut PlanarMap) -> Vec<(Point, HalfEdgeKey)> {
     let mut candidates = Vec::new();
-    for face in map.dcel().faces() {
-        let Some(h) = face.outer_half_edge() else { continue };
-        let at = |h: twinedge::dcel::HalfEdge<'_>| map.position(h.origin().key()).expect("it is of this map");
+    for h in map.dcel().faces().filter_map(|face| face.outer_half_edge()) {
+        let at = |h: HalfEdge<'_>| map.position(h.origin().key()).expect("it is of this map");
         let (p, q, r) = (at(h), at(h.next()), at(h.next().next()));
-        let middle = Point::new((p.x + q.x + r.x) / 3.0, (p.y + q.y + r.y) / 3.0);
         if (20..60).contains(&h.boundary_cycle().count()) {
-            candidates.push((middle, h.key(), face.key()));
+            candidates.push((Point::new((p.x + q.x + r.x) / 3.0, (p.y + q.y + r.y) / 3.0), h.key()));
         }
     }
-    candidates.retain(|(p, h, face)| {
-        let vertex = map.insert_point((*p, *h)).expect("in range").vertices[0];
-        let isolated = map.dcel().vertex(vertex).expect("just made").isolated();
-        let inside = isolated.is_some_and(|b| b.face().key() == *face);
-        if isolated.is_some() {
-            map.remove_vertex(vertex).expect("just made");
-        }
+    candidates.retain(|(p, h)| {
+        let target = map.dcel().half_edge(*h).expect("it stays").target().key();
+        let face = map.dcel().half_edge(*h).expect("it stays").face().key();
+        let Ok(edited) = map.insert_segment(target, *p) else { return false };
+        let inside = map.dcel().half_edge(edited.way[0]).expect("just made").face().key() == face;
+        map.remove_vertex(edited.vertices[1]).expect("just made");
         inside
     });
-    candidates.into_iter().map(|(p, h, _)| (p, h)).collect()
+    candidates
 }
 
 /// The map of world-50m with its points on a grid, and the grid.
@@ -66,7 +63,7 @@ fn world(criterion: &mut Criterion) {
     };
     let mut map = build();
     let points = inside_points(&mut map);
-    assert!(points.len() > 100);
+    assert!(points.len() > 50);
 
     let mut group = criterion.benchmark_group("edit world-50m");
     group.sample_size(10);
@@ -83,14 +80,12 @@ fn world(criterion: &mut Criterion) {
 
     let mut which = points.iter().cycle();
     let mut segment = |near: bool| {
-        // From a vertex of the boundary to the point, which lies beside it.
         let (p, h) = which.next().expect("it goes round");
-        let corner = map.dcel().half_edge(*h).expect("it stays").next().next().origin().key();
+        let corner = map.dcel().half_edge(*h).expect("it stays").target().key();
         let from = map.position(corner).expect("it stays");
         let at = if near { At::from(corner) } else { At::from(from) };
-        if let Ok(edited) = map.insert_segment(black_box(at), *p) {
-            map.remove_vertex(edited.vertices[1]).expect("just made");
-        }
+        let edited = map.insert_segment(black_box(at), *p).expect("it crosses nothing");
+        map.remove_vertex(edited.vertices[1]).expect("just made")
     };
     group.bench_function("a segment in and out, from a vertex", |b| b.iter(|| segment(true)));
     group.bench_function("a segment in and out, searched for", |b| b.iter(|| segment(false)));
