@@ -23,6 +23,7 @@
 //! | write down a structure as tables, and spoil them for tests | [`validate::Table`] | none |
 //! | build and edit a subdivision without coordinates | [`dcel::Dcel`] | `dcel` |
 //! | build one from rings and segments, with coordinates | [`geometry::Builder`], [`geometry::PlanarMap`] | `geometry` (default) |
+//! | know where points lie and what lines meet | [`geometry::Locator`] | `geometry` (default) |
 //! | check that coordinates draw what the links say | [`geometry::validate_drawing`] | `geometry` (default) |
 //! | read a map | `io::geojson`, `io::wkt` | `geojson`, `wkt` |
 //! | test a structure by random, exhaustive or fuzzed operator sequences | `program` | `program`, `quickcheck`, `arbitrary` |
