@@ -32,17 +32,22 @@ fn anywhere(random: &mut impl FnMut() -> f64) -> Point {
 }
 
 /// Polygons in an R-tree.
-struct Polygons(RTree<GeomWithData<Rectangle<[f64; 2]>, (u32, Vec<Vec<Point>>)>>);
+struct Polygons(RTree<GeomWithData<Rectangle<[f64; 2]>, Polygon>>);
+
+struct Polygon {
+    feature: u32,
+    rings: Vec<Vec<Point>>,
+}
 
 impl Polygons {
     fn new(features: &[Feature]) -> Self {
         let mut all = Vec::new();
-        for (number, feature) in (0..).zip(features) {
-            for shape in &feature.shapes {
+        for (feature, Feature { shapes, .. }) in (0..).zip(features) {
+            for shape in shapes {
                 let Shape::Polygon(rings) = shape else { continue };
                 let corners: Vec<[f64; 2]> = rings[0].iter().map(|p| [p.x, p.y]).collect();
                 let around = Rectangle::from_aabb(AABB::from_points(&corners));
-                all.push(GeomWithData::new(around, (number, rings.clone())));
+                all.push(GeomWithData::new(around, Polygon { feature, rings: rings.clone() }));
             }
         }
         Self(RTree::bulk_load(all))
@@ -57,7 +62,11 @@ impl Polygons {
             });
             passed.count() % 2 == 1
         };
-        self.0.locate_all_at_point([p.x, p.y]).find(|polygon| odd(&polygon.data.1)).map(|polygon| polygon.data.0)
+        self.0
+            .locate_all_at_point([p.x, p.y])
+            .map(|found| &found.data)
+            .find(|polygon| odd(&polygon.rings))
+            .map(|polygon| polygon.feature)
     }
 }
 
@@ -76,6 +85,7 @@ fn points(criterion: &mut Criterion) {
     let vertices: Vec<_> = map.dcel().vertices().map(|v| map.position(v.key()).expect("of this map")).collect();
     let coast: Vec<Point> = (0..100_000)
         .map(|_| {
+            #[expect(clippy::cast_sign_loss, reason = "it is from 0 to 1")]
             let v = vertices[(random() * 75_000.0) as usize];
             Point::new(v.x + 0.02 * random() - 0.01, v.y + 0.02 * random() - 0.01)
         })

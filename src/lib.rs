@@ -24,6 +24,7 @@
 //! | build and edit a subdivision without coordinates | [`dcel::Dcel`] | `dcel` |
 //! | build one from rings and segments, with coordinates | [`geometry::Builder`], [`geometry::PlanarMap`] | `geometry` (default) |
 //! | draw and erase on one with coordinates, step by step | [`geometry::edit`] | `geometry` (default) |
+//! | know where points lie and what lines meet | [`geometry::Locator`] | `geometry` (default) |
 //! | check that coordinates draw what the links say | [`geometry::validate_drawing`] | `geometry` (default) |
 //! | ask who borders whom, what a country's outline is, how large it is | [`algorithm`] | `geometry` (default) |
 //! | draw a map, half-edges and all | [`io::svg`] | `geometry` (default) |

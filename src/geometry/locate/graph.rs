@@ -45,12 +45,12 @@ impl Graph {
         let mut questions = 0;
         let stages: Vec<Stage> = nodes
             .iter()
-            .map(|node| match node {
-                Node::Trapezoid(trapezoid) => MARK | face_above(trapezoid.segment_below()),
-                _ => {
-                    questions += 1;
-                    questions - 1
+            .map(|node| {
+                if let Node::Trapezoid(trapezoid) = node {
+                    return Self::stage(face_above(trapezoid.segment_below()));
                 }
+                questions += 1;
+                questions - 1
             })
             .collect();
         let stage = |node: u32| stages[node as usize];

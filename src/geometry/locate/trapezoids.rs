@@ -203,7 +203,7 @@ impl Map<'_> {
             work();
             let old = self.trapezoid(at)?;
             if above_goes_on {
-                self.trapezoid_mut(above).map(|piece| piece.right = old.right);
+                self.extend(above, old.right);
             } else {
                 let new = self.push(Trapezoid { bottom: segment, lower: [NIL; 2], ..old })?;
                 self.link_upper(old.upper[LEFT], new);
@@ -212,7 +212,7 @@ impl Map<'_> {
             }
             self.link_upper(above, old.upper[RIGHT]);
             if below_goes_on {
-                self.trapezoid_mut(below).map(|piece| piece.right = old.right);
+                self.extend(below, old.right);
             } else {
                 let new = self.push(Trapezoid { upper: [NIL; 2], ..old })?;
                 self.link_lower(old.lower[LEFT], new);
@@ -251,6 +251,13 @@ impl Map<'_> {
         match self.nodes.get_mut(at as usize) {
             Some(Node::Trapezoid(trapezoid)) => Some(trapezoid),
             _ => None,
+        }
+    }
+
+    /// Makes a trapezoid go on to another wall.
+    fn extend(&mut self, at: u32, right: u32) {
+        if let Some(trapezoid) = self.trapezoid_mut(at) {
+            trapezoid.right = right;
         }
     }
 

@@ -97,12 +97,14 @@ impl<'l> Selection<'l> {
     fn new(line: &'l Line, stretch: &Stretch) -> Self {
         let Line { from, through } = *line;
         // From where to where, in one coordinate.
-        let range = |from: f64, through: f64| match stretch {
-            _ if from == through => [from, through],
-            Stretch::Segment(..) => [from.min(through), from.max(through)],
-            Stretch::Ray(..) if from < through => [from, f64::INFINITY],
-            Stretch::Ray(..) => [f64::NEG_INFINITY, from],
-            Stretch::Line(..) => [f64::NEG_INFINITY, f64::INFINITY],
+        let range = |from: f64, through: f64| {
+            let (grows, falls) = (from < through, from > through);
+            let (low_end, high_end) = match stretch {
+                Stretch::Segment(..) => return [from.min(through), from.max(through)],
+                Stretch::Ray(..) => (!falls, !grows),
+                Stretch::Line(..) => (!falls && !grows, !falls && !grows),
+            };
+            [if low_end { from } else { f64::NEG_INFINITY }, if high_end { from } else { f64::INFINITY }]
         };
         let ([left, right], [bottom, top]) = (range(from.x, through.x), range(from.y, through.y));
         let around = AABB::from_corners([left, bottom], [right, top]);

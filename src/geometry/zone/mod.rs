@@ -141,6 +141,7 @@ impl Locator<'_> {
 }
 
 /// How a zone begins: with something met in a point, or in the middle of a piece, at a place unless it is infinitely far.
+#[derive(Clone, Copy)]
 enum Begin<'m> {
     Event(Event<'m>),
     Piece(Piece<'m>, Option<Place>),

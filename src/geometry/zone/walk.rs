@@ -104,30 +104,30 @@ impl<'m> Known<'m, '_> {
         None
     }
 
+    /// Takes note of where the line meets the boundary of a face.
     fn scan(&mut self, face: Face<'m>, at: Option<Place>) {
+        let (map, line) = (self.map, self.line);
+        let sided = |vertex: Vertex<'_>| {
+            let p = map.point(vertex.index());
+            (p, line.side(p))
+        };
         for boundary in face.boundaries() {
             if let Some(vertex) = boundary.isolated_vertex()
-                && self.line.side(self.map.point(vertex.index())) == Orientation::Collinear
+                && sided(vertex).1 == Orientation::Collinear
             {
-                self.add(Line::at(self.map, vertex), at);
+                self.add(Line::at(map, vertex), at);
             }
-            let sided = |vertex: Vertex<'_>| {
-                let p = self.map.point(vertex.index());
-                (p, self.line.side(p))
-            };
             let Some(start) = boundary.start() else { continue };
             let mut origin = sided(start.origin());
-            let mut found = Vec::new();
             for h in start.boundary_cycle() {
                 let target = sided(h.target());
                 if origin.1 == Orientation::Collinear {
-                    found.push(Line::at(self.map, h.origin()));
+                    self.add(Line::at(map, h.origin()), at);
                 }
-                found.extend(Line::crossing(h, origin, target));
+                if let Some(event) = Line::crossing(h, origin, target) {
+                    self.add(event, at);
+                }
                 origin = target;
-            }
-            for event in found {
-                self.add(event, at);
             }
         }
     }
