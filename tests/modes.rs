@@ -161,6 +161,52 @@ fn an_open_outside_and_holes_inside() {
     }
 }
 
+/// Two triangles side by side, in the plane, whose half-edges on the border have no twins: there is no outside to be listed
+/// by any face.
+#[test]
+fn an_outside_without_half_edges() {
+    let mut table = textbook_mesh(4, &[[0, 1, 2], [0, 2, 3], [0, 3, 1], [1, 3, 2]]);
+    for h in 0..12 {
+        if half_edge(&mut table, h).face >= Some(2) {
+            table.half_edges[h] = None;
+            if let Some(twin) = table.half_edges[h ^ 1].as_mut() {
+                twin.twin = None;
+            }
+        }
+    }
+    table.faces.truncate(2);
+    for v in 0..4 {
+        let origin = |h: &usize| table.half_edges[*h].is_some_and(|row| row.origin == Some(v));
+        vertex(&mut table, v).leaving = (0..12).find(origin);
+    }
+    let expectation = Expectation::plane().without(Part::BoundaryComponents).without(Part::UnboundedFace).open();
+    let found = certificate(&table, expectation);
+    assert_eq!((found.vertices, found.edges, found.faces, found.components), (4, 5, 2, 1));
+    assert!(found.bounds.is_some(), "no two edges are parallel");
+}
+
+#[test]
+fn what_cannot_be_had_without_a_part_is_lacking_too() {
+    use Part::{BoundaryComponents, Faces, Holes, Leaving, Places, Prev, UnboundedFace};
+    const ALL: [Part; 7] = [Prev, Leaving, Faces, BoundaryComponents, Places, Holes, UnboundedFace];
+    for (part, lacking) in [
+        (Prev, &[Prev][..]),
+        (Leaving, &[Leaving]),
+        (Faces, &[Faces, BoundaryComponents, Places, Holes, UnboundedFace]),
+        (BoundaryComponents, &[BoundaryComponents, Places]),
+        (Places, &[Places]),
+        (Holes, &[Holes, UnboundedFace]),
+        (UnboundedFace, &[UnboundedFace]),
+    ] {
+        let expectation = Expectation::plane().without(part);
+        // Saying it twice changes nothing.
+        for expectation in [expectation, expectation.without(part)] {
+            let found: Vec<Part> = ALL.into_iter().filter(|other| !expectation.has(*other)).collect();
+            assert_eq!(found, lacking);
+        }
+    }
+}
+
 /// As on a sphere: both sides of the outer loop are bounded, so its component has no inner boundary component.
 #[test]
 fn no_unbounded_face_but_holes() {
