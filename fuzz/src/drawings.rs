@@ -113,7 +113,7 @@ pub fn noding(bytes: &[u8]) {
 
 /// Hands a feature to the builder, which takes it if and only if all coordinates are in range.
 fn takes(builder: &mut Builder, feature: &Feature) -> bool {
-    let before = *builder.summary();
+    let before = builder.summary().clone();
     let all_in_range = points(feature).all(in_range);
     match builder.feature(feature) {
         Ok(_) => {
