@@ -6,10 +6,13 @@
 //! around its points carries this to all its segments, every one of them having the inside on one side. From the inner
 //! sides the faces are flooded, up to the piece. The polygon covers what lies inside an odd number of pieces.
 //!
-//! O(segments of the feature · log + sizes of the faces inside).
+//! Most polygons are simple: no point occurs twice on their rings. Then each ring is a piece, its segments come in order, and
+//! all of them have the inside on the same side, so none of this needs looking up.
+//!
+//! O(segments of the feature · log + sizes of the faces inside); without the logarithm for simple polygons.
 
 use super::Point;
-use super::arrange::{Arranged, target};
+use super::arrange::{Arranged, origin, target};
 use super::build::{Dart, GatheredFeature};
 use super::predicates::{Orientation, compare_lexicographic, orientation};
 use crate::dcel::{Dcel, Face, HalfEdge, Vertex};
@@ -31,6 +34,8 @@ struct Marks {
     in_piece: Vec<u32>,
     /// Vertices around which the sides are known.
     visited: Vec<u32>,
+    /// Points on the rings of the polygon in hand.
+    on_rings: Vec<u32>,
     /// Faces inside the piece.
     flooded: Vec<u32>,
     /// Per face whether it lies inside an odd number of pieces of the polygon in hand.
@@ -52,6 +57,7 @@ pub(super) fn cover(
         round: 0,
         in_piece: vec![0; end(dcel.half_edges().map(HalfEdge::index).max())],
         visited: vec![0; end(dcel.vertices().map(Vertex::index).max())],
+        on_rings: vec![0; points.len()],
         flooded: vec![0; faces],
         odd: vec![false; faces],
         taken_by: vec![0; faces],
@@ -63,8 +69,14 @@ pub(super) fn cover(
             covered.edges.push((arranged.half_edges[*dart as usize & !1], number));
         }
         for darts in &feature.polygons {
-            for piece in pieces(segments, darts) {
-                marks.flood(points, segments, arranged, &piece, &mut touched);
+            if let Some(rings) = marks.simple_rings(points, segments, darts) {
+                for (ring, left) in rings {
+                    marks.flood_ring(arranged, ring, left, &mut touched);
+                }
+            } else {
+                for piece in pieces(segments, darts) {
+                    marks.flood(points, segments, arranged, &piece, &mut touched);
+                }
             }
             for face in touched.drain(..) {
                 let odd = std::mem::take(&mut marks.odd[face]);
@@ -75,7 +87,11 @@ pub(super) fn cover(
         }
     }
     covered.faces.sort_unstable();
-    covered.edges.sort_unstable();
+    #[expect(
+        clippy::stable_sort_primitive,
+        reason = "it makes use of runs, and but for shared borders edges come in order"
+    )]
+    covered.edges.sort();
     covered.edges.dedup();
     covered
 }
@@ -128,6 +144,73 @@ fn by_steepness(at: Point, a: Point, b: Point) -> Ordering {
 }
 
 impl Marks {
+    /// The rings of a polygon, each with whether its inside lies to the left, if no point occurs twice on them.
+    fn simple_rings<'d>(
+        &mut self,
+        points: &[Point],
+        segments: &[[u32; 2]],
+        darts: &'d [Dart],
+    ) -> Option<Vec<(&'d [Dart], bool)>> {
+        self.round += 1;
+        let mut rings = Vec::new();
+        let mut rest = darts;
+        while let Some(first) = rest.first() {
+            let start = origin(segments, *first);
+            let mut at = start;
+            let mut lowest = 0;
+            let mut length = 0;
+            for dart in rest {
+                if origin(segments, *dart) != at
+                    || std::mem::replace(&mut self.on_rings[at as usize], self.round) == self.round
+                {
+                    return None;
+                }
+                let low = points[origin(segments, rest[lowest]) as usize];
+                if compare_lexicographic(points[at as usize], low).is_lt() {
+                    lowest = length;
+                }
+                length += 1;
+                at = target(segments, *dart);
+                if at == start {
+                    break;
+                }
+            }
+            if at != start || length < 3 {
+                return None;
+            }
+            let (ring, others) = rest.split_at(length);
+            let before = ring[(lowest + length - 1) % length];
+            let [a, b, c] = [origin(segments, before), origin(segments, ring[lowest]), target(segments, ring[lowest])]
+                .map(|v| points[v as usize]);
+            let left = match orientation(a, b, c) {
+                Orientation::CounterClockwise => true,
+                Orientation::Clockwise => false,
+                Orientation::Collinear => return None,
+            };
+            rings.push((ring, left));
+            rest = others;
+        }
+        Some(rings)
+    }
+
+    /// Turns the parity of the faces inside a ring on which no point occurs twice.
+    fn flood_ring(&mut self, arranged: &Arranged, ring: &[Dart], left: bool, touched: &mut Vec<usize>) {
+        let dcel = &arranged.dcel;
+        self.round += 1;
+        let mut faces = Vec::new();
+        for dart in ring {
+            let inner = dart ^ u32::from(!left);
+            for dart in [inner, inner ^ 1] {
+                self.in_piece[arranged.half_edges[dart as usize] as usize] = self.round;
+            }
+            let face = dcel.half_edge_at(arranged.half_edges[inner as usize] as usize).map(|h| h.face().index());
+            if face.is_some() && face.as_ref() != faces.last() {
+                faces.extend(face);
+            }
+        }
+        self.spread(dcel, faces, touched);
+    }
+
     /// Turns the parity of the faces inside a piece, which is given by both darts of each of its segments.
     fn flood(
         &mut self,

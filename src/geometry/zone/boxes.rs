@@ -5,11 +5,22 @@ use super::line::{Event, Line};
 use crate::dcel::Vertex;
 use crate::geometry::predicates::Orientation;
 use crate::geometry::{Drawing, PlanarMap, Point};
-use rstar::{AABB, RTree, RTreeObject, SelectionFunction};
+use rstar::{AABB, RStarInsertionStrategy, RTree, RTreeObject, RTreeParams, SelectionFunction};
 
 /// The tree.
 pub(in crate::geometry) struct Boxes {
-    tree: RTree<Boxed>,
+    tree: RTree<Boxed, Wide>,
+}
+
+/// Nodes with more children than the usual six: a line that passes through many boxes is then tested against arrays of
+/// them, and not against one after the other in different places.
+struct Wide;
+
+impl RTreeParams for Wide {
+    const MIN_SIZE: usize = 8;
+    const MAX_SIZE: usize = 16;
+    const REINSERTION_COUNT: usize = 5;
+    type DefaultInsertionStrategy = RStarInsertionStrategy;
 }
 
 /// An edge, by the index of one of its half-edges, or an isolated vertex, by its own.
@@ -47,7 +58,7 @@ impl Boxes {
             .boundaries()
             .filter_map(|b| b.isolated_vertex())
             .map(|v| Boxed { what: What::Vertex(v.index() as u32), ends: [place(v); 2] });
-        Self { tree: RTree::bulk_load(edges.chain(isolated).collect()) }
+        Self { tree: RTree::bulk_load_with_params(edges.chain(isolated).collect()) }
     }
 
     /// Finds everything that the line of a stretch meets in one point, and that the stretch may meet; some of it twice.
