@@ -102,8 +102,7 @@ fn bad_coordinates_are_refused_with_their_position_and_nothing_is_taken() {
     assert_eq!(
         tiny.map_err(|error| error.to_string()),
         Err(format!(
-            "{position}: the coordinates (0, {}) are out of range: magnitudes must be zero or from 2^-400 to 2^500",
-            1e-200
+            "{position}: the coordinates (0.0, 1e-200) are out of range: magnitudes must be zero or from 2^-400 to 2^500"
         ))
     );
     let map = builder.build().expect("fits");

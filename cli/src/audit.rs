@@ -2,7 +2,7 @@
 
 use crate::input::MapFile;
 use crate::output::style::{BAD, GOOD, QUIET};
-use crate::output::{Format, grouped, print, print_json};
+use crate::output::{Format, grouped, plain, print, print_json};
 use crate::query::label;
 use crate::{Failure, Verdict};
 use serde::Serialize;
@@ -174,7 +174,7 @@ fn irregularities(map: &PlanarMap) -> String {
             let (at, position) = (one.at, one.position);
             let _ = write!(out, "{QUIET}  {kind} at ({}, {}): {position}", at.x, at.y);
             if let Some(name) = map.features().nth(position.feature).and_then(|feature| map.name(feature)) {
-                let _ = write!(out, " ({name})");
+                let _ = write!(out, " ({})", plain(name));
             }
             let _ = writeln!(out, "{QUIET:#}");
         }

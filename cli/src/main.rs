@@ -76,7 +76,7 @@ fn main() -> ExitCode {
         Ok(Verdict::Wrong) => ExitCode::from(1),
         Ok(Verdict::Interrupted) => ExitCode::from(130),
         Err(Failure(message)) => {
-            eprintln!("twinedge: {message}");
+            eprintln!("twinedge: {}", output::plain(&message));
             ExitCode::from(2)
         }
     }

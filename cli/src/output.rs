@@ -31,6 +31,12 @@ pub(crate) fn measure(x: f64) -> String {
     if x != 0.0 && !(1e-3..1e12).contains(&x.abs()) { format!("{x:.3e}") } else { format!("{x:.4}") }
 }
 
+/// A text from a map or the command line as it may stand on a terminal: without control characters, which could break lines
+/// or pass for commands to it.
+pub(crate) fn plain(text: &str) -> String {
+    text.chars().map(|c| if c.is_control() { char::REPLACEMENT_CHARACTER } else { c }).collect()
+}
+
 /// Prints to standard output. That nobody reads on (`… | head`) is no error.
 pub(crate) fn print(text: &str) -> Result<(), crate::Failure> {
     let mut out = anstream::stdout().lock();
@@ -58,7 +64,7 @@ pub(crate) mod style {
 
 #[cfg(test)]
 mod tests {
-    use super::{grouped, measure};
+    use super::{grouped, measure, plain};
 
     #[test]
     fn thousands_are_set_off() {
@@ -66,6 +72,12 @@ mod tests {
         assert_eq!(grouped(999_usize), "999");
         assert_eq!(grouped(1_000_u32), "1,000");
         assert_eq!(grouped(1_876_446_u64), "1,876,446");
+    }
+
+    #[test]
+    fn control_characters_are_replaced() {
+        assert_eq!(plain("C\u{f4}te d'Ivoire"), "C\u{f4}te d'Ivoire");
+        assert_eq!(plain("a\x1b[31mb\nc\u{9b}d"), "a\u{fffd}[31mb\u{fffd}c\u{fffd}d");
     }
 
     #[test]

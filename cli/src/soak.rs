@@ -121,14 +121,20 @@ impl Soak {
             outcome.structures.iter_mut().zip(&worker.rows).for_each(|(sum, row)| sum.add(row));
         }
         outcome.ok = outcome.failure.is_none() && !outcome.interrupted;
+        let mut not_saved = None;
         if let Some(failing) = &outcome.failure {
-            let path = self.save.display();
-            std::fs::write(&self.save, failing.file(seed)).map_err(|error| Failure(format!("{path}: {error}")))?;
-            outcome.saved = Some(self.save.clone());
+            match std::fs::write(&self.save, failing.file(seed)) {
+                Ok(()) => outcome.saved = Some(self.save.clone()),
+                Err(error) => not_saved = Some(Failure(format!("{}: {error}", self.save.display()))),
+            }
         }
         match self.format {
             Format::Text => print(&outcome.to_string())?,
             Format::Json => print_json(&outcome)?,
+        }
+        // Only now, so that what was found is not lost.
+        if let Some(failure) = not_saved {
+            return Err(failure);
         }
         Ok(match (&outcome.failure, outcome.interrupted) {
             (Some(_), _) => Verdict::Wrong,

@@ -253,3 +253,21 @@ fn points_and_lines_that_cannot_be_are_refused() {
     assert_eq!(output.status.code(), Some(2));
     assert!(String::from_utf8(output.stderr).unwrap().contains("the map is not plane"));
 }
+
+#[test]
+fn names_cannot_command_the_terminal_or_break_lines() {
+    let map = br#"{"type": "Feature", "properties": {"name": "Red\u001b[31m\nland"}, "geometry":
+        {"type": "Polygon", "coordinates": [[[0, 0], [1, 0], [0, 1], [0, 0]]]}}"#;
+    let output = twinedge_reading(&["query", "-", "at", "0.25", "0.25"], map);
+    let text = String::from_utf8(output.stdout).unwrap();
+    assert!(text.ends_with("of Red\u{fffd}[31m\u{fffd}land\n"), "{text}");
+    let output = twinedge_reading(&["query", "-", "neighbours", "Red\n[31mland"], map);
+    assert!(complaint(&output).contains("did you mean Red\u{fffd}[31m\u{fffd}land?"));
+}
+
+#[test]
+fn numbers_out_of_range_are_said_briefly() {
+    let output = twinedge(&["query", "at", "1e300", "1"]);
+    assert_eq!(output.status.code(), Some(2));
+    assert!(complaint(&output).contains("(1e300, 1.0)"));
+}

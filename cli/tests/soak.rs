@@ -34,6 +34,18 @@ fn all_stores_stay_in_step() {
 }
 
 #[test]
+fn a_finding_that_cannot_be_saved_is_printed_all_the_same() {
+    let arguments =
+        ["soak", "--programs", "50", "--seed", "1", "--on", "planted", "--save", "/no/such/folder/x.program"];
+    let output = twinedge(&arguments);
+    assert_eq!(output.status.code(), Some(2));
+    assert!(complaint(&output).contains("/no/such/folder/x.program"));
+    let text = String::from_utf8(output.stdout).unwrap();
+    assert!(text.contains("planted differs") && text.contains("#[test]"), "{text}");
+    assert!(!text.contains("run it again"), "{text}");
+}
+
+#[test]
 fn a_planted_bug_is_found_made_small_saved_and_replayed() {
     let (path, name) = scratch("planted.program");
     let arguments = ["soak", "--programs", "50", "--steps", "60", "--seed", "1", "--on", "planted", "--save", &name];

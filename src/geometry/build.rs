@@ -46,7 +46,9 @@ pub enum BuildError {
         y: f64,
     },
     /// A coordinate is too large, or too close to zero without being it, for the predicates to be exact.
-    #[error("{position}: the coordinates ({x}, {y}) are out of range: magnitudes must be zero or from 2^-400 to 2^500")]
+    #[error(
+        "{position}: the coordinates ({x:?}, {y:?}) are out of range: magnitudes must be zero or from 2^-400 to 2^500"
+    )]
     OutOfRange {
         /// Where.
         position: Position,

@@ -2,12 +2,13 @@
 
 use super::Asked;
 use crate::Failure;
+use crate::output::plain;
 use twinedge::algorithm::coverage::leaks;
 use twinedge::geometry::{FeatureId, PlanarMap};
 
-/// What people call a feature: its name, or its number, counted from 0.
+/// What people call a feature: its name, fit for a terminal, or its number, counted from 0.
 pub(crate) fn label(map: &PlanarMap, feature: FeatureId) -> String {
-    map.name(feature).map_or_else(|| format!("feature {}", feature.index()), str::to_owned)
+    map.name(feature).map_or_else(|| format!("feature {}", feature.index()), plain)
 }
 
 /// How many names to suggest.

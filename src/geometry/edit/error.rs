@@ -25,7 +25,7 @@ pub enum EditError {
         y: f64,
     },
     /// A coordinate is too large, or too close to zero without being it, for the predicates to be exact.
-    #[error("the coordinates ({x}, {y}) are out of range: magnitudes must be zero or from 2^-400 to 2^500")]
+    #[error("the coordinates ({x:?}, {y:?}) are out of range: magnitudes must be zero or from 2^-400 to 2^500")]
     OutOfRange {
         /// The first coordinate.
         x: f64,

@@ -83,7 +83,7 @@ impl From<VertexKey> for Located {
 pub enum LocateError {
     /// A coordinate of the point is NaN or infinite, or beyond the range in which the predicates are exact; see
     /// [`in_range`].
-    #[error("the point ({}, {}) is not in the range of exact arithmetic", .0.x, .0.y)]
+    #[error("the point ({:?}, {:?}) is not in the range of exact arithmetic", .0.x, .0.y)]
     OutOfRange(Point),
     /// The two points that should give a direction are this same one.
     #[error("there is no direction from ({}, {}) to itself", .0.x, .0.y)]
