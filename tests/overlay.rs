@@ -1,4 +1,5 @@
 //! Laying maps over each other: what lies in what, and the areas that an independent crate finds.
+#![expect(clippy::float_cmp, reason = "areas of few whole coordinates are exact")]
 
 use i_overlay::core::fill_rule::FillRule;
 use i_overlay::core::overlay_rule::OverlayRule;
@@ -38,7 +39,7 @@ fn nth(map: &PlanarMap, n: usize) -> FeatureId {
     map.features().nth(n).expect("there are as many")
 }
 
-fn names<'a>(map: &'a PlanarMap, features: impl Iterator<Item = FeatureId>) -> Vec<&'a str> {
+fn names(map: &PlanarMap, features: impl Iterator<Item = FeatureId>) -> Vec<&str> {
     features.map(|feature| map.name(feature).unwrap_or("nameless")).collect()
 }
 

@@ -183,7 +183,7 @@ fn irregularities(map: &PlanarMap) -> String {
 }
 
 fn noding_line(noding: &noding::Summary) -> String {
-    let mut line = format!("snapped to a grid of {:e}: {} segments cut", noding.cell, grouped(noding.split));
+    let mut line = format!("snapped to a grid of 2^{}: {} segments cut", noding.cell.log2(), grouped(noding.split));
     for (count, what) in [
         (noding.crossings, "vertices made where they cross"),
         (noding.merged, "points merged with others"),

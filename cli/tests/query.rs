@@ -139,18 +139,25 @@ fn an_unknown_name_gets_suggestions() {
 }
 
 #[test]
-fn a_map_that_is_not_plane_is_answered_with_a_warning() {
-    let file = support::data("world-110m-crossing.geojson");
-    let output = twinedge(&["query", &file, "neighbours", "Switzerland", "--format", "json"]);
-    assert_eq!(output.status.code(), Some(0));
-    assert!(complaint(&output).contains("the map is not plane"));
-    let found: Value = serde_json::from_slice(&output.stdout).unwrap();
-    assert_eq!(names(&found["neighbours"]), BTreeSet::from(["Austria", "France", "Germany", "Italy"]));
-    // Its border crosses another one.
-    let output = twinedge(&["query", &file, "contour", "S. Sudan"]);
+fn a_map_that_is_not_plane_is_asked_nothing_until_it_is_snapped() {
+    let file = data("world-110m-crossing.geojson");
+    for question in [&["neighbours", "Switzerland"][..], &["contour", "Fiji"], &["faces"], &["at", "0", "0"]] {
+        let output = twinedge(&[&["query", &file], question].concat());
+        assert_eq!((output.status.code(), output.stdout.len()), (Some(2), 0));
+        assert!(complaint(&output).contains("--snap auto cuts them"));
+    }
+    let (status, found) = run(&["query", "--snap", "auto", &file, "neighbours", "S. Sudan", "--format", "json"]);
+    assert_eq!(status, Some(0));
+    assert!(names(&found["neighbours"]).contains("Ethiopia"));
+}
+
+#[test]
+fn features_without_names_are_asked_for_by_number() {
+    let nameless: &[u8] = br#"{"type": "Polygon", "coordinates": [[[0, 0], [1, 0], [0, 1], [0, 0]]]}"#;
+    let output = twinedge_reading(&["query", "-", "neighbours", "feature 0"], nameless);
     assert_eq!(output.status.code(), Some(2));
-    let text = String::from_utf8(output.stderr).unwrap();
-    assert!(text.contains("what it covers is not known"), "{text}");
+    assert!(complaint(&output).contains("by their numbers, from '#0' to '#0'"));
+    assert_eq!(twinedge_reading(&["query", "-", "neighbours", "#0"], nameless).status.code(), Some(0));
 }
 
 /// What is found at a point of the built-in map.
@@ -249,9 +256,6 @@ fn points_and_lines_that_cannot_be_are_refused() {
         assert_eq!(output.status.code(), Some(2));
         assert!(complaint(&output).contains(why), "{question:?}");
     }
-    let output = twinedge(&["query", &data("world-110m-crossing.geojson"), "at", "0", "0"]);
-    assert_eq!(output.status.code(), Some(2));
-    assert!(String::from_utf8(output.stderr).unwrap().contains("the map is not plane"));
 }
 
 #[test]

@@ -56,7 +56,8 @@ impl Query {
     pub(crate) fn run(&self) -> Result<Verdict, Failure> {
         let (input, map) = self.map.build()?;
         if !map.is_plane() {
-            eprintln!("twinedge: {input}: the map is not plane, see audit; --snap auto would make it so");
+            let why = "edges cross, touch or overlap, so it is not known what lies where";
+            return Err(Failure(format!("{input}: {why}; --snap auto cuts them, audit says where they are")));
         }
         let asked = Asked { input, map };
         match &self.question {

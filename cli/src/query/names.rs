@@ -3,7 +3,6 @@
 use super::Asked;
 use crate::Failure;
 use crate::output::plain;
-use twinedge::algorithm::coverage::leaks;
 use twinedge::geometry::{FeatureId, PlanarMap};
 
 /// What people call a feature: its name, fit for a terminal, or its number, counted from 0.
@@ -16,19 +15,8 @@ const SUGGESTIONS: usize = 3;
 /// How similar a name must be to be suggested, from 0 to 1.
 const SIMILAR: f64 = 0.75;
 
-/// The feature with this name, or with the number after a `#`; none of which nobody knows what it covers.
+/// The feature with this name, or with the number after a `#`.
 pub(super) fn find(asked: &Asked, name: &str) -> Result<FeatureId, Failure> {
-    let feature = named(asked, name)?;
-    if leaks(&asked.map, feature) {
-        let input = &asked.input;
-        return Err(Failure(format!(
-            "{input}: the edges of {name} cross others, so what it covers is not known; see audit"
-        )));
-    }
-    Ok(feature)
-}
-
-fn named(asked: &Asked, name: &str) -> Result<FeatureId, Failure> {
     let Asked { input, map } = asked;
     let named: Vec<FeatureId> = map.features().filter(|f| map.name(*f) == Some(name)).collect();
     let numbered = name.strip_prefix('#').and_then(|number| number.parse().ok());
@@ -37,7 +25,13 @@ fn named(asked: &Asked, name: &str) -> Result<FeatureId, Failure> {
         ([], Some(feature)) => Ok(feature),
         ([], None) => {
             let like = similar(map, name);
-            let hint = if like.is_empty() { String::new() } else { format!("; did you mean {}?", like.join(", ")) };
+            let hint = if !like.is_empty() {
+                format!("; did you mean {}?", like.join(", "))
+            } else if map.features().any(|f| map.name(f).is_none()) {
+                format!("; those without a name are asked for by their numbers, from '#0' to '#{}'", last(map))
+            } else {
+                String::new()
+            };
             Err(Failure(format!("{input}: no feature has the name {name}{hint}")))
         }
         (several, _) => {
@@ -46,6 +40,11 @@ fn named(asked: &Asked, name: &str) -> Result<FeatureId, Failure> {
             Err(Failure(format!("{input}: {} features have the name {name}; ask for one of {numbers}", several.len())))
         }
     }
+}
+
+/// The number of the last feature.
+fn last(map: &PlanarMap) -> usize {
+    map.features().count().saturating_sub(1)
 }
 
 /// The names most like this one, the most similar first.

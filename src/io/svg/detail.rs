@@ -1,7 +1,7 @@
 //! Half-edges as textbooks draw them.
 
 use super::frame::Frame;
-use super::{put, spot};
+use super::{put, spot, text};
 use crate::dcel::HalfEdge;
 use crate::geometry::{Drawing, PlanarMap};
 use core::f64::consts::{PI, TAU};
@@ -88,15 +88,15 @@ pub(super) fn draw(out: &mut String, map: &PlanarMap, frame: &Frame) {
                 head[0], head[1], bend[0], bend[1], to[0], to[1]
             ),
         );
-        text(out, "hname", name, format_args!("h{}", h.index()));
+        text(out, "hname", name, &format!("h{}", h.index()));
     }
     for face in map.dcel().faces() {
         if let Some(spot) = spot::widest(map, frame, face).filter(|spot| spot.width > 12.0) {
-            text(out, "fname", spot.middle, format_args!("f{}", face.index()));
+            text(out, "fname", spot.middle, &format!("f{}", face.index()));
         }
     }
     if frame.is_whole() {
-        text(out, "fname", [16.0, 12.0], format_args!("f{}", map.dcel().unbounded_face().index()));
+        text(out, "fname", [16.0, 12.0], &format!("f{}", map.dcel().unbounded_face().index()));
     }
     for v in map.dcel().vertices().filter(|v| frame.shows([map.point(v.index())])) {
         let here = frame.at(map.point(v.index()));
@@ -106,10 +106,6 @@ pub(super) fn draw(out: &mut String, map: &PlanarMap, frame: &Frame) {
         let (distance, direction) = widest.map_or((5.0, PI / 2.0), |(_, direction)| (9.0, direction));
         let name = format!("v{}", v.index());
         let distance = distance + room(&name, [direction.cos(), direction.sin()]);
-        text(out, "vname", towards(here, direction, distance), format_args!("{name}"));
+        text(out, "vname", towards(here, direction, distance), &name);
     }
-}
-
-fn text(out: &mut String, class: &str, [x, y]: Pixel, what: std::fmt::Arguments<'_>) {
-    put(out, format_args!("<text class=\"{class}\" x=\"{x:.1}\" y=\"{y:.1}\">{what}</text>\n"));
 }

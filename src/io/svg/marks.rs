@@ -1,7 +1,7 @@
 //! Violations, in red.
 
 use super::frame::Frame;
-use super::{escaped, put};
+use super::{escaped, put, text};
 use crate::dcel::HalfEdge;
 use crate::geometry::predicates::{Meeting, meeting};
 use crate::geometry::{Drawing, PlanarMap, Point, places};
@@ -48,10 +48,7 @@ pub(super) fn draw(out: &mut String, map: &PlanarMap, frame: &Frame, violations:
             at[1] = other[1] + 13.5;
         }
         taken.push(at);
-        put(
-            out,
-            format_args!("<text class=\"rule\" x=\"{:.1}\" y=\"{:.1}\">{}</text>\n", at[0], at[1], escaped(&label)),
-        );
+        text(out, "rule", at, &label);
     }
 }
 

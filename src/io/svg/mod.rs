@@ -61,7 +61,7 @@ const STYLE: &str = "\
 .vertex{fill:#fff;stroke:#111}.vname{fill:#111;font-size:10px;font-weight:bold;text-anchor:middle;dominant-baseline:central}\
 .fname{fill:#57534e;font-size:12px;font-style:italic;text-anchor:middle;dominant-baseline:central}\
 .bad{fill:none;stroke:#dc2626;stroke-width:1.6}.rule{fill:#dc2626;font-size:11px;font-weight:bold}\
-.name,.hname,.vname,.fname,.rule{paint-order:stroke;stroke:#fff;stroke-width:3px;stroke-opacity:.85;stroke-linejoin:round}";
+.halo{stroke:#fff;stroke-width:3px;stroke-opacity:.85;stroke-linejoin:round}";
 
 /// Draws a map, plane or not. O(n log n) for time and text, where n is the size of the map.
 ///
@@ -111,6 +111,14 @@ viewBox=\"0 0 {width:.0} {height:.0}\" font-family=\"Helvetica, Arial, sans-seri
 /// Writing to a string cannot fail.
 fn put(out: &mut String, what: std::fmt::Arguments<'_>) {
     let _ = out.write_fmt(what);
+}
+
+/// Text with a light halo: that is drawn first, as not every program knows how to put a stroke behind its letters.
+fn text(out: &mut String, class: &str, [x, y]: [f64; 2], what: &str) {
+    let what = escaped(what);
+    for class in [&format!("{class} halo"), class] {
+        put(out, format_args!("<text class=\"{class}\" x=\"{x:.1}\" y=\"{y:.1}\">{what}</text>\n"));
+    }
 }
 
 /// Text as it may stand in an element.
@@ -196,8 +204,10 @@ fn names(out: &mut String, map: &PlanarMap, frame: &Frame) {
         let Some(spot) = spots.max_by(|a, b| a.width.total_cmp(&b.width)) else { continue };
         if spot.width > LETTER * name.chars().count() as f64 {
             let [x, y] = spot.middle;
-            let name = escaped(name);
-            put(out, format_args!("<text class=\"name\" x=\"{x:.1}\" y=\"{:.1}\">{name}</text>\n", y + 3.0));
+            let [width, height] = frame.size();
+            if (0.0..=width).contains(&x) && (0.0..=height).contains(&y) {
+                text(out, "name", [x, y + 3.0], name);
+            }
         }
     }
 }
