@@ -149,7 +149,6 @@ pub fn edits(bytes: &[u8]) {
                 // Keys of what has just gone stay for one edit more.
                 keys = Keys::of(if i % 2 == 0 { &before } else { &map });
             }
-            // A set of features that nobody has yet may have got its number.
             Err(error) => assert_eq!(format!("{map:?}"), shown, "edit {i}: {error}"),
         }
         last = located(&mut source, &map, last);

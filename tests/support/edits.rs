@@ -108,6 +108,8 @@ pub(crate) fn edited(program: &[Edit], features: usize) -> PlanarMap {
     for i in 0..features {
         map.add_feature(Some(format!("feature {i}")));
     }
-    program.iter().for_each(|edit| apply(&mut map, edit));
+    for edit in program {
+        apply(&mut map, edit);
+    }
     map
 }
