@@ -101,8 +101,8 @@ pub(crate) fn apply(map: &mut PlanarMap, edit: &Edit) {
     };
 }
 
-#[allow(dead_code, reason = "some tests ask between two edits")]
 /// The map that a program makes of the empty one, with features that nobody has claimed at first.
+#[allow(dead_code, reason = "some tests ask between two edits")]
 pub(crate) fn edited(program: &[Edit], features: usize) -> PlanarMap {
     let mut map = PlanarMap::new();
     for i in 0..features {
