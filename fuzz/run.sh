@@ -12,7 +12,7 @@ runs=${1:-2000}
 shift || true
 targets=("$@")
 if [ ${#targets[@]} -eq 0 ]; then
-  targets=(programs in_step stale_keys validator_total segments noding geojson)
+  targets=(programs in_step stale_keys validator_total segments noding edits geojson)
 fi
 build=${CARGO_TARGET_DIR:-$PWD/target}
 

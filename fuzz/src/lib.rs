@@ -3,9 +3,11 @@
 //! Each returns if all is well and panics if not.
 
 mod drawings;
+mod edits;
 mod maps;
 mod tables;
 
 pub use drawings::{geojson, noding, segments};
+pub use edits::edits;
 pub use maps::{in_step, programs, stale_keys};
 pub use tables::validator_total;

@@ -167,7 +167,7 @@ pub fn of_faces(map: &PlanarMap, faces: impl IntoIterator<Item = FaceKey>) -> Re
 /// The contour of a feature: of all faces that it covers. O(faces of the map · log + half-edges of those covered), expected.
 ///
 /// # Errors
-/// [`ContourError`], if the map is not plane.
+/// [`ContourError`], if the map is not plane, or a feature covers the unbounded face.
 pub fn of_feature(map: &PlanarMap, feature: FeatureId) -> Result<Contour, ContourError> {
     of_faces(map, faces_of(map, feature))
 }
@@ -175,7 +175,7 @@ pub fn of_feature(map: &PlanarMap, feature: FeatureId) -> Result<Contour, Contou
 /// The contours of all features, by [`FeatureId::index`]. O(faces · log + half-edges of the faces of each), expected.
 ///
 /// # Errors
-/// [`ContourError`], if the map is not plane.
+/// [`ContourError`], if the map is not plane, or a feature covers the unbounded face.
 pub fn of_features(map: &PlanarMap) -> Result<Vec<Contour>, ContourError> {
     faces_by_feature(map).into_iter().map(|faces| of_faces(map, faces)).collect()
 }

@@ -8,11 +8,11 @@ use crate::geometry::{Feature, FeatureId, PlanarMap, Shape};
 /// The features of a map, in order, for a writer: the [contour](contour::of_feature) of each as polygons, and as lines all its
 /// edges that are not on that contour. The id is the [number](FeatureId::index). O(n log n).
 ///
-/// What is built from these has the same edges as the map, the same vertices but for isolated ones, and the same features on
-/// the same faces.
+/// What is built from these has the same features on the same faces, and the same edges and vertices as the map, but for
+/// isolated vertices and for edges that belong to no feature, as [edits](crate::geometry::edit#features) make them.
 ///
 /// # Errors
-/// [`ContourError`], if the map is not plane.
+/// [`ContourError`], if the map is not plane, or a feature covers the unbounded face.
 pub fn features(map: &PlanarMap) -> Result<Vec<Feature>, ContourError> {
     let mut features: Vec<Feature> = contour::of_features(map)?.into_iter().map(Feature::from).collect();
     let mut lines = vec![Vec::new(); features.len()];

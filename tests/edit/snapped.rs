@@ -189,3 +189,16 @@ fn the_automatic_grid_is_that_of_the_largest_coordinate() {
     let off = map.insert_segment_snapped([0.0, 0.0], [1e9, 1.0], Snap::Auto);
     assert!(matches!(off, Err(EditError::NotOnGrid(_))));
 }
+
+#[test]
+fn the_automatic_grid_is_no_finer_than_coordinates_may_be() {
+    // These cross at (2^-411, 0), which is on the grid of 2^-430 but out of range.
+    let t = 2_f64.powi(-380);
+    let mut map = PlanarMap::new();
+    map.insert_segment_snapped([-t, 0.0], [t, 0.0], Snap::Auto).expect("nothing is there");
+    let near_the_middle = [2_f64.powi(-410) - t / 2.0, t];
+    let second = map.insert_segment_snapped([t / 2.0, -t], near_the_middle, Snap::Auto).expect("on the grid of 2^-400");
+    let crossing = map.position(second.vertices_made[0]).expect("it is there");
+    assert_eq!((crossing, second.edges_split.len()), (Point::new(0.0, 0.0), 1));
+    assert!(map.validate().is_valid());
+}

@@ -43,7 +43,7 @@ fn walks(drawing: Drawing, queries: Vec<(u8, u8, usize)>) -> bool {
 }
 
 /// Whether both are the same, but perhaps for which half-edge names an edge.
-fn same_edge(map: &PlanarMap, a: Located, b: Located) -> bool {
+pub(crate) fn same_edge(map: &PlanarMap, a: Located, b: Located) -> bool {
     match (a, b) {
         (Located::Edge(h), Located::Edge(g)) => h == g || map.dcel().half_edge(h).unwrap().twin().key() == g,
         _ => a == b,

@@ -2,7 +2,7 @@
 
 use super::super::features::SetId;
 use super::super::noding::{Noded, Snap, node};
-use super::super::predicates::in_range;
+use super::super::predicates::{MIN_COORDINATE, in_range};
 use super::super::{PlanarMap, Point};
 use super::place::Place;
 use super::region::Region;
@@ -112,7 +112,8 @@ impl PlanarMap {
             Snap::Auto => {
                 let points = self.dcel.vertices().map(|v| self.at(v)).chain(ends);
                 let largest = points.fold(0.0, |largest: f64, p| largest.max(p.x.abs()).max(p.y.abs()));
-                Ok(node(&[], &[Point::new(largest, 0.0)], snap)?.summary.cell)
+                // The predicates must be exact on grid points, too.
+                Ok(node(&[], &[Point::new(largest, 0.0)], snap)?.summary.cell.max(MIN_COORDINATE))
             }
         }
     }
