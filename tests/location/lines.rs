@@ -174,3 +174,20 @@ fn what_cannot_be_asked_is_an_error() {
     let at_origin = map.dcel().vertices().find(|v| map.position(v.key()) == Ok(point(0, 0))).unwrap().key();
     assert_eq!(map.zone_from(at_origin, point(7, 6)), Err(LocateError::NotPlane));
 }
+
+#[test]
+fn a_vertex_one_unit_in_the_last_place_beside_a_line_is_not_met() {
+    // Rounded arithmetic would put it on the line.
+    let beside = Point::new(0.5, 0.5 + f64::EPSILON / 2.0);
+    let mut builder = Builder::new();
+    builder.shape(&Shape::Point(beside)).expect("in range");
+    builder.shape(&Shape::Point(Point::new(18.0, 18.0))).expect("in range");
+    let map = builder.build().expect("fits");
+    let line = Stretch::Line(Point::new(12.0, 12.0), Point::new(24.0, 24.0));
+    let met = Locator::new(&map).expect("it is plane").zone(&line).expect("in range");
+    let vertices = met.iter().filter_map(|met| match met {
+        Met::Vertex(v) => map.position(*v).ok(),
+        _ => None,
+    });
+    assert_eq!(vertices.collect::<Vec<_>>(), [Point::new(18.0, 18.0)]);
+}

@@ -5,22 +5,11 @@ use super::line::{Event, Line};
 use crate::dcel::Vertex;
 use crate::geometry::predicates::Orientation;
 use crate::geometry::{Drawing, PlanarMap, Point};
-use rstar::{AABB, RStarInsertionStrategy, RTree, RTreeObject, RTreeParams, SelectionFunction};
+use rstar::{AABB, RTree, RTreeObject, SelectionFunction};
 
 /// The tree.
 pub(in crate::geometry) struct Boxes {
-    tree: RTree<Boxed, Wide>,
-}
-
-/// Nodes with more children than the usual six: a line that passes through many boxes is then tested against arrays of
-/// them, and not against one after the other in different places.
-struct Wide;
-
-impl RTreeParams for Wide {
-    const MIN_SIZE: usize = 8;
-    const MAX_SIZE: usize = 16;
-    const REINSERTION_COUNT: usize = 5;
-    type DefaultInsertionStrategy = RStarInsertionStrategy;
+    tree: RTree<Boxed>,
 }
 
 /// An edge, by the index of one of its half-edges, or an isolated vertex, by its own.
@@ -58,7 +47,7 @@ impl Boxes {
             .boundaries()
             .filter_map(|b| b.isolated_vertex())
             .map(|v| Boxed { what: What::Vertex(v.index() as u32), ends: [place(v); 2] });
-        Self { tree: RTree::bulk_load_with_params(edges.chain(isolated).collect()) }
+        Self { tree: RTree::bulk_load(edges.chain(isolated).collect()) }
     }
 
     /// Finds everything that the line of a stretch meets in one point, and that the stretch may meet; some of it twice.
@@ -72,6 +61,7 @@ impl Boxes {
         let dcel = map.dcel();
         for boxed in self.tree.locate_with_selection_function(Selection::new(line, stretch)) {
             match boxed.what {
+                What::Vertex(_) if line.side(boxed.ends[0]) != Orientation::Collinear => {}
                 What::Vertex(vertex) => {
                     if let Some(vertex) = dcel.vertex_at(vertex as usize) {
                         visit(Line::at(map, vertex));
@@ -95,17 +85,19 @@ impl Boxes {
     }
 }
 
-/// Selects the boxes that a stretch meets.
-struct Selection<'l> {
-    line: &'l Line,
+/// Selects the boxes that a stretch meets, and perhaps some that it just misses: what is in them is asked exactly.
+struct Selection {
+    from: Point,
+    /// The direction of the line.
+    direction: [f64; 2],
     /// The box around the stretch, perhaps infinite.
     around: AABB<[f64; 2]>,
     /// Whether the line rises to the right, or falls to the left.
     rises: bool,
 }
 
-impl<'l> Selection<'l> {
-    fn new(line: &'l Line, stretch: &Stretch) -> Self {
+impl Selection {
+    fn new(line: &Line, stretch: &Stretch) -> Self {
         let Line { from, through } = *line;
         // From where to where, in one coordinate.
         let range = |from: f64, through: f64| {
@@ -119,15 +111,21 @@ impl<'l> Selection<'l> {
         };
         let ([left, right], [bottom, top]) = (range(from.x, through.x), range(from.y, through.y));
         let around = AABB::from_corners([left, bottom], [right, top]);
-        Self { line, around, rises: (from.x <= through.x) == (from.y <= through.y) }
+        let direction = [through.x - from.x, through.y - from.y];
+        Self { from, direction, around, rises: (from.x <= through.x) == (from.y <= through.y) }
     }
-}
 
-impl Selection<'_> {
-    /// Whether two points are on different sides of the line, or on it.
-    fn parts(&self, a: Point, b: Point) -> bool {
-        let (a, b) = (self.line.side(a), self.line.side(b));
-        a != b || a == Orientation::Collinear
+    /// Whether two points may be on different sides of the line, or on it.
+    ///
+    /// Each difference and product is off by at most one part in 2^53, so a side of which the rounded value is so clear is
+    /// the right one; most boxes are far away, and need no exact arithmetic.
+    fn may_part(&self, a: Point, b: Point) -> bool {
+        let [dx, dy] = self.direction;
+        let [(a, slack_of_a), (b, slack_of_b)] = [a, b].map(|p| {
+            let (left, right) = (dx * (p.y - self.from.y), dy * (p.x - self.from.x));
+            (left - right, 1e-15 * (left.abs() + right.abs()))
+        });
+        !(a > slack_of_a && b > slack_of_b || a < -slack_of_a && b < -slack_of_b)
     }
 
     fn is_near(&self, [left, bottom]: [f64; 2], [right, top]: [f64; 2]) -> bool {
@@ -136,16 +134,16 @@ impl Selection<'_> {
     }
 }
 
-impl SelectionFunction<Boxed> for Selection<'_> {
+impl SelectionFunction<Boxed> for Selection {
     fn should_unpack_parent(&self, envelope: &AABB<[f64; 2]>) -> bool {
         let (min, max) = (envelope.lower(), envelope.upper());
         // The corners furthest from the line on either side, in one order or the other.
         let (one, other) = if self.rises { ([min[0], max[1]], [max[0], min[1]]) } else { (min, max) };
-        self.is_near(min, max) && self.parts(Point::from(one), Point::from(other))
+        self.is_near(min, max) && self.may_part(Point::from(one), Point::from(other))
     }
 
     fn should_unpack_leaf(&self, leaf: &Boxed) -> bool {
         let envelope = leaf.envelope();
-        self.is_near(envelope.lower(), envelope.upper()) && self.parts(leaf.ends[0], leaf.ends[1])
+        self.is_near(envelope.lower(), envelope.upper()) && self.may_part(leaf.ends[0], leaf.ends[1])
     }
 }
