@@ -106,6 +106,16 @@ fn square(i: u32) -> [Point; 4] {
     [[x, y], [x + 2.0, y], [x + 2.0, y + 2.0], [x, y + 2.0]].map(Point::from)
 }
 
+/// All edges of all coasts.
+const COAST: u32 = 16_000;
+
+/// A round island with so many edges, on its own.
+fn coast(island: u32, edges: u32) -> Vec<Point> {
+    let (x, y) = (f64::from(island % 64) * 3.0, f64::from(island / 64) * 3.0);
+    let turn = std::f64::consts::TAU / f64::from(edges);
+    (0..edges).map(|i| f64::from(i) * turn).map(|a| Point::new(x + a.cos(), y + a.sin())).collect()
+}
+
 fn islands(criterion: &mut Criterion) {
     for count in [10, 4_000] {
         let build = || {
@@ -129,6 +139,18 @@ fn islands(criterion: &mut Criterion) {
         group.sample_size(20);
         group.throughput(Throughput::Elements(4 * u64::from(count)));
         group.bench_function("build, per edge", |b| b.iter(|| black_box(build())));
+        // As many edges on few islands as on many.
+        let coasts: Vec<_> = (0..count).map(|i| Shape::Polygon(vec![coast(i, COAST / count)])).collect();
+        group.throughput(Throughput::Elements(u64::from(COAST)));
+        group.bench_function("build 16,000 edges of coast", |b| {
+            b.iter(|| {
+                let mut builder = Builder::new();
+                for shape in &coasts {
+                    builder.shape(shape).expect("in range");
+                }
+                black_box(builder.build().expect("it fits"))
+            });
+        });
         group.throughput(Throughput::Elements(1));
         let mut which = corners.iter().cycle();
         group.bench_function("an edge across an island in and out", |b| {
