@@ -8,11 +8,11 @@
 //!
 //! Measured on a square grid of a million vertices (4 million half-edges, one thread), and on one of 49:
 //!
-//! | store | bytes per half-edge | face loops, ns per half-edge | vertex rotations | validation | the same, small |
-//! | --- | --- | --- | --- | --- | --- |
-//! | [`SlotStore`] | 40 | 3.0 | 2.1 | 134 | 1.7, 0.8, 42 |
-//! | [`PointerStore`] | 113 | 29 | 19 | 741 | 2.0, 0.7, 56 |
-//! | [`FixedStore`] | | | | | 2.4, 1.1, 50 |
+//! | store | bytes per half-edge | face loops, ns per half-edge | vertex rotations | the same, small |
+//! | --- | --- | --- | --- | --- |
+//! | [`SlotStore`] | 40 | 3.0 | 2.1 | 1.7, 0.8 |
+//! | [`PointerStore`] | 113 | 29 | 19 | 2.0, 0.7 |
+//! | [`FixedStore`] | | | | 2.4, 1.1 |
 //!
 //! So pointers cost nothing but memory as long as a map fits into the cache, and ten times the time once it does not.
 //!
