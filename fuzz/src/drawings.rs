@@ -73,7 +73,7 @@ pub fn noding(bytes: &[u8]) {
     let mut source = Unstructured::new(bytes);
     let snap = match Choose::choose(&mut source, 4) {
         0 => Snap::Size(1.0),
-        1 => Snap::Size(2.0_f64.powi(Choose::choose(&mut source, 60) as i32 - 30)),
+        1 => Snap::Size((Choose::choose(&mut source, 60) as f64 - 30.0).exp2()),
         _ => Snap::Auto,
     };
     let mut builder = Builder::new();
@@ -85,7 +85,9 @@ pub fn noding(bytes: &[u8]) {
         }
     }
     let mut again = Builder::new();
-    taken.iter().for_each(|feature| assert!(takes(&mut again, feature)));
+    for feature in &taken {
+        assert!(takes(&mut again, feature));
+    }
 
     match builder.build_with(Noding::Snap(snap)) {
         Ok(map) => {
@@ -122,14 +124,14 @@ fn takes(builder: &mut Builder, feature: &Feature) -> bool {
         }
         Err(BuildError::NotFinite { position, x, y }) => {
             assert!(!x.is_finite() || !y.is_finite(), "{position}: ({x}, {y}) is finite");
-            refused(builder, before, feature, position, (x, y))
+            refused(builder, &before, feature, position, (x, y))
         }
         Err(BuildError::OutOfRange { position, x, y }) => {
             assert!(
                 x.is_finite() && y.is_finite() && !in_range(Point::new(x, y)),
                 "{position}: ({x}, {y}) is in range"
             );
-            refused(builder, before, feature, position, (x, y))
+            refused(builder, &before, feature, position, (x, y))
         }
         Err(error) => panic!("{feature:?}: {error}"),
     }
@@ -138,12 +140,12 @@ fn takes(builder: &mut Builder, feature: &Feature) -> bool {
 /// A feature that was refused left nothing behind, and the point named is the one at that position.
 fn refused(
     builder: &Builder,
-    before: twinedge::geometry::BuildSummary,
+    before: &twinedge::geometry::BuildSummary,
     feature: &Feature,
     at: twinedge::geometry::Position,
     (x, y): (f64, f64),
 ) -> bool {
-    assert_eq!(*builder.summary(), before);
+    assert_eq!(builder.summary(), before);
     let named = match &feature.shapes[at.shape] {
         Shape::Polygon(rings) => rings[at.ring][at.point],
         Shape::Line(points) => points[at.point],

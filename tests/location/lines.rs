@@ -48,6 +48,42 @@ fn the_walk_agrees_with_the_oracle() {
     quickcheck(1500, walks as fn(Drawing, Vec<(usize, u8, u8)>) -> bool);
 }
 
+fn walks_through(drawing: Drawing, queries: Vec<(usize, u8, u8, u8, u8)>) -> bool {
+    let map = drawing.map();
+    let plain = Plain::new(&map);
+    let edges: Vec<_> = map.dcel().half_edges().collect();
+    queries.into_iter().all(|(h, a, b, c, d)| {
+        let Some(h) = edges.get(h % edges.len().max(1)) else { return true };
+        let (from, to) = (place(a, b), place(c, d));
+        [Stretch::Segment(from, to), Stretch::Ray(from, to), Stretch::Line(from, to)].iter().all(|stretch| {
+            let found = map.zone_through(h.key(), stretch);
+            if from == to {
+                return found == Err(LocateError::NoDirection(from));
+            }
+            let expected = plain.zone(stretch);
+            let ends = [h.origin().key(), h.target().key()];
+            let meets = expected.iter().any(|met| match met {
+                Met::Edge(other) => {
+                    [h.key(), h.twin().key()].contains(other) && !expected.contains(&Met::Along(*other))
+                }
+                Met::Vertex(v) => ends.contains(v),
+                _ => false,
+            });
+            // What begins or ends inside an edge and runs along it meets it in no point but by its ends.
+            let along = expected.iter().any(|met| *met == Met::Along(h.key()) || *met == Met::Along(h.twin().key()));
+            match found {
+                Ok(found) => found == expected,
+                Err(error) => error == LocateError::NotMet(h.key()) && (!meets || along),
+            }
+        })
+    })
+}
+
+#[test]
+fn the_walk_both_ways_agrees_with_the_oracle() {
+    quickcheck(1500, walks_through as fn(Drawing, Vec<(usize, u8, u8, u8, u8)>) -> bool);
+}
+
 /// What is met the other way round.
 fn turned(map: &PlanarMap, met: &[Met]) -> Vec<Met> {
     let twin = |h| map.dcel().half_edge(h).unwrap().twin().key();

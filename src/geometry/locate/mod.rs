@@ -88,6 +88,9 @@ pub enum LocateError {
     /// The two points that should give a direction are this same one.
     #[error("there is no direction from ({}, {}) to itself", .0.x, .0.y)]
     NoDirection(Point),
+    /// The line does not meet the edge of this half-edge in a point.
+    #[error("the line does not meet the edge of {0:?}")]
+    NotMet(HalfEdgeKey),
     /// The map is not plane.
     #[error("the map is not plane")]
     NotPlane,

@@ -39,6 +39,21 @@ pub(super) struct Event<'m> {
     pub(super) place: Place,
 }
 
+impl Event<'_> {
+    /// The same, for the line in the other direction.
+    pub(super) fn turned(self) -> Self {
+        let what = match self.what {
+            What::Edge(h) => What::Edge(h.twin()),
+            vertex @ What::Vertex(_) => vertex,
+        };
+        let place = match self.place {
+            Place::Crossing(left, right) => Place::Crossing(right, left),
+            point @ Place::At(_) => point,
+        };
+        Self { what, place }
+    }
+}
+
 /// What a line meets in one point.
 #[derive(Clone, Copy)]
 pub(super) enum What<'m> {

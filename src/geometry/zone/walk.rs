@@ -1,8 +1,8 @@
 //! From face to face along a segment, without an index.
 
 use super::line::{Event, Line, Piece, Place};
-use super::{Begin, Met, follow};
-use crate::dcel::{Face, Vertex, VertexKey};
+use super::{Begin, Met, Stretch, follow};
+use crate::dcel::{Face, HalfEdgeKey, Vertex, VertexKey};
 use crate::geometry::locate::check;
 use crate::geometry::predicates::Orientation;
 use crate::geometry::{Drawing, LocateError, Located, PlanarMap, Point};
@@ -69,9 +69,80 @@ impl PlanarMap {
             visit(Met::Vertex(start.key()));
             return Ok(());
         }
-        let line = Line { from, through: to };
-        let mut known = Known { map: self, line: &line, to, scanned: FxHashSet::default(), ahead: BinaryHeap::new() };
-        follow(self, &line, Some(to), Begin::Event(event), |piece, at| known.next(piece, at), visit)
+        self.go(&Line { from, through: to }, Some(to), event, visit)
+    }
+
+    /// What a stretch meets that crosses the edge of a half-edge, or one of its ends: as
+    /// [`Locator::zone`](crate::geometry::Locator::zone) has it, but without an index, by walking from there both ways. With
+    /// a [`Stretch::Line`] these are all faces that a line cuts, given the line and a half-edge that it cuts.
+    ///
+    /// Takes time in proportion to the boundaries of the faces met, each counted twice at most, plus O(k log k) for k edges
+    /// and vertices on the way.
+    ///
+    /// ```
+    /// use twinedge::geometry::{Builder, Met, Point, Stretch};
+    ///
+    /// // A ladder: two rails, and four rungs with three faces between them.
+    /// let mut builder = Builder::new();
+    /// for x in [0.0, 1.0, 2.0, 3.0] {
+    ///     builder.segment([x, 0.0], [x, 1.0])?;
+    /// }
+    /// for (x, y) in [(0.0, 0.0), (1.0, 0.0), (2.0, 0.0), (0.0, 1.0), (1.0, 1.0), (2.0, 1.0)] {
+    ///     builder.segment([x, y], [x + 1.0, y])?;
+    /// }
+    /// let map = builder.build()?;
+    /// let rung = map.dcel().half_edges().next().unwrap().key();
+    /// let line = Stretch::Line(Point::new(0.0, 0.25), Point::new(3.0, 0.75));
+    /// let faces = map.zone_through(rung, &line)?.into_iter().filter(|met| matches!(met, Met::Face(_)));
+    /// assert_eq!(faces.count(), 5);
+    /// # Ok::<(), Box<dyn std::error::Error>>(())
+    /// ```
+    ///
+    /// # Errors
+    /// [`LocateError::NotMet`], if it meets the edge nowhere, or only in the midst of a stretch that runs along it;
+    /// [`LocateError::NoDirection`]; else as [`PlanarMap::locate_from`].
+    pub fn zone_through(&self, half_edge: HalfEdgeKey, stretch: &Stretch) -> Result<Vec<Met>, LocateError> {
+        let (Stretch::Segment(from, through) | Stretch::Ray(from, through) | Stretch::Line(from, through)) = *stretch;
+        check(from)?;
+        check(through)?;
+        if from == through {
+            return Err(LocateError::NoDirection(from));
+        }
+        let first = if let Stretch::Line(..) = stretch { None } else { Some(from) };
+        let last = if let Stretch::Segment(..) = stretch { Some(through) } else { None };
+        let h = self.dcel().half_edge(half_edge)?;
+        let way_there = Line { from, through };
+        let way_back = Line { from: through, through: from };
+        let is_on = |event: &Event<'_>| {
+            first.is_none_or(|first| way_there.order(Place::At(first), event.place).is_le())
+                && last.is_none_or(|last| way_there.order(event.place, Place::At(last)).is_le())
+        };
+        let [origin, target] = [h.origin(), h.target()].map(|v| {
+            let p = self.point(v.index());
+            (v, (p, way_there.side(p)))
+        });
+        let at_end = |(v, (_, side))| (side == Orientation::Collinear).then(|| Line::at(self, v));
+        let events = [Line::crossing(h, origin.1, target.1), at_end(origin), at_end(target)];
+        let Some(start) = events.into_iter().flatten().find(is_on) else {
+            return Err(LocateError::NotMet(half_edge));
+        };
+        let mut met = Vec::new();
+        self.go(&way_back, first, start.turned(), |what| met.push(what))?;
+        met.reverse();
+        // The place from which both ways go.
+        met.pop();
+        for what in &mut met {
+            if let Met::Edge(h) | Met::Along(h) = what {
+                *h = self.dcel().half_edge(*h)?.twin().key();
+            }
+        }
+        self.go(&way_there, last, start, |what| met.push(what))?;
+        Ok(met)
+    }
+
+    fn go(&self, line: &Line, to: Option<Point>, start: Event<'_>, visit: impl FnMut(Met)) -> Result<(), LocateError> {
+        let mut known = Known { map: self, line, to, scanned: FxHashSet::default(), ahead: BinaryHeap::new() };
+        follow(self, line, to, Begin::Event(start), |piece, at| known.next(piece, at), visit)
     }
 }
 
@@ -79,7 +150,7 @@ impl PlanarMap {
 struct Known<'m, 'l> {
     map: &'m PlanarMap,
     line: &'l Line,
-    to: Point,
+    to: Option<Point>,
     scanned: FxHashSet<usize>,
     ahead: BinaryHeap<Ahead<'m, 'l>>,
 }
@@ -135,7 +206,7 @@ impl<'m> Known<'m, '_> {
     /// Takes note of an event, if it is ahead and not beyond the end.
     fn add(&mut self, event: Event<'m>, at: Option<Place>) {
         if at.is_none_or(|at| self.line.order(at, event.place).is_lt())
-            && self.line.order(event.place, Place::At(self.to)).is_le()
+            && self.to.is_none_or(|to| self.line.order(event.place, Place::At(to)).is_le())
         {
             self.ahead.push(Ahead { event, line: self.line });
         }
