@@ -488,3 +488,38 @@ fn every_rule_says_how_much_it_checked_whatever_else_is_broken() {
         assert_eq!(counts(&table), counted);
     }
 }
+
+#[test]
+fn f2_a_list_is_said_to_be_too_long_exactly_if_some_of_it_was_not_read() {
+    let found = |table: &Table, expectation: &Expectation| {
+        let report = validate(table, expectation, Collect::All);
+        let is_too_long = |v: &&Violation| matches!(v, Violation::ListTooLong { .. });
+        let twice = report.violations().iter().filter(|v| matches!(v, Violation::ListedTwice { .. })).count();
+        (twice, report.violations().iter().filter(is_too_long).count())
+    };
+    let (by_record, textbook) = (PLANE.without(Part::Places), TEXTBOOK);
+    let mut cut_short = 0;
+    for length in 2..100 {
+        let at = |length: usize, expectation: &Expectation| {
+            let mut table = if expectation.has(Part::BoundaryComponents) { nested() } else { nested_textbook() };
+            face(&mut table, 1).inner.resize(length, Some(3));
+            face(&mut table, 1).inner_starts.resize(length, Some(Start::HalfEdge(7)));
+            found(&table, expectation)
+        };
+        for expectation in [&by_record, &textbook] {
+            let ((before, _), (after, too_long)) = (at(length, expectation), at(length + 1, expectation));
+            assert_eq!(too_long, usize::from(after == before), "{} entries, {expectation:?}", length + 1);
+            cut_short += too_long;
+        }
+    }
+    assert!(cut_short > 50);
+}
+
+#[test]
+fn f2_what_is_not_listed_is_counted_as_checked_too() {
+    let mut table = nested_textbook();
+    face(&mut table, 0).inner_starts.clear();
+    let report = validate(&table, &TEXTBOOK, Collect::All);
+    assert_eq!(report.violations().first().map(Violation::rule), Some(Rule::F2));
+    assert_eq!(report.outcome(Rule::F2).map(|outcome| outcome.checked), Some(5));
+}
