@@ -2,7 +2,7 @@
 
 use super::Point;
 use super::build::{BuildError, Dart, GatheredFeature};
-use super::noding::{Input, NodingError, Snap, Summary, node};
+use super::noding::{NodingError, Snap, Summary, node};
 use super::predicates::{MIN_COORDINATE, compare_lexicographic, on_segment};
 use crate::dcel::Kind;
 use rstar::primitives::GeomWithData;
@@ -153,14 +153,7 @@ pub(super) fn snapped(
     let noded = noded.map_err(|error| match error {
         NodingError::Size => BuildError::CellSize,
         NodingError::NotFinite { at } | NodingError::OutOfRange { at } => {
-            let p = match at {
-                Input::Point(point) => points[point],
-                Input::Segment(segment) => {
-                    let [a, b] = drawn[segment];
-                    let size = |p: Point| p.x.abs().max(p.y.abs());
-                    if size(a) < size(b) { b } else { a }
-                }
-            };
+            let p = at.point(&drawn, points);
             BuildError::OutOfReach { x: p.x, y: p.y }
         }
         NodingError::TooMany => BuildError::Full(Kind::Vertex),

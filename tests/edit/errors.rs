@@ -3,7 +3,7 @@
 use crate::describe::{dump, grid};
 use twinedge::dcel::{HalfEdgeKey, OperatorError, StaleKey, VertexKey};
 use twinedge::geometry::edit::EditError;
-use twinedge::geometry::noding::{Input, NodingError, Snap};
+use twinedge::geometry::noding::Snap;
 use twinedge::geometry::{Builder, PlanarMap};
 
 /// A square with a vertex in it: its half-edges from (0, 0) on, counter-clockwise, and the vertex.
@@ -144,11 +144,9 @@ fn grids_that_do_not_fit() {
     });
     // What is far away is not looked at.
     assert!(map.insert_segment_snapped([-20.0, 0.0], [-20.0, 5.0], Snap::Size(1.0)).is_ok());
-    refused(&mut map, EditError::Noding(NodingError::Size), |map| {
-        map.insert_segment_snapped([1.0, 1.0], [2.0, 2.0], Snap::Size(0.0))
-    });
+    refused(&mut map, EditError::CellSize, |map| map.insert_segment_snapped([1.0, 1.0], [2.0, 2.0], Snap::Size(0.0)));
     let mut empty = PlanarMap::new();
-    refused(&mut empty, EditError::Noding(NodingError::OutOfRange { at: Input::Segment(0) }), |map| {
+    refused(&mut empty, EditError::OutOfReach { x: 1.0, y: 1.0 }, |map| {
         map.insert_segment_snapped([0.0, 0.0], [1.0, 1.0], Snap::Size(1e-20))
     });
 }

@@ -27,18 +27,12 @@ impl PlanarMap {
                 // The edge may have been split since the place was found. Its parts follow each other, in one direction or,
                 // if it was split as the edge of the twin, in the other.
                 let on = |part: &HalfEdge<'_>| on_segment(p, self.at(part.origin()), self.at(part.target()));
-                let (mut part, mut back) = (self.dcel.half_edge(h)?, self.dcel.half_edge(h)?);
-                while !on(&part) {
-                    (part, back) = (part.next(), back.prev());
-                    if on(&back) {
-                        part = back;
-                    }
-                }
-                if p == self.at(part.origin()) {
-                    return Ok(part.origin().key());
-                }
-                if p == self.at(part.target()) {
-                    return Ok(part.target().key());
+                let cycle = self.dcel.half_edge(h)?.boundary_cycle();
+                let both_ways = cycle.clone().zip(cycle.rev()).flat_map(|(ahead, behind)| [ahead, behind]);
+                // A plane map has one.
+                let part = { both_ways }.find(on).ok_or(EditError::NotPlane)?;
+                if let Some(end) = [part.origin(), part.target()].into_iter().find(|v| self.at(*v) == p) {
+                    return Ok(end.key());
                 }
                 let part = part.key();
                 self.split(part, p, edited)

@@ -1,8 +1,9 @@
 //! Why an edit was refused.
 
 use super::super::FeatureId;
+use super::super::Point;
 use super::super::noding::NodingError;
-use crate::dcel::{HalfEdgeKey, OperatorError, StaleKey, VertexKey};
+use crate::dcel::{HalfEdgeKey, Kind, OperatorError, StaleKey, VertexKey};
 use thiserror::Error;
 
 /// Why an edit was refused. The map is as it was.
@@ -66,12 +67,34 @@ pub enum EditError {
     /// The vertex is not on the grid to which the edit was to round.
     #[error("{0:?} is not on the grid")]
     NotOnGrid(VertexKey),
-    /// There is no such grid, or the segment is out of its reach.
-    #[error(transparent)]
-    Noding(#[from] NodingError),
+    /// The size of a cell is not a positive finite number.
+    #[error("the size of a cell of the grid must be a positive finite number")]
+    CellSize,
+    /// A coordinate is more than 2^53 cells of the grid.
+    #[error("({x}, {y}) is out of reach of the grid: take larger cells")]
+    OutOfReach {
+        /// The first coordinate.
+        x: f64,
+        /// The second coordinate.
+        y: f64,
+    },
     /// The map has no such feature.
     #[error("there is no feature {}", .0.index())]
     NoSuchFeature(FeatureId),
+}
+
+impl EditError {
+    /// Why these could not be noded.
+    pub(super) fn of_noding(error: NodingError, segments: &[[Point; 2]], points: &[Point]) -> Self {
+        match error {
+            NodingError::Size => Self::CellSize,
+            NodingError::NotFinite { at } | NodingError::OutOfRange { at } => {
+                let Point { x, y } = at.point(segments, points);
+                Self::OutOfReach { x, y }
+            }
+            NodingError::TooMany => OperatorError::Full(Kind::Vertex).into(),
+        }
+    }
 }
 
 impl From<StaleKey> for EditError {

@@ -180,7 +180,7 @@ impl PlanarMap {
             segments.push([self.position(v)?, self.position(w)?]);
         }
         let points = region.near_isolated.iter().map(|v| self.position(*v)).collect::<Result<Vec<Point>, _>>()?;
-        let noded = node(&segments, &points, snap)?;
+        let noded = node(&segments, &points, snap).map_err(|error| EditError::of_noding(error, &segments, &points))?;
         let moved = |p: Point, number: Option<u32>| number.is_none_or(|n| noded.points[n as usize] != p);
         for ((i, ends), segment) in region.near.iter().zip(&segments[1..]).zip(1..) {
             let Some(mut chain) = noded.chain(segment) else { continue };

@@ -83,7 +83,7 @@ impl PlanarMap {
     ///
     /// # Errors
     /// [`EditError::NotPlane`]; [`EditError::NotFinite`]; [`EditError::OutOfRange`], also of a grid point;
-    /// [`EditError::NoLength`]; [`EditError::NotOnGrid`]; [`EditError::Noding`] for a grid that is none or too fine;
+    /// [`EditError::NoLength`]; [`EditError::NotOnGrid`]; [`EditError::CellSize`]; [`EditError::OutOfReach`];
     /// [`EditError::Operator`] for a stale key or a map that is full.
     pub fn insert_segment_snapped(
         &mut self,
@@ -113,7 +113,9 @@ impl PlanarMap {
                 let points = self.dcel.vertices().map(|v| self.at(v)).chain(ends);
                 let largest = points.fold(0.0, |largest: f64, p| largest.max(p.x.abs()).max(p.y.abs()));
                 // The predicates must be exact on grid points, too.
-                Ok(node(&[], &[Point::new(largest, 0.0)], snap)?.summary.cell.max(MIN_COORDINATE))
+                let corner = [Point::new(largest, 0.0)];
+                let noded = node(&[], &corner, snap).map_err(|error| EditError::of_noding(error, &[], &corner))?;
+                Ok(noded.summary.cell.max(MIN_COORDINATE))
             }
         }
     }

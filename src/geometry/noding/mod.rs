@@ -124,6 +124,20 @@ pub enum Input {
     Point(usize),
 }
 
+impl Input {
+    /// The point at fault: of a segment, the end with the larger coordinate.
+    pub(super) fn point(self, segments: &[[Point; 2]], points: &[Point]) -> Point {
+        match self {
+            Self::Point(index) => points[index],
+            Self::Segment(index) => {
+                let [a, b] = segments[index];
+                let size = |p: Point| p.x.abs().max(p.y.abs());
+                if size(a) < size(b) { b } else { a }
+            }
+        }
+    }
+}
+
 impl core::fmt::Display for Input {
     fn fmt(&self, f: &mut core::fmt::Formatter<'_>) -> core::fmt::Result {
         match self {
