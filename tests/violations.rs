@@ -523,3 +523,96 @@ fn f2_what_is_not_listed_is_counted_as_checked_too() {
     assert_eq!(report.violations().first().map(Violation::rule), Some(Rule::F2));
     assert_eq!(report.outcome(Rule::F2).map(|outcome| outcome.checked), Some(5));
 }
+
+/// The nested triangles, and in the inner one half-edges 12 and 13, a loop at vertex 7 around face 3. The last slot of each
+/// kind is vacant.
+fn with_a_loop() -> Table {
+    let mut half_edges = HALF_EDGES.to_vec();
+    half_edges.extend([(7, 12), (7, 13)]);
+    let faces = [FACES[0], FACES[1], (Some(6), &[Start::HalfEdge(13)]), (Some(12), &[])];
+    let mut table = map(8, &half_edges, &faces);
+    table.vertices.push(None);
+    table.half_edges.push(None);
+    table.boundaries.push(None);
+    table.faces.push(None);
+    table
+}
+
+/// What is wrong with a link of half-edge 12 that does not lead to a live record: that, and what starts there.
+fn broken_link(field: Field, value: Option<usize>) -> Vec<Violation> {
+    let record = Record::HalfEdge(12);
+    let leads_nowhere = match value {
+        None => Violation::Nil { record, field },
+        Some(value) => Violation::Dangling { record, field, value },
+    };
+    let starts =
+        (field == Field::Boundary).then_some(Violation::StartElsewhere { boundary: 6, half_edge: 12, found: value });
+    [leads_nowhere].into_iter().chain(starts).collect()
+}
+
+#[test]
+fn r1_a_link_that_leads_nowhere_hides_nothing_beside_it_and_breaks_nothing_else() {
+    let target = |half_edge, next, target, found| Violation::Target { half_edge, next, target, found };
+    let not_mutual = |half_edge, twin, found| Violation::TwinNotMutual { half_edge, twin, found: Some(found) };
+    let elsewhere: [(fn(&mut Table), &[Violation]); 8] = [
+        (|_| (), &[]),
+        (|t| half_edge(t, 0).twin = Some(2), &[not_mutual(0, 2, 3), not_mutual(1, 0, 2)]),
+        (
+            |t| half_edge(t, 0).twin = Some(0),
+            &[Violation::TwinIsSelf { half_edge: 0 }, not_mutual(1, 0, 0), target(0, 2, 0, 1)],
+        ),
+        (
+            |t| half_edge(t, 0).next = Some(4),
+            &[
+                Violation::PrevOfNext { half_edge: 0, next: 4, found: 2 },
+                Violation::NextOfPrev { half_edge: 2, prev: 0, found: 4 },
+                target(0, 4, 1, 2),
+            ],
+        ),
+        (
+            |t| half_edge(t, 0).prev = Some(2),
+            &[
+                Violation::NextOfPrev { half_edge: 0, prev: 2, found: 4 },
+                Violation::PrevOfNext { half_edge: 4, next: 0, found: 2 },
+            ],
+        ),
+        (
+            |t| half_edge(t, 0).origin = Some(1),
+            &[target(1, 5, 1, 0), target(4, 0, 0, 1), Violation::NotLeaving { vertex: 0, half_edge: 0, origin: 1 }],
+        ),
+        (|t| vertex(t, 0).leaving = Some(2), &[Violation::NotLeaving { vertex: 0, half_edge: 2, origin: 1 }]),
+        (
+            |t| vertex(t, 6).isolated = Some(2),
+            &[Violation::IsolatedMismatch { vertex: 6, boundary: 3, found: Some(2) }],
+        ),
+    ];
+    let (vertex, half_edge, boundary) = (8, 14, 7);
+    let fields = [
+        (Field::Origin, vertex),
+        (Field::Twin, half_edge),
+        (Field::Next, half_edge),
+        (Field::Prev, half_edge),
+        (Field::Boundary, boundary),
+    ];
+    for (change, violations) in elsewhere {
+        for (field, vacant) in fields {
+            for value in [None, Some(vacant), Some(99)] {
+                let mut table = with_a_loop();
+                assert_eq!(agree(&table, PLANE), None);
+                change(&mut table);
+                let row = table.half_edges[12].as_mut().unwrap();
+                *match field {
+                    Field::Origin => &mut row.origin,
+                    Field::Twin => &mut row.twin,
+                    Field::Next => &mut row.next,
+                    Field::Prev => &mut row.prev,
+                    _ => &mut row.boundary,
+                } = value;
+                let report = validate(&table, &PLANE, Collect::All);
+                let expected = [broken_link(field, value), violations.to_vec()].concat();
+                let as_expected = expected.iter().all(|violation| report.violations().contains(violation));
+                assert!(as_expected && report.violations().len() == expected.len(), "{expected:?}\n{report}");
+            }
+        }
+    }
+}

@@ -84,10 +84,13 @@ impl Dcel {
     }
 
     /// The empty map, with room for this many vertices and edges, and the faces of a connected map of these.
+    ///
+    /// Room is a wish: where there is not that much memory, the columns grow as they are filled. It makes no difference
+    /// to what the structure holds, only to how often memory is asked for.
     #[must_use]
     pub fn with_capacity(vertices: usize, edges: usize) -> Self {
-        let faces = (edges + 1).saturating_sub(vertices);
-        Self::with_room(Need { vertices, edges, boundaries: faces + 1, faces })
+        let faces = edges.saturating_add(1).saturating_sub(vertices);
+        Self::with_room(Need { vertices, edges, boundaries: faces.saturating_add(1), faces })
     }
 }
 

@@ -17,6 +17,13 @@ pub(crate) fn structure_offset() -> u32 {
     STRUCTURES.fetch_add(1, Ordering::Relaxed).wrapping_mul(0x9E37_79B1) << 1
 }
 
+/// An empty column with that much room. Room is a wish: if there is no such memory, the column grows as it is filled.
+pub(super) fn with_room<T>(room: usize) -> Vec<T> {
+    let mut column = Vec::new();
+    let _ = column.try_reserve_exact(room);
+    column
+}
+
 /// Issues, checks and retires the keys of one kind of record.
 ///
 /// The slotmap decides which slot is next and what its generation is. A column beside it repeats the generation of each
@@ -31,9 +38,12 @@ pub(super) struct Issuer<K: Key> {
 
 impl<K: Key> Issuer<K> {
     pub(super) fn with_room(room: usize, offset: u32) -> Self {
-        let mut generations = Vec::with_capacity(room + 1);
+        let mut generations = with_room(room.saturating_add(1));
         generations.push(0);
-        Self { slots: SlotMap::with_capacity_and_key(room), generations, offset }
+        let mut slots = SlotMap::with_key();
+        // A wish, as below.
+        let _ = slots.try_reserve(room);
+        Self { slots, generations, offset }
     }
 
     /// Issues a key and gives its slot.

@@ -27,7 +27,7 @@
 
 #![allow(unsafe_code, reason = "this is the file to which the crate's raw pointers are confined")]
 
-use super::issuer::{Issuer, structure_offset};
+use super::issuer::{Issuer, structure_offset, with_room};
 use super::keys::{key, parts};
 use super::links::{Anchor, Kind, Links, Need, OUTER, Origin, room};
 use super::{BoundaryKey, FaceKey, HalfEdgeKey, Store, VertexKey};
@@ -185,7 +185,7 @@ struct Records<R: Record> {
 
 impl<R: Record> Records<R> {
     fn with_room(room: usize, offset: u32) -> Self {
-        Self { issuer: Issuer::with_room(room, offset), boxes: Vec::with_capacity(room) }
+        Self { issuer: Issuer::with_room(room, offset), boxes: with_room(room) }
     }
 
     fn put_in_box(record: R) -> Ref<R> {
@@ -357,9 +357,9 @@ impl Links for PointerStore {
         let offset = structure_offset();
         let mut store = Self {
             vertices: Records::with_room(need.vertices, offset),
-            half_edges: Records::with_room(2 * need.edges, offset),
+            half_edges: Records::with_room(need.edges.saturating_mul(2), offset),
             boundaries: Records::with_room(need.boundaries, offset),
-            faces: Records::with_room(need.faces + 1, offset),
+            faces: Records::with_room(need.faces.saturating_add(1), offset),
             unbounded: Ref::UNSET,
         };
         store.unbounded = store.add_face();

@@ -13,7 +13,7 @@
 //! Bytes per record, all keys included: 44 per edge, 16 per vertex, 24 per boundary component, 24 per face, and 4 more for
 //! each inner boundary component. A triangulated grid needs about 40 per half-edge.
 
-use super::issuer::{Issuer, structure_offset};
+use super::issuer::{Issuer, structure_offset, with_room};
 use super::keys::{key, parts};
 use super::links::{Anchor, Kind, Links, Need, OUTER, Origin, UNLISTED, room};
 use super::{BoundaryKey, FaceKey, HalfEdgeKey, Store, VertexKey};
@@ -94,7 +94,7 @@ fn put<T>(column: &mut Vec<T>, slot: u32, value: T) {
 
 /// A column with room for `room` slots beyond the first, which slotmap does not use.
 fn column<T: Clone>(room: usize, unused: T, count: usize) -> Vec<T> {
-    let mut column = Vec::with_capacity(room + count);
+    let mut column = with_room(room.saturating_add(count));
     column.resize(count, unused);
     column
 }
@@ -121,13 +121,14 @@ impl Links for SlotStore {
 
     fn with_room(need: Need) -> Self {
         let offset = structure_offset();
-        let faces = need.faces + 1;
+        let half_edges = need.edges.saturating_mul(2);
+        let faces = need.faces.saturating_add(1);
         let mut store = Self {
             edges: Issuer::with_room(need.edges, offset),
-            origin: column(2 * need.edges, VertexSlot(NIL), 2),
-            next: column(2 * need.edges, HalfEdgeSlot(NIL), 2),
-            prev: column(2 * need.edges, HalfEdgeSlot(NIL), 2),
-            component: column(2 * need.edges, BoundarySlot(NIL), 2),
+            origin: column(half_edges, VertexSlot(NIL), 2),
+            next: column(half_edges, HalfEdgeSlot(NIL), 2),
+            prev: column(half_edges, HalfEdgeSlot(NIL), 2),
+            component: column(half_edges, BoundarySlot(NIL), 2),
             vertices: Issuer::with_room(need.vertices, offset),
             anchor: column(need.vertices, NIL, 1),
             boundaries: Issuer::with_room(need.boundaries, offset),

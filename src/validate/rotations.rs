@@ -12,7 +12,7 @@
 //! and only if its orbit is as long as the vertex has half-edges.
 
 use super::report::{Flow, Halt};
-use super::run::{NIL, Run};
+use super::run::Run;
 use super::{Part, Rule, Unchecked, View, Violation};
 
 impl<V: View + ?Sized> Run<'_, V> {
@@ -43,7 +43,7 @@ impl<V: View + ?Sized> Run<'_, V> {
                 continue;
             }
             let origin = self.origin(h as u32);
-            if origin == NIL {
+            if !self.live_vertex(origin) {
                 continue;
             }
             checked += 1;

@@ -1,4 +1,5 @@
-//! Whatever the pointer-style store allocates it gives back when it is dropped, and what is removed is used again.
+//! What the stores ask of the allocator: the pointer-style one gives back all when it is dropped, what is removed is used
+//! again, and where room was made nothing is asked for.
 #![cfg(feature = "dcel")]
 #![allow(unsafe_code, reason = "an allocator that counts has to be an allocator")]
 
@@ -8,6 +9,8 @@ use twinedge::dcel::{Dcel, Split};
 use twinedge::store::PointerStore;
 
 thread_local! {
+    /// How often memory was asked for on this thread, fresh or to grow.
+    static ASKED: Cell<usize> = const { Cell::new(0) };
     /// Allocations less deallocations on this thread.
     static LIVE: Cell<isize> = const { Cell::new(0) };
     static LIVE_BYTES: Cell<isize> = const { Cell::new(0) };
@@ -18,6 +21,7 @@ struct Counting;
 // SAFETY: every call is handed on to the system's allocator as it is; the counters do not allocate.
 unsafe impl GlobalAlloc for Counting {
     unsafe fn alloc(&self, layout: Layout) -> *mut u8 {
+        ASKED.set(ASKED.get() + 1);
         LIVE.set(LIVE.get() + 1);
         LIVE_BYTES.set(LIVE_BYTES.get() + layout.size().cast_signed());
         // SAFETY: the caller's promise is the one that is asked for.
@@ -90,4 +94,44 @@ fn records_that_were_removed_are_used_again() {
         churn(&mut dcel);
     }
     assert_eq!(LIVE_BYTES.get(), before);
+}
+
+/// Makes a ring of that many vertices and then loops, until there are that many edges, and counts how often that asks for
+/// memory.
+fn grow(dcel: &mut Dcel, vertices: usize, edges: usize) -> usize {
+    let outside = dcel.unbounded_face().key();
+    let root = dcel.add_isolated_vertex(outside).unwrap().vertex;
+    // From here on, as the list of the inner boundary components of a face is not a column.
+    let before = ASKED.get();
+    let ring = dcel.connect(root, root, Split::default()).unwrap().half_edge;
+    for _ in 1..vertices {
+        dcel.split_edge(ring).unwrap();
+    }
+    for _ in vertices..edges {
+        dcel.connect(ring, ring, Split::default()).unwrap();
+    }
+    assert!(dcel.validate().is_valid());
+    ASKED.get() - before
+}
+
+#[test]
+fn where_room_was_made_for_a_connected_map_no_more_is_asked_for() {
+    // The validation at the end asks for some memory whatever the room.
+    let validation = grow(&mut Dcel::with_capacity(1, 1), 1, 1);
+    for (vertices, edges) in [(1, 300), (300, 300), (100, 300), (299, 300)] {
+        let mut dcel = Dcel::with_capacity(vertices, edges);
+        assert_eq!(dcel.half_edge_count() + dcel.vertex_count(), 0);
+        assert_eq!(grow(&mut dcel, vertices, edges), validation, "{vertices} vertices, {edges} edges");
+        assert!(grow(&mut Dcel::new(), vertices, edges) > validation + 20);
+    }
+}
+
+#[test]
+fn room_that_no_machine_has_is_a_wish() {
+    for (vertices, edges) in [(usize::MAX, 0), (0, usize::MAX), (usize::MAX, usize::MAX), (0, usize::MAX / 2)] {
+        let mut dcel = Dcel::with_capacity(vertices, edges);
+        assert_eq!(dcel.face_count(), 1);
+        grow(&mut dcel, 10, 20);
+        assert_eq!((dcel.vertex_count(), dcel.half_edge_count(), dcel.face_count()), (10, 40, 12));
+    }
 }

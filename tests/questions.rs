@@ -1,0 +1,204 @@
+//! How much the validator asks: of a valid structure that keeps all parts, nothing twice that one look can tell.
+//!
+//! These are bounds on work that do not depend on any clock.
+
+mod support;
+
+use std::cell::Cell;
+use support::tables::{map, mesh};
+use twinedge::validate::{Collect, Expectation, Link, Part, Place, Start, Table, View, validate};
+
+/// A table that counts how often it is asked for a link of a half-edge.
+struct Counted<'a> {
+    table: &'a Table,
+    twin: Cell<usize>,
+    next: Cell<usize>,
+    prev: Cell<usize>,
+}
+
+impl View for Counted<'_> {
+    fn vertex_slots(&self) -> usize {
+        self.table.vertex_slots()
+    }
+    fn half_edge_slots(&self) -> usize {
+        self.table.half_edge_slots()
+    }
+    fn boundary_slots(&self) -> usize {
+        self.table.boundary_slots()
+    }
+    fn face_slots(&self) -> usize {
+        self.table.face_slots()
+    }
+    fn is_vertex(&self, vertex: usize) -> bool {
+        self.table.is_vertex(vertex)
+    }
+    fn is_half_edge(&self, half_edge: usize) -> bool {
+        self.table.is_half_edge(half_edge)
+    }
+    fn is_boundary(&self, boundary: usize) -> bool {
+        self.table.is_boundary(boundary)
+    }
+    fn is_face(&self, face: usize) -> bool {
+        self.table.is_face(face)
+    }
+    fn origin(&self, half_edge: usize) -> Link {
+        self.table.origin(half_edge)
+    }
+    fn twin(&self, half_edge: usize) -> Link {
+        self.twin.set(self.twin.get() + 1);
+        self.table.twin(half_edge)
+    }
+    fn next(&self, half_edge: usize) -> Link {
+        self.next.set(self.next.get() + 1);
+        self.table.next(half_edge)
+    }
+    fn prev(&self, half_edge: usize) -> Link {
+        self.prev.set(self.prev.get() + 1);
+        self.table.prev(half_edge)
+    }
+    fn boundary(&self, half_edge: usize) -> Link {
+        self.table.boundary(half_edge)
+    }
+    fn leaving(&self, vertex: usize) -> Link {
+        self.table.leaving(vertex)
+    }
+    fn isolated(&self, vertex: usize) -> Link {
+        self.table.isolated(vertex)
+    }
+    fn boundary_face(&self, boundary: usize) -> Link {
+        self.table.boundary_face(boundary)
+    }
+    fn boundary_start(&self, boundary: usize) -> Option<Start> {
+        self.table.boundary_start(boundary)
+    }
+    fn boundary_place(&self, boundary: usize) -> Option<Place> {
+        self.table.boundary_place(boundary)
+    }
+    fn outer(&self, face: usize) -> Link {
+        self.table.outer(face)
+    }
+    fn inner_count(&self, face: usize) -> usize {
+        self.table.inner_count(face)
+    }
+    fn inner(&self, face: usize, position: usize) -> Link {
+        self.table.inner(face, position)
+    }
+}
+
+/// How often a valid table is asked for the twin, next and prev of its half-edges.
+fn questions(table: &Table, expectation: &Expectation) -> [usize; 3] {
+    let view = Counted { table, twin: Cell::new(0), next: Cell::new(0), prev: Cell::new(0) };
+    let report = validate(&view, expectation, Collect::All);
+    assert!(report.is_valid(), "{report}");
+    assert_eq!(report.to_string(), validate(table, expectation, Collect::All).to_string());
+    [view.twin.get(), view.next.get(), view.prev.get()]
+}
+
+/// The second half of the vertices, edges, boundary components and faces, and all that hangs on them, moved up by one slot,
+/// which is vacant.
+fn with_vacant_slots(table: &Table) -> Table {
+    let (v, h, b, f) =
+        (table.vertices.len() / 2, table.half_edges.len() / 2, table.boundaries.len() / 2, table.faces.len() / 2);
+    let up = |slot: usize, from: usize| slot + usize::from(slot >= from);
+    let mut moved = table.clone();
+    for row in moved.vertices.iter_mut().flatten() {
+        row.leaving = row.leaving.map(|to| up(to, h));
+        row.isolated = row.isolated.map(|to| up(to, b));
+    }
+    for row in moved.half_edges.iter_mut().flatten() {
+        row.origin = row.origin.map(|to| up(to, v));
+        row.boundary = row.boundary.map(|to| up(to, b));
+        for link in [&mut row.twin, &mut row.next, &mut row.prev] {
+            *link = link.map(|to| up(to, h));
+        }
+    }
+    for row in moved.boundaries.iter_mut().flatten() {
+        row.face = row.face.map(|to| up(to, f));
+        row.start = row.start.map(|start| match start {
+            Start::HalfEdge(to) => Start::HalfEdge(up(to, h)),
+            Start::Vertex(to) => Start::Vertex(up(to, v)),
+        });
+    }
+    for row in moved.faces.iter_mut().flatten() {
+        for link in std::iter::once(&mut row.outer).chain(&mut row.inner) {
+            *link = link.map(|to| up(to, b));
+        }
+    }
+    moved.vertices.insert(v, None);
+    moved.half_edges.insert(h, None);
+    moved.boundaries.insert(b, None);
+    moved.faces.insert(f, None);
+    moved
+}
+
+/// A valid map asks for each twin three times, once around its vertex and twice along its cycle, for each next twice, and
+/// for each prev once.
+#[test]
+fn a_valid_map_is_walked_around_once_and_along_once() {
+    use Start::{HalfEdge, Vertex};
+    let triangle = [(0, 2), (1, 5), (1, 4), (2, 1), (2, 0), (0, 3)];
+    let mut two_triangles = triangle.to_vec();
+    two_triangles.extend(triangle.map(|(origin, next)| (origin + 3, next + 6)));
+    let all: [(&str, Table); 11] = [
+        ("the empty map", map(0, &[], &[(None, &[])])),
+        ("an isolated vertex", map(1, &[], &[(None, &[Vertex(0)])])),
+        ("an edge", map(2, &[(0, 1), (1, 0)], &[(None, &[HalfEdge(0)])])),
+        ("a loop", map(1, &[(0, 0), (0, 1)], &[(None, &[HalfEdge(0)]), (Some(1), &[])])),
+        ("a triangle", map(3, &triangle, &[(None, &[HalfEdge(1)]), (Some(0), &[])])),
+        (
+            "a triangle, and isolated vertices on both sides",
+            map(5, &triangle, &[(None, &[HalfEdge(1), Vertex(4)]), (Some(0), &[Vertex(3)])]),
+        ),
+        (
+            "two triangles side by side",
+            map(6, &two_triangles, &[(None, &[HalfEdge(1), HalfEdge(7)]), (Some(0), &[]), (Some(6), &[])]),
+        ),
+        (
+            "a triangle in the hole of another",
+            map(6, &two_triangles, &[(None, &[HalfEdge(1)]), (Some(0), &[HalfEdge(7)]), (Some(6), &[])]),
+        ),
+        (
+            "three edges and three isolated vertices",
+            map(
+                9,
+                &[(0, 1), (1, 0), (3, 3), (4, 2), (6, 5), (7, 4)],
+                &[(None, &[HalfEdge(0), Vertex(2), HalfEdge(2), Vertex(5), HalfEdge(4), Vertex(8)])],
+            ),
+        ),
+        ("two parallel edges", map(2, &[(0, 3), (1, 2), (0, 1), (1, 0)], &[(None, &[HalfEdge(1)]), (Some(0), &[])])),
+        (
+            "two loops at a vertex",
+            map(1, &[(0, 0), (0, 3), (0, 2), (0, 1)], &[(None, &[HalfEdge(1)]), (Some(0), &[]), (Some(2), &[])]),
+        ),
+    ];
+    for (name, table) in all {
+        for table in [with_vacant_slots(&table), table] {
+            let n = table.half_edges.iter().flatten().count();
+            assert_eq!(questions(&table, &Expectation::plane()), [3 * n, 2 * n, n], "{name}");
+        }
+    }
+}
+
+#[test]
+fn a_valid_surface_is_walked_around_once_and_along_once() {
+    let tetrahedron = mesh(4, &[[0, 1, 2], [0, 2, 3], [0, 3, 1], [1, 3, 2]]);
+    // Seven vertices, all joined: Möbius' torus.
+    let torus = mesh(
+        7,
+        &(0..7).flat_map(|i| [[i, i + 1, i + 3], [i, i + 3, i + 2]].map(|t| t.map(|v| v % 7))).collect::<Vec<_>>(),
+    );
+    for table in [&tetrahedron, &torus, &with_vacant_slots(&torus)] {
+        let n = table.half_edges.iter().flatten().count();
+        assert_eq!(questions(table, &Expectation::surface()), [3 * n, 2 * n, n]);
+    }
+}
+
+/// What is not there is not asked for; and each rule looks for itself.
+#[test]
+fn what_lacks_parts_is_asked_more_often() {
+    let edge = map(2, &[(0, 1), (1, 0)], &[(None, &[Start::HalfEdge(0)])]);
+    for part in [Part::Prev, Part::Leaving, Part::Places] {
+        let [twin, next, prev] = questions(&edge, &Expectation::plane().without(part));
+        assert!(twin > 6 && next > 4 && (prev > 2) == (part != Part::Prev), "{part:?}: {twin} {next} {prev}");
+    }
+}
