@@ -141,6 +141,9 @@ fn half_edges<S: Store>(Drawn { dcel, vertices, half_edges, faces }: &Drawn<S>) 
     assert_eq!(both, all);
 }
 
+/// A face, its outer boundary component, its inner ones as it lists them, and the faces across its half-edges.
+type Lists<'a> = (FaceKey, Option<BoundaryKey>, &'a [BoundaryKey], &'a [FaceKey]);
+
 fn boundaries_and_faces<S: Store>(Drawn { dcel, vertices, half_edges, faces }: &Drawn<S>) {
     let [.., p, q] = *vertices;
     let [ab, bc, ca, ba, cb, ac, l, l2, de, ed] = *half_edges;
@@ -163,8 +166,7 @@ fn boundaries_and_faces<S: Store>(Drawn { dcel, vertices, half_edges, faces }: &
         assert_eq!((found.isolated_vertex().map(Vertex::key), found.start()), (Some(vertex), None));
         assert_eq!((found.half_edges().count(), found.is_outer()), (0, false));
     }
-    // Face, its outer boundary component, its inner ones as it lists them, the faces across its half-edges.
-    let expected: [(FaceKey, Option<BoundaryKey>, &[BoundaryKey], &[FaceKey]); 3] = [
+    let expected: [Lists<'_>; 3] = [
         (outside, None, &[boundary(cb), isolated(q)], &[triangle, triangle, triangle, inside]),
         (triangle, Some(boundary(ab)), &[boundary(de), isolated(p)], &[outside, outside, outside, triangle, triangle]),
         (inside, Some(boundary(l)), &[], &[outside]),

@@ -538,6 +538,9 @@ fn with_a_loop() -> Table {
     table
 }
 
+/// What is done to a table to break it.
+type Change = fn(&mut Table);
+
 /// What is wrong with a link of half-edge 12 that does not lead to a live record: that, and what starts there.
 fn broken_link(field: Field, value: Option<usize>) -> Vec<Violation> {
     let record = Record::HalfEdge(12);
@@ -554,7 +557,6 @@ fn broken_link(field: Field, value: Option<usize>) -> Vec<Violation> {
 fn r1_a_link_that_leads_nowhere_hides_nothing_beside_it_and_breaks_nothing_else() {
     let target = |half_edge, next, target, found| Violation::Target { half_edge, next, target, found };
     let not_mutual = |half_edge, twin, found| Violation::TwinNotMutual { half_edge, twin, found: Some(found) };
-    type Change = fn(&mut Table);
     let elsewhere: [(Change, &[Violation]); 8] = [
         (|_| (), &[]),
         (|t| half_edge(t, 0).twin = Some(2), &[not_mutual(0, 2, 3), not_mutual(1, 0, 2)]),
