@@ -204,6 +204,11 @@ fn empty() {
     for (text, place) in [("", at(1, 0)), (" \t\r\n\n  ", at(3, 2)), ("\u{FEFF}", at(1, 0))] {
         let error = read(text).unwrap_err();
         assert!(matches!(error, ReadError::Empty { at } if at == place), "{text:?}: {error:?}");
+        let read_some = place != at(1, 0);
+        assert_eq!(
+            error.to_string(),
+            ["the input is empty", "line 3, column 2: the input is empty"][usize::from(read_some)]
+        );
     }
 }
 
@@ -283,6 +288,8 @@ fn io_errors() {
         for after in [&b""[..], b"]}", b"}", &text[end..]] {
             let reader = Failing { before: &text[..end], failed: false, after };
             let error = geojson::read(reader, |_| Ok::<_, ReadError>(())).unwrap_err();
+            let read_some = if end > 0 { format!("{place}: ") } else { String::new() };
+            assert_eq!(error.to_string(), format!("{read_some}the line went dead"));
             let ReadError::Io { at, source } = error else { panic!("{error:?}") };
             assert_eq!((at, source.kind()), (place, io::ErrorKind::ConnectionReset));
             assert_eq!(source.to_string(), "the line went dead");

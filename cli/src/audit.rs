@@ -2,7 +2,7 @@
 
 use crate::input::MapFile;
 use crate::output::style::{BAD, GOOD, QUIET};
-use crate::output::{Format, grouped, plain, print, print_json};
+use crate::output::{Format, counted, grouped, plain, print, print_json};
 use crate::query::label;
 use crate::{Failure, Verdict};
 use serde::Serialize;
@@ -136,7 +136,8 @@ fn text(name: &str, map: &PlanarMap, report: &Report, elapsed: f64) -> Result<St
 }
 
 fn input_line(summary: &BuildSummary) -> String {
-    let mut line = format!("{} features, {} segments", grouped(summary.features), grouped(summary.segments));
+    let (features, segments) = (summary.features, summary.segments);
+    let mut line = format!("{}, {}", counted(features, "feature"), counted(segments, "segment"));
     for (count, what) in [
         (summary.duplicate_segments, "repeated and merged"),
         (summary.zero_length_segments, "of zero length and dropped"),

@@ -26,6 +26,11 @@ pub(crate) fn grouped(n: impl TryInto<u64>) -> String {
     out
 }
 
+/// A number of things, one of which has this name.
+pub(crate) fn counted(n: usize, name: &str) -> String {
+    format!("{} {name}{}", grouped(n), if n == 1 { "" } else { "s" })
+}
+
 /// A measure with four decimal places, or with four digits where these would show none.
 pub(crate) fn measure(x: f64) -> String {
     if x != 0.0 && !(1e-3..1e12).contains(&x.abs()) { format!("{x:.3e}") } else { format!("{x:.4}") }

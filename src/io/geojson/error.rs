@@ -21,6 +21,16 @@ impl fmt::Display for Place {
     }
 }
 
+/// The place before a message, unless that is the very beginning, which tells nobody anything.
+struct Behind(Place);
+
+impl fmt::Display for Behind {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        let Self(at) = self;
+        if (at.line, at.column) == (1, 0) { Ok(()) } else { write!(f, "{at}: ") }
+    }
+}
+
 /// Why a GeoJSON file could not be read. Every variant says where.
 ///
 /// The place is the byte that `serde_json` had got to when the fault showed. Of a value that cannot stand where it
@@ -31,7 +41,7 @@ impl fmt::Display for Place {
 #[non_exhaustive]
 pub enum ReadError {
     /// The reader underneath failed.
-    #[error("{at}: {source}")]
+    #[error("{}{source}", Behind(*at))]
     Io {
         /// The last byte that could be read.
         at: Place,
@@ -39,7 +49,7 @@ pub enum ReadError {
         source: io::Error,
     },
     /// There is nothing but white space.
-    #[error("{at}: the input is empty")]
+    #[error("{}the input is empty", Behind(*at))]
     Empty {
         /// Where it ends.
         at: Place,
