@@ -127,65 +127,6 @@ fn every_link_leads_to_one_record() {
     }
 }
 
-/// A table whose lists of inner boundary components never end; it counts how often they are read.
-struct Endless<'a>(Table, &'a Cell<u64>);
-impl View for Endless<'_> {
-    fn vertex_slots(&self) -> usize {
-        self.0.vertex_slots()
-    }
-    fn half_edge_slots(&self) -> usize {
-        self.0.half_edge_slots()
-    }
-    fn boundary_slots(&self) -> usize {
-        self.0.boundary_slots()
-    }
-    fn face_slots(&self) -> usize {
-        self.0.face_slots()
-    }
-    fn origin(&self, half_edge: usize) -> Link {
-        self.0.origin(half_edge)
-    }
-    fn twin(&self, half_edge: usize) -> Link {
-        self.0.twin(half_edge)
-    }
-    fn next(&self, half_edge: usize) -> Link {
-        self.0.next(half_edge)
-    }
-    fn boundary(&self, half_edge: usize) -> Link {
-        self.0.boundary(half_edge)
-    }
-    fn boundary_face(&self, boundary: usize) -> Link {
-        self.0.boundary_face(boundary)
-    }
-    fn boundary_start(&self, boundary: usize) -> Option<Start> {
-        self.0.boundary_start(boundary)
-    }
-    fn outer(&self, face: usize) -> Link {
-        self.0.outer(face)
-    }
-    fn inner_count(&self, _: usize) -> usize {
-        usize::MAX
-    }
-    fn inner(&self, _: usize, _: usize) -> Link {
-        self.1.set(self.1.get() + 1);
-        Some(0)
-    }
-}
-
-/// No list is read further than twice the number of records and a little, whatever its face claims.
-#[test]
-fn a_list_that_never_ends_is_cut_short() {
-    let asked = Cell::new(0);
-    let faces: [(Option<usize>, &[Start]); 2] = [(None, &[Start::HalfEdge(1)]), (Some(0), &[])];
-    let view = Endless(map(1, &[(0, 0), (0, 1)], &faces), &asked);
-    let expectation = Expectation::plane().without(Part::Prev).without(Part::Leaving).without(Part::Places);
-    let report = validate(&view, &expectation, Collect::All);
-    assert!(report.violations().contains(&Violation::ListTooLong { face: 0, claimed: usize::MAX }));
-    assert_eq!(broken(&report), [Rule::F2]);
-    // Two records: 2 · 2 + 16 entries, once for R1 and once for F2.
-    assert_eq!(asked.get(), 2 * 20);
-}
-
 /// A table that answers as it is for a while, and then anything, differently each time. It insists on being asked about
 /// slots that it has only.
 struct Moody<'a> {

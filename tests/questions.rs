@@ -4,90 +4,15 @@
 
 mod support;
 
-use std::cell::Cell;
+use support::nested::{PLANE, TEXTBOOK, nested, nested_textbook};
+use support::opinions::broken;
 use support::tables::{map, mesh};
-use twinedge::validate::{Collect, Expectation, Link, Part, Place, Start, Table, View, validate};
-
-/// A table that counts how often it is asked for a link of a half-edge.
-struct Counted<'a> {
-    table: &'a Table,
-    twin: Cell<usize>,
-    next: Cell<usize>,
-    prev: Cell<usize>,
-}
-
-impl View for Counted<'_> {
-    fn vertex_slots(&self) -> usize {
-        self.table.vertex_slots()
-    }
-    fn half_edge_slots(&self) -> usize {
-        self.table.half_edge_slots()
-    }
-    fn boundary_slots(&self) -> usize {
-        self.table.boundary_slots()
-    }
-    fn face_slots(&self) -> usize {
-        self.table.face_slots()
-    }
-    fn is_vertex(&self, vertex: usize) -> bool {
-        self.table.is_vertex(vertex)
-    }
-    fn is_half_edge(&self, half_edge: usize) -> bool {
-        self.table.is_half_edge(half_edge)
-    }
-    fn is_boundary(&self, boundary: usize) -> bool {
-        self.table.is_boundary(boundary)
-    }
-    fn is_face(&self, face: usize) -> bool {
-        self.table.is_face(face)
-    }
-    fn origin(&self, half_edge: usize) -> Link {
-        self.table.origin(half_edge)
-    }
-    fn twin(&self, half_edge: usize) -> Link {
-        self.twin.set(self.twin.get() + 1);
-        self.table.twin(half_edge)
-    }
-    fn next(&self, half_edge: usize) -> Link {
-        self.next.set(self.next.get() + 1);
-        self.table.next(half_edge)
-    }
-    fn prev(&self, half_edge: usize) -> Link {
-        self.prev.set(self.prev.get() + 1);
-        self.table.prev(half_edge)
-    }
-    fn boundary(&self, half_edge: usize) -> Link {
-        self.table.boundary(half_edge)
-    }
-    fn leaving(&self, vertex: usize) -> Link {
-        self.table.leaving(vertex)
-    }
-    fn isolated(&self, vertex: usize) -> Link {
-        self.table.isolated(vertex)
-    }
-    fn boundary_face(&self, boundary: usize) -> Link {
-        self.table.boundary_face(boundary)
-    }
-    fn boundary_start(&self, boundary: usize) -> Option<Start> {
-        self.table.boundary_start(boundary)
-    }
-    fn boundary_place(&self, boundary: usize) -> Option<Place> {
-        self.table.boundary_place(boundary)
-    }
-    fn outer(&self, face: usize) -> Link {
-        self.table.outer(face)
-    }
-    fn inner_count(&self, face: usize) -> usize {
-        self.table.inner_count(face)
-    }
-    fn inner(&self, face: usize, position: usize) -> Link {
-        self.table.inner(face, position)
-    }
-}
+use support::watched::Watched;
+use twinedge::validate::{Collect, Expectation, Part, Rule, Start, Table, Violation, validate};
 
 /// How often a valid table is asked for the twin, next and prev of its half-edges.
 fn questions(table: &Table, expectation: Expectation) -> [usize; 3] {
-    let view = Counted { table, twin: Cell::new(0), next: Cell::new(0), prev: Cell::new(0) };
+    let view = Watched::new(table);
     let report = validate(&view, &expectation, Collect::All);
     assert!(report.is_valid(), "{report}");
     assert_eq!(report.to_string(), validate(table, &expectation, Collect::All).to_string());
@@ -200,5 +125,35 @@ fn what_lacks_parts_is_asked_more_often() {
     for part in [Part::Prev, Part::Leaving, Part::Places] {
         let [twin, next, prev] = questions(&edge, Expectation::plane().without(part));
         assert!(twin > 6 && next > 4 && (prev > 2) == (part != Part::Prev), "{part:?}: {twin} {next} {prev}");
+    }
+}
+
+/// No list is read further than twice the number of records and a little, whatever its face claims.
+#[test]
+fn a_list_that_never_ends_is_cut_short() {
+    let table = map(1, &[(0, 0), (0, 1)], &[(None, &[Start::HalfEdge(1)]), (Some(0), &[])]);
+    let view = Watched::claiming(&table, |_| Some(usize::MAX));
+    let expectation = PLANE.without(Part::Prev).without(Part::Leaving).without(Part::Places);
+    let report = validate(&view, &expectation, Collect::All);
+    assert!(report.violations().contains(&Violation::ListTooLong { face: 0, claimed: usize::MAX }));
+    assert_eq!(broken(&report), [Rule::F2]);
+    // Two records: 2 · 2 + 16 entries, once for R1 and once for F2.
+    assert_eq!(view.inner.get(), 2 * 20);
+}
+
+/// Each rule that reads the lists keeps to that bound, also where a list is said to be longer once another rule has read it.
+#[test]
+fn a_list_that_grows_is_cut_short() {
+    // Places are left out, or a glance would do.
+    for (table, expectation) in [(nested(), PLANE.without(Part::Places)), (nested_textbook(), TEXTBOOK)] {
+        let honest = Watched::new(&table);
+        assert!(validate(&honest, &expectation, Collect::All).is_valid());
+        let records = if expectation.has(Part::BoundaryComponents) { 5 } else { 12 + 7 };
+        for patience in 0..=honest.inner_count.get() {
+            let view = Watched::claiming(&table, |asked| (asked > patience).then_some(usize::MAX));
+            let _ = validate(&view, &expectation, Collect::All);
+            // R1, B (where there are no records for boundary components), F2 and T1 read the lists.
+            assert!(view.inner.get() <= 4 * (2 * records + 16), "{patience}: {}", view.inner.get());
+        }
     }
 }

@@ -333,6 +333,10 @@ fn t1_a_component_has_no_outside() {
         (row.face, row.place) = (Some(3), Some(Place::Outer));
     };
     change(Rule::T1, outer, &[Violation::NoOutside { vertex: 3 }]);
+    // Only what lies at an open boundary may do without, also where open boundaries are legal.
+    let mut table = nested();
+    outer(&mut table);
+    only(Rule::T1, &table, PLANE.open(), &[Violation::NoOutside { vertex: 3 }]);
 }
 
 #[test]

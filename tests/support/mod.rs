@@ -4,3 +4,4 @@
 pub(crate) mod nested;
 pub(crate) mod opinions;
 pub(crate) mod tables;
+pub(crate) mod watched;
