@@ -5,7 +5,9 @@ mod support;
 use support::nested::{FACES, HALF_EDGES, PLANE, TEXTBOOK, nested, nested_textbook};
 use support::opinions::agree;
 use support::tables::{face, half_edge, map, vertex};
-use twinedge::validate::{Collect, Expectation, Field, Part, Record, Rule, Start, Table, Violation, validate};
+use twinedge::validate::{
+    Collect, Expectation, Field, Part, Record, Rule, Start, Table, Unchecked, Violation, validate,
+};
 
 #[test]
 fn every_rule_says_how_much_it_checked_whatever_else_is_broken() {
@@ -157,4 +159,20 @@ fn r1_a_link_that_leads_nowhere_hides_nothing_beside_it_and_breaks_nothing_else(
             }
         }
     }
+}
+
+#[test]
+fn t4_applies_from_three_vertices_on() {
+    let edge = map(2, &[(0, 1), (1, 0)], &[(None, &[Start::HalfEdge(0)])]);
+    let triangle =
+        map(3, &[(0, 2), (1, 5), (1, 4), (2, 1), (2, 0), (0, 3)], &[(None, &[Start::HalfEdge(1)]), (Some(0), &[])]);
+    let t4 = |table: &Table| {
+        let report = validate(table, &PLANE, Collect::All);
+        assert!(report.is_valid());
+        let bounds = report.bounds().map(|bounds| (bounds.most_edges, bounds.most_faces));
+        (bounds, report.outcome(Rule::T4).and_then(|outcome| outcome.unchecked))
+    };
+    assert_eq!(t4(&edge), (None, Some(Unchecked::NotSimple)));
+    // It has as many of both as there can be.
+    assert_eq!(t4(&triangle), (Some((3, 2)), None));
 }
