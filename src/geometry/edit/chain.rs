@@ -1,9 +1,9 @@
 //! Drawing a chain of segments: planned as a whole, then applied.
 
+use super::super::Located;
 use super::super::predicates::{Meeting, meeting};
 use super::super::sweep::sweep;
 use super::super::{PlanarMap, Point};
-use super::place::Place;
 use super::{At, EditError, Edited};
 use crate::dcel::{Kind, OperatorError, VertexKey};
 use rustc_hash::FxHashMap;
@@ -12,7 +12,7 @@ use rustc_hash::FxHashMap;
 struct Plan {
     points: Vec<Point>,
     /// Where each of them lies.
-    places: Vec<Place>,
+    places: Vec<Located>,
     /// For each segment the vertices of the map that it passes through.
     stops: Vec<Vec<VertexKey>>,
     /// Whether segments of the chain meet at its points only.
@@ -47,7 +47,7 @@ impl PlanarMap {
                 stops
             } else {
                 // A point of the chain may lie on the way, which was no vertex yet when the way was found.
-                self.trace(Place::Vertex(from), plan.points[i], plan.points[next])?.stops
+                self.trace(Located::Vertex(from), plan.points[i], plan.points[next])?.stops
             };
             for stop in stops.into_iter().chain([to]) {
                 let h = self.join(from, stop, &mut edited)?;

@@ -1,10 +1,10 @@
 //! The steps of drawing: a vertex where there is none, an edge between two vertices. What is drawn is known to cross
 //! nothing.
 
+use super::super::Located;
 use super::super::features::{SetId, put};
 use super::super::predicates::on_segment;
 use super::super::{PlanarMap, Point};
-use super::place::Place;
 use super::trace::Towards;
 use super::{EditError, Edited};
 use crate::dcel::{Corner, FaceKey, HalfEdge, HalfEdgeKey, Split, VertexKey};
@@ -19,11 +19,11 @@ impl PlanarMap {
     }
 
     /// Makes a vertex at a point unless there is one.
-    pub(super) fn realise(&mut self, p: Point, place: Place, edited: &mut Edited) -> Result<VertexKey, EditError> {
+    pub(super) fn realise(&mut self, p: Point, place: Located, edited: &mut Edited) -> Result<VertexKey, EditError> {
         match place {
-            Place::Vertex(v) => Ok(v),
-            Place::Face(face) => self.make_isolated(p, face, edited),
-            Place::Edge(h) => {
+            Located::Vertex(v) => Ok(v),
+            Located::Face(face) => self.make_isolated(p, face, edited),
+            Located::Edge(h) => {
                 // The edge may have been split since the place was found. Its parts follow each other, in one direction or,
                 // if it was split as the edge of the twin, in the other.
                 let on = |part: &HalfEdge<'_>| on_segment(p, self.at(part.origin()), self.at(part.target()));

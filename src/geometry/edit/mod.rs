@@ -44,9 +44,9 @@
 //!
 //! # Costs
 //!
-//! No index is kept, so the first point of an edit is searched for in the whole map, O(n), unless it is given as a vertex
-//! or near a half-edge ([`At`]). From there on an edit looks only at the faces that it passes, at *all* of their
-//! boundary: crossing an ocean costs as much as the ocean has coast.
+//! No index is kept, so the first point of an edit is walked to from outside the map, unless it is given as a vertex or
+//! near a half-edge ([`At`]). On the way there and from there on an edit looks only at the faces that it passes, at *all* of
+//! their boundary: crossing an ocean costs as much as the ocean has coast.
 
 mod chain;
 mod draw;
@@ -76,9 +76,10 @@ use crate::dcel::{HalfEdgeKey, VertexKey};
 /// Of several points only the first is searched for, and its hint used: from there on the way leads to the others.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub enum At {
-    /// Anywhere. It is searched for, O(n).
+    /// Anywhere. It is found as by [`PlanarMap::locate_from`] with the unbounded face for a hint: O(n) at worst.
     Point(Point),
-    /// A point in the face of a half-edge or on its boundary, O(size of that boundary); or elsewhere after all, O(n).
+    /// A point in the face of a half-edge or on its boundary, O(size of that boundary); or elsewhere after all, and found
+    /// from there as by [`PlanarMap::locate_from`].
     Near(Point, HalfEdgeKey),
     /// Where this vertex is. O(1).
     Vertex(VertexKey),

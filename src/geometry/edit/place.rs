@@ -1,24 +1,9 @@
-//! Where a point lies.
-//!
-//! No index is kept: with a hint, the face of the hint is looked at first; without one, or if the point does not lie there,
-//! the whole map is.
+//! What is meant by where an edit is to be, and where that is.
 
-use super::super::predicates::{Orientation, compare_lexicographic, in_range, on_segment, orientation};
-use super::super::{PlanarMap, Point};
+use super::super::predicates::in_range;
+use super::super::{LocateError, Located, PlanarMap, Point};
 use super::{At, EditError};
-use crate::dcel::{FaceKey, HalfEdge, HalfEdgeKey, Vertex, VertexKey};
-use core::cmp::Ordering;
-
-/// Where a point lies.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub(super) enum Place {
-    /// At a vertex.
-    Vertex(VertexKey),
-    /// In the interior of the edge of this half-edge.
-    Edge(HalfEdgeKey),
-    /// In the interior of a face.
-    Face(FaceKey),
-}
+use crate::dcel::{HalfEdge, Vertex};
 
 impl PlanarMap {
     /// Refuses a map that is not plane.
@@ -41,16 +26,17 @@ impl PlanarMap {
         }
     }
 
-    /// Where the point that is meant lies. For the cost see [`place`](Self::place); O(1) for a vertex.
-    pub(super) fn place_of(&self, at: At) -> Result<Place, EditError> {
-        Ok(match at {
-            At::Point(_) => self.place(self.point_of(at)?, None),
+    /// Where the point that is meant lies. For the cost see [`At`].
+    pub(super) fn place_of(&self, at: At) -> Result<Located, EditError> {
+        match at {
+            At::Point(_) => self.place(self.point_of(at)?, self.dcel.unbounded_face().key()),
             At::Near(_, hint) => {
-                let hint = self.dcel.half_edge(hint)?;
-                self.place(self.point_of(at)?, Some(hint))
+                // A stale hint is said first.
+                self.dcel.half_edge(hint)?;
+                self.place(self.point_of(at)?, hint)
             }
-            At::Vertex(v) => Place::Vertex(self.dcel.vertex(v)?.key()),
-        })
+            At::Vertex(v) => Ok(Located::Vertex(self.dcel.vertex(v)?.key())),
+        }
     }
 
     /// Where a vertex of this map lies.
@@ -63,90 +49,11 @@ impl PlanarMap {
         [self.at(h.origin()), self.at(h.target())]
     }
 
-    /// Where a point in range lies. O(size of the boundary of the hint's face) if it lies in that face or on its boundary,
-    /// else O(n).
-    pub(super) fn place(&self, p: Point, hint: Option<HalfEdge<'_>>) -> Place {
-        if let Some(face) = hint.map(HalfEdge::face) {
-            let mut look = Look::new(self, p);
-            face.half_edges().for_each(|h| look.at_edge(h));
-            face.inner().filter_map(|b| b.isolated_vertex()).for_each(|v| look.at_vertex(v));
-            // All else lies beyond the boundary of the face, so what is seen of that face is what there is.
-            match look.seen() {
-                Place::Face(other) if other != face.key() => {}
-                seen => return seen,
-            }
-        }
-        let mut look = Look::new(self, p);
-        self.dcel.edges().for_each(|h| look.at_edge(h));
-        self.dcel.vertices().filter(|v| v.leaving().is_none()).for_each(|v| look.at_vertex(v));
-        look.seen()
+    /// Where a point in range lies, going there from something else.
+    pub(super) fn place(&self, p: Point, from: impl Into<Located>) -> Result<Located, EditError> {
+        self.locate_from(p, from).map_err(|error| match error {
+            LocateError::Stale(key) => key.into(),
+            _ => EditError::NotPlane,
+        })
     }
-}
-
-/// What is seen from a point, after looking at some edges and isolated vertices.
-struct Look<'a> {
-    map: &'a PlanarMap,
-    p: Point,
-    on: Option<Place>,
-    /// The edge that is met first going straight down from the point (or leaning to the right a little, if that meets a
-    /// vertex), as the half-edge that runs to the right, and its ends.
-    below: Option<(HalfEdge<'a>, [Point; 2])>,
-}
-
-impl<'a> Look<'a> {
-    const fn new(map: &'a PlanarMap, p: Point) -> Self {
-        Self { map, p, on: None, below: None }
-    }
-
-    fn at_vertex(&mut self, v: Vertex<'_>) {
-        if self.map.at(v) == self.p {
-            self.on = Some(Place::Vertex(v.key()));
-        }
-    }
-
-    fn at_edge(&mut self, h: HalfEdge<'a>) {
-        let ends = self.map.ends(h);
-        let (h, [low, high]) = match compare_lexicographic(ends[0], ends[1]) {
-            Ordering::Less => (h, ends),
-            _ => (h.twin(), [ends[1], ends[0]]),
-        };
-        if self.p == low {
-            self.on = Some(Place::Vertex(h.origin().key()));
-        } else if self.p == high {
-            self.on = Some(Place::Vertex(h.target().key()));
-        } else if compare_lexicographic(low, self.p).is_lt() && compare_lexicographic(self.p, high).is_lt() {
-            match orientation(low, high, self.p) {
-                Orientation::Collinear => self.on = Some(Place::Edge(h.key())),
-                Orientation::CounterClockwise => {
-                    if self.below.is_none_or(|(_, other)| is_above([low, high], other)) {
-                        self.below = Some((h, [low, high]));
-                    }
-                }
-                Orientation::Clockwise => {}
-            }
-        }
-    }
-
-    fn seen(&self) -> Place {
-        let face = || self.below.map_or(self.map.dcel.unbounded_face(), |(h, _)| h.face());
-        self.on.unwrap_or_else(|| Place::Face(face().key()))
-    }
-}
-
-/// Whether an edge lies above another, where both rise and have something to the left and to the right of one point.
-fn is_above([low, high]: [Point; 2], [other_low, other_high]: [Point; 2]) -> bool {
-    // The one that starts further right starts above or below the other.
-    let turn = if low == other_low {
-        orientation(other_low, other_high, high)
-    } else if compare_lexicographic(other_low, low).is_lt() {
-        orientation(other_low, other_high, low)
-    } else {
-        return orientation(low, high, other_low) == Orientation::Clockwise;
-    };
-    turn == Orientation::CounterClockwise
-}
-
-/// Whether, going on straight from `c`, `b` comes after `w`, or is it.
-pub(super) fn on_the_way(w: Point, c: Point, b: Point) -> bool {
-    w != c && on_segment(w, c, b)
 }

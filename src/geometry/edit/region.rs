@@ -1,11 +1,11 @@
 //! The part of a map that a snapped segment may change.
 
+use super::super::Located;
 use super::super::features::SetId;
 use super::super::noding::{Noded, Snap, node};
 use super::super::predicates::{Meeting, meeting};
 use super::super::{PlanarMap, Point};
 use super::EditError;
-use super::place::Place;
 use crate::dcel::{Face, FaceKey, HalfEdgeKey, VertexKey};
 use rstar::{AABB, RTree, primitives::Rectangle};
 use rustc_hash::FxHashSet;
@@ -82,18 +82,18 @@ impl PlanarMap {
     /// grows until all edges on its border are unchanged. And since a chain stays within `(rounds + 1) / 2` cells of its
     /// segment in each direction, and visits pixels within half a cell of itself, what is a few cells more away from the
     /// segment and from all edges that change has no part in it.
-    pub(super) fn region(&self, start: Place, way: [Point; 2], cell: f64) -> Result<(Region, Noded), EditError> {
+    pub(super) fn region(&self, start: Located, way: [Point; 2], cell: f64) -> Result<(Region, Noded), EditError> {
         let [p, q] = way;
         let mut region = Region::default();
         match start {
-            Place::Vertex(v) => {
+            Located::Vertex(v) => {
                 let v = self.dcel.vertex(v)?;
                 if let Some(face) = v.leaving().map(|h| h.face()).or_else(|| v.isolated().map(|b| b.face())) {
                     region.add(face);
                 }
             }
-            Place::Edge(h) => region.add(self.dcel.half_edge(h)?.face()),
-            Place::Face(f) => region.add(self.dcel.face(f)?),
+            Located::Edge(h) => region.add(self.dcel.half_edge(h)?.face()),
+            Located::Face(f) => region.add(self.dcel.face(f)?),
         }
         let mut looked_at = 0;
         let mut reach = Reach { way, changed: RTree::new(), margin: 4.0 * cell };

@@ -1,10 +1,10 @@
 //! Drawing a segment that crosses edges, with the crossings rounded to a grid.
 
+use super::super::Located;
 use super::super::features::SetId;
 use super::super::noding::{Noded, Snap, node};
 use super::super::predicates::{MIN_COORDINATE, in_range};
 use super::super::{PlanarMap, Point};
-use super::place::Place;
 use super::region::Region;
 use super::trace::Towards;
 use super::{At, EditError, Edited};
@@ -120,7 +120,7 @@ impl PlanarMap {
         }
     }
 
-    fn apply(&mut self, plan: &mut Plan, start: Place) -> Result<Edited, EditError> {
+    fn apply(&mut self, plan: &mut Plan, start: Located) -> Result<Edited, EditError> {
         let mut edited = Edited::default();
         let outside = self.features.of_face(self.dcel.unbounded_face().index());
         for change in plan.changes.iter().filter(|change| change.bends) {
@@ -156,7 +156,7 @@ impl PlanarMap {
         chain: &[u32],
         points: &[Point],
         vertices: &mut FxHashMap<u32, VertexKey>,
-        start: Place,
+        start: Located,
         edited: &mut Edited,
     ) -> Result<Vec<HalfEdgeKey>, EditError> {
         let point = |number: u32| points[number as usize];
@@ -198,12 +198,12 @@ impl PlanarMap {
     }
 
     /// Makes an isolated vertex at a point in the interior of a face, that of `start` unless this is gone by now.
-    fn make_in_the_open(&mut self, p: Point, start: Place, edited: &mut Edited) -> Result<VertexKey, EditError> {
+    fn make_in_the_open(&mut self, p: Point, start: Located, edited: &mut Edited) -> Result<VertexKey, EditError> {
         let hint = match start {
-            Place::Face(face) => self.dcel.face(face).ok().and_then(|face| face.half_edges().next()),
-            Place::Vertex(_) | Place::Edge(_) => None,
+            Located::Face(face) if self.dcel.face(face).is_ok() => start,
+            _ => self.dcel.unbounded_face().key().into(),
         };
-        let place = self.place(p, hint);
+        let place = self.place(p, hint)?;
         self.realise(p, place, edited)
     }
 

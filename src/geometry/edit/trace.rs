@@ -1,11 +1,11 @@
 //! The way of a segment through the map, before anything is drawn.
 
+use super::super::Located;
 use super::super::predicates::{
-    Endpoint, Meeting, Orientation, compare_angle, compare_lexicographic, meeting, orientation,
+    Endpoint, Meeting, Orientation, compare_angle, compare_lexicographic, meeting, on_segment, orientation,
 };
 use super::super::{PlanarMap, Point};
 use super::EditError;
-use super::place::{Place, on_the_way};
 use crate::dcel::{Face, FaceKey, HalfEdge, Vertex, VertexKey};
 use core::cmp::Ordering;
 use rustc_hash::FxHashMap;
@@ -16,7 +16,7 @@ pub(super) struct Trace {
     /// The vertices that it passes through, in order, without its ends.
     pub(super) stops: Vec<VertexKey>,
     /// Where it ends.
-    pub(super) end: Place,
+    pub(super) end: Located,
 }
 
 /// What leaves a vertex towards a point.
@@ -65,13 +65,13 @@ impl PlanarMap {
 
     /// The way of a segment from a point in a known place to another point. O(sizes of the faces that it passes and
     /// degrees of the vertices that it passes), and a factor of log for sorting the vertices.
-    pub(super) fn trace(&self, start: Place, from: Point, to: Point) -> Result<Trace, EditError> {
+    pub(super) fn trace(&self, start: Located, from: Point, to: Point) -> Result<Trace, EditError> {
         let mut stops = Vec::new();
         let (mut place, mut at) = (start, from);
         let mut seen = FxHashMap::default();
         loop {
             let ahead = match place {
-                Place::Vertex(key) => {
+                Located::Vertex(key) => {
                     let v = self.dcel.vertex(key)?;
                     match self.towards(v, to) {
                         Towards::Along(h) => self.ahead_along(h, at, to),
@@ -82,7 +82,7 @@ impl PlanarMap {
                         },
                     }
                 }
-                Place::Edge(key) => {
+                Located::Edge(key) => {
                     let h = self.dcel.half_edge(key)?;
                     let [tail, head] = self.ends(h);
                     match orientation(tail, head, to) {
@@ -95,12 +95,12 @@ impl PlanarMap {
                         }
                     }
                 }
-                Place::Face(key) => self.ahead_in(self.dcel.face(key)?, at, to, &mut seen)?,
+                Located::Face(key) => self.ahead_in(self.dcel.face(key)?, at, to, &mut seen)?,
             };
             match ahead {
                 Ahead::End(end) => return Ok(Trace { stops, end }),
                 Ahead::Vertex(v) => {
-                    (place, at) = (Place::Vertex(v.key()), self.at(v));
+                    (place, at) = (Located::Vertex(v.key()), self.at(v));
                     if at == to {
                         return Ok(Trace { stops, end: place });
                     }
@@ -113,7 +113,7 @@ impl PlanarMap {
     /// What lies ahead on the way along a half-edge.
     fn ahead_along<'a>(&self, h: HalfEdge<'a>, at: Point, to: Point) -> Ahead<'a> {
         let v = h.target();
-        if on_the_way(self.at(v), at, to) { Ahead::Vertex(v) } else { Ahead::End(Place::Edge(h.key())) }
+        if on_the_way(self.at(v), at, to) { Ahead::Vertex(v) } else { Ahead::End(Located::Edge(h.key())) }
     }
 
     /// What lies ahead on the way through a face. Each face is looked at once, however often the way comes to it.
@@ -146,13 +146,13 @@ impl PlanarMap {
                 beyond.push((v, w));
             }
         };
-        let mut end = Place::Face(face.key());
+        let mut end = Located::Face(face.key());
         for h in face.half_edges() {
             let [tail, head] = self.ends(h);
             match meeting(at, to, tail, head) {
                 Meeting::Disjoint => continue,
                 Meeting::Cross => return Err(EditError::Crosses(h.key())),
-                Meeting::Touch(Endpoint::B) => end = Place::Edge(h.key()),
+                Meeting::Touch(Endpoint::B) => end = Located::Edge(h.key()),
                 Meeting::Touch(_) | Meeting::SharedEndpoint | Meeting::Overlap => {}
             }
             look_at(h.origin());
@@ -172,7 +172,7 @@ struct Seen<'a> {
     /// The vertices, the furthest first; some of them twice.
     beyond: Vec<(Vertex<'a>, Point)>,
     /// Where the segment ends, if in this face and not at a vertex.
-    end: Place,
+    end: Located,
 }
 
 /// What lies ahead on the way of a segment.
@@ -180,7 +180,7 @@ enum Ahead<'a> {
     /// This vertex, and nothing before it.
     Vertex(Vertex<'a>),
     /// Nothing but the end of the segment, which is there.
-    End(Place),
+    End(Located),
 }
 
 #[cfg(test)]
@@ -199,4 +199,9 @@ mod tests {
         assert_eq!(edited.map(|edited| edited.way.len()), Ok(POINTS as usize + 1));
         assert!(work < 50 * u64::from(POINTS), "{work}");
     }
+}
+
+/// Whether, going on straight from `c`, `b` comes after `w`, or is it.
+fn on_the_way(w: Point, c: Point, b: Point) -> bool {
+    w != c && on_segment(w, c, b)
 }

@@ -37,6 +37,7 @@
 
 mod cells;
 mod graph;
+mod look;
 mod trapezoids;
 
 use super::predicates::{compare_lexicographic, in_range};
@@ -45,6 +46,7 @@ use super::{Drawing, PlanarMap, Point};
 use crate::dcel::{FaceKey, HalfEdgeKey, StaleKey, VertexKey};
 use cells::Cells;
 use graph::{Found, Graph};
+pub(super) use look::look;
 use thiserror::Error;
 use trapezoids::{Drawn, Failure};
 

@@ -3,7 +3,7 @@
 use super::line::{Event, Line, Piece, Place};
 use super::{Begin, Met, Stretch, follow};
 use crate::dcel::{Face, HalfEdgeKey, Vertex, VertexKey};
-use crate::geometry::locate::check;
+use crate::geometry::locate::{check, look};
 use crate::geometry::predicates::Orientation;
 use crate::geometry::{Drawing, LocateError, Located, PlanarMap, Point};
 use core::cmp::Ordering;
@@ -14,8 +14,9 @@ impl PlanarMap {
     /// Where a point lies, by walking there on a straight line from something that is near, if possible: a face, edge or
     /// vertex, such as the last answer. Needs no index, so the map may change between two questions.
     ///
-    /// Takes time in proportion to the boundaries of the faces that the line meets, each counted once however often it is
-    /// entered, plus O(k log k) for k edges and vertices on the way. On a map that is not plane, the answer may be wrong,
+    /// Takes time in proportion to the boundary of the face of the hint, if the point lies in it; else also to those of
+    /// the faces that the line meets, each counted once however often it is entered, plus O(k log k) for k edges and
+    /// vertices on the way. On a map that is not plane, the answer may be wrong,
     /// but comes in the same time.
     ///
     /// # Errors
@@ -24,17 +25,24 @@ impl PlanarMap {
     pub fn locate_from(&self, p: Point, hint: impl Into<Located>) -> Result<Located, LocateError> {
         check(p)?;
         let dcel = self.dcel();
-        let start = match hint.into() {
-            Located::Vertex(vertex) => dcel.vertex(vertex)?,
-            Located::Edge(half_edge) => dcel.half_edge(half_edge)?.origin(),
+        let (start, face) = match hint.into() {
+            Located::Vertex(vertex) => (Some(dcel.vertex(vertex)?), None),
+            Located::Edge(half_edge) => {
+                let h = dcel.half_edge(half_edge)?;
+                (Some(h.origin()), Some(h.face()))
+            }
             Located::Face(face) => {
                 let face = dcel.face(face)?;
-                match face.boundaries().find_map(|b| b.start().map(|h| h.origin()).or(b.isolated_vertex())) {
-                    Some(vertex) => vertex,
-                    // There is nothing in the map.
-                    None => return Ok(Located::Face(face.key())),
-                }
+                let on_boundary = face.boundaries().find_map(|b| b.start().map(|h| h.origin()).or(b.isolated_vertex()));
+                (on_boundary, Some(face))
             }
+        };
+        if let Some(seen) = face.and_then(|face| look(self, face, p)) {
+            return Ok(seen);
+        }
+        let Some(start) = start else {
+            // There is nothing in the map.
+            return Ok(Located::Face(dcel.unbounded_face().key()));
         };
         let mut last = Located::Vertex(start.key());
         self.walk(start, p, |met| {
