@@ -183,6 +183,11 @@ enum Ahead<'a> {
     End(Located),
 }
 
+/// Whether, going on straight from `c`, `b` comes after `w`, or is it.
+fn on_the_way(w: Point, c: Point, b: Point) -> bool {
+    w != c && on_segment(w, c, b)
+}
+
 #[cfg(test)]
 mod tests {
     use crate::geometry::PlanarMap;
@@ -199,9 +204,4 @@ mod tests {
         assert_eq!(edited.map(|edited| edited.way.len()), Ok(POINTS as usize + 1));
         assert!(work < 50 * u64::from(POINTS), "{work}");
     }
-}
-
-/// Whether, going on straight from `c`, `b` comes after `w`, or is it.
-fn on_the_way(w: Point, c: Point, b: Point) -> bool {
-    w != c && on_segment(w, c, b)
 }
