@@ -141,6 +141,21 @@ fn a_combinatorial_map_alone() {
     assert_eq!(agree(&table, Expectation::plane().without(Part::Faces)), Some(Rule::T3));
 }
 
+/// As many isolated vertices as a list may be long if it is not to be too long, and no half-edge.
+#[test]
+fn nothing_but_isolated_vertices_in_either_form() {
+    let all: Vec<Start> = (0..100).map(Start::Vertex).collect();
+    let faces: [(Option<usize>, &[Start]); 1] = [(None, &all)];
+    for (table, expectation) in [
+        (map(100, &[], &faces), Expectation::plane()),
+        (map(100, &[], &faces), Expectation::plane().without(Part::Places)),
+        (textbook_map(100, &[], &faces), Expectation::plane().without(Part::BoundaryComponents)),
+    ] {
+        let found = certificate(&table, expectation);
+        assert_eq!((found.vertices, found.edges, found.faces, found.components), (100, 0, 1, 100));
+    }
+}
+
 /// A loop inside a loop, each with the half-edge 0, or 2, inside; face 1 is between, face 2 innermost.
 const LOOP_IN_LOOP: [(usize, usize); 4] = [(0, 0), (0, 1), (1, 2), (1, 3)];
 
