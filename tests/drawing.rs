@@ -2,7 +2,7 @@
 
 use twinedge::dcel::{Dcel, HalfEdge};
 use twinedge::geometry::{Builder, Drawing, PlanarMap, Point, places, validate_drawing};
-use twinedge::validate::{Collect, Expectation, Link, Place, Report, Rule, Start, Unchecked, View, Violation};
+use twinedge::validate::{Collect, Expectation, Link, Place, Record, Report, Rule, Start, Unchecked, View, Violation};
 
 /// A structure drawn elsewhere than its map says.
 struct Redrawn {
@@ -189,7 +189,9 @@ fn g5_an_island_listed_by_the_face_next_door() {
     assert_eq!(drawn.broken(), [Rule::G5]);
     let boundary = drawn.dcel.boundary(inner).expect("it is there").index();
     let report = drawn.report();
-    assert!(matches!(report.violations(), [Violation::WrongFace { boundary: b, .. }] if *b == boundary));
+    assert!(
+        matches!(report.violations(), [Violation::WrongFace { boundary: Record::Boundary(b), .. }] if *b == boundary)
+    );
 }
 
 #[test]

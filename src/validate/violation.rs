@@ -167,9 +167,9 @@ pub enum Violation {
     /// G2: `next` is not the next half-edge clockwise at the target.
     OutOfOrder { vertex: usize, half_edge: usize, found: usize },
     /// G3: an outer cycle turns clockwise.
-    OuterClockwise { boundary: usize },
+    OuterClockwise { boundary: Record },
     /// G3: an inner cycle turns counter-clockwise.
-    InnerCounterClockwise { boundary: usize },
+    InnerCounterClockwise { boundary: Record },
     /// G4: two edges cross.
     Cross { first: usize, second: usize },
     /// G4: a vertex lies inside an edge.
@@ -178,8 +178,10 @@ pub enum Violation {
     Overlap { first: usize, second: usize },
     /// G4: two vertices lie at the same point.
     SamePlace { first: usize, second: usize },
-    /// G5: an inner boundary component lies in another face than the one that lists it.
-    WrongFace { boundary: usize, face: usize, found: usize },
+    /// G5: an inner boundary component lies in another face than the one that lists it, or in none.
+    WrongFace { boundary: Record, face: usize, found: Link },
+    /// G5: a component without inner boundary component lies in a face, not outside everything.
+    Unlisted { vertex: usize, face: usize },
 }
 
 impl Violation {
@@ -221,7 +223,7 @@ impl Violation {
             V::OutOfOrder { .. } => Rule::G2,
             V::OuterClockwise { .. } | V::InnerCounterClockwise { .. } => Rule::G3,
             V::Cross { .. } | V::Touch { .. } | V::Overlap { .. } | V::SamePlace { .. } => Rule::G4,
-            V::WrongFace { .. } => Rule::G5,
+            V::WrongFace { .. } | V::Unlisted { .. } => Rule::G5,
         }
     }
 
@@ -249,11 +251,10 @@ impl Violation {
             | V::OutOfOrder { vertex, half_edge, .. }
             | V::Touch { vertex, half_edge } => [Some(X(vertex)), Some(H(half_edge))],
             V::StartElsewhere { boundary, half_edge, .. } => [Some(B(boundary)), Some(H(half_edge))],
-            V::SecondCycle { boundary, .. }
-            | V::WrongPlace { boundary, .. }
-            | V::OuterClockwise { boundary }
-            | V::InnerCounterClockwise { boundary }
-            | V::NotListed { boundary, .. } => [Some(B(boundary)), None],
+            V::SecondCycle { boundary, .. } | V::WrongPlace { boundary, .. } | V::NotListed { boundary, .. } => {
+                [Some(B(boundary)), None]
+            }
+            V::OuterClockwise { boundary } | V::InnerCounterClockwise { boundary } => [Some(boundary), None],
             V::ListedElsewhere { face, half_edge, .. } => [Some(F(face)), Some(H(half_edge))],
             V::IsolatedUnclaimed { vertex }
             | V::NoOutside { vertex }
@@ -270,10 +271,9 @@ impl Violation {
             V::NoOuter { face } | V::ListTooLong { face, .. } => [Some(F(face)), None],
             V::OuterIsVertex { face, boundary } => [Some(F(face)), Some(B(boundary))],
             V::ListedTwice { record, face } => [Some(record), Some(F(face))],
-            V::ListedByOther { boundary, face, .. } | V::WrongFace { boundary, face, .. } => {
-                [Some(B(boundary)), Some(F(face))]
-            }
-            V::NestedInItself { vertex, face } => [Some(X(vertex)), Some(F(face))],
+            V::ListedByOther { boundary, face, .. } => [Some(B(boundary)), Some(F(face))],
+            V::WrongFace { boundary, face, .. } => [Some(boundary), Some(F(face))],
+            V::NestedInItself { vertex, face } | V::Unlisted { vertex, face } => [Some(X(vertex)), Some(F(face))],
             V::SamePlace { first, second } => [Some(X(first)), Some(X(second))],
             V::NoUnboundedFace | V::TooManyEdges { .. } | V::TooManyFaces { .. } => [None, None],
         }
@@ -288,6 +288,19 @@ impl fmt::Display for Shown {
         match self.0 {
             Some(i) => write!(f, "{i}"),
             None => f.write_str("nil"),
+        }
+    }
+}
+
+/// A boundary component in words: by its own record, or by the half-edge or vertex by which its face lists it.
+struct Named(&'static str, Record);
+
+impl fmt::Display for Named {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        let Self(kind, record) = self;
+        match record {
+            Record::Boundary(b) => write!(f, "the {kind} boundary component {b}"),
+            at => write!(f, "the {kind} boundary component at {at}"),
         }
     }
 }
@@ -481,12 +494,11 @@ impl fmt::Display for Violation {
                  the drawing and the links disagree"
             ),
             V::OuterClockwise { boundary } => {
-                write!(f, "the outer boundary component {boundary} turns clockwise, so its face would lie outside it")
+                write!(f, "{} turns clockwise, so its face would lie outside it", Named("outer", boundary))
             }
-            V::InnerCounterClockwise { boundary } => write!(
-                f,
-                "the inner boundary component {boundary} turns counter-clockwise, so its face would lie inside it"
-            ),
+            V::InnerCounterClockwise { boundary } => {
+                write!(f, "{} turns counter-clockwise, so its face would lie inside it", Named("inner", boundary))
+            }
             V::Cross { first, second } => {
                 write!(f, "half-edges {first} and {second} cross where no vertex is: the map is not plane")
             }
@@ -500,7 +512,14 @@ impl fmt::Display for Violation {
                 write!(f, "vertices {first} and {second} lie at the same point but are not joined")
             }
             V::WrongFace { boundary, face, found } => {
-                write!(f, "the inner boundary component {boundary} is listed by face {face}, but lies in face {found}")
+                write!(f, "{} is listed by face {face}, but lies in ", Named("inner", boundary))?;
+                match found {
+                    Some(found) => write!(f, "face {found}"),
+                    None => f.write_str("no face"),
+                }
+            }
+            V::Unlisted { vertex, face } => {
+                write!(f, "the component of vertex {vertex} lies in face {face}, which does not list it")
             }
         }
     }
