@@ -6,7 +6,8 @@ use support::opinions::agree;
 use support::tables::{boundary, face, half_edge, map, mesh, textbook_map, textbook_mesh, vertex};
 use twinedge::validate::enumerate::for_each_corruption;
 use twinedge::validate::{
-    Certificate, Collect, Expectation, FaceRow, Field, Part, Record, Rule, Start, Table, Unchecked, Violation, validate,
+    Certificate, Collect, Expectation, FaceRow, Field, Link, Part, Place, Record, Rule, Start, Table, Unchecked, View,
+    Violation, validate,
 };
 
 const TETRAHEDRON: [[usize; 3]; 4] = [[0, 1, 2], [0, 3, 1], [1, 3, 2], [0, 2, 3]];
@@ -18,6 +19,8 @@ fn certificate(table: &Table, expectation: Expectation) -> Certificate {
     let report = validate(table, &expectation, Collect::All);
     let certificate = report.certificate().unwrap_or_else(|| panic!("{report}"));
     assert_eq!(agree(table, expectation), None);
+    let Certificate { vertices, edges, components, cycles, borders, isolated_vertices, genus, .. } = certificate;
+    assert_eq!(vertices + cycles + borders + isolated_vertices + 2 * genus, edges + 2 * components, "T3, added up");
     for_each_corruption(&mut table.clone(), &expectation, |changed, _, _| {
         agree(changed, expectation);
     });
@@ -361,7 +364,13 @@ fn a_report_reads_as_sentences() {
     ] {
         assert!(wrong.contains(part), "{wrong}");
     }
+    let (boundary, listed) = (3, Place::Inner(1));
+    let placed = |place| Violation::WrongPlace { boundary, place, listed };
     let sentences = [
+        (placed(Some(Place::Inner(4))), "inner position 4"),
+        (placed(Some(Place::Outer)), "the outer one"),
+        (placed(None), "no place"),
+        (placed(None), "inner position 1"),
         (Violation::TwinNotMutual { half_edge: 1, twin: 2, found: None }, "half-edge 1 has twin 2, whose twin is nil"),
         (Violation::NoUnboundedFace, "a plane has one unbounded face"),
         (Violation::TooManyEdges { vertices: 5, edges: 10 }, "10 edges on 5 vertices, more than 3V − 6 = 9"),
@@ -371,4 +380,41 @@ fn a_report_reads_as_sentences() {
     for (violation, part) in sentences {
         assert!(violation.to_string().contains(part), "{violation}");
     }
+}
+
+/// A view of a combinatorial map need answer five questions only; of the rest it says that there is nothing.
+#[test]
+fn what_a_view_does_not_answer_is_not_there() {
+    struct Digon;
+    impl View for Digon {
+        fn vertex_slots(&self) -> usize {
+            2
+        }
+        fn half_edge_slots(&self) -> usize {
+            4
+        }
+        fn origin(&self, half_edge: usize) -> Link {
+            Some(half_edge % 2)
+        }
+        fn twin(&self, half_edge: usize) -> Link {
+            Some(half_edge ^ 1)
+        }
+        fn next(&self, half_edge: usize) -> Link {
+            Some(3 - half_edge)
+        }
+    }
+    let expectation = Expectation::plane().without(Part::Faces).without(Part::Prev).without(Part::Leaving);
+    let found = validate(&Digon, &expectation, Collect::All);
+    let found = found.certificate().unwrap_or_else(|| panic!("{found}"));
+    assert_eq!((found.vertices, found.edges, found.cycles, found.components), (2, 2, 2, 1));
+
+    assert_eq!((Digon.boundary_slots(), Digon.face_slots()), (0, 0));
+    assert_eq!([0, 1, 2, usize::MAX].map(|v| Digon.is_vertex(v)), [true, true, false, false]);
+    assert_eq!([0, 3, 4, usize::MAX].map(|h| Digon.is_half_edge(h)), [true, true, false, false]);
+    assert_eq!([0, 1].map(|i| (Digon.is_boundary(i), Digon.is_face(i))), [(false, false); 2]);
+    assert_eq!((Digon.prev(0), Digon.boundary(0), Digon.face(0)), (None, None, None));
+    assert_eq!((Digon.leaving(0), Digon.isolated(0)), (None, None));
+    assert_eq!((Digon.boundary_face(0), Digon.boundary_start(0), Digon.boundary_place(0)), (None, None, None));
+    assert_eq!((Digon.outer(0), Digon.inner_count(0), Digon.inner(0, 0)), (None, 0, None));
+    assert_eq!((Digon.outer_half_edge(0), Digon.inner_start(0, 0)), (None, None));
 }

@@ -182,16 +182,16 @@ fn g2_around_a_vertex_at_an_open_boundary() {
         table.faces.resize(3, None);
         for triangle in 0..3 {
             let corners = [0, triangle + 1, triangle + 2];
-            for side in 0..3 {
+            for (side, corner) in corners.into_iter().enumerate() {
                 let h = number(triangle, side);
-                table.vertices[corners[side]] = Some(VertexRow { leaving: Some(h), isolated: None });
+                table.vertices[corner] = Some(VertexRow { leaving: Some(h), isolated: None });
                 let twin = match side {
                     0 if triangle > 0 => Some(number(triangle - 1, 2)),
                     2 if triangle < 2 => Some(number(triangle + 1, 0)),
                     _ => None,
                 };
                 table.half_edges[h] = Some(HalfEdgeRow {
-                    origin: Some(corners[side]),
+                    origin: Some(corner),
                     twin,
                     next: Some(number(triangle, (side + 1) % 3)),
                     prev: Some(number(triangle, (side + 2) % 3)),

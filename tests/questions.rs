@@ -118,13 +118,22 @@ fn a_valid_surface_is_walked_around_once_and_along_once() {
     }
 }
 
-/// What is not there is not asked for; and each rule looks for itself.
+/// What is not there is not asked for; and each rule looks for itself. Vacant slots make no difference.
 #[test]
 fn what_lacks_parts_is_asked_more_often() {
     let edge = map(2, &[(0, 1), (1, 0)], &[(None, &[Start::HalfEdge(0)])]);
-    for part in [Part::Prev, Part::Leaving, Part::Places] {
-        let [twin, next, prev] = questions(&edge, Expectation::plane().without(part));
-        assert!(twin > 6 && next > 4 && (prev > 2) == (part != Part::Prev), "{part:?}: {twin} {next} {prev}");
+    for table in [edge, nested()] {
+        let vacant = with_vacant_slots(&table);
+        let n = table.half_edges.len();
+        for part in [Part::Prev, Part::Leaving, Part::Places] {
+            let expectation = PLANE.without(part);
+            let [twin, next, prev] = questions(&table, expectation);
+            assert!(twin > 3 * n && next > 2 * n, "{part:?}: {twin} {next}");
+            assert_eq!(prev > n, part != Part::Prev, "{part:?}: {prev}");
+            questions(&vacant, expectation);
+            let counts = |table: &Table| *validate(table, &expectation, Collect::All).counts();
+            assert_eq!(counts(&vacant), counts(&table));
+        }
     }
 }
 

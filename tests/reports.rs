@@ -175,3 +175,28 @@ fn t4_applies_from_three_vertices_on() {
     // It has as many of both as there can be.
     assert_eq!(t4(&triangle), (Some((3, 2)), None));
 }
+
+#[test]
+fn the_first_violation_stops_what_was_not_checked_yet() {
+    let outcomes = |change: fn(&mut Table)| {
+        let mut table = nested();
+        change(&mut table);
+        let report = validate(&table, &PLANE, Collect::First);
+        assert_eq!(report.violation_count(), 1);
+        report
+            .outcomes()
+            .map(|(rule, outcome)| (rule, outcome.unchecked == Some(Unchecked::Stopped)))
+            .collect::<Vec<_>>()
+    };
+    for (rule, stopped) in outcomes(|t| half_edge(t, 0).next = None) {
+        assert!(stopped, "{rule}");
+    }
+    for (rule, stopped) in outcomes(|t| vertex(t, 0).leaving = Some(2)) {
+        assert_eq!(stopped, rule >= Rule::V1, "{rule}");
+    }
+}
+
+#[test]
+fn rules_of_coordinates_are_those_of_g() {
+    assert!(Rule::ALL.iter().all(|rule| rule.is_geometric() == rule.id().starts_with('G')));
+}

@@ -236,6 +236,24 @@ fn b2_a_boundary_component_starts_at_a_connected_vertex() {
     change_textbook(Rule::B2, listed, &[Violation::StartsAtConnected { record, vertex: 0 }]);
 }
 
+/// The same where the component has no other outside, so that each component has one.
+#[test]
+fn b2_a_connected_vertex_stands_for_the_outside_of_its_component() {
+    let outside = |t: &mut Table| {
+        face(t, 1).inner = vec![Some(3), Some(5)];
+        boundary(t, 3).place = Some(Place::Inner(0));
+        t.boundaries.push(Some(BoundaryRow {
+            face: Some(1),
+            start: Some(Start::Vertex(3)),
+            place: Some(Place::Inner(1)),
+        }));
+        t.faces.push(Some(FaceRow { outer: Some(2), ..FaceRow::default() }));
+        let row = boundary(t, 2);
+        (row.face, row.place) = (Some(3), Some(Place::Outer));
+    };
+    change(Rule::B2, outside, &[Violation::StartsAtConnected { record: Record::Boundary(5), vertex: 3 }]);
+}
+
 #[test]
 fn b2_a_vertex_names_a_boundary_component_that_it_is_not() {
     let mismatch = |found| [Violation::IsolatedMismatch { vertex: 6, boundary: 3, found }];

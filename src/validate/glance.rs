@@ -108,6 +108,7 @@ impl<V: View + ?Sized> Run<'_, V> {
         self.counts.outer_boundaries = listed.outer;
         self.counts.inner_boundaries = listed.inner;
         self.counts.cycles = Some(along.boundaries - along.at_vertex);
+        self.counts.borders = Some(0);
         let connected = around.vertices - around.isolated;
         let others = around.vertices + 2 * along.boundaries + listed.faces + listed.inner;
         self.findings.checked(Rule::R1, 5 * half_edges as u64 + others as u64);

@@ -106,6 +106,9 @@ pub struct Counts {
     pub components: Option<usize>,
     /// Cycles of `next`.
     pub cycles: Option<usize>,
+    /// Open boundaries of half-edges without twin: the cycles that their missing twins would make. T3 counts them with the
+    /// cycles.
+    pub borders: Option<usize>,
     /// The sum of the genera of the components.
     pub genus: Option<usize>,
 }
@@ -120,6 +123,9 @@ pub struct Bounds {
 }
 
 /// What is known of a structure in which no violation was found and every rule that applies to it was checked.
+///
+/// Added over the components, with one cycle for each isolated vertex, T3 says that
+/// `vertices − edges + cycles + borders + isolated_vertices = 2 · components − 2 · genus`.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub struct Certificate {
     /// V.
@@ -132,6 +138,8 @@ pub struct Certificate {
     pub components: usize,
     /// Cycles of `next`.
     pub cycles: usize,
+    /// Open boundaries of half-edges without twin.
+    pub borders: usize,
     /// Vertices that no half-edge leaves.
     pub isolated_vertices: usize,
     /// The sum of the genera of the components: 0 in the plane.
@@ -217,6 +225,7 @@ impl Report {
             faces,
             components: self.counts.components?,
             cycles: self.counts.cycles?,
+            borders: self.counts.borders?,
             isolated_vertices,
             genus: self.counts.genus?,
             bounds: self.bounds,

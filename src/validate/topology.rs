@@ -53,7 +53,8 @@ impl<V: View + ?Sized> Run<'_, V> {
                 component.cycles += 1;
             }
         }
-        if self.expect.is_open() { self.borders(components) } else { Ok(()) }
+        self.counts.borders = Some(if self.expect.is_open() { self.borders(components)? } else { 0 });
+        Ok(())
     }
 
     fn count_components_with_cycle(&self, components: &mut Components) -> usize {
@@ -102,7 +103,8 @@ impl<V: View + ?Sized> Run<'_, V> {
     }
 
     /// Half-edges without twin follow one another around each open boundary: where V2 holds, one at most leaves a vertex.
-    fn borders(&self, components: &mut Components) -> Flow {
+    /// Tells how many there are.
+    fn borders(&self, components: &mut Components) -> Result<usize, Halt> {
         let mut border_at = column(self.vertices, NIL)?;
         for h in 0..self.half_edges {
             if self.live_half_edge(h)
@@ -112,11 +114,13 @@ impl<V: View + ?Sized> Run<'_, V> {
                 *entry = h;
             }
         }
+        let mut borders = 0;
         for v in 0..self.vertices as usize {
             let mut h = core::mem::replace(&mut border_at[v], NIL);
             if h == NIL {
                 continue;
             }
+            borders += 1;
             if let Some(c) = self.component_at(components, h) {
                 components.all[c].cycles += 1;
             }
@@ -125,7 +129,7 @@ impl<V: View + ?Sized> Run<'_, V> {
                 h = border_at.get_mut(target as usize).map_or(NIL, |entry| core::mem::replace(entry, NIL));
             }
         }
-        Ok(())
+        Ok(borders)
     }
 
     fn component_at(&self, components: &Components, h: u32) -> Option<usize> {
