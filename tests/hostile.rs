@@ -5,8 +5,10 @@ mod support;
 
 use std::cell::Cell;
 use support::moody::Moody;
+use support::nested::{nested, nested_textbook};
 use support::opinions::{agree, broken};
 use support::tables::{map, mesh};
+use twinedge::validate::enumerate::for_each_corruption;
 use twinedge::validate::{
     Collect, Expectation, Link, Part, Place, Rule, Start, Table, Unchecked, View, Violation, validate,
 };
@@ -238,5 +240,23 @@ fn the_work_is_linear() {
 fn an_honest_table_is_judged_as_always() {
     for expectation in [Expectation::plane(), Expectation::plane().without(Part::BoundaryComponents)] {
         assert_eq!(agree(&loops(), expectation), None);
+    }
+}
+
+/// Whatever link leads one past the end, or anywhere else: nobody asks what is there.
+#[test]
+fn no_question_about_a_slot_that_is_not_there() {
+    let plane = Expectation::plane();
+    for (mut table, base) in [(nested(), plane), (nested_textbook(), plane.without(Part::BoundaryComponents))] {
+        for expectation in [base, base.open(), base.without(Part::Prev), base.without(Part::Places)] {
+            let mut changes = 0;
+            for_each_corruption(&mut table, &expectation, |changed, _, _| {
+                changes += 1;
+                // It panics where it is asked about something else.
+                let report = validate(&Moody::new(changed, u64::MAX, 0), &expectation, Collect::All);
+                assert_eq!(report, validate(changed, &expectation, Collect::All));
+            });
+            assert!(changes > 500, "{changes}");
+        }
     }
 }

@@ -5,8 +5,8 @@
 mod support;
 
 use support::nested::{PLANE, TEXTBOOK, nested, nested_textbook};
-use support::opinions::broken;
-use support::tables::{map, mesh};
+use support::opinions::{agree, broken};
+use support::tables::{half_edge, map, mesh};
 use support::watched::Watched;
 use twinedge::validate::{Collect, Expectation, Part, Rule, Start, Table, Violation, validate};
 
@@ -165,4 +165,28 @@ fn a_list_that_grows_is_cut_short() {
             assert!(view.inner.get() <= 4 * (2 * records + 16), "{patience}: {}", view.inner.get());
         }
     }
+}
+
+/// Half-edges of which each leaves a vertex of its own, although turning around any of these meets them all.
+fn one_rotation(half_edges: usize) -> Table {
+    let starts: Vec<(usize, usize)> = (0..half_edges).map(|h| (h, ((h ^ 1) + 1) % half_edges)).collect();
+    map(half_edges, &starts, &[(None, &[Start::HalfEdge(0)])])
+}
+
+#[test]
+fn one_rotation_is_not_walked_around_from_every_vertex() {
+    let table = one_rotation(200);
+    let view = Watched::new(&table);
+    let report = validate(&view, &PLANE, Collect::All);
+    assert!(!report.is_valid());
+    assert!(view.twin.get() + view.next.get() <= 20 * 200, "{} + {}", view.twin.get(), view.next.get());
+}
+
+/// Vertices 0 and 1 claim the same rotation of two half-edges, of three.
+#[test]
+fn a_rotation_that_two_vertices_claim_leaves_room_for_no_third() {
+    let mut table = map(3, &[(0, 0), (1, 1), (2, 2)], &[(None, &[Start::HalfEdge(0)])]);
+    half_edge(&mut table, 2).twin = Some(2);
+    // Two half-edges have no boundary component, either.
+    assert_eq!(agree(&table, PLANE), Some(Rule::R1));
 }

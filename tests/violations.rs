@@ -6,7 +6,8 @@ use support::nested::{PLANE, TEXTBOOK, nested, nested_textbook};
 use support::opinions::{agree, broken};
 use support::tables::{boundary, face, half_edge, map, mesh, vertex};
 use twinedge::validate::{
-    BoundaryRow, Collect, Expectation, FaceRow, Field, Part, Place, Record, Rule, Start, Table, Violation, validate,
+    BoundaryRow, Collect, Expectation, FaceRow, Field, Part, Place, Record, Rule, Start, Table, VertexRow, Violation,
+    validate,
 };
 
 /// Two edges between two vertices: half-edges 0 and 3 around the inside, 1 and 2 around the outside.
@@ -291,6 +292,22 @@ fn f1_an_isolated_vertex_bounds_nothing() {
         (row.face, row.place) = (Some(3), Some(Place::Outer));
     };
     change(Rule::F1, outer, &[Violation::OuterIsVertex { face: 3, boundary: 3 }]);
+}
+
+#[test]
+fn f1_on_a_surface_an_isolated_vertex_bounds_nothing_either() {
+    let mut table = mesh(4, &[[0, 1, 2], [0, 2, 3], [0, 3, 1], [1, 3, 2]]);
+    table.vertices.push(Some(VertexRow { leaving: None, isolated: None }));
+    table.boundaries.push(Some(BoundaryRow {
+        face: Some(4),
+        start: Some(Start::Vertex(4)),
+        place: Some(Place::Outer),
+    }));
+    table.faces.push(Some(FaceRow { outer: Some(4), ..FaceRow::default() }));
+    let surface = Expectation::surface();
+    assert!(agree(&table, surface).is_some());
+    let report = validate(&table, &surface, Collect::All);
+    assert!(report.violations().contains(&Violation::OuterIsVertex { face: 4, boundary: 4 }), "{report}");
 }
 
 #[test]
