@@ -6,7 +6,7 @@ use support::nested::{FACES, HALF_EDGES, PLANE, TEXTBOOK, nested, nested_textboo
 use support::opinions::agree;
 use support::tables::{face, half_edge, map, vertex};
 use twinedge::validate::{
-    Collect, Expectation, Field, Part, Record, Rule, Start, Table, Unchecked, Violation, validate,
+    Collect, Expectation, FaceRow, Field, Part, Record, Rule, Start, Table, Unchecked, Violation, validate,
 };
 
 #[test]
@@ -174,6 +174,11 @@ fn t4_applies_from_three_vertices_on() {
     assert_eq!(t4(&edge), (None, Some(Unchecked::NotSimple)));
     // It has as many of both as there can be.
     assert_eq!(t4(&triangle), (Some((3, 2)), None));
+    let mut one_face_more = triangle;
+    one_face_more.faces.push(Some(FaceRow::default()));
+    assert_eq!(agree(&one_face_more, PLANE), Some(Rule::F1));
+    let report = validate(&one_face_more, &PLANE, Collect::All);
+    assert!(report.violations().contains(&Violation::TooManyFaces { vertices: 3, faces: 3 }), "{report}");
 }
 
 #[test]

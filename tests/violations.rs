@@ -448,6 +448,10 @@ fn t3_and_t4_seven_vertices_all_joined_do_not_fit_in_the_plane() {
     assert_eq!(report.violations(), violations, "{report}");
     assert_eq!(broken(&report), [Rule::T3, Rule::T4]);
     assert_eq!(agree(&table, PLANE), Some(Rule::T3));
+    // Without faces it is the edges alone that are too many.
+    assert_eq!(agree(&k7(), PLANE.without(Part::Faces)), Some(Rule::T3));
+    let report = validate(&k7(), &PLANE.without(Part::Faces), Collect::All);
+    assert_eq!(broken(&report), [Rule::T3, Rule::T4]);
 }
 
 /// T4 is never broken alone. Where all rules before it hold, the structure is a planar subdivision, and those have no
