@@ -149,9 +149,9 @@ impl<S: Store> Dcel<S> {
             let (before, after) = (self.store.prev(h), self.store.next(h));
             let component = self.store.component(h);
             if self.store.start(component) == Origin::HalfEdge(h) {
-                // In a cycle of the edge and nothing else, `after` goes next, and the isolated vertex is settled below.
-                let start = if after == self.store.twin(h) { before } else { after };
-                self.store.set_start(component, Origin::HalfEdge(start));
+                // If that is `t`, it goes next, and in a cycle of the edge and nothing else the isolated vertex is settled
+                // below.
+                self.store.set_start(component, Origin::HalfEdge(after));
             }
             self.store.join(before, after);
         }
