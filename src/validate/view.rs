@@ -36,6 +36,10 @@ pub enum Place {
 /// | half-edges (the textbook's tables, most meshes) | `face`, `outer_half_edge`, `inner_start` | `boundary…`, `outer`, `inner` |
 /// | nothing: twins and rotations only | neither | all of these |
 ///
+/// Where half-edges name their face and faces keep nothing at all, make them keep something first: one pass over the
+/// half-edges finds one for each face, to answer `outer_half_edge`. Leaving out [`Part::Faces`](super::Part::Faces) instead
+/// would leave the names unchecked.
+///
 /// No answer can make the validator panic or loop, not even answers that change from call to call. And it asks only
 /// about slots that there are, and about positions below `inner_count`, so an answer may well be
 /// `self.next[half_edge]`.
