@@ -1,9 +1,11 @@
 //! Kernels in step with the reference: right ones pass, and each kind of difference is told from the others.
 
+use std::cell::Cell;
+use std::rc::Rc;
 use twinedge::dcel::Dcel;
-use twinedge::program::conformance::{Answer, Difference, Failure, Question, Summary};
+use twinedge::program::conformance::{Answer, Difference, Failure, InStep, Question, Summary};
 use twinedge::program::*;
-use twinedge::validate::{Expectation, Link, Rule, Start, View};
+use twinedge::validate::{Expectation, Link, Part, Rule, Start, View};
 
 /// Numbers without pattern, always the same.
 fn noise(seed: u64, count: usize) -> Vec<u8> {
@@ -16,13 +18,14 @@ fn noise(seed: u64, count: usize) -> Vec<u8> {
 }
 
 #[test]
-fn the_model_and_the_structure_do_the_same() {
+fn the_models_and_the_structure_do_the_same() {
     let mut sum = Summary::default();
     for seed in 0..50 {
         let program = Program::from_bytes(&noise(seed, 600));
         let summary = conformance::run(&program, Model::new(), &Model::expectation())
             .unwrap_or_else(|failure| panic!("seed {seed}: {failure}"));
         assert_eq!(conformance::run(&program, Dcel::new(), &Expectation::plane()), Ok(summary));
+        assert_eq!(summary.operators(), program.0.len());
         sum.applied += summary.applied;
         sum.refused += summary.refused;
     }
@@ -52,6 +55,8 @@ enum Fault {
     Small,
     /// There is room for two edges only, but the vertex goes in.
     SmallAndDirty,
+    /// Nothing.
+    None,
 }
 
 /// The model with a fault.
@@ -59,6 +64,8 @@ enum Fault {
 struct Faulty {
     model: Model,
     fault: Fault,
+    /// How many questions it was asked.
+    asked: Rc<Cell<usize>>,
 }
 
 impl Faulty {
@@ -67,11 +74,15 @@ impl Faulty {
         if fault == Fault::NotEmpty {
             model.add_isolated_vertex(0).unwrap();
         }
-        Self { model, fault }
+        Self { model, fault, asked: Rc::default() }
     }
 
     fn has(&self, fault: Fault) -> bool {
         self.fault == fault
+    }
+
+    fn count(&self) {
+        self.asked.set(self.asked.get() + 1);
     }
 
     fn is_full(&self) -> bool {
@@ -122,16 +133,20 @@ impl Kernel for Faulty {
         0
     }
     fn face_of(&self, corner: Corner<usize, usize>) -> Result<usize, Refusal> {
+        self.count();
         let face = self.model.face_of(corner)?;
         Ok(if self.has(Fault::FaceOf) && face > 0 { 1 } else { face })
     }
     fn origin_of(&self, h: usize) -> Result<usize, Refusal> {
+        self.count();
         self.model.origin_of(h)
     }
     fn twin_of(&self, h: usize) -> Result<usize, Refusal> {
+        self.count();
         self.model.twin_of(h)
     }
     fn next_of(&self, h: usize) -> Result<usize, Refusal> {
+        self.count();
         self.model.next_of(h)
     }
     fn add_isolated_vertex(&mut self, face: usize) -> Result<usize, Refusal> {
@@ -286,4 +301,57 @@ fn want_of_room_is_no_fault_unless_it_leaves_a_trace() {
     assert_eq!(judge(&crowded, Fault::Small), Ok(summary));
     let failure = judge(&crowded, Fault::SmallAndDirty).unwrap_err();
     assert_eq!((failure.before, failure.difference), (3, Difference::NotIsomorphic));
+}
+
+/// Comparing once asked O(n²) questions, and each took the model O(n).
+#[test]
+fn a_step_asks_every_corner_a_few_questions() {
+    let kernel = Faulty::new(Fault::None);
+    let asked = kernel.asked.clone();
+    let mut pair = InStep::new(kernel, &Model::expectation()).unwrap();
+    let mut step = |line: &str| {
+        let before = asked.get();
+        pair.step(program(line).0[0]).unwrap();
+        asked.get() - before
+    };
+    step("add_isolated_vertex unbounded");
+    step("split_vertex i0 ~0");
+    for _ in 0..100 {
+        step("split_edge h0");
+    }
+    // Four of each of the 202 corners, and a few by the operator itself.
+    let questions = step("remove_edge !h0");
+    assert_eq!(questions, 4 * 202);
+}
+
+#[test]
+fn an_expectation_without_what_tells_maps_apart_is_refused_by_name() {
+    let plane = Expectation::plane();
+    for (expectation, part) in [
+        (plane.without(Part::Faces), Part::Faces),
+        (plane.without(Part::Holes), Part::Holes),
+        (plane.without(Part::UnboundedFace), Part::UnboundedFace),
+        (Expectation::surface(), Part::Holes),
+    ] {
+        let failure = conformance::run(&Program::default(), Model::new(), &expectation).unwrap_err();
+        assert_eq!(failure, Failure { before: 0, op: None, difference: Difference::Lacks(part) });
+    }
+    let failure = Failure { before: 0, op: None, difference: Difference::Lacks(Part::Faces) };
+    assert_eq!(
+        failure.to_string(),
+        "at the start: the expectation leaves out faces; without it there is no telling which map it is"
+    );
+    let least = Model::expectation().without(Part::Prev).without(Part::Leaving);
+    assert!(conformance::run(&Program::from_bytes(&noise(1, 300)), Model::new(), &least).is_ok());
+}
+
+#[test]
+fn a_run_can_be_stopped_and_looked_at_between_operators() {
+    let program = program("add_isolated_vertex unbounded\nremove_edge h0\nconnect i0 ~0 left\ncontract_edge h0");
+    let mut pair = InStep::new(Faulty::new(Fault::WrongReason), &Model::expectation()).unwrap();
+    let outcomes = [0, 1, 2].map(|i| pair.step(program.0[i]).unwrap());
+    assert_eq!(outcomes, [Outcome::Applied, Outcome::Skipped, Outcome::Applied]);
+    assert_eq!(pair.summary(), Summary { applied: 2, skipped: 1, ..Summary::default() });
+    let failure = pair.step(program.0[3]).unwrap_err();
+    assert_eq!((failure.before, failure.op), (3, Some(program.0[3])));
 }

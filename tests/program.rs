@@ -349,3 +349,35 @@ fn what_remains_of_a_program_goes_on_choosing_the_same() {
             .unwrap();
     assert!(candidates(&long).any(|candidate| candidate == short), "{long}");
 }
+
+#[test]
+fn what_an_operator_would_choose_can_be_asked() {
+    let program: Program = "twinedge program 1
+        add_isolated_vertex unbounded
+        connect i0 ~0 left
+        add_isolated_vertex h0
+        add_isolated_vertex h0
+        connect h0 ~0 right inner 1
+        remove_edge h2
+        flip_edge !h1 cw
+        remove_isolated_vertex !v0"
+        .parse()
+        .unwrap();
+    let op = |i: usize| program.0[i];
+    let mut runner = Runner::new(Model::new());
+    assert_eq!(runner.resolve(op(1)), Err(Outcome::Skipped));
+    runner.step(op(0));
+    let (v, new_face) = (Corner::Isolated(0), Side::Left);
+    assert_eq!(runner.resolve(op(1)), Ok(Call::Connect { from: v, to: v, new_face, inner: vec![] }));
+    for i in 1..4 {
+        runner.step(op(i));
+    }
+    let (h, new_face) = (Corner::At(0), Side::Right);
+    let call = Call::Connect { from: h, to: h, new_face, inner: vec![Corner::Isolated(2)] };
+    assert_eq!(runner.resolve(op(4)), Ok(call));
+    runner.step(op(4));
+    runner.step(op(5));
+    // A stale one is chosen like any other.
+    assert_eq!(runner.resolve(op(6)), Ok(Call::FlipEdge { half_edge: 3, turn: Turn::Clockwise }));
+    assert_eq!(runner.resolve(op(7)), Err(Outcome::Skipped));
+}

@@ -6,9 +6,9 @@ use clap::ValueEnum;
 use planted::Planted;
 use serde::Serialize;
 use twinedge::dcel::Dcel;
-use twinedge::program::{Kernel, Textbook};
-use twinedge::store::{FixedStore, PointerStore};
-use twinedge::validate::Expectation;
+use twinedge::program::{Kernel, Model};
+use twinedge::store::{FixedStore, PointerStore, Store};
+use twinedge::validate::{Expectation, View};
 
 /// A structure that programs can be run on.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Serialize, ValueEnum)]
@@ -21,41 +21,64 @@ pub(crate) enum KernelName {
     Pointers,
     /// Fixed arrays, with room for 24 vertices, 40 edges, 40 boundary components and 24 faces.
     Fixed,
-    /// The independent model: the structure of the textbooks, records joined by references that are counted.
-    Textbook,
+    /// The second independent model: a rotation system.
+    Model,
     /// A structure with a planted bug: it turns edges the wrong way.
     Planted,
+    /// A structure with a planted bug: it panics when a boundary component is moved.
+    Panicking,
+}
+
+/// A structure of which it is known by which index the validator sees what a handle names. Of a stale one, by none.
+pub(crate) trait Indexed: Kernel {
+    fn vertex_index(&self, vertex: Self::Vertex) -> Option<usize>;
+    fn half_edge_index(&self, half_edge: Self::HalfEdge) -> Option<usize>;
+    fn face_index(&self, face: Self::Face) -> Option<usize>;
+}
+
+impl<S: Store> Indexed for Dcel<S> {
+    fn vertex_index(&self, vertex: Self::Vertex) -> Option<usize> {
+        self.vertex(vertex).ok().map(|v| v.index())
+    }
+    fn half_edge_index(&self, half_edge: Self::HalfEdge) -> Option<usize> {
+        self.half_edge(half_edge).ok().map(|h| h.index())
+    }
+    fn face_index(&self, face: Self::Face) -> Option<usize> {
+        self.face(face).ok().map(|f| f.index())
+    }
+}
+
+impl Indexed for Model {
+    fn vertex_index(&self, vertex: usize) -> Option<usize> {
+        self.is_vertex(vertex).then_some(vertex)
+    }
+    fn half_edge_index(&self, half_edge: usize) -> Option<usize> {
+        self.is_half_edge(half_edge).then_some(half_edge)
+    }
+    fn face_index(&self, face: usize) -> Option<usize> {
+        self.is_face(face).then_some(face)
+    }
 }
 
 /// Something to be done with a structure, of whichever type.
 pub(crate) trait Task {
     type Result;
 
-    fn run<K: Kernel>(self, make: fn() -> K, expectation: Expectation) -> Self::Result;
+    fn run<K: Indexed>(self, make: fn() -> K, expectation: Expectation) -> Self::Result;
 }
 
 impl KernelName {
-    /// The stores and the model; not the structure with the bug.
-    pub(crate) const SOUND: [Self; 4] = [Self::Slots, Self::Pointers, Self::Fixed, Self::Textbook];
+    /// The stores and the second model; not the structures with a bug.
+    pub(crate) const SOUND: [Self; 4] = [Self::Slots, Self::Pointers, Self::Fixed, Self::Model];
 
     pub(crate) const fn name(self) -> &'static str {
         match self {
             Self::Slots => "slots",
             Self::Pointers => "pointers",
             Self::Fixed => "fixed",
-            Self::Textbook => "textbook",
+            Self::Model => "model",
             Self::Planted => "planted",
-        }
-    }
-
-    /// How the empty structure is made, in Rust, and what it is held to.
-    pub(crate) const fn rust(self) -> (&'static str, &'static str) {
-        match self {
-            Self::Slots => ("Dcel::new()", "Expectation::plane()"),
-            Self::Pointers => ("Dcel::<PointerStore>::default()", "Expectation::plane()"),
-            Self::Fixed => ("Dcel::<FixedStore<24, 40, 40, 24>>::default()", "Expectation::plane()"),
-            Self::Textbook => ("Textbook::new()", "Expectation::plane()"),
-            Self::Planted => ("Planted::default()", "Expectation::plane()"),
+            Self::Panicking => "panicking",
         }
     }
 
@@ -65,8 +88,9 @@ impl KernelName {
             Self::Slots => task.run(Dcel::new, Expectation::plane()),
             Self::Pointers => task.run(Dcel::<PointerStore>::default, Expectation::plane()),
             Self::Fixed => task.run(Dcel::<FixedStore<24, 40, 40, 24>>::default, Expectation::plane()),
-            Self::Textbook => task.run(Textbook::new, Expectation::plane()),
-            Self::Planted => task.run(Planted::default, Expectation::plane()),
+            Self::Model => task.run(Model::new, Model::expectation()),
+            Self::Planted => task.run(Planted::<false>::default, Expectation::plane()),
+            Self::Panicking => task.run(Planted::<true>::default, Expectation::plane()),
         }
     }
 }

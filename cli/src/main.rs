@@ -1,6 +1,7 @@
 //! The `twinedge` program: builds and audits planar maps, and puts the structure they are kept in to the proof.
 
 mod audit;
+mod caught;
 mod corrupt;
 mod counting;
 mod draw;
@@ -10,9 +11,11 @@ mod output;
 mod prove;
 mod query;
 mod random;
+mod regression;
 mod replay;
 mod soak;
 mod tables;
+mod trial;
 mod work;
 
 use clap::{Parser, Subcommand};

@@ -1,24 +1,28 @@
-//! `twinedge soak`: random programs on every store, in step with the reference and an independent model.
+//! `twinedge soak`: random programs on every store and a second model, in step with an independent model.
 
-use crate::kernels::{KernelName, Task};
+use crate::kernels::KernelName;
 use crate::output::style::{BAD, GOOD, QUIET};
-use crate::output::{Format, grouped, print, print_json};
+use crate::output::{Format, counted, grouped, print, print_json};
 use crate::random::{Random, seed_of_the_moment};
+use crate::regression;
+use crate::trial::{End, Trial};
 use crate::work::{self, Effort};
 use crate::{Failure, Verdict};
 use serde::Serialize;
+use std::ffi::OsString;
 use std::fmt::{self, Write as _};
-use std::path::PathBuf;
+use std::fs::File;
+use std::io::{self, Write as _};
+use std::path::{Path, PathBuf};
 use std::time::Instant;
-use twinedge::program::conformance::{self, Summary};
-use twinedge::program::{FacePick, Kernel, Op, Program, shrink};
-use twinedge::validate::Expectation;
+use twinedge::program::conformance::Summary;
+use twinedge::program::{FacePick, Op, Program, candidates};
 
-/// Run random programs on every store in step with an independent model.
+/// Run random programs on every store, and on a second model, in step with an independent model.
 ///
-/// After each operator all must have done the same (applied, refused for the same reason, or skipped), must be valid by the
+/// The reference is the structure of the textbooks, written from the definitions of the operators. After each operator all must have done the same (applied, refused for the same reason, or skipped), must be valid by the
 /// validator, must be isomorphic, nesting included, and their handles must say the same. Programs use handles of what is gone
-/// on purpose. A program that fails is made small, printed as Rust source for a regression test, and saved as a file for
+/// on purpose. A program that fails, be it by a panic, is made small, printed as Rust source for a regression test, and saved as a file for
 /// `twinedge replay`.
 #[derive(Debug, clap::Args)]
 #[command(after_help = "Examples:
@@ -26,26 +30,26 @@ use twinedge::validate::Expectation;
   twinedge soak --programs 100000 --steps 300 --seed 1
   twinedge soak --on planted              a structure with a bug, to see that it is found
 
-Exit status: 0 no structure differed; 1 one did; 2 misuse, or the failing program could not be saved;
+Exit status: 0 no structure differed; 1 one did, or panicked; 2 misuse, or the failing program could not be saved;
 130 interrupted (Ctrl-C), after printing what was covered.")]
 pub(crate) struct Soak {
     /// How many programs.
-    #[arg(long, value_name = "P", default_value_t = 1000)]
+    #[arg(long, value_name = "P", default_value_t = 1000, value_parser = clap::value_parser!(u32).range(1..))]
     programs: u32,
 
     /// How many operators each has.
-    #[arg(long, value_name = "S", default_value_t = 100)]
-    steps: u16,
+    #[arg(long, value_name = "S", default_value_t = 100, value_parser = clap::value_parser!(u32).range(1..))]
+    steps: u32,
 
     /// The seed of the programs; without it, one that is printed.
     #[arg(long, value_name = "X")]
     seed: Option<u64>,
 
-    /// On what to run them; all stores and the model, unless said otherwise.
+    /// On what to run them; all stores and the second model, unless said otherwise.
     #[arg(long, value_enum, value_name = "STRUCTURE")]
     on: Vec<KernelName>,
 
-    /// Where to save a program that fails.
+    /// Where to save a program that fails. No file is overwritten: a number is put behind a name that is taken.
     #[arg(long, value_name = "FILE", default_value = "failing.program")]
     save: PathBuf,
 
@@ -72,6 +76,8 @@ struct Outcome {
 struct Row {
     on: KernelName,
     programs: u64,
+    /// Programs that were interrupted. Their operators up to there are counted.
+    cut_short: u64,
     applied: u64,
     refused: u64,
     skipped: u64,
@@ -89,15 +95,11 @@ struct Failing {
     rust: String,
 }
 
-/// Steps per second of one thread on one structure, times the steps of a program, about: the map grows with these, and a step
-/// takes as long as the map is large.
-const PER_SECOND: u64 = 4_000_000;
-
 impl Soak {
     pub(crate) fn run(&self) -> Result<Verdict, Failure> {
         let on = if self.on.is_empty() { KernelName::SOUND.to_vec() } else { self.on.clone() };
         let amount = u128::from(self.programs) * u128::from(self.steps) * on.len() as u128;
-        self.effort.refuse_too_much(amount, "steps", PER_SECOND / u64::from(self.steps.max(60)))?;
+        self.effort.refuse_too_much(amount, "steps", per_second(&on, self.steps))?;
         work::stop_on_interrupt()?;
         let start = Instant::now();
         let seed = self.seed.unwrap_or_else(seed_of_the_moment);
@@ -123,8 +125,8 @@ impl Soak {
         outcome.ok = outcome.failure.is_none() && !outcome.interrupted;
         let mut not_saved = None;
         if let Some(failing) = &outcome.failure {
-            match std::fs::write(&self.save, failing.file(seed)) {
-                Ok(()) => outcome.saved = Some(self.save.clone()),
+            match save(&self.save, &failing.file(seed)) {
+                Ok(path) => outcome.saved = Some(path),
                 Err(error) => not_saved = Some(Failure(format!("{}: {error}", self.save.display()))),
             }
         }
@@ -144,12 +146,51 @@ impl Soak {
     }
 }
 
+/// Steps per second of one thread, if these structures each run programs of so many steps.
+///
+/// The map grows with the steps, so a program takes longer than in proportion to them: about so many seconds as here, as
+/// measured with up to 4,000 steps.
+#[allow(clippy::cast_sign_loss, reason = "no number here is negative")]
+fn per_second(on: &[KernelName], steps: u32) -> u64 {
+    let thousands = f64::from(steps) / 1000.0;
+    let seconds = |on: &KernelName| match on {
+        // It is full soon, and grows no more.
+        KernelName::Fixed => 0.025 * thousands,
+        KernelName::Model => 1.7 * thousands.powf(2.8),
+        _ => 0.1 * thousands.powf(2.4),
+    };
+    let steps = f64::from(steps) * on.len() as f64;
+    (steps / on.iter().map(seconds).sum::<f64>()).ceil() as u64
+}
+
+/// Writes a new file, of this name or, if it is taken, of the first with a number behind it that is not. Gives the name.
+fn save(path: &Path, text: &str) -> io::Result<PathBuf> {
+    let mut free = path.to_owned();
+    for number in 2_u32.. {
+        match File::create_new(&free) {
+            Err(error) if error.kind() == io::ErrorKind::AlreadyExists => {}
+            file => {
+                file?.write_all(text.as_bytes())?;
+                break;
+            }
+        }
+        let mut name = path.file_stem().map_or_else(OsString::new, OsString::from);
+        name.push(format!("-{number}"));
+        free.set_file_name(name);
+        if let Some(extension) = path.extension() {
+            free.as_mut_os_string().push(".");
+            free.as_mut_os_string().push(extension);
+        }
+    }
+    Ok(free)
+}
+
 /// A vertex, without which there is nothing to be done, and operators by lot.
-fn random_program(seed: u64, number: u32, steps: u16) -> Program {
+fn random_program(seed: u64, number: u32, steps: u32) -> Program {
     let mut bytes = Random::new(seed, number.into()).bytes();
     let first = Op::AddIsolatedVertex { face: FacePick::Unbounded };
     let ops = std::iter::from_fn(|| Op::from_bytes(&mut bytes));
-    std::iter::once(first).chain(ops).take(steps.into()).collect()
+    std::iter::once(first).chain(ops).take(steps as usize).collect()
 }
 
 /// What one thread found.
@@ -165,33 +206,29 @@ impl Worker {
             return;
         }
         for row in &mut self.rows {
-            let Ok(summary) = row.on.run(Conform(program)) else {
-                self.failing = Some(Failing::of(row.on, number, program));
-                return;
-            };
-            row.count(summary);
+            let tried = row.on.run(Trial(program));
+            row.count(tried.summary);
+            match tried.end {
+                End::Finished => row.programs += 1,
+                End::Interrupted => {
+                    row.cut_short += 1;
+                    return;
+                }
+                End::Failed { before, message } => {
+                    self.failing = Some(Failing::of(row.on, number, program, before, message));
+                    return;
+                }
+            }
         }
-    }
-}
-
-/// Running a program in step with the reference.
-pub(crate) struct Conform<'a>(pub(crate) &'a Program);
-
-impl Task for Conform<'_> {
-    type Result = Result<Summary, conformance::Failure>;
-
-    fn run<K: Kernel>(self, make: fn() -> K, expectation: Expectation) -> Self::Result {
-        conformance::run(self.0, make(), &expectation)
     }
 }
 
 impl Row {
     const fn of(on: KernelName) -> Self {
-        Self { on, programs: 0, applied: 0, refused: 0, skipped: 0, no_room: 0 }
+        Self { on, programs: 0, cut_short: 0, applied: 0, refused: 0, skipped: 0, no_room: 0 }
     }
 
     const fn count(&mut self, summary: Summary) {
-        self.programs += 1;
         self.applied += summary.applied as u64;
         self.refused += summary.refused as u64;
         self.skipped += summary.skipped as u64;
@@ -200,6 +237,7 @@ impl Row {
 
     const fn add(&mut self, other: &Self) {
         self.programs += other.programs;
+        self.cut_short += other.cut_short;
         self.applied += other.applied;
         self.refused += other.refused;
         self.skipped += other.skipped;
@@ -208,16 +246,16 @@ impl Row {
 }
 
 impl Failing {
-    /// Makes a failing program small.
-    fn of(on: KernelName, number: u32, program: &Program) -> Self {
-        let smallest = shrink(program, |program| on.run(Conform(program)).is_err());
-        let message = on.run(Conform(&smallest)).err().map_or_else(String::new, |failure| failure.to_string());
-        let (make, expectation) = on.rust();
-        let source = smallest.to_rust().replace('\n', "\n    ");
-        let rust = format!(
-            "/// {message}\n#[test]\nfn regression() {{\n    let program = {source};\n    let result = \
-             conformance::run(&program, {make}, &{expectation});\n    assert!(result.is_ok(), \"{{result:?}}\");\n}}\n"
-        );
+    /// Makes a failing program small, as far as that gets until told to stop. `before` is how many operators it ran before
+    /// the one that failed, and `message` says how.
+    fn of(on: KernelName, number: u32, program: &Program, before: usize, message: String) -> Self {
+        let mut smallest: Program = program.0.iter().take(before + 1).copied().collect();
+        let mut message = message;
+        let failure = |program: Program| on.run(Trial(&program)).failure().map(|message| (program, message));
+        while let Some(smaller) = candidates(&smallest).take_while(|_| !work::stopped()).find_map(failure) {
+            (smallest, message) = smaller;
+        }
+        let rust = regression::test(on, &message, &smallest);
         Self { on, number, message, program: smallest.to_string(), rust }
     }
 
@@ -233,7 +271,7 @@ impl fmt::Display for Outcome {
         if self.interrupted {
             writeln!(f, "{BAD}interrupted{BAD:#}: this is what was covered\n")?;
         }
-        writeln!(f, "seed {}; operators in step with the reference", self.seed)?;
+        writeln!(f, "seed {}; operators in step with the textbook's structure", self.seed)?;
         let mut head = String::new();
         for what in ["programs", "applied", "refused", "skipped", "no room"] {
             write!(head, " {what:>13}")?;
@@ -246,13 +284,18 @@ impl fmt::Display for Outcome {
             }
             writeln!(f)?;
         }
+        let cut_short: u64 = self.structures.iter().map(|row| row.cut_short).sum();
+        if cut_short > 0 {
+            let cut_short = counted(cut_short as usize, "program");
+            writeln!(f, "{cut_short} cut short, with the operators up to there counted above")?;
+        }
         let seconds = self.elapsed_ms / 1000.0;
         match &self.failure {
             Some(failing) => {
                 writeln!(f, "\n{BAD}{} differs{BAD:#} {}\n", failing.on.name(), failing.message)?;
                 writeln!(f, "{}", failing.rust)?;
                 if let Some(path) = &self.saved {
-                    writeln!(f, "run it again: twinedge replay {}", path.display())?;
+                    writeln!(f, "saved as {0}; run it again: twinedge replay {0}", path.display())?;
                 }
                 Ok(())
             }

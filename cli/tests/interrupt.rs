@@ -17,6 +17,8 @@ fn what_was_covered_is_printed() {
         &["corrupt", "--edges", "8", "--force"],
         &["tables", "--half-edges", "8", "--force"],
         &["soak", "--programs", "100000000", "--force"],
+        // One program alone is not waited for.
+        &["soak", "--programs", "1", "--steps", "1000000", "--force"],
     ] {
         let mut child = Command::new(env!("CARGO_BIN_EXE_twinedge"))
             .args(arguments)

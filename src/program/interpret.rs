@@ -1,7 +1,9 @@
 //! The interpreter: it keeps the handles in order of creation and chooses among them as a program says.
 
+use super::call::{Call, CallOf};
 use super::kernel::{Corner, CornerOf, Kernel, Refusal};
 use super::op::{CornerPick, FacePick, HalfEdgePick, InnerPick, Op, Program, SecondPick, VertexPick};
+use crate::dcel::Side;
 use alloc::vec::Vec;
 
 /// What became of one operator of a program.
@@ -116,26 +118,54 @@ impl<K: Kernel> Runner<K> {
         program.0.iter().map(|op| self.step(*op)).collect()
     }
 
-    /// Runs one operator.
+    /// Runs one operator: chooses its arguments, and calls it.
     ///
     /// O(live elements) beside what the operator itself costs, and O(length²) of the boundary of the face that is split
     /// if some of its inner boundary components are to be chosen.
     pub fn step(&mut self, op: Op) -> Outcome {
-        let done = match op {
-            Op::AddIsolatedVertex { face } => self.add_isolated_vertex(face),
-            Op::RemoveIsolatedVertex { vertex } => self.remove_isolated_vertex(vertex),
-            Op::Connect { from, to, new_face, inner } => self.connect(from, to, new_face, inner),
-            Op::RemoveEdge { half_edge } => self.remove_edge(half_edge),
-            Op::SplitEdge { half_edge } => self.split_edge(half_edge),
-            Op::JoinEdges { half_edge } => self.join_edges(half_edge),
-            Op::SplitVertex { from, to } => self.split_vertex(from, to),
-            Op::ContractEdge { half_edge } => self.contract_edge(half_edge),
-            Op::FlipEdge { half_edge, turn } => {
-                self.half_edge(half_edge).and_then(|h| self.kernel.flip_edge(h, turn).map_err(refused::<K>))
+        self.resolve(op).and_then(|call| self.call(call)).err().unwrap_or(Outcome::Applied)
+    }
+
+    /// What an operator would choose now. Costs what is said of [`Runner::step`].
+    ///
+    /// # Errors
+    /// What becomes of the operator if it cannot choose: [`Outcome::Skipped`] where there is nothing to choose from, and
+    /// [`Outcome::Refused`] where the kernel refuses a question.
+    pub fn resolve(&self, op: Op) -> Result<CallOf<K>, Outcome> {
+        Ok(match op {
+            Op::AddIsolatedVertex { face } => Call::AddIsolatedVertex { face: self.face(face)? },
+            Op::RemoveIsolatedVertex { vertex } => Call::RemoveIsolatedVertex { vertex: self.vertex(vertex)? },
+            Op::Connect { from, to, new_face, inner } => {
+                let from = self.corner(from)?;
+                let to = self.second(to, from, Fit::Face)?;
+                Call::Connect { from, to, new_face, inner: self.inner(inner, from)? }
             }
-            Op::MoveInner { inner, face } => self.move_inner(inner, face),
-        };
-        done.err().unwrap_or(Outcome::Applied)
+            Op::RemoveEdge { half_edge } => Call::RemoveEdge { half_edge: self.half_edge(half_edge)? },
+            Op::SplitEdge { half_edge } => Call::SplitEdge { half_edge: self.half_edge(half_edge)? },
+            Op::JoinEdges { half_edge } => Call::JoinEdges { half_edge: self.half_edge(half_edge)? },
+            Op::SplitVertex { from, to } => {
+                let from = self.corner(from)?;
+                Call::SplitVertex { from, to: self.second(to, from, Fit::Vertex)? }
+            }
+            Op::ContractEdge { half_edge } => Call::ContractEdge { half_edge: self.half_edge(half_edge)? },
+            Op::FlipEdge { half_edge, turn } => Call::FlipEdge { half_edge: self.half_edge(half_edge)?, turn },
+            Op::MoveInner { inner, face } => Call::MoveInner { inner: self.corner(inner)?, face: self.face(face)? },
+        })
+    }
+
+    fn call(&mut self, call: CallOf<K>) -> Result<(), Outcome> {
+        match call {
+            Call::AddIsolatedVertex { face } => self.add_isolated_vertex(face),
+            Call::RemoveIsolatedVertex { vertex } => self.remove_isolated_vertex(vertex),
+            Call::Connect { from, to, new_face, inner } => self.connect(from, to, new_face, &inner),
+            Call::RemoveEdge { half_edge } => self.remove_edge(half_edge),
+            Call::SplitEdge { half_edge } => self.split_edge(half_edge),
+            Call::JoinEdges { half_edge } => self.join_edges(half_edge),
+            Call::SplitVertex { from, to } => self.split_vertex(from, to),
+            Call::ContractEdge { half_edge } => self.contract_edge(half_edge),
+            Call::FlipEdge { half_edge, turn } => self.kernel.flip_edge(half_edge, turn).map_err(refused::<K>),
+            Call::MoveInner { inner, face } => self.kernel.move_inner(inner, face).map_err(refused::<K>),
+        }
     }
 
     fn half_edge(&self, pick: HalfEdgePick) -> Result<K::HalfEdge, Outcome> {
@@ -241,15 +271,13 @@ impl<K: Kernel> Runner<K> {
         }
     }
 
-    fn add_isolated_vertex(&mut self, face: FacePick) -> Result<(), Outcome> {
-        let face = self.face(face)?;
+    fn add_isolated_vertex(&mut self, face: K::Face) -> Result<(), Outcome> {
         let v = self.kernel.add_isolated_vertex(face).map_err(refused::<K>)?;
         self.isolated.push(v);
         Ok(())
     }
 
-    fn remove_isolated_vertex(&mut self, vertex: VertexPick) -> Result<(), Outcome> {
-        let v = self.vertex(vertex)?;
+    fn remove_isolated_vertex(&mut self, v: K::Vertex) -> Result<(), Outcome> {
         self.kernel.remove_isolated_vertex(v).map_err(refused::<K>)?;
         self.no_longer_isolated(v);
         self.retired_vertices.push(v);
@@ -258,15 +286,12 @@ impl<K: Kernel> Runner<K> {
 
     fn connect(
         &mut self,
-        from: CornerPick,
-        to: SecondPick,
-        new_face: crate::dcel::Side,
-        inner: InnerPick,
+        from: CornerOf<K>,
+        to: CornerOf<K>,
+        new_face: Side,
+        inner: &[CornerOf<K>],
     ) -> Result<(), Outcome> {
-        let from = self.corner(from)?;
-        let to = self.second(to, from, Fit::Face)?;
-        let inner = self.inner(inner, from)?;
-        let n = self.kernel.connect(from, to, new_face, &inner).map_err(refused::<K>)?;
+        let n = self.kernel.connect(from, to, new_face, inner).map_err(refused::<K>)?;
         for corner in [from, to] {
             if let Corner::Isolated(v) = corner {
                 self.no_longer_isolated(v);
@@ -275,8 +300,7 @@ impl<K: Kernel> Runner<K> {
         self.made_edge(n)
     }
 
-    fn remove_edge(&mut self, half_edge: HalfEdgePick) -> Result<(), Outcome> {
-        let h = self.half_edge(half_edge)?;
+    fn remove_edge(&mut self, h: K::HalfEdge) -> Result<(), Outcome> {
         let ends = self.ends(h)?;
         let dropped = self.kernel.remove_edge(h).map_err(refused::<K>)?;
         self.retired_faces.extend(dropped);
@@ -287,14 +311,12 @@ impl<K: Kernel> Runner<K> {
         Ok(())
     }
 
-    fn split_edge(&mut self, half_edge: HalfEdgePick) -> Result<(), Outcome> {
-        let h = self.half_edge(half_edge)?;
+    fn split_edge(&mut self, h: K::HalfEdge) -> Result<(), Outcome> {
         let n = self.kernel.split_edge(h).map_err(refused::<K>)?;
         self.made_edge(n)
     }
 
-    fn join_edges(&mut self, half_edge: HalfEdgePick) -> Result<(), Outcome> {
-        let h = self.half_edge(half_edge)?;
+    fn join_edges(&mut self, h: K::HalfEdge) -> Result<(), Outcome> {
         let following = self.kernel.next_of(h).map_err(refused::<K>)?;
         let v = self.kernel.origin_of(following).map_err(refused::<K>)?;
         self.kernel.join_edges(h).map_err(refused::<K>)?;
@@ -303,9 +325,7 @@ impl<K: Kernel> Runner<K> {
         Ok(())
     }
 
-    fn split_vertex(&mut self, from: CornerPick, to: SecondPick) -> Result<(), Outcome> {
-        let from = self.corner(from)?;
-        let to = self.second(to, from, Fit::Vertex)?;
+    fn split_vertex(&mut self, from: CornerOf<K>, to: CornerOf<K>) -> Result<(), Outcome> {
         let n = self.kernel.split_vertex(from, to).map_err(refused::<K>)?;
         if let Corner::Isolated(v) = from {
             self.no_longer_isolated(v);
@@ -313,19 +333,13 @@ impl<K: Kernel> Runner<K> {
         self.made_edge(n)
     }
 
-    fn contract_edge(&mut self, half_edge: HalfEdgePick) -> Result<(), Outcome> {
-        let h = self.half_edge(half_edge)?;
+    fn contract_edge(&mut self, h: K::HalfEdge) -> Result<(), Outcome> {
         let [origin, target] = self.ends(h)?;
         let dropped = self.kernel.contract_edge(h).map_err(refused::<K>)?;
         self.retire_edge(h);
         self.retired_vertices.push(dropped);
         self.perhaps_isolated(if dropped == origin { target } else { origin });
         Ok(())
-    }
-
-    fn move_inner(&mut self, inner: CornerPick, face: FacePick) -> Result<(), Outcome> {
-        let (inner, face) = (self.corner(inner)?, self.face(face)?);
-        self.kernel.move_inner(inner, face).map_err(refused::<K>)
     }
 
     fn ends(&self, h: K::HalfEdge) -> Result<[K::Vertex; 2], Outcome> {

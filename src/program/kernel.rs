@@ -78,6 +78,8 @@ pub enum Refusal {
 /// # The view
 ///
 /// [`View`] is the same structure as the validator sees it. Its indices need not have anything to do with the handles.
+/// To run programs nothing of it is needed; [`conformance::run`](super::conformance::run) needs faces, their inner
+/// boundary components and the unbounded face, by which it tells maps apart.
 pub trait Kernel: View {
     /// Names a vertex. Like all handles it must never name another one once its vertex is gone.
     type Vertex: Copy + Eq + Debug;

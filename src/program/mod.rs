@@ -26,7 +26,7 @@
 //! | to | take |
 //! | --- | --- |
 //! | drive a structure of your own | the trait [`Kernel`]; [`Dcel`](crate::dcel::Dcel) has it, over every store |
-//! | see whether it does what it should | [`conformance::run`]: it and `Dcel` in step, compared after every operator |
+//! | see whether it does what it should | [`conformance::run`]: it and [`Textbook`] in step, compared after every operator |
 //! | get programs | [`Program::from_bytes`]; the features `arbitrary` and `quickcheck` for the crates of these names |
 //! | make a failing one small | [`shrink`]; `quickcheck` does it by itself |
 //! | keep it | its text ([`Display`](core::fmt::Display), [`FromStr`](core::str::FromStr)), or [`Program::to_rust`] |
@@ -42,6 +42,7 @@
 
 #[cfg(feature = "arbitrary")]
 mod arbitrary;
+mod call;
 pub mod canonical;
 pub mod census;
 pub mod choose;
@@ -62,6 +63,7 @@ mod text;
 mod textbook;
 
 pub use crate::dcel::{Side, Turn};
+pub use call::{Call, CallOf};
 pub use every::{every_op, try_every_op};
 pub use interpret::{Outcome, Runner};
 pub use kernel::{Corner, CornerOf, Kernel, Refusal};

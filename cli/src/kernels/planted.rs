@@ -1,16 +1,17 @@
-//! A structure with a planted bug, to see that it is found.
+//! Structures with a planted bug, to see that it is found.
 
+use super::Indexed;
 use twinedge::dcel::{Dcel, FaceKey, HalfEdgeKey, OperatorError, Side, Turn, VertexKey};
 use twinedge::program::{CornerOf, Kernel, Refusal};
 use twinedge::validate::{Link, Place, Start, View};
 
-/// The structure of the library, but it turns edges the wrong way. It keeps every rule.
+/// The structure of the library, but it turns edges the wrong way and keeps every rule, or panics.
 #[derive(Clone, Debug, Default)]
-pub(super) struct Planted(Dcel);
+pub(super) struct Planted<const PANICS: bool>(Dcel);
 
 macro_rules! view_as_it_is {
     ($($name:ident($($arg:ident),*) -> $answer:ty;)*) => {
-        impl View for Planted {
+        impl<const PANICS: bool> View for Planted<PANICS> {
             $(fn $name(&self $(, $arg: usize)*) -> $answer { View::$name(&self.0 $(, $arg)*) })*
         }
     };
@@ -48,7 +49,7 @@ macro_rules! operators_as_they_are {
     };
 }
 
-impl Kernel for Planted {
+impl<const PANICS: bool> Kernel for Planted<PANICS> {
     type Vertex = VertexKey;
     type HalfEdge = HalfEdgeKey;
     type Face = FaceKey;
@@ -81,9 +82,25 @@ impl Kernel for Planted {
         join_edges(half_edge: HalfEdgeKey) -> ();
         split_vertex(from: CornerOf<Self>, to: CornerOf<Self>) -> HalfEdgeKey;
         contract_edge(half_edge: HalfEdgeKey) -> VertexKey;
-        move_inner(inner: CornerOf<Self>, face: FaceKey) -> ();
     }
     fn flip_edge(&mut self, half_edge: HalfEdgeKey, turn: Turn) -> Result<(), OperatorError> {
-        Kernel::flip_edge(&mut self.0, half_edge, turn.reversed())
+        Kernel::flip_edge(&mut self.0, half_edge, if PANICS { turn } else { turn.reversed() })
+    }
+    fn move_inner(&mut self, inner: CornerOf<Self>, face: FaceKey) -> Result<(), OperatorError> {
+        let done = Kernel::move_inner(&mut self.0, inner, face);
+        assert!(!PANICS || done.is_err(), "a planted panic");
+        done
+    }
+}
+
+impl<const PANICS: bool> Indexed for Planted<PANICS> {
+    fn vertex_index(&self, vertex: VertexKey) -> Option<usize> {
+        self.0.vertex_index(vertex)
+    }
+    fn half_edge_index(&self, half_edge: HalfEdgeKey) -> Option<usize> {
+        self.0.half_edge_index(half_edge)
+    }
+    fn face_index(&self, face: FaceKey) -> Option<usize> {
+        self.0.face_index(face)
     }
 }

@@ -1,6 +1,7 @@
 //! Growing all maps of a scope, and trying every operator with every argument on each.
 
 use super::Finding;
+use crate::caught::caught;
 use crate::work;
 use std::collections::{BTreeMap, HashSet};
 use std::hash::{BuildHasher, RandomState};
@@ -8,7 +9,7 @@ use std::sync::Mutex;
 use twinedge::dcel::Dcel;
 use twinedge::program::canonical::{Canonizer, Code};
 use twinedge::program::census::Scope;
-use twinedge::program::{Op, Outcome, Program, Runner, try_every_op};
+use twinedge::program::{Op, Outcome, Program, Runner, every_op, try_every_op};
 use twinedge::validate::{Collect, Counts, Expectation, View, validate};
 
 /// What was found of maps of one size.
@@ -144,30 +145,39 @@ impl Worker {
                 None => wrong(None, "a connected map has no canonical form".to_owned()),
             }
         }
-        try_every_op(&map, |op, outcome, result| match outcome {
-            Outcome::Applied => {
-                tally.applied += 1;
-                let report = validate(result.kernel(), &Expectation::plane(), Collect::First);
-                if let Some(violation) = report.violations().first() {
-                    wrong(Some(op), format!("breaks {}: {violation}", violation.rule()));
-                } else if !report.is_valid() || !as_promised(op, &before, report.counts()) {
-                    wrong(Some(op), format!("makes {:?} of {before:?}", report.counts()));
-                } else if scope.takes_in(result.kernel()) {
-                    let Some(code) = self.canonizer.subdivision(result.kernel()) else {
-                        return wrong(Some(op), "a map has no canonical form".to_owned());
-                    };
-                    if seen.insert(code) {
-                        self.fresh.push(program.0.iter().copied().chain([op]).collect());
+        let try_them = || {
+            try_every_op(&map, |op, outcome, result| match outcome {
+                Outcome::Applied => {
+                    tally.applied += 1;
+                    let report = validate(result.kernel(), &Expectation::plane(), Collect::First);
+                    if let Some(violation) = report.violations().first() {
+                        wrong(Some(op), format!("breaks {}: {violation}", violation.rule()));
+                    } else if !report.is_valid() || !as_promised(op, &before, report.counts()) {
+                        wrong(Some(op), format!("makes {:?} of {before:?}", report.counts()));
+                    } else if scope.takes_in(result.kernel()) {
+                        let Some(code) = self.canonizer.subdivision(result.kernel()) else {
+                            return wrong(Some(op), "a map has no canonical form".to_owned());
+                        };
+                        if seen.insert(code) {
+                            self.fresh.push(program.0.iter().copied().chain([op]).collect());
+                        }
                     }
                 }
-            }
-            Outcome::Refused(_) | Outcome::Skipped => {
-                tally.refused += 1;
-                if !same(map.kernel(), result.kernel()) {
-                    wrong(Some(op), format!("{outcome}, but the map is not as it was"));
+                Outcome::Refused(_) | Outcome::Skipped => {
+                    tally.refused += 1;
+                    if !same(map.kernel(), result.kernel()) {
+                        wrong(Some(op), format!("{outcome}, but the map is not as it was"));
+                    }
                 }
-            }
-        });
+            });
+        };
+        if let Err(panic) = caught(try_them) {
+            let panics = |op: &Op| caught(|| map.clone().step(*op)).is_err();
+            wrong(
+                every_op(&map).into_iter().find(panics),
+                format!("panicked, and what was to follow is left out: {panic}"),
+            );
+        }
         self.explored.tallies.entry((before.edges, before.vertices)).or_default().add(&tally);
     }
 }

@@ -109,17 +109,23 @@ fn give(spot: &Spot, f: &Owned<Face>) {
     }
 }
 
+/// The record of this name. Names rise along each list: what is made comes last, and keeps its name.
+fn find<T, N: Ord>(list: &[Owned<T>], name: &N, of: impl Fn(&T) -> N) -> Result<Owned<T>, Refusal> {
+    let position = list.binary_search_by(|record| of(&record.borrow()).cmp(name));
+    position.map(|position| list[position].clone()).map_err(|_| Refusal::Stale)
+}
+
 impl Textbook {
     fn find_vertex(&self, name: TextbookVertex) -> Result<Owned<Vertex>, Refusal> {
-        self.vertices.iter().find(|v| v.borrow().name == name).cloned().ok_or(Refusal::Stale)
+        find(&self.vertices, &name, |v| v.name)
     }
 
     fn find_half_edge(&self, name: TextbookHalfEdge) -> Result<Owned<HalfEdge>, Refusal> {
-        self.half_edges.iter().find(|h| h.borrow().name == name).cloned().ok_or(Refusal::Stale)
+        find(&self.half_edges, &name, |h| h.name)
     }
 
     fn find_face(&self, name: TextbookFace) -> Result<Owned<Face>, Refusal> {
-        self.faces.iter().find(|f| f.borrow().name == name).cloned().ok_or(Refusal::Stale)
+        find(&self.faces, &name, |f| f.name)
     }
 
     fn find_corner(&self, corner: Corner<TextbookHalfEdge, TextbookVertex>) -> Result<Spot, Refusal> {
