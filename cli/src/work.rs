@@ -20,13 +20,13 @@ pub(crate) struct Effort {
 
 impl Effort {
     pub(crate) fn threads(&self) -> usize {
-        self.threads.map_or_else(|| std::thread::available_parallelism().map_or(1, Into::into), usize::from)
+        self.threads.map_or_else(at_once, usize::from)
     }
 
     /// Refuses work that would not finish, unless it is forced. `amount` is how much there is, in so many `units`, and one
-    /// thread does `per_second` of them.
+    /// thread does `per_second` of them. More threads than the machine runs at once do not do more.
     pub(crate) fn refuse_too_much(&self, amount: u128, units: &str, per_second: u64) -> Result<(), Failure> {
-        let seconds = amount / u128::from(per_second.max(1)) / self.threads().max(1) as u128;
+        let seconds = amount / u128::from(per_second.max(1)) / self.threads().clamp(1, at_once()) as u128;
         if self.force || seconds <= Self::MOST_SECONDS {
             return Ok(());
         }
@@ -39,6 +39,11 @@ impl Effort {
 
     /// What is done without being forced.
     const MOST_SECONDS: u128 = 30 * 60;
+}
+
+/// How many threads the machine runs at once.
+fn at_once() -> usize {
+    std::thread::available_parallelism().map_or(1, Into::into)
 }
 
 /// A time in words.

@@ -2,7 +2,7 @@
 
 mod support;
 
-use support::{json, twinedge};
+use support::{complaint, json, twinedge};
 
 #[test]
 fn the_maps_of_up_to_four_edges_are_as_many_as_published() {
@@ -53,6 +53,12 @@ fn what_would_not_finish_is_refused() {
     let message = String::from_utf8(output.stderr).unwrap();
     assert_eq!(message.lines().count(), 1, "{message}");
     assert!(message.contains("operators to try") && message.contains("--force"), "{message}");
+}
+
+#[test]
+fn more_threads_than_cores_do_not_make_too_much_work_less() {
+    let complaint = |more: &[&str]| complaint(&twinedge(&[&["prove", "--edges", "12"], more].concat()));
+    assert_eq!(complaint(&["--threads", "256"]), complaint(&[]));
 }
 
 #[test]
