@@ -83,6 +83,16 @@ pub(crate) fn bar(length: usize, what: impl Into<std::borrow::Cow<'static, str>>
     bar
 }
 
+/// The same where it is not known how much there will be.
+pub(crate) fn spinner(what: &'static str) -> ProgressBar {
+    let spinner = ProgressBar::new_spinner().with_message(what);
+    if let Ok(style) = ProgressStyle::with_template("{spinner} {human_pos} {msg}") {
+        spinner.set_style(style);
+    }
+    spinner.enable_steady_tick(Duration::from_millis(250));
+    spinner
+}
+
 /// Does `each` to so many items, by their numbers, on several threads, each with state of its own, until told to stop. Gives
 /// the states.
 pub(crate) fn share<L: Send>(

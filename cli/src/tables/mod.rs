@@ -3,6 +3,7 @@
 mod formulas;
 mod jobs;
 
+use crate::judgement::{in_words, judgement};
 use crate::output::style::{BAD, GOOD, QUIET};
 use crate::output::{Format, grouped, print, print_json};
 use crate::work::{self, Effort};
@@ -13,7 +14,7 @@ use std::fmt;
 use std::time::Instant;
 use twinedge::validate::enumerate::for_each_assignment;
 use twinedge::validate::reference::first_broken_rule;
-use twinedge::validate::{Collect, Expectation, Table, validate};
+use twinedge::validate::{Expectation, Table};
 
 /// Judge every table of up to N half-edges, right or wrong, by the validator and by the reference.
 ///
@@ -146,18 +147,14 @@ fn judge(job: &Job, threads: usize) -> (Row, Option<String>) {
 
 impl Judged {
     fn compare(&mut self, table: &Table, expectation: Expectation) {
-        let report = validate(table, &expectation, Collect::AtMost(0));
-        let fast = report.outcomes().find(|(_, outcome)| outcome.violations > 0).map(|(rule, _)| rule);
+        let (valid, fast) = judgement(table, expectation);
         let slow = first_broken_rule(table, &expectation);
         self.tables += 1;
-        self.right += u64::from(report.is_valid());
-        if fast != slow || report.is_valid() != slow.is_none() {
+        self.right += u64::from(valid);
+        if fast != slow || valid != slow.is_none() {
             self.disagreements += 1;
-            let judgement = |rule: Option<twinedge::validate::Rule>| {
-                rule.map_or_else(|| "right".to_owned(), |rule| format!("wrong by {rule}"))
-            };
             self.finding.get_or_insert_with(|| {
-                format!("{} to the validator, {} to the reference:\n{table:#?}", judgement(fast), judgement(slow))
+                format!("{} to the validator, {} to the reference:\n{table:#?}", in_words(fast), in_words(slow))
             });
         }
     }
