@@ -3,7 +3,7 @@
 mod planted;
 
 use clap::ValueEnum;
-use planted::Planted;
+pub(crate) use planted::Planted;
 use serde::Serialize;
 use twinedge::dcel::Dcel;
 use twinedge::program::{Kernel, Textbook};
@@ -66,7 +66,7 @@ impl KernelName {
             Self::Pointers => task.run(Dcel::<PointerStore>::default, Expectation::plane()),
             Self::Fixed => task.run(Dcel::<FixedStore<24, 40, 40, 24>>::default, Expectation::plane()),
             Self::Textbook => task.run(Textbook::new, Expectation::plane()),
-            Self::Planted => task.run(Planted::default, Expectation::plane()),
+            Self::Planted => task.run(<Planted>::default, Expectation::plane()),
         }
     }
 }

@@ -4,13 +4,14 @@ use twinedge::dcel::{Dcel, FaceKey, HalfEdgeKey, OperatorError, Side, Turn, Vert
 use twinedge::program::{CornerOf, Kernel, Refusal};
 use twinedge::validate::{Link, Place, Start, View};
 
-/// The structure of the library, but it turns edges the wrong way. It keeps every rule.
+/// The structure of the library, but it turns edges the wrong way. It keeps every rule. Or else it panics where it is to turn
+/// an edge.
 #[derive(Clone, Debug, Default)]
-pub(super) struct Planted(Dcel);
+pub(crate) struct Planted<const PANICS: bool = false>(Dcel);
 
 macro_rules! view_as_it_is {
     ($($name:ident($($arg:ident),*) -> $answer:ty;)*) => {
-        impl View for Planted {
+        impl<const PANICS: bool> View for Planted<PANICS> {
             $(fn $name(&self $(, $arg: usize)*) -> $answer { View::$name(&self.0 $(, $arg)*) })*
         }
     };
@@ -48,7 +49,7 @@ macro_rules! operators_as_they_are {
     };
 }
 
-impl Kernel for Planted {
+impl<const PANICS: bool> Kernel for Planted<PANICS> {
     type Vertex = VertexKey;
     type HalfEdge = HalfEdgeKey;
     type Face = FaceKey;
@@ -84,6 +85,7 @@ impl Kernel for Planted {
         move_inner(inner: CornerOf<Self>, face: FaceKey) -> ();
     }
     fn flip_edge(&mut self, half_edge: HalfEdgeKey, turn: Turn) -> Result<(), OperatorError> {
+        assert!(!PANICS, "as planted");
         Kernel::flip_edge(&mut self.0, half_edge, turn.reversed())
     }
 }

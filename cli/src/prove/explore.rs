@@ -1,6 +1,7 @@
 //! Growing all maps of a scope, and trying every operator with every argument on each.
 
 use super::Finding;
+use crate::panics::caught;
 use crate::work;
 use std::collections::{BTreeMap, HashSet};
 use std::hash::{BuildHasher, RandomState};
@@ -8,7 +9,7 @@ use std::sync::Mutex;
 use twinedge::dcel::Dcel;
 use twinedge::program::canonical::{Canonizer, Code};
 use twinedge::program::census::Scope;
-use twinedge::program::{Op, Outcome, Program, Runner, try_every_op};
+use twinedge::program::{Kernel, Op, Outcome, Program, Runner, every_op};
 use twinedge::validate::{Collect, Counts, Expectation, View, validate};
 
 /// What was found of maps of one size.
@@ -52,7 +53,8 @@ impl Explored {
     fn note(&mut self, program: &Program, op: Option<Op>, message: String) {
         if self.findings.len() < Self::MOST_FINDINGS {
             let program = program.0.iter().copied().chain(op).collect::<Program>();
-            self.findings.push(Finding { program: program.to_string(), message });
+            let operator = op.map(|op| op.to_string());
+            self.findings.push(Finding { program: program.to_string(), operator, message });
         }
     }
 
@@ -145,7 +147,8 @@ impl Worker {
             }
         }
         try_every_op(&map, |op, outcome, result| match outcome {
-            Outcome::Applied => {
+            Err(panic) => wrong(Some(op), panic),
+            Ok(Outcome::Applied) => {
                 tally.applied += 1;
                 let report = validate(result.kernel(), &Expectation::plane(), Collect::First);
                 if let Some(violation) = report.violations().first() {
@@ -161,7 +164,7 @@ impl Worker {
                     }
                 }
             }
-            Outcome::Refused(_) | Outcome::Skipped => {
+            Ok(outcome @ (Outcome::Refused(_) | Outcome::Skipped)) => {
                 tally.refused += 1;
                 if !same(map.kernel(), result.kernel()) {
                     wrong(Some(op), format!("{outcome}, but the map is not as it was"));
@@ -169,6 +172,21 @@ impl Worker {
             }
         });
         self.explored.tallies.entry((before.edges, before.vertices)).or_default().add(&tally);
+    }
+}
+
+/// Applies every operator with every argument to the map as it is, one at a time, and shows what came of each: the outcome and
+/// the map, or how it panics.
+fn try_every_op<K: Kernel + Clone>(map: &Runner<K>, mut visit: impl FnMut(Op, Result<Outcome, String>, &Runner<K>)) {
+    let mut trial = map.clone();
+    for op in every_op(map) {
+        let outcome = caught(|| trial.step(op));
+        // What a panic leaves behind may be anything.
+        let spent = matches!(outcome, Ok(Outcome::Applied) | Err(_));
+        visit(op, outcome, &trial);
+        if spent {
+            trial = map.clone();
+        }
     }
 }
 
@@ -219,4 +237,35 @@ fn same<V: View>(one: &V, other: &V) -> bool {
             let row = |map: &V| map.is_face(f).then(|| (map.outer(f), map.inner_count(f)));
             row(one) == row(other) && (0..one.inner_count(f)).all(|i| one.inner(f, i) == other.inner(f, i))
         })
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::kernels::Planted;
+
+    #[test]
+    fn an_operator_that_panics_is_told_of_and_the_others_go_on() {
+        const LOOP: &str = "twinedge program 1\nadd_isolated_vertex unbounded\nconnect i0 i0 left\n";
+        fn outcomes<const PANICS: bool>() -> Vec<(Op, Result<Outcome, String>)> {
+            let mut map = Runner::new(Planted::<PANICS>::default());
+            map.run(&LOOP.parse().unwrap());
+            let mut outcomes = Vec::new();
+            try_every_op(&map, |op, outcome, _| outcomes.push((op, outcome)));
+            outcomes
+        }
+        let mut panics = 0;
+        for ((op, sound), (same, outcome)) in outcomes::<false>().into_iter().zip(outcomes::<true>()) {
+            assert_eq!(op, same);
+            if matches!(op, Op::FlipEdge { .. }) {
+                let told = outcome.unwrap_err();
+                assert!(told.starts_with("panics at ") && told.ends_with("as planted"), "{told}");
+                panics += 1;
+            } else {
+                assert_eq!(outcome, sound);
+            }
+        }
+        // Two half-edges, each turned either way.
+        assert_eq!(panics, 4);
+    }
 }
