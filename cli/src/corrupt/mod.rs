@@ -25,8 +25,8 @@ use watch::{HUNG, Watch};
 /// reference validator, which is written straight from the rules; the fast one must say the same. Then come pairs of such
 /// corruptions: all of them on the maps of one edge and two vertices at most, and a sample of them on all maps.
 ///
-/// How often each rule was the first broken one is counted. T1 to T4 never are: to break one of them and none of those before
-/// takes more than two fields. `twinedge tables` and `cargo test --test small_tables` do that.
+/// How often each rule was the first broken one is counted. T1 to T4 never are: T4 follows from the others, and to break T1, T2
+/// or T3 and none of those before takes more than two fields. `twinedge tables` does that.
 #[derive(Debug, clap::Args)]
 #[command(after_help = "Examples:
   twinedge corrupt                        maps of up to 2 edges: seconds
