@@ -62,6 +62,25 @@ fn more_threads_than_cores_do_not_make_too_much_work_less() {
 }
 
 #[test]
+fn scripts_can_tell_a_refusal_from_misuse() {
+    for arguments in [
+        &["prove", "--edges", "12"][..],
+        &["corrupt", "--edges", "8"],
+        &["tables", "--half-edges", "10"],
+        &["soak", "--programs", "4000000000"],
+    ] {
+        let output = twinedge(&[arguments, &["--format", "json"]].concat());
+        assert_eq!(output.status.code(), Some(2));
+        let found: serde_json::Value = serde_json::from_slice(&output.stdout).unwrap();
+        assert_eq!(found["ok"], false);
+        let told = complaint(&output);
+        assert!(told.contains("--force") && told.contains(found["refused"].as_str().unwrap()), "{told}");
+    }
+    let output = twinedge(&["prove", "--edges", "many", "--format", "json"]);
+    assert!(output.status.code() == Some(2) && output.stdout.is_empty());
+}
+
+#[test]
 fn misuse_has_its_own_status() {
     for arguments in [&["prove", "--edges", "many"][..], &["prove", "--edges", "99"], &["prove", "extra"], &["proove"]]
     {

@@ -132,7 +132,7 @@ impl Corrupt {
         // About as many maps as a third of 12ⁿ, each with so many corruptions in its two forms.
         let maps = 12_u128.pow(self.edges.into()).div_ceil(3) + 1;
         let amount = maps * (200 + 220 * (n * n) as u128) + u128::from(self.pairs);
-        self.effort.refuse_too_much(amount, "corruptions", PER_SECOND)?;
+        self.effort.refuse_too_much(amount, "corruptions", PER_SECOND, self.format)?;
         work::stop_on_interrupt()?;
         let start = Instant::now();
         let seed = self.seed.unwrap_or_else(seed_of_the_moment);

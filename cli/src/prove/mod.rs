@@ -121,7 +121,7 @@ impl Prove {
         // The last edge makes nine tenths of the maps; each has 2n corners, so 4n² pairs of them, for `connect` on both sides
         // and for `split_vertex`, and as many wrong ones again.
         let maps: u128 = (0..=n).map(counting::plane).sum();
-        self.effort.refuse_too_much(maps * 24 * (n * n) as u128, "operators to try", PER_SECOND)?;
+        self.effort.refuse_too_much(maps * 24 * (n * n) as u128, "operators to try", PER_SECOND, self.format)?;
         work::stop_on_interrupt()?;
         let start = Instant::now();
         let threads = self.effort.threads();

@@ -83,7 +83,7 @@ impl Tables {
         let n = u32::from(self.half_edges);
         // Nearly all of them are those of the last two jobs; beyond that, listing the shares would take memory.
         let amount = 5_000_000 + 2 * formulas::pairings(u128::from(n / 2)) * u128::from(n).pow(n);
-        self.effort.refuse_too_much(amount, "tables", PER_SECOND)?;
+        self.effort.refuse_too_much(amount, "tables", PER_SECOND, self.format)?;
         work::stop_on_interrupt()?;
         let start = Instant::now();
         let mut rows = Vec::new();
