@@ -148,6 +148,26 @@ impl Tally {
         self.slowest = self.slowest.max(other.slowest);
     }
 
+    /// Of one corruption: what the validator says, or that it panics, the first broken rule by the reference, and the time.
+    fn of(answer: &Result<(bool, Option<Rule>), String>, broken: Option<Rule>, time: Duration) -> Self {
+        let (alarm, named) = match *answer {
+            Ok((valid, named)) => (!valid || named.is_some(), named),
+            Err(_) => (false, None),
+        };
+        let wrong = broken.is_some();
+        Self {
+            corruptions: 1,
+            wrong: wrong.into(),
+            caught: (wrong && alarm).into(),
+            missed: (wrong && !alarm).into(),
+            false_alarms: (!wrong && alarm).into(),
+            other_rule: (wrong && alarm && named != broken).into(),
+            hung: (time > HUNG).into(),
+            panics: answer.is_err().into(),
+            slowest: time,
+        }
+    }
+
     /// How often something was amiss.
     pub(super) const fn disagreements(&self) -> u64 {
         self.missed + self.false_alarms + self.other_rule + self.hung + self.panics
@@ -272,22 +292,7 @@ impl<'a> Judge<'a> {
         let expectation = corruption.specimen.form.expectation();
         let (answer, slowest) = self.watched.time(corruption, || caught(|| judgement(table, expectation)));
         let broken = first_broken_rule(table, &expectation);
-        let (alarm, named) = match answer {
-            Ok((valid, named)) => (!valid || named.is_some(), named),
-            Err(_) => (false, None),
-        };
-        let wrong = broken.is_some();
-        let tally = Tally {
-            corruptions: 1,
-            wrong: wrong.into(),
-            caught: (wrong && alarm).into(),
-            missed: (wrong && !alarm).into(),
-            false_alarms: (!wrong && alarm).into(),
-            other_rule: (wrong && alarm && named != broken).into(),
-            hung: (slowest > HUNG).into(),
-            panics: answer.is_err().into(),
-            slowest,
-        };
+        let tally = Tally::of(&answer, broken, slowest);
         let mut judged = self.watched.judged();
         if let Some(rule) = broken {
             *judged.first_broken.entry(rule).or_default() += 1;
@@ -325,5 +330,25 @@ const fn field(cell: Cell) -> &'static str {
         Cell::Inner(..) => "face: inner",
         Cell::OuterHalfEdge(_) => "face: outer half-edge",
         Cell::InnerStart(..) => "face: inner start",
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn a_wrong_table_that_is_caught_by_another_rule_is_a_disagreement() {
+        let tally = |answer, broken| Tally::of(&answer, broken, Duration::ZERO);
+        let same = tally(Ok((false, Some(Rule::L1))), Some(Rule::L1));
+        assert_eq!((same.caught, same.other_rule, same.disagreements()), (1, 0, 0));
+        let other = tally(Ok((false, Some(Rule::L3))), Some(Rule::L1));
+        assert_eq!((other.caught, other.other_rule, other.disagreements()), (1, 1, 1));
+        let unnamed = tally(Ok((false, None)), Some(Rule::L1));
+        assert_eq!((unnamed.caught, unnamed.other_rule), (1, 1));
+        assert_eq!(tally(Ok((true, None)), Some(Rule::L1)).missed, 1);
+        assert_eq!(tally(Ok((false, Some(Rule::L1))), None).false_alarms, 1);
+        assert_eq!(tally(Ok((true, None)), None).disagreements(), 0);
+        assert_eq!(tally(Err("panics".to_owned()), None).disagreements(), 1);
     }
 }
