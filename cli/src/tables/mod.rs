@@ -22,7 +22,7 @@ use twinedge::validate::{Expectation, Table};
 /// and as many tables must be right as the formulas for maps on half-edges with names say. Which fields are free, and which
 /// are given, goes by the size.
 ///
-/// No half-edge: two isolated vertices in one face, all fields, nil included.
+/// No half-edge: two isolated vertices in one face, all fields but leaving, nil included.
 ///
 /// 2 half-edges on 2 vertices without faces: origin, twin, next, prev and leaving, nil included, and from N = 4 on dangling.
 /// With faces, from N = 4 on: every field, leaving included, of two vertices and one face and of one vertex and two faces, as
@@ -31,7 +31,7 @@ use twinedge::validate::{Expectation, Table};
 ///
 /// 4 half-edges without faces and leaving: origin, twin and next on 2 vertices; twin and next; next and prev for every pairing
 /// of twins; twin or nil, and next, where borders are open. Origin, twin, next, prev and leaving are not all free together.
-/// But in the first of these, origins are not free, but what twin and next demand.
+/// In the last three, origins are what twin and next demand.
 ///
 /// 6 half-edges and more: next, for every pairing of twins. Origins follow, and there is no prev, leaving or face.
 #[derive(Debug, clap::Args)]
