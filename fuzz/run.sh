@@ -3,17 +3,29 @@
 #
 #     fuzz/run.sh [RUNS [TARGET…]]
 #
+# Exit status: 0 nothing was found; 1 something was; 2 misuse.
+#
 # With cargo-fuzz and a nightly toolchain the targets have coverage feedback and AddressSanitizer. Without, they are built as
 # plain binaries: libFuzzer then replays the corpus and mutates it blindly, which is less, but needs stable Rust only.
 set -euo pipefail
 cd "$(dirname "$0")"
 
+all=(programs in_step stale_keys validator_total segments noding edits geojson)
+misused() {
+  printf '%s\nusage: fuzz/run.sh [RUNS [TARGET…]]\ntargets: %s\n' "$1" "${all[*]}" >&2
+  exit 2
+}
+
 runs=${1:-2000}
 shift || true
+[[ $runs =~ ^[0-9]+$ ]] || misused "not a number of runs: $runs"
 targets=("$@")
 if [ ${#targets[@]} -eq 0 ]; then
-  targets=(programs in_step stale_keys validator_total segments noding edits geojson)
+  targets=("${all[@]}")
 fi
+for target in "${targets[@]}"; do
+  [[ " ${all[*]} " == *" $target "* ]] || misused "no such target: $target"
+done
 build=${CARGO_TARGET_DIR:-$PWD/target}
 
 if cargo fuzz --version >/dev/null 2>&1 && cargo +nightly --version >/dev/null 2>&1; then

@@ -9,7 +9,8 @@
 //! is the topology of a planar subdivision, or which record breaks which rule. It is *complete*: what it accepts can be
 //! drawn in the plane, and what can be drawn it accepts. It is *total*: no input makes it panic, loop or take more than
 //! linear time. And it is *itself verified*: a second validator, written as slowly and plainly as can be, agrees with it on
-//! every small table and on every single corruption of every small map.
+//! every way to link two half-edges and two vertices, on larger tables of which some fields are given, and on every single
+//! corruption of every small map.
 //!
 //! The **structure** is a [`dcel::Dcel`] whose records are named by generational keys, so that a key of a vertex that is
 //! gone is an error and never another vertex; whose links are columns of 32-bit numbers, so that walking it costs what

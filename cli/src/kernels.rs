@@ -3,7 +3,7 @@
 mod planted;
 
 use clap::ValueEnum;
-use planted::Planted;
+pub(crate) use planted::Planted;
 use serde::Serialize;
 use twinedge::dcel::Dcel;
 use twinedge::program::{Kernel, Model};

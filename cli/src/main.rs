@@ -6,6 +6,7 @@ mod corrupt;
 mod counting;
 mod draw;
 mod input;
+mod judgement;
 mod kernels;
 mod output;
 mod prove;

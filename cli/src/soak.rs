@@ -99,7 +99,7 @@ impl Soak {
     pub(crate) fn run(&self) -> Result<Verdict, Failure> {
         let on = if self.on.is_empty() { KernelName::SOUND.to_vec() } else { self.on.clone() };
         let amount = u128::from(self.programs) * u128::from(self.steps) * on.len() as u128;
-        self.effort.refuse_too_much(amount, "steps", per_second(&on, self.steps))?;
+        self.effort.refuse_too_much(amount, "steps", per_second(&on, self.steps), self.format)?;
         work::stop_on_interrupt()?;
         let start = Instant::now();
         let seed = self.seed.unwrap_or_else(seed_of_the_moment);

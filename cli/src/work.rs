@@ -1,7 +1,7 @@
 //! Long work: how much of it is too much, how far it has come, how it is shared among threads, and how it is interrupted.
 
 use crate::Failure;
-use crate::output::grouped;
+use crate::output::{Format, grouped, print_json};
 use indicatif::{ProgressBar, ProgressStyle};
 use std::sync::atomic::{AtomicBool, AtomicUsize, Ordering};
 use std::time::Duration;
@@ -9,7 +9,8 @@ use std::time::Duration;
 /// What the long commands have in common.
 #[derive(Debug, clap::Args)]
 pub(crate) struct Effort {
-    /// Do the work however long it takes.
+    /// Do the work however long it takes. What would take more than half an hour is refused otherwise, with status 2, and with
+    /// `{"ok": false, "refused": "why"}` on standard output where the format is JSON.
     #[arg(long)]
     pub(crate) force: bool,
 
@@ -20,25 +21,45 @@ pub(crate) struct Effort {
 
 impl Effort {
     pub(crate) fn threads(&self) -> usize {
-        self.threads.map_or_else(|| std::thread::available_parallelism().map_or(1, Into::into), usize::from)
+        self.threads.map_or_else(at_once, usize::from)
     }
 
     /// Refuses work that would not finish, unless it is forced. `amount` is how much there is, in so many `units`, and one
-    /// thread does `per_second` of them.
-    pub(crate) fn refuse_too_much(&self, amount: u128, units: &str, per_second: u64) -> Result<(), Failure> {
-        let seconds = amount / u128::from(per_second.max(1)) / self.threads().max(1) as u128;
+    /// thread does `per_second` of them. More threads than the machine runs at once do not do more. With JSON the refusal is
+    /// printed as well, so that scripts can tell it from misuse.
+    pub(crate) fn refuse_too_much(
+        &self,
+        amount: u128,
+        units: &str,
+        per_second: u64,
+        format: Format,
+    ) -> Result<(), Failure> {
+        let seconds = amount / u128::from(per_second.max(1)) / self.threads().clamp(1, at_once()) as u128;
         if self.force || seconds <= Self::MOST_SECONDS {
             return Ok(());
         }
         let amount = u64::try_from(amount).map_or_else(|_| format!("{:.1e}", amount as f64), grouped);
-        Err(Failure(format!(
-            "the job is {amount} {units}, {} on this machine; ask for it with --force",
-            about(seconds)
-        )))
+        let refused =
+            format!("the job is {amount} {units}, {} on this machine; ask for it with --force", about(seconds));
+        if format == Format::Json {
+            print_json(&Refusal { ok: false, refused: &refused })?;
+        }
+        Err(Failure(refused))
     }
 
     /// What is done without being forced.
     const MOST_SECONDS: u128 = 30 * 60;
+}
+
+/// How many threads the machine runs at once.
+fn at_once() -> usize {
+    std::thread::available_parallelism().map_or(1, Into::into)
+}
+
+#[derive(serde::Serialize)]
+struct Refusal<'a> {
+    ok: bool,
+    refused: &'a str,
 }
 
 /// A time in words.
@@ -76,6 +97,16 @@ pub(crate) fn bar(length: usize, what: impl Into<std::borrow::Cow<'static, str>>
     }
     bar.enable_steady_tick(Duration::from_millis(250));
     bar
+}
+
+/// The same where it is not known how much there will be.
+pub(crate) fn spinner(what: &'static str) -> ProgressBar {
+    let spinner = ProgressBar::new_spinner().with_message(what);
+    if let Ok(style) = ProgressStyle::with_template("{spinner} {human_pos} {msg}") {
+        spinner.set_style(style);
+    }
+    spinner.enable_steady_tick(Duration::from_millis(250));
+    spinner
 }
 
 /// Does `each` to so many items, by their numbers, on several threads, each with state of its own, until told to stop. Gives

@@ -10,6 +10,25 @@ fn is_ready(child: &Child) -> bool {
     u64::from_str_radix(caught.trim(), 16).unwrap() & 1 << 1 != 0
 }
 
+/// What the program prints when it is interrupted as soon as it can be.
+fn interrupted(arguments: &[&str]) -> String {
+    let mut child = Command::new(env!("CARGO_BIN_EXE_twinedge"))
+        .args(arguments)
+        .stdin(Stdio::null())
+        .stdout(Stdio::piped())
+        .stderr(Stdio::piped())
+        .spawn()
+        .unwrap();
+    while child.try_wait().unwrap().is_none() && !is_ready(&child) {
+        std::thread::yield_now();
+    }
+    let sent = Command::new("kill").args(["-INT", &child.id().to_string()]).status().unwrap();
+    assert!(sent.success());
+    let output = child.wait_with_output().unwrap();
+    assert_eq!(output.status.code(), Some(130), "{arguments:?}");
+    String::from_utf8(output.stdout).unwrap()
+}
+
 #[test]
 fn what_was_covered_is_printed() {
     for arguments in [
@@ -20,21 +39,16 @@ fn what_was_covered_is_printed() {
         // One program alone is not waited for.
         &["soak", "--programs", "1", "--steps", "1000000", "--force"],
     ] {
-        let mut child = Command::new(env!("CARGO_BIN_EXE_twinedge"))
-            .args(arguments)
-            .stdin(Stdio::null())
-            .stdout(Stdio::piped())
-            .stderr(Stdio::piped())
-            .spawn()
-            .unwrap();
-        while child.try_wait().unwrap().is_none() && !is_ready(&child) {
-            std::thread::yield_now();
-        }
-        let sent = Command::new("kill").args(["-INT", &child.id().to_string()]).status().unwrap();
-        assert!(sent.success());
-        let output = child.wait_with_output().unwrap();
-        assert_eq!(output.status.code(), Some(130), "{arguments:?}");
-        let text = String::from_utf8(output.stdout).unwrap();
+        let text = interrupted(arguments);
         assert!(text.contains("interrupted: this is what was covered") && text.contains("not finished"), "{text}");
     }
+}
+
+#[test]
+fn maps_that_were_only_found_do_not_count_as_covered() {
+    let text = interrupted(&["corrupt", "--edges", "8", "--force"]);
+    assert!(text.lines().any(|line| line.starts_with("0 of ") && line.contains("maps judged")), "{text}");
+    let text = interrupted(&["corrupt", "--edges", "8", "--force", "--format", "json"]);
+    let found: serde_json::Value = serde_json::from_str(&text).unwrap();
+    assert_eq!((&found["maps"], &found["ok"]), (&0.into(), &false.into()));
 }

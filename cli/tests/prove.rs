@@ -2,7 +2,7 @@
 
 mod support;
 
-use support::{json, twinedge};
+use support::{complaint, json, twinedge};
 
 #[test]
 fn the_maps_of_up_to_four_edges_are_as_many_as_published() {
@@ -53,6 +53,31 @@ fn what_would_not_finish_is_refused() {
     let message = String::from_utf8(output.stderr).unwrap();
     assert_eq!(message.lines().count(), 1, "{message}");
     assert!(message.contains("operators to try") && message.contains("--force"), "{message}");
+}
+
+#[test]
+fn more_threads_than_cores_do_not_make_too_much_work_less() {
+    let complaint = |more: &[&str]| complaint(&twinedge(&[&["prove", "--edges", "12"], more].concat()));
+    assert_eq!(complaint(&["--threads", "256"]), complaint(&[]));
+}
+
+#[test]
+fn scripts_can_tell_a_refusal_from_misuse() {
+    for arguments in [
+        &["prove", "--edges", "12"][..],
+        &["corrupt", "--edges", "8"],
+        &["tables", "--half-edges", "10"],
+        &["soak", "--programs", "4000000000"],
+    ] {
+        let output = twinedge(&[arguments, &["--format", "json"]].concat());
+        assert_eq!(output.status.code(), Some(2));
+        let found: serde_json::Value = serde_json::from_slice(&output.stdout).unwrap();
+        assert_eq!(found["ok"], false);
+        let told = complaint(&output);
+        assert!(told.contains("--force") && told.contains(found["refused"].as_str().unwrap()), "{told}");
+    }
+    let output = twinedge(&["prove", "--edges", "many", "--format", "json"]);
+    assert!(output.status.code() == Some(2) && output.stdout.is_empty());
 }
 
 #[test]

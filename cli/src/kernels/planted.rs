@@ -7,7 +7,7 @@ use twinedge::validate::{Link, Place, Start, View};
 
 /// The structure of the library, but it turns edges the wrong way and keeps every rule, or panics.
 #[derive(Clone, Debug, Default)]
-pub(super) struct Planted<const PANICS: bool>(Dcel);
+pub(crate) struct Planted<const PANICS: bool>(Dcel);
 
 macro_rules! view_as_it_is {
     ($($name:ident($($arg:ident),*) -> $answer:ty;)*) => {

@@ -9,7 +9,7 @@ use std::sync::Mutex;
 use twinedge::dcel::Dcel;
 use twinedge::program::canonical::{Canonizer, Code};
 use twinedge::program::census::Scope;
-use twinedge::program::{Op, Outcome, Program, Runner, every_op, try_every_op};
+use twinedge::program::{Kernel, Op, Outcome, Program, Runner, every_op};
 use twinedge::validate::{Collect, Counts, Expectation, View, validate};
 
 /// What was found of maps of one size.
@@ -53,7 +53,8 @@ impl Explored {
     fn note(&mut self, program: &Program, op: Option<Op>, message: String) {
         if self.findings.len() < Self::MOST_FINDINGS {
             let program = program.0.iter().copied().chain(op).collect::<Program>();
-            self.findings.push(Finding { program: program.to_string(), message });
+            let operator = op.map(|op| op.to_string());
+            self.findings.push(Finding { program: program.to_string(), operator, message });
         }
     }
 
@@ -145,40 +146,47 @@ impl Worker {
                 None => wrong(None, "a connected map has no canonical form".to_owned()),
             }
         }
-        let try_them = || {
-            try_every_op(&map, |op, outcome, result| match outcome {
-                Outcome::Applied => {
-                    tally.applied += 1;
-                    let report = validate(result.kernel(), &Expectation::plane(), Collect::First);
-                    if let Some(violation) = report.violations().first() {
-                        wrong(Some(op), format!("breaks {}: {violation}", violation.rule()));
-                    } else if !report.is_valid() || !as_promised(op, &before, report.counts()) {
-                        wrong(Some(op), format!("makes {:?} of {before:?}", report.counts()));
-                    } else if scope.takes_in(result.kernel()) {
-                        let Some(code) = self.canonizer.subdivision(result.kernel()) else {
-                            return wrong(Some(op), "a map has no canonical form".to_owned());
-                        };
-                        if seen.insert(code) {
-                            self.fresh.push(program.0.iter().copied().chain([op]).collect());
-                        }
+        try_every_op(&map, |op, outcome, result| match outcome {
+            Err(panic) => wrong(Some(op), format!("panicked: {panic}")),
+            Ok(Outcome::Applied) => {
+                tally.applied += 1;
+                let report = validate(result.kernel(), &Expectation::plane(), Collect::First);
+                if let Some(violation) = report.violations().first() {
+                    wrong(Some(op), format!("breaks {}: {violation}", violation.rule()));
+                } else if !report.is_valid() || !as_promised(op, &before, report.counts()) {
+                    wrong(Some(op), format!("makes {:?} of {before:?}", report.counts()));
+                } else if scope.takes_in(result.kernel()) {
+                    let Some(code) = self.canonizer.subdivision(result.kernel()) else {
+                        return wrong(Some(op), "a map has no canonical form".to_owned());
+                    };
+                    if seen.insert(code) {
+                        self.fresh.push(program.0.iter().copied().chain([op]).collect());
                     }
                 }
-                Outcome::Refused(_) | Outcome::Skipped => {
-                    tally.refused += 1;
-                    if !same(map.kernel(), result.kernel()) {
-                        wrong(Some(op), format!("{outcome}, but the map is not as it was"));
-                    }
+            }
+            Ok(outcome @ (Outcome::Refused(_) | Outcome::Skipped)) => {
+                tally.refused += 1;
+                if !same(map.kernel(), result.kernel()) {
+                    wrong(Some(op), format!("{outcome}, but the map is not as it was"));
                 }
-            });
-        };
-        if let Err(panic) = caught(try_them) {
-            let panics = |op: &Op| caught(|| map.clone().step(*op)).is_err();
-            wrong(
-                every_op(&map).into_iter().find(panics),
-                format!("panicked, and what was to follow is left out: {panic}"),
-            );
-        }
+            }
+        });
         self.explored.tallies.entry((before.edges, before.vertices)).or_default().add(&tally);
+    }
+}
+
+/// Applies every operator with every argument to the map as it is, one at a time, and shows what came of each: the outcome and
+/// the map, or how it panics.
+fn try_every_op<K: Kernel + Clone>(map: &Runner<K>, mut visit: impl FnMut(Op, Result<Outcome, String>, &Runner<K>)) {
+    let mut trial = map.clone();
+    for op in every_op(map) {
+        let outcome = caught(|| trial.step(op));
+        // What a panic leaves behind may be anything.
+        let spent = matches!(outcome, Ok(Outcome::Applied) | Err(_));
+        visit(op, outcome, &trial);
+        if spent {
+            trial = map.clone();
+        }
     }
 }
 
@@ -229,4 +237,35 @@ fn same<V: View>(one: &V, other: &V) -> bool {
             let row = |map: &V| map.is_face(f).then(|| (map.outer(f), map.inner_count(f)));
             row(one) == row(other) && (0..one.inner_count(f)).all(|i| one.inner(f, i) == other.inner(f, i))
         })
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::kernels::Planted;
+
+    #[test]
+    fn an_operator_that_panics_is_told_of_and_the_others_go_on() {
+        const LOOP: &str = "twinedge program 1\nadd_isolated_vertex unbounded\nconnect i0 i0 left\n";
+        fn outcomes<const PANICS: bool>() -> Vec<(Op, Result<Outcome, String>)> {
+            let mut map = Runner::new(Planted::<PANICS>::default());
+            map.run(&LOOP.parse().unwrap());
+            let mut outcomes = Vec::new();
+            try_every_op(&map, |op, outcome, _| outcomes.push((op, outcome)));
+            outcomes
+        }
+        let mut panics = 0;
+        for ((op, sound), (same, outcome)) in outcomes::<false>().into_iter().zip(outcomes::<true>()) {
+            assert_eq!(op, same);
+            if matches!((op, &sound), (Op::MoveInner { .. }, Ok(Outcome::Applied))) {
+                let told = outcome.unwrap_err();
+                assert!(told.starts_with("a planted panic (") && told.contains("planted.rs:"), "{told}");
+                panics += 1;
+            } else {
+                assert_eq!(outcome, sound);
+            }
+        }
+        // The loop can be moved only to the face in which it lies.
+        assert_eq!(panics, 1);
+    }
 }

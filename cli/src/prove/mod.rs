@@ -21,10 +21,15 @@ use twinedge::program::census::Scope;
 /// Connected maps are grown from one vertex, told apart by their canonical form, and counted against the published numbers of
 /// maps: rooted (OEIS A000168), without root (A006384), and with one face distinguished as the outside (A103937), which is how
 /// they are grown, for the operators know an outside. After each operator that is applied the validator checks every rule,
-/// and the counts must have changed as the operator says; after each that is refused nothing may have changed. Arguments
-/// include handles of what is gone, and corners that do not fit.
+/// and the counts must have changed as the operator says; after each that is refused nothing may have changed; none may panic.
+/// Arguments are all half-edges, corners, faces and boundary components, corners that do not fit among them, and of the handles
+/// of what is gone the first half-edge, the first vertex and the first face.
 ///
-/// Maps of several components, with isolated vertices and nested, get the same up to a smaller bound. Their numbers are
+/// That an operator does what it promises beyond the rules and the counts (that an edge turns the way it is told, that it
+/// joins the corners it is told) is not checked here: `twinedge soak` compares with models.
+///
+/// Maps that are not connected, with isolated vertices and nested ones, get the same up to a smaller bound: up to N - 1 edges,
+/// but no more than 4, and 2 vertices more than that. Their numbers are
 /// counted a second time without making one map: what can lie in a face is a multiset of components, each with contents in
 /// its bounded faces in turn, up to its symmetries; these come from all permutations of half-edges, and the rest is Pólya's
 /// theorem.
@@ -58,6 +63,8 @@ pub(crate) struct Prove {
 struct Finding {
     /// The text of the program that does it, for `twinedge replay`.
     program: String,
+    /// Its last operator, if it is this one that goes wrong and not the map itself.
+    operator: Option<String>,
     message: String,
 }
 
@@ -114,7 +121,7 @@ impl Prove {
         // The last edge makes nine tenths of the maps; each has 2n corners, so 4n² pairs of them, for `connect` on both sides
         // and for `split_vertex`, and as many wrong ones again.
         let maps: u128 = (0..=n).map(counting::plane).sum();
-        self.effort.refuse_too_much(maps * 24 * (n * n) as u128, "operators to try", PER_SECOND)?;
+        self.effort.refuse_too_much(maps * 24 * (n * n) as u128, "operators to try", PER_SECOND, self.format)?;
         work::stop_on_interrupt()?;
         let start = Instant::now();
         let threads = self.effort.threads();
@@ -289,11 +296,14 @@ impl fmt::Display for Outcome {
         }
         writeln!(f)?;
         for finding in &self.findings {
-            writeln!(f, "{BAD}{}{BAD:#}, by\n{}", finding.message, finding.program)?;
+            let Finding { program, operator, message } = finding;
+            let operator = operator.as_ref().map(|operator| format!("{operator}: ")).unwrap_or_default();
+            writeln!(f, "{BAD}{operator}{message}{BAD:#}, by\n{program}")?;
         }
         let seconds = self.elapsed_ms / 1000.0;
         if self.ok {
-            writeln!(f, "{GOOD}proved{GOOD:#}: all counts agree, and no operator broke a rule ({seconds:.1} s)")
+            writeln!(f, "{GOOD}proved{GOOD:#}: all counts agree, and no operator broke a rule ({seconds:.1} s)")?;
+            writeln!(f, "Whether operators do what they promise beyond rules and counts is for `twinedge soak` to say.")
         } else if self.interrupted {
             writeln!(f, "{BAD}not finished{BAD:#} ({seconds:.1} s)")
         } else {

@@ -151,6 +151,8 @@ const BARE: Expectation = MAP.without(Part::Prev).without(Part::Leaving);
 const PLANE: Expectation = Expectation::plane().without(Part::Faces).without(Part::Prev).without(Part::Leaving);
 const TEXTBOOK: Expectation = Expectation::plane().without(Part::BoundaryComponents).without(Part::Leaving);
 
+const TEXTBOOK_LEAVING: Expectation = Expectation::plane().without(Part::BoundaryComponents);
+
 const fn is_of_the_map(cell: Cell) -> bool {
     matches!(cell, Cell::Origin(_) | Cell::Twin(_) | Cell::Next(_) | Cell::Prev(_) | Cell::Leaving(_))
 }
@@ -159,6 +161,7 @@ const fn is_of_the_map(cell: Cell) -> bool {
 pub(super) fn jobs(half_edges: usize) -> Vec<Job> {
     let mut jobs = vec![isolated_vertices()];
     jobs.extend([every_link(), every_link_and_dangling(), textbook_edge(), textbook_loop(), loop_with_records()]);
+    jobs.extend([every_field_of_an_edge(), every_field_of_a_loop(), every_field_with_records()]);
     jobs.extend([links_of_four(), twins_of_four(), next_and_prev(), open_borders()]);
     for edges in 1..=half_edges / 2 {
         jobs.extend([
@@ -244,6 +247,34 @@ fn textbook_loop() -> Job {
     let expectation = TEXTBOOK.without(Part::Prev);
     let shares = LISTS.map(|lists| Share::new(blank(1, 2, 0, &lists), expectation, |_| Some(To::OrNil)));
     Job { from: 4, ..job("a loop and two faces, as in textbooks; nil", 2, expectation, shares.to_vec(), 2 * 2) }
+}
+
+/// Links of the map lead to live records, and all other fields to these or nowhere.
+const fn nil_but_for_the_map(cell: Cell) -> To {
+    if is_of_the_map(cell) && !matches!(cell, Cell::Leaving(_)) { To::Live } else { To::OrNil }
+}
+
+/// Two vertices and one face: an edge. The vertices can be swapped and the start chosen.
+fn every_field_of_an_edge() -> Job {
+    let share = Share::new(blank(2, 2, 0, &[1]), TEXTBOOK_LEAVING, |cell| Some(nil_but_for_the_map(cell)));
+    Job { from: 4, ..job("every field of an edge, as in textbooks", 2, TEXTBOOK_LEAVING, vec![share], 2 * 2) }
+}
+
+/// One vertex and two faces: a loop. Which half-edge leaves, which is outside, and which face, if one has room for it.
+fn every_field_of_a_loop() -> Job {
+    let shares =
+        LISTS.map(|lists| Share::new(blank(1, 2, 0, &lists), TEXTBOOK_LEAVING, |cell| Some(nil_but_for_the_map(cell))));
+    Job { from: 4, ..job("every field of a loop, as in textbooks", 2, TEXTBOOK_LEAVING, shares.to_vec(), 2 * (2 + 2)) }
+}
+
+/// Two vertices, one boundary component and one face: an edge, as above.
+fn every_field_with_records() -> Job {
+    let expectation = Expectation::plane();
+    let share = Share::new(blank(2, 2, 1, &[1]), expectation, |cell| match cell {
+        Cell::Isolated(_) | Cell::Outer(_) | Cell::Inner(..) => Some(To::OrNil),
+        _ => Some(To::Live),
+    });
+    Job { from: 4, ..job("every field of an edge, boundary component too", 2, expectation, vec![share], 2 * 2) }
 }
 
 /// A loop with two boundary components and two faces: which half-edge is outside, which face, and which component.
