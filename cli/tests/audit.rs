@@ -161,7 +161,7 @@ fn what_cannot_be_read_is_said_in_one_line() {
     for (input, place) in [
         (&b"{\n  \"type\": }"[..], "line 2, column 11"),
         (b"{\"type\": \"FeatureCollection\",\n\"features\": [", "line 2, column"),
-        (b"", "line 1, column"),
+        (b"", "standard input: the input is empty"),
         (b"\xFF\xFE", "line 1, column"),
     ] {
         let output = twinedge_reading(&["audit", "-"], input);
