@@ -260,3 +260,62 @@ fn no_question_about_a_slot_that_is_not_there() {
         }
     }
 }
+
+/// What was in the last slots of each kind is still to be read there, but nothing lives in them any more.
+struct Haunted<'a> {
+    live: &'a Table,
+    rows: Table,
+}
+
+impl<'a> Haunted<'a> {
+    /// The last slots must be vacant, of boundary components the last two. What is left in them is what the first ones hold, but of the faces the second.
+    fn by(live: &'a Table) -> Self {
+        let mut rows = live.clone();
+        *rows.vertices.last_mut().unwrap() = rows.vertices[0];
+        *rows.half_edges.last_mut().unwrap() = rows.half_edges[0];
+        let n = rows.boundaries.len();
+        // A cycle and an isolated vertex, where there are boundary components.
+        (rows.boundaries[n - 1], rows.boundaries[n - 2]) = (rows.boundaries[0], rows.boundaries[3 % n]);
+        rows.faces.pop();
+        rows.faces.push(rows.faces[1].clone());
+        Self { live, rows }
+    }
+}
+
+macro_rules! answers {
+    ($($from:ident: $($name:ident($($arg:ident),*) -> $out:ty),+;)*) => {$($(
+        fn $name(&self, $($arg: usize),*) -> $out {
+            self.$from.$name($($arg),*)
+        }
+    )+)*};
+}
+
+impl View for Haunted<'_> {
+    answers! {
+        live: vertex_slots() -> usize, half_edge_slots() -> usize, boundary_slots() -> usize, face_slots() -> usize;
+        live: is_vertex(i) -> bool, is_half_edge(i) -> bool, is_boundary(i) -> bool, is_face(i) -> bool;
+        rows: origin(h) -> Link, twin(h) -> Link, next(h) -> Link, prev(h) -> Link, boundary(h) -> Link, face(h) -> Link;
+        rows: leaving(v) -> Link, isolated(v) -> Link, boundary_face(b) -> Link, boundary_start(b) -> Option<Start>;
+        rows: boundary_place(b) -> Option<Place>, outer(f) -> Link, inner_count(f) -> usize, inner(f, i) -> Link;
+        rows: outer_half_edge(f) -> Link, inner_start(f, i) -> Option<Start>;
+    }
+}
+
+#[test]
+fn what_is_left_in_vacant_slots_means_nothing() {
+    let plane = Expectation::plane();
+    for (mut table, base) in [(nested(), plane), (nested_textbook(), plane.without(Part::BoundaryComponents))] {
+        table.vertices.push(None);
+        table.half_edges.push(None);
+        table.boundaries.extend([None, None]);
+        table.faces.push(None);
+        for expectation in [base, base.open(), base.without(Part::Prev), base.without(Part::Places)] {
+            let judged = |table: &Table| validate(table, &expectation, Collect::All);
+            assert!(judged(&table).is_valid());
+            assert_eq!(validate(&Haunted::by(&table), &expectation, Collect::All), judged(&table));
+            for_each_corruption(&mut table.clone(), &expectation, |changed, _, _| {
+                assert_eq!(validate(&Haunted::by(changed), &expectation, Collect::All), judged(changed));
+            });
+        }
+    }
+}
