@@ -418,3 +418,37 @@ fn what_a_view_does_not_answer_is_not_there() {
     assert_eq!((Digon.outer(0), Digon.inner_count(0), Digon.inner(0, 0)), (None, 0, None));
     assert_eq!((Digon.outer_half_edge(0), Digon.inner_start(0, 0)), (None, None));
 }
+
+/// Where nothing else is said, no slot is vacant.
+#[test]
+fn every_slot_of_a_view_is_live_unless_it_says_otherwise() {
+    struct Slots;
+    impl View for Slots {
+        fn vertex_slots(&self) -> usize {
+            1
+        }
+        fn half_edge_slots(&self) -> usize {
+            2
+        }
+        fn boundary_slots(&self) -> usize {
+            3
+        }
+        fn face_slots(&self) -> usize {
+            4
+        }
+        fn origin(&self, _: usize) -> Link {
+            None
+        }
+        fn twin(&self, _: usize) -> Link {
+            None
+        }
+        fn next(&self, _: usize) -> Link {
+            None
+        }
+    }
+    let live = |is_live: &dyn Fn(usize) -> bool| (0..10).filter(|i| is_live(*i)).count();
+    assert_eq!(live(&|i| Slots.is_vertex(i)), 1);
+    assert_eq!(live(&|i| Slots.is_half_edge(i)), 2);
+    assert_eq!(live(&|i| Slots.is_boundary(i)), 3);
+    assert_eq!(live(&|i| Slots.is_face(i)), 4);
+}

@@ -85,8 +85,8 @@ const ABOVE_A: [[f64; 2]; 3] = [[5.0, 100.0], [6.0, 100.0], [5.0, 101.0]];
 
 #[test]
 fn g5_a_hole_that_lies_outside_everything() {
-    for (by_record, expectation, boundary) in
-        [(false, TEXTBOOK, Record::HalfEdge(7)), (true, BY_RECORD, Record::Boundary(1))]
+    for (by_record, expectation, boundary, name) in
+        [(false, TEXTBOOK, Record::HalfEdge(7), "at half-edge 7"), (true, BY_RECORD, Record::Boundary(1), "1")]
     {
         let report = two_triangles(by_record, true, IN_A).report(expectation);
         assert!(report.is_valid(), "{report}");
@@ -95,7 +95,8 @@ fn g5_a_hole_that_lies_outside_everything() {
             let report = two_triangles(by_record, true, outside).report(expectation);
             let violation = Violation::WrongFace { boundary, face: 0, found: None };
             assert_eq!(report.violations(), [violation], "{report}");
-            assert!(violation.to_string().ends_with(" is listed by face 0, but lies in no face"), "{violation}");
+            let sentence = format!("the inner boundary component {name} is listed by face 0, but lies in no face");
+            assert_eq!(violation.to_string(), sentence);
         }
     }
 }
