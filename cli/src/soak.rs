@@ -20,10 +20,11 @@ use twinedge::program::{FacePick, Op, Program, candidates};
 
 /// Run random programs on every store, and on a second model, in step with an independent model.
 ///
-/// The reference is the structure of the textbooks, written from the definitions of the operators. After each operator all must have done the same (applied, refused for the same reason, or skipped), must be valid by the
-/// validator, must be isomorphic, nesting included, and their handles must say the same. Programs use handles of what is gone
-/// on purpose. A program that fails, be it by a panic, is made small, printed as Rust source for a regression test, and saved as a file for
-/// `twinedge replay`.
+/// The reference is the structure of the textbooks, written from the definitions of the operators. After each operator all
+/// must have done the same (applied, refused for the same reason, or skipped), must be valid by the validator, must be
+/// isomorphic, nesting included, and their handles must say the same. Programs use handles of what is gone on purpose. A
+/// program that fails, be it by a panic, is made small, printed as Rust source for a regression test, and saved as a file
+/// for `twinedge replay`.
 #[derive(Debug, clap::Args)]
 #[command(after_help = "Examples:
   twinedge soak
