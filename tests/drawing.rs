@@ -1,5 +1,8 @@
 //! G1 … G5: each broken alone, where it can be, and named rightly.
 
+mod support;
+
+use support::delegate::delegate_view;
 use twinedge::dcel::{Dcel, HalfEdge};
 use twinedge::geometry::{Builder, Drawing, PlanarMap, Point, places, validate_drawing};
 use twinedge::validate::{Collect, Expectation, Link, Place, Record, Report, Rule, Start, Unchecked, View, Violation};
@@ -44,38 +47,8 @@ impl Drawing for Redrawn {
     }
 }
 
-macro_rules! delegate {
-    ($($name:ident($($arg:ident),*) -> $out:ty;)*) => {$(
-        fn $name(&self, $($arg: usize),*) -> $out {
-            View::$name(&self.dcel, $($arg),*)
-        }
-    )*};
-}
-
 impl View for Redrawn {
-    delegate! {
-        vertex_slots() -> usize;
-        half_edge_slots() -> usize;
-        boundary_slots() -> usize;
-        face_slots() -> usize;
-        is_vertex(vertex) -> bool;
-        is_half_edge(half_edge) -> bool;
-        is_boundary(boundary) -> bool;
-        is_face(face) -> bool;
-        origin(half_edge) -> Link;
-        twin(half_edge) -> Link;
-        next(half_edge) -> Link;
-        prev(half_edge) -> Link;
-        boundary(half_edge) -> Link;
-        leaving(vertex) -> Link;
-        isolated(vertex) -> Link;
-        boundary_face(boundary) -> Link;
-        boundary_start(boundary) -> Option<Start>;
-        boundary_place(boundary) -> Option<Place>;
-        outer(face) -> Link;
-        inner_count(face) -> usize;
-        inner(face, position) -> Link;
-    }
+    delegate_view!(dcel, dcel);
 }
 
 fn map(segments: &[[[f64; 2]; 2]]) -> PlanarMap {

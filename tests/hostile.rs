@@ -4,6 +4,7 @@
 mod support;
 
 use std::cell::Cell;
+use support::delegate::delegate_view;
 use support::moody::Moody;
 use support::nested::{nested, nested_textbook};
 use support::opinions::{agree, broken};
@@ -262,14 +263,16 @@ fn no_question_about_a_slot_that_is_not_there() {
 }
 
 /// What was in the last slots of each kind is still to be read there, but nothing lives in them any more.
-struct Haunted<'a> {
-    live: &'a Table,
+struct Haunted {
+    live: Table,
     rows: Table,
 }
 
-impl<'a> Haunted<'a> {
-    /// The last slots must be vacant, of boundary components the last two. What is left in them is what the first ones hold, but of the faces the second.
-    fn by(live: &'a Table) -> Self {
+impl Haunted {
+    /// The last slots must be vacant, of boundary components the last two. What is left in them is what the first ones hold,
+    /// but of the faces the second.
+    fn by(live: &Table) -> Self {
+        let live = live.clone();
         let mut rows = live.clone();
         *rows.vertices.last_mut().unwrap() = rows.vertices[0];
         *rows.half_edges.last_mut().unwrap() = rows.half_edges[0];
@@ -282,23 +285,8 @@ impl<'a> Haunted<'a> {
     }
 }
 
-macro_rules! answers {
-    ($($from:ident: $($name:ident($($arg:ident),*) -> $out:ty),+;)*) => {$($(
-        fn $name(&self, $($arg: usize),*) -> $out {
-            self.$from.$name($($arg),*)
-        }
-    )+)*};
-}
-
-impl View for Haunted<'_> {
-    answers! {
-        live: vertex_slots() -> usize, half_edge_slots() -> usize, boundary_slots() -> usize, face_slots() -> usize;
-        live: is_vertex(i) -> bool, is_half_edge(i) -> bool, is_boundary(i) -> bool, is_face(i) -> bool;
-        rows: origin(h) -> Link, twin(h) -> Link, next(h) -> Link, prev(h) -> Link, boundary(h) -> Link, face(h) -> Link;
-        rows: leaving(v) -> Link, isolated(v) -> Link, boundary_face(b) -> Link, boundary_start(b) -> Option<Start>;
-        rows: boundary_place(b) -> Option<Place>, outer(f) -> Link, inner_count(f) -> usize, inner(f, i) -> Link;
-        rows: outer_half_edge(f) -> Link, inner_start(f, i) -> Option<Start>;
-    }
+impl View for Haunted {
+    delegate_view!(live, rows);
 }
 
 #[test]

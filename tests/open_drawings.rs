@@ -2,6 +2,7 @@
 
 mod support;
 
+use support::delegate::delegate_view;
 use support::tables::{half_edge, map, textbook_map};
 use twinedge::geometry::{Drawing, Point, validate_drawing};
 use twinedge::validate::{
@@ -15,39 +16,8 @@ struct Drawn {
     points: Vec<[f64; 2]>,
 }
 
-macro_rules! delegate {
-    ($($name:ident($($arg:ident),*) -> $out:ty;)*) => {$(
-        fn $name(&self, $($arg: usize),*) -> $out {
-            View::$name(&self.table, $($arg),*)
-        }
-    )*};
-}
-
 impl View for Drawn {
-    delegate! {
-        vertex_slots() -> usize;
-        half_edge_slots() -> usize;
-        boundary_slots() -> usize;
-        face_slots() -> usize;
-        is_vertex(vertex) -> bool;
-        is_half_edge(half_edge) -> bool;
-        origin(half_edge) -> Link;
-        twin(half_edge) -> Link;
-        next(half_edge) -> Link;
-        prev(half_edge) -> Link;
-        boundary(half_edge) -> Link;
-        face(half_edge) -> Link;
-        leaving(vertex) -> Link;
-        isolated(vertex) -> Link;
-        boundary_face(boundary) -> Link;
-        boundary_start(boundary) -> Option<Start>;
-        boundary_place(boundary) -> Option<Place>;
-        outer(face) -> Link;
-        inner_count(face) -> usize;
-        inner(face, position) -> Link;
-        outer_half_edge(face) -> Link;
-        inner_start(face, position) -> Option<Start>;
-    }
+    delegate_view!(table, table);
 }
 
 impl Drawing for Drawn {

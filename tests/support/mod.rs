@@ -1,6 +1,7 @@
 //! What the tests of the validator share.
-#![allow(dead_code, reason = "each test file uses a part of it")]
+#![allow(dead_code, unused_macros, unused_imports, reason = "each test file uses a part of it")]
 
+pub(crate) mod delegate;
 pub(crate) mod moody;
 pub(crate) mod nested;
 pub(crate) mod opinions;
