@@ -1,0 +1,12 @@
+//! The structure: its elements, its operators and their laws, its stores.
+#![allow(clippy::needless_pass_by_value, reason = "quickcheck hands its arguments over")]
+
+#[path = "../support/mod.rs"]
+mod support;
+
+mod elements;
+mod operator_laws;
+mod operators;
+mod stale_keys;
+mod stores;
+mod textbook_tables;
