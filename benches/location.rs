@@ -15,8 +15,9 @@ use criterion::{BatchSize, Criterion, criterion_group, criterion_main};
 use rstar::primitives::{GeomWithData, Line, Rectangle};
 use rstar::{AABB, RTree};
 use std::hint::black_box;
+use twinedge::geometry::Point;
 use twinedge::geometry::predicates::{Meeting, meeting};
-use twinedge::geometry::{Feature, Located, Locator, Met, PlanarMap, Point, Shape, Stretch};
+use twinedge::map::{Feature, Located, Locator, Met, PlanarMap, Shape, Stretch};
 
 /// Numbers from 0 to 1 that look random, always the same ones.
 fn random() -> impl FnMut() -> f64 {

@@ -9,8 +9,9 @@
 
 use std::error::Error;
 use twinedge::dcel::FaceKey;
-use twinedge::geometry::{Builder, Located, Locator, Met, PlanarMap, Point, Stretch};
+use twinedge::geometry::Point;
 use twinedge::io::geojson::{self};
+use twinedge::map::{Builder, Located, Locator, Met, PlanarMap, Stretch};
 
 fn world() -> Result<PlanarMap, Box<dyn Error>> {
     let mut builder = Builder::new();

@@ -1,7 +1,7 @@
 //! A program run on a structure in step with the reference, as `soak` and `replay` do it.
 
 use crate::caught::caught;
-use crate::kernels::{Indexed, Task};
+use crate::subjects::{Indexed, Task};
 use crate::work;
 use twinedge::program::Program;
 use twinedge::program::conformance::{InStep, Summary};

@@ -110,7 +110,7 @@ impl Source<'_> {
         program.0.truncate(40);
         let mut runner = Runner::new(Dcel::new());
         runner.run(&program);
-        let mut table = Table::copy_of(runner.kernel()).unwrap_or_default();
+        let mut table = Table::copy_of(runner.subject()).unwrap_or_default();
         for (cell, value) in choices {
             let cells = table.cells(&expectation);
             let Some(cell) = cells.get(cell % cells.len().max(1)) else { continue };

@@ -21,7 +21,8 @@
 //! ```
 
 use crate::algorithm::contour::{Contour, Polygon};
-use crate::geometry::{Feature, Point, Shape};
+use crate::geometry::Point;
+use crate::map::{Feature, Shape};
 use ::geo_types as geo;
 
 impl From<geo::Coord<f64>> for Point {

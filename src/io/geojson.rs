@@ -62,7 +62,8 @@ pub use self::error::{Fault, Place, ReadError};
 use self::input::Progress;
 pub use self::output::write;
 use super::{MAX_NESTED_COLLECTIONS, Summary};
-use crate::geometry::{Feature, Point, Shape};
+use crate::geometry::Point;
+use crate::map::{Feature, Shape};
 
 /// Reads a map, handing its features to `each` in the order of the file.
 ///
@@ -150,7 +151,7 @@ impl Sink<'_> {
             Id::String(text) => text,
             Id::Number(number) => number.to_string(),
         });
-        let mut drawing = Drawing::default();
+        let mut drawing = Embedding::default();
         if let Some(geometry) = parsed.geometry
             && let Err(fault) = drawing.add(geometry.value, 0)
         {
@@ -165,12 +166,12 @@ impl Sink<'_> {
 
 /// The shapes of one feature.
 #[derive(Default)]
-struct Drawing {
+struct Embedding {
     shapes: Vec<Shape>,
     with_extra_dimensions: usize,
 }
 
-impl Drawing {
+impl Embedding {
     /// Adds a geometry that lies inside this many collections, a number that bounds the recursion.
     fn add(&mut self, value: GeometryValue, depth: usize) -> Result<(), Fault> {
         match value {

@@ -7,7 +7,7 @@
 //! | `geo_types` | the types of the crate geo-types | yes | yes |
 //! | [`svg`] | a picture | | yes |
 //!
-//! Readers hand over [`Feature`](crate::geometry::Feature)s for a [`Builder`](crate::geometry::Builder) to take; writers take
+//! Readers hand over [`Feature`](crate::map::Feature)s for a [`Builder`](crate::map::Builder) to take; writers take
 //! features, and [`features`] and [`faces`] make features of a map.
 
 mod export;

@@ -1,6 +1,6 @@
 //! What a reader has read.
 
-use crate::geometry::{Feature, Shape};
+use crate::map::{Feature, Shape};
 
 /// How much of what a file held, counted while it was read.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]

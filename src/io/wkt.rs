@@ -26,7 +26,8 @@ use thiserror::Error;
 
 use super::write::{self, Piece, WriteError};
 use super::{MAX_NESTED_COLLECTIONS, Summary};
-use crate::geometry::{Feature, Point, Shape};
+use crate::geometry::Point;
+use crate::map::{Feature, Shape};
 
 /// Why a file of well-known text could not be read. Every variant says on which line, the first being 1.
 #[derive(Debug, Error)]
@@ -120,7 +121,7 @@ where
         }
         check_frame(text, line)?;
         let geometry = text.parse().map_err(|message| ReadError::Syntax { line, message })?;
-        let mut drawing = Drawing { line, shapes: Vec::new(), with_extra_dimensions: 0 };
+        let mut drawing = Embedding { line, shapes: Vec::new(), with_extra_dimensions: 0 };
         drawing.add(geometry, 0)?;
         let feature = Feature { shapes: drawing.shapes, ..Feature::default() };
         summary.add(&feature, drawing.with_extra_dimensions);
@@ -161,13 +162,13 @@ fn check_frame(text: &str, line: usize) -> Result<(), ReadError> {
 }
 
 /// The shapes of one line.
-struct Drawing {
+struct Embedding {
     line: usize,
     shapes: Vec<Shape>,
     with_extra_dimensions: usize,
 }
 
-impl Drawing {
+impl Embedding {
     /// Adds what a geometry inside `depth` collections draws. The recursion is as deep as they are nested.
     fn add(&mut self, geometry: Wkt<f64>, depth: usize) -> Result<(), ReadError> {
         if depth > MAX_NESTED_COLLECTIONS {
@@ -236,7 +237,7 @@ impl Drawing {
 /// [`WriteError::NotFinite`], before anything is written, and [`WriteError::Io`].
 ///
 /// ```
-/// use twinedge::geometry::{Feature, Shape};
+/// use twinedge::map::{Feature, Shape};
 /// use twinedge::io::wkt;
 ///
 /// let corners = [[0.0, 0.0], [1.0, 0.0], [0.0, 0.5], [0.0, 0.0]].map(Into::into).to_vec();

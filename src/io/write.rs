@@ -1,6 +1,7 @@
 //! What the writers have in common.
 
-use crate::geometry::{Feature, Point, Shape};
+use crate::geometry::Point;
+use crate::map::{Feature, Shape};
 use std::io;
 use thiserror::Error;
 

@@ -5,7 +5,7 @@
 //! // Connected maps with a distinguished outside, by their number of edges: Liskovets and Walsh, OEIS A103937.
 //! let mut counts = [0; 4];
 //! for map in Census::new(Scope::Connected { edges: 3 }) {
-//!     counts[map.runner.kernel().edge_count()] += 1;
+//!     counts[map.runner.subject().edge_count()] += 1;
 //! }
 //! assert_eq!(counts, [1, 2, 6, 26]);
 //! ```
@@ -112,7 +112,7 @@ impl Census {
         let mut runner = Runner::new(Dcel::new());
         let program = scope.start();
         runner.run(&program);
-        if scope.takes_in(runner.kernel()) {
+        if scope.takes_in(runner.subject()) {
             census.meet(Found { runner, program });
         }
         census
@@ -120,7 +120,7 @@ impl Census {
 
     /// Keeps a map if it is new.
     fn meet(&mut self, found: Found) {
-        let code = self.canonizer.subdivision(found.runner.kernel());
+        let code = self.canonizer.subdivision(found.runner.subject());
         if code.is_some_and(|code| self.seen.insert(code)) {
             self.waiting.push_back(found);
         }
@@ -135,7 +135,7 @@ impl Iterator for Census {
         let makes = |op: &Op| matches!(op, Op::AddIsolatedVertex { .. } | Op::Connect { .. } | Op::SplitVertex { .. });
         for op in every_op(&found.runner).into_iter().filter(makes) {
             let mut runner = found.runner.clone();
-            if runner.step(op) == Outcome::Applied && self.scope.takes_in(runner.kernel()) {
+            if runner.step(op) == Outcome::Applied && self.scope.takes_in(runner.subject()) {
                 let mut program = found.program.clone();
                 program.0.push(op);
                 self.meet(Found { runner, program });

@@ -1,27 +1,27 @@
-//! Does a kernel do what the operators say? A program is run on it and on the reference in step, and after every
+//! Does a subject do what the operators say? A program is run on it and on the reference in step, and after every
 //! operator both must have done the same.
 //!
-//! The reference is [`Textbook`], which has nothing in common with [`Dcel`](crate::dcel::Dcel) but the meaning of the
-//! operators: `Dcel` is held to it like any other kernel.
+//! The reference is [`PointerModel`], which has nothing in common with [`Dcel`](crate::dcel::Dcel) but the meaning of the
+//! operators: `Dcel` is held to it like any other subject.
 //!
 //! Compared are, after each operator:
 //!
 //! 1. whether it was applied, refused (and with which category of error) or skipped;
-//! 2. whether the kernel is valid, by the validator;
+//! 2. whether the subject is valid, by the validator;
 //! 3. whether both are isomorphic, nesting and unbounded face included, by their canonical forms;
 //! 4. whether the handles say the same: `twin`, `next`, origins and faces of every half-edge and isolated vertex, in
-//!    order of their creation. So a kernel that hands out the wrong handle is found at once, and not when it is used.
+//!    order of their creation. So a subject that hands out the wrong handle is found at once, and not when it is used.
 //!
 //! The third needs a view with faces, their inner boundary components and the unbounded face. What else a view may lack,
 //! the expectation says: `prev`, half-edges at vertices, records of boundary components, places.
 //!
-//! An operator that the kernel does not have, or has no room for, is not run on the reference either, but the kernel
+//! An operator that the subject does not have, or has no room for, is not run on the reference either, but the subject
 //! must be as it was.
 //!
 //! ```
-//! use twinedge::program::{Model, Program, conformance};
+//! use twinedge::program::{RotationSystem, Program, conformance};
 //! let program = Program::from_bytes(b"some bytes that came from a fuzzer");
-//! conformance::run(&program, Model::new(), &Model::expectation())?;
+//! conformance::run(&program, RotationSystem::new(), &RotationSystem::expectation())?;
 //! # Ok::<(), conformance::Failure>(())
 //! ```
 
@@ -29,9 +29,9 @@ mod answers;
 
 use super::canonical::Canonizer;
 use super::interpret::{Outcome, Runner};
-use super::kernel::{Kernel, Refusal};
 use super::op::{Op, Program};
-use super::textbook::Textbook;
+use super::pointer_model::PointerModel;
+use super::subject::{Refusal, Subject};
 use crate::validate::{Collect, Expectation, Part, Report, validate};
 use alloc::boxed::Box;
 use core::fmt;
@@ -46,7 +46,7 @@ pub struct Summary {
     pub refused: usize,
     /// There was nothing to choose from.
     pub skipped: usize,
-    /// Refused by the kernel for want of the operator, or of room.
+    /// Refused by the subject for want of the operator, or of room.
     pub not_supported: usize,
 }
 
@@ -72,7 +72,7 @@ pub enum Question {
     Face,
 }
 
-/// What a kernel answers, in terms that do not depend on its handles.
+/// What a subject answers, in terms that do not depend on its handles.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
 #[non_exhaustive]
 pub enum Answer {
@@ -84,7 +84,7 @@ pub enum Answer {
     Nothing,
 }
 
-/// In what a kernel differs from the reference.
+/// In what a subject differs from the reference.
 #[derive(Clone, Debug, PartialEq, Eq, Error)]
 #[non_exhaustive]
 pub enum Difference {
@@ -92,21 +92,21 @@ pub enum Difference {
     #[error("the expectation leaves out {}; without it there is no telling which map it is", .0.name())]
     Lacks(Part),
     /// The operator came to something else.
-    #[error("the outcome should be `{reference}` and is `{kernel}`")]
+    #[error("the outcome should be `{reference}` and is `{subject}`")]
     Outcome {
         /// What became of it in the reference.
         reference: Outcome,
-        /// What became of it in the kernel.
-        kernel: Outcome,
+        /// What became of it in the subject.
+        subject: Outcome,
     },
-    /// The kernel breaks a rule.
+    /// The subject breaks a rule.
     #[error("{}", FirstViolation(.0))]
     Invalid(Box<Report>),
-    /// The kernel keeps every rule that it is held to, but is another map.
+    /// The subject keeps every rule that it is held to, but is another map.
     #[error("the map is valid, but another one than it should be")]
     NotIsomorphic,
-    /// The kernel is the same map, but a handle says something else.
-    #[error("of corner {corner}, {question:?} should be {reference:?} and is {kernel:?}")]
+    /// The subject is the same map, but a handle says something else.
+    #[error("of corner {corner}, {question:?} should be {reference:?} and is {subject:?}")]
     Answers {
         /// The place of the corner in [`Runner::corners`].
         corner: usize,
@@ -114,8 +114,8 @@ pub enum Difference {
         question: Question,
         /// What the reference says.
         reference: Answer,
-        /// What the kernel says.
-        kernel: Answer,
+        /// What the subject says.
+        subject: Answer,
     },
 }
 
@@ -131,12 +131,12 @@ impl fmt::Display for FirstViolation<'_> {
     }
 }
 
-/// Where a kernel first differs from the reference.
+/// Where a subject first differs from the reference.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub struct Failure {
     /// How many operators were run before.
     pub before: usize,
-    /// The operator that did it; none if the kernel was not the empty map to begin with, or cannot be compared.
+    /// The operator that did it; none if the subject was not the empty map to begin with, or cannot be compared.
     pub op: Option<Op>,
     /// In what it differs.
     pub difference: Difference,
@@ -153,46 +153,46 @@ impl fmt::Display for Failure {
     }
 }
 
-/// Runs a program on a kernel that is the empty map, and on the reference in step. `expectation` says what the
-/// validator can hold the kernel to: the plane, with [`Part::Faces`], [`Part::Holes`] and [`Part::UnboundedFace`].
+/// Runs a program on a subject that is the empty map, and on the reference in step. `expectation` says what the
+/// validator can hold the subject to: the plane, with [`Part::Faces`], [`Part::Holes`] and [`Part::UnboundedFace`].
 ///
-/// O(n²) per operator for n half-edges and vertices, if the kernel answers a question in O(1) and its view does. Of this
+/// O(n²) per operator for n half-edges and vertices, if the subject answers a question in O(1) and its view does. Of this
 /// only comparing handles takes more than O(n log n), beside a few operators of the reference and maps with many
 /// symmetries.
 ///
-/// A panic of the kernel is not caught.
+/// A panic of the subject is not caught.
 ///
 /// # Errors
 /// The first difference, and the operator that made it; [`Difference::Lacks`] before the first operator if the
 /// expectation leaves out one of these parts.
-pub fn run<K: Kernel>(program: &Program, kernel: K, expectation: &Expectation) -> Result<Summary, Failure> {
-    let mut pair = InStep::new(kernel, expectation)?;
+pub fn run<K: Subject>(program: &Program, subject: K, expectation: &Expectation) -> Result<Summary, Failure> {
+    let mut pair = InStep::new(subject, expectation)?;
     for op in &program.0 {
         pair.step(*op)?;
     }
     Ok(pair.summary())
 }
 
-/// A kernel and the reference, operator by operator: what [`run`] does, for those who want to look, or to stop, between
+/// A subject and the reference, operator by operator: what [`run`] does, for those who want to look, or to stop, between
 /// two.
 #[derive(Debug)]
-pub struct InStep<K: Kernel> {
-    reference: Runner<Textbook>,
-    kernel: Runner<K>,
+pub struct InStep<K: Subject> {
+    reference: Runner<PointerModel>,
+    subject: Runner<K>,
     expectation: Expectation,
     canonizer: Canonizer,
     summary: Summary,
 }
 
-impl<K: Kernel> InStep<K> {
-    /// Begins with a kernel that is the empty map.
+impl<K: Subject> InStep<K> {
+    /// Begins with a subject that is the empty map.
     ///
     /// # Errors
     /// Those of [`run`] before the first operator.
-    pub fn new(kernel: K, expectation: &Expectation) -> Result<Self, Failure> {
+    pub fn new(subject: K, expectation: &Expectation) -> Result<Self, Failure> {
         let mut pair = Self {
-            reference: Runner::new(Textbook::new()),
-            kernel: Runner::new(kernel),
+            reference: Runner::new(PointerModel::new()),
+            subject: Runner::new(subject),
             expectation: *expectation,
             canonizer: Canonizer::new(),
             summary: Summary::default(),
@@ -209,7 +209,7 @@ impl<K: Kernel> InStep<K> {
     /// Runs one operator on both, and compares them. Costs what is said of [`run`].
     ///
     /// # Errors
-    /// The first difference. After one, or after a panic of the kernel, the two are no longer in step, and what further
+    /// The first difference. After one, or after a panic of the subject, the two are no longer in step, and what further
     /// operators do means nothing.
     pub fn step(&mut self, op: Op) -> Result<Outcome, Failure> {
         let outcome = self.step_both(op).map_err(|difference| Failure {
@@ -233,26 +233,26 @@ impl<K: Kernel> InStep<K> {
     }
 
     fn step_both(&mut self, op: Op) -> Result<Outcome, Difference> {
-        let kernel = self.kernel.step(op);
-        if !matches!(kernel, Outcome::Refused(Refusal::Full | Refusal::Unsupported)) {
+        let subject = self.subject.step(op);
+        if !matches!(subject, Outcome::Refused(Refusal::Full | Refusal::Unsupported)) {
             let reference = self.reference.step(op);
-            if kernel != reference {
-                return Err(Difference::Outcome { reference, kernel });
+            if subject != reference {
+                return Err(Difference::Outcome { reference, subject });
             }
         }
         self.compare()?;
-        Ok(kernel)
+        Ok(subject)
     }
 
     fn compare(&mut self) -> Result<(), Difference> {
-        let report = validate(self.kernel.kernel(), &self.expectation, Collect::First);
+        let report = validate(self.subject.subject(), &self.expectation, Collect::First);
         if !report.is_valid() {
             return Err(Difference::Invalid(Box::new(report)));
         }
-        let code = self.canonizer.subdivision(self.reference.kernel());
-        if self.canonizer.subdivision(self.kernel.kernel()) != code {
+        let code = self.canonizer.subdivision(self.reference.subject());
+        if self.canonizer.subdivision(self.subject.subject()) != code {
             return Err(Difference::NotIsomorphic);
         }
-        answers::compare(&self.reference, &self.kernel)
+        answers::compare(&self.reference, &self.subject)
     }
 }

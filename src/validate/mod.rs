@@ -59,6 +59,8 @@
 
 mod boundaries;
 mod components;
+#[cfg(feature = "geometry")]
+mod embedding;
 pub mod enumerate;
 mod expectation;
 mod faces;
@@ -75,6 +77,8 @@ mod topology;
 mod view;
 mod violation;
 
+#[cfg(feature = "geometry")]
+pub use embedding::{Embedding, places, validate_embedding};
 pub use expectation::{Expectation, Part, Surface};
 pub use report::{Bounds, Certificate, Collect, Counts, Outcome, Report, Unchecked};
 #[cfg(feature = "geometry")]

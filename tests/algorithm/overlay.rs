@@ -9,9 +9,10 @@ use std::collections::BTreeSet;
 use twinedge::algorithm::area::{face_area, feature_area, ring_area};
 use twinedge::algorithm::overlay::{Operand, Operation, Overlay, OverlayError, overlay};
 use twinedge::dcel::{Face, StaleKey};
+use twinedge::geometry::Point;
 use twinedge::geometry::noding::Snap;
-use twinedge::geometry::{BuildError, Builder, Feature, FeatureId, Noding, PlanarMap, Point, Shape};
 use twinedge::io::geojson::{self, ReadError};
+use twinedge::map::{BuildError, Builder, Feature, FeatureId, Noding, PlanarMap, Shape};
 
 type Whole = (i8, i8);
 

@@ -11,7 +11,7 @@ use twinedge::dcel::{
     Turn, VertexKey,
 };
 use twinedge::program::canonical::{Canonizer, Code};
-use twinedge::program::{Kernel, Op, Outcome, Program, Runner};
+use twinedge::program::{Op, Outcome, Program, Runner, Subject};
 use twinedge::store::{PointerStore, SlotStore, Store};
 use twinedge::validate::{Collect, Expectation, Table, validate};
 
@@ -25,14 +25,14 @@ fn watch<S: Store>(program: &Program, mut look: impl FnMut(Op, Outcome, &Dcel<S>
     let mut runner = Runner::new(Dcel::<S>::default());
     program.0.iter().all(|op| {
         let outcome = runner.step(*op);
-        look(*op, outcome, runner.kernel())
+        look(*op, outcome, runner.subject())
     })
 }
 
 fn built(program: &Program) -> Dcel {
     let mut runner = Runner::new(Dcel::new());
     runner.run(program);
-    runner.into_kernel()
+    runner.into_subject()
 }
 
 #[test]
@@ -327,15 +327,15 @@ fn a_stale_key_never_resolves_again() {
         let goes_on = |runner: &mut Runner<Dcel>, memory: &mut Memory, ops: &[Op]| {
             ops.iter().all(|op| {
                 runner.step(*op);
-                memory.look(runner.kernel())
+                memory.look(runner.subject())
             })
         };
         let same = goes_on(&mut runner, &mut memory, &program.0);
         // A clone knows the keys of its original, and refuses the same ones. Each then goes its own way.
         let (mut clone, mut memory_of_clone) = (runner.clone(), memory.clone());
-        let stale = memory.stale(runner.kernel());
-        same && memory_of_clone.look(clone.kernel())
-            && memory_of_clone.stale(clone.kernel()) == stale
+        let stale = memory.stale(runner.subject());
+        same && memory_of_clone.look(clone.subject())
+            && memory_of_clone.stale(clone.subject()) == stale
             && goes_on(&mut clone, &mut memory_of_clone, &other.0)
             && goes_on(&mut runner, &mut memory, &program.0)
     }
@@ -349,13 +349,13 @@ fn stale_keys_are_refused_by_every_operator() {
         let mut seen = Keys::default();
         for op in &program.0 {
             runner.step(*op);
-            let live = Keys::of(runner.kernel());
+            let live = Keys::of(runner.subject());
             seen.vertices.extend(live.vertices);
             seen.half_edges.extend(live.half_edges);
             seen.boundaries.extend(live.boundaries);
             seen.faces.extend(live.faces);
         }
-        let mut map = runner.into_kernel();
+        let mut map = runner.into_subject();
         let (table, live) = (Table::copy_of(&map), Keys::of(&map));
         let outside = map.unbounded_face().key();
         let split = Split::default();
@@ -384,7 +384,7 @@ fn stale_keys_are_refused_by_every_operator() {
 
 /// A polygon in the unbounded face: its half-edges, the inside to their left.
 fn polygon(map: &mut Dcel, corners: usize) -> Vec<HalfEdgeKey> {
-    let v = map.add_isolated_vertex(Kernel::unbounded_face(map)).unwrap().vertex;
+    let v = map.add_isolated_vertex(Subject::unbounded_face(map)).unwrap().vertex;
     let mut sides = vec![map.connect(v, v, Split::default()).unwrap().half_edge];
     while sides.len() < corners {
         sides.push(map.split_edge(sides[sides.len() - 1]).unwrap().half_edge);

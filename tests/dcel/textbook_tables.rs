@@ -62,13 +62,13 @@ impl Golden {
 }
 
 /// A map in the making: vertices v1, v2, … in the unbounded face, and half-edges e1,1, e1,2, e2,1, …
-struct Drawing {
+struct Embedding {
     map: Dcel,
     vertices: Vec<VertexKey>,
     half_edges: Vec<HalfEdgeKey>,
 }
 
-impl Drawing {
+impl Embedding {
     fn new(vertices: usize) -> Self {
         let mut map = Dcel::new();
         let outside = map.unbounded_face().key();
@@ -135,8 +135,8 @@ impl Drawing {
     }
 }
 
-fn dangling() -> (Drawing, [FaceKey; 2]) {
-    let mut drawing = Drawing::new(4);
+fn dangling() -> (Embedding, [FaceKey; 2]) {
+    let mut drawing = Embedding::new(4);
     drawing.begin(1, 2); // e1
     // e2 and e3 start at v3, which e4 reaches; so that they have their numbers, e4 is drawn first and put last.
     let e4 = drawing.map.connect(drawing.e(1, 2), drawing.v(3), LEFT).unwrap().half_edge;
@@ -151,8 +151,8 @@ fn dangling() -> (Drawing, [FaceKey; 2]) {
     (drawing, [outside, closing.new_face().unwrap()])
 }
 
-fn five_faces() -> (Drawing, [FaceKey; 5]) {
-    let mut drawing = Drawing::new(6);
+fn five_faces() -> (Embedding, [FaceKey; 5]) {
+    let mut drawing = Embedding::new(6);
     drawing.begin(3, 1); // e1
     drawing.reach((1, 2), 2); // e2
     let f1 = drawing.close((2, 2), (1, 1), LEFT); // e3
@@ -188,7 +188,7 @@ fn built(lines: &str) -> Dcel {
     let program: Program = format!("twinedge program 1\n{lines}").parse().unwrap();
     let mut runner = Runner::new(Dcel::new());
     runner.run(&program);
-    runner.into_kernel()
+    runner.into_subject()
 }
 
 #[test]

@@ -5,7 +5,7 @@ use std::collections::{HashMap, HashSet};
 use crate::support::exact::{Grid, all_clashes, point, segment_below};
 use quickcheck::{Arbitrary, Gen, QuickCheck, Testable};
 use twinedge::geometry::Point;
-use twinedge::geometry::crossing::{BadDrawing, Clash, clashes};
+use twinedge::geometry::crossing::{Clash, InvalidSegments, clashes};
 use twinedge::geometry::predicates::{MAX_COORDINATE, MIN_COORDINATE};
 use twinedge::geometry::sweep::sweep;
 
@@ -16,12 +16,12 @@ fn check(tests: u64, property: impl Testable) {
 
 /// Points on a small grid, some in the same place, some isolated; segments between them, some several times.
 #[derive(Clone, Debug)]
-struct Drawing {
+struct Embedding {
     points: Vec<Grid>,
     segments: Vec<[u32; 2]>,
 }
 
-impl Drawing {
+impl Embedding {
     fn places(&self) -> Vec<Point> {
         self.points.iter().copied().map(point).collect()
     }
@@ -59,7 +59,7 @@ impl Drawing {
     }
 }
 
-impl Arbitrary for Drawing {
+impl Arbitrary for Embedding {
     fn arbitrary(g: &mut Gen) -> Self {
         fn below(g: &mut Gen, bound: u32) -> u32 {
             u32::arbitrary(g) % bound
@@ -97,7 +97,7 @@ impl Arbitrary for Drawing {
 
 #[test]
 fn the_sweep_finds_a_clash_where_there_is_one() {
-    fn property(drawing: Drawing) -> bool {
+    fn property(drawing: Embedding) -> bool {
         let expected = all_clashes(&drawing.points, &drawing.segments);
         let swept = sweep(&drawing.places(), &drawing.segments, &[]).unwrap();
         match swept.clash {
@@ -105,24 +105,24 @@ fn the_sweep_finds_a_clash_where_there_is_one() {
             None => expected.is_empty(),
         }
     }
-    check(20_000, property as fn(Drawing) -> bool);
+    check(20_000, property as fn(Embedding) -> bool);
 }
 
 #[test]
 fn the_sweep_finds_no_clash_and_all_that_is_below_in_plane_drawings() {
-    fn property(drawing: Drawing) -> bool {
+    fn property(drawing: Embedding) -> bool {
         let drawing = drawing.plane();
         let swept = sweep(&drawing.places(), &drawing.segments, &drawing.all()).unwrap();
         let below = drawing.points.iter().map(|&q| segment_below(&drawing.points, &drawing.segments, q));
         swept.clash.is_none() && below.eq(swept.below)
     }
-    check(10_000, property as fn(Drawing) -> bool);
+    check(10_000, property as fn(Embedding) -> bool);
 }
 
 #[test]
 fn a_plane_drawing_with_one_more_segment_clashes_or_not() {
     /// The single fault in an otherwise plane drawing is found, whatever it is.
-    fn property(drawing: Drawing, u: usize, v: usize) -> bool {
+    fn property(drawing: Embedding, u: usize, v: usize) -> bool {
         let mut drawing = drawing.plane();
         let n = drawing.points.len();
         let (u, v) = (u % n, v % n);
@@ -134,13 +134,13 @@ fn a_plane_drawing_with_one_more_segment_clashes_or_not() {
         let swept = sweep(&drawing.places(), &drawing.segments, &[]).unwrap();
         swept.clash.map_or(expected.is_empty(), |clash| expected.contains(&clash))
     }
-    check(10_000, property as fn(Drawing, usize, usize) -> bool);
+    check(10_000, property as fn(Embedding, usize, usize) -> bool);
 }
 
 #[test]
 fn what_clashes_leaves_nothing_behind() {
     /// To the right of all that clashes, the status holds again what it should.
-    fn property(left: Drawing, right: Drawing) -> bool {
+    fn property(left: Embedding, right: Embedding) -> bool {
         let (right, shift) = (right.plane(), left.points.len() as u32);
         let moved: Vec<Grid> = right.points.iter().map(|&(x, y)| (x + 100, y)).collect();
         let points: Vec<Point> = left.points.iter().chain(&moved).copied().map(point).collect();
@@ -151,7 +151,7 @@ fn what_clashes_leaves_nothing_behind() {
         let below = moved.iter().map(|&q| segment_below(&moved, &right.segments, q));
         below.eq(swept.below)
     }
-    check(10_000, property as fn(Drawing, Drawing) -> bool);
+    check(10_000, property as fn(Embedding, Embedding) -> bool);
 }
 
 #[test]
@@ -195,7 +195,7 @@ fn all_sets_of_four_segments_on_nine_points_are_judged_rightly() {
 
 #[test]
 fn clashes_lists_what_all_pairs_say() {
-    fn property(drawing: Drawing, cap: usize) -> bool {
+    fn property(drawing: Embedding, cap: usize) -> bool {
         let expected = all_clashes(&drawing.points, &drawing.segments);
         let cap = cap % (expected.len() + 2);
         let (places, total) = (drawing.places(), expected.len() as u64);
@@ -204,12 +204,12 @@ fn clashes_lists_what_all_pairs_say() {
         let kept = expected[..cap.min(expected.len())].to_vec();
         all == (expected, total) && some == (kept, total)
     }
-    check(10_000, property as fn(Drawing, usize) -> bool);
+    check(10_000, property as fn(Embedding, usize) -> bool);
 }
 
 #[test]
 fn neither_the_scale_nor_the_order_of_the_endpoints_matters() {
-    fn property(drawing: Drawing) -> bool {
+    fn property(drawing: Embedding) -> bool {
         let places = drawing.places();
         let swept = sweep(&places, &drawing.segments, &drawing.all()).unwrap();
         let listed = clashes(&places, &drawing.segments, 1000).unwrap();
@@ -225,7 +225,7 @@ fn neither_the_scale_nor_the_order_of_the_endpoints_matters() {
                 && sweep(&back, &turned, &drawing.all()).unwrap() == swept
         })
     }
-    check(3000, property as fn(Drawing) -> bool);
+    check(3000, property as fn(Embedding) -> bool);
 }
 
 #[test]
@@ -236,16 +236,16 @@ fn what_describes_no_drawing_is_refused() {
         assert_eq!(clashes(points, segments, 1).unwrap_err(), refused);
         refused
     };
-    assert_eq!(refused(&points, &[[0, 1], [3, 4]]), BadDrawing::NoSuchPoint { segment: 1, point: 4 });
-    assert_eq!(refused(&points, &[[u32::MAX, 0]]), BadDrawing::NoSuchPoint { segment: 0, point: u32::MAX });
-    assert_eq!(refused(&points, &[[0, 1], [1, 1]]), BadDrawing::NoLength { segment: 1 });
-    assert_eq!(refused(&points, &[[0, 2]]), BadDrawing::NoLength { segment: 0 });
-    assert_eq!(refused(&[], &[[0, 0]]), BadDrawing::NoSuchPoint { segment: 0, point: 0 });
+    assert_eq!(refused(&points, &[[0, 1], [3, 4]]), InvalidSegments::NoSuchPoint { segment: 1, point: 4 });
+    assert_eq!(refused(&points, &[[u32::MAX, 0]]), InvalidSegments::NoSuchPoint { segment: 0, point: u32::MAX });
+    assert_eq!(refused(&points, &[[0, 1], [1, 1]]), InvalidSegments::NoLength { segment: 1 });
+    assert_eq!(refused(&points, &[[0, 2]]), InvalidSegments::NoLength { segment: 0 });
+    assert_eq!(refused(&[], &[[0, 0]]), InvalidSegments::NoSuchPoint { segment: 0, point: 0 });
     for bad in [f64::NAN, f64::INFINITY, 2.0 * MAX_COORDINATE, MIN_COORDINATE / 2.0] {
-        assert_eq!(refused(&[points[0], Point::new(0.0, bad)], &[]), BadDrawing::OutOfRange { point: 1 });
+        assert_eq!(refused(&[points[0], Point::new(0.0, bad)], &[]), InvalidSegments::OutOfRange { point: 1 });
     }
     let missing = sweep(&points, &[], &[3, 4]).unwrap_err();
-    assert_eq!(missing, BadDrawing::NoSuchQuery { query: 1, point: 4 });
+    assert_eq!(missing, InvalidSegments::NoSuchQuery { query: 1, point: 4 });
     assert_eq!(missing.to_string(), "query 1 names the missing point 4");
 }
 

@@ -3,9 +3,10 @@
 use std::collections::BTreeSet;
 use std::io::{self, Read};
 
-use twinedge::geometry::{Feature, Point, Shape};
+use twinedge::geometry::Point;
 use twinedge::io::geojson::{self, Fault, Place, ReadError};
 use twinedge::io::{MAX_NESTED_COLLECTIONS, Summary};
+use twinedge::map::{Feature, Shape};
 
 fn read(text: impl AsRef<[u8]>) -> Result<(Vec<Feature>, Summary), ReadError> {
     let mut features = Vec::new();

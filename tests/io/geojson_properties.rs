@@ -2,9 +2,10 @@
 
 use geojson::{GeoJson, GeometryValue};
 use quickcheck::{Arbitrary, Gen, QuickCheck};
-use twinedge::geometry::{Feature, Point, Shape};
+use twinedge::geometry::Point;
 use twinedge::io::Summary;
 use twinedge::io::geojson::{self as reader, Fault, ReadError};
+use twinedge::map::{Feature, Shape};
 
 fn read(text: &[u8]) -> Result<(Vec<Feature>, Summary), ReadError> {
     let mut features = Vec::new();

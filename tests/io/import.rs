@@ -4,7 +4,8 @@
 use quickcheck::{Gen, QuickCheck, TestResult};
 use std::collections::BTreeSet;
 use twinedge::algorithm::area::feature_area;
-use twinedge::geometry::{BuildSummary, Builder, IrregularityKind, PlanarMap, Point, Position, Shape};
+use twinedge::geometry::Point;
+use twinedge::map::{BuildSummary, Builder, IrregularityKind, PlanarMap, Position, Shape};
 
 type Grid = (i32, i32);
 

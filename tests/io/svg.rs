@@ -1,8 +1,9 @@
 //! Pictures: what is drawn, how often, and where.
 
 use quickcheck::{Gen, QuickCheck};
-use twinedge::geometry::{Builder, Feature, MAX_COORDINATE, MIN_COORDINATE, PlanarMap, Point, Shape};
+use twinedge::geometry::{MAX_COORDINATE, MIN_COORDINATE, Point};
 use twinedge::io::svg::{Options, draw, half_edges_in};
+use twinedge::map::{Builder, Feature, PlanarMap, Shape};
 
 fn polygon(name: &str, ring: &[[f64; 2]]) -> Feature {
     let ring = ring.iter().copied().map(Point::from).collect();

@@ -3,9 +3,10 @@
 use std::io::{self, Read};
 
 use quickcheck::{Arbitrary, Gen, QuickCheck};
-use twinedge::geometry::{Feature, Point, Shape};
+use twinedge::geometry::Point;
 use twinedge::io::wkt::{self, ReadError};
 use twinedge::io::{MAX_NESTED_COLLECTIONS, Summary};
+use twinedge::map::{Feature, Shape};
 
 fn read(text: impl AsRef<[u8]>) -> Result<(Vec<Feature>, Summary), ReadError> {
     let mut features = Vec::new();

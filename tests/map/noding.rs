@@ -3,9 +3,10 @@
 use quickcheck::{QuickCheck, TestResult};
 use std::collections::BTreeSet;
 use twinedge::dcel::Face;
+use twinedge::geometry::Point;
 use twinedge::geometry::noding::Snap;
-use twinedge::geometry::{BuildError, Builder, Feature, FeatureId, Noding, PlanarMap, Point, Shape};
 use twinedge::io::geojson::{self, ReadError};
+use twinedge::map::{BuildError, Builder, Feature, FeatureId, Noding, PlanarMap, Shape};
 
 type Whole = (i8, i8);
 

@@ -3,8 +3,9 @@
 use quickcheck::{QuickCheck, TestResult};
 use std::collections::BTreeSet;
 use twinedge::dcel::{Boundary, Face};
-use twinedge::geometry::{BuildError, Builder, Feature, FeatureId, PlanarMap, Point, Position, Shape};
+use twinedge::geometry::Point;
 use twinedge::io::geojson::{self, ReadError};
+use twinedge::map::{BuildError, Builder, Feature, FeatureId, PlanarMap, Position, Shape};
 
 fn ring(points: &[[f64; 2]]) -> Vec<Point> {
     points.iter().copied().map(Point::from).collect()

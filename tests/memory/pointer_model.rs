@@ -2,11 +2,11 @@
 
 use quickcheck::{Gen, QuickCheck};
 use std::rc::Weak;
-use twinedge::program::{Kernel, Program, Runner, Textbook};
+use twinedge::program::{PointerModel, Program, Runner, Subject};
 use twinedge::validate::View;
 
 /// How many links lead from record to record, going by what the structure says of itself.
-fn links(textbook: &Textbook) -> usize {
+fn links(textbook: &PointerModel) -> usize {
     let half_edges = textbook.half_edge_slots();
     let isolated = (0..textbook.vertex_slots()).filter(|v| textbook.isolated(*v).is_some()).count();
     let listed: usize =
@@ -18,18 +18,18 @@ fn links(textbook: &Textbook) -> usize {
 
 #[allow(clippy::needless_pass_by_value, reason = "what quickcheck hands over")]
 fn records_are_freed(program: Program) -> bool {
-    let mut runner = Runner::new(Textbook::new());
+    let mut runner = Runner::new(PointerModel::new());
     for op in &program.0 {
-        let before = runner.kernel().records();
+        let before = runner.subject().records();
         runner.step(*op);
-        let now = runner.kernel().records();
+        let now = runner.subject().records();
         // Each record is owned by its list, and by nothing else.
         if now.iter().any(|record| record.strong_count() != 1) {
             return false;
         }
         // Links lead to records that are there, and each record is linked to as often as it says.
         let watched: usize = before.iter().filter(|record| record.strong_count() > 0).count() + now.len();
-        if now.iter().map(Weak::weak_count).sum::<usize>() != watched + links(runner.kernel()) {
+        if now.iter().map(Weak::weak_count).sum::<usize>() != watched + links(runner.subject()) {
             return false;
         }
         // What was removed is gone: of the records of before there remain no more than there are now.
@@ -38,8 +38,8 @@ fn records_are_freed(program: Program) -> bool {
             return false;
         }
     }
-    let watched = runner.kernel().records();
-    let textbook = runner.into_kernel();
+    let watched = runner.subject().records();
+    let textbook = runner.into_subject();
     let faces = textbook.face_slots();
     drop(textbook);
     faces >= 1 && watched.iter().all(|record| record.strong_count() == 0 && record.weak_count() == 0)
@@ -53,7 +53,7 @@ fn every_record_is_freed_when_it_is_removed_and_all_when_the_structure_is_droppe
 
 #[test]
 fn a_record_that_is_removed_is_freed_at_once() {
-    let mut textbook = Textbook::new();
+    let mut textbook = PointerModel::new();
     let outside = textbook.unbounded_face();
     let empty = textbook.records();
     let v = textbook.add_isolated_vertex(outside).unwrap();

@@ -201,10 +201,10 @@ fn random_map(seed: u64) -> Dcel {
     let add = Op::AddIsolatedVertex { face: FacePick::Unbounded };
     runner.run(&Program(vec![add; 1 + seed as usize % 3]));
     let mut bytes = noise(seed);
-    while runner.kernel().edge_count() < 1 + seed as usize % 5 {
+    while runner.subject().edge_count() < 1 + seed as usize % 5 {
         runner.step(Op::from_bytes(&mut bytes).unwrap());
     }
-    runner.into_kernel()
+    runner.into_subject()
 }
 
 /// All maps that come of moving one hole or isolated vertex to another face, twice.

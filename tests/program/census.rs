@@ -13,7 +13,7 @@ fn connected_maps_are_as_many_as_published() {
     let mut rootings: BTreeMap<_, (usize, usize)> = BTreeMap::new();
     let mut last = 0;
     for found in Census::new(Scope::Connected { edges: 4 }) {
-        let map = found.runner.kernel();
+        let map = found.runner.subject();
         assert!(map.validate().is_valid());
         let edges = map.edge_count();
         assert!(last <= edges, "those with fewer edges come first");
@@ -24,7 +24,7 @@ fn connected_maps_are_as_many_as_published() {
         // The program makes the map from nothing.
         let mut again = Runner::new(Dcel::new());
         again.run(&found.program);
-        assert!(canonical::isomorphic(again.kernel(), map));
+        assert!(canonical::isomorphic(again.subject(), map));
     }
     // OEIS A103937: one face is distinguished. A006384 and A000168: none is; and one half-edge.
     assert_eq!(plane, [1, 2, 6, 26, 150]);
@@ -41,7 +41,7 @@ fn subdivisions_of_one_edge_are_those_counted_by_hand() {
     let mut counts = BTreeMap::new();
     let mut codes = BTreeSet::new();
     for found in Census::new(Scope::Subdivisions { edges: 1, vertices: 3 }) {
-        let map = found.runner.kernel();
+        let map = found.runner.subject();
         assert!(map.validate().is_valid());
         assert!(codes.insert(canonical::code(map).unwrap()), "a map came twice");
         *counts.entry((map.edge_count(), map.vertex_count())).or_insert(0) += 1;
@@ -102,14 +102,14 @@ fn every_operator_comes_with_every_argument_once() {
     assert_eq!(count(|op| matches!(op, Op::Connect { .. })), 12 * 2 + 4 * (2 * 2 + 6) + 2 * 4 * 3);
 
     let mut refusals = BTreeSet::new();
-    let code = canonical::code(map.kernel());
+    let code = canonical::code(map.subject());
     try_every_op(&map, |op, outcome, result| {
-        assert!(result.kernel().validate().is_valid(), "{op}");
+        assert!(result.subject().validate().is_valid(), "{op}");
         match outcome {
             Outcome::Applied => {}
             Outcome::Refused(refusal) => {
                 refusals.insert(refusal);
-                assert_eq!(canonical::code(result.kernel()), code, "{op}");
+                assert_eq!(canonical::code(result.subject()), code, "{op}");
             }
             Outcome::Skipped => panic!("{op} has nothing to choose from"),
         }

@@ -22,7 +22,7 @@ fn the_models_and_the_structure_do_the_same() {
     let mut sum = Summary::default();
     for seed in 0..50 {
         let program = Program::from_bytes(&noise(seed, 600));
-        let summary = conformance::run(&program, Model::new(), &Model::expectation())
+        let summary = conformance::run(&program, RotationSystem::new(), &RotationSystem::expectation())
             .unwrap_or_else(|failure| panic!("seed {seed}: {failure}"));
         assert_eq!(conformance::run(&program, Dcel::new(), &Expectation::plane()), Ok(summary));
         assert_eq!(summary.operators(), program.0.len());
@@ -32,7 +32,7 @@ fn the_models_and_the_structure_do_the_same() {
     assert!(sum.applied > 2500 && sum.refused > 500, "{sum:?}");
 }
 
-/// What is wrong with a kernel.
+/// What is wrong with a subject.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 enum Fault {
     /// It begins with a vertex in it.
@@ -62,7 +62,7 @@ enum Fault {
 /// The model with a fault.
 #[derive(Clone)]
 struct Faulty {
-    model: Model,
+    model: RotationSystem,
     fault: Fault,
     /// How many questions it was asked.
     asked: Rc<Cell<usize>>,
@@ -70,7 +70,7 @@ struct Faulty {
 
 impl Faulty {
     fn new(fault: Fault) -> Self {
-        let mut model = Model::new();
+        let mut model = RotationSystem::new();
         if fault == Fault::NotEmpty {
             model.add_isolated_vertex(0).unwrap();
         }
@@ -120,7 +120,7 @@ impl View for Faulty {
     }
 }
 
-impl Kernel for Faulty {
+impl Subject for Faulty {
     type Vertex = usize;
     type HalfEdge = usize;
     type Face = usize;
@@ -206,10 +206,10 @@ impl Kernel for Faulty {
 }
 
 fn judge(program: &Program, fault: Fault) -> Result<Summary, Failure> {
-    conformance::run(program, Faulty::new(fault), &Model::expectation())
+    conformance::run(program, Faulty::new(fault), &RotationSystem::expectation())
 }
 
-/// The first random program on which a kernel with this fault fails, shrunk, and how it fails then.
+/// The first random program on which a subject with this fault fails, shrunk, and how it fails then.
 fn shrunk(fault: Fault) -> (Program, Failure) {
     let mut programs = (0..200).map(|seed| Program::from_bytes(&noise(seed, 400)));
     let program = programs.find(|program| judge(program, fault).is_err()).expect("the fault is found");
@@ -235,8 +235,8 @@ fn a_wrong_handle_is_found_at_once() {
     for fault in [Fault::Twin, Fault::Side] {
         let (shrunk, failure) = shrunk(fault);
         assert_eq!(shrunk, program("add_isolated_vertex unbounded\nconnect i0 ~0 left"));
-        let (reference, kernel) = (Answer::Corner(0), Answer::Unbounded);
-        assert_eq!(failure.difference, Difference::Answers { corner: 0, question: Question::Face, reference, kernel });
+        let (reference, subject) = (Answer::Corner(0), Answer::Unbounded);
+        assert_eq!(failure.difference, Difference::Answers { corner: 0, question: Question::Face, reference, subject });
         assert_eq!(
             failure.to_string(),
             "after operator 2, `connect i0 ~0 left`: of corner 0, Face should be Corner(0) and is Unbounded"
@@ -261,8 +261,8 @@ fn a_valid_map_that_is_another_one_is_found() {
 fn a_wrong_reason_is_found() {
     let (shrunk, failure) = shrunk(Fault::WrongReason);
     assert_eq!(shrunk, program("add_isolated_vertex unbounded\nconnect i0 ~0 left\ncontract_edge h0"));
-    let (reference, kernel) = (Outcome::Refused(Refusal::Loop), Outcome::Refused(Refusal::Stale));
-    assert_eq!(failure.difference, Difference::Outcome { reference, kernel });
+    let (reference, subject) = (Outcome::Refused(Refusal::Loop), Outcome::Refused(Refusal::Stale));
+    assert_eq!(failure.difference, Difference::Outcome { reference, subject });
     assert_eq!(
         failure.to_string(),
         "after operator 3, `contract_edge h0`: the outcome should be `refused: the edge is a loop` and is \
@@ -306,9 +306,9 @@ fn want_of_room_is_no_fault_unless_it_leaves_a_trace() {
 /// Comparing once asked O(n²) questions, and each took the model O(n).
 #[test]
 fn a_step_asks_every_corner_a_few_questions() {
-    let kernel = Faulty::new(Fault::None);
-    let asked = kernel.asked.clone();
-    let mut pair = InStep::new(kernel, &Model::expectation()).unwrap();
+    let subject = Faulty::new(Fault::None);
+    let asked = subject.asked.clone();
+    let mut pair = InStep::new(subject, &RotationSystem::expectation()).unwrap();
     let mut step = |line: &str| {
         let before = asked.get();
         pair.step(program(line).0[0]).unwrap();
@@ -333,7 +333,7 @@ fn an_expectation_without_what_tells_maps_apart_is_refused_by_name() {
         (plane.without(Part::UnboundedFace), Part::UnboundedFace),
         (Expectation::surface(), Part::Holes),
     ] {
-        let failure = conformance::run(&Program::default(), Model::new(), &expectation).unwrap_err();
+        let failure = conformance::run(&Program::default(), RotationSystem::new(), &expectation).unwrap_err();
         assert_eq!(failure, Failure { before: 0, op: None, difference: Difference::Lacks(part) });
     }
     let failure = Failure { before: 0, op: None, difference: Difference::Lacks(Part::Faces) };
@@ -341,14 +341,14 @@ fn an_expectation_without_what_tells_maps_apart_is_refused_by_name() {
         failure.to_string(),
         "at the start: the expectation leaves out faces; without it there is no telling which map it is"
     );
-    let least = Model::expectation().without(Part::Prev).without(Part::Leaving);
-    assert!(conformance::run(&Program::from_bytes(&noise(1, 300)), Model::new(), &least).is_ok());
+    let least = RotationSystem::expectation().without(Part::Prev).without(Part::Leaving);
+    assert!(conformance::run(&Program::from_bytes(&noise(1, 300)), RotationSystem::new(), &least).is_ok());
 }
 
 #[test]
 fn a_run_can_be_stopped_and_looked_at_between_operators() {
     let program = program("add_isolated_vertex unbounded\nremove_edge h0\nconnect i0 ~0 left\ncontract_edge h0");
-    let mut pair = InStep::new(Faulty::new(Fault::WrongReason), &Model::expectation()).unwrap();
+    let mut pair = InStep::new(Faulty::new(Fault::WrongReason), &RotationSystem::expectation()).unwrap();
     let outcomes = [0, 1, 2].map(|i| pair.step(program.0[i]).unwrap());
     assert_eq!(outcomes, [Outcome::Applied, Outcome::Skipped, Outcome::Applied]);
     assert_eq!(pair.summary(), Summary { applied: 2, skipped: 1, ..Summary::default() });

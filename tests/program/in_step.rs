@@ -4,7 +4,7 @@
 use quickcheck::{Arbitrary, Gen, QuickCheck};
 use twinedge::dcel::Dcel;
 use twinedge::program::canonical::{Canonizer, Code};
-use twinedge::program::{Kernel, Op, Outcome, Program, Refusal, Runner, Textbook};
+use twinedge::program::{Op, Outcome, PointerModel, Program, Refusal, Runner, Subject};
 use twinedge::store::{FixedStore, PointerStore, SlotStore};
 use twinedge::validate::{Collect, Expectation, validate};
 
@@ -15,29 +15,29 @@ const SIZE: usize = 100;
 const SEED: u64 = 11;
 const TESTS: u64 = 1000;
 
-/// A kernel in a run, and how to look at it.
-struct Lane<K: Kernel> {
+/// A subject in a run, and how to look at it.
+struct Lane<K: Subject> {
     runner: Runner<K>,
     canonizer: Canonizer,
 }
 
-impl<K: Kernel> Lane<K> {
-    fn new(kernel: K) -> Self {
-        Self { runner: Runner::new(kernel), canonizer: Canonizer::new() }
+impl<K: Subject> Lane<K> {
+    fn new(subject: K) -> Self {
+        Self { runner: Runner::new(subject), canonizer: Canonizer::new() }
     }
 
     /// Runs an operator, and tells what became of it and which map there is now.
     fn step(&mut self, op: Op) -> (Outcome, Option<Code>) {
         let outcome = self.runner.step(op);
-        let report = validate(self.runner.kernel(), &Expectation::plane(), Collect::All);
+        let report = validate(self.runner.subject(), &Expectation::plane(), Collect::All);
         assert!(report.is_valid(), "{op:?}: {report:?}");
-        (outcome, self.canonizer.subdivision(self.runner.kernel()))
+        (outcome, self.canonizer.subdivision(self.runner.subject()))
     }
 }
 
-/// The operator after which two kernels no longer agree. One that is full drops out.
+/// The operator after which two subjects no longer agree. One that is full drops out.
 fn first_difference(program: &Program) -> Option<Op> {
-    let mut textbook = Lane::new(Textbook::new());
+    let mut textbook = Lane::new(PointerModel::new());
     let mut slots = Lane::new(Dcel::<SlotStore>::default());
     let mut pointers = Lane::new(Dcel::<PointerStore>::default());
     let mut fixed = Some(Lane::new(Dcel::<Largest>::default()));
@@ -75,7 +75,7 @@ fn programs_meet_every_refusal() {
     let mut met: Vec<Refusal> = Vec::new();
     let mut generator = Gen::from_size_and_seed(SIZE, SEED);
     for _ in 0..TESTS {
-        for outcome in Runner::new(Textbook::new()).run(&Program::arbitrary(&mut generator)) {
+        for outcome in Runner::new(PointerModel::new()).run(&Program::arbitrary(&mut generator)) {
             if let Outcome::Refused(refusal) = outcome
                 && !met.contains(&refusal)
             {

@@ -162,7 +162,7 @@ fn run(text: &str) -> (Runner<Dcel>, Vec<Outcome>) {
     let mut runner = Runner::new(Dcel::new());
     let program: Program = format!("twinedge program 1\n{text}").parse().unwrap();
     let outcomes = runner.run(&program);
-    assert!(runner.kernel().validate().is_valid());
+    assert!(runner.subject().validate().is_valid());
     (runner, outcomes)
 }
 
@@ -174,7 +174,7 @@ fn picks_count_in_order_of_creation_and_start_again() {
         split_edge h4\n\
         split_edge h0\n");
     assert_eq!(outcomes, [Outcome::Applied; 4]);
-    let map = runner.kernel();
+    let map = runner.subject();
     let h = runner.half_edges();
     assert_eq!(h.len(), 6);
     for pair in h.chunks(2) {
@@ -214,10 +214,10 @@ fn everything_that_is_gone_can_be_asked_for_again_and_is_stale() {
         remove_isolated_vertex !v0\nremove_isolated_vertex !v1\nadd_isolated_vertex !f0\nadd_isolated_vertex !h0\n\
         connect !h0 ~0 left\nconnect i0 !v0 left\nconnect i0 i0 left also !h0\n\
         split_vertex !h0 ~0\nsplit_vertex i0 !v1\nmove_inner !v0 unbounded\nmove_inner !h0 unbounded\nmove_inner i0 !f0\n";
-    let before = Table::copy_of(runner.kernel());
+    let before = Table::copy_of(runner.subject());
     for op in format!("twinedge program 1\n{again}").parse::<Program>().unwrap().0 {
         assert_eq!(runner.step(op), Outcome::Refused(Refusal::Stale), "{op}");
-        assert_eq!(Table::copy_of(runner.kernel()), before, "{op}");
+        assert_eq!(Table::copy_of(runner.subject()), before, "{op}");
     }
 }
 
@@ -267,8 +267,8 @@ fn inner_boundary_components_are_counted_as_their_first_corners_were_made() {
         let from = Corner::Isolated(VertexPick::Isolated(0));
         let inner = InnerPick { mask, also: None };
         runner.step(Op::Connect { from, to: SecondPick::Any(from), new_face: Side::Left, inner });
-        let map = runner.kernel();
-        let inside = |corner| map.face_of(corner).unwrap() != Kernel::unbounded_face(map);
+        let map = runner.subject();
+        let inside = |corner| map.face_of(corner).unwrap() != Subject::unbounded_face(map);
         let edge = inside(Corner::At(runner.half_edges()[0]));
         let vertices = [0, 1].map(|i| inside(Corner::Isolated(runner.isolated()[i])));
         assert_eq!([edge, vertices[0], vertices[1]], [0, 1, 2].map(|bit| mask >> bit & 1 == 1));
@@ -302,8 +302,8 @@ fn random_programs_do_much_and_are_refused_for_every_reason() {
         for outcome in runner.run(&program) {
             *counts.entry(outcome).or_insert(0) += 1;
         }
-        edges += runner.kernel().edge_count();
-        nested += runner.kernel().faces().filter(|f| !f.is_unbounded() && f.inner_count() > 0).count();
+        edges += runner.subject().edge_count();
+        nested += runner.subject().faces().filter(|f| !f.is_unbounded() && f.inner_count() > 0).count();
     }
     let sum: i32 = counts.values().sum();
     assert!(counts[&Outcome::Applied] * 2 > sum, "less than half is applied: {counts:?}");
@@ -317,7 +317,7 @@ fn shrinking_goes_on_until_nothing_more_can_be_left_out() {
     let has_hole = |program: &Program| {
         let mut runner = Runner::new(Dcel::new());
         runner.run(program);
-        let map = runner.into_kernel();
+        let map = runner.into_subject();
         map.faces().any(|f| !f.is_unbounded() && f.inner().any(|b| b.start().is_some()))
     };
     let mut lengths = Vec::new();
@@ -364,7 +364,7 @@ fn what_an_operator_would_choose_can_be_asked() {
         .parse()
         .unwrap();
     let op = |i: usize| program.0[i];
-    let mut runner = Runner::new(Model::new());
+    let mut runner = Runner::new(RotationSystem::new());
     assert_eq!(runner.resolve(op(1)), Err(Outcome::Skipped));
     runner.step(op(0));
     let (v, new_face) = (Corner::Isolated(0), Side::Left);

@@ -2,7 +2,8 @@
 
 use std::collections::HashMap;
 use twinedge::dcel::{FaceKey, HalfEdgeKey, VertexKey};
-use twinedge::geometry::{Located, Met, PlanarMap, Point, Stretch};
+use twinedge::geometry::Point;
+use twinedge::map::{Located, Met, PlanarMap, Stretch};
 
 /// A point with whole coordinates.
 pub(crate) type Whole = [i128; 2];

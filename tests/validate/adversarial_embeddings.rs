@@ -3,13 +3,14 @@
 
 use crate::support::moody::Moody;
 use crate::support::nested::{nested, nested_textbook};
-use twinedge::geometry::{Drawing, Point, places, validate_drawing};
+use twinedge::geometry::Point;
 use twinedge::validate::{Collect, Expectation, Part};
+use twinedge::validate::{Embedding, places, validate_embedding};
 
 /// Where the vertices of the nested triangles lie, as long as the drawing is in the mood to say so.
 const POINTS: [[f64; 2]; 7] = [[0.0, 0.0], [10.0, 0.0], [5.0, 10.0], [4.0, 1.0], [6.0, 1.0], [5.0, 3.0], [7.0, 3.0]];
 
-impl Drawing for Moody<'_> {
+impl Embedding for Moody<'_> {
     fn point(&self, vertex: usize) -> Point {
         let strange = [f64::NAN, f64::INFINITY, 0.0, -0.0, 1e300, f64::MIN_POSITIVE, 5.0];
         match self.mood() {
@@ -26,13 +27,13 @@ fn answers_may_change_from_call_to_call() {
     let textbook = plane.without(Part::BoundaryComponents);
     for (table, expectation) in [(nested(), plane), (nested_textbook(), textbook)] {
         let honest = Moody::new(&table, u64::MAX, 0);
-        assert!(validate_drawing(&honest, &expectation, Collect::All).is_valid());
+        assert!(validate_embedding(&honest, &expectation, Collect::All).is_valid());
         let questions = honest.questions.get();
         for expectation in [expectation, expectation.open(), expectation.without(Part::UnboundedFace).open()] {
             for patience in 0..questions {
                 for seed in 0..40 {
                     let moody = Moody::new(&table, patience, seed);
-                    let report = validate_drawing(&moody, &expectation, Collect::All);
+                    let report = validate_embedding(&moody, &expectation, Collect::All);
                     let asked = moody.questions.get();
                     assert!(asked <= 3 * questions, "{asked} questions, {questions} if honest\n{report}");
                     for violation in report.violations() {

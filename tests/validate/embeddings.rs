@@ -2,8 +2,10 @@
 
 use crate::support::delegate::delegate_view;
 use twinedge::dcel::{Dcel, HalfEdge};
-use twinedge::geometry::{Builder, Drawing, PlanarMap, Point, places, validate_drawing};
+use twinedge::geometry::Point;
+use twinedge::map::{Builder, PlanarMap};
 use twinedge::validate::{Collect, Expectation, Link, Place, Record, Report, Rule, Start, Unchecked, View, Violation};
+use twinedge::validate::{Embedding, places, validate_embedding};
 
 /// A structure drawn elsewhere than its map says.
 struct Redrawn {
@@ -30,7 +32,7 @@ impl Redrawn {
     }
 
     fn report(&self) -> Report {
-        validate_drawing(self, &Expectation::plane(), Collect::All)
+        validate_embedding(self, &Expectation::plane(), Collect::All)
     }
 
     /// The rules that are broken, each once.
@@ -39,7 +41,7 @@ impl Redrawn {
     }
 }
 
-impl Drawing for Redrawn {
+impl Embedding for Redrawn {
     fn point(&self, vertex: usize) -> Point {
         self.points[vertex]
     }
@@ -142,7 +144,7 @@ fn g4_a_vertex_inside_an_edge_an_overlap_and_two_vertices_at_one_point() {
 fn g4_an_isolated_vertex_on_an_edge() {
     let mut builder = Builder::new();
     builder.segment([0.0, 0.0], [4.0, 0.0]).expect("in range");
-    builder.shape(&twinedge::geometry::Shape::Point(Point::new(1.0, 1.0))).expect("in range");
+    builder.shape(&twinedge::map::Shape::Point(Point::new(1.0, 1.0))).expect("in range");
     let drawn = Redrawn::of(&builder.build().expect("fits")).moved([1.0, 1.0], [1.0, 0.0]);
     assert_eq!(drawn.broken(), [Rule::G4]);
 }
@@ -175,17 +177,17 @@ fn crossings_are_counted_beyond_those_that_are_kept() {
     let segments: Vec<_> = (0..10).flat_map(|i| [line(i, false), line(i, true)]).collect();
     let map = map(&segments);
     assert!(!map.is_plane());
-    let report = validate_drawing(&map, &Expectation::plane(), Collect::AtMost(7));
+    let report = validate_embedding(&map, &Expectation::plane(), Collect::AtMost(7));
     assert_eq!(report.violations().len(), 7);
     assert_eq!(report.outcome(Rule::G4).map(|o| o.violations), Some(100));
-    assert_eq!(validate_drawing(&map, &Expectation::plane(), Collect::First).violations().len(), 1);
+    assert_eq!(validate_embedding(&map, &Expectation::plane(), Collect::First).violations().len(), 1);
 }
 
 #[test]
 fn topology_that_is_broken_leaves_geometry_unchecked() {
     use twinedge::validate::Table;
     struct Tables(Table);
-    impl Drawing for Tables {
+    impl Embedding for Tables {
         fn point(&self, _: usize) -> Point {
             Point::default()
         }
@@ -208,7 +210,7 @@ fn topology_that_is_broken_leaves_geometry_unchecked() {
         }
     }
     let table = Table::copy_of(star().dcel()).expect("a star fits");
-    let report = validate_drawing(&Tables(table), &Expectation::plane(), Collect::All);
+    let report = validate_embedding(&Tables(table), &Expectation::plane(), Collect::All);
     for rule in [Rule::G1, Rule::G2, Rule::G3, Rule::G4, Rule::G5] {
         assert_eq!(report.outcome(rule).and_then(|o| o.unchecked), Some(Unchecked::Broken(Rule::R1)), "{rule}");
     }

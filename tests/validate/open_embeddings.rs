@@ -2,11 +2,12 @@
 
 use crate::support::delegate::delegate_view;
 use crate::support::tables::{half_edge, map, textbook_map};
-use twinedge::geometry::{Drawing, Point, validate_drawing};
+use twinedge::geometry::Point;
 use twinedge::validate::{
     Collect, Expectation, FaceRow, HalfEdgeRow, Link, Part, Place, Record, Report, Rule, Start, Table, VertexRow, View,
     Violation,
 };
+use twinedge::validate::{Embedding, validate_embedding};
 
 /// A table and where its vertices lie.
 struct Drawn {
@@ -18,7 +19,7 @@ impl View for Drawn {
     delegate_view!(table, table);
 }
 
-impl Drawing for Drawn {
+impl Embedding for Drawn {
     fn point(&self, vertex: usize) -> Point {
         self.points[vertex].into()
     }
@@ -26,7 +27,7 @@ impl Drawing for Drawn {
 
 impl Drawn {
     fn report(&self, expectation: Expectation) -> Report {
-        validate_drawing(self, &expectation, Collect::All)
+        validate_embedding(self, &expectation, Collect::All)
     }
 }
 

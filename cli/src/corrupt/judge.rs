@@ -22,21 +22,21 @@ pub(super) enum Form {
     /// With records for boundary components.
     Records,
     /// Without, as in the textbooks: half-edges name their face, and faces name half-edges.
-    Textbook,
+    PointerModel,
 }
 
 impl Form {
     pub(super) const fn name(self) -> &'static str {
         match self {
             Self::Records => "records",
-            Self::Textbook => "textbook",
+            Self::PointerModel => "textbook",
         }
     }
 
     const fn expectation(self) -> Expectation {
         match self {
             Self::Records => Expectation::plane(),
-            Self::Textbook => Expectation::plane().without(Part::BoundaryComponents),
+            Self::PointerModel => Expectation::plane().without(Part::BoundaryComponents),
         }
     }
 }
@@ -54,12 +54,12 @@ pub(super) struct Specimen {
 impl Specimen {
     /// The tables of a map, each with a vacant row, in both forms. None if there is no memory for them.
     pub(super) fn all(found: &Found) -> Option<[Self; 2]> {
-        let records = Table::copy_of(found.runner.kernel())?;
+        let records = Table::copy_of(found.runner.subject())?;
         let mut textbook = records.clone();
         drop_boundaries(&mut textbook);
-        let map = found.runner.kernel();
+        let map = found.runner.subject();
         let is_smallest = map.edge_count() <= 1 && map.vertex_count() <= 2;
-        Some([(Form::Records, records), (Form::Textbook, textbook)].map(|(form, mut table)| {
+        Some([(Form::Records, records), (Form::PointerModel, textbook)].map(|(form, mut table)| {
             table.vertices.push(None);
             table.half_edges.push(None);
             table.boundaries.push(None);

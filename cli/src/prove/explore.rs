@@ -9,7 +9,7 @@ use std::sync::Mutex;
 use twinedge::dcel::Dcel;
 use twinedge::program::canonical::{Canonizer, Code};
 use twinedge::program::census::Scope;
-use twinedge::program::{Kernel, Op, Outcome, Program, Runner, every_op};
+use twinedge::program::{Op, Outcome, Program, Runner, Subject, every_op};
 use twinedge::validate::{Collect, Counts, Expectation, View, validate};
 
 /// What was found of maps of one size.
@@ -97,7 +97,7 @@ pub(super) fn explore(scope: Scope, threads: usize, what: &str) -> Explored {
     let mut explored = Explored::default();
     let mut generation = vec![scope.start()];
     let first = play(&generation[0]);
-    if let Some(code) = Canonizer::new().subdivision(first.kernel()) {
+    if let Some(code) = Canonizer::new().subdivision(first.subject()) {
         seen.insert(code);
     }
     let mut step = 0;
@@ -126,7 +126,7 @@ fn play(program: &Program) -> Runner<Dcel> {
 impl Worker {
     fn visit(&mut self, scope: Scope, program: &Program, seen: &Codes, sensed: &Codes) {
         let map = play(program);
-        let report = validate(map.kernel(), &Expectation::plane(), Collect::First);
+        let report = validate(map.subject(), &Expectation::plane(), Collect::First);
         let before = *report.counts();
         let mut tally = Tally { maps: 1, ..Tally::default() };
         let mut wrong = |op, message| {
@@ -137,7 +137,7 @@ impl Worker {
             wrong(None, "the map itself is not valid".to_owned());
         }
         if matches!(scope, Scope::Connected { .. }) {
-            match self.canonizer.unrooted(map.kernel()) {
+            match self.canonizer.unrooted(map.subject()) {
                 Some(unrooted) if sensed.insert(unrooted.code.clone()) => {
                     tally.sensed = 1;
                     tally.rooted = unrooted.rootings as u64;
@@ -150,13 +150,13 @@ impl Worker {
             Err(panic) => wrong(Some(op), format!("panicked: {panic}")),
             Ok(Outcome::Applied) => {
                 tally.applied += 1;
-                let report = validate(result.kernel(), &Expectation::plane(), Collect::First);
+                let report = validate(result.subject(), &Expectation::plane(), Collect::First);
                 if let Some(violation) = report.violations().first() {
                     wrong(Some(op), format!("breaks {}: {violation}", violation.rule()));
                 } else if !report.is_valid() || !as_promised(op, &before, report.counts()) {
                     wrong(Some(op), format!("makes {:?} of {before:?}", report.counts()));
-                } else if scope.takes_in(result.kernel()) {
-                    let Some(code) = self.canonizer.subdivision(result.kernel()) else {
+                } else if scope.takes_in(result.subject()) {
+                    let Some(code) = self.canonizer.subdivision(result.subject()) else {
                         return wrong(Some(op), "a map has no canonical form".to_owned());
                     };
                     if seen.insert(code) {
@@ -166,7 +166,7 @@ impl Worker {
             }
             Ok(outcome @ (Outcome::Refused(_) | Outcome::Skipped)) => {
                 tally.refused += 1;
-                if !same(map.kernel(), result.kernel()) {
+                if !same(map.subject(), result.subject()) {
                     wrong(Some(op), format!("{outcome}, but the map is not as it was"));
                 }
             }
@@ -177,7 +177,7 @@ impl Worker {
 
 /// Applies every operator with every argument to the map as it is, one at a time, and shows what came of each: the outcome and
 /// the map, or how it panics.
-fn try_every_op<K: Kernel + Clone>(map: &Runner<K>, mut visit: impl FnMut(Op, Result<Outcome, String>, &Runner<K>)) {
+fn try_every_op<K: Subject + Clone>(map: &Runner<K>, mut visit: impl FnMut(Op, Result<Outcome, String>, &Runner<K>)) {
     let mut trial = map.clone();
     for op in every_op(map) {
         let outcome = caught(|| trial.step(op));
@@ -242,7 +242,7 @@ fn same<V: View>(one: &V, other: &V) -> bool {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::kernels::Planted;
+    use crate::subjects::Planted;
 
     #[test]
     fn an_operator_that_panics_is_told_of_and_the_others_go_on() {

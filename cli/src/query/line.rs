@@ -6,7 +6,8 @@ use crate::Failure;
 use crate::output::{Format, print, print_json};
 use clap::ValueEnum;
 use serde::Serialize;
-use twinedge::geometry::{Locator, Met, Point, Stretch};
+use twinedge::geometry::Point;
+use twinedge::map::{Locator, Met, Stretch};
 
 /// All faces, edges and vertices that a line meets, in order.
 #[derive(Debug, clap::Args)]

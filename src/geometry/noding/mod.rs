@@ -126,7 +126,8 @@ pub enum Input {
 
 impl Input {
     /// The point at fault: of a segment, the end with the larger coordinate.
-    pub(super) fn point(self, segments: &[[Point; 2]], points: &[Point]) -> Point {
+    #[cfg(feature = "map")]
+    pub(crate) fn point(self, segments: &[[Point; 2]], points: &[Point]) -> Point {
         match self {
             Self::Point(index) => points[index],
             Self::Segment(index) => {

@@ -1,7 +1,8 @@
 //! Writing features.
 
 use super::super::write::{self, Piece, WriteError};
-use crate::geometry::{Feature, Point};
+use crate::geometry::Point;
+use crate::map::Feature;
 use ::geojson::feature::Id;
 use ::geojson::{Error, Feature as Written, FeatureWriter, Geometry, GeometryValue, JsonObject, Position};
 use std::io::{self, Write};
@@ -19,7 +20,8 @@ use std::io::{self, Write};
 /// [`WriteError::NotFinite`], before anything is written, and [`WriteError::Io`].
 ///
 /// ```
-/// use twinedge::geometry::{Feature, Point, Shape};
+/// use twinedge::geometry::Point;
+/// use twinedge::map::{Feature, Shape};
 /// use twinedge::io::geojson::{self, ReadError};
 ///
 /// let peak = Shape::Point(Point::new(7.6585, 45.9764));

@@ -3,7 +3,7 @@
 use crate::support::exact::Grid;
 use std::collections::{BTreeMap, BTreeSet};
 use twinedge::dcel::{Face, FaceKey, HalfEdge, Vertex};
-use twinedge::geometry::{Builder, PlanarMap, Shape};
+use twinedge::map::{Builder, PlanarMap, Shape};
 
 /// A closed walk, from its smallest half-edge on; a point alone for an isolated vertex.
 pub(crate) type Walk = Vec<Grid>;

@@ -2,8 +2,8 @@
 
 use std::collections::{BTreeMap, BTreeSet};
 use twinedge::dcel::{FaceKey, HalfEdgeKey, VertexKey};
-use twinedge::geometry::edit::Edited;
-use twinedge::geometry::{FeatureId, PlanarMap};
+use twinedge::map::edit::Edited;
+use twinedge::map::{FeatureId, PlanarMap};
 
 type Set = BTreeSet<FeatureId>;
 

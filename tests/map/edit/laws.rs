@@ -6,8 +6,9 @@ use crate::edit::model::{Model, sorted};
 use crate::support::exact::{Grid, Meets, meets, point};
 use quickcheck::{Arbitrary, Gen, QuickCheck};
 use twinedge::dcel::{HalfEdgeKey, VertexKey};
-use twinedge::geometry::edit::{EditError, Edited};
-use twinedge::geometry::{Builder, PlanarMap, Point, Shape};
+use twinedge::geometry::Point;
+use twinedge::map::edit::{EditError, Edited};
+use twinedge::map::{Builder, PlanarMap, Shape};
 
 /// How many places there are in each direction: few, so that much meets.
 const SIDE: u8 = 7;

@@ -6,21 +6,22 @@ use crate::support::exact::{Grid, point};
 use quickcheck::{Arbitrary, Gen, QuickCheck};
 use std::collections::{BTreeMap, BTreeSet};
 use twinedge::dcel::Face;
-use twinedge::geometry::edit::EditError;
+use twinedge::geometry::Point;
 use twinedge::geometry::noding::{Noded, Snap, node};
-use twinedge::geometry::{Builder, Feature, PlanarMap, Point, Shape};
+use twinedge::map::edit::EditError;
+use twinedge::map::{Builder, Feature, PlanarMap, Shape};
 
 const GRID: Snap = Snap::Size(1.0);
 
 /// A drawing as lists of points: rings, each of a feature of its own; lines; single points.
 #[derive(Clone, Debug, Default)]
-struct Drawing {
+struct Embedding {
     rings: Vec<Vec<Point>>,
     lines: Vec<Vec<Point>>,
     points: Vec<Point>,
 }
 
-impl Drawing {
+impl Embedding {
     /// Nodes it all at once.
     fn node(&mut self) -> Noded {
         let chains = || self.rings.iter().chain(&self.lines);
@@ -92,7 +93,7 @@ impl Arbitrary for Quarter {
 
 fn law(rings: Vec<Vec<Quarter>>, points: Vec<Quarter>, segments: Vec<(Quarter, Quarter)>, wide: bool) -> bool {
     let side = if wide { 40 } else { 9 };
-    let mut drawing = Drawing::default();
+    let mut drawing = Embedding::default();
     for ring in rings.iter().take(4).filter(|ring| ring.len() > 2) {
         let mut ring: Vec<Point> = ring.iter().take(6).map(|q| q.point(side)).collect();
         ring.push(ring[0]);
@@ -156,7 +157,7 @@ fn snapped_segments_one_by_one_give_what_noding_all_at_once_gives() {
 
 #[test]
 fn what_is_crossed_keeps_its_faces_unless_it_comes_to_lie_on_something() {
-    let mut drawing = Drawing::default();
+    let mut drawing = Embedding::default();
     let ring = [(0, 0), (20, 0), (20, 20), (0, 20), (0, 0)];
     drawing.rings.push(ring.map(point).to_vec());
     let mut map = drawing.build();

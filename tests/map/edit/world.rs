@@ -2,9 +2,10 @@
 
 use std::collections::BTreeMap;
 use twinedge::dcel::{Face, HalfEdge};
+use twinedge::geometry::Point;
 use twinedge::geometry::noding::{Snap, node};
-use twinedge::geometry::{Builder, Feature, PlanarMap, Point, Shape};
 use twinedge::io::geojson::{self, ReadError};
+use twinedge::map::{Builder, Feature, PlanarMap, Shape};
 
 /// The world, with its points rounded to the grid of this size.
 fn world() -> (PlanarMap, Snap) {

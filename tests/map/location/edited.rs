@@ -4,7 +4,8 @@ use crate::location::maps::{point, quickcheck};
 use crate::location::points::same_edge;
 use crate::support::edits::{Edit, SIDE, Spot, apply};
 use crate::support::oracle::{Plain, whole};
-use twinedge::geometry::{LocateError, Located, Locator, Met, PlanarMap, Point, Stretch};
+use twinedge::geometry::Point;
+use twinedge::map::{LocateError, Located, Locator, Met, PlanarMap, Stretch};
 
 /// Asks in every way, beginning from the last answer, and gives the next.
 fn ask(map: &PlanarMap, mut last: Located, from: Point, to: Point) -> Located {

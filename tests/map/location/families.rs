@@ -1,7 +1,8 @@
 //! Families of maps that are hard on one index or another.
 
 use crate::location::maps::{Random, build};
-use twinedge::geometry::{Located, Locator, Met, PlanarMap, Point, Stretch};
+use twinedge::geometry::Point;
+use twinedge::map::{Located, Locator, Met, PlanarMap, Stretch};
 
 type Segments = Vec<[[f64; 2]; 2]>;
 

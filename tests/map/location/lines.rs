@@ -2,7 +2,8 @@
 
 use crate::location::maps::{Drawing, Random, point, quickcheck, world, world_110m};
 use crate::support::oracle::Plain;
-use twinedge::geometry::{Builder, LocateError, Locator, Met, PlanarMap, Point, Shape, Stretch};
+use twinedge::geometry::Point;
+use twinedge::map::{Builder, LocateError, Locator, Met, PlanarMap, Shape, Stretch};
 
 /// Where queries begin and end: on the grid of the vertices more often than not.
 fn place(x: u8, y: u8) -> Point {

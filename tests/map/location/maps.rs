@@ -1,9 +1,10 @@
 //! Maps to ask about.
 
 use quickcheck::{Arbitrary, Gen, QuickCheck, Testable};
+use twinedge::geometry::Point;
 use twinedge::geometry::noding::{Snap, node};
-use twinedge::geometry::{Builder, PlanarMap, Point};
 use twinedge::io::geojson::{self, ReadError};
+use twinedge::map::{Builder, PlanarMap};
 
 pub(crate) fn quickcheck(tests: u64, property: impl Testable) {
     QuickCheck::new().rng(Gen::from_size_and_seed(40, 1991)).tests(tests).quickcheck(property);
@@ -72,7 +73,7 @@ impl Arbitrary for Drawing {
 pub(crate) fn build(points: &[Point], segments: &[[u32; 2]]) -> PlanarMap {
     let mut builder = Builder::new();
     for p in points {
-        builder.shape(&twinedge::geometry::Shape::Point(*p)).expect("in range");
+        builder.shape(&twinedge::map::Shape::Point(*p)).expect("in range");
     }
     for ends in segments {
         let [from, to] = ends.map(|end| points[end as usize]);

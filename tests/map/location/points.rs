@@ -5,7 +5,8 @@ use crate::support::oracle::{Plain, whole};
 use std::collections::HashMap;
 use twinedge::dcel::{FaceKey, StaleKey};
 use twinedge::geometry::predicates::{Orientation, compare_lexicographic, on_segment, orientation};
-use twinedge::geometry::{Builder, LocateError, Located, Locator, MAX_COORDINATE, PlanarMap, Point, Shape};
+use twinedge::geometry::{MAX_COORDINATE, Point};
+use twinedge::map::{Builder, LocateError, Located, Locator, PlanarMap, Shape};
 
 /// Every point of a grid twice as fine, and a little beyond, is where every edge and every vertex says.
 fn grid_maps(drawing: Drawing) -> bool {

@@ -1,0 +1,237 @@
+//! A subdivision with coordinates.
+
+use super::arrange::Arranged;
+use super::build::{BuildSummary, GatheredFeature};
+use super::cover::Covered;
+use super::edit::EditError;
+use super::features::Features;
+use crate::dcel::{Dcel, FaceKey, HalfEdgeKey, StaleKey, VertexKey};
+use crate::geometry::Point;
+use crate::geometry::crossing::Clash;
+use crate::geometry::noding;
+use crate::validate::{Collect, Expectation, Link, Place, Report, Start, View};
+use crate::validate::{Embedding, validate_embedding};
+
+/// A feature of a map, such as a country: a number in order of input.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord, Hash)]
+pub struct FeatureId(pub(super) u32);
+
+impl FeatureId {
+    /// The place in order of input, counted from 0.
+    #[must_use]
+    pub const fn index(self) -> usize {
+        self.0 as usize
+    }
+}
+
+/// A planar subdivision with coordinates: a [`Dcel`] whose edges are straight segments, and the features that cover its
+/// faces.
+///
+/// Made all at once by [`Builder`](super::Builder), or step by step from [`PlanarMap::new`] by [edits](super::edit). The
+/// topology is read through [`PlanarMap::dcel`]; coordinates and features are had by key.
+#[derive(Clone, Debug, Default)]
+pub struct PlanarMap {
+    pub(super) dcel: Dcel,
+    /// By index of vertex.
+    pub(super) points: Vec<Point>,
+    names: Vec<Option<String>>,
+    pub(super) features: Features,
+    summary: BuildSummary,
+    noding: Option<noding::Summary>,
+    clash: Option<Clash>,
+}
+
+impl PlanarMap {
+    /// The empty map: the unbounded face, and nothing in it. O(1).
+    #[must_use]
+    pub fn new() -> Self {
+        Self::default()
+    }
+
+    pub(super) fn from_parts(
+        points: Vec<Point>,
+        arranged: Arranged,
+        features: Vec<GatheredFeature>,
+        covered: &Covered,
+        summary: BuildSummary,
+        noding: Option<noding::Summary>,
+    ) -> Self {
+        let Arranged { dcel, vertices, clash, .. } = arranged;
+        let end = vertices.iter().max().map_or(0, |last| *last as usize + 1);
+        let mut by_index = vec![Point::default(); end];
+        for (vertex, point) in vertices.into_iter().zip(points) {
+            by_index[vertex as usize] = point;
+        }
+        let names = features.into_iter().map(|feature| feature.name).collect();
+        Self { dcel, points: by_index, names, features: Features::new(covered), summary, noding, clash }
+    }
+
+    /// The topology.
+    #[must_use]
+    pub const fn dcel(&self) -> &Dcel {
+        &self.dcel
+    }
+
+    /// Where a vertex lies. O(1).
+    ///
+    /// # Errors
+    /// [`StaleKey::Vertex`].
+    pub fn position(&self, vertex: VertexKey) -> Result<Point, StaleKey> {
+        Ok(self.point(self.dcel.vertex(vertex)?.index()))
+    }
+
+    /// The features that cover a face, in order. O(1).
+    ///
+    /// # Errors
+    /// [`StaleKey::Face`].
+    pub fn features_of(&self, face: FaceKey) -> Result<impl Iterator<Item = FeatureId> + '_, StaleKey> {
+        let set = self.features.of_face(self.dcel.face(face)?.index());
+        Ok(self.features.set(set).iter().copied())
+    }
+
+    /// The features whose rings or lines run along an edge, in order. O(1).
+    ///
+    /// # Errors
+    /// [`StaleKey::HalfEdge`].
+    pub fn features_along(&self, half_edge: HalfEdgeKey) -> Result<impl Iterator<Item = FeatureId> + '_, StaleKey> {
+        let set = self.features.along(self.dcel.half_edge(half_edge)?.index());
+        Ok(self.features.set(set).iter().copied())
+    }
+
+    /// Adds a feature that covers nothing yet. O(1), amortised.
+    pub fn add_feature(&mut self, name: Option<String>) -> FeatureId {
+        self.names.push(name);
+        FeatureId(self.names.len() as u32 - 1)
+    }
+
+    /// Says which features cover a face, in place of those that did. O(k log k) for k features.
+    ///
+    /// # Errors
+    /// A stale key; [`EditError::NoSuchFeature`]. Nothing changes then.
+    pub fn set_features_of(
+        &mut self,
+        face: FaceKey,
+        features: impl IntoIterator<Item = FeatureId>,
+    ) -> Result<(), EditError> {
+        let index = self.dcel.face(face)?.index();
+        let set = self.checked(features)?;
+        let set = self.features.number(&set);
+        self.features.put_face(index, set);
+        Ok(())
+    }
+
+    /// Says which features run along an edge, in place of those that did. O(k log k) for k features.
+    ///
+    /// # Errors
+    /// A stale key; [`EditError::NoSuchFeature`]. Nothing changes then.
+    pub fn set_features_along(
+        &mut self,
+        half_edge: HalfEdgeKey,
+        features: impl IntoIterator<Item = FeatureId>,
+    ) -> Result<(), EditError> {
+        let index = self.dcel.half_edge(half_edge)?.index();
+        let set = self.checked(features)?;
+        let set = self.features.number(&set);
+        self.features.put_along(index, set);
+        Ok(())
+    }
+
+    /// Takes all features away, and the numbers that were given to them.
+    pub(crate) fn forget_features(&mut self) {
+        self.names.clear();
+        self.features = Features::default();
+    }
+
+    /// The features in order, each once.
+    fn checked(&self, features: impl IntoIterator<Item = FeatureId>) -> Result<Vec<FeatureId>, EditError> {
+        let mut set: Vec<FeatureId> = features.into_iter().collect();
+        if let Some(unknown) = set.iter().find(|feature| feature.index() >= self.names.len()) {
+            return Err(EditError::NoSuchFeature(*unknown));
+        }
+        set.sort_unstable();
+        set.dedup();
+        Ok(set)
+    }
+
+    /// All features, in order of input.
+    pub fn features(&self) -> impl Iterator<Item = FeatureId> + '_ {
+        (0..self.names.len() as u32).map(FeatureId)
+    }
+
+    /// The name of a feature, if it has one. O(1).
+    #[must_use]
+    pub fn name(&self, feature: FeatureId) -> Option<&str> {
+        self.names.get(feature.index())?.as_deref()
+    }
+
+    /// What became of the input of the builder. Edits leave it as it was.
+    #[must_use]
+    pub const fn summary(&self) -> &BuildSummary {
+        &self.summary
+    }
+
+    /// What noding did to the segments; none, if the map was built of them as they are.
+    #[must_use]
+    pub const fn noding(&self) -> Option<&noding::Summary> {
+        self.noding.as_ref()
+    }
+
+    /// Whether the segments from which the map was built meet at shared endpoints only. Edits keep it so, and refuse a map
+    /// where it is not so.
+    #[must_use]
+    pub const fn is_plane(&self) -> bool {
+        self.clash.is_none()
+    }
+
+    /// Checks every rule, R1 … T4 and G1 … G5. O(n log n) for a plane map.
+    #[must_use]
+    pub fn validate(&self) -> Report {
+        validate_embedding(self, &Expectation::plane(), Collect::All)
+    }
+}
+
+impl Embedding for PlanarMap {
+    fn point(&self, vertex: usize) -> Point {
+        self.points.get(vertex).copied().unwrap_or_default()
+    }
+}
+
+macro_rules! delegate {
+    ($($name:ident($($arg:ident),*) -> $out:ty;)*) => {$(
+        #[inline]
+        fn $name(&self, $($arg: usize),*) -> $out {
+            self.dcel.$name($($arg),*)
+        }
+    )*};
+}
+
+/// Indices are those of the [`Dcel`].
+impl View for PlanarMap {
+    delegate! {
+        vertex_slots() -> usize;
+        half_edge_slots() -> usize;
+        boundary_slots() -> usize;
+        face_slots() -> usize;
+        is_vertex(vertex) -> bool;
+        is_half_edge(half_edge) -> bool;
+        is_boundary(boundary) -> bool;
+        is_face(face) -> bool;
+        origin(half_edge) -> Link;
+        twin(half_edge) -> Link;
+        next(half_edge) -> Link;
+        prev(half_edge) -> Link;
+        leaving(vertex) -> Link;
+        isolated(vertex) -> Link;
+        boundary_face(boundary) -> Link;
+        boundary_start(boundary) -> Option<Start>;
+        boundary_place(boundary) -> Option<Place>;
+        outer(face) -> Link;
+        inner_count(face) -> usize;
+        inner(face, position) -> Link;
+    }
+
+    #[inline]
+    fn boundary(&self, half_edge: usize) -> Link {
+        View::boundary(&self.dcel, half_edge)
+    }
+}

@@ -1,0 +1,156 @@
+//! What is irregular about a ring: legal input, which is built as it is, and which its author may want to know about.
+
+use super::arrange::{origin, target};
+use super::build::{Dart, Position};
+use crate::geometry::Point;
+use crate::geometry::predicates::{Orientation, compare_angle, compare_lexicographic, orientation};
+use core::cmp::Ordering;
+use core::fmt;
+
+/// What is irregular about a ring or a line.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord, Hash)]
+#[non_exhaustive]
+pub enum Kind {
+    /// A point repeats the one before it.
+    RepeatedPoint,
+    /// The last point of a ring does not repeat the first; the ring was closed.
+    OpenRing,
+    /// A ring with fewer than three different points on end encloses nothing.
+    DegenerateRing,
+    /// An outer ring turns clockwise, or a hole counter-clockwise.
+    WoundWrongly,
+    /// A ring visits a point twice, not counting there-and-back along a spike.
+    SelfTouching,
+    /// A ring turns straight back.
+    Spike,
+}
+
+impl fmt::Display for Kind {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        f.write_str(match self {
+            Self::RepeatedPoint => "repeated point",
+            Self::OpenRing => "open ring",
+            Self::DegenerateRing => "ring that encloses nothing",
+            Self::WoundWrongly => "ring wound the wrong way",
+            Self::SelfTouching => "ring that touches itself",
+            Self::Spike => "spike",
+        })
+    }
+}
+
+/// Something irregular, and where.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Irregularity {
+    /// What.
+    pub kind: Kind,
+    /// Where in the input: the point that shows it; the first of the ring, if no single one does.
+    pub position: Position,
+    /// Where on the map.
+    pub at: Point,
+}
+
+/// The half-edges of a ring before there are any, each with the place of the point where it starts.
+pub(super) struct Ring<'a> {
+    pub(super) points: &'a [Point],
+    pub(super) segments: &'a [[u32; 2]],
+    pub(super) darts: &'a [Dart],
+    pub(super) starts: &'a [u32],
+}
+
+/// What a ring looks like.
+#[derive(Debug, Default, PartialEq, Eq)]
+pub(super) struct Looks {
+    /// None if it encloses nothing.
+    pub(super) counter_clockwise: Option<bool>,
+    /// The place of the first point at which it has been before.
+    pub(super) touches: Option<u32>,
+    /// The places of the points at which it turns back.
+    pub(super) spikes: Vec<u32>,
+}
+
+impl Ring<'_> {
+    fn tail(&self, i: usize) -> u32 {
+        origin(self.segments, self.darts[i % self.darts.len()])
+    }
+
+    fn point(&self, vertex: u32) -> Point {
+        self.points[vertex as usize]
+    }
+
+    /// Looks at a ring. O(n log n).
+    pub(super) fn looks(&self) -> Looks {
+        let count = self.darts.len();
+        if count < 3 {
+            return Looks::default();
+        }
+        let mut looks = Looks::default();
+        for i in 0..count {
+            let [a, b, c] = [i, i + 1, i + 2].map(|i| self.tail(i));
+            let back = || compare_angle(self.point(b), self.point(a), self.point(c)) == Ordering::Equal;
+            if a == c || back() {
+                looks.spikes.push(self.starts[(i + 1) % count]);
+            }
+        }
+        looks.touches = self.touches();
+        looks.counter_clockwise =
+            if looks.touches.is_none() && looks.spikes.is_empty() { self.simple_turn() } else { self.turn() };
+        looks
+    }
+
+    /// The first place at which the ring, without its spikes, visits a point again.
+    fn touches(&self) -> Option<u32> {
+        let mut trimmed: Vec<(u32, u32)> = Vec::with_capacity(self.darts.len());
+        for (i, start) in self.starts.iter().enumerate() {
+            let v = self.tail(i);
+            match trimmed.iter().nth_back(1) {
+                Some((before, _)) if *before == v => drop(trimmed.pop()),
+                _ => trimmed.push((v, *start)),
+            }
+        }
+        // What is a spike only across the end of the list.
+        let mut rest = &mut trimmed[..];
+        while let [first, second, .., last_but_one, last] = *rest {
+            let count = rest.len();
+            rest = if second.0 == last.0 {
+                &mut rest[1..count - 1]
+            } else if first.0 == last_but_one.0 {
+                &mut rest[..count - 2]
+            } else {
+                break;
+            };
+        }
+        rest.sort_unstable();
+        rest.windows(2).filter(|pair| pair[0].0 == pair[1].0).map(|pair| pair[1].1).min()
+    }
+
+    /// At the lexicographically smallest point of a simple ring nothing lies to the left, so it turns there as it does as a
+    /// whole.
+    fn simple_turn(&self) -> Option<bool> {
+        let low = (0..self.darts.len())
+            .min_by(|i, j| compare_lexicographic(self.point(self.tail(*i)), self.point(self.tail(*j))))?;
+        let [a, b, c] = [low + self.darts.len() - 1, low, low + 1].map(|i| self.point(self.tail(i)));
+        Some(orientation(a, b, c) == Orientation::CounterClockwise)
+    }
+
+    /// Of the segments that the ring uses an odd number of times, the least steep one at the smallest point has the outside
+    /// below; the ring turns counter-clockwise if it runs to the right there.
+    fn turn(&self) -> Option<bool> {
+        let mut sorted = self.darts.to_vec();
+        sorted.sort_unstable();
+        let odd = sorted.chunk_by(|a, b| a >> 1 == b >> 1).filter(|same| same.len() % 2 == 1);
+        // One direction is used more often than the other.
+        let net = odd.map(|same| same[same.len() / 2]);
+        let rises = |d: Dart| {
+            let [a, b] = [origin(self.segments, d), target(self.segments, d)].map(|v| self.point(v));
+            if compare_lexicographic(a, b) == Ordering::Less { (a, b, true) } else { (b, a, false) }
+        };
+        let lowest = net.map(rises).min_by(|(low, high, _), (other, head, _)| {
+            compare_lexicographic(*low, *other).then_with(|| match orientation(*low, *high, *head) {
+                Orientation::CounterClockwise => Ordering::Less,
+                Orientation::Collinear => Ordering::Equal,
+                Orientation::Clockwise => Ordering::Greater,
+            })
+        });
+        lowest.map(|(.., rightwards)| rightwards)
+    }
+}
