@@ -20,7 +20,7 @@ use twinedge::validate::{
 ///         \  /
 ///          v3 ──e2── v4     e2 dangles in f1
 /// ```
-const DANGLING: PointerModel = PointerModel {
+const DANGLING: Textbook = Textbook {
     half_edges: "
         e1,1  v1  e1,2  f1  e4,2  e3,1
         e1,2  v2  e1,1  f2  e3,2  e4,1
@@ -58,7 +58,7 @@ const DANGLING: PointerModel = PointerModel {
 ///
 /// What is given leaves two completions, which differ in which of e7 and e9 joins v3 to v6. This is the one that
 /// numbers the edges of each triangle as the drawing does, in the order in which the faces are added.
-const FIVE_FACES: PointerModel = PointerModel {
+const FIVE_FACES: Textbook = Textbook {
     half_edges: "
         e1,1  V3  e1,2  f1  e2,1  e3,1
         e1,2  V1  e1,1  f5  e7,2  e2,2
@@ -95,13 +95,13 @@ const FIVE_FACES: PointerModel = PointerModel {
 
 /// Three tables as they are printed. A half-edge has origin, twin, face, next and prev; a vertex a half-edge that
 /// leaves it; a face a half-edge of its outer boundary component and one of each inner one.
-struct PointerModel {
+struct Textbook {
     half_edges: &'static str,
     vertices: &'static str,
     faces: &'static str,
 }
 
-impl PointerModel {
+impl Textbook {
     fn rows(text: &'static str) -> Vec<Vec<&'static str>> {
         let rows = text.lines().map(|line| line.split_whitespace().filter(|word| *word != "*").collect::<Vec<_>>());
         rows.filter(|row| !row.is_empty()).collect()
@@ -206,7 +206,7 @@ fn the_other_completion_is_accepted_too() {
         e8,2  V6  e8,1  f5  e4,2  e7,2
         e9,1  V5  e9,2  f3  e5,2  e6,1
         e9,2  V3  e9,1  f5  e7,2  e1,2";
-    let table = PointerModel { half_edges, ..FIVE_FACES }.table();
+    let table = Textbook { half_edges, ..FIVE_FACES }.table();
     assert_eq!(certificate(&table, TEXTBOOK).faces, 5);
 }
 

@@ -22,21 +22,21 @@ pub(super) enum Form {
     /// With records for boundary components.
     Records,
     /// Without, as in the textbooks: half-edges name their face, and faces name half-edges.
-    PointerModel,
+    Textbook,
 }
 
 impl Form {
     pub(super) const fn name(self) -> &'static str {
         match self {
             Self::Records => "records",
-            Self::PointerModel => "textbook",
+            Self::Textbook => "textbook",
         }
     }
 
     const fn expectation(self) -> Expectation {
         match self {
             Self::Records => Expectation::plane(),
-            Self::PointerModel => Expectation::plane().without(Part::BoundaryComponents),
+            Self::Textbook => Expectation::plane().without(Part::BoundaryComponents),
         }
     }
 }
@@ -59,7 +59,7 @@ impl Specimen {
         drop_boundaries(&mut textbook);
         let map = found.runner.subject();
         let is_smallest = map.edge_count() <= 1 && map.vertex_count() <= 2;
-        Some([(Form::Records, records), (Form::PointerModel, textbook)].map(|(form, mut table)| {
+        Some([(Form::Records, records), (Form::Textbook, textbook)].map(|(form, mut table)| {
             table.vertices.push(None);
             table.half_edges.push(None);
             table.boundaries.push(None);
