@@ -183,7 +183,7 @@ fn irregularities(map: &PlanarMap) -> String {
     out
 }
 
-fn noding_line(noding: &noding::Summary) -> String {
+fn noding_line(noding: &noding::NodingSummary) -> String {
     let mut line = format!("snapped to a grid of 2^{}: {} segments cut", noding.cell.log2(), grouped(noding.split));
     for (count, what) in [
         (noding.crossings, "vertices made where they cross"),
@@ -272,8 +272,8 @@ struct JsonNoding {
     largest_move: [f64; 2],
 }
 
-impl From<&noding::Summary> for JsonNoding {
-    fn from(summary: &noding::Summary) -> Self {
+impl From<&noding::NodingSummary> for JsonNoding {
+    fn from(summary: &noding::NodingSummary) -> Self {
         Self {
             cell: summary.cell,
             segments_cut: summary.split,

@@ -12,7 +12,7 @@ use std::fmt::{self, Write as _};
 use std::io::Read as _;
 use std::path::PathBuf;
 use twinedge::program::{Call, CallOf, Corner, CornerOf, Program, Runner};
-use twinedge::validate::{Collect, Expectation, Place, Start, View, validate};
+use twinedge::validate::{BoundaryPlace, Collect, Expectation, Start, View, validate};
 
 /// Run a saved program and print the structure after each step.
 ///
@@ -223,8 +223,8 @@ impl<V: View> fmt::Display for Tables<'_, V> {
         for b in (0..view.boundary_slots()).filter(|b| view.is_boundary(*b)) {
             write!(f, "  b{b}  face {}  start {}", link('f', view.boundary_face(b)), start(view.boundary_start(b)))?;
             match view.boundary_place(b) {
-                Some(Place::Outer) => writeln!(f, "  outer")?,
-                Some(Place::Inner(i)) => writeln!(f, "  inner, place {i}")?,
+                Some(BoundaryPlace::Outer) => writeln!(f, "  outer")?,
+                Some(BoundaryPlace::Inner(i)) => writeln!(f, "  inner, place {i}")?,
                 None => writeln!(f, "  place nil")?,
             }
         }

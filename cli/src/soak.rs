@@ -15,7 +15,7 @@ use std::fs::File;
 use std::io::{self, Write as _};
 use std::path::{Path, PathBuf};
 use std::time::Instant;
-use twinedge::program::conformance::Summary;
+use twinedge::program::conformance::ConformanceSummary;
 use twinedge::program::{FacePick, Op, Program, candidates};
 
 /// Run random programs on every store, and on a second model, in step with an independent model.
@@ -229,7 +229,7 @@ impl Row {
         Self { on, programs: 0, cut_short: 0, applied: 0, refused: 0, skipped: 0, no_room: 0 }
     }
 
-    const fn count(&mut self, summary: Summary) {
+    const fn count(&mut self, summary: ConformanceSummary) {
         self.applied += summary.applied as u64;
         self.refused += summary.refused as u64;
         self.skipped += summary.skipped as u64;

@@ -5,7 +5,7 @@
 
 use crate::grow::{Arguments, Bound, Operator, choose_op, choose_side, choose_turn, grow};
 use twinedge::program::choose::Choose;
-use twinedge::program::{Corner, CornerOf, Outcome, Refusal, Runner, Side, Subject, Turn, canonical};
+use twinedge::program::{Corner, CornerOf, Refusal, Runner, Side, StepOutcome, Subject, Turn, canonical};
 use twinedge::validate::{Collect, Expectation, Table, View, validate};
 
 fn grown<K: Subject>(empty: K, bound: Bound, source: &mut impl Choose) -> Runner<K> {
@@ -27,7 +27,7 @@ pub fn keeps_rules<K: Subject>(operator: Operator, bound: Bound, empty: K, sourc
     let Some(op) = choose_op(operator, Arguments::Live, bound.islands, &runner, source) else { return false };
     let outcome = runner.step(op);
     assert!(keeps_all_rules(runner.subject()), "a rule is broken after {op:?}");
-    outcome == Outcome::Applied
+    outcome == StepOutcome::Applied
 }
 
 /// An operator that refuses, be it for its arguments or for want of room, leaves the structure as it was, in every
@@ -47,7 +47,7 @@ pub fn refuses_without_a_trace<K: Subject>(
     retire(bound, &mut runner, source);
     let before = Table::copy_of(runner.subject());
     let Some(op) = choose_op(operator, Arguments::Any, bound.islands, &runner, source) else { return false };
-    let Outcome::Refused(_) = runner.step(op) else { return false };
+    let StepOutcome::Refused(_) = runner.step(op) else { return false };
     assert!(Table::copy_of(runner.subject()) == before, "a trace is left by {op:?}");
     true
 }
@@ -62,7 +62,7 @@ fn retire<K: Subject>(bound: Bound, runner: &mut Runner<K>, source: &mut impl Ch
         _ => Operator::ContractEdge,
     };
     let op = choose_op(operator, Arguments::Live, bound.islands, runner, source);
-    op.is_some_and(|op| runner.step(op) == Outcome::Applied)
+    op.is_some_and(|op| runner.step(op) == StepOutcome::Applied)
 }
 
 /// The kind of a handle.

@@ -6,7 +6,7 @@ use core::cell::Cell;
 use twinedge::dcel::{Dcel, FaceKey, HalfEdge, HalfEdgeKey, OperatorError, Vertex, VertexKey};
 use twinedge::program::{Corner, CornerOf, Refusal, Side, Subject, Turn};
 use twinedge::store::Store;
-use twinedge::validate::{Link, Place, Start, Table, View};
+use twinedge::validate::{BoundaryPlace, Link, Start, Table, View};
 
 /// A field of a record.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -242,7 +242,7 @@ impl<S: Store> View for Planted<S> {
         isolated(vertex) -> Link;
         boundary_face(boundary) -> Link;
         boundary_start(boundary) -> Option<Start>;
-        boundary_place(boundary) -> Option<Place>;
+        boundary_place(boundary) -> Option<BoundaryPlace>;
         outer(face) -> Link;
         inner_count(face) -> usize;
         inner(face, position) -> Link;

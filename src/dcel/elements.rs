@@ -2,7 +2,7 @@
 
 use super::circulators::{Cycle, Rotation};
 use super::{BoundaryKey, Dcel, FaceKey, HalfEdgeKey, VertexKey};
-use crate::store::links::{Anchor, OUTER, Origin};
+use crate::store::links::{BoundaryStart, OUTER, VertexLink};
 use crate::store::{SlotStore, Store};
 use core::fmt;
 use core::hash::{Hash, Hasher};
@@ -98,8 +98,8 @@ impl<'a, S: Store> Vertex<'a, S> {
     #[must_use]
     pub fn leaving(self) -> Option<HalfEdge<'a, S>> {
         match self.dcel.store.anchor(self.slot) {
-            Anchor::Leaving(h) => Some(HalfEdge::new(self.dcel, h)),
-            Anchor::Isolated(_) => None,
+            VertexLink::Leaving(h) => Some(HalfEdge::new(self.dcel, h)),
+            VertexLink::Isolated(_) => None,
         }
     }
 
@@ -107,8 +107,8 @@ impl<'a, S: Store> Vertex<'a, S> {
     #[must_use]
     pub fn isolated(self) -> Option<Boundary<'a, S>> {
         match self.dcel.store.anchor(self.slot) {
-            Anchor::Leaving(_) => None,
-            Anchor::Isolated(b) => Some(Boundary::new(self.dcel, b)),
+            VertexLink::Leaving(_) => None,
+            VertexLink::Isolated(b) => Some(Boundary::new(self.dcel, b)),
         }
     }
 
@@ -235,8 +235,8 @@ impl<'a, S: Store> Boundary<'a, S> {
     #[inline]
     pub fn start(self) -> Option<HalfEdge<'a, S>> {
         match self.dcel.store.start(self.slot) {
-            Origin::HalfEdge(h) => Some(HalfEdge::new(self.dcel, h)),
-            Origin::Vertex(_) => None,
+            BoundaryStart::HalfEdge(h) => Some(HalfEdge::new(self.dcel, h)),
+            BoundaryStart::Vertex(_) => None,
         }
     }
 
@@ -244,8 +244,8 @@ impl<'a, S: Store> Boundary<'a, S> {
     #[must_use]
     pub fn isolated_vertex(self) -> Option<Vertex<'a, S>> {
         match self.dcel.store.start(self.slot) {
-            Origin::HalfEdge(_) => None,
-            Origin::Vertex(v) => Some(Vertex::new(self.dcel, v)),
+            BoundaryStart::HalfEdge(_) => None,
+            BoundaryStart::Vertex(v) => Some(Vertex::new(self.dcel, v)),
         }
     }
 

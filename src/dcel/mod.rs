@@ -60,7 +60,7 @@ pub use operators::{
     SplitEdge, SplitVertex, Turn,
 };
 
-pub use crate::store::links::Kind;
+pub use crate::store::links::RecordKind;
 pub use crate::store::{BoundaryKey, FaceKey, HalfEdgeKey, VertexKey};
 
 use crate::store::links::Need;

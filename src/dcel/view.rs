@@ -2,8 +2,8 @@
 
 use super::Dcel;
 use crate::store::Store;
-use crate::store::links::{Anchor, OUTER, Origin};
-use crate::validate::{Link, Place, Start, View};
+use crate::store::links::{BoundaryStart, OUTER, VertexLink};
+use crate::validate::{BoundaryPlace, Link, Start, View};
 
 /// Indices are those of [`HalfEdge::index`](super::HalfEdge::index) and its kin. What is said of a slot that holds no live
 /// record means nothing.
@@ -59,15 +59,15 @@ impl<S: Store> View for Dcel<S> {
     #[inline]
     fn leaving(&self, vertex: usize) -> Link {
         match self.store.anchor(self.store.vertex_at(vertex)?) {
-            Anchor::Leaving(h) => Some(self.store.half_edge_index(h)),
-            Anchor::Isolated(_) => None,
+            VertexLink::Leaving(h) => Some(self.store.half_edge_index(h)),
+            VertexLink::Isolated(_) => None,
         }
     }
     #[inline]
     fn isolated(&self, vertex: usize) -> Link {
         match self.store.anchor(self.store.vertex_at(vertex)?) {
-            Anchor::Leaving(_) => None,
-            Anchor::Isolated(b) => Some(self.store.boundary_index(b)),
+            VertexLink::Leaving(_) => None,
+            VertexLink::Isolated(b) => Some(self.store.boundary_index(b)),
         }
     }
     #[inline]
@@ -77,15 +77,15 @@ impl<S: Store> View for Dcel<S> {
     #[inline]
     fn boundary_start(&self, boundary: usize) -> Option<Start> {
         Some(match self.store.start(self.store.boundary_at(boundary)?) {
-            Origin::HalfEdge(h) => Start::HalfEdge(self.store.half_edge_index(h)),
-            Origin::Vertex(v) => Start::Vertex(self.store.vertex_index(v)),
+            BoundaryStart::HalfEdge(h) => Start::HalfEdge(self.store.half_edge_index(h)),
+            BoundaryStart::Vertex(v) => Start::Vertex(self.store.vertex_index(v)),
         })
     }
     #[inline]
-    fn boundary_place(&self, boundary: usize) -> Option<Place> {
+    fn boundary_place(&self, boundary: usize) -> Option<BoundaryPlace> {
         Some(match self.store.place(self.store.boundary_at(boundary)?) {
-            OUTER => Place::Outer,
-            i => Place::Inner(i as usize),
+            OUTER => BoundaryPlace::Outer,
+            i => BoundaryPlace::Inner(i as usize),
         })
     }
     #[inline]

@@ -3,7 +3,7 @@
 //! ```
 //! use geo_types::{Geometry, MultiPolygon, polygon};
 //! use twinedge::algorithm::contour;
-//! use twinedge::geometry::{Builder, Feature};
+//! use twinedge::map::{Builder, Feature};
 //!
 //! let west = polygon![(x: 0.0, y: 0.0), (x: 1.0, y: 0.0), (x: 1.0, y: 1.0), (x: 0.0, y: 1.0)];
 //! let east = polygon![(x: 1.0, y: 0.0), (x: 2.0, y: 0.0), (x: 2.0, y: 1.0), (x: 1.0, y: 1.0)];

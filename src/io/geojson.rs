@@ -61,7 +61,7 @@ use serde_json::error::Category;
 pub use self::error::{Fault, Place, ReadError};
 use self::input::Progress;
 pub use self::output::write;
-use super::{MAX_NESTED_COLLECTIONS, Summary};
+use super::{MAX_NESTED_COLLECTIONS, ReadSummary};
 use crate::geometry::Point;
 use crate::map::{Feature, Shape};
 
@@ -73,7 +73,7 @@ use crate::map::{Feature, Shape};
 /// # Errors
 ///
 /// Whatever [`ReadError`] describes, turned into `E`, and whatever `each` returns.
-pub fn read<R, E>(reader: R, mut each: impl FnMut(Feature) -> Result<(), E>) -> Result<Summary, E>
+pub fn read<R, E>(reader: R, mut each: impl FnMut(Feature) -> Result<(), E>) -> Result<ReadSummary, E>
 where
     R: Read,
     E: From<ReadError>,
@@ -83,7 +83,7 @@ where
     let mut input = serde_json::Deserializer::from_reader(text);
     let mut failure = None;
     let mut goes_on = |feature| each(feature).map_err(|error| failure = Some(error)).is_ok();
-    let mut sink = Sink { goes_on: &mut goes_on, summary: Summary::default(), in_features: false, fault: None };
+    let mut sink = Sink { goes_on: &mut goes_on, summary: ReadSummary::default(), in_features: false, fault: None };
     let outcome = Walk { part: Part::Document, sink: &mut sink }.deserialize(&mut input);
     let Sink { summary, in_features, fault, .. } = sink;
     if let Some(failure) = failure {
@@ -130,7 +130,7 @@ fn classify(error: serde_json::Error, progress: Progress) -> ReadError {
 struct Sink<'f> {
     /// Takes a feature, and says whether to go on.
     goes_on: &'f mut dyn FnMut(Feature) -> bool,
-    summary: Summary,
+    summary: ReadSummary,
     /// Whether an element of `"features"` is being read.
     in_features: bool,
     /// A fault of a feature that the crate took, and the feature's name. Serde only gets to know that there is one, and

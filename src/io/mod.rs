@@ -25,7 +25,7 @@ mod write;
 
 pub use export::{faces, features};
 #[cfg(any(feature = "geojson", feature = "wkt"))]
-pub use summary::Summary;
+pub use summary::ReadSummary;
 #[cfg(any(feature = "geojson", feature = "wkt"))]
 pub use write::WriteError;
 

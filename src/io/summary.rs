@@ -5,7 +5,7 @@ use crate::map::{Feature, Shape};
 /// How much of what a file held, counted while it was read.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 #[non_exhaustive]
-pub struct Summary {
+pub struct ReadSummary {
     /// Features handed over; a geometry without a feature around it counts as one.
     pub features: usize,
     /// Features without any shape: their geometry was null, absent or empty.
@@ -22,7 +22,7 @@ pub struct Summary {
     pub with_extra_dimensions: usize,
 }
 
-impl Summary {
+impl ReadSummary {
     /// Counts one more feature.
     pub(super) fn add(&mut self, feature: &Feature, with_extra_dimensions: usize) {
         self.features += 1;

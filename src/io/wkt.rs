@@ -25,7 +25,7 @@ use ::wkt::types::{
 use thiserror::Error;
 
 use super::write::{self, Piece, WriteError};
-use super::{MAX_NESTED_COLLECTIONS, Summary};
+use super::{MAX_NESTED_COLLECTIONS, ReadSummary};
 use crate::geometry::Point;
 use crate::map::{Feature, Shape};
 
@@ -100,13 +100,13 @@ impl ReadError {
 ///
 /// Whatever [`ReadError`] describes, turned into `E`, and whatever `each` returns. Lines before the faulty one have
 /// been handed over by then.
-pub fn read<R, E>(reader: R, mut each: impl FnMut(Feature) -> Result<(), E>) -> Result<Summary, E>
+pub fn read<R, E>(reader: R, mut each: impl FnMut(Feature) -> Result<(), E>) -> Result<ReadSummary, E>
 where
     R: Read,
     E: From<ReadError>,
 {
     let mut input = BufReader::new(reader);
-    let mut summary = Summary::default();
+    let mut summary = ReadSummary::default();
     let mut bytes = Vec::new();
     for line in 1.. {
         bytes.clear();

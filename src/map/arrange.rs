@@ -9,13 +9,13 @@
 //! Source: de Berg et al., "Computational Geometry", 3rd edition, section 2.3.
 
 use super::build::{BuildError, Dart};
-use crate::dcel::{Dcel, Kind};
+use crate::dcel::{Dcel, RecordKind};
 use crate::geometry::Point;
 use crate::geometry::crossing::Clash;
 use crate::geometry::predicates::{compare_angle, compare_lexicographic};
 use crate::geometry::sweep::sweep;
 use crate::store::SlotStore;
-use crate::store::links::{Anchor, Links, Need, Origin};
+use crate::store::links::{BoundaryStart, Links, Need, VertexLink};
 use core::cmp::Ordering;
 
 /// Not yet known.
@@ -167,7 +167,7 @@ pub(super) fn arrange(points: &[Point], segments: &[[u32; 2]]) -> Result<Arrange
     let rotations = Rotations::new(points, segments);
     let cycles = Cycles::new(&rotations, points.len());
     let lowest = lowest_points(points, segments);
-    let swept = sweep(points, segments, &lowest).map_err(|_| BuildError::Full(Kind::Vertex))?;
+    let swept = sweep(points, segments, &lowest).map_err(|_| BuildError::Full(RecordKind::Vertex))?;
 
     // The cycles that are the outside of their component, and for each the face where that lies.
     let mut outside = vec![false; cycles.starts.len()];
@@ -206,7 +206,7 @@ pub(super) fn arrange(points: &[Point], segments: &[[u32; 2]]) -> Result<Arrange
     }
     for v in 0..points.len() {
         let slot = match rotations.leaving(v).first() {
-            Some(dart) => store.add_vertex(Anchor::Leaving(half_edges[*dart as usize])),
+            Some(dart) => store.add_vertex(VertexLink::Leaving(half_edges[*dart as usize])),
             // Its face is found below, with those of the other components.
             None => store.add_isolated(unbounded).0,
         };
@@ -215,7 +215,7 @@ pub(super) fn arrange(points: &[Point], segments: &[[u32; 2]]) -> Result<Arrange
     }
     for (start, outside) in cycles.starts.iter().zip(&outside) {
         let face = if *outside { unbounded } else { store.add_face() };
-        let b = store.add_boundary(face, Origin::HalfEdge(half_edges[*start as usize]));
+        let b = store.add_boundary(face, BoundaryStart::HalfEdge(half_edges[*start as usize]));
         if !*outside {
             store.list_outer(face, b);
         }
@@ -240,7 +240,7 @@ pub(super) fn arrange(points: &[Point], segments: &[[u32; 2]]) -> Result<Arrange
         match dart {
             Some(dart) => store.list_inner(face, boundary_of[cycles.of[*dart as usize] as usize]),
             None => {
-                if let Anchor::Isolated(b) = store.anchor(slots[lowest[i] as usize]) {
+                if let VertexLink::Isolated(b) = store.anchor(slots[lowest[i] as usize]) {
                     store.unlist(b);
                     store.list_inner(face, b);
                 }

@@ -6,7 +6,7 @@ use super::cut::{self, Cut, Noding};
 use super::planar_map::{FeatureId, PlanarMap};
 use super::rings::{self, Irregularity, Ring};
 use super::{Feature, Shape};
-use crate::dcel::Kind;
+use crate::dcel::RecordKind;
 use crate::geometry::Point;
 use crate::geometry::crossing::{Clash, clashes};
 use crate::geometry::predicates::in_range;
@@ -60,7 +60,7 @@ pub enum BuildError {
     },
     /// There is no room for more records of this kind.
     #[error("there is no room for more {0}")]
-    Full(Kind),
+    Full(RecordKind),
     /// Segments cross where the input has no point, and [`Noding::Exact`] was asked for.
     #[error("{count} pair(s) of segments cross where the input has no point, the first ({}, {})-({}, {}) and ({}, {})-({}, {}): snap to a grid to cut them there",
         one[0].x, one[0].y, one[1].x, one[1].y, other[0].x, other[0].y, other[1].x, other[1].y)]
@@ -117,7 +117,7 @@ impl BuildSummary {
     pub const LISTED: usize = 20;
 
     /// Lists an irregularity, the `count`-th of its kind.
-    fn list(&mut self, count: usize, kind: rings::Kind, position: Position, at: Point) {
+    fn list(&mut self, count: usize, kind: rings::IrregularityKind, position: Position, at: Point) {
         if count <= Self::LISTED {
             self.irregularities.push(Irregularity { kind, position, at });
         }
@@ -268,7 +268,7 @@ impl Builder {
         if first != last {
             let end = Position { point: ring.len() - 1, ..at };
             self.summary.open_rings += 1;
-            self.summary.list(self.summary.open_rings, rings::Kind::OpenRing, end, *last);
+            self.summary.list(self.summary.open_rings, rings::IrregularityKind::OpenRing, end, *last);
             self.chain(&[*last, *first], end, darts, &mut starts)?;
         }
         let darts = &darts[before..];
@@ -276,20 +276,20 @@ impl Builder {
         let summary = &mut self.summary;
         if darts.len() < 3 {
             summary.degenerate_rings += 1;
-            summary.list(summary.degenerate_rings, rings::Kind::DegenerateRing, at, *first);
+            summary.list(summary.degenerate_rings, rings::IrregularityKind::DegenerateRing, at, *first);
         }
         if looks.counter_clockwise == Some(at.ring > 0) {
             summary.rings_wound_wrongly += 1;
-            summary.list(summary.rings_wound_wrongly, rings::Kind::WoundWrongly, at, *first);
+            summary.list(summary.rings_wound_wrongly, rings::IrregularityKind::WoundWrongly, at, *first);
         }
         let place = |point: u32| (Position { point: point as usize, ..at }, ring[point as usize]);
         if let Some((position, point)) = looks.touches.map(place) {
             summary.self_touching_rings += 1;
-            summary.list(summary.self_touching_rings, rings::Kind::SelfTouching, position, point);
+            summary.list(summary.self_touching_rings, rings::IrregularityKind::SelfTouching, position, point);
         }
         for (position, point) in looks.spikes.into_iter().map(place) {
             summary.spikes += 1;
-            summary.list(summary.spikes, rings::Kind::Spike, position, point);
+            summary.list(summary.spikes, rings::IrregularityKind::Spike, position, point);
         }
         Ok(())
     }
@@ -310,7 +310,12 @@ impl Builder {
             if from == to {
                 self.summary.zero_length_segments += 1;
                 let position = Position { point: point + 1, ..at };
-                self.summary.list(self.summary.zero_length_segments, rings::Kind::RepeatedPoint, position, *p);
+                self.summary.list(
+                    self.summary.zero_length_segments,
+                    rings::IrregularityKind::RepeatedPoint,
+                    position,
+                    *p,
+                );
                 continue;
             }
             let ends = if from < to { (from, to) } else { (to, from) };
@@ -318,7 +323,7 @@ impl Builder {
             let number = *self.segment_numbers.entry(ends).or_insert(next);
             if number == next {
                 if next >= 1 << 30 {
-                    return Err(BuildError::Full(Kind::Edge));
+                    return Err(BuildError::Full(RecordKind::Edge));
                 }
                 self.segments.push([ends.0, ends.1]);
             } else {
@@ -338,7 +343,7 @@ impl Builder {
         let number = *self.places.entry((p.x.to_bits(), p.y.to_bits())).or_insert(next);
         if number == next {
             if next >= 1 << 30 {
-                return Err(BuildError::Full(Kind::Vertex));
+                return Err(BuildError::Full(RecordKind::Vertex));
             }
             self.points.push(p);
         }
@@ -360,7 +365,7 @@ impl Builder {
     ///
     /// ```
     /// use twinedge::geometry::noding::Snap;
-    /// use twinedge::geometry::{BuildError, Builder, Noding};
+    /// use twinedge::map::{BuildError, Builder, Noding};
     ///
     /// let cross = || {
     ///     let mut builder = Builder::new();

@@ -1,9 +1,9 @@
 //! Cutting gathered segments where they meet, before a map is built of them.
 
 use super::build::{BuildError, Dart, GatheredFeature};
-use crate::dcel::Kind;
+use crate::dcel::RecordKind;
 use crate::geometry::Point;
-use crate::geometry::noding::{NodingError, Snap, Summary, node};
+use crate::geometry::noding::{NodingError, NodingSummary, Snap, node};
 use crate::geometry::predicates::{MIN_COORDINATE, compare_lexicographic, on_segment};
 use rstar::primitives::GeomWithData;
 use rstar::{AABB, RTree};
@@ -37,7 +37,7 @@ pub enum Noding {
 pub(super) struct Cut {
     pub(super) points: Vec<Point>,
     pub(super) segments: Vec<[u32; 2]>,
-    pub(super) summary: Summary,
+    pub(super) summary: NodingSummary,
 }
 
 /// The darts that each segment became, in the direction from its first end to its second.
@@ -106,7 +106,7 @@ pub(super) fn exact(
         RTree::bulk_load(points.iter().zip(0..).map(|(p, v)| GeomWithData::new((*p).into(), v)).collect());
     let mut out = Vec::with_capacity(segments.len());
     let mut pieces = Pieces::new(&[]);
-    let mut summary = Summary::default();
+    let mut summary = NodingSummary::default();
     let mut full = false;
     for [from, to] in segments {
         let (a, b) = (points[*from as usize], points[*to as usize]);
@@ -127,7 +127,7 @@ pub(super) fn exact(
         });
     }
     if full {
-        return Err(BuildError::Full(Kind::Edge));
+        return Err(BuildError::Full(RecordKind::Edge));
     }
     summary.duplicates = pieces.darts.len() - out.len();
     pieces.follow(features);
@@ -156,10 +156,10 @@ pub(super) fn snapped(
             let p = at.point(&drawn, points);
             BuildError::OutOfReach { x: p.x, y: p.y }
         }
-        NodingError::TooMany => BuildError::Full(Kind::Vertex),
+        NodingError::TooMany => BuildError::Full(RecordKind::Vertex),
     })?;
     if noded.points.len().max(noded.segments.len()) >= 1 << 30 {
-        return Err(BuildError::Full(Kind::Edge));
+        return Err(BuildError::Full(RecordKind::Edge));
     }
     let mut pieces = Pieces::new(&noded.segments);
     for segment in 0..segments.len() {

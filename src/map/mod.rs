@@ -26,6 +26,6 @@ pub use build::{BuildError, BuildSummary, Builder, Position};
 pub use cut::Noding;
 pub use locate::{LocateError, Located, Locator};
 pub use planar_map::{FeatureId, PlanarMap};
-pub use rings::{Irregularity, Kind as IrregularityKind};
+pub use rings::{Irregularity, IrregularityKind};
 pub use shape::{Feature, Shape};
-pub use zone::{Met, Stretch};
+pub use zone::{QueryLine, ZoneElement};

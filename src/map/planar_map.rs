@@ -9,7 +9,7 @@ use crate::dcel::{Dcel, FaceKey, HalfEdgeKey, StaleKey, VertexKey};
 use crate::geometry::Point;
 use crate::geometry::crossing::Clash;
 use crate::geometry::noding;
-use crate::validate::{Collect, Expectation, Link, Place, Report, Start, View};
+use crate::validate::{BoundaryPlace, Collect, Expectation, Link, Report, Start, View};
 use crate::validate::{Embedding, validate_embedding};
 
 /// A feature of a map, such as a country: a number in order of input.
@@ -37,7 +37,7 @@ pub struct PlanarMap {
     names: Vec<Option<String>>,
     pub(super) features: Features,
     summary: BuildSummary,
-    noding: Option<noding::Summary>,
+    noding: Option<noding::NodingSummary>,
     clash: Option<Clash>,
 }
 
@@ -54,7 +54,7 @@ impl PlanarMap {
         features: Vec<GatheredFeature>,
         covered: &Covered,
         summary: BuildSummary,
-        noding: Option<noding::Summary>,
+        noding: Option<noding::NodingSummary>,
     ) -> Self {
         let Arranged { dcel, vertices, clash, .. } = arranged;
         let end = vertices.iter().max().map_or(0, |last| *last as usize + 1);
@@ -172,7 +172,7 @@ impl PlanarMap {
 
     /// What noding did to the segments; none, if the map was built of them as they are.
     #[must_use]
-    pub const fn noding(&self) -> Option<&noding::Summary> {
+    pub const fn noding(&self) -> Option<&noding::NodingSummary> {
         self.noding.as_ref()
     }
 
@@ -224,7 +224,7 @@ impl View for PlanarMap {
         isolated(vertex) -> Link;
         boundary_face(boundary) -> Link;
         boundary_start(boundary) -> Option<Start>;
-        boundary_place(boundary) -> Option<Place>;
+        boundary_place(boundary) -> Option<BoundaryPlace>;
         outer(face) -> Link;
         inner_count(face) -> usize;
         inner(face, position) -> Link;

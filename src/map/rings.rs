@@ -10,7 +10,7 @@ use core::fmt;
 /// What is irregular about a ring or a line.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord, Hash)]
 #[non_exhaustive]
-pub enum Kind {
+pub enum IrregularityKind {
     /// A point repeats the one before it.
     RepeatedPoint,
     /// The last point of a ring does not repeat the first; the ring was closed.
@@ -25,7 +25,7 @@ pub enum Kind {
     Spike,
 }
 
-impl fmt::Display for Kind {
+impl fmt::Display for IrregularityKind {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         f.write_str(match self {
             Self::RepeatedPoint => "repeated point",
@@ -42,7 +42,7 @@ impl fmt::Display for Kind {
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Irregularity {
     /// What.
-    pub kind: Kind,
+    pub kind: IrregularityKind,
     /// Where in the input: the point that shows it; the first of the ring, if no single one does.
     pub position: Position,
     /// Where on the map.

@@ -28,7 +28,7 @@
 mod answers;
 
 use super::canonical::Canonizer;
-use super::interpret::{Outcome, Runner};
+use super::interpret::{Runner, StepOutcome};
 use super::op::{Op, Program};
 use super::pointer_model::PointerModel;
 use super::subject::{Refusal, Subject};
@@ -39,7 +39,7 @@ use thiserror::Error;
 
 /// How many operators of a program came to what.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Hash)]
-pub struct Summary {
+pub struct ConformanceSummary {
     /// Applied by both.
     pub applied: usize,
     /// Refused by both, for the same reason.
@@ -50,7 +50,7 @@ pub struct Summary {
     pub not_supported: usize,
 }
 
-impl Summary {
+impl ConformanceSummary {
     /// All of them.
     #[must_use]
     pub const fn operators(&self) -> usize {
@@ -93,11 +93,11 @@ pub enum Difference {
     Lacks(Part),
     /// The operator came to something else.
     #[error("the outcome should be `{reference}` and is `{subject}`")]
-    Outcome {
+    StepOutcome {
         /// What became of it in the reference.
-        reference: Outcome,
+        reference: StepOutcome,
         /// What became of it in the subject.
-        subject: Outcome,
+        subject: StepOutcome,
     },
     /// The subject breaks a rule.
     #[error("{}", FirstViolation(.0))]
@@ -165,7 +165,11 @@ impl fmt::Display for Failure {
 /// # Errors
 /// The first difference, and the operator that made it; [`Difference::Lacks`] before the first operator if the
 /// expectation leaves out one of these parts.
-pub fn run<K: Subject>(program: &Program, subject: K, expectation: &Expectation) -> Result<Summary, Failure> {
+pub fn run<K: Subject>(
+    program: &Program,
+    subject: K,
+    expectation: &Expectation,
+) -> Result<ConformanceSummary, Failure> {
     let mut pair = InStep::new(subject, expectation)?;
     for op in &program.0 {
         pair.step(*op)?;
@@ -181,7 +185,7 @@ pub struct InStep<K: Subject> {
     subject: Runner<K>,
     expectation: Expectation,
     canonizer: Canonizer,
-    summary: Summary,
+    summary: ConformanceSummary,
 }
 
 impl<K: Subject> InStep<K> {
@@ -195,7 +199,7 @@ impl<K: Subject> InStep<K> {
             subject: Runner::new(subject),
             expectation: *expectation,
             canonizer: Canonizer::new(),
-            summary: Summary::default(),
+            summary: ConformanceSummary::default(),
         };
         let lacks = [Part::Faces, Part::Holes, Part::UnboundedFace].into_iter().find(|part| !expectation.has(*part));
         lacks.map_or_else(|| pair.compare(), |part| Err(Difference::Lacks(part))).map_err(|difference| Failure {
@@ -211,33 +215,33 @@ impl<K: Subject> InStep<K> {
     /// # Errors
     /// The first difference. After one, or after a panic of the subject, the two are no longer in step, and what further
     /// operators do means nothing.
-    pub fn step(&mut self, op: Op) -> Result<Outcome, Failure> {
+    pub fn step(&mut self, op: Op) -> Result<StepOutcome, Failure> {
         let outcome = self.step_both(op).map_err(|difference| Failure {
             before: self.summary.operators(),
             op: Some(op),
             difference,
         })?;
         *match outcome {
-            Outcome::Applied => &mut self.summary.applied,
-            Outcome::Refused(Refusal::Full | Refusal::Unsupported) => &mut self.summary.not_supported,
-            Outcome::Refused(_) => &mut self.summary.refused,
-            Outcome::Skipped => &mut self.summary.skipped,
+            StepOutcome::Applied => &mut self.summary.applied,
+            StepOutcome::Refused(Refusal::Full | Refusal::Unsupported) => &mut self.summary.not_supported,
+            StepOutcome::Refused(_) => &mut self.summary.refused,
+            StepOutcome::Skipped => &mut self.summary.skipped,
         } += 1;
         Ok(outcome)
     }
 
     /// What the operators so far came to.
     #[must_use]
-    pub const fn summary(&self) -> Summary {
+    pub const fn summary(&self) -> ConformanceSummary {
         self.summary
     }
 
-    fn step_both(&mut self, op: Op) -> Result<Outcome, Difference> {
+    fn step_both(&mut self, op: Op) -> Result<StepOutcome, Difference> {
         let subject = self.subject.step(op);
-        if !matches!(subject, Outcome::Refused(Refusal::Full | Refusal::Unsupported)) {
+        if !matches!(subject, StepOutcome::Refused(Refusal::Full | Refusal::Unsupported)) {
             let reference = self.reference.step(op);
             if subject != reference {
-                return Err(Difference::Outcome { reference, subject });
+                return Err(Difference::StepOutcome { reference, subject });
             }
         }
         self.compare()?;

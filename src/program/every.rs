@@ -1,6 +1,6 @@
 //! Every operator with every argument: what can be done to one map.
 
-use super::interpret::{Outcome, Runner};
+use super::interpret::{Runner, StepOutcome};
 use super::op::{CornerPick, FacePick, HalfEdgePick, InnerPick, Op, SecondPick, VertexPick};
 use super::subject::{Corner, Subject};
 use crate::dcel::{Side, Turn};
@@ -58,12 +58,12 @@ pub fn every_op<K: Subject>(map: &Runner<K>) -> Vec<Op> {
 
 /// Applies [every operator](every_op) to the map as it is, one at a time, and shows what came of each: of those that were
 /// applied the new map, of the others the map that should be as it was.
-pub fn try_every_op<K: Subject + Clone>(map: &Runner<K>, mut visit: impl FnMut(Op, Outcome, &Runner<K>)) {
+pub fn try_every_op<K: Subject + Clone>(map: &Runner<K>, mut visit: impl FnMut(Op, StepOutcome, &Runner<K>)) {
     let mut trial = map.clone();
     for op in every_op(map) {
         let outcome = trial.step(op);
         visit(op, outcome, &trial);
-        if outcome == Outcome::Applied {
+        if outcome == StepOutcome::Applied {
             trial = map.clone();
         }
     }

@@ -8,7 +8,7 @@ use alloc::vec::Vec;
 
 /// What became of one operator of a program.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash, PartialOrd, Ord)]
-pub enum Outcome {
+pub enum StepOutcome {
     /// The subject did it.
     Applied,
     /// The subject refused.
@@ -17,7 +17,7 @@ pub enum Outcome {
     Skipped,
 }
 
-impl core::fmt::Display for Outcome {
+impl core::fmt::Display for StepOutcome {
     fn fmt(&self, f: &mut core::fmt::Formatter<'_>) -> core::fmt::Result {
         match self {
             Self::Applied => f.write_str("applied"),
@@ -49,14 +49,14 @@ pub(super) enum Fit {
 }
 
 /// The `k`-th of a list that starts again where it ends.
-fn nth<T: Copy>(list: &[T], k: u16) -> Result<T, Outcome> {
-    let position = usize::from(k).checked_rem(list.len()).ok_or(Outcome::Skipped)?;
-    list.get(position).copied().ok_or(Outcome::Skipped)
+fn nth<T: Copy>(list: &[T], k: u16) -> Result<T, StepOutcome> {
+    let position = usize::from(k).checked_rem(list.len()).ok_or(StepOutcome::Skipped)?;
+    list.get(position).copied().ok_or(StepOutcome::Skipped)
 }
 
 #[allow(clippy::needless_pass_by_value, reason = "what `map_err` hands over")]
-fn refused<K: Subject>(error: K::Error) -> Outcome {
-    Outcome::Refused(K::refusal(&error))
+fn refused<K: Subject>(error: K::Error) -> StepOutcome {
+    StepOutcome::Refused(K::refusal(&error))
 }
 
 impl<K: Subject> Runner<K> {
@@ -114,7 +114,7 @@ impl<K: Subject> Runner<K> {
     }
 
     /// Runs a whole program and tells what became of each operator.
-    pub fn run(&mut self, program: &Program) -> Vec<Outcome> {
+    pub fn run(&mut self, program: &Program) -> Vec<StepOutcome> {
         program.0.iter().map(|op| self.step(*op)).collect()
     }
 
@@ -122,16 +122,16 @@ impl<K: Subject> Runner<K> {
     ///
     /// O(live elements) beside what the operator itself costs, and O(length²) of the boundary of the face that is split
     /// if some of its inner boundary components are to be chosen.
-    pub fn step(&mut self, op: Op) -> Outcome {
-        self.resolve(op).and_then(|call| self.call(call)).err().unwrap_or(Outcome::Applied)
+    pub fn step(&mut self, op: Op) -> StepOutcome {
+        self.resolve(op).and_then(|call| self.call(call)).err().unwrap_or(StepOutcome::Applied)
     }
 
     /// What an operator would choose now. Costs what is said of [`Runner::step`].
     ///
     /// # Errors
-    /// What becomes of the operator if it cannot choose: [`Outcome::Skipped`] where there is nothing to choose from, and
-    /// [`Outcome::Refused`] where the subject refuses a question.
-    pub fn resolve(&self, op: Op) -> Result<CallOf<K>, Outcome> {
+    /// What becomes of the operator if it cannot choose: [`StepOutcome::Skipped`] where there is nothing to choose from, and
+    /// [`StepOutcome::Refused`] where the subject refuses a question.
+    pub fn resolve(&self, op: Op) -> Result<CallOf<K>, StepOutcome> {
         Ok(match op {
             Op::AddIsolatedVertex { face } => Call::AddIsolatedVertex { face: self.face(face)? },
             Op::RemoveIsolatedVertex { vertex } => Call::RemoveIsolatedVertex { vertex: self.vertex(vertex)? },
@@ -153,7 +153,7 @@ impl<K: Subject> Runner<K> {
         })
     }
 
-    fn call(&mut self, call: CallOf<K>) -> Result<(), Outcome> {
+    fn call(&mut self, call: CallOf<K>) -> Result<(), StepOutcome> {
         match call {
             Call::AddIsolatedVertex { face } => self.add_isolated_vertex(face),
             Call::RemoveIsolatedVertex { vertex } => self.remove_isolated_vertex(vertex),
@@ -168,14 +168,14 @@ impl<K: Subject> Runner<K> {
         }
     }
 
-    fn half_edge(&self, pick: HalfEdgePick) -> Result<K::HalfEdge, Outcome> {
+    fn half_edge(&self, pick: HalfEdgePick) -> Result<K::HalfEdge, StepOutcome> {
         match pick {
             HalfEdgePick::Live(k) => nth(&self.half_edges, k),
             HalfEdgePick::Retired(k) => nth(&self.retired_half_edges, k),
         }
     }
 
-    fn vertex(&self, pick: VertexPick) -> Result<K::Vertex, Outcome> {
+    fn vertex(&self, pick: VertexPick) -> Result<K::Vertex, StepOutcome> {
         match pick {
             VertexPick::Isolated(k) => nth(&self.isolated, k),
             VertexPick::OriginOf(k) => self.subject.origin_of(nth(&self.half_edges, k)?).map_err(refused::<K>),
@@ -183,14 +183,14 @@ impl<K: Subject> Runner<K> {
         }
     }
 
-    pub(super) fn corner(&self, pick: CornerPick) -> Result<CornerOf<K>, Outcome> {
+    pub(super) fn corner(&self, pick: CornerPick) -> Result<CornerOf<K>, StepOutcome> {
         match pick {
             Corner::At(pick) => self.half_edge(pick).map(Corner::At),
             Corner::Isolated(pick) => self.vertex(pick).map(Corner::Isolated),
         }
     }
 
-    fn face(&self, pick: FacePick) -> Result<K::Face, Outcome> {
+    fn face(&self, pick: FacePick) -> Result<K::Face, StepOutcome> {
         match pick {
             FacePick::Unbounded => Ok(self.subject.unbounded_face()),
             FacePick::Of(pick) => self.subject.face_of(self.corner(pick)?).map_err(refused::<K>),
@@ -199,7 +199,7 @@ impl<K: Subject> Runner<K> {
     }
 
     /// The vertex of a corner.
-    fn vertex_of(&self, corner: CornerOf<K>) -> Result<K::Vertex, Outcome> {
+    fn vertex_of(&self, corner: CornerOf<K>) -> Result<K::Vertex, StepOutcome> {
         match corner {
             Corner::At(h) => self.subject.origin_of(h).map_err(refused::<K>),
             Corner::Isolated(v) => Ok(v),
@@ -207,7 +207,7 @@ impl<K: Subject> Runner<K> {
     }
 
     /// The places, in [`Runner::corners`], of those that fit a first one.
-    pub(super) fn fitting(&self, first: CornerOf<K>, fit: Fit) -> Result<Vec<usize>, Outcome> {
+    pub(super) fn fitting(&self, first: CornerOf<K>, fit: Fit) -> Result<Vec<usize>, StepOutcome> {
         let corners = self.corners().enumerate();
         Ok(match fit {
             Fit::Face => {
@@ -223,18 +223,18 @@ impl<K: Subject> Runner<K> {
         })
     }
 
-    fn second(&self, pick: SecondPick, first: CornerOf<K>, fit: Fit) -> Result<CornerOf<K>, Outcome> {
+    fn second(&self, pick: SecondPick, first: CornerOf<K>, fit: Fit) -> Result<CornerOf<K>, StepOutcome> {
         match pick {
             SecondPick::Any(pick) => self.corner(pick),
             SecondPick::Fitting(k) => {
                 let place = nth(&self.fitting(first, fit)?, k)?;
-                self.corners().nth(place).ok_or(Outcome::Skipped)
+                self.corners().nth(place).ok_or(StepOutcome::Skipped)
             }
         }
     }
 
     /// One corner of each boundary component to be named.
-    fn inner(&self, pick: InnerPick, from: CornerOf<K>) -> Result<Vec<CornerOf<K>>, Outcome> {
+    fn inner(&self, pick: InnerPick, from: CornerOf<K>) -> Result<Vec<CornerOf<K>>, StepOutcome> {
         let mut named = Vec::new();
         if pick.mask != 0 {
             let face = self.subject.face_of(from).map_err(refused::<K>)?;
@@ -271,13 +271,13 @@ impl<K: Subject> Runner<K> {
         }
     }
 
-    fn add_isolated_vertex(&mut self, face: K::Face) -> Result<(), Outcome> {
+    fn add_isolated_vertex(&mut self, face: K::Face) -> Result<(), StepOutcome> {
         let v = self.subject.add_isolated_vertex(face).map_err(refused::<K>)?;
         self.isolated.push(v);
         Ok(())
     }
 
-    fn remove_isolated_vertex(&mut self, v: K::Vertex) -> Result<(), Outcome> {
+    fn remove_isolated_vertex(&mut self, v: K::Vertex) -> Result<(), StepOutcome> {
         self.subject.remove_isolated_vertex(v).map_err(refused::<K>)?;
         self.no_longer_isolated(v);
         self.retired_vertices.push(v);
@@ -290,7 +290,7 @@ impl<K: Subject> Runner<K> {
         to: CornerOf<K>,
         new_face: Side,
         inner: &[CornerOf<K>],
-    ) -> Result<(), Outcome> {
+    ) -> Result<(), StepOutcome> {
         let n = self.subject.connect(from, to, new_face, inner).map_err(refused::<K>)?;
         for corner in [from, to] {
             if let Corner::Isolated(v) = corner {
@@ -300,7 +300,7 @@ impl<K: Subject> Runner<K> {
         self.made_edge(n)
     }
 
-    fn remove_edge(&mut self, h: K::HalfEdge) -> Result<(), Outcome> {
+    fn remove_edge(&mut self, h: K::HalfEdge) -> Result<(), StepOutcome> {
         let ends = self.ends(h)?;
         let dropped = self.subject.remove_edge(h).map_err(refused::<K>)?;
         self.retired_faces.extend(dropped);
@@ -311,12 +311,12 @@ impl<K: Subject> Runner<K> {
         Ok(())
     }
 
-    fn split_edge(&mut self, h: K::HalfEdge) -> Result<(), Outcome> {
+    fn split_edge(&mut self, h: K::HalfEdge) -> Result<(), StepOutcome> {
         let n = self.subject.split_edge(h).map_err(refused::<K>)?;
         self.made_edge(n)
     }
 
-    fn join_edges(&mut self, h: K::HalfEdge) -> Result<(), Outcome> {
+    fn join_edges(&mut self, h: K::HalfEdge) -> Result<(), StepOutcome> {
         let following = self.subject.next_of(h).map_err(refused::<K>)?;
         let v = self.subject.origin_of(following).map_err(refused::<K>)?;
         self.subject.join_edges(h).map_err(refused::<K>)?;
@@ -325,7 +325,7 @@ impl<K: Subject> Runner<K> {
         Ok(())
     }
 
-    fn split_vertex(&mut self, from: CornerOf<K>, to: CornerOf<K>) -> Result<(), Outcome> {
+    fn split_vertex(&mut self, from: CornerOf<K>, to: CornerOf<K>) -> Result<(), StepOutcome> {
         let n = self.subject.split_vertex(from, to).map_err(refused::<K>)?;
         if let Corner::Isolated(v) = from {
             self.no_longer_isolated(v);
@@ -333,7 +333,7 @@ impl<K: Subject> Runner<K> {
         self.made_edge(n)
     }
 
-    fn contract_edge(&mut self, h: K::HalfEdge) -> Result<(), Outcome> {
+    fn contract_edge(&mut self, h: K::HalfEdge) -> Result<(), StepOutcome> {
         let [origin, target] = self.ends(h)?;
         let dropped = self.subject.contract_edge(h).map_err(refused::<K>)?;
         self.retire_edge(h);
@@ -342,12 +342,12 @@ impl<K: Subject> Runner<K> {
         Ok(())
     }
 
-    fn ends(&self, h: K::HalfEdge) -> Result<[K::Vertex; 2], Outcome> {
+    fn ends(&self, h: K::HalfEdge) -> Result<[K::Vertex; 2], StepOutcome> {
         let target = self.subject.twin_of(h).and_then(|t| self.subject.origin_of(t));
         Ok([self.subject.origin_of(h).map_err(refused::<K>)?, target.map_err(refused::<K>)?])
     }
 
-    fn made_edge(&mut self, h: K::HalfEdge) -> Result<(), Outcome> {
+    fn made_edge(&mut self, h: K::HalfEdge) -> Result<(), StepOutcome> {
         let t = self.subject.twin_of(h).map_err(refused::<K>)?;
         self.half_edges.extend([h, t]);
         Ok(())

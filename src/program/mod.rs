@@ -6,7 +6,7 @@
 //!
 //! ```
 //! use twinedge::dcel::Dcel;
-//! use twinedge::program::{Outcome, Program, Refusal, Runner};
+//! use twinedge::program::{StepOutcome, Program, Refusal, Runner};
 //!
 //! let program: Program = "twinedge program 1
 //!     add_isolated_vertex unbounded
@@ -17,8 +17,8 @@
 //! ".parse()?;
 //! let mut runner = Runner::new(Dcel::new());
 //! let outcomes = runner.run(&program);
-//! assert_eq!(outcomes[3], Outcome::Applied);
-//! assert_eq!(outcomes[4], Outcome::Refused(Refusal::Stale));
+//! assert_eq!(outcomes[3], StepOutcome::Applied);
+//! assert_eq!(outcomes[4], StepOutcome::Refused(Refusal::Stale));
 //! assert!(runner.subject().validate().is_valid());
 //! # Ok::<(), twinedge::program::ParseError>(())
 //! ```
@@ -65,7 +65,7 @@ mod text;
 pub use crate::dcel::{Side, Turn};
 pub use call::{Call, CallOf};
 pub use every::{every_op, try_every_op};
-pub use interpret::{Outcome, Runner};
+pub use interpret::{Runner, StepOutcome};
 pub use op::{CornerPick, FacePick, HalfEdgePick, InnerPick, Op, Program, SecondPick, VertexPick};
 pub use pointer_model::{PointerModel, PointerModelFace, PointerModelHalfEdge, PointerModelVertex};
 pub use rotation_system::RotationSystem;

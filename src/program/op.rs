@@ -87,7 +87,7 @@ pub enum Op {
 /// A sequence of operators, to be run by a [`Runner`](super::Runner) from the empty map.
 ///
 /// ```
-/// use twinedge::program::{Outcome, Program, Runner};
+/// use twinedge::program::{StepOutcome, Program, Runner};
 /// let program = Program::from_bytes(b"any bytes are a program");
 /// let mut runner = Runner::new(twinedge::dcel::Dcel::new());
 /// for op in &program.0 {

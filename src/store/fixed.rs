@@ -14,7 +14,7 @@
 
 use super::issuer::structure_offset;
 use super::keys::{key, parts};
-use super::links::{Anchor, Kind, Links, Need, OUTER, Origin, room};
+use super::links::{BoundaryStart, Links, Need, OUTER, RecordKind, VertexLink, room};
 use super::{BoundaryKey, FaceKey, HalfEdgeKey, Store, VertexKey};
 use slotmap::Key;
 
@@ -43,7 +43,7 @@ slot_types! {
 
 #[derive(Clone, Copy, Debug)]
 struct VertexRecord {
-    anchor: Anchor<HalfEdgeSlot, BoundarySlot>,
+    anchor: VertexLink<HalfEdgeSlot, BoundarySlot>,
 }
 
 #[derive(Clone, Copy, Debug)]
@@ -57,7 +57,7 @@ struct HalfEdgeRecord {
 #[derive(Clone, Copy, Debug)]
 struct BoundaryRecord {
     face: FaceSlot,
-    start: Origin<HalfEdgeSlot, VertexSlot>,
+    start: BoundaryStart<HalfEdgeSlot, VertexSlot>,
     place: u32,
 }
 
@@ -69,7 +69,7 @@ struct FaceRecord<const B: usize> {
 }
 
 impl VertexRecord {
-    const UNUSED: Self = Self { anchor: Anchor::Isolated(BoundarySlot(0)) };
+    const UNUSED: Self = Self { anchor: VertexLink::Isolated(BoundarySlot(0)) };
 }
 
 impl HalfEdgeRecord {
@@ -78,7 +78,7 @@ impl HalfEdgeRecord {
 }
 
 impl BoundaryRecord {
-    const UNUSED: Self = Self { face: FaceSlot(0), start: Origin::Vertex(VertexSlot(0)), place: OUTER };
+    const UNUSED: Self = Self { face: FaceSlot(0), start: BoundaryStart::Vertex(VertexSlot(0)), place: OUTER };
 }
 
 impl<const B: usize> FaceRecord<B> {
@@ -150,14 +150,14 @@ impl<R: Copy, const N: usize> Pool<R, N> {
 /// boundary component and 8 per face.
 ///
 /// ```
-/// use twinedge::dcel::{Dcel, Kind, OperatorError};
+/// use twinedge::dcel::{Dcel, RecordKind, OperatorError};
 /// use twinedge::store::FixedStore;
 ///
 /// let mut map: Dcel<FixedStore<2, 1, 2, 1>> = Dcel::default();
 /// let outside = map.unbounded_face().key();
 /// map.add_isolated_vertex(outside)?;
 /// map.add_isolated_vertex(outside)?;
-/// assert_eq!(map.add_isolated_vertex(outside), Err(OperatorError::Full(Kind::Vertex)));
+/// assert_eq!(map.add_isolated_vertex(outside), Err(OperatorError::Full(RecordKind::Vertex)));
 /// # Ok::<(), OperatorError>(())
 /// ```
 ///
@@ -227,7 +227,7 @@ impl<const V: usize, const E: usize, const B: usize, const F: usize> Links for F
         self.unbounded
     }
 
-    fn room_for(&self, need: Need) -> Result<(), Kind> {
+    fn room_for(&self, need: Need) -> Result<(), RecordKind> {
         room(self, need, Need { vertices: V, edges: E, boundaries: B, faces: F })
     }
 
@@ -332,14 +332,14 @@ impl<const V: usize, const E: usize, const B: usize, const F: usize> Links for F
         usize::from(f.0)
     }
 
-    fn add_vertex(&mut self, anchor: Anchor<HalfEdgeSlot, BoundarySlot>) -> VertexSlot {
+    fn add_vertex(&mut self, anchor: VertexLink<HalfEdgeSlot, BoundarySlot>) -> VertexSlot {
         VertexSlot(self.vertices.issue(VertexRecord { anchor }))
     }
 
     fn add_isolated(&mut self, f: FaceSlot) -> (VertexSlot, BoundarySlot) {
         let v = VertexSlot(self.vertices.issue(VertexRecord::UNUSED));
-        let b = self.add_boundary(f, Origin::Vertex(v));
-        self.set_anchor(v, Anchor::Isolated(b));
+        let b = self.add_boundary(f, BoundaryStart::Vertex(v));
+        self.set_anchor(v, VertexLink::Isolated(b));
         self.list_inner(f, b);
         (v, b)
     }
@@ -352,7 +352,7 @@ impl<const V: usize, const E: usize, const B: usize, const F: usize> Links for F
         h
     }
 
-    fn add_boundary(&mut self, f: FaceSlot, start: Origin<HalfEdgeSlot, VertexSlot>) -> BoundarySlot {
+    fn add_boundary(&mut self, f: FaceSlot, start: BoundaryStart<HalfEdgeSlot, VertexSlot>) -> BoundarySlot {
         BoundarySlot(self.boundaries.issue(BoundaryRecord { face: f, start, place: OUTER }))
     }
 
@@ -396,7 +396,7 @@ impl<const V: usize, const E: usize, const B: usize, const F: usize> Links for F
         self.half_edge_record(h).component
     }
 
-    fn anchor(&self, v: VertexSlot) -> Anchor<HalfEdgeSlot, BoundarySlot> {
+    fn anchor(&self, v: VertexSlot) -> VertexLink<HalfEdgeSlot, BoundarySlot> {
         self.vertices.get(v.0).anchor
     }
 
@@ -404,7 +404,7 @@ impl<const V: usize, const E: usize, const B: usize, const F: usize> Links for F
         self.boundaries.get(b.0).face
     }
 
-    fn start(&self, b: BoundarySlot) -> Origin<HalfEdgeSlot, VertexSlot> {
+    fn start(&self, b: BoundarySlot) -> BoundaryStart<HalfEdgeSlot, VertexSlot> {
         self.boundaries.get(b.0).start
     }
 
@@ -437,11 +437,11 @@ impl<const V: usize, const E: usize, const B: usize, const F: usize> Links for F
         self.half_edge_record_mut(h).component = b;
     }
 
-    fn set_anchor(&mut self, v: VertexSlot, anchor: Anchor<HalfEdgeSlot, BoundarySlot>) {
+    fn set_anchor(&mut self, v: VertexSlot, anchor: VertexLink<HalfEdgeSlot, BoundarySlot>) {
         self.vertices.get_mut(v.0).anchor = anchor;
     }
 
-    fn set_start(&mut self, b: BoundarySlot, start: Origin<HalfEdgeSlot, VertexSlot>) {
+    fn set_start(&mut self, b: BoundarySlot, start: BoundaryStart<HalfEdgeSlot, VertexSlot>) {
         self.boundaries.get_mut(b.0).start = start;
     }
 

@@ -29,7 +29,7 @@
 
 use super::issuer::{Issuer, structure_offset, with_room};
 use super::keys::{key, parts};
-use super::links::{Anchor, Kind, Links, Need, OUTER, Origin, room};
+use super::links::{BoundaryStart, Links, Need, OUTER, RecordKind, VertexLink, room};
 use super::{BoundaryKey, FaceKey, HalfEdgeKey, Store, VertexKey};
 use alloc::boxed::Box;
 use alloc::vec::Vec;
@@ -79,7 +79,7 @@ type FaceRef = Ref<FaceRecord>;
 /// A vertex.
 pub struct VertexRecord {
     key: Cell<VertexKey>,
-    anchor: Cell<Anchor<HalfEdgeRef, BoundaryRef>>,
+    anchor: Cell<VertexLink<HalfEdgeRef, BoundaryRef>>,
 }
 
 /// A half-edge.
@@ -96,7 +96,7 @@ pub struct HalfEdgeRecord {
 pub struct BoundaryRecord {
     key: Cell<BoundaryKey>,
     face: Cell<FaceRef>,
-    start: Cell<Origin<HalfEdgeRef, VertexRef>>,
+    start: Cell<BoundaryStart<HalfEdgeRef, VertexRef>>,
     place: Cell<u32>,
 }
 
@@ -120,7 +120,7 @@ impl Record for VertexRecord {
     type Key = VertexKey;
 
     fn new(key: VertexKey) -> Self {
-        Self { key: Cell::new(key), anchor: Cell::new(Anchor::Isolated(Ref::UNSET)) }
+        Self { key: Cell::new(key), anchor: Cell::new(VertexLink::Isolated(Ref::UNSET)) }
     }
 
     fn key(&self) -> &Cell<VertexKey> {
@@ -154,7 +154,7 @@ impl Record for BoundaryRecord {
         Self {
             key: Cell::new(key),
             face: Cell::new(Ref::UNSET),
-            start: Cell::new(Origin::Vertex(Ref::UNSET)),
+            start: Cell::new(BoundaryStart::Vertex(Ref::UNSET)),
             place: Cell::new(OUTER),
         }
     }
@@ -317,8 +317,8 @@ impl Clone for PointerStore {
         // Retired records too: then all links of all records lead to records, in the copy as in the original.
         for v in self.vertices.boxes.iter().copied() {
             copy.vertices.follow(vertex(v)).anchor.set(match self.anchor(v) {
-                Anchor::Leaving(h) => Anchor::Leaving(half_edge(h)),
-                Anchor::Isolated(b) => Anchor::Isolated(boundary(b)),
+                VertexLink::Leaving(h) => VertexLink::Leaving(half_edge(h)),
+                VertexLink::Isolated(b) => VertexLink::Isolated(boundary(b)),
             });
         }
         for h in self.half_edges.boxes.iter().copied() {
@@ -333,8 +333,8 @@ impl Clone for PointerStore {
             let record = copy.boundaries.follow(boundary(b));
             record.face.set(face(self.bounded(b)));
             record.start.set(match self.start(b) {
-                Origin::HalfEdge(h) => Origin::HalfEdge(half_edge(h)),
-                Origin::Vertex(v) => Origin::Vertex(vertex(v)),
+                BoundaryStart::HalfEdge(h) => BoundaryStart::HalfEdge(half_edge(h)),
+                BoundaryStart::Vertex(v) => BoundaryStart::Vertex(vertex(v)),
             });
             record.place.set(self.place(b));
         }
@@ -370,7 +370,7 @@ impl Links for PointerStore {
         self.unbounded
     }
 
-    fn room_for(&self, need: Need) -> Result<(), Kind> {
+    fn room_for(&self, need: Need) -> Result<(), RecordKind> {
         room(self, need, Need { vertices: MOST, edges: MOST / 2, boundaries: MOST, faces: MOST })
     }
 
@@ -474,7 +474,7 @@ impl Links for PointerStore {
         self.faces.index(f)
     }
 
-    fn add_vertex(&mut self, anchor: Anchor<HalfEdgeRef, BoundaryRef>) -> VertexRef {
+    fn add_vertex(&mut self, anchor: VertexLink<HalfEdgeRef, BoundaryRef>) -> VertexRef {
         let v = self.vertices.issue();
         self.vertices.follow(v).anchor.set(anchor);
         v
@@ -482,8 +482,8 @@ impl Links for PointerStore {
 
     fn add_isolated(&mut self, f: FaceRef) -> (VertexRef, BoundaryRef) {
         let v = self.vertices.issue();
-        let b = self.add_boundary(f, Origin::Vertex(v));
-        self.set_anchor(v, Anchor::Isolated(b));
+        let b = self.add_boundary(f, BoundaryStart::Vertex(v));
+        self.set_anchor(v, VertexLink::Isolated(b));
         self.list_inner(f, b);
         (v, b)
     }
@@ -501,7 +501,7 @@ impl Links for PointerStore {
         h
     }
 
-    fn add_boundary(&mut self, f: FaceRef, start: Origin<HalfEdgeRef, VertexRef>) -> BoundaryRef {
+    fn add_boundary(&mut self, f: FaceRef, start: BoundaryStart<HalfEdgeRef, VertexRef>) -> BoundaryRef {
         let b = self.boundaries.issue();
         let record = self.boundaries.follow(b);
         record.face.set(f);
@@ -561,7 +561,7 @@ impl Links for PointerStore {
     }
 
     #[inline]
-    fn anchor(&self, v: VertexRef) -> Anchor<HalfEdgeRef, BoundaryRef> {
+    fn anchor(&self, v: VertexRef) -> VertexLink<HalfEdgeRef, BoundaryRef> {
         self.vertices.follow(v).anchor.get()
     }
 
@@ -571,7 +571,7 @@ impl Links for PointerStore {
     }
 
     #[inline]
-    fn start(&self, b: BoundaryRef) -> Origin<HalfEdgeRef, VertexRef> {
+    fn start(&self, b: BoundaryRef) -> BoundaryStart<HalfEdgeRef, VertexRef> {
         self.boundaries.follow(b).start.get()
     }
 
@@ -608,11 +608,11 @@ impl Links for PointerStore {
         self.half_edges.follow(h).component.set(b);
     }
 
-    fn set_anchor(&mut self, v: VertexRef, anchor: Anchor<HalfEdgeRef, BoundaryRef>) {
+    fn set_anchor(&mut self, v: VertexRef, anchor: VertexLink<HalfEdgeRef, BoundaryRef>) {
         self.vertices.follow(v).anchor.set(anchor);
     }
 
-    fn set_start(&mut self, b: BoundaryRef, start: Origin<HalfEdgeRef, VertexRef>) {
+    fn set_start(&mut self, b: BoundaryRef, start: BoundaryStart<HalfEdgeRef, VertexRef>) {
         self.boundaries.follow(b).start.set(start);
     }
 

@@ -15,7 +15,7 @@
 
 use super::issuer::{Issuer, structure_offset, with_room};
 use super::keys::{key, parts};
-use super::links::{Anchor, Kind, Links, Need, OUTER, Origin, UNLISTED, room};
+use super::links::{BoundaryStart, Links, Need, OUTER, RecordKind, UNLISTED, VertexLink, room};
 use super::{BoundaryKey, FaceKey, HalfEdgeKey, Store, VertexKey};
 use alloc::boxed::Box;
 use alloc::vec::Vec;
@@ -99,17 +99,17 @@ fn column<T: Clone>(room: usize, unused: T, count: usize) -> Vec<T> {
     column
 }
 
-const fn anchor_bits(anchor: Anchor<HalfEdgeSlot, BoundarySlot>) -> u32 {
+const fn anchor_bits(anchor: VertexLink<HalfEdgeSlot, BoundarySlot>) -> u32 {
     match anchor {
-        Anchor::Leaving(h) => h.0,
-        Anchor::Isolated(b) => b.0 | OTHER,
+        VertexLink::Leaving(h) => h.0,
+        VertexLink::Isolated(b) => b.0 | OTHER,
     }
 }
 
-const fn origin_bits(start: Origin<HalfEdgeSlot, VertexSlot>) -> u32 {
+const fn origin_bits(start: BoundaryStart<HalfEdgeSlot, VertexSlot>) -> u32 {
     match start {
-        Origin::HalfEdge(h) => h.0,
-        Origin::Vertex(v) => v.0 | OTHER,
+        BoundaryStart::HalfEdge(h) => h.0,
+        BoundaryStart::Vertex(v) => v.0 | OTHER,
     }
 }
 
@@ -148,7 +148,7 @@ impl Links for SlotStore {
         self.unbounded
     }
 
-    fn room_for(&self, need: Need) -> Result<(), Kind> {
+    fn room_for(&self, need: Need) -> Result<(), RecordKind> {
         room(self, need, Need { vertices: MOST, edges: MOST_EDGES, boundaries: MOST, faces: MOST })
     }
 
@@ -293,7 +293,7 @@ impl Links for SlotStore {
         f.0 as usize
     }
 
-    fn add_vertex(&mut self, anchor: Anchor<HalfEdgeSlot, BoundarySlot>) -> VertexSlot {
+    fn add_vertex(&mut self, anchor: VertexLink<HalfEdgeSlot, BoundarySlot>) -> VertexSlot {
         let slot = self.vertices.issue();
         put(&mut self.anchor, slot, anchor_bits(anchor));
         VertexSlot(slot)
@@ -301,8 +301,8 @@ impl Links for SlotStore {
 
     fn add_isolated(&mut self, f: FaceSlot) -> (VertexSlot, BoundarySlot) {
         let v = VertexSlot(self.vertices.issue());
-        let b = self.add_boundary(f, Origin::Vertex(v));
-        put(&mut self.anchor, v.0, anchor_bits(Anchor::Isolated(b)));
+        let b = self.add_boundary(f, BoundaryStart::Vertex(v));
+        put(&mut self.anchor, v.0, anchor_bits(VertexLink::Isolated(b)));
         self.list_inner(f, b);
         (v, b)
     }
@@ -318,7 +318,7 @@ impl Links for SlotStore {
         HalfEdgeSlot(h)
     }
 
-    fn add_boundary(&mut self, f: FaceSlot, start: Origin<HalfEdgeSlot, VertexSlot>) -> BoundarySlot {
+    fn add_boundary(&mut self, f: FaceSlot, start: BoundaryStart<HalfEdgeSlot, VertexSlot>) -> BoundarySlot {
         let slot = self.boundaries.issue();
         put(&mut self.bounded, slot, f);
         put(&mut self.start, slot, origin_bits(start));
@@ -377,12 +377,12 @@ impl Links for SlotStore {
     }
 
     #[inline]
-    fn anchor(&self, v: VertexSlot) -> Anchor<HalfEdgeSlot, BoundarySlot> {
+    fn anchor(&self, v: VertexSlot) -> VertexLink<HalfEdgeSlot, BoundarySlot> {
         let bits = self.anchor[v.0 as usize];
         if bits & OTHER == 0 {
-            Anchor::Leaving(HalfEdgeSlot(bits))
+            VertexLink::Leaving(HalfEdgeSlot(bits))
         } else {
-            Anchor::Isolated(BoundarySlot(bits ^ OTHER))
+            VertexLink::Isolated(BoundarySlot(bits ^ OTHER))
         }
     }
 
@@ -392,9 +392,13 @@ impl Links for SlotStore {
     }
 
     #[inline]
-    fn start(&self, b: BoundarySlot) -> Origin<HalfEdgeSlot, VertexSlot> {
+    fn start(&self, b: BoundarySlot) -> BoundaryStart<HalfEdgeSlot, VertexSlot> {
         let bits = self.start[b.0 as usize];
-        if bits & OTHER == 0 { Origin::HalfEdge(HalfEdgeSlot(bits)) } else { Origin::Vertex(VertexSlot(bits ^ OTHER)) }
+        if bits & OTHER == 0 {
+            BoundaryStart::HalfEdge(HalfEdgeSlot(bits))
+        } else {
+            BoundaryStart::Vertex(VertexSlot(bits ^ OTHER))
+        }
     }
 
     #[inline]
@@ -436,13 +440,13 @@ impl Links for SlotStore {
         self.component[h.0 as usize] = b;
     }
 
-    fn set_anchor(&mut self, v: VertexSlot, anchor: Anchor<HalfEdgeSlot, BoundarySlot>) {
+    fn set_anchor(&mut self, v: VertexSlot, anchor: VertexLink<HalfEdgeSlot, BoundarySlot>) {
         self.anchor[v.0 as usize] = anchor_bits(anchor);
     }
 
-    fn set_start(&mut self, b: BoundarySlot, start: Origin<HalfEdgeSlot, VertexSlot>) {
+    fn set_start(&mut self, b: BoundarySlot, start: BoundaryStart<HalfEdgeSlot, VertexSlot>) {
         self.start[b.0 as usize] = origin_bits(start);
-        if let Origin::HalfEdge(h) = start
+        if let BoundaryStart::HalfEdge(h) = start
             && self.place[b.0 as usize] == OUTER
         {
             self.outer[self.bounded[b.0 as usize].0 as usize] = h.0;

@@ -10,7 +10,7 @@
 
 use super::report::{Flow, Halt};
 use super::run::{NIL, Run, column};
-use super::{Part, Place, Record, Rule, Start, Unchecked, View, Violation};
+use super::{BoundaryPlace, Part, Record, Rule, Start, Unchecked, View, Violation};
 
 impl<V: View + ?Sized> Run<'_, V> {
     /// Runs F1 and F2.
@@ -71,7 +71,7 @@ impl<V: View + ?Sized> Run<'_, V> {
                 continue;
             }
             if let Some(b) = self.view.outer(f) {
-                self.entry(&mut listed, f, b, Place::Outer)?;
+                self.entry(&mut listed, f, b, BoundaryPlace::Outer)?;
             }
             if !self.expect.has(Part::Holes) {
                 continue;
@@ -82,7 +82,7 @@ impl<V: View + ?Sized> Run<'_, V> {
             self.counts.inner_boundaries += read;
             for i in 0..read {
                 if let Some(b) = self.view.inner(f, i) {
-                    self.entry(&mut listed, f, b, Place::Inner(i))?;
+                    self.entry(&mut listed, f, b, BoundaryPlace::Inner(i))?;
                 }
             }
             if read < claimed {
@@ -106,7 +106,7 @@ impl<V: View + ?Sized> Run<'_, V> {
     }
 
     /// One entry of a list. What dangles is R1's to report.
-    fn entry(&mut self, listed: &mut [bool], f: usize, b: usize, place: Place) -> Flow {
+    fn entry(&mut self, listed: &mut [bool], f: usize, b: usize, place: BoundaryPlace) -> Flow {
         if b >= listed.len() || !self.view.is_boundary(b) {
             return Ok(());
         }

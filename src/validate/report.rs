@@ -76,7 +76,7 @@ impl fmt::Display for Unchecked {
 
 /// What became of one rule.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash, Default)]
-pub struct Outcome {
+pub struct RuleOutcome {
     /// How many were checked; what is counted is [`Rule::unit`].
     pub checked: u64,
     /// How many violations were found, kept or not.
@@ -153,7 +153,7 @@ pub struct Certificate {
 /// What a validation found.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub struct Report {
-    pub(crate) outcomes: Vec<(Rule, Outcome)>,
+    pub(crate) outcomes: Vec<(Rule, RuleOutcome)>,
     pub(crate) violations: Vec<Violation>,
     pub(crate) counts: Counts,
     pub(crate) bounds: Option<Bounds>,
@@ -162,13 +162,13 @@ pub struct Report {
 impl Report {
     /// The rules that were to be checked, in order, each with what became of it.
     #[must_use]
-    pub fn outcomes(&self) -> impl ExactSizeIterator<Item = (Rule, Outcome)> + '_ {
+    pub fn outcomes(&self) -> impl ExactSizeIterator<Item = (Rule, RuleOutcome)> + '_ {
         self.outcomes.iter().copied()
     }
 
     /// What became of this rule; `None` for a rule that is not of this validation (G without coordinates).
     #[must_use]
-    pub fn outcome(&self, rule: Rule) -> Option<Outcome> {
+    pub fn outcome(&self, rule: Rule) -> Option<RuleOutcome> {
         self.outcomes.iter().find(|(r, _)| *r == rule).map(|(_, o)| *o)
     }
 
@@ -180,7 +180,7 @@ impl Report {
 
     /// Adds what was found by rules that are checked after these.
     #[cfg(feature = "geometry")]
-    pub(crate) fn append(&mut self, outcomes: Vec<(Rule, Outcome)>, violations: Vec<Violation>) {
+    pub(crate) fn append(&mut self, outcomes: Vec<(Rule, RuleOutcome)>, violations: Vec<Violation>) {
         self.outcomes.extend(outcomes);
         self.violations.extend(violations);
     }
@@ -276,7 +276,7 @@ pub(crate) enum Halt {
 /// Collects violations and outcomes while the rules are run.
 #[derive(Debug)]
 pub(crate) struct Findings {
-    outcomes: [Outcome; Rule::ALL.len()],
+    outcomes: [RuleOutcome; Rule::ALL.len()],
     violations: Vec<Violation>,
     collect: Collect,
 }
@@ -284,7 +284,7 @@ pub(crate) struct Findings {
 impl Findings {
     pub(crate) const fn new(collect: Collect) -> Self {
         Self {
-            outcomes: [Outcome { checked: 0, violations: 0, unchecked: None }; Rule::ALL.len()],
+            outcomes: [RuleOutcome { checked: 0, violations: 0, unchecked: None }; Rule::ALL.len()],
             violations: Vec::new(),
             collect,
         }
@@ -339,7 +339,7 @@ impl Findings {
     }
 
     /// The outcomes of these rules and the violations found.
-    pub(crate) fn into_parts(self, rules: &[Rule]) -> (Vec<(Rule, Outcome)>, Vec<Violation>) {
+    pub(crate) fn into_parts(self, rules: &[Rule]) -> (Vec<(Rule, RuleOutcome)>, Vec<Violation>) {
         let mut violations = self.violations;
         violations.sort_by_key(Violation::rule);
         (rules.iter().map(|rule| (*rule, self.outcomes[rule.index()])).collect(), violations)

@@ -1,6 +1,6 @@
 //! Every way of breaking a rule, with the records involved.
 
-use super::{Link, Place, Rule};
+use super::{BoundaryPlace, Link, Rule};
 use core::fmt;
 
 /// A record, by its kind and its index in the [`View`](super::View).
@@ -141,7 +141,7 @@ pub enum Violation {
     /// F2: a boundary component is listed by another face than the one that it names.
     ListedByOther { boundary: usize, face: usize, found: Link },
     /// F2: a boundary component is listed at another place than it says.
-    WrongPlace { boundary: usize, place: Option<Place>, listed: Place },
+    WrongPlace { boundary: usize, place: Option<BoundaryPlace>, listed: BoundaryPlace },
     /// F2: the lists are longer than all boundary components together, so the rest was not read.
     ListTooLong { face: usize, claimed: usize },
 
@@ -306,13 +306,13 @@ impl fmt::Display for Named {
 }
 
 /// A place in words.
-struct ShownPlace(Option<Place>);
+struct ShownPlace(Option<BoundaryPlace>);
 
 impl fmt::Display for ShownPlace {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         match self.0 {
-            Some(Place::Outer) => f.write_str("the outer one"),
-            Some(Place::Inner(i)) => write!(f, "inner position {i}"),
+            Some(BoundaryPlace::Outer) => f.write_str("the outer one"),
+            Some(BoundaryPlace::Inner(i)) => write!(f, "inner position {i}"),
             None => f.write_str("no place"),
         }
     }

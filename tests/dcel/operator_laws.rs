@@ -11,7 +11,7 @@ use twinedge::dcel::{
     Turn, VertexKey,
 };
 use twinedge::program::canonical::{Canonizer, Code};
-use twinedge::program::{Op, Outcome, Program, Runner, Subject};
+use twinedge::program::{Op, Program, Runner, StepOutcome, Subject};
 use twinedge::store::{PointerStore, SlotStore, Store};
 use twinedge::validate::{Collect, Expectation, Table, validate};
 
@@ -21,7 +21,7 @@ fn check(tests: u64, size: usize, law: impl Testable) {
 }
 
 /// Runs a program and looks at the structure after every step.
-fn watch<S: Store>(program: &Program, mut look: impl FnMut(Op, Outcome, &Dcel<S>) -> bool) -> bool {
+fn watch<S: Store>(program: &Program, mut look: impl FnMut(Op, StepOutcome, &Dcel<S>) -> bool) -> bool {
     let mut runner = Runner::new(Dcel::<S>::default());
     program.0.iter().all(|op| {
         let outcome = runner.step(*op);
@@ -52,7 +52,7 @@ fn an_error_changes_nothing() {
             let after = Some((Table::copy_of(map), Keys::of(map)));
             let same = before.is_none() || after == before;
             before = after;
-            same || outcome == Outcome::Applied
+            same || outcome == StepOutcome::Applied
         })
     }
     check(300, 200, law as fn(Program) -> bool);

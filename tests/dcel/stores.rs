@@ -7,7 +7,7 @@ use std::collections::{HashMap, HashSet};
 use std::hash::Hash;
 use std::mem::{Discriminant, discriminant};
 use twinedge::dcel::{
-    BoundaryKey, Connection, Corner, Dcel, FaceKey, HalfEdgeKey, Kind, OperatorError, RemovedEdge, Side, Split,
+    BoundaryKey, Connection, Corner, Dcel, FaceKey, HalfEdgeKey, OperatorError, RecordKind, RemovedEdge, Side, Split,
     StaleKey, Turn, VertexKey,
 };
 use twinedge::store::{FixedStore, PointerStore, SlotStore, Store};
@@ -61,7 +61,7 @@ enum Step {
 }
 
 /// What an operator said, by number, or which error it was.
-type Answer = Result<Vec<usize>, (Discriminant<OperatorError>, Option<Discriminant<StaleKey>>, Option<Kind>)>;
+type Answer = Result<Vec<usize>, (Discriminant<OperatorError>, Option<Discriminant<StaleKey>>, Option<RecordKind>)>;
 
 /// A structure and the names of all that was ever made in it.
 struct Run<S: Store> {
@@ -335,10 +335,10 @@ fn what_does_not_fit_is_refused_without_a_trace_and_what_fits_is_not() {
             if let Err((_, _, Some(kind))) = answer {
                 assert_eq!(before, Table::copy_of(&fixed.dcel), "{step:?}");
                 let (count, most) = match kind {
-                    Kind::Vertex => (fixed.dcel.vertex_count(), 3),
-                    Kind::Edge => (fixed.dcel.edge_count(), 4),
-                    Kind::Boundary => (fixed.dcel.boundary_count(), 4),
-                    Kind::Face => (fixed.dcel.face_count(), 3),
+                    RecordKind::Vertex => (fixed.dcel.vertex_count(), 3),
+                    RecordKind::Edge => (fixed.dcel.edge_count(), 4),
+                    RecordKind::Boundary => (fixed.dcel.boundary_count(), 4),
+                    RecordKind::Face => (fixed.dcel.face_count(), 3),
                     other => panic!("{other:?}"),
                 };
                 assert_eq!(count, most, "{step:?}");
@@ -361,7 +361,7 @@ fn an_edge<S: Store>(dcel: &mut Dcel<S>) -> HalfEdgeKey {
 
 fn refused<S: Store, T: std::fmt::Debug + PartialEq>(
     dcel: &mut Dcel<S>,
-    kind: Kind,
+    kind: RecordKind,
     operator: impl FnOnce(&mut Dcel<S>) -> Result<T, OperatorError>,
 ) {
     let before = Table::copy_of(dcel);
@@ -375,9 +375,9 @@ fn full_of_vertices() {
     let mut dcel: Dcel<FixedStore<2, 9, 9, 9>> = Dcel::default();
     let h = an_edge(&mut dcel);
     let outside = dcel.unbounded_face().key();
-    refused(&mut dcel, Kind::Vertex, |dcel| dcel.add_isolated_vertex(outside));
-    refused(&mut dcel, Kind::Vertex, |dcel| dcel.split_edge(h));
-    refused(&mut dcel, Kind::Vertex, |dcel| dcel.split_vertex(h, h));
+    refused(&mut dcel, RecordKind::Vertex, |dcel| dcel.add_isolated_vertex(outside));
+    refused(&mut dcel, RecordKind::Vertex, |dcel| dcel.split_edge(h));
+    refused(&mut dcel, RecordKind::Vertex, |dcel| dcel.split_vertex(h, h));
     let kept = dcel.contract_edge(h).unwrap().kept;
     assert!(dcel.split_vertex(kept, kept).is_ok());
 }
@@ -387,10 +387,10 @@ fn full_of_edges() {
     let mut dcel: Dcel<FixedStore<9, 1, 9, 9>> = Dcel::default();
     let h = an_edge(&mut dcel);
     let v = dcel.add_isolated_vertex(dcel.unbounded_face().key()).unwrap().vertex;
-    refused(&mut dcel, Kind::Edge, |dcel| dcel.connect(h, v, Split::default()));
-    refused(&mut dcel, Kind::Edge, |dcel| dcel.connect(h, h, Split::default()));
-    refused(&mut dcel, Kind::Edge, |dcel| dcel.split_edge(h));
-    refused(&mut dcel, Kind::Edge, |dcel| dcel.split_vertex(v, v));
+    refused(&mut dcel, RecordKind::Edge, |dcel| dcel.connect(h, v, Split::default()));
+    refused(&mut dcel, RecordKind::Edge, |dcel| dcel.connect(h, h, Split::default()));
+    refused(&mut dcel, RecordKind::Edge, |dcel| dcel.split_edge(h));
+    refused(&mut dcel, RecordKind::Edge, |dcel| dcel.split_vertex(v, v));
     dcel.remove_edge(h).unwrap();
     assert!(dcel.split_vertex(v, v).is_ok());
 }
@@ -400,9 +400,9 @@ fn full_of_boundary_components() {
     let mut dcel: Dcel<FixedStore<9, 9, 1, 9>> = Dcel::default();
     let h = an_edge(&mut dcel);
     let outside = dcel.unbounded_face().key();
-    refused(&mut dcel, Kind::Boundary, |dcel| dcel.add_isolated_vertex(outside));
-    refused(&mut dcel, Kind::Boundary, |dcel| dcel.connect(h, h, Split::default()));
-    refused(&mut dcel, Kind::Boundary, |dcel| dcel.remove_edge(h));
+    refused(&mut dcel, RecordKind::Boundary, |dcel| dcel.add_isolated_vertex(outside));
+    refused(&mut dcel, RecordKind::Boundary, |dcel| dcel.connect(h, h, Split::default()));
+    refused(&mut dcel, RecordKind::Boundary, |dcel| dcel.remove_edge(h));
     let kept = dcel.contract_edge(h).unwrap().kept;
     dcel.remove_isolated_vertex(kept).unwrap();
     assert!(dcel.add_isolated_vertex(outside).is_ok());
@@ -412,11 +412,11 @@ fn full_of_boundary_components() {
 fn full_of_faces() {
     let mut dcel: Dcel<FixedStore<9, 9, 9, 1>> = Dcel::default();
     let h = an_edge(&mut dcel);
-    refused(&mut dcel, Kind::Face, |dcel| dcel.connect(h, h, Split::default()));
+    refused(&mut dcel, RecordKind::Face, |dcel| dcel.connect(h, h, Split::default()));
     let mut dcel: Dcel<FixedStore<9, 9, 9, 2>> = Dcel::default();
     let h = an_edge(&mut dcel);
     let n = dcel.connect(h, h, Split::default()).unwrap().half_edge;
-    refused(&mut dcel, Kind::Face, |dcel| dcel.connect(h, h, Split::default()));
+    refused(&mut dcel, RecordKind::Face, |dcel| dcel.connect(h, h, Split::default()));
     dcel.remove_edge(n).unwrap();
     assert!(dcel.connect(h, h, Split::default()).is_ok());
 }
@@ -426,13 +426,13 @@ fn the_largest_fixed_store_holds_what_it_says() {
     let mut dcel: Dcel<FixedStore<255, 127, 255, 255>> = Dcel::default();
     let outside = dcel.unbounded_face().key();
     let vertices: Vec<_> = (0..255).map(|_| dcel.add_isolated_vertex(outside).unwrap().vertex).collect();
-    refused(&mut dcel, Kind::Vertex, |dcel| dcel.add_isolated_vertex(outside));
+    refused(&mut dcel, RecordKind::Vertex, |dcel| dcel.add_isolated_vertex(outside));
     let first = dcel.connect(vertices[0], vertices[1], Split::default()).unwrap().half_edge;
     for v in &vertices[2..128] {
         dcel.connect(first, *v, Split::default()).unwrap();
     }
     assert_eq!((dcel.vertex_count(), dcel.edge_count(), dcel.boundary_count()), (255, 127, 128));
-    refused(&mut dcel, Kind::Edge, |dcel| dcel.connect(first, vertices[200], Split::default()));
+    refused(&mut dcel, RecordKind::Edge, |dcel| dcel.connect(first, vertices[200], Split::default()));
     assert_eq!(dcel.vertex(vertices[0]).unwrap().degree(), 127);
 
     let mut dcel: Dcel<FixedStore<255, 127, 255, 128>> = Dcel::default();

@@ -5,10 +5,10 @@ use std::io::{self, Read};
 
 use twinedge::geometry::Point;
 use twinedge::io::geojson::{self, Fault, Place, ReadError};
-use twinedge::io::{MAX_NESTED_COLLECTIONS, Summary};
+use twinedge::io::{MAX_NESTED_COLLECTIONS, ReadSummary};
 use twinedge::map::{Feature, Shape};
 
-fn read(text: impl AsRef<[u8]>) -> Result<(Vec<Feature>, Summary), ReadError> {
+fn read(text: impl AsRef<[u8]>) -> Result<(Vec<Feature>, ReadSummary), ReadError> {
     let mut features = Vec::new();
     let summary = geojson::read(text.as_ref(), |feature| {
         features.push(feature);
@@ -108,7 +108,7 @@ fn geometries_that_draw_nothing() {
     }
     let (_, summary) = read(r#"{"type":"FeatureCollection","features":[{"type":"Feature"}]}"#).unwrap();
     assert_eq!((summary.features, summary.without_geometry), (1, 1));
-    assert_eq!(read(r#"{"type":"FeatureCollection","features":[]}"#).unwrap(), (vec![], Summary::default()));
+    assert_eq!(read(r#"{"type":"FeatureCollection","features":[]}"#).unwrap(), (vec![], ReadSummary::default()));
 }
 
 #[test]

@@ -3,11 +3,11 @@
 use geojson::{GeoJson, GeometryValue};
 use quickcheck::{Arbitrary, Gen, QuickCheck};
 use twinedge::geometry::Point;
-use twinedge::io::Summary;
+use twinedge::io::ReadSummary;
 use twinedge::io::geojson::{self as reader, Fault, ReadError};
 use twinedge::map::{Feature, Shape};
 
-fn read(text: &[u8]) -> Result<(Vec<Feature>, Summary), ReadError> {
+fn read(text: &[u8]) -> Result<(Vec<Feature>, ReadSummary), ReadError> {
     let mut features = Vec::new();
     let summary = reader::read(text, |feature| {
         features.push(feature);

@@ -5,10 +5,10 @@ use std::io::{self, Read};
 use quickcheck::{Arbitrary, Gen, QuickCheck};
 use twinedge::geometry::Point;
 use twinedge::io::wkt::{self, ReadError};
-use twinedge::io::{MAX_NESTED_COLLECTIONS, Summary};
+use twinedge::io::{MAX_NESTED_COLLECTIONS, ReadSummary};
 use twinedge::map::{Feature, Shape};
 
-fn read(text: impl AsRef<[u8]>) -> Result<(Vec<Feature>, Summary), ReadError> {
+fn read(text: impl AsRef<[u8]>) -> Result<(Vec<Feature>, ReadSummary), ReadError> {
     let mut features = Vec::new();
     let summary = wkt::read(text.as_ref(), |feature| {
         features.push(feature);
@@ -53,8 +53,8 @@ fn lines_without_a_geometry_are_skipped() {
     assert_eq!(features.len(), 2);
     assert!(features.iter().all(|feature| feature.name.is_none() && feature.id.is_none()));
     assert_eq!((summary.features, summary.points, summary.positions), (2, 2, 2));
-    assert_eq!(read("").unwrap(), (vec![], Summary::default()));
-    assert_eq!(read("\n\n#\n").unwrap(), (vec![], Summary::default()));
+    assert_eq!(read("").unwrap(), (vec![], ReadSummary::default()));
+    assert_eq!(read("\n\n#\n").unwrap(), (vec![], ReadSummary::default()));
 }
 
 #[test]

@@ -2,7 +2,7 @@
 
 use crate::counting::{LIVE_BYTES, PEAK_BYTES};
 use std::io::{self, Read};
-use twinedge::io::Summary;
+use twinedge::io::ReadSummary;
 use twinedge::io::geojson::{self, ReadError};
 
 /// A text made while it is read: a head, a part many times over, a tail.
@@ -31,7 +31,7 @@ impl Read for Repeated<'_> {
 const SIZE: usize = 25_000_000;
 
 /// Reads a text of at least 25 MB; gives what was read, the size of the text and the most memory out at any time.
-fn measure(head: &str, part: &str, tail: &str) -> (Summary, usize, usize) {
+fn measure(head: &str, part: &str, tail: &str) -> (ReadSummary, usize, usize) {
     let left = SIZE / part.len() + 1;
     let size = head.len() + left * part.len() + tail.len();
     let text = Repeated { head: head.as_bytes(), part: part.as_bytes(), left, tail: tail.as_bytes() };

@@ -5,7 +5,8 @@ use twinedge::dcel::{Dcel, HalfEdge, HalfEdgeKey, Side, Split};
 use twinedge::program::canonical::{Canonizer, Code, isomorphic};
 use twinedge::program::{FacePick, Op, Program, Runner};
 use twinedge::validate::{
-    BoundaryRow, Collect, Expectation, FaceRow, HalfEdgeRow, Part, Place, Start, Table, VertexRow, View, validate,
+    BoundaryPlace, BoundaryRow, Collect, Expectation, FaceRow, HalfEdgeRow, Part, Start, Table, VertexRow, View,
+    validate,
 };
 
 /// All maps with one more edge, from one of each kind: a leaf in every corner, an edge between any two corners of a
@@ -301,7 +302,7 @@ fn renamed(map: &Dcel, seed: u64) -> Table {
         other.faces[f[i]] = row.as_ref().map(rename);
         let inner: Vec<_> = row.iter().flat_map(|row| row.inner.iter().rev()).flatten().copied().collect();
         for (place, i) in inner.into_iter().enumerate() {
-            other.boundaries[b[i]].as_mut().unwrap().place = Some(Place::Inner(place));
+            other.boundaries[b[i]].as_mut().unwrap().place = Some(BoundaryPlace::Inner(place));
         }
     }
     other

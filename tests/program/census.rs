@@ -4,7 +4,7 @@ use std::collections::{BTreeMap, BTreeSet, HashSet};
 use twinedge::dcel::Dcel;
 use twinedge::program::canonical::{self, Canonizer};
 use twinedge::program::census::{Census, Scope};
-use twinedge::program::{Op, Outcome, Refusal, Runner, every_op, try_every_op};
+use twinedge::program::{Op, Refusal, Runner, StepOutcome, every_op, try_every_op};
 
 #[test]
 fn connected_maps_are_as_many_as_published() {
@@ -71,7 +71,7 @@ fn loop_with_vertices() -> Runner<Dcel> {
         add_isolated_vertex h1";
     let mut runner = Runner::new(Dcel::new());
     let outcomes = runner.run(&text.parse().unwrap());
-    assert_eq!(outcomes, [Outcome::Applied; 8]);
+    assert_eq!(outcomes, [StepOutcome::Applied; 8]);
     runner
 }
 
@@ -106,12 +106,12 @@ fn every_operator_comes_with_every_argument_once() {
     try_every_op(&map, |op, outcome, result| {
         assert!(result.subject().validate().is_valid(), "{op}");
         match outcome {
-            Outcome::Applied => {}
-            Outcome::Refused(refusal) => {
+            StepOutcome::Applied => {}
+            StepOutcome::Refused(refusal) => {
                 refusals.insert(refusal);
                 assert_eq!(canonical::code(result.subject()), code, "{op}");
             }
-            Outcome::Skipped => panic!("{op} has nothing to choose from"),
+            StepOutcome::Skipped => panic!("{op} has nothing to choose from"),
         }
     });
     // No vertex has another degree than 2, and the one edge separates two faces.

@@ -3,7 +3,7 @@
 use std::cell::Cell;
 use std::rc::Rc;
 use twinedge::dcel::Dcel;
-use twinedge::program::conformance::{Answer, Difference, Failure, InStep, Question, Summary};
+use twinedge::program::conformance::{Answer, ConformanceSummary, Difference, Failure, InStep, Question};
 use twinedge::program::*;
 use twinedge::validate::{Expectation, Link, Part, Rule, Start, View};
 
@@ -19,7 +19,7 @@ fn noise(seed: u64, count: usize) -> Vec<u8> {
 
 #[test]
 fn the_models_and_the_structure_do_the_same() {
-    let mut sum = Summary::default();
+    let mut sum = ConformanceSummary::default();
     for seed in 0..50 {
         let program = Program::from_bytes(&noise(seed, 600));
         let summary = conformance::run(&program, RotationSystem::new(), &RotationSystem::expectation())
@@ -205,7 +205,7 @@ impl Subject for Faulty {
     }
 }
 
-fn judge(program: &Program, fault: Fault) -> Result<Summary, Failure> {
+fn judge(program: &Program, fault: Fault) -> Result<ConformanceSummary, Failure> {
     conformance::run(program, Faulty::new(fault), &RotationSystem::expectation())
 }
 
@@ -261,8 +261,8 @@ fn a_valid_map_that_is_another_one_is_found() {
 fn a_wrong_reason_is_found() {
     let (shrunk, failure) = shrunk(Fault::WrongReason);
     assert_eq!(shrunk, program("add_isolated_vertex unbounded\nconnect i0 ~0 left\ncontract_edge h0"));
-    let (reference, subject) = (Outcome::Refused(Refusal::Loop), Outcome::Refused(Refusal::Stale));
-    assert_eq!(failure.difference, Difference::Outcome { reference, subject });
+    let (reference, subject) = (StepOutcome::Refused(Refusal::Loop), StepOutcome::Refused(Refusal::Stale));
+    assert_eq!(failure.difference, Difference::StepOutcome { reference, subject });
     assert_eq!(
         failure.to_string(),
         "after operator 3, `contract_edge h0`: the outcome should be `refused: the edge is a loop` and is \
@@ -289,15 +289,15 @@ fn handles_that_disagree_with_the_view_are_found() {
 fn a_face_reported_gone_that_is_not_is_found_when_it_is_asked_for() {
     let (shrunk, failure) = shrunk(Fault::WrongFaceGone);
     assert!(shrunk.0.len() <= 5, "{shrunk}");
-    let stale = Outcome::Refused(Refusal::Stale);
-    assert!(matches!(failure.difference, Difference::Outcome { reference, .. } if reference == stale), "{failure}");
+    let stale = StepOutcome::Refused(Refusal::Stale);
+    assert!(matches!(failure.difference, Difference::StepOutcome { reference, .. } if reference == stale), "{failure}");
 }
 
 #[test]
 fn want_of_room_is_no_fault_unless_it_leaves_a_trace() {
     let crowded =
         program("add_isolated_vertex unbounded\nsplit_vertex i0 ~0\nsplit_edge h0\nsplit_vertex h0 ~0\nsplit_edge h3");
-    let summary = Summary { applied: 3, not_supported: 2, ..Summary::default() };
+    let summary = ConformanceSummary { applied: 3, not_supported: 2, ..ConformanceSummary::default() };
     assert_eq!(judge(&crowded, Fault::Small), Ok(summary));
     let failure = judge(&crowded, Fault::SmallAndDirty).unwrap_err();
     assert_eq!((failure.before, failure.difference), (3, Difference::NotIsomorphic));
@@ -350,8 +350,8 @@ fn a_run_can_be_stopped_and_looked_at_between_operators() {
     let program = program("add_isolated_vertex unbounded\nremove_edge h0\nconnect i0 ~0 left\ncontract_edge h0");
     let mut pair = InStep::new(Faulty::new(Fault::WrongReason), &RotationSystem::expectation()).unwrap();
     let outcomes = [0, 1, 2].map(|i| pair.step(program.0[i]).unwrap());
-    assert_eq!(outcomes, [Outcome::Applied, Outcome::Skipped, Outcome::Applied]);
-    assert_eq!(pair.summary(), Summary { applied: 2, skipped: 1, ..Summary::default() });
+    assert_eq!(outcomes, [StepOutcome::Applied, StepOutcome::Skipped, StepOutcome::Applied]);
+    assert_eq!(pair.summary(), ConformanceSummary { applied: 2, skipped: 1, ..ConformanceSummary::default() });
     let failure = pair.step(program.0[3]).unwrap_err();
     assert_eq!((failure.before, failure.op), (3, Some(program.0[3])));
 }

@@ -4,7 +4,7 @@
 use quickcheck::{Arbitrary, Gen, QuickCheck};
 use twinedge::dcel::Dcel;
 use twinedge::program::canonical::{Canonizer, Code};
-use twinedge::program::{Op, Outcome, PointerModel, Program, Refusal, Runner, Subject};
+use twinedge::program::{Op, PointerModel, Program, Refusal, Runner, StepOutcome, Subject};
 use twinedge::store::{FixedStore, PointerStore, SlotStore};
 use twinedge::validate::{Collect, Expectation, validate};
 
@@ -27,7 +27,7 @@ impl<K: Subject> Lane<K> {
     }
 
     /// Runs an operator, and tells what became of it and which map there is now.
-    fn step(&mut self, op: Op) -> (Outcome, Option<Code>) {
+    fn step(&mut self, op: Op) -> (StepOutcome, Option<Code>) {
         let outcome = self.runner.step(op);
         let report = validate(self.runner.subject(), &Expectation::plane(), Collect::All);
         assert!(report.is_valid(), "{op:?}: {report:?}");
@@ -45,7 +45,7 @@ fn first_difference(program: &Program) -> Option<Op> {
         let expected = textbook.step(*op);
         assert!(expected.1.is_some(), "{op:?}: a valid map has a canonical form");
         let of_fixed = fixed.as_mut().map(|lane| lane.step(*op));
-        if matches!(of_fixed, Some((Outcome::Refused(Refusal::Full), _))) {
+        if matches!(of_fixed, Some((StepOutcome::Refused(Refusal::Full), _))) {
             fixed = None;
         }
         expected != slots.step(*op)
@@ -76,7 +76,7 @@ fn programs_meet_every_refusal() {
     let mut generator = Gen::from_size_and_seed(SIZE, SEED);
     for _ in 0..TESTS {
         for outcome in Runner::new(PointerModel::new()).run(&Program::arbitrary(&mut generator)) {
-            if let Outcome::Refused(refusal) = outcome
+            if let StepOutcome::Refused(refusal) = outcome
                 && !met.contains(&refusal)
             {
                 met.push(refusal);

@@ -158,7 +158,7 @@ to: SecondPick::Any(Corner::At(HalfEdgePick::Live(3))), new_face: Side::Right, i
     }
 }
 
-fn run(text: &str) -> (Runner<Dcel>, Vec<Outcome>) {
+fn run(text: &str) -> (Runner<Dcel>, Vec<StepOutcome>) {
     let mut runner = Runner::new(Dcel::new());
     let program: Program = format!("twinedge program 1\n{text}").parse().unwrap();
     let outcomes = runner.run(&program);
@@ -173,7 +173,7 @@ fn picks_count_in_order_of_creation_and_start_again() {
         split_vertex i5 ~9\n\
         split_edge h4\n\
         split_edge h0\n");
-    assert_eq!(outcomes, [Outcome::Applied; 4]);
+    assert_eq!(outcomes, [StepOutcome::Applied; 4]);
     let map = runner.subject();
     let h = runner.half_edges();
     assert_eq!(h.len(), 6);
@@ -191,7 +191,7 @@ fn where_there_is_nothing_to_choose_from_the_kernel_is_not_asked() {
         remove_isolated_vertex i0\nremove_isolated_vertex o0\nremove_isolated_vertex !v0\n\
         connect h0 ~0 left\nconnect i0 ~0 left\nremove_edge h0\nremove_edge !h0\nadd_isolated_vertex !f0\n\
         add_isolated_vertex h0\nmove_inner i0 unbounded\n");
-    assert!(outcomes.iter().all(|outcome| *outcome == Outcome::Skipped));
+    assert!(outcomes.iter().all(|outcome| *outcome == StepOutcome::Skipped));
 }
 
 #[test]
@@ -204,7 +204,7 @@ fn everything_that_is_gone_can_be_asked_for_again_and_is_stale() {
         remove_isolated_vertex i0\n\
         split_vertex i0 i0\n\
         contract_edge h0\n");
-    assert_eq!(outcomes, [Outcome::Applied; 7]);
+    assert_eq!(outcomes, [StepOutcome::Applied; 7]);
     assert_eq!(runner.retired_half_edges().len(), 4);
     assert_eq!((runner.retired_vertices().len(), runner.retired_faces().len()), (2, 1));
     assert_eq!((runner.half_edges().len(), runner.isolated().len()), (0, 1));
@@ -216,7 +216,7 @@ fn everything_that_is_gone_can_be_asked_for_again_and_is_stale() {
         split_vertex !h0 ~0\nsplit_vertex i0 !v1\nmove_inner !v0 unbounded\nmove_inner !h0 unbounded\nmove_inner i0 !f0\n";
     let before = Table::copy_of(runner.subject());
     for op in format!("twinedge program 1\n{again}").parse::<Program>().unwrap().0 {
-        assert_eq!(runner.step(op), Outcome::Refused(Refusal::Stale), "{op}");
+        assert_eq!(runner.step(op), StepOutcome::Refused(Refusal::Stale), "{op}");
         assert_eq!(Table::copy_of(runner.subject()), before, "{op}");
     }
 }
@@ -245,11 +245,11 @@ fn every_refusal_can_be_met() {
     for (line, refusal) in cases {
         let mut runner = runner.clone();
         let program: Program = format!("twinedge program 1\n{line}").parse().unwrap();
-        assert_eq!(runner.run(&program), [Outcome::Refused(refusal)], "{line}");
+        assert_eq!(runner.run(&program), [StepOutcome::Refused(refusal)], "{line}");
     }
     let (mut runner, _) = run("add_isolated_vertex unbounded\nconnect i0 i0 left\n");
     let join = Op::JoinEdges { half_edge: HalfEdgePick::Live(0) };
-    assert_eq!(runner.step(join), Outcome::Refused(Refusal::Loop));
+    assert_eq!(runner.step(join), StepOutcome::Refused(Refusal::Loop));
 }
 
 #[test]
@@ -306,7 +306,7 @@ fn random_programs_do_much_and_are_refused_for_every_reason() {
         nested += runner.subject().faces().filter(|f| !f.is_unbounded() && f.inner_count() > 0).count();
     }
     let sum: i32 = counts.values().sum();
-    assert!(counts[&Outcome::Applied] * 2 > sum, "less than half is applied: {counts:?}");
+    assert!(counts[&StepOutcome::Applied] * 2 > sum, "less than half is applied: {counts:?}");
     assert!(counts.len() == 12, "all outcomes but those of small stores: {counts:?}");
     assert!(edges > 1000 && nested > 100, "{edges} edges, {nested} faces with something in them");
 }
@@ -365,7 +365,7 @@ fn what_an_operator_would_choose_can_be_asked() {
         .unwrap();
     let op = |i: usize| program.0[i];
     let mut runner = Runner::new(RotationSystem::new());
-    assert_eq!(runner.resolve(op(1)), Err(Outcome::Skipped));
+    assert_eq!(runner.resolve(op(1)), Err(StepOutcome::Skipped));
     runner.step(op(0));
     let (v, new_face) = (Corner::Isolated(0), Side::Left);
     assert_eq!(runner.resolve(op(1)), Ok(Call::Connect { from: v, to: v, new_face, inner: vec![] }));
@@ -379,5 +379,5 @@ fn what_an_operator_would_choose_can_be_asked() {
     runner.step(op(5));
     // A stale one is chosen like any other.
     assert_eq!(runner.resolve(op(6)), Ok(Call::FlipEdge { half_edge: 3, turn: Turn::Clockwise }));
-    assert_eq!(runner.resolve(op(7)), Err(Outcome::Skipped));
+    assert_eq!(runner.resolve(op(7)), Err(StepOutcome::Skipped));
 }

@@ -3,7 +3,7 @@
 use std::collections::HashMap;
 use twinedge::dcel::{FaceKey, HalfEdgeKey, VertexKey};
 use twinedge::geometry::Point;
-use twinedge::map::{Located, Met, PlanarMap, Stretch};
+use twinedge::map::{Located, PlanarMap, QueryLine, ZoneElement};
 
 /// A point with whole coordinates.
 pub(crate) type Whole = [i128; 2];
@@ -92,8 +92,8 @@ impl Plain {
     }
 
     /// What a stretch meets: cuts it wherever it meets something, and locates the cuts and the middles of the pieces.
-    pub(crate) fn zone(&self, stretch: &Stretch) -> Vec<Met> {
-        let (Stretch::Segment(from, to) | Stretch::Ray(from, to) | Stretch::Line(from, to)) = *stretch;
+    pub(crate) fn zone(&self, stretch: &QueryLine) -> Vec<ZoneElement> {
+        let (QueryLine::Segment(from, to) | QueryLine::Ray(from, to) | QueryLine::Line(from, to)) = *stretch;
         let (from, to) = (whole(from), whole(to));
         let way = minus(to, from);
         let compare = |a: &Fraction, b: &Fraction| (a.0 * b.1).cmp(&(b.0 * a.1));
@@ -113,15 +113,15 @@ impl Plain {
             }
         }
         match stretch {
-            Stretch::Segment(..) => {
+            QueryLine::Segment(..) => {
                 cuts.extend([(0, 1), (1, 1)]);
                 cuts.retain(|(n, d)| (0..=*d).contains(n));
             }
-            Stretch::Ray(..) => {
+            QueryLine::Ray(..) => {
                 cuts.push((0, 1));
                 cuts.retain(|(n, _)| *n >= 0);
             }
-            Stretch::Line(..) => {}
+            QueryLine::Line(..) => {}
         }
         cuts.sort_by(compare);
         cuts.dedup_by(|a, b| compare(a, b).is_eq());
@@ -131,30 +131,30 @@ impl Plain {
             self.locate([p[0] + n * way[0], p[1] + n * way[1]], d)
         };
         let piece = |t: Fraction| match locate(t) {
-            Located::Face(face) => Met::Face(face),
-            Located::Edge(key) => Met::Along(self.directed(key, |edge| dot(edge, way) > 0)),
+            Located::Face(face) => ZoneElement::Face(face),
+            Located::Edge(key) => ZoneElement::Along(self.directed(key, |edge| dot(edge, way) > 0)),
             Located::Vertex(_) => panic!("there would be a cut"),
         };
         let mut met = Vec::new();
         match (stretch, cuts.first()) {
-            (Stretch::Line(..), None) => met.push(piece((0, 1))),
-            (Stretch::Line(..), Some((n, d))) => met.push(piece((n - d, *d))),
+            (QueryLine::Line(..), None) => met.push(piece((0, 1))),
+            (QueryLine::Line(..), Some((n, d))) => met.push(piece((n - d, *d))),
             _ => {}
         }
         for (i, &(n, d)) in cuts.iter().enumerate() {
             match locate((n, d)) {
-                Located::Vertex(vertex) => met.push(Met::Vertex(vertex)),
+                Located::Vertex(vertex) => met.push(ZoneElement::Vertex(vertex)),
                 Located::Edge(key) => {
                     // An end inside an edge along which it goes is no cut.
                     if cross(way, self.edge(key)) != 0 {
-                        met.push(Met::Edge(self.directed(key, |edge| cross(way, edge) < 0)));
+                        met.push(ZoneElement::Edge(self.directed(key, |edge| cross(way, edge) < 0)));
                     }
                 }
                 Located::Face(_) => {}
             }
             match cuts.get(i + 1) {
                 Some((m, e)) => met.push(piece((n * e + m * d, 2 * d * e))),
-                None if matches!(stretch, Stretch::Segment(..)) => {}
+                None if matches!(stretch, QueryLine::Segment(..)) => {}
                 None => met.push(piece((n + d, d))),
             }
         }

@@ -9,7 +9,7 @@ use crate::support::tables::{map, mesh};
 use std::cell::Cell;
 use twinedge::validate::enumerate::for_each_corruption;
 use twinedge::validate::{
-    Collect, Expectation, Link, Part, Place, Rule, Start, Table, Unchecked, View, Violation, validate,
+    BoundaryPlace, Collect, Expectation, Link, Part, Rule, Start, Table, Unchecked, View, Violation, validate,
 };
 
 /// All the expectations that make a difference to which code runs.
@@ -76,8 +76,8 @@ impl View for Claims {
     fn boundary_start(&self, _: usize) -> Option<Start> {
         self.answer.map(Start::HalfEdge)
     }
-    fn boundary_place(&self, _: usize) -> Option<Place> {
-        self.answer.map(Place::Inner)
+    fn boundary_place(&self, _: usize) -> Option<BoundaryPlace> {
+        self.answer.map(BoundaryPlace::Inner)
     }
     fn outer(&self, _: usize) -> Link {
         self.answer

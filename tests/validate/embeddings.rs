@@ -4,7 +4,9 @@ use crate::support::delegate::delegate_view;
 use twinedge::dcel::{Dcel, HalfEdge};
 use twinedge::geometry::Point;
 use twinedge::map::{Builder, PlanarMap};
-use twinedge::validate::{Collect, Expectation, Link, Place, Record, Report, Rule, Start, Unchecked, View, Violation};
+use twinedge::validate::{
+    BoundaryPlace, Collect, Expectation, Link, Record, Report, Rule, Start, Unchecked, View, Violation,
+};
 use twinedge::validate::{Embedding, places, validate_embedding};
 
 /// A structure drawn elsewhere than its map says.

@@ -4,8 +4,8 @@ use crate::support::opinions::agree;
 use crate::support::tables::{boundary, face, half_edge, map, mesh, textbook_map, textbook_mesh, vertex};
 use twinedge::validate::enumerate::for_each_corruption;
 use twinedge::validate::{
-    Certificate, Collect, Expectation, FaceRow, Field, Link, Part, Place, Record, Rule, Start, Table, Unchecked, View,
-    Violation, validate,
+    BoundaryPlace, Certificate, Collect, Expectation, FaceRow, Field, Link, Part, Record, Rule, Start, Table,
+    Unchecked, View, Violation, validate,
 };
 
 const TETRAHEDRON: [[usize; 3]; 4] = [[0, 1, 2], [0, 3, 1], [1, 3, 2], [0, 2, 3]];
@@ -301,7 +301,7 @@ fn what_relies_on_a_broken_rule_is_not_checked_and_said() {
     assert_eq!(after(&|t| half_edge(t, 0).prev = Some(1)), because(Rule::L2, &all_but_links));
     assert_eq!(after(&|t| boundary(t, 0).start = Some(Start::HalfEdge(0))), because(Rule::B1, &[Rule::T1, Rule::T2]));
     let in_itself = |t: &mut Table| {
-        (face(t, 0).outer, boundary(t, 0).place) = (Some(0), Some(twinedge::validate::Place::Outer));
+        (face(t, 0).outer, boundary(t, 0).place) = (Some(0), Some(twinedge::validate::BoundaryPlace::Outer));
         face(t, 0).inner.clear();
         t.faces.push(Some(FaceRow::default()));
     };
@@ -362,11 +362,11 @@ fn a_report_reads_as_sentences() {
     ] {
         assert!(wrong.contains(part), "{wrong}");
     }
-    let (boundary, listed) = (3, Place::Inner(1));
+    let (boundary, listed) = (3, BoundaryPlace::Inner(1));
     let placed = |place| Violation::WrongPlace { boundary, place, listed };
     let sentences = [
-        (placed(Some(Place::Inner(4))), "inner position 4"),
-        (placed(Some(Place::Outer)), "the outer one"),
+        (placed(Some(BoundaryPlace::Inner(4))), "inner position 4"),
+        (placed(Some(BoundaryPlace::Outer)), "the outer one"),
         (placed(None), "no place"),
         (placed(None), "inner position 1"),
         (Violation::TwinNotMutual { half_edge: 1, twin: 2, found: None }, "half-edge 1 has twin 2, whose twin is nil"),

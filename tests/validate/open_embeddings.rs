@@ -4,8 +4,8 @@ use crate::support::delegate::delegate_view;
 use crate::support::tables::{half_edge, map, textbook_map};
 use twinedge::geometry::Point;
 use twinedge::validate::{
-    Collect, Expectation, FaceRow, HalfEdgeRow, Link, Part, Place, Record, Report, Rule, Start, Table, VertexRow, View,
-    Violation,
+    BoundaryPlace, Collect, Expectation, FaceRow, HalfEdgeRow, Link, Part, Record, Report, Rule, Start, Table,
+    VertexRow, View, Violation,
 };
 use twinedge::validate::{Embedding, validate_embedding};
 

@@ -5,7 +5,8 @@ use crate::support::opinions::{agree, agree_on_first};
 use crate::support::tables::{map, textbook_map};
 use twinedge::validate::enumerate::{Cell, Value, for_each_assignment};
 use twinedge::validate::{
-    BoundaryRow, Collect, Expectation, FaceRow, HalfEdgeRow, Part, Place, Rule, Start, Table, VertexRow, View, validate,
+    BoundaryPlace, BoundaryRow, Collect, Expectation, FaceRow, HalfEdgeRow, Part, Rule, Start, Table, VertexRow, View,
+    validate,
 };
 
 /// What a cell is set to.
@@ -24,12 +25,12 @@ fn choices(table: &Table, cell: Cell, to: To) -> (Cell, Vec<Value>) {
     // Nil, the slots, one past the end and the largest number.
     let slots = values.len() - 3;
     let wanted = |value: &Value| match *value {
-        Value::Link(None) | Value::Start(None) | Value::Place(None) => to >= To::OrNil,
+        Value::Link(None) | Value::Start(None) | Value::BoundaryPlace(None) => to >= To::OrNil,
         Value::Link(Some(i)) => i < slots || i == slots && to == To::OrPastTheEnd,
         Value::Start(Some(Start::HalfEdge(h))) => h < table.half_edges.len(),
         Value::Start(Some(Start::Vertex(v))) => v < table.vertices.len(),
-        Value::Place(Some(Place::Outer)) => true,
-        Value::Place(Some(Place::Inner(i))) => i < usize::MAX,
+        Value::BoundaryPlace(Some(BoundaryPlace::Outer)) => true,
+        Value::BoundaryPlace(Some(BoundaryPlace::Inner(i))) => i < usize::MAX,
     };
     (cell, values.into_iter().filter(wanted).collect())
 }

@@ -4,8 +4,8 @@ use crate::support::nested::{PLANE, TEXTBOOK, nested, nested_textbook};
 use crate::support::opinions::{agree, broken};
 use crate::support::tables::{boundary, face, half_edge, map, mesh, vertex};
 use twinedge::validate::{
-    BoundaryRow, Collect, Expectation, FaceRow, Field, Part, Place, Record, Rule, Start, Table, VertexRow, Violation,
-    validate,
+    BoundaryPlace, BoundaryRow, Collect, Expectation, FaceRow, Field, Part, Record, Rule, Start, Table, VertexRow,
+    Violation, validate,
 };
 
 /// Two edges between two vertices: half-edges 0 and 3 around the inside, 1 and 2 around the outside.
@@ -171,7 +171,7 @@ fn b1_a_boundary_component_has_a_second_cycle() {
         }
         t.boundaries[2] = None;
         face(t, 1).inner = vec![Some(3)];
-        boundary(t, 3).place = Some(Place::Inner(0));
+        boundary(t, 3).place = Some(BoundaryPlace::Inner(0));
     };
     change(Rule::B1, cycle_of_a_vertex, &[Violation::SecondCycle { boundary: 3, cycle: 0, half_edges: 3 }]);
 }
@@ -212,7 +212,7 @@ fn b2_nothing_starts_at_an_isolated_vertex() {
 
 /// Adds boundary component 5, which starts at this vertex and is listed by face 0.
 fn claim(table: &mut Table, v: usize) {
-    let (face_link, start, place) = (Some(0), Some(Start::Vertex(v)), Some(Place::Inner(1)));
+    let (face_link, start, place) = (Some(0), Some(Start::Vertex(v)), Some(BoundaryPlace::Inner(1)));
     table.boundaries.push(Some(BoundaryRow { face: face_link, start, place }));
     face(table, 0).inner.push(Some(5));
 }
@@ -240,15 +240,15 @@ fn b2_a_boundary_component_starts_at_a_connected_vertex() {
 fn b2_a_connected_vertex_stands_for_the_outside_of_its_component() {
     let outside = |t: &mut Table| {
         face(t, 1).inner = vec![Some(3), Some(5)];
-        boundary(t, 3).place = Some(Place::Inner(0));
+        boundary(t, 3).place = Some(BoundaryPlace::Inner(0));
         t.boundaries.push(Some(BoundaryRow {
             face: Some(1),
             start: Some(Start::Vertex(3)),
-            place: Some(Place::Inner(1)),
+            place: Some(BoundaryPlace::Inner(1)),
         }));
         t.faces.push(Some(FaceRow { outer: Some(2), ..FaceRow::default() }));
         let row = boundary(t, 2);
-        (row.face, row.place) = (Some(3), Some(Place::Outer));
+        (row.face, row.place) = (Some(3), Some(BoundaryPlace::Outer));
     };
     change(Rule::B2, outside, &[Violation::StartsAtConnected { record: Record::Boundary(5), vertex: 3 }]);
 }
@@ -266,7 +266,7 @@ fn b2_a_vertex_names_a_boundary_component_that_it_is_not() {
 fn f1_no_face_is_unbounded_or_two_are() {
     let bounded = |t: &mut Table| {
         *face(t, 0) = FaceRow { outer: Some(0), ..FaceRow::default() };
-        boundary(t, 0).place = Some(Place::Outer);
+        boundary(t, 0).place = Some(BoundaryPlace::Outer);
     };
     change(Rule::F1, bounded, &[Violation::NoUnboundedFace]);
     let violation = Violation::SecondUnboundedFace { first: 0, second: 3 };
@@ -287,7 +287,7 @@ fn f1_an_isolated_vertex_bounds_nothing() {
         face(t, 1).inner.pop();
         t.faces.push(Some(FaceRow { outer: Some(3), ..FaceRow::default() }));
         let row = boundary(t, 3);
-        (row.face, row.place) = (Some(3), Some(Place::Outer));
+        (row.face, row.place) = (Some(3), Some(BoundaryPlace::Outer));
     };
     change(Rule::F1, outer, &[Violation::OuterIsVertex { face: 3, boundary: 3 }]);
 }
@@ -299,7 +299,7 @@ fn f1_on_a_surface_an_isolated_vertex_bounds_nothing_either() {
     table.boundaries.push(Some(BoundaryRow {
         face: Some(4),
         start: Some(Start::Vertex(4)),
-        place: Some(Place::Outer),
+        place: Some(BoundaryPlace::Outer),
     }));
     table.faces.push(Some(FaceRow { outer: Some(4), ..FaceRow::default() }));
     let surface = Expectation::surface();
@@ -322,8 +322,8 @@ fn f2_a_boundary_component_is_listed_twice() {
     face(&mut table, 1).inner.push(Some(3));
     let twice = Violation::ListedTwice { record: Record::Boundary(3), face: 1 };
     only(Rule::F2, &table, PLANE.without(Part::Places), &[twice]);
-    let place = Some(Place::Inner(1));
-    let wrong_place = Violation::WrongPlace { boundary: 3, place, listed: Place::Inner(2) };
+    let place = Some(BoundaryPlace::Inner(1));
+    let wrong_place = Violation::WrongPlace { boundary: 3, place, listed: BoundaryPlace::Inner(2) };
     only(Rule::F2, &table, PLANE, &[twice, wrong_place]);
     let twice = Violation::ListedTwice { record: Record::HalfEdge(3), face: 0 };
     change_textbook(Rule::F2, |t| face(t, 0).inner_starts.push(Some(Start::HalfEdge(3))), &[twice]);
@@ -333,8 +333,10 @@ fn f2_a_boundary_component_is_listed_twice() {
 fn f2_a_boundary_component_is_listed_by_another_face_or_at_another_place() {
     let violation = Violation::ListedByOther { boundary: 3, face: 1, found: Some(2) };
     change(Rule::F2, |t| boundary(t, 3).face = Some(2), &[violation]);
-    let wrong = |place| [Violation::WrongPlace { boundary: 3, place, listed: Place::Inner(1) }];
-    for place in [None, Some(Place::Outer), Some(Place::Inner(0)), Some(Place::Inner(usize::MAX))] {
+    let wrong = |place| [Violation::WrongPlace { boundary: 3, place, listed: BoundaryPlace::Inner(1) }];
+    for place in
+        [None, Some(BoundaryPlace::Outer), Some(BoundaryPlace::Inner(0)), Some(BoundaryPlace::Inner(usize::MAX))]
+    {
         change(Rule::F2, |t| boundary(t, 3).place = place, &wrong(place));
     }
 }
@@ -360,10 +362,10 @@ fn f2_a_list_is_longer_than_all_boundary_components_together() {
 fn t1_a_component_has_no_outside() {
     let outer = |t: &mut Table| {
         face(t, 1).inner = vec![Some(3)];
-        boundary(t, 3).place = Some(Place::Inner(0));
+        boundary(t, 3).place = Some(BoundaryPlace::Inner(0));
         t.faces.push(Some(FaceRow { outer: Some(2), ..FaceRow::default() }));
         let row = boundary(t, 2);
-        (row.face, row.place) = (Some(3), Some(Place::Outer));
+        (row.face, row.place) = (Some(3), Some(BoundaryPlace::Outer));
     };
     change(Rule::T1, outer, &[Violation::NoOutside { vertex: 3 }]);
     // Only what lies at an open boundary may do without, also where open boundaries are legal.
@@ -378,7 +380,7 @@ fn t1_a_component_has_two_outsides() {
         t.faces[2] = None;
         face(t, 0).inner.push(Some(4));
         let row = boundary(t, 4);
-        (row.face, row.place) = (Some(0), Some(Place::Inner(1)));
+        (row.face, row.place) = (Some(0), Some(BoundaryPlace::Inner(1)));
     };
     let (first, second) = (Record::Boundary(4), Record::Boundary(2));
     change(Rule::T1, inner, &[Violation::TwoOutsides { vertex: 3, first, second }]);
@@ -398,7 +400,7 @@ fn t1_a_component_has_two_outsides() {
 fn t2_a_component_lies_inside_itself() {
     let in_itself = |t: &mut Table| {
         face(t, 1).inner = vec![Some(3)];
-        boundary(t, 3).place = Some(Place::Inner(0));
+        boundary(t, 3).place = Some(BoundaryPlace::Inner(0));
         face(t, 2).inner = vec![Some(2)];
         boundary(t, 2).face = Some(2);
     };
@@ -427,7 +429,7 @@ fn k7() -> Table {
 /// Lists the outer boundary component of face 0 as its inner one, which makes it the unbounded face.
 fn turn_inside_out(table: &mut Table) {
     *face(table, 0) = FaceRow { inner: vec![Some(0)], ..FaceRow::default() };
-    boundary(table, 0).place = Some(Place::Inner(0));
+    boundary(table, 0).place = Some(BoundaryPlace::Inner(0));
 }
 
 #[test]

@@ -10,7 +10,7 @@ use std::collections::BTreeMap;
 use std::fmt;
 use std::sync::Arc;
 use std::time::Duration;
-use twinedge::program::census::Found;
+use twinedge::program::census::Discovery;
 use twinedge::validate::enumerate::{Cell, Value, for_each_corruption};
 use twinedge::validate::reference::first_broken_rule;
 use twinedge::validate::{Expectation, Link, Part, Rule, Start, Table};
@@ -53,7 +53,7 @@ pub(super) struct Specimen {
 
 impl Specimen {
     /// The tables of a map, each with a vacant row, in both forms. None if there is no memory for them.
-    pub(super) fn all(found: &Found) -> Option<[Self; 2]> {
+    pub(super) fn all(found: &Discovery) -> Option<[Self; 2]> {
         let records = Table::copy_of(found.runner.subject())?;
         let mut textbook = records.clone();
         drop_boundaries(&mut textbook);

@@ -9,7 +9,7 @@ use std::sync::Mutex;
 use twinedge::dcel::Dcel;
 use twinedge::program::canonical::{Canonizer, Code};
 use twinedge::program::census::Scope;
-use twinedge::program::{Op, Outcome, Program, Runner, Subject, every_op};
+use twinedge::program::{Op, Program, Runner, StepOutcome, Subject, every_op};
 use twinedge::validate::{Collect, Counts, Expectation, View, validate};
 
 /// What was found of maps of one size.
@@ -148,7 +148,7 @@ impl Worker {
         }
         try_every_op(&map, |op, outcome, result| match outcome {
             Err(panic) => wrong(Some(op), format!("panicked: {panic}")),
-            Ok(Outcome::Applied) => {
+            Ok(StepOutcome::Applied) => {
                 tally.applied += 1;
                 let report = validate(result.subject(), &Expectation::plane(), Collect::First);
                 if let Some(violation) = report.violations().first() {
@@ -164,7 +164,7 @@ impl Worker {
                     }
                 }
             }
-            Ok(outcome @ (Outcome::Refused(_) | Outcome::Skipped)) => {
+            Ok(outcome @ (StepOutcome::Refused(_) | StepOutcome::Skipped)) => {
                 tally.refused += 1;
                 if !same(map.subject(), result.subject()) {
                     wrong(Some(op), format!("{outcome}, but the map is not as it was"));
@@ -177,12 +177,15 @@ impl Worker {
 
 /// Applies every operator with every argument to the map as it is, one at a time, and shows what came of each: the outcome and
 /// the map, or how it panics.
-fn try_every_op<K: Subject + Clone>(map: &Runner<K>, mut visit: impl FnMut(Op, Result<Outcome, String>, &Runner<K>)) {
+fn try_every_op<K: Subject + Clone>(
+    map: &Runner<K>,
+    mut visit: impl FnMut(Op, Result<StepOutcome, String>, &Runner<K>),
+) {
     let mut trial = map.clone();
     for op in every_op(map) {
         let outcome = caught(|| trial.step(op));
         // What a panic leaves behind may be anything.
-        let spent = matches!(outcome, Ok(Outcome::Applied) | Err(_));
+        let spent = matches!(outcome, Ok(StepOutcome::Applied) | Err(_));
         visit(op, outcome, &trial);
         if spent {
             trial = map.clone();
@@ -247,7 +250,7 @@ mod tests {
     #[test]
     fn an_operator_that_panics_is_told_of_and_the_others_go_on() {
         const LOOP: &str = "twinedge program 1\nadd_isolated_vertex unbounded\nconnect i0 i0 left\n";
-        fn outcomes<const PANICS: bool>() -> Vec<(Op, Result<Outcome, String>)> {
+        fn outcomes<const PANICS: bool>() -> Vec<(Op, Result<StepOutcome, String>)> {
             let mut map = Runner::new(Planted::<PANICS>::default());
             map.run(&LOOP.parse().unwrap());
             let mut outcomes = Vec::new();
@@ -257,7 +260,7 @@ mod tests {
         let mut panics = 0;
         for ((op, sound), (same, outcome)) in outcomes::<false>().into_iter().zip(outcomes::<true>()) {
             assert_eq!(op, same);
-            if matches!((op, &sound), (Op::MoveInner { .. }, Ok(Outcome::Applied))) {
+            if matches!((op, &sound), (Op::MoveInner { .. }, Ok(StepOutcome::Applied))) {
                 let told = outcome.unwrap_err();
                 assert!(told.starts_with("a planted panic (") && told.contains("planted.rs:"), "{told}");
                 panics += 1;

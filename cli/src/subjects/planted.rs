@@ -3,7 +3,7 @@
 use super::Indexed;
 use twinedge::dcel::{Dcel, FaceKey, HalfEdgeKey, OperatorError, Side, Turn, VertexKey};
 use twinedge::program::{CornerOf, Refusal, Subject};
-use twinedge::validate::{Link, Place, Start, View};
+use twinedge::validate::{BoundaryPlace, Link, Start, View};
 
 /// The structure of the library, but it turns edges the wrong way and keeps every rule, or panics.
 #[derive(Clone, Debug, Default)]
@@ -35,7 +35,7 @@ view_as_it_is! {
     isolated(v) -> Link;
     boundary_face(b) -> Link;
     boundary_start(b) -> Option<Start>;
-    boundary_place(b) -> Option<Place>;
+    boundary_place(b) -> Option<BoundaryPlace>;
     outer(f) -> Link;
     inner_count(f) -> usize;
     inner(f, position) -> Link;

@@ -4,7 +4,7 @@ use super::super::{BoundaryKey, Dcel, FaceKey, HalfEdgeKey, OperatorError, Stale
 use super::corner::{Corner, Spot};
 use super::walk::Which;
 use crate::store::Store;
-use crate::store::links::{Anchor, Need, Origin};
+use crate::store::links::{BoundaryStart, Need, VertexLink};
 
 /// A side of a half-edge.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash, Default)]
@@ -162,7 +162,7 @@ impl<S: Store> Dcel<S> {
         }
         for (spot, leaving) in [(from, n), (to, t)] {
             if let Spot::Isolated(v, _) = spot {
-                self.store.set_anchor(v, Anchor::Leaving(leaving));
+                self.store.set_anchor(v, VertexLink::Leaving(leaving));
             }
         }
         n
@@ -192,8 +192,8 @@ impl<S: Store> Dcel<S> {
         let t = self.store.twin(n);
         self.store.set_component(n, kept);
         self.store.set_component(t, kept);
-        if let Origin::Vertex(_) = self.store.start(kept) {
-            self.store.set_start(kept, Origin::HalfEdge(n));
+        if let BoundaryStart::Vertex(_) = self.store.start(kept) {
+            self.store.set_start(kept, BoundaryStart::HalfEdge(n));
         }
         let f = self.store.bounded(kept);
         if self.is_outer(dropped) {
@@ -230,9 +230,9 @@ impl<S: Store> Dcel<S> {
             Which::First => (n, t),
             Which::Second => (t, n),
         };
-        let made = self.store.add_boundary(f, Origin::HalfEdge(made_start));
+        let made = self.store.add_boundary(f, BoundaryStart::HalfEdge(made_start));
         self.relabel(made_start, made_start, made);
-        self.store.set_start(kept, Origin::HalfEdge(kept_start));
+        self.store.set_start(kept, BoundaryStart::HalfEdge(kept_start));
 
         let g = self.store.add_face();
         let new_side = match split.new_face {

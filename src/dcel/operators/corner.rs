@@ -2,7 +2,7 @@
 
 use super::super::{Dcel, HalfEdgeKey, OperatorError, VertexKey};
 use crate::store::Store;
-use crate::store::links::Anchor;
+use crate::store::links::VertexLink;
 
 /// A place at a vertex where an edge can be attached.
 ///
@@ -71,8 +71,8 @@ impl<S: Store> Dcel<S> {
             Corner::Isolated(key) => {
                 let v = self.vertex_slot(key)?;
                 match self.store.anchor(v) {
-                    Anchor::Isolated(b) => Ok(Spot::Isolated(v, b)),
-                    Anchor::Leaving(_) => Err(OperatorError::NotIsolated(key)),
+                    VertexLink::Isolated(b) => Ok(Spot::Isolated(v, b)),
+                    VertexLink::Leaving(_) => Err(OperatorError::NotIsolated(key)),
                 }
             }
         }

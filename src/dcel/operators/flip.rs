@@ -2,7 +2,7 @@
 
 use super::super::{Dcel, HalfEdgeKey, OperatorError};
 use crate::store::Store;
-use crate::store::links::{Anchor, Origin};
+use crate::store::links::{BoundaryStart, VertexLink};
 
 /// The sense in which an edge is turned.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
@@ -62,15 +62,15 @@ impl<S: Store> Dcel<S> {
                 }
             }
         }
-        self.store.set_start(bn, Origin::HalfEdge(n));
-        self.store.set_start(bt, Origin::HalfEdge(t));
+        self.store.set_start(bn, BoundaryStart::HalfEdge(n));
+        self.store.set_start(bt, BoundaryStart::HalfEdge(t));
         Ok(())
     }
 
     /// Gives the origin of `h` the half-edge that leaves it clockwise of `h`.
     fn release_end(&mut self, h: S::HalfEdge) {
         let other = self.store.next(self.store.twin(h));
-        self.store.set_anchor(self.store.origin(h), Anchor::Leaving(other));
+        self.store.set_anchor(self.store.origin(h), VertexLink::Leaving(other));
     }
 
     /// `x` and `y`, the first half-edges after `n` and `t`, change sides.
@@ -116,7 +116,7 @@ impl<S: Store> Dcel<S> {
     /// Slides a loop, alone on the side of `lone`, along the cycle on the side of `t`.
     fn slide(&mut self, lone: S::HalfEdge, t: S::HalfEdge, turn: Turn) {
         let (before, after) = (self.store.prev(t), self.store.next(t));
-        self.store.set_anchor(self.store.origin(t), Anchor::Leaving(after));
+        self.store.set_anchor(self.store.origin(t), VertexLink::Leaving(after));
         self.store.join(before, after);
         let (last, first) = match turn {
             Turn::CounterClockwise => (after, self.store.next(after)),

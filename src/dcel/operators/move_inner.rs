@@ -2,7 +2,7 @@
 
 use super::super::{BoundaryKey, Dcel, FaceKey, OperatorError, StaleKey};
 use crate::store::Store;
-use crate::store::links::Origin;
+use crate::store::links::BoundaryStart;
 
 impl<S: Store> Dcel<S> {
     /// Moves an inner boundary component, and with it its component and all that lies inside, to another face.
@@ -31,7 +31,7 @@ impl<S: Store> Dcel<S> {
         if old == f {
             return Ok(face);
         }
-        let encloses_nothing = matches!(self.store.start(b), Origin::Vertex(_));
+        let encloses_nothing = matches!(self.store.start(b), BoundaryStart::Vertex(_));
         if !encloses_nothing && f != self.store.unbounded() && self.encloses(b, f) {
             return Err(OperatorError::InsideItself(boundary, face));
         }

@@ -3,7 +3,7 @@
 use super::super::{BoundaryKey, Dcel, FaceKey, HalfEdgeKey, OperatorError};
 use super::walk::Which;
 use crate::store::Store;
-use crate::store::links::{Anchor, Need, Origin};
+use crate::store::links::{BoundaryStart, Need, VertexLink};
 
 /// What [`Dcel::remove_edge`] did.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
@@ -88,7 +88,7 @@ impl<S: Store> Dcel<S> {
         let others = [after_t, after_n];
         for end in [self.store.origin(n), self.store.origin(t)] {
             if let Some(h) = others.into_iter().find(|h| *h != n && *h != t && self.store.origin(*h) == end) {
-                self.store.set_anchor(end, Anchor::Leaving(h));
+                self.store.set_anchor(end, VertexLink::Leaving(h));
             }
         }
     }
@@ -128,9 +128,9 @@ impl<S: Store> Dcel<S> {
             }
         };
         let v = self.store.origin(n);
-        self.store.set_start(kept, start.map_or(Origin::Vertex(v), Origin::HalfEdge));
+        self.store.set_start(kept, start.map_or(BoundaryStart::Vertex(v), BoundaryStart::HalfEdge));
         if start.is_none() {
-            self.store.set_anchor(v, Anchor::Isolated(kept));
+            self.store.set_anchor(v, VertexLink::Isolated(kept));
         }
         self.store.unlist(kept);
         self.store.unlist(dropped);
@@ -170,20 +170,20 @@ impl<S: Store> Dcel<S> {
         if at_target.is_some() {
             self.store.join(before_t, after_n);
         }
-        let made = self.store.add_boundary(f, Origin::Vertex(target));
+        let made = self.store.add_boundary(f, BoundaryStart::Vertex(target));
         let (of_origin, of_target) = match shorter {
             Which::First => (made, kept),
             Which::Second => (kept, made),
         };
         for (b, start, vertex) in [(of_origin, at_origin, origin), (of_target, at_target, target)] {
             if let Some(h) = start {
-                self.store.set_start(b, Origin::HalfEdge(h));
+                self.store.set_start(b, BoundaryStart::HalfEdge(h));
                 if b == made {
                     self.relabel(h, h, made);
                 }
             } else {
-                self.store.set_start(b, Origin::Vertex(vertex));
-                self.store.set_anchor(vertex, Anchor::Isolated(b));
+                self.store.set_start(b, BoundaryStart::Vertex(vertex));
+                self.store.set_anchor(vertex, VertexLink::Isolated(b));
             }
         }
         let stays_outer = outside.map(|which| match which {

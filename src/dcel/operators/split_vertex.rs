@@ -4,7 +4,7 @@ use super::super::{Dcel, HalfEdgeKey, OperatorError, VertexKey};
 use super::corner::{Corner, Spot};
 use super::walk::Which;
 use crate::store::Store;
-use crate::store::links::{Anchor, Need, Origin};
+use crate::store::links::{BoundaryStart, Need, VertexLink};
 
 /// What [`Dcel::split_vertex`] made.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
@@ -61,7 +61,7 @@ impl<S: Store> Dcel<S> {
         let n = self.store.add_edge(v, v, to.boundary(&self.store));
         let t = self.store.twin(n);
         self.store.set_component(t, b);
-        let w = self.store.add_vertex(Anchor::Leaving(t));
+        let w = self.store.add_vertex(VertexLink::Leaving(t));
         if let (Spot::At(ha), Spot::At(hb)) = (from, to) {
             let (before_a, before_b) = (self.store.prev(ha), self.store.prev(hb));
             self.store.join(t, ha);
@@ -73,18 +73,18 @@ impl<S: Store> Dcel<S> {
                 self.store.join(before_a, t);
             }
         } else {
-            self.store.set_start(b, Origin::HalfEdge(n));
+            self.store.set_start(b, BoundaryStart::HalfEdge(n));
         }
         // The edge is in place, and all half-edges but `t` leave `v` or should leave `w`.
         match self.smaller_rotation(n, t) {
             Which::Second => {
                 self.hand_over(t, w);
-                self.store.set_anchor(v, Anchor::Leaving(n));
+                self.store.set_anchor(v, VertexLink::Leaving(n));
             }
             Which::First => {
                 self.hand_over(n, w);
-                self.store.set_anchor(v, Anchor::Leaving(t));
-                self.store.set_anchor(w, Anchor::Leaving(n));
+                self.store.set_anchor(v, VertexLink::Leaving(t));
+                self.store.set_anchor(w, VertexLink::Leaving(n));
             }
         }
         Ok(SplitVertex { vertex: self.store.vertex_key(w), half_edge: self.store.half_edge_key(n) })
@@ -148,19 +148,19 @@ impl<S: Store> Dcel<S> {
         for h in [n, t] {
             let (before, after) = (self.store.prev(h), self.store.next(h));
             let component = self.store.component(h);
-            if self.store.start(component) == Origin::HalfEdge(h) {
+            if self.store.start(component) == BoundaryStart::HalfEdge(h) {
                 // If that is `t`, it goes next, and in a cycle of the edge and nothing else the isolated vertex is settled
                 // below.
-                self.store.set_start(component, Origin::HalfEdge(after));
+                self.store.set_start(component, BoundaryStart::HalfEdge(after));
             }
             self.store.join(before, after);
         }
         if let Some(h) = stays {
-            self.store.set_anchor(kept, Anchor::Leaving(h));
+            self.store.set_anchor(kept, VertexLink::Leaving(h));
         } else {
             let component = self.store.component(n);
-            self.store.set_start(component, Origin::Vertex(kept));
-            self.store.set_anchor(kept, Anchor::Isolated(component));
+            self.store.set_start(component, BoundaryStart::Vertex(kept));
+            self.store.set_anchor(kept, VertexLink::Isolated(component));
         }
         let contracted = ContractedEdge { kept: self.store.vertex_key(kept), dropped: self.store.vertex_key(dropped) };
         self.store.remove_edge(n);

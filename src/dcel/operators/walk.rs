@@ -2,7 +2,7 @@
 
 use super::super::Dcel;
 use crate::store::Store;
-use crate::store::links::{OUTER, Origin};
+use crate::store::links::{BoundaryStart, OUTER};
 
 /// One of two sides that are walked in step.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -92,7 +92,7 @@ impl<S: Store> Search<S> {
     fn step(&mut self, store: &mut S) -> Step {
         let Some(h) = self.at else {
             let Some(b) = self.queue.take(store) else { return Step::Exhausted };
-            if let Origin::HalfEdge(start) = store.start(b) {
+            if let BoundaryStart::HalfEdge(start) = store.start(b) {
                 (self.at, self.stop) = (Some(start), start);
             }
             return Step::GoOn;
@@ -192,7 +192,7 @@ impl<S: Store> Dcel<S> {
 
     /// Queues the outer boundary components met across the half-edges of `b`.
     fn offer_across(&mut self, queue: &mut Queue<S>, b: S::Boundary) {
-        let Origin::HalfEdge(start) = self.store.start(b) else { return };
+        let BoundaryStart::HalfEdge(start) = self.store.start(b) else { return };
         let mut h = start;
         loop {
             let across = self.store.component(self.store.twin(h));

@@ -1,7 +1,7 @@
 //! Drawing a chain of segments: planned as a whole, then applied.
 
 use super::{At, EditError, Edited};
-use crate::dcel::{Kind, OperatorError, VertexKey};
+use crate::dcel::{OperatorError, RecordKind, VertexKey};
 use crate::geometry::Point;
 use crate::geometry::predicates::{Meeting, meeting};
 use crate::geometry::sweep::sweep;
@@ -101,7 +101,7 @@ fn is_simple(ways: &[[Point; 2]]) -> Result<bool, EditError> {
         })
     };
     let segments: Vec<[u32; 2]> = ways.iter().map(|ends| ends.map(&mut number)).collect();
-    let swept = sweep(&points, &segments, &[]).map_err(|_| OperatorError::Full(Kind::Vertex))?;
+    let swept = sweep(&points, &segments, &[]).map_err(|_| OperatorError::Full(RecordKind::Vertex))?;
     if swept.clash.is_none() {
         return Ok(true);
     }

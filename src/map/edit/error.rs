@@ -1,6 +1,6 @@
 //! Why an edit was refused.
 
-use crate::dcel::{HalfEdgeKey, Kind, OperatorError, StaleKey, VertexKey};
+use crate::dcel::{HalfEdgeKey, OperatorError, RecordKind, StaleKey, VertexKey};
 use crate::geometry::Point;
 use crate::geometry::noding::NodingError;
 use crate::map::FeatureId;
@@ -92,7 +92,7 @@ impl EditError {
                 let Point { x, y } = at.point(segments, points);
                 Self::OutOfReach { x, y }
             }
-            NodingError::TooMany => OperatorError::Full(Kind::Vertex).into(),
+            NodingError::TooMany => OperatorError::Full(RecordKind::Vertex).into(),
         }
     }
 }

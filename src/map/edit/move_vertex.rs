@@ -23,7 +23,8 @@ impl PlanarMap {
     /// O(sizes of the faces around the vertex), each counted as often as it has a corner there.
     ///
     /// ```
-    /// use twinedge::geometry::{PlanarMap, Point};
+    /// use twinedge::geometry::Point;
+    /// use twinedge::map::PlanarMap;
     /// use twinedge::map::edit::EditError;
     ///
     /// let mut map = PlanarMap::new();

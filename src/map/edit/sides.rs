@@ -11,7 +11,7 @@
 //! ```
 
 use super::EditError;
-use crate::dcel::{Boundary, BoundaryKey, HalfEdge, Kind, OperatorError, Side, Vertex};
+use crate::dcel::{Boundary, BoundaryKey, HalfEdge, OperatorError, RecordKind, Side, Vertex};
 use crate::geometry::Point;
 use crate::geometry::predicates::{Orientation, compare_lexicographic, orientation};
 use crate::geometry::sweep::sweep;
@@ -120,7 +120,7 @@ impl PlanarMap {
         }
         let segments: Vec<[u32; 2]> = rises_on_the_left.keys().copied().collect();
         let queries: Vec<u32> = (0..candidates.len() as u32).collect();
-        let swept = sweep(&points, &segments, &queries).map_err(|_| OperatorError::Full(Kind::Vertex))?;
+        let swept = sweep(&points, &segments, &queries).map_err(|_| OperatorError::Full(RecordKind::Vertex))?;
         // What lies above an edge lies to the left of the half-edge that rises along it.
         let lies_inside =
             |below: &Option<u32>| below.is_some_and(|segment| rises_on_the_left[&segments[segment as usize]] != around);

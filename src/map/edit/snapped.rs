@@ -54,7 +54,7 @@ impl PlanarMap {
     /// one, and slivers of faces between them are gone.
     ///
     /// All vertices of the map must be on the grid, and are where the map was built from what noding gave, with
-    /// [`Snap::Size`] of its [`Summary::cell`](crate::geometry::noding::Summary::cell), or was drawn on by this edit alone.
+    /// [`Snap::Size`] of its [`NodingSummary::cell`](crate::geometry::noding::NodingSummary::cell), or was drawn on by this edit alone.
     /// (Only those near enough to be looked at are held against it.) [`Snap::Auto`] is the grid for the largest coordinate of
     /// the map and the segment, so it is the same as before only as long as that is.
     ///
@@ -69,7 +69,9 @@ impl PlanarMap {
     /// edge are noded. With [`Snap::Auto`], O(vertices) besides.
     ///
     /// ```
-    /// use twinedge::geometry::{PlanarMap, Point, noding::Snap};
+    /// use twinedge::geometry::Point;
+    /// use twinedge::geometry::noding::Snap;
+    /// use twinedge::map::PlanarMap;
     ///
     /// let mut map = PlanarMap::new();
     /// let grid = Snap::Size(1.0);

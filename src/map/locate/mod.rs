@@ -8,7 +8,8 @@
 //! Both are exact: a point is at a vertex, inside an edge or in a face, and there is no tolerance.
 //!
 //! ```
-//! use twinedge::geometry::{Builder, Located, Locator, Point, Shape};
+//! use twinedge::geometry::Point;
+//! use twinedge::map::{Builder, Located, Locator, Shape};
 //!
 //! let square = [[0.0, 0.0], [4.0, 0.0], [4.0, 4.0], [0.0, 4.0]].map(Point::from).to_vec();
 //! let lake = [[1.0, 1.0], [2.0, 1.0], [1.0, 2.0]].map(Point::from).to_vec();

@@ -1,6 +1,6 @@
 //! The boxes around edges and isolated vertices, in an R-tree, and those that a line meets.
 
-use super::Stretch;
+use super::QueryLine;
 use super::line::{Event, Line};
 use crate::dcel::Vertex;
 use crate::geometry::Point;
@@ -57,7 +57,7 @@ impl Boxes {
         &self,
         map: &'m PlanarMap,
         line: &Line,
-        stretch: &Stretch,
+        stretch: &QueryLine,
         mut visit: impl FnMut(Event<'m>),
     ) {
         let dcel = map.dcel();
@@ -99,15 +99,15 @@ struct Selection {
 }
 
 impl Selection {
-    fn new(line: &Line, stretch: &Stretch) -> Self {
+    fn new(line: &Line, stretch: &QueryLine) -> Self {
         let Line { from, through } = *line;
         // From where to where, in one coordinate.
         let range = |from: f64, through: f64| {
             let (grows, falls) = (from < through, from > through);
             let (low_end, high_end) = match stretch {
-                Stretch::Segment(..) => return [from.min(through), from.max(through)],
-                Stretch::Ray(..) => (!falls, !grows),
-                Stretch::Line(..) => (!falls && !grows, !falls && !grows),
+                QueryLine::Segment(..) => return [from.min(through), from.max(through)],
+                QueryLine::Ray(..) => (!falls, !grows),
+                QueryLine::Line(..) => (!falls && !grows, !falls && !grows),
             };
             [if low_end { from } else { f64::NEG_INFINITY }, if high_end { from } else { f64::INFINITY }]
         };

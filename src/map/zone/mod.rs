@@ -29,7 +29,7 @@ use line::{Event, Line, Piece, Place, What};
 
 /// A straight way through the plane, with a direction.
 #[derive(Clone, Copy, Debug, PartialEq)]
-pub enum Stretch {
+pub enum QueryLine {
     /// From the first point to the second, both included.
     Segment(Point, Point),
     /// From the first point, included, through the second and on for ever.
@@ -43,7 +43,7 @@ pub enum Stretch {
 /// A face or the course along an edge is always followed by an edge or a vertex, and an edge or a vertex by a face or the
 /// course along an edge.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord, Hash)]
-pub enum Met {
+pub enum ZoneElement {
     /// It goes through this face.
     Face(FaceKey),
     /// It crosses the edge of this half-edge, or begins or ends inside it, not along it. The half-edge comes from the
@@ -68,7 +68,8 @@ impl Locator<'_> {
     /// [`Locator::locate`] says.
     ///
     /// ```
-    /// use twinedge::geometry::{Builder, Locator, Met, Point, Shape, Stretch};
+    /// use twinedge::geometry::Point;
+    /// use twinedge::map::{Builder, Locator, ZoneElement, Shape, QueryLine};
     ///
     /// let mut builder = Builder::new();
     /// let square = [[1.0, 0.0], [5.0, 0.0], [5.0, 4.0], [1.0, 4.0]].map(Point::from).to_vec();
@@ -76,16 +77,17 @@ impl Locator<'_> {
     /// builder.shape(&Shape::Point(Point::new(3.0, 2.0)))?;
     /// let map = builder.build()?;
     ///
-    /// let met = Locator::new(&map)?.zone(&Stretch::Segment(Point::new(0.0, 2.0), Point::new(5.0, 2.0)))?;
+    /// let met = Locator::new(&map)?.zone(&QueryLine::Segment(Point::new(0.0, 2.0), Point::new(5.0, 2.0)))?;
     /// assert!(matches!(
     ///     met[..],
-    ///     [Met::Face(sea), Met::Edge(coast), Met::Face(land), Met::Vertex(_), Met::Face(still_land), Met::Edge(_)]
+    ///     [ZoneElement::Face(sea), ZoneElement::Edge(coast), ZoneElement::Face(land), ZoneElement::Vertex(_), ZoneElement::Face(still_land), ZoneElement::Edge(_)]
     ///         if land == still_land && map.dcel().face(sea)?.is_unbounded() && map.dcel().half_edge(coast)?.face().key() == land
     /// ));
     /// # Ok::<(), Box<dyn std::error::Error>>(())
     /// ```
-    pub fn zone(&self, stretch: &Stretch) -> Result<Vec<Met>, LocateError> {
-        let (Stretch::Segment(from, through) | Stretch::Ray(from, through) | Stretch::Line(from, through)) = *stretch;
+    pub fn zone(&self, stretch: &QueryLine) -> Result<Vec<ZoneElement>, LocateError> {
+        let (QueryLine::Segment(from, through) | QueryLine::Ray(from, through) | QueryLine::Line(from, through)) =
+            *stretch;
         check(from)?;
         check(through)?;
         if from == through {
@@ -93,10 +95,10 @@ impl Locator<'_> {
         }
         let line = Line { from, through };
         let first = match stretch {
-            Stretch::Line(..) => None,
-            Stretch::Segment(..) | Stretch::Ray(..) => Some(Place::At(from)),
+            QueryLine::Line(..) => None,
+            QueryLine::Segment(..) | QueryLine::Ray(..) => Some(Place::At(from)),
         };
-        let to = if let Stretch::Segment(..) = stretch { Some(through) } else { None };
+        let to = if let QueryLine::Segment(..) = stretch { Some(through) } else { None };
 
         let mut events = Vec::new();
         self.boxes.each_event(self.map, &line, stretch, |event| {
@@ -156,7 +158,7 @@ fn follow<'m>(
     to: Option<Point>,
     begin: Begin<'m>,
     mut next: impl FnMut(Piece<'m>, Option<Place>) -> Option<Event<'m>>,
-    mut visit: impl FnMut(Met),
+    mut visit: impl FnMut(ZoneElement),
 ) -> Result<(), LocateError> {
     let (mut event, mut piece, mut at) = match begin {
         Begin::Event(event) => (Some(event), None, None),
@@ -167,8 +169,8 @@ fn follow<'m>(
     loop {
         if let Some(event) = event {
             visit(match event.what {
-                What::Vertex(vertex) => Met::Vertex(vertex.key()),
-                What::Edge(h) => Met::Edge(h.key()),
+                What::Vertex(vertex) => ZoneElement::Vertex(vertex.key()),
+                What::Edge(h) => ZoneElement::Edge(h.key()),
             });
             if to.is_some_and(|to| line.order(event.place, Place::At(to)).is_ge()) {
                 return Ok(());
@@ -179,8 +181,8 @@ fn follow<'m>(
         }
         let Some(through) = piece else { return Ok(()) };
         visit(match through {
-            Piece::Face(face) => Met::Face(face.key()),
-            Piece::Along(h) => Met::Along(h.key()),
+            Piece::Face(face) => ZoneElement::Face(face.key()),
+            Piece::Along(h) => ZoneElement::Along(h.key()),
         });
         event = next(through, at);
         let fits = match (through, event.map(|event| event.what)) {

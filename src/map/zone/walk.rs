@@ -1,7 +1,7 @@
 //! From face to face along a segment, without an index.
 
 use super::line::{Event, Line, Piece, Place};
-use super::{Begin, Met, Stretch, follow};
+use super::{Begin, QueryLine, ZoneElement, follow};
 use crate::dcel::{Face, HalfEdgeKey, Vertex, VertexKey};
 use crate::geometry::Point;
 use crate::geometry::predicates::Orientation;
@@ -49,9 +49,9 @@ impl PlanarMap {
         let mut last = Located::Vertex(start.key());
         self.walk(start, p, |met| {
             last = match met {
-                Met::Face(face) => Located::Face(face),
-                Met::Edge(half_edge) | Met::Along(half_edge) => Located::Edge(half_edge),
-                Met::Vertex(vertex) => Located::Vertex(vertex),
+                ZoneElement::Face(face) => Located::Face(face),
+                ZoneElement::Edge(half_edge) | ZoneElement::Along(half_edge) => Located::Edge(half_edge),
+                ZoneElement::Vertex(vertex) => Located::Vertex(vertex),
             };
         })?;
         Ok(last)
@@ -65,18 +65,18 @@ impl PlanarMap {
     ///
     /// # Errors
     /// As [`PlanarMap::locate_from`].
-    pub fn zone_from(&self, start: VertexKey, to: Point) -> Result<Vec<Met>, LocateError> {
+    pub fn zone_from(&self, start: VertexKey, to: Point) -> Result<Vec<ZoneElement>, LocateError> {
         check(to)?;
         let mut all = Vec::new();
         self.walk(self.dcel().vertex(start)?, to, |met| all.push(met))?;
         Ok(all)
     }
 
-    fn walk(&self, start: Vertex<'_>, to: Point, mut visit: impl FnMut(Met)) -> Result<(), LocateError> {
+    fn walk(&self, start: Vertex<'_>, to: Point, mut visit: impl FnMut(ZoneElement)) -> Result<(), LocateError> {
         let event = Line::at(self, start);
         let from = self.point(start.index());
         if from == to {
-            visit(Met::Vertex(start.key()));
+            visit(ZoneElement::Vertex(start.key()));
             return Ok(());
         }
         self.go(&Line { from, through: to }, Some(to), event, visit)
@@ -84,13 +84,14 @@ impl PlanarMap {
 
     /// What a stretch meets that crosses the edge of a half-edge, or one of its ends: as
     /// [`Locator::zone`](crate::map::Locator::zone) has it, but without an index, by walking from there both ways. With
-    /// a [`Stretch::Line`] these are all faces that a line cuts, given the line and a half-edge that it cuts.
+    /// a [`QueryLine::Line`] these are all faces that a line cuts, given the line and a half-edge that it cuts.
     ///
     /// Takes time in proportion to the boundaries of the faces met, each counted twice at most, plus O(k log k) for k edges
     /// and vertices on the way.
     ///
     /// ```
-    /// use twinedge::geometry::{Builder, Met, Point, Stretch};
+    /// use twinedge::geometry::Point;
+    /// use twinedge::map::{Builder, ZoneElement, QueryLine};
     ///
     /// // A ladder: two rails, and four rungs with three faces between them.
     /// let mut builder = Builder::new();
@@ -102,8 +103,8 @@ impl PlanarMap {
     /// }
     /// let map = builder.build()?;
     /// let rung = map.dcel().half_edges().next().unwrap().key();
-    /// let line = Stretch::Line(Point::new(0.0, 0.25), Point::new(3.0, 0.75));
-    /// let faces = map.zone_through(rung, &line)?.into_iter().filter(|met| matches!(met, Met::Face(_)));
+    /// let line = QueryLine::Line(Point::new(0.0, 0.25), Point::new(3.0, 0.75));
+    /// let faces = map.zone_through(rung, &line)?.into_iter().filter(|met| matches!(met, ZoneElement::Face(_)));
     /// assert_eq!(faces.count(), 5);
     /// # Ok::<(), Box<dyn std::error::Error>>(())
     /// ```
@@ -111,15 +112,16 @@ impl PlanarMap {
     /// # Errors
     /// [`LocateError::NotMet`], if it meets the edge nowhere, or only in the midst of a stretch that runs along it;
     /// [`LocateError::NoDirection`]; else as [`PlanarMap::locate_from`].
-    pub fn zone_through(&self, half_edge: HalfEdgeKey, stretch: &Stretch) -> Result<Vec<Met>, LocateError> {
-        let (Stretch::Segment(from, through) | Stretch::Ray(from, through) | Stretch::Line(from, through)) = *stretch;
+    pub fn zone_through(&self, half_edge: HalfEdgeKey, stretch: &QueryLine) -> Result<Vec<ZoneElement>, LocateError> {
+        let (QueryLine::Segment(from, through) | QueryLine::Ray(from, through) | QueryLine::Line(from, through)) =
+            *stretch;
         check(from)?;
         check(through)?;
         if from == through {
             return Err(LocateError::NoDirection(from));
         }
-        let first = if let Stretch::Line(..) = stretch { None } else { Some(from) };
-        let last = if let Stretch::Segment(..) = stretch { Some(through) } else { None };
+        let first = if let QueryLine::Line(..) = stretch { None } else { Some(from) };
+        let last = if let QueryLine::Segment(..) = stretch { Some(through) } else { None };
         let h = self.dcel().half_edge(half_edge)?;
         let way_there = Line { from, through };
         let way_back = Line { from: through, through: from };
@@ -142,7 +144,7 @@ impl PlanarMap {
         // The place from which both ways go.
         met.pop();
         for what in &mut met {
-            if let Met::Edge(h) | Met::Along(h) = what {
+            if let ZoneElement::Edge(h) | ZoneElement::Along(h) = what {
                 *h = self.dcel().half_edge(*h)?.twin().key();
             }
         }
@@ -150,7 +152,13 @@ impl PlanarMap {
         Ok(met)
     }
 
-    fn go(&self, line: &Line, to: Option<Point>, start: Event<'_>, visit: impl FnMut(Met)) -> Result<(), LocateError> {
+    fn go(
+        &self,
+        line: &Line,
+        to: Option<Point>,
+        start: Event<'_>,
+        visit: impl FnMut(ZoneElement),
+    ) -> Result<(), LocateError> {
         let mut known = Known { map: self, line, to, scanned: FxHashSet::default(), ahead: BinaryHeap::new() };
         follow(self, line, to, Begin::Event(start), |piece, at| known.next(piece, at), visit)
     }

@@ -25,7 +25,7 @@
 mod operators;
 mod view;
 
-use crate::validate::Place;
+use crate::validate::BoundaryPlace;
 use alloc::rc::{Rc, Weak};
 use alloc::vec;
 use alloc::vec::Vec;
@@ -94,7 +94,7 @@ enum Beginning {
 struct Boundary {
     face: Pointer<Face>,
     start: Beginning,
-    place: Place,
+    place: BoundaryPlace,
     index: usize,
 }
 
@@ -290,7 +290,7 @@ impl PointerModel {
     }
 
     fn make_boundary(&mut self, f: &Owned<Face>, start: Beginning, outer: bool) -> Owned<Boundary> {
-        let place = if outer { Place::Outer } else { Place::Inner(f.borrow().inner.len()) };
+        let place = if outer { BoundaryPlace::Outer } else { BoundaryPlace::Inner(f.borrow().inner.len()) };
         let b = Rc::new(RefCell::new(Boundary { face: Rc::downgrade(f), start, place, index: 0 }));
         if outer {
             f.borrow_mut().outer = Some(Rc::downgrade(&b));

@@ -1,7 +1,7 @@
 //! The model as the validator sees it: the index of a record is its place in its list.
 
 use super::{Beginning, Owned, Pointer, PointerModel};
-use crate::validate::{Link, Place, Start, View};
+use crate::validate::{BoundaryPlace, Link, Start, View};
 use core::cell::Ref;
 
 /// What the record with this index says.
@@ -57,7 +57,7 @@ impl View for PointerModel {
             Beginning::Vertex(v) => index(v, |v| v.index).map(Start::Vertex),
         })
     }
-    fn boundary_place(&self, boundary: usize) -> Option<Place> {
+    fn boundary_place(&self, boundary: usize) -> Option<BoundaryPlace> {
         read(&self.boundaries, boundary, |b| Some(b.place))
     }
     fn outer(&self, face: usize) -> Link {

@@ -5,7 +5,7 @@ use crate::location::points::same_edge;
 use crate::support::edits::{Edit, SIDE, Spot, apply};
 use crate::support::oracle::{Plain, whole};
 use twinedge::geometry::Point;
-use twinedge::map::{LocateError, Located, Locator, Met, PlanarMap, Stretch};
+use twinedge::map::{LocateError, Located, Locator, PlanarMap, QueryLine, ZoneElement};
 
 /// Asks in every way, beginning from the last answer, and gives the next.
 fn ask(map: &PlanarMap, mut last: Located, from: Point, to: Point) -> Located {
@@ -23,11 +23,11 @@ fn ask(map: &PlanarMap, mut last: Located, from: Point, to: Point) -> Located {
     }
     for v in map.dcel().vertices() {
         let at = map.position(v.key()).unwrap();
-        let met = if at == to { vec![Met::Vertex(v.key())] } else { plain.zone(&Stretch::Segment(at, to)) };
+        let met = if at == to { vec![ZoneElement::Vertex(v.key())] } else { plain.zone(&QueryLine::Segment(at, to)) };
         assert_eq!(map.zone_from(v.key(), to), Ok(met), "{at:?} {to:?}");
     }
     if from != to {
-        for stretch in [Stretch::Segment(from, to), Stretch::Ray(from, to), Stretch::Line(from, to)] {
+        for stretch in [QueryLine::Segment(from, to), QueryLine::Ray(from, to), QueryLine::Line(from, to)] {
             assert_eq!(locator.zone(&stretch), Ok(plain.zone(&stretch)), "{stretch:?}");
         }
     }

@@ -2,7 +2,7 @@
 
 use crate::location::maps::{Random, build};
 use twinedge::geometry::Point;
-use twinedge::map::{Located, Locator, Met, PlanarMap, Stretch};
+use twinedge::map::{Located, Locator, PlanarMap, QueryLine, ZoneElement};
 
 type Segments = Vec<[[f64; 2]; 2]>;
 
@@ -29,12 +29,12 @@ fn check(segments: &Segments) {
         let middle = Point::new(f64::midpoint(a[0], b[0]), f64::midpoint(a[1], b[1]));
         let hint = hints[random.index(hints.len())];
         let walked = map.zone_from(hint.key(), middle).unwrap();
-        let zone = locator.zone(&Stretch::Segment(map.position(hint.key()).unwrap(), middle));
+        let zone = locator.zone(&QueryLine::Segment(map.position(hint.key()).unwrap(), middle));
         assert!(walked.len() == 1 || zone.as_ref() == Ok(&walked));
         let last = match *walked.last().unwrap() {
-            Met::Face(f) => Located::Face(f),
-            Met::Vertex(v) => Located::Vertex(v),
-            Met::Edge(h) | Met::Along(h) => {
+            ZoneElement::Face(f) => Located::Face(f),
+            ZoneElement::Vertex(v) => Located::Vertex(v),
+            ZoneElement::Edge(h) | ZoneElement::Along(h) => {
                 let h = map.dcel().half_edge(h).unwrap();
                 let [p, q] = [h, h.twin()].map(|h| map.position(h.origin().key()).unwrap());
                 Located::Edge(if p < q { h.key() } else { h.twin().key() })
@@ -94,7 +94,7 @@ fn isolated_vertices() {
         let p = map.position(v.key()).unwrap();
         assert_eq!(locator.locate(p), Ok(Located::Vertex(v.key())));
         assert_eq!(locator.locate(Point::new(p.x, 0.5)), Ok(Located::Face(map.dcel().unbounded_face().key())));
-        let up = locator.zone(&Stretch::Ray(Point::new(p.x, -1.0), p)).unwrap();
-        assert!(matches!(up[..], [_, Met::Vertex(w), _] if w == v.key()));
+        let up = locator.zone(&QueryLine::Ray(Point::new(p.x, -1.0), p)).unwrap();
+        assert!(matches!(up[..], [_, ZoneElement::Vertex(w), _] if w == v.key()));
     }
 }

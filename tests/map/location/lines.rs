@@ -3,7 +3,7 @@
 use crate::location::maps::{Drawing, Random, point, quickcheck, world, world_110m};
 use crate::support::oracle::Plain;
 use twinedge::geometry::Point;
-use twinedge::map::{Builder, LocateError, Locator, Met, PlanarMap, Shape, Stretch};
+use twinedge::map::{Builder, LocateError, Locator, PlanarMap, QueryLine, Shape, ZoneElement};
 
 /// Where queries begin and end: on the grid of the vertices more often than not.
 fn place(x: u8, y: u8) -> Point {
@@ -19,7 +19,7 @@ fn zones(drawing: Drawing, queries: Vec<(u8, u8, u8, u8)>) -> bool {
     let (plain, locator) = (Plain::new(&map), Locator::new(&map).unwrap());
     queries.into_iter().all(|(a, b, c, d)| {
         let (from, to) = (place(a, b), place(c, d));
-        [Stretch::Segment(from, to), Stretch::Ray(from, to), Stretch::Line(from, to)].iter().all(|stretch| {
+        [QueryLine::Segment(from, to), QueryLine::Ray(from, to), QueryLine::Line(from, to)].iter().all(|stretch| {
             let expected = if from == to { Err(LocateError::NoDirection(from)) } else { Ok(plain.zone(stretch)) };
             locator.zone(stretch) == expected
         })
@@ -38,7 +38,8 @@ fn walks(drawing: Drawing, queries: Vec<(usize, u8, u8)>) -> bool {
     queries.into_iter().all(|(v, x, y)| {
         let Some(v) = vertices.get(v % vertices.len().max(1)) else { return true };
         let (from, to) = (map.position(v.key()).unwrap(), place(x, y));
-        let expected = if from == to { vec![Met::Vertex(v.key())] } else { plain.zone(&Stretch::Segment(from, to)) };
+        let expected =
+            if from == to { vec![ZoneElement::Vertex(v.key())] } else { plain.zone(&QueryLine::Segment(from, to)) };
         map.zone_from(v.key(), to) == Ok(expected)
     })
 }
@@ -55,7 +56,7 @@ fn walks_through(drawing: Drawing, queries: Vec<(usize, u8, u8, u8, u8)>) -> boo
     queries.into_iter().all(|(h, a, b, c, d)| {
         let Some(h) = edges.get(h % edges.len().max(1)) else { return true };
         let (from, to) = (place(a, b), place(c, d));
-        [Stretch::Segment(from, to), Stretch::Ray(from, to), Stretch::Line(from, to)].iter().all(|stretch| {
+        [QueryLine::Segment(from, to), QueryLine::Ray(from, to), QueryLine::Line(from, to)].iter().all(|stretch| {
             let found = map.zone_through(h.key(), stretch);
             if from == to {
                 return found == Err(LocateError::NoDirection(from));
@@ -63,14 +64,16 @@ fn walks_through(drawing: Drawing, queries: Vec<(usize, u8, u8, u8, u8)>) -> boo
             let expected = plain.zone(stretch);
             let ends = [h.origin().key(), h.target().key()];
             let meets = expected.iter().any(|met| match met {
-                Met::Edge(other) => {
-                    [h.key(), h.twin().key()].contains(other) && !expected.contains(&Met::Along(*other))
+                ZoneElement::Edge(other) => {
+                    [h.key(), h.twin().key()].contains(other) && !expected.contains(&ZoneElement::Along(*other))
                 }
-                Met::Vertex(v) => ends.contains(v),
+                ZoneElement::Vertex(v) => ends.contains(v),
                 _ => false,
             });
             // What begins or ends inside an edge and runs along it meets it in no point but by its ends.
-            let along = expected.iter().any(|met| *met == Met::Along(h.key()) || *met == Met::Along(h.twin().key()));
+            let along = expected
+                .iter()
+                .any(|met| *met == ZoneElement::Along(h.key()) || *met == ZoneElement::Along(h.twin().key()));
             match found {
                 Ok(found) => found == expected,
                 Err(error) => error == LocateError::NotMet(h.key()) && (!meets || along),
@@ -85,28 +88,28 @@ fn the_walk_both_ways_agrees_with_the_oracle() {
 }
 
 /// What is met the other way round.
-fn turned(map: &PlanarMap, met: &[Met]) -> Vec<Met> {
+fn turned(map: &PlanarMap, met: &[ZoneElement]) -> Vec<ZoneElement> {
     let twin = |h| map.dcel().half_edge(h).unwrap().twin().key();
-    let turn = |met: &Met| match *met {
-        Met::Edge(h) => Met::Edge(twin(h)),
-        Met::Along(h) => Met::Along(twin(h)),
+    let turn = |met: &ZoneElement| match *met {
+        ZoneElement::Edge(h) => ZoneElement::Edge(twin(h)),
+        ZoneElement::Along(h) => ZoneElement::Along(twin(h)),
         other => other,
     };
     met.iter().rev().map(turn).collect()
 }
 
 /// Faces and courses alternate with edges and vertices, and what follows each other touches.
-fn is_a_way(map: &PlanarMap, met: &[Met]) -> bool {
+fn is_a_way(map: &PlanarMap, met: &[ZoneElement]) -> bool {
     let half_edge = |h| map.dcel().half_edge(h).unwrap();
     met.windows(2).all(|pair| match (pair[0], pair[1]) {
-        (Met::Face(f), Met::Edge(h)) => half_edge(h).twin().face().key() == f,
-        (Met::Edge(h), Met::Face(f)) => half_edge(h).face().key() == f,
-        (Met::Face(f), Met::Vertex(v)) | (Met::Vertex(v), Met::Face(f)) => {
+        (ZoneElement::Face(f), ZoneElement::Edge(h)) => half_edge(h).twin().face().key() == f,
+        (ZoneElement::Edge(h), ZoneElement::Face(f)) => half_edge(h).face().key() == f,
+        (ZoneElement::Face(f), ZoneElement::Vertex(v)) | (ZoneElement::Vertex(v), ZoneElement::Face(f)) => {
             let vertex = map.dcel().vertex(v).unwrap();
             vertex.rotation().any(|h| h.face().key() == f) || vertex.isolated().is_some_and(|b| b.face().key() == f)
         }
-        (Met::Along(h), Met::Vertex(v)) => half_edge(h).target().key() == v,
-        (Met::Vertex(v), Met::Along(h)) => half_edge(h).origin().key() == v,
+        (ZoneElement::Along(h), ZoneElement::Vertex(v)) => half_edge(h).target().key() == v,
+        (ZoneElement::Vertex(v), ZoneElement::Along(h)) => half_edge(h).origin().key() == v,
         _ => false,
     })
 }
@@ -124,15 +127,15 @@ fn across_the_world_and_back() {
         let (from, w) = (map.position(v.key()).unwrap(), map.position(w.key()).unwrap());
         let anywhere = Point::new(random.between(-181.0, 191.0), random.between(-91.0, 84.0));
         let to = [w, anywhere, Point::new(w.x, from.y), Point::new(from.x, w.y)][i % 4];
-        let there = locator.zone(&Stretch::Segment(from, to)).unwrap();
+        let there = locator.zone(&QueryLine::Segment(from, to)).unwrap();
         assert!(is_a_way(&map, &there));
-        assert_eq!(there[0], Met::Vertex(v.key()));
-        assert_eq!(locator.zone(&Stretch::Segment(to, from)).unwrap(), turned(&map, &there));
+        assert_eq!(there[0], ZoneElement::Vertex(v.key()));
+        assert_eq!(locator.zone(&QueryLine::Segment(to, from)).unwrap(), turned(&map, &there));
         assert_eq!(map.zone_from(v.key(), to).unwrap(), there);
         // The line is what the two rays have in common, and what each of them has alone.
-        let line = locator.zone(&Stretch::Line(from, to)).unwrap();
-        let onwards = locator.zone(&Stretch::Ray(from, to)).unwrap();
-        let back = locator.zone(&Stretch::Ray(to, from)).unwrap();
+        let line = locator.zone(&QueryLine::Line(from, to)).unwrap();
+        let onwards = locator.zone(&QueryLine::Ray(from, to)).unwrap();
+        let back = locator.zone(&QueryLine::Ray(to, from)).unwrap();
         assert!(is_a_way(&map, &line) && onwards.starts_with(&there));
         assert!(line.ends_with(&onwards) && line.starts_with(&turned(&map, &back)));
         most = most.max(there.len());
@@ -144,10 +147,11 @@ fn across_the_world_and_back() {
 fn a_parallel_crosses_the_countries_of_the_atlas() {
     // Along 1.5 degrees north, from the Atlantic to the Indian Ocean.
     let map = world(include_bytes!("../../../tests/data/world-50m.geojson"));
-    let met = Locator::new(&map).unwrap().zone(&Stretch::Segment(Point::new(5.0, 1.5), Point::new(50.0, 1.5))).unwrap();
+    let met =
+        Locator::new(&map).unwrap().zone(&QueryLine::Segment(Point::new(5.0, 1.5), Point::new(50.0, 1.5))).unwrap();
     let mut countries = Vec::new();
     for met in met {
-        if let Met::Face(face) = met {
+        if let ZoneElement::Face(face) = met {
             countries.extend(map.features_of(face).unwrap().filter_map(|f| map.name(f)));
         }
     }
@@ -159,30 +163,32 @@ fn a_parallel_crosses_the_countries_of_the_atlas() {
 fn lines_that_miss_touch_and_end_inside() {
     let map = Drawing::square().map();
     let locator = Locator::new(&map).unwrap();
-    let unbounded = Met::Face(map.dcel().unbounded_face().key());
+    let unbounded = ZoneElement::Face(map.dcel().unbounded_face().key());
     let zone = |stretch| locator.zone(&stretch).unwrap();
     // Beside the square, and through one of its corners only.
-    assert_eq!(zone(Stretch::Line(point(-9, 50), point(9, 50))), [unbounded]);
-    assert_eq!(zone(Stretch::Segment(point(-9, 50), point(9, 60))), [unbounded]);
-    assert_eq!(zone(Stretch::Ray(point(50, 1), point(51, 1))), [unbounded]);
-    let tangent = zone(Stretch::Line(point(-4, 4), point(4, -4)));
-    assert!(matches!(tangent[..], [a, Met::Vertex(_), b] if a == unbounded && b == unbounded));
+    assert_eq!(zone(QueryLine::Line(point(-9, 50), point(9, 50))), [unbounded]);
+    assert_eq!(zone(QueryLine::Segment(point(-9, 50), point(9, 60))), [unbounded]);
+    assert_eq!(zone(QueryLine::Ray(point(50, 1), point(51, 1))), [unbounded]);
+    let tangent = zone(QueryLine::Line(point(-4, 4), point(4, -4)));
+    assert!(matches!(tangent[..], [a, ZoneElement::Vertex(_), b] if a == unbounded && b == unbounded));
     // Along the whole side of length 4, from before it to beyond it, and along a part.
-    let along = zone(Stretch::Line(point(-1, 0), point(1, 0)));
-    assert!(matches!(along[..], [_, Met::Vertex(_), Met::Along(_), Met::Vertex(_), _]));
-    let [Met::Along(h)] = zone(Stretch::Segment(point(3, 0), point(1, 0)))[..] else { panic!("it lies in the side") };
+    let along = zone(QueryLine::Line(point(-1, 0), point(1, 0)));
+    assert!(matches!(along[..], [_, ZoneElement::Vertex(_), ZoneElement::Along(_), ZoneElement::Vertex(_), _]));
+    let [ZoneElement::Along(h)] = zone(QueryLine::Segment(point(3, 0), point(1, 0)))[..] else {
+        panic!("it lies in the side")
+    };
     assert_eq!(map.position(map.dcel().half_edge(h).unwrap().target().key()), Ok(point(0, 0)));
     // From the inside of a side to that of another, from side to inside, and inside.
     let inside = map.dcel().faces().find(|f| !f.is_unbounded()).unwrap().key();
-    let across = zone(Stretch::Segment(point(0, 2), point(4, 3)));
-    assert!(matches!(across[..], [Met::Edge(_), Met::Face(f), Met::Edge(_)] if f == inside));
-    let into = zone(Stretch::Segment(point(0, 2), point(1, 3)));
-    assert!(matches!(into[..], [Met::Edge(h), Met::Face(f)]
+    let across = zone(QueryLine::Segment(point(0, 2), point(4, 3)));
+    assert!(matches!(across[..], [ZoneElement::Edge(_), ZoneElement::Face(f), ZoneElement::Edge(_)] if f == inside));
+    let into = zone(QueryLine::Segment(point(0, 2), point(1, 3)));
+    assert!(matches!(into[..], [ZoneElement::Edge(h), ZoneElement::Face(f)]
         if f == inside && map.dcel().half_edge(h).unwrap().face().key() == inside));
-    assert_eq!(zone(Stretch::Segment(point(1, 2), point(1, 3))), [Met::Face(inside)]);
+    assert_eq!(zone(QueryLine::Segment(point(1, 2), point(1, 3))), [ZoneElement::Face(inside)]);
     // Away from a side: what is ahead is outside.
-    let away = zone(Stretch::Ray(point(0, 2), point(-1, 2)));
-    assert!(matches!(away[..], [Met::Edge(h), a]
+    let away = zone(QueryLine::Ray(point(0, 2), point(-1, 2)));
+    assert!(matches!(away[..], [ZoneElement::Edge(h), a]
         if a == unbounded && map.dcel().half_edge(h).unwrap().twin().face().key() == inside));
 }
 
@@ -191,10 +197,10 @@ fn what_cannot_be_asked_is_an_error() {
     let map = Drawing::square().map();
     let locator = Locator::new(&map).unwrap();
     let (p, bad) = (point(1, 1), Point::new(1e200, 0.0));
-    for stretch in [Stretch::Segment(p, bad), Stretch::Ray(bad, p), Stretch::Line(p, bad)] {
+    for stretch in [QueryLine::Segment(p, bad), QueryLine::Ray(bad, p), QueryLine::Line(p, bad)] {
         assert_eq!(locator.zone(&stretch), Err(LocateError::OutOfRange(bad)));
     }
-    assert_eq!(locator.zone(&Stretch::Line(p, p)), Err(LocateError::NoDirection(p)));
+    assert_eq!(locator.zone(&QueryLine::Line(p, p)), Err(LocateError::NoDirection(p)));
     let v = map.dcel().vertices().next().unwrap().key();
     assert_eq!(map.zone_from(v, bad), Err(LocateError::OutOfRange(bad)));
     let stale = Drawing::square().map().dcel().vertices().next().unwrap().key();
@@ -219,10 +225,10 @@ fn a_vertex_one_unit_in_the_last_place_beside_a_line_is_not_met() {
     builder.shape(&Shape::Point(beside)).expect("in range");
     builder.shape(&Shape::Point(Point::new(18.0, 18.0))).expect("in range");
     let map = builder.build().expect("fits");
-    let line = Stretch::Line(Point::new(12.0, 12.0), Point::new(24.0, 24.0));
+    let line = QueryLine::Line(Point::new(12.0, 12.0), Point::new(24.0, 24.0));
     let met = Locator::new(&map).expect("it is plane").zone(&line).expect("in range");
     let vertices = met.iter().filter_map(|met| match met {
-        Met::Vertex(v) => map.position(*v).ok(),
+        ZoneElement::Vertex(v) => map.position(*v).ok(),
         _ => None,
     });
     assert_eq!(vertices.collect::<Vec<_>>(), [Point::new(18.0, 18.0)]);
