@@ -5,5 +5,7 @@
 mod support;
 
 mod contour;
+mod convex;
 mod neighbours;
 mod overlay;
+mod planar;

@@ -49,6 +49,8 @@
 //! their boundary: crossing an ocean costs as much as the ocean has coast.
 
 mod chain;
+#[cfg(feature = "spade")]
+mod corners;
 mod draw;
 mod error;
 mod insert;
