@@ -207,8 +207,7 @@ fn count(map: &PlanarMap, face: Face<'_>) -> Result<LatticeCount, LatticeError> 
             let [dx, dy] = [b[0] - a[0], b[1] - a[1]];
             count.area_doubled = count.area_doubled.wrapping_add(a[0] * b[1] - b[0] * a[1]);
             count.boundary += gcd(dx.abs(), dy.abs());
-            let inside = row_points(a, b) - i128::from(opens_upwards(map, h)?);
-            count.interior = count.interior.wrapping_add(inside);
+            count.interior = count.interior.wrapping_add(row_points(a, b)).wrapping_add(corner_points(map, h)?);
         }
     }
     Ok(count)
@@ -219,8 +218,8 @@ fn count(map: &PlanarMap, face: Face<'_>) -> Result<LatticeCount, LatticeError> 
 /// Each row is looked at just above the lattice points on it, where it passes through no vertex: from the rows where an edge
 /// starts to the one before that where it ends. A point on the row is inside if it lies between an edge that runs
 /// downwards, with the face to its right on the page, and one that runs upwards: more than the place where the row meets the
-/// first, less than where it meets the second. What lies on a horizontal edge with the face above is inside by this rule,
-/// and so is a vertex with the face above: these are taken off.
+/// first, less than where it meets the second. What lies on a horizontal edge with the face above is inside by this rule, and
+/// is taken off.
 fn row_points(a: Whole, b: Whole) -> i128 {
     let [dx, dy] = [b[0] - a[0], b[1] - a[1]];
     if dy > 0 {
@@ -236,27 +235,33 @@ fn row_points(a: Whole, b: Whole) -> i128 {
     }
 }
 
-/// Whether the direction straight up lies strictly inside the corner between the half-edge and the one before it.
-fn opens_upwards(map: &PlanarMap, h: HalfEdge<'_>) -> Result<bool, LatticeError> {
+/// What a corner, between the half-edge and the one before it, corrects in the rule for rows.
+///
+/// ```text
+///     ╲  face  ╱          face
+///      ╲      ╱       ────v────
+///       ╲    ╱          ╱   ╲
+///        ╲  ╱
+///         v           the vertex counts as inside:
+///   the row counts    one less
+///   −1 points: one
+///   more
+/// ```
+fn corner_points(map: &PlanarMap, h: HalfEdge<'_>) -> Result<i128, LatticeError> {
     let [before, v, after] = [h.prev().origin(), h.origin(), h.target()].map(|v| whole(map, v));
     let (before, v, after) = (before?, v?, after?);
-    // The place of a direction in a turn that starts at straight up: 0 for that, then counter-clockwise.
-    let place = |p: Whole| {
-        let [x, y] = [p[0] - v[0], p[1] - v[1]];
-        match (x, y) {
-            (0, 1..) => (0, [0, 0]),
-            (..0, _) => (1, [x, y]),
-            (0, _) => (2, [0, 0]),
-            _ => (3, [x, y]),
+    let [[ax, ay], [bx, by]] = [after, before].map(|p| [p[0] - v[0], p[1] - v[1]]);
+    // The corner runs counter-clockwise from `after` to `before`.
+    let turn = ax * by - ay * bx;
+    Ok(match (ay > 0, by > 0) {
+        (true, true) => i128::from(turn > 0),
+        (true, false) | (false, true) => 0,
+        (false, false) => {
+            // Neither is above the row, so the corner has all above it or nothing. Opposite directions lie on the row.
+            let below = turn > 0 || turn == 0 && ax < 0 && bx > 0;
+            -i128::from(!below)
         }
-    };
-    let (from, to) = (place(after), place(before));
-    if from.0 == 0 || to.0 == 0 {
-        return Ok(false);
-    }
-    // The corner runs counter-clockwise from `after` to `before`; it passes straight up if that comes round the start.
-    let ([ax, ay], [bx, by]) = (from.1, to.1);
-    Ok(to.0 < from.0 || to.0 == from.0 && ax * by - ay * bx <= 0)
+    })
 }
 
 fn gcd(mut a: i128, mut b: i128) -> i128 {

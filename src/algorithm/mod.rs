@@ -5,20 +5,25 @@
 //! | module | answers |
 //! | --- | --- |
 //! | [`area`] | how large is a face, a feature? |
+//! | [`centroid`] | where is the middle of a face, a feature? |
 //! | [`colouring`] | which colours tell neighbours apart? |
 //! | [`contour`] | what is the outline of a feature, a face, any set of faces? |
 //! | `convex` | into which convex pieces does a face fall? (feature `spade`) |
 //! | [`coverage`] | which faces does a feature cover, and which are claimed twice? |
+//! | `dual` | what way leads from face to face, and what hangs by one edge? (feature `petgraph`) |
 //! | [`lattice`] | how many lattice points lie inside a face, and does Pick's theorem hold? |
 //! | [`neighbours`] | who shares a border with whom, where, and how long is it? |
 //! | [`mod@overlay`] | what do two maps make together? |
 
 pub mod area;
+pub mod centroid;
 pub mod colouring;
 pub mod contour;
 #[cfg(feature = "spade")]
 pub mod convex;
 pub mod coverage;
+#[cfg(feature = "petgraph")]
+pub mod dual;
 pub mod lattice;
 pub mod neighbours;
 pub mod overlay;

@@ -6,6 +6,7 @@
 //! | `wkt` | well-known text, a geometry per line | yes | yes |
 //! | `geo_types` | the types of the crate geo-types | yes | yes |
 //! | [`svg`] | a picture | | yes |
+//! | [`tables`] | the three tables of the textbooks | yes | yes |
 //!
 //! Readers hand over [`Feature`](crate::map::Feature)s for a [`Builder`](crate::map::Builder) to take; writers take
 //! features, and [`features`] and [`faces`] make features of a map.
@@ -18,6 +19,7 @@ pub mod geojson;
 #[cfg(any(feature = "geojson", feature = "wkt"))]
 mod summary;
 pub mod svg;
+pub mod tables;
 #[cfg(feature = "wkt")]
 pub mod wkt;
 #[cfg(any(feature = "geojson", feature = "wkt"))]

@@ -288,13 +288,20 @@ fn holes_that_touch_dangling_edges_and_points_bound_the_pieces() {
 
     let mut map = of_rings(&[square]);
     let inside = bounded(&map)[0];
+    // From corner to corner through the point.
     map.insert_point([5.0, 5.0]).unwrap();
+    assert_eq!(checked(&mut map, &[inside])[0].pieces.len(), 2);
+
+    // Here three diagonals are essential at the point.
+    let mut map = of_rings(&[&[[0.0, 0.0], [9.0, 0.0], [0.0, 9.0]]]);
+    let inside = bounded(&map)[0];
+    map.insert_point([2.0, 3.0]).unwrap();
     assert_eq!(checked(&mut map, &[inside])[0].pieces.len(), 3);
 
     let mut map = of_rings(&[square]);
     let inside = bounded(&map)[0];
     map.insert_segment([5.0, 0.0], [5.0, 5.0]).unwrap();
-    assert_eq!(checked(&mut map, &[inside])[0].pieces.len(), 2);
+    assert_eq!(checked(&mut map, &[inside])[0].pieces.len(), 3);
 
     let mut map = of_rings(&[square]);
     let inside = bounded(&map)[0];

@@ -6,6 +6,8 @@ mod support;
 
 mod contour;
 mod convex;
+mod dual;
+mod lattice;
 mod neighbours;
 mod overlay;
 mod planar;
