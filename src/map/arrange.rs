@@ -223,7 +223,7 @@ pub(super) fn arrange(points: &[Point], segments: &[[u32; 2]]) -> Result<Arrange
     }
     for (dart, h) in half_edges.iter().enumerate() {
         store.set_origin(*h, slots[origin(segments, dart as u32) as usize]);
-        store.set_component(*h, boundary_of[cycles.of[dart] as usize]);
+        store.set_boundary(*h, boundary_of[cycles.of[dart] as usize]);
         store.join(*h, half_edges[cycles.next[dart] as usize]);
     }
     // From left to right, so that what lies below a component is already where it belongs.
@@ -233,14 +233,14 @@ pub(super) fn arrange(points: &[Point], segments: &[[u32; 2]]) -> Result<Arrange
                 let [a, b] = segments[segment as usize];
                 let rises = compare_lexicographic(points[a as usize], points[b as usize]) == Ordering::Less;
                 let above = half_edges[(segment << 1 | u32::from(!rises)) as usize];
-                store.bounded(store.component(above))
+                store.face(store.boundary(above))
             }
             None => unbounded,
         };
         match dart {
             Some(dart) => store.list_inner(face, boundary_of[cycles.of[*dart as usize] as usize]),
             None => {
-                if let VertexLink::Isolated(b) = store.anchor(slots[lowest[i] as usize]) {
+                if let VertexLink::Isolated(b) = store.vertex_link(slots[lowest[i] as usize]) {
                     store.unlist(b);
                     store.list_inner(face, b);
                 }

@@ -79,7 +79,7 @@ type FaceRef = Ref<FaceRecord>;
 /// A vertex.
 pub struct VertexRecord {
     key: Cell<VertexKey>,
-    anchor: Cell<VertexLink<HalfEdgeRef, BoundaryRef>>,
+    link: Cell<VertexLink<HalfEdgeRef, BoundaryRef>>,
 }
 
 /// A half-edge.
@@ -89,7 +89,7 @@ pub struct HalfEdgeRecord {
     twin: Cell<HalfEdgeRef>,
     next: Cell<HalfEdgeRef>,
     prev: Cell<HalfEdgeRef>,
-    component: Cell<BoundaryRef>,
+    boundary: Cell<BoundaryRef>,
 }
 
 /// A boundary component.
@@ -120,7 +120,7 @@ impl Record for VertexRecord {
     type Key = VertexKey;
 
     fn new(key: VertexKey) -> Self {
-        Self { key: Cell::new(key), anchor: Cell::new(VertexLink::Isolated(Ref::UNSET)) }
+        Self { key: Cell::new(key), link: Cell::new(VertexLink::Isolated(Ref::UNSET)) }
     }
 
     fn key(&self) -> &Cell<VertexKey> {
@@ -138,7 +138,7 @@ impl Record for HalfEdgeRecord {
             twin: Cell::new(Ref::UNSET),
             next: Cell::new(Ref::UNSET),
             prev: Cell::new(Ref::UNSET),
-            component: Cell::new(Ref::UNSET),
+            boundary: Cell::new(Ref::UNSET),
         }
     }
 
@@ -316,7 +316,7 @@ impl Clone for PointerStore {
         let face = |f| copy.faces.counterpart(&self.faces, f);
         // Retired records too: then all links of all records lead to records, in the copy as in the original.
         for v in self.vertices.boxes.iter().copied() {
-            copy.vertices.follow(vertex(v)).anchor.set(match self.anchor(v) {
+            copy.vertices.follow(vertex(v)).link.set(match self.vertex_link(v) {
                 VertexLink::Leaving(h) => VertexLink::Leaving(half_edge(h)),
                 VertexLink::Isolated(b) => VertexLink::Isolated(boundary(b)),
             });
@@ -327,11 +327,11 @@ impl Clone for PointerStore {
             record.twin.set(half_edge(self.twin(h)));
             record.next.set(half_edge(self.next(h)));
             record.prev.set(half_edge(self.prev(h)));
-            record.component.set(boundary(self.component(h)));
+            record.boundary.set(boundary(self.boundary(h)));
         }
         for b in self.boundaries.boxes.iter().copied() {
             let record = copy.boundaries.follow(boundary(b));
-            record.face.set(face(self.bounded(b)));
+            record.face.set(face(self.face(b)));
             record.start.set(match self.start(b) {
                 BoundaryStart::HalfEdge(h) => BoundaryStart::HalfEdge(half_edge(h)),
                 BoundaryStart::Vertex(v) => BoundaryStart::Vertex(vertex(v)),
@@ -374,19 +374,19 @@ impl Links for PointerStore {
         room(self, need, Need { vertices: MOST, edges: MOST / 2, boundaries: MOST, faces: MOST })
     }
 
-    fn vertex(&self, key: VertexKey) -> Option<VertexRef> {
+    fn find_vertex(&self, key: VertexKey) -> Option<VertexRef> {
         self.vertices.with_key(key)
     }
 
-    fn half_edge(&self, key: HalfEdgeKey) -> Option<HalfEdgeRef> {
+    fn find_half_edge(&self, key: HalfEdgeKey) -> Option<HalfEdgeRef> {
         self.half_edges.with_key(key)
     }
 
-    fn boundary(&self, key: BoundaryKey) -> Option<BoundaryRef> {
+    fn find_boundary(&self, key: BoundaryKey) -> Option<BoundaryRef> {
         self.boundaries.with_key(key)
     }
 
-    fn face(&self, key: FaceKey) -> Option<FaceRef> {
+    fn find_face(&self, key: FaceKey) -> Option<FaceRef> {
         self.faces.with_key(key)
     }
 
@@ -474,16 +474,16 @@ impl Links for PointerStore {
         self.faces.index(f)
     }
 
-    fn add_vertex(&mut self, anchor: VertexLink<HalfEdgeRef, BoundaryRef>) -> VertexRef {
+    fn add_vertex(&mut self, link: VertexLink<HalfEdgeRef, BoundaryRef>) -> VertexRef {
         let v = self.vertices.issue();
-        self.vertices.follow(v).anchor.set(anchor);
+        self.vertices.follow(v).link.set(link);
         v
     }
 
     fn add_isolated(&mut self, f: FaceRef) -> (VertexRef, BoundaryRef) {
         let v = self.vertices.issue();
         let b = self.add_boundary(f, BoundaryStart::Vertex(v));
-        self.set_anchor(v, VertexLink::Isolated(b));
+        self.set_vertex_link(v, VertexLink::Isolated(b));
         self.list_inner(f, b);
         (v, b)
     }
@@ -496,7 +496,7 @@ impl Links for PointerStore {
             record.twin.set(other);
             record.next.set(other);
             record.prev.set(other);
-            record.component.set(b);
+            record.boundary.set(b);
         }
         h
     }
@@ -556,17 +556,17 @@ impl Links for PointerStore {
     }
 
     #[inline]
-    fn component(&self, h: HalfEdgeRef) -> BoundaryRef {
-        self.half_edges.follow(h).component.get()
+    fn boundary(&self, h: HalfEdgeRef) -> BoundaryRef {
+        self.half_edges.follow(h).boundary.get()
     }
 
     #[inline]
-    fn anchor(&self, v: VertexRef) -> VertexLink<HalfEdgeRef, BoundaryRef> {
-        self.vertices.follow(v).anchor.get()
+    fn vertex_link(&self, v: VertexRef) -> VertexLink<HalfEdgeRef, BoundaryRef> {
+        self.vertices.follow(v).link.get()
     }
 
     #[inline]
-    fn bounded(&self, b: BoundaryRef) -> FaceRef {
+    fn face(&self, b: BoundaryRef) -> FaceRef {
         self.boundaries.follow(b).face.get()
     }
 
@@ -604,12 +604,12 @@ impl Links for PointerStore {
         self.half_edges.follow(n).prev.set(h);
     }
 
-    fn set_component(&mut self, h: HalfEdgeRef, b: BoundaryRef) {
-        self.half_edges.follow(h).component.set(b);
+    fn set_boundary(&mut self, h: HalfEdgeRef, b: BoundaryRef) {
+        self.half_edges.follow(h).boundary.set(b);
     }
 
-    fn set_anchor(&mut self, v: VertexRef, anchor: VertexLink<HalfEdgeRef, BoundaryRef>) {
-        self.vertices.follow(v).anchor.set(anchor);
+    fn set_vertex_link(&mut self, v: VertexRef, link: VertexLink<HalfEdgeRef, BoundaryRef>) {
+        self.vertices.follow(v).link.set(link);
     }
 
     fn set_start(&mut self, b: BoundaryRef, start: BoundaryStart<HalfEdgeRef, VertexRef>) {
