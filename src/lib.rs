@@ -62,25 +62,32 @@
 
 extern crate alloc;
 
+#[forbid(unsafe_code)]
 pub mod validate;
 
 #[cfg(feature = "dcel")]
 pub mod store;
 
 #[cfg(feature = "dcel")]
+#[forbid(unsafe_code)]
 pub mod dcel;
 
 #[cfg(feature = "program")]
+#[forbid(unsafe_code)]
 pub mod program;
 
 #[cfg(feature = "geometry")]
+#[forbid(unsafe_code)]
 pub mod geometry;
 
 #[cfg(feature = "map")]
+#[forbid(unsafe_code)]
 pub mod map;
 
 #[cfg(feature = "map")]
+#[forbid(unsafe_code)]
 pub mod algorithm;
 
 #[cfg(feature = "map")]
+#[forbid(unsafe_code)]
 pub mod io;

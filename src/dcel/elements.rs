@@ -2,7 +2,8 @@
 
 use super::circulators::{Cycle, Rotation};
 use super::{BoundaryKey, Dcel, FaceKey, HalfEdgeKey, VertexKey};
-use crate::store::links::{BoundaryStart, OUTER, VertexLink};
+use crate::store::links::{BoundaryStart, VertexLink};
+use crate::store::place::OUTER;
 use crate::store::{SlotStore, Store};
 use core::fmt;
 use core::hash::{Hash, Hasher};

@@ -2,7 +2,8 @@
 
 use super::Dcel;
 use crate::store::Store;
-use crate::store::links::{BoundaryStart, OUTER, VertexLink};
+use crate::store::links::{BoundaryStart, VertexLink};
+use crate::store::place::OUTER;
 use crate::validate::{BoundaryPlace, Link, Start, View};
 
 /// Indices are those of [`HalfEdge::index`](super::HalfEdge::index) and its kin. What is said of a slot that holds no live

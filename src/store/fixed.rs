@@ -13,9 +13,9 @@
 //! secondary maps pass over the first slot when they are iterated.
 
 use super::issuer::structure_offset;
-use super::keys::{key, parts};
-use super::links::{BoundaryStart, Links, Need, OUTER, RecordKind, VertexLink, room};
-use super::{BoundaryKey, FaceKey, HalfEdgeKey, Store, VertexKey};
+use super::keys::{BoundaryKey, FaceKey, HalfEdgeKey, VertexKey, key, parts};
+use super::links::{BoundaryStart, Links, Need, RecordKind, Store, VertexLink, room};
+use super::place::{OUTER, UNLISTED};
 use slotmap::Key;
 
 /// As many records of one kind as 8-bit slots tell apart, and their number fits too.
@@ -78,7 +78,7 @@ impl HalfEdgeRecord {
 }
 
 impl BoundaryRecord {
-    const UNUSED: Self = Self { face: FaceSlot(0), start: BoundaryStart::Vertex(VertexSlot(0)), place: OUTER };
+    const UNUSED: Self = Self { face: FaceSlot(0), start: BoundaryStart::Vertex(VertexSlot(0)), place: UNLISTED };
 }
 
 impl<const B: usize> FaceRecord<B> {
@@ -353,7 +353,7 @@ impl<const V: usize, const E: usize, const B: usize, const F: usize> Links for F
     }
 
     fn add_boundary(&mut self, f: FaceSlot, start: BoundaryStart<HalfEdgeSlot, VertexSlot>) -> BoundarySlot {
-        BoundarySlot(self.boundaries.issue(BoundaryRecord { face: f, start, place: OUTER }))
+        BoundarySlot(self.boundaries.issue(BoundaryRecord { face: f, start, place: UNLISTED }))
     }
 
     fn add_face(&mut self) -> FaceSlot {
@@ -465,7 +465,7 @@ impl<const V: usize, const E: usize, const B: usize, const F: usize> Links for F
 
     fn unlist(&mut self, b: BoundarySlot) {
         let record = self.boundaries.get_mut(b.0);
-        let place = core::mem::replace(&mut record.place, OUTER);
+        let place = core::mem::replace(&mut record.place, UNLISTED);
         let face = self.faces.get_mut(record.face.0);
         if place == OUTER {
             face.outer = None;

@@ -2,7 +2,7 @@
 //!
 //! This trait is public in name only: nobody outside the crate can name it, hold a store, or get at a slot.
 
-use super::{BoundaryKey, FaceKey, HalfEdgeKey, VertexKey};
+use super::keys::{BoundaryKey, FaceKey, HalfEdgeKey, VertexKey};
 use core::fmt::Debug;
 
 /// A bare reference to a record.
@@ -27,12 +27,6 @@ pub enum BoundaryStart<H, V> {
     /// The isolated vertex that it is.
     Vertex(V),
 }
-
-/// The place of a boundary component that is an outer one.
-pub(crate) const OUTER: u32 = u32::MAX;
-
-/// The place of a boundary component that no face lists.
-pub(crate) const UNLISTED: u32 = u32::MAX - 2;
 
 /// How many records of each kind an operator is about to add.
 ///
@@ -94,7 +88,7 @@ pub(super) fn room<S: Links>(store: &S, more: Need, most: Need) -> Result<(), Re
 }
 
 /// The interface between `Dcel` and the stores. Every slot handed in must be live.
-#[allow(missing_docs, reason = "getters and setters of the fields of design section 3, by their names")]
+#[allow(missing_docs, reason = "getters and setters of the links of each record, by their names")]
 pub trait Links: Sized {
     type Vertex: Slot;
     type HalfEdge: Slot;
@@ -213,3 +207,13 @@ pub trait Links: Sized {
     /// Takes `b` off the lists of its face. The last inner boundary component takes the place that becomes free. O(1).
     fn unlist(&mut self, b: Self::Boundary);
 }
+
+/// A place for records to live. The trait is sealed: the stores are those of this module, and only a
+/// [`Dcel`](crate::dcel::Dcel) holds one.
+///
+/// ```compile_fail,E0277
+/// fn bare<S: twinedge::store::Store>() -> S {
+///     S::with_room(Default::default())
+/// }
+/// ```
+pub trait Store: Links {}

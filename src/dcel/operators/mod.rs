@@ -20,7 +20,8 @@ pub use split_vertex::{ContractedEdge, SplitVertex};
 
 use super::{Dcel, FaceKey, HalfEdgeKey, OperatorError, StaleKey, VertexKey};
 use crate::store::Store;
-use crate::store::links::{Need, OUTER};
+use crate::store::links::Need;
+use crate::store::place::OUTER;
 
 impl<S: Store> Dcel<S> {
     fn vertex_slot(&self, key: VertexKey) -> Result<S::Vertex, OperatorError> {

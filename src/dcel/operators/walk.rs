@@ -2,7 +2,8 @@
 
 use super::super::Dcel;
 use crate::store::Store;
-use crate::store::links::{BoundaryStart, OUTER};
+use crate::store::links::BoundaryStart;
+use crate::store::place::{LAST, OUTER};
 
 /// One of two sides that are walked in step.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -11,10 +12,7 @@ pub(super) enum OneOfTwo {
     Second,
 }
 
-/// Ends a queue threaded through the places of outer boundary components, which mean nothing while an operator runs.
-const LAST: u32 = OUTER - 1;
-
-/// A queue of outer boundary components. Being in it is also the mark of having been seen.
+/// A queue of outer boundary components, threaded through their places. Being in it is also the mark of having been seen.
 struct Queue<S: Store> {
     ends: Option<(S::Boundary, S::Boundary)>,
     current: Option<S::Boundary>,

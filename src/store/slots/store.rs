@@ -1,164 +1,47 @@
-//! The default store: slotmap keys over columns of 32-bit slots.
-//!
-//! ```text
-//!   keys                       columns
-//!   edge slotmap   [e1][e2]…   origin   [· ·][· ·]…   two half-edges per edge, side by side:
-//!                              next     [· ·][· ·]…   slot 2e and 2e + 1, so that twin(h) is h ^ 1
-//!                              prev     [· ·][· ·]…   and L1 holds by construction
-//!                              boundary [· ·][· ·]…
-//!   vertex slotmap [v1][v2]…   link     [·][·]…       a half-edge, or (high bit) a boundary component
-//!   …
-//! ```
-//!
-//! Bytes per record, all keys included: 44 per edge, 16 per vertex, 24 per boundary component, 24 per face, and 4 more for
-//! each inner boundary component. A triangulated grid needs about 40 per half-edge.
+//! The store over columns.
 
-use super::issuer::{Issuer, structure_offset, with_room};
-use super::keys::{key, parts};
-use super::links::{BoundaryStart, Links, Need, OUTER, RecordKind, UNLISTED, VertexLink, room};
-use super::{BoundaryKey, FaceKey, HalfEdgeKey, Store, VertexKey};
+use super::columns::{
+    BoundarySlot, FaceSlot, HalfEdgeSlot, MOST, MOST_EDGES, NIL, OTHER, VACANT, VertexSlot, column, put, start_bits,
+    vertex_link_bits,
+};
+use crate::store::issuer::{Issuer, structure_offset};
+use crate::store::keys::{BoundaryKey, FaceKey, HalfEdgeKey, VertexKey, key, parts};
+use crate::store::links::{BoundaryStart, Links, Need, RecordKind, Store, VertexLink, room};
+use crate::store::place::{OUTER, UNLISTED};
 use alloc::boxed::Box;
 use alloc::vec::Vec;
 use slotmap::DefaultKey;
 
-/// Marks a link that leads to the rarer of two kinds of record.
-const OTHER: u32 = 1 << 31;
-
-/// Slots must leave room for [`OTHER`], and edges for two half-edges each.
-const MOST: usize = OTHER as usize - 2;
-const MOST_EDGES: usize = MOST / 2;
-
-const NIL: u32 = u32::MAX;
-
-/// Stands for the outer half-edge of a face that is gone.
-const VACANT: u32 = u32::MAX - 1;
-
-macro_rules! slot_types {
-    ($($(#[$doc:meta])* $name:ident;)*) => {$(
-        $(#[$doc])*
-        #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord, Hash)]
-        #[repr(transparent)]
-        pub struct $name(u32);
-    )*};
-}
-
-slot_types! {
-    /// The slot of a vertex.
-    VertexSlot;
-    /// The slot of a half-edge.
-    HalfEdgeSlot;
-    /// The slot of a boundary component.
-    BoundarySlot;
-    /// The slot of a face.
-    FaceSlot;
-}
-
 /// The inner boundary components of one face. Boxed, because most faces have none.
 #[derive(Clone, Debug, Default)]
-struct InnerList(Vec<BoundarySlot>);
+pub(super) struct InnerList(Vec<BoundarySlot>);
 
 /// The default store: slotmap keys over columns of 32-bit slots.
 #[derive(Clone, Debug)]
 pub struct SlotStore {
-    edges: Issuer<DefaultKey>,
-    origin: Vec<VertexSlot>,
-    next: Vec<HalfEdgeSlot>,
-    prev: Vec<HalfEdgeSlot>,
-    boundary: Vec<BoundarySlot>,
+    pub(super) edges: Issuer<DefaultKey>,
+    pub(super) origin: Vec<VertexSlot>,
+    pub(super) next: Vec<HalfEdgeSlot>,
+    pub(super) prev: Vec<HalfEdgeSlot>,
+    pub(super) boundary: Vec<BoundarySlot>,
 
-    vertices: Issuer<VertexKey>,
-    vertex_link: Vec<u32>,
+    pub(super) vertices: Issuer<VertexKey>,
+    pub(super) vertex_link: Vec<u32>,
 
-    boundaries: Issuer<BoundaryKey>,
-    boundary_face: Vec<FaceSlot>,
-    start: Vec<u32>,
-    place: Vec<u32>,
+    pub(super) boundaries: Issuer<BoundaryKey>,
+    pub(super) boundary_face: Vec<FaceSlot>,
+    pub(super) start: Vec<u32>,
+    pub(super) place: Vec<u32>,
 
-    faces: Issuer<FaceKey>,
+    pub(super) faces: Issuer<FaceKey>,
     /// The half-edge where the outer boundary component starts, as in the textbooks: most walks around a face need nothing
     /// else. The boundary component is had through it.
-    outer: Vec<u32>,
-    inner: Vec<Option<Box<InnerList>>>,
-    unbounded: FaceSlot,
+    pub(super) outer: Vec<u32>,
+    pub(super) inner: Vec<Option<Box<InnerList>>>,
+    pub(super) unbounded: FaceSlot,
 }
 
 impl Store for SlotStore {}
-
-/// Writes to a column, growing it by one where the slot is new.
-fn put<T>(column: &mut Vec<T>, slot: u32, value: T) {
-    match column.get_mut(slot as usize) {
-        Some(entry) => *entry = value,
-        None => column.push(value),
-    }
-}
-
-/// A column with room for `room` slots beyond the first, which slotmap does not use.
-fn column<T: Clone>(room: usize, unused: T, count: usize) -> Vec<T> {
-    let mut column = with_room(room.saturating_add(count));
-    column.resize(count, unused);
-    column
-}
-
-const fn vertex_link_bits(link: VertexLink<HalfEdgeSlot, BoundarySlot>) -> u32 {
-    match link {
-        VertexLink::Leaving(h) => h.0,
-        VertexLink::Isolated(b) => b.0 | OTHER,
-    }
-}
-
-const fn start_bits(start: BoundaryStart<HalfEdgeSlot, VertexSlot>) -> u32 {
-    match start {
-        BoundaryStart::HalfEdge(h) => h.0,
-        BoundaryStart::Vertex(v) => v.0 | OTHER,
-    }
-}
-
-/// The slots of the records of a store, in the order in which they were issued. The first face is the unbounded one.
-pub(crate) struct Slots {
-    pub(crate) vertices: Vec<VertexSlot>,
-    /// The two of an edge side by side.
-    pub(crate) half_edges: Vec<HalfEdgeSlot>,
-    pub(crate) boundaries: Vec<BoundarySlot>,
-    pub(crate) faces: Vec<FaceSlot>,
-}
-
-impl SlotStore {
-    /// A store with that many records beside the unbounded face. The caller sets all their links.
-    ///
-    /// # Errors
-    /// The kind of record of which there are more than a store can hold.
-    pub(crate) fn with_records(need: Need) -> Result<(Self, Slots), RecordKind> {
-        let mut store = Self::with_room(need);
-        store.room_for(need)?;
-        let edges = (0..need.edges).map(|_| store.edges.issue() << 1);
-        let slots = Slots {
-            half_edges: edges.flat_map(|h| [HalfEdgeSlot(h), HalfEdgeSlot(h | 1)]).collect(),
-            vertices: (0..need.vertices).map(|_| VertexSlot(store.vertices.issue())).collect(),
-            boundaries: (0..need.boundaries).map(|_| BoundarySlot(store.boundaries.issue())).collect(),
-            faces: core::iter::once(store.unbounded)
-                .chain((0..need.faces).map(|_| FaceSlot(store.faces.issue())))
-                .collect(),
-        };
-        store.fill_columns();
-        Ok((store, slots))
-    }
-
-    /// Makes the columns as long as there are slots.
-    fn fill_columns(&mut self) {
-        let half_edges = 2 * self.edges.end();
-        self.origin.resize(half_edges, VertexSlot(NIL));
-        self.next.resize(half_edges, HalfEdgeSlot(NIL));
-        self.prev.resize(half_edges, HalfEdgeSlot(NIL));
-        self.boundary.resize(half_edges, BoundarySlot(NIL));
-        self.vertex_link.resize(self.vertices.end(), NIL);
-        let boundaries = self.boundaries.end();
-        self.boundary_face.resize(boundaries, FaceSlot(NIL));
-        self.start.resize(boundaries, NIL);
-        self.place.resize(boundaries, UNLISTED);
-        self.outer.resize(self.faces.end(), NIL);
-        self.inner.resize(self.faces.end(), None);
-    }
-}
 
 impl Links for SlotStore {
     type Vertex = VertexSlot;
