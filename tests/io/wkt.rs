@@ -313,7 +313,7 @@ fn damaged_lines() {
         match read(&text) {
             Ok((features, _)) => features == alone,
             Err(error) => {
-                let (last, before) = lines[..error.line()].split_last().unwrap();
+                let (last, before) = lines[..error.place.line].split_last().unwrap();
                 before.iter().all(|line| read(line).is_ok()) && read(last).is_err()
             }
         }
