@@ -46,15 +46,21 @@
 //!
 //! The records hold topology and nothing else. Keep coordinates, names and weights in `slotmap::SecondaryMap`s by key.
 
+mod assemble;
 mod circulators;
 mod elements;
 mod error;
+mod import;
 mod operators;
 mod view;
 
 pub use circulators::{Cycle, Rotation};
 pub use elements::{Boundary, Face, HalfEdge, Vertex};
 pub use error::{OperatorError, StaleKey};
+pub use import::{ImportError, Keys, Outside};
+
+#[allow(unused_imports, reason = "for the layers above, which a smaller selection of features leaves out")]
+pub(crate) use assemble::Assembly;
 pub use operators::{
     AddedVertex, Connected, Connection, ContractedEdge, Corner, JoinedEdges, RemovedEdge, RemovedVertex, Side, Split,
     SplitEdge, SplitVertex, Turn,

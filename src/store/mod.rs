@@ -28,7 +28,7 @@ mod issuer;
 mod keys;
 pub(crate) mod links;
 mod pointers;
-mod slots;
+pub(crate) mod slots;
 
 pub use fixed::FixedStore;
 pub use keys::{BoundaryKey, FaceKey, HalfEdgeKey, VertexKey};
