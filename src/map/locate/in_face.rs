@@ -1,25 +1,25 @@
-//! Whether a point lies in one face, or on its boundary, by a look at all of that boundary.
+//! Whether a point lies in one face, or on its boundary, found by scanning that boundary.
 
-use super::Located;
+use super::located::Located;
 use crate::dcel::{Face, HalfEdge, Vertex};
 use crate::geometry::Point;
 use crate::geometry::predicates::{Orientation, compare_lexicographic, orientation};
-use crate::map::PlanarMap;
+use crate::map::planar_map::PlanarMap;
 use crate::validate::Embedding;
 use core::cmp::Ordering;
 
 /// Where a point lies that lies in this face or on its boundary; none if it lies elsewhere. O(size of the boundary).
-pub(in crate::map) fn look(map: &PlanarMap, face: Face<'_>, p: Point) -> Option<Located> {
-    let mut look = Look { map, p, on: None, below: None };
-    face.half_edges().for_each(|h| look.at_edge(h));
-    face.inner().filter_map(|b| b.isolated_vertex()).for_each(|v| look.at_vertex(v));
+pub(in crate::map) fn locate_in_face(map: &PlanarMap, face: Face<'_>, p: Point) -> Option<Located> {
+    let mut scan = BoundaryScan { map, p, on: None, below: None };
+    face.half_edges().for_each(|h| scan.at_edge(h));
+    face.inner().filter_map(|b| b.isolated_vertex()).for_each(|v| scan.at_vertex(v));
     // All else lies beyond the boundary of the face, so what is seen of that face is what there is.
-    let is_inside = || look.below.map_or(face.is_unbounded(), |(h, _)| h.face() == face);
-    look.on.or_else(|| is_inside().then(|| Located::Face(face.key())))
+    let is_inside = || scan.below.map_or(face.is_unbounded(), |(h, _)| h.face() == face);
+    scan.on.or_else(|| is_inside().then(|| Located::Face(face.key())))
 }
 
 /// What is seen from a point, after looking at some edges and isolated vertices.
-struct Look<'a> {
+struct BoundaryScan<'a> {
     map: &'a PlanarMap,
     p: Point,
     on: Option<Located>,
@@ -28,7 +28,7 @@ struct Look<'a> {
     below: Option<(HalfEdge<'a>, [Point; 2])>,
 }
 
-impl<'a> Look<'a> {
+impl<'a> BoundaryScan<'a> {
     fn at_vertex(&mut self, v: Vertex<'_>) {
         if self.map.point(v.index()) == self.p {
             self.on = Some(Located::Vertex(v.key()));

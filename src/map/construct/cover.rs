@@ -11,8 +11,8 @@
 //!
 //! O(segments of the feature · log + sizes of the faces inside); without the logarithm for simple polygons.
 
-use super::arrange::{Arranged, origin, target};
-use super::build::{Dart, GatheredFeature};
+use super::arrange::Arranged;
+use super::gathered::{Dart, GatheredFeature, origin, target};
 use crate::dcel::{Dcel, Face, HalfEdge, Vertex};
 use crate::geometry::Point;
 use crate::geometry::predicates::{Orientation, compare_lexicographic, orientation};

@@ -3,126 +3,18 @@
 use super::arrange::arrange;
 use super::cover::cover;
 use super::cut::{self, Cut, Noding};
-use super::planar_map::{FeatureId, PlanarMap};
-use super::rings::{self, Irregularity, Ring};
-use super::{Feature, Shape};
+use super::error::BuildError;
+use super::gathered::{Dart, GatheredFeature};
+use super::rings::Ring;
 use crate::dcel::RecordKind;
 use crate::geometry::Point;
 use crate::geometry::crossing::{Clash, clashes};
 use crate::geometry::predicates::in_range;
+use crate::map::feature::{Feature, FeatureId, Shape};
+use crate::map::feature_sets::FeatureSets;
+use crate::map::planar_map::PlanarMap;
+use crate::map::summary::{BuildSummary, IrregularityKind, Position};
 use rustc_hash::FxHashMap;
-use thiserror::Error;
-
-/// Where in the input something is.
-#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Hash)]
-pub struct Position {
-    /// The feature, counted from 0.
-    pub feature: usize,
-    /// The shape in the feature.
-    pub shape: usize,
-    /// The ring in the shape, for a polygon.
-    pub ring: usize,
-    /// The point in the ring or line.
-    pub point: usize,
-}
-
-impl std::fmt::Display for Position {
-    fn fmt(&self, f: &mut std::fmt::Formatter<'_>) -> std::fmt::Result {
-        write!(f, "feature {}, shape {}, ring {}, point {}", self.feature, self.shape, self.ring, self.point)
-    }
-}
-
-/// Why a shape was not taken, or no map built.
-#[derive(Clone, Copy, Debug, PartialEq, Error)]
-#[non_exhaustive]
-pub enum BuildError {
-    /// A coordinate is NaN or infinite.
-    #[error("{position}: the coordinates ({x}, {y}) are not finite")]
-    NotFinite {
-        /// Where.
-        position: Position,
-        /// The first coordinate.
-        x: f64,
-        /// The second coordinate.
-        y: f64,
-    },
-    /// A coordinate is too large, or too close to zero without being it, for the predicates to be exact.
-    #[error(
-        "{position}: the coordinates ({x:?}, {y:?}) are out of range: magnitudes must be zero or from 2^-400 to 2^500"
-    )]
-    OutOfRange {
-        /// Where.
-        position: Position,
-        /// The first coordinate.
-        x: f64,
-        /// The second coordinate.
-        y: f64,
-    },
-    /// There is no room for more records of this kind.
-    #[error("there is no room for more {0}")]
-    Full(RecordKind),
-    /// Segments cross where the input has no point, and [`Noding::Exact`] was asked for.
-    #[error("{count} pair(s) of segments cross where the input has no point, the first ({}, {})-({}, {}) and ({}, {})-({}, {}): snap to a grid to cut them there",
-        one[0].x, one[0].y, one[1].x, one[1].y, other[0].x, other[0].y, other[1].x, other[1].y)]
-    Crossing {
-        /// A segment that crosses another.
-        one: [Point; 2],
-        /// The other.
-        other: [Point; 2],
-        /// How many pairs cross.
-        count: u64,
-    },
-    /// The size of a cell is not a finite number of at least 2^-400 ([`Noding::Snap`]).
-    #[error("the size of a cell of the grid must be a finite number of at least 2^-400")]
-    CellSize,
-    /// A coordinate is more than 2^53 cells of the grid ([`Noding::Snap`]).
-    #[error("({x}, {y}) is out of reach of the grid: take larger cells")]
-    OutOfReach {
-        /// The first coordinate.
-        x: f64,
-        /// The second coordinate.
-        y: f64,
-    },
-}
-
-/// What became of the input.
-///
-/// All of it is legal, and built as it is: what is counted here is for those who did not mean it.
-#[derive(Clone, Debug, Default, PartialEq)]
-pub struct BuildSummary {
-    /// Features taken.
-    pub features: usize,
-    /// Segments given, of rings and lines, before any was dropped.
-    pub segments: usize,
-    /// Segments that were dropped because they repeat another one, in either direction.
-    pub duplicate_segments: usize,
-    /// Segments that were dropped because both ends are the same point.
-    pub zero_length_segments: usize,
-    /// Rings whose last point does not repeat the first, which were closed.
-    pub open_rings: usize,
-    /// Rings with fewer than three different points on end, which enclose nothing.
-    pub degenerate_rings: usize,
-    /// Outer rings that turn clockwise and holes that turn counter-clockwise; what a polygon covers does not depend on it.
-    pub rings_wound_wrongly: usize,
-    /// Rings that visit a point twice, not counting there-and-back along a spike.
-    pub self_touching_rings: usize,
-    /// Points at which a ring turns straight back, but for those of rings that enclose nothing.
-    pub spikes: usize,
-    /// Where all this is: of each kind the first [`BuildSummary::LISTED`], in order of input.
-    pub irregularities: Vec<Irregularity>,
-}
-
-impl BuildSummary {
-    /// How many irregularities of each kind are listed.
-    pub const LISTED: usize = 20;
-
-    /// Lists an irregularity, the `count`-th of its kind.
-    fn list(&mut self, count: usize, kind: rings::IrregularityKind, position: Position, at: Point) {
-        if count <= Self::LISTED {
-            self.irregularities.push(Irregularity { kind, position, at });
-        }
-    }
-}
 
 /// Gathers rings, lines and points, and builds the map of them.
 ///
@@ -152,19 +44,6 @@ pub struct Builder {
     segment_numbers: FxHashMap<(u32, u32), u32>,
     pub(super) features: Vec<GatheredFeature>,
     summary: BuildSummary,
-}
-
-/// A half-edge before there are any: twice the number of its segment, plus 1 if it runs against it.
-pub(super) type Dart = u32;
-
-/// What is kept of a feature until the map is built.
-#[derive(Clone, Debug, Default)]
-pub(super) struct GatheredFeature {
-    pub(super) name: Option<String>,
-    /// For each polygon its rings, one after the other.
-    pub(super) polygons: Vec<Vec<Dart>>,
-    /// All segments of lines.
-    pub(super) lines: Vec<Dart>,
 }
 
 impl Builder {
@@ -268,28 +147,28 @@ impl Builder {
         if first != last {
             let end = Position { point: ring.len() - 1, ..at };
             self.summary.open_rings += 1;
-            self.summary.list(self.summary.open_rings, rings::IrregularityKind::OpenRing, end, *last);
+            self.summary.list(self.summary.open_rings, IrregularityKind::OpenRing, end, *last);
             self.chain(&[*last, *first], end, darts, &mut starts)?;
         }
         let darts = &darts[before..];
-        let looks = Ring { points: &self.points, segments: &self.segments, darts, starts: &starts }.looks();
+        let shape = Ring { points: &self.points, segments: &self.segments, darts, starts: &starts }.shape();
         let summary = &mut self.summary;
         if darts.len() < 3 {
             summary.degenerate_rings += 1;
-            summary.list(summary.degenerate_rings, rings::IrregularityKind::DegenerateRing, at, *first);
+            summary.list(summary.degenerate_rings, IrregularityKind::DegenerateRing, at, *first);
         }
-        if looks.counter_clockwise == Some(at.ring > 0) {
+        if shape.counter_clockwise == Some(at.ring > 0) {
             summary.rings_wound_wrongly += 1;
-            summary.list(summary.rings_wound_wrongly, rings::IrregularityKind::WoundWrongly, at, *first);
+            summary.list(summary.rings_wound_wrongly, IrregularityKind::WoundWrongly, at, *first);
         }
         let place = |point: u32| (Position { point: point as usize, ..at }, ring[point as usize]);
-        if let Some((position, point)) = looks.touches.map(place) {
+        if let Some((position, point)) = shape.touches.map(place) {
             summary.self_touching_rings += 1;
-            summary.list(summary.self_touching_rings, rings::IrregularityKind::SelfTouching, position, point);
+            summary.list(summary.self_touching_rings, IrregularityKind::SelfTouching, position, point);
         }
-        for (position, point) in looks.spikes.into_iter().map(place) {
+        for (position, point) in shape.spikes.into_iter().map(place) {
             summary.spikes += 1;
-            summary.list(summary.spikes, rings::IrregularityKind::Spike, position, point);
+            summary.list(summary.spikes, IrregularityKind::Spike, position, point);
         }
         Ok(())
     }
@@ -310,12 +189,7 @@ impl Builder {
             if from == to {
                 self.summary.zero_length_segments += 1;
                 let position = Position { point: point + 1, ..at };
-                self.summary.list(
-                    self.summary.zero_length_segments,
-                    rings::IrregularityKind::RepeatedPoint,
-                    position,
-                    *p,
-                );
+                self.summary.list(self.summary.zero_length_segments, IrregularityKind::RepeatedPoint, position, *p);
                 continue;
             }
             let ends = if from < to { (from, to) } else { (to, from) };
@@ -398,14 +272,24 @@ impl Builder {
             }
         };
         let arranged = arrange(&points, &segments)?;
-        if noding == Noding::Exact
-            && let Some(Clash::Cross { a, b }) = arranged.clash
-        {
-            let [one, other] = [a, b].map(|segment| segments[segment as usize].map(|v| points[v as usize]));
-            let count = clashes(&points, &segments, 0).map_or(1, |(_, count)| count);
-            return Err(BuildError::Crossing { one, other, count });
+        match arranged.clash {
+            Some(Clash::Cross { a, b }) if noding == Noding::Exact => {
+                let [one, other] = [a, b].map(|segment| segments[segment as usize].map(|v| points[v as usize]));
+                let count = clashes(&points, &segments, 0).map_or(1, |(_, count)| count);
+                return Err(BuildError::Crossing { one, other, count });
+            }
+            _ => {}
         }
         let covered = cover(&points, &segments, &arranged, &features);
-        Ok(PlanarMap::from_parts(points, arranged, features, &covered, summary, noded))
+        let features_of_map = FeatureSets::new(&covered.faces, &covered.edges);
+        Ok(PlanarMap {
+            points: arranged.points_by_vertex(&points),
+            plane: arranged.clash.is_none(),
+            dcel: arranged.dcel,
+            names: features.into_iter().map(|feature| feature.name).collect(),
+            features: features_of_map,
+            summary,
+            noding: noded,
+        })
     }
 }

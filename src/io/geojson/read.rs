@@ -1,51 +1,4 @@
-//! Reading GeoJSON ([RFC 7946](https://www.rfc-editor.org/rfc/rfc7946)), one feature at a time, and writing it.
-//!
-//! [`read`] takes a feature collection, a feature or a bare geometry, and hands over each feature as soon as its
-//! closing brace is read. Nothing is kept but the feature at hand, so a map of any size can be read as long as its
-//! largest feature fits: 32 bytes per position, up to three times that while the lists grow, and 32 more for a position
-//! of three or four numbers.
-//!
-//! ```
-//! use twinedge::io::geojson::{self, ReadError};
-//!
-//! let text = r#"{"type": "Feature", "properties": {"name": "Unit square"},
-//!     "geometry": {"type": "Polygon", "coordinates": [[[0, 0], [1, 0], [1, 1], [0, 1], [0, 0]]]}}"#;
-//! let mut names = Vec::new();
-//! let summary = geojson::read(text.as_bytes(), |feature| {
-//!     names.extend(feature.name);
-//!     Ok::<_, ReadError>(())
-//! })?;
-//! assert_eq!(names, ["Unit square"]);
-//! assert_eq!((summary.polygons, summary.positions), (1, 5));
-//! # Ok::<_, ReadError>(())
-//! ```
-//!
-//! # What is taken, and how
-//!
-//! - A feature's name is its property `name`, `NAME`, `Name`, `ADMIN`, `admin`, `title` or `id`, the first of these
-//!   that is a string or a number.
-//! - A geometry that is null or absent gives a feature without shapes. An empty line or polygon draws nothing; an empty
-//!   ring is kept.
-//! - Geometry collections are flattened. They may lie inside each other [`MAX_NESTED_COLLECTIONS`] deep.
-//! - What a position has beyond two numbers is dropped and counted.
-//! - Members may come in any order. `bbox`, `crs` and foreign members of the outermost object are skipped, whatever
-//!   they hold and however deep.
-//! - Rings may be open or closed, and lines may have one position only: that is for the builder of a map to judge.
-//!
-//! # What is done by the `geojson` crate
-//!
-//! It reads every feature and every geometry, and decides what the outermost object is and whether that has its
-//! members. Only the array `"features"` does not reach it as a whole: this module walks through it and hands the crate
-//! one element after the other. The crate's own streaming reader takes the first `[` of a file for that array, which is
-//! wrong behind a `bbox`, and looks at nothing that follows the array. What the crate leaves open is checked here: that
-//! positions have two numbers, and how deep collections lie.
-//!
-//! Two of its limits are limits here: a point or the first polygon of a multi-polygon must not be empty, and no file
-//! can be read in a program that turns on the feature `arbitrary_precision` of `serde_json`.
-
-mod error;
-mod input;
-mod output;
+//! Reading features, one at a time.
 
 use core::cell::Cell;
 use core::fmt;
@@ -58,12 +11,18 @@ use serde::de::{Deserialize, DeserializeSeed, Deserializer, Error, IgnoredAny};
 use serde::de::{IntoDeserializer, MapAccess, SeqAccess, Visitor};
 use serde_json::error::Category;
 
-pub use self::error::{Fault, Place, ReadError};
-use self::input::Progress;
-pub use self::output::write;
-use super::{MAX_NESTED_COLLECTIONS, ReadSummary};
+use super::input::{self, Progress};
 use crate::geometry::Point;
+use crate::io::error::{FeatureLabel, MAX_NESTED_COLLECTIONS, ReadCause, ReadError, TextPlace};
+use crate::io::summary::ReadSummary;
 use crate::map::{Feature, Shape};
+
+/// How many GeoJSON objects there are.
+#[derive(Clone, Copy, PartialEq, Eq)]
+enum Documents {
+    One,
+    Many,
+}
 
 /// Reads a map, handing its features to `each` in the order of the file.
 ///
@@ -71,57 +30,122 @@ use crate::map::{Feature, Shape};
 /// reading by an error of its own, which is then returned. Time O(bytes); memory O(largest feature).
 ///
 /// # Errors
+/// [`ReadError`], turned into `E`, and whatever `each` returns. Something other than white space after the end of the object
+/// is [`ReadCause::Trailing`].
+pub fn read<R, E>(reader: R, each: impl FnMut(Feature) -> Result<(), E>) -> Result<ReadSummary, E>
+where
+    R: Read,
+    E: From<ReadError>,
+{
+    read_all(reader, Documents::One, each)
+}
+
+/// Reads a map of any number of GeoJSON objects, one after the other: newline-delimited GeoJSON, where each line is an
+/// object, and text sequences ([RFC 8142](https://www.rfc-editor.org/rfc/rfc8142)), where each follows a record separator.
+/// Line breaks and record separators count as white space, and none is needed between two objects.
 ///
-/// Whatever [`ReadError`] describes, turned into `E`, and whatever `each` returns.
-pub fn read<R, E>(reader: R, mut each: impl FnMut(Feature) -> Result<(), E>) -> Result<ReadSummary, E>
+/// The features of all objects are handed to `each` in the order of the file. Otherwise as [`read`]; an empty file is a map
+/// without features.
+///
+/// ```
+/// use twinedge::io::{ReadError, geojson};
+///
+/// let text = "{\"type\":\"Point\",\"coordinates\":[1,2]}\n{\"type\":\"Point\",\"coordinates\":[3,4]}\n";
+/// let summary = geojson::read_sequence(text.as_bytes(), |_| Ok::<_, ReadError>(()))?;
+/// assert_eq!((summary.features, summary.points), (2, 2));
+/// # Ok::<_, ReadError>(())
+/// ```
+///
+/// # Errors
+/// As for [`read`].
+pub fn read_sequence<R, E>(reader: R, each: impl FnMut(Feature) -> Result<(), E>) -> Result<ReadSummary, E>
+where
+    R: Read,
+    E: From<ReadError>,
+{
+    read_all(reader, Documents::Many, each)
+}
+
+fn read_all<R, E>(
+    reader: R,
+    documents: Documents,
+    mut each: impl FnMut(Feature) -> Result<(), E>,
+) -> Result<ReadSummary, E>
 where
     R: Read,
     E: From<ReadError>,
 {
     let progress = Cell::new(Progress::START);
-    let text = input::open(reader, &progress).map_err(|source| ReadError::Io { at: progress.get().at, source })?;
+    let text = input::open(reader, &progress, documents == Documents::Many)
+        .map_err(|error| ReadError::new(progress.get().at, ReadCause::Io(error)))?;
     let mut input = serde_json::Deserializer::from_reader(text);
     let mut failure = None;
     let mut goes_on = |feature| each(feature).map_err(|error| failure = Some(error)).is_ok();
     let mut sink = Sink { goes_on: &mut goes_on, summary: ReadSummary::default(), in_features: false, fault: None };
-    let outcome = Walk { part: Part::Document, sink: &mut sink }.deserialize(&mut input);
-    let Sink { summary, in_features, fault, .. } = sink;
-    if let Some(failure) = failure {
-        return Err(failure);
-    }
-    let index = summary.features;
-    outcome.map_err(|error| match (classify(error, progress.get()), fault) {
-        (ReadError::NotGeoJson { at, .. }, Some((name, fault))) => ReadError::Feature { index, name, at, fault },
-        (ReadError::NotGeoJson { at, fault }, None) if in_features => {
-            ReadError::Feature { index, name: None, at, fault }
+    let outcome = match documents {
+        Documents::One => read_document(&mut input, &mut sink, &progress),
+        Documents::Many => Ok(()),
+    };
+    let outcome = outcome.and_then(|()| {
+        while let Err(error) = input.end() {
+            let error = classify(error, progress.get());
+            match (documents, error.cause) {
+                (Documents::Many, ReadCause::Syntax { .. }) => read_document(&mut input, &mut sink, &progress)?,
+                (Documents::One, ReadCause::Syntax { .. }) => {
+                    return Err(ReadError::new(error.place, ReadCause::Trailing { what: "GeoJSON object" }));
+                }
+                (_, cause) => return Err(ReadError::new(error.place, cause)),
+            }
         }
-        (error, _) => error,
-    })?;
-    input.end().map_err(|error| match classify(error, progress.get()) {
-        ReadError::Syntax { at, .. } => ReadError::Trailing { at },
-        other => other,
-    })?;
-    Ok(summary)
+        Ok(())
+    });
+    let summary = sink.summary;
+    match (failure, outcome) {
+        (Some(failure), _) => Err(failure),
+        (None, Err(error)) => Err(error.into()),
+        (None, Ok(())) => Ok(summary),
+    }
+}
+
+/// Reads one object. If `each` stopped the reading, there is an error too.
+fn read_document<'de>(
+    input: &mut serde_json::Deserializer<impl serde_json::de::Read<'de>>,
+    sink: &mut Sink<'_>,
+    progress: &Cell<Progress>,
+) -> Result<(), ReadError> {
+    Walk { part: DocumentPart::Document, sink }.deserialize(input).map_err(|error| {
+        let error = classify(error, progress.get());
+        let index = sink.summary.features;
+        match (&error.cause, sink.fault.take()) {
+            (ReadCause::Malformed { .. } | ReadCause::OutOfRange | ReadCause::TooDeep, Some((name, cause))) => {
+                ReadError::new(error.place, cause).in_feature(FeatureLabel { index, name })
+            }
+            (ReadCause::Malformed { .. } | ReadCause::OutOfRange | ReadCause::TooDeep, None) if sink.in_features => {
+                error.in_feature(FeatureLabel { index, name: None })
+            }
+            _ => error,
+        }
+    })
 }
 
 /// Gives an error of `serde_json` a type. What its category does not tell, it tells in words only.
 fn classify(error: serde_json::Error, progress: Progress) -> ReadError {
-    let at = Place { line: error.line(), column: error.column() };
+    let at = TextPlace { line: error.line(), column: Some(error.column()) };
     // The message repeats the place.
     let mut message = error.to_string();
     message.truncate(message.rfind(" at line ").unwrap_or(message.len()));
     // A number cut short counts as a bad number there, not as an early end.
     let is_cut_number = progress.stopped && at == progress.at && message == "invalid number";
     match (error.classify(), &*message) {
-        (Category::Io, _) => ReadError::Io { at: progress.at, source: error.into() },
-        (Category::Eof, _) if progress.blank => ReadError::Empty { at },
-        (Category::Eof, _) => ReadError::Truncated { at },
-        (Category::Syntax, _) if is_cut_number => ReadError::Truncated { at },
-        (Category::Syntax, "number out of range") => ReadError::NotGeoJson { at, fault: Fault::OutOfRange },
-        (Category::Syntax, "recursion limit exceeded") => ReadError::NotGeoJson { at, fault: Fault::TooDeep },
-        (Category::Syntax, _) => ReadError::Syntax { at, message },
+        (Category::Io, _) => ReadError::new(progress.at, ReadCause::Io(error.into())),
+        (Category::Eof, _) if progress.blank => ReadError::new(at, ReadCause::Empty),
+        (Category::Eof, _) => ReadError::new(at, ReadCause::Truncated),
+        (Category::Syntax, _) if is_cut_number => ReadError::new(at, ReadCause::Truncated),
+        (Category::Syntax, "number out of range") => ReadError::new(at, ReadCause::OutOfRange),
+        (Category::Syntax, "recursion limit exceeded") => ReadError::new(at, ReadCause::TooDeep),
+        (Category::Syntax, _) => ReadError::new(at, ReadCause::Syntax { message }),
         (Category::Data, _) => {
-            ReadError::NotGeoJson { at, fault: Fault::Malformed { message: message.chars().take(200).collect() } }
+            ReadError::new(at, ReadCause::Malformed { message: message.chars().take(200).collect() })
         }
     }
 }
@@ -135,7 +159,7 @@ struct Sink<'f> {
     in_features: bool,
     /// A fault of a feature that the crate took, and the feature's name. Serde only gets to know that there is one, and
     /// adds the place.
-    fault: Option<(Option<String>, Fault)>,
+    fault: Option<(Option<String>, ReadCause)>,
 }
 
 impl Sink<'_> {
@@ -147,33 +171,36 @@ impl Sink<'_> {
         };
         let keys = ["name", "NAME", "Name", "ADMIN", "admin", "title", "id"];
         let name = keys.into_iter().find_map(|key| parsed.property(key).and_then(label));
+        let properties = parsed.properties.as_ref().map_or(0, |properties| properties.len());
+        self.summary.dropped_properties += properties - usize::from(name.is_some());
         let id = parsed.id.map(|id| match id {
             Id::String(text) => text,
             Id::Number(number) => number.to_string(),
         });
-        let mut drawing = Embedding::default();
-        if let Some(geometry) = parsed.geometry
-            && let Err(fault) = drawing.add(geometry.value, 0)
-        {
-            self.fault = Some((name, fault));
+        let mut shapes = FeatureShapes::default();
+        let added = parsed.geometry.map_or(Ok(()), |geometry| shapes.add(geometry.value, 0));
+        if let Err(cause) = added {
+            self.fault = Some((name, cause));
             return Err(S::custom("faulty"));
         }
-        let feature = Feature { name, id, shapes: drawing.shapes };
-        self.summary.add(&feature, drawing.with_extra_dimensions);
+        let feature = Feature { name, id, shapes: shapes.shapes };
+        self.summary.add(&feature, shapes.with_extra_dimensions, shapes.empty);
         if (self.goes_on)(feature) { Ok(()) } else { Err(S::custom("stopped")) }
     }
 }
 
 /// The shapes of one feature.
 #[derive(Default)]
-struct Embedding {
+struct FeatureShapes {
     shapes: Vec<Shape>,
     with_extra_dimensions: usize,
+    /// Lines and polygons without positions, which are not among the shapes.
+    empty: usize,
 }
 
-impl Embedding {
+impl FeatureShapes {
     /// Adds a geometry that lies inside this many collections, a number that bounds the recursion.
-    fn add(&mut self, value: GeometryValue, depth: usize) -> Result<(), Fault> {
+    fn add(&mut self, value: GeometryValue, depth: usize) -> Result<(), ReadCause> {
         match value {
             GeometryValue::Point { coordinates } => {
                 let point = self.point(&coordinates)?;
@@ -191,7 +218,9 @@ impl Embedding {
             GeometryValue::MultiPolygon { coordinates } => {
                 coordinates.into_iter().try_for_each(|rings| self.add_polygon(rings))?;
             }
-            GeometryValue::GeometryCollection { .. } if depth == MAX_NESTED_COLLECTIONS => return Err(Fault::TooDeep),
+            GeometryValue::GeometryCollection { .. } if depth == MAX_NESTED_COLLECTIONS => {
+                return Err(ReadCause::TooDeep);
+            }
             GeometryValue::GeometryCollection { geometries } => {
                 geometries.into_iter().try_for_each(|geometry| self.add(geometry.value, depth + 1))?;
             }
@@ -199,19 +228,27 @@ impl Embedding {
         Ok(())
     }
 
-    fn add_line(&mut self, line: Vec<Position>) -> Result<(), Fault> {
+    fn add_line(&mut self, line: Vec<Position>) -> Result<(), ReadCause> {
         let points = self.line(line)?;
-        self.shapes.extend(Some(points).filter(|points| !points.is_empty()).map(Shape::Line));
+        if points.is_empty() {
+            self.empty += 1;
+        } else {
+            self.shapes.push(Shape::Line(points));
+        }
         Ok(())
     }
 
-    fn add_polygon(&mut self, rings: Vec<Vec<Position>>) -> Result<(), Fault> {
+    fn add_polygon(&mut self, rings: Vec<Vec<Position>>) -> Result<(), ReadCause> {
         let rings = rings.into_iter().map(|ring| self.line(ring)).collect::<Result<Vec<_>, _>>()?;
-        self.shapes.extend(Some(rings).filter(|rings| !rings.is_empty()).map(Shape::Polygon));
+        if rings.is_empty() {
+            self.empty += 1;
+        } else {
+            self.shapes.push(Shape::Polygon(rings));
+        }
         Ok(())
     }
 
-    fn line(&mut self, positions: Vec<Position>) -> Result<Vec<Point>, Fault> {
+    fn line(&mut self, positions: Vec<Position>) -> Result<Vec<Point>, ReadCause> {
         // Collecting results would not reserve the memory at once.
         let mut points = Vec::with_capacity(positions.len());
         for position in positions {
@@ -220,9 +257,9 @@ impl Embedding {
         Ok(points)
     }
 
-    fn point(&mut self, position: &Position) -> Result<Point, Fault> {
+    fn point(&mut self, position: &Position) -> Result<Point, ReadCause> {
         let &[x, y, ref extra @ ..] = position.as_slice() else {
-            return Err(Fault::ShortPosition { numbers: position.len() });
+            return Err(ReadCause::ShortPosition { numbers: position.len() });
         };
         self.with_extra_dimensions += usize::from(!extra.is_empty());
         Ok(Point { x, y })
@@ -231,7 +268,7 @@ impl Embedding {
 
 /// The parts of a document that this module looks at itself.
 #[derive(Clone, Copy)]
-enum Part {
+enum DocumentPart {
     /// The outermost object.
     Document,
     /// The array `"features"`.
@@ -242,7 +279,7 @@ enum Part {
 
 /// Walks through one part of a document.
 struct Walk<'s, 'f> {
-    part: Part,
+    part: DocumentPart,
     sink: &'s mut Sink<'f>,
 }
 
@@ -251,8 +288,8 @@ impl<'de> DeserializeSeed<'de> for Walk<'_, '_> {
 
     fn deserialize<D: Deserializer<'de>>(self, deserializer: D) -> Result<(), D::Error> {
         match self.part {
-            Part::Document | Part::Element => deserializer.deserialize_map(self),
-            Part::Features => deserializer.deserialize_seq(self),
+            DocumentPart::Document | DocumentPart::Element => deserializer.deserialize_map(self),
+            DocumentPart::Features => deserializer.deserialize_seq(self),
         }
     }
 }
@@ -262,15 +299,15 @@ impl<'de> Visitor<'de> for Walk<'_, '_> {
 
     fn expecting(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         f.write_str(match self.part {
-            Part::Document => "a GeoJSON object",
-            Part::Features => "an array of features",
-            Part::Element => "a feature",
+            DocumentPart::Document => "a GeoJSON object",
+            DocumentPart::Features => "an array of features",
+            DocumentPart::Element => "a feature",
         })
     }
 
     fn visit_seq<A: SeqAccess<'de>>(self, mut array: A) -> Result<(), A::Error> {
         self.sink.in_features = true;
-        while array.next_element_seed(Walk { part: Part::Element, sink: &mut *self.sink })?.is_some() {}
+        while array.next_element_seed(Walk { part: DocumentPart::Element, sink: &mut *self.sink })?.is_some() {}
         self.sink.in_features = false;
         Ok(())
     }
@@ -278,7 +315,7 @@ impl<'de> Visitor<'de> for Walk<'_, '_> {
     /// What fails in here gets the place of the closing brace, so features are converted in here too.
     fn visit_map<A: MapAccess<'de>>(self, inner: A) -> Result<(), A::Error> {
         let Self { part, sink } = self;
-        if let Part::Element = part {
+        if let DocumentPart::Element = part {
             let feature = Parsed::deserialize(MapAccessDeserializer::new(inner))?;
             return sink.take(feature);
         }
@@ -322,7 +359,7 @@ impl<'de, A: MapAccess<'de>> MapAccess<'de> for Members<'_, '_, A> {
             return self.inner.next_value_seed(seed);
         }
         self.has_features = true;
-        self.inner.next_value_seed(Walk { part: Part::Features, sink: self.sink })?;
+        self.inner.next_value_seed(Walk { part: DocumentPart::Features, sink: self.sink })?;
         seed.deserialize(JsonValue::Array(Vec::new())).map_err(A::Error::custom)
     }
 }

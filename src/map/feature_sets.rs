@@ -4,8 +4,7 @@
 //! countries along their border. So every set is kept once, for good, and a face or an edge holds its number. Giving a new
 //! face the set of another is a copy of one number, which is what edits do most.
 
-use super::cover::Covered;
-use super::planar_map::FeatureId;
+use super::feature::FeatureId;
 use rustc_hash::FxHashMap;
 
 /// The number of a set of features.
@@ -14,7 +13,7 @@ pub(super) struct SetId(u32);
 
 /// The sets of features of the faces and edges of a map, by index.
 #[derive(Clone, Debug)]
-pub(super) struct Features {
+pub(super) struct FeatureSets {
     /// Each sorted, without repetition. The first is the empty one.
     sets: Vec<Box<[FeatureId]>>,
     numbers: FxHashMap<Box<[FeatureId]>, SetId>,
@@ -23,15 +22,17 @@ pub(super) struct Features {
     edges: Vec<SetId>,
 }
 
-impl Default for Features {
+impl Default for FeatureSets {
     fn default() -> Self {
         let numbers = FxHashMap::from_iter([(Box::default(), SetId(0))]);
         Self { sets: vec![Box::default()], numbers, faces: Vec::new(), edges: Vec::new() }
     }
 }
 
-impl Features {
-    pub(super) fn new(covered: &Covered) -> Self {
+impl FeatureSets {
+    /// From sorted pairs: the index of a face and the number of a feature that covers it; the smaller index of the two
+    /// half-edges of an edge and the number of a feature that runs along it. O(pairs), expected.
+    pub(super) fn new(covering: &[(u32, u32)], running: &[(u32, u32)]) -> Self {
         let mut features = Self::default();
         let mut set = Vec::new();
         let mut last = SetId(0);
@@ -46,8 +47,8 @@ impl Features {
                 put(column(&mut features), (same[0].0 / per_index) as usize, last);
             }
         };
-        take(&covered.faces, 1, |features| &mut features.faces);
-        take(&covered.edges, 2, |features| &mut features.edges);
+        take(covering, 1, |features| &mut features.faces);
+        take(running, 2, |features| &mut features.edges);
         features
     }
 

@@ -1,6 +1,7 @@
 //! Cutting gathered segments where they meet, before a map is built of them.
 
-use super::build::{BuildError, Dart, GatheredFeature};
+use super::error::BuildError;
+use super::gathered::{Dart, GatheredFeature};
 use crate::dcel::RecordKind;
 use crate::geometry::Point;
 use crate::geometry::noding::{NodingError, NodingSummary, Snap, node};
@@ -21,7 +22,7 @@ use rustc_hash::FxHashMap;
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 #[non_exhaustive]
 pub enum Noding {
-    /// Nothing: the map is built as far as it goes, and [`PlanarMap::validate`](super::PlanarMap::validate) says where it
+    /// Nothing: the map is built as far as it goes, and [`PlanarMap::validate`](crate::map::PlanarMap::validate) says where it
     /// is not plane.
     #[default]
     None,
@@ -134,7 +135,7 @@ pub(super) fn exact(
     Ok(Cut { points, segments: out, summary })
 }
 
-/// Cuts segments wherever they meet, and rounds to a grid; see [`super::noding`].
+/// Cuts segments wherever they meet, and rounds to a grid; see [`noding`](crate::geometry::noding).
 pub(super) fn snapped(
     points: &[Point],
     segments: &[[u32; 2]],

@@ -1,4 +1,4 @@
-//! What a map file says, before anything is built from it.
+//! Features: what a map file says, before anything is built from it, and their numbers on a map.
 
 use alloc::string::String;
 use alloc::vec::Vec;
@@ -28,4 +28,16 @@ pub struct Feature {
     pub id: Option<String>,
     /// Its parts, in the order of the file; none if it has no place on the map.
     pub shapes: Vec<Shape>,
+}
+
+/// A feature of a map, such as a country, by its number in order of input.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord, Hash)]
+pub struct FeatureId(pub(super) u32);
+
+impl FeatureId {
+    /// The place in order of input, counted from 0.
+    #[must_use]
+    pub const fn index(self) -> usize {
+        self.0 as usize
+    }
 }

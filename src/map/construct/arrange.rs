@@ -8,7 +8,8 @@
 //!
 //! Source: de Berg et al., "Computational Geometry", 3rd edition, section 2.3.
 
-use super::build::{BuildError, Dart};
+use super::error::BuildError;
+use super::gathered::{Dart, origin, target};
 use crate::dcel::{Dcel, RecordKind};
 use crate::geometry::Point;
 use crate::geometry::crossing::Clash;
@@ -30,6 +31,18 @@ pub(super) struct Arranged {
     pub(super) half_edges: Vec<u32>,
     /// Whether, and where first, the segments do not meet at shared endpoints only.
     pub(super) clash: Option<Clash>,
+}
+
+impl Arranged {
+    /// The points by index of their vertex.
+    pub(super) fn points_by_vertex(&self, points: &[Point]) -> Vec<Point> {
+        let end = self.vertices.iter().max().map_or(0, |last| *last as usize + 1);
+        let mut by_index = vec![Point::default(); end];
+        for (vertex, point) in self.vertices.iter().zip(points) {
+            by_index[*vertex as usize] = *point;
+        }
+        by_index
+    }
 }
 
 /// The darts that leave each point, counter-clockwise from the positive x axis.
@@ -74,16 +87,6 @@ impl Rotations {
     fn leaving(&self, v: usize) -> &[Dart] {
         &self.darts[self.range(v)]
     }
-}
-
-/// The point where a dart starts.
-pub(super) fn origin(segments: &[[u32; 2]], dart: Dart) -> u32 {
-    segments[dart as usize >> 1][dart as usize & 1]
-}
-
-/// The point where a dart ends.
-pub(super) fn target(segments: &[[u32; 2]], dart: Dart) -> u32 {
-    origin(segments, dart ^ 1)
 }
 
 /// The cycles of `next`.

@@ -1,7 +1,7 @@
 //! Writing features.
 
-use super::super::write::{self, Piece, WriteError};
 use crate::geometry::Point;
+use crate::io::write::{self, GeometryPiece, WriteError};
 use crate::map::Feature;
 use ::geojson::feature::Id;
 use ::geojson::{Error, Feature as Written, FeatureWriter, Geometry, GeometryValue, JsonObject, Position};
@@ -22,7 +22,7 @@ use std::io::{self, Write};
 /// ```
 /// use twinedge::geometry::Point;
 /// use twinedge::map::{Feature, Shape};
-/// use twinedge::io::geojson::{self, ReadError};
+/// use twinedge::io::{ReadError, geojson};
 ///
 /// let peak = Shape::Point(Point::new(7.6585, 45.9764));
 /// let feature = Feature { name: Some("Matterhorn".into()), id: Some("4478".into()), shapes: vec![peak] };
@@ -73,7 +73,7 @@ fn converted(feature: &Feature) -> Written {
     Written { bbox: None, geometry, id, properties: Some(properties), foreign_members: None }
 }
 
-fn value(piece: Piece) -> GeometryValue {
+fn value(piece: GeometryPiece) -> GeometryValue {
     fn position(p: Point) -> Position {
         Position::from([p.x, p.y])
     }
@@ -84,15 +84,15 @@ fn value(piece: Piece) -> GeometryValue {
         rings.into_iter().map(line).collect()
     }
     match piece {
-        Piece::Points(points) => match points[..] {
+        GeometryPiece::Points(points) => match points[..] {
             [only] => GeometryValue::Point { coordinates: position(only) },
             _ => GeometryValue::MultiPoint { coordinates: line(points) },
         },
-        Piece::Lines(mut lines) => match lines.pop() {
+        GeometryPiece::Lines(mut lines) => match lines.pop() {
             Some(only) if lines.is_empty() => GeometryValue::LineString { coordinates: line(only) },
             last => GeometryValue::MultiLineString { coordinates: lines.into_iter().chain(last).map(line).collect() },
         },
-        Piece::Polygons(mut polygons) => match polygons.pop() {
+        GeometryPiece::Polygons(mut polygons) => match polygons.pop() {
             Some(only) if polygons.is_empty() => GeometryValue::Polygon { coordinates: polygon(only) },
             last => {
                 GeometryValue::MultiPolygon { coordinates: polygons.into_iter().chain(last).map(polygon).collect() }

@@ -1,53 +1,9 @@
-//! What is irregular about a ring: legal input, which is built as it is, and which its author may want to know about.
+//! The shape of one ring: which way it turns, where it touches itself, where it turns straight back.
 
-use super::arrange::{origin, target};
-use super::build::{Dart, Position};
+use super::gathered::{Dart, origin, target};
 use crate::geometry::Point;
 use crate::geometry::predicates::{Orientation, compare_angle, compare_lexicographic, orientation};
 use core::cmp::Ordering;
-use core::fmt;
-
-/// What is irregular about a ring or a line.
-#[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord, Hash)]
-#[non_exhaustive]
-pub enum IrregularityKind {
-    /// A point repeats the one before it.
-    RepeatedPoint,
-    /// The last point of a ring does not repeat the first; the ring was closed.
-    OpenRing,
-    /// A ring with fewer than three different points on end encloses nothing.
-    DegenerateRing,
-    /// An outer ring turns clockwise, or a hole counter-clockwise.
-    WoundWrongly,
-    /// A ring visits a point twice, not counting there-and-back along a spike.
-    SelfTouching,
-    /// A ring turns straight back.
-    Spike,
-}
-
-impl fmt::Display for IrregularityKind {
-    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        f.write_str(match self {
-            Self::RepeatedPoint => "repeated point",
-            Self::OpenRing => "open ring",
-            Self::DegenerateRing => "ring that encloses nothing",
-            Self::WoundWrongly => "ring wound the wrong way",
-            Self::SelfTouching => "ring that touches itself",
-            Self::Spike => "spike",
-        })
-    }
-}
-
-/// Something irregular, and where.
-#[derive(Clone, Copy, Debug, PartialEq)]
-pub struct Irregularity {
-    /// What.
-    pub kind: IrregularityKind,
-    /// Where in the input: the point that shows it; the first of the ring, if no single one does.
-    pub position: Position,
-    /// Where on the map.
-    pub at: Point,
-}
 
 /// The half-edges of a ring before there are any, each with the place of the point where it starts.
 pub(super) struct Ring<'a> {
@@ -57,9 +13,9 @@ pub(super) struct Ring<'a> {
     pub(super) starts: &'a [u32],
 }
 
-/// What a ring looks like.
+/// The shape of a ring.
 #[derive(Debug, Default, PartialEq, Eq)]
-pub(super) struct Looks {
+pub(super) struct RingShape {
     /// None if it encloses nothing.
     pub(super) counter_clockwise: Option<bool>,
     /// The place of the first point at which it has been before.
@@ -77,24 +33,24 @@ impl Ring<'_> {
         self.points[vertex as usize]
     }
 
-    /// Looks at a ring. O(n log n).
-    pub(super) fn looks(&self) -> Looks {
+    /// The shape of the ring. O(n log n).
+    pub(super) fn shape(&self) -> RingShape {
         let count = self.darts.len();
         if count < 3 {
-            return Looks::default();
+            return RingShape::default();
         }
-        let mut looks = Looks::default();
+        let mut shape = RingShape::default();
         for i in 0..count {
             let [a, b, c] = [i, i + 1, i + 2].map(|i| self.tail(i));
             let back = || compare_angle(self.point(b), self.point(a), self.point(c)) == Ordering::Equal;
             if a == c || back() {
-                looks.spikes.push(self.starts[(i + 1) % count]);
+                shape.spikes.push(self.starts[(i + 1) % count]);
             }
         }
-        looks.touches = self.touches();
-        looks.counter_clockwise =
-            if looks.touches.is_none() && looks.spikes.is_empty() { self.simple_turn() } else { self.turn() };
-        looks
+        shape.touches = self.touches();
+        shape.counter_clockwise =
+            if shape.touches.is_none() && shape.spikes.is_empty() { self.simple_turn() } else { self.turn() };
+        shape
     }
 
     /// The first place at which the ring, without its spikes, visits a point again.
