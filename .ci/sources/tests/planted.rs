@@ -2,7 +2,7 @@
 
 use std::path::Path;
 
-use twinedge_layers::{Crate, Imports, LAYERS, Unreadable, crates, crates_of, imports, upward};
+use twinedge_sources::{Crate, Imports, LAYERS, Unreadable, crates, crates_of, imports, let_chains, upward};
 
 /// The imports of one library, `src/lib.rs` and these files.
 fn of(files: &[(&str, &str)]) -> Imports {
@@ -289,4 +289,19 @@ fn what_cargo_lists_is_read_and_what_it_does_not_list_is_refused() {
     .unwrap();
     assert_eq!((listed[0].name.as_str(), listed[0].is_library), ("two_words", true));
     assert_eq!((listed[1].name.as_str(), listed[1].is_library), ("run", false));
+}
+
+#[test]
+fn a_let_joined_to_something_else_is_found_and_nothing_else_is() {
+    let source = "fn f() {
+        if let Some(a) = b { if x && y { } }
+        if x && let Some(a) = b { }
+        if let Some(a) = b && a { }
+        while !found && let Some(a) = b.take(|x| x) { }
+        match a { b if let Some(c) = b && c => 1, d if d && e => { let f = 2; } }
+        let a = b && c;
+        assert!(matches!(a, b if let Some(c) = b && c));
+    }";
+    assert_eq!(let_chains(source).unwrap(), [3, 4, 5, 6, 8]);
+    assert!(let_chains("fn f( {").is_err());
 }

@@ -3,7 +3,7 @@
 use std::fmt::Write as _;
 use std::path::{Path, PathBuf};
 
-use twinedge_layers::{Crate, Imports, crates, imports, upward};
+use twinedge_sources::{Crate, Imports, crates, imports, let_chains, upward};
 
 fn root() -> PathBuf {
     Path::new(env!("CARGO_MANIFEST_DIR")).ancestors().nth(2).expect("two folders up").to_path_buf()
@@ -44,4 +44,26 @@ fn no_import_runs_against_the_layers() {
         report
     });
     assert!(upward.is_empty(), "{} imports run against the layers:\n{report}", upward.len());
+}
+
+#[test]
+fn the_library_has_no_let_chains() {
+    let sources = root().join("src");
+    let mut waiting = vec![sources];
+    let mut files = 0;
+    let mut found = String::new();
+    while let Some(path) = waiting.pop() {
+        if path.is_dir() {
+            let entries = std::fs::read_dir(&path).expect("the folder can be read");
+            waiting.extend(entries.map(|entry| entry.expect("the folder can be read").path()));
+        } else if path.extension().is_some_and(|extension| extension == "rs") {
+            let text = std::fs::read_to_string(&path).expect("the file can be read");
+            files += 1;
+            for line in let_chains(&text).expect("every source is Rust") {
+                let _ = writeln!(found, "{}:{line}", path.display());
+            }
+        }
+    }
+    assert!(files > 100, "only {files} files were found");
+    assert!(found.is_empty(), "Rust before 1.88 does not know these:\n{found}");
 }

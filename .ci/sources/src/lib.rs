@@ -1,5 +1,8 @@
-//! Checks that imports run one way: that no files import each other in a loop, and that no file of the library imports one of
-//! a layer above its own.
+//! Checks on the sources of this workspace. The tests of this package run them: `cargo test -p twinedge-sources`.
+//!
+//! # Imports run one way
+//!
+//! No files import each other in a loop, and no file of the library imports one of a layer that [`LAYERS`] does not allow it.
 //!
 //! A file *imports* another if its code names something that the other defines: in a `use`, in a path, or by a name that is in
 //! scope through a re-export or a glob. What counts is the file of the definition: a name that `mod.rs` re-exports is imported
@@ -11,7 +14,7 @@
 //!
 //! ```
 //! use std::path::Path;
-//! use twinedge_layers::{Crate, imports};
+//! use twinedge_sources::{Crate, imports};
 //!
 //! let read = |path: &Path| match path.to_str()? {
 //!     "lib.rs" => Some("pub mod map; pub mod walk;".to_owned()),
@@ -23,9 +26,15 @@
 //! let loops = imports(&[library], read).unwrap().loops();
 //! assert_eq!(loops[0].to_string(), "2 files import each other:\n  map.rs:1 imports Walk from walk.rs\n  walk.rs:1 imports Map from map.rs\n");
 //! ```
+//!
+//! # The library keeps to its Rust version
+//!
+//! [`let_chains`] finds what clippy's `incompatible_msrv` does not: it knows the functions of the standard library that are too
+//! new, and no syntax.
 
 mod graph;
 mod layers;
+mod let_chains;
 mod modules;
 mod names;
 mod references;
@@ -35,6 +44,7 @@ use std::path::Path;
 
 pub use graph::{Import, Imports, Loop};
 pub use layers::{LAYERS, Upward, upward};
+pub use let_chains::let_chains;
 pub use modules::Unreadable;
 pub use workspace::{Crate, crates, crates_of};
 
