@@ -51,11 +51,15 @@ fn ply_header(mesh: &IndexedMesh, encoding: &str) -> String {
 fn binary_ply(mesh: &IndexedMesh) -> Vec<u8> {
     let mut out = ply_header(mesh, "binary_little_endian").into_bytes();
     for point in mesh.points() {
-        point.iter().for_each(|x| out.extend((*x as f32).to_le_bytes()));
+        for x in point {
+            out.extend((*x as f32).to_le_bytes());
+        }
     }
     for face in mesh.faces() {
         out.push(3);
-        face.iter().for_each(|v| out.extend(v.to_le_bytes()));
+        for v in face {
+            out.extend(v.to_le_bytes());
+        }
     }
     out
 }
@@ -65,8 +69,8 @@ fn binary_stl(mesh: &IndexedMesh) -> Vec<u8> {
     out.extend((mesh.face_count() as u32).to_le_bytes());
     for face in mesh.faces() {
         out.extend([0; 12]);
-        for v in face {
-            mesh.points()[*v as usize].iter().for_each(|x| out.extend((*x as f32).to_le_bytes()));
+        for x in face.iter().flat_map(|v| mesh.points()[*v as usize]) {
+            out.extend((x as f32).to_le_bytes());
         }
         out.extend([0; 2]);
     }
@@ -78,7 +82,7 @@ fn text_stl(mesh: &IndexedMesh) -> Vec<u8> {
     for face in mesh.faces() {
         out.push_str("  facet normal 0 0 0\n    outer loop\n");
         for [x, y, z] in face.iter().map(|v| mesh.points()[*v as usize]) {
-            let _ = writeln!(out, "      vertex {x:e} {y:e} {z:e}");
+            let _ = writeln!(out, "      vertex {x:.6e} {y:.6e} {z:.6e}");
         }
         out.push_str("    endloop\n  endfacet\n");
     }

@@ -8,9 +8,18 @@
 //! use twinedge::validate::Collect;
 //! use twinedge_formats::mesh::{Format, MeshExpectation, audit, read_bytes};
 //!
-//! let tetrahedron = b"OFF 4 4 6  0 0 0\n1 0 0\n0 1 0\n0 0 1\n 3 0 2 1\n3 0 1 3\n3 1 2 3\n3 2 0 3\n";
-//! # let tetrahedron = b"OFF\n4 4 6\n0 0 0\n1 0 0\n0 1 0\n0 0 1\n3 0 2 1\n3 0 1 3\n3 1 2 3\n3 2 0 3\n";
-//! let file = read_bytes(tetrahedron, Some(Format::Off))?;
+//! let tetrahedron = "OFF
+//! 4 4 6
+//! 0 0 0
+//! 1 0 0
+//! 0 1 0
+//! 0 0 1
+//! 3 0 2 1
+//! 3 0 1 3
+//! 3 1 2 3
+//! 3 2 0 3
+//! ";
+//! let file = read_bytes(tetrahedron.as_bytes(), Some(Format::Off))?;
 //! let audit = audit(&file.mesh, &MeshExpectation::new().closed().triangles().genus(0), Collect::All);
 //! assert!(audit.is_valid());
 //! assert_eq!(audit.counts().edges, 6);

@@ -29,7 +29,7 @@ pub struct MeshCounts {
     /// Border loops. Not known where edges could not be joined or a vertex with a border has several fans.
     pub borders: Option<usize>,
     /// V − E + F, without unused vertices and faces that are left out.
-    pub euler_characteristic: i64,
+    pub euler_characteristic: isize,
     /// The sum of the genera of the components: how many handles they have. Not known where the faces could not be joined to
     /// surfaces.
     pub genus: Option<usize>,
@@ -69,7 +69,8 @@ impl MeshCounts {
                 0 => Some(0),
                 _ => report.counts().borders.filter(|_| all_joined),
             },
-            euler_characteristic: (vertices - unused_vertices + kept_faces) as i64 - half_edges.edge_count() as i64,
+            euler_characteristic: (vertices - unused_vertices + kept_faces).cast_signed()
+                - half_edges.edge_count().cast_signed(),
             genus: report.counts().genus.filter(|_| all_joined && report.is_valid()),
             orientable: half_edges.is_orientable(),
         }

@@ -186,10 +186,9 @@ impl fmt::Display for Finding {
             Self::NonManifoldEdge { vertices: [a, b], faces } => {
                 write!(f, "the edge between vertices {a} and {b} has {} faces: {}", faces.len(), Row(faces))
             }
-            Self::FlippedFaces { vertices: [a, b], faces: [first, second] } => write!(
-                f,
-                "faces {first} and {second} both run from vertex {a} to vertex {b}: one of them is flipped"
-            ),
+            Self::FlippedFaces { vertices: [a, b], faces: [first, second] } => {
+                write!(f, "faces {first} and {second} both run from vertex {a} to vertex {b}: one of them is flipped")
+            }
             Self::NonManifoldVertex { vertex, faces } => write!(
                 f,
                 "{} fans of faces meet at vertex {vertex} and share no edge there; one face of each: {}",
@@ -232,7 +231,7 @@ impl Findings {
         self.kept.sort_by_key(Finding::kind);
     }
 
-    /// The findings that were kept, by kind, and then in the order of their vertices or faces.
+    /// The findings that were kept, by kind, and then by face, by the smaller vertex of the edge, or by vertex.
     #[must_use]
     pub fn list(&self) -> &[Finding] {
         &self.kept

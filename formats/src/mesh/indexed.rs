@@ -41,14 +41,14 @@ pub enum IndexedMeshError {
         /// The first offset that is wrong.
         position: usize,
     },
-    /// There are more than `u32::MAX - 1` points or corners.
-    #[error("more than 4,294,967,294 points or corners")]
+    /// There are more than 2³¹ − 2 points, corners or faces.
+    #[error("more than 2,147,483,646 points, corners or faces")]
     TooLarge,
 }
 
 impl IndexedMesh {
-    /// The most points, and the most corners.
-    pub(super) const MOST: usize = u32::MAX as usize - 1;
+    /// The most points, corners, and faces: twice as many still have 32-bit numbers.
+    pub(crate) const MOST: usize = u32::MAX as usize / 2 - 1;
 
     /// From flat arrays: face `f` lists `corners[offsets[f] .. offsets[f + 1]]`, so there is one offset more than there are
     /// faces. The coordinates are not looked at. O(corners).
@@ -57,7 +57,7 @@ impl IndexedMesh {
     ///
     /// If a corner is no index of a point, offsets are out of order, or there is too much of anything.
     pub fn new(points: Vec<[f64; 3]>, corners: Vec<u32>, offsets: Vec<u32>) -> Result<Self, IndexedMeshError> {
-        if points.len() > Self::MOST || corners.len() > Self::MOST || offsets.len() > Self::MOST {
+        if points.len() > Self::MOST || corners.len() > Self::MOST || offsets.len() > Self::MOST + 1 {
             return Err(IndexedMeshError::TooLarge);
         }
         if offsets.first() != Some(&0) {
@@ -131,6 +131,7 @@ impl IndexedMesh {
     }
 
     /// The points around each face.
+    #[must_use]
     pub fn faces(&self) -> impl ExactSizeIterator<Item = &[u32]> + '_ {
         self.offsets.windows(2).map(|pair| &self.corners[pair[0] as usize..pair[1] as usize])
     }

@@ -30,6 +30,9 @@ struct Side {
 impl<'a> HalfEdgeMesh<'a> {
     /// Joins the faces of a mesh to half-edges and says what cannot be joined.
     ///
+    /// Of faces that repeat each other, the first is kept. So where two are back to back, their order decides whether the one
+    /// that stays fits its neighbours.
+    ///
     /// `collect` says how many findings of each kind are kept; all are counted. Time and memory are
     /// linear in points and corners (expected, since a hash table is used, and but for the inverse of Ackermann's function). It accepts every mesh.
     ///
@@ -269,10 +272,7 @@ impl<'a> HalfEdgeMesh<'a> {
     fn can_be_oriented(&self, flipped: &[[u32; 2]]) -> bool {
         // Each face twice: as it is, and flipped.
         let faces = self.left_out.len() as u32;
-        let Some(both) = faces.checked_mul(2) else {
-            return self.orientable;
-        };
-        let mut sets = Sets::new(both as usize);
+        let mut sets = Sets::new(2 * self.left_out.len());
         for (h, twin) in self.twins.iter().enumerate().filter(|(_, twin)| **twin != NIL) {
             let (a, b) = (self.face_of[h], self.face_of[*twin as usize]);
             sets.join(a, b);

@@ -7,7 +7,7 @@
 //!                                                    └──────────────► audit ◄─────────────────────┘
 //! ```
 //!
-//! [`read`] and its like take OBJ, OFF, PLY and STL. [`HalfEdgeMesh::link`] joins the faces, in linear time, and finds what
+//! `read` and its like take OBJ, OFF, PLY and STL. [`HalfEdgeMesh::link`] joins the faces, in linear time, and finds what
 //! cannot be joined. [`audit`] does that, runs the validator on what was joined, counts, and compares the counts with a
 //! [`MeshExpectation`].
 //!
@@ -15,36 +15,24 @@
 //! vertices from 1 in its files.)
 
 mod audit;
-mod builder;
 mod counts;
-mod error;
 mod expectation;
 mod finding;
-mod format;
 mod half_edges;
 mod indexed;
 mod link;
-#[cfg(feature = "obj")]
-mod obj;
-#[cfg(feature = "off")]
-mod off;
-#[cfg(feature = "ply")]
-mod ply;
+#[cfg(any(feature = "obj", feature = "off", feature = "ply", feature = "stl"))]
 mod read;
 mod repeated;
 #[cfg(feature = "serde")]
 mod serialize;
 mod sets;
-#[cfg(feature = "stl")]
-mod stl;
-mod text;
 
 pub use audit::{MeshAudit, audit};
 pub use counts::MeshCounts;
-pub use error::{Cause, Position, ReadError};
 pub use expectation::{MeshExpectation, Unmet};
 pub use finding::{Finding, Findings, Kind};
-pub use format::Format;
 pub use half_edges::HalfEdgeMesh;
 pub use indexed::{IndexedMesh, IndexedMeshError};
-pub use read::{Dropped, MeshFile, read, read_bytes, read_path};
+#[cfg(any(feature = "obj", feature = "off", feature = "ply", feature = "stl"))]
+pub use read::{Cause, Dropped, Format, MeshFile, Position, ReadError, read, read_bytes, read_path};

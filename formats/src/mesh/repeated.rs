@@ -57,8 +57,8 @@ pub(super) fn leave_out(mesh: &IndexedMesh, left_out: &mut [bool], findings: &mu
     // The faces, sorted by their smallest vertex.
     let mut ends = vec![0_u32; mesh.points().len() + 1];
     let smallest = |face: &[u32]| face.iter().copied().min().map_or(0, |vertex| vertex as usize);
-    for (f, face) in mesh.faces().enumerate() {
-        ends[smallest(face) + 1] += u32::from(!left_out[f]);
+    for (_, face) in mesh.faces().enumerate().filter(|(f, _)| !left_out[*f]) {
+        ends[smallest(face) + 1] += 1;
     }
     for v in 1..ends.len() {
         ends[v] += ends[v - 1];

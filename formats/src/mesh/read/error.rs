@@ -87,8 +87,8 @@ pub enum Cause {
     /// The header of a PLY file lacks this.
     #[error("there is no {0}")]
     Missing(&'static str),
-    /// There are more than `u32::MAX - 1` points or corners.
-    #[error("more than 4,294,967,294 points or corners")]
+    /// There are more than 2³¹ − 2 points, corners or faces.
+    #[error("more than 2,147,483,646 points, corners or faces")]
     TooLarge,
 }
 

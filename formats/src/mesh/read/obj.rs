@@ -6,9 +6,9 @@
 
 use super::builder::Builder;
 use super::error::{Cause, Failed};
-use super::read::{Dropped, Drops};
 use super::text::Text;
-use super::IndexedMesh;
+use super::{Dropped, Drops};
+use crate::mesh::IndexedMesh;
 
 pub(super) fn read(bytes: &[u8]) -> Result<(IndexedMesh, Vec<Dropped>), Failed> {
     let mut text = Text::new(bytes).with_comments(b'#').with_continued_lines();

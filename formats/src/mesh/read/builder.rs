@@ -1,7 +1,7 @@
 //! An indexed mesh in the making, as the readers fill it.
 
-use super::IndexedMesh;
 use super::error::{Cause, Failed, Position};
+use crate::mesh::IndexedMesh;
 
 /// Points and faces so far. Faces may list points that come later, so indices are checked at the end.
 #[derive(Debug)]
@@ -62,7 +62,7 @@ impl Builder {
     /// The face is complete.
     #[inline]
     pub(super) fn face(&mut self, at: Position) -> Result<(), Failed> {
-        if self.offsets.len() == IndexedMesh::MOST {
+        if self.offsets.len() > IndexedMesh::MOST {
             return Err(Failed::new(at, Cause::TooLarge));
         }
         self.offsets.push(self.corners.len() as u32);

@@ -3,11 +3,11 @@
 //! One point and one face on a line. What follows them on the line (colours, normals, texture coordinates) is dropped,
 //! whether the prefix of `OFF` announces it or not.
 
-use super::IndexedMesh;
 use super::builder::Builder;
 use super::error::{Cause, Failed};
-use super::read::{Dropped, Drops};
 use super::text::Text;
+use super::{Dropped, Drops};
+use crate::mesh::IndexedMesh;
 
 pub(super) fn read(bytes: &[u8]) -> Result<(IndexedMesh, Vec<Dropped>), Failed> {
     let mut text = Text::new(bytes).with_comments(b'#');

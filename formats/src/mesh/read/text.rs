@@ -23,12 +23,10 @@ impl<'a> Text<'a> {
         Self { comment: Some(start), ..self }
     }
 
-    #[cfg(feature = "obj")]
     pub(super) fn with_continued_lines(self) -> Self {
         Self { continued: true, ..self }
     }
 
-    #[cfg(feature = "ply")]
     pub(super) fn starting_at(self, at: usize, line: u64) -> Self {
         Self { at, line, ..self }
     }

@@ -1,7 +1,28 @@
 //! From a file to a mesh.
+// What the readers share is not all needed by each of them.
+#![cfg_attr(
+    not(all(feature = "obj", feature = "off", feature = "ply", feature = "stl")),
+    allow(dead_code, reason = "some readers are off")
+)]
 
-use super::{Format, IndexedMesh, ReadError};
-use super::error::Failed;
+mod builder;
+mod error;
+mod format;
+#[cfg(feature = "obj")]
+mod obj;
+#[cfg(feature = "off")]
+mod off;
+#[cfg(feature = "ply")]
+mod ply;
+#[cfg(feature = "stl")]
+mod stl;
+mod text;
+
+pub use error::{Cause, Position, ReadError};
+pub use format::Format;
+
+use crate::mesh::IndexedMesh;
+use error::Failed;
 use std::borrow::Cow;
 use std::io::Read;
 use std::path::Path;
@@ -27,7 +48,7 @@ pub struct Dropped {
     pub count: usize,
 }
 
-/// Reads a file. Its content says which format it has, or else its name.
+/// Reads a file. Its content says which format it has where that is certain, or else its name.
 ///
 /// The whole file is read into memory. O(length), and no memory for what a header only claims.
 ///
@@ -47,11 +68,9 @@ pub struct Dropped {
 pub fn read_path(path: impl AsRef<Path>) -> Result<MeshFile, ReadError> {
     let path = path.as_ref();
     let bytes = std::fs::read(path)?;
-    // The content of an OBJ file starts with anything, so its name has the first word there.
-    let format = match Format::of_name(path) {
-        #[cfg(feature = "obj")]
-        Some(Format::Obj) => Some(Format::Obj),
-        name => Format::of_content(&bytes).or(name),
+    let format = match (Format::of_name(path), Format::of_content(&bytes)) {
+        (Some(name), Some(content)) if name.is_certain() && content.is_certain() => Some(content),
+        (name, content) => name.or(content),
     };
     read_bytes(&bytes, format)
 }
@@ -89,17 +108,17 @@ pub fn read(mut reader: impl Read, format: Option<Format>) -> Result<MeshFile, R
 /// ```
 pub fn read_bytes(bytes: &[u8], format: Option<Format>) -> Result<MeshFile, ReadError> {
     let format = format.or_else(|| Format::of_content(bytes)).ok_or(ReadError::UnknownFormat)?;
-    let read: fn(&[u8]) -> Result<(IndexedMesh, Vec<Dropped>), Failed> = match format {
+    let result = match format {
         #[cfg(feature = "obj")]
-        Format::Obj => super::obj::read,
+        Format::Obj => obj::read(bytes),
         #[cfg(feature = "off")]
-        Format::Off => super::off::read,
+        Format::Off => off::read(bytes),
         #[cfg(feature = "ply")]
-        Format::Ply => super::ply::read,
+        Format::Ply => ply::read(bytes),
         #[cfg(feature = "stl")]
-        Format::Stl => super::stl::read,
+        Format::Stl => stl::read(bytes),
     };
-    match read(bytes) {
+    match result {
         Ok((mesh, dropped)) => Ok(MeshFile { format, mesh, dropped }),
         Err(Failed { position, cause }) => Err(ReadError::Content { format, position, cause }),
     }
@@ -128,7 +147,6 @@ impl Drops {
     }
 
     /// Adds something that is added once only.
-    #[cfg(feature = "ply")]
     pub(super) fn add_owned(&mut self, what: String, count: usize) {
         if count > 0 {
             self.list.push(Dropped { what: Cow::Owned(what), count });

@@ -3,11 +3,11 @@
 //! `ply-rs-bw` reads the header. The records are read here, straight into the mesh, so that an error can say its line or
 //! byte, a number may be written in any usual way, and nothing is kept of what is dropped.
 
-use super::IndexedMesh;
 use super::builder::Builder;
 use super::error::{Cause, Failed, Position, excerpt};
-use super::read::{Dropped, Drops};
 use super::text::Text;
+use super::{Dropped, Drops};
+use crate::mesh::IndexedMesh;
 use ply_rs_bw::parser::{Parser, Reader};
 use ply_rs_bw::ply::{DefaultElement, ElementDef, Encoding, Header, PropertyType, ScalarType};
 
@@ -35,9 +35,10 @@ pub(super) fn read(bytes: &[u8]) -> Result<(IndexedMesh, Vec<Dropped>), Failed> 
             "vertex" => points(&mut records, element, &mut mesh, &mut drops)?,
             "face" => {
                 let lists = |name: &str| matches!(name, "vertex_indices" | "vertex_index");
-                let list = element.properties.iter().position(|(name, property)| {
-                    lists(name) && matches!(property.data_type, PropertyType::List(..))
-                });
+                let list = element
+                    .properties
+                    .iter()
+                    .position(|(name, property)| lists(name) && matches!(property.data_type, PropertyType::List(..)));
                 let list = list.ok_or_else(|| missing("list vertex_indices in element face"))?;
                 read_faces(&mut records, element, list, &mut mesh, &mut drops)?;
             }
@@ -58,7 +59,8 @@ fn header(bytes: &[u8]) -> Result<(Header, usize, u64), Failed> {
         // The first line says it; the others repeat the input.
         let message = error.to_string();
         let first = message.lines().next().unwrap_or_default();
-        let first = first.split_once(": ").filter(|(place, _)| place.starts_with("Line ")).map_or(first, |(_, say)| say);
+        let first =
+            first.split_once(": ").filter(|(place, _)| place.starts_with("Line ")).map_or(first, |(_, say)| say);
         let line = error.line().unwrap_or(reader.line()).max(1) as u64;
         Failed::new(Position::Line(line), Cause::Header(first.into()))
     })?;
@@ -84,7 +86,8 @@ fn points(
     drops: &mut Drops,
 ) -> Result<(), Failed> {
     let kinds: Vec<_> = element.properties.values().map(|property| &property.data_type).collect();
-    let axes: Vec<_> = element.properties.keys().map(|name| ["x", "y", "z"].iter().position(|axis| axis == name)).collect();
+    let axes: Vec<_> =
+        element.properties.keys().map(|name| ["x", "y", "z"].iter().position(|axis| axis == name)).collect();
     for _ in 0..element.count {
         let mut point = [0.0; 3];
         for (kind, axis) in kinds.iter().zip(&axes) {
@@ -112,10 +115,10 @@ fn read_faces(
         for (i, kind) in kinds.iter().enumerate() {
             match kind {
                 PropertyType::List(count, index) if i == list => {
-                    let sides = records.whole(count, "the number of sides of a face")?;
+                    let sides = records.length(count, "the number of sides of a face")?;
                     at = records.position();
                     for _ in 0..sides {
-                        let point = records.whole(index, "the index of a point")?;
+                        let point = records.index(index)?;
                         mesh.corner(point, records.position())?;
                     }
                 }
@@ -211,11 +214,20 @@ impl Records<'_> {
         if found.is_finite() { Ok(found) } else { Err(Failed::new(at, Cause::NotFinite { found })) }
     }
 
-    /// A whole number; a count that is negative counts nothing that could be read, so it is an error as well.
-    fn whole(&mut self, kind: &ScalarType, what: &'static str) -> Result<i64, Failed> {
+    /// The index of a point, which may be negative by mistake.
+    fn index(&mut self, kind: &ScalarType) -> Result<i64, Failed> {
+        self.whole(kind, "the index of a point", i64::MIN)
+    }
+
+    /// The length of a list.
+    fn length(&mut self, kind: &ScalarType, what: &'static str) -> Result<i64, Failed> {
+        self.whole(kind, what, 0)
+    }
+
+    fn whole(&mut self, kind: &ScalarType, what: &'static str, least: i64) -> Result<i64, Failed> {
         let number = self.number(kind, what)?;
         let whole = number as i64;
-        if whole as f64 == number && (whole >= 0 || what == "the index of a point") {
+        if number.fract() == 0.0 && whole >= least {
             Ok(whole)
         } else {
             let found = excerpt(number.to_string().as_bytes());
@@ -227,7 +239,7 @@ impl Records<'_> {
         match kind {
             PropertyType::Scalar(kind) => self.number(kind, "the value of a property").map(drop),
             PropertyType::List(count, kind) => {
-                for _ in 0..self.whole(count, "the length of a list")? {
+                for _ in 0..self.length(count, "the length of a list")? {
                     self.number(kind, "the value of a property")?;
                 }
                 Ok(())

@@ -22,16 +22,16 @@ pub enum Format {
 }
 
 impl Format {
-    /// All formats.
+    /// All formats, those first whose content is easiest to tell.
     pub const ALL: &[Self] = &[
-        #[cfg(feature = "obj")]
-        Self::Obj,
         #[cfg(feature = "off")]
         Self::Off,
         #[cfg(feature = "ply")]
         Self::Ply,
         #[cfg(feature = "stl")]
         Self::Stl,
+        #[cfg(feature = "obj")]
+        Self::Obj,
     ];
 
     /// The name, which is also the extension of its files.
@@ -64,11 +64,16 @@ impl Format {
         Self::ALL.iter().copied().find(|format| extension.eq_ignore_ascii_case(format.name()))
     }
 
-    /// The format that the content says. PLY and OFF start with their name, STL has its name or its length, and OBJ starts
-    /// with a statement. O(length of the comments at the start).
+    /// The format that the content says. PLY and OFF start with their name, STL has its name or its length, and what
+    /// starts with a statement of OBJ is taken for that. O(length of the comments at the start).
     #[must_use]
     pub fn of_content(bytes: &[u8]) -> Option<Self> {
         Self::ALL.iter().copied().find(|format| format.fits(bytes))
+    }
+
+    /// Whether the content says the format for certain. That of an OBJ file may start with anything.
+    pub(super) fn is_certain(self) -> bool {
+        self.name() != "obj"
     }
 
     fn fits(self, bytes: &[u8]) -> bool {

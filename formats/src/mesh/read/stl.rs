@@ -6,11 +6,11 @@
 //! text, and a text without name for binary; both are common. It says of an error no line. It is the second opinion in the
 //! tests.
 
-use super::IndexedMesh;
 use super::builder::Builder;
 use super::error::{Cause, Failed, Position};
-use super::read::{Dropped, Drops};
 use super::text::Text;
+use super::{Dropped, Drops};
+use crate::mesh::IndexedMesh;
 use std::collections::HashMap;
 
 /// The header of a binary file, and the number of triangles.
