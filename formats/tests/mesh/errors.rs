@@ -50,6 +50,8 @@ fn obj() {
         ("v 1 2 3\nf 9223372036854775807\n", 2, out_of_range(i64::MAX, 1)),
         ("v 1 2 3\nf 1 \\\n 1 \\\r\n 2\n", 4, out_of_range(2, 1)),
         ("v 1 2 3\rf 1 1 2\r", 2, out_of_range(2, 1)),
+        ("", 1, Cause::Missing("point")),
+        ("hello\nworld\nf\n", 4, Cause::Missing("point")),
     ] {
         assert_eq!(error(text, Format::Obj), (Line(line), cause), "{text}");
     }

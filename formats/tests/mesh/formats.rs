@@ -207,7 +207,7 @@ fn the_name_says_the_format_where_the_content_does_not() {
     let path = write_file("b.stl", "OFF\n1 0 0\n1 2 3\n");
     assert_eq!(read_path(path).expect("well-formed").format, Format::Off);
     // An OBJ file whose first statement says nothing.
-    let path = write_file("c.obj", "solid 1\nv 1 2 3\n");
+    let path = write_file("c.obj", "extension 1\nv 1 2 3\n");
     assert_eq!(read_path(path).expect("well-formed").format, Format::Obj);
     // A binary file whose header starts like an OBJ file, and whose length is wrong.
     let binary = [&b"v"[..], &[b' '; 79], &[0; 10]].concat();

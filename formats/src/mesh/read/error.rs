@@ -84,7 +84,7 @@ pub enum Cause {
     /// The header of a PLY file defines an element or property twice.
     #[error("an element or property is defined twice")]
     DefinedTwice,
-    /// The header of a PLY file lacks this.
+    /// The file lacks this: a PLY file in its header, an OBJ file altogether.
     #[error("there is no {0}")]
     Missing(&'static str),
     /// There are more than 2³¹ − 2 points, corners or faces.

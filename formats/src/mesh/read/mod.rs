@@ -69,7 +69,7 @@ pub fn read_path(path: impl AsRef<Path>) -> Result<MeshFile, ReadError> {
     let path = path.as_ref();
     let bytes = std::fs::read(path)?;
     let format = match (Format::of_name(path), Format::of_content(&bytes)) {
-        (Some(name), Some(content)) if name.is_certain() && content.is_certain() => Some(content),
+        (_, Some(content)) if content.is_certain() => Some(content),
         (name, content) => name.or(content),
     };
     read_bytes(&bytes, format)

@@ -26,7 +26,12 @@ pub(super) fn read(bytes: &[u8]) -> Result<(IndexedMesh, Vec<Dropped>), Failed> 
             break;
         }
     }
-    Ok((mesh.finish()?, drops.into_list()))
+    let mesh = mesh.finish()?;
+    // Every text is an OBJ file, if what is not known is passed over. So say that this one says nothing.
+    if mesh.points().is_empty() {
+        return Err(text.failed(Cause::Missing("point")));
+    }
+    Ok((mesh, drops.into_list()))
 }
 
 /// What a statement is that says nothing about points and faces.
