@@ -50,6 +50,15 @@ fn obj_faces_may_come_before_their_points_and_count_back() {
 }
 
 #[test]
+fn a_byte_order_mark_is_passed_over() {
+    let obj = file("\u{feff}v 0 0 0\nv 1 2 3\n", Format::Obj);
+    assert_eq!(obj.mesh.points().len(), 2);
+    assert_eq!(dropped(&obj), []);
+    assert_eq!(file("\u{feff}OFF\n1 0 0\n1 2 3\n", Format::Off).mesh.points().len(), 1);
+    assert_eq!(Format::of_content("\u{feff}OFF\n".as_bytes()), Some(Format::Off));
+}
+
+#[test]
 fn off_with_prefixes_comments_and_colours() {
     for keyword in ["OFF", "COFF", "NOFF", "CNOFF", "STOFF", "STCNOFF", ""] {
         let text = format!(

@@ -1,7 +1,7 @@
 //! Random lists of faces, against the second opinion and the laws.
 
 use crate::support::oracle::opinion;
-use crate::support::shapes::points;
+use crate::support::shapes::{mesh, points};
 use crate::support::soup::Soup;
 use crate::support::write::{Kind as Written, write};
 use quickcheck::{Gen, QuickCheck};
@@ -159,6 +159,33 @@ fn the_order_of_faces_and_vertices_does_not_matter() {
         assert_eq!(a.is_valid(), b.is_valid());
     }
     check(2000, holds as fn(Soup, u64));
+}
+
+#[test]
+fn turning_faces_does_not_change_whether_the_surface_is_orientable() {
+    fn holds(turned: u16) {
+        // A band of 16 cells between the vertices 0 … 15 and 16 … 31, closed straight or with a twist.
+        for twisted in [false, true] {
+            let mut cells: Vec<[u32; 4]> = (0..16).map(|i| [i, i + 1, i + 17, i + 16]).collect();
+            let [first, second] = if twisted { [16, 0] } else { [0, 16] };
+            cells[15] = [15, first, second, 31];
+            for (i, cell) in cells.iter_mut().enumerate() {
+                if turned >> i & 1 == 1 {
+                    cell.reverse();
+                }
+            }
+            let found = audited(&mesh(32, cells));
+            assert_eq!(found.counts().orientable, !twisted);
+            assert_eq!(found.counts().border_edges, 32);
+            assert_eq!(found.counts().euler_characteristic, 0);
+            let changes = (0..16).filter(|i| (turned >> i ^ turned >> ((i + 1) % 16)) & 1 == 1).count();
+            // The twist is at one more place, where the faces agree if they are turned differently.
+            let at_the_end = usize::from((turned >> 15 ^ turned) & 1 == 1);
+            let flipped = if twisted { changes + 1 - 2 * at_the_end } else { changes };
+            assert_eq!(found.findings().count(Kind::FlippedFaces), flipped);
+        }
+    }
+    check(500, holds as fn(u16));
 }
 
 #[test]

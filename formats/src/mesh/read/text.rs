@@ -15,8 +15,10 @@ pub(super) struct Text<'a> {
 }
 
 impl<'a> Text<'a> {
+    /// Starts after the byte order mark, if there is one.
     pub(super) fn new(bytes: &'a [u8]) -> Self {
-        Self { bytes, at: 0, line: 1, comment: None, continued: false }
+        let at = if bytes.starts_with("\u{feff}".as_bytes()) { 3 } else { 0 };
+        Self { bytes, at, line: 1, comment: None, continued: false }
     }
 
     pub(super) fn with_comments(self, start: u8) -> Self {
