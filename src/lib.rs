@@ -79,7 +79,6 @@ pub mod program;
 
 // `rstar` needs Rust 1.90, and so does all that builds on it.
 #[cfg(feature = "geometry")]
-#[forbid(unsafe_code)]
 #[clippy::msrv = "1.90"]
 #[forbid(unsafe_code)]
 pub mod geometry;
