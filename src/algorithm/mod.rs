@@ -14,6 +14,7 @@
 //! | [`lattice`] | how many lattice points lie inside a face, and does Pick's theorem hold? |
 //! | [`neighbours`] | who shares a border with whom, where, and how long is it? |
 //! | [`mod@overlay`] | what do two maps make together? |
+//! | `voronoi` | which place is nearest to which of some sites? (feature `spade`) |
 
 pub mod area;
 pub mod centroid;
@@ -27,3 +28,5 @@ pub mod dual;
 pub mod lattice;
 pub mod neighbours;
 pub mod overlay;
+#[cfg(feature = "spade")]
+pub mod voronoi;

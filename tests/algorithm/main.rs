@@ -11,3 +11,4 @@ mod lattice;
 mod neighbours;
 mod overlay;
 mod planar;
+mod voronoi;

@@ -3,7 +3,7 @@
 use quickcheck::{Arbitrary, Gen};
 use twinedge::geometry::Point;
 use twinedge::geometry::noding::Snap;
-use twinedge::io::geojson::{self, ReadError};
+use twinedge::io::{ReadError, geojson};
 use twinedge::map::{Builder, Feature, Noding, PlanarMap, Shape};
 
 /// Points, segments and rings with coordinates from 0 to 12.

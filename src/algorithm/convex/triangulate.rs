@@ -8,7 +8,7 @@
 //! 4. A diagonal is attached next to the one that is before it at its corner *when it is drawn*. To know that one, the
 //!    diagonals are taken out of the complete lists in reverse order.
 
-use super::ConvexError;
+use super::error::ConvexError;
 use crate::dcel::{Boundary, Corner, Face, FaceKey, HalfEdge, HalfEdgeKey, VertexKey};
 use crate::geometry::Point;
 use crate::geometry::predicates::{Orientation, compare_angle, orientation};

@@ -1,8 +1,9 @@
 //! Drawing an edge between two corners that are known to see each other.
 
-use super::EditError;
+use super::error::EditError;
 use crate::dcel::{Corner, HalfEdgeKey, Split};
-use crate::map::PlanarMap;
+use crate::map::feature_sets::SetId;
+use crate::map::planar_map::PlanarMap;
 use crate::store::links::Need;
 
 impl PlanarMap {
@@ -21,7 +22,7 @@ impl PlanarMap {
         let h = self.dcel.half_edge(connected.half_edge)?;
         let (index, kept) = (h.index(), h.twin().face().index());
         // A slot may have been that of another edge or face.
-        self.features.put_along(index, crate::map::features::SetId::default());
+        self.features.put_along(index, SetId::default());
         if let Some(made) = connected.new_face() {
             let made = self.dcel.face(made)?.index();
             self.features.put_face(made, self.features.of_face(kept));
