@@ -9,7 +9,7 @@ use core::ops::ControlFlow;
 
 use rstar::{AABB, RTree, RTreeObject};
 
-use super::Point;
+use super::point::Point;
 use super::predicates::{Endpoint, Meeting, compare_lexicographic, in_range, meeting, on_segment};
 
 /// A reason why points and straight segments do not draw a plane map.

@@ -25,7 +25,7 @@ use core::cmp::Ordering;
 
 use robust::Coord;
 
-use super::Point;
+use super::point::Point;
 
 /// The largest magnitude that a coordinate may have for the predicates to be exact: 2^500, about 3.27e150.
 pub const MAX_COORDINATE: f64 = f64::from_bits((1023 + 500) << 52);

@@ -1,6 +1,6 @@
 //! The segments that a sweep line meets just now, from the bottom up.
 
-use super::Point;
+use super::point::Point;
 use super::predicates::{Orientation, count_step, orientation};
 
 /// No node: nothing below, nothing above, no child.

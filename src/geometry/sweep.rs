@@ -46,7 +46,7 @@ use alloc::vec::Vec;
 use core::cmp::Ordering;
 use core::ops::Range;
 
-use super::Point;
+use super::point::Point;
 use super::crossing::{Clash, InvalidSegments, check, classify};
 use super::predicates::{Meeting, Orientation, compare_lexicographic, count_step, meeting, orientation};
 use super::status::{Gap, NIL, Status, Strand};

@@ -4,7 +4,9 @@
 //! what one broken pointer can do. [`for_each_assignment`] sets many cells to everything in all combinations: all
 //! tables of a size, right or wrong.
 
-use super::{BoundaryPlace, Expectation, Link, Part, Start, Table};
+use super::expectation::{Expectation, Part};
+use super::table::Table;
+use super::view::{BoundaryPlace, Link, Start};
 use alloc::vec::Vec;
 
 /// One cell of a table: a field of the row with this index. Lists have a cell for each position.

@@ -57,36 +57,37 @@
 //! There is a second opinion: [`mod@reference`] says each rule once more in sets and quantifiers, and [`enumerate`]
 //! makes every small [`Table`], and every change of one cell of a larger one, for the two to agree on.
 
-mod boundaries;
-mod components;
+mod columns;
+mod delegate;
 #[cfg(feature = "geometry")]
 mod embedding;
 pub mod enumerate;
 mod expectation;
-mod faces;
-mod glance;
-mod links;
-mod live;
+mod fast_path;
+mod findings;
+#[cfg(feature = "geometry")]
+mod geometric;
+mod passes;
 pub mod reference;
 mod report;
-mod rotations;
 mod rule;
+mod rules;
 mod run;
 mod table;
 mod table_text;
-mod topology;
+mod validator;
 mod view;
 mod violation;
 
 #[cfg(feature = "geometry")]
-pub use embedding::{Embedding, places, validate_embedding};
+pub use embedding::{Embedding, places};
 pub use expectation::{Expectation, Part, Surface};
-pub use report::{Bounds, Certificate, Collect, Counts, Report, RuleOutcome, Unchecked};
 #[cfg(feature = "geometry")]
-pub(crate) use report::{Findings, Flow, Halt};
+pub use geometric::validator::validate_embedding;
+pub use report::{Bounds, Certificate, Collect, Counts, Report, RuleOutcome, Unchecked};
 pub use rule::Rule;
-pub use run::validate;
 pub use table::{BoundaryRow, FaceRow, HalfEdgeRow, Table, VertexRow};
 pub use table_text::ParseTableError;
+pub use validator::validate;
 pub use view::{BoundaryPlace, Link, Start, View};
 pub use violation::{Field, Record, Violation};

@@ -11,7 +11,9 @@
 //! It is total: nil is followed to nil, no walk goes on once it meets what it has seen, and nothing recurses. But it is
 //! cubic and worse, and it is for small structures only: it reads every slot and every list entry that the view claims.
 
-use super::{BoundaryPlace, Expectation, Link, Part, Rule, Start, Surface, View};
+use super::expectation::{Expectation, Part, Surface};
+use super::rule::Rule;
+use super::view::{BoundaryPlace, Link, Start, View};
 use alloc::collections::BTreeSet;
 use alloc::vec::Vec;
 

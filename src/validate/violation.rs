@@ -1,6 +1,7 @@
 //! Every way of breaking a rule, with the records involved.
 
-use super::{BoundaryPlace, Link, Rule};
+use super::rule::Rule;
+use super::view::{BoundaryPlace, Link};
 use core::fmt;
 
 /// A record, by its kind and its index in the [`View`](super::View).

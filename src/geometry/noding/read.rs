@@ -2,8 +2,8 @@
 
 use super::grid::Grid;
 use super::pixel::{Pixel, Segment, Steps};
-use super::{Input, NodingError};
-use crate::geometry::Point;
+use super::input::{Input, NodingError};
+use crate::geometry::point::Point;
 use rustc_hash::FxHashMap;
 
 /// A distinct point of the input.

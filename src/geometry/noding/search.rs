@@ -22,7 +22,7 @@
 //!
 //! Blocks are made of whole pixels, so each hot pixel is met in one leaf, and each visit is found once.
 
-use super::NodingError;
+use super::input::NodingError;
 use super::bundle::Bundle;
 use super::chords::{Chord, Chords, chords};
 use super::pixel::{Block, Pixel, Pixels, Segment, Steps};
