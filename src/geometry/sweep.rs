@@ -46,8 +46,8 @@ use alloc::vec::Vec;
 use core::cmp::Ordering;
 use core::ops::Range;
 
-use super::point::Point;
 use super::crossing::{Clash, InvalidSegments, check, classify};
+use super::point::Point;
 use super::predicates::{Meeting, Orientation, compare_lexicographic, count_step, meeting, orientation};
 use super::status::{Gap, NIL, Status, Strand};
 

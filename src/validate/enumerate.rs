@@ -5,7 +5,7 @@
 //! tables of a size, right or wrong.
 
 use super::expectation::{Expectation, Part};
-use super::table::Table;
+use super::table::{HalfEdgeRow, Table, VertexRow};
 use super::view::{BoundaryPlace, Link, Start};
 use alloc::vec::Vec;
 
@@ -145,6 +145,76 @@ impl Table {
             Cell::InnerStart(f, i) => Stored::Start(row(&mut self.faces, f)?.inner_starts.get_mut(i)?),
         })
     }
+}
+
+impl Table {
+    /// Sets the origin of each half-edge to what its links imply, that of the next of its twin, and gives each rotation a
+    /// vertex of its own. The vertices are new: they keep no half-edge. O(n²).
+    ///
+    /// ```
+    /// use twinedge::validate::Table;
+    /// // Two half-edges, each the twin and the next of the other: an edge.
+    /// let mut table: Table = "V 0 H 2 - 1 1 - - - 0 0 - - B 0 F 0".parse()?;
+    /// table.derive_origins();
+    /// assert_eq!(table.to_string(), "V 2 - - - - H 2 0 1 1 - - 1 0 0 - - B 0 F 0");
+    /// # Ok::<(), twinedge::validate::ParseTableError>(())
+    /// ```
+    pub fn derive_origins(&mut self) {
+        let half_edges = self.half_edges.len();
+        let next_of_twin = |table: &Self, h: usize| {
+            let link = |link: fn(&HalfEdgeRow) -> Link, h: usize| link(table.half_edges.get(h)?.as_ref()?);
+            link(|row| row.twin, h).and_then(|t| link(|row| row.next, t)).filter(|h| *h < half_edges)
+        };
+        let mut least: Vec<usize> = (0..half_edges).collect();
+        for _ in 0..half_edges {
+            for h in 0..half_edges {
+                if let Some(around) = next_of_twin(self, h) {
+                    let first = least[h].min(least[around]);
+                    (least[h], least[around]) = (first, first);
+                }
+            }
+        }
+        let mut vertices: Vec<usize> = live(&self.half_edges).map(|h| least[h]).collect();
+        vertices.sort_unstable();
+        vertices.dedup();
+        for (h, first) in least.iter().enumerate() {
+            if let Some(row) = row(&mut self.half_edges, h) {
+                row.origin = vertices.binary_search(first).ok();
+            }
+        }
+        self.vertices.clear();
+        self.vertices.resize(vertices.len(), Some(VertexRow::default()));
+    }
+}
+
+/// Every way to pair off so many half-edges as twins: for each way the twin of each half-edge. None if the number is odd.
+///
+/// There are (n − 1)!! = 1 · 3 · 5 · … · (n − 1) of them.
+///
+/// ```
+/// use twinedge::validate::enumerate::pairings;
+/// assert_eq!(pairings(4), [[1, 0, 3, 2], [2, 3, 0, 1], [3, 2, 1, 0]]);
+/// ```
+#[must_use]
+pub fn pairings(half_edges: usize) -> Vec<Vec<usize>> {
+    if half_edges & 1 == 1 {
+        return Vec::new();
+    }
+    let mut all = alloc::vec![alloc::vec![usize::MAX; half_edges]];
+    for _ in 0..half_edges / 2 {
+        let with_one_pair_more = |twins: &Vec<usize>| {
+            let alone: Vec<usize> = (0..half_edges).filter(|h| twins[*h] == usize::MAX).collect();
+            let first = alone[0];
+            let paired = |other: &usize| {
+                let mut twins = twins.clone();
+                (twins[first], twins[*other]) = (*other, first);
+                twins
+            };
+            alone.iter().skip(1).map(paired).collect::<Vec<_>>()
+        };
+        all = all.iter().flat_map(with_one_pair_more).collect();
+    }
+    all
 }
 
 fn live<T>(rows: &[Option<T>]) -> impl Iterator<Item = usize> + '_ {

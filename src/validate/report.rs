@@ -178,6 +178,20 @@ impl Report {
         self.outcomes.iter().find(|(r, _)| *r == rule).map(|(_, o)| *o)
     }
 
+    /// The rules of which a violation was found, in order. All but the first may be consequences of it.
+    ///
+    /// ```
+    /// use twinedge::validate::{Collect, Expectation, Rule, Table, validate};
+    /// // A loop that is its own twin.
+    /// let table: Table = "V 1 0 - H 1 0 0 0 0 0 B 1 0 h0 i0 F 1 - 1 0".parse()?;
+    /// let report = validate(&table, &Expectation::plane(), Collect::All);
+    /// assert_eq!(report.broken_rules().next(), Some(Rule::L1));
+    /// # Ok::<(), twinedge::validate::ParseTableError>(())
+    /// ```
+    pub fn broken_rules(&self) -> impl Iterator<Item = Rule> + '_ {
+        self.outcomes.iter().filter(|(_, outcome)| outcome.violations > 0).map(|(rule, _)| *rule)
+    }
+
     /// The violations that were kept, in the order of the rules.
     #[must_use]
     pub fn violations(&self) -> &[Violation] {

@@ -1,7 +1,7 @@
 //! The grid: coordinates as whole numbers of steps, and back.
 
-use super::pixel::{Pixel, Pixels, Steps};
 use super::input::{Input, NodingError, Snap};
+use super::pixel::{Pixel, Pixels, Steps};
 use crate::geometry::point::Point;
 
 /// Coordinates are at most 2^53 steps: any whole number up to there is a double.

@@ -1,8 +1,8 @@
 //! The input on the grid: equal points made one, and the vertices that they become.
 
 use super::grid::Grid;
-use super::pixel::{Pixel, Segment, Steps};
 use super::input::{Input, NodingError};
+use super::pixel::{Pixel, Segment, Steps};
 use crate::geometry::point::Point;
 use rustc_hash::FxHashMap;
 

@@ -22,9 +22,9 @@
 //!
 //! Blocks are made of whole pixels, so each hot pixel is met in one leaf, and each visit is found once.
 
-use super::input::NodingError;
 use super::bundle::Bundle;
 use super::chords::{Chord, Chords, chords};
+use super::input::NodingError;
 use super::pixel::{Block, Pixel, Pixels, Segment, Steps};
 
 #[cfg(test)]

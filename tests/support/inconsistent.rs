@@ -1,36 +1,36 @@
-//! A structure that changes its mind.
+//! A structure whose answers change.
 
 use std::cell::Cell;
 use twinedge::validate::{BoundaryPlace, Link, Start, Table, View};
 
-/// A table that answers as it is for a while, and then anything, differently each time. It insists on being asked about
-/// slots that it has only.
-pub(crate) struct Moody<'a> {
+/// A table that gives so many consistent answers, and then pseudorandom ones, different each time. It panics where it is
+/// asked about a slot that it does not have.
+pub(crate) struct Inconsistent<'a> {
     pub(crate) table: &'a Table,
     pub(crate) questions: Cell<u64>,
-    /// What it last said of the length of a list.
+    /// The last length of a list that it answered.
     listed: Cell<usize>,
-    patience: u64,
+    consistent_answers: u64,
     seed: u64,
 }
 
-impl<'a> Moody<'a> {
-    /// One that begins to lie after that many questions.
-    pub(crate) fn new(table: &'a Table, patience: u64, seed: u64) -> Self {
-        Self { table, questions: Cell::new(0), listed: Cell::new(0), patience, seed }
+impl<'a> Inconsistent<'a> {
+    /// One whose answers are those of the table so many times.
+    pub(crate) fn new(table: &'a Table, consistent_answers: u64, seed: u64) -> Self {
+        Self { table, questions: Cell::new(0), listed: Cell::new(0), consistent_answers, seed }
     }
 
-    /// Something between 0 and `n`, or the answer of the table while patience lasts.
+    /// The answer of the table while answers are consistent, then an index from 0 to `n` or nil.
     fn link(&self, answer: Link, n: usize) -> Link {
-        let mood = self.mood()?;
-        if mood == u64::MAX { answer } else { Some((mood % (n as u64 + 1)) as usize) }
+        let noise = self.noise()?;
+        if noise == u64::MAX { answer } else { Some((noise % (n as u64 + 1)) as usize) }
     }
 
-    /// [`u64::MAX`] while patience lasts; then pseudorandom, and nil now and then.
-    pub(crate) fn mood(&self) -> Option<u64> {
+    /// [`u64::MAX`] while answers are consistent; then pseudorandom, and one time in 16 none.
+    pub(crate) fn noise(&self) -> Option<u64> {
         let asked = self.questions.get() + 1;
         self.questions.set(asked);
-        if asked <= self.patience {
+        if asked <= self.consistent_answers {
             return Some(u64::MAX);
         }
         // A step of SplitMix64.
@@ -42,16 +42,16 @@ impl<'a> Moody<'a> {
     }
 
     fn is(&self, answer: bool) -> bool {
-        match self.mood() {
+        match self.noise() {
             Some(u64::MAX) => answer,
-            mood => mood.is_some(),
+            noise => noise.is_some(),
         }
     }
 
     fn start(&self, answer: Option<Start>) -> Option<Start> {
-        match self.mood()? {
+        match self.noise()? {
             u64::MAX => answer,
-            mood if mood.is_multiple_of(3) => self.link(None, self.table.vertices.len()).map(Start::Vertex),
+            noise if noise.is_multiple_of(3) => self.link(None, self.table.vertices.len()).map(Start::Vertex),
             _ => self.link(None, self.table.half_edges.len()).map(Start::HalfEdge),
         }
     }
@@ -82,7 +82,7 @@ impl<'a> Moody<'a> {
     }
 }
 
-impl View for Moody<'_> {
+impl View for Inconsistent<'_> {
     fn vertex_slots(&self) -> usize {
         self.table.vertices.len()
     }

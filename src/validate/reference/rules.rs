@@ -1,19 +1,8 @@
-//! The reference validator: a second opinion, slow and obvious.
-//!
-//! Each rule is one function, headed by its sentence, and its body is that sentence in sets and quantifiers. It shares
-//! nothing with [`validate`](super::validate) but the questions that a [`View`] answers, so that where both agree on
-//! all small structures, neither has a blind spot that the other lacks.
-//!
-//! What it is exact about: a structure is valid if and only if no rule is broken; and the *first* broken rule, in the
-//! order of the ladder, is the same for both validators. A later rule says what its sentence says, also where an
-//! earlier one that it relies on is broken, while the fast validator then declines to check it.
-//!
-//! It is total: nil is followed to nil, no walk goes on once it meets what it has seen, and nothing recurses. But it is
-//! cubic and worse, and it is for small structures only: it reads every slot and every list entry that the view claims.
+//! Each rule as one function: its sentence in sets and quantifiers.
 
-use super::expectation::{Expectation, Part, Surface};
-use super::rule::Rule;
-use super::view::{BoundaryPlace, Link, Start, View};
+use crate::validate::expectation::{Expectation, Part, Surface};
+use crate::validate::rule::Rule;
+use crate::validate::view::{BoundaryPlace, Link, Start, View};
 use alloc::collections::BTreeSet;
 use alloc::vec::Vec;
 
@@ -35,6 +24,16 @@ pub fn broken_rules<V: View + ?Sized>(view: &V, expectation: &Expectation) -> Ve
 }
 
 /// The first broken rule alone, which takes less time than all of them.
+///
+/// Cost: O(n³) and more.
+///
+/// ```
+/// use twinedge::validate::{Expectation, Rule, Table, reference::first_broken_rule};
+/// // A loop that is its own twin.
+/// let table: Table = "V 1 0 - H 1 0 0 0 0 0 B 1 0 h0 i0 F 1 - 1 0".parse()?;
+/// assert_eq!(first_broken_rule(&table, &Expectation::plane()), Some(Rule::L1));
+/// # Ok::<(), twinedge::validate::ParseTableError>(())
+/// ```
 pub fn first_broken_rule<V: View + ?Sized>(view: &V, expectation: &Expectation) -> Option<Rule> {
     let s = Structure::new(view, *expectation);
     rules().into_iter().find(|(_, holds)| !holds(&s)).map(|(rule, _)| rule)
@@ -277,7 +276,7 @@ enum Says {
     Face,
 }
 
-/// One entry of the list of a face.
+/// An entry of the list of a face.
 struct Entry {
     face: Link,
     place: BoundaryPlace,
@@ -335,7 +334,7 @@ impl<'a, V: View + ?Sized> Structure<'a, V> {
         s
     }
 
-    /// What the face lists at that place; nothing only if it has no outer boundary component.
+    /// The entry of the face at that place; none where the face has no outer boundary component.
     fn entry(&self, f: usize, place: BoundaryPlace) -> Option<Entry> {
         let boundary = match (self.says, place) {
             (Says::Boundary, BoundaryPlace::Outer) => self.view.outer(f),
