@@ -101,11 +101,13 @@ fn text(name: &str, map: &PlanarMap, report: &Report, elapsed: f64) -> Result<St
     for (rule, outcome) in report.outcomes() {
         write!(out, "  {:2}  {:10} ", rule.id(), rule.name())?;
         match (outcome.violations, outcome.unchecked) {
-            (0, None) => write!(out, "{GOOD}ok{GOOD:#}      {} {}", grouped(outcome.checked), rule.unit())?,
+            (0, None) => {
+                write!(out, "{GOOD}ok{GOOD:#}      {} {}", grouped(outcome.checked), rule.unit(outcome.checked))?
+            }
             (0, Some(why)) => write!(out, "{QUIET}not checked: {why}{QUIET:#}")?,
             (n, _) => {
                 let of = grouped(outcome.checked);
-                write!(out, "{BAD}BROKEN{BAD:#}  {} violation(s) in {of} {}", grouped(n), rule.unit())?;
+                write!(out, "{BAD}BROKEN{BAD:#}  {} violation(s) in {of} {}", grouped(n), rule.unit(outcome.checked))?;
             }
         }
         out.push('\n');

@@ -1,7 +1,7 @@
 //! The validator's own columns: what it remembers of a structure while the rules are run.
 
 use super::findings::Halt;
-use super::violation::Record;
+use super::record::Record;
 use alloc::vec::Vec;
 
 /// Nil in a column.

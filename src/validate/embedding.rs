@@ -1,7 +1,8 @@
 //! Structures whose vertices have coordinates.
 
+use super::record::Record;
 use super::view::{Start, View};
-use super::violation::{Record, Violation};
+use super::violation::Violation;
 use crate::geometry::{MAX_COORDINATE, Point};
 
 /// A structure whose vertices have coordinates.

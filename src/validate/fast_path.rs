@@ -28,11 +28,11 @@
 
 use super::columns::{Component, Components, NIL};
 use super::expectation::Part;
+use super::record::Record;
 use super::report::Unchecked;
 use super::rule::Rule;
 use super::run::Run;
 use super::view::{BoundaryPlace, Start, View};
-use super::violation::Record;
 use alloc::vec::Vec;
 
 /// How many slots there are, and whether faces have holes.

@@ -3,6 +3,8 @@
 use super::expectation::Part;
 use super::rule::Rule;
 use super::violation::Violation;
+use super::words::Number;
+use alloc::boxed::Box;
 use alloc::vec::Vec;
 use core::fmt;
 
@@ -33,6 +35,8 @@ impl Collect {
 
 /// Why a rule was not checked, or not on every record.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
+#[cfg_attr(feature = "serde", serde(rename_all = "snake_case"))]
 #[non_exhaustive]
 pub enum Unchecked {
     /// It makes sense only where this rule holds, and that one is broken.
@@ -67,9 +71,7 @@ impl fmt::Display for Unchecked {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         match self {
             Self::Broken(rule) => write!(f, "needs {rule}, which is broken"),
-            Self::Lacks(part) => {
-                write!(f, "the structure has no {}", part.name().trim_start_matches("a ").trim_start_matches("an "))
-            }
+            Self::Lacks(part) => write!(f, "the structure has no {}", part.name()),
             Self::PlaneOnly => f.write_str("a rule of the plane only"),
             Self::NotSimple => f.write_str("applies to simple maps with at least 3 vertices"),
             Self::Stopped => f.write_str("stopped at the first violation"),
@@ -82,6 +84,7 @@ impl fmt::Display for Unchecked {
 
 /// What became of one rule.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash, Default)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 pub struct RuleOutcome {
     /// How many were checked; what is counted is [`Rule::unit`].
     pub checked: u64,
@@ -93,6 +96,7 @@ pub struct RuleOutcome {
 
 /// How many of everything. What could not be counted because a rule that counting relies on is broken is `None`.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash, Default)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 pub struct Counts {
     /// V.
     pub vertices: usize,
@@ -121,6 +125,7 @@ pub struct Counts {
 
 /// The bounds of T4, for a simple map: how far its counts are from the most that is possible.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 pub struct Bounds {
     /// `3V − 6`, the most edges possible.
     pub most_edges: usize,
@@ -133,6 +138,7 @@ pub struct Bounds {
 /// Added over the components, with one cycle for each isolated vertex, T3 says that
 /// `vertices − edges + cycles + borders + isolated_vertices = 2 · components − 2 · genus`.
 #[derive(Clone, Debug, PartialEq, Eq)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 pub struct Certificate {
     /// V.
     pub vertices: usize,
@@ -157,7 +163,26 @@ pub struct Certificate {
 }
 
 /// What a validation found.
+///
+/// ```
+/// use twinedge::validate::{Collect, Expectation, Part, Table, validate};
+/// // Two half-edges, each the twin of the other; both cycles have one half-edge. That is a loop at one vertex, not at two.
+/// let table: Table = "V 2 - - - - H 2 0 1 0 - - 1 0 1 - - B 0 F 0".parse()?;
+/// let expectation = Expectation::plane().without(Part::Faces).without(Part::Prev).without(Part::Leaving);
+/// let report = validate(&table, &expectation, Collect::All);
+/// assert!(!report.is_valid());
+/// assert!(report.to_string().starts_with(
+///     "R1 live      ok, 6 links\n\
+///      L1 twin      ok, 2 half-edges\n\
+///      L2 next/prev ok, 2 half-edges\n\
+///      L3 target    BROKEN, 2 violations in 2 half-edges\n\
+///      V1 leaving   not checked: the structure has no half-edge at each vertex\n\
+///      V2 rotation  not checked: needs L3, which is broken\n"
+/// ));
+/// # Ok::<(), twinedge::validate::ParseTableError>(())
+/// ```
 #[derive(Clone, Debug, PartialEq, Eq)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize))]
 pub struct Report {
     pub(crate) outcomes: Vec<(Rule, RuleOutcome)>,
     pub(crate) violations: Vec<Violation>,
@@ -232,6 +257,31 @@ impl Report {
         self.outcomes.iter().all(|(_, o)| o.violations == 0 && o.unchecked.is_none_or(Unchecked::is_by_design))
     }
 
+    /// The certificate, or the report itself if the structure is not valid.
+    ///
+    /// # Errors
+    /// The report, if a violation was found or a rule that applies was not checked.
+    ///
+    /// ```
+    /// use twinedge::validate::{Collect, Expectation, Rule, Table, validate};
+    /// // An isolated vertex.
+    /// let mut table: Table = "V 1 - 0 H 0 B 1 0 v0 i0 F 1 - 1 0".parse()?;
+    /// let certificate = validate(&table, &Expectation::plane(), Collect::All).into_result()?;
+    /// assert_eq!((certificate.vertices, certificate.components), (1, 1));
+    ///
+    /// table.faces.push(None);
+    /// table.vertices[0].as_mut().unwrap().isolated = None;
+    /// let report = validate(&table, &Expectation::plane(), Collect::All).into_result().unwrap_err();
+    /// assert_eq!(report.broken_rules().collect::<Vec<_>>(), [Rule::B2]);
+    /// # Ok::<(), Box<dyn std::error::Error>>(())
+    /// ```
+    pub fn into_result(self) -> Result<Certificate, Box<Self>> {
+        match self.certificate() {
+            Some(certificate) => Ok(certificate),
+            None => Err(Box::new(self)),
+        }
+    }
+
     /// The certificate, if the structure is valid.
     #[must_use]
     pub fn certificate(&self) -> Option<Certificate> {
@@ -254,15 +304,21 @@ impl Report {
     }
 }
 
+/// So that [`Report::into_result`] can be followed by `?`.
+impl core::error::Error for Report {}
+
+/// A line for each rule, then a line for each violation that was kept.
 impl fmt::Display for Report {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         for (rule, outcome) in &self.outcomes {
+            let checked = outcome.checked;
             write!(f, "{:2} {:9} ", rule.id(), rule.name())?;
             match (outcome.violations, outcome.unchecked) {
-                (0, None) => write!(f, "ok, {} {}", outcome.checked, rule.unit())?,
+                (0, None) => write!(f, "ok, {checked} {}", rule.unit(checked))?,
                 (0, Some(why)) => write!(f, "not checked: {why}")?,
                 (n, why) => {
-                    write!(f, "BROKEN, {n} violation(s) in {} {}", outcome.checked, rule.unit())?;
+                    let violations = Number(n, "violation", "violations");
+                    write!(f, "BROKEN, {violations} in {checked} {}", rule.unit(checked))?;
                     if let Some(why) = why {
                         write!(f, "; the rest not checked: {why}")?;
                     }

@@ -355,7 +355,7 @@ fn a_report_reads_as_sentences() {
     half_edge(&mut table, 5).twin = None;
     let wrong = validate(&table, &MESH, Collect::All).to_string();
     for part in [
-        "R1 live      BROKEN, 2 violation(s) in 68 links\n",
+        "R1 live      BROKEN, 2 violations in 68 links\n",
         "V2 rotation  not checked: needs R1, which is broken\n",
         "R1: the next of half-edge 3 is 99, which is no live record: following it reads something else\n",
         "R1: half-edge 5 has no twin, so what hangs on it cannot be reached\n",

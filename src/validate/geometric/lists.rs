@@ -4,8 +4,8 @@ use super::columns::Columns;
 use crate::validate::columns::NIL;
 use crate::validate::embedding::Embedding;
 use crate::validate::expectation::{Expectation, Part};
+use crate::validate::record::Record;
 use crate::validate::view::Start;
-use crate::validate::violation::Record;
 
 /// A boundary component, as its face lists it.
 pub(in crate::validate) struct Listed {

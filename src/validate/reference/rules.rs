@@ -130,12 +130,12 @@ fn v1<V: View + ?Sized>(s: &Structure<'_, V>) -> bool {
     s.vertices.iter().all(|&v| s.leaving(v).is_none() || s.origin(s.leaving(v)) == v)
 }
 
-/// V2 rotation: the rotation of a vertex is *all* half-edges with that origin.
+/// V2 rotation: the rotation of a vertex is all half-edges with that origin.
 fn v2<V: View + ?Sized>(s: &Structure<'_, V>) -> bool {
     s.half_edges.iter().all(|&h| s.rotation(h) == s.all_leaving(s.origin(h)))
 }
 
-/// B1 cycle: the boundary component is constant along `next`; its start is on its own cycle; one component per cycle.
+/// B1 cycle: the boundary component is constant along `next`, its start is on its own cycle, and it has one cycle.
 ///
 /// So the half-edges of a component are the cycle of its start, or none if it starts at a vertex. Without records for
 /// boundary components: the face is constant along `next`, and a face lists half-edges of its own.
@@ -185,7 +185,7 @@ fn b2<V: View + ?Sized>(s: &Structure<'_, V>) -> bool {
         })
 }
 
-/// F1 outer: a bounded face has exactly one outer boundary component, the one unbounded face none.
+/// F1 outer: a bounded face has exactly one outer boundary component, a cycle; the one unbounded face has none.
 ///
 /// A face keeps one link for it, so that there are never two. It is a cycle: an isolated vertex encloses nothing.
 fn f1<V: View + ?Sized>(s: &Structure<'_, V>) -> bool {
@@ -218,7 +218,9 @@ fn f2<V: View + ?Sized>(s: &Structure<'_, V>) -> bool {
     }
 }
 
-/// T1 outside: each component has exactly one inner boundary component (its outside); all its others are outer.
+/// T1 outside: each component has exactly one inner boundary component, its outside.
+///
+/// All its other boundary components are outer.
 ///
 /// It has none where its outside has no record: at an open boundary, or where the unbounded face is missing.
 fn t1<V: View + ?Sized>(s: &Structure<'_, V>) -> bool {
@@ -229,8 +231,9 @@ fn t1<V: View + ?Sized>(s: &Structure<'_, V>) -> bool {
         })
 }
 
-/// T2 nesting: containment (component in face, face bounded by component) is a tree rooted at the unbounded face: no
-/// component lies, through others, inside itself.
+/// T2 nesting: containment is a tree rooted at the unbounded face.
+///
+/// Containment is component in face, and face bounded by component: no component lies, through others, inside itself.
 fn t2<V: View + ?Sized>(s: &Structure<'_, V>) -> bool {
     if !s.has_containment() {
         return true;
@@ -245,7 +248,9 @@ fn t2<V: View + ?Sized>(s: &Structure<'_, V>) -> bool {
     (0..components.len()).map(Some).all(|c| !orbit(container(c), container).contains(&c))
 }
 
-/// T3 Euler: per component `V − E + cycles = 2 − 2g`, `g ≥ 0` always; a plane needs `g = 0` for each.
+/// T3 Euler: per component `V − E + cycles = 2 − 2g`, with `g = 0` in the plane.
+///
+/// Elsewhere `g ≥ 0`.
 fn t3<V: View + ?Sized>(s: &Structure<'_, V>) -> bool {
     s.components().iter().all(|c| {
         let (vertices, edges, cycles) = (c.len(), s.edges(c).len(), s.cycles(c));
@@ -256,7 +261,7 @@ fn t3<V: View + ?Sized>(s: &Structure<'_, V>) -> bool {
     })
 }
 
-/// T4 bounds: for simple maps with V ≥ 3: `E ≤ 3V − 6`, `F ≤ 2V − 4`.
+/// T4 bounds: a simple map with `V ≥ 3` has `E ≤ 3V − 6` and `F ≤ 2V − 4`.
 fn t4<V: View + ?Sized>(s: &Structure<'_, V>) -> bool {
     let all = s.vertices.iter().copied().collect();
     let (vertices, edges, faces) = (s.vertices.len(), s.edges(&all), s.faces.len());
@@ -292,7 +297,7 @@ impl Entry {
     }
 }
 
-/// The structure in the words of the rules. A link that is nil, or leads nowhere, is followed to nil.
+/// The structure in the words of the rules. A link that is nil, or does not lead to a live record, is followed to nil.
 struct Structure<'a, V: ?Sized> {
     view: &'a V,
     expect: Expectation,

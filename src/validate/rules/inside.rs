@@ -1,4 +1,4 @@
-//! G5 inside: each inner boundary component lies in the face that lists it.
+//! G5 inside: each inner boundary component lies in the face that lists it, and what no face lists lies in none.
 //!
 //! ```text
 //!   ┌─────────┐
@@ -8,7 +8,7 @@
 //!   └────┴────┘
 //! ```
 //!
-//! And what no face lists lies in none.
+//! A component that no face lists lies outside everything, where the unbounded face has no record.
 
 use crate::validate::embedding::Embedding;
 use crate::validate::expectation::{Expectation, Part};

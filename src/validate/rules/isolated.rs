@@ -1,5 +1,5 @@
-//! B2 isolated: a vertex has no half-edge if and only if exactly one boundary component starts at it, and they name each
-//! other.
+//! B2 isolated: a vertex has no half-edge if and only if exactly one boundary component starts at it, and they name
+//! each other.
 //!
 //! ```text
 //!   ·v    isolated(v) = 7 ◄──► start(7) = v
@@ -10,11 +10,12 @@
 use crate::validate::columns::{NIL, column};
 use crate::validate::expectation::Part;
 use crate::validate::findings::Flow;
+use crate::validate::record::Record;
 use crate::validate::report::Unchecked;
 use crate::validate::rule::Rule;
 use crate::validate::run::Run;
 use crate::validate::view::{Start, View};
-use crate::validate::violation::{Record, Violation};
+use crate::validate::violation::Violation;
 use alloc::vec::Vec;
 
 /// Runs B2: the boundary components that start at each vertex are found first, then each vertex is checked.

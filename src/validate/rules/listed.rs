@@ -11,11 +11,12 @@
 use crate::validate::columns::{NIL, column};
 use crate::validate::expectation::Part;
 use crate::validate::findings::Flow;
+use crate::validate::record::Record;
 use crate::validate::report::Unchecked;
 use crate::validate::rule::Rule;
 use crate::validate::run::Run;
 use crate::validate::view::{BoundaryPlace, Start, View};
-use crate::validate::violation::{Record, Violation};
+use crate::validate::violation::Violation;
 
 /// Runs F2, and counts the inner boundary components.
 pub(in crate::validate) fn check<V: View + ?Sized>(run: &mut Run<'_, V>) -> Flow {

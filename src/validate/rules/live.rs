@@ -13,10 +13,11 @@
 use crate::validate::columns::{Fan, NIL, column};
 use crate::validate::expectation::Part;
 use crate::validate::findings::{Flow, Halt};
+use crate::validate::record::{Field, Record};
 use crate::validate::rule::Rule;
 use crate::validate::run::Run;
 use crate::validate::view::{Link, Start, View};
-use crate::validate::violation::{Field, Record, Violation};
+use crate::validate::violation::Violation;
 
 /// The kind of record that a link leads to.
 #[derive(Clone, Copy)]

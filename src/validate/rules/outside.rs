@@ -12,10 +12,11 @@
 use crate::validate::columns::Components;
 use crate::validate::expectation::Part;
 use crate::validate::findings::Flow;
+use crate::validate::record::Record;
 use crate::validate::rule::Rule;
 use crate::validate::run::Run;
 use crate::validate::view::{Start, View};
-use crate::validate::violation::{Record, Violation};
+use crate::validate::violation::Violation;
 
 /// Runs T1, and notes in which face each component lies.
 pub(in crate::validate) fn check<V: View + ?Sized>(run: &mut Run<'_, V>, components: &mut Components) -> Flow {
