@@ -16,12 +16,14 @@ pub mod zone;
 mod construct;
 mod feature;
 mod feature_sets;
+mod import;
 mod planar_map;
 mod record_tree;
 mod summary;
 
 pub use construct::{BuildError, Builder, Noding};
 pub use feature::{Feature, FeatureId, Shape};
+pub use import::MapImportError;
 pub use locate::{LocateError, Located, Locator};
 pub use planar_map::PlanarMap;
 pub use summary::{BuildSummary, Irregularity, IrregularityKind, Position};

@@ -81,6 +81,23 @@ impl PlanarMap {
         Ok(self.features.set(set).iter().copied())
     }
 
+    /// The feature with this number, counted from 0 in order of input; none beyond the last. O(1).
+    ///
+    /// ```
+    /// use twinedge::map::Builder;
+    ///
+    /// let mut builder = Builder::new();
+    /// let road = builder.segment([0.0, 0.0], [1.0, 0.0])?;
+    /// let map = builder.build()?;
+    /// assert_eq!(map.feature(0), Some(road));
+    /// assert_eq!(map.feature(1), None);
+    /// # Ok::<(), twinedge::map::BuildError>(())
+    /// ```
+    #[must_use]
+    pub fn feature(&self, index: usize) -> Option<FeatureId> {
+        (index < self.names.len()).then_some(FeatureId(index as u32))
+    }
+
     /// All features, in order of input.
     pub fn features(&self) -> impl Iterator<Item = FeatureId> + '_ {
         (0..self.names.len() as u32).map(FeatureId)

@@ -1,6 +1,6 @@
 //! Gathering rings, lines and points, and building the map of them all at once.
 
-use super::arrange::arrange;
+use super::arrange::{Arranged, arrange};
 use super::cover::cover;
 use super::cut::{self, Cut, Noding};
 use super::error::BuildError;
@@ -280,10 +280,10 @@ impl Builder {
             }
             _ => {}
         }
-        let covered = cover(&points, &segments, &arranged, &features);
+        let covered = cover(&points, &segments, &arranged.dcel, &features);
         let features_of_map = FeatureSets::new(&covered.faces, &covered.edges);
         Ok(PlanarMap {
-            points: arranged.points_by_vertex(&points),
+            points: Arranged::points_by_vertex(&points),
             plane: arranged.clash.is_none(),
             dcel: arranged.dcel,
             names: features.into_iter().map(|feature| feature.name).collect(),
