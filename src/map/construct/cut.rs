@@ -58,9 +58,7 @@ impl Pieces {
     fn push(&mut self, chain: impl Iterator<Item = u32>, mut made: impl FnMut([u32; 2]) -> Option<u32>) {
         let mut last = None;
         for to in chain {
-            if let Some(from) = last.replace(to)
-                && from != to
-            {
+            if let Some(from) = last.replace(to).filter(|from| *from != to) {
                 let ends = [from.min(to), from.max(to)];
                 let number = self.numbers.get(&ends).copied().or_else(|| {
                     let number = made(ends)?;

@@ -203,9 +203,7 @@ impl<'m> KnownEvents<'m, '_> {
             (p, line.side(p))
         };
         for boundary in face.boundaries() {
-            if let Some(vertex) = boundary.isolated_vertex()
-                && sided(vertex).1 == Orientation::Collinear
-            {
+            if let Some(vertex) = boundary.isolated_vertex().filter(|v| sided(*v).1 == Orientation::Collinear) {
                 self.add(Line::at(map, vertex), at);
             }
             let Some(start) = boundary.start() else { continue };
