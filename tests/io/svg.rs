@@ -4,6 +4,7 @@ use quickcheck::{Gen, QuickCheck};
 use twinedge::geometry::{MAX_COORDINATE, MIN_COORDINATE, Point};
 use twinedge::io::svg::{Options, draw, half_edges_in};
 use twinedge::map::{Builder, Feature, PlanarMap, Shape};
+use twinedge::validate::{Field, Record, Violation};
 
 fn polygon(name: &str, ring: &[[f64; 2]]) -> Feature {
     let ring = ring.iter().copied().map(Point::from).collect();
@@ -176,7 +177,8 @@ fn anything_is_drawn(segments: Vec<((u8, u8), (u8, u8))>) -> bool {
 #[test]
 fn names_keep_only_characters_that_xml_allows() {
     let square = [[0.0, 0.0], [4.0, 0.0], [4.0, 4.0], [0.0, 4.0]];
-    let name: String = ('\0'..='\u{FF}').chain(['\u{D7FF}', '\u{E000}', '\u{FFFD}', '\u{FFFE}', '\u{FFFF}', '\u{1F600}']).collect();
+    let name: String =
+        ('\0'..='\u{FF}').chain(['\u{D7FF}', '\u{E000}', '\u{FFFD}', '\u{FFFE}', '\u{FFFF}', '\u{1F600}']).collect();
     for name in [name.as_str(), "]]>", "&amp;", "<!--", "a\u{FFFF}b"] {
         let map = built(&[polygon(name, &square)]);
         for detail in [false, true] {
@@ -194,7 +196,12 @@ fn any_options_will_do() {
     let extremes = [0.0, 5e-324, 1e-300, 1e-130, 1.0, MAX_COORDINATE, f64::MAX];
     let violations: Vec<Violation> = [0, 1, 7, usize::MAX]
         .into_iter()
-        .flat_map(|i| [Violation::SelfTwin { half_edge: i }, Violation::NotLive { from: Record::Vertex(i), field: "x", to: i }])
+        .flat_map(|i| {
+            [
+                Violation::TwinIsSelf { half_edge: i },
+                Violation::Nil { record: Record::Vertex(i), field: Field::Leaving },
+            ]
+        })
         .collect();
     for from in extremes {
         for to in extremes {

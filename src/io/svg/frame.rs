@@ -88,6 +88,17 @@ impl Bounds {
 
 /// How many half-edges a picture of this window shows, in whole or in part, judging by the boxes around them; all of them
 /// without a window. O(half-edges).
+///
+/// ```
+/// use twinedge::io::svg::half_edges_in;
+/// use twinedge::map::PlanarMap;
+///
+/// let mut map = PlanarMap::new();
+/// map.insert_ring([[0.0, 0.0], [4.0, 0.0], [4.0, 4.0], [0.0, 4.0]])?;
+/// let corner = [[3.0, 3.0], [5.0, 5.0]].map(Into::into);
+/// assert_eq!((half_edges_in(&map, Some(corner)), half_edges_in(&map, None)), (4, 8));
+/// # Ok::<(), twinedge::map::edit::EditError>(())
+/// ```
 #[must_use]
 pub fn half_edges_in(map: &PlanarMap, window: Option<[Point; 2]>) -> usize {
     let Some(window) = window.and_then(Bounds::of_window) else { return map.dcel().half_edge_count() };
