@@ -72,7 +72,7 @@ impl Assembly<'_> {
         let half_edge = |number: u32| slots.half_edges[number as usize];
         let boundary = |number: u32| slots.boundaries[number as usize];
         for (v, link) in slots.vertices.iter().zip(self.vertices) {
-            store.set_anchor(
+            store.set_vertex_link(
                 *v,
                 match *link {
                     VertexLink::Leaving(h) => VertexLink::Leaving(half_edge(h)),
@@ -83,7 +83,7 @@ impl Assembly<'_> {
         let columns = self.origin.iter().zip(self.next).zip(self.boundary);
         for (h, ((origin, next), b)) in slots.half_edges.iter().zip(columns) {
             store.set_origin(*h, vertex(*origin));
-            store.set_component(*h, boundary(*b));
+            store.set_boundary(*h, boundary(*b));
             store.join(*h, half_edge(*next));
         }
         for (b, start) in slots.boundaries.iter().zip(self.starts) {

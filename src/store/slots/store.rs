@@ -1,164 +1,47 @@
-//! The default store: slotmap keys over columns of 32-bit slots.
-//!
-//! ```text
-//!   keys                       columns
-//!   edge slotmap   [e1][e2]…   origin   [· ·][· ·]…   two half-edges per edge, side by side:
-//!                              next     [· ·][· ·]…   slot 2e and 2e + 1, so that twin(h) is h ^ 1
-//!                              prev     [· ·][· ·]…   and L1 holds by construction
-//!                              boundary [· ·][· ·]…
-//!   vertex slotmap [v1][v2]…   anchor   [·][·]…       a half-edge, or (high bit) a boundary component
-//!   …
-//! ```
-//!
-//! Bytes per record, all keys included: 44 per edge, 16 per vertex, 24 per boundary component, 24 per face, and 4 more for
-//! each inner boundary component. A triangulated grid needs about 40 per half-edge.
+//! The store over columns.
 
-use super::issuer::{Issuer, structure_offset, with_room};
-use super::keys::{key, parts};
-use super::links::{BoundaryStart, Links, Need, OUTER, RecordKind, UNLISTED, VertexLink, room};
-use super::{BoundaryKey, FaceKey, HalfEdgeKey, Store, VertexKey};
+use super::columns::{
+    BoundarySlot, FaceSlot, HalfEdgeSlot, MOST, MOST_EDGES, NIL, OTHER, VACANT, VertexSlot, column, put, start_bits,
+    vertex_link_bits,
+};
+use crate::store::issuer::{Issuer, structure_offset};
+use crate::store::keys::{BoundaryKey, FaceKey, HalfEdgeKey, VertexKey, key, parts};
+use crate::store::links::{BoundaryStart, Links, Need, RecordKind, Store, VertexLink, room};
+use crate::store::place::{OUTER, UNLISTED};
 use alloc::boxed::Box;
 use alloc::vec::Vec;
 use slotmap::DefaultKey;
 
-/// Marks a link that leads to the rarer of two kinds of record.
-const OTHER: u32 = 1 << 31;
-
-/// Slots must leave room for [`OTHER`], and edges for two half-edges each.
-const MOST: usize = OTHER as usize - 2;
-const MOST_EDGES: usize = MOST / 2;
-
-const NIL: u32 = u32::MAX;
-
-/// Stands for the outer half-edge of a face that is gone.
-const VACANT: u32 = u32::MAX - 1;
-
-macro_rules! slot_types {
-    ($($(#[$doc:meta])* $name:ident;)*) => {$(
-        $(#[$doc])*
-        #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord, Hash)]
-        #[repr(transparent)]
-        pub struct $name(u32);
-    )*};
-}
-
-slot_types! {
-    /// The slot of a vertex.
-    VertexSlot;
-    /// The slot of a half-edge.
-    HalfEdgeSlot;
-    /// The slot of a boundary component.
-    BoundarySlot;
-    /// The slot of a face.
-    FaceSlot;
-}
-
 /// The inner boundary components of one face. Boxed, because most faces have none.
 #[derive(Clone, Debug, Default)]
-struct InnerList(Vec<BoundarySlot>);
+pub(super) struct InnerList(Vec<BoundarySlot>);
 
 /// The default store: slotmap keys over columns of 32-bit slots.
 #[derive(Clone, Debug)]
 pub struct SlotStore {
-    edges: Issuer<DefaultKey>,
-    origin: Vec<VertexSlot>,
-    next: Vec<HalfEdgeSlot>,
-    prev: Vec<HalfEdgeSlot>,
-    component: Vec<BoundarySlot>,
+    pub(super) edges: Issuer<DefaultKey>,
+    pub(super) origin: Vec<VertexSlot>,
+    pub(super) next: Vec<HalfEdgeSlot>,
+    pub(super) prev: Vec<HalfEdgeSlot>,
+    pub(super) boundary: Vec<BoundarySlot>,
 
-    vertices: Issuer<VertexKey>,
-    anchor: Vec<u32>,
+    pub(super) vertices: Issuer<VertexKey>,
+    pub(super) vertex_link: Vec<u32>,
 
-    boundaries: Issuer<BoundaryKey>,
-    bounded: Vec<FaceSlot>,
-    start: Vec<u32>,
-    place: Vec<u32>,
+    pub(super) boundaries: Issuer<BoundaryKey>,
+    pub(super) boundary_face: Vec<FaceSlot>,
+    pub(super) start: Vec<u32>,
+    pub(super) place: Vec<u32>,
 
-    faces: Issuer<FaceKey>,
+    pub(super) faces: Issuer<FaceKey>,
     /// The half-edge where the outer boundary component starts, as in the textbooks: most walks around a face need nothing
     /// else. The boundary component is had through it.
-    outer: Vec<u32>,
-    inner: Vec<Option<Box<InnerList>>>,
-    unbounded: FaceSlot,
+    pub(super) outer: Vec<u32>,
+    pub(super) inner: Vec<Option<Box<InnerList>>>,
+    pub(super) unbounded: FaceSlot,
 }
 
 impl Store for SlotStore {}
-
-/// Writes to a column, growing it by one where the slot is new.
-fn put<T>(column: &mut Vec<T>, slot: u32, value: T) {
-    match column.get_mut(slot as usize) {
-        Some(entry) => *entry = value,
-        None => column.push(value),
-    }
-}
-
-/// A column with room for `room` slots beyond the first, which slotmap does not use.
-fn column<T: Clone>(room: usize, unused: T, count: usize) -> Vec<T> {
-    let mut column = with_room(room.saturating_add(count));
-    column.resize(count, unused);
-    column
-}
-
-const fn anchor_bits(anchor: VertexLink<HalfEdgeSlot, BoundarySlot>) -> u32 {
-    match anchor {
-        VertexLink::Leaving(h) => h.0,
-        VertexLink::Isolated(b) => b.0 | OTHER,
-    }
-}
-
-const fn origin_bits(start: BoundaryStart<HalfEdgeSlot, VertexSlot>) -> u32 {
-    match start {
-        BoundaryStart::HalfEdge(h) => h.0,
-        BoundaryStart::Vertex(v) => v.0 | OTHER,
-    }
-}
-
-/// The slots of the records of a store, in the order in which they were issued. The first face is the unbounded one.
-pub(crate) struct Slots {
-    pub(crate) vertices: Vec<VertexSlot>,
-    /// The two of an edge side by side.
-    pub(crate) half_edges: Vec<HalfEdgeSlot>,
-    pub(crate) boundaries: Vec<BoundarySlot>,
-    pub(crate) faces: Vec<FaceSlot>,
-}
-
-impl SlotStore {
-    /// A store with that many records beside the unbounded face. The caller sets all their links.
-    ///
-    /// # Errors
-    /// The kind of record of which there are more than a store can hold.
-    pub(crate) fn with_records(need: Need) -> Result<(Self, Slots), RecordKind> {
-        let mut store = Self::with_room(need);
-        store.room_for(need)?;
-        let edges = (0..need.edges).map(|_| store.edges.issue() << 1);
-        let slots = Slots {
-            half_edges: edges.flat_map(|h| [HalfEdgeSlot(h), HalfEdgeSlot(h | 1)]).collect(),
-            vertices: (0..need.vertices).map(|_| VertexSlot(store.vertices.issue())).collect(),
-            boundaries: (0..need.boundaries).map(|_| BoundarySlot(store.boundaries.issue())).collect(),
-            faces: core::iter::once(store.unbounded)
-                .chain((0..need.faces).map(|_| FaceSlot(store.faces.issue())))
-                .collect(),
-        };
-        store.fill_columns();
-        Ok((store, slots))
-    }
-
-    /// Makes the columns as long as there are slots.
-    fn fill_columns(&mut self) {
-        let half_edges = 2 * self.edges.end();
-        self.origin.resize(half_edges, VertexSlot(NIL));
-        self.next.resize(half_edges, HalfEdgeSlot(NIL));
-        self.prev.resize(half_edges, HalfEdgeSlot(NIL));
-        self.component.resize(half_edges, BoundarySlot(NIL));
-        self.anchor.resize(self.vertices.end(), NIL);
-        let boundaries = self.boundaries.end();
-        self.bounded.resize(boundaries, FaceSlot(NIL));
-        self.start.resize(boundaries, NIL);
-        self.place.resize(boundaries, UNLISTED);
-        self.outer.resize(self.faces.end(), NIL);
-        self.inner.resize(self.faces.end(), None);
-    }
-}
 
 impl Links for SlotStore {
     type Vertex = VertexSlot;
@@ -175,11 +58,11 @@ impl Links for SlotStore {
             origin: column(half_edges, VertexSlot(NIL), 2),
             next: column(half_edges, HalfEdgeSlot(NIL), 2),
             prev: column(half_edges, HalfEdgeSlot(NIL), 2),
-            component: column(half_edges, BoundarySlot(NIL), 2),
+            boundary: column(half_edges, BoundarySlot(NIL), 2),
             vertices: Issuer::with_room(need.vertices, offset),
-            anchor: column(need.vertices, NIL, 1),
+            vertex_link: column(need.vertices, NIL, 1),
             boundaries: Issuer::with_room(need.boundaries, offset),
-            bounded: column(need.boundaries, FaceSlot(NIL), 1),
+            boundary_face: column(need.boundaries, FaceSlot(NIL), 1),
             start: column(need.boundaries, NIL, 1),
             place: column(need.boundaries, NIL, 1),
             faces: Issuer::with_room(faces, offset),
@@ -199,22 +82,22 @@ impl Links for SlotStore {
         room(self, need, Need { vertices: MOST, edges: MOST_EDGES, boundaries: MOST, faces: MOST })
     }
 
-    fn vertex(&self, key: VertexKey) -> Option<VertexSlot> {
+    fn find_vertex(&self, key: VertexKey) -> Option<VertexSlot> {
         let (slot, generation) = parts(key);
         (self.vertices.generation(slot) == generation).then_some(VertexSlot(slot))
     }
 
-    fn half_edge(&self, key: HalfEdgeKey) -> Option<HalfEdgeSlot> {
+    fn find_half_edge(&self, key: HalfEdgeKey) -> Option<HalfEdgeSlot> {
         let (slot, generation) = parts(key);
         (self.edges.generation(slot >> 1) == generation).then_some(HalfEdgeSlot(slot))
     }
 
-    fn boundary(&self, key: BoundaryKey) -> Option<BoundarySlot> {
+    fn find_boundary(&self, key: BoundaryKey) -> Option<BoundarySlot> {
         let (slot, generation) = parts(key);
         (self.boundaries.generation(slot) == generation).then_some(BoundarySlot(slot))
     }
 
-    fn face(&self, key: FaceKey) -> Option<FaceSlot> {
+    fn find_face(&self, key: FaceKey) -> Option<FaceSlot> {
         let (slot, generation) = parts(key);
         (self.faces.generation(slot) == generation).then_some(FaceSlot(slot))
     }
@@ -316,8 +199,8 @@ impl Links for SlotStore {
     }
 
     #[inline]
-    fn component_in(&self, index: usize) -> Option<usize> {
-        self.component.get(index).map(|b| b.0 as usize)
+    fn boundary_in(&self, index: usize) -> Option<usize> {
+        self.boundary.get(index).map(|b| b.0 as usize)
     }
 
     #[inline]
@@ -340,16 +223,16 @@ impl Links for SlotStore {
         f.0 as usize
     }
 
-    fn add_vertex(&mut self, anchor: VertexLink<HalfEdgeSlot, BoundarySlot>) -> VertexSlot {
+    fn add_vertex(&mut self, link: VertexLink<HalfEdgeSlot, BoundarySlot>) -> VertexSlot {
         let slot = self.vertices.issue();
-        put(&mut self.anchor, slot, anchor_bits(anchor));
+        put(&mut self.vertex_link, slot, vertex_link_bits(link));
         VertexSlot(slot)
     }
 
     fn add_isolated(&mut self, f: FaceSlot) -> (VertexSlot, BoundarySlot) {
         let v = VertexSlot(self.vertices.issue());
         let b = self.add_boundary(f, BoundaryStart::Vertex(v));
-        put(&mut self.anchor, v.0, anchor_bits(VertexLink::Isolated(b)));
+        put(&mut self.vertex_link, v.0, vertex_link_bits(VertexLink::Isolated(b)));
         self.list_inner(f, b);
         (v, b)
     }
@@ -360,15 +243,15 @@ impl Links for SlotStore {
             put(&mut self.origin, slot, origin);
             put(&mut self.next, slot, HalfEdgeSlot(slot ^ 1));
             put(&mut self.prev, slot, HalfEdgeSlot(slot ^ 1));
-            put(&mut self.component, slot, b);
+            put(&mut self.boundary, slot, b);
         }
         HalfEdgeSlot(h)
     }
 
     fn add_boundary(&mut self, f: FaceSlot, start: BoundaryStart<HalfEdgeSlot, VertexSlot>) -> BoundarySlot {
         let slot = self.boundaries.issue();
-        put(&mut self.bounded, slot, f);
-        put(&mut self.start, slot, origin_bits(start));
+        put(&mut self.boundary_face, slot, f);
+        put(&mut self.start, slot, start_bits(start));
         put(&mut self.place, slot, UNLISTED);
         BoundarySlot(slot)
     }
@@ -419,13 +302,13 @@ impl Links for SlotStore {
     }
 
     #[inline]
-    fn component(&self, h: HalfEdgeSlot) -> BoundarySlot {
-        self.component[h.0 as usize]
+    fn boundary(&self, h: HalfEdgeSlot) -> BoundarySlot {
+        self.boundary[h.0 as usize]
     }
 
     #[inline]
-    fn anchor(&self, v: VertexSlot) -> VertexLink<HalfEdgeSlot, BoundarySlot> {
-        let bits = self.anchor[v.0 as usize];
+    fn vertex_link(&self, v: VertexSlot) -> VertexLink<HalfEdgeSlot, BoundarySlot> {
+        let bits = self.vertex_link[v.0 as usize];
         if bits & OTHER == 0 {
             VertexLink::Leaving(HalfEdgeSlot(bits))
         } else {
@@ -434,8 +317,8 @@ impl Links for SlotStore {
     }
 
     #[inline]
-    fn bounded(&self, b: BoundarySlot) -> FaceSlot {
-        self.bounded[b.0 as usize]
+    fn face(&self, b: BoundarySlot) -> FaceSlot {
+        self.boundary_face[b.0 as usize]
     }
 
     #[inline]
@@ -455,7 +338,7 @@ impl Links for SlotStore {
 
     #[inline]
     fn outer(&self, f: FaceSlot) -> Option<BoundarySlot> {
-        self.outer_half_edge(f).map(|h| self.component(h))
+        self.outer_half_edge(f).map(|h| self.boundary(h))
     }
 
     #[inline]
@@ -483,20 +366,20 @@ impl Links for SlotStore {
         self.prev[n.0 as usize] = h;
     }
 
-    fn set_component(&mut self, h: HalfEdgeSlot, b: BoundarySlot) {
-        self.component[h.0 as usize] = b;
+    fn set_boundary(&mut self, h: HalfEdgeSlot, b: BoundarySlot) {
+        self.boundary[h.0 as usize] = b;
     }
 
-    fn set_anchor(&mut self, v: VertexSlot, anchor: VertexLink<HalfEdgeSlot, BoundarySlot>) {
-        self.anchor[v.0 as usize] = anchor_bits(anchor);
+    fn set_vertex_link(&mut self, v: VertexSlot, link: VertexLink<HalfEdgeSlot, BoundarySlot>) {
+        self.vertex_link[v.0 as usize] = vertex_link_bits(link);
     }
 
     fn set_start(&mut self, b: BoundarySlot, start: BoundaryStart<HalfEdgeSlot, VertexSlot>) {
-        self.start[b.0 as usize] = origin_bits(start);
+        self.start[b.0 as usize] = start_bits(start);
         if let BoundaryStart::HalfEdge(h) = start
             && self.place[b.0 as usize] == OUTER
         {
-            self.outer[self.bounded[b.0 as usize].0 as usize] = h.0;
+            self.outer[self.boundary_face[b.0 as usize].0 as usize] = h.0;
         }
     }
 
@@ -506,19 +389,19 @@ impl Links for SlotStore {
 
     fn list_outer(&mut self, f: FaceSlot, b: BoundarySlot) {
         self.outer[f.0 as usize] = self.start[b.0 as usize];
-        self.bounded[b.0 as usize] = f;
+        self.boundary_face[b.0 as usize] = f;
         self.place[b.0 as usize] = OUTER;
     }
 
     fn list_inner(&mut self, f: FaceSlot, b: BoundarySlot) {
         let list = self.inner[f.0 as usize].get_or_insert_default();
         self.place[b.0 as usize] = list.0.len() as u32;
-        self.bounded[b.0 as usize] = f;
+        self.boundary_face[b.0 as usize] = f;
         list.0.push(b);
     }
 
     fn unlist(&mut self, b: BoundarySlot) {
-        let f = self.bounded[b.0 as usize].0 as usize;
+        let f = self.boundary_face[b.0 as usize].0 as usize;
         let place = core::mem::replace(&mut self.place[b.0 as usize], UNLISTED);
         if place == OUTER {
             self.outer[f] = NIL;

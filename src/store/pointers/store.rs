@@ -1,269 +1,20 @@
-//! Pointer-style: boxed records joined by raw pointers, as the literature draws them.
-//!
-//! ```text
-//!   keys                    columns of pointers    records, each in a box of its own
-//!   half-edge slotmap  [h][t]…   [•][•]…  ───────►  ┌─────────┐ twin  ┌─────────┐
-//!   vertex slotmap     [v]…      [•]…               │ key     │◄─────►│ key     │
-//!   …                                               │ origin •│─► v   │ origin •│─► w
-//!                                                   │ next   •│─►     │ next   •│─►
-//!                                                   │ prev   •│─►     │ prev   •│─►
-//!                                                   └─────────┘       └─────────┘
-//! ```
-//!
-//! A slot is a pointer to its record, and a step is a bare dereference.
-//!
-//! # Why the unsafe here is sound
-//!
-//! 1. *A slot can be dereferenced as long as its store lives.* A box once made is freed by one piece of code, the `Drop` of
-//!    [`Records`], and never moves. What is retired stays in its column and is used again with the next key of its index.
-//!    So even the slot of a retired record leads to a record: to the wrong one perhaps, but to memory that is a record of
-//!    that kind.
-//! 2. *A slot is used with the store that it is of.* [`Links`] cannot be named outside this crate, and outside it there is
-//!    neither a store nor a slot to be had. Inside, slots live in the links of their own store, in references that borrow
-//!    the structure around that store, and in an operator's variables until it ends, while it borrows that structure.
-//! 3. *There is never a `&mut` to a record*, so no reference to one can be invalidated: what changes is in cells, and all
-//!    access goes through shared references, of which the same record may have any number. Cells and raw pointers keep a
-//!    store on one thread: it is neither `Send` nor `Sync`.
+//! The store over records in boxes.
 
-#![allow(unsafe_code, reason = "this is the file to which the crate's raw pointers are confined")]
-
-use super::issuer::{Issuer, structure_offset, with_room};
-use super::keys::{key, parts};
-use super::links::{BoundaryStart, Links, Need, OUTER, RecordKind, VertexLink, room};
-use super::{BoundaryKey, FaceKey, HalfEdgeKey, Store, VertexKey};
-use alloc::boxed::Box;
+use super::records::{
+    BoundaryRecord, BoundaryRef, FaceRecord, FaceRef, HalfEdgeRecord, HalfEdgeRef, Records, Ref, VertexRecord,
+    VertexRef,
+};
+use crate::store::issuer::structure_offset;
+use crate::store::keys::{BoundaryKey, FaceKey, HalfEdgeKey, VertexKey};
+use crate::store::links::{BoundaryStart, Links, Need, RecordKind, Store, VertexLink, room};
+use crate::store::place::{self, OUTER, UNLISTED};
 use alloc::vec::Vec;
-use core::cell::{Cell, RefCell};
 use core::fmt;
-use core::ptr::NonNull;
-use slotmap::Key;
 
 /// As for the default store: places stay clear of the two values that mean something else.
 const MOST: usize = u32::MAX as usize / 2 - 2;
 
-/// A pointer to a record.
-pub struct Ref<R>(NonNull<R>);
-
-impl<R> Ref<R> {
-    /// What a link holds until it is set. It is never followed: whoever issues a record sets all its links.
-    const UNSET: Self = Self(NonNull::dangling());
-}
-
-impl<R> Clone for Ref<R> {
-    fn clone(&self) -> Self {
-        *self
-    }
-}
-
-impl<R> Copy for Ref<R> {}
-
-impl<R> PartialEq for Ref<R> {
-    fn eq(&self, other: &Self) -> bool {
-        self.0 == other.0
-    }
-}
-
-impl<R> Eq for Ref<R> {}
-
-impl<R> fmt::Debug for Ref<R> {
-    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        self.0.fmt(f)
-    }
-}
-
-type VertexRef = Ref<VertexRecord>;
-type HalfEdgeRef = Ref<HalfEdgeRecord>;
-type BoundaryRef = Ref<BoundaryRecord>;
-type FaceRef = Ref<FaceRecord>;
-
-/// A vertex.
-pub struct VertexRecord {
-    key: Cell<VertexKey>,
-    anchor: Cell<VertexLink<HalfEdgeRef, BoundaryRef>>,
-}
-
-/// A half-edge.
-pub struct HalfEdgeRecord {
-    key: Cell<HalfEdgeKey>,
-    origin: Cell<VertexRef>,
-    twin: Cell<HalfEdgeRef>,
-    next: Cell<HalfEdgeRef>,
-    prev: Cell<HalfEdgeRef>,
-    component: Cell<BoundaryRef>,
-}
-
-/// A boundary component.
-pub struct BoundaryRecord {
-    key: Cell<BoundaryKey>,
-    face: Cell<FaceRef>,
-    start: Cell<BoundaryStart<HalfEdgeRef, VertexRef>>,
-    place: Cell<u32>,
-}
-
-/// A face.
-pub struct FaceRecord {
-    key: Cell<FaceKey>,
-    outer: Cell<Option<BoundaryRef>>,
-    inner: RefCell<Vec<BoundaryRef>>,
-}
-
-/// What the four kinds of record have in common.
-trait Record {
-    type Key: Key;
-
-    /// A record with this key, whose links are to be set before anything follows them.
-    fn new(key: Self::Key) -> Self;
-    fn key(&self) -> &Cell<Self::Key>;
-}
-
-impl Record for VertexRecord {
-    type Key = VertexKey;
-
-    fn new(key: VertexKey) -> Self {
-        Self { key: Cell::new(key), anchor: Cell::new(VertexLink::Isolated(Ref::UNSET)) }
-    }
-
-    fn key(&self) -> &Cell<VertexKey> {
-        &self.key
-    }
-}
-
-impl Record for HalfEdgeRecord {
-    type Key = HalfEdgeKey;
-
-    fn new(key: HalfEdgeKey) -> Self {
-        Self {
-            key: Cell::new(key),
-            origin: Cell::new(Ref::UNSET),
-            twin: Cell::new(Ref::UNSET),
-            next: Cell::new(Ref::UNSET),
-            prev: Cell::new(Ref::UNSET),
-            component: Cell::new(Ref::UNSET),
-        }
-    }
-
-    fn key(&self) -> &Cell<HalfEdgeKey> {
-        &self.key
-    }
-}
-
-impl Record for BoundaryRecord {
-    type Key = BoundaryKey;
-
-    fn new(key: BoundaryKey) -> Self {
-        Self {
-            key: Cell::new(key),
-            face: Cell::new(Ref::UNSET),
-            start: Cell::new(BoundaryStart::Vertex(Ref::UNSET)),
-            place: Cell::new(OUTER),
-        }
-    }
-
-    fn key(&self) -> &Cell<BoundaryKey> {
-        &self.key
-    }
-}
-
-impl Record for FaceRecord {
-    type Key = FaceKey;
-
-    fn new(key: FaceKey) -> Self {
-        Self { key: Cell::new(key), outer: Cell::new(None), inner: RefCell::new(Vec::new()) }
-    }
-
-    fn key(&self) -> &Cell<FaceKey> {
-        &self.key
-    }
-}
-
-/// The records of one kind: who issues, checks and retires their keys, and the boxes.
-struct Records<R: Record> {
-    issuer: Issuer<R::Key>,
-    /// Owned. That of slot 1 comes first, because slotmap does not use slot 0.
-    boxes: Vec<Ref<R>>,
-}
-
-impl<R: Record> Records<R> {
-    fn with_room(room: usize, offset: u32) -> Self {
-        Self { issuer: Issuer::with_room(room, offset), boxes: with_room(room) }
-    }
-
-    fn put_in_box(record: R) -> Ref<R> {
-        Ref(NonNull::from(Box::leak(Box::new(record))))
-    }
-
-    /// Issues a key and gives a record that shows it. The caller sets all its links.
-    fn issue(&mut self) -> Ref<R> {
-        let slot = self.issuer.issue();
-        let key = key(slot, self.issuer.generation(slot));
-        if let Some(used) = self.in_slot(slot) {
-            self.follow(used).key().set(key);
-            return used;
-        }
-        let made = Self::put_in_box(R::new(key));
-        self.boxes.push(made);
-        made
-    }
-
-    fn retire(&mut self, r: Ref<R>) {
-        self.issuer.retire(self.slot(r));
-    }
-
-    #[inline]
-    #[allow(clippy::unused_self, reason = "the reference that comes out borrows the records, which keeps them")]
-    fn follow(&self, r: Ref<R>) -> &R {
-        // SAFETY: `r` points to a box of this store (2), which is freed only when `self`, borrowed for as long as the
-        // reference, is dropped (1). Nobody makes a `&mut` of it (3). It was initialised when the box was made.
-        unsafe { r.0.as_ref() }
-    }
-
-    fn key(&self, r: Ref<R>) -> R::Key {
-        self.follow(r).key().get()
-    }
-
-    fn slot(&self, r: Ref<R>) -> u32 {
-        parts(self.key(r)).0
-    }
-
-    fn index(&self, r: Ref<R>) -> usize {
-        self.slot(r) as usize
-    }
-
-    /// The record of a slot, live or not.
-    fn in_slot(&self, slot: u32) -> Option<Ref<R>> {
-        self.boxes.get((slot as usize).checked_sub(1)?).copied()
-    }
-
-    fn with_key(&self, key: R::Key) -> Option<Ref<R>> {
-        let (slot, generation) = parts(key);
-        if self.issuer.generation(slot) == generation { self.in_slot(slot) } else { None }
-    }
-
-    fn at(&self, index: usize) -> Option<Ref<R>> {
-        let slot = u32::try_from(index).ok()?;
-        if self.issuer.is_live(slot) { self.in_slot(slot) } else { None }
-    }
-
-    /// Records of its own with the same keys in the same slots. The caller sets all their links.
-    fn unlinked_copy(&self) -> Self {
-        let boxes = self.boxes.iter().map(|r| Self::put_in_box(R::new(self.key(*r)))).collect();
-        Self { issuer: self.issuer.clone(), boxes }
-    }
-
-    /// The record of this copy that stands for `r` of the original.
-    fn counterpart(&self, original: &Self, r: Ref<R>) -> Ref<R> {
-        self.boxes[original.index(r) - 1]
-    }
-}
-
-impl<R: Record> Drop for Records<R> {
-    fn drop(&mut self) {
-        for r in self.boxes.drain(..) {
-            // SAFETY: the pointer came from `Box::leak`, stands in this column once, and is freed nowhere else.
-            drop(unsafe { Box::from_raw(r.0.as_ptr()) });
-        }
-    }
-}
+const _: () = assert!(MOST < place::MOST as usize);
 
 /// Pointer-style: boxed records joined by raw pointers.
 ///
@@ -316,7 +67,7 @@ impl Clone for PointerStore {
         let face = |f| copy.faces.counterpart(&self.faces, f);
         // Retired records too: then all links of all records lead to records, in the copy as in the original.
         for v in self.vertices.boxes.iter().copied() {
-            copy.vertices.follow(vertex(v)).anchor.set(match self.anchor(v) {
+            copy.vertices.follow(vertex(v)).link.set(match self.vertex_link(v) {
                 VertexLink::Leaving(h) => VertexLink::Leaving(half_edge(h)),
                 VertexLink::Isolated(b) => VertexLink::Isolated(boundary(b)),
             });
@@ -327,11 +78,11 @@ impl Clone for PointerStore {
             record.twin.set(half_edge(self.twin(h)));
             record.next.set(half_edge(self.next(h)));
             record.prev.set(half_edge(self.prev(h)));
-            record.component.set(boundary(self.component(h)));
+            record.boundary.set(boundary(self.boundary(h)));
         }
         for b in self.boundaries.boxes.iter().copied() {
             let record = copy.boundaries.follow(boundary(b));
-            record.face.set(face(self.bounded(b)));
+            record.face.set(face(self.face(b)));
             record.start.set(match self.start(b) {
                 BoundaryStart::HalfEdge(h) => BoundaryStart::HalfEdge(half_edge(h)),
                 BoundaryStart::Vertex(v) => BoundaryStart::Vertex(vertex(v)),
@@ -374,19 +125,19 @@ impl Links for PointerStore {
         room(self, need, Need { vertices: MOST, edges: MOST / 2, boundaries: MOST, faces: MOST })
     }
 
-    fn vertex(&self, key: VertexKey) -> Option<VertexRef> {
+    fn find_vertex(&self, key: VertexKey) -> Option<VertexRef> {
         self.vertices.with_key(key)
     }
 
-    fn half_edge(&self, key: HalfEdgeKey) -> Option<HalfEdgeRef> {
+    fn find_half_edge(&self, key: HalfEdgeKey) -> Option<HalfEdgeRef> {
         self.half_edges.with_key(key)
     }
 
-    fn boundary(&self, key: BoundaryKey) -> Option<BoundaryRef> {
+    fn find_boundary(&self, key: BoundaryKey) -> Option<BoundaryRef> {
         self.boundaries.with_key(key)
     }
 
-    fn face(&self, key: FaceKey) -> Option<FaceRef> {
+    fn find_face(&self, key: FaceKey) -> Option<FaceRef> {
         self.faces.with_key(key)
     }
 
@@ -474,16 +225,16 @@ impl Links for PointerStore {
         self.faces.index(f)
     }
 
-    fn add_vertex(&mut self, anchor: VertexLink<HalfEdgeRef, BoundaryRef>) -> VertexRef {
+    fn add_vertex(&mut self, link: VertexLink<HalfEdgeRef, BoundaryRef>) -> VertexRef {
         let v = self.vertices.issue();
-        self.vertices.follow(v).anchor.set(anchor);
+        self.vertices.follow(v).link.set(link);
         v
     }
 
     fn add_isolated(&mut self, f: FaceRef) -> (VertexRef, BoundaryRef) {
         let v = self.vertices.issue();
         let b = self.add_boundary(f, BoundaryStart::Vertex(v));
-        self.set_anchor(v, VertexLink::Isolated(b));
+        self.set_vertex_link(v, VertexLink::Isolated(b));
         self.list_inner(f, b);
         (v, b)
     }
@@ -496,7 +247,7 @@ impl Links for PointerStore {
             record.twin.set(other);
             record.next.set(other);
             record.prev.set(other);
-            record.component.set(b);
+            record.boundary.set(b);
         }
         h
     }
@@ -506,7 +257,7 @@ impl Links for PointerStore {
         let record = self.boundaries.follow(b);
         record.face.set(f);
         record.start.set(start);
-        record.place.set(OUTER);
+        record.place.set(UNLISTED);
         b
     }
 
@@ -556,17 +307,17 @@ impl Links for PointerStore {
     }
 
     #[inline]
-    fn component(&self, h: HalfEdgeRef) -> BoundaryRef {
-        self.half_edges.follow(h).component.get()
+    fn boundary(&self, h: HalfEdgeRef) -> BoundaryRef {
+        self.half_edges.follow(h).boundary.get()
     }
 
     #[inline]
-    fn anchor(&self, v: VertexRef) -> VertexLink<HalfEdgeRef, BoundaryRef> {
-        self.vertices.follow(v).anchor.get()
+    fn vertex_link(&self, v: VertexRef) -> VertexLink<HalfEdgeRef, BoundaryRef> {
+        self.vertices.follow(v).link.get()
     }
 
     #[inline]
-    fn bounded(&self, b: BoundaryRef) -> FaceRef {
+    fn face(&self, b: BoundaryRef) -> FaceRef {
         self.boundaries.follow(b).face.get()
     }
 
@@ -604,12 +355,12 @@ impl Links for PointerStore {
         self.half_edges.follow(n).prev.set(h);
     }
 
-    fn set_component(&mut self, h: HalfEdgeRef, b: BoundaryRef) {
-        self.half_edges.follow(h).component.set(b);
+    fn set_boundary(&mut self, h: HalfEdgeRef, b: BoundaryRef) {
+        self.half_edges.follow(h).boundary.set(b);
     }
 
-    fn set_anchor(&mut self, v: VertexRef, anchor: VertexLink<HalfEdgeRef, BoundaryRef>) {
-        self.vertices.follow(v).anchor.set(anchor);
+    fn set_vertex_link(&mut self, v: VertexRef, link: VertexLink<HalfEdgeRef, BoundaryRef>) {
+        self.vertices.follow(v).link.set(link);
     }
 
     fn set_start(&mut self, b: BoundaryRef, start: BoundaryStart<HalfEdgeRef, VertexRef>) {
@@ -638,7 +389,7 @@ impl Links for PointerStore {
     fn unlist(&mut self, b: BoundaryRef) {
         let record = self.boundaries.follow(b);
         let face = self.faces.follow(record.face.get());
-        let place = record.place.replace(OUTER);
+        let place = record.place.replace(UNLISTED);
         if place == OUTER {
             face.outer.set(None);
             return;
