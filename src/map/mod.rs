@@ -40,6 +40,8 @@ mod feature_sets;
 mod import;
 mod planar_map;
 mod record_tree;
+#[cfg(feature = "serde")]
+mod saved;
 mod summary;
 
 pub use construct::{BuildError, Builder, Noding};

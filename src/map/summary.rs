@@ -5,6 +5,7 @@ use core::fmt;
 
 /// Where in the input something is.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Hash)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 pub struct Position {
     /// The feature, counted from 0.
     pub feature: usize,
@@ -24,6 +25,7 @@ impl fmt::Display for Position {
 
 /// What is irregular about a ring or a line.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord, Hash)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 #[non_exhaustive]
 pub enum IrregularityKind {
     /// A point repeats the one before it.
@@ -55,6 +57,7 @@ impl fmt::Display for IrregularityKind {
 
 /// Something irregular, and where.
 #[derive(Clone, Copy, Debug, PartialEq)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 pub struct Irregularity {
     /// What.
     pub kind: IrregularityKind,
@@ -82,6 +85,7 @@ pub struct Irregularity {
 /// # Ok::<(), twinedge::map::BuildError>(())
 /// ```
 #[derive(Clone, Debug, Default, PartialEq)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 pub struct BuildSummary {
     /// Features taken.
     pub features: usize,

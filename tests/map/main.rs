@@ -10,3 +10,4 @@ mod import;
 mod location;
 mod noding;
 mod planar_map;
+mod saved;
