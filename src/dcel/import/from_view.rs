@@ -4,7 +4,7 @@ use super::error::ImportError;
 use super::gather::{Gather, NIL, Numbers};
 use super::keys::Keys;
 use super::outside::Outside;
-use crate::dcel::Dcel;
+use crate::dcel::structure::Dcel;
 use crate::validate::{Collect, Expectation, Part, Report, View, validate};
 use alloc::boxed::Box;
 use alloc::vec::Vec;

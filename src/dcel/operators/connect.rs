@@ -1,10 +1,12 @@
 //! Connecting two corners by an edge.
 
-use super::super::{BoundaryKey, Dcel, FaceKey, HalfEdgeKey, OperatorError, StaleKey};
 use super::corner::{Corner, Spot};
 use super::walk::OneOfTwo;
+use crate::dcel::error::{OperatorError, StaleKey};
+use crate::dcel::structure::Dcel;
 use crate::store::Store;
 use crate::store::links::{BoundaryStart, Need, VertexLink};
+use crate::store::{BoundaryKey, FaceKey, HalfEdgeKey};
 
 /// A side of a half-edge.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash, Default)]

@@ -1,8 +1,10 @@
 //! Corners: where an edge can be attached.
 
-use super::super::{Dcel, HalfEdgeKey, OperatorError, VertexKey};
+use crate::dcel::error::OperatorError;
+use crate::dcel::structure::Dcel;
 use crate::store::Store;
 use crate::store::links::VertexLink;
+use crate::store::{HalfEdgeKey, VertexKey};
 
 /// A place at a vertex where an edge can be attached.
 ///

@@ -1,6 +1,8 @@
 //! Turning an edge inside the two faces that it separates.
 
-use super::super::{Dcel, HalfEdgeKey, OperatorError};
+use crate::dcel::error::OperatorError;
+use crate::dcel::structure::Dcel;
+use crate::store::HalfEdgeKey;
 use crate::store::Store;
 use crate::store::links::{BoundaryStart, VertexLink};
 

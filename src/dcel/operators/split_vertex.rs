@@ -1,10 +1,12 @@
 //! Two vertices out of one, and the way back.
 
-use super::super::{Dcel, HalfEdgeKey, OperatorError, VertexKey};
 use super::corner::{Corner, Spot};
 use super::walk::OneOfTwo;
+use crate::dcel::error::OperatorError;
+use crate::dcel::structure::Dcel;
 use crate::store::Store;
 use crate::store::links::{BoundaryStart, Need, VertexLink};
+use crate::store::{HalfEdgeKey, VertexKey};
 
 /// What [`Dcel::split_vertex`] made.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
