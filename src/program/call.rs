@@ -1,7 +1,7 @@
 //! What an operator of a program comes to: the operator with handles in place of numbers.
 
-use super::subject::{Corner, Subject};
-use crate::dcel::{Side, Turn};
+use super::subject::Subject;
+use crate::dcel::{Corner, Side, Turn};
 use alloc::vec::Vec;
 
 /// An operator with the handles that it chose, as [`Runner::resolve`](super::Runner::resolve) tells. They may be stale.

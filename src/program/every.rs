@@ -2,8 +2,8 @@
 
 use super::interpret::{Runner, StepOutcome};
 use super::op::{CornerPick, FacePick, HalfEdgePick, InnerPick, Op, SecondPick, VertexPick};
-use super::subject::{Corner, Subject};
-use crate::dcel::{Side, Turn};
+use super::subject::Subject;
+use crate::dcel::{Corner, Side, Turn};
 use alloc::vec::Vec;
 
 /// Every operator with every argument, right or wrong, on what the runner has now. Each stands once:

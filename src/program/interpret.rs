@@ -2,8 +2,8 @@
 
 use super::call::{Call, CallOf};
 use super::op::{CornerPick, FacePick, HalfEdgePick, InnerPick, Op, Program, SecondPick, VertexPick};
-use super::subject::{Corner, CornerOf, Refusal, Subject};
-use crate::dcel::Side;
+use super::subject::{CornerOf, Refusal, Subject};
+use crate::dcel::{Corner, Side};
 use alloc::vec::Vec;
 
 /// What became of one operator of a program.

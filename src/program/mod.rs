@@ -62,7 +62,7 @@ mod simpler;
 mod subject;
 mod text;
 
-pub use crate::dcel::{Side, Turn};
+pub use crate::dcel::{Corner, Side, Turn};
 pub use call::{Call, CallOf};
 pub use every::{every_op, try_every_op};
 pub use interpret::{Runner, StepOutcome};
@@ -70,5 +70,5 @@ pub use op::{CornerPick, FacePick, HalfEdgePick, InnerPick, Op, Program, SecondP
 pub use pointer_model::{PointerModel, PointerModelFace, PointerModelHalfEdge, PointerModelVertex};
 pub use rotation_system::RotationSystem;
 pub use shrink::{candidates, shrink};
-pub use subject::{Corner, CornerOf, Refusal, Subject};
+pub use subject::{CornerOf, Refusal, Subject};
 pub use text::{Expected, ParseError};

@@ -1,7 +1,6 @@
 //! The language: operators whose arguments are small numbers, so that any bytes are a program that runs.
 
-use super::subject::Corner;
-use crate::dcel::{Side, Turn};
+use crate::dcel::{Corner, Side, Turn};
 use alloc::vec::Vec;
 
 /// Chooses a half-edge. Counting is in order of creation and starts again where the list ends.

@@ -6,7 +6,7 @@
 use super::interpret::{Fit, Runner};
 use super::op::{CornerPick, FacePick, HalfEdgePick, InnerPick, Op, Program, SecondPick, VertexPick};
 use super::rotation_system::RotationSystem;
-use super::subject::Corner;
+use crate::dcel::Corner;
 use alloc::vec::Vec;
 use core::iter::repeat;
 

@@ -1,8 +1,7 @@
 //! Simpler operators of the same kind.
 
 use super::op::{CornerPick, FacePick, HalfEdgePick, InnerPick, Op, SecondPick, VertexPick};
-use super::subject::Corner;
-use crate::dcel::{Side, Turn};
+use crate::dcel::{Corner, Side, Turn};
 use alloc::vec;
 use alloc::vec::Vec;
 

@@ -18,8 +18,7 @@
 //! | `unbounded` | the unbounded face |
 
 use super::op::{CornerPick, FacePick, HalfEdgePick, InnerPick, Op, Program, SecondPick, VertexPick};
-use super::subject::Corner;
-use crate::dcel::{Side, Turn};
+use crate::dcel::{Corner, Side, Turn};
 use alloc::vec::Vec;
 use core::fmt;
 use core::str::FromStr;

@@ -4,9 +4,10 @@
 //! have to be paired. The half-edges are paired by their places; vertices and faces as they are met, each with one other.
 
 use super::{Answer, Difference, Question};
+use crate::dcel::Corner;
 use crate::program::interpret::Runner;
 use crate::program::pointer_model::PointerModel;
-use crate::program::subject::{Corner, CornerOf, Subject};
+use crate::program::subject::{CornerOf, Subject};
 use alloc::collections::BTreeMap;
 use core::iter::repeat;
 
