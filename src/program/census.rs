@@ -22,8 +22,9 @@
 
 use super::canonical::{Canonizer, Code};
 use super::every::every_op;
-use super::interpret::{Runner, StepOutcome};
 use super::op::{FacePick, HalfEdgePick, InnerPick, Op, Program, SecondPick, VertexPick};
+use super::outcome::StepOutcome;
+use super::runner::Runner;
 use crate::dcel::{Corner, Dcel, Side};
 use crate::store::Store;
 use alloc::collections::{BTreeSet, VecDeque};
