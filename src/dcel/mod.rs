@@ -71,3 +71,4 @@ pub use structure::Dcel;
 
 pub use crate::store::links::RecordKind;
 pub use crate::store::{BoundaryKey, FaceKey, HalfEdgeKey, VertexKey};
+pub use slotmap::SecondaryMap;

@@ -6,6 +6,7 @@ use alloc::vec::Vec;
 
 /// Chooses a half-edge. Counting is in order of creation and starts again where the list ends.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 pub enum HalfEdgePick {
     /// Of those there are. The two of an edge stand side by side.
     Live(u16),
@@ -15,6 +16,7 @@ pub enum HalfEdgePick {
 
 /// Chooses a vertex that is to be an isolated one.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 pub enum VertexPick {
     /// Of the isolated vertices.
     Isolated(u16),
@@ -29,6 +31,7 @@ pub type CornerPick = Corner<HalfEdgePick, VertexPick>;
 
 /// Chooses the second of two corners.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 pub enum SecondPick {
     /// Of the corners that fit the first one, itself among them: those in the same face, or those at the same vertex.
     /// Half-edges come before isolated vertices.
@@ -39,6 +42,7 @@ pub enum SecondPick {
 
 /// Chooses a face.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 pub enum FacePick {
     /// The unbounded one.
     Unbounded,
@@ -50,6 +54,7 @@ pub enum FacePick {
 
 /// Chooses the boundary components that go to the new face when a face is split.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash, Default)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 pub struct InnerPick {
     /// The boundary components of the face but the one that is split are counted as their first corners were made; the
     /// `i`-th goes if bit `i % 16` is set.
@@ -65,6 +70,7 @@ macro_rules! define_op {
     })*) => {
         /// One operator with its arguments.
         #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
+        #[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
         #[allow(missing_docs, reason = "the arguments are those of the methods of `Subject` of the same names")]
         pub enum Op {
             $(
@@ -137,6 +143,7 @@ impl CountChange {
 /// assert_eq!(program.to_string().parse(), Ok(program));
 /// ```
 #[derive(Clone, Debug, Default, PartialEq, Eq, Hash)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 pub struct Program(pub Vec<Op>);
 
 impl Program {

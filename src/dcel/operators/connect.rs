@@ -10,6 +10,7 @@ use crate::store::{BoundaryKey, FaceKey, HalfEdgeKey};
 
 /// A side of a half-edge.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash, Default)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 pub enum Side {
     /// Where its face is.
     #[default]

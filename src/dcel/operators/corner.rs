@@ -19,6 +19,7 @@ use crate::store::{HalfEdgeKey, VertexKey};
 ///
 /// It is generic because programs of operators name corners of any structure, by its own handles.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash, PartialOrd, Ord)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 pub enum Corner<H = HalfEdgeKey, V = VertexKey> {
     /// At the origin of the half-edge, to its left: on the boundary cycle, between `prev(h)` and `h`.
     At(H),

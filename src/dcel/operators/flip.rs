@@ -8,6 +8,7 @@ use crate::store::links::{BoundaryStart, VertexLink};
 
 /// The sense in which an edge is turned.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 pub enum Turn {
     /// Each end moves on along the boundary of the face to its left, seen from the middle.
     CounterClockwise,
