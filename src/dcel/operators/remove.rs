@@ -1,9 +1,11 @@
 //! Removing an edge.
 
-use super::super::{BoundaryKey, Dcel, FaceKey, HalfEdgeKey, OperatorError};
 use super::walk::OneOfTwo;
+use crate::dcel::error::OperatorError;
+use crate::dcel::structure::Dcel;
 use crate::store::Store;
 use crate::store::links::{BoundaryStart, Need, VertexLink};
+use crate::store::{BoundaryKey, FaceKey, HalfEdgeKey};
 
 /// What [`Dcel::remove_edge`] did.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]

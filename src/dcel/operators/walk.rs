@@ -1,6 +1,6 @@
 //! Walks that operators share: two sides in step, and the search for the outside of a component.
 
-use super::super::Dcel;
+use crate::dcel::structure::Dcel;
 use crate::store::Store;
 use crate::store::links::BoundaryStart;
 use crate::store::place::{LAST, OUTER};

@@ -14,8 +14,9 @@
 
 use super::{Face, HalfEdge, Owned, PointerModel, PointerModelFace, PointerModelHalfEdge, PointerModelVertex, Vertex};
 use super::{contains, cycle, face, is_outer, next, origin, prev, same, to, twin};
+use crate::dcel::Corner;
 use crate::dcel::{Side, Turn};
-use crate::program::subject::{Corner, Refusal, Subject};
+use crate::program::subject::{Refusal, Subject};
 use alloc::rc::Rc;
 use alloc::vec;
 use alloc::vec::Vec;
