@@ -20,7 +20,7 @@ fn dropped(file: &MeshFile) -> Vec<(&str, usize)> {
 fn obj_with_everything() {
     let file = file(
         "# a comment\nmtllib a.mtl\no first\nv 0 0 0\nv 1 0 0 1.0\nv 1e0 1. 0 # here, too\nv .5 +1 -0.5 0.1 0.2 0.3\n\
-         vt 0 0\nvn 0 0 1\ng second\nusemtl red\ns off\nf 1/1/1 2/1/1 3/1/1\nf 1//1 3//1 -1//1\nf 4/1 3/1 \\\n 2/1 1/1\n\
+         vt 0 0\nvn 0 0 1\ng second\nusemtl red\ns off\nf 1/1/1 2/1/1 3/1/1\nf 1//1 3//1 -1//1\nf 4/1 3/1 \\\n 2/1 1/1#end\n\
          l 1 2 3\np 1\nv 9 9 9\ncurv 0 1 1 2\n",
         Format::Obj,
     );
