@@ -204,6 +204,11 @@ fn the_content_says_the_format() {
         assert_eq!(from_stream.format, kind.format());
         assert_eq!(from_stream.mesh.face_count(), mesh.face_count());
     }
+    // A binary file whose header says nothing is known by its length.
+    let mut binary = write(&tetrahedron, Written::BinaryStl);
+    binary[0] = b'b';
+    assert_eq!(Format::of_content(&binary), Some(Format::Stl));
+    assert_eq!(Format::of_content(&binary[..binary.len() - 1]), None);
     for other in ["", "hello world", "plywood", "OFFER", "# only a comment", "\0\0\0", "{\"type\": 1}"] {
         assert_eq!(Format::of_content(other.as_bytes()), None, "{other}");
         assert!(matches!(read_bytes(other.as_bytes(), None), Err(ReadError::UnknownFormat)));
