@@ -7,9 +7,9 @@
 
 use std::error::Error;
 use twinedge::dcel::FaceKey;
-use twinedge::geometry::PlanarMap;
-use twinedge::geometry::edit::{EditError, Edited};
 use twinedge::geometry::noding::Snap;
+use twinedge::map::PlanarMap;
+use twinedge::map::edit::{EditError, Edited};
 
 /// What somebody keeps beside a map: the name of each piece of land.
 struct Register {

@@ -23,12 +23,12 @@
 //! | know whether a half-edge structure of your own is right | [`validate::validate`], after implementing [`validate::View`] | none |
 //! | write down a structure as tables, and spoil them for tests | [`validate::Table`] | none |
 //! | build and edit a subdivision without coordinates | [`dcel::Dcel`] | `dcel` |
-//! | build one from rings and segments, with coordinates | [`geometry::Builder`], [`geometry::PlanarMap`] | `geometry` (default) |
-//! | draw and erase on one with coordinates, step by step | [`geometry::edit`] | `geometry` (default) |
-//! | know where points lie and what lines meet | [`geometry::Locator`] | `geometry` (default) |
-//! | check that coordinates draw what the links say | [`geometry::validate_drawing`] | `geometry` (default) |
-//! | ask who borders whom, what a country's outline is, how large it is | [`algorithm`] | `geometry` (default) |
-//! | draw a map, half-edges and all | [`io::svg`] | `geometry` (default) |
+//! | build one from rings and segments, with coordinates | [`map::Builder`], [`map::PlanarMap`] | `map` (default) |
+//! | draw and erase on one with coordinates, step by step | [`map::edit`] | `map` (default) |
+//! | know where points lie and what lines meet | [`map::Locator`] | `map` (default) |
+//! | check that coordinates draw what the links say | [`validate::validate_embedding`] | `map` (default) |
+//! | ask who borders whom, what a country's outline is, how large it is | [`algorithm`] | `map` (default) |
+//! | draw a map, half-edges and all | [`io::svg`] | `map` (default) |
 //! | read and write a map | `io::geojson`, `io::wkt`, `io::geo_types` | `geojson`, `wkt`, `geo-types` |
 //! | test a structure by random, exhaustive or fuzzed operator sequences | `program` | `program`, `quickcheck`, `arbitrary` |
 //!
@@ -51,7 +51,7 @@
 //! # Caveats, in plain words
 //!
 //! - Edges are straight. Curves are chains of them.
-//! - [`geometry::Builder`] takes segments that meet at shared endpoints. Crossing input is built as far as it goes, and the
+//! - [`map::Builder`] takes segments that meet at shared endpoints. Crossing input is built as far as it goes, and the
 //!   report says where it crosses.
 //! - A half-edge structure for the plane has exactly one unbounded face. Maps on the sphere or on other surfaces can be
 //!   *validated* (see [`validate::Expectation::surface`]), but not held in a [`dcel::Dcel`].
@@ -59,25 +59,41 @@
 //! - A slot can be used 2³¹ times before a key of it could come again.
 //! - At most about two thousand million vertices, half-edges, boundary components and faces each.
 #![cfg_attr(not(feature = "geometry"), no_std)]
+#![cfg_attr(docsrs, feature(doc_cfg))]
 
 extern crate alloc;
 
+#[forbid(unsafe_code)]
 pub mod validate;
 
 #[cfg(feature = "dcel")]
 pub mod store;
 
 #[cfg(feature = "dcel")]
+#[forbid(unsafe_code)]
 pub mod dcel;
 
 #[cfg(feature = "program")]
+#[forbid(unsafe_code)]
 pub mod program;
 
+// `rstar` needs Rust 1.90, and so does all that builds on it.
 #[cfg(feature = "geometry")]
+#[clippy::msrv = "1.90"]
+#[forbid(unsafe_code)]
 pub mod geometry;
 
-#[cfg(feature = "geometry")]
+#[cfg(feature = "map")]
+#[clippy::msrv = "1.90"]
+#[forbid(unsafe_code)]
+pub mod map;
+
+#[cfg(feature = "map")]
+#[clippy::msrv = "1.90"]
+#[forbid(unsafe_code)]
 pub mod algorithm;
 
-#[cfg(feature = "geometry")]
+#[cfg(feature = "map")]
+#[clippy::msrv = "1.90"]
+#[forbid(unsafe_code)]
 pub mod io;

@@ -10,10 +10,10 @@ use std::collections::BTreeSet;
 use std::fmt::Write as _;
 use std::time::Instant;
 use twinedge::dcel::{Boundary, Face, Vertex};
-use twinedge::geometry::{
-    BuildSummary, Irregularity, IrregularityKind, PlanarMap, Position, noding, places, validate_drawing,
-};
+use twinedge::geometry::noding;
+use twinedge::map::{BuildSummary, Irregularity, IrregularityKind, PlanarMap, Position};
 use twinedge::validate::{Collect, Expectation, Record, Report, Violation};
+use twinedge::validate::{places, validate_embedding};
 
 /// Build the planar subdivision of a map and check every rule on it.
 #[derive(Debug, clap::Args)]
@@ -41,7 +41,7 @@ impl Audit {
     pub(crate) fn run(&self) -> Result<Verdict, Failure> {
         let start = Instant::now();
         let (name, map) = self.map.build()?;
-        let report = validate_drawing(&map, &Expectation::plane(), Collect::AtMost(self.list));
+        let report = validate_embedding(&map, &Expectation::plane(), Collect::AtMost(self.list));
         let elapsed = start.elapsed().as_secs_f64() * 1000.0;
         match self.format {
             Format::Text => print(&text(&name, &map, &report, elapsed)?)?,
@@ -183,7 +183,7 @@ fn irregularities(map: &PlanarMap) -> String {
     out
 }
 
-fn noding_line(noding: &noding::Summary) -> String {
+fn noding_line(noding: &noding::NodingSummary) -> String {
     let mut line = format!("snapped to a grid of 2^{}: {} segments cut", noding.cell.log2(), grouped(noding.split));
     for (count, what) in [
         (noding.crossings, "vertices made where they cross"),
@@ -272,8 +272,8 @@ struct JsonNoding {
     largest_move: [f64; 2],
 }
 
-impl From<&noding::Summary> for JsonNoding {
-    fn from(summary: &noding::Summary) -> Self {
+impl From<&noding::NodingSummary> for JsonNoding {
+    fn from(summary: &noding::NodingSummary) -> Self {
         Self {
             cell: summary.cell,
             segments_cut: summary.split,

@@ -4,8 +4,9 @@ use crate::input::MapFile;
 use crate::output::{grouped, print};
 use crate::{Failure, Verdict};
 use std::path::{Path, PathBuf};
-use twinedge::geometry::{Point, validate_drawing};
+use twinedge::geometry::Point;
 use twinedge::io::svg::{self, Options};
+use twinedge::validate::validate_embedding;
 use twinedge::validate::{Collect, Expectation};
 
 /// With detail, a picture of more half-edges than this is not legible.
@@ -69,7 +70,7 @@ impl Draw {
 --window, or --force it"
             )));
         }
-        let report = validate_drawing(&map, &Expectation::plane(), Collect::AtMost(self.list));
+        let report = validate_embedding(&map, &Expectation::plane(), Collect::AtMost(self.list));
         let options = Options { size: self.size.into(), detail: self.detail, window, violations: report.violations() };
         let picture = svg::draw(&map, &options);
         match self.output.as_deref().filter(|path| *path != Path::new("-")) {

@@ -1,6 +1,6 @@
 //! A failing program as a regression test: a file of Rust that compiles as it stands.
 
-use crate::kernels::KernelName;
+use crate::subjects::SubjectName;
 use twinedge::program::Program;
 
 /// What a test says of a structure.
@@ -20,28 +20,31 @@ const PROGRAM: &str = "twinedge::program::*";
 const EXPECTATION: &str = "twinedge::validate::Expectation";
 
 impl Source {
-    const fn of(on: KernelName) -> Self {
+    const fn of(on: SubjectName) -> Self {
         let plane = "Expectation::plane()";
         match on {
-            KernelName::Slots => {
+            SubjectName::Slots => {
                 Self { imports: &[DCEL, PROGRAM, EXPECTATION], make: "Dcel::new()", expectation: plane, remark: "" }
             }
-            KernelName::Pointers => Self {
+            SubjectName::Pointers => Self {
                 imports: &[DCEL, PROGRAM, "twinedge::store::PointerStore", EXPECTATION],
                 make: "Dcel::<PointerStore>::default()",
                 expectation: plane,
                 remark: "",
             },
-            KernelName::Fixed => Self {
+            SubjectName::Fixed => Self {
                 imports: &[DCEL, PROGRAM, "twinedge::store::FixedStore", EXPECTATION],
                 make: "Dcel::<FixedStore<24, 40, 40, 24>>::default()",
                 expectation: plane,
                 remark: "",
             },
-            KernelName::Model => {
-                Self { imports: &[PROGRAM], make: "Model::new()", expectation: "Model::expectation()", remark: "" }
-            }
-            KernelName::Planted | KernelName::Panicking => Self {
+            SubjectName::RotationSystem => Self {
+                imports: &[PROGRAM],
+                make: "RotationSystem::new()",
+                expectation: "RotationSystem::expectation()",
+                remark: "",
+            },
+            SubjectName::Planted | SubjectName::Panicking => Self {
                 imports: &[DCEL, PROGRAM, EXPECTATION],
                 make: "Dcel::new()",
                 expectation: plane,
@@ -52,7 +55,7 @@ impl Source {
 }
 
 /// The test. `message` says in one line how the structure fails.
-pub(crate) fn test(on: KernelName, message: &str, program: &Program) -> String {
+pub(crate) fn test(on: SubjectName, message: &str, program: &Program) -> String {
     let Source { imports, make, expectation, remark } = Source::of(on);
     let imports: Vec<String> = imports.iter().map(|import| format!("use {import};\n")).collect();
     let imports = imports.concat();
@@ -66,7 +69,7 @@ pub(crate) fn test(on: KernelName, message: &str, program: &Program) -> String {
 #[cfg(test)]
 mod tests {
     use super::test;
-    use crate::kernels::KernelName;
+    use crate::subjects::SubjectName;
     use twinedge::program::Program;
 
     /// What is printed is compiled, as it stands, and run: it is these modules.
@@ -79,7 +82,7 @@ mod tests {
                 let program: Program = "twinedge program 1\nadd_isolated_vertex unbounded\nconnect i0 ~0 right inner 0 \
                     also h1\nflip_edge !h0 cw".parse().unwrap();
                 $(assert_eq!(
-                    test(KernelName::$on, "how it fails", &program),
+                    test(SubjectName::$on, "how it fails", &program),
                     include_str!(concat!("regression/tests/", stringify!($name), ".rs"))
                 );)*
             }
@@ -90,7 +93,7 @@ mod tests {
         slots: Slots;
         pointers: Pointers;
         fixed: Fixed;
-        model: Model;
+        model: RotationSystem;
         planted: Planted;
     }
 }

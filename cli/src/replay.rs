@@ -1,9 +1,9 @@
 //! `twinedge replay`: a saved program, step by step.
 
 use crate::caught::caught;
-use crate::kernels::{Indexed, KernelName, Task};
 use crate::output::style::{BAD, GOOD, QUIET};
 use crate::output::{Format, print, print_json};
+use crate::subjects::{Indexed, SubjectName, Task};
 use crate::trial::Trial;
 use crate::{Failure, Verdict};
 use clap::ValueEnum;
@@ -12,7 +12,7 @@ use std::fmt::{self, Write as _};
 use std::io::Read as _;
 use std::path::PathBuf;
 use twinedge::program::{Call, CallOf, Corner, CornerOf, Program, Runner};
-use twinedge::validate::{Collect, Expectation, Place, Start, View, validate};
+use twinedge::validate::{BoundaryPlace, Collect, Expectation, Start, View, validate};
 
 /// Run a saved program and print the structure after each step.
 ///
@@ -31,7 +31,7 @@ pub(crate) struct Replay {
 
     /// On what to run it; on what it failed on, if the file says so, unless said otherwise.
     #[arg(long, value_enum, value_name = "STRUCTURE")]
-    on: Option<KernelName>,
+    on: Option<SubjectName>,
 
     /// For whom to print.
     #[arg(long, value_enum, default_value_t)]
@@ -43,7 +43,7 @@ const LONGEST: u64 = 16 << 20;
 
 #[derive(Debug, Serialize)]
 struct Outcome {
-    on: KernelName,
+    on: SubjectName,
     steps: Vec<Step>,
     /// In what the structure differs from the textbook's.
     difference: Option<String>,
@@ -106,10 +106,10 @@ impl Replay {
 }
 
 /// The structure that a saved file names in its comments.
-fn named_in(text: &str) -> Option<KernelName> {
+fn named_in(text: &str) -> Option<SubjectName> {
     let comments = text.lines().map_while(|line| line.strip_prefix('#'));
     let mut names = comments.filter_map(|line| line.split_once("on: ").map(|(_, name)| name.trim()));
-    names.find_map(|name| KernelName::from_str(name, false).ok())
+    names.find_map(|name| SubjectName::from_str(name, false).ok())
 }
 
 /// Running a program and writing down each step, up to one that panics.
@@ -122,10 +122,10 @@ impl Task for Steps<'_> {
         let mut runner = Runner::new(make());
         let mut steps = Vec::new();
         for op in &self.0.0 {
-            let chosen = caught(|| runner.resolve(*op).ok().map(|call| in_words(runner.kernel(), &call)));
+            let chosen = caught(|| runner.resolve(*op).ok().map(|call| in_words(runner.subject(), &call)));
             let done = caught(|| {
                 let outcome = runner.step(*op);
-                (outcome.to_string(), After::of(runner.kernel(), expectation))
+                (outcome.to_string(), After::of(runner.subject(), expectation))
             });
             let (outcome, after) = match done {
                 Ok((outcome, after)) => (outcome, Some(after)),
@@ -158,12 +158,12 @@ impl After {
 }
 
 /// The arguments of an operator by their names in the tables.
-fn in_words<K: Indexed>(kernel: &K, call: &CallOf<K>) -> String {
+fn in_words<K: Indexed>(subject: &K, call: &CallOf<K>) -> String {
     let named =
         |letter: char, index: Option<usize>| index.map_or_else(|| "gone".to_owned(), |i| format!("{letter}{i}"));
-    let vertex = |v: &K::Vertex| named('v', kernel.vertex_index(*v));
-    let half_edge = |h: &K::HalfEdge| named('h', kernel.half_edge_index(*h));
-    let face = |f: &K::Face| named('f', kernel.face_index(*f));
+    let vertex = |v: &K::Vertex| named('v', subject.vertex_index(*v));
+    let half_edge = |h: &K::HalfEdge| named('h', subject.half_edge_index(*h));
+    let face = |f: &K::Face| named('f', subject.face_index(*f));
     let corner = |corner: &CornerOf<K>| match corner {
         Corner::At(h) => half_edge(h),
         Corner::Isolated(v) => vertex(v),
@@ -223,8 +223,8 @@ impl<V: View> fmt::Display for Tables<'_, V> {
         for b in (0..view.boundary_slots()).filter(|b| view.is_boundary(*b)) {
             write!(f, "  b{b}  face {}  start {}", link('f', view.boundary_face(b)), start(view.boundary_start(b)))?;
             match view.boundary_place(b) {
-                Some(Place::Outer) => writeln!(f, "  outer")?,
-                Some(Place::Inner(i)) => writeln!(f, "  inner, place {i}")?,
+                Some(BoundaryPlace::Outer) => writeln!(f, "  outer")?,
+                Some(BoundaryPlace::Inner(i)) => writeln!(f, "  inner, place {i}")?,
                 None => writeln!(f, "  place nil")?,
             }
         }

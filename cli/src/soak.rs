@@ -1,10 +1,10 @@
 //! `twinedge soak`: random programs on every store and a second model, in step with an independent model.
 
-use crate::kernels::KernelName;
 use crate::output::style::{BAD, GOOD, QUIET};
 use crate::output::{Format, counted, grouped, print, print_json};
 use crate::random::{Random, seed_of_the_moment};
 use crate::regression;
+use crate::subjects::SubjectName;
 use crate::trial::{End, Trial};
 use crate::work::{self, Effort};
 use crate::{Failure, Verdict};
@@ -15,7 +15,7 @@ use std::fs::File;
 use std::io::{self, Write as _};
 use std::path::{Path, PathBuf};
 use std::time::Instant;
-use twinedge::program::conformance::Summary;
+use twinedge::program::conformance::ConformanceSummary;
 use twinedge::program::{FacePick, Op, Program, candidates};
 
 /// Run random programs on every store, and on a second model, in step with an independent model.
@@ -48,7 +48,7 @@ pub(crate) struct Soak {
 
     /// On what to run them; all stores and the second model, unless said otherwise.
     #[arg(long, value_enum, value_name = "STRUCTURE")]
-    on: Vec<KernelName>,
+    on: Vec<SubjectName>,
 
     /// Where to save a program that fails. No file is overwritten: a number is put behind a name that is taken.
     #[arg(long, value_name = "FILE", default_value = "failing.program")]
@@ -75,7 +75,7 @@ struct Outcome {
 
 #[derive(Clone, Copy, Debug, Serialize)]
 struct Row {
-    on: KernelName,
+    on: SubjectName,
     programs: u64,
     /// Programs that were interrupted. Their operators up to there are counted.
     cut_short: u64,
@@ -88,7 +88,7 @@ struct Row {
 /// A program on which a structure fails, as small as it could be made.
 #[derive(Clone, Debug, Serialize)]
 struct Failing {
-    on: KernelName,
+    on: SubjectName,
     /// Its place among the programs of the seed.
     number: u32,
     message: String,
@@ -98,7 +98,7 @@ struct Failing {
 
 impl Soak {
     pub(crate) fn run(&self) -> Result<Verdict, Failure> {
-        let on = if self.on.is_empty() { KernelName::SOUND.to_vec() } else { self.on.clone() };
+        let on = if self.on.is_empty() { SubjectName::SOUND.to_vec() } else { self.on.clone() };
         let amount = u128::from(self.programs) * u128::from(self.steps) * on.len() as u128;
         self.effort.refuse_too_much(amount, "steps", per_second(&on, self.steps), self.format)?;
         work::stop_on_interrupt()?;
@@ -152,12 +152,12 @@ impl Soak {
 /// The map grows with the steps, so a program takes longer than in proportion to them: about so many seconds as here, as
 /// measured with up to 4,000 steps.
 #[allow(clippy::cast_sign_loss, reason = "no number here is negative")]
-fn per_second(on: &[KernelName], steps: u32) -> u64 {
+fn per_second(on: &[SubjectName], steps: u32) -> u64 {
     let thousands = f64::from(steps) / 1000.0;
-    let seconds = |on: &KernelName| match on {
+    let seconds = |on: &SubjectName| match on {
         // It is full soon, and grows no more.
-        KernelName::Fixed => 0.025 * thousands,
-        KernelName::Model => 1.7 * thousands.powf(2.8),
+        SubjectName::Fixed => 0.025 * thousands,
+        SubjectName::RotationSystem => 1.7 * thousands.powf(2.8),
         _ => 0.1 * thousands.powf(2.4),
     };
     let steps = f64::from(steps) * on.len() as f64;
@@ -225,11 +225,11 @@ impl Worker {
 }
 
 impl Row {
-    const fn of(on: KernelName) -> Self {
+    const fn of(on: SubjectName) -> Self {
         Self { on, programs: 0, cut_short: 0, applied: 0, refused: 0, skipped: 0, no_room: 0 }
     }
 
-    const fn count(&mut self, summary: Summary) {
+    const fn count(&mut self, summary: ConformanceSummary) {
         self.applied += summary.applied as u64;
         self.refused += summary.refused as u64;
         self.skipped += summary.skipped as u64;
@@ -249,7 +249,7 @@ impl Row {
 impl Failing {
     /// Makes a failing program small, as far as that gets until told to stop. `before` is how many operators it ran before
     /// the one that failed, and `message` says how.
-    fn of(on: KernelName, number: u32, program: &Program, before: usize, message: String) -> Self {
+    fn of(on: SubjectName, number: u32, program: &Program, before: usize, message: String) -> Self {
         let mut smallest: Program = program.0.iter().take(before + 1).copied().collect();
         let mut message = message;
         let failure = |program: Program| on.run(Trial(&program)).failure().map(|message| (program, message));

@@ -1,10 +1,10 @@
 //! A program run on a structure in step with the reference, as `soak` and `replay` do it.
 
 use crate::caught::caught;
-use crate::kernels::{Indexed, Task};
+use crate::subjects::{Indexed, Task};
 use crate::work;
 use twinedge::program::Program;
-use twinedge::program::conformance::{InStep, Summary};
+use twinedge::program::conformance::{ConformanceSummary, InStep};
 use twinedge::validate::Expectation;
 
 /// Running a program in step with the reference, until told to stop.
@@ -14,7 +14,7 @@ pub(crate) struct Trial<'a>(pub(crate) &'a Program);
 #[derive(Debug)]
 pub(crate) struct Tried {
     /// What the operators came to, up to the end.
-    pub(crate) summary: Summary,
+    pub(crate) summary: ConformanceSummary,
     pub(crate) end: End,
 }
 
@@ -48,8 +48,8 @@ impl Task for Trial<'_> {
         let failed = |summary, before, message| Tried { summary, end: End::Failed { before, message } };
         let mut pair = match caught(|| InStep::new(make(), &expectation)) {
             Ok(Ok(pair)) => pair,
-            Ok(Err(failure)) => return failed(Summary::default(), 0, failure.to_string()),
-            Err(panic) => return failed(Summary::default(), 0, format!("at the start: panicked: {panic}")),
+            Ok(Err(failure)) => return failed(ConformanceSummary::default(), 0, failure.to_string()),
+            Err(panic) => return failed(ConformanceSummary::default(), 0, format!("at the start: panicked: {panic}")),
         };
         for (before, op) in self.0.0.iter().enumerate() {
             if work::stopped() {

@@ -6,7 +6,7 @@ use twinedge::dcel::Dcel;
 use twinedge::program::choose::Choose;
 use twinedge::program::{Program, Runner};
 use twinedge::validate::{
-    BoundaryRow, Collect, Expectation, FaceRow, HalfEdgeRow, Link, Part, Place, Report, Rule, Start, Table, Unchecked,
+    BoundaryRow, Collect, Expectation, FaceRow, HalfEdgeRow, Link, Part, BoundaryPlace, Report, Rule, Start, Table, Unchecked,
     VertexRow, View, reference, validate,
 };
 
@@ -39,8 +39,8 @@ impl Source<'_> {
         if self.one_in(3) { self.link(vertices).map(Start::Vertex) } else { self.link(half_edges).map(Start::HalfEdge) }
     }
 
-    fn place(&mut self, longest: usize) -> Option<Place> {
-        if self.below(2) == 0 { Some(Place::Outer) } else { self.link(longest).map(Place::Inner) }
+    fn place(&mut self, longest: usize) -> Option<BoundaryPlace> {
+        if self.below(2) == 0 { Some(BoundaryPlace::Outer) } else { self.link(longest).map(BoundaryPlace::Inner) }
     }
 
     fn rows<T>(&mut self, n: usize, mut row: impl FnMut(&mut Self) -> T) -> Vec<Option<T>> {
@@ -110,7 +110,7 @@ impl Source<'_> {
         program.0.truncate(40);
         let mut runner = Runner::new(Dcel::new());
         runner.run(&program);
-        let mut table = Table::copy_of(runner.kernel()).unwrap_or_default();
+        let mut table = Table::copy_of(runner.subject()).unwrap_or_default();
         for (cell, value) in choices {
             let cells = table.cells(&expectation);
             let Some(cell) = cells.get(cell % cells.len().max(1)) else { continue };
@@ -182,7 +182,7 @@ impl View for Fickle<'_> {
     fn boundary_start(&self, _: usize) -> Option<Start> {
         self.source.borrow_mut().start(self.slots[1], self.slots[0])
     }
-    fn boundary_place(&self, _: usize) -> Option<Place> {
+    fn boundary_place(&self, _: usize) -> Option<BoundaryPlace> {
         self.source.borrow_mut().place(4)
     }
     fn outer(&self, _: usize) -> Link {

@@ -11,7 +11,9 @@
 
 use super::coverage::faces_of;
 use crate::dcel::{Boundary, BoundaryKey, FaceKey, HalfEdge, StaleKey};
-use crate::geometry::{Drawing, FeatureId, PlanarMap, Point};
+use crate::geometry::Point;
+use crate::map::{FeatureId, PlanarMap};
+use crate::validate::Embedding;
 
 /// A sum that keeps what rounding takes away.
 #[derive(Clone, Copy, Debug, Default)]
@@ -88,7 +90,7 @@ pub fn boundary_area(map: &PlanarMap, key: BoundaryKey) -> Result<f64, StaleKey>
 ///
 /// ```
 /// use twinedge::algorithm::area::face_area;
-/// use twinedge::geometry::{Builder, Shape};
+/// use twinedge::map::{Builder, Shape};
 ///
 /// let square = |low: f64, high: f64| [[low, low], [high, low], [high, high], [low, high]].map(Into::into).to_vec();
 /// let mut builder = Builder::new();
@@ -96,7 +98,7 @@ pub fn boundary_area(map: &PlanarMap, key: BoundaryKey) -> Result<f64, StaleKey>
 /// let map = builder.build()?;
 /// let areas: Vec<f64> = map.dcel().faces().map(|f| face_area(&map, f.key()).unwrap()).collect();
 /// assert_eq!(areas, [f64::INFINITY, 8.0, 1.0]);
-/// # Ok::<(), twinedge::geometry::BuildError>(())
+/// # Ok::<(), twinedge::map::BuildError>(())
 /// ```
 pub fn face_area(map: &PlanarMap, key: FaceKey) -> Result<f64, StaleKey> {
     let face = map.dcel().face(key)?;

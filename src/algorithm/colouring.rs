@@ -8,16 +8,16 @@
 //! ACM 30 (1983) 417-427.
 
 use super::coverage::features_of;
-use crate::geometry::PlanarMap;
+use crate::map::PlanarMap;
 use std::collections::BTreeSet;
 
-/// A colour for each feature, by [`FeatureId::index`](crate::geometry::FeatureId::index): numbers from 0, different for two
+/// A colour for each feature, by [`FeatureId::index`](crate::map::FeatureId::index): numbers from 0, different for two
 /// features with an edge between them or a face in common. Where a face is claimed more than once, only its first two
 /// features count. O(n log n).
 ///
 /// ```
 /// use twinedge::algorithm::colouring::feature_colours;
-/// use twinedge::geometry::{Builder, Shape};
+/// use twinedge::map::{Builder, Shape};
 ///
 /// let square = |x: f64| [[x, 0.0], [x + 1.0, 0.0], [x + 1.0, 1.0], [x, 1.0]].map(Into::into).to_vec();
 /// let mut builder = Builder::new();
@@ -27,7 +27,7 @@ use std::collections::BTreeSet;
 /// let colours = feature_colours(&builder.build()?);
 /// assert!(colours[0] != colours[1] && colours[1] != colours[2]);
 /// assert!(colours.iter().all(|colour| *colour < 2));
-/// # Ok::<(), twinedge::geometry::BuildError>(())
+/// # Ok::<(), twinedge::map::BuildError>(())
 /// ```
 #[must_use]
 pub fn feature_colours(map: &PlanarMap) -> Vec<usize> {

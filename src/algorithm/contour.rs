@@ -28,8 +28,10 @@
 use super::area::{Sum, ring_area};
 use super::coverage::{faces_by_feature, faces_of};
 use crate::dcel::{Face, FaceKey, HalfEdge, StaleKey};
+use crate::geometry::Point;
 use crate::geometry::predicates::{Orientation, compare_lexicographic, orientation};
-use crate::geometry::{Drawing, Feature, FeatureId, PlanarMap, Point, Shape};
+use crate::map::{Feature, FeatureId, PlanarMap, Shape};
+use crate::validate::Embedding;
 use rustc_hash::{FxHashMap, FxHashSet};
 use thiserror::Error;
 
@@ -112,7 +114,7 @@ pub enum ContourError {
 /// ```
 /// use twinedge::algorithm::contour::of_faces;
 /// use twinedge::dcel::Face;
-/// use twinedge::geometry::{Builder, Shape};
+/// use twinedge::map::{Builder, Shape};
 ///
 /// // Two squares side by side: the edge between them vanishes.
 /// let square = |x: f64| [[x, 0.0], [x + 1.0, 0.0], [x + 1.0, 1.0], [x, 1.0]].map(Into::into).to_vec();

@@ -3,7 +3,7 @@
 //! Where a map is not plane, the inside of a feature whose edges cross others may leak out, up to the unbounded face.
 
 use crate::dcel::{Face, FaceKey};
-use crate::geometry::{FeatureId, PlanarMap};
+use crate::map::{FeatureId, PlanarMap};
 
 /// The features that cover a face, but for those that have leaked out: O(log n), as long as the map is plane.
 pub(crate) fn features_of<'a>(map: &'a PlanarMap, face: Face<'a>) -> impl Iterator<Item = FeatureId> + 'a {
@@ -43,7 +43,7 @@ pub fn faces_by_feature(map: &PlanarMap) -> Vec<Vec<FaceKey>> {
 ///
 /// ```
 /// use twinedge::algorithm::coverage::overlaps;
-/// use twinedge::geometry::{Builder, Shape};
+/// use twinedge::map::{Builder, Shape};
 ///
 /// // The upper half of the square is claimed again, by the triangle.
 /// let mut builder = Builder::new();
@@ -52,7 +52,7 @@ pub fn faces_by_feature(map: &PlanarMap) -> Vec<Vec<FaceKey>> {
 /// builder.shape(&Shape::Polygon(vec![square]))?;
 /// builder.shape(&Shape::Polygon(vec![triangle]))?;
 /// assert_eq!(overlaps(&builder.build()?).len(), 1);
-/// # Ok::<(), twinedge::geometry::BuildError>(())
+/// # Ok::<(), twinedge::map::BuildError>(())
 /// ```
 #[must_use]
 pub fn overlaps(map: &PlanarMap) -> Vec<FaceKey> {

@@ -1,6 +1,6 @@
 //! Questions about a map that walk over more than one record.
 //!
-//! Each takes a [`PlanarMap`](crate::geometry::PlanarMap), changes nothing, and says what it costs.
+//! Each takes a [`PlanarMap`](crate::map::PlanarMap), changes nothing, and says what it costs.
 //!
 //! | module | answers |
 //! | --- | --- |

@@ -9,7 +9,9 @@
 use super::area::Sum;
 use super::coverage::{faces_of, features_of};
 use crate::dcel::{Face, FaceKey, HalfEdge, StaleKey, Vertex};
-use crate::geometry::{Drawing, FeatureId, PlanarMap, Point};
+use crate::geometry::Point;
+use crate::map::{FeatureId, PlanarMap};
+use crate::validate::Embedding;
 use rustc_hash::FxHashSet;
 use std::collections::BTreeMap;
 
@@ -33,7 +35,7 @@ pub struct Neighbour<K> {
 ///
 /// ```
 /// use twinedge::algorithm::neighbours::of_face;
-/// use twinedge::geometry::{Builder, Shape};
+/// use twinedge::map::{Builder, Shape};
 ///
 /// let square = |x: f64| [[x, 0.0], [x + 1.0, 0.0], [x + 1.0, 1.0], [x, 1.0]].map(Into::into).to_vec();
 /// let mut builder = Builder::new();

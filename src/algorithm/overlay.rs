@@ -16,8 +16,9 @@
 //! section 2.3.
 
 use crate::dcel::{Boundary, Face, FaceKey, HalfEdge, HalfEdgeKey, StaleKey, Vertex};
+use crate::geometry::Point;
 use crate::geometry::noding::Snap;
-use crate::geometry::{BuildError, Builder, Feature, FeatureId, Noding, PlanarMap, Point, Shape};
+use crate::map::{BuildError, Builder, Feature, FeatureId, Noding, PlanarMap, Shape};
 use std::collections::HashMap;
 use thiserror::Error;
 
@@ -139,13 +140,13 @@ impl Overlay {
 /// use twinedge::algorithm::area::face_area;
 /// use twinedge::algorithm::overlay::{Operation, overlay};
 /// use twinedge::geometry::noding::Snap;
-/// use twinedge::geometry::{Builder, Shape};
+/// use twinedge::map::{Builder, Shape};
 ///
 /// let square = |low: f64, high: f64| {
 ///     let ring = [[low, low], [high, low], [high, high], [low, high]].map(Into::into).to_vec();
 ///     let mut builder = Builder::new();
 ///     let feature = builder.shape(&Shape::Polygon(vec![ring]))?;
-///     Ok::<_, twinedge::geometry::BuildError>((builder.build()?, feature))
+///     Ok::<_, twinedge::map::BuildError>((builder.build()?, feature))
 /// };
 /// let ((left, a), (right, b)) = (square(0.0, 3.0)?, square(2.0, 6.0)?);
 /// let both = overlay(&left, &right, Snap::Auto)?;

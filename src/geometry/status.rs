@@ -1,7 +1,7 @@
 //! The segments that a sweep line meets just now, from the bottom up.
 
 use super::Point;
-use super::predicates::{Orientation, orientation, work};
+use super::predicates::{Orientation, count_step, orientation};
 
 /// No node: nothing below, nothing above, no child.
 pub(super) const NIL: u32 = u32::MAX;
@@ -179,7 +179,7 @@ impl Status {
     ///    a    b                 b      c
     /// ```
     fn rotate_up(&mut self, handle: u32) {
-        work();
+        count_step();
         let parent = self.nodes[handle as usize].parent;
         let grandparent = self.nodes[parent as usize].parent;
         let was_left = self.nodes[parent as usize].left == handle;

@@ -47,8 +47,8 @@ use core::cmp::Ordering;
 use core::ops::Range;
 
 use super::Point;
-use super::crossing::{BadDrawing, Clash, check, classify};
-use super::predicates::{Meeting, Orientation, compare_lexicographic, meeting, orientation, work};
+use super::crossing::{Clash, InvalidSegments, check, classify};
+use super::predicates::{Meeting, Orientation, compare_lexicographic, count_step, meeting, orientation};
 use super::status::{Gap, NIL, Status, Strand};
 
 /// What [`sweep`] finds out.
@@ -86,10 +86,12 @@ pub struct Sweep {
 ///
 /// # Errors
 ///
-/// [`BadDrawing`], if the arrays do not describe a drawing. That segments clash is not an error here but a finding.
+/// [`InvalidSegments`], if the arrays do not describe segments. That segments clash is not an error here but a finding.
 ///
 /// ```
-/// use twinedge::geometry::{Point, crossing::Clash, sweep::sweep};
+/// use twinedge::geometry::Point;
+/// use twinedge::geometry::crossing::Clash;
+/// use twinedge::geometry::sweep::sweep;
 ///
 /// // A triangle, and a point in it.
 /// let mut points = [[0.0, 0.0], [4.0, 0.0], [1.0, 4.0], [1.0, 1.0]].map(Point::from);
@@ -100,13 +102,13 @@ pub struct Sweep {
 ///
 /// points[3] = Point::new(3.0, 0.0);
 /// assert_eq!(sweep(&points, &segments, &[])?.clash, Some(Clash::Touch { vertex: 3, segment: 0 }));
-/// # Ok::<(), twinedge::geometry::crossing::BadDrawing>(())
+/// # Ok::<(), twinedge::geometry::crossing::InvalidSegments>(())
 /// ```
-pub fn sweep(points: &[Point], segments: &[[u32; 2]], queries: &[u32]) -> Result<Sweep, BadDrawing> {
+pub fn sweep(points: &[Point], segments: &[[u32; 2]], queries: &[u32]) -> Result<Sweep, InvalidSegments> {
     check(points, segments)?;
     for (query, &point) in (0..).zip(queries) {
         if point as usize >= points.len() {
-            return Err(BadDrawing::NoSuchQuery { query, point });
+            return Err(InvalidSegments::NoSuchQuery { query, point });
         }
     }
     let mut line = Line::new(points, segments);
@@ -270,13 +272,13 @@ impl<'a> Line<'a> {
 
         let mut lowest = one;
         while ends_here(&self.status, self.status.below(lowest)) {
-            work();
+            count_step();
             lowest = self.status.below(lowest);
         }
         let below = self.status.below(lowest);
         let (mut last, mut node) = (below, lowest);
         while ends_here(&self.status, node) {
-            work();
+            count_step();
             let above = self.status.above(node);
             if let Some(start) = starts.next() {
                 self.replace(node, at, start);
@@ -365,7 +367,7 @@ fn accumulate(numbers: &mut [u32]) {
 
 #[cfg(test)]
 mod tests {
-    use super::super::predicates::work_of;
+    use super::super::predicates::steps_of;
     use super::*;
 
     const N: u32 = 100_000;
@@ -392,9 +394,9 @@ mod tests {
     /// Runs the sweep and checks that its work, counted in orientations and steps in the tree, is at most 3 n log n.
     #[track_caller]
     fn work_is_bounded((points, segments): &(Vec<Point>, Vec<[u32; 2]>)) -> Sweep {
-        let (swept, work) = work_of(|| sweep(points, segments, &[]).unwrap());
+        let (swept, steps) = steps_of(|| sweep(points, segments, &[]).unwrap());
         let n = points.len().max(segments.len()) as u64;
-        assert!(work <= 3 * n * u64::from(n.ilog2()), "{work} steps for {n}");
+        assert!(steps <= 3 * n * u64::from(n.ilog2()), "{steps} steps for {n}");
         swept
     }
 

@@ -3,13 +3,13 @@
 use crate::algorithm::contour::{self, ContourError};
 use crate::algorithm::neighbours::chains;
 use crate::dcel::Face;
-use crate::geometry::{Feature, FeatureId, PlanarMap, Shape};
+use crate::map::{Feature, FeatureId, PlanarMap, Shape};
 
 /// The features of a map, in order, for a writer: the [contour](contour::of_feature) of each as polygons, and as lines all its
 /// edges that are not on that contour. The id is the [number](FeatureId::index). O(n log n).
 ///
 /// What is built from these has the same features on the same faces, and the same edges and vertices as the map, but for
-/// isolated vertices and for edges that belong to no feature, as [edits](crate::geometry::edit#features) make them.
+/// isolated vertices and for edges that belong to no feature, as [edits](crate::map::edit#features) make them.
 ///
 /// # Errors
 /// [`ContourError`], if the map is not plane, or a feature covers the unbounded face.

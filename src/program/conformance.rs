@@ -1,37 +1,37 @@
-//! Does a kernel do what the operators say? A program is run on it and on the reference in step, and after every
+//! Does a subject do what the operators say? A program is run on it and on the reference in step, and after every
 //! operator both must have done the same.
 //!
-//! The reference is [`Textbook`], which has nothing in common with [`Dcel`](crate::dcel::Dcel) but the meaning of the
-//! operators: `Dcel` is held to it like any other kernel.
+//! The reference is [`PointerModel`], which has nothing in common with [`Dcel`](crate::dcel::Dcel) but the meaning of the
+//! operators: `Dcel` is held to it like any other subject.
 //!
 //! Compared are, after each operator:
 //!
 //! 1. whether it was applied, refused (and with which category of error) or skipped;
-//! 2. whether the kernel is valid, by the validator;
+//! 2. whether the subject is valid, by the validator;
 //! 3. whether both are isomorphic, nesting and unbounded face included, by their canonical forms;
 //! 4. whether the handles say the same: `twin`, `next`, origins and faces of every half-edge and isolated vertex, in
-//!    order of their creation. So a kernel that hands out the wrong handle is found at once, and not when it is used.
+//!    order of their creation. So a subject that hands out the wrong handle is found at once, and not when it is used.
 //!
 //! The third needs a view with faces, their inner boundary components and the unbounded face. What else a view may lack,
 //! the expectation says: `prev`, half-edges at vertices, records of boundary components, places.
 //!
-//! An operator that the kernel does not have, or has no room for, is not run on the reference either, but the kernel
+//! An operator that the subject does not have, or has no room for, is not run on the reference either, but the subject
 //! must be as it was.
 //!
 //! ```
-//! use twinedge::program::{Model, Program, conformance};
+//! use twinedge::program::{RotationSystem, Program, conformance};
 //! let program = Program::from_bytes(b"some bytes that came from a fuzzer");
-//! conformance::run(&program, Model::new(), &Model::expectation())?;
+//! conformance::run(&program, RotationSystem::new(), &RotationSystem::expectation())?;
 //! # Ok::<(), conformance::Failure>(())
 //! ```
 
 mod answers;
 
 use super::canonical::Canonizer;
-use super::interpret::{Outcome, Runner};
-use super::kernel::{Kernel, Refusal};
+use super::interpret::{Runner, StepOutcome};
 use super::op::{Op, Program};
-use super::textbook::Textbook;
+use super::pointer_model::PointerModel;
+use super::subject::{Refusal, Subject};
 use crate::validate::{Collect, Expectation, Part, Report, validate};
 use alloc::boxed::Box;
 use core::fmt;
@@ -39,18 +39,18 @@ use thiserror::Error;
 
 /// How many operators of a program came to what.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Hash)]
-pub struct Summary {
+pub struct ConformanceSummary {
     /// Applied by both.
     pub applied: usize,
     /// Refused by both, for the same reason.
     pub refused: usize,
     /// There was nothing to choose from.
     pub skipped: usize,
-    /// Refused by the kernel for want of the operator, or of room.
+    /// Refused by the subject for want of the operator, or of room.
     pub not_supported: usize,
 }
 
-impl Summary {
+impl ConformanceSummary {
     /// All of them.
     #[must_use]
     pub const fn operators(&self) -> usize {
@@ -72,7 +72,7 @@ pub enum Question {
     Face,
 }
 
-/// What a kernel answers, in terms that do not depend on its handles.
+/// What a subject answers, in terms that do not depend on its handles.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
 #[non_exhaustive]
 pub enum Answer {
@@ -84,7 +84,7 @@ pub enum Answer {
     Nothing,
 }
 
-/// In what a kernel differs from the reference.
+/// In what a subject differs from the reference.
 #[derive(Clone, Debug, PartialEq, Eq, Error)]
 #[non_exhaustive]
 pub enum Difference {
@@ -92,21 +92,21 @@ pub enum Difference {
     #[error("the expectation leaves out {}; without it there is no telling which map it is", .0.name())]
     Lacks(Part),
     /// The operator came to something else.
-    #[error("the outcome should be `{reference}` and is `{kernel}`")]
-    Outcome {
+    #[error("the outcome should be `{reference}` and is `{subject}`")]
+    StepOutcome {
         /// What became of it in the reference.
-        reference: Outcome,
-        /// What became of it in the kernel.
-        kernel: Outcome,
+        reference: StepOutcome,
+        /// What became of it in the subject.
+        subject: StepOutcome,
     },
-    /// The kernel breaks a rule.
+    /// The subject breaks a rule.
     #[error("{}", FirstViolation(.0))]
     Invalid(Box<Report>),
-    /// The kernel keeps every rule that it is held to, but is another map.
+    /// The subject keeps every rule that it is held to, but is another map.
     #[error("the map is valid, but another one than it should be")]
     NotIsomorphic,
-    /// The kernel is the same map, but a handle says something else.
-    #[error("of corner {corner}, {question:?} should be {reference:?} and is {kernel:?}")]
+    /// The subject is the same map, but a handle says something else.
+    #[error("of corner {corner}, {question:?} should be {reference:?} and is {subject:?}")]
     Answers {
         /// The place of the corner in [`Runner::corners`].
         corner: usize,
@@ -114,8 +114,8 @@ pub enum Difference {
         question: Question,
         /// What the reference says.
         reference: Answer,
-        /// What the kernel says.
-        kernel: Answer,
+        /// What the subject says.
+        subject: Answer,
     },
 }
 
@@ -131,12 +131,12 @@ impl fmt::Display for FirstViolation<'_> {
     }
 }
 
-/// Where a kernel first differs from the reference.
+/// Where a subject first differs from the reference.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub struct Failure {
     /// How many operators were run before.
     pub before: usize,
-    /// The operator that did it; none if the kernel was not the empty map to begin with, or cannot be compared.
+    /// The operator that did it; none if the subject was not the empty map to begin with, or cannot be compared.
     pub op: Option<Op>,
     /// In what it differs.
     pub difference: Difference,
@@ -153,49 +153,53 @@ impl fmt::Display for Failure {
     }
 }
 
-/// Runs a program on a kernel that is the empty map, and on the reference in step. `expectation` says what the
-/// validator can hold the kernel to: the plane, with [`Part::Faces`], [`Part::Holes`] and [`Part::UnboundedFace`].
+/// Runs a program on a subject that is the empty map, and on the reference in step. `expectation` says what the
+/// validator can hold the subject to: the plane, with [`Part::Faces`], [`Part::Holes`] and [`Part::UnboundedFace`].
 ///
-/// O(n²) per operator for n half-edges and vertices, if the kernel answers a question in O(1) and its view does. Of this
+/// O(n²) per operator for n half-edges and vertices, if the subject answers a question in O(1) and its view does. Of this
 /// only comparing handles takes more than O(n log n), beside a few operators of the reference and maps with many
 /// symmetries.
 ///
-/// A panic of the kernel is not caught.
+/// A panic of the subject is not caught.
 ///
 /// # Errors
 /// The first difference, and the operator that made it; [`Difference::Lacks`] before the first operator if the
 /// expectation leaves out one of these parts.
-pub fn run<K: Kernel>(program: &Program, kernel: K, expectation: &Expectation) -> Result<Summary, Failure> {
-    let mut pair = InStep::new(kernel, expectation)?;
+pub fn run<K: Subject>(
+    program: &Program,
+    subject: K,
+    expectation: &Expectation,
+) -> Result<ConformanceSummary, Failure> {
+    let mut pair = InStep::new(subject, expectation)?;
     for op in &program.0 {
         pair.step(*op)?;
     }
     Ok(pair.summary())
 }
 
-/// A kernel and the reference, operator by operator: what [`run`] does, for those who want to look, or to stop, between
+/// A subject and the reference, operator by operator: what [`run`] does, for those who want to look, or to stop, between
 /// two.
 #[derive(Debug)]
-pub struct InStep<K: Kernel> {
-    reference: Runner<Textbook>,
-    kernel: Runner<K>,
+pub struct InStep<K: Subject> {
+    reference: Runner<PointerModel>,
+    subject: Runner<K>,
     expectation: Expectation,
     canonizer: Canonizer,
-    summary: Summary,
+    summary: ConformanceSummary,
 }
 
-impl<K: Kernel> InStep<K> {
-    /// Begins with a kernel that is the empty map.
+impl<K: Subject> InStep<K> {
+    /// Begins with a subject that is the empty map.
     ///
     /// # Errors
     /// Those of [`run`] before the first operator.
-    pub fn new(kernel: K, expectation: &Expectation) -> Result<Self, Failure> {
+    pub fn new(subject: K, expectation: &Expectation) -> Result<Self, Failure> {
         let mut pair = Self {
-            reference: Runner::new(Textbook::new()),
-            kernel: Runner::new(kernel),
+            reference: Runner::new(PointerModel::new()),
+            subject: Runner::new(subject),
             expectation: *expectation,
             canonizer: Canonizer::new(),
-            summary: Summary::default(),
+            summary: ConformanceSummary::default(),
         };
         let lacks = [Part::Faces, Part::Holes, Part::UnboundedFace].into_iter().find(|part| !expectation.has(*part));
         lacks.map_or_else(|| pair.compare(), |part| Err(Difference::Lacks(part))).map_err(|difference| Failure {
@@ -209,50 +213,50 @@ impl<K: Kernel> InStep<K> {
     /// Runs one operator on both, and compares them. Costs what is said of [`run`].
     ///
     /// # Errors
-    /// The first difference. After one, or after a panic of the kernel, the two are no longer in step, and what further
+    /// The first difference. After one, or after a panic of the subject, the two are no longer in step, and what further
     /// operators do means nothing.
-    pub fn step(&mut self, op: Op) -> Result<Outcome, Failure> {
+    pub fn step(&mut self, op: Op) -> Result<StepOutcome, Failure> {
         let outcome = self.step_both(op).map_err(|difference| Failure {
             before: self.summary.operators(),
             op: Some(op),
             difference,
         })?;
         *match outcome {
-            Outcome::Applied => &mut self.summary.applied,
-            Outcome::Refused(Refusal::Full | Refusal::Unsupported) => &mut self.summary.not_supported,
-            Outcome::Refused(_) => &mut self.summary.refused,
-            Outcome::Skipped => &mut self.summary.skipped,
+            StepOutcome::Applied => &mut self.summary.applied,
+            StepOutcome::Refused(Refusal::Full | Refusal::Unsupported) => &mut self.summary.not_supported,
+            StepOutcome::Refused(_) => &mut self.summary.refused,
+            StepOutcome::Skipped => &mut self.summary.skipped,
         } += 1;
         Ok(outcome)
     }
 
     /// What the operators so far came to.
     #[must_use]
-    pub const fn summary(&self) -> Summary {
+    pub const fn summary(&self) -> ConformanceSummary {
         self.summary
     }
 
-    fn step_both(&mut self, op: Op) -> Result<Outcome, Difference> {
-        let kernel = self.kernel.step(op);
-        if !matches!(kernel, Outcome::Refused(Refusal::Full | Refusal::Unsupported)) {
+    fn step_both(&mut self, op: Op) -> Result<StepOutcome, Difference> {
+        let subject = self.subject.step(op);
+        if !matches!(subject, StepOutcome::Refused(Refusal::Full | Refusal::Unsupported)) {
             let reference = self.reference.step(op);
-            if kernel != reference {
-                return Err(Difference::Outcome { reference, kernel });
+            if subject != reference {
+                return Err(Difference::StepOutcome { reference, subject });
             }
         }
         self.compare()?;
-        Ok(kernel)
+        Ok(subject)
     }
 
     fn compare(&mut self) -> Result<(), Difference> {
-        let report = validate(self.kernel.kernel(), &self.expectation, Collect::First);
+        let report = validate(self.subject.subject(), &self.expectation, Collect::First);
         if !report.is_valid() {
             return Err(Difference::Invalid(Box::new(report)));
         }
-        let code = self.canonizer.subdivision(self.reference.kernel());
-        if self.canonizer.subdivision(self.kernel.kernel()) != code {
+        let code = self.canonizer.subdivision(self.reference.subject());
+        if self.canonizer.subdivision(self.subject.subject()) != code {
             return Err(Difference::NotIsomorphic);
         }
-        answers::compare(&self.reference, &self.kernel)
+        answers::compare(&self.reference, &self.subject)
     }
 }

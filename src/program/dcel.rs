@@ -1,6 +1,6 @@
-//! The structure of this crate as a kernel, over every store.
+//! The structure of this crate as a subject, over every store.
 
-use super::kernel::{Corner, Kernel, Refusal};
+use super::subject::{Corner, Refusal, Subject};
 use crate::dcel::{
     self, BoundaryKey, Dcel, FaceKey, HalfEdgeKey, OperatorError, RemovedEdge, Side, Split, Turn, VertexKey,
 };
@@ -27,7 +27,7 @@ fn boundary_of<S: Store>(
     }
 }
 
-impl<S: Store> Kernel for Dcel<S> {
+impl<S: Store> Subject for Dcel<S> {
     type Vertex = VertexKey;
     type HalfEdge = HalfEdgeKey;
     type Face = FaceKey;

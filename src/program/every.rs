@@ -1,8 +1,8 @@
 //! Every operator with every argument: what can be done to one map.
 
-use super::interpret::{Outcome, Runner};
-use super::kernel::{Corner, Kernel};
+use super::interpret::{Runner, StepOutcome};
 use super::op::{CornerPick, FacePick, HalfEdgePick, InnerPick, Op, SecondPick, VertexPick};
+use super::subject::{Corner, Subject};
 use crate::dcel::{Side, Turn};
 use alloc::vec::Vec;
 
@@ -17,7 +17,7 @@ use alloc::vec::Vec;
 ///
 /// In a map of n half-edges and k boundary components in its fullest face these are O(n² · (2ᵏ + n)). Finding them takes
 /// O(n²) beside. At most 16 inner boundary components of a face are told apart.
-pub fn every_op<K: Kernel>(map: &Runner<K>) -> Vec<Op> {
+pub fn every_op<K: Subject>(map: &Runner<K>) -> Vec<Op> {
     let picks = Picks::of(map);
     let mut ops = Vec::new();
     for face in &picks.faces {
@@ -58,12 +58,12 @@ pub fn every_op<K: Kernel>(map: &Runner<K>) -> Vec<Op> {
 
 /// Applies [every operator](every_op) to the map as it is, one at a time, and shows what came of each: of those that were
 /// applied the new map, of the others the map that should be as it was.
-pub fn try_every_op<K: Kernel + Clone>(map: &Runner<K>, mut visit: impl FnMut(Op, Outcome, &Runner<K>)) {
+pub fn try_every_op<K: Subject + Clone>(map: &Runner<K>, mut visit: impl FnMut(Op, StepOutcome, &Runner<K>)) {
     let mut trial = map.clone();
     for op in every_op(map) {
         let outcome = trial.step(op);
         visit(op, outcome, &trial);
-        if outcome == Outcome::Applied {
+        if outcome == StepOutcome::Applied {
             trial = map.clone();
         }
     }
@@ -89,8 +89,8 @@ struct Picks {
 }
 
 impl Picks {
-    fn of<K: Kernel>(map: &Runner<K>) -> Self {
-        let kernel = map.kernel();
+    fn of<K: Subject>(map: &Runner<K>) -> Self {
+        let subject = map.subject();
         let mut faces = Vec::new();
         let mut boundary_of: Vec<Option<usize>> = alloc::vec![None; map.half_edges().len()];
         let (mut corners, mut boundaries): (Vec<Place>, Vec<Place>) = (Vec::new(), Vec::new());
@@ -98,7 +98,7 @@ impl Picks {
         let isolated = (0..).zip(map.isolated());
         let isolated = isolated.map(|(k, v)| (Corner::Isolated(VertexPick::Isolated(k)), Corner::Isolated(*v)));
         for (position, (pick, corner)) in half_edges.chain(isolated).enumerate() {
-            let Ok(face) = kernel.face_of(corner) else { continue };
+            let Ok(face) = subject.face_of(corner) else { continue };
             let number = faces.iter().position(|other| *other == face).unwrap_or(faces.len());
             if number == faces.len() {
                 faces.push(face);
@@ -114,7 +114,7 @@ impl Picks {
             corners.push(place);
         }
         let first_in = |number| boundaries.iter().find(|place: &&Place| place.face == number);
-        let bounded = (0..faces.len()).filter(|number| faces[*number] != kernel.unbounded_face());
+        let bounded = (0..faces.len()).filter(|number| faces[*number] != subject.unbounded_face());
         let bounded = bounded.filter_map(first_in).map(|place| FacePick::Of(place.corner));
         let gone = |list: usize| list > 0;
         let stale_half_edge = gone(map.retired_half_edges().len()).then_some(HalfEdgePick::Retired(0));
@@ -163,13 +163,13 @@ impl Picks {
 }
 
 /// Notes the boundary component of all half-edges of a cycle: no more than there are, even if it never closes.
-fn mark_cycle<K: Kernel>(map: &Runner<K>, start: K::HalfEdge, boundary: usize, boundary_of: &mut [Option<usize>]) {
+fn mark_cycle<K: Subject>(map: &Runner<K>, start: K::HalfEdge, boundary: usize, boundary_of: &mut [Option<usize>]) {
     let mut h = start;
     for _ in 0..boundary_of.len() {
         if let Some(position) = map.half_edges().iter().position(|other| *other == h) {
             boundary_of[position] = Some(boundary);
         }
-        match map.kernel().next_of(h) {
+        match map.subject().next_of(h) {
             Ok(next) if next != start => h = next,
             _ => return,
         }

@@ -6,7 +6,7 @@
 //!
 //! ```
 //! use twinedge::dcel::Dcel;
-//! use twinedge::program::{Outcome, Program, Refusal, Runner};
+//! use twinedge::program::{StepOutcome, Program, Refusal, Runner};
 //!
 //! let program: Program = "twinedge program 1
 //!     add_isolated_vertex unbounded
@@ -17,21 +17,21 @@
 //! ".parse()?;
 //! let mut runner = Runner::new(Dcel::new());
 //! let outcomes = runner.run(&program);
-//! assert_eq!(outcomes[3], Outcome::Applied);
-//! assert_eq!(outcomes[4], Outcome::Refused(Refusal::Stale));
-//! assert!(runner.kernel().validate().is_valid());
+//! assert_eq!(outcomes[3], StepOutcome::Applied);
+//! assert_eq!(outcomes[4], StepOutcome::Refused(Refusal::Stale));
+//! assert!(runner.subject().validate().is_valid());
 //! # Ok::<(), twinedge::program::ParseError>(())
 //! ```
 //!
 //! | to | take |
 //! | --- | --- |
-//! | drive a structure of your own | the trait [`Kernel`]; [`Dcel`](crate::dcel::Dcel) has it, over every store |
-//! | see whether it does what it should | [`conformance::run`]: it and [`Textbook`] in step, compared after every operator |
+//! | drive a structure of your own | the trait [`Subject`]; [`Dcel`](crate::dcel::Dcel) has it, over every store |
+//! | see whether it does what it should | [`conformance::run`]: it and [`PointerModel`] in step, compared after every operator |
 //! | get programs | [`Program::from_bytes`]; the features `arbitrary` and `quickcheck` for the crates of these names |
 //! | make a failing one small | [`shrink`]; `quickcheck` does it by itself |
 //! | keep it | its text ([`Display`](core::fmt::Display), [`FromStr`](core::str::FromStr)), or [`Program::to_rust`] |
 //! | tell whether two maps are the same | [`canonical`] |
-//! | have a second opinion | [`Model`], a rotation system, and [`Textbook`], the pointers of the literature: slow and obvious |
+//! | have a second opinion | [`RotationSystem`], a rotation system, and [`PointerModel`], the pointers of the literature: slow and obvious |
 //!
 //! # In step
 //!
@@ -50,25 +50,25 @@ pub mod conformance;
 mod dcel;
 mod every;
 mod interpret;
-mod kernel;
-mod model;
 mod op;
+mod pointer_model;
 #[cfg(feature = "quickcheck")]
 mod quickcheck;
 mod retarget;
+mod rotation_system;
 mod rust;
 mod shrink;
 mod simpler;
+mod subject;
 mod text;
-mod textbook;
 
 pub use crate::dcel::{Side, Turn};
 pub use call::{Call, CallOf};
 pub use every::{every_op, try_every_op};
-pub use interpret::{Outcome, Runner};
-pub use kernel::{Corner, CornerOf, Kernel, Refusal};
-pub use model::Model;
+pub use interpret::{Runner, StepOutcome};
 pub use op::{CornerPick, FacePick, HalfEdgePick, InnerPick, Op, Program, SecondPick, VertexPick};
+pub use pointer_model::{PointerModel, PointerModelFace, PointerModelHalfEdge, PointerModelVertex};
+pub use rotation_system::RotationSystem;
 pub use shrink::{candidates, shrink};
+pub use subject::{Corner, CornerOf, Refusal, Subject};
 pub use text::{Expected, ParseError};
-pub use textbook::{Textbook, TextbookFace, TextbookHalfEdge, TextbookVertex};

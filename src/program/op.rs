@@ -1,6 +1,6 @@
 //! The language: operators whose arguments are small numbers, so that any bytes are a program that runs.
 
-use super::kernel::Corner;
+use super::subject::Corner;
 use crate::dcel::{Side, Turn};
 use alloc::vec::Vec;
 
@@ -60,39 +60,39 @@ pub struct InnerPick {
 
 /// One operator with its arguments.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
-#[allow(missing_docs, reason = "the arguments are those of the methods of `Kernel` of the same names")]
+#[allow(missing_docs, reason = "the arguments are those of the methods of `Subject` of the same names")]
 pub enum Op {
-    /// [`Kernel::add_isolated_vertex`](super::Kernel::add_isolated_vertex).
+    /// [`Subject::add_isolated_vertex`](super::Subject::add_isolated_vertex).
     AddIsolatedVertex { face: FacePick },
-    /// [`Kernel::remove_isolated_vertex`](super::Kernel::remove_isolated_vertex).
+    /// [`Subject::remove_isolated_vertex`](super::Subject::remove_isolated_vertex).
     RemoveIsolatedVertex { vertex: VertexPick },
-    /// [`Kernel::connect`](super::Kernel::connect).
+    /// [`Subject::connect`](super::Subject::connect).
     Connect { from: CornerPick, to: SecondPick, new_face: Side, inner: InnerPick },
-    /// [`Kernel::remove_edge`](super::Kernel::remove_edge).
+    /// [`Subject::remove_edge`](super::Subject::remove_edge).
     RemoveEdge { half_edge: HalfEdgePick },
-    /// [`Kernel::split_edge`](super::Kernel::split_edge).
+    /// [`Subject::split_edge`](super::Subject::split_edge).
     SplitEdge { half_edge: HalfEdgePick },
-    /// [`Kernel::join_edges`](super::Kernel::join_edges).
+    /// [`Subject::join_edges`](super::Subject::join_edges).
     JoinEdges { half_edge: HalfEdgePick },
-    /// [`Kernel::split_vertex`](super::Kernel::split_vertex).
+    /// [`Subject::split_vertex`](super::Subject::split_vertex).
     SplitVertex { from: CornerPick, to: SecondPick },
-    /// [`Kernel::contract_edge`](super::Kernel::contract_edge).
+    /// [`Subject::contract_edge`](super::Subject::contract_edge).
     ContractEdge { half_edge: HalfEdgePick },
-    /// [`Kernel::flip_edge`](super::Kernel::flip_edge).
+    /// [`Subject::flip_edge`](super::Subject::flip_edge).
     FlipEdge { half_edge: HalfEdgePick, turn: Turn },
-    /// [`Kernel::move_inner`](super::Kernel::move_inner).
+    /// [`Subject::move_inner`](super::Subject::move_inner).
     MoveInner { inner: CornerPick, face: FacePick },
 }
 
 /// A sequence of operators, to be run by a [`Runner`](super::Runner) from the empty map.
 ///
 /// ```
-/// use twinedge::program::{Outcome, Program, Runner};
+/// use twinedge::program::{StepOutcome, Program, Runner};
 /// let program = Program::from_bytes(b"any bytes are a program");
 /// let mut runner = Runner::new(twinedge::dcel::Dcel::new());
 /// for op in &program.0 {
 ///     runner.step(*op);
-///     assert!(runner.kernel().validate().is_valid());
+///     assert!(runner.subject().validate().is_valid());
 /// }
 /// // It can be written down, and read again.
 /// assert_eq!(program.to_string().parse(), Ok(program));

@@ -4,9 +4,9 @@
 //! Here every half-edge and vertex has a name, that of the operator that made it, and the numbers follow the names.
 
 use super::interpret::{Fit, Runner};
-use super::kernel::Corner;
-use super::model::Model;
 use super::op::{CornerPick, FacePick, HalfEdgePick, InnerPick, Op, Program, SecondPick, VertexPick};
+use super::rotation_system::RotationSystem;
+use super::subject::Corner;
 use alloc::vec::Vec;
 use core::iter::repeat;
 
@@ -75,7 +75,7 @@ impl Script {
 
 /// A runner, and beside each of its lists the names of what is on it.
 struct Stage {
-    runner: Runner<Model>,
+    runner: Runner<RotationSystem>,
     half_edges: Vec<Name>,
     isolated: Vec<Name>,
     retired_half_edges: Vec<Name>,
@@ -86,7 +86,7 @@ struct Stage {
 impl Stage {
     fn new() -> Self {
         Self {
-            runner: Runner::new(Model::new()),
+            runner: Runner::new(RotationSystem::new()),
             half_edges: Vec::new(),
             isolated: Vec::new(),
             retired_half_edges: Vec::new(),

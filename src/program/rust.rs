@@ -1,7 +1,7 @@
 //! Programs as Rust source, to be pasted into a regression test.
 
-use super::kernel::Corner;
 use super::op::{CornerPick, FacePick, HalfEdgePick, InnerPick, Op, Program, SecondPick, VertexPick};
+use super::subject::Corner;
 use alloc::format;
 use alloc::string::String;
 

@@ -1,7 +1,7 @@
 //! Simpler operators of the same kind.
 
-use super::kernel::Corner;
 use super::op::{CornerPick, FacePick, HalfEdgePick, InnerPick, Op, SecondPick, VertexPick};
+use super::subject::Corner;
 use crate::dcel::{Side, Turn};
 use alloc::vec;
 use alloc::vec::Vec;

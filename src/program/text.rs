@@ -17,8 +17,8 @@
 //! | `~3` | of the corners that fit the first one |
 //! | `unbounded` | the unbounded face |
 
-use super::kernel::Corner;
 use super::op::{CornerPick, FacePick, HalfEdgePick, InnerPick, Op, Program, SecondPick, VertexPick};
+use super::subject::Corner;
 use crate::dcel::{Side, Turn};
 use alloc::vec::Vec;
 use core::fmt;

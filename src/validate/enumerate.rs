@@ -4,7 +4,7 @@
 //! what one broken pointer can do. [`for_each_assignment`] sets many cells to everything in all combinations: all
 //! tables of a size, right or wrong.
 
-use super::{Expectation, Link, Part, Place, Start, Table};
+use super::{BoundaryPlace, Expectation, Link, Part, Start, Table};
 use alloc::vec::Vec;
 
 /// One cell of a table: a field of the row with this index. Lists have a cell for each position.
@@ -36,14 +36,14 @@ pub enum Value {
     /// In [`Cell::BoundaryStart`] and [`Cell::InnerStart`].
     Start(Option<Start>),
     /// In [`Cell::BoundaryPlace`].
-    Place(Option<Place>),
+    BoundaryPlace(Option<BoundaryPlace>),
 }
 
 /// The same, where it is stored.
 enum Stored<'a> {
     Link(&'a mut Link),
     Start(&'a mut Option<Start>),
-    Place(&'a mut Option<Place>),
+    BoundaryPlace(&'a mut Option<BoundaryPlace>),
 }
 
 impl Table {
@@ -104,8 +104,9 @@ impl Table {
             }
             Cell::BoundaryPlace(_) => {
                 let longest = self.faces.iter().flatten().map(|row| row.inner.len()).max().unwrap_or(0);
-                let places = core::iter::once(Place::Outer).chain(indices(longest).map(Place::Inner)).map(Some);
-                core::iter::once(None).chain(places).map(Value::Place).collect()
+                let places =
+                    core::iter::once(BoundaryPlace::Outer).chain(indices(longest).map(BoundaryPlace::Inner)).map(Some);
+                core::iter::once(None).chain(places).map(Value::BoundaryPlace).collect()
             }
         }
     }
@@ -116,7 +117,9 @@ impl Table {
         match (self.stored(cell)?, value) {
             (Stored::Link(stored), Value::Link(link)) => Some(Value::Link(core::mem::replace(stored, link))),
             (Stored::Start(stored), Value::Start(start)) => Some(Value::Start(core::mem::replace(stored, start))),
-            (Stored::Place(stored), Value::Place(place)) => Some(Value::Place(core::mem::replace(stored, place))),
+            (Stored::BoundaryPlace(stored), Value::BoundaryPlace(place)) => {
+                Some(Value::BoundaryPlace(core::mem::replace(stored, place)))
+            }
             _ => None,
         }
     }
@@ -133,7 +136,7 @@ impl Table {
             Cell::Isolated(v) => Stored::Link(&mut row(&mut self.vertices, v)?.isolated),
             Cell::BoundaryFace(b) => Stored::Link(&mut row(&mut self.boundaries, b)?.face),
             Cell::BoundaryStart(b) => Stored::Start(&mut row(&mut self.boundaries, b)?.start),
-            Cell::BoundaryPlace(b) => Stored::Place(&mut row(&mut self.boundaries, b)?.place),
+            Cell::BoundaryPlace(b) => Stored::BoundaryPlace(&mut row(&mut self.boundaries, b)?.place),
             Cell::Outer(f) => Stored::Link(&mut row(&mut self.faces, f)?.outer),
             Cell::Inner(f, i) => Stored::Link(row(&mut self.faces, f)?.inner.get_mut(i)?),
             Cell::OuterHalfEdge(f) => Stored::Link(&mut row(&mut self.faces, f)?.outer_half_edge),

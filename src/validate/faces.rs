@@ -10,7 +10,7 @@
 
 use super::report::{Flow, Halt};
 use super::run::{NIL, Run, column};
-use super::{Part, Place, Record, Rule, Start, Unchecked, View, Violation};
+use super::{BoundaryPlace, Part, Record, Rule, Start, Unchecked, View, Violation};
 
 impl<V: View + ?Sized> Run<'_, V> {
     /// Runs F1 and F2.
@@ -71,7 +71,7 @@ impl<V: View + ?Sized> Run<'_, V> {
                 continue;
             }
             if let Some(b) = self.view.outer(f) {
-                self.entry(&mut listed, f, b, Place::Outer)?;
+                self.entry(&mut listed, f, b, BoundaryPlace::Outer)?;
             }
             if !self.expect.has(Part::Holes) {
                 continue;
@@ -82,12 +82,12 @@ impl<V: View + ?Sized> Run<'_, V> {
             self.counts.inner_boundaries += read;
             for i in 0..read {
                 if let Some(b) = self.view.inner(f, i) {
-                    self.entry(&mut listed, f, b, Place::Inner(i))?;
+                    self.entry(&mut listed, f, b, BoundaryPlace::Inner(i))?;
                 }
             }
             if read < claimed {
                 cut_short = true;
-                self.findings.add(Violation::ListTooLong { face: f, claimed })?;
+                self.list_not_read(f, claimed)?;
             }
         }
         let mut checked = 0;
@@ -106,7 +106,7 @@ impl<V: View + ?Sized> Run<'_, V> {
     }
 
     /// One entry of a list. What dangles is R1's to report.
-    fn entry(&mut self, listed: &mut [bool], f: usize, b: usize, place: Place) -> Flow {
+    fn entry(&mut self, listed: &mut [bool], f: usize, b: usize, place: BoundaryPlace) -> Flow {
         if b >= listed.len() || !self.view.is_boundary(b) {
             return Ok(());
         }
@@ -167,7 +167,13 @@ impl<V: View + ?Sized> Run<'_, V> {
         Ok(())
     }
 
-    /// Reports the face at which the budget for list entries ran out, if it did.
+    /// What stands in the rest of a list is not known. R1 has said so, unless the list has grown since.
+    fn list_not_read(&mut self, face: usize, claimed: usize) -> Flow {
+        self.findings.not_checked(Rule::F2, Unchecked::ListTooLong);
+        if self.findings.unchecked(Rule::R1).is_none() { self.list_too_long(face, claimed) } else { Ok(()) }
+    }
+
+    /// Finds the face at which the budget for list entries ran out, if it did.
     fn lists_end(&mut self, entries: usize) -> Flow {
         if entries < self.list_budget {
             return Ok(());
@@ -180,7 +186,7 @@ impl<V: View + ?Sized> Run<'_, V> {
             let claimed = self.view.inner_count(f);
             read = read.saturating_add(claimed);
             if read > self.list_budget {
-                return self.findings.add(Violation::ListTooLong { face: f, claimed });
+                return self.list_not_read(f, claimed);
             }
         }
         Ok(())

@@ -27,7 +27,7 @@
 
 use super::components::{Component, Components};
 use super::run::{NIL, Run};
-use super::{Part, Place, Record, Rule, Start, Unchecked, View};
+use super::{BoundaryPlace, Part, Record, Rule, Start, Unchecked, View};
 use alloc::vec::Vec;
 
 /// How many slots there are, and whether faces have holes.
@@ -248,9 +248,9 @@ fn along_boundaries<V: View + ?Sized>(view: &V, extent: Extent, components: &mut
         let f = view.boundary_face(b).filter(|f| *f < extent.faces && view.is_face(*f))?;
         let place = view.boundary_place(b)?;
         let listed = match place {
-            Place::Outer => view.outer(f),
-            Place::Inner(i) if extent.holes && i < view.inner_count(f) => view.inner(f, i),
-            Place::Inner(_) => None,
+            BoundaryPlace::Outer => view.outer(f),
+            BoundaryPlace::Inner(i) if extent.holes && i < view.inner_count(f) => view.inner(f, i),
+            BoundaryPlace::Inner(_) => None,
         };
         if listed != Some(b) {
             return None;
@@ -260,7 +260,7 @@ fn along_boundaries<V: View + ?Sized>(view: &V, extent: Extent, components: &mut
                 along.half_edges += along_cycle(view, extent, b, start, extent.half_edges - along.half_edges)?;
                 (view.origin(start)?, 1)
             }
-            Start::Vertex(_) if place == Place::Outer => return None,
+            Start::Vertex(_) if place == BoundaryPlace::Outer => return None,
             Start::Vertex(v) => {
                 along.at_vertex += 1;
                 (v, 0)
@@ -268,7 +268,7 @@ fn along_boundaries<V: View + ?Sized>(view: &V, extent: Extent, components: &mut
         };
         let component = components.all.get_mut(*components.of.get(vertex)? as usize)?;
         component.cycles += cycles;
-        if place != Place::Outer {
+        if place != BoundaryPlace::Outer {
             if component.outside.is_some() {
                 return None;
             }

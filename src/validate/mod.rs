@@ -59,6 +59,8 @@
 
 mod boundaries;
 mod components;
+#[cfg(feature = "geometry")]
+mod embedding;
 pub mod enumerate;
 mod expectation;
 mod faces;
@@ -71,16 +73,20 @@ mod rotations;
 mod rule;
 mod run;
 mod table;
+mod table_text;
 mod topology;
 mod view;
 mod violation;
 
+#[cfg(feature = "geometry")]
+pub use embedding::{Embedding, places, validate_embedding};
 pub use expectation::{Expectation, Part, Surface};
-pub use report::{Bounds, Certificate, Collect, Counts, Outcome, Report, Unchecked};
+pub use report::{Bounds, Certificate, Collect, Counts, Report, RuleOutcome, Unchecked};
 #[cfg(feature = "geometry")]
 pub(crate) use report::{Findings, Flow, Halt};
 pub use rule::Rule;
 pub use run::validate;
 pub use table::{BoundaryRow, FaceRow, HalfEdgeRow, Table, VertexRow};
-pub use view::{Link, Place, Start, View};
+pub use table_text::ParseTableError;
+pub use view::{BoundaryPlace, Link, Start, View};
 pub use violation::{Field, Record, Violation};

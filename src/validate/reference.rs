@@ -11,7 +11,7 @@
 //! It is total: nil is followed to nil, no walk goes on once it meets what it has seen, and nothing recurses. But it is
 //! cubic and worse, and it is for small structures only: it reads every slot and every list entry that the view claims.
 
-use super::{Expectation, Link, Part, Place, Rule, Start, Surface, View};
+use super::{BoundaryPlace, Expectation, Link, Part, Rule, Start, Surface, View};
 use alloc::collections::BTreeSet;
 use alloc::vec::Vec;
 
@@ -63,6 +63,9 @@ fn rules<'a, V: View + ?Sized>() -> [Judged<'a, V>; 14] {
 /// R1 live: every link that a record needs is there, and every link leads to a live record.
 ///
 /// At an open boundary twin or face may be nil. A vertex needs a leaving half-edge only if some half-edge leaves it.
+///
+/// Lists that together hold more than twice as many inner boundary components as there are, and 16, are broken, too: the
+/// fast validator does not read them to the end. Without records for boundary components, vertices and half-edges count.
 fn r1<V: View + ?Sized>(s: &Structure<'_, V>) -> bool {
     let vertex = |link| s.vertices.contains(&link);
     let half_edge = |link| s.half_edges.contains(&link);
@@ -92,6 +95,12 @@ fn r1<V: View + ?Sized>(s: &Structure<'_, V>) -> bool {
             Says::Boundary => boundary(e.boundary),
             Says::Face | Says::Nothing => start(e.start),
         })
+        && s.entries.iter().filter(|e| !e.is_outer()).count()
+            <= 16
+                + 2 * match s.says {
+                    Says::Boundary => s.boundaries.len(),
+                    Says::Face | Says::Nothing => s.half_edges.len() + s.vertices.len(),
+                }
 }
 
 /// L1 twin: `twin(twin(h)) = h` and `twin(h) ≠ h`.
@@ -269,7 +278,7 @@ enum Says {
 /// One entry of the list of a face.
 struct Entry {
     face: Link,
-    place: Place,
+    place: BoundaryPlace,
     /// The boundary component that is listed, where there are records for them.
     boundary: Link,
     /// Where what is listed starts.
@@ -278,7 +287,7 @@ struct Entry {
 
 impl Entry {
     fn is_outer(&self) -> bool {
-        self.place == Place::Outer
+        self.place == BoundaryPlace::Outer
     }
 }
 
@@ -317,7 +326,7 @@ impl<'a, V: View + ?Sized> Structure<'a, V> {
         };
         for f in s.faces.iter().copied().flatten() {
             let inner = if s.lacks(Part::Holes) { 0 } else { view.inner_count(f) };
-            let places = [Place::Outer].into_iter().chain((0..inner).map(Place::Inner));
+            let places = [BoundaryPlace::Outer].into_iter().chain((0..inner).map(BoundaryPlace::Inner));
             let entries: Vec<Entry> = places.filter_map(|place| s.entry(f, place)).collect();
             s.entries.extend(entries);
         }
@@ -325,18 +334,18 @@ impl<'a, V: View + ?Sized> Structure<'a, V> {
     }
 
     /// What the face lists at that place; nothing only if it has no outer boundary component.
-    fn entry(&self, f: usize, place: Place) -> Option<Entry> {
+    fn entry(&self, f: usize, place: BoundaryPlace) -> Option<Entry> {
         let boundary = match (self.says, place) {
-            (Says::Boundary, Place::Outer) => self.view.outer(f),
-            (Says::Boundary, Place::Inner(i)) => self.view.inner(f, i),
+            (Says::Boundary, BoundaryPlace::Outer) => self.view.outer(f),
+            (Says::Boundary, BoundaryPlace::Inner(i)) => self.view.inner(f, i),
             _ => None,
         };
         let start = match (self.says, place) {
             (Says::Boundary, _) => self.start(boundary),
-            (_, Place::Outer) => self.view.outer_half_edge(f).map(Start::HalfEdge),
-            (_, Place::Inner(i)) => self.view.inner_start(f, i),
+            (_, BoundaryPlace::Outer) => self.view.outer_half_edge(f).map(Start::HalfEdge),
+            (_, BoundaryPlace::Inner(i)) => self.view.inner_start(f, i),
         };
-        let nothing = place == Place::Outer && boundary.is_none() && start.is_none();
+        let nothing = place == BoundaryPlace::Outer && boundary.is_none() && start.is_none();
         (!nothing).then_some(Entry { face: Some(f), place, boundary, start })
     }
 
@@ -392,7 +401,7 @@ impl<'a, V: View + ?Sized> Structure<'a, V> {
         self.view.boundary_start(live(&self.boundaries, b)?)
     }
 
-    fn place(&self, b: Link) -> Option<Place> {
+    fn place(&self, b: Link) -> Option<BoundaryPlace> {
         self.view.boundary_place(live(&self.boundaries, b)?)
     }
 

@@ -7,7 +7,7 @@ use core::fmt;
 /// How many violations to collect. The true count per rule is kept in any case, except with `First`.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash, Default)]
 pub enum Collect {
-    /// Stop at the first violation.
+    /// Stop at the first violation of the first broken rule.
     First,
     /// Keep up to [`Collect::DEFAULT_CAP`] violations.
     #[default]
@@ -47,6 +47,9 @@ pub enum Unchecked {
     TooLarge,
     /// There was no memory for the columns that the check needs.
     OutOfMemory,
+    /// The faces list more than twice as many inner boundary components as there are, and 16: the rest of the lists was
+    /// not read.
+    ListTooLong,
 }
 
 impl Unchecked {
@@ -70,13 +73,14 @@ impl fmt::Display for Unchecked {
             Self::Stopped => f.write_str("stopped at the first violation"),
             Self::TooLarge => f.write_str("more than 4,294,967,294 records of one kind"),
             Self::OutOfMemory => f.write_str("not enough memory"),
+            Self::ListTooLong => f.write_str("the lists of the faces are too long to be read to the end"),
         }
     }
 }
 
 /// What became of one rule.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash, Default)]
-pub struct Outcome {
+pub struct RuleOutcome {
     /// How many were checked; what is counted is [`Rule::unit`].
     pub checked: u64,
     /// How many violations were found, kept or not.
@@ -153,7 +157,7 @@ pub struct Certificate {
 /// What a validation found.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub struct Report {
-    pub(crate) outcomes: Vec<(Rule, Outcome)>,
+    pub(crate) outcomes: Vec<(Rule, RuleOutcome)>,
     pub(crate) violations: Vec<Violation>,
     pub(crate) counts: Counts,
     pub(crate) bounds: Option<Bounds>,
@@ -162,13 +166,13 @@ pub struct Report {
 impl Report {
     /// The rules that were to be checked, in order, each with what became of it.
     #[must_use]
-    pub fn outcomes(&self) -> impl ExactSizeIterator<Item = (Rule, Outcome)> + '_ {
+    pub fn outcomes(&self) -> impl ExactSizeIterator<Item = (Rule, RuleOutcome)> + '_ {
         self.outcomes.iter().copied()
     }
 
     /// What became of this rule; `None` for a rule that is not of this validation (G without coordinates).
     #[must_use]
-    pub fn outcome(&self, rule: Rule) -> Option<Outcome> {
+    pub fn outcome(&self, rule: Rule) -> Option<RuleOutcome> {
         self.outcomes.iter().find(|(r, _)| *r == rule).map(|(_, o)| *o)
     }
 
@@ -180,7 +184,7 @@ impl Report {
 
     /// Adds what was found by rules that are checked after these.
     #[cfg(feature = "geometry")]
-    pub(crate) fn append(&mut self, outcomes: Vec<(Rule, Outcome)>, violations: Vec<Violation>) {
+    pub(crate) fn append(&mut self, outcomes: Vec<(Rule, RuleOutcome)>, violations: Vec<Violation>) {
         self.outcomes.extend(outcomes);
         self.violations.extend(violations);
     }
@@ -276,17 +280,21 @@ pub(crate) enum Halt {
 /// Collects violations and outcomes while the rules are run.
 #[derive(Debug)]
 pub(crate) struct Findings {
-    outcomes: [Outcome; Rule::ALL.len()],
+    outcomes: [RuleOutcome; Rule::ALL.len()],
     violations: Vec<Violation>,
     collect: Collect,
+    /// Where only the first violation is wanted: one that is reported at the end of the pass, unless the pass finds one of
+    /// an earlier rule.
+    held_back: Option<Violation>,
 }
 
 impl Findings {
     pub(crate) const fn new(collect: Collect) -> Self {
         Self {
-            outcomes: [Outcome { checked: 0, violations: 0, unchecked: None }; Rule::ALL.len()],
+            outcomes: [RuleOutcome { checked: 0, violations: 0, unchecked: None }; Rule::ALL.len()],
             violations: Vec::new(),
             collect,
+            held_back: None,
         }
     }
 
@@ -298,6 +306,25 @@ impl Findings {
             self.violations.push(violation);
         }
         if self.collect == Collect::First { Err(Halt::Found) } else { Ok(()) }
+    }
+
+    /// Notes a violation found by a pass that several rules share, of which `first` is the first. If only one violation is
+    /// wanted, it must be of the first broken rule, so the pass goes on until it ends or that rule is broken.
+    #[cold]
+    pub(crate) fn add_in_pass(&mut self, violation: Violation, first: Rule) -> Flow {
+        if self.collect != Collect::First || violation.rule() == first {
+            self.held_back = None;
+            return self.add(violation);
+        }
+        if self.held_back.is_none_or(|held_back| violation.rule() < held_back.rule()) {
+            self.held_back = Some(violation);
+        }
+        Ok(())
+    }
+
+    /// Ends a pass that several rules share.
+    pub(crate) fn end_pass(&mut self) -> Flow {
+        self.held_back.take().map_or(Ok(()), |violation| self.add(violation))
     }
 
     pub(crate) const fn checked(&mut self, rule: Rule, count: u64) {
@@ -328,6 +355,11 @@ impl Findings {
         }
     }
 
+    /// Why the rule was not checked, or not on every record.
+    pub(crate) const fn unchecked(&self, rule: Rule) -> Option<Unchecked> {
+        self.outcomes[rule.index()].unchecked
+    }
+
     /// Whether no violation of this rule was found.
     pub(crate) const fn holds(&self, rule: Rule) -> bool {
         self.outcomes[rule.index()].violations == 0
@@ -339,7 +371,7 @@ impl Findings {
     }
 
     /// The outcomes of these rules and the violations found.
-    pub(crate) fn into_parts(self, rules: &[Rule]) -> (Vec<(Rule, Outcome)>, Vec<Violation>) {
+    pub(crate) fn into_parts(self, rules: &[Rule]) -> (Vec<(Rule, RuleOutcome)>, Vec<Violation>) {
         let mut violations = self.violations;
         violations.sort_by_key(Violation::rule);
         (rules.iter().map(|rule| (*rule, self.outcomes[rule.index()])).collect(), violations)

@@ -1,6 +1,6 @@
 //! A structure as plain tables, like those in the textbooks, with every field open to be set to anything.
 
-use super::{Link, Place, Start, View};
+use super::view::{BoundaryPlace, Link, Start, View};
 use alloc::vec::Vec;
 
 /// A row of the vertex table.
@@ -37,7 +37,7 @@ pub struct BoundaryRow {
     /// Where it starts.
     pub start: Option<Start>,
     /// Where its face lists it.
-    pub place: Option<Place>,
+    pub place: Option<BoundaryPlace>,
 }
 
 /// A row of the face table.
@@ -55,15 +55,17 @@ pub struct FaceRow {
 
 /// A structure as plain tables. A row that is `None` is vacant: the record was retired.
 ///
+/// `Display` and `FromStr` write and read it as one line of text.
+///
 /// ```
-/// use twinedge::validate::{BoundaryRow, Collect, Expectation, FaceRow, Place, Start, Table, VertexRow, validate};
+/// use twinedge::validate::{BoundaryRow, Collect, Expectation, FaceRow, BoundaryPlace, Start, Table, VertexRow, validate};
 /// // The smallest map: one isolated vertex in the unbounded face.
 /// let table = Table {
 ///     vertices: vec![Some(VertexRow { leaving: None, isolated: Some(0) })],
 ///     boundaries: vec![Some(BoundaryRow {
 ///         face: Some(0),
 ///         start: Some(Start::Vertex(0)),
-///         place: Some(Place::Inner(0)),
+///         place: Some(BoundaryPlace::Inner(0)),
 ///     })],
 ///     faces: vec![Some(FaceRow { inner: vec![Some(0)], ..FaceRow::default() })],
 ///     ..Table::default()
@@ -200,7 +202,7 @@ impl View for Table {
     fn boundary_start(&self, boundary: usize) -> Option<Start> {
         self.boundary_row(boundary).start
     }
-    fn boundary_place(&self, boundary: usize) -> Option<Place> {
+    fn boundary_place(&self, boundary: usize) -> Option<BoundaryPlace> {
         self.boundary_row(boundary).place
     }
     fn outer(&self, face: usize) -> Link {

@@ -17,7 +17,7 @@ pub enum Start {
 
 /// Where a boundary component says that its face lists it.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash, PartialOrd, Ord)]
-pub enum Place {
+pub enum BoundaryPlace {
     /// It is the outer boundary component.
     Outer,
     /// It stands at this position of the list of inner ones.
@@ -118,7 +118,7 @@ pub trait View {
         None
     }
     /// The place that the boundary component takes in its face's list.
-    fn boundary_place(&self, boundary: usize) -> Option<Place> {
+    fn boundary_place(&self, boundary: usize) -> Option<BoundaryPlace> {
         let _ = boundary;
         None
     }

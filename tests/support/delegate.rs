@@ -17,7 +17,7 @@ macro_rules! delegate_view {
             $live: is_vertex(v) -> bool, is_half_edge(h) -> bool, is_boundary(b) -> bool, is_face(f) -> bool;
             $rows: origin(h) -> Link, twin(h) -> Link, next(h) -> Link, prev(h) -> Link, boundary(h) -> Link, face(h) -> Link;
             $rows: leaving(v) -> Link, isolated(v) -> Link, boundary_face(b) -> Link, boundary_start(b) -> Option<Start>;
-            $rows: boundary_place(b) -> Option<Place>, outer(f) -> Link, inner_count(f) -> usize, inner(f, i) -> Link;
+            $rows: boundary_place(b) -> Option<BoundaryPlace>, outer(f) -> Link, inner_count(f) -> usize, inner(f, i) -> Link;
             $rows: outer_half_edge(f) -> Link, inner_start(f, i) -> Option<Start>;
         }
     };

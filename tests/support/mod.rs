@@ -2,8 +2,12 @@
 #![allow(dead_code, unused_macros, unused_imports, reason = "each test file uses a part of it")]
 
 pub(crate) mod delegate;
+pub(crate) mod edits;
+pub(crate) mod exact;
 pub(crate) mod moody;
 pub(crate) mod nested;
 pub(crate) mod opinions;
+pub(crate) mod oracle;
 pub(crate) mod tables;
+pub(crate) mod tracked;
 pub(crate) mod watched;

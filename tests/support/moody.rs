@@ -1,7 +1,7 @@
 //! A structure that changes its mind.
 
 use std::cell::Cell;
-use twinedge::validate::{Link, Place, Start, Table, View};
+use twinedge::validate::{BoundaryPlace, Link, Start, Table, View};
 
 /// A table that answers as it is for a while, and then anything, differently each time. It insists on being asked about
 /// slots that it has only.
@@ -137,7 +137,7 @@ impl View for Moody<'_> {
     fn boundary_start(&self, b: usize) -> Option<Start> {
         self.start(self.table.boundary_start(self.boundary_slot(b)))
     }
-    fn boundary_place(&self, b: usize) -> Option<Place> {
+    fn boundary_place(&self, b: usize) -> Option<BoundaryPlace> {
         self.table.boundary_place(self.boundary_slot(b))
     }
     fn outer(&self, f: usize) -> Link {

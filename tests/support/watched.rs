@@ -1,7 +1,7 @@
 //! A table that counts what it is asked.
 
 use std::cell::Cell;
-use twinedge::validate::{Link, Place, Start, Table, View};
+use twinedge::validate::{BoundaryPlace, Link, Start, Table, View};
 
 /// Answers as the table does, and counts some of the questions.
 pub(crate) struct Watched<'a, C = fn(usize) -> Option<usize>> {
@@ -93,7 +93,7 @@ impl<C: Fn(usize) -> Option<usize>> View for Watched<'_, C> {
     fn boundary_start(&self, boundary: usize) -> Option<Start> {
         self.table.boundary_start(boundary)
     }
-    fn boundary_place(&self, boundary: usize) -> Option<Place> {
+    fn boundary_place(&self, boundary: usize) -> Option<BoundaryPlace> {
         self.table.boundary_place(boundary)
     }
     fn outer(&self, face: usize) -> Link {

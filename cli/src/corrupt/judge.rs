@@ -10,7 +10,7 @@ use std::collections::BTreeMap;
 use std::fmt;
 use std::sync::Arc;
 use std::time::Duration;
-use twinedge::program::census::Found;
+use twinedge::program::census::Discovery;
 use twinedge::validate::enumerate::{Cell, Value, for_each_corruption};
 use twinedge::validate::reference::first_broken_rule;
 use twinedge::validate::{Expectation, Link, Part, Rule, Start, Table};
@@ -53,11 +53,11 @@ pub(super) struct Specimen {
 
 impl Specimen {
     /// The tables of a map, each with a vacant row, in both forms. None if there is no memory for them.
-    pub(super) fn all(found: &Found) -> Option<[Self; 2]> {
-        let records = Table::copy_of(found.runner.kernel())?;
+    pub(super) fn all(found: &Discovery) -> Option<[Self; 2]> {
+        let records = Table::copy_of(found.runner.subject())?;
         let mut textbook = records.clone();
         drop_boundaries(&mut textbook);
-        let map = found.runner.kernel();
+        let map = found.runner.subject();
         let is_smallest = map.edge_count() <= 1 && map.vertex_count() <= 2;
         Some([(Form::Records, records), (Form::Textbook, textbook)].map(|(form, mut table)| {
             table.vertices.push(None);

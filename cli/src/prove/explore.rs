@@ -9,7 +9,7 @@ use std::sync::Mutex;
 use twinedge::dcel::Dcel;
 use twinedge::program::canonical::{Canonizer, Code};
 use twinedge::program::census::Scope;
-use twinedge::program::{Kernel, Op, Outcome, Program, Runner, every_op};
+use twinedge::program::{Op, Program, Runner, StepOutcome, Subject, every_op};
 use twinedge::validate::{Collect, Counts, Expectation, View, validate};
 
 /// What was found of maps of one size.
@@ -97,7 +97,7 @@ pub(super) fn explore(scope: Scope, threads: usize, what: &str) -> Explored {
     let mut explored = Explored::default();
     let mut generation = vec![scope.start()];
     let first = play(&generation[0]);
-    if let Some(code) = Canonizer::new().subdivision(first.kernel()) {
+    if let Some(code) = Canonizer::new().subdivision(first.subject()) {
         seen.insert(code);
     }
     let mut step = 0;
@@ -126,7 +126,7 @@ fn play(program: &Program) -> Runner<Dcel> {
 impl Worker {
     fn visit(&mut self, scope: Scope, program: &Program, seen: &Codes, sensed: &Codes) {
         let map = play(program);
-        let report = validate(map.kernel(), &Expectation::plane(), Collect::First);
+        let report = validate(map.subject(), &Expectation::plane(), Collect::First);
         let before = *report.counts();
         let mut tally = Tally { maps: 1, ..Tally::default() };
         let mut wrong = |op, message| {
@@ -137,7 +137,7 @@ impl Worker {
             wrong(None, "the map itself is not valid".to_owned());
         }
         if matches!(scope, Scope::Connected { .. }) {
-            match self.canonizer.unrooted(map.kernel()) {
+            match self.canonizer.unrooted(map.subject()) {
                 Some(unrooted) if sensed.insert(unrooted.code.clone()) => {
                     tally.sensed = 1;
                     tally.rooted = unrooted.rootings as u64;
@@ -148,15 +148,15 @@ impl Worker {
         }
         try_every_op(&map, |op, outcome, result| match outcome {
             Err(panic) => wrong(Some(op), format!("panicked: {panic}")),
-            Ok(Outcome::Applied) => {
+            Ok(StepOutcome::Applied) => {
                 tally.applied += 1;
-                let report = validate(result.kernel(), &Expectation::plane(), Collect::First);
+                let report = validate(result.subject(), &Expectation::plane(), Collect::First);
                 if let Some(violation) = report.violations().first() {
                     wrong(Some(op), format!("breaks {}: {violation}", violation.rule()));
                 } else if !report.is_valid() || !as_promised(op, &before, report.counts()) {
                     wrong(Some(op), format!("makes {:?} of {before:?}", report.counts()));
-                } else if scope.takes_in(result.kernel()) {
-                    let Some(code) = self.canonizer.subdivision(result.kernel()) else {
+                } else if scope.takes_in(result.subject()) {
+                    let Some(code) = self.canonizer.subdivision(result.subject()) else {
                         return wrong(Some(op), "a map has no canonical form".to_owned());
                     };
                     if seen.insert(code) {
@@ -164,9 +164,9 @@ impl Worker {
                     }
                 }
             }
-            Ok(outcome @ (Outcome::Refused(_) | Outcome::Skipped)) => {
+            Ok(outcome @ (StepOutcome::Refused(_) | StepOutcome::Skipped)) => {
                 tally.refused += 1;
-                if !same(map.kernel(), result.kernel()) {
+                if !same(map.subject(), result.subject()) {
                     wrong(Some(op), format!("{outcome}, but the map is not as it was"));
                 }
             }
@@ -177,12 +177,15 @@ impl Worker {
 
 /// Applies every operator with every argument to the map as it is, one at a time, and shows what came of each: the outcome and
 /// the map, or how it panics.
-fn try_every_op<K: Kernel + Clone>(map: &Runner<K>, mut visit: impl FnMut(Op, Result<Outcome, String>, &Runner<K>)) {
+fn try_every_op<K: Subject + Clone>(
+    map: &Runner<K>,
+    mut visit: impl FnMut(Op, Result<StepOutcome, String>, &Runner<K>),
+) {
     let mut trial = map.clone();
     for op in every_op(map) {
         let outcome = caught(|| trial.step(op));
         // What a panic leaves behind may be anything.
-        let spent = matches!(outcome, Ok(Outcome::Applied) | Err(_));
+        let spent = matches!(outcome, Ok(StepOutcome::Applied) | Err(_));
         visit(op, outcome, &trial);
         if spent {
             trial = map.clone();
@@ -242,12 +245,12 @@ fn same<V: View>(one: &V, other: &V) -> bool {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::kernels::Planted;
+    use crate::subjects::Planted;
 
     #[test]
     fn an_operator_that_panics_is_told_of_and_the_others_go_on() {
         const LOOP: &str = "twinedge program 1\nadd_isolated_vertex unbounded\nconnect i0 i0 left\n";
-        fn outcomes<const PANICS: bool>() -> Vec<(Op, Result<Outcome, String>)> {
+        fn outcomes<const PANICS: bool>() -> Vec<(Op, Result<StepOutcome, String>)> {
             let mut map = Runner::new(Planted::<PANICS>::default());
             map.run(&LOOP.parse().unwrap());
             let mut outcomes = Vec::new();
@@ -257,7 +260,7 @@ mod tests {
         let mut panics = 0;
         for ((op, sound), (same, outcome)) in outcomes::<false>().into_iter().zip(outcomes::<true>()) {
             assert_eq!(op, same);
-            if matches!((op, &sound), (Op::MoveInner { .. }, Ok(Outcome::Applied))) {
+            if matches!((op, &sound), (Op::MoveInner { .. }, Ok(StepOutcome::Applied))) {
                 let told = outcome.unwrap_err();
                 assert!(told.starts_with("a planted panic (") && told.contains("planted.rs:"), "{told}");
                 panics += 1;

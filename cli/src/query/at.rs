@@ -5,7 +5,8 @@ use super::met::Record;
 use crate::Failure;
 use crate::output::{Format, print, print_json};
 use serde::Serialize;
-use twinedge::geometry::{Located, Locator, Point};
+use twinedge::geometry::Point;
+use twinedge::map::{Located, Locator};
 
 /// What lies at a point: a face, an edge or a vertex, exactly.
 #[derive(Debug, clap::Args)]

@@ -7,8 +7,9 @@ use crate::output::{grouped, measure, print, print_json};
 use clap::ValueEnum;
 use serde::Serialize;
 use twinedge::algorithm::contour::{Contour as Outline, of_feature};
-use twinedge::geometry::{Feature, Point};
+use twinedge::geometry::Point;
 use twinedge::io::{geojson, wkt};
+use twinedge::map::Feature;
 
 /// The outline of a feature: polygons with holes, the borders inside it dissolved.
 #[derive(Debug, clap::Args)]

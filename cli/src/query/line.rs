@@ -6,7 +6,8 @@ use crate::Failure;
 use crate::output::{Format, print, print_json};
 use clap::ValueEnum;
 use serde::Serialize;
-use twinedge::geometry::{Locator, Met, Point, Stretch};
+use twinedge::geometry::Point;
+use twinedge::map::{Locator, QueryLine, ZoneElement};
 
 /// All faces, edges and vertices that a line meets, in order.
 #[derive(Debug, clap::Args)]
@@ -70,18 +71,18 @@ impl Line {
         let Asked { input, map } = asked;
         let (from, to) = (Point::new(self.x1, self.y1), Point::new(self.x2, self.y2));
         let stretch = match self.extent {
-            Extent::Segment => Stretch::Segment(from, to),
-            Extent::Ray => Stretch::Ray(from, to),
-            Extent::Line => Stretch::Line(from, to),
+            Extent::Segment => QueryLine::Segment(from, to),
+            Extent::Ray => QueryLine::Ray(from, to),
+            Extent::Line => QueryLine::Line(from, to),
         };
         let zone = Locator::new(map)?.zone(&stretch)?;
         let steps = zone.into_iter().map(|met| {
             let record = match met {
-                Met::Face(key) => Record::face(map, key),
-                Met::Edge(key) | Met::Along(key) => Record::edge(map, key),
-                Met::Vertex(key) => Record::vertex(map, key),
+                ZoneElement::Face(key) => Record::face(map, key),
+                ZoneElement::Edge(key) | ZoneElement::Along(key) => Record::edge(map, key),
+                ZoneElement::Vertex(key) => Record::vertex(map, key),
             };
-            record.map(|record| Step { record, along: matches!(met, Met::Along(_)) })
+            record.map(|record| Step { record, along: matches!(met, ZoneElement::Along(_)) })
         });
         let met = steps.collect::<Result<Vec<_>, _>>()?;
         match self.format {

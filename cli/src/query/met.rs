@@ -3,7 +3,7 @@
 use super::names::label;
 use serde::Serialize;
 use twinedge::dcel::{FaceKey, HalfEdgeKey, StaleKey, VertexKey};
-use twinedge::geometry::{FeatureId, PlanarMap};
+use twinedge::map::{FeatureId, PlanarMap};
 
 /// One record of the map.
 #[derive(Debug, Serialize)]

@@ -13,7 +13,7 @@ pub(crate) use names::label;
 use crate::input::MapFile;
 use crate::{Failure, Verdict};
 use clap::Subcommand;
-use twinedge::geometry::PlanarMap;
+use twinedge::map::PlanarMap;
 
 /// Ask a map: who borders whom, what lies where, what a country's outline is, which faces there are.
 #[derive(Debug, clap::Args)]

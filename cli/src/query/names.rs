@@ -3,7 +3,7 @@
 use super::Asked;
 use crate::Failure;
 use crate::output::plain;
-use twinedge::geometry::{FeatureId, PlanarMap};
+use twinedge::map::{FeatureId, PlanarMap};
 
 /// What people call a feature: its name, fit for a terminal, or its number, counted from 0.
 pub(crate) fn label(map: &PlanarMap, feature: FeatureId) -> String {

@@ -11,7 +11,7 @@ use std::fmt::Write as _;
 use twinedge::algorithm::area::face_area;
 use twinedge::algorithm::coverage::faces_of;
 use twinedge::algorithm::neighbours::{of_feature, touching_feature};
-use twinedge::geometry::FeatureId;
+use twinedge::map::FeatureId;
 
 /// Who shares a border with a feature, along which lines, and how long they are in the units of the coordinates.
 #[derive(Debug, clap::Args)]

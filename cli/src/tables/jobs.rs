@@ -2,7 +2,9 @@
 
 use super::formulas;
 use twinedge::validate::enumerate::{Cell, Value};
-use twinedge::validate::{BoundaryRow, Expectation, FaceRow, HalfEdgeRow, Part, Place, Start, Table, VertexRow, View};
+use twinedge::validate::{
+    BoundaryPlace, BoundaryRow, Expectation, FaceRow, HalfEdgeRow, Part, Start, Table, VertexRow, View,
+};
 
 /// All assignments of some cells of a table. The others stay.
 #[derive(Clone, Debug)]
@@ -73,12 +75,12 @@ fn values(table: &Table, cell: Cell, to: To) -> Vec<Value> {
     // Nil, the slots, one past the end and the largest number.
     let slots = all.len().saturating_sub(3);
     let wanted = |value: &Value| match *value {
-        Value::Link(None) | Value::Start(None) | Value::Place(None) => to >= To::OrNil,
+        Value::Link(None) | Value::Start(None) | Value::BoundaryPlace(None) => to >= To::OrNil,
         Value::Link(Some(i)) => i < slots || i == slots && to == To::OrPastTheEnd,
         Value::Start(Some(Start::HalfEdge(h))) => h < table.half_edges.len(),
         Value::Start(Some(Start::Vertex(v))) => v < table.vertices.len(),
-        Value::Place(Some(Place::Outer)) => true,
-        Value::Place(Some(Place::Inner(i))) => i < usize::MAX,
+        Value::BoundaryPlace(Some(BoundaryPlace::Outer)) => true,
+        Value::BoundaryPlace(Some(BoundaryPlace::Inner(i))) => i < usize::MAX,
     };
     all.into_iter().filter(wanted).collect()
 }

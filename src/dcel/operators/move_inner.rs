@@ -2,7 +2,7 @@
 
 use super::super::{BoundaryKey, Dcel, FaceKey, OperatorError, StaleKey};
 use crate::store::Store;
-use crate::store::links::Origin;
+use crate::store::links::BoundaryStart;
 
 impl<S: Store> Dcel<S> {
     /// Moves an inner boundary component, and with it its component and all that lies inside, to another face.
@@ -22,16 +22,16 @@ impl<S: Store> Dcel<S> {
     /// # Errors
     /// A stale key; [`OperatorError::IsOuter`]; [`OperatorError::InsideItself`] if `face` lies inside what would be moved.
     pub fn move_inner(&mut self, boundary: BoundaryKey, face: FaceKey) -> Result<FaceKey, OperatorError> {
-        let b = self.store.boundary(boundary).ok_or(StaleKey::Boundary(boundary))?;
+        let b = self.store.find_boundary(boundary).ok_or(StaleKey::Boundary(boundary))?;
         let f = self.face_slot(face)?;
         if self.is_outer(b) {
             return Err(OperatorError::IsOuter(boundary));
         }
-        let old = self.store.bounded(b);
+        let old = self.store.face(b);
         if old == f {
             return Ok(face);
         }
-        let encloses_nothing = matches!(self.store.start(b), Origin::Vertex(_));
+        let encloses_nothing = matches!(self.store.start(b), BoundaryStart::Vertex(_));
         if !encloses_nothing && f != self.store.unbounded() && self.encloses(b, f) {
             return Err(OperatorError::InsideItself(boundary, face));
         }

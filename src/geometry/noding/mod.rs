@@ -56,7 +56,7 @@
 //!
 //! - Every input point and every end of a segment goes to the centre of its pixel, so it moves by half a cell at most
 //!   in each direction. So does every crossing of segments, as they were read.
-//! - Each round of bending moves chains by half a cell at most in each direction. After [`Summary::rounds`] of them,
+//! - Each round of bending moves chains by half a cell at most in each direction. After [`NodingSummary::rounds`] of them,
 //!   a chain is within `(rounds + 1) / 2` cells of its segment. There are 0 or 1 for most maps on a fine grid. Long
 //!   lines that pass many vertices on a coarse grid can need more: iterating is known to let them drift.
 //! - A vertex can come to lie *on* an edge that passed nearby, but never on its other side.
@@ -126,7 +126,8 @@ pub enum Input {
 
 impl Input {
     /// The point at fault: of a segment, the end with the larger coordinate.
-    pub(super) fn point(self, segments: &[[Point; 2]], points: &[Point]) -> Point {
+    #[cfg(feature = "map")]
+    pub(crate) fn point(self, segments: &[[Point; 2]], points: &[Point]) -> Point {
         match self {
             Self::Point(index) => points[index],
             Self::Segment(index) => {
@@ -174,7 +175,7 @@ pub enum NodingError {
 /// What noding did.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 #[non_exhaustive]
-pub struct Summary {
+pub struct NodingSummary {
     /// The width of a cell: a power of two.
     pub cell: f64,
     /// The number of vertices that are only crossings: nothing in the input ends there.
@@ -196,7 +197,7 @@ pub struct Summary {
 
 /// Where the vertices of a segment are in the pool of chains.
 #[derive(Clone, Copy, Debug)]
-struct Stretch {
+struct QueryLine {
     start: usize,
     len: usize,
     reversed: bool,
@@ -214,9 +215,9 @@ pub struct Noded {
     /// only at common ends.
     pub segments: Vec<[u32; 2]>,
     /// What happened on the way.
-    pub summary: Summary,
+    pub summary: NodingSummary,
     pool: Vec<u32>,
-    stretches: Vec<Stretch>,
+    stretches: Vec<QueryLine>,
     vertex_of_point: Vec<u32>,
 }
 
@@ -227,7 +228,7 @@ impl Noded {
     /// Two vertices in a row are an edge. The chains of a ring's segments make up a closed chain.
     #[must_use]
     pub fn chain(&self, segment: usize) -> Option<Chain<'_>> {
-        let &Stretch { start, len, reversed } = self.stretches.get(segment)?;
+        let &QueryLine { start, len, reversed } = self.stretches.get(segment)?;
         Some(Chain { vertices: &self.pool[start..start + len], reversed })
     }
 
@@ -302,12 +303,12 @@ pub fn node(segments: &[[Point; 2]], points: &[Point], snap: Snap) -> Result<Nod
     let stretch = |[from, to]: [u32; 2]| {
         let Some(run) = (if from == to { None } else { runs.next() }) else {
             collapsed.push(from);
-            return Stretch { start: chains.pool().len() + collapsed.len() - 1, len: 1, reversed: false };
+            return QueryLine { start: chains.pool().len() + collapsed.len() - 1, len: 1, reversed: false };
         };
         let [i, j] = [from, to].map(|end| chains.place(run, &joined[run], &vertices, end));
-        Stretch { start: i.min(j), len: i.abs_diff(j) + 1, reversed: i > j }
+        QueryLine { start: i.min(j), len: i.abs_diff(j) + 1, reversed: i > j }
     };
-    let stretches: Vec<Stretch> = read.ends().map(stretch).collect();
+    let stretches: Vec<QueryLine> = read.ends().map(stretch).collect();
 
     // The vertices get the numbers of their places in the order of the points.
     let mut order: Vec<u32> = (0..vertices.len() as u32).collect();
@@ -323,7 +324,7 @@ pub fn node(segments: &[[Point; 2]], points: &[Point], snap: Snap) -> Result<Nod
     Ok(Noded {
         points: order.iter().map(|&v| grid.point(vertices[v as usize])).collect(),
         segments: edges,
-        summary: Summary {
+        summary: NodingSummary {
             cell: grid.cell(),
             crossings: vertices.len() - read.vertices.len(),
             split: stretches.iter().filter(|stretch| stretch.len > 2).count(),

@@ -3,7 +3,8 @@
 use super::frame::Frame;
 use super::{put, spot, text};
 use crate::dcel::HalfEdge;
-use crate::geometry::{Drawing, PlanarMap};
+use crate::map::PlanarMap;
+use crate::validate::Embedding;
 use core::f64::consts::{PI, TAU};
 
 type Pixel = [f64; 2];

@@ -1,7 +1,9 @@
 //! From coordinates to pixels.
 
 use super::{Options, put};
-use crate::geometry::{Drawing, PlanarMap, Point};
+use crate::geometry::Point;
+use crate::map::PlanarMap;
+use crate::validate::Embedding;
 
 /// Where in the picture points are.
 pub(super) struct Frame {

@@ -3,8 +3,10 @@
 use super::frame::Frame;
 use super::{escaped, put, text};
 use crate::dcel::HalfEdge;
+use crate::geometry::Point;
 use crate::geometry::predicates::{Meeting, meeting};
-use crate::geometry::{Drawing, PlanarMap, Point, places};
+use crate::map::PlanarMap;
+use crate::validate::{Embedding, places};
 use crate::validate::{Record, Violation};
 
 /// How often a label is moved.

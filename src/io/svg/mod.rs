@@ -22,7 +22,9 @@ use self::frame::{Frame, path};
 use crate::algorithm::colouring::feature_colours;
 use crate::algorithm::coverage::{faces_by_feature, features_of};
 use crate::dcel::{Boundary, Face, HalfEdge};
-use crate::geometry::{Drawing, PlanarMap, Point};
+use crate::geometry::Point;
+use crate::map::PlanarMap;
+use crate::validate::Embedding;
 use crate::validate::Violation;
 use std::fmt::Write as _;
 
@@ -66,7 +68,7 @@ const STYLE: &str = "\
 /// Draws a map, plane or not. O(n log n) for time and text, where n is the size of the map.
 ///
 /// ```
-/// use twinedge::geometry::{Builder, Shape};
+/// use twinedge::map::{Builder, Shape};
 /// use twinedge::io::svg::{self, Options};
 ///
 /// let mut builder = Builder::new();
@@ -74,7 +76,7 @@ const STYLE: &str = "\
 /// let map = builder.build()?;
 /// let picture = svg::draw(&map, &Options { detail: true, ..Options::default() });
 /// assert!(picture.starts_with("<svg ") && picture.contains(">h5</text>"));
-/// # Ok::<(), twinedge::geometry::BuildError>(())
+/// # Ok::<(), twinedge::map::BuildError>(())
 /// ```
 #[must_use]
 pub fn draw(map: &PlanarMap, options: &Options<'_>) -> String {

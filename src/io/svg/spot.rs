@@ -3,7 +3,7 @@
 use super::frame::Frame;
 use super::sides;
 use crate::dcel::Face;
-use crate::geometry::PlanarMap;
+use crate::map::PlanarMap;
 
 /// A horizontal stretch inside a face.
 pub(super) struct Spot {

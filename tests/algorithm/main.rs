@@ -1,0 +1,9 @@
+//! Questions asked of a map.
+#![allow(clippy::needless_pass_by_value, reason = "quickcheck hands its arguments over")]
+
+#[path = "../support/mod.rs"]
+mod support;
+
+mod contour;
+mod neighbours;
+mod overlay;

@@ -1,0 +1,7 @@
+//! How much memory is used, counted by the allocator.
+#![allow(clippy::needless_pass_by_value, reason = "quickcheck hands its arguments over")]
+
+mod counting;
+mod geojson;
+mod pointer_model;
+mod stores;

@@ -1,0 +1,12 @@
+//! Operator programs, canonical forms, conformance.
+#![allow(clippy::needless_pass_by_value, reason = "quickcheck hands its arguments over")]
+
+#[path = "../support/mod.rs"]
+mod support;
+
+mod canonical;
+mod census;
+mod choose;
+mod conformance;
+mod in_step;
+mod program;

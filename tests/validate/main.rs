@@ -1,0 +1,17 @@
+//! The validator: its rules, its reports, what it expects, and what it is given.
+#![allow(clippy::needless_pass_by_value, reason = "quickcheck hands its arguments over")]
+
+#[path = "../support/mod.rs"]
+mod support;
+
+mod adversarial_embeddings;
+mod adversarial_views;
+mod embeddings;
+mod expectations;
+mod open_embeddings;
+mod reports;
+mod small_tables;
+mod table_text;
+mod textbook_tables;
+mod view_calls;
+mod violations;
