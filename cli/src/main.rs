@@ -1,33 +1,40 @@
-//! The `twinedge` program: builds and audits planar maps, and puts the structure they are kept in to the proof.
+//! The `twinedge` program: builds and audits planar maps, and tests the structures that keep them.
+//!
+//! Arguments, text, JSON, progress bars and Ctrl-C are here. The tests themselves are in the crate `twinedge-trials`.
 
 mod audit;
-mod caught;
 mod corrupt;
-mod counting;
+mod document;
 mod draw;
+mod effort;
+mod expectation_text;
 mod input;
-mod judgement;
 mod output;
+mod print_tables;
+mod progress;
 mod prove;
 mod query;
-mod random;
-mod regression;
 mod replay;
 mod soak;
-mod subjects;
+mod structures;
+mod sum;
 mod tables;
-mod trial;
-mod work;
 
 use clap::{Parser, Subcommand};
 use std::process::ExitCode;
 
-/// Builds and audits planar maps, and the structure they are kept in.
+/// Builds and audits planar maps, and tests the structures that keep them.
 #[derive(Debug, Parser)]
 #[command(name = "twinedge", version, propagate_version = true, arg_required_else_help = true)]
 #[command(
-    after_help = "Exit status: 0 all is well; 1 something is wrong with what was examined; 2 the input could not be \
-read, or the command was misused; 130 interrupted."
+    after_help = "Examples:
+  twinedge audit parcels.geojson
+  twinedge query neighbours Switzerland
+  twinedge draw -o world.svg
+  twinedge prove
+
+Exit status: 0 all is well; 1 something is wrong with what was examined; 2 the input could not be read, or the command was \
+misused; 130 interrupted (Ctrl-C)."
 )]
 struct Arguments {
     #[command(subcommand)]
@@ -44,9 +51,10 @@ enum Command {
     Tables(tables::Tables),
     Soak(soak::Soak),
     Replay(replay::Replay),
+    Sum(sum::Sum),
 }
 
-/// What a command came to, as exit codes say it.
+/// The result of a command, as its exit status tells it.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 enum Verdict {
     Sound,
@@ -54,7 +62,7 @@ enum Verdict {
     Interrupted,
 }
 
-/// Why a command could not be carried out: one line for standard error.
+/// Why a command could not be carried out, in one line for standard error.
 #[derive(Debug)]
 struct Failure(String);
 
@@ -74,6 +82,7 @@ fn main() -> ExitCode {
         Command::Tables(tables) => tables.run(),
         Command::Soak(soak) => soak.run(),
         Command::Replay(replay) => replay.run(),
+        Command::Sum(sum) => sum.run(),
     };
     match verdict {
         Ok(Verdict::Sound) => ExitCode::SUCCESS,
