@@ -1,6 +1,6 @@
 //! A structure as plain tables, like those in the textbooks, with every field open to be set to anything.
 
-use super::{BoundaryPlace, Link, Start, View};
+use super::view::{BoundaryPlace, Link, Start, View};
 use alloc::vec::Vec;
 
 /// A row of the vertex table.
@@ -54,6 +54,8 @@ pub struct FaceRow {
 }
 
 /// A structure as plain tables. A row that is `None` is vacant: the record was retired.
+///
+/// `Display` and `FromStr` write and read it as one line of text.
 ///
 /// ```
 /// use twinedge::validate::{BoundaryRow, Collect, Expectation, FaceRow, BoundaryPlace, Start, Table, VertexRow, validate};

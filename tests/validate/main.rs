@@ -11,6 +11,7 @@ mod expectations;
 mod open_embeddings;
 mod reports;
 mod small_tables;
+mod table_text;
 mod textbook_tables;
 mod view_calls;
 mod violations;
