@@ -29,7 +29,8 @@ pub(crate) trait Printed: Outcome + Serialize + DeserializeOwned {
 pub(crate) struct Nothing {}
 
 /// An outcome, with all that identifies the work.
-#[derive(Debug, Serialize, Deserialize)]
+#[derive(Serialize, Deserialize)]
+#[serde(bound = "")]
 pub(crate) struct Document<O: Printed> {
     pub(crate) command: String,
     pub(crate) version: String,

@@ -84,7 +84,9 @@ fn about(seconds: u128) -> String {
         0..=7_200 => format!("about {} minutes", seconds.div_ceil(60)),
         7_201..=172_800 => format!("about {} hours", seconds / 3_600),
         172_801..=63_072_000 => format!("about {} days", seconds / 86_400),
-        _ => format!("about {} years", u64::try_from(seconds / 31_536_000).map_or_else(|_| "countless".into(), grouped)),
+        _ => {
+            format!("about {} years", u64::try_from(seconds / 31_536_000).map_or_else(|_| "countless".into(), grouped))
+        }
     }
 }
 

@@ -66,7 +66,9 @@ mod tests {
     fn every_expectation_is_read_as_it_was_written() {
         for (part, _) in PARTS {
             for expectation in [Expectation::plane(), Expectation::surface(), Expectation::surface().open()] {
-                for expectation in [expectation, expectation.without(part), expectation.without(part).without(Part::Prev)] {
+                for expectation in
+                    [expectation, expectation.without(part), expectation.without(part).without(Part::Prev)]
+                {
                     assert_eq!(parse(&ExpectationText(expectation).to_string()), Ok(expectation));
                 }
             }

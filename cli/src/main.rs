@@ -26,16 +26,14 @@ use std::process::ExitCode;
 /// Builds and audits planar maps, and tests the structures that keep them.
 #[derive(Debug, Parser)]
 #[command(name = "twinedge", version, propagate_version = true, arg_required_else_help = true)]
-#[command(
-    after_help = "Examples:
+#[command(after_help = "Examples:
   twinedge audit parcels.geojson
   twinedge query neighbours Switzerland
   twinedge draw -o world.svg
   twinedge prove
 
 Exit status: 0 all is well; 1 something is wrong with what was examined; 2 the input could not be read, or the command was \
-misused; 130 interrupted (Ctrl-C)."
-)]
+misused; 130 interrupted (Ctrl-C).")]
 struct Arguments {
     #[command(subcommand)]
     command: Command,

@@ -8,7 +8,7 @@ use crate::structures::{StructureName, Task};
 use crate::{Failure, Verdict};
 use std::fmt::{self, Write as _};
 use std::time::Instant;
-use twinedge_trials::prove::{ProveOutcome, ProveWork};
+use twinedge_trials::prove::{Finding, ProveOutcome, ProveWork};
 use twinedge_trials::replay::Indexed;
 use twinedge_trials::{Outcome, Run, Structure, StructureError, prove};
 
@@ -139,10 +139,7 @@ impl fmt::Display for Text<'_> {
                 zero(row.violations),
             )?;
         }
-        writeln!(
-            f,
-            "\nAll subdivisions, nested ones included. A count that differs from the recount shows both."
-        )?;
+        writeln!(f, "\nAll subdivisions, nested ones included. A count that differs from the recount shows both.")?;
         writeln!(
             f,
             "{QUIET}{:>5} {:>8} {:>12} {:>15} {:>15} {:>10}{QUIET:#}",
@@ -193,7 +190,10 @@ impl fmt::Display for Text<'_> {
                 writeln!(f, "`twinedge soak` checks whether operators do what they promise beyond rules and counts.")
             }
             (true, false) => {
-                writeln!(f, "{GOOD}no violation{GOOD:#} in this part; `twinedge sum` compares the counts ({seconds:.1} s)")
+                writeln!(
+                    f,
+                    "{GOOD}no violation{GOOD:#} in this part; `twinedge sum` compares the counts ({seconds:.1} s)"
+                )
             }
             (false, _) => writeln!(f, "{BAD}not proved{BAD:#}: a count differs or a rule is broken ({seconds:.1} s)"),
         }

@@ -54,10 +54,7 @@ impl Sum {
             Some(CorruptOutcome::COMMAND) => add_up::<CorruptOutcome>(parts, self.format),
             Some(TablesOutcome::COMMAND) => add_up::<TablesOutcome>(parts, self.format),
             Some(SoakOutcome::COMMAND) => add_up::<SoakOutcome>(parts, self.format),
-            _ => Err(Failure(format!(
-                "{}: not the JSON output of prove, corrupt, tables or soak",
-                parts[0].name
-            ))),
+            _ => Err(Failure(format!("{}: not the JSON output of prove, corrupt, tables or soak", parts[0].name))),
         }
     }
 }

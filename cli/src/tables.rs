@@ -113,7 +113,10 @@ impl fmt::Display for Text<'_> {
         }
         match (outcome.is_ok(), is_whole) {
             (true, true) => {
-                writeln!(f, "\n{GOOD}agreed{GOOD:#}: on {judged}, and the counts are those of the formulas ({seconds:.1} s)")
+                writeln!(
+                    f,
+                    "\n{GOOD}agreed{GOOD:#}: on {judged}, and the counts are those of the formulas ({seconds:.1} s)"
+                )
             }
             (true, false) => {
                 writeln!(f, "\n{GOOD}agreed{GOOD:#}: on {judged}; `twinedge sum` compares the counts ({seconds:.1} s)")
@@ -127,8 +130,5 @@ fn write_row(f: &mut fmt::Formatter<'_>, row: &TablesRow, style: anstyle::Style)
     let TablesRow { half_edges, free, .. } = row;
     let [judged, right, formula, disagreements] =
         [row.judged, row.right, row.right_by_formula, row.disagreements].map(grouped);
-    writeln!(
-        f,
-        "{half_edges:>10}  {free:52} {judged:>13} {style}{right:>9} {formula:>10} {disagreements:>13}{style:#}"
-    )
+    writeln!(f, "{half_edges:>10}  {free:52} {judged:>13} {style}{right:>9} {formula:>10} {disagreements:>13}{style:#}")
 }

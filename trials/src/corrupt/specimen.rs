@@ -59,7 +59,8 @@ impl Specimen {
     }
 
     fn new(form: Form, expectation: Expectation, mut table: Table, program: &Program) -> Self {
-        let (half_edges, vertices) = (table.half_edges.iter().flatten().count(), table.vertices.iter().flatten().count());
+        let (half_edges, vertices) =
+            (table.half_edges.iter().flatten().count(), table.vertices.iter().flatten().count());
         table.vertices.push(None);
         table.half_edges.push(None);
         table.boundaries.push(None);

@@ -20,7 +20,8 @@ pub(super) fn explore<K: Subject + Clone>(
 ) -> Explored {
     let grown = grow(structure, scope, run, maps);
     let stage = format!("operators on {maps}");
-    let worker = || Worker { structure, scope, codes: &grown.codes, canonizer: Canonizer::new(), explored: Explored::default() };
+    let worker =
+        || Worker { structure, scope, codes: &grown.codes, canonizer: Canonizer::new(), explored: Explored::default() };
     let workers = run.each(&stage, grown.maps.len(), worker, |worker, number| worker.visit(&grown.maps[number]));
     let found: Vec<Explored> = workers.into_iter().map(|worker| worker.explored).collect();
     let mut explored = grown.explored;

@@ -123,9 +123,7 @@ pub(super) fn grow<K: Subject + Clone>(structure: &Structure<K>, scope: Scope, r
         }
         generation.retain(|(_, (edges, vertices))| match scope {
             Scope::Connected { edges: most } => *edges < most,
-            Scope::Subdivisions { edges: most, vertices: most_vertices } => {
-                *edges < most || *vertices < most_vertices
-            }
+            Scope::Subdivisions { edges: most, vertices: most_vertices } => *edges < most || *vertices < most_vertices,
         });
         if generation.is_empty() || run.is_stopped() {
             break;

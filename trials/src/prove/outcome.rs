@@ -143,7 +143,8 @@ impl Outcome for ProveOutcome {
         }
         if self.shard.is_whole() {
             let rows = self.edges.iter().filter(|row| !row.is_as_published());
-            reasons.extend(rows.map(|row| format!("connected maps of {} edges: the counts are not as published", row.n)));
+            reasons
+                .extend(rows.map(|row| format!("connected maps of {} edges: the counts are not as published", row.n)));
             let rows = self.genus.iter().filter(|row| row.by_genus != row.published);
             reasons.extend(rows.map(|row| {
                 format!("rooted maps of {} edges by genus: {:?} instead of {:?}", row.n, row.by_genus, row.published)

@@ -176,7 +176,13 @@ pub(super) fn jobs(half_edges: usize) -> Vec<Job> {
     jobs
 }
 
-fn job(name: &'static str, half_edges: usize, expectation: Expectation, assignments: Vec<Assignments>, right: u128) -> Job {
+fn job(
+    name: &'static str,
+    half_edges: usize,
+    expectation: Expectation,
+    assignments: Vec<Assignments>,
+    right: u128,
+) -> Job {
     Job { name, half_edges, from: half_edges, expectation, derive_origins: false, assignments, right }
 }
 
@@ -217,7 +223,8 @@ fn paired(name: &'static str, edges: usize, expectation: Expectation, right: u12
 fn next_and_prev() -> Job {
     let expectation = MAP.without(Part::Leaving);
     let is_free = |cell| matches!(cell, Cell::Next(_) | Cell::Prev(_)).then_some(To::Live);
-    let assignments = all_pairings(4).iter().map(|twins| Assignments::new(with_twins(twins), expectation, is_free)).collect();
+    let assignments =
+        all_pairings(4).iter().map(|twins| Assignments::new(with_twins(twins), expectation, is_free)).collect();
     Job { derive_origins: true, ..job("next, prev, for all twins", 4, expectation, assignments, formulas::maps(2)) }
 }
 
@@ -229,10 +236,7 @@ fn open_borders() -> Job {
         Cell::Next(_) => Some(To::Live),
         _ => None,
     });
-    Job {
-        derive_origins: true,
-        ..job("twin or nil, next; open borders", 4, expectation, vec![all], (1 + 6 + 3) * 24)
-    }
+    Job { derive_origins: true, ..job("twin or nil, next; open borders", 4, expectation, vec![all], (1 + 6 + 3) * 24) }
 }
 
 /// One edge between two vertices in one face: the vertices can be swapped and the start chosen.
@@ -265,9 +269,13 @@ fn every_field_of_an_edge() -> Job {
 
 /// One vertex and two faces: a loop. Which half-edge leaves, which is outside, and which face, if one has room for it.
 fn every_field_of_a_loop() -> Job {
-    let assignments =
-        LISTS.map(|lists| Assignments::new(blank(1, 2, 0, &lists), TEXTBOOK_LEAVING, |cell| Some(nil_but_for_the_map(cell))));
-    Job { from: 4, ..job("every field of a loop, as in textbooks", 2, TEXTBOOK_LEAVING, assignments.to_vec(), 2 * (2 + 2)) }
+    let assignments = LISTS.map(|lists| {
+        Assignments::new(blank(1, 2, 0, &lists), TEXTBOOK_LEAVING, |cell| Some(nil_but_for_the_map(cell)))
+    });
+    Job {
+        from: 4,
+        ..job("every field of a loop, as in textbooks", 2, TEXTBOOK_LEAVING, assignments.to_vec(), 2 * (2 + 2))
+    }
 }
 
 /// Two vertices, one boundary component and one face: an edge, as above.
@@ -304,6 +312,7 @@ fn loop_with_records() -> Job {
 /// Two isolated vertices in one face: which boundary component is which vertex, and in which order they are listed.
 fn isolated_vertices() -> Job {
     let expectation = Expectation::plane().without(Part::Leaving);
-    let assignments = [0, 1, 2].map(|listed| Assignments::new(blank(2, 0, 2, &[listed]), expectation, |_| Some(To::OrNil)));
+    let assignments =
+        [0, 1, 2].map(|listed| Assignments::new(blank(2, 0, 2, &[listed]), expectation, |_| Some(To::OrNil)));
     job("boundary and face fields of two isolated vertices", 0, expectation, assignments.to_vec(), 2 * 2)
 }
