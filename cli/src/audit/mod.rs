@@ -1,4 +1,6 @@
-//! `twinedge audit`: builds a map and validates it.
+//! `twinedge audit`: builds a map and validates it, or validates a file of tables.
+
+mod table_file;
 
 use crate::input::MapFile;
 use crate::output::style::{BAD, GOOD, QUIET};
@@ -16,23 +18,29 @@ use twinedge::validate::{Collect, Expectation, Record, Report, Violation};
 use twinedge::validate::{places, validate_embedding};
 
 /// Build the planar subdivision of a map and check every rule on it.
+///
+/// A file of tables is judged line by line instead. `twinedge tables --print` and `twinedge corrupt --print` write such files.
+/// Each line is one structure as plain tables, in the text form of `twinedge::validate::Table`; a verdict may follow, `= ok` or
+/// the first broken rule, as in `= R1`, and is compared with that of the validator. The line `# expect: plane without prev` says
+/// what the tables below it are held to; other lines that begin with `#` are comments.
 #[derive(Debug, clap::Args)]
 #[command(after_help = "Examples:
   twinedge audit                          the built-in map of the world
   twinedge audit parcels.geojson
   twinedge audit --snap auto drawn-by-hand.geojson
   twinedge audit --format json - < parcels.geojson | jq .valid
+  twinedge tables --half-edges 2 --print | twinedge audit -
 
-Exit status: 0 the map is valid; 1 violations were found; 2 the input could not be read.")]
+Exit status: 0 the map is valid, or all tables are valid and all verdicts agree; 1 otherwise; 2 the input could not be read.")]
 pub(crate) struct Audit {
     #[command(flatten)]
     map: MapFile,
 
-    /// For whom to print.
+    /// Output format.
     #[arg(long, value_enum, default_value_t)]
     format: Format,
 
-    /// How many violations to list; all are counted.
+    /// Greatest number of violations to list; all are counted.
     #[arg(long, value_name = "N", default_value_t = Collect::DEFAULT_CAP)]
     list: usize,
 }
@@ -40,7 +48,11 @@ pub(crate) struct Audit {
 impl Audit {
     pub(crate) fn run(&self) -> Result<Verdict, Failure> {
         let start = Instant::now();
-        let (name, map) = self.map.build()?;
+        let mut input = self.map.open()?;
+        if table_file::is_table_file(input.beginning()?) {
+            return table_file::audit(&input.name, input.reader, self.list, self.format);
+        }
+        let (name, map) = self.map.build_from(input)?;
         let report = validate_embedding(&map, &Expectation::plane(), Collect::AtMost(self.list));
         let elapsed = start.elapsed().as_secs_f64() * 1000.0;
         match self.format {
@@ -105,7 +117,7 @@ fn text(name: &str, map: &PlanarMap, report: &Report, elapsed: f64) -> Result<St
             (0, Some(why)) => write!(out, "{QUIET}not checked: {why}{QUIET:#}")?,
             (n, _) => {
                 let of = grouped(outcome.checked);
-                write!(out, "{BAD}BROKEN{BAD:#}  {} violation(s) in {of} {}", grouped(n), rule.unit())?;
+                write!(out, "{BAD}BROKEN{BAD:#}  {} in {of} {}", counted(n as usize, "violation"), rule.unit())?;
             }
         }
         out.push('\n');
@@ -130,7 +142,7 @@ fn text(name: &str, map: &PlanarMap, report: &Report, elapsed: f64) -> Result<St
         writeln!(out, "{GOOD}valid{GOOD:#}: every rule that applies holds ({elapsed:.0} ms)")?;
     } else {
         let count = report.violation_count();
-        writeln!(out, "{BAD}not valid{BAD:#}: {} violation(s) ({elapsed:.0} ms)", grouped(count))?;
+        writeln!(out, "{BAD}not valid{BAD:#}: {} ({elapsed:.0} ms)", counted(count as usize, "violation"))?;
     }
     Ok(out)
 }
@@ -148,13 +160,14 @@ fn input_line(summary: &BuildSummary) -> String {
         }
     }
     let mut mark = ';';
-    for (count, what) in [
-        (summary.degenerate_rings, "ring(s) enclose nothing"),
-        (summary.rings_wound_wrongly, "ring(s) are wound the wrong way"),
-        (summary.self_touching_rings, "ring(s) touch themselves"),
-        (summary.spikes, "spike(s)"),
+    for (count, one, several) in [
+        (summary.degenerate_rings, "ring encloses nothing", "rings enclose nothing"),
+        (summary.rings_wound_wrongly, "ring is wound the wrong way", "rings are wound the wrong way"),
+        (summary.self_touching_rings, "ring touches itself", "rings touch themselves"),
+        (summary.spikes, "spike", "spikes"),
     ] {
         if count > 0 {
+            let what = if count == 1 { one } else { several };
             let _ = write!(line, "{mark} {} {what}", grouped(count));
             mark = ',';
         }
@@ -162,7 +175,7 @@ fn input_line(summary: &BuildSummary) -> String {
     line
 }
 
-/// How many irregularities of each kind are shown to people; the windings, of which a file usually has all or none, are not.
+/// How many irregularities of each kind the text shows. Rings wound the wrong way are not shown: usually all or none are.
 const SHOWN: usize = 3;
 
 fn irregularities(map: &PlanarMap) -> String {
@@ -184,15 +197,16 @@ fn irregularities(map: &PlanarMap) -> String {
 }
 
 fn noding_line(noding: &noding::NodingSummary) -> String {
-    let mut line = format!("snapped to a grid of 2^{}: {} segments cut", noding.cell.log2(), grouped(noding.split));
-    for (count, what) in [
-        (noding.crossings, "vertices made where they cross"),
-        (noding.merged, "points merged with others"),
-        (noding.collapsed, "segments collapsed"),
-        (noding.duplicates, "segments repeated"),
+    let cut = counted(noding.split, "segment");
+    let mut line = format!("snapped to a grid of 2^{}: {cut} cut", noding.cell.log2());
+    for (count, name, what) in [
+        (noding.crossings, "vertex", "made at crossings"),
+        (noding.merged, "point", "merged with others"),
+        (noding.collapsed, "segment", "collapsed"),
+        (noding.duplicates, "segment", "repeated"),
     ] {
         if count > 0 {
-            let _ = write!(line, ", {} {what}", grouped(count));
+            let _ = write!(line, ", {} {what}", counted(count, name));
         }
     }
     let [x, y] = noding.largest_move;

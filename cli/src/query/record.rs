@@ -1,4 +1,4 @@
-//! A face, an edge or a vertex that a question came upon, with what people call it.
+//! A face, an edge or a vertex in an answer, with the names of its features.
 
 use super::names::label;
 use serde::Serialize;
