@@ -8,7 +8,7 @@
 //! use twinedge::validate::Expectation;
 //! use twinedge_trials::prove::ProveWork;
 //! use twinedge_trials::soak::SoakWork;
-//! use twinedge_trials::{Run, Structure, prove, soak};
+//! use twinedge_trials::{Outcome, Run, Structure, prove, soak};
 //!
 //! // In a `#[test]`:
 //! let mine = Structure::new("mine", Dcel::new, Expectation::plane());
