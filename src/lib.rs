@@ -59,28 +59,41 @@
 //! - A slot can be used 2³¹ times before a key of it could come again.
 //! - At most about two thousand million vertices, half-edges, boundary components and faces each.
 #![cfg_attr(not(feature = "geometry"), no_std)]
+#![cfg_attr(docsrs, feature(doc_cfg))]
 
 extern crate alloc;
 
+#[forbid(unsafe_code)]
 pub mod validate;
 
 #[cfg(feature = "dcel")]
 pub mod store;
 
 #[cfg(feature = "dcel")]
+#[forbid(unsafe_code)]
 pub mod dcel;
 
 #[cfg(feature = "program")]
+#[forbid(unsafe_code)]
 pub mod program;
 
+// `rstar` needs Rust 1.90, and so does all that builds on it.
 #[cfg(feature = "geometry")]
+#[clippy::msrv = "1.90"]
+#[forbid(unsafe_code)]
 pub mod geometry;
 
 #[cfg(feature = "map")]
+#[clippy::msrv = "1.90"]
+#[forbid(unsafe_code)]
 pub mod map;
 
 #[cfg(feature = "map")]
+#[clippy::msrv = "1.90"]
+#[forbid(unsafe_code)]
 pub mod algorithm;
 
 #[cfg(feature = "map")]
+#[clippy::msrv = "1.90"]
+#[forbid(unsafe_code)]
 pub mod io;

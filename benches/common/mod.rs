@@ -71,7 +71,7 @@ pub fn world_50m_features() -> Vec<Feature> {
     let mut features = Vec::new();
     twinedge::io::geojson::read(file.as_slice(), |feature| {
         features.push(feature);
-        Ok::<(), twinedge::io::geojson::ReadError>(())
+        Ok::<(), twinedge::io::ReadError>(())
     })
     .expect("the file is GeoJSON");
     features

@@ -6,7 +6,7 @@ use std::fs::File;
 use std::io::{self, BufRead, BufReader, Read};
 use std::path::{Path, PathBuf};
 use twinedge::geometry::noding::Snap;
-use twinedge::io::geojson::{self, ReadError};
+use twinedge::io::{ReadError, geojson};
 use twinedge::map::{BuildError, Builder, Noding, PlanarMap};
 
 /// The built-in map of the world; see `data/README.md`.

@@ -2,7 +2,8 @@
 
 use super::circulators::{Cycle, Rotation};
 use super::{BoundaryKey, Dcel, FaceKey, HalfEdgeKey, VertexKey};
-use crate::store::links::{BoundaryStart, OUTER, VertexLink};
+use crate::store::links::{BoundaryStart, VertexLink};
+use crate::store::place::OUTER;
 use crate::store::{SlotStore, Store};
 use core::fmt;
 use core::hash::{Hash, Hasher};
@@ -97,7 +98,7 @@ impl<'a, S: Store> Vertex<'a, S> {
     /// A half-edge that leaves the vertex; none if it is isolated. O(1).
     #[must_use]
     pub fn leaving(self) -> Option<HalfEdge<'a, S>> {
-        match self.dcel.store.anchor(self.slot) {
+        match self.dcel.store.vertex_link(self.slot) {
             VertexLink::Leaving(h) => Some(HalfEdge::new(self.dcel, h)),
             VertexLink::Isolated(_) => None,
         }
@@ -106,7 +107,7 @@ impl<'a, S: Store> Vertex<'a, S> {
     /// The boundary component that the vertex is, if it is isolated. O(1).
     #[must_use]
     pub fn isolated(self) -> Option<Boundary<'a, S>> {
-        match self.dcel.store.anchor(self.slot) {
+        match self.dcel.store.vertex_link(self.slot) {
             VertexLink::Leaving(_) => None,
             VertexLink::Isolated(b) => Some(Boundary::new(self.dcel, b)),
         }
@@ -198,7 +199,7 @@ impl<'a, S: Store> HalfEdge<'a, S> {
     #[must_use]
     #[inline]
     pub fn boundary(self) -> Boundary<'a, S> {
-        Boundary::new(self.dcel, self.dcel.store.component(self.slot))
+        Boundary::new(self.dcel, self.dcel.store.boundary(self.slot))
     }
 
     /// The face to its left. O(1).
@@ -221,7 +222,7 @@ impl<'a, S: Store> Boundary<'a, S> {
     #[must_use]
     #[inline]
     pub fn face(self) -> Face<'a, S> {
-        Face::new(self.dcel, self.dcel.store.bounded(self.slot))
+        Face::new(self.dcel, self.dcel.store.face(self.slot))
     }
 
     /// Whether it is the outer boundary component of its face. O(1).

@@ -46,15 +46,21 @@
 //!
 //! The records hold topology and nothing else. Keep coordinates, names and weights in `slotmap::SecondaryMap`s by key.
 
+mod assemble;
 mod circulators;
 mod elements;
 mod error;
+mod import;
 mod operators;
 mod view;
 
 pub use circulators::{Cycle, Rotation};
 pub use elements::{Boundary, Face, HalfEdge, Vertex};
 pub use error::{OperatorError, StaleKey};
+pub use import::{ImportError, Keys, Outside};
+
+#[allow(unused_imports, reason = "for the layers above, which a smaller selection of features leaves out")]
+pub(crate) use assemble::Assembly;
 pub use operators::{
     AddedVertex, Connected, Connection, ContractedEdge, Corner, JoinedEdges, RemovedEdge, RemovedVertex, Side, Split,
     SplitEdge, SplitVertex, Turn,
@@ -145,7 +151,7 @@ impl<S: Store> Dcel<S> {
     /// # Errors
     /// [`StaleKey::Vertex`] if there is none (any more).
     pub fn vertex(&self, key: VertexKey) -> Result<Vertex<'_, S>, StaleKey> {
-        self.store.vertex(key).map(|slot| Vertex::new(self, slot)).ok_or(StaleKey::Vertex(key))
+        self.store.find_vertex(key).map(|slot| Vertex::new(self, slot)).ok_or(StaleKey::Vertex(key))
     }
 
     /// The half-edge with this key. O(1).
@@ -153,7 +159,7 @@ impl<S: Store> Dcel<S> {
     /// # Errors
     /// [`StaleKey::HalfEdge`] if there is none (any more).
     pub fn half_edge(&self, key: HalfEdgeKey) -> Result<HalfEdge<'_, S>, StaleKey> {
-        self.store.half_edge(key).map(|slot| HalfEdge::new(self, slot)).ok_or(StaleKey::HalfEdge(key))
+        self.store.find_half_edge(key).map(|slot| HalfEdge::new(self, slot)).ok_or(StaleKey::HalfEdge(key))
     }
 
     /// The boundary component with this key. O(1).
@@ -161,7 +167,7 @@ impl<S: Store> Dcel<S> {
     /// # Errors
     /// [`StaleKey::Boundary`] if there is none (any more).
     pub fn boundary(&self, key: BoundaryKey) -> Result<Boundary<'_, S>, StaleKey> {
-        self.store.boundary(key).map(|slot| Boundary::new(self, slot)).ok_or(StaleKey::Boundary(key))
+        self.store.find_boundary(key).map(|slot| Boundary::new(self, slot)).ok_or(StaleKey::Boundary(key))
     }
 
     /// The face with this key. O(1).
@@ -169,7 +175,7 @@ impl<S: Store> Dcel<S> {
     /// # Errors
     /// [`StaleKey::Face`] if there is none (any more).
     pub fn face(&self, key: FaceKey) -> Result<Face<'_, S>, StaleKey> {
-        self.store.face(key).map(|slot| Face::new(self, slot)).ok_or(StaleKey::Face(key))
+        self.store.find_face(key).map(|slot| Face::new(self, slot)).ok_or(StaleKey::Face(key))
     }
 
     /// The unbounded face, which every map has. O(1).

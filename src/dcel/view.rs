@@ -2,7 +2,8 @@
 
 use super::Dcel;
 use crate::store::Store;
-use crate::store::links::{BoundaryStart, OUTER, VertexLink};
+use crate::store::links::{BoundaryStart, VertexLink};
+use crate::store::place::OUTER;
 use crate::validate::{BoundaryPlace, Link, Start, View};
 
 /// Indices are those of [`HalfEdge::index`](super::HalfEdge::index) and its kin. What is said of a slot that holds no live
@@ -54,25 +55,25 @@ impl<S: Store> View for Dcel<S> {
     }
     #[inline]
     fn boundary(&self, half_edge: usize) -> Link {
-        self.store.component_in(half_edge)
+        self.store.boundary_in(half_edge)
     }
     #[inline]
     fn leaving(&self, vertex: usize) -> Link {
-        match self.store.anchor(self.store.vertex_at(vertex)?) {
+        match self.store.vertex_link(self.store.vertex_at(vertex)?) {
             VertexLink::Leaving(h) => Some(self.store.half_edge_index(h)),
             VertexLink::Isolated(_) => None,
         }
     }
     #[inline]
     fn isolated(&self, vertex: usize) -> Link {
-        match self.store.anchor(self.store.vertex_at(vertex)?) {
+        match self.store.vertex_link(self.store.vertex_at(vertex)?) {
             VertexLink::Leaving(_) => None,
             VertexLink::Isolated(b) => Some(self.store.boundary_index(b)),
         }
     }
     #[inline]
     fn boundary_face(&self, boundary: usize) -> Link {
-        Some(self.store.face_index(self.store.bounded(self.store.boundary_at(boundary)?)))
+        Some(self.store.face_index(self.store.face(self.store.boundary_at(boundary)?)))
     }
     #[inline]
     fn boundary_start(&self, boundary: usize) -> Option<Start> {

@@ -13,19 +13,16 @@ pub mod edit;
 pub mod locate;
 pub mod zone;
 
-mod arrange;
-mod build;
-mod cover;
-mod cut;
-mod features;
+mod construct;
+mod feature;
+mod feature_sets;
 mod planar_map;
-mod rings;
-mod shape;
+mod record_tree;
+mod summary;
 
-pub use build::{BuildError, BuildSummary, Builder, Position};
-pub use cut::Noding;
+pub use construct::{BuildError, Builder, Noding};
+pub use feature::{Feature, FeatureId, Shape};
 pub use locate::{LocateError, Located, Locator};
-pub use planar_map::{FeatureId, PlanarMap};
-pub use rings::{Irregularity, IrregularityKind};
-pub use shape::{Feature, Shape};
+pub use planar_map::PlanarMap;
+pub use summary::{BuildSummary, Irregularity, IrregularityKind, Position};
 pub use zone::{QueryLine, ZoneElement};

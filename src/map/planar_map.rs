@@ -1,44 +1,45 @@
 //! A subdivision with coordinates.
 
-use super::arrange::Arranged;
-use super::build::{BuildSummary, GatheredFeature};
-use super::cover::Covered;
-use super::edit::EditError;
-use super::features::Features;
+use super::feature::FeatureId;
+use super::feature_sets::FeatureSets;
+use super::summary::BuildSummary;
 use crate::dcel::{Dcel, FaceKey, HalfEdgeKey, StaleKey, VertexKey};
 use crate::geometry::Point;
-use crate::geometry::crossing::Clash;
-use crate::geometry::noding;
+use crate::geometry::noding::NodingSummary;
 use crate::validate::{BoundaryPlace, Collect, Expectation, Link, Report, Start, View};
 use crate::validate::{Embedding, validate_embedding};
-
-/// A feature of a map, such as a country: a number in order of input.
-#[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord, Hash)]
-pub struct FeatureId(pub(super) u32);
-
-impl FeatureId {
-    /// The place in order of input, counted from 0.
-    #[must_use]
-    pub const fn index(self) -> usize {
-        self.0 as usize
-    }
-}
 
 /// A planar subdivision with coordinates: a [`Dcel`] whose edges are straight segments, and the features that cover its
 /// faces.
 ///
 /// Made all at once by [`Builder`](super::Builder), or step by step from [`PlanarMap::new`] by [edits](super::edit). The
 /// topology is read through [`PlanarMap::dcel`]; coordinates and features are had by key.
-#[derive(Clone, Debug, Default)]
+#[derive(Clone, Debug)]
 pub struct PlanarMap {
     pub(super) dcel: Dcel,
     /// By index of vertex.
     pub(super) points: Vec<Point>,
-    names: Vec<Option<String>>,
-    pub(super) features: Features,
-    summary: BuildSummary,
-    noding: Option<noding::NodingSummary>,
-    clash: Option<Clash>,
+    /// By number of feature.
+    pub(super) names: Vec<Option<String>>,
+    pub(super) features: FeatureSets,
+    pub(super) summary: BuildSummary,
+    pub(super) noding: Option<NodingSummary>,
+    /// Whether edges meet at shared endpoints only.
+    pub(super) plane: bool,
+}
+
+impl Default for PlanarMap {
+    fn default() -> Self {
+        Self {
+            dcel: Dcel::default(),
+            points: Vec::new(),
+            names: Vec::new(),
+            features: FeatureSets::default(),
+            summary: BuildSummary::default(),
+            noding: None,
+            plane: true,
+        }
+    }
 }
 
 impl PlanarMap {
@@ -46,24 +47,6 @@ impl PlanarMap {
     #[must_use]
     pub fn new() -> Self {
         Self::default()
-    }
-
-    pub(super) fn from_parts(
-        points: Vec<Point>,
-        arranged: Arranged,
-        features: Vec<GatheredFeature>,
-        covered: &Covered,
-        summary: BuildSummary,
-        noding: Option<noding::NodingSummary>,
-    ) -> Self {
-        let Arranged { dcel, vertices, clash, .. } = arranged;
-        let end = vertices.iter().max().map_or(0, |last| *last as usize + 1);
-        let mut by_index = vec![Point::default(); end];
-        for (vertex, point) in vertices.into_iter().zip(points) {
-            by_index[vertex as usize] = point;
-        }
-        let names = features.into_iter().map(|feature| feature.name).collect();
-        Self { dcel, points: by_index, names, features: Features::new(covered), summary, noding, clash }
     }
 
     /// The topology.
@@ -98,61 +81,6 @@ impl PlanarMap {
         Ok(self.features.set(set).iter().copied())
     }
 
-    /// Adds a feature that covers nothing yet. O(1), amortised.
-    pub fn add_feature(&mut self, name: Option<String>) -> FeatureId {
-        self.names.push(name);
-        FeatureId(self.names.len() as u32 - 1)
-    }
-
-    /// Says which features cover a face, in place of those that did. O(k log k) for k features.
-    ///
-    /// # Errors
-    /// A stale key; [`EditError::NoSuchFeature`]. Nothing changes then.
-    pub fn set_features_of(
-        &mut self,
-        face: FaceKey,
-        features: impl IntoIterator<Item = FeatureId>,
-    ) -> Result<(), EditError> {
-        let index = self.dcel.face(face)?.index();
-        let set = self.checked(features)?;
-        let set = self.features.number(&set);
-        self.features.put_face(index, set);
-        Ok(())
-    }
-
-    /// Says which features run along an edge, in place of those that did. O(k log k) for k features.
-    ///
-    /// # Errors
-    /// A stale key; [`EditError::NoSuchFeature`]. Nothing changes then.
-    pub fn set_features_along(
-        &mut self,
-        half_edge: HalfEdgeKey,
-        features: impl IntoIterator<Item = FeatureId>,
-    ) -> Result<(), EditError> {
-        let index = self.dcel.half_edge(half_edge)?.index();
-        let set = self.checked(features)?;
-        let set = self.features.number(&set);
-        self.features.put_along(index, set);
-        Ok(())
-    }
-
-    /// Takes all features away, and the numbers that were given to them.
-    pub(crate) fn forget_features(&mut self) {
-        self.names.clear();
-        self.features = Features::default();
-    }
-
-    /// The features in order, each once.
-    fn checked(&self, features: impl IntoIterator<Item = FeatureId>) -> Result<Vec<FeatureId>, EditError> {
-        let mut set: Vec<FeatureId> = features.into_iter().collect();
-        if let Some(unknown) = set.iter().find(|feature| feature.index() >= self.names.len()) {
-            return Err(EditError::NoSuchFeature(*unknown));
-        }
-        set.sort_unstable();
-        set.dedup();
-        Ok(set)
-    }
-
     /// All features, in order of input.
     pub fn features(&self) -> impl Iterator<Item = FeatureId> + '_ {
         (0..self.names.len() as u32).map(FeatureId)
@@ -172,7 +100,7 @@ impl PlanarMap {
 
     /// What noding did to the segments; none, if the map was built of them as they are.
     #[must_use]
-    pub const fn noding(&self) -> Option<&noding::NodingSummary> {
+    pub const fn noding(&self) -> Option<&NodingSummary> {
         self.noding.as_ref()
     }
 
@@ -180,7 +108,7 @@ impl PlanarMap {
     /// where it is not so.
     #[must_use]
     pub const fn is_plane(&self) -> bool {
-        self.clash.is_none()
+        self.plane
     }
 
     /// Checks every rule, R1 … T4 and G1 … G5. O(n log n) for a plane map.

@@ -2,7 +2,7 @@
 //!
 //! This trait is public in name only: nobody outside the crate can name it, hold a store, or get at a slot.
 
-use super::{BoundaryKey, FaceKey, HalfEdgeKey, VertexKey};
+use super::keys::{BoundaryKey, FaceKey, HalfEdgeKey, VertexKey};
 use core::fmt::Debug;
 
 /// A bare reference to a record.
@@ -27,12 +27,6 @@ pub enum BoundaryStart<H, V> {
     /// The isolated vertex that it is.
     Vertex(V),
 }
-
-/// The place of a boundary component that is an outer one.
-pub(crate) const OUTER: u32 = u32::MAX;
-
-/// The place of a boundary component that no face lists.
-pub(crate) const UNLISTED: u32 = u32::MAX - 2;
 
 /// How many records of each kind an operator is about to add.
 ///
@@ -94,7 +88,7 @@ pub(super) fn room<S: Links>(store: &S, more: Need, most: Need) -> Result<(), Re
 }
 
 /// The interface between `Dcel` and the stores. Every slot handed in must be live.
-#[allow(missing_docs, reason = "getters and setters of the fields of design section 3, by their names")]
+#[allow(missing_docs, reason = "getters and setters of the links of each record, by their names")]
 pub trait Links: Sized {
     type Vertex: Slot;
     type HalfEdge: Slot;
@@ -108,10 +102,10 @@ pub trait Links: Sized {
     /// Whether so many more records fit; what does not is named.
     fn room_for(&self, need: Need) -> Result<(), RecordKind>;
 
-    fn vertex(&self, key: VertexKey) -> Option<Self::Vertex>;
-    fn half_edge(&self, key: HalfEdgeKey) -> Option<Self::HalfEdge>;
-    fn boundary(&self, key: BoundaryKey) -> Option<Self::Boundary>;
-    fn face(&self, key: FaceKey) -> Option<Self::Face>;
+    fn find_vertex(&self, key: VertexKey) -> Option<Self::Vertex>;
+    fn find_half_edge(&self, key: HalfEdgeKey) -> Option<Self::HalfEdge>;
+    fn find_boundary(&self, key: BoundaryKey) -> Option<Self::Boundary>;
+    fn find_face(&self, key: FaceKey) -> Option<Self::Face>;
 
     fn vertex_key(&self, v: Self::Vertex) -> VertexKey;
     fn half_edge_key(&self, h: Self::HalfEdge) -> HalfEdgeKey;
@@ -150,8 +144,8 @@ pub trait Links: Sized {
     fn prev_in(&self, index: usize) -> Option<usize> {
         Some(self.half_edge_index(self.prev(self.half_edge_at(index)?)))
     }
-    fn component_in(&self, index: usize) -> Option<usize> {
-        Some(self.boundary_index(self.component(self.half_edge_at(index)?)))
+    fn boundary_in(&self, index: usize) -> Option<usize> {
+        Some(self.boundary_index(self.boundary(self.half_edge_at(index)?)))
     }
 
     fn vertex_index(&self, v: Self::Vertex) -> usize;
@@ -160,7 +154,7 @@ pub trait Links: Sized {
     fn face_index(&self, f: Self::Face) -> usize;
 
     /// Adds a vertex. The caller has asked for room, here and below.
-    fn add_vertex(&mut self, anchor: VertexLink<Self::HalfEdge, Self::Boundary>) -> Self::Vertex;
+    fn add_vertex(&mut self, link: VertexLink<Self::HalfEdge, Self::Boundary>) -> Self::Vertex;
     /// Adds an isolated vertex together with the inner boundary component that it is.
     fn add_isolated(&mut self, f: Self::Face) -> (Self::Vertex, Self::Boundary);
     /// Adds an edge: two half-edges that are each other's twin, next and prev. Gives the one that leaves `from`.
@@ -182,9 +176,9 @@ pub trait Links: Sized {
     fn twin(&self, h: Self::HalfEdge) -> Self::HalfEdge;
     fn next(&self, h: Self::HalfEdge) -> Self::HalfEdge;
     fn prev(&self, h: Self::HalfEdge) -> Self::HalfEdge;
-    fn component(&self, h: Self::HalfEdge) -> Self::Boundary;
-    fn anchor(&self, v: Self::Vertex) -> VertexLink<Self::HalfEdge, Self::Boundary>;
-    fn bounded(&self, b: Self::Boundary) -> Self::Face;
+    fn boundary(&self, h: Self::HalfEdge) -> Self::Boundary;
+    fn vertex_link(&self, v: Self::Vertex) -> VertexLink<Self::HalfEdge, Self::Boundary>;
+    fn face(&self, b: Self::Boundary) -> Self::Face;
     fn start(&self, b: Self::Boundary) -> BoundaryStart<Self::HalfEdge, Self::Vertex>;
     fn place(&self, b: Self::Boundary) -> u32;
     fn outer(&self, f: Self::Face) -> Option<Self::Boundary>;
@@ -201,8 +195,8 @@ pub trait Links: Sized {
     fn set_origin(&mut self, h: Self::HalfEdge, v: Self::Vertex);
     /// Makes `n` follow `h` on its cycle: sets `next(h)` and `prev(n)`.
     fn join(&mut self, h: Self::HalfEdge, n: Self::HalfEdge);
-    fn set_component(&mut self, h: Self::HalfEdge, b: Self::Boundary);
-    fn set_anchor(&mut self, v: Self::Vertex, anchor: VertexLink<Self::HalfEdge, Self::Boundary>);
+    fn set_boundary(&mut self, h: Self::HalfEdge, b: Self::Boundary);
+    fn set_vertex_link(&mut self, v: Self::Vertex, link: VertexLink<Self::HalfEdge, Self::Boundary>);
     fn set_start(&mut self, b: Self::Boundary, start: BoundaryStart<Self::HalfEdge, Self::Vertex>);
     fn set_place(&mut self, b: Self::Boundary, place: u32);
 
@@ -213,3 +207,13 @@ pub trait Links: Sized {
     /// Takes `b` off the lists of its face. The last inner boundary component takes the place that becomes free. O(1).
     fn unlist(&mut self, b: Self::Boundary);
 }
+
+/// A place for records to live. The trait is sealed: the stores are those of this module, and only a
+/// [`Dcel`](crate::dcel::Dcel) holds one.
+///
+/// ```compile_fail,E0277
+/// fn bare<S: twinedge::store::Store>() -> S {
+///     S::with_room(Default::default())
+/// }
+/// ```
+pub trait Store: Links {}

@@ -54,12 +54,15 @@ impl<V: View + ?Sized> Run<'_, V> {
                 if target != NIL && found != NIL && (sure || self.live_vertex(target) && self.live_vertex(found)) {
                     checked[2] += 1;
                     if target != found {
-                        self.findings.add(Violation::Target {
-                            half_edge: h as usize,
-                            next: n as usize,
-                            target: target as usize,
-                            found: found as usize,
-                        })?;
+                        self.findings.add_in_pass(
+                            Violation::Target {
+                                half_edge: h as usize,
+                                next: n as usize,
+                                target: target as usize,
+                                found: found as usize,
+                            },
+                            Rule::L1,
+                        )?;
                     }
                 }
             }
@@ -70,13 +73,13 @@ impl<V: View + ?Sized> Run<'_, V> {
                 self.findings.not_checked(rule, Unchecked::Broken(Rule::R1));
             }
         }
-        Ok(())
+        self.findings.end_pass()
     }
 
     #[inline]
     fn twin_is_mutual(&mut self, h: u32, t: u32, sure: bool) -> Flow {
         if t == h {
-            return self.findings.add(Violation::TwinIsSelf { half_edge: h as usize });
+            return self.findings.add_in_pass(Violation::TwinIsSelf { half_edge: h as usize }, Rule::L1);
         }
         let back = self.twin(t);
         let link = if back == NIL {
@@ -90,7 +93,8 @@ impl<V: View + ?Sized> Run<'_, V> {
         } else {
             Some(back as usize)
         };
-        self.findings.add(Violation::TwinNotMutual { half_edge: h as usize, twin: t as usize, found: link })
+        self.findings
+            .add_in_pass(Violation::TwinNotMutual { half_edge: h as usize, twin: t as usize, found: link }, Rule::L1)
     }
 
     #[inline]
@@ -100,7 +104,7 @@ impl<V: View + ?Sized> Run<'_, V> {
             return Ok(());
         }
         let (half_edge, next, found) = (h as usize, n as usize, back as usize);
-        self.findings.add(Violation::PrevOfNext { half_edge, next, found })
+        self.findings.add_in_pass(Violation::PrevOfNext { half_edge, next, found }, Rule::L1)
     }
 
     #[inline]
@@ -110,7 +114,7 @@ impl<V: View + ?Sized> Run<'_, V> {
             return Ok(());
         }
         let (half_edge, prev, found) = (h as usize, p as usize, back as usize);
-        self.findings.add(Violation::NextOfPrev { half_edge, prev, found })
+        self.findings.add_in_pass(Violation::NextOfPrev { half_edge, prev, found }, Rule::L1)
     }
 
     /// Without `prev`, L2 says that `next` is a permutation: no two half-edges share their next.
@@ -120,6 +124,9 @@ impl<V: View + ?Sized> Run<'_, V> {
         if first == NIL {
             return Ok(());
         }
-        self.findings.add(Violation::NextShared { first: first as usize, second: h as usize, next: n as usize })
+        self.findings.add_in_pass(
+            Violation::NextShared { first: first as usize, second: h as usize, next: n as usize },
+            Rule::L1,
+        )
     }
 }

@@ -8,7 +8,7 @@
 
 use super::report::{Flow, Halt};
 use super::run::{Fan, NIL, Run, column};
-use super::{Field, Link, Part, Record, Rule, Start, View, Violation};
+use super::{Field, Link, Part, Record, Rule, Start, Unchecked, View, Violation};
 
 /// The kind of record that a link leads to.
 #[derive(Clone, Copy)]
@@ -127,8 +127,8 @@ impl<V: View + ?Sized> Run<'_, V> {
             self.start(record, Field::Start, self.view.boundary_start(b))?;
         }
         self.findings.checked(Rule::R1, live as u64 * 2);
-        // Each boundary component is listed once, so a sound structure stays far below this, and a corrupt one gets room
-        // enough to show what it lists twice.
+        // Each boundary component is listed once, so a sound structure stays far below this, and a corrupt one is read
+        // far enough to find what it lists twice.
         let records = if self.expect.has(Part::BoundaryComponents) {
             live
         } else {
@@ -145,6 +145,12 @@ impl<V: View + ?Sized> Run<'_, V> {
             None => (None, Kind::HalfEdge),
         };
         self.link(record, field, link, kind, true)
+    }
+
+    /// Reports a list that is not read to its end. Links that are not read cannot be said to be live.
+    pub(super) fn list_too_long(&mut self, face: usize, claimed: usize) -> Flow {
+        self.findings.not_checked(Rule::R1, Unchecked::ListTooLong);
+        self.findings.add(Violation::ListTooLong { face, claimed })
     }
 
     fn live_faces(&mut self) -> Flow {
@@ -164,7 +170,8 @@ impl<V: View + ?Sized> Run<'_, V> {
                 self.link(record, Field::Outer, self.view.outer_half_edge(f), Kind::HalfEdge, false)?;
             }
             links += 1;
-            let listed = if with_inner { self.view.inner_count(f).min(budget) } else { 0 };
+            let claimed = if with_inner { self.view.inner_count(f) } else { 0 };
+            let listed = claimed.min(budget);
             for i in 0..listed {
                 if by_record {
                     self.link(record, Field::Inner(i), self.view.inner(f, i), Kind::Boundary, true)?;
@@ -174,6 +181,9 @@ impl<V: View + ?Sized> Run<'_, V> {
             }
             budget -= listed;
             links += listed as u64;
+            if listed < claimed && self.findings.unchecked(Rule::R1).is_none() {
+                self.list_too_long(f, claimed)?;
+            }
         }
         self.counts.faces = live;
         self.findings.checked(Rule::R1, links);

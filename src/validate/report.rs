@@ -7,7 +7,7 @@ use core::fmt;
 /// How many violations to collect. The true count per rule is kept in any case, except with `First`.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash, Default)]
 pub enum Collect {
-    /// Stop at the first violation.
+    /// Stop at the first violation of the first broken rule.
     First,
     /// Keep up to [`Collect::DEFAULT_CAP`] violations.
     #[default]
@@ -47,6 +47,9 @@ pub enum Unchecked {
     TooLarge,
     /// There was no memory for the columns that the check needs.
     OutOfMemory,
+    /// The faces list more than twice as many inner boundary components as there are, and 16: the rest of the lists was
+    /// not read.
+    ListTooLong,
 }
 
 impl Unchecked {
@@ -70,6 +73,7 @@ impl fmt::Display for Unchecked {
             Self::Stopped => f.write_str("stopped at the first violation"),
             Self::TooLarge => f.write_str("more than 4,294,967,294 records of one kind"),
             Self::OutOfMemory => f.write_str("not enough memory"),
+            Self::ListTooLong => f.write_str("the lists of the faces are too long to be read to the end"),
         }
     }
 }
@@ -279,6 +283,9 @@ pub(crate) struct Findings {
     outcomes: [RuleOutcome; Rule::ALL.len()],
     violations: Vec<Violation>,
     collect: Collect,
+    /// Where only the first violation is wanted: one that is reported at the end of the pass, unless the pass finds one of
+    /// an earlier rule.
+    held_back: Option<Violation>,
 }
 
 impl Findings {
@@ -287,6 +294,7 @@ impl Findings {
             outcomes: [RuleOutcome { checked: 0, violations: 0, unchecked: None }; Rule::ALL.len()],
             violations: Vec::new(),
             collect,
+            held_back: None,
         }
     }
 
@@ -298,6 +306,25 @@ impl Findings {
             self.violations.push(violation);
         }
         if self.collect == Collect::First { Err(Halt::Found) } else { Ok(()) }
+    }
+
+    /// Notes a violation found by a pass that several rules share, of which `first` is the first. If only one violation is
+    /// wanted, it must be of the first broken rule, so the pass goes on until it ends or that rule is broken.
+    #[cold]
+    pub(crate) fn add_in_pass(&mut self, violation: Violation, first: Rule) -> Flow {
+        if self.collect != Collect::First || violation.rule() == first {
+            self.held_back = None;
+            return self.add(violation);
+        }
+        if self.held_back.is_none_or(|held_back| violation.rule() < held_back.rule()) {
+            self.held_back = Some(violation);
+        }
+        Ok(())
+    }
+
+    /// Ends a pass that several rules share.
+    pub(crate) fn end_pass(&mut self) -> Flow {
+        self.held_back.take().map_or(Ok(()), |violation| self.add(violation))
     }
 
     pub(crate) const fn checked(&mut self, rule: Rule, count: u64) {
@@ -326,6 +353,11 @@ impl Findings {
         if outcome.unchecked.is_none() && outcome.checked == 0 {
             outcome.unchecked = Some(why);
         }
+    }
+
+    /// Why the rule was not checked, or not on every record.
+    pub(crate) const fn unchecked(&self, rule: Rule) -> Option<Unchecked> {
+        self.outcomes[rule.index()].unchecked
     }
 
     /// Whether no violation of this rule was found.

@@ -84,6 +84,9 @@ pub enum Violation {
     Nil { record: Record, field: Field },
     /// R1: a link leads past the end or to a vacant slot.
     Dangling { record: Record, field: Field, value: usize },
+    /// R1: the faces up to this one list more than twice as many inner boundary components as there are, and 16. The rest of
+    /// the lists was not read, so its links cannot be said to be live.
+    ListTooLong { face: usize, claimed: usize },
 
     /// L1: a half-edge is its own twin.
     TwinIsSelf { half_edge: usize },
@@ -142,8 +145,6 @@ pub enum Violation {
     ListedByOther { boundary: usize, face: usize, found: Link },
     /// F2: a boundary component is listed at another place than it says.
     WrongPlace { boundary: usize, place: Option<BoundaryPlace>, listed: BoundaryPlace },
-    /// F2: the lists are longer than all boundary components together, so the rest was not read.
-    ListTooLong { face: usize, claimed: usize },
 
     /// T1: all boundary components of a component are outer.
     NoOutside { vertex: usize },
@@ -190,7 +191,7 @@ impl Violation {
     pub const fn rule(&self) -> Rule {
         use Violation as V;
         match self {
-            V::Nil { .. } | V::Dangling { .. } => Rule::R1,
+            V::Nil { .. } | V::Dangling { .. } | V::ListTooLong { .. } => Rule::R1,
             V::TwinIsSelf { .. } | V::TwinNotMutual { .. } => Rule::L1,
             V::PrevOfNext { .. } | V::NextOfPrev { .. } | V::NextShared { .. } => Rule::L2,
             V::Target { .. } => Rule::L3,
@@ -213,8 +214,7 @@ impl Violation {
             | V::CycleNotListed { .. }
             | V::ListedTwice { .. }
             | V::ListedByOther { .. }
-            | V::WrongPlace { .. }
-            | V::ListTooLong { .. } => Rule::F2,
+            | V::WrongPlace { .. } => Rule::F2,
             V::NoOutside { .. } | V::TwoOutsides { .. } => Rule::T1,
             V::NestedInItself { .. } => Rule::T2,
             V::Genus { .. } | V::NoSuchSurface { .. } => Rule::T3,

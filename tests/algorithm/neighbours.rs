@@ -6,7 +6,7 @@ use twinedge::algorithm::colouring::feature_colours;
 use twinedge::algorithm::neighbours::{Neighbour, of_face, of_feature, touching_face, touching_feature};
 use twinedge::dcel::{Face, FaceKey, StaleKey};
 use twinedge::geometry::Point;
-use twinedge::io::geojson::{self, ReadError};
+use twinedge::io::{ReadError, geojson};
 use twinedge::map::{Builder, Feature, FeatureId, PlanarMap, Shape};
 
 /// The board has 5 × 5 cells; each is claimed by a set of the features 0, 1, 2, 3, one bit each.

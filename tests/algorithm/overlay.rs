@@ -11,7 +11,7 @@ use twinedge::algorithm::overlay::{Operand, Operation, Overlay, OverlayError, ov
 use twinedge::dcel::{Face, StaleKey};
 use twinedge::geometry::Point;
 use twinedge::geometry::noding::Snap;
-use twinedge::io::geojson::{self, ReadError};
+use twinedge::io::{ReadError, geojson};
 use twinedge::map::{BuildError, Builder, Feature, FeatureId, Noding, PlanarMap, Shape};
 
 type Whole = (i8, i8);

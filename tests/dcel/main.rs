@@ -5,6 +5,7 @@
 mod support;
 
 mod elements;
+mod import;
 mod operator_laws;
 mod operators;
 mod stale_keys;

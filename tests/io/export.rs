@@ -5,7 +5,7 @@ use std::collections::BTreeSet;
 use std::io::{self, Write};
 use twinedge::algorithm::contour::{of_feature, of_features};
 use twinedge::geometry::Point;
-use twinedge::io::{self as formats, WriteError, geojson, wkt};
+use twinedge::io::{self as formats, ReadError, WriteError, geojson, wkt};
 use twinedge::map::{Builder, Feature, PlanarMap, Shape};
 
 fn built(features: &[Feature]) -> PlanarMap {
@@ -20,7 +20,7 @@ fn from_geojson(text: &[u8]) -> Vec<Feature> {
     let mut features = Vec::new();
     geojson::read(text, |feature| {
         features.push(feature);
-        Ok::<(), geojson::ReadError>(())
+        Ok::<(), ReadError>(())
     })
     .expect("it is GeoJSON");
     features
@@ -30,7 +30,7 @@ fn from_wkt(text: &[u8]) -> Vec<Feature> {
     let mut features = Vec::new();
     wkt::read(text, |feature| {
         features.push(feature);
-        Ok::<(), wkt::ReadError>(())
+        Ok::<(), ReadError>(())
     })
     .expect("it is WKT");
     features

@@ -1,11 +1,11 @@
-//! What `io::geojson` takes, what it refuses, and where it says the trouble is.
+//! What `io::geojson` takes, what it refuses, and the place of each error.
 
 use std::collections::BTreeSet;
+use std::error::Error;
 use std::io::{self, Read};
 
 use twinedge::geometry::Point;
-use twinedge::io::geojson::{self, Fault, Place, ReadError};
-use twinedge::io::{MAX_NESTED_COLLECTIONS, ReadSummary};
+use twinedge::io::{FeatureLabel, MAX_NESTED_COLLECTIONS, ReadCause, ReadError, ReadSummary, TextPlace, geojson};
 use twinedge::map::{Feature, Shape};
 
 fn read(text: impl AsRef<[u8]>) -> Result<(Vec<Feature>, ReadSummary), ReadError> {
@@ -27,8 +27,13 @@ fn line(points: &[[f64; 2]]) -> Vec<Point> {
     points.iter().map(|&point| point.into()).collect()
 }
 
-fn at(line: usize, column: usize) -> Place {
-    Place { line, column }
+fn at(line: usize, column: usize) -> TextPlace {
+    TextPlace { line, column: Some(column) }
+}
+
+/// An error that concerns no feature, at this place.
+fn is_at(error: &ReadError, place: TextPlace) -> bool {
+    error.place == place && error.feature.is_none()
 }
 
 // ---------------------------------------------------------------------------------------------------- what it takes
@@ -154,10 +159,15 @@ fn a_name_does_not_leak_into_the_next_feature() {
 fn a_byte_order_mark_is_skipped_and_not_counted() {
     let good = r#"{"type":"Point","coordinates":[1,2]}"#;
     assert_eq!(read(format!("\u{FEFF}{good}")).unwrap(), read(good).unwrap());
-    assert!(matches!(read("\u{FEFF}[").unwrap_err(), ReadError::NotGeoJson { at: p, .. } if p == at(1, 1)));
-    assert!(matches!(read("\u{FEFF}\n ").unwrap_err(), ReadError::Empty { at: p } if p == at(2, 1)));
-    assert!(matches!(read("\u{FEFF}\u{FEFF}{}").unwrap_err(), ReadError::Syntax { at: p, .. } if p == at(1, 1)));
-    assert!(matches!(read(b"\xEF{}").unwrap_err(), ReadError::Syntax { at: p, .. } if p == at(1, 1)));
+    let error = |text: &[u8], place| {
+        let error = read(text).unwrap_err();
+        assert!(is_at(&error, place), "{error:?}");
+        error.cause
+    };
+    assert!(matches!(error("\u{FEFF}[".as_bytes(), at(1, 1)), ReadCause::Malformed { .. }));
+    assert!(matches!(error("\u{FEFF}\n ".as_bytes(), at(2, 1)), ReadCause::Empty));
+    assert!(matches!(error("\u{FEFF}\u{FEFF}{}".as_bytes(), at(1, 1)), ReadCause::Syntax { .. }));
+    assert!(matches!(error(b"\xEF{}", at(1, 1)), ReadCause::Syntax { .. }));
 }
 
 #[test]
@@ -203,7 +213,7 @@ fn the_world() {
 fn empty() {
     for (text, place) in [("", at(1, 0)), (" \t\r\n\n  ", at(3, 2)), ("\u{FEFF}", at(1, 0))] {
         let error = read(text).unwrap_err();
-        assert!(matches!(error, ReadError::Empty { at } if at == place), "{text:?}: {error:?}");
+        assert!(matches!(error.cause, ReadCause::Empty) && is_at(&error, place), "{text:?}: {error:?}");
         let read_some = place != at(1, 0);
         assert_eq!(
             error.to_string(),
@@ -225,7 +235,7 @@ fn truncated_anywhere() {
         let error = read(start).unwrap_err();
         let line = start.matches('\n').count() + 1;
         let column = start.len() - start.rfind('\n').map_or(0, |newline| newline + 1);
-        assert!(matches!(error, ReadError::Truncated { at: p } if p == at(line, column)), "{start}: {error:?}");
+        assert!(matches!(error.cause, ReadCause::Truncated) && is_at(&error, at(line, column)), "{start}: {error:?}");
     }
 }
 
@@ -244,7 +254,7 @@ fn syntax() {
         ("{\"type\":\"FeatureCollection\",\"features\":[{\"id\":-x}", at(1, 48)),
     ] {
         let error = read(text).unwrap_err();
-        assert!(matches!(error, ReadError::Syntax { at, .. } if at == place), "{text}: {error:?}");
+        assert!(matches!(error.cause, ReadCause::Syntax { .. }) && is_at(&error, place), "{text}: {error:?}");
     }
     let error = read("{\"type\" \"Point\"}").unwrap_err();
     assert_eq!(error.to_string(), "line 1, column 9: syntax error: expected `:`");
@@ -256,7 +266,7 @@ fn trailing() {
     assert!(read(format!("{point} \n\t ")).is_ok());
     for (rest, place) in [("x", at(1, 37)), ("\n  {}", at(2, 3)), (",", at(1, 37)), ("\0", at(1, 37))] {
         let error = read(format!("{point}{rest}")).unwrap_err();
-        assert!(matches!(error, ReadError::Trailing { at } if at == place), "{rest:?}: {error:?}");
+        assert!(matches!(error.cause, ReadCause::Trailing { .. }) && is_at(&error, place), "{rest:?}: {error:?}");
     }
 }
 
@@ -290,8 +300,9 @@ fn io_errors() {
             let error = geojson::read(reader, |_| Ok::<_, ReadError>(())).unwrap_err();
             let read_some = if end > 0 { format!("{place}: ") } else { String::new() };
             assert_eq!(error.to_string(), format!("{read_some}the line went dead"));
-            let ReadError::Io { at, source } = error else { panic!("{error:?}") };
-            assert_eq!((at, source.kind()), (place, io::ErrorKind::ConnectionReset));
+            assert!(is_at(&error, place) && error.source().is_some(), "{error:?}");
+            let ReadCause::Io(source) = error.cause else { panic!("{:?}", error.cause) };
+            assert_eq!(source.kind(), io::ErrorKind::ConnectionReset);
             assert_eq!(source.to_string(), "the line went dead");
         }
     }
@@ -340,20 +351,19 @@ fn not_geojson() {
         ("{\"type\":\"Point\",\"coordinates\":[1]}", at(1, 34), "two or more elements"),
     ] {
         let error = read(text).unwrap_err();
-        let ReadError::NotGeoJson { at, fault: Fault::Malformed { message } } = &error else {
-            panic!("{text}: {error:?}")
-        };
-        assert_eq!((*at, message.contains(says)), (place, true), "{text}: {message}");
+        let ReadCause::Malformed { message } = &error.cause else { panic!("{text}: {error:?}") };
+        assert!(is_at(&error, place) && message.contains(says), "{text}: {error:?}");
+        assert_eq!(error.to_string(), format!("{place}: not GeoJSON: {message}"));
     }
     let error = read("{\"type\":\"Point\",\n\"coordinates\":[1,1e999]}").unwrap_err();
-    assert_eq!(error.to_string(), "line 2, column 23: not GeoJSON: a number out of range");
+    assert_eq!(error.to_string(), "line 2, column 23: a number out of range");
     let long = format!(r#"{{"type":"{}"}}"#, "é".repeat(1000));
-    let ReadError::NotGeoJson { fault: Fault::Malformed { message }, .. } = read(long).unwrap_err() else { panic!() };
+    let ReadCause::Malformed { message } = read(long).unwrap_err().cause else { panic!() };
     assert_eq!(message.chars().count(), 200);
 }
 
 /// Reads a document whose second feature of three has this geometry in its line 3; gives its name and the place.
-fn fault_of(geometry: &str) -> (Option<String>, Place, Fault) {
+fn fault_of(geometry: &str) -> (Option<String>, TextPlace, ReadCause) {
     let good = r#"{"type":"Feature","properties":{"name":"good"},"geometry":null}"#;
     let text = format!(
         "{{\"features\":[{good},{{\"properties\":{{\"name\":\"b\"}},\n\"geometry\":\n{geometry},\
@@ -364,9 +374,11 @@ fn fault_of(geometry: &str) -> (Option<String>, Place, Fault) {
         count += 1;
         Ok::<_, ReadError>(())
     });
-    let Err(ReadError::Feature { index, name, at, fault }) = error else { panic!("{geometry}: {error:?}") };
+    let Err(ReadError { place, feature: Some(FeatureLabel { index, name }), cause, .. }) = error else {
+        panic!("{geometry}: {error:?}")
+    };
     assert_eq!((index, count), (1, 1), "{geometry}");
-    (name, at, fault)
+    (name, place, cause)
 }
 
 /// Faults that the crate notices have the place where it does.
@@ -388,11 +400,12 @@ fn malformed_geometries() {
         (r#"{"type":"LineString","coordinates":[1,2]}"#, 42, "unexpected coordinates dimensions: 0"),
     ] {
         let (name, place, fault) = fault_of(geometry);
-        let Fault::Malformed { message } = fault else { panic!("{geometry}: {fault:?}") };
+        let ReadCause::Malformed { message } = fault else { panic!("{geometry}: {fault:?}") };
         assert_eq!((name, place), (None, at(3, column)), "{geometry}: {message}");
         assert!(message.contains(says), "{geometry}: {message}");
     }
-    assert_eq!(fault_of(r#"{"type":"Point","coordinates":[1,1e400]}"#), (None, at(3, 39), Fault::OutOfRange));
+    let (name, place, cause) = fault_of(r#"{"type":"Point","coordinates":[1,1e400]}"#);
+    assert!(name.is_none() && place == at(3, 39) && matches!(cause, ReadCause::OutOfRange), "{place}: {cause:?}");
 }
 
 /// Faults that are noticed behind the crate have the place of the feature's closing brace, and its name.
@@ -407,7 +420,9 @@ fn short_positions() {
         (r#"{"type":"MultiPolygon","coordinates":[[[[1]]]]}"#, 1),
         (r#"{"type":"GeometryCollection","geometries":[{"type":"MultiPoint","coordinates":[[1]]}]}"#, 1),
     ] {
-        assert_eq!(fault_of(geometry), (name(), at(4, 1), Fault::ShortPosition { numbers }), "{geometry}");
+        let (of, place, cause) = fault_of(geometry);
+        assert_eq!((of, place), (name(), at(4, 1)), "{geometry}");
+        assert!(matches!(cause, ReadCause::ShortPosition { numbers: n } if n == numbers), "{geometry}: {cause:?}");
     }
     // A feature or geometry without a collection is feature 0.
     let error = read("{\n\"coordinates\":[[1,2],[3]],\"type\":\"LineString\"}").unwrap_err();
@@ -431,10 +446,9 @@ fn malformed_features() {
     ] {
         let text = format!("{{\"type\":\"FeatureCollection\",\"features\":[\n{feature}]}}");
         let error = read(text).unwrap_err();
-        let ReadError::Feature { index: 0, name: None, at: place, fault: Fault::Malformed { message } } = error else {
-            panic!("{feature}: {error:?}")
-        };
-        assert_eq!((place, message.contains(says)), (at(2, column), true), "{feature}: {message}");
+        assert_eq!(error.feature, Some(FeatureLabel { index: 0, name: None }), "{feature}");
+        let ReadCause::Malformed { message } = error.cause else { panic!("{feature}: {:?}", error.cause) };
+        assert_eq!((error.place, message.contains(says)), (at(2, column), true), "{feature}: {message}");
     }
 }
 
@@ -453,7 +467,7 @@ fn deep_nesting_is_an_error() {
     assert_eq!(shapes(&in_collection(MAX_NESTED_COLLECTIONS)).len(), 1);
     for depth in [MAX_NESTED_COLLECTIONS + 1, 10_000, 100_000] {
         let error = read(in_collection(depth)).unwrap_err();
-        assert!(matches!(error, ReadError::Feature { index: 0, fault: Fault::TooDeep, .. }), "{error:?}");
+        assert!(matches!(error.cause, ReadCause::TooDeep) && error.feature.is_some(), "{error:?}");
     }
     let text = nested_collections(MAX_NESTED_COLLECTIONS + 1);
     let error = read(&text).unwrap_err();
@@ -462,10 +476,10 @@ fn deep_nesting_is_an_error() {
     let coordinates = "[".repeat(100_000) + &"]".repeat(100_000);
     for text in [nested_collections(10_000), format!(r#"{{"type":"Polygon","coordinates":{coordinates}}}"#)] {
         let error = read(text).unwrap_err();
-        assert!(matches!(error, ReadError::NotGeoJson { fault: Fault::TooDeep, .. }), "{error:?}");
+        assert!(matches!(error.cause, ReadCause::TooDeep) && error.feature.is_none(), "{error:?}");
     }
     let error = read("[".repeat(100_000)).unwrap_err();
-    assert!(matches!(error, ReadError::NotGeoJson { fault: Fault::Malformed { .. }, .. }), "{error:?}");
+    assert!(matches!(error.cause, ReadCause::Malformed { .. }) && error.feature.is_none(), "{error:?}");
 }
 
 #[derive(Debug)]
@@ -493,5 +507,5 @@ fn the_callback_can_stop_the_reading() {
     };
     assert!(matches!(stop_at(1), Err(Mine::Enough(1))));
     assert!(matches!(stop_at(2), Err(Mine::Enough(2))));
-    assert!(matches!(stop_at(3), Err(Mine::Read(ReadError::Syntax { at: p, .. })) if p == at(1, 79)));
+    assert!(matches!(stop_at(3), Err(Mine::Read(error)) if is_at(&error, at(1, 79))));
 }

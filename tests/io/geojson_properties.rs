@@ -4,7 +4,7 @@ use geojson::{GeoJson, GeometryValue};
 use quickcheck::{Arbitrary, Gen, QuickCheck};
 use twinedge::geometry::Point;
 use twinedge::io::ReadSummary;
-use twinedge::io::geojson::{self as reader, Fault, ReadError};
+use twinedge::io::{ReadCause, ReadError, geojson as reader};
 use twinedge::map::{Feature, Shape};
 
 fn read(text: &[u8]) -> Result<(Vec<Feature>, ReadSummary), ReadError> {
@@ -293,7 +293,7 @@ fn whole(text: &[u8]) -> Option<Vec<Feature>> {
 fn damaged_documents_are_read_as_they_are_when_read_whole() {
     fn law(Damaged(text): Damaged) -> bool {
         let ours = read(&text);
-        if let Err(ReadError::Feature { fault: Fault::ShortPosition { numbers: 0 | 1 }, .. }) = ours {
+        if let Err(ReadError { cause: ReadCause::ShortPosition { numbers: 0 | 1 }, .. }) = ours {
             return true;
         }
         match (ours, whole(&text)) {
@@ -323,10 +323,11 @@ fn any_bytes() {
     fn is_told_apart(text: &[u8]) -> bool {
         let place = match read(text) {
             Ok(_) => return serde_json::from_slice::<serde_json::Value>(text).is_ok(),
-            Err(error) => error.place(),
+            Err(error) => error.place,
         };
         let lines: Vec<_> = text.split(|&byte| byte == b'\n').collect();
-        (1..=lines.len()).contains(&place.line) && place.column <= lines[place.line - 1].len()
+        (1..=lines.len()).contains(&place.line)
+            && place.column.is_some_and(|column| column <= lines[place.line - 1].len())
     }
     check(1_000, 3).quickcheck(law as fn(Vec<u8>, Vec<Document>) -> bool);
 }

@@ -8,5 +8,6 @@ mod export;
 mod geojson;
 mod geojson_properties;
 mod import;
+mod reading;
 mod svg;
 mod wkt;

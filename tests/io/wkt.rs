@@ -1,11 +1,10 @@
-//! What the reader of well-known text takes, what it refuses, and on which line it says the trouble is.
+//! What the reader of well-known text takes, what it refuses, and the line of each error.
 
 use std::io::{self, Read};
 
 use quickcheck::{Arbitrary, Gen, QuickCheck};
 use twinedge::geometry::Point;
-use twinedge::io::wkt::{self, ReadError};
-use twinedge::io::{MAX_NESTED_COLLECTIONS, ReadSummary};
+use twinedge::io::{MAX_NESTED_COLLECTIONS, ReadCause, ReadError, ReadSummary, TextPlace, wkt};
 use twinedge::map::{Feature, Shape};
 
 fn read(text: impl AsRef<[u8]>) -> Result<(Vec<Feature>, ReadSummary), ReadError> {
@@ -86,7 +85,7 @@ fn extra_dimensions_are_dropped_and_counted() {
 }
 
 /// Every fault is reported with the third line, on which it stands, after the geometry before it was handed over.
-fn fault_of(text: impl AsRef<[u8]>) -> ReadError {
+fn fault_of(text: impl AsRef<[u8]>) -> ReadCause {
     let mut count = 0;
     let all = [b"# first\nPOINT(1 2)\n", text.as_ref(), b"\nPOINT(5 6)\n"].concat();
     let outcome = wkt::read(&all[..], |_| {
@@ -94,7 +93,10 @@ fn fault_of(text: impl AsRef<[u8]>) -> ReadError {
         Ok::<_, ReadError>(())
     });
     assert_eq!(count, 1);
-    outcome.unwrap_err()
+    let error = outcome.unwrap_err();
+    assert_eq!((error.place, &error.feature), (TextPlace::line(3), &None));
+    assert!(error.to_string().starts_with("line 3: "), "{error}");
+    error.cause
 }
 
 #[test]
@@ -126,9 +128,9 @@ fn syntax() {
         "{\"type\":\"Point\"}",
     ] {
         let error = fault_of(text);
-        assert!(matches!(error, ReadError::Syntax { line: 3, .. }), "{text}: {error:?}");
+        assert!(matches!(error, ReadCause::Syntax { .. }), "{text}: {error:?}");
     }
-    assert_eq!(fault_of("42").to_string(), "line 3: not well-known text: expected the type of a geometry");
+    assert_eq!(fault_of("42").to_string(), "syntax error: expected the type of a geometry");
 }
 
 #[test]
@@ -144,7 +146,7 @@ fn trailing() {
         "POINT EMPTY POINT(1 2)",
     ] {
         let error = fault_of(text);
-        assert!(matches!(error, ReadError::Trailing { line: 3 }), "{text}: {error:?}");
+        assert!(matches!(error, ReadCause::Trailing { .. }), "{text}: {error:?}");
     }
 }
 
@@ -152,14 +154,14 @@ fn trailing() {
 fn out_of_range() {
     for text in ["POINT(1 1e400)", "POINT(-inf 1)", "LINESTRING(1 2,3 +infinity)", "POLYGON((0 0,-nan 1,1 1))"] {
         let error = fault_of(text);
-        assert!(matches!(error, ReadError::OutOfRange { line: 3 }), "{text}: {error:?}");
+        assert!(matches!(error, ReadCause::OutOfRange), "{text}: {error:?}");
     }
 }
 
 #[test]
 fn not_utf8() {
-    assert!(matches!(fault_of(b"POINT(1 \xFF)"), ReadError::NotUtf8 { line: 3 }));
-    assert!(matches!(fault_of(b"# caf\xE9"), ReadError::NotUtf8 { line: 3 }));
+    assert!(matches!(fault_of(b"POINT(1 \xFF)"), ReadCause::NotUtf8));
+    assert!(matches!(fault_of(b"# caf\xE9"), ReadCause::NotUtf8));
 }
 
 #[test]
@@ -170,10 +172,10 @@ fn deep_nesting_is_an_error() {
     for depth in [MAX_NESTED_COLLECTIONS + 1, 10_000, 100_000] {
         for inner in [polygons, "POINT(1 2)", "POINT EMPTY"] {
             let error = fault_of(nested(depth, inner));
-            assert!(matches!(error, ReadError::TooDeep { line: 3 }), "{depth} {inner}: {error:?}");
+            assert!(matches!(error, ReadCause::TooDeep), "{depth} {inner}: {error:?}");
         }
     }
-    assert!(matches!(fault_of("POINT".to_owned() + &"(".repeat(100_000)), ReadError::TooDeep { line: 3 }));
+    assert!(matches!(fault_of("POINT".to_owned() + &"(".repeat(100_000)), ReadCause::TooDeep));
 }
 
 /// Fails at the end of the text.
@@ -192,8 +194,8 @@ impl Read for Broken<'_> {
 fn io_errors() {
     for (text, expected) in [("", 1), ("POINT(1 2)", 1), ("POINT(1 2)\n", 2), ("\n\nPOIN", 3)] {
         let error = wkt::read(Broken(text.as_bytes()), |_| Ok::<_, ReadError>(())).unwrap_err();
-        let ReadError::Io { line, source } = error else { panic!("{error:?}") };
-        assert_eq!((line, source.kind()), (expected, io::ErrorKind::ConnectionReset), "{text}");
+        let ReadCause::Io(source) = error.cause else { panic!("{:?}", error.cause) };
+        assert_eq!((error.place, source.kind()), (TextPlace::line(expected), io::ErrorKind::ConnectionReset), "{text}");
     }
 }
 
@@ -205,8 +207,8 @@ enum Mine {
 
 impl From<ReadError> for Mine {
     fn from(error: ReadError) -> Self {
-        let ReadError::Syntax { line, .. } = error else { panic!("{error:?}") };
-        Self::Read(line)
+        assert!(matches!(error.cause, ReadCause::Syntax { .. }), "{error:?}");
+        Self::Read(error.place.line)
     }
 }
 
@@ -286,7 +288,12 @@ fn what_was_written_is_read() {
 fn truncated_anywhere() {
     fn law(written: Written) -> bool {
         let ends = 1..written.text.len();
-        ends.clone().all(|end| matches!(read(&written.text[..end]), Err(ReadError::Syntax { line: 1, .. })))
+        ends.clone().all(|end| {
+            matches!(
+                read(&written.text[..end]),
+                Err(ReadError { place: TextPlace { line: 1, .. }, cause: ReadCause::Syntax { .. }, .. })
+            )
+        })
     }
     check(300, 2).quickcheck(law as fn(Written) -> bool);
 }
@@ -306,7 +313,7 @@ fn damaged_lines() {
         match read(&text) {
             Ok((features, _)) => features == alone,
             Err(error) => {
-                let (last, before) = lines[..error.line()].split_last().unwrap();
+                let (last, before) = lines[..error.place.line].split_last().unwrap();
                 before.iter().all(|line| read(line).is_ok()) && read(last).is_err()
             }
         }

@@ -5,7 +5,7 @@ use std::collections::BTreeSet;
 use twinedge::dcel::Face;
 use twinedge::geometry::Point;
 use twinedge::geometry::noding::Snap;
-use twinedge::io::geojson::{self, ReadError};
+use twinedge::io::{ReadError, geojson};
 use twinedge::map::{BuildError, Builder, Feature, FeatureId, Noding, PlanarMap, Shape};
 
 type Whole = (i8, i8);

@@ -4,7 +4,7 @@ use quickcheck::{QuickCheck, TestResult};
 use std::collections::BTreeSet;
 use twinedge::dcel::{Boundary, Face};
 use twinedge::geometry::Point;
-use twinedge::io::geojson::{self, ReadError};
+use twinedge::io::{ReadError, geojson};
 use twinedge::map::{BuildError, Builder, Feature, FeatureId, PlanarMap, Position, Shape};
 
 fn ring(points: &[[f64; 2]]) -> Vec<Point> {

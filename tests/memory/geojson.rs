@@ -2,8 +2,7 @@
 
 use crate::counting::{LIVE_BYTES, PEAK_BYTES};
 use std::io::{self, Read};
-use twinedge::io::ReadSummary;
-use twinedge::io::geojson::{self, ReadError};
+use twinedge::io::{ReadError, ReadSummary, geojson};
 
 /// A text made while it is read: a head, a part many times over, a tail.
 struct Repeated<'a> {

@@ -3,8 +3,9 @@
 use crate::support::nested::{FACES, HALF_EDGES, PLANE, TEXTBOOK, nested, nested_textbook};
 use crate::support::opinions::agree;
 use crate::support::tables::{face, half_edge, map, vertex};
+use twinedge::validate::enumerate::for_each_corruption;
 use twinedge::validate::{
-    Collect, Expectation, FaceRow, Field, Part, Record, Rule, Start, Table, Unchecked, Violation, validate,
+    Collect, Expectation, FaceRow, Field, Part, Record, Report, Rule, Start, Table, Unchecked, Violation, validate,
 };
 
 #[test]
@@ -29,7 +30,7 @@ fn every_rule_says_how_much_it_checked_whatever_else_is_broken() {
 }
 
 #[test]
-fn f2_a_list_is_said_to_be_too_long_exactly_if_some_of_it_was_not_read() {
+fn r1_a_list_is_said_to_be_too_long_exactly_if_some_of_it_was_not_read() {
     let found = |table: &Table, expectation: &Expectation| {
         let report = validate(table, expectation, Collect::All);
         let is_too_long = |v: &&Violation| matches!(v, Violation::ListTooLong { .. });
@@ -202,4 +203,35 @@ fn the_first_violation_stops_what_was_not_checked_yet() {
 #[test]
 fn rules_of_coordinates_are_those_of_g() {
     assert!(Rule::ALL.iter().all(|rule| rule.is_geometric() == rule.id().starts_with('G')));
+}
+
+/// L1, L2 and L3 are checked in one pass, and a record that breaks L3 may come before one that breaks L1.
+#[test]
+fn the_first_violation_is_of_the_first_broken_rule() {
+    let mut cases = 0;
+    let mut compare = |table: &Table, expectation: &Expectation| {
+        let [first, all] = [Collect::First, Collect::All].map(|collect| validate(table, expectation, collect));
+        let rule = |report: &Report| report.violations().first().map(Violation::rule);
+        assert_eq!(rule(&first), rule(&all), "{table}\n{first}\n{all}");
+        assert_eq!(first.violation_count(), u64::from(!all.is_valid()), "{table}\n{first}");
+        cases += 1;
+    };
+    for (table, expectation) in [
+        (nested(), PLANE),
+        (nested(), PLANE.without(Part::Prev)),
+        (nested(), PLANE.open()),
+        (nested_textbook(), TEXTBOOK),
+    ] {
+        // Two cells of the same value exchanged, as far from one another as can be: half-edge 0 and the last.
+        let mut twice = table.clone();
+        half_edge(&mut twice, 0).next = Some(7);
+        half_edge(&mut twice, 11).twin = Some(11);
+        compare(&twice, &expectation);
+        let mut corrupt = table.clone();
+        for_each_corruption(&mut corrupt, &expectation, |corrupt, _, _| compare(corrupt, &expectation));
+        // One fault in a low slot, another one in a high slot.
+        half_edge(&mut corrupt, 0).next = Some(4);
+        for_each_corruption(&mut corrupt, &expectation, |corrupt, _, _| compare(corrupt, &expectation));
+    }
+    assert!(cases > 1000, "{cases}");
 }

@@ -143,7 +143,7 @@ fn a_list_that_never_ends_is_cut_short() {
     let expectation = PLANE.without(Part::Prev).without(Part::Leaving).without(Part::Places);
     let report = validate(&view, &expectation, Collect::All);
     assert!(report.violations().contains(&Violation::ListTooLong { face: 0, claimed: usize::MAX }));
-    assert_eq!(broken(&report), [Rule::F2]);
+    assert_eq!(broken(&report), [Rule::R1, Rule::F2]);
     // Two records: 2 · 2 + 16 entries, once for R1 and once for F2.
     assert_eq!(view.inner.get(), 2 * 20);
 }

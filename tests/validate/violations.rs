@@ -4,8 +4,8 @@ use crate::support::nested::{PLANE, TEXTBOOK, nested, nested_textbook};
 use crate::support::opinions::{agree, broken};
 use crate::support::tables::{boundary, face, half_edge, map, mesh, vertex};
 use twinedge::validate::{
-    BoundaryPlace, BoundaryRow, Collect, Expectation, FaceRow, Field, Part, Record, Rule, Start, Table, VertexRow,
-    Violation, validate,
+    BoundaryPlace, BoundaryRow, Collect, Expectation, FaceRow, Field, Part, Record, Rule, Start, Table, Unchecked,
+    VertexRow, Violation, validate,
 };
 
 /// Two edges between two vertices: half-edges 0 and 3 around the inside, 1 and 2 around the outside.
@@ -343,19 +343,40 @@ fn f2_a_boundary_component_is_listed_by_another_face_or_at_another_place() {
 
 /// With five boundary components, no more than 26 entries are read.
 #[test]
-fn f2_a_list_is_longer_than_all_boundary_components_together() {
+fn r1_a_list_is_longer_than_all_boundary_components_together() {
     let mut table = nested();
     face(&mut table, 1).inner.resize(100, Some(3));
     let report = validate(&table, &PLANE.without(Part::Places), Collect::All);
     let twice = Violation::ListedTwice { record: Record::Boundary(3), face: 1 };
     assert_eq!(report.violations().iter().filter(|v| **v == twice).count(), 23);
-    assert!(report.violations().contains(&Violation::ListTooLong { face: 1, claimed: 100 }));
-    assert_eq!(broken(&report), [Rule::F2]);
+    let too_long = Violation::ListTooLong { face: 1, claimed: 100 };
+    assert_eq!(report.violations()[0], too_long);
+    assert_eq!(broken(&report), [Rule::R1, Rule::F2]);
+    assert_eq!(agree(&table, PLANE.without(Part::Places)), Some(Rule::R1));
     let mut table = nested_textbook();
     face(&mut table, 1).inner_starts.resize(100, Some(Start::HalfEdge(7)));
     let report = validate(&table, &TEXTBOOK, Collect::All);
-    assert_eq!(report.violations().last(), Some(&Violation::ListTooLong { face: 1, claimed: 100 }));
-    assert_eq!(broken(&report), [Rule::F2]);
+    assert_eq!(report.violations()[0], too_long);
+    assert_eq!(broken(&report), [Rule::R1, Rule::F2]);
+    assert_eq!(agree(&table, TEXTBOOK), Some(Rule::R1));
+}
+
+/// Fuzzing found that R1 was called sound, and F2 the first broken rule, where R1 had not read all of the lists.
+#[test]
+fn r1_is_not_called_sound_where_lists_were_not_read_to_the_end() {
+    for (mut table, expectation) in [(nested(), PLANE), (nested_textbook(), TEXTBOOK)] {
+        let row = face(&mut table, 1);
+        row.inner.resize(100, Some(3));
+        row.inner.push(Some(usize::MAX));
+        row.inner_starts.resize(100, Some(Start::HalfEdge(7)));
+        row.inner_starts.push(None);
+        assert_eq!(agree(&table, expectation), Some(Rule::R1));
+        let report = validate(&table, &expectation, Collect::AtMost(0));
+        let said = report.outcome(Rule::R1).unwrap();
+        assert_eq!((said.violations, said.unchecked), (1, Some(Unchecked::ListTooLong)));
+        assert_eq!(report.outcome(Rule::F2).unwrap().unchecked, Some(Unchecked::ListTooLong));
+        assert!(report.to_string().contains("the rest not checked: the lists of the faces are too long"), "{report}");
+    }
 }
 
 #[test]

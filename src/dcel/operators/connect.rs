@@ -2,7 +2,7 @@
 
 use super::super::{BoundaryKey, Dcel, FaceKey, HalfEdgeKey, OperatorError, StaleKey};
 use super::corner::{Corner, Spot};
-use super::walk::Which;
+use super::walk::OneOfTwo;
 use crate::store::Store;
 use crate::store::links::{BoundaryStart, Need, VertexLink};
 
@@ -103,12 +103,12 @@ impl<S: Store> Dcel<S> {
     ) -> Result<Connected, OperatorError> {
         let (from, to) = (self.spot(from.into())?, self.spot(to.into())?);
         let (ba, bb) = (from.boundary(&self.store), to.boundary(&self.store));
-        let (fa, fb) = (self.store.bounded(ba), self.store.bounded(bb));
+        let (fa, fb) = (self.store.face(ba), self.store.face(bb));
         // A bridge needs none of these, but a stale key is an error even so.
         let mut not_inner = None;
         for key in split.inner {
-            let b = self.store.boundary(*key).ok_or(StaleKey::Boundary(*key))?;
-            if b == ba || self.store.bounded(b) != fa || self.is_outer(b) {
+            let b = self.store.find_boundary(*key).ok_or(StaleKey::Boundary(*key))?;
+            if b == ba || self.store.face(b) != fa || self.is_outer(b) {
                 not_inner = not_inner.or(Some(*key));
             }
         }
@@ -162,7 +162,7 @@ impl<S: Store> Dcel<S> {
         }
         for (spot, leaving) in [(from, n), (to, t)] {
             if let Spot::Isolated(v, _) = spot {
-                self.store.set_anchor(v, VertexLink::Leaving(leaving));
+                self.store.set_vertex_link(v, VertexLink::Leaving(leaving));
             }
         }
         n
@@ -177,25 +177,25 @@ impl<S: Store> Dcel<S> {
         // An isolated vertex is an empty stretch, for which any stop will do.
         let (sa, sb) = (stretch(from), stretch(to));
         let shorter = match (sa, sb) {
-            (Some(a), Some(b)) => self.other_if_tied((a, a), (b, b)),
-            (Some(_), None) => Which::Second,
-            (None, _) => Which::First,
+            (Some(a), Some(b)) => self.shorter_or_first((a, a), (b, b)),
+            (Some(_), None) => OneOfTwo::Second,
+            (None, _) => OneOfTwo::First,
         };
         let (kept, dropped, relabelled) = match shorter {
-            Which::First => (bb, ba, sa),
-            Which::Second => (ba, bb, sb),
+            OneOfTwo::First => (bb, ba, sa),
+            OneOfTwo::Second => (ba, bb, sb),
         };
         if let Some(h) = relabelled {
             self.relabel(h, h, kept);
         }
         let n = self.attach(from, to);
         let t = self.store.twin(n);
-        self.store.set_component(n, kept);
-        self.store.set_component(t, kept);
+        self.store.set_boundary(n, kept);
+        self.store.set_boundary(t, kept);
         if let BoundaryStart::Vertex(_) = self.store.start(kept) {
             self.store.set_start(kept, BoundaryStart::HalfEdge(n));
         }
-        let f = self.store.bounded(kept);
+        let f = self.store.face(kept);
         if self.is_outer(dropped) {
             self.store.unlist(kept);
             self.store.unlist(dropped);
@@ -210,25 +210,25 @@ impl<S: Store> Dcel<S> {
     }
 
     /// The shorter of two whole cycles; the first on a tie.
-    fn other_if_tied(&self, a: (S::HalfEdge, S::HalfEdge), b: (S::HalfEdge, S::HalfEdge)) -> Which {
-        match self.shorter((Some(b.0), b.1), (Some(a.0), a.1)) {
-            Which::First => Which::Second,
-            Which::Second => Which::First,
+    fn shorter_or_first(&self, a: (S::HalfEdge, S::HalfEdge), b: (S::HalfEdge, S::HalfEdge)) -> OneOfTwo {
+        match self.shorter_or_second((Some(b.0), b.1), (Some(a.0), a.1)) {
+            OneOfTwo::First => OneOfTwo::Second,
+            OneOfTwo::Second => OneOfTwo::First,
         }
     }
 
     fn split_face(&mut self, from: Spot<S>, to: Spot<S>, split: Split<'_>) -> Connected {
         let kept = from.boundary(&self.store);
-        let f = self.store.bounded(kept);
+        let f = self.store.face(kept);
         let was_outer = self.is_outer(kept);
         let n = self.attach(from, to);
         let t = self.store.twin(n);
-        self.store.set_component(n, kept);
-        self.store.set_component(t, kept);
-        let shorter = self.shorter((Some(n), n), (Some(t), t));
+        self.store.set_boundary(n, kept);
+        self.store.set_boundary(t, kept);
+        let shorter = self.shorter_or_second((Some(n), n), (Some(t), t));
         let (made_start, kept_start) = match shorter {
-            Which::First => (n, t),
-            Which::Second => (t, n),
+            OneOfTwo::First => (n, t),
+            OneOfTwo::Second => (t, n),
         };
         let made = self.store.add_boundary(f, BoundaryStart::HalfEdge(made_start));
         self.relabel(made_start, made_start, made);
@@ -244,8 +244,8 @@ impl<S: Store> Dcel<S> {
         self.store.list_outer(g, of_new);
         self.list(f, of_old, was_outer);
         for key in split.inner {
-            if let Some(b) = self.store.boundary(*key)
-                && self.store.bounded(b) != g
+            if let Some(b) = self.store.find_boundary(*key)
+                && self.store.face(b) != g
             {
                 self.store.unlist(b);
                 self.store.list_inner(g, b);

@@ -58,7 +58,7 @@ impl<S: Store> Spot<S> {
 
     pub(super) fn boundary(self, store: &S) -> S::Boundary {
         match self {
-            Self::At(h) => store.component(h),
+            Self::At(h) => store.boundary(h),
             Self::Isolated(_, b) => b,
         }
     }
@@ -70,7 +70,7 @@ impl<S: Store> Dcel<S> {
             Corner::At(h) => self.half_edge_slot(h).map(Spot::At),
             Corner::Isolated(key) => {
                 let v = self.vertex_slot(key)?;
-                match self.store.anchor(v) {
+                match self.store.vertex_link(v) {
                     VertexLink::Isolated(b) => Ok(Spot::Isolated(v, b)),
                     VertexLink::Leaving(_) => Err(OperatorError::NotIsolated(key)),
                 }

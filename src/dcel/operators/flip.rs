@@ -45,7 +45,7 @@ impl<S: Store> Dcel<S> {
     pub fn flip_edge(&mut self, half_edge: HalfEdgeKey, turn: Turn) -> Result<(), OperatorError> {
         let n = self.half_edge_slot(half_edge)?;
         let t = self.store.twin(n);
-        let (bn, bt) = (self.store.component(n), self.store.component(t));
+        let (bn, bt) = (self.store.boundary(n), self.store.boundary(t));
         if bn == bt {
             return Err(OperatorError::NotSeparating(half_edge));
         }
@@ -70,7 +70,7 @@ impl<S: Store> Dcel<S> {
     /// Gives the origin of `h` the half-edge that leaves it clockwise of `h`.
     fn release_end(&mut self, h: S::HalfEdge) {
         let other = self.store.next(self.store.twin(h));
-        self.store.set_anchor(self.store.origin(h), VertexLink::Leaving(other));
+        self.store.set_vertex_link(self.store.origin(h), VertexLink::Leaving(other));
     }
 
     /// `x` and `y`, the first half-edges after `n` and `t`, change sides.
@@ -108,15 +108,15 @@ impl<S: Store> Dcel<S> {
     }
 
     fn swap_sides(&mut self, x: S::HalfEdge, y: S::HalfEdge) {
-        let (bx, by) = (self.store.component(x), self.store.component(y));
-        self.store.set_component(x, by);
-        self.store.set_component(y, bx);
+        let (bx, by) = (self.store.boundary(x), self.store.boundary(y));
+        self.store.set_boundary(x, by);
+        self.store.set_boundary(y, bx);
     }
 
     /// Slides a loop, alone on the side of `lone`, along the cycle on the side of `t`.
     fn slide(&mut self, lone: S::HalfEdge, t: S::HalfEdge, turn: Turn) {
         let (before, after) = (self.store.prev(t), self.store.next(t));
-        self.store.set_anchor(self.store.origin(t), VertexLink::Leaving(after));
+        self.store.set_vertex_link(self.store.origin(t), VertexLink::Leaving(after));
         self.store.join(before, after);
         let (last, first) = match turn {
             Turn::CounterClockwise => (after, self.store.next(after)),

@@ -50,9 +50,9 @@ impl<S: Store> Dcel<S> {
     /// A stale key; [`OperatorError::NotIsolated`] if half-edges leave the vertex.
     pub fn remove_isolated_vertex(&mut self, vertex: VertexKey) -> Result<RemovedVertex, OperatorError> {
         let v = self.vertex_slot(vertex)?;
-        let VertexLink::Isolated(b) = self.store.anchor(v) else { return Err(OperatorError::NotIsolated(vertex)) };
+        let VertexLink::Isolated(b) = self.store.vertex_link(v) else { return Err(OperatorError::NotIsolated(vertex)) };
         let removed =
-            RemovedVertex { boundary: self.store.boundary_key(b), face: self.store.face_key(self.store.bounded(b)) };
+            RemovedVertex { boundary: self.store.boundary_key(b), face: self.store.face_key(self.store.face(b)) };
         self.store.unlist(b);
         self.store.remove_boundary(b);
         self.store.remove_vertex(v);

@@ -20,19 +20,20 @@ pub use split_vertex::{ContractedEdge, SplitVertex};
 
 use super::{Dcel, FaceKey, HalfEdgeKey, OperatorError, StaleKey, VertexKey};
 use crate::store::Store;
-use crate::store::links::{Need, OUTER};
+use crate::store::links::Need;
+use crate::store::place::OUTER;
 
 impl<S: Store> Dcel<S> {
     fn vertex_slot(&self, key: VertexKey) -> Result<S::Vertex, OperatorError> {
-        self.store.vertex(key).ok_or(OperatorError::Stale(StaleKey::Vertex(key)))
+        self.store.find_vertex(key).ok_or(OperatorError::Stale(StaleKey::Vertex(key)))
     }
 
     fn half_edge_slot(&self, key: HalfEdgeKey) -> Result<S::HalfEdge, OperatorError> {
-        self.store.half_edge(key).ok_or(OperatorError::Stale(StaleKey::HalfEdge(key)))
+        self.store.find_half_edge(key).ok_or(OperatorError::Stale(StaleKey::HalfEdge(key)))
     }
 
     fn face_slot(&self, key: FaceKey) -> Result<S::Face, OperatorError> {
-        self.store.face(key).ok_or(OperatorError::Stale(StaleKey::Face(key)))
+        self.store.find_face(key).ok_or(OperatorError::Stale(StaleKey::Face(key)))
     }
 
     pub(crate) fn room_for(&self, need: Need) -> Result<(), OperatorError> {

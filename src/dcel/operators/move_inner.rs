@@ -22,12 +22,12 @@ impl<S: Store> Dcel<S> {
     /// # Errors
     /// A stale key; [`OperatorError::IsOuter`]; [`OperatorError::InsideItself`] if `face` lies inside what would be moved.
     pub fn move_inner(&mut self, boundary: BoundaryKey, face: FaceKey) -> Result<FaceKey, OperatorError> {
-        let b = self.store.boundary(boundary).ok_or(StaleKey::Boundary(boundary))?;
+        let b = self.store.find_boundary(boundary).ok_or(StaleKey::Boundary(boundary))?;
         let f = self.face_slot(face)?;
         if self.is_outer(b) {
             return Err(OperatorError::IsOuter(boundary));
         }
-        let old = self.store.bounded(b);
+        let old = self.store.face(b);
         if old == f {
             return Ok(face);
         }

@@ -1,7 +1,7 @@
 //! Removing an edge.
 
 use super::super::{BoundaryKey, Dcel, FaceKey, HalfEdgeKey, OperatorError};
-use super::walk::Which;
+use super::walk::OneOfTwo;
 use crate::store::Store;
 use crate::store::links::{BoundaryStart, Need, VertexLink};
 
@@ -75,7 +75,7 @@ impl<S: Store> Dcel<S> {
             before_t: self.store.prev(t),
             after_t: self.store.next(t),
         };
-        if self.store.component(n) != self.store.component(t) {
+        if self.store.boundary(n) != self.store.boundary(t) {
             return Ok(self.merge(&around));
         }
         self.room_for(Need { boundaries: 1, ..Need::NONE })?;
@@ -88,25 +88,25 @@ impl<S: Store> Dcel<S> {
         let others = [after_t, after_n];
         for end in [self.store.origin(n), self.store.origin(t)] {
             if let Some(h) = others.into_iter().find(|h| *h != n && *h != t && self.store.origin(*h) == end) {
-                self.store.set_anchor(end, VertexLink::Leaving(h));
+                self.store.set_vertex_link(end, VertexLink::Leaving(h));
             }
         }
     }
 
     fn merge(&mut self, around: &Around<S::HalfEdge>) -> RemovedEdge {
         let Around { n, t, before_n, after_n, before_t, after_t } = *around;
-        let (bn, bt) = (self.store.component(n), self.store.component(t));
-        let (fn_, ft) = (self.store.bounded(bn), self.store.bounded(bt));
+        let (bn, bt) = (self.store.boundary(n), self.store.boundary(t));
+        let (fn_, ft) = (self.store.face(bn), self.store.face(bt));
         // The face around the other has the cycle as an inner one; of two that are side by side the left one is kept.
         let (kept_face, dropped_face, outer) = match (self.is_outer(bn), self.is_outer(bt)) {
             (true, true) => (fn_, ft, true),
             (true, false) => (ft, fn_, false),
             (false, _) => (fn_, ft, false),
         };
-        let shorter = self.shorter((Some(n), n), (Some(t), t));
+        let shorter = self.shorter_or_second((Some(n), n), (Some(t), t));
         let (kept, dropped, relabelled) = match shorter {
-            Which::First => (bt, bn, n),
-            Which::Second => (bn, bt, t),
+            OneOfTwo::First => (bt, bn, n),
+            OneOfTwo::Second => (bn, bt, t),
         };
         self.relabel(relabelled, relabelled, kept);
 
@@ -130,7 +130,7 @@ impl<S: Store> Dcel<S> {
         let v = self.store.origin(n);
         self.store.set_start(kept, start.map_or(BoundaryStart::Vertex(v), BoundaryStart::HalfEdge));
         if start.is_none() {
-            self.store.set_anchor(v, VertexLink::Isolated(kept));
+            self.store.set_vertex_link(v, VertexLink::Isolated(kept));
         }
         self.store.unlist(kept);
         self.store.unlist(dropped);
@@ -155,13 +155,13 @@ impl<S: Store> Dcel<S> {
 
     fn part(&mut self, around: &Around<S::HalfEdge>) -> RemovedEdge {
         let Around { n, t, before_n, after_n, before_t, after_t } = *around;
-        let kept = self.store.component(n);
-        let f = self.store.bounded(kept);
+        let kept = self.store.boundary(n);
+        let f = self.store.face(kept);
         let (origin, target) = (self.store.origin(n), self.store.origin(t));
         let outside = self.is_outer(kept).then(|| self.part_with_outside(n, t));
         let at_origin = (after_t != n).then_some(after_t);
         let at_target = (after_n != t).then_some(after_n);
-        let shorter = self.shorter((at_origin, n), (at_target, t));
+        let shorter = self.shorter_or_second((at_origin, n), (at_target, t));
 
         self.release_ends(around);
         if at_origin.is_some() {
@@ -172,8 +172,8 @@ impl<S: Store> Dcel<S> {
         }
         let made = self.store.add_boundary(f, BoundaryStart::Vertex(target));
         let (of_origin, of_target) = match shorter {
-            Which::First => (made, kept),
-            Which::Second => (kept, made),
+            OneOfTwo::First => (made, kept),
+            OneOfTwo::Second => (kept, made),
         };
         for (b, start, vertex) in [(of_origin, at_origin, origin), (of_target, at_target, target)] {
             if let Some(h) = start {
@@ -183,12 +183,12 @@ impl<S: Store> Dcel<S> {
                 }
             } else {
                 self.store.set_start(b, BoundaryStart::Vertex(vertex));
-                self.store.set_anchor(vertex, VertexLink::Isolated(b));
+                self.store.set_vertex_link(vertex, VertexLink::Isolated(b));
             }
         }
         let stays_outer = outside.map(|which| match which {
-            Which::First => of_origin,
-            Which::Second => of_target,
+            OneOfTwo::First => of_origin,
+            OneOfTwo::Second => of_target,
         });
         self.store.unlist(kept);
         for b in [kept, made] {

@@ -41,20 +41,20 @@ impl<S: Store> Dcel<S> {
         let b = self.store.origin(t);
         let (after_h, before_t) = (self.store.next(h), self.store.prev(t));
 
-        let n = self.store.add_edge(b, b, self.store.component(h));
+        let n = self.store.add_edge(b, b, self.store.boundary(h));
         let m = self.store.twin(n);
         let w = self.store.add_vertex(VertexLink::Leaving(n));
         self.store.set_origin(n, w);
         self.store.set_origin(t, w);
-        self.store.set_component(m, self.store.component(t));
+        self.store.set_boundary(m, self.store.boundary(t));
         if after_h != t {
             self.store.join(n, after_h);
             self.store.join(before_t, m);
         }
         self.store.join(h, n);
         self.store.join(m, t);
-        if self.store.anchor(b) == VertexLink::Leaving(t) {
-            self.store.set_anchor(b, VertexLink::Leaving(m));
+        if self.store.vertex_link(b) == VertexLink::Leaving(t) {
+            self.store.set_vertex_link(b, VertexLink::Leaving(m));
         }
         Ok(SplitEdge { vertex: self.store.vertex_key(w), half_edge: self.store.half_edge_key(n) })
     }
@@ -92,11 +92,11 @@ impl<S: Store> Dcel<S> {
             self.store.join(before_m, t);
         }
         self.store.set_origin(t, b);
-        if self.store.anchor(b) == VertexLink::Leaving(m) {
-            self.store.set_anchor(b, VertexLink::Leaving(t));
+        if self.store.vertex_link(b) == VertexLink::Leaving(m) {
+            self.store.set_vertex_link(b, VertexLink::Leaving(t));
         }
         for (gone, stays) in [(n, h), (m, t)] {
-            let component = self.store.component(gone);
+            let component = self.store.boundary(gone);
             if self.store.start(component) == BoundaryStart::HalfEdge(gone) {
                 self.store.set_start(component, BoundaryStart::HalfEdge(stays));
             }

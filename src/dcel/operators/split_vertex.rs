@@ -2,7 +2,7 @@
 
 use super::super::{Dcel, HalfEdgeKey, OperatorError, VertexKey};
 use super::corner::{Corner, Spot};
-use super::walk::Which;
+use super::walk::OneOfTwo;
 use crate::store::Store;
 use crate::store::links::{BoundaryStart, Need, VertexLink};
 
@@ -60,7 +60,7 @@ impl<S: Store> Dcel<S> {
         let b = from.boundary(&self.store);
         let n = self.store.add_edge(v, v, to.boundary(&self.store));
         let t = self.store.twin(n);
-        self.store.set_component(t, b);
+        self.store.set_boundary(t, b);
         let w = self.store.add_vertex(VertexLink::Leaving(t));
         if let (Spot::At(ha), Spot::At(hb)) = (from, to) {
             let (before_a, before_b) = (self.store.prev(ha), self.store.prev(hb));
@@ -77,31 +77,31 @@ impl<S: Store> Dcel<S> {
         }
         // The edge is in place, and all half-edges but `t` leave `v` or should leave `w`.
         match self.smaller_rotation(n, t) {
-            Which::Second => {
+            OneOfTwo::Second => {
                 self.hand_over(t, w);
-                self.store.set_anchor(v, VertexLink::Leaving(n));
+                self.store.set_vertex_link(v, VertexLink::Leaving(n));
             }
-            Which::First => {
+            OneOfTwo::First => {
                 self.hand_over(n, w);
-                self.store.set_anchor(v, VertexLink::Leaving(t));
-                self.store.set_anchor(w, VertexLink::Leaving(n));
+                self.store.set_vertex_link(v, VertexLink::Leaving(t));
+                self.store.set_vertex_link(w, VertexLink::Leaving(n));
             }
         }
         Ok(SplitVertex { vertex: self.store.vertex_key(w), half_edge: self.store.half_edge_key(n) })
     }
 
-    /// Which of two rotations, of different vertices, is the smaller; the second on a tie. O(smaller).
-    fn smaller_rotation(&self, first: S::HalfEdge, second: S::HalfEdge) -> Which {
+    /// OneOfTwo of two rotations, of different vertices, is the smaller; the second on a tie. O(smaller).
+    fn smaller_rotation(&self, first: S::HalfEdge, second: S::HalfEdge) -> OneOfTwo {
         let turn = |h: S::HalfEdge| self.store.next(self.store.twin(h));
         let (mut a, mut b) = (first, second);
         loop {
             b = turn(b);
             if b == second {
-                return Which::Second;
+                return OneOfTwo::Second;
             }
             a = turn(a);
             if a == first {
-                return Which::First;
+                return OneOfTwo::First;
             }
         }
     }
@@ -140,14 +140,14 @@ impl<S: Store> Dcel<S> {
             return Err(OperatorError::Loop(half_edge));
         }
         let (kept, dropped) = match self.smaller_rotation(n, t) {
-            Which::Second => (origin, target),
-            Which::First => (target, origin),
+            OneOfTwo::Second => (origin, target),
+            OneOfTwo::First => (target, origin),
         };
         self.hand_over(if dropped == target { t } else { n }, kept);
         let stays = [self.store.next(t), self.store.next(n)].into_iter().find(|h| *h != n && *h != t);
         for h in [n, t] {
             let (before, after) = (self.store.prev(h), self.store.next(h));
-            let component = self.store.component(h);
+            let component = self.store.boundary(h);
             if self.store.start(component) == BoundaryStart::HalfEdge(h) {
                 // If that is `t`, it goes next, and in a cycle of the edge and nothing else the isolated vertex is settled
                 // below.
@@ -156,11 +156,11 @@ impl<S: Store> Dcel<S> {
             self.store.join(before, after);
         }
         if let Some(h) = stays {
-            self.store.set_anchor(kept, VertexLink::Leaving(h));
+            self.store.set_vertex_link(kept, VertexLink::Leaving(h));
         } else {
-            let component = self.store.component(n);
+            let component = self.store.boundary(n);
             self.store.set_start(component, BoundaryStart::Vertex(kept));
-            self.store.set_anchor(kept, VertexLink::Isolated(component));
+            self.store.set_vertex_link(kept, VertexLink::Isolated(component));
         }
         let contracted = ContractedEdge { kept: self.store.vertex_key(kept), dropped: self.store.vertex_key(dropped) };
         self.store.remove_edge(n);

@@ -1,16 +1,18 @@
 //! Drawing a chain of segments: planned as a whole, then applied.
 
-use super::{At, EditError, Edited};
+use super::at::At;
+use super::error::EditError;
+use super::outcome::Edited;
 use crate::dcel::{OperatorError, RecordKind, VertexKey};
 use crate::geometry::Point;
 use crate::geometry::predicates::{Meeting, meeting};
 use crate::geometry::sweep::sweep;
-use crate::map::Located;
-use crate::map::PlanarMap;
+use crate::map::locate::located::Located;
+use crate::map::planar_map::PlanarMap;
 use rustc_hash::FxHashMap;
 
 /// A chain of which is known that it crosses nothing.
-struct Plan {
+struct ChainPlan {
     points: Vec<Point>,
     /// Where each of them lies.
     places: Vec<Located>,
@@ -60,7 +62,7 @@ impl PlanarMap {
     }
 
     /// Checks a chain against the map and against itself.
-    fn plan(&self, chain: &[At], closed: bool) -> Result<Plan, EditError> {
+    fn plan(&self, chain: &[At], closed: bool) -> Result<ChainPlan, EditError> {
         let points = chain.iter().map(|at| self.point_of(*at)).collect::<Result<Vec<Point>, EditError>>()?;
         let ways: Vec<[Point; 2]> = points.windows(2).map(|pair| [pair[0], pair[1]]).collect();
         let closing = match (points.as_slice(), closed) {
@@ -72,7 +74,7 @@ impl PlanarMap {
             return Err(EditError::NoLength { x: *x, y: *y });
         }
         let Some(first) = chain.first() else {
-            return Ok(Plan { points, places: Vec::new(), stops: Vec::new(), simple: true });
+            return Ok(ChainPlan { points, places: Vec::new(), stops: Vec::new(), simple: true });
         };
         let mut places = vec![self.place_of(*first)?];
         let mut stops = Vec::with_capacity(ways.len());
@@ -83,7 +85,7 @@ impl PlanarMap {
         }
         places.truncate(points.len());
         let simple = is_simple(&ways)?;
-        Ok(Plan { points, places, stops, simple })
+        Ok(ChainPlan { points, places, stops, simple })
     }
 }
 

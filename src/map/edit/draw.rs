@@ -1,14 +1,15 @@
 //! The steps of drawing: a vertex where there is none, an edge between two vertices. What is drawn is known to cross
 //! nothing.
 
+use super::error::EditError;
+use super::outcome::Edited;
 use super::trace::Towards;
-use super::{EditError, Edited};
 use crate::dcel::{Corner, FaceKey, HalfEdge, HalfEdgeKey, Split, VertexKey};
 use crate::geometry::Point;
 use crate::geometry::predicates::on_segment;
-use crate::map::Located;
-use crate::map::PlanarMap;
-use crate::map::features::{SetId, put};
+use crate::map::feature_sets::{SetId, put};
+use crate::map::locate::located::Located;
+use crate::map::planar_map::PlanarMap;
 use crate::store::links::Need;
 
 impl PlanarMap {

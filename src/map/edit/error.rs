@@ -3,7 +3,7 @@
 use crate::dcel::{HalfEdgeKey, OperatorError, RecordKind, StaleKey, VertexKey};
 use crate::geometry::Point;
 use crate::geometry::noding::NodingError;
-use crate::map::FeatureId;
+use crate::map::feature::FeatureId;
 use thiserror::Error;
 
 /// Why an edit was refused. The map is as it was.
@@ -13,7 +13,7 @@ pub enum EditError {
     /// A key names nothing, or there is no room for more records.
     #[error(transparent)]
     Operator(#[from] OperatorError),
-    /// The map is not plane ([`PlanarMap::is_plane`](super::super::PlanarMap::is_plane)), so nothing can be said about what
+    /// The map is not plane ([`PlanarMap::is_plane`](crate::map::PlanarMap::is_plane)), so nothing can be said about what
     /// lies where.
     #[error("the map is not plane")]
     NotPlane,

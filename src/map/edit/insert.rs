@@ -1,7 +1,9 @@
 //! Drawing points, segments and rings exactly where they are.
 
-use super::{At, EditError, Edited};
-use crate::map::PlanarMap;
+use super::at::At;
+use super::error::EditError;
+use super::outcome::Edited;
+use crate::map::planar_map::PlanarMap;
 
 impl PlanarMap {
     /// Inserts a vertex at a point: none if there is one already; one that splits the edge on which it lies; an isolated

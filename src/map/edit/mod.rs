@@ -25,20 +25,20 @@
 //!
 //! | edit | what it does | refuses |
 //! | --- | --- | --- |
-//! | [`insert_point`](PlanarMap::insert_point) | a vertex, on an edge or in a face | |
-//! | [`insert_segment`](PlanarMap::insert_segment) | edges along a segment, through what lies exactly on it | to cross an edge |
-//! | [`insert_segment_snapped`](PlanarMap::insert_segment_snapped) | the same with crossings, rounded to a grid | a map off the grid |
-//! | [`insert_ring`](PlanarMap::insert_ring) | edges along a closed chain | to cross an edge, or itself |
-//! | [`remove_edge`](PlanarMap::remove_edge) | erases an edge, and keeps its ends | |
-//! | [`remove_vertex`](PlanarMap::remove_vertex) | erases a vertex with its edges | |
-//! | [`move_vertex`](PlanarMap::move_vertex) | moves a vertex with its edges | to sweep over anything |
+//! | [`insert_point`](crate::map::PlanarMap::insert_point) | a vertex, on an edge or in a face | |
+//! | [`insert_segment`](crate::map::PlanarMap::insert_segment) | edges along a segment, through what lies exactly on it | to cross an edge |
+//! | [`insert_segment_snapped`](crate::map::PlanarMap::insert_segment_snapped) | the same with crossings, rounded to a grid | a map off the grid |
+//! | [`insert_ring`](crate::map::PlanarMap::insert_ring) | edges along a closed chain | to cross an edge, or itself |
+//! | [`remove_edge`](crate::map::PlanarMap::remove_edge) | erases an edge, and keeps its ends | |
+//! | [`remove_vertex`](crate::map::PlanarMap::remove_vertex) | erases a vertex with its edges | |
+//! | [`move_vertex`](crate::map::PlanarMap::move_vertex) | moves a vertex with its edges | to sweep over anything |
 //!
 //! # Features
 //!
 //! Features stay with the area and with the edges that they had. Where a face is split, both parts are covered by what
 //! covered it; where an edge is, both parts have its features. New edges have none, and a face that is closed off anew is
-//! covered as before: say otherwise with [`set_features_of`](PlanarMap::set_features_of) and
-//! [`set_features_along`](PlanarMap::set_features_along). Where two faces become one, it is covered by the features that
+//! covered as before: say otherwise with [`set_features_of`](crate::map::PlanarMap::set_features_of) and
+//! [`set_features_along`](crate::map::PlanarMap::set_features_along). Where two faces become one, it is covered by the features that
 //! covered *both*: without the border nothing tells where a country ended that lay on one side only, and what is left of
 //! it is what is surely so. [`Edited::features_dropped`] names what was lost, where.
 //!
@@ -48,13 +48,16 @@
 //! near a half-edge ([`At`]). On the way there and from there on an edit looks only at the faces that it passes, at *all* of
 //! their boundary: crossing an ocean costs as much as the ocean has coast.
 
+mod at;
 mod chain;
 mod draw;
 mod error;
+mod features;
 mod insert;
 mod move_vertex;
 mod outcome;
 mod place;
+mod plan;
 mod region;
 mod relabel;
 mod remove;
@@ -62,49 +65,6 @@ mod sides;
 mod snapped;
 mod trace;
 
+pub use at::At;
 pub use error::EditError;
 pub use outcome::Edited;
-
-#[allow(unused_imports, reason = "for the documentation")]
-use super::PlanarMap;
-use crate::dcel::{HalfEdgeKey, VertexKey};
-use crate::geometry::Point;
-
-/// A point for an edit, with what is known of where it lies. Points, pairs of coordinates, vertices, and pairs of a point
-/// and a half-edge convert.
-///
-/// Of several points only the first is searched for, and its hint used: from there on the way leads to the others.
-#[derive(Clone, Copy, Debug, PartialEq)]
-pub enum At {
-    /// Anywhere. It is found as by [`PlanarMap::locate_from`] with the unbounded face for a hint: O(n) at worst.
-    Point(Point),
-    /// A point in the face of a half-edge or on its boundary, O(size of that boundary); or elsewhere after all, and found
-    /// from there as by [`PlanarMap::locate_from`].
-    Near(Point, HalfEdgeKey),
-    /// Where this vertex is. O(1).
-    Vertex(VertexKey),
-}
-
-impl From<Point> for At {
-    fn from(p: Point) -> Self {
-        Self::Point(p)
-    }
-}
-
-impl From<[f64; 2]> for At {
-    fn from(p: [f64; 2]) -> Self {
-        Self::Point(p.into())
-    }
-}
-
-impl From<VertexKey> for At {
-    fn from(v: VertexKey) -> Self {
-        Self::Vertex(v)
-    }
-}
-
-impl<P: Into<Point>> From<(P, HalfEdgeKey)> for At {
-    fn from((p, hint): (P, HalfEdgeKey)) -> Self {
-        Self::Near(p.into(), hint)
-    }
-}

@@ -1,10 +1,11 @@
 //! Moving a vertex with its edges.
 
-use super::{At, EditError};
+use super::at::At;
+use super::error::EditError;
 use crate::dcel::{Face, HalfEdge, Vertex, VertexKey};
 use crate::geometry::Point;
 use crate::geometry::predicates::{Meeting, Orientation, meeting, on_segment, orientation};
-use crate::map::PlanarMap;
+use crate::map::planar_map::PlanarMap;
 
 impl PlanarMap {
     /// Moves a vertex, and with it the ends of its edges, straight to another point. Nothing changes but coordinates.

@@ -1,7 +1,7 @@
 //! What an edit did.
 
 use crate::dcel::{FaceKey, HalfEdgeKey, VertexKey};
-use crate::map::FeatureId;
+use crate::map::feature::FeatureId;
 
 /// What an edit did, so that data kept beside the map can follow.
 ///
@@ -35,7 +35,7 @@ pub struct Edited {
     /// the features of the face that was there.
     pub faces_split: Vec<(FaceKey, FaceKey)>,
     /// Faces whose features are others than the lists above make them. Only
-    /// [`insert_segment_snapped`](super::super::PlanarMap::insert_segment_snapped) fills this, and only where rounding
+    /// [`insert_segment_snapped`](crate::map::PlanarMap::insert_segment_snapped) fills this, and only where rounding
     /// brings an edge onto vertices that were there.
     pub faces_relabelled: Vec<FaceKey>,
     /// Edges whose features are others than the lists above make them, for the same reason.

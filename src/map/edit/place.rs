@@ -1,10 +1,12 @@
 //! What is meant by where an edit is to be, and where that is.
 
-use super::{At, EditError};
+use super::at::At;
+use super::error::EditError;
 use crate::dcel::{HalfEdge, Vertex};
 use crate::geometry::Point;
 use crate::geometry::predicates::in_range;
-use crate::map::{LocateError, Located, PlanarMap};
+use crate::map::locate::located::{LocateError, Located};
+use crate::map::planar_map::PlanarMap;
 
 impl PlanarMap {
     /// Refuses a map that is not plane.

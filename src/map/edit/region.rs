@@ -1,19 +1,19 @@
 //! The part of a map that a snapped segment may change.
 
-use super::EditError;
+use super::error::EditError;
 use crate::dcel::{Face, FaceKey, HalfEdgeKey, VertexKey};
 use crate::geometry::Point;
 use crate::geometry::noding::{Noded, Snap, node};
 use crate::geometry::predicates::{Meeting, meeting};
-use crate::map::Located;
-use crate::map::PlanarMap;
-use crate::map::features::SetId;
+use crate::map::feature_sets::SetId;
+use crate::map::locate::located::Located;
+use crate::map::planar_map::PlanarMap;
 use rstar::{AABB, RTree, primitives::Rectangle};
 use rustc_hash::FxHashSet;
 
 /// An edge of the region, before anything changes.
 #[derive(Clone, Copy)]
-pub(super) struct Edge {
+pub(super) struct RegionEdge {
     pub(super) key: HalfEdgeKey,
     pub(super) ends: [VertexKey; 2],
     /// The features along it.
@@ -29,7 +29,7 @@ pub(super) struct Edge {
 pub(super) struct Region {
     faces: FxHashSet<FaceKey>,
     order: Vec<FaceKey>,
-    pub(super) edges: Vec<Edge>,
+    pub(super) edges: Vec<RegionEdge>,
     /// Edges by half the index of their half-edges.
     seen: FxHashSet<usize>,
     isolated: Vec<VertexKey>,
@@ -157,7 +157,7 @@ impl PlanarMap {
             }
             let covers = [h, h.twin()].map(|h| self.features.of_face(h.face().index()));
             region.far.push(region.edges.len());
-            region.edges.push(Edge {
+            region.edges.push(RegionEdge {
                 key: h.key(),
                 ends: [h.origin().key(), h.target().key()],
                 along: self.features.along(h.index()),

@@ -1,11 +1,12 @@
 //! The features of faces after edges came to lie on each other.
 
-use super::snapped::{Change, Plan};
+use super::error::EditError;
+use super::outcome::Edited;
+use super::plan::{EdgeChange, SnapPlan};
 use super::trace::Towards;
-use super::{EditError, Edited};
 use crate::dcel::{FaceKey, VertexKey};
-use crate::map::PlanarMap;
-use crate::map::features::SetId;
+use crate::map::feature_sets::SetId;
+use crate::map::planar_map::PlanarMap;
 use rustc_hash::FxHashMap;
 
 /// An edge of the map after the edit.
@@ -19,13 +20,13 @@ struct Border {
 
 /// What covers each face, as far as it is known.
 #[derive(Default)]
-struct Known {
+struct KnownCovers {
     sets: FxHashMap<FaceKey, SetId>,
     /// In the order in which it became known.
     order: Vec<FaceKey>,
 }
 
-impl Known {
+impl KnownCovers {
     fn learn(&mut self, face: FaceKey, set: SetId) {
         if self.sets.insert(face, set).is_none() {
             self.order.push(face);
@@ -39,8 +40,8 @@ impl PlanarMap {
     /// Crossing an edge of the old drawing turned some features on or off. Deformed, the drawing does the same; where several
     /// edges came to lie on each other, one after the other. So from faces of which it is known what covers them, this is
     /// carried on across the edges. O(size of the region).
-    pub(super) fn relabel(&mut self, plan: &Plan, outside: SetId, edited: &mut Edited) -> Result<(), EditError> {
-        let changed: FxHashMap<usize, &Change> = plan.changes.iter().map(|change| (change.edge, change)).collect();
+    pub(super) fn relabel(&mut self, plan: &SnapPlan, outside: SetId, edited: &mut Edited) -> Result<(), EditError> {
+        let changed: FxHashMap<usize, &EdgeChange> = plan.changes.iter().map(|change| (change.edge, change)).collect();
         let between = |pair: &[u32]| [plan.vertices[&pair[0]], plan.vertices[&pair[1]]];
         let mut borders: FxHashMap<usize, Border> = FxHashMap::default();
         for (i, edge) in plan.region.edges.iter().enumerate() {
@@ -59,7 +60,7 @@ impl PlanarMap {
             borders.entry(self.edge_between(between(pair))?).or_default();
         }
 
-        let mut known = Known::default();
+        let mut known = KnownCovers::default();
         known.learn(self.dcel.unbounded_face().key(), outside);
         for (i, edge) in plan.region.edges.iter().enumerate() {
             if changed.contains_key(&i) {

@@ -1,8 +1,9 @@
 //! Erasing edges and vertices.
 
-use super::{EditError, Edited};
+use super::error::EditError;
+use super::outcome::Edited;
 use crate::dcel::{HalfEdge, HalfEdgeKey, RemovedEdge, VertexKey};
-use crate::map::PlanarMap;
+use crate::map::planar_map::PlanarMap;
 use crate::store::links::Need;
 
 impl PlanarMap {

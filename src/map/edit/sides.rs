@@ -10,24 +10,24 @@
 //!   └─────────────a────┘
 //! ```
 
-use super::EditError;
+use super::error::EditError;
 use crate::dcel::{Boundary, BoundaryKey, HalfEdge, OperatorError, RecordKind, Side, Vertex};
 use crate::geometry::Point;
 use crate::geometry::predicates::{Orientation, compare_lexicographic, orientation};
 use crate::geometry::sweep::sweep;
-use crate::map::PlanarMap;
+use crate::map::planar_map::PlanarMap;
 use core::cmp::Ordering;
 use rustc_hash::FxHashMap;
 
 /// One of the two cycles into which a new edge splits a cycle.
-struct Part<'a> {
+struct CyclePart<'a> {
     /// The side of the new edge on which it lies.
     side: Side,
     /// The half-edges that were there, in order. The new one goes from the target of the last to the origin of the first.
     old: Vec<HalfEdge<'a>>,
 }
 
-impl<'a> Part<'a> {
+impl<'a> CyclePart<'a> {
     /// The shorter of the two parts of a cycle that is split by an edge from the corner of `from` to that of `to`; the one
     /// on the left on a tie. O(its length).
     fn shorter(from: HalfEdge<'a>, to: HalfEdge<'a>) -> Self {
@@ -63,7 +63,7 @@ impl PlanarMap {
     /// in the box around that part, O((s + j) log (s + j)) for a sweep.
     pub(super) fn sides(&self, from: HalfEdge<'_>, to: HalfEdge<'_>) -> Result<(Side, Vec<BoundaryKey>), EditError> {
         let split = from.boundary();
-        let part = Part::shorter(from, to);
+        let part = CyclePart::shorter(from, to);
         let places: Vec<Point> = part.vertices().map(|v| self.at(v)).collect();
         let around = !split.is_outer() && turns_clockwise(&places);
         let side = match part.side {
@@ -79,7 +79,7 @@ impl PlanarMap {
     /// its right.
     fn enclosed<'a>(
         &self,
-        part: &Part<'_>,
+        part: &CyclePart<'_>,
         places: &[Point],
         around: bool,
         components: impl Iterator<Item = Boundary<'a>>,

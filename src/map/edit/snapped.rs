@@ -1,39 +1,18 @@
 //! Drawing a segment that crosses edges, with the crossings rounded to a grid.
 
-use super::region::Region;
+use super::at::At;
+use super::error::EditError;
+use super::outcome::Edited;
+use super::plan::{EdgeChange, SnapPlan};
 use super::trace::Towards;
-use super::{At, EditError, Edited};
 use crate::dcel::{HalfEdgeKey, VertexKey};
 use crate::geometry::Point;
-use crate::geometry::noding::{Noded, Snap, node};
-use crate::geometry::predicates::{MIN_COORDINATE, in_range};
-use crate::map::Located;
-use crate::map::PlanarMap;
-use crate::map::features::SetId;
-use rustc_hash::{FxHashMap, FxHashSet};
-
-/// The vertices along a segment, by their numbers in the noded drawing.
-pub(super) type Chain = Vec<u32>;
-
-/// An edge that noding changes.
-pub(super) struct Change {
-    /// Its place in the region.
-    pub(super) edge: usize,
-    pub(super) chain: Chain,
-    /// Whether it keeps its neighbours: whether all vertices in between are new, and its own.
-    bends: bool,
-}
-
-/// What is to be done.
-pub(super) struct Plan {
-    pub(super) region: Region,
-    /// The vertices of the noded drawing.
-    points: Vec<Point>,
-    /// Those that are there.
-    pub(super) vertices: FxHashMap<u32, VertexKey>,
-    pub(super) changes: Vec<Change>,
-    pub(super) way: Chain,
-}
+use crate::geometry::noding::{Snap, node};
+use crate::geometry::predicates::MIN_COORDINATE;
+use crate::map::feature_sets::SetId;
+use crate::map::locate::located::Located;
+use crate::map::planar_map::PlanarMap;
+use rustc_hash::FxHashMap;
 
 impl PlanarMap {
     /// Inserts a segment, cutting what it crosses, with all new vertices rounded to a grid.
@@ -102,7 +81,7 @@ impl PlanarMap {
         }
         let start = self.place_of(from)?;
         let (region, noded) = self.region(start, ends, self.cell(snap, ends)?)?;
-        let mut plan = Plan::new(region, noded)?;
+        let mut plan = SnapPlan::new(region, noded)?;
         let through = plan.changes.iter().map(|change| change.chain.len()).sum::<usize>() + plan.way.len();
         self.room_for_drawing(through)?;
         self.apply(&mut plan, start)
@@ -123,7 +102,7 @@ impl PlanarMap {
         }
     }
 
-    fn apply(&mut self, plan: &mut Plan, start: Located) -> Result<Edited, EditError> {
+    fn apply(&mut self, plan: &mut SnapPlan, start: Located) -> Result<Edited, EditError> {
         let mut edited = Edited::default();
         let outside = self.features.of_face(self.dcel.unbounded_face().index());
         for change in plan.changes.iter().filter(|change| change.bends) {
@@ -134,7 +113,7 @@ impl PlanarMap {
                 part = self.dcel.half_edge(part)?.next().key();
             }
         }
-        let rerouted: Vec<&Change> = plan.changes.iter().filter(|change| !change.bends).collect();
+        let rerouted: Vec<&EdgeChange> = plan.changes.iter().filter(|change| !change.bends).collect();
         for change in &rerouted {
             self.erase(plan.region.edges[change.edge].key, &mut edited)?;
         }
@@ -220,40 +199,5 @@ impl PlanarMap {
             edited.edges_relabelled.push(h);
         }
         Ok(())
-    }
-}
-
-impl Plan {
-    /// Sorts out what is there, what changes, and how.
-    fn new(region: Region, noded: Noded) -> Result<Self, EditError> {
-        let chain = |segment: usize| noded.chain(segment).into_iter().flatten().collect::<Chain>();
-        let mut vertices = FxHashMap::default();
-        let mut changes = Vec::new();
-        for (segment, edge) in (1..).zip(&region.near) {
-            let chain = chain(segment);
-            let ends = region.edges[*edge].ends;
-            vertices.extend([chain.first(), chain.last()].into_iter().flatten().copied().zip(ends));
-            if chain.len() > 2 {
-                changes.push(Change { edge: *edge, chain, bends: false });
-            }
-        }
-        let isolated = region.near_isolated.iter().enumerate();
-        vertices.extend(isolated.filter_map(|(i, v)| Some((noded.vertex_of_point(i)?, *v))));
-        // A new vertex bends the first edge through it; others must be joined to it.
-        let mut taken: FxHashSet<u32> = FxHashSet::default();
-        for change in &mut changes {
-            let between = &change.chain[1..change.chain.len() - 1];
-            change.bends = between.iter().all(|number| !vertices.contains_key(number) && !taken.contains(number));
-            if change.bends {
-                taken.extend(between);
-            }
-        }
-        let way = chain(0);
-        let new = changes.iter().flat_map(|change| &change.chain).chain(&way);
-        if let Some(number) = new.into_iter().find(|number| !in_range(noded.points[**number as usize])) {
-            let Point { x, y } = noded.points[*number as usize];
-            return Err(EditError::OutOfRange { x, y });
-        }
-        Ok(Self { region, points: noded.points, vertices, changes, way })
     }
 }

@@ -1,13 +1,13 @@
 //! The way of a segment through the map, before anything is drawn.
 
-use super::EditError;
+use super::error::EditError;
 use crate::dcel::{Face, FaceKey, HalfEdge, Vertex, VertexKey};
 use crate::geometry::Point;
 use crate::geometry::predicates::{
     Endpoint, Meeting, Orientation, compare_angle, compare_lexicographic, meeting, on_segment, orientation,
 };
-use crate::map::Located;
-use crate::map::PlanarMap;
+use crate::map::locate::located::Located;
+use crate::map::planar_map::PlanarMap;
 use core::cmp::Ordering;
 use rustc_hash::FxHashMap;
 use std::collections::hash_map::Entry;
@@ -192,7 +192,7 @@ fn on_the_way(w: Point, c: Point, b: Point) -> bool {
 #[cfg(test)]
 mod tests {
     use crate::geometry::predicates::steps_of;
-    use crate::map::PlanarMap;
+    use crate::map::planar_map::PlanarMap;
 
     #[test]
     fn a_face_is_looked_at_once_however_many_vertices_are_on_the_way() {

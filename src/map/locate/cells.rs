@@ -1,13 +1,13 @@
 //! A grid over the drawing, so that most searches need not begin.
 
-use super::graph::{Found, Graph, Stage};
+use super::graph::{Graph, GraphHit, Stage};
 use crate::geometry::Point;
 use crate::geometry::predicates::{Orientation, in_range, orientation};
 use alloc::vec;
 use alloc::vec::Vec;
 
 /// How many cells may be marked for each cell there is, before the grid is given up.
-const PATIENCE: usize = 16;
+const MAX_MARKS_PER_CELL: usize = 16;
 
 /// A grid of as many columns as rows, with a cell or so for each segment. A cell that the drawing leaves empty knows its
 /// face; in all others the search begins at the beginning.
@@ -94,7 +94,7 @@ impl Cells {
     /// Which cells are not empty; nothing, if there are too many on the way of the segments.
     fn marked(&self, graph: &Graph) -> Option<Vec<bool>> {
         let mut marked = vec![false; self.stages.len()];
-        let mut patience = PATIENCE * self.stages.len();
+        let mut marks_left = MAX_MARKS_PER_CELL * self.stages.len();
         for p in graph.points() {
             marked[self.place(*p)] = true;
         }
@@ -108,7 +108,7 @@ impl Cells {
                 } else {
                     self.rows_on_the_way([*low, *high], column, lowest..highest + 1)
                 };
-                patience = patience.checked_sub(1 + rows.len())?;
+                marks_left = marks_left.checked_sub(1 + rows.len())?;
                 for row in rows {
                     marked[row * self.columns.pieces + column] = true;
                 }
@@ -145,8 +145,8 @@ impl Cells {
             return None;
         }
         match graph.find(graph.root(), p) {
-            Found::Face(face) => Some(Graph::stage(face)),
-            Found::Point(_) | Found::Segment(_) => None,
+            GraphHit::Face(face) => Some(Graph::stage(face)),
+            GraphHit::Point(_) | GraphHit::Segment(_) => None,
         }
     }
 

@@ -24,7 +24,7 @@ struct Question {
 
 /// Where a point lies: in a face, or at a point or inside a segment of the drawing, by their places there.
 #[derive(Clone, Copy)]
-pub(super) enum Found {
+pub(super) enum GraphHit {
     Face(u32),
     Point(u32),
     Segment(u32),
@@ -75,7 +75,7 @@ impl Graph {
 
     /// Where a point lies that comes through this stage. O(log n) expected from the root.
     #[inline]
-    pub(super) fn find(&self, mut stage: Stage, p: Point) -> Found {
+    pub(super) fn find(&self, mut stage: Stage, p: Point) -> GraphHit {
         while stage & MARK == 0 {
             count_step();
             let question = self.questions[stage as usize];
@@ -85,18 +85,18 @@ impl Graph {
                     Orientation::CounterClockwise => true,
                     Orientation::Clockwise => false,
                     // Whoever is asked about a segment is between the walls of its ends.
-                    Orientation::Collinear => return Found::Segment(question.of),
+                    Orientation::Collinear => return GraphHit::Segment(question.of),
                 }
             } else {
                 match compare_lexicographic(p, self.points[(question.of ^ MARK) as usize]) {
                     Ordering::Greater => true,
                     Ordering::Less => false,
-                    Ordering::Equal => return Found::Point(question.of ^ MARK),
+                    Ordering::Equal => return GraphHit::Point(question.of ^ MARK),
                 }
             };
             stage = if above { question.above } else { question.below };
         }
-        Found::Face(stage ^ MARK)
+        GraphHit::Face(stage ^ MARK)
     }
 
     /// The stage at which it is known that a point lies in this face.

@@ -6,7 +6,7 @@
 use crate::dcel::{Face, HalfEdge, Vertex};
 use crate::geometry::Point;
 use crate::geometry::predicates::{Orientation, compare_lexicographic, orientation};
-use crate::map::PlanarMap;
+use crate::map::planar_map::PlanarMap;
 use crate::validate::Embedding;
 use core::cmp::Ordering;
 
@@ -19,7 +19,7 @@ pub(super) struct Line {
 
 /// A point of a line.
 #[derive(Clone, Copy)]
-pub(super) enum Place {
+pub(super) enum LinePlace {
     /// This one, which lies on the line.
     At(Point),
     /// Where the segment from the first point, on the left of the line, to the second, on the right, crosses it.
@@ -34,39 +34,39 @@ pub(super) enum Place {
     Crossing(Point, Point),
 }
 
-/// Something that a line meets in one point.
+/// A record that a line meets in one point, and where.
 #[derive(Clone, Copy)]
-pub(super) struct Event<'m> {
-    pub(super) what: What<'m>,
-    pub(super) place: Place,
+pub(super) struct LineEvent<'m> {
+    pub(super) record: EventRecord<'m>,
+    pub(super) place: LinePlace,
 }
 
-impl Event<'_> {
+impl LineEvent<'_> {
     /// The same, for the line in the other direction.
     pub(super) fn turned(self) -> Self {
-        let what = match self.what {
-            What::Edge(h) => What::Edge(h.twin()),
-            vertex @ What::Vertex(_) => vertex,
+        let record = match self.record {
+            EventRecord::Edge(h) => EventRecord::Edge(h.twin()),
+            vertex @ EventRecord::Vertex(_) => vertex,
         };
         let place = match self.place {
-            Place::Crossing(left, right) => Place::Crossing(right, left),
-            point @ Place::At(_) => point,
+            LinePlace::Crossing(left, right) => LinePlace::Crossing(right, left),
+            point @ LinePlace::At(_) => point,
         };
-        Self { what, place }
+        Self { record, place }
     }
 }
 
-/// What a line meets in one point.
+/// The record that a line meets in one point.
 #[derive(Clone, Copy)]
-pub(super) enum What<'m> {
+pub(super) enum EventRecord<'m> {
     Vertex(Vertex<'m>),
     /// An edge, by the half-edge that crosses from the left of the line to its right: its face is ahead.
     Edge(HalfEdge<'m>),
 }
 
-/// What a line goes through between two points.
+/// The record that a line goes through between two events.
 #[derive(Clone, Copy)]
-pub(super) enum Piece<'m> {
+pub(super) enum LinePiece<'m> {
     Face(Face<'m>),
     /// An edge, by the half-edge in the direction of the line.
     Along(HalfEdge<'m>),
@@ -80,12 +80,12 @@ impl Line {
 
     /// Compares two places by how far along the line they are. Equal, if the one is the other, or if the map is not plane
     /// and neither is first.
-    pub(super) fn order(&self, a: Place, b: Place) -> Ordering {
+    pub(super) fn order(&self, a: LinePlace, b: LinePlace) -> Ordering {
         match (a, b) {
-            (Place::At(a), Place::At(b)) => self.order_points(a, b),
-            (Place::At(p), Place::Crossing(left, right)) => Self::beside(left, right, p),
-            (Place::Crossing(left, right), Place::At(p)) => Self::beside(left, right, p).reverse(),
-            (Place::Crossing(a, b), Place::Crossing(left, right)) => {
+            (LinePlace::At(a), LinePlace::At(b)) => self.order_points(a, b),
+            (LinePlace::At(p), LinePlace::Crossing(left, right)) => Self::beside(left, right, p),
+            (LinePlace::Crossing(left, right), LinePlace::At(p)) => Self::beside(left, right, p).reverse(),
+            (LinePlace::Crossing(a, b), LinePlace::Crossing(left, right)) => {
                 // Of two segments that do not cross, one lies on one side of the other.
                 Self::both(Self::beside(left, right, a), Self::beside(left, right, b)).unwrap_or_else(|| {
                     Self::both(Self::beside(a, b, left), Self::beside(a, b, right))
@@ -110,7 +110,7 @@ impl Line {
         }
     }
 
-    /// What both say, if they do not contradict each other.
+    /// The order on which both agree, where equal agrees with anything; none if they contradict each other.
     fn both(a: Ordering, b: Ordering) -> Option<Ordering> {
         if a == b || b == Ordering::Equal {
             Some(a)
@@ -121,9 +121,9 @@ impl Line {
         }
     }
 
-    /// The vertex as something that the line meets.
-    pub(super) fn at<'m>(map: &PlanarMap, vertex: Vertex<'m>) -> Event<'m> {
-        Event { what: What::Vertex(vertex), place: Place::At(map.point(vertex.index())) }
+    /// The event of meeting a vertex.
+    pub(super) fn at<'m>(map: &PlanarMap, vertex: Vertex<'m>) -> LineEvent<'m> {
+        LineEvent { record: EventRecord::Vertex(vertex), place: LinePlace::At(map.point(vertex.index())) }
     }
 
     /// How the line crosses an edge, if it passes between its ends: these are given as the ends of one of the half-edges, with
@@ -133,23 +133,23 @@ impl Line {
         h: HalfEdge<'_>,
         origin: (Point, Orientation),
         target: (Point, Orientation),
-    ) -> Option<Event<'_>> {
+    ) -> Option<LineEvent<'_>> {
         match (origin, target) {
             ((left, Orientation::CounterClockwise), (right, Orientation::Clockwise)) => {
-                Some(Event { what: What::Edge(h), place: Place::Crossing(left, right) })
+                Some(LineEvent { record: EventRecord::Edge(h), place: LinePlace::Crossing(left, right) })
             }
             ((right, Orientation::Clockwise), (left, Orientation::CounterClockwise)) => {
-                Some(Event { what: What::Edge(h.twin()), place: Place::Crossing(left, right) })
+                Some(LineEvent { record: EventRecord::Edge(h.twin()), place: LinePlace::Crossing(left, right) })
             }
             _ => None,
         }
     }
 
-    /// What the line goes through after something. O(degree).
-    pub(super) fn after<'m>(&self, map: &'m PlanarMap, event: Event<'m>) -> Piece<'m> {
-        let vertex = match event.what {
-            What::Edge(h) => return Piece::Face(h.face()),
-            What::Vertex(vertex) => vertex,
+    /// What the line goes through after an event. O(degree).
+    pub(super) fn after<'m>(&self, map: &'m PlanarMap, event: LineEvent<'m>) -> LinePiece<'m> {
+        let vertex = match event.record {
+            EventRecord::Edge(h) => return LinePiece::Face(h.face()),
+            EventRecord::Vertex(vertex) => vertex,
         };
         let center = map.point(vertex.index());
         // The last half-edge, turning counter-clockwise from the direction of the line: the line leaves between it and
@@ -159,7 +159,7 @@ impl Line {
             let head = map.point(h.target().index());
             let quarter = match self.side(head) {
                 Orientation::CounterClockwise => 1,
-                Orientation::Collinear if self.order_points(center, head).is_lt() => return Piece::Along(h),
+                Orientation::Collinear if self.order_points(center, head).is_lt() => return LinePiece::Along(h),
                 Orientation::Collinear => 2,
                 Orientation::Clockwise => 3,
             };
@@ -171,10 +171,10 @@ impl Line {
             }
         }
         match (last, vertex.isolated()) {
-            (Some((.., h)), _) => Piece::Face(h.face()),
-            (None, Some(boundary)) => Piece::Face(boundary.face()),
+            (Some((.., h)), _) => LinePiece::Face(h.face()),
+            (None, Some(boundary)) => LinePiece::Face(boundary.face()),
             // A vertex without half-edges is isolated.
-            (None, None) => Piece::Face(map.dcel().unbounded_face()),
+            (None, None) => LinePiece::Face(map.dcel().unbounded_face()),
         }
     }
 }

@@ -1,12 +1,14 @@
 //! From face to face along a segment, without an index.
 
-use super::line::{Event, Line, Piece, Place};
-use super::{Begin, QueryLine, ZoneElement, follow};
+use super::follow::{ZoneStart, follow};
+use super::line::{Line, LineEvent, LinePiece, LinePlace};
+use super::query::{QueryLine, ZoneElement};
 use crate::dcel::{Face, HalfEdgeKey, Vertex, VertexKey};
 use crate::geometry::Point;
 use crate::geometry::predicates::Orientation;
-use crate::map::locate::{check, look};
-use crate::map::{LocateError, Located, PlanarMap};
+use crate::map::locate::in_face::locate_in_face;
+use crate::map::locate::located::{LocateError, Located, check_range};
+use crate::map::planar_map::PlanarMap;
 use crate::validate::Embedding;
 use core::cmp::Ordering;
 use rustc_hash::FxHashSet;
@@ -25,7 +27,7 @@ impl PlanarMap {
     /// [`LocateError::OutOfRange`]. [`LocateError::Stale`], if the hint is. [`LocateError::NotPlane`], if the walk comes
     /// upon an edge from the wrong side.
     pub fn locate_from(&self, p: Point, hint: impl Into<Located>) -> Result<Located, LocateError> {
-        check(p)?;
+        check_range(p)?;
         let dcel = self.dcel();
         let (start, face) = match hint.into() {
             Located::Vertex(vertex) => (Some(dcel.vertex(vertex)?), None),
@@ -39,7 +41,7 @@ impl PlanarMap {
                 (on_boundary, Some(face))
             }
         };
-        if let Some(seen) = face.and_then(|face| look(self, face, p)) {
+        if let Some(seen) = face.and_then(|face| locate_in_face(self, face, p)) {
             return Ok(seen);
         }
         let Some(start) = start else {
@@ -47,8 +49,8 @@ impl PlanarMap {
             return Ok(Located::Face(dcel.unbounded_face().key()));
         };
         let mut last = Located::Vertex(start.key());
-        self.walk(start, p, |met| {
-            last = match met {
+        self.walk(start, p, |element| {
+            last = match element {
                 ZoneElement::Face(face) => Located::Face(face),
                 ZoneElement::Edge(half_edge) | ZoneElement::Along(half_edge) => Located::Edge(half_edge),
                 ZoneElement::Vertex(vertex) => Located::Vertex(vertex),
@@ -57,7 +59,7 @@ impl PlanarMap {
         Ok(last)
     }
 
-    /// What the segment from a vertex to a point meets, in order, the vertex first: as
+    /// The elements that the segment from a vertex to a point meets, in order, the vertex first: as
     /// [`Locator::zone`](crate::map::Locator::zone) has it, but without an index. Nothing but the vertex, if the
     /// point is the vertex.
     ///
@@ -66,9 +68,9 @@ impl PlanarMap {
     /// # Errors
     /// As [`PlanarMap::locate_from`].
     pub fn zone_from(&self, start: VertexKey, to: Point) -> Result<Vec<ZoneElement>, LocateError> {
-        check(to)?;
+        check_range(to)?;
         let mut all = Vec::new();
-        self.walk(self.dcel().vertex(start)?, to, |met| all.push(met))?;
+        self.walk(self.dcel().vertex(start)?, to, |element| all.push(element))?;
         Ok(all)
     }
 
@@ -82,7 +84,7 @@ impl PlanarMap {
         self.go(&Line { from, through: to }, Some(to), event, visit)
     }
 
-    /// What a stretch meets that crosses the edge of a half-edge, or one of its ends: as
+    /// The elements that a line meets which crosses the edge of a half-edge, or meets one of its ends: as
     /// [`Locator::zone`](crate::map::Locator::zone) has it, but without an index, by walking from there both ways. With
     /// a [`QueryLine::Line`] these are all faces that a line cuts, given the line and a half-edge that it cuts.
     ///
@@ -104,30 +106,30 @@ impl PlanarMap {
     /// let map = builder.build()?;
     /// let rung = map.dcel().half_edges().next().unwrap().key();
     /// let line = QueryLine::Line(Point::new(0.0, 0.25), Point::new(3.0, 0.75));
-    /// let faces = map.zone_through(rung, &line)?.into_iter().filter(|met| matches!(met, ZoneElement::Face(_)));
+    /// let faces = map.zone_through(rung, &line)?.into_iter().filter(|element| matches!(element, ZoneElement::Face(_)));
     /// assert_eq!(faces.count(), 5);
     /// # Ok::<(), Box<dyn std::error::Error>>(())
     /// ```
     ///
     /// # Errors
-    /// [`LocateError::NotMet`], if it meets the edge nowhere, or only in the midst of a stretch that runs along it;
+    /// [`LocateError::NotMet`], if it meets the edge nowhere, or only in the midst of a query that runs along it;
     /// [`LocateError::NoDirection`]; else as [`PlanarMap::locate_from`].
-    pub fn zone_through(&self, half_edge: HalfEdgeKey, stretch: &QueryLine) -> Result<Vec<ZoneElement>, LocateError> {
+    pub fn zone_through(&self, half_edge: HalfEdgeKey, query: &QueryLine) -> Result<Vec<ZoneElement>, LocateError> {
         let (QueryLine::Segment(from, through) | QueryLine::Ray(from, through) | QueryLine::Line(from, through)) =
-            *stretch;
-        check(from)?;
-        check(through)?;
+            *query;
+        check_range(from)?;
+        check_range(through)?;
         if from == through {
             return Err(LocateError::NoDirection(from));
         }
-        let first = if let QueryLine::Line(..) = stretch { None } else { Some(from) };
-        let last = if let QueryLine::Segment(..) = stretch { Some(through) } else { None };
+        let first = if let QueryLine::Line(..) = query { None } else { Some(from) };
+        let last = if let QueryLine::Segment(..) = query { Some(through) } else { None };
         let h = self.dcel().half_edge(half_edge)?;
         let way_there = Line { from, through };
         let way_back = Line { from: through, through: from };
-        let is_on = |event: &Event<'_>| {
-            first.is_none_or(|first| way_there.order(Place::At(first), event.place).is_le())
-                && last.is_none_or(|last| way_there.order(event.place, Place::At(last)).is_le())
+        let is_on = |event: &LineEvent<'_>| {
+            first.is_none_or(|first| way_there.order(LinePlace::At(first), event.place).is_le())
+                && last.is_none_or(|last| way_there.order(event.place, LinePlace::At(last)).is_le())
         };
         let [origin, target] = [h.origin(), h.target()].map(|v| {
             let p = self.point(v.index());
@@ -138,34 +140,34 @@ impl PlanarMap {
         let Some(start) = events.into_iter().flatten().find(is_on) else {
             return Err(LocateError::NotMet(half_edge));
         };
-        let mut met = Vec::new();
-        self.go(&way_back, first, start.turned(), |what| met.push(what))?;
-        met.reverse();
+        let mut zone = Vec::new();
+        self.go(&way_back, first, start.turned(), |element| zone.push(element))?;
+        zone.reverse();
         // The place from which both ways go.
-        met.pop();
-        for what in &mut met {
-            if let ZoneElement::Edge(h) | ZoneElement::Along(h) = what {
+        zone.pop();
+        for element in &mut zone {
+            if let ZoneElement::Edge(h) | ZoneElement::Along(h) = element {
                 *h = self.dcel().half_edge(*h)?.twin().key();
             }
         }
-        self.go(&way_there, last, start, |what| met.push(what))?;
-        Ok(met)
+        self.go(&way_there, last, start, |element| zone.push(element))?;
+        Ok(zone)
     }
 
     fn go(
         &self,
         line: &Line,
         to: Option<Point>,
-        start: Event<'_>,
+        start: LineEvent<'_>,
         visit: impl FnMut(ZoneElement),
     ) -> Result<(), LocateError> {
-        let mut known = Known { map: self, line, to, scanned: FxHashSet::default(), ahead: BinaryHeap::new() };
-        follow(self, line, to, Begin::Event(start), |piece, at| known.next(piece, at), visit)
+        let mut known = KnownEvents { map: self, line, to, scanned: FxHashSet::default(), ahead: BinaryHeap::new() };
+        follow(self, line, to, ZoneStart::Event(start), |piece, at| known.next(piece, at), visit)
     }
 }
 
-/// What is known of the way ahead: where it meets the boundaries of the faces that it has come to.
-struct Known<'m, 'l> {
+/// The events ahead that are known so far: those on the boundaries of the faces entered.
+struct KnownEvents<'m, 'l> {
     map: &'m PlanarMap,
     line: &'l Line,
     to: Option<Point>,
@@ -173,16 +175,16 @@ struct Known<'m, 'l> {
     ahead: BinaryHeap<Ahead<'m, 'l>>,
 }
 
-impl<'m> Known<'m, '_> {
-    /// What comes next after a place, in a piece.
-    fn next(&mut self, piece: Piece<'m>, at: Option<Place>) -> Option<Event<'m>> {
+impl<'m> KnownEvents<'m, '_> {
+    /// The next event after a place, in a piece.
+    fn next(&mut self, piece: LinePiece<'m>, at: Option<LinePlace>) -> Option<LineEvent<'m>> {
         match piece {
-            Piece::Face(face) => {
+            LinePiece::Face(face) => {
                 if self.scanned.insert(face.index()) {
                     self.scan(face, at);
                 }
             }
-            Piece::Along(h) => self.add(Line::at(self.map, h.target()), at),
+            LinePiece::Along(h) => self.add(Line::at(self.map, h.target()), at),
         }
         // A face that was scanned later has seen again what is there.
         while let Some(Ahead { event, .. }) = self.ahead.pop() {
@@ -194,7 +196,7 @@ impl<'m> Known<'m, '_> {
     }
 
     /// Takes note of where the line meets the boundary of a face.
-    fn scan(&mut self, face: Face<'m>, at: Option<Place>) {
+    fn scan(&mut self, face: Face<'m>, at: Option<LinePlace>) {
         let (map, line) = (self.map, self.line);
         let sided = |vertex: Vertex<'_>| {
             let p = map.point(vertex.index());
@@ -222,9 +224,9 @@ impl<'m> Known<'m, '_> {
     }
 
     /// Takes note of an event, if it is ahead and not beyond the end.
-    fn add(&mut self, event: Event<'m>, at: Option<Place>) {
+    fn add(&mut self, event: LineEvent<'m>, at: Option<LinePlace>) {
         if at.is_none_or(|at| self.line.order(at, event.place).is_lt())
-            && self.to.is_none_or(|to| self.line.order(event.place, Place::At(to)).is_le())
+            && self.to.is_none_or(|to| self.line.order(event.place, LinePlace::At(to)).is_le())
         {
             self.ahead.push(Ahead { event, line: self.line });
         }
@@ -233,7 +235,7 @@ impl<'m> Known<'m, '_> {
 
 /// An event in a heap, which gives the nearest first.
 struct Ahead<'m, 'l> {
-    event: Event<'m>,
+    event: LineEvent<'m>,
     line: &'l Line,
 }
 

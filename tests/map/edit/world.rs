@@ -4,7 +4,7 @@ use std::collections::BTreeMap;
 use twinedge::dcel::{Face, HalfEdge};
 use twinedge::geometry::Point;
 use twinedge::geometry::noding::{Snap, node};
-use twinedge::io::geojson::{self, ReadError};
+use twinedge::io::{ReadError, geojson};
 use twinedge::map::{Builder, Feature, PlanarMap, Shape};
 
 /// The world, with its points rounded to the grid of this size.

@@ -3,7 +3,7 @@
 use quickcheck::{Arbitrary, Gen, QuickCheck, Testable};
 use twinedge::geometry::Point;
 use twinedge::geometry::noding::{Snap, node};
-use twinedge::io::geojson::{self, ReadError};
+use twinedge::io::{ReadError, geojson};
 use twinedge::map::{Builder, PlanarMap};
 
 pub(crate) fn quickcheck(tests: u64, property: impl Testable) {

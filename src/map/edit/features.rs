@@ -1,0 +1,64 @@
+//! Saying which features there are, what they cover, and where they run.
+
+use super::error::EditError;
+use crate::dcel::{FaceKey, HalfEdgeKey};
+use crate::map::feature::FeatureId;
+use crate::map::feature_sets::FeatureSets;
+use crate::map::planar_map::PlanarMap;
+
+impl PlanarMap {
+    /// Adds a feature that covers nothing yet. O(1), amortised.
+    pub fn add_feature(&mut self, name: Option<String>) -> FeatureId {
+        self.names.push(name);
+        FeatureId(self.names.len() as u32 - 1)
+    }
+
+    /// Says which features cover a face, in place of those that did. O(k log k) for k features.
+    ///
+    /// # Errors
+    /// A stale key; [`EditError::NoSuchFeature`]. Nothing changes then.
+    pub fn set_features_of(
+        &mut self,
+        face: FaceKey,
+        features: impl IntoIterator<Item = FeatureId>,
+    ) -> Result<(), EditError> {
+        let index = self.dcel.face(face)?.index();
+        let set = self.checked(features)?;
+        let set = self.features.number(&set);
+        self.features.put_face(index, set);
+        Ok(())
+    }
+
+    /// Says which features run along an edge, in place of those that did. O(k log k) for k features.
+    ///
+    /// # Errors
+    /// A stale key; [`EditError::NoSuchFeature`]. Nothing changes then.
+    pub fn set_features_along(
+        &mut self,
+        half_edge: HalfEdgeKey,
+        features: impl IntoIterator<Item = FeatureId>,
+    ) -> Result<(), EditError> {
+        let index = self.dcel.half_edge(half_edge)?.index();
+        let set = self.checked(features)?;
+        let set = self.features.number(&set);
+        self.features.put_along(index, set);
+        Ok(())
+    }
+
+    /// Takes all features away, and the numbers that were given to them.
+    pub(crate) fn forget_features(&mut self) {
+        self.names.clear();
+        self.features = FeatureSets::default();
+    }
+
+    /// The features in order, each once.
+    fn checked(&self, features: impl IntoIterator<Item = FeatureId>) -> Result<Vec<FeatureId>, EditError> {
+        let mut set: Vec<FeatureId> = features.into_iter().collect();
+        if let Some(unknown) = set.iter().find(|feature| feature.index() >= self.names.len()) {
+            return Err(EditError::NoSuchFeature(*unknown));
+        }
+        set.sort_unstable();
+        set.dedup();
+        Ok(set)
+    }
+}
