@@ -1,7 +1,7 @@
 //! The JSON that the long commands print and `twinedge sum` reads.
 
 use crate::output::{Format, print, print_json};
-use crate::{Failure, Verdict};
+use crate::status::{Failure, Verdict};
 use serde::de::DeserializeOwned;
 use serde::{Deserialize, Serialize};
 use std::time::Instant;

@@ -2,7 +2,7 @@
 
 use crate::input::MapFile;
 use crate::output::{grouped, print};
-use crate::{Failure, Verdict};
+use crate::status::{Failure, Verdict};
 use std::path::{Path, PathBuf};
 use twinedge::geometry::Point;
 use twinedge::io::svg::{self, Options};

@@ -1,8 +1,8 @@
 //! The options that the long commands share: threads, the part of the work, and how much work is too much.
 
-use crate::Failure;
 use crate::output::{Format, grouped, print_json};
 use crate::progress;
+use crate::status::Failure;
 use twinedge_trials::{Estimate, Run, Shard};
 
 /// What the long commands have in common.

@@ -1,6 +1,6 @@
 //! Reading a map from a file or from standard input, or the built-in map.
 
-use crate::Failure;
+use crate::status::Failure;
 use indicatif::{ProgressBar, ProgressStyle};
 use std::fs::File;
 use std::io::{self, BufRead, BufReader, Read};

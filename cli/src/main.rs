@@ -16,11 +16,13 @@ mod prove;
 mod query;
 mod replay;
 mod soak;
+mod status;
 mod structures;
 mod sum;
 mod tables;
 
 use clap::{Parser, Subcommand};
+use status::{FAILED, Failure};
 use std::process::ExitCode;
 
 /// Builds and audits planar maps, and tests the structures that keep them.
@@ -52,24 +54,6 @@ enum Command {
     Sum(sum::Sum),
 }
 
-/// The result of a command, as its exit status tells it.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-enum Verdict {
-    Sound,
-    Wrong,
-    Interrupted,
-}
-
-/// Why a command could not be carried out, in one line for standard error.
-#[derive(Debug)]
-struct Failure(String);
-
-impl<E: std::error::Error> From<E> for Failure {
-    fn from(error: E) -> Self {
-        Self(error.to_string())
-    }
-}
-
 fn main() -> ExitCode {
     let verdict = match Arguments::parse().command {
         Command::Audit(audit) => audit.run(),
@@ -83,12 +67,10 @@ fn main() -> ExitCode {
         Command::Sum(sum) => sum.run(),
     };
     match verdict {
-        Ok(Verdict::Sound) => ExitCode::SUCCESS,
-        Ok(Verdict::Wrong) => ExitCode::from(1),
-        Ok(Verdict::Interrupted) => ExitCode::from(130),
+        Ok(verdict) => verdict.into(),
         Err(Failure(message)) => {
             eprintln!("twinedge: {}", output::plain(&message));
-            ExitCode::from(2)
+            ExitCode::from(FAILED)
         }
     }
 }

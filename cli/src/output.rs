@@ -57,7 +57,7 @@ pub(crate) fn plain(text: &str) -> String {
 }
 
 /// Prints to standard output. That nobody reads on (`… | head`) is no error.
-pub(crate) fn print(text: &str) -> Result<(), crate::Failure> {
+pub(crate) fn print(text: &str) -> Result<(), crate::status::Failure> {
     let mut out = anstream::stdout().lock();
     match out.write_all(text.as_bytes()).and_then(|()| out.flush()) {
         Err(error) if error.kind() != io::ErrorKind::BrokenPipe => Err(error.into()),
@@ -66,7 +66,7 @@ pub(crate) fn print(text: &str) -> Result<(), crate::Failure> {
 }
 
 /// Prints one JSON object.
-pub(crate) fn print_json(value: &impl serde::Serialize) -> Result<(), crate::Failure> {
+pub(crate) fn print_json(value: &impl serde::Serialize) -> Result<(), crate::status::Failure> {
     let mut text = serde_json::to_string_pretty(value)?;
     text.push('\n');
     print(&text)

@@ -1,7 +1,8 @@
 //! `--print`: each table that is judged, with the verdict of the validator, one on each line.
 
 use crate::expectation_text::ExpectationText;
-use crate::{Failure, progress};
+use crate::progress;
+use crate::status::Failure;
 use std::io::{self, BufWriter, Stdout, Write};
 use std::sync::{Mutex, MutexGuard, PoisonError};
 use twinedge::validate::{Expectation, Table};

@@ -1,6 +1,6 @@
 //! Progress bars on standard error, and Ctrl-C.
 
-use crate::Failure;
+use crate::status::Failure;
 use indicatif::{ProgressBar, ProgressStyle};
 use std::sync::atomic::{AtomicBool, Ordering};
 use std::sync::{Mutex, MutexGuard, PoisonError};

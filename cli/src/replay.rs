@@ -2,8 +2,8 @@
 
 use crate::output::style::{BAD, GOOD, QUIET};
 use crate::output::{Format, print, print_json};
+use crate::status::{Failure, Verdict};
 use crate::structures::{StructureName, Task};
-use crate::{Failure, Verdict};
 use clap::ValueEnum;
 use serde::Serialize;
 use std::fmt::{self, Write as _};

@@ -2,7 +2,7 @@
 
 use crate::document::{Document, Printed};
 use crate::output::Format;
-use crate::{Failure, Verdict};
+use crate::status::{Failure, Verdict};
 use serde_json::Value;
 use std::path::PathBuf;
 use twinedge_trials::corrupt::CorruptOutcome;

@@ -5,7 +5,7 @@ use crate::effort::Effort;
 use crate::output::style::{BAD, GOOD, QUIET};
 use crate::output::{Format, counted, grouped, part_line};
 use crate::print_tables::Printer;
-use crate::{Failure, Verdict};
+use crate::status::{Failure, Verdict};
 use std::fmt;
 use std::time::Instant;
 use twinedge_trials::tables::{TablesOutcome, TablesRow, TablesWork};

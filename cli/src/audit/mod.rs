@@ -6,7 +6,7 @@ use crate::input::MapFile;
 use crate::output::style::{BAD, GOOD, QUIET};
 use crate::output::{Format, counted, grouped, plain, print, print_json};
 use crate::query::label;
-use crate::{Failure, Verdict};
+use crate::status::{Failure, Verdict};
 use serde::Serialize;
 use std::collections::BTreeSet;
 use std::fmt::Write as _;

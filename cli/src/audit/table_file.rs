@@ -3,7 +3,7 @@
 use crate::expectation_text::parse;
 use crate::output::style::{BAD, GOOD, QUIET};
 use crate::output::{Format, counted, grouped, plain, print, print_json};
-use crate::{Failure, Verdict};
+use crate::status::{Failure, Verdict};
 use serde::Serialize;
 use std::collections::BTreeMap;
 use std::fmt::Write as _;

@@ -1,9 +1,9 @@
 //! `twinedge query … at`.
 
-use super::Asked;
+use super::asked::Asked;
 use super::record::Record;
-use crate::Failure;
 use crate::output::{Format, print, print_json};
+use crate::status::Failure;
 use serde::Serialize;
 use twinedge::geometry::Point;
 use twinedge::map::{Located, Locator};

@@ -1,9 +1,9 @@
 //! `twinedge query … contour`.
 
-use super::Asked;
+use super::asked::Asked;
 use super::names::{find, label};
-use crate::Failure;
 use crate::output::{grouped, measure, print, print_json};
+use crate::status::Failure;
 use clap::ValueEnum;
 use serde::Serialize;
 use twinedge::algorithm::contour::{Contour as Outline, of_feature};

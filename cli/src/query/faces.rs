@@ -1,10 +1,10 @@
 //! `twinedge query … faces`.
 
-use super::Asked;
+use super::asked::Asked;
 use super::names::label;
-use crate::Failure;
 use crate::output::style::BAD;
 use crate::output::{Format, grouped, measure, print, print_json};
+use crate::status::Failure;
 use serde::Serialize;
 use std::collections::BTreeSet;
 use std::fmt::Write as _;

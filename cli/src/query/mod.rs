@@ -1,5 +1,6 @@
 //! `twinedge query`: answers one question about a map.
 
+mod asked;
 mod at;
 mod contour;
 mod faces;
@@ -11,9 +12,9 @@ mod record;
 pub(crate) use names::label;
 
 use crate::input::MapFile;
-use crate::{Failure, Verdict};
+use crate::status::{Failure, Verdict};
+use asked::Asked;
 use clap::Subcommand;
-use twinedge::map::PlanarMap;
 
 /// Ask a map about neighbours, places, lines, outlines and faces.
 #[derive(Debug, clap::Args)]
@@ -44,12 +45,6 @@ enum Question {
     Line(line::Line),
     Contour(contour::Contour),
     Faces(faces::Faces),
-}
-
-/// A map and what it was read from.
-struct Asked {
-    input: String,
-    map: PlanarMap,
 }
 
 impl Query {

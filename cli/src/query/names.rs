@@ -1,8 +1,8 @@
 //! Features by name.
 
-use super::Asked;
-use crate::Failure;
+use super::asked::Asked;
 use crate::output::plain;
+use crate::status::Failure;
 use twinedge::map::{FeatureId, PlanarMap};
 
 /// The name of a feature, fit for a terminal, or its number, counted from 0.

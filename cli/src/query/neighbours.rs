@@ -1,10 +1,10 @@
 //! `twinedge query … neighbours`.
 
-use super::Asked;
+use super::asked::Asked;
 use super::names::{find, label};
-use crate::Failure;
 use crate::output::style::{BAD, QUIET};
 use crate::output::{Format, measure, print, print_json};
+use crate::status::Failure;
 use serde::Serialize;
 use std::collections::BTreeMap;
 use std::fmt::Write as _;

@@ -1,7 +1,7 @@
 //! What `corrupt` found.
 
-use super::CorruptWork;
 use super::specimen::Form;
+use super::work::CorruptWork;
 use crate::rows::{INTERRUPTED, add_findings};
 use crate::shard::Shard;
 use crate::sum::Outcome;

@@ -1,7 +1,7 @@
 //! What `prove` found.
 
-use super::ProveWork;
 use super::genus;
+use super::work::ProveWork;
 use crate::rows::{INTERRUPTED, add_findings};
 use crate::shard::Shard;
 use crate::sum::Outcome;

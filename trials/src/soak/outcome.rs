@@ -1,6 +1,6 @@
 //! What `soak` found.
 
-use super::SoakWork;
+use super::work::SoakWork;
 use crate::rows::INTERRUPTED;
 use crate::shard::Shard;
 use crate::sum::Outcome;

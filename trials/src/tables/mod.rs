@@ -17,35 +17,18 @@
 mod formulas;
 mod jobs;
 mod outcome;
+mod work;
 
 pub use outcome::{TablesOutcome, TablesRow};
+pub use work::TablesWork;
 
 use crate::rows::{add_findings, narrow};
-use crate::run::{Estimate, Run};
+use crate::run::Run;
 use crate::verdict::{Checker, in_words};
 use jobs::{Assignments, Job, derive_origins, jobs};
 use twinedge::validate::enumerate::for_each_assignment;
 use twinedge::validate::reference::first_broken_rule;
 use twinedge::validate::{Expectation, Table};
-
-/// Which tables to judge.
-#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
-#[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
-pub struct TablesWork {
-    /// The greatest number of half-edges.
-    pub half_edges: usize,
-}
-
-impl TablesWork {
-    /// About how many tables are judged.
-    #[must_use]
-    pub fn estimate(&self) -> Estimate {
-        let n = self.half_edges as u128;
-        // Nearly all of them are those of the last two jobs.
-        let paired = formulas::pairings(n / 2).saturating_mul(n.saturating_pow(self.half_edges as u32));
-        Estimate { amount: paired.saturating_mul(2).saturating_add(5_000_000), unit: "tables", per_second: 500_000 }
-    }
-}
 
 /// Judges all tables of a few records by a validator and by the reference.
 ///

@@ -1,6 +1,6 @@
 //! What `tables` found.
 
-use super::TablesWork;
+use super::work::TablesWork;
 use crate::rows::{INTERRUPTED, add_findings};
 use crate::shard::Shard;
 use crate::sum::Outcome;
