@@ -106,6 +106,7 @@ pub use input::{Input, NodingError, Snap};
 
 /// What noding did.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 #[non_exhaustive]
 pub struct NodingSummary {
     /// The width of a cell: a power of two.
