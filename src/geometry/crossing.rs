@@ -1,7 +1,7 @@
 //! All places where a drawing is not plane.
 //!
 //! The [sweep](mod@super::sweep) says quickly whether a drawing of points and straight segments is plane, and names
-//! one fault if it is not. Whoever has to mend the drawing wants all of them: [`clashes`].
+//! one fault if it is not. [`clashes`] finds all of them.
 
 use alloc::vec::Vec;
 use core::cmp::Ordering;
@@ -60,7 +60,7 @@ pub enum Clash {
     },
 }
 
-/// A drawing that cannot be asked about.
+/// Why arrays do not describe points and segments.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, thiserror::Error)]
 #[non_exhaustive]
 pub enum InvalidSegments {

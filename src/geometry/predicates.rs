@@ -1,4 +1,4 @@
-//! Exact questions about points, directions and segments.
+//! Exact predicates of points, directions and segments.
 //!
 //! Every function here decides by the sign of a determinant, and takes that sign from Shewchuk's adaptive arithmetic
 //! (crate `robust`): the answer is that of real numbers, not that of rounded ones, as long as every coordinate is in
@@ -262,7 +262,7 @@ std::thread_local! {
     static STEPS: core::cell::Cell<u64> = const { core::cell::Cell::new(0) };
 }
 
-/// Counts one step of work (an orientation, a step in a tree), in unit tests only: they bound it, so that nobody has to
+/// Counts one step of work (an orientation, a step in a tree), in unit tests only: they bound it, so that no test has to
 /// trust a clock.
 #[inline]
 pub(crate) fn count_step() {

@@ -1,8 +1,7 @@
-//! Every table: the cells of a [`Table`], and what each of them could be set to.
+//! Tables enumerated: the cells of a [`Table`], and the values that each of them can be set to.
 //!
-//! Two walks are made of these. [`for_each_corruption`] sets one cell at a time to everything else that it could be:
-//! what one broken pointer can do. [`for_each_assignment`] sets many cells to everything in all combinations: all
-//! tables of a size, right or wrong.
+//! [`for_each_corruption`] sets one cell at a time to each of its other values: all that one wrong link can do.
+//! [`for_each_assignment`] sets many cells to all combinations of values: all tables of a size, valid or not.
 
 use super::expectation::{Expectation, Part};
 use super::table::{HalfEdgeRow, Table, VertexRow};
@@ -30,7 +29,7 @@ pub enum Cell {
     InnerStart(usize, usize),
 }
 
-/// What a cell holds.
+/// The value of a cell.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash, PartialOrd, Ord)]
 pub enum Value {
     /// In most cells.
@@ -85,8 +84,8 @@ impl Table {
         cells
     }
 
-    /// Everything that the cell could be set to: nil, the index of every slot of the kind that it leads to, the one
-    /// past the end and the largest number there is. O(n).
+    /// Every value that the cell can be set to: nil, the index of every slot of the kind that it leads to, the one past the
+    /// end, and `usize::MAX`. O(n).
     #[must_use]
     pub fn values(&self, cell: Cell) -> Vec<Value> {
         let indices = |slots: usize| (0..=slots).chain([usize::MAX]);
@@ -231,7 +230,7 @@ fn row<T>(rows: &mut [Option<T>], i: usize) -> Option<&mut T> {
 /// ```
 /// use twinedge::validate::enumerate::for_each_corruption;
 /// use twinedge::validate::{Collect, Expectation, Part, Table, VertexRow, validate};
-/// // An isolated vertex in a structure without faces: a leaving half-edge is the only thing that it could get wrong.
+/// // An isolated vertex in a structure without faces: its leaving half-edge is the only cell.
 /// let mut table = Table { vertices: vec![Some(VertexRow::default())], ..Table::default() };
 /// let expectation = Expectation::plane().without(Part::Faces);
 /// let mut caught = 0;
@@ -268,8 +267,7 @@ pub fn for_each_assignment(table: &mut Table, cells: &[(Cell, Vec<Value>)], mut 
     loop {
         visit(table);
         count += 1;
-        // Like a mileage counter: the last position moves on, and where it is through, starts again and takes the one
-        // before.
+        // Like an odometer: the last position advances; where it wraps around, the one before it advances, too.
         let mut digits = positions.iter_mut().zip(cells).rev();
         let moved = digits.find_map(|(position, (cell, values))| {
             *position = (*position + 1) % values.len();

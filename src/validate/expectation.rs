@@ -1,6 +1,6 @@
 //! What a structure is held to: the surface on which it lies, and the parts that it has.
 
-/// A part that a structure may lack. What it lacks is not checked, and the report says so.
+/// A part that a structure may lack. Rules about a part that it lacks are not checked, and the report says so.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash, PartialOrd, Ord)]
 #[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 #[cfg_attr(feature = "serde", serde(rename_all = "snake_case"))]
@@ -14,13 +14,13 @@ pub enum Part {
     Faces,
     /// Records for boundary components. Without them half-edges name their face and faces name half-edges.
     BoundaryComponents,
-    /// The place in its face's list that a boundary component says it has.
+    /// The place of a boundary component in the list of its face, as stored in the boundary component.
     Places,
     /// Lists of inner boundary components. Without them each face has one cycle, as in a mesh, and containment (T1, T2)
     /// is not represented.
     Holes,
-    /// The one face without outer boundary component. Without it, what lies outside everything lies in no face: a
-    /// component there has no inner boundary component, and at an isolated vertex there no boundary component starts.
+    /// The one face without outer boundary component. Without it, a component that lies outside all others lies in no
+    /// face: it has no inner boundary component, and if it is an isolated vertex, no boundary component starts there.
     UnboundedFace,
 }
 

@@ -1,17 +1,17 @@
-//! What a run has found so far: violations, and an outcome per rule.
+//! The violations found so far, and an outcome per rule.
 
 use super::report::{Collect, RuleOutcome, Unchecked};
 use super::rule::Rule;
 use super::violation::Violation;
 use alloc::vec::Vec;
 
-/// The run may go on, or the first violation was asked for and found.
+/// Whether the run goes on.
 pub(crate) type Flow = Result<(), Halt>;
 
 /// Why a run ends early.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(crate) enum Halt {
-    /// The first violation was asked for and found.
+    /// Only the first violation was wanted, and it is found.
     Found,
     /// No memory for a column.
     OutOfMemory,
@@ -87,7 +87,7 @@ impl Findings {
         self.outcomes[rule.index()].violations += count;
     }
 
-    /// The same, for a rule of which nothing was checked so far.
+    /// The same, unless the rule was checked on some record or has a reason already.
     pub(crate) const fn not_checked_yet(&mut self, rule: Rule, why: Unchecked) {
         let outcome = &mut self.outcomes[rule.index()];
         if outcome.unchecked.is_none() && outcome.checked == 0 {

@@ -1,4 +1,4 @@
-//! What a validation found: an outcome per rule, the violations, the counts, and on success a certificate.
+//! The result of a validation: an outcome per rule, the violations, the counts, and on success a certificate.
 
 use super::expectation::Part;
 use super::rule::Rule;
@@ -8,7 +8,7 @@ use alloc::boxed::Box;
 use alloc::vec::Vec;
 use core::fmt;
 
-/// How many violations to collect. The true count per rule is kept in any case, except with `First`.
+/// How many violations to collect. All violations of each rule are counted, except with `First`.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash, Default)]
 pub enum Collect {
     /// Stop at the first violation of the first broken rule.
@@ -16,7 +16,7 @@ pub enum Collect {
     /// Keep up to [`Collect::DEFAULT_CAP`] violations.
     #[default]
     All,
-    /// Keep up to this many violations; none of them is fewer than the count says.
+    /// Keep up to this many violations. With 0 they are only counted.
     AtMost(usize),
 }
 
@@ -39,7 +39,7 @@ impl Collect {
 #[cfg_attr(feature = "serde", serde(rename_all = "snake_case"))]
 #[non_exhaustive]
 pub enum Unchecked {
-    /// It makes sense only where this rule holds, and that one is broken.
+    /// It relies on this rule, which is broken.
     Broken(Rule),
     /// The structure lacks this part.
     Lacks(Part),
@@ -51,7 +51,7 @@ pub enum Unchecked {
     Stopped,
     /// The structure claims more than `u32::MAX - 1` records of one kind.
     TooLarge,
-    /// There was no memory for the columns that the check needs.
+    /// There was not enough memory for the check.
     OutOfMemory,
     /// The faces list more than twice as many inner boundary components as there are, and 16: the rest of the lists was
     /// not read.
@@ -59,8 +59,8 @@ pub enum Unchecked {
 }
 
 impl Unchecked {
-    /// Whether a structure that is otherwise right can be certified although the rule was not checked: what it does not
-    /// have, or what does not apply to it, is no fault.
+    /// Whether a structure can be valid although the rule was not checked: because it lacks the part that the rule is about,
+    /// or because the rule does not apply to it.
     #[must_use]
     pub const fn is_by_design(self) -> bool {
         matches!(self, Self::Lacks(_) | Self::PlaneOnly | Self::NotSimple)
@@ -82,19 +82,20 @@ impl fmt::Display for Unchecked {
     }
 }
 
-/// What became of one rule.
+/// The outcome of one rule.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash, Default)]
 #[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 pub struct RuleOutcome {
-    /// How many were checked; what is counted is [`Rule::unit`].
+    /// The number of checks, in the [unit](Rule::unit) of the rule.
     pub checked: u64,
-    /// How many violations were found, kept or not.
+    /// The number of violations found, kept or not.
     pub violations: u64,
-    /// Why some or all were not checked.
+    /// Why the rule was not checked, or not on every record.
     pub unchecked: Option<Unchecked>,
 }
 
-/// How many of everything. What could not be counted because a rule that counting relies on is broken is `None`.
+/// The numbers of records, and of components, cycles, borders and handles. `None` is what could not be counted because a
+/// rule that the counting relies on is broken.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash, Default)]
 #[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 pub struct Counts {
@@ -123,7 +124,7 @@ pub struct Counts {
     pub genus: Option<usize>,
 }
 
-/// The bounds of T4, for a simple map: how far its counts are from the most that is possible.
+/// The bounds of T4, for a simple map: the most edges and faces that its number of vertices allows.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
 #[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 pub struct Bounds {
@@ -133,9 +134,9 @@ pub struct Bounds {
     pub most_faces: usize,
 }
 
-/// What is known of a structure in which no violation was found and every rule that applies to it was checked.
+/// The proven properties of a structure in which no violation was found and every rule that applies to it was checked.
 ///
-/// Added over the components, with one cycle for each isolated vertex, T3 says that
+/// By T3, added up over the components with one cycle for each isolated vertex,
 /// `vertices − edges + cycles + borders + isolated_vertices = 2 · components − 2 · genus`.
 #[derive(Clone, Debug, PartialEq, Eq)]
 #[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
@@ -162,7 +163,7 @@ pub struct Certificate {
     pub not_checked: Vec<(Rule, Unchecked)>,
 }
 
-/// What a validation found.
+/// The result of a validation.
 ///
 /// ```
 /// use twinedge::validate::{Collect, Expectation, Part, Table, validate};
@@ -191,13 +192,13 @@ pub struct Report {
 }
 
 impl Report {
-    /// The rules that were to be checked, in order, each with what became of it.
+    /// The rules of this validation, in order, each with its outcome.
     #[must_use]
     pub fn outcomes(&self) -> impl ExactSizeIterator<Item = (Rule, RuleOutcome)> + '_ {
         self.outcomes.iter().copied()
     }
 
-    /// What became of this rule; `None` for a rule that is not of this validation (G without coordinates).
+    /// The outcome of this rule; `None` for a rule that is not part of this validation (G without coordinates).
     #[must_use]
     pub fn outcome(&self, rule: Rule) -> Option<RuleOutcome> {
         self.outcomes.iter().find(|(r, _)| *r == rule).map(|(_, o)| *o)
@@ -223,14 +224,14 @@ impl Report {
         &self.violations
     }
 
-    /// Adds what was found by rules that are checked after these.
+    /// Adds the outcomes and violations of rules that are checked after these.
     #[cfg(feature = "geometry")]
     pub(crate) fn append(&mut self, outcomes: Vec<(Rule, RuleOutcome)>, violations: Vec<Violation>) {
         self.outcomes.extend(outcomes);
         self.violations.extend(violations);
     }
 
-    /// What is left to collect after these violations.
+    /// How many violations may still be kept after these.
     #[cfg(feature = "geometry")]
     pub(crate) const fn collect_left(&self, collect: Collect) -> Collect {
         match collect {
@@ -239,13 +240,13 @@ impl Report {
         }
     }
 
-    /// How many violations were found, kept or not.
+    /// The number of violations found, kept or not.
     #[must_use]
     pub fn violation_count(&self) -> u64 {
         self.outcomes.iter().map(|(_, o)| o.violations).sum()
     }
 
-    /// How many there are of everything.
+    /// The numbers of records, components, cycles, borders and handles.
     #[must_use]
     pub const fn counts(&self) -> &Counts {
         &self.counts

@@ -62,7 +62,8 @@ macro_rules! rules {
 }
 
 rules! {
-    /// At an open boundary twin and face may be nil. Lists with more than twice as many entries as there are boundary components, and 16, are not read to the end, and break the rule, too.
+    /// At an open boundary twin and face may be nil. Lists with more than twice as many entries as there are boundary
+    /// components, and 16, are not read to the end, and break the rule, too.
     ///
     /// ```text
     /// half-edge 3 ── next ──► 7     ok if slot 7 holds a half-edge

@@ -1,4 +1,4 @@
-//! What is to be noded, on which grid, and why it cannot be.
+//! The input of noding, the grid, and the errors.
 
 use crate::geometry::point::Point;
 
@@ -56,13 +56,13 @@ pub enum NodingError {
     /// A coordinate is infinite or NaN.
     #[error("{at} has a coordinate that is not a finite number")]
     NotFinite {
-        /// The first one that has it.
+        /// The first part of the input with such a coordinate.
         at: Input,
     },
     /// A coordinate is more than 2^53 cells, or the grid point next to it is not a finite number.
     #[error("{at} has a coordinate out of reach of the grid")]
     OutOfRange {
-        /// The first one with the coordinate of the largest magnitude.
+        /// The first part of the input with the coordinate of the largest magnitude.
         at: Input,
     },
     /// The size of a cell is not a positive finite number.

@@ -138,8 +138,7 @@ struct ChainRange {
 
 /// A plane graph drawn with straight edges on a grid, and how the input runs along it.
 ///
-/// It does not depend on the order of the input, nor on the direction of segments; the chains and vertices *of* the
-/// input follow the input, of course.
+/// Points and edges do not depend on the order of the input or on the direction of segments.
 #[derive(Clone, Debug)]
 pub struct Noded {
     /// The vertices: distinct points of the grid, in lexicographical order.
@@ -147,7 +146,7 @@ pub struct Noded {
     /// The edges, as pairs of indices of points: the smaller one first, distinct, in lexicographical order. They meet
     /// only at common ends.
     pub segments: Vec<[u32; 2]>,
-    /// What happened on the way.
+    /// How often something happened during the noding.
     pub summary: NodingSummary,
     pool: Vec<u32>,
     ranges: Vec<ChainRange>,
@@ -211,7 +210,7 @@ impl FusedIterator for Chain<'_> {}
 /// Cuts segments where they meet, and rounds to a grid, so that they meet only at common ends.
 ///
 /// `points` are vertices too: a segment that visits the pixel of one goes through it, and one that nothing touches is
-/// an isolated vertex of the result, as is what is left of a collapsed segment.
+/// an isolated vertex of the result, and so is the vertex of a collapsed segment.
 ///
 /// Cost: see [the module](self#cost).
 ///

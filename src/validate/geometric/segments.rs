@@ -46,7 +46,7 @@ impl Segments {
         found
     }
 
-    /// The half-edge of which the left side is above a segment; none at an open boundary there.
+    /// The half-edge that has the region above a segment to its left; none if the boundary is open there.
     pub(in crate::validate) fn above(&self, columns: &Columns, segment: u32) -> Option<usize> {
         let h = self.half_edges[segment as usize];
         rises(columns, h).then_some(h)

@@ -52,7 +52,7 @@ pub(in crate::validate) fn check<V: View + ?Sized>(run: &mut Run<'_, V>) -> Flow
                     component.paired += 1;
                     neighbour(run.origin(t));
                 }
-                // An edge without twin that ends at `v` is seen from there only as what comes before `h`.
+                // A half-edge without twin that ends at `v` is reached from `v` only as the one before `h`.
                 let before = if open { run.before(h) } else { None };
                 if let Some(before) = before.filter(|before| run.twin(*before) == NIL) {
                     neighbour(run.origin(before));

@@ -28,7 +28,7 @@ enum RecordKind {
     Face,
 }
 
-/// Runs R1, and counts the records while at it.
+/// Runs R1, and counts the records on the way.
 pub(in crate::validate) fn check<V: View + ?Sized>(run: &mut Run<'_, V>) -> Result<(), Halt> {
     run.fans = column(run.vertices, Fan { degree: 0, leaving: NIL })?;
     half_edges(run)?;
