@@ -98,6 +98,24 @@ impl<S: Store> Dcel<S> {
     /// # Errors
     /// A stale key; [`OperatorError::NotIsolated`]; [`OperatorError::FacesDiffer`]; [`OperatorError::NotInner`] for a
     /// component to be moved that is not another inner one of the face; [`OperatorError::Full`].
+    ///
+    /// ```
+    /// use twinedge::dcel::{Connection, Dcel, Side, Split};
+    ///
+    /// let mut map = Dcel::new();
+    /// let outside = map.unbounded_face().key();
+    /// let [a, b, c] = [(); 3].map(|()| map.add_isolated_vertex(outside).map(|added| added.vertex));
+    /// // Two bridges …
+    /// let ab = map.connect(a?, b?, Split::default())?.half_edge;
+    /// let ba = map.half_edge(ab)?.twin().key();
+    /// let bc = map.connect(ba, c?, Split::default())?;
+    /// assert!(matches!(bc.connection, Connection::Bridge { .. }));
+    /// // … and an edge that closes the triangle. The new face lies to its left.
+    /// let cb = map.half_edge(bc.half_edge)?.twin().key();
+    /// let ca = map.connect(cb, ab, Split { new_face: Side::Left, inner: &[] })?;
+    /// assert_eq!(ca.new_face(), Some(map.half_edge(ab)?.face().key()));
+    /// # Ok::<(), Box<dyn std::error::Error>>(())
+    /// ```
     pub fn connect(
         &mut self,
         from: impl Into<Corner>,

@@ -66,6 +66,25 @@ impl<S: Store> Dcel<S> {
     ///
     /// # Errors
     /// A stale key; [`OperatorError::Full`] for the boundary component that parting makes.
+    ///
+    /// ```
+    /// use twinedge::dcel::{Dcel, RemovedEdge, Split};
+    ///
+    /// let mut map = Dcel::new();
+    /// let outside = map.unbounded_face().key();
+    /// // A triangle: a loop with two more vertices on it. Its face lies to the left of h.
+    /// let v = map.add_isolated_vertex(outside)?.vertex;
+    /// let h = map.connect(v, v, Split::default())?.half_edge;
+    /// map.split_edge(h)?;
+    /// map.split_edge(h)?;
+    /// // The edge separates the triangle from the unbounded face: both become one.
+    /// assert!(matches!(map.remove_edge(h)?, RemovedEdge::Merged { kept_face, .. } if kept_face == outside));
+    /// // What is left is a path. Without one of its edges it falls in two.
+    /// let path = map.half_edges().next().unwrap().key();
+    /// assert!(matches!(map.remove_edge(path)?, RemovedEdge::Parted { .. }));
+    /// assert_eq!((map.edge_count(), map.boundary_count()), (1, 2));
+    /// # Ok::<(), Box<dyn std::error::Error>>(())
+    /// ```
     pub fn remove_edge(&mut self, half_edge: HalfEdgeKey) -> Result<RemovedEdge, OperatorError> {
         let n = self.half_edge_slot(half_edge)?;
         let t = self.store.twin(n);
