@@ -29,8 +29,8 @@ impl<'a, S: Store> Vertex<'a, S> {
         Rotation::new(self.leaving())
     }
 
-    /// The vertices at the other ends of its edges, counter-clockwise; one that parallel edges lead to comes as often, and a
-    /// loop gives the vertex itself, twice. O(degree).
+    /// The vertices at the other ends of its edges, counter-clockwise. Parallel edges give the same vertex several times. A
+    /// loop gives the vertex itself, twice. O(1) per step.
     ///
     /// ```
     /// use twinedge::dcel::{Dcel, Split};
@@ -191,8 +191,8 @@ impl<'a, S: Store> Face<'a, S> {
         self.boundaries().flat_map(Boundary::half_edges)
     }
 
-    /// The faces across its half-edges, in order of these: one that shares several edges comes as often, and the face
-    /// itself comes where both sides of an edge lie in it. O(1) per step.
+    /// The faces on the other sides of its half-edges. A face that shares several edges comes several times, and the face
+    /// itself comes wherever both sides of an edge lie in it. O(1) per step.
     ///
     /// ```
     /// use twinedge::dcel::{Dcel, Split};

@@ -1,4 +1,4 @@
-//! References to records: a key once checked, and from there on bare steps.
+//! References to records: the key has been checked, and steps from one record to the next are not checked again.
 
 use super::structure::Dcel;
 use crate::store::links::{BoundaryStart, VertexLink};
@@ -57,7 +57,7 @@ macro_rules! element {
                 self.dcel.store.$key_of(self.slot)
             }
 
-            /// The index, by which reports name it and by which plain arrays can be kept while nothing is removed. O(1).
+            /// The index. O(1). Reports name records by it, and while nothing is removed it can index a plain array.
             #[must_use]
             #[inline]
             pub fn index(self) -> usize {
@@ -189,7 +189,7 @@ impl<'a, S: Store> Vertex<'a, S> {
 }
 
 impl<'a, S: Store> HalfEdge<'a, S> {
-    /// Whether both are the same half-edge, of structures known to be the same.
+    /// Whether both are the same half-edge. Both must be of the same structure.
     #[inline]
     pub(super) fn is(self, other: Self) -> bool {
         self.slot == other.slot

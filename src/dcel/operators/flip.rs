@@ -10,7 +10,7 @@ use crate::store::links::{BoundaryStart, VertexLink};
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
 #[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 pub enum Turn {
-    /// Each end moves on along the boundary of the face to its left, seen from the middle.
+    /// Each end moves to the next vertex counter-clockwise, as seen from the middle of the edge.
     CounterClockwise,
     /// The other way.
     Clockwise,
@@ -39,7 +39,7 @@ impl<S: Store> Dcel<S> {
     ///      a ─────── d            a ─────── d
     /// ```
     ///
-    /// A loop with nothing on one side slides along the boundary of the face on its other side. O(1).
+    /// A loop that is alone on the boundary of one face slides along the boundary of the face on its other side. O(1).
     ///
     /// Inverse: the same with [`Turn::reversed`].
     ///

@@ -16,10 +16,10 @@ impl<S: Store> Dcel<S> {
     ///   └─────┴─────┘      └─────┴─────┘
     /// ```
     ///
-    /// The move itself is O(1), and it is all for an isolated vertex or where `face` is the unbounded one. Else what moves
-    /// is searched for `face`, which must not lie in it: O(size of what moves).
+    /// O(1) for an isolated vertex, and if `face` is the unbounded one. Otherwise O(size of what moves), because `face` must
+    /// not lie inside it, and that takes a search.
     ///
-    /// Gives the face where it was. Inverse: moving it back there.
+    /// Returns the face in which it was. Inverse: moving it back there.
     ///
     /// # Errors
     /// A stale key; [`OperatorError::IsOuter`]; [`OperatorError::InsideItself`] if `face` lies inside what would be moved.

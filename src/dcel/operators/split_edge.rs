@@ -1,4 +1,4 @@
-//! A vertex on an edge, and the way back.
+//! Splitting an edge by a new vertex, and joining two edges.
 
 use crate::dcel::error::OperatorError;
 use crate::dcel::structure::Dcel;
@@ -88,8 +88,8 @@ impl<S: Store> Dcel<S> {
     /// Inverse: [`Dcel::split_edge`] of the same half-edge.
     ///
     /// # Errors
-    /// A stale key; [`OperatorError::DegreeNotTwo`] if the target of the half-edge has another degree;
-    /// [`OperatorError::Loop`] if both ends there are of the same edge.
+    /// A stale key; [`OperatorError::DegreeNotTwo`] if the target of the half-edge has a degree other than 2;
+    /// [`OperatorError::Loop`] if both half-edges that leave it are of the same edge.
     ///
     /// ```
     /// use twinedge::dcel::{Dcel, Split};

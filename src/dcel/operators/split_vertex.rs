@@ -1,4 +1,4 @@
-//! Two vertices out of one, and the way back.
+//! Splitting a vertex in two, and contracting an edge.
 
 use super::corner::{CheckedCorner, Corner};
 use super::walk::OneOfTwo;
@@ -20,7 +20,7 @@ pub struct SplitVertex {
 /// What [`Dcel::contract_edge`] kept and dropped.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
 pub struct ContractedEdge {
-    /// The vertex that has all half-edges now: the one that had more; the origin on a tie.
+    /// The vertex that has all half-edges now: the one that had more of them, or the origin if both had equally many.
     pub kept: VertexKey,
     /// The vertex that is gone.
     pub dropped: VertexKey,
@@ -41,8 +41,8 @@ impl<S: Store> Dcel<S> {
     ///      /  a  \              /     \
     /// ```
     ///
-    /// O(size of the smaller of the two rotations): both are walked in step, and the smaller goes to the new vertex, that
-    /// of the target on a tie.
+    /// O(size of the smaller of the two rotations): both are walked in step, and the smaller one goes to the new vertex, or
+    /// that of the target if both are equally large.
     ///
     /// Inverse: [`Dcel::contract_edge`].
     ///
@@ -115,7 +115,7 @@ impl<S: Store> Dcel<S> {
         Ok(SplitVertex { vertex: self.store.vertex_key(w), half_edge: self.store.half_edge_key(n) })
     }
 
-    /// OneOfTwo of two rotations, of different vertices, is the smaller; the second on a tie. O(smaller).
+    /// Which of two rotations, of different vertices, is the smaller one, the second if both are equally large. O(smaller).
     fn smaller_rotation(&self, first: S::HalfEdge, second: S::HalfEdge) -> OneOfTwo {
         let turn = |h: S::HalfEdge| self.store.next(self.store.twin(h));
         let (mut a, mut b) = (first, second);
