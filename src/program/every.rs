@@ -9,9 +9,9 @@ use alloc::vec::Vec;
 
 /// Every operator with every argument, right or wrong, on what the runner has now. The arguments are:
 ///
-/// - corners and half-edges: all there are; of those that are gone, the first; and a vertex that is not isolated, taken for
+/// - corners and half-edges: all there are; of those that were removed, the first; and a vertex that is not isolated, taken for
 ///   one that is;
-/// - faces: one corner of each, the unbounded face, and the first that is gone;
+/// - faces: one corner of each, the unbounded face, and the first that was removed;
 /// - boundary components: one corner of each;
 /// - [`Op::Connect`]: both sides, and every set of the inner boundary components that may go to the new face; then, with the
 ///   new face to the left, each boundary component that may not.

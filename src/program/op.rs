@@ -10,7 +10,7 @@ use alloc::vec::Vec;
 pub enum HalfEdgePick {
     /// Of those there are. The two of an edge stand side by side.
     Live(u16),
-    /// Of those that are gone: a stale handle, on purpose.
+    /// Of those that were removed: a stale handle, on purpose.
     Retired(u16),
 }
 
@@ -22,7 +22,7 @@ pub enum VertexPick {
     Isolated(u16),
     /// The origin of this half-edge, of those there are: not isolated, on purpose.
     OriginOf(u16),
-    /// Of the vertices that are gone: a stale handle, on purpose.
+    /// Of the vertices that were removed: a stale handle, on purpose.
     Retired(u16),
 }
 
@@ -48,7 +48,7 @@ pub enum FacePick {
     Unbounded,
     /// The one in which this corner lies.
     Of(CornerPick),
-    /// Of those that are gone: a stale handle, on purpose.
+    /// Of those that were removed: a stale handle, on purpose.
     Retired(u16),
 }
 
@@ -82,6 +82,17 @@ macro_rules! define_op {
         const _: () = assert!(0 $(+ $share)* == 32, "the first byte of an operator chooses among 32");
 
         impl Op {
+            /// The names of all operators, as texts have them.
+            pub const NAMES: &[&str] = &[$(stringify!($method)),*];
+
+            /// The name of the operator.
+            #[must_use]
+            pub const fn name(self) -> &'static str {
+                match self {
+                    $(Self::$variant { .. } => stringify!($method),)*
+                }
+            }
+
             /// The operator with which these bytes begin. None if they end too early. At most 14 bytes are taken.
             ///
             /// In random bytes, operators that make something are more frequent than those that remove it, and arguments

@@ -51,17 +51,17 @@ impl<K: Subject> Runner<K> {
         &self.isolated
     }
 
-    /// The half-edges that are gone.
+    /// The half-edges that were removed.
     pub fn retired_half_edges(&self) -> &[K::HalfEdge] {
         &self.retired_half_edges
     }
 
-    /// The vertices that are gone.
+    /// The vertices that were removed.
     pub fn retired_vertices(&self) -> &[K::Vertex] {
         &self.retired_vertices
     }
 
-    /// The faces that are gone.
+    /// The faces that were removed.
     pub fn retired_faces(&self) -> &[K::Face] {
         &self.retired_faces
     }

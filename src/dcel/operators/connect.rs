@@ -39,7 +39,7 @@ pub enum Connection {
     Bridge {
         /// The one that has all half-edges now: the longer of the two, or that of the second corner if both are equally long.
         kept: BoundaryKey,
-        /// The one that is gone.
+        /// The one that was removed.
         dropped: BoundaryKey,
     },
     /// One cycle became two, and one face two.

@@ -15,11 +15,11 @@ pub enum RemovedEdge {
     Merged {
         /// The face that has everything now.
         kept_face: FaceKey,
-        /// The face that is gone.
+        /// The face that was removed.
         dropped_face: FaceKey,
         /// The boundary component of the joined cycle.
         kept: BoundaryKey,
-        /// The boundary component that is gone.
+        /// The boundary component that was removed.
         dropped: BoundaryKey,
     },
     /// One boundary component became two, and one component two.

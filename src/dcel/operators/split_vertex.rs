@@ -22,7 +22,7 @@ pub struct SplitVertex {
 pub struct ContractedEdge {
     /// The vertex that has all half-edges now: the one that had more of them, or the origin if both had equally many.
     pub kept: VertexKey,
-    /// The vertex that is gone.
+    /// The vertex that was removed.
     pub dropped: VertexKey,
 }
 

@@ -32,7 +32,7 @@ use alloc::vec::Vec;
 use core::any::Any;
 use core::cell::RefCell;
 
-/// A record, as its list owns it. Whoever else has one has it for as long as an operator runs.
+/// A record, as its list owns it. Operators have others, for as long as they run.
 type Owned<T> = Rc<RefCell<T>>;
 /// A link to a record.
 type Pointer<T> = Weak<RefCell<T>>;

@@ -222,7 +222,7 @@ impl RotationSystem {
         }
     }
 
-    /// Makes the faces on both sides one, and gives the one that is gone.
+    /// Makes the faces on both sides one, and gives the one that was removed.
     fn merge(&mut self, n: usize, t: usize) -> usize {
         let (left, right) = (self.half_edges[&n].face, self.half_edges[&t].face);
         let (kept, dropped) = if self.is_outer(n) { (right, left) } else { (left, right) };
