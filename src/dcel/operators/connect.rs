@@ -247,9 +247,9 @@ impl<S: Store> Dcel<S> {
         self.store.list_outer(g, of_new);
         self.list(f, of_old, was_outer);
         for key in split.inner {
-            if let Some(b) = self.store.find_boundary(*key)
-                && self.store.face(b) != g
-            {
+            let named = self.store.find_boundary(*key);
+            // One that is named twice has moved already.
+            if let Some(b) = named.filter(|b| self.store.face(*b) != g) {
                 self.store.unlist(b);
                 self.store.list_inner(g, b);
             }

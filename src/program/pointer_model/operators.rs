@@ -473,9 +473,11 @@ impl Subject for PointerModel {
         if outer {
             return Err(Refusal::IsOuter);
         }
-        if let Corner::At(h) = &spot
-            && contains(&self.faces_inside(h), &f)
-        {
+        let inside_itself = match &spot {
+            Corner::At(h) => contains(&self.faces_inside(h), &f),
+            Corner::Isolated(_) => false,
+        };
+        if inside_itself {
             return Err(Refusal::InsideItself);
         }
         give(&spot, &f);
