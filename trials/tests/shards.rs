@@ -101,7 +101,7 @@ fn parts_of_soak_add_up() {
 #[test]
 fn the_first_failure_of_the_parts_of_soak_is_that_of_the_whole() {
     let planted = Structure::new("planted", Planted::<false>::default, Expectation::plane());
-    let work = SoakWork { programs: 40, steps: 12, seed: 3 };
+    let work = SoakWork { programs: 40, steps: 40, seed: 3 };
     let whole = soak(&[&planted], work, &Run::default().threads(1)).failure.unwrap();
     assert_eq!(soak(&[&planted], work, &Run::default().threads(4)).failure.as_ref(), Some(&whole));
     let parts = parts(5, |run| soak(&[&planted], work, run));
