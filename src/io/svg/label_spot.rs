@@ -1,12 +1,11 @@
-//! Where in a face there is room to write.
+//! Where in a face there is room for a label.
 
-use super::frame::Frame;
-use super::sides;
+use super::frame::{Frame, sides};
 use crate::dcel::Face;
 use crate::map::PlanarMap;
 
 /// A horizontal stretch inside a face.
-pub(super) struct Spot {
+pub(super) struct LabelSpot {
     pub(super) middle: [f64; 2],
     pub(super) width: f64,
 }
@@ -15,7 +14,7 @@ pub(super) struct Spot {
 const HEIGHTS: [f64; 7] = [0.5, 0.4, 0.6, 0.3, 0.7, 0.2, 0.8];
 
 /// The widest stretch at one of a few heights; none for the unbounded face. O(half-edges · log).
-pub(super) fn widest(map: &PlanarMap, frame: &Frame, face: Face<'_>) -> Option<Spot> {
+pub(super) fn widest(map: &PlanarMap, frame: &Frame, face: Face<'_>) -> Option<LabelSpot> {
     face.outer()?;
     let ends = sides(map, frame, face).flatten();
     let (low, high) = ends.fold((f64::INFINITY, f64::NEG_INFINITY), |(low, high), [_, y]| (low.min(y), high.max(y)));
@@ -29,7 +28,7 @@ pub(super) fn widest(map: &PlanarMap, frame: &Frame, face: Face<'_>) -> Option<S
         // Edges with the face on both sides are crossed twice, which leaves the others in pairs.
         let inside = crossed
             .chunks_exact(2)
-            .map(|pair| Spot { middle: [f64::midpoint(pair[0], pair[1]), y], width: pair[1] - pair[0] });
+            .map(|pair| LabelSpot { middle: [f64::midpoint(pair[0], pair[1]), y], width: pair[1] - pair[0] });
         inside.max_by(|a, b| a.width.total_cmp(&b.width))
     });
     // Of almost equal ones the first, which is nearer to the middle.
