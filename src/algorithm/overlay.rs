@@ -89,7 +89,7 @@ pub struct Overlay {
 }
 
 impl Overlay {
-    /// The map of both.
+    /// The map of both. For an example see [`overlay`].
     #[must_use]
     pub const fn map(&self) -> &PlanarMap {
         &self.map
@@ -102,6 +102,22 @@ impl Overlay {
     }
 
     /// The face of one of the maps in which a face of the overlay lies. O(1).
+    ///
+    /// ```
+    /// use twinedge::algorithm::overlay::{Operand, overlay};
+    /// use twinedge::geometry::noding::Snap;
+    /// use twinedge::map::PlanarMap;
+    ///
+    /// let mut left = PlanarMap::new();
+    /// let (_, inside) = left.insert_ring([[0.0, 0.0], [4.0, 0.0], [0.0, 4.0]])?.faces_split[0];
+    /// let mut right = PlanarMap::new();
+    /// right.insert_segment([1.0, -1.0], [1.0, 5.0])?;
+    /// // The segment of the right map cuts the triangle of the left one in two.
+    /// let both = overlay(&left, &right, Snap::Size(0.5))?;
+    /// let faces = both.map().dcel().faces().filter(|f| both.face_in(Operand::Left, f.key()) == Ok(inside));
+    /// assert_eq!(faces.count(), 2);
+    /// # Ok::<(), Box<dyn std::error::Error>>(())
+    /// ```
     ///
     /// # Errors
     /// [`StaleKey::Face`].

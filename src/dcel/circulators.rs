@@ -1,6 +1,6 @@
 //! Walks that come back to where they started.
 
-use super::HalfEdge;
+use super::elements::HalfEdge;
 use crate::store::{SlotStore, Store};
 use core::iter::FusedIterator;
 

@@ -1,10 +1,9 @@
 //! References to records: a key once checked, and from there on bare steps.
 
-use super::circulators::{Cycle, Rotation};
-use super::{BoundaryKey, Dcel, FaceKey, HalfEdgeKey, VertexKey};
+use super::structure::Dcel;
 use crate::store::links::{BoundaryStart, VertexLink};
 use crate::store::place::OUTER;
-use crate::store::{SlotStore, Store};
+use crate::store::{BoundaryKey, FaceKey, HalfEdgeKey, SlotStore, Store, VertexKey};
 use core::fmt;
 use core::hash::{Hash, Hasher};
 
@@ -112,24 +111,6 @@ impl<'a, S: Store> Vertex<'a, S> {
             VertexLink::Isolated(b) => Some(Boundary::new(self.dcel, b)),
         }
     }
-
-    /// The half-edges that leave the vertex, counter-clockwise; `rev()` for clockwise. O(1) per step.
-    #[must_use]
-    pub fn rotation(self) -> Rotation<'a, S> {
-        Rotation::new(self.leaving())
-    }
-
-    /// The vertices at the other ends of its edges, counter-clockwise; one that parallel edges lead to comes as often, and a
-    /// loop gives the vertex itself, twice. O(degree).
-    pub fn neighbours(self) -> impl Iterator<Item = Self> {
-        self.rotation().map(HalfEdge::target)
-    }
-
-    /// How many half-edges leave the vertex: a loop counts twice. O(degree).
-    #[must_use]
-    pub fn degree(self) -> usize {
-        self.rotation().count()
-    }
 }
 
 impl<'a, S: Store> HalfEdge<'a, S> {
@@ -188,13 +169,6 @@ impl<'a, S: Store> HalfEdge<'a, S> {
         self.twin().next()
     }
 
-    /// The half-edges that leave the same vertex, counter-clockwise from this one on. O(1) per step.
-    #[must_use]
-    #[inline]
-    pub fn rotation(self) -> Rotation<'a, S> {
-        Rotation::new(Some(self))
-    }
-
     /// The boundary component that it is part of. O(1).
     #[must_use]
     #[inline]
@@ -207,13 +181,6 @@ impl<'a, S: Store> HalfEdge<'a, S> {
     #[inline]
     pub fn face(self) -> Face<'a, S> {
         self.boundary().face()
-    }
-
-    /// The half-edges of its cycle, from this one on; `rev()` goes the other way. O(1) per step.
-    #[must_use]
-    #[inline]
-    pub fn boundary_cycle(self) -> Cycle<'a, S> {
-        Cycle::new(Some(self))
     }
 }
 
@@ -249,13 +216,6 @@ impl<'a, S: Store> Boundary<'a, S> {
             BoundaryStart::Vertex(v) => Some(Vertex::new(self.dcel, v)),
         }
     }
-
-    /// The half-edges of its cycle; none if it is an isolated vertex. O(1) per step.
-    #[must_use]
-    #[inline]
-    pub fn half_edges(self) -> Cycle<'a, S> {
-        Cycle::new(self.start())
-    }
 }
 
 impl<'a, S: Store> Face<'a, S> {
@@ -289,21 +249,5 @@ impl<'a, S: Store> Face<'a, S> {
     pub fn inner(self) -> impl Iterator<Item = Boundary<'a, S>> {
         (0..self.inner_count())
             .filter_map(move |i| self.dcel.store.inner(self.slot, i).map(|b| Boundary::new(self.dcel, b)))
-    }
-
-    /// All its boundary components, the outer one first. O(1) per step.
-    pub fn boundaries(self) -> impl Iterator<Item = Boundary<'a, S>> {
-        self.outer().into_iter().chain(self.inner())
-    }
-
-    /// All half-edges that have the face to their left. O(1) per step.
-    pub fn half_edges(self) -> impl Iterator<Item = HalfEdge<'a, S>> {
-        self.boundaries().flat_map(Boundary::half_edges)
-    }
-
-    /// The faces across its half-edges, in order of these: one that shares several edges comes as often, and the face
-    /// itself comes where both sides of an edge lie in it. O(1) per step.
-    pub fn neighbours(self) -> impl Iterator<Item = Self> {
-        self.half_edges().map(|h| h.twin().face())
     }
 }

@@ -1,10 +1,10 @@
 //! The structure as the validator sees it.
 
-use super::Dcel;
+use super::structure::Dcel;
 use crate::store::Store;
 use crate::store::links::{BoundaryStart, VertexLink};
 use crate::store::place::OUTER;
-use crate::validate::{BoundaryPlace, Link, Start, View};
+use crate::validate::{BoundaryPlace, Collect, Expectation, Link, Report, Start, View, validate};
 
 /// Indices are those of [`HalfEdge::index`](super::HalfEdge::index) and its kin. What is said of a slot that holds no live
 /// record means nothing.
@@ -100,5 +100,15 @@ impl<S: Store> View for Dcel<S> {
     #[inline]
     fn inner(&self, face: usize, position: usize) -> Link {
         self.store.inner(self.store.face_at(face)?, position).map(|b| self.store.boundary_index(b))
+    }
+}
+
+impl<S: Store> Dcel<S> {
+    /// Checks every rule from R1 to T4. O(n).
+    ///
+    /// No sequence of operators breaks one; this is for those who would rather see than believe.
+    #[must_use]
+    pub fn validate(&self) -> Report {
+        validate(self, &Expectation::plane(), Collect::All)
     }
 }

@@ -32,6 +32,9 @@
 mod fixed;
 #[forbid(unsafe_code)]
 mod issuer;
+#[cfg(feature = "serde")]
+#[forbid(unsafe_code)]
+mod issuer_restore;
 mod keys;
 #[forbid(unsafe_code)]
 pub(crate) mod links;

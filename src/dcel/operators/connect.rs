@@ -1,13 +1,16 @@
 //! Connecting two corners by an edge.
 
-use super::super::{BoundaryKey, Dcel, FaceKey, HalfEdgeKey, OperatorError, StaleKey};
-use super::corner::{Corner, Spot};
+use super::corner::{CheckedCorner, Corner};
 use super::walk::OneOfTwo;
+use crate::dcel::error::{OperatorError, StaleKey};
+use crate::dcel::structure::Dcel;
 use crate::store::Store;
 use crate::store::links::{BoundaryStart, Need, VertexLink};
+use crate::store::{BoundaryKey, FaceKey, HalfEdgeKey};
 
 /// A side of a half-edge.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash, Default)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 pub enum Side {
     /// Where its face is.
     #[default]
@@ -101,7 +104,7 @@ impl<S: Store> Dcel<S> {
         to: impl Into<Corner>,
         split: Split<'_>,
     ) -> Result<Connected, OperatorError> {
-        let (from, to) = (self.spot(from.into())?, self.spot(to.into())?);
+        let (from, to) = (self.checked_corner(from.into())?, self.checked_corner(to.into())?);
         let (ba, bb) = (from.boundary(&self.store), to.boundary(&self.store));
         let (fa, fb) = (self.store.face(ba), self.store.face(bb));
         // A bridge needs none of these, but a stale key is an error even so.
@@ -128,16 +131,16 @@ impl<S: Store> Dcel<S> {
 
     /// Puts a new edge between two corners, which are not the same unless it is that of an isolated vertex or a loop, and
     /// gives the half-edge from the first to the second. Its boundary component is not settled.
-    fn attach(&mut self, from: Spot<S>, to: Spot<S>) -> S::HalfEdge {
+    fn attach(&mut self, from: CheckedCorner<S>, to: CheckedCorner<S>) -> S::HalfEdge {
         let (va, vb) = (from.vertex(&self.store), to.vertex(&self.store));
         let n = self.store.add_edge(va, vb, from.boundary(&self.store));
         let t = self.store.twin(n);
         match (from, to) {
-            (Spot::Isolated(v, _), Spot::Isolated(w, _)) if v == w => {
+            (CheckedCorner::Isolated(v, _), CheckedCorner::Isolated(w, _)) if v == w => {
                 self.store.join(n, n);
                 self.store.join(t, t);
             }
-            (Spot::At(ha), Spot::At(hb)) if ha == hb => {
+            (CheckedCorner::At(ha), CheckedCorner::At(hb)) if ha == hb => {
                 let before = self.store.prev(ha);
                 self.store.join(before, n);
                 self.store.join(n, ha);
@@ -145,9 +148,9 @@ impl<S: Store> Dcel<S> {
             }
             _ => {
                 // A new edge is next and prev of itself, which is right at an isolated vertex.
-                let before = |spot| match spot {
-                    Spot::At(h) => Some((self.store.prev(h), h)),
-                    Spot::Isolated(..) => None,
+                let before = |corner| match corner {
+                    CheckedCorner::At(h) => Some((self.store.prev(h), h)),
+                    CheckedCorner::Isolated(..) => None,
                 };
                 let (at_from, at_to) = (before(from), before(to));
                 if let Some((before, after)) = at_from {
@@ -160,19 +163,19 @@ impl<S: Store> Dcel<S> {
                 }
             }
         }
-        for (spot, leaving) in [(from, n), (to, t)] {
-            if let Spot::Isolated(v, _) = spot {
+        for (corner, leaving) in [(from, n), (to, t)] {
+            if let CheckedCorner::Isolated(v, _) = corner {
                 self.store.set_vertex_link(v, VertexLink::Leaving(leaving));
             }
         }
         n
     }
 
-    fn bridge(&mut self, from: Spot<S>, to: Spot<S>) -> Connected {
+    fn bridge(&mut self, from: CheckedCorner<S>, to: CheckedCorner<S>) -> Connected {
         let (ba, bb) = (from.boundary(&self.store), to.boundary(&self.store));
-        let stretch = |spot: Spot<S>| match spot {
-            Spot::At(h) => Some(h),
-            Spot::Isolated(..) => None,
+        let stretch = |corner: CheckedCorner<S>| match corner {
+            CheckedCorner::At(h) => Some(h),
+            CheckedCorner::Isolated(..) => None,
         };
         // An isolated vertex is an empty stretch, for which any stop will do.
         let (sa, sb) = (stretch(from), stretch(to));
@@ -217,7 +220,7 @@ impl<S: Store> Dcel<S> {
         }
     }
 
-    fn split_face(&mut self, from: Spot<S>, to: Spot<S>, split: Split<'_>) -> Connected {
+    fn split_face(&mut self, from: CheckedCorner<S>, to: CheckedCorner<S>, split: Split<'_>) -> Connected {
         let kept = from.boundary(&self.store);
         let f = self.store.face(kept);
         let was_outer = self.is_outer(kept);
@@ -244,9 +247,9 @@ impl<S: Store> Dcel<S> {
         self.store.list_outer(g, of_new);
         self.list(f, of_old, was_outer);
         for key in split.inner {
-            if let Some(b) = self.store.find_boundary(*key)
-                && self.store.face(b) != g
-            {
+            let named = self.store.find_boundary(*key);
+            // One that is named twice has moved already.
+            if let Some(b) = named.filter(|b| self.store.face(*b) != g) {
                 self.store.unlist(b);
                 self.store.list_inner(g, b);
             }

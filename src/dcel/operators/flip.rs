@@ -1,11 +1,14 @@
 //! Turning an edge inside the two faces that it separates.
 
-use super::super::{Dcel, HalfEdgeKey, OperatorError};
+use crate::dcel::error::OperatorError;
+use crate::dcel::structure::Dcel;
+use crate::store::HalfEdgeKey;
 use crate::store::Store;
 use crate::store::links::{BoundaryStart, VertexLink};
 
 /// The sense in which an edge is turned.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 pub enum Turn {
     /// Each end moves on along the boundary of the face to its left, seen from the middle.
     CounterClockwise,

@@ -1,8 +1,10 @@
 //! Adding and removing isolated vertices.
 
-use super::super::{BoundaryKey, Dcel, FaceKey, OperatorError, VertexKey};
+use crate::dcel::error::OperatorError;
+use crate::dcel::structure::Dcel;
 use crate::store::Store;
 use crate::store::links::{Need, VertexLink};
+use crate::store::{BoundaryKey, FaceKey, VertexKey};
 
 /// What [`Dcel::add_isolated_vertex`] made.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]

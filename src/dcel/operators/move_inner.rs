@@ -1,8 +1,10 @@
 //! Moving a hole, or an island, or an isolated vertex, to another face.
 
-use super::super::{BoundaryKey, Dcel, FaceKey, OperatorError, StaleKey};
+use crate::dcel::error::{OperatorError, StaleKey};
+use crate::dcel::structure::Dcel;
 use crate::store::Store;
 use crate::store::links::BoundaryStart;
+use crate::store::{BoundaryKey, FaceKey};
 
 impl<S: Store> Dcel<S> {
     /// Moves an inner boundary component, and with it its component and all that lies inside, to another face.

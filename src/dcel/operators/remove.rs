@@ -1,9 +1,11 @@
 //! Removing an edge.
 
-use super::super::{BoundaryKey, Dcel, FaceKey, HalfEdgeKey, OperatorError};
 use super::walk::OneOfTwo;
+use crate::dcel::error::OperatorError;
+use crate::dcel::structure::Dcel;
 use crate::store::Store;
 use crate::store::links::{BoundaryStart, Need, VertexLink};
+use crate::store::{BoundaryKey, FaceKey, HalfEdgeKey};
 
 /// What [`Dcel::remove_edge`] did.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
@@ -135,9 +137,9 @@ impl<S: Store> Dcel<S> {
         self.store.unlist(kept);
         self.store.unlist(dropped);
         self.list(kept_face, kept, outer);
-        while let Some(last) = self.store.inner_count(dropped_face).checked_sub(1)
-            && let Some(b) = self.store.inner(dropped_face, last)
-        {
+        // From the end, so that no other one changes its place.
+        let last = |store: &S| store.inner(dropped_face, store.inner_count(dropped_face).checked_sub(1)?);
+        while let Some(b) = last(&self.store) {
             self.store.unlist(b);
             self.store.list_inner(kept_face, b);
         }

@@ -1,8 +1,10 @@
 //! A vertex on an edge, and the way back.
 
-use super::super::{Dcel, HalfEdgeKey, OperatorError, VertexKey};
+use crate::dcel::error::OperatorError;
+use crate::dcel::structure::Dcel;
 use crate::store::Store;
 use crate::store::links::{BoundaryStart, Need, VertexLink};
+use crate::store::{HalfEdgeKey, VertexKey};
 
 /// What [`Dcel::split_edge`] made.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]

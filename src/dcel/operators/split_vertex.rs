@@ -1,10 +1,12 @@
 //! Two vertices out of one, and the way back.
 
-use super::super::{Dcel, HalfEdgeKey, OperatorError, VertexKey};
-use super::corner::{Corner, Spot};
+use super::corner::{CheckedCorner, Corner};
 use super::walk::OneOfTwo;
+use crate::dcel::error::OperatorError;
+use crate::dcel::structure::Dcel;
 use crate::store::Store;
 use crate::store::links::{BoundaryStart, Need, VertexLink};
+use crate::store::{HalfEdgeKey, VertexKey};
 
 /// What [`Dcel::split_vertex`] made.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
@@ -51,7 +53,7 @@ impl<S: Store> Dcel<S> {
         from: impl Into<Corner>,
         to: impl Into<Corner>,
     ) -> Result<SplitVertex, OperatorError> {
-        let (from, to) = (self.spot(from.into())?, self.spot(to.into())?);
+        let (from, to) = (self.checked_corner(from.into())?, self.checked_corner(to.into())?);
         let (v, other) = (from.vertex(&self.store), to.vertex(&self.store));
         if v != other {
             return Err(OperatorError::VerticesDiffer(self.store.vertex_key(v), self.store.vertex_key(other)));
@@ -62,7 +64,7 @@ impl<S: Store> Dcel<S> {
         let t = self.store.twin(n);
         self.store.set_boundary(t, b);
         let w = self.store.add_vertex(VertexLink::Leaving(t));
-        if let (Spot::At(ha), Spot::At(hb)) = (from, to) {
+        if let (CheckedCorner::At(ha), CheckedCorner::At(hb)) = (from, to) {
             let (before_a, before_b) = (self.store.prev(ha), self.store.prev(hb));
             self.store.join(t, ha);
             self.store.join(before_b, n);

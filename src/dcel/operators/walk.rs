@@ -1,6 +1,6 @@
 //! Walks that operators share: two sides in step, and the search for the outside of a component.
 
-use super::super::Dcel;
+use crate::dcel::structure::Dcel;
 use crate::store::Store;
 use crate::store::links::BoundaryStart;
 use crate::store::place::{LAST, OUTER};
@@ -174,7 +174,7 @@ impl<S: Store> Dcel<S> {
         let mut queue = Queue::<S>::new();
         self.offer_across(&mut queue, b);
         let mut found = false;
-        while !found && let Some(outer) = queue.take(&self.store) {
+        while let Some(outer) = if found { None } else { queue.take(&self.store) } {
             let inside = self.store.face(outer);
             found = inside == f;
             self.offer_across(&mut queue, outer);

@@ -174,6 +174,7 @@ pub enum NodingError {
 
 /// What noding did.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 #[non_exhaustive]
 pub struct NodingSummary {
     /// The width of a cell: a power of two.

@@ -1,4 +1,4 @@
-//! The search graph, packed: which questions to ask, in 12 bytes each, down to a face.
+//! The search graph, packed: questions of 12 bytes each, which lead to a face.
 
 use super::trapezoids::{Drawn, Failure, Node, search_graph};
 use crate::geometry::Point;
@@ -11,7 +11,7 @@ const MARK: u32 = 1 << 31;
 /// A question of the graph, or a face, marked.
 pub(super) type Stage = u32;
 
-/// Which side of something?
+/// On which side of a segment or point does the query lie?
 #[derive(Clone, Copy)]
 struct Question {
     /// A segment, or a point, marked.
@@ -84,7 +84,7 @@ impl Graph {
                 match orientation(low, high, p) {
                     Orientation::CounterClockwise => true,
                     Orientation::Clockwise => false,
-                    // Whoever is asked about a segment is between the walls of its ends.
+                    // The search comes to a segment only between the walls of its ends.
                     Orientation::Collinear => return GraphHit::Segment(question.of),
                 }
             } else {

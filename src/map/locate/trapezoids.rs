@@ -1,7 +1,7 @@
 //! The trapezoidal map of a plane drawing, and the search graph that grows with it.
 //!
 //! ```text
-//!   :          :    :         Every vertex sends a wall up and a wall down, to the next segment or for ever. What is
+//!   :          :    :         From every vertex a wall runs up and one runs down, to the next segment or for ever. What is
 //!   :    ______b____:_        left of the plane are trapezoids: one segment above, one below, one wall on either
 //!   :___/      :    :         side. A trapezoid lies in one face.
 //!   a\         :    :
@@ -54,7 +54,7 @@ pub(super) enum Node {
     Point { vertex: u32, left: u32, right: u32 },
     /// Is it below or above this segment?
     Segment { segment: u32, below: u32, above: u32 },
-    /// It is here.
+    /// The query lies in this trapezoid.
     Trapezoid(Trapezoid),
 }
 
@@ -105,7 +105,7 @@ pub(super) fn search_graph(drawn: &Drawn) -> Result<Vec<Node>, Failure> {
     let mut nodes = Vec::with_capacity(2 * points + 6 * segments + 1);
     nodes.push(Node::Trapezoid(everything));
     let mut map = Map { drawn, nodes, walled: vec![false; points] };
-    // The isolated vertices are last in the way: segments rarely care for them.
+    // Vertices without segments come last: their walls would be cut by segments later on.
     for segment in shuffled(segments) {
         map.insert(segment)?;
     }

@@ -2,7 +2,8 @@
 
 mod operators;
 
-use super::subject::{Corner, Refusal, Subject};
+use super::subject::{Refusal, Subject};
+use crate::dcel::Corner;
 use crate::validate::{Expectation, Link, Part, Start, View};
 use alloc::collections::{BTreeMap, BTreeSet};
 use alloc::vec;

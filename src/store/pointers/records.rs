@@ -18,7 +18,7 @@
 use crate::store::issuer::{Issuer, with_room};
 use crate::store::keys::{BoundaryKey, FaceKey, HalfEdgeKey, VertexKey, key, parts};
 use crate::store::links::{BoundaryStart, VertexLink};
-use crate::store::place::OUTER;
+use crate::store::place::UNLISTED;
 use alloc::boxed::Box;
 use alloc::vec::Vec;
 use core::cell::{Cell, RefCell};
@@ -140,7 +140,7 @@ impl Record for BoundaryRecord {
             key: Cell::new(key),
             face: Cell::new(Ref::UNSET),
             start: Cell::new(BoundaryStart::Vertex(Ref::UNSET)),
-            place: Cell::new(OUTER),
+            place: Cell::new(UNLISTED),
         }
     }
 
