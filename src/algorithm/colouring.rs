@@ -1,8 +1,8 @@
 //! Colours that tell neighbours apart.
 //!
-//! The features are taken away one by one, always one with the fewest neighbours left; coming back in reverse, each gets the
-//! smallest colour that none of its neighbours has by then. Where every feature is one face, the map of who borders whom is
-//! plane, somebody always has at most five neighbours left, and six colours do. A feature of several parts may need more.
+//! The features are removed one by one, always one with the fewest neighbours left. In reverse order each gets the smallest
+//! colour that none of its neighbours has by then. Where every feature is one face, the graph of neighbours is planar: some
+//! feature always has at most five neighbours left, and six colours suffice. Features of several parts may need more.
 //!
 //! Source: D. W. Matula and L. L. Beck, "Smallest-last ordering and clustering and graph coloring algorithms", Journal of the
 //! ACM 30 (1983) 417-427.

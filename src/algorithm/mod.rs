@@ -1,6 +1,7 @@
-//! Questions about a map that walk over more than one record.
+//! Queries of a map that involve more than one record.
 //!
-//! Each takes a [`PlanarMap`](crate::map::PlanarMap), changes nothing, and says what it costs.
+//! Each takes a [`PlanarMap`](crate::map::PlanarMap), does not change it, and states its cost. Two do otherwise: `convex` draws
+//! the borders of the pieces on the map, and `voronoi` makes a map of points.
 //!
 //! | module | answers |
 //! | --- | --- |
@@ -12,7 +13,7 @@
 //! | [`coverage`] | which faces does a feature cover, and which are claimed twice? |
 //! | `dual` | what way leads from face to face, and what hangs by one edge? (feature `petgraph`) |
 //! | [`lattice`] | how many lattice points lie inside a face, and does Pick's theorem hold? |
-//! | [`neighbours`] | who shares a border with whom, where, and how long is it? |
+//! | [`neighbours`] | which faces or features share a border, where, and how long is it? |
 //! | [`mod@overlay`] | what do two maps make together? |
 //! | `voronoi` | which place is nearest to which of some sites? (feature `spade`) |
 

@@ -6,7 +6,7 @@
 //!   saved    ─► deserialize┘
 //! ```
 
-use super::Dcel;
+use super::structure::Dcel;
 use crate::store::SlotStore;
 use crate::store::links::{BoundaryStart, Links, Need, RecordKind, VertexLink};
 use crate::store::slots::Slots;

@@ -1,6 +1,7 @@
 //! What can be wrong with a call.
 
-use super::{BoundaryKey, FaceKey, HalfEdgeKey, RecordKind, VertexKey};
+use crate::store::links::RecordKind;
+use crate::store::{BoundaryKey, FaceKey, HalfEdgeKey, VertexKey};
 use thiserror::Error;
 
 /// A key that names no record of this structure: its record is gone, or it is of another structure.

@@ -1,13 +1,13 @@
 //! The structure as the validator sees it.
 
-use super::Dcel;
+use super::structure::Dcel;
 use crate::store::Store;
 use crate::store::links::{BoundaryStart, VertexLink};
 use crate::store::place::OUTER;
-use crate::validate::{BoundaryPlace, Link, Start, View};
+use crate::validate::{BoundaryPlace, Collect, Expectation, Link, Report, Start, View, validate};
 
-/// Indices are those of [`HalfEdge::index`](super::HalfEdge::index) and its kin. What is said of a slot that holds no live
-/// record means nothing.
+/// Indices are those of [`HalfEdge::index`](super::HalfEdge::index) and its kin. Answers for vacant
+/// slots are unspecified.
 impl<S: Store> View for Dcel<S> {
     fn vertex_slots(&self) -> usize {
         self.store.vertex_slots()
@@ -100,5 +100,21 @@ impl<S: Store> View for Dcel<S> {
     #[inline]
     fn inner(&self, face: usize, position: usize) -> Link {
         self.store.inner(self.store.face_at(face)?, position).map(|b| self.store.boundary_index(b))
+    }
+}
+
+impl<S: Store> Dcel<S> {
+    /// Checks every rule from R1 to T4. O(n).
+    ///
+    /// No sequence of operators breaks a rule, so the report is always valid. This is useful in tests.
+    ///
+    /// ```
+    /// use twinedge::dcel::Dcel;
+    ///
+    /// assert!(Dcel::new().validate().is_valid());
+    /// ```
+    #[must_use]
+    pub fn validate(&self) -> Report {
+        validate(self, &Expectation::plane(), Collect::All)
     }
 }

@@ -5,10 +5,10 @@ use alloc::vec::Vec;
 
 use crate::geometry::Point;
 
-/// One thing drawn on a map, as its file wrote it.
+/// One part of a feature, as its file gives it.
 ///
-/// Nothing is repaired or refused here: rings may be open, wind either way, cross themselves or have no area. What builds
-/// a map from shapes decides about that.
+/// Nothing is repaired or refused here: rings may be open, wind either way, cross themselves or have no area. The
+/// [`Builder`](super::Builder) handles and counts that.
 #[derive(Clone, Debug, PartialEq)]
 pub enum Shape {
     /// The outer ring, then the rings of the holes; the last point of a ring may or may not repeat its first.
@@ -22,9 +22,9 @@ pub enum Shape {
 /// Shapes that belong together, such as the parts of one country.
 #[derive(Clone, Debug, Default, PartialEq)]
 pub struct Feature {
-    /// What people call it.
+    /// Its name.
     pub name: Option<String>,
-    /// What its file calls it.
+    /// Its id in the file.
     pub id: Option<String>,
     /// Its parts, in the order of the file; none if it has no place on the map.
     pub shapes: Vec<Shape>,
@@ -32,6 +32,7 @@ pub struct Feature {
 
 /// A feature of a map, such as a country, by its number in order of input.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord, Hash)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 pub struct FeatureId(pub(super) u32);
 
 impl FeatureId {

@@ -8,7 +8,7 @@ use super::feature::FeatureId;
 use rustc_hash::FxHashMap;
 
 /// The number of a set of features.
-#[derive(Clone, Copy, Debug, PartialEq, Eq, Default)]
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash, Default)]
 pub(super) struct SetId(u32);
 
 /// The sets of features of the faces and edges of a map, by index.

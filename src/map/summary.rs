@@ -5,6 +5,7 @@ use core::fmt;
 
 /// Where in the input something is.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Hash)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 pub struct Position {
     /// The feature, counted from 0.
     pub feature: usize,
@@ -24,6 +25,7 @@ impl fmt::Display for Position {
 
 /// What is irregular about a ring or a line.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord, Hash)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 #[non_exhaustive]
 pub enum IrregularityKind {
     /// A point repeats the one before it.
@@ -55,6 +57,7 @@ impl fmt::Display for IrregularityKind {
 
 /// Something irregular, and where.
 #[derive(Clone, Copy, Debug, PartialEq)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 pub struct Irregularity {
     /// What.
     pub kind: IrregularityKind,
@@ -67,7 +70,22 @@ pub struct Irregularity {
 /// What the builder found in its input.
 ///
 /// All of this is legal and is built as given. The counts help to find unintended input.
+///
+/// ```
+/// use twinedge::map::{Builder, IrregularityKind, Shape};
+///
+/// // Clockwise, and not closed.
+/// let ring = [[0.0, 0.0], [0.0, 1.0], [1.0, 0.0]].map(Into::into).to_vec();
+/// let mut builder = Builder::new();
+/// builder.shape(&Shape::Polygon(vec![ring]))?;
+/// let map = builder.build()?;
+/// assert_eq!((map.summary().open_rings, map.summary().rings_wound_wrongly), (1, 1));
+/// assert_eq!(map.summary().irregularities[0].kind, IrregularityKind::OpenRing);
+/// assert_eq!(map.summary().irregularities[0].position.point, 2);
+/// # Ok::<(), twinedge::map::BuildError>(())
+/// ```
 #[derive(Clone, Debug, Default, PartialEq)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 pub struct BuildSummary {
     /// Features taken.
     pub features: usize,
@@ -85,9 +103,9 @@ pub struct BuildSummary {
     pub rings_wound_wrongly: usize,
     /// Rings that visit a point twice, not counting there-and-back along a spike.
     pub self_touching_rings: usize,
-    /// Points at which a ring turns straight back, but for those of rings that enclose nothing.
+    /// Points at which a ring turns straight back, except in rings that enclose nothing.
     pub spikes: usize,
-    /// Where all this is: of each kind the first [`BuildSummary::LISTED`], in order of input.
+    /// The places: the first [`BuildSummary::LISTED`] of each kind, in order of input.
     pub irregularities: Vec<Irregularity>,
 }
 

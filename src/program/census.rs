@@ -22,9 +22,10 @@
 
 use super::canonical::{Canonizer, Code};
 use super::every::every_op;
-use super::interpret::{Runner, StepOutcome};
 use super::op::{FacePick, HalfEdgePick, InnerPick, Op, Program, SecondPick, VertexPick};
-use crate::dcel::{Dcel, Side};
+use super::outcome::StepOutcome;
+use super::runner::Runner;
+use crate::dcel::{Corner, Dcel, Side};
 use crate::store::Store;
 use alloc::collections::{BTreeSet, VecDeque};
 use alloc::vec;
@@ -48,11 +49,11 @@ pub enum Scope {
 
 impl Scope {
     /// A program that makes the smallest map. It makes and removes some more before, so that there are handles of
-    /// half-edges, vertices and faces that are gone.
+    /// half-edges, vertices and faces that were removed.
     #[must_use]
     pub fn start(&self) -> Program {
         let add = Op::AddIsolatedVertex { face: FacePick::Unbounded };
-        let vertex = super::Corner::Isolated(VertexPick::Isolated(0));
+        let vertex = Corner::Isolated(VertexPick::Isolated(0));
         let mut ops = vec![
             add,
             Op::Connect {

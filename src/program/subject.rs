@@ -1,24 +1,15 @@
 //! What a structure implements to be driven by programs: its handles, a few questions, and the operators.
 
-use crate::dcel::{Side, Turn};
+use crate::dcel::{Corner, Side, Turn};
 use crate::validate::View;
 use core::fmt::Debug;
 use thiserror::Error;
 
-/// A corner, named by handles. It also names the one boundary component on which it lies, and the one face.
+/// A corner of the subject `K`, named by handles. It also names the one boundary component on which it lies, and the one
+/// face.
 ///
-/// No structure is asked for a handle of a boundary component, because which record survives when two become one is its
-/// own affair: the cheaper one to keep, in [`Dcel`](crate::dcel::Dcel). What lies on it says the same in every
-/// structure.
-#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash, PartialOrd, Ord)]
-pub enum Corner<H, V> {
-    /// At the origin of the half-edge, to its left: between `prev(h)` and `h`.
-    At(H),
-    /// All around an isolated vertex.
-    Isolated(V),
-}
-
-/// A corner of the subject `K`.
+/// No structure is asked for a handle of a boundary component: implementations may keep either record when two are merged,
+/// as [`Dcel`](crate::dcel::Dcel) keeps the cheaper one. What lies on a corner is the same in every structure.
 pub type CornerOf<K> = Corner<<K as Subject>::HalfEdge, <K as Subject>::Vertex>;
 
 /// Why a subject refused: the category of its error, which is what subjects have in common.
@@ -149,8 +140,8 @@ pub trait Subject: View {
         inner: &[CornerOf<Self>],
     ) -> Result<Self::HalfEdge, Self::Error>;
 
-    /// Removes an edge, and gives the handle of the face that is gone, if two became one. Which of the two that is, is
-    /// the subject's affair, but the unbounded face stays.
+    /// Removes an edge, and gives the handle of the face that was removed, if two became one. The subject
+    /// may keep either of the two, but the unbounded face stays.
     ///
     /// # Errors
     /// [`Stale`](Refusal::Stale); [`Full`](Refusal::Full).
@@ -163,23 +154,23 @@ pub trait Subject: View {
     fn split_edge(&mut self, half_edge: Self::HalfEdge) -> Result<Self::HalfEdge, Self::Error>;
 
     /// Joins the edge of a half-edge with the one that follows it. The given half-edge keeps its origin; the following
-    /// edge and the vertex between them are gone.
+    /// edge and the vertex between them are removed.
     ///
     /// # Errors
     /// [`Stale`](Refusal::Stale); then [`DegreeNotTwo`](Refusal::DegreeNotTwo); then [`Loop`](Refusal::Loop).
     fn join_edges(&mut self, half_edge: Self::HalfEdge) -> Result<(), Self::Error>;
 
     /// Splits a vertex in two, and gives the new half-edge between them: to its target go the half-edges met when
-    /// turning counter-clockwise from the first corner to the second, none if these are the same. Which of the two
-    /// vertices is new is the subject's affair.
+    /// turning counter-clockwise from the first corner to the second, none if these are the same. Either of the
+    /// two vertices may be the new one.
     ///
     /// # Errors
     /// For `from` and `to`: [`Stale`](Refusal::Stale), [`NotIsolated`](Refusal::NotIsolated). Then
     /// [`VerticesDiffer`](Refusal::VerticesDiffer).
     fn split_vertex(&mut self, from: CornerOf<Self>, to: CornerOf<Self>) -> Result<Self::HalfEdge, Self::Error>;
 
-    /// Contracts an edge to a point, and gives the handle of the vertex that is gone. Which of the two that is, is the
-    /// subject's affair.
+    /// Contracts an edge to a point, and gives the handle of the vertex that was removed. The subject may keep
+    /// either of the two.
     ///
     /// # Errors
     /// [`Stale`](Refusal::Stale); then [`Loop`](Refusal::Loop).

@@ -8,6 +8,7 @@ mod elements;
 mod import;
 mod operator_laws;
 mod operators;
+mod saving;
 mod stale_keys;
 mod stores;
 mod textbook_tables;

@@ -4,6 +4,7 @@ use quickcheck::{Gen, QuickCheck};
 use twinedge::geometry::{MAX_COORDINATE, MIN_COORDINATE, Point};
 use twinedge::io::svg::{Options, draw, half_edges_in};
 use twinedge::map::{Builder, Feature, PlanarMap, Shape};
+use twinedge::validate::{Field, Record, Violation};
 
 fn polygon(name: &str, ring: &[[f64; 2]]) -> Feature {
     let ring = ring.iter().copied().map(Point::from).collect();
@@ -26,8 +27,16 @@ fn estates() -> PlanarMap {
     built(&[polygon("A <b> & \"c\"", &west), polygon("East", &east), well])
 }
 
-/// Whether tags nest, and attributes are quoted: enough of XML for what is written here.
+/// Whether XML 1.0 allows a character in a document (section 2.2, production 2).
+fn is_xml_char(c: char) -> bool {
+    matches!(c, '\t' | '\n' | '\r' | ' '..='\u{D7FF}' | '\u{E000}'..='\u{FFFD}' | '\u{10000}'..)
+}
+
+/// Whether tags nest, attributes are quoted, and all characters are allowed: enough of XML for what is written here.
 fn is_well_formed(text: &str) -> bool {
+    if !text.chars().all(is_xml_char) {
+        return false;
+    }
     let mut open = Vec::new();
     for piece in text.split('<').skip(1) {
         let Some((tag, rest)) = piece.split_once('>') else { return false };
@@ -163,6 +172,45 @@ fn anything_is_drawn(segments: Vec<((u8, u8), (u8, u8))>) -> bool {
         && paths(&text, "half").len() == map.dcel().half_edge_count()
         && text.matches("fill-rule").count() == bounded
         && text.matches("class=\"rule\"").count() == report.violations().len()
+}
+
+#[test]
+fn names_keep_only_characters_that_xml_allows() {
+    let square = [[0.0, 0.0], [4.0, 0.0], [4.0, 4.0], [0.0, 4.0]];
+    let name: String =
+        ('\0'..='\u{FF}').chain(['\u{D7FF}', '\u{E000}', '\u{FFFD}', '\u{FFFE}', '\u{FFFF}', '\u{1F600}']).collect();
+    for name in [name.as_str(), "]]>", "&amp;", "<!--", "a\u{FFFF}b"] {
+        let map = built(&[polygon(name, &square)]);
+        for detail in [false, true] {
+            let text = draw(&map, &Options { detail, size: 1e5, ..Options::default() });
+            assert!(is_well_formed(&text), "{text}");
+        }
+    }
+    let text = draw(&built(&[polygon("a\u{FFFF}\u{FFFE}b\u{1F600}", &square)]), &Options::default());
+    assert!(text.contains("f2: ab\u{1F600}<"), "{text}");
+}
+
+#[test]
+fn any_options_will_do() {
+    let map = estates();
+    let extremes = [0.0, 5e-324, 1e-300, 1e-130, 1.0, MAX_COORDINATE, f64::MAX];
+    let violations: Vec<Violation> = [0, 1, 7, usize::MAX]
+        .into_iter()
+        .flat_map(|i| {
+            [
+                Violation::TwinIsSelf { half_edge: i },
+                Violation::Nil { record: Record::Vertex(i), field: Field::Leaving },
+            ]
+        })
+        .collect();
+    for from in extremes {
+        for to in extremes {
+            let window = Some([Point::new(-from, from), Point::new(to, -to)]);
+            let options = Options { window, detail: true, violations: &violations, ..Options::default() };
+            let text = draw(&map, &options);
+            assert!(is_well_formed(&text), "{window:?}");
+        }
+    }
 }
 
 #[test]

@@ -6,6 +6,8 @@ mod support;
 
 mod edit;
 mod edited_maps;
+mod import;
 mod location;
 mod noding;
 mod planar_map;
+mod saved;

@@ -15,11 +15,13 @@ pub struct Import {
     pub name: String,
     /// The first line that names it.
     pub line: usize,
+    /// The features without which the importing module is not compiled.
+    pub features: BTreeSet<String>,
 }
 
 impl fmt::Display for Import {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        let Self { from, line, name, to } = self;
+        let Self { from, line, name, to, .. } = self;
         write!(f, "{}:{line} imports {name} from {}", from.display(), to.display())
     }
 }
@@ -27,7 +29,13 @@ impl fmt::Display for Import {
 /// The imports between files, each name once.
 #[derive(Clone, Debug, Default)]
 pub struct Imports {
-    lines: BTreeMap<PathBuf, BTreeMap<PathBuf, BTreeMap<String, usize>>>,
+    files: BTreeMap<PathBuf, BTreeMap<PathBuf, BTreeMap<String, Place>>>,
+}
+
+#[derive(Clone, Debug)]
+struct Place {
+    line: usize,
+    features: BTreeSet<String>,
 }
 
 /// Files that import each other in a loop: each leads to all others.
@@ -48,23 +56,27 @@ impl fmt::Display for Loop {
 
 impl Imports {
     pub(crate) fn add(&mut self, import: Import) {
-        let Import { from, to, name, line } = import;
+        let Import { from, to, name, line, features } = import;
         if from == to {
             return;
         }
-        let first = self.lines.entry(from).or_default().entry(to).or_default().entry(name).or_insert(line);
-        *first = line.min(*first);
+        let place = self.files.entry(from).or_default().entry(to).or_default().entry(name);
+        let place = place.or_insert_with(|| Place { line, features: features.clone() });
+        place.line = line.min(place.line);
+        // The same file can hold modules with different conditions.
+        place.features.retain(|feature| features.contains(feature));
     }
 
     /// All imports, in order of the files.
     pub fn iter(&self) -> impl Iterator<Item = Import> {
-        self.lines.iter().flat_map(|(from, targets)| {
+        self.files.iter().flat_map(|(from, targets)| {
             targets.iter().flat_map(move |(to, names)| {
-                names.iter().map(move |(name, line)| Import {
+                names.iter().map(move |(name, place)| Import {
                     from: from.clone(),
                     to: to.clone(),
                     name: name.clone(),
-                    line: *line,
+                    line: place.line,
+                    features: place.features.clone(),
                 })
             })
         })
@@ -74,7 +86,7 @@ impl Imports {
     #[must_use]
     pub fn loops(&self) -> Vec<Loop> {
         let reached: BTreeMap<&Path, BTreeSet<&Path>> =
-            self.lines.keys().map(|file| (file.as_path(), self.reached_from(file))).collect();
+            self.files.keys().map(|file| (file.as_path(), self.reached_from(file))).collect();
         let mut seen = BTreeSet::new();
         let mut loops = Vec::new();
         for (file, targets) in &reached {
@@ -97,7 +109,7 @@ impl Imports {
         let mut reached = BTreeSet::new();
         let mut waiting = vec![start];
         while let Some(file) = waiting.pop() {
-            for to in self.lines.get(file).into_iter().flat_map(BTreeMap::keys) {
+            for to in self.files.get(file).into_iter().flat_map(BTreeMap::keys) {
                 if reached.insert(to.as_path()) {
                     waiting.push(to);
                 }

@@ -6,20 +6,20 @@ use std::path::Path;
 use crate::graph::{Import, Imports};
 
 /// Each layer, and those that it may import. Between files of one layer only loops are refused.
-///
-/// The rules G1 … G5 need points and exact predicates: `validate` may import `geometry` for them, in the folder that the
-/// feature `geometry` adds. That the rest of the validator compiles without it is for the compiler to check.
 pub const LAYERS: &[(&str, &[&str])] = &[
     ("geometry", &[]),
     ("validate", &[]),
-    ("validate/embedding", &["validate", "geometry"]),
     ("store", &["validate"]),
     ("dcel", &["validate", "store"]),
     ("program", &["validate", "store", "dcel"]),
-    ("map", &["validate", "validate/embedding", "store", "dcel", "geometry"]),
-    ("algorithm", &["validate", "validate/embedding", "store", "dcel", "geometry", "map"]),
-    ("io", &["validate", "validate/embedding", "store", "dcel", "geometry", "map", "algorithm"]),
+    ("map", &["validate", "store", "dcel", "geometry"]),
+    ("algorithm", &["validate", "store", "dcel", "geometry", "map"]),
+    ("io", &["validate", "store", "dcel", "geometry", "map", "algorithm"]),
 ];
+
+/// What a layer may import besides, in the modules that a feature adds: a layer, the other, and the feature. The rules G1 … G5
+/// need points and exact predicates.
+pub const WITH_FEATURE: &[(&str, &str, &str)] = &[("validate", "geometry", "geometry")];
 
 /// An import of a layer that the importing one may not know.
 #[derive(Clone, Debug)]
@@ -45,7 +45,13 @@ pub fn upward(imports: &Imports, sources: &Path) -> Vec<Upward> {
     for import in imports.iter().filter(|import| is_inside(&import.from, sources)) {
         let (layer, allowed) = layer_of(&import.from, sources).unwrap_or(("a file of no layer", &[]));
         let to = layer_of(&import.to, sources).map(|(to, _)| to);
-        if to.is_none_or(|to| to != layer && !allowed.contains(&to)) {
+        let is_allowed = |to: &str| {
+            let with_feature = |(from, other, feature): &(&str, &str, &str)| {
+                *from == layer && *other == to && import.features.contains(*feature)
+            };
+            to == layer || allowed.contains(&to) || WITH_FEATURE.iter().any(with_feature)
+        };
+        if !to.is_some_and(is_allowed) {
             let imported = to.map_or_else(|| import.to.display().to_string(), str::to_owned);
             found.push(Upward { layer, imported, import });
         }
@@ -61,5 +67,5 @@ fn is_inside(file: &Path, sources: &Path) -> bool {
 fn layer_of(file: &Path, sources: &Path) -> Option<(&'static str, &'static [&'static str])> {
     let inside = file.strip_prefix(sources).ok()?;
     let is_in = |layer: &str| inside.starts_with(layer) || inside == Path::new(&format!("{layer}.rs"));
-    LAYERS.iter().filter(|(layer, _)| is_in(layer)).max_by_key(|(layer, _)| layer.len()).copied()
+    LAYERS.iter().find(|(layer, _)| is_in(layer)).copied()
 }

@@ -43,7 +43,7 @@ mod workspace;
 use std::path::Path;
 
 pub use graph::{Import, Imports, Loop};
-pub use layers::{LAYERS, Upward, upward};
+pub use layers::{LAYERS, Upward, WITH_FEATURE, upward};
 pub use let_chains::let_chains;
 pub use modules::Unreadable;
 pub use workspace::{Crate, crates, crates_of};

@@ -2,7 +2,9 @@
 
 use std::path::Path;
 
-use twinedge_sources::{Crate, Imports, LAYERS, Unreadable, crates, crates_of, imports, let_chains, upward};
+use twinedge_sources::{
+    Crate, Imports, LAYERS, Unreadable, WITH_FEATURE, crates, crates_of, imports, let_chains, upward,
+};
 
 /// The imports of one library, `src/lib.rs` and these files.
 fn of(files: &[(&str, &str)]) -> Imports {
@@ -208,18 +210,18 @@ fn an_import_from_another_crate_is_followed_to_the_file() {
     assert_eq!(found, ["src/main.rs:1 imports A from src/a.rs"]);
 }
 
-/// One file per layer, the one of `from` with this code.
-fn layered(from: &str, code: &str) -> Vec<String> {
+/// One file per layer, and these; what runs against the layers.
+fn layered(more: &[(&str, &str)]) -> Vec<String> {
     let mut files = Vec::new();
     let mut root = Vec::new();
-    for (layer, _) in LAYERS.iter().filter(|(layer, _)| !layer.contains('/')) {
+    for (layer, _) in LAYERS {
         root.push(format!("pub mod {layer};"));
-        let code = if *layer == from { code } else { "" };
-        let inner = if *layer == "validate" { "pub mod embedding;" } else { "" };
-        files.push((format!("src/{layer}/mod.rs"), format!("pub struct Thing; {inner} {code}")));
+        let file = format!("src/{layer}/mod.rs");
+        if !more.iter().any(|(name, _)| **name == file) {
+            files.push((file, "pub struct Thing;".to_owned()));
+        }
     }
-    let embedding = if from == "validate/embedding" { code } else { "" };
-    files.push(("src/validate/embedding/mod.rs".to_owned(), format!("pub struct Thing; {embedding}")));
+    files.extend(more.iter().map(|(name, text)| ((*name).to_owned(), (*text).to_owned())));
     files.push(("src/lib.rs".to_owned(), root.concat()));
     let files: Vec<(&str, &str)> = files.iter().map(|(name, text)| (&**name, &**text)).collect();
     upward(&of(&files), Path::new("src")).iter().map(ToString::to_string).collect()
@@ -229,7 +231,8 @@ fn layered(from: &str, code: &str) -> Vec<String> {
 fn every_import_that_the_layers_do_not_allow_is_found_and_no_other() {
     for (from, allowed) in LAYERS {
         for (to, _) in LAYERS.iter().filter(|(to, _)| to != from) {
-            let found = layered(from, &format!("use crate::{}::Thing as _;", to.replace('/', "::")));
+            let file = format!("src/{from}/mod.rs");
+            let found = layered(&[(&file, &format!("use crate::{to}::Thing as _; pub struct Thing;"))]);
             if allowed.contains(to) {
                 assert!(found.is_empty(), "{found:?}");
             } else {
@@ -238,6 +241,27 @@ fn every_import_that_the_layers_do_not_allow_is_found_and_no_other() {
             }
         }
     }
+}
+
+#[test]
+fn the_validator_may_import_geometry_in_what_the_feature_adds_and_nothing_else() {
+    let found = |condition: &str, other: &str| {
+        layered(&[
+            ("src/validate/mod.rs", &format!("{condition} mod rules; pub struct Thing;")),
+            ("src/validate/rules/mod.rs", "mod finite;"),
+            ("src/validate/rules/finite.rs", &format!("use crate::{other}::Thing;")),
+        ])
+    };
+    let gated = "#[cfg(feature = \"geometry\")]";
+    assert!(found(gated, "geometry").is_empty());
+    let refused =
+        ["validate may not import geometry: src/validate/rules/finite.rs:1 imports Thing from src/geometry/mod.rs"];
+    assert_eq!(found("", "geometry"), refused);
+    assert_eq!(found("#[cfg(feature = \"map\")]", "geometry"), refused);
+    assert_eq!(found("#[cfg(not(feature = \"geometry\"))]", "geometry"), refused);
+    assert_eq!(found(gated, "map").len(), 1);
+    assert!(LAYERS.iter().any(|(layer, allowed)| *layer == "geometry" && allowed.is_empty()));
+    assert_eq!(WITH_FEATURE, [("validate", "geometry", "geometry")]);
 }
 
 #[test]

@@ -2,7 +2,7 @@
 
 mod steps;
 
-use crate::input::MapFile;
+use crate::input::{Imported, MapFile};
 use crate::output::style::QUIET;
 use crate::output::{grouped, plain, print};
 use crate::query::{Asked, find, label};
@@ -83,7 +83,7 @@ struct Row {
 
 impl Decompose {
     pub(crate) fn run(&self) -> Result<Verdict, Failure> {
-        let (input, map) = self.map.build()?;
+        let Imported { name: input, map, .. } = self.map.build()?;
         if !map.is_plane() {
             let why = "edges cross, touch or overlap, so faces are not well defined";
             return Err(Failure(format!("{input}: {why}; --snap auto cuts them, audit says where they are")));

@@ -1,11 +1,11 @@
-//! Which feature is meant.
+//! Features by name.
 
-use super::Asked;
-use crate::Failure;
+use super::asked::Asked;
 use crate::output::plain;
+use crate::status::Failure;
 use twinedge::map::{FeatureId, PlanarMap};
 
-/// What people call a feature: its name, fit for a terminal, or its number, counted from 0.
+/// The name of a feature, fit for a terminal, or its number, counted from 0.
 pub(crate) fn label(map: &PlanarMap, feature: FeatureId) -> String {
     map.name(feature).map_or_else(|| format!("feature {}", feature.index()), plain)
 }
@@ -16,7 +16,7 @@ const SUGGESTIONS: usize = 3;
 const SIMILAR: f64 = 0.75;
 
 /// The feature with this name, or with the number after a `#`.
-pub(super) fn find(asked: &Asked, name: &str) -> Result<FeatureId, Failure> {
+pub(crate) fn find(asked: &Asked, name: &str) -> Result<FeatureId, Failure> {
     let Asked { input, map } = asked;
     let named: Vec<FeatureId> = map.features().filter(|f| map.name(*f) == Some(name)).collect();
     let numbered = name.strip_prefix('#').and_then(|number| number.parse().ok());

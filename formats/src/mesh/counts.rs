@@ -54,7 +54,6 @@ impl MeshCounts {
                 components -= usize::from(connected.join(pair[0], pair[1]));
             }
         }
-        let all_joined = findings.count(Kind::NonManifoldEdge) == 0 && findings.count(Kind::FlippedFaces) == 0;
         let border_edges = half_edges.border_edge_count();
         Self {
             vertices,
@@ -65,13 +64,12 @@ impl MeshCounts {
             left_out_faces: faces - kept_faces,
             triangles,
             components,
-            borders: match border_edges {
-                0 => Some(0),
-                _ => report.counts().borders.filter(|_| all_joined),
-            },
+            // Wherever faces are not joined along an edge, the rotations of its ends are split, and the validator, which says
+            // so (V2), counts neither borders nor handles.
+            borders: if border_edges == 0 { Some(0) } else { report.counts().borders },
             euler_characteristic: (vertices - unused_vertices + kept_faces).cast_signed()
                 - half_edges.edge_count().cast_signed(),
-            genus: report.counts().genus.filter(|_| all_joined && report.is_valid()),
+            genus: report.counts().genus,
             orientable: half_edges.is_orientable(),
         }
     }

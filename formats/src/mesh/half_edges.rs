@@ -97,7 +97,7 @@ fn link(slot: u32) -> Link {
     (slot != NIL).then_some(slot as usize)
 }
 
-/// Questions about slots that are vacant are answered with nil.
+/// Vacant slots answer nil, but for the origin of a half-edge. As always with a `View`, only slots that there are may be asked.
 impl View for HalfEdgeMesh<'_> {
     fn vertex_slots(&self) -> usize {
         self.leaving.len()
@@ -112,11 +112,11 @@ impl View for HalfEdgeMesh<'_> {
     }
 
     fn is_half_edge(&self, half_edge: usize) -> bool {
-        self.face_of[half_edge] != NIL
+        self.face_of.get(half_edge).is_some_and(|face| *face != NIL)
     }
 
     fn is_face(&self, face: usize) -> bool {
-        !self.left_out[face]
+        self.left_out.get(face).is_some_and(|left_out| !left_out)
     }
 
     fn origin(&self, half_edge: usize) -> Link {

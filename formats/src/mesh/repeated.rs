@@ -40,7 +40,7 @@ impl<'a> Cycle<'a> {
 
 impl PartialEq for Cycle<'_> {
     fn eq(&self, other: &Self) -> bool {
-        self.vertices.len() == other.vertices.len() && self.iter().eq(other.iter())
+        self.iter().eq(other.iter())
     }
 }
 

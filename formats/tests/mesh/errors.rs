@@ -45,6 +45,7 @@ fn obj() {
         ("v 1 2 3\nf 1 99999999999999999999\n", 2, expected(INDEX, "99999999999999999999")),
         ("v 1 2 3\nf 1 0 1\n", 2, out_of_range(0, 1)),
         ("v 1 2 3\nf 1 2 1\nv 1 2 3 1\nf 1 9 1\nf 3 3 3\n", 4, out_of_range(9, 2)),
+        ("v 1 2 3\nf 1 2 1\nf 1 2 1\n", 2, out_of_range(2, 1)),
         ("v 1 2 3\nf -1 -2 1\nv 1 2 3\n", 2, out_of_range(-2, 1)),
         ("v 1 2 3\nf -9223372036854775808\n", 2, out_of_range(i64::MIN, 1)),
         ("v 1 2 3\nf 9223372036854775807\n", 2, out_of_range(i64::MAX, 1)),
@@ -255,6 +256,7 @@ fn arrays_that_are_no_mesh() {
     let new = |corners: &[u32], offsets: &[u32]| IndexedMesh::new(one(), corners.to_vec(), offsets.to_vec());
     assert_eq!(new(&[], &[]), Err(IndexedMeshError::Offsets { position: 0 }));
     assert_eq!(new(&[], &[1]), Err(IndexedMeshError::Offsets { position: 0 }));
+    assert_eq!(new(&[0, 0, 0], &[1, 3]), Err(IndexedMeshError::Offsets { position: 0 }));
     assert_eq!(new(&[0, 0, 0], &[0, 2, 1, 3]), Err(IndexedMeshError::Offsets { position: 2 }));
     assert_eq!(new(&[0, 0, 0], &[0, 2]), Err(IndexedMeshError::Offsets { position: 1 }));
     assert_eq!(new(&[0, 0, 0], &[0, 4]), Err(IndexedMeshError::Offsets { position: 1 }));

@@ -20,7 +20,7 @@ fn dropped(file: &MeshFile) -> Vec<(&str, usize)> {
 fn obj_with_everything() {
     let file = file(
         "# a comment\nmtllib a.mtl\no first\nv 0 0 0\nv 1 0 0 1.0\nv 1e0 1. 0 # here, too\nv .5 +1 -0.5 0.1 0.2 0.3\n\
-         vt 0 0\nvn 0 0 1\ng second\nusemtl red\ns off\nf 1/1/1 2/1/1 3/1/1\nf 1//1 3//1 -1//1\nf 4/1 3/1 \\\n 2/1 1/1\n\
+         vt 0 0\nvn 0 0 1\ng second\nusemtl red\ns off\nf 1/1/1 2/1/1 3/1/1\nf 1//1 3//1 -1//1\nf 4/1 3/1 \\\n 2/1 1/1#end\n\
          l 1 2 3\np 1\nv 9 9 9\ncurv 0 1 1 2\n",
         Format::Obj,
     );
@@ -101,33 +101,47 @@ fn ply_with_other_elements_and_properties() {
 
 #[test]
 fn ply_numbers_of_every_type_and_order() {
-    for (encoding, big) in [("binary_little_endian", false), ("binary_big_endian", true)] {
-        let mut bytes = format!(
-            "ply\r\nformat {encoding} 1.0\r\nelement vertex 1\r\nproperty char a\r\nproperty short b\r\nproperty ushort c\r\n\
-             property float x\r\nproperty int y\r\nproperty double z\r\nelement face 1\r\n\
-             property list ushort uchar vertex_indices\r\nend_header\r\n"
-        )
-        .into_bytes();
-        let mut put = |number: &[u8]| {
-            let mut number = number.to_vec();
+    let types: [(&str, &str, Vec<u8>, f64); 8] = [
+        ("char", "int8", (-1_i8).to_le_bytes().to_vec(), -1.0),
+        ("uchar", "uint8", 200_u8.to_le_bytes().to_vec(), 200.0),
+        ("short", "int16", (-300_i16).to_le_bytes().to_vec(), -300.0),
+        ("ushort", "uint16", 60_000_u16.to_le_bytes().to_vec(), 60_000.0),
+        ("int", "int32", (-70_000_i32).to_le_bytes().to_vec(), -70_000.0),
+        ("uint", "uint32", 4_000_000_000_u32.to_le_bytes().to_vec(), 4_000_000_000.0),
+        ("float", "float32", 1.5_f32.to_le_bytes().to_vec(), 1.5),
+        ("double", "float64", 0.1_f64.to_le_bytes().to_vec(), 0.1),
+    ];
+    for big in [false, true] {
+        let ordered = |bytes: &[u8]| {
+            let mut bytes = bytes.to_vec();
             if big {
-                number.reverse();
+                bytes.reverse();
             }
-            bytes.extend(number);
+            bytes
         };
-        put(&(-1_i8).to_le_bytes());
-        put(&(-2_i16).to_le_bytes());
-        put(&3_u16.to_le_bytes());
-        put(&1.5_f32.to_le_bytes());
-        put(&(-70_000_i32).to_le_bytes());
-        put(&0.1_f64.to_le_bytes());
-        put(&3_u16.to_le_bytes());
-        for v in [0_u8, 0, 0] {
-            put(&[v]);
+        for (old, new, number, value) in &types {
+            let (end, mark) = if big { ("big", "\r\n") } else { ("little", "\n") };
+            let header = [
+                "ply",
+                &format!("format binary_{end}_endian 1.0"),
+                "element vertex 1",
+                &format!("property {old} x"),
+                "property ushort skipped",
+                &format!("property {new} y"),
+                "property float z",
+                "element face 1",
+                "property list ushort uchar vertex_indices",
+                "end_header",
+                "",
+            ];
+            let records = [number, &vec![7, 7], number, &vec![0; 4], &vec![3, 0], &vec![0], &vec![0], &vec![0]];
+            let mut bytes = header.join(mark).into_bytes();
+            bytes.extend(records.iter().flat_map(|record| ordered(record)));
+            let file = file(bytes, Format::Ply);
+            assert_eq!(file.mesh.points(), [[*value, *value, 0.0]], "{old}");
+            assert_eq!(faces(&file), [vec![0, 0, 0]]);
+            assert_eq!(dropped(&file), [("property skipped of element vertex", 1)]);
         }
-        let file = file(bytes, Format::Ply);
-        assert_eq!(file.mesh.points(), [[1.5, -70_000.0, 0.1]]);
-        assert_eq!(faces(&file), [vec![0, 0, 0]]);
     }
 }
 
@@ -190,6 +204,11 @@ fn the_content_says_the_format() {
         assert_eq!(from_stream.format, kind.format());
         assert_eq!(from_stream.mesh.face_count(), mesh.face_count());
     }
+    // A binary file whose header says nothing is known by its length.
+    let mut binary = write(&tetrahedron, Written::BinaryStl);
+    binary[0] = b'b';
+    assert_eq!(Format::of_content(&binary), Some(Format::Stl));
+    assert_eq!(Format::of_content(&binary[..binary.len() - 1]), None);
     for other in ["", "hello world", "plywood", "OFFER", "# only a comment", "\0\0\0", "{\"type\": 1}"] {
         assert_eq!(Format::of_content(other.as_bytes()), None, "{other}");
         assert!(matches!(read_bytes(other.as_bytes(), None), Err(ReadError::UnknownFormat)));

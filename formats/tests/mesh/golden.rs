@@ -4,7 +4,7 @@ use crate::support::shapes::{
     CUBE, OCTAHEDRON, TETRAHEDRON, grid, mesh, moebius_strip, moebius_strip_with_a_seam, seven_vertex_torus,
 };
 use twinedge::validate::{Collect, Rule};
-use twinedge_formats::mesh::{Finding, Kind, MeshAudit, MeshExpectation, audit};
+use twinedge_formats::mesh::{Finding, HalfEdgeMesh, Kind, MeshAudit, MeshExpectation, audit};
 
 fn audited<F: AsRef<[u32]>>(points: usize, faces: impl IntoIterator<Item = F>) -> MeshAudit {
     audit(&mesh(points, faces), &MeshExpectation::new(), Collect::All)
@@ -192,9 +192,45 @@ fn each_expectation_is_met_by_the_right_number_only() {
     assert_eq!(unmet(none.genus(1)), [Unmet::Genus { expected: 1, found: Some(0) }]);
     assert_eq!(unmet(none.components(2)), [Unmet::Components { expected: 2, found: 1 }]);
     assert_eq!(unmet(none.triangles()), [Unmet::Sides { expected: 3, faces: 8, first: 0, found: 4 }]);
+    assert_eq!(unmet(none.components(0)), [Unmet::Components { expected: 0, found: 1 }]);
+    assert_eq!(unmet(none.sides(5)), [Unmet::Sides { expected: 5, faces: 8, first: 0, found: 4 }]);
     let names: Vec<_> =
         unmet(none.closed().genus(1).components(2).triangles()).iter().map(|unmet| unmet.name()).collect();
     assert_eq!(names, ["borders", "genus", "components", "sides"]);
+}
+
+#[test]
+fn what_is_not_known_is_not_as_expected() {
+    use twinedge_formats::mesh::Unmet;
+    let strip = mesh(5, moebius_strip());
+    let found = audit(&strip, &MeshExpectation::new().borders(1).genus(0).components(1), Collect::All);
+    assert_eq!(
+        found.unmet(),
+        [Unmet::Borders { expected: 1, found: None, border_edges: 5 }, Unmet::Genus { expected: 0, found: None }]
+    );
+}
+
+#[test]
+fn faces_that_are_left_out_need_not_have_the_expected_sides() {
+    let faces = TETRAHEDRON.iter().map(|face| &face[..]).chain([&[0, 1][..]]);
+    let found = audit(&mesh(4, faces), &MeshExpectation::new().triangles(), Collect::All);
+    assert_eq!(found.unmet(), []);
+    assert!(!found.is_valid());
+}
+
+#[test]
+fn faces_that_are_left_out_are_vacant_slots() {
+    use twinedge::validate::View;
+    let mesh = mesh(4, [[0, 1, 2], [3, 3, 3]]);
+    let (half_edges, _) = HalfEdgeMesh::link(&mesh, Collect::All);
+    assert_eq!((half_edges.face_slots(), half_edges.half_edge_slots()), (2, 6));
+    assert!(half_edges.is_face(0) && half_edges.is_half_edge(2) && !half_edges.is_left_out(0));
+    assert!(!half_edges.is_face(1) && !half_edges.is_half_edge(3) && half_edges.is_left_out(1));
+    assert!(!half_edges.is_face(2) && !half_edges.is_half_edge(6));
+    assert_eq!((half_edges.outer_half_edge(0), half_edges.outer_half_edge(1)), (Some(0), None));
+    assert_eq!((half_edges.next(2), half_edges.prev(0), half_edges.face(2)), (Some(0), Some(2), Some(0)));
+    assert_eq!((half_edges.next(3), half_edges.prev(3), half_edges.face(3)), (None, None, None));
+    assert_eq!((half_edges.leaving(2), half_edges.leaving(3)), (Some(2), None));
 }
 
 #[test]

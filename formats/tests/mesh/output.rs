@@ -37,6 +37,16 @@ fn json_has_the_keys_that_scripts_use() {
 }
 
 #[test]
+fn json_says_valid_only_where_the_audit_does() {
+    for extra in [None, Some([0, 2, 1])] {
+        let audit = audit(&mesh(4, TETRAHEDRON.into_iter().chain(extra)), &MeshExpectation::new(), Collect::All);
+        // What is joined is right, but one face was left out.
+        assert!(audit.report().is_valid());
+        assert_eq!(serde_json::to_value(&audit).expect("no maps with strange keys")["valid"], extra.is_none());
+    }
+}
+
+#[test]
 fn text_has_counts_rules_findings_and_the_verdict() {
     let mut faces = CUBE.to_vec();
     let whole = audit(&mesh(8, &faces), &MeshExpectation::new().closed(), Collect::All).to_string();

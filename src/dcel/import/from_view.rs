@@ -1,10 +1,10 @@
 //! From any valid structure to a [`Dcel`].
 
 use super::error::ImportError;
-use super::gather::{Gather, NIL, Numbers};
+use super::gather::{Columns, Gather, NIL, Numbers};
 use super::keys::Keys;
 use super::outside::Outside;
-use crate::dcel::Dcel;
+use crate::dcel::structure::Dcel;
 use crate::validate::{Collect, Expectation, Part, Report, View, validate};
 use alloc::boxed::Box;
 use alloc::vec::Vec;
@@ -68,28 +68,37 @@ impl Dcel {
         expectation: &Expectation,
         outside: Outside,
     ) -> Result<(Self, Keys), ImportError> {
-        let report = validate(view, expectation, Collect::All);
-        if !report.is_valid() {
-            return Err(ImportError::Invalid(Box::new(report)));
-        }
-        check_outside(view, expectation, outside)?;
-        check_surface(&report, expectation, outside)?;
-        let (columns, numbers) = Gather::read(view, expectation, outside)?;
-        if outside == Outside::Border {
-            check_borders(&report, columns.outside_cycles())?;
-        }
-        let dcel = columns.assembly().assemble().map_err(ImportError::Full)?;
-        let report = dcel.validate();
-        if !report.is_valid() {
-            return Err(ImportError::NotPlane(Box::new(report)));
-        }
+        let assemble = |columns: &Columns, _: &Numbers| columns.assembly().assemble().map_err(ImportError::Full);
+        let (dcel, numbers) = import(view, *expectation, outside, assemble)?;
         let keys = keys(&dcel, &numbers);
         Ok((dcel, keys))
     }
 }
 
+/// Validates a view, reads it, assembles it, and validates what came of it.
+pub(super) fn import<V: View + ?Sized>(
+    view: &V,
+    expectation: Expectation,
+    outside: Outside,
+    assemble: impl FnOnce(&Columns, &Numbers) -> Result<Dcel, ImportError>,
+) -> Result<(Dcel, Numbers), ImportError> {
+    let report = validate(view, &expectation, Collect::All);
+    if !report.is_valid() {
+        return Err(ImportError::Invalid(Box::new(report)));
+    }
+    check_outside(view, expectation, outside)?;
+    check_surface(&report, expectation, outside)?;
+    let (columns, numbers) = Gather::read(view, expectation, outside)?;
+    if outside == Outside::Border {
+        check_borders(&report, columns.outside_cycles())?;
+    }
+    let dcel = assemble(&columns, &numbers)?;
+    let report = dcel.validate();
+    if report.is_valid() { Ok((dcel, numbers)) } else { Err(ImportError::NotPlane(Box::new(report))) }
+}
+
 /// Whether there can be such an unbounded face.
-fn check_outside<V: View + ?Sized>(view: &V, expectation: &Expectation, outside: Outside) -> Result<(), ImportError> {
+fn check_outside<V: View + ?Sized>(view: &V, expectation: Expectation, outside: Outside) -> Result<(), ImportError> {
     if !expectation.has(Part::Faces) {
         return Err(ImportError::Lacks(Part::Faces));
     }
@@ -102,7 +111,7 @@ fn check_outside<V: View + ?Sized>(view: &V, expectation: &Expectation, outside:
 }
 
 /// Whether it lies on a sphere, in one piece where nothing tells how pieces would lie.
-fn check_surface(report: &Report, expectation: &Expectation, outside: Outside) -> Result<(), ImportError> {
+fn check_surface(report: &Report, expectation: Expectation, outside: Outside) -> Result<(), ImportError> {
     let counts = report.counts();
     match (counts.genus, counts.components) {
         (Some(genus), _) if genus > 0 => Err(ImportError::Genus(genus)),

@@ -5,6 +5,8 @@ mod from_view;
 mod gather;
 mod keys;
 mod outside;
+#[cfg(feature = "serde")]
+mod saved;
 
 pub use error::ImportError;
 pub use keys::Keys;

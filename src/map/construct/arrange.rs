@@ -9,38 +9,38 @@
 //! Source: de Berg et al., "Computational Geometry", 3rd edition, section 2.3.
 
 use super::error::BuildError;
-use super::gathered::{Dart, origin, target};
-use crate::dcel::{Dcel, RecordKind};
+use super::gathered::{Dart, target};
+use crate::dcel::{Assembly, Dcel, RecordKind};
 use crate::geometry::Point;
 use crate::geometry::crossing::Clash;
 use crate::geometry::predicates::{compare_angle, compare_lexicographic};
 use crate::geometry::sweep::sweep;
-use crate::store::SlotStore;
-use crate::store::links::{BoundaryStart, Links, Need, VertexLink};
+use crate::store::links::{BoundaryStart, VertexLink};
 use core::cmp::Ordering;
 
 /// Not yet known.
 const NIL: u32 = u32::MAX;
 
+/// The number of the unbounded face.
+const UNBOUNDED: u32 = 0;
+
 /// What the points and segments make.
 pub(super) struct Arranged {
     pub(super) dcel: Dcel,
-    /// For each point the index of its vertex.
-    pub(super) vertices: Vec<u32>,
-    /// For each dart the index of its half-edge.
-    pub(super) half_edges: Vec<u32>,
     /// Whether, and where first, the segments do not meet at shared endpoints only.
     pub(super) clash: Option<Clash>,
 }
 
 impl Arranged {
+    /// The index of the half-edge of a dart.
+    pub(super) const fn half_edge(dart: Dart) -> u32 {
+        Assembly::half_edge_index(dart)
+    }
+
     /// The points by index of their vertex.
-    pub(super) fn points_by_vertex(&self, points: &[Point]) -> Vec<Point> {
-        let end = self.vertices.iter().max().map_or(0, |last| *last as usize + 1);
-        let mut by_index = vec![Point::default(); end];
-        for (vertex, point) in self.vertices.iter().zip(points) {
-            by_index[*vertex as usize] = *point;
-        }
+    pub(super) fn points_by_vertex(points: &[Point]) -> Vec<Point> {
+        let mut by_index = vec![Point::default(); Assembly::vertex_index(0) as usize];
+        by_index.extend_from_slice(points);
         by_index
     }
 }
@@ -178,78 +178,48 @@ pub(super) fn arrange(points: &[Point], segments: &[[u32; 2]]) -> Result<Arrange
     for dart in outside_darts.iter().flatten() {
         outside[cycles.of[*dart as usize] as usize] = true;
     }
-    let isolated = outside_darts.iter().filter(|dart| dart.is_none()).count();
-    let bounded = outside.iter().filter(|outside| !**outside).count();
-    let need = Need {
-        vertices: points.len(),
-        edges: segments.len(),
-        boundaries: cycles.starts.len() + isolated,
-        faces: bounded,
-    };
-    let mut dcel: Dcel<SlotStore> = Dcel::with_room(need);
-    let store = dcel.store_mut();
-    store.room_for(need).map_err(BuildError::Full)?;
 
-    let unbounded = store.unbounded();
-    let mut vertices = Vec::with_capacity(points.len());
-    let mut slots = Vec::with_capacity(points.len());
-    let mut boundary_of = Vec::with_capacity(cycles.starts.len());
-    let mut half_edges = Vec::with_capacity(2 * segments.len());
-    // Records refer to each other, so half-edges come first, from a vertex and a component that stand in for the right ones.
-    if !segments.is_empty() {
-        let (stand_in, component) = store.add_isolated(unbounded);
-        for _ in segments {
-            let h = store.add_edge(stand_in, stand_in, component);
-            half_edges.push(h);
-            half_edges.push(store.twin(h));
-        }
-        store.unlist(component);
-        store.remove_boundary(component);
-        store.remove_vertex(stand_in);
+    // Each cycle bounds a face of its own, unless it is the outside of its component: then that lies in a face.
+    let mut outer = Vec::with_capacity(outside.len());
+    let mut face_of = vec![UNBOUNDED; outside.len()];
+    for (cycle, _) in (0..).zip(&outside).filter(|(_, outside)| !**outside) {
+        outer.push(cycle);
+        face_of[cycle as usize] = outer.len() as u32;
     }
-    for v in 0..points.len() {
-        let slot = match rotations.leaving(v).first() {
-            Some(dart) => store.add_vertex(VertexLink::Leaving(half_edges[*dart as usize])),
-            // Its face is found below, with those of the other components.
-            None => store.add_isolated(unbounded).0,
+    let mut vertices: Vec<VertexLink<u32, u32>> =
+        (0..points.len()).map(|v| VertexLink::Leaving(rotations.leaving(v).first().copied().unwrap_or(NIL))).collect();
+    let mut starts: Vec<BoundaryStart<u32, u32>> = cycles.starts.iter().copied().map(BoundaryStart::HalfEdge).collect();
+    let mut inner = Vec::with_capacity(lowest.len());
+    // From left to right, so that the face of what lies below a component is known.
+    for ((low, dart), below) in lowest.iter().zip(&outside_darts).zip(&swept.below) {
+        let face = below.map_or(UNBOUNDED, |segment| {
+            let [a, b] = segments[segment as usize];
+            let rises = compare_lexicographic(points[a as usize], points[b as usize]) == Ordering::Less;
+            let above = segment << 1 | u32::from(!rises);
+            face_of[cycles.of[above as usize] as usize]
+        });
+        let boundary = if let Some(dart) = dart {
+            let cycle = cycles.of[*dart as usize];
+            face_of[cycle as usize] = face;
+            cycle
+        } else {
+            let boundary = starts.len() as u32;
+            starts.push(BoundaryStart::Vertex(*low));
+            vertices[*low as usize] = VertexLink::Isolated(boundary);
+            boundary
         };
-        slots.push(slot);
-        vertices.push(store.vertex_index(slot) as u32);
+        inner.push((face, boundary));
     }
-    for (start, outside) in cycles.starts.iter().zip(&outside) {
-        let face = if *outside { unbounded } else { store.add_face() };
-        let b = store.add_boundary(face, BoundaryStart::HalfEdge(half_edges[*start as usize]));
-        if !*outside {
-            store.list_outer(face, b);
-        }
-        boundary_of.push(b);
-    }
-    for (dart, h) in half_edges.iter().enumerate() {
-        store.set_origin(*h, slots[origin(segments, dart as u32) as usize]);
-        store.set_boundary(*h, boundary_of[cycles.of[dart] as usize]);
-        store.join(*h, half_edges[cycles.next[dart] as usize]);
-    }
-    // From left to right, so that what lies below a component is already where it belongs.
-    for (i, dart) in outside_darts.iter().enumerate() {
-        let face = match swept.below[i] {
-            Some(segment) => {
-                let [a, b] = segments[segment as usize];
-                let rises = compare_lexicographic(points[a as usize], points[b as usize]) == Ordering::Less;
-                let above = half_edges[(segment << 1 | u32::from(!rises)) as usize];
-                store.face(store.boundary(above))
-            }
-            None => unbounded,
-        };
-        match dart {
-            Some(dart) => store.list_inner(face, boundary_of[cycles.of[*dart as usize] as usize]),
-            None => {
-                if let VertexLink::Isolated(b) = store.vertex_link(slots[lowest[i] as usize]) {
-                    store.unlist(b);
-                    store.list_inner(face, b);
-                }
-            }
-        }
-    }
-    let half_edges = half_edges.iter().map(|h| store.half_edge_index(*h) as u32).collect();
-    Ok(Arranged { dcel, vertices, half_edges, clash: swept.clash })
+    let assembly = Assembly {
+        vertices: &vertices,
+        // The point where dart 2s + i starts is the i-th end of segment s.
+        origin: segments.as_flattened(),
+        next: &cycles.next,
+        boundary: &cycles.of,
+        starts: &starts,
+        outer: &outer,
+        inner: &inner,
+    };
+    let dcel = assembly.assemble().map_err(BuildError::Full)?;
+    Ok(Arranged { dcel, clash: swept.clash })
 }

@@ -1,6 +1,6 @@
 //! Gathering rings, lines and points, and building the map of them all at once.
 
-use super::arrange::arrange;
+use super::arrange::{Arranged, arrange};
 use super::cover::cover;
 use super::cut::{self, Cut, Noding};
 use super::error::BuildError;
@@ -19,8 +19,8 @@ use rustc_hash::FxHashMap;
 /// Gathers rings, lines and points, and builds the map of them.
 ///
 /// Vertices with the same coordinates become one (−0 is 0), segments that repeat another are merged, those without length
-/// are dropped; all of it is counted. Segments should meet at shared endpoints only. Where they do not,
-/// [`build_with`](Self::build_with) can cut them; [`build`](Self::build) goes on as far as it goes, and
+/// are dropped; all of it is counted ([`BuildSummary`]). Segments should meet at shared endpoints only. Where they do not,
+/// [`build_with`](Self::build_with) can cut them. [`build`](Self::build) leaves them as they are, and
 /// [`PlanarMap::validate`] says where the map is not plane.
 ///
 /// ```
@@ -54,6 +54,23 @@ impl Builder {
     }
 
     /// Takes a feature. O(its points), expected.
+    ///
+    /// ```
+    /// use twinedge::geometry::Point;
+    /// use twinedge::map::{BuildError, Builder, Feature, Shape};
+    ///
+    /// let peak = |x: f64, y: f64| Feature {
+    ///     name: Some("peak".into()),
+    ///     shapes: vec![Shape::Point(Point::new(x, y))],
+    ///     ..Feature::default()
+    /// };
+    /// let mut builder = Builder::new();
+    /// let first = builder.feature(&peak(7.0, 46.0))?;
+    /// assert!(matches!(builder.feature(&peak(f64::NAN, 46.0)), Err(BuildError::NotFinite { .. })));
+    /// let second = builder.feature(&peak(8.0, 46.5))?;
+    /// assert_eq!((first.index(), second.index()), (0, 1));
+    /// # Ok::<(), BuildError>(())
+    /// ```
     ///
     /// # Errors
     /// [`BuildError::NotFinite`] and [`BuildError::OutOfRange`], with the position. Nothing of the feature is taken then.
@@ -89,7 +106,19 @@ impl Builder {
         self.shape(&Shape::Line(vec![from.into(), to.into()]))
     }
 
-    /// What became of the input so far.
+    /// What has been found in the input so far.
+    ///
+    /// ```
+    /// use twinedge::map::Builder;
+    ///
+    /// let mut builder = Builder::new();
+    /// builder.segment([0.0, 0.0], [1.0, 0.0])?;
+    /// builder.segment([1.0, 0.0], [0.0, 0.0])?;
+    /// builder.segment([1.0, 0.0], [1.0, 0.0])?;
+    /// let summary = builder.summary();
+    /// assert_eq!((summary.segments, summary.duplicate_segments, summary.zero_length_segments), (3, 1, 1));
+    /// # Ok::<(), twinedge::map::BuildError>(())
+    /// ```
     #[must_use]
     pub const fn summary(&self) -> &BuildSummary {
         &self.summary
@@ -232,8 +261,8 @@ impl Builder {
         self.build_with(Noding::None)
     }
 
-    /// Cuts the segments where they meet, as asked, and builds the map. What cutting did is then told by
-    /// [`PlanarMap::noding`].
+    /// Cuts the segments where they meet, as [`Noding`] says, and builds the map. [`PlanarMap::noding`] counts what cutting
+    /// did.
     ///
     /// O(n log n) without noding; see [`noding`](crate::geometry::noding#cost) for what that adds.
     ///
@@ -280,10 +309,10 @@ impl Builder {
             }
             _ => {}
         }
-        let covered = cover(&points, &segments, &arranged, &features);
+        let covered = cover(&points, &segments, &arranged.dcel, &features);
         let features_of_map = FeatureSets::new(&covered.faces, &covered.edges);
         Ok(PlanarMap {
-            points: arranged.points_by_vertex(&points),
+            points: Arranged::points_by_vertex(&points),
             plane: arranged.clash.is_none(),
             dcel: arranged.dcel,
             names: features.into_iter().map(|feature| feature.name).collect(),

@@ -44,13 +44,7 @@ struct Marks {
     taken_by: Vec<u32>,
 }
 
-pub(super) fn cover(
-    points: &[Point],
-    segments: &[[u32; 2]],
-    arranged: &Arranged,
-    features: &[GatheredFeature],
-) -> Covered {
-    let dcel = &arranged.dcel;
+pub(super) fn cover(points: &[Point], segments: &[[u32; 2]], dcel: &Dcel, features: &[GatheredFeature]) -> Covered {
     let end = |slots: Option<usize>| slots.map_or(0, |last| last + 1);
     let faces = end(dcel.faces().map(Face::index).max());
     let mut marks = Marks {
@@ -66,16 +60,16 @@ pub(super) fn cover(
     let mut touched = Vec::new();
     for (feature, number) in features.iter().zip(0..) {
         for dart in feature.polygons.iter().flatten().chain(&feature.lines) {
-            covered.edges.push((arranged.half_edges[*dart as usize & !1], number));
+            covered.edges.push((Arranged::half_edge(*dart & !1), number));
         }
         for darts in &feature.polygons {
             if let Some(rings) = marks.simple_rings(points, segments, darts) {
                 for (ring, left) in rings {
-                    marks.flood_ring(arranged, ring, left, &mut touched);
+                    marks.flood_ring(dcel, ring, left, &mut touched);
                 }
             } else {
                 for piece in pieces(segments, darts) {
-                    marks.flood(points, segments, arranged, &piece, &mut touched);
+                    marks.flood(points, segments, dcel, &piece, &mut touched);
                 }
             }
             for face in touched.drain(..) {
@@ -194,16 +188,15 @@ impl Marks {
     }
 
     /// Turns the parity of the faces inside a ring on which no point occurs twice.
-    fn flood_ring(&mut self, arranged: &Arranged, ring: &[Dart], left: bool, touched: &mut Vec<usize>) {
-        let dcel = &arranged.dcel;
+    fn flood_ring(&mut self, dcel: &Dcel, ring: &[Dart], left: bool, touched: &mut Vec<usize>) {
         self.round += 1;
         let mut faces = Vec::new();
         for dart in ring {
             let inner = dart ^ u32::from(!left);
             for dart in [inner, inner ^ 1] {
-                self.in_piece[arranged.half_edges[dart as usize] as usize] = self.round;
+                self.in_piece[Arranged::half_edge(dart) as usize] = self.round;
             }
-            let face = dcel.half_edge_at(arranged.half_edges[inner as usize] as usize).map(|h| h.face().index());
+            let face = dcel.half_edge_at(Arranged::half_edge(inner) as usize).map(|h| h.face().index());
             if face.is_some() && face.as_ref() != faces.last() {
                 faces.extend(face);
             }
@@ -216,22 +209,21 @@ impl Marks {
         &mut self,
         points: &[Point],
         segments: &[[u32; 2]],
-        arranged: &Arranged,
+        dcel: &Dcel,
         piece: &[Dart],
         touched: &mut Vec<usize>,
     ) {
-        let dcel = &arranged.dcel;
         self.round += 1;
         let tail = |d: Dart| points[target(segments, d ^ 1) as usize];
         let head = |d: Dart| points[target(segments, d) as usize];
         for dart in piece {
-            self.in_piece[arranged.half_edges[*dart as usize] as usize] = self.round;
+            self.in_piece[Arranged::half_edge(*dart) as usize] = self.round;
         }
         // What leaves the lowest point least steeply has the outside below and the inside above.
         let seed = piece.iter().copied().min_by(|a, b| {
             compare_lexicographic(tail(*a), tail(*b)).then_with(|| by_steepness(tail(*a), head(*a), head(*b)))
         });
-        let Some(seed) = seed.map(|d| arranged.half_edges[d as usize] as usize) else { return };
+        let Some(seed) = seed.map(|d| Arranged::half_edge(d) as usize) else { return };
 
         // Half-edges at vertices still to be visited, with whether the inside lies to their left.
         let mut stack = vec![(seed, true)];

@@ -10,7 +10,7 @@ use rstar::primitives::GeomWithData;
 use rstar::{AABB, RTree};
 use rustc_hash::FxHashMap;
 
-/// What is done about segments that meet elsewhere than at shared endpoints.
+/// How segments are treated that meet elsewhere than at shared endpoints.
 ///
 /// ```text
 ///            \ /               \ /              \ /
@@ -22,8 +22,8 @@ use rustc_hash::FxHashMap;
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 #[non_exhaustive]
 pub enum Noding {
-    /// Nothing: the map is built as far as it goes, and [`PlanarMap::validate`](crate::map::PlanarMap::validate) says where it
-    /// is not plane.
+    /// Nothing: the map is built of the segments as they are, and [`PlanarMap::validate`](crate::map::PlanarMap::validate)
+    /// says where it is not plane.
     #[default]
     None,
     /// Segments are cut at the points of the input that lie on them, exactly. Nothing moves and no point is made, so two
@@ -58,9 +58,7 @@ impl Pieces {
     fn push(&mut self, chain: impl Iterator<Item = u32>, mut made: impl FnMut([u32; 2]) -> Option<u32>) {
         let mut last = None;
         for to in chain {
-            if let Some(from) = last.replace(to)
-                && from != to
-            {
+            if let Some(from) = last.replace(to).filter(|from| *from != to) {
                 let ends = [from.min(to), from.max(to)];
                 let number = self.numbers.get(&ends).copied().or_else(|| {
                     let number = made(ends)?;

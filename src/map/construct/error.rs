@@ -3,6 +3,7 @@
 use crate::dcel::RecordKind;
 use crate::geometry::Point;
 use crate::map::summary::Position;
+use core::fmt;
 use thiserror::Error;
 
 /// Why a shape was not taken, or no map built.
@@ -35,8 +36,8 @@ pub enum BuildError {
     #[error("there is no room for more {0}")]
     Full(RecordKind),
     /// Segments cross where the input has no point, and [`Noding::Exact`] was asked for.
-    #[error("{count} pair(s) of segments cross where the input has no point, the first ({}, {})-({}, {}) and ({}, {})-({}, {}): snap to a grid to cut them there",
-        one[0].x, one[0].y, one[1].x, one[1].y, other[0].x, other[0].y, other[1].x, other[1].y)]
+    #[error("the segments {} and {} cross where the input has no point{}: snap to a grid to cut them there",
+        Ends(one), Ends(other), FirstOf(*count))]
     Crossing {
         /// A segment that crosses another.
         one: [Point; 2],
@@ -56,4 +57,26 @@ pub enum BuildError {
         /// The second coordinate.
         y: f64,
     },
+}
+
+/// A segment in a message.
+struct Ends<'a>(&'a [Point; 2]);
+
+impl fmt::Display for Ends<'_> {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        let [a, b] = self.0;
+        write!(f, "({}, {})-({}, {})", a.x, a.y, b.x, b.y)
+    }
+}
+
+/// That there are more such pairs, if there are.
+struct FirstOf(u64);
+
+impl fmt::Display for FirstOf {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        match self.0 {
+            0 | 1 => Ok(()),
+            count => write!(f, ", the first of {count} such pairs"),
+        }
+    }
 }

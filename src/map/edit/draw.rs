@@ -91,10 +91,9 @@ impl PlanarMap {
         let mut inner = Vec::new();
         let mut split = Split::default();
         let mut set = SetId::default();
-        if let (Some(a), Some(b)) = (at_v, at_w)
-            && a.boundary() == b.boundary()
-        {
-            (split.new_face, inner) = self.sides(a, b)?;
+        match (at_v, at_w) {
+            (Some(a), Some(b)) if a.boundary() == b.boundary() => (split.new_face, inner) = self.sides(a, b)?,
+            _ => {}
         }
         let face = at_v.map(|h| h.face().key());
         if let Some(h) = at_v {

@@ -13,8 +13,8 @@ pub enum EditError {
     /// A key names nothing, or there is no room for more records.
     #[error(transparent)]
     Operator(#[from] OperatorError),
-    /// The map is not plane ([`PlanarMap::is_plane`](crate::map::PlanarMap::is_plane)), so nothing can be said about what
-    /// lies where.
+    /// The map is not plane ([`PlanarMap::is_plane`](crate::map::PlanarMap::is_plane)), so it is not known what lies
+    /// where.
     #[error("the map is not plane")]
     NotPlane,
     /// A coordinate is NaN or infinite.
@@ -41,11 +41,11 @@ pub enum EditError {
         /// The second coordinate.
         y: f64,
     },
-    /// What was to be drawn crosses this edge, at a point interior to both; it may cross others, too.
+    /// A segment would cross this edge, at a point interior to both. It may cross other edges, too.
     #[error("it would cross the edge of {0:?}")]
     Crosses(HalfEdgeKey),
     /// A ring of fewer than three points.
-    #[error("{points} points make no ring")]
+    #[error("a ring needs three points, this one has {points}")]
     NotARing {
         /// How many there are, not counting a last one that repeats the first.
         points: usize,

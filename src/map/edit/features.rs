@@ -8,12 +8,29 @@ use crate::map::planar_map::PlanarMap;
 
 impl PlanarMap {
     /// Adds a feature that covers nothing yet. O(1), amortised.
+    ///
+    /// ```
+    /// use twinedge::map::PlanarMap;
+    ///
+    /// let mut map = PlanarMap::new();
+    /// let ring = map.insert_ring([[0.0, 0.0], [1.0, 0.0], [0.0, 1.0]])?;
+    /// let (_, inside) = ring.faces_split[0];
+    /// let garden = map.add_feature(Some("garden".into()));
+    /// map.set_features_of(inside, [garden])?;
+    /// for edge in ring.way {
+    ///     map.set_features_along(edge, [garden])?;
+    /// }
+    /// assert!(map.features_of(inside)?.eq([garden]));
+    /// assert_eq!(twinedge::algorithm::area::feature_area(&map, garden), 0.5);
+    /// # Ok::<(), Box<dyn std::error::Error>>(())
+    /// ```
     pub fn add_feature(&mut self, name: Option<String>) -> FeatureId {
         self.names.push(name);
         FeatureId(self.names.len() as u32 - 1)
     }
 
-    /// Says which features cover a face, in place of those that did. O(k log k) for k features.
+    /// Says which features cover a face, in place of those that did. O(k log k) for k features. For an example see
+    /// [`add_feature`](Self::add_feature).
     ///
     /// # Errors
     /// A stale key; [`EditError::NoSuchFeature`]. Nothing changes then.
@@ -29,7 +46,8 @@ impl PlanarMap {
         Ok(())
     }
 
-    /// Says which features run along an edge, in place of those that did. O(k log k) for k features.
+    /// Says which features run along an edge, in place of those that did. O(k log k) for k features. For an example see
+    /// [`add_feature`](Self::add_feature).
     ///
     /// # Errors
     /// A stale key; [`EditError::NoSuchFeature`]. Nothing changes then.

@@ -98,9 +98,11 @@ impl PlanarMap {
     /// [`EditError::NotARing`]; [`EditError::SelfCrossing`]; and those of [`insert_segment`](Self::insert_segment).
     pub fn insert_ring(&mut self, points: impl IntoIterator<Item = impl Into<At>>) -> Result<Edited, EditError> {
         let mut points: Vec<At> = points.into_iter().map(Into::into).collect();
-        if let [first, .., last] = points[..]
-            && self.point_of(first)? == self.point_of(last)?
-        {
+        let repeats_first = match points[..] {
+            [first, .., last] => self.point_of(first)? == self.point_of(last)?,
+            _ => false,
+        };
+        if repeats_first {
             points.pop();
         }
         if points.len() < 3 {

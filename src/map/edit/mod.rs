@@ -39,14 +39,14 @@
 //! covered it; where an edge is, both parts have its features. New edges have none, and a face that is closed off anew is
 //! covered as before: say otherwise with [`set_features_of`](crate::map::PlanarMap::set_features_of) and
 //! [`set_features_along`](crate::map::PlanarMap::set_features_along). Where two faces become one, it is covered by the features that
-//! covered *both*: without the border nothing tells where a country ended that lay on one side only, and what is left of
-//! it is what is surely so. [`Edited::features_dropped`] names what was lost, where.
+//! covered *both*: without the border, the extent of a feature that covered one side only is unknown.
+//! [`Edited::features_dropped`] lists the features that were dropped, and the faces.
 //!
 //! # Costs
 //!
-//! No index is kept, so the first point of an edit is walked to from outside the map, unless it is given as a vertex or
-//! near a half-edge ([`At`]). On the way there and from there on an edit looks only at the faces that it passes, at *all* of
-//! their boundary: crossing an ocean costs as much as the ocean has coast.
+//! No index is kept, so the first point of an edit is found by walking there from outside the map, unless it is given as a
+//! vertex or near a half-edge ([`At`]). An edit visits only the faces on its way, but the *whole* boundary of each: crossing
+//! an ocean costs as much as its coastlines are long.
 
 mod at;
 mod chain;

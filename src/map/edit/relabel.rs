@@ -80,9 +80,8 @@ impl PlanarMap {
             let set = known.sets[&key];
             for h in self.dcel.face(key)?.half_edges() {
                 let across = h.twin().face().key();
-                if let Some(border) = borders.get(&(h.index() / 2))
-                    && !known.sets.contains_key(&across)
-                {
+                let border = borders.get(&(h.index() / 2)).filter(|_| !known.sets.contains_key(&across));
+                if let Some(border) = border {
                     known.learn(across, self.features.differing(set, border.turns));
                 }
             }

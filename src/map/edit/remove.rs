@@ -40,6 +40,17 @@ impl PlanarMap {
     ///
     /// The cost of removing each of its edges.
     ///
+    /// ```
+    /// use twinedge::map::PlanarMap;
+    ///
+    /// let mut map = PlanarMap::new();
+    /// let ring = map.insert_ring([[0.0, 0.0], [1.0, 0.0], [0.0, 1.0]])?;
+    /// let removed = map.remove_vertex(ring.vertices[0])?;
+    /// assert_eq!((removed.edges_dropped.len(), removed.faces_merged.len()), (2, 1));
+    /// assert_eq!((map.dcel().vertex_count(), map.dcel().edge_count()), (2, 1));
+    /// # Ok::<(), twinedge::map::edit::EditError>(())
+    /// ```
+    ///
     /// # Errors
     /// As for [`remove_edge`](Self::remove_edge).
     pub fn remove_vertex(&mut self, vertex: VertexKey) -> Result<Edited, EditError> {

@@ -1,4 +1,4 @@
-//! A grid over the drawing, so that most searches need not begin.
+//! A grid over the map, which answers most searches without the graph.
 
 use super::graph::{Graph, GraphHit, Stage};
 use crate::geometry::Point;
@@ -6,11 +6,11 @@ use crate::geometry::predicates::{Orientation, in_range, orientation};
 use alloc::vec;
 use alloc::vec::Vec;
 
-/// How many cells may be marked for each cell there is, before the grid is given up.
+/// How many marks per cell are made at most, on average, before the grid is given up.
 const MAX_MARKS_PER_CELL: usize = 16;
 
-/// A grid of as many columns as rows, with a cell or so for each segment. A cell that the drawing leaves empty knows its
-/// face; in all others the search begins at the beginning.
+/// A grid of as many columns as rows, with about one cell for each segment. An empty cell stores its face; in all others
+/// the search starts at the root of the graph.
 ///
 /// The grid only saves time. Where segments are so long that it would take more than O(n) to draw them cell by cell, all
 /// cells count as not empty.
@@ -91,7 +91,7 @@ impl Cells {
         cells
     }
 
-    /// Which cells are not empty; nothing, if there are too many on the way of the segments.
+    /// Which cells are not empty; none if the segments pass through too many.
     fn marked(&self, graph: &Graph) -> Option<Vec<bool>> {
         let mut marked = vec![false; self.stages.len()];
         let mut marks_left = MAX_MARKS_PER_CELL * self.stages.len();
@@ -156,7 +156,7 @@ impl Cells {
         self.rows.piece(p.y) * self.columns.pieces + self.columns.piece(p.x)
     }
 
-    /// Where to begin the search for a point; nothing, if it lies outside.
+    /// Where to start the search for a point; none if it lies outside.
     #[inline]
     pub(super) fn stage(&self, p: Point) -> Option<Stage> {
         let inside = (self.columns.first..=self.columns.last).contains(&p.x)

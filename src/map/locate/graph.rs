@@ -1,6 +1,6 @@
-//! The search graph, packed: which questions to ask, in 12 bytes each, down to a face.
+//! The search graph, packed: questions of 12 bytes each, which lead to a face.
 
-use super::trapezoids::{Drawn, Failure, Node, search_graph};
+use super::trapezoids::{Drawn, GraphError, Node, search_graph};
 use crate::geometry::Point;
 use crate::geometry::predicates::{Orientation, compare_lexicographic, count_step, orientation};
 use core::cmp::Ordering;
@@ -11,7 +11,7 @@ const MARK: u32 = 1 << 31;
 /// A question of the graph, or a face, marked.
 pub(super) type Stage = u32;
 
-/// Which side of something?
+/// On which side of a segment or point does the query lie?
 #[derive(Clone, Copy)]
 struct Question {
     /// A segment, or a point, marked.
@@ -40,7 +40,7 @@ pub(super) struct Graph {
 
 impl Graph {
     /// Builds the graph, with the face above each segment, and that above none. Expected time O(n log n), memory O(n).
-    pub(super) fn new(drawn: Drawn, face_above: impl Fn(Option<u32>) -> u32) -> Result<Self, Failure> {
+    pub(super) fn new(drawn: Drawn, face_above: impl Fn(Option<u32>) -> u32) -> Result<Self, GraphError> {
         let nodes = search_graph(&drawn)?;
         let mut questions = 0;
         let stages: Vec<Stage> = nodes
@@ -84,7 +84,7 @@ impl Graph {
                 match orientation(low, high, p) {
                     Orientation::CounterClockwise => true,
                     Orientation::Clockwise => false,
-                    // Whoever is asked about a segment is between the walls of its ends.
+                    // The search comes to a segment only between the walls of its ends.
                     Orientation::Collinear => return GraphHit::Segment(question.of),
                 }
             } else {

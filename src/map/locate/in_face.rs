@@ -13,12 +13,12 @@ pub(in crate::map) fn locate_in_face(map: &PlanarMap, face: Face<'_>, p: Point) 
     let mut scan = BoundaryScan { map, p, on: None, below: None };
     face.half_edges().for_each(|h| scan.at_edge(h));
     face.inner().filter_map(|b| b.isolated_vertex()).for_each(|v| scan.at_vertex(v));
-    // All else lies beyond the boundary of the face, so what is seen of that face is what there is.
+    // Everything else lies beyond the boundary of the face, so the edge below decides.
     let is_inside = || scan.below.map_or(face.is_unbounded(), |(h, _)| h.face() == face);
     scan.on.or_else(|| is_inside().then(|| Located::Face(face.key())))
 }
 
-/// What is seen from a point, after looking at some edges and isolated vertices.
+/// What is known of a point, after scanning some edges and isolated vertices.
 struct BoundaryScan<'a> {
     map: &'a PlanarMap,
     p: Point,

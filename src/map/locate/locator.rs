@@ -3,7 +3,7 @@
 use super::cells::Cells;
 use super::graph::{Graph, GraphHit};
 use super::located::{LocateError, Located, check_range};
-use super::trapezoids::{Drawn, Failure};
+use super::trapezoids::{Drawn, GraphError};
 use crate::geometry::Point;
 use crate::geometry::predicates::compare_lexicographic;
 use crate::map::planar_map::PlanarMap;
@@ -12,11 +12,11 @@ use crate::validate::Embedding;
 
 /// An index of a map: where points lie, and what lines meet.
 ///
-/// It borrows the map, so the map cannot change under it. See the [module](crate::map::locate) for an example.
+/// It borrows the map, so the map cannot change meanwhile. See the [module](crate::map::locate) for an example.
 pub struct Locator<'m> {
     pub(in crate::map) map: &'m PlanarMap,
     graph: Graph,
-    /// Nothing, if the map has no vertex.
+    /// None if the map has no vertex.
     cells: Option<Cells>,
     /// The vertex of each point of the graph.
     vertices: Vec<u32>,
@@ -33,7 +33,7 @@ impl core::fmt::Debug for Locator<'_> {
 
 impl<'m> Locator<'m> {
     /// Builds the index. Expected time O(n log n) and expected memory O(n), some 200 bytes for each edge. The
-    /// expectation is over the orders in which edges may be put in, and not over the maps: fans, combs, long parallels
+    /// expectation is over the orders in which edges may be inserted, not over the maps: fans, combs, long parallels
     /// and thousands of islands are no worse than others. The order is that of a fixed pseudo-random sequence, so equal
     /// maps have equal indices.
     ///
@@ -69,8 +69,8 @@ impl<'m> Locator<'m> {
             edge.map_or(dcel.unbounded_face(), |h| h.face()).index() as u32
         };
         let graph = Graph::new(drawn, face_above).map_err(|failure| match failure {
-            Failure::TooLarge => LocateError::TooLarge,
-            Failure::Clash => LocateError::NotPlane,
+            GraphError::TooLarge => LocateError::TooLarge,
+            GraphError::Clash => LocateError::NotPlane,
         })?;
         let cells = bounds.map(|bounds| Cells::new(&graph, bounds));
         Ok(Self { map, graph, cells, vertices, rising, tree })
@@ -83,6 +83,19 @@ impl<'m> Locator<'m> {
     }
 
     /// Where a point lies. An edge is named by the half-edge that runs to the right, or straight up. O(log n) expected.
+    ///
+    /// ```
+    /// use twinedge::geometry::Point;
+    /// use twinedge::map::{Located, Locator, PlanarMap};
+    ///
+    /// let mut map = PlanarMap::new();
+    /// let ring = map.insert_ring([[0.0, 0.0], [4.0, 0.0], [0.0, 4.0]])?;
+    /// let locator = Locator::new(&map)?;
+    /// assert_eq!(locator.locate(Point::new(1.0, 1.0))?, Located::Face(ring.faces_split[0].1));
+    /// assert_eq!(locator.locate(Point::new(1.0, 0.0))?, Located::Edge(ring.way[0]));
+    /// assert_eq!(locator.locate(Point::new(4.0, 0.0))?, Located::Vertex(ring.vertices[1]));
+    /// # Ok::<(), Box<dyn std::error::Error>>(())
+    /// ```
     ///
     /// # Errors
     /// [`LocateError::OutOfRange`].
@@ -101,7 +114,7 @@ impl<'m> Locator<'m> {
                 dcel.half_edge_at(self.rising[segment as usize] as usize).map(|h| Located::Edge(h.key()))
             }
         };
-        // The map is borrowed: all that was there is there.
+        // The map is borrowed, so every record of the index is live.
         Ok(located.unwrap_or(Located::Face(dcel.unbounded_face().key())))
     }
 }

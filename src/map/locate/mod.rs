@@ -7,6 +7,14 @@
 //!
 //! Both are exact: a point is at a vertex, inside an edge or in a face, and there is no tolerance.
 //!
+//! ```text
+//!    ●────────────●
+//!    │      f     │      p: in face f
+//!    │  p      q  r      q: in face f, however near to the edge
+//!    │            │      r: inside the edge
+//!    ●────────────●
+//! ```
+//!
 //! ```
 //! use twinedge::geometry::Point;
 //! use twinedge::map::{Builder, Located, Locator, Shape};
@@ -32,9 +40,8 @@
 //! # How
 //!
 //! The index is the search graph of a trapezoidal map (see `trapezoids.rs`): O(n) memory and O(log n) questions, whatever
-//! the drawing. In front of it stands a grid of about one cell per edge. A cell that no edge meets knows its face, so most
-//! searches on a map end where they begin; and the worst is still the worst of the graph, since the grid has one number per
-//! cell and no lists.
+//! the map. In front of it is a grid of about one cell per edge. A cell that no edge meets stores its face, so most searches
+//! end in the grid. The worst case is that of the graph: the grid has one number per cell and no lists.
 
 mod cells;
 mod graph;

@@ -17,8 +17,7 @@ impl Locator<'_> {
     /// but where boxes hardly fit their edges, as with long slanted parallels, m may be as large as the map.
     ///
     /// # Errors
-    /// [`LocateError::OutOfRange`]. [`LocateError::NoDirection`], if both points are the same; what is there,
-    /// [`Locator::locate`] says.
+    /// [`LocateError::OutOfRange`]. [`LocateError::NoDirection`] if both points are the same; use [`Locator::locate`] then.
     ///
     /// ```
     /// use twinedge::geometry::Point;

@@ -12,7 +12,7 @@
 //! | [`Locator::zone`](crate::map::Locator::zone) | the index | what an R-tree takes to find the edges, and O(k log k) to sort the k that are met |
 //! | [`PlanarMap::zone_from`](crate::map::PlanarMap::zone_from) | nothing | the boundaries of the faces met |
 //!
-//! Both are exact, through vertices and along edges too: no intersection is ever computed, nor is there a tolerance.
+//! Both are exact, also through vertices and along edges: no intersection is ever computed, and there is no tolerance.
 
 mod follow;
 mod indexed;

@@ -15,13 +15,24 @@ use rustc_hash::FxHashSet;
 use std::collections::BinaryHeap;
 
 impl PlanarMap {
-    /// Where a point lies, by walking there on a straight line from something that is near, if possible: a face, edge or
-    /// vertex, such as the last answer. Needs no index, so the map may change between two questions.
+    /// Where a point lies, by walking there on a straight line from a face, edge or vertex: best from a near one, such as the
+    /// last answer. Needs no index, so the map may change between two calls.
     ///
-    /// Takes time in proportion to the boundary of the face of the hint, if the point lies in it; else also to those of
-    /// the faces that the line meets, each counted once however often it is entered, plus O(k log k) for k edges and
-    /// vertices on the way. On a map that is not plane, the answer may be wrong,
-    /// but comes in the same time.
+    /// O(boundary of the face of the hint), if the point lies in it. Otherwise also the boundaries of the faces that the line
+    /// meets, each counted once however often it is entered, and O(k log k) for k edges and vertices on the way. On a map
+    /// that is not plane the answer may be wrong; the cost is the same.
+    ///
+    /// ```
+    /// use twinedge::geometry::Point;
+    /// use twinedge::map::{Located, PlanarMap};
+    ///
+    /// let mut map = PlanarMap::new();
+    /// let ring = map.insert_ring([[0.0, 0.0], [4.0, 0.0], [0.0, 4.0]])?;
+    /// let (outside, inside) = ring.faces_split[0];
+    /// assert_eq!(map.locate_from(Point::new(1.0, 1.0), outside)?, Located::Face(inside));
+    /// assert_eq!(map.locate_from(Point::new(0.0, 4.0), inside)?, Located::Vertex(ring.vertices[2]));
+    /// # Ok::<(), Box<dyn std::error::Error>>(())
+    /// ```
     ///
     /// # Errors
     /// [`LocateError::OutOfRange`]. [`LocateError::Stale`], if the hint is. [`LocateError::NotPlane`], if the walk comes
@@ -63,7 +74,23 @@ impl PlanarMap {
     /// [`Locator::zone`](crate::map::Locator::zone) has it, but without an index. Nothing but the vertex, if the
     /// point is the vertex.
     ///
-    /// Takes the time of [`PlanarMap::locate_from`].
+    /// Costs what [`PlanarMap::locate_from`] costs.
+    ///
+    /// ```
+    /// use twinedge::geometry::Point;
+    /// use twinedge::map::{PlanarMap, ZoneElement};
+    ///
+    /// let mut map = PlanarMap::new();
+    /// let start = map.insert_point([0.0, 1.0])?.vertices[0];
+    /// let wall = map.insert_segment([1.0, 0.0], [1.0, 2.0])?.way[0];
+    /// let outside = map.dcel().unbounded_face().key();
+    /// let zone = map.zone_from(start, Point::new(2.0, 1.0))?;
+    /// assert_eq!(zone[..2], [ZoneElement::Vertex(start), ZoneElement::Face(outside)]);
+    /// // The half-edge that comes from the left of the line.
+    /// let from_the_left = map.dcel().half_edge(wall)?.twin().key();
+    /// assert_eq!(zone[2..], [ZoneElement::Edge(from_the_left), ZoneElement::Face(outside)]);
+    /// # Ok::<(), Box<dyn std::error::Error>>(())
+    /// ```
     ///
     /// # Errors
     /// As [`PlanarMap::locate_from`].
@@ -84,12 +111,10 @@ impl PlanarMap {
         self.go(&Line { from, through: to }, Some(to), event, visit)
     }
 
-    /// The elements that a line meets which crosses the edge of a half-edge, or meets one of its ends: as
-    /// [`Locator::zone`](crate::map::Locator::zone) has it, but without an index, by walking from there both ways. With
-    /// a [`QueryLine::Line`] these are all faces that a line cuts, given the line and a half-edge that it cuts.
+    /// The elements that a line meets, given a half-edge whose edge it crosses or one of whose ends it meets: as
+    /// [`Locator::zone`](crate::map::Locator::zone) has it, but without an index, by walking from there both ways.
     ///
-    /// Takes time in proportion to the boundaries of the faces met, each counted twice at most, plus O(k log k) for k edges
-    /// and vertices on the way.
+    /// O(boundaries of the faces met), each counted twice at most, and O(k log k) for k edges and vertices on the way.
     ///
     /// ```
     /// use twinedge::geometry::Point;
@@ -203,9 +228,7 @@ impl<'m> KnownEvents<'m, '_> {
             (p, line.side(p))
         };
         for boundary in face.boundaries() {
-            if let Some(vertex) = boundary.isolated_vertex()
-                && sided(vertex).1 == Orientation::Collinear
-            {
+            if let Some(vertex) = boundary.isolated_vertex().filter(|v| sided(*v).1 == Orientation::Collinear) {
                 self.add(Line::at(map, vertex), at);
             }
             let Some(start) = boundary.start() else { continue };

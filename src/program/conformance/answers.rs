@@ -3,10 +3,11 @@
 //! Every corner is asked every question once. That is not all: an answer is a handle, and the handles of two structures
 //! have to be paired. The half-edges are paired by their places; vertices and faces as they are met, each with one other.
 
-use super::{Answer, Difference, Question};
-use crate::program::interpret::Runner;
+use super::difference::{Answer, Difference, Question};
+use crate::dcel::Corner;
 use crate::program::pointer_model::PointerModel;
-use crate::program::subject::{Corner, CornerOf, Subject};
+use crate::program::runner::Runner;
+use crate::program::subject::{CornerOf, Subject};
 use alloc::collections::BTreeMap;
 use core::iter::repeat;
 

@@ -14,8 +14,9 @@
 
 use super::{Face, HalfEdge, Owned, PointerModel, PointerModelFace, PointerModelHalfEdge, PointerModelVertex, Vertex};
 use super::{contains, cycle, face, is_outer, next, origin, prev, same, to, twin};
+use crate::dcel::Corner;
 use crate::dcel::{Side, Turn};
-use crate::program::subject::{Corner, Refusal, Subject};
+use crate::program::subject::{Refusal, Subject};
 use alloc::rc::Rc;
 use alloc::vec;
 use alloc::vec::Vec;
@@ -472,9 +473,11 @@ impl Subject for PointerModel {
         if outer {
             return Err(Refusal::IsOuter);
         }
-        if let Corner::At(h) = &spot
-            && contains(&self.faces_inside(h), &f)
-        {
+        let inside_itself = match &spot {
+            Corner::At(h) => contains(&self.faces_inside(h), &f),
+            Corner::Isolated(_) => false,
+        };
+        if inside_itself {
             return Err(Refusal::InsideItself);
         }
         give(&spot, &f);

@@ -1,8 +1,9 @@
 //! What programs drive.
 
 use super::{HalfEdge, ModelCorner, RotationSystem, UNBOUNDED};
+use crate::dcel::Corner;
 use crate::dcel::{Side, Turn};
-use crate::program::subject::{Corner, Refusal, Subject};
+use crate::program::subject::{Refusal, Subject};
 use alloc::vec;
 use alloc::vec::Vec;
 

@@ -18,7 +18,7 @@
 use crate::store::issuer::{Issuer, with_room};
 use crate::store::keys::{BoundaryKey, FaceKey, HalfEdgeKey, VertexKey, key, parts};
 use crate::store::links::{BoundaryStart, VertexLink};
-use crate::store::place::OUTER;
+use crate::store::place::UNLISTED;
 use alloc::boxed::Box;
 use alloc::vec::Vec;
 use core::cell::{Cell, RefCell};
@@ -30,7 +30,7 @@ use slotmap::Key;
 pub struct Ref<R>(NonNull<R>);
 
 impl<R> Ref<R> {
-    /// What a link holds until it is set. It is never followed: whoever issues a record sets all its links.
+    /// What a link holds until it is set. It is never followed: the caller of `issue` sets all links of the record.
     pub(super) const UNSET: Self = Self(NonNull::dangling());
 }
 
@@ -140,7 +140,7 @@ impl Record for BoundaryRecord {
             key: Cell::new(key),
             face: Cell::new(Ref::UNSET),
             start: Cell::new(BoundaryStart::Vertex(Ref::UNSET)),
-            place: Cell::new(OUTER),
+            place: Cell::new(UNLISTED),
         }
     }
 

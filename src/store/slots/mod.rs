@@ -15,7 +15,11 @@
 
 mod columns;
 mod records;
+#[cfg(feature = "serde")]
+mod restore;
 mod store;
 
 pub(crate) use records::Slots;
+#[cfg(feature = "serde")]
+pub(crate) use restore::{Generations, Live};
 pub use store::SlotStore;

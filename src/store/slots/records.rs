@@ -37,7 +37,7 @@ impl SlotStore {
     }
 
     /// Makes the columns as long as there are slots.
-    fn fill_columns(&mut self) {
+    pub(super) fn fill_columns(&mut self) {
         let half_edges = 2 * self.edges.end();
         self.origin.resize(half_edges, VertexSlot(NIL));
         self.next.resize(half_edges, HalfEdgeSlot(NIL));

@@ -376,10 +376,10 @@ impl Links for SlotStore {
 
     fn set_start(&mut self, b: BoundarySlot, start: BoundaryStart<HalfEdgeSlot, VertexSlot>) {
         self.start[b.0 as usize] = start_bits(start);
-        if let BoundaryStart::HalfEdge(h) = start
-            && self.place[b.0 as usize] == OUTER
-        {
-            self.outer[self.boundary_face[b.0 as usize].0 as usize] = h.0;
+        if self.place[b.0 as usize] == OUTER {
+            if let BoundaryStart::HalfEdge(h) = start {
+                self.outer[self.boundary_face[b.0 as usize].0 as usize] = h.0;
+            }
         }
     }
 
