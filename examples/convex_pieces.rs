@@ -50,7 +50,8 @@ fn main() -> Result<(), Box<dyn Error>> {
     // Nothing is lost: the pieces are faces of the map, all but the column and the outside.
     assert!(map.validate().is_valid());
     assert_eq!(map.dcel().face_count(), pieces + 2);
-    let covered: f64 = map.dcel().faces().filter_map(|face| face_area(&map, face.key()).ok()).filter(|a| a.is_finite()).sum();
+    let covered: f64 =
+        map.dcel().faces().filter_map(|face| face_area(&map, face.key()).ok()).filter(|a| a.is_finite()).sum();
     assert_eq!(covered, area + 4.0);
     Ok(())
 }

@@ -33,7 +33,11 @@ fn main() -> Result<(), Box<dyn Error>> {
         let beside: Vec<usize> =
             around.iter().filter_map(|n| diagram.cells.iter().position(|cell| *cell == n.neighbour)).collect();
         let names: Vec<&str> = beside.iter().map(|other| OFFICES[*other].0).collect();
-        println!("{name}: {:.2} square miles, beside {}", face_area(&diagram.map, diagram.cells[site])?, names.join(", "));
+        println!(
+            "{name}: {:.2} square miles, beside {}",
+            face_area(&diagram.map, diagram.cells[site])?,
+            names.join(", ")
+        );
         borders.extend(beside.into_iter().map(|other| [site.min(other), site.max(other)]));
     }
 

@@ -77,8 +77,7 @@ impl Draw {
         }
         let report = validate_embedding(&map, &Expectation::plane(), Collect::AtMost(self.list));
         let options = Options { size: self.size.into(), detail: self.detail, window, violations: report.violations() };
-        let picture =
-            if self.tables { Textbook::of_embedding(&map).to_string() } else { svg::draw(&map, &options) };
+        let picture = if self.tables { Textbook::of_embedding(&map).to_string() } else { svg::draw(&map, &options) };
         match self.output.as_deref().filter(|path| *path != Path::new("-")) {
             None => print(&picture)?,
             Some(path) => {

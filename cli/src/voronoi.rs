@@ -18,13 +18,16 @@ use twinedge::map::PlanarMap;
 /// one cell, that of the first. Unbounded cells are closed by a box, the one given or one that is a tenth wider than the points;
 /// it is the `bbox` of the output.
 #[derive(Debug, clap::Args)]
-#[command(name = "voronoi", after_help = "Examples:
+#[command(
+    name = "voronoi",
+    after_help = "Examples:
   twinedge voronoi stations.geojson -o cells.geojson
   twinedge voronoi stations.geojson --bounds 5.5 45.5 11 48 -o cells.svg
   twinedge voronoi stations.geojson --delaunay -o triangles.geojson
 
 Exit status: 0 the diagram is made; 2 the input could not be read or has something else than points, or a point lies outside \
-the bounds.")]
+the bounds."
+)]
 pub(crate) struct MakeVoronoi {
     /// GeoJSON file with points, or `-` for standard input.
     points: PathBuf,
@@ -166,8 +169,7 @@ fn cells(found: &Voronoi, sites: &Sites) -> Result<(String, String), Failure> {
     let [low, high] = found.bounds;
     let (points, cells) = (counted(found.cells.len(), "point"), counted(features.len(), "cell"));
     let what = format!("{points}, {cells} in the box from ({}, {}) to ({}, {})", low.x, low.y, high.x, high.y);
-    let collection =
-        json!({"type": "FeatureCollection", "bbox": [low.x, low.y, high.x, high.y], "features": features});
+    let collection = json!({"type": "FeatureCollection", "bbox": [low.x, low.y, high.x, high.y], "features": features});
     Ok((collection.to_string() + "\n", what))
 }
 

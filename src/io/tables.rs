@@ -121,9 +121,9 @@ impl Textbook {
 
     /// The tables of a structure that has faces, with `point` for the coordinates of a vertex, where there are any.
     ///
-    /// Records are named by their indices, counted from 1: vertex 0 is `v1`, the half-edges of the first edge are `e1,1` and
-    /// `e1,2`. If the twin of half-edge 2i is always 2i + 1, as in a [`Dcel`](crate::dcel::Dcel), a record keeps its name
-    /// for as long as it lives. Slots that are vacant are left out. O(n).
+    /// Records are named by their indices, counted from 1: the first vertex is `v1`, the half-edges of the first edge are
+    /// `e1,1` and `e1,2`. Slots that are vacant are left out. In a [`Dcel`](crate::dcel::Dcel), where index 0 is not used and
+    /// twins are neighbours, vertex 7 is always `v7`, and half-edges 14 and 15 are `e7,1` and `e7,2`. O(n).
     #[must_use]
     pub fn of<V: View + ?Sized>(view: &V, point: impl Fn(usize) -> Option<Point>) -> Self {
         let vertices = Column::new("v", view.vertex_slots(), |v| view.is_vertex(v));
@@ -225,7 +225,8 @@ struct Column {
 impl Column {
     fn new(letter: &str, slots: usize, is_live: impl Fn(usize) -> bool) -> Self {
         let live: Vec<usize> = (0..slots).filter(|i| is_live(*i)).collect();
-        let names = live.iter().map(|i| format!("{letter}{}", i + 1)).collect();
+        let first = usize::from(live.first() == Some(&0));
+        let names = live.iter().map(|i| format!("{letter}{}", i + first)).collect();
         Self { places: live.iter().copied().zip(0..).collect(), live, names }
     }
 
@@ -234,7 +235,8 @@ impl Column {
     fn of_half_edges<V: View + ?Sized>(view: &V) -> Self {
         let mut column = Self::new("e", view.half_edge_slots(), |h| view.is_half_edge(h));
         if column.live.iter().all(|h| view.twin(*h) == Some(*h ^ 1)) {
-            column.names = column.live.iter().map(|h| format!("e{},{}", h / 2 + 1, h % 2 + 1)).collect();
+            let first = usize::from(column.live.first() == Some(&0));
+            column.names = column.live.iter().map(|h| format!("e{},{}", h / 2 + first, h % 2 + 1)).collect();
             return column;
         }
         let mut edges = 0;
@@ -270,11 +272,8 @@ fn columns(f: &mut fmt::Formatter<'_>, heading: &[&str], rows: Vec<Vec<String>>)
     let width = |i: usize| rows.iter().filter_map(|row| row.get(i)).map(|word| word.chars().count()).max().unwrap_or(0);
     let widths: Vec<usize> = (0..rows[0].len()).map(width).collect();
     for row in &rows {
-        let mut line = String::new();
-        for (word, width) in row.iter().zip(&widths) {
-            line.push_str(&format!("{word:width$}  "));
-        }
-        writeln!(f, "{}", line.trim_end())?;
+        let words: Vec<String> = row.iter().zip(&widths).map(|(word, width)| format!("{word:width$}")).collect();
+        writeln!(f, "{}", words.join("  ").trim_end())?;
     }
     Ok(())
 }
@@ -446,7 +445,13 @@ impl FromStr for Textbook {
                 return Err(TablesError::Columns { line: *line, expected, found: 0 });
             };
             // `nil` alone is the empty list.
-            let inner = if let [only] = inner && half_edges.link(*line, only) == Ok(None) { &[] } else { inner };
+            let inner = if let [only] = inner
+                && half_edges.link(*line, only) == Ok(None)
+            {
+                &[]
+            } else {
+                inner
+            };
             let start = |name: &String| match name.chars().next() {
                 Some('v' | 'V') => Ok(vertices.link(*line, name)?.map(Start::Vertex)),
                 _ => Ok(half_edges.link(*line, name)?.map(Start::HalfEdge)),

@@ -21,7 +21,9 @@ fn is_convex_at(map: &PlanarMap, h: HalfEdge<'_>) -> bool {
     match orientation(before, here, after) {
         Orientation::CounterClockwise => true,
         Orientation::Clockwise => false,
-        Orientation::Collinear => (before.x - here.x) * (after.x - here.x) + (before.y - here.y) * (after.y - here.y) < 0.0,
+        Orientation::Collinear => {
+            (before.x - here.x) * (after.x - here.x) + (before.y - here.y) * (after.y - here.y) < 0.0
+        }
     }
 }
 
@@ -207,13 +209,31 @@ fn golden_polygons_have_the_known_least_numbers() {
     let t = [[0.0, 2.0], [2.0, 2.0], [2.0, 0.0], [3.0, 0.0], [3.0, 2.0], [5.0, 2.0], [5.0, 3.0], [0.0, 3.0]];
     let dart = [[0.0, 0.0], [4.0, 2.0], [0.0, 4.0], [1.0, 2.0]];
     let cross = [
-        [1.0, 0.0], [2.0, 0.0], [2.0, 1.0], [3.0, 1.0], [3.0, 2.0], [2.0, 2.0],
-        [2.0, 3.0], [1.0, 3.0], [1.0, 2.0], [0.0, 2.0], [0.0, 1.0], [1.0, 1.0],
+        [1.0, 0.0],
+        [2.0, 0.0],
+        [2.0, 1.0],
+        [3.0, 1.0],
+        [3.0, 2.0],
+        [2.0, 2.0],
+        [2.0, 3.0],
+        [1.0, 3.0],
+        [1.0, 2.0],
+        [0.0, 2.0],
+        [0.0, 1.0],
+        [1.0, 1.0],
     ];
     // The five-pointed star: five reflex corners, so at least four pieces.
     let star = [
-        [0.0, 10.0], [-2.0, 3.0], [-10.0, 3.0], [-4.0, -2.0], [-6.0, -10.0],
-        [0.0, -5.0], [6.0, -10.0], [4.0, -2.0], [10.0, 3.0], [2.0, 3.0],
+        [0.0, 10.0],
+        [-2.0, 3.0],
+        [-10.0, 3.0],
+        [-4.0, -2.0],
+        [-6.0, -10.0],
+        [0.0, -5.0],
+        [6.0, -10.0],
+        [4.0, -2.0],
+        [10.0, 3.0],
+        [2.0, 3.0],
     ];
     assert_eq!(at_most_four_times_the_least(&triangle), (1, 1));
     assert_eq!(at_most_four_times_the_least(&square), (1, 1));
@@ -353,16 +373,13 @@ fn small_polygons_are_within_four_times_the_least(turns: Vec<u8>) -> bool {
 
 #[test]
 fn small_polygons() {
-    QuickCheck::new()
-        .tests(400)
-        .quickcheck(small_polygons_are_within_four_times_the_least as fn(Vec<u8>) -> bool);
+    QuickCheck::new().tests(400).quickcheck(small_polygons_are_within_four_times_the_least as fn(Vec<u8>) -> bool);
 }
 
 #[test]
 fn every_face_of_the_three_maps() {
     for mut map in planar::world_maps() {
-        let faces: Vec<FaceKey> =
-            bounded(&map).into_iter().filter(|face| !features(&map, *face).is_empty()).collect();
+        let faces: Vec<FaceKey> = bounded(&map).into_iter().filter(|face| !features(&map, *face).is_empty()).collect();
         let found = checked(&mut map, &faces);
         let count = |f: fn(&Decomposition) -> usize| found.iter().map(f).sum::<usize>();
         assert!(count(|d| d.pieces.len()) <= 2 * count(|d| d.reflex) + faces.len());
@@ -375,7 +392,9 @@ fn triangles_are_triangles_and_one_pass_is_enough() {
     let mut map = planar::world_maps().next().unwrap();
     let faces: Vec<FaceKey> = bounded(&map);
     let triangulations = triangulate(&mut map, faces).unwrap();
-    assert!(map.dcel().faces().filter(|f| !f.is_unbounded()).all(|f| f.half_edges().count() == 3 && f.inner_count() == 0));
+    assert!(
+        map.dcel().faces().filter(|f| !f.is_unbounded()).all(|f| f.half_edges().count() == 3 && f.inner_count() == 0)
+    );
     for triangulation in triangulations {
         let first = remove_inessential(&mut map, &triangulation.diagonals).unwrap();
         assert_eq!(remove_inessential(&mut map, &first).unwrap(), first);
@@ -400,7 +419,8 @@ fn triangulations_are_constrained_delaunay(shapes: planar::Scribble) -> bool {
             [x, y, x * x + y * y]
         };
         let [a, b, c] = [h, h.next(), h.prev()].map(row);
-        let det = a[0] * (b[1] * c[2] - b[2] * c[1]) - a[1] * (b[0] * c[2] - b[2] * c[0]) + a[2] * (b[0] * c[1] - b[1] * c[0]);
+        let det = a[0] * (b[1] * c[2] - b[2] * c[1]) - a[1] * (b[0] * c[2] - b[2] * c[0])
+            + a[2] * (b[0] * c[1] - b[1] * c[0]);
         det <= 0
     })
 }

@@ -105,8 +105,7 @@ fn borders_are_those_between_neighbours() {
         let graph = borders(&map);
         assert_eq!(graph.node_count(), map.features().count());
         for node in graph.node_indices() {
-            let found: BTreeMap<usize, f64> =
-                graph.edges(node).map(|e| (e.target().index(), *e.weight())).collect();
+            let found: BTreeMap<usize, f64> = graph.edges(node).map(|e| (e.target().index(), *e.weight())).collect();
             let expected: BTreeMap<usize, f64> =
                 of_feature(&map, graph[node]).iter().map(|n| (n.neighbour.index(), n.length)).collect();
             assert!(found.keys().eq(expected.keys()));

@@ -15,7 +15,8 @@ impl Arbitrary for Scribble {
         let mut point = || Point::new(f64::from(u8::arbitrary(g) % 13), f64::from(u8::arbitrary(g) % 13));
         let mut shapes = Vec::new();
         // A frame, so that most of it is in a bounded face.
-        shapes.push(Shape::Polygon(vec![[[0.0, 0.0], [12.0, 0.0], [12.0, 12.0], [0.0, 12.0]].map(Point::from).to_vec()]));
+        shapes
+            .push(Shape::Polygon(vec![[[0.0, 0.0], [12.0, 0.0], [12.0, 12.0], [0.0, 12.0]].map(Point::from).to_vec()]));
         for kind in 0..1 + point().x as usize {
             shapes.push(match kind % 4 {
                 0 => Shape::Polygon(vec![vec![point(), point(), point()]]),

@@ -108,7 +108,9 @@ fn few_sites_are_right(Few(few): Few) -> bool {
                 let h = diagram.map.dcel().half_edge(h).unwrap();
                 vec![h.face().key(), h.twin().face().key()]
             }
-            Located::Vertex(v) => { diagram.map.dcel().vertex(v).unwrap() }.rotation().map(|h| h.face().key()).collect(),
+            Located::Vertex(v) => {
+                { diagram.map.dcel().vertex(v).unwrap() }.rotation().map(|h| h.face().key()).collect()
+            }
         };
         assert!(at.iter().any(|face| nearest.contains(face)), "{p:?}");
         assert!(nearest.len() > 1 || at == nearest.iter().copied().collect::<Vec<_>>(), "{p:?}");
@@ -148,9 +150,8 @@ fn random_sites_anywhere_and_their_nearest() {
             }
         }
         // Each triangle whose centre is inside the box is a vertex where the cells of its corners meet.
-        let at_vertex: BTreeSet<BTreeSet<FaceKey>> = { diagram.map.dcel().vertices() }
-            .map(|v| v.rotation().map(|h| h.face().key()).collect())
-            .collect();
+        let at_vertex: BTreeSet<BTreeSet<FaceKey>> =
+            { diagram.map.dcel().vertices() }.map(|v| v.rotation().map(|h| h.face().key()).collect()).collect();
         let [low, high] = diagram.bounds;
         let mut inside = 0;
         for face in dual.map.dcel().faces().filter(|face| !face.is_unbounded()) {
@@ -211,10 +212,12 @@ fn nearly_degenerate_sites() {
     let _ = checked(&far, None);
     let slope: Vec<Point> = (0..60).map(|i| f64::from(i) / 10.0).map(|x| Point::new(x, x / 3.0)).collect();
     let _ = checked(&slope, None);
-    let close: Vec<Point> = (0..40).map(|i| Point::new(1.0 + f64::from(i % 7) * 1e-9, 1.0 + f64::from(i / 7) * 1e-9)).collect();
+    let close: Vec<Point> =
+        (0..40).map(|i| Point::new(1.0 + f64::from(i % 7) * 1e-9, 1.0 + f64::from(i / 7) * 1e-9)).collect();
     let _ = checked(&close, None);
-    let hexagons: Vec<Point> =
-        (0..200).map(|i| Point::new(f64::from(i % 20) + f64::from(i / 20 % 2) / 2.0, f64::from(i / 20) * 0.75_f64.sqrt())).collect();
+    let hexagons: Vec<Point> = (0..200)
+        .map(|i| Point::new(f64::from(i % 20) + f64::from(i / 20 % 2) / 2.0, f64::from(i / 20) * 0.75_f64.sqrt()))
+        .collect();
     let _ = checked(&hexagons, None);
 }
 

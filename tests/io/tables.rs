@@ -1,10 +1,10 @@
 //! The three tables of the textbooks: written, read, and what is wrong with a text.
 
 use quickcheck::QuickCheck;
+use twinedge::dcel::Dcel;
 use twinedge::geometry::Point;
 use twinedge::io::tables::{TablesError, Textbook};
 use twinedge::map::PlanarMap;
-use twinedge::dcel::Dcel;
 use twinedge::program::{Program, Runner};
 use twinedge::validate::{Collect, Record, Rule, Table, View, validate, validate_embedding};
 

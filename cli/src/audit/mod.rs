@@ -21,6 +21,8 @@ use twinedge::validate::{places, validate_embedding};
 
 /// Build the planar subdivision of a map and check every rule on it.
 ///
+/// The three tables of a textbook, of vertices, faces and half-edges, are read as the book prints them and audited by their names.
+///
 /// A file of tables is judged line by line instead. `twinedge tables --print` and `twinedge corrupt --print` write such files.
 /// Each line is one structure as plain tables, in the text form of `twinedge::validate::Table`; a verdict may follow, `= ok` or
 /// the first broken rule, as in `= R1`, and is compared with that of the validator. The line `# expect: plane without prev` says
@@ -32,6 +34,7 @@ use twinedge::validate::{places, validate_embedding};
   twinedge audit --snap auto drawn-by-hand.geojson
   twinedge audit --format json - < parcels.geojson | jq .valid
   twinedge tables --half-edges 2 --print | twinedge audit -
+  twinedge audit examples/tables/five_faces.txt
 
 Exit status: 0 the map is valid, or all tables are valid and all verdicts agree; 1 otherwise; 2 the input could not be read.")]
 pub(crate) struct Audit {

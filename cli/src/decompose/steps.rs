@@ -36,9 +36,8 @@ struct Diagonal {
 /// essential, or vanishes.
 pub(super) fn picture(map: &PlanarMap, faces: &[FaceKey]) -> Result<String, StepsError> {
     let mut map = map.clone();
-    let ends = |map: &PlanarMap, h: HalfEdge<'_>| {
-        [h.origin(), h.target()].map(|v| map.position(v.key()).unwrap_or_default())
-    };
+    let ends =
+        |map: &PlanarMap, h: HalfEdge<'_>| [h.origin(), h.target()].map(|v| map.position(v.key()).unwrap_or_default());
     let half_edges = faces.iter().filter_map(|face| map.dcel().face(*face).ok()).flat_map(|face| face.half_edges());
     let borders: Vec<[Point; 2]> = half_edges.map(|h| ends(&map, h)).collect();
     let triangulations = triangulate(&mut map, faces.iter().copied())?;
@@ -90,8 +89,11 @@ fn svg(borders: &[[Point; 2]], diagonals: &[Diagonal]) -> Result<String, fmt::Er
             r#"<line x1="{x1:.2}" y1="{y1:.2}" x2="{x2:.2}" y2="{y2:.2}"><set attributeName="stroke" to="orange" begin="{begin:.2}s"/>{outcome}</line>"#
         )?;
     }
-    writeln!(out, r#"</g>
-<g stroke="black" stroke-width="2" stroke-linecap="round">"#)?;
+    writeln!(
+        out,
+        r#"</g>
+<g stroke="black" stroke-width="2" stroke-linecap="round">"#
+    )?;
     for ends in borders {
         let [[x1, y1], [x2, y2]] = ends.map(at);
         writeln!(out, r#"<line x1="{x1:.2}" y1="{y1:.2}" x2="{x2:.2}" y2="{y2:.2}"/>"#)?;

@@ -63,7 +63,9 @@ impl Route {
         let route: Option<Vec<String>> = found.map(names);
         match (self.format, route) {
             (Format::Json, route) => print_json(&Answer { input, route, length }),
-            (Format::Text, None) => print(&format!("no way from {} to {} across borders\n", label(map, from), label(map, to))),
+            (Format::Text, None) => {
+                print(&format!("no way from {} to {} across borders\n", label(map, from), label(map, to)))
+            }
             (Format::Text, Some(route)) => {
                 let borders = route.len() - 1;
                 let borders = crate::output::counted(borders, "border");

@@ -173,8 +173,7 @@ impl Plan {
         let mut components = 0;
         for face in faces {
             let boundary = face.outer_half_edge().map(HalfEdge::key).ok_or(ConvexError::Unbounded)?;
-            let mut to_draw =
-                FacePlan { face: face.key(), boundary, boundaries: 0, reflex: 0, diagonals: Vec::new() };
+            let mut to_draw = FacePlan { face: face.key(), boundary, boundaries: 0, reflex: 0, diagonals: Vec::new() };
             for boundary in face.boundaries() {
                 to_draw.boundaries += 1;
                 let component = components;

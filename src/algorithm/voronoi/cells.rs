@@ -63,26 +63,28 @@ pub(super) fn draw(triangulation: &Triangulation, [low, high]: [Point; 2], short
         let line = Line::new(e);
         let Some((entry, exit)) = line.within(low, high) else { continue };
         let ends = [e.rev().face(), e.face()].map(|face| centres.of(face));
-        let [from, to] = [ends[0].map_or(f64::NEG_INFINITY, |(_, c)| line.at(c)), ends[1].map_or(f64::INFINITY, |(_, c)| line.at(c))];
+        let [from, to] = [
+            ends[0].map_or(f64::NEG_INFINITY, |(_, c)| line.at(c)),
+            ends[1].map_or(f64::INFINITY, |(_, c)| line.at(c)),
+        ];
         let is_inside = ends.map(|end| end.is_some_and(|(_, c)| inside(c)));
         // A border with no end inside crosses the box only if it starts before and ends after.
         let crosses = (is_inside[0] || from < exit.0) && (is_inside[1] || to > entry.0);
         if !crosses {
             continue;
         }
-        let mut end = |i: usize, (_, side, at): Crossing| match ends[i].filter(|_| is_inside[i]) {
-            Some((face, centre)) => *numbers[face].get_or_insert_with(|| drawing.point(centre)),
-            None => {
-                let p = match side {
-                    0 => Point::new(at, low.y),
-                    1 => Point::new(high.x, at),
-                    2 => Point::new(at, high.y),
-                    _ => Point::new(low.x, at),
-                };
-                let number = drawing.point(p);
-                sides.0[side].push((at, number));
-                number
+        let mut end = |i: usize, (_, side, at): Crossing| {
+            if let Some((face, centre)) = ends[i].filter(|_| is_inside[i]) {
+                return *numbers[face].get_or_insert_with(|| drawing.point(centre));
             }
+            let number = drawing.point(match side {
+                0 => Point::new(at, low.y),
+                1 => Point::new(high.x, at),
+                2 => Point::new(at, high.y),
+                _ => Point::new(low.x, at),
+            });
+            sides.0[side].push((at, number));
+            number
         };
         let ends = [end(0, entry), end(1, exit)];
         // To the left of the way along the border lies the cell of the site where the edge starts.
@@ -146,7 +148,8 @@ impl Line {
             }
         }
         let on_side = |(u, side, _): Crossing| {
-            let at = if side % 2 == 0 { (m.x + u * d.x).clamp(low.x, high.x) } else { (m.y + u * d.y).clamp(low.y, high.y) };
+            let at =
+                if side % 2 == 0 { (m.x + u * d.x).clamp(low.x, high.x) } else { (m.y + u * d.y).clamp(low.y, high.y) };
             (u, side, at)
         };
         (entry.0 < exit.0).then(|| (on_side(entry), on_side(exit)))

@@ -143,7 +143,11 @@ fn is_chain(mut corners: impl Iterator<Item = [Point; 3]>, points: &[Point], ori
 
 /// The vertex of a point.
 pub(super) fn vertex(map: &PlanarMap, number: u32) -> Option<VertexKey> {
-    let index = if map.dcel().edge_count() == 0 { map.dcel().vertices().next()?.index() as u32 } else { Assembly::vertex_index(number) };
+    let index = if map.dcel().edge_count() == 0 {
+        map.dcel().vertices().next()?.index() as u32
+    } else {
+        Assembly::vertex_index(number)
+    };
     map.dcel().vertex_at(index as usize).map(|v| v.key())
 }
 

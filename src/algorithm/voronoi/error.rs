@@ -21,7 +21,9 @@ pub enum VoronoiError {
         y: f64,
     },
     /// A coordinate of a site is out of the range in which circles are tested exactly.
-    #[error("site {site}: the coordinates ({x:?}, {y:?}) are out of range: magnitudes must be zero or from 2^-142 to 2^201")]
+    #[error(
+        "site {site}: the coordinates ({x:?}, {y:?}) are out of range: magnitudes must be zero or from 2^-142 to 2^201"
+    )]
     OutOfRange {
         /// The site.
         site: usize,

@@ -102,7 +102,8 @@ pub fn delaunay(sites: &[Point]) -> Result<Delaunay, VoronoiError> {
     let points: Vec<Point> = triangulation.vertices().map(|v| v.data().point()).collect();
     let segments: Vec<[u32; 2]> =
         triangulation.undirected_edges().map(|e| e.vertices().map(|v| v.index() as u32)).collect();
-    let map = connected(points, &segments)?.ok_or_else(|| VoronoiError::TooClose { site: sites::closest(&triangulation, &numbers) })?;
+    let map = connected(points, &segments)?
+        .ok_or_else(|| VoronoiError::TooClose { site: sites::closest(&triangulation, &numbers) })?;
     let vertices = numbers.iter().map(|number| vertex(&map, *number)).collect::<Option<_>>();
     Ok(Delaunay { vertices: vertices.unwrap_or_default(), map })
 }
@@ -133,12 +134,7 @@ pub fn voronoi(sites: &[Point], bounds: Option<[Point; 2]>) -> Result<Voronoi, V
 }
 
 /// The cell of each site, if there are as many cells as different sites.
-fn cells_of(
-    map: &PlanarMap,
-    drawing: &cells::Drawing,
-    numbers: &[u32],
-    different: usize,
-) -> Option<Vec<FaceKey>> {
+fn cells_of(map: &PlanarMap, drawing: &cells::Drawing, numbers: &[u32], different: usize) -> Option<Vec<FaceKey>> {
     let dcel = map.dcel();
     if dcel.face_count() != different + 1 {
         return None;

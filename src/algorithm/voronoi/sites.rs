@@ -58,8 +58,11 @@ impl Sites {
             numbers.push(number);
         }
         let count = different.len();
-        let triangulation = Triangulation::bulk_load(different)
-            .map_err(|_| VoronoiError::OutOfRange { site: 0, x: f64::NAN, y: f64::NAN })?;
+        let triangulation = Triangulation::bulk_load(different).map_err(|_| VoronoiError::OutOfRange {
+            site: 0,
+            x: f64::NAN,
+            y: f64::NAN,
+        })?;
         // Vertices may be numbered in another order.
         let mut vertices = vec![u32::MAX; count];
         for v in triangulation.vertices() {
