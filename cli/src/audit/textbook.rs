@@ -77,24 +77,43 @@ pub(super) fn audit(name: &str, mut reader: impl Read, list: usize, format: Form
     Ok(if audited.valid { Verdict::Sound } else { Verdict::Wrong })
 }
 
+/// Words after which a message of the validator has the index of a record, or two of them with an `and` between.
+const BEFORE_INDEX: [(&str, fn(usize) -> Record); 12] = [
+    ("half-edge ", Record::HalfEdge),
+    ("half-edges ", Record::HalfEdge),
+    ("twin ", Record::HalfEdge),
+    ("twin is ", Record::HalfEdge),
+    ("next ", Record::HalfEdge),
+    ("next is ", Record::HalfEdge),
+    ("prev ", Record::HalfEdge),
+    ("prev is ", Record::HalfEdge),
+    ("vertex ", Record::Vertex),
+    ("face ", Record::Face),
+    ("faces ", Record::Face),
+    ("bounds ", Record::Face),
+];
+
 /// A message with the names of records in place of their indices.
 fn with_names(message: &str, tables: &Textbook) -> String {
     let mut out = String::new();
-    let mut rest = message;
-    let kinds: [(&str, fn(usize) -> Record); 3] =
-        [("half-edge ", Record::HalfEdge), ("vertex ", Record::Vertex), ("face ", Record::Face)];
-    while let Some((start, kind, record)) =
-        kinds.iter().filter_map(|(kind, record)| Some((rest.find(kind)?, kind, record))).min_by_key(|found| found.0)
-    {
-        let (before, after) = rest.split_at(start + kind.len());
-        out.push_str(before);
-        let digits = after.bytes().take_while(u8::is_ascii_digit).count();
-        let (number, after) = after.split_at(digits);
-        let named = number.parse().ok().and_then(|index| tables.name(record(index)));
+    // What the word before the last said, after an index.
+    let mut kind: Option<fn(usize) -> Record> = None;
+    for (i, word) in message.split(' ').enumerate() {
+        let digits = word.bytes().take_while(u8::is_ascii_digit).count();
+        let (number, after) = word.split_at(digits);
+        let before = BEFORE_INDEX.iter().find(|(words, _)| {
+            out.strip_suffix(words.trim_end()).is_some_and(|rest| rest.is_empty() || rest.ends_with([' ', '(']))
+        });
+        let record = before.map(|(_, record)| *record).or(kind.filter(|_| out.ends_with(" and")));
+        let named = record.zip(number.parse().ok()).and_then(|(record, index)| tables.name(record(index)));
+        if i > 0 {
+            out.push(' ');
+        }
         out.push_str(named.unwrap_or(number));
-        rest = after;
+        out.push_str(after);
+        kind = record.filter(|_| named.is_some()).or(kind.filter(|_| word == "and"));
     }
-    out + rest
+    out
 }
 
 impl<'a> Audited<'a> {
@@ -176,7 +195,13 @@ mod tests {
     #[test]
     fn messages_have_the_names_of_the_tables() {
         let tables: Textbook = "V7 e3,1\nf9 nil e3,1\ne3,1 V7 e3,1 f9 e3,1 e3,1".parse().unwrap();
-        let message = "half-edge 0: vertex 0 is not vertex 12, and face 0 no surface";
-        assert_eq!(with_names(message, &tables), "half-edge e3,1: vertex V7 is not vertex 12, and face f9 no surface");
+        for (message, expected) in [
+            ("half-edge 0: vertex 0 is not vertex 12, face 0", "half-edge e3,1: vertex V7 is not vertex 12, face f9"),
+            ("half-edge 0 has twin 0, whose twin is 0: both", "half-edge e3,1 has twin e3,1, whose twin is e3,1: both"),
+            ("faces 0 and 0 both have 0 edges", "faces f9 and f9 both have 0 edges"),
+            ("3 − 0 + 0 half-edges in 0 faces", "3 − 0 + 0 half-edges in 0 faces"),
+        ] {
+            assert_eq!(with_names(message, &tables), expected);
+        }
     }
 }

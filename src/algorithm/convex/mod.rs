@@ -105,8 +105,8 @@ impl Decomposition {
 /// Cuts faces into convex pieces, by edges between vertices of each; naming a face twice changes nothing. Gives what became
 /// of each face, in the order in which they are named first.
 ///
-/// O(n log n) for the n half-edges of the faces, expected, as long as holes do not nest the pieces of one triangulation
-/// unevenly: each diagonal walks the shorter of the two cycles that it makes.
+/// O(n log n) for the n half-edges of the faces, expected: each diagonal that is drawn or removed walks the shorter of two
+/// cycles.
 ///
 /// # Errors
 /// [`ConvexError`].
