@@ -70,6 +70,12 @@ fn graphs_say_what_the_map_says(shapes: planar::Scribble) -> bool {
         }));
         assert_eq!(dual.from_index(dual.to_index(face.key())), face.key());
     }
+    // Features overlap here, and an edge inside what two of them share is no border.
+    let graph = borders(&map);
+    for node in graph.node_indices() {
+        let found: BTreeSet<usize> = graph.neighbors(node).map(|other| other.index()).collect();
+        assert_eq!(found, of_feature(&map, graph[node]).iter().map(|n| n.neighbour.index()).collect());
+    }
     let mut visited = 0;
     let mut walk = Bfs::new(&dual, dcel.unbounded_face().key());
     while walk.next(&dual).is_some() {

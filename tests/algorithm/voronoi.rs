@@ -89,6 +89,41 @@ fn few_sites_are_right(Few(few): Few) -> bool {
         let corners = <[[i64; 2]; 3]>::try_from(corners).unwrap();
         assert!(!whole.iter().any(|d| inside_circle(corners, *d)));
     }
+    // There is one vertex inside the box for each different centre: fractions, in lowest terms. (One that lies on the border of
+    // the box, or nearly, may be on either side of it.)
+    let [low, high] = diagram.bounds;
+    let inside = |x: f64, y: f64, margin: f64| {
+        low.x + margin < x && x < high.x - margin && low.y + margin < y && y < high.y - margin
+    };
+    let (mut centres, mut nearly) = (BTreeSet::new(), BTreeSet::new());
+    for face in dual.map.dcel().faces().filter(|face| !face.is_unbounded()) {
+        let corners: Vec<[i64; 2]> = { face.half_edges() }
+            .map(|h| whole[dual.vertices.iter().position(|v| *v == h.origin().key()).unwrap()])
+            .collect();
+        let [a, b, c] = [corners[0], corners[1], corners[2]];
+        let [bx, by, cx, cy] = [b[0] - a[0], b[1] - a[1], c[0] - a[0], c[1] - a[1]];
+        let (d, bb, cc) = (2 * (bx * cy - by * cx), bx * bx + by * by, cx * cx + cy * cy);
+        let fraction = |n: i64| {
+            let (mut p, mut q) = (n.abs(), d.abs());
+            while q != 0 {
+                (p, q) = (q, p % q);
+            }
+            (n * d.signum() / p, d.abs() / p)
+        };
+        let centre = [a[0] * d + cy * bb - by * cc, a[1] * d + bx * cc - cx * bb];
+        let [x, y] = centre.map(|n| n as f64 / d as f64);
+        if inside(x, y, 1e-9) {
+            centres.insert(centre.map(fraction));
+        }
+        if inside(x, y, -1e-9) {
+            nearly.insert(centre.map(fraction));
+        }
+    }
+    let vertices = { diagram.map.dcel().vertices() }
+        .map(|v| diagram.map.position(v.key()).unwrap())
+        .filter(|p| inside(p.x, p.y, 0.0))
+        .count();
+    assert!(centres.len() <= vertices && vertices <= nearly.len(), "{vertices}: {centres:?} {nearly:?}");
     // The nearest site of each lattice point is the site of its cell. Between two sites of this range, distances squared
     // that differ do so by a whole number, far more than rounding moves a border.
     let locator = Locator::new(&diagram.map).unwrap();
@@ -118,9 +153,24 @@ fn few_sites_are_right(Few(few): Few) -> bool {
     true
 }
 
+/// The centre of a circle lies on the border of the box, but for rounding.
+#[test]
+fn a_centre_on_the_border() {
+    assert!(few_sites_are_right(Few(vec![[7, 15], [5, 13], [0, 2], [1, 14]])));
+    // On a side, and in a corner.
+    let four = points(&[[1.0, 1.0], [3.0, 1.0], [1.0, 3.0], [3.0, 3.0]]);
+    for high in [[5.0, 2.0], [2.0, 5.0], [2.0, 2.0]] {
+        let inside: Vec<Point> = four.iter().copied().filter(|p| p.x <= high[0] && p.y <= high[1]).collect();
+        let _ = checked(&inside, Some([Point::new(0.0, 0.0), high.into()]));
+    }
+    let three = points(&[[1.0, 0.5], [3.0, 0.5], [2.0, 1.5]]);
+    let _ = checked(&three, Some([Point::new(0.0, 0.5), Point::new(4.0, 2.0)]));
+    let _ = checked(&three, Some([Point::new(1.0, 0.5), Point::new(3.0, 1.5)]));
+}
+
 #[test]
 fn random_sites_on_a_lattice() {
-    QuickCheck::new().tests(500).quickcheck(few_sites_are_right as fn(Few) -> bool);
+    QuickCheck::new().tests(2_000).quickcheck(few_sites_are_right as fn(Few) -> bool);
 }
 
 /// Random numbers from a fixed seed.
@@ -190,7 +240,7 @@ fn golden_diagrams() {
     let (dual, diagram) = checked(&points(&[[-2.0, 3.0], [-2.0, 3.0]]), None);
     assert_eq!((dual.map.dcel().vertex_count(), dual.map.dcel().edge_count()), (1, 0));
     assert_eq!(diagram.bounds, [Point::new(-3.5, 1.5), Point::new(-0.5, 4.5)]);
-    let (_, diagram) = checked(&points(&[[0.0, -0.0]]), None);
+    let (_, diagram) = checked(&points(&[[0.0, -0.0], [0.0, 0.0]]), None);
     assert_eq!(diagram.bounds, [Point::new(-1.0, -1.0), Point::new(1.0, 1.0)]);
 
     // Sites on the border of the box, and in its corner.

@@ -89,6 +89,8 @@ fn coordinates_are_checked_with_the_links() {
     map.insert_point([9.0, -0.1]).unwrap();
     let tables = Textbook::of_embedding(&map);
     assert!(tables.has_coordinates());
+    assert_eq!((tables.name(Record::Vertex(0)), tables.name(Record::HalfEdge(5))), (Some("v1"), Some("e3,2")));
+    assert_eq!(tables.name(Record::Face(1)), Some("f2"));
     let back = read(&tables.to_string());
     assert_eq!(back, tables);
     assert!(validate_embedding(&back, &Textbook::EXPECTATION, Collect::All).is_valid());

@@ -47,6 +47,36 @@ impl Drawing {
     }
 }
 
+/// The box, and how near to its border a centre lies on it.
+struct Frame {
+    low: Point,
+    high: Point,
+    shortest: f64,
+}
+
+impl Frame {
+    /// Where a centre is drawn, with the side on which it lies, if any; none if it is outside.
+    fn place(&self, centre: Point) -> Option<(Point, Option<usize>)> {
+        let Self { low, high, shortest } = *self;
+        let gaps = [centre.y - low.y, high.x - centre.x, high.y - centre.y, centre.x - low.x];
+        if gaps.iter().any(|gap| *gap < -shortest) {
+            return None;
+        }
+        let mut place = centre;
+        let mut on = None;
+        for (side, _) in gaps.iter().enumerate().filter(|(_, gap)| **gap <= shortest) {
+            on = Some(side);
+            match side {
+                0 => place.y = low.y,
+                1 => place.x = high.x,
+                2 => place.y = high.y,
+                _ => place.x = low.x,
+            }
+        }
+        Some((place, on))
+    }
+}
+
 /// The four sides, each as the points on it by the coordinate that varies.
 #[derive(Default)]
 struct Sides([Vec<(f64, u32)>; 4]);
@@ -56,26 +86,32 @@ pub(super) fn draw(triangulation: &Triangulation, [low, high]: [Point; 2], short
     let mut drawing = Drawing::default();
     let mut sides = Sides::default();
     let centres = Centres::new(triangulation, shortest);
-    let inside = |p: Point| low.x < p.x && p.x < high.x && low.y < p.y && p.y < high.y;
+    let frame = Frame { low, high, shortest };
     let mut numbers = vec![None; triangulation.num_all_faces()];
     for e in triangulation.undirected_edges() {
         let e = e.as_directed();
         let line = Line::new(e);
         let Some((entry, exit)) = line.within(low, high) else { continue };
-        let ends = [e.rev().face(), e.face()].map(|face| centres.of(face));
-        let [from, to] = [
-            ends[0].map_or(f64::NEG_INFINITY, |(_, c)| line.at(c)),
-            ends[1].map_or(f64::INFINITY, |(_, c)| line.at(c)),
-        ];
-        let is_inside = ends.map(|end| end.is_some_and(|(_, c)| inside(c)));
-        // A border with no end inside crosses the box only if it starts before and ends after.
-        let crosses = (is_inside[0] || from < exit.0) && (is_inside[1] || to > entry.0);
-        if !crosses {
+        let centres = [e.rev().face(), e.face()].map(|face| centres.of(face));
+        let places = centres.map(|end| end.and_then(|(face, centre)| Some((face, frame.place(centre)?))));
+        // An end that is not inside lies before the box or behind it, as seen along the line, however it is rounded.
+        let middle = entry.0.midpoint(exit.0);
+        let is_inside = |i: usize| places[i].is_some_and(|(_, (_, side))| side.is_none());
+        let starts = is_inside(0) || centres[0].is_none_or(|(_, centre)| line.at(centre) < middle);
+        let ends = is_inside(1) || centres[1].is_none_or(|(_, centre)| line.at(centre) > middle);
+        if !(starts && ends) {
             continue;
         }
         let mut end = |i: usize, (_, side, at): Crossing| {
-            if let Some((face, centre)) = ends[i].filter(|_| is_inside[i]) {
-                return *numbers[face].get_or_insert_with(|| drawing.point(centre));
+            if let Some((face, (centre, side))) = places[i] {
+                let made = || {
+                    let number = drawing.point(centre);
+                    if let Some(side) = side {
+                        sides.0[side].push((if side % 2 == 0 { centre.x } else { centre.y }, number));
+                    }
+                    number
+                };
+                return *numbers[face].get_or_insert_with(made);
             }
             let number = drawing.point(match side {
                 0 => Point::new(at, low.y),
