@@ -49,6 +49,10 @@ impl Forest {
             }
         };
         for name in rest {
+            // A path does not go on from a function that has the name of a module.
+            if reached.iter().any(|target| matches!(target, Target::Module(_))) {
+                reached.retain(|target| matches!(target, Target::Module(_)));
+            }
             let mut next = BTreeSet::new();
             for target in reached {
                 match target {

@@ -176,6 +176,12 @@ fn a_module_and_a_function_of_one_name_are_told_apart() {
         ("src/m/walk.rs", "pub fn walk() {} pub struct Walker;"),
         ("src/m/user.rs", "use super::walk; fn f() { walk(); walk::Walker; }"),
     ]);
+    assert_no_loop(&[
+        ("src/lib.rs", "pub mod m;"),
+        ("src/m/mod.rs", "mod judge; mod outcome; use judge::Judge; fn outcome(_: Judge) {}"),
+        ("src/m/judge.rs", "use super::outcome::Outcome; pub struct Judge(Outcome);"),
+        ("src/m/outcome.rs", "pub struct Outcome;"),
+    ]);
 }
 
 #[test]
