@@ -150,7 +150,7 @@ impl fmt::Display for Text<'_> {
         f.write_str(&part_line(outcome.shard))?;
         writeln!(
             f,
-            "{} of {} of {} judged; wrong by the reference, caught by the validator",
+            "{} of {} judged, made by {}; wrong by the reference, caught by the validator",
             grouped(outcome.maps),
             counted(outcome.maps_found, "map"),
             outcome.on

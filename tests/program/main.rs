@@ -8,5 +8,6 @@ mod canonical;
 mod census;
 mod choose;
 mod conformance;
+mod counts;
 mod in_step;
 mod program;

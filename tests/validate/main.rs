@@ -6,11 +6,14 @@ mod support;
 
 mod adversarial_embeddings;
 mod adversarial_views;
+mod comparison;
 mod embeddings;
 mod expectations;
 mod open_embeddings;
 mod reports;
+mod serialized;
 mod small_tables;
+mod statements;
 mod table_text;
 mod textbook_tables;
 mod view_calls;

@@ -33,7 +33,7 @@ pub enum Answer {
     Nothing,
 }
 
-/// In what a subject differs from the reference.
+/// How the structure under test differs from the reference.
 #[derive(Clone, Debug, PartialEq, Eq, Error)]
 #[non_exhaustive]
 pub enum Difference {
@@ -87,7 +87,7 @@ pub struct Failure {
     pub before: usize,
     /// The operator that did it; none if the subject was not the empty map to begin with, or cannot be compared.
     pub op: Option<Op>,
-    /// In what it differs.
+    /// How it differs.
     pub difference: Difference,
 }
 
