@@ -88,8 +88,8 @@ impl Forest {
         let mut found = BTreeSet::new();
         for meaning in module.names.get(name).into_iter().flatten() {
             match meaning {
-                Meaning::Defined => {
-                    found.insert(Target::Item(id, name.to_owned()));
+                Meaning::Defined(at) => {
+                    found.insert(Target::Item(*at, name.to_owned()));
                 }
                 Meaning::Module(child) => {
                     found.insert(Target::Module(*child));

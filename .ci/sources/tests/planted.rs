@@ -158,6 +158,18 @@ fn a_loop_through_an_inline_module_and_a_path_attribute() {
 }
 
 #[test]
+fn an_exported_macro_comes_from_its_own_file() {
+    assert_loop(
+        &[
+            ("src/lib.rs", "mod a; mod b; pub struct Root;"),
+            ("src/a.rs", "#[macro_export] macro_rules! go { () => { $crate::go!() } } pub fn a() { crate::b::b(); }"),
+            ("src/b.rs", "pub fn b() { crate::go!(); }"),
+        ],
+        &["src/a.rs:1 imports b from src/b.rs", "src/b.rs:1 imports go from src/a.rs"],
+    );
+}
+
+#[test]
 fn a_variant_a_constant_and_a_function_of_a_type_come_from_the_file_of_the_type() {
     let imports = of(&[
         ("src/lib.rs", "mod a; mod b;"),
