@@ -25,7 +25,9 @@ pub(super) fn explore<K: Subject + Clone>(
     let workers = run.each(&stage, grown.maps.len(), worker, |worker, number| worker.visit(&grown.maps[number]));
     let found: Vec<Explored> = workers.into_iter().map(|worker| worker.explored).collect();
     let mut explored = grown.explored;
-    found.into_iter().for_each(|found| explored.add(found));
+    for found in found {
+        explored.add(found);
+    }
     explored
 }
 
