@@ -120,7 +120,7 @@ fn text(imported: &Imported, report: &Report, elapsed: f64) -> Result<String, st
         write!(out, "  {:2}  {:10} ", rule.id(), rule.name())?;
         match (outcome.violations, outcome.unchecked) {
             (0, None) => {
-                write!(out, "{GOOD}ok{GOOD:#}      {} {}", grouped(outcome.checked), rule.unit(outcome.checked))?
+                write!(out, "{GOOD}ok{GOOD:#}      {} {}", grouped(outcome.checked), rule.unit(outcome.checked))?;
             }
             (0, Some(why)) => write!(out, "{QUIET}not checked: {why}{QUIET:#}")?,
             (n, _) => {
