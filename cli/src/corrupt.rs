@@ -3,7 +3,7 @@
 use crate::document::{Document, Nothing, Printed};
 use crate::effort::{Effort, seed_of_the_moment};
 use crate::output::style::{BAD, GOOD, QUIET};
-use crate::output::{Format, counted, grouped, part_line};
+use crate::output::{Format, counted, grouped, part_line, zero};
 use crate::print_tables::Printer;
 use crate::status::{Failure, Verdict};
 use crate::structures::{StructureName, Task};
@@ -117,11 +117,6 @@ impl Printed for CorruptOutcome {
     fn text(&self, _: &Nothing, seconds: f64) -> String {
         Text(self, seconds).to_string()
     }
-}
-
-/// A number that should be 0.
-fn zero(found: u64) -> String {
-    if found == 0 { "0".to_owned() } else { format!("{BAD}{}{BAD:#}", grouped(found)) }
 }
 
 fn write_row(f: &mut fmt::Formatter<'_>, form: &str, field: &str, row: &Tally) -> fmt::Result {

@@ -77,7 +77,7 @@ impl Findings {
 
     /// How many more violations will be kept.
     #[cfg(feature = "geometry")]
-    pub(crate) const fn room(&self) -> usize {
+    pub(crate) fn room(&self) -> usize {
         self.collect.cap().saturating_sub(self.violations.len())
     }
 

@@ -233,7 +233,7 @@ impl Report {
 
     /// How many violations may still be kept after these.
     #[cfg(feature = "geometry")]
-    pub(crate) const fn collect_left(&self, collect: Collect) -> Collect {
+    pub(crate) fn collect_left(&self, collect: Collect) -> Collect {
         match collect {
             Collect::First => Collect::First,
             _ => Collect::AtMost(collect.cap().saturating_sub(self.violations.len())),

@@ -7,11 +7,14 @@ use twinedge::geometry::Point;
 use twinedge::geometry::noding::Snap;
 use twinedge::map::{Builder, Feature, FeatureId, Noding, PlanarMap, Shape};
 
+/// A half-edge, its twin, next and prev, its origin, its face, and the features along it.
+type HalfEdgeFacts = (HalfEdgeKey, [HalfEdgeKey; 3], VertexKey, FaceKey, Vec<FeatureId>);
+
 /// Everything that can be asked of a map, by key.
 #[derive(Debug, PartialEq)]
 struct Everything {
     vertices: Vec<(VertexKey, Point, Option<HalfEdgeKey>)>,
-    half_edges: Vec<(HalfEdgeKey, [HalfEdgeKey; 3], VertexKey, FaceKey, Vec<FeatureId>)>,
+    half_edges: Vec<HalfEdgeFacts>,
     faces: Vec<(FaceKey, Vec<Vec<HalfEdgeKey>>, Vec<FeatureId>)>,
     names: Vec<Option<String>>,
     summaries: String,

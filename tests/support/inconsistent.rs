@@ -38,7 +38,7 @@ impl<'a> Inconsistent<'a> {
         z = (z ^ (z >> 30)).wrapping_mul(0xBF58_476D_1CE4_E5B9);
         z = (z ^ (z >> 27)).wrapping_mul(0x94D0_49BB_1331_11EB);
         let z = (z ^ (z >> 31)) >> 1;
-        (!z.is_multiple_of(16)).then_some(z >> 4)
+        (z % 16 != 0).then_some(z >> 4)
     }
 
     fn is(&self, answer: bool) -> bool {
@@ -51,7 +51,7 @@ impl<'a> Inconsistent<'a> {
     fn start(&self, answer: Option<Start>) -> Option<Start> {
         match self.noise()? {
             u64::MAX => answer,
-            noise if noise.is_multiple_of(3) => self.link(None, self.table.vertices.len()).map(Start::Vertex),
+            noise if noise % 3 == 0 => self.link(None, self.table.vertices.len()).map(Start::Vertex),
             _ => self.link(None, self.table.half_edges.len()).map(Start::HalfEdge),
         }
     }

@@ -92,7 +92,7 @@ impl View for Claims {
         self.answer
     }
     fn inner_start(&self, _: usize, position: usize) -> Option<Start> {
-        self.answer.map(if position.is_multiple_of(2) { Start::HalfEdge } else { Start::Vertex })
+        self.answer.map(if position % 2 == 0 { Start::HalfEdge } else { Start::Vertex })
     }
 }
 

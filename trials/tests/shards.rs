@@ -127,7 +127,7 @@ fn parts_that_are_no_whole_are_errors() {
     let of = |parts: &[TablesOutcome]| sum(parts).unwrap_err();
     assert_eq!(of(&[]), SumError::Empty);
     let (first, second) = (part(0, 0, 2), part(0, 1, 2));
-    assert_eq!(of(&[first.clone()]), SumError::Missing { count: 1, first: vec![shard("1/2")] });
+    assert_eq!(of(std::slice::from_ref(&first)), SumError::Missing { count: 1, first: vec![shard("1/2")] });
     assert_eq!(
         of(&[second.clone(), first.clone(), second.clone()]),
         SumError::Repeated { position: 2, shard: shard("1/2") }

@@ -80,14 +80,7 @@ impl<S: Store> Dcel<S> {
     /// If the corners lie on different boundary components, the edge is a bridge and makes one of the two. If they lie on the
     /// same one, the edge splits the face.
     ///
-    /// ```text
-    ///   bridge                                split
-    ///   ┌──────────┐      ┌──────────┐        ┌──────────┐      ┌──────────┐
-    ///   │ ┌──┐     │      │ ┌──┐     │        a          │      a──╮   new │
-    ///   │ └──a   b·│  ──► │ └──a━━━b·│        │    f     │  ──► │  ╰─╮     │
-    ///   │          │      │          │        │          │      │ f  ╰─╮   │
-    ///   └──────────┘      └──────────┘        └──────b───┘      └──────b───┘
-    /// ```
+    #[doc = include_str!("../pictures/connect.svg")]
     ///
     /// Two equal corners give a loop. The cycle that was there goes on to the left of the new half-edge, and to the right there
     /// is nothing but the loop. [`Split::new_face`] says as usual which side is the new face.

@@ -31,13 +31,7 @@ impl<S: Store> Dcel<S> {
     /// Turns an edge one step: each of its ends moves to the next vertex along the boundary of the two faces that it
     /// separates. In a triangulation this is the flip of a diagonal.
     ///
-    /// ```text
-    ///      c ─────── b            c ─────── b
-    ///      │      ↗  │            │  ↖      │
-    ///      │   h     │    ──►     │     h   │      counter-clockwise
-    ///      │ ↗       │            │       ↖ │
-    ///      a ─────── d            a ─────── d
-    /// ```
+    #[doc = include_str!("../pictures/flip_edge.svg")]
     ///
     /// A loop that is alone on the boundary of one face slides along the boundary of the face on its other side. O(1).
     ///

@@ -27,11 +27,7 @@ pub struct RemovedVertex {
 impl<S: Store> Dcel<S> {
     /// Adds an isolated vertex in a face, as a new inner boundary component. O(1).
     ///
-    /// ```text
-    ///   ┌───────┐      ┌───────┐
-    ///   │   f   │  ──► │ f  ·v │
-    ///   └───────┘      └───────┘
-    /// ```
+    #[doc = include_str!("../pictures/add_isolated_vertex.svg")]
     ///
     /// Inverse: [`Dcel::remove_isolated_vertex`].
     ///
@@ -56,6 +52,8 @@ impl<S: Store> Dcel<S> {
     }
 
     /// Removes an isolated vertex. O(1).
+    ///
+    #[doc = include_str!("../pictures/remove_isolated_vertex.svg")]
     ///
     /// Inverse: [`Dcel::add_isolated_vertex`].
     ///

@@ -9,12 +9,7 @@ use crate::store::{BoundaryKey, FaceKey};
 impl<S: Store> Dcel<S> {
     /// Moves an inner boundary component, and with it its component and all that lies inside, to another face.
     ///
-    /// ```text
-    ///   ┌─────┬─────┐      ┌─────┬─────┐
-    ///   │ ┌─┐ │     │      │     │ ┌─┐ │
-    ///   │ └─┘ │  f  │  ──► │     │ └─┘ │
-    ///   └─────┴─────┘      └─────┴─────┘
-    /// ```
+    #[doc = include_str!("../pictures/move_inner.svg")]
     ///
     /// O(1) for an isolated vertex, and if `face` is the unbounded one. Otherwise O(size of what moves), because `face` must
     /// not lie inside it, and that takes a search.

@@ -52,13 +52,7 @@ impl<S: Store> Dcel<S> {
     /// an outer one, the part that contains the outside of the component stays the outer boundary component, and the other
     /// part becomes an inner one.
     ///
-    /// ```text
-    ///   merge                              part
-    ///   ┌─────┬─────┐      ┌───────────┐   ┌────────┐      ┌────────┐
-    ///   │  f  │  g  │  ──► │     f     │   │ ┌┐     │  ──► │ ┌┐     │
-    ///   │     │     │      │           │   │ └┘━━━━━┤      │ └┘     │
-    ///   └─────┴─────┘      └───────────┘   └────────┘      └────────┘
-    /// ```
+    #[doc = include_str!("../pictures/remove_edge.svg")]
     ///
     /// Merging costs O(length of the shorter cycle + inner boundary components of the face that is dropped). Parting costs
     /// O(length of the shorter part of the cycle). If the cycle is an outer one, the part that keeps the outside is found by

@@ -27,10 +27,7 @@ pub struct JoinedEdges {
 impl<S: Store> Dcel<S> {
     /// Puts a new vertex on an edge. The given half-edge keeps its origin and ends at the new vertex. O(1).
     ///
-    /// ```text
-    ///        h                    h         new
-    ///   a ────────► b   ──►   a ─────► w ───────► b
-    /// ```
+    #[doc = include_str!("../pictures/split_edge.svg")]
     ///
     /// Inverse: [`Dcel::join_edges`] on the same half-edge.
     ///
@@ -80,10 +77,7 @@ impl<S: Store> Dcel<S> {
 
     /// Joins the edge of a half-edge with the one that follows it, dropping the vertex of degree 2 between them. O(1).
     ///
-    /// ```text
-    ///      h                           h
-    ///   a ─────► v ──────► b   ──►  a ──────► b
-    /// ```
+    #[doc = include_str!("../pictures/join_edges.svg")]
     ///
     /// Inverse: [`Dcel::split_edge`] of the same half-edge.
     ///

@@ -33,13 +33,7 @@ impl<S: Store> Dcel<S> {
     /// half-edge, the others to its origin. Equal corners make the target a leaf in that corner, and an isolated vertex
     /// becomes an edge.
     ///
-    /// ```text
-    ///      \  b  /              \     /
-    ///       \ ∙ /         b      \   /
-    ///   ──── v ────   ──►   ──── ·━━►· ────
-    ///       / ∙ \                /   \      a
-    ///      /  a  \              /     \
-    /// ```
+    #[doc = include_str!("../pictures/split_vertex.svg")]
     ///
     /// O(size of the smaller of the two rotations): both are walked in step, and the smaller one goes to the new vertex, or
     /// that of the target if both are equally large.
@@ -145,11 +139,7 @@ impl<S: Store> Dcel<S> {
 
     /// Contracts an edge to a point: its two vertices become one.
     ///
-    /// ```text
-    ///   \     /           \ /
-    ///    ·━━━·      ──►    ·
-    ///   /     \           / \
-    /// ```
+    #[doc = include_str!("../pictures/contract_edge.svg")]
     ///
     /// O(size of the smaller rotation).
     ///

@@ -25,7 +25,7 @@ pub enum Question {
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
 #[non_exhaustive]
 pub enum Answer {
-    /// The corner with this place in [`Runner::corners`].
+    /// The corner with this place in [`Runner::corners`](crate::program::Runner::corners).
     Corner(usize),
     /// The unbounded face.
     Unbounded,
@@ -57,7 +57,7 @@ pub enum Difference {
     /// The subject is the same map, but a handle says something else.
     #[error("of corner {corner}, {question:?} should be {reference:?} and is {subject:?}")]
     Answers {
-        /// The place of the corner in [`Runner::corners`].
+        /// The place of the corner in [`Runner::corners`](crate::program::Runner::corners).
         corner: usize,
         /// What was asked.
         question: Question,
