@@ -148,13 +148,10 @@ fn least(ring: &[Point]) -> usize {
                 .filter_map(|(a, b)| if *a == i { Some(ring[*b]) } else { (*b == i).then(|| ring[*a]) })
                 .collect();
             let (v, after) = (ring[i], ring[next(i)]);
-            let from_after = |p: Point| {
-                let half = match turn(v, after, p) {
-                    Orientation::CounterClockwise => 0,
-                    Orientation::Collinear => 1,
-                    Orientation::Clockwise => 2,
-                };
-                half
+            let from_after = |p: Point| match turn(v, after, p) {
+                Orientation::CounterClockwise => 0,
+                Orientation::Collinear => 1,
+                Orientation::Clockwise => 2,
             };
             at.sort_by(|p, q| {
                 from_after(*p).cmp(&from_after(*q)).then_with(|| match turn(v, *p, *q) {
@@ -178,10 +175,10 @@ fn least(ring: &[Point]) -> usize {
         }
         let mut larger = Vec::new();
         for (set, from) in &sets {
-            for k in *from..diagonals.len() {
-                if set.iter().all(|other| !crosses(*other, diagonals[k])) {
+            for (k, diagonal) in diagonals.iter().enumerate().skip(*from) {
+                if set.iter().all(|other| !crosses(*other, *diagonal)) {
                     let mut set = set.clone();
-                    set.push(diagonals[k]);
+                    set.push(*diagonal);
                     larger.push((set, k + 1));
                 }
             }
@@ -268,7 +265,7 @@ fn combs_stars_and_spirals_keep_the_bounds() {
             ring.push([radius * angle.cos(), radius * angle.sin()]);
         }
         let found = pieces(&[&ring]);
-        assert!(found as i32 > points / 2 && found as i32 <= 2 * points + 1);
+        assert!(found as u32 > points / 2 && found as u32 <= 2 * points + 1);
     }
     for turns in [1, 5, 50] {
         let (mut outer, mut inner) = (Vec::new(), Vec::new());

@@ -131,7 +131,7 @@ fn large_coordinates_are_exact() {
 fn what_has_no_lattice_points_is_refused() {
     let map = of_ring(&[[0.0, 0.0], [3.0, 0.0], [3.0, 2.5], [0.0, 3.0]]);
     let face = bounded(&map).next().unwrap();
-    let vertex = map.dcel().vertices().find(|v| map.position(v.key()).unwrap().y == 2.5).unwrap().key();
+    let vertex = map.dcel().vertices().find(|v| map.position(v.key()).unwrap().y.fract() > 0.0).unwrap().key();
     let error = LatticeError::NotInteger { vertex, x: 3.0, y: 2.5 };
     assert_eq!(of_face(&map, face), Err(error));
     assert_eq!(of_map(&map), Err(error));
@@ -140,7 +140,7 @@ fn what_has_no_lattice_points_is_refused() {
 
     let m = 2_f64.powi(60);
     let far = of_ring(&[[0.0, 0.0], [m, 0.0], [m, m]]);
-    assert!(matches!(of_map(&far), Err(LatticeError::TooLarge { x, .. }) if x == m));
+    assert!(matches!(of_map(&far), Err(LatticeError::TooLarge { x, .. }) if x >= m));
     assert_eq!(of_face(&far, face), Err(LatticeError::Stale(StaleKey::Face(face))));
 
     let mut isolated = of_ring(&[[0.0, 0.0], [3.0, 0.0], [3.0, 3.0]]);

@@ -12,12 +12,13 @@ pub(crate) struct Scribble(Vec<Shape>);
 
 impl Arbitrary for Scribble {
     fn arbitrary(g: &mut Gen) -> Self {
+        let count = u8::arbitrary(g) % 13;
         let mut point = || Point::new(f64::from(u8::arbitrary(g) % 13), f64::from(u8::arbitrary(g) % 13));
         let mut shapes = Vec::new();
         // A frame, so that most of it is in a bounded face.
         shapes
             .push(Shape::Polygon(vec![[[0.0, 0.0], [12.0, 0.0], [12.0, 12.0], [0.0, 12.0]].map(Point::from).to_vec()]));
-        for kind in 0..1 + point().x as usize {
+        for kind in 0..=count {
             shapes.push(match kind % 4 {
                 0 => Shape::Polygon(vec![vec![point(), point(), point()]]),
                 1 => Shape::Line(vec![point(), point()]),
