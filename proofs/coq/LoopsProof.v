@@ -154,13 +154,16 @@ apply: IH => //; rewrite ltn_neqAle lt andbT; apply/eqP=> E; apply: ne.
 by rewrite E iter_order.
 Qed.
 
-(** *** An orbit with one key is all that has the key if it is as large *)
+End Step.
+End Slots.
 
-Lemma orbit_fullP (K : eqType) (key : slot -> K) x : (forall y, key (step y) = key y) ->
-  reflect (forall y, key y = key x -> fconnect step x y) (order step x == #|[pred y | key y == key x]|).
+(** ** An orbit with one key is all that has the key if it is as large *)
+
+Lemma orbit_fullP (T : finType) (K : eqType) (f : T -> T) (key : T -> K) x : (forall y, key (f y) = key y) ->
+  reflect (forall y, key y = key x -> fconnect f x y) (order f x == #|[pred y | key y == key x]|).
 Proof.
 move=> const.
-have sub : fconnect step x \subset [pred y | key y == key x].
+have sub : fconnect f x \subset [pred y | key y == key x].
   apply/subsetP=> y; rewrite inE => /iter_findex <-; rewrite inE; apply/eqP.
   by elim: (findex _ _ _) => //= k <-; apply: const.
 rewrite /order; apply: (iffP eqP) => [eq y k|full].
@@ -168,9 +171,6 @@ rewrite /order; apply: (iffP eqP) => [eq y k|full].
 apply: eq_card => y; rewrite !inE; apply/idP/eqP => [c|/full //].
 by have := subsetP sub y; rewrite inE => /(_ c); rewrite inE => /eqP.
 Qed.
-
-End Step.
-End Slots.
 
 (** ** Flood *)
 
