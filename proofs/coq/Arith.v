@@ -22,7 +22,8 @@ Ltac to_coq :=
   | |- context [muln ?m ?n] => change (muln m n) with (Nat.mul m n)
   | H : context [subn ?m ?n] |- _ => change (subn m n) with (Nat.sub m n) in H
   | |- context [subn ?m ?n] => change (subn m n) with (Nat.sub m n)
-  end.
+  end;
+  change (nat_of_bool true) with 1 in *; change (nat_of_bool false) with 0 in *.
 
 Ltac arith := intros; to_coq; lia.
 
