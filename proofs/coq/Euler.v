@@ -75,7 +75,7 @@ have -> : n_comp e' a = 1.
   exact: n_comp_connect.
 rewrite addnAC; congr (_ + _); apply: eq_card => u; rewrite !inE; case ua: (_ || _); rewrite ?andbF // !andbT.
 rewrite /roots /=; congr (_ == _); rewrite /root; congr (odflt _ _); apply: eq_pick => v; rewrite connect_more.
-by move/negbT: ua; rewrite negb_or => /andP[/negPf-> /negPf->].
+by move/negbT: ua; rewrite negb_or => /andP[/negPf-> /negPf->]; rewrite orbF.
 Qed.
 
 End Links.
