@@ -423,11 +423,11 @@ have := @part_euler t (part (num x)) map (@part_live _) (@part_closed _) _ _ _ [
 by rewrite -xr.
 Qed.
 
-(** T3 holds if and only if no edge of the map needs a handle, in whatever order the edges are drawn. *)
-Theorem t3_plane edges : every_edge (@tw t) edges -> t3_euler t <-> drawn turns (@tw t) edges.
+(** T3 holds if and only if the formula without handles holds for the whole. *)
+Lemma t3_sums es : lists_one_of_each es (same_edge t) (half_edge t) ->
+  t3_euler t <-> size rotations + size cycles = size es + (size pieces).*2.
 Proof.
-move=> every; have [es Hes] := edges_each; rewrite drawnP.
-have total := whole_euler every rotations_each cycles_each Hes pieces_each.
+move=> Hes.
 have [_ liveV _ _] := rotations_each; have [_ liveC _ _] := cycles_each; have [_ liveE _ _] := Hes.
 have sums : sumn [seq size (in_part r rotations) + size (in_part r cycles) | r <- pieces] = size rotations + size cycles.
   by rewrite sumn_add !sum_parts.
@@ -451,6 +451,14 @@ move=> v lv; case: (vertexP low lv) => [x _ <-|b _ bv _ _]; last first.
 have [V [E [C H]]] := component_counts x; exists V, E, C; split=> //.
 have [r xr rp] := label_piece x; have [-> -> ->] := component_sizes xr Hes H.
 by rewrite eq // addnC.
+Qed.
+
+(** T3 holds if and only if no edge of the map needs a handle, in whatever order the edges are drawn. *)
+Theorem t3_plane edges : every_edge (@tw t) edges -> t3_euler t <-> drawn turns (@tw t) edges.
+Proof.
+move=> every; have [es Hes] := edges_each; rewrite drawnP (t3_sums Hes).
+have := whole_euler every rotations_each cycles_each Hes pieces_each.
+by split; arith.
 Qed.
 
 End Whole.
