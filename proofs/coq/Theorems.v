@@ -3,7 +3,7 @@
     Each is stated here once more, word for word, and Coq checks that it was proved as stated. *)
 
 From mathcomp Require Import all_ssreflect all_fingroup.
-From twinedge Require Import View Rules Reference Drawing Euler Subdivision Verdict FastPath.
+From twinedge Require Import View Rules Reference Drawing Euler Subdivision Verdict FastPath FastPathProof.
 Set Implicit Arguments.
 Unset Strict Implicit.
 Unset Printing Implicit Defensive.
@@ -47,3 +47,7 @@ Check map_counts_exist : forall t, holds_before t T1 -> exists V E F, map_has_co
 (** T4 follows from the rules before it. *)
 
 Check t4_follows : forall t, holds_before t T4 -> t4_bounds t.
+
+(** The fast path accepts exactly the views that keep R1 to T1. *)
+
+Check fast_path_accepts : forall t, fast_path t <-> holds_before t T2.
