@@ -1,7 +1,7 @@
 (** * FastPath: two walks that settle R1 to T1 at once (fast_path.rs)
 
     The fast path walks once around every vertex and once along every boundary component, remembers little, and counts.
-    This file is the algorithm; FastPathProof.v proves that it accepts exactly the views that keep R1 to T1.
+    This file is the algorithm; FastPathAccepted.v and FastPathProof.v prove that it accepts exactly the views that keep R1 to T1.
 
 <<
       around v, from leaving(v):        along b, from start(b):

@@ -10,7 +10,9 @@
      V  leaving isolated
      H  origin twin next prev boundary
      B  face, start (h0 or v0), place (o or i0)
-     F  outer, how many inner, each of these *)
+     F  outer, how many inner, each of these
+
+   Empty lines and lines that begin with # are passed over. *)
 
 open Checker
 
@@ -124,7 +126,7 @@ let each_line judge =
     while true do
       let line = input_line stdin in
       incr number;
-      try judge line
+      try if line <> "" && line.[0] <> '#' then judge line
       with Unreadable word ->
         Printf.eprintf "judge: line %d cannot be read: %s\n" !number word;
         exit 2
