@@ -7,8 +7,9 @@ mod common;
 
 use criterion::{Criterion, Throughput, criterion_group, criterion_main};
 use std::hint::black_box;
+use twinedge::geometry::Point;
 use twinedge::geometry::noding::Snap;
-use twinedge::geometry::{Builder, Feature, Noding, PlanarMap, Point, Shape};
+use twinedge::map::{Builder, Feature, Noding, PlanarMap, Shape};
 
 fn build(features: &[Feature], noding: Noding) -> PlanarMap {
     let mut builder = Builder::new();

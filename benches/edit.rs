@@ -12,9 +12,10 @@ mod common;
 use criterion::{BatchSize, Criterion, Throughput, criterion_group, criterion_main};
 use std::hint::black_box;
 use twinedge::dcel::{HalfEdge, HalfEdgeKey};
-use twinedge::geometry::edit::At;
+use twinedge::geometry::Point;
 use twinedge::geometry::noding::{Snap, node};
-use twinedge::geometry::{Builder, PlanarMap, Point, Shape};
+use twinedge::map::edit::At;
+use twinedge::map::{Builder, PlanarMap, Shape};
 
 /// Points inside some faces whose outer boundary is a few dozen edges, each with a half-edge of that boundary: points that
 /// see the target of that half-edge.

@@ -15,8 +15,9 @@ use criterion::{BatchSize, Criterion, criterion_group, criterion_main};
 use rstar::primitives::{GeomWithData, Line, Rectangle};
 use rstar::{AABB, RTree};
 use std::hint::black_box;
+use twinedge::geometry::Point;
 use twinedge::geometry::predicates::{Meeting, meeting};
-use twinedge::geometry::{Feature, Located, Locator, Met, PlanarMap, Point, Shape, Stretch};
+use twinedge::map::{Feature, Located, Locator, PlanarMap, QueryLine, Shape, ZoneElement};
 
 /// Numbers from 0 to 1 that look random, always the same ones.
 fn random() -> impl FnMut() -> f64 {
@@ -132,8 +133,8 @@ fn sorted<'a>(edges: impl Iterator<Item = &'a [Point; 2]>, [from, to]: [Point; 2
     met
 }
 
-fn faces(met: &[Met]) -> usize {
-    met.iter().filter(|met| matches!(met, Met::Face(_))).count()
+fn faces(met: &[ZoneElement]) -> usize {
+    met.iter().filter(|met| matches!(met, ZoneElement::Face(_))).count()
 }
 
 fn lines(criterion: &mut Criterion) {
@@ -146,7 +147,7 @@ fn lines(criterion: &mut Criterion) {
 
     let mut random = random();
     let all: Vec<[Point; 2]> = (0..20_000).map(|_| [anywhere(&mut random), anywhere(&mut random)]).collect();
-    let zone = |[from, to]: [Point; 2]| locator.zone(&Stretch::Segment(from, to)).expect("in range");
+    let zone = |[from, to]: [Point; 2]| locator.zone(&QueryLine::Segment(from, to)).expect("in range");
     let thirty: Vec<[Point; 2]> = all.iter().copied().filter(|ends| (28..=32).contains(&faces(&zone(*ends)))).collect();
     let mean = all.iter().map(|ends| faces(&zone(*ends))).sum::<usize>() as f64 / all.len() as f64;
     println!("{} of {} random segments meet 28 to 32 faces; the mean is {mean}", thirty.len(), all.len());

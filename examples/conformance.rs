@@ -5,7 +5,7 @@
 //! the face from outside and the other is an island now. Which is which? `Mine` believes that the part where the
 //! half-edge starts stays outside. Random programs find the bug, and shrinking leaves what matters of the one that did.
 
-use twinedge::program::{Corner, Kernel, Program, Refusal, Side, Turn, conformance, shrink};
+use twinedge::program::{Corner, Program, Refusal, Side, Subject, Turn, conformance, shrink};
 use twinedge::validate::{Expectation, Link, Part, Start, View};
 
 #[derive(Clone)]
@@ -178,7 +178,7 @@ impl View for Mine {
 }
 
 /// What programs drive.
-impl Kernel for Mine {
+impl Subject for Mine {
     type Vertex = usize;
     type HalfEdge = usize;
     type Face = usize;

@@ -7,8 +7,8 @@
 use std::error::Error;
 use twinedge::algorithm::contour::{self, Contour};
 use twinedge::algorithm::coverage::faces_of;
-use twinedge::geometry::{Builder, Feature, FeatureId, PlanarMap};
 use twinedge::io::{geojson, wkt};
+use twinedge::map::{Builder, Feature, FeatureId, PlanarMap};
 
 fn read(bytes: &[u8]) -> Result<PlanarMap, Box<dyn Error>> {
     let mut builder = Builder::new();

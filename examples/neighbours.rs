@@ -6,8 +6,8 @@
 
 use std::error::Error;
 use twinedge::algorithm::neighbours::of_feature;
-use twinedge::geometry::{Builder, PlanarMap};
 use twinedge::io::geojson;
+use twinedge::map::{Builder, PlanarMap};
 
 fn read(bytes: &[u8]) -> Result<PlanarMap, Box<dyn Error>> {
     let mut builder = Builder::new();

@@ -3,8 +3,9 @@
 use twinedge::algorithm::area::{face_area, feature_area};
 use twinedge::algorithm::contour::of_faces;
 use twinedge::algorithm::overlay::{Operation, overlay};
+use twinedge::geometry::Point;
 use twinedge::geometry::noding::Snap;
-use twinedge::geometry::{Builder, Feature, Point, Shape};
+use twinedge::map::{Builder, Feature, Shape};
 
 fn polygon(name: &str, corners: &[[f64; 2]]) -> Feature {
     let ring = corners.iter().copied().map(Point::from).collect();

@@ -9,8 +9,9 @@
 
 use std::error::Error;
 use twinedge::dcel::FaceKey;
-use twinedge::geometry::{Builder, Located, Locator, Met, PlanarMap, Point, Stretch};
+use twinedge::geometry::Point;
 use twinedge::io::geojson::{self};
+use twinedge::map::{Builder, Located, Locator, PlanarMap, QueryLine, ZoneElement};
 
 fn world() -> Result<PlanarMap, Box<dyn Error>> {
     let mut builder = Builder::new();
@@ -73,14 +74,14 @@ fn main() -> Result<(), Box<dyn Error>> {
     assert_eq!(locator.locate(p)?, Located::Vertex(corner.key()));
 
     // Straight east from the Atlantic to the Indian Ocean.
-    let flight = Stretch::Segment(Point::new(5.0, 1.5), Point::new(50.0, 1.5));
+    let flight = QueryLine::Segment(Point::new(5.0, 1.5), Point::new(50.0, 1.5));
     let mut way: Vec<String> = Vec::new();
     let mut borders = 0;
     for met in locator.zone(&flight)? {
         match met {
-            Met::Face(face) => way.push(name(&map, face)?),
-            Met::Edge(_) => borders += 1,
-            Met::Along(_) | Met::Vertex(_) => {}
+            ZoneElement::Face(face) => way.push(name(&map, face)?),
+            ZoneElement::Edge(_) => borders += 1,
+            ZoneElement::Along(_) | ZoneElement::Vertex(_) => {}
         }
     }
     println!("From 5 to 50 degrees east, 1.5 north: {}", way.join(", "));

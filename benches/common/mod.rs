@@ -3,7 +3,7 @@
 #![allow(dead_code, unreachable_pub, reason = "each benchmark uses its part")]
 
 use twinedge::dcel::{Dcel, Face, HalfEdge, Vertex};
-use twinedge::geometry::{Builder, Feature, PlanarMap};
+use twinedge::map::{Builder, Feature, PlanarMap};
 
 /// A grid of `side` × `side` vertices, each square cut in two triangles.
 pub fn triangulated_grid(side: u32) -> PlanarMap {
@@ -71,7 +71,7 @@ pub fn world_50m_features() -> Vec<Feature> {
     let mut features = Vec::new();
     twinedge::io::geojson::read(file.as_slice(), |feature| {
         features.push(feature);
-        Ok::<(), twinedge::io::geojson::ReadError>(())
+        Ok::<(), twinedge::io::ReadError>(())
     })
     .expect("the file is GeoJSON");
     features

@@ -1,14 +1,15 @@
 //! `twinedge draw`: a picture of a map.
 
-use crate::input::MapFile;
+use crate::input::{Imported, MapFile};
 use crate::output::{grouped, print};
-use crate::{Failure, Verdict};
+use crate::status::{Failure, Verdict};
 use std::path::{Path, PathBuf};
-use twinedge::geometry::{Point, validate_drawing};
+use twinedge::geometry::Point;
 use twinedge::io::svg::{self, Options};
+use twinedge::validate::validate_embedding;
 use twinedge::validate::{Collect, Expectation};
 
-/// With detail, a picture of more half-edges than this is not legible.
+/// With `--detail`, a picture of more half-edges than this is not legible.
 const LEGIBLE: usize = 1_000;
 
 /// Draw a map as SVG: its faces, its edges, and in red what breaks a rule.
@@ -18,15 +19,15 @@ const LEGIBLE: usize = 1_000;
   twinedge draw parcels.geojson --detail -o parcels.svg          with half-edges, as textbooks draw them
   twinedge draw --detail --window 5.5 45.5 11 48 -o alps.svg     a part of it
 
-Each feature has a colour, neighbours different ones; what two claim is hatched. A map that is not plane is drawn as well, with \
-the rule and the records at each place where it is not.
+Each feature has a colour, and neighbours have different ones. A face that two features claim is hatched. A map that is not \
+plane is drawn as well, with the rule and the records at each place where it is not.
 
 Exit status: 0 the map is drawn and valid; 1 it is drawn, and violations are marked; 2 it could not be read or drawn.")]
 pub(crate) struct Draw {
     #[command(flatten)]
     map: MapFile,
 
-    /// The file to write; without it, or with `-`, standard output.
+    /// File to write; `-` is standard output, and the default.
     #[arg(short, long, value_name = "FILE")]
     output: Option<PathBuf>,
 
@@ -34,19 +35,19 @@ pub(crate) struct Draw {
     #[arg(long)]
     detail: bool,
 
-    /// Draw details even where they will not be legible.
+    /// Draw details even if there are too many to be legible.
     #[arg(long)]
     force: bool,
 
-    /// Draw only the part between two opposite corners.
+    /// Draw only the rectangle between two opposite corners.
     #[arg(long, num_args = 4, value_names = ["X0", "Y0", "X1", "Y1"], allow_negative_numbers = true)]
     window: Option<Vec<f64>>,
 
-    /// The longer side of the picture, in pixels.
+    /// Longer side of the picture, in pixels.
     #[arg(long, value_name = "PIXELS", default_value_t = 1_200, value_parser = clap::value_parser!(u32).range(100..=100_000))]
     size: u32,
 
-    /// How many violations to mark.
+    /// Greatest number of violations to mark.
     #[arg(long, value_name = "N", default_value_t = Collect::DEFAULT_CAP)]
     list: usize,
 }
@@ -60,16 +61,16 @@ impl Draw {
             }
             Some(_) => return Err(Failure("--window needs two corners of a rectangle with an area".to_owned())),
         };
-        let (name, map) = self.map.build()?;
+        let Imported { name, map, .. } = self.map.build()?;
         let half_edges = svg::half_edges_in(&map, window);
         if self.detail && half_edges > LEGIBLE && !self.force {
             let (found, limit) = (grouped(half_edges), grouped(LEGIBLE));
             return Err(Failure(format!(
-                "{name}: {found} half-edges are too many for --detail, which is legible up to {limit}: choose a part by \
---window, or --force it"
+                "{name}: {found} half-edges are too many for --detail, which is legible up to {limit}: choose a part with \
+--window, or use --force"
             )));
         }
-        let report = validate_drawing(&map, &Expectation::plane(), Collect::AtMost(self.list));
+        let report = validate_embedding(&map, &Expectation::plane(), Collect::AtMost(self.list));
         let options = Options { size: self.size.into(), detail: self.detail, window, violations: report.violations() };
         let picture = svg::draw(&map, &options);
         match self.output.as_deref().filter(|path| *path != Path::new("-")) {

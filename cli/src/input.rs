@@ -1,19 +1,19 @@
-//! Reading a map: from a file, from standard input, or the one that is built in.
+//! Reading a map from a file or from standard input, or the built-in map.
 
-use crate::Failure;
+use crate::status::Failure;
 use indicatif::{ProgressBar, ProgressStyle};
 use std::fs::File;
-use std::io::{self, Read};
+use std::io::{self, BufRead, BufReader, Read};
 use std::path::{Path, PathBuf};
 use twinedge::geometry::noding::Snap;
-use twinedge::geometry::{BuildError, Builder, Noding, PlanarMap};
-use twinedge::io::geojson::{self, ReadError};
+use twinedge::io::{self as formats, Format, ReadError, ReadSummary};
+use twinedge::map::{BuildError, Builder, Noding, PlanarMap};
 
-/// The map of the world that is built in; see `data/README.md`.
+/// The built-in map of the world; see `data/README.md`.
 const EMBEDDED: &[u8] = include_bytes!("../data/world-110m.geojson");
 const EMBEDDED_NAME: &str = "world-110m.geojson (built in)";
 
-/// A shape could not be read, or not be taken.
+/// Why a map could not be read or built.
 #[derive(Debug, thiserror::Error)]
 enum InputError {
     #[error(transparent)]
@@ -22,30 +22,52 @@ enum InputError {
     Build(#[from] BuildError),
 }
 
-/// Reads a GeoJSON map into a builder: from `path`, from standard input where that is `-`, or the built-in map where there
-/// is none. Gives the name of the input along with it.
-fn read(path: Option<&Path>) -> Result<(String, Builder), Failure> {
-    let (name, builder) = match path {
-        None => (EMBEDDED_NAME.to_owned(), gather(EMBEDDED)),
-        Some(path) if path == Path::new("-") => ("standard input".to_owned(), gather(io::stdin().lock())),
-        Some(path) => {
-            let name = path.display().to_string();
-            let file = File::open(path).map_err(|error| Failure(format!("{name}: {error}")))?;
-            let length = file.metadata().map_or(0, |metadata| metadata.len());
-            let bar = progress(length);
-            (name, gather(bar.wrap_read(file)))
-        }
-    };
-    match builder {
-        Ok(builder) => Ok((name, builder)),
-        Err(error) => Err(Failure(format!("{name}: {error}"))),
+/// An input, opened.
+pub(crate) struct Input {
+    pub(crate) name: String,
+    pub(crate) reader: Box<dyn BufRead>,
+    /// The format that the name tells.
+    format: Option<Format>,
+}
+
+/// A map that was read and built.
+pub(crate) struct Imported {
+    /// The name of the input.
+    pub(crate) name: String,
+    /// What was read and what was dropped.
+    pub(crate) read: ReadSummary,
+    pub(crate) map: PlanarMap,
+}
+
+impl Input {
+    /// Opens a file, standard input where the path is `-`, or the built-in map where there is none.
+    fn open(path: Option<&Path>) -> Result<Self, Failure> {
+        let (name, reader): (_, Box<dyn BufRead>) = match path {
+            None => (EMBEDDED_NAME.to_owned(), Box::new(EMBEDDED)),
+            Some(path) if path == Path::new("-") => {
+                ("standard input".to_owned(), Box::new(BufReader::new(io::stdin())))
+            }
+            Some(path) => {
+                let name = path.display().to_string();
+                let file = File::open(path).map_err(|error| Failure(format!("{name}: {error}")))?;
+                let length = file.metadata().map_or(0, |metadata| metadata.len());
+                (name, Box::new(BufReader::new(progress(length).wrap_read(file))))
+            }
+        };
+        Ok(Self { name, reader, format: path.and_then(Format::of_path) })
+    }
+
+    /// Its first bytes, without reading them.
+    pub(crate) fn beginning(&mut self) -> Result<&[u8], Failure> {
+        self.reader.fill_buf().map_err(|error| Failure(format!("{}: {error}", self.name)))
     }
 }
 
-fn gather(reader: impl Read) -> Result<Builder, InputError> {
+fn gather(reader: impl Read, format: Option<Format>) -> Result<(Builder, ReadSummary), InputError> {
     let mut builder = Builder::new();
-    geojson::read(reader, |feature| builder.feature(&feature).map(drop).map_err(InputError::from))?;
-    Ok(builder)
+    let summary =
+        formats::read(reader, format, |feature| builder.feature(&feature).map(drop).map_err(InputError::from))?;
+    Ok((builder, summary))
 }
 
 /// A bar on standard error, if that is a terminal.
@@ -57,32 +79,44 @@ fn progress(bytes: u64) -> ProgressBar {
     bar
 }
 
-/// Where a file is named on the command line.
+/// The file that is named on the command line.
 #[derive(Debug, clap::Args)]
 pub(crate) struct MapFile {
-    /// A GeoJSON file, or `-` for standard input; without it, the built-in map of the world.
+    /// A GeoJSON or WKT file, or `-` for standard input. Default: the built-in map of the world.
     file: Option<PathBuf>,
 
     #[command(flatten)]
     cutting: Cutting,
 }
 
-/// What is done about segments that cross, touch or overlap.
+/// How segments that cross, touch or overlap are treated.
 #[derive(Debug, clap::Args)]
 pub(crate) struct Cutting {
-    /// Cut segments wherever they cross, touch or overlap, and round everything to a grid: `auto` for one as fine as
-    /// coordinates allow, or the width of its cells.
+    /// Cut segments wherever they cross, touch or overlap, and round all points to a grid. `auto` chooses the finest grid that
+    /// the coordinates allow; SIZE is the width of its cells.
     #[arg(long, value_name = "auto|SIZE", value_parser = snap)]
     snap: Option<Snap>,
 }
 
 impl MapFile {
-    /// Reads the map and builds it. Gives the name of the input along with it.
-    pub(crate) fn build(&self) -> Result<(String, PlanarMap), Failure> {
-        let (name, builder) = read(self.file.as_deref())?;
+    /// Opens the input.
+    pub(crate) fn open(&self) -> Result<Input, Failure> {
+        Input::open(self.file.as_deref())
+    }
+
+    /// Reads the map and builds it.
+    pub(crate) fn build(&self) -> Result<Imported, Failure> {
+        self.build_from(self.open()?)
+    }
+
+    /// Builds the map that was opened.
+    pub(crate) fn build_from(&self, Input { name, reader, format }: Input) -> Result<Imported, Failure> {
         let noding = self.cutting.snap.map_or(Noding::None, Noding::Snap);
-        let map = builder.build_with(noding).map_err(|error| Failure(format!("{name}: {error}")))?;
-        Ok((name, map))
+        let built = gather(reader, format).and_then(|(builder, read)| Ok((read, builder.build_with(noding)?)));
+        match built {
+            Ok((read, map)) => Ok(Imported { name, read, map }),
+            Err(error) => Err(Failure(format!("{name}: {error}"))),
+        }
     }
 }
 

@@ -1,34 +1,41 @@
-//! The `twinedge` program: builds and audits planar maps, and puts the structure they are kept in to the proof.
+//! The `twinedge` program: builds and audits planar maps, and tests the structures that keep them.
+//!
+//! Arguments, text, JSON, progress bars and Ctrl-C are here. The tests themselves are in the crate `twinedge-trials`.
 
 mod audit;
-mod caught;
 mod corrupt;
-mod counting;
+mod document;
 mod draw;
+mod effort;
+mod expectation_text;
 mod input;
-mod judgement;
-mod kernels;
 mod output;
+mod print_tables;
+mod progress;
 mod prove;
 mod query;
-mod random;
-mod regression;
 mod replay;
 mod soak;
+mod status;
+mod structures;
+mod sum;
 mod tables;
-mod trial;
-mod work;
 
 use clap::{Parser, Subcommand};
+use status::{FAILED, Failure};
 use std::process::ExitCode;
 
-/// Builds and audits planar maps, and the structure they are kept in.
+/// Builds and audits planar maps, and tests the structures that keep them.
 #[derive(Debug, Parser)]
 #[command(name = "twinedge", version, propagate_version = true, arg_required_else_help = true)]
-#[command(
-    after_help = "Exit status: 0 all is well; 1 something is wrong with what was examined; 2 the input could not be \
-read, or the command was misused; 130 interrupted."
-)]
+#[command(after_help = "Examples:
+  twinedge audit parcels.geojson
+  twinedge query neighbours Switzerland
+  twinedge draw -o world.svg
+  twinedge prove
+
+Exit status: 0 all is well; 1 something is wrong with what was examined; 2 the input could not be read, or the command was \
+misused; 130 interrupted (Ctrl-C).")]
 struct Arguments {
     #[command(subcommand)]
     command: Command,
@@ -44,24 +51,7 @@ enum Command {
     Tables(tables::Tables),
     Soak(soak::Soak),
     Replay(replay::Replay),
-}
-
-/// What a command came to, as exit codes say it.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-enum Verdict {
-    Sound,
-    Wrong,
-    Interrupted,
-}
-
-/// Why a command could not be carried out: one line for standard error.
-#[derive(Debug)]
-struct Failure(String);
-
-impl<E: std::error::Error> From<E> for Failure {
-    fn from(error: E) -> Self {
-        Self(error.to_string())
-    }
+    Sum(sum::Sum),
 }
 
 fn main() -> ExitCode {
@@ -74,14 +64,13 @@ fn main() -> ExitCode {
         Command::Tables(tables) => tables.run(),
         Command::Soak(soak) => soak.run(),
         Command::Replay(replay) => replay.run(),
+        Command::Sum(sum) => sum.run(),
     };
     match verdict {
-        Ok(Verdict::Sound) => ExitCode::SUCCESS,
-        Ok(Verdict::Wrong) => ExitCode::from(1),
-        Ok(Verdict::Interrupted) => ExitCode::from(130),
+        Ok(verdict) => verdict.into(),
         Err(Failure(message)) => {
             eprintln!("twinedge: {}", output::plain(&message));
-            ExitCode::from(2)
+            ExitCode::from(FAILED)
         }
     }
 }

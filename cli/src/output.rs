@@ -1,15 +1,16 @@
-//! What the commands print alike.
+//! How the commands print numbers, text and JSON.
 
 use clap::ValueEnum;
 use std::io::{self, Write};
+use twinedge_trials::Shard;
 
-/// For whom a command prints.
+/// The output format.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq, ValueEnum)]
 pub(crate) enum Format {
-    /// For people.
+    /// Text, coloured on a terminal.
     #[default]
     Text,
-    /// For machines: one JSON object.
+    /// One JSON object.
     Json,
 }
 
@@ -26,9 +27,28 @@ pub(crate) fn grouped(n: impl TryInto<u64>) -> String {
     out
 }
 
-/// A number of things, one of which has this name.
+/// A number of things, with their name in the singular or in the plural.
 pub(crate) fn counted(n: usize, name: &str) -> String {
-    format!("{} {name}{}", grouped(n), if n == 1 { "" } else { "s" })
+    let plural = match name.strip_suffix("ex") {
+        _ if n == 1 => name.to_owned(),
+        Some(stem) => format!("{stem}ices"),
+        None => format!("{name}s"),
+    };
+    format!("{} {plural}", grouped(n))
+}
+
+/// A number that should be 0, marked if it is not.
+pub(crate) fn zero(found: u64) -> String {
+    use style::BAD;
+    if found == 0 { "0".to_owned() } else { format!("{BAD}{}{BAD:#}", grouped(found)) }
+}
+
+/// A line that says which part of the work was done; none if it was all of it.
+pub(crate) fn part_line(shard: Shard) -> String {
+    if shard.is_whole() {
+        return String::new();
+    }
+    format!("Part {shard}, counted from 0; `twinedge sum` adds up the JSON output of all parts\n\n")
 }
 
 /// A measure with four decimal places, or with four digits where these would show none.
@@ -43,7 +63,7 @@ pub(crate) fn plain(text: &str) -> String {
 }
 
 /// Prints to standard output. That nobody reads on (`… | head`) is no error.
-pub(crate) fn print(text: &str) -> Result<(), crate::Failure> {
+pub(crate) fn print(text: &str) -> Result<(), crate::status::Failure> {
     let mut out = anstream::stdout().lock();
     match out.write_all(text.as_bytes()).and_then(|()| out.flush()) {
         Err(error) if error.kind() != io::ErrorKind::BrokenPipe => Err(error.into()),
@@ -52,7 +72,7 @@ pub(crate) fn print(text: &str) -> Result<(), crate::Failure> {
 }
 
 /// Prints one JSON object.
-pub(crate) fn print_json(value: &impl serde::Serialize) -> Result<(), crate::Failure> {
+pub(crate) fn print_json(value: &impl serde::Serialize) -> Result<(), crate::status::Failure> {
     let mut text = serde_json::to_string_pretty(value)?;
     text.push('\n');
     print(&text)
@@ -69,7 +89,14 @@ pub(crate) mod style {
 
 #[cfg(test)]
 mod tests {
-    use super::{grouped, measure, plain};
+    use super::{counted, grouped, measure, plain};
+
+    #[test]
+    fn numbers_agree_with_their_nouns() {
+        assert_eq!(counted(1, "map"), "1 map");
+        assert_eq!(counted(0, "violation"), "0 violations");
+        assert_eq!(counted(1_200, "vertex"), "1,200 vertices");
+    }
 
     #[test]
     fn thousands_are_set_off() {

@@ -1,51 +1,52 @@
 //! `twinedge replay`: a saved program, step by step.
 
-use crate::caught::caught;
-use crate::kernels::{Indexed, KernelName, Task};
 use crate::output::style::{BAD, GOOD, QUIET};
 use crate::output::{Format, print, print_json};
-use crate::trial::Trial;
-use crate::{Failure, Verdict};
+use crate::status::{Failure, Verdict};
+use crate::structures::{StructureName, Task};
 use clap::ValueEnum;
 use serde::Serialize;
 use std::fmt::{self, Write as _};
 use std::io::Read as _;
 use std::path::PathBuf;
-use twinedge::program::{Call, CallOf, Corner, CornerOf, Program, Runner};
-use twinedge::validate::{Collect, Expectation, Place, Start, View, validate};
+use twinedge::program::{Call, Corner, Program};
+use twinedge::validate::{BoundaryPlace, Link, Report, Start, Table, View};
+use twinedge_trials::replay::Indexed;
+use twinedge_trials::soak::Comparable;
+use twinedge_trials::{Silent, Structure, replay};
 
 /// Run a saved program and print the structure after each step.
 ///
-/// The names in a step count what there is, in order of creation; below it stands what they came to, by the names of the
-/// table. Then the program is run once more in step with the textbook's structure, as `twinedge soak` does it.
+/// The names in a step count what there is, in order of creation. The line below a step shows the records that they chose, by
+/// their names in the table. Then the program is run once more in step with the reference, as `twinedge soak` does it.
 #[derive(Debug, clap::Args)]
 #[command(after_help = "Examples:
   twinedge replay failing.program
   twinedge replay failing.program --on pointers
   printf 'twinedge program 1\\nadd_isolated_vertex unbounded\\n' | twinedge replay -
 
-Exit status: 0 every step is valid and in step with the textbook's structure; 1 not so, or a step panicked; 2 the file could not be read.")]
+Exit status: 0 every step is valid and in step with the reference; 1 otherwise, or a step panicked; 2 the file could not be read.")]
 pub(crate) struct Replay {
-    /// The program, as `twinedge soak` saves it, or `-` for standard input.
+    /// The program, as `twinedge soak` saves it; `-` for standard input.
     file: PathBuf,
 
-    /// On what to run it; on what it failed on, if the file says so, unless said otherwise.
+    /// The structure to run it on. Default: the structure that the file names, or slots.
     #[arg(long, value_enum, value_name = "STRUCTURE")]
-    on: Option<KernelName>,
+    on: Option<StructureName>,
 
-    /// For whom to print.
+    /// Output format.
     #[arg(long, value_enum, default_value_t)]
     format: Format,
 }
 
-/// No program is longer, in bytes, than this.
+/// Programs longer than this, in bytes, are cut off.
 const LONGEST: u64 = 16 << 20;
 
 #[derive(Debug, Serialize)]
 struct Outcome {
-    on: KernelName,
+    on: &'static str,
     steps: Vec<Step>,
-    /// In what the structure differs from the textbook's.
+    /// How the structure differs from the reference.
     difference: Option<String>,
     ok: bool,
 }
@@ -53,10 +54,10 @@ struct Outcome {
 #[derive(Debug, Serialize)]
 struct Step {
     op: String,
-    /// The arguments that it chose, by their names in `structure`; none if there was nothing to choose from.
+    /// The arguments that it chose, by their names in the structure before the step; none if there was nothing to choose from.
     chosen: Option<String>,
     outcome: String,
-    /// None if it panicked: no step comes after that.
+    /// None if it panicked: no step follows.
     #[serde(flatten)]
     after: Option<After>,
 }
@@ -79,10 +80,9 @@ impl Replay {
         let text = self.read().map_err(|error| Failure(format!("{name}: {error}")))?;
         let program: Program = text.parse().map_err(|error| Failure(format!("{name}: {error}")))?;
         let on = self.on.or_else(|| named_in(&text)).unwrap_or_default();
-        let steps = on.run(Steps(&program));
-        let difference = on.run(Trial(&program)).failure();
+        let (steps, difference) = on.with(Replaying(&program));
         let ok = difference.is_none() && steps.iter().all(|step| step.after.as_ref().is_some_and(|after| after.valid));
-        let outcome = Outcome { on, steps, difference, ok };
+        let outcome = Outcome { on: on.name(), steps, difference, ok };
         match self.format {
             Format::Text => print(&outcome.to_string())?,
             Format::Json => print_json(&outcome)?,
@@ -106,44 +106,38 @@ impl Replay {
 }
 
 /// The structure that a saved file names in its comments.
-fn named_in(text: &str) -> Option<KernelName> {
+fn named_in(text: &str) -> Option<StructureName> {
     let comments = text.lines().map_while(|line| line.strip_prefix('#'));
     let mut names = comments.filter_map(|line| line.split_once("on: ").map(|(_, name)| name.trim()));
-    names.find_map(|name| KernelName::from_str(name, false).ok())
+    names.find_map(|name| StructureName::from_str(name, false).ok())
 }
 
-/// Running a program and writing down each step, up to one that panics.
-struct Steps<'a>(&'a Program);
+/// Running a program step by step, then in step with the reference.
+struct Replaying<'a>(&'a Program);
 
-impl Task for Steps<'_> {
-    type Result = Vec<Step>;
+impl Task for Replaying<'_> {
+    type Result = (Vec<Step>, Option<String>);
 
-    fn run<K: Indexed>(self, make: fn() -> K, expectation: Expectation) -> Vec<Step> {
-        let mut runner = Runner::new(make());
-        let mut steps = Vec::new();
-        for op in &self.0.0 {
-            let chosen = caught(|| runner.resolve(*op).ok().map(|call| in_words(runner.kernel(), &call)));
-            let done = caught(|| {
-                let outcome = runner.step(*op);
-                (outcome.to_string(), After::of(runner.kernel(), expectation))
-            });
-            let (outcome, after) = match done {
-                Ok((outcome, after)) => (outcome, Some(after)),
-                Err(panic) => (format!("panicked: {panic}"), None),
-            };
-            let is_last = after.is_none();
-            steps.push(Step { op: op.to_string(), chosen: chosen.ok().flatten(), outcome, after });
-            if is_last {
-                break;
-            }
-        }
-        steps
+    fn run<K: Indexed + Clone>(self, structure: Structure<K>) -> Self::Result {
+        let Self(program) = self;
+        let steps = replay(&structure, program).into_iter().map(Step::from).collect();
+        let comparison = structure.compare(program, &Silent);
+        (steps, comparison.failure().map(str::to_owned))
+    }
+}
+
+impl From<twinedge_trials::replay::Step> for Step {
+    fn from(step: twinedge_trials::replay::Step) -> Self {
+        let (outcome, after) = match step.outcome {
+            Ok(after) => (after.outcome.to_string(), Some(After::of(&after.report, after.table.as_ref()))),
+            Err(panic) => (format!("panicked: {panic}"), None),
+        };
+        Self { op: step.op.to_string(), chosen: step.call.as_ref().map(in_words), outcome, after }
     }
 }
 
 impl After {
-    fn of<V: View>(view: &V, expectation: Expectation) -> Self {
-        let report = validate(view, &expectation, Collect::All);
+    fn of(report: &Report, table: Option<&Table>) -> Self {
         let counts = report.counts();
         Self {
             valid: report.is_valid(),
@@ -152,42 +146,38 @@ impl After {
             faces: counts.faces,
             components: counts.components,
             violations: report.violations().iter().map(|v| format!("{}: {v}", v.rule())).collect(),
-            structure: Tables(view).to_string(),
+            structure: table.map(|table| Tables(table).to_string()).unwrap_or_default(),
         }
     }
 }
 
 /// The arguments of an operator by their names in the tables.
-fn in_words<K: Indexed>(kernel: &K, call: &CallOf<K>) -> String {
-    let named =
-        |letter: char, index: Option<usize>| index.map_or_else(|| "gone".to_owned(), |i| format!("{letter}{i}"));
-    let vertex = |v: &K::Vertex| named('v', kernel.vertex_index(*v));
-    let half_edge = |h: &K::HalfEdge| named('h', kernel.half_edge_index(*h));
-    let face = |f: &K::Face| named('f', kernel.face_index(*f));
-    let corner = |corner: &CornerOf<K>| match corner {
-        Corner::At(h) => half_edge(h),
-        Corner::Isolated(v) => vertex(v),
+fn in_words(call: &Call<Link, Link, Link>) -> String {
+    let named = |letter: char, index: &Link| index.map_or_else(|| "stale".to_owned(), |i| format!("{letter}{i}"));
+    let corner = |corner: &Corner<Link, Link>| match corner {
+        Corner::At(h) => named('h', h),
+        Corner::Isolated(v) => named('v', v),
     };
     match call {
-        Call::AddIsolatedVertex { face: f } => format!("in {}", face(f)),
-        Call::RemoveIsolatedVertex { vertex: v } => vertex(v),
+        Call::AddIsolatedVertex { face } => format!("in {}", named('f', face)),
+        Call::RemoveIsolatedVertex { vertex } => named('v', vertex),
         Call::Connect { from, to, inner, .. } => {
             let inner: Vec<String> = inner.iter().map(corner).collect();
             let inner = if inner.is_empty() { String::new() } else { format!(", inner {}", inner.join(" ")) };
             format!("{} to {}{inner}", corner(from), corner(to))
         }
         Call::SplitVertex { from, to } => format!("{} to {}", corner(from), corner(to)),
-        Call::RemoveEdge { half_edge: h }
-        | Call::SplitEdge { half_edge: h }
-        | Call::JoinEdges { half_edge: h }
-        | Call::ContractEdge { half_edge: h }
-        | Call::FlipEdge { half_edge: h, .. } => half_edge(h),
-        Call::MoveInner { inner, face: f } => format!("{} to {}", corner(inner), face(f)),
+        Call::RemoveEdge { half_edge }
+        | Call::SplitEdge { half_edge }
+        | Call::JoinEdges { half_edge }
+        | Call::ContractEdge { half_edge }
+        | Call::FlipEdge { half_edge, .. } => named('h', half_edge),
+        Call::MoveInner { inner, face } => format!("{} to {}", corner(inner), named('f', face)),
     }
 }
 
 /// A structure as tables, a line for each record.
-struct Tables<'a, V>(&'a V);
+struct Tables<'a>(&'a Table);
 
 /// A link with the letter of what it leads to.
 fn link(letter: char, link: Option<usize>) -> String {
@@ -202,7 +192,7 @@ fn start(start: Option<Start>) -> String {
     }
 }
 
-impl<V: View> fmt::Display for Tables<'_, V> {
+impl fmt::Display for Tables<'_> {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         let view = self.0;
         for v in (0..view.vertex_slots()).filter(|v| view.is_vertex(*v)) {
@@ -223,8 +213,8 @@ impl<V: View> fmt::Display for Tables<'_, V> {
         for b in (0..view.boundary_slots()).filter(|b| view.is_boundary(*b)) {
             write!(f, "  b{b}  face {}  start {}", link('f', view.boundary_face(b)), start(view.boundary_start(b)))?;
             match view.boundary_place(b) {
-                Some(Place::Outer) => writeln!(f, "  outer")?,
-                Some(Place::Inner(i)) => writeln!(f, "  inner, place {i}")?,
+                Some(BoundaryPlace::Outer) => writeln!(f, "  outer")?,
+                Some(BoundaryPlace::Inner(i)) => writeln!(f, "  inner, place {i}")?,
                 None => writeln!(f, "  place nil")?,
             }
         }
@@ -253,7 +243,7 @@ impl fmt::Display for Outcome {
             let Step { op, chosen, outcome, after } = step;
             writeln!(f, "{}. {op}: {outcome}", number + 1)?;
             if let Some(chosen) = chosen {
-                writeln!(f, "{QUIET}   that is: {chosen}{QUIET:#}")?;
+                writeln!(f, "{QUIET}   records: {chosen}{QUIET:#}")?;
             }
             let Some(After { vertices, edges, faces, components, violations, structure, .. }) = after else { break };
             let components = components.map_or_else(|| "unknown".to_owned(), |components| components.to_string());
@@ -265,9 +255,9 @@ impl fmt::Display for Outcome {
         }
         let mut verdict = String::new();
         match &self.difference {
-            Some(difference) => write!(verdict, "{BAD}{} differs{BAD:#} {difference}", self.on.name())?,
+            Some(difference) => write!(verdict, "{BAD}{} differs{BAD:#} {difference}", self.on)?,
             None if self.ok => {
-                write!(verdict, "{GOOD}in step{GOOD:#}: {} did as the textbook's structure does", self.on.name())?;
+                write!(verdict, "{GOOD}in step{GOOD:#}: {} did as the reference does", self.on)?;
             }
             None => write!(verdict, "{BAD}not valid{BAD:#}")?,
         }

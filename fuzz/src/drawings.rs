@@ -2,10 +2,11 @@
 
 use arbitrary::Unstructured;
 use std::collections::BTreeSet;
+use twinedge::geometry::Point;
 use twinedge::geometry::noding::Snap;
 use twinedge::geometry::predicates::{Meeting, in_range, meeting, on_segment};
-use twinedge::geometry::{BuildError, Builder, Feature, Noding, PlanarMap, Point, Shape};
-use twinedge::io::geojson::{self, ReadError};
+use twinedge::io::{ReadError, geojson};
+use twinedge::map::{BuildError, Builder, Feature, Noding, PlanarMap, Shape};
 use twinedge::program::choose::Choose;
 use twinedge::validate::Rule;
 
@@ -140,9 +141,9 @@ fn takes(builder: &mut Builder, feature: &Feature) -> bool {
 /// A feature that was refused left nothing behind, and the point named is the one at that position.
 fn refused(
     builder: &Builder,
-    before: &twinedge::geometry::BuildSummary,
+    before: &twinedge::map::BuildSummary,
     feature: &Feature,
-    at: twinedge::geometry::Position,
+    at: twinedge::map::Position,
     (x, y): (f64, f64),
 ) -> bool {
     assert_eq!(builder.summary(), before);
@@ -268,8 +269,11 @@ pub fn geojson(bytes: &[u8]) {
         }
         Err(error) => {
             let lines = bytes.split(|byte| *byte == b'\n').count();
-            let place = error.place();
-            assert!((1..=lines).contains(&place.line) && place.column <= bytes.len() + 1, "{error}");
+            let place = error.place;
+            assert!(
+                (1..=lines).contains(&place.line) && place.column.is_some_and(|column| column <= bytes.len() + 1),
+                "{error}"
+            );
         }
     }
     let mut builder = Builder::new();

@@ -1,17 +1,17 @@
 //! Targets that edit maps with coordinates.
 
-#[path = "../../tests/edit/follow.rs"]
+#[path = "../../tests/map/edit/follow.rs"]
 mod follow;
 
 use arbitrary::Unstructured;
 use follow::Shadow;
 use std::collections::BTreeSet;
 use twinedge::dcel::{Boundary, Face, FaceKey, HalfEdge, HalfEdgeKey, Vertex, VertexKey};
-use twinedge::geometry::edit::{At, EditError, Edited};
+use twinedge::geometry::Point;
 use twinedge::geometry::noding::Snap;
-use twinedge::geometry::{
-    Builder, FeatureId, LocateError, Located, Locator, PlanarMap, Point, Shape, predicates::in_range,
-};
+use twinedge::geometry::predicates::in_range;
+use twinedge::map::edit::{At, EditError, Edited};
+use twinedge::map::{Builder, FeatureId, LocateError, Located, Locator, PlanarMap, Shape};
 use twinedge::program::choose::Choose;
 
 /// Longer programs are cut: each edit is followed by looks at the whole map.

@@ -4,7 +4,7 @@ use std::collections::BTreeSet;
 use std::fmt::Debug;
 use twinedge::dcel::{BoundaryKey, Corner, Dcel, FaceKey, HalfEdgeKey, OperatorError, Side, Split, Turn, VertexKey};
 use twinedge::program::conformance;
-use twinedge::program::{Kernel, Model, Program, Runner};
+use twinedge::program::{Program, RotationSystem, Runner, Subject};
 use twinedge::store::{FixedStore, PointerStore};
 use twinedge::validate::{Expectation, Table};
 
@@ -26,7 +26,7 @@ pub fn programs(bytes: &[u8]) {
     let mut runner = Runner::new(Dcel::new());
     for (i, op) in program.0.iter().enumerate() {
         runner.step(*op);
-        let report = runner.kernel().validate();
+        let report = runner.subject().validate();
         assert!(report.is_valid(), "after operator {} of\n{program}\n{report}", i + 1);
     }
 }
@@ -38,14 +38,14 @@ pub fn programs(bytes: &[u8]) {
 pub fn in_step(bytes: &[u8]) {
     let program = program(bytes);
     conforms(&program, Dcel::new(), Expectation::plane());
-    conforms(&program, Model::new(), Model::expectation());
+    conforms(&program, RotationSystem::new(), RotationSystem::expectation());
     conforms(&program, Dcel::<PointerStore>::default(), Expectation::plane());
     conforms(&program, Dcel::<FixedStore<255, 127, 255, 255>>::default(), Expectation::plane());
     conforms(&program, Dcel::<FixedStore<4, 5, 4, 3>>::default(), Expectation::plane());
 }
 
-fn conforms<K: Kernel + Debug>(program: &Program, kernel: K, expectation: Expectation) {
-    if let Err(failure) = conformance::run(program, kernel, &expectation) {
+fn conforms<K: Subject + Debug>(program: &Program, subject: K, expectation: Expectation) {
+    if let Err(failure) = conformance::run(program, subject, &expectation) {
         panic!("{}: {failure}\n{program}", std::any::type_name::<K>());
     }
 }
@@ -96,18 +96,18 @@ pub fn stale_keys(bytes: &[u8]) {
     let program = program(bytes);
     let mut stranger = Runner::new(Dcel::new());
     stranger.run(&program);
-    let mut stale = Keys::of(stranger.kernel());
+    let mut stale = Keys::of(stranger.subject());
 
     let mut runner = Runner::new(Dcel::new());
-    let mut before = Keys::of(runner.kernel());
+    let mut before = Keys::of(runner.subject());
     for op in &program.0 {
         runner.step(*op);
-        let now = Keys::of(runner.kernel());
+        let now = Keys::of(runner.subject());
         stale.take_up(before.without(&now));
-        assert_refused_by_accessors(runner.kernel(), &stale);
+        assert_refused_by_accessors(runner.subject(), &stale);
         before = now;
     }
-    assert_refused_by_operators(&mut runner.into_kernel(), &stale);
+    assert_refused_by_operators(&mut runner.into_subject(), &stale);
 }
 
 fn assert_refused_by_accessors(dcel: &Dcel, stale: &Keys) {

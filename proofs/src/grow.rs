@@ -2,12 +2,12 @@
 
 use twinedge::program::choose::Choose;
 use twinedge::program::{
-    Corner, CornerPick, FacePick, HalfEdgePick, InnerPick, Kernel, Op, Runner, SecondPick, Side, Turn, VertexPick,
+    Corner, CornerPick, FacePick, HalfEdgePick, InnerPick, Op, Runner, SecondPick, Side, Subject, Turn, VertexPick,
 };
 
 /// One of the operators.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
-#[allow(missing_docs, reason = "named after the methods of `Kernel`")]
+#[allow(missing_docs, reason = "named after the methods of `Subject`")]
 pub enum Operator {
     AddIsolatedVertex,
     RemoveIsolatedVertex,
@@ -46,7 +46,7 @@ pub enum Arguments {
 /// edges away again, first those that have a different face on each side, then leaves, until isolated vertices are
 /// left: the inverse of each is a step. What lies in the face of an edge that is taken away is what the step sends to
 /// the new face.
-pub fn grow<K: Kernel>(runner: &mut Runner<K>, bound: Bound, source: &mut impl Choose) {
+pub fn grow<K: Subject>(runner: &mut Runner<K>, bound: Bound, source: &mut impl Choose) {
     runner.step(Op::AddIsolatedVertex { face: FacePick::Unbounded });
     let mut edges = source.choose(bound.edges + 1);
     let mut islands = source.choose(bound.islands + 1);
@@ -63,7 +63,7 @@ pub fn grow<K: Kernel>(runner: &mut Runner<K>, bound: Bound, source: &mut impl C
     }
 }
 
-fn add_edge<K: Kernel>(runner: &mut Runner<K>, bound: Bound, source: &mut impl Choose) {
+fn add_edge<K: Subject>(runner: &mut Runner<K>, bound: Bound, source: &mut impl Choose) {
     let corners = runner.corners().count();
     let first = source.choose(corners);
     let from = nth_corner(runner, first);
@@ -72,8 +72,8 @@ fn add_edge<K: Kernel>(runner: &mut Runner<K>, bound: Bound, source: &mut impl C
         return;
     }
     // The edge from the second corner to the first is the same, but for its sides, which are chosen anyway.
-    let face = runner.corners().nth(first).and_then(|corner| runner.kernel().face_of(corner).ok());
-    let in_face = |corner| runner.kernel().face_of(corner).ok() == face;
+    let face = runner.corners().nth(first).and_then(|corner| runner.subject().face_of(corner).ok());
+    let in_face = |corner| runner.subject().face_of(corner).ok() == face;
     let second = source.choose(runner.corners().skip(first).filter(|corner| in_face(*corner)).count());
     let found = (first..).zip(runner.corners().skip(first)).filter(|(_, corner)| in_face(*corner)).nth(second);
     let to = nth_corner(runner, found.map_or(first, |(index, _)| index));
@@ -86,7 +86,7 @@ fn add_edge<K: Kernel>(runner: &mut Runner<K>, bound: Bound, source: &mut impl C
 ///
 /// `Connect` may send any of the first `islands` other boundary components of the face to the new one, and with
 /// [`Arguments::Any`] some other boundary component instead.
-pub fn choose_op<K: Kernel>(
+pub fn choose_op<K: Subject>(
     operator: Operator,
     arguments: Arguments,
     islands: usize,
@@ -137,14 +137,14 @@ pub(crate) fn choose_turn(source: &mut impl Choose) -> Turn {
 }
 
 /// The pick of a corner by its place in [`Runner::corners`].
-fn nth_corner<K: Kernel>(runner: &Runner<K>, index: usize) -> CornerPick {
+fn nth_corner<K: Subject>(runner: &Runner<K>, index: usize) -> CornerPick {
     match index.checked_sub(runner.half_edges().len()) {
         None => Corner::At(HalfEdgePick::Live(index as u16)),
         Some(isolated) => Corner::Isolated(VertexPick::Isolated(isolated as u16)),
     }
 }
 
-fn choose_half_edge<K: Kernel>(
+fn choose_half_edge<K: Subject>(
     runner: &Runner<K>,
     arguments: Arguments,
     source: &mut impl Choose,
@@ -161,7 +161,7 @@ fn choose_half_edge<K: Kernel>(
     })
 }
 
-fn choose_vertex<K: Kernel>(runner: &Runner<K>, arguments: Arguments, source: &mut impl Choose) -> Option<VertexPick> {
+fn choose_vertex<K: Subject>(runner: &Runner<K>, arguments: Arguments, source: &mut impl Choose) -> Option<VertexPick> {
     let isolated = runner.isolated().len();
     let (others, stale) = match arguments {
         Arguments::Live => (0, 0),
@@ -178,7 +178,7 @@ fn choose_vertex<K: Kernel>(runner: &Runner<K>, arguments: Arguments, source: &m
     })
 }
 
-fn choose_corner<K: Kernel>(runner: &Runner<K>, arguments: Arguments, source: &mut impl Choose) -> Option<CornerPick> {
+fn choose_corner<K: Subject>(runner: &Runner<K>, arguments: Arguments, source: &mut impl Choose) -> Option<CornerPick> {
     match arguments {
         Arguments::Live => {
             let corners = runner.corners().count();
@@ -189,14 +189,14 @@ fn choose_corner<K: Kernel>(runner: &Runner<K>, arguments: Arguments, source: &m
     }
 }
 
-fn choose_live_face<K: Kernel>(runner: &Runner<K>, source: &mut impl Choose) -> FacePick {
+fn choose_live_face<K: Subject>(runner: &Runner<K>, source: &mut impl Choose) -> FacePick {
     choose_face(runner, Arguments::Live, source)
 }
 
 /// A bounded face is named by the first half-edge that bounds it.
-fn choose_face<K: Kernel>(runner: &Runner<K>, arguments: Arguments, source: &mut impl Choose) -> FacePick {
-    let face_of = |h| runner.kernel().face_of(Corner::At(h)).ok();
-    let unbounded = Some(runner.kernel().unbounded_face());
+fn choose_face<K: Subject>(runner: &Runner<K>, arguments: Arguments, source: &mut impl Choose) -> FacePick {
+    let face_of = |h| runner.subject().face_of(Corner::At(h)).ok();
+    let unbounded = Some(runner.subject().unbounded_face());
     let is_first = |i: usize| {
         let face = face_of(runner.half_edges()[i]);
         face != unbounded && !runner.half_edges()[..i].iter().any(|h| face_of(*h) == face)

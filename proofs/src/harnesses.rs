@@ -25,167 +25,167 @@ const fn maps(edges: usize, islands: usize) -> Bound {
 
 harnesses! {
     add_isolated_vertex_keeps_rules_on_maps_of_3_edges_and_1_island (unwind 32) =
-        |kernel, source| keeps_rules(Operator::AddIsolatedVertex, maps(3, 1), kernel, source);
+        |subject, source| keeps_rules(Operator::AddIsolatedVertex, maps(3, 1), subject, source);
         with Dcel::<Roomy>::default(),
         but "a rule is broken" with Planted::<Roomy>::new(Fault::Loses(Operator::AddIsolatedVertex, Field::Inner));
 
     remove_isolated_vertex_keeps_rules_on_maps_of_3_edges_and_1_island (unwind 32) =
-        |kernel, source| keeps_rules(Operator::RemoveIsolatedVertex, maps(3, 1), kernel, source);
+        |subject, source| keeps_rules(Operator::RemoveIsolatedVertex, maps(3, 1), subject, source);
         with Dcel::<Roomy>::default(),
         but "a rule is broken" with Planted::<Roomy>::new(Fault::Loses(Operator::RemoveIsolatedVertex, Field::Inner));
 
     connect_keeps_rules_on_maps_of_2_edges_and_1_island (unwind 32) =
-        |kernel, source| keeps_rules(Operator::Connect, maps(2, 1), kernel, source);
+        |subject, source| keeps_rules(Operator::Connect, maps(2, 1), subject, source);
         with Dcel::<Roomy>::default(),
         but "a rule is broken" with Planted::<Roomy>::new(Fault::Loses(Operator::Connect, Field::Boundary));
 
     remove_edge_keeps_rules_on_maps_of_3_edges_and_1_island (unwind 32) =
-        |kernel, source| keeps_rules(Operator::RemoveEdge, maps(3, 1), kernel, source);
+        |subject, source| keeps_rules(Operator::RemoveEdge, maps(3, 1), subject, source);
         with Dcel::<Roomy>::default(),
         but "a rule is broken" with Planted::<Roomy>::new(Fault::Loses(Operator::RemoveEdge, Field::Leaving));
 
     split_edge_keeps_rules_on_maps_of_3_edges_and_1_island (unwind 32) =
-        |kernel, source| keeps_rules(Operator::SplitEdge, maps(3, 1), kernel, source);
+        |subject, source| keeps_rules(Operator::SplitEdge, maps(3, 1), subject, source);
         with Dcel::<Roomy>::default(),
         but "a rule is broken" with Planted::<Roomy>::new(Fault::Loses(Operator::SplitEdge, Field::Prev));
 
     join_edges_keeps_rules_on_maps_of_3_edges_and_1_island (unwind 32) =
-        |kernel, source| keeps_rules(Operator::JoinEdges, maps(3, 1), kernel, source);
+        |subject, source| keeps_rules(Operator::JoinEdges, maps(3, 1), subject, source);
         with Dcel::<Roomy>::default(),
         but "a rule is broken" with Planted::<Roomy>::new(Fault::Loses(Operator::JoinEdges, Field::Origin));
 
     split_vertex_keeps_rules_on_maps_of_2_edges_and_1_island (unwind 32) =
-        |kernel, source| keeps_rules(Operator::SplitVertex, maps(2, 1), kernel, source);
+        |subject, source| keeps_rules(Operator::SplitVertex, maps(2, 1), subject, source);
         with Dcel::<Roomy>::default(),
         but "a rule is broken" with Planted::<Roomy>::new(Fault::Loses(Operator::SplitVertex, Field::Next));
 
     contract_edge_keeps_rules_on_maps_of_3_edges_and_1_island (unwind 32) =
-        |kernel, source| keeps_rules(Operator::ContractEdge, maps(3, 1), kernel, source);
+        |subject, source| keeps_rules(Operator::ContractEdge, maps(3, 1), subject, source);
         with Dcel::<Roomy>::default(),
         but "a rule is broken" with Planted::<Roomy>::new(Fault::Loses(Operator::ContractEdge, Field::Origin));
 
     flip_edge_keeps_rules_on_maps_of_3_edges_and_1_island (unwind 32) =
-        |kernel, source| keeps_rules(Operator::FlipEdge, maps(3, 1), kernel, source);
+        |subject, source| keeps_rules(Operator::FlipEdge, maps(3, 1), subject, source);
         with Dcel::<Roomy>::default(),
         but "a rule is broken" with Planted::<Roomy>::new(Fault::Loses(Operator::FlipEdge, Field::Boundary));
 
     move_inner_keeps_rules_on_maps_of_2_edges_and_2_islands (unwind 32) =
-        |kernel, source| keeps_rules(Operator::MoveInner, maps(2, 2), kernel, source);
+        |subject, source| keeps_rules(Operator::MoveInner, maps(2, 2), subject, source);
         with Dcel::<Roomy>::default(),
         but "a rule is broken" with Planted::<Roomy>::new(Fault::Loses(Operator::MoveInner, Field::Face));
 
     add_isolated_vertex_is_undone_on_maps_of_3_edges_and_1_island (unwind 64) =
-        |kernel, source| is_undone(Operator::AddIsolatedVertex, maps(3, 1), kernel, source);
+        |subject, source| is_undone(Operator::AddIsolatedVertex, maps(3, 1), subject, source);
         with Dcel::<Roomy>::default(),
         but "is not undone" with Planted::<Roomy>::new(Fault::Skips(Operator::RemoveIsolatedVertex, 0));
 
     remove_isolated_vertex_is_undone_on_maps_of_3_edges_and_1_island (unwind 64) =
-        |kernel, source| is_undone(Operator::RemoveIsolatedVertex, maps(3, 1), kernel, source);
+        |subject, source| is_undone(Operator::RemoveIsolatedVertex, maps(3, 1), subject, source);
         with Dcel::<Roomy>::default(),
         but "is not undone" with Planted::<Roomy>::new(Fault::Skips(Operator::RemoveIsolatedVertex, 0));
 
     connect_is_undone_on_maps_of_2_edges_and_1_island (unwind 64) =
-        |kernel, source| is_undone(Operator::Connect, maps(2, 1), kernel, source);
+        |subject, source| is_undone(Operator::Connect, maps(2, 1), subject, source);
         with Dcel::<Roomy>::default(),
         but "is not undone" with Planted::<Roomy>::new(Fault::Skips(Operator::RemoveEdge, 0));
 
     remove_edge_is_undone_on_maps_of_3_edges_and_1_island (unwind 64) =
-        |kernel, source| is_undone(Operator::RemoveEdge, maps(3, 1), kernel, source);
+        |subject, source| is_undone(Operator::RemoveEdge, maps(3, 1), subject, source);
         with Dcel::<Roomy>::default(),
         but "is not undone" with Planted::<Roomy>::new(Fault::Skips(Operator::RemoveEdge, 0));
 
     split_edge_is_undone_on_maps_of_3_edges_and_1_island (unwind 64) =
-        |kernel, source| is_undone(Operator::SplitEdge, maps(3, 1), kernel, source);
+        |subject, source| is_undone(Operator::SplitEdge, maps(3, 1), subject, source);
         with Dcel::<Roomy>::default(),
         but "is not undone" with Planted::<Roomy>::new(Fault::Skips(Operator::JoinEdges, 0));
 
     join_edges_is_undone_on_maps_of_3_edges_and_1_island (unwind 64) =
-        |kernel, source| is_undone(Operator::JoinEdges, maps(3, 1), kernel, source);
+        |subject, source| is_undone(Operator::JoinEdges, maps(3, 1), subject, source);
         with Dcel::<Roomy>::default(),
         but "is not undone" with Planted::<Roomy>::new(Fault::Skips(Operator::JoinEdges, 0));
 
     split_vertex_is_undone_on_maps_of_2_edges_and_1_island (unwind 64) =
-        |kernel, source| is_undone(Operator::SplitVertex, maps(2, 1), kernel, source);
+        |subject, source| is_undone(Operator::SplitVertex, maps(2, 1), subject, source);
         with Dcel::<Roomy>::default(),
         but "is not undone" with Planted::<Roomy>::new(Fault::Skips(Operator::ContractEdge, 0));
 
     contract_edge_is_undone_on_maps_of_3_edges_and_1_island (unwind 64) =
-        |kernel, source| is_undone(Operator::ContractEdge, maps(3, 1), kernel, source);
+        |subject, source| is_undone(Operator::ContractEdge, maps(3, 1), subject, source);
         with Dcel::<Roomy>::default(),
         but "is not undone" with Planted::<Roomy>::new(Fault::Skips(Operator::ContractEdge, 0));
 
     flip_edge_is_undone_on_maps_of_3_edges_and_1_island (unwind 64) =
-        |kernel, source| is_undone(Operator::FlipEdge, maps(3, 1), kernel, source);
+        |subject, source| is_undone(Operator::FlipEdge, maps(3, 1), subject, source);
         with Dcel::<Roomy>::default(),
         but "is not undone" with Planted::<Roomy>::new(Fault::Skips(Operator::FlipEdge, 1));
 
     move_inner_is_undone_on_maps_of_2_edges_and_2_islands (unwind 64) =
-        |kernel, source| is_undone(Operator::MoveInner, maps(2, 2), kernel, source);
+        |subject, source| is_undone(Operator::MoveInner, maps(2, 2), subject, source);
         with Dcel::<Roomy>::default(),
         but "is not undone" with Planted::<Roomy>::new(Fault::Skips(Operator::MoveInner, 1));
 
     add_isolated_vertex_refuses_without_a_trace_on_maps_of_2_edges_and_1_island (unwind 32) =
-        |kernel, source| refuses_without_a_trace(Operator::AddIsolatedVertex, maps(2, 1), kernel, source);
+        |subject, source| refuses_without_a_trace(Operator::AddIsolatedVertex, maps(2, 1), subject, source);
         with Dcel::<Tight>::default(),
         but "a trace is left" with Planted::<Tight>::new(Fault::LeavesTrace(Operator::AddIsolatedVertex));
 
     remove_isolated_vertex_refuses_without_a_trace_on_maps_of_2_edges_and_1_island (unwind 32) =
-        |kernel, source| refuses_without_a_trace(Operator::RemoveIsolatedVertex, maps(2, 1), kernel, source);
+        |subject, source| refuses_without_a_trace(Operator::RemoveIsolatedVertex, maps(2, 1), subject, source);
         with Dcel::<Tight>::default(),
         but "a trace is left" with Planted::<Tight>::new(Fault::LeavesTrace(Operator::RemoveIsolatedVertex));
 
     connect_refuses_without_a_trace_on_maps_of_1_edge_and_1_island (unwind 32) =
-        |kernel, source| refuses_without_a_trace(Operator::Connect, maps(1, 1), kernel, source);
+        |subject, source| refuses_without_a_trace(Operator::Connect, maps(1, 1), subject, source);
         with Dcel::<Tight>::default(),
         but "a trace is left" with Planted::<Tight>::new(Fault::LeavesTrace(Operator::Connect));
 
     remove_edge_refuses_without_a_trace_on_maps_of_2_edges_and_1_island (unwind 32) =
-        |kernel, source| refuses_without_a_trace(Operator::RemoveEdge, maps(2, 1), kernel, source);
+        |subject, source| refuses_without_a_trace(Operator::RemoveEdge, maps(2, 1), subject, source);
         with Dcel::<Tight>::default(),
         but "a trace is left" with Planted::<Tight>::new(Fault::LeavesTrace(Operator::RemoveEdge));
 
     split_edge_refuses_without_a_trace_on_maps_of_2_edges_and_1_island (unwind 32) =
-        |kernel, source| refuses_without_a_trace(Operator::SplitEdge, maps(2, 1), kernel, source);
+        |subject, source| refuses_without_a_trace(Operator::SplitEdge, maps(2, 1), subject, source);
         with Dcel::<Tight>::default(),
         but "a trace is left" with Planted::<Tight>::new(Fault::LeavesTrace(Operator::SplitEdge));
 
     join_edges_refuses_without_a_trace_on_maps_of_2_edges_and_1_island (unwind 32) =
-        |kernel, source| refuses_without_a_trace(Operator::JoinEdges, maps(2, 1), kernel, source);
+        |subject, source| refuses_without_a_trace(Operator::JoinEdges, maps(2, 1), subject, source);
         with Dcel::<Tight>::default(),
         but "a trace is left" with Planted::<Tight>::new(Fault::LeavesTrace(Operator::JoinEdges));
 
     split_vertex_refuses_without_a_trace_on_maps_of_1_edge_and_1_island (unwind 32) =
-        |kernel, source| refuses_without_a_trace(Operator::SplitVertex, maps(1, 1), kernel, source);
+        |subject, source| refuses_without_a_trace(Operator::SplitVertex, maps(1, 1), subject, source);
         with Dcel::<Tight>::default(),
         but "a trace is left" with Planted::<Tight>::new(Fault::LeavesTrace(Operator::SplitVertex));
 
     contract_edge_refuses_without_a_trace_on_maps_of_2_edges_and_1_island (unwind 32) =
-        |kernel, source| refuses_without_a_trace(Operator::ContractEdge, maps(2, 1), kernel, source);
+        |subject, source| refuses_without_a_trace(Operator::ContractEdge, maps(2, 1), subject, source);
         with Dcel::<Tight>::default(),
         but "a trace is left" with Planted::<Tight>::new(Fault::LeavesTrace(Operator::ContractEdge));
 
     flip_edge_refuses_without_a_trace_on_maps_of_2_edges_and_1_island (unwind 32) =
-        |kernel, source| refuses_without_a_trace(Operator::FlipEdge, maps(2, 1), kernel, source);
+        |subject, source| refuses_without_a_trace(Operator::FlipEdge, maps(2, 1), subject, source);
         with Dcel::<Tight>::default(),
         but "a trace is left" with Planted::<Tight>::new(Fault::LeavesTrace(Operator::FlipEdge));
 
     move_inner_refuses_without_a_trace_on_maps_of_2_edges_and_1_island (unwind 32) =
-        |kernel, source| refuses_without_a_trace(Operator::MoveInner, maps(2, 1), kernel, source);
+        |subject, source| refuses_without_a_trace(Operator::MoveInner, maps(2, 1), subject, source);
         with Dcel::<Tight>::default(),
         but "a trace is left" with Planted::<Tight>::new(Fault::LeavesTrace(Operator::MoveInner));
 
     stale_vertex_is_refused_on_maps_of_2_edges_and_1_island (unwind 32) =
-        |kernel, source| refuses_stale(Handle::Vertex, maps(2, 1), kernel, source);
+        |subject, source| refuses_stale(Handle::Vertex, maps(2, 1), subject, source);
         with Dcel::<Roomy>::default(),
         but "a stale handle is not refused" with Planted::<Roomy>::new(Fault::TakesStale(Handle::Vertex));
 
     stale_half_edge_is_refused_on_maps_of_2_edges_and_1_island (unwind 32) =
-        |kernel, source| refuses_stale(Handle::HalfEdge, maps(2, 1), kernel, source);
+        |subject, source| refuses_stale(Handle::HalfEdge, maps(2, 1), subject, source);
         with Dcel::<Roomy>::default(),
         but "a stale handle is not refused" with Planted::<Roomy>::new(Fault::TakesStale(Handle::HalfEdge));
 
     stale_face_is_refused_on_maps_of_2_edges_and_1_island (unwind 32) =
-        |kernel, source| refuses_stale(Handle::Face, maps(2, 1), kernel, source);
+        |subject, source| refuses_stale(Handle::Face, maps(2, 1), subject, source);
         with Dcel::<Roomy>::default(),
         but "a stale handle is not refused" with Planted::<Roomy>::new(Fault::TakesStale(Handle::Face));
 

@@ -2,7 +2,7 @@
 
 use twinedge::program::choose::Choose;
 use twinedge::validate::{
-    BoundaryRow, Collect, Expectation, FaceRow, HalfEdgeRow, Link, Part, Place, Rule, Start, Table, VertexRow,
+    BoundaryPlace, BoundaryRow, Collect, Expectation, FaceRow, HalfEdgeRow, Link, Part, Rule, Start, Table, VertexRow,
     reference, validate,
 };
 
@@ -56,9 +56,9 @@ fn choose_start(half_edges: usize, vertices: usize, source: &mut impl Choose) ->
     Some(k.checked_sub(half_edges + 1).map_or(Start::HalfEdge(k), Start::Vertex))
 }
 
-fn choose_place(longest: usize, source: &mut impl Choose) -> Option<Place> {
+fn choose_place(longest: usize, source: &mut impl Choose) -> Option<BoundaryPlace> {
     let k = source.choose(longest + 3).checked_sub(1)?;
-    Some(k.checked_sub(1).map_or(Place::Outer, Place::Inner))
+    Some(k.checked_sub(1).map_or(BoundaryPlace::Outer, BoundaryPlace::Inner))
 }
 
 fn choose_face_row(boundaries: usize, longest: usize, source: &mut impl Choose) -> FaceRow {
@@ -112,7 +112,7 @@ fn choose_table(tables: Tables, source: &mut impl Choose) -> (Table, Expectation
                 table.boundaries.push(Some(BoundaryRow {
                     face: choose_link(2, source),
                     start: Some(Start::HalfEdge(b)),
-                    place: Some(if b == 0 { Place::Outer } else { Place::Inner(0) }),
+                    place: Some(if b == 0 { BoundaryPlace::Outer } else { BoundaryPlace::Inner(0) }),
                 }));
             }
             table.faces = (0..2).map(|_| Some(choose_face_row(2, 1, source))).collect();

@@ -10,7 +10,7 @@
 //! | [`operators`] | what is to hold: rules kept, inverses, refusals without a trace, stale handles |
 //! | [`judges`] | the same for the validator and the reference |
 //! | `engine` | the engine of choices, and the macro that makes a harness and its broken twin |
-//! | `planted` | a kernel with one fault, for the twins |
+//! | `planted` | a subject with one fault, for the twins |
 //! | `harnesses` | the list |
 //!
 //! The last three are compiled for tests and for Kani only.

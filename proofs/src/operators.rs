@@ -1,14 +1,14 @@
-//! What is to hold of the operators of any kernel.
+//! What is to hold of the operators of any subject.
 //!
 //! Each body starts from the empty map, and tells whether the case was one that it speaks about: an operator that
 //! refuses keeps the rules too, but says little.
 
 use crate::grow::{Arguments, Bound, Operator, choose_op, choose_side, choose_turn, grow};
 use twinedge::program::choose::Choose;
-use twinedge::program::{Corner, CornerOf, Kernel, Outcome, Refusal, Runner, Side, Turn, canonical};
+use twinedge::program::{Corner, CornerOf, Refusal, Runner, Side, StepOutcome, Subject, Turn, canonical};
 use twinedge::validate::{Collect, Expectation, Table, View, validate};
 
-fn grown<K: Kernel>(empty: K, bound: Bound, source: &mut impl Choose) -> Runner<K> {
+fn grown<K: Subject>(empty: K, bound: Bound, source: &mut impl Choose) -> Runner<K> {
     let mut runner = Runner::new(empty);
     grow(&mut runner, bound, source);
     runner
@@ -22,12 +22,12 @@ fn keeps_all_rules<V: View>(view: &V) -> bool {
 ///
 /// # Panics
 /// If a rule is broken.
-pub fn keeps_rules<K: Kernel>(operator: Operator, bound: Bound, empty: K, source: &mut impl Choose) -> bool {
+pub fn keeps_rules<K: Subject>(operator: Operator, bound: Bound, empty: K, source: &mut impl Choose) -> bool {
     let mut runner = grown(empty, bound, source);
     let Some(op) = choose_op(operator, Arguments::Live, bound.islands, &runner, source) else { return false };
     let outcome = runner.step(op);
-    assert!(keeps_all_rules(runner.kernel()), "a rule is broken after {op:?}");
-    outcome == Outcome::Applied
+    assert!(keeps_all_rules(runner.subject()), "a rule is broken after {op:?}");
+    outcome == StepOutcome::Applied
 }
 
 /// An operator that refuses, be it for its arguments or for want of room, leaves the structure as it was, in every
@@ -37,7 +37,7 @@ pub fn keeps_rules<K: Kernel>(operator: Operator, bound: Bound, empty: K, source
 ///
 /// # Panics
 /// If a field has changed.
-pub fn refuses_without_a_trace<K: Kernel>(
+pub fn refuses_without_a_trace<K: Subject>(
     operator: Operator,
     bound: Bound,
     empty: K,
@@ -45,15 +45,15 @@ pub fn refuses_without_a_trace<K: Kernel>(
 ) -> bool {
     let mut runner = grown(empty, bound, source);
     retire(bound, &mut runner, source);
-    let before = Table::copy_of(runner.kernel());
+    let before = Table::copy_of(runner.subject());
     let Some(op) = choose_op(operator, Arguments::Any, bound.islands, &runner, source) else { return false };
-    let Outcome::Refused(_) = runner.step(op) else { return false };
-    assert!(Table::copy_of(runner.kernel()) == before, "a trace is left by {op:?}");
+    let StepOutcome::Refused(_) = runner.step(op) else { return false };
+    assert!(Table::copy_of(runner.subject()) == before, "a trace is left by {op:?}");
     true
 }
 
 /// Removes something, or nothing.
-fn retire<K: Kernel>(bound: Bound, runner: &mut Runner<K>, source: &mut impl Choose) -> bool {
+fn retire<K: Subject>(bound: Bound, runner: &mut Runner<K>, source: &mut impl Choose) -> bool {
     let operator = match source.choose(5) {
         0 => return false,
         1 => Operator::RemoveIsolatedVertex,
@@ -62,7 +62,7 @@ fn retire<K: Kernel>(bound: Bound, runner: &mut Runner<K>, source: &mut impl Cho
         _ => Operator::ContractEdge,
     };
     let op = choose_op(operator, Arguments::Live, bound.islands, runner, source);
-    op.is_some_and(|op| runner.step(op) == Outcome::Applied)
+    op.is_some_and(|op| runner.step(op) == StepOutcome::Applied)
 }
 
 /// The kind of a handle.
@@ -78,7 +78,7 @@ pub enum Handle {
 ///
 /// # Panics
 /// If it is taken for a live one, or refused for another reason.
-pub fn refuses_stale<K: Kernel>(kind: Handle, bound: Bound, empty: K, source: &mut impl Choose) -> bool {
+pub fn refuses_stale<K: Subject>(kind: Handle, bound: Bound, empty: K, source: &mut impl Choose) -> bool {
     let mut runner = grown(empty, bound, source);
     if !retire(bound, &mut runner, source) {
         return false;
@@ -88,23 +88,23 @@ pub fn refuses_stale<K: Kernel>(kind: Handle, bound: Bound, empty: K, source: &m
     let stale_vertices = runner.retired_vertices().to_vec();
     let stale_faces = runner.retired_faces().to_vec();
     let corner = runner.corners().next();
-    let mut kernel = runner.into_kernel();
+    let mut subject = runner.into_subject();
     match kind {
         Handle::HalfEdge => {
             for h in &stale_half_edges {
-                refuses_stale_half_edge(&mut kernel, *h, corner);
+                refuses_stale_half_edge(&mut subject, *h, corner);
             }
             !stale_half_edges.is_empty()
         }
         Handle::Vertex => {
             for v in &stale_vertices {
-                refuses_stale_vertex(&mut kernel, *v, corner);
+                refuses_stale_vertex(&mut subject, *v, corner);
             }
             !stale_vertices.is_empty()
         }
         Handle::Face => {
             for f in &stale_faces {
-                refuses_stale_face(&mut kernel, *f, corner);
+                refuses_stale_face(&mut subject, *f, corner);
             }
             !stale_faces.is_empty()
         }
@@ -112,48 +112,48 @@ pub fn refuses_stale<K: Kernel>(kind: Handle, bound: Bound, empty: K, source: &m
 }
 
 /// Asserts that the answer is a refusal of a stale handle.
-fn stale<K: Kernel, T>(what: &str, answer: Result<T, K::Error>) {
+fn stale<K: Subject, T>(what: &str, answer: Result<T, K::Error>) {
     let refusal = answer.err().map(|error| K::refusal(&error));
     assert!(refusal == Some(Refusal::Stale), "a stale handle is not refused as such by {what}: {refusal:?}");
 }
 
-fn refuses_stale_half_edge<K: Kernel>(kernel: &mut K, h: K::HalfEdge, live: Option<CornerOf<K>>) {
+fn refuses_stale_half_edge<K: Subject>(subject: &mut K, h: K::HalfEdge, live: Option<CornerOf<K>>) {
     let corner = Corner::At(h);
-    stale::<K, _>("origin_of", kernel.origin_of(h));
-    stale::<K, _>("twin_of", kernel.twin_of(h));
-    stale::<K, _>("next_of", kernel.next_of(h));
-    stale::<K, _>("remove_edge", kernel.remove_edge(h));
-    stale::<K, _>("split_edge", kernel.split_edge(h));
-    stale::<K, _>("join_edges", kernel.join_edges(h));
-    stale::<K, _>("contract_edge", kernel.contract_edge(h));
+    stale::<K, _>("origin_of", subject.origin_of(h));
+    stale::<K, _>("twin_of", subject.twin_of(h));
+    stale::<K, _>("next_of", subject.next_of(h));
+    stale::<K, _>("remove_edge", subject.remove_edge(h));
+    stale::<K, _>("split_edge", subject.split_edge(h));
+    stale::<K, _>("join_edges", subject.join_edges(h));
+    stale::<K, _>("contract_edge", subject.contract_edge(h));
     for turn in [Turn::CounterClockwise, Turn::Clockwise] {
-        stale::<K, _>("flip_edge", kernel.flip_edge(h, turn));
+        stale::<K, _>("flip_edge", subject.flip_edge(h, turn));
     }
-    refuses_stale_corner(kernel, corner, live);
+    refuses_stale_corner(subject, corner, live);
 }
 
-fn refuses_stale_vertex<K: Kernel>(kernel: &mut K, v: K::Vertex, live: Option<CornerOf<K>>) {
-    stale::<K, _>("remove_isolated_vertex", kernel.remove_isolated_vertex(v));
-    refuses_stale_corner(kernel, Corner::Isolated(v), live);
+fn refuses_stale_vertex<K: Subject>(subject: &mut K, v: K::Vertex, live: Option<CornerOf<K>>) {
+    stale::<K, _>("remove_isolated_vertex", subject.remove_isolated_vertex(v));
+    refuses_stale_corner(subject, Corner::Isolated(v), live);
 }
 
-fn refuses_stale_corner<K: Kernel>(kernel: &mut K, corner: CornerOf<K>, live: Option<CornerOf<K>>) {
-    let outside = kernel.unbounded_face();
-    stale::<K, _>("face_of", kernel.face_of(corner));
-    stale::<K, _>("move_inner", kernel.move_inner(corner, outside));
-    stale::<K, _>("connect", kernel.connect(corner, corner, Side::Left, &[]));
-    stale::<K, _>("split_vertex", kernel.split_vertex(corner, corner));
+fn refuses_stale_corner<K: Subject>(subject: &mut K, corner: CornerOf<K>, live: Option<CornerOf<K>>) {
+    let outside = subject.unbounded_face();
+    stale::<K, _>("face_of", subject.face_of(corner));
+    stale::<K, _>("move_inner", subject.move_inner(corner, outside));
+    stale::<K, _>("connect", subject.connect(corner, corner, Side::Left, &[]));
+    stale::<K, _>("split_vertex", subject.split_vertex(corner, corner));
     if let Some(live) = live {
-        stale::<K, _>("connect", kernel.connect(live, corner, Side::Left, &[]));
-        stale::<K, _>("connect", kernel.connect(live, live, Side::Left, &[corner]));
-        stale::<K, _>("split_vertex", kernel.split_vertex(live, corner));
+        stale::<K, _>("connect", subject.connect(live, corner, Side::Left, &[]));
+        stale::<K, _>("connect", subject.connect(live, live, Side::Left, &[corner]));
+        stale::<K, _>("split_vertex", subject.split_vertex(live, corner));
     }
 }
 
-fn refuses_stale_face<K: Kernel>(kernel: &mut K, f: K::Face, live: Option<CornerOf<K>>) {
-    stale::<K, _>("add_isolated_vertex", kernel.add_isolated_vertex(f));
+fn refuses_stale_face<K: Subject>(subject: &mut K, f: K::Face, live: Option<CornerOf<K>>) {
+    stale::<K, _>("add_isolated_vertex", subject.add_isolated_vertex(f));
     if let Some(live) = live {
-        stale::<K, _>("move_inner", kernel.move_inner(live, f));
+        stale::<K, _>("move_inner", subject.move_inner(live, f));
     }
 }
 
@@ -161,54 +161,54 @@ fn refuses_stale_face<K: Kernel>(kernel: &mut K, f: K::Face, live: Option<Corner
 ///
 /// # Panics
 /// If it does not, or if the inverse is refused.
-pub fn is_undone<K: Kernel>(operator: Operator, bound: Bound, empty: K, source: &mut impl Choose) -> bool {
+pub fn is_undone<K: Subject>(operator: Operator, bound: Bound, empty: K, source: &mut impl Choose) -> bool {
     let runner = grown(empty, bound, source);
     let map = Map {
         half_edges: runner.half_edges().to_vec(),
         isolated: runner.isolated().to_vec(),
         corners: runner.corners().collect(),
-        kernel: runner.into_kernel(),
+        subject: runner.into_subject(),
     };
-    let before = canonical::code(&map.kernel);
-    let Some((kernel, inverse)) = map.there_and_back(operator, bound, source) else { return false };
+    let before = canonical::code(&map.subject);
+    let Some((subject, inverse)) = map.there_and_back(operator, bound, source) else { return false };
     assert!(inverse, "{operator:?} is not undone: the inverse is refused");
     assert!(
-        before.is_some() && canonical::code(&kernel) == before,
+        before.is_some() && canonical::code(&subject) == before,
         "{operator:?} is not undone: another map comes back"
     );
     true
 }
 
-struct Map<K: Kernel> {
-    kernel: K,
+struct Map<K: Subject> {
+    subject: K,
     half_edges: Vec<K::HalfEdge>,
     isolated: Vec<K::Vertex>,
     corners: Vec<CornerOf<K>>,
 }
 
-impl<K: Kernel> Map<K> {
-    /// The kernel after an operator and its inverse, and whether the latter was done; nothing if the former was
+impl<K: Subject> Map<K> {
+    /// The subject after an operator and its inverse, and whether the latter was done; nothing if the former was
     /// refused.
     fn there_and_back(mut self, operator: Operator, bound: Bound, source: &mut impl Choose) -> Option<(K, bool)> {
         let inverse = match operator {
             Operator::AddIsolatedVertex => {
                 let face = self.choose_face(source)?;
-                let v = self.kernel.add_isolated_vertex(face).ok()?;
-                self.kernel.remove_isolated_vertex(v).is_ok()
+                let v = self.subject.add_isolated_vertex(face).ok()?;
+                self.subject.remove_isolated_vertex(v).is_ok()
             }
             Operator::RemoveIsolatedVertex => {
                 let v = choose_of(&self.isolated, source)?;
-                let face = self.kernel.face_of(Corner::Isolated(v)).ok()?;
-                self.kernel.remove_isolated_vertex(v).ok()?;
-                self.kernel.add_isolated_vertex(face).is_ok()
+                let face = self.subject.face_of(Corner::Isolated(v)).ok()?;
+                self.subject.remove_isolated_vertex(v).ok()?;
+                self.subject.add_isolated_vertex(face).is_ok()
             }
             Operator::Connect => {
                 let from = choose_of(&self.corners, source)?;
                 let to = choose_of(&self.corners, source)?;
                 let inner: Vec<_> =
                     (0..source.choose(bound.islands + 1)).filter_map(|_| choose_of(&self.corners, source)).collect();
-                let n = self.kernel.connect(from, to, choose_side(source), &inner).ok()?;
-                self.kernel.remove_edge(n).is_ok()
+                let n = self.subject.connect(from, to, choose_side(source), &inner).ok()?;
+                self.subject.remove_edge(n).is_ok()
             }
             Operator::RemoveEdge => {
                 let n = choose_of(&self.half_edges, source)?;
@@ -216,19 +216,19 @@ impl<K: Kernel> Map<K> {
             }
             Operator::SplitEdge => {
                 let h = choose_of(&self.half_edges, source)?;
-                self.kernel.split_edge(h).ok()?;
-                self.kernel.join_edges(h).is_ok()
+                self.subject.split_edge(h).ok()?;
+                self.subject.join_edges(h).is_ok()
             }
             Operator::JoinEdges => {
                 let h = choose_of(&self.half_edges, source)?;
-                self.kernel.join_edges(h).ok()?;
-                self.kernel.split_edge(h).is_ok()
+                self.subject.join_edges(h).ok()?;
+                self.subject.split_edge(h).is_ok()
             }
             Operator::SplitVertex => {
                 let from = choose_of(&self.corners, source)?;
                 let to = choose_of(&self.corners, source)?;
-                let n = self.kernel.split_vertex(from, to).ok()?;
-                self.kernel.contract_edge(n).is_ok()
+                let n = self.subject.split_vertex(from, to).ok()?;
+                self.subject.contract_edge(n).is_ok()
             }
             Operator::ContractEdge => {
                 let n = choose_of(&self.half_edges, source)?;
@@ -236,48 +236,48 @@ impl<K: Kernel> Map<K> {
             }
             Operator::FlipEdge => {
                 let (h, turn) = (choose_of(&self.half_edges, source)?, choose_turn(source));
-                self.kernel.flip_edge(h, turn).ok()?;
-                self.kernel.flip_edge(h, turn.reversed()).is_ok()
+                self.subject.flip_edge(h, turn).ok()?;
+                self.subject.flip_edge(h, turn.reversed()).is_ok()
             }
             Operator::MoveInner => {
                 let inner = choose_of(&self.corners, source)?;
-                let old = self.kernel.face_of(inner).ok()?;
+                let old = self.subject.face_of(inner).ok()?;
                 let face = self.choose_face(source)?;
-                self.kernel.move_inner(inner, face).ok()?;
-                self.kernel.move_inner(inner, old).is_ok()
+                self.subject.move_inner(inner, face).ok()?;
+                self.subject.move_inner(inner, old).is_ok()
             }
         };
-        Some((self.kernel, inverse))
+        Some((self.subject, inverse))
     }
 
     fn choose_face(&self, source: &mut impl Choose) -> Option<K::Face> {
-        let mut faces = vec![self.kernel.unbounded_face()];
+        let mut faces = vec![self.subject.unbounded_face()];
         for corner in &self.corners {
-            faces.extend(self.kernel.face_of(*corner).ok().filter(|face| !faces.contains(face)));
+            faces.extend(self.subject.face_of(*corner).ok().filter(|face| !faces.contains(face)));
         }
         choose_of(&faces, source)
     }
 
     /// The corner in which a half-edge leaves, as it is named once its edge is gone.
     fn corner_without(&self, n: K::HalfEdge) -> Option<CornerOf<K>> {
-        let t = self.kernel.twin_of(n).ok()?;
-        let other = self.kernel.next_of(t).ok()?;
+        let t = self.subject.twin_of(n).ok()?;
+        let other = self.subject.next_of(t).ok()?;
         if other != n && other != t {
             return Some(Corner::At(other));
         }
         // At a loop with nothing on one side, the corner is that on the other side; at a leaf there is no other
         // half-edge.
-        let across = self.kernel.next_of(n).ok()?;
-        let is_loop = self.kernel.origin_of(n).ok()? == self.kernel.origin_of(t).ok()?;
+        let across = self.subject.next_of(n).ok()?;
+        let is_loop = self.subject.origin_of(n).ok()? == self.subject.origin_of(t).ok()?;
         if is_loop && across != n && across != t {
             return Some(Corner::At(across));
         }
-        Some(Corner::Isolated(self.kernel.origin_of(n).ok()?))
+        Some(Corner::Isolated(self.subject.origin_of(n).ok()?))
     }
 
     fn cycle(&self, start: K::HalfEdge) -> Vec<K::HalfEdge> {
         let mut cycle = vec![start];
-        while let Some(Ok(next)) = cycle.last().map(|h| self.kernel.next_of(*h))
+        while let Some(Ok(next)) = cycle.last().map(|h| self.subject.next_of(*h))
             && next != start
             && cycle.len() <= self.half_edges.len()
         {
@@ -287,36 +287,36 @@ impl<K: Kernel> Map<K> {
     }
 
     fn remove_and_connect(&mut self, n: K::HalfEdge) -> Option<bool> {
-        let t = self.kernel.twin_of(n).ok()?;
+        let t = self.subject.twin_of(n).ok()?;
         let (from, to) = (self.corner_without(n)?, self.corner_without(t)?);
         // What lies in the face to either side of the edge, on other boundary components.
         let sides = [n, t].map(|side| {
             let cycle = self.cycle(side);
-            let face = self.kernel.face_of(Corner::At(side)).ok();
+            let face = self.subject.face_of(Corner::At(side)).ok();
             let lies_in = |corner: &&CornerOf<K>| {
                 let on_cycle = matches!(corner, Corner::At(h) if cycle.contains(h));
-                !on_cycle && self.kernel.face_of(**corner).ok() == face
+                !on_cycle && self.subject.face_of(**corner).ok() == face
             };
             (face, self.corners.iter().filter(lies_in).copied().collect::<Vec<_>>())
         });
         // A loop drawn from a corner to itself has all else to its left. If this one has it to its right, its twin is
         // drawn.
-        let is_alone = self.kernel.next_of(n).ok()? == n;
-        let dropped = self.kernel.remove_edge(n).ok()?;
+        let is_alone = self.subject.next_of(n).ok()? == n;
+        let dropped = self.subject.remove_edge(n).ok()?;
         let [(left, in_left), (_, in_right)] = sides;
         let (side, inner) = match dropped {
             None => (Side::Left, Vec::new()),
             Some(_) if dropped == left => (if is_alone { Side::Right } else { Side::Left }, in_left),
             Some(_) => (if is_alone { Side::Left } else { Side::Right }, in_right),
         };
-        Some(self.kernel.connect(from, to, side, &inner).is_ok())
+        Some(self.subject.connect(from, to, side, &inner).is_ok())
     }
 
     fn contract_and_split(&mut self, n: K::HalfEdge) -> Option<bool> {
-        let t = self.kernel.twin_of(n).ok()?;
-        let ends = [self.kernel.origin_of(n).ok()?, self.kernel.origin_of(t).ok()?];
-        let (after_t, after_n) = (self.kernel.next_of(t).ok()?, self.kernel.next_of(n).ok()?);
-        let dropped = self.kernel.contract_edge(n).ok()?;
+        let t = self.subject.twin_of(n).ok()?;
+        let ends = [self.subject.origin_of(n).ok()?, self.subject.origin_of(t).ok()?];
+        let (after_t, after_n) = (self.subject.next_of(t).ok()?, self.subject.next_of(n).ok()?);
+        let dropped = self.subject.contract_edge(n).ok()?;
         let kept = if dropped == ends[0] { ends[1] } else { ends[0] };
         // The half-edges of the target are met between these two corners; a leaf has none, so they are one.
         let (from, to) = match (after_t == n, after_n == t) {
@@ -325,7 +325,7 @@ impl<K: Kernel> Map<K> {
             (true, false) => (Corner::At(after_n), Corner::At(after_n)),
             (true, true) => (Corner::Isolated(kept), Corner::Isolated(kept)),
         };
-        Some(self.kernel.split_vertex(from, to).is_ok())
+        Some(self.subject.split_vertex(from, to).is_ok())
     }
 }
 

@@ -1,12 +1,13 @@
-//! A kernel with one fault: what a harness must notice.
+//! A subject with one fault: what a harness must notice.
 
 use crate::grow::Operator;
 use crate::operators::Handle;
 use core::cell::Cell;
 use twinedge::dcel::{Dcel, FaceKey, HalfEdge, HalfEdgeKey, OperatorError, Vertex, VertexKey};
-use twinedge::program::{Corner, CornerOf, Kernel, Refusal, Side, Turn};
+use twinedge::delegate_view;
+use twinedge::program::{Corner, CornerOf, Refusal, Side, Subject, Turn};
 use twinedge::store::Store;
-use twinedge::validate::{Link, Place, Start, Table, View};
+use twinedge::validate::{Table, View};
 
 /// A field of a record.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -20,7 +21,7 @@ pub(crate) enum Field {
     Inner,
 }
 
-/// What is wrong with the kernel.
+/// What is wrong with the subject.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(crate) enum Fault {
     /// What the operator writes to this field of records that there were before is lost.
@@ -125,18 +126,18 @@ fn lose(before: &Table, after: &mut Table, field: Field) {
     }
 }
 
-impl<S: Store> Kernel for Planted<S> {
+impl<S: Store> Subject for Planted<S> {
     type Vertex = VertexKey;
     type HalfEdge = HalfEdgeKey;
     type Face = FaceKey;
     type Error = OperatorError;
 
     fn refusal(error: &OperatorError) -> Refusal {
-        <Dcel<S> as Kernel>::refusal(error)
+        <Dcel<S> as Subject>::refusal(error)
     }
 
     fn unbounded_face(&self) -> FaceKey {
-        Kernel::unbounded_face(&self.dcel)
+        Subject::unbounded_face(&self.dcel)
     }
 
     fn face_of(&self, corner: CornerOf<Self>) -> Result<FaceKey, OperatorError> {
@@ -158,12 +159,12 @@ impl<S: Store> Kernel for Planted<S> {
     fn add_isolated_vertex(&mut self, face: FaceKey) -> Result<VertexKey, OperatorError> {
         let face = self.face(face);
         let skipped = VertexKey::default();
-        self.run(Operator::AddIsolatedVertex, skipped, |dcel| Kernel::add_isolated_vertex(dcel, face))
+        self.run(Operator::AddIsolatedVertex, skipped, |dcel| Subject::add_isolated_vertex(dcel, face))
     }
 
     fn remove_isolated_vertex(&mut self, vertex: VertexKey) -> Result<(), OperatorError> {
         let vertex = self.vertex(vertex);
-        self.run(Operator::RemoveIsolatedVertex, (), |dcel| Kernel::remove_isolated_vertex(dcel, vertex))
+        self.run(Operator::RemoveIsolatedVertex, (), |dcel| Subject::remove_isolated_vertex(dcel, vertex))
     }
 
     fn connect(
@@ -176,75 +177,45 @@ impl<S: Store> Kernel for Planted<S> {
         let (from, to) = (self.corner(from), self.corner(to));
         let inner: Vec<_> = inner.iter().map(|corner| self.corner(*corner)).collect();
         let skipped = HalfEdgeKey::default();
-        self.run(Operator::Connect, skipped, |dcel| Kernel::connect(dcel, from, to, new_face, &inner))
+        self.run(Operator::Connect, skipped, |dcel| Subject::connect(dcel, from, to, new_face, &inner))
     }
 
     fn remove_edge(&mut self, half_edge: HalfEdgeKey) -> Result<Option<FaceKey>, OperatorError> {
         let half_edge = self.half_edge(half_edge);
-        self.run(Operator::RemoveEdge, None, |dcel| Kernel::remove_edge(dcel, half_edge))
+        self.run(Operator::RemoveEdge, None, |dcel| Subject::remove_edge(dcel, half_edge))
     }
 
     fn split_edge(&mut self, half_edge: HalfEdgeKey) -> Result<HalfEdgeKey, OperatorError> {
         let half_edge = self.half_edge(half_edge);
-        self.run(Operator::SplitEdge, half_edge, |dcel| Kernel::split_edge(dcel, half_edge))
+        self.run(Operator::SplitEdge, half_edge, |dcel| Subject::split_edge(dcel, half_edge))
     }
 
     fn join_edges(&mut self, half_edge: HalfEdgeKey) -> Result<(), OperatorError> {
         let half_edge = self.half_edge(half_edge);
-        self.run(Operator::JoinEdges, (), |dcel| Kernel::join_edges(dcel, half_edge))
+        self.run(Operator::JoinEdges, (), |dcel| Subject::join_edges(dcel, half_edge))
     }
 
     fn split_vertex(&mut self, from: CornerOf<Self>, to: CornerOf<Self>) -> Result<HalfEdgeKey, OperatorError> {
         let (from, to) = (self.corner(from), self.corner(to));
-        self.run(Operator::SplitVertex, HalfEdgeKey::default(), |dcel| Kernel::split_vertex(dcel, from, to))
+        self.run(Operator::SplitVertex, HalfEdgeKey::default(), |dcel| Subject::split_vertex(dcel, from, to))
     }
 
     fn contract_edge(&mut self, half_edge: HalfEdgeKey) -> Result<VertexKey, OperatorError> {
         let half_edge = self.half_edge(half_edge);
-        self.run(Operator::ContractEdge, VertexKey::default(), |dcel| Kernel::contract_edge(dcel, half_edge))
+        self.run(Operator::ContractEdge, VertexKey::default(), |dcel| Subject::contract_edge(dcel, half_edge))
     }
 
     fn flip_edge(&mut self, half_edge: HalfEdgeKey, turn: Turn) -> Result<(), OperatorError> {
         let half_edge = self.half_edge(half_edge);
-        self.run(Operator::FlipEdge, (), |dcel| Kernel::flip_edge(dcel, half_edge, turn))
+        self.run(Operator::FlipEdge, (), |dcel| Subject::flip_edge(dcel, half_edge, turn))
     }
 
     fn move_inner(&mut self, inner: CornerOf<Self>, face: FaceKey) -> Result<(), OperatorError> {
         let (inner, face) = (self.corner(inner), self.face(face));
-        self.run(Operator::MoveInner, (), |dcel| Kernel::move_inner(dcel, inner, face))
+        self.run(Operator::MoveInner, (), |dcel| Subject::move_inner(dcel, inner, face))
     }
-}
-
-macro_rules! from_table {
-    ($($name:ident($($arg:ident),*) -> $out:ty;)*) => {$(
-        fn $name(&self, $($arg: usize),*) -> $out {
-            self.table.$name($($arg),*)
-        }
-    )*};
 }
 
 impl<S: Store> View for Planted<S> {
-    from_table! {
-        vertex_slots() -> usize;
-        half_edge_slots() -> usize;
-        boundary_slots() -> usize;
-        face_slots() -> usize;
-        is_vertex(vertex) -> bool;
-        is_half_edge(half_edge) -> bool;
-        is_boundary(boundary) -> bool;
-        is_face(face) -> bool;
-        origin(half_edge) -> Link;
-        twin(half_edge) -> Link;
-        next(half_edge) -> Link;
-        prev(half_edge) -> Link;
-        boundary(half_edge) -> Link;
-        leaving(vertex) -> Link;
-        isolated(vertex) -> Link;
-        boundary_face(boundary) -> Link;
-        boundary_start(boundary) -> Option<Start>;
-        boundary_place(boundary) -> Option<Place>;
-        outer(face) -> Link;
-        inner_count(face) -> usize;
-        inner(face, position) -> Link;
-    }
+    delegate_view!(|this| &this.table);
 }

@@ -1,8 +1,8 @@
 //! Areas, by the shoelace formula.
 //!
-//! The sum runs over triangles that share the first point of the ring, so that a small ring far from the origin loses
-//! nothing to its coordinates, and is compensated, so that a long one loses nothing to its length. What remains is the
-//! rounding of each triangle: a few units in the last place of the squared diameter of the ring, at worst.
+//! The sum runs over triangles that share the first point of the ring, so it is as accurate for a small ring far from the
+//! origin as for one near it. It is compensated, so it is as accurate for a long ring as for a short one. What remains is
+//! the rounding of each triangle: at worst a few units in the last place of the squared diameter of the ring.
 //!
 //! Where coordinates are near [`MAX_COORDINATE`](crate::geometry::MAX_COORDINATE), an area may be infinite.
 //!
@@ -11,9 +11,11 @@
 
 use super::coverage::faces_of;
 use crate::dcel::{Boundary, BoundaryKey, FaceKey, HalfEdge, StaleKey};
-use crate::geometry::{Drawing, FeatureId, PlanarMap, Point};
+use crate::geometry::Point;
+use crate::map::{FeatureId, PlanarMap};
+use crate::validate::Embedding;
 
-/// A sum that keeps what rounding takes away.
+/// A compensated sum: the rounding errors are summed as well.
 #[derive(Clone, Copy, Debug, Default)]
 pub(super) struct Sum {
     total: f64,
@@ -29,7 +31,7 @@ impl Sum {
     }
 
     pub(super) fn value(self) -> f64 {
-        // Beyond the largest number what was lost is not a number.
+        // Beyond the largest number, the sum of the errors is NaN.
         if self.total.is_finite() { self.total + self.lost } else { self.total }
     }
 }
@@ -75,6 +77,18 @@ pub(super) fn boundary(map: &PlanarMap, boundary: Boundary<'_>) -> f64 {
 /// The signed area inside a boundary component: positive for an outer one, negative for a hole, 0 for an isolated vertex and
 /// for a hole that is only a line. O(its half-edges).
 ///
+/// ```
+/// use twinedge::algorithm::area::boundary_area;
+/// use twinedge::map::PlanarMap;
+///
+/// let mut map = PlanarMap::new();
+/// map.insert_ring([[0.0, 0.0], [2.0, 0.0], [0.0, 2.0]])?;
+/// let areas: Vec<f64> = map.dcel().boundaries().map(|b| boundary_area(&map, b.key()).unwrap()).collect();
+/// // Its two sides: the outer boundary of the triangle, and the hole that it is in the plane.
+/// assert!(areas.contains(&2.0) && areas.contains(&-2.0));
+/// # Ok::<(), twinedge::map::edit::EditError>(())
+/// ```
+///
 /// # Errors
 /// [`StaleKey::Boundary`].
 pub fn boundary_area(map: &PlanarMap, key: BoundaryKey) -> Result<f64, StaleKey> {
@@ -88,7 +102,7 @@ pub fn boundary_area(map: &PlanarMap, key: BoundaryKey) -> Result<f64, StaleKey>
 ///
 /// ```
 /// use twinedge::algorithm::area::face_area;
-/// use twinedge::geometry::{Builder, Shape};
+/// use twinedge::map::{Builder, Shape};
 ///
 /// let square = |low: f64, high: f64| [[low, low], [high, low], [high, high], [low, high]].map(Into::into).to_vec();
 /// let mut builder = Builder::new();
@@ -96,7 +110,7 @@ pub fn boundary_area(map: &PlanarMap, key: BoundaryKey) -> Result<f64, StaleKey>
 /// let map = builder.build()?;
 /// let areas: Vec<f64> = map.dcel().faces().map(|f| face_area(&map, f.key()).unwrap()).collect();
 /// assert_eq!(areas, [f64::INFINITY, 8.0, 1.0]);
-/// # Ok::<(), twinedge::geometry::BuildError>(())
+/// # Ok::<(), twinedge::map::BuildError>(())
 /// ```
 pub fn face_area(map: &PlanarMap, key: FaceKey) -> Result<f64, StaleKey> {
     let face = map.dcel().face(key)?;
@@ -108,6 +122,18 @@ pub fn face_area(map: &PlanarMap, key: FaceKey) -> Result<f64, StaleKey> {
 }
 
 /// The area of all faces that a feature covers. O(faces of the map · log + half-edges of those covered).
+///
+/// ```
+/// use twinedge::algorithm::area::feature_area;
+/// use twinedge::map::{Builder, Feature, Shape};
+///
+/// let square = |x: f64| [[x, 0.0], [x + 1.0, 0.0], [x + 1.0, 1.0], [x, 1.0]].map(Into::into).to_vec();
+/// let mut builder = Builder::new();
+/// let shapes = [0.0, 1.0, 5.0].map(|x| Shape::Polygon(vec![square(x)])).to_vec();
+/// let estate = builder.feature(&Feature { shapes, ..Feature::default() })?;
+/// assert_eq!(feature_area(&builder.build()?, estate), 3.0);
+/// # Ok::<(), twinedge::map::BuildError>(())
+/// ```
 #[must_use]
 pub fn feature_area(map: &PlanarMap, feature: FeatureId) -> f64 {
     let sum: Sum = faces_of(map, feature).into_iter().filter_map(|f| face_area(map, f).ok()).collect();

@@ -1,23 +1,23 @@
 //! Colours that tell neighbours apart.
 //!
-//! The features are taken away one by one, always one with the fewest neighbours left; coming back in reverse, each gets the
-//! smallest colour that none of its neighbours has by then. Where every feature is one face, the map of who borders whom is
-//! plane, somebody always has at most five neighbours left, and six colours do. A feature of several parts may need more.
+//! The features are removed one by one, always one with the fewest neighbours left. In reverse order each gets the smallest
+//! colour that none of its neighbours has by then. Where every feature is one face, the graph of neighbours is planar: some
+//! feature always has at most five neighbours left, and six colours suffice. Features of several parts may need more.
 //!
 //! Source: D. W. Matula and L. L. Beck, "Smallest-last ordering and clustering and graph coloring algorithms", Journal of the
 //! ACM 30 (1983) 417-427.
 
 use super::coverage::features_of;
-use crate::geometry::PlanarMap;
+use crate::map::PlanarMap;
 use std::collections::BTreeSet;
 
-/// A colour for each feature, by [`FeatureId::index`](crate::geometry::FeatureId::index): numbers from 0, different for two
+/// A colour for each feature, by [`FeatureId::index`](crate::map::FeatureId::index): numbers from 0, different for two
 /// features with an edge between them or a face in common. Where a face is claimed more than once, only its first two
 /// features count. O(n log n).
 ///
 /// ```
 /// use twinedge::algorithm::colouring::feature_colours;
-/// use twinedge::geometry::{Builder, Shape};
+/// use twinedge::map::{Builder, Shape};
 ///
 /// let square = |x: f64| [[x, 0.0], [x + 1.0, 0.0], [x + 1.0, 1.0], [x, 1.0]].map(Into::into).to_vec();
 /// let mut builder = Builder::new();
@@ -27,7 +27,7 @@ use std::collections::BTreeSet;
 /// let colours = feature_colours(&builder.build()?);
 /// assert!(colours[0] != colours[1] && colours[1] != colours[2]);
 /// assert!(colours.iter().all(|colour| *colour < 2));
-/// # Ok::<(), twinedge::geometry::BuildError>(())
+/// # Ok::<(), twinedge::map::BuildError>(())
 /// ```
 #[must_use]
 pub fn feature_colours(map: &PlanarMap) -> Vec<usize> {

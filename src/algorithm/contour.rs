@@ -28,8 +28,10 @@
 use super::area::{Sum, ring_area};
 use super::coverage::{faces_by_feature, faces_of};
 use crate::dcel::{Face, FaceKey, HalfEdge, StaleKey};
+use crate::geometry::Point;
 use crate::geometry::predicates::{Orientation, compare_lexicographic, orientation};
-use crate::geometry::{Drawing, Feature, FeatureId, PlanarMap, Point, Shape};
+use crate::map::{Feature, FeatureId, PlanarMap, Shape};
+use crate::validate::Embedding;
 use rustc_hash::{FxHashMap, FxHashSet};
 use thiserror::Error;
 
@@ -112,7 +114,7 @@ pub enum ContourError {
 /// ```
 /// use twinedge::algorithm::contour::of_faces;
 /// use twinedge::dcel::Face;
-/// use twinedge::geometry::{Builder, Shape};
+/// use twinedge::map::{Builder, Shape};
 ///
 /// // Two squares side by side: the edge between them vanishes.
 /// let square = |x: f64| [[x, 0.0], [x + 1.0, 0.0], [x + 1.0, 1.0], [x, 1.0]].map(Into::into).to_vec();
@@ -166,6 +168,20 @@ pub fn of_faces(map: &PlanarMap, faces: impl IntoIterator<Item = FaceKey>) -> Re
 
 /// The contour of a feature: of all faces that it covers. O(faces of the map · log + half-edges of those covered), expected.
 ///
+/// ```
+/// use twinedge::algorithm::contour::of_feature;
+/// use twinedge::map::{Builder, Feature, Shape};
+///
+/// let square = |x: f64| [[x, 0.0], [x + 1.0, 0.0], [x + 1.0, 1.0], [x, 1.0]].map(Into::into).to_vec();
+/// let mut builder = Builder::new();
+/// let shapes = [0.0, 1.0, 5.0].map(|x| Shape::Polygon(vec![square(x)])).to_vec();
+/// let estate = builder.feature(&Feature { shapes, ..Feature::default() })?;
+/// let contour = of_feature(&builder.build()?, estate)?;
+/// let sizes: Vec<f64> = contour.polygons.iter().map(|polygon| polygon.area()).collect();
+/// assert_eq!(sizes, [2.0, 1.0]);
+/// # Ok::<(), Box<dyn std::error::Error>>(())
+/// ```
+///
 /// # Errors
 /// [`ContourError`], if the map is not plane, or a feature covers the unbounded face.
 pub fn of_feature(map: &PlanarMap, feature: FeatureId) -> Result<Contour, ContourError> {
@@ -174,6 +190,21 @@ pub fn of_feature(map: &PlanarMap, feature: FeatureId) -> Result<Contour, Contou
 
 /// The contours of all features, by [`FeatureId::index`]. O(faces · log + half-edges of the faces of each), expected.
 ///
+/// ```
+/// use twinedge::algorithm::contour::of_features;
+/// use twinedge::map::{Builder, Shape};
+///
+/// let square = |x: f64| [[x, 0.0], [x + 1.0, 0.0], [x + 1.0, 1.0], [x, 1.0]].map(Into::into).to_vec();
+/// let mut builder = Builder::new();
+/// builder.shape(&Shape::Polygon(vec![square(0.0)]))?;
+/// builder.segment([0.0, 0.0], [1.0, 1.0])?;
+/// let contours = of_features(&builder.build()?)?;
+/// // The segment cuts the square in two faces, which together are the square. It covers nothing itself.
+/// assert_eq!(contours[0].polygons[0].outer.len(), 5);
+/// assert!(contours[1].polygons.is_empty());
+/// # Ok::<(), Box<dyn std::error::Error>>(())
+/// ```
+///
 /// # Errors
 /// [`ContourError`], if the map is not plane, or a feature covers the unbounded face.
 pub fn of_features(map: &PlanarMap) -> Result<Vec<Contour>, ContourError> {
@@ -181,6 +212,19 @@ pub fn of_features(map: &PlanarMap) -> Result<Vec<Contour>, ContourError> {
 }
 
 /// The contour of one face, which is a single polygon. O(its half-edges), expected.
+///
+/// ```
+/// use twinedge::algorithm::contour::{ContourError, of_face};
+/// use twinedge::map::PlanarMap;
+///
+/// let mut map = PlanarMap::new();
+/// let (outside, inside) = map.insert_ring([[0.0, 0.0], [4.0, 0.0], [0.0, 4.0]])?.faces_split[0];
+/// map.insert_ring([[1.0, 1.0], [2.0, 1.0], [1.0, 2.0]])?;
+/// let polygon = of_face(&map, inside)?;
+/// assert_eq!((polygon.outer.len(), polygon.holes.len(), polygon.area()), (4, 1, 7.5));
+/// assert_eq!(of_face(&map, outside), Err(ContourError::Unbounded));
+/// # Ok::<(), Box<dyn std::error::Error>>(())
+/// ```
 ///
 /// # Errors
 /// [`ContourError`].

@@ -1,18 +1,30 @@
 //! Which faces a feature covers.
 //!
-//! Where a map is not plane, the inside of a feature whose edges cross others may leak out, up to the unbounded face.
+//! Where a map is not plane, the inside of a feature whose edges cross others may seem to extend to the unbounded face: the
+//! feature leaks. Then it is not known what it covers.
 
 use crate::dcel::{Face, FaceKey};
-use crate::geometry::{FeatureId, PlanarMap};
+use crate::map::{FeatureId, PlanarMap};
 
-/// The features that cover a face, but for those that have leaked out: O(log n), as long as the map is plane.
+/// The features that cover a face, without those that leak. O(log n), as long as the map is plane.
 pub(crate) fn features_of<'a>(map: &'a PlanarMap, face: Face<'a>) -> impl Iterator<Item = FeatureId> + 'a {
     let plane = map.is_plane();
     map.features_of(face.key()).into_iter().flatten().filter(move |feature| plane || !leaks(map, *feature))
 }
 
-/// Whether a feature seems to cover the unbounded face, as none does on a plane map: what it covers is not known then.
+/// Whether a feature seems to cover the unbounded face, which none does on a plane map: then it is not known what it covers.
 /// O(log n + features that do).
+///
+/// ```
+/// use twinedge::algorithm::coverage::leaks;
+/// use twinedge::map::{Builder, Shape};
+///
+/// let mut builder = Builder::new();
+/// let square = [[0.0, 0.0], [1.0, 0.0], [1.0, 1.0], [0.0, 1.0]].map(Into::into).to_vec();
+/// let field = builder.shape(&Shape::Polygon(vec![square]))?;
+/// assert!(!leaks(&builder.build()?, field));
+/// # Ok::<(), twinedge::map::BuildError>(())
+/// ```
 #[must_use]
 pub fn leaks(map: &PlanarMap, feature: FeatureId) -> bool {
     map.features_of(map.dcel().unbounded_face().key()).into_iter().flatten().any(|f| f == feature)
@@ -21,13 +33,29 @@ pub fn leaks(map: &PlanarMap, feature: FeatureId) -> bool {
 /// The faces that a feature covers, in order of their indices. O(faces · log).
 ///
 /// None for a feature of another map that this one does not have.
+///
+/// ```
+/// use twinedge::algorithm::coverage::{faces_by_feature, faces_of};
+/// use twinedge::map::{Builder, Shape};
+///
+/// let mut builder = Builder::new();
+/// let square = [[0.0, 0.0], [1.0, 0.0], [1.0, 1.0], [0.0, 1.0]].map(Into::into).to_vec();
+/// let field = builder.shape(&Shape::Polygon(vec![square]))?;
+/// let path = builder.segment([0.0, 0.0], [1.0, 1.0])?;
+/// let map = builder.build()?;
+/// // The path cuts the field in two.
+/// assert_eq!((faces_of(&map, field).len(), faces_of(&map, path).len()), (2, 0));
+/// assert_eq!(faces_by_feature(&map), [faces_of(&map, field), vec![]]);
+/// # Ok::<(), twinedge::map::BuildError>(())
+/// ```
 #[must_use]
 pub fn faces_of(map: &PlanarMap, feature: FeatureId) -> Vec<FaceKey> {
     let covers = |f: &Face<'_>| map.features_of(f.key()).into_iter().flatten().any(|g| g == feature);
     map.dcel().faces().filter(covers).map(Face::key).collect()
 }
 
-/// The faces that each feature covers, by [`FeatureId::index`]. O(faces · log + answer).
+/// The faces that each feature covers, by [`FeatureId::index`]; none for a feature that [leaks]. O(faces · log + answer). For
+/// an example see [`faces_of`].
 #[must_use]
 pub fn faces_by_feature(map: &PlanarMap) -> Vec<Vec<FaceKey>> {
     let mut faces = vec![Vec::new(); map.features().count()];
@@ -43,7 +71,7 @@ pub fn faces_by_feature(map: &PlanarMap) -> Vec<Vec<FaceKey>> {
 ///
 /// ```
 /// use twinedge::algorithm::coverage::overlaps;
-/// use twinedge::geometry::{Builder, Shape};
+/// use twinedge::map::{Builder, Shape};
 ///
 /// // The upper half of the square is claimed again, by the triangle.
 /// let mut builder = Builder::new();
@@ -52,7 +80,7 @@ pub fn faces_by_feature(map: &PlanarMap) -> Vec<Vec<FaceKey>> {
 /// builder.shape(&Shape::Polygon(vec![square]))?;
 /// builder.shape(&Shape::Polygon(vec![triangle]))?;
 /// assert_eq!(overlaps(&builder.build()?).len(), 1);
-/// # Ok::<(), twinedge::geometry::BuildError>(())
+/// # Ok::<(), twinedge::map::BuildError>(())
 /// ```
 #[must_use]
 pub fn overlaps(map: &PlanarMap) -> Vec<FaceKey> {

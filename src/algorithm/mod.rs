@@ -1,6 +1,6 @@
-//! Questions about a map that walk over more than one record.
+//! Queries of a map that involve more than one record.
 //!
-//! Each takes a [`PlanarMap`](crate::geometry::PlanarMap), changes nothing, and says what it costs.
+//! Each takes a [`PlanarMap`](crate::map::PlanarMap), does not change it, and states its cost.
 //!
 //! | module | answers |
 //! | --- | --- |
@@ -8,7 +8,7 @@
 //! | [`colouring`] | which colours tell neighbours apart? |
 //! | [`contour`] | what is the outline of a feature, a face, any set of faces? |
 //! | [`coverage`] | which faces does a feature cover, and which are claimed twice? |
-//! | [`neighbours`] | who shares a border with whom, where, and how long is it? |
+//! | [`neighbours`] | which faces or features share a border, where, and how long is it? |
 //! | [`mod@overlay`] | what do two maps make together? |
 
 pub mod area;

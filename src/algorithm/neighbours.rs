@@ -1,4 +1,12 @@
-//! Who shares a border with whom, where, and how long it is.
+//! Neighbours: which faces or features share a border, where it runs, and how long it is.
+//!
+//! ```text
+//!   ┌───────┬───────┐
+//!   │   a   │   b   │     a and b are neighbours, and so are b and c;
+//!   └───────┼───────┤     a and c touch: they meet at a vertex only
+//!           │   c   │
+//!           └───────┘
+//! ```
 //!
 //! Two faces are neighbours if an edge has one of them on one side and the other on the other. Two features are neighbours
 //! if an edge has a face of one on one side and a face of the other on the other side; an edge with both features on both
@@ -9,17 +17,19 @@
 use super::area::Sum;
 use super::coverage::{faces_of, features_of};
 use crate::dcel::{Face, FaceKey, HalfEdge, StaleKey, Vertex};
-use crate::geometry::{Drawing, FeatureId, PlanarMap, Point};
+use crate::geometry::Point;
+use crate::map::{FeatureId, PlanarMap};
+use crate::validate::Embedding;
 use rustc_hash::FxHashSet;
 use std::collections::BTreeMap;
 
 /// A neighbour, and the border with it.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Neighbour<K> {
-    /// Who.
+    /// The neighbour.
     pub neighbour: K,
     /// The border, in maximal chains: each ends where nothing of this border goes on, or more than one edge of it does. A
-    /// chain that comes back to its start repeats it. What was asked about lies to the left.
+    /// chain that comes back to its start repeats it. The face or feature asked about lies to the left.
     pub borders: Vec<Vec<Point>>,
     /// The length of all these chains together.
     pub length: f64,
@@ -33,7 +43,7 @@ pub struct Neighbour<K> {
 ///
 /// ```
 /// use twinedge::algorithm::neighbours::of_face;
-/// use twinedge::geometry::{Builder, Shape};
+/// use twinedge::map::{Builder, Shape};
 ///
 /// let square = |x: f64| [[x, 0.0], [x + 1.0, 0.0], [x + 1.0, 1.0], [x, 1.0]].map(Into::into).to_vec();
 /// let mut builder = Builder::new();
@@ -65,6 +75,20 @@ pub fn of_face(map: &PlanarMap, key: FaceKey) -> Result<Vec<Neighbour<FaceKey>>,
 /// that the feature covers and a feature on the other side.
 ///
 /// None for a feature of another map that this one does not have.
+///
+/// ```
+/// use twinedge::algorithm::neighbours::of_feature;
+/// use twinedge::map::{Builder, Shape};
+///
+/// let square = |x: f64| [[x, 0.0], [x + 1.0, 0.0], [x + 1.0, 1.0], [x, 1.0]].map(Into::into).to_vec();
+/// let mut builder = Builder::new();
+/// let [left, right] = [0.0, 1.0].map(|x| builder.shape(&Shape::Polygon(vec![square(x)])).unwrap());
+/// let map = builder.build()?;
+/// let [border] = &of_feature(&map, left)[..] else { unreachable!("there is one neighbour") };
+/// assert_eq!((border.neighbour, border.length), (right, 1.0));
+/// assert_eq!(border.borders, [[[1.0, 0.0], [1.0, 1.0]].map(Into::into)]);
+/// # Ok::<(), twinedge::map::BuildError>(())
+/// ```
 #[must_use]
 pub fn of_feature(map: &PlanarMap, feature: FeatureId) -> Vec<Neighbour<FeatureId>> {
     let mut borders: BTreeMap<FeatureId, Vec<HalfEdge<'_>>> = BTreeMap::new();
@@ -88,6 +112,19 @@ pub fn of_feature(map: &PlanarMap, feature: FeatureId) -> Vec<Neighbour<FeatureI
 /// The faces that meet a face at a vertex and nowhere along an edge, in order of their indices. O(n log n) for the n
 /// half-edges that leave its vertices.
 ///
+/// ```
+/// use twinedge::algorithm::neighbours::touching_face;
+/// use twinedge::map::PlanarMap;
+///
+/// // Two triangles that share a corner, and one that shares an edge with the first.
+/// let mut map = PlanarMap::new();
+/// let (_, first) = map.insert_ring([[0.0, 0.0], [2.0, 0.0], [0.0, 2.0]])?.faces_split[0];
+/// let (_, second) = map.insert_ring([[2.0, 0.0], [4.0, 0.0], [4.0, 2.0]])?.faces_split[0];
+/// map.insert_ring([[0.0, 0.0], [0.0, 2.0], [-2.0, 0.0]])?;
+/// assert_eq!(touching_face(&map, first)?, [second]);
+/// # Ok::<(), Box<dyn std::error::Error>>(())
+/// ```
+///
 /// # Errors
 /// [`StaleKey::Face`].
 pub fn touching_face(map: &PlanarMap, key: FaceKey) -> Result<Vec<FaceKey>, StaleKey> {
@@ -108,6 +145,20 @@ pub fn touching_face(map: &PlanarMap, key: FaceKey) -> Result<Vec<FaceKey>, Stal
 /// The features that meet a feature at a vertex and nowhere along an edge, in order. Features that overlap it meet it in
 /// more than that. O(faces of the map · log + n log n) for n pairs of a half-edge that leaves one of its vertices and a feature
 /// there.
+///
+/// ```
+/// use twinedge::algorithm::neighbours::{of_feature, touching_feature};
+/// use twinedge::map::{Builder, Shape};
+///
+/// // Fields of a chessboard that meet at a corner.
+/// let square = |low: f64| [[low, low], [low + 1.0, low], [low + 1.0, low + 1.0], [low, low + 1.0]].map(Into::into).to_vec();
+/// let mut builder = Builder::new();
+/// let [a1, b2] = [0.0, 1.0].map(|low| builder.shape(&Shape::Polygon(vec![square(low)])).unwrap());
+/// let map = builder.build()?;
+/// assert_eq!(touching_feature(&map, a1), [b2]);
+/// assert!(of_feature(&map, a1).is_empty());
+/// # Ok::<(), twinedge::map::BuildError>(())
+/// ```
 #[must_use]
 pub fn touching_feature(map: &PlanarMap, feature: FeatureId) -> Vec<FeatureId> {
     let faces = covered(map, feature);

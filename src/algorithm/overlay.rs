@@ -9,15 +9,16 @@
 //! ```
 //!
 //! The edges of both are [noded](crate::geometry::noding) together. A face of either map becomes what its boundary, rounded
-//! like everything, encloses by parity; as snap rounding never moves a vertex across an edge, what the faces of a map become
-//! still covers the plane once. So faces may vanish where they are thinner than a cell, but none comes to lie in two.
+//! like everything, encloses by parity. Snap rounding never moves a vertex across an edge, so together these areas still
+//! cover the plane once: faces thinner than a cell may vanish, but no face of the result lies in two faces of one map.
 //!
 //! Source for the idea, with a sweep in place of the rounding: de Berg et al., "Computational Geometry", 3rd edition,
 //! section 2.3.
 
-use crate::dcel::{Boundary, Face, FaceKey, HalfEdge, HalfEdgeKey, StaleKey, Vertex};
+use crate::dcel::{Boundary, Face, FaceKey, HalfEdgeKey, StaleKey, Vertex};
+use crate::geometry::Point;
 use crate::geometry::noding::Snap;
-use crate::geometry::{BuildError, Builder, Feature, FeatureId, Noding, PlanarMap, Point, Shape};
+use crate::map::{BuildError, Builder, Feature, FeatureId, Noding, PlanarMap, Shape};
 use std::collections::HashMap;
 use thiserror::Error;
 
@@ -88,7 +89,7 @@ pub struct Overlay {
 }
 
 impl Overlay {
-    /// The map of both.
+    /// The map of both. For an example see [`overlay`].
     #[must_use]
     pub const fn map(&self) -> &PlanarMap {
         &self.map
@@ -101,6 +102,22 @@ impl Overlay {
     }
 
     /// The face of one of the maps in which a face of the overlay lies. O(1).
+    ///
+    /// ```
+    /// use twinedge::algorithm::overlay::{Operand, overlay};
+    /// use twinedge::geometry::noding::Snap;
+    /// use twinedge::map::PlanarMap;
+    ///
+    /// let mut left = PlanarMap::new();
+    /// let (_, inside) = left.insert_ring([[0.0, 0.0], [4.0, 0.0], [0.0, 4.0]])?.faces_split[0];
+    /// let mut right = PlanarMap::new();
+    /// right.insert_segment([1.0, -1.0], [1.0, 5.0])?;
+    /// // The segment of the right map cuts the triangle of the left one in two.
+    /// let both = overlay(&left, &right, Snap::Size(0.5))?;
+    /// let faces = both.map().dcel().faces().filter(|f| both.face_in(Operand::Left, f.key()) == Ok(inside));
+    /// assert_eq!(faces.count(), 2);
+    /// # Ok::<(), Box<dyn std::error::Error>>(())
+    /// ```
     ///
     /// # Errors
     /// [`StaleKey::Face`].
@@ -139,13 +156,13 @@ impl Overlay {
 /// use twinedge::algorithm::area::face_area;
 /// use twinedge::algorithm::overlay::{Operation, overlay};
 /// use twinedge::geometry::noding::Snap;
-/// use twinedge::geometry::{Builder, Shape};
+/// use twinedge::map::{Builder, Shape};
 ///
 /// let square = |low: f64, high: f64| {
 ///     let ring = [[low, low], [high, low], [high, high], [low, high]].map(Into::into).to_vec();
 ///     let mut builder = Builder::new();
 ///     let feature = builder.shape(&Shape::Polygon(vec![ring]))?;
-///     Ok::<_, twinedge::geometry::BuildError>((builder.build()?, feature))
+///     Ok::<_, twinedge::map::BuildError>((builder.build()?, feature))
 /// };
 /// let ((left, a), (right, b)) = (square(0.0, 3.0)?, square(2.0, 6.0)?);
 /// let both = overlay(&left, &right, Snap::Auto)?;
@@ -213,7 +230,7 @@ fn gather(
     // Edges by the features along them; those along which none runs may bound no face either.
     let mut along: HashMap<Vec<FeatureId>, Vec<Shape>> = HashMap::new();
     let mut sets = Vec::new();
-    for h in one_each(map) {
+    for h in map.dcel().edges() {
         let set: Vec<FeatureId> = map.features_along(h.key()).into_iter().flatten().collect();
         let line = Shape::Line(vec![at(h.origin()), at(h.target())]);
         along
@@ -253,13 +270,8 @@ impl Labels {
             }
         }
         let along = |h| noded.features_along(h).into_iter().flatten().map(FeatureId::index).collect();
-        Self { faces, edges: one_each(noded).map(|h| (h.key(), along(h.key()))).collect() }
+        Self { faces, edges: dcel.edges().map(|h| (h.key(), along(h.key()))).collect() }
     }
-}
-
-/// One half-edge of each edge.
-fn one_each(map: &PlanarMap) -> impl Iterator<Item = HalfEdge<'_>> {
-    map.dcel().half_edges().filter(|h| h.index() < h.twin().index())
 }
 
 impl Overlay {

@@ -1,9 +1,9 @@
-//! References to records: a key once checked, and from there on bare steps.
+//! References to records: the key has been checked, and steps from one record to the next are not checked again.
 
-use super::circulators::{Cycle, Rotation};
-use super::{BoundaryKey, Dcel, FaceKey, HalfEdgeKey, VertexKey};
-use crate::store::links::{Anchor, OUTER, Origin};
-use crate::store::{SlotStore, Store};
+use super::structure::Dcel;
+use crate::store::links::{BoundaryStart, VertexLink};
+use crate::store::place::OUTER;
+use crate::store::{BoundaryKey, FaceKey, HalfEdgeKey, SlotStore, Store, VertexKey};
 use core::fmt;
 use core::hash::{Hash, Hasher};
 
@@ -57,7 +57,7 @@ macro_rules! element {
                 self.dcel.store.$key_of(self.slot)
             }
 
-            /// The index, by which reports name it and by which plain arrays can be kept while nothing is removed. O(1).
+            /// The index. O(1). Reports name records by it, and while nothing is removed it can index a plain array.
             #[must_use]
             #[inline]
             pub fn index(self) -> usize {
@@ -69,6 +69,23 @@ macro_rules! element {
 
 element! {
     /// A vertex.
+    ///
+    /// ```
+    /// use twinedge::dcel::{Dcel, Split};
+    ///
+    /// let mut map = Dcel::new();
+    /// let outside = map.unbounded_face().key();
+    /// // A triangle: a loop with two more vertices on it. Its face lies to the left of h.
+    /// let v = map.add_isolated_vertex(outside)?.vertex;
+    /// let h = map.connect(v, v, Split::default())?.half_edge;
+    /// map.split_edge(h)?;
+    /// map.split_edge(h)?;
+    /// let v = map.vertex(v)?;
+    /// let leaving = v.leaving().unwrap();
+    /// assert_eq!(leaving.origin(), v);
+    /// assert!(v.isolated().is_none());
+    /// # Ok::<(), Box<dyn std::error::Error>>(())
+    /// ```
     Vertex, Vertex, VertexKey, vertex_key, vertex_index
 }
 element! {
@@ -82,14 +99,72 @@ element! {
     ///           · ◄────── ·
     ///             twin
     /// ```
+    ///
+    /// ```
+    /// use twinedge::dcel::{Dcel, Split};
+    ///
+    /// let mut map = Dcel::new();
+    /// let outside = map.unbounded_face().key();
+    /// // A triangle: a loop with two more vertices on it. Its face lies to the left of h.
+    /// let v = map.add_isolated_vertex(outside)?.vertex;
+    /// let h = map.connect(v, v, Split::default())?.half_edge;
+    /// map.split_edge(h)?;
+    /// map.split_edge(h)?;
+    /// let h = map.half_edge(h)?;
+    /// assert_eq!(h.next().prev(), h);
+    /// assert_eq!(h.twin().twin(), h);
+    /// assert_eq!(h.next().origin(), h.target());
+    /// assert_eq!(h.clockwise().origin(), h.origin());
+    /// assert!(!h.face().is_unbounded() && h.twin().face().is_unbounded());
+    /// # Ok::<(), Box<dyn std::error::Error>>(())
+    /// ```
     HalfEdge, HalfEdge, HalfEdgeKey, half_edge_key, half_edge_index
 }
 element! {
     /// A boundary component: a cycle of half-edges, or one isolated vertex.
+    ///
+    /// ```
+    /// use twinedge::dcel::{Dcel, Split};
+    ///
+    /// let mut map = Dcel::new();
+    /// let outside = map.unbounded_face().key();
+    /// // A triangle: a loop with two more vertices on it. Its face lies to the left of h.
+    /// let v = map.add_isolated_vertex(outside)?.vertex;
+    /// let h = map.connect(v, v, Split::default())?.half_edge;
+    /// map.split_edge(h)?;
+    /// map.split_edge(h)?;
+    /// let boundary = map.half_edge(h)?.boundary();
+    /// assert!(boundary.is_outer());
+    /// assert_eq!(boundary.start().unwrap().boundary(), boundary);
+    /// // The other side of the same edges is an inner boundary component of the unbounded face.
+    /// let other = map.half_edge(h)?.twin().boundary();
+    /// assert!(!other.is_outer());
+    /// assert!(other.face().is_unbounded());
+    /// # Ok::<(), Box<dyn std::error::Error>>(())
+    /// ```
     Boundary, Boundary, BoundaryKey, boundary_key, boundary_index
 }
 element! {
     /// A face.
+    ///
+    /// ```
+    /// use twinedge::dcel::{Dcel, Split};
+    ///
+    /// let mut map = Dcel::new();
+    /// let outside = map.unbounded_face().key();
+    /// // A triangle: a loop with two more vertices on it. Its face lies to the left of h.
+    /// let v = map.add_isolated_vertex(outside)?.vertex;
+    /// let h = map.connect(v, v, Split::default())?.half_edge;
+    /// map.split_edge(h)?;
+    /// map.split_edge(h)?;
+    /// let triangle = map.half_edge(h)?.face();
+    /// assert_eq!(triangle.outer(), Some(map.half_edge(h)?.boundary()));
+    /// assert_eq!(triangle.outer_half_edge().unwrap().face(), triangle);
+    /// assert_eq!(triangle.inner_count(), 0);
+    /// assert!(map.unbounded_face().outer().is_none());
+    /// assert_eq!(map.unbounded_face().inner().count(), 1);
+    /// # Ok::<(), Box<dyn std::error::Error>>(())
+    /// ```
     Face, Face, FaceKey, face_key, face_index
 }
 
@@ -97,42 +172,24 @@ impl<'a, S: Store> Vertex<'a, S> {
     /// A half-edge that leaves the vertex; none if it is isolated. O(1).
     #[must_use]
     pub fn leaving(self) -> Option<HalfEdge<'a, S>> {
-        match self.dcel.store.anchor(self.slot) {
-            Anchor::Leaving(h) => Some(HalfEdge::new(self.dcel, h)),
-            Anchor::Isolated(_) => None,
+        match self.dcel.store.vertex_link(self.slot) {
+            VertexLink::Leaving(h) => Some(HalfEdge::new(self.dcel, h)),
+            VertexLink::Isolated(_) => None,
         }
     }
 
     /// The boundary component that the vertex is, if it is isolated. O(1).
     #[must_use]
     pub fn isolated(self) -> Option<Boundary<'a, S>> {
-        match self.dcel.store.anchor(self.slot) {
-            Anchor::Leaving(_) => None,
-            Anchor::Isolated(b) => Some(Boundary::new(self.dcel, b)),
+        match self.dcel.store.vertex_link(self.slot) {
+            VertexLink::Leaving(_) => None,
+            VertexLink::Isolated(b) => Some(Boundary::new(self.dcel, b)),
         }
-    }
-
-    /// The half-edges that leave the vertex, counter-clockwise; `rev()` for clockwise. O(1) per step.
-    #[must_use]
-    pub fn rotation(self) -> Rotation<'a, S> {
-        Rotation::new(self.leaving())
-    }
-
-    /// The vertices at the other ends of its edges, counter-clockwise; one that parallel edges lead to comes as often, and a
-    /// loop gives the vertex itself, twice. O(degree).
-    pub fn neighbours(self) -> impl Iterator<Item = Self> {
-        self.rotation().map(HalfEdge::target)
-    }
-
-    /// How many half-edges leave the vertex: a loop counts twice. O(degree).
-    #[must_use]
-    pub fn degree(self) -> usize {
-        self.rotation().count()
     }
 }
 
 impl<'a, S: Store> HalfEdge<'a, S> {
-    /// Whether both are the same half-edge, of structures known to be the same.
+    /// Whether both are the same half-edge. Both must be of the same structure.
     #[inline]
     pub(super) fn is(self, other: Self) -> bool {
         self.slot == other.slot
@@ -187,18 +244,11 @@ impl<'a, S: Store> HalfEdge<'a, S> {
         self.twin().next()
     }
 
-    /// The half-edges that leave the same vertex, counter-clockwise from this one on. O(1) per step.
-    #[must_use]
-    #[inline]
-    pub fn rotation(self) -> Rotation<'a, S> {
-        Rotation::new(Some(self))
-    }
-
     /// The boundary component that it is part of. O(1).
     #[must_use]
     #[inline]
     pub fn boundary(self) -> Boundary<'a, S> {
-        Boundary::new(self.dcel, self.dcel.store.component(self.slot))
+        Boundary::new(self.dcel, self.dcel.store.boundary(self.slot))
     }
 
     /// The face to its left. O(1).
@@ -207,13 +257,6 @@ impl<'a, S: Store> HalfEdge<'a, S> {
     pub fn face(self) -> Face<'a, S> {
         self.boundary().face()
     }
-
-    /// The half-edges of its cycle, from this one on; `rev()` goes the other way. O(1) per step.
-    #[must_use]
-    #[inline]
-    pub fn boundary_cycle(self) -> Cycle<'a, S> {
-        Cycle::new(Some(self))
-    }
 }
 
 impl<'a, S: Store> Boundary<'a, S> {
@@ -221,7 +264,7 @@ impl<'a, S: Store> Boundary<'a, S> {
     #[must_use]
     #[inline]
     pub fn face(self) -> Face<'a, S> {
-        Face::new(self.dcel, self.dcel.store.bounded(self.slot))
+        Face::new(self.dcel, self.dcel.store.face(self.slot))
     }
 
     /// Whether it is the outer boundary component of its face. O(1).
@@ -235,8 +278,8 @@ impl<'a, S: Store> Boundary<'a, S> {
     #[inline]
     pub fn start(self) -> Option<HalfEdge<'a, S>> {
         match self.dcel.store.start(self.slot) {
-            Origin::HalfEdge(h) => Some(HalfEdge::new(self.dcel, h)),
-            Origin::Vertex(_) => None,
+            BoundaryStart::HalfEdge(h) => Some(HalfEdge::new(self.dcel, h)),
+            BoundaryStart::Vertex(_) => None,
         }
     }
 
@@ -244,16 +287,9 @@ impl<'a, S: Store> Boundary<'a, S> {
     #[must_use]
     pub fn isolated_vertex(self) -> Option<Vertex<'a, S>> {
         match self.dcel.store.start(self.slot) {
-            Origin::HalfEdge(_) => None,
-            Origin::Vertex(v) => Some(Vertex::new(self.dcel, v)),
+            BoundaryStart::HalfEdge(_) => None,
+            BoundaryStart::Vertex(v) => Some(Vertex::new(self.dcel, v)),
         }
-    }
-
-    /// The half-edges of its cycle; none if it is an isolated vertex. O(1) per step.
-    #[must_use]
-    #[inline]
-    pub fn half_edges(self) -> Cycle<'a, S> {
-        Cycle::new(self.start())
     }
 }
 
@@ -288,21 +324,5 @@ impl<'a, S: Store> Face<'a, S> {
     pub fn inner(self) -> impl Iterator<Item = Boundary<'a, S>> {
         (0..self.inner_count())
             .filter_map(move |i| self.dcel.store.inner(self.slot, i).map(|b| Boundary::new(self.dcel, b)))
-    }
-
-    /// All its boundary components, the outer one first. O(1) per step.
-    pub fn boundaries(self) -> impl Iterator<Item = Boundary<'a, S>> {
-        self.outer().into_iter().chain(self.inner())
-    }
-
-    /// All half-edges that have the face to their left. O(1) per step.
-    pub fn half_edges(self) -> impl Iterator<Item = HalfEdge<'a, S>> {
-        self.boundaries().flat_map(Boundary::half_edges)
-    }
-
-    /// The faces across its half-edges, in order of these: one that shares several edges comes as often, and the face
-    /// itself comes where both sides of an edge lie in it. O(1) per step.
-    pub fn neighbours(self) -> impl Iterator<Item = Self> {
-        self.half_edges().map(|h| h.twin().face())
     }
 }

@@ -1,6 +1,7 @@
 //! What can be wrong with a call.
 
-use super::{BoundaryKey, FaceKey, HalfEdgeKey, Kind, VertexKey};
+use crate::store::links::RecordKind;
+use crate::store::{BoundaryKey, FaceKey, HalfEdgeKey, VertexKey};
 use thiserror::Error;
 
 /// A key that names no record of this structure: its record is gone, or it is of another structure.
@@ -30,7 +31,7 @@ pub enum OperatorError {
     Stale(#[from] StaleKey),
     /// There is no room for more records of this kind.
     #[error("there is no room for more {0}")]
-    Full(Kind),
+    Full(RecordKind),
     /// The vertex has half-edges, and the operator needs an isolated one.
     #[error("{0:?} is not isolated")]
     NotIsolated(VertexKey),

@@ -1,12 +1,13 @@
 //! The structure as the validator sees it.
 
-use super::Dcel;
+use super::structure::Dcel;
 use crate::store::Store;
-use crate::store::links::{Anchor, OUTER, Origin};
-use crate::validate::{Link, Place, Start, View};
+use crate::store::links::{BoundaryStart, VertexLink};
+use crate::store::place::OUTER;
+use crate::validate::{BoundaryPlace, Collect, Expectation, Link, Report, Start, View, validate};
 
-/// Indices are those of [`HalfEdge::index`](super::HalfEdge::index) and its kin. What is said of a slot that holds no live
-/// record means nothing.
+/// Indices are those of [`HalfEdge::index`](super::HalfEdge::index) and its kin. Answers for vacant
+/// slots are unspecified.
 impl<S: Store> View for Dcel<S> {
     fn vertex_slots(&self) -> usize {
         self.store.vertex_slots()
@@ -54,38 +55,38 @@ impl<S: Store> View for Dcel<S> {
     }
     #[inline]
     fn boundary(&self, half_edge: usize) -> Link {
-        self.store.component_in(half_edge)
+        self.store.boundary_in(half_edge)
     }
     #[inline]
     fn leaving(&self, vertex: usize) -> Link {
-        match self.store.anchor(self.store.vertex_at(vertex)?) {
-            Anchor::Leaving(h) => Some(self.store.half_edge_index(h)),
-            Anchor::Isolated(_) => None,
+        match self.store.vertex_link(self.store.vertex_at(vertex)?) {
+            VertexLink::Leaving(h) => Some(self.store.half_edge_index(h)),
+            VertexLink::Isolated(_) => None,
         }
     }
     #[inline]
     fn isolated(&self, vertex: usize) -> Link {
-        match self.store.anchor(self.store.vertex_at(vertex)?) {
-            Anchor::Leaving(_) => None,
-            Anchor::Isolated(b) => Some(self.store.boundary_index(b)),
+        match self.store.vertex_link(self.store.vertex_at(vertex)?) {
+            VertexLink::Leaving(_) => None,
+            VertexLink::Isolated(b) => Some(self.store.boundary_index(b)),
         }
     }
     #[inline]
     fn boundary_face(&self, boundary: usize) -> Link {
-        Some(self.store.face_index(self.store.bounded(self.store.boundary_at(boundary)?)))
+        Some(self.store.face_index(self.store.face(self.store.boundary_at(boundary)?)))
     }
     #[inline]
     fn boundary_start(&self, boundary: usize) -> Option<Start> {
         Some(match self.store.start(self.store.boundary_at(boundary)?) {
-            Origin::HalfEdge(h) => Start::HalfEdge(self.store.half_edge_index(h)),
-            Origin::Vertex(v) => Start::Vertex(self.store.vertex_index(v)),
+            BoundaryStart::HalfEdge(h) => Start::HalfEdge(self.store.half_edge_index(h)),
+            BoundaryStart::Vertex(v) => Start::Vertex(self.store.vertex_index(v)),
         })
     }
     #[inline]
-    fn boundary_place(&self, boundary: usize) -> Option<Place> {
+    fn boundary_place(&self, boundary: usize) -> Option<BoundaryPlace> {
         Some(match self.store.place(self.store.boundary_at(boundary)?) {
-            OUTER => Place::Outer,
-            i => Place::Inner(i as usize),
+            OUTER => BoundaryPlace::Outer,
+            i => BoundaryPlace::Inner(i as usize),
         })
     }
     #[inline]
@@ -99,5 +100,21 @@ impl<S: Store> View for Dcel<S> {
     #[inline]
     fn inner(&self, face: usize, position: usize) -> Link {
         self.store.inner(self.store.face_at(face)?, position).map(|b| self.store.boundary_index(b))
+    }
+}
+
+impl<S: Store> Dcel<S> {
+    /// Checks every rule from R1 to T4. O(n).
+    ///
+    /// No sequence of operators breaks a rule, so the report is always valid. This is useful in tests.
+    ///
+    /// ```
+    /// use twinedge::dcel::Dcel;
+    ///
+    /// assert!(Dcel::new().validate().is_valid());
+    /// ```
+    #[must_use]
+    pub fn validate(&self) -> Report {
+        validate(self, &Expectation::plane(), Collect::All)
     }
 }

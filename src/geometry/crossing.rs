@@ -1,7 +1,7 @@
 //! All places where a drawing is not plane.
 //!
 //! The [sweep](mod@super::sweep) says quickly whether a drawing of points and straight segments is plane, and names
-//! one fault if it is not. Whoever has to mend the drawing wants all of them: [`clashes`].
+//! one fault if it is not. [`clashes`] finds all of them.
 
 use alloc::vec::Vec;
 use core::cmp::Ordering;
@@ -9,7 +9,7 @@ use core::ops::ControlFlow;
 
 use rstar::{AABB, RTree, RTreeObject};
 
-use super::Point;
+use super::point::Point;
 use super::predicates::{Endpoint, Meeting, compare_lexicographic, in_range, meeting, on_segment};
 
 /// A reason why points and straight segments do not draw a plane map.
@@ -60,10 +60,10 @@ pub enum Clash {
     },
 }
 
-/// A drawing that cannot be asked about.
+/// Why arrays do not describe points and segments.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, thiserror::Error)]
 #[non_exhaustive]
-pub enum BadDrawing {
+pub enum InvalidSegments {
     /// There are 2^32 - 1 or more points or segments.
     #[error("more points or segments than 32 bits can number")]
     TooLarge,
@@ -109,10 +109,11 @@ pub enum BadDrawing {
 ///
 /// # Errors
 ///
-/// [`BadDrawing`], if the arrays do not describe a drawing.
+/// [`InvalidSegments`], if the arrays do not describe segments.
 ///
 /// ```
-/// use twinedge::geometry::{Point, crossing::{Clash, clashes}};
+/// use twinedge::geometry::Point;
+/// use twinedge::geometry::crossing::{Clash, clashes};
 ///
 /// // A square with both diagonals, and a point in the middle that neither of them knows.
 /// let points = [[0.0, 0.0], [2.0, 0.0], [2.0, 2.0], [0.0, 2.0], [1.0, 1.0]].map(Point::from);
@@ -120,9 +121,9 @@ pub enum BadDrawing {
 /// let (found, total) = clashes(&points, &segments, 2)?;
 /// assert_eq!(found, [Clash::Cross { a: 4, b: 5 }, Clash::Touch { vertex: 4, segment: 4 }]);
 /// assert_eq!(total, 3);
-/// # Ok::<(), twinedge::geometry::crossing::BadDrawing>(())
+/// # Ok::<(), twinedge::geometry::crossing::InvalidSegments>(())
 /// ```
-pub fn clashes(points: &[Point], segments: &[[u32; 2]], cap: usize) -> Result<(Vec<Clash>, u64), BadDrawing> {
+pub fn clashes(points: &[Point], segments: &[[u32; 2]], cap: usize) -> Result<(Vec<Clash>, u64), InvalidSegments> {
     check(points, segments)?;
     let mut found = Found { first: Vec::new(), total: 0, cap };
     same_places(points, &mut found);
@@ -266,17 +267,17 @@ pub(super) fn classify(points: &[Point], segments: &[[u32; 2]], one: u32, other:
 
 /// Whether the arrays describe a drawing: every coordinate in range, every endpoint there, no segment without length.
 /// O(n).
-pub(super) fn check(points: &[Point], segments: &[[u32; 2]]) -> Result<(), BadDrawing> {
+pub(super) fn check(points: &[Point], segments: &[[u32; 2]]) -> Result<(), InvalidSegments> {
     if points.len().max(segments.len()) >= u32::MAX as usize {
-        return Err(BadDrawing::TooLarge);
+        return Err(InvalidSegments::TooLarge);
     }
     if let Some(point) = points.iter().position(|&p| !in_range(p)) {
-        return Err(BadDrawing::OutOfRange { point: point as u32 });
+        return Err(InvalidSegments::OutOfRange { point: point as u32 });
     }
     for (segment, &[u, v]) in (0..).zip(segments) {
-        let at = |point: u32| points.get(point as usize).ok_or(BadDrawing::NoSuchPoint { segment, point });
+        let at = |point: u32| points.get(point as usize).ok_or(InvalidSegments::NoSuchPoint { segment, point });
         if at(u)? == at(v)? {
-            return Err(BadDrawing::NoLength { segment });
+            return Err(InvalidSegments::NoLength { segment });
         }
     }
     Ok(())

@@ -1,4 +1,4 @@
-//! Exact questions about points, directions and segments.
+//! Exact predicates of points, directions and segments.
 //!
 //! Every function here decides by the sign of a determinant, and takes that sign from Shewchuk's adaptive arithmetic
 //! (crate `robust`): the answer is that of real numbers, not that of rounded ones, as long as every coordinate is in
@@ -25,7 +25,7 @@ use core::cmp::Ordering;
 
 use robust::Coord;
 
-use super::Point;
+use super::point::Point;
 
 /// The largest magnitude that a coordinate may have for the predicates to be exact: 2^500, about 3.27e150.
 pub const MAX_COORDINATE: f64 = f64::from_bits((1023 + 500) << 52);
@@ -66,7 +66,8 @@ pub enum Orientation {
 /// ```
 ///
 /// ```
-/// use twinedge::geometry::{Point, predicates::{Orientation, orientation}};
+/// use twinedge::geometry::Point;
+/// use twinedge::geometry::predicates::{Orientation, orientation};
 ///
 /// let (a, b) = (Point::new(12.0, 12.0), Point::new(24.0, 24.0));
 /// assert_eq!(orientation(a, b, Point::new(0.5, 0.5)), Orientation::Collinear);
@@ -76,7 +77,7 @@ pub enum Orientation {
 #[inline]
 #[must_use]
 pub fn orientation(a: Point, b: Point, c: Point) -> Orientation {
-    work();
+    count_step();
     let coord = |p: Point| Coord { x: p.x, y: p.y };
     let det = robust::orient2d(coord(a), coord(b), coord(c));
     if det > 0.0 {
@@ -171,7 +172,8 @@ pub enum Endpoint {
 /// endpoint with one that starts or ends there.
 ///
 /// ```
-/// use twinedge::geometry::{Point, predicates::{Endpoint, Meeting, meeting}};
+/// use twinedge::geometry::Point;
+/// use twinedge::geometry::predicates::{Endpoint, Meeting, meeting};
 ///
 /// let p = |x: i32, y: i32| Point::new(f64::from(x), f64::from(y));
 /// assert_eq!(meeting(p(0, 0), p(4, 4), p(0, 4), p(4, 0)), Meeting::Cross);
@@ -257,21 +259,21 @@ fn boxes_meet(a: Point, b: Point, c: Point, d: Point) -> bool {
 
 #[cfg(test)]
 std::thread_local! {
-    static WORK: core::cell::Cell<u64> = const { core::cell::Cell::new(0) };
+    static STEPS: core::cell::Cell<u64> = const { core::cell::Cell::new(0) };
 }
 
-/// Counts one step of work (an orientation, a step in a tree), in unit tests only: they bound it, so that nobody has to
+/// Counts one step of work (an orientation, a step in a tree), in unit tests only: they bound it, so that no test has to
 /// trust a clock.
 #[inline]
-pub(super) fn work() {
+pub(crate) fn count_step() {
     #[cfg(test)]
-    WORK.set(WORK.get() + 1);
+    STEPS.set(STEPS.get() + 1);
 }
 
 /// The work that `f` does.
 #[cfg(test)]
-pub(super) fn work_of<T>(f: impl FnOnce() -> T) -> (T, u64) {
-    let before = WORK.get();
+pub(crate) fn steps_of<T>(f: impl FnOnce() -> T) -> (T, u64) {
+    let before = STEPS.get();
     let result = f();
-    (result, WORK.get() - before)
+    (result, STEPS.get() - before)
 }

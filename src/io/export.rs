@@ -1,15 +1,36 @@
-//! Features of a map, as its writers take them.
+//! Features of a map, for the writers.
 
 use crate::algorithm::contour::{self, ContourError};
 use crate::algorithm::neighbours::chains;
 use crate::dcel::Face;
-use crate::geometry::{Feature, FeatureId, PlanarMap, Shape};
+use crate::map::{Feature, FeatureId, PlanarMap, Shape};
 
 /// The features of a map, in order, for a writer: the [contour](contour::of_feature) of each as polygons, and as lines all its
 /// edges that are not on that contour. The id is the [number](FeatureId::index). O(n log n).
 ///
-/// What is built from these has the same features on the same faces, and the same edges and vertices as the map, but for
-/// isolated vertices and for edges that belong to no feature, as [edits](crate::geometry::edit#features) make them.
+/// A map built from these has the same features on the same faces, and the same edges and vertices, except isolated vertices
+/// and edges that belong to no feature, which [edits](crate::map::edit#features) may have made.
+///
+/// ```
+/// use twinedge::io;
+/// use twinedge::map::{Builder, Shape};
+///
+/// let mut builder = Builder::new();
+/// let square = [[0.0, 0.0], [1.0, 0.0], [1.0, 1.0], [0.0, 1.0]].map(Into::into).to_vec();
+/// builder.shape(&Shape::Polygon(vec![square]))?;
+/// builder.segment([0.0, 0.0], [1.0, 1.0])?;
+/// let map = builder.build()?;
+/// let features = io::features(&map)?;
+/// assert!(matches!(features[0].shapes[..], [Shape::Polygon(_)]));
+/// assert!(matches!(features[1].shapes[..], [Shape::Line(_)]));
+///
+/// let mut again = Builder::new();
+/// for feature in &features {
+///     again.feature(feature)?;
+/// }
+/// assert_eq!(again.build()?.dcel().face_count(), map.dcel().face_count());
+/// # Ok::<(), Box<dyn std::error::Error>>(())
+/// ```
 ///
 /// # Errors
 /// [`ContourError`], if the map is not plane, or a feature covers the unbounded face.
@@ -37,6 +58,18 @@ fn covers(map: &PlanarMap, face: Face<'_>, feature: FeatureId) -> bool {
 
 /// The bounded faces of a map, in order of their indices, for a writer: a polygon each. The id is the index, the name those of
 /// the features that cover it, with slashes between. O(n), expected.
+///
+/// ```
+/// use twinedge::io;
+/// use twinedge::map::PlanarMap;
+///
+/// let mut map = PlanarMap::new();
+/// map.insert_ring([[0.0, 0.0], [4.0, 0.0], [0.0, 4.0]])?;
+/// map.insert_ring([[1.0, 1.0], [2.0, 1.0], [1.0, 2.0]])?;
+/// // The ring around the hole, and the hole.
+/// assert_eq!(io::faces(&map)?.len(), 2);
+/// # Ok::<(), Box<dyn std::error::Error>>(())
+/// ```
 ///
 /// # Errors
 /// [`ContourError`], if the map is not plane.

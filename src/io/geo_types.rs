@@ -3,7 +3,7 @@
 //! ```
 //! use geo_types::{Geometry, MultiPolygon, polygon};
 //! use twinedge::algorithm::contour;
-//! use twinedge::geometry::{Builder, Feature};
+//! use twinedge::map::{Builder, Feature};
 //!
 //! let west = polygon![(x: 0.0, y: 0.0), (x: 1.0, y: 0.0), (x: 1.0, y: 1.0), (x: 0.0, y: 1.0)];
 //! let east = polygon![(x: 1.0, y: 0.0), (x: 2.0, y: 0.0), (x: 2.0, y: 1.0), (x: 1.0, y: 1.0)];
@@ -21,7 +21,8 @@
 //! ```
 
 use crate::algorithm::contour::{Contour, Polygon};
-use crate::geometry::{Feature, Point, Shape};
+use crate::geometry::Point;
+use crate::map::{Feature, Shape};
 use ::geo_types as geo;
 
 impl From<geo::Coord<f64>> for Point {

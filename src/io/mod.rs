@@ -2,34 +2,48 @@
 //!
 //! | module | what | reads | writes |
 //! | --- | --- | --- | --- |
-//! | `geojson` | GeoJSON (RFC 7946) | yes | yes |
+//! | `geojson` | GeoJSON (RFC 7946), and sequences of it (RFC 8142, newline-delimited) | yes | yes |
 //! | `wkt` | well-known text, a geometry per line | yes | yes |
 //! | `geo_types` | the types of the crate geo-types | yes | yes |
 //! | [`svg`] | a picture | | yes |
 //!
-//! Readers hand over [`Feature`](crate::geometry::Feature)s for a [`Builder`](crate::geometry::Builder) to take; writers take
-//! features, and [`features`] and [`faces`] make features of a map.
+//! Readers hand over [`Feature`](crate::map::Feature)s for a [`Builder`](crate::map::Builder) to take. `read` takes any of the
+//! text formats, by the extension of the file or by its content; all readers return the same `ReadError`, and count
+//! what they dropped in the same `ReadSummary`. Writers take features, and [`features`] and [`faces`] make features of a
+//! map.
 
 mod export;
 #[cfg(feature = "geo-types")]
 pub mod geo_types;
 #[cfg(feature = "geojson")]
 pub mod geojson;
-#[cfg(any(feature = "geojson", feature = "wkt"))]
-mod summary;
 pub mod svg;
 #[cfg(feature = "wkt")]
 pub mod wkt;
+
+#[cfg(any(feature = "geojson", feature = "wkt"))]
+mod error;
+#[cfg(any(feature = "geojson", feature = "wkt"))]
+mod foreign;
+#[cfg(any(feature = "geojson", feature = "wkt"))]
+mod format;
+#[cfg(any(feature = "geojson", feature = "wkt"))]
+mod json_head;
+#[cfg(any(feature = "geojson", feature = "wkt"))]
+mod read;
+#[cfg(any(feature = "geojson", feature = "wkt"))]
+mod summary;
 #[cfg(any(feature = "geojson", feature = "wkt"))]
 mod write;
 
 pub use export::{faces, features};
-#[cfg(any(feature = "geojson", feature = "wkt"))]
-pub use summary::Summary;
-#[cfg(any(feature = "geojson", feature = "wkt"))]
-pub use write::WriteError;
 
-/// How many geometry collections a reader accepts around one geometry. RFC 7946 advises against nesting them at all;
-/// the bound keeps the stack small.
 #[cfg(any(feature = "geojson", feature = "wkt"))]
-pub const MAX_NESTED_COLLECTIONS: usize = 32;
+pub use self::{
+    error::{FeatureLabel, MAX_NESTED_COLLECTIONS, ReadCause, ReadError, TextPlace},
+    foreign::ForeignFormat,
+    format::Format,
+    read::read,
+    summary::ReadSummary,
+    write::WriteError,
+};

@@ -1,11 +1,11 @@
-//! What a reader has read.
+//! What a reader has read, and what it dropped.
 
-use crate::geometry::{Feature, Shape};
+use crate::map::{Feature, Shape};
 
-/// How much of what a file held, counted while it was read.
+/// What a file held, and what of it was dropped, counted while it was read.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 #[non_exhaustive]
-pub struct Summary {
+pub struct ReadSummary {
     /// Features handed over; a geometry without a feature around it counts as one.
     pub features: usize,
     /// Features without any shape: their geometry was null, absent or empty.
@@ -18,16 +18,21 @@ pub struct Summary {
     pub points: usize,
     /// Positions in all these shapes, the repeated end of a closed ring included.
     pub positions: usize,
-    /// Positions that had more than two numbers; what goes beyond x and y was dropped.
+    /// Positions with more than two numbers, of which those beyond x and y were dropped.
     pub with_extra_dimensions: usize,
+    /// Properties of features other than the name, which were dropped.
+    pub dropped_properties: usize,
+    /// Empty points, lines and polygons, which were dropped.
+    pub dropped_empty: usize,
 }
 
-impl Summary {
+impl ReadSummary {
     /// Counts one more feature.
-    pub(super) fn add(&mut self, feature: &Feature, with_extra_dimensions: usize) {
+    pub(super) fn add(&mut self, feature: &Feature, with_extra_dimensions: usize, empty: usize) {
         self.features += 1;
         self.without_geometry += usize::from(feature.shapes.is_empty());
         self.with_extra_dimensions += with_extra_dimensions;
+        self.dropped_empty += empty;
         for shape in &feature.shapes {
             match shape {
                 Shape::Polygon(rings) => {

@@ -4,7 +4,7 @@
 //! `GEOMETRYCOLLECTION`, each with an optional `Z`, `M` or `ZM`, in capitals or not.
 //!
 //! ```
-//! use twinedge::io::wkt::{self, ReadError};
+//! use twinedge::io::{ReadError, wkt};
 //!
 //! let text = "# two parcels\nPOLYGON((0 0, 1 0, 1 1, 0 0))\nPOLYGON((0 0, 1 1, 0 1, 0 0))\n";
 //! let summary = wkt::read(text.as_bytes(), |feature| {
@@ -16,78 +16,18 @@
 //! ```
 
 use core::str;
-use std::io::{self, BufRead, BufReader, Read, Write};
+use std::io::{BufRead, BufReader, Read, Write};
 
 use ::wkt::Wkt;
 use ::wkt::types::{
     Coord, Dimension, GeometryCollection, LineString, MultiLineString, MultiPoint, MultiPolygon, Polygon,
 };
-use thiserror::Error;
 
-use super::write::{self, Piece, WriteError};
-use super::{MAX_NESTED_COLLECTIONS, Summary};
-use crate::geometry::{Feature, Point, Shape};
-
-/// Why a file of well-known text could not be read. Every variant says on which line, the first being 1.
-#[derive(Debug, Error)]
-#[non_exhaustive]
-pub enum ReadError {
-    /// The reader underneath failed.
-    #[error("line {line}: {source}")]
-    Io {
-        /// The line that could not be read to its end.
-        line: usize,
-        /// What the reader said.
-        source: io::Error,
-    },
-    /// The line is not UTF-8.
-    #[error("line {line}: not UTF-8")]
-    NotUtf8 {
-        /// The line.
-        line: usize,
-    },
-    /// The line is not well-known text.
-    #[error("line {line}: not well-known text: {message}")]
-    Syntax {
-        /// The line.
-        line: usize,
-        /// What is wrong.
-        message: &'static str,
-    },
-    /// Something follows the geometry.
-    #[error("line {line}: text after the end of the geometry")]
-    Trailing {
-        /// The line.
-        line: usize,
-    },
-    /// A number that is none, or infinite, or that no 64-bit float comes near to.
-    #[error("line {line}: a number out of range")]
-    OutOfRange {
-        /// The line.
-        line: usize,
-    },
-    /// A geometry inside more than [`MAX_NESTED_COLLECTIONS`] geometry collections.
-    #[error("line {line}: geometry collections are nested too deep")]
-    TooDeep {
-        /// The line.
-        line: usize,
-    },
-}
-
-impl ReadError {
-    /// The line, the first being 1.
-    #[must_use]
-    pub fn line(&self) -> usize {
-        match *self {
-            Self::Io { line, .. }
-            | Self::NotUtf8 { line }
-            | Self::Syntax { line, .. }
-            | Self::Trailing { line }
-            | Self::OutOfRange { line }
-            | Self::TooDeep { line } => line,
-        }
-    }
-}
+use super::error::{MAX_NESTED_COLLECTIONS, ReadCause, ReadError, TextPlace};
+use super::summary::ReadSummary;
+use super::write::{self, GeometryPiece, WriteError};
+use crate::geometry::Point;
+use crate::map::{Feature, Shape};
 
 /// Reads a map, handing the geometry of each line to `each` as a feature without a name.
 ///
@@ -97,36 +37,44 @@ impl ReadError {
 ///
 /// # Errors
 ///
-/// Whatever [`ReadError`] describes, turned into `E`, and whatever `each` returns. Lines before the faulty one have
-/// been handed over by then.
-pub fn read<R, E>(reader: R, mut each: impl FnMut(Feature) -> Result<(), E>) -> Result<Summary, E>
+/// [`ReadError`] with the line, turned into `E`, and whatever `each` returns. Lines before the faulty one have been handed
+/// over by then.
+pub fn read<R, E>(reader: R, mut each: impl FnMut(Feature) -> Result<(), E>) -> Result<ReadSummary, E>
 where
     R: Read,
     E: From<ReadError>,
 {
     let mut input = BufReader::new(reader);
-    let mut summary = Summary::default();
+    let mut summary = ReadSummary::default();
     let mut bytes = Vec::new();
     for line in 1.. {
         bytes.clear();
-        if input.read_until(b'\n', &mut bytes).map_err(|source| ReadError::Io { line, source })? == 0 {
+        if input.read_until(b'\n', &mut bytes).map_err(|error| error_in(line, ReadCause::Io(error)))? == 0 {
             break;
         }
-        let text = str::from_utf8(&bytes).map_err(|_| ReadError::NotUtf8 { line })?;
+        let text = str::from_utf8(&bytes).map_err(|_| error_in(line, ReadCause::NotUtf8))?;
         let text = if line == 1 { text.strip_prefix('\u{FEFF}').unwrap_or(text) } else { text };
         let text = text.trim();
         if text.is_empty() || text.starts_with('#') {
             continue;
         }
         check_frame(text, line)?;
-        let geometry = text.parse().map_err(|message| ReadError::Syntax { line, message })?;
-        let mut drawing = Drawing { line, shapes: Vec::new(), with_extra_dimensions: 0 };
-        drawing.add(geometry, 0)?;
-        let feature = Feature { shapes: drawing.shapes, ..Feature::default() };
-        summary.add(&feature, drawing.with_extra_dimensions);
+        let geometry = text.parse().map_err(|message| error_in(line, syntax(message)))?;
+        let mut shapes = LineShapes { line, shapes: Vec::new(), with_extra_dimensions: 0, empty: 0 };
+        shapes.add(geometry, 0)?;
+        let feature = Feature { shapes: shapes.shapes, ..Feature::default() };
+        summary.add(&feature, shapes.with_extra_dimensions, shapes.empty);
         each(feature)?;
     }
     Ok(summary)
+}
+
+fn error_in(line: usize, cause: ReadCause) -> ReadError {
+    ReadError::new(TextPlace::line(line), cause)
+}
+
+fn syntax(message: &str) -> ReadCause {
+    ReadCause::Syntax { message: message.to_owned() }
 }
 
 /// Checks what the `wkt` crate does not: that nothing follows the geometry, and that its brackets are not nested so
@@ -136,11 +84,11 @@ fn check_frame(text: &str, line: usize) -> Result<(), ReadError> {
     let is_empty_mark = |word: &str| word.eq_ignore_ascii_case("EMPTY");
     let (head, body) = text.split_at(text.find('(').unwrap_or(text.len()));
     if !head.chars().all(|c| c.is_ascii_alphabetic() || c.is_ascii_whitespace()) {
-        return Err(ReadError::Syntax { line, message: "expected the type of a geometry" });
+        return Err(error_in(line, syntax("expected the type of a geometry")));
     }
     if let Some(mark) = head.split_ascii_whitespace().position(is_empty_mark) {
         let is_last = head.split_ascii_whitespace().count() == mark + 1 && body.is_empty();
-        return if is_last { Ok(()) } else { Err(ReadError::Trailing { line }) };
+        return if is_last { Ok(()) } else { Err(error_in(line, ReadCause::Trailing { what: "geometry" })) };
     }
     let mut depth = 0_usize;
     for (at, byte) in body.bytes().enumerate() {
@@ -151,27 +99,33 @@ fn check_frame(text: &str, line: usize) -> Result<(), ReadError> {
         }
         // A multi-polygon has three pairs of brackets of its own.
         if depth > MAX_NESTED_COLLECTIONS + 3 {
-            return Err(ReadError::TooDeep { line });
+            return Err(error_in(line, ReadCause::TooDeep));
         }
         if depth == 0 {
-            return if at + 1 == body.len() { Ok(()) } else { Err(ReadError::Trailing { line }) };
+            return if at + 1 == body.len() {
+                Ok(())
+            } else {
+                Err(error_in(line, ReadCause::Trailing { what: "geometry" }))
+            };
         }
     }
-    Err(ReadError::Syntax { line, message: "expected ( or EMPTY, and a ) for every (" })
+    Err(error_in(line, syntax("expected ( or EMPTY, and a ) for every (")))
 }
 
 /// The shapes of one line.
-struct Drawing {
+struct LineShapes {
     line: usize,
     shapes: Vec<Shape>,
     with_extra_dimensions: usize,
+    /// Points, lines and polygons without positions, which are not among the shapes.
+    empty: usize,
 }
 
-impl Drawing {
+impl LineShapes {
     /// Adds what a geometry inside `depth` collections draws. The recursion is as deep as they are nested.
     fn add(&mut self, geometry: Wkt<f64>, depth: usize) -> Result<(), ReadError> {
         if depth > MAX_NESTED_COLLECTIONS {
-            return Err(ReadError::TooDeep { line: self.line });
+            return Err(error_in(self.line, ReadCause::TooDeep));
         }
         match geometry {
             Wkt::Point(point) => self.add_point(&point),
@@ -191,13 +145,17 @@ impl Drawing {
         if let Some(coord) = point.coord() {
             let point = self.position(coord)?;
             self.shapes.push(Shape::Point(point));
+        } else {
+            self.empty += 1;
         }
         Ok(())
     }
 
     fn add_line(&mut self, line: &LineString<f64>) -> Result<(), ReadError> {
         let points = self.positions(line)?;
-        if !points.is_empty() {
+        if points.is_empty() {
+            self.empty += 1;
+        } else {
             self.shapes.push(Shape::Line(points));
         }
         Ok(())
@@ -205,7 +163,9 @@ impl Drawing {
 
     fn add_polygon(&mut self, polygon: &Polygon<f64>) -> Result<(), ReadError> {
         let rings: Vec<_> = polygon.rings().iter().map(|ring| self.positions(ring)).collect::<Result<_, _>>()?;
-        if !rings.is_empty() {
+        if rings.is_empty() {
+            self.empty += 1;
+        } else {
             self.shapes.push(Shape::Polygon(rings));
         }
         Ok(())
@@ -217,7 +177,7 @@ impl Drawing {
 
     fn position(&mut self, &Coord { x, y, z, m }: &Coord<f64>) -> Result<Point, ReadError> {
         if !(x.is_finite() && y.is_finite()) {
-            return Err(ReadError::OutOfRange { line: self.line });
+            return Err(error_in(self.line, ReadCause::OutOfRange));
         }
         self.with_extra_dimensions += usize::from(z.is_some() || m.is_some());
         Ok(Point { x, y })
@@ -236,7 +196,7 @@ impl Drawing {
 /// [`WriteError::NotFinite`], before anything is written, and [`WriteError::Io`].
 ///
 /// ```
-/// use twinedge::geometry::{Feature, Shape};
+/// use twinedge::map::{Feature, Shape};
 /// use twinedge::io::wkt;
 ///
 /// let corners = [[0.0, 0.0], [1.0, 0.0], [0.0, 0.5], [0.0, 0.0]].map(Into::into).to_vec();
@@ -262,22 +222,22 @@ pub fn write(mut writer: impl Write, features: &[Feature]) -> Result<(), WriteEr
     Ok(())
 }
 
-fn written(piece: Piece) -> Wkt<f64> {
+fn written(piece: GeometryPiece) -> Wkt<f64> {
     const XY: Dimension = Dimension::XY;
     let coord = |p: Point| Coord { x: p.x, y: p.y, z: None, m: None };
     let line = |points: Vec<Point>| LineString::new(points.into_iter().map(coord).collect(), XY);
     let polygon = |rings: Vec<Vec<Point>>| Polygon::new(rings.into_iter().map(line).collect(), XY);
     let point = |p: Point| ::wkt::types::Point::from_coord(coord(p));
     match piece {
-        Piece::Points(points) => match points[..] {
+        GeometryPiece::Points(points) => match points[..] {
             [only] => point(only).into(),
             _ => MultiPoint::new(points.into_iter().map(point).collect(), XY).into(),
         },
-        Piece::Lines(mut lines) => match lines.pop() {
+        GeometryPiece::Lines(mut lines) => match lines.pop() {
             Some(only) if lines.is_empty() => line(only).into(),
             last => MultiLineString::new(lines.into_iter().chain(last).map(line).collect(), XY).into(),
         },
-        Piece::Polygons(mut polygons) => match polygons.pop() {
+        GeometryPiece::Polygons(mut polygons) => match polygons.pop() {
             Some(only) if polygons.is_empty() => polygon(only).into(),
             last => MultiPolygon::new(polygons.into_iter().chain(last).map(polygon).collect(), XY).into(),
         },

@@ -1,6 +1,7 @@
 //! What the writers have in common.
 
-use crate::geometry::{Feature, Point, Shape};
+use crate::geometry::Point;
+use crate::map::{Feature, Shape};
 use std::io;
 use thiserror::Error;
 
@@ -44,7 +45,7 @@ pub(super) fn check(features: &[Feature]) -> Result<(), WriteError> {
 }
 
 /// One geometry of a format, at least one point in each part.
-pub(super) enum Piece {
+pub(super) enum GeometryPiece {
     Points(Vec<Point>),
     Lines(Vec<Vec<Point>>),
     Polygons(Vec<Vec<Vec<Point>>>),
@@ -52,19 +53,19 @@ pub(super) enum Piece {
 
 /// The shapes of a feature in order, neighbours of one kind together. Rings, lines and polygons without points are left out:
 /// the formats cannot express them everywhere.
-pub(super) fn pieces(feature: &Feature) -> Vec<Piece> {
+pub(super) fn pieces(feature: &Feature) -> Vec<GeometryPiece> {
     let mut pieces = Vec::new();
     for shape in feature.shapes.iter().filter(|shape| points_of(shape).next().is_some()) {
         match (shape, pieces.last_mut()) {
-            (Shape::Point(p), Some(Piece::Points(points))) => points.push(*p),
-            (Shape::Point(p), _) => pieces.push(Piece::Points(vec![*p])),
-            (Shape::Line(line), Some(Piece::Lines(lines))) => lines.push(line.clone()),
-            (Shape::Line(line), _) => pieces.push(Piece::Lines(vec![line.clone()])),
+            (Shape::Point(p), Some(GeometryPiece::Points(points))) => points.push(*p),
+            (Shape::Point(p), _) => pieces.push(GeometryPiece::Points(vec![*p])),
+            (Shape::Line(line), Some(GeometryPiece::Lines(lines))) => lines.push(line.clone()),
+            (Shape::Line(line), _) => pieces.push(GeometryPiece::Lines(vec![line.clone()])),
             (Shape::Polygon(rings), last) => {
                 let rings = rings.iter().filter(|ring| !ring.is_empty()).cloned().collect();
                 match last {
-                    Some(Piece::Polygons(polygons)) => polygons.push(rings),
-                    _ => pieces.push(Piece::Polygons(vec![rings])),
+                    Some(GeometryPiece::Polygons(polygons)) => polygons.push(rings),
+                    _ => pieces.push(GeometryPiece::Polygons(vec![rings])),
                 }
             }
         }

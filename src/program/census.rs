@@ -5,7 +5,7 @@
 //! // Connected maps with a distinguished outside, by their number of edges: Liskovets and Walsh, OEIS A103937.
 //! let mut counts = [0; 4];
 //! for map in Census::new(Scope::Connected { edges: 3 }) {
-//!     counts[map.runner.kernel().edge_count()] += 1;
+//!     counts[map.runner.subject().edge_count()] += 1;
 //! }
 //! assert_eq!(counts, [1, 2, 6, 26]);
 //! ```
@@ -22,9 +22,10 @@
 
 use super::canonical::{Canonizer, Code};
 use super::every::every_op;
-use super::interpret::{Outcome, Runner};
 use super::op::{FacePick, HalfEdgePick, InnerPick, Op, Program, SecondPick, VertexPick};
-use crate::dcel::{Dcel, Side};
+use super::outcome::StepOutcome;
+use super::runner::Runner;
+use crate::dcel::{Corner, Dcel, Side};
 use crate::store::Store;
 use alloc::collections::{BTreeSet, VecDeque};
 use alloc::vec;
@@ -48,11 +49,11 @@ pub enum Scope {
 
 impl Scope {
     /// A program that makes the smallest map. It makes and removes some more before, so that there are handles of
-    /// half-edges, vertices and faces that are gone.
+    /// half-edges, vertices and faces that were removed.
     #[must_use]
     pub fn start(&self) -> Program {
         let add = Op::AddIsolatedVertex { face: FacePick::Unbounded };
-        let vertex = super::Corner::Isolated(VertexPick::Isolated(0));
+        let vertex = Corner::Isolated(VertexPick::Isolated(0));
         let mut ops = vec![
             add,
             Op::Connect {
@@ -86,7 +87,7 @@ impl Scope {
 
 /// A map of a census.
 #[derive(Clone, Debug)]
-pub struct Found {
+pub struct Discovery {
     /// The map, with its handles.
     pub runner: Runner<Dcel>,
     /// The program that made it.
@@ -101,7 +102,7 @@ pub struct Census {
     scope: Scope,
     canonizer: Canonizer,
     seen: BTreeSet<Code>,
-    waiting: VecDeque<Found>,
+    waiting: VecDeque<Discovery>,
 }
 
 impl Census {
@@ -112,15 +113,15 @@ impl Census {
         let mut runner = Runner::new(Dcel::new());
         let program = scope.start();
         runner.run(&program);
-        if scope.takes_in(runner.kernel()) {
-            census.meet(Found { runner, program });
+        if scope.takes_in(runner.subject()) {
+            census.meet(Discovery { runner, program });
         }
         census
     }
 
     /// Keeps a map if it is new.
-    fn meet(&mut self, found: Found) {
-        let code = self.canonizer.subdivision(found.runner.kernel());
+    fn meet(&mut self, found: Discovery) {
+        let code = self.canonizer.subdivision(found.runner.subject());
         if code.is_some_and(|code| self.seen.insert(code)) {
             self.waiting.push_back(found);
         }
@@ -128,17 +129,17 @@ impl Census {
 }
 
 impl Iterator for Census {
-    type Item = Found;
+    type Item = Discovery;
 
-    fn next(&mut self) -> Option<Found> {
+    fn next(&mut self) -> Option<Discovery> {
         let found = self.waiting.pop_front()?;
         let makes = |op: &Op| matches!(op, Op::AddIsolatedVertex { .. } | Op::Connect { .. } | Op::SplitVertex { .. });
         for op in every_op(&found.runner).into_iter().filter(makes) {
             let mut runner = found.runner.clone();
-            if runner.step(op) == Outcome::Applied && self.scope.takes_in(runner.kernel()) {
+            if runner.step(op) == StepOutcome::Applied && self.scope.takes_in(runner.subject()) {
                 let mut program = found.program.clone();
                 program.0.push(op);
-                self.meet(Found { runner, program });
+                self.meet(Discovery { runner, program });
             }
         }
         Some(found)

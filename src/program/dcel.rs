@@ -1,33 +1,21 @@
-//! The structure of this crate as a kernel, over every store.
+//! The structure of this crate as a subject, over every store.
 
-use super::kernel::{Corner, Kernel, Refusal};
+use super::subject::{Refusal, Subject};
 use crate::dcel::{
-    self, BoundaryKey, Dcel, FaceKey, HalfEdgeKey, OperatorError, RemovedEdge, Side, Split, Turn, VertexKey,
+    Boundary, BoundaryKey, Corner, Dcel, FaceKey, HalfEdgeKey, OperatorError, RemovedEdge, Side, Split, Turn, VertexKey,
 };
 use crate::store::Store;
 use alloc::vec::Vec;
 
-impl From<Corner<HalfEdgeKey, VertexKey>> for dcel::Corner {
-    fn from(corner: Corner<HalfEdgeKey, VertexKey>) -> Self {
-        match corner {
-            Corner::At(h) => Self::At(h),
-            Corner::Isolated(v) => Self::Isolated(v),
-        }
-    }
-}
-
 /// The boundary component on which a corner lies.
-fn boundary_of<S: Store>(
-    dcel: &Dcel<S>,
-    corner: Corner<HalfEdgeKey, VertexKey>,
-) -> Result<dcel::Boundary<'_, S>, OperatorError> {
+fn boundary_of<S: Store>(dcel: &Dcel<S>, corner: Corner) -> Result<Boundary<'_, S>, OperatorError> {
     match corner {
         Corner::At(h) => Ok(dcel.half_edge(h)?.boundary()),
         Corner::Isolated(v) => dcel.vertex(v)?.isolated().ok_or(OperatorError::NotIsolated(v)),
     }
 }
 
-impl<S: Store> Kernel for Dcel<S> {
+impl<S: Store> Subject for Dcel<S> {
     type Vertex = VertexKey;
     type HalfEdge = HalfEdgeKey;
     type Face = FaceKey;
@@ -53,7 +41,7 @@ impl<S: Store> Kernel for Dcel<S> {
         self.unbounded_face().key()
     }
 
-    fn face_of(&self, corner: Corner<HalfEdgeKey, VertexKey>) -> Result<FaceKey, OperatorError> {
+    fn face_of(&self, corner: Corner) -> Result<FaceKey, OperatorError> {
         Ok(boundary_of(self, corner)?.face().key())
     }
 
@@ -79,10 +67,10 @@ impl<S: Store> Kernel for Dcel<S> {
 
     fn connect(
         &mut self,
-        from: Corner<HalfEdgeKey, VertexKey>,
-        to: Corner<HalfEdgeKey, VertexKey>,
+        from: Corner,
+        to: Corner,
         new_face: Side,
-        inner: &[Corner<HalfEdgeKey, VertexKey>],
+        inner: &[Corner],
     ) -> Result<HalfEdgeKey, OperatorError> {
         boundary_of(self, from)?;
         boundary_of(self, to)?;
@@ -106,11 +94,7 @@ impl<S: Store> Kernel for Dcel<S> {
         self.join_edges(half_edge).map(drop)
     }
 
-    fn split_vertex(
-        &mut self,
-        from: Corner<HalfEdgeKey, VertexKey>,
-        to: Corner<HalfEdgeKey, VertexKey>,
-    ) -> Result<HalfEdgeKey, OperatorError> {
+    fn split_vertex(&mut self, from: Corner, to: Corner) -> Result<HalfEdgeKey, OperatorError> {
         Ok(self.split_vertex(from, to)?.half_edge)
     }
 
@@ -122,7 +106,7 @@ impl<S: Store> Kernel for Dcel<S> {
         self.flip_edge(half_edge, turn)
     }
 
-    fn move_inner(&mut self, inner: Corner<HalfEdgeKey, VertexKey>, face: FaceKey) -> Result<(), OperatorError> {
+    fn move_inner(&mut self, inner: Corner, face: FaceKey) -> Result<(), OperatorError> {
         let boundary = boundary_of(self, inner)?.key();
         self.move_inner(boundary, face).map(drop)
     }

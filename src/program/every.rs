@@ -1,23 +1,24 @@
 //! Every operator with every argument: what can be done to one map.
 
-use super::interpret::{Outcome, Runner};
-use super::kernel::{Corner, Kernel};
 use super::op::{CornerPick, FacePick, HalfEdgePick, InnerPick, Op, SecondPick, VertexPick};
-use crate::dcel::{Side, Turn};
+use super::outcome::StepOutcome;
+use super::runner::Runner;
+use super::subject::Subject;
+use crate::dcel::{Corner, Side, Turn};
 use alloc::vec::Vec;
 
-/// Every operator with every argument, right or wrong, on what the runner has now. Each stands once:
+/// Every operator with every argument, right or wrong, on what the runner has now. The arguments are:
 ///
-/// - corners and half-edges: all there are; of those that are gone, the first; and a vertex that is not isolated, taken for
+/// - corners and half-edges: all there are; of those that were removed, the first; and a vertex that is not isolated, taken for
 ///   one that is;
-/// - faces: one corner of each, the unbounded face, and the first that is gone;
+/// - faces: one corner of each, the unbounded face, and the first that was removed;
 /// - boundary components: one corner of each;
 /// - [`Op::Connect`]: both sides, and every set of the inner boundary components that may go to the new face; then, with the
 ///   new face to the left, each boundary component that may not.
 ///
 /// In a map of n half-edges and k boundary components in its fullest face these are O(n² · (2ᵏ + n)). Finding them takes
 /// O(n²) beside. At most 16 inner boundary components of a face are told apart.
-pub fn every_op<K: Kernel>(map: &Runner<K>) -> Vec<Op> {
+pub fn every_op<K: Subject>(map: &Runner<K>) -> Vec<Op> {
     let picks = Picks::of(map);
     let mut ops = Vec::new();
     for face in &picks.faces {
@@ -58,20 +59,20 @@ pub fn every_op<K: Kernel>(map: &Runner<K>) -> Vec<Op> {
 
 /// Applies [every operator](every_op) to the map as it is, one at a time, and shows what came of each: of those that were
 /// applied the new map, of the others the map that should be as it was.
-pub fn try_every_op<K: Kernel + Clone>(map: &Runner<K>, mut visit: impl FnMut(Op, Outcome, &Runner<K>)) {
-    let mut trial = map.clone();
+pub fn try_every_op<K: Subject + Clone>(map: &Runner<K>, mut visit: impl FnMut(Op, StepOutcome, &Runner<K>)) {
+    let mut attempt = map.clone();
     for op in every_op(map) {
-        let outcome = trial.step(op);
-        visit(op, outcome, &trial);
-        if outcome == Outcome::Applied {
-            trial = map.clone();
+        let outcome = attempt.step(op);
+        visit(op, outcome, &attempt);
+        if outcome == StepOutcome::Applied {
+            attempt = map.clone();
         }
     }
 }
 
 /// A corner and where it lies, by numbers.
 #[derive(Clone, Copy)]
-struct Place {
+struct NumberedCorner {
     corner: CornerPick,
     face: usize,
     boundary: usize,
@@ -79,9 +80,9 @@ struct Place {
 
 /// All arguments of a map.
 struct Picks {
-    corners: Vec<Place>,
+    corners: Vec<NumberedCorner>,
     /// The first corner of each boundary component.
-    boundaries: Vec<Place>,
+    boundaries: Vec<NumberedCorner>,
     faces: Vec<FacePick>,
     half_edges: Vec<HalfEdgePick>,
     vertices: Vec<VertexPick>,
@@ -89,22 +90,22 @@ struct Picks {
 }
 
 impl Picks {
-    fn of<K: Kernel>(map: &Runner<K>) -> Self {
-        let kernel = map.kernel();
+    fn of<K: Subject>(map: &Runner<K>) -> Self {
+        let subject = map.subject();
         let mut faces = Vec::new();
         let mut boundary_of: Vec<Option<usize>> = alloc::vec![None; map.half_edges().len()];
-        let (mut corners, mut boundaries): (Vec<Place>, Vec<Place>) = (Vec::new(), Vec::new());
+        let (mut corners, mut boundaries): (Vec<NumberedCorner>, Vec<NumberedCorner>) = (Vec::new(), Vec::new());
         let half_edges = (0..).zip(map.half_edges()).map(|(k, h)| (Corner::At(HalfEdgePick::Live(k)), Corner::At(*h)));
         let isolated = (0..).zip(map.isolated());
         let isolated = isolated.map(|(k, v)| (Corner::Isolated(VertexPick::Isolated(k)), Corner::Isolated(*v)));
         for (position, (pick, corner)) in half_edges.chain(isolated).enumerate() {
-            let Ok(face) = kernel.face_of(corner) else { continue };
+            let Ok(face) = subject.face_of(corner) else { continue };
             let number = faces.iter().position(|other| *other == face).unwrap_or(faces.len());
             if number == faces.len() {
                 faces.push(face);
             }
             let known = boundary_of.get(position).copied().flatten();
-            let place = Place { corner: pick, face: number, boundary: known.unwrap_or(boundaries.len()) };
+            let place = NumberedCorner { corner: pick, face: number, boundary: known.unwrap_or(boundaries.len()) };
             if known.is_none() {
                 boundaries.push(place);
                 if let Corner::At(h) = corner {
@@ -113,9 +114,9 @@ impl Picks {
             }
             corners.push(place);
         }
-        let first_in = |number| boundaries.iter().find(|place: &&Place| place.face == number);
-        let bounded = (0..faces.len()).filter(|number| faces[*number] != kernel.unbounded_face());
-        let bounded = bounded.filter_map(first_in).map(|place| FacePick::Of(place.corner));
+        let first_in = |number| boundaries.iter().find(|place: &&NumberedCorner| place.face == number);
+        let bounded_faces = (0..faces.len()).filter(|number| faces[*number] != subject.unbounded_face());
+        let bounded_faces = bounded_faces.filter_map(first_in).map(|place| FacePick::Of(place.corner));
         let gone = |list: usize| list > 0;
         let stale_half_edge = gone(map.retired_half_edges().len()).then_some(HalfEdgePick::Retired(0));
         let stale_vertex = gone(map.retired_vertices().len()).then_some(VertexPick::Retired(0));
@@ -124,7 +125,7 @@ impl Picks {
         let live = (0..).zip(map.half_edges()).map(|(k, _)| HalfEdgePick::Live(k));
         let vertices = (0..).zip(map.isolated()).map(|(k, _)| VertexPick::Isolated(k));
         Self {
-            faces: core::iter::once(FacePick::Unbounded).chain(bounded).chain(stale_face).collect(),
+            faces: core::iter::once(FacePick::Unbounded).chain(bounded_faces).chain(stale_face).collect(),
             half_edges: live.chain(stale_half_edge).collect(),
             vertices: vertices.chain(busy_vertex).chain(stale_vertex).collect(),
             wrong_corners: stale_half_edge
@@ -138,7 +139,7 @@ impl Picks {
     }
 
     /// The ways to connect two corners.
-    fn connect(&self, from: &Place, to: &Place, ops: &mut Vec<Op>) {
+    fn connect(&self, from: &NumberedCorner, to: &NumberedCorner, ops: &mut Vec<Op>) {
         let mut push = |new_face, inner| {
             ops.push(Op::Connect { from: from.corner, to: SecondPick::Any(to.corner), new_face, inner });
         };
@@ -162,14 +163,15 @@ impl Picks {
     }
 }
 
-/// Notes the boundary component of all half-edges of a cycle: no more than there are, even if it never closes.
-fn mark_cycle<K: Kernel>(map: &Runner<K>, start: K::HalfEdge, boundary: usize, boundary_of: &mut [Option<usize>]) {
+/// Notes the boundary component of all half-edges of a cycle. Stops after as many as there are, even if the cycle does not
+/// close.
+fn mark_cycle<K: Subject>(map: &Runner<K>, start: K::HalfEdge, boundary: usize, boundary_of: &mut [Option<usize>]) {
     let mut h = start;
     for _ in 0..boundary_of.len() {
         if let Some(position) = map.half_edges().iter().position(|other| *other == h) {
             boundary_of[position] = Some(boundary);
         }
-        match map.kernel().next_of(h) {
+        match map.subject().next_of(h) {
             Ok(next) if next != start => h = next,
             _ => return,
         }

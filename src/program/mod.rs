@@ -1,12 +1,12 @@
 //! Programs: sequences of operators as data, for everything that tests a structure by changing it.
 //!
-//! A program chooses its arguments by small numbers that count in lists of what there is, and begin again where a list
-//! ends. So any bytes are a program that runs, whatever the structure; no run is lost to an argument that does not
-//! exist. Some choose a handle that is *gone*, on purpose: a structure that is right refuses it.
+//! A program chooses its arguments by small numbers: positions in lists of what exists, modulo the length of the list. So
+//! any bytes are a program that runs on any structure, and no argument is out of range. Some arguments are handles of
+//! removed records, on purpose: a correct structure refuses them.
 //!
 //! ```
 //! use twinedge::dcel::Dcel;
-//! use twinedge::program::{Outcome, Program, Refusal, Runner};
+//! use twinedge::program::{StepOutcome, Program, Refusal, Runner};
 //!
 //! let program: Program = "twinedge program 1
 //!     add_isolated_vertex unbounded
@@ -17,28 +17,27 @@
 //! ".parse()?;
 //! let mut runner = Runner::new(Dcel::new());
 //! let outcomes = runner.run(&program);
-//! assert_eq!(outcomes[3], Outcome::Applied);
-//! assert_eq!(outcomes[4], Outcome::Refused(Refusal::Stale));
-//! assert!(runner.kernel().validate().is_valid());
+//! assert_eq!(outcomes[3], StepOutcome::Applied);
+//! assert_eq!(outcomes[4], StepOutcome::Refused(Refusal::Stale));
+//! assert!(runner.subject().validate().is_valid());
 //! # Ok::<(), twinedge::program::ParseError>(())
 //! ```
 //!
 //! | to | take |
 //! | --- | --- |
-//! | drive a structure of your own | the trait [`Kernel`]; [`Dcel`](crate::dcel::Dcel) has it, over every store |
-//! | see whether it does what it should | [`conformance::run`]: it and [`Textbook`] in step, compared after every operator |
+//! | drive a structure of your own | the trait [`Subject`]; [`Dcel`](crate::dcel::Dcel) has it, over every store |
+//! | see whether it does what it should | [`conformance::run`]: it and [`PointerModel`] in step, compared after every operator |
 //! | get programs | [`Program::from_bytes`]; the features `arbitrary` and `quickcheck` for the crates of these names |
 //! | make a failing one small | [`shrink`]; `quickcheck` does it by itself |
 //! | keep it | its text ([`Display`](core::fmt::Display), [`FromStr`](core::str::FromStr)), or [`Program::to_rust`] |
 //! | tell whether two maps are the same | [`canonical`] |
-//! | have a second opinion | [`Model`], a rotation system, and [`Textbook`], the pointers of the literature: slow and obvious |
+//! | compare with another implementation | [`RotationSystem`], a rotation system, and [`PointerModel`], the pointers of the literature: both simple and slow |
 //!
 //! # In step
 //!
-//! Two structures may keep different records where an operator leaves it open: of two faces made one, say, or of two
-//! vertices. So a [`Runner`] never compares handles of different structures. It lists what each structure made in order
-//! of creation, and takes off what it says is gone; then the same place in two lists is the same element in both, as
-//! long as both are right.
+//! When two faces or vertices are merged, implementations may keep either record. So a [`Runner`] never compares handles of
+//! different structures. It lists the handles of each structure in order of creation, and drops those of removed records.
+//! As long as both structures are right, the same position in two such lists is the same element.
 
 #[cfg(feature = "arbitrary")]
 mod arbitrary;
@@ -50,25 +49,30 @@ pub mod conformance;
 mod dcel;
 mod every;
 mod interpret;
-mod kernel;
-mod model;
 mod op;
+mod outcome;
+mod pointer_model;
 #[cfg(feature = "quickcheck")]
 mod quickcheck;
+mod resolve;
 mod retarget;
+mod rotation_system;
+mod runner;
 mod rust;
 mod shrink;
 mod simpler;
+mod subject;
+mod table;
 mod text;
-mod textbook;
 
-pub use crate::dcel::{Side, Turn};
+pub use crate::dcel::{Corner, Side, Turn};
 pub use call::{Call, CallOf};
 pub use every::{every_op, try_every_op};
-pub use interpret::{Outcome, Runner};
-pub use kernel::{Corner, CornerOf, Kernel, Refusal};
-pub use model::Model;
-pub use op::{CornerPick, FacePick, HalfEdgePick, InnerPick, Op, Program, SecondPick, VertexPick};
+pub use op::{CornerPick, CountChange, FacePick, HalfEdgePick, InnerPick, Op, Program, SecondPick, VertexPick};
+pub use outcome::StepOutcome;
+pub use pointer_model::{PointerModel, PointerModelFace, PointerModelHalfEdge, PointerModelVertex};
+pub use rotation_system::RotationSystem;
+pub use runner::Runner;
 pub use shrink::{candidates, shrink};
+pub use subject::{CornerOf, Refusal, Subject};
 pub use text::{Expected, ParseError};
-pub use textbook::{Textbook, TextbookFace, TextbookHalfEdge, TextbookVertex};

@@ -1,26 +1,28 @@
 //! The language: operators whose arguments are small numbers, so that any bytes are a program that runs.
 
-use super::kernel::Corner;
-use crate::dcel::{Side, Turn};
+use super::table::operators;
+use crate::dcel::{Corner, Side, Turn};
 use alloc::vec::Vec;
 
-/// Chooses a half-edge. Counting is in order of creation and starts again where the list ends.
+/// Chooses a half-edge by its position in order of creation, modulo their number.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 pub enum HalfEdgePick {
     /// Of those there are. The two of an edge stand side by side.
     Live(u16),
-    /// Of those that are gone: a stale handle, on purpose.
+    /// Of those that were removed: a stale handle, on purpose.
     Retired(u16),
 }
 
 /// Chooses a vertex that is to be an isolated one.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 pub enum VertexPick {
     /// Of the isolated vertices.
     Isolated(u16),
     /// The origin of this half-edge, of those there are: not isolated, on purpose.
     OriginOf(u16),
-    /// Of the vertices that are gone: a stale handle, on purpose.
+    /// Of the vertices that were removed: a stale handle, on purpose.
     Retired(u16),
 }
 
@@ -29,6 +31,7 @@ pub type CornerPick = Corner<HalfEdgePick, VertexPick>;
 
 /// Chooses the second of two corners.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 pub enum SecondPick {
     /// Of the corners that fit the first one, itself among them: those in the same face, or those at the same vertex.
     /// Half-edges come before isolated vertices.
@@ -39,69 +42,123 @@ pub enum SecondPick {
 
 /// Chooses a face.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 pub enum FacePick {
     /// The unbounded one.
     Unbounded,
     /// The one in which this corner lies.
     Of(CornerPick),
-    /// Of those that are gone: a stale handle, on purpose.
+    /// Of those that were removed: a stale handle, on purpose.
     Retired(u16),
 }
 
 /// Chooses the boundary components that go to the new face when a face is split.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash, Default)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 pub struct InnerPick {
-    /// The boundary components of the face but the one that is split are counted as their first corners were made; the
-    /// `i`-th goes if bit `i % 16` is set.
+    /// The boundary components of the face, without the one that is split, are counted in order of their first corners. The
+    /// `i`-th one goes if bit `i % 16` is set.
     pub mask: u16,
     /// One more, whether it may go there or not.
     pub also: Option<CornerPick>,
 }
 
-/// One operator with its arguments.
+macro_rules! define_op {
+    ($($variant:ident $method:ident $share:literal {
+        changes [$($change:expr),+]
+        $($arg:ident: $pick:ty => $handle:ty, $depends:tt;)*
+    })*) => {
+        /// One operator with its arguments.
+        #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
+        #[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
+        #[allow(missing_docs, reason = "the arguments are those of the methods of `Subject` of the same names")]
+        pub enum Op {
+            $(
+                #[doc = concat!("[`Subject::", stringify!($method), "`](super::Subject::", stringify!($method), ").")]
+                $variant { $($arg: $pick),* },
+            )*
+        }
+
+        const _: () = assert!(0 $(+ $share)* == 32, "the first byte of an operator chooses among 32");
+
+        impl Op {
+            /// The names of all operators, as texts have them.
+            pub const NAMES: &[&str] = &[$(stringify!($method)),*];
+
+            /// The name of the operator.
+            #[must_use]
+            pub const fn name(self) -> &'static str {
+                match self {
+                    $(Self::$variant { .. } => stringify!($method),)*
+                }
+            }
+
+            /// The operator with which these bytes begin. None if they end too early. At most 14 bytes are taken.
+            ///
+            /// In random bytes, operators that make something are more frequent than those that remove it, and arguments
+            /// that fit are more frequent than those that are refused.
+            pub fn from_bytes(bytes: &mut impl Iterator<Item = u8>) -> Option<Self> {
+                let first = bytes.next()?;
+                let mut kind = first & 31;
+                $(
+                    if kind < $share {
+                        return Some(Self::$variant { $($arg: FromBytes::from_bytes(first >> 5, bytes)?),* });
+                    }
+                    kind -= $share;
+                )*
+                None
+            }
+
+            /// What the operator may add to the counts of a map, if it is applied.
+            #[must_use]
+            pub const fn changes(self) -> &'static [CountChange] {
+                match self {
+                    $(Self::$variant { .. } => const { &[$(CountChange::of($change)),+] },)*
+                }
+            }
+        }
+    };
+}
+operators!(define_op);
+
+/// How the counts of a map change.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
-#[allow(missing_docs, reason = "the arguments are those of the methods of `Kernel` of the same names")]
-pub enum Op {
-    /// [`Kernel::add_isolated_vertex`](super::Kernel::add_isolated_vertex).
-    AddIsolatedVertex { face: FacePick },
-    /// [`Kernel::remove_isolated_vertex`](super::Kernel::remove_isolated_vertex).
-    RemoveIsolatedVertex { vertex: VertexPick },
-    /// [`Kernel::connect`](super::Kernel::connect).
-    Connect { from: CornerPick, to: SecondPick, new_face: Side, inner: InnerPick },
-    /// [`Kernel::remove_edge`](super::Kernel::remove_edge).
-    RemoveEdge { half_edge: HalfEdgePick },
-    /// [`Kernel::split_edge`](super::Kernel::split_edge).
-    SplitEdge { half_edge: HalfEdgePick },
-    /// [`Kernel::join_edges`](super::Kernel::join_edges).
-    JoinEdges { half_edge: HalfEdgePick },
-    /// [`Kernel::split_vertex`](super::Kernel::split_vertex).
-    SplitVertex { from: CornerPick, to: SecondPick },
-    /// [`Kernel::contract_edge`](super::Kernel::contract_edge).
-    ContractEdge { half_edge: HalfEdgePick },
-    /// [`Kernel::flip_edge`](super::Kernel::flip_edge).
-    FlipEdge { half_edge: HalfEdgePick, turn: Turn },
-    /// [`Kernel::move_inner`](super::Kernel::move_inner).
-    MoveInner { inner: CornerPick, face: FacePick },
+pub struct CountChange {
+    /// V.
+    pub vertices: i8,
+    /// E.
+    pub edges: i8,
+    /// F.
+    pub faces: i8,
+    /// C.
+    pub components: i8,
+}
+
+impl CountChange {
+    const fn of((vertices, edges, faces, components): (i8, i8, i8, i8)) -> Self {
+        Self { vertices, edges, faces, components }
+    }
 }
 
 /// A sequence of operators, to be run by a [`Runner`](super::Runner) from the empty map.
 ///
 /// ```
-/// use twinedge::program::{Outcome, Program, Runner};
+/// use twinedge::program::{StepOutcome, Program, Runner};
 /// let program = Program::from_bytes(b"any bytes are a program");
 /// let mut runner = Runner::new(twinedge::dcel::Dcel::new());
 /// for op in &program.0 {
 ///     runner.step(*op);
-///     assert!(runner.kernel().validate().is_valid());
+///     assert!(runner.subject().validate().is_valid());
 /// }
 /// // It can be written down, and read again.
 /// assert_eq!(program.to_string().parse(), Ok(program));
 /// ```
 #[derive(Clone, Debug, Default, PartialEq, Eq, Hash)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 pub struct Program(pub Vec<Op>);
 
 impl Program {
-    /// The program that these bytes are. What remains at the end and is less than an operator is left out. O(bytes).
+    /// The program that these bytes encode. An incomplete operator at the end is ignored. O(bytes).
     #[must_use]
     pub fn from_bytes(bytes: &[u8]) -> Self {
         let mut bytes = bytes.iter().copied();
@@ -115,35 +172,9 @@ impl FromIterator<Op> for Program {
     }
 }
 
-impl Op {
-    /// The operator with which these bytes begin, and how likely random ones make it: those that make something come
-    /// more often than those that remove it, those that fit more often than those that will be refused.
-    ///
-    /// None if they end too early. At most 14 bytes are taken.
-    pub fn from_bytes(bytes: &mut impl Iterator<Item = u8>) -> Option<Self> {
-        let kind = bytes.next()?;
-        let upper = kind >> 5;
-        Some(match kind & 31 {
-            0..=4 => Self::AddIsolatedVertex { face: face(bytes)? },
-            5 => Self::RemoveIsolatedVertex { vertex: vertex(bytes)? },
-            6..=14 => Self::Connect {
-                from: corner(bytes)?,
-                to: second(bytes)?,
-                new_face: if upper & 1 == 0 { Side::Left } else { Side::Right },
-                inner: if upper & 6 == 0 { inner(bytes)? } else { InnerPick::default() },
-            },
-            15..=17 => Self::RemoveEdge { half_edge: half_edge(bytes)? },
-            18 | 19 => Self::SplitEdge { half_edge: half_edge(bytes)? },
-            20 => Self::JoinEdges { half_edge: half_edge(bytes)? },
-            21..=23 => Self::SplitVertex { from: corner(bytes)?, to: second(bytes)? },
-            24 | 25 => Self::ContractEdge { half_edge: half_edge(bytes)? },
-            26..=28 => Self::FlipEdge {
-                half_edge: half_edge(bytes)?,
-                turn: if upper & 1 == 0 { Turn::CounterClockwise } else { Turn::Clockwise },
-            },
-            _ => Self::MoveInner { inner: corner(bytes)?, face: face(bytes)? },
-        })
-    }
+/// An argument from bytes. `upper` is what the first byte of the operator has left.
+trait FromBytes: Sized {
+    fn from_bytes(upper: u8, bytes: &mut impl Iterator<Item = u8>) -> Option<Self>;
 }
 
 /// One byte for numbers below 240, two for those below 4,096.
@@ -154,51 +185,78 @@ fn number(bytes: &mut impl Iterator<Item = u8>) -> Option<u16> {
     }
 }
 
-fn half_edge(bytes: &mut impl Iterator<Item = u8>) -> Option<HalfEdgePick> {
-    Some(match bytes.next()? & 15 {
-        0..=14 => HalfEdgePick::Live(number(bytes)?),
-        _ => HalfEdgePick::Retired(number(bytes)?),
-    })
+impl FromBytes for HalfEdgePick {
+    fn from_bytes(_: u8, bytes: &mut impl Iterator<Item = u8>) -> Option<Self> {
+        Some(match bytes.next()? & 15 {
+            0..=14 => Self::Live(number(bytes)?),
+            _ => Self::Retired(number(bytes)?),
+        })
+    }
 }
 
-fn vertex(bytes: &mut impl Iterator<Item = u8>) -> Option<VertexPick> {
-    Some(match bytes.next()? & 15 {
-        0..=12 => VertexPick::Isolated(number(bytes)?),
-        13 => VertexPick::OriginOf(number(bytes)?),
-        _ => VertexPick::Retired(number(bytes)?),
-    })
+impl FromBytes for VertexPick {
+    fn from_bytes(_: u8, bytes: &mut impl Iterator<Item = u8>) -> Option<Self> {
+        Some(match bytes.next()? & 15 {
+            0..=12 => Self::Isolated(number(bytes)?),
+            13 => Self::OriginOf(number(bytes)?),
+            _ => Self::Retired(number(bytes)?),
+        })
+    }
 }
 
-fn corner(bytes: &mut impl Iterator<Item = u8>) -> Option<CornerPick> {
-    Some(match bytes.next()? & 31 {
-        0..=23 => Corner::At(HalfEdgePick::Live(number(bytes)?)),
-        24..=28 => Corner::Isolated(VertexPick::Isolated(number(bytes)?)),
-        29 => Corner::Isolated(VertexPick::OriginOf(number(bytes)?)),
-        30 => Corner::Isolated(VertexPick::Retired(number(bytes)?)),
-        _ => Corner::At(HalfEdgePick::Retired(number(bytes)?)),
-    })
+impl FromBytes for CornerPick {
+    fn from_bytes(_: u8, bytes: &mut impl Iterator<Item = u8>) -> Option<Self> {
+        Some(match bytes.next()? & 31 {
+            0..=23 => Self::At(HalfEdgePick::Live(number(bytes)?)),
+            24..=28 => Self::Isolated(VertexPick::Isolated(number(bytes)?)),
+            29 => Self::Isolated(VertexPick::OriginOf(number(bytes)?)),
+            30 => Self::Isolated(VertexPick::Retired(number(bytes)?)),
+            _ => Self::At(HalfEdgePick::Retired(number(bytes)?)),
+        })
+    }
 }
 
-fn second(bytes: &mut impl Iterator<Item = u8>) -> Option<SecondPick> {
-    Some(match bytes.next()? & 7 {
-        0..=6 => SecondPick::Fitting(number(bytes)?),
-        _ => SecondPick::Any(corner(bytes)?),
-    })
+impl FromBytes for SecondPick {
+    fn from_bytes(upper: u8, bytes: &mut impl Iterator<Item = u8>) -> Option<Self> {
+        Some(match bytes.next()? & 7 {
+            0..=6 => Self::Fitting(number(bytes)?),
+            _ => Self::Any(FromBytes::from_bytes(upper, bytes)?),
+        })
+    }
 }
 
-fn face(bytes: &mut impl Iterator<Item = u8>) -> Option<FacePick> {
-    Some(match bytes.next()? & 15 {
-        0..=7 => FacePick::Unbounded,
-        8..=14 => FacePick::Of(corner(bytes)?),
-        _ => FacePick::Retired(number(bytes)?),
-    })
+impl FromBytes for FacePick {
+    fn from_bytes(upper: u8, bytes: &mut impl Iterator<Item = u8>) -> Option<Self> {
+        Some(match bytes.next()? & 15 {
+            0..=7 => Self::Unbounded,
+            8..=14 => Self::Of(FromBytes::from_bytes(upper, bytes)?),
+            _ => Self::Retired(number(bytes)?),
+        })
+    }
 }
 
-fn inner(bytes: &mut impl Iterator<Item = u8>) -> Option<InnerPick> {
-    let mask = u16::from_le_bytes([bytes.next()?, bytes.next()?]);
-    let also = match bytes.next()? & 7 {
-        0 => Some(corner(bytes)?),
-        _ => None,
-    };
-    Some(InnerPick { mask, also })
+impl FromBytes for InnerPick {
+    fn from_bytes(upper: u8, bytes: &mut impl Iterator<Item = u8>) -> Option<Self> {
+        if upper & 6 != 0 {
+            return Some(Self::default());
+        }
+        let mask = u16::from_le_bytes([bytes.next()?, bytes.next()?]);
+        let also = match bytes.next()? & 7 {
+            0 => Some(FromBytes::from_bytes(upper, bytes)?),
+            _ => None,
+        };
+        Some(Self { mask, also })
+    }
+}
+
+impl FromBytes for Side {
+    fn from_bytes(upper: u8, _: &mut impl Iterator<Item = u8>) -> Option<Self> {
+        Some(if upper & 1 == 0 { Self::Left } else { Self::Right })
+    }
+}
+
+impl FromBytes for Turn {
+    fn from_bytes(upper: u8, _: &mut impl Iterator<Item = u8>) -> Option<Self> {
+        Some(if upper & 1 == 0 { Self::CounterClockwise } else { Self::Clockwise })
+    }
 }

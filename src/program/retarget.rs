@@ -3,10 +3,11 @@
 //! An operator chooses by numbers, and these count in lists that hold something else once an earlier operator is gone.
 //! Here every half-edge and vertex has a name, that of the operator that made it, and the numbers follow the names.
 
-use super::interpret::{Fit, Runner};
-use super::kernel::Corner;
-use super::model::Model;
 use super::op::{CornerPick, FacePick, HalfEdgePick, InnerPick, Op, Program, SecondPick, VertexPick};
+use super::resolve::{Choose, Fit};
+use super::runner::Runner;
+use super::table::operators;
+use crate::dcel::{Dcel, Side, Turn};
 use alloc::vec::Vec;
 use core::iter::repeat;
 
@@ -75,7 +76,7 @@ impl Script {
 
 /// A runner, and beside each of its lists the names of what is on it.
 struct Stage {
-    runner: Runner<Model>,
+    runner: Runner<Dcel>,
     half_edges: Vec<Name>,
     isolated: Vec<Name>,
     retired_half_edges: Vec<Name>,
@@ -86,7 +87,7 @@ struct Stage {
 impl Stage {
     fn new() -> Self {
         Self {
-            runner: Runner::new(Model::new()),
+            runner: Runner::new(Dcel::new()),
             half_edges: Vec::new(),
             isolated: Vec::new(),
             retired_half_edges: Vec::new(),
@@ -105,82 +106,112 @@ impl Stage {
         extend(&mut self.retired_vertices, self.runner.retired_vertices().len(), place);
         extend(&mut self.retired_faces, self.runner.retired_faces().len(), place);
     }
+}
 
-    /// The operator with other numbers. `number` is given the names in the list in which each number counts.
-    fn rewrite(&self, op: Op, number: &mut impl FnMut(&[Name], u16) -> u16) -> Op {
-        match op {
-            Op::AddIsolatedVertex { face } => Op::AddIsolatedVertex { face: self.face(face, number) },
-            Op::RemoveIsolatedVertex { vertex } => Op::RemoveIsolatedVertex { vertex: self.vertex(vertex, number) },
-            Op::Connect { from, to, new_face, inner } => {
-                let from = self.corner(from, number);
-                let to = self.second(from, to, Fit::Face, number);
-                let also = inner.also.map(|pick| self.corner(pick, number));
-                Op::Connect { from, to, new_face, inner: InnerPick { also, ..inner } }
-            }
-            Op::RemoveEdge { half_edge } => Op::RemoveEdge { half_edge: self.half_edge(half_edge, number) },
-            Op::SplitEdge { half_edge } => Op::SplitEdge { half_edge: self.half_edge(half_edge, number) },
-            Op::JoinEdges { half_edge } => Op::JoinEdges { half_edge: self.half_edge(half_edge, number) },
-            Op::SplitVertex { from, to } => {
-                let from = self.corner(from, number);
-                Op::SplitVertex { from, to: self.second(from, to, Fit::Vertex, number) }
-            }
-            Op::ContractEdge { half_edge } => Op::ContractEdge { half_edge: self.half_edge(half_edge, number) },
-            Op::FlipEdge { half_edge, turn } => Op::FlipEdge { half_edge: self.half_edge(half_edge, number), turn },
-            Op::MoveInner { inner, face } => {
-                let inner = self.corner(inner, number);
-                Op::MoveInner { inner, face: self.face(face, number) }
+macro_rules! define_rewrite {
+    ($($variant:ident $method:ident $share:literal {
+        changes [$($change:expr),+]
+        $($arg:ident: $pick:ty => $handle:ty, $depends:tt;)*
+    })*) => {
+        impl Stage {
+            /// The operator with other numbers. `number` is given the names in the list in which each number counts.
+            fn rewrite(&self, op: Op, number: &mut impl FnMut(&[Name], u16) -> u16) -> Op {
+                match op {
+                    $(Op::$variant { $($arg),* } => {
+                        $(let $arg = $arg.renumber(self, $depends, number);)*
+                        Op::$variant { $($arg),* }
+                    })*
+                }
             }
         }
-    }
+    };
+}
+operators!(define_rewrite);
 
-    fn half_edge(&self, pick: HalfEdgePick, number: &mut impl FnMut(&[Name], u16) -> u16) -> HalfEdgePick {
-        match pick {
-            HalfEdgePick::Live(k) => HalfEdgePick::Live(number(&self.half_edges, k)),
-            HalfEdgePick::Retired(k) => HalfEdgePick::Retired(number(&self.retired_half_edges, k)),
-        }
-    }
-
-    fn vertex(&self, pick: VertexPick, number: &mut impl FnMut(&[Name], u16) -> u16) -> VertexPick {
-        match pick {
-            VertexPick::Isolated(k) => VertexPick::Isolated(number(&self.isolated, k)),
-            VertexPick::OriginOf(k) => VertexPick::OriginOf(number(&self.half_edges, k)),
-            VertexPick::Retired(k) => VertexPick::Retired(number(&self.retired_vertices, k)),
-        }
-    }
-
-    fn corner(&self, pick: CornerPick, number: &mut impl FnMut(&[Name], u16) -> u16) -> CornerPick {
-        match pick {
-            Corner::At(pick) => Corner::At(self.half_edge(pick, number)),
-            Corner::Isolated(pick) => Corner::Isolated(self.vertex(pick, number)),
-        }
-    }
-
-    fn second(
-        &self,
-        from: CornerPick,
-        pick: SecondPick,
-        fit: Fit,
+/// An argument with other numbers, after those that it depends on.
+trait Renumber: Choose {
+    fn renumber(
+        self,
+        stage: &Stage,
+        context: Self::Context<CornerPick>,
         number: &mut impl FnMut(&[Name], u16) -> u16,
-    ) -> SecondPick {
-        match pick {
-            SecondPick::Any(pick) => SecondPick::Any(self.corner(pick, number)),
-            SecondPick::Fitting(k) => {
-                let places =
-                    self.runner.corner(from).and_then(|from| self.runner.fitting(from, fit)).unwrap_or_default();
-                let names = self.half_edges.iter().chain(&self.isolated).enumerate();
+    ) -> Self;
+}
+
+impl Renumber for HalfEdgePick {
+    fn renumber(self, stage: &Stage, (): (), number: &mut impl FnMut(&[Name], u16) -> u16) -> Self {
+        match self {
+            Self::Live(k) => Self::Live(number(&stage.half_edges, k)),
+            Self::Retired(k) => Self::Retired(number(&stage.retired_half_edges, k)),
+        }
+    }
+}
+
+impl Renumber for VertexPick {
+    fn renumber(self, stage: &Stage, (): (), number: &mut impl FnMut(&[Name], u16) -> u16) -> Self {
+        match self {
+            Self::Isolated(k) => Self::Isolated(number(&stage.isolated, k)),
+            Self::OriginOf(k) => Self::OriginOf(number(&stage.half_edges, k)),
+            Self::Retired(k) => Self::Retired(number(&stage.retired_vertices, k)),
+        }
+    }
+}
+
+impl Renumber for CornerPick {
+    fn renumber(self, stage: &Stage, (): (), number: &mut impl FnMut(&[Name], u16) -> u16) -> Self {
+        match self {
+            Self::At(pick) => Self::At(pick.renumber(stage, (), number)),
+            Self::Isolated(pick) => Self::Isolated(pick.renumber(stage, (), number)),
+        }
+    }
+}
+
+impl Renumber for SecondPick {
+    fn renumber(
+        self,
+        stage: &Stage,
+        (from, fit): (CornerPick, Fit),
+        number: &mut impl FnMut(&[Name], u16) -> u16,
+    ) -> Self {
+        match self {
+            Self::Any(pick) => Self::Any(pick.renumber(stage, (), number)),
+            Self::Fitting(k) => {
+                let from = from.choose(&stage.runner, ());
+                let places = from.and_then(|from| stage.runner.fitting(from, fit)).unwrap_or_default();
+                let names = stage.half_edges.iter().chain(&stage.isolated).enumerate();
                 let names: Vec<Name> =
                     names.filter(|(place, _)| places.binary_search(place).is_ok()).map(|(_, name)| *name).collect();
-                SecondPick::Fitting(number(&names, k))
+                Self::Fitting(number(&names, k))
             }
         }
     }
+}
 
-    fn face(&self, pick: FacePick, number: &mut impl FnMut(&[Name], u16) -> u16) -> FacePick {
-        match pick {
-            FacePick::Unbounded => FacePick::Unbounded,
-            FacePick::Of(pick) => FacePick::Of(self.corner(pick, number)),
-            FacePick::Retired(k) => FacePick::Retired(number(&self.retired_faces, k)),
+impl Renumber for InnerPick {
+    fn renumber(self, stage: &Stage, _: CornerPick, number: &mut impl FnMut(&[Name], u16) -> u16) -> Self {
+        Self { also: self.also.map(|pick| pick.renumber(stage, (), number)), ..self }
+    }
+}
+
+impl Renumber for FacePick {
+    fn renumber(self, stage: &Stage, (): (), number: &mut impl FnMut(&[Name], u16) -> u16) -> Self {
+        match self {
+            Self::Unbounded => Self::Unbounded,
+            Self::Of(pick) => Self::Of(pick.renumber(stage, (), number)),
+            Self::Retired(k) => Self::Retired(number(&stage.retired_faces, k)),
         }
+    }
+}
+
+impl Renumber for Side {
+    fn renumber(self, _: &Stage, (): (), _: &mut impl FnMut(&[Name], u16) -> u16) -> Self {
+        self
+    }
+}
+
+impl Renumber for Turn {
+    fn renumber(self, _: &Stage, (): (), _: &mut impl FnMut(&[Name], u16) -> u16) -> Self {
+        self
     }
 }
 

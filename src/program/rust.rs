@@ -1,7 +1,8 @@
 //! Programs as Rust source, to be pasted into a regression test.
 
-use super::kernel::Corner;
 use super::op::{CornerPick, FacePick, HalfEdgePick, InnerPick, Op, Program, SecondPick, VertexPick};
+use super::table::operators;
+use crate::dcel::{Side, Turn};
 use alloc::format;
 use alloc::string::String;
 
@@ -19,71 +20,87 @@ impl Program {
     }
 }
 
-impl Op {
-    /// The operator as a Rust expression, to be read where `twinedge::program::*` is in scope.
-    #[must_use]
-    pub fn to_rust(&self) -> String {
-        match *self {
-            Self::AddIsolatedVertex { face } => format!("Op::AddIsolatedVertex {{ face: {} }}", of_face(face)),
-            Self::RemoveIsolatedVertex { vertex } => {
-                format!("Op::RemoveIsolatedVertex {{ vertex: {} }}", of_vertex(vertex))
+macro_rules! define_rust {
+    ($($variant:ident $method:ident $share:literal {
+        changes [$($change:expr),+]
+        $($arg:ident: $pick:ty => $handle:ty, $depends:tt;)*
+    })*) => {
+        impl Op {
+            /// The operator as a Rust expression, to be read where `twinedge::program::*` is in scope.
+            #[must_use]
+            pub fn to_rust(&self) -> String {
+                match *self {
+                    $(Self::$variant { $($arg),* } => {
+                        let arguments = [$(format!(concat!(stringify!($arg), ": {}"), $arg.to_rust())),*];
+                        format!(concat!("Op::", stringify!($variant), " {{ {} }}"), arguments.join(", "))
+                    })*
+                }
             }
-            Self::Connect { from, to, new_face, inner } => format!(
-                "Op::Connect {{ from: {}, to: {}, new_face: Side::{new_face:?}, inner: {} }}",
-                of_corner(from),
-                of_second(to),
-                of_inner(inner)
-            ),
-            Self::RemoveEdge { half_edge } => format!("Op::RemoveEdge {{ half_edge: {} }}", of_half_edge(half_edge)),
-            Self::SplitEdge { half_edge } => format!("Op::SplitEdge {{ half_edge: {} }}", of_half_edge(half_edge)),
-            Self::JoinEdges { half_edge } => format!("Op::JoinEdges {{ half_edge: {} }}", of_half_edge(half_edge)),
-            Self::SplitVertex { from, to } => {
-                format!("Op::SplitVertex {{ from: {}, to: {} }}", of_corner(from), of_second(to))
-            }
-            Self::ContractEdge { half_edge } => {
-                format!("Op::ContractEdge {{ half_edge: {} }}", of_half_edge(half_edge))
-            }
-            Self::FlipEdge { half_edge, turn } => {
-                format!("Op::FlipEdge {{ half_edge: {}, turn: Turn::{turn:?} }}", of_half_edge(half_edge))
-            }
-            Self::MoveInner { inner, face } => {
-                format!("Op::MoveInner {{ inner: {}, face: {} }}", of_corner(inner), of_face(face))
-            }
+        }
+    };
+}
+operators!(define_rust);
+
+/// An argument as a Rust expression.
+trait ToRust {
+    fn to_rust(self) -> String;
+}
+
+impl ToRust for HalfEdgePick {
+    fn to_rust(self) -> String {
+        format!("HalfEdgePick::{self:?}")
+    }
+}
+
+impl ToRust for VertexPick {
+    fn to_rust(self) -> String {
+        format!("VertexPick::{self:?}")
+    }
+}
+
+impl ToRust for CornerPick {
+    fn to_rust(self) -> String {
+        match self {
+            Self::At(pick) => format!("Corner::At({})", pick.to_rust()),
+            Self::Isolated(pick) => format!("Corner::Isolated({})", pick.to_rust()),
         }
     }
 }
 
-fn of_half_edge(pick: HalfEdgePick) -> String {
-    format!("HalfEdgePick::{pick:?}")
-}
-
-fn of_vertex(pick: VertexPick) -> String {
-    format!("VertexPick::{pick:?}")
-}
-
-fn of_corner(pick: CornerPick) -> String {
-    match pick {
-        Corner::At(pick) => format!("Corner::At({})", of_half_edge(pick)),
-        Corner::Isolated(pick) => format!("Corner::Isolated({})", of_vertex(pick)),
+impl ToRust for SecondPick {
+    fn to_rust(self) -> String {
+        match self {
+            Self::Fitting(k) => format!("SecondPick::Fitting({k})"),
+            Self::Any(pick) => format!("SecondPick::Any({})", pick.to_rust()),
+        }
     }
 }
 
-fn of_second(pick: SecondPick) -> String {
-    match pick {
-        SecondPick::Fitting(k) => format!("SecondPick::Fitting({k})"),
-        SecondPick::Any(pick) => format!("SecondPick::Any({})", of_corner(pick)),
+impl ToRust for FacePick {
+    fn to_rust(self) -> String {
+        match self {
+            Self::Unbounded => String::from("FacePick::Unbounded"),
+            Self::Of(pick) => format!("FacePick::Of({})", pick.to_rust()),
+            Self::Retired(k) => format!("FacePick::Retired({k})"),
+        }
     }
 }
 
-fn of_face(pick: FacePick) -> String {
-    match pick {
-        FacePick::Unbounded => String::from("FacePick::Unbounded"),
-        FacePick::Of(pick) => format!("FacePick::Of({})", of_corner(pick)),
-        FacePick::Retired(k) => format!("FacePick::Retired({k})"),
+impl ToRust for InnerPick {
+    fn to_rust(self) -> String {
+        let also = self.also.map_or_else(|| String::from("None"), |pick| format!("Some({})", pick.to_rust()));
+        format!("InnerPick {{ mask: {}, also: {also} }}", self.mask)
     }
 }
 
-fn of_inner(pick: InnerPick) -> String {
-    let also = pick.also.map_or_else(|| String::from("None"), |pick| format!("Some({})", of_corner(pick)));
-    format!("InnerPick {{ mask: {}, also: {also} }}", pick.mask)
+impl ToRust for Side {
+    fn to_rust(self) -> String {
+        format!("Side::{self:?}")
+    }
+}
+
+impl ToRust for Turn {
+    fn to_rust(self) -> String {
+        format!("Turn::{self:?}")
+    }
 }

@@ -22,7 +22,7 @@ pub fn shrink(program: &Program, mut fails: impl FnMut(&Program) -> bool) -> Pro
 /// Programs that are a little smaller than this one, the smallest first.
 ///
 /// This is what `quickcheck` is given to shrink with; [`shrink`] repeats it as often as it helps. Each takes a run of
-/// the program on the [`Model`](super::Model) to find.
+/// the program on a [`Dcel`](crate::dcel::Dcel) to find.
 pub fn candidates(program: &Program) -> impl Iterator<Item = Program> + use<> {
     let script = Script::of(program);
     let count = program.0.len();
@@ -37,7 +37,7 @@ pub fn candidates(program: &Program) -> impl Iterator<Item = Program> + use<> {
     let anew = Some(script.without(&(0..0))).filter(|anew| anew != program);
     let program = program.clone();
     let edited = dropped.chain(simpler).flat_map(move |edit| {
-        // To a kernel that does less than the model, the same numbers may mean the same more often than the same names.
+        // To a subject that does less than `Dcel`, the same numbers may mean the same more often than the same names.
         let (followed, plain) = match edit {
             Edit::Drop(places) => {
                 let plain = program.0[..places.start].iter().chain(&program.0[places.end..]).copied().collect();

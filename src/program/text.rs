@@ -5,7 +5,7 @@
 //! add_isolated_vertex unbounded
 //! split_vertex i0 ~0               # ~k: the k-th corner that fits the one before it
 //! connect h0 h1 left inner 0,2 also h5
-//! remove_edge !h0                  # !h, !v, !f: a handle that is gone
+//! remove_edge !h0                  # !h, !v, !f: a handle that was removed
 //! ```
 //!
 //! | word | chooses |
@@ -13,13 +13,13 @@
 //! | `h3` | the half-edge with number 3 (counted from 0), and its corner |
 //! | `i3` | the isolated vertex with number 3, and its corner |
 //! | `o3` | the origin of `h3`, taken for an isolated vertex |
-//! | `!h3`, `!v3`, `!f3` | of the half-edges, vertices, faces that are gone |
+//! | `!h3`, `!v3`, `!f3` | of the half-edges, vertices, faces that were removed |
 //! | `~3` | of the corners that fit the first one |
 //! | `unbounded` | the unbounded face |
 
-use super::kernel::Corner;
 use super::op::{CornerPick, FacePick, HalfEdgePick, InnerPick, Op, Program, SecondPick, VertexPick};
-use crate::dcel::{Side, Turn};
+use super::table::operators;
+use crate::dcel::{Corner, Side, Turn};
 use alloc::vec::Vec;
 use core::fmt;
 use core::str::FromStr;
@@ -86,33 +86,122 @@ impl fmt::Display for InnerPick {
     }
 }
 
-/// One line of a program's text.
-impl fmt::Display for Op {
-    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        match self {
-            Self::AddIsolatedVertex { face } => write!(f, "add_isolated_vertex {face}"),
-            Self::RemoveIsolatedVertex { vertex } => write!(f, "remove_isolated_vertex {vertex}"),
-            Self::Connect { from, to, new_face, inner } => {
-                let side = match new_face {
-                    Side::Left => "left",
-                    Side::Right => "right",
-                };
-                write!(f, "connect {from} {to} {side}{inner}")
+macro_rules! define_text {
+    ($($variant:ident $method:ident $share:literal {
+        changes [$($change:expr),+]
+        $($arg:ident: $pick:ty => $handle:ty, $depends:tt;)*
+    })*) => {
+        /// One line of a program's text.
+        impl fmt::Display for Op {
+            fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+                match self {
+                    $(Self::$variant { $($arg),* } => {
+                        f.write_str(stringify!($method))?;
+                        $($arg.write(f)?;)*
+                    })*
+                }
+                Ok(())
             }
-            Self::RemoveEdge { half_edge } => write!(f, "remove_edge {half_edge}"),
-            Self::SplitEdge { half_edge } => write!(f, "split_edge {half_edge}"),
-            Self::JoinEdges { half_edge } => write!(f, "join_edges {half_edge}"),
-            Self::SplitVertex { from, to } => write!(f, "split_vertex {from} {to}"),
-            Self::ContractEdge { half_edge } => write!(f, "contract_edge {half_edge}"),
-            Self::FlipEdge { half_edge, turn } => {
-                let turn = match turn {
-                    Turn::CounterClockwise => "ccw",
-                    Turn::Clockwise => "cw",
-                };
-                write!(f, "flip_edge {half_edge} {turn}")
-            }
-            Self::MoveInner { inner, face } => write!(f, "move_inner {inner} {face}"),
         }
+
+        impl Words<'_> {
+            fn op(&mut self) -> Result<Op, ParseError> {
+                let start = self.error(Expected::Operator);
+                let op = match self.take(Expected::Operator, Some)? {
+                    $(stringify!($method) => Op::$variant { $($arg: Argument::read(self)?),* },)*
+                    _ => return Err(start),
+                };
+                if self.rest.is_empty() { Ok(op) } else { Err(self.error(Expected::End)) }
+            }
+        }
+    };
+}
+operators!(define_text);
+
+/// An argument as words of a line.
+trait Argument: Sized {
+    fn write(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result;
+    fn read(words: &mut Words<'_>) -> Result<Self, ParseError>;
+}
+
+macro_rules! one_word {
+    ($($pick:ty, $expected:ident, $read:expr;)*) => {$(
+        impl Argument for $pick {
+            fn write(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+                write!(f, " {self}")
+            }
+
+            fn read(words: &mut Words<'_>) -> Result<Self, ParseError> {
+                words.take(Expected::$expected, $read)
+            }
+        }
+    )*};
+}
+
+one_word! {
+    HalfEdgePick, HalfEdge, half_edge;
+    VertexPick, Vertex, vertex;
+    CornerPick, Corner, corner;
+    SecondPick, SecondCorner, second;
+    FacePick, Face, face;
+}
+
+impl Argument for Side {
+    fn write(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        f.write_str(match self {
+            Self::Left => " left",
+            Self::Right => " right",
+        })
+    }
+
+    fn read(words: &mut Words<'_>) -> Result<Self, ParseError> {
+        words.take(Expected::Side, |word| match word {
+            "left" => Some(Self::Left),
+            "right" => Some(Self::Right),
+            _ => None,
+        })
+    }
+}
+
+impl Argument for Turn {
+    fn write(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        f.write_str(match self {
+            Self::CounterClockwise => " ccw",
+            Self::Clockwise => " cw",
+        })
+    }
+
+    fn read(words: &mut Words<'_>) -> Result<Self, ParseError> {
+        words.take(Expected::Turn, |word| match word {
+            "ccw" => Some(Self::CounterClockwise),
+            "cw" => Some(Self::Clockwise),
+            _ => None,
+        })
+    }
+}
+
+impl Argument for InnerPick {
+    /// Nothing where nothing is chosen.
+    fn write(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        fmt::Display::fmt(self, f)
+    }
+
+    fn read(words: &mut Words<'_>) -> Result<Self, ParseError> {
+        let mut inner = Self::default();
+        if words.peek() == "inner" {
+            words.take(Expected::Inner, Some)?;
+            inner.mask = words.take(Expected::Inner, |word| {
+                word.split(',').try_fold(0_u16, |mask, bit| {
+                    let bit = number(bit, "").filter(|bit| *bit < 16)?;
+                    (mask >> bit == 0).then_some(mask | 1 << bit)
+                })
+            })?;
+        }
+        if words.peek() == "also" {
+            words.take(Expected::Corner, Some)?;
+            inner.also = Some(Argument::read(words)?);
+        }
+        Ok(inner)
     }
 }
 
@@ -205,81 +294,6 @@ impl<'a> Words<'a> {
         self.rest = self.rest.get(word.len()..).unwrap_or_default().trim_start();
         Ok(value)
     }
-
-    fn half_edge(&mut self) -> Result<HalfEdgePick, ParseError> {
-        self.take(Expected::HalfEdge, half_edge)
-    }
-
-    fn corner(&mut self) -> Result<CornerPick, ParseError> {
-        self.take(Expected::Corner, corner)
-    }
-
-    fn second(&mut self) -> Result<SecondPick, ParseError> {
-        self.take(Expected::SecondCorner, |word| match number(word, "~") {
-            Some(k) => Some(SecondPick::Fitting(k)),
-            None => corner(word).map(SecondPick::Any),
-        })
-    }
-
-    fn face(&mut self) -> Result<FacePick, ParseError> {
-        self.take(Expected::Face, |word| match number(word, "!f") {
-            Some(k) => Some(FacePick::Retired(k)),
-            None if word == "unbounded" => Some(FacePick::Unbounded),
-            None => corner(word).map(FacePick::Of),
-        })
-    }
-
-    fn inner(&mut self) -> Result<InnerPick, ParseError> {
-        let mut inner = InnerPick::default();
-        if self.peek() == "inner" {
-            self.take(Expected::Inner, Some)?;
-            inner.mask = self.take(Expected::Inner, |word| {
-                word.split(',').try_fold(0_u16, |mask, bit| {
-                    let bit = number(bit, "").filter(|bit| *bit < 16)?;
-                    (mask >> bit == 0).then_some(mask | 1 << bit)
-                })
-            })?;
-        }
-        if self.peek() == "also" {
-            self.take(Expected::Corner, Some)?;
-            inner.also = Some(self.corner()?);
-        }
-        Ok(inner)
-    }
-
-    fn op(&mut self) -> Result<Op, ParseError> {
-        let start = self.error(Expected::Operator);
-        let op = match self.take(Expected::Operator, Some)? {
-            "add_isolated_vertex" => Op::AddIsolatedVertex { face: self.face()? },
-            "remove_isolated_vertex" => Op::RemoveIsolatedVertex { vertex: self.take(Expected::Vertex, vertex)? },
-            "connect" => Op::Connect {
-                from: self.corner()?,
-                to: self.second()?,
-                new_face: self.take(Expected::Side, |word| match word {
-                    "left" => Some(Side::Left),
-                    "right" => Some(Side::Right),
-                    _ => None,
-                })?,
-                inner: self.inner()?,
-            },
-            "remove_edge" => Op::RemoveEdge { half_edge: self.half_edge()? },
-            "split_edge" => Op::SplitEdge { half_edge: self.half_edge()? },
-            "join_edges" => Op::JoinEdges { half_edge: self.half_edge()? },
-            "split_vertex" => Op::SplitVertex { from: self.corner()?, to: self.second()? },
-            "contract_edge" => Op::ContractEdge { half_edge: self.half_edge()? },
-            "flip_edge" => Op::FlipEdge {
-                half_edge: self.half_edge()?,
-                turn: self.take(Expected::Turn, |word| match word {
-                    "ccw" => Some(Turn::CounterClockwise),
-                    "cw" => Some(Turn::Clockwise),
-                    _ => None,
-                })?,
-            },
-            "move_inner" => Op::MoveInner { inner: self.corner()?, face: self.face()? },
-            _ => return Err(start),
-        };
-        if self.rest.is_empty() { Ok(op) } else { Err(self.error(Expected::End)) }
-    }
 }
 
 /// The number after a prefix: digits only.
@@ -299,6 +313,18 @@ fn vertex(word: &str) -> Option<VertexPick> {
 
 fn corner(word: &str) -> Option<CornerPick> {
     half_edge(word).map(Corner::At).or_else(|| vertex(word).map(Corner::Isolated))
+}
+
+fn second(word: &str) -> Option<SecondPick> {
+    number(word, "~").map(SecondPick::Fitting).or_else(|| corner(word).map(SecondPick::Any))
+}
+
+fn face(word: &str) -> Option<FacePick> {
+    match number(word, "!f") {
+        Some(k) => Some(FacePick::Retired(k)),
+        None if word == "unbounded" => Some(FacePick::Unbounded),
+        None => corner(word).map(FacePick::Of),
+    }
 }
 
 impl FromStr for Program {

@@ -13,9 +13,9 @@
 //! secondary maps pass over the first slot when they are iterated.
 
 use super::issuer::structure_offset;
-use super::keys::{key, parts};
-use super::links::{Anchor, Kind, Links, Need, OUTER, Origin, room};
-use super::{BoundaryKey, FaceKey, HalfEdgeKey, Store, VertexKey};
+use super::keys::{BoundaryKey, FaceKey, HalfEdgeKey, VertexKey, key, parts};
+use super::links::{BoundaryStart, Links, Need, RecordKind, Store, VertexLink, room};
+use super::place::{OUTER, UNLISTED};
 use slotmap::Key;
 
 /// As many records of one kind as 8-bit slots tell apart, and their number fits too.
@@ -43,7 +43,7 @@ slot_types! {
 
 #[derive(Clone, Copy, Debug)]
 struct VertexRecord {
-    anchor: Anchor<HalfEdgeSlot, BoundarySlot>,
+    link: VertexLink<HalfEdgeSlot, BoundarySlot>,
 }
 
 #[derive(Clone, Copy, Debug)]
@@ -51,13 +51,13 @@ struct HalfEdgeRecord {
     origin: VertexSlot,
     next: HalfEdgeSlot,
     prev: HalfEdgeSlot,
-    component: BoundarySlot,
+    boundary: BoundarySlot,
 }
 
 #[derive(Clone, Copy, Debug)]
 struct BoundaryRecord {
     face: FaceSlot,
-    start: Origin<HalfEdgeSlot, VertexSlot>,
+    start: BoundaryStart<HalfEdgeSlot, VertexSlot>,
     place: u32,
 }
 
@@ -69,16 +69,16 @@ struct FaceRecord<const B: usize> {
 }
 
 impl VertexRecord {
-    const UNUSED: Self = Self { anchor: Anchor::Isolated(BoundarySlot(0)) };
+    const UNUSED: Self = Self { link: VertexLink::Isolated(BoundarySlot(0)) };
 }
 
 impl HalfEdgeRecord {
     const UNUSED: Self =
-        Self { origin: VertexSlot(0), next: HalfEdgeSlot(0), prev: HalfEdgeSlot(0), component: BoundarySlot(0) };
+        Self { origin: VertexSlot(0), next: HalfEdgeSlot(0), prev: HalfEdgeSlot(0), boundary: BoundarySlot(0) };
 }
 
 impl BoundaryRecord {
-    const UNUSED: Self = Self { face: FaceSlot(0), start: Origin::Vertex(VertexSlot(0)), place: OUTER };
+    const UNUSED: Self = Self { face: FaceSlot(0), start: BoundaryStart::Vertex(VertexSlot(0)), place: UNLISTED };
 }
 
 impl<const B: usize> FaceRecord<B> {
@@ -150,14 +150,14 @@ impl<R: Copy, const N: usize> Pool<R, N> {
 /// boundary component and 8 per face.
 ///
 /// ```
-/// use twinedge::dcel::{Dcel, Kind, OperatorError};
+/// use twinedge::dcel::{Dcel, RecordKind, OperatorError};
 /// use twinedge::store::FixedStore;
 ///
 /// let mut map: Dcel<FixedStore<2, 1, 2, 1>> = Dcel::default();
 /// let outside = map.unbounded_face().key();
 /// map.add_isolated_vertex(outside)?;
 /// map.add_isolated_vertex(outside)?;
-/// assert_eq!(map.add_isolated_vertex(outside), Err(OperatorError::Full(Kind::Vertex)));
+/// assert_eq!(map.add_isolated_vertex(outside), Err(OperatorError::Full(RecordKind::Vertex)));
 /// # Ok::<(), OperatorError>(())
 /// ```
 ///
@@ -227,27 +227,27 @@ impl<const V: usize, const E: usize, const B: usize, const F: usize> Links for F
         self.unbounded
     }
 
-    fn room_for(&self, need: Need) -> Result<(), Kind> {
+    fn room_for(&self, need: Need) -> Result<(), RecordKind> {
         room(self, need, Need { vertices: V, edges: E, boundaries: B, faces: F })
     }
 
-    fn vertex(&self, key: VertexKey) -> Option<VertexSlot> {
+    fn find_vertex(&self, key: VertexKey) -> Option<VertexSlot> {
         let (slot, generation) = self.generation(key);
         self.vertices.checked(slot.checked_sub(1)?, generation).map(VertexSlot)
     }
 
-    fn half_edge(&self, key: HalfEdgeKey) -> Option<HalfEdgeSlot> {
+    fn find_half_edge(&self, key: HalfEdgeKey) -> Option<HalfEdgeSlot> {
         let (slot, generation) = self.generation(key);
         let edge = self.edges.checked((slot >> 1).checked_sub(1)?, generation)?;
         Some(HalfEdgeSlot(edge << 1 | (slot & 1) as u8))
     }
 
-    fn boundary(&self, key: BoundaryKey) -> Option<BoundarySlot> {
+    fn find_boundary(&self, key: BoundaryKey) -> Option<BoundarySlot> {
         let (slot, generation) = self.generation(key);
         self.boundaries.checked(slot.checked_sub(1)?, generation).map(BoundarySlot)
     }
 
-    fn face(&self, key: FaceKey) -> Option<FaceSlot> {
+    fn find_face(&self, key: FaceKey) -> Option<FaceSlot> {
         let (slot, generation) = self.generation(key);
         self.faces.checked(slot.checked_sub(1)?, generation).map(FaceSlot)
     }
@@ -332,14 +332,14 @@ impl<const V: usize, const E: usize, const B: usize, const F: usize> Links for F
         usize::from(f.0)
     }
 
-    fn add_vertex(&mut self, anchor: Anchor<HalfEdgeSlot, BoundarySlot>) -> VertexSlot {
-        VertexSlot(self.vertices.issue(VertexRecord { anchor }))
+    fn add_vertex(&mut self, link: VertexLink<HalfEdgeSlot, BoundarySlot>) -> VertexSlot {
+        VertexSlot(self.vertices.issue(VertexRecord { link }))
     }
 
     fn add_isolated(&mut self, f: FaceSlot) -> (VertexSlot, BoundarySlot) {
         let v = VertexSlot(self.vertices.issue(VertexRecord::UNUSED));
-        let b = self.add_boundary(f, Origin::Vertex(v));
-        self.set_anchor(v, Anchor::Isolated(b));
+        let b = self.add_boundary(f, BoundaryStart::Vertex(v));
+        self.set_vertex_link(v, VertexLink::Isolated(b));
         self.list_inner(f, b);
         (v, b)
     }
@@ -347,13 +347,13 @@ impl<const V: usize, const E: usize, const B: usize, const F: usize> Links for F
     fn add_edge(&mut self, from: VertexSlot, to: VertexSlot, b: BoundarySlot) -> HalfEdgeSlot {
         let h = HalfEdgeSlot(self.edges.issue([HalfEdgeRecord::UNUSED; 2]) << 1);
         let t = self.twin(h);
-        *self.half_edge_record_mut(h) = HalfEdgeRecord { origin: from, next: t, prev: t, component: b };
-        *self.half_edge_record_mut(t) = HalfEdgeRecord { origin: to, next: h, prev: h, component: b };
+        *self.half_edge_record_mut(h) = HalfEdgeRecord { origin: from, next: t, prev: t, boundary: b };
+        *self.half_edge_record_mut(t) = HalfEdgeRecord { origin: to, next: h, prev: h, boundary: b };
         h
     }
 
-    fn add_boundary(&mut self, f: FaceSlot, start: Origin<HalfEdgeSlot, VertexSlot>) -> BoundarySlot {
-        BoundarySlot(self.boundaries.issue(BoundaryRecord { face: f, start, place: OUTER }))
+    fn add_boundary(&mut self, f: FaceSlot, start: BoundaryStart<HalfEdgeSlot, VertexSlot>) -> BoundarySlot {
+        BoundarySlot(self.boundaries.issue(BoundaryRecord { face: f, start, place: UNLISTED }))
     }
 
     fn add_face(&mut self) -> FaceSlot {
@@ -392,19 +392,19 @@ impl<const V: usize, const E: usize, const B: usize, const F: usize> Links for F
         self.half_edge_record(h).prev
     }
 
-    fn component(&self, h: HalfEdgeSlot) -> BoundarySlot {
-        self.half_edge_record(h).component
+    fn boundary(&self, h: HalfEdgeSlot) -> BoundarySlot {
+        self.half_edge_record(h).boundary
     }
 
-    fn anchor(&self, v: VertexSlot) -> Anchor<HalfEdgeSlot, BoundarySlot> {
-        self.vertices.get(v.0).anchor
+    fn vertex_link(&self, v: VertexSlot) -> VertexLink<HalfEdgeSlot, BoundarySlot> {
+        self.vertices.get(v.0).link
     }
 
-    fn bounded(&self, b: BoundarySlot) -> FaceSlot {
+    fn face(&self, b: BoundarySlot) -> FaceSlot {
         self.boundaries.get(b.0).face
     }
 
-    fn start(&self, b: BoundarySlot) -> Origin<HalfEdgeSlot, VertexSlot> {
+    fn start(&self, b: BoundarySlot) -> BoundaryStart<HalfEdgeSlot, VertexSlot> {
         self.boundaries.get(b.0).start
     }
 
@@ -433,15 +433,15 @@ impl<const V: usize, const E: usize, const B: usize, const F: usize> Links for F
         self.half_edge_record_mut(n).prev = h;
     }
 
-    fn set_component(&mut self, h: HalfEdgeSlot, b: BoundarySlot) {
-        self.half_edge_record_mut(h).component = b;
+    fn set_boundary(&mut self, h: HalfEdgeSlot, b: BoundarySlot) {
+        self.half_edge_record_mut(h).boundary = b;
     }
 
-    fn set_anchor(&mut self, v: VertexSlot, anchor: Anchor<HalfEdgeSlot, BoundarySlot>) {
-        self.vertices.get_mut(v.0).anchor = anchor;
+    fn set_vertex_link(&mut self, v: VertexSlot, link: VertexLink<HalfEdgeSlot, BoundarySlot>) {
+        self.vertices.get_mut(v.0).link = link;
     }
 
-    fn set_start(&mut self, b: BoundarySlot, start: Origin<HalfEdgeSlot, VertexSlot>) {
+    fn set_start(&mut self, b: BoundarySlot, start: BoundaryStart<HalfEdgeSlot, VertexSlot>) {
         self.boundaries.get_mut(b.0).start = start;
     }
 
@@ -465,7 +465,7 @@ impl<const V: usize, const E: usize, const B: usize, const F: usize> Links for F
 
     fn unlist(&mut self, b: BoundarySlot) {
         let record = self.boundaries.get_mut(b.0);
-        let place = core::mem::replace(&mut record.place, OUTER);
+        let place = core::mem::replace(&mut record.place, UNLISTED);
         let face = self.faces.get_mut(record.face.0);
         if place == OUTER {
             face.outer = None;

@@ -2,7 +2,7 @@
 //!
 //! This trait is public in name only: nobody outside the crate can name it, hold a store, or get at a slot.
 
-use super::{BoundaryKey, FaceKey, HalfEdgeKey, VertexKey};
+use super::keys::{BoundaryKey, FaceKey, HalfEdgeKey, VertexKey};
 use core::fmt::Debug;
 
 /// A bare reference to a record.
@@ -12,7 +12,7 @@ impl<T: Copy + Eq + Debug> Slot for T {}
 
 /// What a vertex keeps.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub enum Anchor<H, B> {
+pub enum VertexLink<H, B> {
     /// A half-edge that leaves it.
     Leaving(H),
     /// The boundary component that it is.
@@ -21,23 +21,17 @@ pub enum Anchor<H, B> {
 
 /// Where a boundary component starts.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub enum Origin<H, V> {
+pub enum BoundaryStart<H, V> {
     /// A half-edge of its cycle.
     HalfEdge(H),
     /// The isolated vertex that it is.
     Vertex(V),
 }
 
-/// The place of a boundary component that is an outer one.
-pub(crate) const OUTER: u32 = u32::MAX;
-
-/// The place of a boundary component that no face lists.
-pub(crate) const UNLISTED: u32 = u32::MAX - 2;
-
 /// How many records of each kind an operator is about to add.
 ///
-/// Code outside the crate that is generic over a store can call [`Links::with_room`] without naming it. That it has no way
-/// to make a `Need`, and so no bare store and no slots, is what keeps it out; so there is no `Default`.
+/// Code outside the crate that is generic over a store could call [`Links::with_room`] without naming it. It cannot, because
+/// it has no way to make a `Need`: there is deliberately no `Default`.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub struct Need {
     /// Vertices.
@@ -57,7 +51,7 @@ impl Need {
 /// The kind of record for which there is no room.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
 #[non_exhaustive]
-pub enum Kind {
+pub enum RecordKind {
     /// Vertices.
     Vertex,
     /// Edges: pairs of half-edges.
@@ -68,7 +62,7 @@ pub enum Kind {
     Face,
 }
 
-impl core::fmt::Display for Kind {
+impl core::fmt::Display for RecordKind {
     fn fmt(&self, f: &mut core::fmt::Formatter<'_>) -> core::fmt::Result {
         f.write_str(match self {
             Self::Vertex => "vertices",
@@ -80,12 +74,12 @@ impl core::fmt::Display for Kind {
 }
 
 /// Whether so many more records fit into a store with room for `most`; the first kind that does not is named.
-pub(super) fn room<S: Links>(store: &S, more: Need, most: Need) -> Result<(), Kind> {
+pub(super) fn room<S: Links>(store: &S, more: Need, most: Need) -> Result<(), RecordKind> {
     let checks = [
-        (Kind::Vertex, store.vertex_count(), more.vertices, most.vertices),
-        (Kind::Edge, store.edge_count(), more.edges, most.edges),
-        (Kind::Boundary, store.boundary_count(), more.boundaries, most.boundaries),
-        (Kind::Face, store.face_count(), more.faces, most.faces),
+        (RecordKind::Vertex, store.vertex_count(), more.vertices, most.vertices),
+        (RecordKind::Edge, store.edge_count(), more.edges, most.edges),
+        (RecordKind::Boundary, store.boundary_count(), more.boundaries, most.boundaries),
+        (RecordKind::Face, store.face_count(), more.faces, most.faces),
     ];
     match checks.into_iter().find(|(_, count, more, most)| count.saturating_add(*more) > *most) {
         Some((kind, ..)) => Err(kind),
@@ -94,7 +88,7 @@ pub(super) fn room<S: Links>(store: &S, more: Need, most: Need) -> Result<(), Ki
 }
 
 /// The interface between `Dcel` and the stores. Every slot handed in must be live.
-#[allow(missing_docs, reason = "getters and setters of the fields of design section 3, by their names")]
+#[allow(missing_docs, reason = "getters and setters of the links of each record, by their names")]
 pub trait Links: Sized {
     type Vertex: Slot;
     type HalfEdge: Slot;
@@ -106,12 +100,12 @@ pub trait Links: Sized {
     /// The unbounded face.
     fn unbounded(&self) -> Self::Face;
     /// Whether so many more records fit; what does not is named.
-    fn room_for(&self, need: Need) -> Result<(), Kind>;
+    fn room_for(&self, need: Need) -> Result<(), RecordKind>;
 
-    fn vertex(&self, key: VertexKey) -> Option<Self::Vertex>;
-    fn half_edge(&self, key: HalfEdgeKey) -> Option<Self::HalfEdge>;
-    fn boundary(&self, key: BoundaryKey) -> Option<Self::Boundary>;
-    fn face(&self, key: FaceKey) -> Option<Self::Face>;
+    fn find_vertex(&self, key: VertexKey) -> Option<Self::Vertex>;
+    fn find_half_edge(&self, key: HalfEdgeKey) -> Option<Self::HalfEdge>;
+    fn find_boundary(&self, key: BoundaryKey) -> Option<Self::Boundary>;
+    fn find_face(&self, key: FaceKey) -> Option<Self::Face>;
 
     fn vertex_key(&self, v: Self::Vertex) -> VertexKey;
     fn half_edge_key(&self, h: Self::HalfEdge) -> HalfEdgeKey;
@@ -136,8 +130,7 @@ pub trait Links: Sized {
     fn boundary_at(&self, index: usize) -> Option<Self::Boundary>;
     fn face_at(&self, index: usize) -> Option<Self::Face>;
 
-    /// The links of the half-edge with this index, for the validator, who asks for one after the other. If the slot is
-    /// vacant, any answer will do.
+    /// The links of the half-edge with this index, for the validator. Answers for vacant slots are unspecified.
     fn origin_in(&self, index: usize) -> Option<usize> {
         Some(self.vertex_index(self.origin(self.half_edge_at(index)?)))
     }
@@ -150,8 +143,8 @@ pub trait Links: Sized {
     fn prev_in(&self, index: usize) -> Option<usize> {
         Some(self.half_edge_index(self.prev(self.half_edge_at(index)?)))
     }
-    fn component_in(&self, index: usize) -> Option<usize> {
-        Some(self.boundary_index(self.component(self.half_edge_at(index)?)))
+    fn boundary_in(&self, index: usize) -> Option<usize> {
+        Some(self.boundary_index(self.boundary(self.half_edge_at(index)?)))
     }
 
     fn vertex_index(&self, v: Self::Vertex) -> usize;
@@ -160,13 +153,13 @@ pub trait Links: Sized {
     fn face_index(&self, f: Self::Face) -> usize;
 
     /// Adds a vertex. The caller has asked for room, here and below.
-    fn add_vertex(&mut self, anchor: Anchor<Self::HalfEdge, Self::Boundary>) -> Self::Vertex;
+    fn add_vertex(&mut self, link: VertexLink<Self::HalfEdge, Self::Boundary>) -> Self::Vertex;
     /// Adds an isolated vertex together with the inner boundary component that it is.
     fn add_isolated(&mut self, f: Self::Face) -> (Self::Vertex, Self::Boundary);
     /// Adds an edge: two half-edges that are each other's twin, next and prev. Gives the one that leaves `from`.
     fn add_edge(&mut self, from: Self::Vertex, to: Self::Vertex, b: Self::Boundary) -> Self::HalfEdge;
     /// Adds a boundary component that no face lists yet.
-    fn add_boundary(&mut self, f: Self::Face, start: Origin<Self::HalfEdge, Self::Vertex>) -> Self::Boundary;
+    fn add_boundary(&mut self, f: Self::Face, start: BoundaryStart<Self::HalfEdge, Self::Vertex>) -> Self::Boundary;
     /// Adds a face without boundary components.
     fn add_face(&mut self) -> Self::Face;
 
@@ -182,17 +175,17 @@ pub trait Links: Sized {
     fn twin(&self, h: Self::HalfEdge) -> Self::HalfEdge;
     fn next(&self, h: Self::HalfEdge) -> Self::HalfEdge;
     fn prev(&self, h: Self::HalfEdge) -> Self::HalfEdge;
-    fn component(&self, h: Self::HalfEdge) -> Self::Boundary;
-    fn anchor(&self, v: Self::Vertex) -> Anchor<Self::HalfEdge, Self::Boundary>;
-    fn bounded(&self, b: Self::Boundary) -> Self::Face;
-    fn start(&self, b: Self::Boundary) -> Origin<Self::HalfEdge, Self::Vertex>;
+    fn boundary(&self, h: Self::HalfEdge) -> Self::Boundary;
+    fn vertex_link(&self, v: Self::Vertex) -> VertexLink<Self::HalfEdge, Self::Boundary>;
+    fn face(&self, b: Self::Boundary) -> Self::Face;
+    fn start(&self, b: Self::Boundary) -> BoundaryStart<Self::HalfEdge, Self::Vertex>;
     fn place(&self, b: Self::Boundary) -> u32;
     fn outer(&self, f: Self::Face) -> Option<Self::Boundary>;
     /// Where the outer boundary component starts.
     fn outer_half_edge(&self, f: Self::Face) -> Option<Self::HalfEdge> {
         match self.start(self.outer(f)?) {
-            Origin::HalfEdge(h) => Some(h),
-            Origin::Vertex(_) => None,
+            BoundaryStart::HalfEdge(h) => Some(h),
+            BoundaryStart::Vertex(_) => None,
         }
     }
     fn inner_count(&self, f: Self::Face) -> usize;
@@ -201,9 +194,9 @@ pub trait Links: Sized {
     fn set_origin(&mut self, h: Self::HalfEdge, v: Self::Vertex);
     /// Makes `n` follow `h` on its cycle: sets `next(h)` and `prev(n)`.
     fn join(&mut self, h: Self::HalfEdge, n: Self::HalfEdge);
-    fn set_component(&mut self, h: Self::HalfEdge, b: Self::Boundary);
-    fn set_anchor(&mut self, v: Self::Vertex, anchor: Anchor<Self::HalfEdge, Self::Boundary>);
-    fn set_start(&mut self, b: Self::Boundary, start: Origin<Self::HalfEdge, Self::Vertex>);
+    fn set_boundary(&mut self, h: Self::HalfEdge, b: Self::Boundary);
+    fn set_vertex_link(&mut self, v: Self::Vertex, link: VertexLink<Self::HalfEdge, Self::Boundary>);
+    fn set_start(&mut self, b: Self::Boundary, start: BoundaryStart<Self::HalfEdge, Self::Vertex>);
     fn set_place(&mut self, b: Self::Boundary, place: u32);
 
     /// Makes `b`, a cycle, the outer boundary component of `f`.
@@ -213,3 +206,13 @@ pub trait Links: Sized {
     /// Takes `b` off the lists of its face. The last inner boundary component takes the place that becomes free. O(1).
     fn unlist(&mut self, b: Self::Boundary);
 }
+
+/// A place for records to live. The trait is sealed: the stores are those of this module, and only a
+/// [`Dcel`](crate::dcel::Dcel) holds one.
+///
+/// ```compile_fail,E0277
+/// fn bare<S: twinedge::store::Store>() -> S {
+///     S::with_room(Default::default())
+/// }
+/// ```
+pub trait Store: Links {}

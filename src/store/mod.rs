@@ -2,8 +2,8 @@
 //!
 //! | store | links are | grows | choose it |
 //! | --- | --- | --- | --- |
-//! | [`SlotStore`] | 32-bit slots in columns, twins implicit | yes | always, unless you know why not |
-//! | [`PointerStore`] | raw pointers between boxed records | yes | to measure against the structure that the literature draws |
+//! | [`SlotStore`] | 32-bit slots in columns, twins implicit | yes | unless you have a reason for another |
+//! | `PointerStore` (feature `pointer-store`) | raw pointers between boxed records | yes | to measure against the structure that the literature draws |
 //! | [`FixedStore`] | 8-bit slots in fixed arrays, twins implicit | no: what does not fit is an error | for a model checker, or for small maps without heap |
 //!
 //! Measured on a square grid of a million vertices (4 million half-edges, one thread), and on one of 49:
@@ -11,36 +11,43 @@
 //! | store | bytes per half-edge | face loops, ns per half-edge | vertex rotations | the same, small |
 //! | --- | --- | --- | --- | --- |
 //! | [`SlotStore`] | 40 | 3.0 | 2.1 | 1.7, 0.8 |
-//! | [`PointerStore`] | 113 | 29 | 19 | 2.0, 0.7 |
+//! | `PointerStore` | 113 | 29 | 19 | 2.0, 0.7 |
 //! | [`FixedStore`] | | | | 2.4, 1.1 |
 //!
-//! So pointers cost nothing but memory as long as a map fits into the cache, and ten times the time once it does not.
+//! As long as a map fits into the cache, pointers cost memory only. Once it does not, they take ten times the time.
 //!
 //! # Keys and slots
 //!
-//! A *key* is what users hold: it names a record for ever, and once the record is gone the key is an error, never another
-//! record. A *slot* is what the links are made of: bare, fast, and of no meaning once its record is gone. Keys are checked
-//! where they enter; from there on slots are followed unchecked, which is sound because nothing can be removed while a
-//! structure is borrowed for reading, and because an operator keeps no slot beyond its own end.
+//! A *key* is what users hold. It names one record: once that was removed, the key is an error and never another record. A
+//! *slot* is what the links are made of: a bare number, which means nothing once its record is removed. Keys are checked where
+//! they enter, and from there on slots are followed unchecked. That is right because nothing can be removed while a
+//! structure is borrowed for reading, and because an operator keeps no slot after its end.
+//!
+//! # Unsafe code
+//!
+//! Without the feature `pointer-store` there is none but the expansion of slotmap's `new_key_type!`, in one file: every
+//! other module of the crate forbids it.
 
+#[forbid(unsafe_code)]
 mod fixed;
+#[forbid(unsafe_code)]
 mod issuer;
+#[cfg(feature = "serde")]
+#[forbid(unsafe_code)]
+mod issuer_restore;
 mod keys;
+#[forbid(unsafe_code)]
 pub(crate) mod links;
+#[forbid(unsafe_code)]
+pub(crate) mod place;
+#[cfg(feature = "pointer-store")]
 mod pointers;
-mod slots;
+#[forbid(unsafe_code)]
+pub(crate) mod slots;
 
 pub use fixed::FixedStore;
 pub use keys::{BoundaryKey, FaceKey, HalfEdgeKey, VertexKey};
+pub use links::Store;
+#[cfg(feature = "pointer-store")]
 pub use pointers::PointerStore;
 pub use slots::SlotStore;
-
-/// A place for records to live. The trait is sealed: the stores are those of this module, and only a
-/// [`Dcel`](crate::dcel::Dcel) holds one.
-///
-/// ```compile_fail,E0277
-/// fn bare<S: twinedge::store::Store>() -> S {
-///     S::with_room(Default::default())
-/// }
-/// ```
-pub trait Store: links::Links {}

@@ -2,8 +2,9 @@
 
 use quickcheck::{Arbitrary, Gen};
 use twinedge::dcel::{Face, HalfEdge, Vertex};
+use twinedge::geometry::Point;
 use twinedge::geometry::noding::Snap;
-use twinedge::geometry::{FeatureId, PlanarMap, Point};
+use twinedge::map::{FeatureId, PlanarMap};
 
 /// Vertices have even coordinates from 0 to this.
 pub(crate) const SIDE: u8 = 14;

@@ -1,6 +1,6 @@
 //! Tables, written down the short way.
 
-use twinedge::validate::{BoundaryRow, FaceRow, HalfEdgeRow, Place, Start, Table, VertexRow};
+use twinedge::validate::{BoundaryPlace, BoundaryRow, FaceRow, HalfEdgeRow, Start, Table, VertexRow};
 
 /// A face in the short way: a half-edge of its outer cycle, and where its inner boundary components start.
 pub(crate) type ShortFace<'a> = (Option<usize>, &'a [Start]);
@@ -87,8 +87,8 @@ pub(crate) fn with_boundary_components(textbook: &Table) -> Table {
         let b = table.boundaries.len();
         table.boundaries.push(Some(BoundaryRow { face: Some(f), start: Some(start), place: Some(place) }));
         match place {
-            Place::Outer => face(&mut table, f).outer = Some(b),
-            Place::Inner(_) => face(&mut table, f).inner.push(Some(b)),
+            BoundaryPlace::Outer => face(&mut table, f).outer = Some(b),
+            BoundaryPlace::Inner(_) => face(&mut table, f).inner.push(Some(b)),
         }
         for h in cycle(textbook, start) {
             half_edge(&mut table, h).boundary = Some(b);
@@ -101,12 +101,14 @@ pub(crate) fn with_boundary_components(textbook: &Table) -> Table {
 }
 
 /// What the faces of a textbook table list.
-fn listed(table: &Table) -> Vec<(usize, Place, Start)> {
+fn listed(table: &Table) -> Vec<(usize, BoundaryPlace, Start)> {
     let mut listed = vec![];
     for (f, face) in table.faces.iter().enumerate() {
         let face = face.as_ref().unwrap();
-        listed.extend(face.outer_half_edge.map(|h| (f, Place::Outer, Start::HalfEdge(h))));
-        listed.extend(face.inner_starts.iter().enumerate().map(|(i, start)| (f, Place::Inner(i), start.unwrap())));
+        listed.extend(face.outer_half_edge.map(|h| (f, BoundaryPlace::Outer, Start::HalfEdge(h))));
+        listed.extend(
+            face.inner_starts.iter().enumerate().map(|(i, start)| (f, BoundaryPlace::Inner(i), start.unwrap())),
+        );
     }
     listed
 }

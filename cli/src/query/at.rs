@@ -1,24 +1,30 @@
 //! `twinedge query … at`.
 
-use super::Asked;
-use super::met::Record;
-use crate::Failure;
+use super::asked::Asked;
+use super::record::Record;
 use crate::output::{Format, print, print_json};
+use crate::status::Failure;
 use serde::Serialize;
-use twinedge::geometry::{Located, Locator, Point};
+use twinedge::geometry::Point;
+use twinedge::map::{Located, Locator};
 
-/// What lies at a point: a face, an edge or a vertex, exactly.
+/// What lies at a point: a face, an edge or a vertex. The answer is exact.
 #[derive(Debug, clap::Args)]
+#[command(after_help = "Examples:
+  twinedge query at 28.25 -29.5
+  twinedge query parcels.geojson at 120.5 48 --format json
+
+Exit status: 0 there is an answer; 2 the input could not be read.")]
 pub(super) struct At {
-    /// The first coordinate: for the built-in map the longitude.
+    /// First coordinate; the longitude in the built-in map.
     #[arg(allow_negative_numbers = true)]
     x: f64,
 
-    /// The second coordinate: for the built-in map the latitude.
+    /// Second coordinate; the latitude in the built-in map.
     #[arg(allow_negative_numbers = true)]
     y: f64,
 
-    /// For whom to print.
+    /// Output format.
     #[arg(long, value_enum, default_value_t)]
     format: Format,
 }

@@ -1,17 +1,23 @@
 //! `twinedge query … contour`.
 
-use super::Asked;
+use super::asked::Asked;
 use super::names::{find, label};
-use crate::Failure;
 use crate::output::{grouped, measure, print, print_json};
+use crate::status::Failure;
 use clap::ValueEnum;
 use serde::Serialize;
 use twinedge::algorithm::contour::{Contour as Outline, of_feature};
-use twinedge::geometry::{Feature, Point};
+use twinedge::geometry::Point;
 use twinedge::io::{geojson, wkt};
+use twinedge::map::Feature;
 
-/// The outline of a feature: polygons with holes, the borders inside it dissolved.
+/// The outline of a feature: polygons with holes, without the borders inside it.
 #[derive(Debug, clap::Args)]
+#[command(after_help = "Examples:
+  twinedge query contour Lesotho
+  twinedge query world.geojson contour Lesotho --format wkt
+
+Exit status: 0 there is an answer; 2 the input could not be read, or has no feature of that name.")]
 pub(super) struct Contour {
     /// The feature.
     name: String,
@@ -23,7 +29,7 @@ pub(super) struct Contour {
 
 #[derive(Clone, Copy, Debug, Default, ValueEnum)]
 enum Format {
-    /// For people: what it consists of.
+    /// Text: the parts of the outline.
     #[default]
     Text,
     /// One geometry as well-known text.

@@ -1,20 +1,25 @@
 //! `twinedge query … faces`.
 
-use super::Asked;
+use super::asked::Asked;
 use super::names::label;
-use crate::Failure;
 use crate::output::style::BAD;
 use crate::output::{Format, grouped, measure, print, print_json};
+use crate::status::Failure;
 use serde::Serialize;
 use std::collections::BTreeSet;
 use std::fmt::Write as _;
 use twinedge::algorithm::area::face_area;
 use twinedge::dcel::Face;
 
-/// All faces: who covers them, how large they are, what bounds them, what lies next to them.
+/// All faces: the features that cover them, their areas, their boundaries and their neighbours.
 #[derive(Debug, clap::Args)]
+#[command(after_help = "Examples:
+  twinedge query faces
+  twinedge query - faces --format json < parcels.geojson
+
+Exit status: 0 there is an answer; 2 the input could not be read.")]
 pub(super) struct Faces {
-    /// For whom to print.
+    /// Output format.
     #[arg(long, value_enum, default_value_t)]
     format: Format,
 }

@@ -1,50 +1,56 @@
 //! `twinedge query … line`.
 
-use super::Asked;
-use super::met::Record;
-use crate::Failure;
+use super::asked::Asked;
+use super::record::Record;
 use crate::output::{Format, print, print_json};
+use crate::status::Failure;
 use clap::ValueEnum;
 use serde::Serialize;
-use twinedge::geometry::{Locator, Met, Point, Stretch};
+use twinedge::geometry::Point;
+use twinedge::map::{Locator, QueryLine, ZoneElement};
 
-/// All faces, edges and vertices that a line meets, in order.
+/// The faces, edges and vertices that a line meets, in order.
 #[derive(Debug, clap::Args)]
+#[command(after_help = "Examples:
+  twinedge query line -10 52 30 52
+  twinedge query line -10 52 30 52 --extent ray --format json
+
+Exit status: 0 there is an answer; 2 the input could not be read.")]
 pub(super) struct Line {
-    /// The first coordinate of where it starts.
+    /// First coordinate of the start.
     #[arg(allow_negative_numbers = true)]
     x1: f64,
 
-    /// The second coordinate of where it starts.
+    /// Second coordinate of the start.
     #[arg(allow_negative_numbers = true)]
     y1: f64,
 
-    /// The first coordinate of where it ends.
+    /// First coordinate of the end.
     #[arg(allow_negative_numbers = true)]
     x2: f64,
 
-    /// The second coordinate of where it ends.
+    /// Second coordinate of the end.
     #[arg(allow_negative_numbers = true)]
     y2: f64,
 
-    /// Whether it ends at these points.
+    /// How far the line extends.
     #[arg(long, value_enum, default_value_t)]
     extent: Extent,
 
-    /// For whom to print.
+    /// Output format.
     #[arg(long, value_enum, default_value_t)]
     format: Format,
 }
 
-/// How far a line goes.
+/// How far the line extends.
 #[derive(Clone, Copy, Debug, Default, ValueEnum)]
 enum Extent {
     /// From the first point to the second.
     #[default]
     Segment,
-    /// From the first point through the second and on for ever.
+    /// From the first point through the second, without end.
     Ray,
-    /// Through both points, without end on either side.
+    /// Through both points, without end in both directions.
     Line,
 }
 
@@ -70,18 +76,18 @@ impl Line {
         let Asked { input, map } = asked;
         let (from, to) = (Point::new(self.x1, self.y1), Point::new(self.x2, self.y2));
         let stretch = match self.extent {
-            Extent::Segment => Stretch::Segment(from, to),
-            Extent::Ray => Stretch::Ray(from, to),
-            Extent::Line => Stretch::Line(from, to),
+            Extent::Segment => QueryLine::Segment(from, to),
+            Extent::Ray => QueryLine::Ray(from, to),
+            Extent::Line => QueryLine::Line(from, to),
         };
         let zone = Locator::new(map)?.zone(&stretch)?;
         let steps = zone.into_iter().map(|met| {
             let record = match met {
-                Met::Face(key) => Record::face(map, key),
-                Met::Edge(key) | Met::Along(key) => Record::edge(map, key),
-                Met::Vertex(key) => Record::vertex(map, key),
+                ZoneElement::Face(key) => Record::face(map, key),
+                ZoneElement::Edge(key) | ZoneElement::Along(key) => Record::edge(map, key),
+                ZoneElement::Vertex(key) => Record::vertex(map, key),
             };
-            record.map(|record| Step { record, along: matches!(met, Met::Along(_)) })
+            record.map(|record| Step { record, along: matches!(met, ZoneElement::Along(_)) })
         });
         let met = steps.collect::<Result<Vec<_>, _>>()?;
         match self.format {

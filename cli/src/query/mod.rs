@@ -1,21 +1,22 @@
-//! `twinedge query`: asks a map one question.
+//! `twinedge query`: answers one question about a map.
 
+mod asked;
 mod at;
 mod contour;
 mod faces;
 mod line;
-mod met;
 mod names;
 mod neighbours;
+mod record;
 
 pub(crate) use names::label;
 
-use crate::input::MapFile;
-use crate::{Failure, Verdict};
+use crate::input::{Imported, MapFile};
+use crate::status::{Failure, Verdict};
+use asked::Asked;
 use clap::Subcommand;
-use twinedge::geometry::PlanarMap;
 
-/// Ask a map: who borders whom, what lies where, what a country's outline is, which faces there are.
+/// Ask a map about neighbours, places, lines, outlines and faces.
 #[derive(Debug, clap::Args)]
 #[command(after_help = "Examples:
   twinedge query neighbours Switzerland                   in the built-in map of the world
@@ -25,10 +26,10 @@ use twinedge::geometry::PlanarMap;
   twinedge query world.geojson contour Lesotho --format wkt
   twinedge query - faces --format json < parcels.geojson
 
-NAME is the name of a feature as the map writes it, or # and its number, counted from 0: '#12'. A file whose name is that \
-of a question, such as faces, is named with its folder: ./faces
+NAME is the name of a feature as the map writes it, or # and its number, counted from 0: '#12'. A file that is called like a \
+question, such as faces, needs its folder: ./faces
 
-Exit status: 0 there is an answer; 2 the input could not be read, or has nothing of that name.")]
+Exit status: 0 there is an answer; 2 the input could not be read, or has no feature of that name.")]
 pub(crate) struct Query {
     #[command(flatten)]
     map: MapFile,
@@ -46,17 +47,11 @@ enum Question {
     Faces(faces::Faces),
 }
 
-/// A map and what it was read from.
-struct Asked {
-    input: String,
-    map: PlanarMap,
-}
-
 impl Query {
     pub(crate) fn run(&self) -> Result<Verdict, Failure> {
-        let (input, map) = self.map.build()?;
+        let Imported { name: input, map, .. } = self.map.build()?;
         if !map.is_plane() {
-            let why = "edges cross, touch or overlap, so it is not known what lies where";
+            let why = "edges cross, touch or overlap, so places are not well defined";
             return Err(Failure(format!("{input}: {why}; --snap auto cuts them, audit says where they are")));
         }
         let asked = Asked { input, map };

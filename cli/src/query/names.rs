@@ -1,11 +1,11 @@
-//! Which feature is meant.
+//! Features by name.
 
-use super::Asked;
-use crate::Failure;
+use super::asked::Asked;
 use crate::output::plain;
-use twinedge::geometry::{FeatureId, PlanarMap};
+use crate::status::Failure;
+use twinedge::map::{FeatureId, PlanarMap};
 
-/// What people call a feature: its name, fit for a terminal, or its number, counted from 0.
+/// The name of a feature, fit for a terminal, or its number, counted from 0.
 pub(crate) fn label(map: &PlanarMap, feature: FeatureId) -> String {
     map.name(feature).map_or_else(|| format!("feature {}", feature.index()), plain)
 }

@@ -1,25 +1,30 @@
 //! `twinedge query … neighbours`.
 
-use super::Asked;
+use super::asked::Asked;
 use super::names::{find, label};
-use crate::Failure;
 use crate::output::style::{BAD, QUIET};
 use crate::output::{Format, measure, print, print_json};
+use crate::status::Failure;
 use serde::Serialize;
 use std::collections::BTreeMap;
 use std::fmt::Write as _;
 use twinedge::algorithm::area::face_area;
 use twinedge::algorithm::coverage::faces_of;
 use twinedge::algorithm::neighbours::{of_feature, touching_feature};
-use twinedge::geometry::FeatureId;
+use twinedge::map::FeatureId;
 
-/// Who shares a border with a feature, along which lines, and how long they are in the units of the coordinates.
+/// The neighbours of a feature: who shares a border with it, along which lines, and how long these are in the units of the coordinates.
 #[derive(Debug, clap::Args)]
+#[command(after_help = "Examples:
+  twinedge query neighbours Switzerland
+  twinedge query parcels.geojson neighbours '#12' --format json
+
+Exit status: 0 there is an answer; 2 the input could not be read, or has no feature of that name.")]
 pub(super) struct Neighbours {
     /// The feature.
     name: String,
 
-    /// For whom to print.
+    /// Output format.
     #[arg(long, value_enum, default_value_t)]
     format: Format,
 }

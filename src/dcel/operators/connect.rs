@@ -1,13 +1,16 @@
 //! Connecting two corners by an edge.
 
-use super::super::{BoundaryKey, Dcel, FaceKey, HalfEdgeKey, OperatorError, StaleKey};
-use super::corner::{Corner, Spot};
-use super::walk::Which;
+use super::corner::{CheckedCorner, Corner};
+use super::walk::OneOfTwo;
+use crate::dcel::error::{OperatorError, StaleKey};
+use crate::dcel::structure::Dcel;
 use crate::store::Store;
-use crate::store::links::{Anchor, Need, Origin};
+use crate::store::links::{BoundaryStart, Need, VertexLink};
+use crate::store::{BoundaryKey, FaceKey, HalfEdgeKey};
 
 /// A side of a half-edge.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash, Default)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 pub enum Side {
     /// Where its face is.
     #[default]
@@ -16,7 +19,8 @@ pub enum Side {
     Right,
 }
 
-/// How a face is to be split, where topology leaves it open. A bridge needs none of it, but refuses a stale key.
+/// Choices that topology leaves open when [`Dcel::connect`] splits a face. Ignored for a bridge, though stale keys are still
+/// an error.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash, Default)]
 pub struct Split<'a> {
     /// On which side of the new edge the new face lies. The face that was there keeps the other side.
@@ -33,14 +37,15 @@ pub struct Split<'a> {
 pub enum Connection {
     /// Two boundary components became one.
     Bridge {
-        /// The one that has all half-edges now: the longer one; that of the second corner on a tie.
+        /// The one that has all half-edges now: the longer of the two, or that of the second corner if both are equally long.
         kept: BoundaryKey,
-        /// The one that is gone.
+        /// The one that was removed.
         dropped: BoundaryKey,
     },
     /// One cycle became two, and one face two.
     Split {
-        /// The boundary component that was split; it has the longer of the two cycles (the left one on a tie).
+        /// The boundary component that was split. It has the longer of the two cycles, or the left one if both are equally
+        /// long.
         kept: BoundaryKey,
         /// The new boundary component, of the other cycle.
         made: BoundaryKey,
@@ -72,20 +77,13 @@ impl Connected {
 impl<S: Store> Dcel<S> {
     /// Connects two corners of one face by a new edge.
     ///
-    /// If they are of different boundary components, the edge is a bridge and makes them one. If they are of the same, it
-    /// splits the face.
+    /// If the corners lie on different boundary components, the edge is a bridge and makes one of the two. If they lie on the
+    /// same one, the edge splits the face.
     ///
-    /// ```text
-    ///   bridge                                split
-    ///   ┌──────────┐      ┌──────────┐        ┌──────────┐      ┌──────────┐
-    ///   │ ┌──┐     │      │ ┌──┐     │        a          │      a──╮   new │
-    ///   │ └──a   b·│  ──► │ └──a━━━b·│        │    f     │  ──► │  ╰─╮     │
-    ///   │          │      │          │        │          │      │ f  ╰─╮   │
-    ///   └──────────┘      └──────────┘        └──────b───┘      └──────b───┘
-    /// ```
+    #[doc = include_str!("../pictures/connect.svg")]
     ///
-    /// Two equal corners give a loop, whose left side is the face that was there and whose right side is empty (with
-    /// [`Split::new_face`] as usual).
+    /// Two equal corners give a loop. The cycle that was there goes on to the left of the new half-edge, and to the right there
+    /// is nothing but the loop. [`Split::new_face`] says as usual which side is the new face.
     ///
     /// O(length of the shorter of the two cycles + boundary components that go to the new face): both sides are walked in
     /// step, and only the shorter is relabelled. O(1) to or from an isolated vertex.
@@ -95,20 +93,38 @@ impl<S: Store> Dcel<S> {
     /// # Errors
     /// A stale key; [`OperatorError::NotIsolated`]; [`OperatorError::FacesDiffer`]; [`OperatorError::NotInner`] for a
     /// component to be moved that is not another inner one of the face; [`OperatorError::Full`].
+    ///
+    /// ```
+    /// use twinedge::dcel::{Connection, Dcel, Side, Split};
+    ///
+    /// let mut map = Dcel::new();
+    /// let outside = map.unbounded_face().key();
+    /// let [a, b, c] = [(); 3].map(|()| map.add_isolated_vertex(outside).map(|added| added.vertex));
+    /// // Two bridges …
+    /// let ab = map.connect(a?, b?, Split::default())?.half_edge;
+    /// let ba = map.half_edge(ab)?.twin().key();
+    /// let bc = map.connect(ba, c?, Split::default())?;
+    /// assert!(matches!(bc.connection, Connection::Bridge { .. }));
+    /// // … and an edge that closes the triangle. The new face lies to its left.
+    /// let cb = map.half_edge(bc.half_edge)?.twin().key();
+    /// let ca = map.connect(cb, ab, Split { new_face: Side::Left, inner: &[] })?;
+    /// assert_eq!(ca.new_face(), Some(map.half_edge(ab)?.face().key()));
+    /// # Ok::<(), Box<dyn std::error::Error>>(())
+    /// ```
     pub fn connect(
         &mut self,
         from: impl Into<Corner>,
         to: impl Into<Corner>,
         split: Split<'_>,
     ) -> Result<Connected, OperatorError> {
-        let (from, to) = (self.spot(from.into())?, self.spot(to.into())?);
+        let (from, to) = (self.checked_corner(from.into())?, self.checked_corner(to.into())?);
         let (ba, bb) = (from.boundary(&self.store), to.boundary(&self.store));
-        let (fa, fb) = (self.store.bounded(ba), self.store.bounded(bb));
-        // A bridge needs none of these, but a stale key is an error even so.
+        let (fa, fb) = (self.store.face(ba), self.store.face(bb));
+        // A bridge ignores these, but a stale key is an error in any case.
         let mut not_inner = None;
         for key in split.inner {
-            let b = self.store.boundary(*key).ok_or(StaleKey::Boundary(*key))?;
-            if b == ba || self.store.bounded(b) != fa || self.is_outer(b) {
+            let b = self.store.find_boundary(*key).ok_or(StaleKey::Boundary(*key))?;
+            if b == ba || self.store.face(b) != fa || self.is_outer(b) {
                 not_inner = not_inner.or(Some(*key));
             }
         }
@@ -128,16 +144,16 @@ impl<S: Store> Dcel<S> {
 
     /// Puts a new edge between two corners, which are not the same unless it is that of an isolated vertex or a loop, and
     /// gives the half-edge from the first to the second. Its boundary component is not settled.
-    fn attach(&mut self, from: Spot<S>, to: Spot<S>) -> S::HalfEdge {
+    fn attach(&mut self, from: CheckedCorner<S>, to: CheckedCorner<S>) -> S::HalfEdge {
         let (va, vb) = (from.vertex(&self.store), to.vertex(&self.store));
         let n = self.store.add_edge(va, vb, from.boundary(&self.store));
         let t = self.store.twin(n);
         match (from, to) {
-            (Spot::Isolated(v, _), Spot::Isolated(w, _)) if v == w => {
+            (CheckedCorner::Isolated(v, _), CheckedCorner::Isolated(w, _)) if v == w => {
                 self.store.join(n, n);
                 self.store.join(t, t);
             }
-            (Spot::At(ha), Spot::At(hb)) if ha == hb => {
+            (CheckedCorner::At(ha), CheckedCorner::At(hb)) if ha == hb => {
                 let before = self.store.prev(ha);
                 self.store.join(before, n);
                 self.store.join(n, ha);
@@ -145,9 +161,9 @@ impl<S: Store> Dcel<S> {
             }
             _ => {
                 // A new edge is next and prev of itself, which is right at an isolated vertex.
-                let before = |spot| match spot {
-                    Spot::At(h) => Some((self.store.prev(h), h)),
-                    Spot::Isolated(..) => None,
+                let before = |corner| match corner {
+                    CheckedCorner::At(h) => Some((self.store.prev(h), h)),
+                    CheckedCorner::Isolated(..) => None,
                 };
                 let (at_from, at_to) = (before(from), before(to));
                 if let Some((before, after)) = at_from {
@@ -160,42 +176,42 @@ impl<S: Store> Dcel<S> {
                 }
             }
         }
-        for (spot, leaving) in [(from, n), (to, t)] {
-            if let Spot::Isolated(v, _) = spot {
-                self.store.set_anchor(v, Anchor::Leaving(leaving));
+        for (corner, leaving) in [(from, n), (to, t)] {
+            if let CheckedCorner::Isolated(v, _) = corner {
+                self.store.set_vertex_link(v, VertexLink::Leaving(leaving));
             }
         }
         n
     }
 
-    fn bridge(&mut self, from: Spot<S>, to: Spot<S>) -> Connected {
+    fn bridge(&mut self, from: CheckedCorner<S>, to: CheckedCorner<S>) -> Connected {
         let (ba, bb) = (from.boundary(&self.store), to.boundary(&self.store));
-        let stretch = |spot: Spot<S>| match spot {
-            Spot::At(h) => Some(h),
-            Spot::Isolated(..) => None,
+        let stretch = |corner: CheckedCorner<S>| match corner {
+            CheckedCorner::At(h) => Some(h),
+            CheckedCorner::Isolated(..) => None,
         };
-        // An isolated vertex is an empty stretch, for which any stop will do.
+        // At an isolated vertex there is nothing to walk.
         let (sa, sb) = (stretch(from), stretch(to));
         let shorter = match (sa, sb) {
-            (Some(a), Some(b)) => self.other_if_tied((a, a), (b, b)),
-            (Some(_), None) => Which::Second,
-            (None, _) => Which::First,
+            (Some(a), Some(b)) => self.shorter_or_first((a, a), (b, b)),
+            (Some(_), None) => OneOfTwo::Second,
+            (None, _) => OneOfTwo::First,
         };
         let (kept, dropped, relabelled) = match shorter {
-            Which::First => (bb, ba, sa),
-            Which::Second => (ba, bb, sb),
+            OneOfTwo::First => (bb, ba, sa),
+            OneOfTwo::Second => (ba, bb, sb),
         };
         if let Some(h) = relabelled {
             self.relabel(h, h, kept);
         }
         let n = self.attach(from, to);
         let t = self.store.twin(n);
-        self.store.set_component(n, kept);
-        self.store.set_component(t, kept);
-        if let Origin::Vertex(_) = self.store.start(kept) {
-            self.store.set_start(kept, Origin::HalfEdge(n));
+        self.store.set_boundary(n, kept);
+        self.store.set_boundary(t, kept);
+        if let BoundaryStart::Vertex(_) = self.store.start(kept) {
+            self.store.set_start(kept, BoundaryStart::HalfEdge(n));
         }
-        let f = self.store.bounded(kept);
+        let f = self.store.face(kept);
         if self.is_outer(dropped) {
             self.store.unlist(kept);
             self.store.unlist(dropped);
@@ -209,30 +225,30 @@ impl<S: Store> Dcel<S> {
         Connected { half_edge: self.store.half_edge_key(n), connection }
     }
 
-    /// The shorter of two whole cycles; the first on a tie.
-    fn other_if_tied(&self, a: (S::HalfEdge, S::HalfEdge), b: (S::HalfEdge, S::HalfEdge)) -> Which {
-        match self.shorter((Some(b.0), b.1), (Some(a.0), a.1)) {
-            Which::First => Which::Second,
-            Which::Second => Which::First,
+    /// The shorter of two whole cycles, the first if both are equally long. O(shorter).
+    fn shorter_or_first(&self, a: (S::HalfEdge, S::HalfEdge), b: (S::HalfEdge, S::HalfEdge)) -> OneOfTwo {
+        match self.shorter_or_second((Some(b.0), b.1), (Some(a.0), a.1)) {
+            OneOfTwo::First => OneOfTwo::Second,
+            OneOfTwo::Second => OneOfTwo::First,
         }
     }
 
-    fn split_face(&mut self, from: Spot<S>, to: Spot<S>, split: Split<'_>) -> Connected {
+    fn split_face(&mut self, from: CheckedCorner<S>, to: CheckedCorner<S>, split: Split<'_>) -> Connected {
         let kept = from.boundary(&self.store);
-        let f = self.store.bounded(kept);
+        let f = self.store.face(kept);
         let was_outer = self.is_outer(kept);
         let n = self.attach(from, to);
         let t = self.store.twin(n);
-        self.store.set_component(n, kept);
-        self.store.set_component(t, kept);
-        let shorter = self.shorter((Some(n), n), (Some(t), t));
+        self.store.set_boundary(n, kept);
+        self.store.set_boundary(t, kept);
+        let shorter = self.shorter_or_second((Some(n), n), (Some(t), t));
         let (made_start, kept_start) = match shorter {
-            Which::First => (n, t),
-            Which::Second => (t, n),
+            OneOfTwo::First => (n, t),
+            OneOfTwo::Second => (t, n),
         };
-        let made = self.store.add_boundary(f, Origin::HalfEdge(made_start));
+        let made = self.store.add_boundary(f, BoundaryStart::HalfEdge(made_start));
         self.relabel(made_start, made_start, made);
-        self.store.set_start(kept, Origin::HalfEdge(kept_start));
+        self.store.set_start(kept, BoundaryStart::HalfEdge(kept_start));
 
         let g = self.store.add_face();
         let new_side = match split.new_face {
@@ -244,9 +260,9 @@ impl<S: Store> Dcel<S> {
         self.store.list_outer(g, of_new);
         self.list(f, of_old, was_outer);
         for key in split.inner {
-            if let Some(b) = self.store.boundary(*key)
-                && self.store.bounded(b) != g
-            {
+            let named = self.store.find_boundary(*key);
+            // One that is named twice has moved already.
+            if let Some(b) = named.filter(|b| self.store.face(*b) != g) {
                 self.store.unlist(b);
                 self.store.list_inner(g, b);
             }

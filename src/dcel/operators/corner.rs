@@ -1,8 +1,10 @@
 //! Corners: where an edge can be attached.
 
-use super::super::{Dcel, HalfEdgeKey, OperatorError, VertexKey};
+use crate::dcel::error::OperatorError;
+use crate::dcel::structure::Dcel;
 use crate::store::Store;
-use crate::store::links::Anchor;
+use crate::store::links::VertexLink;
+use crate::store::{HalfEdgeKey, VertexKey};
 
 /// A place at a vertex where an edge can be attached.
 ///
@@ -14,12 +16,15 @@ use crate::store::links::Anchor;
 /// ```
 ///
 /// Keys convert: a half-edge stands for the corner at its origin, an isolated vertex for its only one.
-#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
-pub enum Corner {
+///
+/// It is generic because programs of operators name corners of any structure, by its own handles.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash, PartialOrd, Ord)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
+pub enum Corner<H = HalfEdgeKey, V = VertexKey> {
     /// At the origin of the half-edge, to its left: on the boundary cycle, between `prev(h)` and `h`.
-    At(HalfEdgeKey),
+    At(H),
     /// All around an isolated vertex.
-    Isolated(VertexKey),
+    Isolated(V),
 }
 
 impl From<HalfEdgeKey> for Corner {
@@ -35,20 +40,20 @@ impl From<VertexKey> for Corner {
 }
 
 /// A corner whose key has been checked.
-pub(super) enum Spot<S: Store> {
+pub(super) enum CheckedCorner<S: Store> {
     At(S::HalfEdge),
     Isolated(S::Vertex, S::Boundary),
 }
 
-impl<S: Store> Clone for Spot<S> {
+impl<S: Store> Clone for CheckedCorner<S> {
     fn clone(&self) -> Self {
         *self
     }
 }
 
-impl<S: Store> Copy for Spot<S> {}
+impl<S: Store> Copy for CheckedCorner<S> {}
 
-impl<S: Store> Spot<S> {
+impl<S: Store> CheckedCorner<S> {
     pub(super) fn vertex(self, store: &S) -> S::Vertex {
         match self {
             Self::At(h) => store.origin(h),
@@ -58,21 +63,21 @@ impl<S: Store> Spot<S> {
 
     pub(super) fn boundary(self, store: &S) -> S::Boundary {
         match self {
-            Self::At(h) => store.component(h),
+            Self::At(h) => store.boundary(h),
             Self::Isolated(_, b) => b,
         }
     }
 }
 
 impl<S: Store> Dcel<S> {
-    pub(super) fn spot(&self, corner: Corner) -> Result<Spot<S>, OperatorError> {
+    pub(super) fn checked_corner(&self, corner: Corner) -> Result<CheckedCorner<S>, OperatorError> {
         match corner {
-            Corner::At(h) => self.half_edge_slot(h).map(Spot::At),
+            Corner::At(h) => self.half_edge_slot(h).map(CheckedCorner::At),
             Corner::Isolated(key) => {
                 let v = self.vertex_slot(key)?;
-                match self.store.anchor(v) {
-                    Anchor::Isolated(b) => Ok(Spot::Isolated(v, b)),
-                    Anchor::Leaving(_) => Err(OperatorError::NotIsolated(key)),
+                match self.store.vertex_link(v) {
+                    VertexLink::Isolated(b) => Ok(CheckedCorner::Isolated(v, b)),
+                    VertexLink::Leaving(_) => Err(OperatorError::NotIsolated(key)),
                 }
             }
         }

@@ -1,13 +1,16 @@
 //! Turning an edge inside the two faces that it separates.
 
-use super::super::{Dcel, HalfEdgeKey, OperatorError};
+use crate::dcel::error::OperatorError;
+use crate::dcel::structure::Dcel;
+use crate::store::HalfEdgeKey;
 use crate::store::Store;
-use crate::store::links::{Anchor, Origin};
+use crate::store::links::{BoundaryStart, VertexLink};
 
 /// The sense in which an edge is turned.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 pub enum Turn {
-    /// Each end moves on along the boundary of the face to its left, seen from the middle.
+    /// Each end moves to the next vertex counter-clockwise, as seen from the middle of the edge.
     CounterClockwise,
     /// The other way.
     Clockwise,
@@ -28,24 +31,41 @@ impl<S: Store> Dcel<S> {
     /// Turns an edge one step: each of its ends moves to the next vertex along the boundary of the two faces that it
     /// separates. In a triangulation this is the flip of a diagonal.
     ///
-    /// ```text
-    ///      c ─────── b            c ─────── b
-    ///      │      ↗  │            │  ↖      │
-    ///      │   h     │    ──►     │     h   │      counter-clockwise
-    ///      │ ↗       │            │       ↖ │
-    ///      a ─────── d            a ─────── d
-    /// ```
+    #[doc = include_str!("../pictures/flip_edge.svg")]
     ///
-    /// A loop with nothing on one side slides along the boundary of the face on its other side. O(1).
+    /// A loop that is alone on the boundary of one face slides along the boundary of the face on its other side. O(1).
     ///
     /// Inverse: the same with [`Turn::reversed`].
     ///
     /// # Errors
     /// A stale key; [`OperatorError::NotSeparating`] if both sides of the edge lie on the same boundary component.
+    ///
+    /// ```
+    /// use twinedge::dcel::{Dcel, Split, Turn};
+    ///
+    /// let mut map = Dcel::new();
+    /// let outside = map.unbounded_face().key();
+    /// // A triangle: a loop with two more vertices on it. Its face lies to the left of h.
+    /// let v = map.add_isolated_vertex(outside)?.vertex;
+    /// let h = map.connect(v, v, Split::default())?.half_edge;
+    /// map.split_edge(h)?;
+    /// map.split_edge(h)?;
+    /// // A fourth vertex, and a diagonal.
+    /// map.split_edge(h)?;
+    /// let third = map.half_edge(h)?.next().next().key();
+    /// let diagonal = map.connect(h, third, Split::default())?.half_edge;
+    /// let ends = |map: &Dcel| map.half_edge(diagonal).map(|h| [h.origin().key(), h.target().key()]);
+    /// let before = ends(&map)?;
+    /// map.flip_edge(diagonal, Turn::CounterClockwise)?;
+    /// assert!(ends(&map)?.iter().all(|v| !before.contains(v)));
+    /// map.flip_edge(diagonal, Turn::Clockwise)?;
+    /// assert_eq!(ends(&map)?, before);
+    /// # Ok::<(), Box<dyn std::error::Error>>(())
+    /// ```
     pub fn flip_edge(&mut self, half_edge: HalfEdgeKey, turn: Turn) -> Result<(), OperatorError> {
         let n = self.half_edge_slot(half_edge)?;
         let t = self.store.twin(n);
-        let (bn, bt) = (self.store.component(n), self.store.component(t));
+        let (bn, bt) = (self.store.boundary(n), self.store.boundary(t));
         if bn == bt {
             return Err(OperatorError::NotSeparating(half_edge));
         }
@@ -62,15 +82,15 @@ impl<S: Store> Dcel<S> {
                 }
             }
         }
-        self.store.set_start(bn, Origin::HalfEdge(n));
-        self.store.set_start(bt, Origin::HalfEdge(t));
+        self.store.set_start(bn, BoundaryStart::HalfEdge(n));
+        self.store.set_start(bt, BoundaryStart::HalfEdge(t));
         Ok(())
     }
 
     /// Gives the origin of `h` the half-edge that leaves it clockwise of `h`.
     fn release_end(&mut self, h: S::HalfEdge) {
         let other = self.store.next(self.store.twin(h));
-        self.store.set_anchor(self.store.origin(h), Anchor::Leaving(other));
+        self.store.set_vertex_link(self.store.origin(h), VertexLink::Leaving(other));
     }
 
     /// `x` and `y`, the first half-edges after `n` and `t`, change sides.
@@ -108,15 +128,15 @@ impl<S: Store> Dcel<S> {
     }
 
     fn swap_sides(&mut self, x: S::HalfEdge, y: S::HalfEdge) {
-        let (bx, by) = (self.store.component(x), self.store.component(y));
-        self.store.set_component(x, by);
-        self.store.set_component(y, bx);
+        let (bx, by) = (self.store.boundary(x), self.store.boundary(y));
+        self.store.set_boundary(x, by);
+        self.store.set_boundary(y, bx);
     }
 
     /// Slides a loop, alone on the side of `lone`, along the cycle on the side of `t`.
     fn slide(&mut self, lone: S::HalfEdge, t: S::HalfEdge, turn: Turn) {
         let (before, after) = (self.store.prev(t), self.store.next(t));
-        self.store.set_anchor(self.store.origin(t), Anchor::Leaving(after));
+        self.store.set_vertex_link(self.store.origin(t), VertexLink::Leaving(after));
         self.store.join(before, after);
         let (last, first) = match turn {
             Turn::CounterClockwise => (after, self.store.next(after)),

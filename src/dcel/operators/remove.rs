@@ -1,9 +1,11 @@
 //! Removing an edge.
 
-use super::super::{BoundaryKey, Dcel, FaceKey, HalfEdgeKey, OperatorError};
-use super::walk::Which;
+use super::walk::OneOfTwo;
+use crate::dcel::error::OperatorError;
+use crate::dcel::structure::Dcel;
 use crate::store::Store;
-use crate::store::links::{Anchor, Need, Origin};
+use crate::store::links::{BoundaryStart, Need, VertexLink};
+use crate::store::{BoundaryKey, FaceKey, HalfEdgeKey};
 
 /// What [`Dcel::remove_edge`] did.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
@@ -13,16 +15,16 @@ pub enum RemovedEdge {
     Merged {
         /// The face that has everything now.
         kept_face: FaceKey,
-        /// The face that is gone.
+        /// The face that was removed.
         dropped_face: FaceKey,
         /// The boundary component of the joined cycle.
         kept: BoundaryKey,
-        /// The boundary component that is gone.
+        /// The boundary component that was removed.
         dropped: BoundaryKey,
     },
     /// One boundary component became two, and one component two.
     Parted {
-        /// The boundary component that was cut; it has the longer of the two parts.
+        /// The boundary component that was cut. It has the longer of the two parts.
         kept: BoundaryKey,
         /// The new boundary component, of the other part.
         made: BoundaryKey,
@@ -40,30 +42,45 @@ struct Around<H> {
 }
 
 impl<S: Store> Dcel<S> {
-    /// Removes an edge; its vertices stay, isolated if it was their last.
+    /// Removes an edge. Its vertices stay, and those that have no other edge become isolated.
     ///
-    /// If the edge separates two faces, they become one. If both are bounded by it from outside, the face to the left of
-    /// `half_edge` is kept; else the one that lies around the other. The inner boundary components of the face that is
-    /// dropped come along. If both its sides lie on the same cycle, the edge is a bridge, and its component falls in two:
-    /// the part that lay outside stays so, the other becomes an inner boundary component.
+    /// If the edge separates two faces, they become one. If it is part of the outer boundary of both, the face to the left of
+    /// `half_edge` is kept. Otherwise one of the faces surrounds the other, and that one is kept. The inner boundary components
+    /// of the other face move to the face that is kept.
     ///
-    /// ```text
-    ///   merge                              part
-    ///   ┌─────┬─────┐      ┌───────────┐   ┌────────┐      ┌────────┐
-    ///   │  f  │  g  │  ──► │     f     │   │ ┌┐     │  ──► │ ┌┐     │
-    ///   │     │     │      │           │   │ └┘━━━━━┤      │ └┘     │
-    ///   └─────┴─────┘      └───────────┘   └────────┘      └────────┘
-    /// ```
+    /// If both sides of the edge lie on the same cycle, the edge is a bridge, and its component falls into two. If the cycle is
+    /// an outer one, the part that contains the outside of the component stays the outer boundary component, and the other
+    /// part becomes an inner one.
     ///
-    /// Merging: O(length of the shorter cycle + inner boundary components of the face that is dropped). Parting:
-    /// O(length of the shorter part of the cycle); where the cycle is an outer one, which part keeps the outside is found
-    /// by searching both in step, O(size of the smaller part). That it takes a search is the price of asking nothing: only
-    /// one answer keeps T1.
+    #[doc = include_str!("../pictures/remove_edge.svg")]
+    ///
+    /// Merging costs O(length of the shorter cycle + inner boundary components of the face that is dropped). Parting costs
+    /// O(length of the shorter part of the cycle). If the cycle is an outer one, the part that keeps the outside is found by
+    /// searching both in step, O(size of the smaller part). It is not an argument because only one answer keeps rule T1.
     ///
     /// Inverse: [`Dcel::connect`].
     ///
     /// # Errors
     /// A stale key; [`OperatorError::Full`] for the boundary component that parting makes.
+    ///
+    /// ```
+    /// use twinedge::dcel::{Dcel, RemovedEdge, Split};
+    ///
+    /// let mut map = Dcel::new();
+    /// let outside = map.unbounded_face().key();
+    /// // A triangle: a loop with two more vertices on it. Its face lies to the left of h.
+    /// let v = map.add_isolated_vertex(outside)?.vertex;
+    /// let h = map.connect(v, v, Split::default())?.half_edge;
+    /// map.split_edge(h)?;
+    /// map.split_edge(h)?;
+    /// // The edge separates the triangle from the unbounded face: both become one.
+    /// assert!(matches!(map.remove_edge(h)?, RemovedEdge::Merged { kept_face, .. } if kept_face == outside));
+    /// // What is left is a path. Without one of its edges it falls in two.
+    /// let path = map.half_edges().next().unwrap().key();
+    /// assert!(matches!(map.remove_edge(path)?, RemovedEdge::Parted { .. }));
+    /// assert_eq!((map.edge_count(), map.boundary_count()), (1, 2));
+    /// # Ok::<(), Box<dyn std::error::Error>>(())
+    /// ```
     pub fn remove_edge(&mut self, half_edge: HalfEdgeKey) -> Result<RemovedEdge, OperatorError> {
         let n = self.half_edge_slot(half_edge)?;
         let t = self.store.twin(n);
@@ -75,7 +92,7 @@ impl<S: Store> Dcel<S> {
             before_t: self.store.prev(t),
             after_t: self.store.next(t),
         };
-        if self.store.component(n) != self.store.component(t) {
+        if self.store.boundary(n) != self.store.boundary(t) {
             return Ok(self.merge(&around));
         }
         self.room_for(Need { boundaries: 1, ..Need::NONE })?;
@@ -88,25 +105,25 @@ impl<S: Store> Dcel<S> {
         let others = [after_t, after_n];
         for end in [self.store.origin(n), self.store.origin(t)] {
             if let Some(h) = others.into_iter().find(|h| *h != n && *h != t && self.store.origin(*h) == end) {
-                self.store.set_anchor(end, Anchor::Leaving(h));
+                self.store.set_vertex_link(end, VertexLink::Leaving(h));
             }
         }
     }
 
     fn merge(&mut self, around: &Around<S::HalfEdge>) -> RemovedEdge {
         let Around { n, t, before_n, after_n, before_t, after_t } = *around;
-        let (bn, bt) = (self.store.component(n), self.store.component(t));
-        let (fn_, ft) = (self.store.bounded(bn), self.store.bounded(bt));
-        // The face around the other has the cycle as an inner one; of two that are side by side the left one is kept.
+        let (bn, bt) = (self.store.boundary(n), self.store.boundary(t));
+        let (fn_, ft) = (self.store.face(bn), self.store.face(bt));
+        // A face that surrounds the other has the cycle as an inner one. Of two side by side the left one is kept.
         let (kept_face, dropped_face, outer) = match (self.is_outer(bn), self.is_outer(bt)) {
             (true, true) => (fn_, ft, true),
             (true, false) => (ft, fn_, false),
             (false, _) => (fn_, ft, false),
         };
-        let shorter = self.shorter((Some(n), n), (Some(t), t));
+        let shorter = self.shorter_or_second((Some(n), n), (Some(t), t));
         let (kept, dropped, relabelled) = match shorter {
-            Which::First => (bt, bn, n),
-            Which::Second => (bn, bt, t),
+            OneOfTwo::First => (bt, bn, n),
+            OneOfTwo::Second => (bn, bt, t),
         };
         self.relabel(relabelled, relabelled, kept);
 
@@ -128,16 +145,16 @@ impl<S: Store> Dcel<S> {
             }
         };
         let v = self.store.origin(n);
-        self.store.set_start(kept, start.map_or(Origin::Vertex(v), Origin::HalfEdge));
+        self.store.set_start(kept, start.map_or(BoundaryStart::Vertex(v), BoundaryStart::HalfEdge));
         if start.is_none() {
-            self.store.set_anchor(v, Anchor::Isolated(kept));
+            self.store.set_vertex_link(v, VertexLink::Isolated(kept));
         }
         self.store.unlist(kept);
         self.store.unlist(dropped);
         self.list(kept_face, kept, outer);
-        while let Some(last) = self.store.inner_count(dropped_face).checked_sub(1)
-            && let Some(b) = self.store.inner(dropped_face, last)
-        {
+        // From the end, so that no other one changes its place.
+        let last = |store: &S| store.inner(dropped_face, store.inner_count(dropped_face).checked_sub(1)?);
+        while let Some(b) = last(&self.store) {
             self.store.unlist(b);
             self.store.list_inner(kept_face, b);
         }
@@ -155,13 +172,13 @@ impl<S: Store> Dcel<S> {
 
     fn part(&mut self, around: &Around<S::HalfEdge>) -> RemovedEdge {
         let Around { n, t, before_n, after_n, before_t, after_t } = *around;
-        let kept = self.store.component(n);
-        let f = self.store.bounded(kept);
+        let kept = self.store.boundary(n);
+        let f = self.store.face(kept);
         let (origin, target) = (self.store.origin(n), self.store.origin(t));
         let outside = self.is_outer(kept).then(|| self.part_with_outside(n, t));
         let at_origin = (after_t != n).then_some(after_t);
         let at_target = (after_n != t).then_some(after_n);
-        let shorter = self.shorter((at_origin, n), (at_target, t));
+        let shorter = self.shorter_or_second((at_origin, n), (at_target, t));
 
         self.release_ends(around);
         if at_origin.is_some() {
@@ -170,25 +187,25 @@ impl<S: Store> Dcel<S> {
         if at_target.is_some() {
             self.store.join(before_t, after_n);
         }
-        let made = self.store.add_boundary(f, Origin::Vertex(target));
+        let made = self.store.add_boundary(f, BoundaryStart::Vertex(target));
         let (of_origin, of_target) = match shorter {
-            Which::First => (made, kept),
-            Which::Second => (kept, made),
+            OneOfTwo::First => (made, kept),
+            OneOfTwo::Second => (kept, made),
         };
         for (b, start, vertex) in [(of_origin, at_origin, origin), (of_target, at_target, target)] {
             if let Some(h) = start {
-                self.store.set_start(b, Origin::HalfEdge(h));
+                self.store.set_start(b, BoundaryStart::HalfEdge(h));
                 if b == made {
                     self.relabel(h, h, made);
                 }
             } else {
-                self.store.set_start(b, Origin::Vertex(vertex));
-                self.store.set_anchor(vertex, Anchor::Isolated(b));
+                self.store.set_start(b, BoundaryStart::Vertex(vertex));
+                self.store.set_vertex_link(vertex, VertexLink::Isolated(b));
             }
         }
         let stays_outer = outside.map(|which| match which {
-            Which::First => of_origin,
-            Which::Second => of_target,
+            OneOfTwo::First => of_origin,
+            OneOfTwo::Second => of_target,
         });
         self.store.unlist(kept);
         for b in [kept, made] {

@@ -1,10 +1,12 @@
-//! Two vertices out of one, and the way back.
+//! Splitting a vertex in two, and contracting an edge.
 
-use super::super::{Dcel, HalfEdgeKey, OperatorError, VertexKey};
-use super::corner::{Corner, Spot};
-use super::walk::Which;
+use super::corner::{CheckedCorner, Corner};
+use super::walk::OneOfTwo;
+use crate::dcel::error::OperatorError;
+use crate::dcel::structure::Dcel;
 use crate::store::Store;
-use crate::store::links::{Anchor, Need, Origin};
+use crate::store::links::{BoundaryStart, Need, VertexLink};
+use crate::store::{HalfEdgeKey, VertexKey};
 
 /// What [`Dcel::split_vertex`] made.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
@@ -18,9 +20,9 @@ pub struct SplitVertex {
 /// What [`Dcel::contract_edge`] kept and dropped.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
 pub struct ContractedEdge {
-    /// The vertex that has all half-edges now: the one that had more; the origin on a tie.
+    /// The vertex that has all half-edges now: the one that had more of them, or the origin if both had equally many.
     pub kept: VertexKey,
-    /// The vertex that is gone.
+    /// The vertex that was removed.
     pub dropped: VertexKey,
 }
 
@@ -31,27 +33,44 @@ impl<S: Store> Dcel<S> {
     /// half-edge, the others to its origin. Equal corners make the target a leaf in that corner, and an isolated vertex
     /// becomes an edge.
     ///
-    /// ```text
-    ///      \  b  /              \     /
-    ///       \ ∙ /         b      \   /
-    ///   ──── v ────   ──►   ──── ·━━►· ────
-    ///       / ∙ \                /   \      a
-    ///      /  a  \              /     \
-    /// ```
+    #[doc = include_str!("../pictures/split_vertex.svg")]
     ///
-    /// O(size of the smaller of the two rotations): both are walked in step, and the smaller goes to the new vertex, that
-    /// of the target on a tie.
+    /// O(size of the smaller of the two rotations): both are walked in step, and the smaller one goes to the new vertex, or
+    /// that of the target if both are equally large.
     ///
     /// Inverse: [`Dcel::contract_edge`].
     ///
     /// # Errors
     /// A stale key; [`OperatorError::NotIsolated`]; [`OperatorError::VerticesDiffer`]; [`OperatorError::Full`].
+    ///
+    /// ```
+    /// use twinedge::dcel::{Dcel, Split};
+    ///
+    /// let mut map = Dcel::new();
+    /// let outside = map.unbounded_face().key();
+    /// // A triangle: a loop with two more vertices on it. Its face lies to the left of h.
+    /// let v = map.add_isolated_vertex(outside)?.vertex;
+    /// let h = map.connect(v, v, Split::default())?.half_edge;
+    /// map.split_edge(h)?;
+    /// map.split_edge(h)?;
+    /// // Between a corner and itself: a leaf grows into the face.
+    /// let leaf = map.split_vertex(h, h)?;
+    /// assert_eq!(map.half_edge(leaf.half_edge)?.target().key(), leaf.vertex);
+    /// assert_eq!(map.vertex(leaf.vertex)?.degree(), 1);
+    /// assert_eq!(map.half_edge(h)?.boundary_cycle().count(), 5);
+    /// // Between the two corners of a vertex of degree 2: another edge on the way around.
+    /// let other = map.half_edge(h)?.next();
+    /// let (inside, beyond) = (other.key(), other.twin().next().key());
+    /// map.split_vertex(inside, beyond)?;
+    /// assert_eq!(map.half_edge(h)?.boundary_cycle().count(), 6);
+    /// # Ok::<(), Box<dyn std::error::Error>>(())
+    /// ```
     pub fn split_vertex(
         &mut self,
         from: impl Into<Corner>,
         to: impl Into<Corner>,
     ) -> Result<SplitVertex, OperatorError> {
-        let (from, to) = (self.spot(from.into())?, self.spot(to.into())?);
+        let (from, to) = (self.checked_corner(from.into())?, self.checked_corner(to.into())?);
         let (v, other) = (from.vertex(&self.store), to.vertex(&self.store));
         if v != other {
             return Err(OperatorError::VerticesDiffer(self.store.vertex_key(v), self.store.vertex_key(other)));
@@ -60,9 +79,9 @@ impl<S: Store> Dcel<S> {
         let b = from.boundary(&self.store);
         let n = self.store.add_edge(v, v, to.boundary(&self.store));
         let t = self.store.twin(n);
-        self.store.set_component(t, b);
-        let w = self.store.add_vertex(Anchor::Leaving(t));
-        if let (Spot::At(ha), Spot::At(hb)) = (from, to) {
+        self.store.set_boundary(t, b);
+        let w = self.store.add_vertex(VertexLink::Leaving(t));
+        if let (CheckedCorner::At(ha), CheckedCorner::At(hb)) = (from, to) {
             let (before_a, before_b) = (self.store.prev(ha), self.store.prev(hb));
             self.store.join(t, ha);
             self.store.join(before_b, n);
@@ -73,35 +92,35 @@ impl<S: Store> Dcel<S> {
                 self.store.join(before_a, t);
             }
         } else {
-            self.store.set_start(b, Origin::HalfEdge(n));
+            self.store.set_start(b, BoundaryStart::HalfEdge(n));
         }
         // The edge is in place, and all half-edges but `t` leave `v` or should leave `w`.
         match self.smaller_rotation(n, t) {
-            Which::Second => {
+            OneOfTwo::Second => {
                 self.hand_over(t, w);
-                self.store.set_anchor(v, Anchor::Leaving(n));
+                self.store.set_vertex_link(v, VertexLink::Leaving(n));
             }
-            Which::First => {
+            OneOfTwo::First => {
                 self.hand_over(n, w);
-                self.store.set_anchor(v, Anchor::Leaving(t));
-                self.store.set_anchor(w, Anchor::Leaving(n));
+                self.store.set_vertex_link(v, VertexLink::Leaving(t));
+                self.store.set_vertex_link(w, VertexLink::Leaving(n));
             }
         }
         Ok(SplitVertex { vertex: self.store.vertex_key(w), half_edge: self.store.half_edge_key(n) })
     }
 
-    /// Which of two rotations, of different vertices, is the smaller; the second on a tie. O(smaller).
-    fn smaller_rotation(&self, first: S::HalfEdge, second: S::HalfEdge) -> Which {
+    /// Which of two rotations, of different vertices, is the smaller one, the second if both are equally large. O(smaller).
+    fn smaller_rotation(&self, first: S::HalfEdge, second: S::HalfEdge) -> OneOfTwo {
         let turn = |h: S::HalfEdge| self.store.next(self.store.twin(h));
         let (mut a, mut b) = (first, second);
         loop {
             b = turn(b);
             if b == second {
-                return Which::Second;
+                return OneOfTwo::Second;
             }
             a = turn(a);
             if a == first {
-                return Which::First;
+                return OneOfTwo::First;
             }
         }
     }
@@ -120,11 +139,7 @@ impl<S: Store> Dcel<S> {
 
     /// Contracts an edge to a point: its two vertices become one.
     ///
-    /// ```text
-    ///   \     /           \ /
-    ///    ·━━━·      ──►    ·
-    ///   /     \           / \
-    /// ```
+    #[doc = include_str!("../pictures/contract_edge.svg")]
     ///
     /// O(size of the smaller rotation).
     ///
@@ -132,6 +147,25 @@ impl<S: Store> Dcel<S> {
     ///
     /// # Errors
     /// A stale key; [`OperatorError::Loop`] if the edge starts and ends at the same vertex.
+    ///
+    /// ```
+    /// use twinedge::dcel::{Dcel, Split};
+    ///
+    /// let mut map = Dcel::new();
+    /// let outside = map.unbounded_face().key();
+    /// // A triangle: a loop with two more vertices on it. Its face lies to the left of h.
+    /// let v = map.add_isolated_vertex(outside)?.vertex;
+    /// let h = map.connect(v, v, Split::default())?.half_edge;
+    /// map.split_edge(h)?;
+    /// map.split_edge(h)?;
+    /// let contracted = map.contract_edge(h)?;
+    /// assert!(map.half_edge(h).is_err());
+    /// assert!(map.vertex(contracted.dropped).is_err());
+    /// // Two parallel edges are left.
+    /// assert_eq!(map.vertex(contracted.kept)?.degree(), 2);
+    /// assert_eq!(map.edge_count(), 2);
+    /// # Ok::<(), Box<dyn std::error::Error>>(())
+    /// ```
     pub fn contract_edge(&mut self, half_edge: HalfEdgeKey) -> Result<ContractedEdge, OperatorError> {
         let n = self.half_edge_slot(half_edge)?;
         let t = self.store.twin(n);
@@ -140,27 +174,27 @@ impl<S: Store> Dcel<S> {
             return Err(OperatorError::Loop(half_edge));
         }
         let (kept, dropped) = match self.smaller_rotation(n, t) {
-            Which::Second => (origin, target),
-            Which::First => (target, origin),
+            OneOfTwo::Second => (origin, target),
+            OneOfTwo::First => (target, origin),
         };
         self.hand_over(if dropped == target { t } else { n }, kept);
         let stays = [self.store.next(t), self.store.next(n)].into_iter().find(|h| *h != n && *h != t);
         for h in [n, t] {
             let (before, after) = (self.store.prev(h), self.store.next(h));
-            let component = self.store.component(h);
-            if self.store.start(component) == Origin::HalfEdge(h) {
+            let component = self.store.boundary(h);
+            if self.store.start(component) == BoundaryStart::HalfEdge(h) {
                 // If that is `t`, it goes next, and in a cycle of the edge and nothing else the isolated vertex is settled
                 // below.
-                self.store.set_start(component, Origin::HalfEdge(after));
+                self.store.set_start(component, BoundaryStart::HalfEdge(after));
             }
             self.store.join(before, after);
         }
         if let Some(h) = stays {
-            self.store.set_anchor(kept, Anchor::Leaving(h));
+            self.store.set_vertex_link(kept, VertexLink::Leaving(h));
         } else {
-            let component = self.store.component(n);
-            self.store.set_start(component, Origin::Vertex(kept));
-            self.store.set_anchor(kept, Anchor::Isolated(component));
+            let component = self.store.boundary(n);
+            self.store.set_start(component, BoundaryStart::Vertex(kept));
+            self.store.set_vertex_link(kept, VertexLink::Isolated(component));
         }
         let contracted = ContractedEdge { kept: self.store.vertex_key(kept), dropped: self.store.vertex_key(dropped) };
         self.store.remove_edge(n);

@@ -1,20 +1,18 @@
 //! Walks that operators share: two sides in step, and the search for the outside of a component.
 
-use super::super::Dcel;
+use crate::dcel::structure::Dcel;
 use crate::store::Store;
-use crate::store::links::{OUTER, Origin};
+use crate::store::links::BoundaryStart;
+use crate::store::place::{LAST, OUTER};
 
 /// One of two sides that are walked in step.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub(super) enum Which {
+pub(super) enum OneOfTwo {
     First,
     Second,
 }
 
-/// Ends a queue threaded through the places of outer boundary components, which mean nothing while an operator runs.
-const LAST: u32 = OUTER - 1;
-
-/// A queue of outer boundary components. Being in it is also the mark of having been seen.
+/// A queue of outer boundary components, threaded through their places. Being in it is also the mark of having been seen.
 struct Queue<S: Store> {
     ends: Option<(S::Boundary, S::Boundary)>,
     current: Option<S::Boundary>,
@@ -92,13 +90,13 @@ impl<S: Store> Search<S> {
     fn step(&mut self, store: &mut S) -> Step {
         let Some(h) = self.at else {
             let Some(b) = self.queue.take(store) else { return Step::Exhausted };
-            if let Origin::HalfEdge(start) = store.start(b) {
+            if let BoundaryStart::HalfEdge(start) = store.start(b) {
                 (self.at, self.stop) = (Some(start), start);
             }
             return Step::GoOn;
         };
-        let across = store.component(store.twin(h));
-        if store.outer(store.bounded(across)) != Some(across) {
+        let across = store.boundary(store.twin(h));
+        if store.outer(store.face(across)) != Some(across) {
             return Step::FoundOutside;
         }
         self.queue.offer(store, across);
@@ -109,19 +107,19 @@ impl<S: Store> Search<S> {
 }
 
 impl<S: Store> Dcel<S> {
-    /// Walks two cycles in step, from `first` until `first_stop` and from `second` until `second_stop` (each excluded; an
-    /// empty stretch where they are equal at once if so said), and tells which is the shorter; the second on a tie.
+    /// Walks along two cycles in step, from each half-edge until the one that ends the walk, and tells which walk is the
+    /// shorter one: the second if both are equally long. A walk without a first half-edge is empty.
     ///
     /// O(shorter).
-    pub(super) fn shorter(
+    pub(super) fn shorter_or_second(
         &self,
         (mut first, first_stop): (Option<S::HalfEdge>, S::HalfEdge),
         (mut second, second_stop): (Option<S::HalfEdge>, S::HalfEdge),
-    ) -> Which {
+    ) -> OneOfTwo {
         let step = |h: S::HalfEdge, stop: S::HalfEdge| Some(self.store.next(h)).filter(|next| *next != stop);
         loop {
-            let Some(b) = second else { return Which::Second };
-            let Some(a) = first else { return Which::First };
+            let Some(b) = second else { return OneOfTwo::Second };
+            let Some(a) = first else { return OneOfTwo::First };
             second = step(b, second_stop);
             first = step(a, first_stop);
         }
@@ -131,7 +129,7 @@ impl<S: Store> Dcel<S> {
     pub(super) fn relabel(&mut self, first: S::HalfEdge, stop: S::HalfEdge, b: S::Boundary) {
         let mut h = first;
         loop {
-            self.store.set_component(h, b);
+            self.store.set_boundary(h, b);
             h = self.store.next(h);
             if h == stop {
                 return;
@@ -145,8 +143,8 @@ impl<S: Store> Dcel<S> {
     /// Topology decides: the part from which an inner boundary component can be reached across edges. Both parts are
     /// searched in step, so the cost is O(size of the smaller part), and less if the outside is near. No memory is
     /// allocated: the queues run through a field that is free in outer boundary components.
-    pub(super) fn part_with_outside(&mut self, n: S::HalfEdge, t: S::HalfEdge) -> Which {
-        let cut = self.store.component(n);
+    pub(super) fn part_with_outside(&mut self, n: S::HalfEdge, t: S::HalfEdge) -> OneOfTwo {
+        let cut = self.store.boundary(n);
         // The cycle that is cut counts as seen by both.
         self.store.set_place(cut, LAST);
         let mut origin = Search::<S>::along(self.store.next(t), n);
@@ -154,13 +152,13 @@ impl<S: Store> Dcel<S> {
         let which = loop {
             match origin.step(&mut self.store) {
                 Step::GoOn => {}
-                Step::FoundOutside => break Which::First,
-                Step::Exhausted => break Which::Second,
+                Step::FoundOutside => break OneOfTwo::First,
+                Step::Exhausted => break OneOfTwo::Second,
             }
             match target.step(&mut self.store) {
                 Step::GoOn => {}
-                Step::FoundOutside => break Which::Second,
-                Step::Exhausted => break Which::First,
+                Step::FoundOutside => break OneOfTwo::Second,
+                Step::Exhausted => break OneOfTwo::First,
             }
         };
         origin.queue.clear(&mut self.store);
@@ -176,8 +174,8 @@ impl<S: Store> Dcel<S> {
         let mut queue = Queue::<S>::new();
         self.offer_across(&mut queue, b);
         let mut found = false;
-        while !found && let Some(outer) = queue.take(&self.store) {
-            let inside = self.store.bounded(outer);
+        while let Some(outer) = if found { None } else { queue.take(&self.store) } {
+            let inside = self.store.face(outer);
             found = inside == f;
             self.offer_across(&mut queue, outer);
             let mut position = 0;
@@ -192,10 +190,10 @@ impl<S: Store> Dcel<S> {
 
     /// Queues the outer boundary components met across the half-edges of `b`.
     fn offer_across(&mut self, queue: &mut Queue<S>, b: S::Boundary) {
-        let Origin::HalfEdge(start) = self.store.start(b) else { return };
+        let BoundaryStart::HalfEdge(start) = self.store.start(b) else { return };
         let mut h = start;
         loop {
-            let across = self.store.component(self.store.twin(h));
+            let across = self.store.boundary(self.store.twin(h));
             if self.is_outer(across) {
                 queue.offer(&mut self.store, across);
             }

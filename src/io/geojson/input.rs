@@ -3,13 +3,13 @@
 use core::cell::Cell;
 use std::io::{self, BufRead, BufReader, ErrorKind, Read};
 
-use super::Place;
+use crate::io::error::TextPlace;
 
 /// How far a text has been read.
 #[derive(Clone, Copy)]
 pub(super) struct Progress {
     /// The last byte read.
-    pub(super) at: Place,
+    pub(super) at: TextPlace,
     /// Whether there was nothing but white space so far.
     pub(super) blank: bool,
     /// Whether the text has ended or the reader has failed.
@@ -17,22 +17,24 @@ pub(super) struct Progress {
 }
 
 impl Progress {
-    pub(super) const START: Self = Self { at: Place { line: 1, column: 0 }, blank: true, stopped: false };
+    pub(super) const START: Self = Self { at: TextPlace::START, blank: true, stopped: false };
 
     fn pass(&mut self, bytes: &[u8]) {
-        for &byte in bytes {
-            self.at = match byte {
-                b'\n' => Place { line: self.at.line + 1, column: 0 },
-                _ => Place { line: self.at.line, column: self.at.column + 1 },
-            };
-            self.blank = self.blank && matches!(byte, b' ' | b'\t' | b'\r' | b'\n');
-        }
+        self.at = self.at.after(bytes);
+        self.blank = self.blank && bytes.iter().all(|byte| matches!(byte, b' ' | b'\t' | b'\r' | b'\n'));
     }
 }
 
-/// Buffers a reader, keeps its progress, and skips a byte order mark.
-pub(super) fn open<'p, R: Read + 'p>(reader: R, progress: &'p Cell<Progress>) -> io::Result<impl BufRead + 'p> {
-    let mut input = Tracked { reader, progress };
+/// Separates the texts of a sequence (RFC 8142).
+const RECORD_SEPARATOR: u8 = 0x1E;
+
+/// Buffers a reader, keeps its progress, and skips a byte order mark; turns record separators into spaces, if asked to.
+pub(super) fn open<'p, R: Read + 'p>(
+    reader: R,
+    progress: &'p Cell<Progress>,
+    is_sequence: bool,
+) -> io::Result<impl BufRead + 'p> {
+    let mut input = Tracked { reader, progress, is_sequence };
     let mut start = Vec::new();
     input.by_ref().take(3).read_to_end(&mut start)?;
     if start == b"\xEF\xBB\xBF" {
@@ -45,6 +47,7 @@ pub(super) fn open<'p, R: Read + 'p>(reader: R, progress: &'p Cell<Progress>) ->
 struct Tracked<'p, R> {
     reader: R,
     progress: &'p Cell<Progress>,
+    is_sequence: bool,
 }
 
 impl<R: Read> Read for Tracked<'_, R> {
@@ -57,6 +60,9 @@ impl<R: Read> Read for Tracked<'_, R> {
         let result = self.reader.read(out).map(|len| len.min(out.len()));
         match &result {
             Ok(len) => {
+                if self.is_sequence {
+                    out[..*len].iter_mut().filter(|byte| **byte == RECORD_SEPARATOR).for_each(|byte| *byte = b' ');
+                }
                 progress.pass(&out[..*len]);
                 progress.stopped = *len == 0;
             }

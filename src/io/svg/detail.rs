@@ -1,9 +1,11 @@
 //! Half-edges as textbooks draw them.
 
 use super::frame::Frame;
-use super::{put, spot, text};
+use super::label_spot::widest;
+use super::text::{put, text};
 use crate::dcel::HalfEdge;
-use crate::geometry::{Drawing, PlanarMap};
+use crate::map::PlanarMap;
+use crate::validate::Embedding;
 use core::f64::consts::{PI, TAU};
 
 type Pixel = [f64; 2];
@@ -91,7 +93,7 @@ pub(super) fn draw(out: &mut String, map: &PlanarMap, frame: &Frame) {
         text(out, "hname", name, &format!("h{}", h.index()));
     }
     for face in map.dcel().faces() {
-        if let Some(spot) = spot::widest(map, frame, face).filter(|spot| spot.width > 12.0) {
+        if let Some(spot) = widest(map, frame, face).filter(|spot| spot.width > 12.0) {
             text(out, "fname", spot.middle, &format!("f{}", face.index()));
         }
     }

@@ -1,7 +1,11 @@
 //! From coordinates to pixels.
 
-use super::{Options, put};
-use crate::geometry::{Drawing, PlanarMap, Point};
+use super::options::Options;
+use super::text::put;
+use crate::dcel::Face;
+use crate::geometry::Point;
+use crate::map::PlanarMap;
+use crate::validate::Embedding;
 
 /// Where in the picture points are.
 pub(super) struct Frame {
@@ -46,6 +50,9 @@ impl Frame {
     }
 }
 
+/// No window is smaller: coordinates of the smallest magnitude that differ in the last bit only are further apart.
+const SMALLEST_WINDOW: f64 = 1e-140;
+
 struct Bounds {
     low: Point,
     high: Point,
@@ -56,12 +63,12 @@ impl Bounds {
         Self { low: Point::new(f64::INFINITY, f64::INFINITY), high: Point::new(f64::NEG_INFINITY, f64::NEG_INFINITY) };
     const UNIT: Self = Self { low: Point::new(0.0, 0.0), high: Point::new(1.0, 1.0) };
 
-    /// None for one without area, or that is not finite.
+    /// None for one without area, or that is not finite, or so small that coordinates in pixels could overflow.
     fn of_window(corners: [Point; 2]) -> Option<Self> {
         let window = Self::around(corners);
         let sides = [window.high.x - window.low.x, window.high.y - window.low.y];
         let finite = corners.iter().all(|p| p.x.is_finite() && p.y.is_finite());
-        (finite && sides.iter().all(|side| side.is_finite() && *side > 0.0)).then_some(window)
+        (finite && sides.iter().all(|side| side.is_finite() && *side >= SMALLEST_WINDOW)).then_some(window)
     }
 
     fn around(points: impl IntoIterator<Item = Point>) -> Self {
@@ -81,6 +88,17 @@ impl Bounds {
 
 /// How many half-edges a picture of this window shows, in whole or in part, judging by the boxes around them; all of them
 /// without a window. O(half-edges).
+///
+/// ```
+/// use twinedge::io::svg::half_edges_in;
+/// use twinedge::map::PlanarMap;
+///
+/// let mut map = PlanarMap::new();
+/// map.insert_ring([[0.0, 0.0], [4.0, 0.0], [4.0, 4.0], [0.0, 4.0]])?;
+/// let corner = [[3.0, 3.0], [5.0, 5.0]].map(Into::into);
+/// assert_eq!((half_edges_in(&map, Some(corner)), half_edges_in(&map, None)), (4, 8));
+/// # Ok::<(), twinedge::map::edit::EditError>(())
+/// ```
 #[must_use]
 pub fn half_edges_in(map: &PlanarMap, window: Option<[Point; 2]>) -> usize {
     let Some(window) = window.and_then(Bounds::of_window) else { return map.dcel().half_edge_count() };
@@ -88,6 +106,15 @@ pub fn half_edges_in(map: &PlanarMap, window: Option<[Point; 2]>) -> usize {
         Bounds::around([h.origin(), h.target()].map(|v| map.point(v.index()))).meets(&window)
     };
     map.dcel().half_edges().filter(seen).count()
+}
+
+/// All half-edges of a face as pairs of points in the picture.
+pub(super) fn sides<'a>(
+    map: &'a PlanarMap,
+    frame: &'a Frame,
+    face: Face<'a>,
+) -> impl Iterator<Item = [[f64; 2]; 2]> + 'a {
+    face.half_edges().map(|h| [h.origin(), h.target()].map(|v| frame.at(map.point(v.index()))))
 }
 
 /// Adds a line through these points to a path, without those that fall on the one before.

@@ -1,10 +1,12 @@
 //! Violations, in red.
 
 use super::frame::Frame;
-use super::{escaped, put, text};
+use super::text::{escaped, put, text};
 use crate::dcel::HalfEdge;
+use crate::geometry::Point;
 use crate::geometry::predicates::{Meeting, meeting};
-use crate::geometry::{Drawing, PlanarMap, Point, places};
+use crate::map::PlanarMap;
+use crate::validate::{Embedding, places};
 use crate::validate::{Record, Violation};
 
 /// How often a label is moved.
@@ -58,18 +60,23 @@ fn ends(map: &PlanarMap, h: HalfEdge<'_>) -> [Point; 2] {
 
 /// Where to look: where two edges cross, or else the middle of the places of the violation.
 fn place(map: &PlanarMap, violation: &Violation, edges: &[[Point; 2]]) -> Option<Point> {
-    if let [[a, b], [c, d]] = *edges
-        && meeting(a, b, c, d) == Meeting::Cross
-    {
-        let (u, v, w) = ([b.x - a.x, b.y - a.y], [d.x - c.x, d.y - c.y], [c.x - a.x, c.y - a.y]);
-        let cross = |p: [f64; 2], q: [f64; 2]| p[0] * q[1] - p[1] * q[0];
-        let t = cross(w, v) / cross(u, v);
-        if (0.0..=1.0).contains(&t) {
-            return Some(Point::new(a.x + t * u[0], a.y + t * u[1]));
-        }
+    let crossing = match *edges {
+        [[a, b], [c, d]] if meeting(a, b, c, d) == Meeting::Cross => crossing([a, b], [c, d]),
+        _ => None,
+    };
+    if crossing.is_some() {
+        return crossing;
     }
     let all = places(map, violation);
     let count = all.len() as f64;
     let sum = all.iter().fold(Point::default(), |sum, p| Point::new(sum.x + p.x / count, sum.y + p.y / count));
     (!all.is_empty()).then_some(sum)
+}
+
+/// About where two segments cross.
+fn crossing([a, b]: [Point; 2], [c, d]: [Point; 2]) -> Option<Point> {
+    let (u, v, w) = ([b.x - a.x, b.y - a.y], [d.x - c.x, d.y - c.y], [c.x - a.x, c.y - a.y]);
+    let cross = |p: [f64; 2], q: [f64; 2]| p[0] * q[1] - p[1] * q[0];
+    let t = cross(w, v) / cross(u, v);
+    (0.0..=1.0).contains(&t).then(|| Point::new(a.x + t * u[0], a.y + t * u[1]))
 }

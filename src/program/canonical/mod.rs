@@ -11,7 +11,7 @@
 //!     let program: Program = text.parse().unwrap();
 //!     let mut runner = Runner::new(Dcel::new());
 //!     runner.run(&program);
-//!     runner.into_kernel()
+//!     runner.into_subject()
 //! };
 //! // A path of two edges, grown at its end or by splitting its only edge.
 //! let grown = build("twinedge program 1\n add_isolated_vertex unbounded\n split_vertex i0 i0\n split_vertex h1 h1");

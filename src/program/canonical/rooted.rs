@@ -6,11 +6,11 @@ use alloc::vec::Vec;
 /// A search for the root with the least code.
 #[derive(Debug, Default)]
 pub(super) struct Search {
-    /// The number of each half-edge met so far from the root on trial.
+    /// The number of each half-edge met so far from the root that is being tried.
     numbers: Vec<u32>,
     /// The half-edges in order of their numbers.
     order: Vec<u32>,
-    trial: Vec<u32>,
+    candidate: Vec<u32>,
     least: Vec<u32>,
     ties: usize,
 }
@@ -18,7 +18,7 @@ pub(super) struct Search {
 impl Search {
     /// Begins a new search, in a map with so many half-edges.
     pub(super) fn begin(&mut self, half_edges: usize) {
-        // Every trial takes its numbers back, so what is there is clean.
+        // `offer` resets the numbers that it has set, so all of them are NIL.
         self.numbers.resize(half_edges, NIL);
         self.least.clear();
         self.ties = 0;
@@ -37,14 +37,14 @@ impl Search {
     /// Tries another root of the same component. `note` is what the code is to say of the cycle of a half-edge besides
     /// its length; it must tell itself where it ends.
     pub(super) fn offer<'a>(&mut self, map: &Map, root: u32, note: impl Fn(u32) -> &'a [u32]) {
-        self.trial.clear();
+        self.candidate.clear();
         let smaller = self.write(map, root, note);
         for h in self.order.drain(..) {
             self.numbers[h as usize] = NIL;
         }
         match smaller {
             Some(true) => {
-                core::mem::swap(&mut self.trial, &mut self.least);
+                core::mem::swap(&mut self.candidate, &mut self.least);
                 self.ties = 1;
             }
             Some(false) => self.ties += 1,
@@ -95,13 +95,13 @@ impl Search {
 
     fn push(&mut self, number: u32, smaller: &mut bool) -> Option<()> {
         if !*smaller {
-            match self.least.get(self.trial.len()) {
+            match self.least.get(self.candidate.len()) {
                 Some(least) if number > *least => return None,
                 Some(least) if number == *least => {}
                 _ => *smaller = true,
             }
         }
-        self.trial.push(number);
+        self.candidate.push(number);
         Some(())
     }
 }

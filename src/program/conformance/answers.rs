@@ -1,46 +1,47 @@
-//! Do the handles of a kernel say the same as those of the reference?
+//! Do the handles of a subject say the same as those of the reference?
 //!
 //! Every corner is asked every question once. That is not all: an answer is a handle, and the handles of two structures
 //! have to be paired. The half-edges are paired by their places; vertices and faces as they are met, each with one other.
 
-use super::{Answer, Difference, Question};
-use crate::program::interpret::Runner;
-use crate::program::kernel::{Corner, CornerOf, Kernel};
-use crate::program::textbook::Textbook;
+use super::difference::{Answer, Difference, Question};
+use crate::dcel::Corner;
+use crate::program::pointer_model::PointerModel;
+use crate::program::runner::Runner;
+use crate::program::subject::{CornerOf, Subject};
 use alloc::collections::BTreeMap;
 use core::iter::repeat;
 
-/// What a kernel says of a corner.
-struct Said<K: Kernel> {
+/// What a subject says of a corner.
+struct Said<K: Subject> {
     twin: Option<K::HalfEdge>,
     next: Option<K::HalfEdge>,
     origin: Option<K::Vertex>,
     face: Option<K::Face>,
 }
 
-impl<K: Kernel> Said<K> {
-    fn of(kernel: &K, corner: Option<CornerOf<K>>) -> Self {
+impl<K: Subject> Said<K> {
+    fn of(subject: &K, corner: Option<CornerOf<K>>) -> Self {
         let half_edge = match corner {
             Some(Corner::At(h)) => Some(h),
             _ => None,
         };
         Self {
-            twin: half_edge.and_then(|h| kernel.twin_of(h).ok()),
-            next: half_edge.and_then(|h| kernel.next_of(h).ok()),
-            origin: half_edge.and_then(|h| kernel.origin_of(h).ok()),
-            face: corner.and_then(|corner| kernel.face_of(corner).ok()),
+            twin: half_edge.and_then(|h| subject.twin_of(h).ok()),
+            next: half_edge.and_then(|h| subject.next_of(h).ok()),
+            origin: half_edge.and_then(|h| subject.origin_of(h).ok()),
+            face: corner.and_then(|corner| subject.face_of(corner).ok()),
         }
     }
 }
 
-/// Handles of the reference, each with the one handle of the kernel that names the same.
+/// Handles of the reference, each with the one handle of the subject that names the same.
 struct Pairs<A, B>(BTreeMap<A, B>);
 
 impl<A: Copy + Ord, B: Copy + Eq> Pairs<A, B> {
     /// Whether these two belong together: they are paired already, or neither is and now they are. Two that are not there
     /// say the same.
-    fn agree(&mut self, reference: Option<A>, kernel: Option<B>) -> bool {
-        let (Some(a), Some(b)) = (reference, kernel) else { return reference.is_none() && kernel.is_none() };
+    fn agree(&mut self, reference: Option<A>, subject: Option<B>) -> bool {
+        let (Some(a), Some(b)) = (reference, subject) else { return reference.is_none() && subject.is_none() };
         if let Some(known) = self.0.get(&a) {
             return *known == b;
         }
@@ -50,23 +51,23 @@ impl<A: Copy + Ord, B: Copy + Eq> Pairs<A, B> {
     }
 }
 
-/// Finds the first corner of which the kernel says something else.
+/// Finds the first corner of which the subject says something else.
 ///
 /// O(n log n) questions and steps, and O(n²) comparisons of handles, of which nothing more is known than whether two are
 /// equal.
-pub(super) fn compare<K: Kernel>(reference: &Runner<Textbook>, kernel: &Runner<K>) -> Result<(), Difference> {
-    let both = reference.half_edges().iter().copied().zip(kernel.half_edges().iter().copied());
+pub(super) fn compare<K: Subject>(reference: &Runner<PointerModel>, subject: &Runner<K>) -> Result<(), Difference> {
+    let both = reference.half_edges().iter().copied().zip(subject.half_edges().iter().copied());
     let half_edges: BTreeMap<_, _> = both.collect();
     let same = |a: Option<_>, b: Option<K::HalfEdge>| match a {
         Some(a) => b.is_some() && half_edges.get(&a).copied() == b,
         None => b.is_none(),
     };
     let mut vertices = Pairs(BTreeMap::new());
-    let unbounded = (reference.kernel().unbounded_face(), kernel.kernel().unbounded_face());
+    let unbounded = (reference.subject().unbounded_face(), subject.subject().unbounded_face());
     let mut faces = Pairs(BTreeMap::from([unbounded]));
-    let corners = kernel.corners().map(Some).chain(repeat(None));
+    let corners = subject.corners().map(Some).chain(repeat(None));
     for (place, (corner, other)) in reference.corners().zip(corners).enumerate() {
-        let (a, b) = (Said::of(reference.kernel(), Some(corner)), Said::of(kernel.kernel(), other));
+        let (a, b) = (Said::of(reference.subject(), Some(corner)), Said::of(subject.subject(), other));
         let agreed = [
             (Question::Twin, same(a.twin, b.twin)),
             (Question::Next, same(a.next, b.next)),
@@ -74,28 +75,28 @@ pub(super) fn compare<K: Kernel>(reference: &Runner<Textbook>, kernel: &Runner<K
             (Question::Face, faces.agree(a.face, b.face)),
         ];
         if let Some((question, _)) = agreed.into_iter().find(|(_, agreed)| !agreed) {
-            let (reference, kernel) = (answer(reference, place, question), answer(kernel, place, question));
-            return Err(Difference::Answers { corner: place, question, reference, kernel });
+            let (reference, subject) = (answer(reference, place, question), answer(subject, place, question));
+            return Err(Difference::Answers { corner: place, question, reference, subject });
         }
     }
     Ok(())
 }
 
-/// What a kernel answers, in places.
-fn answer<K: Kernel>(runner: &Runner<K>, corner: usize, question: Question) -> Answer {
-    let kernel = runner.kernel();
-    let said = Said::of(kernel, runner.corners().nth(corner));
+/// What a subject answers, in places.
+fn answer<K: Subject>(runner: &Runner<K>, corner: usize, question: Question) -> Answer {
+    let subject = runner.subject();
+    let said = Said::of(subject, runner.corners().nth(corner));
     let place_of = |h: Option<K::HalfEdge>| h.and_then(|h| runner.half_edges().iter().position(|other| *other == h));
     let place = match question {
         Question::Twin => place_of(said.twin),
         Question::Next => place_of(said.next),
         Question::Origin => {
-            let same = |other: &K::HalfEdge| said.origin.is_some() && kernel.origin_of(*other).ok() == said.origin;
+            let same = |other: &K::HalfEdge| said.origin.is_some() && subject.origin_of(*other).ok() == said.origin;
             runner.half_edges().iter().position(same)
         }
-        Question::Face if said.face == Some(kernel.unbounded_face()) => return Answer::Unbounded,
+        Question::Face if said.face == Some(subject.unbounded_face()) => return Answer::Unbounded,
         Question::Face => {
-            let same = |other| said.face.is_some() && kernel.face_of(other).ok() == said.face;
+            let same = |other| said.face.is_some() && subject.face_of(other).ok() == said.face;
             runner.corners().position(same)
         }
     };

@@ -1,0 +1,69 @@
+//! The sources of this workspace.
+
+use std::fmt::Write as _;
+use std::path::{Path, PathBuf};
+
+use twinedge_sources::{Crate, Imports, crates, imports, let_chains, upward};
+
+fn root() -> PathBuf {
+    Path::new(env!("CARGO_MANIFEST_DIR")).ancestors().nth(2).expect("two folders up").to_path_buf()
+}
+
+/// Of the workspace and of the fuzz targets, with paths from the root.
+fn all_imports() -> Imports {
+    let root = root();
+    let mut all: Vec<Crate> = Vec::new();
+    for manifest in ["Cargo.toml", "fuzz/Cargo.toml"] {
+        all.extend(crates(&root.join(manifest)).expect("Cargo lists the crates"));
+    }
+    for each in &mut all {
+        each.root = each.root.strip_prefix(&root).expect("inside the workspace").to_path_buf();
+    }
+    assert!(all.iter().any(|each| each.name == "twinedge" && each.is_library), "{all:?}");
+    imports(&all, |path| std::fs::read_to_string(root.join(path)).ok()).expect("every source is Rust")
+}
+
+#[test]
+fn no_files_import_each_other_in_a_loop() {
+    let loops = all_imports().loops();
+    let report = loops.iter().fold(String::new(), |mut report, each| {
+        let _ = write!(report, "{each}");
+        report
+    });
+    assert!(loops.is_empty(), "{} loops:\n{report}", loops.len());
+}
+
+#[test]
+fn no_import_runs_against_the_layers() {
+    let imports = all_imports();
+    let from_library = imports.iter().filter(|import| import.from.starts_with("src")).count();
+    assert!(from_library > 300, "only {from_library} imports were found in the library");
+    let upward = upward(&imports, Path::new("src"));
+    let report = upward.iter().fold(String::new(), |mut report, each| {
+        let _ = writeln!(report, "{each}");
+        report
+    });
+    assert!(upward.is_empty(), "{} imports run against the layers:\n{report}", upward.len());
+}
+
+#[test]
+fn the_library_has_no_let_chains() {
+    let sources = root().join("src");
+    let mut waiting = vec![sources];
+    let mut files = 0;
+    let mut found = String::new();
+    while let Some(path) = waiting.pop() {
+        if path.is_dir() {
+            let entries = std::fs::read_dir(&path).expect("the folder can be read");
+            waiting.extend(entries.map(|entry| entry.expect("the folder can be read").path()));
+        } else if path.extension().is_some_and(|extension| extension == "rs") {
+            let text = std::fs::read_to_string(&path).expect("the file can be read");
+            files += 1;
+            for line in let_chains(&text).expect("every source is Rust") {
+                let _ = writeln!(found, "{}:{line}", path.display());
+            }
+        }
+    }
+    assert!(files > 100, "only {files} files were found");
+    assert!(found.is_empty(), "Rust before 1.88 does not know these:\n{found}");
+}

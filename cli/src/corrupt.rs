@@ -1,0 +1,185 @@
+//! `twinedge corrupt`: all single corruptions of all small maps, and pairs of them.
+
+use crate::document::{Document, Nothing, Printed};
+use crate::effort::{Effort, seed_of_the_moment};
+use crate::output::style::{BAD, GOOD, QUIET};
+use crate::output::{Format, counted, grouped, part_line, zero};
+use crate::print_tables::Printer;
+use crate::status::{Failure, Verdict};
+use crate::structures::{StructureName, Task};
+use std::fmt;
+use std::time::Instant;
+use twinedge_trials::corrupt::{CorruptOutcome, CorruptWork, HUNG, RuleRow, Tally};
+use twinedge_trials::replay::Indexed;
+use twinedge_trials::{Checker, Outcome, Run, Structure, StructureError, Validator, corrupt};
+
+/// Set every field of every record of every small map to every other value, and compare the validator with the reference.
+///
+/// The maps are all planar subdivisions of up to N edges and N + 1 vertices: of one component or several, nested, with isolated
+/// vertices. Each is judged in two forms: with records for its boundary components, and as textbook tables without them.
+///
+/// The values are nil, every slot of the kind of record that the field leads to (one of them vacant), the slot past the end, and
+/// the largest number. The reference validator, which is written straight from the rules, decides what is wrong and by which rule
+/// first; the fast validator must say the same.
+///
+/// Then pairs of such corruptions follow: all of them on the maps of at most one edge and two vertices, and a sample of them on
+/// all maps.
+///
+/// The output counts how often each rule was the first broken one. For T1 to T4 this is 0: T4 follows from the other rules, and
+/// to break T1, T2 or T3 but no earlier rule takes more than two fields. `twinedge tables` does that.
+#[derive(Debug, clap::Args)]
+#[command(after_help = "Examples:
+  twinedge corrupt                        maps of up to 2 edges: seconds
+  twinedge corrupt --edges 3 --pairs 1000000 --seed 7
+  twinedge corrupt --on pointers          the tables of another structure
+  twinedge corrupt --edges 3 --seed 7 --shard 0/16 --format json > part-0.json
+  twinedge corrupt --edges 1 --print      each table, with the verdict of the validator
+  twinedge corrupt --format json | jq '.fields[] | select(.missed > 0)'
+
+--print: one table on each line of standard output, as `twinedge audit` reads them, followed by `= ok` or `= R1`. Comment lines \
+(`# expect: …`) say what the tables below them are held to. The summary goes to standard error.
+
+Exit status: 0 validator and reference always found the same rule broken first, or none, and no validation hung or panicked; \
+1 otherwise; 2 misuse, or the run would take too long; 130 interrupted (Ctrl-C), after printing what was covered.")]
+pub(crate) struct Corrupt {
+    /// Greatest number of edges.
+    #[arg(long, value_name = "N", default_value_t = 2, value_parser = clap::value_parser!(u8).range(0..=8))]
+    edges: u8,
+
+    /// Number of pairs of corruptions to sample.
+    #[arg(long, value_name = "P", default_value_t = 100_000)]
+    pairs: u32,
+
+    /// Seed of the sample. Default: the time of day; it is printed.
+    #[arg(long, value_name = "X")]
+    seed: Option<u64>,
+
+    /// The structure whose tables are corrupted.
+    #[arg(long, value_enum, value_name = "STRUCTURE", default_value_t)]
+    on: StructureName,
+
+    /// Print each table and the verdict of the validator; the summary goes to standard error.
+    #[arg(long, conflicts_with = "format")]
+    print: bool,
+
+    #[command(flatten)]
+    effort: Effort,
+
+    /// Output format.
+    #[arg(long, value_enum, default_value_t)]
+    format: Format,
+}
+
+/// Corrupting the tables of a structure of any type.
+struct Corrupting<'a> {
+    work: CorruptWork,
+    checker: &'a dyn Checker,
+    run: &'a Run<'a>,
+    hangs: &'a (dyn Fn(&CorruptOutcome) + Sync),
+}
+
+impl Task for Corrupting<'_> {
+    type Result = Result<CorruptOutcome, StructureError>;
+
+    fn run<K: Indexed + Clone>(self, structure: Structure<K>) -> Self::Result {
+        corrupt(&structure, self.work, self.checker, self.run, self.hangs)
+    }
+}
+
+impl Corrupt {
+    pub(crate) fn run(&self) -> Result<Verdict, Failure> {
+        self.effort.needs_seed(self.seed)?;
+        let seed = self.seed.unwrap_or_else(seed_of_the_moment);
+        let work = CorruptWork { edges: self.edges.into(), pairs: self.pairs, seed };
+        self.effort.refuse_too_much(work.estimate(), self.format)?;
+        let run = self.effort.start()?;
+        let start = Instant::now();
+        let printer = Printer::default();
+        let checker: &dyn Checker = if self.print { &printer } else { &Validator };
+        let print = |document: &Document<CorruptOutcome>| {
+            if self.print { printer.finish(&document.text()) } else { document.print(self.format) }
+        };
+        let hangs = |outcome: &CorruptOutcome| {
+            // The thread that hangs cannot be stopped. What was found is printed, if that is possible.
+            let _ = print(&Document::new(outcome.clone(), start));
+            std::process::exit(1);
+        };
+        let document = Document::new(self.on.with(Corrupting { work, checker, run: &run, hangs: &hangs })?, start);
+        print(&document)?;
+        Ok(document.verdict())
+    }
+}
+
+impl Printed for CorruptOutcome {
+    const COMMAND: &'static str = "corrupt";
+    type Extra = Nothing;
+
+    fn text(&self, _: &Nothing, seconds: f64) -> String {
+        Text(self, seconds).to_string()
+    }
+}
+
+fn write_row(f: &mut fmt::Formatter<'_>, form: &str, field: &str, row: &Tally) -> fmt::Result {
+    writeln!(
+        f,
+        "{form:9} {field:26} {:>13} {:>13} {:>13} {:>7} {:>7} {:>10} {:>9.0} µs",
+        grouped(row.corruptions),
+        grouped(row.wrong),
+        grouped(row.caught),
+        zero(row.missed),
+        zero(row.false_alarms),
+        zero(row.other_rule),
+        row.slowest.as_secs_f64() * 1e6
+    )
+}
+
+/// The outcome for people.
+struct Text<'a>(&'a CorruptOutcome, f64);
+
+impl fmt::Display for Text<'_> {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        let Self(outcome, seconds) = self;
+        if outcome.interrupted {
+            writeln!(f, "{BAD}interrupted{BAD:#}: this is what was covered\n")?;
+        }
+        f.write_str(&part_line(outcome.shard))?;
+        writeln!(
+            f,
+            "{} of {} judged, made by {}; wrong by the reference, caught by the validator",
+            grouped(outcome.maps),
+            counted(outcome.maps_found, "map"),
+            outcome.on
+        )?;
+        writeln!(
+            f,
+            "{QUIET}{:9} {:26} {:>13} {:>13} {:>13} {:>7} {:>7} {:>10} {:>12}{QUIET:#}",
+            "form", "field", "corruptions", "wrong", "caught", "missed", "false", "other rule", "slowest"
+        )?;
+        for row in &outcome.fields {
+            write_row(f, row.form.name(), &row.field, &row.tally)?;
+        }
+        write_row(f, "all", "all pairs, smallest maps", &outcome.small_pairs)?;
+        write_row(f, "all", &format!("pairs, seed {}", outcome.pairs.seed), &outcome.pairs.tally)?;
+        write!(f, "\nfirst broken rule, by the reference:")?;
+        for RuleRow { rule, wrong } in &outcome.first_broken {
+            write!(f, " {rule} {}", grouped(*wrong))?;
+        }
+        writeln!(f, "\nhung (over {} s): {}   panics: {}", HUNG.as_secs(), zero(outcome.hung), zero(outcome.panics))?;
+        if outcome.unusable > 0 {
+            writeln!(f, "{BAD}not made by the structure{BAD:#}: {}", counted(outcome.unusable, "map"))?;
+        }
+        for finding in &outcome.findings {
+            writeln!(f, "\n{BAD}finding{BAD:#}: {finding}")?;
+        }
+        if outcome.interrupted {
+            writeln!(f, "{BAD}not finished{BAD:#} ({seconds:.1} s)")
+        } else if outcome.is_ok() {
+            writeln!(
+                f,
+                "{GOOD}sound{GOOD:#}: everything wrong was caught, by the right rule, and there was no false alarm ({seconds:.1} s)"
+            )
+        } else {
+            writeln!(f, "{BAD}not sound{BAD:#} ({seconds:.1} s)")
+        }
+    }
+}

@@ -1,0 +1,80 @@
+//! The JSON that the long commands print and `twinedge sum` reads.
+
+use crate::output::{Format, print, print_json};
+use crate::status::{Failure, Verdict};
+use serde::de::DeserializeOwned;
+use serde::{Deserialize, Serialize};
+use std::time::Instant;
+use twinedge_trials::Outcome;
+
+/// What a long command prints.
+pub(crate) trait Printed: Outcome + Serialize + DeserializeOwned {
+    /// The name of the command.
+    const COMMAND: &'static str;
+
+    /// What the command knows besides.
+    type Extra: Default + Serialize + DeserializeOwned;
+
+    /// The outcome for people.
+    fn text(&self, extra: &Self::Extra, seconds: f64) -> String;
+
+    /// Whether something is wrong, even if the run was interrupted.
+    fn is_wrong(&self) -> bool {
+        !self.is_interrupted() && !self.is_ok()
+    }
+}
+
+/// Nothing besides.
+#[derive(Debug, Default, Serialize, Deserialize)]
+pub(crate) struct Nothing {}
+
+/// An outcome, with all that identifies the work.
+#[derive(Serialize, Deserialize)]
+#[serde(bound = "")]
+pub(crate) struct Document<O: Printed> {
+    pub(crate) command: String,
+    pub(crate) version: String,
+    #[serde(flatten)]
+    pub(crate) outcome: O,
+    #[serde(flatten)]
+    pub(crate) extra: O::Extra,
+    ok: bool,
+    pub(crate) elapsed_ms: f64,
+}
+
+impl<O: Printed> Document<O> {
+    pub(crate) fn new(outcome: O, start: Instant) -> Self {
+        Self::timed(outcome, start.elapsed().as_secs_f64() * 1000.0)
+    }
+
+    pub(crate) fn timed(outcome: O, elapsed_ms: f64) -> Self {
+        Self {
+            command: O::COMMAND.to_owned(),
+            version: env!("CARGO_PKG_VERSION").to_owned(),
+            ok: outcome.is_ok(),
+            outcome,
+            extra: O::Extra::default(),
+            elapsed_ms,
+        }
+    }
+
+    pub(crate) fn text(&self) -> String {
+        self.outcome.text(&self.extra, self.elapsed_ms / 1000.0)
+    }
+
+    /// Prints it to standard output.
+    pub(crate) fn print(&self, format: Format) -> Result<(), Failure> {
+        match format {
+            Format::Text => print(&self.text()),
+            Format::Json => print_json(self),
+        }
+    }
+
+    pub(crate) fn verdict(&self) -> Verdict {
+        match (self.outcome.is_wrong(), self.outcome.is_interrupted()) {
+            (true, _) => Verdict::Wrong,
+            (false, true) => Verdict::Interrupted,
+            (false, false) => Verdict::Sound,
+        }
+    }
+}

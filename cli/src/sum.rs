@@ -1,0 +1,114 @@
+//! `twinedge sum`: adds up the parts of one work.
+
+use crate::document::{Document, Printed};
+use crate::output::Format;
+use crate::status::{Failure, Verdict};
+use serde_json::Value;
+use std::path::PathBuf;
+use twinedge_trials::corrupt::CorruptOutcome;
+use twinedge_trials::prove::ProveOutcome;
+use twinedge_trials::soak::SoakOutcome;
+use twinedge_trials::tables::TablesOutcome;
+use twinedge_trials::{SumError, sum};
+
+/// Add up the JSON output of all parts of one work.
+///
+/// The parts come from `prove`, `corrupt`, `tables` or `soak` with `--shard K/N --format json`. Their sum is what one run of the
+/// whole work would have printed, except for times: `elapsed_ms` is added up, and of `slowest_us` the greatest is kept. If a
+/// program of `soak` fails, the counts are those of the programs that were run.
+///
+/// The files must have the same command, version and arguments. All N parts must be there, each once, and none may have been
+/// interrupted.
+#[derive(Debug, clap::Args)]
+#[command(after_help = "Examples:
+  for k in 0 1 2 3; do twinedge prove --edges 7 --shard $k/4 --format json > part-$k.json; done
+  twinedge sum part-*.json
+  twinedge sum part-*.json --format json | jq .ok
+
+Exit status: 0 all is well; 1 something is wrong in the whole work; 2 a file could not be read, or the files are not all parts \
+of one work.")]
+pub(crate) struct Sum {
+    /// JSON output of the parts, in any order.
+    #[arg(required = true)]
+    files: Vec<PathBuf>,
+
+    /// Output format.
+    #[arg(long, value_enum, default_value_t)]
+    format: Format,
+}
+
+/// A part and the file that it was read from.
+struct Part {
+    name: String,
+    value: Value,
+}
+
+impl Sum {
+    pub(crate) fn run(&self) -> Result<Verdict, Failure> {
+        let parts = self.files.iter().map(Part::read).collect::<Result<Vec<_>, Failure>>()?;
+        for key in ["command", "version", "work", "on"] {
+            same(&parts, key)?;
+        }
+        match parts[0].value["command"].as_str() {
+            Some(ProveOutcome::COMMAND) => add_up::<ProveOutcome>(parts, self.format),
+            Some(CorruptOutcome::COMMAND) => add_up::<CorruptOutcome>(parts, self.format),
+            Some(TablesOutcome::COMMAND) => add_up::<TablesOutcome>(parts, self.format),
+            Some(SoakOutcome::COMMAND) => add_up::<SoakOutcome>(parts, self.format),
+            _ => Err(Failure(format!("{}: not the JSON output of prove, corrupt, tables or soak", parts[0].name))),
+        }
+    }
+}
+
+impl Part {
+    fn read(path: &PathBuf) -> Result<Self, Failure> {
+        let name = path.display().to_string();
+        let text = std::fs::read(path).map_err(|error| Failure(format!("{name}: {error}")))?;
+        let value = serde_json::from_slice(&text).map_err(|error| Failure(format!("{name}: {error}")))?;
+        Ok(Self { name, value })
+    }
+}
+
+/// Refuses parts that differ in a key that identifies the work. Keys below it are named one by one.
+fn same(parts: &[Part], key: &str) -> Result<(), Failure> {
+    let first = &parts[0];
+    for part in &parts[1..] {
+        let (value, expected) = (&part.value[key], &first.value[key]);
+        if value == expected {
+            continue;
+        }
+        let keys = expected.as_object().into_iter().flat_map(serde_json::Map::keys);
+        let below = keys.into_iter().find(|key| value[key.as_str()] != expected[key.as_str()]);
+        let (key, value, expected) = match below {
+            Some(below) => (below.as_str(), &value[below.as_str()], &expected[below.as_str()]),
+            None => (key, value, expected),
+        };
+        let (name, first) = (&part.name, &first.name);
+        return Err(Failure(format!("{name}: {key} is {value}, but {expected} in {first}: not parts of one work")));
+    }
+    Ok(())
+}
+
+fn add_up<O: Printed>(parts: Vec<Part>, format: Format) -> Result<Verdict, Failure> {
+    let mut names = Vec::new();
+    let mut documents = Vec::new();
+    for Part { name, value } in parts {
+        let document: Document<O> =
+            serde_json::from_value(value).map_err(|error| Failure(format!("{name}: {error}")))?;
+        names.push(name);
+        documents.push(document);
+    }
+    let elapsed_ms = documents.iter().map(|document| document.elapsed_ms).sum();
+    let outcomes: Vec<O> = documents.into_iter().map(|document| document.outcome).collect();
+    let whole = sum(&outcomes).map_err(|error| in_words(&error, &names))?;
+    let document = Document::timed(whole, elapsed_ms);
+    document.print(format)?;
+    Ok(document.verdict())
+}
+
+/// The error with the name of the file.
+fn in_words(error: &SumError, names: &[String]) -> Failure {
+    match error.position().and_then(|position| names.get(position)) {
+        Some(name) => Failure(format!("{name}: {error}")),
+        None => Failure(error.to_string()),
+    }
+}

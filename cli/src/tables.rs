@@ -1,0 +1,134 @@
+//! `twinedge tables`: all tables of a few records, right or wrong.
+
+use crate::document::{Document, Nothing, Printed};
+use crate::effort::Effort;
+use crate::output::style::{BAD, GOOD, QUIET};
+use crate::output::{Format, counted, grouped, part_line};
+use crate::print_tables::Printer;
+use crate::status::{Failure, Verdict};
+use std::fmt;
+use std::time::Instant;
+use twinedge_trials::tables::{TablesOutcome, TablesRow, TablesWork};
+use twinedge_trials::{Outcome, Validator, tables};
+
+/// Judge tables of up to N half-edges, right or wrong, by the validator and by the reference.
+///
+/// Some fields are free: they are set to everything, in all combinations. Validator and reference must find the same first broken
+/// rule, or none; and as many tables must be right as the formulas for maps on labelled half-edges say. The free fields depend on
+/// the size:
+///
+/// No half-edge: two isolated vertices in one face. All fields but leaving are free, nil included.
+///
+/// 2 half-edges on 2 vertices, no faces: origin, twin, next, prev and leaving, nil included; dangling links as well if N >= 4.
+/// With faces, if N >= 4: every field, leaving included, of an edge and of a loop, as in textbooks, and of an edge with a record
+/// for its boundary component; the links between half-edges are live. Of a loop with two boundary components, the links between
+/// half-edges are given, and all other fields are free.
+///
+/// 4 half-edges, no faces, no leaving: origin, twin and next on 2 vertices; twin and next; next and prev for every pairing of
+/// twins; twin or nil, and next, with open borders. Origin, twin, next, prev and leaving are not all free together. In the last
+/// three, origins are what twin and next demand.
+///
+/// 6 half-edges and more: next, for every pairing of twins. Origins follow; there is no prev, leaving or face.
+#[derive(Debug, clap::Args)]
+#[command(after_help = "Examples:
+  twinedge tables                         up to 4 half-edges: seconds
+  twinedge tables --half-edges 6
+  twinedge tables --half-edges 8 --force  an hour or more
+  twinedge tables --half-edges 8 --shard 0/16 --format json > part-0.json
+  twinedge tables --half-edges 2 --print  each table, with the verdict of the validator
+
+--print: one table on each line of standard output, as `twinedge audit` reads them, followed by `= ok` or `= R1`. Comment lines (`# expect: …`) say what the tables below them are held to. The summary goes to standard error.
+
+Exit status: 0 both agree on all tables, and the counts are those of the formulas; 1 otherwise; 2 misuse, or the run would take too long; 130 interrupted (Ctrl-C), after printing what was covered.")]
+pub(crate) struct Tables {
+    /// Greatest number of half-edges.
+    #[arg(long, value_name = "N", default_value_t = 4, value_parser = clap::value_parser!(u8).range(0..=10))]
+    half_edges: u8,
+
+    /// Print each table and the verdict of the validator; the summary goes to standard error.
+    #[arg(long, conflicts_with = "format")]
+    print: bool,
+
+    #[command(flatten)]
+    effort: Effort,
+
+    /// Output format.
+    #[arg(long, value_enum, default_value_t)]
+    format: Format,
+}
+
+impl Tables {
+    pub(crate) fn run(&self) -> Result<Verdict, Failure> {
+        let work = TablesWork { half_edges: self.half_edges.into() };
+        self.effort.refuse_too_much(work.estimate(), self.format)?;
+        let run = self.effort.start()?;
+        let start = Instant::now();
+        if self.print {
+            let printer = Printer::default();
+            let document = Document::new(tables(work, &printer, &run), start);
+            printer.finish(&document.text())?;
+            return Ok(document.verdict());
+        }
+        let document = Document::new(tables(work, &Validator, &run), start);
+        document.print(self.format)?;
+        Ok(document.verdict())
+    }
+}
+
+impl Printed for TablesOutcome {
+    const COMMAND: &'static str = "tables";
+    type Extra = Nothing;
+
+    fn text(&self, _: &Nothing, seconds: f64) -> String {
+        Text(self, seconds).to_string()
+    }
+}
+
+/// The outcome for people.
+struct Text<'a>(&'a TablesOutcome, f64);
+
+impl fmt::Display for Text<'_> {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        let Self(outcome, seconds) = self;
+        if outcome.interrupted {
+            writeln!(f, "{BAD}interrupted{BAD:#}: this is what was covered\n")?;
+        }
+        f.write_str(&part_line(outcome.shard))?;
+        writeln!(
+            f,
+            "{QUIET}{:>10}  {:52} {:>13} {:>9} {:>10} {:>13}{QUIET:#}",
+            "half-edges", "free", "tables", "right", "formula", "disagreements"
+        )?;
+        let is_whole = outcome.shard.is_whole();
+        for row in &outcome.tables {
+            let is_bad = if is_whole { !row.is_ok() } else { row.disagreements > 0 };
+            write_row(f, row, if is_bad { BAD } else { anstyle::Style::new() })?;
+        }
+        for finding in &outcome.findings {
+            writeln!(f, "\n{BAD}disagreement{BAD:#}: {finding}")?;
+        }
+        let judged = counted(outcome.tables.iter().map(|row| row.judged).sum::<u64>() as usize, "table");
+        if outcome.interrupted {
+            return writeln!(f, "\n{BAD}not finished{BAD:#} ({seconds:.1} s)");
+        }
+        match (outcome.is_ok(), is_whole) {
+            (true, true) => {
+                writeln!(
+                    f,
+                    "\n{GOOD}agreed{GOOD:#}: on {judged}, and the counts are those of the formulas ({seconds:.1} s)"
+                )
+            }
+            (true, false) => {
+                writeln!(f, "\n{GOOD}agreed{GOOD:#}: on {judged}; `twinedge sum` compares the counts ({seconds:.1} s)")
+            }
+            (false, _) => writeln!(f, "\n{BAD}not agreed{BAD:#} ({seconds:.1} s)"),
+        }
+    }
+}
+
+fn write_row(f: &mut fmt::Formatter<'_>, row: &TablesRow, style: anstyle::Style) -> fmt::Result {
+    let TablesRow { half_edges, free, .. } = row;
+    let [judged, right, formula, disagreements] =
+        [row.judged, row.right, row.right_by_formula, row.disagreements].map(grouped);
+    writeln!(f, "{half_edges:>10}  {free:52} {judged:>13} {style}{right:>9} {formula:>10} {disagreements:>13}{style:#}")
+}

@@ -1,0 +1,38 @@
+//! Readers for files that hold half-edge structures, or what becomes one, and their audit.
+//!
+//! [`mesh`] reads OBJ, OFF, PLY and STL, joins the faces to half-edges, says in the user's terms what cannot be joined, and
+//! has the validator of `twinedge` judge the rest.
+//!
+//! ```
+//! # #[cfg(feature = "off")] {
+//! use twinedge::validate::Collect;
+//! use twinedge_formats::mesh::{Format, MeshExpectation, audit, read_bytes};
+//!
+//! let tetrahedron = "OFF
+//! 4 4 6
+//! 0 0 0
+//! 1 0 0
+//! 0 1 0
+//! 0 0 1
+//! 3 0 2 1
+//! 3 0 1 3
+//! 3 1 2 3
+//! 3 2 0 3
+//! ";
+//! let file = read_bytes(tetrahedron.as_bytes(), Some(Format::Off))?;
+//! let audit = audit(&file.mesh, &MeshExpectation::new().closed().triangles().genus(0), Collect::All);
+//! assert!(audit.is_valid());
+//! assert_eq!(audit.counts().edges, 6);
+//! # }
+//! # Ok::<(), twinedge_formats::mesh::ReadError>(())
+//! ```
+//!
+//! # Features
+//!
+//! | feature | what it adds | dependencies |
+//! | --- | --- | --- |
+//! | `obj`, `off`, `stl` (default) | a reader each | none |
+//! | `ply` (default) | the reader for PLY | ply-rs-bw |
+//! | `serde` (default) | [`mesh::MeshAudit`] and its parts are `Serialize` | serde |
+
+pub mod mesh;

@@ -1,0 +1,126 @@
+//! The audit of a mesh: findings, the validator's report, counts, and what was expected.
+
+use super::{Findings, HalfEdgeMesh, IndexedMesh, MeshCounts, MeshExpectation, Unmet};
+use std::fmt;
+use twinedge::validate::{Collect, Report, validate};
+
+/// What an audit found. `Display` prints all of it as text; with the feature `serde` it is serialized as
+///
+/// ```text
+/// {
+///   "valid": false,
+///   "counts": {"vertices": 7, "unused_vertices": 0, "edges": 12, "border_edges": 0, "faces": 8, "left_out_faces": 0,
+///              "triangles": 8, "components": 1, "borders": 0, "euler_characteristic": 3, "genus": null, "orientable": true},
+///   "unmet": [{"name": "genus", "message": "expected genus 0, found unknown, since faces could not be joined"}],
+///   "finding_count": 1,
+///   "findings": [{"kind": "non_manifold_vertex", "faces": [0, 4], "vertices": [0],
+///                 "message": "2 fans of faces meet at vertex 0 and share no edge there; one face of each: 0, 4"}],
+///   "rules": [{"id": "R1", "violations": 0, "checked": 120, "unchecked": null}, …]
+/// }
+/// ```
+#[derive(Clone, Debug, PartialEq)]
+pub struct MeshAudit {
+    counts: MeshCounts,
+    unmet: Vec<Unmet>,
+    findings: Findings,
+    report: Report,
+}
+
+/// Joins the faces of a mesh, has the validator judge the result, and compares the counts with what is expected.
+///
+/// `collect` says how many findings of each kind, and how many violations, are kept. All findings are counted; violations as
+/// [`Collect`] says. Time and memory are linear in points and corners (expected, and but for the inverse of Ackermann's
+/// function). It accepts every mesh.
+///
+/// ```
+/// use twinedge::validate::Collect;
+/// use twinedge_formats::mesh::{IndexedMesh, Kind, MeshExpectation, audit};
+///
+/// // Two tetrahedra that touch at vertex 0.
+/// let faces = [[0, 2, 1], [0, 1, 3], [1, 2, 3], [2, 0, 3], [0, 5, 4], [0, 4, 6], [4, 5, 6], [5, 0, 6]];
+/// let mesh = IndexedMesh::from_faces(vec![[0.0; 3]; 7], faces)?;
+/// let audit = audit(&mesh, &MeshExpectation::new().closed().genus(0), Collect::All);
+///
+/// assert!(!audit.is_valid());
+/// let finding = &audit.findings().list()[0];
+/// assert_eq!(finding.kind(), Kind::NonManifoldVertex);
+/// assert_eq!(
+///     finding.to_string(),
+///     "2 fans of faces meet at vertex 0 and share no edge there; one face of each: 0, 4"
+/// );
+/// println!("{audit}");
+/// # #[cfg(feature = "serde")]
+/// println!("{}", serde_json::to_string_pretty(&audit)?);
+/// # Ok::<(), Box<dyn std::error::Error>>(())
+/// ```
+#[must_use]
+pub fn audit(mesh: &IndexedMesh, expectation: &MeshExpectation, collect: Collect) -> MeshAudit {
+    let (half_edges, findings) = HalfEdgeMesh::link(mesh, collect);
+    let report = validate(&half_edges, &HalfEdgeMesh::expectation(), collect);
+    let counts = MeshCounts::new(&half_edges, &findings, &report);
+    let unmet = expectation.unmet(&half_edges, &counts);
+    MeshAudit { counts, unmet, findings, report }
+}
+
+impl MeshAudit {
+    /// Whether the mesh is made of surfaces and is as expected: no finding is a fault, the validator found no violation, and
+    /// all expectations are met.
+    #[must_use]
+    pub fn is_valid(&self) -> bool {
+        self.findings.is_faultless() && self.report.is_valid() && self.unmet.is_empty()
+    }
+
+    /// How many there are of everything.
+    #[must_use]
+    pub const fn counts(&self) -> &MeshCounts {
+        &self.counts
+    }
+
+    /// What is not as expected.
+    #[must_use]
+    pub fn unmet(&self) -> &[Unmet] {
+        &self.unmet
+    }
+
+    /// What is wrong with the list of faces.
+    #[must_use]
+    pub const fn findings(&self) -> &Findings {
+        &self.findings
+    }
+
+    /// What the validator says about the half-edges.
+    #[must_use]
+    pub const fn report(&self) -> &Report {
+        &self.report
+    }
+}
+
+impl fmt::Display for MeshAudit {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        let MeshCounts { vertices, edges, faces, components, borders, euler_characteristic, genus, .. } = self.counts;
+        let or_unknown = |count: Option<usize>| count.map_or_else(|| "unknown".to_owned(), |count| count.to_string());
+        for (what, count) in [
+            ("vertices (V)", vertices.to_string()),
+            ("edges (E)", edges.to_string()),
+            ("faces (F)", faces.to_string()),
+            ("components", components.to_string()),
+            ("border loops", or_unknown(borders)),
+            ("Euler characteristic", euler_characteristic.to_string()),
+            ("genus", or_unknown(genus)),
+        ] {
+            writeln!(f, "{what:20} {count:>12}")?;
+        }
+        write!(f, "{}", self.report)?;
+        for finding in self.findings.list() {
+            writeln!(f, "{}: {finding}", finding.kind())?;
+        }
+        let more = self.findings.total() - self.findings.list().len();
+        if more > 0 {
+            writeln!(f, "… and {more} more")?;
+        }
+        for unmet in &self.unmet {
+            writeln!(f, "{}: {unmet}", unmet.name())?;
+        }
+        f.write_str(if self.is_valid() { "valid" } else { "not valid" })
+    }
+}

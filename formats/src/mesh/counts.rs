@@ -1,0 +1,76 @@
+//! How many there are of everything.
+
+use super::sets::Sets;
+use super::{Findings, HalfEdgeMesh, Kind};
+use twinedge::validate::Report;
+
+/// The counts of a mesh. Edges and all that follows leave out the faces that are left out, and unused vertices.
+///
+/// Where all of them are known, `euler_characteristic = 2 · components − 2 · genus − borders`.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize))]
+pub struct MeshCounts {
+    /// V: the points of the file.
+    pub vertices: usize,
+    /// Those that no face uses, except perhaps one that is left out.
+    pub unused_vertices: usize,
+    /// E: pairs of vertices that follow each other in a face.
+    pub edges: usize,
+    /// Edges with one face only.
+    pub border_edges: usize,
+    /// F: the faces of the file.
+    pub faces: usize,
+    /// Those that are degenerate or repeat others.
+    pub left_out_faces: usize,
+    /// Those of the others that are triangles.
+    pub triangles: usize,
+    /// Connected components. Two faces with a common vertex are connected.
+    pub components: usize,
+    /// Border loops. Not known where edges could not be joined or a vertex with a border has several fans.
+    pub borders: Option<usize>,
+    /// V − E + F, without unused vertices and faces that are left out.
+    pub euler_characteristic: isize,
+    /// The sum of the genera of the components: how many handles they have. Not known where the faces could not be joined to
+    /// surfaces.
+    pub genus: Option<usize>,
+    /// Whether the faces could be turned so that all run the same way round. A Möbius strip is not orientable.
+    pub orientable: bool,
+}
+
+impl MeshCounts {
+    /// Counts, in linear time (but for the inverse of Ackermann's function).
+    pub(super) fn new(half_edges: &HalfEdgeMesh<'_>, findings: &Findings, report: &Report) -> Self {
+        let mesh = half_edges.mesh();
+        let (vertices, faces) = (mesh.points().len(), mesh.face_count());
+        let unused_vertices = findings.count(Kind::UnusedVertex);
+        let kept = || mesh.faces().enumerate().filter(|(f, _)| !half_edges.is_left_out(*f)).map(|(_, face)| face);
+        let (mut kept_faces, mut triangles) = (0, 0);
+        let mut connected = Sets::new(vertices);
+        let mut components = vertices - unused_vertices;
+        for face in kept() {
+            kept_faces += 1;
+            triangles += usize::from(face.len() == 3);
+            for pair in face.windows(2) {
+                components -= usize::from(connected.join(pair[0], pair[1]));
+            }
+        }
+        let border_edges = half_edges.border_edge_count();
+        Self {
+            vertices,
+            unused_vertices,
+            edges: half_edges.edge_count(),
+            border_edges,
+            faces,
+            left_out_faces: faces - kept_faces,
+            triangles,
+            components,
+            // Wherever faces are not joined along an edge, the rotations of its ends are split, and the validator, which says
+            // so (V2), counts neither borders nor handles.
+            borders: if border_edges == 0 { Some(0) } else { report.counts().borders },
+            euler_characteristic: (vertices - unused_vertices + kept_faces).cast_signed()
+                - half_edges.edge_count().cast_signed(),
+            genus: report.counts().genus,
+            orientable: half_edges.is_orientable(),
+        }
+    }
+}

@@ -1,0 +1,257 @@
+//! What is wrong with a list of faces, in the terms of its author.
+
+use std::fmt;
+use twinedge::validate::Collect;
+
+macro_rules! kinds {
+    ($($variant:ident $name:literal $statement:literal;)*) => {
+        /// A kind of finding. The names are stable.
+        #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash, PartialOrd, Ord)]
+        #[non_exhaustive]
+        pub enum Kind {
+            $(#[doc = concat!("`", $name, "`: ", $statement)] $variant,)*
+        }
+
+        impl Kind {
+            /// All kinds, in the order in which findings are listed.
+            pub const ALL: &[Self] = &[$(Self::$variant),*];
+
+            /// The name: `degenerate_face` and so on.
+            #[must_use]
+            pub const fn name(self) -> &'static str {
+                match self { $(Self::$variant => $name,)* }
+            }
+
+            /// The kind in one sentence.
+            #[must_use]
+            pub const fn statement(self) -> &'static str {
+                match self { $(Self::$variant => $statement,)* }
+            }
+        }
+    };
+}
+
+kinds! {
+    DegenerateFace "degenerate_face" "a face has fewer than three different vertices";
+    RepeatedVertex "repeated_vertex" "a face with three or more different vertices lists one of them again";
+    RepeatedFace "repeated_face" "a face has the vertices of an earlier one, in the same order or the opposite one";
+    NonManifoldEdge "non_manifold_edge" "an edge has three or more faces";
+    FlippedFaces "flipped_faces" "the two faces at an edge run along it in the same direction";
+    NonManifoldVertex "non_manifold_vertex" "several fans of faces meet at a vertex and share no edge there";
+    UnusedVertex "unused_vertex" "no face uses the vertex";
+}
+
+impl Kind {
+    /// Whether it is a fault in any mesh. Unused vertices are one only where they are expected not to be.
+    #[must_use]
+    pub const fn is_fault(self) -> bool {
+        !matches!(self, Self::UnusedVertex)
+    }
+}
+
+impl fmt::Display for Kind {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        f.write_str(self.name())
+    }
+}
+
+/// Something wrong, with the faces and vertices where it is. `Display` says it in a sentence.
+#[derive(Clone, Debug, PartialEq, Eq, Hash)]
+#[non_exhaustive]
+pub enum Finding {
+    /// A face has fewer than three different vertices. It is left out.
+    DegenerateFace {
+        /// The face.
+        face: usize,
+        /// Its different vertices, none to two, in the order of the face.
+        vertices: Vec<usize>,
+    },
+    /// A face lists a vertex again. It is left out.
+    RepeatedVertex {
+        /// The face.
+        face: usize,
+        /// The first vertex that occurs again.
+        vertex: usize,
+    },
+    /// A face has the vertices of an earlier one. It is left out.
+    RepeatedFace {
+        /// The face.
+        face: usize,
+        /// The first face with these vertices.
+        first: usize,
+        /// Whether it lists them in the opposite order, so that the two are back to back.
+        reversed: bool,
+        /// The vertices, as the face lists them.
+        vertices: Vec<usize>,
+    },
+    /// An edge has three or more faces. They are not joined there.
+    NonManifoldEdge {
+        /// The ends of the edge, the smaller first.
+        vertices: [usize; 2],
+        /// All of its faces.
+        faces: Vec<usize>,
+    },
+    /// The two faces at an edge run along it in the same direction: one of them is flipped. They are not joined there.
+    FlippedFaces {
+        /// The ends of the edge, in the order in which both faces list them.
+        vertices: [usize; 2],
+        /// The faces.
+        faces: [usize; 2],
+    },
+    /// Several fans of faces meet at a vertex.
+    NonManifoldVertex {
+        /// The vertex.
+        vertex: usize,
+        /// The first face of each fan.
+        faces: Vec<usize>,
+    },
+    /// No face uses the vertex; those that are left out do not count.
+    UnusedVertex {
+        /// The vertex.
+        vertex: usize,
+    },
+}
+
+impl Finding {
+    /// Its kind.
+    #[must_use]
+    pub const fn kind(&self) -> Kind {
+        match self {
+            Self::DegenerateFace { .. } => Kind::DegenerateFace,
+            Self::RepeatedVertex { .. } => Kind::RepeatedVertex,
+            Self::RepeatedFace { .. } => Kind::RepeatedFace,
+            Self::NonManifoldEdge { .. } => Kind::NonManifoldEdge,
+            Self::FlippedFaces { .. } => Kind::FlippedFaces,
+            Self::NonManifoldVertex { .. } => Kind::NonManifoldVertex,
+            Self::UnusedVertex { .. } => Kind::UnusedVertex,
+        }
+    }
+
+    /// The faces involved, the one at fault first where there is one.
+    #[must_use]
+    pub fn faces(&self) -> Vec<usize> {
+        match self {
+            Self::DegenerateFace { face, .. } | Self::RepeatedVertex { face, .. } => vec![*face],
+            Self::RepeatedFace { face, first, .. } => vec![*face, *first],
+            Self::NonManifoldEdge { faces, .. } | Self::NonManifoldVertex { faces, .. } => faces.clone(),
+            Self::FlippedFaces { faces, .. } => faces.to_vec(),
+            Self::UnusedVertex { .. } => Vec::new(),
+        }
+    }
+
+    /// The vertices involved.
+    #[must_use]
+    pub fn vertices(&self) -> Vec<usize> {
+        match self {
+            Self::DegenerateFace { vertices, .. } | Self::RepeatedFace { vertices, .. } => vertices.clone(),
+            Self::RepeatedVertex { vertex, .. }
+            | Self::NonManifoldVertex { vertex, .. }
+            | Self::UnusedVertex { vertex } => vec![*vertex],
+            Self::NonManifoldEdge { vertices, .. } | Self::FlippedFaces { vertices, .. } => vertices.to_vec(),
+        }
+    }
+}
+
+/// Numbers in a row, the first few of them.
+struct Row<'a>(&'a [usize]);
+
+impl fmt::Display for Row<'_> {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        const SHOWN: usize = 8;
+        for (i, number) in self.0.iter().take(SHOWN).enumerate() {
+            write!(f, "{}{number}", if i == 0 { "" } else { ", " })?;
+        }
+        match self.0.len().saturating_sub(SHOWN) {
+            0 => Ok(()),
+            more => write!(f, " and {more} more"),
+        }
+    }
+}
+
+impl fmt::Display for Finding {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        match self {
+            Self::DegenerateFace { face, vertices } => match vertices[..] {
+                [] => write!(f, "face {face} has no vertices: it is left out"),
+                [_] => write!(f, "face {face} has one vertex only, {}: it is left out", Row(vertices)),
+                _ => write!(f, "face {face} has two different vertices only, {}: it is left out", Row(vertices)),
+            },
+            Self::RepeatedVertex { face, vertex } => {
+                write!(f, "face {face} passes vertex {vertex} more than once: it is left out")
+            }
+            Self::RepeatedFace { face, first, reversed, vertices } => {
+                let how = if *reversed { "in the opposite order" } else { "in the same order" };
+                write!(f, "face {face} has the vertices of face {first}, {how} ({}): it is left out", Row(vertices))
+            }
+            Self::NonManifoldEdge { vertices: [a, b], faces } => {
+                write!(f, "the edge between vertices {a} and {b} has {} faces: {}", faces.len(), Row(faces))
+            }
+            Self::FlippedFaces { vertices: [a, b], faces: [first, second] } => {
+                write!(f, "faces {first} and {second} both run from vertex {a} to vertex {b}: one of them is flipped")
+            }
+            Self::NonManifoldVertex { vertex, faces } => write!(
+                f,
+                "{} fans of faces meet at vertex {vertex} and share no edge there; one face of each: {}",
+                faces.len(),
+                Row(faces)
+            ),
+            Self::UnusedVertex { vertex } => write!(f, "no face uses vertex {vertex}"),
+        }
+    }
+}
+
+/// All that was found in a list of faces: how many of each kind, and the first of each kind.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub struct Findings {
+    kept: Vec<Finding>,
+    counts: [usize; Kind::ALL.len()],
+    most: usize,
+}
+
+impl Findings {
+    pub(super) fn new(collect: Collect) -> Self {
+        let most = match collect {
+            Collect::First => 1,
+            Collect::All => Collect::DEFAULT_CAP,
+            Collect::AtMost(most) => most,
+        };
+        Self { kept: Vec::new(), counts: [0; Kind::ALL.len()], most }
+    }
+
+    /// Counts a finding, and makes and keeps it if there is room.
+    pub(super) fn add(&mut self, kind: Kind, finding: impl FnOnce() -> Finding) {
+        let count = &mut self.counts[kind as usize];
+        *count += 1;
+        if *count <= self.most {
+            self.kept.push(finding());
+        }
+    }
+
+    pub(super) fn sort(&mut self) {
+        self.kept.sort_by_key(Finding::kind);
+    }
+
+    /// The findings that were kept, by kind, and then by face, by the smaller vertex of the edge, or by vertex.
+    #[must_use]
+    pub fn list(&self) -> &[Finding] {
+        &self.kept
+    }
+
+    /// How many there are of this kind, kept or not.
+    #[must_use]
+    pub const fn count(&self, kind: Kind) -> usize {
+        self.counts[kind as usize]
+    }
+
+    /// How many there are, kept or not.
+    #[must_use]
+    pub fn total(&self) -> usize {
+        self.counts.iter().sum()
+    }
+
+    /// Whether nothing was found that is a fault in any mesh.
+    #[must_use]
+    pub fn is_faultless(&self) -> bool {
+        Kind::ALL.iter().all(|kind| !kind.is_fault() || self.count(*kind) == 0)
+    }
+}

@@ -1,0 +1,38 @@
+//! Mesh files: from a list of faces to half-edges, with a diagnosis.
+//!
+//! ```text
+//!   file ── read ──► IndexedMesh ── HalfEdgeMesh::link ──► HalfEdgeMesh (a View) ── validate ──► Report
+//!                                         │                                                        │
+//!                                         └──► Findings: "edge 4–7 has three faces: 1, 2, 9"       │
+//!                                                    └──────────────► audit ◄─────────────────────┘
+//! ```
+//!
+//! `read` and its like take OBJ, OFF, PLY and STL. [`HalfEdgeMesh::link`] joins the faces, in linear time, and finds what
+//! cannot be joined. [`audit`] does that, runs the validator on what was joined, counts, and compares the counts with a
+//! [`MeshExpectation`].
+//!
+//! Faces and vertices are counted from 0, in the order of the file, in everything that this module says. (OBJ counts
+//! vertices from 1 in its files.)
+
+mod audit;
+mod counts;
+mod expectation;
+mod finding;
+mod half_edges;
+mod indexed;
+mod link;
+#[cfg(any(feature = "obj", feature = "off", feature = "ply", feature = "stl"))]
+mod read;
+mod repeated;
+#[cfg(feature = "serde")]
+mod serialize;
+mod sets;
+
+pub use audit::{MeshAudit, audit};
+pub use counts::MeshCounts;
+pub use expectation::{MeshExpectation, Unmet};
+pub use finding::{Finding, Findings, Kind};
+pub use half_edges::HalfEdgeMesh;
+pub use indexed::{IndexedMesh, IndexedMeshError};
+#[cfg(any(feature = "obj", feature = "off", feature = "ply", feature = "stl"))]
+pub use read::{Cause, Dropped, Format, MeshFile, Position, ReadError, read, read_bytes, read_path};

@@ -1,0 +1,79 @@
+//! An indexed mesh in the making, as the readers fill it.
+
+use super::error::{Cause, Failed, Position};
+use crate::mesh::IndexedMesh;
+
+/// Points and faces so far. Faces may list points that come later, so indices are checked at the end.
+#[derive(Debug)]
+pub(super) struct Builder {
+    points: Vec<[f64; 3]>,
+    corners: Vec<u32>,
+    offsets: Vec<u32>,
+    /// The largest index that a face lists, and where.
+    largest: Option<(u32, Position)>,
+    /// What the format calls the first point.
+    first: i64,
+}
+
+impl Builder {
+    pub(super) fn new(first: i64) -> Self {
+        Self { points: Vec::new(), corners: Vec::new(), offsets: vec![0], largest: None, first }
+    }
+
+    /// Makes room for what a header announces, but for no more than `left` bytes can hold.
+    pub(super) fn reserve(&mut self, points: u64, faces: u64, sides: u64, left: usize) {
+        // A coordinate and an index have at least one byte and a blank in text, and four bytes in most binary files.
+        let fits = |count: u64, bytes: usize| usize::try_from(count).unwrap_or(usize::MAX).min(left / bytes);
+        self.points.reserve(fits(points, 6));
+        self.offsets.reserve(fits(faces, 6));
+        self.corners.reserve(fits(faces.saturating_mul(sides), 2));
+    }
+
+    pub(super) fn points(&self) -> &[[f64; 3]] {
+        &self.points
+    }
+
+    #[inline]
+    pub(super) fn point(&mut self, point: [f64; 3], at: Position) -> Result<(), Failed> {
+        if self.points.len() == IndexedMesh::MOST {
+            return Err(Failed::new(at, Cause::TooLarge));
+        }
+        self.points.push(point);
+        Ok(())
+    }
+
+    /// Adds a corner to the face that is being read; points are counted from 0 here.
+    #[inline]
+    pub(super) fn corner(&mut self, point: i64, at: Position) -> Result<(), Failed> {
+        let Ok(index) = u32::try_from(point) else {
+            let index = point.saturating_add(self.first);
+            return Err(Failed::new(at, Cause::IndexOutOfRange { index, points: self.points.len() }));
+        };
+        if self.corners.len() == IndexedMesh::MOST {
+            return Err(Failed::new(at, Cause::TooLarge));
+        }
+        if self.largest.is_none_or(|(largest, _)| index > largest) {
+            self.largest = Some((index, at));
+        }
+        self.corners.push(index);
+        Ok(())
+    }
+
+    /// The face is complete.
+    #[inline]
+    pub(super) fn face(&mut self, at: Position) -> Result<(), Failed> {
+        if self.offsets.len() > IndexedMesh::MOST {
+            return Err(Failed::new(at, Cause::TooLarge));
+        }
+        self.offsets.push(self.corners.len() as u32);
+        Ok(())
+    }
+
+    pub(super) fn finish(self) -> Result<IndexedMesh, Failed> {
+        if let Some((index, at)) = self.largest.filter(|(index, _)| *index as usize >= self.points.len()) {
+            let index = i64::from(index) + self.first;
+            return Err(Failed::new(at, Cause::IndexOutOfRange { index, points: self.points.len() }));
+        }
+        Ok(IndexedMesh::new(self.points, self.corners, self.offsets).expect("indices and sizes were checked"))
+    }
+}

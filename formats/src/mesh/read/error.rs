@@ -1,0 +1,120 @@
+//! Why a file could not be read, and where.
+
+use super::Format;
+use std::fmt;
+
+/// Why a mesh file could not be read.
+#[derive(Debug, thiserror::Error)]
+#[non_exhaustive]
+pub enum ReadError {
+    /// The file or stream itself could not be read.
+    #[error("cannot read the file")]
+    Io(#[from] std::io::Error),
+    /// Neither the name nor the content says which format it is.
+    #[error("neither the name nor the content of the file says which format it has")]
+    UnknownFormat,
+    /// The content is not what the format demands.
+    #[error("{format}, {position}: {cause}")]
+    Content {
+        /// The format that was expected.
+        format: Format,
+        /// Where reading ended.
+        position: Position,
+        /// What is wrong.
+        cause: Cause,
+    },
+}
+
+/// A place in a file.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord, Hash)]
+pub enum Position {
+    /// In text: the line, counted from 1.
+    Line(u64),
+    /// In binary data: the byte, counted from 0.
+    Byte(u64),
+}
+
+impl fmt::Display for Position {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        match self {
+            Self::Line(n) => write!(f, "line {n}"),
+            Self::Byte(n) => write!(f, "byte {n}"),
+        }
+    }
+}
+
+/// What is wrong in a file.
+#[derive(Clone, Debug, PartialEq, thiserror::Error)]
+#[non_exhaustive]
+pub enum Cause {
+    /// Something else stands where this should.
+    #[error("expected {what}, found `{found}`")]
+    Expected {
+        /// What should stand there.
+        what: &'static str,
+        /// What does, shortened.
+        found: Box<str>,
+    },
+    /// The line or the file ends where this should follow.
+    #[error("expected {what}, but there is nothing more")]
+    Truncated {
+        /// What should follow.
+        what: &'static str,
+    },
+    /// A coordinate is not a finite number.
+    #[error("the coordinate {found} is not finite")]
+    NotFinite {
+        /// The coordinate.
+        found: f64,
+    },
+    /// A face lists a point that there is not. The index is as in the file: OBJ counts from 1, or backwards from −1.
+    #[error("a face lists point {index}, but there are {points} points")]
+    IndexOutOfRange {
+        /// What the face lists.
+        index: i64,
+        /// How many points there are; in OBJ, for a negative index, how many there are so far.
+        points: usize,
+    },
+    /// Part of the format that this reader does not read.
+    #[error("{0} cannot be read")]
+    Unsupported(&'static str),
+    /// The header of a PLY file is malformed.
+    #[error("the header is malformed: {0}")]
+    Header(Box<str>),
+    /// The header of a PLY file defines an element or property twice.
+    #[error("an element or property is defined twice")]
+    DefinedTwice,
+    /// The file lacks this: a PLY file in its header, an OBJ file altogether.
+    #[error("there is no {0}")]
+    Missing(&'static str),
+    /// There are more than 2³¹ − 2 points, corners or faces.
+    #[error("more than 2,147,483,646 points, corners or faces")]
+    TooLarge,
+}
+
+/// An error of a reader, which does not know for itself which format it reads.
+#[derive(Debug)]
+pub(super) struct Failed {
+    pub(super) position: Position,
+    pub(super) cause: Cause,
+}
+
+impl Failed {
+    pub(super) fn new(position: Position, cause: Cause) -> Self {
+        Self { position, cause }
+    }
+}
+
+/// At most so many characters of a file are shown.
+const SHOWN: usize = 32;
+
+/// A piece of a file as it can be shown in a message.
+pub(super) fn excerpt(bytes: &[u8]) -> Box<str> {
+    let start = &bytes[..bytes.len().min(4 * SHOWN)];
+    let text = String::from_utf8_lossy(start);
+    let mut shown: String = text.chars().take(SHOWN).flat_map(char::escape_debug).collect();
+    if start.len() < bytes.len() || text.chars().count() > SHOWN {
+        shown.push('…');
+    }
+    shown.into()
+}

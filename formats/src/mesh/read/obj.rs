@@ -1,0 +1,91 @@
+//! OBJ (Wavefront): <https://paulbourke.net/dataformats/obj/>.
+//!
+//! Read here and not by a crate, since this is about which points the *file* has: the well-kept reader (`tobj`) keeps only
+//! points that faces use, numbers them anew for each group and material, and says of an error neither the line nor the
+//! index. It is the second opinion in the tests.
+
+use super::builder::Builder;
+use super::dropped::{Dropped, Drops};
+use super::error::{Cause, Failed};
+use super::text::Text;
+use crate::mesh::IndexedMesh;
+
+pub(super) fn read(bytes: &[u8]) -> Result<(IndexedMesh, Vec<Dropped>), Failed> {
+    let mut text = Text::new(bytes).with_comments(b'#').with_continued_lines();
+    let mut mesh = Builder::new(1);
+    let mut drops = Drops::default();
+    loop {
+        if let Some(statement) = text.word() {
+            match statement {
+                b"v" => point(&mut text, &mut mesh, &mut drops)?,
+                b"f" | b"fo" => face(&mut text, &mut mesh, &mut drops)?,
+                _ => drops.add(what_is(statement), 1),
+            }
+        }
+        if !text.next_line() {
+            break;
+        }
+    }
+    let mesh = mesh.finish()?;
+    // Every text is an OBJ file, if what is not known is passed over. So say that this one says nothing.
+    if mesh.points().is_empty() {
+        return Err(text.failed(Cause::Missing("point")));
+    }
+    Ok((mesh, drops.into_list()))
+}
+
+/// What a statement is that says nothing about points and faces.
+fn what_is(statement: &[u8]) -> &'static str {
+    match statement {
+        b"vt" => "texture coordinates",
+        b"vn" => "normals",
+        b"l" => "lines",
+        b"p" => "points as elements",
+        b"g" | b"o" | b"s" | b"mg" => "groups and objects",
+        b"usemtl" | b"mtllib" | b"usemap" | b"maplib" => "materials",
+        _ => "other statements",
+    }
+}
+
+fn point(text: &mut Text<'_>, mesh: &mut Builder, drops: &mut Drops) -> Result<(), Failed> {
+    let mut point = [0.0; 3];
+    for coordinate in &mut point {
+        let word = text.word();
+        *coordinate = text.coordinate(word)?;
+    }
+    match text.skip_words() {
+        0 => {}
+        1 => drops.add("weights of points", 1),
+        _ => drops.add("colours of points", 1),
+    }
+    mesh.point(point, text.position())
+}
+
+fn face(text: &mut Text<'_>, mesh: &mut Builder, drops: &mut Drops) -> Result<(), Failed> {
+    let at = text.position();
+    let mut with_more = false;
+    while let Some(word) = text.word() {
+        let end = word.iter().position(|byte| *byte == b'/').unwrap_or(word.len());
+        let (number, more) = word.split_at(end);
+        if !more.iter().all(|byte| matches!(byte, b'/' | b'-' | b'0'..=b'9')) {
+            return Err(text.expected("indices as 1/2/3", Some(word)));
+        }
+        with_more |= !more.is_empty();
+        let index: i64 = text.integer(Some(number), "the index of a point")?;
+        let points = mesh.points().len();
+        let from_zero = match index {
+            1.. => index - 1,
+            0 => return Err(text.failed(Cause::IndexOutOfRange { index, points })),
+            // Counted back from the last point so far.
+            _ => index.saturating_add_unsigned(points as u64),
+        };
+        if from_zero < 0 {
+            return Err(text.failed(Cause::IndexOutOfRange { index, points }));
+        }
+        mesh.corner(from_zero, text.position())?;
+    }
+    if with_more {
+        drops.add("faces' links to texture coordinates and normals", 1);
+    }
+    mesh.face(at)
+}

@@ -1,0 +1,152 @@
+//! Words and lines of a text file.
+
+use super::error::{Cause, Failed, Position, excerpt};
+
+/// Walks over the words of a text, and knows on which line it is. Whatever the bytes are, they are words or blanks.
+#[derive(Debug)]
+pub(super) struct Text<'a> {
+    bytes: &'a [u8],
+    at: usize,
+    line: u64,
+    /// From this byte to the end of the line is a comment.
+    comment: Option<u8>,
+    /// A line that ends with a backslash goes on in the next one.
+    continued: bool,
+}
+
+impl<'a> Text<'a> {
+    /// Starts after the byte order mark, if there is one.
+    pub(super) fn new(bytes: &'a [u8]) -> Self {
+        let at = if bytes.starts_with("\u{feff}".as_bytes()) { 3 } else { 0 };
+        Self { bytes, at, line: 1, comment: None, continued: false }
+    }
+
+    pub(super) fn with_comments(self, start: u8) -> Self {
+        Self { comment: Some(start), ..self }
+    }
+
+    pub(super) fn with_continued_lines(self) -> Self {
+        Self { continued: true, ..self }
+    }
+
+    pub(super) fn starting_at(self, at: usize, line: u64) -> Self {
+        Self { at, line, ..self }
+    }
+
+    pub(super) fn position(&self) -> Position {
+        Position::Line(self.line)
+    }
+
+    /// How many bytes are left.
+    pub(super) fn left(&self) -> usize {
+        self.bytes.len() - self.at
+    }
+
+    /// The next word of this line.
+    #[inline]
+    pub(super) fn word(&mut self) -> Option<&'a [u8]> {
+        loop {
+            match *self.bytes.get(self.at)? {
+                b'\n' | b'\r' => return None,
+                b'\\' if self.continued && self.continues() => {
+                    self.at += 1;
+                    self.step_over_line_end();
+                }
+                byte if byte.is_ascii_whitespace() => self.at += 1,
+                byte if Some(byte) == self.comment => {
+                    self.skip_to_line_end();
+                    return None;
+                }
+                _ => break,
+            }
+        }
+        let rest = &self.bytes[self.at..];
+        let mut length = 1;
+        while length < rest.len()
+            && !rest[length].is_ascii_whitespace()
+            && Some(rest[length]) != self.comment
+            && !(rest[length] == b'\\' && self.continued)
+        {
+            length += 1;
+        }
+        self.at += length;
+        Some(&rest[..length])
+    }
+
+    /// The next word of this line or a later one.
+    #[inline]
+    pub(super) fn any_word(&mut self) -> Option<&'a [u8]> {
+        loop {
+            if let Some(word) = self.word() {
+                return Some(word);
+            }
+            if !self.next_line() {
+                return None;
+            }
+        }
+    }
+
+    /// Goes to the next line; false at the end of the text.
+    pub(super) fn next_line(&mut self) -> bool {
+        self.skip_to_line_end();
+        self.step_over_line_end()
+    }
+
+    /// How many more words there are on this line.
+    pub(super) fn skip_words(&mut self) -> usize {
+        std::iter::from_fn(|| self.word()).count()
+    }
+
+    fn skip_to_line_end(&mut self) {
+        let rest = &self.bytes[self.at..];
+        self.at += rest.iter().position(|byte| matches!(byte, b'\n' | b'\r')).unwrap_or(rest.len());
+    }
+
+    fn step_over_line_end(&mut self) -> bool {
+        self.at += match self.bytes[self.at..] {
+            [b'\r', b'\n', ..] => 2,
+            [b'\r' | b'\n', ..] => 1,
+            _ => return false,
+        };
+        self.line += 1;
+        true
+    }
+
+    /// Whether the line ends right after the backslash here.
+    fn continues(&self) -> bool {
+        matches!(self.bytes.get(self.at + 1), Some(b'\n' | b'\r'))
+    }
+
+    pub(super) fn failed(&self, cause: Cause) -> Failed {
+        Failed::new(self.position(), cause)
+    }
+
+    /// An error about this word, or about its absence.
+    pub(super) fn expected(&self, what: &'static str, found: Option<&[u8]>) -> Failed {
+        self.failed(match found {
+            Some(word) => Cause::Expected { what, found: excerpt(word) },
+            None => Cause::Truncated { what },
+        })
+    }
+
+    /// The word as a coordinate.
+    #[inline]
+    pub(super) fn coordinate(&self, word: Option<&[u8]>) -> Result<f64, Failed> {
+        let number = self.number(word, "a coordinate")?;
+        if number.is_finite() { Ok(number) } else { Err(self.failed(Cause::NotFinite { found: number })) }
+    }
+
+    /// The word as a number.
+    #[inline]
+    pub(super) fn number(&self, word: Option<&[u8]>, what: &'static str) -> Result<f64, Failed> {
+        let parsed = word.and_then(|word| std::str::from_utf8(word).ok()).and_then(|word| word.parse().ok());
+        parsed.ok_or_else(|| self.expected(what, word))
+    }
+
+    /// The word as a whole number.
+    #[inline]
+    pub(super) fn integer<T: std::str::FromStr>(&self, word: Option<&[u8]>, what: &'static str) -> Result<T, Failed> {
+        let parsed = word.and_then(|word| std::str::from_utf8(word).ok()).and_then(|word| word.parse().ok());
+        parsed.ok_or_else(|| self.expected(what, word))
+    }
+}

@@ -1,0 +1,11 @@
+//! Mesh files: what is read, what is joined, what is found.
+#![allow(clippy::needless_pass_by_value, reason = "quickcheck hands properties their input by value")]
+
+mod errors;
+mod formats;
+mod golden;
+mod hostile;
+mod output;
+mod random;
+mod second_opinions;
+mod support;

@@ -1,0 +1,95 @@
+//! From keys and indices to elements.
+
+use super::elements::{Boundary, Face, HalfEdge, Vertex};
+use super::error::StaleKey;
+use super::structure::Dcel;
+use crate::store::{BoundaryKey, FaceKey, HalfEdgeKey, Store, VertexKey};
+
+impl<S: Store> Dcel<S> {
+    /// The vertex with this key. O(1).
+    ///
+    /// # Errors
+    /// [`StaleKey::Vertex`] if there is none (any more).
+    pub fn vertex(&self, key: VertexKey) -> Result<Vertex<'_, S>, StaleKey> {
+        self.store.find_vertex(key).map(|slot| Vertex::new(self, slot)).ok_or(StaleKey::Vertex(key))
+    }
+
+    /// The half-edge with this key. O(1).
+    ///
+    /// # Errors
+    /// [`StaleKey::HalfEdge`] if there is none (any more).
+    pub fn half_edge(&self, key: HalfEdgeKey) -> Result<HalfEdge<'_, S>, StaleKey> {
+        self.store.find_half_edge(key).map(|slot| HalfEdge::new(self, slot)).ok_or(StaleKey::HalfEdge(key))
+    }
+
+    /// The boundary component with this key. O(1).
+    ///
+    /// # Errors
+    /// [`StaleKey::Boundary`] if there is none (any more).
+    pub fn boundary(&self, key: BoundaryKey) -> Result<Boundary<'_, S>, StaleKey> {
+        self.store.find_boundary(key).map(|slot| Boundary::new(self, slot)).ok_or(StaleKey::Boundary(key))
+    }
+
+    /// The face with this key. O(1).
+    ///
+    /// # Errors
+    /// [`StaleKey::Face`] if there is none (any more).
+    pub fn face(&self, key: FaceKey) -> Result<Face<'_, S>, StaleKey> {
+        self.store.find_face(key).map(|slot| Face::new(self, slot)).ok_or(StaleKey::Face(key))
+    }
+
+    /// The unbounded face, which every map has. O(1).
+    #[must_use]
+    pub fn unbounded_face(&self) -> Face<'_, S> {
+        Face::new(self, self.store.unbounded())
+    }
+
+    /// All vertices, in order of their indices. O(slots).
+    pub fn vertices(&self) -> impl Iterator<Item = Vertex<'_, S>> + '_ {
+        (0..self.store.vertex_slots()).filter_map(|i| self.vertex_at(i))
+    }
+
+    /// All half-edges, in order of their indices. O(slots).
+    pub fn half_edges(&self) -> impl Iterator<Item = HalfEdge<'_, S>> + '_ {
+        (0..self.store.half_edge_slots()).filter_map(|i| self.half_edge_at(i))
+    }
+
+    /// One half-edge of each edge: of the two, the one with the smaller index. O(slots).
+    pub fn edges(&self) -> impl Iterator<Item = HalfEdge<'_, S>> + '_ {
+        self.half_edges().filter(|h| h.index() < h.twin().index())
+    }
+
+    /// All boundary components, in order of their indices. O(slots).
+    pub fn boundaries(&self) -> impl Iterator<Item = Boundary<'_, S>> + '_ {
+        (0..self.store.boundary_slots()).filter_map(|i| self.boundary_at(i))
+    }
+
+    /// All faces, in order of their indices. O(slots).
+    pub fn faces(&self) -> impl Iterator<Item = Face<'_, S>> + '_ {
+        (0..self.store.face_slots()).filter_map(|i| self.face_at(i))
+    }
+
+    /// The vertex with this index, which is how reports name it. O(1).
+    #[must_use]
+    pub fn vertex_at(&self, index: usize) -> Option<Vertex<'_, S>> {
+        self.store.vertex_at(index).map(|slot| Vertex::new(self, slot))
+    }
+
+    /// The half-edge with this index, which is how reports name it. O(1).
+    #[must_use]
+    pub fn half_edge_at(&self, index: usize) -> Option<HalfEdge<'_, S>> {
+        self.store.half_edge_at(index).map(|slot| HalfEdge::new(self, slot))
+    }
+
+    /// The boundary component with this index, which is how reports name it. O(1).
+    #[must_use]
+    pub fn boundary_at(&self, index: usize) -> Option<Boundary<'_, S>> {
+        self.store.boundary_at(index).map(|slot| Boundary::new(self, slot))
+    }
+
+    /// The face with this index, which is how reports name it. O(1).
+    #[must_use]
+    pub fn face_at(&self, index: usize) -> Option<Face<'_, S>> {
+        self.store.face_at(index).map(|slot| Face::new(self, slot))
+    }
+}

@@ -1,0 +1,106 @@
+//! The one place where a whole structure is put together at once, from columns of numbers.
+//!
+//! ```text
+//!   a view   ─► import ────┐
+//!   segments ─► arrange ───┼─► Assembly ─► Dcel
+//!   saved    ─► deserialize┘
+//! ```
+
+use super::structure::Dcel;
+use crate::store::SlotStore;
+use crate::store::links::{BoundaryStart, Links, Need, RecordKind, VertexLink};
+use crate::store::slots::Slots;
+
+/// A planar subdivision as columns. Records are numbered from 0 without gaps, and every number is in range.
+///
+/// Nothing is checked here: the columns must keep the rules R1 … T4, by the way in which they were made or by validation
+/// before or after.
+#[derive(Clone, Copy, Debug)]
+pub(crate) struct Assembly<'a> {
+    /// By vertex: a half-edge that leaves it, or the boundary component that it is.
+    pub(crate) vertices: &'a [VertexLink<u32, u32>],
+    /// By half-edge: its origin. The two half-edges of an edge have the numbers 2e and 2e + 1.
+    pub(crate) origin: &'a [u32],
+    /// By half-edge: the one that follows. `prev` comes from it.
+    pub(crate) next: &'a [u32],
+    /// By half-edge: its boundary component.
+    pub(crate) boundary: &'a [u32],
+    /// By boundary component: where it starts.
+    pub(crate) starts: &'a [BoundaryStart<u32, u32>],
+    /// By bounded face, which have the numbers 1 .. : the outer boundary component. Face 0 is the unbounded one.
+    pub(crate) outer: &'a [u32],
+    /// Each inner boundary component after the face that lists it, in the order of the lists.
+    pub(crate) inner: &'a [(u32, u32)],
+}
+
+impl Assembly<'_> {
+    /// How many records of each kind there are, without the unbounded face.
+    fn need(&self) -> Need {
+        Need {
+            vertices: self.vertices.len(),
+            edges: self.origin.len() / 2,
+            boundaries: self.starts.len(),
+            faces: self.outer.len(),
+        }
+    }
+
+    /// The structure. O(n). Record `i` of each kind gets the `i`-th slot, so that
+    /// [`vertex_index`](Self::vertex_index) and its kin tell its index.
+    ///
+    /// # Errors
+    /// The kind of record of which there are more than a store can hold.
+    pub(crate) fn assemble(&self) -> Result<Dcel, RecordKind> {
+        let (store, slots) = SlotStore::with_records(self.need())?;
+        Ok(self.link(store, &slots))
+    }
+
+    /// The index of the vertex with this number.
+    #[allow(dead_code, reason = "for the layers above, which a smaller selection of features leaves out")]
+    pub(crate) const fn vertex_index(number: u32) -> u32 {
+        number + 1
+    }
+
+    /// The index of the half-edge with this number.
+    #[allow(dead_code, reason = "for the layers above, which a smaller selection of features leaves out")]
+    pub(crate) const fn half_edge_index(number: u32) -> u32 {
+        number + 2
+    }
+
+    /// Sets the links of all records, of which those with the numbers of this assembly have these slots.
+    pub(super) fn link(&self, mut store: SlotStore, slots: &Slots) -> Dcel {
+        let vertex = |number: u32| slots.vertices[number as usize];
+        let half_edge = |number: u32| slots.half_edges[number as usize];
+        let boundary = |number: u32| slots.boundaries[number as usize];
+        for (v, link) in slots.vertices.iter().zip(self.vertices) {
+            store.set_vertex_link(
+                *v,
+                match *link {
+                    VertexLink::Leaving(h) => VertexLink::Leaving(half_edge(h)),
+                    VertexLink::Isolated(b) => VertexLink::Isolated(boundary(b)),
+                },
+            );
+        }
+        let columns = self.origin.iter().zip(self.next).zip(self.boundary);
+        for (h, ((origin, next), b)) in slots.half_edges.iter().zip(columns) {
+            store.set_origin(*h, vertex(*origin));
+            store.set_boundary(*h, boundary(*b));
+            store.join(*h, half_edge(*next));
+        }
+        for (b, start) in slots.boundaries.iter().zip(self.starts) {
+            store.set_start(
+                *b,
+                match *start {
+                    BoundaryStart::HalfEdge(h) => BoundaryStart::HalfEdge(half_edge(h)),
+                    BoundaryStart::Vertex(v) => BoundaryStart::Vertex(vertex(v)),
+                },
+            );
+        }
+        for (f, b) in slots.faces.iter().skip(1).zip(self.outer) {
+            store.list_outer(*f, boundary(*b));
+        }
+        for (f, b) in self.inner {
+            store.list_inner(slots.faces[*f as usize], boundary(*b));
+        }
+        Dcel { store }
+    }
+}

@@ -1,0 +1,149 @@
+//! From any valid structure to a [`Dcel`].
+
+use super::error::ImportError;
+use super::gather::{Columns, Gather, NIL, Numbers};
+use super::keys::Keys;
+use super::outside::Outside;
+use crate::dcel::structure::Dcel;
+use crate::validate::{Collect, Expectation, Part, Report, View, validate};
+use alloc::boxed::Box;
+use alloc::vec::Vec;
+
+impl Dcel {
+    /// Builds the structure that a view describes, and tells which of its records became which.
+    ///
+    /// The view is validated first, and what comes of it once more, so nothing but a planar subdivision comes in, whatever
+    /// the view answers. What must the structure have?
+    ///
+    /// | it has | expectation | outside |
+    /// | --- | --- | --- |
+    /// | records of boundary components (CCBs), an unbounded face | [`Expectation::plane`] | [`Outside::Given`] |
+    /// | faces that keep half-edges, an unbounded face | the same, without [`Part::BoundaryComponents`] | [`Outside::Given`] |
+    /// | one cycle for each face, closed, genus 0 | [`Expectation::surface`] | [`Outside::Face`] |
+    /// | one cycle for each face, and one border | the same, and [`open`](Expectation::open) | [`Outside::Border`] |
+    ///
+    /// `prev`, leaving half-edges and places may be left out in all of these.
+    ///
+    /// The order of the records is kept, and that of the lists; of the two half-edges of an edge the one with the smaller
+    /// index in the view has the smaller index here.
+    ///
+    /// O(n) time and memory for n slots of the view.
+    ///
+    /// # Errors
+    /// [`ImportError::Invalid`] with the report, if the view breaks a rule. For a valid view: [`ImportError::Lacks`] if it
+    /// has no faces; [`ImportError::NoUnboundedFace`], [`ImportError::SecondUnboundedFace`] and
+    /// [`ImportError::NoSuchFace`] if `outside` does not suit it; [`ImportError::Genus`] and [`ImportError::Disconnected`];
+    /// [`ImportError::Border`], [`ImportError::NoBorder`] and [`ImportError::SeveralBorders`];
+    /// [`ImportError::NotPlane`] with the report, if all of that is right and a component lies in no face or in two;
+    /// [`ImportError::Inconsistent`] if the view changes its answers; [`ImportError::Full`].
+    ///
+    /// ```
+    /// use twinedge::dcel::{Dcel, Outside};
+    /// use twinedge::validate::{Expectation, Link, Part, View};
+    ///
+    /// /// A tetrahedron: half-edges `3f`, `3f + 1`, `3f + 2` around face `f`.
+    /// struct Tetrahedron;
+    ///
+    /// impl View for Tetrahedron {
+    ///     fn vertex_slots(&self) -> usize { 4 }
+    ///     fn half_edge_slots(&self) -> usize { 12 }
+    ///     fn face_slots(&self) -> usize { 4 }
+    ///     fn origin(&self, h: usize) -> Link { Some([0, 1, 2, 0, 3, 1, 1, 3, 2, 2, 3, 0][h]) }
+    ///     fn twin(&self, h: usize) -> Link { Some([5, 8, 11, 10, 6, 0, 4, 9, 1, 7, 3, 2][h]) }
+    ///     fn next(&self, h: usize) -> Link { Some(h - h % 3 + (h + 1) % 3) }
+    ///     fn face(&self, h: usize) -> Link { Some(h / 3) }
+    ///     fn outer_half_edge(&self, f: usize) -> Link { Some(3 * f) }
+    /// }
+    ///
+    /// let mesh = Expectation::surface().without(Part::BoundaryComponents).without(Part::Prev).without(Part::Leaving);
+    /// let (map, keys) = Dcel::from_view(&Tetrahedron, &mesh, Outside::Face(3))?;
+    /// assert_eq!(keys.face(3), Some(map.unbounded_face().key()));
+    /// let h = map.half_edge(keys.half_edge(0).unwrap())?;
+    /// assert_eq!(Some(h.next().key()), keys.half_edge(1));
+    /// assert_eq!(Some(h.origin().key()), keys.vertex(0));
+    /// # Ok::<(), Box<dyn std::error::Error>>(())
+    /// ```
+    pub fn from_view<V: View + ?Sized>(
+        view: &V,
+        expectation: &Expectation,
+        outside: Outside,
+    ) -> Result<(Self, Keys), ImportError> {
+        let assemble = |columns: &Columns, _: &Numbers| columns.assembly().assemble().map_err(ImportError::Full);
+        let (dcel, numbers) = import(view, *expectation, outside, assemble)?;
+        let keys = keys(&dcel, &numbers);
+        Ok((dcel, keys))
+    }
+}
+
+/// Validates a view, reads it, assembles it, and validates what came of it.
+pub(super) fn import<V: View + ?Sized>(
+    view: &V,
+    expectation: Expectation,
+    outside: Outside,
+    assemble: impl FnOnce(&Columns, &Numbers) -> Result<Dcel, ImportError>,
+) -> Result<(Dcel, Numbers), ImportError> {
+    let report = validate(view, &expectation, Collect::All);
+    if !report.is_valid() {
+        return Err(ImportError::Invalid(Box::new(report)));
+    }
+    check_outside(view, expectation, outside)?;
+    check_surface(&report, expectation, outside)?;
+    let (columns, numbers) = Gather::read(view, expectation, outside)?;
+    if outside == Outside::Border {
+        check_borders(&report, columns.outside_cycles())?;
+    }
+    let dcel = assemble(&columns, &numbers)?;
+    let report = dcel.validate();
+    if report.is_valid() { Ok((dcel, numbers)) } else { Err(ImportError::NotPlane(Box::new(report))) }
+}
+
+/// Whether there can be such an unbounded face.
+fn check_outside<V: View + ?Sized>(view: &V, expectation: Expectation, outside: Outside) -> Result<(), ImportError> {
+    if !expectation.has(Part::Faces) {
+        return Err(ImportError::Lacks(Part::Faces));
+    }
+    match (outside, expectation.has(Part::UnboundedFace)) {
+        (Outside::Given, false) => Err(ImportError::NoUnboundedFace),
+        (Outside::Face(_) | Outside::Border, true) => Err(ImportError::SecondUnboundedFace),
+        (Outside::Face(f), false) if f >= view.face_slots() || !view.is_face(f) => Err(ImportError::NoSuchFace(f)),
+        _ => Ok(()),
+    }
+}
+
+/// Whether it lies on a sphere, in one piece where nothing tells how pieces would lie.
+fn check_surface(report: &Report, expectation: Expectation, outside: Outside) -> Result<(), ImportError> {
+    let counts = report.counts();
+    match (counts.genus, counts.components) {
+        (Some(genus), _) if genus > 0 => Err(ImportError::Genus(genus)),
+        (_, Some(components))
+            if components > 1 && matches!(outside, Outside::Face(_)) && !expectation.has(Part::Holes) =>
+        {
+            Err(ImportError::Disconnected(components))
+        }
+        _ => Ok(()),
+    }
+}
+
+/// Whether there is one border, or other outside cycle, for each component.
+fn check_borders(report: &Report, borders: usize) -> Result<(), ImportError> {
+    let counts = report.counts();
+    let components = counts.components.unwrap_or(0).saturating_sub(counts.isolated_vertices);
+    match borders.cmp(&components) {
+        core::cmp::Ordering::Less => Err(ImportError::NoBorder),
+        core::cmp::Ordering::Equal => Ok(()),
+        core::cmp::Ordering::Greater => Err(ImportError::SeveralBorders { borders, components }),
+    }
+}
+
+fn keys(dcel: &Dcel, numbers: &Numbers) -> Keys {
+    // Slot 0 of each kind is vacant, and so is the first pair of half-edges.
+    fn all<K>(numbers: &[u32], key: impl Fn(usize) -> Option<K>) -> Vec<Option<K>> {
+        numbers.iter().map(|n| if *n == NIL { None } else { key(*n as usize) }).collect()
+    }
+    Keys {
+        vertices: all(&numbers.vertices, |n| dcel.vertex_at(n + 1).map(|v| v.key())),
+        half_edges: all(&numbers.half_edges, |n| dcel.half_edge_at(n + 2).map(|h| h.key())),
+        boundaries: all(&numbers.boundaries, |n| dcel.boundary_at(n + 1).map(|b| b.key())),
+        faces: all(&numbers.faces, |n| dcel.face_at(n + 1).map(|f| f.key())),
+    }
+}

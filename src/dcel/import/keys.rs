@@ -1,0 +1,42 @@
+//! From the indices of a view to keys.
+
+use crate::store::{BoundaryKey, FaceKey, HalfEdgeKey, VertexKey};
+use alloc::vec::Vec;
+
+/// Which record of a view became which record of the [`Dcel`](crate::dcel::Dcel): from indices to keys.
+///
+/// Records that the view does not have, such as the missing twins along a border, are in none of these.
+#[derive(Clone, Debug, Default, PartialEq, Eq)]
+pub struct Keys {
+    pub(super) vertices: Vec<Option<VertexKey>>,
+    pub(super) half_edges: Vec<Option<HalfEdgeKey>>,
+    pub(super) boundaries: Vec<Option<BoundaryKey>>,
+    pub(super) faces: Vec<Option<FaceKey>>,
+}
+
+impl Keys {
+    /// The key of the vertex with this index in the view; none if that slot was vacant. O(1).
+    #[must_use]
+    pub fn vertex(&self, index: usize) -> Option<VertexKey> {
+        self.vertices.get(index).copied().flatten()
+    }
+
+    /// The key of the half-edge with this index in the view; none if that slot was vacant. O(1).
+    #[must_use]
+    pub fn half_edge(&self, index: usize) -> Option<HalfEdgeKey> {
+        self.half_edges.get(index).copied().flatten()
+    }
+
+    /// The key of the boundary component with this index in the view; none if that slot was vacant, or if the view has
+    /// no records of boundary components. O(1).
+    #[must_use]
+    pub fn boundary(&self, index: usize) -> Option<BoundaryKey> {
+        self.boundaries.get(index).copied().flatten()
+    }
+
+    /// The key of the face with this index in the view; none if that slot was vacant. O(1).
+    #[must_use]
+    pub fn face(&self, index: usize) -> Option<FaceKey> {
+        self.faces.get(index).copied().flatten()
+    }
+}

@@ -1,0 +1,365 @@
+//! Reading features, one at a time.
+
+use core::cell::Cell;
+use core::fmt;
+use std::io::Read;
+
+use ::geojson::feature::Id;
+use ::geojson::{Feature as Parsed, FeatureCollection, GeoJson, GeometryValue, JsonValue, Position};
+use serde::de::value::MapAccessDeserializer;
+use serde::de::{Deserialize, DeserializeSeed, Deserializer, Error, IgnoredAny};
+use serde::de::{IntoDeserializer, MapAccess, SeqAccess, Visitor};
+use serde_json::error::Category;
+
+use super::input::{self, Progress};
+use crate::geometry::Point;
+use crate::io::error::{FeatureLabel, MAX_NESTED_COLLECTIONS, ReadCause, ReadError, TextPlace};
+use crate::io::summary::ReadSummary;
+use crate::map::{Feature, Shape};
+
+/// How many GeoJSON objects there are.
+#[derive(Clone, Copy, PartialEq, Eq)]
+enum Documents {
+    One,
+    Many,
+}
+
+/// Reads a map, handing its features to `each` in the order of the file.
+///
+/// The reader is buffered inside. Faults may show only after some features have been handed over; `each` can stop the
+/// reading by an error of its own, which is then returned. Time O(bytes); memory O(largest feature).
+///
+/// # Errors
+/// [`ReadError`], turned into `E`, and whatever `each` returns. Something other than white space after the end of the object
+/// is [`ReadCause::Trailing`].
+pub fn read<R, E>(reader: R, each: impl FnMut(Feature) -> Result<(), E>) -> Result<ReadSummary, E>
+where
+    R: Read,
+    E: From<ReadError>,
+{
+    read_all(reader, Documents::One, each)
+}
+
+/// Reads a map of any number of GeoJSON objects, one after the other: newline-delimited GeoJSON, where each line is an
+/// object, and text sequences ([RFC 8142](https://www.rfc-editor.org/rfc/rfc8142)), where each follows a record separator.
+/// Line breaks and record separators count as white space, and none is needed between two objects.
+///
+/// The features of all objects are handed to `each` in the order of the file. Otherwise as [`read`]; an empty file is a map
+/// without features.
+///
+/// ```
+/// use twinedge::io::{ReadError, geojson};
+///
+/// let text = "{\"type\":\"Point\",\"coordinates\":[1,2]}\n{\"type\":\"Point\",\"coordinates\":[3,4]}\n";
+/// let summary = geojson::read_sequence(text.as_bytes(), |_| Ok::<_, ReadError>(()))?;
+/// assert_eq!((summary.features, summary.points), (2, 2));
+/// # Ok::<_, ReadError>(())
+/// ```
+///
+/// # Errors
+/// As for [`read`].
+pub fn read_sequence<R, E>(reader: R, each: impl FnMut(Feature) -> Result<(), E>) -> Result<ReadSummary, E>
+where
+    R: Read,
+    E: From<ReadError>,
+{
+    read_all(reader, Documents::Many, each)
+}
+
+fn read_all<R, E>(
+    reader: R,
+    documents: Documents,
+    mut each: impl FnMut(Feature) -> Result<(), E>,
+) -> Result<ReadSummary, E>
+where
+    R: Read,
+    E: From<ReadError>,
+{
+    let progress = Cell::new(Progress::START);
+    let text = input::open(reader, &progress, documents == Documents::Many)
+        .map_err(|error| ReadError::new(progress.get().at, ReadCause::Io(error)))?;
+    let mut input = serde_json::Deserializer::from_reader(text);
+    let mut failure = None;
+    let mut goes_on = |feature| each(feature).map_err(|error| failure = Some(error)).is_ok();
+    let mut sink = Sink { goes_on: &mut goes_on, summary: ReadSummary::default(), in_features: false, fault: None };
+    let outcome = match documents {
+        Documents::One => read_document(&mut input, &mut sink, &progress),
+        Documents::Many => Ok(()),
+    };
+    let outcome = outcome.and_then(|()| {
+        while let Err(error) = input.end() {
+            let error = classify(error, progress.get());
+            match (documents, error.cause) {
+                (Documents::Many, ReadCause::Syntax { .. }) => read_document(&mut input, &mut sink, &progress)?,
+                (Documents::One, ReadCause::Syntax { .. }) => {
+                    return Err(ReadError::new(error.place, ReadCause::Trailing { what: "GeoJSON object" }));
+                }
+                (_, cause) => return Err(ReadError::new(error.place, cause)),
+            }
+        }
+        Ok(())
+    });
+    let summary = sink.summary;
+    match (failure, outcome) {
+        (Some(failure), _) => Err(failure),
+        (None, Err(error)) => Err(error.into()),
+        (None, Ok(())) => Ok(summary),
+    }
+}
+
+/// Reads one object. If `each` stopped the reading, there is an error too.
+fn read_document<'de>(
+    input: &mut serde_json::Deserializer<impl serde_json::de::Read<'de>>,
+    sink: &mut Sink<'_>,
+    progress: &Cell<Progress>,
+) -> Result<(), ReadError> {
+    Walk { part: DocumentPart::Document, sink }.deserialize(input).map_err(|error| {
+        let error = classify(error, progress.get());
+        let index = sink.summary.features;
+        match (&error.cause, sink.fault.take()) {
+            (ReadCause::Malformed { .. } | ReadCause::OutOfRange | ReadCause::TooDeep, Some((name, cause))) => {
+                ReadError::new(error.place, cause).in_feature(FeatureLabel { index, name })
+            }
+            (ReadCause::Malformed { .. } | ReadCause::OutOfRange | ReadCause::TooDeep, None) if sink.in_features => {
+                error.in_feature(FeatureLabel { index, name: None })
+            }
+            _ => error,
+        }
+    })
+}
+
+/// Gives an error of `serde_json` a type. What its category does not tell, it tells in words only.
+fn classify(error: serde_json::Error, progress: Progress) -> ReadError {
+    let at = TextPlace { line: error.line(), column: Some(error.column()) };
+    // The message repeats the place.
+    let mut message = error.to_string();
+    message.truncate(message.rfind(" at line ").unwrap_or(message.len()));
+    // A number cut short counts as a bad number there, not as an early end.
+    let is_cut_number = progress.stopped && at == progress.at && message == "invalid number";
+    match (error.classify(), &*message) {
+        (Category::Io, _) => ReadError::new(progress.at, ReadCause::Io(error.into())),
+        (Category::Eof, _) if progress.blank => ReadError::new(at, ReadCause::Empty),
+        (Category::Eof, _) => ReadError::new(at, ReadCause::Truncated),
+        (Category::Syntax, _) if is_cut_number => ReadError::new(at, ReadCause::Truncated),
+        (Category::Syntax, "number out of range") => ReadError::new(at, ReadCause::OutOfRange),
+        (Category::Syntax, "recursion limit exceeded") => ReadError::new(at, ReadCause::TooDeep),
+        (Category::Syntax, _) => ReadError::new(at, ReadCause::Syntax { message }),
+        (Category::Data, _) => {
+            ReadError::new(at, ReadCause::Malformed { message: message.chars().take(200).collect() })
+        }
+    }
+}
+
+/// Where features go.
+struct Sink<'f> {
+    /// Takes a feature, and says whether to go on.
+    goes_on: &'f mut dyn FnMut(Feature) -> bool,
+    summary: ReadSummary,
+    /// Whether an element of `"features"` is being read.
+    in_features: bool,
+    /// A fault of a feature that the crate took, and the feature's name. Serde only gets to know that there is one, and
+    /// adds the place.
+    fault: Option<(Option<String>, ReadCause)>,
+}
+
+impl Sink<'_> {
+    fn take<S: Error>(&mut self, parsed: Parsed) -> Result<(), S> {
+        let label = |value: &JsonValue| match value {
+            JsonValue::String(text) => Some(text.clone()),
+            JsonValue::Number(number) => Some(number.to_string()),
+            _ => None,
+        };
+        let keys = ["name", "NAME", "Name", "ADMIN", "admin", "title", "id"];
+        let name = keys.into_iter().find_map(|key| parsed.property(key).and_then(label));
+        let properties = parsed.properties.as_ref().map_or(0, |properties| properties.len());
+        self.summary.dropped_properties += properties - usize::from(name.is_some());
+        let id = parsed.id.map(|id| match id {
+            Id::String(text) => text,
+            Id::Number(number) => number.to_string(),
+        });
+        let mut shapes = FeatureShapes::default();
+        let added = parsed.geometry.map_or(Ok(()), |geometry| shapes.add(geometry.value, 0));
+        if let Err(cause) = added {
+            self.fault = Some((name, cause));
+            return Err(S::custom("faulty"));
+        }
+        let feature = Feature { name, id, shapes: shapes.shapes };
+        self.summary.add(&feature, shapes.with_extra_dimensions, shapes.empty);
+        if (self.goes_on)(feature) { Ok(()) } else { Err(S::custom("stopped")) }
+    }
+}
+
+/// The shapes of one feature.
+#[derive(Default)]
+struct FeatureShapes {
+    shapes: Vec<Shape>,
+    with_extra_dimensions: usize,
+    /// Lines and polygons without positions, which are not among the shapes.
+    empty: usize,
+}
+
+impl FeatureShapes {
+    /// Adds a geometry that lies inside this many collections, a number that bounds the recursion.
+    fn add(&mut self, value: GeometryValue, depth: usize) -> Result<(), ReadCause> {
+        match value {
+            GeometryValue::Point { coordinates } => {
+                let point = self.point(&coordinates)?;
+                self.shapes.push(Shape::Point(point));
+            }
+            GeometryValue::MultiPoint { coordinates } => {
+                let points = self.line(coordinates)?;
+                self.shapes.extend(points.into_iter().map(Shape::Point));
+            }
+            GeometryValue::LineString { coordinates } => self.add_line(coordinates)?,
+            GeometryValue::MultiLineString { coordinates } => {
+                coordinates.into_iter().try_for_each(|line| self.add_line(line))?;
+            }
+            GeometryValue::Polygon { coordinates } => self.add_polygon(coordinates)?,
+            GeometryValue::MultiPolygon { coordinates } => {
+                coordinates.into_iter().try_for_each(|rings| self.add_polygon(rings))?;
+            }
+            GeometryValue::GeometryCollection { .. } if depth == MAX_NESTED_COLLECTIONS => {
+                return Err(ReadCause::TooDeep);
+            }
+            GeometryValue::GeometryCollection { geometries } => {
+                geometries.into_iter().try_for_each(|geometry| self.add(geometry.value, depth + 1))?;
+            }
+        }
+        Ok(())
+    }
+
+    fn add_line(&mut self, line: Vec<Position>) -> Result<(), ReadCause> {
+        let points = self.line(line)?;
+        if points.is_empty() {
+            self.empty += 1;
+        } else {
+            self.shapes.push(Shape::Line(points));
+        }
+        Ok(())
+    }
+
+    fn add_polygon(&mut self, rings: Vec<Vec<Position>>) -> Result<(), ReadCause> {
+        let rings = rings.into_iter().map(|ring| self.line(ring)).collect::<Result<Vec<_>, _>>()?;
+        if rings.is_empty() {
+            self.empty += 1;
+        } else {
+            self.shapes.push(Shape::Polygon(rings));
+        }
+        Ok(())
+    }
+
+    fn line(&mut self, positions: Vec<Position>) -> Result<Vec<Point>, ReadCause> {
+        // Collecting results would not reserve the memory at once.
+        let mut points = Vec::with_capacity(positions.len());
+        for position in positions {
+            points.push(self.point(&position)?);
+        }
+        Ok(points)
+    }
+
+    fn point(&mut self, position: &Position) -> Result<Point, ReadCause> {
+        let &[x, y, ref extra @ ..] = position.as_slice() else {
+            return Err(ReadCause::ShortPosition { numbers: position.len() });
+        };
+        self.with_extra_dimensions += usize::from(!extra.is_empty());
+        Ok(Point { x, y })
+    }
+}
+
+/// The parts of a document that this module looks at itself.
+#[derive(Clone, Copy)]
+enum DocumentPart {
+    /// The outermost object.
+    Document,
+    /// The array `"features"`.
+    Features,
+    /// One element of that array.
+    Element,
+}
+
+/// Walks through one part of a document.
+struct Walk<'s, 'f> {
+    part: DocumentPart,
+    sink: &'s mut Sink<'f>,
+}
+
+impl<'de> DeserializeSeed<'de> for Walk<'_, '_> {
+    type Value = ();
+
+    fn deserialize<D: Deserializer<'de>>(self, deserializer: D) -> Result<(), D::Error> {
+        match self.part {
+            DocumentPart::Document | DocumentPart::Element => deserializer.deserialize_map(self),
+            DocumentPart::Features => deserializer.deserialize_seq(self),
+        }
+    }
+}
+
+impl<'de> Visitor<'de> for Walk<'_, '_> {
+    type Value = ();
+
+    fn expecting(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        f.write_str(match self.part {
+            DocumentPart::Document => "a GeoJSON object",
+            DocumentPart::Features => "an array of features",
+            DocumentPart::Element => "a feature",
+        })
+    }
+
+    fn visit_seq<A: SeqAccess<'de>>(self, mut array: A) -> Result<(), A::Error> {
+        self.sink.in_features = true;
+        while array.next_element_seed(Walk { part: DocumentPart::Element, sink: &mut *self.sink })?.is_some() {}
+        self.sink.in_features = false;
+        Ok(())
+    }
+
+    /// What fails in here gets the place of the closing brace, so features are converted in here too.
+    fn visit_map<A: MapAccess<'de>>(self, inner: A) -> Result<(), A::Error> {
+        let Self { part, sink } = self;
+        if let DocumentPart::Element = part {
+            let feature = Parsed::deserialize(MapAccessDeserializer::new(inner))?;
+            return sink.take(feature);
+        }
+        let mut members = Members { inner, sink, at_features: false, has_features: false };
+        match GeoJson::deserialize(MapAccessDeserializer::new(&mut members))? {
+            GeoJson::FeatureCollection(_) => Ok(()),
+            // The features of an object of another type, which have been handed over already.
+            other if members.has_features => FeatureCollection::try_from(other).map(drop).map_err(A::Error::custom),
+            GeoJson::Feature(feature) => members.sink.take(feature),
+            GeoJson::Geometry(geometry) => members.sink.take(geometry.into()),
+        }
+    }
+}
+
+/// The members of the outermost object as the crate gets to see them: without those that mean nothing here, which it
+/// would keep in memory, and with an empty array for `"features"`, whose elements go to the sink.
+struct Members<'s, 'f, A> {
+    inner: A,
+    sink: &'s mut Sink<'f>,
+    at_features: bool,
+    has_features: bool,
+}
+
+impl<'de, A: MapAccess<'de>> MapAccess<'de> for Members<'_, '_, A> {
+    type Error = A::Error;
+
+    fn next_key_seed<K: DeserializeSeed<'de>>(&mut self, seed: K) -> Result<Option<K::Value>, A::Error> {
+        const KNOWN: [&str; 7] = ["type", "features", "geometry", "properties", "id", "coordinates", "geometries"];
+        while let Some(key) = self.inner.next_key::<String>()? {
+            if let Some(known) = KNOWN.into_iter().find(|&known| known == key) {
+                self.at_features = known == "features";
+                return seed.deserialize(known.into_deserializer()).map(Some);
+            }
+            self.inner.next_value::<IgnoredAny>()?;
+        }
+        Ok(None)
+    }
+
+    fn next_value_seed<V: DeserializeSeed<'de>>(&mut self, seed: V) -> Result<V::Value, A::Error> {
+        if !self.at_features {
+            return self.inner.next_value_seed(seed);
+        }
+        self.has_features = true;
+        self.inner.next_value_seed(Walk { part: DocumentPart::Features, sink: self.sink })?;
+        seed.deserialize(JsonValue::Array(Vec::new())).map_err(A::Error::custom)
+    }
+}

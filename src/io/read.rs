@@ -1,0 +1,73 @@
+//! Reading a map in any of the formats.
+
+use super::error::{ReadCause, ReadError, TextPlace};
+use super::foreign::ForeignFormat;
+use super::format::Format;
+use super::summary::ReadSummary;
+use crate::map::Feature;
+use std::io::{Cursor, Read};
+
+/// How many bytes are looked at to tell the format.
+const HEAD: u64 = 1 << 16;
+
+/// Reads a map, handing its features to `each` in the order of the file.
+///
+/// Without a format, the content tells ([`Format::of_content`]). Content of a format that is known but not read here is an
+/// error that says what it looks like and how to convert it, whatever format is given.
+///
+/// The reader is buffered inside. Faults may show only after some features have been handed over; `each` can stop the
+/// reading by an error of its own, which is then returned. Time O(bytes); memory O(largest feature), for well-known text
+/// O(longest line), and 64 KiB.
+///
+/// ```
+/// use twinedge::io::{self, Format};
+/// use twinedge::map::Builder;
+///
+/// let text = "# two parcels\nPOLYGON((0 0, 1 0, 1 1, 0 0))\nPOLYGON((0 0, 1 1, 0 1, 0 0))\n";
+/// let mut builder = Builder::new();
+/// let summary = io::read(text.as_bytes(), Format::of_path("parcels.wkt"), |feature| {
+///     builder.feature(&feature).map(drop).map_err(Box::<dyn std::error::Error>::from)
+/// })?;
+/// assert_eq!((summary.features, summary.polygons), (2, 2));
+/// assert_eq!(builder.build()?.dcel().face_count(), 3);
+/// # Ok::<_, Box<dyn std::error::Error>>(())
+/// ```
+///
+/// # Errors
+/// [`ReadError`], turned into `E`, and whatever `each` returns.
+pub fn read<R, E>(
+    mut reader: R,
+    format: Option<Format>,
+    each: impl FnMut(Feature) -> Result<(), E>,
+) -> Result<ReadSummary, E>
+where
+    R: Read,
+    E: From<ReadError>,
+{
+    let mut head = Vec::new();
+    if let Err(error) = reader.by_ref().take(HEAD).read_to_end(&mut head) {
+        return Err(ReadError::new(TextPlace::START.after(&head), ReadCause::Io(error)).into());
+    }
+    let refuse = |cause| Err(ReadError::new(TextPlace::START, cause).into());
+    if let Some(foreign) = ForeignFormat::of_content(&head) {
+        return refuse(ReadCause::Foreign(foreign));
+    }
+    let is_blank = head.strip_prefix(b"\xEF\xBB\xBF").unwrap_or(&head).trim_ascii().is_empty();
+    let Some(format) = format.or_else(|| Format::of_content(&head)) else {
+        return refuse(if is_blank { ReadCause::Empty } else { ReadCause::Unrecognised });
+    };
+    let all = Cursor::new(head).chain(reader);
+    match format {
+        #[cfg(feature = "geojson")]
+        Format::GeoJson => super::geojson::read(all, each),
+        #[cfg(feature = "geojson")]
+        Format::GeoJsonSeq => super::geojson::read_sequence(all, each),
+        #[cfg(feature = "wkt")]
+        Format::Wkt => super::wkt::read(all, each),
+        #[cfg(not(all(feature = "geojson", feature = "wkt")))]
+        off => {
+            drop((all, each));
+            refuse(ReadCause::FeatureOff(off))
+        }
+    }
+}

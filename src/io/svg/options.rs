@@ -1,0 +1,24 @@
+//! What to draw.
+
+use crate::geometry::Point;
+use crate::validate::Violation;
+
+/// What to draw, and how large.
+#[derive(Clone, Copy, Debug)]
+pub struct Options<'a> {
+    /// The longer side of the picture in pixels; at least 100, at most 100,000.
+    pub size: f64,
+    /// Whether to draw half-edges with their names and links, and the names of vertices and faces. It takes some 50 pixels to
+    /// an edge to be legible.
+    pub detail: bool,
+    /// Two opposite corners of the part to draw; none for everything, and so is a window without area.
+    pub window: Option<[Point; 2]>,
+    /// What to mark.
+    pub violations: &'a [Violation],
+}
+
+impl Default for Options<'_> {
+    fn default() -> Self {
+        Self { size: 1000.0, detail: false, window: None, violations: &[] }
+    }
+}

@@ -1,0 +1,225 @@
+//! From points and segments to a subdivision: rotations, cycles, faces, and what lies in what.
+//!
+//! ```text
+//!   segments ─► rotations, sorted by angle ─► next ─► cycles ─► outer ones get a face each
+//!                                                        └───► the outside of each component: one sweep finds the edge
+//!                                                              below its lowest vertex, and thereby the face it lies in
+//! ```
+//!
+//! Source: de Berg et al., "Computational Geometry", 3rd edition, section 2.3.
+
+use super::error::BuildError;
+use super::gathered::{Dart, target};
+use crate::dcel::{Assembly, Dcel, RecordKind};
+use crate::geometry::Point;
+use crate::geometry::crossing::Clash;
+use crate::geometry::predicates::{compare_angle, compare_lexicographic};
+use crate::geometry::sweep::sweep;
+use crate::store::links::{BoundaryStart, VertexLink};
+use core::cmp::Ordering;
+
+/// Not yet known.
+const NIL: u32 = u32::MAX;
+
+/// The number of the unbounded face.
+const UNBOUNDED: u32 = 0;
+
+/// What the points and segments make.
+pub(super) struct Arranged {
+    pub(super) dcel: Dcel,
+    /// Whether, and where first, the segments do not meet at shared endpoints only.
+    pub(super) clash: Option<Clash>,
+}
+
+impl Arranged {
+    /// The index of the half-edge of a dart.
+    pub(super) const fn half_edge(dart: Dart) -> u32 {
+        Assembly::half_edge_index(dart)
+    }
+
+    /// The points by index of their vertex.
+    pub(super) fn points_by_vertex(points: &[Point]) -> Vec<Point> {
+        let mut by_index = vec![Point::default(); Assembly::vertex_index(0) as usize];
+        by_index.extend_from_slice(points);
+        by_index
+    }
+}
+
+/// The darts that leave each point, counter-clockwise from the positive x axis.
+struct Rotations {
+    first: Vec<u32>,
+    darts: Vec<Dart>,
+}
+
+impl Rotations {
+    fn new(points: &[Point], segments: &[[u32; 2]]) -> Self {
+        let mut first = vec![0_u32; points.len() + 1];
+        for [a, b] in segments {
+            first[*a as usize + 1] += 1;
+            first[*b as usize + 1] += 1;
+        }
+        for i in 1..first.len() {
+            first[i] += first[i - 1];
+        }
+        let mut free = first.clone();
+        let mut darts = vec![NIL; 2 * segments.len()];
+        for (dart, from) in segments.iter().flatten().enumerate() {
+            let place = &mut free[*from as usize];
+            darts[*place as usize] = dart as u32;
+            *place += 1;
+        }
+        let mut rotations = Self { first, darts };
+        for v in 0..points.len() {
+            let range = rotations.range(v);
+            let leaving = &mut rotations.darts[range];
+            if leaving.len() > 1 {
+                let head = |d: &Dart| points[target(segments, *d) as usize];
+                leaving.sort_unstable_by(|a, b| compare_angle(points[v], head(a), head(b)));
+            }
+        }
+        rotations
+    }
+
+    fn range(&self, v: usize) -> core::ops::Range<usize> {
+        self.first[v] as usize..self.first[v + 1] as usize
+    }
+
+    fn leaving(&self, v: usize) -> &[Dart] {
+        &self.darts[self.range(v)]
+    }
+}
+
+/// The cycles of `next`.
+struct Cycles {
+    next: Vec<Dart>,
+    of: Vec<u32>,
+    starts: Vec<Dart>,
+}
+
+impl Cycles {
+    fn new(rotations: &Rotations, points: usize) -> Self {
+        let count = rotations.darts.len();
+        let mut next = vec![NIL; count];
+        for v in 0..points {
+            let leaving = rotations.leaving(v);
+            let Some(last) = leaving.last() else { continue };
+            // Next after arriving is the dart clockwise of the one that goes back.
+            let mut clockwise = *last;
+            for dart in leaving {
+                next[*dart as usize ^ 1] = clockwise;
+                clockwise = *dart;
+            }
+        }
+        let mut of = vec![NIL; count];
+        let mut starts = Vec::new();
+        for start in 0..count {
+            let mut dart = start;
+            if of[dart] != NIL {
+                continue;
+            }
+            while of[dart] == NIL {
+                of[dart] = starts.len() as u32;
+                dart = next[dart] as usize;
+            }
+            starts.push(start as u32);
+        }
+        Self { next, of, starts }
+    }
+}
+
+/// Connected components, by their lexicographically smallest point each, smallest component first.
+fn lowest_points(points: &[Point], segments: &[[u32; 2]]) -> Vec<u32> {
+    // Each set is a tree that hangs from its lowest point.
+    let mut parent: Vec<u32> = (0..points.len() as u32).collect();
+    let root = |parent: &mut Vec<u32>, mut v: u32| {
+        while parent[v as usize] != v {
+            let above = parent[parent[v as usize] as usize];
+            parent[v as usize] = above;
+            v = above;
+        }
+        v
+    };
+    for [a, b] in segments {
+        let (a, b) = (root(&mut parent, *a), root(&mut parent, *b));
+        if a != b {
+            let less = compare_lexicographic(points[a as usize], points[b as usize]) == Ordering::Less;
+            let (low, high) = if less { (a, b) } else { (b, a) };
+            parent[high as usize] = low;
+        }
+    }
+    let mut lowest: Vec<u32> = (0..points.len() as u32).filter(|v| parent[*v as usize] == *v).collect();
+    lowest.sort_unstable_by(|a, b| compare_lexicographic(points[*a as usize], points[*b as usize]));
+    lowest
+}
+
+/// The dart at the lowest point of a component whose corner holds the direction straight to the left: it lies on the
+/// outside of the component.
+fn outside_dart(rotations: &Rotations, points: &[Point], segments: &[[u32; 2]], low: u32) -> Option<Dart> {
+    let at = points[low as usize];
+    let leaving = rotations.leaving(low as usize);
+    // Everything lies to the right, first upwards from the axis, then from straight down to the axis.
+    let upper = leaving.partition_point(|d| {
+        let head = points[target(segments, *d) as usize];
+        head.y >= at.y
+    });
+    leaving.get(upper.wrapping_sub(1)).or(leaving.last()).copied()
+}
+
+/// Arranges the points and segments, which are distinct and in range, into a subdivision. O(n log n).
+pub(super) fn arrange(points: &[Point], segments: &[[u32; 2]]) -> Result<Arranged, BuildError> {
+    let rotations = Rotations::new(points, segments);
+    let cycles = Cycles::new(&rotations, points.len());
+    let lowest = lowest_points(points, segments);
+    let swept = sweep(points, segments, &lowest).map_err(|_| BuildError::Full(RecordKind::Vertex))?;
+
+    // The cycles that are the outside of their component, and for each the face where that lies.
+    let mut outside = vec![false; cycles.starts.len()];
+    let outside_darts: Vec<_> = lowest.iter().map(|v| outside_dart(&rotations, points, segments, *v)).collect();
+    for dart in outside_darts.iter().flatten() {
+        outside[cycles.of[*dart as usize] as usize] = true;
+    }
+
+    // Each cycle bounds a face of its own, unless it is the outside of its component: then that lies in a face.
+    let mut outer = Vec::with_capacity(outside.len());
+    let mut face_of = vec![UNBOUNDED; outside.len()];
+    for (cycle, _) in (0..).zip(&outside).filter(|(_, outside)| !**outside) {
+        outer.push(cycle);
+        face_of[cycle as usize] = outer.len() as u32;
+    }
+    let mut vertices: Vec<VertexLink<u32, u32>> =
+        (0..points.len()).map(|v| VertexLink::Leaving(rotations.leaving(v).first().copied().unwrap_or(NIL))).collect();
+    let mut starts: Vec<BoundaryStart<u32, u32>> = cycles.starts.iter().copied().map(BoundaryStart::HalfEdge).collect();
+    let mut inner = Vec::with_capacity(lowest.len());
+    // From left to right, so that the face of what lies below a component is known.
+    for ((low, dart), below) in lowest.iter().zip(&outside_darts).zip(&swept.below) {
+        let face = below.map_or(UNBOUNDED, |segment| {
+            let [a, b] = segments[segment as usize];
+            let rises = compare_lexicographic(points[a as usize], points[b as usize]) == Ordering::Less;
+            let above = segment << 1 | u32::from(!rises);
+            face_of[cycles.of[above as usize] as usize]
+        });
+        let boundary = if let Some(dart) = dart {
+            let cycle = cycles.of[*dart as usize];
+            face_of[cycle as usize] = face;
+            cycle
+        } else {
+            let boundary = starts.len() as u32;
+            starts.push(BoundaryStart::Vertex(*low));
+            vertices[*low as usize] = VertexLink::Isolated(boundary);
+            boundary
+        };
+        inner.push((face, boundary));
+    }
+    let assembly = Assembly {
+        vertices: &vertices,
+        // The point where dart 2s + i starts is the i-th end of segment s.
+        origin: segments.as_flattened(),
+        next: &cycles.next,
+        boundary: &cycles.of,
+        starts: &starts,
+        outer: &outer,
+        inner: &inner,
+    };
+    let dcel = assembly.assemble().map_err(BuildError::Full)?;
+    Ok(Arranged { dcel, clash: swept.clash })
+}

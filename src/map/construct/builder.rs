@@ -1,0 +1,324 @@
+//! Gathering rings, lines and points, and building the map of them all at once.
+
+use super::arrange::{Arranged, arrange};
+use super::cover::cover;
+use super::cut::{self, Cut, Noding};
+use super::error::BuildError;
+use super::gathered::{Dart, GatheredFeature};
+use super::rings::Ring;
+use crate::dcel::RecordKind;
+use crate::geometry::Point;
+use crate::geometry::crossing::{Clash, clashes};
+use crate::geometry::predicates::in_range;
+use crate::map::feature::{Feature, FeatureId, Shape};
+use crate::map::feature_sets::FeatureSets;
+use crate::map::planar_map::PlanarMap;
+use crate::map::summary::{BuildSummary, IrregularityKind, Position};
+use rustc_hash::FxHashMap;
+
+/// Gathers rings, lines and points, and builds the map of them.
+///
+/// Vertices with the same coordinates become one (−0 is 0), segments that repeat another are merged, those without length
+/// are dropped; all of it is counted ([`BuildSummary`]). Segments should meet at shared endpoints only. Where they do not,
+/// [`build_with`](Self::build_with) can cut them. [`build`](Self::build) leaves them as they are, and
+/// [`PlanarMap::validate`] says where the map is not plane.
+///
+/// ```
+/// use twinedge::map::{Builder, Shape};
+///
+/// let square = [[0.0, 0.0], [4.0, 0.0], [4.0, 4.0], [0.0, 4.0], [0.0, 0.0]].map(Into::into).to_vec();
+/// let island = [[1.0, 1.0], [2.0, 1.0], [1.0, 2.0], [1.0, 1.0]].map(Into::into).to_vec();
+/// let mut builder = Builder::new();
+/// builder.shape(&Shape::Polygon(vec![square, island]))?;
+/// let map = builder.build()?;
+/// assert_eq!((map.dcel().vertex_count(), map.dcel().face_count()), (7, 3));
+/// assert!(map.validate().is_valid());
+/// # Ok::<(), twinedge::map::BuildError>(())
+/// ```
+#[derive(Debug, Default)]
+pub struct Builder {
+    points: Vec<Point>,
+    places: FxHashMap<(u64, u64), u32>,
+    /// Distinct segments, by their ends in order of vertex numbers.
+    segments: Vec<[u32; 2]>,
+    segment_numbers: FxHashMap<(u32, u32), u32>,
+    pub(super) features: Vec<GatheredFeature>,
+    summary: BuildSummary,
+}
+
+impl Builder {
+    /// A builder with nothing in it.
+    #[must_use]
+    pub fn new() -> Self {
+        Self::default()
+    }
+
+    /// Takes a feature. O(its points), expected.
+    ///
+    /// ```
+    /// use twinedge::geometry::Point;
+    /// use twinedge::map::{BuildError, Builder, Feature, Shape};
+    ///
+    /// let peak = |x: f64, y: f64| Feature {
+    ///     name: Some("peak".into()),
+    ///     shapes: vec![Shape::Point(Point::new(x, y))],
+    ///     ..Feature::default()
+    /// };
+    /// let mut builder = Builder::new();
+    /// let first = builder.feature(&peak(7.0, 46.0))?;
+    /// assert!(matches!(builder.feature(&peak(f64::NAN, 46.0)), Err(BuildError::NotFinite { .. })));
+    /// let second = builder.feature(&peak(8.0, 46.5))?;
+    /// assert_eq!((first.index(), second.index()), (0, 1));
+    /// # Ok::<(), BuildError>(())
+    /// ```
+    ///
+    /// # Errors
+    /// [`BuildError::NotFinite`] and [`BuildError::OutOfRange`], with the position. Nothing of the feature is taken then.
+    pub fn feature(&mut self, feature: &Feature) -> Result<FeatureId, BuildError> {
+        let id = FeatureId(self.features.len() as u32);
+        for (shape, what) in feature.shapes.iter().enumerate() {
+            let at = Position { feature: id.index(), shape, ..Position::default() };
+            Self::check(what, at)?;
+        }
+        let mut gathered = GatheredFeature { name: feature.name.clone(), ..GatheredFeature::default() };
+        for (shape, what) in feature.shapes.iter().enumerate() {
+            let at = Position { feature: id.index(), shape, ..Position::default() };
+            self.take(what, at, &mut gathered)?;
+        }
+        self.features.push(gathered);
+        self.summary.features += 1;
+        Ok(id)
+    }
+
+    /// Takes a shape, as a feature without name.
+    ///
+    /// # Errors
+    /// As for [`Builder::feature`].
+    pub fn shape(&mut self, shape: &Shape) -> Result<FeatureId, BuildError> {
+        self.feature(&Feature { shapes: vec![shape.clone()], ..Feature::default() })
+    }
+
+    /// Takes a single segment, as a feature without name.
+    ///
+    /// # Errors
+    /// As for [`Builder::feature`].
+    pub fn segment(&mut self, from: impl Into<Point>, to: impl Into<Point>) -> Result<FeatureId, BuildError> {
+        self.shape(&Shape::Line(vec![from.into(), to.into()]))
+    }
+
+    /// What has been found in the input so far.
+    ///
+    /// ```
+    /// use twinedge::map::Builder;
+    ///
+    /// let mut builder = Builder::new();
+    /// builder.segment([0.0, 0.0], [1.0, 0.0])?;
+    /// builder.segment([1.0, 0.0], [0.0, 0.0])?;
+    /// builder.segment([1.0, 0.0], [1.0, 0.0])?;
+    /// let summary = builder.summary();
+    /// assert_eq!((summary.segments, summary.duplicate_segments, summary.zero_length_segments), (3, 1, 1));
+    /// # Ok::<(), twinedge::map::BuildError>(())
+    /// ```
+    #[must_use]
+    pub const fn summary(&self) -> &BuildSummary {
+        &self.summary
+    }
+
+    fn check(shape: &Shape, at: Position) -> Result<(), BuildError> {
+        let point = |p: &Point, position: Position| {
+            let (x, y) = (p.x, p.y);
+            if !x.is_finite() || !y.is_finite() {
+                Err(BuildError::NotFinite { position, x, y })
+            } else if in_range(*p) {
+                Ok(())
+            } else {
+                Err(BuildError::OutOfRange { position, x, y })
+            }
+        };
+        let chain = |points: &[Point], at: Position| {
+            points.iter().enumerate().try_for_each(|(i, p)| point(p, Position { point: i, ..at }))
+        };
+        match shape {
+            Shape::Polygon(rings) => {
+                rings.iter().enumerate().try_for_each(|(ring, points)| chain(points, Position { ring, ..at }))
+            }
+            Shape::Line(points) => chain(points, at),
+            Shape::Point(p) => point(p, at),
+        }
+    }
+
+    fn take(&mut self, shape: &Shape, at: Position, into: &mut GatheredFeature) -> Result<(), BuildError> {
+        match shape {
+            Shape::Polygon(rings) => {
+                let mut darts = Vec::new();
+                for (ring, points) in rings.iter().enumerate() {
+                    self.ring(points, Position { ring, ..at }, &mut darts)?;
+                }
+                into.polygons.push(darts);
+            }
+            Shape::Line(points) => self.chain(points, at, &mut into.lines, &mut Vec::new())?,
+            Shape::Point(p) => {
+                self.vertex(*p)?;
+            }
+        }
+        Ok(())
+    }
+
+    /// Takes the segments of a ring, closes it, and looks at it.
+    fn ring(&mut self, ring: &[Point], at: Position, darts: &mut Vec<Dart>) -> Result<(), BuildError> {
+        let (Some(first), Some(last)) = (ring.first(), ring.last()) else {
+            self.summary.degenerate_rings += 1;
+            return Ok(());
+        };
+        let before = darts.len();
+        let mut starts = Vec::with_capacity(ring.len());
+        self.chain(ring, at, darts, &mut starts)?;
+        if first != last {
+            let end = Position { point: ring.len() - 1, ..at };
+            self.summary.open_rings += 1;
+            self.summary.list(self.summary.open_rings, IrregularityKind::OpenRing, end, *last);
+            self.chain(&[*last, *first], end, darts, &mut starts)?;
+        }
+        let darts = &darts[before..];
+        let shape = Ring { points: &self.points, segments: &self.segments, darts, starts: &starts }.shape();
+        let summary = &mut self.summary;
+        if darts.len() < 3 {
+            summary.degenerate_rings += 1;
+            summary.list(summary.degenerate_rings, IrregularityKind::DegenerateRing, at, *first);
+        }
+        if shape.counter_clockwise == Some(at.ring > 0) {
+            summary.rings_wound_wrongly += 1;
+            summary.list(summary.rings_wound_wrongly, IrregularityKind::WoundWrongly, at, *first);
+        }
+        let place = |point: u32| (Position { point: point as usize, ..at }, ring[point as usize]);
+        if let Some((position, point)) = shape.touches.map(place) {
+            summary.self_touching_rings += 1;
+            summary.list(summary.self_touching_rings, IrregularityKind::SelfTouching, position, point);
+        }
+        for (position, point) in shape.spikes.into_iter().map(place) {
+            summary.spikes += 1;
+            summary.list(summary.spikes, IrregularityKind::Spike, position, point);
+        }
+        Ok(())
+    }
+
+    /// Takes the segments of a chain of points, with the place where each starts; one point alone is an isolated vertex.
+    fn chain(
+        &mut self,
+        points: &[Point],
+        at: Position,
+        darts: &mut Vec<Dart>,
+        starts: &mut Vec<u32>,
+    ) -> Result<(), BuildError> {
+        let Some((first, rest)) = points.split_first() else { return Ok(()) };
+        let mut from = self.vertex(*first)?;
+        for (p, point) in rest.iter().zip(at.point..) {
+            let to = self.vertex(*p)?;
+            self.summary.segments += 1;
+            if from == to {
+                self.summary.zero_length_segments += 1;
+                let position = Position { point: point + 1, ..at };
+                self.summary.list(self.summary.zero_length_segments, IrregularityKind::RepeatedPoint, position, *p);
+                continue;
+            }
+            let ends = if from < to { (from, to) } else { (to, from) };
+            let next = self.segments.len() as u32;
+            let number = *self.segment_numbers.entry(ends).or_insert(next);
+            if number == next {
+                if next >= 1 << 30 {
+                    return Err(BuildError::Full(RecordKind::Edge));
+                }
+                self.segments.push([ends.0, ends.1]);
+            } else {
+                self.summary.duplicate_segments += 1;
+            }
+            darts.push(number << 1 | u32::from(from > to));
+            starts.push(point as u32);
+            from = to;
+        }
+        Ok(())
+    }
+
+    fn vertex(&mut self, p: Point) -> Result<u32, BuildError> {
+        // Adding zero turns −0 into 0.
+        let p = Point::new(p.x + 0.0, p.y + 0.0);
+        let next = self.points.len() as u32;
+        let number = *self.places.entry((p.x.to_bits(), p.y.to_bits())).or_insert(next);
+        if number == next {
+            if next >= 1 << 30 {
+                return Err(BuildError::Full(RecordKind::Vertex));
+            }
+            self.points.push(p);
+        }
+        Ok(number)
+    }
+
+    /// Builds the map of the segments as they are, [`Noding::None`]. O(n log n).
+    ///
+    /// # Errors
+    /// [`BuildError::Full`].
+    pub fn build(self) -> Result<PlanarMap, BuildError> {
+        self.build_with(Noding::None)
+    }
+
+    /// Cuts the segments where they meet, as [`Noding`] says, and builds the map. [`PlanarMap::noding`] counts what cutting
+    /// did.
+    ///
+    /// O(n log n) without noding; see [`noding`](crate::geometry::noding#cost) for what that adds.
+    ///
+    /// ```
+    /// use twinedge::geometry::noding::Snap;
+    /// use twinedge::map::{BuildError, Builder, Noding};
+    ///
+    /// let cross = || {
+    ///     let mut builder = Builder::new();
+    ///     builder.segment([0.0, 0.0], [2.0, 2.0])?;
+    ///     builder.segment([0.0, 2.0], [2.0, 0.0])?;
+    ///     Ok::<_, BuildError>(builder)
+    /// };
+    /// let map = cross()?.build_with(Noding::Snap(Snap::Auto))?;
+    /// assert_eq!((map.dcel().vertex_count(), map.dcel().edge_count()), (5, 4));
+    /// assert_eq!(map.noding().map(|summary| summary.crossings), Some(1));
+    /// assert!(matches!(cross()?.build_with(Noding::Exact), Err(BuildError::Crossing { count: 1, .. })));
+    /// # Ok::<(), BuildError>(())
+    /// ```
+    ///
+    /// # Errors
+    /// [`BuildError::Full`]; with [`Noding::Exact`], [`BuildError::Crossing`]; with [`Noding::Snap`],
+    /// [`BuildError::CellSize`] and [`BuildError::OutOfReach`].
+    pub fn build_with(self, noding: Noding) -> Result<PlanarMap, BuildError> {
+        let Self { points, places, segments, segment_numbers, mut features, summary } = self;
+        drop((places, segment_numbers));
+        let (points, segments, noded) = match noding {
+            Noding::None => (points, segments, None),
+            Noding::Exact => {
+                let Cut { points, segments, summary } = cut::exact(points, &segments, &mut features)?;
+                (points, segments, Some(summary))
+            }
+            Noding::Snap(snap) => {
+                let Cut { points, segments, summary } = cut::snapped(&points, &segments, &mut features, snap)?;
+                (points, segments, Some(summary))
+            }
+        };
+        let arranged = arrange(&points, &segments)?;
+        match arranged.clash {
+            Some(Clash::Cross { a, b }) if noding == Noding::Exact => {
+                let [one, other] = [a, b].map(|segment| segments[segment as usize].map(|v| points[v as usize]));
+                let count = clashes(&points, &segments, 0).map_or(1, |(_, count)| count);
+                return Err(BuildError::Crossing { one, other, count });
+            }
+            _ => {}
+        }
+        let covered = cover(&points, &segments, &arranged.dcel, &features);
+        let features_of_map = FeatureSets::new(&covered.faces, &covered.edges);
+        Ok(PlanarMap {
+            points: Arranged::points_by_vertex(&points),
+            plane: arranged.clash.is_none(),
+            dcel: arranged.dcel,
+            names: features.into_iter().map(|feature| feature.name).collect(),
+            features: features_of_map,
+            summary,
+            noding: noded,
+        })
+    }
+}

@@ -1,0 +1,169 @@
+//! Cutting gathered segments where they meet, before a map is built of them.
+
+use super::error::BuildError;
+use super::gathered::{Dart, GatheredFeature};
+use crate::dcel::RecordKind;
+use crate::geometry::Point;
+use crate::geometry::noding::{NodingError, NodingSummary, Snap, node};
+use crate::geometry::predicates::{MIN_COORDINATE, compare_lexicographic, on_segment};
+use rstar::primitives::GeomWithData;
+use rstar::{AABB, RTree};
+use rustc_hash::FxHashMap;
+
+/// How segments are treated that meet elsewhere than at shared endpoints.
+///
+/// ```text
+///            \ /               \ /              \ /
+///     None    X         Exact   X       Snap     o       o: a new vertex, on the grid
+///            / \  /            / \  /           / \  /
+///       ----------        ------o---       ------o---
+///       not plane          an error           plane
+/// ```
+#[derive(Clone, Copy, Debug, Default, PartialEq)]
+#[non_exhaustive]
+pub enum Noding {
+    /// Nothing: the map is built of the segments as they are, and [`PlanarMap::validate`](crate::map::PlanarMap::validate)
+    /// says where it is not plane.
+    #[default]
+    None,
+    /// Segments are cut at the points of the input that lie on them, exactly. Nothing moves and no point is made, so two
+    /// segments that cross where the input has no point are an error, [`BuildError::Crossing`].
+    Exact,
+    /// Segments are cut wherever they meet, and everything is rounded to a grid, by [snap rounding](crate::geometry::noding). On
+    /// finite input this fails only if coordinates are out of reach of the grid.
+    Snap(Snap),
+}
+
+/// What was gathered, cut.
+pub(super) struct Cut {
+    pub(super) points: Vec<Point>,
+    pub(super) segments: Vec<[u32; 2]>,
+    pub(super) summary: NodingSummary,
+}
+
+/// The darts that each segment became, in the direction from its first end to its second.
+struct Pieces {
+    numbers: FxHashMap<[u32; 2], u32>,
+    darts: Vec<Dart>,
+    starts: Vec<usize>,
+}
+
+impl Pieces {
+    fn new(segments: &[[u32; 2]]) -> Self {
+        let numbers = segments.iter().copied().zip(0..).collect();
+        Self { numbers, darts: Vec::with_capacity(segments.len()), starts: vec![0] }
+    }
+
+    /// Takes the next segment, as the vertices along it.
+    fn push(&mut self, chain: impl Iterator<Item = u32>, mut made: impl FnMut([u32; 2]) -> Option<u32>) {
+        let mut last = None;
+        for to in chain {
+            if let Some(from) = last.replace(to).filter(|from| *from != to) {
+                let ends = [from.min(to), from.max(to)];
+                let number = self.numbers.get(&ends).copied().or_else(|| {
+                    let number = made(ends)?;
+                    self.numbers.insert(ends, number);
+                    Some(number)
+                });
+                self.darts.extend(number.map(|number| number << 1 | u32::from(from > to)));
+            }
+        }
+        self.starts.push(self.darts.len());
+    }
+
+    /// Replaces the segments that a feature uses by their pieces.
+    fn replace(&self, darts: &mut Vec<Dart>) {
+        let mut out = Vec::with_capacity(darts.len());
+        for dart in darts.iter() {
+            let segment = (*dart >> 1) as usize;
+            let pieces = &self.darts[self.starts[segment]..self.starts[segment + 1]];
+            if dart & 1 == 0 {
+                out.extend_from_slice(pieces);
+            } else {
+                out.extend(pieces.iter().rev().map(|piece| piece ^ 1));
+            }
+        }
+        *darts = out;
+    }
+
+    fn follow(&self, features: &mut [GatheredFeature]) {
+        for feature in features {
+            feature.polygons.iter_mut().for_each(|darts| self.replace(darts));
+            self.replace(&mut feature.lines);
+        }
+    }
+}
+
+/// Cuts segments at the points that lie on them. O((n + k) log n) for k points in the bounding boxes of segments, in
+/// practice: an R-tree gives no guarantee.
+pub(super) fn exact(
+    points: Vec<Point>,
+    segments: &[[u32; 2]],
+    features: &mut [GatheredFeature],
+) -> Result<Cut, BuildError> {
+    let tree: RTree<GeomWithData<[f64; 2], u32>> =
+        RTree::bulk_load(points.iter().zip(0..).map(|(p, v)| GeomWithData::new((*p).into(), v)).collect());
+    let mut out = Vec::with_capacity(segments.len());
+    let mut pieces = Pieces::new(&[]);
+    let mut summary = NodingSummary::default();
+    let mut full = false;
+    for [from, to] in segments {
+        let (a, b) = (points[*from as usize], points[*to as usize]);
+        let near = tree.locate_in_envelope(AABB::from_corners(a.into(), b.into()));
+        let mut along: Vec<u32> =
+            near.map(|near| near.data).filter(|v| on_segment(points[*v as usize], a, b)).collect();
+        let forth = compare_lexicographic(a, b);
+        along.sort_unstable_by(|p, q| {
+            let order = compare_lexicographic(points[*p as usize], points[*q as usize]);
+            if forth.is_lt() { order } else { order.reverse() }
+        });
+        summary.split += usize::from(along.len() > 2);
+        pieces.push(along.into_iter(), |ends| {
+            let number = u32::try_from(out.len()).ok().filter(|number| *number < 1 << 30);
+            full |= number.is_none();
+            out.extend(number.map(|_| ends));
+            number
+        });
+    }
+    if full {
+        return Err(BuildError::Full(RecordKind::Edge));
+    }
+    summary.duplicates = pieces.darts.len() - out.len();
+    pieces.follow(features);
+    Ok(Cut { points, segments: out, summary })
+}
+
+/// Cuts segments wherever they meet, and rounds to a grid; see [`noding`](crate::geometry::noding).
+pub(super) fn snapped(
+    points: &[Point],
+    segments: &[[u32; 2]],
+    features: &mut [GatheredFeature],
+    snap: Snap,
+) -> Result<Cut, BuildError> {
+    let drawn: Vec<[Point; 2]> = segments.iter().map(|ends| ends.map(|v| points[v as usize])).collect();
+    // The predicates must be exact on grid points, too.
+    if matches!(snap, Snap::Size(size) if size < MIN_COORDINATE) {
+        return Err(BuildError::CellSize);
+    }
+    let noded = match node(&drawn, points, snap) {
+        Ok(noded) if noded.summary.cell < MIN_COORDINATE => node(&drawn, points, Snap::Size(MIN_COORDINATE)),
+        outcome => outcome,
+    };
+    let noded = noded.map_err(|error| match error {
+        NodingError::Size => BuildError::CellSize,
+        NodingError::NotFinite { at } | NodingError::OutOfRange { at } => {
+            let p = at.point(&drawn, points);
+            BuildError::OutOfReach { x: p.x, y: p.y }
+        }
+        NodingError::TooMany => BuildError::Full(RecordKind::Vertex),
+    })?;
+    if noded.points.len().max(noded.segments.len()) >= 1 << 30 {
+        return Err(BuildError::Full(RecordKind::Edge));
+    }
+    let mut pieces = Pieces::new(&noded.segments);
+    for segment in 0..segments.len() {
+        pieces.push(noded.chain(segment).into_iter().flatten(), |_| None);
+    }
+    pieces.follow(features);
+    Ok(Cut { points: noded.points, segments: noded.segments, summary: noded.summary })
+}

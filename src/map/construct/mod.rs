@@ -1,0 +1,20 @@
+//! Building a map of rings, lines and points, all at once.
+//!
+//! ```text
+//!   features ─► gathered: distinct points and segments, rings as darts
+//!            ─► cut: segments that meet are cut, if asked for
+//!            ─► arranged: rotations, cycles, faces
+//!            ─► covered: which features cover which faces
+//! ```
+
+mod arrange;
+mod builder;
+mod cover;
+mod cut;
+mod error;
+mod gathered;
+mod rings;
+
+pub use builder::Builder;
+pub use cut::Noding;
+pub use error::BuildError;

@@ -1,0 +1,43 @@
+//! A point for an edit, with what is known of where it lies.
+
+use crate::dcel::{HalfEdgeKey, VertexKey};
+use crate::geometry::Point;
+
+/// A point for an edit, with what is known of where it lies. Points, pairs of coordinates, vertices, and pairs of a point
+/// and a half-edge convert.
+///
+/// Of several points only the first is searched for, and its hint used: from there on the way leads to the others.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub enum At {
+    /// Anywhere. It is found as by [`PlanarMap::locate_from`](crate::map::PlanarMap::locate_from) with the unbounded face for a hint: O(n) at worst.
+    Point(Point),
+    /// A point in the face of a half-edge or on its boundary, O(size of that boundary); or elsewhere after all, and found
+    /// from there as by [`PlanarMap::locate_from`](crate::map::PlanarMap::locate_from).
+    Near(Point, HalfEdgeKey),
+    /// Where this vertex is. O(1).
+    Vertex(VertexKey),
+}
+
+impl From<Point> for At {
+    fn from(p: Point) -> Self {
+        Self::Point(p)
+    }
+}
+
+impl From<[f64; 2]> for At {
+    fn from(p: [f64; 2]) -> Self {
+        Self::Point(p.into())
+    }
+}
+
+impl From<VertexKey> for At {
+    fn from(v: VertexKey) -> Self {
+        Self::Vertex(v)
+    }
+}
+
+impl<P: Into<Point>> From<(P, HalfEdgeKey)> for At {
+    fn from((p, hint): (P, HalfEdgeKey)) -> Self {
+        Self::Near(p.into(), hint)
+    }
+}

@@ -1,0 +1,62 @@
+//! What is meant by where an edit is to be, and where that is.
+
+use super::at::At;
+use super::error::EditError;
+use crate::dcel::{HalfEdge, Vertex};
+use crate::geometry::Point;
+use crate::geometry::predicates::in_range;
+use crate::map::locate::located::{LocateError, Located};
+use crate::map::planar_map::PlanarMap;
+
+impl PlanarMap {
+    /// Refuses a map that is not plane.
+    pub(super) fn editable(&self) -> Result<(), EditError> {
+        if self.is_plane() { Ok(()) } else { Err(EditError::NotPlane) }
+    }
+
+    /// The point that is meant, in range, with no −0.
+    pub(super) fn point_of(&self, at: At) -> Result<Point, EditError> {
+        let Point { x, y } = match at {
+            At::Point(p) | At::Near(p, _) => p,
+            At::Vertex(v) => self.position(v)?,
+        };
+        if !x.is_finite() || !y.is_finite() {
+            Err(EditError::NotFinite { x, y })
+        } else if !in_range(Point { x, y }) {
+            Err(EditError::OutOfRange { x, y })
+        } else {
+            Ok(Point { x: x + 0.0, y: y + 0.0 })
+        }
+    }
+
+    /// Where the point that is meant lies. For the cost see [`At`].
+    pub(super) fn place_of(&self, at: At) -> Result<Located, EditError> {
+        match at {
+            At::Point(_) => self.place(self.point_of(at)?, self.dcel.unbounded_face().key()),
+            At::Near(_, hint) => {
+                // A stale hint is said first.
+                self.dcel.half_edge(hint)?;
+                self.place(self.point_of(at)?, hint)
+            }
+            At::Vertex(v) => Ok(Located::Vertex(self.dcel.vertex(v)?.key())),
+        }
+    }
+
+    /// Where a vertex of this map lies.
+    pub(super) fn at(&self, vertex: Vertex<'_>) -> Point {
+        self.points[vertex.index()]
+    }
+
+    /// Where a half-edge of this map starts and ends.
+    pub(super) fn ends(&self, h: HalfEdge<'_>) -> [Point; 2] {
+        [self.at(h.origin()), self.at(h.target())]
+    }
+
+    /// Where a point in range lies, going there from something else.
+    pub(super) fn place(&self, p: Point, from: impl Into<Located>) -> Result<Located, EditError> {
+        self.locate_from(p, from).map_err(|error| match error {
+            LocateError::Stale(key) => key.into(),
+            _ => EditError::NotPlane,
+        })
+    }
+}

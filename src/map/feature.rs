@@ -1,0 +1,44 @@
+//! Features: what a map file says, before anything is built from it, and their numbers on a map.
+
+use alloc::string::String;
+use alloc::vec::Vec;
+
+use crate::geometry::Point;
+
+/// One part of a feature, as its file gives it.
+///
+/// Nothing is repaired or refused here: rings may be open, wind either way, cross themselves or have no area. The
+/// [`Builder`](super::Builder) handles and counts that.
+#[derive(Clone, Debug, PartialEq)]
+pub enum Shape {
+    /// The outer ring, then the rings of the holes; the last point of a ring may or may not repeat its first.
+    Polygon(Vec<Vec<Point>>),
+    /// A chain of straight segments.
+    Line(Vec<Point>),
+    /// A point alone.
+    Point(Point),
+}
+
+/// Shapes that belong together, such as the parts of one country.
+#[derive(Clone, Debug, Default, PartialEq)]
+pub struct Feature {
+    /// Its name.
+    pub name: Option<String>,
+    /// Its id in the file.
+    pub id: Option<String>,
+    /// Its parts, in the order of the file; none if it has no place on the map.
+    pub shapes: Vec<Shape>,
+}
+
+/// A feature of a map, such as a country, by its number in order of input.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord, Hash)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
+pub struct FeatureId(pub(super) u32);
+
+impl FeatureId {
+    /// The place in order of input, counted from 0.
+    #[must_use]
+    pub const fn index(self) -> usize {
+        self.0 as usize
+    }
+}

@@ -1,0 +1,166 @@
+//! A grid over the map, which answers most searches without the graph.
+
+use super::graph::{Graph, GraphHit, Stage};
+use crate::geometry::Point;
+use crate::geometry::predicates::{Orientation, in_range, orientation};
+use alloc::vec;
+use alloc::vec::Vec;
+
+/// How many marks per cell are made at most, on average, before the grid is given up.
+const MAX_MARKS_PER_CELL: usize = 16;
+
+/// A grid of as many columns as rows, with about one cell for each segment. An empty cell stores its face; in all others
+/// the search starts at the root of the graph.
+///
+/// The grid only saves time. Where segments are so long that it would take more than O(n) to draw them cell by cell, all
+/// cells count as not empty.
+pub(super) struct Cells {
+    columns: Axis,
+    rows: Axis,
+    /// Row by row.
+    stages: Vec<Stage>,
+}
+
+/// How a range of numbers is cut in pieces.
+struct Axis {
+    first: f64,
+    last: f64,
+    /// Pieces per unit of length; 0 if the range is a single number.
+    scale: f64,
+    pieces: usize,
+    /// For each piece two numbers between which it lies, the first and the last of the range or in other pieces. So what
+    /// is between neighbouring pieces, is between the two numbers of each.
+    bounds: Vec<[f64; 2]>,
+}
+
+impl Axis {
+    fn new(first: f64, last: f64, pieces: usize) -> Self {
+        let scale = if first < last { pieces as f64 / (last - first) } else { 0.0 };
+        let mut axis = Self { first, last, scale, pieces, bounds: vec![[first, last]; pieces] };
+        for i in 1..pieces {
+            if axis.piece(last) < i {
+                break;
+            }
+            // Of two numbers, one is in a piece before this, the other is not, and none is between them.
+            let (mut before, mut after) = (first, last);
+            loop {
+                let middle = f64::midpoint(before, after);
+                if middle <= before || after <= middle {
+                    break;
+                }
+                *(if axis.piece(middle) < i { &mut before } else { &mut after }) = middle;
+            }
+            axis.bounds[i - 1][1] = after;
+            axis.bounds[i][0] = before;
+        }
+        axis
+    }
+
+    /// The piece of a number of the range. It never falls as the number grows, since rounding preserves order.
+    #[inline]
+    fn piece(&self, c: f64) -> usize {
+        #[expect(clippy::cast_sign_loss, reason = "numbers of the range are at least the first")]
+        let piece = ((c - self.first) * self.scale) as usize;
+        piece.min(self.pieces - 1)
+    }
+}
+
+impl Cells {
+    /// Makes the grid for the points and segments within this box. O(n), and a search for each row of empty cells.
+    pub(super) fn new(graph: &Graph, [min, max]: [Point; 2]) -> Self {
+        let side = 1 << graph.segments().len().max(1).ilog2().div_ceil(2);
+        let (columns, rows) = (Axis::new(min.x, max.x, side), Axis::new(min.y, max.y, side));
+        let mut cells = Self { columns, rows, stages: vec![graph.root(); side * side] };
+        if let Some(marked) = cells.marked(graph) {
+            for row in 0..side {
+                let mut face = None;
+                for column in 0..side {
+                    let place = row * side + column;
+                    if marked[place] {
+                        face = None;
+                        continue;
+                    }
+                    // Nothing is drawn between this and its empty neighbour.
+                    face = face.or_else(|| cells.face(graph, column, row));
+                    if let Some(face) = face {
+                        cells.stages[place] = face;
+                    }
+                }
+            }
+        }
+        cells
+    }
+
+    /// Which cells are not empty; none if the segments pass through too many.
+    fn marked(&self, graph: &Graph) -> Option<Vec<bool>> {
+        let mut marked = vec![false; self.stages.len()];
+        let mut marks_left = MAX_MARKS_PER_CELL * self.stages.len();
+        for p in graph.points() {
+            marked[self.place(*p)] = true;
+        }
+        for [low, high] in graph.segments() {
+            let (bottom, top) = (low.y.min(high.y), low.y.max(high.y));
+            let (lowest, highest) = (self.rows.piece(bottom), self.rows.piece(top));
+            let (first, last) = (self.columns.piece(low.x), self.columns.piece(high.x));
+            for column in first..=last {
+                let rows = if first == last || lowest == highest {
+                    lowest..highest + 1
+                } else {
+                    self.rows_on_the_way([*low, *high], column, lowest..highest + 1)
+                };
+                marks_left = marks_left.checked_sub(1 + rows.len())?;
+                for row in rows {
+                    marked[row * self.columns.pieces + column] = true;
+                }
+            }
+        }
+        Some(marked)
+    }
+
+    /// Of some rows those, perhaps with a neighbour, in which a segment passes through a column.
+    fn rows_on_the_way(
+        &self,
+        [low, high]: [Point; 2],
+        column: usize,
+        rows: core::ops::Range<usize>,
+    ) -> core::ops::Range<usize> {
+        let [left, right] = self.columns.bounds[column];
+        // Where in the column it is lowest, and highest.
+        let (lowest, highest) = if low.y <= high.y { (left, right) } else { (right, left) };
+        let is = |side: Orientation, x: f64, y: f64| {
+            let corner = Point::new(x, y);
+            in_range(corner) && orientation(low, high, corner) == side
+        };
+        let all = &self.rows.bounds[rows.clone()];
+        let below = all.partition_point(|row| is(Orientation::Clockwise, lowest, row[1]));
+        let above = all.partition_point(|row| !is(Orientation::CounterClockwise, highest, row[0]));
+        rows.start + below..rows.start + above
+    }
+
+    /// The face in which a cell lies that is empty.
+    fn face(&self, graph: &Graph, column: usize, row: usize) -> Option<Stage> {
+        let [x, y] = [self.columns.bounds[column], self.rows.bounds[row]].map(|[a, b]| f64::midpoint(a, b));
+        let p = Point::new(x, y);
+        if !in_range(p) || self.place(p) != row * self.columns.pieces + column {
+            return None;
+        }
+        match graph.find(graph.root(), p) {
+            GraphHit::Face(face) => Some(Graph::stage(face)),
+            GraphHit::Point(_) | GraphHit::Segment(_) => None,
+        }
+    }
+
+    /// The cell in which a point lies.
+    #[inline]
+    fn place(&self, p: Point) -> usize {
+        self.rows.piece(p.y) * self.columns.pieces + self.columns.piece(p.x)
+    }
+
+    /// Where to start the search for a point; none if it lies outside.
+    #[inline]
+    pub(super) fn stage(&self, p: Point) -> Option<Stage> {
+        let inside = (self.columns.first..=self.columns.last).contains(&p.x)
+            && (self.rows.first..=self.rows.last).contains(&p.y);
+        inside.then(|| self.stages[self.place(p)])
+    }
+}

@@ -1,0 +1,65 @@
+//! The answer to where a point lies, and why there may be none.
+
+use crate::dcel::{FaceKey, HalfEdgeKey, StaleKey, VertexKey};
+use crate::geometry::Point;
+use crate::geometry::predicates::in_range;
+use thiserror::Error;
+
+/// Where a point lies.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord, Hash)]
+pub enum Located {
+    /// In this face, and not on its boundary.
+    Face(FaceKey),
+    /// Inside the edge of this half-edge.
+    Edge(HalfEdgeKey),
+    /// At this vertex.
+    Vertex(VertexKey),
+}
+
+impl From<FaceKey> for Located {
+    fn from(face: FaceKey) -> Self {
+        Self::Face(face)
+    }
+}
+
+impl From<HalfEdgeKey> for Located {
+    fn from(half_edge: HalfEdgeKey) -> Self {
+        Self::Edge(half_edge)
+    }
+}
+
+impl From<VertexKey> for Located {
+    fn from(vertex: VertexKey) -> Self {
+        Self::Vertex(vertex)
+    }
+}
+
+/// Why there is no answer.
+#[derive(Clone, Copy, Debug, PartialEq, Error)]
+#[non_exhaustive]
+pub enum LocateError {
+    /// A coordinate of the point is NaN or infinite, or beyond the range in which the predicates are exact; see
+    /// [`in_range`].
+    #[error("the point ({:?}, {:?}) is not in the range of exact arithmetic", .0.x, .0.y)]
+    OutOfRange(Point),
+    /// The two points that should give a direction are this same one.
+    #[error("there is no direction from ({}, {}) to itself", .0.x, .0.y)]
+    NoDirection(Point),
+    /// The line does not meet the edge of this half-edge in a point.
+    #[error("the line does not meet the edge of {0:?}")]
+    NotMet(HalfEdgeKey),
+    /// The map is not plane.
+    #[error("the map is not plane")]
+    NotPlane,
+    /// There are more edges than the index can number.
+    #[error("the map is too large for an index")]
+    TooLarge,
+    /// A key names nothing.
+    #[error(transparent)]
+    Stale(#[from] StaleKey),
+}
+
+/// Refuses a point beyond the range of exact arithmetic.
+pub(in crate::map) fn check_range(p: Point) -> Result<(), LocateError> {
+    if in_range(p) { Ok(()) } else { Err(LocateError::OutOfRange(p)) }
+}

@@ -1,0 +1,131 @@
+//! The index: a search graph, a grid in front of it, and a tree of boxes for lines.
+
+use super::cells::Cells;
+use super::graph::{Graph, GraphHit};
+use super::located::{LocateError, Located, check_range};
+use super::trapezoids::{Drawn, GraphError};
+use crate::geometry::Point;
+use crate::geometry::predicates::compare_lexicographic;
+use crate::map::planar_map::PlanarMap;
+use crate::map::record_tree::RecordTree;
+use crate::validate::Embedding;
+
+/// An index of a map: where points lie, and what lines meet.
+///
+/// It borrows the map, so the map cannot change meanwhile. See the [module](crate::map::locate) for an example.
+pub struct Locator<'m> {
+    pub(in crate::map) map: &'m PlanarMap,
+    graph: Graph,
+    /// None if the map has no vertex.
+    cells: Option<Cells>,
+    /// The vertex of each point of the graph.
+    vertices: Vec<u32>,
+    /// For each segment of the graph, the half-edge that runs from its lower end to its higher.
+    rising: Vec<u32>,
+    pub(in crate::map) tree: RecordTree,
+}
+
+impl core::fmt::Debug for Locator<'_> {
+    fn fmt(&self, f: &mut core::fmt::Formatter<'_>) -> core::fmt::Result {
+        f.debug_struct("Locator").field("vertices", &self.vertices.len()).field("edges", &self.rising.len()).finish()
+    }
+}
+
+impl<'m> Locator<'m> {
+    /// Builds the index. Expected time O(n log n) and expected memory O(n), some 200 bytes for each edge. The
+    /// expectation is over the orders in which edges may be inserted, not over the maps: fans, combs, long parallels
+    /// and thousands of islands are no worse than others. The order is that of a fixed pseudo-random sequence, so equal
+    /// maps have equal indices.
+    ///
+    /// # Errors
+    /// [`LocateError::NotPlane`], if [`PlanarMap::is_plane`] says no. [`LocateError::TooLarge`] beyond some hundred
+    /// million edges.
+    pub fn new(map: &'m PlanarMap) -> Result<Self, LocateError> {
+        if !map.is_plane() {
+            return Err(LocateError::NotPlane);
+        }
+        let dcel = map.dcel();
+        let mut vertices: Vec<u32> = dcel.vertices().map(|v| v.index() as u32).collect();
+        let point = |v: &u32| map.point(*v as usize);
+        vertices.sort_unstable_by(|a, b| compare_lexicographic(point(a), point(b)));
+        let slots = vertices.iter().max().map_or(0, |last| *last as usize + 1);
+        let mut places = vec![0_u32; slots];
+        for (place, vertex) in (0..).zip(&vertices) {
+            places[*vertex as usize] = place;
+        }
+        let mut drawn = Drawn { points: vertices.iter().map(point).collect(), segments: Vec::new() };
+        let mut rising = Vec::with_capacity(dcel.edge_count());
+        for h in dcel.half_edges() {
+            let ends = [h.origin(), h.target()].map(|v| places[v.index()]);
+            if ends[0] < ends[1] {
+                drawn.segments.push(ends);
+                rising.push(h.index() as u32);
+            }
+        }
+        let bounds = bounds(&drawn.points);
+        let tree = RecordTree::new(map);
+        let face_above = |segment: Option<u32>| {
+            let edge = segment.and_then(|segment| dcel.half_edge_at(rising[segment as usize] as usize));
+            edge.map_or(dcel.unbounded_face(), |h| h.face()).index() as u32
+        };
+        let graph = Graph::new(drawn, face_above).map_err(|failure| match failure {
+            GraphError::TooLarge => LocateError::TooLarge,
+            GraphError::Clash => LocateError::NotPlane,
+        })?;
+        let cells = bounds.map(|bounds| Cells::new(&graph, bounds));
+        Ok(Self { map, graph, cells, vertices, rising, tree })
+    }
+
+    /// The map.
+    #[must_use]
+    pub const fn map(&self) -> &'m PlanarMap {
+        self.map
+    }
+
+    /// Where a point lies. An edge is named by the half-edge that runs to the right, or straight up. O(log n) expected.
+    ///
+    /// ```
+    /// use twinedge::geometry::Point;
+    /// use twinedge::map::{Located, Locator, PlanarMap};
+    ///
+    /// let mut map = PlanarMap::new();
+    /// let ring = map.insert_ring([[0.0, 0.0], [4.0, 0.0], [0.0, 4.0]])?;
+    /// let locator = Locator::new(&map)?;
+    /// assert_eq!(locator.locate(Point::new(1.0, 1.0))?, Located::Face(ring.faces_split[0].1));
+    /// assert_eq!(locator.locate(Point::new(1.0, 0.0))?, Located::Edge(ring.way[0]));
+    /// assert_eq!(locator.locate(Point::new(4.0, 0.0))?, Located::Vertex(ring.vertices[1]));
+    /// # Ok::<(), Box<dyn std::error::Error>>(())
+    /// ```
+    ///
+    /// # Errors
+    /// [`LocateError::OutOfRange`].
+    pub fn locate(&self, p: Point) -> Result<Located, LocateError> {
+        check_range(p)?;
+        let dcel = self.map.dcel();
+        let Some(stage) = self.cells.as_ref().and_then(|cells| cells.stage(p)) else {
+            return Ok(Located::Face(dcel.unbounded_face().key()));
+        };
+        let located = match self.graph.find(stage, p) {
+            GraphHit::Face(face) => dcel.face_at(face as usize).map(|f| Located::Face(f.key())),
+            GraphHit::Point(point) => {
+                dcel.vertex_at(self.vertices[point as usize] as usize).map(|v| Located::Vertex(v.key()))
+            }
+            GraphHit::Segment(segment) => {
+                dcel.half_edge_at(self.rising[segment as usize] as usize).map(|h| Located::Edge(h.key()))
+            }
+        };
+        // The map is borrowed, so every record of the index is live.
+        Ok(located.unwrap_or(Located::Face(dcel.unbounded_face().key())))
+    }
+}
+
+/// The smallest box around points.
+fn bounds(points: &[Point]) -> Option<[Point; 2]> {
+    let first = *points.first()?;
+    Some(points.iter().fold([first, first], |[min, max], p| {
+        [Point::new(min.x.min(p.x), min.y.min(p.y)), Point::new(max.x.max(p.x), max.y.max(p.y))]
+    }))
+}
+
+#[cfg(test)]
+mod tests;

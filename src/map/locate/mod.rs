@@ -1,0 +1,54 @@
+//! Point location: by an index, or by walking.
+//!
+//! | | builds | answers in | for |
+//! | --- | --- | --- | --- |
+//! | [`Locator`] | O(n log n) | O(log n) | many questions about one map |
+//! | [`PlanarMap::locate_from`](crate::map::PlanarMap::locate_from) | nothing | the boundaries of the faces on the way | few questions, or a map that changes between them |
+//!
+//! Both are exact: a point is at a vertex, inside an edge or in a face, and there is no tolerance.
+//!
+//! ```text
+//!    ●────────────●
+//!    │      f     │      p: in face f
+//!    │  p      q  r      q: in face f, however near to the edge
+//!    │            │      r: inside the edge
+//!    ●────────────●
+//! ```
+//!
+//! ```
+//! use twinedge::geometry::Point;
+//! use twinedge::map::{Builder, Located, Locator, Shape};
+//!
+//! let square = [[0.0, 0.0], [4.0, 0.0], [4.0, 4.0], [0.0, 4.0]].map(Point::from).to_vec();
+//! let lake = [[1.0, 1.0], [2.0, 1.0], [1.0, 2.0]].map(Point::from).to_vec();
+//! let mut builder = Builder::new();
+//! let land = builder.shape(&Shape::Polygon(vec![square, lake]))?;
+//! let map = builder.build()?;
+//!
+//! let locator = Locator::new(&map)?;
+//! let Located::Face(face) = locator.locate(Point::new(3.0, 3.0))? else { panic!("it is inside") };
+//! assert!(map.features_of(face)?.eq([land]));
+//! // From one answer to the next question, without the index.
+//! let Located::Face(lake) = map.locate_from(Point::new(1.25, 1.25), face)? else { panic!("it is inside") };
+//! assert_eq!(map.features_of(lake)?.count(), 0);
+//! assert!(matches!(locator.locate(Point::new(1.5, 1.5))?, Located::Edge(_)));
+//! assert!(matches!(locator.locate(Point::new(4.0, 4.0))?, Located::Vertex(_)));
+//! assert_eq!(locator.locate(Point::new(5.0, 4.0))?, Located::Face(map.dcel().unbounded_face().key()));
+//! # Ok::<(), Box<dyn std::error::Error>>(())
+//! ```
+//!
+//! # How
+//!
+//! The index is the search graph of a trapezoidal map (see `trapezoids.rs`): O(n) memory and O(log n) questions, whatever
+//! the map. In front of it is a grid of about one cell per edge. A cell that no edge meets stores its face, so most searches
+//! end in the grid. The worst case is that of the graph: the grid has one number per cell and no lists.
+
+mod cells;
+mod graph;
+pub(in crate::map) mod in_face;
+pub(in crate::map) mod located;
+pub(in crate::map) mod locator;
+mod trapezoids;
+
+pub use located::{LocateError, Located};
+pub use locator::Locator;

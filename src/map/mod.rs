@@ -1,0 +1,53 @@
+//! A `Dcel` with coordinates: building, features, edits, location, the faces cut by a line.
+//!
+//! A [`PlanarMap`] is a [`Dcel`](crate::dcel::Dcel) whose vertices have coordinates. [`Builder`] makes one from rings, lines
+//! and points in O(n log n). [`PlanarMap::from_view`] makes one from a half-edge structure that exists already.
+//!
+//! ```
+//! use twinedge::geometry::Point;
+//! use twinedge::map::{Builder, Located, Locator, Shape};
+//!
+//! let square = |x: f64| [[x, 0.0], [x + 2.0, 0.0], [x + 2.0, 2.0], [x, 2.0]].map(Point::from).to_vec();
+//! let mut builder = Builder::new();
+//! let west = builder.shape(&Shape::Polygon(vec![square(0.0)]))?;
+//! let east = builder.shape(&Shape::Polygon(vec![square(2.0)]))?;
+//! let mut map = builder.build()?;
+//!
+//! let Located::Face(face) = Locator::new(&map)?.locate(Point::new(3.0, 1.0))? else { unreachable!("it is inside") };
+//! assert!(map.features_of(face)?.eq([east]));
+//! // A wall across the eastern square: it splits the edges on which it ends, and the face.
+//! let wall = map.insert_segment([2.0, 1.0], [4.0, 1.0])?;
+//! assert_eq!((wall.edges_split.len(), wall.faces_split.len()), (2, 1));
+//! let east_of_border = map.features_of(wall.faces_split[0].1)?;
+//! assert!(east_of_border.eq([east]));
+//! assert_ne!(west, east);
+//! # Ok::<(), Box<dyn std::error::Error>>(())
+//! ```
+//!
+//! | module | purpose |
+//! | --- | --- |
+//! | [`edit`] | drawing and erasing points, segments and rings on a map, one after the other |
+//! | [`locate`] | where a point lies, by an index or by walking there |
+//! | [`zone`] | what a line meets, in order |
+
+pub mod edit;
+pub mod locate;
+pub mod zone;
+
+mod construct;
+mod feature;
+mod feature_sets;
+mod import;
+mod planar_map;
+mod record_tree;
+#[cfg(feature = "serde")]
+mod saved;
+mod summary;
+
+pub use construct::{BuildError, Builder, Noding};
+pub use feature::{Feature, FeatureId, Shape};
+pub use import::MapImportError;
+pub use locate::{LocateError, Located, Locator};
+pub use planar_map::PlanarMap;
+pub use summary::{BuildSummary, Irregularity, IrregularityKind, Position};
+pub use zone::{QueryLine, ZoneElement};

@@ -1,0 +1,258 @@
+//! A subdivision with coordinates.
+
+use super::feature::FeatureId;
+use super::feature_sets::FeatureSets;
+use super::summary::BuildSummary;
+use crate::dcel::{Dcel, FaceKey, HalfEdgeKey, StaleKey, VertexKey};
+use crate::delegate_view;
+use crate::geometry::Point;
+use crate::geometry::noding::NodingSummary;
+use crate::validate::{Collect, Embedding, Expectation, Report, View, validate_embedding};
+
+/// A planar subdivision with coordinates: a [`Dcel`] whose edges are straight segments, and the features that cover its
+/// faces.
+///
+/// Made all at once by [`Builder`](super::Builder), or step by step from [`PlanarMap::new`] by [edits](super::edit), or of a
+/// structure that exists by [`PlanarMap::from_view`]. The topology is read through [`PlanarMap::dcel`]; coordinates and
+/// features by key.
+///
+/// ```text
+///   ┌──────────┐ ┌──────┐    dcel      vertices, half-edges, faces and what lies in what
+///   │ a   ┌──┐ │ │  b   │    position  by vertex
+///   │     │  │ │ │   ┌──┼─┐  features  a: one polygon with a hole; b and c overlap
+///   │     └──┘ │ │   │bc│c│  features_of(bc) = b, c
+///   └──────────┘ └───┼──┘ │
+///                    └────┘
+/// ```
+///
+/// ```
+/// use twinedge::map::{Builder, Feature, Shape};
+///
+/// let ring = |points: [[f64; 2]; 4]| points.map(Into::into).to_vec();
+/// let field = Feature {
+///     name: Some("field".into()),
+///     shapes: vec![Shape::Polygon(vec![
+///         ring([[0.0, 0.0], [6.0, 0.0], [6.0, 6.0], [0.0, 6.0]]),
+///         ring([[2.0, 2.0], [2.0, 4.0], [4.0, 4.0], [4.0, 2.0]]),
+///     ])],
+///     ..Feature::default()
+/// };
+/// let mut builder = Builder::new();
+/// let field = builder.feature(&field)?;
+/// let map = builder.build()?;
+///
+/// let covered = map.dcel().faces().find(|f| map.features_of(f.key()).unwrap().any(|g| g == field)).unwrap();
+/// assert_eq!(map.name(field), Some("field"));
+/// // Its boundary: the outer ring, and the ring of the hole.
+/// let lengths: Vec<usize> = covered.boundaries().map(|b| b.half_edges().count()).collect();
+/// assert_eq!(lengths, [4, 4]);
+/// let first = covered.outer().unwrap().half_edges().next().unwrap();
+/// assert!(map.position(first.origin().key())?.x <= 6.0);
+/// # Ok::<(), Box<dyn std::error::Error>>(())
+/// ```
+#[derive(Clone, Debug)]
+pub struct PlanarMap {
+    pub(super) dcel: Dcel,
+    /// By index of vertex.
+    pub(super) points: Vec<Point>,
+    /// By number of feature.
+    pub(super) names: Vec<Option<String>>,
+    pub(super) features: FeatureSets,
+    pub(super) summary: BuildSummary,
+    pub(super) noding: Option<NodingSummary>,
+    /// Whether edges meet at shared endpoints only.
+    pub(super) plane: bool,
+}
+
+impl Default for PlanarMap {
+    fn default() -> Self {
+        Self {
+            dcel: Dcel::default(),
+            points: Vec::new(),
+            names: Vec::new(),
+            features: FeatureSets::default(),
+            summary: BuildSummary::default(),
+            noding: None,
+            plane: true,
+        }
+    }
+}
+
+impl PlanarMap {
+    /// The empty map: the unbounded face, and nothing in it. O(1).
+    #[must_use]
+    pub fn new() -> Self {
+        Self::default()
+    }
+
+    /// The topology. O(1).
+    ///
+    /// ```
+    /// use twinedge::map::PlanarMap;
+    ///
+    /// let mut map = PlanarMap::new();
+    /// map.insert_ring([[0.0, 0.0], [1.0, 0.0], [0.0, 1.0]])?;
+    /// assert_eq!((map.dcel().vertex_count(), map.dcel().edge_count(), map.dcel().face_count()), (3, 3, 2));
+    /// # Ok::<(), twinedge::map::edit::EditError>(())
+    /// ```
+    #[must_use]
+    pub const fn dcel(&self) -> &Dcel {
+        &self.dcel
+    }
+
+    /// Where a vertex lies. O(1).
+    ///
+    /// ```
+    /// use twinedge::geometry::Point;
+    /// use twinedge::map::PlanarMap;
+    ///
+    /// let mut map = PlanarMap::new();
+    /// let vertex = map.insert_point([2.0, 3.0])?.vertices[0];
+    /// assert_eq!(map.position(vertex)?, Point::new(2.0, 3.0));
+    /// map.remove_vertex(vertex)?;
+    /// assert!(map.position(vertex).is_err());
+    /// # Ok::<(), twinedge::map::edit::EditError>(())
+    /// ```
+    ///
+    /// # Errors
+    /// [`StaleKey::Vertex`].
+    pub fn position(&self, vertex: VertexKey) -> Result<Point, StaleKey> {
+        Ok(self.point(self.dcel.vertex(vertex)?.index()))
+    }
+
+    /// The features that cover a face, in order. O(1).
+    ///
+    /// ```
+    /// use twinedge::map::{Builder, Shape};
+    ///
+    /// let square = |x: f64| [[x, 0.0], [x + 2.0, 0.0], [x + 2.0, 2.0], [x, 2.0]].map(Into::into).to_vec();
+    /// let mut builder = Builder::new();
+    /// let left = builder.shape(&Shape::Polygon(vec![square(0.0)]))?;
+    /// let right = builder.shape(&Shape::Polygon(vec![square(2.0)]))?;
+    /// let map = builder.build()?;
+    /// let covers: Vec<Vec<_>> = map.dcel().faces().map(|f| map.features_of(f.key()).unwrap().collect()).collect();
+    /// assert_eq!(covers, [vec![], vec![left], vec![right]]);
+    /// # Ok::<(), twinedge::map::BuildError>(())
+    /// ```
+    ///
+    /// # Errors
+    /// [`StaleKey::Face`].
+    pub fn features_of(&self, face: FaceKey) -> Result<impl Iterator<Item = FeatureId> + '_, StaleKey> {
+        let set = self.features.of_face(self.dcel.face(face)?.index());
+        Ok(self.features.set(set).iter().copied())
+    }
+
+    /// The features whose rings or lines run along an edge, in order. O(1).
+    ///
+    /// ```
+    /// use twinedge::map::Builder;
+    ///
+    /// let mut builder = Builder::new();
+    /// let road = builder.segment([0.0, 0.0], [1.0, 0.0])?;
+    /// let border = builder.segment([1.0, 0.0], [0.0, 0.0])?;
+    /// let map = builder.build()?;
+    /// let edge = map.dcel().edges().next().unwrap();
+    /// assert!(map.features_along(edge.key())?.eq([road, border]));
+    /// # Ok::<(), Box<dyn std::error::Error>>(())
+    /// ```
+    ///
+    /// # Errors
+    /// [`StaleKey::HalfEdge`].
+    pub fn features_along(&self, half_edge: HalfEdgeKey) -> Result<impl Iterator<Item = FeatureId> + '_, StaleKey> {
+        let set = self.features.along(self.dcel.half_edge(half_edge)?.index());
+        Ok(self.features.set(set).iter().copied())
+    }
+
+    /// The feature with this number, counted from 0 in order of input; none beyond the last. O(1).
+    ///
+    /// ```
+    /// use twinedge::map::Builder;
+    ///
+    /// let mut builder = Builder::new();
+    /// let road = builder.segment([0.0, 0.0], [1.0, 0.0])?;
+    /// let map = builder.build()?;
+    /// assert_eq!(map.feature(0), Some(road));
+    /// assert_eq!(map.feature(1), None);
+    /// # Ok::<(), twinedge::map::BuildError>(())
+    /// ```
+    #[must_use]
+    pub fn feature(&self, index: usize) -> Option<FeatureId> {
+        (index < self.names.len()).then_some(FeatureId(index as u32))
+    }
+
+    /// All features, in order of input.
+    pub fn features(&self) -> impl Iterator<Item = FeatureId> + '_ {
+        (0..self.names.len() as u32).map(FeatureId)
+    }
+
+    /// The name of a feature, if it has one. O(1).
+    #[must_use]
+    pub fn name(&self, feature: FeatureId) -> Option<&str> {
+        self.names.get(feature.index())?.as_deref()
+    }
+
+    /// What the builder found in its input. Edits do not change it.
+    #[must_use]
+    pub const fn summary(&self) -> &BuildSummary {
+        &self.summary
+    }
+
+    /// What noding did to the segments; none if the map was built of them as they are.
+    #[must_use]
+    pub const fn noding(&self) -> Option<&NodingSummary> {
+        self.noding.as_ref()
+    }
+
+    /// Whether edges meet at shared endpoints only. O(1).
+    ///
+    /// The builder finds out, and edits keep it so: they refuse a map that is not plane. On such a map the links are as they
+    /// should be, but nothing is known of what lies where.
+    ///
+    /// ```
+    /// use twinedge::map::{Builder, Noding};
+    /// use twinedge::validate::Rule;
+    ///
+    /// let mut builder = Builder::new();
+    /// builder.segment([0.0, 0.0], [2.0, 2.0])?;
+    /// builder.segment([0.0, 2.0], [2.0, 0.0])?;
+    /// let map = builder.build_with(Noding::None)?;
+    /// assert!(!map.is_plane());
+    /// assert_eq!(map.validate().violations()[0].rule(), Rule::G4);
+    /// # Ok::<(), twinedge::map::BuildError>(())
+    /// ```
+    #[must_use]
+    pub const fn is_plane(&self) -> bool {
+        self.plane
+    }
+
+    /// Checks every rule, R1 … T4 and G1 … G5. O(n log n) for a plane map; with the number of pairs of edges whose boxes meet
+    /// for another.
+    ///
+    /// No edit breaks a rule; useful in tests, and for maps built of segments that cross ([`is_plane`](Self::is_plane)).
+    ///
+    /// ```
+    /// use twinedge::map::PlanarMap;
+    ///
+    /// let mut map = PlanarMap::new();
+    /// map.insert_ring([[0.0, 0.0], [1.0, 0.0], [0.0, 1.0]])?;
+    /// let report = map.validate();
+    /// assert!(report.is_valid());
+    /// assert_eq!((report.counts().vertices, report.counts().edges), (3, 3));
+    /// # Ok::<(), twinedge::map::edit::EditError>(())
+    /// ```
+    #[must_use]
+    pub fn validate(&self) -> Report {
+        validate_embedding(self, &Expectation::plane(), Collect::All)
+    }
+}
+
+impl Embedding for PlanarMap {
+    fn point(&self, vertex: usize) -> Point {
+        self.points.get(vertex).copied().unwrap_or_default()
+    }
+}
+
+/// Indices are those of the [`Dcel`].
+impl View for PlanarMap {
+    delegate_view!(|this| &this.dcel);
+}

@@ -1,0 +1,149 @@
+//! Maps as serde saves and loads them.
+
+use super::feature::FeatureId;
+use super::feature_sets::{FeatureSets, SetId};
+use super::planar_map::PlanarMap;
+use super::summary::BuildSummary;
+use crate::dcel::Dcel;
+use crate::geometry::Point;
+use crate::geometry::noding::NodingSummary;
+use crate::validate::Report;
+use rustc_hash::FxHashMap;
+use serde::{Deserialize, Deserializer, Serialize, Serializer, de, ser};
+use thiserror::Error;
+
+/// The number of the form that is written here.
+const FORM: u8 = 1;
+
+/// What is saved, of live records in order of their indices.
+#[derive(Serialize, Deserialize)]
+#[serde(deny_unknown_fields)]
+struct SavedMap<D> {
+    form: u8,
+    dcel: D,
+    /// By vertex.
+    points: Vec<Point>,
+    /// By number of feature.
+    names: Vec<Option<String>>,
+    /// Each set of features that occurs, in ascending order.
+    sets: Vec<Vec<FeatureId>>,
+    /// By face: the set that covers it.
+    faces: Vec<usize>,
+    /// By edge: the set that runs along it.
+    edges: Vec<usize>,
+    summary: BuildSummary,
+    noding: Option<NodingSummary>,
+}
+
+/// Why what was saved is no map.
+#[derive(Debug, Error)]
+enum LoadError {
+    #[error("form {0} of a map is not known")]
+    Form(u8),
+    #[error("there are {found} entries for {count} {what}")]
+    Count { what: &'static str, found: usize, count: usize },
+    #[error("set {0} of features is not sorted, or has a feature that the map has not")]
+    BadSet(usize),
+    #[error("there is no set {0} of features")]
+    NoSuchSet(usize),
+    #[error("the map is not valid:\n{0}")]
+    Invalid(Box<Report>),
+}
+
+/// Saves everything: the keys, so that data that is saved beside the map by key finds its records again; edges of no feature
+/// and isolated vertices; names and features; the summaries. O(n).
+///
+/// Only plane maps can be saved ([`PlanarMap::is_plane`]).
+///
+/// ```
+/// use twinedge::map::PlanarMap;
+///
+/// let mut map = PlanarMap::new();
+/// let ring = map.insert_ring([[0.0, 0.0], [4.0, 0.0], [0.0, 4.0]])?;
+/// let garden = map.add_feature(Some("garden".into()));
+/// map.set_features_of(ring.faces_split[0].1, [garden])?;
+///
+/// let text = serde_json::to_string(&map)?;
+/// let again: PlanarMap = serde_json::from_str(&text)?;
+/// assert_eq!(again.position(ring.vertices[1])?, [4.0, 0.0].into());
+/// assert!(again.features_of(ring.faces_split[0].1)?.eq([garden]));
+/// # Ok::<(), Box<dyn std::error::Error>>(())
+/// ```
+impl Serialize for PlanarMap {
+    fn serialize<S: Serializer>(&self, serializer: S) -> Result<S::Ok, S::Error> {
+        if !self.is_plane() {
+            return Err(ser::Error::custom("a map that is not plane cannot be saved"));
+        }
+        let mut sets = Vec::new();
+        let mut numbers: FxHashMap<SetId, usize> = FxHashMap::default();
+        let mut number = |set: SetId| {
+            *numbers.entry(set).or_insert_with(|| {
+                sets.push(self.features.set(set).to_vec());
+                sets.len() - 1
+            })
+        };
+        let faces = self.dcel.faces().map(|f| number(self.features.of_face(f.index()))).collect();
+        let edges = self.dcel.edges().map(|h| number(self.features.along(h.index()))).collect();
+        let saved = SavedMap {
+            form: FORM,
+            dcel: &self.dcel,
+            points: self.dcel.vertices().map(|v| self.points[v.index()]).collect(),
+            names: self.names.clone(),
+            sets,
+            faces,
+            edges,
+            summary: self.summary.clone(),
+            noding: self.noding,
+        };
+        saved.serialize(serializer)
+    }
+}
+
+/// Validated, R1 … G5: what is not a plane map is an error that contains the report. O(n log n).
+impl<'de> Deserialize<'de> for PlanarMap {
+    fn deserialize<D: Deserializer<'de>>(deserializer: D) -> Result<Self, D::Error> {
+        SavedMap::deserialize(deserializer)?.load().map_err(de::Error::custom)
+    }
+}
+
+impl SavedMap<Dcel> {
+    fn load(self) -> Result<PlanarMap, LoadError> {
+        let Self { form, dcel, points: saved_points, names, sets, faces, edges, summary, noding } = self;
+        if form != FORM {
+            return Err(LoadError::Form(form));
+        }
+        let counts = [
+            ("vertices", saved_points.len(), dcel.vertex_count()),
+            ("faces", faces.len(), dcel.face_count()),
+            ("edges", edges.len(), dcel.edge_count()),
+        ];
+        if let Some((what, found, count)) = counts.into_iter().find(|(_, found, count)| found != count) {
+            return Err(LoadError::Count { what, found, count });
+        }
+        let mut points = vec![Point::default(); dcel.vertices().last().map_or(0, |v| v.index() + 1)];
+        for (vertex, Point { x, y }) in dcel.vertices().zip(saved_points) {
+            // Adding zero turns −0 into 0.
+            points[vertex.index()] = Point::new(x + 0.0, y + 0.0);
+        }
+        let mut features = FeatureSets::default();
+        let mut numbers = Vec::with_capacity(sets.len());
+        for (i, set) in sets.iter().enumerate() {
+            let sorted = set.is_sorted_by(|a, b| a < b);
+            let known = set.last().is_none_or(|last| last.index() < names.len());
+            if !(sorted && known) {
+                return Err(LoadError::BadSet(i));
+            }
+            numbers.push(features.number(set));
+        }
+        let set = |number: usize| numbers.get(number).copied().ok_or(LoadError::NoSuchSet(number));
+        for (face, number) in dcel.faces().zip(faces) {
+            features.put_face(face.index(), set(number)?);
+        }
+        for (edge, number) in dcel.edges().zip(edges) {
+            features.put_along(edge.index(), set(number)?);
+        }
+        let map = PlanarMap { dcel, points, names, features, summary, noding, plane: true };
+        let report = map.validate();
+        if report.is_valid() { Ok(map) } else { Err(LoadError::Invalid(Box::new(report))) }
+    }
+}

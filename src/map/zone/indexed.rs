@@ -1,0 +1,99 @@
+//! The zone of a line, by the index.
+
+use super::follow::{ZoneStart, follow};
+use super::line::{Line, LinePiece, LinePlace};
+use super::query::{QueryLine, ZoneElement};
+use super::selection::each_event;
+use crate::map::locate::located::{LocateError, Located, check_range};
+use crate::map::locate::locator::Locator;
+use crate::validate::Embedding;
+
+impl Locator<'_> {
+    /// The elements that a line meets, in order. A face is listed again whenever it is entered again.
+    ///
+    /// The edges that it meets come from an R-tree, so edges elsewhere cost nothing, even a thousand islands in
+    /// the same face. For m boxes of the tree that the query meets, and k edges and vertices that it meets, this takes
+    /// O(m + k log k), and O(degree) for each vertex. On maps, m is a few times the square root of the number of edges;
+    /// but where boxes hardly fit their edges, as with long slanted parallels, m may be as large as the map.
+    ///
+    /// # Errors
+    /// [`LocateError::OutOfRange`]. [`LocateError::NoDirection`] if both points are the same; use [`Locator::locate`] then.
+    ///
+    /// ```
+    /// use twinedge::geometry::Point;
+    /// use twinedge::map::{Builder, Locator, ZoneElement, Shape, QueryLine};
+    ///
+    /// let mut builder = Builder::new();
+    /// let square = [[1.0, 0.0], [5.0, 0.0], [5.0, 4.0], [1.0, 4.0]].map(Point::from).to_vec();
+    /// builder.shape(&Shape::Polygon(vec![square]))?;
+    /// builder.shape(&Shape::Point(Point::new(3.0, 2.0)))?;
+    /// let map = builder.build()?;
+    ///
+    /// let zone = Locator::new(&map)?.zone(&QueryLine::Segment(Point::new(0.0, 2.0), Point::new(5.0, 2.0)))?;
+    /// assert!(matches!(
+    ///     zone[..],
+    ///     [ZoneElement::Face(sea), ZoneElement::Edge(coast), ZoneElement::Face(land), ZoneElement::Vertex(_), ZoneElement::Face(still_land), ZoneElement::Edge(_)]
+    ///         if land == still_land && map.dcel().face(sea)?.is_unbounded() && map.dcel().half_edge(coast)?.face().key() == land
+    /// ));
+    /// # Ok::<(), Box<dyn std::error::Error>>(())
+    /// ```
+    pub fn zone(&self, query: &QueryLine) -> Result<Vec<ZoneElement>, LocateError> {
+        let (QueryLine::Segment(from, through) | QueryLine::Ray(from, through) | QueryLine::Line(from, through)) =
+            *query;
+        check_range(from)?;
+        check_range(through)?;
+        if from == through {
+            return Err(LocateError::NoDirection(from));
+        }
+        let line = Line { from, through };
+        let first = match query {
+            QueryLine::Line(..) => None,
+            QueryLine::Segment(..) | QueryLine::Ray(..) => Some(LinePlace::At(from)),
+        };
+        let to = if let QueryLine::Segment(..) = query { Some(through) } else { None };
+
+        let mut events = Vec::new();
+        each_event(&self.tree, self.map, &line, query, |event| {
+            if first.is_none_or(|first| line.order(first, event.place).is_lt())
+                && to.is_none_or(|to| line.order(event.place, LinePlace::At(to)).is_le())
+            {
+                events.push(event);
+            }
+        });
+        events.sort_unstable_by(|a, b| line.order(a.place, b.place));
+        events.dedup_by(|a, b| line.order(a.place, b.place).is_eq());
+
+        let begin = match first {
+            None => ZoneStart::Piece(LinePiece::Face(self.map.dcel().unbounded_face()), None),
+            Some(_) => self.begin(&line)?,
+        };
+        let mut zone = Vec::with_capacity(2 * events.len() + 2);
+        let mut events = events.into_iter();
+        follow(self.map, &line, to, begin, |_, _| events.next(), |element| zone.push(element))?;
+        Ok(zone)
+    }
+
+    /// What there is where a line begins.
+    fn begin(&self, line: &Line) -> Result<ZoneStart<'_>, LocateError> {
+        let dcel = self.map.dcel();
+        let at = LinePlace::At(line.from);
+        Ok(match self.locate(line.from)? {
+            Located::Face(face) => ZoneStart::Piece(LinePiece::Face(dcel.face(face)?), Some(at)),
+            Located::Vertex(vertex) => ZoneStart::Event(Line::at(self.map, dcel.vertex(vertex)?)),
+            Located::Edge(half_edge) => {
+                let h = dcel.half_edge(half_edge)?;
+                let [origin, target] = [h.origin(), h.target()].map(|v| {
+                    let p = self.map.point(v.index());
+                    (p, line.side(p))
+                });
+                match Line::crossing(h, origin, target) {
+                    Some(event) => ZoneStart::Event(event),
+                    None if line.order(at, LinePlace::At(target.0)).is_lt() => {
+                        ZoneStart::Piece(LinePiece::Along(h), Some(at))
+                    }
+                    None => ZoneStart::Piece(LinePiece::Along(h.twin()), Some(at)),
+                }
+            }
+        })
+    }
+}

@@ -1,0 +1,24 @@
+//! What a line meets: the faces, edges and vertices of its zone, in order.
+//!
+//! ```text
+//!        ____________
+//!       |      b     |           from a to d, the segment meets
+//!   a---|------o-----|---c===d   face, edge, face, vertex, face, edge, face, vertex, along an edge, vertex
+//!       |____________|
+//! ```
+//!
+//! | | needs | time |
+//! | --- | --- | --- |
+//! | [`Locator::zone`](crate::map::Locator::zone) | the index | what an R-tree takes to find the edges, and O(k log k) to sort the k that are met |
+//! | [`PlanarMap::zone_from`](crate::map::PlanarMap::zone_from) | nothing | the boundaries of the faces met |
+//!
+//! Both are exact, also through vertices and along edges: no intersection is ever computed, and there is no tolerance.
+
+mod follow;
+mod indexed;
+mod line;
+mod query;
+mod selection;
+mod walk;
+
+pub use query::{QueryLine, ZoneElement};

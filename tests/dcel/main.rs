@@ -1,0 +1,15 @@
+//! The structure: its elements, its operators and their laws, its stores.
+#![allow(clippy::incompatible_msrv, reason = "the tests need the Rust version of their own dependencies")]
+#![allow(clippy::needless_pass_by_value, reason = "quickcheck hands its arguments over")]
+
+#[path = "../support/mod.rs"]
+mod support;
+
+mod elements;
+mod import;
+mod operator_laws;
+mod operators;
+mod saving;
+mod stale_keys;
+mod stores;
+mod textbook_tables;

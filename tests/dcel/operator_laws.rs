@@ -1,0 +1,449 @@
+//! What holds for every program: rules are kept, what is done can be undone, an error changes nothing, and a key that
+//! is stale stays so.
+
+use crate::support::tracked::{Keys, Tracked};
+use quickcheck::{Gen, QuickCheck, Testable};
+use slotmap::{Key, SecondaryMap};
+use std::collections::BTreeSet;
+use std::sync::atomic::{AtomicUsize, Ordering};
+use twinedge::dcel::{
+    Boundary, BoundaryKey, Connection, Corner, Dcel, Face, FaceKey, HalfEdge, HalfEdgeKey, RemovedEdge, Side, Split,
+    Turn, VertexKey,
+};
+use twinedge::program::canonical::{Canonizer, Code};
+use twinedge::program::{Op, Program, Runner, StepOutcome, Subject};
+use twinedge::store::{PointerStore, SlotStore, Store};
+use twinedge::validate::{Collect, Expectation, Table, validate};
+
+/// So many random programs of up to so many operators, always the same.
+fn check(tests: u64, size: usize, law: impl Testable) {
+    QuickCheck::new().rng(Gen::from_size_and_seed(size, 2026)).tests(tests).quickcheck(law);
+}
+
+/// Runs a program and looks at the structure after every step.
+fn watch<S: Store>(program: &Program, mut look: impl FnMut(Op, StepOutcome, &Dcel<S>) -> bool) -> bool {
+    let mut runner = Runner::new(Dcel::<S>::default());
+    program.0.iter().all(|op| {
+        let outcome = runner.step(*op);
+        look(*op, outcome, runner.subject())
+    })
+}
+
+fn built(program: &Program) -> Dcel {
+    let mut runner = Runner::new(Dcel::new());
+    runner.run(program);
+    runner.into_subject()
+}
+
+#[test]
+fn every_program_keeps_every_rule() {
+    fn law<S: Store>(program: Program) -> bool {
+        watch(&program, |_, _, map: &Dcel<S>| validate(map, &Expectation::plane(), Collect::First).is_valid())
+    }
+    check(300, 200, law::<SlotStore> as fn(Program) -> bool);
+    check(50, 200, law::<PointerStore> as fn(Program) -> bool);
+}
+
+#[test]
+fn an_error_changes_nothing() {
+    fn law(program: Program) -> bool {
+        let mut before = None;
+        watch(&program, |_, outcome, map: &Dcel| {
+            let after = Some((Table::copy_of(map), Keys::of(map)));
+            let same = before.is_none() || after == before;
+            before = after;
+            same || outcome == StepOutcome::Applied
+        })
+    }
+    check(300, 200, law as fn(Program) -> bool);
+}
+
+/// One of everything that can be done to a map, each undone at once.
+struct Undo<'a> {
+    map: &'a Dcel,
+    code: Code,
+    canonizer: Canonizer,
+}
+
+/// How often something was done and undone.
+static UNDONE: AtomicUsize = AtomicUsize::new(0);
+
+impl Undo<'_> {
+    /// Does something, undoes it, and expects the map that it was.
+    fn law<T>(&mut self, does: impl FnOnce(&mut Dcel) -> Option<T>, undoes: impl FnOnce(&mut Dcel, T)) {
+        let mut map = self.map.clone();
+        if let Some(done) = does(&mut map) {
+            undoes(&mut map, done);
+            UNDONE.fetch_add(1, Ordering::Relaxed);
+            assert_eq!(self.canonizer.subdivision(&map).as_ref(), Some(&self.code));
+        }
+    }
+
+    fn corners(&self) -> Vec<Corner> {
+        let isolated = self.map.vertices().filter(|v| v.isolated().is_some());
+        self.map.half_edges().map(|h| h.key().into()).chain(isolated.map(|v| v.key().into())).collect()
+    }
+
+    fn isolated_vertices(&mut self) {
+        let map = self.map;
+        for f in map.faces() {
+            self.law(
+                |map| map.add_isolated_vertex(f.key()).ok(),
+                |map, added| {
+                    map.remove_isolated_vertex(added.vertex).unwrap();
+                },
+            );
+        }
+        for v in map.vertices() {
+            self.law(
+                |map| map.remove_isolated_vertex(v.key()).ok(),
+                |map, removed| {
+                    map.add_isolated_vertex(removed.face).unwrap();
+                },
+            );
+        }
+    }
+
+    fn connections(&mut self) {
+        let corners = self.corners();
+        for (i, from) in corners.iter().enumerate() {
+            for (j, to) in corners.iter().enumerate() {
+                let new_face = if (i + j) % 2 == 0 { Side::Left } else { Side::Right };
+                let of_face = |corner: &Corner| match *corner {
+                    Corner::At(h) => self.map.half_edge(h).unwrap().boundary(),
+                    Corner::Isolated(v) => self.map.vertex(v).unwrap().isolated().unwrap(),
+                };
+                let own = of_face(from);
+                let inner: Vec<_> = own.face().inner().filter(|b| *b != own).step_by(2).map(Boundary::key).collect();
+                self.law(
+                    |map| map.connect(*from, *to, Split { new_face, inner: &inner }).ok(),
+                    |map, connected| {
+                        map.remove_edge(connected.half_edge).unwrap();
+                    },
+                );
+            }
+        }
+    }
+
+    fn removals(&mut self) {
+        let map = self.map;
+        for h in map.half_edges() {
+            let (n, t) = (h, h.twin());
+            // Where the edge was attached, if something else is; a loop around nothing stands on the corner of its
+            // twin.
+            let corner = |h: HalfEdge<'_>, other: HalfEdge<'_>| -> Option<Corner> {
+                [other.next(), h.next()]
+                    .into_iter()
+                    .find(|g| *g != n && *g != t && g.origin() == h.origin())
+                    .map(|g| g.key().into())
+            };
+            let at = [(n, t), (t, n)].map(|(h, other)| corner(h, other).unwrap_or(h.origin().key().into()));
+            let left_is_empty = n.next() == n && t.next() != t;
+            let inner = |face| -> Vec<_> { map.face(face).unwrap().inner().map(Boundary::key).collect() };
+            self.law(
+                |map| map.remove_edge(n.key()).ok(),
+                |map, removed| {
+                    let (left_is_new, inner) = match removed {
+                        RemovedEdge::Merged { dropped_face, .. } => {
+                            (dropped_face == n.face().key(), inner(dropped_face))
+                        }
+                        _ => (true, Vec::new()),
+                    };
+                    // A loop that is put back has the empty side to its right.
+                    let new_face = if left_is_new == left_is_empty { Side::Right } else { Side::Left };
+                    map.connect(at[0], at[1], Split { new_face, inner: &inner }).unwrap();
+                },
+            );
+        }
+    }
+
+    fn vertices_on_edges(&mut self) {
+        let map = self.map;
+        for h in map.half_edges().map(HalfEdge::key) {
+            self.law(
+                |map| map.split_edge(h).ok(),
+                |map, _| {
+                    map.join_edges(h).unwrap();
+                    // Not only isomorphic: every half-edge is where it was.
+                    assert_eq!(links(map), links(self.map));
+                },
+            );
+            self.law(
+                |map| map.join_edges(h).ok(),
+                |map, _| {
+                    map.split_edge(h).unwrap();
+                },
+            );
+        }
+    }
+
+    fn vertices_apart(&mut self) {
+        let corners = self.corners();
+        for from in &corners {
+            for to in &corners {
+                self.law(
+                    |map| map.split_vertex(*from, *to).ok(),
+                    |map, split| {
+                        map.contract_edge(split.half_edge).unwrap();
+                    },
+                );
+            }
+        }
+        let map = self.map;
+        for h in map.half_edges() {
+            let (n, t) = (h, h.twin());
+            let corners = [t.next(), n.next()].map(|g| (g != n && g != t).then(|| Corner::from(g.key())));
+            self.law(
+                |map| map.contract_edge(n.key()).ok(),
+                |map, contracted| {
+                    let lone = Corner::from(contracted.kept);
+                    let from = corners[0].or(corners[1]).unwrap_or(lone);
+                    let to = corners[1].or(corners[0]).unwrap_or(lone);
+                    map.split_vertex(from, to).unwrap();
+                },
+            );
+        }
+    }
+
+    fn turns(&mut self) {
+        let map = self.map;
+        for h in map.half_edges().map(HalfEdge::key) {
+            for turn in [Turn::CounterClockwise, Turn::Clockwise] {
+                self.law(
+                    |map| map.flip_edge(h, turn).ok(),
+                    |map, ()| {
+                        map.flip_edge(h, turn.reversed()).unwrap();
+                        assert_eq!(links(map), links(self.map));
+                    },
+                );
+            }
+        }
+    }
+
+    fn moves(&mut self) {
+        let map = self.map;
+        for b in map.boundaries().map(Boundary::key) {
+            for f in map.faces().map(Face::key) {
+                self.law(
+                    |map| map.move_inner(b, f).ok(),
+                    |map, old| {
+                        assert_eq!(map.move_inner(b, old).unwrap(), f);
+                        assert_eq!(links(map), links(self.map));
+                    },
+                );
+            }
+        }
+    }
+}
+
+/// What every half-edge and every isolated vertex says, by keys.
+fn links(map: &Dcel) -> impl PartialEq + std::fmt::Debug {
+    let of_half_edge = |h: HalfEdge<'_>| {
+        (h.key(), h.twin().key(), h.next().key(), h.origin().key(), h.boundary().key(), h.face().key())
+    };
+    let isolated = map.vertices().filter_map(|v| Some((v.key(), v.isolated()?.key(), v.isolated()?.face().key())));
+    (map.half_edges().map(of_half_edge).collect::<BTreeSet<_>>(), isolated.collect::<BTreeSet<_>>())
+}
+
+#[test]
+fn what_is_done_can_be_undone() {
+    fn law(program: Program) -> bool {
+        let map = built(&program);
+        let mut canonizer = Canonizer::new();
+        let code = canonizer.subdivision(&map).unwrap();
+        let mut undo = Undo { map: &map, code, canonizer };
+        undo.isolated_vertices();
+        undo.connections();
+        undo.removals();
+        undo.vertices_on_edges();
+        undo.vertices_apart();
+        undo.turns();
+        undo.moves();
+        true
+    }
+    check(250, 60, law as fn(Program) -> bool);
+    let undone = UNDONE.load(Ordering::Relaxed);
+    assert!(undone > 20_000, "too little to show anything: {undone}");
+}
+
+/// Data beside a structure: for each kind of key a serial number, and all keys that there ever were.
+#[derive(Clone, Default)]
+struct Beside<K: Key> {
+    data: SecondaryMap<K, usize>,
+    seen: Vec<(K, usize)>,
+}
+
+impl<K: Key> Beside<K> {
+    /// Notes the new ones, and says whether of all others those that are gone are refused, and no data is mixed up.
+    fn look(&mut self, live: &BTreeSet<K>, resolves: impl Fn(K) -> bool) -> bool {
+        for key in live {
+            if !self.data.contains_key(*key) {
+                let serial = self.seen.len();
+                self.data.insert(*key, serial);
+                self.seen.push((*key, serial));
+            }
+        }
+        self.seen.iter().all(|(key, serial)| {
+            let data = self.data.get(*key);
+            if live.contains(key) {
+                resolves(*key) && data == Some(serial)
+            } else {
+                // Data of what is gone may be left over, until its place is needed.
+                !resolves(*key) && data.is_none_or(|data| data == serial)
+            }
+        })
+    }
+}
+
+#[derive(Clone, Default)]
+struct Memory {
+    vertices: Beside<VertexKey>,
+    half_edges: Beside<HalfEdgeKey>,
+    boundaries: Beside<BoundaryKey>,
+    faces: Beside<FaceKey>,
+}
+
+impl Memory {
+    fn look(&mut self, map: &Dcel) -> bool {
+        let live = Keys::of(map);
+        self.vertices.look(&live.vertices, |k| map.vertex(k).is_ok())
+            && self.half_edges.look(&live.half_edges, |k| map.half_edge(k).is_ok())
+            && self.boundaries.look(&live.boundaries, |k| map.boundary(k).is_ok())
+            && self.faces.look(&live.faces, |k| map.face(k).is_ok())
+    }
+
+    /// How many keys are stale by now.
+    fn stale(&self, map: &Dcel) -> usize {
+        let live = Keys::of(map);
+        self.half_edges.seen.len() + self.boundaries.seen.len() - live.half_edges.len() - live.boundaries.len()
+    }
+}
+
+#[test]
+fn a_stale_key_never_resolves_again() {
+    fn law(program: Program, other: Program) -> bool {
+        let mut runner = Runner::new(Dcel::new());
+        let mut memory = Memory::default();
+        let goes_on = |runner: &mut Runner<Dcel>, memory: &mut Memory, ops: &[Op]| {
+            ops.iter().all(|op| {
+                runner.step(*op);
+                memory.look(runner.subject())
+            })
+        };
+        let same = goes_on(&mut runner, &mut memory, &program.0);
+        // A clone knows the keys of its original, and refuses the same ones. Each then goes its own way.
+        let (mut clone, mut memory_of_clone) = (runner.clone(), memory.clone());
+        let stale = memory.stale(runner.subject());
+        same && memory_of_clone.look(clone.subject())
+            && memory_of_clone.stale(clone.subject()) == stale
+            && goes_on(&mut clone, &mut memory_of_clone, &other.0)
+            && goes_on(&mut runner, &mut memory, &program.0)
+    }
+    check(100, 150, law as fn(Program, Program) -> bool);
+}
+
+#[test]
+fn stale_keys_are_refused_by_every_operator() {
+    fn law(program: Program) -> bool {
+        let mut runner = Runner::new(Dcel::new());
+        let mut seen = Keys::default();
+        for op in &program.0 {
+            runner.step(*op);
+            let live = Keys::of(runner.subject());
+            seen.vertices.extend(live.vertices);
+            seen.half_edges.extend(live.half_edges);
+            seen.boundaries.extend(live.boundaries);
+            seen.faces.extend(live.faces);
+        }
+        let mut map = runner.into_subject();
+        let (table, live) = (Table::copy_of(&map), Keys::of(&map));
+        let outside = map.unbounded_face().key();
+        let split = Split::default();
+        for h in seen.half_edges.difference(&live.half_edges).copied() {
+            assert!(map.connect(h, h, split).is_err() && map.split_vertex(h, h).is_err());
+            assert!(map.remove_edge(h).is_err() && map.contract_edge(h).is_err() && map.join_edges(h).is_err());
+            assert!(map.split_edge(h).is_err() && map.flip_edge(h, Turn::Clockwise).is_err());
+        }
+        for v in seen.vertices.difference(&live.vertices).copied() {
+            assert!(map.remove_isolated_vertex(v).is_err() && map.connect(v, v, split).is_err());
+            assert!(map.split_vertex(v, v).is_err());
+        }
+        for f in seen.faces.difference(&live.faces).copied() {
+            assert!(map.add_isolated_vertex(f).is_err());
+            assert!(live.boundaries.iter().all(|b| map.move_inner(*b, f).is_err()));
+        }
+        for b in seen.boundaries.difference(&live.boundaries).copied() {
+            assert!(map.move_inner(b, outside).is_err());
+            let inner = Split { inner: &[b], ..split };
+            assert!(live.half_edges.iter().all(|h| map.connect(*h, *h, inner).is_err()));
+        }
+        (Table::copy_of(&map), Keys::of(&map)) == (table, live)
+    }
+    check(100, 150, law as fn(Program) -> bool);
+}
+
+/// A polygon in the unbounded face: its half-edges, the inside to their left.
+fn polygon(map: &mut Dcel, corners: usize) -> Vec<HalfEdgeKey> {
+    let v = map.add_isolated_vertex(Subject::unbounded_face(map)).unwrap().vertex;
+    let mut sides = vec![map.connect(v, v, Split::default()).unwrap().half_edge];
+    while sides.len() < corners {
+        sides.push(map.split_edge(sides[sides.len() - 1]).unwrap().half_edge);
+    }
+    sides
+}
+
+#[test]
+fn only_the_shorter_side_is_relabelled() {
+    let mut map = Dcel::new();
+    let (big, small) = (polygon(&mut map, 30_000), polygon(&mut map, 10));
+    let outer = |map: &Dcel, h: HalfEdgeKey| map.half_edge(h).unwrap().twin().key();
+    let (a, b) = (outer(&map, big[0]), outer(&map, small[0]));
+    let of = |map: &Dcel, h: HalfEdgeKey| map.half_edge(h).unwrap().boundary().key();
+    let (of_big, of_small) = (of(&map, a), of(&map, b));
+    // Whichever comes first, the record of the long boundary stays; relabelling the other is the cheaper way.
+    for (from, to) in [(a, b), (b, a)] {
+        let bridge = map.connect(from, to, Split::default()).unwrap();
+        let Connection::Bridge { kept, dropped } = bridge.connection else { panic!("{bridge:?}") };
+        assert!(kept == of_big && map.boundary(dropped).is_err());
+        let removed = map.remove_edge(bridge.half_edge).unwrap();
+        let RemovedEdge::Parted { kept, made } = removed else { panic!("{removed:?}") };
+        assert_eq!((kept, made), (of_big, of(&map, b)));
+    }
+    assert!(map.boundary(of_small).is_err());
+    // And in a split, on whichever side the new face is to lie.
+    for (i, j) in [(0, 5), (5, 0), (29_999, 3), (14_000, 14_001)] {
+        for new_face in [Side::Left, Side::Right] {
+            let whole = of(&map, big[0]);
+            let split = map.connect(big[i], big[j], Split { new_face, inner: &[] }).unwrap();
+            let Connection::Split { kept, made, .. } = split.connection else { panic!("{split:?}") };
+            assert_eq!(kept, whole);
+            assert!(map.boundary(made).unwrap().half_edges().take(10).count() < 10);
+            let removed = map.remove_edge(split.half_edge).unwrap();
+            let RemovedEdge::Merged { kept, dropped, .. } = removed else { panic!("{removed:?}") };
+            assert_eq!((kept, dropped), (whole, made));
+        }
+    }
+    assert!(map.validate().is_valid());
+}
+
+/// Ten thousand changes at a boundary of sixty thousand half-edges. If each walked along it, that would be billions of
+/// steps.
+#[test]
+fn small_changes_to_a_long_boundary_are_cheap() {
+    let mut t = Tracked::default();
+    let sides = polygon(&mut t.map, 30_000);
+    let map = &mut t.map;
+    for i in (0..sides.len() - 3).step_by(3) {
+        let ear = map.connect(sides[i], sides[i + 2], Split { new_face: Side::Right, inner: &[] }).unwrap();
+        if i % 2 == 0 {
+            map.remove_edge(ear.half_edge).unwrap();
+        }
+        let leaf = map.split_vertex(sides[i], sides[i]).unwrap();
+        if i % 4 == 0 {
+            // The outside is near, though the cycle is long.
+            map.remove_edge(leaf.half_edge).unwrap();
+        }
+    }
+    assert_eq!(map.vertex_count(), 40_000 - 1);
+    assert!(map.validate().is_valid());
+}

@@ -1,0 +1,122 @@
+//! Keys that name nothing (of what is gone, of another structure, of nothing at all) are refused by every function that
+//! takes a key, and change nothing.
+
+use crate::support::tracked::{Keys, Tracked};
+use std::collections::BTreeSet;
+use twinedge::dcel::{BoundaryKey, Dcel, FaceKey, HalfEdgeKey, Side, Split, StaleKey, Turn, VertexKey};
+
+const LEFT: Split<'_> = Split { new_face: Side::Left, inner: &[] };
+
+/// Every function that takes a key, with these keys, and with good ones beside them.
+fn refused_by_every_function(t: &mut Tracked, good: &Keys, bad: &Keys) {
+    let b = *bad.boundaries.first().unwrap();
+    let f = *bad.faces.first().unwrap();
+    let h = *bad.half_edges.first().unwrap();
+    let v = *bad.vertices.first().unwrap();
+    let (stale_b, stale_f) = (StaleKey::Boundary(b), StaleKey::Face(f));
+    let (stale_h, stale_v) = (StaleKey::HalfEdge(h), StaleKey::Vertex(v));
+    assert_eq!(t.map.vertex(v).unwrap_err(), stale_v);
+    assert_eq!(t.map.half_edge(h).unwrap_err(), stale_h);
+    assert_eq!(t.map.boundary(b).unwrap_err(), stale_b);
+    assert_eq!(t.map.face(f).unwrap_err(), stale_f);
+
+    let good_h = *good.half_edges.first().unwrap();
+    let good_b = *good.boundaries.iter().find(|b| !t.map.boundary(**b).unwrap().is_outer()).unwrap();
+    let good_f = t.outside();
+    assert_eq!(t.refuses(|map| map.add_isolated_vertex(f)), stale_f.into());
+    assert_eq!(t.refuses(|map| map.remove_isolated_vertex(v)), stale_v.into());
+    assert_eq!(t.refuses(|map| map.connect(h, good_h, LEFT)), stale_h.into());
+    assert_eq!(t.refuses(|map| map.connect(good_h, h, LEFT)), stale_h.into());
+    assert_eq!(t.refuses(|map| map.connect(v, good_h, LEFT)), stale_v.into());
+    assert_eq!(t.refuses(|map| map.connect(good_h, v, LEFT)), stale_v.into());
+    assert_eq!(t.refuses(|map| map.split_vertex(h, good_h)), stale_h.into());
+    assert_eq!(t.refuses(|map| map.split_vertex(good_h, h)), stale_h.into());
+    assert_eq!(t.refuses(|map| map.split_vertex(v, v)), stale_v.into());
+    assert_eq!(t.refuses(|map| map.remove_edge(h)), stale_h.into());
+    assert_eq!(t.refuses(|map| map.split_edge(h)), stale_h.into());
+    assert_eq!(t.refuses(|map| map.join_edges(h)), stale_h.into());
+    assert_eq!(t.refuses(|map| map.contract_edge(h)), stale_h.into());
+    assert_eq!(t.refuses(|map| map.flip_edge(h, Turn::Clockwise)), stale_h.into());
+    assert_eq!(t.refuses(|map| map.move_inner(b, good_f)), stale_b.into());
+    assert_eq!(t.refuses(|map| map.move_inner(good_b, f)), stale_f.into());
+    // Where a face is split, and where the edge is a bridge, which needs nothing of the kind.
+    let split = Split { inner: &[good_b, b], ..LEFT };
+    assert_eq!(t.refuses(|map| map.connect(good_h, good_h, split)), stale_b.into());
+    let lone = *good.vertices.iter().find(|v| t.map.vertex(**v).unwrap().isolated().is_some()).unwrap();
+    let beside = t.map.vertex(lone).unwrap().isolated().unwrap().face().outer().unwrap().start().unwrap().key();
+    assert_eq!(t.refuses(|map| map.connect(beside, lone, Split { inner: &[b], ..LEFT })), stale_b.into());
+}
+
+/// A structure with something of everything, always with the same history.
+fn sample() -> Tracked {
+    let mut t = Tracked::default();
+    let outside = t.outside();
+    let sides = t.polygon(outside, 3);
+    let inside = t.face(sides[0]);
+    t.add(inside);
+    t
+}
+
+#[test]
+fn keys_of_what_is_gone_are_refused_by_every_function() {
+    let mut t = sample();
+    let outside = t.outside();
+    let before = Keys::of(&t.map);
+    let sides = t.polygon(outside, 2);
+    let gone = Keys::of(&t.map);
+    let (a, b) = (t.origin(sides[0]), t.origin(sides[1]));
+    t.remove_edge(sides[0]);
+    t.remove_edge(sides[1]);
+    t.remove(a);
+    t.remove(b);
+    let bad = Keys {
+        vertices: gone.vertices.difference(&before.vertices).copied().collect(),
+        half_edges: gone.half_edges.difference(&before.half_edges).copied().collect(),
+        boundaries: gone.boundaries.difference(&before.boundaries).copied().collect(),
+        faces: gone.faces.difference(&before.faces).copied().collect(),
+    };
+    assert_eq!(Keys::of(&t.map), before);
+    refused_by_every_function(&mut t, &before, &bad);
+    // Nor when other records have taken their slots.
+    t.polygon(outside, 2);
+    assert!(bad.are_stale(&t.map));
+    refused_by_every_function(&mut t, &before, &bad);
+}
+
+#[test]
+fn keys_of_another_structure_are_refused_by_every_function() {
+    let (mut t, other) = (sample(), sample());
+    let (good, bad) = (Keys::of(&t.map), Keys::of(&other.map));
+    assert!(bad.are_stale(&t.map));
+    refused_by_every_function(&mut t, &good, &bad);
+    let unbounded = other.map.unbounded_face().key();
+    assert_eq!(t.refuses(|map| map.add_isolated_vertex(unbounded)), StaleKey::Face(unbounded).into());
+}
+
+#[test]
+fn null_keys_are_refused_by_every_function() {
+    let mut t = sample();
+    let good = Keys::of(&t.map);
+    let bad = Keys {
+        vertices: BTreeSet::from([VertexKey::default()]),
+        half_edges: BTreeSet::from([HalfEdgeKey::default()]),
+        boundaries: BTreeSet::from([BoundaryKey::default()]),
+        faces: BTreeSet::from([FaceKey::default()]),
+    };
+    refused_by_every_function(&mut t, &good, &bad);
+}
+
+#[test]
+fn errors_name_the_keys() {
+    let mut map = Dcel::new();
+    let f = map.unbounded_face().key();
+    let v = map.add_isolated_vertex(f).unwrap().vertex;
+    let h = map.connect(v, v, LEFT).unwrap().half_edge;
+    let error = map.contract_edge(h).unwrap_err();
+    assert_eq!(error.to_string(), format!("{h:?} is a loop"));
+    let error = map.remove_isolated_vertex(v).unwrap_err();
+    assert_eq!(error.to_string(), format!("{v:?} is not isolated"));
+    let null = FaceKey::default();
+    let error = map.add_isolated_vertex(null).unwrap_err();
+    assert_eq!(error.to_string(), format!("{null:?} names no face of this structure (any more)"));
+}

@@ -1,0 +1,221 @@
+//! The textbooks' maps, drawn edge by edge with the operators: the same as the tables entered by hand, row by row, and
+//! so isomorphic to them. `tests/golden.rs` has the tables as they are printed, and what the maps look like.
+
+use crate::support::tables::{ShortFace, map, textbook_map};
+use twinedge::dcel::{Dcel, FaceKey, HalfEdgeKey, Side, Split, VertexKey};
+use twinedge::program::canonical::{Canonizer, isomorphic};
+use twinedge::program::{Program, Runner};
+use twinedge::validate::{Start, Table, View};
+
+const LEFT: Split<'_> = Split { new_face: Side::Left, inner: &[] };
+const RIGHT: Split<'_> = Split { new_face: Side::Right, inner: &[] };
+
+/// A table in short: origin and next of e1,1, e1,2, e2,1, …, and of each face a half-edge of its outer boundary
+/// component and of each inner one, all counted from 0.
+struct Golden {
+    vertices: usize,
+    half_edges: &'static [(usize, usize)],
+    faces: &'static [ShortFace<'static>],
+}
+
+/// The map with a dangling edge (CS60064, lecture 12; de Berg et al.).
+const DANGLING: Golden = Golden {
+    vertices: 4,
+    half_edges: &[(0, 7), (1, 5), (2, 3), (3, 4), (2, 0), (0, 6), (2, 1), (1, 2)],
+    faces: &[(None, &[Start::HalfEdge(0)]), (Some(6), &[])],
+};
+
+/// The map of five faces.
+const FIVE_FACES: Golden = Golden {
+    vertices: 6,
+    half_edges: &[
+        (2, 2),
+        (0, 13),
+        (0, 4),
+        (1, 1),
+        (1, 0),
+        (2, 6),
+        (1, 8),
+        (3, 3),
+        (3, 5),
+        (2, 10),
+        (3, 12),
+        (5, 14),
+        (5, 9),
+        (2, 17),
+        (3, 16),
+        (4, 7),
+        (4, 11),
+        (5, 15),
+    ],
+    faces: &[(Some(0), &[]), (Some(8), &[]), (Some(9), &[]), (Some(14), &[]), (None, &[Start::HalfEdge(17)])],
+};
+
+impl Golden {
+    fn table(&self) -> Table {
+        map(self.vertices, self.half_edges, self.faces)
+    }
+
+    fn textbook(&self) -> Table {
+        textbook_map(self.vertices, self.half_edges, self.faces)
+    }
+}
+
+/// A map in the making: vertices v1, v2, … in the unbounded face, and half-edges e1,1, e1,2, e2,1, …
+struct Embedding {
+    map: Dcel,
+    vertices: Vec<VertexKey>,
+    half_edges: Vec<HalfEdgeKey>,
+}
+
+impl Embedding {
+    fn new(vertices: usize) -> Self {
+        let mut map = Dcel::new();
+        let outside = map.unbounded_face().key();
+        let vertices = (0..vertices).map(|_| map.add_isolated_vertex(outside).unwrap().vertex).collect();
+        Self { map, vertices, half_edges: Vec::new() }
+    }
+
+    fn v(&self, number: usize) -> VertexKey {
+        self.vertices[number - 1]
+    }
+
+    fn e(&self, edge: usize, side: usize) -> HalfEdgeKey {
+        self.half_edges[2 * (edge - 1) + side - 1]
+    }
+
+    fn keep(&mut self, h: HalfEdgeKey) {
+        self.half_edges.extend([h, self.map.half_edge(h).unwrap().twin().key()]);
+    }
+
+    /// An edge between two isolated vertices.
+    fn begin(&mut self, from: usize, to: usize) {
+        let connected = self.map.connect(self.v(from), self.v(to), LEFT).unwrap();
+        self.keep(connected.half_edge);
+    }
+
+    /// An edge from the corner of a half-edge to an isolated vertex.
+    fn reach(&mut self, (edge, side): (usize, usize), to: usize) {
+        let connected = self.map.connect(self.e(edge, side), self.v(to), LEFT).unwrap();
+        self.keep(connected.half_edge);
+    }
+
+    /// An edge between two corners, which closes a face.
+    fn close(&mut self, from: (usize, usize), to: (usize, usize), split: Split<'_>) -> FaceKey {
+        let connected = self.map.connect(self.e(from.0, from.1), self.e(to.0, to.1), split).unwrap();
+        self.keep(connected.half_edge);
+        connected.new_face().expect("a face is closed")
+    }
+
+    /// Whether every row says the same as that of the table, names for names.
+    fn assert_same(&self, faces: &[FaceKey], golden: &Table) {
+        let vertex = |v| self.vertices.iter().position(|other| *other == v);
+        let half_edge = |h| self.half_edges.iter().position(|other| *other == h);
+        let face = |f| faces.iter().position(|other| *other == f);
+        for (i, key) in self.half_edges.iter().enumerate() {
+            let h = self.map.half_edge(*key).unwrap();
+            let row = [
+                vertex(h.origin().key()),
+                half_edge(h.twin().key()),
+                half_edge(h.next().key()),
+                half_edge(h.prev().key()),
+            ];
+            assert_eq!(row, [golden.origin(i), golden.twin(i), golden.next(i), golden.prev(i)], "half-edge {i}");
+            assert_eq!(face(h.face().key()), golden.face(i), "half-edge {i}");
+        }
+        for (i, key) in faces.iter().enumerate() {
+            let f = self.map.face(*key).unwrap();
+            assert_eq!(
+                (f.outer().is_some(), f.inner_count()),
+                (golden.outer_half_edge(i).is_some(), golden.inner_count(i))
+            );
+        }
+        assert_eq!(self.map.half_edge_count(), golden.half_edges.len());
+        assert_eq!((self.map.vertex_count(), self.map.face_count()), (golden.vertices.len(), golden.faces.len()));
+    }
+}
+
+fn dangling() -> (Embedding, [FaceKey; 2]) {
+    let mut drawing = Embedding::new(4);
+    drawing.begin(1, 2); // e1
+    // e2 and e3 start at v3, which e4 reaches; so that they have their numbers, e4 is drawn first and put last.
+    let e4 = drawing.map.connect(drawing.e(1, 2), drawing.v(3), LEFT).unwrap().half_edge;
+    let back = drawing.map.half_edge(e4).unwrap().twin().key();
+    let e2 = drawing.map.connect(back, drawing.v(4), LEFT).unwrap().half_edge;
+    drawing.keep(e2);
+    // The triangle is closed on the side of e4 where e2 is not.
+    let closing = drawing.map.connect(back, drawing.e(1, 1), RIGHT).unwrap();
+    drawing.keep(closing.half_edge);
+    drawing.half_edges.extend([back, e4]);
+    let outside = drawing.map.unbounded_face().key();
+    (drawing, [outside, closing.new_face().unwrap()])
+}
+
+fn five_faces() -> (Embedding, [FaceKey; 5]) {
+    let mut drawing = Embedding::new(6);
+    drawing.begin(3, 1); // e1
+    drawing.reach((1, 2), 2); // e2
+    let f1 = drawing.close((2, 2), (1, 1), LEFT); // e3
+    drawing.reach((2, 2), 4); // e4
+    let f2 = drawing.close((4, 2), (3, 2), LEFT); // e5
+    drawing.reach((4, 2), 6); // e6
+    let f3 = drawing.close((6, 2), (5, 2), LEFT); // e7
+    drawing.reach((4, 2), 5); // e8
+    let f4 = drawing.close((8, 2), (6, 2), LEFT); // e9
+    let f5 = drawing.map.unbounded_face().key();
+    (drawing, [f1, f2, f3, f4, f5])
+}
+
+#[test]
+fn the_map_with_a_dangling_edge_is_built() {
+    let (drawing, faces) = dangling();
+    assert!(drawing.map.validate().is_valid());
+    drawing.assert_same(&faces, &DANGLING.textbook());
+    assert!(isomorphic(&drawing.map, &DANGLING.table()));
+    assert!(isomorphic(&drawing.map, &DANGLING.textbook()));
+}
+
+#[test]
+fn the_map_of_five_faces_is_built() {
+    let (drawing, faces) = five_faces();
+    assert!(drawing.map.validate().is_valid());
+    drawing.assert_same(&faces, &FIVE_FACES.textbook());
+    assert!(isomorphic(&drawing.map, &FIVE_FACES.table()));
+    assert!(isomorphic(&drawing.map, &FIVE_FACES.textbook()));
+}
+
+fn built(lines: &str) -> Dcel {
+    let program: Program = format!("twinedge program 1\n{lines}").parse().unwrap();
+    let mut runner = Runner::new(Dcel::new());
+    runner.run(&program);
+    runner.into_subject()
+}
+
+#[test]
+fn other_ways_lead_to_the_same_maps() {
+    // A loop with two more vertices on it, and a leaf outside.
+    let outside =
+        built("add_isolated_vertex unbounded\nconnect i0 i0 left\nsplit_edge h0\nsplit_edge h0\nsplit_vertex h1 h1");
+    assert!(isomorphic(&outside, &DANGLING.table()));
+    // The leaf inside: the same map on the sphere, another one in the plane.
+    let inside =
+        built("add_isolated_vertex unbounded\nconnect i0 i0 left\nsplit_edge h0\nsplit_edge h0\nsplit_vertex h0 h0");
+    assert!(!isomorphic(&inside, &DANGLING.table()));
+    let mut canonizer = Canonizer::new();
+    assert_eq!(canonizer.unrooted(&inside), canonizer.unrooted(&DANGLING.table()));
+    // An edge that is turned makes another map of it, and the same again when it is turned back.
+    let (mut drawing, _) = five_faces();
+    drawing.map.flip_edge(drawing.e(5, 1), twinedge::dcel::Turn::Clockwise).unwrap();
+    assert!(!isomorphic(&drawing.map, &FIVE_FACES.table()));
+    drawing.map.flip_edge(drawing.e(5, 1), twinedge::dcel::Turn::CounterClockwise).unwrap();
+    assert!(isomorphic(&drawing.map, &FIVE_FACES.table()));
+}
+
+#[test]
+fn rootings_of_the_golden_maps() {
+    let mut canonizer = Canonizer::new();
+    for (table, expected) in [(DANGLING.table(), (1, 8)), (FIVE_FACES.table(), (2, 9))] {
+        let unrooted = canonizer.unrooted(&table).unwrap();
+        assert_eq!((unrooted.automorphisms, unrooted.rootings), expected);
+    }
+}

@@ -1,0 +1,8 @@
+//! Noding: against an oracle that tries everything, on families that break noders, and on real maps.
+
+mod check;
+mod families;
+mod limits;
+mod maps;
+mod oracle;
+mod properties;

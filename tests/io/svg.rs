@@ -1,0 +1,222 @@
+//! Pictures: what is drawn, how often, and where.
+
+use quickcheck::{Gen, QuickCheck};
+use twinedge::geometry::{MAX_COORDINATE, MIN_COORDINATE, Point};
+use twinedge::io::svg::{Options, draw, half_edges_in};
+use twinedge::map::{Builder, Feature, PlanarMap, Shape};
+use twinedge::validate::{Field, Record, Violation};
+
+fn polygon(name: &str, ring: &[[f64; 2]]) -> Feature {
+    let ring = ring.iter().copied().map(Point::from).collect();
+    Feature { name: Some(name.to_owned()), shapes: vec![Shape::Polygon(vec![ring])], ..Feature::default() }
+}
+
+fn built(features: &[Feature]) -> PlanarMap {
+    let mut builder = Builder::new();
+    for feature in features {
+        builder.feature(feature).expect("in range");
+    }
+    builder.build().expect("fits")
+}
+
+/// Two rectangles that overlap in a third, and a point.
+fn estates() -> PlanarMap {
+    let west = [[0.0, 0.0], [3.0, 0.0], [4.0, 0.0], [4.0, 4.0], [3.0, 4.0], [0.0, 4.0]];
+    let east = [[3.0, 0.0], [4.0, 0.0], [8.0, 0.0], [8.0, 4.0], [4.0, 4.0], [3.0, 4.0]];
+    let well = Feature { shapes: vec![Shape::Point(Point::new(1.0, 1.0))], ..Feature::default() };
+    built(&[polygon("A <b> & \"c\"", &west), polygon("East", &east), well])
+}
+
+/// Whether XML 1.0 allows a character in a document (section 2.2, production 2).
+fn is_xml_char(c: char) -> bool {
+    matches!(c, '\t' | '\n' | '\r' | ' '..='\u{D7FF}' | '\u{E000}'..='\u{FFFD}' | '\u{10000}'..)
+}
+
+/// Whether tags nest, attributes are quoted, and all characters are allowed: enough of XML for what is written here.
+fn is_well_formed(text: &str) -> bool {
+    if !text.chars().all(is_xml_char) {
+        return false;
+    }
+    let mut open = Vec::new();
+    for piece in text.split('<').skip(1) {
+        let Some((tag, rest)) = piece.split_once('>') else { return false };
+        if tag.matches('"').count() % 2 == 1 || rest.contains('"') && !rest.is_ascii() {
+            return false;
+        }
+        let name = tag.split([' ', '/']).next().unwrap_or_default();
+        if let Some(closed) = tag.strip_prefix('/') {
+            if open.pop() != Some(closed) {
+                return false;
+            }
+        } else if !tag.ends_with('/') {
+            open.push(name);
+        }
+    }
+    open.is_empty() && !text.contains("NaN") && !text.contains("inf")
+}
+
+/// The numbers in the attribute `d` of each path of this class.
+fn paths(text: &str, class: &str) -> Vec<Vec<f64>> {
+    let start = format!("<path class=\"{class}\"");
+    let outlines = text.lines().filter(|line| line.starts_with(&start)).filter_map(|line| line.split(" d=\"").nth(1));
+    let numbers = |d: &str| {
+        let d = d.split('"').next().unwrap_or_default();
+        d.split(|c: char| c.is_ascii_alphabetic() || c == ' ').filter_map(|n| n.parse().ok()).collect()
+    };
+    outlines.map(numbers).collect()
+}
+
+#[test]
+fn faces_have_colours_names_and_hatches() {
+    let map = estates();
+    let text = draw(&map, &Options::default());
+    assert!(is_well_formed(&text), "{text}");
+    assert_eq!(text.matches("fill-rule").count(), 4, "three faces, one of them twice");
+    assert_eq!(text.matches("class=\"hatch\"").count(), 1);
+    assert!(text.contains("<title>f3: A &lt;b&gt; &amp; &quot;c&quot;, East</title>"), "{text}");
+    assert!(text.contains(">East</text>") && text.contains("class=\"point\""));
+    // Neighbours differ in colour, what is claimed twice has that of the first.
+    let fills: std::collections::BTreeSet<&str> = text.split("<path fill=\"").skip(1).map(|p| &p[..7]).collect();
+    assert_eq!(fills.len(), 2);
+    // 8 units on 1000 pixels, with margins of 12: the upper left corner is at (12, 12).
+    assert!(text.contains("width=\"1000\" height=\"512\"") && text.contains("M12 500L378 500"), "{text}");
+}
+
+#[test]
+fn details_show_every_half_edge_to_the_left_of_its_edge() {
+    let map = estates();
+    let text = draw(&map, &Options { detail: true, ..Options::default() });
+    assert!(is_well_formed(&text), "{text}");
+    let arrows = paths(&text, "half");
+    assert_eq!((arrows.len(), paths(&text, "next").len()), (20, 20));
+    let scale = (1000.0 - 2.0 * 40.0) / 8.0;
+    let pixel = |p: Point| [40.0 + p.x * scale, 40.0 + (4.0 - p.y) * scale];
+    let at = |v: twinedge::dcel::Vertex<'_>| pixel(map.position(v.key()).expect("live"));
+    for ((h, arrow), next) in map.dcel().half_edges().zip(&arrows).zip(paths(&text, "next")) {
+        let (a, b) = (at(h.origin()), at(h.target()));
+        let side = |p: [f64; 2]| (b[0] - a[0]) * (p[1] - a[1]) - (b[1] - a[1]) * (p[0] - a[0]);
+        let (tail, head) = ([arrow[0], arrow[1]], [arrow[2], arrow[3]]);
+        // Pixels count downwards, so to the left is negative.
+        assert!(side(tail) < 0.0 && (side(tail) - side(head)).abs() < 0.1 * (b[0] - a[0]).hypot(b[1] - a[1]) + 1e-9);
+        assert!((b[0] - a[0]) * (head[0] - tail[0]) + (b[1] - a[1]) * (head[1] - tail[1]) > 0.0);
+        // The link leads from its head to the tail of the next.
+        assert_eq!(next[..2], arrow[2..]);
+        let order = map.dcel().half_edges().position(|other| other == h.next()).expect("live");
+        assert_eq!(next[4..], arrows[order][..2]);
+        assert!(text.contains(&format!(">h{}</text>", h.index())));
+    }
+    assert!(map.dcel().vertices().all(|v| text.contains(&format!(">v{}</text>", v.index()))));
+    assert!(map.dcel().faces().all(|f| text.contains(&format!(">f{}</text>", f.index()))));
+}
+
+#[test]
+fn violations_are_marked_where_they_are() {
+    let mut builder = Builder::new();
+    builder.segment([0.0, 0.0], [2.0, 2.0]).expect("in range");
+    builder.segment([0.0, 2.0], [2.0, 0.0]).expect("in range");
+    let map = builder.build().expect("fits");
+    let report = map.validate();
+    let text = draw(&map, &Options { violations: report.violations(), ..Options::default() });
+    assert!(is_well_formed(&text), "{text}");
+    assert!(text.contains("<circle class=\"bad\" cx=\"500.00\" cy=\"500.00\""), "{text}");
+    let edges: Vec<usize> = map.dcel().edges().map(|h| h.index()).collect();
+    assert!(edges.iter().all(|h| text.contains(&format!(" h{h}")) || text.contains(&format!(" h{}", h + 1))));
+    assert!(text.contains(">G4 ") && paths(&text, "bad").contains(&vec![12.0, 988.0, 988.0, 12.0]), "{text}");
+    assert!(!draw(&map, &Options::default()).contains("class=\"bad\""));
+}
+
+#[test]
+fn a_window_shows_a_part() {
+    let map = estates();
+    let window = Some([Point::new(9.0, -1.0), Point::new(5.0, 5.0)]);
+    assert_eq!((half_edges_in(&map, None), half_edges_in(&map, window)), (20, 6));
+    let text = draw(&map, &Options { window, detail: true, ..Options::default() });
+    assert_eq!((paths(&text, "half").len(), text.matches("fill-rule").count()), (6, 1));
+    // One that is none shows everything.
+    for bad in [f64::NAN, f64::INFINITY, 0.0] {
+        let window = Some([Point::new(0.0, 0.0), Point::new(bad, 1.0)]);
+        assert_eq!(half_edges_in(&map, window), 20);
+        assert_eq!(draw(&map, &Options { window, ..Options::default() }), draw(&map, &Options::default()));
+    }
+}
+
+#[test]
+fn what_is_very_large_or_small_is_drawn_too() {
+    for scale in [MAX_COORDINATE, MIN_COORDINATE] {
+        let map = built(&[polygon("", &[[-scale, -scale], [scale, -scale], [scale, scale]])]);
+        for detail in [false, true] {
+            for size in [1000.0, f64::NAN, f64::INFINITY, -1.0] {
+                let text = draw(&map, &Options { detail, size, ..Options::default() });
+                assert!(is_well_formed(&text) && text.matches("fill-rule").count() == 1, "{text}");
+            }
+        }
+    }
+    let empty = Builder::new().build().expect("fits");
+    assert!(is_well_formed(&draw(&empty, &Options { detail: true, ..Options::default() })));
+    let point = built(&[Feature { shapes: vec![Shape::Point(Point::new(7.0, 7.0))], ..Feature::default() }]);
+    assert!(draw(&point, &Options::default()).contains("cx=\"12.00\""));
+}
+
+/// Any segments, crossing or not, give a picture with every half-edge and a mark for every violation.
+fn anything_is_drawn(segments: Vec<((u8, u8), (u8, u8))>) -> bool {
+    let mut builder = Builder::new();
+    for ((a, b), (c, d)) in segments {
+        let [a, b, c, d] = [a, b, c, d].map(|i| f64::from(i % 5));
+        builder.segment([a, b], [c, d]).expect("in range");
+    }
+    let map = builder.build().expect("fits");
+    let report = map.validate();
+    let text = draw(&map, &Options { detail: true, violations: report.violations(), ..Options::default() });
+    let bounded = map.dcel().face_count() - 1;
+    is_well_formed(&text)
+        && paths(&text, "half").len() == map.dcel().half_edge_count()
+        && text.matches("fill-rule").count() == bounded
+        && text.matches("class=\"rule\"").count() == report.violations().len()
+}
+
+#[test]
+fn names_keep_only_characters_that_xml_allows() {
+    let square = [[0.0, 0.0], [4.0, 0.0], [4.0, 4.0], [0.0, 4.0]];
+    let name: String =
+        ('\0'..='\u{FF}').chain(['\u{D7FF}', '\u{E000}', '\u{FFFD}', '\u{FFFE}', '\u{FFFF}', '\u{1F600}']).collect();
+    for name in [name.as_str(), "]]>", "&amp;", "<!--", "a\u{FFFF}b"] {
+        let map = built(&[polygon(name, &square)]);
+        for detail in [false, true] {
+            let text = draw(&map, &Options { detail, size: 1e5, ..Options::default() });
+            assert!(is_well_formed(&text), "{text}");
+        }
+    }
+    let text = draw(&built(&[polygon("a\u{FFFF}\u{FFFE}b\u{1F600}", &square)]), &Options::default());
+    assert!(text.contains("f2: ab\u{1F600}<"), "{text}");
+}
+
+#[test]
+fn any_options_will_do() {
+    let map = estates();
+    let extremes = [0.0, 5e-324, 1e-300, 1e-130, 1.0, MAX_COORDINATE, f64::MAX];
+    let violations: Vec<Violation> = [0, 1, 7, usize::MAX]
+        .into_iter()
+        .flat_map(|i| {
+            [
+                Violation::TwinIsSelf { half_edge: i },
+                Violation::Nil { record: Record::Vertex(i), field: Field::Leaving },
+            ]
+        })
+        .collect();
+    for from in extremes {
+        for to in extremes {
+            let window = Some([Point::new(-from, from), Point::new(to, -to)]);
+            let options = Options { window, detail: true, violations: &violations, ..Options::default() };
+            let text = draw(&map, &options);
+            assert!(is_well_formed(&text), "{window:?}");
+        }
+    }
+}
+
+#[test]
+fn any_map_can_be_drawn() {
+    QuickCheck::new()
+        .rng(Gen::new(12))
+        .tests(500)
+        .quickcheck(anything_is_drawn as fn(Vec<((u8, u8), (u8, u8))>) -> bool);
+}

@@ -1,0 +1,53 @@
+//! Maps that are edited between questions: every slot of theirs may have been that of something else.
+
+use crate::location::maps::{point, quickcheck};
+use crate::location::points::same_edge;
+use crate::support::edits::{Edit, SIDE, Spot, apply};
+use crate::support::oracle::{Plain, whole};
+use twinedge::geometry::Point;
+use twinedge::map::{LocateError, Located, Locator, PlanarMap, QueryLine, ZoneElement};
+
+/// Asks in every way, beginning from the last answer, and gives the next.
+fn ask(map: &PlanarMap, mut last: Located, from: Point, to: Point) -> Located {
+    let (plain, locator) = (Plain::new(map), Locator::new(map).unwrap());
+    for p in [from, to] {
+        let there = plain.locate(whole(p), 1);
+        assert_eq!(locator.locate(p), Ok(there), "{p:?}");
+        // What was found before may be gone by now.
+        let found = match map.locate_from(p, last) {
+            Err(LocateError::Stale(_)) => map.locate_from(p, map.dcel().unbounded_face().key()),
+            found => found,
+        };
+        assert!(same_edge(map, found.unwrap(), there), "{p:?}: {found:?}, but it is {there:?}");
+        last = there;
+    }
+    for v in map.dcel().vertices() {
+        let at = map.position(v.key()).unwrap();
+        let met = if at == to { vec![ZoneElement::Vertex(v.key())] } else { plain.zone(&QueryLine::Segment(at, to)) };
+        assert_eq!(map.zone_from(v.key(), to), Ok(met), "{at:?} {to:?}");
+    }
+    if from != to {
+        for stretch in [QueryLine::Segment(from, to), QueryLine::Ray(from, to), QueryLine::Line(from, to)] {
+            assert_eq!(locator.zone(&stretch), Ok(plain.zone(&stretch)), "{stretch:?}");
+        }
+    }
+    last
+}
+
+fn program(edits: Vec<(Edit, Spot, Spot)>) -> bool {
+    let mut map = PlanarMap::new();
+    let mut last = Located::Face(map.dcel().unbounded_face().key());
+    for (i, (edit, from, to)) in edits.iter().enumerate() {
+        apply(&mut map, edit);
+        if i % 3 == 2 {
+            last = ask(&map, last, from.point(), to.point());
+        }
+    }
+    ask(&map, last, point(-1, 3), point(i32::from(SIDE) + 1, 5));
+    true
+}
+
+#[test]
+fn answers_are_those_of_the_map_as_it_is_after_its_edits() {
+    quickcheck(600, program as fn(Vec<(Edit, Spot, Spot)>) -> bool);
+}

@@ -1,0 +1,14 @@
+//! Maps with coordinates: building, editing, location.
+#![allow(clippy::incompatible_msrv, reason = "the tests need the Rust version of their own dependencies")]
+#![allow(clippy::needless_pass_by_value, reason = "quickcheck hands its arguments over")]
+
+#[path = "../support/mod.rs"]
+mod support;
+
+mod edit;
+mod edited_maps;
+mod import;
+mod location;
+mod noding;
+mod planar_map;
+mod saved;

@@ -1,0 +1,64 @@
+//! The pointer model owns each record once, and its links, however they run in circles, keep none alive.
+
+use quickcheck::{Gen, QuickCheck};
+use std::rc::Weak;
+use twinedge::program::{PointerModel, Program, Runner, Subject};
+use twinedge::validate::View;
+
+/// How many links lead from record to record, going by what the structure says of itself.
+fn links(pointers: &PointerModel) -> usize {
+    let half_edges = pointers.half_edge_slots();
+    let isolated = (0..pointers.vertex_slots()).filter(|v| pointers.isolated(*v).is_some()).count();
+    let listed: usize =
+        (0..pointers.face_slots()).map(|f| pointers.inner_count(f) + usize::from(pointers.outer(f).is_some())).sum();
+    // Half-edges: origin, twin, next, prev, face, boundary component. Vertices: leaving, or isolated and the face.
+    // Boundary components: face and start. Faces: their lists.
+    6 * half_edges + pointers.vertex_slots() + isolated + 2 * pointers.boundary_slots() + listed
+}
+
+#[allow(clippy::needless_pass_by_value, reason = "what quickcheck hands over")]
+fn records_are_freed(program: Program) -> bool {
+    let mut runner = Runner::new(PointerModel::new());
+    for op in &program.0 {
+        let before = runner.subject().records();
+        runner.step(*op);
+        let now = runner.subject().records();
+        // Each record is owned by its list, and by nothing else.
+        if now.iter().any(|record| record.strong_count() != 1) {
+            return false;
+        }
+        // Links lead to records that are there, and each record is linked to as often as it says.
+        let watched: usize = before.iter().filter(|record| record.strong_count() > 0).count() + now.len();
+        if now.iter().map(Weak::weak_count).sum::<usize>() != watched + links(runner.subject()) {
+            return false;
+        }
+        // What was removed is gone: of the records of before there remain no more than there are now.
+        let remain = before.iter().filter(|old| old.strong_count() > 0);
+        if !remain.clone().all(|old| now.iter().any(|new| old.ptr_eq(new))) {
+            return false;
+        }
+    }
+    let watched = runner.subject().records();
+    let pointers = runner.into_subject();
+    let faces = pointers.face_slots();
+    drop(pointers);
+    faces >= 1 && watched.iter().all(|record| record.strong_count() == 0 && record.weak_count() == 0)
+}
+
+#[test]
+fn every_record_is_freed_when_it_is_removed_and_all_when_the_structure_is_dropped() {
+    let generator = Gen::from_size_and_seed(100, 3);
+    QuickCheck::new().rng(generator).tests(1000).quickcheck(records_are_freed as fn(Program) -> bool);
+}
+
+#[test]
+fn a_record_that_is_removed_is_freed_at_once() {
+    let mut pointers = PointerModel::new();
+    let outside = pointers.unbounded_face();
+    let empty = pointers.records();
+    let v = pointers.add_isolated_vertex(outside).unwrap();
+    let with_vertex = pointers.records();
+    pointers.remove_isolated_vertex(v).unwrap();
+    let alive = with_vertex.iter().filter(|record| record.strong_count() > 0).count();
+    assert_eq!((empty.len(), with_vertex.len(), alive), (1, 3, 1));
+}

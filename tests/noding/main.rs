@@ -1,9 +1,0 @@
-//! Noding: against an oracle that tries everything, on families that break noders, and on real maps.
-#![cfg(feature = "geometry")]
-
-mod check;
-mod families;
-mod limits;
-mod maps;
-mod oracle;
-mod properties;

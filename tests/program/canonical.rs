@@ -1,0 +1,441 @@
+//! Canonical forms: against published counts of maps, and against a search through all correspondences.
+
+use std::collections::{BTreeMap, BTreeSet};
+use twinedge::dcel::{Dcel, HalfEdge, HalfEdgeKey, Side, Split};
+use twinedge::program::canonical::{Canonizer, Code, isomorphic};
+use twinedge::program::{FacePick, Op, Program, Runner};
+use twinedge::validate::{
+    BoundaryPlace, BoundaryRow, Collect, Expectation, FaceRow, HalfEdgeRow, Part, Start, Table, VertexRow, View,
+    validate,
+};
+
+/// All maps with one more edge, from one of each kind: a leaf in every corner, an edge between any two corners of a
+/// face.
+fn grow(maps: &[Dcel]) -> Vec<Dcel> {
+    let mut canonizer = Canonizer::new();
+    let mut seen = BTreeSet::new();
+    let mut grown = Vec::new();
+    let mut keep = |map: Dcel| {
+        if seen.insert(canonizer.unrooted(&map).unwrap().code) {
+            grown.push(map);
+        }
+    };
+    for map in maps {
+        let corners: Vec<HalfEdgeKey> = map.half_edges().map(HalfEdge::key).collect();
+        if corners.is_empty() {
+            let v = map.vertices().next().unwrap().key();
+            let mut more = map.clone();
+            more.split_vertex(v, v).unwrap();
+            keep(more);
+            let mut more = map.clone();
+            more.connect(v, v, Split::default()).unwrap();
+            keep(more);
+        }
+        for a in &corners {
+            let mut more = map.clone();
+            more.split_vertex(*a, *a).unwrap();
+            keep(more);
+            for b in &corners {
+                let mut more = map.clone();
+                if more.connect(*a, *b, Split::default()).is_ok() {
+                    keep(more);
+                }
+            }
+        }
+    }
+    grown
+}
+
+#[test]
+fn plane_maps_are_as_many_as_published() {
+    let mut map = Dcel::new();
+    map.add_isolated_vertex(map.unbounded_face().key()).unwrap();
+    let mut maps = vec![map];
+    let mut canonizer = Canonizer::new();
+    let mut counts = Vec::new();
+    for _ in 0..6 {
+        let rooted: usize = maps.iter().map(|map| canonizer.unrooted(map).unwrap().rootings).sum();
+        counts.push((maps.len(), rooted));
+        maps = grow(&maps);
+    }
+    // OEIS A006384 and A000168.
+    assert_eq!(counts, [(1, 1), (2, 2), (4, 9), (14, 54), (57, 378), (312, 2916)]);
+}
+
+/// Every table of twins `2e, 2e + 1` and `next` a permutation, with the vertices that follow from these.
+fn every_map(edges: usize, mut judge: impl FnMut(&Table)) {
+    let n = 2 * edges;
+    let mut next: Vec<usize> = (0..n).collect();
+    let mut counters = vec![0; n];
+    judge(&table_of(&next));
+    // Heap's algorithm.
+    let mut i = 0;
+    while i < n {
+        if counters[i] < i {
+            next.swap(if i % 2 == 0 { 0 } else { counters[i] }, i);
+            judge(&table_of(&next));
+            counters[i] += 1;
+            i = 0;
+        } else {
+            counters[i] = 0;
+            i += 1;
+        }
+    }
+}
+
+fn table_of(next: &[usize]) -> Table {
+    let mut origin = vec![None; next.len()];
+    let mut vertices = Vec::new();
+    for start in 0..next.len() {
+        if origin[start].is_none() {
+            let mut h = start;
+            while origin[h].is_none() {
+                origin[h] = Some(vertices.len());
+                h = next[h ^ 1];
+            }
+            vertices.push(Some(VertexRow { leaving: Some(start), isolated: None }));
+        }
+    }
+    let row =
+        |h: usize| HalfEdgeRow { origin: origin[h], twin: Some(h ^ 1), next: Some(next[h]), ..HalfEdgeRow::default() };
+    Table { vertices, half_edges: (0..next.len()).map(|h| Some(row(h))).collect(), ..Table::default() }
+}
+
+fn cycles(next: impl Fn(usize) -> usize, n: usize) -> usize {
+    let mut seen = vec![false; n];
+    let mut count = 0;
+    for start in 0..n {
+        count += usize::from(!seen[start]);
+        let mut h = start;
+        while !std::mem::replace(&mut seen[h], true) {
+            h = next(h);
+        }
+    }
+    count
+}
+
+#[test]
+fn rooted_maps_of_every_genus_are_as_many_as_published() {
+    // Rooted maps by edges and genus: OEIS A000168, A006300, A006298.
+    for (edges, expected) in [(1, vec![2]), (2, vec![9, 1]), (3, vec![54, 20]), (4, vec![378, 307, 21])] {
+        let mut canonizer = Canonizer::new();
+        let mut codes: BTreeMap<usize, BTreeSet<Code>> = BTreeMap::new();
+        let mut rootings: BTreeMap<Code, usize> = BTreeMap::new();
+        every_map(edges, |table| {
+            // Connected ones have a form without root.
+            if let Some(unrooted) = canonizer.unrooted(table) {
+                let next = |h: usize| table.next(h).unwrap();
+                // V - E + cycles = 2 - 2g.
+                let genus = (2 + edges - table.vertices.len() - cycles(next, 2 * edges)) / 2;
+                codes.entry(genus).or_default().insert(canonizer.rooted(table, 0).unwrap());
+                assert_eq!(unrooted.rootings * unrooted.automorphisms, 2 * edges);
+                rootings.insert(unrooted.code, unrooted.rootings);
+            }
+        });
+        assert_eq!(codes.values().map(BTreeSet::len).collect::<Vec<_>>(), expected, "{edges} edges");
+        assert_eq!(rootings.values().sum::<usize>(), expected.iter().sum::<usize>());
+    }
+}
+
+/// Whether there is a correspondence of half-edges that keeps everything, found by trying all.
+fn correspond(one: &Dcel, other: &Dcel) -> bool {
+    let counts = |map: &Dcel| {
+        let isolated = map.vertices().filter(|v| v.isolated().is_some()).count();
+        (map.vertex_count(), map.edge_count(), map.boundary_count(), map.face_count(), isolated)
+    };
+    counts(one) == counts(other) && extend(one, other, &mut BTreeMap::new())
+}
+
+/// Tries every image of the first half-edge that has none yet.
+fn extend(one: &Dcel, other: &Dcel, images: &mut BTreeMap<usize, usize>) -> bool {
+    let Some(first) = one.half_edges().find(|h| !images.contains_key(&h.index())) else {
+        return keeps_faces(one, other, images);
+    };
+    other.half_edges().any(|image| {
+        let mut more = images.clone();
+        follow(one, other, first.index(), image.index(), &mut more) && extend(one, other, &mut more)
+    })
+}
+
+/// Extends a correspondence along `next` and `twin`, as far as a contradiction.
+fn follow(one: &Dcel, other: &Dcel, h: usize, image: usize, images: &mut BTreeMap<usize, usize>) -> bool {
+    if let Some(known) = images.get(&h) {
+        return *known == image;
+    }
+    if images.values().any(|other| *other == image) {
+        return false;
+    }
+    images.insert(h, image);
+    let (h, image) = (one.half_edge_at(h).unwrap(), other.half_edge_at(image).unwrap());
+    follow(one, other, h.next().index(), image.next().index(), images)
+        && follow(one, other, h.twin().index(), image.twin().index(), images)
+}
+
+fn keeps_faces(one: &Dcel, other: &Dcel, images: &BTreeMap<usize, usize>) -> bool {
+    let mut faces = BTreeMap::from([(one.unbounded_face().index(), other.unbounded_face().index())]);
+    for (h, image) in images {
+        let (h, image) = (one.half_edge_at(*h).unwrap(), other.half_edge_at(*image).unwrap());
+        if *faces.entry(h.face().index()).or_insert(image.face().index()) != image.face().index()
+            || h.boundary().is_outer() != image.boundary().is_outer()
+        {
+            return false;
+        }
+    }
+    let isolated =
+        |map: &Dcel, f: usize| map.face_at(f).unwrap().inner().filter(|b| b.isolated_vertex().is_some()).count();
+    faces.values().collect::<BTreeSet<_>>().len() == faces.len()
+        && faces.iter().all(|(f, image)| isolated(one, *f) == isolated(other, *image))
+}
+
+/// Numbers without pattern, always the same.
+fn noise(seed: u64) -> impl Iterator<Item = u8> {
+    let mut state = seed;
+    std::iter::repeat_with(move || {
+        state = state.wrapping_mul(6_364_136_223_846_793_005).wrapping_add(1_442_695_040_888_963_407);
+        (state >> 56) as u8
+    })
+}
+
+/// A small map, with nesting as often as not.
+fn random_map(seed: u64) -> Dcel {
+    let mut runner = Runner::new(Dcel::new());
+    let add = Op::AddIsolatedVertex { face: FacePick::Unbounded };
+    runner.run(&Program(vec![add; 1 + seed as usize % 3]));
+    let mut bytes = noise(seed);
+    while runner.subject().edge_count() < 1 + seed as usize % 5 {
+        runner.step(Op::from_bytes(&mut bytes).unwrap());
+    }
+    runner.into_subject()
+}
+
+/// All maps that come of moving one hole or isolated vertex to another face, twice.
+fn with_moves(map: &Dcel) -> Vec<Dcel> {
+    let mut family = vec![map.clone()];
+    for _ in 0..2 {
+        let mut moved = Vec::new();
+        for map in &family {
+            for b in map.boundaries().filter(|b| !b.is_outer()) {
+                for f in map.faces() {
+                    let mut other = map.clone();
+                    if other.move_inner(b.key(), f.key()).is_ok() {
+                        moved.push(other);
+                    }
+                }
+            }
+        }
+        family.extend(moved.into_iter().take(40));
+    }
+    family
+}
+
+#[test]
+fn forms_are_equal_exactly_where_some_correspondence_is_found() {
+    let has_hole = |map: &Dcel| map.faces().any(|f| !f.is_unbounded() && f.inner_count() > 0);
+    let mut canonizer = Canonizer::new();
+    let (mut equal, mut different) = (0, 0);
+    for seed in 0..60 {
+        let maps = with_moves(&random_map(seed));
+        let codes: Vec<Code> = maps.iter().map(|map| canonizer.subdivision(map).unwrap()).collect();
+        for (i, one) in maps.iter().enumerate() {
+            for (j, other) in maps.iter().enumerate().take(i) {
+                let same = codes[i] == codes[j];
+                assert_eq!(same, correspond(one, other), "seed {seed}, maps {i} and {j}");
+                if has_hole(one) {
+                    *if same { &mut equal } else { &mut different } += 1;
+                }
+            }
+        }
+    }
+    assert!(equal > 1000 && different > 1000, "too few pairs with holes to show anything: {equal}, {different}");
+}
+
+/// The same with all records in other slots, some of them vacant, other starts, and lists the other way round.
+fn renamed(map: &Dcel, seed: u64) -> Table {
+    let table = Table::copy_of(map).expect("a small map fits");
+    let mut bytes = noise(seed);
+    let mut shuffle = |n: usize| -> Vec<usize> {
+        let mut slots: Vec<(u8, usize)> = bytes.by_ref().take(n + 2).zip(0..).collect();
+        slots.sort_unstable();
+        slots.into_iter().map(|(_, slot)| slot).collect()
+    };
+    let (v, h) = (shuffle(table.vertices.len()), shuffle(table.half_edges.len()));
+    let (b, f) = (shuffle(table.boundaries.len()), shuffle(table.faces.len()));
+    let mut other = Table {
+        vertices: vec![None; v.len()],
+        half_edges: vec![None; h.len()],
+        boundaries: vec![None; b.len()],
+        faces: vec![None; f.len()],
+    };
+    for (i, row) in table.vertices.iter().enumerate() {
+        let rename =
+            |row: &VertexRow| VertexRow { leaving: row.leaving.map(|i| h[i]), isolated: row.isolated.map(|i| b[i]) };
+        other.vertices[v[i]] = row.as_ref().map(rename);
+    }
+    for (i, row) in table.half_edges.iter().enumerate() {
+        let rename = |row: &HalfEdgeRow| HalfEdgeRow {
+            origin: row.origin.map(|i| v[i]),
+            twin: row.twin.map(|i| h[i]),
+            next: row.next.map(|i| h[i]),
+            prev: row.prev.map(|i| h[i]),
+            boundary: row.boundary.map(|i| b[i]),
+            face: None,
+        };
+        other.half_edges[h[i]] = row.as_ref().map(rename);
+    }
+    for (i, row) in table.boundaries.iter().enumerate() {
+        let rename = |row: &BoundaryRow| BoundaryRow {
+            face: row.face.map(|i| f[i]),
+            start: row.start.map(|start| match start {
+                Start::HalfEdge(i) => Start::HalfEdge(h[table.next(i).unwrap()]),
+                Start::Vertex(i) => Start::Vertex(v[i]),
+            }),
+            place: row.place,
+        };
+        other.boundaries[b[i]] = row.as_ref().map(rename);
+    }
+    for (i, row) in table.faces.iter().enumerate() {
+        let rename = |row: &FaceRow| FaceRow {
+            outer: row.outer.map(|i| b[i]),
+            inner: row.inner.iter().rev().map(|link| link.map(|i| b[i])).collect(),
+            ..FaceRow::default()
+        };
+        other.faces[f[i]] = row.as_ref().map(rename);
+        let inner: Vec<_> = row.iter().flat_map(|row| row.inner.iter().rev()).flatten().copied().collect();
+        for (place, i) in inner.into_iter().enumerate() {
+            other.boundaries[b[i]].as_mut().unwrap().place = Some(BoundaryPlace::Inner(place));
+        }
+    }
+    other
+}
+
+/// The same without records for boundary components, as the textbooks have it.
+fn as_textbook(table: &Table) -> Table {
+    let mut other = Table { boundaries: Vec::new(), ..table.clone() };
+    for row in other.half_edges.iter_mut().flatten() {
+        row.face = table.boundary_face(row.boundary.take().unwrap());
+    }
+    for row in other.vertices.iter_mut().flatten() {
+        row.isolated = None;
+    }
+    for row in other.faces.iter_mut().flatten() {
+        let start = |b: usize| table.boundary_start(b).unwrap();
+        row.outer_half_edge = row.outer.take().map(|b| match start(b) {
+            Start::HalfEdge(h) => h,
+            Start::Vertex(_) => panic!("a vertex bounds nothing from outside"),
+        });
+        row.inner_starts = row.inner.drain(..).map(|b| b.map(start)).collect();
+    }
+    other
+}
+
+#[test]
+fn forms_do_not_depend_on_names_nor_on_the_kind_of_records() {
+    for seed in 0..100 {
+        let map = random_map(seed);
+        let table = renamed(&map, seed);
+        let textbook = as_textbook(&table);
+        let expectation = Expectation::plane();
+        assert!(validate(&table, &expectation, Collect::All).is_valid(), "seed {seed}");
+        let without = expectation.without(Part::BoundaryComponents);
+        assert!(validate(&textbook, &without, Collect::All).is_valid(), "seed {seed}");
+        assert!(isomorphic(&map, &table) && isomorphic(&table, &textbook), "seed {seed}");
+    }
+}
+
+#[test]
+fn a_mirror_image_is_another_map() {
+    // A triangle with a path of two edges inside at one vertex and a single edge inside at the next, or the other way
+    // round.
+    let triangle = |lengths: [usize; 3]| {
+        let mut map = Dcel::new();
+        let v = map.add_isolated_vertex(map.unbounded_face().key()).unwrap().vertex;
+        let a = map.connect(v, v, Split { new_face: Side::Left, inner: &[] }).unwrap().half_edge;
+        let b = map.split_edge(a).unwrap().half_edge;
+        let c = map.split_edge(b).unwrap().half_edge;
+        for (corner, length) in [a, b, c].into_iter().zip(lengths) {
+            let mut at = corner;
+            for _ in 0..length {
+                let leaf = map.split_vertex(at, at).unwrap().half_edge;
+                at = map.half_edge(leaf).unwrap().twin().key();
+            }
+        }
+        assert!(map.validate().is_valid());
+        map
+    };
+    assert!(isomorphic(&triangle([0, 1, 2]), &triangle([1, 2, 0])));
+    assert!(!isomorphic(&triangle([0, 1, 2]), &triangle([0, 2, 1])));
+    let code = |map: &Dcel| Canonizer::new().unrooted(map).unwrap().code;
+    assert!(code(&triangle([0, 1, 2])) != code(&triangle([0, 2, 1])));
+}
+
+#[test]
+fn the_unbounded_face_counts_only_where_it_is_marked() {
+    // A triangle with a leaf outside or inside: the same map on the sphere.
+    let triangle = |outside: bool| {
+        let mut map = Dcel::new();
+        let v = map.add_isolated_vertex(map.unbounded_face().key()).unwrap().vertex;
+        let side = if outside { Side::Right } else { Side::Left };
+        let a = map.connect(v, v, Split { new_face: side, inner: &[] }).unwrap().half_edge;
+        let b = map.split_edge(a).unwrap().half_edge;
+        map.split_edge(b).unwrap();
+        map.split_vertex(a, a).unwrap();
+        assert_eq!(map.half_edge(a).unwrap().face().is_unbounded(), outside);
+        map
+    };
+    let (outside, inside) = (triangle(true), triangle(false));
+    assert!(!isomorphic(&outside, &inside));
+    let mut canonizer = Canonizer::new();
+    assert_eq!(canonizer.unrooted(&outside), canonizer.unrooted(&inside));
+    let unrooted = canonizer.unrooted(&outside).unwrap();
+    assert_eq!((unrooted.automorphisms, unrooted.rootings), (1, 8));
+}
+
+#[test]
+fn deep_nesting_takes_no_stack() {
+    let depth = 20_000;
+    let nested = |bottom: usize| {
+        let mut map = Dcel::new();
+        let mut face = map.unbounded_face().key();
+        for _ in 0..depth {
+            let v = map.add_isolated_vertex(face).unwrap().vertex;
+            face = map.connect(v, v, Split { new_face: Side::Left, inner: &[] }).unwrap().new_face().unwrap();
+        }
+        for _ in 0..bottom {
+            map.add_isolated_vertex(face).unwrap();
+        }
+        map
+    };
+    assert!(isomorphic(&nested(1), &nested(1)));
+    assert!(!isomorphic(&nested(1), &nested(2)));
+}
+
+#[test]
+fn what_is_no_subdivision_has_no_form() {
+    let mut map = Dcel::new();
+    let v = map.add_isolated_vertex(map.unbounded_face().key()).unwrap().vertex;
+    map.connect(v, v, Split::default()).unwrap();
+    map.add_isolated_vertex(map.unbounded_face().key()).unwrap();
+    let good = Table::copy_of(&map).expect("a small map fits");
+    let mut canonizer = Canonizer::new();
+    assert!(canonizer.subdivision(&good).is_some());
+    assert!(canonizer.subdivision(&Table::default()).is_none(), "no unbounded face");
+    let live = |h: &usize| good.is_half_edge(*h);
+    let h = (0..good.half_edges.len()).find(live).unwrap();
+    for link in [None, Some(usize::MAX), Some(h)] {
+        let mut bad = good.clone();
+        bad.half_edges[h].as_mut().unwrap().twin = link;
+        assert!(canonizer.subdivision(&bad).is_none() && canonizer.rooted(&bad, h).is_none(), "twin {link:?}");
+    }
+    for link in [None, Some(usize::MAX), good.twin(h)] {
+        let mut bad = good.clone();
+        bad.half_edges[h].as_mut().unwrap().next = link;
+        assert!(canonizer.subdivision(&bad).is_none() && canonizer.unrooted(&bad).is_none(), "next {link:?}");
+    }
+    let f = map.unbounded_face().index();
+    for inner in [vec![], vec![None, None], vec![good.inner(f, 0), good.inner(f, 0)], vec![Some(99), good.inner(f, 1)]]
+    {
+        let mut bad = good.clone();
+        bad.faces[f].as_mut().unwrap().inner = inner;
+        assert!(canonizer.subdivision(&bad).is_none());
+    }
+}

@@ -1,0 +1,357 @@
+//! Kernels in step with the reference: right ones pass, and each kind of difference is told from the others.
+
+use std::cell::Cell;
+use std::rc::Rc;
+use twinedge::dcel::Dcel;
+use twinedge::program::conformance::{Answer, ConformanceSummary, Difference, Failure, InStep, Question};
+use twinedge::program::*;
+use twinedge::validate::{Expectation, Link, Part, Rule, Start, View};
+
+/// Numbers without pattern, always the same.
+fn noise(seed: u64, count: usize) -> Vec<u8> {
+    let mut state = seed;
+    let mut step = || {
+        state = state.wrapping_mul(6_364_136_223_846_793_005).wrapping_add(1_442_695_040_888_963_407);
+        (state >> 56) as u8
+    };
+    (0..count).map(|_| step()).collect()
+}
+
+#[test]
+fn the_models_and_the_structure_do_the_same() {
+    let mut sum = ConformanceSummary::default();
+    for seed in 0..50 {
+        let program = Program::from_bytes(&noise(seed, 600));
+        let summary = conformance::run(&program, RotationSystem::new(), &RotationSystem::expectation())
+            .unwrap_or_else(|failure| panic!("seed {seed}: {failure}"));
+        assert_eq!(conformance::run(&program, Dcel::new(), &Expectation::plane()), Ok(summary));
+        assert_eq!(summary.operators(), program.0.len());
+        sum.applied += summary.applied;
+        sum.refused += summary.refused;
+    }
+    assert!(sum.applied > 2500 && sum.refused > 500, "{sum:?}");
+}
+
+/// What is wrong with a subject.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+enum Fault {
+    /// It begins with a vertex in it.
+    NotEmpty,
+    /// `connect` gives the twin of the half-edge that it should give.
+    Twin,
+    /// `connect` takes the one side for the other.
+    Side,
+    /// `contract_edge` says of loops that they are stale.
+    WrongReason,
+    /// `flip_edge` turns the wrong way.
+    Turn,
+    /// `remove_edge` reports the wrong face as gone.
+    WrongFaceGone,
+    /// The half-edge kept by a vertex is a wrong one.
+    Leaving,
+    /// Faces are mixed up in answers, and nowhere else.
+    FaceOf,
+    /// There is room for two edges only.
+    Small,
+    /// There is room for two edges only, but the vertex goes in.
+    SmallAndDirty,
+    /// Nothing.
+    None,
+}
+
+/// The model with a fault.
+#[derive(Clone)]
+struct Faulty {
+    model: RotationSystem,
+    fault: Fault,
+    /// How many questions it was asked.
+    asked: Rc<Cell<usize>>,
+}
+
+impl Faulty {
+    fn new(fault: Fault) -> Self {
+        let mut model = RotationSystem::new();
+        if fault == Fault::NotEmpty {
+            model.add_isolated_vertex(0).unwrap();
+        }
+        Self { model, fault, asked: Rc::default() }
+    }
+
+    fn has(&self, fault: Fault) -> bool {
+        self.fault == fault
+    }
+
+    fn count(&self) {
+        self.asked.set(self.asked.get() + 1);
+    }
+
+    fn is_full(&self) -> bool {
+        let live = (0..self.model.half_edge_slots()).filter(|h| self.model.is_half_edge(*h)).count();
+        live >= 4 && (self.has(Fault::Small) || self.has(Fault::SmallAndDirty))
+    }
+}
+
+macro_rules! as_the_model_does {
+    ($($name:ident($($arg:ident),*) -> $answer:ty;)*) => {
+        $(fn $name(&self $(, $arg: usize)*) -> $answer { View::$name(&self.model $(, $arg)*) })*
+    };
+}
+
+impl View for Faulty {
+    as_the_model_does! {
+        vertex_slots() -> usize;
+        half_edge_slots() -> usize;
+        face_slots() -> usize;
+        is_vertex(v) -> bool;
+        is_half_edge(h) -> bool;
+        is_face(f) -> bool;
+        origin(h) -> Link;
+        twin(h) -> Link;
+        next(h) -> Link;
+        prev(h) -> Link;
+        face(h) -> Link;
+        outer_half_edge(f) -> Link;
+        inner_count(f) -> usize;
+        inner_start(f, position) -> Option<Start>;
+    }
+    fn leaving(&self, vertex: usize) -> Link {
+        let leaving = self.model.leaving(vertex);
+        if self.has(Fault::Leaving) { leaving.map(|h| h ^ 1) } else { leaving }
+    }
+}
+
+impl Subject for Faulty {
+    type Vertex = usize;
+    type HalfEdge = usize;
+    type Face = usize;
+    type Error = Refusal;
+
+    fn refusal(error: &Refusal) -> Refusal {
+        *error
+    }
+    fn unbounded_face(&self) -> usize {
+        0
+    }
+    fn face_of(&self, corner: Corner<usize, usize>) -> Result<usize, Refusal> {
+        self.count();
+        let face = self.model.face_of(corner)?;
+        Ok(if self.has(Fault::FaceOf) && face > 0 { 1 } else { face })
+    }
+    fn origin_of(&self, h: usize) -> Result<usize, Refusal> {
+        self.count();
+        self.model.origin_of(h)
+    }
+    fn twin_of(&self, h: usize) -> Result<usize, Refusal> {
+        self.count();
+        self.model.twin_of(h)
+    }
+    fn next_of(&self, h: usize) -> Result<usize, Refusal> {
+        self.count();
+        self.model.next_of(h)
+    }
+    fn add_isolated_vertex(&mut self, face: usize) -> Result<usize, Refusal> {
+        self.model.add_isolated_vertex(face)
+    }
+    fn remove_isolated_vertex(&mut self, v: usize) -> Result<(), Refusal> {
+        self.model.remove_isolated_vertex(v)
+    }
+    fn connect(
+        &mut self,
+        from: Corner<usize, usize>,
+        to: Corner<usize, usize>,
+        new_face: Side,
+        inner: &[Corner<usize, usize>],
+    ) -> Result<usize, Refusal> {
+        if self.is_full() {
+            return Err(Refusal::Full);
+        }
+        let new_face = if self.has(Fault::Side) && new_face == Side::Left { Side::Right } else { new_face };
+        let h = self.model.connect(from, to, new_face, inner)?;
+        Ok(if self.has(Fault::Twin) { h ^ 1 } else { h })
+    }
+    fn remove_edge(&mut self, h: usize) -> Result<Option<usize>, Refusal> {
+        let face = self.model.face_of(Corner::At(h))?;
+        let other = self.model.face_of(Corner::At(h ^ 1))?;
+        let dropped = self.model.remove_edge(h)?;
+        let wrong = if dropped == Some(face) { other } else { face };
+        Ok(dropped.map(|right| if self.has(Fault::WrongFaceGone) { wrong } else { right }))
+    }
+    fn split_edge(&mut self, h: usize) -> Result<usize, Refusal> {
+        if self.is_full() { Err(Refusal::Full) } else { self.model.split_edge(h) }
+    }
+    fn join_edges(&mut self, h: usize) -> Result<(), Refusal> {
+        self.model.join_edges(h)
+    }
+    fn split_vertex(&mut self, from: Corner<usize, usize>, to: Corner<usize, usize>) -> Result<usize, Refusal> {
+        if self.is_full() {
+            if self.has(Fault::SmallAndDirty) {
+                self.model.add_isolated_vertex(0)?;
+            }
+            return Err(Refusal::Full);
+        }
+        self.model.split_vertex(from, to)
+    }
+    fn contract_edge(&mut self, h: usize) -> Result<usize, Refusal> {
+        match self.model.contract_edge(h) {
+            Err(Refusal::Loop) if self.has(Fault::WrongReason) => Err(Refusal::Stale),
+            other => other,
+        }
+    }
+    fn flip_edge(&mut self, h: usize, turn: Turn) -> Result<(), Refusal> {
+        self.model.flip_edge(h, if self.has(Fault::Turn) { turn.reversed() } else { turn })
+    }
+    fn move_inner(&mut self, inner: Corner<usize, usize>, face: usize) -> Result<(), Refusal> {
+        self.model.move_inner(inner, face)
+    }
+}
+
+fn judge(program: &Program, fault: Fault) -> Result<ConformanceSummary, Failure> {
+    conformance::run(program, Faulty::new(fault), &RotationSystem::expectation())
+}
+
+/// The first random program on which a subject with this fault fails, shrunk, and how it fails then.
+fn shrunk(fault: Fault) -> (Program, Failure) {
+    let mut programs = (0..200).map(|seed| Program::from_bytes(&noise(seed, 400)));
+    let program = programs.find(|program| judge(program, fault).is_err()).expect("the fault is found");
+    let program = shrink(&program, |program| judge(program, fault).is_err());
+    let failure = judge(&program, fault).unwrap_err();
+    (program, failure)
+}
+
+fn program(lines: &str) -> Program {
+    format!("twinedge program 1\n{lines}").parse().unwrap()
+}
+
+#[test]
+fn a_subject_that_is_not_empty_fails_before_the_first_operator() {
+    let failure = judge(&Program::default(), Fault::NotEmpty).unwrap_err();
+    assert_eq!(failure, Failure { before: 0, op: None, difference: Difference::NotIsomorphic });
+    assert_eq!(failure.to_string(), "at the start: the map is valid, but another one than it should be");
+}
+
+#[test]
+fn a_wrong_handle_is_found_at_once() {
+    // A loop, and the half-edge of its inside given for that of its outside: the same map, and valid.
+    for fault in [Fault::Twin, Fault::Side] {
+        let (shrunk, failure) = shrunk(fault);
+        assert_eq!(shrunk, program("add_isolated_vertex unbounded\nconnect i0 ~0 left"));
+        let (reference, subject) = (Answer::Corner(0), Answer::Unbounded);
+        assert_eq!(failure.difference, Difference::Answers { corner: 0, question: Question::Face, reference, subject });
+        assert_eq!(
+            failure.to_string(),
+            "after operator 2, `connect i0 ~0 left`: of corner 0, Face should be Corner(0) and is Unbounded"
+        );
+    }
+}
+
+#[test]
+fn a_valid_map_that_is_another_one_is_found() {
+    let (shrunk, failure) = shrunk(Fault::Turn);
+    assert!(shrunk.0.len() <= 6, "{shrunk}");
+    assert!(matches!(failure.op, Some(Op::FlipEdge { .. })));
+    // Of two loops at a vertex one has a second vertex on it, and the other ends there, or not, when it is turned.
+    let flip = program(
+        "add_isolated_vertex unbounded\nconnect i0 ~0 left\nconnect h0 ~0 left\nsplit_edge h0\nflip_edge h0 ccw",
+    );
+    let failure = judge(&flip, Fault::Turn).unwrap_err();
+    assert_eq!((failure.before, failure.difference), (4, Difference::NotIsomorphic));
+}
+
+#[test]
+fn a_wrong_reason_is_found() {
+    let (shrunk, failure) = shrunk(Fault::WrongReason);
+    assert_eq!(shrunk, program("add_isolated_vertex unbounded\nconnect i0 ~0 left\ncontract_edge h0"));
+    let (reference, subject) = (StepOutcome::Refused(Refusal::Loop), StepOutcome::Refused(Refusal::Stale));
+    assert_eq!(failure.difference, Difference::StepOutcome { reference, subject });
+    assert_eq!(
+        failure.to_string(),
+        "after operator 3, `contract_edge h0`: the outcome should be `refused: the edge is a loop` and is \
+         `refused: a handle is stale`"
+    );
+}
+
+#[test]
+fn a_broken_rule_is_found_and_named() {
+    let (shrunk, failure) = shrunk(Fault::Leaving);
+    assert!(shrunk.0.len() <= 3, "{shrunk}");
+    let Difference::Invalid(report) = failure.difference else { panic!("{failure}") };
+    assert_eq!(report.violations()[0].rule(), Rule::V1);
+}
+
+#[test]
+fn handles_that_disagree_with_the_view_are_found() {
+    let (program, failure) = shrunk(Fault::FaceOf);
+    assert!(matches!(failure.difference, Difference::Answers { question: Question::Face, .. }), "{failure}");
+    assert!(program.0.len() <= 5, "{program}");
+}
+
+#[test]
+fn a_face_reported_gone_that_is_not_is_found_when_it_is_asked_for() {
+    let (shrunk, failure) = shrunk(Fault::WrongFaceGone);
+    assert!(shrunk.0.len() <= 5, "{shrunk}");
+    let stale = StepOutcome::Refused(Refusal::Stale);
+    assert!(matches!(failure.difference, Difference::StepOutcome { reference, .. } if reference == stale), "{failure}");
+}
+
+#[test]
+fn want_of_room_is_no_fault_unless_it_leaves_a_trace() {
+    let crowded =
+        program("add_isolated_vertex unbounded\nsplit_vertex i0 ~0\nsplit_edge h0\nsplit_vertex h0 ~0\nsplit_edge h3");
+    let summary = ConformanceSummary { applied: 3, not_supported: 2, ..ConformanceSummary::default() };
+    assert_eq!(judge(&crowded, Fault::Small), Ok(summary));
+    let failure = judge(&crowded, Fault::SmallAndDirty).unwrap_err();
+    assert_eq!((failure.before, failure.difference), (3, Difference::NotIsomorphic));
+}
+
+/// Comparing once asked O(n²) questions, and each took the model O(n).
+#[test]
+fn a_step_asks_every_corner_a_few_questions() {
+    let subject = Faulty::new(Fault::None);
+    let asked = subject.asked.clone();
+    let mut pair = InStep::new(subject, &RotationSystem::expectation()).unwrap();
+    let mut step = |line: &str| {
+        let before = asked.get();
+        pair.step(program(line).0[0]).unwrap();
+        asked.get() - before
+    };
+    step("add_isolated_vertex unbounded");
+    step("split_vertex i0 ~0");
+    for _ in 0..100 {
+        step("split_edge h0");
+    }
+    // Four of each of the 202 corners, and a few by the operator itself.
+    let questions = step("remove_edge !h0");
+    assert_eq!(questions, 4 * 202);
+}
+
+#[test]
+fn an_expectation_without_what_tells_maps_apart_is_refused_by_name() {
+    let plane = Expectation::plane();
+    for (expectation, part) in [
+        (plane.without(Part::Faces), Part::Faces),
+        (plane.without(Part::Holes), Part::Holes),
+        (plane.without(Part::UnboundedFace), Part::UnboundedFace),
+        (Expectation::surface(), Part::Holes),
+    ] {
+        let failure = conformance::run(&Program::default(), RotationSystem::new(), &expectation).unwrap_err();
+        assert_eq!(failure, Failure { before: 0, op: None, difference: Difference::Lacks(part) });
+    }
+    let failure = Failure { before: 0, op: None, difference: Difference::Lacks(Part::Faces) };
+    assert_eq!(
+        failure.to_string(),
+        "at the start: the expectation leaves out faces; without it there is no telling which map it is"
+    );
+    let least = RotationSystem::expectation().without(Part::Prev).without(Part::Leaving);
+    assert!(conformance::run(&Program::from_bytes(&noise(1, 300)), RotationSystem::new(), &least).is_ok());
+}
+
+#[test]
+fn a_run_can_be_stopped_and_looked_at_between_operators() {
+    let program = program("add_isolated_vertex unbounded\nremove_edge h0\nconnect i0 ~0 left\ncontract_edge h0");
+    let mut pair = InStep::new(Faulty::new(Fault::WrongReason), &RotationSystem::expectation()).unwrap();
+    let outcomes = [0, 1, 2].map(|i| pair.step(program.0[i]).unwrap());
+    assert_eq!(outcomes, [StepOutcome::Applied, StepOutcome::Skipped, StepOutcome::Applied]);
+    assert_eq!(pair.summary(), ConformanceSummary { applied: 2, skipped: 1, ..ConformanceSummary::default() });
+    let failure = pair.step(program.0[3]).unwrap_err();
+    assert_eq!((failure.before, failure.op), (3, Some(program.0[3])));
+}

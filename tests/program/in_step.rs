@@ -1,0 +1,100 @@
+//! Whatever a program does, it does the same to the pointer model and to the one of this crate over each of its
+//! stores: the same refusals, the same map after each step, and never anything for the validator to find.
+
+use quickcheck::{Arbitrary, Gen, QuickCheck};
+use twinedge::dcel::Dcel;
+use twinedge::program::canonical::{Canonizer, Code};
+use twinedge::program::{Op, PointerModel, Program, Refusal, Runner, StepOutcome, Subject};
+use twinedge::store::{FixedStore, PointerStore, SlotStore};
+use twinedge::validate::{Collect, Expectation, validate};
+
+/// The largest there is.
+type Largest = FixedStore<255, 127, 255, 255>;
+
+const SIZE: usize = 100;
+const SEED: u64 = 11;
+const TESTS: u64 = 1000;
+
+/// A subject in a run, and how to look at it.
+struct Lane<K: Subject> {
+    runner: Runner<K>,
+    canonizer: Canonizer,
+}
+
+impl<K: Subject> Lane<K> {
+    fn new(subject: K) -> Self {
+        Self { runner: Runner::new(subject), canonizer: Canonizer::new() }
+    }
+
+    /// Runs an operator, and tells what became of it and which map there is now.
+    fn step(&mut self, op: Op) -> (StepOutcome, Option<Code>) {
+        let outcome = self.runner.step(op);
+        let report = validate(self.runner.subject(), &Expectation::plane(), Collect::All);
+        assert!(report.is_valid(), "{op:?}: {report:?}");
+        (outcome, self.canonizer.subdivision(self.runner.subject()))
+    }
+}
+
+/// The operator after which two subjects no longer agree. One that is full drops out.
+fn first_difference(program: &Program) -> Option<Op> {
+    let mut pointer_model = Lane::new(PointerModel::new());
+    let mut slots = Lane::new(Dcel::<SlotStore>::default());
+    let mut pointers = Lane::new(Dcel::<PointerStore>::default());
+    let mut fixed = Some(Lane::new(Dcel::<Largest>::default()));
+    program.0.iter().copied().find(|op| {
+        let expected = pointer_model.step(*op);
+        assert!(expected.1.is_some(), "{op:?}: a valid map has a canonical form");
+        let of_fixed = fixed.as_mut().map(|lane| lane.step(*op));
+        if matches!(of_fixed, Some((StepOutcome::Refused(Refusal::Full), _))) {
+            fixed = None;
+        }
+        expected != slots.step(*op)
+            || expected != pointers.step(*op)
+            || (fixed.is_some() && of_fixed.as_ref() != Some(&expected))
+    })
+}
+
+#[allow(clippy::needless_pass_by_value, reason = "what quickcheck hands over")]
+fn in_step(program: Program) -> bool {
+    first_difference(&program).is_none()
+}
+
+#[test]
+fn all_subjects_stay_in_step() {
+    QuickCheck::new().rng(Gen::from_size_and_seed(SIZE, SEED)).tests(TESTS).quickcheck(in_step as fn(Program) -> bool);
+}
+
+#[test]
+fn all_subjects_stay_in_step_for_long() {
+    QuickCheck::new().rng(Gen::from_size_and_seed(1000, SEED)).tests(10).quickcheck(in_step as fn(Program) -> bool);
+}
+
+/// The programs of the test above leave no operator and no refusal out.
+#[test]
+fn programs_meet_every_refusal() {
+    let mut met: Vec<Refusal> = Vec::new();
+    let mut generator = Gen::from_size_and_seed(SIZE, SEED);
+    for _ in 0..TESTS {
+        for outcome in Runner::new(PointerModel::new()).run(&Program::arbitrary(&mut generator)) {
+            if let StepOutcome::Refused(refusal) = outcome
+                && !met.contains(&refusal)
+            {
+                met.push(refusal);
+            }
+        }
+    }
+    met.sort_unstable();
+    let all = [
+        Refusal::Stale,
+        Refusal::NotIsolated,
+        Refusal::FacesDiffer,
+        Refusal::VerticesDiffer,
+        Refusal::NotInner,
+        Refusal::IsOuter,
+        Refusal::DegreeNotTwo,
+        Refusal::Loop,
+        Refusal::NotSeparating,
+        Refusal::InsideItself,
+    ];
+    assert_eq!(met, all);
+}

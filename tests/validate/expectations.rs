@@ -1,0 +1,452 @@
+//! What a structure is held to: each expectation accepts what it should, and what is not checked is said.
+
+use crate::support::opinions::agree;
+use crate::support::tables::{boundary, face, half_edge, map, mesh, textbook_map, textbook_mesh, vertex};
+use twinedge::validate::enumerate::for_each_corruption;
+use twinedge::validate::{
+    BoundaryPlace, Certificate, Collect, Expectation, FaceRow, Field, Link, Part, Record, Rule, Start, Table,
+    Unchecked, View, Violation, validate,
+};
+
+const TETRAHEDRON: [[usize; 3]; 4] = [[0, 1, 2], [0, 3, 1], [1, 3, 2], [0, 2, 3]];
+const MESH: Expectation = Expectation::surface().without(Part::BoundaryComponents);
+
+/// The certificate, after both validators agreed on the table and on every change of one field of it.
+#[track_caller]
+fn certificate(table: &Table, expectation: Expectation) -> Certificate {
+    let report = validate(table, &expectation, Collect::All);
+    let certificate = report.certificate().unwrap_or_else(|| panic!("{report}"));
+    assert_eq!(agree(table, expectation), None);
+    let Certificate { vertices, edges, components, cycles, borders, isolated_vertices, genus, .. } = certificate;
+    assert_eq!(vertices + cycles + borders + isolated_vertices + 2 * genus, edges + 2 * components, "T3, added up");
+    for_each_corruption(&mut table.clone(), &expectation, |changed, _, _| {
+        agree(changed, expectation);
+    });
+    certificate
+}
+
+#[track_caller]
+fn violations(table: &Table, expectation: Expectation) -> Vec<Violation> {
+    agree(table, expectation);
+    validate(table, &expectation, Collect::All).violations().to_vec()
+}
+
+/// The reasons why rules were not checked.
+fn not_checked(table: &Table, expectation: Expectation) -> Vec<(Rule, Unchecked)> {
+    let report = validate(table, &expectation, Collect::All);
+    report.outcomes().filter_map(|(rule, outcome)| Some((rule, outcome.unchecked?))).collect()
+}
+
+#[test]
+fn a_mesh_without_prev() {
+    let mut table = textbook_mesh(4, &TETRAHEDRON);
+    for h in 0..12 {
+        half_edge(&mut table, h).prev = None;
+    }
+    let found = certificate(&table, MESH.without(Part::Prev));
+    assert_eq!((found.vertices, found.edges, found.faces, found.cycles, found.genus), (4, 6, 4, 4, 0));
+    // With the links demanded, each is missing.
+    let nil = |h| Violation::Nil { record: Record::HalfEdge(h), field: Field::Prev };
+    assert_eq!(violations(&table, MESH), (0..12).map(nil).collect::<Vec<_>>());
+}
+
+/// The triangle of face 3 is missing, and its half-edges are there but have no face.
+#[test]
+fn a_mesh_with_a_border_of_half_edges_without_face() {
+    let mut table = textbook_mesh(4, &TETRAHEDRON);
+    let border: Vec<usize> = (0..12).filter(|h| half_edge(&mut table, *h).face == Some(3)).collect();
+    for h in &border {
+        half_edge(&mut table, *h).face = None;
+    }
+    table.faces[3] = None;
+    let found = certificate(&table, MESH.open());
+    assert_eq!((found.vertices, found.edges, found.faces, found.cycles, found.genus), (4, 6, 3, 4, 0));
+    let nil = |h: &usize| Violation::Nil { record: Record::HalfEdge(*h), field: Field::Face };
+    assert_eq!(violations(&table, MESH), border.iter().map(nil).collect::<Vec<_>>());
+    // A face that a border half-edge names all the same changes along the border.
+    half_edge(&mut table, border[0]).face = Some(0);
+    assert_eq!(agree(&table, MESH.open()), Some(Rule::B1));
+}
+
+/// The triangle of face 3 is missing together with its half-edges, so that their twins have none.
+#[test]
+fn a_mesh_with_a_border_of_half_edges_without_twin() {
+    let mut table = textbook_mesh(4, &TETRAHEDRON);
+    let missing: Vec<usize> = (0..12).filter(|h| half_edge(&mut table, *h).face == Some(3)).collect();
+    for h in &missing {
+        table.half_edges[*h] = None;
+        half_edge(&mut table, h ^ 1).twin = None;
+    }
+    table.faces[3] = None;
+    for v in 0..4 {
+        let origin = |h: &usize| table.half_edges[*h].is_some_and(|row| row.origin == Some(v));
+        vertex(&mut table, v).leaving = (0..12).find(origin);
+    }
+    let found = certificate(&table, MESH.open());
+    assert_eq!((found.vertices, found.edges, found.faces, found.cycles, found.genus), (4, 6, 3, 3, 0));
+    let nil = |h: usize| Violation::Nil { record: Record::HalfEdge(h), field: Field::Twin };
+    let expected: Vec<_> = (0..12).filter(|h| missing.contains(&(h ^ 1))).map(nil).collect();
+    assert_eq!(violations(&table, MESH), expected);
+    // Nor can somebody have a twin that has none.
+    half_edge(&mut table, missing[0] ^ 1).twin = Some(missing[1] ^ 1);
+    assert_eq!(agree(&table, MESH.open()), Some(Rule::L1));
+}
+
+/// An edge of a tetrahedron is cut open: two half-edges without twin side by side, parallel edges to the eye of T4.
+#[test]
+fn a_mesh_with_a_slit_is_planar_but_not_simple() {
+    let mut table = textbook_mesh(4, &TETRAHEDRON);
+    half_edge(&mut table, 0).twin = None;
+    half_edge(&mut table, 1).twin = None;
+    let expectation = Expectation::plane().without(Part::BoundaryComponents).without(Part::Holes).open();
+    let found = certificate(&table, expectation);
+    assert_eq!((found.vertices, found.edges, found.cycles, found.genus, found.bounds), (4, 7, 4, 0, None));
+    assert!(found.not_checked.contains(&(Rule::T4, Unchecked::NotSimple)));
+}
+
+/// One vertex and four loops, each pair crossing as on a torus: a = 0, b = 2, c = 4, d = 6 and one cycle.
+fn two_handles() -> Table {
+    map(1, &[(0, 3), (0, 2), (0, 4), (0, 1), (0, 7), (0, 6), (0, 0), (0, 5)], &[(Some(0), &[])])
+}
+
+#[test]
+fn surfaces_of_genus_1_and_2() {
+    let torus = mesh(
+        7,
+        &[0, 1, 2, 3, 4, 5, 6].map(|i| [[i, (i + 1) % 7, (i + 3) % 7], [i, (i + 3) % 7, (i + 2) % 7]]).concat(),
+    );
+    let plane = Expectation::plane().without(Part::Holes);
+    let surface = Expectation::surface();
+    let found = validate(&torus, &surface, Collect::All).certificate().unwrap();
+    assert_eq!((agree(&torus, surface), found.genus, found.faces), (None, 1, 14));
+    assert_eq!(agree(&torus, plane), Some(Rule::T3));
+    let double = two_handles();
+    assert_eq!(certificate(&double, surface).genus, 2);
+    let violation = Violation::Genus { vertex: 0, vertices: 1, edges: 4, cycles: 1, genus: 2 };
+    assert_eq!(violations(&double, plane), [violation]);
+}
+
+#[test]
+fn a_combinatorial_map_alone() {
+    let mut table = two_handles();
+    table.boundaries.clear();
+    table.faces.clear();
+    let surface = Expectation::surface().without(Part::Faces);
+    let found = certificate(&table, surface);
+    assert_eq!((found.edges, found.faces, found.cycles, found.genus), (4, 0, 1, 2));
+    let lacks = Unchecked::Lacks(Part::Faces);
+    let plane_only = [Rule::T1, Rule::T2, Rule::T4].map(|rule| (rule, Unchecked::PlaneOnly));
+    let expected =
+        [[Rule::B1, Rule::B2, Rule::F1, Rule::F2].map(|rule| (rule, lacks)).as_slice(), &plane_only].concat();
+    assert_eq!(found.not_checked, expected);
+    assert_eq!(agree(&table, Expectation::plane().without(Part::Faces)), Some(Rule::T3));
+}
+
+/// What is listed is more than the half-edges, of which there are none.
+#[test]
+fn nothing_but_isolated_vertices_in_either_form() {
+    let all: Vec<Start> = (0..9).map(Start::Vertex).collect();
+    let faces: [(Option<usize>, &[Start]); 1] = [(None, &all)];
+    for (table, expectation) in [
+        (map(9, &[], &faces), Expectation::plane()),
+        (map(9, &[], &faces), Expectation::plane().without(Part::Places)),
+        (textbook_map(9, &[], &faces), Expectation::plane().without(Part::BoundaryComponents)),
+    ] {
+        let found = certificate(&table, expectation);
+        assert_eq!((found.vertices, found.edges, found.faces, found.components), (9, 0, 1, 9));
+    }
+}
+
+/// A loop inside a loop, each with the half-edge 0, or 2, inside; face 1 is between, face 2 innermost.
+const LOOP_IN_LOOP: [(usize, usize); 4] = [(0, 0), (0, 1), (1, 2), (1, 3)];
+
+/// Half-edges 1 are outside everything, where there is no face, and the face between has a hole and an isolated vertex.
+#[test]
+fn an_open_outside_and_holes_inside() {
+    let faces: [(Option<usize>, &[Start]); 2] = [(Some(0), &[Start::HalfEdge(3), Start::Vertex(2)]), (Some(2), &[])];
+    for expectation in [Expectation::plane(), Expectation::plane().without(Part::BoundaryComponents)] {
+        let by_record = expectation.has(Part::BoundaryComponents);
+        let mut table = if by_record { map(3, &LOOP_IN_LOOP, &faces) } else { textbook_map(3, &LOOP_IN_LOOP, &faces) };
+        let found = certificate(&table, expectation.without(Part::UnboundedFace).open());
+        assert_eq!((found.components, found.faces, found.cycles), (3, 2, 4));
+        // Without any face for it, the outside needs no record of the unbounded face, but one may be there.
+        assert_eq!(agree(&table, expectation.open()), Some(Rule::F1));
+        table.faces.push(Some(FaceRow::default()));
+        assert_eq!(certificate(&table, expectation.open()).faces, 3);
+        assert_eq!(agree(&table, expectation), Some(Rule::R1));
+    }
+}
+
+/// Two triangles side by side, in the plane, whose half-edges on the border have no twins: there is no outside to be listed
+/// by any face.
+#[test]
+fn an_outside_without_half_edges() {
+    let mut table = textbook_mesh(4, &[[0, 1, 2], [0, 2, 3], [0, 3, 1], [1, 3, 2]]);
+    for h in 0..12 {
+        if half_edge(&mut table, h).face >= Some(2) {
+            table.half_edges[h] = None;
+            if let Some(twin) = table.half_edges[h ^ 1].as_mut() {
+                twin.twin = None;
+            }
+        }
+    }
+    table.faces.truncate(2);
+    for v in 0..4 {
+        let origin = |h: &usize| table.half_edges[*h].is_some_and(|row| row.origin == Some(v));
+        vertex(&mut table, v).leaving = (0..12).find(origin);
+    }
+    let expectation = Expectation::plane().without(Part::BoundaryComponents).without(Part::UnboundedFace).open();
+    let found = certificate(&table, expectation);
+    assert_eq!((found.vertices, found.edges, found.faces, found.components), (4, 5, 2, 1));
+    assert!(found.bounds.is_some(), "no two edges are parallel");
+}
+
+#[test]
+fn what_cannot_be_had_without_a_part_is_lacking_too() {
+    use Part::{BoundaryComponents, Faces, Holes, Leaving, Places, Prev, UnboundedFace};
+    const ALL: [Part; 7] = [Prev, Leaving, Faces, BoundaryComponents, Places, Holes, UnboundedFace];
+    for (part, lacking) in [
+        (Prev, &[Prev][..]),
+        (Leaving, &[Leaving]),
+        (Faces, &[Faces, BoundaryComponents, Places, Holes, UnboundedFace]),
+        (BoundaryComponents, &[BoundaryComponents, Places]),
+        (Places, &[Places]),
+        (Holes, &[Holes, UnboundedFace]),
+        (UnboundedFace, &[UnboundedFace]),
+    ] {
+        let expectation = Expectation::plane().without(part);
+        // Saying it twice changes nothing.
+        for expectation in [expectation, expectation.without(part)] {
+            let found: Vec<Part> = ALL.into_iter().filter(|other| !expectation.has(*other)).collect();
+            assert_eq!(found, lacking);
+        }
+    }
+}
+
+/// As on a sphere: both sides of the outer loop are bounded, so its component has no inner boundary component.
+#[test]
+fn no_unbounded_face_but_holes() {
+    let faces: [(Option<usize>, &[Start]); 3] = [(Some(1), &[]), (Some(0), &[Start::HalfEdge(3)]), (Some(2), &[])];
+    let mut table = map(3, &LOOP_IN_LOOP, &faces);
+    let expectation = Expectation::plane().without(Part::UnboundedFace);
+    // Vertex 2 lies in no face, so no boundary component starts at it.
+    assert_eq!(certificate(&table, expectation).isolated_vertices, 1);
+    assert_eq!(
+        violations(&table, Expectation::plane()),
+        [Violation::IsolatedUnclaimed { vertex: 2 }, Violation::NoUnboundedFace,]
+    );
+    // But it cannot name one.
+    vertex(&mut table, 2).isolated = Some(0);
+    assert_eq!(violations(&table, expectation), [Violation::IsolatedUnclaimed { vertex: 2 }]);
+    // And nothing lies inside itself.
+    vertex(&mut table, 2).isolated = None;
+    face(&mut table, 1).inner.clear();
+    face(&mut table, 2).inner.push(Some(2));
+    boundary(&mut table, 2).face = Some(2);
+    assert_eq!(violations(&table, expectation), [Violation::NestedInItself { vertex: 1, face: 2 }]);
+}
+
+#[test]
+fn what_a_structure_lacks_is_not_checked_and_said() {
+    let table = map(
+        3,
+        &LOOP_IN_LOOP,
+        &[(None, &[Start::HalfEdge(1)]), (Some(0), &[Start::HalfEdge(3), Start::Vertex(2)]), (Some(2), &[])],
+    );
+    let plane = Expectation::plane();
+    let not_simple = (Rule::T4, Unchecked::NotSimple);
+    assert_eq!(not_checked(&table, plane), [not_simple]);
+    // Each part, wrong in the table, is wrong only for those who have it.
+    let mut wrong = table.clone();
+    vertex(&mut wrong, 0).leaving = Some(2);
+    assert_eq!(agree(&wrong, plane), Some(Rule::V1));
+    assert_eq!(agree(&wrong, plane.without(Part::Leaving)), None);
+    let lacks = |rule, part| (rule, Unchecked::Lacks(part));
+    assert_eq!(not_checked(&wrong, plane.without(Part::Leaving)), [lacks(Rule::V1, Part::Leaving), not_simple]);
+    let mut wrong = table.clone();
+    boundary(&mut wrong, 3).place = None;
+    assert_eq!(agree(&wrong, plane), Some(Rule::F2));
+    assert_eq!(agree(&wrong, plane.without(Part::Places)), None);
+    let mut wrong = table;
+    half_edge(&mut wrong, 0).prev = Some(1);
+    assert_eq!(agree(&wrong, plane), Some(Rule::L2));
+    assert_eq!(agree(&wrong, plane.without(Part::Prev)), None);
+    let without_holes = map(1, &LOOP_IN_LOOP[..2], &[(Some(1), &[]), (Some(0), &[])]);
+    let holes = [Rule::B2, Rule::T1, Rule::T2].map(|rule| lacks(rule, Part::Holes));
+    let expected = [holes.as_slice(), &[not_simple]].concat();
+    assert_eq!(not_checked(&without_holes, plane.without(Part::Holes)), expected);
+}
+
+#[test]
+fn what_relies_on_a_broken_rule_is_not_checked_and_said() {
+    let faces: [(Option<usize>, &[Start]); 3] =
+        [(None, &[Start::HalfEdge(1)]), (Some(0), &[Start::HalfEdge(3)]), (Some(2), &[])];
+    let right = map(2, &LOOP_IN_LOOP, &faces);
+    let because = |broken, rules: &[Rule]| rules.iter().map(|r| (*r, Unchecked::Broken(broken))).collect::<Vec<_>>();
+    let after = |change: &dyn Fn(&mut Table)| {
+        let mut table = right.clone();
+        change(&mut table);
+        let report = validate(&table, &Expectation::plane(), Collect::All);
+        assert!(!report.is_valid());
+        assert_eq!(report.certificate(), None);
+        not_checked(&table, Expectation::plane()).into_iter().filter(|(_, why)| !why.is_by_design()).collect::<Vec<_>>()
+    };
+    let topology = [Rule::T1, Rule::T2, Rule::T3, Rule::T4];
+    let all_but_live = [[Rule::L1, Rule::L2, Rule::L3, Rule::V2, Rule::B1].as_slice(), &topology].concat();
+    assert_eq!(after(&|t| half_edge(t, 0).next = None), because(Rule::R1, &all_but_live));
+    assert_eq!(after(&|t| vertex(t, 0).leaving = None), because(Rule::R1, &[Rule::T1, Rule::T2]));
+    let all_but_links = [[Rule::V2].as_slice(), &topology].concat();
+    assert_eq!(after(&|t| half_edge(t, 0).twin = Some(0)), because(Rule::L1, &all_but_links));
+    let all_but_links = [[Rule::V2, Rule::B1].as_slice(), &topology].concat();
+    assert_eq!(after(&|t| half_edge(t, 0).prev = Some(1)), because(Rule::L2, &all_but_links));
+    assert_eq!(after(&|t| boundary(t, 0).start = Some(Start::HalfEdge(0))), because(Rule::B1, &[Rule::T1, Rule::T2]));
+    let in_itself = |t: &mut Table| {
+        (face(t, 0).outer, boundary(t, 0).place) = (Some(0), Some(twinedge::validate::BoundaryPlace::Outer));
+        face(t, 0).inner.clear();
+        t.faces.push(Some(FaceRow::default()));
+    };
+    assert_eq!(after(&in_itself), because(Rule::T1, &[Rule::T2]));
+}
+
+#[test]
+fn as_many_violations_are_kept_as_asked_for_and_all_are_counted() {
+    let mut table = textbook_mesh(4, &TETRAHEDRON);
+    for h in 0..12 {
+        half_edge(&mut table, h).prev = None;
+        half_edge(&mut table, h).face = Some(4);
+    }
+    let all = validate(&table, &MESH, Collect::All);
+    assert_eq!((all.violations().len(), all.violation_count()), (24, 24));
+    for kept in [0, 1, 5, 24, 25, usize::MAX] {
+        let some = validate(&table, &MESH, Collect::AtMost(kept));
+        assert_eq!(some.violations(), &all.violations()[..kept.min(24)]);
+        assert_eq!(some.violation_count(), 24);
+        assert!(some.outcomes().eq(all.outcomes()));
+        assert_eq!(some.to_string().contains("… and"), kept < 24);
+    }
+    let first = validate(&table, &MESH, Collect::First);
+    assert_eq!(first.violations(), &all.violations()[..1]);
+    assert_eq!(first.violation_count(), 1);
+    assert!(first.outcomes().skip(1).all(|(_, outcome)| outcome.unchecked == Some(Unchecked::Stopped)));
+}
+
+#[test]
+fn no_more_than_a_thousand_violations_are_kept_by_default() {
+    let table = Table { half_edges: vec![Some(twinedge::validate::HalfEdgeRow::default()); 1000], ..Table::default() };
+    let report = validate(&table, &Expectation::surface().without(Part::Faces), Collect::All);
+    assert_eq!((report.violations().len(), report.violation_count()), (Collect::DEFAULT_CAP, 4000));
+    assert!(report.to_string().ends_with("… and 3000 more\n"));
+}
+
+#[test]
+fn a_report_reads_as_sentences() {
+    let mut table = textbook_mesh(4, &TETRAHEDRON);
+    let right = validate(&table, &MESH, Collect::All).to_string();
+    for line in [
+        "R1 live      ok, 68 links",
+        "L1 twin      ok, 12 half-edges",
+        "B2 isolated  not checked: the structure has no lists of inner boundary components",
+        "T3 Euler     ok, 1 component",
+        "T4 bounds    not checked: a rule of the plane only",
+    ] {
+        assert!(right.lines().any(|found| found == line), "{right}");
+    }
+    half_edge(&mut table, 3).next = Some(99);
+    half_edge(&mut table, 5).twin = None;
+    let wrong = validate(&table, &MESH, Collect::All).to_string();
+    for part in [
+        "R1 live      BROKEN, 2 violations in 68 links\n",
+        "V2 rotation  not checked: needs R1, which is broken\n",
+        "R1: the next of half-edge 3 is 99, which is no live record: following it reads something else\n",
+        "R1: the twin of half-edge 5 is nil, but the record needs one\n",
+    ] {
+        assert!(wrong.contains(part), "{wrong}");
+    }
+    let (boundary, listed) = (3, BoundaryPlace::Inner(1));
+    let placed = |place| Violation::WrongPlace { boundary, place, listed };
+    let sentences = [
+        (placed(Some(BoundaryPlace::Inner(4))), "inner position 4"),
+        (placed(Some(BoundaryPlace::Outer)), "the outer one"),
+        (placed(None), "no place"),
+        (placed(None), "inner position 1"),
+        (Violation::TwinNotMutual { half_edge: 1, twin: 2, found: None }, "half-edge 1 has twin 2, whose twin is nil"),
+        (Violation::NoUnboundedFace, "one face of a plane is unbounded"),
+        (Violation::TooManyEdges { vertices: 5, edges: 10 }, "10 edges on 5 vertices, more than 3V − 6 = 9"),
+        (Violation::TooManyFaces { vertices: 1, faces: 9 }, "more than 2V − 4 = 0"),
+        (Violation::TooManyFaces { vertices: usize::MAX, faces: 9 }, "has 9 faces"),
+    ];
+    for (violation, part) in sentences {
+        assert!(violation.to_string().contains(part), "{violation}");
+    }
+}
+
+/// A view of a combinatorial map need answer five questions only; of the rest it says that there is nothing.
+#[test]
+fn what_a_view_does_not_answer_is_not_there() {
+    struct Digon;
+    impl View for Digon {
+        fn vertex_slots(&self) -> usize {
+            2
+        }
+        fn half_edge_slots(&self) -> usize {
+            4
+        }
+        fn origin(&self, half_edge: usize) -> Link {
+            Some(half_edge % 2)
+        }
+        fn twin(&self, half_edge: usize) -> Link {
+            Some(half_edge ^ 1)
+        }
+        fn next(&self, half_edge: usize) -> Link {
+            Some(3 - half_edge)
+        }
+    }
+    let expectation = Expectation::plane().without(Part::Faces).without(Part::Prev).without(Part::Leaving);
+    let found = validate(&Digon, &expectation, Collect::All);
+    let found = found.certificate().unwrap_or_else(|| panic!("{found}"));
+    assert_eq!((found.vertices, found.edges, found.cycles, found.components), (2, 2, 2, 1));
+
+    assert_eq!((Digon.boundary_slots(), Digon.face_slots()), (0, 0));
+    assert_eq!([0, 1, 2, usize::MAX].map(|v| Digon.is_vertex(v)), [true, true, false, false]);
+    assert_eq!([0, 3, 4, usize::MAX].map(|h| Digon.is_half_edge(h)), [true, true, false, false]);
+    assert_eq!([0, 1].map(|i| (Digon.is_boundary(i), Digon.is_face(i))), [(false, false); 2]);
+    assert_eq!((Digon.prev(0), Digon.boundary(0), Digon.face(0)), (None, None, None));
+    assert_eq!((Digon.leaving(0), Digon.isolated(0)), (None, None));
+    assert_eq!((Digon.boundary_face(0), Digon.boundary_start(0), Digon.boundary_place(0)), (None, None, None));
+    assert_eq!((Digon.outer(0), Digon.inner_count(0), Digon.inner(0, 0)), (None, 0, None));
+    assert_eq!((Digon.outer_half_edge(0), Digon.inner_start(0, 0)), (None, None));
+}
+
+/// Where nothing else is said, no slot is vacant.
+#[test]
+fn every_slot_of_a_view_is_live_unless_it_says_otherwise() {
+    struct Slots;
+    impl View for Slots {
+        fn vertex_slots(&self) -> usize {
+            1
+        }
+        fn half_edge_slots(&self) -> usize {
+            2
+        }
+        fn boundary_slots(&self) -> usize {
+            3
+        }
+        fn face_slots(&self) -> usize {
+            4
+        }
+        fn origin(&self, _: usize) -> Link {
+            None
+        }
+        fn twin(&self, _: usize) -> Link {
+            None
+        }
+        fn next(&self, _: usize) -> Link {
+            None
+        }
+    }
+    let live = |is_live: &dyn Fn(usize) -> bool| (0..10).filter(|i| is_live(*i)).count();
+    assert_eq!(live(&|i| Slots.is_vertex(i)), 1);
+    assert_eq!(live(&|i| Slots.is_half_edge(i)), 2);
+    assert_eq!(live(&|i| Slots.is_boundary(i)), 3);
+    assert_eq!(live(&|i| Slots.is_face(i)), 4);
+}

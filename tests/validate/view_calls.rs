@@ -1,0 +1,190 @@
+//! How often the validator asks: on a valid structure with all parts, no question more than the fast path needs.
+//!
+//! These are bounds on work that do not depend on any clock.
+
+use crate::support::nested::{PLANE, TEXTBOOK, nested, nested_textbook};
+use crate::support::opinions::{agree, broken};
+use crate::support::tables::{half_edge, map, mesh};
+use crate::support::watched::Watched;
+use twinedge::validate::{Collect, Expectation, Part, Rule, Start, Table, Violation, validate};
+
+/// How often a valid table is asked for the twin, next and prev of its half-edges.
+fn questions(table: &Table, expectation: Expectation) -> [usize; 3] {
+    let view = Watched::new(table);
+    let report = validate(&view, &expectation, Collect::All);
+    assert!(report.is_valid(), "{report}");
+    assert_eq!(report.to_string(), validate(table, &expectation, Collect::All).to_string());
+    [view.twin.get(), view.next.get(), view.prev.get()]
+}
+
+/// The second half of the vertices, edges, boundary components and faces, and all that hangs on them, moved up by one slot,
+/// which is vacant.
+fn with_vacant_slots(table: &Table) -> Table {
+    let (v, h, b, f) =
+        (table.vertices.len() / 2, table.half_edges.len() / 2, table.boundaries.len() / 2, table.faces.len() / 2);
+    let up = |slot: usize, from: usize| slot + usize::from(slot >= from);
+    let mut moved = table.clone();
+    for row in moved.vertices.iter_mut().flatten() {
+        row.leaving = row.leaving.map(|to| up(to, h));
+        row.isolated = row.isolated.map(|to| up(to, b));
+    }
+    for row in moved.half_edges.iter_mut().flatten() {
+        row.origin = row.origin.map(|to| up(to, v));
+        row.boundary = row.boundary.map(|to| up(to, b));
+        for link in [&mut row.twin, &mut row.next, &mut row.prev] {
+            *link = link.map(|to| up(to, h));
+        }
+    }
+    for row in moved.boundaries.iter_mut().flatten() {
+        row.face = row.face.map(|to| up(to, f));
+        row.start = row.start.map(|start| match start {
+            Start::HalfEdge(to) => Start::HalfEdge(up(to, h)),
+            Start::Vertex(to) => Start::Vertex(up(to, v)),
+        });
+    }
+    for row in moved.faces.iter_mut().flatten() {
+        for link in std::iter::once(&mut row.outer).chain(&mut row.inner) {
+            *link = link.map(|to| up(to, b));
+        }
+    }
+    moved.vertices.insert(v, None);
+    moved.half_edges.insert(h, None);
+    moved.boundaries.insert(b, None);
+    moved.faces.insert(f, None);
+    moved
+}
+
+/// A valid map asks for each twin three times, once around its vertex and twice along its cycle, for each next twice, and
+/// for each prev once.
+#[test]
+fn a_valid_map_is_walked_around_once_and_along_once() {
+    use Start::{HalfEdge, Vertex};
+    let triangle = [(0, 2), (1, 5), (1, 4), (2, 1), (2, 0), (0, 3)];
+    let mut two_triangles = triangle.to_vec();
+    two_triangles.extend(triangle.map(|(origin, next)| (origin + 3, next + 6)));
+    let all: [(&str, Table); 11] = [
+        ("the empty map", map(0, &[], &[(None, &[])])),
+        ("an isolated vertex", map(1, &[], &[(None, &[Vertex(0)])])),
+        ("an edge", map(2, &[(0, 1), (1, 0)], &[(None, &[HalfEdge(0)])])),
+        ("a loop", map(1, &[(0, 0), (0, 1)], &[(None, &[HalfEdge(0)]), (Some(1), &[])])),
+        ("a triangle", map(3, &triangle, &[(None, &[HalfEdge(1)]), (Some(0), &[])])),
+        (
+            "a triangle, and isolated vertices on both sides",
+            map(5, &triangle, &[(None, &[HalfEdge(1), Vertex(4)]), (Some(0), &[Vertex(3)])]),
+        ),
+        (
+            "two triangles side by side",
+            map(6, &two_triangles, &[(None, &[HalfEdge(1), HalfEdge(7)]), (Some(0), &[]), (Some(6), &[])]),
+        ),
+        (
+            "a triangle in the hole of another",
+            map(6, &two_triangles, &[(None, &[HalfEdge(1)]), (Some(0), &[HalfEdge(7)]), (Some(6), &[])]),
+        ),
+        (
+            "three edges and three isolated vertices",
+            map(
+                9,
+                &[(0, 1), (1, 0), (3, 3), (4, 2), (6, 5), (7, 4)],
+                &[(None, &[HalfEdge(0), Vertex(2), HalfEdge(2), Vertex(5), HalfEdge(4), Vertex(8)])],
+            ),
+        ),
+        ("two parallel edges", map(2, &[(0, 3), (1, 2), (0, 1), (1, 0)], &[(None, &[HalfEdge(1)]), (Some(0), &[])])),
+        (
+            "two loops at a vertex",
+            map(1, &[(0, 0), (0, 3), (0, 2), (0, 1)], &[(None, &[HalfEdge(1)]), (Some(0), &[]), (Some(2), &[])]),
+        ),
+    ];
+    for (name, table) in all {
+        for table in [with_vacant_slots(&table), table] {
+            let n = table.half_edges.iter().flatten().count();
+            assert_eq!(questions(&table, Expectation::plane()), [3 * n, 2 * n, n], "{name}");
+        }
+    }
+}
+
+#[test]
+fn a_valid_surface_is_walked_around_once_and_along_once() {
+    let tetrahedron = mesh(4, &[[0, 1, 2], [0, 2, 3], [0, 3, 1], [1, 3, 2]]);
+    // Seven vertices, all joined: Möbius' torus.
+    let torus = mesh(
+        7,
+        &(0..7).flat_map(|i| [[i, i + 1, i + 3], [i, i + 3, i + 2]].map(|t| t.map(|v| v % 7))).collect::<Vec<_>>(),
+    );
+    for table in [&tetrahedron, &torus, &with_vacant_slots(&torus)] {
+        let n = table.half_edges.iter().flatten().count();
+        assert_eq!(questions(table, Expectation::surface()), [3 * n, 2 * n, n]);
+    }
+}
+
+/// Without a part there is no fast path, and each rule asks for itself. Vacant slots make no difference.
+#[test]
+fn what_lacks_parts_is_asked_more_often() {
+    let edge = map(2, &[(0, 1), (1, 0)], &[(None, &[Start::HalfEdge(0)])]);
+    for table in [edge, nested()] {
+        let vacant = with_vacant_slots(&table);
+        let n = table.half_edges.len();
+        for part in [Part::Prev, Part::Leaving, Part::Places] {
+            let expectation = PLANE.without(part);
+            let [twin, next, prev] = questions(&table, expectation);
+            assert!(twin > 3 * n && next > 2 * n, "{part:?}: {twin} {next}");
+            assert_eq!(prev > n, part != Part::Prev, "{part:?}: {prev}");
+            questions(&vacant, expectation);
+            let counts = |table: &Table| *validate(table, &expectation, Collect::All).counts();
+            assert_eq!(counts(&vacant), counts(&table));
+        }
+    }
+}
+
+/// No list is read further than twice the number of records and a little, whatever its face claims.
+#[test]
+fn a_list_that_never_ends_is_cut_short() {
+    let table = map(1, &[(0, 0), (0, 1)], &[(None, &[Start::HalfEdge(1)]), (Some(0), &[])]);
+    let view = Watched::claiming(&table, |_| Some(usize::MAX));
+    let expectation = PLANE.without(Part::Prev).without(Part::Leaving).without(Part::Places);
+    let report = validate(&view, &expectation, Collect::All);
+    assert!(report.violations().contains(&Violation::ListTooLong { face: 0, claimed: usize::MAX }));
+    assert_eq!(broken(&report), [Rule::R1, Rule::F2]);
+    // Two records: 2 · 2 + 16 entries, once for R1 and once for F2.
+    assert_eq!(view.inner.get(), 2 * 20);
+}
+
+/// Each rule that reads the lists keeps to that bound, also where a list is said to be longer once another rule has read it.
+#[test]
+fn a_list_that_grows_is_cut_short() {
+    // Places are left out, so that the fast path gives up.
+    for (table, expectation) in [(nested(), PLANE.without(Part::Places)), (nested_textbook(), TEXTBOOK)] {
+        let honest = Watched::new(&table);
+        assert!(validate(&honest, &expectation, Collect::All).is_valid());
+        let records = if expectation.has(Part::BoundaryComponents) { 5 } else { 12 + 7 };
+        for honest_answers in 0..=honest.inner_count.get() {
+            let view = Watched::claiming(&table, |asked| (asked > honest_answers).then_some(usize::MAX));
+            let _ = validate(&view, &expectation, Collect::All);
+            // R1, B (where there are no records for boundary components), F2 and T1 read the lists.
+            assert!(view.inner.get() <= 4 * (2 * records + 16), "{honest_answers}: {}", view.inner.get());
+        }
+    }
+}
+
+/// Half-edges of which each leaves a vertex of its own, although turning around any of these meets them all.
+fn one_rotation(half_edges: usize) -> Table {
+    let starts: Vec<(usize, usize)> = (0..half_edges).map(|h| (h, ((h ^ 1) + 1) % half_edges)).collect();
+    map(half_edges, &starts, &[(None, &[Start::HalfEdge(0)])])
+}
+
+#[test]
+fn one_rotation_is_not_walked_around_from_every_vertex() {
+    let table = one_rotation(200);
+    let view = Watched::new(&table);
+    let report = validate(&view, &PLANE, Collect::All);
+    assert!(!report.is_valid());
+    assert!(view.twin.get() + view.next.get() <= 20 * 200, "{} + {}", view.twin.get(), view.next.get());
+}
+
+/// Vertices 0 and 1 claim the same rotation of two half-edges, of three.
+#[test]
+fn a_rotation_that_two_vertices_claim_leaves_room_for_no_third() {
+    let mut table = map(3, &[(0, 0), (1, 1), (2, 2)], &[(None, &[Start::HalfEdge(0)])]);
+    half_edge(&mut table, 2).twin = Some(2);
+    // Two half-edges have no boundary component, either.
+    assert_eq!(agree(&table, PLANE), Some(Rule::R1));
+}

@@ -1,0 +1,241 @@
+//! Corrupting tables and asking a validator and the reference.
+
+use super::outcome::Tally;
+use super::specimen::{Corruption, Form, Specimen};
+use super::watch::{HUNG, Watch, Watched, lock};
+use crate::panics::catch;
+use crate::random::Random;
+use crate::rows::{MOST_FINDINGS, add_findings};
+use crate::run::Run;
+use crate::verdict::{Checker, Verdict, in_words};
+use std::collections::BTreeMap;
+use std::sync::{Arc, Mutex};
+use std::time::Duration;
+use twinedge::validate::enumerate::{Cell, for_each_corruption};
+use twinedge::validate::reference::first_broken_rule;
+use twinedge::validate::{Rule, Table};
+
+/// What was found.
+#[derive(Clone, Debug, Default)]
+pub(super) struct Judged {
+    /// Maps of which all single corruptions were judged, in all forms.
+    pub(super) maps: usize,
+    /// All single corruptions.
+    pub(super) fields: BTreeMap<(Form, &'static str), Tally>,
+    /// All pairs of corruptions of the smallest maps.
+    pub(super) small_pairs: Tally,
+    /// Pairs that were sampled.
+    pub(super) pairs: Tally,
+    /// How often each rule was the first broken one, by the reference.
+    pub(super) first_broken: BTreeMap<Rule, u64>,
+    /// Validations that took very long.
+    pub(super) hung: u64,
+    /// Validations that panicked.
+    pub(super) panics: u64,
+    /// The first disagreements.
+    pub(super) findings: Vec<String>,
+}
+
+impl Judged {
+    fn add(&mut self, other: &Self) {
+        self.maps += other.maps;
+        for (field, tally) in &other.fields {
+            self.fields.entry(*field).or_default().add(tally);
+        }
+        self.small_pairs.add(&other.small_pairs);
+        self.pairs.add(&other.pairs);
+        for (rule, count) in &other.first_broken {
+            *self.first_broken.entry(*rule).or_default() += count;
+        }
+        self.hung += other.hung;
+        self.panics += other.panics;
+        add_findings(&mut self.findings, &other.findings);
+    }
+}
+
+/// What all threads share.
+pub(super) struct Court<'a> {
+    checker: &'a dyn Checker,
+    run: &'a Run<'a>,
+    watch: &'a Watch<Corruption<'a>>,
+    judged: Mutex<Vec<Arc<Mutex<Judged>>>>,
+}
+
+impl<'a> Court<'a> {
+    pub(super) const fn new(checker: &'a dyn Checker, run: &'a Run<'a>, watch: &'a Watch<Corruption<'a>>) -> Self {
+        Self { checker, run, watch, judged: Mutex::new(Vec::new()) }
+    }
+
+    /// What all threads found so far. Threads may be at work.
+    pub(super) fn judged(&self) -> Judged {
+        let mut all = Judged::default();
+        lock(&self.judged).iter().for_each(|judged| all.add(&lock(judged)));
+        all
+    }
+}
+
+/// One thread that asks the validator and the reference.
+pub(super) struct Judge<'a> {
+    court: &'a Court<'a>,
+    watched: Arc<Watched<Corruption<'a>>>,
+    judged: Arc<Mutex<Judged>>,
+}
+
+impl<'a> Judge<'a> {
+    pub(super) fn new(court: &'a Court<'a>) -> Self {
+        let judged = Arc::new(Mutex::new(Judged::default()));
+        lock(&court.judged).push(judged.clone());
+        Self { court, watched: court.watch.thread(), judged }
+    }
+
+    fn is_stopped(&self) -> bool {
+        self.court.run.is_stopped()
+    }
+
+    /// All single corruptions of a map in all its forms, and all pairs if it is one of the smallest.
+    pub(super) fn corrupt(&self, map: &'a [Specimen]) {
+        for specimen in map {
+            self.corrupt_once(specimen);
+            if specimen.is_smallest {
+                self.corrupt_twice(specimen);
+            }
+        }
+        if !map.is_empty() && !self.is_stopped() {
+            lock(&self.judged).maps += 1;
+        }
+    }
+
+    fn corrupt_once(&self, specimen: &'a Specimen) {
+        for_each_corruption(&mut specimen.table.clone(), &specimen.expectation, |table, cell, value| {
+            if self.is_stopped() {
+                return;
+            }
+            let tally = self.compare(Corruption::new(specimen, &[(cell, value)]), table);
+            lock(&self.judged).fields.entry((specimen.form, field(cell))).or_default().add(&tally);
+        });
+    }
+
+    /// Some faults of a validator show in no single corruption. For example, a half-edge that becomes its own twin is no longer
+    /// that of its former twin, which breaks the same rule, unless the former twin becomes its own twin as well.
+    fn corrupt_twice(&self, specimen: &'a Specimen) {
+        let expectation = specimen.expectation;
+        for_each_corruption(&mut specimen.table.clone(), &expectation, |once, first, value| {
+            for_each_corruption(&mut once.clone(), &expectation, |twice, second, other| {
+                if first < second && !self.is_stopped() {
+                    let corruption = Corruption::new(specimen, &[(first, value), (second, other)]);
+                    let tally = self.compare(corruption, twice);
+                    lock(&self.judged).small_pairs.add(&tally);
+                }
+            });
+        });
+    }
+
+    /// Pairs of corruptions of random maps and fields: those with this number among the streams of a seed.
+    pub(super) fn corrupt_pairs(&self, specimens: &[&'a Specimen], seed: u64, stream: u64, count: u32) {
+        let mut random = Random::new(seed, stream);
+        for _ in 0..count {
+            let Some(specimen) = specimens.get(random.below(specimens.len())).filter(|_| !self.is_stopped()) else {
+                return;
+            };
+            let mut table = specimen.table.clone();
+            let mut cells = table.cells(&specimen.expectation);
+            let mut changes = Vec::new();
+            while changes.len() < 2 && !cells.is_empty() {
+                let cell = cells.swap_remove(random.below(cells.len()));
+                let values = table.values(cell);
+                let Some(value) = values.get(random.below(values.len())) else { continue };
+                if table.set(cell, *value) != Some(*value) {
+                    changes.push((cell, *value));
+                }
+            }
+            let tally = self.compare(Corruption::new(specimen, &changes), &table);
+            lock(&self.judged).pairs.add(&tally);
+        }
+    }
+
+    /// Asks the validator and the reference, and notes where they differ.
+    fn compare(&self, corruption: Corruption<'a>, table: &Table) -> Tally {
+        let (checker, expectation) = (self.court.checker, &corruption.specimen.expectation);
+        let (answer, time) = self.watched.time(corruption, || catch(|| checker.check(table, expectation)));
+        if let Ok(verdict) = answer {
+            checker.checked(table, expectation, verdict);
+        }
+        let broken = first_broken_rule(table, expectation);
+        let tally = tally(&answer, broken, time);
+        let mut judged = lock(&self.judged);
+        if let Some(rule) = broken {
+            *judged.first_broken.entry(rule).or_default() += 1;
+        }
+        judged.hung += u64::from(time > HUNG);
+        judged.panics += u64::from(answer.is_err());
+        let is_wrong = tally.disagreements() > 0 || time > HUNG || answer.is_err();
+        if is_wrong && judged.findings.len() < MOST_FINDINGS {
+            let validator = match answer {
+                Err(panic) => format!("panics: {panic}"),
+                Ok(_) if time > HUNG => format!("takes {:.1} s", time.as_secs_f64()),
+                Ok(verdict) => format!("takes it for {verdict}"),
+            };
+            judged.findings.push(format!("{}, and the validator {validator}: {corruption}", in_words(broken)));
+        }
+        tally
+    }
+}
+
+/// What became of one corruption: `answer` is what the validator says, or the message if it panics; `broken` is the first broken
+/// rule by the reference.
+fn tally(answer: &Result<Verdict, String>, broken: Option<Rule>, time: Duration) -> Tally {
+    let (alarm, named) = match *answer {
+        Ok(verdict) => (verdict.is_alarm(), verdict.broken),
+        Err(_) => (false, None),
+    };
+    let wrong = broken.is_some();
+    Tally {
+        corruptions: 1,
+        wrong: wrong.into(),
+        caught: (wrong && alarm).into(),
+        missed: (wrong && !alarm).into(),
+        false_alarms: (!wrong && alarm).into(),
+        other_rule: (wrong && alarm && named != broken).into(),
+        slowest: time,
+    }
+}
+
+/// The kind of field that a cell is.
+const fn field(cell: Cell) -> &'static str {
+    match cell {
+        Cell::Origin(_) => "half-edge: origin",
+        Cell::Twin(_) => "half-edge: twin",
+        Cell::Next(_) => "half-edge: next",
+        Cell::Prev(_) => "half-edge: prev",
+        Cell::Boundary(_) => "half-edge: boundary",
+        Cell::Face(_) => "half-edge: face",
+        Cell::Leaving(_) => "vertex: leaving",
+        Cell::Isolated(_) => "vertex: isolated",
+        Cell::BoundaryFace(_) => "boundary: face",
+        Cell::BoundaryStart(_) => "boundary: start",
+        Cell::BoundaryPlace(_) => "boundary: place",
+        Cell::Outer(_) => "face: outer",
+        Cell::Inner(..) => "face: inner",
+        Cell::OuterHalfEdge(_) => "face: outer half-edge",
+        Cell::InnerStart(..) => "face: inner start",
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn each_way_to_differ_is_counted_by_itself() {
+        let tally = |valid, named, broken| tally(&Ok(Verdict { valid, broken: named }), broken, Duration::ZERO);
+        let same = tally(false, Some(Rule::L1), Some(Rule::L1));
+        assert_eq!((same.caught, same.other_rule, same.disagreements()), (1, 0, 0));
+        let other = tally(false, Some(Rule::L3), Some(Rule::L1));
+        assert_eq!((other.caught, other.other_rule, other.disagreements()), (1, 1, 1));
+        let unnamed = tally(false, None, Some(Rule::L1));
+        assert_eq!((unnamed.caught, unnamed.other_rule), (1, 1));
+        assert_eq!(tally(true, None, Some(Rule::L1)).missed, 1);
+        assert_eq!(tally(false, Some(Rule::L1), None).false_alarms, 1);
+        assert_eq!(tally(true, None, None).disagreements(), 0);
+    }
+}

@@ -1,0 +1,155 @@
+//! All single corruptions of all small maps, and pairs of them.
+//!
+//! The maps are all planar subdivisions of up to N edges and N + 1 vertices: of one component or several, nested, with isolated
+//! vertices. The structure makes them; their tables are taken in two forms, with records for boundary components and as in
+//! textbooks. Every field is set to nil, to every slot of the kind of record that it leads to (one of them vacant), to the slot
+//! past the end, and to the largest number.
+//!
+//! The reference decides what is wrong, and by which rule first; the validator must say the same. Then pairs of such corruptions
+//! follow: all of them on the maps with at most one edge and two vertices, and a sample of them on all maps.
+//!
+//! T1 to T4 are never the first broken rule: T4 follows from the others, and to break T1, T2 or T3 and no rule before takes more
+//! than two fields. [`tables()`](crate::tables()) does that.
+
+mod judge;
+mod outcome;
+mod specimen;
+mod watch;
+mod work;
+
+pub use outcome::{CorruptOutcome, FieldRow, RuleRow, SampledPairs, Tally};
+pub use specimen::Form;
+pub use watch::HUNG;
+pub use work::CorruptWork;
+
+use crate::error::StructureError;
+use crate::rows::MOST_FINDINGS;
+use crate::run::Run;
+use crate::structure::Structure;
+use crate::verdict::Checker;
+use judge::{Court, Judge, Judged};
+use specimen::{Corruption, Specimen};
+use twinedge::program::Subject;
+use twinedge::program::census::{Census, Scope};
+use twinedge::validate::Rule;
+use watch::Watch;
+
+/// How many pairs are one piece of the work.
+const PAIRS_OF_A_PIECE: u32 = 1000;
+
+/// Maps, each in all its forms, and why some of them were not made.
+struct Specimens {
+    /// Empty where the structure does not make the map.
+    maps: Vec<Vec<Specimen>>,
+    findings: Vec<(usize, String)>,
+}
+
+/// Sets every field of every small map of a structure to every other value, and compares a validator with the reference.
+///
+/// A validation that takes longer than [`HUNG`] counts as hung. One that does not return within a minute cannot be stopped: then
+/// `hangs` is called with what was found so far. It should end the process, as [`abort`] does; the call never returns otherwise.
+///
+/// Time and memory grow about twelvefold with each edge; [`CorruptWork::estimate`] tells how much there is.
+///
+/// # Errors
+/// [`StructureError`], if maps of this structure cannot be told apart.
+///
+/// # Examples
+/// ```
+/// use twinedge::program::RotationSystem;
+/// use twinedge_trials::corrupt::{CorruptWork, abort};
+/// use twinedge_trials::{Outcome, Run, Structure, Validator, corrupt};
+/// let mine = Structure::new("mine", RotationSystem::new, RotationSystem::expectation());
+/// let work = CorruptWork { edges: 1, pairs: 100, seed: 1 };
+/// let outcome = corrupt(&mine, work, &Validator, &Run::default(), &abort)?.into_result()?;
+/// assert!(outcome.fields.iter().all(|row| row.tally.caught == row.tally.wrong));
+/// # Ok::<(), Box<dyn std::error::Error>>(())
+/// ```
+pub fn corrupt<K: Subject>(
+    structure: &Structure<K>,
+    work: CorruptWork,
+    checker: &dyn Checker,
+    run: &Run<'_>,
+    hangs: &(dyn Fn(&CorruptOutcome) + Sync),
+) -> Result<CorruptOutcome, StructureError> {
+    structure.can_be_told_apart()?;
+    let specimens = collect(structure, work.edges, run);
+    let maps: Vec<&[Specimen]> = run.part().numbers(specimens.maps.len()).map(|i| &*specimens.maps[i]).collect();
+    let all: Vec<&Specimen> = specimens.maps.iter().flatten().collect();
+    let pieces: Vec<usize> = run.part().numbers(work.pairs.div_ceil(PAIRS_OF_A_PIECE) as usize).collect();
+    let watch = Watch::new();
+    let court = Court::new(checker, run, &watch);
+    let judge_all = || {
+        let judge = || Judge::new(&court);
+        drop(run.each("corruptions", maps.len(), judge, |judge, number| judge.corrupt(maps[number])));
+        drop(run.each("pairs of corruptions", pieces.len(), judge, |judge, number| {
+            let piece = pieces[number];
+            let count = PAIRS_OF_A_PIECE.min(work.pairs - piece as u32 * PAIRS_OF_A_PIECE);
+            judge.corrupt_pairs(&all, work.seed, piece as u64, count);
+        }));
+    };
+    let found = |hanging| summarize(structure.name(), work, run, &specimens, court.judged(), hanging);
+    watch.during(judge_all, |corruption| hangs(&found(Some(corruption))));
+    Ok(found(None))
+}
+
+/// Prints to standard error which validation does not return, and aborts the process: for tests.
+pub fn abort(outcome: &CorruptOutcome) {
+    eprintln!("{}", outcome.findings.first().map_or("a validation does not return", String::as_str));
+    std::process::abort();
+}
+
+/// All maps in all their forms. The programs that make them come from a census of the library's own structure.
+fn collect<K: Subject>(structure: &Structure<K>, edges: usize, run: &Run<'_>) -> Specimens {
+    run.reporter().begin("maps", None);
+    let mut specimens = Specimens { maps: Vec::new(), findings: Vec::new() };
+    let census = Census::new(Scope::Subdivisions { edges, vertices: edges + 1 });
+    for (number, found) in census.take_while(|_| !run.is_stopped()).enumerate() {
+        match Specimen::all(structure, &found.program) {
+            Ok(map) => specimens.maps.push(map),
+            Err(why) => {
+                specimens.maps.push(Vec::new());
+                specimens.findings.push((number, why));
+            }
+        }
+        run.reporter().advance();
+    }
+    run.reporter().end();
+    specimens
+}
+
+fn summarize(
+    on: &str,
+    work: CorruptWork,
+    run: &Run<'_>,
+    specimens: &Specimens,
+    judged: Judged,
+    hanging: Option<Corruption<'_>>,
+) -> CorruptOutcome {
+    let unusable = specimens.findings.iter().filter(|(number, _)| run.part().has(*number as u64));
+    let unusable: Vec<String> = unusable.map(|(_, why)| format!("the structure does not make a map: {why}")).collect();
+    let hangs = hanging.map(|corruption| format!("the validator does not return: {corruption}"));
+    let rules = Rule::ALL.iter().filter(|rule| !rule.is_geometric());
+    let rule_row = |rule: &Rule| RuleRow { rule: *rule, wrong: judged.first_broken.get(rule).copied().unwrap_or(0) };
+    let field_row = |((form, field), tally): (&(Form, &str), &Tally)| FieldRow {
+        form: *form,
+        field: (*field).to_owned(),
+        tally: *tally,
+    };
+    CorruptOutcome {
+        work,
+        on: on.to_owned(),
+        shard: run.part(),
+        maps: judged.maps,
+        maps_found: specimens.maps.len(),
+        unusable: unusable.len(),
+        fields: judged.fields.iter().map(field_row).collect(),
+        small_pairs: judged.small_pairs,
+        pairs: SampledPairs { seed: work.seed, tally: judged.pairs },
+        first_broken: rules.map(rule_row).collect(),
+        hung: judged.hung + u64::from(hangs.is_some()),
+        panics: judged.panics,
+        findings: hangs.into_iter().chain(unusable).chain(judged.findings).take(MOST_FINDINGS).collect(),
+        interrupted: run.is_stopped(),
+    }
+}

@@ -1,0 +1,216 @@
+//! What `corrupt` found.
+
+use super::specimen::Form;
+use super::work::CorruptWork;
+use crate::rows::{INTERRUPTED, add_findings};
+use crate::shard::Shard;
+use crate::sum::Outcome;
+use std::time::Duration;
+use twinedge::validate::Rule;
+
+/// What [`corrupt()`](crate::corrupt()) found.
+#[derive(Clone, Debug, PartialEq, Eq)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
+#[non_exhaustive]
+pub struct CorruptOutcome {
+    /// The work.
+    pub work: CorruptWork,
+    /// The structure whose tables were corrupted.
+    pub on: String,
+    /// Which part of the work.
+    pub shard: Shard,
+    /// Maps of which all single corruptions were judged, in all forms.
+    pub maps: usize,
+    /// Maps that there are, in all parts of the work.
+    pub maps_found: usize,
+    /// Maps that the structure did not make.
+    pub unusable: usize,
+    /// All single corruptions, by the form of the table and the field.
+    pub fields: Vec<FieldRow>,
+    /// All pairs of corruptions of the smallest maps.
+    pub small_pairs: Tally,
+    /// Pairs that were sampled.
+    pub pairs: SampledPairs,
+    /// How often each rule was the first broken one, by the reference.
+    pub first_broken: Vec<RuleRow>,
+    /// Validations that took longer than a second, or did not return.
+    pub hung: u64,
+    /// Validations that panicked.
+    pub panics: u64,
+    /// The first disagreements. All are counted.
+    pub findings: Vec<String>,
+    /// Whether the run was stopped before its end.
+    pub interrupted: bool,
+}
+
+/// What became of some corruptions.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
+pub struct Tally {
+    /// How many there were.
+    pub corruptions: u64,
+    /// Wrong by the reference.
+    pub wrong: u64,
+    /// Wrong, and the validator says so.
+    pub caught: u64,
+    /// Wrong, and the validator does not say so.
+    pub missed: u64,
+    /// Right, and the validator says that they are wrong.
+    pub false_alarms: u64,
+    /// Caught, but the validator names another rule as the first broken one.
+    pub other_rule: u64,
+    /// The longest time of a validation.
+    #[cfg_attr(feature = "serde", serde(rename = "slowest_us", with = "micros"))]
+    pub slowest: Duration,
+}
+
+/// A field and what became of its corruptions.
+#[derive(Clone, Debug, PartialEq, Eq)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
+pub struct FieldRow {
+    /// The form of the table.
+    pub form: Form,
+    /// The field.
+    pub field: String,
+    /// What became of its corruptions.
+    #[cfg_attr(feature = "serde", serde(flatten))]
+    pub tally: Tally,
+}
+
+/// Pairs of corruptions that were sampled.
+#[derive(Clone, Debug, PartialEq, Eq)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
+pub struct SampledPairs {
+    /// The seed of the sample.
+    pub seed: u64,
+    /// What became of them.
+    #[cfg_attr(feature = "serde", serde(flatten))]
+    pub tally: Tally,
+}
+
+/// How often a rule was the first broken one.
+#[derive(Clone, Debug, PartialEq, Eq)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
+pub struct RuleRow {
+    /// The rule.
+    #[cfg_attr(feature = "serde", serde(with = "rule_id"))]
+    pub rule: Rule,
+    /// How many wrong tables.
+    pub wrong: u64,
+}
+
+impl Tally {
+    pub(super) fn add(&mut self, other: &Self) {
+        self.corruptions += other.corruptions;
+        self.wrong += other.wrong;
+        self.caught += other.caught;
+        self.missed += other.missed;
+        self.false_alarms += other.false_alarms;
+        self.other_rule += other.other_rule;
+        self.slowest = self.slowest.max(other.slowest);
+    }
+
+    /// How often the validator and the reference differ.
+    #[must_use]
+    pub const fn disagreements(&self) -> u64 {
+        self.missed + self.false_alarms + self.other_rule
+    }
+}
+
+impl CorruptOutcome {
+    fn tallies(&self) -> impl Iterator<Item = &Tally> {
+        self.fields.iter().map(|row| &row.tally).chain([&self.small_pairs, &self.pairs.tally])
+    }
+}
+
+impl Outcome for CorruptOutcome {
+    type Work = (String, CorruptWork);
+
+    fn work(&self) -> Self::Work {
+        (self.on.clone(), self.work)
+    }
+
+    fn shard(&self) -> Shard {
+        self.shard
+    }
+
+    fn is_interrupted(&self) -> bool {
+        self.interrupted
+    }
+
+    fn reasons(&self) -> Vec<String> {
+        let mut reasons = Vec::new();
+        if self.interrupted {
+            reasons.push(INTERRUPTED.to_owned());
+        }
+        let counts = [
+            ("maps that the structure did not make", self.unusable as u64),
+            ("tables on which validator and reference differ", self.tallies().map(Tally::disagreements).sum()),
+            ("validations that hung", self.hung),
+            ("validations that panicked", self.panics),
+        ];
+        let counts = counts.into_iter().filter(|(_, count)| *count > 0);
+        reasons.extend(counts.map(|(what, count)| format!("{what}: {count}")));
+        if self.shard.is_whole() && !self.interrupted && self.tallies().all(|tally| tally.caught == 0) {
+            reasons.push("no wrong table was caught".to_owned());
+        }
+        reasons.extend(self.findings.iter().cloned());
+        reasons
+    }
+
+    fn absorb(&mut self, other: &Self) {
+        self.maps += other.maps;
+        self.unusable += other.unusable;
+        for other in &other.fields {
+            match self.fields.iter_mut().find(|row| (row.form, &row.field) == (other.form, &other.field)) {
+                Some(row) => row.tally.add(&other.tally),
+                None => self.fields.push(other.clone()),
+            }
+        }
+        self.small_pairs.add(&other.small_pairs);
+        self.pairs.tally.add(&other.pairs.tally);
+        self.first_broken.iter_mut().zip(&other.first_broken).for_each(|(row, other)| row.wrong += other.wrong);
+        self.hung += other.hung;
+        self.panics += other.panics;
+        add_findings(&mut self.findings, &other.findings);
+    }
+
+    fn complete(&mut self) {
+        self.shard = Shard::WHOLE;
+        self.fields.sort_by(|a, b| (a.form, &a.field).cmp(&(b.form, &b.field)));
+    }
+}
+
+/// A time as microseconds.
+#[cfg(feature = "serde")]
+mod micros {
+    use serde::{Deserialize, Deserializer, Serializer, de::Error};
+    use std::time::Duration;
+
+    pub(super) fn serialize<S: Serializer>(time: &Duration, serializer: S) -> Result<S::Ok, S::Error> {
+        serializer.serialize_f64(time.as_secs_f64() * 1e6)
+    }
+
+    pub(super) fn deserialize<'de, D: Deserializer<'de>>(deserializer: D) -> Result<Duration, D::Error> {
+        let micros = f64::deserialize(deserializer)?;
+        Duration::try_from_secs_f64(micros / 1e6).map_err(D::Error::custom)
+    }
+}
+
+/// A rule as its id.
+#[cfg(feature = "serde")]
+mod rule_id {
+    use serde::{Deserialize, Deserializer, Serializer, de::Error};
+    use twinedge::validate::Rule;
+
+    #[allow(clippy::trivially_copy_pass_by_ref, reason = "the signature that serde calls")]
+    pub(super) fn serialize<S: Serializer>(rule: &Rule, serializer: S) -> Result<S::Ok, S::Error> {
+        serializer.serialize_str(rule.id())
+    }
+
+    pub(super) fn deserialize<'de, D: Deserializer<'de>>(deserializer: D) -> Result<Rule, D::Error> {
+        let id = String::deserialize(deserializer)?;
+        let rule = Rule::ALL.iter().find(|rule| rule.id() == id);
+        rule.copied().ok_or_else(|| D::Error::custom(format!("there is no rule {id}")))
+    }
+}

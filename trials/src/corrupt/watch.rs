@@ -1,0 +1,157 @@
+//! Noticing that a validation takes very long, or does not return.
+
+use std::sync::atomic::{AtomicBool, AtomicU64, Ordering};
+use std::sync::{Arc, Mutex, MutexGuard, PoisonError};
+use std::time::{Duration, Instant};
+
+/// A validation that takes longer counts as hung.
+pub const HUNG: Duration = Duration::from_secs(1);
+
+/// How often a validation is timed before it counts as hung: the machine may be busy, or the program may have been stopped for a
+/// while.
+const TRIES: usize = 3;
+
+/// The time between two looks, and the number of looks in a row that must find a thread at the same validation before it is taken
+/// not to return. Looks are counted instead of seconds because a program that is stopped does not look either.
+const PAUSE: Duration = Duration::from_millis(500);
+const LOOKS: u32 = 120;
+
+pub(super) fn lock<T>(mutex: &Mutex<T>) -> MutexGuard<'_, T> {
+    mutex.lock().unwrap_or_else(PoisonError::into_inner)
+}
+
+/// What one thread is doing.
+#[derive(Debug)]
+pub(super) struct Watched<A> {
+    /// How many validations began and ended: odd while one runs.
+    steps: AtomicU64,
+    /// What the present one is about.
+    about: Mutex<Option<A>>,
+}
+
+impl<A> Watched<A> {
+    /// Runs a validation and measures its time; again if it takes suspiciously long, and then the least time counts.
+    pub(super) fn time<T>(&self, about: A, validation: impl Fn() -> T) -> (T, Duration) {
+        *lock(&self.about) = Some(about);
+        let once = || {
+            self.steps.fetch_add(1, Ordering::Relaxed);
+            let start = Instant::now();
+            let result = validation();
+            let time = start.elapsed();
+            self.steps.fetch_add(1, Ordering::Relaxed);
+            (result, time)
+        };
+        let mut best = once();
+        for _ in 1..TRIES {
+            if best.1 <= HUNG {
+                break;
+            }
+            let again = once();
+            best.1 = best.1.min(again.1);
+        }
+        best
+    }
+}
+
+/// Watches the validations of all threads. `A` says what a validation is about.
+#[derive(Debug)]
+pub(super) struct Watch<A> {
+    threads: Mutex<Vec<Arc<Watched<A>>>>,
+    over: AtomicBool,
+}
+
+/// Ends the watch when it is dropped, so that a panic of the work does not leave it running.
+struct Over<'a>(&'a AtomicBool, std::thread::Thread);
+
+impl Drop for Over<'_> {
+    fn drop(&mut self) {
+        self.0.store(true, Ordering::Relaxed);
+        self.1.unpark();
+    }
+}
+
+impl<A: Copy + Send> Watch<A> {
+    pub(super) const fn new() -> Self {
+        Self { threads: Mutex::new(Vec::new()), over: AtomicBool::new(false) }
+    }
+
+    /// One more thread to be watched.
+    pub(super) fn thread(&self) -> Arc<Watched<A>> {
+        let watched = Arc::new(Watched { steps: AtomicU64::new(0), about: Mutex::new(None) });
+        lock(&self.threads).push(watched.clone());
+        watched
+    }
+
+    /// Runs `work` and watches meanwhile. If a validation does not return, calls `hangs`, which should end the program: a
+    /// thread cannot be stopped.
+    pub(super) fn during<T>(&self, work: impl FnOnce() -> T, hangs: impl Fn(A) + Sync) -> T {
+        self.during_with(PAUSE, work, hangs)
+    }
+
+    fn during_with<T>(&self, pause: Duration, work: impl FnOnce() -> T, hangs: impl Fn(A) + Sync) -> T {
+        std::thread::scope(|scope| {
+            let watching = scope.spawn(|| {
+                // At which step each thread was, and at how many looks.
+                let mut seen: Vec<(u64, u32)> = Vec::new();
+                while !self.over.load(Ordering::Relaxed) {
+                    std::thread::park_timeout(pause);
+                    if let Some(about) = self.look(&mut seen) {
+                        hangs(about);
+                    }
+                }
+            });
+            let _over = Over(&self.over, watching.thread().clone());
+            work()
+        })
+    }
+
+    /// The validation, if any, that does not return.
+    fn look(&self, seen: &mut Vec<(u64, u32)>) -> Option<A> {
+        let threads = lock(&self.threads);
+        seen.resize(threads.len(), (0, 0));
+        threads.iter().zip(seen).find_map(|(watched, (last, looks))| {
+            let step = watched.steps.load(Ordering::Relaxed);
+            *looks = if step == *last && step % 2 == 1 { *looks + 1 } else { 0 };
+            *last = step;
+            if *looks >= LOOKS { *lock(&watched.about) } else { None }
+        })
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn a_validation_that_does_not_return_is_named() {
+        let (watch, told) = (Watch::new(), Mutex::new(None));
+        let work = || {
+            watch.thread().time("the third", || {
+                while lock(&told).is_none() {
+                    std::thread::yield_now();
+                }
+            });
+        };
+        watch.during_with(Duration::from_millis(1), work, |about| *lock(&told) = Some(about));
+        assert_eq!(*lock(&told), Some("the third"));
+    }
+
+    #[test]
+    fn a_validation_that_is_slow_only_once_does_not_hang() {
+        let watch = Watch::new();
+        let stopped = AtomicBool::new(true);
+        let ((), time) = watch.thread().time((), || {
+            if stopped.swap(false, Ordering::Relaxed) {
+                std::thread::sleep(HUNG + Duration::from_millis(10));
+            }
+        });
+        assert!(time <= HUNG);
+    }
+
+    #[test]
+    fn a_panic_of_the_work_ends_the_watch() {
+        let watch = Watch::<()>::new();
+        let work = || watch.during(|| panic!("the work"), |()| {});
+        assert!(crate::panics::catch(work).is_err());
+    }
+}

@@ -1,0 +1,41 @@
+//! What an engine can fail with.
+
+use std::fmt;
+use thiserror::Error;
+use twinedge::validate::Part;
+
+/// A structure cannot be given to an engine.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Error)]
+#[non_exhaustive]
+pub enum StructureError {
+    /// The expectation leaves out a part without which two maps cannot be told apart.
+    #[error("the expectation leaves out {}; without it two maps cannot be told apart", .0.name())]
+    Lacks(Part),
+}
+
+/// A run found something wrong, or was not finished.
+#[derive(Clone, PartialEq, Eq, Error)]
+pub struct Failed {
+    /// What is wrong, one reason each.
+    pub reasons: Vec<String>,
+}
+
+impl Failed {
+    /// `Ok` if there is no reason.
+    pub(crate) fn unless_empty(reasons: Vec<String>) -> Result<(), Self> {
+        if reasons.is_empty() { Ok(()) } else { Err(Self { reasons }) }
+    }
+}
+
+impl fmt::Display for Failed {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        f.write_str(&self.reasons.join("\n"))
+    }
+}
+
+/// The same as `Display`: this is what `unwrap` shows.
+impl fmt::Debug for Failed {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        fmt::Display::fmt(self, f)
+    }
+}

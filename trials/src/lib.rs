@@ -1,0 +1,76 @@
+//! Exhaustive and random tests for half-edge structures.
+//!
+//! Each engine takes a [`Structure`]: how an empty map is made, and what the validator can hold it to. It works on every type
+//! that implements [`Subject`](twinedge::program::Subject) and [`View`](twinedge::validate::View).
+//!
+//! ```
+//! use twinedge::dcel::Dcel; // in place of a structure of your own
+//! use twinedge::validate::Expectation;
+//! use twinedge_trials::prove::ProveWork;
+//! use twinedge_trials::soak::SoakWork;
+//! use twinedge_trials::{Outcome, Run, Structure, prove, soak};
+//!
+//! // In a `#[test]`:
+//! let mine = Structure::new("mine", Dcel::new, Expectation::plane());
+//! // Every operator with every argument on every map of up to 2 edges.
+//! prove(&mine, ProveWork { edges: 2 }, &Run::default())?.into_result()?;
+//! // 20 random programs of 50 operators, compared with a reference after each operator.
+//! soak(&[&mine], SoakWork { programs: 20, steps: 50, seed: 1 }, &Run::default()).into_result()?;
+//! # Ok::<(), Box<dyn std::error::Error>>(())
+//! ```
+//!
+//! | engine | what it does | what it finds |
+//! | --- | --- | --- |
+//! | [`prove()`] | grows every small map and tries every operator with every argument on each | operators that break a rule, panic, change something when they refuse, or miss a map |
+//! | [`soak()`] | runs random programs in step with a reference | operators that keep every rule but do the wrong thing; the program is made small |
+//! | [`corrupt()`] | sets every field of every small map to every other value | wrong tables that a validator misses, false alarms, hangs, panics |
+//! | [`tables()`] | judges every small table, right or wrong | the same, and counts that differ from the published ones |
+//! | [`replay()`] | runs one program and keeps the table after each operator | where a failing program goes wrong |
+//!
+//! `prove` and `soak` test a structure. `corrupt` and `tables` test a validator: [`Validator`], the one of the library, or any
+//! other [`Checker`].
+//!
+//! # Long runs
+//!
+//! [`Run`] says how many threads work, which part of the work they do, and to whom progress is reported. A [`Progress`] can stop
+//! a run; what was covered by then is returned, marked as interrupted. A [`Shard`] is one of N parts of the same work, for
+//! machines that share it; [`sum`] adds the parts up to exactly what one run would have found.
+//!
+//! Each kind of work estimates itself, for example [`ProveWork::estimate`](prove::ProveWork::estimate).
+//!
+//! # Features
+//!
+//! `serde`: all outcomes implement `Serialize` and `Deserialize`. The program `twinedge` prints them as JSON.
+
+mod error;
+mod panics;
+mod progress;
+mod published;
+mod random;
+mod rows;
+mod run;
+mod shard;
+mod structure;
+mod sum;
+mod verdict;
+
+pub mod corrupt;
+pub mod planted;
+pub mod prove;
+pub mod regression;
+pub mod replay;
+pub mod soak;
+pub mod tables;
+
+pub use corrupt::corrupt;
+pub use error::{Failed, StructureError};
+pub use progress::{Progress, Silent};
+pub use prove::prove;
+pub use replay::replay;
+pub use run::{Estimate, Run};
+pub use shard::{ParseShardError, Shard, ShardError};
+pub use soak::soak;
+pub use structure::Structure;
+pub use sum::{Outcome, SumError, sum};
+pub use tables::tables;
+pub use verdict::{Checker, Validator, Verdict};

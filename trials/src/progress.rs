@@ -1,0 +1,39 @@
+//! How a run reports its progress, and how it is stopped.
+
+/// Receives the progress of a run, and can stop it.
+///
+/// ```
+/// use std::time::{Duration, Instant};
+/// use twinedge_trials::Progress;
+/// /// Stops a run at a point in time.
+/// struct Until(Instant);
+/// impl Progress for Until {
+///     fn is_stopped(&self) -> bool {
+///         Instant::now() >= self.0
+///     }
+/// }
+/// # assert!(!Until(Instant::now() + Duration::from_secs(60)).is_stopped());
+/// ```
+pub trait Progress: Sync {
+    /// A stage of the work begins. `pieces` is how many pieces it has, if that is known.
+    fn begin(&self, stage: &str, pieces: Option<usize>) {
+        let _ = (stage, pieces);
+    }
+
+    /// One piece of the present stage is done. Called by all threads.
+    fn advance(&self) {}
+
+    /// The present stage is over.
+    fn end(&self) {}
+
+    /// Whether the run is to stop. Asked often, by all threads, so it should be fast.
+    fn is_stopped(&self) -> bool {
+        false
+    }
+}
+
+/// Shows nothing and never stops.
+#[derive(Clone, Copy, Debug, Default)]
+pub struct Silent;
+
+impl Progress for Silent {}

@@ -1,0 +1,68 @@
+//! What is counted while maps are explored.
+
+use super::outcome::Finding;
+use crate::rows::{MOST_FINDINGS, add_findings};
+use std::collections::BTreeMap;
+use twinedge::program::{Op, Program};
+
+/// The numbers of edges and vertices of a map.
+pub(super) type Size = (usize, usize);
+
+/// What was found of maps of one size.
+#[derive(Clone, Debug, Default)]
+pub(super) struct Tally {
+    /// Different maps, by their canonical form.
+    pub(super) maps: u64,
+    /// Operators applied to them.
+    pub(super) applied: u64,
+    /// Operators that were refused.
+    pub(super) refused: u64,
+    /// Different maps when no face is distinguished as the outside. Of connected maps only.
+    pub(super) sensed: u64,
+    /// Their rootings.
+    pub(super) rooted: u64,
+    /// How often something went wrong.
+    pub(super) violations: u64,
+}
+
+impl Tally {
+    pub(super) const fn add(&mut self, other: &Self) {
+        self.maps += other.maps;
+        self.applied += other.applied;
+        self.refused += other.refused;
+        self.sensed += other.sensed;
+        self.rooted += other.rooted;
+        self.violations += other.violations;
+    }
+}
+
+/// What was found, by size.
+#[derive(Debug, Default)]
+pub(super) struct Explored {
+    pub(super) tallies: BTreeMap<Size, Tally>,
+    /// The first things that went wrong.
+    pub(super) findings: Vec<Finding>,
+}
+
+impl Explored {
+    pub(super) fn tally(&mut self, size: Size) -> &mut Tally {
+        self.tallies.entry(size).or_default()
+    }
+
+    /// Counts something that went wrong on a map of this size, made by a program, with an operator or without.
+    pub(super) fn note(&mut self, size: Size, program: &Program, op: Option<Op>, message: String) {
+        self.tally(size).violations += 1;
+        if self.findings.len() < MOST_FINDINGS {
+            let program = program.0.iter().copied().chain(op).collect::<Program>();
+            let operator = op.map(|op| op.to_string());
+            self.findings.push(Finding { program: program.to_string(), operator, message });
+        }
+    }
+
+    pub(super) fn add(&mut self, other: Self) {
+        for (size, tally) in other.tallies {
+            self.tally(size).add(&tally);
+        }
+        add_findings(&mut self.findings, &other.findings);
+    }
+}

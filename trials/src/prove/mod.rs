@@ -1,0 +1,135 @@
+//! All small maps, all operators, all arguments.
+//!
+//! Maps are grown from the smallest one by the operators, told apart by their canonical form, and counted against published
+//! numbers. On each of them every operator is tried with every argument: all half-edges, corners, faces and boundary components,
+//! corners that do not fit among them, plus one stale handle of each kind.
+//!
+//! Three things are counted:
+//!
+//! - **Connected maps** with up to N edges: rooted (OEIS A000168), without root (A006384), and with one face distinguished as
+//!   the outside (A103937).
+//! - **All subdivisions** with up to min(N − 1, 4) edges and two more vertices, nested ones included. Their numbers are counted a
+//!   second time without making one map: see `recount.rs`.
+//! - **Rooted maps by genus**: every permutation of up to 10 half-edges is shown to the validator as a rotation system (Walsh and
+//!   Lehman, *Counting rooted maps by genus*, 1972).
+//!
+//! After each operator that is applied, the validator checks every rule, the counts must have changed as the operator promises,
+//! and the result must be one of the maps that were grown. After each that is refused, the structure must be as it was.
+//!
+//! Whether an operator does *what it promises* beyond rules and counts (for example, that an edge turns the way it is told) is
+//! not checked here: [`soak()`](crate::soak()) compares with a reference.
+
+mod explore;
+mod explored;
+mod genus;
+mod grow;
+mod outcome;
+mod permutations;
+mod recount;
+mod work;
+
+pub use outcome::{EdgesRow, Finding, GenusRow, NestedRow, ProveOutcome};
+pub use work::ProveWork;
+
+use crate::error::StructureError;
+use crate::published;
+use crate::rows::narrow;
+use crate::run::Run;
+use crate::structure::Structure;
+use explore::explore;
+use explored::{Explored, Tally};
+use twinedge::program::Subject;
+use twinedge::program::census::Scope;
+
+/// Grows every small map of a structure and tries every operator with every argument on each.
+///
+/// A panic of the structure is caught and reported; the panic hook of the process is replaced by one that is silent meanwhile.
+/// Time and memory grow about ninefold with each edge; [`ProveWork::estimate`] tells how much there is. All parts of the work
+/// grow the same maps, which takes about a tenth of the whole.
+///
+/// # Errors
+/// [`StructureError`], if maps of this structure cannot be told apart.
+///
+/// # Examples
+/// ```
+/// use twinedge::dcel::Dcel;
+/// use twinedge::validate::Expectation;
+/// use twinedge_trials::prove::ProveWork;
+/// use twinedge_trials::{Run, Structure, prove};
+/// let mine = Structure::new("mine", Dcel::new, Expectation::plane());
+/// let proof = prove(&mine, ProveWork { edges: 2 }, &Run::default())?.into_result()?;
+/// // Tutte, *A census of planar maps*, 1963.
+/// assert_eq!(proof.edges.iter().map(|row| row.rooted).collect::<Vec<_>>(), [1, 2, 9]);
+/// # use twinedge_trials::Outcome;
+/// # Ok::<(), Box<dyn std::error::Error>>(())
+/// ```
+pub fn prove<K: Subject + Clone>(
+    structure: &Structure<K>,
+    work: ProveWork,
+    run: &Run<'_>,
+) -> Result<ProveOutcome, StructureError> {
+    structure.can_be_told_apart()?;
+    let n = work.edges;
+    let connected = explore(structure, Scope::Connected { edges: n }, run, "connected maps");
+    let (edges, vertices) = work.nested();
+    let subdivisions = explore(structure, Scope::Subdivisions { edges, vertices }, run, "all subdivisions");
+    Ok(ProveOutcome {
+        work,
+        on: structure.name().to_owned(),
+        shard: run.part(),
+        edges: (0..=n).map(|n| edges_row(n, &connected)).collect(),
+        genus: genus_rows(n, run),
+        nested: nested_rows(edges, vertices, &subdivisions),
+        findings: connected.findings.into_iter().chain(subdivisions.findings).collect(),
+        interrupted: run.is_stopped(),
+    })
+}
+
+/// All connected maps with this number of edges.
+fn edges_row(n: usize, explored: &Explored) -> EdgesRow {
+    let mut sum = Tally::default();
+    explored.tallies.iter().filter(|((edges, _), _)| *edges == n).for_each(|(_, tally)| sum.add(tally));
+    EdgesRow {
+        n,
+        rooted: sum.rooted,
+        rooted_published: narrow(published::rooted(n)),
+        sensed: sum.sensed,
+        sensed_published: narrow(published::sensed(n)),
+        plane: sum.maps,
+        plane_published: narrow(published::plane(n)),
+        applications: sum.applied,
+        refused: sum.refused,
+        violations: sum.violations,
+    }
+}
+
+fn genus_rows(n: usize, run: &Run<'_>) -> Vec<GenusRow> {
+    let mut rows = Vec::new();
+    for (n, published) in published::BY_GENUS.iter().enumerate().take(n.min(genus::MOST_EDGES) + 1) {
+        let (labelled, refused) = genus::labelled(n, run);
+        if run.is_stopped() {
+            break;
+        }
+        let by_genus = genus::rooted(n, &labelled);
+        rows.push(GenusRow { n, by_genus, published: published.to_vec(), refused, labelled });
+    }
+    rows
+}
+
+fn nested_rows(edges: usize, vertices: usize, explored: &Explored) -> Vec<NestedRow> {
+    let none = Tally::default();
+    let recounted = recount::subdivisions(edges, vertices);
+    let row = |((edges, vertices), recounted)| {
+        let tally = explored.tallies.get(&(edges, vertices)).unwrap_or(&none);
+        NestedRow {
+            edges,
+            vertices,
+            maps: tally.maps,
+            recounted,
+            applications: tally.applied,
+            refused: tally.refused,
+            violations: tally.violations,
+        }
+    };
+    recounted.into_iter().map(row).collect()
+}

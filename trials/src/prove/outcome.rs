@@ -1,0 +1,199 @@
+//! What `prove` found.
+
+use super::genus;
+use super::work::ProveWork;
+use crate::rows::{INTERRUPTED, add_findings};
+use crate::shard::Shard;
+use crate::sum::Outcome;
+
+/// What [`prove()`](crate::prove()) found.
+#[derive(Clone, Debug, PartialEq, Eq)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
+#[non_exhaustive]
+pub struct ProveOutcome {
+    /// The work.
+    pub work: ProveWork,
+    /// The structure on which it was done.
+    pub on: String,
+    /// Which part of it.
+    pub shard: Shard,
+    /// Connected maps, by their number of edges.
+    pub edges: Vec<EdgesRow>,
+    /// Rooted maps by genus, from all rotation systems. This is about the validator, not the structure.
+    pub genus: Vec<GenusRow>,
+    /// All subdivisions, by their numbers of edges and vertices.
+    pub nested: Vec<NestedRow>,
+    /// What went wrong: the first findings. All are counted in the rows.
+    pub findings: Vec<Finding>,
+    /// Whether the run was stopped before its end.
+    pub interrupted: bool,
+}
+
+/// A map on which something went wrong.
+#[derive(Clone, Debug, PartialEq, Eq)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
+pub struct Finding {
+    /// The text of the program that does it: [`Program`](twinedge::program::Program) reads it.
+    pub program: String,
+    /// Its last operator, if that is what goes wrong, and not the map itself.
+    pub operator: Option<String>,
+    /// What went wrong.
+    pub message: String,
+}
+
+impl std::fmt::Display for Finding {
+    fn fmt(&self, f: &mut std::fmt::Formatter<'_>) -> std::fmt::Result {
+        let Self { program, operator, message } = self;
+        let operator = operator.as_ref().map(|operator| format!("{operator}: ")).unwrap_or_default();
+        write!(f, "{operator}{message}, by\n{program}")
+    }
+}
+
+/// Connected maps with one number of edges.
+#[derive(Clone, Debug, PartialEq, Eq)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
+pub struct EdgesRow {
+    /// The number of edges.
+    pub n: usize,
+    /// Rooted maps.
+    pub rooted: u64,
+    /// The published number (OEIS A000168).
+    pub rooted_published: u64,
+    /// Maps without root, mirror images told apart.
+    pub sensed: u64,
+    /// The published number (A006384).
+    pub sensed_published: u64,
+    /// Maps with one face distinguished as the outside.
+    pub plane: u64,
+    /// The published number (A103937).
+    pub plane_published: u64,
+    /// Operators that were applied.
+    pub applications: u64,
+    /// Operators that were refused.
+    pub refused: u64,
+    /// How often something went wrong.
+    pub violations: u64,
+}
+
+/// Rooted maps with one number of edges, by genus.
+#[derive(Clone, Debug, PartialEq, Eq)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
+pub struct GenusRow {
+    /// The number of edges.
+    pub n: usize,
+    /// Rooted maps, from genus 0 on. Without meaning for a part of the work: see `labelled`.
+    pub by_genus: Vec<u64>,
+    /// The published numbers (Walsh and Lehman, *Counting rooted maps by genus*, 1972).
+    pub published: Vec<u64>,
+    /// Rotation systems that the validator refused.
+    pub refused: u64,
+    /// Connected maps on labelled half-edges, from genus 0 on. These numbers of parts add up.
+    pub labelled: Vec<u64>,
+}
+
+/// Subdivisions with one number of edges and vertices.
+#[derive(Clone, Debug, PartialEq, Eq)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
+pub struct NestedRow {
+    /// The number of edges.
+    pub edges: usize,
+    /// The number of vertices.
+    pub vertices: usize,
+    /// Subdivisions that were grown.
+    pub maps: u64,
+    /// Their number by a count that makes no map.
+    pub recounted: u64,
+    /// Operators that were applied.
+    pub applications: u64,
+    /// Operators that were refused.
+    pub refused: u64,
+    /// How often something went wrong.
+    pub violations: u64,
+}
+
+impl EdgesRow {
+    /// Whether all counts are the published ones.
+    #[must_use]
+    pub const fn is_as_published(&self) -> bool {
+        self.rooted == self.rooted_published
+            && self.sensed == self.sensed_published
+            && self.plane == self.plane_published
+    }
+}
+
+impl Outcome for ProveOutcome {
+    type Work = (String, ProveWork);
+
+    fn work(&self) -> Self::Work {
+        (self.on.clone(), self.work)
+    }
+
+    fn shard(&self) -> Shard {
+        self.shard
+    }
+
+    fn is_interrupted(&self) -> bool {
+        self.interrupted
+    }
+
+    fn reasons(&self) -> Vec<String> {
+        let mut reasons = Vec::new();
+        if self.interrupted {
+            reasons.push(INTERRUPTED.to_owned());
+        }
+        if self.shard.is_whole() {
+            let rows = self.edges.iter().filter(|row| !row.is_as_published());
+            reasons
+                .extend(rows.map(|row| format!("connected maps of {} edges: the counts are not as published", row.n)));
+            let rows = self.genus.iter().filter(|row| row.by_genus != row.published);
+            reasons.extend(rows.map(|row| {
+                format!("rooted maps of {} edges by genus: {:?} instead of {:?}", row.n, row.by_genus, row.published)
+            }));
+            let rows = self.nested.iter().filter(|row| row.maps != row.recounted);
+            reasons.extend(rows.map(|row| {
+                let (edges, vertices) = (row.edges, row.vertices);
+                format!("E {edges}, V {vertices}: {} subdivisions instead of {}", row.maps, row.recounted)
+            }));
+        }
+        let refused: u64 = self.genus.iter().map(|row| row.refused).sum();
+        if refused > 0 {
+            reasons.push(format!("rotation systems that the validator refused: {refused}"));
+        }
+        let nested = self.nested.iter().map(|row| row.violations);
+        let violations: u64 = self.edges.iter().map(|row| row.violations).chain(nested).sum();
+        if violations > 0 || !self.findings.is_empty() {
+            reasons.push(format!("violations: {violations}"));
+            reasons.extend(self.findings.iter().map(Finding::to_string));
+        }
+        reasons
+    }
+
+    fn absorb(&mut self, other: &Self) {
+        for (row, other) in self.edges.iter_mut().zip(&other.edges) {
+            row.rooted += other.rooted;
+            row.sensed += other.sensed;
+            row.plane += other.plane;
+            row.applications += other.applications;
+            row.refused += other.refused;
+            row.violations += other.violations;
+        }
+        for (row, other) in self.genus.iter_mut().zip(&other.genus) {
+            genus::add(&mut row.labelled, &other.labelled);
+            row.refused += other.refused;
+        }
+        for (row, other) in self.nested.iter_mut().zip(&other.nested) {
+            row.maps += other.maps;
+            row.applications += other.applications;
+            row.refused += other.refused;
+            row.violations += other.violations;
+        }
+        add_findings(&mut self.findings, &other.findings);
+    }
+
+    fn complete(&mut self) {
+        self.shard = Shard::WHOLE;
+        for row in &mut self.genus {
+            row.by_genus = genus::rooted(row.n, &row.labelled);
+        }
+    }
+}

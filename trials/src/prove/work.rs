@@ -1,0 +1,30 @@
+//! What to prove.
+
+use crate::published;
+use crate::run::Estimate;
+
+/// What to prove.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
+pub struct ProveWork {
+    /// The greatest number of edges of a connected map.
+    pub edges: usize,
+}
+
+impl ProveWork {
+    /// About how many operators are tried.
+    #[must_use]
+    pub fn estimate(&self) -> Estimate {
+        // The last edge makes nine tenths of the maps; each has 2n corners, so 4n² pairs of them, for `connect` on both sides
+        // and for `split_vertex`, and as many wrong ones again.
+        let maps = (0..=self.edges).map(published::plane).fold(0_u128, u128::saturating_add);
+        let amount = maps.saturating_mul(24 * (self.edges * self.edges) as u128);
+        Estimate { amount, unit: "operators to try", per_second: 1_000_000 }
+    }
+
+    /// The bounds of subdivisions that need not be connected: there are many more of them for the same number of edges.
+    pub(super) const fn nested(self) -> (usize, usize) {
+        let edges = if self.edges > 4 { 4 } else { self.edges.saturating_sub(1) };
+        (edges, edges + 2)
+    }
+}

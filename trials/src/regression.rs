@@ -1,0 +1,44 @@
+//! A failing program as a regression test: a file of Rust that compiles as it stands.
+
+use twinedge::program::Program;
+
+/// How Rust source names a structure: what a regression test of it says.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub struct TestSource {
+    /// The paths to import, in order. `twinedge::program::*` must be among them.
+    pub imports: &'static [&'static str],
+    /// An expression for the empty structure.
+    pub make: &'static str,
+    /// An expression for what it is held to: an `Expectation`.
+    pub expectation: &'static str,
+    /// A comment in front of the run, without `//`; none if empty.
+    pub remark: &'static str,
+}
+
+impl TestSource {
+    /// The test. `message` says in one line how the structure fails.
+    ///
+    /// ```
+    /// use twinedge::program::Program;
+    /// use twinedge_trials::regression::TestSource;
+    /// let source = TestSource {
+    ///     imports: &["mine::Mine", "twinedge::program::*", "twinedge::validate::Expectation"],
+    ///     make: "Mine::new()",
+    ///     expectation: "Expectation::plane()",
+    ///     remark: "",
+    /// };
+    /// let test = source.test("the edge turns the wrong way", &Program::default());
+    /// assert!(test.contains("conformance::run(&program, Mine::new(), &Expectation::plane())"));
+    /// ```
+    #[must_use]
+    pub fn test(&self, message: &str, program: &Program) -> String {
+        let Self { imports, make, expectation, remark } = self;
+        let imports: String = imports.iter().flat_map(|import| ["use ", import, ";\n"]).collect();
+        let remark = if remark.is_empty() { String::new() } else { format!("    // {remark}\n") };
+        let program = program.to_rust().replace('\n', "\n    ");
+        format!(
+            "{imports}\n/// {message}\n#[test]\nfn regression() {{\n    let program = {program};\n{remark}    let result = \
+             conformance::run(&program, {make}, &{expectation});\n    assert!(result.is_ok(), \"{{result:?}}\");\n}}\n"
+        )
+    }
+}

@@ -1,0 +1,40 @@
+//! Handles as the indices by which the validator knows their records.
+
+use twinedge::dcel::Dcel;
+use twinedge::program::{RotationSystem, Subject};
+use twinedge::store::Store;
+use twinedge::validate::View;
+
+/// A structure that tells the index in its [`View`] of the record that a handle names.
+pub trait Indexed: Subject {
+    /// The index of a vertex; `None` if the handle is stale.
+    fn vertex_index(&self, vertex: Self::Vertex) -> Option<usize>;
+    /// The index of a half-edge; `None` if the handle is stale.
+    fn half_edge_index(&self, half_edge: Self::HalfEdge) -> Option<usize>;
+    /// The index of a face; `None` if the handle is stale.
+    fn face_index(&self, face: Self::Face) -> Option<usize>;
+}
+
+impl<S: Store> Indexed for Dcel<S> {
+    fn vertex_index(&self, vertex: Self::Vertex) -> Option<usize> {
+        self.vertex(vertex).ok().map(|v| v.index())
+    }
+    fn half_edge_index(&self, half_edge: Self::HalfEdge) -> Option<usize> {
+        self.half_edge(half_edge).ok().map(|h| h.index())
+    }
+    fn face_index(&self, face: Self::Face) -> Option<usize> {
+        self.face(face).ok().map(|f| f.index())
+    }
+}
+
+impl Indexed for RotationSystem {
+    fn vertex_index(&self, vertex: usize) -> Option<usize> {
+        self.is_vertex(vertex).then_some(vertex)
+    }
+    fn half_edge_index(&self, half_edge: usize) -> Option<usize> {
+        self.is_half_edge(half_edge).then_some(half_edge)
+    }
+    fn face_index(&self, face: usize) -> Option<usize> {
+        self.is_face(face).then_some(face)
+    }
+}

@@ -1,0 +1,99 @@
+//! One program, step by step.
+
+mod indexed;
+
+pub use indexed::Indexed;
+
+use crate::panics::catch;
+use crate::structure::Structure;
+use twinedge::program::{Call, CallOf, Corner, CornerOf, Op, Program, Runner, StepOutcome};
+use twinedge::validate::{Collect, Link, Report, Table, validate};
+
+/// One operator of a program that was run.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub struct Step {
+    /// The operator.
+    pub op: Op,
+    /// The arguments that it chose, by the indices that they had before the step; a stale handle is `None`. `None` as a whole
+    /// if there was nothing to choose from.
+    pub call: Option<Call<Link, Link, Link>>,
+    /// What became of it; the message if it panicked. No step follows a panic.
+    pub outcome: Result<After, String>,
+}
+
+/// The structure after a step.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub struct After {
+    /// Whether the operator was applied.
+    pub outcome: StepOutcome,
+    /// What the validator says.
+    pub report: Report,
+    /// All records; `None` if there is no memory for them.
+    pub table: Option<Table>,
+}
+
+/// Runs a program on a structure, and keeps what became of each operator and the structure after it. Stops at the first panic.
+///
+/// O(n) for each step beside the operator, for n records.
+///
+/// ```
+/// use twinedge::dcel::Dcel;
+/// use twinedge::program::{Program, StepOutcome};
+/// use twinedge::validate::Expectation;
+/// use twinedge_trials::{Structure, replay};
+/// let mine = Structure::new("mine", Dcel::new, Expectation::plane());
+/// let program: Program = "twinedge program 1\nadd_isolated_vertex unbounded\nremove_edge h0\n".parse()?;
+/// let steps = replay(&mine, &program);
+/// assert_eq!(steps[0].outcome.as_ref().unwrap().report.counts().vertices, 1);
+/// assert_eq!(steps[1].outcome.as_ref().unwrap().outcome, StepOutcome::Skipped);
+/// # Ok::<(), twinedge::program::ParseError>(())
+/// ```
+#[must_use]
+pub fn replay<K: Indexed>(structure: &Structure<K>, program: &Program) -> Vec<Step> {
+    let mut steps = Vec::new();
+    let mut runner = match catch(|| Runner::new(structure.make())) {
+        Ok(runner) => runner,
+        Err(panic) => {
+            let first = program.0.first().map(|op| Step { op: *op, call: None, outcome: Err(panic) });
+            return first.into_iter().collect();
+        }
+    };
+    for op in program.0.iter().copied() {
+        let call = catch(|| runner.resolve(op).ok().map(|call| by_index(runner.subject(), &call)));
+        let outcome = catch(|| {
+            let outcome = runner.step(op);
+            let report = validate(runner.subject(), &structure.expectation(), Collect::All);
+            After { outcome, report, table: Table::copy_of(runner.subject()) }
+        });
+        let is_last = outcome.is_err();
+        steps.push(Step { op, call: call.ok().flatten(), outcome });
+        if is_last {
+            break;
+        }
+    }
+    steps
+}
+
+fn by_index<K: Indexed>(subject: &K, call: &CallOf<K>) -> Call<Link, Link, Link> {
+    let corner = |corner: CornerOf<K>| match corner {
+        Corner::At(h) => Corner::At(subject.half_edge_index(h)),
+        Corner::Isolated(v) => Corner::Isolated(subject.vertex_index(v)),
+    };
+    let half_edge = |h: K::HalfEdge| subject.half_edge_index(h);
+    let face = |f: K::Face| subject.face_index(f);
+    match call {
+        Call::AddIsolatedVertex { face: f } => Call::AddIsolatedVertex { face: face(*f) },
+        Call::RemoveIsolatedVertex { vertex } => Call::RemoveIsolatedVertex { vertex: subject.vertex_index(*vertex) },
+        Call::Connect { from, to, new_face, inner } => {
+            let inner = inner.iter().copied().map(corner).collect();
+            Call::Connect { from: corner(*from), to: corner(*to), new_face: *new_face, inner }
+        }
+        Call::RemoveEdge { half_edge: h } => Call::RemoveEdge { half_edge: half_edge(*h) },
+        Call::SplitEdge { half_edge: h } => Call::SplitEdge { half_edge: half_edge(*h) },
+        Call::JoinEdges { half_edge: h } => Call::JoinEdges { half_edge: half_edge(*h) },
+        Call::SplitVertex { from, to } => Call::SplitVertex { from: corner(*from), to: corner(*to) },
+        Call::ContractEdge { half_edge: h } => Call::ContractEdge { half_edge: half_edge(*h) },
+        Call::FlipEdge { half_edge: h, turn } => Call::FlipEdge { half_edge: half_edge(*h), turn: *turn },
+        Call::MoveInner { inner, face: f } => Call::MoveInner { inner: corner(*inner), face: face(*f) },
+    }
+}

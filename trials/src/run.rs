@@ -1,0 +1,138 @@
+//! How a run is carried out: threads, the part of the work, progress.
+
+use crate::progress::{Progress, Silent};
+use crate::shard::Shard;
+use std::fmt;
+use std::sync::atomic::{AtomicUsize, Ordering};
+
+/// How a run is carried out. By default: on all cores, the whole work, silently.
+///
+/// ```
+/// use twinedge_trials::{Run, Shard};
+/// // One thread, the first of four parts of the work.
+/// let run = Run::default().threads(1).shard(Shard::new(0, 4)?);
+/// # Ok::<(), twinedge_trials::ShardError>(())
+/// ```
+#[derive(Clone, Copy)]
+pub struct Run<'a> {
+    threads: usize,
+    shard: Shard,
+    progress: &'a dyn Progress,
+}
+
+impl Default for Run<'_> {
+    fn default() -> Self {
+        Self { threads: cores(), shard: Shard::WHOLE, progress: &Silent }
+    }
+}
+
+impl fmt::Debug for Run<'_> {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        f.debug_struct("Run").field("threads", &self.threads).field("shard", &self.shard).finish_non_exhaustive()
+    }
+}
+
+impl<'a> Run<'a> {
+    /// The same on this many threads; 0 counts as 1.
+    #[must_use]
+    pub const fn threads(mut self, threads: usize) -> Self {
+        self.threads = if threads == 0 { 1 } else { threads };
+        self
+    }
+
+    /// The same for one part of the work.
+    #[must_use]
+    pub const fn shard(mut self, shard: Shard) -> Self {
+        self.shard = shard;
+        self
+    }
+
+    /// The same with progress reported here.
+    #[must_use]
+    pub const fn progress(mut self, progress: &'a dyn Progress) -> Self {
+        self.progress = progress;
+        self
+    }
+
+    /// The part of the work that is done.
+    pub(crate) const fn part(&self) -> Shard {
+        self.shard
+    }
+
+    pub(crate) fn reporter(&self) -> &'a dyn Progress {
+        self.progress
+    }
+
+    pub(crate) fn is_stopped(&self) -> bool {
+        self.progress.is_stopped()
+    }
+
+    /// Does `each` for every number below `count`, on all threads, until stopped. Each thread has a state of its own; returns
+    /// these.
+    pub(crate) fn each<L: Send>(
+        &self,
+        stage: &str,
+        count: usize,
+        state: impl Fn() -> L + Sync,
+        each: impl Fn(&mut L, usize) + Sync,
+    ) -> Vec<L> {
+        let taken = AtomicUsize::new(0);
+        let work = || {
+            let mut local = state();
+            while !self.is_stopped() {
+                let number = taken.fetch_add(1, Ordering::Relaxed);
+                if number >= count {
+                    break;
+                }
+                each(&mut local, number);
+                self.progress.advance();
+            }
+            local
+        };
+        self.progress.begin(stage, Some(count));
+        let states = std::thread::scope(|scope| {
+            let workers: Vec<_> = (1..self.threads).map(|_| scope.spawn(work)).collect();
+            let mut states = vec![work()];
+            for worker in workers {
+                match worker.join() {
+                    Ok(state) => states.push(state),
+                    Err(panic) => std::panic::resume_unwind(panic),
+                }
+            }
+            states
+        });
+        self.progress.end();
+        states
+    }
+}
+
+/// How many threads the machine runs at once.
+fn cores() -> usize {
+    std::thread::available_parallelism().map_or(1, Into::into)
+}
+
+/// About how much work there is.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub struct Estimate {
+    /// How many units.
+    pub amount: u128,
+    /// What is counted, in the plural.
+    pub unit: &'static str,
+    /// How many of them one thread does in a second, on a machine of 2024.
+    pub per_second: u64,
+}
+
+impl Estimate {
+    /// About how many seconds one part takes on this many cores.
+    ///
+    /// ```
+    /// use twinedge_trials::{Estimate, Shard};
+    /// let estimate = Estimate { amount: 8_000, unit: "maps", per_second: 100 };
+    /// assert_eq!(estimate.seconds(2, Shard::new(0, 4)?), 10);
+    /// # Ok::<(), twinedge_trials::ShardError>(())
+    /// ```
+    #[must_use]
+    pub fn seconds(&self, cores: usize, shard: Shard) -> u128 {
+        self.amount / u128::from(self.per_second.max(1)) / cores.max(1) as u128 / u128::from(shard.count())
+    }
+}

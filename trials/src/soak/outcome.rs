@@ -1,0 +1,121 @@
+//! What `soak` found.
+
+use super::work::SoakWork;
+use crate::rows::INTERRUPTED;
+use crate::shard::Shard;
+use crate::sum::Outcome;
+use twinedge::program::conformance::ConformanceSummary;
+
+/// What [`soak()`](crate::soak()) found.
+#[derive(Clone, Debug, PartialEq, Eq)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
+#[non_exhaustive]
+pub struct SoakOutcome {
+    /// The work.
+    pub work: SoakWork,
+    /// Which part of it.
+    pub shard: Shard,
+    /// The seed of the programs.
+    pub seed: u64,
+    /// What the programs did, by structure.
+    pub structures: Vec<SoakRow>,
+    /// The first program that failed, made small. Programs after it were not run, as far as it was known in time.
+    pub failure: Option<SoakFailure>,
+    /// Whether the run was stopped before its end.
+    pub interrupted: bool,
+}
+
+/// What the programs did on one structure.
+#[derive(Clone, Debug, PartialEq, Eq)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
+pub struct SoakRow {
+    /// The structure.
+    pub on: String,
+    /// Programs that ran to their end.
+    pub programs: u64,
+    /// Programs that were interrupted. Their operators up to there are counted.
+    pub cut_short: u64,
+    /// Operators that were applied.
+    pub applied: u64,
+    /// Operators that were refused, for the same reason as the reference.
+    pub refused: u64,
+    /// Operators that found nothing to choose from.
+    pub skipped: u64,
+    /// Operators for which the structure had no room, or which it does not have.
+    pub no_room: u64,
+}
+
+/// A program on which a structure fails, as small as it could be made.
+#[derive(Clone, Debug, PartialEq, Eq)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
+pub struct SoakFailure {
+    /// The structure.
+    pub on: String,
+    /// The number of the program among those of the seed.
+    pub number: u32,
+    /// What happens, in one line.
+    pub message: String,
+    /// The text of the program: [`Program`](twinedge::program::Program) reads it.
+    pub program: String,
+    /// A regression test, or the program as a Rust expression: see [`Structure::source`](crate::Structure::source).
+    pub rust: String,
+}
+
+impl SoakRow {
+    pub(super) fn of(on: &str) -> Self {
+        Self { on: on.to_owned(), programs: 0, cut_short: 0, applied: 0, refused: 0, skipped: 0, no_room: 0 }
+    }
+
+    pub(super) const fn count(&mut self, summary: ConformanceSummary) {
+        self.applied += summary.applied as u64;
+        self.refused += summary.refused as u64;
+        self.skipped += summary.skipped as u64;
+        self.no_room += summary.not_supported as u64;
+    }
+
+    pub(super) const fn add(&mut self, other: &Self) {
+        self.programs += other.programs;
+        self.cut_short += other.cut_short;
+        self.applied += other.applied;
+        self.refused += other.refused;
+        self.skipped += other.skipped;
+        self.no_room += other.no_room;
+    }
+}
+
+impl Outcome for SoakOutcome {
+    type Work = (Vec<String>, SoakWork);
+
+    fn work(&self) -> Self::Work {
+        (self.structures.iter().map(|row| row.on.clone()).collect(), self.work)
+    }
+
+    fn shard(&self) -> Shard {
+        self.shard
+    }
+
+    fn is_interrupted(&self) -> bool {
+        self.interrupted
+    }
+
+    fn reasons(&self) -> Vec<String> {
+        let mut reasons = Vec::new();
+        if self.interrupted {
+            reasons.push(INTERRUPTED.to_owned());
+        }
+        if let Some(SoakFailure { on, number, message, rust, .. }) = &self.failure {
+            reasons.push(format!("{on} differs from the reference in program {number}, {message}\n{rust}"));
+        }
+        reasons
+    }
+
+    fn absorb(&mut self, other: &Self) {
+        self.structures.iter_mut().zip(&other.structures).for_each(|(sum, row)| sum.add(row));
+        let failures = [self.failure.take(), other.failure.clone()];
+        self.failure = failures.into_iter().flatten().min_by_key(|failure| failure.number);
+    }
+
+    fn complete(&mut self) {
+        self.shard = Shard::WHOLE;
+    }
+}

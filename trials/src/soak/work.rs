@@ -1,0 +1,28 @@
+//! Which programs to run.
+
+use crate::random::Random;
+use twinedge::program::{FacePick, Op, Program};
+
+/// Which programs to run.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
+pub struct SoakWork {
+    /// How many programs.
+    pub programs: u32,
+    /// How many operators each has.
+    pub steps: u32,
+    /// Their seed.
+    pub seed: u64,
+}
+
+impl SoakWork {
+    /// The program with this number. Always the same for the same seed and number of steps.
+    #[must_use]
+    pub fn program(&self, number: u32) -> Program {
+        // Without a vertex, most operators have nothing to choose from.
+        let first = Op::AddIsolatedVertex { face: FacePick::Unbounded };
+        let mut bytes = Random::new(self.seed, number.into()).bytes();
+        let ops = std::iter::from_fn(|| Op::from_bytes(&mut bytes));
+        std::iter::once(first).chain(ops).take(self.steps as usize).collect()
+    }
+}

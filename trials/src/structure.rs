@@ -1,0 +1,80 @@
+//! The structure under test.
+
+use crate::error::StructureError;
+use crate::regression::TestSource;
+use std::fmt;
+use twinedge::program::Subject;
+use twinedge::validate::{Expectation, Part};
+
+/// A structure under test: its name, how an empty one is made, and what the validator can hold it to.
+///
+/// ```
+/// use twinedge::program::RotationSystem;
+/// use twinedge_trials::Structure;
+/// let mine = Structure::new("mine", RotationSystem::new, RotationSystem::expectation());
+/// assert_eq!(mine.name(), "mine");
+/// ```
+pub struct Structure<K> {
+    name: &'static str,
+    make: fn() -> K,
+    expectation: Expectation,
+    source: Option<TestSource>,
+}
+
+impl<K> Clone for Structure<K> {
+    fn clone(&self) -> Self {
+        *self
+    }
+}
+
+impl<K> Copy for Structure<K> {}
+
+impl<K> fmt::Debug for Structure<K> {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        f.debug_struct("Structure").field("name", &self.name).finish_non_exhaustive()
+    }
+}
+
+impl<K: Subject> Structure<K> {
+    /// A structure of this name. `make` makes the empty map.
+    #[must_use]
+    pub const fn new(name: &'static str, make: fn() -> K, expectation: Expectation) -> Self {
+        Self { name, make, expectation, source: None }
+    }
+
+    /// The same, with the Rust source that names it, for the regression tests that [`soak()`](crate::soak()) prints.
+    #[must_use]
+    pub const fn source(mut self, source: TestSource) -> Self {
+        self.source = Some(source);
+        self
+    }
+
+    /// Its name, as it stands in outcomes.
+    #[must_use]
+    pub const fn name(&self) -> &'static str {
+        self.name
+    }
+
+    /// What it is held to.
+    #[must_use]
+    pub const fn expectation(&self) -> Expectation {
+        self.expectation
+    }
+
+    /// An empty map.
+    #[must_use]
+    pub fn make(&self) -> K {
+        (self.make)()
+    }
+
+    pub(crate) const fn test_source(&self) -> Option<&TestSource> {
+        self.source.as_ref()
+    }
+
+    /// Maps are told apart by faces, the lists of their boundary components, and the unbounded face.
+    pub(crate) fn can_be_told_apart(&self) -> Result<(), StructureError> {
+        let parts = [Part::Faces, Part::Holes, Part::UnboundedFace];
+        let lacks = parts.into_iter().find(|part| !self.expectation.has(*part));
+        lacks.map_or(Ok(()), |part| Err(StructureError::Lacks(part)))
+    }
+}

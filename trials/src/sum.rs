@@ -1,0 +1,170 @@
+//! Adding up the parts of one work.
+
+use crate::error::Failed;
+use crate::shard::Shard;
+use thiserror::Error;
+
+/// What an engine found in the part of the work that it did.
+pub trait Outcome: Clone {
+    /// What identifies the work: the outcomes of other work cannot be added.
+    type Work: PartialEq + std::fmt::Debug;
+
+    /// The work of which this is a part.
+    fn work(&self) -> Self::Work;
+
+    /// Which part.
+    fn shard(&self) -> Shard;
+
+    /// Whether the part was not finished.
+    fn is_interrupted(&self) -> bool;
+
+    /// What is wrong, one reason each; none if all is well. Counts are compared with the published ones only if this is the
+    /// whole work.
+    fn reasons(&self) -> Vec<String>;
+
+    /// Adds what another part found.
+    #[doc(hidden)]
+    fn absorb(&mut self, other: &Self);
+
+    /// Makes it the outcome of the whole work, after all other parts were added.
+    #[doc(hidden)]
+    fn complete(&mut self);
+
+    /// Whether nothing is wrong and the part was finished.
+    fn is_ok(&self) -> bool {
+        self.reasons().is_empty()
+    }
+
+    /// The outcome if nothing is wrong and the part was finished.
+    ///
+    /// # Errors
+    /// [`Failed`], with all reasons.
+    fn into_result(self) -> Result<Self, Failed> {
+        Failed::unless_empty(self.reasons()).map(|()| self)
+    }
+}
+
+/// Outcomes do not add up to one whole work. Positions count the outcomes from 0.
+#[derive(Clone, Debug, PartialEq, Eq, Error)]
+#[non_exhaustive]
+pub enum SumError {
+    /// There is none.
+    #[error("there is nothing to add up")]
+    Empty,
+    /// One is of other work.
+    #[error("this is a part of other work: {other}, and not {first}")]
+    OtherWork {
+        /// Which outcome.
+        position: usize,
+        /// The work of the first outcome.
+        first: String,
+        /// Its work.
+        other: String,
+    },
+    /// One is of another number of parts.
+    #[error("this is part {other}, but the first is part {first}")]
+    OtherCount {
+        /// Which outcome.
+        position: usize,
+        /// The part of the first outcome.
+        first: Shard,
+        /// Its part.
+        other: Shard,
+    },
+    /// One was not finished.
+    #[error("part {shard} was interrupted")]
+    Interrupted {
+        /// Which outcome.
+        position: usize,
+        /// Its part.
+        shard: Shard,
+    },
+    /// One is there twice.
+    #[error("part {shard} is there twice")]
+    Repeated {
+        /// The second of the two outcomes.
+        position: usize,
+        /// The part.
+        shard: Shard,
+    },
+    /// Some are not there.
+    #[error("{} missing: {}", missing_words(*.count), list(.first))]
+    Missing {
+        /// How many.
+        count: u32,
+        /// The first of them.
+        first: Vec<Shard>,
+    },
+}
+
+fn missing_words(count: u32) -> String {
+    if count == 1 { "1 part is".to_owned() } else { format!("{count} parts are") }
+}
+
+fn list(shards: &[Shard]) -> String {
+    shards.iter().map(Shard::to_string).collect::<Vec<_>>().join(", ")
+}
+
+impl SumError {
+    /// The outcome that does not fit, if it is one; counted from 0.
+    #[must_use]
+    pub const fn position(&self) -> Option<usize> {
+        match self {
+            Self::OtherWork { position, .. }
+            | Self::OtherCount { position, .. }
+            | Self::Interrupted { position, .. }
+            | Self::Repeated { position, .. } => Some(*position),
+            Self::Empty | Self::Missing { .. } => None,
+        }
+    }
+}
+
+/// How many missing parts are named.
+const NAMED: usize = 10;
+
+/// The outcome of the whole work from those of all its parts, in any order. All counts are those of one run that does the
+/// whole work.
+///
+/// ```
+/// use twinedge_trials::tables::TablesWork;
+/// use twinedge_trials::{Run, Shard, Validator, sum, tables};
+/// let part = |k| tables(TablesWork { half_edges: 0 }, &Validator, &Run::default().shard(Shard::new(k, 2).unwrap()));
+/// let whole = sum(&[part(0), part(1)])?;
+/// assert_eq!(whole, tables(TablesWork { half_edges: 0 }, &Validator, &Run::default()));
+/// # Ok::<(), twinedge_trials::SumError>(())
+/// ```
+///
+/// # Errors
+/// [`SumError`] if a part is missing, repeated, unfinished, or of other work.
+pub fn sum<O: Outcome>(parts: &[O]) -> Result<O, SumError> {
+    let first = parts.first().ok_or(SumError::Empty)?;
+    let (work, count) = (first.work(), first.shard().count());
+    let mut found = std::collections::BTreeSet::new();
+    for (position, part) in parts.iter().enumerate() {
+        let shard = part.shard();
+        if part.work() != work {
+            let [first, other] = [work, part.work()].map(|work| format!("{work:?}"));
+            return Err(SumError::OtherWork { position, first, other });
+        }
+        if shard.count() != count {
+            return Err(SumError::OtherCount { position, first: first.shard(), other: shard });
+        }
+        if part.is_interrupted() {
+            return Err(SumError::Interrupted { position, shard });
+        }
+        if !found.insert(shard.index()) {
+            return Err(SumError::Repeated { position, shard });
+        }
+    }
+    if found.len() < count as usize {
+        let missing = (0..count).filter(|index| !found.contains(index));
+        let first = missing.take(NAMED).filter_map(|index| Shard::new(index, count).ok()).collect();
+        return Err(SumError::Missing { count: count - found.len() as u32, first });
+    }
+    let mut parts: Vec<&O> = parts.iter().collect();
+    parts.sort_by_key(|part| part.shard());
+    let mut whole = parts[0].clone();
+    parts[1..].iter().for_each(|part| whole.absorb(part));
+    whole.complete();
+    Ok(whole)
+}

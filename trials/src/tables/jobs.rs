@@ -1,0 +1,318 @@
+//! Which tables are judged: the free cells, their values, and how many of the tables are right.
+
+use super::formulas;
+use twinedge::validate::enumerate::{Cell, Value};
+use twinedge::validate::{
+    BoundaryPlace, BoundaryRow, Expectation, FaceRow, HalfEdgeRow, Part, Start, Table, VertexRow, View,
+};
+
+/// All assignments of values to some cells of a table. The others keep their values.
+#[derive(Clone, Debug)]
+pub(super) struct Assignments {
+    pub(super) table: Table,
+    pub(super) cells: Vec<(Cell, Vec<Value>)>,
+}
+
+/// Tables in which the same cells are free, and how many of them are right.
+#[derive(Clone, Debug)]
+pub(super) struct Job {
+    pub(super) name: &'static str,
+    pub(super) half_edges: usize,
+    /// The least bound with which it is done: above its number of half-edges where there are very many tables.
+    pub(super) from: usize,
+    pub(super) expectation: Expectation,
+    /// Whether origins are not set but follow from twin and next.
+    pub(super) derive_origins: bool,
+    pub(super) assignments: Vec<Assignments>,
+    /// How many are right.
+    pub(super) right: u128,
+}
+
+/// What a cell is set to.
+#[derive(Clone, Copy, PartialEq, Eq, PartialOrd, Ord)]
+enum To {
+    /// The records that there are.
+    Live,
+    /// These and nil.
+    OrNil,
+    /// These, and the slot past the end.
+    OrPastTheEnd,
+}
+
+impl Assignments {
+    /// All assignments of the wanted ones among the cells that matter.
+    fn new(table: Table, expectation: Expectation, wanted: impl Fn(Cell) -> Option<To>) -> Self {
+        let cells = table.cells(&expectation);
+        let cells = cells.into_iter().filter_map(|cell| Some((cell, values(&table, cell, wanted(cell)?)))).collect();
+        Self { table, cells }
+    }
+
+    /// How many tables.
+    pub(super) fn len(&self) -> u128 {
+        self.cells.iter().map(|(_, values)| values.len() as u128).product()
+    }
+
+    /// The same in pieces: one for each value of the first two cells.
+    pub(super) fn split(&self) -> Vec<Self> {
+        let mut pieces = vec![self.clone()];
+        for position in 0..self.cells.len().min(2) {
+            let one_value = |piece: &Self| {
+                let with = |value: &Value| {
+                    let mut piece = piece.clone();
+                    piece.cells[position].1 = vec![*value];
+                    piece
+                };
+                piece.cells[position].1.iter().map(with).collect::<Vec<_>>()
+            };
+            pieces = pieces.iter().flat_map(one_value).collect();
+        }
+        pieces
+    }
+}
+
+fn values(table: &Table, cell: Cell, to: To) -> Vec<Value> {
+    let all = table.values(cell);
+    // Nil, the slots, one past the end and the largest number.
+    let slots = all.len().saturating_sub(3);
+    let wanted = |value: &Value| match *value {
+        Value::Link(None) | Value::Start(None) | Value::BoundaryPlace(None) => to >= To::OrNil,
+        Value::Link(Some(i)) => i < slots || i == slots && to == To::OrPastTheEnd,
+        Value::Start(Some(Start::HalfEdge(h))) => h < table.half_edges.len(),
+        Value::Start(Some(Start::Vertex(v))) => v < table.vertices.len(),
+        Value::BoundaryPlace(Some(BoundaryPlace::Outer)) => true,
+        Value::BoundaryPlace(Some(BoundaryPlace::Inner(i))) => i < usize::MAX,
+    };
+    all.into_iter().filter(wanted).collect()
+}
+
+/// A table of this size, all nil, each face listing as many inner boundary components as said.
+fn blank(vertices: usize, half_edges: usize, boundaries: usize, lists: &[usize]) -> Table {
+    let face = |listed: &usize| {
+        let (inner, inner_starts) = if boundaries > 0 { (*listed, 0) } else { (0, *listed) };
+        FaceRow { inner: vec![None; inner], inner_starts: vec![None; inner_starts], ..FaceRow::default() }
+    };
+    Table {
+        vertices: vec![Some(VertexRow::default()); vertices],
+        half_edges: vec![Some(HalfEdgeRow::default()); half_edges],
+        boundaries: vec![Some(BoundaryRow::default()); boundaries],
+        faces: lists.iter().map(|listed| Some(face(listed))).collect(),
+    }
+}
+
+/// A table of half-edges alone, with these twins.
+fn with_twins(twins: &[usize]) -> Table {
+    let mut table = blank(0, twins.len(), 0, &[]);
+    for (h, twin) in twins.iter().enumerate() {
+        table.set(Cell::Twin(h), Value::Link(Some(*twin)));
+    }
+    table
+}
+
+/// Every way to pair off this many half-edges.
+fn all_pairings(half_edges: usize) -> Vec<Vec<usize>> {
+    let mut done = vec![vec![usize::MAX; half_edges]];
+    for _ in 0..half_edges / 2 {
+        let pair = |twins: &Vec<usize>| {
+            let alone: Vec<usize> = (0..half_edges).filter(|h| twins[*h] == usize::MAX).collect();
+            let with = |other: &usize| {
+                let mut twins = twins.clone();
+                (twins[alone[0]], twins[*other]) = (*other, alone[0]);
+                twins
+            };
+            alone.iter().skip(1).map(with).collect::<Vec<_>>()
+        };
+        done = done.iter().flat_map(pair).collect();
+    }
+    done
+}
+
+/// Gives each half-edge the origin that it must have, that of the next of its twin, and each rotation a vertex of its own.
+pub(super) fn derive_origins(table: &mut Table) {
+    let half_edges = table.half_edges.len();
+    let mut origin: Vec<usize> = (0..half_edges).collect();
+    for _ in 0..half_edges {
+        for h in 0..half_edges {
+            if let Some(around) = table.twin(h).and_then(|t| table.next(t)) {
+                let least = origin[h].min(origin[around]);
+                (origin[h], origin[around]) = (least, least);
+            }
+        }
+    }
+    let mut vertices = origin.clone();
+    vertices.sort_unstable();
+    vertices.dedup();
+    for (h, origin) in origin.iter().enumerate() {
+        table.set(Cell::Origin(h), Value::Link(vertices.binary_search(origin).ok()));
+    }
+    table.vertices.clear();
+    table.vertices.resize(vertices.len(), Some(VertexRow::default()));
+}
+
+const MAP: Expectation = Expectation::surface().without(Part::Faces);
+const BARE: Expectation = MAP.without(Part::Prev).without(Part::Leaving);
+const PLANE: Expectation = Expectation::plane().without(Part::Faces).without(Part::Prev).without(Part::Leaving);
+const TEXTBOOK: Expectation = Expectation::plane().without(Part::BoundaryComponents).without(Part::Leaving);
+
+const TEXTBOOK_LEAVING: Expectation = Expectation::plane().without(Part::BoundaryComponents);
+
+const fn is_of_the_map(cell: Cell) -> bool {
+    matches!(cell, Cell::Origin(_) | Cell::Twin(_) | Cell::Next(_) | Cell::Prev(_) | Cell::Leaving(_))
+}
+
+/// All jobs of up to this many half-edges.
+pub(super) fn jobs(half_edges: usize) -> Vec<Job> {
+    let mut jobs = vec![isolated_vertices()];
+    jobs.extend([every_link(), every_link_and_dangling(), textbook_edge(), textbook_loop(), loop_with_records()]);
+    jobs.extend([every_field_of_an_edge(), every_field_of_a_loop(), every_field_with_records()]);
+    jobs.extend([links_of_four(), twins_of_four(), next_and_prev(), open_borders()]);
+    for edges in 1..=half_edges / 2 {
+        jobs.extend([
+            paired("next, for all twins; surfaces", edges, BARE, formulas::maps(edges as u128)),
+            paired("next, for all twins; the plane", edges, PLANE, formulas::plane_maps(edges as u128)),
+        ]);
+    }
+    jobs.retain(|job| job.from <= half_edges);
+    jobs.sort_by_key(|job| job.half_edges);
+    jobs
+}
+
+fn job(
+    name: &'static str,
+    half_edges: usize,
+    expectation: Expectation,
+    assignments: Vec<Assignments>,
+    right: u128,
+) -> Job {
+    Job { name, half_edges, from: half_edges, expectation, derive_origins: false, assignments, right }
+}
+
+/// Every link between two half-edges and two vertices.
+fn every_link() -> Job {
+    let all = Assignments::new(blank(2, 2, 0, &[]), MAP, |_| Some(To::OrNil));
+    let right = formulas::maps_with_leaving(1, 2);
+    job("origin, twin, next, prev, leaving; nil", 2, MAP, vec![all], right)
+}
+
+/// The same with links to the slot past the end.
+fn every_link_and_dangling() -> Job {
+    let all = Assignments::new(blank(2, 2, 0, &[]), MAP, |_| Some(To::OrPastTheEnd));
+    let right = formulas::maps_with_leaving(1, 2);
+    Job { from: 4, ..job("origin, twin, next, prev, leaving; nil, dangling", 2, MAP, vec![all], right) }
+}
+
+fn links_of_four() -> Job {
+    let all = Assignments::new(blank(2, 4, 0, &[]), BARE, |_| Some(To::Live));
+    job("origin, twin, next; 2 vertices", 4, BARE, vec![all], formulas::maps_with_vertices(2, 2))
+}
+
+fn twins_of_four() -> Job {
+    let is_free = |cell| matches!(cell, Cell::Twin(_) | Cell::Next(_)).then_some(To::Live);
+    let all = Assignments::new(blank(0, 4, 0, &[]), BARE, is_free);
+    Job { derive_origins: true, ..job("twin, next", 4, BARE, vec![all], formulas::maps(2)) }
+}
+
+/// Every `next` for every way to pair off the half-edges.
+fn paired(name: &'static str, edges: usize, expectation: Expectation, right: u128) -> Job {
+    let is_free = |cell| matches!(cell, Cell::Next(_)).then_some(To::Live);
+    let of_pairing = |twins: &Vec<usize>| Assignments::new(with_twins(twins), expectation, is_free);
+    let assignments = all_pairings(2 * edges).iter().map(of_pairing).collect();
+    Job { derive_origins: true, ..job(name, 2 * edges, expectation, assignments, right) }
+}
+
+/// For each permutation there is one that undoes it.
+fn next_and_prev() -> Job {
+    let expectation = MAP.without(Part::Leaving);
+    let is_free = |cell| matches!(cell, Cell::Next(_) | Cell::Prev(_)).then_some(To::Live);
+    let assignments =
+        all_pairings(4).iter().map(|twins| Assignments::new(with_twins(twins), expectation, is_free)).collect();
+    Job { derive_origins: true, ..job("next, prev, for all twins", 4, expectation, assignments, formulas::maps(2)) }
+}
+
+/// Every twin, or none: 0, 1 or 2 pairs of twins. Borders that are closed by one more cycle each always give a surface.
+fn open_borders() -> Job {
+    let expectation = BARE.open();
+    let all = Assignments::new(blank(0, 4, 0, &[]), expectation, |cell| match cell {
+        Cell::Twin(_) => Some(To::OrNil),
+        Cell::Next(_) => Some(To::Live),
+        _ => None,
+    });
+    Job { derive_origins: true, ..job("twin or nil, next; open borders", 4, expectation, vec![all], (1 + 6 + 3) * 24) }
+}
+
+/// One edge between two vertices in one face: the vertices can be swapped and the start chosen.
+fn textbook_edge() -> Job {
+    let lists: [&[usize]; 2] = [&[1], &[0]];
+    let assignments = lists.map(|lists| Assignments::new(blank(2, 2, 0, lists), TEXTBOOK, |_| Some(To::OrNil)));
+    job("an edge in one face, as in textbooks; nil", 2, TEXTBOOK, assignments.to_vec(), 2 * 2)
+}
+
+/// How the lists of two faces can be long, in all one or two entries or none.
+const LISTS: [[usize; 2]; 4] = [[0, 0], [1, 0], [0, 1], [1, 1]];
+
+/// A loop and two faces: which half-edge is outside, and which face.
+fn textbook_loop() -> Job {
+    let expectation = TEXTBOOK.without(Part::Prev);
+    let assignments = LISTS.map(|lists| Assignments::new(blank(1, 2, 0, &lists), expectation, |_| Some(To::OrNil)));
+    Job { from: 4, ..job("a loop and two faces, as in textbooks; nil", 2, expectation, assignments.to_vec(), 2 * 2) }
+}
+
+/// Links of the map lead to live records, and all other fields to these or nowhere.
+const fn nil_but_for_the_map(cell: Cell) -> To {
+    if is_of_the_map(cell) && !matches!(cell, Cell::Leaving(_)) { To::Live } else { To::OrNil }
+}
+
+/// Two vertices and one face: an edge. The vertices can be swapped and the start chosen.
+fn every_field_of_an_edge() -> Job {
+    let all = Assignments::new(blank(2, 2, 0, &[1]), TEXTBOOK_LEAVING, |cell| Some(nil_but_for_the_map(cell)));
+    Job { from: 4, ..job("every field of an edge, as in textbooks", 2, TEXTBOOK_LEAVING, vec![all], 2 * 2) }
+}
+
+/// One vertex and two faces: a loop. Which half-edge leaves, which is outside, and which face, if one has room for it.
+fn every_field_of_a_loop() -> Job {
+    let assignments = LISTS.map(|lists| {
+        Assignments::new(blank(1, 2, 0, &lists), TEXTBOOK_LEAVING, |cell| Some(nil_but_for_the_map(cell)))
+    });
+    Job {
+        from: 4,
+        ..job("every field of a loop, as in textbooks", 2, TEXTBOOK_LEAVING, assignments.to_vec(), 2 * (2 + 2))
+    }
+}
+
+/// Two vertices, one boundary component and one face: an edge, as above.
+fn every_field_with_records() -> Job {
+    let expectation = Expectation::plane();
+    let all = Assignments::new(blank(2, 2, 1, &[1]), expectation, |cell| match cell {
+        Cell::Isolated(_) | Cell::Outer(_) | Cell::Inner(..) => Some(To::OrNil),
+        _ => Some(To::Live),
+    });
+    Job { from: 4, ..job("every field of an edge, boundary component too", 2, expectation, vec![all], 2 * 2) }
+}
+
+/// A loop with two boundary components and two faces: which half-edge is outside, which face, and which component.
+fn loop_with_records() -> Job {
+    let expectation = Expectation::plane();
+    let assignments = LISTS.map(|lists| {
+        let mut table = blank(1, 2, 2, &lists);
+        for h in 0..2 {
+            table.set(Cell::Origin(h), Value::Link(Some(0)));
+            table.set(Cell::Twin(h), Value::Link(Some(1 - h)));
+            table.set(Cell::Next(h), Value::Link(Some(h)));
+            table.set(Cell::Prev(h), Value::Link(Some(h)));
+        }
+        table.set(Cell::Leaving(0), Value::Link(Some(0)));
+        Assignments::new(table, expectation, |cell| match cell {
+            cell if is_of_the_map(cell) => None,
+            Cell::Boundary(_) | Cell::BoundaryFace(_) | Cell::BoundaryStart(_) => Some(To::Live),
+            _ => Some(To::OrNil),
+        })
+    });
+    Job { from: 4, ..job("boundary, face and vertex fields of a loop", 2, expectation, assignments.to_vec(), 4 + 4) }
+}
+
+/// Two isolated vertices in one face: which boundary component is which vertex, and in which order they are listed.
+fn isolated_vertices() -> Job {
+    let expectation = Expectation::plane().without(Part::Leaving);
+    let assignments =
+        [0, 1, 2].map(|listed| Assignments::new(blank(2, 0, 2, &[listed]), expectation, |_| Some(To::OrNil)));
+    job("boundary and face fields of two isolated vertices", 0, expectation, assignments.to_vec(), 2 * 2)
+}

@@ -1,0 +1,107 @@
+//! What `tables` found.
+
+use super::work::TablesWork;
+use crate::rows::{INTERRUPTED, add_findings};
+use crate::shard::Shard;
+use crate::sum::Outcome;
+
+/// What [`tables()`](crate::tables()) found.
+#[derive(Clone, Debug, PartialEq, Eq)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
+#[non_exhaustive]
+pub struct TablesOutcome {
+    /// The work.
+    pub work: TablesWork,
+    /// Which part of it.
+    pub shard: Shard,
+    /// The tables, by their size and by the fields that are free.
+    pub tables: Vec<TablesRow>,
+    /// The first disagreements. All are counted in the rows.
+    pub findings: Vec<String>,
+    /// Whether the run was stopped before its end.
+    pub interrupted: bool,
+}
+
+/// Tables in which the same fields are free.
+#[derive(Clone, Debug, PartialEq, Eq)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
+pub struct TablesRow {
+    /// How many half-edges they have.
+    pub half_edges: usize,
+    /// Which fields are free.
+    pub free: String,
+    /// How many there are.
+    pub all: u64,
+    /// How many of them were judged.
+    pub judged: u64,
+    /// How many of these are right, by the validator.
+    pub right: u64,
+    /// How many of all are right, by a formula.
+    pub right_by_formula: u64,
+    /// How often the validator and the reference differ.
+    pub disagreements: u64,
+    /// Whether all tables were judged.
+    pub done: bool,
+}
+
+impl TablesRow {
+    /// Whether all tables were judged, the count is that of the formula, and there was no disagreement.
+    #[must_use]
+    pub const fn is_ok(&self) -> bool {
+        self.done && self.right == self.right_by_formula && self.disagreements == 0
+    }
+}
+
+impl Outcome for TablesOutcome {
+    type Work = TablesWork;
+
+    fn work(&self) -> TablesWork {
+        self.work
+    }
+
+    fn shard(&self) -> Shard {
+        self.shard
+    }
+
+    fn is_interrupted(&self) -> bool {
+        self.interrupted
+    }
+
+    fn reasons(&self) -> Vec<String> {
+        let mut reasons = Vec::new();
+        if self.interrupted {
+            reasons.push(INTERRUPTED.to_owned());
+        } else if self.shard.is_whole() {
+            let rows = self.tables.iter().filter(|row| !row.done || row.right != row.right_by_formula);
+            reasons.extend(rows.map(|row| {
+                let TablesRow { half_edges, free, all, judged, right, right_by_formula, .. } = row;
+                format!(
+                    "half-edges: {half_edges}, free: {free}: judged {judged} of {all}, right {right} instead of \
+                     {right_by_formula}"
+                )
+            }));
+        }
+        let disagreements: u64 = self.tables.iter().map(|row| row.disagreements).sum();
+        if disagreements > 0 {
+            reasons.push(format!("disagreements: {disagreements}"));
+            reasons.extend(self.findings.iter().cloned());
+        }
+        reasons
+    }
+
+    fn absorb(&mut self, other: &Self) {
+        for (row, other) in self.tables.iter_mut().zip(&other.tables) {
+            row.judged += other.judged;
+            row.right += other.right;
+            row.disagreements += other.disagreements;
+        }
+        add_findings(&mut self.findings, &other.findings);
+    }
+
+    fn complete(&mut self) {
+        self.shard = Shard::WHOLE;
+        for row in &mut self.tables {
+            row.done = row.judged == row.all;
+        }
+    }
+}

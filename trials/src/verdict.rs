@@ -1,0 +1,80 @@
+//! What a validator says of a table, in the form in which the reference answers.
+
+use twinedge::validate::{Collect, Expectation, Rule, Table, validate};
+
+/// What a validator says of a table.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
+pub struct Verdict {
+    /// Whether it takes the table for valid.
+    pub valid: bool,
+    /// The first rule that it finds broken.
+    pub broken: Option<Rule>,
+}
+
+impl Verdict {
+    /// Whether it says the same as a reference that finds this rule broken first, or none.
+    #[must_use]
+    pub fn agrees(self, reference: Option<Rule>) -> bool {
+        self.valid == reference.is_none() && self.broken == reference
+    }
+
+    /// Whether it says that something is wrong.
+    pub(crate) const fn is_alarm(self) -> bool {
+        !self.valid || self.broken.is_some()
+    }
+}
+
+impl std::fmt::Display for Verdict {
+    fn fmt(&self, f: &mut std::fmt::Formatter<'_>) -> std::fmt::Result {
+        match (self.valid, self.broken) {
+            (true, None) => f.write_str("right"),
+            (true, Some(rule)) => write!(f, "right, although {rule} is broken,"),
+            (false, None) => f.write_str("wrong by no rule"),
+            (false, Some(rule)) => write!(f, "wrong by {rule}"),
+        }
+    }
+}
+
+/// A validator under test: [`corrupt()`](crate::corrupt()) and [`tables()`](crate::tables()) compare it with the reference
+/// [`first_broken_rule`](twinedge::validate::reference::first_broken_rule).
+///
+/// ```
+/// use twinedge::validate::{Expectation, Rule, Table};
+/// use twinedge_trials::tables::TablesWork;
+/// use twinedge_trials::{Checker, Outcome, Run, Verdict, tables};
+/// /// A validator that finds nothing.
+/// struct Blind;
+/// impl Checker for Blind {
+///     fn check(&self, _: &Table, _: &Expectation) -> Verdict {
+///         Verdict { valid: true, broken: None }
+///     }
+/// }
+/// assert!(!tables(TablesWork { half_edges: 0 }, &Blind, &Run::default()).is_ok());
+/// ```
+pub trait Checker: Sync {
+    /// What it says of a table that is held to this expectation.
+    fn check(&self, table: &Table, expectation: &Expectation) -> Verdict;
+
+    /// Called after each table, with what [`Checker::check`] said. The time that this takes is not counted.
+    fn checked(&self, table: &Table, expectation: &Expectation, verdict: Verdict) {
+        let _ = (table, expectation, verdict);
+    }
+}
+
+/// The validator of the library: [`validate`].
+#[derive(Clone, Copy, Debug, Default)]
+pub struct Validator;
+
+impl Checker for Validator {
+    fn check(&self, table: &Table, expectation: &Expectation) -> Verdict {
+        // To stop at the first violation would not do: of rules that are run together it need not be the first one's.
+        let report = validate(table, expectation, Collect::AtMost(0));
+        let broken = report.outcomes().find(|(_, outcome)| outcome.violations > 0).map(|(rule, _)| rule);
+        Verdict { valid: report.is_valid(), broken }
+    }
+}
+
+/// A first broken rule in words.
+pub(crate) fn in_words(broken: Option<Rule>) -> String {
+    broken.map_or_else(|| "right".to_owned(), |rule| format!("wrong by {rule}"))
+}
