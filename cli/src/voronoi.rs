@@ -100,11 +100,11 @@ impl MakeVoronoi {
 #[derive(Debug, thiserror::Error)]
 enum PointsError {
     #[error("this is no GeoJSON: a FeatureCollection, a Feature or a geometry is expected")]
-    NoGeoJson,
+    Unknown,
     #[error("feature {feature}: its geometry is no point but {kind}")]
-    NoPoint { feature: usize, kind: String },
+    OtherGeometry { feature: usize, kind: String },
     #[error("feature {feature}: a point has two numbers")]
-    NoPosition { feature: usize },
+    Position { feature: usize },
 }
 
 impl Sites {
@@ -112,12 +112,12 @@ impl Sites {
         let mut sites = Self::default();
         match value["type"].as_str() {
             Some("FeatureCollection") => {
-                let features = value["features"].as_array().ok_or(PointsError::NoGeoJson)?;
+                let features = value["features"].as_array().ok_or(PointsError::Unknown)?;
                 features.iter().enumerate().try_for_each(|(i, feature)| sites.feature(i, feature))?;
             }
             Some("Feature") => sites.feature(0, value)?,
             Some(_) => sites.geometry(0, value, &Map::new())?,
-            None => return Err(PointsError::NoGeoJson),
+            None => return Err(PointsError::Unknown),
         }
         Ok(sites)
     }
@@ -132,18 +132,18 @@ impl Sites {
     }
 
     fn geometry(&mut self, feature: usize, value: &Value, properties: &Map<String, Value>) -> Result<(), PointsError> {
-        let error = PointsError::NoPosition { feature };
+        let error = PointsError::Position { feature };
         let positions = match value["type"].as_str() {
             Some("Point") => vec![&value["coordinates"]],
             Some("MultiPoint") => value["coordinates"].as_array().ok_or(error)?.iter().collect(),
             kind => {
                 let kind = kind.map_or_else(|| "without a type".to_owned(), plain);
-                return Err(PointsError::NoPoint { feature, kind });
+                return Err(PointsError::OtherGeometry { feature, kind });
             }
         };
         for position in positions {
             let number = |i: usize| position.get(i).and_then(Value::as_f64);
-            let (x, y) = number(0).zip(number(1)).ok_or(PointsError::NoPosition { feature })?;
+            let (x, y) = number(0).zip(number(1)).ok_or(PointsError::Position { feature })?;
             self.points.push(Point::new(x, y));
             self.properties.push(properties.clone());
         }
@@ -152,7 +152,7 @@ impl Sites {
 }
 
 /// A polygon without holes, closed.
-fn polygon(map: &PlanarMap, face: FaceKey, properties: Map<String, Value>) -> Result<Value, Failure> {
+fn polygon(map: &PlanarMap, face: FaceKey, properties: &Map<String, Value>) -> Result<Value, Failure> {
     let geometry = json!({"type": "Polygon", "coordinates": [ring(map, face)?]});
     Ok(json!({"type": "Feature", "properties": properties, "geometry": geometry}))
 }
@@ -164,7 +164,7 @@ fn cells(found: &Voronoi, sites: &Sites) -> Result<(String, String), Failure> {
     for (site, cell) in found.cells.iter().enumerate().filter(|(_, cell)| seen.insert(**cell)) {
         let mut properties = sites.properties[site].clone();
         properties.insert("site".to_owned(), json!(site));
-        features.push(polygon(&found.map, *cell, properties)?);
+        features.push(polygon(&found.map, *cell, &properties)?);
     }
     let [low, high] = found.bounds;
     let (points, cells) = (counted(found.cells.len(), "point"), counted(features.len(), "cell"));
@@ -183,7 +183,7 @@ fn triangles(found: &Delaunay) -> Result<(String, String), Failure> {
     for face in found.map.dcel().faces().filter(|face| !face.is_unbounded()) {
         let sites: Vec<usize> = face.half_edges().filter_map(|h| first.get(&h.origin().key()).copied()).collect();
         let properties = Map::from_iter([("sites".to_owned(), json!(sites))]);
-        features.push(polygon(&found.map, face.key(), properties)?);
+        features.push(polygon(&found.map, face.key(), &properties)?);
     }
     let what = format!("{}, {}", counted(found.vertices.len(), "point"), counted(features.len(), "triangle"));
     Ok((json!({"type": "FeatureCollection", "features": features}).to_string() + "\n", what))

@@ -77,8 +77,11 @@ pub(super) fn audit(name: &str, mut reader: impl Read, list: usize, format: Form
     Ok(if audited.valid { Verdict::Sound } else { Verdict::Wrong })
 }
 
+/// Makes a record of an index.
+type ToRecord = fn(usize) -> Record;
+
 /// Words after which a message of the validator has the index of a record, or two of them with an `and` between.
-const BEFORE_INDEX: [(&str, fn(usize) -> Record); 12] = [
+const BEFORE_INDEX: [(&str, ToRecord); 12] = [
     ("half-edge ", Record::HalfEdge),
     ("half-edges ", Record::HalfEdge),
     ("twin ", Record::HalfEdge),
@@ -97,7 +100,7 @@ const BEFORE_INDEX: [(&str, fn(usize) -> Record); 12] = [
 fn with_names(message: &str, tables: &Textbook) -> String {
     let mut out = String::new();
     // What the word before the last said, after an index.
-    let mut kind: Option<fn(usize) -> Record> = None;
+    let mut kind: Option<ToRecord> = None;
     for (i, word) in message.split(' ').enumerate() {
         let digits = word.bytes().take_while(u8::is_ascii_digit).count();
         let (number, after) = word.split_at(digits);
