@@ -445,12 +445,9 @@ impl FromStr for Textbook {
                 return Err(TablesError::Columns { line: *line, expected, found: 0 });
             };
             // `nil` alone is the empty list.
-            let inner = if let [only] = inner
-                && half_edges.link(*line, only) == Ok(None)
-            {
-                &[]
-            } else {
-                inner
+            let inner = match inner {
+                [only] if half_edges.link(*line, only) == Ok(None) => &[],
+                inner => inner,
             };
             let start = |name: &String| match name.chars().next() {
                 Some('v' | 'V') => Ok(vertices.link(*line, name)?.map(Start::Vertex)),

@@ -124,9 +124,8 @@ pub fn voronoi(sites: &[Point], bounds: Option<[Point; 2]>) -> Result<Voronoi, V
     for shortest in [0.0, 2_f64.powi(-50), 2_f64.powi(-46), 2_f64.powi(-42), 2_f64.powi(-38)] {
         let mut drawing = cells::draw(&triangulation, bounds, shortest * largest);
         let points = core::mem::take(&mut drawing.points);
-        if let Some(map) = connected(points, &drawing.segments)?
-            && let Some(cells) = cells_of(&map, &drawing, &numbers, triangulation.num_vertices())
-        {
+        let Some(map) = connected(points, &drawing.segments)? else { continue };
+        if let Some(cells) = cells_of(&map, &drawing, &numbers, triangulation.num_vertices()) {
             return Ok(Voronoi { map, cells, bounds });
         }
     }
