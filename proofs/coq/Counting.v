@@ -1,0 +1,72 @@
+(** * Counting: two lists that list the same are equally long *)
+
+From mathcomp Require Import all_ssreflect.
+From twinedge Require Import Arith View Rules.
+Set Implicit Arguments.
+Unset Strict Implicit.
+Unset Printing Implicit Defensive.
+
+Lemma lists_size (s s' : seq nat) (P : nat -> Prop) : lists s P -> lists s' P -> size s = size s'.
+Proof.
+case=> u H [u' H']; apply: perm_size; apply: uniq_perm => // x.
+by apply/idP/idP => [/H/H'|/H'/H].
+Qed.
+
+Lemma lists_iff (s : seq nat) (P Q : nat -> Prop) : (forall x, P x <-> Q x) -> lists s P -> lists s Q.
+Proof. by move=> PQ [u H]; split=> // x; rewrite H. Qed.
+
+Lemma lists_filter n (p : pred nat) (P : nat -> Prop) : (forall x, p x -> x < n) -> (forall x, p x <-> P x) ->
+  lists [seq x <- iota 0 n | p x] P.
+Proof.
+move=> lt pP; split=> [|x]; first exact: filter_uniq (iota_uniq _ _).
+by rewrite mem_filter mem_iota add0n -pP; split=> [/andP[]//|px]; rewrite px lt.
+Qed.
+
+Lemma lists_count n (p : pred nat) (s : seq nat) (P : nat -> Prop) : (forall x, p x -> x < n) -> (forall x, p x <-> P x) ->
+  lists s P -> size s = count p (iota 0 n).
+Proof. by move=> lt pP H; rewrite (lists_size H (lists_filter lt pP)) size_filter. Qed.
+
+(** A list that has one of each is no longer than another that does. *)
+Lemma one_of_each_size_le (s s' : seq nat) (same : nat -> nat -> Prop) (P : nat -> Prop) :
+  (forall x y, P x -> P y -> same x y -> same y x) -> (forall x y z, same x y -> same y z -> same x z) ->
+  lists_one_of_each s same P -> lists_one_of_each s' same P -> size s <= size s'.
+Proof.
+move=> sym trans [u sP one _] [_ sP' _ all'].
+pose rep (x y : nat) := y \in s' /\ same y x.
+suff: forall r, uniq r -> {subset r <= s} -> exists r', [/\ size r' = size r, uniq r' & forall y, y \in r' ->
+    exists2 x, x \in r & rep x y].
+  move=> /(_ s u (fun x H => H))[r' [<- u' H]]; apply: uniq_leq_size => // y /H[x _ []] //.
+elim=> [|x r IH] /=; first by exists [::].
+case/andP=> xr ur sub; case: IH => // [y yr|r' [sz u' H]]; first by apply: sub; rewrite inE yr orbT.
+have xs : x \in s by apply: sub; apply: mem_head.
+case: (all' x (sP x xs)) => y ys' yx; exists (y :: r'); split=> /=; first by rewrite sz.
+  rewrite u' andbT; apply/negP=> /H[z zr [_ yz]]; move: xr; rewrite (one x z) ?zr //.
+    by apply: sub; rewrite inE zr orbT.
+  by apply: trans yz; apply: sym => //; [apply: sP'|apply: sP].
+move=> z; rewrite inE => /orP[/eqP->|/H[w wr wz]]; first by exists x; rewrite ?mem_head.
+by exists w; rewrite // inE wr orbT.
+Qed.
+
+Lemma one_of_each_size (s s' : seq nat) (same : nat -> nat -> Prop) (P : nat -> Prop) :
+  (forall x y, P x -> P y -> same x y -> same y x) -> (forall x y z, same x y -> same y z -> same x z) ->
+  lists_one_of_each s same P -> lists_one_of_each s' same P -> size s = size s'.
+Proof. by move=> sym trans a b; apply/eqP; rewrite eqn_leq !(one_of_each_size_le sym trans). Qed.
+
+Lemma one_of_each_iff (s : seq nat) (same : nat -> nat -> Prop) (P Q : nat -> Prop) : (forall x, P x <-> Q x) ->
+  lists_one_of_each s same P -> lists_one_of_each s same Q.
+Proof. by move=> PQ [u H1 H2 H3]; split=> // [x /H1/PQ //|x /PQ/H3]. Qed.
+
+(** Exactly one of them. *)
+Lemma count1P n (p : pred nat) : (forall i, p i -> i < n) -> reflect (exists! i, p i) (count p (iota 0 n) == 1).
+Proof.
+move=> lt; rewrite -size_filter.
+have mem i : (i \in [seq i <- iota 0 n | p i]) = p i.
+  by rewrite mem_filter mem_iota add0n andbC; case E: (p i); rewrite ?andbF // andbT lt.
+have u : uniq [seq i <- iota 0 n | p i] by rewrite filter_uniq ?iota_uniq.
+move: {-2}(filter _ _) (erefl [seq i <- iota 0 n | p i]) => s E; rewrite -E in mem u.
+apply: (iffP eqP) => [|[i [pi one]]].
+  case: s mem {u E} => [//|i [|//]] mem _; exists i; split; first by rewrite -mem mem_head.
+  by move=> j; rewrite -mem inE => /eqP.
+have/perm_size-> // : perm_eq s [:: i].
+by apply: uniq_perm => // j; rewrite mem inE; apply/idP/eqP => [/one|->].
+Qed.
