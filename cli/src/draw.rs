@@ -1,6 +1,6 @@
 //! `twinedge draw`: a picture of a map.
 
-use crate::input::MapFile;
+use crate::input::{Imported, MapFile};
 use crate::output::{grouped, print};
 use crate::status::{Failure, Verdict};
 use std::path::{Path, PathBuf};
@@ -61,7 +61,7 @@ impl Draw {
             }
             Some(_) => return Err(Failure("--window needs two corners of a rectangle with an area".to_owned())),
         };
-        let (name, map) = self.map.build()?;
+        let Imported { name, map, .. } = self.map.build()?;
         let half_edges = svg::half_edges_in(&map, window);
         if self.detail && half_edges > LEGIBLE && !self.force {
             let (found, limit) = (grouped(half_edges), grouped(LEGIBLE));

@@ -6,7 +6,7 @@ use std::fs::File;
 use std::io::{self, BufRead, BufReader, Read};
 use std::path::{Path, PathBuf};
 use twinedge::geometry::noding::Snap;
-use twinedge::io::{ReadError, geojson};
+use twinedge::io::{self as formats, Format, ReadError, ReadSummary};
 use twinedge::map::{BuildError, Builder, Noding, PlanarMap};
 
 /// The built-in map of the world; see `data/README.md`.
@@ -22,10 +22,21 @@ enum InputError {
     Build(#[from] BuildError),
 }
 
-/// An input, opened: its name and its bytes.
+/// An input, opened.
 pub(crate) struct Input {
     pub(crate) name: String,
     pub(crate) reader: Box<dyn BufRead>,
+    /// The format that the name tells.
+    format: Option<Format>,
+}
+
+/// A map that was read and built.
+pub(crate) struct Imported {
+    /// The name of the input.
+    pub(crate) name: String,
+    /// What was read and what was dropped.
+    pub(crate) read: ReadSummary,
+    pub(crate) map: PlanarMap,
 }
 
 impl Input {
@@ -43,7 +54,7 @@ impl Input {
                 (name, Box::new(BufReader::new(progress(length).wrap_read(file))))
             }
         };
-        Ok(Self { name, reader })
+        Ok(Self { name, reader, format: path.and_then(Format::of_path) })
     }
 
     /// Its first bytes, without reading them.
@@ -52,10 +63,11 @@ impl Input {
     }
 }
 
-fn gather(reader: impl Read) -> Result<Builder, InputError> {
+fn gather(reader: impl Read, format: Option<Format>) -> Result<(Builder, ReadSummary), InputError> {
     let mut builder = Builder::new();
-    geojson::read(reader, |feature| builder.feature(&feature).map(drop).map_err(InputError::from))?;
-    Ok(builder)
+    let summary =
+        formats::read(reader, format, |feature| builder.feature(&feature).map(drop).map_err(InputError::from))?;
+    Ok((builder, summary))
 }
 
 /// A bar on standard error, if that is a terminal.
@@ -70,7 +82,7 @@ fn progress(bytes: u64) -> ProgressBar {
 /// The file that is named on the command line.
 #[derive(Debug, clap::Args)]
 pub(crate) struct MapFile {
-    /// A GeoJSON file, or `-` for standard input. Default: the built-in map of the world.
+    /// A GeoJSON or WKT file, or `-` for standard input. Default: the built-in map of the world.
     file: Option<PathBuf>,
 
     #[command(flatten)]
@@ -92,17 +104,17 @@ impl MapFile {
         Input::open(self.file.as_deref())
     }
 
-    /// Reads the map and builds it. Returns the name of the input with it.
-    pub(crate) fn build(&self) -> Result<(String, PlanarMap), Failure> {
+    /// Reads the map and builds it.
+    pub(crate) fn build(&self) -> Result<Imported, Failure> {
         self.build_from(self.open()?)
     }
 
     /// Builds the map that was opened.
-    pub(crate) fn build_from(&self, Input { name, reader }: Input) -> Result<(String, PlanarMap), Failure> {
+    pub(crate) fn build_from(&self, Input { name, reader, format }: Input) -> Result<Imported, Failure> {
         let noding = self.cutting.snap.map_or(Noding::None, Noding::Snap);
-        let map = gather(reader).and_then(|builder| Ok(builder.build_with(noding)?));
-        match map {
-            Ok(map) => Ok((name, map)),
+        let built = gather(reader, format).and_then(|(builder, read)| Ok((read, builder.build_with(noding)?)));
+        match built {
+            Ok((read, map)) => Ok(Imported { name, read, map }),
             Err(error) => Err(Failure(format!("{name}: {error}"))),
         }
     }

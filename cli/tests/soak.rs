@@ -97,10 +97,10 @@ fn a_replay_shows_the_structure_after_each_step() {
         "  h2  origin v1  twin h3  next h3  prev h3  boundary b1",
         "  f1  outer nil  inner [b1]",
         "3. remove_edge !h0: skipped: nothing to choose from",
-        "in step: slots did as the textbook's structure does",
-        // What the names of the program came to, by those of the table.
-        "   that is: in f1",
-        "   that is: v1 to v1",
+        "in step: slots did as the reference does",
+        // The records that the names of the program chose.
+        "   records: in f1",
+        "   records: v1 to v1",
     ] {
         assert!(text.lines().any(|shown| shown == line), "{line}\n{text}");
     }

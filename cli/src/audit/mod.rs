@@ -2,7 +2,7 @@
 
 mod table_file;
 
-use crate::input::MapFile;
+use crate::input::{Imported, MapFile};
 use crate::output::style::{BAD, GOOD, QUIET};
 use crate::output::{Format, counted, grouped, plain, print, print_json};
 use crate::query::label;
@@ -13,6 +13,7 @@ use std::fmt::Write as _;
 use std::time::Instant;
 use twinedge::dcel::{Boundary, Face, Vertex};
 use twinedge::geometry::noding;
+use twinedge::io::ReadSummary;
 use twinedge::map::{BuildSummary, Irregularity, IrregularityKind, PlanarMap, Position};
 use twinedge::validate::{Collect, Expectation, Record, Report, Violation};
 use twinedge::validate::{places, validate_embedding};
@@ -52,12 +53,13 @@ impl Audit {
         if table_file::is_table_file(input.beginning()?) {
             return table_file::audit(&input.name, input.reader, self.list, self.format);
         }
-        let (name, map) = self.map.build_from(input)?;
-        let report = validate_embedding(&map, &Expectation::plane(), Collect::AtMost(self.list));
+        let imported = self.map.build_from(input)?;
+        let map = &imported.map;
+        let report = validate_embedding(map, &Expectation::plane(), Collect::AtMost(self.list));
         let elapsed = start.elapsed().as_secs_f64() * 1000.0;
         match self.format {
-            Format::Text => print(&text(&name, &map, &report, elapsed)?)?,
-            Format::Json => print_json(&Json::new(&name, &map, &report, elapsed))?,
+            Format::Text => print(&text(&imported, &report, elapsed)?)?,
+            Format::Json => print_json(&Json::new(&imported, &report, elapsed))?,
         }
         Ok(if report.is_valid() { Verdict::Sound } else { Verdict::Wrong })
     }
@@ -85,10 +87,14 @@ fn features(map: &PlanarMap, violation: &Violation) -> Vec<String> {
     found.into_iter().map(|feature| label(map, feature)).collect()
 }
 
-fn text(name: &str, map: &PlanarMap, report: &Report, elapsed: f64) -> Result<String, std::fmt::Error> {
+fn text(imported: &Imported, report: &Report, elapsed: f64) -> Result<String, std::fmt::Error> {
+    let Imported { name, read, map } = imported;
     let mut out = String::new();
     writeln!(out, "{name}")?;
     writeln!(out, "{QUIET}{}{QUIET:#}", input_line(map.summary()))?;
+    if let Some(dropped) = dropped_line(read) {
+        writeln!(out, "{QUIET}{dropped}{QUIET:#}")?;
+    }
     if let Some(noding) = map.noding() {
         writeln!(out, "{QUIET}{}{QUIET:#}", noding_line(noding))?;
     }
@@ -145,6 +151,18 @@ fn text(name: &str, map: &PlanarMap, report: &Report, elapsed: f64) -> Result<St
         writeln!(out, "{BAD}not valid{BAD:#}: {} ({elapsed:.0} ms)", counted(count as usize, "violation"))?;
     }
     Ok(out)
+}
+
+/// What the reader dropped, except for properties, which every file has.
+fn dropped_line(read: &ReadSummary) -> Option<String> {
+    let mut dropped = Vec::new();
+    if read.with_extra_dimensions > 0 {
+        dropped.push(format!("the dimensions beyond x and y of {}", counted(read.with_extra_dimensions, "position")));
+    }
+    if read.dropped_empty > 0 {
+        dropped.push(counted(read.dropped_empty, "empty shape"));
+    }
+    (!dropped.is_empty()).then(|| format!("dropped: {}", dropped.join(", ")))
 }
 
 fn input_line(summary: &BuildSummary) -> String {
@@ -238,6 +256,9 @@ struct JsonImport {
     rings_wound_wrongly: usize,
     self_touching_rings: usize,
     spikes: usize,
+    with_extra_dimensions: usize,
+    dropped_properties: usize,
+    dropped_empty: usize,
     irregularities: Vec<JsonIrregularity>,
 }
 
@@ -253,7 +274,7 @@ struct JsonIrregularity {
 }
 
 impl JsonImport {
-    fn new(map: &PlanarMap) -> Self {
+    fn new(map: &PlanarMap, read: &ReadSummary) -> Self {
         let summary = map.summary();
         let irregularity = |one: &Irregularity| {
             let Position { feature, shape, ring, point } = one.position;
@@ -270,6 +291,9 @@ impl JsonImport {
             rings_wound_wrongly: summary.rings_wound_wrongly,
             self_touching_rings: summary.self_touching_rings,
             spikes: summary.spikes,
+            with_extra_dimensions: read.with_extra_dimensions,
+            dropped_properties: read.dropped_properties,
+            dropped_empty: read.dropped_empty,
             irregularities: summary.irregularities.iter().map(irregularity).collect(),
         }
     }
@@ -331,11 +355,12 @@ struct JsonViolation {
 }
 
 impl<'a> Json<'a> {
-    fn new(input: &'a str, map: &PlanarMap, report: &Report, elapsed_ms: f64) -> Self {
+    fn new(imported: &'a Imported, report: &Report, elapsed_ms: f64) -> Self {
+        let Imported { name, read, map } = imported;
         let counts = report.counts();
         Self {
-            input,
-            import: JsonImport::new(map),
+            input: name,
+            import: JsonImport::new(map, read),
             noding: map.noding().map(JsonNoding::from),
             valid: report.is_valid(),
             counts: JsonCounts {

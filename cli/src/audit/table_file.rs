@@ -142,13 +142,14 @@ impl Audited<'_> {
         }
         let (tables, valid) = (counted(self.tables as usize, "table"), grouped(self.valid_tables));
         let differ = counted(self.verdicts_differ as usize, "verdict");
+        let verb = if self.verdicts_differ == 1 { "differs" } else { "differ" };
         let ms = self.elapsed_ms;
         if self.valid {
             writeln!(out, "{GOOD}valid{GOOD:#}: {tables} ({ms:.0} ms)")?;
         } else {
             writeln!(
                 out,
-                "{BAD}not valid{BAD:#}: {valid} of {tables} valid, {differ} of the file differ ({ms:.0} ms)"
+                "{BAD}not valid{BAD:#}: {valid} of {tables} valid, {differ} of the file {verb} ({ms:.0} ms)"
             )?;
         }
         Ok(out)

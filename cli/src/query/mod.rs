@@ -11,7 +11,7 @@ mod record;
 
 pub(crate) use names::label;
 
-use crate::input::MapFile;
+use crate::input::{Imported, MapFile};
 use crate::status::{Failure, Verdict};
 use asked::Asked;
 use clap::Subcommand;
@@ -49,7 +49,7 @@ enum Question {
 
 impl Query {
     pub(crate) fn run(&self) -> Result<Verdict, Failure> {
-        let (input, map) = self.map.build()?;
+        let Imported { name: input, map, .. } = self.map.build()?;
         if !map.is_plane() {
             let why = "edges cross, touch or overlap, so places are not well defined";
             return Err(Failure(format!("{input}: {why}; --snap auto cuts them, audit says where they are")));

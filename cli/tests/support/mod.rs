@@ -43,3 +43,11 @@ pub(crate) fn complaint(output: &Output) -> String {
     assert_eq!(text.lines().count(), 1, "{text}");
     text
 }
+
+/// An empty folder for a test.
+pub(crate) fn scratch_folder(name: &str) -> std::path::PathBuf {
+    let folder = std::path::Path::new(env!("CARGO_TARGET_TMPDIR")).join(name);
+    let _ = std::fs::remove_dir_all(&folder);
+    std::fs::create_dir_all(&folder).unwrap();
+    folder
+}

@@ -88,7 +88,7 @@ pub fn corrupt<K: Subject>(
             judge.corrupt_pairs(&all, work.seed, piece as u64, count);
         }));
     };
-    let found = |hanging| outcome(structure.name(), work, run, &specimens, court.judged(), hanging);
+    let found = |hanging| summarize(structure.name(), work, run, &specimens, court.judged(), hanging);
     watch.during(judge_all, |corruption| hangs(&found(Some(corruption))));
     Ok(found(None))
 }
@@ -118,7 +118,7 @@ fn collect<K: Subject>(structure: &Structure<K>, edges: usize, run: &Run<'_>) ->
     specimens
 }
 
-fn outcome(
+fn summarize(
     on: &str,
     work: CorruptWork,
     run: &Run<'_>,

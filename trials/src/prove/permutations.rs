@@ -1,11 +1,11 @@
-//! All permutations of a few half-edges, each of which is the `next` of some map on some surface.
+//! All permutations of a few half-edges. Each is the `next` of a map on some surface.
 
 use twinedge::validate::{Link, View};
 
 /// The most half-edges of a map here.
 const MOST: usize = 10;
 
-/// A map without faces: twins are 0 and 1, 2 and 3, …, `next` is any permutation, and vertices are what follows from these.
+/// A map without faces: twins are 0 and 1, 2 and 3, …; `next` is any permutation; vertices follow from these.
 #[derive(Clone, Copy, Debug)]
 pub(super) struct RotationSystem {
     len: usize,
@@ -87,13 +87,13 @@ impl View for RotationSystem {
     }
 }
 
-/// The ways to begin a permutation of so many half-edges: a share of the work each.
+/// The ways to begin a permutation of this many half-edges. Each is one piece of the work.
 pub(super) fn beginnings(half_edges: u8) -> Vec<Vec<u8>> {
     let firsts = 0..half_edges;
     firsts.flat_map(|a| (0..half_edges).filter(move |b| *b != a).map(move |b| vec![a, b])).collect()
 }
 
-/// Visits every map of so many half-edges whose `next` begins so, in lexicographic order.
+/// Visits every map of this many half-edges whose `next` has this beginning, in lexicographic order.
 pub(super) fn for_each(half_edges: u8, beginning: &[u8], mut visit: impl FnMut(&RotationSystem)) {
     let mut next = beginning.to_vec();
     next.extend((0..half_edges).filter(|h| !beginning.contains(h)));

@@ -1,8 +1,8 @@
-//! Counting planar subdivisions without making one: no operator, no canonical form and no validator has a part in it.
+//! Counting planar subdivisions without making one, so without operators, canonical forms and validators.
 //!
-//! A subdivision is what lies in the unbounded face. What lies in a face is a multiset of components, each with what lies in
-//! its bounded faces in turn. So let S(x, y) count what can lie in a face, by edges and vertices, and T(x, y) one component
-//! with all that it contains:
+//! A face contains a multiset of components, each of which has contents in its bounded faces. A subdivision is the contents of
+//! the unbounded face. Let S(x, y) count the contents of a face by edges and vertices, and T(x, y) one component with the
+//! contents of its faces:
 //!
 //! ```text
 //!   S = Π (1 − xⁱ yʲ)^(−tᵢⱼ)                               multisets (Euler's transform)
@@ -11,10 +11,10 @@
 //!                                                          contents up to symmetry (Pólya's theorem)
 //! ```
 //!
-//! The sum over M comes from all permutations: on n edges with names, every permutation of the 2n half-edges is the `next` of
-//! a map; of those that are connected and plane, every cycle is taken for the outside, and every automorphism is found by
-//! trying where half-edge 0 could go. A sum over all names, divided by their number 2ⁿ n!, is the sum over M (Burnside).
-//! Each component has a vertex, so fewer vertices are left for its contents, and repeated substitution ends.
+//! The sum over M comes from all permutations. On n labelled edges, every permutation of the 2n half-edges is the `next` of a map.
+//! Of the connected plane maps, each cycle in turn is the outside, and each automorphism is found by trying all images of
+//! half-edge 0. The sum over all labellings, divided by their number 2ⁿ n!, is the sum over M (Burnside). Each component has a
+//! vertex, so fewer vertices are left for its contents, and repeated substitution ends.
 
 use super::permutations::{RotationSystem, for_each};
 use std::collections::BTreeMap;
@@ -190,7 +190,7 @@ fn cycle_lengths(images: &[usize], without: usize) -> Vec<usize> {
     lengths
 }
 
-/// The number of planar subdivisions with so many edges and vertices, by edges and vertices.
+/// The number of planar subdivisions with up to this many edges and vertices, by edges and vertices.
 pub(super) fn subdivisions(edges: usize, vertices: usize) -> BTreeMap<(usize, usize), u64> {
     let symmetries: Vec<Symmetries> = (0..=edges).map(symmetries).collect();
     let mut contents = Series::one(edges, vertices);

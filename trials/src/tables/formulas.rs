@@ -1,4 +1,4 @@
-//! How many tables are right.
+//! The number of right tables, by formulas for maps on labelled half-edges.
 
 use crate::published::{binomial, factorial, rooted};
 
@@ -16,12 +16,12 @@ pub(super) fn pairings(edges: u128) -> u128 {
     (1..=edges).map(|i| 2 * i - 1).product()
 }
 
-/// The maps of n edges on half-edges with names, on whatever surfaces: `next` may be any permutation.
+/// The maps of n edges on labelled half-edges, on any surface: `next` may be any permutation.
 pub(super) fn maps(edges: u128) -> u128 {
     pairings(edges) * factorial(2 * edges)
 }
 
-/// The same with the names of k of m vertices given to their rotations. What is left of the m are isolated vertices.
+/// The same with k of m vertices assigned to the rotations. The other vertices are isolated.
 pub(super) fn maps_with_vertices(edges: u128, vertices: u128) -> u128 {
     let named = |k| factorial(k) * binomial(vertices, k) * permutations_with_orbits(2 * edges, k);
     pairings(edges) * (0..=vertices).map(named).sum::<u128>()
@@ -34,13 +34,13 @@ pub(super) fn maps_with_leaving(edges: u128, vertices: u128) -> u128 {
     pairings(edges) * (1..=vertices).map(named).sum::<u128>()
 }
 
-/// Connected plane maps on half-edges with names. A rooted one has no symmetry, so it can be named in (2n − 1)! ways, its
-/// root being first.
+/// Connected plane maps on labelled half-edges. A rooted one has no symmetry, so it can be labelled in (2n − 1)! ways with its
+/// root first.
 pub(super) fn connected_plane_maps(edges: u128) -> u128 {
     rooted(edges as usize) * factorial(2 * edges - 1)
 }
 
-/// Plane maps on half-edges with names: the component of the first half-edge, and the rest.
+/// Plane maps on labelled half-edges: the component of the first half-edge, and the rest.
 pub(super) fn plane_maps(edges: u128) -> u128 {
     if edges == 0 {
         return 1;

@@ -1,4 +1,4 @@
-//! Which tables: the cells that are free, what they are set to, and how many of the tables are right.
+//! Which tables are judged: the free cells, their values, and how many of the tables are right.
 
 use super::formulas;
 use twinedge::validate::enumerate::{Cell, Value};
@@ -108,7 +108,7 @@ fn with_twins(twins: &[usize]) -> Table {
     table
 }
 
-/// Every way to pair off so many half-edges.
+/// Every way to pair off this many half-edges.
 fn all_pairings(half_edges: usize) -> Vec<Vec<usize>> {
     let mut done = vec![vec![usize::MAX; half_edges]];
     for _ in 0..half_edges / 2 {
@@ -159,7 +159,7 @@ const fn is_of_the_map(cell: Cell) -> bool {
     matches!(cell, Cell::Origin(_) | Cell::Twin(_) | Cell::Next(_) | Cell::Prev(_) | Cell::Leaving(_))
 }
 
-/// All jobs of up to so many half-edges.
+/// All jobs of up to this many half-edges.
 pub(super) fn jobs(half_edges: usize) -> Vec<Job> {
     let mut jobs = vec![isolated_vertices()];
     jobs.extend([every_link(), every_link_and_dangling(), textbook_edge(), textbook_loop(), loop_with_records()]);

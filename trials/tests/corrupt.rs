@@ -1,0 +1,165 @@
+//! `corrupt` and `tables`, with validators that are right and with ones that are wrong.
+
+use std::sync::atomic::{AtomicU64, Ordering};
+use twinedge::dcel::Dcel;
+use twinedge::program::RotationSystem;
+use twinedge::store::FixedStore;
+use twinedge::validate::{Expectation, Part, Rule, Table};
+use twinedge_trials::corrupt::{CorruptOutcome, CorruptWork, Form, Tally, abort};
+use twinedge_trials::tables::{TablesOutcome, TablesWork};
+use twinedge_trials::{Checker, Outcome, Run, Structure, StructureError, Validator, Verdict, corrupt, tables};
+
+/// A validator that says something else than it should.
+struct Wrong(fn(Verdict) -> Verdict);
+
+impl Checker for Wrong {
+    fn check(&self, table: &Table, expectation: &Expectation) -> Verdict {
+        self.0(Validator.check(table, expectation))
+    }
+}
+
+const WORK: CorruptWork = CorruptWork { edges: 1, pairs: 1_000, seed: 7 };
+
+fn slots() -> Structure<Dcel> {
+    Structure::new("slots", Dcel::new, Expectation::plane())
+}
+
+fn corrupted(checker: &dyn Checker) -> CorruptOutcome {
+    corrupt(&slots(), WORK, checker, &Run::default(), &abort).unwrap()
+}
+
+fn judged(checker: &dyn Checker) -> TablesOutcome {
+    tables(TablesWork { half_edges: 0 }, checker, &Run::default())
+}
+
+/// All single corruptions together.
+fn total(outcome: &CorruptOutcome, count: fn(&Tally) -> u64) -> u64 {
+    outcome.fields.iter().map(|row| count(&row.tally)).sum()
+}
+
+#[test]
+fn the_validator_misses_nothing() {
+    let outcome = corrupted(&Validator).into_result().unwrap();
+    assert_eq!((outcome.maps, outcome.maps_found, outcome.unusable), (7, 7, 0));
+    assert_eq!(total(&outcome, |tally| tally.wrong), total(&outcome, |tally| tally.caught));
+    assert!(total(&outcome, |tally| tally.corruptions) > total(&outcome, |tally| tally.wrong));
+    assert_eq!(outcome.pairs.tally.corruptions, 1_000);
+    judged(&Validator).into_result().unwrap();
+}
+
+#[test]
+fn a_validator_that_finds_nothing_misses_all() {
+    let blind = Wrong(|_| Verdict { valid: true, broken: None });
+    let outcome = corrupted(&blind);
+    assert_eq!(total(&outcome, |tally| tally.missed), total(&outcome, |tally| tally.wrong));
+    assert!(outcome.findings[0].contains("and the validator takes it for right"), "{}", outcome.findings[0]);
+    let reasons = outcome.into_result().unwrap_err().to_string();
+    assert!(reasons.contains("no wrong table was caught"), "{reasons}");
+    let outcome = judged(&blind);
+    assert!(outcome.tables[0].disagreements > 0 && outcome.tables[0].right == outcome.tables[0].all);
+    assert!(outcome.findings[0].starts_with("right to the validator, wrong by "), "{}", outcome.findings[0]);
+    assert!(!outcome.is_ok());
+}
+
+#[test]
+fn a_validator_that_finds_fault_with_all_gives_false_alarms() {
+    let outcome = corrupted(&Wrong(|_| Verdict { valid: false, broken: Some(Rule::R1) }));
+    let right = total(&outcome, |tally| tally.corruptions) - total(&outcome, |tally| tally.wrong);
+    assert_eq!(total(&outcome, |tally| tally.false_alarms), right);
+    assert!(total(&outcome, |tally| tally.other_rule) > 0 && total(&outcome, |tally| tally.missed) == 0);
+    assert!(!outcome.is_ok());
+}
+
+#[test]
+fn a_validator_that_contradicts_itself_differs() {
+    let outcome = judged(&Wrong(|verdict| Verdict { valid: !verdict.valid, ..verdict }));
+    assert_eq!(outcome.tables[0].disagreements, outcome.tables[0].all);
+}
+
+#[test]
+fn a_validator_that_panics_is_reported() {
+    let outcome = corrupted(&Wrong(|verdict| if verdict.valid { verdict } else { panic!("planted") }));
+    let wrong = total(&outcome, |tally| tally.wrong) + outcome.small_pairs.wrong + outcome.pairs.tally.wrong;
+    assert_eq!(outcome.panics, wrong);
+    assert!(outcome.findings[0].contains("the validator panics: planted ("), "{}", outcome.findings[0]);
+    assert!(outcome.reasons().iter().any(|reason| reason.starts_with("validations that panicked: ")));
+}
+
+#[test]
+fn a_slow_validation_counts_as_hung() {
+    struct Slow(AtomicU64);
+    impl Checker for Slow {
+        fn check(&self, table: &Table, expectation: &Expectation) -> Verdict {
+            // Slow whenever the first table is timed.
+            if self.0.fetch_add(1, Ordering::Relaxed) < 3 {
+                std::thread::sleep(std::time::Duration::from_millis(1_010));
+            }
+            Validator.check(table, expectation)
+        }
+    }
+    let work = CorruptWork { edges: 0, pairs: 0, seed: 0 };
+    let run = Run::default().threads(1);
+    let outcome = corrupt(&slots(), work, &Slow(0.into()), &run, &abort).unwrap();
+    assert_eq!(outcome.hung, 1);
+    assert!(outcome.findings[0].contains("the validator takes 1.0 s"), "{}", outcome.findings[0]);
+}
+
+#[test]
+fn each_table_is_shown_once_with_its_verdict() {
+    #[derive(Default)]
+    struct Counting {
+        tables: AtomicU64,
+        right: AtomicU64,
+    }
+    impl Checker for Counting {
+        fn check(&self, table: &Table, expectation: &Expectation) -> Verdict {
+            Validator.check(table, expectation)
+        }
+        fn checked(&self, table: &Table, expectation: &Expectation, verdict: Verdict) {
+            assert_eq!(Validator.check(table, expectation), verdict);
+            self.tables.fetch_add(1, Ordering::Relaxed);
+            self.right.fetch_add(verdict.valid.into(), Ordering::Relaxed);
+        }
+    }
+    let counting = Counting::default();
+    let outcome = judged(&counting);
+    assert_eq!(
+        (counting.tables.into_inner(), counting.right.into_inner()),
+        (outcome.tables[0].judged, outcome.tables[0].right)
+    );
+    let counting = Counting::default();
+    let outcome = corrupted(&counting);
+    let all = total(&outcome, |tally| tally.corruptions) + outcome.small_pairs.corruptions + 1_000;
+    assert_eq!(counting.tables.into_inner(), all);
+}
+
+#[test]
+fn a_structure_without_records_for_boundary_components_has_one_form() {
+    let model = Structure::new("model", RotationSystem::new, RotationSystem::expectation());
+    let outcome = corrupt(&model, WORK, &Validator, &Run::default(), &abort).unwrap();
+    assert!(outcome.is_ok(), "{:?}", outcome.reasons());
+    assert!(outcome.fields.iter().all(|row| row.form == Form::Textbook));
+    assert_eq!(outcome.maps, 7);
+}
+
+#[test]
+fn maps_that_the_structure_does_not_make_are_reported() {
+    // The first program makes and removes a loop: there is room for that, but not for two vertices.
+    let small = Structure::new("small", Dcel::<FixedStore<1, 1, 2, 2>>::default, Expectation::plane());
+    let outcome = corrupt(&small, WORK, &Validator, &Run::default(), &abort).unwrap();
+    assert!(outcome.unusable > 0 && outcome.maps > 0, "{outcome:?}");
+    assert_eq!(outcome.maps + outcome.unusable, outcome.maps_found);
+    assert!(
+        outcome.findings[0].contains("should be applied, but is refused: there is no room"),
+        "{}",
+        outcome.findings[0]
+    );
+    assert!(!outcome.is_ok());
+}
+
+#[test]
+fn a_structure_whose_maps_cannot_be_told_apart_is_an_error() {
+    let less = Structure::new("less", Dcel::new, Expectation::plane().without(Part::Faces));
+    let error = corrupt(&less, WORK, &Validator, &Run::default(), &abort).unwrap_err();
+    assert_eq!(error, StructureError::Lacks(Part::Faces));
+}
