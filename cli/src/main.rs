@@ -15,6 +15,7 @@ mod progress;
 mod prove;
 mod query;
 mod replay;
+mod sample;
 mod soak;
 mod status;
 mod structures;
@@ -49,6 +50,7 @@ enum Command {
     Prove(prove::Prove),
     Corrupt(corrupt::Corrupt),
     Tables(tables::Tables),
+    Sample(sample::Sample),
     Soak(soak::Soak),
     Replay(replay::Replay),
     Sum(sum::Sum),
@@ -62,6 +64,7 @@ fn main() -> ExitCode {
         Command::Prove(prove) => prove.run(),
         Command::Corrupt(corrupt) => corrupt.run(),
         Command::Tables(tables) => tables.run(),
+        Command::Sample(sample) => sample.run(),
         Command::Soak(soak) => soak.run(),
         Command::Replay(replay) => replay.run(),
         Command::Sum(sum) => sum.run(),
