@@ -249,7 +249,7 @@ Qed.
 Lemma label_piece (x : dart t) : exists2 r, labels t (num x) = Some r & r \in pieces.
 Proof.
 have [r xr] := label_total map x; exists r => //; apply/piecesP.
-by case: (flood_all_label (@half_edge_below t) (near_live map) (near_sym map) (@near_size t) xr).
+by case: (flood_all_label (@half_edge_below t) (near_live map) (near_sym map) (near_enough t) xr).
 Qed.
 
 Lemma pieces_each : lists_one_of_each pieces (reached (near t)) (half_edge t).

@@ -64,9 +64,9 @@ Fixpoint flood fuel (near : nat -> seq nat) root (stack : seq nat) (label : memo
   else label.
 
 (** Every live number below [n] is labelled, those that are joined alike. *)
-Definition flood_all n (live : nat -> bool) near : memory link :=
+Definition flood_all fuel n (live : nat -> bool) near : memory link :=
   fold_below n (fun label x =>
-    if live x then if read label x is Some _ then label else flood (4 * n).+2 near x [:: x] label else label) (blank None).
+    if live x then if read label x is Some _ then label else flood fuel near x [:: x] label else label) (blank None).
 
 (** ** Climb: from each number upwards, until the top or what is known to lead there
 

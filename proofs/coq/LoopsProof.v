@@ -175,11 +175,11 @@ Qed.
 (** ** Flood *)
 
 Section Flood.
-Variables (n : nat) (live : pred nat) (near : nat -> seq nat).
+Variables (fuel n : nat) (live : pred nat) (near : nat -> seq nat).
 Hypothesis below : forall i, live i -> i < n.
 Hypothesis near_live : forall x y, live x -> y \in near x -> live y.
 Hypothesis near_sym : forall x y, live x -> y \in near x -> x \in near y.
-Hypothesis near_size : forall x, size (near x) <= 3.
+Hypothesis enough : sumn [seq size (near x) | x <- iota 0 n] + 1 < fuel.
 
 Inductive reached r : nat -> Prop :=
   | reached_self : reached r r
@@ -201,30 +201,32 @@ Qed.
 Definition sound (label : memory link) := forall x r, label x = Some r -> [/\ live x, live r & reached r x].
 Definition waits root (stack : seq nat) (label : memory link) := forall x y r, label x = Some r -> y \in near x ->
   label y = Some r \/ [/\ label y = None, r = root & y \in stack].
-Definition unlabelled (label : memory link) := count (fun i => label i == None) (iota 0 n).
+(** What may still be pushed. *)
+Definition weight (label : memory link) := sumn [seq (if label i is Some _ then 0 else size (near i)) | i <- iota 0 n].
 
-Lemma unlabelled_write label x r : x < n -> label x = None ->
-  unlabelled label = (unlabelled (write label x (Some r))).+1.
+Lemma weight_write label x r : x < n -> label x = None ->
+  weight label = weight (write label x (Some r)) + size (near x).
 Proof.
-move=> lt none; rewrite /unlabelled /write.
+move=> lt none; rewrite /weight /write.
 have -> : iota 0 n = iota 0 x ++ x :: iota x.+1 (n - x.+1).
   by rewrite -[x in iota x.+1 _]add0n -[x :: _]/(iota x (n - x.+1).+1) subnSK // -{2}[x]add0n -iotaD subnKC // ltnW.
-have f m k : x < m \/ m + k <= x -> count (fun i => (if i == x then Some r else label i) == None) (iota m k)
-    = count (fun i => label i == None) (iota m k).
-  move=> out; apply: eq_in_count => i; rewrite mem_iota => /andP[mi im].
+have f m k : x < m \/ m + k <= x ->
+    [seq (if (if i == x then Some r else label i) is Some _ then 0 else size (near i)) | i <- iota m k]
+    = [seq (if label i is Some _ then 0 else size (near i)) | i <- iota m k].
+  move=> out; apply/eq_in_map => i; rewrite mem_iota => /andP[mi im].
   by case: (i =P x) => // e; rewrite e in mi im; case: out; [rewrite ltnNge mi | rewrite leqNgt im].
-rewrite !count_cat /= none !eqxx /= add0n add1n addnS.
-by rewrite (f 0 x); [rewrite (f x.+1) //; left | right].
+rewrite !map_cat !sumn_cat /= none !eqxx /= add0n.
+by rewrite (f 0 x); [rewrite (f x.+1) //; [arith|left] | right].
 Qed.
 
-Lemma flood_spec fuel root stack label :
+Lemma flood_spec k root stack label :
   live root -> sound label -> waits root stack label -> (forall x, x \in stack -> live x /\ reached root x) ->
-  3 * unlabelled label + size stack < fuel ->
-  let after := flood fuel near root stack label in
+  weight label + size stack < k ->
+  let after := flood k near root stack label in
   [/\ sound after, waits root [::] after, forall x r, label x = Some r -> after x = Some r
     & forall x, x \in stack -> after x <> None].
 Proof.
-move=> lroot; elim: fuel stack label => // fuel IH [|h rest] label ok wait on lt /=; first by split.
+move=> lroot; elim: k stack label => // k IH [|h rest] label ok wait on lt /=; first by split.
 have [lh rh] := on h (mem_head _ _).
 case lab: (read label h) => [r|]; rewrite /read in lab.
   have [|||s1 s2 s3 s4] := IH rest label ok _ _ _.
@@ -252,8 +254,7 @@ have [||||s1 s2 s3 s4] := IH (catrev (near h) rest) label' _ _ _ _.
   by right; rewrite same // yr orbT.
 - move=> x; rewrite catrevE mem_cat mem_rev => /orP[xh|xr]; last by apply: on; rewrite inE xr orbT.
   by split; [apply: near_live xh | apply: reached_near rh xh].
-- move: lt; rewrite (unlabelled_write root (below lh) lab) -/label' /= catrevE size_cat size_rev.
-  by have := near_size h; arith.
+- by move: lt; rewrite (weight_write root (below lh) lab) -/label' /= catrevE size_cat size_rev; arith.
 split=> // x; last first.
   rewrite inE => /orP[/eqP->|xr]; first by rewrite (s3 _ _ self).
   by apply: s4; rewrite catrevE mem_cat xr orbT.
@@ -262,7 +263,7 @@ Qed.
 
 Definition closed (label : memory link) := forall x y r, label x = Some r -> y \in near x -> label y = Some r.
 
-Lemma flood_allP : let label := flood_all n live near in
+Lemma flood_allP : let label := flood_all fuel n live near in
   [/\ forall x, live x -> exists r, label x = Some r, sound label & closed label].
 Proof.
 rewrite /flood_all; set f := fun _ _ => _.
@@ -278,11 +279,11 @@ have [b1 b2 b3 b4] : [/\ sound (f label m), closed (f label m), forall x r, labe
       & live m -> f label m m <> None].
   rewrite /f; case lm: (live m); last by split.
   case E: (read label m) => [r|]; first by split=> // _; rewrite /read in E; rewrite E.
-  have [|||s1 s2 s3 s4] := @flood_spec (4 * n).+2 m [:: m] label lm ok _ _ _.
+  have [|||s1 s2 s3 s4] := @flood_spec fuel m [:: m] label lm ok _ _ _.
   - by move=> x y r lx xy; left; apply: cl lx xy.
   - by move=> x; rewrite inE => /eqP->; split; [|apply: reached_self].
-  - rewrite /= addn1 !ltnS; apply: (@leq_trans (3 * n)); last by rewrite leq_mul2r orbT.
-    by rewrite leq_mul2l /= /unlabelled -[n in X in _ <= X](size_iota 0) count_size.
+  - apply: leq_ltn_trans enough; rewrite leq_add2r /weight; elim: (iota 0 n) => //= i s le'.
+    by apply: leq_add => //; case: (label i).
   split=> // [x y r lx xy|_]; last by apply: s4; rewrite inE.
   by case: (s2 x y r lx xy) => // -[].
 have [s1 s2 s3 s4] := IH _ (ltnW le) b1 b2.
@@ -292,7 +293,7 @@ Qed.
 
 (** Live numbers are labelled, and labels are the same where one is reached from the other. *)
 Theorem flood_allE x y : live x -> live y ->
-  flood_all n live near x = flood_all n live near y <-> reached x y.
+  flood_all fuel n live near x = flood_all fuel n live near y <-> reached x y.
 Proof.
 have [lab ok cl] := flood_allP => lx ly; split.
   case: (lab x lx) => r xr; rewrite xr => /esym yr.
@@ -302,10 +303,10 @@ case: (lab x lx) => r xr xy; rewrite xr; apply/esym.
 by elim: xy => // u w _ ur uw; apply: cl ur uw.
 Qed.
 
-Theorem flood_all_live x : live x -> exists r, flood_all n live near x = Some r.
+Theorem flood_all_live x : live x -> exists r, flood_all fuel n live near x = Some r.
 Proof. by case: flood_allP => + _ _ => /[apply]. Qed.
 
-Theorem flood_all_label x r : flood_all n live near x = Some r -> [/\ live x, live r & flood_all n live near r = Some r].
+Theorem flood_all_label x r : flood_all fuel n live near x = Some r -> [/\ live x, live r & flood_all fuel n live near r = Some r].
 Proof.
 case: flood_allP => lab ok cl xr; have [lx lr rx] := ok x r xr; split=> //.
 by rewrite (flood_allE lr lx).2.
@@ -396,3 +397,60 @@ by apply: H.
 Qed.
 
 End Climb.
+
+(** ** Any walk that returns visits different numbers, each of which leads to one of them *)
+
+Section Circuit.
+Variable step : nat -> link.
+Let after y := odflt 0 (step y).
+
+Lemma round_tripP fuel x k : round_trip fuel step x = Some k ->
+  let s := traject after x k in
+  [/\ x \in s, uniq s, forall y, y \in s -> exists2 z, step y = Some z & z \in s
+    & forall y, y \in s -> (exists2 z, step z = Some y & z \in s) /\ on_orbit step x y].
+Proof.
+have main n i : walk n step x (iter i after x) i = Some k ->
+    [/\ i < k, forall j, i <= j < k -> step (iter j after x) = Some (iter j.+1 after x), iter k after x = x
+      & forall j, i < j < k -> iter j after x != x].
+  elim: n i => //= n IH i; case E: (step (iter i after x)) => [y|] //.
+  have yE : y = iter i.+1 after x by rewrite /= /after E.
+  have only j : i <= j < i.+1 -> j = i by move=> ?; arith.
+  case: eqP => [yx [<-]|/eqP yx].
+    split=> [|j /only->|//|j]; [exact: leqnn|by rewrite E yE|by rewrite -yE yx|].
+    by case/andP=> a; rewrite ltnS leqNgt a.
+  rewrite yE => /IH[lt st back no]; split=> // [|j /andP[ij jk]|j /andP[ij jk]].
+  - exact: ltnW.
+  - case: (ltngtP i j) ij => // [ij _|ij _]; first by apply: st; rewrite ij.
+    by rewrite -ij E yE.
+  - case: (ltngtP i.+1 j) ij => // [ij _|<- _]; first by apply: no; rewrite ij.
+    by rewrite -yE.
+move/(main fuel 0)=> [k0 st back no] s.
+have mem y : y \in s -> exists2 j, j < k & y = iter j after x by move/trajectP=> [j jk ->]; exists j.
+have inn j : j < k -> iter j after x \in s by move=> jk; apply/trajectP; exists j.
+split.
+- exact: (inn 0).
+- rewrite /s -(prednK k0) looping_uniq; apply/negP=> /trajectP[i lt E].
+  have := no i.+1; rewrite /= -E -iterS prednK // back eqxx => H.
+  have lt' : i.+1 < k by arith.
+  by have := H lt'.
+- move=> y /mem[j jk ->]; exists (iter j.+1 after x); first by apply: st.
+  by case: (ltngtP j.+1 k) jk => // [/inn //|e _]; rewrite e back; apply: (inn 0).
+move=> y /mem[j jk ->]; split.
+  case: j jk => [|j] jk; last by exists (iter j after x); [apply: st; apply: ltnW | apply: inn; apply: ltnW].
+  exists (iter k.-1 after x); last by apply: inn; arith.
+  by rewrite st ?prednK ?back // leq0n /=; arith.
+exists j; elim: j jk => //= j IH jk; rewrite IH //=; last exact: ltnW.
+by rewrite st //; apply: ltnW.
+Qed.
+
+End Circuit.
+
+(** Two steps that agree on the orbit make the same walk. *)
+Lemma round_trip_eq fuel step step' x : (forall y, on_orbit step x y -> step y = step' y) ->
+  round_trip fuel step x = round_trip fuel step' x.
+Proof.
+move=> same; rewrite /round_trip.
+suff H y i : on_orbit step x y -> walk fuel step x y i = walk fuel step' x y i by apply: H; exists 0.
+elim: fuel y i => //= fuel IH y i xy; rewrite -same //; case E: (step y) => [z|] //.
+case: eqP => // _; apply: IH; case: xy => n En; exists n.+1; by rewrite iterS En.
+Qed.

@@ -120,6 +120,13 @@ Qed.
 Lemma near_size h : size (near t h) <= 3.
 Proof. by rewrite /near; case: (next t h); case: (prev t h); case: (twin t h). Qed.
 
+Lemma near_enough : sumn [seq size (near t h) | h <- iota 0 (half_edge_slots t)] + 1 < (4 * half_edge_slots t).+2.
+Proof.
+have: sumn [seq size (near t h) | h <- iota 0 (half_edge_slots t)] <= 3 * size (iota 0 (half_edge_slots t)).
+  by elim: (iota _ _) => //= h s; have := near_size h; arith.
+by rewrite size_iota; arith.
+Qed.
+
 Definition joined x y := reached (near t) (num x) (num y).
 
 Lemma joined_refl x : joined x x. Proof. exact: reached_self. Qed.
@@ -214,11 +221,11 @@ Proof. by move=> /bareP H /connected_dart[-> //|[x [y [/H]]]]. Qed.
 (** ** Labels *)
 
 Lemma label_total x : exists r, labels t (num x) = Some r.
-Proof. exact: flood_all_live (@half_edge_below t) near_live near_sym near_size _ (dart_live x). Qed.
+Proof. exact: flood_all_live (@half_edge_below t) near_live near_sym near_enough _ (dart_live x). Qed.
 
 Lemma labelE x y : labels t (num x) = labels t (num y) <-> joined x y.
 Proof.
-have H := flood_allE (@half_edge_below t) near_live near_sym near_size.
+have H := flood_allE (@half_edge_below t) near_live near_sym near_enough.
 exact: (H _ _ (dart_live x) (dart_live y)).
 Qed.
 
@@ -226,6 +233,6 @@ Lemma label_connected x y : labels t (num x) = labels t (num y) <-> connected t 
 Proof. by rewrite labelE; split; [apply: joined_connected | apply: connected_joined]. Qed.
 
 Lemma label_live h r : labels t h = Some r -> half_edge t h.
-Proof. by case/(flood_all_label (@half_edge_below t) near_live near_sym near_size). Qed.
+Proof. by case/(flood_all_label (@half_edge_below t) near_live near_sym near_enough). Qed.
 
 End Map.

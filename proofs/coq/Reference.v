@@ -106,7 +106,7 @@ Definition check_f2 :=
 (** ** T1 to T3: with a label for each half-edge, the same throughout a component and nowhere else *)
 
 Definition near h := push (next t h) (push (prev t h) (push (twin t h) [::])).
-Definition labels : memory link := flood_all (half_edge_slots t) (half_edge t) near.
+Definition labels : memory link := flood_all (4 * half_edge_slots t).+2 (half_edge_slots t) (half_edge t) near.
 
 (** The label of the component that the boundary component is part of, if it has half-edges. *)
 Definition label_at (label : memory link) b : link :=

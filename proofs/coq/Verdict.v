@@ -3,7 +3,7 @@
     What was proved of single rules, put together. *)
 
 From mathcomp Require Import all_ssreflect.
-From twinedge Require Import View Rules Loops Reference Map Lists ReferenceProof TopologyProof.
+From twinedge Require Import View Rules Loops Reference Map Counting Lists ReferenceProof TopologyProof.
 From twinedge Require Import Genus WholeEuler Bounds Drawing Subdivision Represented Represents.
 Set Implicit Arguments.
 Unset Strict Implicit.
@@ -90,4 +90,21 @@ Proof.
 move=> H counts Hc; have low : lower t by apply: lower_of H.
 have t1 : t1_outside t := H T1 isT; split; last exact: (euler_plane low t1 counts Hc).
 by have [g [eq _]] := euler_whole low t1 counts Hc; exists g; rewrite mul2n.
+Qed.
+
+(** These counts exist, so that the theorems are about something. *)
+
+Theorem component_counts_exist t v : holds_before t T1 -> vertex t v -> exists V E cycles, has_counts t v V E cycles.
+Proof.
+move=> low lv; case: (vertexP low lv) => [x _ <-|b _ bv _ _]; first exact: component_counts.
+by exists 1, 0, 1; apply/(has_counts_bare low _ _ _ bv).
+Qed.
+
+Theorem map_counts_exist t : holds_before t T1 -> exists V E F, map_has_counts t V E F.
+Proof.
+move=> low; have [es He] := edges_each low.
+exists (size [seq v <- iota 0 (vertex_slots t) | vertex t v]), (size es), (size [seq f <- iota 0 (face_slots t) | face t f]).
+exists [seq v <- iota 0 (vertex_slots t) | vertex t v], es, [seq f <- iota 0 (face_slots t) | face t f]; split=> //.
+  exact: lists_filter (@vertex_below t) (fun v => iff_refl (vertex t v)).
+exact: lists_filter (@face_below t) (fun f => iff_refl (face t f)).
 Qed.

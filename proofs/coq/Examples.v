@@ -1,0 +1,111 @@
+(** * Examples: what the rules say of four tables
+
+    They guard our reading of the rules. Each is what a Rust programmer would write as a [Table]. *)
+
+From mathcomp Require Import all_ssreflect.
+From twinedge Require Import View Rules Reference Verdict Table Subdivision.
+Set Implicit Arguments.
+Unset Strict Implicit.
+Unset Printing Implicit Defensive.
+
+Notation "'nil" := (None : link) (at level 0).
+Notation "# i" := (Some i) (at level 0, i at level 0).
+
+(** ** One edge, and an isolated vertex, in the unbounded face: a subdivision
+
+<<
+        0 ─────h0────► 1        · 2           h1 is the twin of h0
+>>
+*)
+
+Definition edge_and_point := view_of {|
+  vertex_rows := [:: Some (VertexRow #0 'nil); Some (VertexRow #1 'nil); Some (VertexRow 'nil #1)];
+  half_edge_rows := [:: Some (HalfEdgeRow #0 #1 #1 #1 #0); Some (HalfEdgeRow #1 #0 #0 #0 #0)];
+  boundary_rows := [:: Some (BoundaryRow #0 (Some (AtHalfEdge 0)) (Some (Inner 0)));
+                       Some (BoundaryRow #0 (Some (AtVertex 2)) (Some (Inner 1)))];
+  face_rows := [:: Some (FaceRow 'nil [:: #0; #1])] |}.
+
+Example edge_and_point_keeps_all : rules edge_and_point.
+Proof. by apply/first_broken_none; vm_compute. Qed.
+
+Example edge_and_point_is_plane : exists s, represents edge_and_point s.
+Proof. by apply/rules_mean_subdivision/edge_and_point_keeps_all. Qed.
+
+(** ** A loop with a point inside, and vacant slots: a subdivision
+
+<<
+          ┌──────────┐
+          │  f2  · 2 │           h1 runs around f2, h3 is its twin outside;
+          └── 0 ─────┘           vertex 1, half-edges 0 and 2 and face 1 are vacant
+>>
+*)
+
+Definition point_in_loop := view_of {|
+  vertex_rows := [:: Some (VertexRow #1 'nil); None; Some (VertexRow 'nil #2)];
+  half_edge_rows := [:: None; Some (HalfEdgeRow #0 #3 #1 #1 #0); None; Some (HalfEdgeRow #0 #1 #3 #3 #1)];
+  boundary_rows := [:: Some (BoundaryRow #2 (Some (AtHalfEdge 1)) (Some Outer));
+                       Some (BoundaryRow #0 (Some (AtHalfEdge 3)) (Some (Inner 0)));
+                       Some (BoundaryRow #2 (Some (AtVertex 2)) (Some (Inner 0)))];
+  face_rows := [:: Some (FaceRow 'nil [:: #1]); None; Some (FaceRow #0 [:: #2])] |}.
+
+Example point_in_loop_keeps_all : rules point_in_loop.
+Proof. by apply/first_broken_none; vm_compute. Qed.
+
+Example point_in_loop_is_plane : exists s, represents point_in_loop s.
+Proof. by apply/rules_mean_subdivision/point_in_loop_keeps_all. Qed.
+
+(** ** A torus: one vertex, two loops that cross it, one walk. T3 is broken first
+
+<<
+          │ h2               around the vertex: h0, h2, h1, h3
+     h1 ──0── h0             V − E + cycles = 1 − 2 + 1 = 0 = 2 − 2 · 1
+          │ h3
+>>
+*)
+
+Definition torus := view_of {|
+  vertex_rows := [:: Some (VertexRow #0 'nil)];
+  half_edge_rows := [:: Some (HalfEdgeRow #0 #1 #3 #2 #0); Some (HalfEdgeRow #0 #0 #2 #3 #0);
+                        Some (HalfEdgeRow #0 #3 #0 #1 #0); Some (HalfEdgeRow #0 #2 #1 #0 #0)];
+  boundary_rows := [:: Some (BoundaryRow #0 (Some (AtHalfEdge 0)) (Some (Inner 0)))];
+  face_rows := [:: Some (FaceRow 'nil [:: #0])] |}.
+
+Example torus_breaks_t3_first : ~ t3_euler torus /\ forall q, index q < index T3 -> holds torus q.
+Proof. by apply/(first_broken_some torus T3); vm_compute. Qed.
+
+Example torus_is_not_plane : ~ exists s, represents torus s.
+Proof. by move/rules_mean_subdivision => /(_ T3); case: torus_breaks_t3_first. Qed.
+
+(** ** A loop that lies in its own inside. T2 is broken first
+
+<<
+          ┌──────────┐           face 1 is bounded by the cycle of h0 and lists the cycle of h1
+          │    f1    │           as a hole: the component lies in the face that it bounds
+          └── 0 ─────┘
+>>
+*)
+
+Definition loop_in_itself := view_of {|
+  vertex_rows := [:: Some (VertexRow #0 'nil)];
+  half_edge_rows := [:: Some (HalfEdgeRow #0 #1 #0 #0 #0); Some (HalfEdgeRow #0 #0 #1 #1 #1)];
+  boundary_rows := [:: Some (BoundaryRow #1 (Some (AtHalfEdge 0)) (Some Outer));
+                       Some (BoundaryRow #1 (Some (AtHalfEdge 1)) (Some (Inner 0)))];
+  face_rows := [:: Some (FaceRow 'nil [::]); Some (FaceRow #0 [:: #1])] |}.
+
+Example loop_in_itself_breaks_t2_first : ~ t2_nesting loop_in_itself /\ forall q, index q < index T2 -> holds loop_in_itself q.
+Proof. by apply/(first_broken_some loop_in_itself T2); vm_compute. Qed.
+
+Example loop_in_itself_is_not_plane : ~ exists s, represents loop_in_itself s.
+Proof. by move/rules_mean_subdivision => /(_ T2); case: loop_in_itself_breaks_t2_first. Qed.
+
+(** ** An empty map is one unbounded face. Two unbounded faces break F1 first *)
+
+Definition faces_only n := view_of {|
+  vertex_rows := [::]; half_edge_rows := [::]; boundary_rows := [::];
+  face_rows := nseq n (Some (FaceRow 'nil [::])) |}.
+
+Example empty_map_keeps_all : rules (faces_only 1).
+Proof. by apply/first_broken_none; vm_compute. Qed.
+
+Example two_unbounded_break_f1_first : ~ f1_outer (faces_only 2) /\ forall q, index q < index F1 -> holds (faces_only 2) q.
+Proof. by apply/(first_broken_some (faces_only 2) F1); vm_compute. Qed.

@@ -1,0 +1,53 @@
+(** * Theorems: the main theorems in one place
+
+    Each is stated here once more, word for word, and Coq checks that it was proved as stated. *)
+
+From mathcomp Require Import all_ssreflect all_fingroup.
+From twinedge Require Import View Rules Reference Drawing Euler Subdivision Verdict FastPath FastPathProof.
+Set Implicit Arguments.
+Unset Strict Implicit.
+Unset Printing Implicit Defensive.
+
+(** The checker names the first broken rule, and none if all hold. *)
+
+Check first_broken_some : forall t r,
+  first_broken t = Some r <-> ~ holds t r /\ forall q, index q < index r -> holds t q.
+
+Check first_broken_none : forall t, first_broken t = None <-> rules t.
+
+(** The rules mean planar subdivisions. *)
+
+Check rules_mean_subdivision : forall t, rules t <-> exists s, represents t s.
+
+Check checker_means_subdivision : forall t, first_broken t = None <-> exists s, represents t s.
+
+(** Euler's formula: for what is drawn edge by edge, in whatever order; for a component; for the whole. *)
+
+Check euler : forall (dart : finType) (turn : {perm dart}) (twin : dart -> dart),
+  involutive twin -> (forall x, twin x != x) -> forall edges,
+  #|porbits turn| + #|porbits (walk turn twin edges)| + (handles turn twin edges).*2
+  = size edges + (n_comp (link_of turn twin edges) dart).*2.
+
+Check genus : forall (dart : finType) (turn : {perm dart}) (twin : dart -> dart),
+  involutive twin -> (forall x, twin x != x) -> forall edges edges',
+  every_edge twin edges -> every_edge twin edges' -> handles turn twin edges = handles turn twin edges'.
+
+Check component_euler : forall t v V E cycles, holds_before t T1 -> vertex t v -> has_counts t v V E cycles ->
+  exists g, V + cycles + 2 * g = 2 + E.
+
+Check map_euler : forall t V E F cs, holds_before t T2 -> map_has_counts t V E F ->
+  lists_one_of_each cs (connected t) (vertex t) ->
+  (exists g, V + F + 2 * g = 1 + size cs + E) /\ (t3_euler t <-> V + F = 1 + size cs + E).
+
+Check component_counts_exist : forall t v, holds_before t T1 -> vertex t v ->
+  exists V E cycles, has_counts t v V E cycles.
+
+Check map_counts_exist : forall t, holds_before t T1 -> exists V E F, map_has_counts t V E F.
+
+(** T4 follows from the rules before it. *)
+
+Check t4_follows : forall t, holds_before t T4 -> t4_bounds t.
+
+(** The fast path accepts exactly the views that keep R1 to T1. *)
+
+Check fast_path_accepts : forall t, fast_path t <-> holds_before t T2.
