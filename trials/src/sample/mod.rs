@@ -51,7 +51,9 @@ pub fn sample(work: SampleWork, checker: &dyn Checker, run: &Run<'_>) -> SampleO
         }
     });
     let mut all = Judged::default();
-    found.iter().for_each(|judged| all.add(judged));
+    for judged in &found {
+        all.add(judged);
+    }
     let rules = Rule::ALL.iter().filter(|rule| !rule.is_geometric());
     SampleOutcome {
         work,
