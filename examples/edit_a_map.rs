@@ -1,5 +1,6 @@
-//! Edit a map: two countries and a lake are drawn, a road is laid across them, a border post moves, and the border falls.
-//! What each edit says it did keeps a register of the land beside the map.
+//! Editing a map: two countries and a lake are drawn, a road is laid across them, a border post is moved, and the border is
+//! removed.
+//! A register of the land is kept beside the map: it follows what each edit reports.
 //!
 //! ```text
 //! cargo run --example edit_a_map
@@ -11,7 +12,7 @@ use twinedge::geometry::noding::Snap;
 use twinedge::map::PlanarMap;
 use twinedge::map::edit::{EditError, Edited};
 
-/// What somebody keeps beside a map: the name of each piece of land.
+/// Data kept beside a map: the name of each piece of land.
 struct Register {
     lots: Vec<(FaceKey, String)>,
 }

@@ -1,7 +1,6 @@
 //! A first map: a triangle with a hole, an edge removed, and data kept beside the structure by key.
 
-use slotmap::SecondaryMap;
-use twinedge::dcel::{Dcel, FaceKey, HalfEdgeKey, OperatorError, RemovedEdge, Side, Split, VertexKey};
+use twinedge::dcel::{Dcel, FaceKey, HalfEdgeKey, OperatorError, RemovedEdge, SecondaryMap, Side, Split, VertexKey};
 
 /// Adds a triangle in a face. Gives the half-edge that has the new face to its left, and the new face.
 fn triangle(map: &mut Dcel, face: FaceKey) -> Result<(HalfEdgeKey, FaceKey), OperatorError> {

@@ -1,63 +1,154 @@
 //! A doubly connected edge list (DCEL, half-edge structure) for planar subdivisions, and a validator for anybody's.
 //!
-//! A planar subdivision is what a map is: vertices, edges, faces with holes, islands in the holes, one unbounded face around
-//! it all. The structure that the textbooks give it has six links per half-edge and no mercy: set one of them wrong, and a
-//! walk around a face never ends, or ends in another face, long after the mistake and far from it. So this crate has two
-//! halves that need not know each other.
+//! ```
+//! use twinedge::geometry::Point;
+//! use twinedge::map::{Builder, Shape};
+//! use twinedge::validate::{Collect, Expectation, Rule, Table, validate};
 //!
-//! The **validator** takes any half-edge structure, yours included, through a trait of plain questions, and says whether it
-//! is the topology of a planar subdivision, or which record breaks which rule. It is *complete*: what it accepts can be
-//! drawn in the plane, and what can be drawn it accepts. It is *total*: no input makes it panic, loop or take more than
-//! linear time. And it is *itself verified*: a second validator, written as slowly and plainly as can be, agrees with it on
-//! every way to link two half-edges and two vertices, on larger tables of which some fields are given, and on every single
-//! corruption of every small map.
+//! // Build: a square with a square hole in it.
+//! let square = |low: f64, high: f64| -> Vec<Point> {
+//!     [[low, low], [high, low], [high, high], [low, high]].map(Point::from).to_vec()
+//! };
+//! let mut builder = Builder::new();
+//! builder.shape(&Shape::Polygon(vec![square(0.0, 9.0), square(3.0, 6.0)]))?;
+//! let map = builder.build()?;
 //!
-//! The **structure** is a [`dcel::Dcel`] whose records are named by generational keys, so that a key of a vertex that is
-//! gone is an error and never another vertex; whose links are columns of 32-bit numbers, so that walking it costs what
-//! walking plain arrays costs; and whose operators are atomic, say what they made, kept and dropped, and keep every rule.
+//! // Walk: around the face between the squares, and across its edges.
+//! let dcel = map.dcel();
+//! let ring = dcel.faces().find(|face| !face.is_unbounded() && face.inner_count() == 1).unwrap();
+//! assert_eq!(ring.outer().unwrap().half_edges().count(), 4);
+//! for h in ring.half_edges() {
+//!     assert_eq!((h.face(), h.next().origin()), (ring, h.target()));
+//!     assert_ne!(h.twin().face(), ring);
+//! }
+//!
+//! // Break: set one link of a copy wrong, and ask which rule that breaks.
+//! assert!(map.validate().is_valid());
+//! let mut table = Table::copy_of(dcel).unwrap();
+//! let h = ring.outer_half_edge().unwrap().index();
+//! table.half_edges[h].as_mut().unwrap().next = Some(h);
+//! let report = validate(&table, &Expectation::plane(), Collect::All);
+//! assert_eq!(report.violations()[0].rule(), Rule::L2);
+//! # Ok::<(), twinedge::map::BuildError>(())
+//! ```
+//!
+//! The crate has two halves that do not need each other.
+//!
+//! The **validator** ([`mod@validate`]) takes any half-edge structure through the trait [`validate::View`] and says whether it is
+//! the topology of a planar subdivision, or which record breaks which rule. It is *complete*: a structure is accepted if and
+//! only if it can be drawn in the plane. It is *total*: on every input it returns, without panic, in time and memory linear in
+//! the number of records. It is *verified*: a second validator, written directly from the rules, agrees with it on every table
+//! up to a bound and on every single corruption of every small map (`proofs/README.md` in the repository).
+//!
+//! The **structure** ([`dcel::Dcel`], and [`map::PlanarMap`] with coordinates) has generational keys, so a key of a removed
+//! vertex is an error and never another vertex; links in columns of 32-bit numbers, so a traversal costs what it costs on plain
+//! arrays; and atomic operators, which keep every rule and say what they made, kept and dropped.
 //!
 //! # What to choose
 //!
 //! | you want to | take | feature |
 //! | --- | --- | --- |
-//! | know whether a half-edge structure of your own is right | [`validate::validate`], after implementing [`validate::View`] | none |
-//! | write down a structure as tables, and spoil them for tests | [`validate::Table`] | none |
+//! | validate a half-edge structure of your own | [`validate::validate`], after implementing [`validate::View`] | none |
+//! | validate its coordinates, too | [`validate::validate_embedding`], after implementing [`validate::Embedding`] | `geometry` |
+//! | write down a structure as tables, and corrupt them in tests | [`validate::Table`] | none |
+//! | convert a structure of your own into one of this crate | [`dcel::Dcel::from_view`] | `dcel` |
 //! | build and edit a subdivision without coordinates | [`dcel::Dcel`] | `dcel` |
-//! | build one from rings and segments, with coordinates | [`map::Builder`], [`map::PlanarMap`] | `map` (default) |
-//! | draw and erase on one with coordinates, step by step | [`map::edit`] | `map` (default) |
-//! | know where points lie and what lines meet | [`map::Locator`] | `map` (default) |
-//! | check that coordinates draw what the links say | [`validate::validate_embedding`] | `map` (default) |
-//! | ask who borders whom, what a country's outline is, how large it is | [`algorithm`] | `map` (default) |
-//! | draw a map, half-edges and all | [`io::svg`] | `map` (default) |
-//! | read and write a map | `io::geojson`, `io::wkt`, `io::geo_types` | `geojson`, `wkt`, `geo-types` |
-//! | test a structure by random, exhaustive or fuzzed operator sequences | `program` | `program`, `quickcheck`, `arbitrary` |
+//! | build one from rings, lines and points | [`map::Builder`] | `map` (default) |
+//! | insert and remove points and segments, step by step | [`map::edit`] | `map` (default) |
+//! | find where points lie and what lines meet | [`map::Locator`] | `map` (default) |
+//! | compute neighbours, outlines, areas, overlays | [`algorithm`] | `map` (default) |
+//! | draw a map, with half-edges if you like | [`io::svg`] | `map` (default) |
+//! | read and write maps | [`io`] | `geojson`, `wkt`, `geo-types` |
+//! | test a structure by random, exhaustive or fuzzed sequences of operators | `program` | `program`, `quickcheck`, `arbitrary` |
 //!
-//! With no feature on, the crate is the validator alone: no dependency, `no_std` with `alloc`.
+//! # Features
+//!
+//! | feature | what it adds | dependencies |
+//! | --- | --- | --- |
+//! | (none) | [`mod@validate`]: rules R1 … T4; `no_std` with `alloc` | none |
+//! | `dcel` | [`store`], [`dcel`] | slotmap, thiserror |
+//! | `geometry` | [`geometry`], and rules G1 … G5 in [`mod@validate`]; needs `std` | robust, rstar, rustc-hash, thiserror |
+//! | `map` (default) | [`map`], [`algorithm`], [`io::svg`] | those of `dcel` and `geometry` |
+//! | `geojson` | `io::geojson` | those of `map`; `geojson`, `serde`, `serde_json` |
+//! | `wkt` | `io::wkt` | those of `map`; wkt |
+//! | `geo-types` | `io::geo_types` | those of `map`; geo-types |
+//! | `program` | `program` | those of `dcel` |
+//! | `arbitrary`, `quickcheck` | random programs for these two crates | those of `program`; the crate of the name |
+//! | `pointer-store` | `store::PointerStore`, the only one with unsafe code | those of `dcel` |
+//!
+//! # Words
+//!
+//! | word | meaning | also called |
+//! | --- | --- | --- |
+//! | half-edge | one side of an edge, directed; the face that it bounds is to its left | dart, arc |
+//! | twin | the other half-edge of the same edge | opposite, sym, rev |
+//! | origin, target | the vertices where a half-edge starts and ends; `target(h) = origin(twin(h))` | source, head |
+//! | next, prev | the half-edges after and before it on the same cycle | |
+//! | cycle | an orbit of half-edges under `next` | loop, face cycle |
+//! | boundary component | one connected part of the boundary of a face: a cycle, or an isolated vertex | CCB in CGAL, ring in PostGIS |
+//! | outer, inner | a bounded face has one outer boundary component (counter-clockwise); the others, holes (clockwise) and isolated vertices, are inner ones | |
+//! | unbounded face | the one face without an outer boundary component | infinite face |
+//! | isolated vertex | a vertex without half-edges | |
+//! | bridge | an edge with the same face on both sides | |
+//! | rotation | the half-edges that leave a vertex, in the order of an orbit under `next∘twin` (clockwise) | umbrella, vertex orbit |
+//! | corner | the place between two consecutive half-edges of a rotation, where a new edge can be attached | |
+//! | component | a connected part of the vertices and edges | |
+//! | planar | drawable in the plane without crossings: a property of the topology (T3) | |
+//! | plane | drawn so: a property of coordinates (G1 … G5) | |
+//! | embedding | a structure with coordinates of its vertices | drawing |
+//! | planar subdivision | the vertices, edges and faces of a plane embedding | planar map, arrangement |
+//! | genus | the number of handles of the surface on which a component can be drawn; 0 for the plane | |
+//! | noding | cutting segments where they meet, so that they meet at shared endpoints only | |
+//! | snapping | rounding coordinates to a grid while noding | snap rounding |
+//! | zone | the faces, edges and vertices that a line meets, in order | |
+//! | feature | a named input (polygons, lines, points) and the faces and edges that it covers | |
+//! | key, index | a key names one record for ever; an index is the number of its slot, which is used again | handle, id |
+//! | view | a structure as the validator sees it: slots and links | |
 //!
 //! # The layers
 //!
-//! Each imports only those above it.
+//! Imports run one way, along the arrows:
 //!
 //! ```text
-//!   validate   the rules, the View trait, the report
-//!   store      where records live: keys, slots, columns
-//!   dcel       the structure: accessors, circulators, operators
-//!   program    operator sequences as data, canonical forms
-//!   geometry   points, exact predicates, maps with coordinates
-//!   algorithm  contours, neighbours, areas
-//!   io         GeoJSON, WKT, geo-types, SVG
+//!   validate ──► store ──► dcel ──► program
+//!      ▲                     │
+//!      │ G1 … G5             ▼
+//!   geometry ─────────────► map ──► algorithm ──► io
 //! ```
 //!
-//! # Caveats, in plain words
+//! | layer | purpose |
+//! | --- | --- |
+//! | [`mod@validate`] | the rules, the trait [`validate::View`], the report |
+//! | [`store`] | where records live: keys, slots, columns |
+//! | [`dcel`] | the structure: accessors, circulators, operators |
+//! | `program` | sequences of operators as data, canonical forms, conformance tests |
+//! | [`geometry`] | points, exact predicates, crossings, noding; no half-edges |
+//! | [`map`] | a [`dcel::Dcel`] with coordinates: building, editing, location |
+//! | [`algorithm`] | outlines, neighbours, areas, overlays |
+//! | [`io`] | GeoJSON, WKT, geo-types, SVG |
 //!
-//! - Edges are straight. Curves are chains of them.
-//! - [`map::Builder`] takes segments that meet at shared endpoints. Crossing input is built as far as it goes, and the
-//!   report says where it crosses.
-//! - A half-edge structure for the plane has exactly one unbounded face. Maps on the sphere or on other surfaces can be
-//!   *validated* (see [`validate::Expectation::surface`]), but not held in a [`dcel::Dcel`].
-//! - The two half-edges of an edge share a generation: they live and die together.
-//! - A slot can be used 2³¹ times before a key of it could come again.
-//! - At most about two thousand million vertices, half-edges, boundary components and faces each.
+//! # Limits
+//!
+//! - Edges are straight. Curves are chains of edges.
+//! - [`map::Builder`] expects segments that meet at shared endpoints only. Other input is cut and snapped on request
+//!   ([`map::Noding`]); otherwise the map is built as far as possible, and [`validate::validate_embedding`] says where edges
+//!   cross.
+//! - A structure has exactly one unbounded face. Maps on the sphere and on other surfaces can be validated
+//!   ([`validate::Expectation::surface`]), but a [`dcel::Dcel`] cannot hold them.
+//! - [`map::edit`] finds its place from a hint (a vertex or half-edge nearby), or without one by a walk from outside the map.
+//!   [`map::Locator`] is an index of a map that does not change.
+//! - Polygons nested thousands deep, and vertices with thousands of edges, take quadratic time in some functions; the
+//!   documentation of each says so.
+//! - Coordinates are zero or of magnitude from 2⁻⁴⁰⁰ to 2⁵⁰⁰: there the predicates are exact.
+//! - At most about 2³¹ vertices, half-edges, boundary components and faces each.
+//! - The two half-edges of an edge have the same generation. A slot can be used 2³¹ times before a key comes again.
+//!
+//! # Rust versions
+//!
+//! Rust 1.85 without the feature `geometry` and what builds on it, 1.90 with it: the crate `rstar` needs that. These are the
+//! versions that the dependencies state; in this crate's own code clippy's `incompatible_msrv` finds no function of the standard
+//! library that is newer, and no condition joins a `let` by `&&`. It is built and tested with Rust 1.95; no older compiler was
+//! tried.
 #![cfg_attr(not(feature = "geometry"), no_std)]
 #![cfg_attr(docsrs, feature(doc_cfg))]
 
@@ -97,3 +188,8 @@ pub mod algorithm;
 #[clippy::msrv = "1.90"]
 #[forbid(unsafe_code)]
 pub mod io;
+
+/// The code in the README.
+#[cfg(doctest)]
+#[doc = include_str!("../README.md")]
+struct Readme;

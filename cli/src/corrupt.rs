@@ -3,7 +3,7 @@
 use crate::document::{Document, Nothing, Printed};
 use crate::effort::{Effort, seed_of_the_moment};
 use crate::output::style::{BAD, GOOD, QUIET};
-use crate::output::{Format, counted, grouped, part_line};
+use crate::output::{Format, counted, grouped, part_line, zero};
 use crate::print_tables::Printer;
 use crate::status::{Failure, Verdict};
 use crate::structures::{StructureName, Task};
@@ -119,11 +119,6 @@ impl Printed for CorruptOutcome {
     }
 }
 
-/// A number that should be 0.
-fn zero(found: u64) -> String {
-    if found == 0 { "0".to_owned() } else { format!("{BAD}{}{BAD:#}", grouped(found)) }
-}
-
 fn write_row(f: &mut fmt::Formatter<'_>, form: &str, field: &str, row: &Tally) -> fmt::Result {
     writeln!(
         f,
@@ -150,7 +145,7 @@ impl fmt::Display for Text<'_> {
         f.write_str(&part_line(outcome.shard))?;
         writeln!(
             f,
-            "{} of {} of {} judged; wrong by the reference, caught by the validator",
+            "{} of {} judged, made by {}; wrong by the reference, caught by the validator",
             grouped(outcome.maps),
             counted(outcome.maps_found, "map"),
             outcome.on

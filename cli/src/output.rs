@@ -37,6 +37,12 @@ pub(crate) fn counted(n: usize, name: &str) -> String {
     format!("{} {plural}", grouped(n))
 }
 
+/// A number that should be 0, marked if it is not.
+pub(crate) fn zero(found: u64) -> String {
+    use style::BAD;
+    if found == 0 { "0".to_owned() } else { format!("{BAD}{}{BAD:#}", grouped(found)) }
+}
+
 /// A line that says which part of the work was done; none if it was all of it.
 pub(crate) fn part_line(shard: Shard) -> String {
     if shard.is_whole() {

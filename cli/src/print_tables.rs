@@ -26,10 +26,10 @@ impl Default for Printer {
 }
 
 impl Lines {
-    fn write(&mut self, expectation: &Expectation, line: &str) -> io::Result<()> {
-        if self.expectation != Some(*expectation) {
-            self.expectation = Some(*expectation);
-            writeln!(self.out, "# expect: {}", ExpectationText(*expectation))?;
+    fn write(&mut self, expectation: Expectation, line: &str) -> io::Result<()> {
+        if self.expectation != Some(expectation) {
+            self.expectation = Some(expectation);
+            writeln!(self.out, "# expect: {}", ExpectationText(expectation))?;
         }
         self.out.write_all(line.as_bytes())
     }
@@ -61,7 +61,7 @@ impl Checker for Printer {
         let line = format!("{table} = {}\n", verdict.broken.map_or("ok", |rule| rule.id()));
         let mut lines = self.lines();
         if lines.error.is_none()
-            && let Err(error) = lines.write(expectation, &line)
+            && let Err(error) = lines.write(*expectation, &line)
         {
             // Nobody reads on, or the disk is full.
             progress::stop();

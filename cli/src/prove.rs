@@ -3,7 +3,7 @@
 use crate::document::{Document, Nothing, Printed};
 use crate::effort::Effort;
 use crate::output::style::{BAD, GOOD, QUIET};
-use crate::output::{Format, grouped, part_line};
+use crate::output::{Format, grouped, part_line, zero};
 use crate::status::{Failure, Verdict};
 use crate::structures::{StructureName, Task};
 use std::fmt::{self, Write as _};
@@ -104,11 +104,6 @@ impl Text<'_> {
             format!("{BAD}{}≠{}{BAD:#}", grouped(found), grouped(published))
         }
     }
-}
-
-/// A number that should be 0.
-fn zero(found: u64) -> String {
-    if found == 0 { "0".to_owned() } else { format!("{BAD}{}{BAD:#}", grouped(found)) }
 }
 
 impl fmt::Display for Text<'_> {

@@ -117,7 +117,7 @@ fn snapped_the_crossing_map_is_valid_and_what_was_done_is_said() {
     assert!(noding["largest_move"].as_array().unwrap().iter().all(|moved| moved.as_f64().unwrap() <= cell / 2.0));
 
     let text = String::from_utf8(twinedge(&["audit", "--snap", "auto", &file]).stdout).unwrap();
-    assert!(text.contains("4 segments cut, 2 vertices made where they cross; points moved by at most"), "{text}");
+    assert!(text.contains("4 segments cut, 2 vertices made at crossings; points moved by at most"), "{text}");
 }
 
 #[test]
@@ -162,7 +162,7 @@ fn what_cannot_be_read_is_said_in_one_line() {
         (&b"{\n  \"type\": }"[..], "line 2, column 11"),
         (b"{\"type\": \"FeatureCollection\",\n\"features\": [", "line 2, column"),
         (b"", "standard input: the input is empty"),
-        (b"\xFF\xFE", "line 1, column"),
+        (b"\xFF\xFE", "looks like text in UTF-16"),
     ] {
         let output = twinedge_reading(&["audit", "-"], input);
         assert_eq!(output.status.code(), Some(2));
@@ -201,7 +201,39 @@ fn irregular_rings_are_told() {
         json!({"kind": "spike", "at": [-1.0, 4.0], "feature": 0, "name": "Bow", "shape": 0, "ring": 0, "point": 7});
     assert_eq!(*spike, expected);
     let text = String::from_utf8(twinedge_reading(&["audit", "-"], map).stdout).unwrap();
-    assert!(text.contains("1 ring(s) touch themselves, 1 spike(s)\n"), "{text}");
+    assert!(text.contains("1 ring touches itself, 1 spike\n"), "{text}");
     let line = "  ring that touches itself at (2, 2): feature 0, shape 0, ring 0, point 5 (Bow)\n";
     assert!(text.contains(line), "{text}");
+}
+
+#[test]
+fn every_format_of_the_library_is_read() {
+    let polygon = b"POLYGON Z ((0 0 5, 1 0 5, 1 1 5, 0 0 5))\nPOINT EMPTY\n";
+    let output = twinedge_reading(&["audit", "-"], polygon);
+    let text = String::from_utf8(output.stdout).unwrap();
+    assert_eq!(output.status.code(), Some(0), "{text}");
+    let dropped = "dropped: the dimensions beyond x and y of 4 positions, 1 empty shape";
+    assert!(text.lines().any(|line| line == dropped), "{text}");
+    let output = twinedge_reading(&["audit", "-", "--format", "json"], polygon);
+    let found: Value = serde_json::from_slice(&output.stdout).unwrap();
+    assert_eq!((&found["import"]["with_extra_dimensions"], &found["import"]["dropped_empty"]), (&json!(4), &json!(1)));
+    // What cannot be read is named, with a way to convert it.
+    let output = twinedge_reading(&["audit", "-"], b"SQLite format 3\0 and more");
+    assert_eq!(output.status.code(), Some(2));
+    assert!(complaint(&output).contains("ogr2ogr"), "{}", complaint(&output));
+}
+
+#[test]
+fn numbers_agree_with_their_nouns() {
+    let text = |input: &str| {
+        let output = twinedge_reading(&["audit", "-"], input.as_bytes());
+        String::from_utf8(output.stdout).unwrap()
+    };
+    let crossing = text("LINESTRING (0 0, 2 2)\nLINESTRING (0 2, 2 0)\n");
+    assert!(
+        crossing.contains("BROKEN  1 violation in ") && crossing.contains("not valid: 1 violation ("),
+        "{crossing}"
+    );
+    let spike = text("POLYGON ((0 0, 2 0, 2 2, 3 3, 2 2, 0 2, 0 0))\n");
+    assert!(spike.contains("1 spike") && !spike.contains("(s)"), "{spike}");
 }

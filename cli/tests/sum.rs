@@ -176,8 +176,8 @@ fn misuse_has_its_own_status() {
 
 #[test]
 fn a_part_of_too_much_work_may_be_little_enough() {
-    // The whole is refused; a ten-millionth of it is not.
-    let whole = ["soak", "--programs", "4000000000", "--steps", "2", "--seed", "1", "--on", "slots"];
+    // The whole is refused; a hundred-millionth of it is not.
+    let whole = ["soak", "--programs", "4000000000", "--steps", "50", "--seed", "1", "--on", "slots"];
     assert_eq!(twinedge(&whole).status.code(), Some(2));
     let (status, found) = json(&[&whole[..], &["--shard", "0/100000000", "--format", "json"]].concat());
     assert_eq!((status, &found["structures"][0]["programs"]), (Some(0), &40.into()));

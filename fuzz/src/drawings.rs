@@ -2,11 +2,11 @@
 
 use arbitrary::Unstructured;
 use std::collections::BTreeSet;
+use twinedge::geometry::Point;
 use twinedge::geometry::noding::Snap;
 use twinedge::geometry::predicates::{Meeting, in_range, meeting, on_segment};
-use twinedge::geometry::Point;
-use twinedge::map::{BuildError, Builder, Feature, Noding, PlanarMap, Shape};
 use twinedge::io::{ReadError, geojson};
+use twinedge::map::{BuildError, Builder, Feature, Noding, PlanarMap, Shape};
 use twinedge::program::choose::Choose;
 use twinedge::validate::Rule;
 
@@ -270,7 +270,10 @@ pub fn geojson(bytes: &[u8]) {
         Err(error) => {
             let lines = bytes.split(|byte| *byte == b'\n').count();
             let place = error.place;
-            assert!((1..=lines).contains(&place.line) && place.column.is_some_and(|column| column <= bytes.len() + 1), "{error}");
+            assert!(
+                (1..=lines).contains(&place.line) && place.column.is_some_and(|column| column <= bytes.len() + 1),
+                "{error}"
+            );
         }
     }
     let mut builder = Builder::new();

@@ -7,10 +7,10 @@ use arbitrary::Unstructured;
 use follow::Shadow;
 use std::collections::BTreeSet;
 use twinedge::dcel::{Boundary, Face, FaceKey, HalfEdge, HalfEdgeKey, Vertex, VertexKey};
-use twinedge::map::edit::{At, EditError, Edited};
-use twinedge::geometry::noding::Snap;
 use twinedge::geometry::Point;
+use twinedge::geometry::noding::Snap;
 use twinedge::geometry::predicates::in_range;
+use twinedge::map::edit::{At, EditError, Edited};
 use twinedge::map::{Builder, FeatureId, LocateError, Located, Locator, PlanarMap, Shape};
 use twinedge::program::choose::Choose;
 

@@ -4,7 +4,7 @@ use std::collections::BTreeSet;
 use std::fmt::Debug;
 use twinedge::dcel::{BoundaryKey, Corner, Dcel, FaceKey, HalfEdgeKey, OperatorError, Side, Split, Turn, VertexKey};
 use twinedge::program::conformance;
-use twinedge::program::{Subject, RotationSystem, Program, Runner};
+use twinedge::program::{Program, RotationSystem, Runner, Subject};
 use twinedge::store::{FixedStore, PointerStore};
 use twinedge::validate::{Expectation, Table};
 

@@ -5,11 +5,12 @@
     An edge is drawn by joining the tips of two stubs, [x] and [twin x].
 
 <<
-           stub y                           Walking along the boundary, with the drawing to the left, one comes
-             \   ──► tip of y               from the tip of x around the vertex to the tip of the stub after x.
-       ───────·──                           Once x and its twin are joined, one does not turn back at the tip of x,
-       stub x  \                            but goes on along the twin of x, and so to the stub after that.
-                \
+      turn x                      A walk along the boundary has the face to its left. From the tip of the stub x it comes
+        │                         inwards along x, and goes out along [turn x] to the tip of that stub.
+        │
+        ·──────── x               Once x and its twin are joined, it does not turn back at the tip of x, but goes on
+         \                        along the twin of x, and then to the stub after the twin.
+          \
 >>
 *)
 

@@ -3,8 +3,8 @@
     A planar subdivision is what can be drawn in the plane in two stages.
 
     - Each *piece* is an isolated vertex, or is drawn edge by edge, each edge within one walk or between two pieces that
-      are not joined yet (Drawing.v). The walks along its boundary are then its faces' boundaries, seen from inside: a
-      piece has one walk around its *outside*, and each other walk bounds a face of its own.
+      are not joined yet (Drawing.v). One walk along its boundary is then its *outside*, and each other walk bounds a face
+      of its own.
     - The pieces are *put down* one after another, each into a face that is there: the unbounded face, or one that a
       piece put down before bounds.
 

@@ -3,7 +3,7 @@
     Each is stated here once more, word for word, and Coq checks that it was proved as stated. *)
 
 From mathcomp Require Import all_ssreflect all_fingroup.
-From twinedge Require Import View Rules Reference Drawing Euler Subdivision Verdict FastPath FastPathProof.
+From twinedge Require Import View Rules Reference Drawing Euler Subdivision Verdict FastPath FastPathProof AddVertex.
 Set Implicit Arguments.
 Unset Strict Implicit.
 Unset Printing Implicit Defensive.
@@ -51,3 +51,8 @@ Check t4_follows : forall t, holds_before t T4 -> t4_bounds t.
 (** The fast path accepts exactly the views that keep R1 to T1. *)
 
 Check fast_path_accepts : forall t, fast_path t <-> holds_before t T2.
+
+(** Adding an isolated vertex to a face keeps all rules. *)
+
+Check add_isolated_vertex_keeps_rules : forall t v b f, ~~ vertex t v -> ~~ boundary t b -> face t f ->
+  rules t -> rules (add_isolated_vertex t v b f).

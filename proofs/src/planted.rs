@@ -4,9 +4,10 @@ use crate::grow::Operator;
 use crate::operators::Handle;
 use core::cell::Cell;
 use twinedge::dcel::{Dcel, FaceKey, HalfEdge, HalfEdgeKey, OperatorError, Vertex, VertexKey};
+use twinedge::delegate_view;
 use twinedge::program::{Corner, CornerOf, Refusal, Side, Subject, Turn};
 use twinedge::store::Store;
-use twinedge::validate::{BoundaryPlace, Link, Start, Table, View};
+use twinedge::validate::{Table, View};
 
 /// A field of a record.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -215,36 +216,6 @@ impl<S: Store> Subject for Planted<S> {
     }
 }
 
-macro_rules! from_table {
-    ($($name:ident($($arg:ident),*) -> $out:ty;)*) => {$(
-        fn $name(&self, $($arg: usize),*) -> $out {
-            self.table.$name($($arg),*)
-        }
-    )*};
-}
-
 impl<S: Store> View for Planted<S> {
-    from_table! {
-        vertex_slots() -> usize;
-        half_edge_slots() -> usize;
-        boundary_slots() -> usize;
-        face_slots() -> usize;
-        is_vertex(vertex) -> bool;
-        is_half_edge(half_edge) -> bool;
-        is_boundary(boundary) -> bool;
-        is_face(face) -> bool;
-        origin(half_edge) -> Link;
-        twin(half_edge) -> Link;
-        next(half_edge) -> Link;
-        prev(half_edge) -> Link;
-        boundary(half_edge) -> Link;
-        leaving(vertex) -> Link;
-        isolated(vertex) -> Link;
-        boundary_face(boundary) -> Link;
-        boundary_start(boundary) -> Option<Start>;
-        boundary_place(boundary) -> Option<BoundaryPlace>;
-        outer(face) -> Link;
-        inner_count(face) -> usize;
-        inner(face, position) -> Link;
-    }
+    delegate_view!(|this| &this.table);
 }

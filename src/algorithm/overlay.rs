@@ -9,13 +9,13 @@
 //! ```
 //!
 //! The edges of both are [noded](crate::geometry::noding) together. A face of either map becomes what its boundary, rounded
-//! like everything, encloses by parity; as snap rounding never moves a vertex across an edge, what the faces of a map become
-//! still covers the plane once. So faces may vanish where they are thinner than a cell, but none comes to lie in two.
+//! like everything, encloses by parity. Snap rounding never moves a vertex across an edge, so together these areas still
+//! cover the plane once: faces thinner than a cell may vanish, but no face of the result lies in two faces of one map.
 //!
 //! Source for the idea, with a sweep in place of the rounding: de Berg et al., "Computational Geometry", 3rd edition,
 //! section 2.3.
 
-use crate::dcel::{Boundary, Face, FaceKey, HalfEdge, HalfEdgeKey, StaleKey, Vertex};
+use crate::dcel::{Boundary, Face, FaceKey, HalfEdgeKey, StaleKey, Vertex};
 use crate::geometry::Point;
 use crate::geometry::noding::Snap;
 use crate::map::{BuildError, Builder, Feature, FeatureId, Noding, PlanarMap, Shape};
@@ -230,7 +230,7 @@ fn gather(
     // Edges by the features along them; those along which none runs may bound no face either.
     let mut along: HashMap<Vec<FeatureId>, Vec<Shape>> = HashMap::new();
     let mut sets = Vec::new();
-    for h in one_each(map) {
+    for h in map.dcel().edges() {
         let set: Vec<FeatureId> = map.features_along(h.key()).into_iter().flatten().collect();
         let line = Shape::Line(vec![at(h.origin()), at(h.target())]);
         along
@@ -270,13 +270,8 @@ impl Labels {
             }
         }
         let along = |h| noded.features_along(h).into_iter().flatten().map(FeatureId::index).collect();
-        Self { faces, edges: one_each(noded).map(|h| (h.key(), along(h.key()))).collect() }
+        Self { faces, edges: dcel.edges().map(|h| (h.key(), along(h.key()))).collect() }
     }
-}
-
-/// One half-edge of each edge.
-fn one_each(map: &PlanarMap) -> impl Iterator<Item = HalfEdge<'_>> {
-    map.dcel().half_edges().filter(|h| h.index() < h.twin().index())
 }
 
 impl Overlay {

@@ -60,10 +60,46 @@ macro_rules! circulator {
 
 circulator! {
     /// The half-edges of one cycle, in order of `next`; `rev()` for `prev`.
+    ///
+    /// ```
+    /// use twinedge::dcel::{Dcel, Split};
+    ///
+    /// let mut map = Dcel::new();
+    /// let outside = map.unbounded_face().key();
+    /// // A triangle: a loop with two more vertices on it. Its face lies to the left of h.
+    /// let v = map.add_isolated_vertex(outside)?.vertex;
+    /// let h = map.connect(v, v, Split::default())?.half_edge;
+    /// map.split_edge(h)?;
+    /// map.split_edge(h)?;
+    /// let cycle = map.half_edge(h)?.boundary_cycle();
+    /// let vertices: Vec<_> = cycle.clone().map(|h| h.origin().key()).collect();
+    /// assert_eq!((vertices.len(), vertices[0]), (3, v));
+    /// // The half-edge itself comes last on the way back.
+    /// assert_eq!(cycle.rev().last().map(|h| h.key()), Some(h));
+    /// # Ok::<(), Box<dyn std::error::Error>>(())
+    /// ```
     Cycle, next, prev
 }
 
 circulator! {
     /// The half-edges that leave one vertex, counter-clockwise; `rev()` for clockwise.
+    ///
+    /// ```
+    /// use twinedge::dcel::{Dcel, Split};
+    ///
+    /// let mut map = Dcel::new();
+    /// let outside = map.unbounded_face().key();
+    /// // A triangle: a loop with two more vertices on it. Its face lies to the left of h.
+    /// let v = map.add_isolated_vertex(outside)?.vertex;
+    /// let h = map.connect(v, v, Split::default())?.half_edge;
+    /// map.split_edge(h)?;
+    /// map.split_edge(h)?;
+    /// let h = map.half_edge(h)?;
+    /// let mut rotation = h.rotation();
+    /// assert_eq!(rotation.next(), Some(h));
+    /// assert_eq!(rotation.next(), Some(h.prev().twin()));
+    /// assert_eq!(rotation.next(), None);
+    /// # Ok::<(), Box<dyn std::error::Error>>(())
+    /// ```
     Rotation, counter_clockwise, clockwise
 }

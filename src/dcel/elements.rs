@@ -1,4 +1,4 @@
-//! References to records: a key once checked, and from there on bare steps.
+//! References to records: the key has been checked, and steps from one record to the next are not checked again.
 
 use super::structure::Dcel;
 use crate::store::links::{BoundaryStart, VertexLink};
@@ -57,7 +57,7 @@ macro_rules! element {
                 self.dcel.store.$key_of(self.slot)
             }
 
-            /// The index, by which reports name it and by which plain arrays can be kept while nothing is removed. O(1).
+            /// The index. O(1). Reports name records by it, and while nothing is removed it can index a plain array.
             #[must_use]
             #[inline]
             pub fn index(self) -> usize {
@@ -69,6 +69,23 @@ macro_rules! element {
 
 element! {
     /// A vertex.
+    ///
+    /// ```
+    /// use twinedge::dcel::{Dcel, Split};
+    ///
+    /// let mut map = Dcel::new();
+    /// let outside = map.unbounded_face().key();
+    /// // A triangle: a loop with two more vertices on it. Its face lies to the left of h.
+    /// let v = map.add_isolated_vertex(outside)?.vertex;
+    /// let h = map.connect(v, v, Split::default())?.half_edge;
+    /// map.split_edge(h)?;
+    /// map.split_edge(h)?;
+    /// let v = map.vertex(v)?;
+    /// let leaving = v.leaving().unwrap();
+    /// assert_eq!(leaving.origin(), v);
+    /// assert!(v.isolated().is_none());
+    /// # Ok::<(), Box<dyn std::error::Error>>(())
+    /// ```
     Vertex, Vertex, VertexKey, vertex_key, vertex_index
 }
 element! {
@@ -82,14 +99,72 @@ element! {
     ///           · ◄────── ·
     ///             twin
     /// ```
+    ///
+    /// ```
+    /// use twinedge::dcel::{Dcel, Split};
+    ///
+    /// let mut map = Dcel::new();
+    /// let outside = map.unbounded_face().key();
+    /// // A triangle: a loop with two more vertices on it. Its face lies to the left of h.
+    /// let v = map.add_isolated_vertex(outside)?.vertex;
+    /// let h = map.connect(v, v, Split::default())?.half_edge;
+    /// map.split_edge(h)?;
+    /// map.split_edge(h)?;
+    /// let h = map.half_edge(h)?;
+    /// assert_eq!(h.next().prev(), h);
+    /// assert_eq!(h.twin().twin(), h);
+    /// assert_eq!(h.next().origin(), h.target());
+    /// assert_eq!(h.clockwise().origin(), h.origin());
+    /// assert!(!h.face().is_unbounded() && h.twin().face().is_unbounded());
+    /// # Ok::<(), Box<dyn std::error::Error>>(())
+    /// ```
     HalfEdge, HalfEdge, HalfEdgeKey, half_edge_key, half_edge_index
 }
 element! {
     /// A boundary component: a cycle of half-edges, or one isolated vertex.
+    ///
+    /// ```
+    /// use twinedge::dcel::{Dcel, Split};
+    ///
+    /// let mut map = Dcel::new();
+    /// let outside = map.unbounded_face().key();
+    /// // A triangle: a loop with two more vertices on it. Its face lies to the left of h.
+    /// let v = map.add_isolated_vertex(outside)?.vertex;
+    /// let h = map.connect(v, v, Split::default())?.half_edge;
+    /// map.split_edge(h)?;
+    /// map.split_edge(h)?;
+    /// let boundary = map.half_edge(h)?.boundary();
+    /// assert!(boundary.is_outer());
+    /// assert_eq!(boundary.start().unwrap().boundary(), boundary);
+    /// // The other side of the same edges is an inner boundary component of the unbounded face.
+    /// let other = map.half_edge(h)?.twin().boundary();
+    /// assert!(!other.is_outer());
+    /// assert!(other.face().is_unbounded());
+    /// # Ok::<(), Box<dyn std::error::Error>>(())
+    /// ```
     Boundary, Boundary, BoundaryKey, boundary_key, boundary_index
 }
 element! {
     /// A face.
+    ///
+    /// ```
+    /// use twinedge::dcel::{Dcel, Split};
+    ///
+    /// let mut map = Dcel::new();
+    /// let outside = map.unbounded_face().key();
+    /// // A triangle: a loop with two more vertices on it. Its face lies to the left of h.
+    /// let v = map.add_isolated_vertex(outside)?.vertex;
+    /// let h = map.connect(v, v, Split::default())?.half_edge;
+    /// map.split_edge(h)?;
+    /// map.split_edge(h)?;
+    /// let triangle = map.half_edge(h)?.face();
+    /// assert_eq!(triangle.outer(), Some(map.half_edge(h)?.boundary()));
+    /// assert_eq!(triangle.outer_half_edge().unwrap().face(), triangle);
+    /// assert_eq!(triangle.inner_count(), 0);
+    /// assert!(map.unbounded_face().outer().is_none());
+    /// assert_eq!(map.unbounded_face().inner().count(), 1);
+    /// # Ok::<(), Box<dyn std::error::Error>>(())
+    /// ```
     Face, Face, FaceKey, face_key, face_index
 }
 
@@ -114,7 +189,7 @@ impl<'a, S: Store> Vertex<'a, S> {
 }
 
 impl<'a, S: Store> HalfEdge<'a, S> {
-    /// Whether both are the same half-edge, of structures known to be the same.
+    /// Whether both are the same half-edge. Both must be of the same structure.
     #[inline]
     pub(super) fn is(self, other: Self) -> bool {
         self.slot == other.slot

@@ -25,13 +25,13 @@
 //!
 //! # Reading
 //!
-//! A key is checked once, where it enters ([`Dcel::half_edge`] and its kin); what comes out is a reference ([`HalfEdge`])
-//! that borrows the structure, so nothing can be removed meanwhile, and every further step is a bare array access.
+//! A key is checked once, where it enters ([`Dcel::half_edge`] and the like). What comes out is a reference ([`HalfEdge`])
+//! that borrows the structure, so nothing can be removed meanwhile. Every further step is one array access.
 //!
 //! # Changing
 //!
-//! The operators are Euler operators: each keeps every rule from R1 to T4, is atomic (an error leaves everything as it was)
-//! and says what it made, kept and dropped, so that data kept beside the structure can follow.
+//! The operators are Euler operators. Each keeps every rule from R1 to T4. Each is atomic: an error leaves everything as it
+//! was. And each says what it made, kept and dropped, so that data kept beside the structure can follow.
 //!
 //! | operator | inverse |
 //! | --- | --- |
@@ -44,7 +44,25 @@
 //!
 //! # Data of your own
 //!
-//! The records hold topology and nothing else. Keep coordinates, names and weights in `slotmap::SecondaryMap`s by key.
+//! The records hold topology and nothing else. Keep coordinates, names and weights by key in a [`SecondaryMap`]:
+//!
+//! ```
+//! use twinedge::dcel::{Dcel, SecondaryMap};
+//!
+//! let mut map = Dcel::new();
+//! let outside = map.unbounded_face().key();
+//! let mut places = SecondaryMap::new();
+//! places.insert(map.add_isolated_vertex(outside)?.vertex, [12.5, 41.9]);
+//! for vertex in map.vertices() {
+//!     assert_eq!(places[vertex.key()], [12.5, 41.9]);
+//! }
+//! # Ok::<(), twinedge::dcel::OperatorError>(())
+//! ```
+//!
+//! # Structures that exist already
+//!
+//! [`Dcel::from_view`] builds a `Dcel` from any structure that the validator can read, after validating it. With the feature
+//! `serde` a `Dcel` can be saved and loaded. It is validated when it is loaded, and it keeps its keys.
 
 mod access;
 mod around;

@@ -5,24 +5,51 @@ use crate::store::{SlotStore, Store};
 
 /// A doubly connected edge list of a planar subdivision.
 ///
-/// A key of another `Dcel` is stale here, like one whose record is gone: the keys of different structures differ in their
-/// generations. (A clone shares its original's keys; what either makes later may get a key that the other uses too.)
+/// # Keys
+///
+/// A key names one record of one structure. Once the record is removed, the key is [stale](crate::dcel::StaleKey): every
+/// method refuses it, also after the slot has been used again.
+///
+/// A key of another `Dcel` is stale too, because each structure adds a number of its own to its generations. This has
+/// limits:
+///
+/// - A clone accepts its original's keys, and so does a structure that was saved and loaded. What either makes later may get
+///   a key that the other uses too.
+/// - Keys of unrelated structures can coincide after very many of both: the first key of another structure that was accepted
+///   in a test came after 5,473 structures and 41,233 uses of one slot.
+/// - A [`SecondaryMap`](crate::dcel::SecondaryMap) does not know to which structure its keys belong. It compares slots and
+///   generations only, so look up in it with keys of the structure that it was filled for.
 #[derive(Clone, Debug)]
 pub struct Dcel<S: Store = SlotStore> {
     pub(super) store: S,
 }
 
 impl Dcel {
-    /// The empty map: one unbounded face, nothing in it. O(1).
+    /// The empty map: one unbounded face and nothing in it. O(1).
+    ///
+    /// ```
+    /// use twinedge::dcel::Dcel;
+    ///
+    /// let map = Dcel::new();
+    /// assert!(map.unbounded_face().is_unbounded());
+    /// assert_eq!((map.vertex_count(), map.edge_count(), map.face_count()), (0, 0, 1));
+    /// ```
     #[must_use]
     pub fn new() -> Self {
         Self::default()
     }
 
-    /// The empty map, with room for this many vertices and edges, and the faces of a connected map of these.
+    /// The empty map, with capacity for this many vertices and edges, and for the faces of a connected map of these.
     ///
-    /// Room is a wish: where there is not that much memory, the columns grow as they are filled. It makes no difference
-    /// to what the structure holds, only to how often memory is asked for.
+    /// Capacity is best effort: if there is not enough memory for it, the columns grow as they are filled. It has no
+    /// influence on what the structure can hold, only on how often memory is allocated.
+    ///
+    /// ```
+    /// use twinedge::dcel::Dcel;
+    ///
+    /// let map = Dcel::with_capacity(1000, 2000);
+    /// assert_eq!((map.vertex_count(), map.edge_count(), map.face_count()), (0, 0, 1));
+    /// ```
     #[must_use]
     pub fn with_capacity(vertices: usize, edges: usize) -> Self {
         let faces = edges.saturating_add(1).saturating_sub(vertices);

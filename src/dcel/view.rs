@@ -6,8 +6,8 @@ use crate::store::links::{BoundaryStart, VertexLink};
 use crate::store::place::OUTER;
 use crate::validate::{BoundaryPlace, Collect, Expectation, Link, Report, Start, View, validate};
 
-/// Indices are those of [`HalfEdge::index`](super::HalfEdge::index) and its kin. What is said of a slot that holds no live
-/// record means nothing.
+/// Indices are those of [`HalfEdge::index`](super::HalfEdge::index) and its kin. Answers for vacant
+/// slots are unspecified.
 impl<S: Store> View for Dcel<S> {
     fn vertex_slots(&self) -> usize {
         self.store.vertex_slots()
@@ -106,7 +106,13 @@ impl<S: Store> View for Dcel<S> {
 impl<S: Store> Dcel<S> {
     /// Checks every rule from R1 to T4. O(n).
     ///
-    /// No sequence of operators breaks one; this is for those who would rather see than believe.
+    /// No sequence of operators breaks a rule, so the report is always valid. This is useful in tests.
+    ///
+    /// ```
+    /// use twinedge::dcel::Dcel;
+    ///
+    /// assert!(Dcel::new().validate().is_valid());
+    /// ```
     #[must_use]
     pub fn validate(&self) -> Report {
         validate(self, &Expectation::plane(), Collect::All)

@@ -1,7 +1,7 @@
 //! All places where a drawing is not plane.
 //!
 //! The [sweep](mod@super::sweep) says quickly whether a drawing of points and straight segments is plane, and names
-//! one fault if it is not. Whoever has to mend the drawing wants all of them: [`clashes`].
+//! one fault if it is not. [`clashes`] finds all of them.
 
 use alloc::vec::Vec;
 use core::cmp::Ordering;
@@ -9,7 +9,7 @@ use core::ops::ControlFlow;
 
 use rstar::{AABB, RTree, RTreeObject};
 
-use super::Point;
+use super::point::Point;
 use super::predicates::{Endpoint, Meeting, compare_lexicographic, in_range, meeting, on_segment};
 
 /// A reason why points and straight segments do not draw a plane map.
@@ -60,7 +60,7 @@ pub enum Clash {
     },
 }
 
-/// A drawing that cannot be asked about.
+/// Why arrays do not describe points and segments.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, thiserror::Error)]
 #[non_exhaustive]
 pub enum InvalidSegments {

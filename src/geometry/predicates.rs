@@ -1,4 +1,4 @@
-//! Exact questions about points, directions and segments.
+//! Exact predicates of points, directions and segments.
 //!
 //! Every function here decides by the sign of a determinant, and takes that sign from Shewchuk's adaptive arithmetic
 //! (crate `robust`): the answer is that of real numbers, not that of rounded ones, as long as every coordinate is in
@@ -25,7 +25,7 @@ use core::cmp::Ordering;
 
 use robust::Coord;
 
-use super::Point;
+use super::point::Point;
 
 /// The largest magnitude that a coordinate may have for the predicates to be exact: 2^500, about 3.27e150.
 pub const MAX_COORDINATE: f64 = f64::from_bits((1023 + 500) << 52);
@@ -262,7 +262,7 @@ std::thread_local! {
     static STEPS: core::cell::Cell<u64> = const { core::cell::Cell::new(0) };
 }
 
-/// Counts one step of work (an orientation, a step in a tree), in unit tests only: they bound it, so that nobody has to
+/// Counts one step of work (an orientation, a step in a tree), in unit tests only: they bound it, so that no test has to
 /// trust a clock.
 #[inline]
 pub(crate) fn count_step() {

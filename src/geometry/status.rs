@@ -1,6 +1,6 @@
-//! The segments that a sweep line meets just now, from the bottom up.
+//! The segments that a sweep line crosses at present, from the bottom up.
 
-use super::Point;
+use super::point::Point;
 use super::predicates::{Orientation, count_step, orientation};
 
 /// No node: nothing below, nothing above, no child.
@@ -29,12 +29,12 @@ pub(super) struct Gap {
 /// The strands under the sweep line, in order: a balanced search tree and a list in one, named by handles that stay
 /// valid until their strand is removed.
 ///
-/// Only [`locate`](Self::locate) compares. Everything else goes by handles, so it does what it should even if the
-/// strands are in no order at all, as they are after a crossing that nobody acted upon.
+/// Only [`locate`](Self::locate) compares. Everything else goes by handles, so it also works if the strands
+/// are in no order, as they are after a crossing.
 ///
 /// The tree is a treap (Seidel and Aragon, "Randomized search trees", Algorithmica 16 (1996) 464-497): a search tree
 /// by position that is a heap by a priority. The priority is a hash of the handle, so nothing is stored, nothing is
-/// random, and the expected depth is O(log n) for every input that was not made up against this very hash.
+/// random, and the expected depth is O(log n) for every input that was not constructed against this hash.
 pub(super) struct Status {
     nodes: alloc::vec::Vec<Node>,
     root: u32,
@@ -261,7 +261,7 @@ mod tests {
         let (mut status, mut model) = (Status::new(), Vec::<(u32, u32)>::new());
         let (mut random, mut most) = (1_u32, 0);
         for _ in 0..3000 {
-            // Put in what is not in, take out what is.
+            // Insert what is not in the list, remove what is.
             random = random.wrapping_mul(1_664_525).wrapping_add(1_013_904_223);
             let height = (random >> 16) % 509;
             match model.binary_search_by_key(&height, |&(height, _)| height) {

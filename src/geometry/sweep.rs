@@ -1,6 +1,6 @@
 //! One pass of a sweep line over a drawing of points and straight segments: is it plane, and what lies below what?
 //!
-//! A vertical line runs from left to right. The *status* is the list of the segments that it meets just now, from the
+//! A vertical line runs from left to right. The *status* is the list of the segments that it crosses at present, from the
 //! bottom up; it changes only where the line passes a point of the drawing. If the drawing is plane, the status is
 //! always in order, so a point finds its place among the segments by binary search, and what it finds below itself is
 //! what a ray going straight down would hit first. If the drawing is not plane, then just left of the leftmost fault
@@ -15,22 +15,21 @@
 //!      e ________|____
 //! ```
 //!
-//! The line leans over a little, by less than any angle of the drawing, so that points are met in lexicographic order
-//! and no segment is parallel to it: a vertical segment starts at its lower end and is, for the moment of its life,
-//! the steepest of all. No case is left over that would need a rule of its own.
+//! The line leans over a little, by less than any angle of the drawing, so that it passes the points in lexicographic
+//! order and no segment is parallel to it: a vertical segment starts at its lower end and is the steepest of those in the
+//! status. No case needs a rule of its own.
 //!
-//! # Why no fault escapes
+//! # Why every fault is found
 //!
 //! A fault is a point that two segments share and that is not an endpoint of both, or a point of the drawing inside a
 //! segment, or the left end of what two overlapping segments share. Points in the same place follow each other in the
 //! order of events and are found before the line moves. Otherwise let f be the lexicographically smallest fault. Just
-//! before f nothing has gone wrong: the status is in order, and the segments that reach f stand next to each other in
-//! it.
+//! before f the status is in order, and the segments that reach f are neighbours in it.
 //!
 //! - If several reach f and not all of them end there, then some two neighbours among them clash in f, and they were
 //!   examined when they became neighbours.
 //! - If one reaches f and passes through, then f is a point of the drawing at which nothing ends. So its place is
-//!   searched for, and the search for a point that lies on a segment of the status comes upon that segment.
+//!   searched for, and the search for a point that lies on a segment of the status finds that segment.
 //! - If all that reach f end there, then two segments start at f in the same direction. What starts together is put
 //!   into the status sorted by angle, so two such segments become neighbours and are examined.
 //!
@@ -46,8 +45,8 @@ use alloc::vec::Vec;
 use core::cmp::Ordering;
 use core::ops::Range;
 
-use super::Point;
 use super::crossing::{Clash, InvalidSegments, check, classify};
+use super::point::Point;
 use super::predicates::{Meeting, Orientation, compare_lexicographic, count_step, meeting, orientation};
 use super::status::{Gap, NIL, Status, Strand};
 
@@ -79,14 +78,14 @@ pub struct Sweep {
 ///    below: a              below: b         below: none
 /// ```
 ///
-/// Isolated points are part of the drawing, too: one in the interior of a segment is a clash.
+/// Isolated points are part of the drawing: one in the interior of a segment is a clash.
 ///
 /// Time O(n log n) for n points and segments, whether or not they clash, and memory O(n). The time is an expectation
 /// over the shapes of a treap whose priorities are hashes, so it is the same in every run.
 ///
 /// # Errors
 ///
-/// [`InvalidSegments`], if the arrays do not describe segments. That segments clash is not an error here but a finding.
+/// [`InvalidSegments`], if the arrays do not describe segments. Segments that clash are not an error, but part of the result.
 ///
 /// ```
 /// use twinedge::geometry::Point;
@@ -329,7 +328,7 @@ impl<'a> Line<'a> {
 /// The points in lexicographic order, and those in the same place by number.
 ///
 /// Cuts the width into as many strips as there are points, deals the points out to them, and sorts each strip. That
-/// is O(n) for points that are spread somehow, and never worse than sorting, O(n log n).
+/// is O(n) for points that are spread evenly, and O(n log n) at worst, as sorting.
 fn sorted(points: &[Point]) -> Vec<Event> {
     let (left, right) = points.iter().fold((f64::MAX, f64::MIN), |(left, right), p| (left.min(p.x), right.max(p.x)));
     let per_width = if left < right { points.len() as f64 / (right - left) } else { 0.0 };
@@ -386,7 +385,7 @@ mod tests {
         (points, segments)
     }
 
-    /// 0 .. N as coordinates, in an order without order.
+    /// 0 .. N as coordinates, in an irregular order.
     fn shuffled() -> impl Iterator<Item = f64> {
         (0..N).map(|i| f64::from((i * 7919) % N))
     }

@@ -4,10 +4,10 @@ use super::feature::FeatureId;
 use super::feature_sets::FeatureSets;
 use super::summary::BuildSummary;
 use crate::dcel::{Dcel, FaceKey, HalfEdgeKey, StaleKey, VertexKey};
+use crate::delegate_view;
 use crate::geometry::Point;
 use crate::geometry::noding::NodingSummary;
-use crate::validate::{BoundaryPlace, Collect, Expectation, Link, Report, Start, View};
-use crate::validate::{Embedding, validate_embedding};
+use crate::validate::{Collect, Embedding, Expectation, Report, View, validate_embedding};
 
 /// A planar subdivision with coordinates: a [`Dcel`] whose edges are straight segments, and the features that cover its
 /// faces.
@@ -252,42 +252,7 @@ impl Embedding for PlanarMap {
     }
 }
 
-macro_rules! delegate {
-    ($($name:ident($($arg:ident),*) -> $out:ty;)*) => {$(
-        #[inline]
-        fn $name(&self, $($arg: usize),*) -> $out {
-            self.dcel.$name($($arg),*)
-        }
-    )*};
-}
-
 /// Indices are those of the [`Dcel`].
 impl View for PlanarMap {
-    delegate! {
-        vertex_slots() -> usize;
-        half_edge_slots() -> usize;
-        boundary_slots() -> usize;
-        face_slots() -> usize;
-        is_vertex(vertex) -> bool;
-        is_half_edge(half_edge) -> bool;
-        is_boundary(boundary) -> bool;
-        is_face(face) -> bool;
-        origin(half_edge) -> Link;
-        twin(half_edge) -> Link;
-        next(half_edge) -> Link;
-        prev(half_edge) -> Link;
-        leaving(vertex) -> Link;
-        isolated(vertex) -> Link;
-        boundary_face(boundary) -> Link;
-        boundary_start(boundary) -> Option<Start>;
-        boundary_place(boundary) -> Option<BoundaryPlace>;
-        outer(face) -> Link;
-        inner_count(face) -> usize;
-        inner(face, position) -> Link;
-    }
-
-    #[inline]
-    fn boundary(&self, half_edge: usize) -> Link {
-        View::boundary(&self.dcel, half_edge)
-    }
+    delegate_view!(|this| &this.dcel);
 }

@@ -49,7 +49,7 @@ pub enum Scope {
 
 impl Scope {
     /// A program that makes the smallest map. It makes and removes some more before, so that there are handles of
-    /// half-edges, vertices and faces that are gone.
+    /// half-edges, vertices and faces that were removed.
     #[must_use]
     pub fn start(&self) -> Program {
         let add = Op::AddIsolatedVertex { face: FacePick::Unbounded };

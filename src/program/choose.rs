@@ -1,6 +1,6 @@
-//! One body, many engines: a test that takes its decisions from a source of choices.
+//! A test body takes its decisions from a source of choices, so that several engines can run the same body.
 //!
-//! A body asks a [`Choose`] for numbers and builds from them whatever it needs. Who answers is the engine:
+//! The body asks a [`Choose`] for numbers and builds from them whatever it needs. The source belongs to an engine:
 //!
 //! | source | engine |
 //! | --- | --- |
@@ -32,7 +32,8 @@ pub trait Choose {
     fn choose(&mut self, n: usize) -> usize;
 }
 
-/// Choices from bytes: as few for each as `n` needs, the lowest first, modulo `n`. Where they have run out it is 0.
+/// Choices from bytes. Each takes as few bytes as `n` needs, the lowest first, modulo `n`. When the bytes have run out, every
+/// choice is 0.
 #[derive(Clone, Copy, Debug)]
 pub struct Bytes<'a> {
     rest: &'a [u8],
@@ -111,7 +112,7 @@ impl Choose for Odometer {
             self.wheels.push((0, n));
         }
         let (answer, known) = &mut self.wheels[self.asked];
-        // A body that asks otherwise the second time is answered nevertheless.
+        // A body that asks something else the second time gets an answer all the same.
         *known = n;
         *answer = (*answer).min(n - 1);
         self.asked += 1;

@@ -7,11 +7,11 @@ use super::subject::Subject;
 use crate::dcel::{Corner, Side, Turn};
 use alloc::vec::Vec;
 
-/// Every operator with every argument, right or wrong, on what the runner has now. Each stands once:
+/// Every operator with every argument, right or wrong, on what the runner has now. The arguments are:
 ///
-/// - corners and half-edges: all there are; of those that are gone, the first; and a vertex that is not isolated, taken for
+/// - corners and half-edges: all there are; of those that were removed, the first; and a vertex that is not isolated, taken for
 ///   one that is;
-/// - faces: one corner of each, the unbounded face, and the first that is gone;
+/// - faces: one corner of each, the unbounded face, and the first that was removed;
 /// - boundary components: one corner of each;
 /// - [`Op::Connect`]: both sides, and every set of the inner boundary components that may go to the new face; then, with the
 ///   new face to the left, each boundary component that may not.
@@ -163,7 +163,8 @@ impl Picks {
     }
 }
 
-/// Notes the boundary component of all half-edges of a cycle: no more than there are, even if it never closes.
+/// Notes the boundary component of all half-edges of a cycle. Stops after as many as there are, even if the cycle does not
+/// close.
 fn mark_cycle<K: Subject>(map: &Runner<K>, start: K::HalfEdge, boundary: usize, boundary_of: &mut [Option<usize>]) {
     let mut h = start;
     for _ in 0..boundary_of.len() {

@@ -67,6 +67,7 @@ impl<K: Subject> Runner<K> {
         Ok(())
     }
 
+    #[allow(clippy::needless_pass_by_value, reason = "the arguments of a call are handed over as they are")]
     fn connect(
         &mut self,
         from: CornerOf<K>,

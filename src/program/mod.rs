@@ -1,8 +1,8 @@
 //! Programs: sequences of operators as data, for everything that tests a structure by changing it.
 //!
-//! A program chooses its arguments by small numbers that count in lists of what there is, and begin again where a list
-//! ends. So any bytes are a program that runs, whatever the structure; no run is lost to an argument that does not
-//! exist. Some choose a handle that is *gone*, on purpose: a structure that is right refuses it.
+//! A program chooses its arguments by small numbers: positions in lists of what exists, modulo the length of the list. So
+//! any bytes are a program that runs on any structure, and no argument is out of range. Some arguments are handles of
+//! removed records, on purpose: a correct structure refuses them.
 //!
 //! ```
 //! use twinedge::dcel::Dcel;
@@ -31,14 +31,13 @@
 //! | make a failing one small | [`shrink`]; `quickcheck` does it by itself |
 //! | keep it | its text ([`Display`](core::fmt::Display), [`FromStr`](core::str::FromStr)), or [`Program::to_rust`] |
 //! | tell whether two maps are the same | [`canonical`] |
-//! | have a second opinion | [`RotationSystem`], a rotation system, and [`PointerModel`], the pointers of the literature: slow and obvious |
+//! | compare with another implementation | [`RotationSystem`], a rotation system, and [`PointerModel`], the pointers of the literature: both simple and slow |
 //!
 //! # In step
 //!
-//! Two structures may keep different records where an operator leaves it open: of two faces made one, say, or of two
-//! vertices. So a [`Runner`] never compares handles of different structures. It lists what each structure made in order
-//! of creation, and takes off what it says is gone; then the same place in two lists is the same element in both, as
-//! long as both are right.
+//! When two faces or vertices are merged, implementations may keep either record. So a [`Runner`] never compares handles of
+//! different structures. It lists the handles of each structure in order of creation, and drops those of removed records.
+//! As long as both structures are right, the same position in two such lists is the same element.
 
 #[cfg(feature = "arbitrary")]
 mod arbitrary;

@@ -4,13 +4,13 @@ use super::table::operators;
 use crate::dcel::{Corner, Side, Turn};
 use alloc::vec::Vec;
 
-/// Chooses a half-edge. Counting is in order of creation and starts again where the list ends.
+/// Chooses a half-edge by its position in order of creation, modulo their number.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
 #[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 pub enum HalfEdgePick {
     /// Of those there are. The two of an edge stand side by side.
     Live(u16),
-    /// Of those that are gone: a stale handle, on purpose.
+    /// Of those that were removed: a stale handle, on purpose.
     Retired(u16),
 }
 
@@ -22,7 +22,7 @@ pub enum VertexPick {
     Isolated(u16),
     /// The origin of this half-edge, of those there are: not isolated, on purpose.
     OriginOf(u16),
-    /// Of the vertices that are gone: a stale handle, on purpose.
+    /// Of the vertices that were removed: a stale handle, on purpose.
     Retired(u16),
 }
 
@@ -48,7 +48,7 @@ pub enum FacePick {
     Unbounded,
     /// The one in which this corner lies.
     Of(CornerPick),
-    /// Of those that are gone: a stale handle, on purpose.
+    /// Of those that were removed: a stale handle, on purpose.
     Retired(u16),
 }
 
@@ -56,8 +56,8 @@ pub enum FacePick {
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash, Default)]
 #[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 pub struct InnerPick {
-    /// The boundary components of the face but the one that is split are counted as their first corners were made; the
-    /// `i`-th goes if bit `i % 16` is set.
+    /// The boundary components of the face, without the one that is split, are counted in order of their first corners. The
+    /// `i`-th one goes if bit `i % 16` is set.
     pub mask: u16,
     /// One more, whether it may go there or not.
     pub also: Option<CornerPick>,
@@ -82,10 +82,21 @@ macro_rules! define_op {
         const _: () = assert!(0 $(+ $share)* == 32, "the first byte of an operator chooses among 32");
 
         impl Op {
-            /// The operator with which these bytes begin, and how likely random ones make it: those that make something
-            /// come more often than those that remove it, those that fit more often than those that will be refused.
+            /// The names of all operators, as texts have them.
+            pub const NAMES: &[&str] = &[$(stringify!($method)),*];
+
+            /// The name of the operator.
+            #[must_use]
+            pub const fn name(self) -> &'static str {
+                match self {
+                    $(Self::$variant { .. } => stringify!($method),)*
+                }
+            }
+
+            /// The operator with which these bytes begin. None if they end too early. At most 14 bytes are taken.
             ///
-            /// None if they end too early. At most 14 bytes are taken.
+            /// In random bytes, operators that make something are more frequent than those that remove it, and arguments
+            /// that fit are more frequent than those that are refused.
             pub fn from_bytes(bytes: &mut impl Iterator<Item = u8>) -> Option<Self> {
                 let first = bytes.next()?;
                 let mut kind = first & 31;
@@ -147,7 +158,7 @@ impl CountChange {
 pub struct Program(pub Vec<Op>);
 
 impl Program {
-    /// The program that these bytes are. What remains at the end and is less than an operator is left out. O(bytes).
+    /// The program that these bytes encode. An incomplete operator at the end is ignored. O(bytes).
     #[must_use]
     pub fn from_bytes(bytes: &[u8]) -> Self {
         let mut bytes = bytes.iter().copied();

@@ -9,7 +9,7 @@ pub enum StepOutcome {
     Applied,
     /// The subject refused.
     Refused(Refusal),
-    /// It was not asked: there is nothing (no half-edge, no stale handle, …) to choose from.
+    /// The subject was not called, because there is nothing (no half-edge, no stale handle, …) to choose from.
     Skipped,
 }
 

@@ -6,8 +6,8 @@ use alloc::vec::Vec;
 
 /// A subject together with all handles it ever gave out, in order of creation.
 ///
-/// What a program chooses depends on these lists and on what the subject says of corners, faces and vertices, never on
-/// the names of its records, so the same program does the same to every right subject.
+/// What a program chooses depends on these lists and on what the subject says of corners, faces and vertices. It does not
+/// depend on the values of the handles, so a program does the same to every correct subject.
 #[derive(Clone, Debug)]
 pub struct Runner<K: Subject> {
     pub(super) subject: K,
@@ -51,17 +51,17 @@ impl<K: Subject> Runner<K> {
         &self.isolated
     }
 
-    /// The half-edges that are gone.
+    /// The half-edges that were removed.
     pub fn retired_half_edges(&self) -> &[K::HalfEdge] {
         &self.retired_half_edges
     }
 
-    /// The vertices that are gone.
+    /// The vertices that were removed.
     pub fn retired_vertices(&self) -> &[K::Vertex] {
         &self.retired_vertices
     }
 
-    /// The faces that are gone.
+    /// The faces that were removed.
     pub fn retired_faces(&self) -> &[K::Face] {
         &self.retired_faces
     }

@@ -140,7 +140,7 @@ pub trait Subject: View {
         inner: &[CornerOf<Self>],
     ) -> Result<Self::HalfEdge, Self::Error>;
 
-    /// Removes an edge, and gives the handle of the face that is gone, if two became one. The subject
+    /// Removes an edge, and gives the handle of the face that was removed, if two became one. The subject
     /// may keep either of the two, but the unbounded face stays.
     ///
     /// # Errors
@@ -154,7 +154,7 @@ pub trait Subject: View {
     fn split_edge(&mut self, half_edge: Self::HalfEdge) -> Result<Self::HalfEdge, Self::Error>;
 
     /// Joins the edge of a half-edge with the one that follows it. The given half-edge keeps its origin; the following
-    /// edge and the vertex between them are gone.
+    /// edge and the vertex between them are removed.
     ///
     /// # Errors
     /// [`Stale`](Refusal::Stale); then [`DegreeNotTwo`](Refusal::DegreeNotTwo); then [`Loop`](Refusal::Loop).
@@ -169,7 +169,7 @@ pub trait Subject: View {
     /// [`VerticesDiffer`](Refusal::VerticesDiffer).
     fn split_vertex(&mut self, from: CornerOf<Self>, to: CornerOf<Self>) -> Result<Self::HalfEdge, Self::Error>;
 
-    /// Contracts an edge to a point, and gives the handle of the vertex that is gone. The subject may keep
+    /// Contracts an edge to a point, and gives the handle of the vertex that was removed. The subject may keep
     /// either of the two.
     ///
     /// # Errors

@@ -5,7 +5,7 @@
 //! add_isolated_vertex unbounded
 //! split_vertex i0 ~0               # ~k: the k-th corner that fits the one before it
 //! connect h0 h1 left inner 0,2 also h5
-//! remove_edge !h0                  # !h, !v, !f: a handle that is gone
+//! remove_edge !h0                  # !h, !v, !f: a handle that was removed
 //! ```
 //!
 //! | word | chooses |
@@ -13,7 +13,7 @@
 //! | `h3` | the half-edge with number 3 (counted from 0), and its corner |
 //! | `i3` | the isolated vertex with number 3, and its corner |
 //! | `o3` | the origin of `h3`, taken for an isolated vertex |
-//! | `!h3`, `!v3`, `!f3` | of the half-edges, vertices, faces that are gone |
+//! | `!h3`, `!v3`, `!f3` | of the half-edges, vertices, faces that were removed |
 //! | `~3` | of the corners that fit the first one |
 //! | `unbounded` | the unbounded face |
 

@@ -27,8 +27,8 @@ pub(super) fn with_room<T>(room: usize) -> Vec<T> {
 
 /// Issues, checks and retires the keys of one kind of record.
 ///
-/// The slotmap decides which slot is next and what its generation is. A column beside it repeats the generation of each
-/// live slot, because a link is a bare slot and the key for it must be had in one load.
+/// The slotmap decides which slot is next and what its generation is. A column beside it repeats the generations, so that
+/// the key of a slot is found with one load.
 #[derive(Clone, Debug)]
 pub(super) struct Issuer<K: Key> {
     pub(super) slots: SlotMap<K, ()>,

@@ -32,7 +32,7 @@ impl<K: Key> Issuer<K> {
 /// The version of a slot that holds nothing but its being there.
 struct Version(u32);
 
-impl<'de> IntoDeserializer<'de> for Version {
+impl IntoDeserializer<'_> for Version {
     type Deserializer = Self;
 
     fn into_deserializer(self) -> Self {

@@ -30,8 +30,8 @@ pub enum BoundaryStart<H, V> {
 
 /// How many records of each kind an operator is about to add.
 ///
-/// Code outside the crate that is generic over a store can call [`Links::with_room`] without naming it. That it has no way
-/// to make a `Need`, and so no bare store and no slots, is what keeps it out; so there is no `Default`.
+/// Code outside the crate that is generic over a store could call [`Links::with_room`] without naming it. It cannot, because
+/// it has no way to make a `Need`: there is deliberately no `Default`.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub struct Need {
     /// Vertices.
@@ -130,8 +130,7 @@ pub trait Links: Sized {
     fn boundary_at(&self, index: usize) -> Option<Self::Boundary>;
     fn face_at(&self, index: usize) -> Option<Self::Face>;
 
-    /// The links of the half-edge with this index, for the validator, who asks for one after the other. If the slot is
-    /// vacant, any answer will do.
+    /// The links of the half-edge with this index, for the validator. Answers for vacant slots are unspecified.
     fn origin_in(&self, index: usize) -> Option<usize> {
         Some(self.vertex_index(self.origin(self.half_edge_at(index)?)))
     }

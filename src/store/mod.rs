@@ -18,8 +18,8 @@
 //!
 //! # Keys and slots
 //!
-//! A *key* is what users hold. It names one record: once that is gone, the key is an error and never another record. A
-//! *slot* is what the links are made of: a bare number, which means nothing once its record is gone. Keys are checked where
+//! A *key* is what users hold. It names one record: once that was removed, the key is an error and never another record. A
+//! *slot* is what the links are made of: a bare number, which means nothing once its record is removed. Keys are checked where
 //! they enter, and from there on slots are followed unchecked. That is right because nothing can be removed while a
 //! structure is borrowed for reading, and because an operator keeps no slot after its end.
 //!

@@ -1,10 +1,11 @@
-//! Every table: the cells of a [`Table`], and what each of them could be set to.
+//! Tables enumerated: the cells of a [`Table`], and the values that each of them can be set to.
 //!
-//! Two walks are made of these. [`for_each_corruption`] sets one cell at a time to everything else that it could be:
-//! what one broken pointer can do. [`for_each_assignment`] sets many cells to everything in all combinations: all
-//! tables of a size, right or wrong.
+//! [`for_each_corruption`] sets one cell at a time to each of its other values: all that one wrong link can do.
+//! [`for_each_assignment`] sets many cells to all combinations of values: all tables of a size, valid or not.
 
-use super::{BoundaryPlace, Expectation, Link, Part, Start, Table};
+use super::expectation::{Expectation, Part};
+use super::table::{HalfEdgeRow, Table, VertexRow};
+use super::view::{BoundaryPlace, Link, Start};
 use alloc::vec::Vec;
 
 /// One cell of a table: a field of the row with this index. Lists have a cell for each position.
@@ -28,7 +29,7 @@ pub enum Cell {
     InnerStart(usize, usize),
 }
 
-/// What a cell holds.
+/// The value of a cell.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash, PartialOrd, Ord)]
 pub enum Value {
     /// In most cells.
@@ -83,8 +84,8 @@ impl Table {
         cells
     }
 
-    /// Everything that the cell could be set to: nil, the index of every slot of the kind that it leads to, the one
-    /// past the end and the largest number there is. O(n).
+    /// Every value that the cell can be set to: nil, the index of every slot of the kind that it leads to, the one past the
+    /// end, and `usize::MAX`. O(n).
     #[must_use]
     pub fn values(&self, cell: Cell) -> Vec<Value> {
         let indices = |slots: usize| (0..=slots).chain([usize::MAX]);
@@ -145,6 +146,76 @@ impl Table {
     }
 }
 
+impl Table {
+    /// Sets the origin of each half-edge to what its links imply, that of the next of its twin, and gives each rotation a
+    /// vertex of its own. The vertices are new: they keep no half-edge. O(n²).
+    ///
+    /// ```
+    /// use twinedge::validate::Table;
+    /// // Two half-edges, each the twin and the next of the other: an edge.
+    /// let mut table: Table = "V 0 H 2 - 1 1 - - - 0 0 - - B 0 F 0".parse()?;
+    /// table.derive_origins();
+    /// assert_eq!(table.to_string(), "V 2 - - - - H 2 0 1 1 - - 1 0 0 - - B 0 F 0");
+    /// # Ok::<(), twinedge::validate::ParseTableError>(())
+    /// ```
+    pub fn derive_origins(&mut self) {
+        let half_edges = self.half_edges.len();
+        let next_of_twin = |table: &Self, h: usize| {
+            let link = |link: fn(&HalfEdgeRow) -> Link, h: usize| link(table.half_edges.get(h)?.as_ref()?);
+            link(|row| row.twin, h).and_then(|t| link(|row| row.next, t)).filter(|h| *h < half_edges)
+        };
+        let mut least: Vec<usize> = (0..half_edges).collect();
+        for _ in 0..half_edges {
+            for h in 0..half_edges {
+                if let Some(around) = next_of_twin(self, h) {
+                    let first = least[h].min(least[around]);
+                    (least[h], least[around]) = (first, first);
+                }
+            }
+        }
+        let mut vertices: Vec<usize> = live(&self.half_edges).map(|h| least[h]).collect();
+        vertices.sort_unstable();
+        vertices.dedup();
+        for (h, first) in least.iter().enumerate() {
+            if let Some(row) = row(&mut self.half_edges, h) {
+                row.origin = vertices.binary_search(first).ok();
+            }
+        }
+        self.vertices.clear();
+        self.vertices.resize(vertices.len(), Some(VertexRow::default()));
+    }
+}
+
+/// Every way to pair off so many half-edges as twins: for each way the twin of each half-edge. None if the number is odd.
+///
+/// There are (n − 1)!! = 1 · 3 · 5 · … · (n − 1) of them.
+///
+/// ```
+/// use twinedge::validate::enumerate::pairings;
+/// assert_eq!(pairings(4), [[1, 0, 3, 2], [2, 3, 0, 1], [3, 2, 1, 0]]);
+/// ```
+#[must_use]
+pub fn pairings(half_edges: usize) -> Vec<Vec<usize>> {
+    if half_edges & 1 == 1 {
+        return Vec::new();
+    }
+    let mut all = alloc::vec![alloc::vec![usize::MAX; half_edges]];
+    for _ in 0..half_edges / 2 {
+        let with_one_pair_more = |twins: &Vec<usize>| {
+            let alone: Vec<usize> = (0..half_edges).filter(|h| twins[*h] == usize::MAX).collect();
+            let first = alone[0];
+            let paired = |other: &usize| {
+                let mut twins = twins.clone();
+                (twins[first], twins[*other]) = (*other, first);
+                twins
+            };
+            alone.iter().skip(1).map(paired).collect::<Vec<_>>()
+        };
+        all = all.iter().flat_map(with_one_pair_more).collect();
+    }
+    all
+}
+
 fn live<T>(rows: &[Option<T>]) -> impl Iterator<Item = usize> + '_ {
     rows.iter().enumerate().filter(|(_, row)| row.is_some()).map(|(i, _)| i)
 }
@@ -159,7 +230,7 @@ fn row<T>(rows: &mut [Option<T>], i: usize) -> Option<&mut T> {
 /// ```
 /// use twinedge::validate::enumerate::for_each_corruption;
 /// use twinedge::validate::{Collect, Expectation, Part, Table, VertexRow, validate};
-/// // An isolated vertex in a structure without faces: a leaving half-edge is the only thing that it could get wrong.
+/// // An isolated vertex in a structure without faces: its leaving half-edge is the only cell.
 /// let mut table = Table { vertices: vec![Some(VertexRow::default())], ..Table::default() };
 /// let expectation = Expectation::plane().without(Part::Faces);
 /// let mut caught = 0;
@@ -196,8 +267,7 @@ pub fn for_each_assignment(table: &mut Table, cells: &[(Cell, Vec<Value>)], mut 
     loop {
         visit(table);
         count += 1;
-        // Like a mileage counter: the last position moves on, and where it is through, starts again and takes the one
-        // before.
+        // Like an odometer: the last position advances; where it wraps around, the one before it advances, too.
         let mut digits = positions.iter_mut().zip(cells).rev();
         let moved = digits.find_map(|(position, (cell, values))| {
             *position = (*position + 1) % values.len();

@@ -1,7 +1,9 @@
-//! What a structure is held to: where it lives, and which parts it has.
+//! What a structure is held to: the surface on which it lies, and the parts that it has.
 
-/// A part that a structure may lack. What it lacks is not checked, and the report says so.
+/// A part that a structure may lack. Rules about a part that it lacks are not checked, and the report says so.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash, PartialOrd, Ord)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
+#[cfg_attr(feature = "serde", serde(rename_all = "snake_case"))]
 #[non_exhaustive]
 pub enum Part {
     /// `prev` links.
@@ -12,13 +14,13 @@ pub enum Part {
     Faces,
     /// Records for boundary components. Without them half-edges name their face and faces name half-edges.
     BoundaryComponents,
-    /// The place in its face's list that a boundary component says it has.
+    /// The place of a boundary component in the list of its face, as stored in the boundary component.
     Places,
     /// Lists of inner boundary components. Without them each face has one cycle, as in a mesh, and containment (T1, T2)
     /// is not represented.
     Holes,
-    /// The one face without outer boundary component. Without it, what lies outside everything lies in no face: a
-    /// component there has no inner boundary component, and at an isolated vertex there no boundary component starts.
+    /// The one face without outer boundary component. Without it, a component that lies outside all others lies in no
+    /// face: it has no inner boundary component, and if it is an isolated vertex, no boundary component starts there.
     UnboundedFace,
 }
 
@@ -27,22 +29,22 @@ impl Part {
         1 << self as u8
     }
 
-    /// What a person calls it.
+    /// The name of the part, without article.
     #[must_use]
     pub const fn name(self) -> &'static str {
         match self {
             Self::Prev => "prev links",
-            Self::Leaving => "a half-edge at each vertex",
+            Self::Leaving => "half-edge at each vertex",
             Self::Faces => "faces",
             Self::BoundaryComponents => "boundary component records",
             Self::Places => "places in the list of the face",
             Self::Holes => "lists of inner boundary components",
-            Self::UnboundedFace => "an unbounded face",
+            Self::UnboundedFace => "unbounded face",
         }
     }
 }
 
-/// Where the structure is to live.
+/// The surface on which the structure is to lie.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
 pub enum Surface {
     /// The plane: every component has genus 0 and containment is a tree rooted at the unbounded face.
@@ -68,7 +70,7 @@ pub struct Expectation {
 }
 
 impl Expectation {
-    /// A planar subdivision with everything that the design gives it.
+    /// A planar subdivision with every part.
     #[must_use]
     pub const fn plane() -> Self {
         Self { surface: Surface::Plane, open: false, lacks: 0 }
@@ -81,7 +83,7 @@ impl Expectation {
         Self { surface: Surface::Any, open: false, lacks }
     }
 
-    /// The same, for a structure that lacks this part, and what cannot be had without it.
+    /// The same, for a structure that lacks this part, and the parts that depend on it.
     #[must_use]
     pub const fn without(mut self, part: Part) -> Self {
         self.lacks |= part.bit();
@@ -105,7 +107,7 @@ impl Expectation {
         self
     }
 
-    /// Where the structure is to live.
+    /// The surface on which the structure is to lie.
     #[must_use]
     pub const fn surface_kind(&self) -> Surface {
         self.surface

@@ -1,9 +1,9 @@
-//! The validator: the rules, the trait that a structure implements to be judged, and the report.
+//! The validator: the rules, the trait that a structure implements to be validated, and the report.
 //!
-//! [`validate`] answers one question about any half-edge structure whatever: *is this the topology of a planar
-//! subdivision* (or, if asked so, of a map on surfaces), and if not, which record breaks which rule? It trusts nothing
-//! that the structure says, its own counters included. On any input (dangling, cyclic, contradictory, huge) it returns,
-//! in time and memory linear in the number of records, without panic, recursion or unbounded loop.
+//! [`validate`] answers one question about any half-edge structure: *is it the topology of a planar subdivision* (or, if
+//! asked so, of a map on surfaces), and if not, which record breaks which rule? It trusts no answer of the structure, not
+//! even its counters. On any input (dangling, cyclic, contradictory, huge) it returns, in time and memory linear in the
+//! number of records, without panic, recursion or unbounded loop.
 //!
 //! ```
 //! use twinedge::validate::{Collect, Expectation, Link, Part, Rule, View, validate};
@@ -42,51 +42,71 @@
 //!                               B2 isolated ─┼─► T1 outside ─► T2 nesting
 //!                               F1 outer ────┤
 //!                               F2 listed ───┘
+//!
+//!  with coordinates:  G1 finite ─► G2 angles ────┐
+//!                              ─► G4 disjoint ─┬─┴► G5 inside
+//!                                              └─► G3 winding
 //! ```
 //!
-//! A rule to the right makes sense only where those to its left hold. If they do not, it is reported as *not checked*,
-//! with the reason, and never passed over in silence; so is whatever the structure lacks.
+//! Each [`Rule`] has its statement, a picture and a pointer to its check in its documentation. A rule to the right makes
+//! sense only where those to its left hold. If they do not, it is reported as *not checked*, with the reason; so is a rule
+//! about parts that the structure lacks.
 //!
-//! They are complete. R1, L and V make a combinatorial map; B and F give each of its cycles and each isolated vertex to
+//! The rules are complete. R1, L and V make a combinatorial map; B and F give each of its cycles and each isolated vertex to
 //! exactly one face, exactly once; T1 and T2 make containment a tree; T3 makes every component plane. From the tree one
-//! can draw the map, outermost component first, each inside a face already drawn. So what keeps R, L, V, B, F and T is
-//! the topology of some planar subdivision, and every planar subdivision keeps them.
+//! can draw the map, outermost component first, each inside a face already drawn. So a structure that keeps R, L, V, B, F and
+//! T is the topology of some planar subdivision, and every planar subdivision keeps them. G then says that the coordinates
+//! draw that topology: `validate_embedding` checks it, with the
+//! feature `geometry`.
 //!
 //! # Why believe it
 //!
-//! There is a second opinion: [`mod@reference`] says each rule once more in sets and quantifiers, and [`enumerate`]
+//! There is a second implementation: [`mod@reference`] states each rule once more in sets and quantifiers, and [`enumerate`]
 //! makes every small [`Table`], and every change of one cell of a larger one, for the two to agree on.
+//!
+//! # With serde
+//!
+//! With the feature `serde`, reports, violations, certificates and tables can be written and read. A [`Report`] is checked as
+//! it is read: what no validation could have reported is an error. Whether it is true of some structure, only a validation
+//! of that structure can tell.
 
-mod boundaries;
-mod components;
+mod columns;
+mod delegate;
 #[cfg(feature = "geometry")]
 mod embedding;
 pub mod enumerate;
 mod expectation;
-mod faces;
-mod glance;
-mod links;
-mod live;
+mod fast_path;
+mod findings;
+#[cfg(feature = "geometry")]
+mod geometric;
+mod passes;
+mod record;
 pub mod reference;
 mod report;
-mod rotations;
+#[cfg(feature = "serde")]
+mod report_serde;
 mod rule;
+mod rules;
 mod run;
 mod table;
 mod table_text;
-mod topology;
+mod validator;
 mod view;
 mod violation;
+mod violation_text;
+mod words;
 
 #[cfg(feature = "geometry")]
-pub use embedding::{Embedding, places, validate_embedding};
+pub use embedding::{Embedding, places};
 pub use expectation::{Expectation, Part, Surface};
-pub use report::{Bounds, Certificate, Collect, Counts, Report, RuleOutcome, Unchecked};
 #[cfg(feature = "geometry")]
-pub(crate) use report::{Findings, Flow, Halt};
+pub use geometric::validator::validate_embedding;
+pub use record::{Field, Record};
+pub use report::{Bounds, Certificate, Collect, Counts, Report, RuleOutcome, Unchecked};
 pub use rule::Rule;
-pub use run::validate;
 pub use table::{BoundaryRow, FaceRow, HalfEdgeRow, Table, VertexRow};
 pub use table_text::ParseTableError;
+pub use validator::validate;
 pub use view::{BoundaryPlace, Link, Start, View};
-pub use violation::{Field, Record, Violation};
+pub use violation::Violation;

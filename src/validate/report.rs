@@ -1,10 +1,14 @@
-//! What a validation found: an outcome per rule, the violations, the counts, and on success a certificate.
+//! The result of a validation: an outcome per rule, the violations, the counts, and on success a certificate.
 
-use super::{Part, Rule, Violation};
+use super::expectation::Part;
+use super::rule::Rule;
+use super::violation::Violation;
+use super::words::Number;
+use alloc::boxed::Box;
 use alloc::vec::Vec;
 use core::fmt;
 
-/// How many violations to collect. The true count per rule is kept in any case, except with `First`.
+/// How many violations to collect. All violations of each rule are counted, except with `First`.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash, Default)]
 pub enum Collect {
     /// Stop at the first violation of the first broken rule.
@@ -12,7 +16,7 @@ pub enum Collect {
     /// Keep up to [`Collect::DEFAULT_CAP`] violations.
     #[default]
     All,
-    /// Keep up to this many violations; none of them is fewer than the count says.
+    /// Keep up to this many violations. With 0 they are only counted.
     AtMost(usize),
 }
 
@@ -31,9 +35,11 @@ impl Collect {
 
 /// Why a rule was not checked, or not on every record.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
+#[cfg_attr(feature = "serde", serde(rename_all = "snake_case"))]
 #[non_exhaustive]
 pub enum Unchecked {
-    /// It makes sense only where this rule holds, and that one is broken.
+    /// It relies on this rule, which is broken.
     Broken(Rule),
     /// The structure lacks this part.
     Lacks(Part),
@@ -45,7 +51,7 @@ pub enum Unchecked {
     Stopped,
     /// The structure claims more than `u32::MAX - 1` records of one kind.
     TooLarge,
-    /// There was no memory for the columns that the check needs.
+    /// There was not enough memory for the check.
     OutOfMemory,
     /// The faces list more than twice as many inner boundary components as there are, and 16: the rest of the lists was
     /// not read.
@@ -53,8 +59,8 @@ pub enum Unchecked {
 }
 
 impl Unchecked {
-    /// Whether a structure that is otherwise right can be certified although the rule was not checked: what it does not
-    /// have, or what does not apply to it, is no fault.
+    /// Whether a structure can be valid although the rule was not checked: because it lacks the part that the rule is about,
+    /// or because the rule does not apply to it.
     #[must_use]
     pub const fn is_by_design(self) -> bool {
         matches!(self, Self::Lacks(_) | Self::PlaneOnly | Self::NotSimple)
@@ -65,9 +71,7 @@ impl fmt::Display for Unchecked {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         match self {
             Self::Broken(rule) => write!(f, "needs {rule}, which is broken"),
-            Self::Lacks(part) => {
-                write!(f, "the structure has no {}", part.name().trim_start_matches("a ").trim_start_matches("an "))
-            }
+            Self::Lacks(part) => write!(f, "the structure has no {}", part.name()),
             Self::PlaneOnly => f.write_str("a rule of the plane only"),
             Self::NotSimple => f.write_str("applies to simple maps with at least 3 vertices"),
             Self::Stopped => f.write_str("stopped at the first violation"),
@@ -78,19 +82,22 @@ impl fmt::Display for Unchecked {
     }
 }
 
-/// What became of one rule.
+/// The outcome of one rule.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash, Default)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 pub struct RuleOutcome {
-    /// How many were checked; what is counted is [`Rule::unit`].
+    /// The number of checks, in the [unit](Rule::unit) of the rule.
     pub checked: u64,
-    /// How many violations were found, kept or not.
+    /// The number of violations found, kept or not.
     pub violations: u64,
-    /// Why some or all were not checked.
+    /// Why the rule was not checked, or not on every record.
     pub unchecked: Option<Unchecked>,
 }
 
-/// How many of everything. What could not be counted because a rule that counting relies on is broken is `None`.
+/// The numbers of records, and of components, cycles, borders and handles. `None` is what could not be counted because a
+/// rule that the counting relies on is broken.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash, Default)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 pub struct Counts {
     /// V.
     pub vertices: usize,
@@ -117,8 +124,9 @@ pub struct Counts {
     pub genus: Option<usize>,
 }
 
-/// The bounds of T4, for a simple map: how far its counts are from the most that is possible.
+/// The bounds of T4, for a simple map: the most edges and faces that its number of vertices allows.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 pub struct Bounds {
     /// `3V − 6`, the most edges possible.
     pub most_edges: usize,
@@ -126,11 +134,12 @@ pub struct Bounds {
     pub most_faces: usize,
 }
 
-/// What is known of a structure in which no violation was found and every rule that applies to it was checked.
+/// The proven properties of a structure in which no violation was found and every rule that applies to it was checked.
 ///
-/// Added over the components, with one cycle for each isolated vertex, T3 says that
+/// By T3, added up over the components with one cycle for each isolated vertex,
 /// `vertices − edges + cycles + borders + isolated_vertices = 2 · components − 2 · genus`.
 #[derive(Clone, Debug, PartialEq, Eq)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 pub struct Certificate {
     /// V.
     pub vertices: usize,
@@ -154,8 +163,27 @@ pub struct Certificate {
     pub not_checked: Vec<(Rule, Unchecked)>,
 }
 
-/// What a validation found.
+/// The result of a validation.
+///
+/// ```
+/// use twinedge::validate::{Collect, Expectation, Part, Table, validate};
+/// // Two half-edges, each the twin of the other; both cycles have one half-edge. That is a loop at one vertex, not at two.
+/// let table: Table = "V 2 - - - - H 2 0 1 0 - - 1 0 1 - - B 0 F 0".parse()?;
+/// let expectation = Expectation::plane().without(Part::Faces).without(Part::Prev).without(Part::Leaving);
+/// let report = validate(&table, &expectation, Collect::All);
+/// assert!(!report.is_valid());
+/// assert!(report.to_string().starts_with(
+///     "R1 live      ok, 6 links\n\
+///      L1 twin      ok, 2 half-edges\n\
+///      L2 next/prev ok, 2 half-edges\n\
+///      L3 target    BROKEN, 2 violations in 2 half-edges\n\
+///      V1 leaving   not checked: the structure has no half-edge at each vertex\n\
+///      V2 rotation  not checked: needs L3, which is broken\n"
+/// ));
+/// # Ok::<(), twinedge::validate::ParseTableError>(())
+/// ```
 #[derive(Clone, Debug, PartialEq, Eq)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize))]
 pub struct Report {
     pub(crate) outcomes: Vec<(Rule, RuleOutcome)>,
     pub(crate) violations: Vec<Violation>,
@@ -164,16 +192,30 @@ pub struct Report {
 }
 
 impl Report {
-    /// The rules that were to be checked, in order, each with what became of it.
+    /// The rules of this validation, in order, each with its outcome.
     #[must_use]
     pub fn outcomes(&self) -> impl ExactSizeIterator<Item = (Rule, RuleOutcome)> + '_ {
         self.outcomes.iter().copied()
     }
 
-    /// What became of this rule; `None` for a rule that is not of this validation (G without coordinates).
+    /// The outcome of this rule; `None` for a rule that is not part of this validation (G without coordinates).
     #[must_use]
     pub fn outcome(&self, rule: Rule) -> Option<RuleOutcome> {
         self.outcomes.iter().find(|(r, _)| *r == rule).map(|(_, o)| *o)
+    }
+
+    /// The rules of which a violation was found, in order. All but the first may be consequences of it.
+    ///
+    /// ```
+    /// use twinedge::validate::{Collect, Expectation, Rule, Table, validate};
+    /// // A loop that is its own twin.
+    /// let table: Table = "V 1 0 - H 1 0 0 0 0 0 B 1 0 h0 i0 F 1 - 1 0".parse()?;
+    /// let report = validate(&table, &Expectation::plane(), Collect::All);
+    /// assert_eq!(report.broken_rules().next(), Some(Rule::L1));
+    /// # Ok::<(), twinedge::validate::ParseTableError>(())
+    /// ```
+    pub fn broken_rules(&self) -> impl Iterator<Item = Rule> + '_ {
+        self.outcomes.iter().filter(|(_, outcome)| outcome.violations > 0).map(|(rule, _)| *rule)
     }
 
     /// The violations that were kept, in the order of the rules.
@@ -182,29 +224,29 @@ impl Report {
         &self.violations
     }
 
-    /// Adds what was found by rules that are checked after these.
+    /// Adds the outcomes and violations of rules that are checked after these.
     #[cfg(feature = "geometry")]
     pub(crate) fn append(&mut self, outcomes: Vec<(Rule, RuleOutcome)>, violations: Vec<Violation>) {
         self.outcomes.extend(outcomes);
         self.violations.extend(violations);
     }
 
-    /// What is left to collect after these violations.
+    /// How many violations may still be kept after these.
     #[cfg(feature = "geometry")]
-    pub(crate) const fn collect_left(&self, collect: Collect) -> Collect {
+    pub(crate) fn collect_left(&self, collect: Collect) -> Collect {
         match collect {
             Collect::First => Collect::First,
             _ => Collect::AtMost(collect.cap().saturating_sub(self.violations.len())),
         }
     }
 
-    /// How many violations were found, kept or not.
+    /// The number of violations found, kept or not.
     #[must_use]
     pub fn violation_count(&self) -> u64 {
         self.outcomes.iter().map(|(_, o)| o.violations).sum()
     }
 
-    /// How many there are of everything.
+    /// The numbers of records, components, cycles, borders and handles.
     #[must_use]
     pub const fn counts(&self) -> &Counts {
         &self.counts
@@ -214,6 +256,31 @@ impl Report {
     #[must_use]
     pub fn is_valid(&self) -> bool {
         self.outcomes.iter().all(|(_, o)| o.violations == 0 && o.unchecked.is_none_or(Unchecked::is_by_design))
+    }
+
+    /// The certificate, or the report itself if the structure is not valid.
+    ///
+    /// # Errors
+    /// The report, if a violation was found or a rule that applies was not checked.
+    ///
+    /// ```
+    /// use twinedge::validate::{Collect, Expectation, Rule, Table, validate};
+    /// // An isolated vertex.
+    /// let mut table: Table = "V 1 - 0 H 0 B 1 0 v0 i0 F 1 - 1 0".parse()?;
+    /// let certificate = validate(&table, &Expectation::plane(), Collect::All).into_result()?;
+    /// assert_eq!((certificate.vertices, certificate.components), (1, 1));
+    ///
+    /// table.faces.push(None);
+    /// table.vertices[0].as_mut().unwrap().isolated = None;
+    /// let report = validate(&table, &Expectation::plane(), Collect::All).into_result().unwrap_err();
+    /// assert_eq!(report.broken_rules().collect::<Vec<_>>(), [Rule::B2]);
+    /// # Ok::<(), Box<dyn std::error::Error>>(())
+    /// ```
+    pub fn into_result(self) -> Result<Certificate, Box<Self>> {
+        match self.certificate() {
+            Some(certificate) => Ok(certificate),
+            None => Err(Box::new(self)),
+        }
     }
 
     /// The certificate, if the structure is valid.
@@ -238,15 +305,21 @@ impl Report {
     }
 }
 
+/// So that [`Report::into_result`] can be followed by `?`.
+impl core::error::Error for Report {}
+
+/// A line for each rule, then a line for each violation that was kept.
 impl fmt::Display for Report {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         for (rule, outcome) in &self.outcomes {
+            let checked = outcome.checked;
             write!(f, "{:2} {:9} ", rule.id(), rule.name())?;
             match (outcome.violations, outcome.unchecked) {
-                (0, None) => write!(f, "ok, {} {}", outcome.checked, rule.unit())?,
+                (0, None) => write!(f, "ok, {checked} {}", rule.unit(checked))?,
                 (0, Some(why)) => write!(f, "not checked: {why}")?,
                 (n, why) => {
-                    write!(f, "BROKEN, {n} violation(s) in {} {}", outcome.checked, rule.unit())?;
+                    let violations = Number(n, "violation", "violations");
+                    write!(f, "BROKEN, {violations} in {checked} {}", rule.unit(checked))?;
                     if let Some(why) = why {
                         write!(f, "; the rest not checked: {why}")?;
                     }
@@ -262,118 +335,5 @@ impl fmt::Display for Report {
             writeln!(f, "… and {more} more")?;
         }
         Ok(())
-    }
-}
-
-/// The run may go on, or the first violation was asked for and found.
-pub(crate) type Flow = Result<(), Halt>;
-
-/// Why a run ends early.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub(crate) enum Halt {
-    /// The first violation was asked for and found.
-    Found,
-    /// No memory for a column.
-    OutOfMemory,
-}
-
-/// Collects violations and outcomes while the rules are run.
-#[derive(Debug)]
-pub(crate) struct Findings {
-    outcomes: [RuleOutcome; Rule::ALL.len()],
-    violations: Vec<Violation>,
-    collect: Collect,
-    /// Where only the first violation is wanted: one that is reported at the end of the pass, unless the pass finds one of
-    /// an earlier rule.
-    held_back: Option<Violation>,
-}
-
-impl Findings {
-    pub(crate) const fn new(collect: Collect) -> Self {
-        Self {
-            outcomes: [RuleOutcome { checked: 0, violations: 0, unchecked: None }; Rule::ALL.len()],
-            violations: Vec::new(),
-            collect,
-            held_back: None,
-        }
-    }
-
-    /// Notes a violation, and ends the run if the first one was asked for.
-    #[cold]
-    pub(crate) fn add(&mut self, violation: Violation) -> Flow {
-        self.outcomes[violation.rule().index()].violations += 1;
-        if self.violations.len() < self.collect.cap() && self.violations.try_reserve(1).is_ok() {
-            self.violations.push(violation);
-        }
-        if self.collect == Collect::First { Err(Halt::Found) } else { Ok(()) }
-    }
-
-    /// Notes a violation found by a pass that several rules share, of which `first` is the first. If only one violation is
-    /// wanted, it must be of the first broken rule, so the pass goes on until it ends or that rule is broken.
-    #[cold]
-    pub(crate) fn add_in_pass(&mut self, violation: Violation, first: Rule) -> Flow {
-        if self.collect != Collect::First || violation.rule() == first {
-            self.held_back = None;
-            return self.add(violation);
-        }
-        if self.held_back.is_none_or(|held_back| violation.rule() < held_back.rule()) {
-            self.held_back = Some(violation);
-        }
-        Ok(())
-    }
-
-    /// Ends a pass that several rules share.
-    pub(crate) fn end_pass(&mut self) -> Flow {
-        self.held_back.take().map_or(Ok(()), |violation| self.add(violation))
-    }
-
-    pub(crate) const fn checked(&mut self, rule: Rule, count: u64) {
-        self.outcomes[rule.index()].checked += count;
-    }
-
-    pub(crate) const fn not_checked(&mut self, rule: Rule, why: Unchecked) {
-        self.outcomes[rule.index()].unchecked = Some(why);
-    }
-
-    /// How many more violations will be kept.
-    #[cfg(feature = "geometry")]
-    pub(crate) const fn room(&self) -> usize {
-        self.collect.cap().saturating_sub(self.violations.len())
-    }
-
-    /// Counts violations that were found elsewhere and not kept.
-    #[cfg(feature = "geometry")]
-    pub(crate) const fn add_uncollected(&mut self, rule: Rule, count: u64) {
-        self.outcomes[rule.index()].violations += count;
-    }
-
-    /// The same, for a rule of which nothing was checked so far.
-    pub(crate) const fn not_checked_yet(&mut self, rule: Rule, why: Unchecked) {
-        let outcome = &mut self.outcomes[rule.index()];
-        if outcome.unchecked.is_none() && outcome.checked == 0 {
-            outcome.unchecked = Some(why);
-        }
-    }
-
-    /// Why the rule was not checked, or not on every record.
-    pub(crate) const fn unchecked(&self, rule: Rule) -> Option<Unchecked> {
-        self.outcomes[rule.index()].unchecked
-    }
-
-    /// Whether no violation of this rule was found.
-    pub(crate) const fn holds(&self, rule: Rule) -> bool {
-        self.outcomes[rule.index()].violations == 0
-    }
-
-    /// The first of these rules that is broken.
-    pub(crate) fn broken(&self, rules: &[Rule]) -> Option<Rule> {
-        rules.iter().copied().find(|rule| !self.holds(*rule))
-    }
-
-    /// The outcomes of these rules and the violations found.
-    pub(crate) fn into_parts(self, rules: &[Rule]) -> (Vec<(Rule, RuleOutcome)>, Vec<Violation>) {
-        let mut violations = self.violations;
-        violations.sort_by_key(Violation::rule);
-        (rules.iter().map(|rule| (*rule, self.outcomes[rule.index()])).collect(), violations)
     }
 }

@@ -3,12 +3,31 @@
 use core::fmt;
 
 macro_rules! rules {
-    ($($variant:ident $id:literal $name:literal $unit:literal $statement:literal;)*) => {
-        /// A rule of the structure. The order is that of the ladder: each rule makes sense once those before it hold.
+    ($($(#[doc = $more:literal])* $variant:ident $id:literal $name:literal counts $one:literal $many:literal
+        $statement:literal in $file:literal broken by $tests:literal $test:literal;)*) => {
+        /// A rule of the structure. The order is that in which they rely on one another: each rule makes sense once those
+        /// before it hold.
+        ///
+        /// ```
+        /// use twinedge::validate::Rule;
+        /// assert_eq!(Rule::ALL.len(), 19);
+        /// let rule = Rule::L1;
+        /// assert_eq!((rule.id(), rule.name()), ("L1", "twin"));
+        /// assert_eq!(rule.statement(), "`twin(twin(h)) = h` and `twin(h) ≠ h`");
+        /// ```
         #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash, PartialOrd, Ord)]
+        #[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
         #[non_exhaustive]
         pub enum Rule {
-            $(#[doc = concat!("**", $id, " ", $name, "**: ", $statement)] $variant,)*
+            $(
+                #[doc = concat!("**", $id, " ", $name, "**: ", $statement, ".\n")]
+                $(#[doc = $more])*
+                #[doc = concat!(
+                    "\n\nChecked in `src/validate/rules/", $file, ".rs`; broken alone by `", $test,
+                    "` in `tests/validate/", $tests, ".rs`."
+                )]
+                $variant,
+            )*
         }
 
         impl Rule {
@@ -27,10 +46,10 @@ macro_rules! rules {
                 match self { $(Self::$variant => $name,)* }
             }
 
-            /// What is counted when it is said how much was checked.
+            /// The noun for so many of what the rule is checked on: `vertex`, `vertices`.
             #[must_use]
-            pub const fn unit(self) -> &'static str {
-                match self { $(Self::$variant => $unit,)* }
+            pub const fn unit(self, count: u64) -> &'static str {
+                match self { $(Self::$variant => if count == 1 { $one } else { $many },)* }
             }
 
             /// The rule in one sentence.
@@ -43,29 +62,203 @@ macro_rules! rules {
 }
 
 rules! {
-    R1 "R1" "live" "links" "every link that a record needs is there, and every link leads to a live record";
-    L1 "L1" "twin" "half-edges" "`twin(twin(h)) = h` and `twin(h) ≠ h`";
-    L2 "L2" "next/prev" "half-edges" "`prev(next(h)) = h` and `next(prev(h)) = h`";
-    L3 "L3" "target" "half-edges" "`origin(next(h)) = origin(twin(h))`";
-    V1 "V1" "leaving" "vertices" "the half-edge kept by a vertex leaves that vertex";
-    V2 "V2" "rotation" "vertices" "the rotation of a vertex is all half-edges with that origin";
-    B1 "B1" "cycle" "half-edges" "the boundary component is constant along `next`, its start is on its own cycle, and it has one cycle";
-    B2 "B2" "isolated" "vertices" "a vertex has no half-edge if and only if exactly one boundary component starts at it, and they name each other";
-    F1 "F1" "outer" "faces" "a bounded face has exactly one outer boundary component, a cycle; the one unbounded face has none";
-    F2 "F2" "listed" "boundary components" "every boundary component is listed exactly once, by the face it names, at the place it says";
-    T1 "T1" "outside" "components" "each component has exactly one inner boundary component, its outside";
-    T2 "T2" "nesting" "components" "containment is a tree rooted at the unbounded face";
-    T3 "T3" "Euler" "components" "per component `V − E + cycles = 2 − 2g`, with `g = 0` in the plane";
-    T4 "T4" "bounds" "maps" "a simple map with `V ≥ 3` has `E ≤ 3V − 6` and `F ≤ 2V − 4`";
-    G1 "G1" "finite" "vertices" "coordinates are finite, and no edge has zero length";
-    G2 "G2" "angles" "vertices" "half-edges around a vertex are in angular order";
-    G3 "G3" "winding" "cycles" "outer cycles turn counter-clockwise, inner ones clockwise";
-    G4 "G4" "disjoint" "edges" "edges meet only at shared endpoints";
-    G5 "G5" "inside" "boundary components" "each inner boundary component lies in the face that lists it";
+    /// At an open boundary twin and face may be nil. Lists with more than twice as many entries as there are boundary
+    /// components, and 16, are not read to the end, and break the rule, too.
+    ///
+    /// ```text
+    /// half-edge 3 ── next ──► 7     ok if slot 7 holds a half-edge
+    ///                next ──► nil   a cycle that ends
+    ///                next ──► 99    past the end, or a retired record
+    /// ```
+    ///
+    /// In the [reference](mod@crate::validate::reference): `r1`.
+    R1 "R1" "live" counts "link" "links"
+        "every link that a record needs is there, and every link leads to a live record"
+        in "live" broken by "violations" "r1_a_link_dangles";
+    /// ```text
+    ///      h
+    /// ·────────►·
+    /// ·◄────────·
+    ///   twin(h)
+    /// ```
+    ///
+    /// In the [reference](mod@crate::validate::reference): `l1`.
+    L1 "L1" "twin" counts "half-edge" "half-edges"
+        "`twin(twin(h)) = h` and `twin(h) ≠ h`"
+        in "twin" broken by "violations" "l1_the_twins_twin_is_another";
+    /// Without `prev`: no two half-edges have the same next.
+    ///
+    /// ```text
+    ///   prev(h)        h         next(h)
+    /// ·─────────►·──────────►·───────────►·
+    /// ```
+    ///
+    /// In the [reference](mod@crate::validate::reference): `l2`.
+    L2 "L2" "next/prev" counts "half-edge" "half-edges"
+        "`prev(next(h)) = h` and `next(prev(h)) = h`"
+        in "next_prev" broken by "violations" "l2_next_and_prev_disagree";
+    /// ```text
+    ///      h          next(h)
+    /// ·──────────►v────────────►·     both start at v, the target of h
+    /// ·◄──────────v
+    ///    twin(h)
+    /// ```
+    ///
+    /// In the [reference](mod@crate::validate::reference): `l3`.
+    L3 "L3" "target" counts "half-edge" "half-edges"
+        "`origin(next(h)) = origin(twin(h))`"
+        in "target" broken by "violations" "l3_the_next_half_edge_starts_elsewhere";
+    /// ```text
+    /// vertex 3 ── leaving ──► half-edge 8 ── origin ──► 3
+    /// ```
+    ///
+    /// In the [reference](mod@crate::validate::reference): `v1`.
+    V1 "V1" "leaving" counts "vertex" "vertices"
+        "the half-edge kept by a vertex leaves that vertex"
+        in "leaving" broken by "violations" "v1_the_half_edge_of_a_vertex_leaves_another";
+    /// ```text
+    ///      \   |   /              \   |
+    ///       \  |  /                \  |   ___
+    /// ───────  v  ───────    ───────  v  ___   two fans that share a vertex: each is closed under
+    ///       /  |  \                /  |        next∘twin, and neither reaches the other
+    ///      /   |   \              /   |
+    /// ```
+    ///
+    /// In the [reference](mod@crate::validate::reference): `v2`.
+    V2 "V2" "rotation" counts "vertex" "vertices"
+        "the rotation of a vertex is all half-edges with that origin"
+        in "rotation" broken by "violations" "v2_two_fans_share_a_vertex";
+    /// Without records for boundary components: the face is constant along `next`, and a face keeps half-edges of its own.
+    ///
+    /// ```text
+    /// ┌──► 4 ──► 4 ──► 4 ──┐ start of 4
+    /// └────────────────────┘
+    /// ```
+    ///
+    /// In the [reference](mod@crate::validate::reference): `b1`.
+    B1 "B1" "cycle" counts "half-edge" "half-edges"
+        "the boundary component is constant along `next`, its start is on its own cycle, and it has one cycle"
+        in "cycle" broken by "violations" "b1_a_boundary_component_has_a_second_cycle";
+    /// Without records for boundary components, entries of the lists of the faces stand for them.
+    ///
+    /// ```text
+    /// ·v    isolated(v) = 7 ◄──► start(7) = v
+    /// ```
+    ///
+    /// In the [reference](mod@crate::validate::reference): `b2`.
+    B2 "B2" "isolated" counts "vertex" "vertices"
+        "a vertex has no half-edge if and only if exactly one boundary component starts at it, and they name each other"
+        in "isolated" broken by "violations" "b2_nothing_starts_at_an_isolated_vertex";
+    /// ```text
+    /// face 2 ── outer ──► component 5, a cycle
+    /// face 0 ── outer ──► nil: the unbounded face, and no other
+    /// ```
+    ///
+    /// In the [reference](mod@crate::validate::reference): `f1`.
+    F1 "F1" "outer" counts "face" "faces"
+        "a bounded face has exactly one outer boundary component, a cycle; the one unbounded face has none"
+        in "outer" broken by "violations" "f1_no_face_is_unbounded_or_two_are";
+    /// Without records for boundary components: each cycle with a face is listed exactly once.
+    ///
+    /// ```text
+    /// face 2 ── outer ───► component 5 ── face ──► 2, place: outer
+    ///        └─ inner[0] ► component 8 ── face ──► 2, place: inner 0
+    /// ```
+    ///
+    /// In the [reference](mod@crate::validate::reference): `f2`.
+    F2 "F2" "listed" counts "boundary component" "boundary components"
+        "every boundary component is listed exactly once, by the face it names, at the place it says"
+        in "listed" broken by "violations" "f2_a_boundary_component_is_not_listed";
+    /// At an open boundary, or where the unbounded face has no record, a component may have none.
+    ///
+    /// ```text
+    /// ┌───────────────┐
+    /// │  a   ┌─────┐  │    the unbounded face lists the outside of a,
+    /// │      │  c  │  │    the face between them lists the outside of c
+    /// │      └─────┘  │
+    /// └───────────────┘
+    /// ```
+    ///
+    /// In the [reference](mod@crate::validate::reference): `t1`.
+    T1 "T1" "outside" counts "component" "components"
+        "each component has exactly one inner boundary component, its outside"
+        in "outside" broken by "violations" "t1_a_component_has_two_outsides";
+    /// All other rules can hold while this one is broken.
+    ///
+    /// ```text
+    /// unbounded face
+    ///   └─ component a
+    ///        └─ face of a ─ component c
+    ///                         └─ face of c ─ …
+    /// ```
+    ///
+    /// In the [reference](mod@crate::validate::reference): `t2`.
+    T2 "T2" "nesting" counts "component" "components"
+        "containment is a tree rooted at the unbounded face"
+        in "nesting" broken by "violations" "t2_a_component_lies_inside_itself";
+    /// ```text
+    /// ·─────·
+    /// │   ╱ │    V = 4, E = 5, three cycles: two triangles and the outside
+    /// │ ╱   │    4 − 5 + 3 = 2, so g = 0
+    /// ·─────·
+    /// ```
+    ///
+    /// In the [reference](mod@crate::validate::reference): `t3`.
+    T3 "T3" "Euler" counts "component" "components"
+        "per component `V − E + cycles = 2 − 2g`, with `g = 0` in the plane"
+        in "euler" broken by "violations" "t3_a_component_has_a_handle";
+    /// It follows from the other rules, and checks the counting.
+    ///
+    /// In the [reference](mod@crate::validate::reference): `t4`.
+    T4 "T4" "bounds" counts "map" "maps"
+        "a simple map with `V ≥ 3` has `E ≤ 3V − 6` and `F ≤ 2V − 4`"
+        in "bounds" broken by "violations" "t4_is_broken_with_t1_where_faces_are_counted_wrong";
+    /// A coordinate is also refused if it is out of the range in which the predicates are exact.
+    G1 "G1" "finite" counts "vertex" "vertices"
+        "coordinates are finite, and no edge has zero length"
+        in "finite" broken by "embeddings" "g1_a_coordinate_that_is_not_finite";
+    /// ```text
+    ///    b   c
+    ///     \ /     a, b, c, d follow one another clockwise, by `next∘twin` and by their angles
+    /// a ── v
+    ///       \
+    ///        d
+    /// ```
+    G2 "G2" "angles" counts "vertex" "vertices"
+        "half-edges around a vertex are in angular order"
+        in "angles" broken by "embeddings" "g2_two_leaves_of_a_star_have_changed_places";
+    /// ```text
+    /// ┌───◄───┐
+    /// │ ┌─►─┐ │    the face is to the left of both cycles
+    /// ▼ ▲   ▼ ▲
+    /// │ └─◄─┘ │
+    /// └───►───┘
+    /// ```
+    G3 "G3" "winding" counts "cycle" "cycles"
+        "outer cycles turn counter-clockwise, inner ones clockwise"
+        in "winding" broken by "embeddings" "g3_a_square_seen_in_a_mirror";
+    /// ```text
+    /// \ /        |              ______
+    ///  X         |         ====/======      o o
+    /// / \    ----+----        /
+    /// ```
+    G4 "G4" "disjoint" counts "edge" "edges"
+        "edges meet only at shared endpoints"
+        in "disjoint" broken by "embeddings" "g4_a_square_twisted_into_a_bow_tie";
+    /// ```text
+    /// ┌─────────┐
+    /// │    f    │    going straight down from the lowest vertex v of a component, the first edge
+    /// │   v·    │    bounds the face in which the component lies
+    /// │    :    │
+    /// └────┴────┘
+    /// ```
+    G5 "G5" "inside" counts "boundary component" "boundary components"
+        "each inner boundary component lies in the face that lists it, and what no face lists lies in none"
+        in "inside" broken by "embeddings" "g5_an_island_listed_by_the_face_next_door";
 }
 
 impl Rule {
-    /// Whether the rule speaks of coordinates (G1 … G5).
+    /// Whether the rule is about coordinates (G1 … G5).
     #[must_use]
     pub const fn is_geometric(self) -> bool {
         matches!(self, Self::G1 | Self::G2 | Self::G3 | Self::G4 | Self::G5)

@@ -1,10 +1,11 @@
-//! A structure as plain tables, like those in the textbooks, with every field open to be set to anything.
+//! A structure as plain tables, like those in the textbooks. Every field can be set to anything.
 
 use super::view::{BoundaryPlace, Link, Start, View};
 use alloc::vec::Vec;
 
 /// A row of the vertex table.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Hash)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 pub struct VertexRow {
     /// A half-edge that leaves the vertex.
     pub leaving: Link,
@@ -14,6 +15,7 @@ pub struct VertexRow {
 
 /// A row of the half-edge table.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Hash)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 pub struct HalfEdgeRow {
     /// The vertex where it starts.
     pub origin: Link,
@@ -31,6 +33,7 @@ pub struct HalfEdgeRow {
 
 /// A row of the boundary component table.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Hash)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 pub struct BoundaryRow {
     /// The face that it bounds.
     pub face: Link,
@@ -42,6 +45,7 @@ pub struct BoundaryRow {
 
 /// A row of the face table.
 #[derive(Clone, Debug, Default, PartialEq, Eq, Hash)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 pub struct FaceRow {
     /// The outer boundary component.
     pub outer: Link,
@@ -73,6 +77,7 @@ pub struct FaceRow {
 /// assert!(validate(&table, &Expectation::plane(), Collect::All).is_valid());
 /// ```
 #[derive(Clone, Debug, Default, PartialEq, Eq, Hash)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 pub struct Table {
     /// The vertex table.
     pub vertices: Vec<Option<VertexRow>>,
@@ -93,8 +98,8 @@ fn rows<T>(n: usize, row: impl FnMut(usize) -> T) -> Option<Vec<T>> {
 }
 
 impl Table {
-    /// Everything that a structure says, copied; `None` if there is no memory for all that it claims to have. O(n) for
-    /// n slots and list entries.
+    /// A copy of all answers of a structure, O(n) for n slots and list entries. `None` if there is no memory for all that
+    /// it claims to have.
     #[must_use]
     pub fn copy_of<V: View + ?Sized>(view: &V) -> Option<Self> {
         let vertices = rows(view.vertex_slots(), |v| {
@@ -120,12 +125,16 @@ impl Table {
         let mut faces = rows(view.face_slots(), |_| None)?;
         for (f, row) in faces.iter_mut().enumerate().filter(|(f, _)| view.is_face(*f)) {
             let listed = view.inner_count(f);
-            *row = Some(FaceRow {
-                outer: view.outer(f),
-                inner: rows(listed, |i| view.inner(f, i))?,
-                outer_half_edge: view.outer_half_edge(f),
-                inner_starts: rows(listed, |i| view.inner_start(f, i))?,
-            });
+            let mut inner = rows(listed, |i| view.inner(f, i))?;
+            let mut inner_starts = rows(listed, |i| view.inner_start(f, i))?;
+            // A structure answers one of the two questions, and the other one with nil.
+            if inner_starts.iter().all(Option::is_none) {
+                inner_starts.clear();
+            } else if inner.iter().all(Option::is_none) {
+                inner.clear();
+            }
+            *row =
+                Some(FaceRow { outer: view.outer(f), inner, outer_half_edge: view.outer_half_edge(f), inner_starts });
         }
         Some(Self { vertices, half_edges, boundaries, faces })
     }

@@ -1,13 +1,15 @@
-//! What the validator asks of a structure: one trait of small questions, answered with plain indices.
+//! The structure as the validator sees it: one trait, whose methods take and return plain indices.
 
 /// A link as a structure stores it: `None` is nil, `Some(i)` leads to the record with index `i`, if there is one.
 ///
 /// The validator trusts no link. An index past the end, or of a record that is not live, is a violation of R1 and
-/// nothing worse, so a structure with generational keys answers `Some(usize::MAX)` where it keeps a stale one.
+/// nothing worse. A structure with generational keys answers `Some(usize::MAX)` for a stale key.
 pub type Link = Option<usize>;
 
 /// Where a boundary component starts: on a half-edge of its cycle, or at the isolated vertex that it is.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash, PartialOrd, Ord)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
+#[cfg_attr(feature = "serde", serde(rename_all = "snake_case"))]
 pub enum Start {
     /// A half-edge of the cycle.
     HalfEdge(usize),
@@ -15,20 +17,23 @@ pub enum Start {
     Vertex(usize),
 }
 
-/// Where a boundary component says that its face lists it.
+/// The place at which a boundary component says that its face lists it.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash, PartialOrd, Ord)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
+#[cfg_attr(feature = "serde", serde(rename_all = "snake_case"))]
 pub enum BoundaryPlace {
     /// It is the outer boundary component.
     Outer,
-    /// It stands at this position of the list of inner ones.
+    /// It is at this position of the list of inner ones.
     Inner(usize),
 }
 
 /// A half-edge structure as the validator sees it: records with dense indices, and the links between them.
 ///
-/// Implement it for a structure of your own, without copying anything, and hand that to [`validate`](super::validate).
-/// Every kind of record has *slots* `0 .. n`; where a slot may be vacant, say which are live. What a structure does not
-/// have is left at its default and named in the [`Expectation`](super::Expectation).
+/// Implement it for a structure of your own and pass that to [`validate`](super::validate); nothing is copied. Every kind
+/// of record has *slots* `0 .. n`. Where a slot may be vacant, the methods `is_…` say which slots are live; answers for vacant
+/// slots are unspecified. For parts that the structure lacks keep the default methods, and name the parts in the
+/// [`Expectation`](super::Expectation).
 ///
 /// | your faces keep | implement | and leave out |
 /// | --- | --- | --- |
@@ -36,13 +41,33 @@ pub enum BoundaryPlace {
 /// | half-edges (the textbook's tables, most meshes) | `face`, `outer_half_edge`, `inner_start` | `boundary…`, `outer`, `inner` |
 /// | nothing: twins and rotations only | neither | all of these |
 ///
-/// Where half-edges name their face and faces keep nothing at all, make them keep something first: one pass over the
-/// half-edges finds one for each face, to answer `outer_half_edge`. Leaving out [`Part::Faces`](super::Part::Faces) instead
-/// would leave the names unchecked.
+/// Where half-edges name their face and faces keep nothing, find a half-edge of each face first, in one pass over the
+/// half-edges, and answer `outer_half_edge` with it. Without [`Part::Faces`](super::Part::Faces) the names of the faces would
+/// not be checked.
 ///
-/// No answer can make the validator panic or loop, not even answers that change from call to call. And it asks only
-/// about slots that there are, and about positions below `inner_count`, so an answer may well be
-/// `self.next[half_edge]`.
+/// No answer makes the validator panic or loop, not even answers that change from call to call. It asks only about slots
+/// below the numbers of slots, and about positions below `inner_count`, so `self.next[half_edge]` is a fine answer.
+///
+/// References and boxes of views are views. [`delegate_view!`](crate::delegate_view) writes a view that differs from another
+/// one in a few answers.
+///
+/// ```
+/// use twinedge::validate::{Collect, Expectation, Link, Part, View, validate};
+///
+/// /// One edge between two vertices.
+/// struct Edge;
+///
+/// impl View for Edge {
+///     fn vertex_slots(&self) -> usize { 2 }
+///     fn half_edge_slots(&self) -> usize { 2 }
+///     fn origin(&self, half_edge: usize) -> Link { Some(half_edge) }
+///     fn twin(&self, half_edge: usize) -> Link { Some(1 - half_edge) }
+///     fn next(&self, half_edge: usize) -> Link { Some(1 - half_edge) }
+/// }
+///
+/// let expectation = Expectation::plane().without(Part::Faces).without(Part::Prev).without(Part::Leaving);
+/// assert!(validate(&Edge, &expectation, Collect::All).is_valid());
+/// ```
 pub trait View {
     /// The number of slots for vertices: their indices are `0 .. vertex_slots()`.
     fn vertex_slots(&self) -> usize;
@@ -57,19 +82,19 @@ pub trait View {
         0
     }
 
-    /// Whether there is a vertex in this slot.
+    /// Whether the slot holds a vertex.
     fn is_vertex(&self, vertex: usize) -> bool {
         vertex < self.vertex_slots()
     }
-    /// Whether there is a half-edge in this slot.
+    /// Whether the slot holds a half-edge.
     fn is_half_edge(&self, half_edge: usize) -> bool {
         half_edge < self.half_edge_slots()
     }
-    /// Whether there is a boundary component in this slot.
+    /// Whether the slot holds a boundary component.
     fn is_boundary(&self, boundary: usize) -> bool {
         boundary < self.boundary_slots()
     }
-    /// Whether there is a face in this slot.
+    /// Whether the slot holds a face.
     fn is_face(&self, face: usize) -> bool {
         face < self.face_slots()
     }

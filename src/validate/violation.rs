@@ -1,232 +1,269 @@
-//! Every way of breaking a rule, with the records involved.
+//! Every way of breaking a rule, with the records involved, what usually causes it and what mends it.
 
-use super::{BoundaryPlace, Link, Rule};
-use core::fmt;
+use super::record::{Field, Record};
+use super::rule::Rule;
+use super::view::{BoundaryPlace, Link};
 
-/// A record, by its kind and its index in the [`View`](super::View).
-#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash, PartialOrd, Ord)]
-pub enum Record {
-    /// A vertex.
-    Vertex(usize),
-    /// A half-edge.
-    HalfEdge(usize),
-    /// A boundary component.
-    Boundary(usize),
-    /// A face.
-    Face(usize),
-}
-
-impl fmt::Display for Record {
-    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        match self {
-            Self::Vertex(i) => write!(f, "vertex {i}"),
-            Self::HalfEdge(i) => write!(f, "half-edge {i}"),
-            Self::Boundary(i) => write!(f, "boundary component {i}"),
-            Self::Face(i) => write!(f, "face {i}"),
+macro_rules! violations {
+    ($($rule:ident $variant:ident $({ $($field:ident: $type:ty),+ })? $kind:literal
+        $what:literal cause $cause:literal remedy $remedy:literal;)*) => {
+        /// One broken rule, with the records that break it. `Display` says in a sentence what is wrong and why it matters.
+        ///
+        /// Numbers are the indices of the [`View`](super::View).
+        ///
+        /// ```
+        /// use twinedge::validate::{Collect, Expectation, Table, Violation, validate};
+        /// // A loop that is its own twin.
+        /// let table: Table = "V 1 0 - H 1 0 0 0 0 0 B 1 0 h0 i0 F 1 - 1 0".parse()?;
+        /// let report = validate(&table, &Expectation::plane(), Collect::All);
+        /// let violation = report.violations()[0];
+        /// assert_eq!(violation, Violation::TwinIsSelf { half_edge: 0 });
+        /// assert_eq!(violation.kind(), "twin_is_self");
+        /// assert_eq!(violation.to_string(), "half-edge 0 is its own twin, so its edge has one side only");
+        /// assert!(violation.remedy().starts_with("create both half-edges of an edge together"));
+        /// # Ok::<(), twinedge::validate::ParseTableError>(())
+        /// ```
+        #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
+        #[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
+        #[cfg_attr(feature = "serde", serde(rename_all = "snake_case"))]
+        #[non_exhaustive]
+        #[allow(missing_docs, reason = "the fields are named after the words of the design, and each variant says what they are")]
+        pub enum Violation {
+            $(
+                #[doc = concat!(stringify!($rule), ": ", $what)]
+                #[doc = concat!("\n\n*Usual cause:* ", $cause, ".")]
+                #[doc = concat!("\n\n*Remedy:* ", $remedy, ".")]
+                $variant $({ $($field: $type),+ })?,
+            )*
         }
-    }
+
+        impl Violation {
+            /// All names of violations, in the order of the rules: see [`kind`](Self::kind).
+            pub const KINDS: &[&str] = &[$($kind),*];
+
+            /// The name of the violation, in snake case. Names do not change between versions.
+            #[must_use]
+            pub const fn kind(&self) -> &'static str {
+                match self { $(Self::$variant { .. } => $kind,)* }
+            }
+
+            /// The rule that is broken.
+            #[must_use]
+            pub const fn rule(&self) -> Rule {
+                match self { $(Self::$variant { .. } => Rule::$rule,)* }
+            }
+
+            /// What usually causes such a violation, as part of a sentence.
+            #[must_use]
+            pub const fn cause(&self) -> &'static str {
+                match self { $(Self::$variant { .. } => $cause,)* }
+            }
+
+            /// What mends it, as part of a sentence.
+            #[must_use]
+            pub const fn remedy(&self) -> &'static str {
+                match self { $(Self::$variant { .. } => $remedy,)* }
+            }
+        }
+    };
 }
 
-/// A field of a record that holds a link.
-#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash, PartialOrd, Ord)]
-#[non_exhaustive]
-pub enum Field {
-    /// `origin` of a half-edge.
-    Origin,
-    /// `twin` of a half-edge.
-    Twin,
-    /// `next` of a half-edge.
-    Next,
-    /// `prev` of a half-edge.
-    Prev,
-    /// `boundary` of a half-edge.
-    Boundary,
-    /// `face` of a half-edge or of a boundary component.
-    Face,
-    /// `leaving` of a vertex.
-    Leaving,
-    /// `isolated` of a vertex.
-    Isolated,
-    /// `start` of a boundary component.
-    Start,
-    /// `outer` of a face.
-    Outer,
-    /// The entry at this position of the inner list of a face.
-    Inner(usize),
-}
-
-impl fmt::Display for Field {
-    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        f.write_str(match self {
-            Self::Origin => "origin",
-            Self::Twin => "twin",
-            Self::Next => "next",
-            Self::Prev => "prev",
-            Self::Boundary => "boundary component",
-            Self::Face => "face",
-            Self::Leaving => "leaving half-edge",
-            Self::Isolated => "isolated link",
-            Self::Start => "start",
-            Self::Outer => "outer boundary component",
-            Self::Inner(i) => return write!(f, "inner boundary component at position {i}"),
-        })
-    }
-}
-
-/// One broken rule, with the records that break it. `Display` says in a sentence what is wrong and why it matters.
-///
-/// Numbers are the indices of the [`View`](super::View).
-#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
-#[non_exhaustive]
-#[allow(missing_docs, reason = "the fields are named after the design's words, and each variant says what they are")]
-pub enum Violation {
-    /// R1: a link that the record needs is nil.
-    Nil { record: Record, field: Field },
-    /// R1: a link leads past the end or to a vacant slot.
-    Dangling { record: Record, field: Field, value: usize },
-    /// R1: the faces up to this one list more than twice as many inner boundary components as there are, and 16. The rest of
-    /// the lists was not read, so its links cannot be said to be live.
-    ListTooLong { face: usize, claimed: usize },
-
-    /// L1: a half-edge is its own twin.
-    TwinIsSelf { half_edge: usize },
-    /// L1: the twin's twin is another half-edge, or nil.
-    TwinNotMutual { half_edge: usize, twin: usize, found: Link },
-    /// L2: `prev(next(h))` is not `h`.
-    PrevOfNext { half_edge: usize, next: usize, found: usize },
-    /// L2: `next(prev(h))` is not `h`.
-    NextOfPrev { half_edge: usize, prev: usize, found: usize },
-    /// L2, for structures without `prev`: two half-edges have the same next.
-    NextShared { first: usize, second: usize, next: usize },
-    /// L3: the next half-edge starts elsewhere than at the target.
-    Target { half_edge: usize, next: usize, target: usize, found: usize },
-
-    /// V1: the half-edge kept by a vertex starts at another vertex.
-    NotLeaving { vertex: usize, half_edge: usize, origin: usize },
-    /// V2: the rotation does not reach all half-edges with that origin.
-    SplitRotation { vertex: usize, half_edge: usize, reached: usize, degree: usize },
-
-    /// B1: a half-edge and its next belong to different boundary components.
-    BoundaryChanges { half_edge: usize, next: usize, boundary: Link, found: Link },
-    /// B1: the start of a boundary component belongs to another one.
-    StartElsewhere { boundary: usize, half_edge: usize, found: Link },
-    /// B1: a boundary component has more half-edges than the cycle of its start.
-    SecondCycle { boundary: usize, cycle: usize, half_edges: usize },
-    /// B1, for structures without boundary components: a half-edge and its next name different faces.
-    FaceChanges { half_edge: usize, next: usize, face: Link, found: Link },
-    /// B1, for structures without boundary components: a face lists a half-edge that names another face.
-    ListedElsewhere { face: usize, half_edge: usize, found: Link },
-    /// B2: no boundary component starts at a vertex without half-edges.
-    IsolatedUnclaimed { vertex: usize },
-    /// B2: two boundary components start at one vertex.
-    IsolatedTwice { vertex: usize, first: Record, second: Record },
-    /// B2: a boundary component starts at a vertex that has half-edges.
-    StartsAtConnected { record: Record, vertex: usize },
-    /// B2: an isolated vertex names another boundary component than the one that starts at it.
-    IsolatedMismatch { vertex: usize, boundary: usize, found: Link },
-    /// B2: a vertex that has half-edges says that it is an isolated boundary component.
-    ConnectedNamesBoundary { vertex: usize, boundary: usize },
-
-    /// F1: every face has an outer boundary component.
-    NoUnboundedFace,
-    /// F1: two faces have no outer boundary component.
-    SecondUnboundedFace { first: usize, second: usize },
-    /// F1, where there is no unbounded face: a face without outer boundary component.
-    NoOuter { face: usize },
-    /// F1: the outer boundary component of a face is an isolated vertex.
-    OuterIsVertex { face: usize, boundary: usize },
-    /// F2: no face lists the boundary component.
-    NotListed { boundary: usize, face: Link },
-    /// F2, for structures without boundary components: no face lists the cycle of this half-edge.
-    CycleNotListed { half_edge: usize },
-    /// F2: a boundary component (or, without records for them, the cycle of this half-edge) is listed again.
-    ListedTwice { record: Record, face: usize },
-    /// F2: a boundary component is listed by another face than the one that it names.
-    ListedByOther { boundary: usize, face: usize, found: Link },
-    /// F2: a boundary component is listed at another place than it says.
-    WrongPlace { boundary: usize, place: Option<BoundaryPlace>, listed: BoundaryPlace },
-
-    /// T1: all boundary components of a component are outer.
-    NoOutside { vertex: usize },
-    /// T1: a component has two inner boundary components; these are where they start.
-    TwoOutsides { vertex: usize, first: Record, second: Record },
-    /// T2: a component lies, through others, inside itself.
-    NestedInItself { vertex: usize, face: usize },
-    /// T3: a component has handles.
-    Genus { vertex: usize, vertices: usize, edges: usize, cycles: usize, genus: usize },
-    /// T3: no surface has this Euler characteristic.
-    NoSuchSurface { vertex: usize, vertices: usize, edges: usize, cycles: usize },
-    /// T4: more edges than a simple planar map can have.
-    TooManyEdges { vertices: usize, edges: usize },
-    /// T4: more faces than a simple planar map can have.
-    TooManyFaces { vertices: usize, faces: usize },
-
-    /// G1: a coordinate is NaN or infinite, or out of the range of the exact predicates.
-    NotFinite { vertex: usize },
-    /// G1: both ends of an edge lie at the same point.
-    ZeroLength { half_edge: usize },
-    /// G2: `next` is not the next half-edge clockwise at the target.
-    OutOfOrder { vertex: usize, half_edge: usize, found: usize },
-    /// G3: an outer cycle turns clockwise.
-    OuterClockwise { boundary: Record },
-    /// G3: an inner cycle turns counter-clockwise.
-    InnerCounterClockwise { boundary: Record },
-    /// G4: two edges cross.
-    Cross { first: usize, second: usize },
-    /// G4: a vertex lies inside an edge.
-    Touch { vertex: usize, half_edge: usize },
-    /// G4: two edges have more than a point in common.
-    Overlap { first: usize, second: usize },
-    /// G4: two vertices lie at the same point.
-    SamePlace { first: usize, second: usize },
-    /// G5: an inner boundary component lies in another face than the one that lists it, or in none.
-    WrongFace { boundary: Record, face: usize, found: Link },
-    /// G5: a component without inner boundary component lies in a face, not outside everything.
-    Unlisted { vertex: usize, face: usize },
+violations! {
+    R1 Nil { record: Record, field: Field } "nil"
+        "a link that the record needs is nil."
+        cause "a record was created and not linked in, or an operation returned early and left it unfinished"
+        remedy "set the link, or retire the record";
+    R1 Dangling { record: Record, field: Field, value: usize } "dangling"
+        "a link leads past the end or to a vacant slot."
+        cause "a record was removed, and a link to it was left behind, or indices were not adjusted when records were moved"
+        remedy "find what links to a record before it is removed, and use generational keys, so that a stale key is an error";
+    R1 ListTooLong { face: usize, claimed: usize } "list_too_long"
+        "the faces up to this one list more than twice as many inner boundary components as there are, and 16. The rest of the lists was not read, so its links cannot be said to be live."
+        cause "entries are appended to the list of a face and never taken out, or the length is not initialised"
+        remedy "list each boundary component once, and take its entry out where it moves or goes";
+    L1 TwinIsSelf { half_edge: usize } "twin_is_self"
+        "a half-edge is its own twin."
+        cause "half-edges were created one by one instead of in pairs, or the twin of an open boundary was set to the half-edge itself"
+        remedy "create both half-edges of an edge together; at an open boundary let the twin be nil, and validate with `Expectation::open`";
+    L1 TwinNotMutual { half_edge: usize, twin: usize, found: Link } "twin_not_mutual"
+        "the twin of the twin is another half-edge, or nil."
+        cause "three or more faces share an edge (a non-manifold mesh), so a later pair took over a half-edge of an earlier one, or only one direction was written"
+        remedy "write both directions in one place; split the edge where more than two faces meet in it";
+    L2 PrevOfNext { half_edge: usize, next: usize, found: usize } "prev_of_next"
+        "`prev(next(h))` is not `h`."
+        cause "`next` was changed and `prev` was not"
+        remedy "write `next(a) = b` and `prev(b) = a` by one function, and nowhere else";
+    L2 NextOfPrev { half_edge: usize, prev: usize, found: usize } "next_of_prev"
+        "`next(prev(h))` is not `h`."
+        cause "`prev` was changed and `next` was not"
+        remedy "write `next(a) = b` and `prev(b) = a` by one function, and nowhere else";
+    L2 NextShared { first: usize, second: usize, next: usize } "next_shared"
+        "without `prev`: two half-edges have the same next."
+        cause "a half-edge was inserted into a cycle, and the one that it displaced still has the old next"
+        remedy "when a half-edge is inserted, relink the one before it too";
+    L3 Target { half_edge: usize, next: usize, target: usize, found: usize } "target"
+        "the next half-edge starts elsewhere than at the target."
+        cause "an origin was not updated when vertices were split or merged, or half-edges were linked around the wrong vertex"
+        remedy "when a vertex goes, give all half-edges of its rotation their new origin; link only half-edges that meet";
+    V1 NotLeaving { vertex: usize, half_edge: usize, origin: usize } "not_leaving"
+        "the half-edge kept by a vertex starts at another vertex."
+        cause "the half-edge that the vertex kept was moved to another vertex, or the vertex keeps one that arrives"
+        remedy "after each change at a vertex let it keep a half-edge that leaves it; if it keeps one that arrives, answer with its twin";
+    V2 SplitRotation { vertex: usize, half_edge: usize, reached: usize, degree: usize } "split_rotation"
+        "the rotation does not reach all half-edges with that origin."
+        cause "two fans of faces touch in one vertex (a non-manifold mesh), or vertices at the same place were merged without relinking their half-edges"
+        remedy "give each fan a vertex of its own, or link the fans into one rotation";
+    B1 BoundaryChanges { half_edge: usize, next: usize, boundary: Link, found: Link } "boundary_changes"
+        "a half-edge and its next belong to different boundary components."
+        cause "a cycle was split or joined, and its half-edges were not all relabelled"
+        remedy "after `next` has changed, walk the new cycle and label each half-edge of it";
+    B1 StartElsewhere { boundary: usize, half_edge: usize, found: Link } "start_elsewhere"
+        "the start of a boundary component belongs to another one."
+        cause "the half-edge at which it started went to another cycle"
+        remedy "when a half-edge leaves a cycle, let the boundary component start at one that stays";
+    B1 SecondCycle { boundary: usize, cycle: usize, half_edges: usize } "second_cycle"
+        "a boundary component has more half-edges than the cycle of its start."
+        cause "a cycle was split in two, and the second one got no boundary component of its own"
+        remedy "create a boundary component for the second cycle, label its half-edges, and list it in a face";
+    B1 FaceChanges { half_edge: usize, next: usize, face: Link, found: Link } "face_changes"
+        "without records for boundary components: a half-edge and its next name different faces."
+        cause "a face was split or merged, and its half-edges were not all relabelled"
+        remedy "after `next` has changed, walk the new cycle and label each half-edge of it";
+    B1 ListedElsewhere { face: usize, half_edge: usize, found: Link } "listed_elsewhere"
+        "without records for boundary components: a face lists a half-edge that names another face."
+        cause "the half-edge that the face kept went to another face"
+        remedy "let each face keep a half-edge that names it";
+    B2 IsolatedUnclaimed { vertex: usize } "isolated_unclaimed"
+        "no boundary component starts at a vertex without half-edges."
+        cause "the last edge at the vertex was removed and the vertex was kept, or the input has points that no edge uses"
+        remedy "list the vertex as an inner boundary component of the face in which it lies, or remove it";
+    B2 IsolatedTwice { vertex: usize, first: Record, second: Record } "isolated_twice"
+        "two boundary components start at one vertex."
+        cause "an isolated vertex was added to a second face and not taken out of the first"
+        remedy "move the one boundary component instead of creating another";
+    B2 StartsAtConnected { record: Record, vertex: usize } "starts_at_connected"
+        "a boundary component starts at a vertex that has half-edges."
+        cause "an edge was added at an isolated vertex, and the boundary component that the vertex was is still there"
+        remedy "retire that boundary component when the vertex gets its first edge";
+    B2 IsolatedMismatch { vertex: usize, boundary: usize, found: Link } "isolated_mismatch"
+        "an isolated vertex names another boundary component than the one that starts at it."
+        cause "the boundary component was replaced and the link of the vertex was not"
+        remedy "write both links in one place";
+    B2 ConnectedNamesBoundary { vertex: usize, boundary: usize } "connected_names_boundary"
+        "a vertex that has half-edges names a boundary component that it would be if it were isolated."
+        cause "the link was not cleared when the vertex got its first edge"
+        remedy "set it to nil as soon as a half-edge leaves the vertex";
+    F1 NoUnboundedFace "no_unbounded_face"
+        "every face has an outer boundary component."
+        cause "a closed mesh was expected to lie in the plane, or the outside has no face record"
+        remedy "use `Expectation::surface` for a mesh, or `without(Part::UnboundedFace)` where the outside has no record";
+    F1 SecondUnboundedFace { first: usize, second: usize } "second_unbounded_face"
+        "two faces have no outer boundary component."
+        cause "a face was created and its outer boundary component was not set, or two maps were put together with the unbounded face of each"
+        remedy "set the outer boundary component, or merge the unbounded faces";
+    F1 NoOuter { face: usize } "no_outer"
+        "without an unbounded face: a face has no outer boundary component."
+        cause "a face was created and its outer boundary component was not set, or a face that is gone was not retired"
+        remedy "set the outer boundary component, or retire the face";
+    F1 OuterIsVertex { face: usize, boundary: usize } "outer_is_vertex"
+        "the outer boundary component of a face is an isolated vertex."
+        cause "an isolated vertex was entered as outer instead of inner"
+        remedy "list it as an inner boundary component of the face in which it lies";
+    F2 NotListed { boundary: usize, face: Link } "not_listed"
+        "no face lists the boundary component."
+        cause "it was created, or moved, and not entered in the list of its face"
+        remedy "enter it in the list of the face that it names";
+    F2 CycleNotListed { half_edge: usize } "cycle_not_listed"
+        "without records for boundary components: no face lists the cycle of this half-edge."
+        cause "a face has a hole that it does not list, or keeps no half-edge of its outer cycle"
+        remedy "list a half-edge of each cycle in its face";
+    F2 ListedTwice { record: Record, face: usize } "listed_twice"
+        "a boundary component (or, without records for them, the cycle of this half-edge) is listed again."
+        cause "it was moved to another face, and the entry in the first one was left behind"
+        remedy "take the old entry out when the new one is made";
+    F2 ListedByOther { boundary: usize, face: usize, found: Link } "listed_by_other"
+        "a boundary component is listed by another face than the one that it names."
+        cause "it was moved to another face, and only one of the two links was written"
+        remedy "write the link to the face and the entry of the list in one place";
+    F2 WrongPlace { boundary: usize, place: Option<BoundaryPlace>, listed: BoundaryPlace } "wrong_place"
+        "a boundary component is listed at another place than it says."
+        cause "an entry was removed by moving the last one into its place, and the one moved was not told its new place"
+        remedy "update the place of the entry that is moved; if there are no places, validate `without(Part::Places)`";
+    T1 NoOutside { vertex: usize } "no_outside"
+        "all boundary components of a component are outer."
+        cause "each cycle was taken for the outer boundary of a face, also those that turn clockwise, or a closed mesh was expected to lie in the plane"
+        remedy "list the outside of each component as an inner boundary component of the face in which it lies; use `Expectation::surface` for a mesh";
+    T1 TwoOutsides { vertex: usize, first: Record, second: Record } "two_outsides"
+        "a component has two inner boundary components; these are where they start."
+        cause "two components were joined by an edge, and both outsides were kept, or a face inside a component lists its boundary as inner"
+        remedy "keep one outside when components are joined; a cycle around a bounded face is outer";
+    T2 NestedInItself { vertex: usize, face: usize } "nested_in_itself"
+        "a component lies, through others, inside itself."
+        cause "a component was moved into a face that lies inside it"
+        remedy "move it to a face that is reachable from the unbounded face without passing through the component";
+    T3 Genus { vertex: usize, vertices: usize, edges: usize, cycles: usize, genus: usize } "genus"
+        "a component has handles."
+        cause "edges cross, or half-edges are linked in the wrong order around a vertex, or the mesh has handles"
+        remedy "node edges that cross, sort the half-edges around each vertex by angle, or validate with `Expectation::surface`";
+    T3 NoSuchSurface { vertex: usize, vertices: usize, edges: usize, cycles: usize } "no_such_surface"
+        "no surface has this Euler characteristic."
+        cause "the answers of the structure changed during the validation"
+        remedy "do not change the structure while it is validated";
+    T4 TooManyEdges { vertices: usize, edges: usize } "too_many_edges"
+        "more edges than a simple planar map can have."
+        cause "the answers of the structure changed during the validation"
+        remedy "do not change the structure while it is validated";
+    T4 TooManyFaces { vertices: usize, faces: usize } "too_many_faces"
+        "more faces than a simple planar map can have."
+        cause "the answers of the structure changed during the validation"
+        remedy "do not change the structure while it is validated";
+    G1 NotFinite { vertex: usize } "not_finite"
+        "a coordinate is NaN or infinite, or out of the range of the exact predicates."
+        cause "a coordinate was missing in the input, or a projection or a division failed"
+        remedy "drop or repair such points before the map is built";
+    G1 ZeroLength { half_edge: usize } "zero_length"
+        "both ends of an edge lie at the same point."
+        cause "points of the input were repeated, or rounded to the same coordinates"
+        remedy "merge the two vertices, which contracts the edge";
+    G2 OutOfOrder { vertex: usize, half_edge: usize, found: usize } "out_of_order"
+        "`next` is not the next half-edge clockwise at the target."
+        cause "the half-edges were sorted counter-clockwise, or by rounded angles, or a vertex was moved across an edge"
+        remedy "sort the half-edges around each vertex by exact predicates, and link them clockwise";
+    G3 OuterClockwise { boundary: Record } "outer_clockwise"
+        "an outer cycle turns clockwise."
+        cause "the outside of a component was entered as the outer boundary of a face, or the y-axis points down"
+        remedy "enter it as an inner boundary component of the face around it; mirror the coordinates if the y-axis points down";
+    G3 InnerCounterClockwise { boundary: Record } "inner_counter_clockwise"
+        "an inner cycle turns counter-clockwise."
+        cause "the outer boundary of a face was entered as a hole, or the y-axis points down"
+        remedy "enter it as the outer boundary component of the face inside it; mirror the coordinates if the y-axis points down";
+    G4 Cross { first: usize, second: usize } "cross"
+        "two edges cross."
+        cause "the input was not noded, or a vertex was moved across an edge"
+        remedy "split both edges where they cross (`geometry::noding`, or `Builder` with a snap size)";
+    G4 Touch { vertex: usize, half_edge: usize } "touch"
+        "a vertex lies inside an edge."
+        cause "borders of neighbouring polygons do not have the same vertices (a T-junction)"
+        remedy "split the edge at the vertex (`geometry::noding`, or `Builder` with a snap size)";
+    G4 Overlap { first: usize, second: usize } "overlap"
+        "two edges have more than a point in common."
+        cause "a border was drawn twice, with other vertices"
+        remedy "split both edges at the vertices of the other, and merge the parts that coincide";
+    G4 SamePlace { first: usize, second: usize } "same_place"
+        "two vertices lie at the same point."
+        cause "points were not merged by their coordinates"
+        remedy "merge the vertices, and link their half-edges into one rotation";
+    G5 WrongFace { boundary: Record, face: usize, found: Link } "wrong_face"
+        "an inner boundary component lies in another face than the one that lists it, or in none."
+        cause "a hole was assigned by its bounding box or by an inexact test, or stayed behind when its face was split"
+        remedy "locate a point of the hole by exact predicates, and move the hole to that face";
+    G5 Unlisted { vertex: usize, face: usize } "unlisted"
+        "a component without inner boundary component lies in a face, not outside everything."
+        cause "a component that lies in a face was taken for one that lies outside everything"
+        remedy "list its outside in that face";
 }
 
 impl Violation {
-    /// The rule that is broken.
-    #[must_use]
-    pub const fn rule(&self) -> Rule {
-        use Violation as V;
-        match self {
-            V::Nil { .. } | V::Dangling { .. } | V::ListTooLong { .. } => Rule::R1,
-            V::TwinIsSelf { .. } | V::TwinNotMutual { .. } => Rule::L1,
-            V::PrevOfNext { .. } | V::NextOfPrev { .. } | V::NextShared { .. } => Rule::L2,
-            V::Target { .. } => Rule::L3,
-            V::NotLeaving { .. } => Rule::V1,
-            V::SplitRotation { .. } => Rule::V2,
-            V::BoundaryChanges { .. }
-            | V::StartElsewhere { .. }
-            | V::SecondCycle { .. }
-            | V::FaceChanges { .. }
-            | V::ListedElsewhere { .. } => Rule::B1,
-            V::IsolatedUnclaimed { .. }
-            | V::IsolatedTwice { .. }
-            | V::StartsAtConnected { .. }
-            | V::IsolatedMismatch { .. }
-            | V::ConnectedNamesBoundary { .. } => Rule::B2,
-            V::NoUnboundedFace | V::SecondUnboundedFace { .. } | V::NoOuter { .. } | V::OuterIsVertex { .. } => {
-                Rule::F1
-            }
-            V::NotListed { .. }
-            | V::CycleNotListed { .. }
-            | V::ListedTwice { .. }
-            | V::ListedByOther { .. }
-            | V::WrongPlace { .. } => Rule::F2,
-            V::NoOutside { .. } | V::TwoOutsides { .. } => Rule::T1,
-            V::NestedInItself { .. } => Rule::T2,
-            V::Genus { .. } | V::NoSuchSurface { .. } => Rule::T3,
-            V::TooManyEdges { .. } | V::TooManyFaces { .. } => Rule::T4,
-            V::NotFinite { .. } | V::ZeroLength { .. } => Rule::G1,
-            V::OutOfOrder { .. } => Rule::G2,
-            V::OuterClockwise { .. } | V::InnerCounterClockwise { .. } => Rule::G3,
-            V::Cross { .. } | V::Touch { .. } | V::Overlap { .. } | V::SamePlace { .. } => Rule::G4,
-            V::WrongFace { .. } | V::Unlisted { .. } => Rule::G5,
-        }
-    }
-
     /// The records that are involved, the one at fault first; two at the most, none where the whole structure is meant.
     #[must_use]
     pub const fn records(&self) -> [Option<Record>; 2] {
@@ -276,251 +313,6 @@ impl Violation {
             V::NestedInItself { vertex, face } | V::Unlisted { vertex, face } => [Some(X(vertex)), Some(F(face))],
             V::SamePlace { first, second } => [Some(X(first)), Some(X(second))],
             V::NoUnboundedFace | V::TooManyEdges { .. } | V::TooManyFaces { .. } => [None, None],
-        }
-    }
-}
-
-/// A link in words.
-struct Shown(Link);
-
-impl fmt::Display for Shown {
-    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        match self.0 {
-            Some(i) => write!(f, "{i}"),
-            None => f.write_str("nil"),
-        }
-    }
-}
-
-/// A boundary component in words: by its own record, or by the half-edge or vertex by which its face lists it.
-struct Named(&'static str, Record);
-
-impl fmt::Display for Named {
-    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        let Self(kind, record) = self;
-        match record {
-            Record::Boundary(b) => write!(f, "the {kind} boundary component {b}"),
-            at => write!(f, "the {kind} boundary component at {at}"),
-        }
-    }
-}
-
-/// A place in words.
-struct ShownPlace(Option<BoundaryPlace>);
-
-impl fmt::Display for ShownPlace {
-    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        match self.0 {
-            Some(BoundaryPlace::Outer) => f.write_str("the outer one"),
-            Some(BoundaryPlace::Inner(i)) => write!(f, "inner position {i}"),
-            None => f.write_str("no place"),
-        }
-    }
-}
-
-impl fmt::Display for Violation {
-    #[allow(clippy::too_many_lines, reason = "one sentence per variant, together so that they read alike")]
-    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        use Violation as V;
-        match *self {
-            V::Nil { record, field } => write!(f, "{record} has no {field}, so what hangs on it cannot be reached"),
-            V::Dangling { record, field, value } => {
-                write!(
-                    f,
-                    "the {field} of {record} is {value}, which is no live record: following it reads something else"
-                )
-            }
-            V::TwinIsSelf { half_edge } => {
-                write!(f, "half-edge {half_edge} is its own twin, so its edge has one side only")
-            }
-            V::TwinNotMutual { half_edge, twin, found } => write!(
-                f,
-                "half-edge {half_edge} has twin {twin}, whose twin is {}: the two sides disagree about their edge",
-                Shown(found)
-            ),
-            V::PrevOfNext { half_edge, next, found } => write!(
-                f,
-                "half-edge {half_edge} has next {next}, whose prev is {found}: walking back along the cycle goes astray"
-            ),
-            V::NextOfPrev { half_edge, prev, found } => write!(
-                f,
-                "half-edge {half_edge} has prev {prev}, whose next is {found}: walking on along the cycle goes astray"
-            ),
-            V::NextShared { first, second, next } => write!(
-                f,
-                "half-edges {first} and {second} both have next {next}, so their cycles run into each other and one never closes"
-            ),
-            V::Target { half_edge, next, target, found } => write!(
-                f,
-                "half-edge {half_edge} ends at vertex {target}, but its next {next} starts at vertex {found}: the cycle jumps"
-            ),
-            V::NotLeaving { vertex, half_edge, origin } => write!(
-                f,
-                "vertex {vertex} keeps half-edge {half_edge}, which leaves vertex {origin}: its rotation is that of another vertex"
-            ),
-            V::SplitRotation { vertex, half_edge, reached, degree } => write!(
-                f,
-                "from half-edge {half_edge} the rotation of vertex {vertex} reaches {reached} of the {degree} half-edges that \
-                 leave it: several fans share the vertex and no walk around it sees them all"
-            ),
-            V::BoundaryChanges { half_edge, next, boundary, found } => write!(
-                f,
-                "half-edge {half_edge} belongs to boundary component {}, its next {next} to {}: one cycle has two owners",
-                Shown(boundary),
-                Shown(found)
-            ),
-            V::StartElsewhere { boundary, half_edge, found } => write!(
-                f,
-                "boundary component {boundary} starts at half-edge {half_edge}, which belongs to {}: walking it walks another",
-                Shown(found)
-            ),
-            V::SecondCycle { boundary, cycle, half_edges } => write!(
-                f,
-                "boundary component {boundary} has {half_edges} half-edges, but the cycle of its start has {cycle}: the others \
-                 lie on a cycle that nobody starts at"
-            ),
-            V::FaceChanges { half_edge, next, face, found } => write!(
-                f,
-                "half-edge {half_edge} bounds face {}, its next {next} bounds {}: the face changes along one cycle",
-                Shown(face),
-                Shown(found)
-            ),
-            V::ListedElsewhere { face, half_edge, found } => write!(
-                f,
-                "face {face} lists half-edge {half_edge}, which bounds face {}: walking one face walks another",
-                Shown(found)
-            ),
-            V::IsolatedUnclaimed { vertex } => write!(
-                f,
-                "no half-edge leaves vertex {vertex} and no boundary component starts at it: no face knows that it is there"
-            ),
-            V::IsolatedTwice { vertex, first, second } => write!(
-                f,
-                "{first} and {second} both start at isolated vertex {vertex}, so it would lie in two places at once"
-            ),
-            V::StartsAtConnected { record, vertex } => {
-                write!(f, "{record} starts at vertex {vertex} as if it were isolated, but half-edges leave it")
-            }
-            V::IsolatedMismatch { vertex, boundary, found } => write!(
-                f,
-                "boundary component {boundary} starts at isolated vertex {vertex}, which names {} instead: its face cannot be told",
-                Shown(found)
-            ),
-            V::ConnectedNamesBoundary { vertex, boundary } => write!(
-                f,
-                "vertex {vertex} says that it is the isolated boundary component {boundary}, but half-edges leave it"
-            ),
-            V::NoUnboundedFace => f.write_str(
-                "every face has an outer boundary component, so nothing is outside: a plane has one unbounded face",
-            ),
-            V::SecondUnboundedFace { first, second } => write!(
-                f,
-                "faces {first} and {second} both have no outer boundary component, but only one face of a plane is unbounded"
-            ),
-            V::NoOuter { face } => write!(f, "face {face} has no boundary, so it cannot be walked"),
-            V::OuterIsVertex { face, boundary } => write!(
-                f,
-                "the outer boundary component {boundary} of face {face} is an isolated vertex, which encloses nothing"
-            ),
-            V::NotListed { boundary, face } => write!(
-                f,
-                "boundary component {boundary} names face {}, but no face lists it: walking the faces never meets it",
-                Shown(face)
-            ),
-            V::CycleNotListed { half_edge } => {
-                write!(f, "no face lists the cycle of half-edge {half_edge}: walking the faces never meets it")
-            }
-            V::ListedTwice { record, face } => {
-                write!(f, "face {face} lists {record}, which was listed before: walking the faces meets it twice")
-            }
-            V::ListedByOther { boundary, face, found } => write!(
-                f,
-                "face {face} lists boundary component {boundary}, which names face {}: the two directions disagree",
-                Shown(found)
-            ),
-            V::WrongPlace { boundary, place, listed } => write!(
-                f,
-                "boundary component {boundary} says that it is {}, but its face lists it as {}: taking it out would take another",
-                ShownPlace(place),
-                ShownPlace(Some(listed))
-            ),
-            V::ListTooLong { face, claimed } => write!(
-                f,
-                "face {face} claims {claimed} inner boundary components, more than there are: the lists were not read to the end"
-            ),
-            V::NoOutside { vertex } => write!(
-                f,
-                "the component of vertex {vertex} has only outer boundary components, so it lies in no face at all"
-            ),
-            V::TwoOutsides { vertex, first, second } => write!(
-                f,
-                "the component of vertex {vertex} has two inner boundary components, at {first} and at {second}: it would lie \
-                 in two faces at once"
-            ),
-            V::NestedInItself { vertex, face } => write!(
-                f,
-                "the component of vertex {vertex} lies in face {face}, which lies, through others, inside that component: \
-                 nothing joins it to the unbounded face"
-            ),
-            V::Genus { vertex, vertices, edges, cycles, genus } => write!(
-                f,
-                "the component of vertex {vertex} has V − E + cycles = {vertices} − {edges} + {cycles}, genus {genus}: it can \
-                 only be drawn on a surface with {genus} handle(s), not in the plane"
-            ),
-            V::NoSuchSurface { vertex, vertices, edges, cycles } => write!(
-                f,
-                "the component of vertex {vertex} has V − E + cycles = {vertices} − {edges} + {cycles}, which no orientable \
-                 surface has"
-            ),
-            V::TooManyEdges { vertices, edges } => write!(
-                f,
-                "the map is simple and has {edges} edges on {vertices} vertices, more than 3V − 6 = {}: it is not planar",
-                vertices.saturating_mul(3).saturating_sub(6)
-            ),
-            V::TooManyFaces { vertices, faces } => write!(
-                f,
-                "the map is simple and has {faces} faces on {vertices} vertices, more than 2V − 4 = {}: some face bounds nothing",
-                vertices.saturating_mul(2).saturating_sub(4)
-            ),
-            V::NotFinite { vertex } => {
-                write!(f, "vertex {vertex} has a coordinate that is not finite or out of range: it lies nowhere")
-            }
-            V::ZeroLength { half_edge } => {
-                write!(f, "half-edge {half_edge} starts and ends at the same point: it has no direction")
-            }
-            V::OutOfOrder { vertex, half_edge, found } => write!(
-                f,
-                "at vertex {vertex}, half-edge {found} follows half-edge {half_edge} in the rotation, but another lies between: \
-                 the drawing and the links disagree"
-            ),
-            V::OuterClockwise { boundary } => {
-                write!(f, "{} turns clockwise, so its face would lie outside it", Named("outer", boundary))
-            }
-            V::InnerCounterClockwise { boundary } => {
-                write!(f, "{} turns counter-clockwise, so its face would lie inside it", Named("inner", boundary))
-            }
-            V::Cross { first, second } => {
-                write!(f, "half-edges {first} and {second} cross where no vertex is: the map is not plane")
-            }
-            V::Touch { vertex, half_edge } => {
-                write!(f, "vertex {vertex} lies inside half-edge {half_edge}, which does not end there")
-            }
-            V::Overlap { first, second } => {
-                write!(f, "half-edges {first} and {second} overlap: what lies between them is no face")
-            }
-            V::SamePlace { first, second } => {
-                write!(f, "vertices {first} and {second} lie at the same point but are not joined")
-            }
-            V::WrongFace { boundary, face, found } => {
-                write!(f, "{} is listed by face {face}, but lies in ", Named("inner", boundary))?;
-                match found {
-                    Some(found) => write!(f, "face {found}"),
-                    None => f.write_str("no face"),
-                }
-            }
-            V::Unlisted { vertex, face } => {
-                write!(f, "the component of vertex {vertex} lies in face {face}, which does not list it")
-            }
         }
     }
 }

@@ -1,6 +1,6 @@
 //! Structures that come in: the same map, its keys in the right places, and nothing that is not a planar subdivision.
 
-use crate::support::moody::Moody;
+use crate::support::inconsistent::Inconsistent;
 use crate::support::tables::{face, half_edge, map, textbook_map, textbook_mesh, vertex};
 use quickcheck::{Gen, QuickCheck, Testable};
 use std::collections::BTreeSet;
@@ -266,7 +266,7 @@ fn a_view_that_changes_its_answers_never_comes_in_wrong() {
     for (table, expectation) in [(Table::copy_of(&made).unwrap(), Expectation::plane()), (textbook(&made), TEXTBOOK)] {
         for patience in 0..400 {
             for seed in 0..5 {
-                let view = Moody::new(&table, patience, seed);
+                let view = Inconsistent::new(&table, patience, seed);
                 let outcome = match Dcel::from_view(&view, &expectation, Outside::Given) {
                     Ok((map, _)) => {
                         assert!(map.validate().is_valid());

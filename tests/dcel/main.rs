@@ -1,4 +1,5 @@
 //! The structure: its elements, its operators and their laws, its stores.
+#![allow(clippy::incompatible_msrv, reason = "the tests need the Rust version of their own dependencies")]
 #![allow(clippy::needless_pass_by_value, reason = "quickcheck hands its arguments over")]
 
 #[path = "../support/mod.rs"]

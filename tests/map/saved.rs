@@ -7,11 +7,14 @@ use twinedge::geometry::Point;
 use twinedge::geometry::noding::Snap;
 use twinedge::map::{Builder, Feature, FeatureId, Noding, PlanarMap, Shape};
 
+/// A half-edge, its twin, next and prev, its origin, its face, and the features along it.
+type HalfEdgeFacts = (HalfEdgeKey, [HalfEdgeKey; 3], VertexKey, FaceKey, Vec<FeatureId>);
+
 /// Everything that can be asked of a map, by key.
 #[derive(Debug, PartialEq)]
 struct Everything {
     vertices: Vec<(VertexKey, Point, Option<HalfEdgeKey>)>,
-    half_edges: Vec<(HalfEdgeKey, [HalfEdgeKey; 3], VertexKey, FaceKey, Vec<FeatureId>)>,
+    half_edges: Vec<HalfEdgeFacts>,
     faces: Vec<(FaceKey, Vec<Vec<HalfEdgeKey>>, Vec<FeatureId>)>,
     names: Vec<Option<String>>,
     summaries: String,
@@ -79,12 +82,12 @@ fn what_is_loaded_is_what_was_saved() {
         let text = serde_json::to_string(&map).unwrap();
         let mut again: PlanarMap = serde_json::from_str(&text).unwrap();
         let same = everything(&again) == everything(&map) && serde_json::to_string(&again).unwrap() == text;
-        // What comes later gets the same keys, too: those that were vacant are used in the same order.
-        let outcomes = [&mut map, &mut again].map(|map| map.insert_ring([[200.5, 0.0], [201.5, 0.0], [200.5, 1.0]]));
-        same && outcomes[0].is_ok() && again.validate().is_valid() && {
-            let made = |map: &PlanarMap| (map.dcel().vertex_count(), map.dcel().face_count());
-            made(&map) == made(&again)
-        }
+        // Both can be edited further. Which vacant slots come first is not saved, so new keys may differ.
+        let [ours, theirs] = [&mut map, &mut again].map(|map| {
+            let made = map.insert_ring([[1000.0, 0.0], [1001.0, 0.0], [1000.0, 1.0]]).unwrap();
+            (made.way.len(), made.faces_split.len(), map.dcel().face_count())
+        });
+        same && ours == theirs && again.validate().is_valid()
     }
     QuickCheck::new().rng(Gen::from_size_and_seed(12, 2026)).tests(200).quickcheck(law as fn(Edits) -> bool);
 }

@@ -1,4 +1,4 @@
-//! The textbook's structure owns each record once, and its links, however they run in circles, keep none alive.
+//! The pointer model owns each record once, and its links, however they run in circles, keep none alive.
 
 use quickcheck::{Gen, QuickCheck};
 use std::rc::Weak;
@@ -6,14 +6,14 @@ use twinedge::program::{PointerModel, Program, Runner, Subject};
 use twinedge::validate::View;
 
 /// How many links lead from record to record, going by what the structure says of itself.
-fn links(textbook: &PointerModel) -> usize {
-    let half_edges = textbook.half_edge_slots();
-    let isolated = (0..textbook.vertex_slots()).filter(|v| textbook.isolated(*v).is_some()).count();
+fn links(pointers: &PointerModel) -> usize {
+    let half_edges = pointers.half_edge_slots();
+    let isolated = (0..pointers.vertex_slots()).filter(|v| pointers.isolated(*v).is_some()).count();
     let listed: usize =
-        (0..textbook.face_slots()).map(|f| textbook.inner_count(f) + usize::from(textbook.outer(f).is_some())).sum();
+        (0..pointers.face_slots()).map(|f| pointers.inner_count(f) + usize::from(pointers.outer(f).is_some())).sum();
     // Half-edges: origin, twin, next, prev, face, boundary component. Vertices: leaving, or isolated and the face.
     // Boundary components: face and start. Faces: their lists.
-    6 * half_edges + textbook.vertex_slots() + isolated + 2 * textbook.boundary_slots() + listed
+    6 * half_edges + pointers.vertex_slots() + isolated + 2 * pointers.boundary_slots() + listed
 }
 
 #[allow(clippy::needless_pass_by_value, reason = "what quickcheck hands over")]
@@ -39,9 +39,9 @@ fn records_are_freed(program: Program) -> bool {
         }
     }
     let watched = runner.subject().records();
-    let textbook = runner.into_subject();
-    let faces = textbook.face_slots();
-    drop(textbook);
+    let pointers = runner.into_subject();
+    let faces = pointers.face_slots();
+    drop(pointers);
     faces >= 1 && watched.iter().all(|record| record.strong_count() == 0 && record.weak_count() == 0)
 }
 
@@ -53,12 +53,12 @@ fn every_record_is_freed_when_it_is_removed_and_all_when_the_structure_is_droppe
 
 #[test]
 fn a_record_that_is_removed_is_freed_at_once() {
-    let mut textbook = PointerModel::new();
-    let outside = textbook.unbounded_face();
-    let empty = textbook.records();
-    let v = textbook.add_isolated_vertex(outside).unwrap();
-    let with_vertex = textbook.records();
-    textbook.remove_isolated_vertex(v).unwrap();
+    let mut pointers = PointerModel::new();
+    let outside = pointers.unbounded_face();
+    let empty = pointers.records();
+    let v = pointers.add_isolated_vertex(outside).unwrap();
+    let with_vertex = pointers.records();
+    pointers.remove_isolated_vertex(v).unwrap();
     let alive = with_vertex.iter().filter(|record| record.strong_count() > 0).count();
     assert_eq!((empty.len(), with_vertex.len(), alive), (1, 3, 1));
 }

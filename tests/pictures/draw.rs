@@ -117,7 +117,9 @@ impl Panel<'_> {
             let at = self.at(scene.place(vertex));
             circle(self.out, at, 2.6, "currentColor");
         }
-        marks.iter().for_each(|mark| self.mark(mark, fills));
+        for mark in marks {
+            self.mark(mark, fills);
+        }
     }
 
     fn face(&mut self, face: Face<'_>, colour: &str) {

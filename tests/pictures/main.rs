@@ -2,6 +2,8 @@
 //! after is drawn from the structure and from what the operator says that it made and dropped.
 //!
 //! `UPDATE_PICTURES=1 cargo test --test pictures` draws them again.
+#![allow(clippy::incompatible_msrv, reason = "the tests need the Rust version of their own dependencies")]
+#![allow(clippy::float_cmp, reason = "the places are small whole numbers")]
 
 mod draw;
 mod operators;

@@ -223,7 +223,7 @@ fn program(lines: &str) -> Program {
 }
 
 #[test]
-fn a_kernel_that_is_not_empty_fails_before_the_first_operator() {
+fn a_subject_that_is_not_empty_fails_before_the_first_operator() {
     let failure = judge(&Program::default(), Fault::NotEmpty).unwrap_err();
     assert_eq!(failure, Failure { before: 0, op: None, difference: Difference::NotIsomorphic });
     assert_eq!(failure.to_string(), "at the start: the map is valid, but another one than it should be");

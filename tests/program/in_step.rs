@@ -1,4 +1,4 @@
-//! Whatever a program does, it does the same to the textbook's structure and to the one of this crate over each of its
+//! Whatever a program does, it does the same to the pointer model and to the one of this crate over each of its
 //! stores: the same refusals, the same map after each step, and never anything for the validator to find.
 
 use quickcheck::{Arbitrary, Gen, QuickCheck};
@@ -37,12 +37,12 @@ impl<K: Subject> Lane<K> {
 
 /// The operator after which two subjects no longer agree. One that is full drops out.
 fn first_difference(program: &Program) -> Option<Op> {
-    let mut textbook = Lane::new(PointerModel::new());
+    let mut pointer_model = Lane::new(PointerModel::new());
     let mut slots = Lane::new(Dcel::<SlotStore>::default());
     let mut pointers = Lane::new(Dcel::<PointerStore>::default());
     let mut fixed = Some(Lane::new(Dcel::<Largest>::default()));
     program.0.iter().copied().find(|op| {
-        let expected = textbook.step(*op);
+        let expected = pointer_model.step(*op);
         assert!(expected.1.is_some(), "{op:?}: a valid map has a canonical form");
         let of_fixed = fixed.as_mut().map(|lane| lane.step(*op));
         if matches!(of_fixed, Some((StepOutcome::Refused(Refusal::Full), _))) {
@@ -60,12 +60,12 @@ fn in_step(program: Program) -> bool {
 }
 
 #[test]
-fn all_kernels_stay_in_step() {
+fn all_subjects_stay_in_step() {
     QuickCheck::new().rng(Gen::from_size_and_seed(SIZE, SEED)).tests(TESTS).quickcheck(in_step as fn(Program) -> bool);
 }
 
 #[test]
-fn all_kernels_stay_in_step_for_long() {
+fn all_subjects_stay_in_step_for_long() {
     QuickCheck::new().rng(Gen::from_size_and_seed(1000, SEED)).tests(10).quickcheck(in_step as fn(Program) -> bool);
 }
 

@@ -1,4 +1,5 @@
 //! Operator programs, canonical forms, conformance.
+#![allow(clippy::incompatible_msrv, reason = "the tests need the Rust version of their own dependencies")]
 #![allow(clippy::needless_pass_by_value, reason = "quickcheck hands its arguments over")]
 
 #[path = "../support/mod.rs"]
@@ -8,5 +9,6 @@ mod canonical;
 mod census;
 mod choose;
 mod conformance;
+mod counts;
 mod in_step;
 mod program;

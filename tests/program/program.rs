@@ -186,7 +186,7 @@ fn picks_count_in_order_of_creation_and_start_again() {
 }
 
 #[test]
-fn where_there_is_nothing_to_choose_from_the_kernel_is_not_asked() {
+fn where_there_is_nothing_to_choose_from_the_subject_is_not_asked() {
     let (_, outcomes) = run("\
         remove_isolated_vertex i0\nremove_isolated_vertex o0\nremove_isolated_vertex !v0\n\
         connect h0 ~0 left\nconnect i0 ~0 left\nremove_edge h0\nremove_edge !h0\nadd_isolated_vertex !f0\n\

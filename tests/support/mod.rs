@@ -1,10 +1,9 @@
 //! What the tests of the validator share.
 #![allow(dead_code, unused_macros, unused_imports, reason = "each test file uses a part of it")]
 
-pub(crate) mod delegate;
 pub(crate) mod edits;
 pub(crate) mod exact;
-pub(crate) mod moody;
+pub(crate) mod inconsistent;
 pub(crate) mod nested;
 pub(crate) mod opinions;
 pub(crate) mod oracle;

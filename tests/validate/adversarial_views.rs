@@ -1,12 +1,12 @@
-//! Structures that lie: the validator returns, and refuses them. No answer may make it panic, ask about what is not
-//! there, or go on for ever.
+//! Views that answer anything: the validator returns, and refuses them. No answer makes it panic, ask about a slot that is
+//! not there, or go on for ever.
 
-use crate::support::delegate::delegate_view;
-use crate::support::moody::Moody;
+use crate::support::inconsistent::Inconsistent;
 use crate::support::nested::{nested, nested_textbook};
 use crate::support::opinions::{agree, broken};
 use crate::support::tables::{map, mesh};
 use std::cell::Cell;
+use twinedge::delegate_view;
 use twinedge::validate::enumerate::for_each_corruption;
 use twinedge::validate::{
     BoundaryPlace, Collect, Expectation, Link, Part, Rule, Start, Table, Unchecked, View, Violation, validate,
@@ -92,7 +92,7 @@ impl View for Claims {
         self.answer
     }
     fn inner_start(&self, _: usize, position: usize) -> Option<Start> {
-        self.answer.map(if position.is_multiple_of(2) { Start::HalfEdge } else { Start::Vertex })
+        self.answer.map(if position % 2 == 0 { Start::HalfEdge } else { Start::Vertex })
     }
 }
 
@@ -145,32 +145,32 @@ fn loops() -> Table {
     table
 }
 
-/// Whatever changes while it is being looked at, and from whichever question on: only a few questions more are asked,
-/// and none about what is not there.
+/// However many answers are consistent before they begin to change: only a few questions more are asked, and none about
+/// slots that are not there.
 #[test]
 fn answers_may_change_from_call_to_call() {
     let table = loops();
     for expectation in expectations() {
-        let questions = |patience, seed| {
-            let view = Moody::new(&table, patience, seed);
+        let questions = |consistent_answers, seed| {
+            let view = Inconsistent::new(&table, consistent_answers, seed);
             validate(&view, &expectation, Collect::All);
             view.questions.get()
         };
-        let honest = questions(u64::MAX, 0);
-        for patience in 0..=honest {
+        let consistent = questions(u64::MAX, 0);
+        for consistent_answers in 0..=consistent {
             for seed in 0..8 {
-                assert!(questions(patience, seed) < 3 * honest + 300, "{expectation:?}");
+                assert!(questions(consistent_answers, seed) < 3 * consistent + 300, "{expectation:?}");
             }
         }
     }
 }
 
-/// `next` is a permutation when R1 and L2 look at it, and another when T3 counts its cycles: the only way to a surface
+/// `next` is a permutation when R1 and L2 read it, and another one when T3 counts its cycles: the only way to a surface
 /// that does not exist, because where L and V2 hold, the numbers of a component are those of a surface.
 #[test]
 fn a_surface_that_does_not_exist() {
-    struct Fickle(Cell<usize>, usize);
-    impl View for Fickle {
+    struct Changing(Cell<usize>, usize);
+    impl View for Changing {
         fn vertex_slots(&self) -> usize {
             1
         }
@@ -189,7 +189,7 @@ fn a_surface_that_does_not_exist() {
         }
     }
     let expectation = Expectation::surface().without(Part::Faces).without(Part::Prev).without(Part::Leaving);
-    let reports = (0..20).map(|n| validate(&Fickle(Cell::new(0), n), &expectation, Collect::All));
+    let reports = (0..20).map(|n| validate(&Changing(Cell::new(0), n), &expectation, Collect::All));
     let odd: Vec<_> = reports.filter(|report| broken(report) == [Rule::T3]).collect();
     let violation = Violation::NoSuchSurface { vertex: 0, vertices: 1, edges: 1, cycles: 1 };
     assert!(!odd.is_empty());
@@ -209,19 +209,19 @@ fn torus(length: usize) -> Table {
     mesh(3 * length, &triangles)
 }
 
-/// Twice and four times the records cost twice and four times the questions, whether the structure is right or not.
+/// Twice and four times the records cost twice and four times the questions, whether the structure is valid or not.
 #[test]
 fn the_work_is_linear() {
     let expectation = Expectation::surface();
     assert_eq!(validate(&torus(10), &expectation, Collect::All).certificate().unwrap().genus, 1);
-    let questions = |length, spoil: &dyn Fn(&mut Table)| {
+    let questions = |length, corrupt: &dyn Fn(&mut Table)| {
         let mut table = torus(length);
-        spoil(&mut table);
-        let view = Moody::new(&table, u64::MAX, 0);
+        corrupt(&mut table);
+        let view = Inconsistent::new(&table, u64::MAX, 0);
         validate(&view, &expectation, Collect::All);
         view.questions.get()
     };
-    let spoils: [&dyn Fn(&mut Table); 6] = [
+    let corruptions: [&dyn Fn(&mut Table); 6] = [
         &|_| (),
         &|table| table.half_edges.iter_mut().flatten().for_each(|row| row.next = Some(0)),
         &|table| table.half_edges.iter_mut().flatten().for_each(|row| row.origin = Some(0)),
@@ -229,21 +229,21 @@ fn the_work_is_linear() {
         &|table| table.boundaries.iter_mut().flatten().for_each(|row| row.start = Some(Start::HalfEdge(0))),
         &|table| table.faces.iter_mut().flatten().for_each(|row| row.outer = Some(0)),
     ];
-    for spoil in spoils {
-        let [one, two, four] = [10, 20, 40].map(|length| questions(length, spoil));
-        // What is asked but once, before something amiss is found, drops out of the differences.
+    for corrupt in corruptions {
+        let [one, two, four] = [10, 20, 40].map(|length| questions(length, corrupt));
+        // Questions asked once, before a violation is found, cancel out in the differences.
         assert!((four - two).abs_diff(2 * (two - one)) < 10, "{one} {two} {four}");
     }
 }
 
 #[test]
-fn an_honest_table_is_judged_as_always() {
+fn a_consistent_table_is_valid() {
     for expectation in [Expectation::plane(), Expectation::plane().without(Part::BoundaryComponents)] {
         assert_eq!(agree(&loops(), expectation), None);
     }
 }
 
-/// Whatever link leads one past the end, or anywhere else: nobody asks what is there.
+/// Links may lead one past the end, or anywhere else: no question is asked about what is there.
 #[test]
 fn no_question_about_a_slot_that_is_not_there() {
     let plane = Expectation::plane();
@@ -253,7 +253,7 @@ fn no_question_about_a_slot_that_is_not_there() {
             for_each_corruption(&mut table, &expectation, |changed, _, _| {
                 changes += 1;
                 // It panics where it is asked about something else.
-                let report = validate(&Moody::new(changed, u64::MAX, 0), &expectation, Collect::All);
+                let report = validate(&Inconsistent::new(changed, u64::MAX, 0), &expectation, Collect::All);
                 assert_eq!(report, validate(changed, &expectation, Collect::All));
             });
             assert!(changes > 500, "{changes}");
@@ -261,15 +261,15 @@ fn no_question_about_a_slot_that_is_not_there() {
     }
 }
 
-/// What was in the last slots of each kind is still to be read there, but nothing lives in them any more.
-struct Haunted {
+/// A table whose last slots of each kind are vacant, but still answer with the fields of a former record.
+struct StaleSlots {
     live: Table,
     rows: Table,
 }
 
-impl Haunted {
-    /// The last slots must be vacant, of boundary components the last two. What is left in them is what the first ones hold,
-    /// but of the faces the second.
+impl StaleSlots {
+    /// The last slots must be vacant, of boundary components the last two. They answer with the fields of the first ones,
+    /// the last face with those of the second.
     fn by(live: &Table) -> Self {
         let live = live.clone();
         let mut rows = live.clone();
@@ -284,12 +284,16 @@ impl Haunted {
     }
 }
 
-impl View for Haunted {
-    delegate_view!(live, rows);
+impl View for StaleSlots {
+    delegate_view!(|this| &this.live; only vertex_slots, half_edge_slots, boundary_slots, face_slots);
+    delegate_view!(|this| &this.live; only is_vertex, is_half_edge, is_boundary, is_face);
+    delegate_view!(|this| &this.rows; only origin, twin, next, prev, boundary, face, leaving, isolated);
+    delegate_view!(|this| &this.rows; only boundary_face, boundary_start, boundary_place, outer, inner_count, inner);
+    delegate_view!(|this| &this.rows; only outer_half_edge, inner_start);
 }
 
 #[test]
-fn what_is_left_in_vacant_slots_means_nothing() {
+fn answers_for_vacant_slots_do_not_matter() {
     let plane = Expectation::plane();
     for (mut table, base) in [(nested(), plane), (nested_textbook(), plane.without(Part::BoundaryComponents))] {
         table.vertices.push(None);
@@ -299,9 +303,9 @@ fn what_is_left_in_vacant_slots_means_nothing() {
         for expectation in [base, base.open(), base.without(Part::Prev), base.without(Part::Places)] {
             let judged = |table: &Table| validate(table, &expectation, Collect::All);
             assert!(judged(&table).is_valid());
-            assert_eq!(validate(&Haunted::by(&table), &expectation, Collect::All), judged(&table));
+            assert_eq!(validate(&StaleSlots::by(&table), &expectation, Collect::All), judged(&table));
             for_each_corruption(&mut table.clone(), &expectation, |changed, _, _| {
-                assert_eq!(validate(&Haunted::by(changed), &expectation, Collect::All), judged(changed));
+                assert_eq!(validate(&StaleSlots::by(changed), &expectation, Collect::All), judged(changed));
             });
         }
     }

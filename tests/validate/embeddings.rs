@@ -1,12 +1,10 @@
 //! G1 … G5: each broken alone, where it can be, and named rightly.
 
-use crate::support::delegate::delegate_view;
 use twinedge::dcel::{Dcel, HalfEdge};
+use twinedge::delegate_view;
 use twinedge::geometry::Point;
 use twinedge::map::{Builder, PlanarMap};
-use twinedge::validate::{
-    BoundaryPlace, Collect, Expectation, Link, Record, Report, Rule, Start, Unchecked, View, Violation,
-};
+use twinedge::validate::{Collect, Expectation, Link, Record, Report, Rule, Unchecked, View, Violation};
 use twinedge::validate::{Embedding, places, validate_embedding};
 
 /// A structure drawn elsewhere than its map says.
@@ -50,7 +48,7 @@ impl Embedding for Redrawn {
 }
 
 impl View for Redrawn {
-    delegate_view!(dcel, dcel);
+    delegate_view!(|this| &this.dcel);
 }
 
 fn map(segments: &[[[f64; 2]; 2]]) -> PlanarMap {

@@ -346,7 +346,7 @@ fn a_report_reads_as_sentences() {
         "R1 live      ok, 68 links",
         "L1 twin      ok, 12 half-edges",
         "B2 isolated  not checked: the structure has no lists of inner boundary components",
-        "T3 Euler     ok, 1 components",
+        "T3 Euler     ok, 1 component",
         "T4 bounds    not checked: a rule of the plane only",
     ] {
         assert!(right.lines().any(|found| found == line), "{right}");
@@ -355,10 +355,10 @@ fn a_report_reads_as_sentences() {
     half_edge(&mut table, 5).twin = None;
     let wrong = validate(&table, &MESH, Collect::All).to_string();
     for part in [
-        "R1 live      BROKEN, 2 violation(s) in 68 links\n",
+        "R1 live      BROKEN, 2 violations in 68 links\n",
         "V2 rotation  not checked: needs R1, which is broken\n",
         "R1: the next of half-edge 3 is 99, which is no live record: following it reads something else\n",
-        "R1: half-edge 5 has no twin, so what hangs on it cannot be reached\n",
+        "R1: the twin of half-edge 5 is nil, but the record needs one\n",
     ] {
         assert!(wrong.contains(part), "{wrong}");
     }
@@ -370,7 +370,7 @@ fn a_report_reads_as_sentences() {
         (placed(None), "no place"),
         (placed(None), "inner position 1"),
         (Violation::TwinNotMutual { half_edge: 1, twin: 2, found: None }, "half-edge 1 has twin 2, whose twin is nil"),
-        (Violation::NoUnboundedFace, "a plane has one unbounded face"),
+        (Violation::NoUnboundedFace, "one face of a plane is unbounded"),
         (Violation::TooManyEdges { vertices: 5, edges: 10 }, "10 edges on 5 vertices, more than 3V − 6 = 9"),
         (Violation::TooManyFaces { vertices: 1, faces: 9 }, "more than 2V − 4 = 0"),
         (Violation::TooManyFaces { vertices: usize::MAX, faces: 9 }, "has 9 faces"),

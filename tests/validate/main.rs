@@ -1,4 +1,5 @@
 //! The validator: its rules, its reports, what it expects, and what it is given.
+#![allow(clippy::incompatible_msrv, reason = "the tests need the Rust version of their own dependencies")]
 #![allow(clippy::needless_pass_by_value, reason = "quickcheck hands its arguments over")]
 
 #[path = "../support/mod.rs"]
@@ -6,11 +7,14 @@ mod support;
 
 mod adversarial_embeddings;
 mod adversarial_views;
+mod comparison;
 mod embeddings;
 mod expectations;
 mod open_embeddings;
 mod reports;
+mod serialized;
 mod small_tables;
+mod statements;
 mod table_text;
 mod textbook_tables;
 mod view_calls;

@@ -1,11 +1,10 @@
 //! G1 … G5 where the structure has an open boundary or no unbounded face: what lies outside everything lies in no face.
 
-use crate::support::delegate::delegate_view;
 use crate::support::tables::{half_edge, map, textbook_map};
+use twinedge::delegate_view;
 use twinedge::geometry::Point;
 use twinedge::validate::{
-    BoundaryPlace, Collect, Expectation, FaceRow, HalfEdgeRow, Link, Part, Record, Report, Rule, Start, Table,
-    VertexRow, View, Violation,
+    Collect, Expectation, FaceRow, HalfEdgeRow, Part, Record, Report, Rule, Start, Table, VertexRow, View, Violation,
 };
 use twinedge::validate::{Embedding, validate_embedding};
 
@@ -16,7 +15,7 @@ struct Drawn {
 }
 
 impl View for Drawn {
-    delegate_view!(table, table);
+    delegate_view!(|this| &this.table);
 }
 
 impl Embedding for Drawn {

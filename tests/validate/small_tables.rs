@@ -5,7 +5,7 @@ use crate::support::opinions::{agree, agree_on_first};
 use crate::support::tables::{map, textbook_map};
 use twinedge::validate::enumerate::{Cell, Value, for_each_assignment};
 use twinedge::validate::{
-    BoundaryPlace, BoundaryRow, Collect, Expectation, FaceRow, HalfEdgeRow, Part, Rule, Start, Table, VertexRow, View,
+    BoundaryPlace, BoundaryRow, Collect, Expectation, FaceRow, HalfEdgeRow, Part, Rule, Start, Table, VertexRow,
     validate,
 };
 
@@ -84,8 +84,8 @@ fn permutations_with_orbits(n: u64, k: u64) -> u64 {
     }
 }
 
-/// The ways to pair off 2n half-edges as twins: (2n − 1)!!.
-fn pairings(edges: u64) -> u64 {
+/// The number of ways to pair off 2n half-edges as twins: (2n − 1)!!.
+fn count_pairings(edges: u64) -> u64 {
     (1..=edges).map(|i| 2 * i - 1).product()
 }
 
@@ -93,14 +93,14 @@ fn pairings(edges: u64) -> u64 {
 /// be any permutation `next∘twin`. What is left of the m are isolated vertices.
 fn labelled_maps(edges: u64, vertices: u64) -> u64 {
     let labelled = |k| factorial(k) * binomial(vertices, k) * permutations_with_orbits(2 * edges, k);
-    pairings(edges) * (0..=vertices).map(labelled).sum::<u64>()
+    count_pairings(edges) * (0..=vertices).map(labelled).sum::<u64>()
 }
 
 /// The same with a half-edge chosen from each rotation, for `leaving`: k orbits of n things in a row, each with a first
 /// thing, are the things in a row with k − 1 bars between.
 fn labelled_maps_with_leaving(edges: u64, vertices: u64) -> u64 {
     let labelled = |k| binomial(vertices, k) * factorial(2 * edges) * binomial(2 * edges - 1, k - 1);
-    pairings(edges) * (1..=vertices).map(labelled).sum::<u64>()
+    count_pairings(edges) * (1..=vertices).map(labelled).sum::<u64>()
 }
 
 const MAP: Expectation = Expectation::surface().without(Part::Faces);
@@ -125,28 +125,6 @@ fn four_half_edges_and_two_vertices() {
     assert_eq!(found, (4_u64.pow(8) * 2_u64.pow(4), labelled_maps(2, 2)));
 }
 
-/// Gives each half-edge the origin that it must have, that of the next of its twin, and each rotation a vertex of its
-/// own.
-fn derive_origins(table: &mut Table) {
-    let half_edges = table.half_edges.len();
-    let mut origin: Vec<usize> = (0..half_edges).collect();
-    for _ in 0..half_edges {
-        for h in 0..half_edges {
-            if let Some(around) = table.twin(h).and_then(|t| table.next(t)) {
-                let least = origin[h].min(origin[around]);
-                (origin[h], origin[around]) = (least, least);
-            }
-        }
-    }
-    let mut vertices = origin.clone();
-    vertices.sort_unstable();
-    vertices.dedup();
-    for (h, origin) in origin.iter().enumerate() {
-        table.set(Cell::Origin(h), Value::Link(vertices.binary_search(origin).ok()));
-    }
-    table.vertices = vec![Some(VertexRow::default()); vertices.len()];
-}
-
 /// Sets these cells to everything, derives the origins, and counts what is right on any surface, and in the plane.
 fn judge_with_origins(mut table: Table, expectation: Expectation, cells: &[(Cell, Vec<Value>)]) -> (u64, u64, u64) {
     let parts = [Part::Faces, Part::Prev].into_iter().filter(|part| !expectation.has(*part));
@@ -155,7 +133,7 @@ fn judge_with_origins(mut table: Table, expectation: Expectation, cells: &[(Cell
     let (mut right, mut planar) = (0, 0);
     let all = for_each_assignment(&mut table, cells, |table| {
         let mut table = table.clone();
-        derive_origins(&mut table);
+        table.derive_origins();
         right += u64::from(agree_on_first(&table, expectation).is_none());
         planar += u64::from(agree_on_first(&table, plane).is_none());
     });
@@ -183,7 +161,7 @@ fn the_maps_of_two_edges_are_those_of_the_plane_and_of_the_torus() {
     let cells: Vec<_> = table.cells(&expectation).into_iter().filter(is_twin_or_next).collect();
     let cells: Vec<_> = cells.into_iter().map(|cell| choices(&table, cell, To::Live)).collect();
     let planar = connected(9, 2) + 3 * connected(2, 1) * connected(2, 1);
-    let right = pairings(2) * factorial(4);
+    let right = count_pairings(2) * factorial(4);
     assert_eq!(right, planar + connected(1, 2));
     assert_eq!(judge_with_origins(table, expectation, &cells), (4_u64.pow(8), right, planar));
 }
@@ -200,7 +178,7 @@ fn the_maps_of_three_edges_are_those_of_the_plane_and_of_the_torus() {
     let one = connected(2, 1);
     let planar = connected(54, 3) + 15 * one * connected(9, 2) + 15 * one * one * one;
     let torus = connected(20, 3) + 15 * one * connected(1, 2);
-    assert_eq!(pairings(3) * factorial(6), planar + torus);
+    assert_eq!(count_pairings(3) * factorial(6), planar + torus);
     assert_eq!(judge_with_origins(table, expectation, &cells), (6_u64.pow(6), factorial(6), planar / 15));
 }
 
@@ -242,7 +220,7 @@ fn each_map_of_two_edges(mut visit: impl FnMut(&Table, usize)) {
     let cells: Vec<_> = (0..4).map(|h| choices(&table, Cell::Next(h), To::Live)).collect();
     for_each_assignment(&mut table, &cells, |table| {
         let mut table = table.clone();
-        derive_origins(&mut table);
+        table.derive_origins();
         if agree(&table, expectation).is_none() {
             visit(&table, validate(&table, &expectation, Collect::All).counts().cycles.unwrap());
         }

@@ -1,4 +1,4 @@
-//! How much the validator asks: of a valid structure that keeps all parts, nothing twice that one look can tell.
+//! How often the validator asks: on a valid structure with all parts, no question more than the fast path needs.
 //!
 //! These are bounds on work that do not depend on any clock.
 
@@ -116,7 +116,7 @@ fn a_valid_surface_is_walked_around_once_and_along_once() {
     }
 }
 
-/// What is not there is not asked for; and each rule looks for itself. Vacant slots make no difference.
+/// Without a part there is no fast path, and each rule asks for itself. Vacant slots make no difference.
 #[test]
 fn what_lacks_parts_is_asked_more_often() {
     let edge = map(2, &[(0, 1), (1, 0)], &[(None, &[Start::HalfEdge(0)])]);
@@ -151,16 +151,16 @@ fn a_list_that_never_ends_is_cut_short() {
 /// Each rule that reads the lists keeps to that bound, also where a list is said to be longer once another rule has read it.
 #[test]
 fn a_list_that_grows_is_cut_short() {
-    // Places are left out, or a glance would do.
+    // Places are left out, so that the fast path gives up.
     for (table, expectation) in [(nested(), PLANE.without(Part::Places)), (nested_textbook(), TEXTBOOK)] {
         let honest = Watched::new(&table);
         assert!(validate(&honest, &expectation, Collect::All).is_valid());
         let records = if expectation.has(Part::BoundaryComponents) { 5 } else { 12 + 7 };
-        for patience in 0..=honest.inner_count.get() {
-            let view = Watched::claiming(&table, |asked| (asked > patience).then_some(usize::MAX));
+        for honest_answers in 0..=honest.inner_count.get() {
+            let view = Watched::claiming(&table, |asked| (asked > honest_answers).then_some(usize::MAX));
             let _ = validate(&view, &expectation, Collect::All);
             // R1, B (where there are no records for boundary components), F2 and T1 read the lists.
-            assert!(view.inner.get() <= 4 * (2 * records + 16), "{patience}: {}", view.inner.get());
+            assert!(view.inner.get() <= 4 * (2 * records + 16), "{honest_answers}: {}", view.inner.get());
         }
     }
 }

@@ -371,6 +371,9 @@ fn r1_is_not_called_sound_where_lists_were_not_read_to_the_end() {
         row.inner_starts.resize(100, Some(Start::HalfEdge(7)));
         row.inner_starts.push(None);
         assert_eq!(agree(&table, expectation), Some(Rule::R1));
+        // Of the entries that are read, the second one is listed twice, which breaks F2.
+        let first = validate(&table, &expectation, Collect::First);
+        assert_eq!(first.violations(), [Violation::ListTooLong { face: 1, claimed: 101 }]);
         let report = validate(&table, &expectation, Collect::AtMost(0));
         let said = report.outcome(Rule::R1).unwrap();
         assert_eq!((said.violations, said.unchecked), (1, Some(Unchecked::ListTooLong)));

@@ -11,7 +11,10 @@ thread_local! {
 
 /// The message and the place of a panic, in one line.
 fn in_words(info: &PanicHookInfo<'_>) -> String {
-    let message = info.payload_as_str().unwrap_or("no message").lines().collect::<Vec<_>>().join(" ");
+    let payload = info.payload();
+    let literal = payload.downcast_ref::<&str>().copied();
+    let message = literal.or_else(|| payload.downcast_ref::<String>().map(String::as_str));
+    let message = message.unwrap_or("no message").lines().collect::<Vec<_>>().join(" ");
     info.location().map_or_else(|| message.clone(), |at| format!("{message} ({}:{})", at.file(), at.line()))
 }
 

@@ -33,7 +33,7 @@ impl TestSource {
     #[must_use]
     pub fn test(&self, message: &str, program: &Program) -> String {
         let Self { imports, make, expectation, remark } = self;
-        let imports: String = imports.iter().map(|import| format!("use {import};\n")).collect();
+        let imports: String = imports.iter().flat_map(|import| ["use ", import, ";\n"]).collect();
         let remark = if remark.is_empty() { String::new() } else { format!("    // {remark}\n") };
         let program = program.to_rust().replace('\n', "\n    ");
         format!(

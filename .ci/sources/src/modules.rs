@@ -16,8 +16,8 @@ pub(crate) type ModuleId = usize;
 /// What a name in a module stands for.
 #[derive(Clone, Debug)]
 pub(crate) enum Meaning {
-    /// Something that the module itself defines.
-    Defined,
+    /// Something that this module defines.
+    Defined(ModuleId),
     /// A module in it.
     Module(ModuleId),
     /// What this path leads to.
@@ -150,7 +150,10 @@ impl Forest {
                 }
                 other => {
                     if let Some(name) = defined(other) {
-                        self.modules[id].names.entry(name).or_default().push(Meaning::Defined);
+                        // A macro that is exported has its name in the root.
+                        let is_exported = matches!(other, Item::Macro(item) if item.attrs.iter().any(|a| a.path().is_ident("macro_export")));
+                        let at = if is_exported { self.modules[id].root } else { id };
+                        self.modules[at].names.entry(name).or_default().push(Meaning::Defined(id));
                     }
                     self.modules[id].code.push(Code::Tokens(other.to_token_stream()));
                 }

@@ -49,6 +49,10 @@ impl Forest {
             }
         };
         for name in rest {
+            // A path does not go on from a function that has the name of a module.
+            if reached.iter().any(|target| matches!(target, Target::Module(_))) {
+                reached.retain(|target| matches!(target, Target::Module(_)));
+            }
             let mut next = BTreeSet::new();
             for target in reached {
                 match target {
@@ -84,8 +88,8 @@ impl Forest {
         let mut found = BTreeSet::new();
         for meaning in module.names.get(name).into_iter().flatten() {
             match meaning {
-                Meaning::Defined => {
-                    found.insert(Target::Item(id, name.to_owned()));
+                Meaning::Defined(at) => {
+                    found.insert(Target::Item(*at, name.to_owned()));
                 }
                 Meaning::Module(child) => {
                     found.insert(Target::Module(*child));

@@ -158,6 +158,18 @@ fn a_loop_through_an_inline_module_and_a_path_attribute() {
 }
 
 #[test]
+fn an_exported_macro_comes_from_its_own_file() {
+    assert_loop(
+        &[
+            ("src/lib.rs", "mod a; mod b; pub struct Root;"),
+            ("src/a.rs", "#[macro_export] macro_rules! go { () => { $crate::go!() } } pub fn a() { crate::b::b(); }"),
+            ("src/b.rs", "pub fn b() { crate::go!(); }"),
+        ],
+        &["src/a.rs:1 imports b from src/b.rs", "src/b.rs:1 imports go from src/a.rs"],
+    );
+}
+
+#[test]
 fn a_variant_a_constant_and_a_function_of_a_type_come_from_the_file_of_the_type() {
     let imports = of(&[
         ("src/lib.rs", "mod a; mod b;"),
@@ -175,6 +187,12 @@ fn a_module_and_a_function_of_one_name_are_told_apart() {
         ("src/m/mod.rs", "pub mod walk; mod user; pub use walk::walk;"),
         ("src/m/walk.rs", "pub fn walk() {} pub struct Walker;"),
         ("src/m/user.rs", "use super::walk; fn f() { walk(); walk::Walker; }"),
+    ]);
+    assert_no_loop(&[
+        ("src/lib.rs", "pub mod m;"),
+        ("src/m/mod.rs", "mod judge; mod outcome; use judge::Judge; fn outcome(_: Judge) {}"),
+        ("src/m/judge.rs", "use super::outcome::Outcome; pub struct Judge(Outcome);"),
+        ("src/m/outcome.rs", "pub struct Outcome;"),
     ]);
 }
 

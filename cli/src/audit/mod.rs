@@ -119,11 +119,18 @@ fn text(imported: &Imported, report: &Report, elapsed: f64) -> Result<String, st
     for (rule, outcome) in report.outcomes() {
         write!(out, "  {:2}  {:10} ", rule.id(), rule.name())?;
         match (outcome.violations, outcome.unchecked) {
-            (0, None) => write!(out, "{GOOD}ok{GOOD:#}      {} {}", grouped(outcome.checked), rule.unit())?,
+            (0, None) => {
+                write!(out, "{GOOD}ok{GOOD:#}      {} {}", grouped(outcome.checked), rule.unit(outcome.checked))?;
+            }
             (0, Some(why)) => write!(out, "{QUIET}not checked: {why}{QUIET:#}")?,
             (n, _) => {
                 let of = grouped(outcome.checked);
-                write!(out, "{BAD}BROKEN{BAD:#}  {} in {of} {}", counted(n as usize, "violation"), rule.unit())?;
+                write!(
+                    out,
+                    "{BAD}BROKEN{BAD:#}  {} in {of} {}",
+                    counted(n as usize, "violation"),
+                    rule.unit(outcome.checked)
+                )?;
             }
         }
         out.push('\n');

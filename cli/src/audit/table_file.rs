@@ -72,7 +72,7 @@ pub(super) fn audit(name: &str, mut input: impl BufRead, list: usize, format: Fo
         if let Some(expect) = text.strip_prefix(EXPECT) {
             expectation = parse(expect).map_err(at)?;
         } else if !text.is_empty() && !text.starts_with('#') {
-            audited.judge(number, text, &expectation, list, &mut broken).map_err(at)?;
+            audited.judge(number, text, expectation, list, &mut broken).map_err(at)?;
         }
     }
     audited.rules =
@@ -92,7 +92,7 @@ impl Audited<'_> {
         &mut self,
         line: u64,
         text: &str,
-        expectation: &Expectation,
+        expectation: Expectation,
         list: usize,
         broken: &mut BTreeMap<Rule, u64>,
     ) -> Result<(), String> {
@@ -101,7 +101,7 @@ impl Audited<'_> {
             Some((table, stated)) => (table, Some(stated.trim())),
         };
         let table: Table = table.parse().map_err(|error| format!("{error}"))?;
-        let report = validate(&table, expectation, Collect::AtMost(list));
+        let report = validate(&table, &expectation, Collect::AtMost(list));
         self.tables += 1;
         self.valid_tables += u64::from(report.is_valid());
         self.violation_count += report.violation_count();

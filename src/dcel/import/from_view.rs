@@ -69,7 +69,7 @@ impl Dcel {
         outside: Outside,
     ) -> Result<(Self, Keys), ImportError> {
         let assemble = |columns: &Columns, _: &Numbers| columns.assembly().assemble().map_err(ImportError::Full);
-        let (dcel, numbers) = import(view, expectation, outside, assemble)?;
+        let (dcel, numbers) = import(view, *expectation, outside, assemble)?;
         let keys = keys(&dcel, &numbers);
         Ok((dcel, keys))
     }
@@ -78,11 +78,11 @@ impl Dcel {
 /// Validates a view, reads it, assembles it, and validates what came of it.
 pub(super) fn import<V: View + ?Sized>(
     view: &V,
-    expectation: &Expectation,
+    expectation: Expectation,
     outside: Outside,
     assemble: impl FnOnce(&Columns, &Numbers) -> Result<Dcel, ImportError>,
 ) -> Result<(Dcel, Numbers), ImportError> {
-    let report = validate(view, expectation, Collect::All);
+    let report = validate(view, &expectation, Collect::All);
     if !report.is_valid() {
         return Err(ImportError::Invalid(Box::new(report)));
     }
@@ -98,7 +98,7 @@ pub(super) fn import<V: View + ?Sized>(
 }
 
 /// Whether there can be such an unbounded face.
-fn check_outside<V: View + ?Sized>(view: &V, expectation: &Expectation, outside: Outside) -> Result<(), ImportError> {
+fn check_outside<V: View + ?Sized>(view: &V, expectation: Expectation, outside: Outside) -> Result<(), ImportError> {
     if !expectation.has(Part::Faces) {
         return Err(ImportError::Lacks(Part::Faces));
     }
@@ -111,7 +111,7 @@ fn check_outside<V: View + ?Sized>(view: &V, expectation: &Expectation, outside:
 }
 
 /// Whether it lies on a sphere, in one piece where nothing tells how pieces would lie.
-fn check_surface(report: &Report, expectation: &Expectation, outside: Outside) -> Result<(), ImportError> {
+fn check_surface(report: &Report, expectation: Expectation, outside: Outside) -> Result<(), ImportError> {
     let counts = report.counts();
     match (counts.genus, counts.components) {
         (Some(genus), _) if genus > 0 => Err(ImportError::Genus(genus)),

@@ -130,11 +130,11 @@ impl<'a, V: View + ?Sized> Gather<'a, V> {
     /// Reads a view that has been found valid, and of which this becomes the unbounded face. O(n).
     pub(super) fn read(
         view: &'a V,
-        expectation: &Expectation,
+        expectation: Expectation,
         outside: Outside,
     ) -> Result<(Columns, Numbers), ImportError> {
         let (numbers, columns) = (Numbers::default(), Columns::default());
-        let mut gather = Self { view, expectation: *expectation, outside, numbers, columns, unbounded: None };
+        let mut gather = Self { view, expectation, outside, numbers, columns, unbounded: None };
         gather.vertices()?;
         let unpaired = gather.half_edges()?;
         gather.links()?;
@@ -238,9 +238,9 @@ impl<'a, V: View + ?Sized> Gather<'a, V> {
         let (mut numbers, count) = enumerate(self.view.face_slots(), RecordKind::Face, |f| self.view.is_face(f))?;
         self.unbounded = match self.outside {
             Outside::Given => {
-                let outer = |f: &usize| match self.expectation.has(Part::BoundaryComponents) {
-                    true => self.view.outer(*f),
-                    false => self.view.outer_half_edge(*f),
+                let outer = |f: &usize| {
+                    let by_record = self.expectation.has(Part::BoundaryComponents);
+                    if by_record { self.view.outer(*f) } else { self.view.outer_half_edge(*f) }
                 };
                 (0..numbers.len()).find(|f| numbers[*f] != NIL && outer(f).is_none())
             }

@@ -99,7 +99,7 @@ impl<'de> Deserialize<'de> for Dcel {
             Ok(columns.assembly().link(store, &slots))
         };
         let expectation = Expectation::plane().without(Part::Prev);
-        let (dcel, _) = import(&table, &expectation, Outside::Given, restore).map_err(D::Error::custom)?;
+        let (dcel, _) = import(&table, expectation, Outside::Given, restore).map_err(D::Error::custom)?;
         Ok(dcel)
     }
 }

@@ -1,4 +1,4 @@
-//! What every operator begins with: keys to slots, and room; and what some end with.
+//! What operators share: from keys to slots, checks for room, and the lists of faces.
 
 use crate::dcel::error::{OperatorError, StaleKey};
 use crate::dcel::structure::Dcel;

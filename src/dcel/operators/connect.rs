@@ -19,7 +19,8 @@ pub enum Side {
     Right,
 }
 
-/// How a face is to be split, where topology leaves it open. A bridge needs none of it, but refuses a stale key.
+/// Choices that topology leaves open when [`Dcel::connect`] splits a face. Ignored for a bridge, though stale keys are still
+/// an error.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash, Default)]
 pub struct Split<'a> {
     /// On which side of the new edge the new face lies. The face that was there keeps the other side.
@@ -36,14 +37,15 @@ pub struct Split<'a> {
 pub enum Connection {
     /// Two boundary components became one.
     Bridge {
-        /// The one that has all half-edges now: the longer one; that of the second corner on a tie.
+        /// The one that has all half-edges now: the longer of the two, or that of the second corner if both are equally long.
         kept: BoundaryKey,
-        /// The one that is gone.
+        /// The one that was removed.
         dropped: BoundaryKey,
     },
     /// One cycle became two, and one face two.
     Split {
-        /// The boundary component that was split; it has the longer of the two cycles (the left one on a tie).
+        /// The boundary component that was split. It has the longer of the two cycles, or the left one if both are equally
+        /// long.
         kept: BoundaryKey,
         /// The new boundary component, of the other cycle.
         made: BoundaryKey,
@@ -75,20 +77,13 @@ impl Connected {
 impl<S: Store> Dcel<S> {
     /// Connects two corners of one face by a new edge.
     ///
-    /// If they are of different boundary components, the edge is a bridge and makes them one. If they are of the same, it
-    /// splits the face.
+    /// If the corners lie on different boundary components, the edge is a bridge and makes one of the two. If they lie on the
+    /// same one, the edge splits the face.
     ///
-    /// ```text
-    ///   bridge                                split
-    ///   ┌──────────┐      ┌──────────┐        ┌──────────┐      ┌──────────┐
-    ///   │ ┌──┐     │      │ ┌──┐     │        a          │      a──╮   new │
-    ///   │ └──a   b·│  ──► │ └──a━━━b·│        │    f     │  ──► │  ╰─╮     │
-    ///   │          │      │          │        │          │      │ f  ╰─╮   │
-    ///   └──────────┘      └──────────┘        └──────b───┘      └──────b───┘
-    /// ```
+    #[doc = include_str!("../pictures/connect.svg")]
     ///
-    /// Two equal corners give a loop, whose left side is the face that was there and whose right side is empty (with
-    /// [`Split::new_face`] as usual).
+    /// Two equal corners give a loop. The cycle that was there goes on to the left of the new half-edge, and to the right there
+    /// is nothing but the loop. [`Split::new_face`] says as usual which side is the new face.
     ///
     /// O(length of the shorter of the two cycles + boundary components that go to the new face): both sides are walked in
     /// step, and only the shorter is relabelled. O(1) to or from an isolated vertex.
@@ -98,6 +93,24 @@ impl<S: Store> Dcel<S> {
     /// # Errors
     /// A stale key; [`OperatorError::NotIsolated`]; [`OperatorError::FacesDiffer`]; [`OperatorError::NotInner`] for a
     /// component to be moved that is not another inner one of the face; [`OperatorError::Full`].
+    ///
+    /// ```
+    /// use twinedge::dcel::{Connection, Dcel, Side, Split};
+    ///
+    /// let mut map = Dcel::new();
+    /// let outside = map.unbounded_face().key();
+    /// let [a, b, c] = [(); 3].map(|()| map.add_isolated_vertex(outside).map(|added| added.vertex));
+    /// // Two bridges …
+    /// let ab = map.connect(a?, b?, Split::default())?.half_edge;
+    /// let ba = map.half_edge(ab)?.twin().key();
+    /// let bc = map.connect(ba, c?, Split::default())?;
+    /// assert!(matches!(bc.connection, Connection::Bridge { .. }));
+    /// // … and an edge that closes the triangle. The new face lies to its left.
+    /// let cb = map.half_edge(bc.half_edge)?.twin().key();
+    /// let ca = map.connect(cb, ab, Split { new_face: Side::Left, inner: &[] })?;
+    /// assert_eq!(ca.new_face(), Some(map.half_edge(ab)?.face().key()));
+    /// # Ok::<(), Box<dyn std::error::Error>>(())
+    /// ```
     pub fn connect(
         &mut self,
         from: impl Into<Corner>,
@@ -107,7 +120,7 @@ impl<S: Store> Dcel<S> {
         let (from, to) = (self.checked_corner(from.into())?, self.checked_corner(to.into())?);
         let (ba, bb) = (from.boundary(&self.store), to.boundary(&self.store));
         let (fa, fb) = (self.store.face(ba), self.store.face(bb));
-        // A bridge needs none of these, but a stale key is an error even so.
+        // A bridge ignores these, but a stale key is an error in any case.
         let mut not_inner = None;
         for key in split.inner {
             let b = self.store.find_boundary(*key).ok_or(StaleKey::Boundary(*key))?;
@@ -177,7 +190,7 @@ impl<S: Store> Dcel<S> {
             CheckedCorner::At(h) => Some(h),
             CheckedCorner::Isolated(..) => None,
         };
-        // An isolated vertex is an empty stretch, for which any stop will do.
+        // At an isolated vertex there is nothing to walk.
         let (sa, sb) = (stretch(from), stretch(to));
         let shorter = match (sa, sb) {
             (Some(a), Some(b)) => self.shorter_or_first((a, a), (b, b)),
@@ -212,7 +225,7 @@ impl<S: Store> Dcel<S> {
         Connected { half_edge: self.store.half_edge_key(n), connection }
     }
 
-    /// The shorter of two whole cycles; the first on a tie.
+    /// The shorter of two whole cycles, the first if both are equally long. O(shorter).
     fn shorter_or_first(&self, a: (S::HalfEdge, S::HalfEdge), b: (S::HalfEdge, S::HalfEdge)) -> OneOfTwo {
         match self.shorter_or_second((Some(b.0), b.1), (Some(a.0), a.1)) {
             OneOfTwo::First => OneOfTwo::Second,

@@ -10,7 +10,7 @@ use crate::store::links::{BoundaryStart, VertexLink};
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
 #[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 pub enum Turn {
-    /// Each end moves on along the boundary of the face to its left, seen from the middle.
+    /// Each end moves to the next vertex counter-clockwise, as seen from the middle of the edge.
     CounterClockwise,
     /// The other way.
     Clockwise,
@@ -31,20 +31,37 @@ impl<S: Store> Dcel<S> {
     /// Turns an edge one step: each of its ends moves to the next vertex along the boundary of the two faces that it
     /// separates. In a triangulation this is the flip of a diagonal.
     ///
-    /// ```text
-    ///      c ─────── b            c ─────── b
-    ///      │      ↗  │            │  ↖      │
-    ///      │   h     │    ──►     │     h   │      counter-clockwise
-    ///      │ ↗       │            │       ↖ │
-    ///      a ─────── d            a ─────── d
-    /// ```
+    #[doc = include_str!("../pictures/flip_edge.svg")]
     ///
-    /// A loop with nothing on one side slides along the boundary of the face on its other side. O(1).
+    /// A loop that is alone on the boundary of one face slides along the boundary of the face on its other side. O(1).
     ///
     /// Inverse: the same with [`Turn::reversed`].
     ///
     /// # Errors
     /// A stale key; [`OperatorError::NotSeparating`] if both sides of the edge lie on the same boundary component.
+    ///
+    /// ```
+    /// use twinedge::dcel::{Dcel, Split, Turn};
+    ///
+    /// let mut map = Dcel::new();
+    /// let outside = map.unbounded_face().key();
+    /// // A triangle: a loop with two more vertices on it. Its face lies to the left of h.
+    /// let v = map.add_isolated_vertex(outside)?.vertex;
+    /// let h = map.connect(v, v, Split::default())?.half_edge;
+    /// map.split_edge(h)?;
+    /// map.split_edge(h)?;
+    /// // A fourth vertex, and a diagonal.
+    /// map.split_edge(h)?;
+    /// let third = map.half_edge(h)?.next().next().key();
+    /// let diagonal = map.connect(h, third, Split::default())?.half_edge;
+    /// let ends = |map: &Dcel| map.half_edge(diagonal).map(|h| [h.origin().key(), h.target().key()]);
+    /// let before = ends(&map)?;
+    /// map.flip_edge(diagonal, Turn::CounterClockwise)?;
+    /// assert!(ends(&map)?.iter().all(|v| !before.contains(v)));
+    /// map.flip_edge(diagonal, Turn::Clockwise)?;
+    /// assert_eq!(ends(&map)?, before);
+    /// # Ok::<(), Box<dyn std::error::Error>>(())
+    /// ```
     pub fn flip_edge(&mut self, half_edge: HalfEdgeKey, turn: Turn) -> Result<(), OperatorError> {
         let n = self.half_edge_slot(half_edge)?;
         let t = self.store.twin(n);

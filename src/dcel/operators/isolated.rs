@@ -27,16 +27,23 @@ pub struct RemovedVertex {
 impl<S: Store> Dcel<S> {
     /// Adds an isolated vertex in a face, as a new inner boundary component. O(1).
     ///
-    /// ```text
-    ///   ┌───────┐      ┌───────┐
-    ///   │   f   │  ──► │ f  ·v │
-    ///   └───────┘      └───────┘
-    /// ```
+    #[doc = include_str!("../pictures/add_isolated_vertex.svg")]
     ///
     /// Inverse: [`Dcel::remove_isolated_vertex`].
     ///
     /// # Errors
     /// A stale key; [`OperatorError::Full`].
+    ///
+    /// ```
+    /// use twinedge::dcel::Dcel;
+    ///
+    /// let mut map = Dcel::new();
+    /// let outside = map.unbounded_face().key();
+    /// let added = map.add_isolated_vertex(outside)?;
+    /// assert_eq!(map.vertex(added.vertex)?.isolated().map(|b| b.key()), Some(added.boundary));
+    /// assert_eq!(map.unbounded_face().inner_count(), 1);
+    /// # Ok::<(), Box<dyn std::error::Error>>(())
+    /// ```
     pub fn add_isolated_vertex(&mut self, face: FaceKey) -> Result<AddedVertex, OperatorError> {
         let f = self.face_slot(face)?;
         self.room_for(Need { vertices: 1, boundaries: 1, ..Need::NONE })?;
@@ -46,10 +53,24 @@ impl<S: Store> Dcel<S> {
 
     /// Removes an isolated vertex. O(1).
     ///
+    #[doc = include_str!("../pictures/remove_isolated_vertex.svg")]
+    ///
     /// Inverse: [`Dcel::add_isolated_vertex`].
     ///
     /// # Errors
     /// A stale key; [`OperatorError::NotIsolated`] if half-edges leave the vertex.
+    ///
+    /// ```
+    /// use twinedge::dcel::Dcel;
+    ///
+    /// let mut map = Dcel::new();
+    /// let outside = map.unbounded_face().key();
+    /// let added = map.add_isolated_vertex(outside)?;
+    /// let removed = map.remove_isolated_vertex(added.vertex)?;
+    /// assert_eq!((removed.boundary, removed.face), (added.boundary, outside));
+    /// assert!(map.vertex(added.vertex).is_err());
+    /// # Ok::<(), Box<dyn std::error::Error>>(())
+    /// ```
     pub fn remove_isolated_vertex(&mut self, vertex: VertexKey) -> Result<RemovedVertex, OperatorError> {
         let v = self.vertex_slot(vertex)?;
         let VertexLink::Isolated(b) = self.store.vertex_link(v) else { return Err(OperatorError::NotIsolated(vertex)) };

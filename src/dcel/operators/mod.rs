@@ -1,4 +1,4 @@
-//! The operators. Each checks everything first and changes nothing until no check is left to fail.
+//! The operators. Each makes all its checks before it changes anything.
 
 mod checked;
 mod connect;

@@ -9,20 +9,35 @@ use crate::store::{BoundaryKey, FaceKey};
 impl<S: Store> Dcel<S> {
     /// Moves an inner boundary component, and with it its component and all that lies inside, to another face.
     ///
-    /// ```text
-    ///   ┌─────┬─────┐      ┌─────┬─────┐
-    ///   │ ┌─┐ │     │      │     │ ┌─┐ │
-    ///   │ └─┘ │  f  │  ──► │     │ └─┘ │
-    ///   └─────┴─────┘      └─────┴─────┘
-    /// ```
+    #[doc = include_str!("../pictures/move_inner.svg")]
     ///
-    /// The move itself is O(1), and it is all for an isolated vertex or where `face` is the unbounded one. Else what moves
-    /// is searched for `face`, which must not lie in it: O(size of what moves).
+    /// O(1) for an isolated vertex, and if `face` is the unbounded one. Otherwise O(size of what moves), because `face` must
+    /// not lie inside it, and that takes a search.
     ///
-    /// Gives the face where it was. Inverse: moving it back there.
+    /// Returns the face in which it was. Inverse: moving it back there.
     ///
     /// # Errors
     /// A stale key; [`OperatorError::IsOuter`]; [`OperatorError::InsideItself`] if `face` lies inside what would be moved.
+    ///
+    /// ```
+    /// use twinedge::dcel::{Dcel, OperatorError, Split};
+    ///
+    /// let mut map = Dcel::new();
+    /// let outside = map.unbounded_face().key();
+    /// // A triangle: a loop with two more vertices on it. Its face lies to the left of h.
+    /// let v = map.add_isolated_vertex(outside)?.vertex;
+    /// let h = map.connect(v, v, Split::default())?.half_edge;
+    /// map.split_edge(h)?;
+    /// map.split_edge(h)?;
+    /// let island = map.add_isolated_vertex(outside)?.boundary;
+    /// let triangle = map.half_edge(h)?.face().key();
+    /// assert_eq!(map.move_inner(island, triangle)?, outside);
+    /// assert_eq!(map.boundary(island)?.face().key(), triangle);
+    /// // The triangle's own outside cannot go into the triangle.
+    /// let around = map.half_edge(h)?.twin().boundary().key();
+    /// assert_eq!(map.move_inner(around, triangle), Err(OperatorError::InsideItself(around, triangle)));
+    /// # Ok::<(), Box<dyn std::error::Error>>(())
+    /// ```
     pub fn move_inner(&mut self, boundary: BoundaryKey, face: FaceKey) -> Result<FaceKey, OperatorError> {
         let b = self.store.find_boundary(boundary).ok_or(StaleKey::Boundary(boundary))?;
         let f = self.face_slot(face)?;

@@ -15,16 +15,16 @@ pub enum RemovedEdge {
     Merged {
         /// The face that has everything now.
         kept_face: FaceKey,
-        /// The face that is gone.
+        /// The face that was removed.
         dropped_face: FaceKey,
         /// The boundary component of the joined cycle.
         kept: BoundaryKey,
-        /// The boundary component that is gone.
+        /// The boundary component that was removed.
         dropped: BoundaryKey,
     },
     /// One boundary component became two, and one component two.
     Parted {
-        /// The boundary component that was cut; it has the longer of the two parts.
+        /// The boundary component that was cut. It has the longer of the two parts.
         kept: BoundaryKey,
         /// The new boundary component, of the other part.
         made: BoundaryKey,
@@ -42,30 +42,45 @@ struct Around<H> {
 }
 
 impl<S: Store> Dcel<S> {
-    /// Removes an edge; its vertices stay, isolated if it was their last.
+    /// Removes an edge. Its vertices stay, and those that have no other edge become isolated.
     ///
-    /// If the edge separates two faces, they become one. If both are bounded by it from outside, the face to the left of
-    /// `half_edge` is kept; else the one that lies around the other. The inner boundary components of the face that is
-    /// dropped come along. If both its sides lie on the same cycle, the edge is a bridge, and its component falls in two:
-    /// the part that lay outside stays so, the other becomes an inner boundary component.
+    /// If the edge separates two faces, they become one. If it is part of the outer boundary of both, the face to the left of
+    /// `half_edge` is kept. Otherwise one of the faces surrounds the other, and that one is kept. The inner boundary components
+    /// of the other face move to the face that is kept.
     ///
-    /// ```text
-    ///   merge                              part
-    ///   ┌─────┬─────┐      ┌───────────┐   ┌────────┐      ┌────────┐
-    ///   │  f  │  g  │  ──► │     f     │   │ ┌┐     │  ──► │ ┌┐     │
-    ///   │     │     │      │           │   │ └┘━━━━━┤      │ └┘     │
-    ///   └─────┴─────┘      └───────────┘   └────────┘      └────────┘
-    /// ```
+    /// If both sides of the edge lie on the same cycle, the edge is a bridge, and its component falls into two. If the cycle is
+    /// an outer one, the part that contains the outside of the component stays the outer boundary component, and the other
+    /// part becomes an inner one.
     ///
-    /// Merging: O(length of the shorter cycle + inner boundary components of the face that is dropped). Parting:
-    /// O(length of the shorter part of the cycle); where the cycle is an outer one, which part keeps the outside is found
-    /// by searching both in step, O(size of the smaller part). That it takes a search is the price of asking nothing: only
-    /// one answer keeps T1.
+    #[doc = include_str!("../pictures/remove_edge.svg")]
+    ///
+    /// Merging costs O(length of the shorter cycle + inner boundary components of the face that is dropped). Parting costs
+    /// O(length of the shorter part of the cycle). If the cycle is an outer one, the part that keeps the outside is found by
+    /// searching both in step, O(size of the smaller part). It is not an argument because only one answer keeps rule T1.
     ///
     /// Inverse: [`Dcel::connect`].
     ///
     /// # Errors
     /// A stale key; [`OperatorError::Full`] for the boundary component that parting makes.
+    ///
+    /// ```
+    /// use twinedge::dcel::{Dcel, RemovedEdge, Split};
+    ///
+    /// let mut map = Dcel::new();
+    /// let outside = map.unbounded_face().key();
+    /// // A triangle: a loop with two more vertices on it. Its face lies to the left of h.
+    /// let v = map.add_isolated_vertex(outside)?.vertex;
+    /// let h = map.connect(v, v, Split::default())?.half_edge;
+    /// map.split_edge(h)?;
+    /// map.split_edge(h)?;
+    /// // The edge separates the triangle from the unbounded face: both become one.
+    /// assert!(matches!(map.remove_edge(h)?, RemovedEdge::Merged { kept_face, .. } if kept_face == outside));
+    /// // What is left is a path. Without one of its edges it falls in two.
+    /// let path = map.half_edges().next().unwrap().key();
+    /// assert!(matches!(map.remove_edge(path)?, RemovedEdge::Parted { .. }));
+    /// assert_eq!((map.edge_count(), map.boundary_count()), (1, 2));
+    /// # Ok::<(), Box<dyn std::error::Error>>(())
+    /// ```
     pub fn remove_edge(&mut self, half_edge: HalfEdgeKey) -> Result<RemovedEdge, OperatorError> {
         let n = self.half_edge_slot(half_edge)?;
         let t = self.store.twin(n);
@@ -99,7 +114,7 @@ impl<S: Store> Dcel<S> {
         let Around { n, t, before_n, after_n, before_t, after_t } = *around;
         let (bn, bt) = (self.store.boundary(n), self.store.boundary(t));
         let (fn_, ft) = (self.store.face(bn), self.store.face(bt));
-        // The face around the other has the cycle as an inner one; of two that are side by side the left one is kept.
+        // A face that surrounds the other has the cycle as an inner one. Of two side by side the left one is kept.
         let (kept_face, dropped_face, outer) = match (self.is_outer(bn), self.is_outer(bt)) {
             (true, true) => (fn_, ft, true),
             (true, false) => (ft, fn_, false),

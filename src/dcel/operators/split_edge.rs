@@ -1,4 +1,4 @@
-//! A vertex on an edge, and the way back.
+//! Splitting an edge by a new vertex, and joining two edges.
 
 use crate::dcel::error::OperatorError;
 use crate::dcel::structure::Dcel;
@@ -27,15 +27,29 @@ pub struct JoinedEdges {
 impl<S: Store> Dcel<S> {
     /// Puts a new vertex on an edge. The given half-edge keeps its origin and ends at the new vertex. O(1).
     ///
-    /// ```text
-    ///        h                    h         new
-    ///   a ────────► b   ──►   a ─────► w ───────► b
-    /// ```
+    #[doc = include_str!("../pictures/split_edge.svg")]
     ///
     /// Inverse: [`Dcel::join_edges`] on the same half-edge.
     ///
     /// # Errors
     /// A stale key; [`OperatorError::Full`].
+    ///
+    /// ```
+    /// use twinedge::dcel::{Dcel, Split};
+    ///
+    /// let mut map = Dcel::new();
+    /// let outside = map.unbounded_face().key();
+    /// // A triangle: a loop with two more vertices on it. Its face lies to the left of h.
+    /// let v = map.add_isolated_vertex(outside)?.vertex;
+    /// let h = map.connect(v, v, Split::default())?.half_edge;
+    /// map.split_edge(h)?;
+    /// map.split_edge(h)?;
+    /// let split = map.split_edge(h)?;
+    /// assert_eq!(map.half_edge(h)?.target().key(), split.vertex);
+    /// assert_eq!(map.half_edge(h)?.next().key(), split.half_edge);
+    /// assert_eq!(map.half_edge(h)?.boundary_cycle().count(), 4);
+    /// # Ok::<(), Box<dyn std::error::Error>>(())
+    /// ```
     pub fn split_edge(&mut self, half_edge: HalfEdgeKey) -> Result<SplitEdge, OperatorError> {
         let h = self.half_edge_slot(half_edge)?;
         self.room_for(Need { vertices: 1, edges: 1, ..Need::NONE })?;
@@ -63,16 +77,30 @@ impl<S: Store> Dcel<S> {
 
     /// Joins the edge of a half-edge with the one that follows it, dropping the vertex of degree 2 between them. O(1).
     ///
-    /// ```text
-    ///      h                           h
-    ///   a ─────► v ──────► b   ──►  a ──────► b
-    /// ```
+    #[doc = include_str!("../pictures/join_edges.svg")]
     ///
     /// Inverse: [`Dcel::split_edge`] of the same half-edge.
     ///
     /// # Errors
-    /// A stale key; [`OperatorError::DegreeNotTwo`] if the target of the half-edge has another degree;
-    /// [`OperatorError::Loop`] if both ends there are of the same edge.
+    /// A stale key; [`OperatorError::DegreeNotTwo`] if the target of the half-edge has a degree other than 2;
+    /// [`OperatorError::Loop`] if both half-edges that leave it are of the same edge.
+    ///
+    /// ```
+    /// use twinedge::dcel::{Dcel, Split};
+    ///
+    /// let mut map = Dcel::new();
+    /// let outside = map.unbounded_face().key();
+    /// // A triangle: a loop with two more vertices on it. Its face lies to the left of h.
+    /// let v = map.add_isolated_vertex(outside)?.vertex;
+    /// let h = map.connect(v, v, Split::default())?.half_edge;
+    /// map.split_edge(h)?;
+    /// map.split_edge(h)?;
+    /// let split = map.split_edge(h)?;
+    /// let joined = map.join_edges(h)?;
+    /// assert_eq!((joined.vertex, joined.half_edge), (split.vertex, split.half_edge));
+    /// assert_eq!(map.half_edge(h)?.boundary_cycle().count(), 3);
+    /// # Ok::<(), Box<dyn std::error::Error>>(())
+    /// ```
     pub fn join_edges(&mut self, half_edge: HalfEdgeKey) -> Result<JoinedEdges, OperatorError> {
         let h = self.half_edge_slot(half_edge)?;
         let t = self.store.twin(h);

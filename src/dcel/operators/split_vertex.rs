@@ -1,4 +1,4 @@
-//! Two vertices out of one, and the way back.
+//! Splitting a vertex in two, and contracting an edge.
 
 use super::corner::{CheckedCorner, Corner};
 use super::walk::OneOfTwo;
@@ -20,9 +20,9 @@ pub struct SplitVertex {
 /// What [`Dcel::contract_edge`] kept and dropped.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
 pub struct ContractedEdge {
-    /// The vertex that has all half-edges now: the one that had more; the origin on a tie.
+    /// The vertex that has all half-edges now: the one that had more of them, or the origin if both had equally many.
     pub kept: VertexKey,
-    /// The vertex that is gone.
+    /// The vertex that was removed.
     pub dropped: VertexKey,
 }
 
@@ -33,21 +33,38 @@ impl<S: Store> Dcel<S> {
     /// half-edge, the others to its origin. Equal corners make the target a leaf in that corner, and an isolated vertex
     /// becomes an edge.
     ///
-    /// ```text
-    ///      \  b  /              \     /
-    ///       \ ∙ /         b      \   /
-    ///   ──── v ────   ──►   ──── ·━━►· ────
-    ///       / ∙ \                /   \      a
-    ///      /  a  \              /     \
-    /// ```
+    #[doc = include_str!("../pictures/split_vertex.svg")]
     ///
-    /// O(size of the smaller of the two rotations): both are walked in step, and the smaller goes to the new vertex, that
-    /// of the target on a tie.
+    /// O(size of the smaller of the two rotations): both are walked in step, and the smaller one goes to the new vertex, or
+    /// that of the target if both are equally large.
     ///
     /// Inverse: [`Dcel::contract_edge`].
     ///
     /// # Errors
     /// A stale key; [`OperatorError::NotIsolated`]; [`OperatorError::VerticesDiffer`]; [`OperatorError::Full`].
+    ///
+    /// ```
+    /// use twinedge::dcel::{Dcel, Split};
+    ///
+    /// let mut map = Dcel::new();
+    /// let outside = map.unbounded_face().key();
+    /// // A triangle: a loop with two more vertices on it. Its face lies to the left of h.
+    /// let v = map.add_isolated_vertex(outside)?.vertex;
+    /// let h = map.connect(v, v, Split::default())?.half_edge;
+    /// map.split_edge(h)?;
+    /// map.split_edge(h)?;
+    /// // Between a corner and itself: a leaf grows into the face.
+    /// let leaf = map.split_vertex(h, h)?;
+    /// assert_eq!(map.half_edge(leaf.half_edge)?.target().key(), leaf.vertex);
+    /// assert_eq!(map.vertex(leaf.vertex)?.degree(), 1);
+    /// assert_eq!(map.half_edge(h)?.boundary_cycle().count(), 5);
+    /// // Between the two corners of a vertex of degree 2: another edge on the way around.
+    /// let other = map.half_edge(h)?.next();
+    /// let (inside, beyond) = (other.key(), other.twin().next().key());
+    /// map.split_vertex(inside, beyond)?;
+    /// assert_eq!(map.half_edge(h)?.boundary_cycle().count(), 6);
+    /// # Ok::<(), Box<dyn std::error::Error>>(())
+    /// ```
     pub fn split_vertex(
         &mut self,
         from: impl Into<Corner>,
@@ -92,7 +109,7 @@ impl<S: Store> Dcel<S> {
         Ok(SplitVertex { vertex: self.store.vertex_key(w), half_edge: self.store.half_edge_key(n) })
     }
 
-    /// OneOfTwo of two rotations, of different vertices, is the smaller; the second on a tie. O(smaller).
+    /// Which of two rotations, of different vertices, is the smaller one, the second if both are equally large. O(smaller).
     fn smaller_rotation(&self, first: S::HalfEdge, second: S::HalfEdge) -> OneOfTwo {
         let turn = |h: S::HalfEdge| self.store.next(self.store.twin(h));
         let (mut a, mut b) = (first, second);
@@ -122,11 +139,7 @@ impl<S: Store> Dcel<S> {
 
     /// Contracts an edge to a point: its two vertices become one.
     ///
-    /// ```text
-    ///   \     /           \ /
-    ///    ·━━━·      ──►    ·
-    ///   /     \           / \
-    /// ```
+    #[doc = include_str!("../pictures/contract_edge.svg")]
     ///
     /// O(size of the smaller rotation).
     ///
@@ -134,6 +147,25 @@ impl<S: Store> Dcel<S> {
     ///
     /// # Errors
     /// A stale key; [`OperatorError::Loop`] if the edge starts and ends at the same vertex.
+    ///
+    /// ```
+    /// use twinedge::dcel::{Dcel, Split};
+    ///
+    /// let mut map = Dcel::new();
+    /// let outside = map.unbounded_face().key();
+    /// // A triangle: a loop with two more vertices on it. Its face lies to the left of h.
+    /// let v = map.add_isolated_vertex(outside)?.vertex;
+    /// let h = map.connect(v, v, Split::default())?.half_edge;
+    /// map.split_edge(h)?;
+    /// map.split_edge(h)?;
+    /// let contracted = map.contract_edge(h)?;
+    /// assert!(map.half_edge(h).is_err());
+    /// assert!(map.vertex(contracted.dropped).is_err());
+    /// // Two parallel edges are left.
+    /// assert_eq!(map.vertex(contracted.kept)?.degree(), 2);
+    /// assert_eq!(map.edge_count(), 2);
+    /// # Ok::<(), Box<dyn std::error::Error>>(())
+    /// ```
     pub fn contract_edge(&mut self, half_edge: HalfEdgeKey) -> Result<ContractedEdge, OperatorError> {
         let n = self.half_edge_slot(half_edge)?;
         let t = self.store.twin(n);

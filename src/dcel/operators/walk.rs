@@ -107,8 +107,8 @@ impl<S: Store> Search<S> {
 }
 
 impl<S: Store> Dcel<S> {
-    /// Walks two cycles in step, from `first` until `first_stop` and from `second` until `second_stop` (each excluded; an
-    /// empty stretch where they are equal at once if so said), and tells which is the shorter; the second on a tie.
+    /// Walks along two cycles in step, from each half-edge until the one that ends the walk, and tells which walk is the
+    /// shorter one: the second if both are equally long. A walk without a first half-edge is empty.
     ///
     /// O(shorter).
     pub(super) fn shorter_or_second(
@@ -137,7 +137,7 @@ impl<S: Store> Dcel<S> {
         }
     }
 
-    /// An edge whose sides `n` and `t` lie on one outer cycle is about to be removed. OneOfTwo part of its component keeps the
+    /// An edge whose sides `n` and `t` lie on one outer cycle is about to be removed. Which part of its component keeps the
     /// outside: that of the origin of `n` (first) or that of its target (second)?
     ///
     /// Topology decides: the part from which an inner boundary component can be reached across edges. Both parts are

@@ -1,4 +1,4 @@
-//! Segments that lie side by side in a block: what is between them is found by bisection.
+//! Segments that lie side by side in a block: what lies between them is found by bisection.
 //!
 //! ```text
 //!   ──────────────────────────── 0

@@ -1,6 +1,6 @@
 //! The chains of the runs: first snapped, then bent until no edge visits the pixel of a vertex that is not its own.
 
-use super::NodingError;
+use super::input::NodingError;
 use super::pixel::{Pixel, Pixels, Segment};
 use super::search::search;
 use rustc_hash::{FxHashMap, FxHashSet};

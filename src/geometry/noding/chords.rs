@@ -1,4 +1,4 @@
-//! Many segments that all cut right across a block: which of them cross in it, and if none, are they in order?
+//! Many segments that all cut right across a block: finds which of them cross in it, or their order if none do.
 //!
 //! ```text
 //!      c   b
@@ -22,7 +22,7 @@ use core::cmp::Ordering;
 struct End {
     /// Counter-clockwise: lower, right, upper, left.
     side: u8,
-    /// The coordinate along the side, in doubled steps: a floor, and a rest with its denominator.
+    /// The coordinate along the side, in doubled steps: an integer part, and a remainder with its denominator.
     floor: i64,
     rest: i64,
     denominator: i64,
@@ -30,7 +30,7 @@ struct End {
     rate: i64,
     /// The number of the chord.
     chord: u32,
-    /// Does the segment leave the block here?
+    /// Whether the segment leaves the block here.
     leaves: bool,
 }
 
@@ -48,7 +48,7 @@ impl End {
     }
 }
 
-/// What the chords of a block do.
+/// How the chords of a block lie.
 pub(super) enum Chords {
     /// These pairs cross inside; those are all, or there are too many.
     Cross { pairs: Vec<[u32; 2]>, all: bool },
@@ -62,7 +62,7 @@ pub(super) enum Chords {
 #[derive(Clone, Copy)]
 pub(super) struct Chord {
     pub(super) segment: u32,
-    /// Are those before it to its left?
+    /// Whether those before it are to its left.
     pub(super) first_is_left: bool,
 }
 

@@ -1,8 +1,8 @@
 //! The grid: coordinates as whole numbers of steps, and back.
 
+use super::input::{Input, NodingError, Snap};
 use super::pixel::{Pixel, Pixels, Steps};
-use super::{Input, NodingError, Snap};
-use crate::geometry::Point;
+use crate::geometry::point::Point;
 
 /// Coordinates are at most 2^53 steps: any whole number up to there is a double.
 const REACH: i32 = 53;

@@ -37,8 +37,8 @@
 //!
 //! *Why edges never cross.* An edge from `c` to `c'` comes from a stretch of a segment between a point `c + u` of the
 //! pixel of `c` and a point `c' + u'` of that of `c'`. Let all pixels shrink to their centres at the same rate, so
-//! that at time `t` the stretch goes from `c + (1−t)u` to `c' + (1−t)u'`. At time 0, no two stretches cross:
-//! crossings are in hot pixels, where stretches end. Had two of them crossed by time 1, then at some time an end of
+//! that at time `t` the stretch goes from `c + (1−t)u` to `c' + (1−t)u'`. At time 0, no two ranges cross:
+//! crossings are in hot pixels, where ranges end. Had two of them crossed by time 1, then at some time an end of
 //! the one, `e + (1−t)w`, would have lain on the other, at `(1−μ)(c + (1−t)u) + μ(c' + (1−t)u')`, say. At time 0,
 //! this point of the other is `e + (1−t)w + t((1−μ)u + μu')`: that is `e` and a mean of `w`, `u` and `u'`, hence in
 //! the pixel of `e`, as pixels are convex. But the stretch visits no hot pixel on its way from `c` to `c'`; and if
@@ -76,7 +76,7 @@
 //! # Cost
 //!
 //! O((n + k) log n) in practice, for n segments and k visits of hot pixels. Segments on one line have up to n²
-//! visits, but as their chains are stretches of one chain, O(n) time and memory do (see `runs.rs`). Pairs of segments
+//! visits, but as their chains are ranges of one chain, O(n) time and memory do (see `runs.rs`). Pairs of segments
 //! that pass each other closely, or cross in the same pixel, do not count: stars, fans, bundles and spirals are not
 //! quadratic (see `search.rs` and `chords.rs`).
 //!
@@ -89,88 +89,20 @@ mod bundle;
 mod chains;
 mod chords;
 mod grid;
+mod input;
 mod pixel;
 mod read;
 mod runs;
 mod search;
 
-use crate::geometry::Point;
+use crate::geometry::point::Point;
 use chains::sorted;
 use core::iter::FusedIterator;
 use grid::Grid;
 use read::{Read, largest_coordinate};
 use runs::Runs;
 
-/// The width of the cells of the grid.
-#[derive(Clone, Copy, Debug, Default, PartialEq)]
-#[non_exhaustive]
-pub enum Snap {
-    /// So fine that the largest coordinate (short of the ends of the range of doubles) is between 2^49 and 2^50
-    /// cells: coordinates keep some 15 decimal digits. For longitudes up to 180, a cell is 2^-42 degrees, or 25
-    /// nanometres on the ground.
-    #[default]
-    Auto,
-    /// The largest power of two that is at most this number. Zero, negative, infinite and NaN are refused, and so is
-    /// a cell so small that a coordinate would be more than 2^53 of it.
-    Size(f64),
-}
-
-/// A place in the input.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub enum Input {
-    /// The segment of this index.
-    Segment(usize),
-    /// The point of this index.
-    Point(usize),
-}
-
-impl Input {
-    /// The point at fault: of a segment, the end with the larger coordinate.
-    #[cfg(feature = "map")]
-    pub(crate) fn point(self, segments: &[[Point; 2]], points: &[Point]) -> Point {
-        match self {
-            Self::Point(index) => points[index],
-            Self::Segment(index) => {
-                let [a, b] = segments[index];
-                let size = |p: Point| p.x.abs().max(p.y.abs());
-                if size(a) < size(b) { b } else { a }
-            }
-        }
-    }
-}
-
-impl core::fmt::Display for Input {
-    fn fmt(&self, f: &mut core::fmt::Formatter<'_>) -> core::fmt::Result {
-        match self {
-            Self::Segment(index) => write!(f, "segment {index}"),
-            Self::Point(index) => write!(f, "point {index}"),
-        }
-    }
-}
-
-/// Why the input cannot be noded.
-#[derive(Clone, Copy, Debug, PartialEq, Eq, thiserror::Error)]
-#[non_exhaustive]
-pub enum NodingError {
-    /// A coordinate is infinite or NaN.
-    #[error("{at} has a coordinate that is not a finite number")]
-    NotFinite {
-        /// The first one that has it.
-        at: Input,
-    },
-    /// A coordinate is more than 2^53 cells, or the grid point next to it is not a finite number.
-    #[error("{at} has a coordinate out of reach of the grid")]
-    OutOfRange {
-        /// The first one with the coordinate of the largest magnitude.
-        at: Input,
-    },
-    /// The size of a cell is not a positive finite number.
-    #[error("the size of a cell is not a positive finite number")]
-    Size,
-    /// There are more points than a `u32` can number.
-    #[error("more points than 2^32 - 1")]
-    TooMany,
-}
+pub use input::{Input, NodingError, Snap};
 
 /// What noding did.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
@@ -196,9 +128,9 @@ pub struct NodingSummary {
     pub largest_move: [f64; 2],
 }
 
-/// Where the vertices of a segment are in the pool of chains.
+/// The part of the pool of chains that holds the vertices of a segment.
 #[derive(Clone, Copy, Debug)]
-struct QueryLine {
+struct ChainRange {
     start: usize,
     len: usize,
     reversed: bool,
@@ -206,8 +138,7 @@ struct QueryLine {
 
 /// A plane graph drawn with straight edges on a grid, and how the input runs along it.
 ///
-/// It does not depend on the order of the input, nor on the direction of segments; the chains and vertices *of* the
-/// input follow the input, of course.
+/// Points and edges do not depend on the order of the input or on the direction of segments.
 #[derive(Clone, Debug)]
 pub struct Noded {
     /// The vertices: distinct points of the grid, in lexicographical order.
@@ -215,10 +146,10 @@ pub struct Noded {
     /// The edges, as pairs of indices of points: the smaller one first, distinct, in lexicographical order. They meet
     /// only at common ends.
     pub segments: Vec<[u32; 2]>,
-    /// What happened on the way.
+    /// How often something happened during the noding.
     pub summary: NodingSummary,
     pool: Vec<u32>,
-    stretches: Vec<QueryLine>,
+    ranges: Vec<ChainRange>,
     vertex_of_point: Vec<u32>,
 }
 
@@ -229,7 +160,7 @@ impl Noded {
     /// Two vertices in a row are an edge. The chains of a ring's segments make up a closed chain.
     #[must_use]
     pub fn chain(&self, segment: usize) -> Option<Chain<'_>> {
-        let &QueryLine { start, len, reversed } = self.stretches.get(segment)?;
+        let &ChainRange { start, len, reversed } = self.ranges.get(segment)?;
         Some(Chain { vertices: &self.pool[start..start + len], reversed })
     }
 
@@ -279,7 +210,7 @@ impl FusedIterator for Chain<'_> {}
 /// Cuts segments where they meet, and rounds to a grid, so that they meet only at common ends.
 ///
 /// `points` are vertices too: a segment that visits the pixel of one goes through it, and one that nothing touches is
-/// an isolated vertex of the result, as is what is left of a collapsed segment.
+/// an isolated vertex of the result, and so is the vertex of a collapsed segment.
 ///
 /// Cost: see [the module](self#cost).
 ///
@@ -301,15 +232,15 @@ pub fn node(segments: &[[Point; 2]], points: &[Point], snap: Snap) -> Result<Nod
 
     let mut collapsed = Vec::new();
     let mut runs = of.into_iter().map(|run| run as usize);
-    let stretch = |[from, to]: [u32; 2]| {
+    let range_of = |[from, to]: [u32; 2]| {
         let Some(run) = (if from == to { None } else { runs.next() }) else {
             collapsed.push(from);
-            return QueryLine { start: chains.pool().len() + collapsed.len() - 1, len: 1, reversed: false };
+            return ChainRange { start: chains.pool().len() + collapsed.len() - 1, len: 1, reversed: false };
         };
         let [i, j] = [from, to].map(|end| chains.place(run, &joined[run], &vertices, end));
-        QueryLine { start: i.min(j), len: i.abs_diff(j) + 1, reversed: i > j }
+        ChainRange { start: i.min(j), len: i.abs_diff(j) + 1, reversed: i > j }
     };
-    let stretches: Vec<QueryLine> = read.ends().map(stretch).collect();
+    let ranges: Vec<ChainRange> = read.ends().map(range_of).collect();
 
     // The vertices get the numbers of their places in the order of the points.
     let mut order: Vec<u32> = (0..vertices.len() as u32).collect();
@@ -328,7 +259,7 @@ pub fn node(segments: &[[Point; 2]], points: &[Point], snap: Snap) -> Result<Nod
         summary: NodingSummary {
             cell: grid.cell(),
             crossings: vertices.len() - read.vertices.len(),
-            split: stretches.iter().filter(|stretch| stretch.len > 2).count(),
+            split: ranges.iter().filter(|range| range.len > 2).count(),
             duplicates,
             collapsed: collapsed.len(),
             merged: read.distinct() - read.vertices.len(),
@@ -336,7 +267,7 @@ pub fn node(segments: &[[Point; 2]], points: &[Point], snap: Snap) -> Result<Nod
             largest_move: read.largest_move(&grid),
         },
         pool: chains.pool().iter().copied().chain(collapsed).map(renamed).collect(),
-        stretches,
+        ranges,
         vertex_of_point: read.points().map(renamed).collect(),
     })
 }

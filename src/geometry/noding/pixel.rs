@@ -5,7 +5,7 @@
 //!
 //! A coordinate is at most 2^53 steps, so a difference of two is at most 2^54, and the difference of a doubled
 //! coordinate and a doubled corner or centre of a block of pixels at most 2^56. Every product below is one of these
-//! by a difference, at most 2^110, and every sum of two of them at most 2^111: `i128` holds all with room to spare.
+//! by a difference, at most 2^110, and every sum of two of them at most 2^111: all fit in `i128`.
 
 use core::cmp::Ordering;
 
@@ -83,7 +83,7 @@ impl Block {
         }
     }
 
-    /// What is in both, given that they overlap.
+    /// The intersection, given that they overlap.
     pub(super) fn meet(&self, other: &Self) -> Self {
         Self {
             low: [self.low[0].max(other.low[0]), self.low[1].max(other.low[1])],
@@ -136,7 +136,7 @@ impl Pixels {
         [(2 * low[0] - 1) * size, (2 * low[1] - 1) * size, (2 * high[0] + 1) * size, (2 * high[1] + 1) * size]
     }
 
-    /// Does the line of a segment come within half a pixel of the block, in each direction?
+    /// Whether the line of a segment comes within half a pixel of the block, in each direction.
     ///
     /// It does if it meets the block, or if the line from centre to centre of the pixels in which the segment ends
     /// meets it.
@@ -150,7 +150,7 @@ impl Pixels {
         offset.abs() <= i128::from(wide) * i128::from(dy.abs()) + i128::from(tall) * i128::from(dx.abs())
     }
 
-    /// Does the segment visit the pixel?
+    /// Whether the segment visits the pixel.
     ///
     /// Given that the two overlap in each coordinate (with the half-open borders), it does if its line enters the
     /// inside of the pixel, that is, if the centre is nearer to the line than the farthest corner; or if it touches
@@ -204,7 +204,8 @@ impl Pixels {
     }
 }
 
-/// `d * part / whole`, exactly: the floor, and the rest over `whole`. For `part < whole <= 2^111` and `|d| <= 2^54`.
+/// `d * part / whole`, exactly: the integer part, rounded down, and the remainder over `whole`. For
+/// `part < whole <= 2^111` and `|d| <= 2^54`.
 ///
 /// Long division: `d` is fed in from the top, as many bits at a time as the remainder leaves room for.
 fn scale(d: i64, part: u128, whole: u128) -> (i64, u128) {

@@ -1,9 +1,9 @@
 //! The input on the grid: equal points made one, and the vertices that they become.
 
 use super::grid::Grid;
+use super::input::{Input, NodingError};
 use super::pixel::{Pixel, Segment, Steps};
-use super::{Input, NodingError};
-use crate::geometry::Point;
+use crate::geometry::point::Point;
 use rustc_hash::FxHashMap;
 
 /// A distinct point of the input.

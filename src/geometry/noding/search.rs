@@ -1,7 +1,7 @@
-//! Which segments visit which hot pixels?
+//! Finds which segments visit which hot pixels.
 //!
 //! The plane is halved, and halved again, until a block holds few segments and few vertices; there, every pair is
-//! tried. Three things spare most of the rest:
+//! tried. Three things save most of the others:
 //!
 //! - If no vertex is in a block, all its segments are chords, and their crossings are listed without trying pairs. If
 //!   there are none, there is nothing to find, and else only visits to the vertices that are known by now.
@@ -22,9 +22,9 @@
 //!
 //! Blocks are made of whole pixels, so each hot pixel is met in one leaf, and each visit is found once.
 
-use super::NodingError;
 use super::bundle::Bundle;
 use super::chords::{Chord, Chords, chords};
+use super::input::NodingError;
 use super::pixel::{Block, Pixel, Pixels, Segment, Steps};
 
 #[cfg(test)]
@@ -47,7 +47,7 @@ const FEW: usize = limit(16, 2);
 /// More crossings than this for each chord of a block are not listed.
 const DENSE: usize = limit(8, 1);
 
-/// What is found.
+/// The result of the search.
 #[derive(Default)]
 pub(super) struct Found {
     /// Pairs of a segment and a vertex whose pixel it visits, but in which it does not end.
@@ -74,7 +74,7 @@ struct Look {
     state: State,
 }
 
-/// What is known of a block.
+/// What is known about the contents of a block.
 #[derive(Clone, Copy, PartialEq)]
 enum State {
     New,
@@ -84,7 +84,7 @@ enum State {
     Crossed,
 }
 
-/// What is in a part of a block, and the smallest block around that.
+/// The contents of a part of a block, and the smallest block around them.
 #[derive(Default)]
 struct Content {
     segments: Vec<u32>,

@@ -1,8 +1,8 @@
 //! A picture of a map, as SVG text.
 //!
 //! Faces have the colour of the first feature that covers them, neighbours different ones; a face that more than one feature
-//! covers is hatched. [Violations](Options::violations) are red, with the rule and the records: this is to look where a report
-//! points, so maps that are not plane are drawn too. With [`Options::detail`] the half-edges are drawn as textbooks do:
+//! covers is hatched. [Violations](Options::violations) are red, with the rule and the records. Maps that are not plane are
+//! drawn too, so that one can look at what a report names. With [`Options::detail`] the half-edges are drawn as textbooks do:
 //!
 //! ```text
 //!    v1 ●═══════════● v0        each half-edge is an arrow to the left of its edge,

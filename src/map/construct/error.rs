@@ -35,7 +35,7 @@ pub enum BuildError {
     /// There is no room for more records of this kind.
     #[error("there is no room for more {0}")]
     Full(RecordKind),
-    /// Segments cross where the input has no point, and [`Noding::Exact`] was asked for.
+    /// Segments cross where the input has no point, and [`Noding::Exact`](crate::map::Noding::Exact) was asked for.
     #[error("the segments {} and {} cross where the input has no point{}: snap to a grid to cut them there",
         Ends(one), Ends(other), FirstOf(*count))]
     Crossing {
@@ -46,10 +46,10 @@ pub enum BuildError {
         /// How many pairs cross.
         count: u64,
     },
-    /// The size of a cell is not a finite number of at least 2^-400 ([`Noding::Snap`]).
+    /// The size of a cell is not a finite number of at least 2^-400 ([`Noding::Snap`](crate::map::Noding::Snap)).
     #[error("the size of a cell of the grid must be a finite number of at least 2^-400")]
     CellSize,
-    /// A coordinate is more than 2^53 cells of the grid ([`Noding::Snap`]).
+    /// A coordinate is more than 2^53 cells of the grid ([`Noding::Snap`](crate::map::Noding::Snap)).
     #[error("({x}, {y}) is out of reach of the grid: take larger cells")]
     OutOfReach {
         /// The first coordinate.

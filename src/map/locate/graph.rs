@@ -1,6 +1,6 @@
 //! The search graph, packed: questions of 12 bytes each, which lead to a face.
 
-use super::trapezoids::{Drawn, Failure, Node, search_graph};
+use super::trapezoids::{Drawn, GraphError, Node, search_graph};
 use crate::geometry::Point;
 use crate::geometry::predicates::{Orientation, compare_lexicographic, count_step, orientation};
 use core::cmp::Ordering;
@@ -40,7 +40,7 @@ pub(super) struct Graph {
 
 impl Graph {
     /// Builds the graph, with the face above each segment, and that above none. Expected time O(n log n), memory O(n).
-    pub(super) fn new(drawn: Drawn, face_above: impl Fn(Option<u32>) -> u32) -> Result<Self, Failure> {
+    pub(super) fn new(drawn: Drawn, face_above: impl Fn(Option<u32>) -> u32) -> Result<Self, GraphError> {
         let nodes = search_graph(&drawn)?;
         let mut questions = 0;
         let stages: Vec<Stage> = nodes

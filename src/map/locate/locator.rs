@@ -3,7 +3,7 @@
 use super::cells::Cells;
 use super::graph::{Graph, GraphHit};
 use super::located::{LocateError, Located, check_range};
-use super::trapezoids::{Drawn, Failure};
+use super::trapezoids::{Drawn, GraphError};
 use crate::geometry::Point;
 use crate::geometry::predicates::compare_lexicographic;
 use crate::map::planar_map::PlanarMap;
@@ -69,8 +69,8 @@ impl<'m> Locator<'m> {
             edge.map_or(dcel.unbounded_face(), |h| h.face()).index() as u32
         };
         let graph = Graph::new(drawn, face_above).map_err(|failure| match failure {
-            Failure::TooLarge => LocateError::TooLarge,
-            Failure::Clash => LocateError::NotPlane,
+            GraphError::TooLarge => LocateError::TooLarge,
+            GraphError::Clash => LocateError::NotPlane,
         })?;
         let cells = bounds.map(|bounds| Cells::new(&graph, bounds));
         Ok(Self { map, graph, cells, vertices, rising, tree })

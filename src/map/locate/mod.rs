@@ -3,7 +3,7 @@
 //! | | builds | answers in | for |
 //! | --- | --- | --- | --- |
 //! | [`Locator`] | O(n log n) | O(log n) | many questions about one map |
-//! | [`PlanarMap::locate_from`] | nothing | the boundaries of the faces on the way | few questions, or a map that changes between them |
+//! | [`PlanarMap::locate_from`](crate::map::PlanarMap::locate_from) | nothing | the boundaries of the faces on the way | few questions, or a map that changes between them |
 //!
 //! Both are exact: a point is at a vertex, inside an edge or in a face, and there is no tolerance.
 //!

@@ -83,7 +83,7 @@ const LEFT: usize = 0;
 const RIGHT: usize = 1;
 
 /// Why there is no search graph.
-pub(super) enum Failure {
+pub(super) enum GraphError {
     /// There are too many nodes.
     TooLarge,
     /// The segments cannot have been disjoint.
@@ -91,7 +91,7 @@ pub(super) enum Failure {
 }
 
 /// The trapezoidal map of what has been put in so far.
-struct Map<'a> {
+struct TrapezoidalMap<'a> {
     drawn: &'a Drawn,
     nodes: Vec<Node>,
     /// Which points have their walls.
@@ -99,12 +99,12 @@ struct Map<'a> {
 }
 
 /// Builds the search graph; its root is the first node. Expected time O(n log n), memory O(n).
-pub(super) fn search_graph(drawn: &Drawn) -> Result<Vec<Node>, Failure> {
+pub(super) fn search_graph(drawn: &Drawn) -> Result<Vec<Node>, GraphError> {
     let everything = Trapezoid { bottom: NIL, right: NIL, upper: [NIL; 2], lower: [NIL; 2] };
     let (points, segments) = (drawn.points.len(), drawn.segments.len());
     let mut nodes = Vec::with_capacity(2 * points + 6 * segments + 1);
     nodes.push(Node::Trapezoid(everything));
-    let mut map = Map { drawn, nodes, walled: vec![false; points] };
+    let mut map = TrapezoidalMap { drawn, nodes, walled: vec![false; points] };
     // Vertices without segments come last: their walls would be cut by segments later on.
     for segment in shuffled(segments) {
         map.insert(segment)?;
@@ -115,9 +115,9 @@ pub(super) fn search_graph(drawn: &Drawn) -> Result<Vec<Node>, Failure> {
     Ok(map.nodes)
 }
 
-impl Map<'_> {
+impl TrapezoidalMap<'_> {
     /// Puts a segment in.
-    fn insert(&mut self, segment: u32) -> Result<(), Failure> {
+    fn insert(&mut self, segment: u32) -> Result<(), GraphError> {
         let [low, high] = self.drawn.segments[segment as usize];
         self.wall(high)?;
         let first = match self.wall(low)? {
@@ -162,7 +162,7 @@ impl Map<'_> {
     ///        old         ->    left p right
     ///    _____________        ______:______
     /// ```
-    fn wall(&mut self, vertex: u32) -> Result<Option<u32>, Failure> {
+    fn wall(&mut self, vertex: u32) -> Result<Option<u32>, GraphError> {
         if core::mem::replace(&mut self.walled[vertex as usize], true) {
             return Ok(None);
         }
@@ -193,7 +193,7 @@ impl Map<'_> {
     /// ```
     ///
     /// A wall stays on that side of the segment where its vertex is; on the other, the pieces next to it become one.
-    fn thread(&mut self, segment: u32, first: u32) -> Result<(), Failure> {
+    fn thread(&mut self, segment: u32, first: u32) -> Result<(), GraphError> {
         let end = self.drawn.segments[segment as usize][RIGHT];
         let mut at = first;
         // The pieces made last, and whether they go on.
@@ -224,26 +224,26 @@ impl Map<'_> {
             if old.right == end {
                 return Ok(());
             }
-            let wall = *self.drawn.points.get(old.right as usize).ok_or(Failure::Clash)?;
+            let wall = *self.drawn.points.get(old.right as usize).ok_or(GraphError::Clash)?;
             below_goes_on = self.drawn.side(segment, wall) == Orientation::CounterClockwise;
             above_goes_on = !below_goes_on;
             at = if below_goes_on { old.lower[RIGHT] } else { old.upper[RIGHT] };
         }
     }
 
-    fn push(&mut self, trapezoid: Trapezoid) -> Result<u32, Failure> {
+    fn push(&mut self, trapezoid: Trapezoid) -> Result<u32, GraphError> {
         let number = self.nodes.len();
         if number >= 1 << 31 {
-            return Err(Failure::TooLarge);
+            return Err(GraphError::TooLarge);
         }
         self.nodes.push(Node::Trapezoid(trapezoid));
         Ok(number as u32)
     }
 
-    fn trapezoid(&self, at: u32) -> Result<Trapezoid, Failure> {
+    fn trapezoid(&self, at: u32) -> Result<Trapezoid, GraphError> {
         match self.nodes.get(at as usize) {
             Some(Node::Trapezoid(trapezoid)) => Ok(*trapezoid),
-            _ => Err(Failure::Clash),
+            _ => Err(GraphError::Clash),
         }
     }
 

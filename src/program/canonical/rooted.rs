@@ -6,7 +6,7 @@ use alloc::vec::Vec;
 /// A search for the root with the least code.
 #[derive(Debug, Default)]
 pub(super) struct Search {
-    /// The number of each half-edge met so far from the root on candidate.
+    /// The number of each half-edge met so far from the root that is being tried.
     numbers: Vec<u32>,
     /// The half-edges in order of their numbers.
     order: Vec<u32>,
@@ -18,7 +18,7 @@ pub(super) struct Search {
 impl Search {
     /// Begins a new search, in a map with so many half-edges.
     pub(super) fn begin(&mut self, half_edges: usize) {
-        // Every candidate takes its numbers back, so what is there is clean.
+        // `offer` resets the numbers that it has set, so all of them are NIL.
         self.numbers.resize(half_edges, NIL);
         self.least.clear();
         self.ties = 0;

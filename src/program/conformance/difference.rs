@@ -25,7 +25,7 @@ pub enum Question {
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
 #[non_exhaustive]
 pub enum Answer {
-    /// The corner with this place in [`Runner::corners`].
+    /// The corner with this place in [`Runner::corners`](crate::program::Runner::corners).
     Corner(usize),
     /// The unbounded face.
     Unbounded,
@@ -33,7 +33,7 @@ pub enum Answer {
     Nothing,
 }
 
-/// In what a subject differs from the reference.
+/// How the structure under test differs from the reference.
 #[derive(Clone, Debug, PartialEq, Eq, Error)]
 #[non_exhaustive]
 pub enum Difference {
@@ -57,7 +57,7 @@ pub enum Difference {
     /// The subject is the same map, but a handle says something else.
     #[error("of corner {corner}, {question:?} should be {reference:?} and is {subject:?}")]
     Answers {
-        /// The place of the corner in [`Runner::corners`].
+        /// The place of the corner in [`Runner::corners`](crate::program::Runner::corners).
         corner: usize,
         /// What was asked.
         question: Question,
@@ -87,7 +87,7 @@ pub struct Failure {
     pub before: usize,
     /// The operator that did it; none if the subject was not the empty map to begin with, or cannot be compared.
     pub op: Option<Op>,
-    /// In what it differs.
+    /// How it differs.
     pub difference: Difference,
 }
 

@@ -56,8 +56,7 @@ pub fn run<K: Subject>(
     Ok(pair.summary())
 }
 
-/// A subject and the reference, operator by operator: what [`run`] does, for those who want to look, or to stop, between
-/// two.
+/// A subject and the reference, operator by operator. [`run`] does the same for a whole program.
 #[derive(Debug)]
 pub struct InStep<K: Subject> {
     reference: Runner<PointerModel>,

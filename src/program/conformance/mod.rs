@@ -1,7 +1,7 @@
 //! Does a subject do what the operators say? A program is run on it and on the reference in step, and after every
 //! operator both must have done the same.
 //!
-//! The reference is [`PointerModel`], which has nothing in common with [`Dcel`](crate::dcel::Dcel) but the meaning of the
+//! The reference is [`PointerModel`](crate::program::PointerModel), which has nothing in common with [`Dcel`](crate::dcel::Dcel) but the meaning of the
 //! operators: `Dcel` is held to it like any other subject.
 //!
 //! Compared are, after each operator:

@@ -1,4 +1,4 @@
-//! An independent model: the doubly connected edge list as the literature draws it, as plain as can be.
+//! An independent model: the doubly connected edge list with pointers, as the literature draws it.
 //!
 //! ```text
 //!   PointerModel                         Vertex          HalfEdge          Boundary        Face
@@ -12,8 +12,8 @@
 //! Records are owned by the four lists of the model and by nothing else (`Rc`); every link is `Weak`, so that links that run
 //! in circles keep nothing alive.
 //!
-//! It is here to be compared with, step by step, and so it has nothing in common with [`dcel`](crate::dcel) but the meaning
-//! of the operators, and is written to be seen to be right rather than to be fast:
+//! It is the reference with which other structures are compared, step by step. It shares only the meaning of the operators
+//! with [`dcel`](crate::dcel), and it is written for clarity rather than for speed:
 //!
 //! - Two moves make all changes to `next` and `prev`: one end of an edge is [taken out](operators) of the rotation of its
 //!   vertex, or put into one.
@@ -32,7 +32,7 @@ use alloc::vec::Vec;
 use core::any::Any;
 use core::cell::RefCell;
 
-/// A record, as its list owns it. Whoever else has one has it for as long as an operator runs.
+/// A record, as its list owns it. Operators have others, for as long as they run.
 type Owned<T> = Rc<RefCell<T>>;
 /// A link to a record.
 type Pointer<T> = Weak<RefCell<T>>;

@@ -1,4 +1,4 @@
-//! A second structure, slow and obvious, for a second opinion.
+//! A second, independent implementation: a rotation system, simple and slow.
 
 mod operators;
 
@@ -29,8 +29,8 @@ struct HalfEdge {
 /// its face, each bounded face a half-edge of its outer cycle. All else is searched for where it is needed.
 ///
 /// It has nothing in common with [`Dcel`](crate::dcel::Dcel) but the meaning of the operators: `next` is not stored, no
-/// boundary component has a record, handles are numbers that are never used again, and what an operator leaves open
-/// (which of two vertices or faces is kept) it does not decide by cost. Every operator is O(n) or worse.
+/// boundary component has a record, and handles are numbers that are never used again. Which of two vertices or faces is
+/// kept is not decided by cost. Every operator is O(n) or worse.
 #[derive(Clone, Debug)]
 pub struct RotationSystem {
     vertices: BTreeMap<usize, Vertex>,
@@ -222,7 +222,7 @@ impl RotationSystem {
         }
     }
 
-    /// Makes the faces on both sides one, and gives the one that is gone.
+    /// Makes the faces on both sides one, and gives the one that was removed.
     fn merge(&mut self, n: usize, t: usize) -> usize {
         let (left, right) = (self.half_edges[&n].face, self.half_edges[&t].face);
         let (kept, dropped) = if self.is_outer(n) { (right, left) } else { (left, right) };

@@ -30,7 +30,7 @@ use slotmap::Key;
 pub struct Ref<R>(NonNull<R>);
 
 impl<R> Ref<R> {
-    /// What a link holds until it is set. It is never followed: whoever issues a record sets all its links.
+    /// What a link holds until it is set. It is never followed: the caller of `issue` sets all links of the record.
     pub(super) const UNSET: Self = Self(NonNull::dangling());
 }
 

@@ -18,8 +18,8 @@ const _: () = assert!(MOST < place::MOST as usize);
 
 /// Pointer-style: boxed records joined by raw pointers.
 ///
-/// Nearly three times the memory of [`SlotStore`](super::SlotStore), and slower where a map does not fit into the cache. It
-/// is here to be measured against, and to show that the operators do not depend on how records are kept.
+/// Nearly three times the memory of [`SlotStore`](crate::store::SlotStore), and slower where a map does not fit into the cache. It
+/// is here for comparison, and to show that the operators do not depend on how records are kept.
 ///
 /// The memory of records that were removed is used again, and given back when the store is dropped.
 ///

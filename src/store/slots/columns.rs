@@ -16,7 +16,7 @@ const _: () = assert!(MOST < place::MOST as usize);
 
 pub(super) const NIL: u32 = u32::MAX;
 
-/// Stands for the outer half-edge of a face that is gone.
+/// Stands for the outer half-edge of a face that was removed.
 pub(super) const VACANT: u32 = u32::MAX - 1;
 
 macro_rules! slot_types {

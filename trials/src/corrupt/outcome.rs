@@ -203,6 +203,7 @@ mod rule_id {
     use serde::{Deserialize, Deserializer, Serializer, de::Error};
     use twinedge::validate::Rule;
 
+    #[allow(clippy::trivially_copy_pass_by_ref, reason = "the signature that serde calls")]
     pub(super) fn serialize<S: Serializer>(rule: &Rule, serializer: S) -> Result<S::Ok, S::Error> {
         serializer.serialize_str(rule.id())
     }

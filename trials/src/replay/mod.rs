@@ -48,6 +48,7 @@ pub struct After {
 /// assert_eq!(steps[1].outcome.as_ref().unwrap().outcome, StepOutcome::Skipped);
 /// # Ok::<(), twinedge::program::ParseError>(())
 /// ```
+#[must_use]
 pub fn replay<K: Indexed>(structure: &Structure<K>, program: &Program) -> Vec<Step> {
     let mut steps = Vec::new();
     let mut runner = match catch(|| Runner::new(structure.make())) {

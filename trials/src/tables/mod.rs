@@ -86,9 +86,9 @@ fn judge(job: &Job, pieces: &[Assignments], checker: &dyn Checker, run: &Run<'_>
             if job.derive_origins {
                 let mut table = table.clone();
                 derive_origins(&mut table);
-                judged.compare(&table, &job.expectation, checker);
+                judged.compare(&table, job.expectation, checker);
             } else {
-                judged.compare(table, &job.expectation, checker);
+                judged.compare(table, job.expectation, checker);
             }
         });
     });
@@ -108,9 +108,9 @@ fn judge(job: &Job, pieces: &[Assignments], checker: &dyn Checker, run: &Run<'_>
 }
 
 impl Judged {
-    fn compare(&mut self, table: &Table, expectation: &Expectation, checker: &dyn Checker) {
-        let verdict = checker.check(table, expectation);
-        let reference = first_broken_rule(table, expectation);
+    fn compare(&mut self, table: &Table, expectation: Expectation, checker: &dyn Checker) {
+        let verdict = checker.check(table, &expectation);
+        let reference = first_broken_rule(table, &expectation);
         self.tables += 1;
         self.right += u64::from(verdict.valid);
         if !verdict.agrees(reference) {
@@ -119,6 +119,6 @@ impl Judged {
                 format!("{verdict} to the validator, {} to the reference:\n{table:#?}", in_words(reference))
             });
         }
-        checker.checked(table, expectation, verdict);
+        checker.checked(table, &expectation, verdict);
     }
 }

@@ -6,6 +6,8 @@
 )]
 
 mod builder;
+mod content;
+mod dropped;
 mod error;
 mod format;
 #[cfg(feature = "obj")]
@@ -18,12 +20,12 @@ mod ply;
 mod stl;
 mod text;
 
+pub use dropped::Dropped;
 pub use error::{Cause, Position, ReadError};
 pub use format::Format;
 
 use crate::mesh::IndexedMesh;
 use error::Failed;
-use std::borrow::Cow;
 use std::io::Read;
 use std::path::Path;
 
@@ -36,16 +38,6 @@ pub struct MeshFile {
     pub mesh: IndexedMesh,
     /// What else it holds, in the order of its first occurrence.
     pub dropped: Vec<Dropped>,
-}
-
-/// Something that a file holds and the mesh does not.
-#[derive(Clone, Debug, PartialEq, Eq)]
-#[cfg_attr(feature = "serde", derive(serde::Serialize))]
-pub struct Dropped {
-    /// What it is: "normals", "property nx of element vertex".
-    pub what: Cow<'static, str>,
-    /// How many of them.
-    pub count: usize,
 }
 
 /// Reads a file. Its content says which format it has where that is certain, or else its name.
@@ -121,39 +113,5 @@ pub fn read_bytes(bytes: &[u8], format: Option<Format>) -> Result<MeshFile, Read
     match result {
         Ok((mesh, dropped)) => Ok(MeshFile { format, mesh, dropped }),
         Err(Failed { position, cause }) => Err(ReadError::Content { format, position, cause }),
-    }
-}
-
-/// Counts what is dropped.
-#[derive(Debug, Default)]
-pub(super) struct Drops {
-    list: Vec<Dropped>,
-}
-
-impl Drops {
-    pub(super) fn add(&mut self, what: &'static str, count: usize) {
-        if count == 0 {
-            return;
-        }
-        // A reader has a handful of things to drop.
-        match self.list.iter_mut().find(|dropped| dropped.what == what) {
-            Some(dropped) => dropped.count += count,
-            None => self.list.push(Dropped { what: Cow::Borrowed(what), count }),
-        }
-    }
-
-    pub(super) fn add_if(&mut self, condition: bool, what: &'static str) {
-        self.add(what, usize::from(condition));
-    }
-
-    /// Adds something that is added once only.
-    pub(super) fn add_owned(&mut self, what: String, count: usize) {
-        if count > 0 {
-            self.list.push(Dropped { what: Cow::Owned(what), count });
-        }
-    }
-
-    pub(super) fn into_list(self) -> Vec<Dropped> {
-        self.list
     }
 }

@@ -5,9 +5,9 @@
 //! index. It is the second opinion in the tests.
 
 use super::builder::Builder;
+use super::dropped::{Dropped, Drops};
 use super::error::{Cause, Failed};
 use super::text::Text;
-use super::{Dropped, Drops};
 use crate::mesh::IndexedMesh;
 
 pub(super) fn read(bytes: &[u8]) -> Result<(IndexedMesh, Vec<Dropped>), Failed> {

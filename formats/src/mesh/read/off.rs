@@ -4,9 +4,9 @@
 //! whether the prefix of `OFF` announces it or not.
 
 use super::builder::Builder;
+use super::dropped::{Dropped, Drops};
 use super::error::{Cause, Failed};
 use super::text::Text;
-use super::{Dropped, Drops};
 use crate::mesh::IndexedMesh;
 
 pub(super) fn read(bytes: &[u8]) -> Result<(IndexedMesh, Vec<Dropped>), Failed> {

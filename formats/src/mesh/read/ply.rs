@@ -4,9 +4,9 @@
 //! byte, a number may be written in any usual way, and nothing is kept of what is dropped.
 
 use super::builder::Builder;
+use super::dropped::{Dropped, Drops};
 use super::error::{Cause, Failed, Position, excerpt};
 use super::text::Text;
-use super::{Dropped, Drops};
 use crate::mesh::IndexedMesh;
 use ply_rs_bw::parser::{Parser, Reader};
 use ply_rs_bw::ply::{DefaultElement, ElementDef, Encoding, Header, PropertyType, ScalarType};

@@ -7,9 +7,9 @@
 //! tests.
 
 use super::builder::Builder;
+use super::dropped::{Dropped, Drops};
 use super::error::{Cause, Failed, Position};
 use super::text::Text;
-use super::{Dropped, Drops};
 use crate::mesh::IndexedMesh;
 use std::collections::HashMap;
 

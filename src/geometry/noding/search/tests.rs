@@ -1,4 +1,4 @@
-//! The search, in small, against trying all pairs.
+//! The search on small input, compared with trying all pairs.
 
 use super::{Block, Pixel, Pixels, Segment, around, search};
 use crate::geometry::noding::runs::join;

@@ -1,0 +1,47 @@
+//! What a file holds and the mesh does not.
+
+use std::borrow::Cow;
+
+/// Something that a file holds and the mesh does not.
+#[derive(Clone, Debug, PartialEq, Eq)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize))]
+pub struct Dropped {
+    /// What it is: "normals", "property nx of element vertex".
+    pub what: Cow<'static, str>,
+    /// How many of them.
+    pub count: usize,
+}
+
+/// Counts what is dropped.
+#[derive(Debug, Default)]
+pub(super) struct Drops {
+    list: Vec<Dropped>,
+}
+
+impl Drops {
+    pub(super) fn add(&mut self, what: &'static str, count: usize) {
+        if count == 0 {
+            return;
+        }
+        // A reader has a handful of things to drop.
+        match self.list.iter_mut().find(|dropped| dropped.what == what) {
+            Some(dropped) => dropped.count += count,
+            None => self.list.push(Dropped { what: Cow::Borrowed(what), count }),
+        }
+    }
+
+    pub(super) fn add_if(&mut self, condition: bool, what: &'static str) {
+        self.add(what, usize::from(condition));
+    }
+
+    /// Adds something that is added once only.
+    pub(super) fn add_owned(&mut self, what: String, count: usize) {
+        if count > 0 {
+            self.list.push(Dropped { what: Cow::Owned(what), count });
+        }
+    }
+
+    pub(super) fn into_list(self) -> Vec<Dropped> {
+        self.list
+    }
+}

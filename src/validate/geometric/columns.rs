@@ -1,0 +1,117 @@
+//! The embedding as plain columns. The structure is asked once for each link and each point.
+//!
+//! Links must not change during a walk along them. So L1, L2 and L3 are checked once more, in the columns: where they
+//! hold, `next` and `next∘twin` return to where they started, or end at an open boundary, and the walks around two
+//! vertices share no half-edge.
+
+use crate::geometry::Point;
+use crate::validate::columns::NIL;
+use crate::validate::embedding::Embedding;
+
+/// Links and points, by slots.
+pub(in crate::validate) struct Columns {
+    /// For each half-edge its origin; nil if it is not live.
+    pub(in crate::validate) origin: Vec<u32>,
+    /// For each half-edge its twin; nil at an open boundary.
+    pub(in crate::validate) twin: Vec<u32>,
+    /// For each half-edge the next.
+    pub(in crate::validate) next: Vec<u32>,
+    /// Which vertices are live.
+    pub(in crate::validate) is_vertex: Vec<bool>,
+    /// Where they lie.
+    pub(in crate::validate) points: Vec<Point>,
+}
+
+impl Columns {
+    /// Reads a structure of which R1 and L hold. None if they no longer hold, or there is no memory for the columns.
+    pub(in crate::validate) fn read<E: Embedding + ?Sized>(embedding: &E) -> Option<Self> {
+        let slots = |n: usize| u32::try_from(n).ok().filter(|n| *n < NIL).map(|n| n as usize);
+        let vertices = slots(embedding.vertex_slots())?;
+        let half_edges = slots(embedding.half_edge_slots())?;
+        let mut columns = Self {
+            origin: reserved(half_edges)?,
+            twin: reserved(half_edges)?,
+            next: reserved(half_edges)?,
+            is_vertex: reserved(vertices)?,
+            points: reserved(vertices)?,
+        };
+        for v in 0..vertices {
+            let live = embedding.is_vertex(v);
+            columns.is_vertex.push(live);
+            columns.points.push(if live { embedding.point(v) } else { Point::default() });
+        }
+        let slot = |link: Option<usize>, slots| link.filter(|i| *i < slots).map_or(NIL, |i| i as u32);
+        for h in 0..half_edges {
+            let [origin, twin, next] = if embedding.is_half_edge(h) {
+                [embedding.origin(h), embedding.twin(h), embedding.next(h)]
+            } else {
+                [None; 3]
+            };
+            columns.origin.push(slot(origin, vertices));
+            columns.twin.push(slot(twin, half_edges));
+            columns.next.push(slot(next, half_edges));
+        }
+        columns.hold().then_some(columns)
+    }
+
+    fn hold(&self) -> bool {
+        let mut follows = vec![false; self.origin.len()];
+        self.half_edges().all(|h| {
+            let (v, t, n) = (self.origin[h], self.twin[h], self.next[h]);
+            let is_mutual = || t as usize != h && self.twin[t as usize] == h as u32;
+            self.is_vertex[v as usize]
+                && n != NIL
+                && self.origin[n as usize] != NIL
+                && !std::mem::replace(&mut follows[n as usize], true)
+                && (t == NIL || is_mutual() && self.origin[t as usize] == self.origin[n as usize])
+        })
+    }
+
+    /// The live half-edges.
+    pub(in crate::validate) fn half_edges(&self) -> impl Iterator<Item = usize> + '_ {
+        (0..self.origin.len()).filter(|h| self.origin[*h] != NIL)
+    }
+
+    /// The live vertices.
+    pub(in crate::validate) fn vertices(&self) -> impl Iterator<Item = usize> + '_ {
+        (0..self.points.len()).filter(|v| self.is_vertex[*v])
+    }
+
+    /// The half-edge that follows on the cycle.
+    pub(in crate::validate) fn next(&self, h: usize) -> usize {
+        self.next[h] as usize
+    }
+
+    /// The half-edge that leaves the same vertex and comes next clockwise; none at an open boundary.
+    pub(in crate::validate) fn clockwise(&self, h: usize) -> Option<usize> {
+        let t = self.twin[h];
+        (t != NIL).then(|| self.next(t as usize))
+    }
+
+    /// The vertex where a half-edge starts.
+    pub(in crate::validate) fn origin(&self, h: usize) -> usize {
+        self.origin[h] as usize
+    }
+
+    /// The vertex where a half-edge ends.
+    pub(in crate::validate) fn target(&self, h: usize) -> usize {
+        self.origin(self.next(h))
+    }
+
+    /// Where a half-edge starts.
+    pub(in crate::validate) fn tail(&self, h: usize) -> Point {
+        self.points[self.origin(h)]
+    }
+
+    /// Where a half-edge ends.
+    pub(in crate::validate) fn head(&self, h: usize) -> Point {
+        self.points[self.target(h)]
+    }
+}
+
+/// An empty column with memory for `n` entries, if there is as much.
+fn reserved<T>(n: usize) -> Option<Vec<T>> {
+    let mut column = Vec::new();
+    column.try_reserve_exact(n).ok()?;
+    Some(column)
+}

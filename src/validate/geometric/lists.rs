@@ -1,0 +1,71 @@
+//! What the faces list, as a column.
+
+use super::columns::Columns;
+use crate::validate::columns::NIL;
+use crate::validate::embedding::Embedding;
+use crate::validate::expectation::{Expectation, Part};
+use crate::validate::record::Record;
+use crate::validate::view::Start;
+
+/// A boundary component, as its face lists it.
+pub(in crate::validate) struct Listed {
+    pub(in crate::validate) face: usize,
+    /// The record by which a report names it.
+    pub(in crate::validate) boundary: Record,
+    pub(in crate::validate) start: Start,
+    pub(in crate::validate) is_outer: bool,
+}
+
+/// What the faces list.
+pub(in crate::validate) struct Lists {
+    pub(in crate::validate) all: Vec<Listed>,
+    /// The face without outer boundary component.
+    pub(in crate::validate) unbounded: Option<usize>,
+}
+
+impl Lists {
+    /// What the faces list: no more of it than there can be where F2 holds. O(n).
+    pub(in crate::validate) fn of<E: Embedding + ?Sized>(
+        embedding: &E,
+        expectation: Expectation,
+        columns: &Columns,
+    ) -> Self {
+        let (vertices, half_edges) = (columns.points.len(), columns.origin.len());
+        let by_record = expectation.has(Part::BoundaryComponents);
+        let boundaries = embedding.boundary_slots();
+        let most = if by_record { boundaries } else { vertices + half_edges };
+        let live = |start: &Start| match *start {
+            Start::HalfEdge(h) => columns.origin.get(h).is_some_and(|origin| *origin != NIL),
+            Start::Vertex(v) => columns.is_vertex.get(v) == Some(&true),
+        };
+        let named = |b: usize| (b < boundaries).then(|| (embedding.boundary_start(b), Record::Boundary(b)));
+        let itself = |start: Start| match start {
+            Start::HalfEdge(h) => (Some(start), Record::HalfEdge(h)),
+            Start::Vertex(v) => (Some(start), Record::Vertex(v)),
+        };
+        let mut lists = Self { all: Vec::new(), unbounded: None };
+        for face in (0..embedding.face_slots()).filter(|f| embedding.is_face(*f)) {
+            let outer = if by_record {
+                embedding.outer(face).and_then(named)
+            } else {
+                embedding.outer_half_edge(face).map(|h| itself(Start::HalfEdge(h)))
+            };
+            if outer.is_none() && lists.unbounded.is_none() {
+                lists.unbounded = Some(face);
+            }
+            let count = if expectation.has(Part::Holes) { embedding.inner_count(face) } else { 0 };
+            let inner = (0..count.min(most.saturating_sub(lists.all.len()))).filter_map(|i| {
+                if by_record {
+                    embedding.inner(face, i).and_then(named)
+                } else {
+                    embedding.inner_start(face, i).map(itself)
+                }
+            });
+            let all = outer.into_iter().map(|found| (found, true)).chain(inner.map(|found| (found, false)));
+            lists.all.extend(all.filter_map(|((start, boundary), is_outer)| {
+                Some(Listed { face, boundary, start: start.filter(live)?, is_outer })
+            }));
+        }
+        lists
+    }
+}

@@ -1,0 +1,137 @@
+//! Whether the fast validator and the reference agree.
+
+use super::rules::{broken_rules, first_broken_rule};
+use crate::validate::expectation::Expectation;
+use crate::validate::report::{Collect, Report, Unchecked};
+use crate::validate::rule::Rule;
+use crate::validate::validator::validate;
+use crate::validate::view::View;
+use core::fmt;
+
+/// How the fast validator and the reference differ on one structure.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
+#[non_exhaustive]
+pub enum Disagreement {
+    /// The first broken rule is another one, or only one of them finds a broken rule.
+    FirstBrokenRule {
+        /// By the fast validator.
+        fast: Option<Rule>,
+        /// By the reference.
+        reference: Option<Rule>,
+    },
+    /// A later rule, which the fast validator checked, is broken for one of them only.
+    LaterRule {
+        /// The rule.
+        rule: Rule,
+        /// Whether it is the fast validator that finds it broken.
+        fast: bool,
+    },
+    /// The report of the fast validator contradicts itself: it finds no broken rule, but calls the structure invalid, or
+    /// the other way round.
+    Incoherent {
+        /// Whether the report calls the structure valid.
+        valid: bool,
+        /// The first broken rule by the same report.
+        fast: Option<Rule>,
+    },
+}
+
+/// A first broken rule, in words.
+struct RuleText(Option<Rule>);
+
+impl fmt::Display for RuleText {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        match self.0 {
+            Some(rule) => write!(f, "{rule}"),
+            None => f.write_str("none"),
+        }
+    }
+}
+
+impl fmt::Display for Disagreement {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        match *self {
+            Self::FirstBrokenRule { fast, reference } => write!(
+                f,
+                "the first broken rule is {} by the fast validator, {} by the reference",
+                RuleText(fast),
+                RuleText(reference)
+            ),
+            Self::LaterRule { rule, fast: true } => {
+                write!(f, "{rule} is broken by the fast validator, but not by the reference")
+            }
+            Self::LaterRule { rule, fast: false } => {
+                write!(f, "{rule} is broken by the reference, but not by the fast validator")
+            }
+            Self::Incoherent { valid, fast } => {
+                let called = if valid { "valid" } else { "invalid" };
+                write!(f, "the report calls the structure {called}, and its first broken rule is {}", RuleText(fast))
+            }
+        }
+    }
+}
+
+impl core::error::Error for Disagreement {}
+
+/// Judges a structure by both validators, and returns the broken rule that is the first for both; none if the structure
+/// is valid for both.
+///
+/// Both must find the same first broken rule, if any. Where R1 holds, they must also agree on each later rule, except
+/// those that the fast validator declines to check because another one is broken.
+///
+/// Cost: O(n³) and more, as the reference.
+///
+/// # Errors
+/// [`Disagreement`] if they differ. On a structure whose answers do not change, that is a fault of this crate.
+///
+/// ```
+/// use twinedge::validate::reference::compare;
+/// use twinedge::validate::{Expectation, Rule, Table};
+/// // An edge between two vertices whose two half-edges both say that they start at vertex 0.
+/// let table: Table = "V 2 0 - 1 - H 2 0 1 1 1 0 0 0 0 0 0 B 1 0 h0 i0 F 1 - 1 0".parse()?;
+/// assert_eq!(compare(&table, &Expectation::plane()), Ok(Some(Rule::V1)));
+/// # Ok::<(), twinedge::validate::ParseTableError>(())
+/// ```
+pub fn compare<V: View + ?Sized>(view: &V, expectation: &Expectation) -> Result<Option<Rule>, Disagreement> {
+    let report = validate(view, expectation, Collect::AtMost(0));
+    let broken = broken_rules(view, expectation);
+    disagreement(&report, &broken).map_or(Ok(broken.first().copied()), Err)
+}
+
+/// As [`compare`], but later rules are not compared, which takes less time.
+///
+/// # Errors
+/// [`Disagreement`] if they differ.
+pub fn compare_first<V: View + ?Sized>(view: &V, expectation: &Expectation) -> Result<Option<Rule>, Disagreement> {
+    let report = validate(view, expectation, Collect::AtMost(0));
+    let reference = first_broken_rule(view, expectation);
+    first(&report, reference).map_or(Ok(reference), Err)
+}
+
+/// How a report of the fast validator differs from the [`broken_rules`] of the reference; none if they agree.
+#[must_use]
+pub fn disagreement(report: &Report, broken: &[Rule]) -> Option<Disagreement> {
+    let reference = broken.first().copied();
+    if let Some(difference) = first(report, reference) {
+        return Some(difference);
+    }
+    if reference == Some(Rule::R1) {
+        return None;
+    }
+    report.outcomes().find_map(|(rule, outcome)| {
+        let fast = outcome.violations > 0;
+        let declined = matches!(outcome.unchecked, Some(Unchecked::Broken(_)));
+        let differs = !declined && !rule.is_geometric() && fast != broken.contains(&rule);
+        differs.then_some(Disagreement::LaterRule { rule, fast })
+    })
+}
+
+/// The difference in the first broken rule.
+fn first(report: &Report, reference: Option<Rule>) -> Option<Disagreement> {
+    let fast = report.broken_rules().find(|rule| !rule.is_geometric());
+    let valid = report.is_valid();
+    if valid != report.broken_rules().next().is_none() {
+        return Some(Disagreement::Incoherent { valid, fast });
+    }
+    (fast != reference).then_some(Disagreement::FirstBrokenRule { fast, reference })
+}

@@ -1,0 +1,516 @@
+//! Each rule as one function: its sentence in sets and quantifiers.
+
+use crate::validate::expectation::{Expectation, Part, Surface};
+use crate::validate::rule::Rule;
+use crate::validate::view::{BoundaryPlace, Link, Start, View};
+use alloc::collections::BTreeSet;
+use alloc::vec::Vec;
+
+/// Every broken rule, in order; none if the structure is valid.
+///
+/// Cost: O(n³) and more.
+///
+/// ```
+/// use twinedge::validate::{Expectation, FaceRow, Rule, Table, reference::broken_rules};
+/// // The empty map is one unbounded face. Two of them are one too many.
+/// let mut table = Table { faces: vec![Some(FaceRow::default())], ..Table::default() };
+/// assert_eq!(broken_rules(&table, &Expectation::plane()), []);
+/// table.faces.push(Some(FaceRow::default()));
+/// assert_eq!(broken_rules(&table, &Expectation::plane()), [Rule::F1]);
+/// ```
+pub fn broken_rules<V: View + ?Sized>(view: &V, expectation: &Expectation) -> Vec<Rule> {
+    let s = Structure::new(view, *expectation);
+    rules().into_iter().filter(|(_, holds)| !holds(&s)).map(|(rule, _)| rule).collect()
+}
+
+/// The first broken rule alone, which takes less time than all of them.
+///
+/// Cost: O(n³) and more.
+///
+/// ```
+/// use twinedge::validate::{Expectation, Rule, Table, reference::first_broken_rule};
+/// // A loop that is its own twin.
+/// let table: Table = "V 1 0 - H 1 0 0 0 0 0 B 1 0 h0 i0 F 1 - 1 0".parse()?;
+/// assert_eq!(first_broken_rule(&table, &Expectation::plane()), Some(Rule::L1));
+/// # Ok::<(), twinedge::validate::ParseTableError>(())
+/// ```
+pub fn first_broken_rule<V: View + ?Sized>(view: &V, expectation: &Expectation) -> Option<Rule> {
+    let s = Structure::new(view, *expectation);
+    rules().into_iter().find(|(_, holds)| !holds(&s)).map(|(rule, _)| rule)
+}
+
+/// A rule and the function that says whether it holds.
+type Judged<'a, V> = (Rule, fn(&Structure<'a, V>) -> bool);
+
+fn rules<'a, V: View + ?Sized>() -> [Judged<'a, V>; 14] {
+    [
+        (Rule::R1, r1),
+        (Rule::L1, l1),
+        (Rule::L2, l2),
+        (Rule::L3, l3),
+        (Rule::V1, v1),
+        (Rule::V2, v2),
+        (Rule::B1, b1),
+        (Rule::B2, b2),
+        (Rule::F1, f1),
+        (Rule::F2, f2),
+        (Rule::T1, t1),
+        (Rule::T2, t2),
+        (Rule::T3, t3),
+        (Rule::T4, t4),
+    ]
+}
+
+/// R1 live: every link that a record needs is there, and every link leads to a live record.
+///
+/// At an open boundary twin or face may be nil. A vertex needs a leaving half-edge only if some half-edge leaves it.
+///
+/// Lists that together hold more than twice as many inner boundary components as there are, and 16, are broken, too: the
+/// fast validator does not read them to the end. Without records for boundary components, vertices and half-edges count.
+fn r1<V: View + ?Sized>(s: &Structure<'_, V>) -> bool {
+    let vertex = |link| s.vertices.contains(&link);
+    let half_edge = |link| s.half_edges.contains(&link);
+    let boundary = |link| s.boundaries.contains(&link);
+    let face = |link| s.faces.contains(&link);
+    let nil = |link: Link| link.is_none();
+    let start = |start| match start {
+        Some(Start::HalfEdge(h)) => half_edge(Some(h)),
+        Some(Start::Vertex(v)) => vertex(Some(v)),
+        None => false,
+    };
+    s.half_edges.iter().all(|&h| {
+        vertex(s.origin(h))
+            && (half_edge(s.twin(h)) || s.open && nil(s.twin(h)))
+            && half_edge(s.next(h))
+            && (s.lacks(Part::Prev) || half_edge(s.prev(h)))
+            && match s.says {
+                Says::Nothing => true,
+                Says::Boundary => boundary(s.boundary(h)) || s.open && nil(s.boundary(h)),
+                Says::Face => face(s.face(h)) || s.open && nil(s.face(h)),
+            }
+    }) && s.vertices.iter().all(|&v| {
+        (s.lacks(Part::Leaving) || half_edge(s.leaving(v)) || nil(s.leaving(v)) && s.all_leaving(v).is_empty())
+            && (s.lacks(Part::Holes) || boundary(s.isolated(v)) || nil(s.isolated(v)))
+    }) && s.boundaries.iter().all(|&b| face(s.boundary_face(b)) && start(s.start(b)))
+        && s.entries.iter().all(|e| match s.says {
+            Says::Boundary => boundary(e.boundary),
+            Says::Face | Says::Nothing => start(e.start),
+        })
+        && s.entries.iter().filter(|e| !e.is_outer()).count()
+            <= 16
+                + 2 * match s.says {
+                    Says::Boundary => s.boundaries.len(),
+                    Says::Face | Says::Nothing => s.half_edges.len() + s.vertices.len(),
+                }
+}
+
+/// L1 twin: `twin(twin(h)) = h` and `twin(h) ≠ h`.
+fn l1<V: View + ?Sized>(s: &Structure<'_, V>) -> bool {
+    s.half_edges.iter().all(|&h| s.on_border(h) || s.twin(s.twin(h)) == h && s.twin(h) != h)
+}
+
+/// L2 next/prev: `prev(next(h)) = h` and `next(prev(h)) = h`.
+///
+/// Without `prev`: no two half-edges have the same next.
+fn l2<V: View + ?Sized>(s: &Structure<'_, V>) -> bool {
+    if s.lacks(Part::Prev) {
+        s.half_edges.iter().all(|&g| s.half_edges.iter().all(|&h| g == h || s.next(g) != s.next(h)))
+    } else {
+        s.half_edges.iter().all(|&h| s.prev(s.next(h)) == h && s.next(s.prev(h)) == h)
+    }
+}
+
+/// L3 target: `origin(next(h)) = origin(twin(h))`.
+fn l3<V: View + ?Sized>(s: &Structure<'_, V>) -> bool {
+    s.half_edges.iter().all(|&h| s.on_border(h) || s.origin(s.next(h)) == s.origin(s.twin(h)))
+}
+
+/// V1 leaving: the half-edge kept by a vertex leaves that vertex.
+fn v1<V: View + ?Sized>(s: &Structure<'_, V>) -> bool {
+    s.vertices.iter().all(|&v| s.leaving(v).is_none() || s.origin(s.leaving(v)) == v)
+}
+
+/// V2 rotation: the rotation of a vertex is all half-edges with that origin.
+fn v2<V: View + ?Sized>(s: &Structure<'_, V>) -> bool {
+    s.half_edges.iter().all(|&h| s.rotation(h) == s.all_leaving(s.origin(h)))
+}
+
+/// B1 cycle: the boundary component is constant along `next`, its start is on its own cycle, and it has one cycle.
+///
+/// So the half-edges of a component are the cycle of its start, or none if it starts at a vertex. Without records for
+/// boundary components: the face is constant along `next`, and a face lists half-edges of its own.
+fn b1<V: View + ?Sized>(s: &Structure<'_, V>) -> bool {
+    match s.says {
+        Says::Nothing => true,
+        Says::Boundary => {
+            s.half_edges.iter().all(|&h| s.boundary(s.next(h)) == s.boundary(h))
+                && s.boundaries.iter().all(|&b| {
+                    s.half_edges.iter().copied().filter(|&h| s.boundary(h) == b).collect::<BTreeSet<_>>()
+                        == match s.start(b) {
+                            Some(Start::HalfEdge(h)) => s.cycle(Some(h)),
+                            Some(Start::Vertex(_)) | None => BTreeSet::new(),
+                        }
+                })
+        }
+        Says::Face => {
+            s.half_edges.iter().all(|&h| s.face(s.next(h)) == s.face(h))
+                && s.entries.iter().all(|e| match e.start {
+                    Some(Start::HalfEdge(h)) => s.face(Some(h)) == e.face,
+                    Some(Start::Vertex(_)) | None => true,
+                })
+        }
+    }
+}
+
+/// B2 isolated: a vertex has no half-edge if and only if exactly one boundary component starts at it, and they name
+/// each other.
+///
+/// At other vertices none starts, and they name none. Without a record of the unbounded face, an isolated vertex may
+/// lie there, where none starts. Without records for boundary components, entries of the lists of the faces stand for
+/// them.
+fn b2<V: View + ?Sized>(s: &Structure<'_, V>) -> bool {
+    s.lacks(Part::Holes)
+        || s.vertices.iter().all(|&v| {
+            let at_v = |start| matches!(start, Some(Start::Vertex(u)) if Some(u) == v);
+            let starts: Vec<Link> = match s.says {
+                Says::Boundary => s.boundaries.iter().copied().filter(|&b| at_v(s.start(b))).collect(),
+                Says::Face | Says::Nothing => s.entries.iter().filter(|e| at_v(e.start)).map(|e| e.face).collect(),
+            };
+            let right = if s.all_leaving(v).is_empty() {
+                starts.len() == 1 || starts.is_empty() && s.lacks(Part::UnboundedFace)
+            } else {
+                starts.is_empty()
+            };
+            right && (s.says == Says::Face || s.isolated(v) == starts.first().copied().flatten())
+        })
+}
+
+/// F1 outer: a bounded face has exactly one outer boundary component, a cycle; the one unbounded face has none.
+///
+/// A face keeps one link for it, so that there are never two. It is a cycle: an isolated vertex encloses nothing.
+fn f1<V: View + ?Sized>(s: &Structure<'_, V>) -> bool {
+    let is_unbounded = |f: &&Link| !s.entries.iter().any(|e| e.face == **f && e.is_outer());
+    let unbounded = s.faces.iter().filter(is_unbounded).count();
+    s.lacks(Part::Faces)
+        || unbounded == usize::from(!s.lacks(Part::UnboundedFace))
+            && s.entries.iter().all(|e| !e.is_outer() || !matches!(e.start, Some(Start::Vertex(_))))
+}
+
+/// F2 listed: every boundary component is listed exactly once, by the face it names, at the place it says.
+///
+/// Without records for boundary components: every cycle that has a face is listed exactly once, one that has none at
+/// most once (and then B1 is broken).
+fn f2<V: View + ?Sized>(s: &Structure<'_, V>) -> bool {
+    match s.says {
+        Says::Nothing => true,
+        Says::Boundary => s.boundaries.iter().all(|&b| {
+            let listed: Vec<&Entry> = s.entries.iter().filter(|e| e.boundary == b).collect();
+            listed.len() == 1
+                && listed.iter().all(|e| e.face == s.boundary_face(b))
+                && (s.lacks(Part::Places) || listed.iter().all(|e| Some(e.place) == s.place(b)))
+        }),
+        Says::Face => s.half_edges.iter().all(|&h| {
+            let cycle = s.cycle(h);
+            let on_it = |e: &&Entry| matches!(e.start, Some(Start::HalfEdge(g)) if cycle.contains(&Some(g)));
+            let listed = s.entries.iter().filter(on_it).count();
+            listed == 1 || listed == 0 && s.face(h).is_none()
+        }),
+    }
+}
+
+/// T1 outside: each component has exactly one inner boundary component, its outside.
+///
+/// All its other boundary components are outer.
+///
+/// It has none where its outside has no record: at an open boundary, or where the unbounded face is missing.
+fn t1<V: View + ?Sized>(s: &Structure<'_, V>) -> bool {
+    !s.has_containment()
+        || s.components().iter().all(|c| {
+            let inner = s.entries.iter().filter(|e| !e.is_outer() && c.contains(&s.vertex_at(e.start))).count();
+            inner == 1 || inner == 0 && (s.lacks(Part::UnboundedFace) || s.is_open_somewhere(c))
+        })
+}
+
+/// T2 nesting: containment is a tree rooted at the unbounded face.
+///
+/// Containment is component in face, and face bounded by component: no component lies, through others, inside itself.
+fn t2<V: View + ?Sized>(s: &Structure<'_, V>) -> bool {
+    if !s.has_containment() {
+        return true;
+    }
+    let components: Vec<BTreeSet<Link>> = s.components().into_iter().collect();
+    let component_at = |start| components.iter().position(|c| c.contains(&s.vertex_at(start)));
+    let face_around =
+        |c: Link| s.entries.iter().find(|e| !e.is_outer() && component_at(e.start) == c).and_then(|e| e.face);
+    let component_around =
+        |f: Link| s.entries.iter().find(|e| e.is_outer() && e.face == f).and_then(|e| component_at(e.start));
+    let container = |c: Link| c.and_then(|_| component_around(face_around(c)));
+    (0..components.len()).map(Some).all(|c| !orbit(container(c), container).contains(&c))
+}
+
+/// T3 Euler: per component `V − E + cycles = 2 − 2g`, with `g = 0` in the plane.
+///
+/// Elsewhere `g ≥ 0`.
+fn t3<V: View + ?Sized>(s: &Structure<'_, V>) -> bool {
+    s.components().iter().all(|c| {
+        let (vertices, edges, cycles) = (c.len(), s.edges(c).len(), s.cycles(c));
+        match s.expect.surface_kind() {
+            Surface::Plane => vertices + cycles == 2 + edges,
+            Surface::Any => (0..=edges).any(|g| vertices + cycles + 2 * g == 2 + edges),
+        }
+    })
+}
+
+/// T4 bounds: a simple map with `V ≥ 3` has `E ≤ 3V − 6` and `F ≤ 2V − 4`.
+fn t4<V: View + ?Sized>(s: &Structure<'_, V>) -> bool {
+    let all = s.vertices.iter().copied().collect();
+    let (vertices, edges, faces) = (s.vertices.len(), s.edges(&all), s.faces.len());
+    let loop_free = edges.iter().all(|e| s.ends(e).len() == 2);
+    let simple = loop_free && edges.iter().all(|d| edges.iter().all(|e| d == e || s.ends(d) != s.ends(e)));
+    s.expect.surface_kind() != Surface::Plane
+        || !simple
+        || vertices < 3
+        || edges.len() <= 3 * vertices - 6 && faces <= 2 * vertices - 4
+}
+
+/// What half-edges say about the faces that they bound.
+#[derive(Clone, Copy, PartialEq, Eq)]
+enum Says {
+    Nothing,
+    Boundary,
+    Face,
+}
+
+/// An entry of the list of a face.
+struct Entry {
+    face: Link,
+    place: BoundaryPlace,
+    /// The boundary component that is listed, where there are records for them.
+    boundary: Link,
+    /// Where what is listed starts.
+    start: Option<Start>,
+}
+
+impl Entry {
+    fn is_outer(&self) -> bool {
+        self.place == BoundaryPlace::Outer
+    }
+}
+
+/// The structure in the words of the rules. A link that is nil, or does not lead to a live record, is followed to nil.
+struct Structure<'a, V: ?Sized> {
+    view: &'a V,
+    expect: Expectation,
+    open: bool,
+    says: Says,
+    vertices: Vec<Link>,
+    half_edges: Vec<Link>,
+    boundaries: Vec<Link>,
+    faces: Vec<Link>,
+    entries: Vec<Entry>,
+}
+
+impl<'a, V: View + ?Sized> Structure<'a, V> {
+    fn new(view: &'a V, expect: Expectation) -> Self {
+        let says = match (expect.has(Part::Faces), expect.has(Part::BoundaryComponents)) {
+            (false, _) => Says::Nothing,
+            (true, true) => Says::Boundary,
+            (true, false) => Says::Face,
+        };
+        let boundary_slots = if says == Says::Boundary { view.boundary_slots() } else { 0 };
+        let face_slots = if says == Says::Nothing { 0 } else { view.face_slots() };
+        let mut s = Self {
+            view,
+            expect,
+            open: expect.is_open(),
+            says,
+            vertices: (0..view.vertex_slots()).filter(|v| view.is_vertex(*v)).map(Some).collect(),
+            half_edges: (0..view.half_edge_slots()).filter(|h| view.is_half_edge(*h)).map(Some).collect(),
+            boundaries: (0..boundary_slots).filter(|b| view.is_boundary(*b)).map(Some).collect(),
+            faces: (0..face_slots).filter(|f| view.is_face(*f)).map(Some).collect(),
+            entries: Vec::new(),
+        };
+        for f in s.faces.iter().copied().flatten() {
+            let inner = if s.lacks(Part::Holes) { 0 } else { view.inner_count(f) };
+            let places = [BoundaryPlace::Outer].into_iter().chain((0..inner).map(BoundaryPlace::Inner));
+            let entries: Vec<Entry> = places.filter_map(|place| s.entry(f, place)).collect();
+            s.entries.extend(entries);
+        }
+        s
+    }
+
+    /// The entry of the face at that place; none where the face has no outer boundary component.
+    fn entry(&self, f: usize, place: BoundaryPlace) -> Option<Entry> {
+        let boundary = match (self.says, place) {
+            (Says::Boundary, BoundaryPlace::Outer) => self.view.outer(f),
+            (Says::Boundary, BoundaryPlace::Inner(i)) => self.view.inner(f, i),
+            _ => None,
+        };
+        let start = match (self.says, place) {
+            (Says::Boundary, _) => self.start(boundary),
+            (_, BoundaryPlace::Outer) => self.view.outer_half_edge(f).map(Start::HalfEdge),
+            (_, BoundaryPlace::Inner(i)) => self.view.inner_start(f, i),
+        };
+        let nothing = place == BoundaryPlace::Outer && boundary.is_none() && start.is_none();
+        (!nothing).then_some(Entry { face: Some(f), place, boundary, start })
+    }
+
+    fn lacks(&self, part: Part) -> bool {
+        !self.expect.has(part)
+    }
+
+    fn has_containment(&self) -> bool {
+        !self.lacks(Part::Holes) && self.expect.surface_kind() == Surface::Plane
+    }
+
+    fn origin(&self, h: Link) -> Link {
+        self.view.origin(live(&self.half_edges, h)?)
+    }
+
+    fn twin(&self, h: Link) -> Link {
+        self.view.twin(live(&self.half_edges, h)?)
+    }
+
+    fn next(&self, h: Link) -> Link {
+        self.view.next(live(&self.half_edges, h)?)
+    }
+
+    /// The half-edge before `h`; without `prev`, that whose next is `h`.
+    fn prev(&self, h: Link) -> Link {
+        if self.lacks(Part::Prev) {
+            return self.half_edges.iter().copied().find(|&g| self.next(g) == h).flatten();
+        }
+        self.view.prev(live(&self.half_edges, h)?)
+    }
+
+    fn boundary(&self, h: Link) -> Link {
+        self.view.boundary(live(&self.half_edges, h)?)
+    }
+
+    fn face(&self, h: Link) -> Link {
+        self.view.face(live(&self.half_edges, h)?)
+    }
+
+    fn leaving(&self, v: Link) -> Link {
+        if self.lacks(Part::Leaving) { None } else { self.view.leaving(live(&self.vertices, v)?) }
+    }
+
+    fn isolated(&self, v: Link) -> Link {
+        if self.says == Says::Boundary { self.view.isolated(live(&self.vertices, v)?) } else { None }
+    }
+
+    fn boundary_face(&self, b: Link) -> Link {
+        self.view.boundary_face(live(&self.boundaries, b)?)
+    }
+
+    fn start(&self, b: Link) -> Option<Start> {
+        self.view.boundary_start(live(&self.boundaries, b)?)
+    }
+
+    fn place(&self, b: Link) -> Option<BoundaryPlace> {
+        self.view.boundary_place(live(&self.boundaries, b)?)
+    }
+
+    /// Whether `h` legally has no twin.
+    fn on_border(&self, h: Link) -> bool {
+        self.open && self.twin(h).is_none()
+    }
+
+    /// The end of `h`: the origin of its twin, or without twin that of its next.
+    fn target(&self, h: Link) -> Link {
+        self.origin(if self.twin(h).is_some() { self.twin(h) } else { self.next(h) })
+    }
+
+    /// All half-edges with that origin.
+    fn all_leaving(&self, v: Link) -> BTreeSet<Link> {
+        self.half_edges.iter().copied().filter(|&h| self.origin(h) == v).collect()
+    }
+
+    /// The orbit of `h` under `next`.
+    fn cycle(&self, h: Link) -> BTreeSet<Link> {
+        orbit(h, |h| self.next(h))
+    }
+
+    /// The orbit of `h` under `next∘twin`, and under `twin∘prev`, which matters only where it ends at an open boundary.
+    fn rotation(&self, h: Link) -> BTreeSet<Link> {
+        &orbit(h, |h| self.next(self.twin(h))) | &orbit(h, |h| self.twin(self.prev(h)))
+    }
+
+    fn vertex_at(&self, start: Option<Start>) -> Link {
+        match start? {
+            Start::HalfEdge(h) => self.origin(Some(h)),
+            Start::Vertex(v) => Some(v),
+        }
+    }
+
+    /// The connected components, as sets of vertices.
+    fn components(&self) -> BTreeSet<BTreeSet<Link>> {
+        self.vertices.iter().map(|&v| self.connected_to(v)).collect()
+    }
+
+    /// All vertices that `v` is connected to: the smallest set with `v` that no edge leaves.
+    fn connected_to(&self, v: Link) -> BTreeSet<Link> {
+        let mut set = BTreeSet::from([v]);
+        loop {
+            let leaves = |h: &Link| set.contains(&self.origin(*h)) != set.contains(&self.target(*h));
+            let Some(h) = self.half_edges.iter().copied().find(leaves) else {
+                return set;
+            };
+            set.extend([self.origin(h), self.target(h)]);
+        }
+    }
+
+    /// The edges at these vertices, each as the set of its half-edges.
+    fn edges(&self, vertices: &BTreeSet<Link>) -> BTreeSet<BTreeSet<Link>> {
+        let edge = |h: Link| [h, self.twin(h)].into_iter().flatten().map(Some).collect();
+        self.half_edges.iter().filter(|&&h| vertices.contains(&self.origin(h))).map(|&h| edge(h)).collect()
+    }
+
+    /// The ends of an edge: two vertices, or one if it is a loop.
+    fn ends(&self, edge: &BTreeSet<Link>) -> BTreeSet<Link> {
+        edge.iter().flat_map(|&h| [self.origin(h), self.target(h)]).collect()
+    }
+
+    /// How many cycles a component has: those of `next`, or one if it is an isolated vertex, and one for each border.
+    fn cycles(&self, component: &BTreeSet<Link>) -> usize {
+        let of_component = |h: &&Link| component.contains(&self.origin(**h));
+        let half_edges: Vec<&Link> = self.half_edges.iter().filter(of_component).collect();
+        let cycles: BTreeSet<_> = half_edges.iter().map(|&&h| self.cycle(h)).collect();
+        let borders: BTreeSet<_> =
+            half_edges.iter().filter(|&&&h| self.on_border(h)).map(|&&h| self.border(h)).collect();
+        usize::from(half_edges.is_empty()) + cycles.len() + borders.len()
+    }
+
+    /// The half-edges without twin that follow one another from `h`, each from the target of the one before.
+    fn border(&self, h: Link) -> BTreeSet<Link> {
+        let follows = |g: Link, h: Link| self.on_border(h) && self.origin(h) == self.target(g);
+        orbit(h, |g| self.half_edges.iter().copied().find(|&h| follows(g, h)).flatten())
+    }
+
+    /// Whether some half-edge of the component lacks its twin, or its face.
+    fn is_open_somewhere(&self, component: &BTreeSet<Link>) -> bool {
+        self.half_edges.iter().copied().filter(|&h| component.contains(&self.origin(h))).any(|h| {
+            self.on_border(h)
+                || match self.says {
+                    Says::Nothing => false,
+                    Says::Boundary => self.boundary(h).is_none(),
+                    Says::Face => self.face(h).is_none(),
+                }
+        })
+    }
+}
+
+/// The index of the record to which the link leads, if it is among these.
+fn live(records: &[Link], link: Link) -> Option<usize> {
+    if records.contains(&link) { link } else { None }
+}
+
+/// `x`, `step(x)`, `step(step(x))`, … until nil or until it repeats.
+fn orbit(x: Link, step: impl Fn(Link) -> Link) -> BTreeSet<Link> {
+    let mut seen = BTreeSet::new();
+    let mut at = x;
+    while at.is_some() && seen.insert(at) {
+        at = step(at);
+    }
+    seen
+}

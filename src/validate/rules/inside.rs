@@ -1,0 +1,89 @@
+//! G5 inside: each inner boundary component lies in the face that lists it, and what no face lists lies in none.
+//!
+//! ```text
+//!   ┌─────────┐
+//!   │    f    │    Going straight down from the lowest vertex v of a component, the first edge
+//!   │   v·    │    bounds the face in which the component lies.
+//!   │    :    │
+//!   └────┴────┘
+//! ```
+//!
+//! A component that no face lists lies outside everything, where the unbounded face has no record.
+
+use crate::validate::embedding::Embedding;
+use crate::validate::expectation::{Expectation, Part};
+use crate::validate::findings::{Findings, Flow};
+use crate::validate::geometric::columns::Columns;
+use crate::validate::geometric::components::Components;
+use crate::validate::geometric::lists::{Listed, Lists};
+use crate::validate::geometric::segments::Segments;
+use crate::validate::rule::Rule;
+use crate::validate::view::{Link, Start};
+use crate::validate::violation::Violation;
+
+/// What G5 compares: the embedding, and what was found out about it.
+pub(in crate::validate) struct Inside<'a, E: ?Sized> {
+    pub(in crate::validate) embedding: &'a E,
+    pub(in crate::validate) expectation: Expectation,
+    pub(in crate::validate) columns: &'a Columns,
+    pub(in crate::validate) components: &'a Components,
+    pub(in crate::validate) segments: &'a Segments,
+    /// The segment below the lowest vertex of each component.
+    pub(in crate::validate) below: &'a [Option<u32>],
+    pub(in crate::validate) lists: &'a Lists,
+}
+
+impl<E: Embedding + ?Sized> Inside<'_, E> {
+    /// The face to the left of a half-edge.
+    fn face_of(&self, h: usize) -> Link {
+        let face = if self.expectation.has(Part::BoundaryComponents) {
+            let b = self.embedding.boundary(h).filter(|b| *b < self.embedding.boundary_slots())?;
+            self.embedding.boundary_face(b)
+        } else {
+            self.embedding.face(h)
+        };
+        face.filter(|f| *f < self.embedding.face_slots())
+    }
+
+    /// For each component the face in which it lies.
+    fn faces_around(&self) -> Vec<Link> {
+        let around = |segment: &Option<u32>| match segment {
+            Some(segment) => self.segments.above(self.columns, *segment).and_then(|h| self.face_of(h)),
+            None => self.lists.unbounded,
+        };
+        self.below.iter().map(around).collect()
+    }
+
+    /// Runs G5. Below the lowest vertex of a component there is an edge, and above that edge the face in which the
+    /// component lies, or none; or there is no edge, and it lies in the unbounded face, if there is one. If all components
+    /// that start further to the left lie where they should, the face above that edge is the right one; so one pass proves
+    /// it for all.
+    pub(in crate::validate) fn check(&self, findings: &mut Findings) -> Flow {
+        let lies_in = self.faces_around();
+        let mut is_listed = vec![false; lies_in.len()];
+        let mut checked = 0;
+        for Listed { face, boundary, start, .. } in self.lists.all.iter().filter(|one| !one.is_outer) {
+            checked += 1;
+            let vertex = match *start {
+                Start::Vertex(v) => v,
+                Start::HalfEdge(h) => self.columns.origin(h),
+            };
+            // Where T1 holds, this is the outside of its component.
+            let component = self.components.of[vertex] as usize;
+            is_listed[component] = true;
+            let found = lies_in[component];
+            if found != Some(*face) {
+                findings.add(Violation::WrongFace { boundary: *boundary, face: *face, found })?;
+            }
+        }
+        findings.checked(Rule::G5, checked);
+        // What lies in no face has no inner boundary component. What lies in a face must be listed by it.
+        for (component, found) in lies_in.into_iter().enumerate() {
+            let unlisted = !is_listed[component] && found != self.lists.unbounded;
+            if let Some(face) = found.filter(|_| unlisted) {
+                findings.add(Violation::Unlisted { vertex: self.components.lowest[component] as usize, face })?;
+            }
+        }
+        Ok(())
+    }
+}

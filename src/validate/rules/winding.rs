@@ -1,0 +1,71 @@
+//! G3 winding: outer cycles turn counter-clockwise, inner ones clockwise.
+//!
+//! ```text
+//!   ┌───◄───┐
+//!   │ ┌─►─┐ │    the face is to the left of both cycles:
+//!   ▼ ▲   ▼ ▲    its outer one turns counter-clockwise, its inner one clockwise
+//!   │ └─◄─┘ │
+//!   └───►───┘
+//! ```
+
+use crate::geometry::Point;
+use crate::geometry::predicates::{Orientation, compare_lexicographic, orientation};
+use crate::validate::findings::{Findings, Flow};
+use crate::validate::geometric::columns::Columns;
+use crate::validate::geometric::lists::{Listed, Lists};
+use crate::validate::rule::Rule;
+use crate::validate::view::Start;
+use crate::validate::violation::Violation;
+use core::cmp::Ordering;
+
+/// Runs G3.
+pub(in crate::validate) fn check(findings: &mut Findings, columns: &Columns, lists: &Lists) -> Flow {
+    let mut checked = 0;
+    let mut seen = vec![false; columns.origin.len()];
+    for Listed { boundary, start, is_outer, .. } in &lists.all {
+        // Where B1 holds, no two start on one cycle.
+        let Start::HalfEdge(h) = *start else { continue };
+        if seen[h] {
+            continue;
+        }
+        checked += 1;
+        match (is_outer, turns_clockwise(columns, h, &mut seen)) {
+            (true, true) => findings.add(Violation::OuterClockwise { boundary: *boundary })?,
+            (false, false) => findings.add(Violation::InnerCounterClockwise { boundary: *boundary })?,
+            _ => {}
+        }
+    }
+    findings.checked(Rule::G3, checked);
+    Ok(())
+}
+
+/// Whether the face lies around the cycle, not inside it: whether at the lexicographically smallest vertex it lies to
+/// the left. A cycle may pass there more than once.
+fn turns_clockwise(columns: &Columns, start: usize, seen: &mut [bool]) -> bool {
+    let mut low = columns.tail(start);
+    let mut around = false;
+    let mut h = start;
+    loop {
+        seen[h] = true;
+        let n = columns.next(h);
+        let (before, at, after) = (columns.tail(h), columns.tail(n), columns.head(n));
+        match compare_lexicographic(at, low) {
+            Ordering::Less => {
+                low = at;
+                around = corner_opens_left(before, at, after);
+            }
+            Ordering::Equal => around |= corner_opens_left(before, at, after),
+            Ordering::Greater => {}
+        }
+        h = n;
+        if h == start {
+            return around;
+        }
+    }
+}
+
+/// Whether the corner to the left of the way `before`, `at`, `after` holds the direction straight to the left, `at`
+/// being the smallest of the three.
+fn corner_opens_left(before: Point, at: Point, after: Point) -> bool {
+    before == after || orientation(at, before, after) == Orientation::CounterClockwise
+}

@@ -1,0 +1,61 @@
+//! Operators change the counts of a map as the table of operators says.
+
+use quickcheck::{Gen, QuickCheck};
+use std::collections::BTreeSet;
+use std::sync::Mutex;
+use twinedge::dcel::Dcel;
+use twinedge::program::{CountChange, Op, Program, Runner, StepOutcome, every_op};
+
+/// V, E, F and C.
+fn counts(map: &Dcel) -> [usize; 4] {
+    let report = map.validate();
+    let components = report.counts().components.unwrap();
+    [map.vertex_count(), map.edge_count(), map.face_count(), components]
+}
+
+/// The changes that were met, by the name of the operator.
+static MET: Mutex<BTreeSet<(&str, [i8; 4])>> = Mutex::new(BTreeSet::new());
+
+fn as_numbers(change: CountChange) -> [i8; 4] {
+    [change.vertices, change.edges, change.faces, change.components]
+}
+
+#[test]
+fn counts_change_as_the_table_says() {
+    fn law(program: Program) {
+        let mut runner = Runner::new(Dcel::new());
+        let mut before = counts(runner.subject());
+        for op in program.0 {
+            let outcome = runner.step(op);
+            let after = counts(runner.subject());
+            let change: [i8; 4] =
+                std::array::from_fn(|i| i8::try_from(after[i].cast_signed() - before[i].cast_signed()).unwrap());
+            if outcome == StepOutcome::Applied {
+                assert!(op.changes().iter().any(|promised| as_numbers(*promised) == change), "{op}: {change:?}");
+                MET.lock().unwrap().insert((op.name(), change));
+            } else {
+                assert_eq!(change, [0; 4]);
+            }
+            before = after;
+        }
+    }
+    QuickCheck::new().rng(Gen::from_size_and_seed(100, 2026)).tests(100).quickcheck(law as fn(Program));
+    // Ten operators, of which two change the counts in two ways.
+    let met = MET.lock().unwrap();
+    assert_eq!(met.len(), 12);
+    let names: BTreeSet<&str> = met.iter().map(|(name, _)| *name).collect();
+    assert_eq!(names, Op::NAMES.iter().copied().collect());
+}
+
+#[test]
+fn every_operator_is_among_all_that_can_be_tried() {
+    let mut runner = Runner::new(Dcel::new());
+    runner.run(
+        &"twinedge program 1\nadd_isolated_vertex unbounded\nsplit_vertex i0 i0\nadd_isolated_vertex h0"
+            .parse()
+            .unwrap(),
+    );
+    let tried: BTreeSet<&str> = every_op(&runner).into_iter().map(Op::name).collect();
+    assert_eq!(tried, Op::NAMES.iter().copied().collect());
+    assert!(every_op(&runner).iter().all(|op| op.to_string().starts_with(op.name())));
+}

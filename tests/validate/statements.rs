@@ -1,0 +1,112 @@
+//! Each rule is stated once: the README, the files of the rules, the reference and the diagram repeat that statement, and what
+//! the documentation of a rule names is there.
+
+use std::fs;
+use std::path::Path;
+use twinedge::validate::{Rule, Violation};
+
+fn read(path: &str) -> String {
+    let path = Path::new(env!("CARGO_MANIFEST_DIR")).join(path);
+    fs::read_to_string(&path).unwrap_or_else(|error| panic!("{}: {error}", path.display()))
+}
+
+/// The comment lines that follow one another from the first that starts with `start`, as one line.
+fn comment(text: &str, marker: &str, start: &str) -> Option<String> {
+    let lines = text.lines().map(str::trim).skip_while(|line| !line.starts_with(&format!("{marker} {start}")));
+    let words: Vec<&str> =
+        lines.map_while(|line| line.strip_prefix(marker)).map(str::trim).take_while(|line| !line.is_empty()).collect();
+    (!words.is_empty()).then(|| words.join(" "))
+}
+
+/// For each rule its file, and the file and name of the test that breaks it, as its documentation says.
+fn documented() -> Vec<(Rule, String, String, String)> {
+    let source = read("src/validate/rule.rs");
+    let entries: Vec<_> = source.lines().filter_map(|line| line.trim().strip_prefix("in \"")).collect();
+    assert_eq!(entries.len(), Rule::ALL.len());
+    let quoted = |entry: &str, n: usize| entry.split('"').nth(n).unwrap().to_owned();
+    let one = |(rule, entry): (&Rule, &&str)| (*rule, quoted(entry, 0), quoted(entry, 2), quoted(entry, 4));
+    Rule::ALL.iter().zip(&entries).map(one).collect()
+}
+
+#[test]
+fn the_readme_states_each_rule_in_the_same_words() {
+    let readme = read("README.md");
+    for rule in Rule::ALL {
+        let row = format!("| {rule} {} | {} |", rule.name(), rule.statement());
+        assert!(readme.lines().any(|line| line == row), "README.md has no line\n{row}");
+    }
+}
+
+#[test]
+fn the_file_of_each_rule_is_headed_by_its_statement() {
+    for (rule, file, _, _) in documented() {
+        let text = read(&format!("src/validate/rules/{file}.rs"));
+        let head = comment(&text, "//!", rule.id());
+        assert_eq!(head, Some(format!("{rule} {}: {}.", rule.name(), rule.statement())), "{file}.rs");
+        assert!(text.starts_with(&format!("//! {rule} ")), "{file}.rs");
+    }
+}
+
+#[test]
+fn the_reference_states_each_rule_in_the_same_words() {
+    let text = read("src/validate/reference/rules.rs");
+    for rule in Rule::ALL.iter().filter(|rule| !rule.is_geometric()) {
+        let head = comment(&text, "///", &format!("{rule} "));
+        assert_eq!(head, Some(format!("{rule} {}: {}.", rule.name(), rule.statement())));
+        assert!(
+            text.contains(&format!("\nfn {}<", rule.id().to_lowercase())),
+            "the reference has no function for {rule}"
+        );
+    }
+}
+
+#[test]
+fn each_rule_is_in_the_diagram_and_in_the_table_of_files() {
+    let module = read("src/validate/mod.rs");
+    let files = read("src/validate/rules/mod.rs");
+    for (rule, file, _, _) in documented() {
+        assert!(
+            module.contains(&format!("{rule} {}", rule.name())),
+            "the diagram of mod.rs lacks {rule} {}",
+            rule.name()
+        );
+        assert!(files.contains(&format!("`{file}`")), "the table of rules/mod.rs lacks {file}");
+    }
+}
+
+#[test]
+fn the_test_that_breaks_each_rule_is_there() {
+    for (rule, _, file, test) in documented() {
+        assert!(test.starts_with(&format!("{}_", rule.id().to_lowercase())), "{rule}: {test}");
+        let tests = read(&format!("tests/validate/{file}.rs"));
+        assert!(tests.contains(&format!("#[test]\nfn {test}()")), "{file}.rs has no test {test}");
+    }
+}
+
+/// `TwinIsSelf` is `twin_is_self`.
+#[test]
+fn each_kind_of_violation_is_its_name_in_snake_case() {
+    let source = read("src/validate/violation.rs");
+    let list = source.split("\nviolations! {").nth(1).expect("the list follows the macro");
+    let list = list.split("\n}").next().unwrap();
+    let heads = list.lines().filter(|line| line.starts_with("    ") && !line.starts_with("     "));
+    let variants: Vec<&str> = heads.filter_map(|line| line.split_whitespace().nth(1)).collect();
+    assert_eq!(variants.len(), Violation::KINDS.len());
+    for (variant, kind) in variants.iter().zip(Violation::KINDS) {
+        let camel: String = kind.split('_').map(|word| word[..1].to_uppercase() + &word[1..]).collect();
+        assert_eq!(*variant, camel);
+    }
+}
+
+#[test]
+fn causes_and_remedies_are_parts_of_sentences() {
+    for violation in [
+        Violation::TwinIsSelf { half_edge: 0 },
+        Violation::NoUnboundedFace,
+        Violation::Touch { vertex: 0, half_edge: 0 },
+    ] {
+        for text in [violation.cause(), violation.remedy()] {
+            assert!(text.starts_with(char::is_lowercase) && !text.ends_with('.'), "{text}");
+        }
+    }
+}
