@@ -69,11 +69,12 @@
 //! | `dcel` | [`store`], [`dcel`] | slotmap, thiserror |
 //! | `geometry` | [`geometry`], and rules G1 … G5 in [`mod@validate`]; needs `std` | robust, rstar, rustc-hash, thiserror |
 //! | `map` (default) | [`map`], [`algorithm`], [`io::svg`] | those of `dcel` and `geometry` |
-//! | `geojson` | `io::geojson` | those of `map`; `geojson`, `serde`, `serde_json` |
+//! | `geojson` | `io::geojson` | those of `map`; geojson, serde, `serde_json` |
 //! | `wkt` | `io::wkt` | those of `map`; wkt |
 //! | `geo-types` | `io::geo_types` | those of `map`; geo-types |
 //! | `program` | `program` | those of `dcel` |
 //! | `arbitrary`, `quickcheck` | random programs for these two crates | those of `program`; the crate of the name |
+//! | `serde` | `Serialize` and `Deserialize`; structures are validated on the way in | those of the other features; serde |
 //! | `pointer-store` | `store::PointerStore`, the only one with unsafe code | those of `dcel` |
 //!
 //! # Words

@@ -1,5 +1,6 @@
-//! `twinedge audit`: builds a map and validates it, or validates a file of tables.
+//! `twinedge audit`: builds a map and validates it, or validates a mesh or a file of tables.
 
+mod mesh_file;
 mod table_file;
 
 use crate::input::{Imported, MapFile};
@@ -20,6 +21,9 @@ use twinedge::validate::{places, validate_embedding};
 
 /// Build the planar subdivision of a map and check every rule on it.
 ///
+/// A mesh file (OBJ, OFF, PLY, STL) is joined to half-edges along shared edges. What cannot be joined is reported by its faces
+/// and vertices, and the options under "Meshes" say what else must hold.
+///
 /// A file of tables is judged line by line instead. `twinedge tables --print` and `twinedge corrupt --print` write such files.
 /// Each line is one structure as plain tables, in the text form of `twinedge::validate::Table`; a verdict may follow, `= ok` or
 /// the first broken rule, as in `= R1`, and is compared with that of the validator. The line `# expect: plane without prev` says
@@ -30,9 +34,10 @@ use twinedge::validate::{places, validate_embedding};
   twinedge audit parcels.geojson
   twinedge audit --snap auto drawn-by-hand.geojson
   twinedge audit --format json - < parcels.geojson | jq .valid
+  twinedge audit bunny.obj --closed --genus 0 --triangles
   twinedge tables --half-edges 2 --print | twinedge audit -
 
-Exit status: 0 the map is valid, or all tables are valid and all verdicts agree; 1 otherwise; 2 the input could not be read.")]
+Exit status: 0 the map or mesh is valid, or all tables are valid and all verdicts agree; 1 otherwise; 2 the input could not be read.")]
 pub(crate) struct Audit {
     #[command(flatten)]
     map: MapFile,
@@ -44,6 +49,13 @@ pub(crate) struct Audit {
     /// Greatest number of violations to list; all are counted.
     #[arg(long, value_name = "N", default_value_t = Collect::DEFAULT_CAP)]
     list: usize,
+
+    /// Say of each kind of violation what usually causes it and what mends it.
+    #[arg(long)]
+    explain: bool,
+
+    #[command(flatten)]
+    mesh: mesh_file::Expected,
 }
 
 impl Audit {
@@ -53,12 +65,21 @@ impl Audit {
         if table_file::is_table_file(input.beginning()?) {
             return table_file::audit(&input.name, input.reader, self.list, self.format);
         }
+        if let Some(format) = mesh_file::format_of(self.map.path(), input.beginning()?) {
+            return mesh_file::audit(input, format, self.mesh.expectation(), self.list, self.format);
+        }
+        if self.mesh.is_any() {
+            return Err(Failure(format!(
+                "{}: is no mesh file (OBJ, OFF, PLY, STL), and the options say what a mesh must be",
+                input.name
+            )));
+        }
         let imported = self.map.build_from(input)?;
         let map = &imported.map;
         let report = validate_embedding(map, &Expectation::plane(), Collect::AtMost(self.list));
         let elapsed = start.elapsed().as_secs_f64() * 1000.0;
         match self.format {
-            Format::Text => print(&text(&imported, &report, elapsed)?)?,
+            Format::Text => print(&text(&imported, &report, self.explain, elapsed)?)?,
             Format::Json => print_json(&Json::new(&imported, &report, elapsed))?,
         }
         Ok(if report.is_valid() { Verdict::Sound } else { Verdict::Wrong })
@@ -87,7 +108,7 @@ fn features(map: &PlanarMap, violation: &Violation) -> Vec<String> {
     found.into_iter().map(|feature| label(map, feature)).collect()
 }
 
-fn text(imported: &Imported, report: &Report, elapsed: f64) -> Result<String, std::fmt::Error> {
+fn text(imported: &Imported, report: &Report, explain: bool, elapsed: f64) -> Result<String, std::fmt::Error> {
     let Imported { name, read, map } = imported;
     let mut out = String::new();
     writeln!(out, "{name}")?;
@@ -150,6 +171,12 @@ fn text(imported: &Imported, report: &Report, elapsed: f64) -> Result<String, st
     let more = report.violation_count().saturating_sub(report.violations().len() as u64);
     if more > 0 {
         writeln!(out, "… and {} more; see --list", grouped(more))?;
+    }
+    if explain {
+        let mut kinds = BTreeSet::new();
+        for violation in report.violations().iter().filter(|violation| kinds.insert(violation.kind())) {
+            writeln!(out, "{}: usual cause: {}; remedy: {}", violation.rule(), violation.cause(), violation.remedy())?;
+        }
     }
     if report.is_valid() {
         writeln!(out, "{GOOD}valid{GOOD:#}: every rule that applies holds ({elapsed:.0} ms)")?;

@@ -1,0 +1,135 @@
+//! Auditing a mesh file.
+
+use crate::input::Input;
+use crate::output::style::{BAD, GOOD, QUIET};
+use crate::output::{Format, counted, print, print_json};
+use crate::status::{Failure, Verdict};
+use serde::Serialize;
+use std::fmt::Write as _;
+use std::path::Path;
+use std::time::Instant;
+use twinedge::validate::Collect;
+use twinedge_formats::mesh::{self, Format as MeshFormat, MeshAudit, MeshExpectation, MeshFile};
+
+/// What a mesh must be.
+#[derive(Debug, clap::Args)]
+#[command(next_help_heading = "Meshes")]
+pub(super) struct Expected {
+    /// The mesh has no border.
+    #[arg(long, conflicts_with = "borders")]
+    closed: bool,
+
+    /// The mesh has exactly N border loops.
+    #[arg(long, value_name = "N")]
+    borders: Option<usize>,
+
+    /// The genus of the whole mesh is N: 0 for spheres and discs, 1 for a torus.
+    #[arg(long, value_name = "N")]
+    genus: Option<usize>,
+
+    /// The mesh has exactly N components.
+    #[arg(long, value_name = "N")]
+    components: Option<usize>,
+
+    /// Every face has three sides.
+    #[arg(long, conflicts_with = "sides")]
+    triangles: bool,
+
+    /// Every face has N sides.
+    #[arg(long, value_name = "N")]
+    sides: Option<usize>,
+
+    /// Every vertex is a corner of a face.
+    #[arg(long)]
+    no_unused_vertices: bool,
+}
+
+impl Expected {
+    /// Whether anything is expected.
+    pub(super) fn is_any(&self) -> bool {
+        self.expectation() != MeshExpectation::new()
+    }
+
+    pub(super) fn expectation(&self) -> MeshExpectation {
+        let mut expectation = MeshExpectation::new();
+        if let Some(borders) = self.borders.or(self.closed.then_some(0)) {
+            expectation = expectation.borders(borders);
+        }
+        if let Some(genus) = self.genus {
+            expectation = expectation.genus(genus);
+        }
+        if let Some(components) = self.components {
+            expectation = expectation.components(components);
+        }
+        if let Some(sides) = self.sides.or(self.triangles.then_some(3)) {
+            expectation = expectation.sides(sides);
+        }
+        if self.no_unused_vertices {
+            expectation = expectation.no_unused_vertices();
+        }
+        expectation
+    }
+}
+
+/// The format of a mesh file, by its name or else by how it begins; none if it is no mesh file.
+pub(super) fn format_of(path: Option<&Path>, beginning: &[u8]) -> Option<MeshFormat> {
+    let path = path?;
+    if path == Path::new("-") { MeshFormat::of_content(beginning) } else { MeshFormat::of_name(path) }
+}
+
+#[derive(Debug, Serialize)]
+struct Json<'a> {
+    input: &'a str,
+    format: &'static str,
+    dropped: &'a [mesh::Dropped],
+    #[serde(flatten)]
+    audit: &'a MeshAudit,
+    elapsed_ms: f64,
+}
+
+/// Reads a mesh, joins its faces, and prints what was found. At most `list` findings of each kind are listed.
+pub(super) fn audit(
+    Input { name, reader, .. }: Input,
+    format: MeshFormat,
+    expectation: MeshExpectation,
+    list: usize,
+    output: Format,
+) -> Result<Verdict, Failure> {
+    let start = Instant::now();
+    let file = mesh::read(reader, Some(format)).map_err(|error| Failure(format!("{name}: {error}")))?;
+    let audit = mesh::audit(&file.mesh, &expectation, Collect::AtMost(list));
+    let elapsed_ms = start.elapsed().as_secs_f64() * 1000.0;
+    match output {
+        Format::Text => print(&text(&name, &file, &audit, elapsed_ms)?)?,
+        Format::Json => print_json(&Json {
+            input: &name,
+            format: format.name(),
+            dropped: &file.dropped,
+            audit: &audit,
+            elapsed_ms,
+        })?,
+    }
+    Ok(if audit.is_valid() { Verdict::Sound } else { Verdict::Wrong })
+}
+
+fn text(name: &str, file: &MeshFile, audit: &MeshAudit, elapsed_ms: f64) -> Result<String, std::fmt::Error> {
+    let mut out = String::new();
+    writeln!(out, "{name}")?;
+    let (points, faces) = (file.mesh.points().len(), file.mesh.face_count());
+    write!(out, "{QUIET}{}, {}, {}", file.format, counted(points, "point"), counted(faces, "face"))?;
+    for dropped in &file.dropped {
+        write!(out, "; not used: {} {}", dropped.count, dropped.what)?;
+    }
+    writeln!(out, "{QUIET:#}\n")?;
+    let body = audit.to_string();
+    let (body, _) = body.rsplit_once('\n').unwrap_or((&body, ""));
+    writeln!(out, "{body}\n")?;
+    if audit.is_valid() {
+        writeln!(out, "{GOOD}valid{GOOD:#}: every rule that applies holds ({elapsed_ms:.0} ms)")?;
+    } else {
+        let faults = audit.findings().total() + audit.unmet().len();
+        let found = if faults > 0 { counted(faults, "finding") } else { "see the rules".to_owned() };
+        writeln!(out, "{BAD}not valid{BAD:#}: {found} ({elapsed_ms:.0} ms)")?;
+    }
+    Ok(out)
+}

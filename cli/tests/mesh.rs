@@ -1,0 +1,74 @@
+//! `twinedge audit` of mesh files.
+
+mod support;
+
+use std::fs;
+use support::{complaint, json, twinedge, twinedge_reading};
+
+/// The faces of a cube, counted from 1, outward.
+const CUBE: &str = "v 0 0 0\nv 1 0 0\nv 1 1 0\nv 0 1 0\nv 0 0 1\nv 1 0 1\nv 1 1 1\nv 0 1 1\n\
+    f 1 4 3 2\nf 5 6 7 8\nf 1 2 6 5\nf 2 3 7 6\nf 3 4 8 7\nf 4 1 5 8\n";
+
+/// A file of this name with this content, in a folder of the test's own.
+fn file(name: &str, content: &str) -> String {
+    let folder = std::path::Path::new(env!("CARGO_TARGET_TMPDIR"));
+    let path = folder.join(name);
+    fs::write(&path, content).unwrap();
+    path.display().to_string()
+}
+
+#[test]
+fn a_cube_is_a_closed_mesh_of_genus_0() {
+    let path = file("cube.obj", CUBE);
+    let (status, found) = json(&["audit", &path, "--closed", "--genus", "0", "--sides", "4", "--format", "json"]);
+    assert_eq!(status, Some(0));
+    assert_eq!(found["valid"], true);
+    let counts = &found["counts"];
+    for (name, count) in [("vertices", 8), ("edges", 12), ("faces", 6), ("borders", 0), ("euler_characteristic", 2)] {
+        assert_eq!(counts[name], count, "{name}");
+    }
+    assert_eq!(counts["genus"], 0);
+    assert!(found["rules"].as_array().unwrap().iter().all(|rule| rule["violations"] == 0));
+}
+
+#[test]
+fn what_is_expected_and_not_found_is_named() {
+    let path = file("open.obj", CUBE.strip_suffix("f 4 1 5 8\n").unwrap());
+    let (status, found) = json(&["audit", &path, "--closed", "--triangles", "--format", "json"]);
+    assert_eq!(status, Some(1));
+    assert_eq!(found["counts"]["borders"], 1);
+    let unmet: Vec<_> = found["unmet"].as_array().unwrap().iter().map(|one| one["name"].as_str().unwrap()).collect();
+    assert_eq!(unmet, ["borders", "sides"]);
+}
+
+#[test]
+fn a_flipped_face_is_named_in_text() {
+    let path = file("flipped.obj", &CUBE.replace("f 5 6 7 8", "f 8 7 6 5"));
+    let output = twinedge(&["audit", &path]);
+    assert_eq!(output.status.code(), Some(1));
+    let text = String::from_utf8(output.stdout).unwrap();
+    assert!(text.contains("flipped"), "{text}");
+    assert!(text.contains("not valid"), "{text}");
+}
+
+#[test]
+fn a_mesh_on_standard_input_is_told_by_its_content() {
+    let off = "OFF\n4 4 6\n0 0 0\n1 0 0\n0 1 0\n0 0 1\n3 0 2 1\n3 0 1 3\n3 1 2 3\n3 2 0 3\n";
+    let output = twinedge_reading(&["audit", "-", "--closed", "--triangles"], off.as_bytes());
+    let text = String::from_utf8(output.stdout).unwrap();
+    assert_eq!(output.status.code(), Some(0), "{text}");
+    assert!(text.contains("OFF, 4 points, 4 faces"), "{text}");
+}
+
+#[test]
+fn a_malformed_mesh_is_an_error_with_its_line() {
+    let path = file("short.off", "OFF\n3 1 0\n0 0 0\n1 0 0\n0 1 0\n3 0 1 7\n");
+    let words = complaint(&twinedge(&["audit", &path]));
+    assert!(words.contains("line 6"), "{words}");
+}
+
+#[test]
+fn expectations_of_meshes_are_refused_for_maps() {
+    let words = complaint(&twinedge(&["audit", "--closed"]));
+    assert!(words.contains("no mesh file"), "{words}");
+}
