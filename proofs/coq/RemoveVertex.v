@@ -43,7 +43,8 @@ Lemma leaving_same u : leaving t' u = leaving t u.
 Proof. by rewrite /leaving vertex_heard; case: (u =P v) => // ->; rewrite /heard (negPf free_vertex). Qed.
 
 Lemma isolated_less u : isolated t' u = if u == v then Some b else isolated t u. Proof. exact: vertex_heard. Qed.
-Lemma face_less c : boundary_face t' c = if c == b then Some f else boundary_face t c. Proof. exact: boundary_heard. Qed.
+Lemma face_less c : boundary_face t' c = if c == b then Some f else boundary_face t c.
+Proof. exact: boundary_heard. Qed.
 Lemma start_less c : boundary_start t' c = if c == b then Some (AtVertex v) else boundary_start t c.
 Proof. exact: boundary_heard. Qed.
 Lemma place_less c : boundary_place t' c = if c == b then Some (Inner (inner_count t f)) else boundary_place t c.
@@ -106,7 +107,8 @@ have [H V B F] := keeps R1; split.
 - move=> h lh; have [o w n p c] := H h lh; split=> //.
     exact: (down (i := v) vertexE) (bare_v lh) o.
   exact: (down (i := b) boundaryE) (not_on_b lh) c.
-- move=> u lu; have [L I] := V u (up_vertex lu); rewrite leaving_same in L; split; first by case: L => [L|L]; [left|right].
+- move=> u lu; have [L I] := V u (up_vertex lu); rewrite leaving_same in L.
+  split; first by case: L => [L|L]; [left|right].
   move: I; rewrite isolated_less old_v // => -[->|I]; [by left|right].
   apply: (down (i := b) boundaryE) I => E; have S : starts_at_vertex t' u b.
     have E' : isolated t' u = Some b by rewrite isolated_less old_v.
@@ -231,11 +233,14 @@ exists V, E, cycles; split=> //; exists vs, es, cs; split=> //.
 exact: lists_one_iff (half_edge_of_less u) Cs.
 Qed.
 
+(** Where [v] and [b] are free slots of [t] and [f] is a face: if all rules hold with the isolated vertex, they hold
+    without. *)
 Theorem remove_isolated_vertex_keeps_rules : rules t.
 Proof.
 have H r : index r < index T4 -> holds t r.
   case: r => // _; [exact: remove_r1|exact: (keeps L1)|exact: (keeps L2)|exact: (keeps L3)|idtac|exact: (keeps V2)|
-    exact: remove_b1|exact: remove_b2|exact: remove_f1|exact: remove_f2|exact: remove_t1|exact: remove_t2|exact: remove_t3].
+    exact: remove_b1|exact: remove_b2|exact: remove_f1|exact: remove_f2|exact: remove_t1|exact: remove_t2|
+    exact: remove_t3].
   by move=> u h lu; rewrite -leaving_same; apply: (keeps V1 u h) (up_vertex lu).
 by move=> r; case: (ltnP (index r) (index T4)) => [/H //|]; case: r => // _; apply: t4_follows => q; apply: H.
 Qed.

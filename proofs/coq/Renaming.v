@@ -1,8 +1,8 @@
 (** * Renaming: the numbers of records, and the order of lists, do not matter
 
-    Two views are *renamings* of each other if the records of one are those of the other under other numbers, and if each
-    face lists the same boundary components, in whatever order. So are the structures before and after they are saved
-    and loaded, or compacted, and so is what an operator makes in two stores that give out numbers in different ways.
+    A view is a *renaming* of another one if its records are those of the other under other numbers, and each face lists
+    the same boundary components, in whatever order. Two stores that give out slots in different ways make renamings of
+    each other.
 
 <<
       t    face 3 lists 5 8 2          rb 5 = 0, rb 8 = 1, rb 2 = 2, rf 3 = 7
@@ -23,16 +23,17 @@ Definition renumbers (r : nat -> nat) (live live' : nat -> bool) :=
 Definition rename_start rd rv s := match s with AtHalfEdge h => AtHalfEdge (rd h) | AtVertex v => AtVertex (rv v) end.
 Definition rename_place (rp : nat -> nat) p := match p with Outer => Outer | Inner i => Inner (rp i) end.
 
-(** [rv], [rd], [rb] and [rf] give the new numbers of vertices, half-edges, boundary components and faces, and [rp f] the new
-    places in the list of the face [f]. *)
+(** [rv], [rd], [rb] and [rf] give the new numbers of vertices, half-edges, boundary components and faces, and [rp f]
+    the new places in the list of the face [f]. *)
 Record renaming t t' (rv rd rb rf : nat -> nat) (rp : nat -> nat -> nat) : Prop := Renaming {
   of_vertices : renumbers rv (vertex t) (vertex t');
   of_half_edges : renumbers rd (half_edge t) (half_edge t');
   of_boundaries : renumbers rb (boundary t) (boundary t');
   of_faces : renumbers rf (face t) (face t');
   same_half_edge : forall h, half_edge t h ->
-    [/\ origin t' (rd h) = omap rv (origin t h), twin t' (rd h) = omap rd (twin t h), next t' (rd h) = omap rd (next t h),
-        prev t' (rd h) = omap rd (prev t h) & boundary_of t' (rd h) = omap rb (boundary_of t h)];
+    [/\ origin t' (rd h) = omap rv (origin t h), twin t' (rd h) = omap rd (twin t h),
+        next t' (rd h) = omap rd (next t h), prev t' (rd h) = omap rd (prev t h)
+      & boundary_of t' (rd h) = omap rb (boundary_of t h)];
   same_vertex : forall v, vertex t v ->
     leaving t' (rv v) = omap rd (leaving t v) /\ isolated t' (rv v) = omap rb (isolated t v);
   same_boundary : forall b f, boundary t b -> boundary_face t b = Some f ->
@@ -49,7 +50,8 @@ Section Renamed.
 Variables (t t' : view) (rv rd rb rf : nat -> nat) (rp : nat -> nat -> nat).
 Hypothesis same : renaming t t' rv rd rb rf rp.
 
-Lemma renamed_numbers T (n : T -> nat) r live live' : renumbers r live live' -> numbers n live -> numbers (r \o n) live'.
+Lemma renamed_numbers T (n : T -> nat) r live live' :
+  renumbers r live live' -> numbers n live -> numbers (r \o n) live'.
 Proof.
 case=> inj all [n_inj n_all]; have ln x : live (n x) by apply/n_all; exists x.
 split=> [x y /= /inj E|j]; first by apply/n_inj/E.
