@@ -34,5 +34,6 @@
 //! | `obj`, `off`, `stl` (default) | a reader each | none |
 //! | `ply` (default) | the reader for PLY | ply-rs-bw |
 //! | `serde` (default) | [`mesh::MeshAudit`] and its parts are `Serialize` | serde |
+#![cfg_attr(docsrs, feature(doc_cfg))]
 
 pub mod mesh;

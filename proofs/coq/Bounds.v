@@ -1,4 +1,4 @@
-(** * Bounds: T4 follows from the others
+(** * Bounds: T4 follows from the others (rules/bounds.rs)
 
     In a simple plane map with three vertices or more every walk of a component with three vertices or more has at least
     three half-edges. So [3 · cycles ≤ 2E], and Euler's formula gives [E ≤ 3V − 6]. Components with fewer vertices make

@@ -70,3 +70,46 @@ apply: (iffP eqP) => [|[i [pi one]]].
 have/perm_size-> // : perm_eq s [:: i].
 by apply: uniq_perm => // j; rewrite mem inE; apply/idP/eqP => [/one|->].
 Qed.
+
+(** ** Lists of lists *)
+
+(** Lists without repetition that have nothing in common make one without repetition. *)
+Lemma uniq_flatten (A : eqType) (s : seq nat) (T : nat -> seq A) : uniq s -> (forall b, b \in s -> uniq (T b)) ->
+  (forall b c x, b \in s -> c \in s -> x \in T b -> x \in T c -> b = c) -> uniq (flatten [seq T b | b <- s]).
+Proof.
+elim: s => //= b s IH /andP[bs u] each one; rewrite cat_uniq each ?mem_head //= IH //; first last.
+- by move=> c d x cs ds; apply: one; rewrite inE ?cs ?ds orbT.
+- by move=> c cs; apply: each; rewrite inE cs orbT.
+rewrite andbT; apply/hasPn=> x /flattenP[t /mapP[c cs ->] xc]; apply/negP=> xb.
+by move: bs; rewrite (one b c x) ?cs ?mem_head // inE cs orbT.
+Qed.
+
+Lemma size_flatten_map (A : eqType) (s : seq nat) (T : nat -> seq A) :
+  size (flatten [seq T b | b <- s]) = sumn [seq size (T b) | b <- s].
+Proof. by elim: s => //= b s IH; rewrite size_cat IH. Qed.
+
+(** Lists of different boundary components are short. *)
+Lemma lists_short_if t : (forall f i, face t f -> i < inner_count t f -> exists b,
+    [/\ inner t f i = Some b, boundary_face t b = Some f & boundary_place t b = Some (Inner i)]) -> lists_short t.
+Proof.
+move=> H; pose T f := [seq odflt 0 (inner t f i) | i <- iota 0 (inner_count t f)].
+have TP f b : b \in T f -> exists i, boundary_face t b = Some f /\ boundary_place t b = Some (Inner i).
+  case/mapP=> i; rewrite mem_iota add0n => lt ->; have lf : face t f by move: lt; rewrite /inner_count; case: ifP.
+  by have [c [-> Ef Ep]] := H f i lf lt; exists i.
+have u : uniq (flatten [seq T f | f <- iota 0 (face_slots t)]).
+  apply: uniq_flatten; first exact: iota_uniq.
+    move=> f _; rewrite map_inj_in_uniq ?iota_uniq // => i j; rewrite !mem_iota !add0n => li lj.
+    have lf : face t f by move: li; rewrite /inner_count; case: ifP.
+    have [b [-> _ P]] := H f i lf li; have [c [-> _ Q]] := H f j lf lj; rewrite /= => bc.
+    by move: P; rewrite bc Q => -[].
+  by move=> f g b _ _ /TP[i [Ef _]] /TP[j [Eg _]]; move: Ef; rewrite Eg => -[].
+have sub : {subset flatten [seq T f | f <- iota 0 (face_slots t)] <= [seq b <- iota 0 (boundary_slots t) | boundary t b]}.
+  move=> b /flattenP[s /mapP[f _ ->] /TP[i [E _]]]; rewrite mem_filter mem_iota add0n.
+  have lb : boundary t b by move: E; rewrite /boundary_face /heard; case: ifP.
+  by rewrite lb; case/andP: lb.
+have := uniq_leq_size u sub; rewrite size_flatten_map size_filter /lists_short.
+have -> : [seq size (T f) | f <- iota 0 (face_slots t)] = [seq inner_count t f | f <- iota 0 (face_slots t)].
+  by apply: eq_map => f; rewrite size_map size_iota.
+move=> le; apply: leq_trans le _; apply: leq_trans (leq_addr _ _).
+by rewrite leq_pmull.
+Qed.

@@ -13,21 +13,6 @@ Unset Printing Implicit Defensive.
 
 (** ** Lists *)
 
-(** Lists without repetition that have nothing in common make one without repetition. *)
-Lemma uniq_flatten (A : eqType) (s : seq nat) (T : nat -> seq A) : uniq s -> (forall b, b \in s -> uniq (T b)) ->
-  (forall b c x, b \in s -> c \in s -> x \in T b -> x \in T c -> b = c) -> uniq (flatten [seq T b | b <- s]).
-Proof.
-elim: s => //= b s IH /andP[bs u] each one; rewrite cat_uniq each ?mem_head //= IH //; first last.
-- by move=> c d x cs ds; apply: one; rewrite inE ?cs ?ds orbT.
-- by move=> c cs; apply: each; rewrite inE cs orbT.
-rewrite andbT; apply/hasPn=> x /flattenP[t /mapP[c cs ->] xc]; apply/negP=> xb.
-by move: bs; rewrite (one b c x) ?cs ?mem_head // inE cs orbT.
-Qed.
-
-Lemma size_flatten_map (A : eqType) (s : seq nat) (T : nat -> seq A) :
-  size (flatten [seq T b | b <- s]) = sumn [seq size (T b) | b <- s].
-Proof. by elim: s => //= b s IH; rewrite size_cat IH. Qed.
-
 (** As many different ones as there are: hence all. *)
 Lemma all_met (A : eqType) (s s' : seq A) : uniq s -> {subset s <= s'} -> size s = size s' -> s =i s'.
 Proof. by move=> u sub E; have [] := uniq_min_size u sub _; rewrite ?E. Qed.
@@ -297,7 +282,7 @@ Qed.
 
 (** *** The rules *)
 
-Lemma accepted_r1 : r1_live t.
+Lemma accepted_links : links_live t.
 Proof.
 split.
 - move=> h lh; have [w [n [g [b [[tw lw _ _] [nx ln _] [pv lg _] _ [bh lb _ _]]]]]] := half_edge_ok lh.
@@ -325,9 +310,18 @@ have [b [lb _ _ L]] := @all_named f (Inner i) ((placesP f (Some i)).2 (conj lf l
 by exists b.
 Qed.
 
+Lemma accepted_r1 : r1_live t.
+Proof.
+split; first exact: accepted_links.
+apply: lists_short_if => f i lf lt.
+have lt' : i < says_inner_count t f by move: lt; rewrite /inner_count lf.
+have [b [lb Ef Ep L]] := @all_named f (Inner i) ((placesP f (Some i)).2 (conj lf lt')).
+by exists b; rewrite /boundary_face /boundary_place !heardE.
+Qed.
+
 Lemma accepted_map : is_map t.
 Proof.
-split; first by case: accepted_r1.
+split; first by case: accepted_links.
 - move=> h lh; have [w [_ [_ [_ [[tw lw wh tw'] _ _ _ _]]]]] := half_edge_ok lh.
   by rewrite /twin heardE // tw /= heardE // tw'; split=> // -[].
 - move=> h lh; have [_ [n [g [_ [_ [nx ln pn] [pv lg gn] _ _]]]]] := half_edge_ok lh.

@@ -15,7 +15,7 @@ Section Lists.
 Variable t : view.
 Hypothesis low : lower t.
 
-Lemma low_r1 : r1_live t. Proof. exact: (low (q := R1)). Qed.
+Lemma low_r1 : links_live t. Proof. by have [] := low (q := R1). Qed.
 Lemma low_map : is_map t.
 Proof.
 by case: low_r1 => H _ _ _; split; [|exact: (low (q := L1))|exact: (low (q := L2))|exact: (low (q := L3))].

@@ -1,4 +1,4 @@
-(** * Reference: a checker that names the first broken rule (reference.rs)
+(** * Reference: a checker that names the first broken rule (reference/rules.rs)
 
     It says the same as the reference validator of the Rust code: the first broken rule in the order of the ladder, or
     none. It asks of each rule no more than is needed where the rules before it hold, so that it is linear (but for the
@@ -38,7 +38,11 @@ Definition lengths : memory nat := tally (half_edge_slots t) (boundary_of t).
 Definition start_lives (s : option start) : bool :=
   match s with Some (AtHalfEdge h) => half_edge t h | Some (AtVertex v) => vertex t v | None => false end.
 
-Definition check_r1 (degree : memory nat) :=
+Definition check_lists_short :=
+  fold_below (face_slots t) (fun sum f => sum + inner_count t f) 0
+  <= 2 * fold_below (boundary_slots t) (fun sum b => if boundary t b then sum.+1 else sum) 0 + 16.
+
+Definition check_links (degree : memory nat) :=
   [&& each_half_edge (fun h =>
         [&& leads (vertex t) (origin t h), leads (half_edge t) (twin t h), leads (half_edge t) (next t h),
             leads (half_edge t) (prev t h) & leads (boundary t) (boundary_of t h)]),
@@ -49,6 +53,8 @@ Definition check_r1 (degree : memory nat) :=
     & each_face (fun f =>
         (is_nil (outer t f) || leads (boundary t) (outer t f))
         && all_below (inner_count t f) (fun i => leads (boundary t) (inner t f i)))].
+
+Definition check_r1 (degree : memory nat) := check_lists_short && check_links degree.
 
 Definition check_l1 := each_half_edge (fun h =>
   same_link (twin t h >>= twin t) (Some h) && ~~ same_link (twin t h) (Some h)).

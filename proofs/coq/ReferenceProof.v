@@ -46,7 +46,22 @@ Qed.
 Lemma start_livesP s : reflect (starts_live t s) (start_lives t s).
 Proof. by case: s => [[h|v]|] /=; [apply: idP|apply: idP|constructor]. Qed.
 
-Lemma check_r1P : reflect (r1_live t) (check_r1 t (degrees t)).
+Lemma fold_sum n (p : nat -> nat) a : fold_below n (fun sum i => sum + p i) a = a + sumn [seq p i | i <- iota 0 n].
+Proof.
+elim: n a => [|n IH] a; first by rewrite addn0.
+by rewrite iotaS_cat map_cat sumn_cat /= IH; arith.
+Qed.
+
+Lemma fold_count n (p : pred nat) a : fold_below n (fun sum i => if p i then sum.+1 else sum) a = a + count p (iota 0 n).
+Proof.
+elim: n a => [|n IH] a; first by rewrite addn0.
+by rewrite iotaS_cat count_cat /= IH; case: (p n); arith.
+Qed.
+
+Lemma check_lists_shortP : reflect (lists_short t) (check_lists_short t).
+Proof. by rewrite /check_lists_short fold_sum fold_count; apply: idP. Qed.
+
+Lemma check_linksP : reflect (links_live t) (check_links t (degrees t)).
 Proof.
 apply: (iffP and4P) => [[/each_half_edgeP H /each_vertexP V /each_boundaryP B /each_faceP F]|[H V B F]]; split.
 - by move=> h /H /and5P[/leadsP ? /leadsP ? /leadsP ? /leadsP ? /leadsP ?].
@@ -59,6 +74,11 @@ apply: (iffP and4P) => [[/each_half_edgeP H /each_vertexP V /each_boundaryP B /e
   by case: L => [/leadsP|[-> /degree0P]]; [left|right].
 - by apply/each_boundaryP=> b /B [/leadsP-> /start_livesP].
 - apply/each_faceP=> f /F [/nil_or_leadsP-> I]; apply/all_belowP=> i /I /leadsP //.
+Qed.
+
+Lemma check_r1P : reflect (r1_live t) (check_r1 t (degrees t)).
+Proof.
+by apply: (iffP andP) => [[/check_lists_shortP S /check_linksP L]|[/check_linksP L /check_lists_shortP S]].
 Qed.
 
 (** ** L1, L2, L3, V1 *)
@@ -86,7 +106,7 @@ Qed.
 
 (** ** V2: a rotation has all half-edges with an origin if it has as many *)
 
-Hypothesis r1 : r1_live t.
+Hypothesis r1 : links_live t.
 Hypothesis map : is_map t.
 
 Lemma degreeE v : read (degrees t) v = #|[pred x : dart t | org x == v]|.

@@ -76,7 +76,7 @@ Qed.
 
 (** ** R1 to F2 *)
 
-Lemma rep_r1 : r1_live t.
+Lemma rep_links : links_live t.
 Proof.
 split.
 - move=> h /half_edge_is_nd[x <-]; have [y yx] := after_onto x.
@@ -95,6 +95,9 @@ move=> f lf; split=> [|i /(lists_inner rep)[b [-> E _]]]; last by exists b => //
 case E: (outer t f) => [b|]; [right|by left].
 by exists b => //; have [E' _] := lists_outer rep E; apply: heard_live E'.
 Qed.
+
+Lemma rep_r1 : r1_live t.
+Proof. by split; [exact: rep_links | apply: lists_short_if => f i _ /(lists_inner rep)]. Qed.
 
 Lemma rep_l1 : l1_twin t.
 Proof.
@@ -186,7 +189,7 @@ split=> [|f b v E S].
   move=> f [/face_is_nf[g <-] none]; case: (eqVneq g (unbounded_face s)) => [-> //|/bounded[x no xg]].
   have [[_ +] _] := says_of_walk rep x; rewrite (negPf no) xg => -[_].
   by rewrite none.
-have lv : vertex t v by have [_ _ B _] := rep_r1; have [_] := B b (heard_live S); rewrite S.
+have lv : vertex t v by have [_ _ B _] := rep_links; have [_] := B b (heard_live S); rewrite S.
 case: (vertex_is_nv lv) => u uv; rewrite -uv in S; case/starts_at_nv: S => a bu.
 have [_ Ep] := lists_outer rep E; have [[_ [i [P _]]] _] := says_of_isolated rep a.
 by move: Ep; rewrite bu P.

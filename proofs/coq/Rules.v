@@ -1,4 +1,4 @@
-(** * Rules: R1 to T4 as propositions (rule.rs, and the sentences of reference.rs)
+(** * Rules: R1 to T4 as propositions (rule.rs, and the sentences of reference/rules.rs)
 
     Each rule is its sentence in the README's table, with quantifiers, over any [view] whatever. Nothing is computed
     here. The expectation is `Expectation::plane()`: every part is there, the surface is the plane, and it is closed.
@@ -50,7 +50,14 @@ Definition faces_live := forall f, face t f ->
   nil_or_leads_to (boundary t) (outer t f) /\
   forall i, i < inner_count t f -> leads_to (boundary t) (inner t f i).
 
-Definition r1_live := [/\ half_edges_live, vertices_live, boundaries_live & faces_live].
+Definition links_live := [/\ half_edges_live, vertices_live, boundaries_live & faces_live].
+
+(** The lists of the faces together hold no more than twice as many entries as there are boundary components, and 16. The
+    validator reads no further, and cannot say that what it did not read is live. *)
+Definition lists_short :=
+  sumn [seq inner_count t f | f <- iota 0 (face_slots t)] <= 2 * count (boundary t) (iota 0 (boundary_slots t)) + 16.
+
+Definition r1_live := links_live /\ lists_short.
 
 (** ** L1 twin: `twin(twin(h)) = h` and `twin(h) ≠ h` *)
 

@@ -1,4 +1,5 @@
-(** * TopologyProof: the checker's verdicts on T1, T2 and T3 are right (topology.rs) *)
+(** * TopologyProof: the checker's verdicts on T1, T2 and T3 are right
+    (rules/outside.rs, nesting.rs and euler.rs) *)
 
 From mathcomp Require Import all_ssreflect.
 From twinedge Require Import Arith View Rules Loops LoopsProof Reference Map Counting Lists ReferenceProof.
@@ -330,7 +331,7 @@ Qed.
 
 Lemma lower_map t : upto t (index V1) -> is_map t.
 Proof.
-by move=> up; case: (up R1 isT) => H _ _ _; split; [|exact: (up L1)|exact: (up L2)|exact: (up L3)].
+by move=> up; case: (up R1 isT) => -[H _ _ _] _; split; [|exact: (up L1)|exact: (up L2)|exact: (up L3)].
 Qed.
 
 (** What the checker says is true. *)
@@ -340,7 +341,7 @@ Proof.
 rewrite /first_broken.
 have up : upto t 0 by [].
 case: (check_r1P t) => [h|h]; last by [].
-have {}up := @upto_next t R1 up h; have r1 : r1_live t := h.
+have {}up := @upto_next t R1 up h; have r1 : links_live t := proj1 h.
 case: (check_l1P t) => [{}h|{}h]; last by [].
 have {}up := @upto_next t L1 up h.
 case: (check_l2P t) => [{}h|{}h]; last by [].

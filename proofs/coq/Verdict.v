@@ -57,7 +57,14 @@ Qed.
 (** ** What the rules mean
 
     A view keeps all rules if and only if it represents a planar subdivision: one that can be drawn edge by edge, and
-    put down piece by piece. So whatever the checker accepts can be drawn, and it accepts whatever can be drawn. *)
+    put down piece by piece. So whatever the checker accepts can be drawn, and it accepts whatever can be drawn.
+
+<<
+      V 3 1 - x - 2 H 4 x 0 3 1 1 0 …      ◄── represents ──►      ┌──────────┐
+                                                                   │     ·    │
+      R1 … T4 hold                                                 └── · ─────┘
+>>
+*)
 
 Theorem rules_mean_subdivision t : rules t <-> exists s, represents t s.
 Proof.
@@ -71,8 +78,15 @@ Proof. by rewrite first_broken_none; apply: rules_mean_subdivision. Qed.
 
 (** ** Euler's formula
 
-    For a component, where R1 to F2 hold: [V − E + cycles = 2 − 2g] for a natural number [g]. It is the number of edges
-    that need a handle, and it is the same in whatever order the edges are drawn ([Euler.genus]). *)
+    For a component, where R1 to F2 hold: [V − E + cycles = 2 − 2g] for a natural number [g]. The proof takes for [g] the
+    number of edges that need a handle, which is the same in whatever order the edges are drawn ([Euler.genus]).
+
+<<
+      ·────·      V − E + cycles = 4 − 4 + 2 = 2          │        V − E + cycles = 1 − 2 + 1 = 0
+      │    │      g = 0                                 ──·──      g = 1: two loops that cross at their vertex,
+      ·────·                                              │               as on a torus
+>>
+*)
 
 Theorem component_euler t v V E cycles : holds_before t T1 -> vertex t v -> has_counts t v V E cycles ->
   exists g, V + cycles + 2 * g = 2 + E.

@@ -58,7 +58,7 @@ Definition half_edge t h := (h < half_edge_slots t) && is_half_edge t h.
 Definition boundary t b := (b < boundary_slots t) && is_boundary t b.
 Definition face t f := (f < face_slots t) && is_face t f.
 
-(** Answers are heard of live records only, as in reference.rs: all others are nil. *)
+(** Answers are heard of live records only, as in reference/rules.rs: all others are nil. *)
 
 Definition heard T (live : nat -> bool) (says : nat -> option T) i : option T := if live i then says i else None.
 

@@ -42,6 +42,7 @@
 //! # Features
 //!
 //! `serde`: all outcomes implement `Serialize` and `Deserialize`. The program `twinedge` prints them as JSON.
+#![cfg_attr(docsrs, feature(doc_cfg))]
 
 mod error;
 mod panics;
