@@ -1,4 +1,4 @@
-(** * MoveInner: moving an inner boundary component to another face keeps all rules (move_inner.rs)
+(** * MoveInner: moving an inner boundary component keeps all rules, if its new face is not inside it (move_inner.rs)
 
     `move_inner(b, g)` takes an inner boundary component, a hole or an isolated vertex, out of the list of its face and
     appends it to that of another face. It is refused if that face is inside the component: then the component would lie
@@ -124,7 +124,8 @@ have [H V B F] := keeps R1; split=> // [c lc|h lh].
   have [L S] := B c lc; split=> //; rewrite moved_face; case: eqP => // _; by exists g.
 have [O _] := F h lh; split=> // i lt; case E: (inner t' h i) => [c|].
   exists c => //; case: ((moved_listed h (Inner i) c).1 E) => [[_ /(listed_live low)]|[-> _ _]] //; exact: live_b.
-move: E; rewrite /inner lt /=; case: ifP => // no E; have [_ I] := F h lh; have [d] : leads_to (boundary t) (inner t h i).
+move: E; rewrite /inner lt /=; case: ifP => // no E; have [_ I] := F h lh.
+have [d] : leads_to (boundary t) (inner t h i).
   apply: I; move: lt; rewrite moved_count; case: eqP => [->|_]; first by move=> lt; apply: leq_trans lt (leq_pred _).
   by case: eqP no => //= -> /negbT ni; rewrite ltnS leq_eqVlt (negPf ni).
 by rewrite /inner E; case: ifP.
@@ -219,10 +220,39 @@ exists V, E, cycles; split=> //; exists vs, es, cs; split=> //.
 exact: lists_one_iff (move_half_edge_of u) Cs.
 Qed.
 
-(** If the other face is not inside the component: all rules that held before hold after. *)
-Theorem move_inner_keeps_rules : ~ inside t b g -> rules t'.
+Lemma insideP h c w : inside t b h -> outer t h = Some c -> vertex_at t c = Some w ->
+  outside_of t w b \/ exists d h', [/\ outside_of t w d, boundary_face t d = Some h' & inside t b h'].
 Proof.
-move=> no; have H r : index r < index T4 -> holds t' r.
+by case=> [k c' w' E W O|k c' w' d k' E W O D I]; rewrite E => -[<-]; rewrite W => -[<-]; [left|right; exists d, k'].
+Qed.
+
+(** Where the component is moved to a face inside it, no face inside it is rooted any more. *)
+Lemma move_unrooted h : inside t b g -> rooted t' h -> ~ inside t b h.
+Proof.
+move=> in_g; elim=> [k [_ U] k_in|k c w d k' E W O D _ IH k_in].
+  by case: k_in U => [h' c w|h' c w d h''] E; rewrite -[outer t' h']/(outer t h') E.
+have lw : vertex t w.
+  have [H _ B _] := keeps R1; move: W; rewrite -[vertex_at t' c]/(vertex_at t c) /vertex_at.
+  case S: (boundary_start t c) => [[x|x]|] //= W; last by case: W => <-; have [_] := B c (heard_live S); rewrite S.
+  by have [[u + lu] _ _ _ _] := H x (heard_live W); rewrite W => -[->].
+have one e : outside_of t w e -> d = e.
+  by move=> Oe; have [a [_ un]] := keeps T1 w lw; rewrite -(un e Oe); apply/esym/un/move_outside.
+apply: IH; case: (insideP k_in (E : outer t k = Some c) (W : vertex_at t c = Some w)) D => [/one->|[e [h' [/one-> De in_h]]]].
+  by rewrite moved_face eqxx => -[<-].
+by rewrite moved_face; case: eqP => [_ [<-] //|_]; rewrite De => -[<-].
+Qed.
+
+(** If the other face is not inside the component, all rules hold after the move; otherwise T2 is broken. *)
+Theorem move_inner_keeps_rules : rules t' <-> ~ inside t b g.
+Proof.
+split=> [ok in_g|no].
+  have [w W lw] : exists2 w, vertex_at t b = Some w & vertex t w.
+    have [H _ B _] := keeps R1; have [_] := B b live_b; rewrite /vertex_at.
+    case: (boundary_start t b) => [[k|x]|] //= l; last by exists x.
+    by have [[w W lw] _ _ _ _] := H k l; exists w.
+  apply: (move_unrooted in_g) in_g; apply: (ok T2 w b g lw); last by rewrite moved_face eqxx.
+  by apply/move_outside; split; [exists (inner_count t f).-1|exists w => //; apply: connected_self].
+have H r : index r < index T4 -> holds t' r.
   case: r => // _; [exact: move_r1|exact: (keeps L1)|exact: (keeps L2)|exact: (keeps L3)|exact: (keeps V1)|
     exact: (keeps V2)|exact: (keeps B1)|exact: (keeps B2)|exact: (keeps F1)|exact: move_f2|exact: move_t1|
     exact: move_t2|exact: move_t3].
