@@ -26,15 +26,16 @@ pub enum Input {
 }
 
 impl Input {
-    /// The point at fault: of a segment, the end with the larger coordinate.
-    #[cfg(feature = "map")]
-    pub(crate) fn point(self, segments: &[[Point; 2]], points: &[Point]) -> Point {
+    /// The point at fault, given the input of [`node`](super::node): of a segment, the end with the larger coordinate. None if the
+    /// input has no such part. O(1).
+    #[must_use]
+    pub fn point(self, segments: &[[Point; 2]], points: &[Point]) -> Option<Point> {
         match self {
-            Self::Point(index) => points[index],
+            Self::Point(index) => points.get(index).copied(),
             Self::Segment(index) => {
-                let [a, b] = segments[index];
+                let [a, b] = *segments.get(index)?;
                 let size = |p: Point| p.x.abs().max(p.y.abs());
-                if size(a) < size(b) { b } else { a }
+                Some(if size(a) < size(b) { b } else { a })
             }
         }
     }

@@ -152,7 +152,7 @@ pub(super) fn snapped(
     let noded = noded.map_err(|error| match error {
         NodingError::Size => BuildError::CellSize,
         NodingError::NotFinite { at } | NodingError::OutOfRange { at } => {
-            let p = at.point(&drawn, points);
+            let p = at.point(&drawn, points).unwrap_or_default();
             BuildError::OutOfReach { x: p.x, y: p.y }
         }
         NodingError::TooMany => BuildError::Full(RecordKind::Vertex),

@@ -89,7 +89,7 @@ impl EditError {
         match error {
             NodingError::Size => Self::CellSize,
             NodingError::NotFinite { at } | NodingError::OutOfRange { at } => {
-                let Point { x, y } = at.point(segments, points);
+                let Point { x, y } = at.point(segments, points).unwrap_or_default();
                 Self::OutOfReach { x, y }
             }
             NodingError::TooMany => OperatorError::Full(RecordKind::Vertex).into(),
