@@ -13,7 +13,7 @@
     Here [b] is the last one that its face lists. The order of a list does not matter: see Renaming.v. *)
 
 From mathcomp Require Import all_ssreflect.
-From twinedge Require Import View Rules Map Lists TopologyProof Verdict.
+From twinedge Require Import View Rules Map Counting Lists TopologyProof Verdict.
 Set Implicit Arguments.
 Unset Strict Implicit.
 Unset Printing Implicit Defensive.
@@ -118,9 +118,9 @@ rewrite ltnS leq_eqVlt; case: eqP => //= _; rewrite hg; split=> [E|[[]//|[_ _ []
 by left; split=> // cb; apply: (nb i); rewrite -cb /inner hg.
 Qed.
 
-Lemma move_r1 : r1_live t'.
+Lemma move_links : links_live t'.
 Proof.
-have [H V B F] := keeps R1; split=> // [c lc|h lh].
+have [[H V B F] _] := keeps R1; split=> // [c lc|h lh].
   have [L S] := B c lc; split=> //; rewrite moved_face; case: eqP => // _; by exists g.
 have [O _] := F h lh; split=> // i lt; case E: (inner t' h i) => [c|].
   exists c => //; case: ((moved_listed h (Inner i) c).1 E) => [[_ /(listed_live low)]|[-> _ _]] //; exact: live_b.
@@ -170,7 +170,7 @@ Proof.
 move=> lh; case E: (outer t h) => [c|]; last exact: rooted_here.
 have lc : boundary t c := listed_live low (E : listed t h Outer = Some c).
 have [w W lw] : exists2 w, vertex_at t c = Some w & vertex t w.
-  have [H _ B _] := keeps R1; have [_] := B c lc; rewrite /vertex_at; case: (boundary_start t c) => [[k|x]|] //= l.
+  have [[H _ B _] _] := keeps R1; have [_] := B c lc; rewrite /vertex_at; case: (boundary_start t c) => [[k|x]|] //= l.
     by have [[w W lw] _ _ _ _] := H k l; exists w.
   by exists x.
 have [d [O _]] := keeps T1 w lw; have [h' D _] := outside_face low O.
@@ -197,7 +197,7 @@ Qed.
 Lemma move_t2 : ~ inside t b g -> t2_nesting t'.
 Proof.
 move=> no u c h lu /move_outside O; rewrite moved_face => E; apply: (move_rooted no); apply: face_rooted.
-case: eqP E => [_ [<-] //|_ E]; have [_ _ B _] := keeps R1.
+case: eqP E => [_ [<-] //|_ E]; have [[_ _ B _] _] := keeps R1.
 by have [[h' + lh] _] := B c (heard_live E); rewrite E => -[->].
 Qed.
 
@@ -232,7 +232,7 @@ Proof.
 move=> in_g; elim=> [k [_ U] k_in|k c w d k' E W O D _ IH k_in].
   by case: k_in U => [h' c w|h' c w d h''] E; rewrite -[outer t' h']/(outer t h') E.
 have lw : vertex t w.
-  have [H _ B _] := keeps R1; move: W; rewrite -[vertex_at t' c]/(vertex_at t c) /vertex_at.
+  have [[H _ B _] _] := keeps R1; move: W; rewrite -[vertex_at t' c]/(vertex_at t c) /vertex_at.
   case S: (boundary_start t c) => [[x|x]|] //= W; last by case: W => <-; have [_] := B c (heard_live S); rewrite S.
   by have [[u + lu] _ _ _ _] := H x (heard_live W); rewrite W => -[->].
 have one e : outside_of t w e -> d = e.
@@ -247,13 +247,13 @@ Theorem move_inner_keeps_rules : rules t' <-> ~ inside t b g.
 Proof.
 split=> [ok in_g|no].
   have [w W lw] : exists2 w, vertex_at t b = Some w & vertex t w.
-    have [H _ B _] := keeps R1; have [_] := B b live_b; rewrite /vertex_at.
+    have [[H _ B _] _] := keeps R1; have [_] := B b live_b; rewrite /vertex_at.
     case: (boundary_start t b) => [[k|x]|] //= l; last by exists x.
     by have [[w W lw] _ _ _ _] := H k l; exists w.
   apply: (move_unrooted in_g) in_g; apply: (ok T2 w b g lw); last by rewrite moved_face eqxx.
   by apply/move_outside; split; [exists (inner_count t f).-1|exists w => //; apply: connected_self].
 have H r : index r < index T4 -> holds t' r.
-  case: r => // _; [exact: move_r1|exact: (keeps L1)|exact: (keeps L2)|exact: (keeps L3)|exact: (keeps V1)|
+  case: r => // _; [by split; [exact: move_links|exact: lists_short_listed move_links move_f2]|exact: (keeps L1)|exact: (keeps L2)|exact: (keeps L3)|exact: (keeps V1)|
     exact: (keeps V2)|exact: (keeps B1)|exact: (keeps B2)|exact: (keeps F1)|exact: move_f2|exact: move_t1|
     exact: move_t2|exact: move_t3].
 by move=> r; case: (ltnP (index r) (index T4)) => [/H //|]; case: r => // _; apply: t4_follows => q; apply: H.

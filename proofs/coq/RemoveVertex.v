@@ -12,7 +12,7 @@
     others move up: the order of a list does not matter (Renaming.v). *)
 
 From mathcomp Require Import all_ssreflect.
-From twinedge Require Import View Rules Map Lists TopologyProof Verdict AddVertex.
+From twinedge Require Import View Rules Map Counting Lists TopologyProof Verdict AddVertex.
 Set Implicit Arguments.
 Unset Strict Implicit.
 Unset Printing Implicit Defensive.
@@ -101,9 +101,9 @@ Proof. by move=> QP li [j E]; rewrite QP => /orP[/eqP ji|Pj]; [case: li; rewrite
 
 (** ** R1 to F2 *)
 
-Lemma remove_r1 : r1_live t.
+Lemma remove_links : links_live t.
 Proof.
-have [H V B F] := keeps R1; split.
+have [[H V B F] _] := keeps R1; split.
 - move=> h lh; have [o w n p c] := H h lh; split=> //.
     exact: (down (i := v) vertexE) (bare_v lh) o.
   exact: (down (i := b) boundaryE) (not_on_b lh) c.
@@ -197,7 +197,7 @@ elim=> [h U|h c w d h' E W O D _ IH]; first exact: rooted_here.
 have cb : c == b = false by apply/eqP=> cb; rewrite cb in E; have [_] := @listed_once h Outer E.
 rewrite vertex_at_less cb in W.
 have lw : vertex t w.
-  have [H _ B _] := remove_r1; move: W; rewrite /vertex_at; case S: (boundary_start t c) => [[k|x]|] //=.
+  have [H _ B _] := remove_links; move: W; rewrite /vertex_at; case S: (boundary_start t c) => [[k|x]|] //=.
     by move=> K; have [[x + lx] _ _ _ _] := H k (heard_live K); rewrite K => -[->].
   by case=> <-; have [_] := B c (heard_live S); rewrite S.
 have O' : outside_of t w d by apply/outside_less.
@@ -238,7 +238,7 @@ Qed.
 Theorem remove_isolated_vertex_keeps_rules : rules t.
 Proof.
 have H r : index r < index T4 -> holds t r.
-  case: r => // _; [exact: remove_r1|exact: (keeps L1)|exact: (keeps L2)|exact: (keeps L3)|idtac|exact: (keeps V2)|
+  case: r => // _; [by split; [exact: remove_links|exact: lists_short_listed remove_links remove_f2]|exact: (keeps L1)|exact: (keeps L2)|exact: (keeps L3)|idtac|exact: (keeps V2)|
     exact: remove_b1|exact: remove_b2|exact: remove_f1|exact: remove_f2|exact: remove_t1|exact: remove_t2|
     exact: remove_t3].
   by move=> u h lu; rewrite -leaving_same; apply: (keeps V1 u h) (up_vertex lu).
