@@ -17,6 +17,7 @@ mod progress;
 mod prove;
 mod query;
 mod replay;
+mod sample;
 mod soak;
 mod status;
 mod structures;
@@ -54,6 +55,7 @@ enum Command {
     Prove(prove::Prove),
     Corrupt(corrupt::Corrupt),
     Tables(tables::Tables),
+    Sample(sample::Sample),
     Soak(soak::Soak),
     Replay(replay::Replay),
     Sum(sum::Sum),
@@ -69,6 +71,7 @@ fn main() -> ExitCode {
         Command::Prove(prove) => prove.run(),
         Command::Corrupt(corrupt) => corrupt.run(),
         Command::Tables(tables) => tables.run(),
+        Command::Sample(sample) => sample.run(),
         Command::Soak(soak) => soak.run(),
         Command::Replay(replay) => replay.run(),
         Command::Sum(sum) => sum.run(),
