@@ -4,6 +4,7 @@
 
 From mathcomp Require Import all_ssreflect all_fingroup.
 From twinedge Require Import View Rules Reference Drawing Euler Subdivision Verdict FastPath FastPathProof AddVertex.
+From twinedge Require Import RemoveVertex MoveInner Renaming Connect.
 Set Implicit Arguments.
 Unset Strict Implicit.
 Unset Printing Implicit Defensive.
@@ -56,3 +57,28 @@ Check fast_path_accepts : forall t, fast_path t <-> holds_before t T2.
 
 Check add_isolated_vertex_keeps_rules : forall t v b f, ~~ vertex t v -> ~~ boundary t b -> face t f ->
   rules t -> rules (add_isolated_vertex t v b f).
+
+(** So does removing one. *)
+
+Check remove_isolated_vertex_keeps_rules : forall t v b f, ~~ vertex t v -> ~~ boundary t b -> face t f ->
+  rules (add_isolated_vertex t v b f) -> rules t.
+
+(** Moving an inner boundary component keeps all rules exactly if its new face is not inside its component. *)
+
+Check move_inner_keeps_rules : forall t b f g, rules t -> boundary_face t b = Some f ->
+  boundary_place t b = Some (Inner (inner_count t f).-1) -> face t g -> g != f ->
+  rules (move_inner t b f g) <-> ~ inside t b g.
+
+(** What keeps the rules keeps them under other numbers. *)
+
+Check renaming_keeps : forall t t' rv rd rb rf rp, renaming t t' rv rd rb rf rp -> rules t -> rules t'.
+
+(** Connecting a corner to an isolated vertex keeps all rules; so does attaching a new vertex to a corner. *)
+
+Check attach_vertex_keeps_rules : forall t a v h k, half_edge t a ->
+  ~~ vertex t v -> ~~ half_edge t h -> ~~ half_edge t k -> h != k ->
+  rules t -> rules (attach_vertex t a v h k).
+
+Check bridge_to_isolated_vertex_keeps_rules : forall t a v b f h k, half_edge t a -> face t f ->
+  ~~ vertex t v -> ~~ boundary t b -> ~~ half_edge t h -> ~~ half_edge t k -> h != k ->
+  rules (add_isolated_vertex t v b f) -> rules (attach_vertex t a v h k).

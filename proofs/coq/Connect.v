@@ -1,0 +1,577 @@
+(** * Connect: connecting a corner to an isolated vertex keeps all rules (dcel/operators/connect.rs)
+
+    `connect` joins two corners of one face by an edge. Here the second corner is that of an isolated vertex, so that the
+    edge is a bridge: the isolated vertex and its boundary component are gone, and the vertex is at the end of an edge.
+
+<<
+      f ┌──────────┐         f ┌──────────┐        half-edge h: from the corner after a, twin k
+        │    · v   │           │   ┌─· v  │        half-edge k: from v, twin h
+        │          │   ──►     │  h│k     │        along the boundary: a, h, k, next(a)
+        └──►───·───┘           └──►┴──────┘        vertex v: leaving k, no longer isolated
+           a                      a
+>>
+*)
+
+From mathcomp Require Import all_ssreflect.
+From twinedge Require Import View Rules Map Counting Verdict AddVertex RemoveVertex.
+Set Implicit Arguments.
+Unset Strict Implicit.
+Unset Printing Implicit Defensive.
+
+(** The view [t], in which [v] is free, with a vertex [v] at the end of an edge, which is inserted after the half-edge [a]:
+    its half-edges are [h], to [v], and [k], from [v]. *)
+Definition attach_vertex t a v h k : view := {|
+  vertex_slots := maxn (vertex_slots t) v.+1;
+  half_edge_slots := maxn (half_edge_slots t) (maxn h.+1 k.+1);
+  boundary_slots := boundary_slots t;
+  face_slots := face_slots t;
+  is_vertex := fun i => (i == v) || vertex t i;
+  is_half_edge := fun i => [|| i == h, i == k | half_edge t i];
+  is_boundary := is_boundary t;
+  is_face := is_face t;
+  says_origin := fun i => if i == h then target t a else if i == k then Some v else says_origin t i;
+  says_twin := fun i => if i == h then Some k else if i == k then Some h else says_twin t i;
+  says_next := fun i => if i == h then Some k else if i == k then next t a else if i == a then Some h else says_next t i;
+  says_prev := fun i => if i == h then Some a else if i == k then Some h else
+    if Some i == next t a then Some k else says_prev t i;
+  says_boundary := fun i => if (i == h) || (i == k) then boundary_of t a else says_boundary t i;
+  says_leaving := fun i => if i == v then Some k else says_leaving t i;
+  says_isolated := fun i => if i == v then None else says_isolated t i;
+  says_boundary_face := says_boundary_face t;
+  says_boundary_start := says_boundary_start t;
+  says_boundary_place := says_boundary_place t;
+  says_outer := says_outer t;
+  says_inner_count := says_inner_count t;
+  says_inner := says_inner t
+|}.
+
+(** A half-edge begins where the one before it around its vertex does, and so does all on its rotation. *)
+Lemma on_rotation_origin t g x : l1_twin t -> l3_target t -> on_orbit (turn t) g x -> origin t x = origin t g.
+Proof.
+move=> L1 L3 [n]; elim: n x => [|n IH] x /=; first by case=> <-.
+case E: (iter n _ _) => [y|] //= Y; rewrite -(IH y E); move: Y; rewrite /turn; case T: (twin t y) => [z|] //= N.
+have := L3 z (heard_live N); rewrite N /= => ->; have [] := L1 y (heard_live T).
+by rewrite T /= => ->.
+Qed.
+
+Lemma orbit_refl f x : on_orbit f x x. Proof. by exists 0. Qed.
+
+Lemma orbit_step f x y z : on_orbit f x y -> f y = Some z -> on_orbit f x z.
+Proof. by case=> n E F; exists n.+1; rewrite /= E. Qed.
+
+(** Where each step of one leads along the other, orbits do. *)
+Lemma orbit_sub (f f' : nat -> link) x y : (forall u w z, f u = Some w -> on_orbit f' z u -> on_orbit f' z w) ->
+  on_orbit f x y -> on_orbit f' x y.
+Proof.
+move=> sub [n]; elim: n y => [|n IH] y /=; first by case=> <-; apply: orbit_refl.
+by case E: (iter n _ _) => [u|] //= U; apply: sub U _; apply: IH.
+Qed.
+
+Section Attach.
+Variables (t : view) (a v h k o n b : nat).
+Hypothesis keeps : rules t.
+Hypothesis free_vertex : ~~ vertex t v.
+Hypothesis free_h : ~~ half_edge t h.
+Hypothesis free_k : ~~ half_edge t k.
+Hypothesis hk : h != k.
+Hypothesis live_a : half_edge t a.
+Hypothesis target_a : target t a = Some o.
+Hypothesis next_a : next t a = Some n.
+Hypothesis boundary_a : boundary_of t a = Some b.
+
+Notation t' := (attach_vertex t a v h k).
+
+Let kh : (k == h) = false. Proof. by rewrite eq_sym (negPf hk). Qed.
+
+Lemma vertexE i : vertex t' i = (i == v) || vertex t i.
+Proof.
+rewrite {1}/vertex /= leq_max ltnS; case: eqP => [->|_] /=; first by rewrite leqnn orbT.
+by case: (boolP (vertex t i)) => [/andP[-> _]|_]; rewrite ?andbF.
+Qed.
+
+Lemma half_edgeE i : half_edge t' i = [|| i == h, i == k | half_edge t i].
+Proof.
+rewrite {1}/half_edge /= !leq_max !ltnS; case: eqP => [->|_] /=; first by rewrite leqnn !orbT.
+case: eqP => [->|_] /=; first by rewrite leqnn !orbT.
+by case: (boolP (half_edge t i)) => [/andP[-> _]|_]; rewrite ?andbF.
+Qed.
+
+Lemma old_h i : half_edge t i -> i == h = false.
+Proof. by move=> l; apply/eqP=> E; rewrite E (negPf free_h) in l. Qed.
+Lemma old_k i : half_edge t i -> i == k = false.
+Proof. by move=> l; apply/eqP=> E; rewrite E (negPf free_k) in l. Qed.
+Lemma old_v i : vertex t i -> i == v = false.
+Proof. by move=> l; apply/eqP=> E; rewrite E (negPf free_vertex) in l. Qed.
+Lemma up_half_edge i : half_edge t i -> half_edge t' i. Proof. by rewrite half_edgeE => ->; rewrite !orbT. Qed.
+Lemma up_vertex i : vertex t i -> vertex t' i. Proof. by rewrite vertexE orbC => ->. Qed.
+
+(** ** What the view says *)
+
+Lemma links_of i : half_edge t i -> [/\ exists2 u, origin t i = Some u & vertex t u,
+  exists2 g, twin t i = Some g & half_edge t g, exists2 g, next t i = Some g & half_edge t g,
+  exists2 g, prev t i = Some g & half_edge t g & exists2 c, boundary_of t i = Some c & boundary t c].
+Proof. by have [[H _ _ _] _] := keeps R1; apply: H. Qed.
+
+Lemma live_n : half_edge t n.
+Proof. by have [_ _ [g + l] _ _] := links_of live_a; rewrite next_a => -[->]. Qed.
+
+Lemma live_o : vertex t o.
+Proof.
+have [_ [g E lg] _ _ _] := links_of live_a; have [[u U lu] _ _ _ _] := links_of lg.
+by move: target_a; rewrite /target E /= U => -[<-].
+Qed.
+
+Lemma live_b : boundary t b.
+Proof. by have [_ _ _ _ [c + l]] := links_of live_a; rewrite boundary_a => -[->]. Qed.
+
+Lemma origin_n : origin t n = Some o.
+Proof. by have := keeps L3 a live_a; rewrite next_a /= => ->. Qed.
+
+Lemma prev_n : prev t n = Some a.
+Proof. by have [+ _] := keeps L2 a live_a; rewrite next_a. Qed.
+
+Ltac heard := rewrite /heard half_edgeE /=; case: (_ == h) => //=; case: (_ == k) => //=.
+
+Lemma originE i : origin t' i = if i == h then Some o else if i == k then Some v else origin t i.
+Proof. by rewrite {1}/origin; heard. Qed.
+
+Lemma twinE i : twin t' i = if i == h then Some k else if i == k then Some h else twin t i.
+Proof. by rewrite {1}/twin; heard. Qed.
+
+Lemma nextE i : next t' i = if i == h then Some k else if i == k then Some n else if i == a then Some h else next t i.
+Proof.
+rewrite {1}/next; heard; rewrite ?next_a //.
+by case: (i =P a) => [->|_] //; rewrite live_a.
+Qed.
+
+Lemma prevE i : prev t' i = if i == h then Some a else if i == k then Some h else if i == n then Some k else prev t i.
+Proof.
+rewrite {1}/prev; heard => //; rewrite next_a -[Some i == Some n]/(i == n).
+by case: (i =P n) => [->|_] //; rewrite live_n.
+Qed.
+
+Lemma boundary_ofE i : boundary_of t' i = if (i == h) || (i == k) then Some b else boundary_of t i.
+Proof. by rewrite {1}/boundary_of; heard; rewrite ?boundary_a. Qed.
+
+Lemma leavingE i : leaving t' i = if i == v then Some k else leaving t i.
+Proof. by rewrite {1}/leaving /heard vertexE /=; case: (i == v). Qed.
+
+Lemma isolatedE i : isolated t' i = if i == v then None else isolated t i.
+Proof. by rewrite {1}/isolated /heard vertexE /=; case: (i == v). Qed.
+
+Definition newE := (eqxx, kh, negPf hk).
+
+Variant half_edge_is : nat -> Prop :=
+  | IsH : half_edge_is h
+  | IsK : half_edge_is k
+  | IsOld i of half_edge t i & i == h = false & i == k = false : half_edge_is i.
+
+Lemma half_edgeP i : half_edge t' i -> half_edge_is i.
+Proof.
+by rewrite half_edgeE => /or3P[/eqP->|/eqP->|l]; [exact: IsH|exact: IsK|apply: IsOld; rewrite ?old_h ?old_k].
+Qed.
+
+(** ** R1 to L3 *)
+
+Lemma bare_old u : vertex t u -> bare t' u <-> bare t u.
+Proof.
+move=> lu; split=> [B i li|B i /half_edgeP[||{}i li ih ik]].
+- by move=> E; apply: (B i (up_half_edge li)); rewrite originE old_h ?old_k.
+- by rewrite originE eqxx => -[ou]; apply: (B n live_n); rewrite origin_n ou.
+- by rewrite originE !newE => -[vu]; move: lu; rewrite -vu (negPf free_vertex).
+by rewrite originE ih ik; apply: B.
+Qed.
+
+Lemma attach_links : links_live t'.
+Proof.
+have [[H V B F] _] := keeps R1; split.
+- move=> i /half_edgeP[||{}i li ih ik]; rewrite originE twinE nextE prevE boundary_ofE ?newE.
+  + split; [exists o|exists k|exists k|exists a|exists b]; rewrite ?vertexE ?half_edgeE ?eqxx ?live_o ?live_a ?orbT //.
+    exact: live_b.
+  + split; [exists v|exists h|exists n|exists h|exists b]; rewrite ?vertexE ?half_edgeE ?eqxx ?live_n ?orbT //.
+    exact: live_b.
+  rewrite ih ik /=; have [[u U lu] [g G lg] [m M lm] [p P lp] C] := H i li; split=> //.
+  + by exists u; rewrite ?up_vertex.
+  + by exists g; rewrite ?up_half_edge.
+  + case: (i =P a) => _; [exists h|exists m] => //; last exact: up_half_edge.
+    by rewrite half_edgeE eqxx.
+  case: (i =P n) => _; [exists k|exists p] => //; last exact: up_half_edge.
+  by rewrite half_edgeE eqxx orbT.
+- move=> u; rewrite leavingE isolatedE vertexE; case: (u =P v) => [_ _|_ /= lu].
+    by split; left=> //; exists k; rewrite // half_edgeE eqxx orbT.
+  have [L I] := V u lu; split=> //; case: L => [[g G lg]|[N Bu]]; [left; exists g; rewrite ?up_half_edge // | right].
+  by split=> //; apply/bare_old.
+- move=> c lc; have [L S] := B c lc; split=> //; rewrite -[boundary_start t' c]/(boundary_start t c).
+  by case: (boundary_start t c) S => [[i|u]|] //= l; [apply: up_half_edge|apply: up_vertex].
+exact: F.
+Qed.
+
+Lemma attach_l1 : l1_twin t'.
+Proof.
+move=> i /half_edgeP[||{}i li ih ik]; rewrite twinE ?newE.
+- by rewrite /= twinE !newE; split=> // -[/eqP]; rewrite newE.
+- by rewrite /= twinE !newE; split=> // -[/eqP]; rewrite newE.
+rewrite ih ik; have [E D] := keeps L1 i li; split=> //.
+by have [_ [g G lg] _ _ _] := links_of li; rewrite G /= in E *; rewrite twinE old_h ?old_k.
+Qed.
+
+Lemma attach_l2 : l2_next_prev t'.
+Proof.
+move=> i /half_edgeP[||{}i li ih ik]; rewrite nextE prevE ?newE /=.
+- by rewrite prevE nextE !newE old_h ?old_k ?eqxx.
+- by rewrite prevE nextE !newE old_h ?old_k ?eqxx ?live_n.
+rewrite ih ik; have [E D] := keeps L2 i li; have [_ _ [m M lm] [p P lp] _] := links_of li; split.
+  case: (i =P a) => [->|ia] /=; first by rewrite prevE !newE.
+  rewrite M /= in E *; rewrite prevE old_h ?old_k //; case: (m =P n) E => [->|_] //.
+  by rewrite prev_n => -[/esym].
+case: (i =P n) => [->|ni] /=; first by rewrite nextE !newE.
+rewrite P /= in D *; rewrite nextE old_h ?old_k //; case: (p =P a) D => [->|_] //.
+by rewrite next_a => -[/esym].
+Qed.
+
+Lemma attach_l3 : l3_target t'.
+Proof.
+move=> i /half_edgeP[||{}i li ih ik]; rewrite nextE twinE ?newE /=.
+- by [].
+- by rewrite !originE !newE old_h ?old_k ?live_n // origin_n.
+rewrite ih ik; have [_ [g G lg] [m M lm] _ _] := links_of li; have := keeps L3 i li; rewrite G M /=.
+rewrite (originE g) old_h ?old_k // => <-; case: (i =P a) M => [->|_] M /=; last by rewrite originE old_h ?old_k.
+by rewrite originE eqxx; move: M; rewrite next_a => -[<-]; rewrite origin_n.
+Qed.
+
+(** ** V1, V2 *)
+
+Lemma attach_v1 : v1_leaving t'.
+Proof.
+move=> u g; rewrite vertexE leavingE; case: (u =P v) => [-> _ [<-]|_ /= lu E]; first by rewrite originE !newE.
+have O := keeps V1 u g lu E; by rewrite originE old_h ?old_k // (heard_live O).
+Qed.
+
+Lemma turnE i : turn t' i = if i == h then Some n else if i == k then Some k else if twin t i == Some a then Some h
+  else turn t i.
+Proof.
+rewrite /turn twinE; case: eqP => _ /=; first by rewrite nextE !newE.
+case: eqP => _ /=; first by rewrite nextE !newE.
+case G: (twin t i) => [g|] //=; have lg : half_edge t g.
+  by have [_ [g' + l] _ _ _] := links_of (heard_live G); rewrite G => -[->].
+by rewrite nextE old_h ?old_k // -[Some g == Some a]/(g == a).
+Qed.
+
+Lemma turn_up g x : on_orbit (turn t) g x -> on_orbit (turn t') g x.
+Proof.
+apply: orbit_sub => u w z E ou; have [m G] : exists m, twin t u = Some m.
+  by move: E; rewrite /turn; case: (twin t u) => [m|] //; exists m.
+have lu : half_edge t u := heard_live G.
+have T : turn t' u = if twin t u == Some a then Some h else turn t u by rewrite turnE old_h ?old_k.
+case: (twin t u =P Some a) T => [A|_] T; last by apply: orbit_step ou _; rewrite T.
+apply: (orbit_step (y := h)); first by apply: orbit_step ou _; rewrite T.
+by rewrite turnE eqxx -E /turn A /= next_a.
+Qed.
+
+Lemma attach_v2 : v2_rotation t'.
+Proof.
+have [_ [d D ld] _ _ _] := links_of live_a.
+have Od : origin t d = Some o by move: target_a; rewrite /target D.
+have Td : turn t' d = Some h.
+  by rewrite turnE old_h ?old_k //; have [+ _] := keeps L1 a live_a; rewrite D /= => ->; rewrite eqxx.
+have kv i : half_edge t i -> origin t i <> Some v.
+  by move/links_of=> [[u -> lu] _ _ _ _] [uv]; move: lu; rewrite uv (negPf free_vertex).
+have ov : o <> v by move=> ov; move: live_o; rewrite ov (negPf free_vertex).
+move=> g x lg lx; split=> [/(on_rotation_origin attach_l1 attach_l3) ->//|].
+rewrite !originE; case: (half_edgeP lg) => [||{lg}g lg gh gk]; rewrite ?newE.
+- case: (half_edgeP lx) => [||{lx}x lx xh xk]; rewrite ?newE; first by move=> _; apply: orbit_refl.
+    by case.
+  rewrite xh xk => E; have [m] : on_orbit (turn t') n x by apply: turn_up; apply/(keeps V2 n x live_n lx); rewrite origin_n.
+  by move=> I; exists m.+1; rewrite iterSr /= turnE eqxx.
+- case: (half_edgeP lx) => [||{lx}x lx xh xk]; rewrite ?newE; [by case=> /esym|by move=> _; apply: orbit_refl|].
+  by rewrite xh xk => /esym/kv.
+rewrite gh gk; case: (half_edgeP lx) => [||{lx}x lx xh xk]; rewrite ?newE.
+- move=> E; apply: orbit_step Td; apply: turn_up; apply/(keeps V2 g d lg ld); by rewrite Od.
+- by move/kv.
+by rewrite xh xk => E; apply: turn_up; apply/(keeps V2 g x lg lx).
+Qed.
+
+(** ** B1 to F2 *)
+
+(** [h] and [k] are on the cycle of [a]; without them it is the cycle that it was. *)
+Definition without i := if (i == h) || (i == k) then a else i.
+
+Lemma without_old i : half_edge t i -> without i = i.
+Proof. by move=> l; rewrite /without old_h ?old_k. Qed.
+
+Lemma cycle_down g x : on_cycle t' g x -> on_cycle t (without g) (without x).
+Proof.
+case=> m; elim: m x => [|m IH] x /=; first by case=> <-; apply: orbit_refl.
+case E: (iter m _ _) => [y|] //=; have := IH y E; rewrite nextE; move: (without g) => g'; rewrite /without.
+case: (y =P h) => [_|_] /=; first by move=> C [<-]; rewrite ?newE ?orbT.
+case: (y =P k) => [_|_] /=; first by move=> C [<-]; rewrite old_h ?old_k ?live_n //; apply: orbit_step C next_a.
+case: (y =P a) => [-> C [<-]|_ C N]; first by rewrite newE.
+have [_ _ [x' + lx] _ _] := links_of (heard_live N); rewrite N => -[xx]; rewrite -xx in lx.
+by rewrite old_h ?old_k //; apply: orbit_step C N.
+Qed.
+
+Lemma a_to_h : next t' a = Some h. Proof. by rewrite nextE old_h ?old_k ?eqxx. Qed.
+Lemma h_to_k : next t' h = Some k. Proof. by rewrite nextE eqxx. Qed.
+
+Lemma cycle_up g x : on_cycle t g x -> on_cycle t' g x.
+Proof.
+apply: orbit_sub => u w z E ou; have lu : half_edge t u := heard_live E.
+case: (u =P a) ou E => [->|/eqP/negPf ua] ou E; last by apply: orbit_step ou _; rewrite nextE old_h ?old_k ?ua.
+apply: (orbit_step (y := k)); first exact: orbit_step (orbit_step ou a_to_h) h_to_k.
+by rewrite nextE !newE -E next_a.
+Qed.
+
+Lemma cycle_on g x : half_edge t g -> half_edge t' x -> on_cycle t' g x <-> on_cycle t g (without x).
+Proof.
+move=> lg lx; split=> [/cycle_down|]; first by rewrite (without_old lg).
+rewrite /without; case: (half_edgeP lx) => [||{lx}x lx xh xk] /=; rewrite ?newE ?orbT.
+- by move/cycle_up=> C; apply: orbit_step C a_to_h.
+- by move/cycle_up=> C; apply: orbit_step (orbit_step C a_to_h) h_to_k.
+by rewrite xh xk; apply: cycle_up.
+Qed.
+
+Lemma without_live i : half_edge t' i -> half_edge t (without i).
+Proof. by case/half_edgeP=> [||{}i li ih ik]; rewrite /without ?newE ?orbT // ih ik. Qed.
+
+Lemma boundary_without i : boundary_of t' i = boundary_of t (without i).
+Proof. by rewrite boundary_ofE /without; case: (_ || _); rewrite ?boundary_a. Qed.
+
+Lemma start_live c g : boundary_start t c = Some (AtHalfEdge g) -> half_edge t g.
+Proof. by move=> S; have [[_ _ B _] _] := keeps R1; have [_] := B c (heard_live S); rewrite S. Qed.
+
+Lemma start_vertex c u : boundary_start t c = Some (AtVertex u) -> vertex t u.
+Proof. by move=> S; have [[_ _ B _] _] := keeps R1; have [_] := B c (heard_live S); rewrite S. Qed.
+
+Lemma attach_b1 : b1_cycle t'.
+Proof.
+have [C D] := keeps B1; split=> [i|c i lc li].
+  case/half_edgeP=> [||{}i li ih ik]; rewrite nextE boundary_ofE ?newE ?orbT /=.
+  - by rewrite boundary_ofE !newE orbT.
+  - by rewrite boundary_ofE old_h ?old_k ?live_n //=; have := C a live_a; rewrite next_a /= boundary_a.
+  rewrite ih ik /=; case: (i =P a) => [->|_] /=; first by rewrite boundary_ofE eqxx boundary_a.
+  have [_ _ [m M lm] _ _] := links_of li; have := C i li; rewrite M /= => <-.
+  by rewrite boundary_ofE old_h ?old_k.
+rewrite boundary_without; apply: iff_trans (D c _ lc (without_live li)) _.
+by split=> -[g S O]; exists g => //; apply/(cycle_on (start_live S) li).
+Qed.
+
+Lemma not_at_v c : ~ starts_at_vertex t' v c.
+Proof. by move/start_vertex; rewrite (negPf free_vertex). Qed.
+
+Lemma attach_b2 : b2_isolated t'.
+Proof.
+move=> u; rewrite vertexE isolatedE; case: (u =P v) => [-> _|_ /= lu].
+  split=> [B|_]; last by split=> // c; apply: not_at_v.
+  have lk : half_edge t' k by rewrite half_edgeE eqxx orbT.
+  by have := B k lk; rewrite originE !newE.
+have [A N] := keeps B2 u lu; split=> [/(bare_old lu) /A //|nb]; apply: N => B; apply: nb; exact/bare_old.
+Qed.
+
+(** ** T1, T2 *)
+
+(** Where [v] hangs is [o]. *)
+Definition hangs u := if u == v then o else u.
+
+Lemma hangs_old u : vertex t u -> hangs u = u. Proof. by move=> l; rewrite /hangs old_v. Qed.
+
+Lemma hangs_live u : vertex t' u -> vertex t (hangs u).
+Proof. by rewrite vertexE /hangs; case: (u =P v) => // _ _; apply: live_o. Qed.
+
+Lemma connected_down u w : connected t' u w -> connected t (hangs u) (hangs w).
+Proof.
+elim=> [|i x y _ IH]; first exact: connected_self.
+rewrite originE /target twinE; case: (i =P h) => [_|_] /=.
+  by rewrite originE !newE => -[xo] [<-]; move: IH; rewrite -xo (hangs_old live_o) /hangs eqxx.
+case: (i =P k) => [_|_] /=.
+  by rewrite originE eqxx => -[xv] [<-]; move: IH; rewrite -xv (hangs_old live_o) /hangs eqxx.
+move=> X; have li := heard_live X; have [[x' X' lx] [g G lg] _ _ _] := links_of li.
+have [[y' Y ly] _ _ _ _] := links_of lg; rewrite G /= originE old_h ?old_k // => Y'.
+have xx : x' = x by move: X; rewrite X' => -[].
+have yy : y' = y by move: Y'; rewrite Y => -[].
+rewrite xx in lx; rewrite yy in ly; rewrite (hangs_old lx) in IH; rewrite (hangs_old ly).
+by apply: connected_edge IH X _; rewrite /target G.
+Qed.
+
+Lemma connected_up u w : connected t u w -> connected t' u w.
+Proof.
+elim=> [|i x y _ IH X Y]; first exact: connected_self.
+have li : half_edge t i := heard_live X; have [_ [g G lg] _ _ _] := links_of li.
+apply: (@connected_edge t' u i x y IH); first by rewrite originE old_h ?old_k.
+by move: Y; rewrite /target twinE old_h ?old_k // G /= originE old_h ?old_k.
+Qed.
+
+Lemma o_to_v u : connected t' u o -> connected t' u v.
+Proof. by move=> C; apply: (@connected_edge t' u h o v C); rewrite /target ?originE ?twinE ?newE //= originE !newE. Qed.
+
+Lemma v_to_o u : connected t' u v -> connected t' u o.
+Proof. by move=> C; apply: (@connected_edge t' u k v o C); rewrite /target ?originE ?twinE ?newE //= originE !newE. Qed.
+
+Lemma connectedE u w : connected t' u w <-> connected t (hangs u) (hangs w).
+Proof.
+split=> [|/connected_up]; first exact: connected_down.
+rewrite /hangs; case: (w =P v) => [->|_]; case: (u =P v) => [->|_] //.
+- by move=> _; apply: connected_self.
+- exact: o_to_v.
+have vo : connected t' v o by apply: v_to_o; apply: connected_self.
+elim=> [//|i x y _ IH X Y]; exact: connected_edge IH X Y.
+Qed.
+
+Lemma vertex_atE c : vertex_at t' c = vertex_at t c.
+Proof.
+rewrite /vertex_at -[boundary_start t' c]/(boundary_start t c); case S: (boundary_start t c) => [[g|u]|] //.
+by have lg := start_live S; rewrite originE old_h ?old_k.
+Qed.
+
+Lemma vertex_at_live c w : vertex_at t c = Some w -> vertex t w.
+Proof.
+rewrite /vertex_at; case S: (boundary_start t c) => [[g|u]|] //; last by case=> <-; apply: start_vertex S.
+by move=> O; have [[u + l] _ _ _ _] := links_of (heard_live O); rewrite O => -[->].
+Qed.
+
+Lemma outsideE u c : outside_of t' u c <-> outside_of t (hangs u) c.
+Proof.
+rewrite /outside_of -[is_inner t' c]/(is_inner t c) vertex_atE.
+split=> -[I [w W C]]; split=> //; exists w => //; have lw := vertex_at_live W.
+  by move/connectedE: C; rewrite (hangs_old lw).
+by apply/connectedE; rewrite (hangs_old lw).
+Qed.
+
+Lemma attach_t1 : t1_outside t'.
+Proof.
+move=> u lu; have [c [O one]] := keeps T1 _ (hangs_live lu); exists c; split; first exact/outsideE.
+by move=> d /outsideE; apply: one.
+Qed.
+
+Lemma rooted_up f : rooted t f -> rooted t' f.
+Proof.
+elim=> [g U|g c w d g' E W O D _ IH]; first exact: (@rooted_here t').
+apply: (@rooted_out t' g c w d g') => //; first by rewrite vertex_atE.
+by apply/outsideE; rewrite (hangs_old (vertex_at_live W)).
+Qed.
+
+Lemma attach_t2 : t2_nesting t'.
+Proof. by move=> u c f lu /outsideE O E; apply: rooted_up; exact: (keeps T2 _ c f (hangs_live lu) O E). Qed.
+
+(** ** T3 *)
+
+Lemma half_edge_of_old u i : half_edge t i -> half_edge_of t' u i <-> half_edge_of t (hangs u) i.
+Proof.
+move=> li; have [[w W lw] _ _ _ _] := links_of li; have W' : origin t' i = Some w by rewrite originE old_h ?old_k.
+split=> -[x]; rewrite ?W ?W' => -[<-] C; exists w => //.
+  by have := (connectedE u w).1 C; rewrite (hangs_old lw).
+by apply/connectedE; rewrite (hangs_old lw).
+Qed.
+
+Lemma half_edge_of_live s u i : half_edge_of s u i -> half_edge s i.
+Proof. by case=> w O _; apply: heard_live O. Qed.
+
+Lemma half_edge_of_a u : half_edge_of t u a <-> connected t u o.
+Proof.
+have [[w W lw] [d D ld] _ _ _] := links_of live_a; split=> [[x X C]|C]; first exact: connected_edge C X target_a.
+exists w => //; apply: (@connected_edge t u d o w C); first by move: target_a; rewrite /target D.
+by have [+ _] := keeps L1 a live_a; rewrite D /= /target => ->.
+Qed.
+
+Lemma half_edge_of_without u i : half_edge t' i -> half_edge_of t' u i <-> half_edge_of t (hangs u) (without i).
+Proof.
+move=> li; rewrite /without; case new: (_ || _); last by apply: half_edge_of_old; move: li; rewrite half_edgeE orbA new.
+have [w W wo] : exists2 w, origin t' i = Some w & hangs w = o.
+  case/orP: new => /eqP->; rewrite originE !newE; [exists o|exists v] => //; first exact: hangs_old live_o.
+  by rewrite /hangs eqxx.
+rewrite half_edge_of_a; split=> [[x]|C]; first by rewrite W => -[<-] /connectedE; rewrite wo.
+by exists w => //; apply/connectedE; rewrite wo.
+Qed.
+
+Lemma same_edge_old i j : half_edge t i -> same_edge t' i j <-> same_edge t i j.
+Proof. by move=> li; rewrite /same_edge twinE old_h ?old_k. Qed.
+
+Lemma connected_live u w : vertex t u -> connected t u w -> vertex t w.
+Proof.
+move=> lu; elim=> // i x y _ _ _; rewrite /target; case: (twin t i) => [g|] //= O.
+by have [[z + l] _ _ _ _] := links_of (heard_live O); rewrite O => -[->].
+Qed.
+
+Lemma attach_t3 : t3_euler t'.
+Proof.
+move=> u lu; have [V [E [cycles [[vs [es [cs [Vs Es Cs [EV EE EC]]]]] eq]]]] := keeps T3 _ (hangs_live lu).
+have [uv inv] := Vs; have [ue oke onee alle] := Es; have [uc okc onec allc] := Cs.
+have lv x : x \in vs -> vertex t x by move/inv/(connected_live (hangs_live lu)).
+have le i : i \in es -> half_edge t i by move/oke/half_edge_of_live.
+have lc i : i \in cs -> half_edge t i by move/okc/half_edge_of_live.
+have up i : half_edge t i -> half_edge_of t (hangs u) i -> half_edge_of t' u i by move=> li /half_edge_of_old; apply.
+have Cs' : lists_one_of_each cs (on_cycle t') (half_edge_of t' u).
+  split=> // [i ci|i j ci cj|i Hi].
+  - exact: up (lc i ci) (okc i ci).
+  - by move/(cycle_on (lc i ci) (up_half_edge (lc j cj))); rewrite (without_old (lc j cj)); apply: onec.
+  have li := half_edge_of_live Hi; have [j cj C] := allc _ ((half_edge_of_without u li).1 Hi).
+  by exists j => //; apply/(cycle_on (lc j cj) li).
+have [d D ld] : exists2 d, twin t a = Some d & half_edge t d by have [_ ? _ _ _] := links_of live_a.
+case: (boolP (o \in vs)) => [ov|no].
+  exists V.+1, E.+1, cycles; split; last by rewrite addSn addnS eq.
+  have [e ee _] : exists2 e, e \in es & same_edge t e a by apply: alle; apply/half_edge_of_a/inv.
+  exists (v :: vs), (h :: es), cs; split=> //.
+  - split=> [|x]; first by rewrite /= uv andbT; apply/negP=> /lv; rewrite (negPf free_vertex).
+    rewrite inE connectedE /hangs; case: (x =P v) => [_|_] /=; last exact: inv.
+    by split=> // _; apply/inv.
+  - split=> [|i|i j|i Hi].
+    + by rewrite /= ue andbT; apply/negP=> /le; rewrite (negPf free_h).
+    + rewrite inE => /orP[/eqP->|ei]; last exact: up (le i ei) (oke i ei).
+      apply/half_edge_of_without; first by rewrite half_edgeE eqxx.
+      by rewrite /without eqxx; apply/half_edge_of_a/inv.
+    + rewrite !inE => /orP[/eqP->|ei] /orP[/eqP->|ej] //; last by move/(same_edge_old _ (le i ei)); apply: onee.
+        case=> //; rewrite twinE eqxx => -[kj]; have := le j ej; by rewrite -kj (negPf free_k).
+      move/(same_edge_old _ (le i ei)); case=> [ih|T]; first by have := le i ei; rewrite ih (negPf free_h).
+      have [_ [g + lg] _ _ _] := links_of (le i ei); rewrite T => -[hg].
+      by move: lg; rewrite -hg (negPf free_h).
+    have li := half_edge_of_live Hi; case: (half_edgeP li) Hi => [_|_|{}i {}li _ _ Hi].
+    + by exists h; [rewrite mem_head|left].
+    + by exists h; [rewrite mem_head|right; rewrite twinE eqxx].
+    have [j ej S] := alle i ((half_edge_of_old u li).1 Hi); exists j; first by rewrite inE ej orbT.
+    exact/(same_edge_old _ (le j ej)).
+  by rewrite /= EV EE EC; case: es ee {ue oke onee alle Es EE EC le} => //=; rewrite addn0.
+have nc i : (i == h) || (i == k) -> ~ half_edge_of t' u i.
+  move=> new Hi; have := (half_edge_of_without u (half_edge_of_live Hi)).1 Hi.
+  by rewrite /without new => /half_edge_of_a/inv; rewrite (negPf no).
+exists V, E, cycles; split=> //; exists vs, es, cs; split=> //.
+- split=> // x; rewrite connectedE /hangs; case: (x =P v) => [->|_]; last exact: inv.
+  by split=> [/lv|/inv]; rewrite ?(negPf free_vertex) ?(negPf no).
+split=> // [i ei|i j ei ej|i Hi].
+- exact: up (le i ei) (oke i ei).
+- by move/(same_edge_old _ (le i ei)); apply: onee.
+have li := half_edge_of_live Hi; case: (half_edgeP li) Hi => [Hi|Hi|{}i {}li _ _ Hi].
+- by case: (nc h _ Hi); rewrite eqxx.
+- by case: (nc k _ Hi); rewrite eqxx orbT.
+have [j ej S] := alle i ((half_edge_of_old u li).1 Hi); exists j => //.
+exact/(same_edge_old _ (le j ej)).
+Qed.
+
+Lemma attach_rules : rules t'.
+Proof.
+have H r : index r < index T4 -> holds t' r.
+  case: r => // _; [by split; [exact: attach_links|case: (keeps R1)]|exact: attach_l1|exact: attach_l2|exact: attach_l3|
+    exact: attach_v1|exact: attach_v2|exact: attach_b1|exact: attach_b2|exact: (keeps F1)|exact: (keeps F2)|
+    exact: attach_t1|exact: attach_t2|exact: attach_t3].
+by move=> r; case: (ltnP (index r) (index T4)) => [/H //|]; case: r => // _; apply: t4_follows => q; apply: H.
+Qed.
+
+End Attach.
+
+(** Where [v], [h] and [k] are free slots and [a] is a half-edge: if all rules held before, they hold after. *)
+Theorem attach_vertex_keeps_rules t a v h k : half_edge t a ->
+  ~~ vertex t v -> ~~ half_edge t h -> ~~ half_edge t k -> h != k ->
+  rules t -> rules (attach_vertex t a v h k).
+Proof.
+move=> la fv fh fk hk keeps; have [_ [d D ld] [n N _] _ [b B _]] := links_of keeps la.
+have [[o O _] _ _ _ _] := links_of keeps ld.
+by apply: (attach_rules (o := o) (n := n) (b := b)) => //; rewrite /target D.
+Qed.
+
+(** The bridge to an isolated vertex: [t] with the isolated vertex [v], as the boundary component [b] of the face [f], is
+    before, and [t] with [v] at the end of an edge from the corner after [a] is after. *)
+Theorem bridge_to_isolated_vertex_keeps_rules t a v b f h k : half_edge t a -> face t f ->
+  ~~ vertex t v -> ~~ boundary t b -> ~~ half_edge t h -> ~~ half_edge t k -> h != k ->
+  rules (add_isolated_vertex t v b f) -> rules (attach_vertex t a v h k).
+Proof.
+move=> la lf fv fb fh fk hk keeps; apply: attach_vertex_keeps_rules => //.
+exact: (remove_isolated_vertex_keeps_rules fv fb lf).
+Qed.
