@@ -13,7 +13,7 @@
 *)
 
 From mathcomp Require Import all_ssreflect.
-From twinedge Require Import View Rules Map Counting Verdict AddVertex RemoveVertex.
+From twinedge Require Import View Rules Map Counting Verdict AddVertex RemoveVertex NewEdge.
 Set Implicit Arguments.
 Unset Strict Implicit.
 Unset Printing Implicit Defensive.
@@ -45,28 +45,6 @@ Definition attach_vertex t a v h k : view := {|
   says_inner := says_inner t
 |}.
 
-(** A half-edge begins where the one before it around its vertex does, and so does all on its rotation. *)
-Lemma on_rotation_origin t g x : l1_twin t -> l3_target t -> on_orbit (turn t) g x -> origin t x = origin t g.
-Proof.
-move=> L1 L3 [n]; elim: n x => [|n IH] x /=; first by case=> <-.
-case E: (iter n _ _) => [y|] //= Y; rewrite -(IH y E); move: Y; rewrite /turn; case T: (twin t y) => [z|] //= N.
-have := L3 z (heard_live N); rewrite N /= => ->; have [] := L1 y (heard_live T).
-by rewrite T /= => ->.
-Qed.
-
-Lemma orbit_refl f x : on_orbit f x x. Proof. by exists 0. Qed.
-
-Lemma orbit_step f x y z : on_orbit f x y -> f y = Some z -> on_orbit f x z.
-Proof. by case=> n E F; exists n.+1; rewrite /= E. Qed.
-
-(** Where each step of one leads along the other, orbits do. *)
-Lemma orbit_sub (f f' : nat -> link) x y : (forall u w z, f u = Some w -> on_orbit f' z u -> on_orbit f' z w) ->
-  on_orbit f x y -> on_orbit f' x y.
-Proof.
-move=> sub [n]; elim: n y => [|n IH] y /=; first by case=> <-; apply: orbit_refl.
-by case E: (iter n _ _) => [u|] //= U; apply: sub U _; apply: IH.
-Qed.
-
 Section Attach.
 Variables (t : view) (a v h k o n b : nat).
 Hypothesis keeps : rules t.
@@ -81,8 +59,6 @@ Hypothesis boundary_a : boundary_of t a = Some b.
 
 Notation t' := (attach_vertex t a v h k).
 
-Let kh : (k == h) = false. Proof. by rewrite eq_sym (negPf hk). Qed.
-
 Lemma vertexE i : vertex t' i = (i == v) || vertex t i.
 Proof.
 rewrite {1}/vertex /= leq_max ltnS; case: eqP => [->|_] /=; first by rewrite leqnn orbT.
@@ -96,21 +72,18 @@ case: eqP => [->|_] /=; first by rewrite leqnn !orbT.
 by case: (boolP (half_edge t i)) => [/andP[-> _]|_]; rewrite ?andbF.
 Qed.
 
-Lemma old_h i : half_edge t i -> i == h = false.
-Proof. by move=> l; apply/eqP=> E; rewrite E (negPf free_h) in l. Qed.
-Lemma old_k i : half_edge t i -> i == k = false.
-Proof. by move=> l; apply/eqP=> E; rewrite E (negPf free_k) in l. Qed.
-Lemma old_v i : vertex t i -> i == v = false.
-Proof. by move=> l; apply/eqP=> E; rewrite E (negPf free_vertex) in l. Qed.
-Lemma up_half_edge i : half_edge t i -> half_edge t' i. Proof. by rewrite half_edgeE => ->; rewrite !orbT. Qed.
-Lemma up_vertex i : vertex t i -> vertex t' i. Proof. by rewrite vertexE orbC => ->. Qed.
+Let old_h := NewEdge.old_h free_h.
+Let old_k := NewEdge.old_k free_k.
+Let links_of := NewEdge.links_of keeps.
+Let start_live := NewEdge.start_live keeps.
+Let start_vertex := NewEdge.start_vertex keeps.
+Let connected_live := NewEdge.connected_live keeps.
+Let up_half_edge := NewEdge.up_half_edge half_edgeE.
+Let up_vertex := NewEdge.up_vertex vertexE.
+Let half_edgeP := NewEdge.half_edgeP free_h free_k half_edgeE.
+Let newE := NewEdge.newE hk.
 
 (** ** What the view says *)
-
-Lemma links_of i : half_edge t i -> [/\ exists2 u, origin t i = Some u & vertex t u,
-  exists2 g, twin t i = Some g & half_edge t g, exists2 g, next t i = Some g & half_edge t g,
-  exists2 g, prev t i = Some g & half_edge t g & exists2 c, boundary_of t i = Some c & boundary t c].
-Proof. by have [[H _ _ _] _] := keeps R1; apply: H. Qed.
 
 Lemma live_n : half_edge t n.
 Proof. by have [_ _ [g + l] _ _] := links_of live_a; rewrite next_a => -[->]. Qed.
@@ -159,17 +132,13 @@ Proof. by rewrite {1}/leaving /heard vertexE /=; case: (i == v). Qed.
 Lemma isolatedE i : isolated t' i = if i == v then None else isolated t i.
 Proof. by rewrite {1}/isolated /heard vertexE /=; case: (i == v). Qed.
 
-Definition newE := (eqxx, kh, negPf hk).
-
-Variant half_edge_is : nat -> Prop :=
-  | IsH : half_edge_is h
-  | IsK : half_edge_is k
-  | IsOld i of half_edge t i & i == h = false & i == k = false : half_edge_is i.
-
-Lemma half_edgeP i : half_edge t' i -> half_edge_is i.
-Proof.
-by rewrite half_edgeE => /or3P[/eqP->|/eqP->|l]; [exact: IsH|exact: IsK|apply: IsOld; rewrite ?old_h ?old_k].
-Qed.
+Let attach_l1 : l1_twin t' := new_l1 keeps free_h free_k hk half_edgeE twinE.
+Let same_edge_old := NewEdge.same_edge_old free_h free_k twinE.
+Notation hangs := (hangs v o).
+Let hangs_old := NewEdge.hangs_old o free_vertex.
+Let hangs_live := NewEdge.hangs_live live_o vertexE.
+Let connectedE := NewEdge.connectedE keeps free_vertex free_h free_k hk live_o originE twinE.
+Let half_edge_of_old := NewEdge.half_edge_of_old keeps free_vertex free_h free_k hk live_o originE twinE.
 
 (** ** R1 to L3 *)
 
@@ -204,15 +173,6 @@ have [[H V B F] _] := keeps R1; split.
 - move=> c lc; have [L S] := B c lc; split=> //; rewrite -[boundary_start t' c]/(boundary_start t c).
   by case: (boundary_start t c) S => [[i|u]|] //= l; [apply: up_half_edge|apply: up_vertex].
 exact: F.
-Qed.
-
-Lemma attach_l1 : l1_twin t'.
-Proof.
-move=> i /half_edgeP[||{}i li ih ik]; rewrite twinE ?newE.
-- by rewrite /= twinE !newE; split=> // -[/eqP]; rewrite newE.
-- by rewrite /= twinE !newE; split=> // -[/eqP]; rewrite newE.
-rewrite ih ik; have [E D] := keeps L1 i li; split=> //.
-by have [_ [g G lg] _ _ _] := links_of li; rewrite G /= in E *; rewrite twinE old_h ?old_k.
 Qed.
 
 Lemma attach_l2 : l2_next_prev t'.
@@ -336,12 +296,6 @@ Proof. by case/half_edgeP=> [||{}i li ih ik]; rewrite /without ?newE ?orbT // ih
 Lemma boundary_without i : boundary_of t' i = boundary_of t (without i).
 Proof. by rewrite boundary_ofE /without; case: (_ || _); rewrite ?boundary_a. Qed.
 
-Lemma start_live c g : boundary_start t c = Some (AtHalfEdge g) -> half_edge t g.
-Proof. by move=> S; have [[_ _ B _] _] := keeps R1; have [_] := B c (heard_live S); rewrite S. Qed.
-
-Lemma start_vertex c u : boundary_start t c = Some (AtVertex u) -> vertex t u.
-Proof. by move=> S; have [[_ _ B _] _] := keeps R1; have [_] := B c (heard_live S); rewrite S. Qed.
-
 Lemma attach_b1 : b1_cycle t'.
 Proof.
 have [C D] := keeps B1; split=> [i|c i lc li].
@@ -367,54 +321,7 @@ move=> u; rewrite vertexE isolatedE; case: (u =P v) => [-> _|_ /= lu].
 have [A N] := keeps B2 u lu; split=> [/(bare_old lu) /A //|nb]; apply: N => B; apply: nb; exact/bare_old.
 Qed.
 
-(** ** T1, T2 *)
-
-(** Where [v] hangs is [o]. *)
-Definition hangs u := if u == v then o else u.
-
-Lemma hangs_old u : vertex t u -> hangs u = u. Proof. by move=> l; rewrite /hangs old_v. Qed.
-
-Lemma hangs_live u : vertex t' u -> vertex t (hangs u).
-Proof. by rewrite vertexE /hangs; case: (u =P v) => // _ _; apply: live_o. Qed.
-
-Lemma connected_down u w : connected t' u w -> connected t (hangs u) (hangs w).
-Proof.
-elim=> [|i x y _ IH]; first exact: connected_self.
-rewrite originE /target twinE; case: (i =P h) => [_|_] /=.
-  by rewrite originE !newE => -[xo] [<-]; move: IH; rewrite -xo (hangs_old live_o) /hangs eqxx.
-case: (i =P k) => [_|_] /=.
-  by rewrite originE eqxx => -[xv] [<-]; move: IH; rewrite -xv (hangs_old live_o) /hangs eqxx.
-move=> X; have li := heard_live X; have [[x' X' lx] [g G lg] _ _ _] := links_of li.
-have [[y' Y ly] _ _ _ _] := links_of lg; rewrite G /= originE old_h ?old_k // => Y'.
-have xx : x' = x by move: X; rewrite X' => -[].
-have yy : y' = y by move: Y'; rewrite Y => -[].
-rewrite xx in lx; rewrite yy in ly; rewrite (hangs_old lx) in IH; rewrite (hangs_old ly).
-by apply: connected_edge IH X _; rewrite /target G.
-Qed.
-
-Lemma connected_up u w : connected t u w -> connected t' u w.
-Proof.
-elim=> [|i x y _ IH X Y]; first exact: connected_self.
-have li : half_edge t i := heard_live X; have [_ [g G lg] _ _ _] := links_of li.
-apply: (@connected_edge t' u i x y IH); first by rewrite originE old_h ?old_k.
-by move: Y; rewrite /target twinE old_h ?old_k // G /= originE old_h ?old_k.
-Qed.
-
-Lemma o_to_v u : connected t' u o -> connected t' u v.
-Proof. by move=> C; apply: (@connected_edge t' u h o v C); rewrite /target ?originE ?twinE ?newE //= originE !newE. Qed.
-
-Lemma v_to_o u : connected t' u v -> connected t' u o.
-Proof. by move=> C; apply: (@connected_edge t' u k v o C); rewrite /target ?originE ?twinE ?newE //= originE !newE. Qed.
-
-Lemma connectedE u w : connected t' u w <-> connected t (hangs u) (hangs w).
-Proof.
-split=> [|/connected_up]; first exact: connected_down.
-rewrite /hangs; case: (w =P v) => [->|_]; case: (u =P v) => [->|_] //.
-- by move=> _; apply: connected_self.
-- exact: o_to_v.
-have vo : connected t' v o by apply: v_to_o; apply: connected_self.
-elim=> [//|i x y _ IH X Y]; exact: connected_edge IH X Y.
-Qed.
+(** ** T1 to T3 *)
 
 Lemma vertex_atE c : vertex_at t' c = vertex_at t c.
 Proof.
@@ -422,48 +329,11 @@ rewrite /vertex_at -[boundary_start t' c]/(boundary_start t c); case S: (boundar
 by have lg := start_live S; rewrite originE old_h ?old_k.
 Qed.
 
-Lemma vertex_at_live c w : vertex_at t c = Some w -> vertex t w.
-Proof.
-rewrite /vertex_at; case S: (boundary_start t c) => [[g|u]|] //; last by case=> <-; apply: start_vertex S.
-by move=> O; have [[u + l] _ _ _ _] := links_of (heard_live O); rewrite O => -[->].
-Qed.
-
-Lemma outsideE u c : outside_of t' u c <-> outside_of t (hangs u) c.
-Proof.
-rewrite /outside_of -[is_inner t' c]/(is_inner t c) vertex_atE.
-split=> -[I [w W C]]; split=> //; exists w => //; have lw := vertex_at_live W.
-  by move/connectedE: C; rewrite (hangs_old lw).
-by apply/connectedE; rewrite (hangs_old lw).
-Qed.
-
 Lemma attach_t1 : t1_outside t'.
-Proof.
-move=> u lu; have [c [O one]] := keeps T1 _ (hangs_live lu); exists c; split; first exact/outsideE.
-by move=> d /outsideE; apply: one.
-Qed.
-
-Lemma rooted_up f : rooted t f -> rooted t' f.
-Proof.
-elim=> [g U|g c w d g' E W O D _ IH]; first exact: (@rooted_here t').
-apply: (@rooted_out t' g c w d g') => //; first by rewrite vertex_atE.
-by apply/outsideE; rewrite (hangs_old (vertex_at_live W)).
-Qed.
+Proof. by apply: (new_t1 keeps free_vertex free_h free_k hk live_o vertexE originE twinE _ vertex_atE). Qed.
 
 Lemma attach_t2 : t2_nesting t'.
-Proof. by move=> u c f lu /outsideE O E; apply: rooted_up; exact: (keeps T2 _ c f (hangs_live lu) O E). Qed.
-
-(** ** T3 *)
-
-Lemma half_edge_of_old u i : half_edge t i -> half_edge_of t' u i <-> half_edge_of t (hangs u) i.
-Proof.
-move=> li; have [[w W lw] _ _ _ _] := links_of li; have W' : origin t' i = Some w by rewrite originE old_h ?old_k.
-split=> -[x]; rewrite ?W ?W' => -[<-] C; exists w => //.
-  by have := (connectedE u w).1 C; rewrite (hangs_old lw).
-by apply/connectedE; rewrite (hangs_old lw).
-Qed.
-
-Lemma half_edge_of_live s u i : half_edge_of s u i -> half_edge s i.
-Proof. by case=> w O _; apply: heard_live O. Qed.
+Proof. by apply: (new_t2 keeps free_vertex free_h free_k hk live_o vertexE originE twinE _ _ _ _ vertex_atE). Qed.
 
 Lemma half_edge_of_a u : half_edge_of t u a <-> connected t u o.
 Proof.
@@ -480,15 +350,6 @@ have [w W wo] : exists2 w, origin t' i = Some w & hangs w = o.
   by rewrite /hangs eqxx.
 rewrite half_edge_of_a; split=> [[x]|C]; first by rewrite W => -[<-] /connectedE; rewrite wo.
 by exists w => //; apply/connectedE; rewrite wo.
-Qed.
-
-Lemma same_edge_old i j : half_edge t i -> same_edge t' i j <-> same_edge t i j.
-Proof. by move=> li; rewrite /same_edge twinE old_h ?old_k. Qed.
-
-Lemma connected_live u w : vertex t u -> connected t u w -> vertex t w.
-Proof.
-move=> lu; elim=> // i x y _ _ _; rewrite /target; case: (twin t i) => [g|] //= O.
-by have [[z + l] _ _ _ _] := links_of (heard_live O); rewrite O => -[->].
 Qed.
 
 Lemma attach_t3 : t3_euler t'.
@@ -548,7 +409,7 @@ Qed.
 Lemma attach_rules : rules t'.
 Proof.
 have H r : index r < index T4 -> holds t' r.
-  case: r => // _; [by split; [exact: attach_links|case: (keeps R1)]|exact: attach_l1|exact: attach_l2|exact: attach_l3|
+  case: r => // _; [by split; [exact: attach_links|case: (keeps R1)]|exact: attach_l2|exact: attach_l3|
     exact: attach_v1|exact: attach_v2|exact: attach_b1|exact: attach_b2|exact: (keeps F1)|exact: (keeps F2)|
     exact: attach_t1|exact: attach_t2|exact: attach_t3].
 by move=> r; case: (ltnP (index r) (index T4)) => [/H //|]; case: r => // _; apply: t4_follows => q; apply: H.
@@ -567,7 +428,8 @@ by apply: (attach_rules (o := o) (n := n) (b := b)) => //; rewrite /target D.
 Qed.
 
 (** The bridge to an isolated vertex: [t] with the isolated vertex [v], as the boundary component [b] of the face [f], is
-    before, and [t] with [v] at the end of an edge from the corner after [a] is after. *)
+    before, and [t] with [v] at the end of an edge from the corner after [a] is after. The corner may even be of another
+    face: then the edge could not be drawn where [v] lies, but what is there after is right all the same. *)
 Theorem bridge_to_isolated_vertex_keeps_rules t a v b f h k : half_edge t a -> face t f ->
   ~~ vertex t v -> ~~ boundary t b -> ~~ half_edge t h -> ~~ half_edge t k -> h != k ->
   rules (add_isolated_vertex t v b f) -> rules (attach_vertex t a v h k).

@@ -4,7 +4,7 @@
 
 From mathcomp Require Import all_ssreflect all_fingroup.
 From twinedge Require Import View Rules Reference Drawing Euler Subdivision Verdict FastPath FastPathProof AddVertex.
-From twinedge Require Import RemoveVertex MoveInner Renaming Connect.
+From twinedge Require Import RemoveVertex MoveInner Renaming Connect ConnectIsolated.
 Set Implicit Arguments.
 Unset Strict Implicit.
 Unset Printing Implicit Defensive.
@@ -82,3 +82,13 @@ Check attach_vertex_keeps_rules : forall t a v h k, half_edge t a ->
 Check bridge_to_isolated_vertex_keeps_rules : forall t a v b f h k, half_edge t a -> face t f ->
   ~~ vertex t v -> ~~ boundary t b -> ~~ half_edge t h -> ~~ half_edge t k -> h != k ->
   rules (add_isolated_vertex t v b f) -> rules (attach_vertex t a v h k).
+
+(** Connecting two isolated vertices keeps all rules; so does attaching a new vertex to an isolated one. *)
+
+Check attach_to_isolated_keeps_rules : forall t o v b h k, isolated t o = Some b ->
+  ~~ vertex t v -> ~~ half_edge t h -> ~~ half_edge t k -> h != k ->
+  rules t -> rules (attach_to_isolated t o v b h k).
+
+Check bridge_between_isolated_vertices_keeps_rules : forall t o v b c f h k, isolated t o = Some b -> face t f ->
+  ~~ vertex t v -> ~~ boundary t c -> ~~ half_edge t h -> ~~ half_edge t k -> h != k ->
+  rules (add_isolated_vertex t v c f) -> rules (attach_to_isolated t o v b h k).
