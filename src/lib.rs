@@ -113,7 +113,7 @@
 //!
 //! # The layers
 //!
-//! Imports run one way, along the arrows:
+//! An arrow leads from a layer to one that may import it:
 //!
 //! ```text
 //!   validate ──► store ──► dcel ──► program
