@@ -56,7 +56,10 @@
 //! | build one from rings, lines and points | [`map::Builder`] | `map` (default) |
 //! | insert and remove points and segments, step by step | [`map::edit`] | `map` (default) |
 //! | find where points lie and what lines meet | [`map::Locator`] | `map` (default) |
-//! | compute neighbours, outlines, areas, overlays | [`algorithm`] | `map` (default) |
+//! | compute neighbours, outlines, areas, centroids, overlays; check Pick's theorem | [`algorithm`] | `map` (default) |
+//! | cut faces into convex pieces, make Voronoi diagrams and Delaunay triangulations | `algorithm::convex`, `algorithm::voronoi` | `spade` |
+//! | walk from face to face, as on a graph | `algorithm::dual` | `petgraph` |
+//! | read and write the tables of a textbook | [`io::tables`] | `map` (default) |
 //! | draw a map, with half-edges if you like | [`io::svg`] | `map` (default) |
 //! | read and write maps | [`io`] | `geojson`, `wkt`, `geo-types` |
 //! | test a structure by random, exhaustive or fuzzed sequences of operators | `program` | `program`, `quickcheck`, `arbitrary` |
@@ -73,6 +76,8 @@
 //! | `wkt` | `io::wkt` | those of `map`; wkt |
 //! | `geo-types` | `io::geo_types` | those of `map`; geo-types |
 //! | `program` | `program` | those of `dcel` |
+//! | `spade` | `algorithm::convex`, `algorithm::voronoi` | those of `map`; spade |
+//! | `petgraph` | `algorithm::dual`: a map as a graph for the crate of that name | those of `map`; petgraph |
 //! | `arbitrary`, `quickcheck` | random programs for these two crates | those of `program`; the crate of the name |
 //! | `serde` | `Serialize` and `Deserialize`; structures are validated on the way in | those of the other features; serde |
 //! | `pointer-store` | `store::PointerStore`, the only one with unsafe code | those of `dcel` |

@@ -6,6 +6,7 @@ use crate::status::{Failure, Verdict};
 use std::path::{Path, PathBuf};
 use twinedge::geometry::Point;
 use twinedge::io::svg::{self, Options};
+use twinedge::io::tables::Textbook;
 use twinedge::validate::validate_embedding;
 use twinedge::validate::{Collect, Expectation};
 
@@ -34,6 +35,10 @@ pub(crate) struct Draw {
     /// Draw half-edges as arrows, with their names and links, and the names of vertices and faces.
     #[arg(long)]
     detail: bool,
+
+    /// Write the three tables of the textbooks instead of a picture: vertices, faces, half-edges.
+    #[arg(long, conflicts_with_all = ["detail", "force", "window", "size"])]
+    tables: bool,
 
     /// Draw details even if there are too many to be legible.
     #[arg(long)]
@@ -72,7 +77,7 @@ impl Draw {
         }
         let report = validate_embedding(&map, &Expectation::plane(), Collect::AtMost(self.list));
         let options = Options { size: self.size.into(), detail: self.detail, window, violations: report.violations() };
-        let picture = svg::draw(&map, &options);
+        let picture = if self.tables { Textbook::of_embedding(&map).to_string() } else { svg::draw(&map, &options) };
         match self.output.as_deref().filter(|path| *path != Path::new("-")) {
             None => print(&picture)?,
             Some(path) => {

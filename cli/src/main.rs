@@ -4,22 +4,26 @@
 
 mod audit;
 mod corrupt;
+mod decompose;
 mod document;
 mod draw;
 mod effort;
 mod expectation_text;
 mod input;
+mod outline;
 mod output;
 mod print_tables;
 mod progress;
 mod prove;
 mod query;
 mod replay;
+mod sample;
 mod soak;
 mod status;
 mod structures;
 mod sum;
 mod tables;
+mod voronoi;
 
 use clap::{Parser, Subcommand};
 use status::{FAILED, Failure};
@@ -46,9 +50,12 @@ enum Command {
     Audit(audit::Audit),
     Query(query::Query),
     Draw(draw::Draw),
+    Decompose(decompose::Decompose),
+    Voronoi(voronoi::MakeVoronoi),
     Prove(prove::Prove),
     Corrupt(corrupt::Corrupt),
     Tables(tables::Tables),
+    Sample(sample::Sample),
     Soak(soak::Soak),
     Replay(replay::Replay),
     Sum(sum::Sum),
@@ -59,9 +66,12 @@ fn main() -> ExitCode {
         Command::Audit(audit) => audit.run(),
         Command::Query(query) => query.run(),
         Command::Draw(draw) => draw.run(),
+        Command::Decompose(decompose) => decompose.run(),
+        Command::Voronoi(voronoi) => voronoi.run(),
         Command::Prove(prove) => prove.run(),
         Command::Corrupt(corrupt) => corrupt.run(),
         Command::Tables(tables) => tables.run(),
+        Command::Sample(sample) => sample.run(),
         Command::Soak(soak) => soak.run(),
         Command::Replay(replay) => replay.run(),
         Command::Sum(sum) => sum.run(),

@@ -7,13 +7,14 @@ use serde_json::Value;
 use std::path::PathBuf;
 use twinedge_trials::corrupt::CorruptOutcome;
 use twinedge_trials::prove::ProveOutcome;
+use twinedge_trials::sample::SampleOutcome;
 use twinedge_trials::soak::SoakOutcome;
 use twinedge_trials::tables::TablesOutcome;
 use twinedge_trials::{SumError, sum};
 
 /// Add up the JSON output of all parts of one work.
 ///
-/// The parts come from `prove`, `corrupt`, `tables` or `soak` with `--shard K/N --format json`. Their sum is what one run of the
+/// The parts come from `prove`, `corrupt`, `tables`, `sample` or `soak` with `--shard K/N --format json`. Their sum is what one run of the
 /// whole work would have printed, except for times: `elapsed_ms` is added up, and of `slowest_us` the greatest is kept. If a
 /// program of `soak` fails, the counts are those of the programs that were run.
 ///
@@ -53,8 +54,12 @@ impl Sum {
             Some(ProveOutcome::COMMAND) => add_up::<ProveOutcome>(parts, self.format),
             Some(CorruptOutcome::COMMAND) => add_up::<CorruptOutcome>(parts, self.format),
             Some(TablesOutcome::COMMAND) => add_up::<TablesOutcome>(parts, self.format),
+            Some(SampleOutcome::COMMAND) => add_up::<SampleOutcome>(parts, self.format),
             Some(SoakOutcome::COMMAND) => add_up::<SoakOutcome>(parts, self.format),
-            _ => Err(Failure(format!("{}: not the JSON output of prove, corrupt, tables or soak", parts[0].name))),
+            _ => Err(Failure(format!(
+                "{}: not the JSON output of prove, corrupt, tables, sample or soak",
+                parts[0].name
+            ))),
         }
     }
 }

@@ -52,6 +52,7 @@ fn the_parts_of_each_command_add_up_to_the_whole() {
         (&["corrupt", "--edges", "0", "--pairs", "10", "--seed", "7", "--on", "pointers"], 5),
         (&["tables", "--half-edges", "2"], 2),
         (&["tables", "--half-edges", "0"], 40),
+        (&["sample", "--tables", "2500", "--seed", "7"], 2),
         (&["soak", "--programs", "12", "--steps", "20", "--seed", "3"], 4),
         (&["soak", "--programs", "2", "--steps", "20", "--seed", "3", "--on", "slots"], 5),
     ] {
@@ -145,7 +146,7 @@ fn what_is_no_whole_is_refused() {
         (&[&first, &newer], "newer: version is \"9.9.9\""),
         (&[&first, &interrupted], "interrupted: part 1/2 was interrupted"),
         (&[&first, &less], "less: missing field `structures`"),
-        (&[&other], "other: not the JSON output of prove, corrupt, tables or soak"),
+        (&[&other], "other: not the JSON output of prove, corrupt, tables, sample or soak"),
         (&[&"no-such-file".to_owned()], "no-such-file: "),
         (&[&file(&folder, "text", b"in step")], "text: expected value"),
     ] {

@@ -113,3 +113,11 @@ have -> : [seq size (T f) | f <- iota 0 (face_slots t)] = [seq inner_count t f |
 move=> le; apply: leq_trans le _; apply: leq_trans (leq_addr _ _).
 by rewrite leq_pmull.
 Qed.
+
+(** So they are where all that is listed is live, and listed once. *)
+Lemma lists_short_listed t : links_live t -> f2_listed t -> lists_short t.
+Proof.
+case=> _ _ _ F f2; apply: lists_short_if => f i lf lt; have [_ I] := F f lf; have [b E lb] := I i lt; exists b.
+have [f' [p' [Ef Ep L]]] := f2 b lb; have [ff ip] := (L f (Inner i)).1 E.
+by split=> //; [rewrite ff|rewrite ip].
+Qed.

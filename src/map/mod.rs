@@ -34,6 +34,8 @@ pub mod edit;
 pub mod locate;
 pub mod zone;
 
+#[cfg(feature = "spade")]
+mod assembled;
 mod construct;
 mod feature;
 mod feature_sets;

@@ -6,5 +6,11 @@
 mod support;
 
 mod contour;
+mod convex;
+mod dual;
+mod homework;
+mod lattice;
 mod neighbours;
 mod overlay;
+mod planar;
+mod voronoi;

@@ -11,4 +11,5 @@ mod geojson_properties;
 mod import;
 mod reading;
 mod svg;
+mod tables;
 mod wkt;

@@ -25,9 +25,10 @@
 //! | [`soak()`] | runs random programs in step with a reference | operators that keep every rule but do the wrong thing; the program is made small |
 //! | [`corrupt()`] | sets every field of every small map to every other value | wrong tables that a validator misses, false alarms, hangs, panics |
 //! | [`tables()`] | judges every small table, right or wrong | the same, and counts that differ from the published ones |
+//! | [`sample()`] | judges random tables, nested and damaged | the same in larger maps |
 //! | [`replay()`] | runs one program and keeps the table after each operator | where a failing program goes wrong |
 //!
-//! `prove` and `soak` test a structure. `corrupt` and `tables` test a validator: [`Validator`], the one of the library, or any
+//! `prove` and `soak` test a structure. `corrupt`, `tables` and `sample` test a validator: [`Validator`], the one of the library, or any
 //! other [`Checker`].
 //!
 //! # Long runs
@@ -60,6 +61,7 @@ pub mod planted;
 pub mod prove;
 pub mod regression;
 pub mod replay;
+pub mod sample;
 pub mod soak;
 pub mod tables;
 
@@ -69,6 +71,7 @@ pub use progress::{Progress, Silent};
 pub use prove::prove;
 pub use replay::replay;
 pub use run::{Estimate, Run};
+pub use sample::sample;
 pub use shard::{ParseShardError, Shard, ShardError};
 pub use soak::soak;
 pub use structure::Structure;

@@ -35,7 +35,7 @@ impl std::fmt::Display for Verdict {
     }
 }
 
-/// A validator under test: [`corrupt()`](crate::corrupt()) and [`tables()`](crate::tables()) compare it with the reference
+/// A validator under test: [`corrupt()`](crate::corrupt()), [`tables()`](crate::tables()) and [`sample()`](crate::sample()) compare it with the reference
 /// [`first_broken_rule`](twinedge::validate::reference::first_broken_rule).
 ///
 /// ```

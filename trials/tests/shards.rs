@@ -7,10 +7,11 @@ use twinedge::validate::Expectation;
 use twinedge_trials::corrupt::{CorruptOutcome, CorruptWork, abort};
 use twinedge_trials::planted::Planted;
 use twinedge_trials::prove::ProveWork;
+use twinedge_trials::sample::SampleWork;
 use twinedge_trials::soak::SoakWork;
 use twinedge_trials::tables::{TablesOutcome, TablesWork};
 use twinedge_trials::{
-    Outcome, Progress, Run, Shard, Structure, SumError, Validator, corrupt, prove, soak, sum, tables,
+    Outcome, Progress, Run, Shard, Structure, SumError, Validator, corrupt, prove, sample, soak, sum, tables,
 };
 
 fn slots() -> Structure<Dcel> {
@@ -89,6 +90,12 @@ fn parts_of_tables_add_up() {
     let whole = adds_up(&[1, 3], |run| tables(TablesWork { half_edges: 2 }, &Validator, run));
     assert!(whole.is_ok(), "{:?}", whole.reasons());
     adds_up(&[500], |run| tables(TablesWork { half_edges: 0 }, &Validator, run));
+}
+
+#[test]
+fn parts_of_sample_add_up() {
+    let whole = adds_up(&[1, 2, 5], |run| sample(SampleWork { tables: 3_500, seed: 7 }, &Validator, run));
+    assert!(whole.is_ok() && whole.judged == 3_500, "{:?}", whole.reasons());
 }
 
 #[test]

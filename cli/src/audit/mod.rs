@@ -2,6 +2,7 @@
 
 mod mesh_file;
 mod table_file;
+mod textbook;
 
 use crate::input::{Imported, MapFile};
 use crate::output::style::{BAD, GOOD, QUIET};
@@ -21,6 +22,8 @@ use twinedge::validate::{places, validate_embedding};
 
 /// Build the planar subdivision of a map and check every rule on it.
 ///
+/// The three tables of a textbook, of vertices, faces and half-edges, are read as the book prints them and audited by their names.
+///
 /// A mesh file (OBJ, OFF, PLY, STL) is joined to half-edges along shared edges. What cannot be joined is reported by its faces
 /// and vertices, and the options under "Meshes" say what else must hold.
 ///
@@ -36,6 +39,7 @@ use twinedge::validate::{places, validate_embedding};
   twinedge audit --format json - < parcels.geojson | jq .valid
   twinedge audit bunny.obj --closed --genus 0 --triangles
   twinedge tables --half-edges 2 --print | twinedge audit -
+  twinedge audit examples/tables/five_faces.txt
 
 Exit status: 0 the map or mesh is valid, or all tables are valid and all verdicts agree; 1 otherwise; 2 the input could not be read.")]
 pub(crate) struct Audit {
@@ -62,6 +66,9 @@ impl Audit {
     pub(crate) fn run(&self) -> Result<Verdict, Failure> {
         let start = Instant::now();
         let mut input = self.map.open()?;
+        if textbook::is_textbook(input.beginning()?) {
+            return textbook::audit(&input.name, input.reader, self.list, self.format);
+        }
         if table_file::is_table_file(input.beginning()?) {
             return table_file::audit(&input.name, input.reader, self.list, self.format);
         }

@@ -3,7 +3,7 @@
 use twinedge::map::PlanarMap;
 
 /// A map and the name of its input.
-pub(super) struct Asked {
-    pub(super) input: String,
-    pub(super) map: PlanarMap,
+pub(crate) struct Asked {
+    pub(crate) input: String,
+    pub(crate) map: PlanarMap,
 }

@@ -4,19 +4,21 @@ mod asked;
 mod at;
 mod contour;
 mod faces;
+mod lattice;
 mod line;
 mod names;
 mod neighbours;
 mod record;
+mod route;
 
-pub(crate) use names::label;
+pub(crate) use asked::Asked;
+pub(crate) use names::{find, label};
 
 use crate::input::{Imported, MapFile};
 use crate::status::{Failure, Verdict};
-use asked::Asked;
 use clap::Subcommand;
 
-/// Ask a map about neighbours, places, lines, outlines and faces.
+/// Ask a map about neighbours, places, lines, outlines, faces, ways and lattice points.
 #[derive(Debug, clap::Args)]
 #[command(after_help = "Examples:
   twinedge query neighbours Switzerland                   in the built-in map of the world
@@ -25,6 +27,7 @@ use clap::Subcommand;
   twinedge query line -10 52 30 52 --format json
   twinedge query world.geojson contour Lesotho --format wkt
   twinedge query - faces --format json < parcels.geojson
+  twinedge query route Portugal China
 
 NAME is the name of a feature as the map writes it, or # and its number, counted from 0: '#12'. A file that is called like a \
 question, such as faces, needs its folder: ./faces
@@ -45,6 +48,8 @@ enum Question {
     Line(line::Line),
     Contour(contour::Contour),
     Faces(faces::Faces),
+    Route(route::Route),
+    Lattice(lattice::Lattice),
 }
 
 impl Query {
@@ -61,6 +66,8 @@ impl Query {
             Question::Line(question) => question.answer(&asked),
             Question::Contour(question) => question.answer(&asked),
             Question::Faces(question) => question.answer(&asked),
+            Question::Route(question) => question.answer(&asked),
+            Question::Lattice(question) => question.answer(&asked),
         }?;
         Ok(Verdict::Sound)
     }

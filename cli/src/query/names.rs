@@ -16,7 +16,7 @@ const SUGGESTIONS: usize = 3;
 const SIMILAR: f64 = 0.75;
 
 /// The feature with this name, or with the number after a `#`.
-pub(super) fn find(asked: &Asked, name: &str) -> Result<FeatureId, Failure> {
+pub(crate) fn find(asked: &Asked, name: &str) -> Result<FeatureId, Failure> {
     let Asked { input, map } = asked;
     let named: Vec<FeatureId> = map.features().filter(|f| map.name(*f) == Some(name)).collect();
     let numbered = name.strip_prefix('#').and_then(|number| number.parse().ok());

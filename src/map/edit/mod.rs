@@ -50,6 +50,8 @@
 
 mod at;
 mod chain;
+#[cfg(feature = "spade")]
+mod corners;
 mod draw;
 mod error;
 mod features;

@@ -1,0 +1,192 @@
+//! `twinedge decompose`: cuts the faces of a map into convex pieces.
+
+mod steps;
+
+use crate::input::{Imported, MapFile};
+use crate::output::style::QUIET;
+use crate::output::{grouped, plain, print};
+use crate::query::{Asked, find, label};
+use crate::status::{Failure, Verdict};
+use clap::ValueEnum;
+use serde::Serialize;
+use std::collections::BTreeMap;
+use std::fmt::Write as _;
+use std::path::{Path, PathBuf};
+use twinedge::algorithm::convex::{Decomposition, decompose};
+use twinedge::algorithm::coverage::faces_by_feature;
+use twinedge::dcel::FaceKey;
+use twinedge::map::{FeatureId, PlanarMap};
+
+/// Cut the features of a map into convex pieces, by edges between their vertices.
+///
+/// Each face is triangulated, holes included; then each diagonal is looked at once, and removed unless a corner would be larger
+/// than a straight angle without it (Hertel and Mehlhorn). A simple polygon with r reflex corners falls into at most 2r + 1
+/// pieces, at most four times the least possible number.
+#[derive(Debug, clap::Args)]
+#[command(after_help = "Examples:
+  twinedge decompose                                        every country of the built-in map
+  twinedge decompose --feature Switzerland --steps steps.svg
+  twinedge decompose parcels.geojson --format geojson -o pieces.geojson
+
+Exit status: 0 the features are decomposed; 1 the pieces break a rule; 2 the input could not be read, has no feature of that \
+name, or is not plane.")]
+pub(crate) struct Decompose {
+    #[command(flatten)]
+    map: MapFile,
+
+    /// Decompose only the feature of this name, or with this number: '#12'.
+    #[arg(long, value_name = "NAME")]
+    feature: Option<String>,
+
+    /// What to print.
+    #[arg(long, value_enum, default_value_t)]
+    format: Format,
+
+    /// File to write; `-` is standard output, and the default.
+    #[arg(short, long, value_name = "FILE")]
+    output: Option<PathBuf>,
+
+    /// Also write an animated picture of the triangulation, and of each diagonal as it is looked at.
+    #[arg(long, value_name = "FILE.svg")]
+    steps: Option<PathBuf>,
+}
+
+#[derive(Clone, Copy, Debug, Default, ValueEnum)]
+enum Format {
+    /// Text: a line for each feature.
+    #[default]
+    Text,
+    /// One JSON object.
+    Json,
+    /// A feature collection with a polygon for each piece.
+    Geojson,
+}
+
+#[derive(Debug, Serialize)]
+struct Answer {
+    input: String,
+    features: Vec<Row>,
+    ok: bool,
+}
+
+/// What became of the faces of a feature.
+#[derive(Debug, Serialize)]
+struct Row {
+    feature: usize,
+    name: Option<String>,
+    triangles: usize,
+    diagonals: usize,
+    removed: usize,
+    pieces: usize,
+    reflex: usize,
+}
+
+impl Decompose {
+    pub(crate) fn run(&self) -> Result<Verdict, Failure> {
+        let Imported { name: input, map, .. } = self.map.build()?;
+        if !map.is_plane() {
+            let why = "edges cross, touch or overlap, so faces are not well defined";
+            return Err(Failure(format!("{input}: {why}; --snap auto cuts them, audit says where they are")));
+        }
+        let asked = Asked { input, map };
+        let features = match &self.feature {
+            Some(name) => vec![find(&asked, name)?],
+            None => asked.map.features().collect(),
+        };
+        let Asked { input, mut map } = asked;
+        let by_feature = faces_by_feature(&map);
+        let faces: Vec<FaceKey> = features.iter().flat_map(|f| by_feature[f.index()].iter().copied()).collect();
+        if let Some(file) = &self.steps {
+            let picture = steps::picture(&map, &faces).map_err(|error| Failure(format!("{input}: {error}")))?;
+            std::fs::write(file, picture).map_err(|error| Failure(format!("{}: {error}", file.display())))?;
+        }
+        let found = decompose(&mut map, faces).map_err(|error| Failure(format!("{input}: {error}")))?;
+        let found: BTreeMap<FaceKey, Decomposition> = found.into_iter().map(|one| (one.face, one)).collect();
+        let of = |feature: &FeatureId| by_feature[feature.index()].iter().filter_map(|face| found.get(face));
+        let rows = features.iter().map(|feature| {
+            let sum = |count: fn(&Decomposition) -> usize| of(feature).map(count).sum();
+            Row {
+                feature: feature.index(),
+                name: map.name(*feature).map(str::to_owned),
+                triangles: sum(|one| one.triangles),
+                diagonals: sum(|one| one.diagonals),
+                removed: sum(Decomposition::removed),
+                pieces: sum(|one| one.pieces.len()),
+                reflex: sum(|one| one.reflex),
+            }
+        });
+        let rows = rows.collect();
+        let answer = Answer { input, features: rows, ok: map.validate().is_valid() };
+        let text = match self.format {
+            Format::Text => text(&map, &answer)?,
+            Format::Json => serde_json::to_string_pretty(&answer)? + "\n",
+            Format::Geojson => {
+                let pieces = features.iter().flat_map(|f| of(f).flat_map(|one| &one.pieces).map(|piece| (*f, *piece)));
+                geojson(&map, pieces)?
+            }
+        };
+        match self.output.as_deref().filter(|path| *path != Path::new("-")) {
+            None => print(&text)?,
+            Some(path) => {
+                std::fs::write(path, text).map_err(|error| Failure(format!("{}: {error}", path.display())))?;
+            }
+        }
+        Ok(if answer.ok { Verdict::Sound } else { Verdict::Wrong })
+    }
+}
+
+fn text(map: &PlanarMap, answer: &Answer) -> Result<String, std::fmt::Error> {
+    let mut out = String::new();
+    writeln!(out, "{QUIET}{}{QUIET:#}\n", plain(&answer.input))?;
+    let names: Vec<String> = { map.features() }.map(|feature| label(map, feature)).collect();
+    let width = answer.features.iter().map(|row| names[row.feature].chars().count()).max().unwrap_or(0).max(7);
+    writeln!(
+        out,
+        "  {:width$}  {:>9}  {:>9}  {:>9}  {:>9}  {:>9}",
+        "feature", "reflex", "triangles", "diagonals", "removed", "pieces"
+    )?;
+    for row in &answer.features {
+        let [reflex, triangles, diagonals, removed, pieces] =
+            [row.reflex, row.triangles, row.diagonals, row.removed, row.pieces].map(grouped);
+        let name = &names[row.feature];
+        writeln!(out, "  {name:width$}  {reflex:>9}  {triangles:>9}  {diagonals:>9}  {removed:>9}  {pieces:>9}")?;
+    }
+    Ok(out)
+}
+
+#[derive(Serialize)]
+struct Collection {
+    r#type: &'static str,
+    features: Vec<Piece>,
+}
+
+#[derive(Serialize)]
+struct Piece {
+    r#type: &'static str,
+    properties: Properties,
+    geometry: Geometry,
+}
+
+#[derive(Serialize)]
+struct Properties {
+    feature: usize,
+    name: Option<String>,
+}
+
+#[derive(Serialize)]
+struct Geometry {
+    r#type: &'static str,
+    coordinates: [Vec<[f64; 2]>; 1],
+}
+
+fn geojson(map: &PlanarMap, pieces: impl Iterator<Item = (FeatureId, FaceKey)>) -> Result<String, Failure> {
+    let mut features = Vec::new();
+    for (feature, piece) in pieces {
+        features.push(Piece {
+            r#type: "Feature",
+            properties: Properties { feature: feature.index(), name: map.name(feature).map(str::to_owned) },
+            geometry: Geometry { r#type: "Polygon", coordinates: [crate::outline::ring(map, piece)?] },
+        });
+    }
+    Ok(serde_json::to_string(&Collection { r#type: "FeatureCollection", features })? + "\n")
+}

@@ -1,0 +1,77 @@
+//! `twinedge query … route`.
+
+use super::asked::Asked;
+use super::names::{find, label};
+use crate::output::{Format, measure, print, print_json};
+use crate::status::Failure;
+use clap::ValueEnum;
+use serde::Serialize;
+use twinedge::algorithm::dual::{self, By};
+
+/// The features that one crosses on the way from one to another.
+#[derive(Debug, clap::Args)]
+#[command(after_help = "Examples:
+  twinedge query route Portugal China
+  twinedge query route Portugal China --by length
+  twinedge query world.geojson route Norway Vietnam --format json
+
+Exit status: 0 there is an answer, if only that there is no way; 2 the input could not be read, or has no feature of that name.")]
+pub(super) struct Route {
+    /// Where the way starts.
+    from: String,
+
+    /// Where it ends.
+    to: String,
+
+    /// What makes a way short.
+    #[arg(long, value_enum, default_value_t)]
+    by: Measure,
+
+    /// Output format.
+    #[arg(long, value_enum, default_value_t)]
+    format: Format,
+}
+
+#[derive(Clone, Copy, Debug, Default, ValueEnum)]
+enum Measure {
+    /// Few borders to cross.
+    #[default]
+    Borders,
+    /// Short distances between the centroids of the features.
+    Length,
+}
+
+/// Null where there is no way.
+#[derive(Debug, Serialize)]
+struct Answer<'a> {
+    input: &'a str,
+    route: Option<Vec<String>>,
+    length: Option<f64>,
+}
+
+impl Route {
+    pub(super) fn answer(&self, asked: &Asked) -> Result<(), Failure> {
+        let Asked { input, map } = asked;
+        let (from, to) = (find(asked, &self.from)?, find(asked, &self.to)?);
+        let by = match self.by {
+            Measure::Borders => By::Borders,
+            Measure::Length => By::Length,
+        };
+        let found = dual::route(map, from, to, by);
+        let length = found.as_ref().map(|route| route.length);
+        let names = |route: dual::Route| route.features.into_iter().map(|feature| label(map, feature)).collect();
+        let route: Option<Vec<String>> = found.map(names);
+        match (self.format, route) {
+            (Format::Json, route) => print_json(&Answer { input, route, length }),
+            (Format::Text, None) => {
+                print(&format!("no way from {} to {} across borders\n", label(map, from), label(map, to)))
+            }
+            (Format::Text, Some(route)) => {
+                let borders = route.len() - 1;
+                let borders = crate::output::counted(borders, "border");
+                let length = measure(length.unwrap_or_default());
+                print(&format!("{}\n\n{borders}, {length} from centroid to centroid\n", route.join("\n")))
+            }
+        }
+    }
+}

@@ -1,0 +1,58 @@
+//! Why there is no triangulation or diagram.
+
+use crate::dcel::RecordKind;
+use thiserror::Error;
+
+/// Why there is no triangulation or diagram. Sites are counted from 0.
+#[derive(Clone, Copy, Debug, PartialEq, Error)]
+#[non_exhaustive]
+pub enum VoronoiError {
+    /// There is no site.
+    #[error("there is no site")]
+    NoSites,
+    /// A coordinate of a site is NaN or infinite.
+    #[error("site {site}: the coordinates ({x}, {y}) are not finite")]
+    NotFinite {
+        /// The site.
+        site: usize,
+        /// The first coordinate.
+        x: f64,
+        /// The second coordinate.
+        y: f64,
+    },
+    /// A coordinate of a site is out of the range in which circles are tested exactly.
+    #[error(
+        "site {site}: the coordinates ({x:?}, {y:?}) are out of range: magnitudes must be zero or from 2^-142 to 2^201"
+    )]
+    OutOfRange {
+        /// The site.
+        site: usize,
+        /// The first coordinate.
+        x: f64,
+        /// The second coordinate.
+        y: f64,
+    },
+    /// The bounds are no box: a coordinate is not finite or beyond 2^202, or the first corner is not below and to the left of
+    /// the second.
+    #[error("the bounds must be the lower left and the upper right corner of a box, with coordinates up to 2^202")]
+    Bounds,
+    /// A site lies outside the bounds.
+    #[error("site {site} at ({x}, {y}) lies outside the bounds")]
+    Outside {
+        /// The site.
+        site: usize,
+        /// The first coordinate.
+        x: f64,
+        /// The second coordinate.
+        y: f64,
+    },
+    /// A site is so close to others that coordinates cannot tell their cells apart.
+    #[error("site {site} is too close to others: no coordinates lie between their cells")]
+    TooClose {
+        /// One of the two sites that are closest to each other.
+        site: usize,
+    },
+    /// There is no room for more records of this kind.
+    #[error("there is no room for more {0}")]
+    Full(RecordKind),
+}

@@ -1,0 +1,83 @@
+//! The sites, and their triangulation.
+
+use super::error::VoronoiError;
+use crate::geometry::Point;
+use rustc_hash::FxHashMap;
+use spade::{DelaunayTriangulation, HasPosition, Point2, Triangulation as _, validate_vertex};
+
+/// A place with one or more sites.
+#[derive(Clone, Copy, Debug)]
+pub(super) struct Site {
+    place: Point2<f64>,
+    /// In order of the sites that were the first at their places.
+    first: u32,
+}
+
+impl Site {
+    pub(super) const fn point(&self) -> Point {
+        Point::new(self.place.x, self.place.y)
+    }
+}
+
+impl HasPosition for Site {
+    type Scalar = f64;
+
+    fn position(&self) -> Point2<f64> {
+        self.place
+    }
+}
+
+pub(super) type Triangulation = DelaunayTriangulation<Site>;
+
+/// The triangulation of some sites.
+pub(super) struct Sites {
+    pub(super) triangulation: Triangulation,
+    /// The number of the vertex of each site.
+    pub(super) numbers: Vec<u32>,
+}
+
+impl Sites {
+    pub(super) fn new(sites: &[Point]) -> Result<Self, VoronoiError> {
+        let mut places: FxHashMap<[u64; 2], u32> = FxHashMap::default();
+        places.reserve(sites.len());
+        let mut different = Vec::with_capacity(sites.len());
+        let mut numbers = Vec::with_capacity(sites.len());
+        for (site, Point { x, y }) in sites.iter().enumerate() {
+            // Adding zero turns −0 into 0.
+            let (x, y) = (x + 0.0, y + 0.0);
+            if !x.is_finite() || !y.is_finite() {
+                return Err(VoronoiError::NotFinite { site, x, y });
+            }
+            let place = Point2::new(x, y);
+            validate_vertex(&place).map_err(|_| VoronoiError::OutOfRange { site, x, y })?;
+            let first = different.len() as u32;
+            let number = *places.entry([x, y].map(f64::to_bits)).or_insert(first);
+            if number == first {
+                different.push(Site { place, first });
+            }
+            numbers.push(number);
+        }
+        let count = different.len();
+        let triangulation = Triangulation::bulk_load(different).map_err(|_| VoronoiError::OutOfRange {
+            site: 0,
+            x: f64::NAN,
+            y: f64::NAN,
+        })?;
+        // Vertices may be numbered in another order.
+        let mut vertices = vec![u32::MAX; count];
+        for v in triangulation.vertices() {
+            vertices[v.data().first as usize] = v.index() as u32;
+        }
+        for number in &mut numbers {
+            *number = vertices[*number as usize];
+        }
+        Ok(Self { triangulation, numbers })
+    }
+}
+
+/// The first site at one of the two places that are closest to each other.
+pub(super) fn closest(triangulation: &Triangulation, numbers: &[u32]) -> usize {
+    let shortest = triangulation.undirected_edges().min_by(|a, b| a.length_2().total_cmp(&b.length_2()));
+    let vertex = shortest.map_or(0, |e| e.vertices()[0].index() as u32);
+    numbers.iter().position(|number| *number == vertex).unwrap_or(0)
+}

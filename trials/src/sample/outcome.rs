@@ -1,0 +1,70 @@
+//! What `sample` found.
+
+use super::work::SampleWork;
+use crate::corrupt::RuleRow;
+use crate::rows::{INTERRUPTED, add_findings};
+use crate::shard::Shard;
+use crate::sum::Outcome;
+
+/// What [`sample()`](crate::sample()) found.
+#[derive(Clone, Debug, PartialEq, Eq)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
+#[non_exhaustive]
+pub struct SampleOutcome {
+    /// The work.
+    pub work: SampleWork,
+    /// Which part of it.
+    pub shard: Shard,
+    /// How many tables were judged.
+    pub judged: u64,
+    /// How many of these are right, by the reference.
+    pub right: u64,
+    /// How often each rule was the first broken one, by the reference.
+    pub first_broken: Vec<RuleRow>,
+    /// How often the validator and the reference differ.
+    pub disagreements: u64,
+    /// The first disagreements. All are counted.
+    pub findings: Vec<String>,
+    /// Whether the run was stopped before its end.
+    pub interrupted: bool,
+}
+
+impl Outcome for SampleOutcome {
+    type Work = SampleWork;
+
+    fn work(&self) -> SampleWork {
+        self.work
+    }
+
+    fn shard(&self) -> Shard {
+        self.shard
+    }
+
+    fn is_interrupted(&self) -> bool {
+        self.interrupted
+    }
+
+    fn reasons(&self) -> Vec<String> {
+        let mut reasons = Vec::new();
+        if self.interrupted {
+            reasons.push(INTERRUPTED.to_owned());
+        }
+        if self.disagreements > 0 {
+            reasons.push(format!("disagreements: {}", self.disagreements));
+            reasons.extend(self.findings.iter().cloned());
+        }
+        reasons
+    }
+
+    fn absorb(&mut self, other: &Self) {
+        self.judged += other.judged;
+        self.right += other.right;
+        self.first_broken.iter_mut().zip(&other.first_broken).for_each(|(row, other)| row.wrong += other.wrong);
+        self.disagreements += other.disagreements;
+        add_findings(&mut self.findings, &other.findings);
+    }
+
+    fn complete(&mut self) {
+        self.shard = Shard::WHOLE;
+    }
+}

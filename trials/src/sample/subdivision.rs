@@ -1,0 +1,212 @@
+//! Random rotation systems with random containment, as tables.
+
+use super::rotations::Rotations;
+use crate::random::Random;
+use twinedge::validate::{BoundaryPlace, BoundaryRow, FaceRow, HalfEdgeRow, Start, Table, VertexRow};
+
+/// A random table. Most of them are planar subdivisions. In some of them a component has handles (T3), lies in a face that
+/// lies in that component (T2), has no outside or two (T1), or two vertices are one (V2).
+pub(super) fn subdivision(random: &mut Random) -> Table {
+    let mut rotations = Rotations::default();
+    let most = 1 + random.below(10);
+    for _ in 0..random.below(5) {
+        let handles = random.below(8) == 0;
+        rotations.add_component(random.below(most), handles, random);
+    }
+    let mut plan = Plan::new(&rotations, random);
+    if random.below(12) == 0 {
+        plan.weld(random);
+    }
+    plan.table(random)
+}
+
+/// A boundary component, before it is listed by a face.
+struct Boundary {
+    component: usize,
+    /// Its half-edges; none if it is an isolated vertex.
+    cycle: Vec<usize>,
+    start: Start,
+    is_inner: bool,
+    /// The face that it bounds. Face 0 is the unbounded one.
+    face: usize,
+}
+
+struct Plan<'a> {
+    rotations: &'a Rotations,
+    /// The origin of each half-edge.
+    origin: Vec<usize>,
+    vertices: usize,
+    boundaries: Vec<Boundary>,
+    faces: usize,
+}
+
+impl<'a> Plan<'a> {
+    fn new(rotations: &'a Rotations, random: &mut Random) -> Self {
+        let mut boundaries: Vec<Boundary> = Vec::new();
+        for cycle in rotations.cycles() {
+            let component = rotations.component[rotations.origin[cycle[0]]];
+            let start = Start::HalfEdge(cycle[random.below(cycle.len())]);
+            boundaries.push(Boundary { component, cycle, start, is_inner: false, face: 0 });
+        }
+        for (vertex, component) in rotations.component.iter().enumerate() {
+            if !rotations.origin.contains(&vertex) {
+                let start = Start::Vertex(vertex);
+                boundaries.push(Boundary { component: *component, cycle: Vec::new(), start, is_inner: true, face: 0 });
+            }
+        }
+        let (origin, vertices) = (rotations.origin.clone(), rotations.component.len());
+        let mut plan = Self { rotations, origin, vertices, boundaries, faces: 1 };
+        plan.choose_outsides(random);
+        plan.choose_faces(random);
+        plan
+    }
+
+    /// One cycle of each component is its outside. Sometimes none is, or two are.
+    fn choose_outsides(&mut self, random: &mut Random) {
+        for component in 0..self.rotations.components {
+            let of_it = |boundary: &Boundary| boundary.component == component && !boundary.is_inner;
+            let cycles: Vec<usize> = (0..self.boundaries.len()).filter(|b| of_it(&self.boundaries[*b])).collect();
+            let outsides = match random.below(40) {
+                0 => 0,
+                1 => 2,
+                _ => 1,
+            };
+            for _ in 0..if cycles.is_empty() { 0 } else { outsides } {
+                self.boundaries[cycles[random.below(cycles.len())]].is_inner = true;
+            }
+        }
+    }
+
+    /// Each outer cycle bounds a face of its own. Each component lies in a face of those before it; sometimes in any face.
+    fn choose_faces(&mut self, random: &mut Random) {
+        for boundary in self.boundaries.iter_mut().filter(|boundary| !boundary.is_inner) {
+            boundary.face = self.faces;
+            self.faces += 1;
+        }
+        let anywhere = random.below(8) == 0;
+        for b in 0..self.boundaries.len() {
+            let component = self.boundaries[b].component;
+            let bounded = self.boundaries.iter().filter(|other| !other.is_inner);
+            let faces = bounded.filter(|other| anywhere || other.component < component).map(|other| other.face);
+            let faces: Vec<usize> = std::iter::once(0).chain(faces).collect();
+            if self.boundaries[b].is_inner {
+                self.boundaries[b].face = faces[random.below(faces.len())];
+            }
+        }
+    }
+
+    /// Makes one vertex of two that have half-edges. The other one is no more.
+    fn weld(&mut self, random: &mut Random) {
+        let Some(last) = self.origin.len().checked_sub(1) else { return };
+        let (kept, other) = (self.origin[random.below(last + 1)], self.origin[random.below(last + 1)]);
+        if kept != other {
+            for origin in &mut self.origin {
+                *origin = if *origin == other { kept } else { *origin };
+            }
+        }
+    }
+
+    /// Writes it down: slots in random order, some of them vacant, lists in random order.
+    fn table(&self, random: &mut Random) -> Table {
+        let half_edges = slots(self.origin.len(), random);
+        let vertices = slots(self.vertices, random);
+        let boundaries = slots(self.boundaries.len(), random);
+        let faces = slots(self.faces, random);
+        let mut table = Table {
+            vertices: vec![None; vertices.count],
+            half_edges: vec![None; half_edges.count],
+            boundaries: vec![None; boundaries.count],
+            faces: vec![None; faces.count],
+        };
+        for f in &faces.of {
+            table.faces[*f] = Some(FaceRow::default());
+        }
+        for (h, origin) in self.origin.iter().enumerate() {
+            let row = HalfEdgeRow {
+                origin: Some(vertices.of[*origin]),
+                twin: Some(half_edges.of[h ^ 1]),
+                next: Some(half_edges.of[self.rotations.next(h)]),
+                ..HalfEdgeRow::default()
+            };
+            table.half_edges[half_edges.of[h]] = Some(row);
+        }
+        for h in 0..self.origin.len() {
+            let next = half_edges.of[self.rotations.next(h)];
+            if let Some(row) = &mut table.half_edges[next] {
+                row.prev = Some(half_edges.of[h]);
+            }
+            // The last one that is kept is any of them, as the slots are in random order.
+            let slot = vertices.of[self.origin[h]];
+            table.vertices[slot] = Some(VertexRow { leaving: Some(half_edges.of[h]), isolated: None });
+        }
+        let mut order: Vec<usize> = (0..self.boundaries.len()).collect();
+        shuffle(&mut order, random);
+        for b in order {
+            let (boundary, slot) = (&self.boundaries[b], boundaries.of[b]);
+            for h in &boundary.cycle {
+                if let Some(row) = &mut table.half_edges[half_edges.of[*h]] {
+                    row.boundary = Some(slot);
+                }
+            }
+            let start = match boundary.start {
+                Start::HalfEdge(h) => Start::HalfEdge(half_edges.of[h]),
+                Start::Vertex(v) => {
+                    table.vertices[vertices.of[v]] = Some(VertexRow { leaving: None, isolated: Some(slot) });
+                    Start::Vertex(vertices.of[v])
+                }
+            };
+            let face = faces.of[boundary.face];
+            let Some(row) = &mut table.faces[face] else { continue };
+            let place = if boundary.is_inner {
+                row.inner.push(Some(slot));
+                BoundaryPlace::Inner(row.inner.len() - 1)
+            } else {
+                row.outer = Some(slot);
+                BoundaryPlace::Outer
+            };
+            table.boundaries[slot] = Some(BoundaryRow { face: Some(face), start: Some(start), place: Some(place) });
+        }
+        table
+    }
+}
+
+/// Which slot each record is given, and how many slots there are.
+struct Slots {
+    of: Vec<usize>,
+    count: usize,
+}
+
+/// Slots in random order for this many records, up to two of them vacant.
+fn slots(records: usize, random: &mut Random) -> Slots {
+    let count = records + random.below(6).saturating_sub(3);
+    let mut of: Vec<usize> = (0..count).collect();
+    shuffle(&mut of, random);
+    of.truncate(records);
+    Slots { of, count }
+}
+
+pub(super) fn shuffle<T>(items: &mut [T], random: &mut Random) {
+    for i in (1..items.len()).rev() {
+        items.swap(i, random.below(i + 1));
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use std::collections::BTreeMap;
+    use twinedge::validate::reference::first_broken_rule;
+    use twinedge::validate::{Expectation, Rule};
+
+    #[test]
+    fn most_are_planar_subdivisions_and_the_others_break_the_rules_that_are_meant() {
+        let mut found: BTreeMap<Option<Rule>, usize> = BTreeMap::new();
+        for stream in 0..3_000 {
+            let table = subdivision(&mut Random::new(1, stream));
+            *found.entry(first_broken_rule(&table, &Expectation::plane())).or_default() += 1;
+        }
+        let rules: Vec<Option<Rule>> = found.keys().copied().collect();
+        assert_eq!(rules, [None, Some(Rule::V2), Some(Rule::T1), Some(Rule::T2), Some(Rule::T3)]);
+        assert!(found[&None] > 1_500 && found.values().all(|count| *count > 30), "{found:?}");
+    }
+}
