@@ -181,3 +181,13 @@ fn a_part_of_too_much_work_may_be_little_enough() {
     let (status, found) = json(&[&whole[..], &["--shard", "0/100000000", "--format", "json"]].concat());
     assert_eq!((status, &found["structures"][0]["programs"]), (Some(0), &40.into()));
 }
+
+#[test]
+fn a_file_that_is_no_json_is_told_to_be_no_part() {
+    let path = scratch_folder("empty-part").join("part.json");
+    std::fs::write(&path, "").unwrap();
+    let output = twinedge(&["sum", path.to_str().unwrap()]);
+    assert_eq!(output.status.code(), Some(2));
+    let words = complaint(&output);
+    assert!(words.contains("not the JSON output of prove, corrupt, tables or soak"), "{words}");
+}
