@@ -114,7 +114,7 @@ impl fmt::Display for Text<'_> {
         }
         f.write_str(&part_line(outcome.shard))?;
         writeln!(f, "Structure: {}\n", outcome.on)?;
-        writeln!(f, "Connected maps, grown from one vertex. A wrong count is shown as found≠published.")?;
+        writeln!(f, "Connected maps, grown from one vertex. A wrong count stands beside the published one.")?;
         let head = ["edges", "rooted", "without root", "with an outside", "applied", "refused", "violations"];
         writeln!(
             f,
@@ -134,7 +134,7 @@ impl fmt::Display for Text<'_> {
                 zero(row.violations),
             )?;
         }
-        writeln!(f, "\nAll subdivisions, nested ones included. A wrong count is shown as found≠recounted.")?;
+        writeln!(f, "\nAll subdivisions, nested ones included. A wrong count stands beside the recount.")?;
         writeln!(
             f,
             "{QUIET}{:>5} {:>8} {:>12} {:>15} {:>15} {:>10}{QUIET:#}",
@@ -152,7 +152,7 @@ impl fmt::Display for Text<'_> {
                 zero(row.violations),
             )?;
         }
-        writeln!(f, "\nRooted maps by genus, from all permutations. A wrong count is shown as found≠published.")?;
+        writeln!(f, "\nRooted maps by genus, from all permutations. A wrong count stands beside the published one.")?;
         for row in &outcome.genus {
             let mut line = format!("{:>5}", row.n);
             if outcome.shard.is_whole() {

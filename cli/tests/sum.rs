@@ -147,7 +147,10 @@ fn what_is_no_whole_is_refused() {
         (&[&first, &less], "less: missing field `structures`"),
         (&[&other], "other: not the JSON output of prove, corrupt, tables or soak"),
         (&[&"no-such-file".to_owned()], "no-such-file: "),
-        (&[&file(&folder, "text", b"in step")], "text: expected value"),
+        (
+            &[&file(&folder, "text", b"in step")],
+            "text: not the JSON output of prove, corrupt, tables or soak: expected value",
+        ),
     ] {
         let files: Vec<String> = files.iter().map(|file| (*file).clone()).collect();
         let output = sum(&files, &[]);
