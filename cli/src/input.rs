@@ -112,11 +112,6 @@ pub(crate) struct Cutting {
 }
 
 impl MapFile {
-    /// The path that was given.
-    pub(crate) fn path(&self) -> Option<&Path> {
-        self.file.as_deref()
-    }
-
     /// Opens the input.
     pub(crate) fn open(&self) -> Result<Input, Failure> {
         Input::open(self.file.as_deref())
