@@ -5,27 +5,27 @@
 //! use twinedge::map::{Builder, Shape};
 //! use twinedge::validate::{Collect, Expectation, Rule, Table, validate};
 //!
-//! // Build: a square with a square hole in it.
-//! let square = |low: f64, high: f64| -> Vec<Point> {
-//!     [[low, low], [high, low], [high, high], [low, high]].map(Point::from).to_vec()
-//! };
+//! // Build: a square with a square hole in it. The hole winds the other way, and each ring ends where it begins.
+//! let ring = |points: [[f64; 2]; 5]| points.map(Point::from).to_vec();
+//! let square = ring([[0.0, 0.0], [9.0, 0.0], [9.0, 9.0], [0.0, 9.0], [0.0, 0.0]]);
+//! let hole = ring([[3.0, 3.0], [3.0, 6.0], [6.0, 6.0], [6.0, 3.0], [3.0, 3.0]]);
 //! let mut builder = Builder::new();
-//! builder.shape(&Shape::Polygon(vec![square(0.0, 9.0), square(3.0, 6.0)]))?;
+//! builder.shape(&Shape::Polygon(vec![square, hole]))?;
 //! let map = builder.build()?;
 //!
 //! // Walk: around the face between the squares, and across its edges.
 //! let dcel = map.dcel();
-//! let ring = dcel.faces().find(|face| !face.is_unbounded() && face.inner_count() == 1).unwrap();
-//! assert_eq!(ring.outer().unwrap().half_edges().count(), 4);
-//! for h in ring.half_edges() {
-//!     assert_eq!((h.face(), h.next().origin()), (ring, h.target()));
-//!     assert_ne!(h.twin().face(), ring);
+//! let between = dcel.faces().find(|face| !face.is_unbounded() && face.inner_count() == 1).unwrap();
+//! assert_eq!(between.outer().unwrap().half_edges().count(), 4);
+//! for h in between.half_edges() {
+//!     assert_eq!((h.face(), h.next().origin()), (between, h.target()));
+//!     assert_ne!(h.twin().face(), between);
 //! }
 //!
 //! // Break: set one link of a copy wrong, and ask which rule that breaks.
 //! assert!(map.validate().is_valid());
 //! let mut table = Table::copy_of(dcel).unwrap();
-//! let h = ring.outer_half_edge().unwrap().index();
+//! let h = between.outer_half_edge().unwrap().index();
 //! table.half_edges[h].as_mut().unwrap().next = Some(h);
 //! let report = validate(&table, &Expectation::plane(), Collect::All);
 //! assert_eq!(report.violations()[0].rule(), Rule::L2);
@@ -56,7 +56,10 @@
 //! | build one from rings, lines and points | [`map::Builder`] | `map` (default) |
 //! | insert and remove points and segments, step by step | [`map::edit`] | `map` (default) |
 //! | find where points lie and what lines meet | [`map::Locator`] | `map` (default) |
-//! | compute neighbours, outlines, areas, overlays | [`algorithm`] | `map` (default) |
+//! | compute neighbours, outlines, areas, centroids, overlays; check Pick's theorem | [`algorithm`] | `map` (default) |
+//! | cut faces into convex pieces, make Voronoi diagrams and Delaunay triangulations | `algorithm::convex`, `algorithm::voronoi` | `spade` |
+//! | walk from face to face, as on a graph | `algorithm::dual` | `petgraph` |
+//! | read and write the tables of a textbook | [`io::tables`] | `map` (default) |
 //! | draw a map, with half-edges if you like | [`io::svg`] | `map` (default) |
 //! | read and write maps | [`io`] | `geojson`, `wkt`, `geo-types` |
 //! | test a structure by random, exhaustive or fuzzed sequences of operators | `program` | `program`, `quickcheck`, `arbitrary` |
@@ -73,6 +76,8 @@
 //! | `wkt` | `io::wkt` | those of `map`; wkt |
 //! | `geo-types` | `io::geo_types` | those of `map`; geo-types |
 //! | `program` | `program` | those of `dcel` |
+//! | `spade` | `algorithm::convex`, `algorithm::voronoi` | those of `map`; spade |
+//! | `petgraph` | `algorithm::dual`: a map as a graph for the crate of that name | those of `map`; petgraph |
 //! | `arbitrary`, `quickcheck` | random programs for these two crates | those of `program`; the crate of the name |
 //! | `serde` | `Serialize` and `Deserialize`; structures are validated on the way in | those of the other features; serde |
 //! | `pointer-store` | `store::PointerStore`, the only one with unsafe code | those of `dcel` |
@@ -108,7 +113,7 @@
 //!
 //! # The layers
 //!
-//! Imports run one way, along the arrows:
+//! An arrow leads from a layer to one that may import it:
 //!
 //! ```text
 //!   validate ──► store ──► dcel ──► program

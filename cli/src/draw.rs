@@ -7,6 +7,7 @@ use std::path::{Path, PathBuf};
 use twinedge::geometry::Point;
 use twinedge::io::svg::{self, Options};
 use twinedge::io::tables::Textbook;
+use twinedge::map::PlanarMap;
 use twinedge::validate::validate_embedding;
 use twinedge::validate::{Collect, Expectation};
 
@@ -57,6 +58,29 @@ pub(crate) struct Draw {
     list: usize,
 }
 
+/// The least and the greatest coordinates of all vertices. None if there is no vertex.
+fn extent(map: &PlanarMap) -> Result<Option<[Point; 2]>, Failure> {
+    let mut extent: Option<[Point; 2]> = None;
+    for vertex in map.dcel().vertices() {
+        let p = map.position(vertex.key())?;
+        let [low, high] = extent.unwrap_or([p, p]);
+        extent = Some([Point::new(low.x.min(p.x), low.y.min(p.y)), Point::new(high.x.max(p.x), high.y.max(p.y))]);
+    }
+    Ok(extent)
+}
+
+/// Refuses a window in which nothing of the map lies: the picture would be empty.
+fn refuse_outside(name: &str, [a, b]: [Point; 2], [low, high]: [Point; 2]) -> Result<(), Failure> {
+    let is_apart = |a: f64, b: f64, low: f64, high: f64| a.max(b) < low || a.min(b) > high;
+    if is_apart(a.x, b.x, low.x, high.x) || is_apart(a.y, b.y, low.y, high.y) {
+        let (x0, y0, x1, y1) = (low.x, low.y, high.x, high.y);
+        return Err(Failure(format!(
+            "{name}: --window lies outside the map, which spans ({x0}, {y0}) to ({x1}, {y1})"
+        )));
+    }
+    Ok(())
+}
+
 impl Draw {
     pub(crate) fn run(&self) -> Result<Verdict, Failure> {
         let window = match self.window.as_deref() {
@@ -67,6 +91,9 @@ impl Draw {
             Some(_) => return Err(Failure("--window needs two corners of a rectangle with an area".to_owned())),
         };
         let Imported { name, map, .. } = self.map.build()?;
+        if let (Some(window), Some(extent)) = (window, extent(&map)?) {
+            refuse_outside(&name, window, extent)?;
+        }
         let half_edges = svg::half_edges_in(&map, window);
         if self.detail && half_edges > LEGIBLE && !self.force {
             let (found, limit) = (grouped(half_edges), grouped(LEGIBLE));

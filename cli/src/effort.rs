@@ -17,7 +17,8 @@ pub(crate) struct Effort {
     #[arg(long, value_name = "N", value_parser = clap::value_parser!(u16).range(1..=256))]
     threads: Option<u16>,
 
-    /// Do part K of N of the same work, counted from 0. `twinedge sum` adds up the JSON output of all parts.
+    /// Do part K of N of the same work, counted from 0. `twinedge sum` adds up the JSON output of all parts. Work that is drawn at
+    /// random needs --seed, the same for all parts.
     #[arg(long, value_name = "K/N", default_value_t = Shard::WHOLE)]
     pub(crate) shard: Shard,
 }
@@ -52,7 +53,7 @@ impl Effort {
         let amount = estimate.amount / u128::from(self.shard.count());
         let amount = u64::try_from(amount).map_or_else(|_| format!("{:.1e}", amount as f64), grouped);
         let refused = format!(
-            "the job is {amount} {}, {} on this machine; --force runs it all the same",
+            "the job is {amount} {}, {} by the usual speed of a core; --force runs it all the same",
             estimate.unit,
             about(seconds)
         );

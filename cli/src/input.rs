@@ -8,6 +8,7 @@ use std::path::{Path, PathBuf};
 use twinedge::geometry::noding::Snap;
 use twinedge::io::{self as formats, Format, ReadError, ReadSummary};
 use twinedge::map::{BuildError, Builder, Noding, PlanarMap};
+use twinedge_formats::mesh::Format as MeshFormat;
 
 /// The built-in map of the world; see `data/README.md`.
 const EMBEDDED: &[u8] = include_bytes!("../data/world-110m.geojson");
@@ -28,6 +29,8 @@ pub(crate) struct Input {
     pub(crate) reader: Box<dyn BufRead>,
     /// The format that the name tells.
     format: Option<Format>,
+    /// The format of meshes that the name tells.
+    mesh_format: Option<MeshFormat>,
 }
 
 /// A map that was read and built.
@@ -54,12 +57,21 @@ impl Input {
                 (name, Box::new(BufReader::new(progress(length).wrap_read(file))))
             }
         };
-        Ok(Self { name, reader, format: path.and_then(Format::of_path) })
+        let (format, mesh_format) = (path.and_then(Format::of_path), path.and_then(MeshFormat::of_name));
+        Ok(Self { name, reader, format, mesh_format })
     }
 
     /// Its first bytes, without reading them.
     pub(crate) fn beginning(&mut self) -> Result<&[u8], Failure> {
         self.reader.fill_buf().map_err(|error| Failure(format!("{}: {error}", self.name)))
+    }
+
+    /// The format if it is a mesh: by its name, or else by how it begins.
+    pub(crate) fn mesh_format(&mut self) -> Result<Option<MeshFormat>, Failure> {
+        match (self.mesh_format, self.format) {
+            (None, None) => Ok(MeshFormat::of_content(self.beginning()?)),
+            (by_name, _) => Ok(by_name),
+        }
     }
 }
 
@@ -82,7 +94,8 @@ fn progress(bytes: u64) -> ProgressBar {
 /// The file that is named on the command line.
 #[derive(Debug, clap::Args)]
 pub(crate) struct MapFile {
-    /// A GeoJSON or WKT file, or `-` for standard input. Default: the built-in map of the world.
+    /// A GeoJSON or WKT file, or `-` for standard input. `audit` takes meshes as well: OBJ, OFF, PLY, STL. Default: the built-in
+    /// map of the world.
     file: Option<PathBuf>,
 
     #[command(flatten)]
@@ -93,29 +106,39 @@ pub(crate) struct MapFile {
 #[derive(Debug, clap::Args)]
 pub(crate) struct Cutting {
     /// Cut segments wherever they cross, touch or overlap, and round all points to a grid. `auto` chooses the finest grid that
-    /// the coordinates allow; SIZE is the width of its cells.
+    /// the coordinates allow. SIZE is the greatest width of its cells: the width is the largest power of two up to it.
     #[arg(long, value_name = "auto|SIZE", value_parser = snap)]
     snap: Option<Snap>,
 }
 
 impl MapFile {
-    /// The path that was given.
-    pub(crate) fn path(&self) -> Option<&Path> {
-        self.file.as_deref()
-    }
-
     /// Opens the input.
     pub(crate) fn open(&self) -> Result<Input, Failure> {
         Input::open(self.file.as_deref())
     }
 
-    /// Reads the map and builds it.
+    /// Reads the map and builds it. A mesh is refused.
     pub(crate) fn build(&self) -> Result<Imported, Failure> {
-        self.build_from(self.open()?)
+        let mut input = self.open()?;
+        if let Some(format) = input.mesh_format()? {
+            return Err(Failure(format!(
+                "{}: this is a mesh ({format}); only `twinedge audit` takes meshes",
+                input.name
+            )));
+        }
+        self.build_from(input)
+    }
+
+    /// Refuses the option that only maps have, if it was given.
+    pub(crate) fn refuse_snap(&self, name: &str, what: &str) -> Result<(), Failure> {
+        match self.cutting.snap {
+            Some(_) => Err(Failure(format!("{name}: --snap is for maps, and this is {what}"))),
+            None => Ok(()),
+        }
     }
 
     /// Builds the map that was opened.
-    pub(crate) fn build_from(&self, Input { name, reader, format }: Input) -> Result<Imported, Failure> {
+    pub(crate) fn build_from(&self, Input { name, reader, format, .. }: Input) -> Result<Imported, Failure> {
         let noding = self.cutting.snap.map_or(Noding::None, Noding::Snap);
         let built = gather(reader, format).and_then(|(builder, read)| Ok((read, builder.build_with(noding)?)));
         match built {

@@ -29,11 +29,12 @@ use clap::{Parser, Subcommand};
 use status::{FAILED, Failure};
 use std::process::ExitCode;
 
-/// Builds and audits planar maps, and tests the structures that keep them.
+/// Audits planar maps and meshes, and tests the structures that keep them.
 #[derive(Debug, Parser)]
 #[command(name = "twinedge", version, propagate_version = true, arg_required_else_help = true)]
 #[command(after_help = "Examples:
   twinedge audit parcels.geojson
+  twinedge audit bunny.obj
   twinedge query neighbours Switzerland
   twinedge draw -o world.svg
   twinedge prove

@@ -21,8 +21,8 @@ use twinedge_trials::{Outcome, Run, Structure, StructureError, prove};
 /// and the result must be one of the maps that were grown. After each operator that is refused, nothing may have changed. No
 /// operator may panic.
 ///
-/// Arguments: all half-edges, corners, faces and boundary components, corners that do not fit among them, plus one stale key of
-/// each kind.
+/// Arguments: all half-edges, corners, faces and boundary components, those that the operator must refuse included, plus one stale
+/// key of each kind.
 ///
 /// Disconnected maps: up to min(N - 1, 4) edges, and two more vertices. Isolated vertices and nested components are included.
 /// Their numbers are computed a second time without making a map, by Pólya's theorem.
@@ -114,7 +114,7 @@ impl fmt::Display for Text<'_> {
         }
         f.write_str(&part_line(outcome.shard))?;
         writeln!(f, "Structure: {}\n", outcome.on)?;
-        writeln!(f, "Connected maps, grown from one vertex. A count that differs from the published one shows both.")?;
+        writeln!(f, "Connected maps, grown from one vertex. A wrong count stands beside the published one.")?;
         let head = ["edges", "rooted", "without root", "with an outside", "applied", "refused", "violations"];
         writeln!(
             f,
@@ -134,7 +134,7 @@ impl fmt::Display for Text<'_> {
                 zero(row.violations),
             )?;
         }
-        writeln!(f, "\nAll subdivisions, nested ones included. A count that differs from the recount shows both.")?;
+        writeln!(f, "\nAll subdivisions, nested ones included. A wrong count stands beside the recount.")?;
         writeln!(
             f,
             "{QUIET}{:>5} {:>8} {:>12} {:>15} {:>15} {:>10}{QUIET:#}",
@@ -152,10 +152,7 @@ impl fmt::Display for Text<'_> {
                 zero(row.violations),
             )?;
         }
-        writeln!(
-            f,
-            "\nRooted maps by genus, from all permutations. A count that differs from the published one shows both."
-        )?;
+        writeln!(f, "\nRooted maps by genus, from all permutations. A wrong count stands beside the published one.")?;
         for row in &outcome.genus {
             let mut line = format!("{:>5}", row.n);
             if outcome.shard.is_whole() {
@@ -190,7 +187,16 @@ impl fmt::Display for Text<'_> {
                     "{GOOD}no violation{GOOD:#} in this part; `twinedge sum` compares the counts ({seconds:.1} s)"
                 )
             }
-            (false, _) => writeln!(f, "{BAD}not proved{BAD:#}: a count differs or a rule is broken ({seconds:.1} s)"),
+            (false, _) => {
+                if !outcome.unsupported.is_empty() {
+                    let names = outcome.unsupported.join(", ");
+                    writeln!(
+                        f,
+                        "The structure refused as unsupported: {names}. Maps that need these operators are missing."
+                    )?;
+                }
+                writeln!(f, "{BAD}not proved{BAD:#}: a count differs or a rule is broken ({seconds:.1} s)")
+            }
         }
     }
 }

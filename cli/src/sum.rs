@@ -68,7 +68,9 @@ impl Part {
     fn read(path: &PathBuf) -> Result<Self, Failure> {
         let name = path.display().to_string();
         let text = std::fs::read(path).map_err(|error| Failure(format!("{name}: {error}")))?;
-        let value = serde_json::from_slice(&text).map_err(|error| Failure(format!("{name}: {error}")))?;
+        let not_json =
+            |error| Failure(format!("{name}: not the JSON output of prove, corrupt, tables or soak: {error}"));
+        let value = serde_json::from_slice(&text).map_err(not_json)?;
         Ok(Self { name, value })
     }
 }

@@ -237,3 +237,22 @@ fn numbers_agree_with_their_nouns() {
     let spike = text("POLYGON ((0 0, 2 0, 2 2, 3 3, 2 2, 0 2, 0 0))\n");
     assert!(spike.contains("1 spike") && !spike.contains("(s)"), "{spike}");
 }
+
+#[test]
+fn explanations_are_given_of_maps_and_of_tables() {
+    let map = data("world-110m-crossing.geojson");
+    let (_, found) = run(&["audit", "--explain", "--format", "json", &map]);
+    let violations = found["violations"].as_array().unwrap();
+    assert!(
+        !violations.is_empty() && violations.iter().all(|one| one["cause"].is_string() && one["remedy"].is_string())
+    );
+
+    let table = b"# expect: plane\nV 0 H 0 B 0 F 0\n";
+    let output = twinedge_reading(&["audit", "-", "--explain", "--format", "json"], table);
+    let found: Value = serde_json::from_slice(&output.stdout).unwrap();
+    assert!(found["violations"][0]["remedy"].is_string(), "{found}");
+    let text = String::from_utf8(twinedge_reading(&["audit", "-", "--explain"], table).stdout).unwrap();
+    assert!(text.lines().any(|line| line.starts_with("F1: usual cause: ")), "{text}");
+    let text = String::from_utf8(twinedge_reading(&["audit", "-"], table).stdout).unwrap();
+    assert!(!text.contains("usual cause"), "{text}");
+}

@@ -81,3 +81,13 @@ fn what_cannot_be_drawn_is_said_in_one_line() {
         assert_eq!(twinedge(arguments).status.code(), Some(2), "{arguments:?}");
     }
 }
+
+#[test]
+fn a_window_outside_the_map_is_refused() {
+    let output = twinedge(&["draw", "--window", "1000", "1000", "1001", "1001"]);
+    assert_eq!(output.status.code(), Some(2));
+    let words = complaint(&output);
+    assert!(words.contains("--window lies outside the map, which spans (-181.27441274412743, "), "{words}");
+    // Inside one country no edge is seen, but the country is.
+    assert_eq!(twinedge(&["draw", "--window", "28.2", "-29.6", "28.3", "-29.5"]).status.code(), Some(0));
+}

@@ -72,3 +72,66 @@ fn expectations_of_meshes_are_refused_for_maps() {
     let words = complaint(&twinedge(&["audit", "--closed"]));
     assert!(words.contains("no mesh file"), "{words}");
 }
+
+/// A cube with one face the wrong way round.
+fn flipped(name: &str) -> String {
+    file(name, &CUBE.replace("f 5 6 7 8", "f 8 7 6 5"))
+}
+
+#[test]
+fn explanations_are_given_of_meshes() {
+    let path = flipped("explained.obj");
+    let text = String::from_utf8(twinedge(&["audit", "--explain", &path]).stdout).unwrap();
+    // Four edges, one explanation.
+    assert_eq!(text.matches("flipped_faces: usual cause: ").count(), 1, "{text}");
+    let (_, found) = json(&["audit", "--explain", "--format", "json", &path]);
+    for finding in found["findings"].as_array().unwrap() {
+        assert!(finding["cause"].is_string() && finding["remedy"].is_string(), "{finding}");
+    }
+    assert_eq!(found["finding_count"], 4);
+    let (_, found) = json(&["audit", "--format", "json", &path]);
+    assert!(found["findings"][0].get("cause").is_none(), "{found}");
+}
+
+#[test]
+fn the_text_says_from_which_number_vertices_are_counted() {
+    let text = String::from_utf8(twinedge(&["audit", &flipped("numbers.obj")]).stdout).unwrap();
+    let told = "vertices and faces are counted from 0 here (the file counts points from 1)";
+    assert!(text.lines().any(|line| line == told), "{text}");
+    let words = complaint(&twinedge(&["audit", &file("zero.obj", &CUBE.replace("f 5 6 7 8", "f 5 6 7 0"))]));
+    assert!(words.contains("a face lists point 0, but OBJ counts points from 1"), "{words}");
+}
+
+#[test]
+fn a_mesh_under_another_name_is_told_by_its_content() {
+    let output = twinedge(&["audit", &file("cube.mesh", CUBE), "--closed"]);
+    let text = String::from_utf8(output.stdout).unwrap();
+    assert_eq!(output.status.code(), Some(0), "{text}");
+    assert!(text.contains("OBJ, 8 points, 6 faces"), "{text}");
+}
+
+#[test]
+fn commands_about_maps_say_that_a_mesh_is_one() {
+    let path = file("no-map.obj", CUBE);
+    for arguments in [&["draw", &path][..], &["query", &path, "faces"]] {
+        let output = twinedge(arguments);
+        assert_eq!(output.status.code(), Some(2), "{arguments:?}");
+        let words = complaint(&output);
+        assert!(words.contains("this is a mesh (OBJ); only `twinedge audit` takes meshes"), "{words}");
+    }
+}
+
+#[test]
+fn options_that_do_not_apply_are_not_passed_over() {
+    let (mesh, table) = (file("snapped.obj", CUBE), file("snapped.txt", "V 0 H 0 B 0 F 0\n"));
+    for (path, option, told) in [
+        (&mesh, &["--snap", "auto"][..], "--snap is for maps, and this is a mesh"),
+        (&table, &["--snap", "auto"], "--snap is for maps, and this is a file of tables"),
+        (&table, &["--closed"], "is no mesh file"),
+    ] {
+        let output = twinedge(&[&["audit", path][..], option].concat());
+        assert_eq!(output.status.code(), Some(2), "{option:?}");
+        let words = complaint(&output);
+        assert!(words.contains(told), "{words}");
+    }
+}

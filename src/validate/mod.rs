@@ -8,7 +8,7 @@
 //! ```
 //! use twinedge::validate::{Collect, Expectation, Link, Part, Rule, View, validate};
 //!
-//! /// One triangle, as three twins on each side, without faces.
+//! /// A triangle. Half-edges 0, 2 and 4 run around its inside, their twins 1, 3 and 5 around its outside.
 //! struct Triangle {
 //!     next: [usize; 6],
 //! }
@@ -50,7 +50,7 @@
 //!
 //! Each [`Rule`] has its statement, a picture and a pointer to its check in its documentation. A rule to the right makes
 //! sense only where those to its left hold. If they do not, it is reported as *not checked*, with the reason; so is a rule
-//! about parts that the structure lacks.
+//! about parts that the expectation leaves out.
 //!
 //! The rules are complete. R1, L and V make a combinatorial map; B and F give each of its cycles and each isolated vertex to
 //! exactly one face, exactly once; T1 and T2 make containment a tree; T3 makes every component plane. From the tree one
@@ -80,6 +80,7 @@ mod fast_path;
 mod findings;
 #[cfg(feature = "geometry")]
 mod geometric;
+mod hints;
 mod passes;
 mod record;
 pub mod reference;

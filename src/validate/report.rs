@@ -1,6 +1,7 @@
 //! The result of a validation: an outcome per rule, the violations, the counts, and on success a certificate.
 
 use super::expectation::Part;
+use super::hints;
 use super::rule::Rule;
 use super::violation::Violation;
 use super::words::Number;
@@ -41,7 +42,7 @@ impl Collect {
 pub enum Unchecked {
     /// It relies on this rule, which is broken.
     Broken(Rule),
-    /// The structure lacks this part.
+    /// The expectation leaves out this part.
     Lacks(Part),
     /// It is a rule of the plane.
     PlaneOnly,
@@ -59,8 +60,8 @@ pub enum Unchecked {
 }
 
 impl Unchecked {
-    /// Whether a structure can be valid although the rule was not checked: because it lacks the part that the rule is about,
-    /// or because the rule does not apply to it.
+    /// Whether a structure can be valid although the rule was not checked: because the expectation leaves
+    /// out the part that the rule is about, or because the rule does not apply to the structure.
     #[must_use]
     pub const fn is_by_design(self) -> bool {
         matches!(self, Self::Lacks(_) | Self::PlaneOnly | Self::NotSimple)
@@ -71,7 +72,7 @@ impl fmt::Display for Unchecked {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         match self {
             Self::Broken(rule) => write!(f, "needs {rule}, which is broken"),
-            Self::Lacks(part) => write!(f, "the structure has no {}", part.name()),
+            Self::Lacks(part) => write!(f, "the expectation leaves out {}", part.name()),
             Self::PlaneOnly => f.write_str("a rule of the plane only"),
             Self::NotSimple => f.write_str("applies to simple maps with at least 3 vertices"),
             Self::Stopped => f.write_str("stopped at the first violation"),
@@ -177,12 +178,12 @@ pub struct Certificate {
 ///      L1 twin      ok, 2 half-edges\n\
 ///      L2 next/prev ok, 2 half-edges\n\
 ///      L3 target    BROKEN, 2 violations in 2 half-edges\n\
-///      V1 leaving   not checked: the structure has no half-edge at each vertex\n\
+///      V1 leaving   not checked: the expectation leaves out leaving half-edges\n\
 ///      V2 rotation  not checked: needs L3, which is broken\n"
 /// ));
 /// # Ok::<(), twinedge::validate::ParseTableError>(())
 /// ```
-#[derive(Clone, Debug, PartialEq, Eq)]
+#[derive(Clone, PartialEq, Eq)]
 #[cfg_attr(feature = "serde", derive(serde::Serialize))]
 pub struct Report {
     pub(crate) outcomes: Vec<(Rule, RuleOutcome)>,
@@ -308,7 +309,15 @@ impl Report {
 /// So that [`Report::into_result`] can be followed by `?`.
 impl core::error::Error for Report {}
 
-/// A line for each rule, then a line for each violation that was kept.
+/// As `Display` does it, so that a failed `unwrap` or `main` prints lines to read.
+impl fmt::Debug for Report {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        fmt::Display::fmt(self, f)
+    }
+}
+
+/// A line for each rule, then a line for each violation that was kept. A hint follows where a link is nil in all records, as
+/// it is if the structure does not have it.
 impl fmt::Display for Report {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         for (rule, outcome) in &self.outcomes {
@@ -334,6 +343,6 @@ impl fmt::Display for Report {
         if more > 0 {
             writeln!(f, "… and {more} more")?;
         }
-        Ok(())
+        hints::write(f, &self.violations, &self.counts, more == 0)
     }
 }

@@ -349,9 +349,9 @@ impl FromStr for Table {
 
     fn from_str(text: &str) -> Result<Self, ParseTableError> {
         let mut tokens = Tokens { text, position: 0 };
-        tokens.name("V", "`V`")?;
+        tokens.name("V", "the section of the vertices (`V`)")?;
         let vertices = tokens.rows(|tokens| Ok(VertexRow { leaving: tokens.link()?, isolated: tokens.link()? }))?;
-        tokens.name("H", "`H`")?;
+        tokens.name("H", "the section of the half-edges (`H`)")?;
         let mut half_edges = tokens.rows(|tokens| {
             Ok(HalfEdgeRow {
                 origin: tokens.link()?,
@@ -362,10 +362,10 @@ impl FromStr for Table {
                 face: None,
             })
         })?;
-        tokens.name("B", "`B`")?;
+        tokens.name("B", "the section of the boundary components (`B`)")?;
         let boundaries = tokens
             .rows(|tokens| Ok(BoundaryRow { face: tokens.link()?, start: tokens.start()?, place: tokens.place()? }))?;
-        tokens.name("F", "`F`")?;
+        tokens.name("F", "the section of the faces (`F`)")?;
         let mut faces = tokens.rows(|tokens| {
             Ok(FaceRow { outer: tokens.link()?, inner: tokens.list(Tokens::link)?, ..FaceRow::default() })
         })?;

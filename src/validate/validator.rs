@@ -73,8 +73,8 @@ fn all_rules<V: View + ?Sized>(run: &mut Run<'_, V>) -> Flow {
         listed::check(run)?;
     }
     if let Some(rule) = run.map_broken().or_else(|| run.findings.broken(&[Rule::V2])) {
-        for waiting in [Rule::T1, Rule::T2, Rule::T3, Rule::T4] {
-            run.findings.not_checked(waiting, Unchecked::Broken(rule));
+        for waiting in TOPOLOGICAL.iter().filter(|waiting| **waiting >= Rule::T1) {
+            run.findings.not_checked(*waiting, Unchecked::Broken(rule));
         }
         return Ok(());
     }

@@ -72,11 +72,11 @@ violations! {
     R1 Nil { record: Record, field: Field } "nil"
         "a link that the record needs is nil."
         cause "a record was created and not linked in, or an operation returned early and left it unfinished"
-        remedy "set the link, or retire the record";
+        remedy "set the link, or retire the record; if the structure has no such links at all, leave the part out of the expectation by `Expectation::without`";
     R1 Dangling { record: Record, field: Field, value: usize } "dangling"
         "a link leads past the end or to a vacant slot."
         cause "a record was removed, and a link to it was left behind, or indices were not adjusted when records were moved"
-        remedy "find what links to a record before it is removed, and use generational keys, so that a stale key is an error";
+        remedy "find what links to a record before it is removed, and use generational keys, so that a stale key is an error; if all such links dangle, implement the number of slots (`face_slots`, `boundary_slots`)";
     R1 ListTooLong { face: usize, claimed: usize } "list_too_long"
         "the faces up to this one list more than twice as many inner boundary components as there are, and 16. The rest of the lists was not read, so its links cannot be said to be live."
         cause "entries are appended to the list of a face and never taken out, or the length is not initialised"
@@ -160,11 +160,11 @@ violations! {
     F1 SecondUnboundedFace { first: usize, second: usize } "second_unbounded_face"
         "two faces have no outer boundary component."
         cause "a face was created and its outer boundary component was not set, or two maps were put together with the unbounded face of each"
-        remedy "set the outer boundary component, or merge the unbounded faces";
+        remedy "set the outer boundary component (`outer`, or `outer_half_edge` without boundary component records), or merge the unbounded faces";
     F1 NoOuter { face: usize } "no_outer"
         "without an unbounded face: a face has no outer boundary component."
         cause "a face was created and its outer boundary component was not set, or a face that is gone was not retired"
-        remedy "set the outer boundary component, or retire the face";
+        remedy "set the outer boundary component (`outer`, or `outer_half_edge` without boundary component records), or retire the face";
     F1 OuterIsVertex { face: usize, boundary: usize } "outer_is_vertex"
         "the outer boundary component of a face is an isolated vertex."
         cause "an isolated vertex was entered as outer instead of inner"

@@ -144,7 +144,11 @@ impl fmt::Display for Violation {
                 "faces {first} and {second} both have no outer boundary component, but only one face of a plane is unbounded"
             ),
             V::NoOuter { face } => {
-                write!(f, "face {face} has no outer boundary component, but every face of this structure needs one")
+                write!(
+                    f,
+                    "face {face} has no outer boundary component, but every face of this structure needs one: `outer` (or, without \
+                     boundary component records, `outer_half_edge`) is nil"
+                )
             }
             V::OuterIsVertex { face, boundary } => write!(
                 f,

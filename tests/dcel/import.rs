@@ -360,6 +360,7 @@ fn what_is_not_valid_is_refused_with_the_report() {
     let report = error.report().unwrap();
     assert!(matches!(error, ImportError::Invalid(_)));
     assert_eq!(report, &validate(&table, &MESH, Collect::All));
+    assert_eq!(format!("{error:?}"), error.to_string());
     assert!(error.to_string().starts_with("the structure is not valid:\nR1"), "{error}");
 }
 
@@ -369,7 +370,7 @@ fn faces_are_needed() {
     let error = refusal(&table, Expectation::surface().without(Part::Faces), Outside::Face(0));
     assert_eq!(error, ImportError::Lacks(Part::Faces));
     assert_eq!(error.report(), None);
-    assert_eq!(error.to_string(), "the structure has no faces");
+    assert_eq!(error.to_string(), "a planar subdivision needs faces, which the expectation leaves out");
 }
 
 #[test]

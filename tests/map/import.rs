@@ -209,6 +209,7 @@ fn coordinates_that_do_not_draw_it() {
     ] {
         let error = moved(from, to).unwrap_err();
         assert!(matches!(error, MapImportError::Invalid(_)), "{rule:?}: {error}");
+        assert_eq!(format!("{error:?}"), error.to_string());
         assert_eq!(error.report().unwrap().violations()[0].rule(), rule, "{error}");
     }
 }

@@ -4,7 +4,7 @@ use crate::support::opinions::agree;
 use crate::support::tables::{boundary, face, half_edge, map, mesh, textbook_map, textbook_mesh, vertex};
 use twinedge::validate::enumerate::for_each_corruption;
 use twinedge::validate::{
-    BoundaryPlace, Certificate, Collect, Expectation, FaceRow, Field, Link, Part, Record, Rule, Start, Table,
+    BoundaryPlace, Certificate, Collect, Expectation, FaceRow, Field, Link, Part, Record, Report, Rule, Start, Table,
     Unchecked, View, Violation, validate,
 };
 
@@ -335,7 +335,66 @@ fn no_more_than_a_thousand_violations_are_kept_by_default() {
     let table = Table { half_edges: vec![Some(twinedge::validate::HalfEdgeRow::default()); 1000], ..Table::default() };
     let report = validate(&table, &Expectation::surface().without(Part::Faces), Collect::All);
     assert_eq!((report.violations().len(), report.violation_count()), (Collect::DEFAULT_CAP, 4000));
-    assert!(report.to_string().ends_with("… and 3000 more\n"));
+    assert!(
+        report.to_string().contains("… and 3000 more\nhint: the prev of the first 250 half-edges is nil"),
+        "{report}"
+    );
+}
+
+/// The hints at the end of a report.
+fn hints(report: &Report) -> Vec<String> {
+    report.to_string().lines().filter_map(|line| line.strip_prefix("hint: ")).map(str::to_owned).collect()
+}
+
+#[test]
+fn a_link_that_is_nil_everywhere_is_said_to_be_left_out_by_the_expectation() {
+    let mut table = textbook_mesh(4, &TETRAHEDRON);
+    assert_eq!(hints(&validate(&table, &MESH, Collect::All)), [""; 0]);
+    for h in 0..12 {
+        half_edge(&mut table, h).prev = None;
+        half_edge(&mut table, h).face = None;
+    }
+    for v in 0..4 {
+        vertex(&mut table, v).leaving = None;
+    }
+    let nil = |what: &str, lacks: &str, part: Part| {
+        format!("the {what} is nil; if the structure has no {lacks}, use `Expectation::without(Part::{part:?})`")
+    };
+    let prev = nil("prev of all 12 half-edges", "prev links", Part::Prev);
+    let leaving = nil("leaving half-edge of all 4 vertices", "leaving half-edges", Part::Leaving);
+    let face = nil("face of all 12 half-edges", "faces", Part::Faces);
+    assert_eq!(hints(&validate(&table, &MESH, Collect::All)), [prev.clone(), face, leaving.clone()]);
+    let lacks = "boundary component records";
+    let boundary = nil("boundary component of all 12 half-edges", lacks, Part::BoundaryComponents);
+    assert_eq!(hints(&validate(&table, &Expectation::surface(), Collect::All)), [prev, boundary, leaving]);
+    // Those of the first half-edges alone are kept.
+    let some = validate(&table, &MESH, Collect::AtMost(5));
+    assert_eq!(hints(&some)[0], nil("prev of the first 3 half-edges", "prev links", Part::Prev));
+    // One that is not nil: it is the others that are broken.
+    half_edge(&mut table, 0).prev = Some(2);
+    assert!(!hints(&validate(&table, &MESH, Collect::All)).iter().any(|hint| hint.contains("prev")));
+}
+
+#[test]
+fn faces_that_are_named_but_not_there_are_said_to_be_missing() {
+    let mut table = textbook_mesh(4, &TETRAHEDRON);
+    half_edge(&mut table, 0).face = Some(9);
+    assert_eq!(hints(&validate(&table, &MESH, Collect::All)), [""; 0]);
+    table.faces.clear();
+    let report = validate(&table, &MESH, Collect::All);
+    assert_eq!(hints(&report), ["half-edges name faces, but there are none; does the view implement `face_slots`?"]);
+}
+
+#[test]
+fn the_debug_form_of_a_report_is_the_one_to_read() {
+    let mut table = textbook_mesh(4, &TETRAHEDRON);
+    face(&mut table, 2).outer_half_edge = None;
+    let report = validate(&table, &MESH, Collect::All);
+    assert_eq!(format!("{report:?}"), report.to_string());
+    assert!(report.to_string().contains(
+        "face 2 has no outer boundary component, but every face of this structure needs one: `outer` (or, without \
+         boundary component records, `outer_half_edge`) is nil"
+    ));
 }
 
 #[test]
@@ -345,7 +404,7 @@ fn a_report_reads_as_sentences() {
     for line in [
         "R1 live      ok, 68 links",
         "L1 twin      ok, 12 half-edges",
-        "B2 isolated  not checked: the structure has no lists of inner boundary components",
+        "B2 isolated  not checked: the expectation leaves out lists of inner boundary components",
         "T3 Euler     ok, 1 component",
         "T4 bounds    not checked: a rule of the plane only",
     ] {

@@ -153,6 +153,15 @@ fn a_token_that_is_not_expected_is_refused_where_it_stands() {
 }
 
 #[test]
+fn an_error_says_which_section_is_expected() {
+    assert_eq!(refused("hello").to_string(), "the section of the vertices (`V`) is expected at byte 0");
+    assert_eq!(
+        refused("V 0 H 0").to_string(),
+        "the text ends at byte 7, where the section of the boundary components (`B`) is expected"
+    );
+}
+
+#[test]
 fn a_number_that_does_not_fit_is_refused() {
     let error = refused("V 1 99999999999999999999 -");
     assert_eq!(error, ParseTableError::NumberTooLarge { position: 4 });

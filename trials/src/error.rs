@@ -2,15 +2,29 @@
 
 use std::fmt;
 use thiserror::Error;
-use twinedge::validate::Part;
+use twinedge::validate::{Part, Violation};
 
 /// A structure cannot be given to an engine.
-#[derive(Clone, Copy, Debug, PartialEq, Eq, Error)]
+#[derive(Clone, Copy, PartialEq, Eq, Error)]
 #[non_exhaustive]
 pub enum StructureError {
     /// The expectation leaves out a part without which two maps cannot be told apart.
     #[error("the expectation leaves out {}; without it two maps cannot be told apart", .0.name())]
     Lacks(Part),
+    /// The empty map breaks a rule, so every other map would.
+    #[error(
+        "the empty map of the structure breaks {}: {_0}; {}. Either `make` does not make an empty map, or the expectation is not \
+that of the structure",
+        _0.rule(), _0.remedy()
+    )]
+    InvalidStart(Violation),
+}
+
+/// The same as `Display`: this is what `unwrap` shows.
+impl fmt::Debug for StructureError {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        fmt::Display::fmt(self, f)
+    }
 }
 
 /// A run found something wrong, or was not finished.

@@ -44,6 +44,11 @@
 //! `serde`: all outcomes implement `Serialize` and `Deserialize`. The program `twinedge` prints them as JSON.
 #![cfg_attr(docsrs, feature(doc_cfg))]
 
+/// The examples of the page for newcomers.
+#[cfg(doctest)]
+#[doc = include_str!("../README.md")]
+struct Readme;
+
 mod error;
 mod panics;
 mod progress;

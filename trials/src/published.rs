@@ -1,4 +1,4 @@
-//! The published numbers of maps, by their formulas.
+//! The published numbers of maps, by their formulas. A number that 128 bits cannot hold is given as the greatest one.
 
 pub(crate) fn factorial(n: u128) -> u128 {
     (1..=n).product()
@@ -24,16 +24,24 @@ fn power_of_three(n: u128) -> u128 {
     (0..n).fold(1, |power, _| 3 * power)
 }
 
+/// Up to here every step of the formulas below fits into 128 bits.
+const MOST_EDGES: usize = 32;
+
 /// Rooted planar maps with n edges (Tutte, *A census of planar maps*, 1963; OEIS A000168).
 pub(crate) fn rooted(n: usize) -> u128 {
+    if n > MOST_EDGES {
+        return u128::MAX;
+    }
     let n = n as u128;
     2 * power_of_three(n) * binomial(2 * n, n) / ((n + 1) * (n + 2))
 }
 
 /// Planar maps with n edges without root, mirror images told apart (Liskovets; Wormald; OEIS A006384).
 pub(crate) fn sensed(n: usize) -> u128 {
-    if n == 0 {
-        return 1;
+    match n {
+        0 => return 1,
+        1..=MOST_EDGES => {}
+        _ => return u128::MAX,
     }
     let symmetric = |k: usize| totient((n / k) as u128) * binomial(k as u128 + 2, 2) * rooted(k);
     // In quarters, for what is left over is one.
@@ -46,8 +54,10 @@ pub(crate) fn sensed(n: usize) -> u128 {
 /// The same with one face distinguished as the outside (Liskovets and Walsh, *Counting unrooted maps on the plane*, 2006;
 /// OEIS A103937).
 pub(crate) fn plane(n: usize) -> u128 {
-    if n == 0 {
-        return 1;
+    match n {
+        0 => return 1,
+        1..=MOST_EDGES => {}
+        _ => return u128::MAX,
     }
     let n_wide = n as u128;
     let symmetric = |k: usize| {
@@ -68,7 +78,7 @@ pub(crate) const BY_GENUS: [&[u64]; 6] = [&[1], &[2], &[9, 1], &[54, 20], &[378,
 
 #[cfg(test)]
 mod tests {
-    use super::{BY_GENUS, plane, rooted, sensed};
+    use super::{BY_GENUS, MOST_EDGES, plane, rooted, sensed};
 
     #[test]
     fn the_formulas_give_the_published_numbers() {
@@ -80,6 +90,17 @@ mod tests {
         assert_eq!(plane, [1, 2, 6, 26, 150, 1032, 8074, 67_086, 586_752, 5_317_226]);
         for (found, all) in BY_GENUS.iter().zip(rooted) {
             assert_eq!(u128::from(found[0]), all);
+        }
+    }
+
+    #[test]
+    fn numbers_that_do_not_fit_do_not_overflow() {
+        for formula in [rooted, sensed, plane] {
+            let numbers: Vec<u128> = (0..=MOST_EDGES).map(formula).collect();
+            assert!(numbers.is_sorted() && numbers[MOST_EDGES] < u128::MAX, "{numbers:?}");
+            for n in [MOST_EDGES + 1, 1_000, usize::MAX] {
+                assert_eq!(formula(n), u128::MAX);
+            }
         }
     }
 }

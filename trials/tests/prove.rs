@@ -49,7 +49,8 @@ fn a_structure_without_room_falls_short_of_the_counts() {
     let outcome = prove(&small, ProveWork { edges: 2 }, &Run::default()).unwrap();
     assert!(outcome.edges[1].is_as_published() && !outcome.edges[2].is_as_published(), "{:?}", outcome.edges);
     let reasons = outcome.into_result().unwrap_err().to_string();
-    assert!(reasons.contains("connected maps of 2 edges: the counts are not as published"), "{reasons}");
+    assert!(reasons.contains("connected maps of 2 edges, rooted: grown "), "{reasons}");
+    assert!(reasons.contains(", published 9"), "{reasons}");
 }
 
 #[test]

@@ -5,11 +5,11 @@ use crate::output::style::{BAD, GOOD, QUIET};
 use crate::output::{Format, counted, print, print_json};
 use crate::status::{Failure, Verdict};
 use serde::Serialize;
+use std::collections::BTreeSet;
 use std::fmt::Write as _;
-use std::path::Path;
 use std::time::Instant;
 use twinedge::validate::Collect;
-use twinedge_formats::mesh::{self, Format as MeshFormat, MeshAudit, MeshExpectation, MeshFile};
+use twinedge_formats::mesh::{self, Finding, Format as MeshFormat, Kind, MeshAudit, MeshExpectation, MeshFile};
 
 /// What a mesh must be.
 #[derive(Debug, clap::Args)]
@@ -71,12 +71,6 @@ impl Expected {
     }
 }
 
-/// The format of a mesh file, by its name or else by how it begins; none if it is no mesh file.
-pub(super) fn format_of(path: Option<&Path>, beginning: &[u8]) -> Option<MeshFormat> {
-    let path = path?;
-    if path == Path::new("-") { MeshFormat::of_content(beginning) } else { MeshFormat::of_name(path) }
-}
-
 #[derive(Debug, Serialize)]
 struct Json<'a> {
     input: &'a str,
@@ -93,6 +87,7 @@ pub(super) fn audit(
     format: MeshFormat,
     expectation: MeshExpectation,
     list: usize,
+    explain: bool,
     output: Format,
 ) -> Result<Verdict, Failure> {
     let start = Instant::now();
@@ -100,19 +95,33 @@ pub(super) fn audit(
     let audit = mesh::audit(&file.mesh, &expectation, Collect::AtMost(list));
     let elapsed_ms = start.elapsed().as_secs_f64() * 1000.0;
     match output {
-        Format::Text => print(&text(&name, &file, &audit, elapsed_ms)?)?,
-        Format::Json => print_json(&Json {
-            input: &name,
-            format: format.name(),
-            dropped: &file.dropped,
-            audit: &audit,
-            elapsed_ms,
-        })?,
+        Format::Text => print(&text(&name, &file, &audit, explain, elapsed_ms)?)?,
+        Format::Json => {
+            let json = Json { input: &name, format: format.name(), dropped: &file.dropped, audit: &audit, elapsed_ms };
+            if explain { print_json(&explained(&json)?)? } else { print_json(&json)? }
+        }
     }
     Ok(if audit.is_valid() { Verdict::Sound } else { Verdict::Wrong })
 }
 
-fn text(name: &str, file: &MeshFile, audit: &MeshAudit, elapsed_ms: f64) -> Result<String, std::fmt::Error> {
+/// The same, with the usual cause and the remedy of each finding.
+fn explained(json: &Json<'_>) -> Result<serde_json::Value, Failure> {
+    let mut value = serde_json::to_value(json)?;
+    let listed = value["findings"].as_array_mut().into_iter().flatten();
+    for (object, finding) in listed.zip(json.audit.findings().list()) {
+        object["cause"] = finding.kind().cause().into();
+        object["remedy"] = finding.kind().remedy().into();
+    }
+    Ok(value)
+}
+
+fn text(
+    name: &str,
+    file: &MeshFile,
+    audit: &MeshAudit,
+    explain: bool,
+    elapsed_ms: f64,
+) -> Result<String, std::fmt::Error> {
     let mut out = String::new();
     writeln!(out, "{name}")?;
     let (points, faces) = (file.mesh.points().len(), file.mesh.face_count());
@@ -120,10 +129,17 @@ fn text(name: &str, file: &MeshFile, audit: &MeshAudit, elapsed_ms: f64) -> Resu
     for dropped in &file.dropped {
         write!(out, "; not used: {} {}", dropped.count, dropped.what)?;
     }
-    writeln!(out, "{QUIET:#}\n")?;
+    let from_one = if file.format.name() == "obj" { " (the file counts points from 1)" } else { "" };
+    writeln!(out, "\nvertices and faces are counted from 0 here{from_one}{QUIET:#}\n")?;
     let body = audit.to_string();
     let (body, _) = body.rsplit_once('\n').unwrap_or((&body, ""));
     writeln!(out, "{body}\n")?;
+    if explain {
+        let kinds: BTreeSet<Kind> = audit.findings().list().iter().map(Finding::kind).collect();
+        for kind in kinds {
+            writeln!(out, "{kind}: usual cause: {}; remedy: {}", kind.cause(), kind.remedy())?;
+        }
+    }
     if audit.is_valid() {
         writeln!(out, "{GOOD}valid{GOOD:#}: every rule that applies holds ({elapsed_ms:.0} ms)")?;
     } else {

@@ -20,7 +20,9 @@ use twinedge::map::{BuildSummary, Irregularity, IrregularityKind, PlanarMap, Pos
 use twinedge::validate::{Collect, Expectation, Record, Report, Violation};
 use twinedge::validate::{places, validate_embedding};
 
-/// Build the planar subdivision of a map and check every rule on it.
+/// Check a map (GeoJSON, WKT) or a mesh (OBJ, OFF, PLY, STL) for everything that can be wrong.
+///
+/// Of a map the planar subdivision is built, and every rule is checked on it.
 ///
 /// The three tables of a textbook, of vertices, faces and half-edges, are read as the book prints them and audited by their names.
 ///
@@ -41,7 +43,7 @@ use twinedge::validate::{places, validate_embedding};
   twinedge tables --half-edges 2 --print | twinedge audit -
   twinedge audit examples/tables/five_faces.txt
 
-Exit status: 0 the map or mesh is valid, or all tables are valid and all verdicts agree; 1 otherwise; 2 the input could not be read.")]
+Exit status: 0 the map or mesh is valid, or all tables are valid and all verdicts agree; 1 something is invalid (a file of tables that are wrong on purpose, even if its verdicts agree), or a verdict differs; 2 the input could not be read.")]
 pub(crate) struct Audit {
     #[command(flatten)]
     map: MapFile,
@@ -54,7 +56,8 @@ pub(crate) struct Audit {
     #[arg(long, value_name = "N", default_value_t = Collect::DEFAULT_CAP)]
     list: usize,
 
-    /// Say of each kind of violation what usually causes it and what mends it.
+    /// Say of each kind of violation or finding what usually causes it and what mends it. In JSON these are the keys `cause` and
+    /// `remedy`.
     #[arg(long)]
     explain: bool,
 
@@ -70,26 +73,32 @@ impl Audit {
             return textbook::audit(&input.name, input.reader, self.list, self.format);
         }
         if table_file::is_table_file(input.beginning()?) {
-            return table_file::audit(&input.name, input.reader, self.list, self.format);
+            self.map.refuse_snap(&input.name, "a file of tables")?;
+            self.refuse_mesh_options(&input.name)?;
+            return table_file::audit(&input.name, input.reader, self.list, self.explain, self.format);
         }
-        if let Some(format) = mesh_file::format_of(self.map.path(), input.beginning()?) {
-            return mesh_file::audit(input, format, self.mesh.expectation(), self.list, self.format);
+        if let Some(format) = input.mesh_format()? {
+            self.map.refuse_snap(&input.name, "a mesh")?;
+            return mesh_file::audit(input, format, self.mesh.expectation(), self.list, self.explain, self.format);
         }
-        if self.mesh.is_any() {
-            return Err(Failure(format!(
-                "{}: is no mesh file (OBJ, OFF, PLY, STL), and the options say what a mesh must be",
-                input.name
-            )));
-        }
+        self.refuse_mesh_options(&input.name)?;
         let imported = self.map.build_from(input)?;
         let map = &imported.map;
         let report = validate_embedding(map, &Expectation::plane(), Collect::AtMost(self.list));
         let elapsed = start.elapsed().as_secs_f64() * 1000.0;
         match self.format {
             Format::Text => print(&text(&imported, &report, self.explain, elapsed)?)?,
-            Format::Json => print_json(&Json::new(&imported, &report, elapsed))?,
+            Format::Json => print_json(&Json::new(&imported, &report, self.explain, elapsed))?,
         }
         Ok(if report.is_valid() { Verdict::Sound } else { Verdict::Wrong })
+    }
+
+    fn refuse_mesh_options(&self, name: &str) -> Result<(), Failure> {
+        if self.mesh.is_any() {
+            let why = "is no mesh file (OBJ, OFF, PLY, STL), and the options say what a mesh must be";
+            return Err(Failure(format!("{name}: {why}")));
+        }
+        Ok(())
     }
 }
 
@@ -391,12 +400,16 @@ struct JsonRule {
 struct JsonViolation {
     rule: &'static str,
     message: String,
+    #[serde(skip_serializing_if = "Option::is_none")]
+    cause: Option<&'static str>,
+    #[serde(skip_serializing_if = "Option::is_none")]
+    remedy: Option<&'static str>,
     at: Vec<[f64; 2]>,
     features: Vec<String>,
 }
 
 impl<'a> Json<'a> {
-    fn new(imported: &'a Imported, report: &Report, elapsed_ms: f64) -> Self {
+    fn new(imported: &'a Imported, report: &Report, explain: bool, elapsed_ms: f64) -> Self {
         let Imported { name, read, map } = imported;
         let counts = report.counts();
         Self {
@@ -430,6 +443,8 @@ impl<'a> Json<'a> {
                 .map(|violation| JsonViolation {
                     rule: violation.rule().id(),
                     message: violation.to_string(),
+                    cause: explain.then(|| violation.cause()),
+                    remedy: explain.then(|| violation.remedy()),
                     at: places(map, violation).into_iter().map(Into::into).collect(),
                     features: features(map, violation),
                 })

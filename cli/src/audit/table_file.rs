@@ -5,7 +5,7 @@ use crate::output::style::{BAD, GOOD, QUIET};
 use crate::output::{Format, counted, grouped, plain, print, print_json};
 use crate::status::{Failure, Verdict};
 use serde::Serialize;
-use std::collections::BTreeMap;
+use std::collections::{BTreeMap, BTreeSet};
 use std::fmt::Write as _;
 use std::io::BufRead;
 use std::time::Instant;
@@ -39,6 +39,8 @@ struct Audited<'a> {
     elapsed_ms: f64,
     #[serde(skip)]
     violation_count: u64,
+    #[serde(skip)]
+    explain: bool,
 }
 
 #[derive(Debug, Serialize)]
@@ -52,12 +54,22 @@ struct TableViolation {
     line: u64,
     rule: &'static str,
     message: String,
+    #[serde(skip_serializing_if = "Option::is_none")]
+    cause: Option<&'static str>,
+    #[serde(skip_serializing_if = "Option::is_none")]
+    remedy: Option<&'static str>,
 }
 
 /// Judges each line and prints what was found. At most `list` violations are listed.
-pub(super) fn audit(name: &str, mut input: impl BufRead, list: usize, format: Format) -> Result<Verdict, Failure> {
+pub(super) fn audit(
+    name: &str,
+    mut input: impl BufRead,
+    list: usize,
+    explain: bool,
+    format: Format,
+) -> Result<Verdict, Failure> {
     let start = Instant::now();
-    let mut audited = Audited { input: name, ..Audited::default() };
+    let mut audited = Audited { input: name, explain, ..Audited::default() };
     let mut broken = BTreeMap::new();
     let mut expectation = Expectation::plane();
     let mut line = String::new();
@@ -113,14 +125,16 @@ impl Audited<'_> {
         let room = list.saturating_sub(self.violations.len());
         for violation in report.violations().iter().take(room) {
             let (rule, message) = (violation.rule().id(), violation.to_string());
-            self.violations.push(TableViolation { line, rule, message });
+            let cause = self.explain.then(|| violation.cause());
+            let remedy = self.explain.then(|| violation.remedy());
+            self.violations.push(TableViolation { line, rule, message, cause, remedy });
         }
         let verdict = first.map_or("ok", Rule::id);
         if stated.is_some_and(|stated| stated != verdict) {
             self.verdicts_differ += 1;
             if room > 0 {
                 let message = format!("the file says {}", plain(stated.unwrap_or_default()));
-                self.violations.push(TableViolation { line, rule: verdict, message });
+                self.violations.push(TableViolation { line, rule: verdict, message, cause: None, remedy: None });
             }
         }
         Ok(())
@@ -129,13 +143,17 @@ impl Audited<'_> {
     fn text(&self) -> Result<String, std::fmt::Error> {
         let mut out = String::new();
         writeln!(out, "{}", self.input)?;
-        for TableViolation { line, rule, message } in &self.violations {
+        for TableViolation { line, rule, message, .. } in &self.violations {
             writeln!(out, "{QUIET}line {line}{QUIET:#}  {BAD}{rule}{BAD:#} {message}")?;
         }
         let total = self.violation_count + self.verdicts_differ;
         let more = total.saturating_sub(self.violations.len() as u64);
         if more > 0 {
             writeln!(out, "… and {} more; see --list", grouped(more))?;
+        }
+        let explained = self.violations.iter().filter_map(|one| Some((one.rule, one.cause?, one.remedy?)));
+        for (rule, cause, remedy) in explained.collect::<BTreeSet<_>>() {
+            writeln!(out, "{rule}: usual cause: {cause}; remedy: {remedy}")?;
         }
         for RuleTables { id, tables } in &self.rules {
             writeln!(out, "  {id}  broken in {}", counted(*tables as usize, "table"))?;

@@ -1,7 +1,7 @@
 //! Features by name.
 
 use super::asked::Asked;
-use crate::output::plain;
+use crate::output::{counted, plain};
 use crate::status::Failure;
 use twinedge::map::{FeatureId, PlanarMap};
 
@@ -24,6 +24,12 @@ pub(crate) fn find(asked: &Asked, name: &str) -> Result<FeatureId, Failure> {
         ([only], _) => Ok(*only),
         ([], Some(feature)) => Ok(feature),
         ([], None) => {
+            if numbered.is_some() {
+                let features = counted(map.features().count(), "feature");
+                return Err(Failure(format!(
+                    "{input}: no feature has the number {name}; there are {features}, counted from #0"
+                )));
+            }
             let like = similar(map, name);
             let hint = if !like.is_empty() {
                 format!("; did you mean {}?", like.join(", "))

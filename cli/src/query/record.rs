@@ -60,7 +60,7 @@ impl std::fmt::Display for Record {
                 write!(f, "edge h{id} from ({x0}, {y0}) to ({x1}, {y1}), {left} to its left and {right} to its right")
             }
             Self::Vertex { id, at: [x, y], features } => {
-                write!(f, "vertex v{id} at ({x}, {y}), where {} meet(s)", or(features, "no feature"))
+                write!(f, "vertex v{id} at ({x}, {y}), a corner of {}", or(features, "no feature"))
             }
         }
     }

@@ -1,8 +1,8 @@
 //! The audit of a mesh: findings, the validator's report, counts, and what was expected.
 
-use super::{Findings, HalfEdgeMesh, IndexedMesh, MeshCounts, MeshExpectation, Unmet};
+use super::{Findings, HalfEdgeMesh, IndexedMesh, Kind, MeshCounts, MeshExpectation, Unmet};
 use std::fmt;
-use twinedge::validate::{Collect, Report, validate};
+use twinedge::validate::{Collect, Report, Rule, validate};
 
 /// What an audit found. `Display` prints all of it as text; with the feature `serde` it is serialized as
 ///
@@ -95,22 +95,39 @@ impl MeshAudit {
     }
 }
 
-impl fmt::Display for MeshAudit {
-    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+impl MeshAudit {
+    /// How many edges and vertices keep faces apart that meet there.
+    fn not_joined(&self) -> usize {
+        self.edges_not_joined() + self.findings.count(Kind::NonManifoldVertex)
+    }
+
+    /// How many edges have several faces that are not joined there.
+    fn edges_not_joined(&self) -> usize {
+        self.findings.count(Kind::NonManifoldEdge) + self.findings.count(Kind::FlippedFaces)
+    }
+
+    fn write_counts(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         let MeshCounts { vertices, edges, faces, components, borders, euler_characteristic, genus, .. } = self.counts;
         let or_unknown = |count: Option<usize>| count.map_or_else(|| "unknown".to_owned(), |count| count.to_string());
         for (what, count) in [
             ("vertices (V)", vertices.to_string()),
             ("edges (E)", edges.to_string()),
+            ("edges not joined", self.edges_not_joined().to_string()),
             ("faces (F)", faces.to_string()),
-            ("components", components.to_string()),
+            ("components of faces", components.to_string()),
             ("border loops", or_unknown(borders)),
             ("Euler characteristic", euler_characteristic.to_string()),
             ("genus", or_unknown(genus)),
         ] {
             writeln!(f, "{what:20} {count:>12}")?;
         }
-        write!(f, "{}", self.report)?;
+        Ok(())
+    }
+}
+
+/// Findings come first, then what is not as expected, the counts, the rules of the validator, and the verdict.
+impl fmt::Display for MeshAudit {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         for finding in self.findings.list() {
             writeln!(f, "{}: {finding}", finding.kind())?;
         }
@@ -120,6 +137,17 @@ impl fmt::Display for MeshAudit {
         }
         for unmet in &self.unmet {
             writeln!(f, "{}: {unmet}", unmet.name())?;
+        }
+        if self.findings.total() + self.unmet.len() > 0 {
+            writeln!(f)?;
+        }
+        self.write_counts(f)?;
+        write!(f, "{}", self.report)?;
+        if self.not_joined() > 0 && self.report.outcome(Rule::V2).is_some_and(|outcome| outcome.violations > 0) {
+            writeln!(
+                f,
+                "V2 is broken because of the findings above: where faces are not joined, the fan of a vertex falls apart"
+            )?;
         }
         f.write_str(if self.is_valid() { "valid" } else { "not valid" })
     }

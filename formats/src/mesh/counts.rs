@@ -26,7 +26,8 @@ pub struct MeshCounts {
     pub triangles: usize,
     /// Connected components. Two faces with a common vertex are connected.
     pub components: usize,
-    /// Border loops. Not known where edges could not be joined or a vertex with a border has several fans.
+    /// Border loops: 0 if every edge has two faces or more. Not known where there are edges with one face, and edges could not be
+    /// joined or a vertex with a border has several fans.
     pub borders: Option<usize>,
     /// V − E + F, without unused vertices and faces that are left out.
     pub euler_characteristic: isize,

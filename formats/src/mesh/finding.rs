@@ -4,7 +4,7 @@ use std::fmt;
 use twinedge::validate::Collect;
 
 macro_rules! kinds {
-    ($($variant:ident $name:literal $statement:literal;)*) => {
+    ($($variant:ident $name:literal $statement:literal cause $cause:literal remedy $remedy:literal;)*) => {
         /// A kind of finding. The names are stable.
         #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash, PartialOrd, Ord)]
         #[non_exhaustive]
@@ -27,18 +27,49 @@ macro_rules! kinds {
             pub const fn statement(self) -> &'static str {
                 match self { $(Self::$variant => $statement,)* }
             }
+
+            /// What usually causes it.
+            #[must_use]
+            pub const fn cause(self) -> &'static str {
+                match self { $(Self::$variant => $cause,)* }
+            }
+
+            /// What mends it.
+            ///
+            /// ```
+            /// use twinedge_formats::mesh::Kind;
+            /// assert!(Kind::FlippedFaces.remedy().starts_with("reverse the vertices of one of the two faces"));
+            /// ```
+            #[must_use]
+            pub const fn remedy(self) -> &'static str {
+                match self { $(Self::$variant => $remedy,)* }
+            }
         }
     };
 }
 
 kinds! {
-    DegenerateFace "degenerate_face" "a face has fewer than three different vertices";
-    RepeatedVertex "repeated_vertex" "a face with three or more different vertices lists one of them again";
-    RepeatedFace "repeated_face" "a face has the vertices of an earlier one, in the same order or the opposite one";
-    NonManifoldEdge "non_manifold_edge" "an edge has three or more faces";
-    FlippedFaces "flipped_faces" "the two faces at an edge run along it in the same direction";
-    NonManifoldVertex "non_manifold_vertex" "several fans of faces meet at a vertex and share no edge there";
-    UnusedVertex "unused_vertex" "no face uses the vertex";
+    DegenerateFace "degenerate_face" "a face has fewer than three different vertices"
+        cause "vertices were merged, and the faces that shrank to an edge or a point were kept"
+        remedy "delete the face";
+    RepeatedVertex "repeated_vertex" "a face with three or more different vertices lists one of them again"
+        cause "a face with a hole was written as one polygon with a slit, or vertices were merged"
+        remedy "cut the face into faces that pass each vertex once";
+    RepeatedFace "repeated_face" "a face has the vertices of an earlier one, in the same order or the opposite one"
+        cause "the same part was exported twice, or a sheet was given two sides"
+        remedy "delete one of the two faces, or give the sheet a thickness";
+    NonManifoldEdge "non_manifold_edge" "an edge has three or more faces"
+        cause "bodies that touch along an edge were merged, or an inner wall was kept"
+        remedy "delete the inner faces, or give each body vertices of its own along the edge";
+    FlippedFaces "flipped_faces" "the two faces at an edge run along it in the same direction"
+        cause "faces come from sources that wind them differently, or part of the mesh was mirrored"
+        remedy "reverse the vertices of one of the two faces, or have the program that made the mesh orient all of it; a Möbius strip cannot be mended so";
+    NonManifoldVertex "non_manifold_vertex" "several fans of faces meet at a vertex and share no edge there"
+        cause "bodies that touch at a point were merged, or faces between the fans are missing"
+        remedy "give each fan a vertex of its own, or add the missing faces";
+    UnusedVertex "unused_vertex" "no face uses the vertex"
+        cause "faces were deleted and their vertices kept, or the vertex belongs to a line or a point of the file"
+        remedy "delete the vertex, or pass over it: it is a fault only where none is expected";
 }
 
 impl Kind {

@@ -43,7 +43,7 @@ fn obj() {
         ("v 1 2 3\nf 1 1/x 1\n", 2, expected("indices as 1/2/3", "1/x")),
         ("v 1 2 3\nf 1 1.5 1\n", 2, expected(INDEX, "1.5")),
         ("v 1 2 3\nf 1 99999999999999999999\n", 2, expected(INDEX, "99999999999999999999")),
-        ("v 1 2 3\nf 1 0 1\n", 2, out_of_range(0, 1)),
+        ("v 1 2 3\nf 1 0 1\n", 2, Cause::IndexZero),
         ("v 1 2 3\nf 1 2 1\nv 1 2 3 1\nf 1 9 1\nf 3 3 3\n", 4, out_of_range(9, 2)),
         ("v 1 2 3\nf 1 2 1\nf 1 2 1\n", 2, out_of_range(2, 1)),
         ("v 1 2 3\nf -1 -2 1\nv 1 2 3\n", 2, out_of_range(-2, 1)),
@@ -238,7 +238,7 @@ fn errors_say_where_and_what() {
     assert_eq!(say("v 1 2 x", Format::Obj), "OBJ, line 1: expected a coordinate, found `x`");
     assert_eq!(say("OFF\n1 0 0\n1 2", Format::Off), "OFF, line 3: expected a coordinate, but there is nothing more");
     assert_eq!(say("v 1 2 1e999", Format::Obj), "OBJ, line 1: the coordinate inf is not finite");
-    assert_eq!(say("f -1", Format::Obj), "OBJ, line 1: a face lists point -1, but there are 0 points");
+    assert_eq!(say("f -1", Format::Obj), "OBJ, line 1: a face lists point -1, but there are no points");
     assert_eq!(
         say("", Format::Stl),
         "STL, byte 0: expected 80 bytes of header and the number of triangles, but there is nothing more"

@@ -2,6 +2,7 @@
 
 use crate::support::shapes::{CUBE, TETRAHEDRON, mesh};
 use serde_json::{Value, json};
+use std::collections::BTreeSet;
 use twinedge::validate::{Collect, Rule};
 use twinedge_formats::mesh::{Kind, MeshExpectation, audit, read_bytes};
 
@@ -65,6 +66,36 @@ fn text_has_counts_rules_findings_and_the_verdict() {
     ] {
         assert!(spoilt.lines().any(|found| found == line), "{line}\n{spoilt}");
     }
+}
+
+#[test]
+fn findings_come_first_and_v2_is_told_to_follow_from_them() {
+    let mut faces = CUBE.to_vec();
+    faces[1].reverse();
+    let text = audit(&mesh(8, &faces), &MeshExpectation::new(), Collect::All).to_string();
+    assert!(text.starts_with("flipped_faces: faces "), "{text}");
+    let line =
+        |told: &str| text.lines().position(|line| line.starts_with(told)).unwrap_or_else(|| panic!("{told}\n{text}"));
+    assert!(line("flipped_faces") < line("vertices (V)") && line("vertices (V)") < line("V2: "), "{text}");
+    assert!(line("V2: ") < line("V2 is broken because of the findings above"), "{text}");
+    // No border, but four edges where faces meet that are not joined.
+    assert!(text.lines().any(|line| line == "edges not joined                4"), "{text}");
+    // Where nothing is broken, nothing follows.
+    let whole = audit(&mesh(8, CUBE), &MeshExpectation::new(), Collect::All).to_string();
+    assert!(whole.starts_with("vertices (V)") && !whole.contains("because"), "{whole}");
+}
+
+#[test]
+fn components_in_text_are_told_from_those_of_the_validator() {
+    // One vertex without face: a component of the map (T3), but not one of faces.
+    let text = audit(&mesh(1, [[0_u32; 3]; 0]), &MeshExpectation::new(), Collect::All).to_string();
+    assert!(text.contains("components of faces             0") && text.contains("1 component"), "{text}");
+}
+
+#[test]
+fn every_kind_has_a_cause_and_a_remedy_of_its_own() {
+    let texts: BTreeSet<&str> = Kind::ALL.iter().flat_map(|kind| [kind.cause(), kind.remedy()]).collect();
+    assert_eq!(texts.len(), 2 * Kind::ALL.len());
 }
 
 #[test]

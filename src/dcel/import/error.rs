@@ -3,17 +3,18 @@
 use crate::store::links::RecordKind;
 use crate::validate::{Part, Report};
 use alloc::boxed::Box;
+use core::fmt;
 use thiserror::Error;
 
 /// Why [`Dcel::from_view`](crate::dcel::Dcel::from_view) refused a structure.
-#[derive(Clone, Debug, PartialEq, Eq, Error)]
+#[derive(Clone, PartialEq, Eq, Error)]
 #[non_exhaustive]
 pub enum ImportError {
     /// It breaks a rule that it is held to.
     #[error("the structure is not valid:\n{0}")]
     Invalid(Box<Report>),
     /// The expectation leaves out a part that a planar subdivision cannot do without.
-    #[error("the structure has no {}", .0.name())]
+    #[error("a planar subdivision needs {}, which the expectation leaves out", .0.name())]
     Lacks(Part),
     /// It was to bring its own unbounded face, but the expectation leaves that out.
     #[error("the structure has no unbounded face; name a face or its border")]
@@ -53,6 +54,13 @@ pub enum ImportError {
     /// It has more records of this kind than a [`Dcel`](crate::dcel::Dcel) can hold.
     #[error("the structure has more {0} than fit")]
     Full(RecordKind),
+}
+
+/// As `Display` does it, so that a failed `unwrap` or `main` prints lines to read.
+impl fmt::Debug for ImportError {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        fmt::Display::fmt(self, f)
+    }
 }
 
 impl ImportError {

@@ -18,11 +18,12 @@ impl Dcel {
     /// | it has | expectation | outside |
     /// | --- | --- | --- |
     /// | records of boundary components (CCBs), an unbounded face | [`Expectation::plane`] | [`Outside::Given`] |
-    /// | faces that keep half-edges, an unbounded face | the same, without [`Part::BoundaryComponents`] | [`Outside::Given`] |
+    /// | faces that keep half-edges, an unbounded face | `Expectation::plane().without(Part::BoundaryComponents)` | [`Outside::Given`] |
     /// | one cycle for each face, closed, genus 0 | [`Expectation::surface`] | [`Outside::Face`] |
-    /// | one cycle for each face, and one border | the same, and [`open`](Expectation::open) | [`Outside::Border`] |
+    /// | one cycle for each face, and one border | `Expectation::surface().open()` | [`Outside::Border`] |
     ///
-    /// `prev`, leaving half-edges and places may be left out in all of these.
+    /// `prev`, leaving half-edges and places may be left out in all of these, and [`Part::BoundaryComponents`] wherever the
+    /// faces keep half-edges.
     ///
     /// The order of the records is kept, and that of the lists; of the two half-edges of an edge the one with the smaller
     /// index in the view has the smaller index here.

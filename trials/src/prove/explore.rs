@@ -7,7 +7,7 @@ use crate::run::Run;
 use crate::structure::Structure;
 use twinedge::program::canonical::Canonizer;
 use twinedge::program::census::Scope;
-use twinedge::program::{Op, Program, Runner, StepOutcome, Subject, every_op};
+use twinedge::program::{Op, Program, Refusal, Runner, StepOutcome, Subject, every_op};
 use twinedge::validate::{Collect, Counts, Report, View, validate};
 
 /// Explores all maps of a scope that belong to this part of the work. After each operator that is applied, the map is validated
@@ -85,6 +85,9 @@ impl<K: Subject + Clone> Worker<'_, K> {
             }
             Ok(Tried::Refused(outcome, is_same)) => {
                 self.explored.tally(size).refused += 1;
+                if outcome == StepOutcome::Refused(Refusal::Unsupported) {
+                    self.explored.unsupported.insert(op.name());
+                }
                 (!is_same).then(|| format!("{outcome}, but the map is not as it was"))
             }
         };

@@ -2,7 +2,7 @@
 
 use super::outcome::Finding;
 use crate::rows::{MOST_FINDINGS, add_findings};
-use std::collections::BTreeMap;
+use std::collections::{BTreeMap, BTreeSet};
 use twinedge::program::{Op, Program};
 
 /// The numbers of edges and vertices of a map.
@@ -40,6 +40,8 @@ impl Tally {
 #[derive(Debug, Default)]
 pub(super) struct Explored {
     pub(super) tallies: BTreeMap<Size, Tally>,
+    /// The operators that were refused as unsupported.
+    pub(super) unsupported: BTreeSet<&'static str>,
     /// The first things that went wrong.
     pub(super) findings: Vec<Finding>,
 }
@@ -63,6 +65,7 @@ impl Explored {
         for (size, tally) in other.tallies {
             self.tally(size).add(&tally);
         }
+        self.unsupported.extend(other.unsupported);
         add_findings(&mut self.findings, &other.findings);
     }
 }

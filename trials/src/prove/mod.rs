@@ -38,6 +38,7 @@ use crate::run::Run;
 use crate::structure::Structure;
 use explore::explore;
 use explored::{Explored, Tally};
+use std::collections::BTreeSet;
 use twinedge::program::Subject;
 use twinedge::program::census::Scope;
 
@@ -48,7 +49,13 @@ use twinedge::program::census::Scope;
 /// grow the same maps, which takes about a tenth of the whole.
 ///
 /// # Errors
-/// [`StructureError`], if maps of this structure cannot be told apart.
+/// [`StructureError::Lacks`], if maps of this structure cannot be told apart; [`StructureError::InvalidStart`], if its empty map
+/// already breaks a rule.
+///
+/// # Incomplete structures
+/// Maps are grown by `add_isolated_vertex`, `connect` and `split_vertex`. If one of them answers
+/// [`Refusal::Unsupported`](twinedge::program::Refusal::Unsupported), maps are missing, and the counts say so. `soak` and
+/// [`conformance`](twinedge::program::conformance) pass over operators that the structure does not have.
 ///
 /// # Examples
 /// ```
@@ -69,6 +76,7 @@ pub fn prove<K: Subject + Clone>(
     run: &Run<'_>,
 ) -> Result<ProveOutcome, StructureError> {
     structure.can_be_told_apart()?;
+    structure.starts_valid()?;
     let n = work.edges;
     let connected = explore(structure, Scope::Connected { edges: n }, run, "connected maps");
     let (edges, vertices) = work.nested();
@@ -80,9 +88,16 @@ pub fn prove<K: Subject + Clone>(
         edges: (0..=n).map(|n| edges_row(n, &connected)).collect(),
         genus: genus_rows(n, run),
         nested: nested_rows(edges, vertices, &subdivisions),
+        unsupported: unsupported(&[&connected, &subdivisions]),
         findings: connected.findings.into_iter().chain(subdivisions.findings).collect(),
         interrupted: run.is_stopped(),
     })
+}
+
+/// The names of the operators that were refused as unsupported, each once, in alphabetical order.
+fn unsupported(explored: &[&Explored]) -> Vec<String> {
+    let names: BTreeSet<&str> = explored.iter().flat_map(|explored| explored.unsupported.iter().copied()).collect();
+    names.into_iter().map(str::to_owned).collect()
 }
 
 /// All connected maps with this number of edges.

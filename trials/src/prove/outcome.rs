@@ -23,6 +23,9 @@ pub struct ProveOutcome {
     pub genus: Vec<GenusRow>,
     /// All subdivisions, by their numbers of edges and vertices.
     pub nested: Vec<NestedRow>,
+    /// The operators that the structure refused as [unsupported](twinedge::program::Refusal::Unsupported), by name.
+    #[cfg_attr(feature = "serde", serde(default))]
+    pub unsupported: Vec<String>,
     /// What went wrong: the first findings. All are counted in the rows.
     pub findings: Vec<Finding>,
     /// Whether the run was stopped before its end.
@@ -119,6 +122,36 @@ impl EdgesRow {
             && self.sensed == self.sensed_published
             && self.plane == self.plane_published
     }
+
+    /// Which counts differ from the published ones, in a sentence.
+    fn difference(&self) -> Option<String> {
+        let counts = [
+            ("rooted", self.rooted, self.rooted_published),
+            ("without root", self.sensed, self.sensed_published),
+            ("with an outside", self.plane, self.plane_published),
+        ];
+        let differ = counts.into_iter().filter(|(_, grown, published)| grown != published);
+        let differ: Vec<String> =
+            differ.map(|(what, grown, published)| format!("{what}: grown {grown}, published {published}")).collect();
+        (!differ.is_empty()).then(|| format!("connected maps of {} edges, {}", self.n, differ.join("; ")))
+    }
+}
+
+impl ProveOutcome {
+    /// The counts that are not as they should be, one sentence for each row.
+    fn counts_that_differ(&self) -> Vec<String> {
+        let mut differ: Vec<String> = self.edges.iter().filter_map(EdgesRow::difference).collect();
+        let rows = self.genus.iter().filter(|row| row.by_genus != row.published);
+        differ.extend(rows.map(|row| {
+            format!("rooted maps of {} edges by genus: {:?} instead of {:?}", row.n, row.by_genus, row.published)
+        }));
+        let rows = self.nested.iter().filter(|row| row.maps != row.recounted);
+        differ.extend(rows.map(|row| {
+            let (edges, vertices) = (row.edges, row.vertices);
+            format!("E {edges}, V {vertices}: {} subdivisions instead of {}", row.maps, row.recounted)
+        }));
+        differ
+    }
 }
 
 impl Outcome for ProveOutcome {
@@ -141,29 +174,26 @@ impl Outcome for ProveOutcome {
         if self.interrupted {
             reasons.push(INTERRUPTED.to_owned());
         }
-        if self.shard.is_whole() {
-            let rows = self.edges.iter().filter(|row| !row.is_as_published());
-            reasons
-                .extend(rows.map(|row| format!("connected maps of {} edges: the counts are not as published", row.n)));
-            let rows = self.genus.iter().filter(|row| row.by_genus != row.published);
-            reasons.extend(rows.map(|row| {
-                format!("rooted maps of {} edges by genus: {:?} instead of {:?}", row.n, row.by_genus, row.published)
-            }));
-            let rows = self.nested.iter().filter(|row| row.maps != row.recounted);
-            reasons.extend(rows.map(|row| {
-                let (edges, vertices) = (row.edges, row.vertices);
-                format!("E {edges}, V {vertices}: {} subdivisions instead of {}", row.maps, row.recounted)
-            }));
-        }
-        let refused: u64 = self.genus.iter().map(|row| row.refused).sum();
-        if refused > 0 {
-            reasons.push(format!("rotation systems that the validator refused: {refused}"));
-        }
         let nested = self.nested.iter().map(|row| row.violations);
         let violations: u64 = self.edges.iter().map(|row| row.violations).chain(nested).sum();
         if violations > 0 || !self.findings.is_empty() {
             reasons.push(format!("violations: {violations}"));
             reasons.extend(self.findings.iter().map(Finding::to_string));
+        }
+        let refused: u64 = self.genus.iter().map(|row| row.refused).sum();
+        if refused > 0 {
+            reasons.push(format!("rotation systems that the validator refused: {refused}"));
+        }
+        if self.shard.is_whole() {
+            let counts = self.counts_that_differ();
+            if !counts.is_empty() && !self.unsupported.is_empty() {
+                reasons.push(format!(
+                    "the structure refused as unsupported: {}; maps that need these operators are not grown, so the counts \
+                     below fall short",
+                    self.unsupported.join(", ")
+                ));
+            }
+            reasons.extend(counts);
         }
         reasons
     }
@@ -187,6 +217,9 @@ impl Outcome for ProveOutcome {
             row.refused += other.refused;
             row.violations += other.violations;
         }
+        self.unsupported.extend_from_slice(&other.unsupported);
+        self.unsupported.sort();
+        self.unsupported.dedup();
         add_findings(&mut self.findings, &other.findings);
     }
 

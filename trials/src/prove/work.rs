@@ -12,13 +12,20 @@ pub struct ProveWork {
 }
 
 impl ProveWork {
-    /// About how many operators are tried.
+    /// About how many operators are tried; `u128::MAX` where that is more than it can hold.
     #[must_use]
     pub fn estimate(&self) -> Estimate {
         // The last edge makes nine tenths of the maps; each has 2n corners, so 4n² pairs of them, for `connect` on both sides
         // and for `split_vertex`, and as many wrong ones again.
-        let maps = (0..=self.edges).map(published::plane).fold(0_u128, u128::saturating_add);
-        let amount = maps.saturating_mul(24 * (self.edges * self.edges) as u128);
+        let mut maps = 0_u128;
+        for n in 0..=self.edges {
+            maps = maps.saturating_add(published::plane(n));
+            if maps == u128::MAX {
+                break;
+            }
+        }
+        let edges = self.edges as u128;
+        let amount = maps.saturating_mul(edges.saturating_mul(edges).saturating_mul(24));
         Estimate { amount, unit: "operators to try", per_second: 1_000_000 }
     }
 

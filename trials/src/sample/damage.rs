@@ -12,7 +12,7 @@ use twinedge::validate::{BoundaryPlace, Expectation, Link, Start, Table, View};
 /// One kind of damage.
 type Damage = fn(&mut Table, &mut Random);
 
-const KINDS: [Damage; 14] = [
+const KINDS: [Damage; 15] = [
     set_cell,
     copy_cell,
     copy_cell,
@@ -27,6 +27,7 @@ const KINDS: [Damage; 14] = [
     join_cycles,
     exchange_lists,
     lengthen_or_shorten_list,
+    overfill_list,
 ];
 
 /// Damages a table once.
@@ -250,4 +251,13 @@ fn lengthen_or_shorten_list(table: &mut Table, random: &mut Random) {
     if random.below(2) == 0 {
         name_listing_face(table, f);
     }
+}
+
+/// Makes a list longer than R1 allows: twice the number of boundary components, and 16.
+fn overfill_list(table: &mut Table, random: &mut Random) {
+    let Some(f) = any_face(table, random) else { return };
+    let listed = two_boundaries(table, random).map(|[b, _]| b);
+    let longest = 2 * table.boundaries.len() + 16;
+    let Some(row) = table.faces[f].as_mut() else { return };
+    row.inner.resize(longest + random.below(2), listed);
 }

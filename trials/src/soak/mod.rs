@@ -23,7 +23,7 @@ use twinedge::program::{Program, candidates};
 /// reported; the panic hook of the process is replaced by one that is silent meanwhile.
 ///
 /// The first failing program is the same on any number of threads, and that of the parts of the work which comes first is that
-/// of the whole. The counts are exact if no program fails.
+/// of the whole. The counts are exact if no program fails. Without structures nothing is compared, and the outcome is not ok.
 ///
 /// # Examples
 /// A structure with a bug:

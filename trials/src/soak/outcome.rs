@@ -103,6 +103,9 @@ impl Outcome for SoakOutcome {
         if self.interrupted {
             reasons.push(INTERRUPTED.to_owned());
         }
+        if self.structures.is_empty() {
+            reasons.push("no structure was given, so nothing was compared".to_owned());
+        }
         if let Some(SoakFailure { on, number, message, rust, .. }) = &self.failure {
             reasons.push(format!("{on} differs from the reference in program {number}, {message}\n{rust}"));
         }

@@ -11,9 +11,16 @@ fn permutations_with_orbits(n: u128, k: u128) -> u128 {
     }
 }
 
-/// The ways to pair off 2n half-edges as twins: (2n − 1)!!.
+/// The ways to pair off 2n half-edges as twins: (2n − 1)!!. The greatest number where 128 bits cannot hold it.
 pub(super) fn pairings(edges: u128) -> u128 {
-    (1..=edges).map(|i| 2 * i - 1).product()
+    let mut pairings = 1_u128;
+    for i in 1..=edges {
+        pairings = pairings.saturating_mul(2 * i - 1);
+        if pairings == u128::MAX {
+            break;
+        }
+    }
+    pairings
 }
 
 /// The maps of n edges on labelled half-edges, on any surface: `next` may be any permutation.

@@ -67,14 +67,18 @@ pub enum Cause {
         /// The coordinate.
         found: f64,
     },
-    /// A face lists a point that there is not. The index is as in the file: OBJ counts from 1, or backwards from −1.
-    #[error("a face lists point {index}, but there are {points} points")]
+    /// A face lists a point that there is not. The index is as in the file: OBJ counts from 1 (see
+    /// [`IndexZero`](Self::IndexZero)), or backwards from −1.
+    #[error("a face lists point {index}, but there {}", number_of_points(*points))]
     IndexOutOfRange {
         /// What the face lists.
         index: i64,
         /// How many points there are; in OBJ, for a negative index, how many there are so far.
         points: usize,
     },
+    /// A face of an OBJ file lists point 0.
+    #[error("a face lists point 0, but OBJ counts points from 1")]
+    IndexZero,
     /// Part of the format that this reader does not read.
     #[error("{0} cannot be read")]
     Unsupported(&'static str),
@@ -102,6 +106,14 @@ pub(super) struct Failed {
 impl Failed {
     pub(super) fn new(position: Position, cause: Cause) -> Self {
         Self { position, cause }
+    }
+}
+
+fn number_of_points(points: usize) -> String {
+    match points {
+        0 => "are no points".to_owned(),
+        1 => "is 1 point".to_owned(),
+        _ => format!("are {points} points"),
     }
 }
 

@@ -75,7 +75,7 @@ fn face(text: &mut Text<'_>, mesh: &mut Builder, drops: &mut Drops) -> Result<()
         let points = mesh.points().len();
         let from_zero = match index {
             1.. => index - 1,
-            0 => return Err(text.failed(Cause::IndexOutOfRange { index, points })),
+            0 => return Err(text.failed(Cause::IndexZero)),
             // Counted back from the last point so far.
             _ => index.saturating_add_unsigned(points as u64),
         };
