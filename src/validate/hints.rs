@@ -1,9 +1,9 @@
 //! What a report advises where a whole column of links is nil or dangling: that comes of a wrong expectation or of a method
 //! of the view that is not implemented, more often than of broken records.
 
+use super::counts::Counts;
 use super::expectation::Part;
 use super::record::{Field, Record};
-use super::report::Counts;
 use super::violation::Violation;
 use core::fmt;
 

@@ -71,6 +71,7 @@
 //! of that structure can tell.
 
 mod columns;
+mod counts;
 mod delegate;
 #[cfg(feature = "geometry")]
 mod embedding;
@@ -98,13 +99,14 @@ mod violation;
 mod violation_text;
 mod words;
 
+pub use counts::{Bounds, Counts};
 #[cfg(feature = "geometry")]
 pub use embedding::{Embedding, places};
 pub use expectation::{Expectation, Part, Surface};
 #[cfg(feature = "geometry")]
 pub use geometric::validator::validate_embedding;
 pub use record::{Field, Record};
-pub use report::{Bounds, Certificate, Collect, Counts, Report, RuleOutcome, Unchecked};
+pub use report::{Certificate, Collect, Report, RuleOutcome, Unchecked};
 pub use rule::Rule;
 pub use table::{BoundaryRow, FaceRow, HalfEdgeRow, Table, VertexRow};
 pub use table_text::ParseTableError;

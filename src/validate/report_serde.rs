@@ -1,6 +1,7 @@
 //! Reports that are read again: what a validation could not have reported is refused.
 
-use super::report::{Bounds, Counts, Report, RuleOutcome, Unchecked};
+use super::counts::{Bounds, Counts};
+use super::report::{Report, RuleOutcome, Unchecked};
 use super::rule::Rule;
 use super::violation::Violation;
 use alloc::vec::Vec;

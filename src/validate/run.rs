@@ -1,9 +1,10 @@
 //! One run of the validator over one structure: what all rules share, and the ways in which they read the structure.
 
 use super::columns::{Component, Components, Fan, NIL};
+use super::counts::{Bounds, Counts};
 use super::expectation::{Expectation, Part, Surface};
 use super::findings::{Findings, Flow};
-use super::report::{Bounds, Collect, Counts, Unchecked};
+use super::report::{Collect, Unchecked};
 use super::rule::Rule;
 use super::view::{Link, Start, View};
 use super::violation::Violation;

@@ -3,9 +3,10 @@
 //! It follows from the rules before it, so it is a check of the counting.
 
 use crate::validate::columns::Components;
+use crate::validate::counts::Bounds;
 use crate::validate::expectation::Surface;
 use crate::validate::findings::Flow;
-use crate::validate::report::{Bounds, Unchecked};
+use crate::validate::report::Unchecked;
 use crate::validate::rule::Rule;
 use crate::validate::run::Run;
 use crate::validate::view::View;
