@@ -108,7 +108,7 @@ impl ReadError {
 
 impl fmt::Display for ReadError {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        // The place before the first byte says nothing.
+        // The place before the first byte is left out of the message.
         if self.place != TextPlace::START {
             write!(f, "{}: ", self.place)?;
         }

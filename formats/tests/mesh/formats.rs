@@ -204,7 +204,7 @@ fn the_content_says_the_format() {
         assert_eq!(from_stream.format, kind.format());
         assert_eq!(from_stream.mesh.face_count(), mesh.face_count());
     }
-    // A binary file whose header says nothing is known by its length.
+    // A binary file without a name in its header is recognised by its length.
     let mut binary = write(&tetrahedron, Written::BinaryStl);
     binary[0] = b'b';
     assert_eq!(Format::of_content(&binary), Some(Format::Stl));
@@ -234,7 +234,7 @@ fn the_name_says_the_format_where_the_content_does_not() {
     // The content is right where the name is wrong.
     let path = write_file("b.stl", "OFF\n1 0 0\n1 2 3\n");
     assert_eq!(read_path(path).expect("well-formed").format, Format::Off);
-    // An OBJ file whose first statement says nothing.
+    // An OBJ file whose first statement is unknown.
     let path = write_file("c.obj", "extension 1\nv 1 2 3\n");
     assert_eq!(read_path(path).expect("well-formed").format, Format::Obj);
     // A binary file whose header starts like an OBJ file, and whose length is wrong.

@@ -27,14 +27,14 @@ pub(super) fn read(bytes: &[u8]) -> Result<(IndexedMesh, Vec<Dropped>), Failed> 
         }
     }
     let mesh = mesh.finish()?;
-    // Every text is an OBJ file, if what is not known is passed over. So say that this one says nothing.
+    // Unknown statements are skipped, so any text could be an OBJ file: one without points is refused.
     if mesh.points().is_empty() {
         return Err(text.failed(Cause::Missing("point")));
     }
     Ok((mesh, drops.into_list()))
 }
 
-/// What a statement is that says nothing about points and faces.
+/// The name of a statement that is neither a point nor a face.
 fn what_is(statement: &[u8]) -> &'static str {
     match statement {
         b"vt" => "texture coordinates",
