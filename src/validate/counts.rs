@@ -21,13 +21,26 @@ pub struct Counts {
     pub isolated_vertices: usize,
     /// C: connected components.
     pub components: Option<usize>,
-    /// Cycles of `next`.
+    /// Cycles of `next` that are no border loops. Without faces, all of them.
     pub cycles: Option<usize>,
-    /// Open boundaries of half-edges without twin: the cycles that their missing twins would make. T3 counts them with the
-    /// cycles.
+    /// Border loops, which T3 counts with the cycles: cycles of half-edges that have no face, and cycles that the missing twins
+    /// of half-edges would make. So both ways of keeping a border have the same number.
     pub borders: Option<usize>,
     /// The sum of the genera of the components.
     pub genus: Option<usize>,
+    /// χ = V − E + F of the whole, with one face for each cycle that is no border loop where there are no face records.
+    ///
+    /// Where each face has one cycle, T3 adds up to
+    /// `χ = 2 · components − isolated_vertices − 2 · genus − borders`; for a map in the plane, `χ = 1 + components`.
+    pub euler_characteristic: Option<isize>,
+}
+
+impl Counts {
+    /// χ, where `faces` is F.
+    pub(super) fn euler(&self, faces: usize) -> Option<isize> {
+        let [vertices, edges, faces] = [self.vertices, self.edges, faces].map(|n| isize::try_from(n).ok());
+        vertices?.checked_sub(edges?)?.checked_add(faces?)
+    }
 }
 
 /// The bounds of T4, for a simple map: the most edges and faces that its number of vertices allows.

@@ -43,6 +43,11 @@
 //!                               F1 outer ────┤
 //!                               F2 listed ───┘
 //!
+//!  if asked for:      R1 ─► M1 used, M4 closed
+//!                     R1, L ─► M2 simple
+//!                     R1, L2, B1, F1 ─► M3 sides
+//!                     V2 ─► M5 connected, M6 borders (and B1), M7 genus (and T3)
+//!
 //!  with coordinates:  G1 finite ─► G2 angles ────┐
 //!                              ─► G4 disjoint ─┬─┴► G5 inside
 //!                                              └─► G3 winding

@@ -100,6 +100,23 @@ pub struct RuleOutcome {
 ///
 /// By T3, added up over the components with one cycle for each isolated vertex,
 /// `vertices − edges + cycles + borders + isolated_vertices = 2 · components − 2 · genus`.
+///
+/// No number depends on the way in which a structure keeps its border: half-edges that have no face, or edges that have one
+/// half-edge only.
+///
+/// ```
+/// use twinedge::validate::{Collect, Expectation, Part, Table, validate};
+/// // A triangle. Half-edges 0, 1 and 2 run around its face; then their twins are there, and have none.
+/// let one_half_edge: Table = "V 3 0 - 1 - 2 - H 3 0 - 1 2 - 0 1 - 2 0 - 0 2 - 0 1 - 0 B 0 F 1 - 0 0".parse()?;
+/// let no_face: Table = "V 3 0 - 1 - 2 - H 6 0 3 1 2 - 0 1 4 2 0 - 0 2 5 0 1 - 0 1 0 5 4 - - 2 1 3 5 - - 0 2 4 3 - - \
+///     B 0 F 1 - 0 0".parse()?;
+/// let expectation = Expectation::surface().without(Part::BoundaryComponents).open().borders(1);
+/// for table in [one_half_edge, no_face] {
+///     let found = validate(&table, &expectation, Collect::All).into_result()?;
+///     assert_eq!((found.edges, found.faces, found.cycles, found.borders, found.euler_characteristic), (3, 1, 1, 1, 1));
+/// }
+/// # Ok::<(), Box<dyn std::error::Error>>(())
+/// ```
 #[derive(Clone, Debug, PartialEq, Eq)]
 #[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 pub struct Certificate {
@@ -111,14 +128,16 @@ pub struct Certificate {
     pub faces: usize,
     /// C.
     pub components: usize,
-    /// Cycles of `next`.
+    /// Cycles of `next` that are no border loops.
     pub cycles: usize,
-    /// Open boundaries of half-edges without twin.
+    /// Border loops: cycles of half-edges that have no face, and cycles that missing twins would make.
     pub borders: usize,
     /// Vertices that no half-edge leaves.
     pub isolated_vertices: usize,
     /// The sum of the genera of the components: 0 in the plane.
     pub genus: usize,
+    /// χ = V − E + F, as [`Counts::euler_characteristic`] says.
+    pub euler_characteristic: isize,
     /// The bounds of T4, if the map is simple and has three vertices.
     pub bounds: Option<Bounds>,
     /// The rules that do not apply to this structure, with the reason.
@@ -160,7 +179,8 @@ impl Report {
         self.outcomes.iter().copied()
     }
 
-    /// The outcome of this rule; `None` for a rule that is not part of this validation (G without coordinates).
+    /// The outcome of this rule; `None` for a rule that is not part of this validation (G without coordinates, M where it was
+    /// not asked for).
     #[must_use]
     pub fn outcome(&self, rule: Rule) -> Option<RuleOutcome> {
         self.outcomes.iter().find(|(r, _)| *r == rule).map(|(_, o)| *o)
@@ -261,6 +281,7 @@ impl Report {
             borders: self.counts.borders?,
             isolated_vertices,
             genus: self.counts.genus?,
+            euler_characteristic: self.counts.euler_characteristic?,
             bounds: self.bounds,
             not_checked: self.outcomes.iter().filter_map(|(r, o)| Some((*r, o.unchecked?))).collect(),
         })

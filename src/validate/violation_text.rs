@@ -1,6 +1,6 @@
 //! Violations in words: a sentence each, that says what is wrong and why it matters.
 
-use super::record::Record;
+use super::record::{Field, Record};
 use super::view::{BoundaryPlace, Link};
 use super::violation::Violation;
 use super::words::Number;
@@ -215,6 +215,45 @@ impl fmt::Display for Violation {
                 "the map is simple and has {faces} faces on {vertices} vertices, more than 2V − 4 = {}: some face has no boundary of its own",
                 vertices.saturating_mul(2).saturating_sub(4)
             ),
+            V::UnusedVertex { vertex } => {
+                write!(f, "no half-edge leaves vertex {vertex}: no edge and no face uses it")
+            }
+            V::LoopEdge { half_edge, vertex } => {
+                write!(f, "half-edge {half_edge} starts and ends at vertex {vertex}: its edge is a loop")
+            }
+            V::ParallelEdges { first, second, vertices: [u, v] } => write!(
+                f,
+                "half-edges {first} and {second} belong to two edges that both join vertices {u} and {v}: the ends do not tell \
+                 which edge is meant"
+            ),
+            V::WrongSides { record: Record::HalfEdge(h), sides, expected } => write!(
+                f,
+                "the cycle of half-edge {h} has {}, where {expected} are expected",
+                Number(sides as u64, "side", "sides")
+            ),
+            V::WrongSides { record, sides, expected } => {
+                write!(f, "{record} has {}, where {expected} are expected", Number(sides as u64, "side", "sides"))
+            }
+            V::OnBorder { half_edge, vertices: [u, v], lacks } => {
+                let lack = if lacks == Field::Twin { "has no twin" } else { "bounds no face" };
+                write!(
+                    f,
+                    "half-edge {half_edge}, from vertex {u} to vertex {v}, {lack}: the surface has a border there"
+                )
+            }
+            V::WrongComponents { found, expected } => write!(
+                f,
+                "the structure has {} with an edge, where {expected} are expected",
+                Number(found as u64, "component", "components")
+            ),
+            V::WrongBorders { found, expected } => write!(
+                f,
+                "the structure has {}, where {expected} are expected",
+                Number(found as u64, "border loop", "border loops")
+            ),
+            V::WrongGenus { found, expected } => {
+                write!(f, "the components have genus {found} together, where {expected} is expected")
+            }
             V::NotFinite { vertex } => {
                 write!(f, "vertex {vertex} has a coordinate that is not finite, or out of range")
             }

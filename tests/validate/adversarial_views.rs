@@ -21,6 +21,8 @@ fn expectations() -> Vec<Expectation> {
             let expectation = parts.iter().fold(base, without);
             let without_prev = expectation.without(Part::Prev);
             all.extend([expectation, expectation.open(), without_prev, without_prev.open()]);
+            let asked = expectation.no_unused_vertices().simple().sides(3).closed().components(1).borders(0).genus(0);
+            all.extend([asked, asked.open()]);
         }
     }
     all

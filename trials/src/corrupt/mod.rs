@@ -129,7 +129,7 @@ fn summarize(
     let unusable = specimens.findings.iter().filter(|(number, _)| run.part().has(*number as u64));
     let unusable: Vec<String> = unusable.map(|(_, why)| format!("the structure does not make a map: {why}")).collect();
     let hangs = hanging.map(|corruption| format!("the validator does not return: {corruption}"));
-    let rules = Rule::ALL.iter().filter(|rule| !rule.is_geometric());
+    let rules = Rule::ALL.iter().filter(|rule| !rule.is_geometric() && !rule.is_optional());
     let rule_row = |rule: &Rule| RuleRow { rule: *rule, wrong: judged.first_broken.get(rule).copied().unwrap_or(0) };
     let field_row = |((form, field), tally): (&(Form, &str), &Tally)| FieldRow {
         form: *form,
