@@ -28,16 +28,27 @@ pub struct Counts {
     pub borders: Option<usize>,
     /// The sum of the genera of the components.
     pub genus: Option<usize>,
-    /// χ = V − E + F of the whole, with one face for each cycle that is no border loop where there are no face records.
-    ///
-    /// Where each face has one cycle, T3 adds up to
-    /// `χ = 2 · components − isolated_vertices − 2 · genus − borders`; for a map in the plane, `χ = 1 + components`.
-    pub euler_characteristic: Option<isize>,
 }
 
 impl Counts {
-    /// χ, where `faces` is F.
-    pub(super) fn euler(&self, faces: usize) -> Option<isize> {
+    /// χ = V − E + F of the whole, F being the faces, or, where there are none, the cycles that are no border loops. `None` if
+    /// components could not be counted.
+    ///
+    /// Where each face has one cycle, T3 adds up to `χ = 2 · components − isolated_vertices − 2 · genus − borders`. For a map in
+    /// the plane with its unbounded face, `χ = 1 + components`. It does not depend on the way in which a border is kept.
+    ///
+    /// ```
+    /// use twinedge::validate::{Collect, Expectation, Table, validate};
+    /// // An edge in the unbounded face.
+    /// let table: Table = "V 2 0 - 1 - H 2 0 1 1 1 0 1 0 0 0 0 B 1 0 h0 i0 F 1 - 1 0".parse()?;
+    /// let report = validate(&table, &Expectation::plane(), Collect::All);
+    /// assert_eq!(report.counts().euler_characteristic(), Some(2));
+    /// # Ok::<(), twinedge::validate::ParseTableError>(())
+    /// ```
+    #[must_use]
+    pub fn euler_characteristic(&self) -> Option<isize> {
+        self.components?;
+        let faces = if self.faces > 0 { self.faces } else { self.cycles? };
         let [vertices, edges, faces] = [self.vertices, self.edges, faces].map(|n| isize::try_from(n).ok());
         vertices?.checked_sub(edges?)?.checked_add(faces?)
     }

@@ -281,7 +281,7 @@ impl Report {
             borders: self.counts.borders?,
             isolated_vertices,
             genus: self.counts.genus?,
-            euler_characteristic: self.counts.euler_characteristic?,
+            euler_characteristic: self.counts.euler_characteristic()?,
             bounds: self.bounds,
             not_checked: self.outcomes.iter().filter_map(|(r, o)| Some((*r, o.unchecked?))).collect(),
         })

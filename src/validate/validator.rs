@@ -1,7 +1,7 @@
 //! The rules R1 … T4 in order, and M1 … M7 where they are asked for.
 
 use super::columns::Components;
-use super::expectation::{Expectation, Part};
+use super::expectation::Expectation;
 use super::fast_path;
 use super::findings::{Flow, Halt};
 use super::passes;
@@ -102,8 +102,6 @@ fn whole<V: View + ?Sized>(run: &mut Run<'_, V>, settled: bool) -> Result<Option
         passes::cycles::count(run, &mut components)?;
         outside::check(run, &mut components)?;
     }
-    let faces = if run.expect.has(Part::Faces) { Some(run.counts.faces) } else { run.counts.cycles };
-    run.counts.euler_characteristic = faces.and_then(|faces| run.counts.euler(faces));
     nesting::check(run, &components)?;
     euler::check(run, &components)?;
     bounds::check(run, &components)?;

@@ -60,7 +60,7 @@ fn a_mesh_with_a_border_of_half_edges_without_face() {
     }
     table.faces[3] = None;
     let found = certificate(&table, MESH.open());
-    assert_eq!((found.vertices, found.edges, found.faces, found.cycles, found.genus), (4, 6, 3, 4, 0));
+    assert_eq!((found.vertices, found.edges, found.faces, found.cycles, found.borders), (4, 6, 3, 3, 1));
     let nil = |h: &usize| Violation::Nil { record: Record::HalfEdge(*h), field: Field::Face };
     assert_eq!(violations(&table, MESH), border.iter().map(nil).collect::<Vec<_>>());
     // A face that a border half-edge names all the same changes along the border.
@@ -83,7 +83,7 @@ fn a_mesh_with_a_border_of_half_edges_without_twin() {
         vertex(&mut table, v).leaving = (0..12).find(origin);
     }
     let found = certificate(&table, MESH.open());
-    assert_eq!((found.vertices, found.edges, found.faces, found.cycles, found.genus), (4, 6, 3, 3, 0));
+    assert_eq!((found.vertices, found.edges, found.faces, found.cycles, found.borders), (4, 6, 3, 3, 1));
     let nil = |h: usize| Violation::Nil { record: Record::HalfEdge(h), field: Field::Twin };
     let expected: Vec<_> = (0..12).filter(|h| missing.contains(&(h ^ 1))).map(nil).collect();
     assert_eq!(violations(&table, MESH), expected);
@@ -168,7 +168,7 @@ fn an_open_outside_and_holes_inside() {
         let by_record = expectation.has(Part::BoundaryComponents);
         let mut table = if by_record { map(3, &LOOP_IN_LOOP, &faces) } else { textbook_map(3, &LOOP_IN_LOOP, &faces) };
         let found = certificate(&table, expectation.without(Part::UnboundedFace).open());
-        assert_eq!((found.components, found.faces, found.cycles), (3, 2, 4));
+        assert_eq!((found.components, found.faces, found.cycles, found.borders), (3, 2, 3, 1));
         // Without any face for it, the outside needs no record of the unbounded face, but one may be there.
         assert_eq!(agree(&table, expectation.open()), Some(Rule::F1));
         table.faces.push(Some(FaceRow::default()));
