@@ -42,12 +42,12 @@ fn what_is_expected_and_not_found_is_named() {
         broken.map(|rule| (rule["id"].as_str().unwrap(), rule["violations"].as_u64().unwrap())).collect();
     assert_eq!(broken, [("M3", 5), ("M4", 4)]);
     let first = &found["violations"][0];
-    assert_eq!((&first["rule"], &first["message"]), (&json!("M3"), &json!("face 0 has 4 sides, where 3 are expected")));
+    assert_eq!((&first["rule"], &first["message"]), (&"M3".into(), &"face 0 has 4 sides, where 3 are expected".into()));
     // Every option asks for the rule of its name.
     let options = ["--borders", "2", "--genus", "1", "--components", "2", "--sides", "5", "--no-unused-vertices"];
     let arguments = [&["audit", path.as_str(), "--format", "json", "--explain"][..], &options].concat();
     let (_, found) = json(&arguments);
-    let ids = |found: &Value| -> Vec<String> {
+    let ids = |found: &serde_json::Value| -> Vec<String> {
         let violations = found["violations"].as_array().unwrap().iter();
         let mut ids: Vec<_> = violations.map(|violation| violation["rule"].as_str().unwrap().to_owned()).collect();
         ids.dedup();

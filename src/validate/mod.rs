@@ -64,6 +64,9 @@
 //! draw that topology: `validate_embedding` checks it, with the
 //! feature `geometry`.
 //!
+//! M1 … M7 are of another kind: a structure may well break them. They say what a mesh is to be (closed, of triangles, of this genus),
+//! and each is checked, and in the report, only if the [`Expectation`] asks for it.
+//!
 //! # Why believe it
 //!
 //! There is a second implementation: [`mod@reference`] states each rule once more in sets and quantifiers, and [`enumerate`]

@@ -114,7 +114,6 @@ fn a_certificate_does_not_depend_on_the_way_in_which_a_border_is_kept() {
                     assert_eq!((found.faces, found.cycles), (squares.len(), squares.len()), "{name}, {border:?}");
                     let asked = expectation.components(1).sides(4).simple().no_unused_vertices();
                     let asked = asked.borders(found.borders).genus(found.genus);
-                    // Two rows make parallel edges only where the grid is closed to a ring of two.
                     assert!(validate(table, &asked, Collect::All).is_valid(), "{name}, {border:?}");
                     assert_eq!(broken(&validate(table, &asked.closed(), Collect::All)).is_empty(), borders == 0);
                     all.push(numbers(&found));
@@ -139,8 +138,8 @@ fn the_euler_characteristic_is_that_of_the_whole() {
         assert_eq!((found.components, found.isolated_vertices, found.borders, found.genus), (3, 1, 4, 1));
         assert_eq!((found.faces, found.cycles), (pants_faces + torus_faces, pants_faces + torus_faces));
         assert_eq!(found.euler_characteristic, 2 * 3 - 1 - 2 - 4);
-        let euler = found.vertices as isize - found.edges as isize + found.faces as isize;
-        assert_eq!(found.euler_characteristic, euler);
+        let [v, e, f] = [found.vertices, found.edges, found.faces].map(|n| isize::try_from(n).unwrap());
+        assert_eq!(found.euler_characteristic, v - e + f);
         // M5 counts no vertex without edge.
         let asked = MESH.components(2).genus(1).borders(4).sides(4).simple();
         assert_eq!(agree_on_first(&table, asked), None);
@@ -148,7 +147,7 @@ fn the_euler_characteristic_is_that_of_the_whole() {
     }
 }
 
-/// In the plane: a square in a square, and a vertex between them. F counts faces, whose boundaries may be several cycles.
+/// In the plane: a triangle in a triangle, and a vertex between them. F counts faces, whose boundaries may be several cycles.
 #[test]
 fn the_euler_characteristic_in_the_plane_is_one_more_than_the_components() {
     let table = crate::support::nested::nested();
@@ -159,7 +158,7 @@ fn the_euler_characteristic_in_the_plane_is_one_more_than_the_components() {
     assert_eq!((found.faces, found.cycles, found.euler_characteristic), (0, 4, 2 * 3 - 1));
 }
 
-/// A half-edge at a border of which one part is kept in the one way, another part in the other.
+/// An annulus: one of its two border loops is kept in the one way, the other one in the other.
 #[test]
 fn both_ways_of_keeping_borders_in_one_mesh() {
     let (vertices, squares) = grid([4, 2], [true, false], &[]);
@@ -226,7 +225,7 @@ fn m2_an_edge_is_a_loop_or_parallel_to_another() {
     let parallel = |first, second| Violation::ParallelEdges { first, second, vertices: [0, 1] };
     only(Rule::M2, &digon, plane, &[parallel(0, 2)]);
     only(Rule::M2, &digon, plane.without(Part::Prev), &[parallel(0, 2)]);
-    // Two squares that are not joined along the edge that they share, and share one of its ends only in one rotation.
+    // Two triangles that are not joined along the edge that they share.
     let mut slit = faces(4, &[[0, 1, 2], [0, 2, 3], [0, 3, 1], [1, 3, 2]], Border::OneHalfEdge);
     let h = half_edge(&mut slit, 0).twin.unwrap();
     half_edge(&mut slit, 0).twin = None;

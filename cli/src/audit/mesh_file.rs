@@ -157,7 +157,7 @@ fn text(
         writeln!(out, "{GOOD}valid{GOOD:#}: every rule that applies holds ({elapsed_ms:.0} ms)")?;
     } else {
         let (findings, violations) = (audit.findings().total(), audit.report().violation_count());
-        let (findings, violations) = (counted(findings, "finding"), counted(violations, "violation"));
+        let (findings, violations) = (counted(findings, "finding"), counted(violations as usize, "violation"));
         writeln!(out, "{BAD}not valid{BAD:#}: {findings}, {violations} ({elapsed_ms:.0} ms)")?;
     }
     Ok(out)
