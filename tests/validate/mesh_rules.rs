@@ -253,7 +253,11 @@ fn m3_a_face_has_a_side_too_many() {
     let cycles = [0, 1].map(|h| Violation::WrongSides { record: Record::HalfEdge(h), sides: 3, expected: 2 });
     only(Rule::M3, &table, bare.sides(2), &cycles);
     assert_eq!(agree(&table, bare.triangles()), None);
-    // In the plane the unbounded face may have any number, and holes count: 3 around the face between two triangles, 3 in it.
+    // A square with a diagonal, in the plane: the unbounded face may have any number.
+    let half_edges = [(0, 2), (1, 9), (1, 4), (2, 1), (2, 0), (0, 6), (2, 8), (3, 3), (3, 5), (0, 7)];
+    let square = map(4, &half_edges, &[(None, &[Start::HalfEdge(1)]), (Some(0), &[]), (Some(5), &[])]);
+    assert_eq!(agree(&square, Expectation::plane().triangles()), None);
+    // Holes count: 3 around the face between two triangles, 3 in it.
     let between = Violation::WrongSides { record: Record::Face(1), sides: 6, expected: 3 };
     only(Rule::M3, &crate::support::nested::nested(), Expectation::plane().triangles(), &[between]);
     let textbook = crate::support::nested::TEXTBOOK.triangles();
