@@ -158,7 +158,7 @@ impl Expectation {
     /// ```
     /// use twinedge::validate::{Collect, Expectation, Part, Table, Violation, validate};
     /// // A triangle of three half-edges.
-    /// let table: Table = "V 3 0 - 1 - 2 - H 3 0 - 1 2 - 0 1 - 2 0 - 0 2 - 0 1 - 0 B 0 F 1 - 0 0".parse()?;
+    /// let table: Table = "V 3 0 - 1 - 2 - H 3 0 - 1 2 - 1 - 2 0 - 2 - 0 1 - B 0 F 1 - 0 HF 3 0 0 0 FH 1 0 0".parse()?;
     /// let expectation = Expectation::surface().without(Part::BoundaryComponents).open().closed();
     /// let report = validate(&table, &expectation, Collect::All);
     /// assert_eq!(report.violations().len(), 3);

@@ -107,9 +107,9 @@ pub struct RuleOutcome {
 /// ```
 /// use twinedge::validate::{Collect, Expectation, Part, Table, validate};
 /// // A triangle. Half-edges 0, 1 and 2 run around its face; then their twins are there, and have none.
-/// let one_half_edge: Table = "V 3 0 - 1 - 2 - H 3 0 - 1 2 - 0 1 - 2 0 - 0 2 - 0 1 - 0 B 0 F 1 - 0 0".parse()?;
-/// let no_face: Table = "V 3 0 - 1 - 2 - H 6 0 3 1 2 - 0 1 4 2 0 - 0 2 5 0 1 - 0 1 0 5 4 - - 2 1 3 5 - - 0 2 4 3 - - \
-///     B 0 F 1 - 0 0".parse()?;
+/// let one_half_edge: Table = "V 3 0 - 1 - 2 - H 3 0 - 1 2 - 1 - 2 0 - 2 - 0 1 - B 0 F 1 - 0 HF 3 0 0 0 FH 1 0 0".parse()?;
+/// let no_face: Table = "V 3 0 - 1 - 2 - H 6 0 3 1 2 - 1 4 2 0 - 2 5 0 1 - 1 0 5 4 - 2 1 3 5 - 0 2 4 3 - B 0 F 1 - 0 \
+///     HF 6 0 0 0 - - - FH 1 0 0".parse()?;
 /// let expectation = Expectation::surface().without(Part::BoundaryComponents).open().borders(1);
 /// for table in [one_half_edge, no_face] {
 ///     let found = validate(&table, &expectation, Collect::All).into_result()?;
