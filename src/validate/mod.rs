@@ -59,6 +59,12 @@
 //! draw that topology: `validate_embedding` checks it, with the
 //! feature `geometry`.
 //!
+//! # Structures as they are
+//!
+//! A structure that keeps other links than a [`View`] answers (targets instead of origins, borders without `next`, faces that
+//! keep nothing) is wrapped in an adapter. The table of [`adapt`] says what to do for which. [`adapt::Index`] gives keys the
+//! dense indices that a view needs, and [`Report::named`] prints a report with the keys.
+//!
 //! # Why believe it
 //!
 //! There is a second implementation: [`mod@reference`] states each rule once more in sets and quantifiers, and [`enumerate`]
@@ -70,6 +76,7 @@
 //! it is read: what no validation could have reported is an error. Whether it is true of some structure, only a validation
 //! of that structure can tell.
 
+pub mod adapt;
 mod columns;
 mod counts;
 mod delegate;
@@ -82,12 +89,15 @@ mod findings;
 #[cfg(feature = "geometry")]
 mod geometric;
 mod hints;
+mod named;
+mod names;
 mod passes;
 mod record;
 pub mod reference;
 mod report;
 #[cfg(feature = "serde")]
 mod report_serde;
+mod report_text;
 mod rule;
 mod rules;
 mod run;
@@ -105,6 +115,7 @@ pub use embedding::{Embedding, places};
 pub use expectation::{Expectation, Part, Surface};
 #[cfg(feature = "geometry")]
 pub use geometric::validator::validate_embedding;
+pub use named::Named;
 pub use record::{Field, Record};
 pub use report::{Certificate, Collect, Report, RuleOutcome, Unchecked};
 pub use rule::Rule;
