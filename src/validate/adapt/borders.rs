@@ -1,6 +1,6 @@
 //! Structures whose half-edges along a border have no `next`.
 
-use super::inverse::{entry, filled, half_edge_column, inverse, live};
+use super::inverse::{entry, filled, inverse, live, nils};
 use crate::validate::view::{Link, View};
 use alloc::vec::Vec;
 
@@ -58,7 +58,7 @@ impl<V: View> Borders<V> {
     #[must_use]
     pub fn of(view: V) -> Option<Self> {
         let before = inverse(&view, V::next)?;
-        let (mut next, mut prev) = (half_edge_column(&view)?, half_edge_column(&view)?);
+        let (mut next, mut prev) = (nils(before.len())?, nils(before.len())?);
         let mut passed = filled(before.len(), false)?;
         for b in live(&view, before.len()).filter(|b| is_border(&view, *b)) {
             let Some(follows) = around(&view, &before, b, &mut passed) else { continue };

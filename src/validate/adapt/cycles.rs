@@ -1,6 +1,6 @@
 //! The cycles of a structure, the face that each names, and the component that each belongs to.
 
-use super::inverse::{entry, filled, half_edge_column, live, nils};
+use super::inverse::{entry, filled, fits, live, nils};
 use crate::validate::columns::NIL;
 use crate::validate::view::View;
 use alloc::vec::Vec;
@@ -21,9 +21,8 @@ pub(super) struct Cycles {
 impl Cycles {
     /// Finds all cycles. O(n α(n)). None if there is no memory for them.
     pub(super) fn of<V: View>(view: &V) -> Option<Self> {
-        let mut of = half_edge_column(view)?;
-        let faces = view.face_slots();
-        nils(faces)?;
+        let mut of = nils(view.half_edge_slots())?;
+        let faces = fits(view.face_slots())?;
         let (mut start, mut face): (Vec<u32>, Vec<u32>) = (Vec::new(), Vec::new());
         for first in live(view, of.len()) {
             if of[first] != NIL {
@@ -43,12 +42,12 @@ impl Cycles {
         let mut unpaired = filled(start.len(), false)?;
         let mut component = filled(start.len(), 0)?;
         component.iter_mut().enumerate().for_each(|(c, parent)| *parent = c as u32);
-        for h in live(view, of.len()) {
+        for (h, cycle) in of.iter().enumerate().filter(|(_, cycle)| **cycle != NIL) {
             match view.twin(h) {
-                None => unpaired[of[h] as usize] = true,
+                None => unpaired[*cycle as usize] = true,
                 Some(t) => {
                     if let Some(other) = entry(&of, t) {
-                        unite(&mut component, of[h], other as u32);
+                        unite(&mut component, *cycle, other as u32);
                     }
                 }
             }

@@ -7,18 +7,13 @@ use alloc::vec::Vec;
 /// Per half-edge the first one whose link leads to it, or [`NIL`]. None if there are too many half-edges for a column of
 /// 32-bit numbers, or no memory for it.
 pub(super) fn inverse<V: View + ?Sized>(view: &V, link: impl Fn(&V, usize) -> Link) -> Option<Vec<u32>> {
-    let mut inverse = half_edge_column(view)?;
+    let mut inverse = nils(view.half_edge_slots())?;
     for h in live(view, inverse.len()) {
         if let Some(entry) = link(view, h).and_then(|to| inverse.get_mut(to)).filter(|entry| **entry == NIL) {
             *entry = h as u32;
         }
     }
     Some(inverse)
-}
-
-/// A column of nils, one for each half-edge, if there is memory for it.
-pub(super) fn half_edge_column<V: View + ?Sized>(view: &V) -> Option<Vec<u32>> {
-    nils(view.half_edge_slots())
 }
 
 /// A column of so many nils, if there is memory for it and 32-bit numbers suffice.
@@ -28,7 +23,12 @@ pub(super) fn nils(n: usize) -> Option<Vec<u32>> {
 
 /// A column of so many entries, if there is memory for it and 32-bit numbers suffice.
 pub(super) fn filled<T: Clone>(n: usize, value: T) -> Option<Vec<T>> {
-    column(u32::try_from(n).ok().filter(|n| *n < NIL)?, value).ok()
+    column(fits(n)? as u32, value).ok()
+}
+
+/// The number, if 32-bit numbers suffice to tell so many records and nil apart.
+pub(super) fn fits(n: usize) -> Option<usize> {
+    (n < NIL as usize).then_some(n)
 }
 
 /// The live half-edges below `slots`.

@@ -1,7 +1,7 @@
 //! Structures whose faces keep nothing: half-edges name their face, and that is all.
 
 use super::cycles::Cycles;
-use super::inverse::{entry, filled, live, nils};
+use super::inverse::{entry, filled, fits, live, nils};
 use super::nesting::outer_cycles;
 use crate::validate::columns::NIL;
 use crate::validate::view::{Link, Start, View};
@@ -61,8 +61,7 @@ impl<V: View> FaceLabels<V> {
     #[must_use]
     pub fn one_cycle(view: V) -> Option<Self> {
         let mut outer = nils(view.face_slots())?;
-        nils(view.half_edge_slots())?;
-        for h in live(&view, view.half_edge_slots()) {
+        for h in live(&view, fits(view.half_edge_slots())?) {
             let named = view.face(h).and_then(|f| outer.get_mut(f));
             if let Some(entry) = named.filter(|entry| **entry == NIL) {
                 *entry = h as u32;
@@ -89,8 +88,9 @@ impl<V: View> FaceLabels<V> {
     /// use twinedge::validate::adapt::FaceLabels;
     /// use twinedge::validate::{Collect, Expectation, Part, Start, Table, View, validate};
     /// // Two loops, of which the second (half-edges 2 and 3) lies inside the first, and its inside is face 2.
-    /// // Half-edges are origin, twin, next, prev, boundary component, face.
-    /// let loops: Table = "V 2 - - - - H 4 0 1 0 0 - 1 0 0 1 1 - 0 1 3 2 2 - 2 1 2 3 3 - 1 B 0 F 3 - 0 - 0 - 0".parse()?;
+    /// // Section HF gives the face of each half-edge; the faces (FH) keep nothing.
+    /// let loops: Table = "V 2 - - - - H 4 0 1 0 0 - 0 0 1 1 - 1 3 2 2 - 1 2 3 3 - \
+    ///     B 0 F 3 - 0 - 0 - 0 HF 4 1 0 2 1 FH 3 - 0 - 0 - 0".parse()?;
     /// let view = FaceLabels::with_holes(&loops, Some(0)).unwrap();
     /// assert_eq!([0, 1, 2].map(|f| view.outer_half_edge(f)), [None, Some(0), Some(2)]);
     /// assert_eq!(view.inner_start(1, 0), Some(Start::HalfEdge(3)));

@@ -1,6 +1,6 @@
 //! Structures whose half-edges keep their target.
 
-use super::inverse::{entry, half_edge_column, inverse, live};
+use super::inverse::{entry, filled, inverse, live, nils};
 use crate::validate::view::{Link, View};
 use alloc::vec::Vec;
 
@@ -58,14 +58,13 @@ pub struct Targets<V> {
 }
 
 impl<V: View> Targets<V> {
-    /// Wraps the structure. O(n) time; 4 bytes per half-edge, and 4 more meanwhile. `None` if there is no memory for that,
+    /// Wraps the structure. O(n) time; 4 bytes per half-edge, and 5 more meanwhile. `None` if there is no memory for that,
     /// or the structure claims more than `u32::MAX - 1` half-edges.
     #[must_use]
     pub fn of(view: V) -> Option<Self> {
         let before = inverse(&view, V::next)?;
-        let mut from = half_edge_column(&view)?;
-        let slots = from.len();
-        let mut passed = super::inverse::filled(slots, false)?;
+        let slots = before.len();
+        let (mut from, mut passed) = (nils(slots)?, filled(slots, false)?);
         for h in live(&view, slots) {
             let found = match view.twin(h) {
                 Some(t) => Some(t).filter(|t| *t < slots && view.is_half_edge(*t)),
