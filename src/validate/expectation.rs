@@ -19,7 +19,7 @@ pub enum Part {
     /// The place of a boundary component in the list of its face, as stored in the boundary component.
     Places,
     /// Lists of inner boundary components. Without them each face has one cycle, as in a mesh, and containment (T1, T2)
-    /// is not represented.
+    /// is not represented. Nor is where an isolated vertex lies: `isolated` is not read, and B2 is not checked.
     Holes,
     /// The one face without outer boundary component. Without it, a component that lies outside all others lies in no
     /// face: it has no inner boundary component, and if it is an isolated vertex, no boundary component starts there.
@@ -120,8 +120,16 @@ impl Expectation {
         self
     }
 
-    /// The same, but open boundaries are legal: half-edges without twin, or half-edges with a twin but without face.
-    /// The outside of a component may be one of them, and then it has no inner boundary component.
+    /// The same, but open boundaries are legal. At an edge of an open boundary one side is missing, in one of two ways:
+    ///
+    /// - There is one half-edge. It has a face, and no twin.
+    /// - There are two half-edges, twins of each other. The one along the boundary has no face (no boundary component,
+    ///   where there are records for these).
+    ///
+    /// A half-edge with neither twin nor face bounds nothing, and breaks R1. If the structure lacks faces, there is
+    /// nothing to check of that.
+    ///
+    /// The outside of a component may be an open boundary, and then it has no inner boundary component.
     #[must_use]
     pub const fn open(mut self) -> Self {
         self.open = true;

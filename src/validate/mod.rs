@@ -67,6 +67,12 @@
 //! M1 … M7 are of another kind: a structure may well break them. They say what a mesh is to be (closed, of triangles, of this genus),
 //! and each is checked, and in the report, only if the [`Expectation`] asks for it.
 //!
+//! # Structures as they are
+//!
+//! A structure that keeps other links than a [`View`] answers (targets instead of origins, borders without `next`, faces that
+//! keep nothing) is wrapped in an adapter. The table of [`adapt`] says what to do for which. [`adapt::Index`] gives keys the
+//! dense indices that a view needs, and [`Report::named`] prints a report with the keys.
+//!
 //! # Why believe it
 //!
 //! There is a second implementation: [`mod@reference`] states each rule once more in sets and quantifiers, and [`enumerate`]
@@ -78,6 +84,7 @@
 //! it is read: what no validation could have reported is an error. Whether it is true of some structure, only a validation
 //! of that structure can tell.
 
+pub mod adapt;
 mod columns;
 mod counts;
 mod delegate;
@@ -90,12 +97,15 @@ mod findings;
 #[cfg(feature = "geometry")]
 mod geometric;
 mod hints;
+mod named;
+mod names;
 mod passes;
 mod record;
 pub mod reference;
 mod report;
 #[cfg(feature = "serde")]
 mod report_serde;
+mod report_text;
 mod rule;
 mod rules;
 mod run;
@@ -113,6 +123,7 @@ pub use embedding::{Embedding, places};
 pub use expectation::{Expectation, Part, Surface};
 #[cfg(feature = "geometry")]
 pub use geometric::validator::validate_embedding;
+pub use named::Named;
 pub use record::{Field, Record};
 pub use report::{Certificate, Collect, Report, RuleOutcome, Unchecked};
 pub use rule::Rule;

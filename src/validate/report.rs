@@ -2,10 +2,8 @@
 
 use super::counts::{Bounds, Counts};
 use super::expectation::Part;
-use super::hints;
 use super::rule::Rule;
 use super::violation::Violation;
-use super::words::Number;
 use alloc::boxed::Box;
 use alloc::vec::Vec;
 use core::fmt;
@@ -290,41 +288,3 @@ impl Report {
 
 /// So that [`Report::into_result`] can be followed by `?`.
 impl core::error::Error for Report {}
-
-/// As `Display` does it, so that a failed `unwrap` or `main` prints lines to read.
-impl fmt::Debug for Report {
-    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        fmt::Display::fmt(self, f)
-    }
-}
-
-/// A line for each rule, then a line for each violation that was kept. A hint follows where a link is nil in all records, as
-/// it is if the structure does not have it.
-impl fmt::Display for Report {
-    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        for (rule, outcome) in &self.outcomes {
-            let checked = outcome.checked;
-            write!(f, "{:2} {:9} ", rule.id(), rule.name())?;
-            match (outcome.violations, outcome.unchecked) {
-                (0, None) => write!(f, "ok, {checked} {}", rule.unit(checked))?,
-                (0, Some(why)) => write!(f, "not checked: {why}")?,
-                (n, why) => {
-                    let violations = Number(n, "violation", "violations");
-                    write!(f, "BROKEN, {violations} in {checked} {}", rule.unit(checked))?;
-                    if let Some(why) = why {
-                        write!(f, "; the rest not checked: {why}")?;
-                    }
-                }
-            }
-            writeln!(f)?;
-        }
-        for violation in &self.violations {
-            writeln!(f, "{}: {violation}", violation.rule())?;
-        }
-        let more = self.violation_count().saturating_sub(self.violations.len() as u64);
-        if more > 0 {
-            writeln!(f, "… and {more} more")?;
-        }
-        hints::write(f, &self.violations, &self.counts, more == 0)
-    }
-}

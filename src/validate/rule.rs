@@ -62,7 +62,7 @@ macro_rules! rules {
 }
 
 rules! {
-    /// At an open boundary twin and face may be nil. Lists with more than twice as many entries as there are boundary
+    /// At an open boundary twin or face may be nil, but not both. Lists with more than twice as many entries as there are boundary
     /// components, and 16, are not read to the end, and break the rule, too.
     ///
     /// ```text

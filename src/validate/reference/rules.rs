@@ -70,7 +70,7 @@ fn rules<'a, V: View + ?Sized>() -> [Judged<'a, V>; 21] {
 
 /// R1 live: every link that a record needs is there, and every link leads to a live record.
 ///
-/// At an open boundary twin or face may be nil. A vertex needs a leaving half-edge only if some half-edge leaves it.
+/// At an open boundary twin or face may be nil, but not both. A vertex needs a leaving half-edge only if some half-edge leaves it.
 ///
 /// Lists that together hold more than twice as many inner boundary components as there are, and 16, are broken, too: the
 /// fast validator does not read them to the end. Without records for boundary components, vertices and half-edges count.
@@ -86,14 +86,15 @@ fn r1<V: View + ?Sized>(s: &Structure<'_, V>) -> bool {
         None => false,
     };
     s.half_edges.iter().all(|&h| {
+        let other_side_only = s.open && !nil(s.twin(h));
         vertex(s.origin(h))
             && (half_edge(s.twin(h)) || s.open && nil(s.twin(h)))
             && half_edge(s.next(h))
             && (s.lacks(Part::Prev) || half_edge(s.prev(h)))
             && match s.says {
                 Says::Nothing => true,
-                Says::Boundary => boundary(s.boundary(h)) || s.open && nil(s.boundary(h)),
-                Says::Face => face(s.face(h)) || s.open && nil(s.face(h)),
+                Says::Boundary => boundary(s.boundary(h)) || other_side_only && nil(s.boundary(h)),
+                Says::Face => face(s.face(h)) || other_side_only && nil(s.face(h)),
             }
     }) && s.vertices.iter().all(|&v| {
         (s.lacks(Part::Leaving) || half_edge(s.leaving(v)) || nil(s.leaving(v)) && s.all_leaving(v).is_empty())
