@@ -40,6 +40,8 @@
 //! different structures. It lists the handles of each structure in order of creation, and drops those of removed records.
 //! As long as both structures are right, the same position in two such lists is the same element.
 
+#![cfg_attr(feature = "proptest", doc = include_str!("proptest.md"))]
+
 #[cfg(feature = "arbitrary")]
 mod arbitrary;
 mod call;

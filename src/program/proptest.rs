@@ -1,4 +1,4 @@
-//! Programs and structures for the crate `proptest`, which shrink operator by operator.
+//! Programs and structures for the crate `proptest`, which shrink operator by operator. Documented in `mod.rs`.
 
 use super::generator::{Generator, Language};
 use super::op::Program;
@@ -80,10 +80,7 @@ impl Arbitrary for Program {
 }
 
 /// What a program makes of the empty structure. Shrinks as the program does.
-impl<S: Store + Default + fmt::Debug + 'static> Arbitrary for Dcel<S>
-where
-    Self: fmt::Debug,
-{
+impl<S: Store + fmt::Debug + 'static> Arbitrary for Dcel<S> {
     type Parameters = Generator;
     type Strategy = BoxedStrategy<Self>;
 

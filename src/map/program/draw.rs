@@ -15,7 +15,7 @@ impl Draw for Number {
     /// at all.
     fn draw(source: &mut impl Choose) -> Self {
         let grid = source.choose(8) as f64;
-        Self::from(match source.choose(32) {
+        Self::from(match source.choose(64) {
             1 => f64::from_bits((0..8).fold(0, |bits, _| bits << 8 | source.choose(256) as u64)),
             2 => grid.next_up(),
             3 => grid.next_down(),
@@ -24,6 +24,7 @@ impl Draw for Number {
             6 => grid * 2.0_f64.powi(-399),
             7 => -grid,
             8 => grid + 0.5,
+            9 => [f64::NAN, f64::INFINITY, f64::NEG_INFINITY][source.choose(3)],
             _ => grid,
         })
     }
@@ -49,9 +50,9 @@ draw_picks! { MapVertexPick MapHalfEdgePick MapFacePick }
 
 impl Draw for AtPick {
     fn draw(source: &mut impl Choose) -> Self {
-        match source.choose(4) {
-            2 => Self::Near(Draw::draw(source), Draw::draw(source)),
-            3 => Self::Vertex(Draw::draw(source)),
+        match source.choose(8) {
+            5 => Self::Near(Draw::draw(source), Draw::draw(source)),
+            6 | 7 => Self::Vertex(Draw::draw(source)),
             _ => Self::Point(Draw::draw(source)),
         }
     }
@@ -59,7 +60,7 @@ impl Draw for AtPick {
 
 impl Draw for RingPick {
     fn draw(source: &mut impl Choose) -> Self {
-        (0..source.choose(7)).map(|_| Draw::draw(source)).collect()
+        (0..2 + source.choose(5)).map(|_| Draw::draw(source)).collect()
     }
 }
 
@@ -75,8 +76,11 @@ impl Draw for GridPick {
 }
 
 impl Draw for FeaturesPick {
-    /// Of the first few, so that most exist.
+    /// Mostly of the first two, so that most exist.
     fn draw(source: &mut impl Choose) -> Self {
-        Self(source.choose(32) as u16)
+        Self(match source.choose(8) {
+            7 => source.choose(1 << 16) as u16,
+            _ => source.choose(4) as u16,
+        })
     }
 }

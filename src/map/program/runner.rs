@@ -58,18 +58,14 @@ impl<K: Copy + Ord> Keys<K> {
         Self { live: live.collect(), retired: Vec::new() }
     }
 
-    /// Those that are gone are retired, and those that are new come last.
+    /// Those that are gone are retired, and those that are new come last, in the order in which they are given.
     fn update(&mut self, now: impl Iterator<Item = K>) {
-        let mut new: BTreeSet<K> = now.collect();
-        let retired = &mut self.retired;
-        self.live.retain(|key| {
-            let stays = new.remove(key);
-            if !stays {
-                retired.push(*key);
-            }
-            stays
-        });
-        self.live.extend(new);
+        let now: Vec<K> = now.collect();
+        let there: BTreeSet<K> = now.iter().copied().collect();
+        let known: BTreeSet<K> = self.live.iter().copied().collect();
+        self.retired.extend(self.live.iter().filter(|key| !there.contains(key)));
+        self.live.retain(|key| there.contains(key));
+        self.live.extend(now.into_iter().filter(|key| !known.contains(key)));
     }
 }
 

@@ -8,13 +8,13 @@ macro_rules! edits {
     ($then:ident) => {
         $then! {
             InsertPoint insert_point 2 { at: AtPick; }
-            InsertSegment insert_segment 8 { from: AtPick; to: AtPick; }
-            InsertSegmentSnapped insert_segment_snapped 4 { from: AtPick; to: AtPick; snap: GridPick; }
-            InsertRing insert_ring 4 { points: RingPick; }
-            RemoveEdge remove_edge 4 { half_edge: MapHalfEdgePick; }
-            RemoveVertex remove_vertex 2 { vertex: MapVertexPick; }
+            InsertSegment insert_segment 12 { from: AtPick; to: AtPick; }
+            InsertSegmentSnapped insert_segment_snapped 6 { from: AtPick; to: AtPick; snap: GridPick; }
+            InsertRing insert_ring 6 { points: RingPick; }
+            RemoveEdge remove_edge 2 { half_edge: MapHalfEdgePick; }
+            RemoveVertex remove_vertex 1 { vertex: MapVertexPick; }
             MoveVertex move_vertex 3 { vertex: MapVertexPick; to: Spot; }
-            AddFeature add_feature 1 { }
+            AddFeature add_feature 2 { }
             SetFeaturesOf set_features_of 2 { face: MapFacePick; features: FeaturesPick; }
             SetFeaturesAlong set_features_along 2 { half_edge: MapHalfEdgePick; features: FeaturesPick; }
         }
