@@ -23,6 +23,7 @@ pub trait Language: Scripted {
     fn op(kind: Self::Kind, source: &mut impl Choose) -> Self::Op;
 
     /// What a generated program begins with if this kind is generated at all: without it there is nothing to be done.
+    #[must_use]
     fn first() -> Option<(Self::Kind, Self::Op)> {
         None
     }
@@ -40,6 +41,7 @@ impl Language for Program {
         Op::of_kind(kind, upper, &mut bytes).unwrap_or(Op::AddIsolatedVertex { face: FacePick::Unbounded })
     }
 
+    #[must_use]
     fn first() -> Option<(OpKind, Op)> {
         Some((OpKind::AddIsolatedVertex, Op::AddIsolatedVertex { face: FacePick::Unbounded }))
     }

@@ -67,7 +67,7 @@ mod runner;
 mod rust;
 pub(crate) mod script;
 mod shrink;
-mod simpler;
+pub(crate) mod simpler;
 mod subject;
 mod table;
 mod text;

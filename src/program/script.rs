@@ -77,9 +77,8 @@ impl<P: Scripted> Script<P> {
 
     /// The program with another operator in one place.
     pub(super) fn with(&self, place: usize, op: &P::Op) -> P {
-        let other = |line: &Line<P::Op>| match line.place == place {
-            true => Line { place, op: op.clone(), chosen: Vec::new() },
-            false => line.clone(),
+        let other = |line: &Line<P::Op>| {
+            if line.place == place { Line { place, op: op.clone(), chosen: Vec::new() } } else { line.clone() }
         };
         Self::play(self.0.iter().map(other))
     }

@@ -349,9 +349,8 @@ fn runner() -> TestRunner {
 
 #[test]
 fn proptest_shrinks_programs_edit_by_edit() {
-    let outcome = runner().run(&EditProgram::generator(), |program| match makes_hole(&program) {
-        true => Err(TestCaseError::fail("a hole")),
-        false => Ok(()),
+    let outcome = runner().run(&EditProgram::generator(), |program| {
+        if makes_hole(&program) { Err(TestCaseError::fail("a hole")) } else { Ok(()) }
     });
     let Err(TestError::Fail(_, small)) = outcome else { panic!("no program made a hole: {outcome:?}") };
     assert_smallest(&small);
@@ -367,7 +366,7 @@ fn proptest_makes_maps_and_shrinks_them() {
     let Err(TestError::Fail(_, small)) = outcome else { panic!("no map has four faces: {outcome:?}") };
     assert_eq!(small.dcel().face_count(), 4);
     let tree = maps.new_tree(&mut runner()).expect("a map can always be made");
-    let counts = |map: PlanarMap| map.validate().counts().clone();
+    let counts = |map: PlanarMap| *map.validate().counts();
     assert_eq!(counts(tree.current()), counts(tree.current()));
 }
 

@@ -11,6 +11,7 @@ use thiserror::Error;
 
 /// What became of one edit of a program.
 #[derive(Clone, Debug, PartialEq)]
+#[allow(clippy::large_enum_variant, reason = "most edits of a program are applied")]
 pub enum EditOutcome {
     /// It was done. What it did is empty for edits that make and drop nothing: a vertex that moved, features.
     Applied(Edited),

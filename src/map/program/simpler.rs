@@ -5,6 +5,7 @@ use super::pick::{
     AtPick, FeaturesPick, GridPick, MapFacePick, MapHalfEdgePick, MapVertexPick, Number, RingPick, Spot,
 };
 use super::table::edits;
+use crate::program::simpler::smaller;
 
 /// An argument in every way in which it is simpler, the simplest first.
 trait Simpler: Sized {
@@ -39,13 +40,6 @@ edits!(define_simpler);
 
 fn map<T, U>(all: Vec<T>, f: impl FnMut(T) -> U) -> Vec<U> {
     all.into_iter().map(f).collect()
-}
-
-fn smaller(k: u16) -> Vec<u16> {
-    let mut all = vec![0, k / 2, k.saturating_sub(1)];
-    all.dedup();
-    all.retain(|smaller| *smaller < k);
-    all
 }
 
 /// Every step goes down in (whether it is whole and small, how many bits it takes, magnitude, sign), so shrinking ends.
