@@ -41,7 +41,6 @@ impl Language for Program {
         Op::of_kind(kind, upper, &mut bytes).unwrap_or(Op::AddIsolatedVertex { face: FacePick::Unbounded })
     }
 
-    #[must_use]
     fn first() -> Option<(OpKind, Op)> {
         Some((OpKind::AddIsolatedVertex, Op::AddIsolatedVertex { face: FacePick::Unbounded }))
     }
