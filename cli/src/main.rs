@@ -9,6 +9,7 @@ mod document;
 mod draw;
 mod effort;
 mod expectation_text;
+mod fuzz_template;
 mod input;
 mod outline;
 mod output;
@@ -59,6 +60,7 @@ enum Command {
     Sample(sample::Sample),
     Soak(soak::Soak),
     Replay(replay::Replay),
+    FuzzTemplate(fuzz_template::FuzzTemplate),
     Sum(sum::Sum),
 }
 
@@ -75,6 +77,7 @@ fn main() -> ExitCode {
         Command::Sample(sample) => sample.run(),
         Command::Soak(soak) => soak.run(),
         Command::Replay(replay) => replay.run(),
+        Command::FuzzTemplate(template) => template.run(),
         Command::Sum(sum) => sum.run(),
     };
     match verdict {

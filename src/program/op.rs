@@ -79,6 +79,20 @@ macro_rules! define_op {
             )*
         }
 
+        /// The kinds of operators, for a [`Generator`](super::Generator).
+        #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
+        pub enum OpKind {
+            $(
+                #[doc = concat!("[`Op::", stringify!($variant), "`].")]
+                $variant,
+            )*
+        }
+
+        impl OpKind {
+            /// All kinds, each with how many of 32 random operators are of this kind.
+            pub const SHARES: &[(Self, u32)] = &[$((Self::$variant, $share)),*];
+        }
+
         const _: () = assert!(0 $(+ $share)* == 32, "the first byte of an operator chooses among 32");
 
         impl Op {
@@ -102,11 +116,18 @@ macro_rules! define_op {
                 let mut kind = first & 31;
                 $(
                     if kind < $share {
-                        return Some(Self::$variant { $($arg: FromBytes::from_bytes(first >> 5, bytes)?),* });
+                        return Self::of_kind(OpKind::$variant, first >> 5, bytes);
                     }
                     kind -= $share;
                 )*
                 None
+            }
+
+            /// An operator of this kind, with arguments from bytes. `upper` is a number below 8.
+            pub(super) fn of_kind(kind: OpKind, upper: u8, bytes: &mut impl Iterator<Item = u8>) -> Option<Self> {
+                Some(match kind {
+                    $(OpKind::$variant => Self::$variant { $($arg: FromBytes::from_bytes(upper, bytes)?),* },)*
+                })
             }
 
             /// What the operator may add to the counts of a map, if it is applied.

@@ -10,5 +10,6 @@ mod census;
 mod choose;
 mod conformance;
 mod counts;
+mod generators;
 mod in_step;
 mod program;
