@@ -97,7 +97,7 @@ fn a_valid_map_is_walked_around_once_and_along_once() {
     for (name, table) in all {
         for table in [with_vacant_slots(&table), table] {
             let n = table.half_edges.iter().flatten().count();
-            assert_eq!(questions(&table, Expectation::plane()), [3 * n, 2 * n, n], "{name}");
+            assert_eq!(questions(&table, Expectation::plane()), [3 * n, 3 * n, n], "{name}");
         }
     }
 }
@@ -112,23 +112,22 @@ fn a_valid_surface_is_walked_around_once_and_along_once() {
     );
     for table in [&tetrahedron, &torus, &with_vacant_slots(&torus)] {
         let n = table.half_edges.iter().flatten().count();
-        assert_eq!(questions(table, Expectation::surface()), [3 * n, 2 * n, n]);
+        assert_eq!(questions(table, Expectation::surface()), [3 * n, 3 * n, n]);
     }
 }
 
-/// Without a part there is no fast path, and each rule asks for itself. Vacant slots make no difference.
+/// Whatever is lacking, nothing else is asked more often. Vacant slots make no difference.
 #[test]
-fn what_lacks_parts_is_asked_more_often() {
+fn what_lacks_parts_is_not_asked_more_often() {
     let edge = map(2, &[(0, 1), (1, 0)], &[(None, &[Start::HalfEdge(0)])]);
     for table in [edge, nested()] {
         let vacant = with_vacant_slots(&table);
         let n = table.half_edges.len();
         for part in [Part::Prev, Part::Leaving, Part::Places] {
             let expectation = PLANE.without(part);
-            let [twin, next, prev] = questions(&table, expectation);
-            assert!(twin > 3 * n && next > 2 * n, "{part:?}: {twin} {next}");
-            assert_eq!(prev > n, part != Part::Prev, "{part:?}: {prev}");
-            questions(&vacant, expectation);
+            let prev = if part == Part::Prev { 0 } else { n };
+            assert_eq!(questions(&table, expectation), [3 * n, 3 * n, prev], "{part:?}");
+            assert_eq!(questions(&vacant, expectation), [3 * n, 3 * n, prev], "{part:?}");
             let counts = |table: &Table| *validate(table, &expectation, Collect::All).counts();
             assert_eq!(counts(&vacant), counts(&table));
         }
@@ -151,7 +150,6 @@ fn a_list_that_never_ends_is_cut_short() {
 /// Each rule that reads the lists keeps to that bound, also where a list is said to be longer once another rule has read it.
 #[test]
 fn a_list_that_grows_is_cut_short() {
-    // Places are left out, so that the fast path gives up.
     for (table, expectation) in [(nested(), PLANE.without(Part::Places)), (nested_textbook(), TEXTBOOK)] {
         let honest = Watched::new(&table);
         assert!(validate(&honest, &expectation, Collect::All).is_valid());
@@ -159,8 +157,9 @@ fn a_list_that_grows_is_cut_short() {
         for honest_answers in 0..=honest.inner_count.get() {
             let view = Watched::claiming(&table, |asked| (asked > honest_answers).then_some(usize::MAX));
             let _ = validate(&view, &expectation, Collect::All);
-            // R1, B (where there are no records for boundary components), F2 and T1 read the lists.
-            assert!(view.inner.get() <= 4 * (2 * records + 16), "{honest_answers}: {}", view.inner.get());
+            // The fast path, R1, B (where there are no records for boundary components), F2 and T1 read the lists.
+            let most = records + 4 * (2 * records + 16);
+            assert!(view.inner.get() <= most, "{honest_answers}: {}", view.inner.get());
         }
     }
 }
