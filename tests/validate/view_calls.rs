@@ -6,7 +6,9 @@ use crate::support::nested::{PLANE, TEXTBOOK, nested, nested_textbook};
 use crate::support::opinions::{agree, broken};
 use crate::support::tables::{half_edge, map, mesh};
 use crate::support::watched::Watched;
-use twinedge::validate::{Collect, Expectation, Part, Rule, Start, Table, Violation, validate};
+use std::cell::Cell;
+use twinedge::delegate_view;
+use twinedge::validate::{Collect, Expectation, Link, Part, Rule, Start, Table, View, Violation, validate};
 
 /// How often a valid table is asked for the twin, next and prev of its half-edges.
 fn questions(table: &Table, expectation: Expectation) -> [usize; 3] {
@@ -186,4 +188,54 @@ fn a_rotation_that_two_vertices_claim_leaves_room_for_no_third() {
     half_edge(&mut table, 2).twin = Some(2);
     // Two half-edges have no boundary component, either.
     assert_eq!(agree(&table, PLANE), Some(Rule::R1));
+}
+
+/// A table whose first twin is nil, once.
+struct WrongAtFirst<'a>(&'a Table, Cell<bool>);
+
+impl View for WrongAtFirst<'_> {
+    delegate_view!(|this| this.0; except twin);
+
+    fn twin(&self, half_edge: usize) -> Link {
+        if self.1.replace(true) { self.0.twin(half_edge) } else { None }
+    }
+}
+
+/// The fast path enters what the rules would have counted one by one.
+#[test]
+fn the_fast_path_and_the_rules_report_the_same() {
+    let tetrahedron = mesh(4, &[[0, 1, 2], [0, 2, 3], [0, 3, 1], [1, 3, 2]]);
+    let surface = Expectation::surface();
+    let one_face_each = PLANE.without(Part::Holes);
+    for (table, expectation) in [
+        (nested(), PLANE),
+        (nested(), PLANE.without(Part::Faces)),
+        (nested(), surface.without(Part::Faces)),
+        (nested_textbook(), TEXTBOOK),
+        (tetrahedron.clone(), surface),
+        (tetrahedron.clone(), one_face_each),
+        (with_labels(tetrahedron.clone()), surface.without(Part::BoundaryComponents)),
+        (with_labels(tetrahedron.clone()), one_face_each.without(Part::BoundaryComponents)),
+    ] {
+        for parts in [&[][..], &[Part::Prev], &[Part::Leaving], &[Part::Places], &[Part::Prev, Part::Leaving]] {
+            let expectation = parts.iter().fold(expectation, |expectation, part| expectation.without(*part));
+            let settled = validate(&table, &expectation, Collect::All);
+            assert!(settled.is_valid(), "{expectation:?}\n{settled}");
+            let by_the_rules = validate(&WrongAtFirst(&table, Cell::new(false)), &expectation, Collect::All);
+            assert_eq!(settled, by_the_rules, "{expectation:?}\n{settled}\n{by_the_rules}");
+        }
+    }
+}
+
+/// The same mesh, whose half-edges name faces, and whose faces name half-edges.
+fn with_labels(mut mesh: Table) -> Table {
+    let boundary = |b: Link| mesh.boundaries[b.unwrap()].unwrap();
+    for row in mesh.half_edges.iter_mut().flatten() {
+        row.face = boundary(row.boundary).face;
+    }
+    for row in mesh.faces.iter_mut().flatten() {
+        let Some(Start::HalfEdge(start)) = boundary(row.outer).start else { panic!("a mesh has no isolated vertex") };
+        row.outer_half_edge = Some(start);
+    }
+    mesh
 }

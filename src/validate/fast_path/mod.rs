@@ -50,7 +50,7 @@ use super::rule::Rule;
 use super::run::Run;
 use super::view::View;
 use alloc::vec::Vec;
-use boundaries::{Boundaries, Inner};
+use boundaries::Inner;
 use components::Joined;
 use rotations::Rotations;
 
@@ -98,12 +98,10 @@ fn look<V: View + ?Sized>(view: &V, extent: Extent) -> Option<(Counts, Component
     let links = links::scan(view, extent)?;
     let along = boundaries::walk(view, extent, &links)?;
     let around = rotations::walk(view, extent, &links)?;
-    let claimed = match extent.has(Part::UnboundedFace) && !extent.has(Part::BoundaryComponents) {
-        true => around.isolated,
-        false if extent.has(Part::BoundaryComponents) => around.claimed,
-        false => along.at_vertex,
-    };
-    if around.half_edges != links.half_edges || claimed != along.at_vertex {
+    // By record each isolated vertex names what starts at it; otherwise those listed are marked, so it suffices to count.
+    let claimed = if extent.has(Part::BoundaryComponents) { around.claimed } else { around.isolated };
+    let may_be_unclaimed = !extent.has(Part::BoundaryComponents) && !extent.has(Part::UnboundedFace);
+    if around.half_edges != links.half_edges || claimed != along.at_vertex && !may_be_unclaimed {
         return None;
     }
     let mut counts = Counts {
@@ -120,7 +118,7 @@ fn look<V: View + ?Sized>(view: &V, extent: Extent) -> Option<(Counts, Component
     };
     // Euler's formula, where an isolated vertex has one cycle: V + cycles − E is twice the number of components, at genus 0.
     let twice = (counts.vertices + along.cycles + around.isolated).checked_sub(counts.edges)?;
-    let (components, genus) = join(view, extent, around, along, twice)?;
+    let (components, genus) = join(view, extent, around, &along.inner, twice)?;
     counts.components = Some(components.all.len());
     counts.genus = Some(genus);
     Some((counts, components))
@@ -131,7 +129,7 @@ fn join<V: View + ?Sized>(
     view: &V,
     extent: Extent,
     around: Rotations,
-    along: Boundaries,
+    inner: &[Inner],
     twice: usize,
 ) -> Option<(Components, usize)> {
     let plane = extent.expect.surface_kind() == Surface::Plane;
@@ -146,7 +144,7 @@ fn join<V: View + ?Sized>(
     all.try_reserve_exact(first.len()).ok()?;
     all.extend(first.into_iter().map(Component::at));
     if plane && extent.has(Part::Holes) {
-        outsides(&of, &mut all, &along.inner, extent.has(Part::UnboundedFace))?;
+        outsides(&of, &mut all, inner, extent.has(Part::UnboundedFace))?;
     }
     Some((Components { of, all, simple }, genus))
 }
@@ -185,15 +183,14 @@ fn settle<V: View + ?Sized>(run: &mut Run<'_, V>, counts: Counts, components: Co
     }
     findings.checked(Rule::V2, connected);
     for (rule, needs, checked) in [
-        (Rule::V1, Part::Leaving, connected),
-        (Rule::B1, Part::Faces, half_edges),
-        (Rule::B2, Part::Holes, counts.vertices as u64),
-        (Rule::F1, Part::Faces, counts.faces as u64),
-        (Rule::F2, Part::Faces, boundaries),
+        (Rule::V1, [Part::Leaving].as_slice(), connected),
+        (Rule::B1, &[Part::Faces], half_edges),
+        (Rule::B2, &[Part::Faces, Part::Holes], counts.vertices as u64),
+        (Rule::F1, &[Part::Faces], counts.faces as u64),
+        (Rule::F2, &[Part::Faces], boundaries),
     ] {
-        let missing = [Part::Faces, needs].into_iter().find(|part| rule >= Rule::B1 && !run.expect.has(*part));
-        match missing.or_else(|| (!run.expect.has(needs)).then_some(needs)) {
-            Some(part) => findings.not_checked(rule, Unchecked::Lacks(part)),
+        match needs.iter().find(|part| !run.expect.has(**part)) {
+            Some(part) => findings.not_checked(rule, Unchecked::Lacks(*part)),
             None => findings.checked(rule, checked),
         }
     }
