@@ -8,7 +8,6 @@
 //!
 //! Checked if asked for.
 
-use crate::validate::columns::Components;
 use crate::validate::findings::Flow;
 use crate::validate::rule::Rule;
 use crate::validate::run::Run;
@@ -16,11 +15,12 @@ use crate::validate::view::View;
 use crate::validate::violation::Violation;
 
 /// Runs M5. Isolated vertices do not count.
-pub(in crate::validate) fn check<V: View + ?Sized>(run: &mut Run<'_, V>, components: Option<&Components>) -> Flow {
+pub(in crate::validate) fn check<V: View + ?Sized>(run: &mut Run<'_, V>) -> Flow {
     if run.passes_over(Rule::M5, run.rotations_broken()) {
         return Ok(());
     }
-    let found = components.map_or(0, |components| components.all.iter().filter(|c| c.edges() > 0).count());
+    // An isolated vertex is a component without edges.
+    let found = run.counts.components.map_or(0, |all| all.saturating_sub(run.counts.isolated_vertices));
     run.findings.checked(Rule::M5, found as u64);
     match run.expect.expected_count(Rule::M5) {
         Some(expected) if found != expected => run.findings.add(Violation::WrongComponents { found, expected }),

@@ -9,6 +9,7 @@
 //!
 //! Checked if asked for.
 
+use crate::validate::columns::column;
 use crate::validate::findings::Flow;
 use crate::validate::rule::Rule;
 use crate::validate::run::Run;
@@ -25,10 +26,14 @@ pub(in crate::validate) fn check<V: View + ?Sized>(run: &mut Run<'_, V>) -> Flow
     if run.counts.isolated_vertices == 0 {
         return Ok(());
     }
-    for vertex in 0..run.vertices as usize {
-        // The fast path counts no fans: there `leaving` is known to be right.
-        let leaves = |v| run.fans.get(v).map_or_else(|| run.view.leaving(v).is_some(), |fan| fan.degree > 0);
-        if run.view.is_vertex(vertex) && !leaves(vertex) {
+    let mut used = column(run.vertices, false)?;
+    for h in (0..run.half_edges).filter(|h| run.live_half_edge(*h)) {
+        if let Some(used) = used.get_mut(run.origin(h) as usize) {
+            *used = true;
+        }
+    }
+    for (vertex, used) in used.into_iter().enumerate() {
+        if !used && run.view.is_vertex(vertex) {
             run.findings.add(Violation::UnusedVertex { vertex })?;
         }
     }
