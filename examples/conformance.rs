@@ -182,14 +182,9 @@ impl Subject for Mine {
     type Vertex = usize;
     type HalfEdge = usize;
     type Face = usize;
-    type Error = Refusal;
 
-    fn refusal(error: &Refusal) -> Refusal {
-        *error
-    }
-
-    fn unbounded_face(&self) -> usize {
-        0
+    fn unbounded_face(&self) -> Option<usize> {
+        Some(0)
     }
 
     fn face_of(&self, corner: Corner<usize, usize>) -> Result<usize, Refusal> {

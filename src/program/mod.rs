@@ -48,7 +48,11 @@ pub mod choose;
 pub mod conformance;
 mod dcel;
 mod every;
+#[doc(hidden)]
+pub mod by_index;
 mod interpret;
+mod interpret_mesh;
+pub mod mesh;
 mod op;
 mod outcome;
 mod pointer_model;
@@ -67,10 +71,12 @@ mod text;
 
 pub use crate::dcel::{Corner, Side, Turn};
 pub use call::{Call, CallOf};
-pub use every::{every_op, try_every_op};
+pub use every::{every_mesh_op, every_op, try_every_op};
 pub use op::{CornerPick, CountChange, FacePick, HalfEdgePick, InnerPick, Op, Program, SecondPick, VertexPick};
 pub use outcome::StepOutcome;
-pub use pointer_model::{PointerModel, PointerModelFace, PointerModelHalfEdge, PointerModelVertex};
+pub use pointer_model::{
+    PointerModel, PointerModelFace, PointerModelHalfEdge, PointerModelStart, PointerModelVertex, StartError,
+};
 pub use rotation_system::RotationSystem;
 pub use runner::Runner;
 pub use shrink::{candidates, shrink};

@@ -79,6 +79,11 @@ macro_rules! define_op {
             )*
         }
 
+        /// The operators without arguments, in the order of the table.
+        enum Kind {
+            $($variant,)*
+        }
+
         const _: () = assert!(0 $(+ $share)* == 32, "the first byte of an operator chooses among 32");
 
         impl Op {
@@ -101,12 +106,46 @@ macro_rules! define_op {
                 let first = bytes.next()?;
                 let mut kind = first & 31;
                 $(
+                    #[allow(unused_comparisons, clippy::absurd_extreme_comparisons, reason = "a share may be 0")]
                     if kind < $share {
                         return Some(Self::$variant { $($arg: FromBytes::from_bytes(first >> 5, bytes)?),* });
                     }
                     kind -= $share;
                 )*
                 None
+            }
+
+            /// The operator of this name whose arguments these bytes encode. None if there is no such name, or they end too
+            /// early.
+            ///
+            /// ```
+            /// use twinedge::program::Op;
+            /// let op = Op::named("mesh_flip_edge", &mut [0, 0, 7].into_iter());
+            /// assert_eq!(op.unwrap().to_string(), "mesh_flip_edge h7");
+            /// ```
+            pub fn named(name: &str, bytes: &mut impl Iterator<Item = u8>) -> Option<Self> {
+                let first = bytes.next()?;
+                $(
+                    if name == stringify!($method) {
+                        return Some(Self::$variant { $($arg: FromBytes::from_bytes(first >> 5, bytes)?),* });
+                    }
+                )*
+                None
+            }
+
+            /// How often the operator of this name is drawn where all are; those of meshes as often as the most frequent one.
+            pub(super) fn share(name: &str) -> u64 {
+                match name {
+                    $(stringify!($method) if $share > 0 => $share,)*
+                    _ => 9,
+                }
+            }
+
+            /// The place of the operator in [`Op::NAMES`].
+            pub(super) const fn kind(self) -> usize {
+                match self {
+                    $(Self::$variant { .. } => Kind::$variant as usize,)*
+                }
             }
 
             /// What the operator may add to the counts of a map, if it is applied.

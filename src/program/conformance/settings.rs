@@ -1,0 +1,191 @@
+//! What is asked of a comparison: of one program, or of many random ones.
+
+use super::difference::{Counterexample, Difference, Failure};
+use super::in_step::InStep;
+use super::summary::ConformanceSummary;
+use crate::program::op::{Op, Program};
+use crate::program::shrink::shrink;
+use crate::program::subject::Subject;
+use crate::validate::Expectation;
+use alloc::vec::Vec;
+
+/// What a run must have covered to count.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
+#[non_exhaustive]
+pub enum Coverage {
+    /// Every operator that the subject has was applied at least once. An operator that it was never asked for, or that
+    /// found nothing to choose from each time, counts as one that it does not have.
+    EveryOperator,
+    /// Some operator was applied. An empty program passes.
+    SomeOperator,
+    /// Nothing. Take this to make a failing program small: fewer operators cover less.
+    Nothing,
+}
+
+/// What is asked of a comparison.
+///
+/// ```
+/// use twinedge::dcel::Dcel;
+/// use twinedge::program::conformance::{Conformance, Coverage};
+/// use twinedge::program::Program;
+/// use twinedge::validate::Expectation;
+///
+/// let asked = Conformance::of(&Expectation::plane()).coverage(Coverage::Nothing);
+/// let summary = asked.run(&Program::default(), Dcel::new())?;
+/// assert_eq!(summary.total().all(), 0);
+/// # Ok::<(), twinedge::program::conformance::Failure>(())
+/// ```
+#[derive(Clone, Copy, Debug)]
+pub struct Conformance {
+    pub(super) expectation: Expectation,
+    pub(super) stale_handles: bool,
+    coverage: Option<Coverage>,
+    programs: usize,
+    operators: usize,
+    seed: u64,
+}
+
+impl Conformance {
+    /// A comparison with a structure that is held to this expectation: 200 programs of 40 operators, where programs
+    /// are made up.
+    #[must_use]
+    pub const fn of(expectation: &Expectation) -> Self {
+        Self { expectation: *expectation, stale_handles: true, coverage: None, programs: 200, operators: 40, seed: 0 }
+    }
+
+    /// The same, but something else must be covered. The default is [`Coverage::SomeOperator`] for one program, and
+    /// [`Coverage::EveryOperator`] for [`Conformance::check`].
+    #[must_use]
+    pub const fn coverage(mut self, coverage: Coverage) -> Self {
+        self.coverage = Some(coverage);
+        self
+    }
+
+    /// The same without handles of removed records, for structures that use a handle again. Operators that ask for one
+    /// are skipped.
+    #[must_use]
+    pub const fn without_stale_handles(mut self) -> Self {
+        self.stale_handles = false;
+        self
+    }
+
+    /// The same with so many random programs of so many operators.
+    #[must_use]
+    pub const fn programs(mut self, programs: usize, operators: usize) -> Self {
+        self.programs = programs;
+        self.operators = operators;
+        self
+    }
+
+    /// The same with other random programs. The same seed gives the same programs.
+    #[must_use]
+    pub const fn seed(mut self, seed: u64) -> Self {
+        self.seed = seed;
+        self
+    }
+
+    /// Begins a comparison, to be continued operator by operator.
+    ///
+    /// # Errors
+    /// Those of [`run`](super::run) before the first operator.
+    pub fn begin<K: Subject>(self, subject: K) -> Result<InStep<K>, Failure> {
+        InStep::with(subject, self)
+    }
+
+    /// Runs a program, as [`run`](super::run) does.
+    ///
+    /// # Errors
+    /// Those of [`run`](super::run).
+    pub fn run<K: Subject>(self, program: &Program, subject: K) -> Result<ConformanceSummary, Failure> {
+        let summary = self.compare(program, subject)?;
+        self.judge(self.coverage.unwrap_or(Coverage::SomeOperator), &summary).map_err(|difference| Failure {
+            before: program.0.len(),
+            op: None,
+            difference,
+        })?;
+        Ok(summary)
+    }
+
+    /// Runs random programs, each on a new subject, as [`check`](super::check) does.
+    ///
+    /// # Errors
+    /// Those of [`check`](super::check).
+    pub fn check<K: Subject>(self, mut make: impl FnMut() -> K) -> Result<ConformanceSummary, Counterexample> {
+        let mut sum = ConformanceSummary::default();
+        let mut noise = Noise(self.seed);
+        for _ in 0..self.programs {
+            let mut program = Program::default();
+            let failed = |program, failure| Counterexample { program, failure };
+            let mut pair = self.begin(make()).map_err(|failure| failed(Program::default(), failure))?;
+            for _ in 0..self.operators {
+                let Some(op) = noise.op(&sum) else { break };
+                program.0.push(op);
+                if pair.step(op).is_err() {
+                    let small = shrink(&program, |program| self.compare(program, make()).is_err());
+                    let Err(failure) = self.compare(&small, make()) else { continue };
+                    return Err(failed(small, failure));
+                }
+            }
+            sum.add(&pair.summary());
+        }
+        let coverage = self.coverage.unwrap_or(Coverage::EveryOperator);
+        self.judge(coverage, &sum).map_err(|difference| Counterexample {
+            program: Program::default(),
+            failure: Failure { before: sum.total().all(), op: None, difference },
+        })?;
+        Ok(sum)
+    }
+
+    /// Compares and does not ask what was covered.
+    fn compare<K: Subject>(self, program: &Program, subject: K) -> Result<ConformanceSummary, Failure> {
+        let mut pair = self.begin(subject)?;
+        for op in &program.0 {
+            pair.step(*op)?;
+        }
+        Ok(pair.summary())
+    }
+
+    fn judge(self, coverage: Coverage, summary: &ConformanceSummary) -> Result<(), Difference> {
+        let total = summary.total();
+        if coverage != Coverage::Nothing && total.applied == 0 && total.all() > 0 {
+            return Err(Difference::NothingApplied);
+        }
+        let never = |(name, counts): (_, super::OperatorCounts)| {
+            (counts.is_supported() && counts.applied == 0).then_some(name)
+        };
+        let names: Vec<&'static str> = summary.by_operator().filter_map(never).collect();
+        if coverage == Coverage::EveryOperator && !names.is_empty() {
+            return Err(Difference::NeverApplied(names));
+        }
+        Ok(())
+    }
+}
+
+/// Numbers without pattern: `splitmix64` (Steele, Lea and Flood, *Fast splittable pseudorandom number generators*, 2014).
+struct Noise(u64);
+
+impl Noise {
+    fn next(&mut self) -> u64 {
+        self.0 = self.0.wrapping_add(0x9E37_79B9_7F4A_7C15);
+        let mixed = (self.0 ^ self.0 >> 30).wrapping_mul(0xBF58_476D_1CE4_E5B9);
+        let mixed = (mixed ^ mixed >> 27).wrapping_mul(0x94D0_49BB_1331_11EB);
+        mixed ^ mixed >> 31
+    }
+
+    /// A random operator. One that the subject has answered four times only by not having it is drawn no more.
+    fn op(&mut self, so_far: &ConformanceSummary) -> Option<Op> {
+        let is_out = |name| so_far.of(name).is_some_and(|counts| counts.unsupported >= 4 && !counts.is_supported());
+        let names: Vec<&'static str> = Op::NAMES.iter().copied().filter(|name| !is_out(name)).collect();
+        // As likely as in any bytes, or else, for the operators of meshes, which are in no bytes, as the most likely one.
+        let total: u64 = names.iter().map(|name| Op::share(name)).sum();
+        let mut drawn = self.next().checked_rem(total)?;
+        let name = names.into_iter().find(|name| match drawn.checked_sub(Op::share(name)) {
+            Some(rest) => {
+                drawn = rest;
+                false
+            }
+            None => true,
+        })?;
+        Op::named(name, &mut core::iter::repeat_with(|| (self.next() >> 56) as u8))
+    }
+}
