@@ -112,8 +112,8 @@ pub fn refuses_stale<K: Subject>(kind: Handle, bound: Bound, empty: K, source: &
 }
 
 /// Asserts that the answer is a refusal of a stale handle.
-fn stale<K: Subject, T>(what: &str, answer: Result<T, K::Error>) {
-    let refusal = answer.err().map(|error| K::refusal(&error));
+fn stale<K: Subject, T>(what: &str, answer: Result<T, Refusal>) {
+    let refusal = answer.err();
     assert!(refusal == Some(Refusal::Stale), "a stale handle is not refused as such by {what}: {refusal:?}");
 }
 
@@ -251,7 +251,7 @@ impl<K: Subject> Map<K> {
     }
 
     fn choose_face(&self, source: &mut impl Choose) -> Option<K::Face> {
-        let mut faces = vec![self.subject.unbounded_face()];
+        let mut faces: Vec<_> = self.subject.unbounded_face().into_iter().collect();
         for corner in &self.corners {
             faces.extend(self.subject.face_of(*corner).ok().filter(|face| !faces.contains(face)));
         }

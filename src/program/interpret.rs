@@ -30,7 +30,8 @@ macro_rules! define_call {
                 }
             }
 
-            fn call(&mut self, call: CallOf<K>) -> Result<(), StepOutcome> {
+            /// Calls, and keeps the lists of handles.
+            pub(super) fn call(&mut self, call: CallOf<K>) -> Result<(), StepOutcome> {
                 match call {
                     $(Call::$variant { $($arg),* } => self.$method($($arg),*),)*
                 }

@@ -87,10 +87,11 @@ impl<K: Subject> Runner<K> {
         let sides = [left.map_err(StepOutcome::Refused)?, right.map_err(StepOutcome::Refused)?];
         self.retire_edge(h);
         for Merging { dropped, kept, anchor, steps, is_twin } in sides.into_iter().flatten() {
+            // The subject may keep either edge, so that the one that is dropped here has a place again with the other name.
+            self.forget_edge(dropped);
             let found = self.after(anchor, steps).map_err(StepOutcome::Refused)?;
             let now = if is_twin { self.subject.twin_of(found).map_err(StepOutcome::Refused)? } else { found };
             self.rename_edge(kept, now)?;
-            self.forget_edge(dropped);
         }
         Ok(())
     }

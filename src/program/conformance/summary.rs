@@ -12,7 +12,7 @@ pub struct OperatorCounts {
     pub applied: usize,
     /// Refused by both, for the same reason.
     pub refused: usize,
-    /// There was nothing to choose from.
+    /// The subject was not called: there was nothing to choose from, or a question that decides the choice was refused.
     pub skipped: usize,
     /// Refused by the subject for want of room.
     pub no_room: usize,
