@@ -138,9 +138,10 @@ fn refuses_stale_vertex<K: Subject>(subject: &mut K, v: K::Vertex, live: Option<
 }
 
 fn refuses_stale_corner<K: Subject>(subject: &mut K, corner: CornerOf<K>, live: Option<CornerOf<K>>) {
-    let outside = subject.unbounded_face();
     stale::<K, _>("face_of", subject.face_of(corner));
-    stale::<K, _>("move_inner", subject.move_inner(corner, outside));
+    if let Some(outside) = subject.unbounded_face() {
+        stale::<K, _>("move_inner", subject.move_inner(corner, outside));
+    }
     stale::<K, _>("connect", subject.connect(corner, corner, Side::Left, &[]));
     stale::<K, _>("split_vertex", subject.split_vertex(corner, corner));
     if let Some(live) = live {

@@ -3,7 +3,7 @@
 use crate::grow::Operator;
 use crate::operators::Handle;
 use core::cell::Cell;
-use twinedge::dcel::{Dcel, FaceKey, HalfEdge, HalfEdgeKey, OperatorError, Vertex, VertexKey};
+use twinedge::dcel::{Dcel, FaceKey, HalfEdge, HalfEdgeKey, Vertex, VertexKey};
 use twinedge::delegate_view;
 use twinedge::program::{Corner, CornerOf, Refusal, Side, Subject, Turn};
 use twinedge::store::Store;

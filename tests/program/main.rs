@@ -11,4 +11,5 @@ mod choose;
 mod conformance;
 mod counts;
 mod in_step;
+mod partial;
 mod program;

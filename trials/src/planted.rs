@@ -1,7 +1,7 @@
 //! Structures with a planted bug, to see that the engines find it.
 
 use crate::replay::Indexed;
-use twinedge::dcel::{Dcel, FaceKey, HalfEdgeKey, OperatorError, Side, Turn, VertexKey};
+use twinedge::dcel::{Dcel, FaceKey, HalfEdgeKey, Side, Turn, VertexKey};
 use twinedge::program::{CornerOf, Refusal, Subject};
 use twinedge::validate::{BoundaryPlace, Link, Start, View};
 
