@@ -108,7 +108,7 @@ impl Mesh {
     }
 
     /// Turns an edge inside its two triangles.
-    pub fn flip(&mut self, h: usize) -> Result<(), Refused> {
+    fn flip(&mut self, h: usize) -> Result<(), Refused> {
         self.live(h)?;
         let t = h ^ 1;
         let (Some(c), Some(d)) = (self.opposite(h), self.opposite(t)) else { return Err(Refused::OnTheBorder) };
@@ -123,7 +123,7 @@ impl Mesh {
     }
 
     /// Puts a vertex on an edge, and joins it with the vertices opposite.
-    pub fn split(&mut self, h: usize) -> Result<(), Refused> {
+    fn split(&mut self, h: usize) -> Result<(), Refused> {
         self.live(h)?;
         let t = h ^ 1;
         let (before, after) = (self.prev(t), self.next[h]);
@@ -148,7 +148,7 @@ impl Mesh {
     }
 
     /// Collapses an edge with its triangles.
-    pub fn collapse(&mut self, h: usize) -> Result<(), Refused> {
+    fn collapse(&mut self, h: usize) -> Result<(), Refused> {
         let (a, b) = (self.live(h)?, self.live(h ^ 1)?);
         let sides: Vec<usize> = [h, h ^ 1].into_iter().filter(|side| self.face[*side].is_some()).collect();
         let opposite: Vec<usize> = sides.iter().filter_map(|side| self.opposite(*side)).collect();
@@ -192,17 +192,39 @@ impl Mesh {
 // ---- the test: from here on it is about 40 lines ------------------------------------------------------------------
 
 impl View for Mesh {
-    fn vertex_slots(&self) -> usize { self.has_vertex.len() }
-    fn half_edge_slots(&self) -> usize { self.origin.len() }
-    fn face_slots(&self) -> usize { self.has_face.len() }
-    fn is_vertex(&self, v: usize) -> bool { self.has_vertex[v] }
-    fn is_half_edge(&self, h: usize) -> bool { self.origin[h].is_some() }
-    fn is_face(&self, f: usize) -> bool { self.has_face[f] }
-    fn origin(&self, h: usize) -> Link { self.origin[h] }
-    fn twin(&self, h: usize) -> Link { Some(h ^ 1) }
-    fn next(&self, h: usize) -> Link { Some(self.next[h]) }
-    fn face(&self, h: usize) -> Link { self.face[h] }
-    fn outer_half_edge(&self, f: usize) -> Link { self.face.iter().position(|face| *face == Some(f)) }
+    fn vertex_slots(&self) -> usize {
+        self.has_vertex.len()
+    }
+    fn half_edge_slots(&self) -> usize {
+        self.origin.len()
+    }
+    fn face_slots(&self) -> usize {
+        self.has_face.len()
+    }
+    fn is_vertex(&self, v: usize) -> bool {
+        self.has_vertex[v]
+    }
+    fn is_half_edge(&self, h: usize) -> bool {
+        self.origin[h].is_some()
+    }
+    fn is_face(&self, f: usize) -> bool {
+        self.has_face[f]
+    }
+    fn origin(&self, h: usize) -> Link {
+        self.origin[h]
+    }
+    fn twin(&self, h: usize) -> Link {
+        Some(h ^ 1)
+    }
+    fn next(&self, h: usize) -> Link {
+        Some(self.next[h])
+    }
+    fn face(&self, h: usize) -> Link {
+        self.face[h]
+    }
+    fn outer_half_edge(&self, f: usize) -> Link {
+        self.face.iter().position(|face| *face == Some(f))
+    }
 }
 
 impl From<Refused> for Refusal {
@@ -217,9 +239,15 @@ impl From<Refused> for Refusal {
 
 impl Subject for Mesh {
     subject_by_index!();
-    fn mesh_flip_edge(&mut self, h: usize) -> Result<(), Refusal> { Ok(self.flip(h)?) }
-    fn mesh_split_edge(&mut self, h: usize) -> Result<(), Refusal> { Ok(self.split(h)?) }
-    fn mesh_collapse_edge(&mut self, h: usize) -> Result<(), Refusal> { Ok(self.collapse(h)?) }
+    fn mesh_flip_edge(&mut self, h: usize) -> Result<(), Refusal> {
+        Ok(self.flip(h)?)
+    }
+    fn mesh_split_edge(&mut self, h: usize) -> Result<(), Refusal> {
+        Ok(self.split(h)?)
+    }
+    fn mesh_collapse_edge(&mut self, h: usize) -> Result<(), Refusal> {
+        Ok(self.collapse(h)?)
+    }
 }
 
 /// What the mesh is held to: triangles on a closed surface or one with a border, without `prev` and without half-edges at vertices.

@@ -15,6 +15,7 @@ mod output;
 mod print_tables;
 mod progress;
 mod prove;
+mod prove_meshes;
 mod query;
 mod replay;
 mod sample;

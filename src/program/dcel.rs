@@ -77,13 +77,7 @@ impl<S: Store> Subject for Dcel<S> {
         Ok(())
     }
 
-    fn connect(
-        &mut self,
-        from: Corner,
-        to: Corner,
-        new_face: Side,
-        inner: &[Corner],
-    ) -> Result<HalfEdgeKey, Refusal> {
+    fn connect(&mut self, from: Corner, to: Corner, new_face: Side, inner: &[Corner]) -> Result<HalfEdgeKey, Refusal> {
         boundary_of(self, from)?;
         boundary_of(self, to)?;
         let inner: Vec<BoundaryKey> =

@@ -141,7 +141,13 @@ impl Picks {
         let live = (0..).zip(map.half_edges()).map(|(k, _)| HalfEdgePick::Live(k));
         let vertices = (0..).zip(map.isolated()).map(|(k, _)| VertexPick::Isolated(k));
         Self {
-            faces: subject.unbounded_face().map(|_| FacePick::Unbounded).into_iter().chain(bounded_faces).chain(stale_face).collect(),
+            faces: subject
+                .unbounded_face()
+                .map(|_| FacePick::Unbounded)
+                .into_iter()
+                .chain(bounded_faces)
+                .chain(stale_face)
+                .collect(),
             half_edges: live.chain(stale_half_edge).collect(),
             vertices: vertices.chain(busy_vertex).chain(stale_vertex).collect(),
             wrong_corners: stale_half_edge

@@ -41,6 +41,8 @@
 
 #[cfg(feature = "arbitrary")]
 mod arbitrary;
+#[doc(hidden)]
+pub mod by_index;
 mod call;
 pub mod canonical;
 pub mod census;
@@ -48,8 +50,6 @@ pub mod choose;
 pub mod conformance;
 mod dcel;
 mod every;
-#[doc(hidden)]
-pub mod by_index;
 mod interpret;
 mod interpret_mesh;
 pub mod mesh;

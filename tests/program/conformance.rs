@@ -225,10 +225,7 @@ fn program(lines: &str) -> Program {
 fn a_subject_that_is_not_empty_and_gives_no_handles_fails_before_the_first_operator() {
     let failure = judge(&Program::default(), Fault::NotEmpty).unwrap_err();
     assert_eq!(failure, Failure { before: 0, op: None, difference: Difference::NoVertexHandle { vertex: 0 } });
-    assert_eq!(
-        failure.to_string(),
-        "at the start: vertex_at gives no handle for isolated vertex 0 of the view"
-    );
+    assert_eq!(failure.to_string(), "at the start: vertex_at gives no handle for isolated vertex 0 of the view");
 }
 
 #[test]

@@ -46,15 +46,17 @@ impl<K: Subject> InStep<K> {
 
     fn begin(subject: K, settings: Conformance) -> Result<Self, Difference> {
         let expectation = &settings.expectation;
+        let lacks = NEEDED.into_iter().find(|part| !expectation.has(*part));
+        let is_empty = !(0..subject.half_edge_slots()).any(|h| subject.is_half_edge(h))
+            && !(0..subject.vertex_slots()).any(|v| subject.is_vertex(v));
+        if let (true, Some(part)) = (is_empty, lacks) {
+            return Err(Difference::Lacks(part));
+        }
         let report = validate(&subject, expectation, Collect::First);
         if !report.is_valid() {
             return Err(Difference::Invalid(Box::new(report)));
         }
         let start = PointerModel::from_view(&subject, expectation).map_err(Difference::Start)?;
-        let lacks = NEEDED.into_iter().find(|part| !expectation.has(*part));
-        if let (true, Some(part)) = (start.half_edges.is_empty() && start.isolated.is_empty(), lacks) {
-            return Err(Difference::Lacks(part));
-        }
         let mut handles = Vec::new();
         let mut names = Vec::new();
         for (index, name) in start.half_edges {

@@ -3,6 +3,7 @@
 use super::difference::{Counterexample, Difference, Failure};
 use super::in_step::InStep;
 use super::summary::ConformanceSummary;
+use crate::program::every::{every_mesh_op, every_op};
 use crate::program::op::{Op, Program};
 use crate::program::shrink::shrink;
 use crate::program::subject::Subject;
@@ -117,13 +118,25 @@ impl Conformance {
             let mut program = Program::default();
             let failed = |program, failure| Counterexample { program, failure };
             let mut pair = self.begin(make()).map_err(|failure| failed(Program::default(), failure))?;
+            let mut step = |op: Op, pair: &mut InStep<K>| {
+                program.0.push(op);
+                let Err(failure) = pair.step(op) else { return Ok(()) };
+                let small = shrink(&program, |program| self.compare(program, make()).is_err());
+                // A subject that does something else each time fails as it did the first time.
+                Err(match self.compare(&small, make()) {
+                    Err(failure) => failed(small, failure),
+                    Ok(_) => failed(program.clone(), failure),
+                })
+            };
             for _ in 0..self.operators {
                 let Some(op) = noise.op(&sum) else { break };
-                program.0.push(op);
-                if pair.step(op).is_err() {
-                    let small = shrink(&program, |program| self.compare(program, make()).is_err());
-                    let Err(failure) = self.compare(&small, make()) else { continue };
-                    return Err(failed(small, failure));
+                step(op, &mut pair)?;
+            }
+            // Operators that random arguments seldom suit are tried with all.
+            for op in self.rest(&pair, &sum) {
+                let is_applied = |summary: &ConformanceSummary| summary.of(op.name()).is_some_and(|c| c.applied > 0);
+                if !is_applied(&sum) && !is_applied(&pair.summary()) {
+                    step(op, &mut pair)?;
                 }
             }
             sum.add(&pair.summary());
@@ -134,6 +147,17 @@ impl Conformance {
             failure: Failure { before: sum.total().all(), op: None, difference },
         })?;
         Ok(sum)
+    }
+
+    /// Every argument of the operators that the subject has and that were not applied so far.
+    fn rest<K: Subject>(self, pair: &InStep<K>, sum: &ConformanceSummary) -> Vec<Op> {
+        let mut all = *sum;
+        all.add(&pair.summary());
+        let is_left = |op: &Op| all.of(op.name()).is_some_and(|counts| counts.is_supported() && counts.applied == 0);
+        let mut ops = every_mesh_op(pair.subject());
+        ops.extend(every_op(pair.subject()));
+        ops.retain(is_left);
+        ops
     }
 
     /// Compares and does not ask what was covered.
@@ -150,9 +174,8 @@ impl Conformance {
         if coverage != Coverage::Nothing && total.applied == 0 && total.all() > 0 {
             return Err(Difference::NothingApplied);
         }
-        let never = |(name, counts): (_, super::OperatorCounts)| {
-            (counts.is_supported() && counts.applied == 0).then_some(name)
-        };
+        let never =
+            |(name, counts): (_, super::OperatorCounts)| (counts.is_supported() && counts.applied == 0).then_some(name);
         let names: Vec<&'static str> = summary.by_operator().filter_map(never).collect();
         if coverage == Coverage::EveryOperator && !names.is_empty() {
             return Err(Difference::NeverApplied(names));

@@ -133,7 +133,11 @@ impl ConformanceSummary {
 
 impl fmt::Display for ConformanceSummary {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        writeln!(f, "{:<22} {:>9} {:>9} {:>9} {:>9} {:>12}", "operator", "applied", "refused", "skipped", "no room", "unsupported")?;
+        writeln!(
+            f,
+            "{:<22} {:>9} {:>9} {:>9} {:>9} {:>12}",
+            "operator", "applied", "refused", "skipped", "no room", "unsupported"
+        )?;
         for (name, counts) in self.by_operator().filter(|(_, counts)| counts.all() > 0) {
             let OperatorCounts { applied, refused, skipped, no_room, unsupported } = counts;
             writeln!(f, "{name:<22} {applied:>9} {refused:>9} {skipped:>9} {no_room:>9} {unsupported:>12}")?;

@@ -158,10 +158,9 @@ impl PointerModelStart {
         // What is in no face lies outside.
         records.values().for_each(|record| label(record, &unbounded, false));
         for f in (0..view.face_slots()).filter(|f| view.is_face(*f)) {
-            let outer = view.outer(f).map_or_else(
-                || view.outer_half_edge(f).map(Start::HalfEdge),
-                |boundary| view.boundary_start(boundary),
-            );
+            let outer = view
+                .outer(f)
+                .map_or_else(|| view.outer_half_edge(f).map(Start::HalfEdge), |boundary| view.boundary_start(boundary));
             let face = match outer {
                 None => unbounded.clone(),
                 Some(_) => self.model.make_face(),

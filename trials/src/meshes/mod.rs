@@ -49,7 +49,9 @@ pub fn meshes<K: Subject>(structure: &MeshStructure<K>, work: MeshesWork, run: &
             Shape::Sphere { vertices } => {
                 (triangulations::of_sphere(vertices), published::tutte(vertices), published::spheres(vertices))
             }
-            Shape::Disc { outer, inner } => (triangulations::of_disc(outer, inner), published::brown(outer, inner), None),
+            Shape::Disc { outer, inner } => {
+                (triangulations::of_disc(outer, inner), published::brown(outer, inner), None)
+            }
         };
         maps.extend(all.maps.iter().map(|map| (rows.len(), map.clone())));
         rows.push(MeshesRow {
@@ -65,7 +67,8 @@ pub fn meshes<K: Subject>(structure: &MeshStructure<K>, work: MeshesWork, run: &
         });
     }
     let numbers: Vec<usize> = run.part().numbers(maps.len()).collect();
-    let worker = || Worker { structure, rows: rows.clone(), summary: ConformanceSummary::default(), findings: Vec::new() };
+    let worker =
+        || Worker { structure, rows: rows.clone(), summary: ConformanceSummary::default(), findings: Vec::new() };
     let workers = run.each("operators on triangulations", numbers.len(), worker, |worker, position| {
         let (row, map) = &maps[numbers[position]];
         worker.visit(*row, map, run);

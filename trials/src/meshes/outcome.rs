@@ -49,7 +49,11 @@ impl MeshesWork {
     pub fn estimate(&self) -> Estimate {
         // Measured: up to 4, 5, 6 and 7 vertices there are about 3 thousand, 33 thousand, 430 thousand and 6 million.
         let times = u32::try_from(self.vertices.saturating_sub(4)).unwrap_or(u32::MAX);
-        Estimate { amount: 14_u128.saturating_pow(times).saturating_mul(3_000), unit: "operators to try", per_second: 10_000 }
+        Estimate {
+            amount: 14_u128.saturating_pow(times).saturating_mul(3_000),
+            unit: "operators to try",
+            per_second: 10_000,
+        }
     }
 
     pub(super) fn shapes(self) -> impl Iterator<Item = Shape> {
