@@ -160,7 +160,11 @@ impl Mesh {
             self.opposite(second ^ 1) == self.opposite(self.next[second] ^ 1)
         };
         let pinches = sides.len() == 2 && self.is_on_border(a) && self.is_on_border(b);
-        if pinches || common.any(|v| !opposite.contains(&v)) || sides.iter().any(is_ear) {
+        if pinches
+            || (sides.len() == 2 && opposite[0] == opposite[1])
+            || common.any(|v| !opposite.contains(&v))
+            || sides.iter().any(is_ear)
+        {
             return Err(Refused::NotSimple);
         }
         let border = [h, h ^ 1].map(|side| (self.face[side].is_none(), self.prev(side), self.next[side]));
