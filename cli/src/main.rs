@@ -16,6 +16,7 @@ mod output;
 mod print_tables;
 mod progress;
 mod prove;
+mod prove_meshes;
 mod query;
 mod replay;
 mod sample;

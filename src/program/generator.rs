@@ -112,24 +112,27 @@ impl<P: Language> Generator<P> {
         self
     }
 
+    /// One operator, by the choices of a source. None if all weights are 0. O(kinds).
+    pub fn op(&self, source: &mut impl Choose) -> Option<P::Op> {
+        let total: usize = self.weights.iter().map(|(_, weight)| *weight as usize).fold(0, usize::saturating_add);
+        let mut chosen = source.choose(total);
+        let of_kind = |(_, weight): &&(P::Kind, u32)| {
+            let is_it = chosen < *weight as usize;
+            chosen = chosen.saturating_sub(*weight as usize);
+            is_it
+        };
+        let (kind, _) = self.weights.iter().find(of_kind)?;
+        Some(P::op(*kind, source))
+    }
+
     /// A program, by the choices of a source. Empty if all weights are 0. O(operators).
     ///
     /// Operators of topology begin with a vertex, without which there is nothing to be done, unless vertices are never added.
     pub fn generate(&self, source: &mut impl Choose) -> P {
-        let total: usize = self.weights.iter().map(|(_, weight)| *weight as usize).fold(0, usize::saturating_add);
         let more = self.length.end().saturating_sub(*self.length.start());
         let count = self.length.start() + source.choose(more.saturating_add(1));
         let first = P::first().filter(|(kind, _)| self.weights.iter().any(|(other, w)| other == kind && *w > 0));
-        let kind = |source: &mut _| {
-            let mut chosen = Choose::choose(source, total);
-            let of_kind = |(_, weight): &&(P::Kind, u32)| {
-                let is_it = chosen < *weight as usize;
-                chosen = chosen.saturating_sub(*weight as usize);
-                is_it
-            };
-            self.weights.iter().find(of_kind).map(|(kind, _)| *kind)
-        };
-        let drawn = core::iter::from_fn(|| kind(source).map(|kind| P::op(kind, source)));
+        let drawn = core::iter::from_fn(|| self.op(source));
         P::from_ops(first.map(|(_, op)| op).into_iter().chain(drawn).take(count).collect())
     }
 }

@@ -44,6 +44,8 @@
 
 #[cfg(feature = "arbitrary")]
 mod arbitrary;
+#[doc(hidden)]
+pub mod by_index;
 mod call;
 pub mod canonical;
 pub mod census;
@@ -53,6 +55,8 @@ mod dcel;
 mod every;
 mod generator;
 mod interpret;
+mod interpret_mesh;
+pub mod mesh;
 mod op;
 mod outcome;
 mod pointer_model;
@@ -75,11 +79,13 @@ pub(crate) mod words;
 
 pub use crate::dcel::{Corner, Side, Turn};
 pub use call::{Call, CallOf};
-pub use every::{every_op, try_every_op};
+pub use every::{every_mesh_op, every_op, try_every_op};
 pub use generator::{Generator, Language};
 pub use op::{CornerPick, CountChange, FacePick, HalfEdgePick, InnerPick, Op, OpKind, Program, SecondPick, VertexPick};
 pub use outcome::StepOutcome;
-pub use pointer_model::{PointerModel, PointerModelFace, PointerModelHalfEdge, PointerModelVertex};
+pub use pointer_model::{
+    PointerModel, PointerModelFace, PointerModelHalfEdge, PointerModelStart, PointerModelVertex, StartError,
+};
 #[cfg(feature = "proptest")]
 pub use proptest::ProgramTree;
 pub use rotation_system::RotationSystem;

@@ -89,8 +89,17 @@ macro_rules! define_op {
         }
 
         impl OpKind {
-            /// All kinds, each with how many of 32 random operators are of this kind.
+            /// All kinds, each with how many of 32 random operators are of this kind. Those for meshes are drawn only if they
+            /// are given a weight.
             pub const SHARES: &[(Self, u32)] = &[$((Self::$variant, $share)),*];
+
+            /// The name of the operator, as texts have it.
+            #[must_use]
+            pub const fn name(self) -> &'static str {
+                match self {
+                    $(Self::$variant => stringify!($method),)*
+                }
+            }
         }
 
         const _: () = assert!(0 $(+ $share)* == 32, "the first byte of an operator chooses among 32");
@@ -102,9 +111,7 @@ macro_rules! define_op {
             /// The name of the operator.
             #[must_use]
             pub const fn name(self) -> &'static str {
-                match self {
-                    $(Self::$variant { .. } => stringify!($method),)*
-                }
+                self.kind().name()
             }
 
             /// The operator with which these bytes begin. None if they end too early. At most 14 bytes are taken.
@@ -115,6 +122,7 @@ macro_rules! define_op {
                 let first = bytes.next()?;
                 let mut kind = first & 31;
                 $(
+                    #[allow(unused_comparisons, clippy::absurd_extreme_comparisons, reason = "a share may be 0")]
                     if kind < $share {
                         return Self::of_kind(OpKind::$variant, first >> 5, bytes);
                     }
@@ -128,6 +136,14 @@ macro_rules! define_op {
                 Some(match kind {
                     $(OpKind::$variant => Self::$variant { $($arg: FromBytes::from_bytes(upper, bytes)?),* },)*
                 })
+            }
+
+            /// The operator without its arguments.
+            #[must_use]
+            pub const fn kind(self) -> OpKind {
+                match self {
+                    $(Self::$variant { .. } => OpKind::$variant,)*
+                }
             }
 
             /// What the operator may add to the counts of a map, if it is applied.

@@ -12,4 +12,5 @@ mod conformance;
 mod counts;
 mod generators;
 mod in_step;
+mod partial;
 mod program;

@@ -90,7 +90,7 @@ impl Worker<'_> {
     fn soak(&mut self, program: &Program, number: u32) {
         for (on, row) in self.structures.iter().zip(&mut self.rows) {
             let comparison = on.compare(program, self.run.reporter());
-            row.count(comparison.summary);
+            row.count(&comparison.summary);
             match comparison.end {
                 End::Finished => row.programs += 1,
                 End::Interrupted => {
