@@ -9,7 +9,7 @@ use twinedge_peers::run::Verdict;
 use twinedge_peers::search::{Outcome, Search};
 
 const HELP: &str = "\
-twinedge-peers search [--crate NAME] [--programs N] [--seed N] [--steps N] [--without OPERATOR,…]
+twinedge-peers search [--crate NAME] [--programs N] [--seed N] [--steps N] [--only OPERATOR,…] [--without OPERATOR,…]
     Runs N random programs (800, of up to 30 steps, seed 1) over the operators of the crate, or of every crate, judges
     after each step, and prints what was found, how often, and the shortest program.
 twinedge-peers run CRATE 'STEP; STEP; …'
@@ -56,7 +56,7 @@ fn peer(name: &str) -> Result<&'static Entry, String> {
 fn search(options: &[&str]) -> Result<(), String> {
     let executable = std::env::current_exe().map_err(|error| error.to_string())?;
     let mut entries = PEERS.iter().collect::<Vec<_>>();
-    let (mut programs, mut seed, mut steps, mut without) = (800, 1, 30, Vec::new());
+    let (mut programs, mut seed, mut steps, mut without) = (800, 1, 30, Vec::<String>::new());
     for pair in options.chunks(2) {
         let [option, value] = pair else { return Err(HELP.to_owned()) };
         let number = || value.parse::<u64>().map_err(|error| format!("{option} {value}: {error}"));
@@ -65,7 +65,12 @@ fn search(options: &[&str]) -> Result<(), String> {
             "--programs" => programs = number()?,
             "--seed" => seed = number()?,
             "--steps" => steps = usize::try_from(number()?.max(1)).map_err(|error| error.to_string())?,
-            "--without" => without = value.split(',').map(str::to_owned).collect(),
+            "--only" => {
+                let only = value.split(',').collect::<Vec<_>>();
+                let all = entries.iter().flat_map(|entry| entry.operators).map(|operator| operator.name);
+                without.extend(all.filter(|name| !only.contains(name)).map(str::to_owned));
+            }
+            "--without" => without.extend(value.split(',').map(str::to_owned)),
             _ => return Err(HELP.to_owned()),
         }
     }
