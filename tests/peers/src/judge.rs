@@ -1,6 +1,6 @@
 //! Runs programs in a child process, so that one that never ends, takes all memory or overflows the stack is found out.
 
-use crate::peer::Entry;
+use crate::entry::Entry;
 use crate::program::Program;
 use crate::run::{Finding, Verdict};
 use std::io::{BufRead, BufReader, Write};
@@ -37,14 +37,15 @@ impl Judge {
             Some(child) => child,
             none => none.insert(start(&self.executable, self.entry.name)?),
         };
-        let input = child.stdin.as_mut().expect("the child has a piped input");
-        let sent = writeln!(input, "{}", program.to_text(self.entry.operators)).and_then(|()| input.flush());
+        let text = program.to_text(self.entry.operators);
+        let sent =
+            child.stdin.as_mut().is_some_and(|input| writeln!(input, "{text}").and_then(|()| input.flush()).is_ok());
         let mut last = String::new();
         loop {
-            let answer = if sent.is_ok() { answers.recv_timeout(PATIENCE) } else { Err(RecvTimeoutError::Disconnected) };
+            let answer = if sent { answers.recv_timeout(PATIENCE) } else { Err(RecvTimeoutError::Disconnected) };
             let what = match answer.as_deref().map(read) {
                 Ok(Answer::Calls(operator)) => {
-                    last = operator.to_owned();
+                    operator.clone_into(&mut last);
                     continue;
                 }
                 Ok(Answer::Verdict(verdict)) => return Ok(verdict),
@@ -80,7 +81,7 @@ fn start(executable: &PathBuf, name: &str) -> std::io::Result<(Child, Receiver<S
     };
     command.arg("worker").arg(name).stdin(Stdio::piped()).stdout(Stdio::piped()).stderr(Stdio::null());
     let mut child = command.spawn()?;
-    let output = child.stdout.take().expect("the child has a piped output");
+    let output = child.stdout.take().ok_or_else(|| std::io::Error::other("the child has no output"))?;
     let (sender, answers) = channel();
     std::thread::spawn(move || {
         for line in BufReader::new(output).lines().map_while(Result::ok) {

@@ -7,6 +7,7 @@
 //! | --- | --- |
 //! | [`program`] | a program as data: steps of an operator and small numbers |
 //! | [`peer`] | what an audited crate supplies |
+//! | [`entry`] | an audited crate, by name |
 //! | [`run`] | runs a program, judges after each step, catches panics |
 //! | [`judge`] | runs programs in a child process, so that one that never ends or takes all memory is found out |
 //! | [`search`] | many random programs, counted by what they found |
@@ -14,6 +15,7 @@
 //! | [`crates`] | the adapters: `impl View` and the operators of each crate |
 
 pub mod crates;
+pub mod entry;
 pub mod judge;
 pub mod peer;
 pub mod program;

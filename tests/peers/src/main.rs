@@ -2,15 +2,15 @@
 
 use std::process::ExitCode;
 use twinedge_peers::crates::PEERS;
+use twinedge_peers::entry::Entry;
 use twinedge_peers::judge::{self, Judge};
-use twinedge_peers::peer::Entry;
 use twinedge_peers::program::Program;
 use twinedge_peers::run::Verdict;
 use twinedge_peers::search::{Outcome, Search};
 
 const HELP: &str = "\
 twinedge-peers search [--crate NAME] [--programs N] [--seed N] [--steps N] [--only OPERATOR,…] [--without OPERATOR,…]
-    Runs N random programs (800, of up to 30 steps, seed 1) over the operators of the crate, or of every crate, judges
+    Runs N random programs (800, of up to 100 steps, seed 1) over the operators of the crate, or of every crate, judges
     after each step, and prints what was found, how often, and the shortest program.
 twinedge-peers run CRATE 'STEP; STEP; …'
     Runs one program and prints what it finds.
@@ -56,7 +56,7 @@ fn peer(name: &str) -> Result<&'static Entry, String> {
 fn search(options: &[&str]) -> Result<(), String> {
     let executable = std::env::current_exe().map_err(|error| error.to_string())?;
     let mut entries = PEERS.iter().collect::<Vec<_>>();
-    let (mut programs, mut seed, mut steps, mut without) = (800, 1, 30, Vec::<String>::new());
+    let (mut programs, mut seed, mut steps, mut without) = (800, 1, 100, Vec::<String>::new());
     for pair in options.chunks(2) {
         let [option, value] = pair else { return Err(HELP.to_owned()) };
         let number = || value.parse::<u64>().map_err(|error| format!("{option} {value}: {error}"));

@@ -1,7 +1,6 @@
 //! What an audited crate supplies.
 
-use crate::program::{Operator, Program};
-use crate::run::{self, Verdict};
+use crate::program::Operator;
 use twinedge::validate::Report;
 
 /// What became of a call.
@@ -32,26 +31,5 @@ pub trait Peer {
     /// What the crate's own check says of the structure, if it has a public one.
     fn own_check(&self) -> Option<bool> {
         None
-    }
-}
-
-/// An audited crate, by name.
-#[derive(Clone, Copy, Debug)]
-pub struct Entry {
-    /// The crate, as the command line names it.
-    pub name: &'static str,
-    /// Its version.
-    pub version: &'static str,
-    /// Its operators.
-    pub operators: &'static [Operator],
-    /// Runs a program on the empty structure, and tells of each call before it is made.
-    pub run: fn(&Program, &mut dyn FnMut(&str)) -> Verdict,
-}
-
-impl Entry {
-    /// The entry of a crate.
-    #[must_use]
-    pub const fn of<P: Peer>(name: &'static str, version: &'static str) -> Self {
-        Self { name, version, operators: P::OPERATORS, run: run::run::<P> }
     }
 }

@@ -104,8 +104,9 @@ pub fn caught<T>(closure: impl FnOnce() -> T) -> Result<T, (String, String)> {
             }
         }));
     });
-    catch_unwind(AssertUnwindSafe(closure))
-        .map_err(|_| LAST.with_borrow_mut(Option::take).unwrap_or_else(|| ("an unknown place".to_owned(), String::new())))
+    catch_unwind(AssertUnwindSafe(closure)).map_err(|_| {
+        LAST.with_borrow_mut(Option::take).unwrap_or_else(|| ("an unknown place".to_owned(), String::new()))
+    })
 }
 
 /// The place without the folder that Cargo keeps the crate in.

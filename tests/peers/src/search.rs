@@ -1,7 +1,7 @@
 //! Many random programs, counted by what they found.
 
+use crate::entry::Entry;
 use crate::judge::Judge;
-use crate::peer::Entry;
 use crate::program::{Operator, Program};
 use crate::run::{Finding, Verdict};
 use crate::shrink::shrink;

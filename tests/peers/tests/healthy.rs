@@ -29,10 +29,7 @@ fn healthy(name: &str, only: &[&str]) {
 
 #[test]
 fn dcel() {
-    healthy(
-        "dcel",
-        &["insert_mesh", "split_face_by_edge", "split_edge_by_vertex", "triangulate_face_around_point"],
-    );
+    healthy("dcel", &["insert_mesh", "split_face_by_edge", "split_edge_by_vertex", "triangulate_face_around_point"]);
 }
 
 #[test]
@@ -44,7 +41,15 @@ fn dcel_removing_edges_between_polygons() {
 fn halfedge() {
     healthy(
         "halfedge",
-        &["build_shape", "split_edge", "flip_edge", "extrude_face", "fill_hole", "add_vertex", "remove_isolated_vertices"],
+        &[
+            "build_shape",
+            "split_edge",
+            "flip_edge",
+            "extrude_face",
+            "fill_hole",
+            "add_vertex",
+            "remove_isolated_vertices",
+        ],
     );
 }
 
@@ -57,7 +62,15 @@ fn halfedge_adding_triangles() {
 fn tri_mesh() {
     healthy(
         "tri-mesh",
-        &["append_shape", "add_vertex", "split_edge", "split_face", "collapse_edge", "flip_orientation", "fix_orientation"],
+        &[
+            "append_shape",
+            "add_vertex",
+            "split_edge",
+            "split_face",
+            "collapse_edge",
+            "flip_orientation",
+            "fix_orientation",
+        ],
     );
 }
 

@@ -1,8 +1,8 @@
 //! The machinery: programs as text, the search, the shrinker, and the child process.
 
 use twinedge_peers::crates::PEERS;
+use twinedge_peers::entry::Entry;
 use twinedge_peers::judge::Judge;
-use twinedge_peers::peer::Entry;
 use twinedge_peers::program::{Operator, Program};
 use twinedge_peers::run::Verdict;
 use twinedge_peers::search::Search;
@@ -53,7 +53,8 @@ fn programs_shrink_to_what_matters() {
 fn the_same_search_finds_the_same() {
     let search = |seed| {
         let executable = env!("CARGO_BIN_EXE_twinedge-peers").into();
-        let without = ["insert_polygon", "insert_polygon_in_face", "merge_faces_around_inner_vertex"].map(str::to_owned);
+        let without =
+            ["insert_polygon", "insert_polygon_in_face", "merge_faces_around_inner_vertex"].map(str::to_owned);
         let search =
             Search { entry: entry("dcel"), programs: 300, seed, steps: 30, without: without.into(), executable };
         search.run().unwrap()

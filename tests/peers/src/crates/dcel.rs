@@ -93,7 +93,11 @@ impl View for DcelView<'_> {
         Some(self.dcel.vertex_representative(VertexId::new(v)).id())
     }
     fn outer_half_edge(&self, f: usize) -> Link {
-        if f == self.dcel.unbounded_face().id() { None } else { Some(self.dcel.face_representative(FaceId::new(f))?.id()) }
+        if f == self.dcel.unbounded_face().id() {
+            None
+        } else {
+            Some(self.dcel.face_representative(FaceId::new(f))?.id())
+        }
     }
     fn inner_count(&self, f: usize) -> usize {
         self.inner[f].len()
@@ -186,7 +190,8 @@ impl Peer {
                 let v = self.fresh((columns + 1) * (rows + 1));
                 let at = |x: u32, y: u32| v[(y * (columns + 1) + x) as usize];
                 let square = |x, y| [at(x, y), at(x + 1, y), at(x + 1, y + 1), at(x, y + 1)];
-                self.dcel.insert_mesh((0..rows).flat_map(|y| (0..columns).map(move |x| (x, y))).map(|(x, y)| square(x, y)));
+                self.dcel
+                    .insert_mesh((0..rows).flat_map(|y| (0..columns).map(move |x| (x, y))).map(|(x, y)| square(x, y)));
             }
             // "Insert an edge between two vertices, splitting a face in two": so both are on one cycle of that face.
             "insert_edge" | "insert_edge_beside_edge" | "insert_edge_chain" | "insert_edge_chain_beside_edge" => {

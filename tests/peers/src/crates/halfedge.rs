@@ -2,7 +2,7 @@
 //! kept after some operators and not after others.
 
 use super::rotation::next_on_border;
-use super::tri_mesh::SHAPES;
+use super::shapes::SHAPES;
 use crate::peer::{self, Applied};
 use crate::program::Operator;
 use halfedge::{FaceId, HalfEdgeId, MeshStorage, Vertex, VertexId};
@@ -43,7 +43,8 @@ pub fn table(mesh: &MeshStorage) -> Table {
         })
     };
     let leaving = |v: VertexId| Some(VertexRow { leaving: mesh.get_vertex(v)?.halfedge.map(number), isolated: None });
-    let face = |f: FaceId| Some(FaceRow { outer_half_edge: mesh.get_face(f)?.halfedge.map(number), ..Default::default() });
+    let face =
+        |f: FaceId| Some(FaceRow { outer_half_edge: mesh.get_face(f)?.halfedge.map(number), ..Default::default() });
     Table {
         vertices: mesh.vertex_ids().map(leaving).collect(),
         half_edges: mesh.halfedge_ids().map(half_edge).collect(),
@@ -158,7 +159,8 @@ impl Peer {
             }
             // The half-edge must have no face.
             "fill_hole" => {
-                let border = self.mesh.halfedge_ids().filter(|h| self.mesh.get_halfedge(*h).is_some_and(|h| h.face.is_none()));
+                let border =
+                    self.mesh.halfedge_ids().filter(|h| self.mesh.get_halfedge(*h).is_some_and(|h| h.face.is_none()));
                 let border = border.collect::<Vec<_>>();
                 let h = border[(a as usize).checked_rem(border.len())?];
                 halfedge::fill_hole(&mut self.mesh, h).map(|_| ()).map_err(|_| ())

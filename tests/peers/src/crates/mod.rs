@@ -1,13 +1,14 @@
 //! The adapters, a file for each crate.
 
-mod rotation;
 pub mod dcel;
 pub mod halfedge;
+mod rotation;
+mod shapes;
 pub mod soup;
 pub mod spade;
 pub mod tri_mesh;
 
-use crate::peer::Entry;
+use crate::entry::Entry;
 
 /// The audited crates. `halfedge-soup` is its builder and its own validator on lists of triangles.
 pub const PEERS: &[Entry] = &[

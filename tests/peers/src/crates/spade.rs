@@ -2,7 +2,9 @@
 
 use crate::peer::{self, Applied};
 use crate::program::Operator;
-use spade::handles::{DirectedEdgeHandle, FixedDirectedEdgeHandle, FixedFaceHandle, FixedVertexHandle, PossiblyOuterTag};
+use spade::handles::{
+    DirectedEdgeHandle, FixedDirectedEdgeHandle, FixedFaceHandle, FixedVertexHandle, PossiblyOuterTag,
+};
 use spade::{CdtEdge, ConstrainedDelaunayTriangulation, Point2, Triangulation};
 use twinedge::geometry::Point;
 use twinedge::validate::{
@@ -146,7 +148,7 @@ impl peer::Peer for Peer {
         Operator::on_records("remove", 1, 3),
         Operator::on_records("add_constraint", 2, 2),
         Operator::on_records("try_add_constraint", 2, 2),
-        Operator::on_records("add_constraint_and_split", 2, 4),
+        Operator::on_records("add_constraint_and_split", 2, 8),
         Operator::on_records("remove_constraint_edge", 1, 1),
     ];
 

@@ -1,6 +1,7 @@
 //! `tri-mesh` 0.6.1: half-edges keep their target, and those of a border have no `next`.
 
 use super::rotation::next_on_border;
+use super::shapes::SHAPES;
 use crate::peer::{self, Applied};
 use crate::program::Operator;
 use std::collections::HashSet;
@@ -99,16 +100,6 @@ impl View for MeshView<'_> {
     }
 }
 
-/// Lists of triangles to start from: a tetrahedron, an octahedron, a square, a strip, a fan, a ring.
-pub(super) const SHAPES: [(u32, &[[u32; 3]]); 6] = [
-    (4, &[[0, 1, 2], [0, 2, 3], [0, 3, 1], [1, 3, 2]]),
-    (6, &[[0, 2, 4], [2, 1, 4], [1, 3, 4], [3, 0, 4], [2, 0, 5], [1, 2, 5], [3, 1, 5], [0, 3, 5]]),
-    (4, &[[0, 1, 2], [2, 1, 3]]),
-    (6, &[[0, 1, 2], [2, 1, 3], [3, 1, 4], [3, 4, 5]]),
-    (5, &[[0, 1, 2], [0, 2, 3], [0, 3, 4], [0, 4, 1]]),
-    (6, &[[0, 1, 4], [0, 4, 3], [1, 2, 5], [1, 5, 4], [2, 0, 3], [2, 3, 5]]),
-];
-
 /// Random programs on it.
 pub struct Peer {
     mesh: Mesh,
@@ -150,7 +141,8 @@ impl Peer {
             !taken.contains(&(from, to)) && !taken.contains(&(to, from)) && !border.contains(&(to, from))
         };
         let used = |v: VertexID| self.mesh.walker_from_vertex(v).halfedge_id().is_some();
-        (0..3).all(|i| old(i) || is_new(i)) && (0..3).all(|i| !used(face[i]) || old(i) != old(i + 2) || old(i) && old(i + 2))
+        (0..3).all(|i| old(i) || is_new(i))
+            && (0..3).all(|i| !used(face[i]) || old(i) != old(i + 2) || old(i) && old(i + 2))
     }
 
     /// The ends have no common neighbour but the third corners of the one or two faces at the edge; an edge between two
@@ -249,7 +241,13 @@ impl peer::Peer for Peer {
     ];
 
     fn new() -> Self {
-        Self { mesh: Mesh::new(&three_d_asset::TriMesh { positions: three_d_asset::Positions::F64(Vec::new()), ..Default::default() }), vertices: 0 }
+        Self {
+            mesh: Mesh::new(&three_d_asset::TriMesh {
+                positions: three_d_asset::Positions::F64(Vec::new()),
+                ..Default::default()
+            }),
+            vertices: 0,
+        }
     }
 
     fn apply(&mut self, operator: &str, arguments: &[u32]) -> Applied {

@@ -162,6 +162,23 @@ fn split_edge_by_vertex_breaks_an_edge_with_a_dead_end() {
     still("D10", dcel.prev(dcel.next(h)) != h);
 }
 
+/// "Split a face by inserting an edge between two of its boundary vertices": not if the boundary passes one of them twice.
+#[test]
+fn split_face_by_edge_breaks_at_a_vertex_that_the_boundary_passes_twice() {
+    let mut dcel = Dcel::new();
+    dcel.insert_mesh([[0, 1, 5, 4], [1, 2, 6, 5], [2, 3, 7, 6]]);
+    dcel.split_face_by_edge(VertexId::new(7), VertexId::new(1), dcel.unbounded_face());
+    dcel.remove_edge(edge(&dcel, 14));
+    assert!(DcelView::new(&dcel).report().is_valid());
+    let face = FaceId::new(3);
+    let boundary = dcel.face_vertices(face).map(VertexId::id).collect::<Vec<_>>();
+    assert_eq!(boundary.iter().filter(|v| **v == 7).count(), 2);
+    dcel.split_face_by_edge(VertexId::new(5), VertexId::new(7), face);
+    breaks("D11", &DcelView::new(&dcel).report(), "L2");
+    let disagree = |h: HalfEdgeId| dcel.prev(dcel.next(h)) != h;
+    still("D11", dcel.half_edges().indices().map(HalfEdgeId::new).any(disagree));
+}
+
 /// Outside the documentation, which speaks of a degree-2 vertex (the crate's own tests use one of degree 3): this call does
 /// not return.
 #[test]
@@ -171,6 +188,6 @@ fn merge_faces_around_a_vertex_of_higher_degree_does_not_return() {
                    merge_faces_around_inner_vertex 1";
     let program = Program::parse(program, entry.operators).unwrap();
     let mut judge = Judge::new(*entry, env!("CARGO_BIN_EXE_twinedge-peers").into());
-    let Verdict::Finding(finding) = judge.run(&program).unwrap() else { panic!("D11: {}", crate::MENDED) };
-    still("D11", matches!(finding.what.as_str(), "does not return" | "ends the process"));
+    let Verdict::Finding(finding) = judge.run(&program).unwrap() else { panic!("D12: {}", crate::MENDED) };
+    still("D12", matches!(finding.what.as_str(), "does not return" | "ends the process"));
 }

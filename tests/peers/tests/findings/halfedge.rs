@@ -86,8 +86,7 @@ fn remove_face_leaves_links_to_the_border_that_is_gone() {
 /// closed ring, or an open chain": there are two chains, and the validator that promises to check this accepts.
 #[test]
 fn remove_face_leaves_two_fans_and_the_validator_accepts() {
-    let octahedron =
-        [[0, 2, 4], [2, 1, 4], [1, 3, 4], [3, 0, 4], [2, 0, 5], [1, 2, 5], [3, 1, 5], [0, 3, 5]];
+    let octahedron = [[0, 2, 4], [2, 1, 4], [1, 3, 4], [3, 0, 4], [2, 0, 5], [1, 2, 5], [3, 1, 5], [0, 3, 5]];
     let mut mesh = mesh(6, &octahedron);
     let faces = mesh.face_ids().collect::<Vec<_>>();
     let top = mesh.vertex_ids().nth(4).unwrap();

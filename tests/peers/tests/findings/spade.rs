@@ -46,9 +46,21 @@ fn areas(cdt: &Cdt) -> Vec<f64> {
 #[test]
 fn add_constraint_and_split_panics_at_the_end_of_a_conflict_region() {
     let calls = [
-        Insert(0.0, 0.0), Insert(3.0, 0.0), Insert(0.0, 1.0), Insert(0.0, 2.0), Insert(6.0, 12.0), Insert(6.0, 7.0),
-        Remove(2), Insert(9.0, 2.0), Insert(9.0, 8.0), Constrain(6, 2), Remove(3), Insert(0.0, 5.0), Remove(0),
-        Split(1, 4), Split(4, 5),
+        Insert(0.0, 0.0),
+        Insert(3.0, 0.0),
+        Insert(0.0, 1.0),
+        Insert(0.0, 2.0),
+        Insert(6.0, 12.0),
+        Insert(6.0, 7.0),
+        Remove(2),
+        Insert(9.0, 2.0),
+        Insert(9.0, 8.0),
+        Constrain(6, 2),
+        Remove(3),
+        Insert(0.0, 5.0),
+        Remove(0),
+        Split(1, 4),
+        Split(4, 5),
     ];
     let mut cdt = sound(&calls);
     panics("S1", "spade-2.15.1/src/cdt.rs", "!previous_region.is_empty()", || apply(&mut cdt, &Split(3, 0)));
@@ -57,9 +69,21 @@ fn add_constraint_and_split_panics_at_the_end_of_a_conflict_region() {
 #[test]
 fn add_constraint_and_split_panics_on_a_face_that_is_turned_over() {
     let calls = [
-        Insert(0.0, 7.0), Insert(5.0, 13.0), Insert(0.0, 0.0), Insert(9.0, 9.0), Remove(2), Constrain(1, 2),
-        Insert(11.0, 10.0), Insert(10.0, 4.0), Split(3, 0), Insert(1.0, 0.0), Insert(5.0, 15.0), Remove(2), Split(4, 2),
-        Split(5, 1), Split(6, 3),
+        Insert(0.0, 7.0),
+        Insert(5.0, 13.0),
+        Insert(0.0, 0.0),
+        Insert(9.0, 9.0),
+        Remove(2),
+        Constrain(1, 2),
+        Insert(11.0, 10.0),
+        Insert(10.0, 4.0),
+        Split(3, 0),
+        Insert(1.0, 0.0),
+        Insert(5.0, 15.0),
+        Remove(2),
+        Split(4, 2),
+        Split(5, 1),
+        Split(6, 3),
     ];
     let mut cdt = sound(&calls);
     panics("S2", "src/delaunay_core/triangulation_ext.rs", "is_ordered_ccw", || apply(&mut cdt, &Split(4, 2)));
@@ -68,9 +92,26 @@ fn add_constraint_and_split_panics_on_a_face_that_is_turned_over() {
 #[test]
 fn add_constraint_and_split_makes_edges_overlap() {
     let calls = [
-        Insert(0.0, 0.0), Insert(0.0, 1.0), Remove(0), Insert(0.0, 6.0), Insert(9.0, 9.0), Insert(3.0, 8.0),
-        Insert(10.0, 7.0), Constrain(3, 4), Remove(0), Split(1, 2), Insert(9.0, 13.0), Remove(3), Insert(4.0, 6.0),
-        Insert(0.0, 0.0), Remove(0), Insert(0.0, 1.0), Insert(5.0, 13.0), Remove(6), Split(5, 3), Split(1, 2),
+        Insert(0.0, 0.0),
+        Insert(0.0, 1.0),
+        Remove(0),
+        Insert(0.0, 6.0),
+        Insert(9.0, 9.0),
+        Insert(3.0, 8.0),
+        Insert(10.0, 7.0),
+        Constrain(3, 4),
+        Remove(0),
+        Split(1, 2),
+        Insert(9.0, 13.0),
+        Remove(3),
+        Insert(4.0, 6.0),
+        Insert(0.0, 0.0),
+        Remove(0),
+        Insert(0.0, 1.0),
+        Insert(5.0, 13.0),
+        Remove(6),
+        Split(5, 3),
+        Split(1, 2),
     ];
     let mut cdt = sound(&calls);
     apply(&mut cdt, &Split(6, 5));
@@ -81,9 +122,22 @@ fn add_constraint_and_split_makes_edges_overlap() {
 #[test]
 fn add_constraint_and_split_breaks_the_rotation() {
     let calls = [
-        Insert(0.0, 5.0), Insert(0.0, 1.0), Insert(0.0, 0.0), Insert(0.0, 2.0), Insert(10.0, 15.0), Insert(8.0, 3.0),
-        Remove(3), Remove(2), Insert(0.0, 0.0), Split(2, 3), Insert(11.0, 12.0), Insert(10.0, 10.0), Split(5, 1),
-        Remove(5), Remove(4), Constrain(2, 3),
+        Insert(0.0, 5.0),
+        Insert(0.0, 1.0),
+        Insert(0.0, 0.0),
+        Insert(0.0, 2.0),
+        Insert(10.0, 15.0),
+        Insert(8.0, 3.0),
+        Remove(3),
+        Remove(2),
+        Insert(0.0, 0.0),
+        Split(2, 3),
+        Insert(11.0, 12.0),
+        Insert(10.0, 10.0),
+        Split(5, 1),
+        Remove(5),
+        Remove(4),
+        Constrain(2, 3),
     ];
     let mut cdt = sound(&calls);
     apply(&mut cdt, &Split(0, 4));
@@ -95,6 +149,7 @@ fn add_constraint_and_split_breaks_the_rotation() {
 
 /// "Failed to locate position. This is a bug in spade", says the crate itself.
 #[test]
+#[expect(clippy::unreadable_literal, reason = "as the search printed them")]
 fn add_constraint_and_split_fails_to_locate_a_position() {
     let calls = [
         Insert(0.0, 1.0),
