@@ -59,6 +59,11 @@ fn halfedge_adding_triangles() {
 }
 
 #[test]
+fn plexus() {
+    healthy("plexus", &["from_raw_buffers", "face_remove"]);
+}
+
+#[test]
 fn tri_mesh() {
     healthy(
         "tri-mesh",

@@ -5,6 +5,7 @@
 
 mod dcel;
 mod halfedge;
+mod plexus;
 mod spade;
 mod tri_mesh;
 
