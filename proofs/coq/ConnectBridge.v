@@ -208,13 +208,14 @@ Qed.
 
 (** ** R1 to L3 *)
 
-Lemma start_cycle i c : boundary_of t i = Some c -> exists g, boundary_start t c = Some (AtHalfEdge g).
-Proof. by move=> B; have [[v V _] _ _ _ _] := links_of (heard_live B); have [] := on_side low B V. Qed.
-
+Lemma two_start c : c = ba \/ c = bb -> exists g, boundary_start t c = Some (AtHalfEdge g).
+Proof.
+by case=> ->; [have [g S _] := start_of_cycle keeps boundary_a|have [g S _] := start_of_cycle keeps boundary_b]; exists g.
+Qed.
 Lemma kept_start : exists g, boundary_start t kept = Some (AtHalfEdge g).
-Proof. by case: two => -[A B]; [apply: (start_cycle (i := a))|apply: (start_cycle (i := b))]; rewrite -?A -?B. Qed.
+Proof. by apply: two_start; case: two => -[-> ->]; auto. Qed.
 Lemma dropped_start : exists g, boundary_start t dropped = Some (AtHalfEdge g).
-Proof. by case: two => -[A B]; [apply: (start_cycle (i := b))|apply: (start_cycle (i := a))]; rewrite -?A -?B. Qed.
+Proof. by apply: two_start; case: two => -[-> ->]; auto. Qed.
 
 Lemma starts_same u c : starts_at_vertex t' u c <-> starts_at_vertex t u c.
 Proof.
@@ -316,16 +317,8 @@ Proof. exact: (attached_v2 keeps free_h free_k hk new live_a live_b next_a next_
 
 (** ** B1: all half-edges of the two boundary components are on one cycle now *)
 
-Lemma next_boundary i n : next t i = Some n -> boundary_of t n = boundary_of t i.
-Proof. by move=> N; have [C _] := keeps B1; rewrite -(C i (heard_live N)) N. Qed.
-
-Lemma cycle_of c i j : boundary_of t i = Some c -> boundary_of t j = Some c -> on_cycle t i j.
-Proof.
-move=> Bi Bj; have [_ D] := keeps B1; have [_ _ _ _ [c' C lc]] := links_of (heard_live Bi).
-have lc0 : boundary t c by move: C lc; rewrite Bi => -[->].
-have [g S Ci] := (D c i lc0 (heard_live Bi)).1 Bi; have [g' + Cj] := (D c j lc0 (heard_live Bj)).1 Bj; rewrite S => -[gg].
-apply: orbit_trans (cycle_sym map (start_live S) (heard_live Bi) Ci) _; by rewrite gg.
-Qed.
+Let next_boundary := next_boundary keeps.
+Let cycle_of := cycle_of keeps.
 
 (** A cycle from the new edge on: from [y], the next one after [x], all that is on its old cycle is reached. *)
 Lemma cycle_from x y z i : (x = a /\ z = b) \/ (x = b /\ z = a) -> next t x = Some y -> boundary_of t x <> boundary_of t z ->
@@ -391,39 +384,23 @@ Qed.
 
 Lemma bridge_b1 : b1_cycle t'.
 Proof.
-split=> [i /constant //|c i lc li]; split; last first.
-  move=> [g S [m]]; have {S} Bg : boundary_of t' g = Some c.
-    move: S; rewrite startE; case: eqP => // cd S; have lg := start_live S; have [_ D] := keeps B1.
-    have Bg : boundary_of t g = Some c.
-      by apply/(D c g (heard_live S) lg); exists g => //; apply: orbit_refl.
-    by rewrite boundary_ofE old_h ?old_k //= Bg; case: eqP => // -[/cd].
-  elim: m i {li} => [|m IH] i /=; first by case=> <-.
-  case E: (iter m _ _) => [u|] //= U; rewrite -(IH u E).
-  by have := constant (heard_live U); rewrite U.
-move: (lc); rewrite boundaryE => /andP[/eqP cd lc0] Bi.
-have start_there g : boundary_start t c = Some (AtHalfEdge g) -> boundary_start t' c = Some (AtHalfEdge g).
-  by move=> S; rewrite startE; case: eqP.
+split=> [i /constant //|c i]; rewrite boundaryE => /andP[/eqP cd lc] li.
+have side x : x = kept \/ x = dropped -> c <> kept -> x <> c by case=> -> ck => [/esym|/esym].
+have not_ends : c <> kept -> boundary_of t a <> Some c /\ boundary_of t b <> Some c.
+  by rewrite boundary_a boundary_b => ck; case: two => -[-> ->]; split=> -[]; apply: side => //; auto.
+have startE' g : boundary_start t' c = Some (AtHalfEdge g) <-> boundary_start t c = Some (AtHalfEdge g).
+  by rewrite startE; case: eqP.
+have Bstart g : boundary_start t c = Some (AtHalfEdge g) -> boundary_of t' g = Some c.
+  move=> S; rewrite boundary_ofE old_h ?old_k ?(start_live S) //= (start_on_cycle keeps S).
+  by case: eqP => // -[/cd].
+split=> [Bi|[g /startE' /Bstart <-]]; last exact: constant_on_cycle constant.
 case: (c =P kept) => [ck|ck].
-  have [g S] := kept_start; exists g; first by apply: start_there; rewrite ck.
-  have lg := start_live S; have Bg : boundary_of t' g = Some kept.
-    have [_ D] := keeps B1; have B : boundary_of t g = Some kept.
-      by apply/(D kept g live_kept lg); exists g => //; apply: orbit_refl.
-    by rewrite boundary_ofE B; case: ifP.
-  rewrite ck in Bi; have [lh _] := live_new.
-  exact: orbit_trans (cycle_sym map' lh (up_half_edge lg) (on_new Bg)) (on_new Bi).
-case/half_edgeP: li Bi => [||{}i li ih ik]; rewrite boundary_ofE ?eqxx ?orbT; try by case=> /esym.
-rewrite ih ik /=; case: eqP => [_ [/esym]//|_ Bi].
-have [_ D] := keeps B1; have [g S C] := (D c i lc0 li).1 Bi; exists g; first exact: start_there.
-have Bg : boundary_of t g = Some c by apply/(D c g lc0 (start_live S)); exists g => //; apply: orbit_refl.
-case: C => m; elim: m i {li ih ik Bi} => [|m IH] i /=; first by case=> <-; apply: orbit_refl.
-case E: (iter m _ _) => [u|] //= U; apply: orbit_step (IH u E) _; have lu := heard_live U.
-have Bu : boundary_of t u = Some c.
-  by apply/(D c u lc0 lu); exists g => //; exists m.
-have not_end x cx : boundary_of t x = Some cx -> (cx = kept \/ cx = dropped) -> u <> x.
-  by move=> Bx cc ux; move: Bx; rewrite -ux Bu => -[E']; case: cc => E''; [apply: ck|apply: cd]; rewrite E'.
-have ua : u <> a by apply: not_end boundary_a _; case: two => -[-> _]; auto.
-have ub : u <> b by apply: not_end boundary_b _; case: two => -[_ ->]; auto.
-by rewrite nextE old_h ?old_k // (introF eqP ua) (introF eqP ub).
+  have [g S] := kept_start; rewrite ck in Bi startE' Bstart *; exists g; first exact/startE'.
+  have [lh _] := live_new; apply: orbit_trans (on_new Bi).
+  exact: (cycle_sym map' lh (up_half_edge (start_live S)) (on_new (Bstart g S))).
+have [na' nb'] := not_ends ck; move: Bi; rewrite boundary_ofE.
+case: ifP => [_ [/esym]//|_ Bi]; have [g S C] := start_of_cycle keeps Bi; exists g; first exact/startE'.
+exact: (cycle_away keeps free_h free_k new (start_on_cycle keeps S) na' nb' C).
 Qed.
 
 (** ** B2, F1 *)

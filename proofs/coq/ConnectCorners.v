@@ -14,7 +14,7 @@
     Both corners may be the same, [a = b]: then the edge is a loop. The cycle goes on along [h], and [k] is alone. *)
 
 From mathcomp Require Import all_ssreflect.
-From twinedge Require Import View Rules Map NewEdge.
+From twinedge Require Import View Rules Map Lists NewEdge.
 Set Implicit Arguments.
 Unset Strict Implicit.
 Unset Printing Implicit Defensive.
@@ -72,6 +72,48 @@ split=> // i; rewrite [LHS]/heard halfE /=; case: (i =P h) => //= _; case: (i =P
 rewrite /prev /heard; case: ifP => // no; case: ifP => [/(live_next b i lb)|_]; first by rewrite no.
 by case: ifP => // /(live_next a i la); rewrite no.
 Qed.
+
+(** ** Boundary components along a cycle *)
+
+(** Where B1 is kept, a cycle has one boundary component, and a boundary component has one cycle. *)
+Section Cycles.
+Variable t : view.
+Hypothesis keeps : rules t.
+
+Lemma next_boundary i n : next t i = Some n -> boundary_of t n = boundary_of t i.
+Proof. by move=> N; have [C _] := keeps B1; rewrite -(C i (heard_live N)) N. Qed.
+
+Lemma start_of_cycle i c : boundary_of t i = Some c ->
+  exists2 g, boundary_start t c = Some (AtHalfEdge g) & on_cycle t g i.
+Proof.
+move=> B; have li := heard_live B; have [[H _ _ _] _] := keeps R1; have [_ _ _ _ [d D ld]] := H i li.
+have [_ D'] := keeps B1; apply/(D' c i _ li) => //; by move: D ld; rewrite B => -[->].
+Qed.
+
+Lemma start_on_cycle g c : boundary_start t c = Some (AtHalfEdge g) -> boundary_of t g = Some c.
+Proof.
+move=> S; have [_ D] := keeps B1; apply/(D c g (heard_live S) (start_live keeps S)).
+by exists g => //; apply: orbit_refl.
+Qed.
+
+Lemma cycle_of c i j : boundary_of t i = Some c -> boundary_of t j = Some c -> on_cycle t i j.
+Proof.
+move=> Bi Bj; have [g S Ci] := start_of_cycle Bi; have [g' + Cj] := start_of_cycle Bj; rewrite S => -[gg].
+have map : is_map t by apply: low_map => q _; apply: keeps.
+apply: orbit_trans (cycle_sym map (start_live keeps S) (heard_live Bi) Ci) _; by rewrite gg.
+Qed.
+
+End Cycles.
+
+(** If the boundary component stays the same from each half-edge to the next one, it does so along the cycle. *)
+Lemma constant_on_cycle t g i : (forall j, half_edge t j -> next t j >>= boundary_of t = boundary_of t j) ->
+  on_cycle t g i -> boundary_of t i = boundary_of t g.
+Proof.
+move=> C [m]; elim: m i => [|m IH] i /=; first by case=> <-.
+by case E: (iter m _ _) => [u|] //= U; rewrite -(IH u E) -(C u (heard_live U)) U.
+Qed.
+
+(** ** Half-edges and vertices with the new edge *)
 
 Section Corners.
 Variables (t t' : view) (a b h k : nat).
@@ -240,10 +282,20 @@ apply: orbit_trans (around_turn lg) (orbit_trans C _).
 by apply: (turn_sym map') (around_turn lx) => //; apply/up_half_edge/around_live.
 Qed.
 
-(** ** Vertices and edges *)
+(** ** Other cycles are as they were *)
 
-Lemma origin_a d : twin t a = Some d -> origin t d = Some oa.
-Proof. by move=> D; move: target_a; rewrite /target D. Qed.
+Lemma cycle_away g i c : boundary_of t g = Some c -> boundary_of t a <> Some c -> boundary_of t b <> Some c ->
+  on_cycle t g i -> on_cycle t' g i.
+Proof.
+move=> Bg nota notb [m]; suff H : iter m (obind (next t)) (Some g) = Some i -> boundary_of t i = Some c /\ on_cycle t' g i.
+  by case/H.
+elim: m i => [|m IH] i /=; first by case=> <-; split=> //; apply: orbit_refl.
+case E: (iter m _ _) => [u|] //= U; have [Bu Cu] := IH u E; split; first by rewrite (next_boundary keeps U).
+apply: orbit_step Cu _; rewrite nextE old_h ?old_k ?(heard_live U) //.
+by case: (u =P a) => [ua|_]; [case: nota; rewrite -ua|case: (u =P b) => // ub; case: notb; rewrite -ub].
+Qed.
+
+(** ** Vertices and edges *)
 
 Lemma not_bare_corner c v : half_edge t c -> target t c = Some v -> ~ bare t v.
 Proof.
