@@ -4,7 +4,8 @@
     programmer would write as a [Table]. *)
 
 From mathcomp Require Import all_ssreflect.
-From twinedge Require Import View Rules Reference Verdict Table Subdivision Lists ConnectBridge.
+From twinedge Require Import View Rules Reference Verdict Table Subdivision Lists ConnectBridge
+  ConnectSplit.
 Set Implicit Arguments.
 Unset Strict Implicit.
 Unset Printing Implicit Defensive.
@@ -163,4 +164,40 @@ Proof. by apply: bridge_keeps_rules edge_in_loop_keeps_all => //; right. Qed.
 
 Example edge_in_loop_bridged_rows : let t := bridge edge_in_loop 0 2 4 5 1 2 0 in
   [/\ outer t 1 = #2, inner_list t 1 = [::], boundary_place t 2 = Some Outer & first_broken t = None].
+Proof. by split; vm_compute. Qed.
+
+(** ** A second edge between two vertices encloses a new face, and the isolated vertex is told to lie there
+
+<<
+        0 ─────h0────► 1        · 2            0 ─────h0────► 1        h2 runs back from 1 to 0,
+                                               │      · 2     │        h0 and h2 run around the new face
+                                               └──────◄──h2───┘
+>>
+*)
+
+Example edge_split : rules (split_face edge_and_point 0 1 2 3 0 1 0 2 true true (fun c => c == 1)).
+Proof. by apply: split_face_keeps_rules edge_and_point_keeps_all. Qed.
+
+Example edge_split_rows : let t := split_face edge_and_point 0 1 2 3 0 1 0 2 true true (fun c => c == 1) in
+  [/\ [seq boundary_of t i | i <- iota 0 4] = [:: #2; #0; #2; #0], [seq next t i | i <- iota 0 4] = [:: #2; #3; #0; #1],
+      [seq outer t x | x <- iota 0 2] = [:: 'nil; #2], [seq inner_list t x | x <- iota 0 2] = [:: [:: 0]; [:: 1]]
+    & first_broken t = None].
+Proof. by split; vm_compute. Qed.
+
+(** ** A loop inside a loop, at the same corner. The new face is what is to the right of [h0], inside the new loop
+
+<<
+          ┌──────────────┐           ┌──────────────┐
+          │   f2   · 2   │           │ (──)  f2 · 2 │        the new loop is h0 and h2; h2 is alone on its cycle
+          └── 0 ─────────┘           └── 0 ─────────┘
+>>
+*)
+
+Example loop_split : rules (split_face point_in_loop 1 1 0 2 2 1 0 3 false false pred0).
+Proof. by apply: split_face_keeps_rules point_in_loop_keeps_all. Qed.
+
+Example loop_split_rows : let t := split_face point_in_loop 1 1 0 2 2 1 0 3 false false pred0 in
+  [/\ [seq boundary_of t i | i <- iota 0 4] = [:: #0; #0; #3; #1], [seq next t i | i <- iota 0 4] = [:: #1; #0; #2; #3],
+      [seq outer t x | x <- iota 0 3] = [:: 'nil; #3; #0], [seq inner_list t x | x <- iota 0 3] = [:: [:: 1]; [::]; [:: 2]]
+    & first_broken t = None].
 Proof. by split; vm_compute. Qed.

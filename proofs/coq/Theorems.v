@@ -4,7 +4,7 @@
 
 From mathcomp Require Import all_ssreflect all_fingroup.
 From twinedge Require Import View Rules Reference Drawing Euler Subdivision Verdict FastPath FastPathProof AddVertex.
-From twinedge Require Import RemoveVertex MoveInner Renaming Connect ConnectIsolated ConnectBridge.
+From twinedge Require Import RemoveVertex MoveInner Renaming Connect ConnectIsolated ConnectBridge ConnectSplit.
 Set Implicit Arguments.
 Unset Strict Implicit.
 Unset Printing Implicit Defensive.
@@ -101,3 +101,11 @@ Check bridge_keeps_rules : forall t a b h k f kept dropped,
   kept <> dropped -> boundary_face t kept = Some f -> boundary_face t dropped = Some f ->
   ~~ half_edge t h -> ~~ half_edge t k -> h != k ->
   rules t -> rules (bridge t a b h k f kept dropped).
+
+(** Connecting two corners of one cycle keeps all rules, whichever of the two cycles is new, bounds the new face, and
+    whatever goes there. *)
+
+Check split_face_keeps_rules : forall t a b h k f g kept made made_left new_left moved,
+  boundary_of t a = Some kept -> boundary_of t b = Some kept -> boundary_face t kept = Some f ->
+  ~~ half_edge t h -> ~~ half_edge t k -> h != k -> ~~ boundary t made -> ~~ face t g ->
+  rules t -> rules (split_face t a b h k f g kept made made_left new_left moved).
