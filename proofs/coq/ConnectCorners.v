@@ -312,24 +312,7 @@ Qed.
 
 Lemma edges_attached es : lists_one_of_each es (same_edge t) (half_edge t) ->
   lists_one_of_each (h :: es) (same_edge t') (half_edge t').
-Proof.
-case=> u ok one all; have same := same_edge_old free_h free_k twinE.
-have no_edge i j : half_edge t i -> (j == h) || (j == k) -> ~ same_edge t i j.
-  move=> li jn [ij|T]; first by move: jn; rewrite -ij old_h ?old_k.
-  have [_ [g + lg] _ _ _] := links_of li; rewrite T => -[jg].
-  by move: jn; rewrite jg old_h ?old_k.
-split=> [|i|i j|i].
-- by rewrite /= u andbT; apply/negP=> /ok; rewrite (negPf free_h).
-- by rewrite inE => /orP[/eqP->|/ok/up_half_edge//]; rewrite half_edgeE eqxx.
-- rewrite !inE => /orP[/eqP->|/[dup] ei /ok li] /orP[/eqP->|/[dup] ej /ok lj] //.
-  + by case=> [E|]; [rewrite E|rewrite twinE eqxx => -[E]; rewrite -E (negPf free_k) in lj].
-  + by move/(same _ _ li)/no_edge; rewrite eqxx; case.
-  by move/(same _ _ li); apply: one.
-case/half_edgeP=> [||{}i li _ _]; [by exists h; [apply: mem_head|left]|
-  by exists h; [apply: mem_head|right; rewrite twinE eqxx]|].
-have [j ej S] := all i li; exists j; first by rewrite inE ej orbT.
-by apply/(same _ _ (ok j ej)).
-Qed.
+Proof. exact: (edges_more keeps free_h free_k half_edgeE twinE). Qed.
 
 (** ** What is connected *)
 

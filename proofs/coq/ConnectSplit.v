@@ -145,21 +145,17 @@ Let next_boundary := next_boundary keeps.
 Let origin_up := origin_up free_h free_k new.
 Let bare_attached := bare_attached keeps free_h free_k hk new live_a live_b.
 
-Lemma faces_sides : of_old = kept /\ of_new = made \/ of_old = made /\ of_new = kept.
-Proof. by case: faces => -[-> ->]; case: sides => -[-> ->]; auto. Qed.
-
-Let boundaryE := NewFace.boundaryE t (split_cycle t a b h k kept left right) f g kept made of_old of_new moved.
-
-Lemma left_not_right : left <> right.
-Proof.
-have km : kept <> made by move=> E; move: free_boundary; rewrite -E (heard_live kept_in_f).
-by case: sides => -[-> ->] // /esym.
-Qed.
-
-Lemma live_left : boundary t' left.
-Proof. by rewrite boundaryE; case: sides => -[-> _]; rewrite ?eqxx ?(heard_live kept_in_f) ?orbT. Qed.
-Lemma live_right : boundary t' right.
-Proof. by rewrite boundaryE; case: sides => -[_ ->]; rewrite ?eqxx ?(heard_live kept_in_f) ?orbT. Qed.
+Let cut := split_cycle t a b h k kept left right.
+Let boundaryE : forall c, boundary t' c = (c == made) || boundary t c.
+Proof. exact: NewFace.boundaryE. Qed.
+Let left_not_right : left <> right := left_not_right free_boundary kept_in_f sides.
+Let live_left : boundary t' left. Proof. by apply: NewFace.live_left kept_in_f sides. Qed.
+Let live_right : boundary t' right. Proof. by apply: NewFace.live_right kept_in_f sides. Qed.
+Let startE c : boundary t' c -> boundary_start t' c =
+  if c == left then Some (AtHalfEdge h) else if c == right then Some (AtHalfEdge k) else boundary_start t c.
+Proof. by move=> lc; apply: (@NewFace.startE t cut f g kept made left right of_old of_new moved sides h k). Qed.
+Let otherP c : boundary t' c -> c <> left -> c <> right -> other kept made c /\ boundary t c.
+Proof. exact: (@NewFace.otherP t cut f g kept made left right of_old of_new moved sides). Qed.
 
 (** ** The left side *)
 
@@ -208,22 +204,6 @@ have none : boundary_of t i = None by rewrite /boundary_of /heard (negPf no).
 by case: ifP => [/side_kept|_]; rewrite none.
 Qed.
 
-Lemma startE c : boundary t' c -> boundary_start t' c =
-  if c == left then Some (AtHalfEdge h) else if c == right then Some (AtHalfEdge k) else boundary_start t c.
-Proof.
-move=> lc; rewrite {1}/boundary_start /heard lc /=; case: (c =P left) => // cl; case: (c =P right) => // cr.
-have lc0 : boundary t c.
-  move: lc; rewrite boundaryE; case: (c =P made) => // cm.
-  by case: sides => -[l r]; [case: cr|case: cl]; rewrite cm.
-by rewrite /boundary_start /heard lc0.
-Qed.
-
-Lemma other_sides c : boundary t' c -> c <> left -> c <> right -> [/\ c <> kept, c <> made & boundary t c].
-Proof.
-rewrite boundaryE => lc cl cr; have [ck cm] : c <> kept /\ c <> made by case: sides => -[l r]; rewrite -l -r.
-by move: lc; case: eqP.
-Qed.
-
 Lemma not_made i : boundary_of t i <> Some made.
 Proof.
 move=> B; have [_ _ _ _ [c C lc]] := links_of (heard_live B); move: C lc; rewrite B => -[<-].
@@ -232,30 +212,21 @@ Qed.
 
 (** ** R1 to V2 *)
 
-Lemma split_links : links_live t'.
+Lemma split_half_edges : half_edges_live t'.
 Proof.
-have [[H V B F] _] := keeps R1; split.
-- move=> i li; have [A1 A2 A3 A4] := attached_links keeps free_h free_k hk new live_a live_b next_a next_b target_a target_b li.
-  split=> //; rewrite boundary_ofE; case: ifP => [_|n1]; first by exists left; rewrite ?live_left.
-  case: ifP => [_|n2]; first by exists right; rewrite ?live_right.
-  case/half_edgeP: li n1 n2 => [||{A1 A2 A3 A4}i li ih ik]; rewrite ?eqxx ?orbT // => _ _.
-  by have [_ _ _ _ [c C lc]] := H i li; exists c; rewrite // boundaryE lc orbT.
-- move=> u lu; have [L I] := V u lu; split.
-    by case: L => [[e E le]|[N Bu]]; [left; exists e; rewrite ?up_half_edge|right; split=> //; apply/bare_attached].
-  by case: I => [N|[c C lc]]; [left|right; exists c; rewrite // boundaryE lc orbT].
-- move=> c lc; split; first exact: (faces_of_boundaries keeps kept_in_f faces_sides lc).
-  rewrite startE //; case: eqP => cl; first by rewrite /= half_edgeE eqxx.
-  case: eqP => cr; first by rewrite /= half_edgeE eqxx orbT.
-  have [_ _ lc0] := other_sides lc cl cr; have [_] := B c lc0.
-  by case: (boundary_start t c) => [[i|u]|] //= l; apply: up_half_edge.
-exact: (lists_of_faces keeps free_boundary kept_in_f faces_sides).
+move=> i li; have [A1 A2 A3 A4] := attached_links keeps free_h free_k hk new live_a live_b next_a next_b target_a target_b li.
+split=> //; rewrite boundary_ofE; case: ifP => [_|n1]; first by exists left; rewrite ?live_left.
+case: ifP => [_|n2]; first by exists right; rewrite ?live_right.
+case/half_edgeP: li n1 n2 => [||{A1 A2 A3 A4}i li ih ik]; rewrite ?eqxx ?orbT // => _ _.
+by have [_ _ _ _ [c C lc]] := links_of li; exists c; rewrite // boundaryE lc orbT.
 Qed.
 
-Lemma split_f2 : f2_listed t'.
-Proof. exact: (new_f2 keeps free_boundary free_face kept_in_f faces_sides). Qed.
-
-Lemma split_r1 : r1_live t'.
-Proof. by split; [exact: split_links|exact: lists_short_listed split_links split_f2]. Qed.
+Lemma split_vertices : vertices_live t'.
+Proof.
+move=> u lu; have [[_ V _ _] _] := keeps R1; have [L I] := V u lu; split.
+  by case: L => [[e E le]|[N Bu]]; [left; exists e; rewrite ?up_half_edge|right; split=> //; apply/bare_attached].
+by case: I => [N|[c C lc]]; [left|right; exists c; rewrite // boundaryE lc orbT].
+Qed.
 
 Lemma split_l1 : l1_twin t'. Proof. exact: (attached_l1 keeps free_h free_k hk new). Qed.
 Lemma split_l2 : l2_next_prev t'.
@@ -264,7 +235,7 @@ Lemma split_l3 : l3_target t'.
 Proof. exact: (attached_l3 keeps free_h free_k hk new live_a live_b next_a next_b). Qed.
 
 Let map' : is_map t'.
-Proof. by have [H _ _ _] := split_links; split; [|exact: split_l1|exact: split_l2|exact: split_l3]. Qed.
+Proof. by split; [exact: split_half_edges|exact: split_l1|exact: split_l2|exact: split_l3]. Qed.
 
 Lemma split_v1 : v1_leaving t'. Proof. by move=> u e lu E; apply: origin_up; apply: (keeps V1). Qed.
 
@@ -326,7 +297,7 @@ have lr := left_not_right; rewrite startE //.
 split=> [Bi|[g' S C]]; last first.
   rewrite (same g' C); case: (c =P left) S => [-> [<-]|cl]; first exact: at_h.
   case: (c =P right) => [-> [<-]|cr S]; first exact: at_k.
-  have [ck _ lc0] := other_sides lc cl cr; have Bg := start_on_cycle keeps S.
+  have [[ck _] lc0] := otherP lc cl cr; have Bg := start_on_cycle keeps S.
   rewrite boundary_ofE old_h ?old_k ?(start_live S) //= Bg.
   by case: ifP => [/side_kept|_]; [rewrite Bg => -[/ck]|case: eqP => // -[/ck]].
 have two_sides : c = left \/ c = right -> boundary_of t i = Some kept \/ i = h /\ c = left \/ i = k /\ c = right.
@@ -343,7 +314,7 @@ case: (c =P left) => [cl|cl].
 case: (c =P right) => [cr|cr].
   exists k => //; case: two_sides => [|Bk|[[_ /cl//]|[-> _]]]; [by right| |exact: orbit_refl].
   by case: (on_either Bk) => // /same; rewrite Bi at_h cr => -[/esym/lr].
-have [ck _ lc0] := other_sides lc cl cr; move: Bi; rewrite boundary_ofE.
+have [[ck _] lc0] := otherP lc cl cr; move: Bi; rewrite boundary_ofE.
 case: ifP => [_ [/esym/cl]//|_]; case: ifP => [_ [/esym/cr]//|_ Bi].
 have [g' S C] := start_of_cycle keeps Bi; exists g' => //.
 by apply: (cycle_away keeps free_h free_k new (start_on_cycle keeps S) _ _ C); rewrite ?boundary_a ?boundary_b => -[/esym/ck].
@@ -401,57 +372,27 @@ Qed.
 Lemma origin_sides : origin t' h = Some oa /\ origin t' k = Some ob.
 Proof. by rewrite !originE !newE target_a target_b. Qed.
 
-Lemma at_sides v c : connected t v oa -> connected t v ob -> c = left \/ c = right ->
-  exists2 w, vertex_at t' c = Some w & connected t v w.
-Proof.
-move=> A B [->|->]; have [Oh Ok] := origin_sides; [exists oa|exists ob] => //.
-  by rewrite /vertex_at startE ?live_left // eqxx.
-by rewrite /vertex_at startE ?live_right // eqxx; case: eqP => // /esym/left_not_right.
-Qed.
-
-Lemma start_other c : other kept made c -> boundary t c -> boundary_start t' c = boundary_start t c.
-Proof.
-move=> [ck cm] lc; rewrite startE ?boundaryE ?lc ?orbT //.
-have [/introF-/(_ _ eqP) -> /introF-/(_ _ eqP) ->] : c <> left /\ c <> right by case: sides => -[-> ->].
-by [].
-Qed.
-
-Lemma at_other c : other kept made c -> boundary t c -> vertex_at t' c = vertex_at t c.
-Proof.
-move=> oc lc; rewrite /vertex_at start_other //; case S: (boundary_start t c) => [[e|//]|//].
-by have [[v V _] _ _ _ _] := links_of (start_live S); rewrite V; apply: origin_up.
-Qed.
-
-Lemma faces_cases : (of_old = left \/ of_old = right) /\ (of_new = left \/ of_new = right).
-Proof. by case: faces => -[-> ->]; auto. Qed.
-
-Lemma no_vertex_start v : ~ starts_at_vertex t' v of_old /\ ~ starts_at_vertex t' v of_new.
-Proof.
-have no c : c = left \/ c = right -> ~ starts_at_vertex t' v c.
-  case=> ->; rewrite /starts_at_vertex startE ?live_left ?live_right // eqxx //.
-  by case: ifP.
-by have [o n] := faces_cases; split; apply: no.
-Qed.
-
 Lemma split_rules : rules t'.
 Proof.
-have [v0 [V A B]] := kept_at; have [o n] := faces_cases.
-have f1 : f1_outer t' := new_f1 keeps free_boundary free_face kept_in_f faces_sides start_other no_vertex_start.
-have low' : lower t'.
-  case=> // _; [exact: split_r1|exact: split_l1|exact: split_l2|exact: split_l3|exact: split_v1|exact: split_v2|
-    exact: split_b1|exact: split_b2|exact: split_f2].
-have [at_o at_n] := (at_sides A B o, at_sides A B n); have vE v : vertex t' v = vertex t v by [].
-have t1 : t1_outside t' :=
-  new_t1 keeps free_boundary kept_in_f faces_sides vE connected_same V at_o at_other.
-have t2 : t2_nesting t' :=
-  new_t2 keeps free_boundary free_face kept_in_f faces_sides connected_same V at_o at_n at_other.
-have [es He] := edges_each low; have He' := edges_attached keeps free_h free_k new He.
-have t3 : t3_euler t' :=
-  new_t3 keeps free_boundary free_face kept_in_f faces_sides vE connected_same V at_o at_other low' He He'.
-have H r : index r < index T4 -> holds t' r.
-  case: r => // _; [exact: split_r1|exact: split_l1|exact: split_l2|exact: split_l3|exact: split_v1|exact: split_v2|
-    exact: split_b1|exact: split_b2|exact: split_f2].
-by move=> r; case: (ltnP (index r) (index T4)) => [/H //|]; case: r => // _; apply: t4_follows => q; apply: H.
+have [v0 [V A B]] := kept_at; have [Oh Ok] := origin_sides; have [lh lk] := live_new new.
+have vE v : vertex t' v = vertex t v by [].
+apply: (@new_face_rules t cut f g kept made left right of_old of_new moved keeps free_boundary free_face kept_in_f
+  sides faces h k (fun c => erefl) vE connected_same origin_up v0 V).
+- by exists oa.
+- by exists ob.
+- exact: split_half_edges.
+- exact: split_vertices.
+- exact: up_half_edge.
+- exact: lh.
+- exact: lk.
+- exact: split_l1.
+- exact: split_l2.
+- exact: split_l3.
+- exact: split_v1.
+- exact: split_v2.
+- exact: split_b1.
+- exact: split_b2.
+exact: (edges_attached keeps free_h free_k new).
 Qed.
 
 End Split.

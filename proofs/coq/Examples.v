@@ -4,8 +4,8 @@
     programmer would write as a [Table]. *)
 
 From mathcomp Require Import all_ssreflect.
-From twinedge Require Import View Rules Reference Verdict Table Subdivision Lists ConnectBridge
-  ConnectSplit.
+From twinedge Require Import View Rules Reference Verdict Table Subdivision Lists ConnectBridge.
+From twinedge Require Import ConnectSplit ConnectLoop.
 Set Implicit Arguments.
 Unset Strict Implicit.
 Unset Printing Implicit Defensive.
@@ -199,5 +199,23 @@ Proof. by apply: split_face_keeps_rules point_in_loop_keeps_all. Qed.
 Example loop_split_rows : let t := split_face point_in_loop 1 1 0 2 2 1 0 3 false false pred0 in
   [/\ [seq boundary_of t i | i <- iota 0 4] = [:: #0; #0; #3; #1], [seq next t i | i <- iota 0 4] = [:: #1; #0; #2; #3],
       [seq outer t x | x <- iota 0 3] = [:: 'nil; #3; #0], [seq inner_list t x | x <- iota 0 3] = [:: [:: 1]; [::]; [:: 2]]
+    & first_broken t = None].
+Proof. by split; vm_compute. Qed.
+
+(** ** A loop at the isolated vertex, and the edge is told to lie in the new face
+
+<<
+        0 ─────h0────► 1        · 2            ┌──────────────────────┐
+                                               │ 0 ─────h0────► 1     │     h2 runs around the new face
+                                               └────────── 2 ─────────┘
+>>
+*)
+
+Example loop_added : rules (loop_at_isolated edge_and_point 2 2 3 0 1 1 2 true true (fun c => c == 0)).
+Proof. by apply: loop_at_isolated_keeps_rules edge_and_point_keeps_all. Qed.
+
+Example loop_added_rows : let t := loop_at_isolated edge_and_point 2 2 3 0 1 1 2 true true (fun c => c == 0) in
+  [/\ [seq boundary_of t i | i <- iota 0 4] = [:: #0; #0; #2; #1], [seq next t i | i <- iota 0 4] = [:: #1; #0; #2; #3],
+      [seq outer t x | x <- iota 0 2] = [:: 'nil; #2], [seq inner_list t x | x <- iota 0 2] = [:: [:: 1]; [:: 0]]
     & first_broken t = None].
 Proof. by split; vm_compute. Qed.

@@ -37,6 +37,14 @@ move=> sub [n]; elim: n y => [|n IH] y /=; first by case=> <-; apply: orbit_refl
 by case E: (iter n _ _) => [u|] //= U; apply: sub U _; apply: IH.
 Qed.
 
+(** Along [next] all is live. *)
+Lemma orbit_live t e i : rules t -> half_edge t e -> on_cycle t e i -> half_edge t i.
+Proof.
+move=> keeps le [m]; elim: m i => [|m IH] i /=; first by case=> <-.
+case E: (iter m _ _) => [u|] //= N; have [[H _ _ _] _] := keeps R1; have [_ _ [j + lj] _ _] := H u (IH u E).
+by rewrite N => -[->].
+Qed.
+
 (** ** Two views, one with the new edge *)
 
 Section NewEdge.
@@ -204,6 +212,27 @@ Proof. by case=> w O _; apply: heard_live O. Qed.
 
 Lemma same_edge_old i j : half_edge t i -> same_edge t' i j <-> same_edge t i j.
 Proof. by move=> li; rewrite /same_edge twinE old_h ?old_k. Qed.
+
+(** One edge more. *)
+Lemma edges_more es : lists_one_of_each es (same_edge t) (half_edge t) ->
+  lists_one_of_each (h :: es) (same_edge t') (half_edge t').
+Proof.
+case=> u ok one all; have no_edge i j : half_edge t i -> (j == h) || (j == k) -> ~ same_edge t i j.
+  move=> li jn [ij|T]; first by move: jn; rewrite -ij old_h ?old_k.
+  have [_ [g + lg] _ _ _] := links_of li; rewrite T => -[jg].
+  by move: jn; rewrite jg old_h ?old_k.
+split=> [|i|i j|i].
+- by rewrite /= u andbT; apply/negP=> /ok; rewrite (negPf free_h).
+- by rewrite inE => /orP[/eqP->|/ok/up_half_edge//]; rewrite half_edgeE eqxx.
+- rewrite !inE => /orP[/eqP->|/[dup] ei /ok li] /orP[/eqP->|/[dup] ej /ok lj] //.
+  + by case=> [E|]; [rewrite E|rewrite twinE eqxx => -[E]; rewrite -E (negPf free_k) in lj].
+  + by move/(same_edge_old _ li)/no_edge; rewrite eqxx; case.
+  by move/(same_edge_old _ li); apply: one.
+case/half_edgeP=> [||{}i li _ _]; [by exists h; [apply: mem_head|left]|
+  by exists h; [apply: mem_head|right; rewrite twinE eqxx]|].
+have [j ej S] := all i li; exists j; first by rewrite inE ej orbT.
+by apply/(same_edge_old _ (ok j ej)).
+Qed.
 
 Lemma connected_live u w : vertex t u -> connected t u w -> vertex t w.
 Proof.

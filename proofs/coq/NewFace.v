@@ -60,12 +60,13 @@ Definition new_face t n f g kept made of_old of_new moved : view := {|
 |}.
 
 Section NewFace.
-Variables (t n : view) (f g kept made of_old of_new : nat) (moved : pred nat).
+Variables (t n : view) (f g kept made left right of_old of_new : nat) (moved : pred nat).
 Hypothesis keeps : rules t.
 Hypothesis free_boundary : ~~ boundary t made.
 Hypothesis free_face : ~~ face t g.
 Hypothesis kept_in_f : boundary_face t kept = Some f.
-Hypothesis sides : of_old = kept /\ of_new = made \/ of_old = made /\ of_new = kept.
+Hypothesis two_cycles : left = kept /\ right = made \/ left = made /\ right = kept.
+Hypothesis two_faces : of_old = left /\ of_new = right \/ of_old = right /\ of_new = left.
 
 Notation t' := (new_face t n f g kept made of_old of_new moved).
 Notation olds := (old_list t f kept of_old moved).
@@ -74,6 +75,9 @@ Notation bounding := (bounds t f kept).
 Let low : lower t. Proof. by move=> q _; apply: keeps. Qed.
 Let map : is_map t := low_map low.
 Let live_kept : boundary t kept := heard_live kept_in_f.
+
+Let sides : of_old = kept /\ of_new = made \/ of_old = made /\ of_new = kept.
+Proof. by case: two_faces => -[-> ->]; case: two_cycles => -[-> ->]; auto. Qed.
 
 Lemma boundaryE c : boundary t' c = (c == made) || boundary t c.
 Proof.
@@ -283,17 +287,76 @@ have lx0 : face t x by move: lx; rewrite faceE; case: eqP.
 have [[_ _ _ F] _] := keeps R1; have [_ /(_ i lt)[c E _]] := F x lx0; by move: E; rewrite /inner lt => ->.
 Qed.
 
+(** ** Where boundary components start: [left] at [h], [right] at [k] *)
+
+Variables (h k : nat).
+Hypothesis starts : forall c, says_boundary_start n c =
+  if c == left then Some (AtHalfEdge h) else if c == right then Some (AtHalfEdge k) else says_boundary_start t c.
+
+Lemma left_not_right : left <> right.
+Proof. by case: two_cycles => -[-> ->]; [|apply: nesym]; apply: kept_not_made. Qed.
+
+Lemma live_left : boundary t' left.
+Proof. by rewrite boundaryE; case: two_cycles => -[-> _]; rewrite ?eqxx ?live_kept ?orbT. Qed.
+Lemma live_right : boundary t' right.
+Proof. by rewrite boundaryE; case: two_cycles => -[_ ->]; rewrite ?eqxx ?live_kept ?orbT. Qed.
+
+Lemma otherP c : boundary t' c -> c <> left -> c <> right -> other c /\ boundary t c.
+Proof.
+rewrite boundaryE => lc cl cr; have [ck cm] : c <> kept /\ c <> made by case: two_cycles => -[l r]; rewrite -l -r.
+by move: lc; case: eqP.
+Qed.
+
+Lemma startE c : boundary t' c -> boundary_start t' c =
+  if c == left then Some (AtHalfEdge h) else if c == right then Some (AtHalfEdge k) else boundary_start t c.
+Proof.
+move=> lc; rewrite {1}/boundary_start /heard lc /= starts; case: (c =P left) => // cl; case: (c =P right) => // cr.
+by have [_ lc0] := otherP lc cl cr; rewrite /boundary_start /heard lc0.
+Qed.
+
+Lemma start_other c : other c -> boundary t c -> boundary_start t' c = boundary_start t c.
+Proof.
+move=> [ck cm] lc; have [cl cr] : c <> left /\ c <> right by case: two_cycles => -[-> ->].
+by rewrite startE ?boundaryE ?lc ?orbT // (introF eqP cl) (introF eqP cr).
+Qed.
+
+Lemma start_cycles v : ~ starts_at_vertex t' v of_old /\ ~ starts_at_vertex t' v of_new.
+Proof.
+have no c : c = left \/ c = right -> ~ starts_at_vertex t' v c.
+  case=> ->; rewrite /starts_at_vertex startE ?live_left ?live_right // eqxx //.
+  by case: ifP.
+by case: two_faces => -[-> ->]; split; apply: no; auto.
+Qed.
+
 (** ** F1, T1, T2, T3: the same components, and their outsides where they were *)
 
 Hypothesis vertexE : forall v, vertex t' v = vertex t v.
 Hypothesis connectedE : forall u w, connected t' u w <-> connected t u w.
-Hypothesis start_other : forall c, other c -> boundary t c -> boundary_start t' c = boundary_start t c.
-Hypothesis start_cycles : forall v, ~ starts_at_vertex t' v of_old /\ ~ starts_at_vertex t' v of_new.
+Hypothesis origin_up : forall i v, origin t i = Some v -> origin t' i = Some v.
 Variable v0 : nat.
 Hypothesis at_kept : vertex_at t kept = Some v0.
-Hypothesis at_old : exists2 w, vertex_at t' of_old = Some w & connected t v0 w.
-Hypothesis at_new : exists2 w, vertex_at t' of_new = Some w & connected t v0 w.
-Hypothesis at_other : forall c, other c -> boundary t c -> vertex_at t' c = vertex_at t c.
+Hypothesis at_h : exists2 w, origin t' h = Some w & connected t v0 w.
+Hypothesis at_k : exists2 w, origin t' k = Some w & connected t v0 w.
+
+Lemma at_cycles : (exists2 w, vertex_at t' of_old = Some w & connected t v0 w) /\
+  exists2 w, vertex_at t' of_new = Some w & connected t v0 w.
+Proof.
+have [hw Wh Ch] := at_h; have [kw Wk Ck] := at_k.
+have L : vertex_at t' left = Some hw by rewrite /vertex_at startE ?live_left // eqxx.
+have R : vertex_at t' right = Some kw.
+  by rewrite /vertex_at startE ?live_right // eqxx; case: eqP => // /esym/left_not_right.
+by case: two_faces => -[-> ->]; split; [exists hw|exists kw|exists kw|exists hw].
+Qed.
+
+Let at_old : exists2 w, vertex_at t' of_old = Some w & connected t v0 w. Proof. by case: at_cycles. Qed.
+Let at_new : exists2 w, vertex_at t' of_new = Some w & connected t v0 w. Proof. by case: at_cycles. Qed.
+
+Lemma at_other c : other c -> boundary t c -> vertex_at t' c = vertex_at t c.
+Proof.
+move=> oc lc; rewrite /vertex_at start_other //; case S: (boundary_start t c) => [[e|//]|//].
+have [[H _ _ _] _] := keeps R1; have [[w W _] _ _ _ _] := H e (start_live keeps S).
+by rewrite W; apply: origin_up.
+Qed.
 
 Let trans := @connected_trans t.
 Let sym := connected_sym map.
@@ -413,10 +476,10 @@ move: Fc ly; rewrite Fy faceE => -[->] /orP[/eqP->|/R //]; apply: rooted_new; ex
 Qed.
 
 (** One edge, one face and no component more. *)
-Lemma new_t3 e es : lower t' -> lists_one_of_each es (same_edge t) (half_edge t) ->
-  lists_one_of_each (e :: es) (same_edge t') (half_edge t') -> t3_euler t'.
+Lemma new_t3 : lower t' -> (forall es, lists_one_of_each es (same_edge t) (half_edge t) ->
+  lists_one_of_each (h :: es) (same_edge t') (half_edge t')) -> t3_euler t'.
 Proof.
-move=> low' He He'; pose vs := [seq v <- iota 0 (vertex_slots t) | vertex t v].
+move=> low' edge_more; have [es He] := edges_each low; have He' := edge_more es He; pose vs := [seq v <- iota 0 (vertex_slots t) | vertex t v].
 have Hv : lists vs (vertex t) := lists_filter (@vertex_below t) (fun v => iff_refl (vertex t v)).
 have Hv' : lists vs (vertex t') by apply: lists_iff Hv => v; rewrite vertexE.
 pose fs := [seq x <- iota 0 (face_slots t) | face t x].
@@ -441,6 +504,29 @@ have Hb' : lists [seq later c | c <- inner_ones t] (is_inner t').
   by apply/mapP; exists kept; [apply/inb/kept_inner|rewrite /later eqxx].
 have eq := (t3_counts low (keeps T1) Hv He Hf Hb).1 (keeps T3).
 apply/(t3_counts low' new_t1 Hv' He' Hf' Hb'); rewrite size_map /=; arith.
+Qed.
+
+(** ** All rules hold, if those of half-edges and vertices do *)
+
+Lemma new_face_rules : half_edges_live t' -> vertices_live t' ->
+  (forall i, half_edge t i -> half_edge t' i) -> half_edge t' h -> half_edge t' k ->
+  l1_twin t' -> l2_next_prev t' -> l3_target t' -> v1_leaving t' -> v2_rotation t' -> b1_cycle t' -> b2_isolated t' ->
+  (forall es, lists_one_of_each es (same_edge t) (half_edge t) ->
+    lists_one_of_each (h :: es) (same_edge t') (half_edge t')) -> rules t'.
+Proof.
+move=> live_h live_v up lh lk l1 l2 l3 v1 v2 b1 b2 edge_more.
+have links : links_live t'.
+  split=> // [c lc|]; last exact: lists_of_faces.
+  split; first exact: faces_of_boundaries.
+  rewrite startE //; case: eqP => [//|cl]; case: eqP => [//|cr]; have [_ lc0] := otherP lc cl cr.
+  by have [[_ _ B _] _] := keeps R1; have [_] := B c lc0; case: (boundary_start t c) => [[i|u]|] //=;
+    [apply: up|rewrite vertexE].
+have r1 : r1_live t' by split=> //; exact: lists_short_listed links new_f2.
+have [f1 f2 t1 t2] := And4 new_f1 new_f2 new_t1 new_t2.
+have low' : lower t' by case.
+have t3 := new_t3 low' edge_more.
+have H r : index r < index T4 -> holds t' r by case: r.
+by move=> r; case: (ltnP (index r) (index T4)) => [/H //|]; case: r => // _; apply: t4_follows => q; apply: H.
 Qed.
 
 End NewFace.

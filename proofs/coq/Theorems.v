@@ -4,7 +4,7 @@
 
 From mathcomp Require Import all_ssreflect all_fingroup.
 From twinedge Require Import View Rules Reference Drawing Euler Subdivision Verdict FastPath FastPathProof AddVertex.
-From twinedge Require Import RemoveVertex MoveInner Renaming Connect ConnectIsolated ConnectBridge ConnectSplit.
+From twinedge Require Import RemoveVertex MoveInner Renaming Connect ConnectIsolated ConnectBridge ConnectSplit ConnectLoop.
 Set Implicit Arguments.
 Unset Strict Implicit.
 Unset Printing Implicit Defensive.
@@ -109,3 +109,10 @@ Check split_face_keeps_rules : forall t a b h k f g kept made made_left new_left
   boundary_of t a = Some kept -> boundary_of t b = Some kept -> boundary_face t kept = Some f ->
   ~~ half_edge t h -> ~~ half_edge t k -> h != k -> ~~ boundary t made -> ~~ face t g ->
   rules t -> rules (split_face t a b h k f g kept made made_left new_left moved).
+
+(** So does a loop at an isolated vertex. *)
+
+Check loop_at_isolated_keeps_rules : forall t v h k f g kept made made_left new_left moved,
+  isolated t v = Some kept -> boundary_face t kept = Some f ->
+  ~~ half_edge t h -> ~~ half_edge t k -> h != k -> ~~ boundary t made -> ~~ face t g ->
+  rules t -> rules (loop_at_isolated t v h k f g kept made made_left new_left moved).
