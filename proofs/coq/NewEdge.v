@@ -10,7 +10,7 @@
 *)
 
 From mathcomp Require Import all_ssreflect.
-From twinedge Require Import View Rules Map.
+From twinedge Require Import Arith View Rules Map Counting Lists Genus WholeEuler.
 Set Implicit Arguments.
 Unset Strict Implicit.
 Unset Printing Implicit Defensive.
@@ -197,18 +197,7 @@ Qed.
 Lemma new_t2 : t2_nesting t'.
 Proof. by move=> u c f lu /outsideE O; rewrite boundary_face_same => E; apply: rooted_up; exact: (keeps T2 _ c f (hangs_live lu) O E). Qed.
 
-(** ** Half-edges of a component *)
-
-Lemma half_edge_of_old u i : half_edge t i -> half_edge_of t' u i <-> half_edge_of t (hangs u) i.
-Proof.
-move=> li; have [[w W lw] _ _ _ _] := links_of li; have W' : origin t' i = Some w by rewrite originE old_h ?old_k.
-split=> -[x]; rewrite ?W ?W' => -[<-] C; exists w => //.
-  by have := (connectedE u w).1 C; rewrite (hangs_old lw).
-by apply/connectedE; rewrite (hangs_old lw).
-Qed.
-
-Lemma half_edge_of_live s u i : half_edge_of s u i -> half_edge s i.
-Proof. by case=> w O _; apply: heard_live O. Qed.
+(** ** T3 *)
 
 Lemma same_edge_old i j : half_edge t i -> same_edge t' i j <-> same_edge t i j.
 Proof. by move=> li; rewrite /same_edge twinE old_h ?old_k. Qed.
@@ -232,6 +221,23 @@ case/half_edgeP=> [||{}i li _ _]; [by exists h; [apply: mem_head|left]|
   by exists h; [apply: mem_head|right; rewrite twinE eqxx]|].
 have [j ej S] := all i li; exists j; first by rewrite inE ej orbT.
 by apply/(same_edge_old _ (ok j ej)).
+Qed.
+
+(** One vertex and one edge more. *)
+Lemma new_t3 : lower t' -> t3_euler t'.
+Proof.
+move=> low'; have low : lower t by move=> q _; apply: keeps.
+have [es He] := edges_each low; have [uv inv] := lists_filter (@vertex_below t) (fun u => iff_refl (vertex t u)).
+have Hv' : lists (v :: [seq u <- iota 0 (vertex_slots t) | vertex t u]) (vertex t').
+  split=> [|u]; first by rewrite /= uv andbT; apply/negP=> /inv; rewrite (negPf free_vertex).
+  by rewrite inE vertexE; case: (u == v) => //=; apply: inv.
+have Hf := lists_filter (@face_below t) (fun f => iff_refl (face t f)).
+have Hf' : lists [seq f <- iota 0 (face_slots t) | face t f] (face t') by apply: lists_iff Hf => f; rewrite face_same.
+have Hb : lists (inner_ones t) (is_inner t).
+  by split=> [|c]; [rewrite !filter_uniq ?iota_uniq|apply: (inner_onesP low)].
+have Hb' : lists (inner_ones t) (is_inner t') by apply: lists_iff Hb => c; apply: iff_sym.
+have eq := (t3_counts low (keeps T1) (conj uv inv) He Hf Hb).1 (keeps T3).
+by apply/(t3_counts low' new_t1 Hv' (edges_more He) Hf' Hb'); move: eq => /=; arith.
 Qed.
 
 Lemma connected_live u w : vertex t u -> connected t u w -> vertex t w.
