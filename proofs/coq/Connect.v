@@ -77,7 +77,6 @@ Let old_k := NewEdge.old_k free_k.
 Let links_of := NewEdge.links_of keeps.
 Let start_live := NewEdge.start_live keeps.
 Let start_vertex := NewEdge.start_vertex keeps.
-Let connected_live := NewEdge.connected_live keeps.
 Let up_half_edge := NewEdge.up_half_edge half_edgeE.
 Let up_vertex := NewEdge.up_vertex vertexE.
 Let half_edgeP := NewEdge.half_edgeP free_h free_k half_edgeE.
@@ -133,12 +132,6 @@ Lemma isolatedE i : isolated t' i = if i == v then None else isolated t i.
 Proof. by rewrite {1}/isolated /heard vertexE /=; case: (i == v). Qed.
 
 Let attach_l1 : l1_twin t' := new_l1 keeps free_h free_k hk half_edgeE twinE.
-Let same_edge_old := NewEdge.same_edge_old free_h free_k twinE.
-Notation hangs := (hangs v o).
-Let hangs_old := NewEdge.hangs_old o free_vertex.
-Let hangs_live := NewEdge.hangs_live live_o vertexE.
-Let connectedE := NewEdge.connectedE keeps free_vertex free_h free_k hk live_o originE twinE.
-Let half_edge_of_old := NewEdge.half_edge_of_old keeps free_vertex free_h free_k hk live_o originE twinE.
 
 (** ** R1 to L3 *)
 
@@ -335,75 +328,11 @@ Proof. by apply: (new_t1 keeps free_vertex free_h free_k hk live_o vertexE origi
 Lemma attach_t2 : t2_nesting t'.
 Proof. by apply: (new_t2 keeps free_vertex free_h free_k hk live_o vertexE originE twinE _ _ _ _ vertex_atE). Qed.
 
-Lemma half_edge_of_a u : half_edge_of t u a <-> connected t u o.
-Proof.
-have [[w W lw] [d D ld] _ _ _] := links_of live_a; split=> [[x X C]|C]; first exact: connected_edge C X target_a.
-exists w => //; apply: (@connected_edge t u d o w C); first by move: target_a; rewrite /target D.
-by have [+ _] := keeps L1 a live_a; rewrite D /= /target => ->.
-Qed.
-
-Lemma half_edge_of_without u i : half_edge t' i -> half_edge_of t' u i <-> half_edge_of t (hangs u) (without i).
-Proof.
-move=> li; rewrite /without; case new: (_ || _); last by apply: half_edge_of_old; move: li; rewrite half_edgeE orbA new.
-have [w W wo] : exists2 w, origin t' i = Some w & hangs w = o.
-  case/orP: new => /eqP->; rewrite originE !newE; [exists o|exists v] => //; first exact: hangs_old live_o.
-  by rewrite /hangs eqxx.
-rewrite half_edge_of_a; split=> [[x]|C]; first by rewrite W => -[<-] /connectedE; rewrite wo.
-by exists w => //; apply/connectedE; rewrite wo.
-Qed.
-
 Lemma attach_t3 : t3_euler t'.
 Proof.
-move=> u lu; have [V [E [cycles [[vs [es [cs [Vs Es Cs [EV EE EC]]]]] eq]]]] := keeps T3 _ (hangs_live lu).
-have [uv inv] := Vs; have [ue oke onee alle] := Es; have [uc okc onec allc] := Cs.
-have lv x : x \in vs -> vertex t x by move/inv/(connected_live (hangs_live lu)).
-have le i : i \in es -> half_edge t i by move/oke/half_edge_of_live.
-have lc i : i \in cs -> half_edge t i by move/okc/half_edge_of_live.
-have up i : half_edge t i -> half_edge_of t (hangs u) i -> half_edge_of t' u i by move=> li /half_edge_of_old; apply.
-have Cs' : lists_one_of_each cs (on_cycle t') (half_edge_of t' u).
-  split=> // [i ci|i j ci cj|i Hi].
-  - exact: up (lc i ci) (okc i ci).
-  - by move/(cycle_on (lc i ci) (up_half_edge (lc j cj))); rewrite (without_old (lc j cj)); apply: onec.
-  have li := half_edge_of_live Hi; have [j cj C] := allc _ ((half_edge_of_without u li).1 Hi).
-  by exists j => //; apply/(cycle_on (lc j cj) li).
-have [d D ld] : exists2 d, twin t a = Some d & half_edge t d by have [_ ? _ _ _] := links_of live_a.
-case: (boolP (o \in vs)) => [ov|no].
-  exists V.+1, E.+1, cycles; split; last by rewrite addSn addnS eq.
-  have [e ee _] : exists2 e, e \in es & same_edge t e a by apply: alle; apply/half_edge_of_a/inv.
-  exists (v :: vs), (h :: es), cs; split=> //.
-  - split=> [|x]; first by rewrite /= uv andbT; apply/negP=> /lv; rewrite (negPf free_vertex).
-    rewrite inE connectedE /hangs; case: (x =P v) => [_|_] /=; last exact: inv.
-    by split=> // _; apply/inv.
-  - split=> [|i|i j|i Hi].
-    + by rewrite /= ue andbT; apply/negP=> /le; rewrite (negPf free_h).
-    + rewrite inE => /orP[/eqP->|ei]; last exact: up (le i ei) (oke i ei).
-      apply/half_edge_of_without; first by rewrite half_edgeE eqxx.
-      by rewrite /without eqxx; apply/half_edge_of_a/inv.
-    + rewrite !inE => /orP[/eqP->|ei] /orP[/eqP->|ej] //; last by move/(same_edge_old _ (le i ei)); apply: onee.
-        case=> //; rewrite twinE eqxx => -[kj]; have := le j ej; by rewrite -kj (negPf free_k).
-      move/(same_edge_old _ (le i ei)); case=> [ih|T]; first by have := le i ei; rewrite ih (negPf free_h).
-      have [_ [g + lg] _ _ _] := links_of (le i ei); rewrite T => -[hg].
-      by move: lg; rewrite -hg (negPf free_h).
-    have li := half_edge_of_live Hi; case: (half_edgeP li) Hi => [_|_|{}i {}li _ _ Hi].
-    + by exists h; [rewrite mem_head|left].
-    + by exists h; [rewrite mem_head|right; rewrite twinE eqxx].
-    have [j ej S] := alle i ((half_edge_of_old u li).1 Hi); exists j; first by rewrite inE ej orbT.
-    exact/(same_edge_old _ (le j ej)).
-  by rewrite /= EV EE EC; case: es ee {ue oke onee alle Es EE EC le} => //=; rewrite addn0.
-have nc i : (i == h) || (i == k) -> ~ half_edge_of t' u i.
-  move=> new Hi; have := (half_edge_of_without u (half_edge_of_live Hi)).1 Hi.
-  by rewrite /without new => /half_edge_of_a/inv; rewrite (negPf no).
-exists V, E, cycles; split=> //; exists vs, es, cs; split=> //.
-- split=> // x; rewrite connectedE /hangs; case: (x =P v) => [->|_]; last exact: inv.
-  by split=> [/lv|/inv]; rewrite ?(negPf free_vertex) ?(negPf no).
-split=> // [i ei|i j ei ej|i Hi].
-- exact: up (le i ei) (oke i ei).
-- by move/(same_edge_old _ (le i ei)); apply: onee.
-have li := half_edge_of_live Hi; case: (half_edgeP li) Hi => [Hi|Hi|{}i {}li _ _ Hi].
-- by case: (nc h _ Hi); rewrite eqxx.
-- by case: (nc k _ Hi); rewrite eqxx orbT.
-have [j ej S] := alle i ((half_edge_of_old u li).1 Hi); exists j => //.
-exact/(same_edge_old _ (le j ej)).
+apply: (new_t3 keeps free_vertex free_h free_k hk live_o vertexE half_edgeE originE twinE _ _ vertex_atE) => //.
+case=> // _; [by split; [exact: attach_links|case: (keeps R1)]|exact: attach_l2|exact: attach_l3|
+  exact: attach_v1|exact: attach_v2|exact: attach_b1|exact: attach_b2|exact: (keeps F1)|exact: (keeps F2)].
 Qed.
 
 Lemma attach_rules : rules t'.

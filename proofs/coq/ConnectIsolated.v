@@ -122,12 +122,6 @@ by rewrite live_b.
 Qed.
 
 Let new_twin : l1_twin t' := new_l1 keeps free_h free_k hk half_edgeE twinE.
-Let same_edge_old := NewEdge.same_edge_old free_h free_k twinE.
-Notation hangs := (hangs v o).
-Let hangs_old := NewEdge.hangs_old o free_vertex.
-Let hangs_live := NewEdge.hangs_live live_o vertexE.
-Let connectedE := NewEdge.connectedE keeps free_vertex free_h free_k hk live_o originE twinE.
-Let half_edge_of_old := NewEdge.half_edge_of_old keeps free_vertex free_h free_k hk live_o originE twinE.
 Let bare_old := NewEdge.bare_old free_vertex free_h free_k hk half_edgeE originE.
 
 Lemma live_h : half_edge t' h. Proof. by rewrite half_edgeE eqxx. Qed.
@@ -296,69 +290,11 @@ Proof. by apply: (new_t1 keeps free_vertex free_h free_k hk live_o vertexE origi
 Lemma attach_t2 : t2_nesting t'.
 Proof. by apply: (new_t2 keeps free_vertex free_h free_k hk live_o vertexE originE twinE _ _ _ _ vertex_atE). Qed.
 
-Let map : is_map t := low_map low.
-
-Lemma connected_o u : connected t u o <-> u = o.
-Proof.
-split=> [/(connected_sym map) C|->]; last exact: connected_self.
-exact: (connected_bare map (low_v2 low) bare_o C).
-Qed.
-
-Lemma half_edge_of_new u i : (i == h) || (i == k) -> half_edge_of t' u i <-> hangs u = o.
-Proof.
-move=> new; have [w W wo] : exists2 w, origin t' i = Some w & hangs w = o.
-  case/orP: new => /eqP->; rewrite originE !newE; [exists o|exists v] => //; first exact: hangs_old live_o.
-  by rewrite /NewEdge.hangs eqxx.
-rewrite -connected_o; split=> [[x]|C]; first by rewrite W => -[<-] /connectedE; rewrite wo.
-by exists w => //; apply/connectedE; rewrite wo.
-Qed.
-
-Lemma half_edge_not_o i : half_edge t i -> ~ half_edge_of t o i.
-Proof.
-move=> li [w O /(connected_bare map (low_v2 low) bare_o) wo].
-by apply: (bare_o li); rewrite O wo.
-Qed.
-
 Lemma attach_t3 : t3_euler t'.
 Proof.
-move=> u lu; case: (hangs u =P o) => [uo|uo].
-  have new i : half_edge_of t' u i <-> (i == h) || (i == k).
-    split=> [Hi|n]; last exact: (half_edge_of_new u n).2.
-    have li := half_edge_of_live Hi; case: (half_edgeP li) Hi => [||{}i {}li _ _]; rewrite ?eqxx ?orbT //.
-    by move/(half_edge_of_old u li); rewrite uo => /(half_edge_not_o li).
-  have h_h : on_cycle t' h h by apply: orbit_refl.
-  have h_k : on_cycle t' h k by apply: orbit_step h_h _; rewrite nextE eqxx.
-  exists 2, 1, 1; split=> //; exists [:: o; v], [:: h], [:: h]; split=> //.
-  - split=> [|x]; first by rewrite /= inE o_not_v.
-    rewrite connectedE uo !inE /NewEdge.hangs; case: (x =P v) => [_|_].
-      by rewrite orbT; split=> // _; apply: connected_self.
-    rewrite orbF; split=> [/eqP->|/(connected_bare map (low_v2 low) bare_o)->//]; exact: connected_self.
-  - split=> // [i|i j|i /new/orP[]/eqP->]; rewrite ?inE.
-    + by move/eqP->; apply/new; rewrite eqxx.
-    + by move=> /eqP-> /eqP->.
-    + by exists h; [rewrite inE|left].
-    by exists h; [rewrite inE|right; rewrite twinE eqxx].
-  split=> // [i|i j|i /new/orP[]/eqP->]; rewrite ?inE.
-  - by move/eqP->; apply/new; rewrite eqxx.
-  - by move=> /eqP-> /eqP->.
-  - by exists h; rewrite ?inE.
-  by exists h; rewrite ?inE.
-have old i : half_edge_of t' u i <-> half_edge_of t (hangs u) i.
-  split=> Hi; last by have li := half_edge_of_live Hi; apply/(half_edge_of_old u li).
-  have li := half_edge_of_live Hi; case: (half_edgeP li) Hi => [Hi|Hi|{}i {}li _ _ Hi]; last exact/(half_edge_of_old u li).
-    by case: uo; move/half_edge_of_new: Hi; apply; rewrite eqxx.
-  by case: uo; move/half_edge_of_new: Hi; apply; rewrite eqxx orbT.
-have [V [E [cycles [[vs [es [cs [[uv inv] [ue oke onee alle] [uc okc onec allc] N]]]] eq]]]] := keeps T3 _ (hangs_live lu).
-have le i : i \in es -> half_edge t i by move/oke/half_edge_of_live.
-have lc i : i \in cs -> half_edge t i by move/okc/half_edge_of_live.
-exists V, E, cycles; split=> //; exists vs, es, cs; split=> //.
-- split=> // x; rewrite inv connectedE -[hangs x]/(if x == v then o else x); case: (x =P v) => [->|//].
-  split=> [C|/(connected_o _).1 //]; have lv := NewEdge.connected_live keeps (hangs_live lu) C.
-  by move: lv; rewrite (negPf free_vertex).
-- split=> // [i /oke/old //|i j ei ej /(same_edge_old _ (le i ei))|i /old/alle[j ej S]]; first exact: onee.
-  by exists j => //; apply/(same_edge_old _ (le j ej)).
-split=> // [i /okc/old //|i j ci cj /(cycle_old _ (lc i ci))|i /old/allc[j cj S]]; first exact: onec.
-by exists j => //; apply/(cycle_old _ (lc j cj)).
+apply: (new_t3 keeps free_vertex free_h free_k hk live_o vertexE half_edgeE originE twinE _ _ vertex_atE) => //.
+case=> // _; [by split; [exact: attach_links|case: (keeps R1)]|exact: attach_l2|exact: attach_l3|
+  exact: attach_v1|exact: attach_v2|exact: attach_b1|exact: attach_b2|exact: attach_f1|exact: (keeps F2)].
 Qed.
 
 Lemma attach_rules : rules t'.

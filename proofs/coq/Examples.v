@@ -1,9 +1,11 @@
-(** * Examples: what the rules say of four tables
+(** * Examples: what the rules say of some tables
 
-    They guard our reading of the rules. Each is what a Rust programmer would write as a [Table]. *)
+    They guard our reading of the rules, and show that the theorems about operators are about something. Each is what a Rust
+    programmer would write as a [Table]. *)
 
 From mathcomp Require Import all_ssreflect.
-From twinedge Require Import View Rules Reference Verdict Table Subdivision.
+From twinedge Require Import View Rules Reference Verdict Table Subdivision Lists ConnectBridge.
+From twinedge Require Import ConnectSplit ConnectLoop.
 Set Implicit Arguments.
 Unset Strict Implicit.
 Unset Printing Implicit Defensive.
@@ -109,3 +111,111 @@ Proof. by apply/first_broken_none; vm_compute. Qed.
 
 Example two_unbounded_break_f1_first : ~ f1_outer (faces_only 2) /\ forall q, index q < index F1 -> holds (faces_only 2) q.
 Proof. by apply/(first_broken_some (faces_only 2) F1); vm_compute. Qed.
+
+(** ** Two edges in the unbounded face, and a bridge between them
+
+<<
+        0 ──h0──► 1    3 ◄──h2── 2               0 ──h0──► 1 ──h4──► 3 ◄──h2── 2
+>>
+*)
+
+Definition two_edges := view_of {|
+  vertex_rows := [:: Some (VertexRow #0 'nil); Some (VertexRow #1 'nil); Some (VertexRow #2 'nil); Some (VertexRow #3 'nil)];
+  half_edge_rows := [:: Some (HalfEdgeRow #0 #1 #1 #1 #0); Some (HalfEdgeRow #1 #0 #0 #0 #0);
+                        Some (HalfEdgeRow #2 #3 #3 #3 #1); Some (HalfEdgeRow #3 #2 #2 #2 #1)];
+  boundary_rows := [:: Some (BoundaryRow #0 (Some (AtHalfEdge 0)) (Some (Inner 0)));
+                       Some (BoundaryRow #0 (Some (AtHalfEdge 2)) (Some (Inner 1)))];
+  face_rows := [:: Some (FaceRow 'nil [:: #0; #1])] |}.
+
+Example two_edges_keeps_all : rules two_edges.
+Proof. by apply/first_broken_none; vm_compute. Qed.
+
+Example two_edges_bridged : rules (bridge two_edges 0 2 4 5 0 1 0).
+Proof. by apply: bridge_keeps_rules two_edges_keeps_all => //; right. Qed.
+
+Example two_edges_bridged_rows : let t := bridge two_edges 0 2 4 5 0 1 0 in
+  [/\ inner_list t 0 = [:: 1], [seq boundary_of t i | i <- iota 0 7] = [:: #1; #1; #1; #1; #1; #1; 'nil],
+      [seq next t i | i <- iota 0 7] = [:: #4; #0; #5; #2; #3; #1; 'nil] & first_broken t = None].
+Proof. by split; vm_compute. Qed.
+
+(** ** An edge in a loop, and a bridge between them: what was an inner boundary component bounds the face then
+
+<<
+          ┌─────────────┐            ┌──────────────┐
+          │ 1 ──h2──► 2 │            │ 1 ──h2──► 2  │
+          └── 0 ────────┘            └── 0 ──h4──┘ ─┘
+>>
+*)
+
+Definition edge_in_loop := view_of {|
+  vertex_rows := [:: Some (VertexRow #0 'nil); Some (VertexRow #2 'nil); Some (VertexRow #3 'nil)];
+  half_edge_rows := [:: Some (HalfEdgeRow #0 #1 #0 #0 #0); Some (HalfEdgeRow #0 #0 #1 #1 #1);
+                        Some (HalfEdgeRow #1 #3 #3 #3 #2); Some (HalfEdgeRow #2 #2 #2 #2 #2)];
+  boundary_rows := [:: Some (BoundaryRow #1 (Some (AtHalfEdge 0)) (Some Outer));
+                       Some (BoundaryRow #0 (Some (AtHalfEdge 1)) (Some (Inner 0)));
+                       Some (BoundaryRow #1 (Some (AtHalfEdge 2)) (Some (Inner 0)))];
+  face_rows := [:: Some (FaceRow 'nil [:: #1]); Some (FaceRow #0 [:: #2])] |}.
+
+Example edge_in_loop_keeps_all : rules edge_in_loop.
+Proof. by apply/first_broken_none; vm_compute. Qed.
+
+Example edge_in_loop_bridged : rules (bridge edge_in_loop 0 2 4 5 1 2 0).
+Proof. by apply: bridge_keeps_rules edge_in_loop_keeps_all => //; right. Qed.
+
+Example edge_in_loop_bridged_rows : let t := bridge edge_in_loop 0 2 4 5 1 2 0 in
+  [/\ outer t 1 = #2, inner_list t 1 = [::], boundary_place t 2 = Some Outer & first_broken t = None].
+Proof. by split; vm_compute. Qed.
+
+(** ** A second edge between two vertices encloses a new face, and the isolated vertex is told to lie there
+
+<<
+        0 ─────h0────► 1        · 2            0 ─────h0────► 1        h2 runs back from 1 to 0,
+                                               │      · 2     │        h0 and h2 run around the new face
+                                               └──────◄──h2───┘
+>>
+*)
+
+Example edge_split : rules (split_face edge_and_point 0 1 2 3 0 1 0 2 true true (fun c => c == 1)).
+Proof. by apply: split_face_keeps_rules edge_and_point_keeps_all. Qed.
+
+Example edge_split_rows : let t := split_face edge_and_point 0 1 2 3 0 1 0 2 true true (fun c => c == 1) in
+  [/\ [seq boundary_of t i | i <- iota 0 4] = [:: #2; #0; #2; #0], [seq next t i | i <- iota 0 4] = [:: #2; #3; #0; #1],
+      [seq outer t x | x <- iota 0 2] = [:: 'nil; #2], [seq inner_list t x | x <- iota 0 2] = [:: [:: 0]; [:: 1]]
+    & first_broken t = None].
+Proof. by split; vm_compute. Qed.
+
+(** ** A loop inside a loop, at the same corner. The new face is what is to the right of [h0], inside the new loop
+
+<<
+          ┌──────────────┐           ┌──────────────┐
+          │   f2   · 2   │           │ (──)  f2 · 2 │        the new loop is h0 and h2; h2 is alone on its cycle
+          └── 0 ─────────┘           └── 0 ─────────┘
+>>
+*)
+
+Example loop_split : rules (split_face point_in_loop 1 1 0 2 2 1 0 3 false false pred0).
+Proof. by apply: split_face_keeps_rules point_in_loop_keeps_all. Qed.
+
+Example loop_split_rows : let t := split_face point_in_loop 1 1 0 2 2 1 0 3 false false pred0 in
+  [/\ [seq boundary_of t i | i <- iota 0 4] = [:: #0; #0; #3; #1], [seq next t i | i <- iota 0 4] = [:: #1; #0; #2; #3],
+      [seq outer t x | x <- iota 0 3] = [:: 'nil; #3; #0], [seq inner_list t x | x <- iota 0 3] = [:: [:: 1]; [::]; [:: 2]]
+    & first_broken t = None].
+Proof. by split; vm_compute. Qed.
+
+(** ** A loop at the isolated vertex, and the edge is told to lie in the new face
+
+<<
+        0 ─────h0────► 1        · 2            ┌──────────────────────┐
+                                               │ 0 ─────h0────► 1     │     h2 runs around the new face
+                                               └────────── 2 ─────────┘
+>>
+*)
+
+Example loop_added : rules (loop_at_isolated edge_and_point 2 2 3 0 1 1 2 true true (fun c => c == 0)).
+Proof. by apply: loop_at_isolated_keeps_rules edge_and_point_keeps_all. Qed.
+
+Example loop_added_rows : let t := loop_at_isolated edge_and_point 2 2 3 0 1 1 2 true true (fun c => c == 0) in
+  [/\ [seq boundary_of t i | i <- iota 0 4] = [:: #0; #0; #2; #1], [seq next t i | i <- iota 0 4] = [:: #1; #0; #2; #3],
+      [seq outer t x | x <- iota 0 2] = [:: 'nil; #2], [seq inner_list t x | x <- iota 0 2] = [:: [:: 1]; [:: 0]]
+    & first_broken t = None].
+Proof. by split; vm_compute. Qed.

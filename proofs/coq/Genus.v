@@ -373,15 +373,6 @@ move=> H; apply/esym; apply: (edges_half low) H => // h; try exact: part_live.
 by case/part_closed.
 Qed.
 
-Lemma cycle_sym g h : half_edge t g -> half_edge t h -> on_cycle t g h -> on_cycle t h g.
-Proof. by case/dartP=> x <- /dartP[y <-]; rewrite !(on_cycleE map) fconnect_sym //; apply: nx_inj. Qed.
-
-Lemma turn_sym g h : half_edge t g -> half_edge t h -> on_orbit (turn t) g h -> on_orbit (turn t) h g.
-Proof. by case/dartP=> x <- /dartP[y <-]; rewrite !(on_rotationE map) fconnect_sym //; apply: tn_inj. Qed.
-
-Lemma orbit_trans says x y z : on_orbit says x y -> on_orbit says y z -> on_orbit says x z.
-Proof. by case=> i Ei [j Ej]; exists (j + i); rewrite iterD Ei. Qed.
-
 Lemma component_sizes (x : dart t) r es V E C : labels t (num x) = Some r ->
   lists_one_of_each es (same_edge t) (half_edge t) -> has_counts t (org x) V E C ->
   [/\ V = size (in_part r rotations), E = size (in_part r es) & C = size (in_part r cycles)].

@@ -172,4 +172,57 @@ move: W; rewrite (vertex_at_vertex S) => -[vw]; rewrite -vw in xw.
 by case: (@not_bare x); rewrite (connected_bare map low_v2 bv (connected_sym map xw)).
 Qed.
 
+(** A boundary component is on a side of each half-edge that names it: it starts at the same component. *)
+Lemma on_side i b w : boundary_of t i = Some b -> origin t i = Some w ->
+  (exists g, boundary_start t b = Some (AtHalfEdge g)) /\ exists2 v, vertex_at t b = Some v & connected t v w.
+Proof.
+move=> B; have li := heard_live B; case: (dartP li) B => x <-; rewrite (originE map) (boundaryE map) => -[<-] [<-].
+have [g S gx] := start_bnd x; split; first by exists (num g).
+exists (org g); first exact: vertex_at_cycle.
+by apply: (joined_connected map); apply: joined_orbit gx; apply: joined_nx.
+Qed.
+
+(** ** The list of a face *)
+
+(** The inner boundary components of the face [f], in order. *)
+Definition inner_list f := [seq odflt 0 (inner t f i) | i <- iota 0 (inner_count t f)].
+
+Lemma inner_listP f b : b \in inner_list f <-> is_inner t b /\ boundary_face t b = Some f.
+Proof.
+split=> [/mapP[i]|[[i P] F]].
+  rewrite mem_iota add0n => lt ->; have [_ _ _ Fl] := low_r1.
+  have lf : face t f by move: lt; rewrite /inner_count; case: ifP.
+  have [_ /(_ i lt)[c E _]] := Fl f lf; rewrite E /=; have [Ef Ep] := @listed_names f (Inner i) c E.
+  by split=> //; exists i.
+have [g [p [_ Ef Ep L]]] := placeP (heard_live P); move: Ef Ep L; rewrite F P => -[<-] [<-] /= E.
+apply/mapP; exists i; last by rewrite E.
+by rewrite mem_iota add0n; move: E; rewrite /inner; case: ifP.
+Qed.
+
+Lemma inner_list_uniq f : uniq (inner_list f).
+Proof.
+rewrite map_inj_in_uniq ?iota_uniq // => i j; rewrite !mem_iota !add0n => li lj.
+have lf : face t f by move: li; rewrite /inner_count; case: ifP.
+have [_ _ _ /(_ f lf)[_ I]] := low_r1; have [b Eb _] := I i li; have [c Ec _] := I j lj; rewrite Eb Ec /= => bc.
+have [_] := @listed_names f (Inner i) b Eb; have [_] := @listed_names f (Inner j) c Ec.
+by rewrite bc => -> -[].
+Qed.
+
 End Lists.
+
+(** F2 holds where each boundary component is listed at the place it names, and what is listed names its place. *)
+Lemma f2_if t : (forall b, boundary t b -> exists f p,
+    [/\ boundary_face t b = Some f, boundary_place t b = Some p & listed t f p = Some b]) ->
+  (forall f p b, listed t f p = Some b -> boundary_face t b = Some f /\ boundary_place t b = Some p) -> f2_listed t.
+Proof.
+move=> all names b /all[f [p [Ef Ep L]]]; exists f, p; split=> // f' p'; split=> [/names|[-> ->] //].
+by rewrite Ef Ep => -[[->] [->]].
+Qed.
+
+(** What a view says of a list without repetition: each is at the place of its index. *)
+Lemma listed_at (s : seq nat) i b : uniq s ->
+  (if i < size s then nth None [seq Some c | c <- s] i else None) = Some b <-> b \in s /\ seq.index b s = i.
+Proof.
+move=> u; split=> [|[bs <-]]; last by rewrite index_mem bs (nth_map 0) ?index_mem // nth_index.
+by case: ifP => // lt; rewrite (nth_map 0) // => -[<-]; rewrite mem_nth // index_uniq.
+Qed.

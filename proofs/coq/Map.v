@@ -101,6 +101,15 @@ Proof. exact: (on_orbit_step (@half_edge_below t) next_total). Qed.
 Lemma on_rotationE x y : on_orbit (turn t) (num x) (num y) <-> fconnect tn x y.
 Proof. by rewrite (on_orbit_step (@half_edge_below t) turn_total) (eq_fconnect step_turn). Qed.
 
+Lemma cycle_sym g h : half_edge t g -> half_edge t h -> on_cycle t g h -> on_cycle t h g.
+Proof. by case/dartP=> x <- /dartP[y <-]; rewrite !on_cycleE fconnect_sym //; apply: nx_inj. Qed.
+
+Lemma turn_sym g h : half_edge t g -> half_edge t h -> on_orbit (turn t) g h -> on_orbit (turn t) h g.
+Proof. by case/dartP=> x <- /dartP[y <-]; rewrite !on_rotationE fconnect_sym //; apply: tn_inj. Qed.
+
+Lemma orbit_trans says (i j k : nat) : on_orbit says i j -> on_orbit says j k -> on_orbit says i k.
+Proof. by case=> m Em [n En]; exists (n + m); rewrite iterD Em. Qed.
+
 (** ** Pieces: the half-edges that `next`, `prev` and `twin` lead to *)
 
 Lemma near_dart x : near t (num x) = [:: num (nx x); num (pv x); num (tw x)].

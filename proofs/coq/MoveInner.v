@@ -164,19 +164,6 @@ move=> u lu; have [c [O one]] := keeps T1 u lu; exists c; split; first exact/mov
 by move=> d /move_outside; apply: one.
 Qed.
 
-(** Every face is rooted, as it is unbounded or its component lies in a face. *)
-Lemma face_rooted h : face t h -> rooted t h.
-Proof.
-move=> lh; case E: (outer t h) => [c|]; last exact: rooted_here.
-have lc : boundary t c := listed_live low (E : listed t h Outer = Some c).
-have [w W lw] : exists2 w, vertex_at t c = Some w & vertex t w.
-  have [[H _ B _] _] := keeps R1; have [_] := B c lc; rewrite /vertex_at; case: (boundary_start t c) => [[k|x]|] //= l.
-    by have [[w W lw] _ _ _ _] := H k l; exists w.
-  by exists x.
-have [d [O _]] := keeps T1 w lw; have [h' D _] := outside_face low O.
-exact: rooted_out E W O D (keeps T2 w d h' lw O D).
-Qed.
-
 Lemma move_rooted_outside h : rooted t h -> ~ inside t b h -> rooted t' h.
 Proof.
 elim=> [k U _|k c w d k' E W O D _ IH no]; first exact: (@rooted_here t').
@@ -190,13 +177,13 @@ Proof.
 move=> no; elim=> [k U|k c w d k' E W O D _ IH]; first exact: (@rooted_here t').
 case: (d =P b) => [db|db].
   apply: (@rooted_out t' k c w d g) => //; [exact/move_outside|by rewrite moved_face db eqxx|].
-  exact: move_rooted_outside (face_rooted live_g) no.
+  exact: move_rooted_outside (face_rooted low (keeps T1) (keeps T2) live_g) no.
 by apply: (@rooted_out t' k c w d k') => //; [exact/move_outside|rewrite moved_face; case: eqP].
 Qed.
 
 Lemma move_t2 : ~ inside t b g -> t2_nesting t'.
 Proof.
-move=> no u c h lu /move_outside O; rewrite moved_face => E; apply: (move_rooted no); apply: face_rooted.
+move=> no u c h lu /move_outside O; rewrite moved_face => E; apply: (move_rooted no); apply: (face_rooted low (keeps T1) (keeps T2)).
 case: eqP E => [_ [<-] //|_ E]; have [[_ _ B _] _] := keeps R1.
 by have [[h' + lh] _] := B c (heard_live E); rewrite E => -[->].
 Qed.

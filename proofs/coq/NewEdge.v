@@ -10,7 +10,7 @@
 *)
 
 From mathcomp Require Import all_ssreflect.
-From twinedge Require Import View Rules Map.
+From twinedge Require Import Arith View Rules Map Counting Lists Genus WholeEuler.
 Set Implicit Arguments.
 Unset Strict Implicit.
 Unset Printing Implicit Defensive.
@@ -35,6 +35,14 @@ Lemma orbit_sub (f f' : nat -> link) x y : (forall u w z, f u = Some w -> on_orb
 Proof.
 move=> sub [n]; elim: n y => [|n IH] y /=; first by case=> <-; apply: orbit_refl.
 by case E: (iter n _ _) => [u|] //= U; apply: sub U _; apply: IH.
+Qed.
+
+(** Along [next] all is live. *)
+Lemma orbit_live t e i : rules t -> half_edge t e -> on_cycle t e i -> half_edge t i.
+Proof.
+move=> keeps le [m]; elim: m i => [|m IH] i /=; first by case=> <-.
+case E: (iter m _ _) => [u|] //= N; have [[H _ _ _] _] := keeps R1; have [_ _ [j + lj] _ _] := H u (IH u E).
+by rewrite N => -[->].
 Qed.
 
 (** ** Two views, one with the new edge *)
@@ -189,21 +197,48 @@ Qed.
 Lemma new_t2 : t2_nesting t'.
 Proof. by move=> u c f lu /outsideE O; rewrite boundary_face_same => E; apply: rooted_up; exact: (keeps T2 _ c f (hangs_live lu) O E). Qed.
 
-(** ** Half-edges of a component *)
-
-Lemma half_edge_of_old u i : half_edge t i -> half_edge_of t' u i <-> half_edge_of t (hangs u) i.
-Proof.
-move=> li; have [[w W lw] _ _ _ _] := links_of li; have W' : origin t' i = Some w by rewrite originE old_h ?old_k.
-split=> -[x]; rewrite ?W ?W' => -[<-] C; exists w => //.
-  by have := (connectedE u w).1 C; rewrite (hangs_old lw).
-by apply/connectedE; rewrite (hangs_old lw).
-Qed.
-
-Lemma half_edge_of_live s u i : half_edge_of s u i -> half_edge s i.
-Proof. by case=> w O _; apply: heard_live O. Qed.
+(** ** T3 *)
 
 Lemma same_edge_old i j : half_edge t i -> same_edge t' i j <-> same_edge t i j.
 Proof. by move=> li; rewrite /same_edge twinE old_h ?old_k. Qed.
+
+(** One edge more. *)
+Lemma edges_more es : lists_one_of_each es (same_edge t) (half_edge t) ->
+  lists_one_of_each (h :: es) (same_edge t') (half_edge t').
+Proof.
+case=> u ok one all; have no_edge i j : half_edge t i -> (j == h) || (j == k) -> ~ same_edge t i j.
+  move=> li jn [ij|T]; first by move: jn; rewrite -ij old_h ?old_k.
+  have [_ [g + lg] _ _ _] := links_of li; rewrite T => -[jg].
+  by move: jn; rewrite jg old_h ?old_k.
+split=> [|i|i j|i].
+- by rewrite /= u andbT; apply/negP=> /ok; rewrite (negPf free_h).
+- by rewrite inE => /orP[/eqP->|/ok/up_half_edge//]; rewrite half_edgeE eqxx.
+- rewrite !inE => /orP[/eqP->|/[dup] ei /ok li] /orP[/eqP->|/[dup] ej /ok lj] //.
+  + by case=> [E|]; [rewrite E|rewrite twinE eqxx => -[E]; rewrite -E (negPf free_k) in lj].
+  + by move/(same_edge_old _ li)/no_edge; rewrite eqxx; case.
+  by move/(same_edge_old _ li); apply: one.
+case/half_edgeP=> [||{}i li _ _]; [by exists h; [apply: mem_head|left]|
+  by exists h; [apply: mem_head|right; rewrite twinE eqxx]|].
+have [j ej S] := all i li; exists j; first by rewrite inE ej orbT.
+by apply/(same_edge_old _ (ok j ej)).
+Qed.
+
+(** One vertex and one edge more. *)
+Lemma new_t3 : lower t' -> t3_euler t'.
+Proof.
+move=> low'; have low : lower t by move=> q _; apply: keeps.
+have [es He] := edges_each low; have [uv inv] := lists_filter (@vertex_below t) (fun u => iff_refl (vertex t u)).
+have Hv' : lists (v :: [seq u <- iota 0 (vertex_slots t) | vertex t u]) (vertex t').
+  split=> [|u]; first by rewrite /= uv andbT; apply/negP=> /inv; rewrite (negPf free_vertex).
+  by rewrite inE vertexE; case: (u == v) => //=; apply: inv.
+have Hf := lists_filter (@face_below t) (fun f => iff_refl (face t f)).
+have Hf' : lists [seq f <- iota 0 (face_slots t) | face t f] (face t') by apply: lists_iff Hf => f; rewrite face_same.
+have Hb : lists (inner_ones t) (is_inner t).
+  by split=> [|c]; [rewrite !filter_uniq ?iota_uniq|apply: (inner_onesP low)].
+have Hb' : lists (inner_ones t) (is_inner t') by apply: lists_iff Hb => c; apply: iff_sym.
+have eq := (t3_counts low (keeps T1) (conj uv inv) He Hf Hb).1 (keeps T3).
+by apply/(t3_counts low' new_t1 Hv' (edges_more He) Hf' Hb'); move: eq => /=; arith.
+Qed.
 
 Lemma connected_live u w : vertex t u -> connected t u w -> vertex t w.
 Proof.

@@ -4,7 +4,7 @@
 
 From mathcomp Require Import all_ssreflect all_fingroup.
 From twinedge Require Import View Rules Reference Drawing Euler Subdivision Verdict FastPath FastPathProof AddVertex.
-From twinedge Require Import RemoveVertex MoveInner Renaming Connect ConnectIsolated.
+From twinedge Require Import RemoveVertex MoveInner Renaming Connect ConnectIsolated ConnectBridge ConnectSplit ConnectLoop.
 Set Implicit Arguments.
 Unset Strict Implicit.
 Unset Printing Implicit Defensive.
@@ -92,3 +92,27 @@ Check attach_to_isolated_keeps_rules : forall t o v b h k, isolated t o = Some b
 Check bridge_between_isolated_vertices_keeps_rules : forall t o v b c f h k, isolated t o = Some b -> face t f ->
   ~~ vertex t v -> ~~ boundary t c -> ~~ half_edge t h -> ~~ half_edge t k -> h != k ->
   rules (add_isolated_vertex t v c f) -> rules (attach_to_isolated t o v b h k).
+
+(** Connecting two cycles of a face keeps all rules, whichever of the two boundary components is kept. *)
+
+Check bridge_keeps_rules : forall t a b h k f kept dropped,
+  boundary_of t a = Some kept /\ boundary_of t b = Some dropped \/
+  boundary_of t a = Some dropped /\ boundary_of t b = Some kept ->
+  kept <> dropped -> boundary_face t kept = Some f -> boundary_face t dropped = Some f ->
+  ~~ half_edge t h -> ~~ half_edge t k -> h != k ->
+  rules t -> rules (bridge t a b h k f kept dropped).
+
+(** Connecting two corners of one cycle keeps all rules, whichever of the two cycles is new, bounds the new face, and
+    whatever goes there. *)
+
+Check split_face_keeps_rules : forall t a b h k f g kept made made_left new_left moved,
+  boundary_of t a = Some kept -> boundary_of t b = Some kept -> boundary_face t kept = Some f ->
+  ~~ half_edge t h -> ~~ half_edge t k -> h != k -> ~~ boundary t made -> ~~ face t g ->
+  rules t -> rules (split_face t a b h k f g kept made made_left new_left moved).
+
+(** So does a loop at an isolated vertex. *)
+
+Check loop_at_isolated_keeps_rules : forall t v h k f g kept made made_left new_left moved,
+  isolated t v = Some kept -> boundary_face t kept = Some f ->
+  ~~ half_edge t h -> ~~ half_edge t k -> h != k -> ~~ boundary t made -> ~~ face t g ->
+  rules t -> rules (loop_at_isolated t v h k f g kept made made_left new_left moved).

@@ -103,6 +103,31 @@ case: (upP lf) => [[_]|[b [w [b' [f' [O W o Ef [up lf']]]]]]]; first by rewrite 
 by move: E; rewrite up => -[fg]; apply: rooted_out O W o Ef _; rewrite fg in lf' *; apply: IH.
 Qed.
 
+(** Every face is rooted, as it is unbounded or its component lies in a face. *)
+Lemma face_rooted : t2_nesting t -> forall f, face t f -> rooted t f.
+Proof.
+move=> t2 f lf; case: (faceP low lf) => [E|x E S]; first exact: rooted_here.
+have [b' [o _]] := t1 (org_live map x); have [f' Ef _] := outside_face o.
+exact: (rooted_out E (vertex_at_cycle low S) o Ef (t2 _ _ _ (org_live map x) o Ef)).
+Qed.
+
+(** What bounds a rooted face lies in a rooted face. *)
+Lemma rooted_from f b w : rooted t f -> outer t f = Some b -> vertex_at t b = Some w ->
+  exists c g, [/\ outside_of t w c, boundary_face t c = Some g & rooted t g].
+Proof.
+by case=> {f} [f [_ ->]|f b' w' c g -> W O Ec R] // [<-]; rewrite W => -[<-]; exists c, g.
+Qed.
+
+(** No component lies in a face that it bounds. *)
+Lemma not_in_itself f b w c : rooted t f -> outer t f = Some b -> vertex_at t b = Some w -> vertex t w ->
+  outside_of t w c -> boundary_face t c <> Some f.
+Proof.
+elim=> {f} [f [_ E]|f b' w' c' f' E W O Ef _ IH]; first by rewrite E.
+move=> Eb Wb lw Oc; move: E; rewrite Eb => -[bb]; move: W; rewrite -bb Wb => -[ww]; rewrite -ww in O.
+have [d [_ one]] := t1 lw; rewrite -(one c' O) (one c Oc) in Ef.
+by move=> Fc; move: (Fc); rewrite Ef => -[ff]; rewrite ff in IH; apply: IH Eb Wb lw Oc Fc.
+Qed.
+
 Lemma check_t2P : reflect (t2_nesting t) (check_t2 t (labels t)).
 Proof.
 have up_live f g : face t f -> up f = Some g -> face t g.
@@ -110,10 +135,7 @@ have up_live f g : face t f -> up f = Some g -> face t g.
 apply: (iffP (all_climbP (@face_below t) up_live _)) => H.
   move=> v b f lv o Ef; have [g Eg lg] := outside_face o; move: Ef; rewrite Eg => -[<-].
   by apply/rooted_climbs => //; apply: H => //; apply: face_below.
-move=> f _ lf; apply/rooted_climbs => //; case: (faceP low lf) => [E|x E S]; first exact: rooted_here.
-have [b' [o _]] := t1 (org_live map x); have [f' Ef lf'] := outside_face o.
-apply: (rooted_out E (vertex_at_cycle low S) o Ef).
-by apply: H o Ef; apply: org_live.
+by move=> f _ lf; apply/rooted_climbs => //; apply: face_rooted.
 Qed.
 
 End Nesting.

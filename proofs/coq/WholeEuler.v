@@ -198,4 +198,32 @@ Corollary euler_plane V E F cs : map_has_counts t V E F -> lists_one_of_each cs 
   t3_euler t <-> V + F = 1 + size cs + E.
 Proof. by move=> H Hc; have [g [eq <-]] := euler_whole H Hc; split; arith. Qed.
 
+(** There are as many components as inner boundary components. So T3 holds if and only if four lists fit together. *)
+Corollary t3_counts vs es fs bs : lists vs (vertex t) -> lists_one_of_each es (same_edge t) (half_edge t) ->
+  lists fs (face t) -> lists bs (is_inner t) -> t3_euler t <-> size vs + size fs = 1 + size bs + size es.
+Proof.
+move=> Hv He Hf [ub Hb]; pose at_vertex b := odflt 0 (vertex_at t b).
+have atE b : b \in bs -> [/\ vertex_at t b = Some (at_vertex b), vertex t (at_vertex b) & outside_of t (at_vertex b) b].
+  move/Hb=> I; have [v W lv] : exists2 v, vertex_at t b = Some v & vertex t v.
+    have lb : boundary t b by case: I => i P; apply: heard_live P.
+    case: (boundaryP low lb) => [x S _|v S lv _ _].
+      by exists (org x); [apply: vertex_at_cycle | apply: org_live].
+    by exists v => //; apply: vertex_at_vertex.
+  rewrite /at_vertex W; split=> //; split=> //; exists v => //; exact: connected_self.
+have same b c : b \in bs -> c \in bs -> connected t (at_vertex b) (at_vertex c) -> b = c.
+  move=> bb cc C; have [_ lv O] := atE b bb; have [W _ [I _]] := atE c cc; have [d [_ one]] := t1 lv.
+  by rewrite -(one b O) (one c) //; split=> //; exists (at_vertex c).
+have Hc : lists_one_of_each [seq at_vertex b | b <- bs] (connected t) (vertex t).
+  split=> [|v /mapP[b bb ->]|v w /mapP[b bb ->] /mapP[c cc ->] C|v lv].
+  - by rewrite map_inj_in_uniq // => b c bb cc E; apply: same => //; rewrite E; apply: connected_self.
+  - by have [] := atE b bb.
+  - by rewrite (same b c).
+  have [b [[I [w W C]] _]] := t1 lv; have bb : b \in bs by apply/Hb.
+  exists (at_vertex b); first exact: map_f.
+  by apply: (connected_sym map); rewrite /at_vertex W.
+have := @euler_plane (size vs) (size es) (size fs) _ (ex_intro _ vs (ex_intro _ es (ex_intro _ fs
+  (And4 Hv He Hf (And3 erefl erefl erefl))))) Hc.
+by rewrite size_map.
+Qed.
+
 End Whole.
