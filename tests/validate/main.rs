@@ -10,6 +10,7 @@ mod adversarial_views;
 mod comparison;
 mod embeddings;
 mod expectations;
+mod forms;
 mod open_embeddings;
 mod reports;
 mod serialized;
