@@ -9,15 +9,8 @@ use super::table::{FaceRow, Table};
 use super::view::{BoundaryPlace, Link, Start, View};
 use alloc::vec::Vec;
 
-const PARTS: [Part; 7] = [
-    Part::Prev,
-    Part::Leaving,
-    Part::Faces,
-    Part::BoundaryComponents,
-    Part::Places,
-    Part::Holes,
-    Part::UnboundedFace,
-];
+const PARTS: [Part; 7] =
+    [Part::Prev, Part::Leaving, Part::Faces, Part::BoundaryComponents, Part::Places, Part::Holes, Part::UnboundedFace];
 
 /// Every distinct expectation, each once: plane or surface, closed or open, with and without each part.
 ///
