@@ -27,6 +27,7 @@
 //! | --- | --- |
 //! | drive a structure of your own | the trait [`Subject`]; [`Dcel`](crate::dcel::Dcel) has it, over every store |
 //! | see whether it does what it should | [`conformance::run`]: it and [`PointerModel`] in step, compared after every operator |
+//! | check what the operators of `Dcel` report as well | [`Reported`] |
 //! | get programs | [`Program::from_bytes`]; the features `arbitrary` and `quickcheck` for the crates of these names |
 //! | make a failing one small | [`shrink`]; `quickcheck` does it by itself |
 //! | keep it | its text ([`Display`](core::fmt::Display), [`FromStr`](core::str::FromStr)), or [`Program::to_rust`] |
@@ -54,6 +55,7 @@ mod outcome;
 mod pointer_model;
 #[cfg(feature = "quickcheck")]
 mod quickcheck;
+mod reported;
 mod resolve;
 mod retarget;
 mod rotation_system;
@@ -71,6 +73,7 @@ pub use every::{every_op, try_every_op};
 pub use op::{CornerPick, CountChange, FacePick, HalfEdgePick, InnerPick, Op, Program, SecondPick, VertexPick};
 pub use outcome::StepOutcome;
 pub use pointer_model::{PointerModel, PointerModelFace, PointerModelHalfEdge, PointerModelVertex};
+pub use reported::Reported;
 pub use rotation_system::RotationSystem;
 pub use runner::Runner;
 pub use shrink::{candidates, shrink};

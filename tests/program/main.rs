@@ -12,3 +12,4 @@ mod conformance;
 mod counts;
 mod in_step;
 mod program;
+mod reported;
