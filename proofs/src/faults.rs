@@ -110,7 +110,8 @@ impl Fault {
 /// # Errors
 /// [`FaultError::Stale`], [`FaultError::Overlap`].
 pub fn plant(source: &str, faults: &[(usize, &Fault)]) -> Result<String, FaultError> {
-    let mut placed = faults.iter().map(|(n, fault)| Ok((fault.place(source)?, *n, *fault))).collect::<Result<Vec<_>, _>>()?;
+    let mut placed =
+        faults.iter().map(|(n, fault)| Ok((fault.place(source)?, *n, *fault))).collect::<Result<Vec<_>, _>>()?;
     placed.sort_by_key(|(place, n, _)| (*place, *n));
     let (mut planted, mut done) = (String::new(), 0);
     let mut rest = &placed[..];

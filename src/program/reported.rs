@@ -28,7 +28,7 @@ use alloc::vec::Vec;
 /// conformance::run(&program, Reported::new(Dcel::new()), &Expectation::plane())?;
 /// # Ok::<(), conformance::Failure>(())
 /// ```
-#[derive(Clone, Debug, Default)]
+#[derive(Clone, Debug)]
 pub struct Reported<S: Store = SlotStore> {
     dcel: Dcel<S>,
     dropped: Vec<BoundaryKey>,
@@ -106,6 +106,12 @@ impl Changed {
 #[track_caller]
 fn reports<T: PartialEq + core::fmt::Debug>(operator: &str, what: &str, reported: T, found: T) {
     assert!(reported == found, "{operator} reports {what} {reported:?}, not {found:?}");
+}
+
+impl<S: Store> Default for Reported<S> {
+    fn default() -> Self {
+        Self::new(Dcel::default())
+    }
 }
 
 impl<S: Store> Reported<S> {
@@ -245,7 +251,10 @@ impl<S: Store> Subject for Reported<S> {
         let right = self.twin_of(half_edge).ok().and_then(|twin| self.left_of(twin));
         let (removed, changed) = self.run(|dcel| dcel.remove_edge(half_edge))?;
         match (removed, left.zip(right)) {
-            (RemovedEdge::Merged { kept_face, dropped_face, kept, dropped }, Some(((left, outer), (right, beyond)))) => {
+            (
+                RemovedEdge::Merged { kept_face, dropped_face, kept, dropped },
+                Some(((left, outer), (right, beyond))),
+            ) => {
                 changed.counts("remove_edge", [0; 4], [0, 2, 1, 1]);
                 reports("remove_edge", "as dropped", dropped, changed.gone.boundaries[0]);
                 reports("remove_edge", "as kept", kept, if dropped == left { right } else { left });

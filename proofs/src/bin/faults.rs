@@ -1,8 +1,9 @@
 //! Plants every fault of `proofs/faults/` in a copy of the sources, and prints which check catches which.
 //!
 //! ```text
-//! cargo run -p twinedge-proofs --bin faults                 the table, in Markdown
-//! cargo run -p twinedge-proofs --bin faults -- --only R1    the faults with these words in their names
+//! cargo run -p twinedge-proofs --bin faults                            the table, in Markdown
+//! cargo run -p twinedge-proofs --bin faults -- --only R1               the faults with these words in their names
+//! cargo run -p twinedge-proofs --bin faults -- --checks corrupt,soak   these checks alone
 //! ```
 //!
 //! One build holds all faults, each behind a switch that is read from the environment. Each check then runs once without a fault,
@@ -39,23 +40,33 @@ enum End {
     TimedOut,
 }
 
+/// The checks that are test binaries: the name, the arguments by which cargo builds it, and its source as cargo names it.
+const TESTS: [(&str, &[&str], &str); 4] = [
+    ("validate", &["-p", "twinedge", "--test", "validate"], "tests/validate/main.rs"),
+    ("dcel", &["-p", "twinedge", "--test", "dcel"], "tests/dcel/main.rs"),
+    ("program", &["-p", "twinedge", "--test", "program"], "tests/program/main.rs"),
+    ("harnesses", &["-p", "twinedge-proofs", "--lib"], "unittests src/lib.rs"),
+];
+
 /// The checks of the program `twinedge`.
 const COMMANDS: [(&str, &[&str]); 5] = [
-    ("`corrupt`", &["corrupt", "--edges", "2", "--pairs", "20000", "--seed", "1", "--threads", "1"]),
-    ("`tables`", &["tables", "--half-edges", "2", "--threads", "1"]),
-    ("`sample`", &["sample", "--tables", "20000", "--seed", "1", "--threads", "1"]),
-    ("`prove`", &["prove", "--edges", "3", "--threads", "1"]),
-    ("`soak`", &["soak", "--programs", "150", "--seed", "1", "--threads", "1", "--save", "/dev/null/none"]),
+    ("corrupt", &["corrupt", "--edges", "2", "--pairs", "5000", "--seed", "1", "--threads", "1"]),
+    ("tables", &["tables", "--half-edges", "2", "--threads", "1"]),
+    ("sample", &["sample", "--tables", "5000", "--seed", "1", "--threads", "1"]),
+    ("prove", &["prove", "--edges", "2", "--threads", "1"]),
+    ("soak", &["soak", "--programs", "60", "--seed", "1", "--threads", "1", "--save", "/dev/null/none"]),
 ];
 
 fn main() -> Result<()> {
-    let only: Vec<String> = std::env::args().skip_while(|argument| argument != "--only").skip(1).collect();
+    let option = |name: &str| std::env::args().skip_while(|argument| argument != name).nth(1);
+    let (only, chosen) = (option("--only"), option("--checks"));
+    let is_chosen = |name: &str| chosen.as_ref().is_none_or(|names| names.split(',').any(|other| other == name));
     let root = Path::new(env!("CARGO_MANIFEST_DIR")).join("..").canonicalize()?;
     let faults = read(&root.join("proofs/faults"))?;
     let build = root.join("target/faults");
     let copy = build.join("sources");
     copy_planted(&root, &copy, &faults)?;
-    let checks = built(&copy, &build)?;
+    let checks = built(&copy, &build, is_chosen)?;
     for check in &checks {
         let start = Instant::now();
         if check.run(None)? != End::Passed {
@@ -64,7 +75,7 @@ fn main() -> Result<()> {
         eprintln!("{} passes without a fault in {:.1} s", check.name, start.elapsed().as_secs_f64());
     }
     let wanted: Vec<usize> =
-        (0..faults.len()).filter(|n| only.iter().all(|words| faults[*n].what.contains(words))).collect();
+        (0..faults.len()).filter(|n| only.as_ref().is_none_or(|words| faults[*n].what.contains(words))).collect();
     let caught = matrix(&checks, &wanted)?;
     print(&checks, &faults, &caught);
     Ok(())
@@ -89,7 +100,8 @@ fn copy_planted(root: &Path, copy: &Path, faults: &[Fault]) -> Result<()> {
             let entry = entry?;
             let path = folder.join(entry.file_name());
             if entry.file_type()?.is_dir() {
-                let is_source = !["target", ".git", "coq", "corpus", "artifacts"].iter().any(|name| path.ends_with(name));
+                let is_source =
+                    !["target", ".git", "coq", "corpus", "artifacts"].iter().any(|name| path.ends_with(name));
                 folders.extend(is_source.then_some(path));
                 continue;
             }
@@ -113,7 +125,7 @@ fn copy_planted(root: &Path, copy: &Path, faults: &[Fault]) -> Result<()> {
 }
 
 /// Builds the copy, and gives the checks.
-fn built(copy: &Path, build: &Path) -> Result<Vec<Check>> {
+fn built(copy: &Path, build: &Path, is_chosen: impl Fn(&str) -> bool) -> Result<Vec<Check>> {
     let cargo = |arguments: &[&str]| -> Result<String> {
         let mut cargo = Command::new(std::env::var_os("CARGO").unwrap_or_else(|| "cargo".into()));
         cargo.args(arguments).current_dir(copy).env("CARGO_TARGET_DIR", build).env("CARGO_INCREMENTAL", "0");
@@ -126,27 +138,21 @@ fn built(copy: &Path, build: &Path) -> Result<Vec<Check>> {
         let said = String::from_utf8_lossy(&output.stderr).into_owned();
         if output.status.success() { Ok(said) } else { Err(format!("cargo {}: {said}", arguments.join(" ")).into()) }
     };
-    let tests = ["test", "--release", "--no-run", "-p"];
-    let library = ["twinedge", "--test", "validate", "--test", "dcel", "--test", "program"];
-    let said = cargo(&[&tests[..], &library].concat())? + &cargo(&[&tests[..], &["twinedge-proofs", "--lib"]].concat())?;
-    cargo(&["build", "--release", "-p", "twinedge-cli"])?;
     let mut checks = Vec::new();
-    for (name, source) in [
-        ("tests of `validate`", "tests/validate/main.rs"),
-        ("of `dcel`", "tests/dcel/main.rs"),
-        ("of `program`", "tests/program/main.rs"),
-        ("harnesses", "unittests src/lib.rs"),
-    ] {
+    for (name, arguments, source) in TESTS.iter().filter(|(name, ..)| is_chosen(name)) {
+        let said = cargo(&[&["test", "--release", "--no-run"], *arguments].concat())?;
         let line = said.lines().find(|line| line.contains(source)).ok_or_else(|| format!("cargo made no {source}"))?;
-        let program = line.split_once('(').and_then(|(_, rest)| rest.split_once(')')).ok_or("cargo says something else")?.0;
+        let program =
+            line.split_once('(').and_then(|(_, rest)| rest.split_once(')')).ok_or("cargo says something else")?.0;
         checks.push(Check { name, program: copy.join(program), arguments: vec!["--test-threads=1", "-q"] });
     }
+    if COMMANDS.iter().any(|(name, _)| is_chosen(name)) {
+        cargo(&["build", "--release", "-p", "twinedge-cli"])?;
+    }
     let program = build.join("release/twinedge");
-    checks.extend(COMMANDS.iter().map(|(name, arguments)| Check {
-        name,
-        program: program.clone(),
-        arguments: arguments.to_vec(),
-    }));
+    for (name, arguments) in COMMANDS.iter().filter(|(name, _)| is_chosen(name)) {
+        checks.push(Check { name, program: program.clone(), arguments: arguments.to_vec() });
+    }
     Ok(checks)
 }
 
@@ -177,7 +183,7 @@ impl Check {
     }
 }
 
-/// Runs every check with each of these faults, two faults at a time.
+/// Runs every check with each of these faults, four faults at a time.
 fn matrix(checks: &[Check], wanted: &[usize]) -> Result<BTreeMap<usize, Vec<End>>> {
     let (next, done) = (AtomicUsize::new(0), Mutex::new(BTreeMap::new()));
     let work = || -> Result<()> {
@@ -190,7 +196,7 @@ fn matrix(checks: &[Check], wanted: &[usize]) -> Result<BTreeMap<usize, Vec<End>
         Ok(())
     };
     std::thread::scope(|scope| {
-        let threads = [scope.spawn(work), scope.spawn(work)];
+        let threads = [(); 4].map(|()| scope.spawn(work));
         threads.into_iter().try_for_each(|thread| thread.join().map_err(|_| "a thread panicked")?)
     })?;
     Ok(done.into_inner().map_err(|_| "a thread panicked")?)
