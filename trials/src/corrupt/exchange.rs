@@ -6,7 +6,7 @@
 
 use std::mem::swap;
 use twinedge::validate::enumerate::Cell;
-use twinedge::validate::{BoundaryPlace, Expectation, FaceRow, Link, Part, Start, Table, View};
+use twinedge::validate::{BoundaryPlace, BoundaryRow, Expectation, FaceRow, Link, Part, Start, Table, View};
 
 /// The kind of record of which two are exchanged.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -33,6 +33,12 @@ pub(super) enum Exchange {
     OwnTwins(usize),
     /// Two half-edges become twins, and so do their former twins.
     Twins(usize, usize),
+    /// The twins of three half-edges, all with one origin, are those of one another, in turn: none leads back.
+    TurnedTwins([usize; 3]),
+    /// A loop becomes one half-edge, its own twin. The other one is removed, and what it alone bounded.
+    Halved(usize),
+    /// An isolated vertex that lies in no face gets one, of which it is the outer boundary component.
+    AddedFace(usize),
     /// Each of two half-edges is followed by what followed the other. `prev` follows.
     Nexts(usize, usize),
     /// The same for three that end at one vertex, in turn; with the labels, what is one cycle then is one boundary component.
@@ -43,6 +49,8 @@ pub(super) enum Exchange {
     MadeInner { entry: usize, of: usize },
     /// An inner boundary component becomes the outer one of a face that is added.
     MadeOuter { entry: usize },
+    /// The same, and a vertex on its cycle becomes the inner one in its place, as if it were isolated.
+    MadeVertex { entry: usize },
 }
 
 impl Exchange {
@@ -67,7 +75,7 @@ impl Exchange {
                 let others = (0..table.faces.len()).filter(|f| table.is_face(*f) && *f != listed.face);
                 all.extend(others.map(|of| Self::MadeInner { entry, of }));
             } else {
-                all.push(Self::MadeOuter { entry });
+                all.extend([Self::MadeOuter { entry }, Self::MadeVertex { entry }]);
             }
         }
         if expectation.has(Part::Holes) && expectation.has(Part::Faces) {
@@ -77,9 +85,18 @@ impl Exchange {
                 }
             }
         }
+        if expectation.has(Part::BoundaryComponents) && !expectation.has(Part::UnboundedFace) {
+            let live = |v: &usize| table.is_vertex(*v);
+            let is_connected = |v: &usize| table.half_edges.iter().flatten().any(|row| row.origin == Some(*v));
+            let alone =
+                (0..table.vertices.len()).filter(|v| live(v) && !is_connected(v) && table.isolated(*v).is_none());
+            all.extend(alone.map(Self::AddedFace));
+        }
         let live: Vec<usize> = (0..table.half_edges.len()).filter(|h| table.is_half_edge(*h)).collect();
         let paired = |h: usize| table.twin(h).is_some();
         all.extend(live.iter().filter(|h| table.twin(**h).is_some_and(|t| t > **h)).map(|h| Self::OwnTwins(*h)));
+        let is_loop = |h: usize| table.twin(h).is_some_and(|t| table.origin(t) == table.origin(h));
+        all.extend(live.iter().filter(|h| is_loop(**h)).map(|h| Self::Halved(*h)));
         for [i, j] in pairs(live.len()) {
             let (g, h) = (live[i], live[j]);
             if paired(g) && paired(h) && table.twin(g) != Some(h) {
@@ -93,6 +110,9 @@ impl Exchange {
             // The first is the least, in both senses of turning.
             if i < j && half_edges.iter().all(|h| target(*h) == target(live[i])) {
                 for half_edges in [half_edges, [live[i], live[k], live[j]]] {
+                    if half_edges.iter().all(|h| paired(*h)) {
+                        all.push(Self::TurnedTwins(half_edges));
+                    }
                     all.push(Self::Turned { half_edges, with_labels: false });
                     if expectation.has(Part::Faces) {
                         all.push(Self::Turned { half_edges, with_labels: true });
@@ -110,10 +130,12 @@ impl Exchange {
             Self::Records(..) => "exchanged: two records",
             Self::Cycles { .. } => "exchanged: two cycles",
             Self::Lists { .. } => "exchanged: two lists",
-            Self::OwnTwins(_) | Self::Twins(..) => "exchanged: twins",
+            Self::OwnTwins(_) | Self::Twins(..) | Self::TurnedTwins(_) => "exchanged: twins",
+            Self::Halved(_) => "halved: a loop",
+            Self::AddedFace(_) => "added: a face",
             Self::Nexts(..) | Self::Turned { .. } => "exchanged: nexts",
             Self::Joined(_) => "joined: two cycles",
-            Self::MadeInner { .. } | Self::MadeOuter { .. } => "moved: a cycle",
+            Self::MadeInner { .. } | Self::MadeOuter { .. } | Self::MadeVertex { .. } => "moved: a cycle",
         }
     }
 
@@ -141,6 +163,15 @@ impl Exchange {
                 pair(table, g, h);
                 pair(table, twin_g, twin_h);
             }),
+            Self::TurnedTwins([f, g, h]) => {
+                table.twin(f).zip(table.twin(g)).zip(table.twin(h)).map(|((twin_f, twin_g), twin_h)| {
+                    for (h, twin) in [(f, twin_g), (g, twin_h), (h, twin_f)] {
+                        set_twin(table, h, twin);
+                    }
+                })
+            }
+            Self::Halved(h) => halve(table, expectation, h),
+            Self::AddedFace(v) => add_face(table, expectation, v),
             Self::Nexts(g, h) => turn(table, expectation, &[g, h]),
             Self::Turned { half_edges, with_labels } => turn(table, expectation, &half_edges)
                 .and_then(|()| if with_labels { label_cycles(table, expectation) } else { Some(()) }),
@@ -153,6 +184,9 @@ impl Exchange {
             }
             Self::MadeOuter { entry } => {
                 entries(table, expectation).get(entry).and_then(|entry| make_outer(table, *entry))
+            }
+            Self::MadeVertex { entry } => {
+                entries(table, expectation).get(entry).and_then(|entry| make_vertex(table, expectation, *entry))
             }
         };
         done.is_some() && *table != before
@@ -311,6 +345,36 @@ fn pair(table: &mut Table, g: usize, h: usize) {
     set_twin(table, h, g);
 }
 
+fn add_face(table: &mut Table, expectation: &Expectation, v: usize) -> Option<()> {
+    let (b, face) = (table.boundaries.len(), table.faces.len());
+    let place = expectation.has(Part::Places).then_some(BoundaryPlace::Outer);
+    table.boundaries.push(Some(BoundaryRow { face: Some(face), start: Some(Start::Vertex(v)), place }));
+    table.faces.push(Some(FaceRow { outer: Some(b), ..FaceRow::default() }));
+    if expectation.has(Part::Holes) {
+        table.vertices.get_mut(v)?.as_mut()?.isolated = Some(b);
+    }
+    Some(())
+}
+
+fn halve(table: &mut Table, expectation: &Expectation, h: usize) -> Option<()> {
+    let t = table.twin(h)?;
+    let (v, after) = (table.origin(t)?, table.next(t)?);
+    let live = (0..table.half_edges.len()).filter(|g| table.is_half_edge(*g)).collect::<Vec<_>>();
+    let before = live.into_iter().find(|g| table.next(*g) == Some(t))?;
+    for entry in entries(table, expectation).into_iter().filter(|entry| entry.start == Start::HalfEdge(t)) {
+        if after == t { unlist(table, entry, true)? } else { set_start(table, entry, Start::HalfEdge(after))? }
+    }
+    table.half_edges.get_mut(before)?.as_mut()?.next = Some(after);
+    if expectation.has(Part::Prev) {
+        table.half_edges.get_mut(after)?.as_mut()?.prev = Some(before);
+    }
+    let vertex = table.vertices.get_mut(v)?.as_mut()?;
+    vertex.leaving = vertex.leaving.map(|leaving| if leaving == t { h } else { leaving });
+    set_twin(table, h, h);
+    table.half_edges[t] = None;
+    Some(())
+}
+
 /// What follows each half-edge follows the one before it in the list instead.
 fn turn(table: &mut Table, expectation: &Expectation, half_edges: &[usize]) -> Option<()> {
     let nexts: Vec<usize> = half_edges.iter().map(|h| table.next(*h)).collect::<Option<_>>()?;
@@ -400,6 +464,22 @@ fn make_outer(table: &mut Table, entry: Entry) -> Option<()> {
     let outer_half_edge = if entry.boundary.is_some() { None } else { Some(h) };
     table.faces.push(Some(FaceRow { outer: entry.boundary, outer_half_edge, ..FaceRow::default() }));
     name(table, Entry { face: table.faces.len() - 1, place: BoundaryPlace::Outer, ..entry });
+    Some(())
+}
+
+fn make_vertex(table: &mut Table, expectation: &Expectation, entry: Entry) -> Option<()> {
+    make_outer(table, entry)?;
+    let Start::HalfEdge(h) = entry.start else { return None };
+    let start = Some(Start::Vertex(table.origin(h)?));
+    let b = table.boundaries.len();
+    let row = table.faces.get_mut(entry.face)?.as_mut()?;
+    if entry.boundary.is_none() {
+        row.inner_starts.push(start);
+        return Some(());
+    }
+    let place = expectation.has(Part::Places).then_some(BoundaryPlace::Inner(row.inner.len()));
+    row.inner.push(Some(b));
+    table.boundaries.push(Some(BoundaryRow { face: Some(entry.face), start, place }));
     Some(())
 }
 

@@ -8,7 +8,8 @@
 //! One field that is set to something else mostly makes a count differ. So corruptions that keep the counts follow: what two cells
 //! of a kind hold is exchanged, and two whole records; what two cycles bound, or two faces list, with and without what leads
 //! there; the twins of two edges, or each half-edge becomes its own twin; and what follows two half-edges, or three around a
-//! vertex. Two cycles become one boundary component, an outer one becomes an inner one, and the other way round. Among these are
+//! vertex. Two cycles become one boundary component, an outer one becomes an inner one, and the other way round; and
+//! a loop becomes a single half-edge that is its own twin. Among these are
 //! tables that break T1, T2 and T3 and no rule before.
 //!
 //! Maps of up to two edges and two vertices are also judged in every form: as each of the 112 [expectations](forms) has them, closed
