@@ -11,7 +11,7 @@
 //! wrong  the wrong expression
 //! ```
 
-use std::fmt;
+use std::fmt::{self, Write as _};
 
 /// One fault.
 #[derive(Clone, Debug, PartialEq, Eq)]
@@ -123,9 +123,9 @@ pub fn plant(source: &str, faults: &[(usize, &Fault)]) -> Result<String, FaultEr
         planted.push_str(&source[done..*place]);
         planted.push('(');
         for (_, n, fault) in &rest[..same] {
-            planted.push_str(&format!("if crate::planted_fault({n}) {{ {} }} else ", fault.wrong));
+            let _ = write!(planted, "if crate::planted_fault({n}) {{ {} }} else ", fault.wrong);
         }
-        planted.push_str(&format!("{{ {} }})", first.text));
+        let _ = write!(planted, "{{ {} }})", first.text);
         done = place + first.text.len();
         rest = &rest[same..];
     }

@@ -104,7 +104,7 @@ impl Changed {
 
 /// Asserts that an operator reported what it did.
 #[track_caller]
-fn reports<T: PartialEq + core::fmt::Debug>(operator: &str, what: &str, reported: T, found: T) {
+fn reports<T: Copy + PartialEq + core::fmt::Debug>(operator: &str, what: &str, reported: T, found: T) {
     assert!(reported == found, "{operator} reports {what} {reported:?}, not {found:?}");
 }
 

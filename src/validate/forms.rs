@@ -101,7 +101,7 @@ pub fn projections(table: &Table, expectation: &Expectation) -> Vec<Table> {
     let mut all = alloc::vec![projected(table, expectation)];
     if expectation.is_open() {
         if expectation.has(Part::Faces) {
-            let faces = (0..table.faces.len()).filter_map(|f| without_face(table, expectation, f));
+            let faces = (0..table.faces.len()).filter_map(|f| without_face(table, *expectation, f));
             all.extend(faces.map(|open| projected(&open, expectation)));
         }
         let cycles = (0..table.boundaries.len()).filter_map(|b| without_cycle(table, b));
@@ -116,17 +116,14 @@ fn unlist_inner(table: &mut Table, f: usize) {
     for b in core::mem::take(&mut row.inner).into_iter().flatten() {
         let alone = table.faces.len();
         let Some(boundary) = table.boundaries.get_mut(b).and_then(Option::as_mut) else { continue };
-        match boundary.start {
-            Some(Start::Vertex(v)) => {
-                table.boundaries[b] = None;
-                if let Some(vertex) = table.vertices.get_mut(v).and_then(Option::as_mut) {
-                    vertex.isolated = None;
-                }
+        if let Some(Start::Vertex(v)) = boundary.start {
+            table.boundaries[b] = None;
+            if let Some(vertex) = table.vertices.get_mut(v).and_then(Option::as_mut) {
+                vertex.isolated = None;
             }
-            _ => {
-                (boundary.face, boundary.place) = (Some(alone), Some(BoundaryPlace::Outer));
-                table.faces.push(Some(FaceRow { outer: Some(b), ..FaceRow::default() }));
-            }
+        } else {
+            (boundary.face, boundary.place) = (Some(alone), Some(BoundaryPlace::Outer));
+            table.faces.push(Some(FaceRow { outer: Some(b), ..FaceRow::default() }));
         }
     }
 }
@@ -152,7 +149,7 @@ fn drop_boundaries(table: &mut Table) {
 }
 
 /// The table without a face: its half-edges bound none.
-fn without_face(table: &Table, expectation: &Expectation, f: usize) -> Option<Table> {
+fn without_face(table: &Table, expectation: Expectation, f: usize) -> Option<Table> {
     let row = table.faces.get(f)?.as_ref()?;
     let listed = || row.outer.iter().chain(row.inner.iter().flatten());
     let is_vertex = |b: &usize| matches!(table.boundary_start(*b), Some(Start::Vertex(_)));

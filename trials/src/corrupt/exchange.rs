@@ -55,7 +55,7 @@ pub(super) enum Exchange {
 
 impl Exchange {
     /// All of them, of a right table in the form of this expectation.
-    pub(super) fn all(table: &Table, expectation: &Expectation) -> Vec<Self> {
+    pub(super) fn all(table: &Table, expectation: Expectation) -> Vec<Self> {
         let mut all = cells(table, expectation);
         all.extend(records(table, expectation));
         all.extend(Self::structural(table, expectation));
@@ -63,7 +63,7 @@ impl Exchange {
     }
 
     /// Those of cycles, lists, twins and nexts: links that follow one another are changed together.
-    pub(super) fn structural(table: &Table, expectation: &Expectation) -> Vec<Self> {
+    pub(super) fn structural(table: &Table, expectation: Expectation) -> Vec<Self> {
         let mut all = Vec::new();
         let entries = entries(table, expectation);
         for [i, j] in pairs(entries.len()) {
@@ -140,7 +140,7 @@ impl Exchange {
     }
 
     /// Makes it. Whether the table is another one now; if not, it means nothing.
-    pub(super) fn apply(self, table: &mut Table, expectation: &Expectation) -> bool {
+    pub(super) fn apply(self, table: &mut Table, expectation: Expectation) -> bool {
         let before = table.clone();
         let done = match self {
             Self::Cells(one, other) => exchange_cells(table, one, other),
@@ -198,14 +198,14 @@ fn pairs(n: usize) -> impl Iterator<Item = [usize; 2]> {
     (0..n).flat_map(move |i| (i + 1..n).map(move |j| [i, j]))
 }
 
-fn cells(table: &Table, expectation: &Expectation) -> Vec<Exchange> {
-    let all = table.cells(expectation);
+fn cells(table: &Table, expectation: Expectation) -> Vec<Exchange> {
+    let all = table.cells(&expectation);
     let alike = |i: usize, j: usize| std::mem::discriminant(&all[i]) == std::mem::discriminant(&all[j]);
     let alike = pairs(all.len()).filter(|[i, j]| alike(*i, *j));
     alike.map(|[i, j]| Exchange::Cells(all[i], all[j])).collect()
 }
 
-fn records(table: &Table, expectation: &Expectation) -> Vec<Exchange> {
+fn records(table: &Table, expectation: Expectation) -> Vec<Exchange> {
     let with_faces = expectation.has(Part::Faces);
     let with_boundaries = with_faces && expectation.has(Part::BoundaryComponents);
     let mut all = Vec::new();
@@ -238,7 +238,7 @@ struct Entry {
 }
 
 /// The entries of the lists of all faces, the outer ones included.
-fn entries(table: &Table, expectation: &Expectation) -> Vec<Entry> {
+fn entries(table: &Table, expectation: Expectation) -> Vec<Entry> {
     let mut all = Vec::new();
     if !expectation.has(Part::Faces) {
         return all;
@@ -303,7 +303,7 @@ fn set_start(table: &mut Table, entry: Entry, start: Start) -> Option<()> {
     Some(())
 }
 
-fn exchange_cycles(table: &mut Table, expectation: &Expectation, numbers: [usize; 2], with_starts: bool) -> Option<()> {
+fn exchange_cycles(table: &mut Table, expectation: Expectation, numbers: [usize; 2], with_starts: bool) -> Option<()> {
     let all = entries(table, expectation);
     let [one, other] = numbers.map(|number| all.get(number).copied());
     let (one, other) = one.zip(other)?;
@@ -317,7 +317,7 @@ fn exchange_cycles(table: &mut Table, expectation: &Expectation, numbers: [usize
     Some(())
 }
 
-fn exchange_lists(table: &mut Table, expectation: &Expectation, [f, g]: [usize; 2], with_names: bool) -> Option<()> {
+fn exchange_lists(table: &mut Table, expectation: Expectation, [f, g]: [usize; 2], with_names: bool) -> Option<()> {
     let (before, after) = table.faces.split_at_mut(g);
     let (one, other) = (before.get_mut(f)?.as_mut()?, after.first_mut()?.as_mut()?);
     swap(&mut one.inner, &mut other.inner);
@@ -345,7 +345,7 @@ fn pair(table: &mut Table, g: usize, h: usize) {
     set_twin(table, h, g);
 }
 
-fn add_face(table: &mut Table, expectation: &Expectation, v: usize) -> Option<()> {
+fn add_face(table: &mut Table, expectation: Expectation, v: usize) -> Option<()> {
     let (b, face) = (table.boundaries.len(), table.faces.len());
     let place = expectation.has(Part::Places).then_some(BoundaryPlace::Outer);
     table.boundaries.push(Some(BoundaryRow { face: Some(face), start: Some(Start::Vertex(v)), place }));
@@ -356,7 +356,7 @@ fn add_face(table: &mut Table, expectation: &Expectation, v: usize) -> Option<()
     Some(())
 }
 
-fn halve(table: &mut Table, expectation: &Expectation, h: usize) -> Option<()> {
+fn halve(table: &mut Table, expectation: Expectation, h: usize) -> Option<()> {
     let t = table.twin(h)?;
     let (v, after) = (table.origin(t)?, table.next(t)?);
     let live = (0..table.half_edges.len()).filter(|g| table.is_half_edge(*g)).collect::<Vec<_>>();
@@ -376,7 +376,7 @@ fn halve(table: &mut Table, expectation: &Expectation, h: usize) -> Option<()> {
 }
 
 /// What follows each half-edge follows the one before it in the list instead.
-fn turn(table: &mut Table, expectation: &Expectation, half_edges: &[usize]) -> Option<()> {
+fn turn(table: &mut Table, expectation: Expectation, half_edges: &[usize]) -> Option<()> {
     let nexts: Vec<usize> = half_edges.iter().map(|h| table.next(*h)).collect::<Option<_>>()?;
     for (i, h) in half_edges.iter().enumerate() {
         let next = nexts[(i + 1) % nexts.len()];
@@ -390,7 +390,7 @@ fn turn(table: &mut Table, expectation: &Expectation, half_edges: &[usize]) -> O
 
 /// Gives every cycle one boundary component of those that start on it: an inner one if there is. The others are removed, with
 /// the faces of which they are the outer ones. None if a cycle has none, or a face with holes would go.
-fn label_cycles(table: &mut Table, expectation: &Expectation) -> Option<()> {
+fn label_cycles(table: &mut Table, expectation: Expectation) -> Option<()> {
     let mut all = entries(table, expectation);
     all.sort_by_key(|entry| entry.place == BoundaryPlace::Outer);
     let mut labelled = vec![false; table.half_edges.len()];
@@ -467,7 +467,7 @@ fn make_outer(table: &mut Table, entry: Entry) -> Option<()> {
     Some(())
 }
 
-fn make_vertex(table: &mut Table, expectation: &Expectation, entry: Entry) -> Option<()> {
+fn make_vertex(table: &mut Table, expectation: Expectation, entry: Entry) -> Option<()> {
     make_outer(table, entry)?;
     let Start::HalfEdge(h) = entry.start else { return None };
     let start = Some(Start::Vertex(table.origin(h)?));

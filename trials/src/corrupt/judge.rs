@@ -105,9 +105,9 @@ impl<'a> Judge<'a> {
             let in_every_form = specimen.form == Form::Every;
             if specimen.is_smallest || !in_every_form {
                 self.corrupt_once(specimen);
-                self.exchange(specimen, &Exchange::all(&specimen.table, &specimen.expectation));
+                self.exchange(specimen, &Exchange::all(&specimen.table, specimen.expectation));
             } else {
-                self.exchange(specimen, &Exchange::structural(&specimen.table, &specimen.expectation));
+                self.exchange(specimen, &Exchange::structural(&specimen.table, specimen.expectation));
             }
             if specimen.is_smallest && !in_every_form {
                 self.corrupt_twice(specimen);
@@ -135,7 +135,7 @@ impl<'a> Judge<'a> {
                 return;
             }
             let mut table = specimen.table.clone();
-            if exchange.apply(&mut table, &specimen.expectation) {
+            if exchange.apply(&mut table, specimen.expectation) {
                 let tally = self.compare(Corruption::exchanged(specimen, *exchange), &table);
                 lock(&self.judged).fields.entry((specimen.form, exchange.kind())).or_default().add(&tally);
             }

@@ -152,9 +152,9 @@ fn summarize<K: Subject>(
         let first = |rule: &Rule| judged.by_expectation.get(&(number, Some(*rule))).copied().unwrap_or(0);
         ExpectationRow {
             number,
-            expectation: in_words(expectation),
+            expectation: in_words(*expectation),
             corruptions: of_it.map(|(_, count)| count).sum(),
-            first_broken: independent_rules(expectation)
+            first_broken: independent_rules(*expectation)
                 .iter()
                 .map(|rule| RuleRow { rule: *rule, wrong: first(rule) })
                 .collect(),

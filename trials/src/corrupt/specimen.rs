@@ -153,7 +153,7 @@ impl fmt::Display for Corruption<'_> {
 }
 
 /// The expectation in words.
-pub(super) fn in_words(expectation: &Expectation) -> String {
+pub(super) fn in_words(expectation: Expectation) -> String {
     let surface = if expectation.surface_kind() == Surface::Plane { "plane" } else { "surface" };
     let open = if expectation.is_open() { ", open" } else { "" };
     let lacks: Vec<&str> = PARTS.iter().filter(|part| !expectation.has(**part)).map(|part| part.name()).collect();
@@ -163,7 +163,7 @@ pub(super) fn in_words(expectation: &Expectation) -> String {
 
 /// The rules that are checked under the expectation and do not follow from those before them. T4 always follows, and T3 does
 /// where any genus is right.
-pub(super) fn independent_rules(expectation: &Expectation) -> Vec<Rule> {
+pub(super) fn independent_rules(expectation: Expectation) -> Vec<Rule> {
     let (faces, holes) = (expectation.has(Part::Faces), expectation.has(Part::Holes));
     let plane = expectation.surface_kind() == Surface::Plane;
     let is_checked = |rule: &Rule| match *rule {
