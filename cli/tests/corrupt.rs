@@ -20,10 +20,10 @@ fn every_wrong_field_of_the_maps_of_two_edges_is_caught() {
     let of_form = |form: &str| -> Vec<&str> {
         fields.iter().filter(|row| row["form"] == form).map(|row| row["field"].as_str().unwrap()).collect()
     };
-    // Beside the fields: cells, records, cycles, lists, twins and nexts exchanged, cycles joined and moved, loops halved.
-    assert_eq!(of_form("records").len(), 5 + 2 + 3 + 2 + 9);
-    assert_eq!(of_form("textbook").len(), 5 + 1 + 2 + 9);
-    assert_eq!(of_form("every").len(), 1 + 10);
+    // Beside the fields: cells, records, cycles, lists, twins and nexts exchanged, cycles joined and moved, loops halved, entries repeated.
+    assert_eq!(of_form("records").len(), 5 + 2 + 3 + 2 + 10);
+    assert_eq!(of_form("textbook").len(), 5 + 1 + 2 + 10);
+    assert_eq!(of_form("every").len(), 1 + 11);
     for row in fields.iter().chain([&found["small_pairs"], &found["pairs"]]) {
         assert_eq!(number(row, "missed") + number(row, "false_alarms") + number(row, "other_rule"), 0, "{row}");
         assert_eq!(number(row, "wrong"), number(row, "caught"), "{row}");
@@ -45,7 +45,7 @@ fn every_wrong_field_of_the_maps_of_two_edges_is_caught() {
     assert_eq!(expectations.len(), 112);
     for row in expectations {
         let rules = row["first_broken"].as_array().unwrap();
-        assert!(number(row, "corruptions") > 500 && rules.len() >= 5 && never(rules).is_empty(), "{row}");
+        assert!(number(row, "corruptions") > 400 && rules.len() >= 5 && never(rules).is_empty(), "{row}");
     }
     assert_eq!((number(&found["pairs"], "seed"), number(&found["pairs"], "corruptions")), (7, 2000));
 }

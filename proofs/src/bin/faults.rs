@@ -50,7 +50,7 @@ const TESTS: [(&str, &[&str], &str); 4] = [
 
 /// The checks of the program `twinedge`.
 const COMMANDS: [(&str, &[&str]); 5] = [
-    ("corrupt", &["corrupt", "--edges", "2", "--pairs", "5000", "--seed", "1", "--threads", "1"]),
+    ("corrupt", &["corrupt", "--edges", "3", "--pairs", "5000", "--seed", "1", "--threads", "1"]),
     ("tables", &["tables", "--half-edges", "2", "--threads", "1"]),
     ("sample", &["sample", "--tables", "5000", "--seed", "1", "--threads", "1"]),
     ("prove", &["prove", "--edges", "2", "--threads", "1"]),

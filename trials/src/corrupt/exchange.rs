@@ -51,6 +51,8 @@ pub(super) enum Exchange {
     MadeOuter { entry: usize },
     /// The same, and a vertex on its cycle becomes the inner one in its place, as if it were isolated.
     MadeVertex { entry: usize },
+    /// A face lists an inner boundary component more often: so often that R1 reads the list no further, or once.
+    Repeated { entry: usize, often: bool },
 }
 
 impl Exchange {
@@ -76,6 +78,7 @@ impl Exchange {
                 all.extend(others.map(|of| Self::MadeInner { entry, of }));
             } else {
                 all.extend([Self::MadeOuter { entry }, Self::MadeVertex { entry }]);
+                all.extend([true, false].map(|often| Self::Repeated { entry, often }));
             }
         }
         if expectation.has(Part::Holes) && expectation.has(Part::Faces) {
@@ -136,6 +139,7 @@ impl Exchange {
             Self::Nexts(..) | Self::Turned { .. } => "exchanged: nexts",
             Self::Joined(_) => "joined: two cycles",
             Self::MadeInner { .. } | Self::MadeOuter { .. } | Self::MadeVertex { .. } => "moved: a cycle",
+            Self::Repeated { .. } => "repeated: an entry",
         }
     }
 
@@ -184,6 +188,9 @@ impl Exchange {
             }
             Self::MadeOuter { entry } => {
                 entries(table, expectation).get(entry).and_then(|entry| make_outer(table, *entry))
+            }
+            Self::Repeated { entry, often } => {
+                entries(table, expectation).get(entry).and_then(|entry| repeat(table, *entry, often))
             }
             Self::MadeVertex { entry } => {
                 entries(table, expectation).get(entry).and_then(|entry| make_vertex(table, expectation, *entry))
@@ -480,6 +487,19 @@ fn make_vertex(table: &mut Table, expectation: Expectation, entry: Entry) -> Opt
     let place = expectation.has(Part::Places).then_some(BoundaryPlace::Inner(row.inner.len()));
     row.inner.push(Some(b));
     table.boundaries.push(Some(BoundaryRow { face: Some(entry.face), start, place }));
+    Some(())
+}
+
+fn repeat(table: &mut Table, entry: Entry, often: bool) -> Option<()> {
+    // More than twice the records that can be listed, and 16.
+    let records = table.boundaries.len() + table.half_edges.len() + table.vertices.len();
+    let times = if often { 2 * records + 17 } else { 1 };
+    let row = table.faces.get_mut(entry.face)?.as_mut()?;
+    if entry.boundary.is_some() {
+        row.inner.extend(std::iter::repeat_n(entry.boundary, times));
+    } else {
+        row.inner_starts.extend(std::iter::repeat_n(Some(entry.start), times));
+    }
     Some(())
 }
 
