@@ -24,7 +24,7 @@ use twinedge_trials::{Checker, Outcome, Run, Structure, StructureError, Validato
 ///
 /// Then follow corruptions that keep the counts: what two cells of a kind hold is exchanged, and two whole records; two cycles, and
 /// the lists of two faces, with and without what leads there; twins; and what follows half-edges. Two cycles become one boundary
-/// component, outer ones become inner ones, and a loop becomes a single half-edge that is its own twin.
+/// component, outer ones become inner ones, a loop becomes a single half-edge that is its own twin, and a face lists an entry again.
 ///
 /// Maps of up to two edges and two vertices are judged in every form, too: as each of the 112 distinct expectations has them (plane
 /// or surface, closed or open, with or without each part). Each rule that an expectation checks must be the first broken one there.

@@ -409,7 +409,9 @@ fn label_cycles(table: &mut Table, expectation: Expectation) -> Option<()> {
             continue;
         }
         let half_edges = cycle(table, entry.start);
-        half_edges.iter().for_each(|h| labelled[*h] = true);
+        for h in &half_edges {
+            labelled[*h] = true;
+        }
         label(table, entry.start, &half_edges, entry);
     }
     let has_face = |h: usize| table.boundary(h).is_some() || table.face(h).is_some();
@@ -456,9 +458,9 @@ fn make_inner(table: &mut Table, entry: Entry, of: usize) -> Option<()> {
     unlist(table, entry, false)?;
     let row = table.faces.get_mut(of)?.as_mut()?;
     if entry.boundary.is_some() {
-        row.inner.push(entry.boundary)
+        row.inner.push(entry.boundary);
     } else {
-        row.inner_starts.push(Some(entry.start))
+        row.inner_starts.push(Some(entry.start));
     }
     let place = BoundaryPlace::Inner(table.inner_count(of) - 1);
     name(table, Entry { face: of, place, ..entry });

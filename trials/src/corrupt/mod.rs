@@ -9,8 +9,8 @@
 //! of a kind hold is exchanged, and two whole records; what two cycles bound, or two faces list, with and without what leads
 //! there; the twins of two edges, or each half-edge becomes its own twin; and what follows two half-edges, or three around a
 //! vertex. Two cycles become one boundary component, an outer one becomes an inner one, and the other way round; and
-//! a loop becomes a single half-edge that is its own twin. Among these are
-//! tables that break T1, T2 and T3 and no rule before.
+//! a loop becomes a single half-edge that is its own twin, and a face lists an entry again, or more often than R1 reads. Among
+//! these are tables that break T1, T2 and T3 and no rule before.
 //!
 //! Maps of up to two edges and two vertices are also judged in every form: as each of the 112 [expectations](forms) has them, closed
 //! and, where that is expected, with a face or a cycle of half-edges taken out. There each rule that the expectation checks must be
