@@ -9,7 +9,7 @@ use crate::store::Store;
 use alloc::vec::Vec;
 
 /// The boundary component on which a corner lies.
-fn boundary_of<S: Store>(dcel: &Dcel<S>, corner: Corner) -> Result<Boundary<'_, S>, OperatorError> {
+pub(super) fn boundary_of<S: Store>(dcel: &Dcel<S>, corner: Corner) -> Result<Boundary<'_, S>, OperatorError> {
     match corner {
         Corner::At(h) => Ok(dcel.half_edge(h)?.boundary()),
         Corner::Isolated(v) => dcel.vertex(v)?.isolated().ok_or(OperatorError::NotIsolated(v)),

@@ -27,6 +27,7 @@
 //! | --- | --- |
 //! | drive a structure of your own | the trait [`Subject`]; [`Dcel`](crate::dcel::Dcel) has it, over every store |
 //! | see whether it does what it should | [`conformance::run`]: it and [`PointerModel`] in step, compared after every operator |
+//! | check what the operators of `Dcel` report as well | [`Reported`] |
 //! | get programs | [`Program::from_bytes`]; the features `arbitrary`, `quickcheck` and `proptest` for the crates of these names |
 //! | say which operators, how often and how many | [`Generator`], for all of these |
 //! | make a failing one small | [`shrink`]; `quickcheck` and `proptest` do it by themselves |
@@ -64,6 +65,7 @@ mod pointer_model;
 mod proptest;
 #[cfg(feature = "quickcheck")]
 mod quickcheck;
+mod reported;
 mod resolve;
 mod retarget;
 mod rotation_system;
@@ -88,6 +90,7 @@ pub use pointer_model::{
 };
 #[cfg(feature = "proptest")]
 pub use proptest::ProgramTree;
+pub use reported::Reported;
 pub use rotation_system::RotationSystem;
 pub use runner::Runner;
 pub use shrink::{candidates, shrink};

@@ -76,7 +76,8 @@
 //! # Why believe it
 //!
 //! There is a second implementation: [`mod@reference`] states each rule once more in sets and quantifiers, and [`enumerate`]
-//! makes every small [`Table`], and every change of one cell of a larger one, for the two to agree on.
+//! makes every small [`Table`], and every change of one cell of a larger one, for the two to agree on. [`forms`] brings a map
+//! into each form in which a structure can keep it.
 //!
 //! # With serde
 //!
@@ -94,6 +95,7 @@ pub mod enumerate;
 mod expectation;
 mod fast_path;
 mod findings;
+pub mod forms;
 #[cfg(feature = "geometry")]
 mod geometric;
 mod hints;

@@ -14,3 +14,4 @@ mod generators;
 mod in_step;
 mod partial;
 mod program;
+mod reported;

@@ -12,6 +12,7 @@ mod comparison;
 mod embeddings;
 mod expectations;
 mod families;
+mod forms;
 mod mesh_rules;
 mod open_embeddings;
 mod reports;
