@@ -5,7 +5,7 @@
 
 From mathcomp Require Import all_ssreflect.
 From twinedge Require Import View Rules Reference Verdict Table Subdivision Lists ConnectBridge.
-From twinedge Require Import ConnectSplit ConnectLoop.
+From twinedge Require Import ConnectSplit ConnectLoop SplitEdge.
 Set Implicit Arguments.
 Unset Strict Implicit.
 Unset Printing Implicit Defensive.
@@ -218,4 +218,19 @@ Example loop_added_rows : let t := loop_at_isolated edge_and_point 2 2 3 0 1 1 2
   [/\ [seq boundary_of t i | i <- iota 0 4] = [:: #0; #0; #2; #1], [seq next t i | i <- iota 0 4] = [:: #1; #0; #2; #3],
       [seq outer t x | x <- iota 0 2] = [:: 'nil; #2], [seq inner_list t x | x <- iota 0 2] = [:: [:: 1]; [:: 0]]
     & first_broken t = None].
+Proof. by split; vm_compute. Qed.
+
+(** ** A new vertex on the edge
+
+<<
+        0 ─────h0────► 1        · 2            0 ──h0──► 3 ──h2──► 1        · 2
+>>
+*)
+
+Example vertex_on_edge : rules (split_edge edge_and_point 0 3 2 3).
+Proof. by apply: split_edge_keeps_rules edge_and_point_keeps_all. Qed.
+
+Example vertex_on_edge_rows : let t := split_edge edge_and_point 0 3 2 3 in
+  [/\ [seq next t i | i <- iota 0 4] = [:: #2; #0; #3; #1], [seq origin t i | i <- iota 0 4] = [:: #0; #3; #3; #1],
+      [seq leaving t i | i <- iota 0 4] = [:: #0; #3; 'nil; #2] & first_broken t = None].
 Proof. by split; vm_compute. Qed.

@@ -4,7 +4,8 @@
 
 From mathcomp Require Import all_ssreflect all_fingroup.
 From twinedge Require Import View Rules Reference Drawing Euler Subdivision Verdict FastPath FastPathProof AddVertex.
-From twinedge Require Import RemoveVertex MoveInner Renaming Connect ConnectIsolated ConnectBridge ConnectSplit ConnectLoop.
+From twinedge Require Import RemoveVertex MoveInner Renaming Connect ConnectIsolated ConnectBridge ConnectSplit.
+From twinedge Require Import ConnectLoop SplitEdge.
 Set Implicit Arguments.
 Unset Strict Implicit.
 Unset Printing Implicit Defensive.
@@ -116,3 +117,9 @@ Check loop_at_isolated_keeps_rules : forall t v h k f g kept made made_left new_
   isolated t v = Some kept -> boundary_face t kept = Some f ->
   ~~ half_edge t h -> ~~ half_edge t k -> h != k -> ~~ boundary t made -> ~~ face t g ->
   rules t -> rules (loop_at_isolated t v h k f g kept made made_left new_left moved).
+
+(** Splitting an edge keeps all rules. *)
+
+Check split_edge_keeps_rules : forall t e v h k, half_edge t e ->
+  ~~ vertex t v -> ~~ half_edge t h -> ~~ half_edge t k -> h != k ->
+  rules t -> rules (split_edge t e v h k).
