@@ -1,9 +1,9 @@
 (** * FastPath: a scan and two walks that settle R1 to T1, and T3, at once (fast_path/)
 
-    The fast path reads the links of every half-edge, walks once along every boundary component from where a face lists it
-    and once around every vertex, remembers little, and counts. Then it joins vertices along edges until as few sets of them
-    are left as Euler's formula allows. This file is the algorithm; FastPathAccepted.v, FastPathComponents.v and
-    FastPathProof.v prove that it accepts exactly the views that keep R1 to T1, and T3.
+    The fast path reads the links of every half-edge, walks along every boundary component from where a face lists it and
+    around every vertex, remembers little, and counts. Then it joins vertices along edges until as few sets of them are
+    left as Euler's formula allows. This file is the algorithm; FastPathAccepted.v, FastPathKept.v, FastPathComponents.v
+    and FastPathProof.v prove that it accepts exactly the views that keep R1 to T1, and T3.
 
 <<
       scan, by index:               along each cycle:             around v, from leaving(v):
@@ -20,14 +20,14 @@
     and not [twin]). It is about structures that have every part, in the plane. It differs in this:
 
     - Everything is looked at, where the Rust code stops at the first fault. A walk may take as many steps as there are
-      slots, not only as many as are left of the live half-edges, and the lists of the faces are read to their ends, though
-      they may have more entries than there are boundary components. Neither changes what is accepted: the walks are the same
-      ones, and their steps and the entries are counted in the end.
+      slots, not only as many as are left of the live half-edges, and the lists of the faces are read to their ends,
+      though they may have more entries than there are boundary components. Neither changes what is accepted: the walks
+      are the same ones, and their steps and the entries are counted in the end.
     - That boundary components are marked as they are listed is said of the list of them: [uniq].
-    - A set of vertices is kept as the number that all of its vertices have ([join] gives those of one set the number of the
-      other), and the sets are counted when it is asked how many there are; the Rust code keeps a forest of disjoint sets,
-      and their number. Both have the same sets after the same joins, and nothing else is asked of them. Which number stands
-      for a set does not matter.
+    - A set of vertices is kept as the number that all of its vertices have, and [join] gives those of one set the number
+      of the other; sets are counted when it is asked how many there are. The Rust code keeps a forest of disjoint sets,
+      and their number. Both have the same sets after the same joins, and nothing else is asked of them: which number
+      stands for a set does not matter.
     - A nil is read as 0 where it has been excluded before: of what is listed ([entry_ok]), of the twins and origins of
       half-edges ([scanned]), and of the vertices where boundary components start ([entry_ok]).
 

@@ -1,7 +1,7 @@
 (** * FastPathAccepted: what the fast path accepts keeps R1 to F2
 
-    All that is listed is live, different, and as much as there are boundary components: hence every one of them is listed.
-    The walks along them and those around the vertices return to where they set out, and each kind visits as many half-edges
+    What is listed is live, different, and as much as there are boundary components: hence all of them are listed. The
+    walks along them and those around the vertices return to where they set out, and each kind visits as many half-edges
     as there are. As no half-edge is visited twice, every half-edge is visited. In the same way isolated vertices are
     counted, and not looked up. *)
 

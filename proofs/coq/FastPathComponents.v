@@ -20,7 +20,8 @@ Unset Printing Implicit Defensive.
 
 (** One of each number. *)
 Lemma one_of_each_number (number : nat -> nat) s : uniq s -> exists cs,
-  [/\ uniq cs, {subset cs <= s}, {in cs &, injective number} & forall v, v \in s -> exists2 u, u \in cs & number u = number v].
+  [/\ uniq cs, {subset cs <= s}, {in cs &, injective number}
+    & forall v, v \in s -> exists2 u, u \in cs & number u = number v].
 Proof.
 elim: s => [|v s IH] /=; first by exists [::].
 case/andP=> vs /IH[cs [u sub inj all]].
@@ -79,7 +80,8 @@ Proof. by rewrite /join eqxx; case: eqP. Qed.
 Definition joins_connected (ends : seq (nat * nat)) := forall u v, (u, v) \in ends ->
   [/\ vertex t u, vertex t v & connected t u v].
 
-Lemma join_until_within fewest ends number : joins_connected ends -> within number -> within (join_until t fewest ends number).
+Lemma join_until_within fewest ends number : joins_connected ends -> within number ->
+  within (join_until t fewest ends number).
 Proof.
 elim: ends number => [|[u v] ends IH] number on ok //=; case: ifP => // _; apply: IH.
   by move=> x y xy; apply: on; rewrite inE xy orbT.
@@ -127,7 +129,8 @@ Qed.
 
 Lemma edge_endsP u v : (u, v) \in edge_ends t <-> exists x : dart t, [/\ num x < num (tw x), org x = u & org (tw x) = v].
 Proof.
-have E (x : dart t) : (odflt 0 (says_origin t (num x)), odflt 0 (says_twin t (num x) >>= says_origin t)) = (org x, org (tw x)).
+have E (x : dart t) :
+    (odflt 0 (says_origin t (num x)), odflt 0 (says_twin t (num x) >>= says_origin t)) = (org x, org (tw x)).
   by rewrite (says_twinE low) /= !(says_originE low).
 split=> [/mapP[h]|[x [lt <- <-]]].
   rewrite mem_filter half_edge_onesP => /andP[+ /dartP[x xh]]; rewrite -xh E => lt [-> ->]; exists x; split=> //.
@@ -173,11 +176,14 @@ Proof. by rewrite -(size_map number); apply: uniq_leq_size. Qed.
 Lemma sets_whole : sets t number <= size cs -> whole number.
 Proof.
 rewrite -(size_map number) => le v w lv vw; have [_ same] := uniq_min_size u sub le.
-have lw : vertex t w by elim: vw => // h x y _ _ _; rewrite /target; case: (twin t h) => [k|] //= /(originP map)[z _ <-]; apply: org_live.
+have lw : vertex t w.
+  elim: vw => // h x y _ _ _; rewrite /target; case: (twin t h) => [k|] //= /(originP map)[z _ <-].
+  exact: org_live.
 have rep x : vertex t x -> exists2 c, c \in cs & number x = number c.
   move=> lx; have : number x \in undup [seq number v | v <- vertex_ones t] by rewrite mem_undup map_f ?vertex_onesP.
   by rewrite -same => /mapP[c cc E]; exists c.
-have [_ live one _] := each; have [c cc vc] := rep v lv; have [d dd wd] := rep w lw; rewrite vc wd; congr number; apply: one => //.
+have [c cc vc] := rep v lv; have [d dd wd] := rep w lw; have [_ live one _] := each.
+rewrite vc wd; congr number; apply: one => //.
 apply: connected_trans (ok (live _ cc) lv (esym vc)) _; apply: connected_trans vw _.
 by apply: ok => //; apply: live.
 Qed.

@@ -35,8 +35,10 @@ Qed.
 
 Corollary fast_path_leaves_t2 t : rules t <-> fast_path t /\ t2_nesting t.
 Proof.
-split=> [H|[/fast_path_accepts[H t3] t2] r]; first by split; [apply/fast_path_accepts; split=> [q _|]; [exact: H|exact: (H T3)] | exact: (H T2)].
+split=> [H|[/fast_path_accepts[H t3] t2] r].
+  split; last exact: (H T2).
+  by apply/fast_path_accepts; split=> [q _|]; [exact: H|exact: (H T3)].
 have up : holds_before t T4.
-  move=> q lt; case: (ltnP (index q) (index T2)) => [/H //|]; by case: q lt.
+  by move=> q lt; case: (ltnP (index q) (index T2)) => [/H //|]; case: q lt.
 by case: r (up r) => [|||||||||||||_]; try exact; apply: t4_follows.
 Qed.
