@@ -1,7 +1,7 @@
 //! The components, joined edge by edge.
 
+use super::extent::{Extent, existing, nils};
 use super::rotations::Rotations;
-use super::{Extent, existing, nils};
 use crate::validate::columns::NIL;
 use crate::validate::view::View;
 use alloc::vec::Vec;
