@@ -62,23 +62,24 @@
 //! | read and write the tables of a textbook | [`io::tables`] | `map` (default) |
 //! | draw a map, with half-edges if you like | [`io::svg`] | `map` (default) |
 //! | read and write maps | [`io`] | `geojson`, `wkt`, `geo-types` |
-//! | test a structure by random, exhaustive or fuzzed sequences of operators | `program` | `program`, `quickcheck`, `arbitrary` |
+//! | test a structure by random, exhaustive or fuzzed sequences of operators | `program` | `program`, `quickcheck`, `arbitrary`, `proptest` |
+//! | test what is computed from a map, by random or fuzzed edits | `map::program` | the same, and `map` |
 //!
 //! # Features
 //!
 //! | feature | what it adds | dependencies |
 //! | --- | --- | --- |
-//! | (none) | [`mod@validate`]: rules R1 … T4; `no_std` with `alloc` | none |
+//! | (none) | [`mod@validate`]: rules R1 … T4, and M1 … M7 if asked for; `no_std` with `alloc` | none |
 //! | `dcel` | [`store`], [`dcel`] | slotmap, thiserror |
 //! | `geometry` | [`geometry`], and rules G1 … G5 in [`mod@validate`]; needs `std` | robust, rstar, rustc-hash, thiserror |
 //! | `map` (default) | [`map`], [`algorithm`], [`io::svg`] | those of `dcel` and `geometry` |
 //! | `geojson` | `io::geojson` | those of `map`; geojson, serde, `serde_json` |
 //! | `wkt` | `io::wkt` | those of `map`; wkt |
 //! | `geo-types` | `io::geo_types` | those of `map`; geo-types |
-//! | `program` | `program` | those of `dcel` |
+//! | `program` | `program`; with `map`, `map::program` | those of `dcel` |
 //! | `spade` | `algorithm::convex`, `algorithm::voronoi` | those of `map`; spade |
 //! | `petgraph` | `algorithm::dual`: a map as a graph for the crate of that name | those of `map`; petgraph |
-//! | `arbitrary`, `quickcheck` | random programs for these two crates | those of `program`; the crate of the name |
+//! | `arbitrary`, `quickcheck`, `proptest` | random programs for these three crates, and for `proptest` structures and maps | those of `program`; the crate of the name |
 //! | `serde` | `Serialize` and `Deserialize`; structures are validated on the way in | those of the other features; serde |
 //! | `pointer-store` | `store::PointerStore`, the only one with unsafe code | those of `dcel` |
 //!

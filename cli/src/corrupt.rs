@@ -13,7 +13,7 @@ use twinedge_trials::corrupt::{CorruptOutcome, CorruptWork, HUNG, RuleRow, Tally
 use twinedge_trials::replay::Indexed;
 use twinedge_trials::{Checker, Outcome, Run, Structure, StructureError, Validator, corrupt};
 
-/// Set every field of every record of every small map to every other value, and compare the validator with the reference.
+/// Set every field of every small map to every other value, exchange what they hold, and compare the validator with the reference.
 ///
 /// The maps are all planar subdivisions of up to N edges and N + 1 vertices: of one component or several, nested, with isolated
 /// vertices. Each is judged in two forms: with records for its boundary components, and as textbook tables without them.
@@ -22,11 +22,17 @@ use twinedge_trials::{Checker, Outcome, Run, Structure, StructureError, Validato
 /// the largest number. The reference validator, which is written straight from the rules, decides what is wrong and by which rule
 /// first; the fast validator must say the same.
 ///
-/// Then pairs of such corruptions follow: all of them on the maps of at most one edge and two vertices, and a sample of them on
+/// Then follow corruptions that keep the counts: what two cells of a kind hold is exchanged, and two whole records; two cycles, and
+/// the lists of two faces, with and without what leads there; twins; and what follows half-edges. Two cycles become one boundary
+/// component, outer ones become inner ones, a loop becomes a single half-edge that is its own twin, and a face lists an entry again.
+///
+/// Maps of up to two edges and two vertices are judged in every form, too: as each of the 112 distinct expectations has them (plane
+/// or surface, closed or open, with or without each part). Each rule that an expectation checks must be the first broken one there.
+///
+/// Then pairs of single corruptions follow: all of them on the maps of at most one edge and two vertices, and a sample of them on
 /// all maps.
 ///
-/// The output counts how often each rule was the first broken one. For T1 to T4 this is 0: T4 follows from the other rules, and
-/// to break T1, T2 or T3 but no earlier rule takes more than two fields. `twinedge tables` does that.
+/// The output counts how often each rule was the first broken one. For T4 this is 0: it follows from the other rules.
 #[derive(Debug, clap::Args)]
 #[command(after_help = "Examples:
   twinedge corrupt                        maps of up to 2 edges: seconds
@@ -153,7 +159,7 @@ impl fmt::Display for Text<'_> {
         writeln!(
             f,
             "{QUIET}{:9} {:26} {:>13} {:>13} {:>13} {:>7} {:>7} {:>10} {:>12}{QUIET:#}",
-            "form", "field", "corruptions", "wrong", "caught", "missed", "false", "other rule", "slowest"
+            "form", "field or exchange", "corruptions", "wrong", "caught", "missed", "false", "other rule", "slowest"
         )?;
         for row in &outcome.fields {
             write_row(f, row.form.name(), &row.field, &row.tally)?;
@@ -163,6 +169,11 @@ impl fmt::Display for Text<'_> {
         write!(f, "\nfirst broken rule, by the reference:")?;
         for RuleRow { rule, wrong } in &outcome.first_broken {
             write!(f, " {rule} {}", grouped(*wrong))?;
+        }
+        if !outcome.expectations.is_empty() {
+            let never = outcome.never_first_broken().count();
+            let judged = outcome.expectations.iter().filter(|row| row.corruptions > 0).count();
+            write!(f, "\nin every form: {}; rules never first broken: {never}", counted(judged, "expectation"))?;
         }
         writeln!(f, "\nhung (over {} s): {}   panics: {}", HUNG.as_secs(), zero(outcome.hung), zero(outcome.panics))?;
         if outcome.unusable > 0 {

@@ -1,7 +1,7 @@
 //! An expectation as one line of text: what the tables in a file are held to.
 
 use std::fmt;
-use twinedge::validate::{Expectation, Part, Surface};
+use twinedge::validate::{Expectation, Part, Rule, Surface};
 
 /// The parts by name.
 const PARTS: [(Part, &str); 7] = [
@@ -14,7 +14,25 @@ const PARTS: [(Part, &str); 7] = [
     (Part::UnboundedFace, "unbounded-face"),
 ];
 
-/// An expectation in words: `plane`, or `surface open without prev places`.
+/// How a rule is asked for: by its word alone, or with a number.
+#[derive(Clone, Copy)]
+enum Ask {
+    Plain(fn(Expectation) -> Expectation),
+    Number(fn(Expectation, usize) -> Expectation),
+}
+
+/// The rules that must be asked for, with the word for each.
+const ASKED: [(Rule, &str, Ask); 7] = [
+    (Rule::M1, "no-unused-vertices", Ask::Plain(Expectation::no_unused_vertices)),
+    (Rule::M2, "simple", Ask::Plain(Expectation::simple)),
+    (Rule::M3, "sides", Ask::Number(Expectation::sides)),
+    (Rule::M4, "closed", Ask::Plain(Expectation::closed)),
+    (Rule::M5, "components", Ask::Number(Expectation::components)),
+    (Rule::M6, "borders", Ask::Number(Expectation::borders)),
+    (Rule::M7, "genus", Ask::Number(Expectation::genus)),
+];
+
+/// An expectation in words: `plane`, or `surface open without prev places asking closed genus 0`.
 pub(crate) struct ExpectationText(pub(crate) Expectation);
 
 impl fmt::Display for ExpectationText {
@@ -28,7 +46,15 @@ impl fmt::Display for ExpectationText {
         if lacks.peek().is_some() {
             f.write_str(" without")?;
         }
-        lacks.try_for_each(|name| write!(f, " {name}"))
+        lacks.try_for_each(|name| write!(f, " {name}"))?;
+        let mut asked = ASKED.iter().filter(|(rule, ..)| expectation.asks_for(*rule)).peekable();
+        if asked.peek().is_some() {
+            f.write_str(" asking")?;
+        }
+        asked.try_for_each(|(rule, word, _)| match expectation.expected_count(*rule) {
+            None => write!(f, " {word}"),
+            Some(number) => write!(f, " {word} {number}"),
+        })
     }
 }
 
@@ -43,19 +69,37 @@ pub(crate) fn parse(text: &str) -> Result<Expectation, String> {
     if words.next_if_eq(&"open").is_some() {
         expectation = expectation.open();
     }
+    if words.next_if_eq(&"without").is_some() {
+        while let Some(word) = words.next_if(|word| *word != "asking") {
+            let (part, _) = PARTS.iter().find(|(_, name)| *name == word).ok_or_else(|| {
+                format!("there is no part `{word}`; the parts are {}", list(PARTS.map(|(_, name)| name)))
+            })?;
+            expectation = expectation.without(*part);
+        }
+    }
     match words.next() {
         None => return Ok(expectation),
-        Some("without") => {}
-        Some(word) => return Err(format!("expected `open` or `without` in place of `{word}`")),
+        Some("asking") => {}
+        Some(word) => return Err(format!("expected `open`, `without` or `asking` in place of `{word}`")),
     }
-    for word in words {
-        let (part, _) = PARTS.iter().find(|(_, name)| *name == word).ok_or_else(|| {
-            let names: Vec<&str> = PARTS.iter().map(|(_, name)| *name).collect();
-            format!("there is no part `{word}`; the parts are {}", names.join(", "))
-        })?;
-        expectation = expectation.without(*part);
+    while let Some(word) = words.next() {
+        let (.., ask) = ASKED
+            .iter()
+            .find(|(_, name, _)| *name == word)
+            .ok_or_else(|| format!("`{word}` cannot be asked for, but {} can", list(ASKED.map(|(_, name, _)| name))))?;
+        expectation = match ask {
+            Ask::Plain(ask) => ask(expectation),
+            Ask::Number(ask) => {
+                let number = words.next().and_then(|number| number.parse().ok());
+                ask(expectation, number.ok_or_else(|| format!("expected a number after `{word}`"))?)
+            }
+        };
     }
     Ok(expectation)
+}
+
+fn list<const N: usize>(names: [&str; N]) -> String {
+    names.join(", ")
 }
 
 #[cfg(test)]
@@ -77,12 +121,38 @@ mod tests {
     }
 
     #[test]
+    fn what_is_asked_for_is_read_as_it_was_written() {
+        let mut all = Expectation::surface().open().without(Part::Prev);
+        for (rule, word, ask) in ASKED {
+            let [one, more] = [Expectation::plane(), all].map(|expectation| match ask {
+                Ask::Plain(ask) => ask(expectation),
+                Ask::Number(ask) => ask(expectation, 7),
+            });
+            assert!(one.asks_for(rule) && !Expectation::plane().asks_for(rule));
+            assert!(ExpectationText(one).to_string().starts_with(&format!("plane asking {word}")));
+            for expectation in [one, more] {
+                assert_eq!(parse(&ExpectationText(expectation).to_string()), Ok(expectation));
+            }
+            all = more;
+        }
+        assert_eq!(
+            ExpectationText(all).to_string(),
+            "surface open without prev holes unbounded-face asking no-unused-vertices simple sides 7 closed components 7 \
+             borders 7 genus 7"
+        );
+        assert_eq!(parse("plane open asking closed"), Ok(Expectation::plane().open().closed()));
+    }
+
+    #[test]
     fn other_words_are_errors() {
         for (text, told) in [
             ("", "`plane` or `surface`"),
             ("sphere", "`plane` or `surface`"),
             ("plane closed", "`closed`"),
             ("plane without handles", "no part `handles`; the parts are prev,"),
+            ("plane asking handles", "`handles` cannot be asked for, but no-unused-vertices, simple,"),
+            ("plane asking genus", "a number after `genus`"),
+            ("plane asking sides three", "a number after `sides`"),
         ] {
             assert!(parse(text).unwrap_err().contains(told), "{text}");
         }

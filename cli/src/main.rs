@@ -9,12 +9,14 @@ mod document;
 mod draw;
 mod effort;
 mod expectation_text;
+mod fuzz_template;
 mod input;
 mod outline;
 mod output;
 mod print_tables;
 mod progress;
 mod prove;
+mod prove_meshes;
 mod query;
 mod replay;
 mod sample;
@@ -59,6 +61,7 @@ enum Command {
     Sample(sample::Sample),
     Soak(soak::Soak),
     Replay(replay::Replay),
+    FuzzTemplate(fuzz_template::FuzzTemplate),
     Sum(sum::Sum),
 }
 
@@ -75,6 +78,7 @@ fn main() -> ExitCode {
         Command::Sample(sample) => sample.run(),
         Command::Soak(soak) => soak.run(),
         Command::Replay(replay) => replay.run(),
+        Command::FuzzTemplate(template) => template.run(),
         Command::Sum(sum) => sum.run(),
     };
     match verdict {

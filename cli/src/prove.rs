@@ -4,6 +4,7 @@ use crate::document::{Document, Nothing, Printed};
 use crate::effort::Effort;
 use crate::output::style::{BAD, GOOD, QUIET};
 use crate::output::{Format, grouped, part_line, zero};
+use crate::prove_meshes;
 use crate::status::{Failure, Verdict};
 use crate::structures::{StructureName, Task};
 use std::fmt::{self, Write as _};
@@ -38,6 +39,7 @@ use twinedge_trials::{Outcome, Run, Structure, StructureError, prove};
   twinedge prove --edges 7                67,086 maps, 94 million operators: a minute
   twinedge prove --edges 8                586,752 maps, a thousand million operators: ten minutes
   twinedge prove --on pointers            on another structure
+  twinedge prove --meshes 5               triangulated discs of up to 5 vertices
   twinedge prove --edges 9 --shard 0/16 --format json > part-0.json
   twinedge prove --edges 4 --format json | jq .ok
 
@@ -47,6 +49,11 @@ pub(crate) struct Prove {
     /// Greatest number of edges.
     #[arg(long, value_name = "N", default_value_t = 5, value_parser = clap::value_parser!(u8).range(0..=16))]
     edges: u8,
+
+    /// Try triangulated discs of up to N vertices instead, operators of meshes among the others, and compare each result with
+    /// the definition by steps. Their numbers are compared with the published ones (Brown).
+    #[arg(long, value_name = "N", conflicts_with = "edges", value_parser = clap::value_parser!(u8).range(3..=9))]
+    meshes: Option<u8>,
 
     /// The structure whose operators are tried.
     #[arg(long, value_enum, value_name = "STRUCTURE", default_value_t)]
@@ -73,6 +80,9 @@ impl Task for Proving<'_> {
 
 impl Prove {
     pub(crate) fn run(&self) -> Result<Verdict, Failure> {
+        if let Some(vertices) = self.meshes {
+            return prove_meshes::run(vertices.into(), self.on, &self.effort, self.format);
+        }
         let work = ProveWork { edges: self.edges.into() };
         self.effort.refuse_too_much(work.estimate(), self.format)?;
         let run = self.effort.start()?;

@@ -171,7 +171,11 @@ fn in_words(call: &Call<Link, Link, Link>) -> String {
         | Call::SplitEdge { half_edge }
         | Call::JoinEdges { half_edge }
         | Call::ContractEdge { half_edge }
-        | Call::FlipEdge { half_edge, .. } => named('h', half_edge),
+        | Call::FlipEdge { half_edge, .. }
+        | Call::MeshFlipEdge { half_edge }
+        | Call::MeshSplitEdge { half_edge }
+        | Call::MeshSplitFace { half_edge }
+        | Call::MeshCollapseEdge { half_edge } => named('h', half_edge),
         Call::MoveInner { inner, face } => format!("{} to {}", corner(inner), named('f', face)),
     }
 }

@@ -20,7 +20,8 @@ use twinedge_trials::{Estimate, soak};
 ///
 /// The reference is the pointer structure of the literature, written from the definitions of the operators. After each operator
 /// all structures must have done the same (applied, refused for the same reason, or skipped), must be valid, must be isomorphic,
-/// nesting included, and their handles must say the same. Programs use stale handles on purpose.
+/// nesting included, and their handles must say the same. Programs use stale handles on purpose. The stores must report what they
+/// made, kept and dropped, and keys of dropped boundary components must be stale.
 ///
 /// The first program that fails, or panics, is made small, printed as Rust source for a regression test, and saved as a file for
 /// `twinedge replay`.

@@ -2,8 +2,8 @@
 
 use clap::ValueEnum;
 use twinedge::dcel::Dcel;
-use twinedge::program::RotationSystem;
-use twinedge::store::{FixedStore, PointerStore};
+use twinedge::program::{Reported, RotationSystem};
+use twinedge::store::{FixedStore, PointerStore, SlotStore};
 use twinedge::validate::Expectation;
 use twinedge_trials::Structure;
 use twinedge_trials::planted::Planted;
@@ -98,7 +98,7 @@ impl StructureName {
         }
     }
 
-    /// The structure of this name, to compare programs on.
+    /// The structure of this name, to compare programs on. What the operators of the stores report is checked, too.
     pub(crate) fn comparable(self) -> Box<dyn Comparable> {
         struct Boxed;
         impl Task for Boxed {
@@ -108,7 +108,25 @@ impl StructureName {
                 Box::new(structure)
             }
         }
-        self.with(Boxed)
+        let (name, plane) = (self.name(), Expectation::plane());
+        match self {
+            Self::Slots => {
+                let source = dcel_source(&[DCEL, PROGRAM, EXPECTATION], "Reported::new(Dcel::new())");
+                Box::new(Structure::new(name, Reported::<SlotStore>::default, plane).source(source))
+            }
+            Self::Pointers => {
+                let imports = &[PROGRAM, "twinedge::store::PointerStore", EXPECTATION];
+                let source = dcel_source(imports, "Reported::<PointerStore>::default()");
+                Box::new(Structure::new(name, Reported::<PointerStore>::default, plane).source(source))
+            }
+            Self::Fixed => {
+                let imports = &[DCEL, PROGRAM, "twinedge::store::FixedStore", EXPECTATION];
+                let source = dcel_source(imports, "Reported::new(Dcel::<FixedStore<24, 40, 40, 24>>::default())");
+                let make = Reported::<FixedStore<24, 40, 40, 24>>::default;
+                Box::new(Structure::new(name, make, plane).source(source))
+            }
+            Self::RotationSystem | Self::Planted | Self::Panicking => self.with(Boxed),
+        }
     }
 }
 

@@ -6,6 +6,7 @@ use crate::status::{Failure, Verdict};
 use serde_json::Value;
 use std::path::PathBuf;
 use twinedge_trials::corrupt::CorruptOutcome;
+use twinedge_trials::meshes::MeshesOutcome;
 use twinedge_trials::prove::ProveOutcome;
 use twinedge_trials::sample::SampleOutcome;
 use twinedge_trials::soak::SoakOutcome;
@@ -52,6 +53,7 @@ impl Sum {
         }
         match parts[0].value["command"].as_str() {
             Some(ProveOutcome::COMMAND) => add_up::<ProveOutcome>(parts, self.format),
+            Some(MeshesOutcome::COMMAND) => add_up::<MeshesOutcome>(parts, self.format),
             Some(CorruptOutcome::COMMAND) => add_up::<CorruptOutcome>(parts, self.format),
             Some(TablesOutcome::COMMAND) => add_up::<TablesOutcome>(parts, self.format),
             Some(SampleOutcome::COMMAND) => add_up::<SampleOutcome>(parts, self.format),

@@ -21,12 +21,12 @@ use twinedge_trials::{Outcome, Validator, tables};
 ///
 /// 2 half-edges on 2 vertices, no faces: origin, twin, next, prev and leaving, nil included; dangling links as well if N >= 4.
 /// With faces, if N >= 4: every field, leaving included, of an edge and of a loop, as in textbooks, and of an edge with a record
-/// for its boundary component; the links between half-edges are live. Of a loop with two boundary components, the links between
+/// for its boundary component; the links between half-edges are live. With one face and an open border: every field of a loop. Of a loop with two boundary components, the links between
 /// half-edges are given, and all other fields are free.
 ///
 /// 4 half-edges, no faces, no leaving: origin, twin and next on 2 vertices; twin and next; next and prev for every pairing of
-/// twins; twin or nil, and next, with open borders. Origin, twin, next, prev and leaving are not all free together. In the last
-/// three, origins are what twin and next demand.
+/// twins; twin or nil, and next, with open borders, also where a square or a torus is asked for. Origin, twin, next, prev and leaving are not all free together. In the last
+/// five, origins are what twin and next demand.
 ///
 /// 6 half-edges and more: next, for every pairing of twins. Origins follow; there is no prev, leaving or face.
 #[derive(Debug, clap::Args)]

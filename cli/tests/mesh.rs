@@ -37,8 +37,25 @@ fn what_is_expected_and_not_found_is_named() {
     let (status, found) = json(&["audit", &path, "--closed", "--triangles", "--format", "json"]);
     assert_eq!(status, Some(1));
     assert_eq!(found["counts"]["borders"], 1);
-    let unmet: Vec<_> = found["unmet"].as_array().unwrap().iter().map(|one| one["name"].as_str().unwrap()).collect();
-    assert_eq!(unmet, ["borders", "sides"]);
+    let broken = found["rules"].as_array().unwrap().iter().filter(|rule| rule["violations"] != 0);
+    let broken: Vec<_> =
+        broken.map(|rule| (rule["id"].as_str().unwrap(), rule["violations"].as_u64().unwrap())).collect();
+    assert_eq!(broken, [("M3", 5), ("M4", 4)]);
+    let first = &found["violations"][0];
+    assert_eq!((&first["rule"], &first["message"]), (&"M3".into(), &"face 0 has 4 sides, where 3 are expected".into()));
+    // Every option asks for the rule of its name.
+    let options = ["--borders", "2", "--genus", "1", "--components", "2", "--sides", "5", "--no-unused-vertices"];
+    let arguments = [&["audit", path.as_str(), "--format", "json", "--explain"][..], &options].concat();
+    let (_, found) = json(&arguments);
+    let ids = |found: &serde_json::Value| -> Vec<String> {
+        let violations = found["violations"].as_array().unwrap().iter();
+        let mut ids: Vec<_> = violations.map(|violation| violation["rule"].as_str().unwrap().to_owned()).collect();
+        ids.dedup();
+        ids
+    };
+    assert_eq!(ids(&found), ["M3", "M5", "M6", "M7"]);
+    assert!(found["violations"].as_array().unwrap().iter().all(|violation| violation["cause"].is_string()));
+    assert_eq!(found["rules"].as_array().unwrap().len(), 14 + 5);
 }
 
 #[test]

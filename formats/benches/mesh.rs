@@ -6,7 +6,7 @@ use criterion::{Criterion, criterion_group, criterion_main};
 use std::fmt::Write as _;
 use std::hint::black_box;
 use twinedge::validate::Collect;
-use twinedge_formats::mesh::{Format, HalfEdgeMesh, IndexedMesh, MeshExpectation, audit, read_bytes};
+use twinedge_formats::mesh::{Format, HalfEdgeMesh, IndexedMesh, audit, read_bytes};
 
 /// Quadrilaterals around the torus, one way and the other: 1,000,000 triangles.
 const AROUND: u32 = 1000;
@@ -119,7 +119,7 @@ fn million(criterion: &mut Criterion) {
         });
     });
     group.bench_function("audit", |b| {
-        let expectation = MeshExpectation::new().closed().genus(1).components(1).triangles().no_unused_vertices();
+        let expectation = HalfEdgeMesh::expectation().closed().genus(1).components(1).triangles().no_unused_vertices();
         b.iter(|| {
             let audit = audit(black_box(&mesh), &expectation, Collect::All);
             assert!(audit.is_valid());

@@ -6,7 +6,7 @@
 
 use std::process::ExitCode;
 use twinedge::validate::Collect;
-use twinedge_formats::mesh::{MeshExpectation, audit, read_bytes, read_path};
+use twinedge_formats::mesh::{HalfEdgeMesh, audit, read_bytes, read_path};
 
 /// The face at x = 0 is missing, and that at x = 1 is flipped.
 const CUBE: &str = "
@@ -32,7 +32,7 @@ fn main() -> Result<ExitCode, Box<dyn std::error::Error>> {
         Some(name) => read_path(name)?,
         None => read_bytes(CUBE.as_bytes(), None)?,
     };
-    let audit = audit(&file.mesh, &MeshExpectation::new().closed(), Collect::AtMost(20));
+    let audit = audit(&file.mesh, &HalfEdgeMesh::expectation().closed(), Collect::AtMost(20));
     if options.iter().any(|option| *option == "--json") {
         println!("{}", serde_json::to_string_pretty(&audit)?);
     } else {

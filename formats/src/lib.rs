@@ -6,7 +6,7 @@
 //! ```
 //! # #[cfg(feature = "off")] {
 //! use twinedge::validate::Collect;
-//! use twinedge_formats::mesh::{Format, MeshExpectation, audit, read_bytes};
+//! use twinedge_formats::mesh::{Format, HalfEdgeMesh, audit, read_bytes};
 //!
 //! let tetrahedron = "OFF
 //! 4 4 6
@@ -20,7 +20,7 @@
 //! 3 2 0 3
 //! ";
 //! let file = read_bytes(tetrahedron.as_bytes(), Some(Format::Off))?;
-//! let audit = audit(&file.mesh, &MeshExpectation::new().closed().triangles().genus(0), Collect::All);
+//! let audit = audit(&file.mesh, &HalfEdgeMesh::expectation().closed().triangles().genus(0), Collect::All);
 //! assert!(audit.is_valid());
 //! assert_eq!(audit.counts().edges, 6);
 //! # }

@@ -10,4 +10,4 @@ mod tables;
 pub use drawings::{geojson, noding, segments};
 pub use edits::edits;
 pub use maps::{in_step, programs, stale_keys};
-pub use tables::validator_total;
+pub use tables::{right_map, validator_total};

@@ -5,6 +5,7 @@ use std::cell::RefCell;
 use twinedge::dcel::Dcel;
 use twinedge::program::choose::Choose;
 use twinedge::program::{Program, Runner};
+use twinedge::validate::forms::projections;
 use twinedge::validate::reference::{broken_rules, disagreement};
 use twinedge::validate::{
     BoundaryPlace, BoundaryRow, Collect, Expectation, FaceRow, HalfEdgeRow, Link, Part, Report, Start, Table,
@@ -101,17 +102,12 @@ impl Source<'_> {
         expectation
     }
 
-    /// A right map with a few cells set to something else.
+    /// A map that is right under the expectation, with a few cells set to something else.
     fn corrupt_map(&mut self, expectation: Expectation) -> Table {
         let corruptions = self.below(4);
         let choices: Vec<(usize, usize)> =
             (0..corruptions).map(|_| (self.below(0x1_0000), self.below(0x1_0000))).collect();
-        let bytes = self.0.bytes(self.0.len()).unwrap_or_default();
-        let mut program = Program::from_bytes(bytes);
-        program.0.truncate(40);
-        let mut runner = Runner::new(Dcel::new());
-        runner.run(&program);
-        let mut table = Table::copy_of(runner.subject()).unwrap_or_default();
+        let mut table = right_map(self.0.bytes(self.0.len()).unwrap_or_default(), &expectation);
         for (cell, value) in choices {
             let cells = table.cells(&expectation);
             let Some(cell) = cells.get(cell % cells.len().max(1)) else { continue };
@@ -120,6 +116,25 @@ impl Source<'_> {
         }
         table
     }
+}
+
+/// The map that a program makes, as a structure with the parts of the expectation keeps it. If open boundaries are expected, the
+/// bytes decide whether it has one, and where.
+///
+/// # Panics
+/// Never: there is always a form that is right.
+#[must_use]
+pub fn right_map(program: &[u8], expectation: &Expectation) -> Table {
+    let mut forms = {
+        let mut program = Program::from_bytes(program);
+        program.0.truncate(40);
+        let mut runner = Runner::new(Dcel::new());
+        runner.run(&program);
+        projections(&Table::copy_of(runner.subject()).unwrap_or_default(), expectation)
+    };
+    // No byte is taken for this, so that inputs keep their meaning.
+    let chosen = program.iter().fold(0_usize, |sum, byte| sum + usize::from(*byte)) % forms.len();
+    forms.swap_remove(chosen)
 }
 
 /// A structure that says something else each time it is asked.
@@ -206,7 +221,7 @@ impl View for Fickle<'_> {
     }
 }
 
-/// The validator is given any table, a right map with a few cells changed, or a structure that changes its answers. It
+/// The validator is given any table, a right map of the form that is expected with a few cells changed, or a structure that changes its answers. It
 /// returns, contradicts itself nowhere, and on small tables agrees with the reference validator.
 ///
 /// # Panics

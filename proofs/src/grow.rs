@@ -196,7 +196,7 @@ fn choose_live_face<K: Subject>(runner: &Runner<K>, source: &mut impl Choose) ->
 /// A bounded face is named by the first half-edge that bounds it.
 fn choose_face<K: Subject>(runner: &Runner<K>, arguments: Arguments, source: &mut impl Choose) -> FacePick {
     let face_of = |h| runner.subject().face_of(Corner::At(h)).ok();
-    let unbounded = Some(runner.subject().unbounded_face());
+    let unbounded = runner.subject().unbounded_face();
     let is_first = |i: usize| {
         let face = face_of(runner.half_edges()[i]);
         face != unbounded && !runner.half_edges()[..i].iter().any(|h| face_of(*h) == face)

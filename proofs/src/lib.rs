@@ -9,12 +9,15 @@
 //! | [`grow`] | choosing a map, and an operator with its arguments |
 //! | [`operators`] | what is to hold: rules kept, inverses, refusals without a trace, stale handles |
 //! | [`judges`] | the same for the validator and the reference |
+//! | [`faults`] | faults to plant in the library, to see which check catches which |
 //! | `engine` | the engine of choices, and the macro that makes a harness and its broken twin |
 //! | `planted` | a subject with one fault, for the twins |
 //! | `harnesses` | the list |
 //!
 //! The last three are compiled for tests and for Kani only.
 
+#[cfg(not(kani))]
+pub mod faults;
 pub mod grow;
 pub mod judges;
 pub mod operators;

@@ -3,7 +3,7 @@
 use crate::grow::Operator;
 use crate::operators::Handle;
 use core::cell::Cell;
-use twinedge::dcel::{Dcel, FaceKey, HalfEdge, HalfEdgeKey, OperatorError, Vertex, VertexKey};
+use twinedge::dcel::{Dcel, FaceKey, HalfEdge, HalfEdgeKey, Vertex, VertexKey};
 use twinedge::delegate_view;
 use twinedge::program::{Corner, CornerOf, Refusal, Side, Subject, Turn};
 use twinedge::store::Store;
@@ -57,8 +57,8 @@ impl<S: Store> Planted<S> {
         &mut self,
         operator: Operator,
         skipped: T,
-        run: impl FnOnce(&mut Dcel<S>) -> Result<T, OperatorError>,
-    ) -> Result<T, OperatorError> {
+        run: impl FnOnce(&mut Dcel<S>) -> Result<T, Refusal>,
+    ) -> Result<T, Refusal> {
         if let Fault::Skips(faulty, from) = self.fault
             && faulty == operator
         {
@@ -130,39 +130,34 @@ impl<S: Store> Subject for Planted<S> {
     type Vertex = VertexKey;
     type HalfEdge = HalfEdgeKey;
     type Face = FaceKey;
-    type Error = OperatorError;
 
-    fn refusal(error: &OperatorError) -> Refusal {
-        <Dcel<S> as Subject>::refusal(error)
-    }
-
-    fn unbounded_face(&self) -> FaceKey {
+    fn unbounded_face(&self) -> Option<FaceKey> {
         Subject::unbounded_face(&self.dcel)
     }
 
-    fn face_of(&self, corner: CornerOf<Self>) -> Result<FaceKey, OperatorError> {
+    fn face_of(&self, corner: CornerOf<Self>) -> Result<FaceKey, Refusal> {
         self.dcel.face_of(self.corner(corner))
     }
 
-    fn origin_of(&self, half_edge: HalfEdgeKey) -> Result<VertexKey, OperatorError> {
+    fn origin_of(&self, half_edge: HalfEdgeKey) -> Result<VertexKey, Refusal> {
         self.dcel.origin_of(self.half_edge(half_edge))
     }
 
-    fn twin_of(&self, half_edge: HalfEdgeKey) -> Result<HalfEdgeKey, OperatorError> {
+    fn twin_of(&self, half_edge: HalfEdgeKey) -> Result<HalfEdgeKey, Refusal> {
         self.dcel.twin_of(self.half_edge(half_edge))
     }
 
-    fn next_of(&self, half_edge: HalfEdgeKey) -> Result<HalfEdgeKey, OperatorError> {
+    fn next_of(&self, half_edge: HalfEdgeKey) -> Result<HalfEdgeKey, Refusal> {
         self.dcel.next_of(self.half_edge(half_edge))
     }
 
-    fn add_isolated_vertex(&mut self, face: FaceKey) -> Result<VertexKey, OperatorError> {
+    fn add_isolated_vertex(&mut self, face: FaceKey) -> Result<VertexKey, Refusal> {
         let face = self.face(face);
         let skipped = VertexKey::default();
         self.run(Operator::AddIsolatedVertex, skipped, |dcel| Subject::add_isolated_vertex(dcel, face))
     }
 
-    fn remove_isolated_vertex(&mut self, vertex: VertexKey) -> Result<(), OperatorError> {
+    fn remove_isolated_vertex(&mut self, vertex: VertexKey) -> Result<(), Refusal> {
         let vertex = self.vertex(vertex);
         self.run(Operator::RemoveIsolatedVertex, (), |dcel| Subject::remove_isolated_vertex(dcel, vertex))
     }
@@ -173,44 +168,44 @@ impl<S: Store> Subject for Planted<S> {
         to: CornerOf<Self>,
         new_face: Side,
         inner: &[CornerOf<Self>],
-    ) -> Result<HalfEdgeKey, OperatorError> {
+    ) -> Result<HalfEdgeKey, Refusal> {
         let (from, to) = (self.corner(from), self.corner(to));
         let inner: Vec<_> = inner.iter().map(|corner| self.corner(*corner)).collect();
         let skipped = HalfEdgeKey::default();
         self.run(Operator::Connect, skipped, |dcel| Subject::connect(dcel, from, to, new_face, &inner))
     }
 
-    fn remove_edge(&mut self, half_edge: HalfEdgeKey) -> Result<Option<FaceKey>, OperatorError> {
+    fn remove_edge(&mut self, half_edge: HalfEdgeKey) -> Result<Option<FaceKey>, Refusal> {
         let half_edge = self.half_edge(half_edge);
         self.run(Operator::RemoveEdge, None, |dcel| Subject::remove_edge(dcel, half_edge))
     }
 
-    fn split_edge(&mut self, half_edge: HalfEdgeKey) -> Result<HalfEdgeKey, OperatorError> {
+    fn split_edge(&mut self, half_edge: HalfEdgeKey) -> Result<HalfEdgeKey, Refusal> {
         let half_edge = self.half_edge(half_edge);
         self.run(Operator::SplitEdge, half_edge, |dcel| Subject::split_edge(dcel, half_edge))
     }
 
-    fn join_edges(&mut self, half_edge: HalfEdgeKey) -> Result<(), OperatorError> {
+    fn join_edges(&mut self, half_edge: HalfEdgeKey) -> Result<(), Refusal> {
         let half_edge = self.half_edge(half_edge);
         self.run(Operator::JoinEdges, (), |dcel| Subject::join_edges(dcel, half_edge))
     }
 
-    fn split_vertex(&mut self, from: CornerOf<Self>, to: CornerOf<Self>) -> Result<HalfEdgeKey, OperatorError> {
+    fn split_vertex(&mut self, from: CornerOf<Self>, to: CornerOf<Self>) -> Result<HalfEdgeKey, Refusal> {
         let (from, to) = (self.corner(from), self.corner(to));
         self.run(Operator::SplitVertex, HalfEdgeKey::default(), |dcel| Subject::split_vertex(dcel, from, to))
     }
 
-    fn contract_edge(&mut self, half_edge: HalfEdgeKey) -> Result<VertexKey, OperatorError> {
+    fn contract_edge(&mut self, half_edge: HalfEdgeKey) -> Result<VertexKey, Refusal> {
         let half_edge = self.half_edge(half_edge);
         self.run(Operator::ContractEdge, VertexKey::default(), |dcel| Subject::contract_edge(dcel, half_edge))
     }
 
-    fn flip_edge(&mut self, half_edge: HalfEdgeKey, turn: Turn) -> Result<(), OperatorError> {
+    fn flip_edge(&mut self, half_edge: HalfEdgeKey, turn: Turn) -> Result<(), Refusal> {
         let half_edge = self.half_edge(half_edge);
         self.run(Operator::FlipEdge, (), |dcel| Subject::flip_edge(dcel, half_edge, turn))
     }
 
-    fn move_inner(&mut self, inner: CornerOf<Self>, face: FaceKey) -> Result<(), OperatorError> {
+    fn move_inner(&mut self, inner: CornerOf<Self>, face: FaceKey) -> Result<(), Refusal> {
         let (inner, face) = (self.corner(inner), self.face(face));
         self.run(Operator::MoveInner, (), |dcel| Subject::move_inner(dcel, inner, face))
     }

@@ -44,7 +44,8 @@
 //!
 //! # Data of your own
 //!
-//! The records hold topology and nothing else. Keep coordinates, names and weights by key in a [`SecondaryMap`]:
+//! The records hold topology and nothing else. Keep coordinates, names and weights by key in a [`SecondaryMap`]. It may accept
+//! a key of another structure: see [Keys](Dcel#keys).
 //!
 //! ```
 //! use twinedge::dcel::{Dcel, SecondaryMap};

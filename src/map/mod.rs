@@ -29,9 +29,12 @@
 //! | [`edit`] | drawing and erasing points, segments and rings on a map, one after the other |
 //! | [`locate`] | where a point lies, by an index or by walking there |
 //! | [`zone`] | what a line meets, in order |
+//! | `program` (feature `program`) | sequences of edits as data |
 
 pub mod edit;
 pub mod locate;
+#[cfg(feature = "program")]
+pub mod program;
 pub mod zone;
 
 #[cfg(feature = "spade")]

@@ -7,6 +7,8 @@
 //! | [`Odometer`], turned by [`for_each_choice`] | every sequence of answers, one after the other |
 //! | [`Bytes`] | a fuzzer's bytes, or a `Vec<u8>` of quickcheck, which then shrinks the choices too |
 //! | `arbitrary::Unstructured` (feature `arbitrary`) | the same, where the bytes are already wrapped |
+//! | `quickcheck::Gen` (feature `quickcheck`) | quickcheck, at random |
+//! | `proptest::test_runner::TestRunner` (feature `proptest`) | proptest, at random |
 //! | one that answers with `kani::any` | a model checker: all sequences at once |
 //!
 //! ```
@@ -71,6 +73,34 @@ impl Choose for arbitrary::Unstructured<'_> {
     /// 0 where the bytes have run out.
     fn choose(&mut self, n: usize) -> usize {
         self.int_in_range(0..=n.saturating_sub(1)).unwrap_or(0)
+    }
+}
+
+#[cfg(feature = "quickcheck")]
+impl Choose for quickcheck::Gen {
+    /// Each number is as likely as the others. (`usize::arbitrary` prefers the ends of its range, which are nothing special here.)
+    fn choose(&mut self, n: usize) -> usize {
+        const ALL: [u8; 256] = {
+            let mut all = [0; 256];
+            let mut byte = 0;
+            while byte < 256 {
+                all[byte] = byte as u8;
+                byte += 1;
+            }
+            all
+        };
+        let bytes: [u8; 8] = core::array::from_fn(|_| self.choose(&ALL).copied().unwrap_or_default());
+        (u64::from_le_bytes(bytes) % n.max(1) as u64) as usize
+    }
+}
+
+#[cfg(feature = "proptest")]
+impl Choose for proptest::test_runner::TestRunner {
+    /// Each number is as likely as the others.
+    fn choose(&mut self, n: usize) -> usize {
+        use proptest::strategy::{Strategy, ValueTree};
+        // A range that is not empty always has a number.
+        (0..n.max(1)).new_tree(self).map_or(0, |tree| tree.current())
     }
 }
 

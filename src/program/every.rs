@@ -7,7 +7,8 @@ use super::subject::Subject;
 use crate::dcel::{Corner, Side, Turn};
 use alloc::vec::Vec;
 
-/// Every operator with every argument, right or wrong, on what the runner has now. The arguments are:
+/// Every operator with every argument, right or wrong, on what the runner has now, but those of meshes, for which there is
+/// [`every_mesh_op`]. The arguments are:
 ///
 /// - corners and half-edges: all there are; of those that were removed, the first; and a vertex that is not isolated, taken for
 ///   one that is;
@@ -55,6 +56,21 @@ pub fn every_op<K: Subject>(map: &Runner<K>) -> Vec<Op> {
         }
     }
     ops
+}
+
+/// Every operator of triangle meshes with every half-edge there is, and the first that was removed. O(n).
+pub fn every_mesh_op<K: Subject>(map: &Runner<K>) -> Vec<Op> {
+    let picks = Picks::of(map).half_edges.into_iter();
+    picks
+        .flat_map(|half_edge| {
+            [
+                Op::MeshFlipEdge { half_edge },
+                Op::MeshSplitEdge { half_edge },
+                Op::MeshSplitFace { half_edge },
+                Op::MeshCollapseEdge { half_edge },
+            ]
+        })
+        .collect()
 }
 
 /// Applies [every operator](every_op) to the map as it is, one at a time, and shows what came of each: of those that were
@@ -115,7 +131,7 @@ impl Picks {
             corners.push(place);
         }
         let first_in = |number| boundaries.iter().find(|place: &&NumberedCorner| place.face == number);
-        let bounded_faces = (0..faces.len()).filter(|number| faces[*number] != subject.unbounded_face());
+        let bounded_faces = (0..faces.len()).filter(|number| Some(faces[*number]) != subject.unbounded_face());
         let bounded_faces = bounded_faces.filter_map(first_in).map(|place| FacePick::Of(place.corner));
         let gone = |list: usize| list > 0;
         let stale_half_edge = gone(map.retired_half_edges().len()).then_some(HalfEdgePick::Retired(0));
@@ -125,7 +141,13 @@ impl Picks {
         let live = (0..).zip(map.half_edges()).map(|(k, _)| HalfEdgePick::Live(k));
         let vertices = (0..).zip(map.isolated()).map(|(k, _)| VertexPick::Isolated(k));
         Self {
-            faces: core::iter::once(FacePick::Unbounded).chain(bounded_faces).chain(stale_face).collect(),
+            faces: subject
+                .unbounded_face()
+                .map(|_| FacePick::Unbounded)
+                .into_iter()
+                .chain(bounded_faces)
+                .chain(stale_face)
+                .collect(),
             half_edges: live.chain(stale_half_edge).collect(),
             vertices: vertices.chain(busy_vertex).chain(stale_vertex).collect(),
             wrong_corners: stale_half_edge

@@ -2,7 +2,7 @@
 
 use super::call::{Call, CallOf};
 use super::op::{Op, Program};
-use super::outcome::{StepOutcome, refused};
+use super::outcome::StepOutcome;
 use super::resolve::{Choose, Fit};
 use super::runner::Runner;
 use super::subject::{CornerOf, Subject};
@@ -30,7 +30,8 @@ macro_rules! define_call {
                 }
             }
 
-            fn call(&mut self, call: CallOf<K>) -> Result<(), StepOutcome> {
+            /// Calls, and keeps the lists of handles.
+            pub(super) fn call(&mut self, call: CallOf<K>) -> Result<(), StepOutcome> {
                 match call {
                     $(Call::$variant { $($arg),* } => self.$method($($arg),*),)*
                 }
@@ -55,13 +56,13 @@ impl<K: Subject> Runner<K> {
     }
 
     fn add_isolated_vertex(&mut self, face: K::Face) -> Result<(), StepOutcome> {
-        let v = self.subject.add_isolated_vertex(face).map_err(refused::<K>)?;
+        let v = self.subject.add_isolated_vertex(face).map_err(StepOutcome::Refused)?;
         self.isolated.push(v);
         Ok(())
     }
 
     fn remove_isolated_vertex(&mut self, v: K::Vertex) -> Result<(), StepOutcome> {
-        self.subject.remove_isolated_vertex(v).map_err(refused::<K>)?;
+        self.subject.remove_isolated_vertex(v).map_err(StepOutcome::Refused)?;
         self.no_longer_isolated(v);
         self.retired_vertices.push(v);
         Ok(())
@@ -75,7 +76,7 @@ impl<K: Subject> Runner<K> {
         new_face: Side,
         inner: Vec<CornerOf<K>>,
     ) -> Result<(), StepOutcome> {
-        let n = self.subject.connect(from, to, new_face, &inner).map_err(refused::<K>)?;
+        let n = self.subject.connect(from, to, new_face, &inner).map_err(StepOutcome::Refused)?;
         for corner in [from, to] {
             if let Corner::Isolated(v) = corner {
                 self.no_longer_isolated(v);
@@ -86,7 +87,7 @@ impl<K: Subject> Runner<K> {
 
     fn remove_edge(&mut self, h: K::HalfEdge) -> Result<(), StepOutcome> {
         let ends = self.ends(h)?;
-        let dropped = self.subject.remove_edge(h).map_err(refused::<K>)?;
+        let dropped = self.subject.remove_edge(h).map_err(StepOutcome::Refused)?;
         self.retired_faces.extend(dropped);
         self.retire_edge(h);
         for v in ends {
@@ -96,21 +97,21 @@ impl<K: Subject> Runner<K> {
     }
 
     fn split_edge(&mut self, h: K::HalfEdge) -> Result<(), StepOutcome> {
-        let n = self.subject.split_edge(h).map_err(refused::<K>)?;
+        let n = self.subject.split_edge(h).map_err(StepOutcome::Refused)?;
         self.made_edge(n)
     }
 
     fn join_edges(&mut self, h: K::HalfEdge) -> Result<(), StepOutcome> {
-        let following = self.subject.next_of(h).map_err(refused::<K>)?;
-        let v = self.subject.origin_of(following).map_err(refused::<K>)?;
-        self.subject.join_edges(h).map_err(refused::<K>)?;
+        let following = self.subject.next_of(h).map_err(StepOutcome::Refused)?;
+        let v = self.subject.origin_of(following).map_err(StepOutcome::Refused)?;
+        self.subject.join_edges(h).map_err(StepOutcome::Refused)?;
         self.retire_edge(following);
         self.retired_vertices.push(v);
         Ok(())
     }
 
     fn split_vertex(&mut self, from: CornerOf<K>, to: CornerOf<K>) -> Result<(), StepOutcome> {
-        let n = self.subject.split_vertex(from, to).map_err(refused::<K>)?;
+        let n = self.subject.split_vertex(from, to).map_err(StepOutcome::Refused)?;
         if let Corner::Isolated(v) = from {
             self.no_longer_isolated(v);
         }
@@ -119,7 +120,7 @@ impl<K: Subject> Runner<K> {
 
     fn contract_edge(&mut self, h: K::HalfEdge) -> Result<(), StepOutcome> {
         let [origin, target] = self.ends(h)?;
-        let dropped = self.subject.contract_edge(h).map_err(refused::<K>)?;
+        let dropped = self.subject.contract_edge(h).map_err(StepOutcome::Refused)?;
         self.retire_edge(h);
         self.retired_vertices.push(dropped);
         self.perhaps_isolated(if dropped == origin { target } else { origin });
@@ -127,29 +128,34 @@ impl<K: Subject> Runner<K> {
     }
 
     fn flip_edge(&mut self, h: K::HalfEdge, turn: Turn) -> Result<(), StepOutcome> {
-        self.subject.flip_edge(h, turn).map_err(refused::<K>)
+        self.subject.flip_edge(h, turn).map_err(StepOutcome::Refused)
     }
 
     fn move_inner(&mut self, inner: CornerOf<K>, face: K::Face) -> Result<(), StepOutcome> {
-        self.subject.move_inner(inner, face).map_err(refused::<K>)
+        self.subject.move_inner(inner, face).map_err(StepOutcome::Refused)
     }
 
     fn ends(&self, h: K::HalfEdge) -> Result<[K::Vertex; 2], StepOutcome> {
         let target = self.subject.twin_of(h).and_then(|t| self.subject.origin_of(t));
-        Ok([self.subject.origin_of(h).map_err(refused::<K>)?, target.map_err(refused::<K>)?])
+        Ok([self.subject.origin_of(h).map_err(StepOutcome::Refused)?, target.map_err(StepOutcome::Refused)?])
     }
 
-    fn made_edge(&mut self, h: K::HalfEdge) -> Result<(), StepOutcome> {
-        let t = self.subject.twin_of(h).map_err(refused::<K>)?;
+    pub(super) fn made_edge(&mut self, h: K::HalfEdge) -> Result<(), StepOutcome> {
+        let t = self.subject.twin_of(h).map_err(StepOutcome::Refused)?;
         self.half_edges.extend([h, t]);
         Ok(())
     }
 
-    fn retire_edge(&mut self, h: K::HalfEdge) {
-        if let Some(position) = self.half_edges.iter().position(|other| *other == h) {
-            let first = position & !1;
-            self.retired_half_edges.extend(self.half_edges.drain(first..first + 2));
-        }
+    pub(super) fn retire_edge(&mut self, h: K::HalfEdge) {
+        let gone = self.forget_edge(h);
+        self.retired_half_edges.extend(gone.into_iter().flatten());
+    }
+
+    /// Takes an edge off the list of those there are.
+    pub(super) fn forget_edge(&mut self, h: K::HalfEdge) -> Option<[K::HalfEdge; 2]> {
+        let first = self.half_edges.iter().position(|other| *other == h)? & !1;
+        let twin = self.half_edges.remove(first + 1);
+        Some([self.half_edges.remove(first), twin])
     }
 
     fn no_longer_isolated(&mut self, v: K::Vertex) {

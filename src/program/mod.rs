@@ -27,8 +27,10 @@
 //! | --- | --- |
 //! | drive a structure of your own | the trait [`Subject`]; [`Dcel`](crate::dcel::Dcel) has it, over every store |
 //! | see whether it does what it should | [`conformance::run`]: it and [`PointerModel`] in step, compared after every operator |
-//! | get programs | [`Program::from_bytes`]; the features `arbitrary` and `quickcheck` for the crates of these names |
-//! | make a failing one small | [`shrink`]; `quickcheck` does it by itself |
+//! | check what the operators of `Dcel` report as well | [`Reported`] |
+//! | get programs | [`Program::from_bytes`]; the features `arbitrary`, `quickcheck` and `proptest` for the crates of these names |
+//! | say which operators, how often and how many | [`Generator`], for all of these |
+//! | make a failing one small | [`shrink`]; `quickcheck` and `proptest` do it by themselves |
 //! | keep it | its text ([`Display`](core::fmt::Display), [`FromStr`](core::str::FromStr)), or [`Program::to_rust`] |
 //! | tell whether two maps are the same | [`canonical`] |
 //! | compare with another implementation | [`RotationSystem`], a rotation system, and [`PointerModel`], the pointers of the literature: both simple and slow |
@@ -39,8 +41,12 @@
 //! different structures. It lists the handles of each structure in order of creation, and drops those of removed records.
 //! As long as both structures are right, the same position in two such lists is the same element.
 
+#![cfg_attr(feature = "proptest", doc = include_str!("proptest.md"))]
+
 #[cfg(feature = "arbitrary")]
 mod arbitrary;
+#[doc(hidden)]
+pub mod by_index;
 mod call;
 pub mod canonical;
 pub mod census;
@@ -48,31 +54,45 @@ pub mod choose;
 pub mod conformance;
 mod dcel;
 mod every;
+mod generator;
 mod interpret;
+mod interpret_mesh;
+pub mod mesh;
 mod op;
 mod outcome;
 mod pointer_model;
+#[cfg(feature = "proptest")]
+mod proptest;
 #[cfg(feature = "quickcheck")]
 mod quickcheck;
+mod reported;
 mod resolve;
 mod retarget;
 mod rotation_system;
 mod runner;
 mod rust;
+pub(crate) mod script;
 mod shrink;
-mod simpler;
+pub(crate) mod simpler;
 mod subject;
 mod table;
 mod text;
+pub(crate) mod words;
 
 pub use crate::dcel::{Corner, Side, Turn};
 pub use call::{Call, CallOf};
-pub use every::{every_op, try_every_op};
-pub use op::{CornerPick, CountChange, FacePick, HalfEdgePick, InnerPick, Op, Program, SecondPick, VertexPick};
+pub use every::{every_mesh_op, every_op, try_every_op};
+pub use generator::{Generator, Language};
+pub use op::{CornerPick, CountChange, FacePick, HalfEdgePick, InnerPick, Op, OpKind, Program, SecondPick, VertexPick};
 pub use outcome::StepOutcome;
-pub use pointer_model::{PointerModel, PointerModelFace, PointerModelHalfEdge, PointerModelVertex};
+pub use pointer_model::{
+    PointerModel, PointerModelFace, PointerModelHalfEdge, PointerModelStart, PointerModelVertex, StartError,
+};
+#[cfg(feature = "proptest")]
+pub use proptest::ProgramTree;
+pub use reported::Reported;
 pub use rotation_system::RotationSystem;
 pub use runner::Runner;
 pub use shrink::{candidates, shrink};
 pub use subject::{CornerOf, Refusal, Subject};
-pub use text::{Expected, ParseError};
+pub use words::{Expected, ParseError};

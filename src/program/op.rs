@@ -79,6 +79,29 @@ macro_rules! define_op {
             )*
         }
 
+        /// The kinds of operators, for a [`Generator`](super::Generator).
+        #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
+        pub enum OpKind {
+            $(
+                #[doc = concat!("[`Op::", stringify!($variant), "`].")]
+                $variant,
+            )*
+        }
+
+        impl OpKind {
+            /// All kinds, each with how many of 32 random operators are of this kind. Those for meshes are drawn only if they
+            /// are given a weight.
+            pub const SHARES: &[(Self, u32)] = &[$((Self::$variant, $share)),*];
+
+            /// The name of the operator, as texts have it.
+            #[must_use]
+            pub const fn name(self) -> &'static str {
+                match self {
+                    $(Self::$variant => stringify!($method),)*
+                }
+            }
+        }
+
         const _: () = assert!(0 $(+ $share)* == 32, "the first byte of an operator chooses among 32");
 
         impl Op {
@@ -88,9 +111,7 @@ macro_rules! define_op {
             /// The name of the operator.
             #[must_use]
             pub const fn name(self) -> &'static str {
-                match self {
-                    $(Self::$variant { .. } => stringify!($method),)*
-                }
+                self.kind().name()
             }
 
             /// The operator with which these bytes begin. None if they end too early. At most 14 bytes are taken.
@@ -101,12 +122,28 @@ macro_rules! define_op {
                 let first = bytes.next()?;
                 let mut kind = first & 31;
                 $(
+                    #[allow(unused_comparisons, clippy::absurd_extreme_comparisons, reason = "a share may be 0")]
                     if kind < $share {
-                        return Some(Self::$variant { $($arg: FromBytes::from_bytes(first >> 5, bytes)?),* });
+                        return Self::of_kind(OpKind::$variant, first >> 5, bytes);
                     }
                     kind -= $share;
                 )*
                 None
+            }
+
+            /// An operator of this kind, with arguments from bytes. `upper` is a number below 8.
+            pub(super) fn of_kind(kind: OpKind, upper: u8, bytes: &mut impl Iterator<Item = u8>) -> Option<Self> {
+                Some(match kind {
+                    $(OpKind::$variant => Self::$variant { $($arg: FromBytes::from_bytes(upper, bytes)?),* },)*
+                })
+            }
+
+            /// The operator without its arguments.
+            #[must_use]
+            pub const fn kind(self) -> OpKind {
+                match self {
+                    $(Self::$variant { .. } => OpKind::$variant,)*
+                }
             }
 
             /// What the operator may add to the counts of a map, if it is applied.

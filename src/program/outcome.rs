@@ -1,6 +1,6 @@
 //! What becomes of one operator of a program.
 
-use super::subject::{Refusal, Subject};
+use super::subject::Refusal;
 
 /// What became of one operator of a program.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash, PartialOrd, Ord)]
@@ -21,9 +21,4 @@ impl core::fmt::Display for StepOutcome {
             Self::Skipped => f.write_str("skipped: nothing to choose from"),
         }
     }
-}
-
-#[allow(clippy::needless_pass_by_value, reason = "what `map_err` hands over")]
-pub(super) fn refused<K: Subject>(error: K::Error) -> StepOutcome {
-    StepOutcome::Refused(K::refusal(&error))
 }

@@ -1,16 +1,14 @@
 //! Random programs, with shrinking.
 
+use super::choose::Choose;
 use super::op::{FacePick, Op, Program};
 use super::shrink::candidates;
 use alloc::boxed::Box;
-use alloc::vec::Vec;
 use quickcheck::{Arbitrary, Gen};
 
 impl Arbitrary for Op {
     fn arbitrary(g: &mut Gen) -> Self {
-        let all: [u8; 256] = core::array::from_fn(|byte| byte as u8);
-        // `u8::arbitrary` prefers 0 and 255, which are nothing special here.
-        let mut bytes = core::iter::from_fn(|| g.choose(&all).copied());
+        let mut bytes = core::iter::repeat_with(|| Choose::choose(g, 256) as u8);
         Self::from_bytes(&mut bytes).unwrap_or(Self::AddIsolatedVertex { face: FacePick::Unbounded })
     }
 
@@ -22,8 +20,7 @@ impl Arbitrary for Op {
 impl Arbitrary for Program {
     /// A vertex, without which there is nothing to be done, and up to [`Gen::size`] operators.
     fn arbitrary(g: &mut Gen) -> Self {
-        let first = Op::AddIsolatedVertex { face: FacePick::Unbounded };
-        core::iter::once(first).chain(Vec::arbitrary(g)).collect()
+        Self::generator().length(1..=g.size().saturating_add(1)).generate(g)
     }
 
     fn shrink(&self) -> Box<dyn Iterator<Item = Self>> {

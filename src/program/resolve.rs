@@ -1,9 +1,9 @@
 //! From what a program chooses by numbers to handles.
 
 use super::op::{CornerPick, FacePick, HalfEdgePick, InnerPick, SecondPick, VertexPick};
-use super::outcome::{StepOutcome, refused};
+use super::outcome::StepOutcome;
 use super::runner::Runner;
-use super::subject::{CornerOf, Subject};
+use super::subject::{CornerOf, Refusal, Subject};
 use crate::dcel::{Corner, Side, Turn};
 use alloc::vec::Vec;
 
@@ -53,7 +53,7 @@ impl Choose for VertexPick {
     fn choose<K: Subject>(self, runner: &Runner<K>, (): ()) -> Result<K::Vertex, StepOutcome> {
         match self {
             Self::Isolated(k) => nth(&runner.isolated, k),
-            Self::OriginOf(k) => runner.subject.origin_of(nth(&runner.half_edges, k)?).map_err(refused::<K>),
+            Self::OriginOf(k) => runner.subject.origin_of(nth(&runner.half_edges, k)?).map_err(StepOutcome::Refused),
             Self::Retired(k) => nth(&runner.retired_vertices, k),
         }
     }
@@ -77,8 +77,8 @@ impl Choose for FacePick {
 
     fn choose<K: Subject>(self, runner: &Runner<K>, (): ()) -> Result<K::Face, StepOutcome> {
         match self {
-            Self::Unbounded => Ok(runner.subject.unbounded_face()),
-            Self::Of(pick) => runner.subject.face_of(pick.choose(runner, ())?).map_err(refused::<K>),
+            Self::Unbounded => runner.subject.unbounded_face().ok_or(StepOutcome::Skipped),
+            Self::Of(pick) => runner.subject.face_of(pick.choose(runner, ())?).map_err(StepOutcome::Refused),
             Self::Retired(k) => nth(&runner.retired_faces, k),
         }
     }
@@ -111,7 +111,7 @@ impl Choose for InnerPick {
     fn choose<K: Subject>(self, runner: &Runner<K>, from: CornerOf<K>) -> Result<Vec<CornerOf<K>>, StepOutcome> {
         let mut named = Vec::new();
         if self.mask != 0 {
-            let face = runner.subject.face_of(from).map_err(refused::<K>)?;
+            let face = runner.subject.face_of(from).map_err(StepOutcome::Refused)?;
             let mut seen = Vec::new();
             runner.append_boundary(from, &mut seen);
             let mut count = 0;
@@ -154,7 +154,7 @@ impl<K: Subject> Runner<K> {
     /// The vertex of a corner.
     fn vertex_of(&self, corner: CornerOf<K>) -> Result<K::Vertex, StepOutcome> {
         match corner {
-            Corner::At(h) => self.subject.origin_of(h).map_err(refused::<K>),
+            Corner::At(h) => self.subject.origin_of(h).map_err(StepOutcome::Refused),
             Corner::Isolated(v) => Ok(v),
         }
     }
@@ -163,8 +163,14 @@ impl<K: Subject> Runner<K> {
     pub(super) fn fitting(&self, first: CornerOf<K>, fit: Fit) -> Result<Vec<usize>, StepOutcome> {
         let corners = self.corners().enumerate();
         Ok(match fit {
+            Fit::Face if self.subject.face_of(first) == Err(Refusal::Unsupported) => {
+                // Without faces, each cycle is one.
+                let mut cycle = Vec::new();
+                self.append_boundary(first, &mut cycle);
+                corners.filter(|(_, corner)| cycle.contains(corner)).map(|(place, _)| place).collect()
+            }
             Fit::Face => {
-                let face = self.subject.face_of(first).map_err(refused::<K>)?;
+                let face = self.subject.face_of(first).map_err(StepOutcome::Refused)?;
                 let same = |corner| self.subject.face_of(corner).is_ok_and(|other| other == face);
                 corners.filter(|(_, corner)| same(*corner)).map(|(place, _)| place).collect()
             }

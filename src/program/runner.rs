@@ -21,14 +21,26 @@ pub struct Runner<K: Subject> {
 impl<K: Subject> Runner<K> {
     /// Starts with a subject that is the empty map.
     pub const fn new(subject: K) -> Self {
+        Self::starting_with(subject, Vec::new(), Vec::new())
+    }
+
+    /// Starts with these half-edges, the two of an edge side by side, and isolated vertices.
+    pub(super) const fn starting_with(subject: K, half_edges: Vec<K::HalfEdge>, isolated: Vec<K::Vertex>) -> Self {
         Self {
             subject,
-            half_edges: Vec::new(),
-            isolated: Vec::new(),
+            half_edges,
+            isolated,
             retired_half_edges: Vec::new(),
             retired_vertices: Vec::new(),
             retired_faces: Vec::new(),
         }
+    }
+
+    /// Forgets all stale handles.
+    pub(super) fn forget_retired(&mut self) {
+        self.retired_half_edges.clear();
+        self.retired_vertices.clear();
+        self.retired_faces.clear();
     }
 
     /// The subject.

@@ -1,7 +1,7 @@
 //! Making a failing program small.
 
-use super::op::{Op, Program};
-use super::retarget::Script;
+use super::generator::Language;
+use super::script::Script;
 use alloc::vec::Vec;
 use core::ops::Range;
 
@@ -11,7 +11,7 @@ use core::ops::Range;
 /// Zeller and Hildebrandt's delta debugging (*Simplifying and Isolating Failure-Inducing Input*, 2002), with one
 /// addition: what remains goes on choosing the same half-edges and vertices, although the lists in which they are
 /// counted have changed. Every step makes the program smaller, so it ends.
-pub fn shrink(program: &Program, mut fails: impl FnMut(&Program) -> bool) -> Program {
+pub fn shrink<P: Language>(program: &P, mut fails: impl FnMut(&P) -> bool) -> P {
     let mut smallest = program.clone();
     while let Some(smaller) = candidates(&smallest).find(&mut fails) {
         smallest = smaller;
@@ -21,42 +21,42 @@ pub fn shrink(program: &Program, mut fails: impl FnMut(&Program) -> bool) -> Pro
 
 /// Programs that are a little smaller than this one, the smallest first.
 ///
-/// This is what `quickcheck` is given to shrink with; [`shrink`] repeats it as often as it helps. Each takes a run of
-/// the program on a [`Dcel`](crate::dcel::Dcel) to find.
-pub fn candidates(program: &Program) -> impl Iterator<Item = Program> + use<> {
+/// This is what `quickcheck` and `proptest` are given to shrink with; [`shrink`] repeats it as often as it helps. Each takes a run
+/// of the program to find, on a [`Dcel`](crate::dcel::Dcel) or, for edits, a planar map.
+pub fn candidates<P: Language>(program: &P) -> impl Iterator<Item = P> + use<P> {
     let script = Script::of(program);
-    let count = program.0.len();
+    let ops = program.ops().to_vec();
+    let count = ops.len();
     let lengths = core::iter::successors(Some(count), |length| (*length > 1).then(|| length.div_ceil(2)));
     let lengths = lengths.filter(|length| *length > 0);
     let dropped = lengths.flat_map(move |length| {
         (0..count).step_by(length).map(move |begin| Edit::Drop(begin..(begin + length).min(count)))
     });
-    let simpler = |(place, op): (usize, &Op)| op.simpler().into_iter().map(move |op| Edit::Replace(place, op));
-    let simpler: Vec<Edit> = program.0.iter().enumerate().flat_map(simpler).collect();
+    let simpler = |(place, op): (usize, &P::Op)| P::simpler(op).into_iter().map(move |op| Edit::Replace(place, op));
+    let simpler: Vec<Edit<P::Op>> = ops.iter().enumerate().flat_map(simpler).collect();
     // Counted anew, numbers beyond the ends of their lists come down at once.
     let anew = Some(script.without(&(0..0))).filter(|anew| anew != program);
-    let program = program.clone();
     let edited = dropped.chain(simpler).flat_map(move |edit| {
         // To a subject that does less than `Dcel`, the same numbers may mean the same more often than the same names.
-        let (followed, plain) = match edit {
+        let mut plain = ops.clone();
+        let followed = match edit {
             Edit::Drop(places) => {
-                let plain = program.0[..places.start].iter().chain(&program.0[places.end..]).copied().collect();
-                (script.without(&places), plain)
+                plain.drain(places.clone());
+                script.without(&places)
             }
             Edit::Replace(place, op) => {
-                let mut plain = program.clone();
-                plain.0[place] = op;
-                (script.with(place, op), plain)
+                plain[place] = op.clone();
+                script.with(place, &op)
             }
         };
-        let plain = Some(plain).filter(|plain| *plain != followed);
+        let plain = Some(P::from_ops(plain)).filter(|plain| *plain != followed);
         core::iter::once(followed).chain(plain)
     });
     anew.into_iter().chain(edited)
 }
 
 /// One way to make a program smaller.
-enum Edit {
+enum Edit<O> {
     Drop(Range<usize>),
-    Replace(usize, Op),
+    Replace(usize, O),
 }

@@ -49,9 +49,10 @@ fn map<T, U>(all: Vec<T>, f: impl FnMut(T) -> U) -> Vec<U> {
     all.into_iter().map(f).collect()
 }
 
-/// Smaller numbers, the smallest first.
-fn smaller(k: u16) -> Vec<u16> {
-    let mut all = vec![0, k / 2, k.saturating_sub(1)];
+/// Smaller numbers, the smallest first. Two less keeps the side of an edge, which one less and the half may not.
+pub(crate) fn smaller(k: u16) -> Vec<u16> {
+    let mut all = vec![0, 1, k / 2, k.saturating_sub(2), k.saturating_sub(1)];
+    all.sort_unstable();
     all.dedup();
     all.retain(|smaller| *smaller < k);
     all

@@ -46,6 +46,18 @@ pub enum Refusal {
     /// The face lies inside what was to be moved into it.
     #[error("the face lies inside what is to be moved into it")]
     InsideItself,
+    /// A corner or a side of the edge is on the border: no face of the structure is there.
+    #[error("no face is there: it is on the border")]
+    Border,
+    /// A face would have several boundary components or none, and faces of this structure are discs.
+    #[error("a face would not be a disc any more")]
+    NotDisc,
+    /// A face at the edge is no triangle.
+    #[error("a face at the edge is not a triangle")]
+    NotTriangle,
+    /// Two vertices would be joined by two edges, or the surface would be another one: the link condition does not hold.
+    #[error("the triangulation would not be simple any more")]
+    NotSimple,
     /// The subject has no room for more records.
     #[error("there is no room")]
     Full,
@@ -57,20 +69,33 @@ pub enum Refusal {
 /// A structure that programs can drive: handles, questions and operators.
 ///
 /// The meaning of each operator is that of the method of the same name of [`Dcel`](crate::dcel::Dcel), where its
-/// picture is. An operator that the structure does not have answers [`Refusal::Unsupported`].
+/// picture is. Those whose names begin with `mesh_` are defined by steps of the others, in [`mesh`](super::mesh).
+///
+/// # Structures that do less
+///
+/// Every operator has a default body: it answers [`Refusal::Unsupported`], as an operator that the structure does not have
+/// must. So a structure that can only turn edges writes `flip_edge` and the questions; and where the indices of its
+/// [`View`] are good handles, [`subject_by_index!`](crate::subject_by_index) writes the questions. The example
+/// `mesh_conformance` is such a structure.
+///
+/// A face may be missing: half-edges on the border of a mesh have none. [`Subject::face_of`] answers [`Refusal::Border`]
+/// there, and operators that need the face refuse with it. A structure that keeps no faces, or no `next` on the
+/// border, answers these questions with [`Refusal::Unsupported`].
 ///
 /// # Refusing
 ///
 /// An operator that refuses leaves the structure as it was. So that two subjects refuse for the same reason where
 /// several apply, the order is fixed: first each argument by itself, in their order ([`Stale`](Refusal::Stale), then
 /// [`NotIsolated`](Refusal::NotIsolated) for a corner said to be that of an isolated vertex); then what the operator
-/// asks of them together, in the order given there. [`Full`](Refusal::Full) may come anywhere.
+/// asks of them together, in the order given there. [`Full`](Refusal::Full) may come anywhere. For structures with a border
+/// and for those whose faces are discs there are two more, in the order that
+/// [`PointerModel::from_view`](super::PointerModel::from_view) lists.
 ///
 /// # The view
 ///
-/// [`View`] is the same structure as the validator sees it. Its indices need not have anything to do with the handles.
-/// To run programs nothing of it is needed; [`conformance::run`](super::conformance::run) needs faces, their inner
-/// boundary components and the unbounded face, by which it tells maps apart.
+/// [`View`] is the same structure as the validator sees it. Its indices need not have anything to do with the handles,
+/// except that [`Subject::half_edge_at`] and [`Subject::vertex_at`] lead from the ones to the others where programs begin with
+/// a structure that is not empty.
 pub trait Subject: View {
     /// Names a vertex. Like all handles it must never name another one once its vertex is gone.
     type Vertex: Copy + Eq + Debug;
@@ -78,50 +103,66 @@ pub trait Subject: View {
     type HalfEdge: Copy + Eq + Debug;
     /// Names a face.
     type Face: Copy + Eq + Debug;
-    /// What the operators refuse with. [`Refusal`] itself will do.
-    type Error: Debug;
 
-    /// The category of an error.
-    fn refusal(error: &Self::Error) -> Refusal;
+    /// The unbounded face; none, as by default, if the structure has no such face.
+    fn unbounded_face(&self) -> Option<Self::Face> {
+        None
+    }
 
-    /// The unbounded face.
-    fn unbounded_face(&self) -> Self::Face;
+    /// The handle of the half-edge with this index in the view. By default there is none: programs then begin with the empty
+    /// map.
+    fn half_edge_at(&self, index: usize) -> Option<Self::HalfEdge> {
+        let _ = index;
+        None
+    }
+
+    /// The handle of the vertex with this index in the view. Only isolated vertices are asked for.
+    fn vertex_at(&self, index: usize) -> Option<Self::Vertex> {
+        let _ = index;
+        None
+    }
 
     /// The face in which a corner lies.
     ///
     /// # Errors
-    /// [`Stale`](Refusal::Stale); [`NotIsolated`](Refusal::NotIsolated).
-    fn face_of(&self, corner: CornerOf<Self>) -> Result<Self::Face, Self::Error>;
+    /// [`Stale`](Refusal::Stale); [`NotIsolated`](Refusal::NotIsolated); [`Border`](Refusal::Border).
+    fn face_of(&self, corner: CornerOf<Self>) -> Result<Self::Face, Refusal>;
 
     /// The vertex where a half-edge starts.
     ///
     /// # Errors
     /// [`Stale`](Refusal::Stale).
-    fn origin_of(&self, half_edge: Self::HalfEdge) -> Result<Self::Vertex, Self::Error>;
+    fn origin_of(&self, half_edge: Self::HalfEdge) -> Result<Self::Vertex, Refusal>;
 
     /// The other half-edge of the same edge.
     ///
     /// # Errors
     /// [`Stale`](Refusal::Stale).
-    fn twin_of(&self, half_edge: Self::HalfEdge) -> Result<Self::HalfEdge, Self::Error>;
+    fn twin_of(&self, half_edge: Self::HalfEdge) -> Result<Self::HalfEdge, Refusal>;
 
     /// The half-edge that follows on the same cycle.
     ///
     /// # Errors
     /// [`Stale`](Refusal::Stale).
-    fn next_of(&self, half_edge: Self::HalfEdge) -> Result<Self::HalfEdge, Self::Error>;
+    fn next_of(&self, half_edge: Self::HalfEdge) -> Result<Self::HalfEdge, Refusal>;
 
     /// Adds an isolated vertex in a face, and gives it.
     ///
     /// # Errors
     /// [`Stale`](Refusal::Stale); [`Full`](Refusal::Full).
-    fn add_isolated_vertex(&mut self, face: Self::Face) -> Result<Self::Vertex, Self::Error>;
+    fn add_isolated_vertex(&mut self, face: Self::Face) -> Result<Self::Vertex, Refusal> {
+        let _ = face;
+        Err(Refusal::Unsupported)
+    }
 
     /// Removes an isolated vertex.
     ///
     /// # Errors
     /// [`Stale`](Refusal::Stale); [`NotIsolated`](Refusal::NotIsolated).
-    fn remove_isolated_vertex(&mut self, vertex: Self::Vertex) -> Result<(), Self::Error>;
+    fn remove_isolated_vertex(&mut self, vertex: Self::Vertex) -> Result<(), Refusal> {
+        let _ = vertex;
+        Err(Refusal::Unsupported)
+    }
 
     /// Connects two corners of one face by a new edge, and gives the half-edge from the first to the second.
     ///
@@ -138,27 +179,39 @@ pub trait Subject: View {
         to: CornerOf<Self>,
         new_face: Side,
         inner: &[CornerOf<Self>],
-    ) -> Result<Self::HalfEdge, Self::Error>;
+    ) -> Result<Self::HalfEdge, Refusal> {
+        let _ = (from, to, new_face, inner);
+        Err(Refusal::Unsupported)
+    }
 
     /// Removes an edge, and gives the handle of the face that was removed, if two became one. The subject
     /// may keep either of the two, but the unbounded face stays.
     ///
     /// # Errors
     /// [`Stale`](Refusal::Stale); [`Full`](Refusal::Full).
-    fn remove_edge(&mut self, half_edge: Self::HalfEdge) -> Result<Option<Self::Face>, Self::Error>;
+    fn remove_edge(&mut self, half_edge: Self::HalfEdge) -> Result<Option<Self::Face>, Refusal> {
+        let _ = half_edge;
+        Err(Refusal::Unsupported)
+    }
 
     /// Puts a new vertex on an edge. The given half-edge keeps its origin; gives the new half-edge that follows it.
     ///
     /// # Errors
     /// [`Stale`](Refusal::Stale); [`Full`](Refusal::Full).
-    fn split_edge(&mut self, half_edge: Self::HalfEdge) -> Result<Self::HalfEdge, Self::Error>;
+    fn split_edge(&mut self, half_edge: Self::HalfEdge) -> Result<Self::HalfEdge, Refusal> {
+        let _ = half_edge;
+        Err(Refusal::Unsupported)
+    }
 
     /// Joins the edge of a half-edge with the one that follows it. The given half-edge keeps its origin; the following
     /// edge and the vertex between them are removed.
     ///
     /// # Errors
     /// [`Stale`](Refusal::Stale); then [`DegreeNotTwo`](Refusal::DegreeNotTwo); then [`Loop`](Refusal::Loop).
-    fn join_edges(&mut self, half_edge: Self::HalfEdge) -> Result<(), Self::Error>;
+    fn join_edges(&mut self, half_edge: Self::HalfEdge) -> Result<(), Refusal> {
+        let _ = half_edge;
+        Err(Refusal::Unsupported)
+    }
 
     /// Splits a vertex in two, and gives the new half-edge between them: to its target go the half-edges met when
     /// turning counter-clockwise from the first corner to the second, none if these are the same. Either of the
@@ -167,20 +220,29 @@ pub trait Subject: View {
     /// # Errors
     /// For `from` and `to`: [`Stale`](Refusal::Stale), [`NotIsolated`](Refusal::NotIsolated). Then
     /// [`VerticesDiffer`](Refusal::VerticesDiffer).
-    fn split_vertex(&mut self, from: CornerOf<Self>, to: CornerOf<Self>) -> Result<Self::HalfEdge, Self::Error>;
+    fn split_vertex(&mut self, from: CornerOf<Self>, to: CornerOf<Self>) -> Result<Self::HalfEdge, Refusal> {
+        let _ = (from, to);
+        Err(Refusal::Unsupported)
+    }
 
     /// Contracts an edge to a point, and gives the handle of the vertex that was removed. The subject may keep
     /// either of the two.
     ///
     /// # Errors
     /// [`Stale`](Refusal::Stale); then [`Loop`](Refusal::Loop).
-    fn contract_edge(&mut self, half_edge: Self::HalfEdge) -> Result<Self::Vertex, Self::Error>;
+    fn contract_edge(&mut self, half_edge: Self::HalfEdge) -> Result<Self::Vertex, Refusal> {
+        let _ = half_edge;
+        Err(Refusal::Unsupported)
+    }
 
     /// Turns an edge one step inside the two faces that it separates.
     ///
     /// # Errors
     /// [`Stale`](Refusal::Stale); then [`NotSeparating`](Refusal::NotSeparating).
-    fn flip_edge(&mut self, half_edge: Self::HalfEdge, turn: Turn) -> Result<(), Self::Error>;
+    fn flip_edge(&mut self, half_edge: Self::HalfEdge, turn: Turn) -> Result<(), Refusal> {
+        let _ = (half_edge, turn);
+        Err(Refusal::Unsupported)
+    }
 
     /// Moves the inner boundary component on which the corner lies to another face, with all that lies inside. Moving
     /// it to the face where it is does nothing.
@@ -188,5 +250,50 @@ pub trait Subject: View {
     /// # Errors
     /// For `inner`: [`Stale`](Refusal::Stale), [`NotIsolated`](Refusal::NotIsolated); for `face`:
     /// [`Stale`](Refusal::Stale). Then [`IsOuter`](Refusal::IsOuter); then [`InsideItself`](Refusal::InsideItself).
-    fn move_inner(&mut self, inner: CornerOf<Self>, face: Self::Face) -> Result<(), Self::Error>;
+    fn move_inner(&mut self, inner: CornerOf<Self>, face: Self::Face) -> Result<(), Refusal> {
+        let _ = (inner, face);
+        Err(Refusal::Unsupported)
+    }
+
+    /// Turns an edge inside the two triangles that it separates. See [`mesh::flip_edge`](super::mesh::flip_edge).
+    ///
+    /// # Errors
+    /// [`Stale`](Refusal::Stale); [`Border`](Refusal::Border); [`NotTriangle`](Refusal::NotTriangle);
+    /// [`NotSimple`](Refusal::NotSimple).
+    fn mesh_flip_edge(&mut self, half_edge: Self::HalfEdge) -> Result<(), Refusal> {
+        let _ = half_edge;
+        Err(Refusal::Unsupported)
+    }
+
+    /// Puts a new vertex on an edge and joins it with the vertex opposite in each triangle. See
+    /// [`mesh::split_edge`](super::mesh::split_edge).
+    ///
+    /// # Errors
+    /// [`Stale`](Refusal::Stale); [`Border`](Refusal::Border); [`NotTriangle`](Refusal::NotTriangle);
+    /// [`Full`](Refusal::Full).
+    fn mesh_split_edge(&mut self, half_edge: Self::HalfEdge) -> Result<(), Refusal> {
+        let _ = half_edge;
+        Err(Refusal::Unsupported)
+    }
+
+    /// Collapses an edge together with its triangles. See [`mesh::collapse_edge`](super::mesh::collapse_edge).
+    ///
+    /// # Errors
+    /// [`Stale`](Refusal::Stale); [`Border`](Refusal::Border); [`NotTriangle`](Refusal::NotTriangle);
+    /// [`NotSimple`](Refusal::NotSimple).
+    fn mesh_collapse_edge(&mut self, half_edge: Self::HalfEdge) -> Result<(), Refusal> {
+        let _ = half_edge;
+        Err(Refusal::Unsupported)
+    }
+
+    /// Puts a new vertex into the triangle to the left of a half-edge and joins it with its corners. See
+    /// [`mesh::split_face`](super::mesh::split_face).
+    ///
+    /// # Errors
+    /// [`Stale`](Refusal::Stale); [`Border`](Refusal::Border); [`NotTriangle`](Refusal::NotTriangle);
+    /// [`Full`](Refusal::Full).
+    fn mesh_split_face(&mut self, half_edge: Self::HalfEdge) -> Result<(), Refusal> {
+        let _ = half_edge;
+        Err(Refusal::Unsupported)
+    }
 }

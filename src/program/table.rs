@@ -1,7 +1,8 @@
 //! The one table of operators.
 //!
 //! From it follow the operators of programs and their calls, their bytes, their text, their Rust source, how they are made
-//! simpler, how their numbers follow what they chose, and how the counts of a map change. A row reads:
+//! simpler, how their numbers follow what they chose, and how the counts of a map change. The operators of meshes are in no random
+//! program that is not of them ([`Program::from_bytes`](super::Program::from_bytes)). A row reads:
 //!
 //! ```text
 //! variant  method  how many of 32 random operators are this one
@@ -58,6 +59,22 @@ macro_rules! operators {
                 changes [(0, 0, 0, 0)]
                 inner: CornerPick => Corner<H, V>, ();
                 face: FacePick => F, ();
+            }
+            MeshFlipEdge mesh_flip_edge 0 {
+                changes [(0, 0, 0, 0)]
+                half_edge: HalfEdgePick => H, ();
+            }
+            MeshSplitEdge mesh_split_edge 0 {
+                changes [(1, 3, 2, 0), (1, 2, 1, 0)]
+                half_edge: HalfEdgePick => H, ();
+            }
+            MeshSplitFace mesh_split_face 0 {
+                changes [(1, 3, 2, 0)]
+                half_edge: HalfEdgePick => H, ();
+            }
+            MeshCollapseEdge mesh_collapse_edge 0 {
+                changes [(-1, -3, -2, 0), (-1, -2, -1, 0)]
+                half_edge: HalfEdgePick => H, ();
             }
         }
     };

@@ -19,11 +19,10 @@
 
 use super::op::{CornerPick, FacePick, HalfEdgePick, InnerPick, Op, Program, SecondPick, VertexPick};
 use super::table::operators;
+use super::words::{Expected, ParseError, Words, lines, mask, number};
 use crate::dcel::{Corner, Side, Turn};
-use alloc::vec::Vec;
 use core::fmt;
 use core::str::FromStr;
-use thiserror::Error;
 
 /// The first line of a program's text.
 const HEADER: &str = "twinedge program 1";
@@ -111,7 +110,7 @@ macro_rules! define_text {
                     $(stringify!($method) => Op::$variant { $($arg: Argument::read(self)?),* },)*
                     _ => return Err(start),
                 };
-                if self.rest.is_empty() { Ok(op) } else { Err(self.error(Expected::End)) }
+                self.end().map(|()| op)
             }
         }
     };
@@ -190,12 +189,7 @@ impl Argument for InnerPick {
         let mut inner = Self::default();
         if words.peek() == "inner" {
             words.take(Expected::Inner, Some)?;
-            inner.mask = words.take(Expected::Inner, |word| {
-                word.split(',').try_fold(0_u16, |mask, bit| {
-                    let bit = number(bit, "").filter(|bit| *bit < 16)?;
-                    (mask >> bit == 0).then_some(mask | 1 << bit)
-                })
-            })?;
+            inner.mask = words.take(Expected::Inner, mask)?;
         }
         if words.peek() == "also" {
             words.take(Expected::Corner, Some)?;
@@ -211,95 +205,6 @@ impl fmt::Display for Program {
         writeln!(f, "{HEADER}")?;
         self.0.iter().try_for_each(|op| writeln!(f, "{op}"))
     }
-}
-
-/// What a word of a program's text should have been.
-#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash, Error)]
-#[non_exhaustive]
-pub enum Expected {
-    /// The first line.
-    #[error("the line `twinedge program 1`")]
-    Header,
-    /// The name of an operator.
-    #[error("the name of an operator")]
-    Operator,
-    /// A half-edge.
-    #[error("a half-edge (`h0` or `!h0`)")]
-    HalfEdge,
-    /// A vertex.
-    #[error("an isolated vertex (`i0`, `o0` or `!v0`)")]
-    Vertex,
-    /// A corner.
-    #[error("a corner (`h0`, `i0`, `o0`, `!h0` or `!v0`)")]
-    Corner,
-    /// The second of two corners.
-    #[error("a second corner (`~0`, or as the first)")]
-    SecondCorner,
-    /// A face.
-    #[error("a face (`unbounded`, a corner, or `!f0`)")]
-    Face,
-    /// A side.
-    #[error("a side (`left` or `right`)")]
-    Side,
-    /// A turn.
-    #[error("a turn (`ccw` or `cw`)")]
-    Turn,
-    /// Numbers of inner boundary components.
-    #[error("numbers below 16 in rising order, with commas between them")]
-    Inner,
-    /// Nothing more.
-    #[error("the end of the line")]
-    End,
-}
-
-/// Why a text is no program, and where.
-#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash, Error)]
-#[error("line {line}, column {column}: expected {expected}")]
-pub struct ParseError {
-    /// The line, counted from 1.
-    pub line: usize,
-    /// The column in characters, counted from 1.
-    pub column: usize,
-    /// What should stand there.
-    pub expected: Expected,
-}
-
-/// What is left of one line.
-struct Words<'a> {
-    text: &'a str,
-    rest: &'a str,
-    line: usize,
-}
-
-impl<'a> Words<'a> {
-    fn new(line: usize, text: &'a str) -> Self {
-        let text = text.split('#').next().unwrap_or_default();
-        Self { text, rest: text.trim(), line }
-    }
-
-    fn peek(&self) -> &'a str {
-        self.rest.split_whitespace().next().unwrap_or_default()
-    }
-
-    fn error(&self, expected: Expected) -> ParseError {
-        let before = self.text.trim_end().len() - self.rest.len();
-        let column = self.text.get(..before).map_or(0, |text| text.chars().count()) + 1;
-        ParseError { line: self.line, column, expected }
-    }
-
-    /// Takes the next word if `read` understands it.
-    fn take<T>(&mut self, expected: Expected, read: impl FnOnce(&'a str) -> Option<T>) -> Result<T, ParseError> {
-        let word = self.peek();
-        let value = read(word).ok_or_else(|| self.error(expected))?;
-        self.rest = self.rest.get(word.len()..).unwrap_or_default().trim_start();
-        Ok(value)
-    }
-}
-
-/// The number after a prefix: digits only.
-fn number(word: &str, prefix: &str) -> Option<u16> {
-    let digits = word.strip_prefix(prefix)?;
-    digits.bytes().all(|byte| byte.is_ascii_digit()).then(|| digits.parse().ok())?
 }
 
 fn half_edge(word: &str) -> Option<HalfEdgePick> {
@@ -332,13 +237,6 @@ impl FromStr for Program {
 
     /// Reads a program from its text. Empty lines count for nothing, nor does what follows a `#`. O(length).
     fn from_str(text: &str) -> Result<Self, ParseError> {
-        let mut lines = text.lines().enumerate().map(|(i, line)| Words::new(i + 1, line));
-        let header = lines.find(|words| !words.rest.is_empty()).unwrap_or_else(|| Words::new(1, ""));
-        if !header.rest.split_whitespace().eq(HEADER.split_whitespace()) {
-            return Err(header.error(Expected::Header));
-        }
-        let ops: Result<Vec<Op>, ParseError> =
-            lines.filter(|words| !words.rest.is_empty()).map(|mut words| words.op()).collect();
-        Ok(Self(ops?))
+        lines(text, HEADER, Expected::Header, Words::op).map(Self)
     }
 }

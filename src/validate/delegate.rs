@@ -70,6 +70,7 @@ macro_rules! delegate_view {
         $crate::delegate_view!(@unless [$this $view] is_boundary [$($excepted)*]);
         $crate::delegate_view!(@unless [$this $view] is_face [$($excepted)*]);
         $crate::delegate_view!(@unless [$this $view] origin [$($excepted)*]);
+        $crate::delegate_view!(@unless [$this $view] target [$($excepted)*]);
         $crate::delegate_view!(@unless [$this $view] twin [$($excepted)*]);
         $crate::delegate_view!(@unless [$this $view] next [$($excepted)*]);
         $crate::delegate_view!(@unless [$this $view] prev [$($excepted)*]);
@@ -97,6 +98,7 @@ macro_rules! delegate_view {
     (@unless $to:tt is_boundary [is_boundary $($others:ident)*]) => {};
     (@unless $to:tt is_face [is_face $($others:ident)*]) => {};
     (@unless $to:tt origin [origin $($others:ident)*]) => {};
+    (@unless $to:tt target [target $($others:ident)*]) => {};
     (@unless $to:tt twin [twin $($others:ident)*]) => {};
     (@unless $to:tt next [next $($others:ident)*]) => {};
     (@unless $to:tt prev [prev $($others:ident)*]) => {};
@@ -129,6 +131,7 @@ macro_rules! delegate_view {
     (@write $to:tt is_boundary) => { $crate::delegate_view!(@method $to is_boundary(boundary) -> bool); };
     (@write $to:tt is_face) => { $crate::delegate_view!(@method $to is_face(face) -> bool); };
     (@write $to:tt origin) => { $crate::delegate_view!(@method $to origin(half_edge) -> $crate::validate::Link); };
+    (@write $to:tt target) => { $crate::delegate_view!(@method $to target(half_edge) -> $crate::validate::Link); };
     (@write $to:tt twin) => { $crate::delegate_view!(@method $to twin(half_edge) -> $crate::validate::Link); };
     (@write $to:tt next) => { $crate::delegate_view!(@method $to next(half_edge) -> $crate::validate::Link); };
     (@write $to:tt prev) => { $crate::delegate_view!(@method $to prev(half_edge) -> $crate::validate::Link); };

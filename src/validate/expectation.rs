@@ -1,4 +1,6 @@
-//! What a structure is held to: the surface on which it lies, and the parts that it has.
+//! What a structure is held to: the surface on which it lies, the parts that it has, and what is asked for beyond that.
+
+use super::rule::Rule;
 
 /// A part that a structure may lack. Rules about a part that it lacks are not checked, and the report says so.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash, PartialOrd, Ord)]
@@ -17,7 +19,7 @@ pub enum Part {
     /// The place of a boundary component in the list of its face, as stored in the boundary component.
     Places,
     /// Lists of inner boundary components. Without them each face has one cycle, as in a mesh, and containment (T1, T2)
-    /// is not represented.
+    /// is not represented. Nor is where an isolated vertex lies: `isolated` is not read, and B2 is not checked.
     Holes,
     /// The one face without outer boundary component. Without it, a component that lies outside all others lies in no
     /// face: it has no inner boundary component, and if it is an isolated vertex, no boundary component starts there.
@@ -61,26 +63,45 @@ pub enum Surface {
 /// let mesh = Expectation::surface().without(Part::BoundaryComponents).without(Part::Prev).open();
 /// assert!(!mesh.has(Part::Prev));
 /// assert!(mesh.is_open());
+/// // The same, and a disc of triangles.
+/// let disc = mesh.triangles().components(1).borders(1).genus(0);
 /// ```
+///
+/// # What can be asked for
+///
+/// A structure keeps R1 … T4, or it is broken. M1 … M7 say what else it is to be. Each is checked, and in the report, only if it
+/// is asked for; it needs the rules before it, and where they are broken it is reported as not checked.
+///
+/// | rule | asked for by |
+/// | --- | --- |
+/// | M1 used | [`no_unused_vertices`](Self::no_unused_vertices) |
+/// | M2 simple | [`simple`](Self::simple) |
+/// | M3 sides | [`sides`](Self::sides), [`triangles`](Self::triangles) |
+/// | M4 closed | [`closed`](Self::closed) |
+/// | M5 connected | [`components`](Self::components) |
+/// | M6 borders | [`borders`](Self::borders) |
+/// | M7 genus | [`genus`](Self::genus) |
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
 pub struct Expectation {
     surface: Surface,
     open: bool,
     lacks: u8,
+    /// M1 … M7, each with its number if it is asked for; 0 for those that have none.
+    asked: [Option<usize>; 7],
 }
 
 impl Expectation {
     /// A planar subdivision with every part.
     #[must_use]
     pub const fn plane() -> Self {
-        Self { surface: Surface::Plane, open: false, lacks: 0 }
+        Self { surface: Surface::Plane, open: false, lacks: 0, asked: [None; 7] }
     }
 
     /// A subdivision of closed orientable surfaces: no unbounded face, no holes in faces.
     #[must_use]
     pub const fn surface() -> Self {
         let lacks = Part::Holes.bit() | Part::UnboundedFace.bit();
-        Self { surface: Surface::Any, open: false, lacks }
+        Self { surface: Surface::Any, open: false, lacks, asked: [None; 7] }
     }
 
     /// The same, for a structure that lacks this part, and the parts that depend on it.
@@ -99,12 +120,111 @@ impl Expectation {
         self
     }
 
-    /// The same, but open boundaries are legal: half-edges without twin, or half-edges with a twin but without face.
-    /// The outside of a component may be one of them, and then it has no inner boundary component.
+    /// The same, but open boundaries are legal. At an edge of an open boundary one side is missing, in one of two ways:
+    ///
+    /// - There is one half-edge. It has a face, and no twin.
+    /// - There are two half-edges, twins of each other. The one along the boundary has no face (no boundary component,
+    ///   where there are records for these).
+    ///
+    /// A half-edge with neither twin nor face bounds nothing, and breaks R1. If the structure lacks faces, there is
+    /// nothing to check of that.
+    ///
+    /// The outside of a component may be an open boundary, and then it has no inner boundary component.
     #[must_use]
     pub const fn open(mut self) -> Self {
         self.open = true;
         self
+    }
+
+    /// The same, and some half-edge leaves every vertex (M1).
+    #[must_use]
+    pub const fn no_unused_vertices(self) -> Self {
+        self.ask(Rule::M1, 0)
+    }
+
+    /// The same, without loops and parallel edges (M2).
+    #[must_use]
+    pub const fn simple(self) -> Self {
+        self.ask(Rule::M2, 0)
+    }
+
+    /// The same, and every bounded face has so many sides (M3).
+    #[must_use]
+    pub const fn sides(self, count: usize) -> Self {
+        self.ask(Rule::M3, count)
+    }
+
+    /// The same, and every bounded face has three sides (M3).
+    #[must_use]
+    pub const fn triangles(self) -> Self {
+        self.sides(3)
+    }
+
+    /// The same, without border (M4). Together with [`open`](Self::open), each half-edge at a border is reported as that;
+    /// without, R1 is broken, as links are missing.
+    ///
+    /// ```
+    /// use twinedge::validate::{Collect, Expectation, Part, Table, Violation, validate};
+    /// // A triangle of three half-edges.
+    /// let table: Table = "V 3 0 - 1 - 2 - H 3 0 - 1 2 - 1 - 2 0 - 2 - 0 1 - B 0 F 1 - 0 HF 3 0 0 0 FH 1 0 0".parse()?;
+    /// let expectation = Expectation::surface().without(Part::BoundaryComponents).open().closed();
+    /// let report = validate(&table, &expectation, Collect::All);
+    /// assert_eq!(report.violations().len(), 3);
+    /// assert_eq!(
+    ///     report.violations()[0].to_string(),
+    ///     "half-edge 0, from vertex 0 to vertex 1, has no twin: the surface has a border there"
+    /// );
+    /// # Ok::<(), twinedge::validate::ParseTableError>(())
+    /// ```
+    #[must_use]
+    pub const fn closed(self) -> Self {
+        self.ask(Rule::M4, 0)
+    }
+
+    /// The same, with so many components that have an edge (M5).
+    #[must_use]
+    pub const fn components(self, count: usize) -> Self {
+        self.ask(Rule::M5, count)
+    }
+
+    /// The same, with so many border loops over all components (M6). A structure has them only if it is
+    /// [`open`](Self::open).
+    #[must_use]
+    pub const fn borders(self, count: usize) -> Self {
+        self.ask(Rule::M6, count)
+    }
+
+    /// The same, with this genus, added up over all components (M7): how many handles there are.
+    #[must_use]
+    pub const fn genus(self, genus: usize) -> Self {
+        self.ask(Rule::M7, genus)
+    }
+
+    const fn ask(mut self, rule: Rule, number: usize) -> Self {
+        self.asked[rule.index() - Rule::M1.index()] = Some(number);
+        self
+    }
+
+    /// Whether the rule is asked for. A rule that is not [optional](Rule::is_optional) always is.
+    ///
+    /// ```
+    /// use twinedge::validate::{Expectation, Rule};
+    /// let expectation = Expectation::surface().sides(4);
+    /// assert!(expectation.asks_for(Rule::M3) && !expectation.asks_for(Rule::M7));
+    /// assert_eq!(expectation.expected_count(Rule::M3), Some(4));
+    /// ```
+    #[must_use]
+    pub const fn asks_for(&self, rule: Rule) -> bool {
+        !rule.is_optional() || self.asked[rule.index() - Rule::M1.index()].is_some()
+    }
+
+    /// The number that M3, M5, M6 or M7 is asked to find; `None` if it is not asked for, and for all other rules.
+    #[must_use]
+    pub const fn expected_count(&self, rule: Rule) -> Option<usize> {
+        match rule {
+            Rule::M3 | Rule::M5 | Rule::M6 | Rule::M7 => self.asked[rule.index() - Rule::M1.index()],
+            _ => None,
+        }
     }
 
     /// The surface on which the structure is to lie.

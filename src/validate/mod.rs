@@ -43,6 +43,11 @@
 //!                               F1 outer ────┤
 //!                               F2 listed ───┘
 //!
+//!  if asked for:      R1 ─► M1 used, M4 closed
+//!                     R1, L ─► M2 simple
+//!                     R1, L2, B1, F1 ─► M3 sides
+//!                     V2 ─► M5 connected, M6 borders (and B1), M7 genus (and T3)
+//!
 //!  with coordinates:  G1 finite ─► G2 angles ────┐
 //!                              ─► G4 disjoint ─┬─┴► G5 inside
 //!                                              └─► G3 winding
@@ -59,10 +64,20 @@
 //! draw that topology: `validate_embedding` checks it, with the
 //! feature `geometry`.
 //!
+//! M1 … M7 are of another kind: a structure may well break them. They say what a mesh is to be (closed, of triangles, of this genus),
+//! and each is checked, and in the report, only if the [`Expectation`] asks for it.
+//!
+//! # Structures as they are
+//!
+//! A structure that keeps other links than a [`View`] answers (targets instead of origins, borders without `next`, faces that
+//! keep nothing) is wrapped in an adapter. The table of [`adapt`] says what to do for which. [`adapt::Index`] gives keys the
+//! dense indices that a view needs, and [`Report::named`] prints a report with the keys.
+//!
 //! # Why believe it
 //!
 //! There is a second implementation: [`mod@reference`] states each rule once more in sets and quantifiers, and [`enumerate`]
-//! makes every small [`Table`], and every change of one cell of a larger one, for the two to agree on.
+//! makes every small [`Table`], and every change of one cell of a larger one, for the two to agree on. [`forms`] brings a map
+//! into each form in which a structure can keep it.
 //!
 //! # With serde
 //!
@@ -70,6 +85,7 @@
 //! it is read: what no validation could have reported is an error. Whether it is true of some structure, only a validation
 //! of that structure can tell.
 
+pub mod adapt;
 mod columns;
 mod counts;
 mod delegate;
@@ -79,15 +95,19 @@ pub mod enumerate;
 mod expectation;
 mod fast_path;
 mod findings;
+pub mod forms;
 #[cfg(feature = "geometry")]
 mod geometric;
 mod hints;
+mod named;
+mod names;
 mod passes;
 mod record;
 pub mod reference;
 mod report;
 #[cfg(feature = "serde")]
 mod report_serde;
+mod report_text;
 mod rule;
 mod rules;
 mod run;
@@ -105,6 +125,7 @@ pub use embedding::{Embedding, places};
 pub use expectation::{Expectation, Part, Surface};
 #[cfg(feature = "geometry")]
 pub use geometric::validator::validate_embedding;
+pub use named::Named;
 pub use record::{Field, Record};
 pub use report::{Certificate, Collect, Report, RuleOutcome, Unchecked};
 pub use rule::Rule;

@@ -17,14 +17,29 @@ pub enum Record {
     Face(usize),
 }
 
+impl Record {
+    /// The index of the record.
+    #[must_use]
+    pub const fn index(&self) -> usize {
+        match self {
+            Self::Vertex(i) | Self::HalfEdge(i) | Self::Boundary(i) | Self::Face(i) => *i,
+        }
+    }
+
+    /// The kind of record, as sentences call it.
+    pub(super) const fn kind(self) -> &'static str {
+        match self {
+            Self::Vertex(_) => "vertex",
+            Self::HalfEdge(_) => "half-edge",
+            Self::Boundary(_) => "boundary component",
+            Self::Face(_) => "face",
+        }
+    }
+}
+
 impl fmt::Display for Record {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        match self {
-            Self::Vertex(i) => write!(f, "vertex {i}"),
-            Self::HalfEdge(i) => write!(f, "half-edge {i}"),
-            Self::Boundary(i) => write!(f, "boundary component {i}"),
-            Self::Face(i) => write!(f, "face {i}"),
-        }
+        write!(f, "{} {}", self.kind(), self.index())
     }
 }
 

@@ -2,10 +2,8 @@
 
 use super::counts::{Bounds, Counts};
 use super::expectation::Part;
-use super::hints;
 use super::rule::Rule;
 use super::violation::Violation;
-use super::words::Number;
 use alloc::boxed::Box;
 use alloc::vec::Vec;
 use core::fmt;
@@ -100,6 +98,23 @@ pub struct RuleOutcome {
 ///
 /// By T3, added up over the components with one cycle for each isolated vertex,
 /// `vertices − edges + cycles + borders + isolated_vertices = 2 · components − 2 · genus`.
+///
+/// No number depends on the way in which a structure keeps its border: half-edges that have no face, or edges that have one
+/// half-edge only.
+///
+/// ```
+/// use twinedge::validate::{Collect, Expectation, Part, Table, validate};
+/// // A triangle. Half-edges 0, 1 and 2 run around its face; then their twins are there, and have none.
+/// let one_half_edge: Table = "V 3 0 - 1 - 2 - H 3 0 - 1 2 - 1 - 2 0 - 2 - 0 1 - B 0 F 1 - 0 HF 3 0 0 0 FH 1 0 0".parse()?;
+/// let no_face: Table = "V 3 0 - 1 - 2 - H 6 0 3 1 2 - 1 4 2 0 - 2 5 0 1 - 1 0 5 4 - 2 1 3 5 - 0 2 4 3 - B 0 F 1 - 0 \
+///     HF 6 0 0 0 - - - FH 1 0 0".parse()?;
+/// let expectation = Expectation::surface().without(Part::BoundaryComponents).open().borders(1);
+/// for table in [one_half_edge, no_face] {
+///     let found = validate(&table, &expectation, Collect::All).into_result()?;
+///     assert_eq!((found.edges, found.faces, found.cycles, found.borders, found.euler_characteristic), (3, 1, 1, 1, 1));
+/// }
+/// # Ok::<(), Box<dyn std::error::Error>>(())
+/// ```
 #[derive(Clone, Debug, PartialEq, Eq)]
 #[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 pub struct Certificate {
@@ -111,14 +126,16 @@ pub struct Certificate {
     pub faces: usize,
     /// C.
     pub components: usize,
-    /// Cycles of `next`.
+    /// Cycles of `next` that are no border loops.
     pub cycles: usize,
-    /// Open boundaries of half-edges without twin.
+    /// Border loops: cycles of half-edges that have no face, and cycles that missing twins would make.
     pub borders: usize,
     /// Vertices that no half-edge leaves.
     pub isolated_vertices: usize,
     /// The sum of the genera of the components: 0 in the plane.
     pub genus: usize,
+    /// χ = V − E + F, as [`Counts::euler_characteristic`] says.
+    pub euler_characteristic: isize,
     /// The bounds of T4, if the map is simple and has three vertices.
     pub bounds: Option<Bounds>,
     /// The rules that do not apply to this structure, with the reason.
@@ -160,7 +177,8 @@ impl Report {
         self.outcomes.iter().copied()
     }
 
-    /// The outcome of this rule; `None` for a rule that is not part of this validation (G without coordinates).
+    /// The outcome of this rule; `None` for a rule that is not part of this validation (G without coordinates, M where it was
+    /// not asked for).
     #[must_use]
     pub fn outcome(&self, rule: Rule) -> Option<RuleOutcome> {
         self.outcomes.iter().find(|(r, _)| *r == rule).map(|(_, o)| *o)
@@ -261,6 +279,7 @@ impl Report {
             borders: self.counts.borders?,
             isolated_vertices,
             genus: self.counts.genus?,
+            euler_characteristic: self.counts.euler_characteristic()?,
             bounds: self.bounds,
             not_checked: self.outcomes.iter().filter_map(|(r, o)| Some((*r, o.unchecked?))).collect(),
         })
@@ -269,41 +288,3 @@ impl Report {
 
 /// So that [`Report::into_result`] can be followed by `?`.
 impl core::error::Error for Report {}
-
-/// As `Display` does it, so that a failed `unwrap` or `main` prints lines to read.
-impl fmt::Debug for Report {
-    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        fmt::Display::fmt(self, f)
-    }
-}
-
-/// A line for each rule, then a line for each violation that was kept. A hint follows where a link is nil in all records, as
-/// it is if the structure does not have it.
-impl fmt::Display for Report {
-    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        for (rule, outcome) in &self.outcomes {
-            let checked = outcome.checked;
-            write!(f, "{:2} {:9} ", rule.id(), rule.name())?;
-            match (outcome.violations, outcome.unchecked) {
-                (0, None) => write!(f, "ok, {checked} {}", rule.unit(checked))?,
-                (0, Some(why)) => write!(f, "not checked: {why}")?,
-                (n, why) => {
-                    let violations = Number(n, "violation", "violations");
-                    write!(f, "BROKEN, {violations} in {checked} {}", rule.unit(checked))?;
-                    if let Some(why) = why {
-                        write!(f, "; the rest not checked: {why}")?;
-                    }
-                }
-            }
-            writeln!(f)?;
-        }
-        for violation in &self.violations {
-            writeln!(f, "{}: {violation}", violation.rule())?;
-        }
-        let more = self.violation_count().saturating_sub(self.violations.len() as u64);
-        if more > 0 {
-            writeln!(f, "… and {more} more")?;
-        }
-        hints::write(f, &self.violations, &self.counts, more == 0)
-    }
-}

@@ -10,7 +10,7 @@ macro_rules! rules {
         ///
         /// ```
         /// use twinedge::validate::Rule;
-        /// assert_eq!(Rule::ALL.len(), 19);
+        /// assert_eq!(Rule::ALL.len(), 26);
         /// let rule = Rule::L1;
         /// assert_eq!((rule.id(), rule.name()), ("L1", "twin"));
         /// assert_eq!(rule.statement(), "`twin(twin(h)) = h` and `twin(h) ≠ h`");
@@ -62,7 +62,7 @@ macro_rules! rules {
 }
 
 rules! {
-    /// At an open boundary twin and face may be nil. Lists with more than twice as many entries as there are boundary
+    /// At an open boundary twin or face may be nil, but not both. Lists with more than twice as many entries as there are boundary
     /// components, and 16, are not read to the end, and break the rule, too.
     ///
     /// ```text
@@ -213,6 +213,101 @@ rules! {
     T4 "T4" "bounds" counts "map" "maps"
         "a simple map with `V ≥ 3` has `E ≤ 3V − 6` and `F ≤ 2V − 4`"
         in "bounds" broken by "violations" "t4_is_broken_with_t1_where_faces_are_counted_wrong";
+    /// Checked where the expectation asks for it by `no_unused_vertices`.
+    ///
+    /// ```text
+    /// ·──────·
+    /// │    ╱ │    ·v    no half-edge leaves v
+    /// │  ╱   │
+    /// ·──────·
+    /// ```
+    ///
+    /// In the [reference](mod@crate::validate::reference): `m1`.
+    M1 "M1" "used" counts "vertex" "vertices"
+        "some half-edge leaves every vertex"
+        in "used" broken by "mesh_rules" "m1_a_vertex_is_unused";
+    /// Checked where the expectation asks for it by `simple`. A face with two sides has parallel edges.
+    ///
+    /// ```text
+    ///            e
+    /// ┌───┐    ┌───┐
+    /// │   v    u   v    the loop starts and ends at v; e and f both join u and v
+    /// └───┘    └───┘
+    ///            f
+    /// ```
+    ///
+    /// In the [reference](mod@crate::validate::reference): `m2`.
+    M2 "M2" "simple" counts "edge" "edges"
+        "no edge is a loop, and no two edges join the same vertices"
+        in "simple" broken by "mesh_rules" "m2_an_edge_is_a_loop_or_parallel_to_another";
+    /// Checked where the expectation asks for it by `sides` or `triangles`. The sides of a face are all half-edges that bound
+    /// it, those of its holes too. The unbounded face may have any number. Without faces, each cycle of `next` is a face.
+    ///
+    /// ```text
+    /// ·──────·
+    /// │    ╱  ╲    a triangle and a quadrilateral
+    /// │  ╱     ╲
+    /// ·────·────·
+    /// ```
+    ///
+    /// In the [reference](mod@crate::validate::reference): `m3`.
+    M3 "M3" "sides" counts "face" "faces"
+        "every bounded face has the expected number of sides"
+        in "sides" broken by "mesh_rules" "m3_a_face_has_a_side_too_many";
+    /// Checked where the expectation asks for it by `closed`. Together with `open`, it names each half-edge at a border; without,
+    /// R1 finds that links are missing.
+    ///
+    /// ```text
+    /// ·───►───·
+    /// │  f   ╱     the half-edge of f has no twin, or its twin bounds no face
+    /// │    ╱
+    /// ·──·
+    /// ```
+    ///
+    /// In the [reference](mod@crate::validate::reference): `m4`.
+    M4 "M4" "closed" counts "half-edge" "half-edges"
+        "every half-edge has a twin and bounds a face"
+        in "closed" broken by "mesh_rules" "m4_a_mesh_has_a_border";
+    /// Checked where the expectation asks for it by `components`. Isolated vertices do not count: M1 is about them.
+    ///
+    /// ```text
+    /// ·───·     ·───·
+    /// │ ╱       │ ╱      two components
+    /// ·         ·
+    /// ```
+    ///
+    /// In the [reference](mod@crate::validate::reference): `m5`.
+    M5 "M5" "connected" counts "component" "components"
+        "there are as many components with an edge as expected"
+        in "connected" broken by "mesh_rules" "m5_there_is_a_second_component";
+    /// Checked where the expectation asks for it by `borders`. A border loop is a cycle of half-edges without face, or a cycle
+    /// that the missing twins would make: both ways of keeping a border have the same number.
+    ///
+    /// ```text
+    /// ┌─────────────┐
+    /// │   ┌─────┐   │
+    /// │   │     │   │    an annulus: two border loops
+    /// │   └─────┘   │
+    /// └─────────────┘
+    /// ```
+    ///
+    /// In the [reference](mod@crate::validate::reference): `m6`.
+    M6 "M6" "borders" counts "component" "components"
+        "there are as many border loops as expected"
+        in "borders" broken by "mesh_rules" "m6_there_is_a_second_border";
+    /// Checked where the expectation asks for it by `genus`.
+    ///
+    /// ```text
+    ///    ______
+    ///  ╱  ____  ╲
+    /// │  ╲____╱  │    a torus: genus 1
+    ///  ╲ ______ ╱
+    /// ```
+    ///
+    /// In the [reference](mod@crate::validate::reference): `m7`.
+    M7 "M7" "genus" counts "component" "components"
+        "the genera of the components add up to the genus expected"
+        in "genus" broken by "mesh_rules" "m7_a_sphere_is_no_torus";
     /// A coordinate is also refused if it is out of the range in which the predicates are exact.
     G1 "G1" "finite" counts "vertex" "vertices"
         "coordinates are finite, and no edge has zero length"
@@ -262,6 +357,12 @@ impl Rule {
     #[must_use]
     pub const fn is_geometric(self) -> bool {
         matches!(self, Self::G1 | Self::G2 | Self::G3 | Self::G4 | Self::G5)
+    }
+
+    /// Whether the rule is checked only where the expectation asks for it (M1 … M7).
+    #[must_use]
+    pub const fn is_optional(self) -> bool {
+        matches!(self, Self::M1 | Self::M2 | Self::M3 | Self::M4 | Self::M5 | Self::M6 | Self::M7)
     }
 
     /// The position in [`Rule::ALL`].

@@ -78,6 +78,29 @@ impl<'a, V: View + ?Sized> Run<'a, V> {
         map.or_else(|| self.findings.broken(&[Rule::L1, Rule::L2, Rule::L3]))
     }
 
+    /// The first broken rule among those that make the rotations of the vertices whole, so that components are known.
+    pub(super) fn rotations_broken(&self) -> Option<Rule> {
+        self.map_broken().or_else(|| self.findings.broken(&[Rule::V2]))
+    }
+
+    /// The rule without which a cycle does not either have a face or bound nothing, if it is broken: at an open boundary,
+    /// border loops cannot be told from the others then.
+    pub(super) fn borders_broken(&self) -> Option<Rule> {
+        if self.expect.is_open() { self.findings.broken(&[Rule::B1]) } else { None }
+    }
+
+    /// Whether a rule that must be asked for is passed over: it was not asked for, or the one that it needs is broken, which
+    /// is then entered as the reason.
+    pub(super) fn passes_over(&mut self, rule: Rule, broken: Option<Rule>) -> bool {
+        if !self.expect.asks_for(rule) {
+            return true;
+        }
+        if let Some(broken) = broken {
+            self.findings.not_checked(rule, Unchecked::Broken(broken));
+        }
+        broken.is_some()
+    }
+
     /// Why T1 and T2 cannot be checked, if so.
     pub(super) fn containment_unchecked(&self) -> Option<Unchecked> {
         if self.expect.surface_kind() != Surface::Plane {
@@ -156,17 +179,32 @@ impl<'a, V: View + ?Sized> Run<'a, V> {
         }
     }
 
+    /// The vertex where a half-edge ends, with twin or without.
+    pub(super) fn target(&self, h: u32) -> u32 {
+        match self.twin(h) {
+            NIL => self.target_by_next(h),
+            t => self.origin(t),
+        }
+    }
+
+    /// The vertices that the edge of a half-edge joins, the smaller one first.
+    pub(super) fn ends(&self, h: u32) -> [u32; 2] {
+        let (origin, target) = (self.origin(h), self.target(h));
+        [origin.min(target), origin.max(target)]
+    }
+
     /// Whether the face link of a half-edge is live, or legally nil.
     pub(super) fn is_sound_face_link(&self, link: Link) -> bool {
         link.map_or(self.expect.is_open(), |f| f < self.faces as usize && self.view.is_face(f))
     }
 
-    /// Whether the half-edge has no face, or no boundary component to have one: a cycle of such is an open boundary.
+    /// Whether the structure has faces and the half-edge has none, or no boundary component to have one: a cycle of such is a
+    /// border loop.
     pub(super) fn lacks_face(&self, h: usize) -> bool {
         if self.expect.has(Part::BoundaryComponents) {
             self.view.boundary(h).is_none()
         } else {
-            self.view.face(h).is_none()
+            self.expect.has(Part::Faces) && self.view.face(h).is_none()
         }
     }
 

@@ -1,16 +1,21 @@
-//! The rules R1 … T4 in order.
+//! The rules R1 … T4 in order, and M1 … M7 where they are asked for.
 
+use super::columns::Components;
 use super::expectation::Expectation;
 use super::fast_path;
 use super::findings::{Flow, Halt};
 use super::passes;
 use super::report::{Collect, Report, Unchecked};
 use super::rule::Rule;
-use super::rules::{bounds, cycle, euler, isolated, leaving, listed, live, nesting, outer, outside};
+use super::rules::{
+    borders, bounds, closed, connected, cycle, euler, genus, isolated, leaving, listed, live, nesting, outer, outside,
+    sides, simple, used,
+};
 use super::run::Run;
 use super::view::View;
+use alloc::vec::Vec;
 
-/// The rules of this validator: all but the geometric ones.
+/// The rules of this validator: all but the geometric ones, and those that must be asked for.
 const TOPOLOGICAL: &[Rule] = &[
     Rule::R1,
     Rule::L1,
@@ -28,11 +33,19 @@ const TOPOLOGICAL: &[Rule] = &[
     Rule::T4,
 ];
 
-/// Validates any half-edge structure: rules R1 … T4.
+/// Validates any half-edge structure: rules R1 … T4, and those of M1 … M7 that the expectation asks for.
 ///
-/// Cost: O(n) time and memory, n being the number of slots of all kinds: 12 bytes per vertex and 52 per component where
-/// every part is there and right, at most about 9 more per half-edge and 8 per vertex elsewhere. It does not panic
-/// unless the [`View`] does, and it always ends.
+/// Cost: O(n) time and memory, n being the number of slots of all kinds. It does not panic unless the [`View`] does, and
+/// it always ends. At most so many bytes are in use at a time, besides the violations that are kept:
+///
+/// | | per vertex | per component | per half-edge | per boundary component |
+/// | --- | --- | --- | --- | --- |
+/// | every part is there and right | 12 | 144 | 0 | 0 |
+/// | elsewhere | 20 | 144 | 5 | 4 |
+///
+/// A component takes 48 bytes in a list that doubles: 144 while the list is copied to twice its size, at most 100 after
+/// that. The components are counted only where they are found, by V2. M2 and M3 take 4 more per half-edge, 8 per vertex and
+/// 4 per face for themselves.
 ///
 /// ```
 /// use twinedge::validate::{Collect, Expectation, Rule, Table, validate};
@@ -45,6 +58,8 @@ const TOPOLOGICAL: &[Rule] = &[
 /// ```
 pub fn validate<V: View + ?Sized>(view: &V, expectation: &Expectation, collect: Collect) -> Report {
     let mut run = Run::new(view, *expectation, collect);
+    let rules: Vec<Rule> =
+        TOPOLOGICAL.iter().chain(Rule::ALL.iter().filter(|r| is_asked(&run, **r))).copied().collect();
     let ended = run.measure().and_then(|()| {
         all_rules(&mut run).map_err(|halt| match halt {
             Halt::Found => Unchecked::Stopped,
@@ -52,12 +67,17 @@ pub fn validate<V: View + ?Sized>(view: &V, expectation: &Expectation, collect: 
         })
     });
     if let Err(why) = ended {
-        for rule in TOPOLOGICAL {
+        for rule in &rules {
             run.findings.not_checked_yet(*rule, why);
         }
     }
-    let (outcomes, violations) = run.findings.into_parts(TOPOLOGICAL);
+    let (outcomes, violations) = run.findings.into_parts(&rules);
     Report { outcomes, violations, counts: run.counts, bounds: run.bounds }
+}
+
+/// Whether this is a rule that must be asked for, and was.
+fn is_asked<V: View + ?Sized>(run: &Run<'_, V>, rule: Rule) -> bool {
+    rule.is_optional() && run.expect.asks_for(rule)
 }
 
 fn all_rules<V: View + ?Sized>(run: &mut Run<'_, V>) -> Flow {
@@ -72,19 +92,39 @@ fn all_rules<V: View + ?Sized>(run: &mut Run<'_, V>) -> Flow {
         outer::check(run)?;
         listed::check(run)?;
     }
-    if let Some(rule) = run.map_broken().or_else(|| run.findings.broken(&[Rule::V2])) {
+    let components = whole(run, settled)?;
+    asked(run, components.as_ref())
+}
+
+/// T1 … T4, and the counts that they need. Returns the components, if they can be known.
+fn whole<V: View + ?Sized>(run: &mut Run<'_, V>, settled: bool) -> Result<Option<Components>, Halt> {
+    if let Some(rule) = run.rotations_broken() {
         for waiting in TOPOLOGICAL.iter().filter(|waiting| **waiting >= Rule::T1) {
             run.findings.not_checked(*waiting, Unchecked::Broken(rule));
         }
-        return Ok(());
+        return Ok(None);
     }
-    let Some(mut components) = run.components.take() else { return Ok(()) };
+    let Some(mut components) = run.components.take() else { return Ok(None) };
     run.counts.components = Some(components.all.len());
     if !settled {
         passes::cycles::count(run, &mut components)?;
         outside::check(run, &mut components)?;
     }
     nesting::check(run, &components)?;
-    euler::check(run, &components)?;
-    bounds::check(run, &components)
+    if !settled {
+        euler::check(run, &components)?;
+    }
+    bounds::check(run, &components)?;
+    Ok(Some(components))
+}
+
+/// M1 … M7, each if it is asked for.
+fn asked<V: View + ?Sized>(run: &mut Run<'_, V>, components: Option<&Components>) -> Flow {
+    used::check(run)?;
+    simple::check(run, components)?;
+    sides::check(run)?;
+    closed::check(run)?;
+    connected::check(run)?;
+    borders::check(run)?;
+    genus::check(run)
 }

@@ -41,9 +41,10 @@ pub enum BoundaryPlace {
 /// | half-edges (the textbook's tables, most meshes) | `face`, `outer_half_edge`, `inner_start` | `boundary…`, `outer`, `inner` |
 /// | nothing: twins and rotations only | neither | all of these |
 ///
-/// Where half-edges name their face and faces keep nothing, find a half-edge of each face first, in one pass over the
-/// half-edges, and answer `outer_half_edge` with it. Without [`Part::Faces`](super::Part::Faces) the names of the faces would
-/// not be checked.
+/// Where half-edges name their face and faces keep nothing, [`adapt::FaceLabels`](super::adapt::FaceLabels) answers
+/// `outer_half_edge` and `inner_start`. Without [`Part::Faces`](super::Part::Faces) the names of the faces would not be
+/// checked. The table of [`adapt`](super::adapt) says what to do with other structures: half-edges that keep their target,
+/// borders without `next`, keys instead of indices.
 ///
 /// No answer makes the validator panic or loop, not even answers that change from call to call. It asks only about slots
 /// below the numbers of slots, and about positions below `inner_count`, so `self.next[half_edge]` is a fine answer.
@@ -101,6 +102,12 @@ pub trait View {
 
     /// The vertex where the half-edge starts.
     fn origin(&self, half_edge: usize) -> Link;
+    /// The vertex where the half-edge ends, for structures that store it. The validator asks for origins only:
+    /// [`adapt::Targets`](super::adapt::Targets) gives it those.
+    fn target(&self, half_edge: usize) -> Link {
+        let _ = half_edge;
+        None
+    }
     /// The other half-edge of the same edge.
     fn twin(&self, half_edge: usize) -> Link;
     /// The half-edge that follows on the same cycle.

@@ -217,6 +217,38 @@ violations! {
         "more faces than a simple planar map can have."
         cause "the answers of the structure changed during the validation"
         remedy "do not change the structure while it is validated";
+    M1 UnusedVertex { vertex: usize } "unused_vertex"
+        "no half-edge leaves the vertex."
+        cause "faces were deleted and their vertices kept, or the vertex belongs to a line or a point of the input"
+        remedy "delete the vertex, or do not ask for `no_unused_vertices`";
+    M2 LoopEdge { half_edge: usize, vertex: usize } "loop_edge"
+        "an edge starts and ends at the same vertex."
+        cause "an edge was contracted while another joined its ends, or a face lists a vertex twice in a row"
+        remedy "delete the edge, or subdivide it; refuse to contract an edge whose ends have a neighbour in common that is not opposite to it";
+    M2 ParallelEdges { first: usize, second: usize, vertices: [usize; 2] } "parallel_edges"
+        "two edges join the same vertices."
+        cause "two faces at an edge were not joined as twins, an edge was flipped onto one that was there, or a face has two sides"
+        remedy "join the half-edges as twins, or subdivide one of the edges; look for an edge between the vertices before one is made";
+    M3 WrongSides { record: Record, sides: usize, expected: usize } "wrong_sides"
+        "a face (or, without faces, the cycle of this half-edge) has another number of sides."
+        cause "an edge of the face was split and the face was not, or the input mixes triangles with other polygons"
+        remedy "split the face by diagonals, or ask for the number that its faces have";
+    M4 OnBorder { half_edge: usize, vertices: [usize; 2], lacks: Field } "on_border"
+        "a half-edge has no twin, or bounds no face."
+        cause "the surface has a hole or a rim, or two faces at an edge were not joined as twins"
+        remedy "fill the hole, join the faces, or ask for the `borders` that there are instead";
+    M5 WrongComponents { found: usize, expected: usize } "wrong_components"
+        "there are more or fewer components with an edge."
+        cause "parts that should meet have vertices of their own where they touch, or loose parts were left behind"
+        remedy "merge the vertices that coincide, or delete the loose parts";
+    M6 WrongBorders { found: usize, expected: usize } "wrong_borders"
+        "there are more or fewer border loops."
+        cause "faces are missing, or neighbouring faces were not joined as twins"
+        remedy "fill the holes, or join the faces";
+    M7 WrongGenus { found: usize, expected: usize } "wrong_genus"
+        "there are more or fewer handles."
+        cause "faces are missing on both sides of a tunnel, a small handle was left by a reconstruction, or vertices were merged across a gap"
+        remedy "cut the handle and close both ends, or ask for the genus that the surface has";
     G1 NotFinite { vertex: usize } "not_finite"
         "a coordinate is NaN or infinite, or out of the range of the exact predicates."
         cause "a coordinate was missing in the input, or a projection or a division failed"
@@ -270,19 +302,22 @@ impl Violation {
         use Record::{Boundary as B, Face as F, HalfEdge as H, Vertex as X};
         use Violation as V;
         match *self {
-            V::Nil { record, .. } | V::Dangling { record, .. } => [Some(record), None],
-            V::TwinIsSelf { half_edge } | V::CycleNotListed { half_edge } | V::ZeroLength { half_edge } => {
-                [Some(H(half_edge)), None]
-            }
+            V::Nil { record, .. } | V::Dangling { record, .. } | V::WrongSides { record, .. } => [Some(record), None],
+            V::TwinIsSelf { half_edge }
+            | V::CycleNotListed { half_edge }
+            | V::OnBorder { half_edge, .. }
+            | V::ZeroLength { half_edge } => [Some(H(half_edge)), None],
+            V::LoopEdge { half_edge, vertex } => [Some(H(half_edge)), Some(X(vertex))],
             V::TwinNotMutual { half_edge, twin, .. } => [Some(H(half_edge)), Some(H(twin))],
             V::PrevOfNext { half_edge, next, .. }
             | V::Target { half_edge, next, .. }
             | V::BoundaryChanges { half_edge, next, .. }
             | V::FaceChanges { half_edge, next, .. } => [Some(H(half_edge)), Some(H(next))],
             V::NextOfPrev { half_edge, prev, .. } => [Some(H(half_edge)), Some(H(prev))],
-            V::NextShared { first, second, .. } | V::Cross { first, second } | V::Overlap { first, second } => {
-                [Some(H(first)), Some(H(second))]
-            }
+            V::NextShared { first, second, .. }
+            | V::ParallelEdges { first, second, .. }
+            | V::Cross { first, second }
+            | V::Overlap { first, second } => [Some(H(first)), Some(H(second))],
             V::NotLeaving { vertex, half_edge, .. }
             | V::SplitRotation { vertex, half_edge, .. }
             | V::OutOfOrder { vertex, half_edge, .. }
@@ -298,6 +333,7 @@ impl Violation {
             | V::TwoOutsides { vertex, .. }
             | V::Genus { vertex, .. }
             | V::NoSuchSurface { vertex, .. }
+            | V::UnusedVertex { vertex }
             | V::NotFinite { vertex } => [Some(X(vertex)), None],
             V::IsolatedTwice { vertex, second, .. } => [Some(X(vertex)), Some(second)],
             V::StartsAtConnected { record, vertex } => [Some(record), Some(X(vertex))],
@@ -312,7 +348,12 @@ impl Violation {
             V::WrongFace { boundary, face, .. } => [Some(boundary), Some(F(face))],
             V::NestedInItself { vertex, face } | V::Unlisted { vertex, face } => [Some(X(vertex)), Some(F(face))],
             V::SamePlace { first, second } => [Some(X(first)), Some(X(second))],
-            V::NoUnboundedFace | V::TooManyEdges { .. } | V::TooManyFaces { .. } => [None, None],
+            V::NoUnboundedFace
+            | V::TooManyEdges { .. }
+            | V::TooManyFaces { .. }
+            | V::WrongComponents { .. }
+            | V::WrongBorders { .. }
+            | V::WrongGenus { .. } => [None, None],
         }
     }
 }

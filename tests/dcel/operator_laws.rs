@@ -384,7 +384,7 @@ fn stale_keys_are_refused_by_every_operator() {
 
 /// A polygon in the unbounded face: its half-edges, the inside to their left.
 fn polygon(map: &mut Dcel, corners: usize) -> Vec<HalfEdgeKey> {
-    let v = map.add_isolated_vertex(Subject::unbounded_face(map)).unwrap().vertex;
+    let v = map.add_isolated_vertex(Subject::unbounded_face(map).unwrap()).unwrap().vertex;
     let mut sides = vec![map.connect(v, v, Split::default()).unwrap().half_edge];
     while sides.len() < corners {
         sides.push(map.split_edge(sides[sides.len() - 1]).unwrap().half_edge);

@@ -6,6 +6,7 @@
 mod support;
 
 mod edit;
+mod edit_programs;
 mod edited_maps;
 mod import;
 mod location;

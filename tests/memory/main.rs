@@ -6,3 +6,4 @@ mod counting;
 mod geojson;
 mod pointer_model;
 mod stores;
+mod validator;

@@ -54,7 +54,7 @@ fn every_record_is_freed_when_it_is_removed_and_all_when_the_structure_is_droppe
 #[test]
 fn a_record_that_is_removed_is_freed_at_once() {
     let mut pointers = PointerModel::new();
-    let outside = pointers.unbounded_face();
+    let outside = pointers.unbounded_face().unwrap();
     let empty = pointers.records();
     let v = pointers.add_isolated_vertex(outside).unwrap();
     let with_vertex = pointers.records();

@@ -10,5 +10,8 @@ mod census;
 mod choose;
 mod conformance;
 mod counts;
+mod generators;
 mod in_step;
+mod partial;
 mod program;
+mod reported;

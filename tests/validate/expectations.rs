@@ -4,8 +4,8 @@ use crate::support::opinions::agree;
 use crate::support::tables::{boundary, face, half_edge, map, mesh, textbook_map, textbook_mesh, vertex};
 use twinedge::validate::enumerate::for_each_corruption;
 use twinedge::validate::{
-    BoundaryPlace, Certificate, Collect, Expectation, FaceRow, Field, Link, Part, Record, Report, Rule, Start, Table,
-    Unchecked, View, Violation, validate,
+    BoundaryPlace, Certificate, Collect, Expectation, FaceRow, Field, HalfEdgeRow, Link, Part, Record, Report, Rule,
+    Start, Table, Unchecked, VertexRow, View, Violation, validate,
 };
 
 const TETRAHEDRON: [[usize; 3]; 4] = [[0, 1, 2], [0, 3, 1], [1, 3, 2], [0, 2, 3]];
@@ -60,7 +60,7 @@ fn a_mesh_with_a_border_of_half_edges_without_face() {
     }
     table.faces[3] = None;
     let found = certificate(&table, MESH.open());
-    assert_eq!((found.vertices, found.edges, found.faces, found.cycles, found.genus), (4, 6, 3, 4, 0));
+    assert_eq!((found.vertices, found.edges, found.faces, found.cycles, found.borders), (4, 6, 3, 3, 1));
     let nil = |h: &usize| Violation::Nil { record: Record::HalfEdge(*h), field: Field::Face };
     assert_eq!(violations(&table, MESH), border.iter().map(nil).collect::<Vec<_>>());
     // A face that a border half-edge names all the same changes along the border.
@@ -83,13 +83,54 @@ fn a_mesh_with_a_border_of_half_edges_without_twin() {
         vertex(&mut table, v).leaving = (0..12).find(origin);
     }
     let found = certificate(&table, MESH.open());
-    assert_eq!((found.vertices, found.edges, found.faces, found.cycles, found.genus), (4, 6, 3, 3, 0));
+    assert_eq!((found.vertices, found.edges, found.faces, found.cycles, found.borders), (4, 6, 3, 3, 1));
     let nil = |h: usize| Violation::Nil { record: Record::HalfEdge(h), field: Field::Twin };
     let expected: Vec<_> = (0..12).filter(|h| missing.contains(&(h ^ 1))).map(nil).collect();
     assert_eq!(violations(&table, MESH), expected);
     // Nor can somebody have a twin that has none.
     half_edge(&mut table, missing[0] ^ 1).twin = Some(missing[1] ^ 1);
     assert_eq!(agree(&table, MESH.open()), Some(Rule::L1));
+}
+
+/// A border has one of two forms. A half-edge of neither form, with a missing twin and a missing face, bounds nothing.
+#[test]
+fn r1_at_a_border_twin_and_face_are_not_both_missing() {
+    // A face and its whole cycle, on its own: the half-edges have no twins. Then they lose their face, too.
+    let row = |h: usize| HalfEdgeRow {
+        origin: Some(h),
+        next: Some((h + 1) % 3),
+        prev: Some((h + 2) % 3),
+        ..Default::default()
+    };
+    let vertices = (0..3).map(|v| Some(VertexRow { leaving: Some(v), isolated: None })).collect();
+    let mut table = Table { vertices, half_edges: (0..3).map(|h| Some(row(h))).collect(), ..Table::default() };
+    let nil = |field| (0..3).map(|h| Violation::Nil { record: Record::HalfEdge(h), field }).collect::<Vec<_>>();
+    assert_eq!(violations(&table, MESH.open()), nil(Field::Face));
+    assert_eq!(violations(&table, Expectation::surface().open()), nil(Field::Boundary));
+    for expectation in [MESH, Expectation::plane().without(Part::BoundaryComponents).without(Part::UnboundedFace)] {
+        assert_eq!(agree(&table, expectation.open()), Some(Rule::R1));
+    }
+    // Without faces there is no face to miss.
+    assert_eq!(certificate(&table, MESH.open().without(Part::Faces)).borders, 1);
+    // With one of the two links it is a border of the one form, and with two such triangles back to back of the other.
+    for h in 0..3 {
+        half_edge(&mut table, h).face = Some(0);
+    }
+    table.faces = vec![Some(FaceRow { outer_half_edge: Some(0), ..FaceRow::default() })];
+    assert_eq!(certificate(&table, MESH.open()).borders, 1);
+    let twin_row = |h: usize| HalfEdgeRow {
+        origin: Some((h + 1) % 3),
+        twin: Some(h),
+        next: Some(3 + (h + 2) % 3),
+        prev: Some(3 + (h + 1) % 3),
+        ..Default::default()
+    };
+    for h in 0..3 {
+        half_edge(&mut table, h).twin = Some(3 + h);
+    }
+    table.half_edges.extend((0..3).map(|h| Some(twin_row(h))));
+    let found = certificate(&table, MESH.open());
+    assert_eq!((found.borders, found.cycles), (0, 2));
 }
 
 /// An edge of a tetrahedron is cut open: two half-edges without twin side by side, parallel edges to the eye of T4.
@@ -168,7 +209,7 @@ fn an_open_outside_and_holes_inside() {
         let by_record = expectation.has(Part::BoundaryComponents);
         let mut table = if by_record { map(3, &LOOP_IN_LOOP, &faces) } else { textbook_map(3, &LOOP_IN_LOOP, &faces) };
         let found = certificate(&table, expectation.without(Part::UnboundedFace).open());
-        assert_eq!((found.components, found.faces, found.cycles), (3, 2, 4));
+        assert_eq!((found.components, found.faces, found.cycles, found.borders), (3, 2, 3, 1));
         // Without any face for it, the outside needs no record of the unbounded face, but one may be there.
         assert_eq!(agree(&table, expectation.open()), Some(Rule::F1));
         table.faces.push(Some(FaceRow::default()));

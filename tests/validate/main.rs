@@ -5,11 +5,15 @@
 #[path = "../support/mod.rs"]
 mod support;
 
+mod adapters;
 mod adversarial_embeddings;
 mod adversarial_views;
 mod comparison;
 mod embeddings;
 mod expectations;
+mod families;
+mod forms;
+mod mesh_rules;
 mod open_embeddings;
 mod reports;
 mod serialized;

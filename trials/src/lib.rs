@@ -23,12 +23,13 @@
 //! | --- | --- | --- |
 //! | [`prove()`] | grows every small map and tries every operator with every argument on each | operators that break a rule, panic, change something when they refuse, or miss a map |
 //! | [`soak()`] | runs random programs in step with a reference | operators that keep every rule but do the wrong thing; the program is made small |
+//! | [`meshes()`] | tries every operator with every argument on every small triangulation | operators of meshes, or others, that do the wrong thing on them |
 //! | [`corrupt()`] | sets every field of every small map to every other value | wrong tables that a validator misses, false alarms, hangs, panics |
 //! | [`tables()`] | judges every small table, right or wrong | the same, and counts that differ from the published ones |
 //! | [`sample()`] | judges random tables, nested and damaged | the same in larger maps |
 //! | [`replay()`] | runs one program and keeps the table after each operator | where a failing program goes wrong |
 //!
-//! `prove` and `soak` test a structure. `corrupt`, `tables` and `sample` test a validator: [`Validator`], the one of the library, or any
+//! `prove`, `meshes` and `soak` test a structure. `corrupt`, `tables` and `sample` test a validator: [`Validator`], the one of the library, or any
 //! other [`Checker`].
 //!
 //! # Long runs
@@ -62,6 +63,7 @@ mod sum;
 mod verdict;
 
 pub mod corrupt;
+pub mod meshes;
 pub mod planted;
 pub mod prove;
 pub mod regression;
@@ -72,6 +74,7 @@ pub mod tables;
 
 pub use corrupt::corrupt;
 pub use error::{Failed, StructureError};
+pub use meshes::meshes;
 pub use progress::{Progress, Silent};
 pub use prove::prove;
 pub use replay::replay;

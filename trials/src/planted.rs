@@ -1,7 +1,7 @@
 //! Structures with a planted bug, to see that the engines find it.
 
 use crate::replay::Indexed;
-use twinedge::dcel::{Dcel, FaceKey, HalfEdgeKey, OperatorError, Side, Turn, VertexKey};
+use twinedge::dcel::{Dcel, FaceKey, HalfEdgeKey, Side, Turn, VertexKey};
 use twinedge::program::{CornerOf, Refusal, Subject};
 use twinedge::validate::{BoundaryPlace, Link, Start, View};
 
@@ -56,7 +56,7 @@ view_as_it_is! {
 
 macro_rules! operators_as_they_are {
     ($($name:ident($($arg:ident: $argument:ty),*) -> $answer:ty;)*) => {
-        $(fn $name(&mut self $(, $arg: $argument)*) -> Result<$answer, OperatorError> {
+        $(fn $name(&mut self $(, $arg: $argument)*) -> Result<$answer, Refusal> {
             Subject::$name(&mut self.0 $(, $arg)*)
         })*
     };
@@ -66,24 +66,19 @@ impl<const PANICS: bool> Subject for Planted<PANICS> {
     type Vertex = VertexKey;
     type HalfEdge = HalfEdgeKey;
     type Face = FaceKey;
-    type Error = OperatorError;
-
-    fn refusal(error: &OperatorError) -> Refusal {
-        <Dcel as Subject>::refusal(error)
-    }
-    fn unbounded_face(&self) -> FaceKey {
+    fn unbounded_face(&self) -> Option<FaceKey> {
         Subject::unbounded_face(&self.0)
     }
-    fn face_of(&self, corner: CornerOf<Self>) -> Result<FaceKey, OperatorError> {
+    fn face_of(&self, corner: CornerOf<Self>) -> Result<FaceKey, Refusal> {
         Subject::face_of(&self.0, corner)
     }
-    fn origin_of(&self, half_edge: HalfEdgeKey) -> Result<VertexKey, OperatorError> {
+    fn origin_of(&self, half_edge: HalfEdgeKey) -> Result<VertexKey, Refusal> {
         Subject::origin_of(&self.0, half_edge)
     }
-    fn twin_of(&self, half_edge: HalfEdgeKey) -> Result<HalfEdgeKey, OperatorError> {
+    fn twin_of(&self, half_edge: HalfEdgeKey) -> Result<HalfEdgeKey, Refusal> {
         Subject::twin_of(&self.0, half_edge)
     }
-    fn next_of(&self, half_edge: HalfEdgeKey) -> Result<HalfEdgeKey, OperatorError> {
+    fn next_of(&self, half_edge: HalfEdgeKey) -> Result<HalfEdgeKey, Refusal> {
         Subject::next_of(&self.0, half_edge)
     }
     operators_as_they_are! {
@@ -96,10 +91,10 @@ impl<const PANICS: bool> Subject for Planted<PANICS> {
         split_vertex(from: CornerOf<Self>, to: CornerOf<Self>) -> HalfEdgeKey;
         contract_edge(half_edge: HalfEdgeKey) -> VertexKey;
     }
-    fn flip_edge(&mut self, half_edge: HalfEdgeKey, turn: Turn) -> Result<(), OperatorError> {
+    fn flip_edge(&mut self, half_edge: HalfEdgeKey, turn: Turn) -> Result<(), Refusal> {
         Subject::flip_edge(&mut self.0, half_edge, if PANICS { turn } else { turn.reversed() })
     }
-    fn move_inner(&mut self, inner: CornerOf<Self>, face: FaceKey) -> Result<(), OperatorError> {
+    fn move_inner(&mut self, inner: CornerOf<Self>, face: FaceKey) -> Result<(), Refusal> {
         let done = Subject::move_inner(&mut self.0, inner, face);
         assert!(!PANICS || done.is_err(), "a planted panic");
         done

@@ -76,9 +76,40 @@ pub(crate) fn plane(n: usize) -> u128 {
 /// OEIS A000168, A006300, A006298).
 pub(crate) const BY_GENUS: [&[u64]; 6] = [&[1], &[2], &[9, 1], &[54, 20], &[378, 307, 21], &[2916, 4280, 966]];
 
+/// Simple triangulations of the sphere with this number of vertices, mirror images taken together (OEIS A000109).
+pub(crate) fn spheres(vertices: usize) -> Option<u64> {
+    [1, 1, 1, 2, 5, 14, 50, 233].get(vertices.checked_sub(3)?).copied()
+}
+
+/// The same with a root (Tutte, *A census of planar triangulations*, 1962; OEIS A000260).
+pub(crate) fn tutte(vertices: usize) -> Option<u64> {
+    [1, 1, 3, 13, 68, 399, 2530].get(vertices.checked_sub(3)?).copied()
+}
+
+/// Simple triangulations of a disc, rooted at its border (Brown, *Enumeration of triangulations of the disk*, 1964): with n inner and
+/// m + 3 outer vertices, 2 (2m + 3)! (4n + 2m + 1)! / ((m + 2)! m! n! (3n + 2m + 3)!). None if it does not fit.
+pub(crate) fn brown(outer: usize, inner: usize) -> Option<u64> {
+    let (m, n) = (outer.checked_sub(3)? as u128, inner as u128);
+    if m + n > 6 {
+        return None;
+    }
+    let above = 2 * factorial(2 * m + 3) * factorial(4 * n + 2 * m + 1);
+    let below = factorial(m + 2) * factorial(m) * factorial(n) * factorial(3 * n + 2 * m + 3);
+    u64::try_from(above / below).ok()
+}
+
 #[cfg(test)]
 mod tests {
-    use super::{BY_GENUS, MOST_EDGES, plane, rooted, sensed};
+    use super::{BY_GENUS, MOST_EDGES, brown, plane, rooted, sensed, tutte};
+
+    #[test]
+    fn triangulations_of_a_triangle_are_those_of_the_sphere() {
+        for inner in 0..=6 {
+            assert_eq!(brown(3, inner), tutte(inner + 3));
+        }
+        // The two diagonals of a square; the wheel, and a vertex in one of four triangles.
+        assert_eq!((brown(4, 0), brown(4, 1), brown(5, 0)), (Some(2), Some(5), Some(5)));
+    }
 
     #[test]
     fn the_formulas_give_the_published_numbers() {

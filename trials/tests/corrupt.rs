@@ -47,6 +47,45 @@ fn the_validator_misses_nothing() {
     judged(&Validator).into_result().unwrap();
 }
 
+/// To break T1, T2 or T3 and no rule before takes changes of many fields, which single corruptions never make.
+#[test]
+fn a_validator_that_is_blind_to_a_late_rule_is_noticed_in_every_form() {
+    let blind: [fn(Verdict) -> Verdict; 3] = [
+        |verdict| if verdict.broken == Some(Rule::T1) { Verdict { valid: true, broken: None } } else { verdict },
+        |verdict| if verdict.broken == Some(Rule::T2) { Verdict { valid: true, broken: None } } else { verdict },
+        |verdict| if verdict.broken == Some(Rule::T3) { Verdict { valid: true, broken: None } } else { verdict },
+    ];
+    let work = CorruptWork { edges: 2, pairs: 0, seed: 0 };
+    for blind in blind {
+        let outcome = corrupt(&slots(), work, &Wrong(blind), &Run::default(), &abort).unwrap();
+        for form in [Form::Records, Form::Textbook, Form::Every] {
+            let missed = outcome.fields.iter().filter(|row| row.form == form).map(|row| row.tally.missed).sum::<u64>();
+            assert!(missed > 0, "{form:?}");
+        }
+        assert!(outcome.findings[0].contains("exchanged: "), "{}", outcome.findings[0]);
+    }
+}
+
+/// Every rule that an expectation checks is the first broken one for some table in its form, except for those that follow.
+#[test]
+fn every_expectation_sees_every_rule_broken() {
+    let work = CorruptWork { edges: 2, pairs: 0, seed: 0 };
+    let outcome = corrupt(&slots(), work, &Validator, &Run::default(), &abort).unwrap().into_result().unwrap();
+    assert_eq!(outcome.expectations.len(), 112);
+    assert_eq!(outcome.never_first_broken().collect::<Vec<_>>(), []);
+    let rules = |number: usize| outcome.expectations[number].first_broken.len();
+    // The plane with every part: all but T4. The least that is checked: R1, L1, L2, L3, V2.
+    assert_eq!((rules(0), (0..112).map(rules).min()), (13, Some(5)));
+    // With one edge there is nothing to nest: this is said, and no failure.
+    let small = corrupted(&Validator);
+    assert!(small.never_first_broken().any(|(_, rule)| rule == Rule::T3) && small.is_ok());
+    // Without the tables of a rule, it is one.
+    let mut less = outcome;
+    let row = less.expectations[0].first_broken.iter_mut().find(|row| row.rule == Rule::T2).unwrap();
+    row.wrong = 0;
+    assert!(less.reasons()[0].ends_with("breaks first: 1, as T2 of plane"), "{:?}", less.reasons());
+}
+
 #[test]
 fn a_validator_that_finds_nothing_misses_all() {
     let blind = Wrong(|_| Verdict { valid: true, broken: None });

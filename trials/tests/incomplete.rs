@@ -52,7 +52,7 @@ view_as_it_is! {
 macro_rules! operators_as_they_are {
     ($($name:ident($($arg:ident: $argument:ty),*) -> $answer:ty;)*) => {
         $(fn $name(&mut self $(, $arg: $argument)*) -> Result<$answer, Refusal> {
-            Subject::$name(&mut self.dcel $(, $arg)*).map_err(|error| <Dcel as Subject>::refusal(&error))
+            Subject::$name(&mut self.dcel $(, $arg)*)
         })*
     };
 }
@@ -60,7 +60,7 @@ macro_rules! operators_as_they_are {
 macro_rules! questions_as_they_are {
     ($($name:ident($arg:ident: $argument:ty) -> $answer:ty;)*) => {
         $(fn $name(&self, $arg: $argument) -> Result<$answer, Refusal> {
-            Subject::$name(&self.dcel, $arg).map_err(|error| <Dcel as Subject>::refusal(&error))
+            Subject::$name(&self.dcel, $arg)
         })*
     };
 }
@@ -69,12 +69,7 @@ impl Subject for Partial {
     type Vertex = VertexKey;
     type HalfEdge = HalfEdgeKey;
     type Face = FaceKey;
-    type Error = Refusal;
-
-    fn refusal(error: &Refusal) -> Refusal {
-        *error
-    }
-    fn unbounded_face(&self) -> FaceKey {
+    fn unbounded_face(&self) -> Option<FaceKey> {
         Subject::unbounded_face(&self.dcel)
     }
     questions_as_they_are! {

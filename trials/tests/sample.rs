@@ -15,7 +15,7 @@ fn count(outcome: &SampleOutcome, rule: Rule) -> u64 {
 #[test]
 fn every_rule_but_the_last_is_often_the_first_broken_one() {
     let outcome = sample(WORK, &Validator, &Run::default()).into_result().unwrap();
-    for rule in Rule::ALL.iter().filter(|rule| !rule.is_geometric()) {
+    for rule in Rule::ALL.iter().filter(|rule| !rule.is_geometric() && !rule.is_optional()) {
         let wrong = count(&outcome, *rule);
         // At least one in a thousand. T4 follows from the other rules.
         assert_eq!(wrong >= WORK.tables / 1_000, *rule != Rule::T4, "{rule}: {wrong}");

@@ -75,7 +75,7 @@ fn a_program_is_interrupted_between_two_operators() {
         }
     }
     let comparison = slots().compare(&WORK.program(0), &StopAfter(7.into()));
-    assert_eq!((comparison.summary.operators(), comparison.end), (7, End::Interrupted));
+    assert_eq!((comparison.summary.total().all(), comparison.end), (7, End::Interrupted));
     let progress = StopAfter(100.into());
     let outcome = soak(&[&slots()], WORK, &Run::default().threads(1).progress(&progress));
     let row = &outcome.structures[0];

@@ -18,8 +18,8 @@ pub const LAYERS: &[(&str, &[&str])] = &[
 ];
 
 /// What a layer may import besides, in the modules that a feature adds: a layer, the other, and the feature. The rules G1 … G5
-/// need points and exact predicates.
-pub const WITH_FEATURE: &[(&str, &str, &str)] = &[("validate", "geometry", "geometry")];
+/// need points and exact predicates; programs of edits are generated, shrunk and read like those of operators.
+pub const WITH_FEATURE: &[(&str, &str, &str)] = &[("validate", "geometry", "geometry"), ("map", "program", "program")];
 
 /// An import of a layer that the importing one may not know.
 #[derive(Clone, Debug)]

@@ -8,8 +8,8 @@ use serde::Serialize;
 use std::collections::BTreeSet;
 use std::fmt::Write as _;
 use std::time::Instant;
-use twinedge::validate::Collect;
-use twinedge_formats::mesh::{self, Finding, Format as MeshFormat, Kind, MeshAudit, MeshExpectation, MeshFile};
+use twinedge::validate::{Collect, Expectation};
+use twinedge_formats::mesh::{self, Finding, Format as MeshFormat, HalfEdgeMesh, Kind, MeshAudit, MeshFile};
 
 /// What a mesh must be.
 #[derive(Debug, clap::Args)]
@@ -47,12 +47,15 @@ pub(super) struct Expected {
 impl Expected {
     /// Whether anything is expected.
     pub(super) fn is_any(&self) -> bool {
-        self.expectation() != MeshExpectation::new()
+        self.expectation() != HalfEdgeMesh::expectation()
     }
 
-    pub(super) fn expectation(&self) -> MeshExpectation {
-        let mut expectation = MeshExpectation::new();
-        if let Some(borders) = self.borders.or(self.closed.then_some(0)) {
+    pub(super) fn expectation(&self) -> Expectation {
+        let mut expectation = HalfEdgeMesh::expectation();
+        if self.closed {
+            expectation = expectation.closed();
+        }
+        if let Some(borders) = self.borders {
             expectation = expectation.borders(borders);
         }
         if let Some(genus) = self.genus {
@@ -85,7 +88,7 @@ struct Json<'a> {
 pub(super) fn audit(
     Input { name, reader, .. }: Input,
     format: MeshFormat,
-    expectation: MeshExpectation,
+    expectation: Expectation,
     list: usize,
     explain: bool,
     output: Format,
@@ -104,13 +107,18 @@ pub(super) fn audit(
     Ok(if audit.is_valid() { Verdict::Sound } else { Verdict::Wrong })
 }
 
-/// The same, with the usual cause and the remedy of each finding.
+/// The same, with the usual cause and the remedy of each finding and each violation.
 fn explained(json: &Json<'_>) -> Result<serde_json::Value, Failure> {
     let mut value = serde_json::to_value(json)?;
     let listed = value["findings"].as_array_mut().into_iter().flatten();
     for (object, finding) in listed.zip(json.audit.findings().list()) {
         object["cause"] = finding.kind().cause().into();
         object["remedy"] = finding.kind().remedy().into();
+    }
+    let listed = value["violations"].as_array_mut().into_iter().flatten();
+    for (object, violation) in listed.zip(json.audit.report().violations()) {
+        object["cause"] = violation.cause().into();
+        object["remedy"] = violation.remedy().into();
     }
     Ok(value)
 }
@@ -139,13 +147,18 @@ fn text(
         for kind in kinds {
             writeln!(out, "{kind}: usual cause: {}; remedy: {}", kind.cause(), kind.remedy())?;
         }
+        let violations = audit.report().violations().iter();
+        let explained: BTreeSet<_> = violations.map(|v| (v.rule(), v.cause(), v.remedy())).collect();
+        for (rule, cause, remedy) in explained {
+            writeln!(out, "{rule}: usual cause: {cause}; remedy: {remedy}")?;
+        }
     }
     if audit.is_valid() {
         writeln!(out, "{GOOD}valid{GOOD:#}: every rule that applies holds ({elapsed_ms:.0} ms)")?;
     } else {
-        let faults = audit.findings().total() + audit.unmet().len();
-        let found = if faults > 0 { counted(faults, "finding") } else { "see the rules".to_owned() };
-        writeln!(out, "{BAD}not valid{BAD:#}: {found} ({elapsed_ms:.0} ms)")?;
+        let (findings, violations) = (audit.findings().total(), audit.report().violation_count());
+        let (findings, violations) = (counted(findings, "finding"), counted(violations as usize, "violation"));
+        writeln!(out, "{BAD}not valid{BAD:#}: {findings}, {violations} ({elapsed_ms:.0} ms)")?;
     }
     Ok(out)
 }

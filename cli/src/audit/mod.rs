@@ -31,8 +31,8 @@ use twinedge::validate::{places, validate_embedding};
 ///
 /// A file of tables is judged line by line instead. `twinedge tables --print` and `twinedge corrupt --print` write such files.
 /// Each line is one structure as plain tables, in the text form of `twinedge::validate::Table`; a verdict may follow, `= ok` or
-/// the first broken rule, as in `= R1`, and is compared with that of the validator. The line `# expect: plane without prev` says
-/// what the tables below it are held to; other lines that begin with `#` are comments.
+/// the first broken rule, as in `= R1`, and is compared with that of the validator. The line `# expect: plane without prev`, or
+/// `# expect: surface open asking closed genus 0 sides 3`, says what the tables below it are held to; other lines that begin with `#` are comments.
 #[derive(Debug, clap::Args)]
 #[command(after_help = "Examples:
   twinedge audit                          the built-in map of the world

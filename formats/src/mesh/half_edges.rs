@@ -29,7 +29,15 @@ pub struct HalfEdgeMesh<'a> {
 }
 
 impl HalfEdgeMesh<'_> {
-    /// What the validator is to hold it to: surfaces of any genus, open borders allowed.
+    /// What the validator is to hold it to: surfaces of any genus, open borders allowed. What else it is to be can be asked for;
+    /// [`simple`](Expectation::simple) goes without saying, as an edge is what has the same two ends.
+    ///
+    /// ```
+    /// use twinedge_formats::mesh::HalfEdgeMesh;
+    /// // A torus of triangles.
+    /// let torus = HalfEdgeMesh::expectation().closed().components(1).genus(1).triangles().no_unused_vertices();
+    /// # let _ = torus;
+    /// ```
     #[must_use]
     pub const fn expectation() -> Expectation {
         Expectation::surface().without(Part::BoundaryComponents).open()

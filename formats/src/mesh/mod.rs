@@ -8,15 +8,14 @@
 //! ```
 //!
 //! `read` and its like take OBJ, OFF, PLY and STL. [`HalfEdgeMesh::link`] joins the faces, in linear time, and finds what
-//! cannot be joined. [`audit`] does that, runs the validator on what was joined, counts, and compares the counts with a
-//! [`MeshExpectation`].
+//! cannot be joined. [`audit`] does that, runs the validator on what was joined, and counts. What the mesh is to be beyond a
+//! surface, the validator is asked for, too: [`HalfEdgeMesh::expectation`] with `closed`, `genus` and so on.
 //!
 //! Faces and vertices are counted from 0, in the order of the file, in everything that this module says. (OBJ counts
 //! vertices from 1 in its files.)
 
 mod audit;
 mod counts;
-mod expectation;
 mod finding;
 mod half_edges;
 mod indexed;
@@ -30,7 +29,6 @@ mod sets;
 
 pub use audit::{MeshAudit, audit};
 pub use counts::MeshCounts;
-pub use expectation::{MeshExpectation, Unmet};
 pub use finding::{Finding, Findings, Kind};
 pub use half_edges::HalfEdgeMesh;
 pub use indexed::{IndexedMesh, IndexedMeshError};

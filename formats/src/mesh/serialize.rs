@@ -1,6 +1,6 @@
 //! An audit as one object.
 
-use super::{Finding, MeshAudit, MeshCounts, Unmet};
+use super::{Finding, MeshAudit, MeshCounts};
 use serde::ser::{Serialize, SerializeStruct, Serializer};
 
 impl Serialize for MeshAudit {
@@ -9,10 +9,10 @@ impl Serialize for MeshAudit {
         struct Object<'a> {
             valid: bool,
             counts: &'a MeshCounts,
-            unmet: &'a [Unmet],
             finding_count: usize,
             findings: &'a [Finding],
             rules: Vec<Rule>,
+            violations: Vec<Violation>,
         }
         #[derive(serde::Serialize)]
         struct Rule {
@@ -21,19 +21,29 @@ impl Serialize for MeshAudit {
             checked: u64,
             unchecked: Option<String>,
         }
+        #[derive(serde::Serialize)]
+        struct Violation {
+            rule: &'static str,
+            message: String,
+        }
         let rules = self.report().outcomes().map(|(rule, outcome)| Rule {
             id: rule.id(),
             violations: outcome.violations,
             checked: outcome.checked,
             unchecked: outcome.unchecked.map(|why| why.to_string()),
         });
+        let violations = self
+            .report()
+            .violations()
+            .iter()
+            .map(|violation| Violation { rule: violation.rule().id(), message: violation.to_string() });
         Object {
             valid: self.is_valid(),
             counts: self.counts(),
-            unmet: self.unmet(),
             finding_count: self.findings().total(),
             findings: self.findings().list(),
             rules: rules.collect(),
+            violations: violations.collect(),
         }
         .serialize(serializer)
     }
@@ -45,15 +55,6 @@ impl Serialize for Finding {
         object.serialize_field("kind", self.kind().name())?;
         object.serialize_field("faces", &self.faces())?;
         object.serialize_field("vertices", &self.vertices())?;
-        object.serialize_field("message", &self.to_string())?;
-        object.end()
-    }
-}
-
-impl Serialize for Unmet {
-    fn serialize<S: Serializer>(&self, serializer: S) -> Result<S::Ok, S::Error> {
-        let mut object = serializer.serialize_struct("Unmet", 2)?;
-        object.serialize_field("name", self.name())?;
         object.serialize_field("message", &self.to_string())?;
         object.end()
     }

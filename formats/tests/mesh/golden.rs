@@ -3,11 +3,11 @@
 use crate::support::shapes::{
     CUBE, OCTAHEDRON, TETRAHEDRON, grid, mesh, moebius_strip, moebius_strip_with_a_seam, seven_vertex_torus,
 };
-use twinedge::validate::{Collect, Rule};
-use twinedge_formats::mesh::{Finding, HalfEdgeMesh, Kind, MeshAudit, MeshExpectation, audit};
+use twinedge::validate::{Collect, Record, Rule, Unchecked, Violation};
+use twinedge_formats::mesh::{Finding, HalfEdgeMesh, Kind, MeshAudit, audit};
 
 fn audited<F: AsRef<[u32]>>(points: usize, faces: impl IntoIterator<Item = F>) -> MeshAudit {
-    audit(&mesh(points, faces), &MeshExpectation::new(), Collect::All)
+    audit(&mesh(points, faces), &HalfEdgeMesh::expectation(), Collect::All)
 }
 
 /// V, E, F, components, borders, Euler characteristic, genus.
@@ -161,13 +161,13 @@ fn repeats_are_found_among_many_faces_at_one_vertex() {
 #[test]
 fn unused_vertices_are_told_and_are_no_fault_unless_expected() {
     let tetrahedron = mesh(6, TETRAHEDRON);
-    let found = audit(&tetrahedron, &MeshExpectation::new(), Collect::All);
+    let found = audit(&tetrahedron, &HalfEdgeMesh::expectation(), Collect::All);
     assert!(found.is_valid());
     assert_eq!(found.findings().list(), [Finding::UnusedVertex { vertex: 4 }, Finding::UnusedVertex { vertex: 5 }]);
     assert_eq!(numbers(&found), (6, 6, 4, 1, Some(0), 2, Some(0)));
-    let found = audit(&tetrahedron, &MeshExpectation::new().no_unused_vertices(), Collect::All);
+    let found = audit(&tetrahedron, &HalfEdgeMesh::expectation().no_unused_vertices(), Collect::All);
     assert!(!found.is_valid());
-    assert_eq!(found.unmet()[0].to_string(), "expected no unused vertices, found 2");
+    assert_eq!(found.report().violations(), [4, 5].map(|vertex| Violation::UnusedVertex { vertex }));
 }
 
 #[test]
@@ -179,42 +179,51 @@ fn nothing_is_valid() {
 
 #[test]
 fn each_expectation_is_met_by_the_right_number_only() {
-    use twinedge_formats::mesh::Unmet;
-    let none = MeshExpectation::new();
+    let none = HalfEdgeMesh::expectation();
     let (points, faces) = grid(4, 2, true, false);
     let annulus = mesh(points, faces);
-    let unmet = |expectation| audit(&annulus, &expectation, Collect::All).unmet().to_vec();
-    assert_eq!(unmet(none), []);
-    let good = none.borders(2).genus(0).components(1).sides(4).no_unused_vertices();
-    assert_eq!(unmet(good), []);
-    assert_eq!(unmet(none.closed()), [Unmet::Borders { expected: 0, found: Some(2), border_edges: 8 }]);
-    assert_eq!(unmet(none.borders(1)), [Unmet::Borders { expected: 1, found: Some(2), border_edges: 8 }]);
-    assert_eq!(unmet(none.genus(1)), [Unmet::Genus { expected: 1, found: Some(0) }]);
-    assert_eq!(unmet(none.components(2)), [Unmet::Components { expected: 2, found: 1 }]);
-    assert_eq!(unmet(none.triangles()), [Unmet::Sides { expected: 3, faces: 8, first: 0, found: 4 }]);
-    assert_eq!(unmet(none.components(0)), [Unmet::Components { expected: 0, found: 1 }]);
-    assert_eq!(unmet(none.sides(5)), [Unmet::Sides { expected: 5, faces: 8, first: 0, found: 4 }]);
-    let names: Vec<_> =
-        unmet(none.closed().genus(1).components(2).triangles()).iter().map(|unmet| unmet.name()).collect();
-    assert_eq!(names, ["borders", "genus", "components", "sides"]);
+    let violations = |expectation| audit(&annulus, &expectation, Collect::All).report().violations().to_vec();
+    assert_eq!(violations(none), []);
+    let good = none.borders(2).genus(0).components(1).sides(4).no_unused_vertices().simple();
+    assert_eq!(violations(good), []);
+    let at_border = violations(none.closed());
+    assert!(at_border.iter().all(|violation| violation.rule() == Rule::M4));
+    assert_eq!(at_border.len(), 8);
+    assert_eq!(violations(none.borders(1)), [Violation::WrongBorders { found: 2, expected: 1 }]);
+    assert_eq!(violations(none.genus(1)), [Violation::WrongGenus { found: 0, expected: 1 }]);
+    assert_eq!(violations(none.components(2)), [Violation::WrongComponents { found: 1, expected: 2 }]);
+    assert_eq!(violations(none.components(0)), [Violation::WrongComponents { found: 1, expected: 0 }]);
+    let sides = |expected| (0..8).map(move |f| Violation::WrongSides { record: Record::Face(f), sides: 4, expected });
+    assert_eq!(violations(none.triangles()), sides(3).collect::<Vec<_>>());
+    assert_eq!(violations(none.sides(5)), sides(5).collect::<Vec<_>>());
+}
+
+/// An unused vertex is a component of the map, but not one that is expected.
+#[test]
+fn unused_vertices_are_no_components() {
+    let found = audit(&mesh(6, TETRAHEDRON), &HalfEdgeMesh::expectation().components(1).closed(), Collect::All);
+    assert!(found.is_valid(), "{found}");
+    assert_eq!((found.counts().components, found.report().counts().components), (1, Some(3)));
 }
 
 #[test]
-fn what_is_not_known_is_not_as_expected() {
-    use twinedge_formats::mesh::Unmet;
+fn what_is_not_known_is_not_checked() {
     let strip = mesh(5, moebius_strip());
-    let found = audit(&strip, &MeshExpectation::new().borders(1).genus(0).components(1), Collect::All);
-    assert_eq!(
-        found.unmet(),
-        [Unmet::Borders { expected: 1, found: None, border_edges: 5 }, Unmet::Genus { expected: 0, found: None }]
-    );
+    let expectation = HalfEdgeMesh::expectation().borders(1).genus(0).components(1).triangles();
+    let found = audit(&strip, &expectation, Collect::All);
+    assert!(!found.is_valid());
+    let unchecked = |rule| found.report().outcome(rule).expect("asked for").unchecked;
+    for rule in [Rule::M5, Rule::M6, Rule::M7] {
+        assert_eq!(unchecked(rule), Some(Unchecked::Broken(Rule::V2)), "{rule}");
+    }
+    assert_eq!(unchecked(Rule::M3), None);
 }
 
 #[test]
 fn faces_that_are_left_out_need_not_have_the_expected_sides() {
     let faces = TETRAHEDRON.iter().map(|face| &face[..]).chain([&[0, 1][..]]);
-    let found = audit(&mesh(4, faces), &MeshExpectation::new().triangles(), Collect::All);
-    assert_eq!(found.unmet(), []);
+    let found = audit(&mesh(4, faces), &HalfEdgeMesh::expectation().triangles(), Collect::All);
+    assert!(found.report().is_valid());
     assert!(!found.is_valid());
 }
 
@@ -238,7 +247,7 @@ fn all_findings_are_counted_and_as_many_kept_as_asked() {
     let faces: Vec<Vec<u32>> = (0..40).map(|i| vec![i, i]).collect();
     let soup = mesh(50, faces);
     let kept = |collect| {
-        let found = audit(&soup, &MeshExpectation::new(), collect);
+        let found = audit(&soup, &HalfEdgeMesh::expectation(), collect);
         assert_eq!(found.findings().count(Kind::DegenerateFace), 40);
         assert_eq!(found.findings().count(Kind::UnusedVertex), 50);
         found.findings().list().len()

@@ -4,7 +4,7 @@ use crate::support::shapes::{TETRAHEDRON, mesh};
 use crate::support::write::{Kind as Written, write};
 use quickcheck::{Gen, QuickCheck};
 use twinedge::validate::Collect;
-use twinedge_formats::mesh::{Format, IndexedMesh, MeshExpectation, ReadError, audit, read_bytes};
+use twinedge_formats::mesh::{Format, HalfEdgeMesh, IndexedMesh, ReadError, audit, read_bytes};
 
 /// Reads, and audits what was read; true if it is a mesh.
 fn survives(bytes: &[u8], format: Option<Format>) -> bool {
@@ -12,7 +12,7 @@ fn survives(bytes: &[u8], format: Option<Format>) -> bool {
         Ok(file) => {
             assert!(file.mesh.points().iter().flatten().all(|x| x.is_finite()));
             assert!(file.mesh.corners().iter().all(|v| (*v as usize) < file.mesh.points().len()));
-            let audit = audit(&file.mesh, &MeshExpectation::new().closed().genus(0), Collect::All);
+            let audit = audit(&file.mesh, &HalfEdgeMesh::expectation().closed().genus(0), Collect::All);
             assert_eq!(audit.counts().faces, file.mesh.face_count());
             true
         }
@@ -141,7 +141,7 @@ fn crowds() {
     let points = || vec![[0.0; 3]; MANY as usize + 3];
     let edges = |faces: Vec<Vec<u32>>| {
         let mesh = IndexedMesh::from_faces(points(), faces).expect("indices in range");
-        let audit = audit(&mesh, &MeshExpectation::new(), Collect::All);
+        let audit = audit(&mesh, &HalfEdgeMesh::expectation(), Collect::All);
         assert!(!audit.is_valid());
         (audit.counts().edges, audit.findings().total())
     };

@@ -6,10 +6,10 @@ use crate::support::soup::Soup;
 use crate::support::write::{Kind as Written, write};
 use quickcheck::{Gen, QuickCheck};
 use twinedge::validate::{Collect, Rule, validate};
-use twinedge_formats::mesh::{Finding, HalfEdgeMesh, IndexedMesh, Kind, MeshAudit, MeshExpectation, audit, read_bytes};
+use twinedge_formats::mesh::{Finding, HalfEdgeMesh, IndexedMesh, Kind, MeshAudit, audit, read_bytes};
 
 fn audited(mesh: &IndexedMesh) -> MeshAudit {
-    audit(mesh, &MeshExpectation::new(), Collect::AtMost(usize::MAX))
+    audit(mesh, &HalfEdgeMesh::expectation(), Collect::AtMost(usize::MAX))
 }
 
 fn check<A: quickcheck::Testable>(tests: u64, property: A) {
@@ -234,7 +234,7 @@ fn an_audit_is_what_its_parts_are() {
         let mesh = soup.mesh();
         let (half_edges, findings) = HalfEdgeMesh::link(&mesh, Collect::All);
         let report = validate(&half_edges, &HalfEdgeMesh::expectation(), Collect::All);
-        let audit = audit(&mesh, &MeshExpectation::new(), Collect::All);
+        let audit = audit(&mesh, &HalfEdgeMesh::expectation(), Collect::All);
         assert_eq!(audit.findings(), &findings);
         assert_eq!(audit.report(), &report);
         assert_eq!(audit.counts().edges, half_edges.edge_count());

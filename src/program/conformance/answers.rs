@@ -35,12 +35,18 @@ impl<K: Subject> Said<K> {
 }
 
 /// Handles of the reference, each with the one handle of the subject that names the same.
-struct Pairs<A, B>(BTreeMap<A, B>);
+pub(super) struct Pairs<A, B>(BTreeMap<A, B>);
+
+impl<A, B> Default for Pairs<A, B> {
+    fn default() -> Self {
+        Self(BTreeMap::new())
+    }
+}
 
 impl<A: Copy + Ord, B: Copy + Eq> Pairs<A, B> {
     /// Whether these two belong together: they are paired already, or neither is and now they are. Two that are not there
     /// say the same.
-    fn agree(&mut self, reference: Option<A>, subject: Option<B>) -> bool {
+    pub(super) fn agree(&mut self, reference: Option<A>, subject: Option<B>) -> bool {
         let (Some(a), Some(b)) = (reference, subject) else { return reference.is_none() && subject.is_none() };
         if let Some(known) = self.0.get(&a) {
             return *known == b;
@@ -55,31 +61,42 @@ impl<A: Copy + Ord, B: Copy + Eq> Pairs<A, B> {
 ///
 /// O(n log n) questions and steps, and O(n²) comparisons of handles, of which nothing more is known than whether two are
 /// equal.
-pub(super) fn compare<K: Subject>(reference: &Runner<PointerModel>, subject: &Runner<K>) -> Result<(), Difference> {
+///
+/// Tells whether there is a half-edge on the border of which the subject has no `next`. Without faces it is not asked for any.
+pub(super) fn compare<K: Subject>(
+    reference: &Runner<PointerModel>,
+    subject: &Runner<K>,
+    has_faces: bool,
+) -> Result<bool, Difference> {
     let both = reference.half_edges().iter().copied().zip(subject.half_edges().iter().copied());
     let half_edges: BTreeMap<_, _> = both.collect();
     let same = |a: Option<_>, b: Option<K::HalfEdge>| match a {
         Some(a) => b.is_some() && half_edges.get(&a).copied() == b,
         None => b.is_none(),
     };
-    let mut vertices = Pairs(BTreeMap::new());
-    let unbounded = (reference.subject().unbounded_face(), subject.subject().unbounded_face());
-    let mut faces = Pairs(BTreeMap::from([unbounded]));
+    let mut vertices = Pairs::default();
+    let mut faces = Pairs::default();
+    if let (Some(a), Some(b)) = (reference.subject().unbounded_face(), subject.subject().unbounded_face()) {
+        faces.agree(Some(a), Some(b));
+    }
+    let mut lacks_next = false;
     let corners = subject.corners().map(Some).chain(repeat(None));
     for (place, (corner, other)) in reference.corners().zip(corners).enumerate() {
         let (a, b) = (Said::of(reference.subject(), Some(corner)), Said::of(subject.subject(), other));
+        let is_without_next = a.face.is_none() && b.next.is_none();
+        lacks_next |= is_without_next;
         let agreed = [
             (Question::Twin, same(a.twin, b.twin)),
-            (Question::Next, same(a.next, b.next)),
+            (Question::Next, same(a.next, b.next) || is_without_next),
             (Question::Origin, vertices.agree(a.origin, b.origin)),
-            (Question::Face, faces.agree(a.face, b.face)),
+            (Question::Face, !has_faces || faces.agree(a.face, b.face)),
         ];
         if let Some((question, _)) = agreed.into_iter().find(|(_, agreed)| !agreed) {
             let (reference, subject) = (answer(reference, place, question), answer(subject, place, question));
             return Err(Difference::Answers { corner: place, question, reference, subject });
         }
     }
-    Ok(())
+    Ok(lacks_next)
 }
 
 /// What a subject answers, in places.
@@ -94,7 +111,7 @@ fn answer<K: Subject>(runner: &Runner<K>, corner: usize, question: Question) -> 
             let same = |other: &K::HalfEdge| said.origin.is_some() && subject.origin_of(*other).ok() == said.origin;
             runner.half_edges().iter().position(same)
         }
-        Question::Face if said.face == Some(subject.unbounded_face()) => return Answer::Unbounded,
+        Question::Face if said.face.is_some() && said.face == subject.unbounded_face() => return Answer::Unbounded,
         Question::Face => {
             let same = |other| said.face.is_some() && subject.face_of(other).ok() == said.face;
             runner.corners().position(same)

@@ -1,9 +1,11 @@
 //! How a subject differs from the reference.
 
-use crate::program::op::Op;
+use crate::program::op::{Op, Program};
 use crate::program::outcome::StepOutcome;
+use crate::program::pointer_model::StartError;
 use crate::validate::{Part, Report};
 use alloc::boxed::Box;
+use alloc::vec::Vec;
 use core::fmt;
 use thiserror::Error;
 
@@ -37,9 +39,52 @@ pub enum Answer {
 #[derive(Clone, Debug, PartialEq, Eq, Error)]
 #[non_exhaustive]
 pub enum Difference {
-    /// The expectation leaves out a part without which two maps cannot be compared.
-    #[error("the expectation leaves out {}; without it there is no telling which map it is", .0.name())]
+    /// The structure is empty, and the expectation leaves out a part without which nothing can be added to it.
+    #[error("the structure is empty, and the expectation leaves out {}; begin with one that is not", .0.name())]
     Lacks(Part),
+    /// The structure is one with which programs cannot begin.
+    #[error(transparent)]
+    Start(StartError),
+    /// The structure is not empty, and [`Subject::half_edge_at`](crate::program::Subject::half_edge_at) does not give this handle.
+    #[error("half_edge_at gives no handle for half-edge {half_edge} of the view")]
+    NoHandle {
+        /// The index of the half-edge in the view.
+        half_edge: usize,
+    },
+    /// The same for [`Subject::vertex_at`](crate::program::Subject::vertex_at).
+    #[error("vertex_at gives no handle for isolated vertex {vertex} of the view")]
+    NoVertexHandle {
+        /// The index of the vertex in the view.
+        vertex: usize,
+    },
+    /// The view has a half-edge whose handle is that of another one, or of none that should be there.
+    #[error("half-edge {half_edge} of the view should not be there, or its handle is that of another one")]
+    Unknown {
+        /// Its index in the view.
+        half_edge: usize,
+    },
+    /// The view lacks a half-edge.
+    #[error("corner {corner} is no half-edge of the view")]
+    Missing {
+        /// The place of its corner in [`Runner::corners`](crate::program::Runner::corners).
+        corner: usize,
+    },
+    /// The view keeps every rule that it is held to, but a half-edge in it says something else.
+    #[error("in the view, {question:?} of half-edge {half_edge}, corner {corner}, is another than it should be")]
+    View {
+        /// The index of the half-edge in the view.
+        half_edge: usize,
+        /// The place of its corner in [`Runner::corners`](crate::program::Runner::corners).
+        corner: usize,
+        /// What was asked.
+        question: Question,
+    },
+    /// No operator was applied, so nothing was tried.
+    #[error("no operator was applied, so nothing was tried")]
+    NothingApplied,
+    /// The subject has operators that were never applied.
+    #[error("never applied, and so not tried: {}", .0.join(", "))]
+    NeverApplied(Vec<&'static str>),
     /// The operator came to something else.
     #[error("the outcome should be `{reference}` and is `{subject}`")]
     StepOutcome {
@@ -85,10 +130,16 @@ impl fmt::Display for FirstViolation<'_> {
 pub struct Failure {
     /// How many operators were run before.
     pub before: usize,
-    /// The operator that did it; none if the subject was not the empty map to begin with, or cannot be compared.
+    /// The operator that did it; none if it is the start, or that too little was tried.
     pub op: Option<Op>,
     /// How it differs.
     pub difference: Difference,
+}
+
+impl Failure {
+    const fn is_coverage(&self) -> bool {
+        matches!(self.difference, Difference::NothingApplied | Difference::NeverApplied(_))
+    }
 }
 
 impl core::error::Error for Failure {}
@@ -97,7 +148,33 @@ impl fmt::Display for Failure {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         match self.op {
             Some(op) => write!(f, "after operator {}, `{op}`: {}", self.before + 1, self.difference),
+            None if self.is_coverage() => write!(f, "after {} operators: {}", self.before, self.difference),
             None => write!(f, "at the start: {}", self.difference),
         }
+    }
+}
+
+/// The smallest program found on which a subject differs from the reference.
+#[derive(Clone, PartialEq, Eq)]
+pub struct Counterexample {
+    /// The program. Empty if it is the start, or that too little was tried.
+    pub program: Program,
+    /// How the subject differs.
+    pub failure: Failure,
+}
+
+impl core::error::Error for Counterexample {}
+
+impl fmt::Display for Counterexample {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        write!(f, "{}", self.failure)?;
+        if self.program.0.is_empty() { Ok(()) } else { write!(f, ", by\n{}", self.program) }
+    }
+}
+
+/// The same as `Display`: this is what `unwrap` shows.
+impl fmt::Debug for Counterexample {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        fmt::Display::fmt(self, f)
     }
 }

@@ -2,109 +2,99 @@
 
 use super::answers;
 use super::difference::{Difference, Failure};
+use super::settings::Conformance;
+use super::summary::{ConformanceSummary, NotCompared};
+use super::view;
 use crate::program::canonical::Canonizer;
-use crate::program::op::{Op, Program};
+use crate::program::op::Op;
 use crate::program::outcome::StepOutcome;
 use crate::program::pointer_model::PointerModel;
 use crate::program::runner::Runner;
 use crate::program::subject::{Refusal, Subject};
 use crate::validate::{Collect, Expectation, Part, validate};
 use alloc::boxed::Box;
+use alloc::vec::Vec;
 
-/// How many operators of a program came to what.
-#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Hash)]
-pub struct ConformanceSummary {
-    /// Applied by both.
-    pub applied: usize,
-    /// Refused by both, for the same reason.
-    pub refused: usize,
-    /// There was nothing to choose from.
-    pub skipped: usize,
-    /// Refused by the subject for want of the operator, or of room.
-    pub not_supported: usize,
-}
+/// Without these, a structure that is empty cannot be added to, or maps cannot be told apart by their canonical forms.
+const NEEDED: [Part; 3] = [Part::Faces, Part::Holes, Part::UnboundedFace];
 
-impl ConformanceSummary {
-    /// All of them.
-    #[must_use]
-    pub const fn operators(&self) -> usize {
-        self.applied + self.refused + self.skipped + self.not_supported
-    }
-}
-
-/// Runs a program on a subject that is the empty map, and on the reference in step. `expectation` says what the
-/// validator can hold the subject to: the plane, with [`Part::Faces`], [`Part::Holes`] and [`Part::UnboundedFace`].
-///
-/// O(n²) per operator for n half-edges and vertices, if the subject answers a question in O(1) and its view does. Of this
-/// only comparing handles takes more than O(n log n), beside a few operators of the reference and maps with many
-/// symmetries.
-///
-/// A panic of the subject is not caught.
-///
-/// # Errors
-/// The first difference, and the operator that made it; [`Difference::Lacks`] before the first operator if the
-/// expectation leaves out one of these parts.
-pub fn run<K: Subject>(
-    program: &Program,
-    subject: K,
-    expectation: &Expectation,
-) -> Result<ConformanceSummary, Failure> {
-    let mut pair = InStep::new(subject, expectation)?;
-    for op in &program.0 {
-        pair.step(*op)?;
-    }
-    Ok(pair.summary())
-}
-
-/// A subject and the reference, operator by operator. [`run`] does the same for a whole program.
+/// A subject and the reference, operator by operator. [`run`](super::run) does the same for a whole program.
 #[derive(Debug)]
 pub struct InStep<K: Subject> {
     reference: Runner<PointerModel>,
     subject: Runner<K>,
-    expectation: Expectation,
+    settings: Conformance,
     canonizer: Canonizer,
     summary: ConformanceSummary,
+    steps: usize,
 }
 
 impl<K: Subject> InStep<K> {
-    /// Begins with a subject that is the empty map.
+    /// Begins with the subject as it is: the empty map, or any other.
+    ///
+    /// O(n²) for n half-edges and vertices.
     ///
     /// # Errors
-    /// Those of [`run`] before the first operator.
+    /// Those of [`run`](super::run) before the first operator.
     pub fn new(subject: K, expectation: &Expectation) -> Result<Self, Failure> {
+        Self::with(subject, Conformance::of(expectation))
+    }
+
+    pub(super) fn with(subject: K, settings: Conformance) -> Result<Self, Failure> {
+        Self::begin(subject, settings).map_err(|difference| Failure { before: 0, op: None, difference })
+    }
+
+    fn begin(subject: K, settings: Conformance) -> Result<Self, Difference> {
+        let expectation = &settings.expectation;
+        let lacks = NEEDED.into_iter().find(|part| !expectation.has(*part));
+        let is_empty = !(0..subject.half_edge_slots()).any(|h| subject.is_half_edge(h))
+            && !(0..subject.vertex_slots()).any(|v| subject.is_vertex(v));
+        if let (true, Some(part)) = (is_empty, lacks) {
+            return Err(Difference::Lacks(part));
+        }
+        let report = validate(&subject, expectation, Collect::First);
+        if !report.is_valid() {
+            return Err(Difference::Invalid(Box::new(report)));
+        }
+        let start = PointerModel::from_view(&subject, expectation).map_err(Difference::Start)?;
+        let mut handles = Vec::new();
+        let mut names = Vec::new();
+        for (index, name) in start.half_edges {
+            handles.push(subject.half_edge_at(index).ok_or(Difference::NoHandle { half_edge: index })?);
+            names.push(name);
+        }
+        let mut isolated = Vec::new();
+        let mut isolated_names = Vec::new();
+        for (index, name) in start.isolated {
+            isolated.push(subject.vertex_at(index).ok_or(Difference::NoVertexHandle { vertex: index })?);
+            isolated_names.push(name);
+        }
         let mut pair = Self {
-            reference: Runner::new(PointerModel::new()),
-            subject: Runner::new(subject),
-            expectation: *expectation,
+            reference: Runner::starting_with(start.model, names, isolated_names),
+            subject: Runner::starting_with(subject, handles, isolated),
+            settings,
             canonizer: Canonizer::new(),
             summary: ConformanceSummary::default(),
+            steps: 0,
         };
-        let lacks = [Part::Faces, Part::Holes, Part::UnboundedFace].into_iter().find(|part| !expectation.has(*part));
-        lacks.map_or_else(|| pair.compare(), |part| Err(Difference::Lacks(part))).map_err(|difference| Failure {
-            before: 0,
-            op: None,
-            difference,
-        })?;
+        pair.note_what_is_not_there();
+        pair.compare()?;
         Ok(pair)
     }
 
-    /// Runs one operator on both, and compares them. Costs what is said of [`run`].
+    /// Runs one operator on both, and compares them. Costs what is said of [`run`](super::run).
     ///
     /// # Errors
     /// The first difference. After one, or after a panic of the subject, the two are no longer in step, and what further
     /// operators do means nothing.
     pub fn step(&mut self, op: Op) -> Result<StepOutcome, Failure> {
-        let outcome = self.step_both(op).map_err(|difference| Failure {
-            before: self.summary.operators(),
-            op: Some(op),
-            difference,
-        })?;
-        *match outcome {
-            StepOutcome::Applied => &mut self.summary.applied,
-            StepOutcome::Refused(Refusal::Full | Refusal::Unsupported) => &mut self.summary.not_supported,
-            StepOutcome::Refused(_) => &mut self.summary.refused,
-            StepOutcome::Skipped => &mut self.summary.skipped,
-        } += 1;
+        let before = self.steps;
+        let chosen = self.subject.resolve(op);
+        let is_called = chosen.is_ok();
+        let outcome = chosen.and_then(|call| self.subject.call(call)).err().unwrap_or(StepOutcome::Applied);
+        self.follow(op, outcome).map_err(|difference| Failure { before, op: Some(op), difference })?;
+        self.steps += 1;
+        self.summary.count(op, if is_called { outcome } else { StepOutcome::Skipped });
         Ok(outcome)
     }
 
@@ -114,27 +104,60 @@ impl<K: Subject> InStep<K> {
         self.summary
     }
 
-    fn step_both(&mut self, op: Op) -> Result<StepOutcome, Difference> {
-        let subject = self.subject.step(op);
+    /// The subject, with the handles that it gave out.
+    #[must_use]
+    pub const fn subject(&self) -> &Runner<K> {
+        &self.subject
+    }
+
+    /// Runs an operator on the reference, after the subject did this, and compares.
+    fn follow(&mut self, op: Op, subject: StepOutcome) -> Result<(), Difference> {
         if !matches!(subject, StepOutcome::Refused(Refusal::Full | Refusal::Unsupported)) {
             let reference = self.reference.step(op);
             if subject != reference {
                 return Err(Difference::StepOutcome { reference, subject });
             }
         }
-        self.compare()?;
-        Ok(subject)
+        if !self.settings.stale_handles {
+            self.reference.forget_retired();
+            self.subject.forget_retired();
+        }
+        self.compare()
+    }
+
+    fn note_what_is_not_there(&mut self) {
+        let expectation = &self.settings.expectation;
+        let parts = [
+            (Part::Faces, NotCompared::Faces),
+            (Part::Holes, NotCompared::Holes),
+            (Part::UnboundedFace, NotCompared::Outside),
+        ];
+        for (_, not_compared) in parts.into_iter().filter(|(part, _)| !expectation.has(*part)) {
+            self.summary.note(not_compared);
+        }
+        if !self.settings.stale_handles {
+            self.summary.note(NotCompared::StaleHandles);
+        }
     }
 
     fn compare(&mut self) -> Result<(), Difference> {
-        let report = validate(self.subject.subject(), &self.expectation, Collect::First);
+        let expectation = &self.settings.expectation;
+        let report = validate(self.subject.subject(), expectation, Collect::First);
         if !report.is_valid() {
             return Err(Difference::Invalid(Box::new(report)));
         }
-        let code = self.canonizer.subdivision(self.reference.subject());
-        if self.canonizer.subdivision(self.subject.subject()) != code {
-            return Err(Difference::NotIsomorphic);
+        let has_faces = expectation.has(Part::Faces);
+        if NEEDED.into_iter().all(|part| expectation.has(part)) {
+            let code = self.canonizer.subdivision(self.reference.subject());
+            if self.canonizer.subdivision(self.subject.subject()) != code {
+                return Err(Difference::NotIsomorphic);
+            }
+        } else {
+            view::compare(&self.reference, &self.subject, has_faces)?;
         }
-        answers::compare(&self.reference, &self.subject)
+        if answers::compare(&self.reference, &self.subject, has_faces)? {
+            self.summary.note(NotCompared::BorderNext);
+        }
+        Ok(())
     }
 }

@@ -1,33 +1,101 @@
-//! Does a subject do what the operators say? A program is run on it and on the reference in step, and after every
+//! Does a subject do what the operators say? Programs are run on it and on the reference in step, and after every
 //! operator both must have done the same.
 //!
 //! The reference is [`PointerModel`](crate::program::PointerModel), which has nothing in common with [`Dcel`](crate::dcel::Dcel) but the meaning of the
 //! operators: `Dcel` is held to it like any other subject.
 //!
-//! Compared are, after each operator:
+//! | to | take |
+//! | --- | --- |
+//! | try random programs, and get the smallest one that fails | [`check`] |
+//! | run one program, of a fuzzer for example | [`run`] |
+//! | look at the structure between operators | [`InStep`] |
+//! | ask for more or less | [`Conformance`] |
+//!
+//! # What is compared
+//!
+//! After each operator:
 //!
 //! 1. whether it was applied, refused (and with which category of error) or skipped;
 //! 2. whether the subject is valid, by the validator;
-//! 3. whether both are isomorphic, nesting and unbounded face included, by their canonical forms;
+//! 3. whether the view is the right map: by canonical forms, nesting and unbounded face included, if it has faces, their inner boundary
+//!    components and the unbounded face, and else half-edge by half-edge;
 //! 4. whether the handles say the same: `twin`, `next`, origins and faces of every half-edge and isolated vertex, in
 //!    order of their creation. So a subject that hands out the wrong handle is found at once, and not when it is used.
 //!
-//! The third needs a view with faces, their inner boundary components and the unbounded face. What else a view may lack,
-//! the expectation says: `prev`, half-edges at vertices, records of boundary components, places.
+//! What a structure does not have is not compared, and the summary [says so](ConformanceSummary::not_compared). An operator that the
+//! subject does not have, or has no room for, is not run on the reference either, but the subject must be as it was.
 //!
-//! An operator that the subject does not have, or has no room for, is not run on the reference either, but the subject
-//! must be as it was.
+//! # Where it begins
+//!
+//! With the subject as it is. The empty map will do if the subject has `add_isolated_vertex`. Any other valid structure becomes
+//! that of the reference by [`PointerModel::from_view`](crate::program::PointerModel::from_view), which says how it stands for meshes, borders and
+//! surfaces, and the subject tells its handles by [`Subject::half_edge_at`](crate::program::Subject::half_edge_at). Each half-edge needs a twin, on the border, too.
+//!
+//! # When nothing was tried
+//!
+//! A comparison in which nothing happens proves nothing. So [`run`] fails if no operator was applied, and [`check`] if some
+//! operator that the subject has was never applied; [`Coverage`] asks for something else.
 //!
 //! ```
+//! use twinedge::dcel::Dcel;
 //! use twinedge::program::{RotationSystem, Program, conformance};
+//! use twinedge::validate::Expectation;
+//!
 //! let program = Program::from_bytes(b"some bytes that came from a fuzzer");
 //! conformance::run(&program, RotationSystem::new(), &RotationSystem::expectation())?;
-//! # Ok::<(), conformance::Failure>(())
+//!
+//! let summary = conformance::check(Dcel::new, &Expectation::plane())?;
+//! assert!(summary.of("flip_edge").unwrap().applied > 0);
+//! # Ok::<(), Box<dyn std::error::Error>>(())
 //! ```
 
 mod answers;
 mod difference;
 mod in_step;
+mod settings;
+mod summary;
+mod view;
 
-pub use difference::{Answer, Difference, Failure, Question};
-pub use in_step::{ConformanceSummary, InStep, run};
+pub use difference::{Answer, Counterexample, Difference, Failure, Question};
+pub use in_step::InStep;
+pub use settings::{Conformance, Coverage};
+pub use summary::{ConformanceSummary, NotCompared, OperatorCounts};
+
+use crate::program::op::Program;
+use crate::program::subject::Subject;
+use crate::validate::Expectation;
+
+/// Runs a program on a subject, and on the reference in step. `expectation` says what the validator can hold the subject to.
+///
+/// O(n²) per operator for n half-edges and vertices, if the subject answers a question in O(1) and its view does. Of this
+/// only comparing handles takes more than O(n log n), beside a few operators of the reference and maps with many
+/// symmetries.
+///
+/// A panic of the subject is not caught.
+///
+/// # Errors
+/// The first difference, and the operator that made it. Before the first operator: what is wrong with the structure as a start.
+/// After the last: [`Difference::NothingApplied`] if the program has operators and none was applied. Where that is no
+/// failure, as for a program that is being made smaller, take [`Coverage::Nothing`].
+pub fn run<K: Subject>(
+    program: &Program,
+    subject: K,
+    expectation: &Expectation,
+) -> Result<ConformanceSummary, Failure> {
+    Conformance::of(expectation).run(program, subject)
+}
+
+/// Runs 200 random programs of 40 operators, each on a new subject, and makes the first that fails small. They are always the same
+/// programs; [`Conformance`] has others, and more.
+///
+/// Operators are drawn among those that the subject has, as far as has been seen. Costs what is said of [`run`].
+///
+/// # Errors
+/// The smallest program found that shows a difference, with the difference. [`Difference::NeverApplied`] if the subject has an
+/// operator that none of them applied; [`Difference::NothingApplied`].
+pub fn check<K: Subject>(
+    make: impl FnMut() -> K,
+    expectation: &Expectation,
+) -> Result<ConformanceSummary, Counterexample> {
+    Conformance::of(expectation).check(make)
+}

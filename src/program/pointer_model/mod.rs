@@ -22,8 +22,12 @@
 //! - Everything else (boundary components, the lists of the faces, the half-edge kept by a vertex, indices) is thrown away
 //!   after each operator and [built anew](PointerModel::rebuild) from that. So every operator is O(n), and some are O(n²).
 
+mod from_view;
 mod operators;
 mod view;
+
+pub(super) use from_view::face_of as view_face_of;
+pub use from_view::{PointerModelStart, StartError};
 
 use crate::validate::BoundaryPlace;
 use alloc::rc::{Rc, Weak};
@@ -101,6 +105,8 @@ struct Boundary {
 #[derive(Debug)]
 struct Face {
     name: PointerModelFace,
+    /// Whether it stands for what lies outside: the structure that the model was made from has no face there.
+    border: bool,
 
     // Built anew after each operator:
     outer: Option<Pointer<Boundary>>,
@@ -178,8 +184,10 @@ pub struct PointerModel {
     vertices: Vec<Owned<Vertex>>,
     half_edges: Vec<Owned<HalfEdge>>,
     boundaries: Vec<Owned<Boundary>>,
-    /// The unbounded face comes first.
+    /// The unbounded face comes first, unless all faces are discs.
     faces: Vec<Owned<Face>>,
+    /// Whether all faces are discs: they have one boundary component, which is a cycle.
+    discs: bool,
     /// How many names were given.
     names: u64,
 }
@@ -194,10 +202,20 @@ impl PointerModel {
     /// The empty map: one unbounded face, nothing in it.
     #[must_use]
     pub fn new() -> Self {
-        let mut model =
-            Self { vertices: Vec::new(), half_edges: Vec::new(), boundaries: Vec::new(), faces: Vec::new(), names: 0 };
+        let mut model = Self::without_faces(false);
         model.make_face();
         model
+    }
+
+    const fn without_faces(discs: bool) -> Self {
+        Self {
+            vertices: Vec::new(),
+            half_edges: Vec::new(),
+            boundaries: Vec::new(),
+            faces: Vec::new(),
+            discs,
+            names: 0,
+        }
     }
 
     /// All records, watched: whether they are still there, how many own them, and how many links lead to them.
@@ -245,7 +263,7 @@ impl PointerModel {
 
     fn make_face(&mut self) -> Owned<Face> {
         let name = PointerModelFace(self.new_name());
-        let f = Rc::new(RefCell::new(Face { name, outer: None, inner: Vec::new(), index: 0 }));
+        let f = Rc::new(RefCell::new(Face { name, border: false, outer: None, inner: Vec::new(), index: 0 }));
         self.faces.push(f.clone());
         f
     }

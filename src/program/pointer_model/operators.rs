@@ -16,6 +16,7 @@ use super::{Face, HalfEdge, Owned, PointerModel, PointerModelFace, PointerModelH
 use super::{contains, cycle, face, is_outer, next, origin, prev, same, to, twin};
 use crate::dcel::Corner;
 use crate::dcel::{Side, Turn};
+use crate::program::mesh;
 use crate::program::subject::{Refusal, Subject};
 use alloc::rc::Rc;
 use alloc::vec;
@@ -63,13 +64,13 @@ fn component(start: &Owned<HalfEdge>) -> Vec<Owned<HalfEdge>> {
 }
 
 /// Makes one half-edge say what is to its left.
-fn label(h: &Owned<HalfEdge>, f: &Owned<Face>, outer: bool) {
+pub(super) fn label(h: &Owned<HalfEdge>, f: &Owned<Face>, outer: bool) {
     h.borrow_mut().face = Rc::downgrade(f);
     h.borrow_mut().outer = outer;
 }
 
 /// Makes all half-edges of a cycle say so.
-fn label_cycle(h: &Owned<HalfEdge>, f: &Owned<Face>, outer: bool) {
+pub(super) fn label_cycle(h: &Owned<HalfEdge>, f: &Owned<Face>, outer: bool) {
     for side in cycle(h) {
         label(&side, f, outer);
     }
@@ -92,6 +93,11 @@ fn spot_side(spot: &Spot) -> Result<(Owned<Face>, bool), Refusal> {
         Corner::At(h) => Ok((face(h), is_outer(h))),
         Corner::Isolated(v) => Ok((v.borrow().face.as_ref().map(to).ok_or(Refusal::NotIsolated)?, false)),
     }
+}
+
+/// Refuses to change what lies outside.
+fn no_border<'a>(faces: impl IntoIterator<Item = &'a Owned<Face>>) -> Result<(), Refusal> {
+    if faces.into_iter().any(|f| f.borrow().border) { Err(Refusal::Border) } else { Ok(()) }
 }
 
 fn same_boundary(a: &Spot, b: &Spot) -> bool {
@@ -195,18 +201,23 @@ impl Subject for PointerModel {
     type Vertex = PointerModelVertex;
     type HalfEdge = PointerModelHalfEdge;
     type Face = PointerModelFace;
-    type Error = Refusal;
 
-    fn refusal(error: &Refusal) -> Refusal {
-        *error
+    fn unbounded_face(&self) -> Option<PointerModelFace> {
+        let first = self.faces.first().filter(|_| !self.discs)?.borrow();
+        (!first.border).then_some(first.name)
     }
 
-    fn unbounded_face(&self) -> PointerModelFace {
-        self.faces[0].borrow().name
+    fn half_edge_at(&self, index: usize) -> Option<PointerModelHalfEdge> {
+        Some(self.half_edges.get(index)?.borrow().name)
+    }
+
+    fn vertex_at(&self, index: usize) -> Option<PointerModelVertex> {
+        Some(self.vertices.get(index)?.borrow().name)
     }
 
     fn face_of(&self, corner: Corner<PointerModelHalfEdge, PointerModelVertex>) -> Result<PointerModelFace, Refusal> {
         let (f, _) = spot_side(&self.find_corner(corner)?)?;
+        no_border([&f])?;
         Ok(f.borrow().name)
     }
 
@@ -224,6 +235,9 @@ impl Subject for PointerModel {
 
     fn add_isolated_vertex(&mut self, face: PointerModelFace) -> Result<PointerModelVertex, Refusal> {
         let f = self.find_face(face)?;
+        if self.discs {
+            return Err(Refusal::NotDisc);
+        }
         let v = self.make_vertex();
         isolate(&v, &f);
         self.rebuild();
@@ -250,6 +264,7 @@ impl Subject for PointerModel {
         let (from, to) = (self.find_corner(from)?, self.find_corner(to)?);
         let inner: Vec<Spot> = inner.iter().map(|corner| self.find_corner(*corner)).collect::<Result<_, _>>()?;
         let ((f, from_outer), (other, to_outer)) = (spot_side(&from)?, spot_side(&to)?);
+        no_border([&f, &other])?;
         if !same(&f, &other) {
             return Err(Refusal::FacesDiffer);
         }
@@ -299,6 +314,10 @@ impl Subject for PointerModel {
         let ends = [origin(&n), origin(&t)];
         let parts = contains(&cycle(&n), &t);
         let (left, right) = (face(&n), face(&t));
+        no_border([&left, &right])?;
+        if self.discs && parts {
+            return Err(Refusal::NotDisc);
+        }
         let outer = is_outer(&n) && is_outer(&t);
         // What is left of the boundary at either end; the same cycle, if two cycles become one.
         let rests: Vec<_> = [next(&n), next(&t)].into_iter().filter(|h| !same(h, &n) && !same(h, &t)).collect();
@@ -372,6 +391,9 @@ impl Subject for PointerModel {
             return Err(Refusal::VerticesDiffer);
         }
         let ((f, from_outer), (g, to_outer)) = (spot_side(&from)?, spot_side(&to)?);
+        if f.borrow().border && g.borrow().border {
+            return Err(Refusal::Border);
+        }
         let w = self.make_vertex();
         let (n, t) = self.make_edge(&v, &w);
         if let (Corner::At(a), Corner::At(b)) = (&from, &to) {
@@ -403,6 +425,9 @@ impl Subject for PointerModel {
         if same(&kept, &dropped) {
             return Err(Refusal::Loop);
         }
+        if self.discs && same(&next(&n), &t) && same(&next(&t), &n) {
+            return Err(Refusal::NotDisc);
+        }
         let mut last = n.clone();
         loop {
             let h = counter_clockwise(&t);
@@ -427,6 +452,7 @@ impl Subject for PointerModel {
     fn flip_edge(&mut self, half_edge: PointerModelHalfEdge, turn: Turn) -> Result<(), Refusal> {
         let n = self.find_half_edge(half_edge)?;
         let t = twin(&n);
+        no_border([&face(&n), &face(&t)])?;
         if contains(&cycle(&n), &t) {
             return Err(Refusal::NotSeparating);
         }
@@ -469,7 +495,8 @@ impl Subject for PointerModel {
     ) -> Result<(), Refusal> {
         let spot = self.find_corner(inner)?;
         let f = self.find_face(face)?;
-        let (_, outer) = spot_side(&spot)?;
+        let (old, outer) = spot_side(&spot)?;
+        no_border([&old])?;
         if outer {
             return Err(Refusal::IsOuter);
         }
@@ -483,5 +510,21 @@ impl Subject for PointerModel {
         give(&spot, &f);
         self.rebuild();
         Ok(())
+    }
+
+    fn mesh_flip_edge(&mut self, half_edge: PointerModelHalfEdge) -> Result<(), Refusal> {
+        mesh::flip_edge(self, half_edge)
+    }
+
+    fn mesh_split_edge(&mut self, half_edge: PointerModelHalfEdge) -> Result<(), Refusal> {
+        mesh::split_edge(self, half_edge)
+    }
+
+    fn mesh_split_face(&mut self, half_edge: PointerModelHalfEdge) -> Result<(), Refusal> {
+        mesh::split_face(self, half_edge)
+    }
+
+    fn mesh_collapse_edge(&mut self, half_edge: PointerModelHalfEdge) -> Result<(), Refusal> {
+        mesh::collapse_edge(self, half_edge)
     }
 }

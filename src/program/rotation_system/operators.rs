@@ -3,6 +3,7 @@
 use super::{HalfEdge, ModelCorner, RotationSystem, UNBOUNDED};
 use crate::dcel::Corner;
 use crate::dcel::{Side, Turn};
+use crate::program::mesh;
 use crate::program::subject::{Refusal, Subject};
 use alloc::vec;
 use alloc::vec::Vec;
@@ -11,14 +12,17 @@ impl Subject for RotationSystem {
     type Vertex = usize;
     type HalfEdge = usize;
     type Face = usize;
-    type Error = Refusal;
 
-    fn refusal(error: &Refusal) -> Refusal {
-        *error
+    fn unbounded_face(&self) -> Option<usize> {
+        Some(UNBOUNDED)
     }
 
-    fn unbounded_face(&self) -> usize {
-        UNBOUNDED
+    fn half_edge_at(&self, index: usize) -> Option<usize> {
+        self.half_edges.contains_key(&index).then_some(index)
+    }
+
+    fn vertex_at(&self, index: usize) -> Option<usize> {
+        self.vertices.contains_key(&index).then_some(index)
     }
 
     fn face_of(&self, corner: ModelCorner) -> Result<usize, Refusal> {
@@ -248,5 +252,21 @@ impl Subject for RotationSystem {
         let boundary = self.boundary(inner);
         self.set_face(&boundary, face);
         Ok(())
+    }
+
+    fn mesh_flip_edge(&mut self, half_edge: usize) -> Result<(), Refusal> {
+        mesh::flip_edge(self, half_edge)
+    }
+
+    fn mesh_split_edge(&mut self, half_edge: usize) -> Result<(), Refusal> {
+        mesh::split_edge(self, half_edge)
+    }
+
+    fn mesh_split_face(&mut self, half_edge: usize) -> Result<(), Refusal> {
+        mesh::split_face(self, half_edge)
+    }
+
+    fn mesh_collapse_edge(&mut self, half_edge: usize) -> Result<(), Refusal> {
+        mesh::collapse_edge(self, half_edge)
     }
 }

@@ -16,7 +16,8 @@ use crate::validate::validator::validate;
 /// The rules of this validator.
 const GEOMETRIC: &[Rule] = &[Rule::G1, Rule::G2, Rule::G3, Rule::G4, Rule::G5];
 
-/// Validates any half-edge structure with coordinates: rules R1 … T4 as [`validate`] does, and then G1 … G5.
+/// Validates any half-edge structure with coordinates: rules R1 … T4, and M1 … M7 if asked for, as [`validate`] does, and then
+/// G1 … G5.
 ///
 /// G rules are checked where the rules of topology that they build on hold, and reported as not checked elsewhere. If edges
 /// clash, all clashes are found and counted, which takes O(n log n + p) for p pairs of edges whose bounding boxes meet;

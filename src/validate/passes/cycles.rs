@@ -1,4 +1,5 @@
-//! Counts the cycles of each component, for T3: those of `next`, one for each isolated vertex, one for each open boundary.
+//! Counts the cycles of each component, for T3: those of `next`, one for each isolated vertex, and one for each border loop
+//! that missing twins would make. Cycles of `next` without face are border loops, too.
 
 use crate::validate::columns::{Components, NIL, column};
 use crate::validate::expectation::Part;
@@ -7,22 +8,25 @@ use crate::validate::rule::Rule;
 use crate::validate::run::Run;
 use crate::validate::view::{Start, View};
 
-/// Counts the cycles and the open boundaries of each component, and notes which components are open.
+/// Counts the cycles and the border loops of each component, and notes which components are open.
 pub(in crate::validate) fn count<V: View + ?Sized>(run: &mut Run<'_, V>, components: &mut Components) -> Flow {
     let by_record = run.expect.has(Part::BoundaryComponents) && !run.expect.is_open();
-    let cycles = if by_record && run.findings.broken(&[Rule::R1, Rule::B1]).is_none() {
+    let [cycles, without_face] = if by_record && run.findings.broken(&[Rule::R1, Rule::B1]).is_none() {
         // B1 has shown that boundary components and cycles are the same.
-        boundaries_with_cycle(run, components)
+        [boundaries_with_cycle(run, components), 0]
     } else {
         cycles_of_next(run, components)?
     };
-    run.counts.cycles = Some(cycles);
     for component in &mut components.all {
         if component.paired + component.unpaired == 0 {
             component.cycles += 1;
         }
     }
-    run.counts.borders = Some(if run.expect.is_open() { borders(run, components)? } else { 0 });
+    let without_twins = if run.expect.is_open() { borders(run, components)? } else { 0 };
+    if run.borders_broken().is_none() {
+        run.counts.cycles = Some(cycles);
+        run.counts.borders = Some(without_face + without_twins);
+    }
     Ok(())
 }
 
@@ -41,9 +45,10 @@ fn boundaries_with_cycle<V: View + ?Sized>(run: &Run<'_, V>, components: &mut Co
     cycles
 }
 
-fn cycles_of_next<V: View + ?Sized>(run: &Run<'_, V>, components: &mut Components) -> Result<usize, Halt> {
+/// Returns how many cycles of `next` are no border loops, and how many are.
+fn cycles_of_next<V: View + ?Sized>(run: &Run<'_, V>, components: &mut Components) -> Result<[usize; 2], Halt> {
     let mut seen = column(run.half_edges, false)?;
-    let mut cycles = 0;
+    let mut cycles = [0, 0];
     for start in 0..run.half_edges {
         if seen[start as usize] || !run.live_half_edge(start) {
             continue;
@@ -53,17 +58,18 @@ fn cycles_of_next<V: View + ?Sized>(run: &Run<'_, V>, components: &mut Component
             seen[h as usize] = true;
             h = run.next(h);
         }
-        cycles += 1;
+        let is_border = run.expect.is_open() && run.lacks_face(start as usize);
+        cycles[usize::from(is_border)] += 1;
         if let Some(component) = run.component_at(components, start) {
             component.cycles += 1;
-            component.open |= run.lacks_face(start as usize);
+            component.open |= is_border;
         }
     }
     Ok(cycles)
 }
 
-/// Half-edges without twin follow one another around each open boundary: where V2 holds, one at most leaves a vertex.
-/// Returns how many open boundaries there are.
+/// Half-edges without twin follow one another around each border loop: where V2 holds, one at most leaves a vertex.
+/// Returns how many such loops there are.
 fn borders<V: View + ?Sized>(run: &Run<'_, V>, components: &mut Components) -> Result<usize, Halt> {
     let mut border_at = column(run.vertices, NIL)?;
     for h in 0..run.half_edges {

@@ -42,7 +42,7 @@ pub fn first_broken_rule<V: View + ?Sized>(view: &V, expectation: &Expectation) 
 /// A rule and the function that says whether it holds.
 type Judged<'a, V> = (Rule, fn(&Structure<'a, V>) -> bool);
 
-fn rules<'a, V: View + ?Sized>() -> [Judged<'a, V>; 14] {
+fn rules<'a, V: View + ?Sized>() -> [Judged<'a, V>; 21] {
     [
         (Rule::R1, r1),
         (Rule::L1, l1),
@@ -58,12 +58,19 @@ fn rules<'a, V: View + ?Sized>() -> [Judged<'a, V>; 14] {
         (Rule::T2, t2),
         (Rule::T3, t3),
         (Rule::T4, t4),
+        (Rule::M1, m1),
+        (Rule::M2, m2),
+        (Rule::M3, m3),
+        (Rule::M4, m4),
+        (Rule::M5, m5),
+        (Rule::M6, m6),
+        (Rule::M7, m7),
     ]
 }
 
 /// R1 live: every link that a record needs is there, and every link leads to a live record.
 ///
-/// At an open boundary twin or face may be nil. A vertex needs a leaving half-edge only if some half-edge leaves it.
+/// At an open boundary twin or face may be nil, but not both. A vertex needs a leaving half-edge only if some half-edge leaves it.
 ///
 /// Lists that together hold more than twice as many inner boundary components as there are, and 16, are broken, too: the
 /// fast validator does not read them to the end. Without records for boundary components, vertices and half-edges count.
@@ -79,14 +86,15 @@ fn r1<V: View + ?Sized>(s: &Structure<'_, V>) -> bool {
         None => false,
     };
     s.half_edges.iter().all(|&h| {
+        let other_side_only = s.open && !nil(s.twin(h));
         vertex(s.origin(h))
             && (half_edge(s.twin(h)) || s.open && nil(s.twin(h)))
             && half_edge(s.next(h))
             && (s.lacks(Part::Prev) || half_edge(s.prev(h)))
             && match s.says {
                 Says::Nothing => true,
-                Says::Boundary => boundary(s.boundary(h)) || s.open && nil(s.boundary(h)),
-                Says::Face => face(s.face(h)) || s.open && nil(s.face(h)),
+                Says::Boundary => boundary(s.boundary(h)) || other_side_only && nil(s.boundary(h)),
+                Says::Face => face(s.face(h)) || other_side_only && nil(s.face(h)),
             }
     }) && s.vertices.iter().all(|&v| {
         (s.lacks(Part::Leaving) || half_edge(s.leaving(v)) || nil(s.leaving(v)) && s.all_leaving(v).is_empty())
@@ -263,14 +271,64 @@ fn t3<V: View + ?Sized>(s: &Structure<'_, V>) -> bool {
 
 /// T4 bounds: a simple map with `V ≥ 3` has `E ≤ 3V − 6` and `F ≤ 2V − 4`.
 fn t4<V: View + ?Sized>(s: &Structure<'_, V>) -> bool {
-    let all = s.vertices.iter().copied().collect();
-    let (vertices, edges, faces) = (s.vertices.len(), s.edges(&all), s.faces.len());
-    let loop_free = edges.iter().all(|e| s.ends(e).len() == 2);
-    let simple = loop_free && edges.iter().all(|d| edges.iter().all(|e| d == e || s.ends(d) != s.ends(e)));
+    let (vertices, edges, faces) = (s.vertices.len(), s.all_edges().len(), s.faces.len());
     s.expect.surface_kind() != Surface::Plane
-        || !simple
+        || !s.is_simple()
         || vertices < 3
-        || edges.len() <= 3 * vertices - 6 && faces <= 2 * vertices - 4
+        || edges <= 3 * vertices - 6 && faces <= 2 * vertices - 4
+}
+
+/// M1 used: some half-edge leaves every vertex.
+fn m1<V: View + ?Sized>(s: &Structure<'_, V>) -> bool {
+    !s.expect.asks_for(Rule::M1) || s.vertices.iter().all(|&v| !s.all_leaving(v).is_empty())
+}
+
+/// M2 simple: no edge is a loop, and no two edges join the same vertices.
+fn m2<V: View + ?Sized>(s: &Structure<'_, V>) -> bool {
+    !s.expect.asks_for(Rule::M2) || s.is_simple()
+}
+
+/// M3 sides: every bounded face has the expected number of sides.
+///
+/// The sides of a face are the half-edges that bound it. Without faces, each cycle is one.
+fn m3<V: View + ?Sized>(s: &Structure<'_, V>) -> bool {
+    let Some(expected) = s.expect.expected_count(Rule::M3) else { return true };
+    let sides = |f: Link| s.half_edges.iter().filter(|&&h| s.face_of(h) == f).count();
+    match s.says {
+        Says::Nothing => s.half_edges.iter().all(|&h| s.cycle(h).len() == expected),
+        Says::Boundary | Says::Face => s.entries.iter().filter(|e| e.is_outer()).all(|e| sides(e.face) == expected),
+    }
+}
+
+/// M4 closed: every half-edge has a twin and bounds a face.
+fn m4<V: View + ?Sized>(s: &Structure<'_, V>) -> bool {
+    !s.expect.asks_for(Rule::M4) || s.half_edges.iter().all(|&h| s.twin(h).is_some() && !s.lacks_face(h))
+}
+
+/// M5 connected: there are as many components with an edge as expected.
+fn m5<V: View + ?Sized>(s: &Structure<'_, V>) -> bool {
+    let found = s.components().iter().filter(|c| !s.edges(c).is_empty()).count();
+    s.expect.expected_count(Rule::M5).is_none_or(|expected| found == expected)
+}
+
+/// M6 borders: there are as many border loops as expected.
+///
+/// A border loop is a cycle without face, or half-edges without twin that follow one another.
+fn m6<V: View + ?Sized>(s: &Structure<'_, V>) -> bool {
+    let without_face: BTreeSet<_> = s.half_edges.iter().filter(|&&h| s.lacks_face(h)).map(|&h| s.cycle(h)).collect();
+    let without_twin: BTreeSet<_> = s.half_edges.iter().filter(|&&h| s.on_border(h)).map(|&h| s.border(h)).collect();
+    let found = without_face.len() + without_twin.len();
+    s.expect.expected_count(Rule::M6).is_none_or(|expected| found == expected)
+}
+
+/// M7 genus: the genera of the components add up to the genus expected.
+fn m7<V: View + ?Sized>(s: &Structure<'_, V>) -> bool {
+    let genus = |c: &BTreeSet<Link>| {
+        let (vertices, edges, cycles) = (c.len(), s.edges(c).len(), s.cycles(c));
+        (0..=edges).find(|g| vertices + cycles + 2 * g == 2 + edges)
+    };
+    let found = s.components().iter().map(genus).sum::<Option<usize>>();
+    s.expect.expected_count(Rule::M7).is_none_or(|expected| found == Some(expected))
 }
 
 /// What half-edges say about the faces that they bound.
@@ -466,6 +524,36 @@ impl<'a, V: View + ?Sized> Structure<'a, V> {
         self.half_edges.iter().filter(|&&h| vertices.contains(&self.origin(h))).map(|&h| edge(h)).collect()
     }
 
+    /// All edges.
+    fn all_edges(&self) -> BTreeSet<BTreeSet<Link>> {
+        self.edges(&self.vertices.iter().copied().collect())
+    }
+
+    /// Whether there is neither a loop nor a pair of parallel edges.
+    fn is_simple(&self) -> bool {
+        let edges = self.all_edges();
+        edges.iter().all(|e| self.ends(e).len() == 2)
+            && edges.iter().all(|d| edges.iter().all(|e| d == e || self.ends(d) != self.ends(e)))
+    }
+
+    /// The face that a half-edge bounds.
+    fn face_of(&self, h: Link) -> Link {
+        match self.says {
+            Says::Nothing => None,
+            Says::Boundary => self.boundary_face(self.boundary(h)),
+            Says::Face => self.face(h),
+        }
+    }
+
+    /// Whether there are faces, and the half-edge has none.
+    fn lacks_face(&self, h: Link) -> bool {
+        match self.says {
+            Says::Nothing => false,
+            Says::Boundary => self.boundary(h).is_none(),
+            Says::Face => self.face(h).is_none(),
+        }
+    }
+
     /// The ends of an edge: two vertices, or one if it is a loop.
     fn ends(&self, edge: &BTreeSet<Link>) -> BTreeSet<Link> {
         edge.iter().flat_map(|&h| [self.origin(h), self.target(h)]).collect()
@@ -489,14 +577,8 @@ impl<'a, V: View + ?Sized> Structure<'a, V> {
 
     /// Whether some half-edge of the component lacks its twin, or its face.
     fn is_open_somewhere(&self, component: &BTreeSet<Link>) -> bool {
-        self.half_edges.iter().copied().filter(|&h| component.contains(&self.origin(h))).any(|h| {
-            self.on_border(h)
-                || match self.says {
-                    Says::Nothing => false,
-                    Says::Boundary => self.boundary(h).is_none(),
-                    Says::Face => self.face(h).is_none(),
-                }
-        })
+        let of_component = |h: &&Link| component.contains(&self.origin(**h));
+        self.half_edges.iter().filter(of_component).any(|&h| self.on_border(h) || self.lacks_face(h))
     }
 }
 

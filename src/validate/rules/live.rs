@@ -6,6 +6,9 @@
 //!                  next ──► 99    past the end, or a retired record
 //! ```
 //!
+//! At an open boundary the twin or the face of a half-edge may be nil, but not both: such a half-edge bounds nothing, and
+//! no other record is on its other side.
+//!
 //! A structure may claim lists of any length. Each boundary component is listed once, so no more than twice as many
 //! entries as there are boundary components, and 16, are read; a list that goes on after that breaks R1, because its links
 //! cannot be said to be live. Without records for boundary components, vertices and half-edges are counted instead.
@@ -101,10 +104,12 @@ fn half_edges<V: View + ?Sized>(run: &mut Run<'_, V>) -> Flow {
         if with_prev {
             check_link(run, (record, Field::Prev), run.view.prev(h), HalfEdge, true)?;
         }
+        // At an open boundary one of the two sides is missing, not both.
+        let bounds = closed || twin.is_none();
         if with_boundary {
-            check_link(run, (record, Field::Boundary), run.view.boundary(h), Boundary, closed)?;
+            check_link(run, (record, Field::Boundary), run.view.boundary(h), Boundary, bounds)?;
         } else if with_face {
-            check_link(run, (record, Field::Face), run.view.face(h), Face, closed)?;
+            check_link(run, (record, Field::Face), run.view.face(h), Face, bounds)?;
         }
     }
     run.counts.half_edges = live;

@@ -8,11 +8,16 @@
 //! | B1, B2 | `cycle`, `isolated` |
 //! | F1, F2 | `outer`, `listed` |
 //! | T1 … T4 | `outside`, `nesting`, `euler`, `bounds` |
+//! | M1 … M7 | `used`, `simple`, `sides`, `closed`, `connected`, `borders`, `genus` |
 //! | G1 … G5 | `finite`, `angles`, `winding`, `disjoint`, `inside` |
 
+pub(super) mod borders;
 pub(super) mod bounds;
+pub(super) mod closed;
+pub(super) mod connected;
 pub(super) mod cycle;
 pub(super) mod euler;
+pub(super) mod genus;
 pub(super) mod isolated;
 pub(super) mod leaving;
 pub(super) mod listed;
@@ -22,8 +27,11 @@ pub(super) mod next_prev;
 pub(super) mod outer;
 pub(super) mod outside;
 pub(super) mod rotation;
+pub(super) mod sides;
+pub(super) mod simple;
 pub(super) mod target;
 pub(super) mod twin;
+pub(super) mod used;
 
 #[cfg(feature = "geometry")]
 pub(super) mod angles;

@@ -1,5 +1,6 @@
 //! Corrupting tables and asking a validator and the reference.
 
+use super::exchange::Exchange;
 use super::outcome::Tally;
 use super::specimen::{Corruption, Form, Specimen};
 use super::watch::{HUNG, Watch, Watched, lock};
@@ -28,6 +29,8 @@ pub(super) struct Judged {
     pub(super) pairs: Tally,
     /// How often each rule was the first broken one, by the reference.
     pub(super) first_broken: BTreeMap<Rule, u64>,
+    /// The same by the number of the expectation, for the tables in every form. `None` counts those that are right.
+    pub(super) by_expectation: BTreeMap<(usize, Option<Rule>), u64>,
     /// Validations that took very long.
     pub(super) hung: u64,
     /// Validations that panicked.
@@ -46,6 +49,9 @@ impl Judged {
         self.pairs.add(&other.pairs);
         for (rule, count) in &other.first_broken {
             *self.first_broken.entry(*rule).or_default() += count;
+        }
+        for (rule, count) in &other.by_expectation {
+            *self.by_expectation.entry(*rule).or_default() += count;
         }
         self.hung += other.hung;
         self.panics += other.panics;
@@ -92,11 +98,18 @@ impl<'a> Judge<'a> {
         self.court.run.is_stopped()
     }
 
-    /// All single corruptions of a map in all its forms, and all pairs if it is one of the smallest.
+    /// All single corruptions and exchanges of a map in its forms, and all pairs if it is one of the smallest. In every form:
+    /// exchanges of what is structural, and the others if it is one of the smallest.
     pub(super) fn corrupt(&self, map: &'a [Specimen]) {
         for specimen in map {
-            self.corrupt_once(specimen);
-            if specimen.is_smallest {
+            let in_every_form = specimen.form == Form::Every;
+            if specimen.is_smallest || !in_every_form {
+                self.corrupt_once(specimen);
+                self.exchange(specimen, &Exchange::all(&specimen.table, specimen.expectation));
+            } else {
+                self.exchange(specimen, &Exchange::structural(&specimen.table, specimen.expectation));
+            }
+            if specimen.is_smallest && !in_every_form {
                 self.corrupt_twice(specimen);
             }
         }
@@ -111,8 +124,22 @@ impl<'a> Judge<'a> {
                 return;
             }
             let tally = self.compare(Corruption::new(specimen, &[(cell, value)]), table);
-            lock(&self.judged).fields.entry((specimen.form, field(cell))).or_default().add(&tally);
+            let field = if specimen.form == Form::Every { "one field" } else { field(cell) };
+            lock(&self.judged).fields.entry((specimen.form, field)).or_default().add(&tally);
         });
+    }
+
+    fn exchange(&self, specimen: &'a Specimen, exchanges: &[Exchange]) {
+        for exchange in exchanges {
+            if self.is_stopped() {
+                return;
+            }
+            let mut table = specimen.table.clone();
+            if exchange.apply(&mut table, specimen.expectation) {
+                let tally = self.compare(Corruption::exchanged(specimen, *exchange), &table);
+                lock(&self.judged).fields.entry((specimen.form, exchange.kind())).or_default().add(&tally);
+            }
+        }
     }
 
     /// Some faults of a validator show in no single corruption. For example, a half-edge that becomes its own twin is no longer
@@ -165,6 +192,9 @@ impl<'a> Judge<'a> {
         let mut judged = lock(&self.judged);
         if let Some(rule) = broken {
             *judged.first_broken.entry(rule).or_default() += 1;
+        }
+        if let Some(number) = corruption.specimen.number {
+            *judged.by_expectation.entry((number, broken)).or_default() += 1;
         }
         judged.hung += u64::from(time > HUNG);
         judged.panics += u64::from(answer.is_err());

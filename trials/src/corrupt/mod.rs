@@ -5,19 +5,28 @@
 //! textbooks. Every field is set to nil, to every slot of the kind of record that it leads to (one of them vacant), to the slot
 //! past the end, and to the largest number.
 //!
-//! The reference decides what is wrong, and by which rule first; the validator must say the same. Then pairs of such corruptions
-//! follow: all of them on the maps with at most one edge and two vertices, and a sample of them on all maps.
+//! One field that is set to something else mostly makes a count differ. So corruptions that keep the counts follow: what two cells
+//! of a kind hold is exchanged, and two whole records; what two cycles bound, or two faces list, with and without what leads
+//! there; the twins of two edges, or each half-edge becomes its own twin; and what follows two half-edges, or three around a
+//! vertex. Two cycles become one boundary component, an outer one becomes an inner one, and the other way round; and
+//! a loop becomes a single half-edge that is its own twin, and a face lists an entry again, or more often than R1 reads. Among
+//! these are tables that break T1, T2 and T3 and no rule before.
 //!
-//! T1 to T4 are never the first broken rule: T4 follows from the others, and to break T1, T2 or T3 and no rule before takes more
-//! than two fields. [`tables()`](crate::tables()) does that.
+//! Maps of up to two edges and two vertices are also judged in every form: as each of the 112 [expectations](forms) has them, closed
+//! and, where that is expected, with a face or a cycle of half-edges taken out. There each rule that the expectation checks must be
+//! the first broken one for some table, except for those that follow from the rules before: T4, and T3 on surfaces of any genus.
+//!
+//! The reference decides what is wrong, and by which rule first; the validator must say the same. Then pairs of single corruptions
+//! follow: all of them on the maps with at most one edge and two vertices, and a sample of them on all maps.
 
+mod exchange;
 mod judge;
 mod outcome;
 mod specimen;
 mod watch;
 mod work;
 
-pub use outcome::{CorruptOutcome, FieldRow, RuleRow, SampledPairs, Tally};
+pub use outcome::{CorruptOutcome, ExpectationRow, FieldRow, RuleRow, SampledPairs, Tally};
 pub use specimen::Form;
 pub use watch::HUNG;
 pub use work::CorruptWork;
@@ -28,10 +37,10 @@ use crate::run::Run;
 use crate::structure::Structure;
 use crate::verdict::Checker;
 use judge::{Court, Judge, Judged};
-use specimen::{Corruption, Specimen};
+use specimen::{Corruption, Specimen, in_words, independent_rules};
 use twinedge::program::Subject;
 use twinedge::program::census::{Census, Scope};
-use twinedge::validate::Rule;
+use twinedge::validate::{Expectation, Rule, forms};
 use watch::Watch;
 
 /// How many pairs are one piece of the work.
@@ -75,7 +84,7 @@ pub fn corrupt<K: Subject>(
     structure.can_be_told_apart()?;
     let specimens = collect(structure, work.edges, run);
     let maps: Vec<&[Specimen]> = run.part().numbers(specimens.maps.len()).map(|i| &*specimens.maps[i]).collect();
-    let all: Vec<&Specimen> = specimens.maps.iter().flatten().collect();
+    let all: Vec<&Specimen> = specimens.maps.iter().flatten().filter(|specimen| specimen.form != Form::Every).collect();
     let pieces: Vec<usize> = run.part().numbers(work.pairs.div_ceil(PAIRS_OF_A_PIECE) as usize).collect();
     let watch = Watch::new();
     let court = Court::new(checker, run, &watch);
@@ -88,7 +97,7 @@ pub fn corrupt<K: Subject>(
             judge.corrupt_pairs(&all, work.seed, piece as u64, count);
         }));
     };
-    let found = |hanging| summarize(structure.name(), work, run, &specimens, court.judged(), hanging);
+    let found = |hanging| summarize(structure, work, run, &specimens, court.judged(), hanging);
     watch.during(judge_all, |corruption| hangs(&found(Some(corruption))));
     Ok(found(None))
 }
@@ -118,8 +127,8 @@ fn collect<K: Subject>(structure: &Structure<K>, edges: usize, run: &Run<'_>) ->
     specimens
 }
 
-fn summarize(
-    on: &str,
+fn summarize<K: Subject>(
+    on: &Structure<K>,
     work: CorruptWork,
     run: &Run<'_>,
     specimens: &Specimens,
@@ -129,21 +138,37 @@ fn summarize(
     let unusable = specimens.findings.iter().filter(|(number, _)| run.part().has(*number as u64));
     let unusable: Vec<String> = unusable.map(|(_, why)| format!("the structure does not make a map: {why}")).collect();
     let hangs = hanging.map(|corruption| format!("the validator does not return: {corruption}"));
-    let rules = Rule::ALL.iter().filter(|rule| !rule.is_geometric());
+    let rules = Rule::ALL.iter().filter(|rule| !rule.is_geometric() && !rule.is_optional());
     let rule_row = |rule: &Rule| RuleRow { rule: *rule, wrong: judged.first_broken.get(rule).copied().unwrap_or(0) };
     let field_row = |((form, field), tally): (&(Form, &str), &Tally)| FieldRow {
         form: *form,
         field: (*field).to_owned(),
         tally: *tally,
     };
+    let has_every_part = on.expectation() == Expectation::plane();
+    let expectations = if has_every_part { forms::expectations() } else { Vec::new() };
+    let expectation_row = |(number, expectation): (usize, &Expectation)| {
+        let of_it = judged.by_expectation.range((number, None)..(number + 1, None));
+        let first = |rule: &Rule| judged.by_expectation.get(&(number, Some(*rule))).copied().unwrap_or(0);
+        ExpectationRow {
+            number,
+            expectation: in_words(*expectation),
+            corruptions: of_it.map(|(_, count)| count).sum(),
+            first_broken: independent_rules(*expectation)
+                .iter()
+                .map(|rule| RuleRow { rule: *rule, wrong: first(rule) })
+                .collect(),
+        }
+    };
     CorruptOutcome {
         work,
-        on: on.to_owned(),
+        on: on.name().to_owned(),
         shard: run.part(),
         maps: judged.maps,
         maps_found: specimens.maps.len(),
         unusable: unusable.len(),
         fields: judged.fields.iter().map(field_row).collect(),
+        expectations: expectations.iter().enumerate().map(expectation_row).collect(),
         small_pairs: judged.small_pairs,
         pairs: SampledPairs { seed: work.seed, tally: judged.pairs },
         first_broken: rules.map(rule_row).collect(),

@@ -1,6 +1,6 @@
 //! What `corrupt` found.
 
-use super::specimen::Form;
+use super::specimen::{EDGES_OF_EVERY_FORM, Form};
 use super::work::CorruptWork;
 use crate::rows::{INTERRUPTED, add_findings};
 use crate::shard::Shard;
@@ -25,8 +25,10 @@ pub struct CorruptOutcome {
     pub maps_found: usize,
     /// Maps that the structure did not make.
     pub unusable: usize,
-    /// All single corruptions, by the form of the table and the field.
+    /// All single corruptions and exchanges, by the form of the table and the field, or what was exchanged.
     pub fields: Vec<FieldRow>,
+    /// Of the tables in every form: what each expectation came to. Empty if the structure lacks a part.
+    pub expectations: Vec<ExpectationRow>,
     /// All pairs of corruptions of the smallest maps.
     pub small_pairs: Tally,
     /// Pairs that were sampled.
@@ -62,6 +64,21 @@ pub struct Tally {
     /// The longest time of a validation.
     #[cfg_attr(feature = "serde", serde(rename = "slowest_us", with = "micros"))]
     pub slowest: Duration,
+}
+
+/// An expectation, and how often each rule was the first broken one under it.
+#[derive(Clone, Debug, PartialEq, Eq)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
+pub struct ExpectationRow {
+    /// Its place in [`expectations`](twinedge::validate::forms::expectations).
+    pub number: usize,
+    /// The expectation in words.
+    pub expectation: String,
+    /// How many corrupted tables were held to it.
+    pub corruptions: u64,
+    /// How often each rule was the first broken one, by the reference. Rules that the expectation does not check, and those that
+    /// follow from the rules before them, are not there.
+    pub first_broken: Vec<RuleRow>,
 }
 
 /// A field and what became of its corruptions.
@@ -121,6 +138,14 @@ impl CorruptOutcome {
     fn tallies(&self) -> impl Iterator<Item = &Tally> {
         self.fields.iter().map(|row| &row.tally).chain([&self.small_pairs, &self.pairs.tally])
     }
+
+    /// The expectations, each with a rule that is checked under it, but that no table in its form breaks first.
+    pub fn never_first_broken(&self) -> impl Iterator<Item = (&str, Rule)> {
+        self.expectations.iter().flat_map(|row| {
+            let never = row.first_broken.iter().filter(|broken| broken.wrong == 0);
+            never.map(|broken| (row.expectation.as_str(), broken.rule))
+        })
+    }
 }
 
 impl Outcome for CorruptOutcome {
@@ -154,6 +179,13 @@ impl Outcome for CorruptOutcome {
         if self.shard.is_whole() && !self.interrupted && self.tallies().all(|tally| tally.caught == 0) {
             reasons.push("no wrong table was caught".to_owned());
         }
+        // With fewer edges nothing can be nested in itself.
+        if self.shard.is_whole() && !self.interrupted && self.work.edges >= EDGES_OF_EVERY_FORM {
+            let never: Vec<String> = self.never_first_broken().map(|(of, rule)| format!("{rule} of {of}")).collect();
+            if let Some(first) = never.first() {
+                reasons.push(format!("rules that no table in every form breaks first: {}, as {first}", never.len()));
+            }
+        }
         reasons.extend(self.findings.iter().cloned());
         reasons
     }
@@ -166,6 +198,10 @@ impl Outcome for CorruptOutcome {
                 Some(row) => row.tally.add(&other.tally),
                 None => self.fields.push(other.clone()),
             }
+        }
+        for (row, other) in self.expectations.iter_mut().zip(&other.expectations) {
+            row.corruptions += other.corruptions;
+            row.first_broken.iter_mut().zip(&other.first_broken).for_each(|(rule, other)| rule.wrong += other.wrong);
         }
         self.small_pairs.add(&other.small_pairs);
         self.pairs.tally.add(&other.pairs.tally);

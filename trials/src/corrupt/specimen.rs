@@ -1,12 +1,17 @@
 //! The tables of small maps, and how they are corrupted.
 
+use super::exchange::Exchange;
 use crate::panics::catch;
 use crate::structure::Structure;
 use std::fmt;
 use twinedge::program::{Program, Runner, StepOutcome, Subject};
 use twinedge::validate::enumerate::{Cell, Value};
+use twinedge::validate::forms::{expectations, projected, projections};
 use twinedge::validate::reference::first_broken_rule;
-use twinedge::validate::{Expectation, Link, Part, Start, Table};
+use twinedge::validate::{Expectation, Part, Rule, Surface, Table};
+
+/// Maps of at most this many edges, and two vertices, are brought into every form.
+pub(super) const EDGES_OF_EVERY_FORM: usize = 2;
 
 /// How the tables of a map keep its faces.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord, Hash)]
@@ -16,6 +21,8 @@ pub enum Form {
     Records,
     /// Without, as in textbooks: half-edges name their face, and faces name half-edges.
     Textbook,
+    /// The forms of all expectations together, with closed and open boundaries.
+    Every,
 }
 
 impl Form {
@@ -25,6 +32,7 @@ impl Form {
         match self {
             Self::Records => "records",
             Self::Textbook => "textbook",
+            Self::Every => "every",
         }
     }
 }
@@ -38,24 +46,39 @@ pub(super) struct Specimen {
     program: String,
     /// Whether it has at most one edge and two vertices.
     pub(super) is_smallest: bool,
+    /// The number of the expectation among all, if the form is one of [`Form::Every`].
+    pub(super) number: Option<usize>,
 }
 
 impl Specimen {
     /// The tables of the map that a program makes, each with a vacant row: in both forms, or in the textbook's if the structure
-    /// has no records for boundary components. What is wrong, if the structure does not make the map.
+    /// has no records for boundary components; and in every form, if the map is small and the structure has every part. What is
+    /// wrong, if the structure does not make the map.
     pub(super) fn all<K: Subject>(structure: &Structure<K>, program: &Program) -> Result<Vec<Self>, String> {
         let table = catch(|| copy(structure, program)).unwrap_or_else(|panic| Err(format!("panicked: {panic}")));
         let table = table.map_err(|why| format!("{why}, by\n{program}"))?;
         let expectation = structure.expectation();
         let textbook = expectation.without(Part::BoundaryComponents);
-        let forms = if expectation.has(Part::BoundaryComponents) {
-            let mut dropped = table.clone();
-            drop_boundaries(&mut dropped);
-            vec![(Form::Records, expectation, table), (Form::Textbook, textbook, dropped)]
+        let mut all = Vec::new();
+        if expectation.has(Part::BoundaryComponents) {
+            let dropped = projected(&table, &textbook);
+            all.push(Self::new(Form::Records, expectation, table.clone(), program));
+            all.push(Self::new(Form::Textbook, textbook, dropped, program));
         } else {
-            vec![(Form::Textbook, textbook, table)]
-        };
-        Ok(forms.into_iter().map(|(form, expectation, table)| Self::new(form, expectation, table, program)).collect())
+            all.push(Self::new(Form::Textbook, textbook, table.clone(), program));
+        }
+        let (edges, vertices) =
+            (table.half_edges.iter().flatten().count() / 2, table.vertices.iter().flatten().count());
+        if expectation == Expectation::plane() && edges <= EDGES_OF_EVERY_FORM && vertices <= 2 {
+            for (number, expectation) in expectations().into_iter().enumerate() {
+                for table in projections(&table, &expectation) {
+                    let specimen = Self::new(Form::Every, expectation, table, program);
+                    let is_smallest = edges <= 1;
+                    all.push(Self { number: Some(number), is_smallest, ..specimen });
+                }
+            }
+        }
+        Ok(all)
     }
 
     fn new(form: Form, expectation: Expectation, mut table: Table, program: &Program) -> Self {
@@ -66,7 +89,7 @@ impl Specimen {
         table.boundaries.push(None);
         table.faces.push(None);
         let is_smallest = half_edges <= 2 && vertices <= 2;
-        Self { form, expectation, table, program: program.to_string(), is_smallest }
+        Self { form, expectation, table, program: program.to_string(), is_smallest, number: None }
     }
 }
 
@@ -86,44 +109,74 @@ fn copy<K: Subject>(structure: &Structure<K>, program: &Program) -> Result<Table
     }
 }
 
-/// Takes the records for boundary components away: half-edges name their face instead, and faces where their cycles start.
-fn drop_boundaries(table: &mut Table) {
-    let boundaries = std::mem::take(&mut table.boundaries);
-    let record = |b: Link| boundaries.get(b?).copied().flatten();
-    for half_edge in table.half_edges.iter_mut().flatten() {
-        half_edge.face = record(half_edge.boundary.take()).and_then(|b| b.face);
-    }
-    for vertex in table.vertices.iter_mut().flatten() {
-        vertex.isolated = None;
-    }
-    for face in table.faces.iter_mut().flatten() {
-        face.outer_half_edge = match record(face.outer.take()).and_then(|b| b.start) {
-            Some(Start::HalfEdge(h)) => Some(h),
-            _ => None,
-        };
-        face.inner_starts = std::mem::take(&mut face.inner).into_iter().map(|b| record(b)?.start).collect();
-    }
+/// What is changed.
+#[derive(Clone, Copy, Debug)]
+enum Change {
+    Cells([Option<(Cell, Value)>; 2]),
+    Exchange(Exchange),
 }
 
-/// Some changed cells of a specimen.
+/// A changed specimen.
 #[derive(Clone, Copy, Debug)]
 pub(super) struct Corruption<'a> {
     pub(super) specimen: &'a Specimen,
-    changes: [Option<(Cell, Value)>; 2],
+    change: Change,
 }
 
 impl<'a> Corruption<'a> {
-    /// The first two changes are kept.
+    /// Some changed cells. The first two changes are kept.
     pub(super) fn new(specimen: &'a Specimen, changes: &[(Cell, Value)]) -> Self {
-        Self { specimen, changes: [0, 1].map(|i| changes.get(i).copied()) }
+        Self { specimen, change: Change::Cells([0, 1].map(|i| changes.get(i).copied())) }
+    }
+
+    pub(super) const fn exchanged(specimen: &'a Specimen, exchange: Exchange) -> Self {
+        Self { specimen, change: Change::Exchange(exchange) }
     }
 }
 
 impl fmt::Display for Corruption<'_> {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        for (i, (cell, value)) in self.changes.iter().flatten().enumerate() {
-            write!(f, "{}{cell:?} = {value:?}", if i == 0 { "" } else { " and " })?;
+        match self.change {
+            Change::Cells(changes) => {
+                for (i, (cell, value)) in changes.iter().flatten().enumerate() {
+                    write!(f, "{}{cell:?} = {value:?}", if i == 0 { "" } else { " and " })?;
+                }
+            }
+            Change::Exchange(exchange) => write!(f, "exchanged: {exchange:?}")?,
         }
-        write!(f, ", in the {} of\n{}", self.specimen.form.name(), self.specimen.program)
+        let Specimen { form, expectation, program, table, .. } = self.specimen;
+        match form {
+            Form::Every => write!(f, ", in {table}\nheld to {expectation:?}, of\n{program}"),
+            Form::Records | Form::Textbook => write!(f, ", in the {} of\n{program}", form.name()),
+        }
     }
 }
+
+/// The expectation in words.
+pub(super) fn in_words(expectation: Expectation) -> String {
+    let surface = if expectation.surface_kind() == Surface::Plane { "plane" } else { "surface" };
+    let open = if expectation.is_open() { ", open" } else { "" };
+    let lacks: Vec<&str> = PARTS.iter().filter(|part| !expectation.has(**part)).map(|part| part.name()).collect();
+    let without = if lacks.is_empty() { String::new() } else { format!(", without {}", lacks.join(", ")) };
+    format!("{surface}{open}{without}")
+}
+
+/// The rules that are checked under the expectation and do not follow from those before them. T4 always follows, and T3 does
+/// where any genus is right.
+pub(super) fn independent_rules(expectation: Expectation) -> Vec<Rule> {
+    let (faces, holes) = (expectation.has(Part::Faces), expectation.has(Part::Holes));
+    let plane = expectation.surface_kind() == Surface::Plane;
+    let is_checked = |rule: &Rule| match *rule {
+        Rule::R1 | Rule::L1 | Rule::L2 | Rule::L3 | Rule::V2 => true,
+        Rule::V1 => expectation.has(Part::Leaving),
+        Rule::B1 | Rule::F1 | Rule::F2 => faces,
+        Rule::B2 => faces && holes,
+        Rule::T1 | Rule::T2 => faces && holes && plane,
+        Rule::T3 => plane,
+        _ => false,
+    };
+    Rule::ALL.iter().copied().filter(is_checked).collect()
+}
+
+const PARTS: [Part; 7] =
+    [Part::Prev, Part::Leaving, Part::Faces, Part::BoundaryComponents, Part::Places, Part::Holes, Part::UnboundedFace];

@@ -94,6 +94,10 @@ fn by_index<K: Indexed>(subject: &K, call: &CallOf<K>) -> Call<Link, Link, Link>
         Call::SplitVertex { from, to } => Call::SplitVertex { from: corner(*from), to: corner(*to) },
         Call::ContractEdge { half_edge: h } => Call::ContractEdge { half_edge: half_edge(*h) },
         Call::FlipEdge { half_edge: h, turn } => Call::FlipEdge { half_edge: half_edge(*h), turn: *turn },
+        Call::MeshFlipEdge { half_edge: h } => Call::MeshFlipEdge { half_edge: half_edge(*h) },
+        Call::MeshSplitEdge { half_edge: h } => Call::MeshSplitEdge { half_edge: half_edge(*h) },
+        Call::MeshSplitFace { half_edge: h } => Call::MeshSplitFace { half_edge: half_edge(*h) },
+        Call::MeshCollapseEdge { half_edge: h } => Call::MeshCollapseEdge { half_edge: half_edge(*h) },
         Call::MoveInner { inner, face: f } => Call::MoveInner { inner: corner(*inner), face: face(*f) },
     }
 }

@@ -54,7 +54,7 @@ pub fn sample(work: SampleWork, checker: &dyn Checker, run: &Run<'_>) -> SampleO
     for judged in &found {
         all.add(judged);
     }
-    let rules = Rule::ALL.iter().filter(|rule| !rule.is_geometric());
+    let rules = Rule::ALL.iter().filter(|rule| !rule.is_geometric() && !rule.is_optional());
     SampleOutcome {
         work,
         shard: run.part(),

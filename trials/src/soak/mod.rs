@@ -4,6 +4,8 @@
 //! operator the structure must have done the same (applied, refused for the same reason, or skipped), must be valid, must be
 //! isomorphic, nesting included, and its handles must say the same. Programs use stale handles on purpose. The first program
 //! that fails, or panics, is made small.
+//!
+//! What operators report beside handles is a structure's own. [`Reported`](twinedge::program::Reported) checks it for `Dcel`.
 
 mod in_step;
 mod outcome;
@@ -90,7 +92,7 @@ impl Worker<'_> {
     fn soak(&mut self, program: &Program, number: u32) {
         for (on, row) in self.structures.iter().zip(&mut self.rows) {
             let comparison = on.compare(program, self.run.reporter());
-            row.count(comparison.summary);
+            row.count(&comparison.summary);
             match comparison.end {
                 End::Finished => row.programs += 1,
                 End::Interrupted => {

@@ -66,11 +66,12 @@ impl SoakRow {
         Self { on: on.to_owned(), programs: 0, cut_short: 0, applied: 0, refused: 0, skipped: 0, no_room: 0 }
     }
 
-    pub(super) const fn count(&mut self, summary: ConformanceSummary) {
-        self.applied += summary.applied as u64;
-        self.refused += summary.refused as u64;
-        self.skipped += summary.skipped as u64;
-        self.no_room += summary.not_supported as u64;
+    pub(super) fn count(&mut self, summary: &ConformanceSummary) {
+        let total = summary.total();
+        self.applied += total.applied as u64;
+        self.refused += total.refused as u64;
+        self.skipped += total.skipped as u64;
+        self.no_room += (total.no_room + total.unsupported) as u64;
     }
 
     pub(super) const fn add(&mut self, other: &Self) {

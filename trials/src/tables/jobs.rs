@@ -165,6 +165,7 @@ pub(super) fn jobs(half_edges: usize) -> Vec<Job> {
     jobs.extend([every_link(), every_link_and_dangling(), textbook_edge(), textbook_loop(), loop_with_records()]);
     jobs.extend([every_field_of_an_edge(), every_field_of_a_loop(), every_field_with_records()]);
     jobs.extend([links_of_four(), twins_of_four(), next_and_prev(), open_borders()]);
+    jobs.extend([one_disc(), one_torus(), one_loop_without_face()]);
     for edges in 1..=half_edges / 2 {
         jobs.extend([
             paired("next, for all twins; surfaces", edges, BARE, formulas::maps(edges as u128)),
@@ -230,13 +231,37 @@ fn next_and_prev() -> Job {
 
 /// Every twin, or none: 0, 1 or 2 pairs of twins. Borders that are closed by one more cycle each always give a surface.
 fn open_borders() -> Job {
-    let expectation = BARE.open();
+    twins_or_nil("twin or nil, next; open borders", BARE.open(), (1 + 6 + 3) * 24)
+}
+
+/// The same, asked to be a disc of one face with four sides: a square, whose half-edges can follow one another in 3! ways. If
+/// two of its sides that meet were one edge, the other two would join the same vertices.
+fn one_disc() -> Job {
+    let asked = BARE.open().no_unused_vertices().simple().sides(4).components(1).borders(1).genus(0);
+    twins_or_nil("twin or nil, next; asked for: a square", asked, 6)
+}
+
+/// The same, asked to be a torus without border: the one rooted map of genus 1 with two edges (OEIS A006300), on labels.
+fn one_torus() -> Job {
+    let asked = BARE.open().no_unused_vertices().sides(4).closed().components(1).borders(0).genus(1);
+    twins_or_nil("twin or nil, next; asked for: a torus", asked, 6)
+}
+
+fn twins_or_nil(name: &'static str, expectation: Expectation, right: u128) -> Job {
     let all = Assignments::new(blank(0, 4, 0, &[]), expectation, |cell| match cell {
         Cell::Twin(_) => Some(To::OrNil),
         Cell::Next(_) => Some(To::Live),
         _ => None,
     });
-    Job { derive_origins: true, ..job("twin or nil, next; open borders", 4, expectation, vec![all], (1 + 6 + 3) * 24) }
+    Job { derive_origins: true, ..job(name, 4, expectation, vec![all], right) }
+}
+
+/// A loop with a face on one side and none on the other, which is a border: either half-edge can be inside.
+fn one_loop_without_face() -> Job {
+    let mesh = Expectation::surface().without(Part::BoundaryComponents).without(Part::Leaving).open();
+    let asked = mesh.no_unused_vertices().sides(1).components(1).borders(1).genus(0);
+    let all = Assignments::new(blank(1, 2, 0, &[0]), asked, |_| Some(To::OrNil));
+    job("every field of a loop and a face; nil; asked for: a disc", 2, asked, vec![all], 2)
 }
 
 /// One edge between two vertices in one face: the vertices can be swapped and the start chosen.

@@ -9,7 +9,8 @@
 //! | 2, no faces | two vertices: origin, twin, next, prev and leaving, nil included; from a bound of 4 on dangling, too |
 //! | 2, faces | an edge in one face and a loop between two faces, as in textbooks: all fields but leaving, nil included |
 //! | 2, faces, from a bound of 4 on | every field, leaving included, of both, and of an edge with a boundary component; the links between half-edges are live. A loop with two boundary components: its links are given, all else is free |
-//! | 4, no faces, no leaving | origin, twin and next on two vertices; twin and next; next and prev for every pairing of twins; twin or nil, and next, with open borders |
+//! | 2, a face, an open border | every field of a loop; a disc is asked for, by M1, M3, M5, M6 and M7 |
+//! | 4, no faces, no leaving | origin, twin and next on two vertices; twin and next; next and prev for every pairing of twins; twin or nil, and next, with open borders, also where a square and where a torus is asked for, by M1 … M7 |
 //! | 6 and more | next, for every pairing of twins; no prev, leaving or face |
 //!
 //! Where origins are not free, they are what twin and next demand.

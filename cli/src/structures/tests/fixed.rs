@@ -11,6 +11,6 @@ fn regression() {
         Op::Connect { from: Corner::Isolated(VertexPick::Isolated(0)), to: SecondPick::Fitting(0), new_face: Side::Right, inner: InnerPick { mask: 1, also: Some(Corner::At(HalfEdgePick::Live(1))) } },
         Op::FlipEdge { half_edge: HalfEdgePick::Retired(0), turn: Turn::Clockwise },
     ]);
-    let result = conformance::run(&program, Dcel::<FixedStore<24, 40, 40, 24>>::default(), &Expectation::plane());
+    let result = conformance::run(&program, Reported::new(Dcel::<FixedStore<24, 40, 40, 24>>::default()), &Expectation::plane());
     assert!(result.is_ok(), "{result:?}");
 }

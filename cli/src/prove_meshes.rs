@@ -1,0 +1,108 @@
+//! `twinedge prove --meshes N`: all small triangulated discs, all operators, all arguments.
+
+use crate::document::{Document, Nothing, Printed};
+use crate::effort::Effort;
+use crate::output::style::{BAD, GOOD, QUIET};
+use crate::output::{Format, grouped, part_line, zero};
+use crate::status::{Failure, Verdict};
+use crate::structures::{StructureName, Task};
+use std::fmt;
+use std::time::Instant;
+use twinedge_trials::meshes::{MeshStructure, MeshesOutcome, MeshesWork};
+use twinedge_trials::replay::Indexed;
+use twinedge_trials::{Outcome, Run, Structure, meshes};
+
+/// Trying triangulations on a structure of any type.
+struct Trying<'a>(MeshesWork, &'a Run<'a>);
+
+impl Task for Trying<'_> {
+    type Result = MeshesOutcome;
+
+    fn run<K: Indexed + Clone + 'static>(self, structure: Structure<K>) -> MeshesOutcome {
+        meshes(&MeshStructure::plane(structure), self.0, self.1)
+    }
+}
+
+pub(crate) fn run(vertices: usize, on: StructureName, effort: &Effort, format: Format) -> Result<Verdict, Failure> {
+    let work = MeshesWork { vertices };
+    effort.refuse_too_much(work.estimate(), format)?;
+    let run = effort.start()?;
+    let start = Instant::now();
+    let document = Document::new(on.with(Trying(work, &run)), start);
+    document.print(format)?;
+    Ok(document.verdict())
+}
+
+impl Printed for MeshesOutcome {
+    const COMMAND: &'static str = "prove --meshes";
+    type Extra = Nothing;
+
+    fn text(&self, _: &Nothing, seconds: f64) -> String {
+        Text(self, seconds).to_string()
+    }
+}
+
+/// The outcome for people.
+struct Text<'a>(&'a MeshesOutcome, f64);
+
+impl fmt::Display for Text<'_> {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        let Self(outcome, seconds) = self;
+        if outcome.interrupted {
+            writeln!(f, "{BAD}interrupted{BAD:#}: this is what was covered\n")?;
+        }
+        f.write_str(&part_line(outcome.shard))?;
+        writeln!(f, "Structure: {}\n", outcome.on)?;
+        writeln!(
+            f,
+            "Triangulated discs, by vertices on the border + inside. A wrong count stands beside the published one."
+        )?;
+        writeln!(
+            f,
+            "{QUIET}{:>9} {:>8} {:>8} {:>12} {:>12} {:>12}{QUIET:#}",
+            "", "maps", "rooted", "applied", "refused", "differences"
+        )?;
+        for row in &outcome.rows {
+            let rooted = match row.rooted_published {
+                Some(published) if published != row.rooted => {
+                    format!("{BAD}{}≠{}{BAD:#}", grouped(row.rooted), grouped(published))
+                }
+                _ => grouped(row.rooted),
+            };
+            writeln!(
+                f,
+                "{:>9} {:>8} {:>8} {:>12} {:>12} {:>12}",
+                row.shape.to_string(),
+                grouped(row.maps),
+                rooted,
+                grouped(row.applied),
+                grouped(row.refused),
+                zero(row.differences),
+            )?;
+        }
+        writeln!(
+            f,
+            "\n{QUIET}{:<22} {:>12} {:>12} {:>13}{QUIET:#}",
+            "operator", "applied", "refused", "not supported"
+        )?;
+        for row in &outcome.operators {
+            let [applied, refused, not_supported] = [row.applied, row.refused, row.not_supported].map(grouped);
+            writeln!(f, "{:<22} {applied:>12} {refused:>12} {not_supported:>13}", row.operator)?;
+        }
+        writeln!(f)?;
+        for finding in &outcome.findings {
+            writeln!(f, "{BAD}{finding}{BAD:#}")?;
+        }
+        if outcome.interrupted {
+            return writeln!(f, "{BAD}not finished{BAD:#} ({seconds:.1} s)");
+        }
+        if outcome.is_ok() {
+            writeln!(f, "{GOOD}proved{GOOD:#}: every operator does what its definition says ({seconds:.1} s)")
+        } else {
+            writeln!(
+                f,
+                "{BAD}not proved{BAD:#}: a count or an operator differs, or nothing was applied ({seconds:.1} s)"
+            )
+        }
+    }
+}

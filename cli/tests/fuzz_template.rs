@@ -1,0 +1,68 @@
+//! `twinedge fuzz-template`. That its project is built and finds a bug is tested by `fuzz/tests/template.rs`.
+
+mod support;
+
+use std::fs;
+use std::path::{Path, PathBuf};
+use support::twinedge;
+
+/// A folder of this test's own, with a package in it.
+fn package(name: &str, manifest: &str) -> PathBuf {
+    let folder = Path::new(env!("CARGO_TARGET_TMPDIR")).join(name);
+    let _ = fs::remove_dir_all(&folder);
+    fs::create_dir_all(&folder).unwrap();
+    fs::write(folder.join("Cargo.toml"), manifest).unwrap();
+    folder
+}
+
+fn said(bytes: &[u8]) -> String {
+    String::from_utf8_lossy(bytes).into_owned()
+}
+
+#[test]
+fn the_target_is_written_for_the_package_around_it() {
+    let folder = package(
+        "mesh",
+        "[workspace]\n\n[package]\nversion = \"1.0.0\"\nname = \"my-mesh\" # mine\n\n[[bin]]\nname = \"x\"\n",
+    );
+    let fuzz = folder.join("fuzz");
+    let output = twinedge(&["fuzz-template", fuzz.to_str().unwrap()]);
+    assert_eq!(output.status.code(), Some(0), "{}", said(&output.stderr));
+    let text = said(&output.stdout);
+    assert!(text.contains("in the place of `my_mesh::Mesh::new()`") && text.contains("fuzz run --fuzz-dir"), "{text}");
+
+    let manifest = fs::read_to_string(fuzz.join("Cargo.toml")).unwrap();
+    assert!(manifest.contains("name = \"my-mesh-fuzz\"\n") && manifest.contains("my-mesh = { path = \"..\" }\n"));
+    assert!(manifest.contains(&format!("twinedge = {{ version = \"{}\"", env!("CARGO_PKG_VERSION"))), "{manifest}");
+    let target = fs::read_to_string(fuzz.join("fuzz_targets/conforms.rs")).unwrap();
+    assert!(target.contains("conformance::run(program, my_mesh::Mesh::new(), &"), "{target}");
+    assert!(!manifest.contains('{') || !target.contains("{subject}"), "every place is filled");
+    assert!(fs::read_dir(fuzz.join("corpus/conforms")).unwrap().count() > 10);
+
+    let again = twinedge(&["fuzz-template", fuzz.to_str().unwrap()]);
+    assert_eq!(again.status.code(), Some(2));
+    assert!(said(&again.stderr).contains("exists already"));
+    assert_eq!(fs::read_to_string(fuzz.join("fuzz_targets/conforms.rs")).unwrap(), target);
+}
+
+#[test]
+fn a_subject_leaves_nothing_to_be_replaced() {
+    let folder = package("subject", "[package]\nname = \"mesh\"\n");
+    let fuzz = folder.join("fuzz");
+    let output = twinedge(&["fuzz-template", fuzz.to_str().unwrap(), "--subject", "mesh::Dcel::empty()"]);
+    assert!(!said(&output.stdout).contains("in the place of"));
+    assert!(
+        fs::read_to_string(fuzz.join("fuzz_targets/conforms.rs")).unwrap().contains("(program, mesh::Dcel::empty(), &")
+    );
+}
+
+#[test]
+fn without_a_package_nothing_is_written() {
+    let folder = package("virtual", "[workspace]\nmembers = []\n");
+    for (fuzz, message) in [(folder.join("fuzz"), "names no package"), (folder.join("none/fuzz"), "Cargo.toml: ")] {
+        let output = twinedge(&["fuzz-template", fuzz.to_str().unwrap()]);
+        assert_eq!(output.status.code(), Some(2));
+        assert!(said(&output.stderr).contains(message), "{}", said(&output.stderr));
+        assert!(!fuzz.exists());
+    }
+}

@@ -1,0 +1,79 @@
+//! The project that `twinedge fuzz-template` writes is built, runs, and finds a planted bug.
+
+use std::fs;
+use std::path::{Path, PathBuf};
+use std::process::{Command, Output};
+
+fn root() -> PathBuf {
+    Path::new(env!("CARGO_MANIFEST_DIR")).join("..").canonicalize().expect("the folder above")
+}
+
+fn cargo(folder: &Path, target: &Path) -> Command {
+    let mut cargo = Command::new(env!("CARGO"));
+    cargo.current_dir(folder).env("CARGO_TARGET_DIR", target).env("RUSTFLAGS", "--cfg fuzzing");
+    cargo
+}
+
+fn said(output: &Output) -> String {
+    String::from_utf8_lossy(&output.stdout).into_owned() + &String::from_utf8_lossy(&output.stderr)
+}
+
+/// A package with a structure, and the template for it.
+fn template(folder: &Path, subject: &str) {
+    let root = root();
+    let _ = fs::remove_dir_all(folder);
+    fs::create_dir_all(folder.join("src")).expect("a folder of the test's own");
+    let trials = root.join("trials");
+    let manifest = format!(
+        "[package]\nname = \"mesh\"\nversion = \"0.0.0\"\nedition = \"2024\"\n\n[dependencies]\ntwinedge-trials = {{ path = {trials:?} }}\n"
+    );
+    fs::write(folder.join("Cargo.toml"), manifest).expect("it is written");
+    fs::write(folder.join("src/lib.rs"), "pub use twinedge_trials::planted::Planted;\n").expect("it is written");
+    let written = Command::new(env!("CARGO"))
+        .current_dir(&root)
+        .args(["run", "--quiet", "-p", "twinedge-cli", "--", "fuzz-template"])
+        .args([&folder.join("fuzz"), Path::new("--twinedge"), &root])
+        .args(["--subject", subject])
+        .output()
+        .expect("cargo runs");
+    assert!(written.status.success(), "{}", said(&written));
+    // What is locked here is there, so nothing need be downloaded.
+    fs::copy(root.join("fuzz/Cargo.lock"), folder.join("fuzz/Cargo.lock")).expect("it is copied");
+}
+
+#[test]
+fn the_project_is_built_and_finds_a_planted_bug() {
+    let own = Path::new(env!("CARGO_TARGET_TMPDIR"));
+    // What this package has built is not built again.
+    let target = own.parent().expect("it is in the folder of what is built");
+    let folder = own.join("mesh");
+    // An edge that is flipped the wrong way keeps every rule, so only the comparison with the reference finds it.
+    template(&folder, "mesh::Planted::<false>::default()");
+    let fuzz = folder.join("fuzz");
+    let built = cargo(&fuzz, target).args(["build", "--release", "--offline"]).output().expect("cargo runs");
+    assert!(built.status.success(), "{}", said(&built));
+
+    let run = |corpus: &Path| {
+        let mut binary = Command::new(target.join("release/conforms"));
+        let options = ["-runs=5000", "-seed=1", "-len_control=0", "-max_len=400", "-artifact_prefix=artifact-"];
+        binary.current_dir(&fuzz).args(options).arg(corpus).output().expect("it runs")
+    };
+    let found = run(&fuzz.join("corpus/conforms"));
+    let text = said(&found);
+    assert!(!found.status.success(), "{text}");
+    let (_, program) =
+        text.split_once("twinedge program 1\n").unwrap_or_else(|| panic!("no program is printed\n{text}"));
+    let ops: Vec<&str> = program.lines().take_while(|line| line.contains(' ') && !line.contains("  ")).collect();
+    let flip = ops.iter().position(|op| op.starts_with("flip_edge"));
+    assert!(flip.is_some_and(|place| place < 8), "{text}");
+
+    // The structure without the bug passes.
+    let conforms = fuzz.join("fuzz_targets/conforms.rs");
+    let right = fs::read_to_string(&conforms).expect("it was written");
+    let right = right.replace("mesh::Planted::<false>::default()", "twinedge::dcel::Dcel::new()");
+    fs::write(&conforms, right).expect("it is written");
+    let built = cargo(&fuzz, target).args(["build", "--release", "--offline"]).output().expect("cargo runs");
+    assert!(built.status.success(), "{}", said(&built));
+    let nothing = run(&fuzz.join("corpus/conforms"));
+    assert!(nothing.status.success(), "{}", said(&nothing));
+}

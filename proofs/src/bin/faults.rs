@@ -1,0 +1,237 @@
+//! Plants every fault of `proofs/faults/` in a copy of the sources, and prints which check catches which.
+//!
+//! ```text
+//! cargo run -p twinedge-proofs --bin faults                            the table, in Markdown
+//! cargo run -p twinedge-proofs --bin faults -- --only R1               the faults with these words in their names
+//! cargo run -p twinedge-proofs --bin faults -- --checks corrupt,soak   these checks alone
+//! ```
+//!
+//! One build holds all faults, each behind a switch that is read from the environment. Each check then runs once without a fault,
+//! and must pass, and once with each. A fault is caught if the check fails, panics, or takes longer than a minute.
+#![allow(clippy::print_stdout, clippy::print_stderr, reason = "it is a program")]
+
+use std::collections::BTreeMap;
+use std::error::Error;
+use std::fs;
+use std::path::{Path, PathBuf};
+use std::process::{Command, Stdio};
+use std::sync::Mutex;
+use std::sync::atomic::{AtomicUsize, Ordering};
+use std::time::{Duration, Instant};
+use twinedge_proofs::faults::{Fault, SWITCH, parse, plant};
+
+type Result<T> = std::result::Result<T, Box<dyn Error + Send + Sync>>;
+
+/// After this long a check counts as one that does not end.
+const LIMIT: Duration = Duration::from_secs(60);
+
+/// A check: its name, and the program with its arguments.
+struct Check {
+    name: &'static str,
+    program: PathBuf,
+    arguments: Vec<&'static str>,
+}
+
+/// What became of a check.
+#[derive(Clone, Copy, PartialEq, Eq)]
+enum End {
+    Passed,
+    Failed,
+    TimedOut,
+}
+
+/// The checks that are test binaries: the name, the arguments by which cargo builds it, and its source as cargo names it.
+const TESTS: [(&str, &[&str], &str); 4] = [
+    ("validate", &["-p", "twinedge", "--test", "validate"], "tests/validate/main.rs"),
+    ("dcel", &["-p", "twinedge", "--test", "dcel"], "tests/dcel/main.rs"),
+    ("program", &["-p", "twinedge", "--test", "program"], "tests/program/main.rs"),
+    ("harnesses", &["-p", "twinedge-proofs", "--lib"], "unittests src/lib.rs"),
+];
+
+/// The checks of the program `twinedge`.
+const COMMANDS: [(&str, &[&str]); 5] = [
+    ("corrupt", &["corrupt", "--edges", "3", "--pairs", "5000", "--seed", "1", "--threads", "1"]),
+    ("tables", &["tables", "--half-edges", "2", "--threads", "1"]),
+    ("sample", &["sample", "--tables", "5000", "--seed", "1", "--threads", "1"]),
+    ("prove", &["prove", "--edges", "2", "--threads", "1"]),
+    ("soak", &["soak", "--programs", "60", "--seed", "1", "--threads", "1", "--save", "/dev/null/none"]),
+];
+
+fn main() -> Result<()> {
+    let option = |name: &str| std::env::args().skip_while(|argument| argument != name).nth(1);
+    let (only, chosen) = (option("--only"), option("--checks"));
+    let is_chosen = |name: &str| chosen.as_ref().is_none_or(|names| names.split(',').any(|other| other == name));
+    let root = Path::new(env!("CARGO_MANIFEST_DIR")).join("..").canonicalize()?;
+    let faults = read(&root.join("proofs/faults"))?;
+    let build = root.join("target/faults");
+    let copy = build.join("sources");
+    copy_planted(&root, &copy, &faults)?;
+    let checks = built(&copy, &build, is_chosen)?;
+    for check in &checks {
+        let start = Instant::now();
+        if check.run(None)? != End::Passed {
+            return Err(format!("{} does not pass without a fault", check.name).into());
+        }
+        eprintln!("{} passes without a fault in {:.1} s", check.name, start.elapsed().as_secs_f64());
+    }
+    let wanted: Vec<usize> =
+        (0..faults.len()).filter(|n| only.as_ref().is_none_or(|words| faults[*n].what.contains(words))).collect();
+    let caught = matrix(&checks, &wanted)?;
+    print(&checks, &faults, &caught);
+    Ok(())
+}
+
+fn read(folder: &Path) -> Result<Vec<Fault>> {
+    let mut files = fs::read_dir(folder)?.map(|entry| Ok(entry?.path())).collect::<Result<Vec<_>>>()?;
+    files.retain(|file| file.extension().is_some_and(|extension| extension == "txt"));
+    files.sort();
+    let mut faults = Vec::new();
+    for file in files {
+        faults.extend(parse(&fs::read_to_string(file)?)?);
+    }
+    Ok(faults)
+}
+
+/// Writes a copy of the sources with all faults planted. Files that are the same already are left alone.
+fn copy_planted(root: &Path, copy: &Path, faults: &[Fault]) -> Result<()> {
+    let mut folders = vec![PathBuf::new()];
+    while let Some(folder) = folders.pop() {
+        for entry in fs::read_dir(root.join(&folder))? {
+            let entry = entry?;
+            let path = folder.join(entry.file_name());
+            if entry.file_type()?.is_dir() {
+                let is_source =
+                    !["target", ".git", "coq", "corpus", "artifacts"].iter().any(|name| path.ends_with(name));
+                folders.extend(is_source.then_some(path));
+                continue;
+            }
+            let mut bytes = fs::read(entry.path())?;
+            let of_file: Vec<(usize, &Fault)> =
+                faults.iter().enumerate().filter(|(_, fault)| Path::new(&fault.file) == path).collect();
+            if !of_file.is_empty() {
+                bytes = plant(&String::from_utf8(bytes)?, &of_file)?.into_bytes();
+            }
+            if path == Path::new("src/lib.rs") {
+                bytes.extend(SWITCH.bytes());
+            }
+            let to = copy.join(&path);
+            if fs::read(&to).ok().as_ref() != Some(&bytes) {
+                fs::create_dir_all(copy.join(&folder))?;
+                fs::write(to, bytes)?;
+            }
+        }
+    }
+    Ok(())
+}
+
+/// Builds the copy, and gives the checks.
+fn built(copy: &Path, build: &Path, is_chosen: impl Fn(&str) -> bool) -> Result<Vec<Check>> {
+    let cargo = |arguments: &[&str]| -> Result<String> {
+        let mut cargo = Command::new(std::env::var_os("CARGO").unwrap_or_else(|| "cargo".into()));
+        cargo.args(arguments).current_dir(copy).env("CARGO_TARGET_DIR", build).env("CARGO_INCREMENTAL", "0");
+        // Fast enough to run, and quick to build; what overflows panics.
+        for (name, value) in [("LTO", "off"), ("DEBUG", "0"), ("OPT_LEVEL", "2"), ("DEBUG_ASSERTIONS", "true")] {
+            cargo.env(format!("CARGO_PROFILE_RELEASE_{name}"), value);
+        }
+        cargo.env("CARGO_PROFILE_RELEASE_OVERFLOW_CHECKS", "true").env_remove("RUSTFLAGS");
+        let output = cargo.output()?;
+        let said = String::from_utf8_lossy(&output.stderr).into_owned();
+        if output.status.success() { Ok(said) } else { Err(format!("cargo {}: {said}", arguments.join(" ")).into()) }
+    };
+    let mut checks = Vec::new();
+    for (name, arguments, source) in TESTS.iter().filter(|(name, ..)| is_chosen(name)) {
+        let said = cargo(&[&["test", "--release", "--no-run"], *arguments].concat())?;
+        let line = said.lines().find(|line| line.contains(source)).ok_or_else(|| format!("cargo made no {source}"))?;
+        let program =
+            line.split_once('(').and_then(|(_, rest)| rest.split_once(')')).ok_or("cargo says something else")?.0;
+        checks.push(Check { name, program: copy.join(program), arguments: vec!["--test-threads=1", "-q"] });
+    }
+    if COMMANDS.iter().any(|(name, _)| is_chosen(name)) {
+        cargo(&["build", "--release", "-p", "twinedge-cli"])?;
+    }
+    let program = build.join("release/twinedge");
+    for (name, arguments) in COMMANDS.iter().filter(|(name, _)| is_chosen(name)) {
+        checks.push(Check { name, program: program.clone(), arguments: arguments.to_vec() });
+    }
+    Ok(checks)
+}
+
+impl Check {
+    /// Runs the check with a fault switched on.
+    fn run(&self, fault: Option<usize>) -> Result<End> {
+        let mut command = Command::new(&self.program);
+        command.args(&self.arguments).stdin(Stdio::null()).stdout(Stdio::null()).stderr(Stdio::null());
+        // Some tests read files beside their sources.
+        let folder = self.program.ancestors().find(|folder| folder.ends_with("faults")).unwrap_or(Path::new("."));
+        command.current_dir(folder.join("sources"));
+        if let Some(fault) = fault {
+            command.env("PLANTED_FAULT", fault.to_string());
+        }
+        let mut child = command.spawn()?;
+        let start = Instant::now();
+        loop {
+            if let Some(status) = child.try_wait()? {
+                return Ok(if status.success() { End::Passed } else { End::Failed });
+            }
+            if start.elapsed() > LIMIT {
+                child.kill()?;
+                child.wait()?;
+                return Ok(End::TimedOut);
+            }
+            std::thread::sleep(Duration::from_millis(5));
+        }
+    }
+}
+
+/// Runs every check with each of these faults, four faults at a time.
+fn matrix(checks: &[Check], wanted: &[usize]) -> Result<BTreeMap<usize, Vec<End>>> {
+    let (next, done) = (AtomicUsize::new(0), Mutex::new(BTreeMap::new()));
+    let work = || -> Result<()> {
+        while let Some(fault) = wanted.get(next.fetch_add(1, Ordering::Relaxed)) {
+            let ends = checks.iter().map(|check| check.run(Some(*fault))).collect::<Result<Vec<_>>>()?;
+            let marks: String = ends.iter().map(|end| mark(*end)).collect();
+            eprintln!("{fault:3} {marks}");
+            done.lock().map_err(|_| "another thread panicked")?.insert(*fault, ends);
+        }
+        Ok(())
+    };
+    std::thread::scope(|scope| {
+        let threads = [(); 4].map(|()| scope.spawn(work));
+        threads.into_iter().try_for_each(|thread| thread.join().map_err(|_| "a thread panicked")?)
+    })?;
+    Ok(done.into_inner().map_err(|_| "a thread panicked")?)
+}
+
+const fn mark(end: End) -> char {
+    match end {
+        End::Passed => '·',
+        End::Failed => '×',
+        End::TimedOut => 't',
+    }
+}
+
+/// The table in Markdown.
+fn print(checks: &[Check], faults: &[Fault], caught: &BTreeMap<usize, Vec<End>>) {
+    println!("| fault | where | {} |", checks.iter().map(|check| check.name).collect::<Vec<_>>().join(" | "));
+    println!("| --- | --- |{}", " --- |".repeat(checks.len()));
+    for (n, ends) in caught {
+        let Fault { what, file, .. } = &faults[*n];
+        let name = file.rsplit('/').next().unwrap_or(file);
+        let marks: Vec<String> = ends.iter().map(|end| mark(*end).to_string()).collect();
+        println!("| {what} | `{name}` | {} |", marks.join(" | "));
+    }
+    let caught_by = |ends: &Vec<End>| ends.iter().filter(|end| **end != End::Passed).count();
+    let count = |test: fn(usize) -> bool| caught.values().filter(|ends| test(caught_by(ends))).count();
+    println!();
+    println!(
+        "{} faults: {} caught by several checks, {} by one, {} by none.",
+        caught.len(),
+        count(|n| n > 1),
+        count(|n| n == 1),
+        count(|n| n == 0)
+    );
+    for (position, check) in checks.iter().enumerate() {
+        let by = caught.values().filter(|ends| ends[position] != End::Passed).count();
+        println!("- {}: {by}", check.name);
+    }
+}

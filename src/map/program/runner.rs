@@ -1,0 +1,263 @@
+//! The interpreter of edits: it chooses arguments as a program says, edits, and checks the outcome if asked to.
+
+use super::op::{EditOp, EditProgram};
+use super::pick::{AtPick, FeaturesPick, MapFacePick, MapHalfEdgePick, MapVertexPick};
+use crate::dcel::{Face, FaceKey, HalfEdge, HalfEdgeKey, Vertex, VertexKey};
+use crate::map::edit::{At, EditError, Edited};
+use crate::map::{FeatureId, PlanarMap};
+use crate::validate::Report;
+use std::collections::BTreeSet;
+use thiserror::Error;
+
+/// What became of one edit of a program.
+#[derive(Clone, Debug, PartialEq)]
+#[allow(clippy::large_enum_variant, reason = "most edits of a program are applied")]
+pub enum EditOutcome {
+    /// It was done. What it did is empty for edits that make and drop nothing: a vertex that moved, features.
+    Applied(Edited),
+    /// It was refused.
+    Refused(EditError),
+    /// There was nothing (no half-edge, no stale key, …) to choose from.
+    Skipped,
+}
+
+/// What a check after an edit found.
+#[derive(Clone, Debug, PartialEq, Error)]
+#[non_exhaustive]
+pub enum EditFailure {
+    /// The map breaks a rule, of R1 … T4 or G1 … G5.
+    #[error("after edit {number} (`{op}`):\n{report}")]
+    Invalid {
+        /// The edit, counted from 1.
+        number: usize,
+        /// The edit.
+        op: EditOp,
+        /// The rules that are broken.
+        report: Box<Report>,
+    },
+    /// The edit was refused, but the map is not as it was.
+    #[error("edit {number} (`{op}`) was refused ({error}), but changed the map")]
+    Changed {
+        /// The edit, counted from 1.
+        number: usize,
+        /// The edit.
+        op: EditOp,
+        /// Why it was refused.
+        error: EditError,
+    },
+}
+
+/// The keys of one kind that a map gave out, in order of creation.
+#[derive(Clone, Debug)]
+pub(super) struct Keys<K> {
+    pub(super) live: Vec<K>,
+    pub(super) retired: Vec<K>,
+}
+
+impl<K: Copy + Ord> Keys<K> {
+    fn new(live: impl Iterator<Item = K>) -> Self {
+        Self { live: live.collect(), retired: Vec::new() }
+    }
+
+    /// Those that are gone are retired, and those that are new come last, in the order in which they are given.
+    fn update(&mut self, now: impl Iterator<Item = K>) {
+        let now: Vec<K> = now.collect();
+        let there: BTreeSet<K> = now.iter().copied().collect();
+        let known: BTreeSet<K> = self.live.iter().copied().collect();
+        self.retired.extend(self.live.iter().filter(|key| !there.contains(key)));
+        self.live.retain(|key| there.contains(key));
+        self.live.extend(now.into_iter().filter(|key| !known.contains(key)));
+    }
+}
+
+/// The `k`-th of a list that starts again where it ends.
+fn nth<K: Copy>(list: &[K], k: u16) -> Option<K> {
+    usize::from(k).checked_rem(list.len()).map(|place| list[place])
+}
+
+/// A map, and all keys that it gave out, in order of creation. It runs programs of edits.
+///
+/// ```
+/// use twinedge::map::PlanarMap;
+/// use twinedge::map::edit::EditError;
+/// use twinedge::map::program::{EditOutcome, EditProgram, EditRunner};
+///
+/// let program: EditProgram = "twinedge edits 1
+///     insert_ring 0,0 4,0 4,4 0,4
+///     insert_segment v0 v2            # a diagonal,
+///     insert_segment 1,3 3,1          # which this one would cross
+///     remove_vertex v0
+///     remove_vertex !v0               # once more: a stale key
+/// ".parse()?;
+/// let mut runner = EditRunner::new(PlanarMap::new());
+/// let outcomes = runner.run_checked(&program)?;
+/// assert!(matches!(outcomes[2], EditOutcome::Refused(EditError::Crosses(_))));
+/// assert!(matches!(outcomes[4], EditOutcome::Refused(EditError::Operator(_))));
+/// assert_eq!(runner.map().dcel().edge_count(), 2);
+/// # Ok::<(), Box<dyn std::error::Error>>(())
+/// ```
+#[derive(Clone, Debug)]
+pub struct EditRunner {
+    map: PlanarMap,
+    pub(super) vertices: Keys<VertexKey>,
+    pub(super) half_edges: Keys<HalfEdgeKey>,
+    pub(super) faces: Keys<FaceKey>,
+    steps: usize,
+}
+
+impl EditRunner {
+    /// Starts with a map, the empty one or another. O(size of the map).
+    #[must_use]
+    pub fn new(map: PlanarMap) -> Self {
+        let dcel = map.dcel();
+        Self {
+            vertices: Keys::new(dcel.vertices().map(Vertex::key)),
+            half_edges: Keys::new(dcel.half_edges().map(HalfEdge::key)),
+            faces: Keys::new(dcel.faces().map(Face::key)),
+            map,
+            steps: 0,
+        }
+    }
+
+    /// The map.
+    #[must_use]
+    pub const fn map(&self) -> &PlanarMap {
+        &self.map
+    }
+
+    /// The map, for good.
+    #[must_use]
+    pub fn into_map(self) -> PlanarMap {
+        self.map
+    }
+
+    /// Runs a whole program, and tells what became of each edit.
+    pub fn run(&mut self, program: &EditProgram) -> Vec<EditOutcome> {
+        program.0.iter().map(|op| self.step(op)).collect()
+    }
+
+    /// Runs a whole program as [`step_checked`](Self::step_checked) does, and tells what became of each edit.
+    ///
+    /// # Errors
+    /// [`EditFailure`], at the first edit after which a check fails.
+    pub fn run_checked(&mut self, program: &EditProgram) -> Result<Vec<EditOutcome>, EditFailure> {
+        program.0.iter().map(|op| self.step_checked(op)).collect()
+    }
+
+    /// Runs one edit. O(n log n) beside what the edit itself costs, to see which keys came and went.
+    pub fn step(&mut self, op: &EditOp) -> EditOutcome {
+        self.steps += 1;
+        match self.edit(op) {
+            None => EditOutcome::Skipped,
+            Some(Err(error)) => EditOutcome::Refused(error),
+            Some(Ok(edited)) => {
+                let dcel = self.map.dcel();
+                self.vertices.update(dcel.vertices().map(Vertex::key));
+                self.half_edges.update(dcel.half_edges().map(HalfEdge::key));
+                self.faces.update(dcel.faces().map(Face::key));
+                EditOutcome::Applied(edited)
+            }
+        }
+    }
+
+    /// Runs one edit, and checks that the map keeps every rule, from R1 to T4 and from G1 to G5, or, if the edit is refused, that
+    /// nothing changed. O(n log n) beside what the edit itself costs.
+    ///
+    /// # Errors
+    /// [`EditFailure`].
+    pub fn step_checked(&mut self, op: &EditOp) -> Result<EditOutcome, EditFailure> {
+        let before = format!("{:?}", self.map);
+        let outcome = self.step(op);
+        let (number, op) = (self.steps, op.clone());
+        let unchanged = || format!("{:?}", self.map) == before;
+        match &outcome {
+            EditOutcome::Refused(error) if !unchanged() => {
+                return Err(EditFailure::Changed { number, op, error: *error });
+            }
+            EditOutcome::Refused(_) | EditOutcome::Skipped => return Ok(outcome),
+            EditOutcome::Applied(_) => {}
+        }
+        let report = self.map.validate();
+        if report.is_valid() { Ok(outcome) } else { Err(EditFailure::Invalid { number, op, report: Box::new(report) }) }
+    }
+
+    /// What comes of an edit; none if there is nothing to choose from.
+    fn edit(&mut self, op: &EditOp) -> Option<Result<Edited, EditError>> {
+        let done = |()| Edited::default();
+        Some(match op {
+            EditOp::InsertPoint { at } => {
+                let at = self.at(*at)?;
+                self.map.insert_point(at)
+            }
+            EditOp::InsertSegment { from, to } => {
+                let (from, to) = (self.at(*from)?, self.at(*to)?);
+                self.map.insert_segment(from, to)
+            }
+            EditOp::InsertSegmentSnapped { from, to, snap } => {
+                let (from, to) = (self.at(*from)?, self.at(*to)?);
+                self.map.insert_segment_snapped(from, to, snap.snap())
+            }
+            EditOp::InsertRing { points } => {
+                let points: Vec<At> = points.iter().map(|at| self.at(*at)).collect::<Option<_>>()?;
+                self.map.insert_ring(points)
+            }
+            EditOp::RemoveEdge { half_edge } => {
+                let h = self.half_edge(*half_edge)?;
+                self.map.remove_edge(h)
+            }
+            EditOp::RemoveVertex { vertex } => {
+                let v = self.vertex(*vertex)?;
+                self.map.remove_vertex(v)
+            }
+            EditOp::MoveVertex { vertex, to } => {
+                let v = self.vertex(*vertex)?;
+                self.map.move_vertex(v, to.point()).map(done)
+            }
+            EditOp::AddFeature {} => {
+                self.map.add_feature(None);
+                Ok(Edited::default())
+            }
+            EditOp::SetFeaturesOf { face, features } => {
+                let f = self.face(*face)?;
+                self.map.set_features_of(f, ids(*features)).map(done)
+            }
+            EditOp::SetFeaturesAlong { half_edge, features } => {
+                let h = self.half_edge(*half_edge)?;
+                self.map.set_features_along(h, ids(*features)).map(done)
+            }
+        })
+    }
+
+    fn vertex(&self, pick: MapVertexPick) -> Option<VertexKey> {
+        match pick {
+            MapVertexPick::Live(k) => nth(&self.vertices.live, k),
+            MapVertexPick::Retired(k) => nth(&self.vertices.retired, k),
+        }
+    }
+
+    fn half_edge(&self, pick: MapHalfEdgePick) -> Option<HalfEdgeKey> {
+        match pick {
+            MapHalfEdgePick::Live(k) => nth(&self.half_edges.live, k),
+            MapHalfEdgePick::Retired(k) => nth(&self.half_edges.retired, k),
+        }
+    }
+
+    fn face(&self, pick: MapFacePick) -> Option<FaceKey> {
+        match pick {
+            MapFacePick::Live(k) => nth(&self.faces.live, k),
+            MapFacePick::Retired(k) => nth(&self.faces.retired, k),
+        }
+    }
+
+    fn at(&self, pick: AtPick) -> Option<At> {
+        Some(match pick {
+            AtPick::Point(spot) => At::Point(spot.point()),
+            AtPick::Near(spot, hint) => At::Near(spot.point(), self.half_edge(hint)?),
+            AtPick::Vertex(pick) => At::Vertex(self.vertex(pick)?),
+        })
+    }
+}
+
+fn ids(pick: FeaturesPick) -> impl Iterator<Item = FeatureId> {
+    (0..16).filter(move |bit| pick.0 >> bit & 1 == 1).map(FeatureId)
+}

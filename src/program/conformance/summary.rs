@@ -1,0 +1,150 @@
+//! What a comparison covered: how often each operator was applied, and what could not be compared.
+
+use crate::program::op::Op;
+use crate::program::outcome::StepOutcome;
+use crate::program::subject::Refusal;
+use core::fmt;
+
+/// What became of one operator, each time that it was run.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Hash)]
+pub struct OperatorCounts {
+    /// Applied by both.
+    pub applied: usize,
+    /// Refused by both, for the same reason.
+    pub refused: usize,
+    /// The subject was not called: there was nothing to choose from, or a question that decides the choice was refused.
+    pub skipped: usize,
+    /// Refused by the subject for want of room.
+    pub no_room: usize,
+    /// The subject does not have it.
+    pub unsupported: usize,
+}
+
+impl OperatorCounts {
+    /// How often it was run.
+    #[must_use]
+    pub const fn all(&self) -> usize {
+        self.applied + self.refused + self.skipped + self.no_room + self.unsupported
+    }
+
+    /// Whether the subject has it, as far as was seen.
+    #[must_use]
+    pub const fn is_supported(&self) -> bool {
+        self.applied + self.refused + self.no_room > 0
+    }
+
+    const fn add(&mut self, other: &Self) {
+        self.applied += other.applied;
+        self.refused += other.refused;
+        self.skipped += other.skipped;
+        self.no_room += other.no_room;
+        self.unsupported += other.unsupported;
+    }
+}
+
+/// What a structure does not have, so that it was not compared.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash, PartialOrd, Ord)]
+#[non_exhaustive]
+pub enum NotCompared {
+    /// Faces.
+    Faces,
+    /// Inner boundary components, isolated vertices among them: the structure does not list them.
+    Holes,
+    /// What lies outside: the structure has no unbounded face.
+    Outside,
+    /// `next` of half-edges on the border: the structure keeps none.
+    BorderNext,
+    /// Whether stale handles are refused: see
+    /// [`without_stale_handles`](super::Conformance::without_stale_handles).
+    StaleHandles,
+}
+
+impl NotCompared {
+    const ALL: [Self; 5] = [Self::Faces, Self::Holes, Self::Outside, Self::BorderNext, Self::StaleHandles];
+
+    /// The thing, without article.
+    #[must_use]
+    pub const fn name(self) -> &'static str {
+        match self {
+            Self::Faces => "faces",
+            Self::Holes => "inner boundary components and isolated vertices",
+            Self::Outside => "the unbounded face",
+            Self::BorderNext => "next on the border",
+            Self::StaleHandles => "stale handles",
+        }
+    }
+}
+
+/// How many operators of a program, or of several, came to what, and what was not compared.
+///
+/// [`Display`](fmt::Display) gives a table with a row for each operator that was run.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Hash)]
+pub struct ConformanceSummary {
+    counts: [OperatorCounts; Op::NAMES.len()],
+    not_compared: [bool; NotCompared::ALL.len()],
+}
+
+impl ConformanceSummary {
+    /// Each operator by its name, with what became of it.
+    pub fn by_operator(&self) -> impl Iterator<Item = (&'static str, OperatorCounts)> + '_ {
+        Op::NAMES.iter().copied().zip(self.counts)
+    }
+
+    /// What became of the operator of this name. None if there is no such operator.
+    #[must_use]
+    pub fn of(&self, name: &str) -> Option<OperatorCounts> {
+        self.by_operator().find_map(|(other, counts)| (other == name).then_some(counts))
+    }
+
+    /// What became of all operators together.
+    #[must_use]
+    pub fn total(&self) -> OperatorCounts {
+        let mut sum = OperatorCounts::default();
+        self.counts.iter().for_each(|counts| sum.add(counts));
+        sum
+    }
+
+    /// What the structure does not have, so that it was not compared.
+    pub fn not_compared(&self) -> impl Iterator<Item = NotCompared> + '_ {
+        NotCompared::ALL.into_iter().filter(|part| self.not_compared[*part as usize])
+    }
+
+    /// Adds what another run covered.
+    pub fn add(&mut self, other: &Self) {
+        self.counts.iter_mut().zip(&other.counts).for_each(|(sum, counts)| sum.add(counts));
+        self.not_compared.iter_mut().zip(other.not_compared).for_each(|(sum, part)| *sum |= part);
+    }
+
+    pub(super) const fn note(&mut self, part: NotCompared) {
+        self.not_compared[part as usize] = true;
+    }
+
+    pub(super) const fn count(&mut self, op: Op, outcome: StepOutcome) {
+        let counts = &mut self.counts[op.kind() as usize];
+        *match outcome {
+            StepOutcome::Applied => &mut counts.applied,
+            StepOutcome::Refused(Refusal::Full) => &mut counts.no_room,
+            StepOutcome::Refused(Refusal::Unsupported) => &mut counts.unsupported,
+            StepOutcome::Refused(_) => &mut counts.refused,
+            StepOutcome::Skipped => &mut counts.skipped,
+        } += 1;
+    }
+}
+
+impl fmt::Display for ConformanceSummary {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        writeln!(
+            f,
+            "{:<22} {:>9} {:>9} {:>9} {:>9} {:>12}",
+            "operator", "applied", "refused", "skipped", "no room", "unsupported"
+        )?;
+        for (name, counts) in self.by_operator().filter(|(_, counts)| counts.all() > 0) {
+            let OperatorCounts { applied, refused, skipped, no_room, unsupported } = counts;
+            writeln!(f, "{name:<22} {applied:>9} {refused:>9} {skipped:>9} {no_room:>9} {unsupported:>12}")?;
+        }
+        for part in self.not_compared() {
+            writeln!(f, "not compared: {}", part.name())?;
+        }
+        Ok(())
+    }
+}

@@ -1,0 +1,146 @@
+//! Random programs: which operators, how often, how many.
+
+use super::choose::Choose;
+use super::op::{FacePick, Op, OpKind, Program};
+use super::script::Scripted;
+use alloc::vec::Vec;
+use core::ops::RangeInclusive;
+
+/// A language of programs: [`Program`], for the topology, and with the feature `map` also
+#[cfg_attr(feature = "map", doc = "[`EditProgram`](crate::map::program::EditProgram),")]
+#[cfg_attr(not(feature = "map"), doc = "`map::program::EditProgram`,")]
+/// for the edits of a planar map. No other type can have this trait.
+///
+/// Each can be [generated](Generator), [shrunk](super::shrink()), written down and read.
+pub trait Language: Scripted {
+    /// The kinds of its operators.
+    type Kind: Copy + PartialEq + core::fmt::Debug + 'static;
+
+    /// Every kind, and how often it is chosen unless a [`Generator`] says otherwise.
+    const KINDS: &'static [(Self::Kind, u32)];
+
+    /// An operator of this kind, with arguments that the source chooses.
+    fn op(kind: Self::Kind, source: &mut impl Choose) -> Self::Op;
+
+    /// What a generated program begins with if this kind is generated at all: without it there is nothing to be done.
+    #[must_use]
+    fn first() -> Option<(Self::Kind, Self::Op)> {
+        None
+    }
+}
+
+impl Language for Program {
+    type Kind = OpKind;
+
+    const KINDS: &'static [(OpKind, u32)] = OpKind::SHARES;
+
+    fn op(kind: OpKind, source: &mut impl Choose) -> Op {
+        let upper = source.choose(8) as u8;
+        let mut bytes = core::iter::repeat_with(|| source.choose(256) as u8);
+        // The bytes never end.
+        Op::of_kind(kind, upper, &mut bytes).unwrap_or(Op::AddIsolatedVertex { face: FacePick::Unbounded })
+    }
+
+    fn first() -> Option<(OpKind, Op)> {
+        Some((OpKind::AddIsolatedVertex, Op::AddIsolatedVertex { face: FacePick::Unbounded }))
+    }
+}
+
+/// Which operators random programs have, how often each, and how many: one description for every engine.
+///
+/// | engine | how |
+/// | --- | --- |
+/// | quickcheck | `generator.generate(g)` in an `Arbitrary` of your own, with [`candidates`](super::candidates) to shrink; `any` program: `Program` |
+/// | proptest | the generator is a `Strategy`, which shrinks |
+/// | arbitrary, cargo-fuzz | `generator.generate(u)` for an `Unstructured`; of bare bytes, [`Bytes`](super::choose::Bytes) |
+/// | others | an implementation of [`Choose`] |
+///
+/// ```
+/// use twinedge::program::choose::Bytes;
+/// use twinedge::program::{Op, OpKind, Program};
+///
+/// // A mesh that only flips and splits: nine flips to a split, exactly 20 operators.
+/// let generator = Program::generator()
+///     .only(&[OpKind::FlipEdge, OpKind::SplitEdge])
+///     .weight(OpKind::FlipEdge, 9)
+///     .weight(OpKind::SplitEdge, 1)
+///     .length(20..=20);
+/// let noise: Vec<u8> = (0..400_u32).map(|i| (i.wrapping_mul(2_654_435_769) >> 24) as u8).collect();
+/// let program = generator.generate(&mut Bytes::new(&noise));
+/// assert_eq!(program.0.len(), 20);
+/// let flips = program.0.iter().filter(|op| matches!(op, Op::FlipEdge { .. })).count();
+/// assert!((14..20).contains(&flips));
+/// ```
+#[derive(Clone, Debug)]
+pub struct Generator<P: Language = Program> {
+    weights: Vec<(P::Kind, u32)>,
+    length: RangeInclusive<usize>,
+}
+
+impl<P: Language> Default for Generator<P> {
+    /// All operators, as often as they are in [`Language::KINDS`]; up to 50 of them.
+    fn default() -> Self {
+        Self { weights: P::KINDS.to_vec(), length: 0..=50 }
+    }
+}
+
+impl<P: Language> Generator<P> {
+    /// No operators but these. Their weights stay as they are.
+    #[must_use]
+    pub fn only(mut self, kinds: &[P::Kind]) -> Self {
+        for (kind, weight) in &mut self.weights {
+            if !kinds.contains(kind) {
+                *weight = 0;
+            }
+        }
+        self
+    }
+
+    /// How often an operator is chosen, in proportion to the weights of the others. 0: never.
+    #[must_use]
+    pub fn weight(mut self, kind: P::Kind, weight: u32) -> Self {
+        for (_, of_kind) in self.weights.iter_mut().filter(|(other, _)| *other == kind) {
+            *of_kind = weight;
+        }
+        self
+    }
+
+    /// How many operators a program has; if the range is empty, as many as it begins with.
+    #[must_use]
+    pub const fn length(mut self, length: RangeInclusive<usize>) -> Self {
+        self.length = length;
+        self
+    }
+
+    /// One operator, by the choices of a source. None if all weights are 0. O(kinds).
+    pub fn op(&self, source: &mut impl Choose) -> Option<P::Op> {
+        let total: usize = self.weights.iter().map(|(_, weight)| *weight as usize).fold(0, usize::saturating_add);
+        let mut chosen = source.choose(total);
+        let of_kind = |(_, weight): &&(P::Kind, u32)| {
+            let is_it = chosen < *weight as usize;
+            chosen = chosen.saturating_sub(*weight as usize);
+            is_it
+        };
+        let (kind, _) = self.weights.iter().find(of_kind)?;
+        Some(P::op(*kind, source))
+    }
+
+    /// A program, by the choices of a source. Empty if all weights are 0. O(operators).
+    ///
+    /// Operators of topology begin with a vertex, without which there is nothing to be done, unless vertices are never added.
+    pub fn generate(&self, source: &mut impl Choose) -> P {
+        let more = self.length.end().saturating_sub(*self.length.start());
+        let count = self.length.start() + source.choose(more.saturating_add(1));
+        let first = P::first().filter(|(kind, _)| self.weights.iter().any(|(other, w)| other == kind && *w > 0));
+        let drawn = core::iter::from_fn(|| self.op(source));
+        P::from_ops(first.map(|(_, op)| op).into_iter().chain(drawn).take(count).collect())
+    }
+}
+
+impl Program {
+    /// A generator of programs, to be told which operators, how often, and how many.
+    #[must_use]
+    pub fn generator() -> Generator {
+        Generator::default()
+    }
+}

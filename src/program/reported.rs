@@ -1,0 +1,345 @@
+//! A `Dcel` as a subject whose reports are checked.
+
+use super::dcel::boundary_of;
+use super::mesh;
+use super::subject::{CornerOf, Refusal, Subject};
+use crate::dcel::{Connection, Corner, Dcel, OperatorError, RemovedEdge, Side, Split, StaleKey, Turn};
+use crate::delegate_view;
+use crate::store::{BoundaryKey, FaceKey, HalfEdgeKey, SlotStore, Store, VertexKey};
+use crate::validate::View;
+use alloc::collections::{BTreeMap, BTreeSet};
+use alloc::vec::Vec;
+
+/// A [`Dcel`] as a subject that checks what its operators report: which records they made, kept and dropped.
+///
+/// [`Subject`] asks for no more than programs need, and so do the models that a subject runs in step with: none of them has keys of
+/// boundary components. This one compares the keys before and after each operator with the report, down to which of two records is
+/// kept. It also keeps the keys of all boundary components that were dropped, and finds them stale after each operator.
+///
+/// Beside the operator each step costs O(n log n) for n records and dropped boundary components.
+///
+/// # Panics
+/// Its operators panic if a report is wrong, or a key of a dropped boundary component is taken for a live one.
+///
+/// ```
+/// use twinedge::dcel::Dcel;
+/// use twinedge::program::{Program, Reported, conformance};
+/// use twinedge::validate::Expectation;
+/// let program = Program::from_bytes(b"some bytes that came from a fuzzer");
+/// conformance::run(&program, Reported::new(Dcel::new()), &Expectation::plane())?;
+/// # Ok::<(), conformance::Failure>(())
+/// ```
+#[derive(Clone, Debug)]
+pub struct Reported<S: Store = SlotStore> {
+    dcel: Dcel<S>,
+    dropped: Vec<BoundaryKey>,
+}
+
+/// All keys, and of each boundary component its face and how many half-edges it has.
+struct Records {
+    vertices: BTreeSet<VertexKey>,
+    half_edges: BTreeSet<HalfEdgeKey>,
+    boundaries: BTreeMap<BoundaryKey, (FaceKey, usize)>,
+    faces: BTreeSet<FaceKey>,
+}
+
+impl Records {
+    fn of<S: Store>(dcel: &Dcel<S>) -> Self {
+        let mut boundaries: BTreeMap<_, _> = dcel.boundaries().map(|b| (b.key(), (b.face().key(), 0))).collect();
+        for h in dcel.half_edges() {
+            if let Some((_, length)) = boundaries.get_mut(&h.boundary().key()) {
+                *length += 1;
+            }
+        }
+        Self {
+            vertices: dcel.vertices().map(|v| v.key()).collect(),
+            half_edges: dcel.half_edges().map(|h| h.key()).collect(),
+            boundaries,
+            faces: dcel.faces().map(|f| f.key()).collect(),
+        }
+    }
+
+    fn length(&self, b: BoundaryKey) -> usize {
+        self.boundaries.get(&b).map_or(0, |(_, length)| *length)
+    }
+}
+
+/// Which records are there after an operator and were not before, or the other way round.
+#[derive(Debug, Default, PartialEq, Eq)]
+struct Changes {
+    vertices: Vec<VertexKey>,
+    half_edges: Vec<HalfEdgeKey>,
+    boundaries: Vec<BoundaryKey>,
+    faces: Vec<FaceKey>,
+}
+
+impl Changes {
+    /// What the one has and the other has not.
+    fn between(one: &Records, other: &Records) -> Self {
+        let has_not = |b: &&BoundaryKey| !other.boundaries.contains_key(*b);
+        Self {
+            vertices: one.vertices.difference(&other.vertices).copied().collect(),
+            half_edges: one.half_edges.difference(&other.half_edges).copied().collect(),
+            boundaries: one.boundaries.keys().filter(has_not).copied().collect(),
+            faces: one.faces.difference(&other.faces).copied().collect(),
+        }
+    }
+}
+
+/// What an operator changed.
+struct Changed {
+    before: Records,
+    after: Records,
+    made: Changes,
+    gone: Changes,
+}
+
+impl Changed {
+    /// Compares the numbers of records that were made and dropped: vertices, half-edges, boundary components, faces.
+    fn counts(&self, operator: &str, made: [usize; 4], gone: [usize; 4]) {
+        let count = |c: &Changes| [c.vertices.len(), c.half_edges.len(), c.boundaries.len(), c.faces.len()];
+        let found = [count(&self.made), count(&self.gone)];
+        assert!(found == [made, gone], "{operator} made and dropped {found:?} records, not {:?}", [made, gone]);
+    }
+}
+
+/// Asserts that an operator reported what it did.
+#[track_caller]
+fn reports<T: Copy + PartialEq + core::fmt::Debug>(operator: &str, what: &str, reported: T, found: T) {
+    assert!(reported == found, "{operator} reports {what} {reported:?}, not {found:?}");
+}
+
+impl<S: Store> Default for Reported<S> {
+    fn default() -> Self {
+        Self::new(Dcel::default())
+    }
+}
+
+impl<S: Store> Reported<S> {
+    /// The same map, whose reports are checked from here on.
+    pub const fn new(dcel: Dcel<S>) -> Self {
+        Self { dcel, dropped: Vec::new() }
+    }
+
+    /// The map.
+    pub const fn dcel(&self) -> &Dcel<S> {
+        &self.dcel
+    }
+
+    /// Runs an operator, and tells what it changed if it was applied. One that refuses changes nothing.
+    fn run<T>(
+        &mut self,
+        operator: impl FnOnce(&mut Dcel<S>) -> Result<T, OperatorError>,
+    ) -> Result<(T, Changed), OperatorError> {
+        let before = Records::of(&self.dcel);
+        let result = operator(&mut self.dcel);
+        let after = Records::of(&self.dcel);
+        let (made, gone) = (Changes::between(&after, &before), Changes::between(&before, &after));
+        if let Err(error) = &result {
+            assert!(made == gone, "records change although it is refused: {error}");
+        }
+        self.dropped.extend(&gone.boundaries);
+        for key in &self.dropped {
+            let found = self.dcel.boundary(*key).err();
+            assert!(found == Some(StaleKey::Boundary(*key)), "a dropped boundary component is found: {key:?}");
+        }
+        if let Some(key) = self.dropped.last() {
+            let unbounded = self.dcel.unbounded_face().key();
+            let refused = self.dcel.move_inner(*key, unbounded).err();
+            let stale = OperatorError::Stale(StaleKey::Boundary(*key));
+            assert!(refused == Some(stale), "a dropped boundary component can be moved: {key:?}");
+        }
+        Ok((result?, Changed { before, after, made, gone }))
+    }
+
+    /// The boundary component to the left of a half-edge, and whether it is an outer one.
+    fn left_of(&self, h: HalfEdgeKey) -> Option<(BoundaryKey, bool)> {
+        let b = self.dcel.half_edge(h).ok()?.boundary();
+        Some((b.key(), b.is_outer()))
+    }
+}
+
+impl<S: Store> View for Reported<S> {
+    delegate_view!(|this| &this.dcel);
+}
+
+impl<S: Store> Subject for Reported<S> {
+    type Vertex = VertexKey;
+    type HalfEdge = HalfEdgeKey;
+    type Face = FaceKey;
+
+    fn unbounded_face(&self) -> Option<FaceKey> {
+        Subject::unbounded_face(&self.dcel)
+    }
+    fn half_edge_at(&self, index: usize) -> Option<HalfEdgeKey> {
+        Subject::half_edge_at(&self.dcel, index)
+    }
+    fn vertex_at(&self, index: usize) -> Option<VertexKey> {
+        Subject::vertex_at(&self.dcel, index)
+    }
+    fn face_of(&self, corner: CornerOf<Self>) -> Result<FaceKey, Refusal> {
+        Subject::face_of(&self.dcel, corner)
+    }
+    fn origin_of(&self, half_edge: HalfEdgeKey) -> Result<VertexKey, Refusal> {
+        Subject::origin_of(&self.dcel, half_edge)
+    }
+    fn twin_of(&self, half_edge: HalfEdgeKey) -> Result<HalfEdgeKey, Refusal> {
+        Subject::twin_of(&self.dcel, half_edge)
+    }
+    fn next_of(&self, half_edge: HalfEdgeKey) -> Result<HalfEdgeKey, Refusal> {
+        Subject::next_of(&self.dcel, half_edge)
+    }
+
+    fn add_isolated_vertex(&mut self, face: FaceKey) -> Result<VertexKey, Refusal> {
+        let (added, changed) = self.run(|dcel| dcel.add_isolated_vertex(face))?;
+        changed.counts("add_isolated_vertex", [1, 0, 1, 0], [0; 4]);
+        reports("add_isolated_vertex", "the vertex", added.vertex, changed.made.vertices[0]);
+        reports("add_isolated_vertex", "the boundary component", added.boundary, changed.made.boundaries[0]);
+        Ok(added.vertex)
+    }
+
+    fn remove_isolated_vertex(&mut self, vertex: VertexKey) -> Result<(), Refusal> {
+        let (removed, changed) = self.run(|dcel| dcel.remove_isolated_vertex(vertex))?;
+        changed.counts("remove_isolated_vertex", [0; 4], [1, 0, 1, 0]);
+        let gone = changed.gone.boundaries[0];
+        reports("remove_isolated_vertex", "the boundary component", removed.boundary, gone);
+        reports("remove_isolated_vertex", "the face", removed.face, changed.before.boundaries[&gone].0);
+        Ok(())
+    }
+
+    fn connect(&mut self, from: Corner, to: Corner, new_face: Side, inner: &[Corner]) -> Result<HalfEdgeKey, Refusal> {
+        let [first, second] = [boundary_of(&self.dcel, from)?.key(), boundary_of(&self.dcel, to)?.key()];
+        let inner: Vec<BoundaryKey> = inner
+            .iter()
+            .map(|corner| Ok(boundary_of(&self.dcel, *corner)?.key()))
+            .collect::<Result<_, OperatorError>>()?;
+        let (connected, changed) = self.run(|dcel| dcel.connect(from, to, Split { new_face, inner: &inner }))?;
+        let h = connected.half_edge;
+        reports("connect", "a half-edge that is new", changed.made.half_edges.contains(&h), true);
+        let left = self.left_of(h).map(|(b, _)| b);
+        let right = self.twin_of(h).ok().and_then(|twin| self.left_of(twin)).map(|(b, _)| b);
+        match connected.connection {
+            Connection::Bridge { kept, dropped } => {
+                changed.counts("connect", [0, 2, 0, 0], [0, 0, 1, 0]);
+                let second_is_kept = changed.before.length(second) >= changed.before.length(first);
+                let longer = if second_is_kept { second } else { first };
+                reports("connect", "as kept", kept, longer);
+                reports("connect", "as dropped", dropped, changed.gone.boundaries[0]);
+                reports("connect", "as kept", [Some(kept); 2], [left, right]);
+            }
+            Connection::Split { kept, made, face } => {
+                changed.counts("connect", [0, 2, 1, 1], [0; 4]);
+                reports("connect", "as kept", kept, first);
+                reports("connect", "as made", made, changed.made.boundaries[0]);
+                reports("connect", "the new face", face, changed.made.faces[0]);
+                let new_side = if new_face == Side::Left { left } else { right };
+                let bounds = |b: BoundaryKey| changed.after.boundaries.get(&b).map(|(f, _)| *f);
+                reports("connect", "the new face", Some(face), new_side.and_then(bounds));
+                let length = |b: Option<BoundaryKey>| b.map_or(0, |b| changed.after.length(b));
+                let longer = if length(left) >= length(right) { left } else { right };
+                reports("connect", "as kept", Some(kept), longer);
+            }
+        }
+        Ok(h)
+    }
+
+    fn remove_edge(&mut self, half_edge: HalfEdgeKey) -> Result<Option<FaceKey>, Refusal> {
+        let left = self.left_of(half_edge);
+        let right = self.twin_of(half_edge).ok().and_then(|twin| self.left_of(twin));
+        let (removed, changed) = self.run(|dcel| dcel.remove_edge(half_edge))?;
+        match (removed, left.zip(right)) {
+            (
+                RemovedEdge::Merged { kept_face, dropped_face, kept, dropped },
+                Some(((left, outer), (right, beyond))),
+            ) => {
+                changed.counts("remove_edge", [0; 4], [0, 2, 1, 1]);
+                reports("remove_edge", "as dropped", dropped, changed.gone.boundaries[0]);
+                reports("remove_edge", "as kept", kept, if dropped == left { right } else { left });
+                reports("remove_edge", "the dropped face", dropped_face, changed.gone.faces[0]);
+                let surrounding = if outer && !beyond { right } else { left };
+                reports("remove_edge", "the kept face", kept_face, changed.before.boundaries[&surrounding].0);
+                Ok(Some(dropped_face))
+            }
+            (RemovedEdge::Parted { kept, made }, Some(((left, _), _))) => {
+                changed.counts("remove_edge", [0, 0, 1, 0], [0, 2, 0, 0]);
+                reports("remove_edge", "as kept", kept, left);
+                reports("remove_edge", "as made", made, changed.made.boundaries[0]);
+                let is_longer = changed.after.length(kept) >= changed.after.length(made);
+                reports("remove_edge", "the longer part as kept", true, is_longer);
+                Ok(None)
+            }
+            (removed, None) => panic!("remove_edge takes a stale key: {removed:?}"),
+        }
+    }
+
+    fn split_edge(&mut self, half_edge: HalfEdgeKey) -> Result<HalfEdgeKey, Refusal> {
+        let (split, changed) = self.run(|dcel| dcel.split_edge(half_edge))?;
+        changed.counts("split_edge", [1, 2, 0, 0], [0; 4]);
+        reports("split_edge", "the vertex", split.vertex, changed.made.vertices[0]);
+        reports("split_edge", "the half-edge", Some(split.half_edge), self.next_of(half_edge).ok());
+        reports("split_edge", "a half-edge that is new", changed.made.half_edges.contains(&split.half_edge), true);
+        Ok(split.half_edge)
+    }
+
+    fn join_edges(&mut self, half_edge: HalfEdgeKey) -> Result<(), Refusal> {
+        let following = self.next_of(half_edge).ok();
+        let (joined, changed) = self.run(|dcel| dcel.join_edges(half_edge))?;
+        changed.counts("join_edges", [0; 4], [1, 2, 0, 0]);
+        reports("join_edges", "the vertex", joined.vertex, changed.gone.vertices[0]);
+        reports("join_edges", "the half-edge", Some(joined.half_edge), following);
+        Ok(())
+    }
+
+    fn split_vertex(&mut self, from: Corner, to: Corner) -> Result<HalfEdgeKey, Refusal> {
+        let (split, changed) = self.run(|dcel| dcel.split_vertex(from, to))?;
+        changed.counts("split_vertex", [1, 2, 0, 0], [0; 4]);
+        reports("split_vertex", "the vertex", split.vertex, changed.made.vertices[0]);
+        reports("split_vertex", "a half-edge that is new", changed.made.half_edges.contains(&split.half_edge), true);
+        let h = self.dcel.half_edge(split.half_edge).map_err(OperatorError::from)?;
+        let [origin, target] = [h.origin(), h.target()];
+        let new = if target.degree() <= origin.degree() { target } else { origin };
+        reports("split_vertex", "the smaller one as new", split.vertex, new.key());
+        Ok(split.half_edge)
+    }
+
+    fn contract_edge(&mut self, half_edge: HalfEdgeKey) -> Result<VertexKey, Refusal> {
+        let ends = self.dcel.half_edge(half_edge).ok().map(|h| [h.origin(), h.target()].map(|v| (v.key(), v.degree())));
+        let (contracted, changed) = self.run(|dcel| dcel.contract_edge(half_edge))?;
+        changed.counts("contract_edge", [0; 4], [1, 2, 0, 0]);
+        reports("contract_edge", "as dropped", contracted.dropped, changed.gone.vertices[0]);
+        let larger = ends.map(|[origin, target]| if origin.1 >= target.1 { origin.0 } else { target.0 });
+        reports("contract_edge", "as kept", Some(contracted.kept), larger);
+        Ok(contracted.dropped)
+    }
+
+    fn flip_edge(&mut self, half_edge: HalfEdgeKey, turn: Turn) -> Result<(), Refusal> {
+        let ((), changed) = self.run(|dcel| dcel.flip_edge(half_edge, turn))?;
+        changed.counts("flip_edge", [0; 4], [0; 4]);
+        Ok(())
+    }
+
+    fn move_inner(&mut self, inner: Corner, face: FaceKey) -> Result<(), Refusal> {
+        let boundary = boundary_of(&self.dcel, inner)?.key();
+        let (was_in, changed) = self.run(|dcel| dcel.move_inner(boundary, face))?;
+        changed.counts("move_inner", [0; 4], [0; 4]);
+        reports("move_inner", "the face in which it was", was_in, changed.before.boundaries[&boundary].0);
+        reports("move_inner", "success", face, changed.after.boundaries[&boundary].0);
+        Ok(())
+    }
+
+    fn mesh_flip_edge(&mut self, half_edge: HalfEdgeKey) -> Result<(), Refusal> {
+        mesh::flip_edge(self, half_edge)
+    }
+
+    fn mesh_split_edge(&mut self, half_edge: HalfEdgeKey) -> Result<(), Refusal> {
+        mesh::split_edge(self, half_edge)
+    }
+
+    fn mesh_split_face(&mut self, half_edge: HalfEdgeKey) -> Result<(), Refusal> {
+        mesh::split_face(self, half_edge)
+    }
+
+    fn mesh_collapse_edge(&mut self, half_edge: HalfEdgeKey) -> Result<(), Refusal> {
+        mesh::collapse_edge(self, half_edge)
+    }
+}

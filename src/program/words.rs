@@ -1,0 +1,149 @@
+//! Reading the text of a program: lines, words, and what was expected where.
+
+use alloc::vec::Vec;
+use thiserror::Error;
+
+/// What a word of a program's text should have been.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash, Error)]
+#[non_exhaustive]
+pub enum Expected {
+    /// The first line.
+    #[error("the line `twinedge program 1`")]
+    Header,
+    /// The first line of a program of edits.
+    #[error("the line `twinedge edits 1`")]
+    EditsHeader,
+    /// The name of an operator.
+    #[error("the name of an operator")]
+    Operator,
+    /// A half-edge.
+    #[error("a half-edge (`h0` or `!h0`)")]
+    HalfEdge,
+    /// A vertex.
+    #[error("an isolated vertex (`i0`, `o0` or `!v0`)")]
+    Vertex,
+    /// A corner.
+    #[error("a corner (`h0`, `i0`, `o0`, `!h0` or `!v0`)")]
+    Corner,
+    /// The second of two corners.
+    #[error("a second corner (`~0`, or as the first)")]
+    SecondCorner,
+    /// A face.
+    #[error("a face (`unbounded`, a corner, or `!f0`)")]
+    Face,
+    /// A side.
+    #[error("a side (`left` or `right`)")]
+    Side,
+    /// A turn.
+    #[error("a turn (`ccw` or `cw`)")]
+    Turn,
+    /// Numbers of inner boundary components.
+    #[error("numbers below 16 in rising order, with commas between them")]
+    Inner,
+    /// A vertex of a map.
+    #[error("a vertex (`v0` or `!v0`)")]
+    MapVertex,
+    /// A face of a map.
+    #[error("a face (`f0` or `!f0`)")]
+    MapFace,
+    /// A point.
+    #[error("a point (`1.5,2`)")]
+    Point,
+    /// A point of a map, or near a half-edge of it.
+    #[error("a point (`1.5,2`, `1.5,2@h0`, `v0` or `!v0`)")]
+    At,
+    /// The grid to which is rounded.
+    #[error("a grid (`auto`, or the width of a cell)")]
+    Grid,
+    /// Features.
+    #[error("numbers of features below 16 in rising order, with commas between them, or `none`")]
+    Features,
+    /// Nothing more.
+    #[error("the end of the line")]
+    End,
+}
+
+/// Why a text is no program, and where.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash, Error)]
+#[error("line {line}, column {column}: expected {expected}")]
+pub struct ParseError {
+    /// The line, counted from 1.
+    pub line: usize,
+    /// The column in characters, counted from 1.
+    pub column: usize,
+    /// What should stand there.
+    pub expected: Expected,
+}
+
+/// What is left of one line.
+pub(crate) struct Words<'a> {
+    text: &'a str,
+    rest: &'a str,
+    line: usize,
+}
+
+impl<'a> Words<'a> {
+    /// A line without its comment.
+    pub(crate) fn new(line: usize, text: &'a str) -> Self {
+        let text = text.split('#').next().unwrap_or_default();
+        Self { text, rest: text.trim(), line }
+    }
+
+    /// Whether all words were taken.
+    pub(crate) fn end(&self) -> Result<(), ParseError> {
+        if self.rest.is_empty() { Ok(()) } else { Err(self.error(Expected::End)) }
+    }
+
+    /// The next word; empty if there is none.
+    pub(crate) fn peek(&self) -> &'a str {
+        self.rest.split_whitespace().next().unwrap_or_default()
+    }
+
+    /// Says that something else should stand here.
+    pub(crate) fn error(&self, expected: Expected) -> ParseError {
+        let before = self.text.trim_end().len() - self.rest.len();
+        let column = self.text.get(..before).map_or(0, |text| text.chars().count()) + 1;
+        ParseError { line: self.line, column, expected }
+    }
+
+    /// Takes the next word if `read` understands it.
+    pub(crate) fn take<T>(
+        &mut self,
+        expected: Expected,
+        read: impl FnOnce(&'a str) -> Option<T>,
+    ) -> Result<T, ParseError> {
+        let word = self.peek();
+        let value = read(word).ok_or_else(|| self.error(expected))?;
+        self.rest = self.rest.get(word.len()..).unwrap_or_default().trim_start();
+        Ok(value)
+    }
+}
+
+/// The number after a prefix: digits only.
+pub(crate) fn number(word: &str, prefix: &str) -> Option<u16> {
+    let digits = word.strip_prefix(prefix)?;
+    digits.bytes().all(|byte| byte.is_ascii_digit()).then(|| digits.parse().ok())?
+}
+
+/// The number of a bit mask, written as the places of its bits: digits in rising order, with commas between them.
+pub(crate) fn mask(word: &str) -> Option<u16> {
+    word.split(',').try_fold(0_u16, |mask, bit| {
+        let bit = number(bit, "").filter(|bit| *bit < 16)?;
+        (mask >> bit == 0).then_some(mask | 1 << bit)
+    })
+}
+
+/// The operators of a text: a header, and one operator in each line that is not empty.
+pub(crate) fn lines<'a, O>(
+    text: &'a str,
+    header: &str,
+    expected: Expected,
+    op: impl Fn(&mut Words<'a>) -> Result<O, ParseError>,
+) -> Result<Vec<O>, ParseError> {
+    let mut lines = text.lines().enumerate().map(|(i, line)| Words::new(i + 1, line));
+    let first = lines.find(|words| !words.rest.is_empty()).unwrap_or_else(|| Words::new(1, ""));
+    if !first.rest.split_whitespace().eq(header.split_whitespace()) {
+        return Err(first.error(expected));
+    }
+    lines.filter(|words| !words.rest.is_empty()).map(|mut words| op(&mut words)).collect()
+}

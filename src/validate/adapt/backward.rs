@@ -1,0 +1,60 @@
+//! Structures whose cycles are linked backwards.
+
+use super::inverse::{entry, inverse};
+use crate::validate::view::{Link, View};
+use alloc::vec::Vec;
+
+/// A structure whose half-edges keep `prev` and not `next`, with the `next` that follows: the inverse of `prev`.
+///
+/// Where two half-edges have the same `prev`, another one is no half-edge's `prev`, so it has no next, and R1 is broken.
+/// L2 is broken, too, at the second of the two. (For the reverse, `next` without `prev`, there is no adapter: leave out
+/// [`Part::Prev`](crate::validate::Part::Prev).)
+///
+/// ```
+/// use twinedge::validate::adapt::Backward;
+/// use twinedge::validate::{Collect, Expectation, Link, Part, Rule, View, validate};
+///
+/// /// A triangle, both of its sides.
+/// struct Triangle {
+///     prev: [usize; 6],
+/// }
+///
+/// impl View for Triangle {
+///     fn vertex_slots(&self) -> usize { 3 }
+///     fn half_edge_slots(&self) -> usize { 6 }
+///     fn origin(&self, h: usize) -> Link { Some([0, 1, 1, 2, 2, 0][h]) }
+///     fn twin(&self, h: usize) -> Link { Some(h ^ 1) }
+///     fn next(&self, _: usize) -> Link { None }
+///     fn prev(&self, h: usize) -> Link { Some(self.prev[h]) }
+/// }
+///
+/// let expectation = Expectation::plane().without(Part::Faces).without(Part::Leaving);
+/// let right = Triangle { prev: [4, 3, 0, 5, 2, 1] };
+/// assert!(validate(&Backward::of(&right).unwrap(), &expectation, Collect::All).is_valid());
+/// let wrong = Triangle { prev: [4, 3, 0, 5, 0, 1] };
+/// let report = validate(&Backward::of(&wrong).unwrap(), &expectation, Collect::All);
+/// assert_eq!(report.broken_rules().collect::<Vec<_>>(), [Rule::R1, Rule::L2]);
+/// ```
+#[derive(Clone, Debug)]
+pub struct Backward<V> {
+    view: V,
+    next: Vec<u32>,
+}
+
+impl<V: View> Backward<V> {
+    /// Wraps the structure. O(n) time; 4 bytes per half-edge. `None` if there is no memory for that, or the structure claims
+    /// more than `u32::MAX - 1` half-edges.
+    #[must_use]
+    pub fn of(view: V) -> Option<Self> {
+        let next = inverse(&view, V::prev)?;
+        Some(Self { view, next })
+    }
+}
+
+impl<V: View> View for Backward<V> {
+    crate::delegate_view!(|this| &this.view; except next);
+
+    fn next(&self, half_edge: usize) -> Link {
+        entry(&self.next, half_edge)
+    }
+}

@@ -1,0 +1,119 @@
+//! The cycles of a structure, the face that each names, and the component that each belongs to.
+
+use super::inverse::{entry, filled, fits, live, nils};
+use crate::validate::columns::NIL;
+use crate::validate::view::View;
+use alloc::vec::Vec;
+
+/// The cycles of `next`, by face and by component.
+pub(super) struct Cycles {
+    /// Per cycle its first half-edge, which stands for it.
+    pub(super) start: Vec<u32>,
+    /// Per cycle the face that its first half-edge names, or nil.
+    pub(super) face: Vec<u32>,
+    /// Per cycle its component, by the number of one of the cycles of that.
+    pub(super) component: Vec<u32>,
+    /// Per cycle whether one of its half-edges has no twin.
+    pub(super) unpaired: Vec<bool>,
+    by_face: Groups,
+}
+
+impl Cycles {
+    /// Finds all cycles. O(n α(n)). None if there is no memory for them.
+    pub(super) fn of<V: View>(view: &V) -> Option<Self> {
+        let mut of = nils(view.half_edge_slots())?;
+        let faces = fits(view.face_slots())?;
+        let (mut start, mut face): (Vec<u32>, Vec<u32>) = (Vec::new(), Vec::new());
+        for first in live(view, of.len()) {
+            if of[first] != NIL {
+                continue;
+            }
+            start.try_reserve(1).ok()?;
+            face.try_reserve(1).ok()?;
+            let number = start.len() as u32;
+            start.push(first as u32);
+            face.push(view.face(first).filter(|f| *f < faces).map_or(NIL, |f| f as u32));
+            let mut at = Some(first);
+            while let Some(entry) = at.and_then(|h| of.get_mut(h)).filter(|entry| **entry == NIL) {
+                *entry = number;
+                at = at.and_then(|h| view.next(h));
+            }
+        }
+        let mut unpaired = filled(start.len(), false)?;
+        let mut component = filled(start.len(), 0)?;
+        component.iter_mut().enumerate().for_each(|(c, parent)| *parent = c as u32);
+        for (h, cycle) in of.iter().enumerate().filter(|(_, cycle)| **cycle != NIL) {
+            match view.twin(h) {
+                None => unpaired[*cycle as usize] = true,
+                Some(t) => {
+                    if let Some(other) = entry(&of, t) {
+                        unite(&mut component, *cycle, other as u32);
+                    }
+                }
+            }
+        }
+        for c in 0..component.len() {
+            component[c] = root(&mut component, c as u32);
+        }
+        let by_face = Groups::of(&face, faces)?;
+        Some(Self { start, face, component, unpaired, by_face })
+    }
+
+    /// The number of slots for faces.
+    pub(super) fn faces(&self) -> usize {
+        self.by_face.begin.len() - 1
+    }
+
+    /// The cycles that name this face.
+    pub(super) fn of_face(&self, face: usize) -> &[u32] {
+        self.by_face.group(face)
+    }
+}
+
+/// Numbers `0 .. n`, grouped by a label.
+pub(super) struct Groups {
+    members: Vec<u32>,
+    begin: Vec<u32>,
+}
+
+impl Groups {
+    /// Groups the numbers by their labels, which are less than `groups`, or nil: then a number is in no group.
+    pub(super) fn of(labels: &[u32], groups: usize) -> Option<Self> {
+        let mut begin = filled(groups + 1, 0_u32)?;
+        for label in labels.iter().filter(|label| **label != NIL) {
+            begin[*label as usize + 1] += 1;
+        }
+        for group in 0..groups {
+            begin[group + 1] += begin[group];
+        }
+        let mut members = nils(begin[groups] as usize)?;
+        let mut free = begin.clone();
+        for (number, label) in labels.iter().enumerate().filter(|(_, label)| **label != NIL) {
+            let place = &mut free[*label as usize];
+            members[*place as usize] = number as u32;
+            *place += 1;
+        }
+        Some(Self { members, begin })
+    }
+
+    /// The numbers with this label.
+    pub(super) fn group(&self, label: usize) -> &[u32] {
+        &self.members[self.begin[label] as usize..self.begin[label + 1] as usize]
+    }
+}
+
+/// The root of a set, halving the path to it.
+fn root(parent: &mut [u32], mut c: u32) -> u32 {
+    while parent[c as usize] != c {
+        let above = parent[parent[c as usize] as usize];
+        parent[c as usize] = above;
+        c = above;
+    }
+    c
+}
+
+/// Makes one set of two. The lower root stays, so the order of the half-edges alone decides.
+fn unite(parent: &mut [u32], a: u32, b: u32) {
+    let (a, b) = (root(parent, a), root(parent, b));
+    parent[a.max(b) as usize] = a.min(b);
+}

@@ -1,0 +1,108 @@
+//! Structures whose half-edges keep their target.
+
+use super::inverse::{entry, filled, inverse, live, nils};
+use crate::validate::view::{Link, View};
+use alloc::vec::Vec;
+
+/// A structure whose half-edges keep their [target](View::target), with the origins that follow.
+///
+/// The origin of a half-edge is the target of its twin: `origin(h) = target(twin(h))`. Then L3, which compares
+/// `origin(next(h))` with `origin(twin(h))`, compares
+///
+/// ```text
+///   target(twin(next(h))) = target(h)
+/// ```
+///
+/// which are two stored facts: all half-edges that arrive at one vertex name that vertex. (A derivation along `next`, for
+/// example a target that is copied to the origin of the next half-edge, would compare a fact with itself.) V1 compares
+/// `target(twin(leaving(v)))` with `v`. If the structure keeps a half-edge that *arrives* at the vertex, let `leaving`
+/// answer its twin (or, if it has none, its next): V1 then compares the target of the stored half-edge.
+///
+/// A half-edge without twin, at an open boundary, starts where the one before it on the boundary ends. That one is
+/// found by walking around the vertex, by `twin∘prev` from the half-edge to the last one without twin. So each stored
+/// target is the origin of exactly one half-edge, and none goes unread. Where the walk finds none, R1, L1 or L2 is broken.
+///
+/// A violation that speaks of the origin of a half-edge is about the target of the half-edge that
+/// [`origin_from`](Self::origin_from) names.
+///
+/// ```
+/// use twinedge::validate::adapt::Targets;
+/// use twinedge::validate::{Collect, Expectation, Link, Part, Rule, View, validate};
+///
+/// /// A triangle, both of its sides. Half-edges `h` and `h ^ 1` are twins.
+/// struct Triangle {
+///     target: [usize; 6],
+/// }
+///
+/// impl View for Triangle {
+///     fn vertex_slots(&self) -> usize { 3 }
+///     fn half_edge_slots(&self) -> usize { 6 }
+///     fn origin(&self, _: usize) -> Link { None }
+///     fn target(&self, h: usize) -> Link { Some(self.target[h]) }
+///     fn twin(&self, h: usize) -> Link { Some(h ^ 1) }
+///     fn next(&self, h: usize) -> Link { Some([2, 5, 4, 1, 0, 3][h]) }
+/// }
+///
+/// let expectation = Expectation::plane().without(Part::Faces).without(Part::Prev).without(Part::Leaving);
+/// let right = Triangle { target: [1, 0, 2, 1, 0, 2] };
+/// assert!(validate(&Targets::of(&right).unwrap(), &expectation, Collect::All).is_valid());
+/// let wrong = Triangle { target: [1, 0, 2, 2, 0, 2] };
+/// let report = validate(&Targets::of(&wrong).unwrap(), &expectation, Collect::All);
+/// assert_eq!(report.broken_rules().collect::<Vec<_>>(), [Rule::L3]);
+/// ```
+#[derive(Clone, Debug)]
+pub struct Targets<V> {
+    view: V,
+    /// Per half-edge the one whose target is its origin.
+    from: Vec<u32>,
+}
+
+impl<V: View> Targets<V> {
+    /// Wraps the structure. O(n) time; 4 bytes per half-edge, and 5 more meanwhile. `None` if there is no memory for that,
+    /// or the structure claims more than `u32::MAX - 1` half-edges.
+    #[must_use]
+    pub fn of(view: V) -> Option<Self> {
+        let before = inverse(&view, V::next)?;
+        let slots = before.len();
+        let (mut from, mut passed) = (nils(slots)?, filled(slots, false)?);
+        for h in live(&view, slots) {
+            let found = match view.twin(h) {
+                Some(t) => Some(t).filter(|t| *t < slots && view.is_half_edge(*t)),
+                None => around(&view, &before, h, &mut passed),
+            };
+            from[h] = found.map_or(before[h], |found| found as u32);
+        }
+        Some(Self { view, from })
+    }
+
+    /// The half-edge whose target is the origin of this one; `None` if there is none, or no such half-edge. O(1).
+    #[must_use]
+    pub fn origin_from(&self, half_edge: usize) -> Link {
+        entry(&self.from, half_edge)
+    }
+}
+
+/// Walks around the origin of a half-edge without twin to the half-edge without twin that arrives there. Half-edges that
+/// another walk has passed end the walk, so that all walks together are O(n).
+fn around<V: View>(view: &V, before: &[u32], start: usize, passed: &mut [bool]) -> Link {
+    let mut h = start;
+    loop {
+        let arriving = entry(before, h)?;
+        if core::mem::replace(&mut passed[arriving], true) {
+            return None;
+        }
+        match view.twin(arriving) {
+            None => return Some(arriving),
+            Some(twin) if twin < before.len() => h = twin,
+            Some(_) => return None,
+        }
+    }
+}
+
+impl<V: View> View for Targets<V> {
+    crate::delegate_view!(|this| &this.view; except origin);
+
+    fn origin(&self, half_edge: usize) -> Link {
+        self.view.target(self.origin_from(half_edge)?)
+    }
+}

@@ -1,0 +1,114 @@
+//! The components, joined edge by edge.
+
+use super::rotations::Rotations;
+use super::{Extent, existing, nils};
+use crate::validate::columns::NIL;
+use crate::validate::view::View;
+use alloc::vec::Vec;
+
+/// The number of the component of each vertex, and the first vertex of each component.
+pub(super) struct Joined {
+    pub(super) of: Vec<u32>,
+    pub(super) first: Vec<u32>,
+}
+
+/// Joins vertices until so few components are left, or every edge is used.
+///
+/// First each vertex joins its neighbour with the smallest number. Numbers fall along these steps, so they end, and where
+/// neighbours have close numbers they end at one vertex of each component. What is left is joined edge by edge.
+#[inline(never)]
+pub(super) fn join<V: View + ?Sized>(view: &V, extent: Extent, around: Rotations, fewest: usize) -> Option<Joined> {
+    let mut of = around.nearest;
+    let mut first = Vec::new();
+    first.try_reserve_exact(around.roots).ok()?;
+    for v in 0..of.len() {
+        let nearest = of[v] as usize;
+        if nearest == v {
+            of[v] = first.len() as u32;
+            first.push(v as u32);
+        } else if nearest < v {
+            of[v] = of[nearest];
+        }
+    }
+    if first.len() > fewest {
+        let mut sets = Sets::new(first.len())?;
+        for h in 0..extent.half_edges {
+            if sets.count == fewest {
+                break;
+            }
+            if !view.is_half_edge(h) {
+                continue;
+            }
+            let t = existing(view.twin(h), extent.half_edges)?;
+            if h < t {
+                sets.join(*of.get(view.origin(h)?)?, *of.get(view.origin(t)?)?)?;
+            }
+        }
+        first = sets.number(&mut of, &first)?;
+    }
+    Some(Joined { of, first })
+}
+
+/// Disjoint sets of numbers, each with the number of its elements.
+struct Sets {
+    parent: Vec<u32>,
+    size: Vec<u32>,
+    count: usize,
+}
+
+impl Sets {
+    /// Sets of one number each; none if there is no memory for them.
+    fn new(count: usize) -> Option<Self> {
+        let mut parent = nils(count)?;
+        for (i, parent) in parent.iter_mut().enumerate() {
+            *parent = i as u32;
+        }
+        let size = crate::validate::columns::column(count as u32, 1).ok()?;
+        Some(Self { parent, size, count })
+    }
+
+    /// The number that stands for the set of `i`. Every second step on the way is shortened.
+    fn find(&mut self, mut i: u32) -> Option<u32> {
+        loop {
+            let parent = *self.parent.get(i as usize)?;
+            if parent == i {
+                return Some(i);
+            }
+            let next = *self.parent.get(parent as usize)?;
+            self.parent[i as usize] = next;
+            i = next;
+        }
+    }
+
+    /// Joins two sets, the smaller one to the larger one.
+    fn join(&mut self, i: u32, j: u32) -> Option<()> {
+        let (i, j) = (self.find(i)?, self.find(j)?);
+        if i != j {
+            let (small, large) = if self.size[i as usize] < self.size[j as usize] { (i, j) } else { (j, i) };
+            self.parent[small as usize] = large;
+            self.size[large as usize] += self.size[small as usize];
+            self.count -= 1;
+        }
+        Some(())
+    }
+
+    /// Numbers the sets in order of their first elements, puts these numbers in the place of those of the elements, and
+    /// returns the first vertex of each set.
+    fn number(mut self, of: &mut [u32], first: &[u32]) -> Option<Vec<u32>> {
+        let mut numbers = nils(first.len())?;
+        let mut firsts = Vec::new();
+        firsts.try_reserve_exact(self.count).ok()?;
+        for (i, first) in first.iter().enumerate() {
+            let root = self.find(i as u32)? as usize;
+            if numbers[root] == NIL {
+                numbers[root] = firsts.len() as u32;
+                firsts.push(*first);
+            }
+            numbers[i] = numbers[root];
+        }
+        for of in of.iter_mut().filter(|of| **of != NIL) {
+            *of = *numbers.get(*of as usize)?;
+        }
+        Some(firsts)
+    }
+}

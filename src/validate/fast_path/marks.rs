@@ -1,0 +1,41 @@
+//! A set of slots.
+
+use alloc::vec::Vec;
+
+/// A set of slots, one bit each.
+#[derive(Default)]
+pub(super) struct Marks(Vec<u64>);
+
+impl Marks {
+    /// The empty set, with room for so many slots; none if there is no memory for it.
+    pub(super) fn new(slots: usize) -> Option<Self> {
+        let mut marks = Self::default();
+        marks.make_room(slots)?;
+        Some(marks)
+    }
+
+    /// Makes room for so many slots, if there was none; none if there is no memory for it.
+    pub(super) fn make_room(&mut self, slots: usize) -> Option<()> {
+        if self.0.is_empty() {
+            let words = slots.div_ceil(64);
+            self.0.try_reserve_exact(words).ok()?;
+            self.0.resize(words, 0);
+        }
+        Some(())
+    }
+
+    #[inline]
+    pub(super) fn has(&self, slot: usize) -> bool {
+        self.0.get(slot / 64).is_some_and(|word| word >> (slot % 64) & 1 == 1)
+    }
+
+    /// Marks the slot; none if it was marked, or there is no room for it.
+    #[inline]
+    pub(super) fn mark(&mut self, slot: usize) -> Option<()> {
+        let word = self.0.get_mut(slot / 64)?;
+        let bit = 1 << (slot % 64);
+        let is_new = *word & bit == 0;
+        *word |= bit;
+        is_new.then_some(())
+    }
+}

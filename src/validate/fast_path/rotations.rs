@@ -1,0 +1,100 @@
+//! The walks around the vertices: V1, V2 and the vertices' half of B2.
+
+use super::links::Links;
+use super::{Extent, existing, nils};
+use crate::validate::expectation::Part;
+use crate::validate::view::{Start, View};
+use alloc::vec::Vec;
+
+/// What the walks around the vertices find.
+pub(super) struct Rotations {
+    pub(super) vertices: usize,
+    pub(super) isolated: usize,
+    /// How many of the isolated ones name a boundary component that starts at them.
+    pub(super) claimed: usize,
+    /// How many half-edges were visited.
+    pub(super) half_edges: usize,
+    /// Per vertex the neighbour with the smallest number, or itself if that is smaller.
+    pub(super) nearest: Vec<u32>,
+    /// How many vertices are their own.
+    pub(super) roots: usize,
+    /// Whether there is neither a loop nor a pair of parallel edges.
+    pub(super) simple: bool,
+}
+
+/// Walks around every vertex, in order of their numbers.
+#[inline(never)]
+pub(super) fn walk<V: View + ?Sized>(view: &V, extent: Extent, links: &Links) -> Option<Rotations> {
+    let mut found = Rotations {
+        vertices: 0,
+        isolated: 0,
+        claimed: 0,
+        half_edges: 0,
+        nearest: nils(extent.vertices)?,
+        roots: 0,
+        simple: true,
+    };
+    // The last vertex from which a vertex was seen as a neighbour: seen twice from one means parallel edges.
+    let mut seen_from = nils(extent.vertices)?;
+    let names_boundary = extent.has(Part::BoundaryComponents) && extent.has(Part::Holes);
+    for v in (0..extent.vertices).filter(|v| view.is_vertex(*v)) {
+        found.vertices += 1;
+        let mut nearest = v;
+        match links.leaving(view, v) {
+            None => {
+                found.isolated += 1;
+                found.claimed += usize::from(names_boundary && is_claimed(view, extent, v)?);
+            }
+            Some(start) => {
+                let leaves = start < extent.half_edges && view.is_half_edge(start) && view.origin(start) == Some(v);
+                if !leaves || names_boundary && view.isolated(v).is_some() {
+                    return None;
+                }
+                let limit = links.half_edges - found.half_edges;
+                // A loop leads to its own vertex twice.
+                let simple = &mut found.simple;
+                found.half_edges += around(view, extent, start, limit, |neighbour| {
+                    let seen = seen_from.get_mut(neighbour)?;
+                    *simple &= core::mem::replace(seen, v as u32) != v as u32;
+                    nearest = nearest.min(neighbour);
+                    Some(())
+                })?;
+            }
+        }
+        found.nearest[v] = nearest as u32;
+        found.roots += usize::from(nearest == v);
+    }
+    Some(found)
+}
+
+/// Walks around one vertex, from a half-edge that leaves it, and returns how many half-edges it visited; none if it visits
+/// more than `limit`.
+#[inline]
+fn around<V: View + ?Sized>(
+    view: &V,
+    extent: Extent,
+    start: usize,
+    limit: usize,
+    mut see: impl FnMut(usize) -> Option<()>,
+) -> Option<usize> {
+    let mut h = start;
+    for visited in 1..=limit {
+        let t = existing(view.twin(h), extent.half_edges)?;
+        see(view.origin(t)?)?;
+        h = existing(view.next(t), extent.half_edges)?;
+        if h == start {
+            return Some(visited);
+        }
+    }
+    None
+}
+
+/// Half of B2: whether the isolated vertex names a boundary component, which then starts at it. It need not if it may lie in
+/// an unbounded face that has no record.
+fn is_claimed<V: View + ?Sized>(view: &V, extent: Extent, v: usize) -> Option<bool> {
+    let Some(b) = view.isolated(v) else {
+        return (!extent.has(Part::UnboundedFace)).then_some(false);
+    };
+    let starts_here = b < extent.boundaries && view.is_boundary(b) && view.boundary_start(b) == Some(Start::Vertex(v));
+    starts_here.then_some(true)
+}

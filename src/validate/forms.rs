@@ -1,0 +1,208 @@
+//! Every form in which a structure can keep a map: all expectations, and a map brought into the form that one asks for.
+//!
+//! There are 112 distinct expectations: two surfaces, with or without open boundaries, and the parts that a structure may lack,
+//! some of which depend on others. A map that is right in one form breaks rules in another, for example because it lists holes
+//! where faces have none. [`projections`] rewrites a planar subdivision with every part so that it is right in any of them.
+
+use super::expectation::{Expectation, Part};
+use super::table::{FaceRow, Table};
+use super::view::{BoundaryPlace, Link, Start, View};
+use alloc::vec::Vec;
+
+const PARTS: [Part; 7] =
+    [Part::Prev, Part::Leaving, Part::Faces, Part::BoundaryComponents, Part::Places, Part::Holes, Part::UnboundedFace];
+
+/// Every distinct expectation, each once: plane or surface, closed or open, with and without each part.
+///
+/// ```
+/// use twinedge::validate::Expectation;
+/// use twinedge::validate::forms::expectations;
+/// let all = expectations();
+/// assert_eq!(all.len(), 112);
+/// assert!(all.contains(&Expectation::plane()) && all.contains(&Expectation::surface().open()));
+/// ```
+#[must_use]
+pub fn expectations() -> Vec<Expectation> {
+    let mut all = Vec::new();
+    for surface in [Expectation::plane(), Expectation::surface()] {
+        for whole in [surface, surface.open()] {
+            for lacks in 0..1_u32 << PARTS.len() {
+                let lacking = PARTS.iter().enumerate().filter(|(bit, _)| lacks >> bit & 1 == 1);
+                let expectation = lacking.fold(whole, |expectation, (_, part)| expectation.without(*part));
+                if !all.contains(&expectation) {
+                    all.push(expectation);
+                }
+            }
+        }
+    }
+    all
+}
+
+/// The same planar subdivision as a structure with the parts of the expectation keeps it. O(n) for n rows and list entries.
+///
+/// The table has every part, and boundary components that name their faces. What the expectation leaves out is nil or vacant.
+///
+/// - Without boundary components, half-edges name their face, and faces the half-edges and isolated vertices where their
+///   boundary components start.
+/// - Without holes, each cycle bounds a face of its own, and isolated vertices lie in none.
+/// - Without unbounded face, so does each cycle that bounds the unbounded face, and isolated vertices there.
+///
+/// ```
+/// use twinedge::validate::{Collect, Expectation, Part, Table, forms, validate};
+/// // An edge between two vertices.
+/// let edge: Table = "V 2 0 - 1 - H 2 0 1 1 1 0 - 1 0 0 0 0 - B 1 0 h0 i0 F 1 - 1 0".parse()?;
+/// assert!(validate(&edge, &Expectation::plane(), Collect::All).is_valid());
+/// // On a sphere its one face has an outer boundary component like any other.
+/// let sphere = Expectation::surface();
+/// assert!(!validate(&edge, &sphere, Collect::All).is_valid());
+/// assert!(validate(&forms::projected(&edge, &sphere), &sphere, Collect::All).is_valid());
+/// # Ok::<(), twinedge::validate::ParseTableError>(())
+/// ```
+#[must_use]
+pub fn projected(table: &Table, expectation: &Expectation) -> Table {
+    let mut table = table.clone();
+    if expectation.has(Part::Faces) {
+        for f in 0..table.faces.len() {
+            let is_unbounded = table.is_face(f) && table.outer(f).is_none();
+            if !expectation.has(Part::Holes) || is_unbounded && !expectation.has(Part::UnboundedFace) {
+                unlist_inner(&mut table, f);
+                if is_unbounded {
+                    table.faces[f] = None;
+                }
+            }
+        }
+        if !expectation.has(Part::BoundaryComponents) {
+            drop_boundaries(&mut table);
+        } else if !expectation.has(Part::Places) {
+            table.boundaries.iter_mut().flatten().for_each(|row| row.place = None);
+        }
+    } else {
+        table.boundaries.clear();
+        table.faces.clear();
+        table.half_edges.iter_mut().flatten().for_each(|row| (row.boundary, row.face) = (None, None));
+        table.vertices.iter_mut().flatten().for_each(|row| row.isolated = None);
+    }
+    if !expectation.has(Part::Prev) {
+        table.half_edges.iter_mut().flatten().for_each(|row| row.prev = None);
+    }
+    if !expectation.has(Part::Leaving) {
+        table.vertices.iter_mut().flatten().for_each(|row| row.leaving = None);
+    }
+    table
+}
+
+/// The map [`projected`], and, if the expectation allows open boundaries, each map that results if one of its faces, or the
+/// half-edges of one of its cycles, is taken out first. O(n) tables, O(n²) in all.
+///
+/// A face or cycle is taken out where the rest is right: a bounded face without isolated vertices in it, or the unbounded face
+/// if that is not expected; a cycle that passes no vertex twice, and is not the outer one of a face with holes.
+#[must_use]
+pub fn projections(table: &Table, expectation: &Expectation) -> Vec<Table> {
+    let mut all = alloc::vec![projected(table, expectation)];
+    if expectation.is_open() {
+        if expectation.has(Part::Faces) {
+            let faces = (0..table.faces.len()).filter_map(|f| without_face(table, *expectation, f));
+            all.extend(faces.map(|open| projected(&open, expectation)));
+        }
+        let cycles = (0..table.boundaries.len()).filter_map(|b| without_cycle(table, b));
+        all.extend(cycles.map(|open| projected(&open, expectation)));
+    }
+    all
+}
+
+/// The inner boundary components of a face bound a face of their own each, as outer ones. Isolated vertices bound none.
+fn unlist_inner(table: &mut Table, f: usize) {
+    let Some(row) = table.faces.get_mut(f).and_then(Option::as_mut) else { return };
+    for b in core::mem::take(&mut row.inner).into_iter().flatten() {
+        let alone = table.faces.len();
+        let Some(boundary) = table.boundaries.get_mut(b).and_then(Option::as_mut) else { continue };
+        if let Some(Start::Vertex(v)) = boundary.start {
+            table.boundaries[b] = None;
+            if let Some(vertex) = table.vertices.get_mut(v).and_then(Option::as_mut) {
+                vertex.isolated = None;
+            }
+        } else {
+            (boundary.face, boundary.place) = (Some(alone), Some(BoundaryPlace::Outer));
+            table.faces.push(Some(FaceRow { outer: Some(b), ..FaceRow::default() }));
+        }
+    }
+}
+
+/// Takes the records for boundary components away: half-edges name their face instead, and faces where their boundary
+/// components start.
+fn drop_boundaries(table: &mut Table) {
+    let boundaries = core::mem::take(&mut table.boundaries);
+    let record = |b: Link| boundaries.get(b?).copied().flatten();
+    for half_edge in table.half_edges.iter_mut().flatten() {
+        half_edge.face = record(half_edge.boundary.take()).and_then(|b| b.face);
+    }
+    for vertex in table.vertices.iter_mut().flatten() {
+        vertex.isolated = None;
+    }
+    for face in table.faces.iter_mut().flatten() {
+        face.outer_half_edge = match record(face.outer.take()).and_then(|b| b.start) {
+            Some(Start::HalfEdge(h)) => Some(h),
+            _ => None,
+        };
+        face.inner_starts = core::mem::take(&mut face.inner).into_iter().map(|b| record(b)?.start).collect();
+    }
+}
+
+/// The table without a face: its half-edges bound none.
+fn without_face(table: &Table, expectation: Expectation, f: usize) -> Option<Table> {
+    let row = table.faces.get(f)?.as_ref()?;
+    let listed = || row.outer.iter().chain(row.inner.iter().flatten());
+    let is_vertex = |b: &usize| matches!(table.boundary_start(*b), Some(Start::Vertex(_)));
+    let is_needed = if row.outer.is_none() { expectation.has(Part::UnboundedFace) } else { listed().any(is_vertex) };
+    if is_needed {
+        return None;
+    }
+    let mut open = table.clone();
+    let is_gone = |b: Link| b.is_some_and(|b| listed().any(|other| *other == b));
+    open.half_edges.iter_mut().flatten().filter(|h| is_gone(h.boundary)).for_each(|h| h.boundary = None);
+    open.vertices.iter_mut().flatten().filter(|v| is_gone(v.isolated)).for_each(|v| v.isolated = None);
+    listed().for_each(|b| open.boundaries[*b] = None);
+    open.faces[f] = None;
+    Some(open)
+}
+
+/// The table without the half-edges of one cycle, and without the face of which it is the outer one: their twins have none.
+fn without_cycle(table: &Table, b: usize) -> Option<Table> {
+    let boundary = table.boundaries.get(b)?.as_ref()?;
+    let of_it = |h: usize| table.half_edges[h].as_ref().is_some_and(|row| row.boundary == Some(b));
+    let cycle: Vec<usize> = (0..table.half_edges.len()).filter(|h| of_it(*h)).collect();
+    let mut vertices: Vec<Link> = cycle.iter().map(|h| table.origin(*h)).collect();
+    vertices.sort_unstable();
+    vertices.dedup();
+    let f = boundary.face?;
+    let face = table.faces.get(f)?.as_ref()?;
+    let is_outer = face.outer == Some(b);
+    if cycle.is_empty() || vertices.len() < cycle.len() || is_outer && !face.inner.is_empty() {
+        return None;
+    }
+    // Where no vertex is passed twice, an edge with both sides on the cycle is the whole component, and nothing of it is left.
+    if cycle.iter().any(|h| table.twin(*h).is_some_and(of_it)) {
+        return None;
+    }
+    let mut open = table.clone();
+    for h in cycle {
+        let twin = table.twin(h)?;
+        open.half_edges[twin].as_mut()?.twin = None;
+        let vertex = open.vertices[table.origin(h)?].as_mut()?;
+        if vertex.leaving == Some(h) {
+            vertex.leaving = table.twin(table.prev(h)?);
+        }
+        open.half_edges[h] = None;
+    }
+    open.boundaries[b] = None;
+    if is_outer {
+        open.faces[f] = None;
+    } else {
+        open.faces[f].as_mut()?.inner.retain(|listed| *listed != Some(b));
+        for i in 0..open.inner_count(f) {
+            let listed = open.inner(f, i)?;
+            open.boundaries[listed].as_mut()?.place = Some(BoundaryPlace::Inner(i));
+        }
+    }
+    Some(open)
+}

@@ -1,0 +1,163 @@
+//! What a validation asks of the allocator, per record: the figures in the documentation of `validate`.
+
+use crate::counting::{LIVE_BYTES, PEAK_BYTES};
+use twinedge::validate::{BoundaryPlace, Collect, Expectation, Link, Part, Start, View, validate};
+
+/// The most bytes that are live at a time while a structure is validated, less those of a structure without records.
+fn peak(view: &impl View, expectation: Expectation) -> usize {
+    let before = LIVE_BYTES.get();
+    PEAK_BYTES.set(before);
+    assert!(validate(view, &expectation, Collect::All).is_valid());
+    (PEAK_BYTES.get() - before).cast_unsigned()
+}
+
+/// What a report takes, whatever the structure.
+const REPORT: usize = 2000;
+
+/// So many isolated vertices in the unbounded face.
+struct Points(usize);
+
+impl View for Points {
+    fn vertex_slots(&self) -> usize {
+        self.0
+    }
+    fn half_edge_slots(&self) -> usize {
+        0
+    }
+    fn boundary_slots(&self) -> usize {
+        self.0
+    }
+    fn face_slots(&self) -> usize {
+        1
+    }
+    fn origin(&self, _: usize) -> Link {
+        None
+    }
+    fn twin(&self, _: usize) -> Link {
+        None
+    }
+    fn next(&self, _: usize) -> Link {
+        None
+    }
+    fn isolated(&self, v: usize) -> Link {
+        Some(v)
+    }
+    fn boundary_face(&self, _: usize) -> Link {
+        Some(0)
+    }
+    fn boundary_start(&self, b: usize) -> Option<Start> {
+        Some(Start::Vertex(b))
+    }
+    fn boundary_place(&self, b: usize) -> Option<BoundaryPlace> {
+        Some(BoundaryPlace::Inner(b))
+    }
+    fn inner_count(&self, _: usize) -> usize {
+        self.0
+    }
+    fn inner(&self, _: usize, i: usize) -> Link {
+        Some(i)
+    }
+}
+
+/// One cycle of so many edges: half-edges `2i` on its inside, `2i + 1` on its outside. Where the border is open, there is no
+/// outside.
+struct Polygon {
+    edges: usize,
+    open: bool,
+}
+
+impl View for Polygon {
+    fn vertex_slots(&self) -> usize {
+        self.edges
+    }
+    fn half_edge_slots(&self) -> usize {
+        2 * self.edges
+    }
+    fn is_half_edge(&self, h: usize) -> bool {
+        h < 2 * self.edges && (h % 2 == 0 || !self.open)
+    }
+    fn face_slots(&self) -> usize {
+        if self.open { 1 } else { 2 }
+    }
+    fn boundary_slots(&self) -> usize {
+        self.face_slots()
+    }
+    fn origin(&self, h: usize) -> Link {
+        Some((h / 2 + h % 2) % self.edges)
+    }
+    fn twin(&self, h: usize) -> Link {
+        (!self.open).then_some(h ^ 1)
+    }
+    fn next(&self, h: usize) -> Link {
+        let n = 2 * self.edges;
+        Some(if h % 2 == 0 { (h + 2) % n } else { (h + n - 2) % n })
+    }
+    fn prev(&self, h: usize) -> Link {
+        let n = 2 * self.edges;
+        Some(if h % 2 == 1 { (h + 2) % n } else { (h + n - 2) % n })
+    }
+    fn face(&self, h: usize) -> Link {
+        Some(h % 2)
+    }
+    fn boundary(&self, h: usize) -> Link {
+        Some(h % 2)
+    }
+    fn leaving(&self, v: usize) -> Link {
+        Some(2 * v)
+    }
+    fn boundary_face(&self, b: usize) -> Link {
+        Some(b)
+    }
+    fn boundary_start(&self, b: usize) -> Option<Start> {
+        Some(Start::HalfEdge(b))
+    }
+    fn boundary_place(&self, _: usize) -> Option<BoundaryPlace> {
+        Some(BoundaryPlace::Outer)
+    }
+    fn outer(&self, f: usize) -> Link {
+        Some(f)
+    }
+    fn outer_half_edge(&self, f: usize) -> Link {
+        Some(f)
+    }
+}
+
+/// As many bytes as the documentation says at most, and no less than nine tenths of that where all are needed.
+#[track_caller]
+fn assert_close(bytes: usize, stated: usize) {
+    assert!(bytes <= stated + REPORT, "{bytes} bytes are more than {stated}");
+    assert!(bytes >= stated / 10 * 9, "{bytes} bytes are far less than {stated}");
+}
+
+#[test]
+fn a_component_takes_144_bytes_at_most() {
+    let plane = Expectation::plane();
+    // The list of components was just copied to twice its size.
+    let n = (1 << 16) + 1;
+    assert_close(peak(&Points(n), plane), (12 + 144) * n);
+    assert_close(peak(&Points(n), plane.without(Part::Places)), (20 + 144) * n);
+    // It is just full: it takes 48 and T2 four more, and before that it was copied.
+    let n = 1 << 16;
+    assert!(peak(&Points(n), plane) < (12 + 144) * n / 2 + 72 * n);
+    for n in [1000, 3000, 30_000, 50_000, 100_000] {
+        assert!(peak(&Points(n), plane) <= (12 + 144) * n + REPORT);
+        assert!(peak(&Points(n), plane.without(Part::Places)) <= (20 + 144) * n + REPORT);
+    }
+}
+
+#[test]
+fn vertices_and_half_edges_take_what_is_said() {
+    let edges = 100_000;
+    let closed = Polygon { edges, open: false };
+    let surface = Expectation::surface();
+    assert_close(peak(&closed, surface), 12 * edges);
+    assert_close(peak(&closed, surface.without(Part::Places)), 20 * edges);
+    // Two half-edges for each vertex, of which each takes 4 bytes while the rotations are walked around, and 5 later.
+    let mesh = surface.without(Part::BoundaryComponents).without(Part::Prev);
+    assert_close(peak(&closed, mesh), 20 * edges + 4 * 2 * edges);
+    for open in [false, true] {
+        for expectation in [mesh.open(), mesh.without(Part::Faces).open(), surface.without(Part::Prev).open()] {
+            assert!(peak(&Polygon { edges, open }, expectation) <= (20 + 5 * 2) * edges + REPORT);
+        }
+    }
+}

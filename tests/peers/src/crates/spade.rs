@@ -1,0 +1,166 @@
+//! `spade` 2.15.1: constrained Delaunay triangulations, with coordinates and an unbounded face.
+
+use crate::peer::{self, Applied};
+use crate::program::Operator;
+use spade::handles::{
+    DirectedEdgeHandle, FixedDirectedEdgeHandle, FixedFaceHandle, FixedVertexHandle, PossiblyOuterTag,
+};
+use spade::{CdtEdge, ConstrainedDelaunayTriangulation, Point2, Triangulation};
+use twinedge::geometry::Point;
+use twinedge::validate::{
+    Collect, Embedding, Expectation, Link, Part, Report, Start, View, validate, validate_embedding,
+};
+
+/// A triangulation of points without data.
+pub type Cdt = ConstrainedDelaunayTriangulation<Point2<f64>>;
+
+/// A triangulation as the validator sees it.
+pub struct CdtView<'a> {
+    cdt: &'a Cdt,
+    edges: Vec<FixedDirectedEdgeHandle>,
+    faces: Vec<FixedFaceHandle<PossiblyOuterTag>>,
+}
+
+impl<'a> CdtView<'a> {
+    /// Lists the handles, which can be made from an index for vertices only.
+    #[must_use]
+    pub fn new(cdt: &'a Cdt) -> Self {
+        Self { cdt, edges: cdt.fixed_directed_edges().collect(), faces: cdt.fixed_all_faces().collect() }
+    }
+
+    fn edge(&self, h: usize) -> DirectedEdgeHandle<'_, Point2<f64>, (), CdtEdge<()>, ()> {
+        self.cdt.directed_edge(self.edges[h])
+    }
+
+    fn face_edge(&self, f: usize) -> Link {
+        let face = self.cdt.face(self.faces[f]);
+        let edge = match face.as_inner() {
+            Some(inner) => inner.adjacent_edge(),
+            None => face.adjacent_edge()?,
+        };
+        Some(edge.fix().index())
+    }
+
+    /// What the rules say of it: first of the links, and then of the coordinates.
+    #[must_use]
+    pub fn report(&self) -> Report {
+        let expectation = Expectation::plane().without(Part::BoundaryComponents);
+        let report = validate(self, &expectation, Collect::All);
+        if report.is_valid() { validate_embedding(self, &expectation, Collect::All) } else { report }
+    }
+}
+
+impl View for CdtView<'_> {
+    fn vertex_slots(&self) -> usize {
+        self.cdt.num_vertices()
+    }
+    fn half_edge_slots(&self) -> usize {
+        self.cdt.num_directed_edges()
+    }
+    fn face_slots(&self) -> usize {
+        self.cdt.num_all_faces()
+    }
+    fn origin(&self, h: usize) -> Link {
+        Some(self.edge(h).from().fix().index())
+    }
+    fn twin(&self, h: usize) -> Link {
+        Some(self.edge(h).rev().fix().index())
+    }
+    fn next(&self, h: usize) -> Link {
+        Some(self.edge(h).next().fix().index())
+    }
+    fn prev(&self, h: usize) -> Link {
+        Some(self.edge(h).prev().fix().index())
+    }
+    fn face(&self, h: usize) -> Link {
+        Some(self.edge(h).face().fix().index())
+    }
+    fn leaving(&self, v: usize) -> Link {
+        let vertex = self.cdt.vertex(FixedVertexHandle::from_index(v));
+        Some(vertex.out_edge()?.fix().index())
+    }
+    fn outer_half_edge(&self, f: usize) -> Link {
+        if f == 0 { None } else { self.face_edge(f) }
+    }
+    fn inner_count(&self, f: usize) -> usize {
+        usize::from(f == 0 && self.cdt.num_vertices() > 0)
+    }
+    /// The unbounded face has one inner boundary component: the convex hull, or the only vertex.
+    fn inner_start(&self, f: usize, _: usize) -> Option<Start> {
+        Some(self.face_edge(f).map_or(Start::Vertex(0), Start::HalfEdge))
+    }
+}
+
+impl Embedding for CdtView<'_> {
+    fn point(&self, v: usize) -> Point {
+        let at = self.cdt.vertex(FixedVertexHandle::from_index(v)).position();
+        Point::new(at.x, at.y)
+    }
+}
+
+/// Random programs on it.
+pub struct Peer(Cdt);
+
+impl Peer {
+    fn vertex(&self, i: u32) -> Option<FixedVertexHandle> {
+        Some(FixedVertexHandle::from_index((i as usize).checked_rem(self.0.num_vertices())?))
+    }
+
+    fn try_apply(&mut self, operator: &str, arguments: &[u32]) -> Option<()> {
+        let [a, b] = [0, 1].map(|i| arguments.get(i).copied().unwrap_or(0));
+        match operator {
+            "insert" => {
+                self.0.insert(Point2::new(f64::from(a % 16), f64::from(b % 16))).ok()?;
+            }
+            // Coordinates whose differences are not exact.
+            "insert_inexact" => {
+                self.0.insert(Point2::new(f64::from(a).sin(), f64::from(b).cos())).ok()?;
+            }
+            "remove" => {
+                self.0.remove(self.vertex(a)?);
+            }
+            // "Panics if the new constraint edge intersects an existing constraint edge": `can_add_constraint` tells.
+            "add_constraint" => {
+                let (from, to) = (self.vertex(a)?, self.vertex(b)?);
+                self.0.can_add_constraint(from, to).then_some(())?;
+                self.0.add_constraint(from, to);
+            }
+            "try_add_constraint" => {
+                self.0.try_add_constraint(self.vertex(a)?, self.vertex(b)?);
+            }
+            "add_constraint_and_split" => {
+                self.0.add_constraint_and_split(self.vertex(a)?, self.vertex(b)?, |position| position);
+            }
+            "remove_constraint_edge" => {
+                let edges = self.0.fixed_undirected_edges().collect::<Vec<_>>();
+                self.0.remove_constraint_edge(edges[(a as usize).checked_rem(edges.len())?]);
+            }
+            _ => unreachable!("{operator} is not an operator"),
+        }
+        Some(())
+    }
+}
+
+impl peer::Peer for Peer {
+    const OPERATORS: &'static [Operator] = &[
+        Operator::with_values("insert", 2, 5),
+        Operator::with_values("insert_inexact", 2, 5),
+        Operator::on_records("remove", 1, 3),
+        Operator::on_records("add_constraint", 2, 2),
+        Operator::on_records("try_add_constraint", 2, 2),
+        Operator::on_records("add_constraint_and_split", 2, 8),
+        Operator::on_records("remove_constraint_edge", 1, 1),
+    ];
+
+    fn new() -> Self {
+        Self(Cdt::new())
+    }
+
+    fn apply(&mut self, operator: &str, arguments: &[u32]) -> Applied {
+        if self.try_apply(operator, arguments).is_some() { Applied::Done } else { Applied::Skipped }
+    }
+
+    fn report(&self) -> Report {
+        CdtView::new(&self.0).report()
+    }
+}

@@ -1,0 +1,32 @@
+//! The findings of `README.md`, one test each, in the crate's own terms. A test asserts what the crate does *today*, and
+//! fails when a later version mends it: then the finding goes out of the table.
+//!
+//! What is broken is shown twice: by the rules of twinedge, and by the crate's own accessors.
+
+mod dcel;
+mod halfedge;
+mod plexus;
+mod spade;
+mod tri_mesh;
+
+use twinedge::validate::Report;
+use twinedge_peers::run::{caught, first_broken};
+
+/// Asserts that the first broken rule is this one.
+fn breaks(finding: &str, report: &Report, rule: &str) {
+    let broken = first_broken(report).map(|(broken, _)| broken);
+    assert_eq!(broken.as_deref(), Some(rule), "{finding}: {MENDED}\n{report}");
+}
+
+/// Asserts that what was seen is still so.
+fn still(finding: &str, seen: bool) {
+    assert!(seen, "{finding}: {MENDED}");
+}
+
+/// Asserts that the closure panics, in this file of the crate and with this message.
+fn panics<T>(finding: &str, file: &str, message: &str, closure: impl FnOnce() -> T) {
+    let Err((place, found)) = caught(closure) else { panic!("{finding}: {MENDED}") };
+    assert!(place.contains(file) && found.contains(message), "{finding}: another panic, {place}: {found}. {MENDED}");
+}
+
+const MENDED: &str = "the crate no longer does this. If it was mended, take the finding out of README.md";

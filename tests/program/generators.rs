@@ -1,0 +1,131 @@
+//! Generators and proptest: they draw what they are told, and failures shrink operator by operator.
+
+use proptest::arbitrary::{any, any_with};
+use proptest::strategy::{Strategy, ValueTree};
+use proptest::test_runner::{Config, TestCaseError, TestError, TestRng, TestRunner};
+use quickcheck::Gen;
+use std::collections::BTreeMap;
+use twinedge::dcel::Dcel;
+use twinedge::program::choose::Bytes;
+use twinedge::program::*;
+use twinedge::store::{FixedStore, PointerStore};
+
+/// The same programs every time, and nothing written down.
+fn runner() -> TestRunner {
+    let config = Config { max_shrink_iters: 100_000, failure_persistence: None, ..Config::default() };
+    let rng = TestRng::deterministic_rng(config.rng_algorithm);
+    TestRunner::new_with_rng(config, rng)
+}
+
+fn run(program: &Program) -> Dcel {
+    let mut runner = Runner::new(Dcel::new());
+    runner.run(program);
+    runner.into_subject()
+}
+
+/// Whether some bounded face has a hole that is a cycle.
+fn has_hole(program: &Program) -> bool {
+    run(program).faces().any(|f| !f.is_unbounded() && f.inner().any(|b| b.start().is_some()))
+}
+
+#[test]
+fn each_operator_comes_as_often_as_its_weight_says() {
+    let mut counts = BTreeMap::new();
+    let mut runner = runner();
+    let mut g = Gen::from_size_and_seed(1, 2);
+    let generator = Program::generator().length(100..=100);
+    for _ in 0..100 {
+        for program in [generator.generate(&mut runner), generator.generate(&mut g)] {
+            assert_eq!(program.0[0], Op::AddIsolatedVertex { face: FacePick::Unbounded });
+            for op in &program.0[1..] {
+                *counts.entry(op.name()).or_insert(0) += 1;
+            }
+        }
+    }
+    let sum: u32 = counts.values().sum();
+    for ((_, share), name) in OpKind::SHARES.iter().zip(Op::NAMES) {
+        let (expected, found) = (sum * share / 32, counts[name]);
+        assert!(found.abs_diff(expected) < 30 + expected / 10, "{name}: {found}, not {expected}");
+    }
+}
+
+#[test]
+fn generators_draw_what_they_are_told_and_no_more() {
+    let generator = Program::generator()
+        .only(&[OpKind::Connect, OpKind::FlipEdge, OpKind::SplitEdge])
+        .weight(OpKind::Connect, 0)
+        .weight(OpKind::FlipEdge, 1)
+        .weight(OpKind::SplitEdge, 3)
+        .length(5..=9);
+    let mut runner = runner();
+    let (mut flips, mut lengths, mut sum) = (0, BTreeMap::new(), 0);
+    for _ in 0..500 {
+        let program = generator.generate(&mut runner);
+        *lengths.entry(program.0.len()).or_insert(0) += 1;
+        sum += program.0.len();
+        for op in program.0 {
+            match op {
+                Op::FlipEdge { .. } => flips += 1,
+                Op::SplitEdge { .. } => {}
+                other => panic!("{other}"),
+            }
+        }
+    }
+    assert!(lengths.keys().eq(&[5, 6, 7, 8, 9]) && lengths.values().all(|count| *count > 60), "{lengths:?}");
+    assert!((sum / 5..sum * 3 / 10).contains(&flips), "{flips} of {sum}");
+    for nothing in [Program::generator().only(&[]), Program::generator().length(0..=0)] {
+        assert_eq!(nothing.generate(&mut runner).0, []);
+    }
+    // Where a source has run out it answers with zeros, so the length is the least.
+    assert_eq!(Program::generator().length(3..=9).generate(&mut Bytes::new(&[])).0.len(), 3);
+}
+
+#[test]
+fn proptest_shrinks_programs_operator_by_operator() {
+    let outcome = runner().run(&any_with::<Program>(Program::generator().length(0..=100)), |program| {
+        if has_hole(&program) { Err(TestCaseError::fail("a hole")) } else { Ok(()) }
+    });
+    let Err(TestError::Fail(_, small)) = outcome else { panic!("no program made a hole: {outcome:?}") };
+    assert!(has_hole(&small) && small.0.len() <= 8, "{small}");
+    assert!(candidates(&small).all(|smaller| !has_hole(&smaller)), "{small}");
+}
+
+#[test]
+fn the_tree_of_a_program_shrinks_as_shrink_does() {
+    let fails = |program: &Program| run(program).face_count() > 2;
+    let (mut runner, generator) = (runner(), Program::generator());
+    let mut programs = std::iter::repeat_with(|| generator.generate(&mut runner)).take(100);
+    let program = programs.find(|program| fails(program)).expect("some program makes three faces");
+    let mut tree = ProgramTree::new(program.clone());
+    assert_eq!(tree.current(), program);
+    let mut smallest = program.clone();
+    let mut more = tree.simplify();
+    while more {
+        more = if fails(&tree.current()) {
+            smallest = tree.current();
+            tree.simplify()
+        } else {
+            tree.complicate()
+        };
+    }
+    assert_eq!(smallest, shrink(&program, fails));
+    assert_eq!(tree.current(), smallest, "it ends at what fails");
+    assert!(!tree.complicate() && tree.current() == smallest);
+}
+
+#[test]
+fn proptest_makes_valid_structures_over_every_store_and_shrinks_them() {
+    let outcome = runner().run(&any::<Dcel>(), |dcel| {
+        assert!(dcel.validate().is_valid());
+        if dcel.face_count() > 2 { Err(TestCaseError::fail("three faces")) } else { Ok(()) }
+    });
+    let Err(TestError::Fail(_, small)) = outcome else { panic!("no structure has three faces: {outcome:?}") };
+    // Two loops at one vertex.
+    assert_eq!((small.face_count(), small.edge_count(), small.vertex_count()), (3, 2, 1));
+    let few = Program::generator().length(20..=20);
+    for _ in 0..20 {
+        let pointers = any_with::<Dcel<PointerStore>>(few.clone()).new_tree(&mut runner()).expect("always").current();
+        let fixed = any_with::<Dcel<FixedStore<4, 5, 4, 3>>>(few.clone()).new_tree(&mut runner()).expect("always");
+        assert!(pointers.validate().is_valid() && fixed.current().validate().is_valid());
+    }
+}

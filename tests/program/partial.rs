@@ -1,0 +1,322 @@
+//! Structures that do not have all operators, or all parts: meshes, surfaces, borders.
+
+use std::cell::Cell;
+use std::rc::Rc;
+use twinedge::program::conformance::{Conformance, Coverage, Difference, NotCompared, Question, check};
+use twinedge::program::*;
+use twinedge::validate::{Collect, Expectation, Link, Part, Table, View, validate};
+use twinedge::{delegate_view, subject_by_index};
+
+#[allow(dead_code, unreachable_pub, reason = "an example has a main function of its own")]
+#[path = "../../examples/mesh_conformance.rs"]
+mod mesh;
+use mesh::{Mesh, expectation};
+
+const OCTAHEDRON: [[usize; 3]; 8] =
+    [[0, 1, 4], [1, 2, 4], [2, 3, 4], [3, 0, 4], [1, 0, 5], [2, 1, 5], [3, 2, 5], [0, 3, 5]];
+/// A torus with nine vertices, in rows of three.
+fn torus() -> Vec<[usize; 3]> {
+    let at = |row: usize, column: usize| 3 * (row % 3) + column % 3;
+    let square = |(row, column): (usize, usize)| {
+        let corners = [at(row, column), at(row, column + 1), at(row + 1, column + 1), at(row + 1, column)];
+        [[corners[0], corners[1], corners[2]], [corners[0], corners[2], corners[3]]]
+    };
+    (0..9).map(|k| (k / 3, k % 3)).flat_map(square).collect()
+}
+/// A ring of six triangles, with two borders.
+const RING: [[usize; 3]; 6] = [[0, 1, 4], [0, 4, 3], [1, 2, 5], [1, 5, 4], [2, 0, 3], [2, 3, 5]];
+
+/// What `flip_edge` does.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+enum Flip {
+    Right,
+    /// It turns the other way. On triangles the map is the same, but the half-edge is the other one.
+    Reversed,
+    /// It says that it did, and does nothing.
+    Nothing,
+    /// It leaves the edge and breaks the cycles.
+    Breaks,
+}
+
+/// A structure that can only turn edges, as in the finding: no faces, no holes, no unbounded face, nothing else supported.
+struct FlipOnly {
+    next: Vec<usize>,
+    origin: Vec<usize>,
+    flip: Flip,
+    called: Rc<Cell<usize>>,
+}
+
+impl FlipOnly {
+    fn of(triangles: &[[usize; 3]], vertices: usize, flip: Flip) -> Self {
+        let mesh = Mesh::new(vertices, triangles, false);
+        let all = 0..mesh.half_edge_slots();
+        let next = all.clone().map(|h| mesh.next(h).unwrap()).collect();
+        Self { next, origin: all.map(|h| mesh.origin(h).unwrap()).collect(), flip, called: Rc::default() }
+    }
+
+    fn prev(&self, h: usize) -> usize {
+        self.next.iter().position(|next| *next == h).unwrap()
+    }
+}
+
+impl View for FlipOnly {
+    fn vertex_slots(&self) -> usize {
+        self.origin.iter().max().map_or(0, |v| v + 1)
+    }
+    fn half_edge_slots(&self) -> usize {
+        self.next.len()
+    }
+    fn origin(&self, h: usize) -> Link {
+        Some(self.origin[h])
+    }
+    fn twin(&self, h: usize) -> Link {
+        Some(h ^ 1)
+    }
+    fn next(&self, h: usize) -> Link {
+        Some(self.next[h])
+    }
+}
+
+impl Subject for FlipOnly {
+    subject_by_index!();
+
+    fn flip_edge(&mut self, h: usize, turn: Turn) -> Result<(), Refusal> {
+        self.called.set(self.called.get() + 1);
+        let mut at = self.next.get(h).copied().ok_or(Refusal::Stale)?;
+        let t = h ^ 1;
+        while at != h {
+            if at == t {
+                return Err(Refusal::NotSeparating);
+            }
+            at = self.next[at];
+        }
+        if self.next[h] == h || self.next[t] == t {
+            return Err(Refusal::Unsupported);
+        }
+        let turn = if self.flip == Flip::Reversed { turn.reversed() } else { turn };
+        let (a, b) = match turn {
+            Turn::CounterClockwise => (self.next[h], self.next[t]),
+            Turn::Clockwise => (self.prev(h), self.prev(t)),
+        };
+        if self.flip == Flip::Nothing {
+            return Ok(());
+        }
+        // Taken out.
+        let (before_h, before_t, after_h, after_t) = (self.prev(h), self.prev(t), self.next[h], self.next[t]);
+        (self.next[before_h], self.next[before_t]) = (after_t, after_h);
+        // And put in: `h` leaves before `x`, `t` before `y`.
+        let (x, y) = match turn {
+            Turn::CounterClockwise => (self.next[b], self.next[a]),
+            Turn::Clockwise => (a, b),
+        };
+        let (before_x, before_y) = (self.prev(x), self.prev(y));
+        (self.next[before_x], self.next[t]) = (h, x);
+        (self.next[before_y], self.next[h]) = (t, y);
+        (self.origin[h], self.origin[t]) = (self.origin[x], self.origin[y]);
+        if self.flip == Flip::Breaks {
+            self.origin[h] = self.origin[y];
+        }
+        Ok(())
+    }
+}
+
+fn without_faces() -> Expectation {
+    Expectation::surface().without(Part::Faces).without(Part::Prev).without(Part::Leaving)
+}
+
+#[test]
+fn the_wrong_flip_of_a_structure_that_has_nothing_else_is_called_and_caught() {
+    for (triangles, vertices) in [(OCTAHEDRON.to_vec(), 6), (torus(), 9)] {
+        let called = Rc::new(Cell::new(0));
+        for flip in [Flip::Reversed, Flip::Nothing, Flip::Breaks] {
+            let make = || FlipOnly { called: called.clone(), ..FlipOnly::of(&triangles, vertices, flip) };
+            let found = check(make, &without_faces()).unwrap_err();
+            // The smallest program is one flip.
+            let names: Vec<_> = found.program.0.iter().map(|op| op.name()).collect();
+            assert_eq!(names, ["flip_edge"], "{flip:?}: {found}");
+            let is_caught = match found.failure.difference {
+                Difference::Invalid(_) => flip == Flip::Breaks,
+                Difference::View { question, .. } => flip != Flip::Breaks && question == Question::Next,
+                _ => false,
+            };
+            assert!(is_caught, "{flip:?}: {found}");
+        }
+        assert!(called.get() > 0);
+        let summary = check(|| FlipOnly::of(&triangles, vertices, Flip::Right), &without_faces()).unwrap();
+        let flips = summary.of("flip_edge").unwrap();
+        assert!(flips.applied > 1000 && flips.refused > 0, "{summary}");
+        let not_compared: Vec<_> = summary.not_compared().collect();
+        assert_eq!(not_compared, [NotCompared::Faces, NotCompared::Holes, NotCompared::Outside]);
+        let others = summary.by_operator().filter(|(name, _)| *name != "flip_edge");
+        assert!(others.into_iter().all(|(_, counts)| counts.applied + counts.refused == 0), "{summary}");
+    }
+}
+
+/// The map that it was made with, and no operator.
+struct Inert(Table);
+
+impl View for Inert {
+    delegate_view!(|this| &this.0);
+}
+
+impl Subject for Inert {
+    subject_by_index!();
+
+    fn unbounded_face(&self) -> Option<usize> {
+        (0..self.0.face_slots()).find(|f| self.0.outer(*f).is_none())
+    }
+}
+
+const EDGE: &str = "V 2 0 - 1 - H 2 0 1 1 1 0 1 0 0 0 0 B 1 0 h0 i0 F 1 - 1 0";
+
+#[test]
+fn a_run_in_which_nothing_was_applied_fails_unless_it_is_allowed_to() {
+    let inert = || Inert(EDGE.parse().unwrap());
+    let plane = Expectation::plane();
+    for bytes in [0_u8, 7, 99, 200] {
+        let program = Program::from_bytes(&[bytes; 200]);
+        let failure = conformance::run(&program, inert(), &plane).unwrap_err();
+        assert_eq!((failure.op, &failure.difference), (None, &Difference::NothingApplied));
+        assert_eq!(
+            failure.to_string(),
+            format!("after {} operators: no operator was applied, so nothing was tried", program.0.len())
+        );
+        let asked = Conformance::of(&plane).coverage(Coverage::Nothing);
+        assert_eq!(asked.run(&program, inert()).unwrap().total().applied, 0);
+    }
+    assert_eq!(check(inert, &plane).unwrap_err().failure.difference, Difference::NothingApplied);
+    assert!(Conformance::of(&plane).coverage(Coverage::Nothing).check(inert).is_ok());
+}
+
+/// A model that refuses to flip wherever the reference does, and never does anything else: each loop is gone first.
+struct NeverFlips(RotationSystem);
+
+impl View for NeverFlips {
+    delegate_view!(|this| &this.0);
+}
+
+impl Subject for NeverFlips {
+    subject_by_index!();
+
+    fn unbounded_face(&self) -> Option<usize> {
+        self.0.unbounded_face()
+    }
+    fn split_edge(&mut self, h: usize) -> Result<usize, Refusal> {
+        self.0.split_edge(h)
+    }
+    fn flip_edge(&mut self, h: usize, turn: Turn) -> Result<(), Refusal> {
+        self.0.flip_edge(h, turn)
+    }
+}
+
+#[test]
+fn an_operator_that_is_never_applied_is_named() {
+    // A tree has nothing to flip.
+    let tree = || {
+        let mut runner = Runner::new(RotationSystem::new());
+        runner.run(&"twinedge program 1\nadd_isolated_vertex unbounded\nsplit_vertex i0 i0".parse().unwrap());
+        NeverFlips(runner.into_subject())
+    };
+    let found = check(tree, &RotationSystem::expectation()).unwrap_err();
+    assert_eq!(found.failure.difference, Difference::NeverApplied(vec!["flip_edge"]));
+    assert_eq!(
+        found.to_string(),
+        format!("after {} operators: never applied, and so not tried: flip_edge", found.failure.before)
+    );
+    let asked = Conformance::of(&RotationSystem::expectation()).coverage(Coverage::SomeOperator);
+    assert!(asked.check(tree).unwrap().of("split_edge").unwrap().applied > 0);
+}
+
+#[test]
+fn meshes_on_every_surface_do_what_the_steps_do() {
+    let ring_and_more: Vec<[usize; 3]> = RING.to_vec();
+    for (triangles, vertices) in [(OCTAHEDRON.to_vec(), 6), (torus(), 9), (ring_and_more, 6), (vec![[0, 1, 2]], 3)] {
+        let summary = check(|| Mesh::new(vertices, &triangles, false), &expectation()).unwrap();
+        for name in ["mesh_flip_edge", "mesh_split_edge", "mesh_collapse_edge"] {
+            assert!(summary.of(name).unwrap().applied > 200, "{summary}");
+        }
+        let found = check(|| Mesh::new(vertices, &triangles, true), &expectation()).unwrap_err();
+        let (reference, subject) = (StepOutcome::Refused(Refusal::NotSimple), StepOutcome::Applied);
+        assert_eq!(found.failure.difference, Difference::StepOutcome { reference, subject }, "{found}");
+    }
+}
+
+#[test]
+fn the_operators_of_meshes_on_the_models_and_the_structure_are_the_same() {
+    let summary = check(RotationSystem::new, &RotationSystem::expectation()).unwrap();
+    let same = check(twinedge::dcel::Dcel::new, &Expectation::plane()).unwrap();
+    assert_eq!(summary, same);
+    check(PointerModel::new, &Expectation::plane()).unwrap();
+}
+
+#[test]
+fn a_map_that_exists_is_the_start_on_every_structure() {
+    let program =
+        Program::from_bytes(b"a map that is not empty, with holes and isolated vertices: from any bytes at all");
+    let mut runner = Runner::new(twinedge::dcel::Dcel::new());
+    runner.run(&program);
+    let map = runner.into_subject();
+    assert!(map.half_edge_count() > 0);
+    check(|| map.clone(), &Expectation::plane()).unwrap();
+    // The reference made from a view is that map again, and is itself valid.
+    let start = PointerModel::from_view(&map, &Expectation::plane()).unwrap();
+    assert!(canonical::isomorphic(&start.model, &map));
+    assert!(validate(&start.model, &Expectation::plane(), Collect::All).is_valid());
+}
+
+#[test]
+fn a_surface_keeps_its_genus_and_a_border_is_closed_in_the_reference() {
+    for (triangles, vertices, genus, faces) in [(torus(), 9, 1, 18), (RING.to_vec(), 6, 0, 8)] {
+        let mesh = Mesh::new(vertices, &triangles, false);
+        let start = PointerModel::from_view(&mesh, &expectation()).unwrap();
+        let report = validate(&start.model, &Expectation::surface(), Collect::All);
+        let certificate = report.certificate().expect("the model is a closed surface");
+        assert_eq!((certificate.genus, certificate.faces), (genus, faces));
+    }
+}
+
+#[test]
+fn a_start_that_will_not_do_is_named() {
+    // A half-edge without twin.
+    let mut table: Table = EDGE.parse().unwrap();
+    table.half_edges[0].as_mut().unwrap().twin = None;
+    let open = Expectation::surface().open();
+    assert_eq!(PointerModel::from_view(&table, &open).unwrap_err(), StartError::NoTwin(0));
+    let error = PointerModel::from_view(&table, &Expectation::plane().open()).unwrap_err();
+    assert_eq!(error, StartError::OpenWithHoles);
+    table.half_edges[0].as_mut().unwrap().twin = Some(0);
+    let error = PointerModel::from_view(&table, &Expectation::plane()).unwrap_err();
+    assert_eq!(error, StartError::Inconsistent(0));
+}
+
+#[test]
+fn on_discs_and_borders_operators_are_refused_for_their_own_reasons() {
+    let mesh = Mesh::new(5, &[[0, 1, 4], [1, 2, 4], [2, 3, 4], [3, 0, 4]], false);
+    let mut start = PointerModel::from_view(&mesh, &expectation()).unwrap();
+    let name = |index: usize| start.half_edges.iter().find(|(other, _)| *other == index).unwrap().1;
+    let border = (0..mesh.half_edge_slots()).find(|h| View::face(&mesh, *h).is_none()).unwrap();
+    let (border, spoke) = (name(border), name(2));
+    let model = &mut start.model;
+    let face = model.face_of(Corner::At(spoke)).unwrap();
+    assert_eq!(model.unbounded_face(), None);
+    assert_eq!(model.face_of(Corner::At(border)), Err(Refusal::Border));
+    assert_eq!(model.add_isolated_vertex(face), Err(Refusal::NotDisc));
+    let corner = Corner::At(border);
+    assert_eq!(model.connect(corner, corner, Side::Left, &[]), Err(Refusal::Border));
+    assert_eq!(model.split_vertex(corner, corner), Err(Refusal::Border));
+    assert_eq!(model.remove_edge(border), Err(Refusal::Border));
+    assert_eq!(model.flip_edge(border, Turn::Clockwise), Err(Refusal::Border));
+    assert_eq!(model.mesh_flip_edge(border), Err(Refusal::Border));
+    assert_eq!(model.mesh_split_face(border), Err(Refusal::Border));
+    // A leaf inside a face, and removed again: the vertex would be isolated.
+    let leaf = model.split_vertex(Corner::At(spoke), Corner::At(spoke)).unwrap();
+    assert_eq!(model.remove_edge(leaf), Err(Refusal::NotDisc));
+    assert_eq!(model.mesh_flip_edge(spoke), Err(Refusal::NotTriangle));
+}
+
+#[test]
+fn structures_that_use_handles_again_are_not_asked_for_stale_ones() {
+    let asked = Conformance::of(&expectation()).without_stale_handles();
+    let summary = asked.check(|| Mesh::new(6, &OCTAHEDRON, false)).unwrap();
+    assert!(summary.not_compared().any(|part| part == NotCompared::StaleHandles));
+}

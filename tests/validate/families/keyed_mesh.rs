@@ -1,0 +1,223 @@
+//! A mesh with keys, as tri-mesh keeps it: half-edges know their *target*; those along the border are there and have neither
+//! next nor face; a vertex keeps a half-edge that leaves it.
+
+use super::{Stored, each_change, holds, judged, open_tetrahedron};
+use std::collections::BTreeMap;
+use twinedge::validate::adapt::{Borders, Index, Targets};
+use twinedge::validate::{
+    Collect, Expectation, FaceRow, HalfEdgeRow, Link, Part, Record, Table, VertexRow, View, validate,
+};
+
+#[derive(Clone)]
+struct HalfEdge {
+    vertex: Option<usize>,
+    twin: Option<usize>,
+    next: Option<usize>,
+    face: Option<usize>,
+}
+
+/// Records by key.
+#[derive(Clone)]
+struct KeyedMesh {
+    vertices: BTreeMap<usize, Option<usize>>,
+    half_edges: BTreeMap<usize, HalfEdge>,
+    faces: BTreeMap<usize, Option<usize>>,
+}
+
+struct MeshView<'a> {
+    mesh: &'a KeyedMesh,
+    vertices: Index<usize>,
+    half_edges: Index<usize>,
+    faces: Index<usize>,
+}
+
+impl<'a> MeshView<'a> {
+    fn of(mesh: &'a KeyedMesh) -> Self {
+        let vertices = Index::of(mesh.vertices.keys().copied());
+        let half_edges = Index::of(mesh.half_edges.keys().copied());
+        Self { mesh, vertices, half_edges, faces: Index::of(mesh.faces.keys().copied()) }
+    }
+}
+
+impl View for MeshView<'_> {
+    fn vertex_slots(&self) -> usize {
+        self.vertices.len()
+    }
+    fn half_edge_slots(&self) -> usize {
+        self.half_edges.len()
+    }
+    fn face_slots(&self) -> usize {
+        self.faces.len()
+    }
+    fn origin(&self, _: usize) -> Link {
+        None
+    }
+    fn target(&self, h: usize) -> Link {
+        self.half_edges.follow(h, &self.vertices, |h| self.mesh.half_edges[h].vertex)
+    }
+    fn twin(&self, h: usize) -> Link {
+        self.half_edges.follow(h, &self.half_edges, |h| self.mesh.half_edges[h].twin)
+    }
+    fn next(&self, h: usize) -> Link {
+        self.half_edges.follow(h, &self.half_edges, |h| self.mesh.half_edges[h].next)
+    }
+    fn face(&self, h: usize) -> Link {
+        self.half_edges.follow(h, &self.faces, |h| self.mesh.half_edges[h].face)
+    }
+    fn leaving(&self, v: usize) -> Link {
+        self.vertices.follow(v, &self.half_edges, |v| self.mesh.vertices[v])
+    }
+    fn outer_half_edge(&self, f: usize) -> Link {
+        self.faces.follow(f, &self.half_edges, |f| self.mesh.faces[f])
+    }
+}
+
+const EXPECTATION: Expectation = Expectation::surface().without(Part::BoundaryComponents).without(Part::Prev).open();
+
+/// Keys of the records, far from their indices.
+const VERTEX: usize = 100;
+const HALF_EDGE: usize = 200;
+const FACE: usize = 300;
+
+/// A mesh with keys, from a table in which twins have neighbouring numbers.
+fn keyed(table: &Table) -> KeyedMesh {
+    let rows: Vec<_> = table.half_edges.iter().flatten().collect();
+    let keys = |kind: usize, link: Link| link.map(|i| kind + i);
+    let half_edge = |h: usize| HalfEdge {
+        vertex: keys(VERTEX, rows[h ^ 1].origin),
+        twin: Some(HALF_EDGE + (h ^ 1)),
+        next: keys(HALF_EDGE, rows[h].next.filter(|_| rows[h].face.is_some())),
+        face: keys(FACE, rows[h].face),
+    };
+    let vertices = table.vertices.iter().flatten().map(|row| keys(HALF_EDGE, row.leaving));
+    let faces = table.faces.iter().flatten().map(|row| keys(HALF_EDGE, row.outer_half_edge));
+    KeyedMesh {
+        vertices: vertices.enumerate().map(|(v, h)| (VERTEX + v, h)).collect(),
+        half_edges: (0..rows.len()).map(|h| (HALF_EDGE + h, half_edge(h))).collect(),
+        faces: faces.enumerate().map(|(f, h)| (FACE + f, h)).collect(),
+    }
+}
+
+#[test]
+fn validating_a_mesh_with_keys() {
+    let mut mesh = keyed(&open_tetrahedron());
+    let report = |mesh: &KeyedMesh| {
+        let view = MeshView::of(mesh);
+        let report = validate(&Targets::of(Borders::of(&view).unwrap()).unwrap(), &EXPECTATION, Collect::All);
+        let names = |record| match record {
+            Record::Vertex(v) => format!("#{}", view.vertices.name(v)),
+            Record::HalfEdge(h) => format!("#{}", view.half_edges.name(h)),
+            record => format!("#{}", view.faces.name(record.index())),
+        };
+        (report.certificate().map(|found| found.cycles), report.named(names).to_string())
+    };
+    assert_eq!(report(&mesh).0, Some(4));
+    mesh.half_edges.get_mut(&HALF_EDGE).unwrap().vertex = Some(VERTEX + 3);
+    let (certificate, text) = report(&mesh);
+    assert_eq!(certificate, None);
+    let expected = "L3: half-edge #200 ends at vertex #103, but its next #202 starts at vertex #101: the cycle jumps";
+    assert!(text.contains(expected), "{text}");
+}
+
+/// Values of links by key: the harness knows numbers below the number of records, so keys are made from them.
+fn shifted(mesh: &KeyedMesh) -> KeyedMesh {
+    let key = |kind: usize, link: Link| link.map(|i| if i < usize::MAX { kind + i } else { i });
+    let half_edge = |h: &HalfEdge| HalfEdge {
+        vertex: key(VERTEX, h.vertex),
+        twin: key(HALF_EDGE, h.twin),
+        next: key(HALF_EDGE, h.next),
+        face: key(FACE, h.face),
+    };
+    KeyedMesh {
+        vertices: mesh.vertices.iter().map(|(v, h)| (VERTEX + v, key(HALF_EDGE, *h))).collect(),
+        half_edges: mesh.half_edges.iter().map(|(h, row)| (HALF_EDGE + h, half_edge(row))).collect(),
+        faces: mesh.faces.iter().map(|(f, h)| (FACE + f, key(HALF_EDGE, *h))).collect(),
+    }
+}
+
+/// The reverse.
+fn unshifted(mesh: &KeyedMesh) -> KeyedMesh {
+    let index = |kind: usize, link: Link| link.map(|key| key - kind);
+    let half_edge = |h: &HalfEdge| HalfEdge {
+        vertex: index(VERTEX, h.vertex),
+        twin: index(HALF_EDGE, h.twin),
+        next: index(HALF_EDGE, h.next),
+        face: index(FACE, h.face),
+    };
+    KeyedMesh {
+        vertices: mesh.vertices.iter().map(|(v, h)| (v - VERTEX, index(HALF_EDGE, *h))).collect(),
+        half_edges: mesh.half_edges.iter().map(|(h, row)| (h - HALF_EDGE, half_edge(row))).collect(),
+        faces: mesh.faces.iter().map(|(f, h)| (f - FACE, index(HALF_EDGE, *h))).collect(),
+    }
+}
+
+fn links(mesh: &mut KeyedMesh) -> Vec<Stored<'_>> {
+    let [vertices, half_edges, faces] = [mesh.vertices.len(), mesh.half_edges.len(), mesh.faces.len()];
+    let kept = mesh.vertices.values_mut().chain(mesh.faces.values_mut());
+    let mut links: Vec<Stored<'_>> = kept.map(|link| (link, half_edges)).collect();
+    for HalfEdge { vertex, twin, next, face } in mesh.half_edges.values_mut() {
+        links.extend([(vertex, vertices), (twin, half_edges), (next, half_edges), (face, faces)]);
+    }
+    links
+}
+
+/// Without border half-edges: they are judged by their own sentences, the others as a table in which their twins are nil. The
+/// origin of a half-edge is the target of the one before it, which is found by its next.
+fn is_sound(mesh: &KeyedMesh) -> bool {
+    let get = |h: Link| h.and_then(|h| mesh.half_edges.get(&h));
+    let is_border = |h: &HalfEdge| h.next.is_none() && h.face.is_none();
+    let before = |h: usize| mesh.half_edges.values().find(|other| other.next == Some(h));
+    let origin = |h: usize| before(h).and_then(|before| before.vertex);
+    let borders_are_right = mesh.half_edges.iter().filter(|(_, row)| is_border(row)).all(|(b, row)| {
+        let twin = get(row.twin);
+        twin.is_some_and(|twin| !is_border(twin) && twin.twin == Some(*b))
+            && row.vertex == origin(row.twin.unwrap())
+            && mesh.half_edges.values().all(|other| other.next != Some(*b))
+    });
+    let row = |(h, row): (&usize, &HalfEdge)| {
+        let has_twin = !get(row.twin).is_some_and(is_border);
+        (!is_border(row)).then_some(HalfEdgeRow {
+            origin: origin(*h),
+            twin: if has_twin { row.twin.or(Some(usize::MAX)) } else { None },
+            next: row.next,
+            face: row.face,
+            ..HalfEdgeRow::default()
+        })
+    };
+    // A border half-edge at a vertex leaves it if its twin ends there.
+    let ends_at = |v: usize, h: Link| {
+        let ends = |h: &HalfEdge| get(h.twin).is_some_and(|twin| twin.vertex == Some(v));
+        get(h).is_some_and(ends)
+    };
+    let has_half_edges = |v: usize| mesh.half_edges.values().any(|row| row.vertex == Some(v));
+    let leaving_is_right =
+        mesh.vertices.iter().all(|(v, h)| if h.is_some() || has_half_edges(*v) { ends_at(*v, *h) } else { true });
+    // The target of a half-edge is the origin of its twin; at the border the table does not say so.
+    let targets_are_right = mesh.half_edges.iter().all(|(h, row)| {
+        is_border(row) || get(row.twin).is_none_or(|twin| is_border(twin) || origin(*h) == twin.vertex)
+    });
+    let faces_are_named =
+        mesh.half_edges.values().all(|row| is_border(row) || row.next.is_some() && row.face.is_some());
+    let table = Table {
+        vertices: mesh.vertices.values().map(|_| Some(VertexRow::default())).collect(),
+        half_edges: mesh.half_edges.iter().map(row).collect(),
+        boundaries: vec![],
+        faces: mesh.faces.values().map(|h| Some(FaceRow { outer_half_edge: *h, ..FaceRow::default() })).collect(),
+    };
+    borders_are_right
+        && leaving_is_right
+        && targets_are_right
+        && faces_are_named
+        && holds(&table, EXPECTATION.without(Part::Leaving))
+}
+
+#[test]
+fn no_fault_of_a_mesh_with_keys_is_hidden() {
+    let verdict = |mesh: &KeyedMesh| {
+        let mesh = shifted(mesh);
+        judged(&Targets::of(Borders::of(MeshView::of(&mesh)).unwrap()).unwrap(), EXPECTATION)
+    };
+    let found = each_change(&unshifted(&keyed(&open_tetrahedron())), links, verdict, is_sound);
+    // Another half-edge of the same vertex (4 of degree 3) or face (3 triangles) is as good.
+    assert_eq!((found.all, found.accepted), (566, 4 * 2 + 3 * 2));
+}

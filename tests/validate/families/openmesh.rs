@@ -1,0 +1,114 @@
+//! A mesh as OpenMesh keeps it: half-edges `2e` and `2e + 1` are twins and know their *target*; border half-edges have a
+//! next and no face; a vertex keeps a half-edge that leaves it.
+
+use super::{Stored, each_change, holds, judged, mirrored, open_tetrahedron, other_side};
+use twinedge::validate::adapt::Targets;
+use twinedge::validate::{Collect, Expectation, FaceRow, Link, Part, Table, VertexRow, View, validate};
+
+#[derive(Clone)]
+struct HalfEdge {
+    to_vertex: Link,
+    next: Link,
+    face: Link,
+}
+
+#[derive(Clone)]
+struct OpenMesh {
+    vertices: Vec<Link>,
+    half_edges: Vec<HalfEdge>,
+    faces: Vec<Link>,
+}
+
+impl View for OpenMesh {
+    fn vertex_slots(&self) -> usize {
+        self.vertices.len()
+    }
+    fn half_edge_slots(&self) -> usize {
+        self.half_edges.len()
+    }
+    fn face_slots(&self) -> usize {
+        self.faces.len()
+    }
+    fn origin(&self, _: usize) -> Link {
+        None
+    }
+    fn target(&self, h: usize) -> Link {
+        self.half_edges[h].to_vertex
+    }
+    fn twin(&self, h: usize) -> Link {
+        Some(h ^ 1)
+    }
+    fn next(&self, h: usize) -> Link {
+        self.half_edges[h].next
+    }
+    fn face(&self, h: usize) -> Link {
+        self.half_edges[h].face
+    }
+    fn leaving(&self, v: usize) -> Link {
+        self.vertices[v]
+    }
+    fn outer_half_edge(&self, f: usize) -> Link {
+        self.faces[f]
+    }
+}
+
+const EXPECTATION: Expectation = Expectation::surface().without(Part::BoundaryComponents).without(Part::Prev).open();
+
+fn sound() -> OpenMesh {
+    let table = open_tetrahedron();
+    let origin = |h: usize| table.half_edges[h].unwrap().origin;
+    let half_edges = table.half_edges.iter().flatten().enumerate();
+    OpenMesh {
+        vertices: table.vertices.iter().flatten().map(|row| row.leaving).collect(),
+        half_edges: half_edges
+            .map(|(h, row)| HalfEdge { to_vertex: origin(h ^ 1), next: row.next, face: row.face })
+            .collect(),
+        faces: table.faces.iter().flatten().map(|row| row.outer_half_edge).collect(),
+    }
+}
+
+#[test]
+fn validating_a_mesh_like_those_of_openmesh() {
+    let mesh = sound();
+    let report = validate(&Targets::of(&mesh).unwrap(), &EXPECTATION, Collect::All);
+    assert_eq!(report.into_result().unwrap().cycles, 4);
+}
+
+fn links(mesh: &mut OpenMesh) -> Vec<Stored<'_>> {
+    let [vertices, half_edges, faces] = [mesh.vertices.len(), mesh.half_edges.len(), mesh.faces.len()];
+    let mut links: Vec<Stored<'_>> =
+        mesh.vertices.iter_mut().chain(&mut mesh.faces).map(|link| (link, half_edges)).collect();
+    for HalfEdge { to_vertex, next, face } in &mut mesh.half_edges {
+        links.extend([(to_vertex, vertices), (next, half_edges), (face, faces)]);
+    }
+    links
+}
+
+/// The mirror image. Its `next` is the inverse of that of the mesh, which is no table where it has none.
+fn table(mesh: &OpenMesh) -> Table {
+    let n = mesh.half_edges.len();
+    let prev = |h: usize| mesh.half_edges.iter().position(|other| other.next == Some(h));
+    let row = |(h, half_edge): (usize, &HalfEdge)| {
+        let mut row = mirrored(half_edge.to_vertex, [Some(h ^ 1), half_edge.next, prev(h)]);
+        row.face = half_edge.face;
+        Some(row)
+    };
+    // What leaves a vertex arrives in the mirror.
+    let leaving = |h: &Link| Some(VertexRow { leaving: other_side(*h, n), isolated: None });
+    let face = |h: &Link| Some(FaceRow { outer_half_edge: *h, ..FaceRow::default() });
+    Table {
+        vertices: mesh.vertices.iter().map(leaving).collect(),
+        half_edges: mesh.half_edges.iter().enumerate().map(row).collect(),
+        boundaries: vec![],
+        faces: mesh.faces.iter().map(face).collect(),
+    }
+}
+
+#[test]
+fn no_fault_of_such_a_mesh_is_hidden() {
+    let mirror = Expectation::surface().without(Part::BoundaryComponents).open();
+    let verdict = |mesh: &OpenMesh| judged(&Targets::of(mesh).unwrap(), EXPECTATION);
+    let found = each_change(&sound(), links, verdict, |mesh| holds(&table(mesh), mirror));
+    // Another half-edge of the same vertex (4 of degree 3) or face (3 triangles) is as good.
+    assert_eq!((found.all, found.accepted), (398, 4 * 2 + 3 * 2));
+}

@@ -1,0 +1,149 @@
+//! A mesh as `CGAL::Surface_mesh` keeps it: half-edges `2e` and `2e + 1` are twins and know their *target*; border
+//! half-edges have next and prev and no face; a vertex keeps a half-edge that *arrives* at it.
+
+use super::{Stored, each_change, holds, judged, mirrored, open_tetrahedron, other_side};
+use twinedge::validate::adapt::Targets;
+use twinedge::validate::{Collect, Expectation, FaceRow, Link, Part, Rule, Table, VertexRow, View, validate};
+
+#[derive(Clone)]
+struct Connectivity {
+    target: Link,
+    next: Link,
+    prev: Link,
+    face: Link,
+}
+
+#[derive(Clone)]
+struct SurfaceMesh {
+    arriving: Vec<Link>,
+    half_edges: Vec<Connectivity>,
+    faces: Vec<Link>,
+}
+
+impl View for SurfaceMesh {
+    fn vertex_slots(&self) -> usize {
+        self.arriving.len()
+    }
+    fn half_edge_slots(&self) -> usize {
+        self.half_edges.len()
+    }
+    fn face_slots(&self) -> usize {
+        self.faces.len()
+    }
+    fn origin(&self, _: usize) -> Link {
+        None
+    }
+    fn target(&self, h: usize) -> Link {
+        self.half_edges[h].target
+    }
+    fn twin(&self, h: usize) -> Link {
+        Some(h ^ 1)
+    }
+    fn next(&self, h: usize) -> Link {
+        self.half_edges[h].next
+    }
+    fn prev(&self, h: usize) -> Link {
+        self.half_edges[h].prev
+    }
+    fn face(&self, h: usize) -> Link {
+        self.half_edges[h].face
+    }
+    fn leaving(&self, v: usize) -> Link {
+        other_side(self.arriving[v], self.half_edges.len())
+    }
+    fn outer_half_edge(&self, f: usize) -> Link {
+        self.faces[f]
+    }
+}
+
+const EXPECTATION: Expectation = Expectation::surface().without(Part::BoundaryComponents).open();
+
+fn sound() -> SurfaceMesh {
+    let table = open_tetrahedron();
+    let origin = |h: usize| table.half_edges[h].unwrap().origin;
+    let half_edges = table.half_edges.iter().flatten().enumerate();
+    SurfaceMesh {
+        arriving: table.vertices.iter().flatten().map(|row| row.leaving.map(|h| h ^ 1)).collect(),
+        half_edges: half_edges
+            .map(|(h, row)| Connectivity { target: origin(h ^ 1), next: row.next, prev: row.prev, face: row.face })
+            .collect(),
+        faces: table.faces.iter().flatten().map(|row| row.outer_half_edge).collect(),
+    }
+}
+
+#[test]
+fn validating_a_mesh_like_those_of_cgal() {
+    let mesh = sound();
+    let report = validate(&Targets::of(&mesh).unwrap(), &EXPECTATION, Collect::All);
+    assert_eq!(report.into_result().unwrap().cycles, 4);
+}
+
+fn links(mesh: &mut SurfaceMesh) -> Vec<Stored<'_>> {
+    let [vertices, half_edges, faces] = [mesh.arriving.len(), mesh.half_edges.len(), mesh.faces.len()];
+    let mut links: Vec<Stored<'_>> =
+        mesh.arriving.iter_mut().chain(&mut mesh.faces).map(|link| (link, half_edges)).collect();
+    for Connectivity { target, next, prev, face } in &mut mesh.half_edges {
+        links.extend([(target, vertices), (next, half_edges), (prev, half_edges), (face, faces)]);
+    }
+    links
+}
+
+fn table(mesh: &SurfaceMesh) -> Table {
+    let row = |(h, half_edge): (usize, &Connectivity)| {
+        let mut row = mirrored(half_edge.target, [Some(h ^ 1), half_edge.next, half_edge.prev]);
+        row.face = half_edge.face;
+        Some(row)
+    };
+    let face = |h: &Link| Some(FaceRow { outer_half_edge: *h, ..FaceRow::default() });
+    Table {
+        // What arrives at a vertex leaves it in the mirror.
+        vertices: mesh.arriving.iter().map(|h| Some(VertexRow { leaving: *h, isolated: None })).collect(),
+        half_edges: mesh.half_edges.iter().enumerate().map(row).collect(),
+        boundaries: vec![],
+        faces: mesh.faces.iter().map(face).collect(),
+    }
+}
+
+#[test]
+fn no_fault_of_such_a_mesh_is_hidden() {
+    let verdict = |mesh: &SurfaceMesh| judged(&Targets::of(mesh).unwrap(), EXPECTATION);
+    let found = each_change(&sound(), links, verdict, |mesh| holds(&table(mesh), EXPECTATION));
+    assert_eq!((found.all, found.accepted), (566, 4 * 2 + 3 * 2));
+}
+
+/// L3 alone reports each wrong target, at the half-edge that has it, and a swap of two `next` links that `prev` follows.
+#[test]
+fn l3_compares_two_stored_facts() {
+    let broken = |mesh: &SurfaceMesh| {
+        let report = judged(&Targets::of(mesh).unwrap(), EXPECTATION);
+        let at = report.violations().first().and_then(|violation| violation.records().into_iter().flatten().next());
+        (report.broken_rules().next(), at.map(|record| record.index()))
+    };
+    let n = sound().half_edges.len();
+    for h in 0..n {
+        for wrong in (0..4).map(Some) {
+            let mut mesh = sound();
+            if std::mem::replace(&mut mesh.half_edges[h].target, wrong) != wrong {
+                let (rule, at) = broken(&mesh);
+                assert_eq!(rule, Some(Rule::L3));
+                // Compared with the one before it and the one after it around the vertex.
+                let before = mesh.half_edges[h ^ 1].prev;
+                assert!(at == Some(h) || at == before, "{h}: {at:?}");
+            }
+        }
+    }
+    let mut swaps = 0;
+    for (g, h) in (0..n).flat_map(|g| (0..g).map(move |h| (g, h))) {
+        let mut mesh = sound();
+        if mesh.half_edges[g].target == mesh.half_edges[h].target {
+            continue;
+        }
+        let (after_g, after_h) = (mesh.half_edges[g].next.unwrap(), mesh.half_edges[h].next.unwrap());
+        (mesh.half_edges[g].next, mesh.half_edges[h].next) = (Some(after_h), Some(after_g));
+        (mesh.half_edges[after_h].prev, mesh.half_edges[after_g].prev) = (Some(g), Some(h));
+        assert_eq!(broken(&mesh), (Some(Rule::L3), Some(h)));
+        swaps += 1;
+    }
+    // Of the pairs of 12 half-edges, 4 times 3 arrive at one vertex.
+    assert_eq!(swaps, 66 - 12);
+}

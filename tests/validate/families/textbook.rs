@@ -1,0 +1,153 @@
+//! The tables of de Berg, Cheong, van Kreveld and Overmars, *Computational Geometry* (2008), section 2.2.
+
+use super::{Stored, each_change, holds, judged};
+use crate::support::tables::textbook_map;
+use twinedge::validate::{
+    Collect, Expectation, FaceRow, HalfEdgeRow, Link, Part, Start, Table, VertexRow, View, validate,
+};
+
+#[derive(Clone, Copy)]
+struct HalfEdge {
+    origin: Link,
+    twin: Link,
+    incident_face: Link,
+    next: Link,
+    prev: Link,
+}
+
+#[derive(Clone)]
+struct Face {
+    outer_component: Link,
+    inner_components: Vec<Link>,
+}
+
+#[derive(Clone)]
+struct Textbook {
+    incident_edge: Vec<Link>,
+    half_edges: Vec<HalfEdge>,
+    faces: Vec<Face>,
+}
+
+impl View for Textbook {
+    fn vertex_slots(&self) -> usize {
+        self.incident_edge.len()
+    }
+    fn half_edge_slots(&self) -> usize {
+        self.half_edges.len()
+    }
+    fn face_slots(&self) -> usize {
+        self.faces.len()
+    }
+    fn origin(&self, h: usize) -> Link {
+        self.half_edges[h].origin
+    }
+    fn twin(&self, h: usize) -> Link {
+        self.half_edges[h].twin
+    }
+    fn next(&self, h: usize) -> Link {
+        self.half_edges[h].next
+    }
+    fn prev(&self, h: usize) -> Link {
+        self.half_edges[h].prev
+    }
+    fn face(&self, h: usize) -> Link {
+        self.half_edges[h].incident_face
+    }
+    fn leaving(&self, v: usize) -> Link {
+        self.incident_edge[v]
+    }
+    fn outer_half_edge(&self, f: usize) -> Link {
+        self.faces[f].outer_component
+    }
+    fn inner_count(&self, f: usize) -> usize {
+        self.faces[f].inner_components.len()
+    }
+    fn inner_start(&self, f: usize, i: usize) -> Option<Start> {
+        self.faces[f].inner_components[i].map(Start::HalfEdge)
+    }
+}
+
+const EXPECTATION: Expectation = Expectation::plane().without(Part::BoundaryComponents);
+
+/// A triangle with a triangular hole, in which is a face.
+fn sound() -> Textbook {
+    let half_edges = [(0, 2), (1, 5), (1, 4), (2, 1), (2, 0), (0, 3), (3, 8), (4, 11), (4, 10), (5, 7), (5, 6), (3, 9)];
+    let (outside, hole) = ([Start::HalfEdge(1)], [Start::HalfEdge(7)]);
+    let table = textbook_map(6, &half_edges, &[(None, &outside), (Some(0), &hole), (Some(6), &[])]);
+    Textbook {
+        incident_edge: table.vertices.iter().flatten().map(|row| row.leaving).collect(),
+        half_edges: table
+            .half_edges
+            .iter()
+            .flatten()
+            .map(|row| HalfEdge {
+                origin: row.origin,
+                twin: row.twin,
+                incident_face: row.face,
+                next: row.next,
+                prev: row.prev,
+            })
+            .collect(),
+        faces: table
+            .faces
+            .iter()
+            .flatten()
+            .map(|row| Face {
+                outer_component: row.outer_half_edge,
+                inner_components: if row.inner_starts == [Some(Start::HalfEdge(1))] {
+                    vec![Some(1)]
+                } else {
+                    vec![Some(7); row.inner_starts.len()]
+                },
+            })
+            .collect(),
+    }
+}
+
+fn links(map: &mut Textbook) -> Vec<Stored<'_>> {
+    let [vertices, half_edges, faces] = [map.incident_edge.len(), map.half_edges.len(), map.faces.len()];
+    let mut links: Vec<Stored<'_>> = map.incident_edge.iter_mut().map(|link| (link, half_edges)).collect();
+    for HalfEdge { origin, twin, incident_face, next, prev } in &mut map.half_edges {
+        links.extend([(origin, vertices), (incident_face, faces)]);
+        links.extend([twin, next, prev].map(|link| (link, half_edges)));
+    }
+    for face in &mut map.faces {
+        links.push((&mut face.outer_component, half_edges));
+        links.extend(face.inner_components.iter_mut().map(|link| (link, half_edges)));
+    }
+    links
+}
+
+fn table(map: &Textbook) -> Table {
+    let row = |h: &HalfEdge| HalfEdgeRow {
+        origin: h.origin,
+        twin: h.twin,
+        next: h.next,
+        prev: h.prev,
+        face: h.incident_face,
+        ..HalfEdgeRow::default()
+    };
+    let face = |f: &Face| FaceRow {
+        outer_half_edge: f.outer_component,
+        inner_starts: f.inner_components.iter().map(|h| h.map(Start::HalfEdge)).collect(),
+        ..FaceRow::default()
+    };
+    Table {
+        vertices: map.incident_edge.iter().map(|h| Some(VertexRow { leaving: *h, isolated: None })).collect(),
+        half_edges: map.half_edges.iter().map(|h| Some(row(h))).collect(),
+        boundaries: vec![],
+        faces: map.faces.iter().map(|f| Some(face(f))).collect(),
+    }
+}
+
+#[test]
+fn validating_textbook_tables() {
+    assert!(validate(&sound(), &EXPECTATION, Collect::All).is_valid());
+}
+
+#[test]
+fn no_fault_of_textbook_tables_is_hidden() {
+    let found = each_change(&sound(), links, |map| judged(map, EXPECTATION), |map| holds(&table(map), EXPECTATION));
+    // Another half-edge of the same vertex (6 vertices of degree 2) or of the same cycle (4 of length 3) is as good.
+    assert_eq!((found.all, found.accepted), (814, 6 + 4 * 2));
+}

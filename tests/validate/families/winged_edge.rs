@@ -1,0 +1,137 @@
+//! The winged-edge structure of Baumgart (1975): an edge keeps its two vertices, its two faces, and its four wings, the
+//! edges before and after it around each face. Vertices and faces keep one edge.
+
+use super::{Stored, each_change, holds, judged};
+use crate::support::tables::textbook_mesh;
+use twinedge::validate::{Collect, Expectation, FaceRow, HalfEdgeRow, Link, Part, Table, VertexRow, View, validate};
+
+/// Side 0 runs from `vertices[0]` to `vertices[1]` along `faces[0]`, side 1 back along `faces[1]`.
+#[derive(Clone)]
+struct Edge {
+    vertices: [Link; 2],
+    faces: [Link; 2],
+    after: [Link; 2],
+    before: [Link; 2],
+}
+
+#[derive(Clone)]
+struct WingedEdges {
+    edges: Vec<Edge>,
+    vertices: Vec<Link>,
+    faces: Vec<Link>,
+}
+
+impl WingedEdges {
+    /// The side of an edge that a link to the edge means. A link to an edge that has no such side dangles.
+    fn side(&self, edge: Link, means: impl Fn(&Edge, usize) -> bool) -> Link {
+        let edge = edge?;
+        let found = self.edges.get(edge).and_then(|row| (0..2).find(|side| means(row, *side)));
+        Some(found.map_or(usize::MAX, |side| 2 * edge + side))
+    }
+}
+
+/// Half-edge `2e + s` is side `s` of edge `e`. A wing is that side of the other edge which starts, or ends, where this one
+/// ends, or starts.
+impl View for WingedEdges {
+    fn vertex_slots(&self) -> usize {
+        self.vertices.len()
+    }
+    fn half_edge_slots(&self) -> usize {
+        2 * self.edges.len()
+    }
+    fn face_slots(&self) -> usize {
+        self.faces.len()
+    }
+    fn origin(&self, h: usize) -> Link {
+        self.edges[h / 2].vertices[h % 2]
+    }
+    fn twin(&self, h: usize) -> Link {
+        Some(h ^ 1)
+    }
+    fn next(&self, h: usize) -> Link {
+        let Edge { vertices, after, .. } = &self.edges[h / 2];
+        self.side(after[h % 2], |edge, side| edge.vertices[side] == vertices[1 - h % 2])
+    }
+    fn prev(&self, h: usize) -> Link {
+        let Edge { vertices, before, .. } = &self.edges[h / 2];
+        self.side(before[h % 2], |edge, side| edge.vertices[1 - side] == vertices[h % 2])
+    }
+    fn face(&self, h: usize) -> Link {
+        self.edges[h / 2].faces[h % 2]
+    }
+    fn leaving(&self, v: usize) -> Link {
+        self.side(self.vertices[v], |edge, side| edge.vertices[side] == Some(v))
+    }
+    fn outer_half_edge(&self, f: usize) -> Link {
+        self.side(self.faces[f], |edge, side| edge.faces[side] == Some(f))
+    }
+}
+
+const EXPECTATION: Expectation = Expectation::surface().without(Part::BoundaryComponents);
+
+fn sound() -> WingedEdges {
+    let table = textbook_mesh(4, &[[0, 1, 2], [0, 3, 1], [1, 3, 2], [0, 2, 3]]);
+    let half_edges: Vec<_> = table.half_edges.iter().flatten().collect();
+    let edge = |link: Link| link.map(|h| h / 2);
+    let both = |e: usize, link: fn(&HalfEdgeRow) -> Link| [2 * e, 2 * e + 1].map(|h| link(half_edges[h]));
+    let row = |e: usize| Edge {
+        vertices: both(e, |row| row.origin),
+        faces: both(e, |row| row.face),
+        after: both(e, |row| row.next).map(edge),
+        before: both(e, |row| row.prev).map(edge),
+    };
+    WingedEdges {
+        edges: (0..half_edges.len() / 2).map(row).collect(),
+        vertices: table.vertices.iter().flatten().map(|row| edge(row.leaving)).collect(),
+        faces: table.faces.iter().flatten().map(|row| edge(row.outer_half_edge)).collect(),
+    }
+}
+
+#[test]
+fn validating_winged_edges() {
+    assert_eq!(validate(&sound(), &EXPECTATION, Collect::All).into_result().unwrap().edges, 6);
+}
+
+fn links(map: &mut WingedEdges) -> Vec<Stored<'_>> {
+    let [vertices, edges, faces] = [map.vertices.len(), map.edges.len(), map.faces.len()];
+    let mut links: Vec<Stored<'_>> = vec![];
+    for Edge { vertices: ends, faces: sides, after, before } in &mut map.edges {
+        links.extend(ends.iter_mut().map(|link| (link, vertices)));
+        links.extend(sides.iter_mut().map(|link| (link, faces)));
+        links.extend(after.iter_mut().chain(before).map(|link| (link, edges)));
+    }
+    links.extend(map.vertices.iter_mut().chain(&mut map.faces).map(|link| (link, edges)));
+    links
+}
+
+/// As tables, with wings read the other way: that side of the other edge which bounds the same face.
+fn table(map: &WingedEdges) -> Table {
+    let row = |(edge, side): (&Edge, usize)| {
+        let same_face = |wing: Link| map.side(wing, |other, s| other.faces[s] == edge.faces[side]);
+        HalfEdgeRow {
+            origin: edge.vertices[side],
+            face: edge.faces[side],
+            next: same_face(edge.after[side]),
+            prev: same_face(edge.before[side]),
+            ..HalfEdgeRow::default()
+        }
+    };
+    let rows = map.edges.iter().flat_map(|edge| [(edge, 0), (edge, 1)]).map(row).enumerate();
+    Table {
+        vertices: (0..map.vertices.len())
+            .map(|v| Some(VertexRow { leaving: map.leaving(v), isolated: None }))
+            .collect(),
+        half_edges: rows.map(|(h, row)| Some(HalfEdgeRow { twin: Some(h ^ 1), ..row })).collect(),
+        boundaries: vec![],
+        faces: (0..map.faces.len())
+            .map(|f| Some(FaceRow { outer_half_edge: map.outer_half_edge(f), ..FaceRow::default() }))
+            .collect(),
+    }
+}
+
+#[test]
+fn no_fault_of_winged_edges_is_hidden() {
+    let found = each_change(&sound(), links, |map| judged(map, EXPECTATION), |map| holds(&table(map), EXPECTATION));
+    // Another edge of the same vertex (4 of degree 3) or face (4 triangles) is as good.
+    assert_eq!((found.all, found.accepted), (6 * 4 * 6 + 6 * 4 * 8 + 8 * 8, 4 * 2 + 4 * 2));
+}

@@ -1,0 +1,68 @@
+//! Small maps in every form: right where they should be.
+
+use twinedge::program::census::{Census, Scope};
+use twinedge::validate::forms::{expectations, projections};
+use twinedge::validate::reference::first_broken_rule;
+use twinedge::validate::{Collect, Expectation, Part, Table, validate};
+
+#[test]
+fn there_are_112_expectations() {
+    let all = expectations();
+    // The parts of the faces: none, or three ways to keep boundary components, times three to keep holes and the unbounded
+    // face; surfaces have neither. Then prev and leaving, and open boundaries.
+    let of_the_plane = 2 * 4 * (1 + 3 * 3);
+    let of_surfaces = 2 * 4 * (1 + 3);
+    assert_eq!(all.len(), of_the_plane + of_surfaces);
+    assert_eq!(all.len(), 112);
+    for (i, one) in all.iter().enumerate() {
+        assert!(!all[..i].contains(one), "{one:?} is there twice");
+    }
+    let surfaces = all.iter().filter(|one| one.surface_kind() == Expectation::surface().surface_kind());
+    assert_eq!(surfaces.count(), of_surfaces);
+}
+
+/// Both validators find every projection of every small map right.
+#[test]
+fn every_projection_of_a_small_map_is_right() {
+    let mut opened = [0; 2];
+    for map in Census::new(Scope::Subdivisions { edges: 3, vertices: 3 }) {
+        let table = Table::copy_of(map.runner.subject()).unwrap();
+        for expectation in expectations() {
+            let all = projections(&table, &expectation);
+            opened[usize::from(expectation.is_open())] += all.len() - 1;
+            for projection in all {
+                let broken = first_broken_rule(&projection, &expectation);
+                assert_eq!(broken, None, "{table}\n{projection}\n{expectation:?}");
+                let report = validate(&projection, &expectation, Collect::First);
+                assert!(report.is_valid(), "{table}\n{projection}\n{expectation:?}\n{report}");
+            }
+        }
+    }
+    assert!(opened[0] == 0 && opened[1] > 10_000, "{opened:?}");
+}
+
+/// What a form does not have is nil, so that a validator that reads it would notice.
+#[test]
+fn what_is_left_out_is_nil() {
+    for map in Census::new(Scope::Subdivisions { edges: 2, vertices: 3 }) {
+        let table = Table::copy_of(map.runner.subject()).unwrap();
+        for expectation in expectations() {
+            for projection in projections(&table, &expectation) {
+                let lacks = |part| !expectation.has(part);
+                let half_edges = || projection.half_edges.iter().flatten();
+                let vertices = || projection.vertices.iter().flatten();
+                assert!(!lacks(Part::Prev) || half_edges().all(|row| row.prev.is_none()));
+                assert!(!lacks(Part::Leaving) || vertices().all(|row| row.leaving.is_none()));
+                assert!(!lacks(Part::Faces) || half_edges().all(|row| row.face.is_none()));
+                assert!(!lacks(Part::BoundaryComponents) || half_edges().all(|row| row.boundary.is_none()));
+                assert!(!lacks(Part::BoundaryComponents) || projection.boundaries.iter().flatten().count() == 0);
+                assert!(!lacks(Part::Places) || projection.boundaries.iter().flatten().all(|row| row.place.is_none()));
+                let faces = || projection.faces.iter().flatten();
+                assert!(!lacks(Part::Faces) || faces().count() == 0);
+                assert!(!lacks(Part::Holes) || faces().all(|row| row.inner.is_empty() && row.inner_starts.is_empty()));
+                let bounded = |row: &twinedge::validate::FaceRow| row.outer.is_some() || row.outer_half_edge.is_some();
+                assert!(!lacks(Part::UnboundedFace) || faces().all(bounded));
+            }
+        }
+    }
+}

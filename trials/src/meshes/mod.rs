@@ -1,0 +1,151 @@
+//! All small triangulations, all operators, all arguments.
+//!
+//! Every simple triangulation of the sphere and of the disc with up to N vertices is made, as a list of triangles, without a
+//! half-edge. Their numbers are the published ones: spheres without root (OEIS A000109) and with one (A000260, Tutte), discs with
+//! one at the border (Brown). On each of them, every operator that the structure has is tried with every argument, those of
+//! meshes among them, and what comes of it is compared with the definition by steps, as
+//! [`conformance`](twinedge::program::conformance) does.
+
+mod build;
+mod outcome;
+mod structure;
+mod triangulations;
+
+pub use outcome::{MeshFinding, MeshesOutcome, MeshesRow, MeshesWork, OperatorRow, Shape};
+pub use structure::MeshStructure;
+pub use triangulations::Triangulation;
+
+use crate::panics::catch;
+use crate::published;
+use crate::run::Run;
+use twinedge::program::conformance::{ConformanceSummary, InStep};
+use twinedge::program::{Op, Subject, every_mesh_op, every_op};
+
+/// Tries every operator with every argument on every small triangulation.
+///
+/// A panic of the structure is caught and reported. Time grows about fiftyfold with each vertex;
+/// [`MeshesWork::estimate`] tells how much there is.
+///
+/// ```
+/// use twinedge::dcel::Dcel;
+/// use twinedge::validate::Expectation;
+/// use twinedge_trials::meshes::{MeshStructure, MeshesWork};
+/// use twinedge_trials::{Outcome, Run, Structure, meshes};
+/// // A structure of planar maps has discs only. One of triangles is given by `MeshStructure::new`.
+/// let mine = MeshStructure::plane(Structure::new("mine", Dcel::new, Expectation::plane()));
+/// let outcome = meshes(&mine, MeshesWork { vertices: 4 }, &Run::default()).into_result()?;
+/// // Brown: of a triangle with 0 and 1 vertices in it, 1; of a square, its two diagonals.
+/// assert_eq!(outcome.rows.iter().map(|row| row.rooted).collect::<Vec<_>>(), [1, 1, 2]);
+/// # Ok::<(), twinedge_trials::Failed>(())
+/// ```
+#[must_use]
+pub fn meshes<K: Subject>(structure: &MeshStructure<K>, work: MeshesWork, run: &Run<'_>) -> MeshesOutcome {
+    let mut rows = Vec::new();
+    let mut maps = Vec::new();
+    for shape in work.shapes().filter(|shape| structure.has(*shape)) {
+        if run.is_stopped() {
+            break;
+        }
+        let (all, rooted_published, unrooted_published) = match shape {
+            Shape::Sphere { vertices } => {
+                (triangulations::of_sphere(vertices), published::tutte(vertices), published::spheres(vertices))
+            }
+            Shape::Disc { outer, inner } => {
+                (triangulations::of_disc(outer, inner), published::brown(outer, inner), None)
+            }
+        };
+        maps.extend(all.maps.iter().map(|map| (rows.len(), map.clone())));
+        rows.push(MeshesRow {
+            shape,
+            maps: all.maps.len() as u64,
+            rooted: all.rooted,
+            rooted_published,
+            unrooted: all.unrooted,
+            unrooted_published,
+            applied: 0,
+            refused: 0,
+            differences: 0,
+        });
+    }
+    let numbers: Vec<usize> = run.part().numbers(maps.len()).collect();
+    let worker =
+        || Worker { structure, rows: rows.clone(), summary: ConformanceSummary::default(), findings: Vec::new() };
+    let workers = run.each("operators on triangulations", numbers.len(), worker, |worker, position| {
+        let (row, map) = &maps[numbers[position]];
+        worker.visit(*row, map, run);
+    });
+    let mut outcome = MeshesOutcome::new(work, structure.name(), run.part(), rows);
+    for worker in workers {
+        outcome.add(&worker.rows, &worker.summary, &worker.findings);
+    }
+    outcome.interrupted = run.is_stopped();
+    outcome
+}
+
+/// What each thread has for itself.
+struct Worker<'a, K> {
+    structure: &'a MeshStructure<K>,
+    rows: Vec<MeshesRow>,
+    summary: ConformanceSummary,
+    findings: Vec<MeshFinding>,
+}
+
+impl<K: Subject> Worker<'_, K> {
+    fn visit(&mut self, row: usize, map: &Triangulation, run: &Run<'_>) {
+        let mut pair = None;
+        let Some(first) = self.begin(row, map) else { return };
+        let on = first.subject();
+        let ops: Vec<Op> = every_mesh_op(on).into_iter().chain(every_op(on)).collect();
+        drop(first);
+        for op in ops {
+            let counts = self.summary.of(op.name()).unwrap_or_default();
+            // Told often enough that the structure does not have it.
+            if counts.unsupported > 8 && !counts.is_supported() {
+                continue;
+            }
+            if run.is_stopped() {
+                return;
+            }
+            let Some(mut trial) = pair.take().or_else(|| self.begin(row, map)) else { return };
+            let before = trial.summary();
+            let stepped = catch(|| trial.step(op).map(|_| ()).map_err(|failure| failure.difference.to_string()));
+            if let Err(message) = stepped.unwrap_or_else(|panic| Err(format!("panicked: {panic}"))) {
+                self.note(row, map, Some(op), message);
+                continue;
+            }
+            let is_applied = trial.summary().total().applied > before.total().applied;
+            self.rows[row].applied += u64::from(is_applied);
+            self.rows[row].refused += u64::from(trial.summary().total().refused > before.total().refused);
+            if is_applied {
+                self.summary.add(&trial.summary());
+            } else {
+                pair = Some(trial);
+            }
+        }
+        if let Some(pair) = pair {
+            self.summary.add(&pair.summary());
+        }
+    }
+
+    /// The structure and the reference, both with this triangulation.
+    fn begin(&mut self, row: usize, map: &Triangulation) -> Option<InStep<K>> {
+        let begun = catch(|| {
+            let subject = self.structure.make(map).map_err(|refusal| format!("it cannot be made: {refusal}"))?;
+            self.structure.asked().begin(subject).map_err(|failure| failure.to_string())
+        });
+        match begun.unwrap_or_else(|panic| Err(format!("panicked: {panic}"))) {
+            Ok(pair) => Some(pair),
+            Err(message) => {
+                self.note(row, map, None, message);
+                None
+            }
+        }
+    }
+
+    fn note(&mut self, row: usize, map: &Triangulation, op: Option<Op>, message: String) {
+        self.rows[row].differences += 1;
+        let triangles = map.triangles.clone();
+        self.findings.push(MeshFinding { triangles, operator: op.map(|op| op.to_string()), message });
+        self.findings.truncate(crate::rows::MOST_FINDINGS);
+    }
+}

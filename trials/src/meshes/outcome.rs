@@ -1,0 +1,238 @@
+//! What is tried on meshes, and what was found.
+
+use crate::rows::{INTERRUPTED, add_findings};
+use crate::run::Estimate;
+use crate::shard::Shard;
+use crate::sum::Outcome;
+use std::fmt;
+use twinedge::program::conformance::ConformanceSummary;
+
+/// What to try.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
+pub struct MeshesWork {
+    /// The greatest number of vertices of a triangulation. The smallest has 3.
+    pub vertices: usize,
+}
+
+/// A kind of triangulations.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
+#[cfg_attr(feature = "serde", serde(rename_all = "snake_case"))]
+pub enum Shape {
+    /// Of the sphere.
+    Sphere {
+        /// The number of vertices.
+        vertices: usize,
+    },
+    /// Of a disc.
+    Disc {
+        /// The number of vertices on the border.
+        outer: usize,
+        /// The number of vertices inside.
+        inner: usize,
+    },
+}
+
+impl fmt::Display for Shape {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        match self {
+            Self::Sphere { vertices } => write!(f, "sphere {vertices}"),
+            Self::Disc { outer, inner } => write!(f, "disc {outer}+{inner}"),
+        }
+    }
+}
+
+impl MeshesWork {
+    /// About how many operators are tried.
+    #[must_use]
+    pub fn estimate(&self) -> Estimate {
+        // Measured: up to 4, 5, 6 and 7 vertices there are about 3 thousand, 33 thousand, 430 thousand and 6 million.
+        let times = u32::try_from(self.vertices.saturating_sub(4)).unwrap_or(u32::MAX);
+        Estimate {
+            amount: 14_u128.saturating_pow(times).saturating_mul(3_000),
+            unit: "operators to try",
+            per_second: 10_000,
+        }
+    }
+
+    pub(super) fn shapes(self) -> impl Iterator<Item = Shape> {
+        let all = 3..=self.vertices;
+        let spheres = all.clone().map(|vertices| Shape::Sphere { vertices });
+        spheres.chain(all.flat_map(|vertices| {
+            (0..=vertices - 3).rev().map(move |inner| Shape::Disc { outer: vertices - inner, inner })
+        }))
+    }
+}
+
+/// All triangulations of one kind.
+#[derive(Clone, Debug, PartialEq, Eq)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
+pub struct MeshesRow {
+    /// Which.
+    pub shape: Shape,
+    /// How many there are, mirror images told apart. Operators are tried on each of these.
+    pub maps: u64,
+    /// How many there are with a root: any half-edge of a sphere, one at the border of a disc.
+    pub rooted: u64,
+    /// The published number of these, as far as it is known here (OEIS A000260; Brown 1964).
+    pub rooted_published: Option<u64>,
+    /// How many there are without root, mirror images taken together.
+    pub unrooted: u64,
+    /// The published number of these, for spheres (OEIS A000109).
+    pub unrooted_published: Option<u64>,
+    /// Operators that were applied, with the result of the definition by steps.
+    pub applied: u64,
+    /// Operators that were refused, for the same reason.
+    pub refused: u64,
+    /// Operators, or structures as they were made, that differ.
+    pub differences: u64,
+}
+
+impl MeshesRow {
+    /// Whether there are as many as published.
+    #[must_use]
+    pub fn is_as_published(&self) -> bool {
+        self.rooted_published.is_none_or(|published| published == self.rooted)
+            && self.unrooted_published.is_none_or(|published| published == self.unrooted)
+    }
+}
+
+/// What one operator came to, on all triangulations.
+#[derive(Clone, Debug, PartialEq, Eq)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
+pub struct OperatorRow {
+    /// Its name.
+    pub operator: String,
+    /// How often it was applied.
+    pub applied: u64,
+    /// How often it was refused.
+    pub refused: u64,
+    /// How often the structure was not called, as there was nothing to choose from.
+    pub skipped: u64,
+    /// How often the structure said that it does not have it, or has no room. It is not tried more often than to be sure.
+    pub not_supported: u64,
+}
+
+/// A triangulation on which something went wrong.
+#[derive(Clone, Debug, PartialEq, Eq)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
+pub struct MeshFinding {
+    /// Its triangles.
+    pub triangles: Vec<[usize; 3]>,
+    /// The operator that went wrong, if it is not the triangulation itself.
+    pub operator: Option<String>,
+    /// What went wrong.
+    pub message: String,
+}
+
+impl fmt::Display for MeshFinding {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        let operator = self.operator.as_ref().map(|operator| format!("{operator}: ")).unwrap_or_default();
+        write!(f, "{operator}{}, on {:?}", self.message, self.triangles)
+    }
+}
+
+/// What [`meshes()`](crate::meshes()) found.
+#[derive(Clone, Debug, PartialEq, Eq)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
+#[non_exhaustive]
+pub struct MeshesOutcome {
+    /// The work.
+    pub work: MeshesWork,
+    /// The structure on which it was done.
+    pub on: String,
+    /// Which part of it.
+    pub shard: Shard,
+    /// The triangulations, by their kind. All parts count all of them.
+    pub rows: Vec<MeshesRow>,
+    /// What the operators came to.
+    pub operators: Vec<OperatorRow>,
+    /// What went wrong: the first findings. All are counted in the rows.
+    pub findings: Vec<MeshFinding>,
+    /// Whether the run was stopped before its end.
+    pub interrupted: bool,
+}
+
+impl MeshesOutcome {
+    pub(super) fn new(work: MeshesWork, on: &str, shard: Shard, rows: Vec<MeshesRow>) -> Self {
+        let names = ConformanceSummary::default();
+        let operators = names.by_operator().map(|(name, _)| OperatorRow {
+            operator: name.to_owned(),
+            applied: 0,
+            refused: 0,
+            skipped: 0,
+            not_supported: 0,
+        });
+        let operators = operators.collect();
+        Self { work, on: on.to_owned(), shard, rows, operators, findings: Vec::new(), interrupted: false }
+    }
+
+    pub(super) fn add(&mut self, rows: &[MeshesRow], summary: &ConformanceSummary, findings: &[MeshFinding]) {
+        add_rows(&mut self.rows, rows);
+        for (row, (_, counts)) in self.operators.iter_mut().zip(summary.by_operator()) {
+            row.applied += counts.applied as u64;
+            row.refused += counts.refused as u64;
+            row.skipped += counts.skipped as u64;
+            row.not_supported += (counts.unsupported + counts.no_room) as u64;
+        }
+        add_findings(&mut self.findings, findings);
+    }
+}
+
+fn add_rows(sum: &mut [MeshesRow], rows: &[MeshesRow]) {
+    for (sum, row) in sum.iter_mut().zip(rows) {
+        sum.applied += row.applied;
+        sum.refused += row.refused;
+        sum.differences += row.differences;
+    }
+}
+
+impl Outcome for MeshesOutcome {
+    type Work = (String, MeshesWork);
+
+    fn work(&self) -> Self::Work {
+        (self.on.clone(), self.work)
+    }
+
+    fn shard(&self) -> Shard {
+        self.shard
+    }
+
+    fn is_interrupted(&self) -> bool {
+        self.interrupted
+    }
+
+    fn reasons(&self) -> Vec<String> {
+        let mut reasons = Vec::new();
+        if self.interrupted {
+            reasons.push(INTERRUPTED.to_owned());
+        }
+        let differ = self.rows.iter().filter(|row| !row.is_as_published());
+        reasons.extend(differ.map(|row| format!("{}: there are not as many triangulations as published", row.shape)));
+        let differences: u64 = self.rows.iter().map(|row| row.differences).sum();
+        if differences > 0 {
+            reasons.push(format!("differences: {differences}"));
+            reasons.extend(self.findings.iter().map(MeshFinding::to_string));
+        }
+        if self.shard.is_whole() && self.operators.iter().all(|row| row.applied == 0) {
+            reasons.push("no operator was applied, so nothing was tried".to_owned());
+        }
+        reasons
+    }
+
+    fn absorb(&mut self, other: &Self) {
+        add_rows(&mut self.rows, &other.rows);
+        for (row, other) in self.operators.iter_mut().zip(&other.operators) {
+            row.applied += other.applied;
+            row.refused += other.refused;
+            row.skipped += other.skipped;
+            row.not_supported += other.not_supported;
+        }
+        add_findings(&mut self.findings, &other.findings);
+    }
+
+    fn complete(&mut self) {
+        self.shard = Shard::WHOLE;
+    }
+}

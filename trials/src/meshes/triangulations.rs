@@ -1,0 +1,143 @@
+//! All small triangulations, as lists of triangles, made without half-edges: by exchanging the diagonals of quadrilaterals.
+
+use std::collections::{BTreeMap, BTreeSet};
+
+/// A simple triangulation of the sphere or of a disc: no loops, no two edges between the same vertices.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub struct Triangulation {
+    /// The number of vertices.
+    pub vertices: usize,
+    /// The triangles, counter-clockwise, by their vertices.
+    pub triangles: Vec<[usize; 3]>,
+}
+
+/// The vertex opposite to the left of each directed edge.
+type Opposite = BTreeMap<(usize, usize), usize>;
+
+impl Triangulation {
+    fn opposite(&self) -> Opposite {
+        let sides = self.triangles.iter().flat_map(|&[a, b, c]| [((a, b), c), ((b, c), a), ((c, a), b)]);
+        sides.collect()
+    }
+
+    /// The directed edges at which the triangulation can be rooted: those of the border, or all if there is none.
+    fn roots(opposite: &Opposite) -> Vec<(usize, usize)> {
+        let border = || opposite.keys().copied().filter(|(a, b)| !opposite.contains_key(&(*b, *a)));
+        if border().next().is_some() { border().collect() } else { opposite.keys().copied().collect() }
+    }
+
+    /// The triangles with the vertices named in the order in which they are met from a root: the same for isomorphic ones.
+    fn rooted(opposite: &Opposite, root: (usize, usize)) -> Vec<[usize; 3]> {
+        let mut names = BTreeMap::from([(root.0, 0), (root.1, 1)]);
+        let mut queue = vec![root];
+        let mut done = BTreeSet::new();
+        let mut code = Vec::new();
+        let mut at = 0;
+        while let Some((a, b)) = queue.get(at).copied() {
+            at += 1;
+            let Some(c) = opposite.get(&(a, b)).copied().filter(|_| !done.contains(&(a, b))) else { continue };
+            done.extend([(a, b), (b, c), (c, a)]);
+            let next = names.len();
+            names.entry(c).or_insert(next);
+            code.push([a, b, c].map(|v| names[&v]));
+            queue.extend([(c, b), (a, c), (b, a)]);
+        }
+        code
+    }
+
+    fn codes(&self) -> BTreeSet<Vec<[usize; 3]>> {
+        let opposite = self.opposite();
+        Self::roots(&opposite).into_iter().map(|root| Self::rooted(&opposite, root)).collect()
+    }
+
+    fn mirrored(&self) -> Self {
+        Self { vertices: self.vertices, triangles: self.triangles.iter().map(|&[a, b, c]| [a, c, b]).collect() }
+    }
+
+    /// Those with one inner edge exchanged for the other diagonal, where that makes no edge that is there.
+    fn exchanges(&self) -> Vec<Self> {
+        let opposite = self.opposite();
+        let mut all = Vec::new();
+        for ((a, b), c) in &opposite {
+            let Some(d) = opposite.get(&(*b, *a)).filter(|_| a < b) else { continue };
+            if c == d || opposite.contains_key(&(*c, *d)) || opposite.contains_key(&(*d, *c)) {
+                continue;
+            }
+            let has = |t: &[usize; 3]| t.contains(a) && t.contains(b);
+            let mut triangles: Vec<_> = self.triangles.iter().copied().filter(|t| !has(t)).collect();
+            triangles.extend([[*d, *c, *a], [*c, *d, *b]]);
+            all.push(Self { vertices: self.vertices, triangles });
+        }
+        all
+    }
+
+    /// A fan: `outer` vertices on the border, and `inner` ones put into its last triangle, one after the other.
+    fn fan(outer: usize, inner: usize) -> Self {
+        let mut triangles: Vec<_> = (2..outer).map(|k| [0, k - 1, k]).collect();
+        for v in outer..outer + inner {
+            let [a, b, c] = triangles.pop().unwrap_or([0, 1, 2]);
+            triangles.extend([[a, b, v], [b, c, v], [c, a, v]]);
+        }
+        Self { vertices: outer + inner, triangles }
+    }
+}
+
+/// All triangulations of one kind.
+#[derive(Debug)]
+pub(super) struct All {
+    /// One of each class of isomorphic ones; mirror images are different.
+    pub(super) maps: Vec<Triangulation>,
+    /// How many there are with a root.
+    pub(super) rooted: u64,
+    /// How many there are without root, mirror images taken together.
+    pub(super) unrooted: u64,
+}
+
+/// All that come of one by exchanging diagonals.
+fn all(first: Triangulation) -> All {
+    let mut rooted = BTreeSet::new();
+    let mut classes = BTreeSet::new();
+    let mut maps: Vec<Triangulation> = Vec::new();
+    let mut queue = vec![first];
+    while let Some(map) = queue.pop() {
+        let codes = map.codes();
+        let Some(least) = codes.first().filter(|code| !rooted.contains(*code)).cloned() else { continue };
+        rooted.extend(codes);
+        let mirrored = map.mirrored().codes().pop_first().unwrap_or_default();
+        classes.insert(least.min(mirrored));
+        queue.extend(map.exchanges());
+        maps.push(map);
+    }
+    All { maps, rooted: rooted.len() as u64, unrooted: classes.len() as u64 }
+}
+
+/// All triangulations of the sphere with so many vertices, 3 or more.
+pub(super) fn of_sphere(vertices: usize) -> All {
+    let mut first = Triangulation::fan(3, vertices - 3);
+    first.triangles.push([0, 2, 1]);
+    all(first)
+}
+
+/// All triangulations of the disc with so many vertices on the border, 3 or more, and inside.
+pub(super) fn of_disc(outer: usize, inner: usize) -> All {
+    all(Triangulation::fan(outer, inner))
+}
+
+#[cfg(test)]
+mod tests {
+    use super::{of_disc, of_sphere};
+    use crate::published::{brown, spheres, tutte};
+
+    #[test]
+    fn there_are_as_many_triangulations_as_published() {
+        for vertices in 3..=8 {
+            let all = of_sphere(vertices);
+            assert_eq!((Some(all.unrooted), Some(all.rooted)), (spheres(vertices), tutte(vertices)), "{vertices}");
+        }
+        for outer in 3..=6 {
+            for inner in 0..=7 - outer {
+                assert_eq!(Some(of_disc(outer, inner).rooted), brown(outer, inner), "{outer} + {inner}");
+            }
+        }
+    }
+}
