@@ -10,7 +10,7 @@ use twinedge::{delegate_view, subject_by_index};
 #[allow(dead_code, unreachable_pub, reason = "an example has a main function of its own")]
 #[path = "../../examples/mesh_conformance.rs"]
 mod mesh;
-use mesh::{Mesh, expectation};
+use mesh::{KEPT, Mesh};
 
 const OCTAHEDRON: [[usize; 3]; 8] =
     [[0, 1, 4], [1, 2, 4], [2, 3, 4], [3, 0, 4], [1, 0, 5], [2, 1, 5], [3, 2, 5], [0, 3, 5]];
@@ -231,11 +231,11 @@ fn an_operator_that_is_never_applied_is_named() {
 fn meshes_on_every_surface_do_what_the_steps_do() {
     let ring_and_more: Vec<[usize; 3]> = RING.to_vec();
     for (triangles, vertices) in [(OCTAHEDRON.to_vec(), 6), (torus(), 9), (ring_and_more, 6), (vec![[0, 1, 2]], 3)] {
-        let summary = check(|| Mesh::new(vertices, &triangles, false), &expectation()).unwrap();
+        let summary = check(|| Mesh::new(vertices, &triangles, false), &KEPT).unwrap();
         for name in ["mesh_flip_edge", "mesh_split_edge", "mesh_collapse_edge"] {
             assert!(summary.of(name).unwrap().applied > 200, "{summary}");
         }
-        let found = check(|| Mesh::new(vertices, &triangles, true), &expectation()).unwrap_err();
+        let found = check(|| Mesh::new(vertices, &triangles, true), &KEPT).unwrap_err();
         let (reference, subject) = (StepOutcome::Refused(Refusal::NotSimple), StepOutcome::Applied);
         assert_eq!(found.failure.difference, Difference::StepOutcome { reference, subject }, "{found}");
     }
@@ -247,6 +247,41 @@ fn the_operators_of_meshes_on_the_models_and_the_structure_are_the_same() {
     let same = check(twinedge::dcel::Dcel::new, &Expectation::plane()).unwrap();
     assert_eq!(summary, same);
     check(PointerModel::new, &Expectation::plane()).unwrap();
+}
+
+/// The finding was eight bodies written by hand.
+#[test]
+fn what_is_not_written_is_not_supported() {
+    // Its operators are all the default ones.
+    let mut inert = Inert(EDGE.parse().unwrap());
+    let (at, alone) = (Corner::At(0), Corner::Isolated(0));
+    let unsupported = Refusal::Unsupported;
+    assert_eq!(inert.add_isolated_vertex(0).unwrap_err(), unsupported);
+    assert_eq!(inert.remove_isolated_vertex(0).unwrap_err(), unsupported);
+    assert_eq!(inert.connect(at, alone, Side::Left, &[]).unwrap_err(), unsupported);
+    assert_eq!(inert.remove_edge(0).unwrap_err(), unsupported);
+    assert_eq!(inert.split_edge(0).unwrap_err(), unsupported);
+    assert_eq!(inert.join_edges(0).unwrap_err(), unsupported);
+    assert_eq!(inert.split_vertex(at, at).unwrap_err(), unsupported);
+    assert_eq!(inert.contract_edge(0).unwrap_err(), unsupported);
+    assert_eq!(inert.flip_edge(0, Turn::Clockwise).unwrap_err(), unsupported);
+    assert_eq!(inert.move_inner(at, 0).unwrap_err(), unsupported);
+    assert_eq!(inert.mesh_flip_edge(0).unwrap_err(), unsupported);
+    assert_eq!(inert.mesh_split_edge(0).unwrap_err(), unsupported);
+    assert_eq!(inert.mesh_split_face(0).unwrap_err(), unsupported);
+    assert_eq!(inert.mesh_collapse_edge(0).unwrap_err(), unsupported);
+}
+
+/// A count of what a mesh programmer writes, with imports and without blank lines and comments.
+#[test]
+fn a_mesh_is_put_to_the_test_in_under_forty_lines() {
+    let example = include_str!("../../examples/mesh_conformance.rs");
+    let (before, rest) = example.split_once("// ---- the adapter and the test").unwrap();
+    let (written, _) = rest.split_once("// ---- to here").unwrap();
+    let is_code = |line: &&str| !line.trim().is_empty() && !line.trim().starts_with("//") && !line.starts_with(" -");
+    let imports = before.lines().filter(|line| line.starts_with("use ")).count();
+    let lines = imports + written.lines().filter(is_code).count();
+    assert_eq!(lines, 39, "the example says so");
 }
 
 #[test]
@@ -268,7 +303,7 @@ fn a_map_that_exists_is_the_start_on_every_structure() {
 fn a_surface_keeps_its_genus_and_a_border_is_closed_in_the_reference() {
     for (triangles, vertices, genus, faces) in [(torus(), 9, 1, 18), (RING.to_vec(), 6, 0, 8)] {
         let mesh = Mesh::new(vertices, &triangles, false);
-        let start = PointerModel::from_view(&mesh, &expectation()).unwrap();
+        let start = PointerModel::from_view(&mesh, &KEPT).unwrap();
         let report = validate(&start.model, &Expectation::surface(), Collect::All);
         let certificate = report.certificate().expect("the model is a closed surface");
         assert_eq!((certificate.genus, certificate.faces), (genus, faces));
@@ -292,7 +327,7 @@ fn a_start_that_will_not_do_is_named() {
 #[test]
 fn on_discs_and_borders_operators_are_refused_for_their_own_reasons() {
     let mesh = Mesh::new(5, &[[0, 1, 4], [1, 2, 4], [2, 3, 4], [3, 0, 4]], false);
-    let mut start = PointerModel::from_view(&mesh, &expectation()).unwrap();
+    let mut start = PointerModel::from_view(&mesh, &KEPT).unwrap();
     let name = |index: usize| start.half_edges.iter().find(|(other, _)| *other == index).unwrap().1;
     let border = (0..mesh.half_edge_slots()).find(|h| View::face(&mesh, *h).is_none()).unwrap();
     let (border, spoke) = (name(border), name(2));
@@ -316,7 +351,54 @@ fn on_discs_and_borders_operators_are_refused_for_their_own_reasons() {
 
 #[test]
 fn structures_that_use_handles_again_are_not_asked_for_stale_ones() {
-    let asked = Conformance::of(&expectation()).without_stale_handles();
+    let asked = Conformance::of(&KEPT).without_stale_handles();
     let summary = asked.check(|| Mesh::new(6, &OCTAHEDRON, false)).unwrap();
     assert!(summary.not_compared().any(|part| part == NotCompared::StaleHandles));
+}
+
+/// A mesh that keeps no `next` on the border, and perhaps no faces.
+struct Bare {
+    mesh: Mesh,
+    has_faces: bool,
+}
+
+impl View for Bare {
+    delegate_view!(|this| &this.mesh; except next, face, face_slots);
+
+    fn next(&self, h: usize) -> Link {
+        View::face(&self.mesh, h).and_then(|_| View::next(&self.mesh, h))
+    }
+    fn face(&self, h: usize) -> Link {
+        View::face(&self.mesh, h).filter(|_| self.has_faces)
+    }
+    fn face_slots(&self) -> usize {
+        if self.has_faces { self.mesh.face_slots() } else { 0 }
+    }
+}
+
+impl Subject for Bare {
+    subject_by_index! {
+        mesh_flip_edge => |bare: &mut Self, h| bare.mesh.mesh_flip_edge(h),
+        mesh_split_edge => |bare: &mut Self, h| bare.mesh.mesh_split_edge(h),
+        mesh_collapse_edge => |bare: &mut Self, h| bare.mesh.mesh_collapse_edge(h),
+    }
+}
+
+#[test]
+fn half_edges_on_the_border_need_no_next() {
+    for (has_faces, kept) in [(true, KEPT), (false, without_faces().open())] {
+        for (triangles, vertices) in [(RING.to_vec(), 6), (vec![[0, 1, 2]], 3)] {
+            let make = |has_bug| Bare { mesh: Mesh::new(vertices, &triangles, has_bug), has_faces };
+            let summary = check(|| make(false), &kept).unwrap();
+            for name in ["mesh_flip_edge", "mesh_split_edge", "mesh_collapse_edge"] {
+                let counts = summary.of(name).unwrap();
+                assert!(counts.applied > 200 && counts.refused > 0, "{summary}");
+            }
+            assert!(summary.not_compared().any(|part| part == NotCompared::BorderNext), "{summary}");
+            assert!(check(|| make(true), &kept).is_err());
+        }
+    }
+    // Where it is kept, it is compared.
+    let summary = check(|| Mesh::new(6, &RING, false), &KEPT).unwrap();
+    assert!(summary.not_compared().all(|part| part != NotCompared::BorderNext), "{summary}");
 }

@@ -29,7 +29,8 @@
 //!
 //! With the subject as it is. The empty map will do if the subject has `add_isolated_vertex`. Any other valid structure becomes
 //! that of the reference by [`PointerModel::from_view`](crate::program::PointerModel::from_view), which says how it stands for meshes, borders and
-//! surfaces, and the subject tells its handles by [`Subject::half_edge_at`](crate::program::Subject::half_edge_at). Each half-edge needs a twin, on the border, too.
+//! surfaces, and the subject tells its handles by [`Subject::half_edge_at`](crate::program::Subject::half_edge_at). Each half-edge needs a twin,
+//! on the border, too. A half-edge on the border needs no `next`: its view may answer nil.
 //!
 //! # When nothing was tried
 //!
@@ -50,6 +51,7 @@
 //! ```
 
 mod answers;
+mod check;
 mod difference;
 mod in_step;
 mod settings;
