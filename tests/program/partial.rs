@@ -5,7 +5,7 @@ use std::rc::Rc;
 use twinedge::program::conformance::{Conformance, Coverage, Difference, NotCompared, Question, check};
 use twinedge::program::*;
 use twinedge::validate::{Collect, Expectation, Link, Part, Table, View, validate};
-use twinedge::{delegate_view, subject_by_index};
+use twinedge::{delegate_view, subject_by_index, view_answers};
 
 #[allow(dead_code, unreachable_pub, reason = "an example has a main function of its own")]
 #[path = "../../examples/mesh_conformance.rs"]
@@ -36,6 +36,10 @@ enum Flip {
     Nothing,
     /// It leaves the edge and breaks the cycles.
     Breaks,
+    /// It makes another edge, with two vertices of its own.
+    Adds,
+    /// It drops the last edge.
+    Drops,
 }
 
 /// A structure that can only turn edges, as in the finding: no faces, no holes, no unbounded face, nothing else supported.
@@ -98,8 +102,23 @@ impl Subject for FlipOnly {
             Turn::CounterClockwise => (self.next[h], self.next[t]),
             Turn::Clockwise => (self.prev(h), self.prev(t)),
         };
-        if self.flip == Flip::Nothing {
-            return Ok(());
+        match self.flip {
+            Flip::Nothing => return Ok(()),
+            Flip::Adds => {
+                let (n, v) = (self.next.len(), self.vertex_slots());
+                self.next.extend([n + 1, n]);
+                self.origin.extend([v, v + 1]);
+                return Ok(());
+            }
+            Flip::Drops => {
+                let h = self.next.len() - 2;
+                let (before_h, before_t) = (self.prev(h), self.prev(h + 1));
+                (self.next[before_h], self.next[before_t]) = (self.next[h + 1], self.next[h]);
+                self.next.truncate(h);
+                self.origin.truncate(h);
+                return Ok(());
+            }
+            _ => {}
         }
         // Taken out.
         let (before_h, before_t, after_h, after_t) = (self.prev(h), self.prev(t), self.next[h], self.next[t]);
@@ -246,7 +265,46 @@ fn the_operators_of_meshes_on_the_models_and_the_structure_are_the_same() {
     let summary = check(RotationSystem::new, &RotationSystem::expectation()).unwrap();
     let same = check(twinedge::dcel::Dcel::new, &Expectation::plane()).unwrap();
     assert_eq!(summary, same);
+    assert!(summary.by_operator().all(|(_, counts)| counts.applied > 0), "{summary}");
     check(PointerModel::new, &Expectation::plane()).unwrap();
+}
+
+/// The questions that the runner asks about an edge before it is removed must not stand in for the operator.
+#[test]
+fn stale_handles_reach_the_operators_that_remove() {
+    /// Says that it removed an edge that was not there.
+    struct Careless(RotationSystem);
+    impl View for Careless {
+        delegate_view!(|this| &this.0);
+    }
+    impl Subject for Careless {
+        subject_by_index!();
+        fn unbounded_face(&self) -> Option<usize> {
+            self.0.unbounded_face()
+        }
+        fn add_isolated_vertex(&mut self, face: usize) -> Result<usize, Refusal> {
+            self.0.add_isolated_vertex(face)
+        }
+        fn split_vertex(&mut self, from: Corner<usize, usize>, to: Corner<usize, usize>) -> Result<usize, Refusal> {
+            self.0.split_vertex(from, to)
+        }
+        fn remove_edge(&mut self, h: usize) -> Result<Option<usize>, Refusal> {
+            self.0.remove_edge(h).or(Ok(None))
+        }
+        fn contract_edge(&mut self, h: usize) -> Result<usize, Refusal> {
+            self.0.contract_edge(h).or(Ok(0))
+        }
+        fn join_edges(&mut self, h: usize) -> Result<(), Refusal> {
+            self.0.join_edges(h).or(Ok(()))
+        }
+    }
+    let begin = "twinedge program 1\nadd_isolated_vertex unbounded\nsplit_vertex i0 i0\nremove_edge h0\n";
+    for name in ["remove_edge", "contract_edge", "join_edges"] {
+        let program: Program = format!("{begin}{name} !h0").parse().unwrap();
+        let careless = || Careless(RotationSystem::new());
+        let failure = conformance::run(&program, careless(), &RotationSystem::expectation()).unwrap_err();
+        assert_eq!(failure.before, 3, "{name}: {failure}");
+    }
 }
 
 /// The finding was eight bodies written by hand.
@@ -322,6 +380,84 @@ fn a_start_that_will_not_do_is_named() {
     table.half_edges[0].as_mut().unwrap().twin = Some(0);
     let error = PointerModel::from_view(&table, &Expectation::plane()).unwrap_err();
     assert_eq!(error, StartError::Inconsistent(0));
+}
+
+/// A triangle. Its half-edges have no twins.
+struct NoTwins;
+
+impl View for NoTwins {
+    view_answers! { |_triangle|
+        vertex_slots => 3,
+        half_edge_slots => 3,
+        face_slots => 1,
+        origin(h) => Some(h),
+        twin(_h) => None,
+        next(h) => Some((h + 1) % 3),
+        face(_h) => Some(0),
+        outer_half_edge(_f) => Some(0),
+    }
+}
+
+impl Subject for NoTwins {
+    subject_by_index!();
+}
+
+#[test]
+fn a_structure_without_twins_is_refused_by_name() {
+    assert!(validate(&NoTwins, &KEPT, Collect::All).is_valid());
+    let found = check(|| NoTwins, &KEPT).unwrap_err();
+    assert_eq!(found.failure.difference, Difference::Start(StartError::NoTwin(0)));
+    assert_eq!(
+        found.to_string(),
+        "at the start: half-edge 0 has no twin; both half-edges of each edge are needed, those of the border included"
+    );
+}
+
+/// A structure that has no handle for one of its half-edges.
+struct Nameless(FlipOnly);
+
+impl View for Nameless {
+    delegate_view!(|this| &this.0);
+}
+
+impl Subject for Nameless {
+    type Vertex = usize;
+    type HalfEdge = usize;
+    type Face = usize;
+
+    fn half_edge_at(&self, index: usize) -> Option<usize> {
+        Some(index).filter(|index| *index != 5)
+    }
+    fn face_of(&self, corner: Corner<usize, usize>) -> Result<usize, Refusal> {
+        self.0.face_of(corner)
+    }
+    fn origin_of(&self, h: usize) -> Result<usize, Refusal> {
+        self.0.origin_of(h)
+    }
+    fn twin_of(&self, h: usize) -> Result<usize, Refusal> {
+        self.0.twin_of(h)
+    }
+    fn next_of(&self, h: usize) -> Result<usize, Refusal> {
+        self.0.next_of(h)
+    }
+}
+
+#[test]
+fn half_edges_too_many_too_few_and_without_handle_are_named() {
+    let make = |flip| FlipOnly::of(&OCTAHEDRON, 6, flip);
+    let found = |flip| check(|| make(flip), &without_faces()).unwrap_err();
+    for (found, difference, message) in [
+        (found(Flip::Adds), Difference::Unknown { half_edge: 24 }, "half-edge 24 of the view should not be there"),
+        (found(Flip::Drops), Difference::Missing { corner: 22 }, "corner 22 is no half-edge of the view"),
+        (
+            check(|| Nameless(make(Flip::Right)), &without_faces()).unwrap_err(),
+            Difference::NoHandle { half_edge: 5 },
+            "half_edge_at gives no handle for half-edge 5",
+        ),
+    ] {
+        assert_eq!(found.failure.difference, difference);
+        assert!(found.to_string().contains(message), "{found}");
+    }
 }
 
 #[test]

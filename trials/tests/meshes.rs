@@ -52,6 +52,13 @@ fn structures_of_planar_maps_do_the_same_on_discs() {
     // In parts, it is the same.
     let part = |index| meshes(&slots, work, &Run::default().shard(Shard::new(index, 2).unwrap()));
     assert_eq!(sum(&[part(0), part(1)]), Ok(outcome));
+    // So it is where operators are missing, and with more threads.
+    let mine = MeshStructure::new("mine", |map| Mesh::new(map.vertices, &map.triangles, false), KEPT);
+    let part = |index| meshes(&mine, work, &Run::default().shard(Shard::new(index, 3).unwrap()));
+    let whole = meshes(&mine, work, &Run::default().threads(1));
+    assert!(whole.operators.iter().any(|row| row.not_supported > 0), "{whole:?}");
+    assert_eq!(sum(&[part(0), part(1), part(2)]).as_ref(), Ok(&whole));
+    assert_eq!(meshes(&mine, work, &Run::default().threads(3)), whole);
     // An edge that turns the wrong way.
     let planted = MeshStructure::plane(Structure::new("planted", Planted::<false>::default, Expectation::plane()));
     assert!(!meshes(&planted, work, &Run::default()).is_ok());

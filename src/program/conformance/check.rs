@@ -4,12 +4,15 @@ use super::difference::{Counterexample, Difference, Failure};
 use super::in_step::InStep;
 use super::settings::{Conformance, Coverage};
 use super::summary::{ConformanceSummary, OperatorCounts};
+use crate::dcel::{Corner, Side};
 use crate::program::choose::Choose;
 use crate::program::every::{every_mesh_op, every_op};
 use crate::program::generator::Generator;
-use crate::program::op::{Op, OpKind, Program};
+use crate::program::op::{FacePick, HalfEdgePick, InnerPick, Op, OpKind, Program, SecondPick, VertexPick};
+use crate::program::runner::Runner;
 use crate::program::shrink::shrink;
 use crate::program::subject::Subject;
+use alloc::vec;
 use alloc::vec::Vec;
 
 impl Conformance {
@@ -61,7 +64,10 @@ impl Conformance {
                 let Some(op) = generator.op(&mut noise) else { break };
                 step(op, &mut pair)?;
             }
-            // Operators that random arguments seldom suit are tried with all.
+            // Operators that random arguments seldom suit are tried with all. Those of meshes get a mesh to be tried on.
+            for op in triangle_for(&Self::rest(&pair, &sum), pair.subject()) {
+                step(op, &mut pair)?;
+            }
             for op in Self::rest(&pair, &sum) {
                 let is_applied = |summary: &ConformanceSummary| summary.of(op.name()).is_some_and(|c| c.applied > 0);
                 if !is_applied(&sum) && !is_applied(&pair.summary()) {
@@ -112,6 +118,30 @@ impl Conformance {
         }
         Ok(())
     }
+}
+
+/// A triangle with a vertex inside, if an operator of meshes is among those that are left and the structure has a face to put it in: an
+/// edge of a random map seldom has triangles on both sides.
+fn triangle_for<K: Subject>(left: &[Op], on: &Runner<K>) -> Vec<Op> {
+    let is_of_mesh = |op: &Op| OpKind::SHARES.iter().any(|(kind, share)| *kind == op.kind() && *share == 0);
+    if on.subject().unbounded_face().is_none() || !left.iter().any(is_of_mesh) {
+        return Vec::new();
+    }
+    let place = |list: usize, more: u16| u16::try_from(list).unwrap_or(0).saturating_add(more);
+    let half_edge = |more| HalfEdgePick::Live(place(on.half_edges().len(), more));
+    let vertex = Corner::Isolated(VertexPick::Isolated(place(on.isolated().len(), 0)));
+    vec![
+        Op::AddIsolatedVertex { face: FacePick::Unbounded },
+        Op::SplitVertex { from: vertex, to: SecondPick::Any(vertex) },
+        Op::SplitEdge { half_edge: half_edge(0) },
+        Op::Connect {
+            from: Corner::At(half_edge(3)),
+            to: SecondPick::Any(Corner::At(half_edge(0))),
+            new_face: Side::Left,
+            inner: InnerPick::default(),
+        },
+        Op::MeshSplitFace { half_edge: half_edge(0) },
+    ]
 }
 
 /// Numbers without pattern: `splitmix64` (Steele, Lea and Flood, *Fast splittable pseudorandom number generators*, 2014).

@@ -110,7 +110,8 @@ pub struct OperatorRow {
     pub refused: u64,
     /// How often the structure was not called, as there was nothing to choose from.
     pub skipped: u64,
-    /// How often the structure said that it does not have it, or has no room. It is not tried more often than to be sure.
+    /// How often the structure said that it does not have it, or has no room. After eight times in a row it is not tried on the
+    /// same map any more.
     pub not_supported: u64,
 }
 
