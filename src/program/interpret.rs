@@ -90,7 +90,8 @@ impl<K: Subject> Runner<K> {
         let dropped = self.subject.remove_edge(h).map_err(StepOutcome::Refused)?;
         self.retired_faces.extend(dropped);
         self.retire_edge(h);
-        for v in ends.map_err(StepOutcome::Refused)? {
+        // Of a stale handle there are none. If it was not refused, that shows in the outcome.
+        for v in ends.into_iter().flatten() {
             self.perhaps_isolated(v);
         }
         Ok(())
@@ -108,9 +109,10 @@ impl<K: Subject> Runner<K> {
             return Err(StepOutcome::Refused(Refusal::Unsupported));
         }
         self.subject.join_edges(h).map_err(StepOutcome::Refused)?;
-        let (following, v) = following.map_err(StepOutcome::Refused)?;
-        self.retire_edge(following);
-        self.retired_vertices.push(v);
+        if let Ok((following, v)) = following {
+            self.retire_edge(following);
+            self.retired_vertices.push(v);
+        }
         Ok(())
     }
 
@@ -125,10 +127,11 @@ impl<K: Subject> Runner<K> {
     fn contract_edge(&mut self, h: K::HalfEdge) -> Result<(), StepOutcome> {
         let ends = self.ends(h);
         let dropped = self.subject.contract_edge(h).map_err(StepOutcome::Refused)?;
-        let [origin, target] = ends.map_err(StepOutcome::Refused)?;
         self.retire_edge(h);
         self.retired_vertices.push(dropped);
-        self.perhaps_isolated(if dropped == origin { target } else { origin });
+        if let Ok([origin, target]) = ends {
+            self.perhaps_isolated(if dropped == origin { target } else { origin });
+        }
         Ok(())
     }
 

@@ -61,7 +61,10 @@ fn a_structure_that_cannot_be_compared_fails_at_the_start() {
     let less = Structure::new("less", Dcel::new, Expectation::plane().without(Part::Faces));
     let comparison = less.compare(&WORK.program(0), &Silent);
     assert!(
-        comparison.failure().unwrap().starts_with("at the start: the structure is empty, and the expectation leaves out faces"),
+        comparison
+            .failure()
+            .unwrap()
+            .starts_with("at the start: the structure is empty, and the expectation leaves out faces"),
         "{comparison:?}"
     );
 }

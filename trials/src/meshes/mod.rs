@@ -27,7 +27,7 @@ const SURELY_UNSUPPORTED: u32 = 8;
 
 /// Tries every operator with every argument on every small triangulation.
 ///
-/// A panic of the structure is caught and reported. Time grows about fiftyfold with each vertex;
+/// A panic of the structure is caught and reported. Time grows about tenfold with each vertex;
 /// [`MeshesWork::estimate`] tells how much there is.
 ///
 /// ```
