@@ -70,10 +70,10 @@ impl<const PANICS: bool> Subject for Planted<PANICS> {
         Subject::unbounded_face(&self.0)
     }
     fn half_edge_at(&self, index: usize) -> Option<HalfEdgeKey> {
-        self.0.half_edge_at(index)
+        Subject::half_edge_at(&self.0, index)
     }
     fn vertex_at(&self, index: usize) -> Option<VertexKey> {
-        self.0.vertex_at(index)
+        Subject::vertex_at(&self.0, index)
     }
     fn face_of(&self, corner: CornerOf<Self>) -> Result<FaceKey, Refusal> {
         Subject::face_of(&self.0, corner)
