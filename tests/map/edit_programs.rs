@@ -197,6 +197,15 @@ fn a_map_that_is_not_valid_is_found_after_the_first_edit() {
     assert!(failure.to_string().starts_with("after edit 2 (`add_feature`):\n"), "{failure}");
 }
 
+#[test]
+fn a_refusal_that_changes_the_map_would_be_said() {
+    // No edit does so; that it would be seen was tried with one that did.
+    let failure =
+        EditFailure::Changed { number: 3, op: EditOp::InsertPoint { at: at(1.0, 2.0) }, error: EditError::CellSize };
+    let expected = format!("edit 3 (`insert_point 1,2`) was refused ({}), but changed the map", EditError::CellSize);
+    assert_eq!(failure.to_string(), expected);
+}
+
 /// All maps that so many edits can make of these points, by their text; and how many edits were tried.
 fn every(points: &[Spot], depth: usize) -> (usize, BTreeMap<&'static str, u64>) {
     let mut counts = BTreeMap::new();
