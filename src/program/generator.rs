@@ -142,7 +142,7 @@ impl<P: Language> Generator<P> {
     /// use twinedge::program::{OpKind, Program};
     ///
     /// let flips = Program::generator().only(&[OpKind::MeshFlipEdge]);
-    /// assert_eq!(flips.decode(&[7, 2]).to_string(), "twinedge program 1\nmesh_flip_edge h7\nmesh_flip_edge h2\n");
+    /// assert_eq!(flips.decode(&[0, 0, 7, 0, 0, 2]).to_string(), "twinedge program 1\nmesh_flip_edge h7\nmesh_flip_edge h2\n");
     /// ```
     #[must_use]
     pub fn decode(&self, bytes: &[u8]) -> P {
