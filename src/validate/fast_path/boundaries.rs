@@ -1,8 +1,8 @@
 //! The walks along the cycles: L2, B1, F1, F2 and the faces' half of B2.
 
+use super::extent::{Extent, existing};
 use super::links::Links;
 use super::marks::Marks;
-use super::{Extent, existing};
 use crate::validate::expectation::Part;
 use crate::validate::view::{BoundaryPlace, Start, View};
 use alloc::vec::Vec;

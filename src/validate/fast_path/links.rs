@@ -1,6 +1,6 @@
 //! The scan over the half-edges: L1 and L3, and R1 of `twin` and `next`.
 
-use super::{Extent, existing, nils};
+use super::extent::{Extent, existing, nils};
 use crate::validate::expectation::Part;
 use crate::validate::view::View;
 use alloc::vec::Vec;

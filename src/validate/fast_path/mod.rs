@@ -38,13 +38,14 @@
 
 mod boundaries;
 mod components;
+mod extent;
 mod links;
 mod marks;
 mod rotations;
 
-use super::columns::{Component, Components, NIL, column};
+use super::columns::{Component, Components, NIL};
 use super::counts::Counts;
-use super::expectation::{Expectation, Part, Surface};
+use super::expectation::{Part, Surface};
 use super::report::Unchecked;
 use super::rule::Rule;
 use super::run::Run;
@@ -52,29 +53,8 @@ use super::view::View;
 use alloc::vec::Vec;
 use boundaries::Inner;
 use components::Joined;
+use extent::Extent;
 use rotations::Rotations;
-
-/// How many slots there are, and what the structure has.
-#[derive(Clone, Copy)]
-struct Extent {
-    vertices: usize,
-    half_edges: usize,
-    boundaries: usize,
-    faces: usize,
-    expect: Expectation,
-}
-
-impl Extent {
-    fn has(&self, part: Part) -> bool {
-        self.expect.has(part)
-    }
-}
-
-/// A link, if the slot that it leads to exists.
-#[inline]
-fn existing(link: Option<usize>, slots: usize) -> Option<usize> {
-    link.filter(|i| *i < slots)
-}
 
 /// Whether R1 … T3 hold. If so, their outcomes are entered, and all is known that later rules need; if not, nothing is.
 pub(super) fn check<V: View + ?Sized>(run: &mut Run<'_, V>) -> bool {
@@ -104,10 +84,12 @@ fn look<V: View + ?Sized>(view: &V, extent: Extent) -> Option<(Counts, Component
     if around.half_edges != links.half_edges || claimed != along.at_vertex && !may_be_unclaimed {
         return None;
     }
+    let half_edges = links.half_edges;
+    drop(links);
     let mut counts = Counts {
         vertices: around.vertices,
-        half_edges: links.half_edges,
-        edges: links.half_edges / 2,
+        half_edges,
+        edges: half_edges / 2,
         faces: along.faces,
         outer_boundaries: along.outer,
         inner_boundaries: along.inner.len(),
@@ -202,9 +184,4 @@ fn settle<V: View + ?Sized>(run: &mut Run<'_, V>, counts: Counts, components: Co
     run.findings.checked(Rule::T3, total);
     run.counts = counts;
     run.components = Some(components);
-}
-
-/// A column of `n` nils, if there is memory for it.
-fn nils(n: usize) -> Option<Vec<u32>> {
-    column(n as u32, NIL).ok()
 }

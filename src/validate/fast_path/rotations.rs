@@ -1,7 +1,7 @@
 //! The walks around the vertices: V1, V2 and the vertices' half of B2.
 
+use super::extent::{Extent, existing, nils};
 use super::links::Links;
-use super::{Extent, existing, nils};
 use crate::validate::expectation::Part;
 use crate::validate::view::{Start, View};
 use alloc::vec::Vec;
