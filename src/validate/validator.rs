@@ -35,8 +35,8 @@ const TOPOLOGICAL: &[Rule] = &[
 
 /// Validates any half-edge structure: rules R1 … T4, and those of M1 … M7 that the expectation asks for.
 ///
-/// Cost: O(n) time and memory, n being the number of slots of all kinds. It does not panic unless the [`View`] does, and
-/// it always ends. At most so many bytes are in use at a time, besides the violations that are kept:
+/// Cost: O(n) time (but for the inverse of Ackermann's function) and memory, n being the number of slots of all kinds. It
+/// does not panic unless the [`View`] does, and it always ends. At most so many bytes are in use at a time, besides the violations that are kept:
 ///
 /// | | per vertex | per component | per half-edge | per boundary component |
 /// | --- | --- | --- | --- | --- |
