@@ -4,10 +4,12 @@
 //! cargo run -p twinedge-proofs --bin faults                            the table, in Markdown
 //! cargo run -p twinedge-proofs --bin faults -- --only R1               the faults with these words in their names
 //! cargo run -p twinedge-proofs --bin faults -- --checks corrupt,soak   these checks alone
+//! cargo run -p twinedge-proofs --bin faults -- --minutes 20            what can be run in so many minutes
 //! ```
 //!
 //! One build holds all faults, each behind a switch that is read from the environment. Each check then runs once without a fault,
-//! and must pass, and once with each. A fault is caught if the check fails, panics, or takes longer than a minute.
+//! and must pass, and once with each. A fault is caught if the check fails, panics, or takes longer than a minute and five times
+//! what it takes without a fault. Checks are run one after the other, the quickest first, each with all faults.
 #![allow(clippy::print_stdout, clippy::print_stderr, reason = "it is a program")]
 
 use std::collections::BTreeMap;
@@ -22,7 +24,7 @@ use twinedge_proofs::faults::{Fault, SWITCH, parse, plant};
 
 type Result<T> = std::result::Result<T, Box<dyn Error + Send + Sync>>;
 
-/// After this long a check counts as one that does not end.
+/// A check that takes longer than this, and than five times what it takes without a fault, counts as one that does not end.
 const LIMIT: Duration = Duration::from_secs(60);
 
 /// A check: its name, and the program with its arguments.
@@ -30,11 +32,14 @@ struct Check {
     name: &'static str,
     program: PathBuf,
     arguments: Vec<&'static str>,
+    /// How long it takes without a fault.
+    takes: Duration,
 }
 
 /// What became of a check.
 #[derive(Clone, Copy, PartialEq, Eq)]
 enum End {
+    NotRun,
     Passed,
     Failed,
     TimedOut,
@@ -60,24 +65,28 @@ const COMMANDS: [(&str, &[&str]); 5] = [
 fn main() -> Result<()> {
     let option = |name: &str| std::env::args().skip_while(|argument| argument != name).nth(1);
     let (only, chosen) = (option("--only"), option("--checks"));
+    let minutes = option("--minutes").map(|minutes| minutes.parse::<u64>()).transpose()?;
     let is_chosen = |name: &str| chosen.as_ref().is_none_or(|names| names.split(',').any(|other| other == name));
     let root = Path::new(env!("CARGO_MANIFEST_DIR")).join("..").canonicalize()?;
     let faults = read(&root.join("proofs/faults"))?;
     let build = root.join("target/faults");
     let copy = build.join("sources");
     copy_planted(&root, &copy, &faults)?;
-    let checks = built(&copy, &build, is_chosen)?;
-    for check in &checks {
+    let mut checks = built(&copy, &build, is_chosen)?;
+    let start = Instant::now();
+    for check in &mut checks {
         let start = Instant::now();
         if check.run(None)? != End::Passed {
             return Err(format!("{} does not pass without a fault", check.name).into());
         }
-        eprintln!("{} passes without a fault in {:.1} s", check.name, start.elapsed().as_secs_f64());
+        check.takes = start.elapsed();
+        eprintln!("{} passes without a fault in {:.1} s", check.name, check.takes.as_secs_f64());
     }
     let wanted: Vec<usize> =
         (0..faults.len()).filter(|n| only.as_ref().is_none_or(|words| faults[*n].what.contains(words))).collect();
-    let caught = matrix(&checks, &wanted)?;
-    print(&checks, &faults, &caught);
+    let until = minutes.map(|minutes| start + Duration::from_secs(60 * minutes));
+    let ends = matrix(&checks, &wanted, until)?;
+    print(&checks, &faults, &ends);
     Ok(())
 }
 
@@ -144,14 +153,19 @@ fn built(copy: &Path, build: &Path, is_chosen: impl Fn(&str) -> bool) -> Result<
         let line = said.lines().find(|line| line.contains(source)).ok_or_else(|| format!("cargo made no {source}"))?;
         let program =
             line.split_once('(').and_then(|(_, rest)| rest.split_once(')')).ok_or("cargo says something else")?.0;
-        checks.push(Check { name, program: copy.join(program), arguments: vec!["--test-threads=1", "-q"] });
+        checks.push(Check {
+            name,
+            program: copy.join(program),
+            arguments: vec!["--test-threads=1", "-q"],
+            takes: LIMIT,
+        });
     }
     if COMMANDS.iter().any(|(name, _)| is_chosen(name)) {
         cargo(&["build", "--release", "-p", "twinedge-cli"])?;
     }
     let program = build.join("release/twinedge");
     for (name, arguments) in COMMANDS.iter().filter(|(name, _)| is_chosen(name)) {
-        checks.push(Check { name, program: program.clone(), arguments: arguments.to_vec() });
+        checks.push(Check { name, program: program.clone(), arguments: arguments.to_vec(), takes: LIMIT });
     }
     Ok(checks)
 }
@@ -173,7 +187,7 @@ impl Check {
             if let Some(status) = child.try_wait()? {
                 return Ok(if status.success() { End::Passed } else { End::Failed });
             }
-            if start.elapsed() > LIMIT {
+            if start.elapsed() > LIMIT.max(5 * self.takes) {
                 child.kill()?;
                 child.wait()?;
                 return Ok(End::TimedOut);
@@ -183,15 +197,25 @@ impl Check {
     }
 }
 
-/// Runs every check with each of these faults, four faults at a time.
-fn matrix(checks: &[Check], wanted: &[usize]) -> Result<BTreeMap<usize, Vec<End>>> {
-    let (next, done) = (AtomicUsize::new(0), Mutex::new(BTreeMap::new()));
+/// Runs each check with each of these faults, four at a time, until it is too late to begin another.
+fn matrix(checks: &[Check], wanted: &[usize], until: Option<Instant>) -> Result<BTreeMap<usize, Vec<End>>> {
+    let mut quickest: Vec<usize> = (0..checks.len()).collect();
+    quickest.sort_by_key(|check| checks[*check].takes);
+    let cells: Vec<(usize, usize)> =
+        quickest.iter().flat_map(|check| wanted.iter().map(|fault| (*check, *fault))).collect();
+    let none: BTreeMap<usize, Vec<End>> =
+        wanted.iter().map(|fault| (*fault, vec![End::NotRun; checks.len()])).collect();
+    let (next, done) = (AtomicUsize::new(0), Mutex::new(none));
     let work = || -> Result<()> {
-        while let Some(fault) = wanted.get(next.fetch_add(1, Ordering::Relaxed)) {
-            let ends = checks.iter().map(|check| check.run(Some(*fault))).collect::<Result<Vec<_>>>()?;
-            let marks: String = ends.iter().map(|end| mark(*end)).collect();
-            eprintln!("{fault:3} {marks}");
-            done.lock().map_err(|_| "another thread panicked")?.insert(*fault, ends);
+        while let Some((check, fault)) = cells.get(next.fetch_add(1, Ordering::Relaxed)) {
+            if until.is_some_and(|until| Instant::now() >= until) {
+                break;
+            }
+            let end = checks[*check].run(Some(*fault))?;
+            eprintln!("{} {} {fault}", mark(end), checks[*check].name);
+            if let Some(ends) = done.lock().map_err(|_| "another thread panicked")?.get_mut(fault) {
+                ends[*check] = end;
+            }
         }
         Ok(())
     };
@@ -204,6 +228,7 @@ fn matrix(checks: &[Check], wanted: &[usize]) -> Result<BTreeMap<usize, Vec<End>
 
 const fn mark(end: End) -> char {
     match end {
+        End::NotRun => '–',
         End::Passed => '·',
         End::Failed => '×',
         End::TimedOut => 't',
@@ -220,7 +245,7 @@ fn print(checks: &[Check], faults: &[Fault], caught: &BTreeMap<usize, Vec<End>>)
         let marks: Vec<String> = ends.iter().map(|end| mark(*end).to_string()).collect();
         println!("| {what} | `{name}` | {} |", marks.join(" | "));
     }
-    let caught_by = |ends: &Vec<End>| ends.iter().filter(|end| **end != End::Passed).count();
+    let caught_by = |ends: &Vec<End>| ends.iter().filter(|end| end.is_caught()).count();
     let count = |test: fn(usize) -> bool| caught.values().filter(|ends| test(caught_by(ends))).count();
     println!();
     println!(
@@ -231,7 +256,18 @@ fn print(checks: &[Check], faults: &[Fault], caught: &BTreeMap<usize, Vec<End>>)
         count(|n| n == 0)
     );
     for (position, check) in checks.iter().enumerate() {
-        let by = caught.values().filter(|ends| ends[position] != End::Passed).count();
-        println!("- {}: {by}", check.name);
+        let by = caught.values().filter(|ends| ends[position].is_caught()).count();
+        let not_run = caught.values().filter(|ends| ends[position] == End::NotRun).count();
+        println!(
+            "- {}: {by} caught, {not_run} not run; {:.1} s without a fault",
+            check.name,
+            check.takes.as_secs_f64()
+        );
+    }
+}
+
+impl End {
+    const fn is_caught(self) -> bool {
+        matches!(self, Self::Failed | Self::TimedOut)
     }
 }
