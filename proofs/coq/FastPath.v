@@ -1,21 +1,37 @@
-(** * FastPath: two walks that settle R1 to T1 at once (fast_path.rs)
+(** * FastPath: a scan and two walks that settle R1 to T1, and T3, at once (fast_path/)
 
-    The fast path walks once around every vertex and once along every boundary component, remembers little, and counts.
-    This file is the algorithm; FastPathAccepted.v and FastPathProof.v prove that it accepts exactly the views that keep R1 to T1.
+    The fast path reads the links of every half-edge, walks along every boundary component from where a face lists it and
+    around every vertex, remembers little, and counts. Then it joins vertices along edges until as few sets of them are
+    left as Euler's formula allows. This file is the algorithm; FastPathAccepted.v, FastPathKept.v, FastPathComponents.v
+    and FastPathProof.v prove that it accepts exactly the views that keep R1 to T1, and T3.
 
 <<
-      around v, from leaving(v):        along b, from start(b):
+      scan, by index:               along each cycle:             around v, from leaving(v):
 
-           \   |   /                    ┌──► h ──► n ──► · ──┐    twin(twin(h)) = h, prev(n) = h,
-        ◄── \  |  / ──►                 └────────────────────┘    origin(n) = origin(twin(h)),
-      ─────── v ───────                   face(b) lists b         boundary(h) = b, all of them live
+           h          n             ┌──► h ──► n ──► · ──┐              \   |   /
+      ·────────►w────────►·         └────────────────────┘           ◄── \  |  / ──►
+      ·◄────────w                   prev(n) = h,                    ─────── v ───────
+           t                        boundary(h) = b,
+      twin(t) = h ≠ t,              face(b) lists b
+      origin(n) = origin(t)
 >>
 
     Like the Rust code it asks of any slot that there is, live or not, and so it hears what vacant slots say ([says_twin]
-    and not [twin]). It differs in this: vertices are visited in the order of their numbers, and components are found
-    afterwards and not on the way; and a walk may take as many steps as there are slots, not only as many as the walks
-    before it left. Neither changes what is accepted: the walks are the same ones, and the sum of their steps is compared
-    with the number of half-edges in the end. Nothing is said here of the figures that the Rust code notes on the way. *)
+    and not [twin]). It is about structures that have every part, in the plane. It differs in this:
+
+    - Everything is looked at, where the Rust code stops at the first fault. A walk may take as many steps as there are
+      slots, not only as many as are left of the live half-edges, and the lists of the faces are read to their ends,
+      though they may have more entries than there are boundary components. Neither changes what is accepted: the walks
+      are the same ones, and their steps and the entries are counted in the end.
+    - That boundary components are marked as they are listed is said of the list of them: [uniq].
+    - A set of vertices is kept as the number that all of its vertices have, and [join] gives those of one set the number
+      of the other; sets are counted when it is asked how many there are. The Rust code keeps a forest of disjoint sets,
+      and their number. Both have the same sets after the same joins, and nothing else is asked of them: which number
+      stands for a set does not matter.
+    - A nil is read as 0 where it has been excluded before: of what is listed ([entry_ok]), of the twins and origins of
+      half-edges ([scanned]), and of the vertices where boundary components start ([entry_ok]).
+
+    Nothing is said here of the figures that the Rust code notes on the way, and of memory that runs out. *)
 
 From mathcomp Require Import all_ssreflect.
 From twinedge Require Import View Rules Loops Reference.
@@ -29,13 +45,71 @@ Variable t : view.
 (** The link, if the slot that it leads to exists. *)
 Definition existing n (l : link) : link := if l is Some i then if i < n then Some i else None else None.
 
-(** ** Around every vertex *)
+Definition live_ones n live := [seq i <- iota 0 n | live i].
+Definition vertex_ones := live_ones (vertex_slots t) (vertex t).
+Definition half_edge_ones := live_ones (half_edge_slots t) (half_edge t).
+Definition boundary_ones := live_ones (boundary_slots t) (boundary t).
+Definition face_ones := live_ones (face_slots t) (face t).
+
+(** ** The scan over the half-edges (links.rs) *)
+
+Definition scanned h : bool :=
+  match existing (half_edge_slots t) (says_twin t h), existing (half_edge_slots t) (says_next t h) with
+  | Some w, Some n =>
+    [&& w != h, same_link (says_twin t w) (Some h), half_edge t w, half_edge t n, ~~ is_nil (says_origin t n),
+        same_link (says_origin t n) (says_origin t w) & ~~ is_nil (says_origin t h)]
+  | _, _ => false
+  end.
+
+(** ** Along every boundary component, from where a face lists it (boundaries.rs) *)
+
+Definition along_step b h : link :=
+  if same_link (says_boundary t h) (Some b) then
+    if existing (half_edge_slots t) (says_next t h) is Some n then
+      if same_link (says_prev t n) (Some h) then Some n else None
+    else None
+  else None.
+
+(** How many half-edges the walk along [b] visits, if it finds nothing wrong. *)
+Definition along b : option nat :=
+  match says_boundary_start t b with
+  | Some (AtHalfEdge h) => if half_edge t h then round_trip (half_edge_slots t) (along_step b) h else None
+  | Some (AtVertex _) => if says_boundary_place t b is Some Outer then None else Some 0
+  | None => None
+  end.
+
+(** The vertex where [b] starts. *)
+Definition says_vertex_at b : link :=
+  match says_boundary_start t b with
+  | Some (AtHalfEdge h) => says_origin t h | Some (AtVertex v) => Some v | None => None
+  end.
+
+(** What the lists of the faces have room for: at this place of this face. *)
+Definition has_outer f := ~~ is_nil (says_outer t f).
+Definition entries_of f : seq (nat * place) :=
+  [seq (f, Outer) | _ <- iota 0 (has_outer f)] ++ [seq (f, Inner i) | i <- iota 0 (says_inner_count t f)].
+Definition entries : seq (nat * place) := flatten [seq entries_of f | f <- face_ones].
+
+Definition says_listed (e : nat * place) : link :=
+  match e.2 with Outer => says_outer t e.1 | Inner i => says_inner t e.1 i end.
+
+(** What is listed there is live, says so itself, and can be walked along. *)
+Definition entry_ok (e : nat * place) : bool :=
+  if says_listed e is Some b then
+    [&& boundary t b, same_link (says_boundary_face t b) (Some e.1), same_place (says_boundary_place t b) e.2,
+        ~~ is_nil (existing (vertex_slots t) (says_vertex_at b)) & ~~ is_nil (along b)]
+  else false.
+
+Definition listed_ones : seq nat := [seq odflt 0 (says_listed e) | e <- entries].
+
+(** Each is listed once, and there are as many as there are boundary components. *)
+Definition listed_once := uniq listed_ones && (size entries == size boundary_ones).
+
+(** ** Around every vertex (rotations.rs) *)
 
 Definition around_step h : link :=
   if existing (half_edge_slots t) (says_twin t h) is Some w then
-    if says_origin t w is Some u then
-      if vertex t u then existing (half_edge_slots t) (says_next t w) else None
-    else None
+    if existing (vertex_slots t) (says_origin t w) is Some _ then existing (half_edge_slots t) (says_next t w) else None
   else None.
 
 Definition names_its_boundary v :=
@@ -48,80 +122,69 @@ Definition around v : option nat :=
     then round_trip (half_edge_slots t) around_step l else None
   else if names_its_boundary v then Some 0 else None.
 
-(** The vertices that the walk around [v] sees. *)
+(** The vertices that the walk around [v] sees, and that with the smallest number of these and [v]. *)
 Definition neighbours v : seq nat :=
   if leaving t v is Some l then
     [seq odflt 0 (says_twin t h >>= says_origin t) |
       h <- traject (fun h => odflt 0 (around_step h)) l (odflt 0 (around v))]
   else [::].
+Definition nearest v := foldr minn v (neighbours v).
 
-(** ** Along every boundary component *)
-
-Definition along_step b h : link :=
-  match existing (half_edge_slots t) (says_twin t h), existing (half_edge_slots t) (says_next t h) with
-  | Some w, Some n =>
-    if [&& half_edge t h, half_edge t w, same_link (says_boundary t h) (Some b), w != h,
-           same_link (says_twin t w) (Some h), same_link (says_prev t n) (Some h), ~~ is_nil (says_origin t n)
-         & same_link (says_origin t n) (says_origin t w)]
-    then Some n else None
-  | _, _ => None
-  end.
-
-(** How many half-edges the walk along [b] visits, if it finds nothing wrong. *)
-Definition along b : option nat :=
-  match says_boundary_start t b with
-  | Some (AtHalfEdge h) => if h < half_edge_slots t then round_trip (half_edge_slots t) (along_step b) h else None
-  | Some (AtVertex _) => if says_boundary_place t b is Some Outer then None else Some 0
-  | None => None
-  end.
-
-(** The face that [b] names lists it at the place it says. *)
-Definition stands_there b :=
-  match says_boundary_face t b, says_boundary_place t b with
-  | Some f, Some p => face t f && same_link (listed t f p) (Some b)
-  | _, _ => false
-  end.
-
-(** The vertex where [b] starts. *)
-Definition says_vertex_at b : link :=
-  match says_boundary_start t b with
-  | Some (AtHalfEdge h) => says_origin t h | Some (AtVertex v) => Some v | None => None
-  end.
-
-(** ** Counting *)
-
-Definition live_ones n live := [seq i <- iota 0 n | live i].
-Definition vertex_ones := live_ones (vertex_slots t) (vertex t).
-Definition half_edge_ones := live_ones (half_edge_slots t) (half_edge t).
-Definition boundary_ones := live_ones (boundary_slots t) (boundary t).
-Definition face_ones := live_ones (face_slots t) (face t).
+(** ** Counting (mod.rs) *)
 
 Definition is_isolated v := is_nil (says_leaving t v).
 Definition is_at_vertex b := if says_boundary_start t b is Some (AtVertex _) then true else false.
-Definition has_outer f := ~~ is_nil (says_outer t f).
 
 Definition complete :=
-  [&& sumn [seq odflt 0 (around v) | v <- vertex_ones] == size half_edge_ones,
-      sumn [seq odflt 0 (along b) | b <- boundary_ones] == size half_edge_ones,
-      count is_at_vertex boundary_ones == count is_isolated vertex_ones,
-      count has_outer face_ones + sumn [seq says_inner_count t f | f <- face_ones] == size boundary_ones
+  [&& sumn [seq odflt 0 (along b) | b <- listed_ones] == size half_edge_ones,
+      sumn [seq odflt 0 (around v) | v <- vertex_ones] == size half_edge_ones,
+      count is_at_vertex listed_ones == count is_isolated vertex_ones
     & size face_ones == count has_outer face_ones + 1].
 
-(** ** Every component has one outside *)
+(** ** The components, joined edge by edge (components.rs)
 
-Definition component : memory link :=
-  flood_all (half_edge_slots t).+2 (vertex_slots t) (vertex t) neighbours.
+<<
+      each vertex to its nearest:           then edge by edge, until as few sets are left as can be:
 
-Definition outside_component b : link :=
-  if says_boundary_place t b is Some (Inner _) then says_vertex_at b >>= read component else None.
+        7 ──► 3 ──► 1      6 ──► 2            {1 3 7}  {2 6}   ── edge 7–6 ──►   {1 3 7 2 6}   stop
+>>
+*)
 
-Definition one_outside_each :=
-  all (fun b => ~~ is_nil (says_vertex_at b >>= read component)) boundary_ones
-  && all (fun v => count (fun b => outside_component b == read component v) boundary_ones == 1) vertex_ones.
+(** How many sets there are, if vertices are in the same set that have the same number. *)
+Definition sets (number : memory nat) := size (undup [seq number v | v <- vertex_ones]).
+
+(** The set of [u] and that of [v] become one. *)
+Definition join (number : memory nat) u v : memory nat := fun w => if number w == number u then number v else number w.
+
+Definition hooked : memory nat := foldl (fun number v => join number v (nearest v)) id vertex_ones.
+
+Definition edge_ends : seq (nat * nat) :=
+  [seq (odflt 0 (says_origin t h), odflt 0 (says_twin t h >>= says_origin t)) |
+    h <- half_edge_ones & h < odflt 0 (says_twin t h)].
+
+Fixpoint join_until fewest (ends : seq (nat * nat)) number :=
+  if ends is (u, v) :: rest then if sets number <= fewest then number else join_until fewest rest (join number u v)
+  else number.
+
+(** Euler's formula, where an isolated vertex has one cycle: this less the edges is twice the number of components, at
+    genus 0. *)
+Definition vertices_and_cycles :=
+  size vertex_ones + count (predC is_at_vertex) listed_ones + count is_isolated vertex_ones.
+Definition edge_number := (size half_edge_ones)./2.
+Definition twice := vertices_and_cycles - edge_number.
+
+Definition set_of : memory nat := join_until (maxn twice./2 1) edge_ends hooked.
+
+(** T3: there are as few sets as can be. *)
+Definition as_few_as_can_be := [&& edge_number <= vertices_and_cycles, ~~ odd twice & sets set_of == twice./2].
+
+(** T1: each set has one inner boundary component. *)
+Definition is_listed_inner b := if says_boundary_place t b is Some (Inner _) then true else false.
+Definition outsides := [seq read set_of (odflt 0 (says_vertex_at b)) | b <- listed_ones & is_listed_inner b].
+Definition one_outside_each := uniq outsides && (size outsides == sets set_of).
 
 Definition fast_path :=
-  [&& all (fun v => ~~ is_nil (around v)) vertex_ones,
-      all (fun b => ~~ is_nil (along b) && stands_there b) boundary_ones,
-      complete & one_outside_each].
+  [&& all scanned half_edge_ones, all entry_ok entries && listed_once, all (fun v => ~~ is_nil (around v)) vertex_ones,
+      complete & as_few_as_can_be && one_outside_each].
 
 End FastPath.

@@ -1,8 +1,9 @@
 (** * FastPathAccepted: what the fast path accepts keeps R1 to F2
 
-    Both walks return to where they set out, and together they visit as many half-edges as there are. As no half-edge is
-    visited twice, every half-edge is visited. In the same way isolated vertices, boundary components and places in the
-    lists of faces are counted, and not looked up. *)
+    What is listed is live, different, and as much as there are boundary components: hence all of them are listed. The
+    walks along them and those around the vertices return to where they set out, and each kind visits as many half-edges
+    as there are. As no half-edge is visited twice, every half-edge is visited. In the same way isolated vertices are
+    counted, and not looked up. *)
 
 From mathcomp Require Import all_ssreflect.
 From twinedge Require Import Arith View Rules Loops LoopsProof Reference Map Counting Lists ReferenceProof Genus WholeEuler.
@@ -12,6 +13,14 @@ Unset Strict Implicit.
 Unset Printing Implicit Defensive.
 
 (** ** Lists *)
+
+Definition code (p : place) : option nat := if p is Inner i then Some i else None.
+Definition uncode (c : option nat) : place := if c is Some i then Inner i else Outer.
+
+Lemma codeK : cancel code uncode. Proof. by case. Qed.
+
+Definition place_eqMixin := CanEqMixin codeK.
+Canonical place_eqType := EqType place place_eqMixin.
 
 (** As many different ones as there are: hence all. *)
 Lemma all_met (A : eqType) (s s' : seq A) : uniq s -> {subset s <= s'} -> size s = size s' -> s =i s'.
@@ -39,25 +48,63 @@ case: l => [j|] /=; last by split=> [|[]].
 by case: ifP => [lt|ge]; split=> [|[]] //; case=> E; [rewrite -E | rewrite -E ge].
 Qed.
 
-(** ** What one step sees *)
+(** ** What the scan and one step see *)
 
-Lemma along_stepP b h n : along_step t b h = Some n -> [/\ half_edge t h,
-  exists w, [/\ says_twin t h = Some w, half_edge t w, w <> h, says_twin t w = Some h
-    & exists2 u, says_origin t n = Some u & says_origin t w = Some u],
-  says_next t h = Some n, says_prev t n = Some h & says_boundary t h = Some b].
+Lemma scannedP h : scanned t h -> exists w n,
+  [/\ says_twin t h = Some w, half_edge t w, w <> h & says_twin t w = Some h] /\
+  [/\ says_next t h = Some n, half_edge t n & exists2 u, says_origin t n = Some u & says_origin t w = Some u].
 Proof.
-rewrite /along_step; case Ew: (existing _ _) => [w|] //; case En: (existing _ _) => [m|] //.
-case: ifP => // /andP[lh /andP[lw /andP[/same_linkP bh /andP[/eqP wh /andP[/same_linkP tw /andP[/same_linkP pm /andP[om /same_linkP ow]]]]]]] [mn].
-rewrite -mn; have [Ew' _] := (existingP _ _ _).1 Ew; have [En' _] := (existingP _ _ _).1 En; split=> //.
-exists w; split=> //; case O: (says_origin t m) om ow => [u|] // _ ow; by exists u.
+rewrite /scanned; case Ew: (existing _ _) => [w|] //; case En: (existing _ _) => [n|] //.
+case/and5P=> /eqP wh /same_linkP tw lw ln /and3P[on /same_linkP ow _].
+have [Ew' _] := (existingP _ _ _).1 Ew; have [En' _] := (existingP _ _ _).1 En; exists w, n; split; split=> //.
+by case O: (says_origin t n) on ow => [u|] // _ ow; exists u.
+Qed.
+
+Lemma along_stepP b h n : along_step t b h = Some n ->
+  [/\ says_next t h = Some n, says_prev t n = Some h & says_boundary t h = Some b].
+Proof.
+rewrite /along_step; case: ifP => // /same_linkP bh; case En: (existing _ _) => [m|] //.
+by case: ifP => // /same_linkP pm [<-]; have [] := (existingP _ _ _).1 En.
 Qed.
 
 Lemma around_stepP h n : around_step t h = Some n ->
-  exists w u, [/\ says_twin t h = Some w, says_origin t w = Some u, vertex t u & says_next t w = Some n].
+  exists w u, [/\ says_twin t h = Some w, says_origin t w = Some u & says_next t w = Some n].
 Proof.
-rewrite /around_step; case Ew: (existing _ _) => [w|] //; case Eu: (says_origin t w) => [u|] //.
-case: ifP => // lu /existingP[En _]; have [Ew' _] := (existingP _ _ _).1 Ew; by exists w, u.
+rewrite /around_step; case Ew: (existing _ _) => [w|] //; case Eu: (existing _ _) => [u|] // /existingP[En _].
+by have [Ew' _] := (existingP _ _ _).1 Ew; have [Eu' _] := (existingP _ _ _).1 Eu; exists w, u.
 Qed.
+
+(** ** The places in the lists of the faces *)
+
+Lemma entriesP f p : (f, p) \in entries t <->
+  face t f /\ (if p is Inner i then i < says_inner_count t f : Prop else has_outer t f).
+Proof.
+split=> [/flattenP[s /mapP[g + ->]]|[lf]].
+  rewrite face_onesP mem_cat => lg /orP[/mapP[i + [-> ->]]|/mapP[i + [-> ->]]]; rewrite mem_iota add0n => H; split=> //.
+  by case: (has_outer t g) H.
+case: p => [|i] H; apply/flattenP; exists (entries_of t f); rewrite ?map_f ?face_onesP // mem_cat; apply/orP.
+  by left; rewrite H /=; apply: mem_head.
+by right; apply: map_f; rewrite mem_iota.
+Qed.
+
+Lemma entries_uniq : uniq (entries t).
+Proof.
+apply: uniq_flatten; first exact: ones_uniq.
+  move=> f _; rewrite cat_uniq; apply/and3P; split; first by case: (has_outer t f).
+    by apply/hasPn=> x /mapP[i _ ->]; apply/negP=> /mapP[j _].
+  by rewrite map_inj_uniq ?iota_uniq // => i j [].
+by move=> f g x _ _; rewrite !mem_cat => /orP[]/mapP[i _ ->] /orP[]/mapP[j _ []].
+Qed.
+
+Lemma listed_entry f p b : listed t f p = Some b -> (f, p) \in entries t.
+Proof.
+move=> L; have lf := listed_face L; apply/entriesP; split=> //; case: p L => [|i] /=.
+  by rewrite /outer heardE // /has_outer => ->.
+by rewrite /inner /inner_count lf; case: ifP.
+Qed.
+
+Lemma listedE f p : (f, p) \in entries t -> listed t f p = says_listed t (f, p).
+Proof. by case/entriesP=> lf; case: p => [|i] H /=; [rewrite /outer heardE | rewrite /inner /inner_count lf H]. Qed.
 
 (** The half-edges that the walk along [b] visits, and those that the walk around [v] visits. *)
 Definition along_list b : seq nat :=
@@ -81,32 +128,77 @@ Qed.
 (** ** What is accepted keeps R1 to F2 *)
 
 Section Accepted.
+Hypothesis scan_ok : forall h, half_edge t h -> scanned t h.
+Hypothesis entries_ok : forall e, e \in entries t -> entry_ok t e.
+Hypothesis once : listed_once t.
 Hypothesis vertices_ok : forall v, vertex t v -> exists k, around t v = Some k.
-Hypothesis boundaries_ok : forall b, boundary t b -> (exists k, along t b = Some k) /\ stands_there t b.
 Hypothesis counts : complete t.
 
-Lemma along_listP b : boundary t b -> uniq (along_list b) /\ forall h, h \in along_list b ->
-  [/\ exists2 n, along_step t b h = Some n & n \in along_list b, exists2 g, along_step t b g = Some h & g \in along_list b
-    & exists2 l, says_boundary_start t b = Some (AtHalfEdge l) & l \in along_list b /\ on_orbit (along_step t b) l h].
+(** *** What is listed *)
+
+Lemma entryP f p : (f, p) \in entries t -> exists b,
+  [/\ boundary t b, says_boundary_face t b = Some f, says_boundary_place t b = Some p, listed t f p = Some b
+    & exists k, along t b = Some k].
 Proof.
-case/boundaries_ok=> -[k E] _; rewrite /along_list E; move: E; rewrite /along.
-case: (says_boundary_start t b) => [[l|v]|] //; case: ifP => // _ /round_tripP[l0 u fwd back]; split=> // h hs.
-by have [pre on] := back h hs; split=> //; [apply: fwd | exists l].
+move=> e; have := entries_ok e; rewrite /entry_ok (listedE e); case: (says_listed t (f, p)) => [b|] //.
+case/and5P=> lb /same_linkP Ef /same_placeP Ep _; case K: (along t b) => [k|] // _.
+by exists b; split=> //; exists k.
 Qed.
 
-Lemma along_start b l : boundary t b -> says_boundary_start t b = Some (AtHalfEdge l) -> l \in along_list b.
+(** Every boundary component is listed. *)
+Lemma listed_all : perm_eq (listed_ones t) (boundary_ones t).
 Proof.
-case/boundaries_ok=> -[k E] _ S; rewrite /along_list E S; move: E; rewrite /along S.
-by case: ifP => // _ /round_tripP[].
+have /andP[u /eqP total] := once; apply: uniq_perm => //; first exact: ones_uniq.
+apply: all_met => //; last by rewrite size_map.
+move=> b /mapP[[f p] e ->]; have [c [lc _ _ L _]] := entryP e.
+by rewrite -(listedE e) L boundary_onesP.
+Qed.
+
+Lemma namedP b : boundary t b -> exists f p, [/\ says_boundary_face t b = Some f, says_boundary_place t b = Some p,
+  face t f & listed t f p = Some b] /\ exists k, along t b = Some k.
+Proof.
+rewrite -boundary_onesP -(perm_mem listed_all) => /mapP[[f p] e Eb]; have [lf _] := (entriesP f p).1 e.
+by have [c [lc Ef Ep L K]] := entryP e; move: Eb; rewrite -(listedE e) L /= => ->; exists f, p.
+Qed.
+
+Lemma listed_named f p b : listed t f p = Some b ->
+  [/\ boundary t b, says_boundary_face t b = Some f & says_boundary_place t b = Some p].
+Proof.
+by move=> L; have [c [lc Ef Ep + _]] := entryP (listed_entry L); rewrite L => -[->].
+Qed.
+
+(** *** Along the boundary components *)
+
+Lemma along_orbit_live b l h : half_edge t l -> on_orbit (along_step t b) l h -> half_edge t h.
+Proof.
+move=> ll [k]; elim: k h => [|k IH] h /=; first by case=> <-.
+case E: (iter k _ _) => [g|] //= /along_stepP[nx _ _].
+by have [w [n [_ [nx' ln _]]]] := scannedP (scan_ok (IH g E)); move: nx; rewrite nx' => -[<-].
+Qed.
+
+Lemma along_listP b : boundary t b -> uniq (along_list b) /\ forall h, h \in along_list b ->
+  [/\ half_edge t h, exists2 n, along_step t b h = Some n & n \in along_list b,
+      exists2 g, along_step t b g = Some h & g \in along_list b
+    & exists2 l, says_boundary_start t b = Some (AtHalfEdge l) & l \in along_list b /\ on_orbit (along_step t b) l h].
+Proof.
+case/namedP=> f [p [_ [k E]]]; rewrite /along_list E; move: E; rewrite /along.
+case: (says_boundary_start t b) => [[l|v]|] //; case: ifP => // ll /round_tripP[l0 u fwd back]; split=> // h hs.
+have [pre on] := back h hs; split=> //; [exact: along_orbit_live on|exact: fwd|by exists l].
+Qed.
+
+Lemma along_start b l : boundary t b -> says_boundary_start t b = Some (AtHalfEdge l) -> half_edge t l /\ l \in along_list b.
+Proof.
+case/namedP=> f [p [_ [k E]]] S; rewrite /along_list E S; move: E; rewrite /along S.
+by case: ifP => // ll /round_tripP[].
 Qed.
 
 Lemma along_list_half_edge b h : boundary t b -> h \in along_list b -> half_edge t h /\ says_boundary t h = Some b.
-Proof. by case/along_listP=> _ /[apply] -[[n /along_stepP[lh _ _ _ bh] _] _ _]. Qed.
+Proof. by case/along_listP=> _ /[apply] -[lh [n /along_stepP[_ _ bh] _] _ _]. Qed.
 
 (** The walks along the boundary components visit every half-edge. *)
 Lemma all_along h : half_edge t h -> exists2 b, boundary t b & h \in along_list b.
 Proof.
-move=> lh; have [_ /eqP total _ _ _] := and5P counts.
+move=> lh; have [/eqP total _ _ _] := and4P counts; rewrite (perm_sumn (perm_map _ listed_all)) in total.
 have : h \in flatten [seq along_list b | b <- boundary_ones t].
   rewrite (@all_met _ _ (half_edge_ones t)) ?half_edge_onesP //.
   - apply: uniq_flatten; first exact: ones_uniq.
@@ -128,10 +220,10 @@ Lemma half_edge_ok h : half_edge t h -> exists w n g b,
       exists2 u, says_origin t n = Some u & says_origin t w = Some u
     & [/\ says_boundary t h = Some b, boundary t b, says_boundary t n = Some b & h \in along_list b]].
 Proof.
-case/all_along=> b lb hb; have [_ /(_ h hb)[[n En nb] [g Eg gb] _]] := along_listP lb.
-have [_ [w [tw lw wh tw' o]] nx pv bh] := along_stepP En; have [lg _ gx gp _] := along_stepP Eg.
-have [ln bn] := along_list_half_edge lb nb.
-by exists w, n, g, b.
+case/all_along=> b lb hb; have [_ /(_ h hb)[lh [n En nb] [g Eg gb] _]] := along_listP lb.
+have [w [m [T [nx' _ o]]]] := scannedP (scan_ok lh); have [nx pv bh] := along_stepP En; have [gx gp _] := along_stepP Eg.
+have [ln bn] := along_list_half_edge lb nb; have [lg _] := along_list_half_edge lb gb.
+by move: nx'; rewrite nx => -[nm]; rewrite -nm in o; exists w, n, g, b.
 Qed.
 
 (** The walk around a vertex visits half-edges that leave it. *)
@@ -142,7 +234,7 @@ case/vertices_ok=> k E; rewrite /around_list E; move: E; rewrite /around.
 case L: (says_leaving t v) => [l|] //; case: ifP => // /and3P[ll /same_linkP ol _] /round_tripP[l0 u fwd back]; split=> // h hs.
 suff [lh oh on] : [/\ half_edge t h, says_origin t h = Some v & on_orbit (turn t) l h] by split=> //; exists l.
 have [_ [j]] := back h hs; elim: j h {hs} => [|j IH] h /=; first by case=> <-; split=> //; exists 0.
-case Eg: (iter j _ _) => [g|] //= /around_stepP[w [x [gw _ _ wh]]].
+case Eg: (iter j _ _) => [g|] //= /around_stepP[w [x [gw _ wh]]].
 have [lg og [i ig]] := IH g Eg.
 have [w' [_ [_ [_ [[gw' lw' _ tw'] _ _ _ _]]]]] := half_edge_ok lg.
 move: gw; rewrite gw' => -[ww]; rewrite ww in lw' tw' gw'.
@@ -155,7 +247,7 @@ Qed.
 (** The walks around the vertices visit every half-edge. *)
 Lemma all_around h : half_edge t h -> exists2 v, vertex t v & h \in around_list v.
 Proof.
-move=> lh; have [/eqP total _ _ _ _] := and5P counts.
+move=> lh; have [_ /eqP total _ _] := and4P counts.
 have : h \in flatten [seq around_list v | v <- vertex_ones t].
   rewrite (@all_met _ _ (half_edge_ones t)) ?half_edge_onesP //.
   - apply: uniq_flatten; first exact: ones_uniq.
@@ -185,7 +277,7 @@ Qed.
 Lemma all_isolated b v : boundary t b -> says_boundary_start t b = Some (AtVertex v) ->
   [/\ vertex t v, says_leaving t v = None & says_isolated t v = Some b].
 Proof.
-move=> lb S; have [_ _ /eqP total _ _] := and5P counts.
+move=> lb S; have [_ _ /eqP total _] := and4P counts; rewrite (permP listed_all) in total.
 pose I := [seq v <- vertex_ones t | is_isolated t v]; pose A := [seq b <- boundary_ones t | is_at_vertex t b].
 pose name v := odflt 0 (says_isolated t v).
 have names u : u \in I -> [/\ vertex t u, says_leaving t u = None, says_isolated t u = Some (name u), boundary t (name u)
@@ -204,82 +296,6 @@ rewrite -(@all_met _ [seq name u | u <- I] A).
 by rewrite size_map !size_filter.
 Qed.
 
-(** *** The places in the lists of the faces *)
-
-Definition code (p : place) : option nat := if p is Inner i then Some i else None.
-Definition uncode (c : option nat) : place := if c is Some i then Inner i else Outer.
-
-Lemma codeK : cancel code uncode. Proof. by case. Qed.
-
-Definition places_of f : seq (nat * option nat) :=
-  [seq (f, None) | _ <- iota 0 (has_outer t f)] ++ [seq (f, Some i) | i <- iota 0 (says_inner_count t f)].
-Definition places := flatten [seq places_of f | f <- face_ones t].
-
-Lemma size_places : size places = count (has_outer t) (face_ones t) + sumn [seq says_inner_count t f | f <- face_ones t].
-Proof.
-rewrite /places size_flatten_map; elim: (face_ones t) => //= f s ->.
-by rewrite /places_of size_cat !size_map !size_iota; arith.
-Qed.
-
-Lemma placesP f c : (f, c) \in places <-> face t f /\ (if c is Some i then i < says_inner_count t f : Prop else has_outer t f).
-Proof.
-split=> [/flattenP[s /mapP[g + ->]]|[lf]].
-  rewrite face_onesP mem_cat => lg /orP[/mapP[i + [-> ->]]|/mapP[i + [-> ->]]]; rewrite mem_iota add0n => H; split=> //.
-  by case: (has_outer t g) H.
-case: c => [i|] H; apply/flattenP; exists (places_of f); rewrite ?map_f ?face_onesP // mem_cat; apply/orP.
-  by right; apply: map_f; rewrite mem_iota.
-by left; rewrite H /=; apply: mem_head.
-Qed.
-
-Lemma places_uniq : uniq places.
-Proof.
-apply: uniq_flatten; first exact: ones_uniq.
-  move=> f _; rewrite cat_uniq; apply/and3P; split; first by case: (has_outer t f).
-    by apply/hasPn=> x /mapP[i _ ->]; apply/negP=> /mapP[j _].
-  by rewrite map_inj_uniq ?iota_uniq // => i j [].
-by move=> f g x _ _; rewrite !mem_cat => /orP[]/mapP[i _ ->] /orP[]/mapP[j _ []].
-Qed.
-
-Lemma listed_place f p b : listed t f p = Some b -> (f, code p) \in places.
-Proof.
-move=> L; have lf := listed_face L; apply/placesP; split=> //; case: p L => [|i] /=.
-  by rewrite /outer heardE // /has_outer => ->.
-by rewrite /inner /inner_count lf; case: ifP.
-Qed.
-
-(** The place that a boundary component names. *)
-Definition named b : nat * option nat :=
-  (odflt 0 (says_boundary_face t b), obind code (says_boundary_place t b)).
-
-Lemma namedP b : boundary t b -> exists f p, [/\ says_boundary_face t b = Some f, says_boundary_place t b = Some p,
-  face t f, listed t f p = Some b & named b = (f, code p)].
-Proof.
-case/boundaries_ok=> _; rewrite /stands_there /named; case: (says_boundary_face t b) => [f|] //.
-by case: (says_boundary_place t b) => [p|] // /andP[lf /same_linkP L]; exists f, p.
-Qed.
-
-(** At every place stands a boundary component that names it. *)
-Lemma all_named f p : (f, code p) \in places -> exists b,
-  [/\ boundary t b, says_boundary_face t b = Some f, says_boundary_place t b = Some p & listed t f p = Some b].
-Proof.
-have [_ _ _ /eqP total _] := and5P counts.
-rewrite -(@all_met _ [seq named b | b <- boundary_ones t] places).
-- case/mapP=> b; rewrite boundary_onesP => lb; have [g [q [Eg Eq _ L ->]]] := namedP lb.
-  by case=> -> /(can_inj codeK) ->; exists b.
-- rewrite map_inj_in_uniq ?ones_uniq // => b c; rewrite !boundary_onesP => lb lc.
-  have [f' [p' [_ _ _ L ->]]] := namedP lb; have [g [q [_ _ _ L' ->]]] := namedP lc.
-  by case=> fg /(can_inj codeK) pq; move: L; rewrite fg pq L' => -[].
-- move=> x /mapP[b]; rewrite boundary_onesP => lb ->; have [g [q [_ _ _ L ->]]] := namedP lb.
-  exact: listed_place L.
-by rewrite size_map size_places -total.
-Qed.
-
-Lemma listed_named f p b : listed t f p = Some b ->
-  [/\ boundary t b, says_boundary_face t b = Some f & says_boundary_place t b = Some p].
-Proof.
-by move=> L; have [c [lc Ef Ep]] := all_named (listed_place L); rewrite L => -[->].
-Qed.
-
 (** *** The rules *)
 
 Lemma accepted_links : links_live t.
@@ -296,17 +312,17 @@ split.
   rewrite /names_its_boundary; case E: (says_isolated t v) => [b|] //=; case: ifP => // /andP[lb _] _; split.
     by right; split=> //; apply/no_leaving_bare.
   by right; exists b.
-- move=> b lb; have [f [p [Ef _ lf _ _]]] := namedP lb; rewrite /boundary_face /boundary_start !heardE // Ef.
+- move=> b lb; have [f [p [[Ef _ lf _] [k K]]]] := namedP lb; rewrite /boundary_face /boundary_start !heardE // Ef.
   split; first by exists f.
   case S: (says_boundary_start t b) => [[l|v]|] /=.
-  + by case: (along_list_half_edge lb (along_start lb S)).
+  + by case: (along_start lb S).
   + by case: (all_isolated lb S).
-  by have [[k]] := boundaries_ok lb; rewrite /along S.
+  by move: K; rewrite /along S.
 move=> f lf; split.
   case E: (outer t f) => [b|]; [right|by left].
   by exists b => //; have [] := @listed_named f Outer b E.
 move=> i lt; have lt' : i < says_inner_count t f by move: lt; rewrite /inner_count lf.
-have [b [lb _ _ L]] := @all_named f (Inner i) ((placesP f (Some i)).2 (conj lf lt')).
+have [b [lb _ _ L _]] := entryP ((entriesP f (Inner i)).2 (conj lf lt')).
 by exists b.
 Qed.
 
@@ -315,7 +331,7 @@ Proof.
 split; first exact: accepted_links.
 apply: lists_short_if => f i lf lt.
 have lt' : i < says_inner_count t f by move: lt; rewrite /inner_count lf.
-have [b [lb Ef Ep L]] := @all_named f (Inner i) ((placesP f (Some i)).2 (conj lf lt')).
+have [b [lb Ef Ep L _]] := entryP ((entriesP f (Inner i)).2 (conj lf lt')).
 by exists b; rewrite /boundary_face /boundary_place !heardE.
 Qed.
 
@@ -360,13 +376,14 @@ split=> [h lh|b h lb lh].
   by rewrite /next /boundary_of !heardE // nx /= heardE // bn bh.
 rewrite /boundary_of /boundary_start !heardE //; have [_ H] := along_listP lb; split=> [bh|[g S [k]]].
   have [c lc hc] := all_along lh; have [_ bc] := along_list_half_edge lc hc; move: bc; rewrite bh => -[bc].
-  rewrite -bc in hc; have [_ _ [l S [ll [k Ek]]]] := H h hc; exists l => //; exists k.
+  rewrite -bc in hc; have [_ _ _ [l S [hl [k Ek]]]] := H h hc; exists l => //; exists k; have [ll _] := along_start lb S.
   elim: k h Ek {lh bh hc} => //= k IH h; case E: (iter k _ _) => [g|] //= st; rewrite (IH g) //=.
-  by have [lg _ nx _ _] := along_stepP st; rewrite /next heardE.
+  have lg : half_edge t g by apply: (along_orbit_live ll); exists k; exact: E.
+  by have [nx _ _] := along_stepP st; rewrite /next heardE.
 have : forall j i, iter j (obind (next t)) (Some g) = Some i -> i \in along_list b.
-  elim=> [|j IH] i /=; first by case=> <-; apply: along_start.
-  case E: (iter j _ _) => [x|] //=; have [[n st nb] _ _] := H x (IH x E).
-  by have [lx _ nx _ _] := along_stepP st; rewrite /next heardE // nx => -[<-].
+  elim=> [|j IH] i /=; first by case=> <-; case: (along_start lb S).
+  case E: (iter j _ _) => [x|] //=; have [lx [n st nb] _ _] := H x (IH x E).
+  by have [nx _ _] := along_stepP st; rewrite /next heardE // nx => -[<-].
 by move=> /[apply] hb; case: (along_list_half_edge lb hb).
 Qed.
 
@@ -388,19 +405,19 @@ Qed.
 
 Lemma accepted_f1 : f1_outer t.
 Proof.
-have [_ _ _ _ /eqP one] := and5P counts; split=> [|f b v E S].
+have [_ _ _ /eqP one] := and4P counts; split=> [|f b v E S].
   have : count (predC (has_outer t)) (face_ones t) == 1.
     by move: one; rewrite -(count_predC (has_outer t)); arith.
   rewrite /face_ones /live_ones count_filter => /count1P[f /andP[_]|f [/andP[/= n lf] u]]; first exact: face_below.
   exists f; split; first by split=> //; rewrite /outer heardE //; move: n; rewrite /has_outer; case: (says_outer t f).
   by move=> g [lg E]; apply: u; rewrite /= lg andbT /has_outer; move: E; rewrite /outer heardE // => ->.
-have [lb _ Ep] := @listed_named f Outer b E; have [[k]] := boundaries_ok lb.
+have [lb _ Ep] := @listed_named f Outer b E; have [_ [_ [_ [k]]]] := namedP lb.
 by move: S; rewrite /starts_at_vertex /boundary_start heardE // /along => ->; rewrite Ep.
 Qed.
 
 Lemma accepted_f2 : f2_listed t.
 Proof.
-move=> b lb; have [f [p [Ef Ep lf L _]]] := namedP lb; exists f, p.
+move=> b lb; have [f [p [[Ef Ep lf L] _]]] := namedP lb; exists f, p.
 rewrite /boundary_face /boundary_place !heardE //; split=> // g q; split=> [/listed_named[_]|[-> ->] //].
 by rewrite Ef Ep => -[->] [->].
 Qed.

@@ -1,7 +1,8 @@
 (** * NewEdge: a new vertex at the end of a new edge
 
     Two operators give a vertex [v], which is new or was isolated, an edge: its half-edges are [h], from a vertex [o] to
-    [v], and [k], back. What both have in common is here: whatever is connected to [v] is what is connected to [o].
+    [v], and [k], back. What both have in common is here: whatever is connected to [v] is what is connected to [o]. So it
+    is where [v] is put on an edge that ends at [o] (SplitEdge.v), and T1 to T3 are proved for all of them at once.
 
 <<
       o ·   v       o ·─────· v       h: from o, twin k
@@ -44,6 +45,77 @@ move=> keeps le [m]; elim: m i => [|m IH] i /=; first by case=> <-.
 case E: (iter m _ _) => [u|] //= N; have [[H _ _ _] _] := keeps R1; have [_ _ [j + lj] _ _] := H u (IH u E).
 by rewrite N => -[->].
 Qed.
+
+(** ** A new vertex hangs at another one: T1 to T3
+
+    What is connected to the new vertex [v] is what is connected to [o], and boundary components start where they did, or
+    at [v] where they started at [o]. *)
+
+(** Where [v] hangs is [o]. *)
+Definition hangs (v o u : nat) := if u == v then o else u.
+
+Section Hanging.
+Variables (t t' : view) (v o h : nat).
+Hypothesis keeps : rules t.
+Hypothesis free_vertex : ~~ vertex t v.
+Hypothesis live_o : vertex t o.
+Hypothesis vertexE : forall i, vertex t' i = (i == v) || vertex t i.
+Hypothesis face_same : forall f, face t' f = face t f.
+Hypothesis outer_same : forall f, outer t' f = outer t f.
+Hypothesis boundary_face_same : forall c, boundary_face t' c = boundary_face t c.
+Hypothesis inner_same : forall c, is_inner t' c <-> is_inner t c.
+Hypothesis connectedE : forall u w, connected t' u w <-> connected t (hangs v o u) (hangs v o w).
+Hypothesis vertex_atE : forall c w, vertex_at t c = Some w <-> exists2 w', vertex_at t' c = Some w' & hangs v o w' = w.
+
+Lemma hangs_live u : vertex t' u -> vertex t (hangs v o u).
+Proof. by rewrite vertexE /hangs; case: (u =P v) => // _ _; apply: live_o. Qed.
+
+Lemma outsideE u c : outside_of t' u c <-> outside_of t (hangs v o u) c.
+Proof.
+split=> -[/inner_same I [w W C]]; split=> //.
+  by exists (hangs v o w); [apply/vertex_atE; exists w|apply/connectedE].
+by have [w' W' ww] := (vertex_atE c w).1 W; exists w' => //; apply/connectedE; rewrite ww.
+Qed.
+
+Lemma hanging_t1 : t1_outside t'.
+Proof.
+move=> u lu; have [c [O one]] := keeps T1 _ (hangs_live lu); exists c; split; first exact/outsideE.
+by move=> d /outsideE; apply: one.
+Qed.
+
+Lemma rooted_up f : rooted t f -> rooted t' f.
+Proof.
+elim=> [g U|g c w d g' E W O D _ IH]; first by apply: rooted_here; rewrite /unbounded face_same outer_same.
+have [w' W' ww] := (vertex_atE c w).1 W.
+apply: (@rooted_out t' g c w' d g') => //; rewrite ?outer_same ?boundary_face_same //.
+by apply/outsideE; rewrite ww.
+Qed.
+
+Lemma hanging_t2 : t2_nesting t'.
+Proof.
+move=> u c f lu /outsideE O; rewrite boundary_face_same => E; apply: rooted_up.
+exact: (keeps T2 _ c f (hangs_live lu) O E).
+Qed.
+
+(** One vertex and one edge more. *)
+Lemma hanging_t3 : lower t' -> (forall es, lists_one_of_each es (same_edge t) (half_edge t) ->
+  lists_one_of_each (h :: es) (same_edge t') (half_edge t')) -> t3_euler t'.
+Proof.
+move=> low' edge_more; have low : lower t by move=> q _; apply: keeps.
+have [es He] := edges_each low; have [uv inv] := lists_filter (@vertex_below t) (fun u => iff_refl (vertex t u)).
+have Hv' : lists (v :: [seq u <- iota 0 (vertex_slots t) | vertex t u]) (vertex t').
+  split=> [|u]; first by rewrite /= uv andbT; apply/negP=> /inv; rewrite (negPf free_vertex).
+  by rewrite inE vertexE; case: (u == v) => //=; apply: inv.
+have Hf := lists_filter (@face_below t) (fun f => iff_refl (face t f)).
+have Hf' : lists [seq f <- iota 0 (face_slots t) | face t f] (face t') by apply: lists_iff Hf => f; rewrite face_same.
+have Hb : lists (inner_ones t) (is_inner t).
+  by split=> [|c]; [rewrite !filter_uniq ?iota_uniq|apply: (inner_onesP low)].
+have Hb' : lists (inner_ones t) (is_inner t') by apply: lists_iff Hb => c; apply: iff_sym.
+have eq := (t3_counts low (keeps T1) (conj uv inv) He Hf Hb).1 (keeps T3).
+by apply/(t3_counts low' hanging_t1 Hv' (edge_more es He) Hf' Hb'); move: eq => /=; arith.
+Qed.
+
+End Hanging.
 
 (** ** Two views, one with the new edge *)
 
@@ -118,15 +190,11 @@ Proof. by move=> S; have [[_ _ B _] _] := keeps R1; have [_] := B c (heard_live 
 Lemma start_vertex c u : boundary_start t c = Some (AtVertex u) -> vertex t u.
 Proof. by move=> S; have [[_ _ B _] _] := keeps R1; have [_] := B c (heard_live S); rewrite S. Qed.
 
-(** ** T1, T2 *)
+(** ** What is connected *)
 
-(** Where [v] hangs is [o]. *)
-Definition hangs u := if u == v then o else u.
+Notation hangs := (hangs v o).
 
 Lemma hangs_old u : vertex t u -> hangs u = u. Proof. by move=> l; rewrite /hangs old_v. Qed.
-
-Lemma hangs_live u : vertex t' u -> vertex t (hangs u).
-Proof. by rewrite vertexE /hangs; case: (u =P v) => // _ _; apply: live_o. Qed.
 
 Lemma connected_down u w : connected t' u w -> connected t (hangs u) (hangs w).
 Proof.
@@ -173,31 +241,7 @@ rewrite /vertex_at; case S: (boundary_start t c) => [[g|u]|] //; last by case=> 
 by move=> O; have [[u + l] _ _ _ _] := links_of (heard_live O); rewrite O => -[->].
 Qed.
 
-Lemma outsideE u c : outside_of t' u c <-> outside_of t (hangs u) c.
-Proof.
-rewrite /outside_of vertex_atE.
-split=> -[/inner_same I [w W C]]; split=> //; exists w => //; have lw := vertex_at_live W.
-  by move/connectedE: C; rewrite (hangs_old lw).
-by apply/connectedE; rewrite (hangs_old lw).
-Qed.
-
-Lemma new_t1 : t1_outside t'.
-Proof.
-move=> u lu; have [c [O one]] := keeps T1 _ (hangs_live lu); exists c; split; first exact/outsideE.
-by move=> d /outsideE; apply: one.
-Qed.
-
-Lemma rooted_up f : rooted t f -> rooted t' f.
-Proof.
-elim=> [g U|g c w d g' E W O D _ IH]; first by apply: rooted_here; rewrite /unbounded face_same outer_same.
-apply: (@rooted_out t' g c w d g') => //; rewrite ?outer_same ?vertex_atE ?boundary_face_same //.
-by apply/outsideE; rewrite (hangs_old (vertex_at_live W)).
-Qed.
-
-Lemma new_t2 : t2_nesting t'.
-Proof. by move=> u c f lu /outsideE O; rewrite boundary_face_same => E; apply: rooted_up; exact: (keeps T2 _ c f (hangs_live lu) O E). Qed.
-
-(** ** T3 *)
+(** ** Edges *)
 
 Lemma same_edge_old i j : half_edge t i -> same_edge t' i j <-> same_edge t i j.
 Proof. by move=> li; rewrite /same_edge twinE old_h ?old_k. Qed.
@@ -223,21 +267,26 @@ have [j ej S] := all i li; exists j; first by rewrite inE ej orbT.
 by apply/(same_edge_old _ (ok j ej)).
 Qed.
 
-(** One vertex and one edge more. *)
+(** ** T1 to T3 *)
+
+Lemma starts_still c w : vertex_at t c = Some w <-> exists2 w', vertex_at t' c = Some w' & hangs w' = w.
+Proof.
+rewrite vertex_atE; split=> [W|[w' W <-]]; last by rewrite (hangs_old (vertex_at_live W)).
+by exists w => //; apply: hangs_old (vertex_at_live W).
+Qed.
+
+Lemma new_t1 : t1_outside t'.
+Proof. exact: hanging_t1 keeps live_o vertexE inner_same connectedE starts_still. Qed.
+
+Lemma new_t2 : t2_nesting t'.
+Proof.
+exact: hanging_t2 keeps live_o vertexE face_same outer_same boundary_face_same inner_same connectedE starts_still.
+Qed.
+
 Lemma new_t3 : lower t' -> t3_euler t'.
 Proof.
-move=> low'; have low : lower t by move=> q _; apply: keeps.
-have [es He] := edges_each low; have [uv inv] := lists_filter (@vertex_below t) (fun u => iff_refl (vertex t u)).
-have Hv' : lists (v :: [seq u <- iota 0 (vertex_slots t) | vertex t u]) (vertex t').
-  split=> [|u]; first by rewrite /= uv andbT; apply/negP=> /inv; rewrite (negPf free_vertex).
-  by rewrite inE vertexE; case: (u == v) => //=; apply: inv.
-have Hf := lists_filter (@face_below t) (fun f => iff_refl (face t f)).
-have Hf' : lists [seq f <- iota 0 (face_slots t) | face t f] (face t') by apply: lists_iff Hf => f; rewrite face_same.
-have Hb : lists (inner_ones t) (is_inner t).
-  by split=> [|c]; [rewrite !filter_uniq ?iota_uniq|apply: (inner_onesP low)].
-have Hb' : lists (inner_ones t) (is_inner t') by apply: lists_iff Hb => c; apply: iff_sym.
-have eq := (t3_counts low (keeps T1) (conj uv inv) He Hf Hb).1 (keeps T3).
-by apply/(t3_counts low' new_t1 Hv' (edges_more He) Hf' Hb'); move: eq => /=; arith.
+move=> low'; apply: (hanging_t3 keeps free_vertex live_o vertexE face_same inner_same connectedE starts_still low').
+exact: edges_more.
 Qed.
 
 Lemma connected_live u w : vertex t u -> connected t u w -> vertex t w.

@@ -378,7 +378,6 @@ Qed.
 
 Notation hangs := (hangs v b).
 Let hangs_old := NewEdge.hangs_old b free_vertex.
-Let hangs_live := NewEdge.hangs_live live_b vertexE.
 
 Lemma hangs_v : hangs v = b. Proof. by rewrite /NewEdge.hangs eqxx. Qed.
 Lemma hangs_b : hangs b = b. Proof. exact: hangs_old live_b. Qed.
@@ -460,45 +459,18 @@ rewrite origin_other //; split=> [O|[w' O <-]]; last by rewrite (hangs_end O).
 by exists w => //; apply: hangs_end O.
 Qed.
 
-Lemma outsideE u c : outside_of t' u c <-> outside_of t (hangs u) c.
-Proof.
-split=> -[I [w W C]]; split=> //.
-  by exists (hangs w); [apply/vertex_atE; exists w|apply/connectedE].
-by have [w' W' ww] := (vertex_atE c w).1 W; exists w' => //; apply/connectedE; rewrite ww.
-Qed.
-
 Lemma split_t1 : t1_outside t'.
-Proof.
-move=> u lu; have [c [O one]] := keeps T1 _ (hangs_live lu); exists c; split; first exact/outsideE.
-by move=> x /outsideE; apply: one.
-Qed.
-
-Lemma rooted_up f : rooted t f -> rooted t' f.
-Proof.
-elim=> [g U|g c w x g' E W O D _ IH]; first exact: (@rooted_here t').
-have [w' W' ww] := (vertex_atE c w).1 W; apply: (@rooted_out t' g c w' x g') => //.
-by apply/outsideE; rewrite ww.
-Qed.
+Proof. by apply: (hanging_t1 keeps live_b vertexE _ connectedE vertex_atE). Qed.
 
 Lemma split_t2 : t2_nesting t'.
-Proof. by move=> u c f lu /outsideE O E; apply: rooted_up; apply: (keeps T2 _ c f (hangs_live lu) O E). Qed.
+Proof. by apply: (hanging_t2 keeps live_b vertexE _ _ _ _ connectedE vertex_atE). Qed.
 
-(** One vertex and one edge more. *)
 Lemma split_t3 : t3_euler t'.
 Proof.
-have low' : lower t'.
-  case=> // _; [by split; [exact: split_links|case: (keeps R1)]|exact: split_l1|exact: split_l2|exact: split_l3|
-    exact: split_v1|exact: split_v2|exact: split_b1|exact: split_b2|exact: (keeps F1)|exact: (keeps F2)].
-have [es He] := edges_each low; have He' := edges_more keeps free_h free_k half_edgeE twinE He.
-have [uv inv] := lists_filter (@vertex_below t) (fun u => iff_refl (vertex t u)).
-have Hv' : lists (v :: [seq u <- iota 0 (vertex_slots t) | vertex t u]) (vertex t').
-  split=> [|u]; first by rewrite /= uv andbT; apply/negP=> /inv; rewrite (negPf free_vertex).
-  by rewrite inE vertexE; case: (u == v) => //=; apply: inv.
-have Hf := lists_filter (@face_below t) (fun f => iff_refl (face t f)).
-have Hb : lists (inner_ones t) (is_inner t).
-  by split=> [|c]; [rewrite !filter_uniq ?iota_uniq|apply: (inner_onesP low)].
-have eq := (t3_counts low (keeps T1) (conj uv inv) He Hf Hb).1 (keeps T3).
-by apply/(t3_counts low' split_t1 Hv' He' Hf Hb); move: eq => /=; arith.
+apply: (hanging_t3 keeps free_vertex live_b vertexE _ _ connectedE vertex_atE (h := h)) => //; last first.
+  exact: (edges_more keeps free_h free_k half_edgeE twinE).
+case=> // _; [by split; [exact: split_links|case: (keeps R1)]|exact: split_l1|exact: split_l2|exact: split_l3|
+  exact: split_v1|exact: split_v2|exact: split_b1|exact: split_b2|exact: (keeps F1)|exact: (keeps F2)].
 Qed.
 
 Lemma split_rules : rules t'.

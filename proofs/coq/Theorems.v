@@ -3,7 +3,8 @@
     Each is stated here once more, word for word, and Coq checks that it was proved as stated. *)
 
 From mathcomp Require Import all_ssreflect all_fingroup.
-From twinedge Require Import View Rules Reference Drawing Euler Subdivision Verdict FastPath FastPathProof AddVertex.
+From twinedge Require Import View Rules Reference Drawing Euler Subdivision Verdict FastPath.
+From twinedge Require Import FastPathComponents FastPathProof AddVertex.
 From twinedge Require Import RemoveVertex MoveInner Renaming Connect ConnectIsolated ConnectBridge ConnectSplit.
 From twinedge Require Import ConnectLoop SplitEdge.
 Set Implicit Arguments.
@@ -50,9 +51,19 @@ Check map_counts_exist : forall t, holds_before t T1 -> exists V E F, map_has_co
 
 Check t4_follows : forall t, holds_before t T4 -> t4_bounds t.
 
-(** The fast path accepts exactly the views that keep R1 to T1. *)
+(** Sets of connected vertices are the components if there are as few as Euler's formula allows, and if every edge was used. *)
 
-Check fast_path_accepts : forall t, fast_path t <-> holds_before t T2.
+Check few_sets_are_components : forall t, holds_before t T1 -> forall number, within t number ->
+  vertices_and_cycles t = edge_number t + (sets t number).*2 -> whole t number /\ t3_euler t.
+
+Check all_edges_are_enough : forall t, holds_before t T1 -> forall number,
+  (forall u v, (u, v) \in edge_ends t -> number u = number v) -> whole t number.
+
+(** The fast path accepts exactly the views that keep R1 to T1, and T3; only T2 is left. *)
+
+Check fast_path_accepts : forall t, fast_path t <-> holds_before t T2 /\ t3_euler t.
+
+Check fast_path_leaves_t2 : forall t, rules t <-> fast_path t /\ t2_nesting t.
 
 (** Adding an isolated vertex to a face keeps all rules. *)
 

@@ -2,7 +2,7 @@
 
 use super::extent::{Extent, existing, nils};
 use super::rotations::Rotations;
-use crate::validate::columns::NIL;
+use crate::validate::columns::{NIL, column};
 use crate::validate::view::View;
 use alloc::vec::Vec;
 
@@ -49,10 +49,10 @@ pub(super) fn join<V: View + ?Sized>(view: &V, extent: Extent, around: Rotations
     Some(Joined { of, first })
 }
 
-/// Disjoint sets of numbers, each with the number of its elements.
+/// Disjoint sets of numbers, joined by rank.
 struct Sets {
     parent: Vec<u32>,
-    size: Vec<u32>,
+    rank: Vec<u8>,
     count: usize,
 }
 
@@ -63,8 +63,7 @@ impl Sets {
         for (i, parent) in parent.iter_mut().enumerate() {
             *parent = i as u32;
         }
-        let size = crate::validate::columns::column(count as u32, 1).ok()?;
-        Some(Self { parent, size, count })
+        Some(Self { parent, rank: column(count as u32, 0).ok()?, count })
     }
 
     /// The number that stands for the set of `i`. Every second step on the way is shortened.
@@ -80,13 +79,13 @@ impl Sets {
         }
     }
 
-    /// Joins two sets, the smaller one to the larger one.
+    /// Joins two sets, the one of lower rank to the other.
     fn join(&mut self, i: u32, j: u32) -> Option<()> {
         let (i, j) = (self.find(i)?, self.find(j)?);
         if i != j {
-            let (small, large) = if self.size[i as usize] < self.size[j as usize] { (i, j) } else { (j, i) };
-            self.parent[small as usize] = large;
-            self.size[large as usize] += self.size[small as usize];
+            let (low, high) = if self.rank[i as usize] < self.rank[j as usize] { (i, j) } else { (j, i) };
+            self.rank[high as usize] += u8::from(self.rank[low as usize] == self.rank[high as usize]);
+            self.parent[low as usize] = high;
             self.count -= 1;
         }
         Some(())
@@ -95,6 +94,7 @@ impl Sets {
     /// Numbers the sets in order of their first elements, puts these numbers in the place of those of the elements, and
     /// returns the first vertex of each set.
     fn number(mut self, of: &mut [u32], first: &[u32]) -> Option<Vec<u32>> {
+        self.rank = Vec::new();
         let mut numbers = nils(first.len())?;
         let mut firsts = Vec::new();
         firsts.try_reserve_exact(self.count).ok()?;

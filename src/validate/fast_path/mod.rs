@@ -84,10 +84,12 @@ fn look<V: View + ?Sized>(view: &V, extent: Extent) -> Option<(Counts, Component
     if around.half_edges != links.half_edges || claimed != along.at_vertex && !may_be_unclaimed {
         return None;
     }
+    let half_edges = links.half_edges;
+    drop(links);
     let mut counts = Counts {
         vertices: around.vertices,
-        half_edges: links.half_edges,
-        edges: links.half_edges / 2,
+        half_edges,
+        edges: half_edges / 2,
         faces: along.faces,
         outer_boundaries: along.outer,
         inner_boundaries: along.inner.len(),
