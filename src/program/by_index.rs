@@ -29,7 +29,7 @@
 /// }
 ///
 /// // A loop on a sphere.
-/// let mine = Mine("V 1 0 H 2 0 1 0 0 0 0 0 1 1 1 B 2 0 h0 o 1 h1 o F 2 0 0 1 0".parse()?);
+/// let mine = Mine("V 1 0 - H 2 0 1 0 0 0 0 0 1 1 1 B 2 0 h0 o 1 h1 o F 2 0 0 1 0".parse()?);
 /// assert_eq!(mine.twin_of(0), Ok(1));
 /// assert_eq!(mine.face_of(Corner::At(1)), Ok(1));
 /// assert_eq!(mine.twin_of(2), Err(Refusal::Stale));

@@ -56,12 +56,12 @@ impl Arbitrary for EvenEdits {
     }
 
     fn shrink(&self) -> Box<dyn Iterator<Item = Self>> {
-        Box::new(candidates(&self.0).map(Self).filter(|smaller| smaller.clone().is_even()))
+        Box::new(candidates(&self.0).map(Self).filter(|smaller| smaller.clone().takes_even()))
     }
 }
 
 impl EvenEdits {
-    fn is_even(mut self) -> bool {
+    fn takes_even(mut self) -> bool {
         self.0.0.iter_mut().all(|op| {
             let step = match op {
                 EditOp::InsertSegmentSnapped { snap, .. } if *snap != GridPick::Size(2.0.into()) => return false,

@@ -67,7 +67,7 @@ impl PointerModel {
     /// use twinedge::validate::{Collect, Expectation, Part, Table, validate};
     ///
     /// // A loop on a sphere: two half-edges, two faces.
-    /// let table: Table = "V 1 0 H 2 0 1 0 0 0 0 0 1 1 1 B 2 0 h0 o 1 h1 o F 2 0 0 1 0".parse()?;
+    /// let table: Table = "V 1 0 - H 2 0 1 0 0 0 0 0 1 1 1 B 2 0 h0 o 1 h1 o F 2 0 0 1 0".parse()?;
     /// let start = PointerModel::from_view(&table, &Expectation::surface())?;
     /// assert_eq!(start.half_edges.len(), 2);
     /// let report = validate(&start.model, &Expectation::surface(), Collect::All);

@@ -172,7 +172,7 @@ fn cycle(start: &Owned<HalfEdge>) -> Vec<Owned<HalfEdge>> {
 /// use twinedge::validate::{Collect, Expectation, validate};
 ///
 /// let mut model = PointerModel::new();
-/// let outside = model.unbounded_face();
+/// let outside = model.unbounded_face().expect("the model of a planar map has one");
 /// let v = model.add_isolated_vertex(outside)?;
 /// let h = model.connect(Corner::Isolated(v), Corner::Isolated(v), Side::Left, &[])?;
 /// assert_ne!(model.face_of(Corner::At(h))?, outside);
