@@ -41,9 +41,10 @@ use twinedge_trials::{Outcome, Run, Structure, StructureError, prove};
   twinedge prove --on pointers            on another structure
   twinedge prove --meshes 5               triangulated discs of up to 5 vertices
   twinedge prove --edges 9 --shard 0/16 --format json > part-0.json
+  twinedge prove --meshes 6 --shard 0/16 --format json > part-0.json
   twinedge prove --edges 4 --format json | jq .ok
 
-Exit status: 0 all counts are the published ones and no rule was broken; 1 otherwise; 2 misuse, or the run would take too long;
+Exit status: 0 all counts are the published ones, no rule was broken and no operator differs; 1 otherwise; 2 misuse, or the run would take too long;
 130 interrupted (Ctrl-C), after printing what was covered.")]
 pub(crate) struct Prove {
     /// Greatest number of edges.
@@ -51,7 +52,8 @@ pub(crate) struct Prove {
     edges: u8,
 
     /// Try triangulated discs of up to N vertices instead, operators of meshes among the others, and compare each result with
-    /// the definition by steps. Their numbers are compared with the published ones (Brown).
+    /// the definition by steps. Their numbers are compared with the published ones (Brown). Spheres are for structures of your own:
+    /// all structures here are plane, and `meshes` of the crate `twinedge-trials` takes any.
     #[arg(long, value_name = "N", conflicts_with = "edges", value_parser = clap::value_parser!(u8).range(3..=9))]
     meshes: Option<u8>,
 

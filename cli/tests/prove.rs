@@ -37,6 +37,36 @@ fn the_maps_of_up_to_four_edges_are_as_many_as_published() {
 }
 
 #[test]
+fn small_triangulated_discs_are_as_many_as_published_and_operators_do_what_the_steps_do() {
+    let (status, found) = json(&["prove", "--meshes", "4", "--format", "json"]);
+    assert_eq!((status, &found["ok"]), (Some(0), &true.into()));
+    let rows = found["rows"].as_array().unwrap();
+    // A triangle; a triangle with a vertex inside; a square with either diagonal (Brown 1964).
+    let rooted: Vec<_> = rows.iter().map(|row| (&row["rooted"], &row["rooted_published"])).collect();
+    let [one, two] = [1, 2].map(serde_json::Value::from);
+    assert_eq!(rooted, [(&one, &one), (&one, &one), (&two, &two)]);
+    assert!(rows.iter().all(|row| row["differences"] == 0));
+    let applied = |name: &str| {
+        let row = found["operators"].as_array().unwrap().iter().find(|row| row["operator"] == name).unwrap();
+        row["applied"].as_u64().unwrap()
+    };
+    let names = ["mesh_flip_edge", "mesh_split_edge", "mesh_split_face", "mesh_collapse_edge", "connect", "flip_edge"];
+    assert!(names.into_iter().all(|name| applied(name) > 0), "{found}");
+
+    // The structure with a planted fault.
+    let output = twinedge(&["prove", "--meshes", "4", "--on", "planted"]);
+    assert_eq!(output.status.code(), Some(1));
+    let text = String::from_utf8(output.stdout).unwrap();
+    assert!(text.contains("not proved") && text.contains("flip_edge h"), "{text}");
+    // Both kinds of work at once, and more than there is time for.
+    for arguments in
+        [&["prove", "--meshes", "4", "--edges", "2"][..], &["prove", "--meshes", "2"], &["prove", "--meshes", "9"]]
+    {
+        assert_eq!(twinedge(arguments).status.code(), Some(2), "{arguments:?}");
+    }
+}
+
+#[test]
 fn people_get_a_table_and_a_verdict() {
     let output = twinedge(&["prove", "--edges", "2", "--threads", "2"]);
     assert_eq!(output.status.code(), Some(0));

@@ -33,7 +33,7 @@ fn samples(text: &str) -> Vec<Sample> {
 /// Without blank lines at the end, and with every time replaced by the same.
 fn normal(lines: impl IntoIterator<Item = String>) -> Vec<String> {
     let untimed = |line: String| match line.rsplit_once(" (") {
-        Some((before, time)) if time.ends_with(" ms)") => format!("{before} (some time)"),
+        Some((before, time)) if time.ends_with(" ms)") || time.ends_with(" s)") => format!("{before} (some time)"),
         _ => line,
     };
     let mut lines: Vec<String> = lines.into_iter().map(untimed).collect();

@@ -48,6 +48,7 @@ fn the_parts_of_each_command_add_up_to_the_whole() {
         (&["prove", "--edges", "2"][..], 3),
         // More parts than maps.
         (&["prove", "--edges", "0", "--on", "model"], 9),
+        (&["prove", "--meshes", "4"], 3),
         (&["corrupt", "--edges", "1", "--pairs", "2500", "--seed", "7"], 2),
         (&["corrupt", "--edges", "0", "--pairs", "10", "--seed", "7", "--on", "pointers"], 5),
         (&["tables", "--half-edges", "2"], 2),
@@ -56,16 +57,14 @@ fn the_parts_of_each_command_add_up_to_the_whole() {
         (&["soak", "--programs", "12", "--steps", "20", "--seed", "3"], 4),
         (&["soak", "--programs", "2", "--steps", "20", "--seed", "3", "--on", "slots"], 5),
     ] {
-        let files = parts(&format!("sum-{}-{count}", arguments[0]), arguments, count);
+        let files = parts(&format!("sum-{}{}-{count}", arguments[0], arguments[1]), arguments, count);
         let output = sum(&files, &["--format", "json"]);
         assert_eq!((output.status.code(), output.stderr), (Some(0), vec![]), "{arguments:?}");
         let added: Value = serde_json::from_slice(&output.stdout).unwrap();
         let (status, whole) = json(&[arguments, &["--format", "json"]].concat());
         assert_eq!(status, Some(0));
-        assert_eq!(
-            (&whole["ok"], &whole["shard"], &whole["command"]),
-            (&true.into(), &"0/1".into(), &arguments[0].into())
-        );
+        let command = if arguments[1] == "--meshes" { "prove --meshes" } else { arguments[0] };
+        assert_eq!((&whole["ok"], &whole["shard"], &whole["command"]), (&true.into(), &"0/1".into(), &command.into()));
         assert_eq!(without_times(added), without_times(whole), "{arguments:?}");
     }
 }

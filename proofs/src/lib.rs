@@ -16,7 +16,6 @@
 //!
 //! The last three are compiled for tests and for Kani only.
 
-#[cfg(not(kani))]
 pub mod faults;
 pub mod grow;
 pub mod judges;

@@ -3,6 +3,10 @@
 /// Writes the types and the questions of a [`Subject`](crate::program::Subject) whose handles are the indices of its
 /// [`View`](crate::validate::View). It stands inside `impl Subject for …`, before the operators that the structure has.
 ///
+/// Operators that take a half-edge and give nothing, as those of meshes do, can be named in it, each with the method of the
+/// structure that does it: `mesh_flip_edge => Self::flip`. The method takes `&mut self` and the index, may give anything, which is
+/// dropped, and its error becomes a [`Refusal`](crate::program::Refusal) by `From`.
+///
 /// The unbounded face is the default: none. If the structure uses the indices of removed records again, stale handles cannot
 /// be told from live ones: see [`Conformance::without_stale_handles`](crate::program::conformance::Conformance::without_stale_handles).
 ///
@@ -33,7 +37,7 @@
 /// ```
 #[macro_export]
 macro_rules! subject_by_index {
-    () => {
+    ($($operator:ident => $method:expr),* $(,)?) => {
         type Vertex = usize;
         type HalfEdge = usize;
         type Face = usize;
@@ -56,6 +60,12 @@ macro_rules! subject_by_index {
         fn next_of(&self, half_edge: usize) -> Result<usize, $crate::program::Refusal> {
             $crate::program::by_index::link(self, half_edge, $crate::validate::View::next)
         }
+        $(fn $operator(&mut self, half_edge: usize) -> Result<(), $crate::program::Refusal> {
+            match $method(self, half_edge) {
+                Ok(_) => Ok(()),
+                Err(refused) => Err($crate::program::Refusal::from(refused)),
+            }
+        })*
     };
 }
 

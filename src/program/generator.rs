@@ -1,6 +1,6 @@
 //! Random programs: which operators, how often, how many.
 
-use super::choose::Choose;
+use super::choose::{Bytes, Choose};
 use super::op::{FacePick, Op, OpKind, Program};
 use super::script::Scripted;
 use alloc::vec::Vec;
@@ -52,7 +52,8 @@ impl Language for Program {
 /// | --- | --- |
 /// | quickcheck | `generator.generate(g)` in an `Arbitrary` of your own, with [`candidates`](super::candidates) to shrink; `any` program: `Program` |
 /// | proptest | the generator is a `Strategy`, which shrinks |
-/// | arbitrary, cargo-fuzz | `generator.generate(u)` for an `Unstructured`; of bare bytes, [`Bytes`](super::choose::Bytes) |
+/// | cargo-fuzz | `generator.decode(bytes)` |
+/// | arbitrary | `generator.generate(u)` for an `Unstructured` |
 /// | others | an implementation of [`Choose`] |
 ///
 /// ```
@@ -85,13 +86,12 @@ impl<P: Language> Default for Generator<P> {
 }
 
 impl<P: Language> Generator<P> {
-    /// No operators but these. Their weights stay as they are.
+    /// No operators but these. Their weights stay as they are; those that were never drawn so far, as the operators of meshes
+    /// are not unless asked for, get the weight 1.
     #[must_use]
     pub fn only(mut self, kinds: &[P::Kind]) -> Self {
         for (kind, weight) in &mut self.weights {
-            if !kinds.contains(kind) {
-                *weight = 0;
-            }
+            *weight = if kinds.contains(kind) { (*weight).max(1) } else { 0 };
         }
         self
     }
@@ -131,9 +131,31 @@ impl<P: Language> Generator<P> {
     pub fn generate(&self, source: &mut impl Choose) -> P {
         let more = self.length.end().saturating_sub(*self.length.start());
         let count = self.length.start() + source.choose(more.saturating_add(1));
-        let first = P::first().filter(|(kind, _)| self.weights.iter().any(|(other, w)| other == kind && *w > 0));
         let drawn = core::iter::from_fn(|| self.op(source));
-        P::from_ops(first.map(|(_, op)| op).into_iter().chain(drawn).take(count).collect())
+        P::from_ops(self.first().into_iter().chain(drawn).take(count).collect())
+    }
+
+    /// The program that these bytes encode: as many operators as there are bytes for, whatever [`length`](Self::length) says.
+    /// Every choice takes as few bytes as it needs. It begins as with [`generate`](Self::generate). O(bytes).
+    ///
+    /// ```
+    /// use twinedge::program::{OpKind, Program};
+    ///
+    /// let flips = Program::generator().only(&[OpKind::MeshFlipEdge]);
+    /// assert_eq!(flips.decode(&[0, 0, 7, 0, 0, 2]).to_string(), "twinedge program 1\nmesh_flip_edge h7\nmesh_flip_edge h2\n");
+    /// ```
+    #[must_use]
+    pub fn decode(&self, bytes: &[u8]) -> P {
+        let mut source = Bytes::new(bytes);
+        let drawn = core::iter::from_fn(|| if source.rest().is_empty() { None } else { self.op(&mut source) });
+        // An operator takes no byte if it is the only kind and has no arguments.
+        P::from_ops(self.first().into_iter().chain(drawn.take(bytes.len())).collect())
+    }
+
+    /// What a program begins with.
+    fn first(&self) -> Option<P::Op> {
+        let is_drawn = |kind| self.weights.iter().any(|(other, weight)| *other == kind && *weight > 0);
+        P::first().and_then(|(kind, op)| is_drawn(kind).then_some(op))
     }
 }
 

@@ -5,7 +5,7 @@ use super::op::{Op, Program};
 use super::outcome::StepOutcome;
 use super::resolve::{Choose, Fit};
 use super::runner::Runner;
-use super::subject::{CornerOf, Subject};
+use super::subject::{CornerOf, Refusal, Subject};
 use super::table::operators;
 use crate::dcel::{Corner, Side, Turn};
 use alloc::vec::Vec;
@@ -86,11 +86,12 @@ impl<K: Subject> Runner<K> {
     }
 
     fn remove_edge(&mut self, h: K::HalfEdge) -> Result<(), StepOutcome> {
-        let ends = self.ends(h)?;
+        let ends = self.ends(h);
         let dropped = self.subject.remove_edge(h).map_err(StepOutcome::Refused)?;
         self.retired_faces.extend(dropped);
         self.retire_edge(h);
-        for v in ends {
+        // Of a stale handle there are none. If it was not refused, that shows in the outcome.
+        for v in ends.into_iter().flatten() {
             self.perhaps_isolated(v);
         }
         Ok(())
@@ -102,11 +103,16 @@ impl<K: Subject> Runner<K> {
     }
 
     fn join_edges(&mut self, h: K::HalfEdge) -> Result<(), StepOutcome> {
-        let following = self.subject.next_of(h).map_err(StepOutcome::Refused)?;
-        let v = self.subject.origin_of(following).map_err(StepOutcome::Refused)?;
+        let following = self.subject.next_of(h).and_then(|next| Ok((next, self.subject.origin_of(next)?)));
+        if following == Err(Refusal::Unsupported) {
+            // On a border without `next`: which edge is removed cannot be said.
+            return Err(StepOutcome::Refused(Refusal::Unsupported));
+        }
         self.subject.join_edges(h).map_err(StepOutcome::Refused)?;
-        self.retire_edge(following);
-        self.retired_vertices.push(v);
+        if let Ok((following, v)) = following {
+            self.retire_edge(following);
+            self.retired_vertices.push(v);
+        }
         Ok(())
     }
 
@@ -119,11 +125,13 @@ impl<K: Subject> Runner<K> {
     }
 
     fn contract_edge(&mut self, h: K::HalfEdge) -> Result<(), StepOutcome> {
-        let [origin, target] = self.ends(h)?;
+        let ends = self.ends(h);
         let dropped = self.subject.contract_edge(h).map_err(StepOutcome::Refused)?;
         self.retire_edge(h);
         self.retired_vertices.push(dropped);
-        self.perhaps_isolated(if dropped == origin { target } else { origin });
+        if let Ok([origin, target]) = ends {
+            self.perhaps_isolated(if dropped == origin { target } else { origin });
+        }
         Ok(())
     }
 
@@ -135,9 +143,11 @@ impl<K: Subject> Runner<K> {
         self.subject.move_inner(inner, face).map_err(StepOutcome::Refused)
     }
 
-    fn ends(&self, h: K::HalfEdge) -> Result<[K::Vertex; 2], StepOutcome> {
+    /// The ends of an edge, to be asked before it is gone. Where the handle is stale this is refused, but it is for the operator
+    /// to say so.
+    fn ends(&self, h: K::HalfEdge) -> Result<[K::Vertex; 2], Refusal> {
         let target = self.subject.twin_of(h).and_then(|t| self.subject.origin_of(t));
-        Ok([self.subject.origin_of(h).map_err(StepOutcome::Refused)?, target.map_err(StepOutcome::Refused)?])
+        Ok([self.subject.origin_of(h)?, target?])
     }
 
     pub(super) fn made_edge(&mut self, h: K::HalfEdge) -> Result<(), StepOutcome> {

@@ -34,11 +34,12 @@ use crate::dcel::{Corner, Side, Turn};
 use alloc::vec;
 use alloc::vec::Vec;
 
-/// Whether what lies to the left of a half-edge is a face, and not outside. Where there are no faces, nothing is outside.
+/// Whether what lies to the left of a half-edge is a face, and not outside. Where there are no faces, only what has no `next` is
+/// outside.
 pub(super) fn is_inside<K: Subject>(subject: &K, h: K::HalfEdge) -> Result<bool, Refusal> {
     match subject.face_of(Corner::At(h)) {
         Err(Refusal::Border) => Ok(false),
-        Err(Refusal::Unsupported) => Ok(true),
+        Err(Refusal::Unsupported) => Ok(subject.next_of(h) != Err(Refusal::Unsupported)),
         other => other.map(|face| Some(face) != subject.unbounded_face()),
     }
 }

@@ -26,10 +26,10 @@
 //! | to | take |
 //! | --- | --- |
 //! | drive a structure of your own | the trait [`Subject`]; [`Dcel`](crate::dcel::Dcel) has it, over every store |
-//! | see whether it does what it should | [`conformance::run`]: it and [`PointerModel`] in step, compared after every operator |
+//! | see whether it does what it should | [`conformance::check`]: it and [`PointerModel`] in step, compared after every operator of random programs |
 //! | check what the operators of `Dcel` report as well | [`Reported`] |
 //! | get programs | [`Program::from_bytes`]; the features `arbitrary`, `quickcheck` and `proptest` for the crates of these names |
-//! | say which operators, how often and how many | [`Generator`], for all of these |
+//! | say which operators, how often and how many | [`Generator`], for all of these; of bytes, [`Generator::decode`] |
 //! | make a failing one small | [`shrink`]; `quickcheck` and `proptest` do it by themselves |
 //! | keep it | its text ([`Display`](core::fmt::Display), [`FromStr`](core::str::FromStr)), or [`Program::to_rust`] |
 //! | tell whether two maps are the same | [`canonical`] |

@@ -75,8 +75,8 @@ pub enum Refusal {
 ///
 /// Every operator has a default body: it answers [`Refusal::Unsupported`], as an operator that the structure does not have
 /// must. So a structure that can only turn edges writes `flip_edge` and the questions; and where the indices of its
-/// [`View`] are good handles, [`subject_by_index!`](crate::subject_by_index) writes the questions. The example
-/// `mesh_conformance` is such a structure.
+/// [`View`] are good handles, [`subject_by_index!`](crate::subject_by_index) writes the questions, and the operators of meshes from
+/// their names. The example `mesh_conformance` is such a structure.
 ///
 /// A face may be missing: half-edges on the border of a mesh have none. [`Subject::face_of`] answers [`Refusal::Border`]
 /// there, and operators that need the face refuse with it. A structure that keeps no faces, or no `next` on the

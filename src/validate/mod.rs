@@ -86,6 +86,7 @@
 //! of that structure can tell.
 
 pub mod adapt;
+mod answers;
 mod columns;
 mod counts;
 mod delegate;

@@ -197,6 +197,15 @@ fn a_map_that_is_not_valid_is_found_after_the_first_edit() {
     assert!(failure.to_string().starts_with("after edit 2 (`add_feature`):\n"), "{failure}");
 }
 
+#[test]
+fn a_refusal_that_changes_the_map_would_be_said() {
+    // No edit does so; that it would be seen was tried with one that did.
+    let failure =
+        EditFailure::Changed { number: 3, op: EditOp::InsertPoint { at: at(1.0, 2.0) }, error: EditError::CellSize };
+    let expected = format!("edit 3 (`insert_point 1,2`) was refused ({}), but changed the map", EditError::CellSize);
+    assert_eq!(failure.to_string(), expected);
+}
+
 /// All maps that so many edits can make of these points, by their text; and how many edits were tried.
 fn every(points: &[Spot], depth: usize) -> (usize, BTreeMap<&'static str, u64>) {
     let mut counts = BTreeMap::new();
@@ -323,10 +332,40 @@ fn numbers_come_down_to_the_simplest_that_will_do() {
 }
 
 #[test]
+fn each_argument_has_its_simpler_ones() {
+    let cases: [(&str, &[&str]); 9] = [
+        ("insert_point -2.5,0", &["insert_point 0,0", "insert_point -1,0", "insert_point -2,0", "insert_point 2.5,0"]),
+        ("insert_point 0,0@!h1", &["insert_point 0,0", "insert_point 0,0@h1", "insert_point 0,0@!h0"]),
+        ("insert_ring 0,0 v1", &["insert_ring v1", "insert_ring 0,0", "insert_ring 0,0 v0"]),
+        ("insert_segment_snapped 0,0 0,0 auto", &["insert_segment_snapped 0,0 0,0 1"]),
+        ("insert_segment_snapped 0,0 0,0 0", &["insert_segment_snapped 0,0 0,0 1"]),
+        ("set_features_of f0 0,2", &["set_features_of f0 none", "set_features_of f0 2", "set_features_of f0 0"]),
+        ("remove_vertex !v0", &["remove_vertex v0"]),
+        ("move_vertex v2 0,0", &["move_vertex v0 0,0", "move_vertex v1 0,0"]),
+        ("add_feature", &[]),
+    ];
+    for (op, expected) in cases {
+        let op: EditOp = op.parse().expect("it is an edit");
+        let simpler: Vec<String> = op.simpler().iter().map(EditOp::to_string).collect();
+        assert_eq!(simpler, expected, "{op}");
+    }
+}
+
+#[test]
 fn what_remains_of_a_program_goes_on_choosing_the_same() {
-    let long = program("insert_point 9,9\ninsert_segment 0,0 1,0\ninsert_point 5,5\nremove_vertex v2\nremove_edge h0");
-    let short = program("insert_segment 0,0 1,0\ninsert_point 5,5\nremove_vertex v1\nremove_edge h0");
-    assert!(candidates(&long).any(|candidate| candidate == short));
+    let (ring, other) = ("insert_ring 9,9 8,9 8,8\n", "insert_ring 0,0 1,0 1,1\n");
+    for (dropped, kept, last, followed) in [
+        ("insert_point 9,9\n", "insert_segment 0,0 1,0\n", "remove_vertex v2", "remove_vertex v1"),
+        ("insert_point 9,9\n", "insert_segment 0,0 1,0\n", "remove_edge h0", "remove_edge h0"),
+        ("insert_point 9,9\n", "insert_segment 0,0 1,0\n", "insert_segment v2 5,5", "insert_segment v1 5,5"),
+        ("insert_segment 9,9 8,8\n", "insert_segment 0,0 1,0\n", "insert_point 5,5@h2", "insert_point 5,5@h0"),
+        (ring, other, "set_features_of f2 none", "set_features_of f1 none"),
+        (ring, other, "set_features_of f0 none", "set_features_of f0 none"),
+    ] {
+        let long = program(&format!("{dropped}{kept}{last}"));
+        let short = program(&format!("{kept}{followed}"));
+        assert!(candidates(&long).any(|candidate| candidate == short), "{long}");
+    }
 }
 
 #[test]

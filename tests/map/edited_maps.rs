@@ -1,6 +1,6 @@
 //! What is asked about areas and borders of maps that random edits made, recomputed plainly.
 
-use crate::support::edits::{Edit, SIDE, edited};
+use crate::support::edits::{EvenEdits, SIDE, edited};
 use crate::support::oracle::{Plain, Whole, whole};
 use quickcheck::{Gen, QuickCheck, Testable};
 use std::collections::BTreeMap;
@@ -60,7 +60,7 @@ fn polygons_around(contour: &Contour, p: Whole) -> usize {
 
 #[test]
 fn contours_enclose_the_faces_that_were_claimed() {
-    fn property(program: Vec<Edit>) -> bool {
+    fn property(program: EvenEdits) -> bool {
         let map = edited(&program, 3);
         let plain = Plain::new(&map);
         for feature in map.features() {
@@ -79,12 +79,12 @@ fn contours_enclose_the_faces_that_were_claimed() {
         }
         true
     }
-    check(300, property as fn(Vec<Edit>) -> bool);
+    check(300, property as fn(EvenEdits) -> bool);
 }
 
 #[test]
 fn borders_are_as_long_as_their_edges() {
-    fn property(program: Vec<Edit>) -> bool {
+    fn property(program: EvenEdits) -> bool {
         let map = edited(&program, 4);
         let length = |h: HalfEdge<'_>| {
             let [a, b] = [h.origin(), h.target()].map(|v| map.position(v.key()).expect("of this map"));
@@ -111,12 +111,12 @@ fn borders_are_as_long_as_their_edges() {
         assert!(lengths.is_empty(), "{lengths:?}");
         true
     }
-    check(300, property as fn(Vec<Edit>) -> bool);
+    check(300, property as fn(EvenEdits) -> bool);
 }
 
 #[test]
 fn overlays_lie_where_both_maps_say() {
-    fn property(one: Vec<Edit>, other: Vec<Edit>) -> bool {
+    fn property(one: EvenEdits, other: EvenEdits) -> bool {
         let maps = [edited(&one, 2), edited(&other, 2)];
         let [left, right] = &maps;
         let both = overlay(left, right, Snap::Auto).expect("small numbers");
@@ -136,12 +136,12 @@ fn overlays_lie_where_both_maps_say() {
         }
         true
     }
-    check(200, property as fn(Vec<Edit>, Vec<Edit>) -> bool);
+    check(200, property as fn(EvenEdits, EvenEdits) -> bool);
 }
 
 #[test]
 fn what_is_written_of_an_edited_map_covers_the_same() {
-    fn property(program: Vec<Edit>) -> bool {
+    fn property(program: EvenEdits) -> bool {
         let map = edited(&program, 3);
         if map.features().any(|feature| leaks(&map, feature)) {
             return true;
@@ -160,5 +160,5 @@ fn what_is_written_of_an_edited_map_covers_the_same() {
         }
         true
     }
-    check(300, property as fn(Vec<Edit>) -> bool);
+    check(300, property as fn(EvenEdits) -> bool);
 }

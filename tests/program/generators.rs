@@ -4,8 +4,9 @@ use proptest::arbitrary::{any, any_with};
 use proptest::strategy::{Strategy, ValueTree};
 use proptest::test_runner::{Config, TestCaseError, TestError, TestRng, TestRunner};
 use quickcheck::Gen;
-use std::collections::BTreeMap;
+use std::collections::{BTreeMap, BTreeSet};
 use twinedge::dcel::Dcel;
+use twinedge::map::program::{EditKind, EditProgram};
 use twinedge::program::choose::Bytes;
 use twinedge::program::*;
 use twinedge::store::{FixedStore, PointerStore};
@@ -44,7 +45,9 @@ fn each_operator_comes_as_often_as_its_weight_says() {
     }
     let sum: u32 = counts.values().sum();
     for ((_, share), name) in OpKind::SHARES.iter().zip(Op::NAMES) {
-        let (expected, found) = (sum * share / 32, counts[name]);
+        // Those of meshes come only when they are asked for.
+        let (expected, found) = (sum * share / 32, counts.get(name).copied().unwrap_or(0));
+        assert_eq!(found == 0, *share == 0, "{name}");
         assert!(found.abs_diff(expected) < 30 + expected / 10, "{name}: {found}, not {expected}");
     }
 }
@@ -78,6 +81,35 @@ fn generators_draw_what_they_are_told_and_no_more() {
     }
     // Where a source has run out it answers with zeros, so the length is the least.
     assert_eq!(Program::generator().length(3..=9).generate(&mut Bytes::new(&[])).0.len(), 3);
+}
+
+#[test]
+fn operators_of_meshes_are_drawn_if_they_are_asked_for() {
+    let mesh = [OpKind::MeshFlipEdge, OpKind::MeshSplitFace];
+    let is_mesh = |op: &Op| op.name().starts_with("mesh_");
+    let drawn = |generator: &Generator| generator.clone().length(60..=60).generate(&mut runner());
+    assert!(!drawn(&Program::generator()).0.iter().any(is_mesh));
+    let only = Program::generator().only(&mesh);
+    let names: BTreeSet<&str> = drawn(&only).0.iter().map(|op| op.name()).collect();
+    assert_eq!(names, BTreeSet::from(["mesh_flip_edge", "mesh_split_face"]));
+    let also = drawn(&Program::generator().weight(OpKind::MeshFlipEdge, 12));
+    assert!(also.0.iter().any(is_mesh) && !also.0.iter().all(is_mesh));
+    assert!(!drawn(&only.weight(OpKind::MeshFlipEdge, 0)).0.iter().any(|op| op.name() == "mesh_flip_edge"));
+}
+
+#[test]
+fn bytes_are_as_many_operators_as_they_are_enough_for() {
+    let split = Program::generator().only(&[OpKind::SplitEdge]).weight(OpKind::SplitEdge, 1).length(1..=1);
+    let text = |generator: &Generator, bytes: &[u8]| generator.decode(bytes).to_string();
+    // The bound on the number is for `generate`.
+    let three = "twinedge program 1\nsplit_edge h3\nsplit_edge !h4\nsplit_edge h0\n";
+    assert_eq!(text(&split, &[0, 0, 3, 0, 15, 4, 0]), three);
+    assert_eq!(text(&split, &[]), "twinedge program 1\n");
+    assert_eq!(Program::generator().decode(&[]).0, [Op::AddIsolatedVertex { face: FacePick::Unbounded }]);
+    assert_eq!(Program::generator().only(&[]).decode(&[1, 2, 3]).0, []);
+    // An edit without arguments takes no byte, and yet there is an end.
+    let features = EditProgram::generator().only(&[EditKind::AddFeature]).decode(&[1, 2, 3]);
+    assert_eq!(features.to_string(), "twinedge edits 1\nadd_feature\nadd_feature\nadd_feature\n");
 }
 
 #[test]

@@ -5,12 +5,12 @@ use std::rc::Rc;
 use twinedge::program::conformance::{Conformance, Coverage, Difference, NotCompared, Question, check};
 use twinedge::program::*;
 use twinedge::validate::{Collect, Expectation, Link, Part, Table, View, validate};
-use twinedge::{delegate_view, subject_by_index};
+use twinedge::{delegate_view, subject_by_index, view_answers};
 
 #[allow(dead_code, unreachable_pub, reason = "an example has a main function of its own")]
 #[path = "../../examples/mesh_conformance.rs"]
 mod mesh;
-use mesh::{Mesh, expectation};
+use mesh::{KEPT, Mesh};
 
 const OCTAHEDRON: [[usize; 3]; 8] =
     [[0, 1, 4], [1, 2, 4], [2, 3, 4], [3, 0, 4], [1, 0, 5], [2, 1, 5], [3, 2, 5], [0, 3, 5]];
@@ -36,6 +36,10 @@ enum Flip {
     Nothing,
     /// It leaves the edge and breaks the cycles.
     Breaks,
+    /// It makes another edge, with two vertices of its own.
+    Adds,
+    /// It drops the last edge.
+    Drops,
 }
 
 /// A structure that can only turn edges, as in the finding: no faces, no holes, no unbounded face, nothing else supported.
@@ -98,8 +102,23 @@ impl Subject for FlipOnly {
             Turn::CounterClockwise => (self.next[h], self.next[t]),
             Turn::Clockwise => (self.prev(h), self.prev(t)),
         };
-        if self.flip == Flip::Nothing {
-            return Ok(());
+        match self.flip {
+            Flip::Nothing => return Ok(()),
+            Flip::Adds => {
+                let (n, v) = (self.next.len(), self.vertex_slots());
+                self.next.extend([n + 1, n]);
+                self.origin.extend([v, v + 1]);
+                return Ok(());
+            }
+            Flip::Drops => {
+                let h = self.next.len() - 2;
+                let (before_h, before_t) = (self.prev(h), self.prev(h + 1));
+                (self.next[before_h], self.next[before_t]) = (self.next[h + 1], self.next[h]);
+                self.next.truncate(h);
+                self.origin.truncate(h);
+                return Ok(());
+            }
+            _ => {}
         }
         // Taken out.
         let (before_h, before_t, after_h, after_t) = (self.prev(h), self.prev(t), self.next[h], self.next[t]);
@@ -231,11 +250,11 @@ fn an_operator_that_is_never_applied_is_named() {
 fn meshes_on_every_surface_do_what_the_steps_do() {
     let ring_and_more: Vec<[usize; 3]> = RING.to_vec();
     for (triangles, vertices) in [(OCTAHEDRON.to_vec(), 6), (torus(), 9), (ring_and_more, 6), (vec![[0, 1, 2]], 3)] {
-        let summary = check(|| Mesh::new(vertices, &triangles, false), &expectation()).unwrap();
+        let summary = check(|| Mesh::new(vertices, &triangles, false), &KEPT).unwrap();
         for name in ["mesh_flip_edge", "mesh_split_edge", "mesh_collapse_edge"] {
             assert!(summary.of(name).unwrap().applied > 200, "{summary}");
         }
-        let found = check(|| Mesh::new(vertices, &triangles, true), &expectation()).unwrap_err();
+        let found = check(|| Mesh::new(vertices, &triangles, true), &KEPT).unwrap_err();
         let (reference, subject) = (StepOutcome::Refused(Refusal::NotSimple), StepOutcome::Applied);
         assert_eq!(found.failure.difference, Difference::StepOutcome { reference, subject }, "{found}");
     }
@@ -246,7 +265,81 @@ fn the_operators_of_meshes_on_the_models_and_the_structure_are_the_same() {
     let summary = check(RotationSystem::new, &RotationSystem::expectation()).unwrap();
     let same = check(twinedge::dcel::Dcel::new, &Expectation::plane()).unwrap();
     assert_eq!(summary, same);
+    assert!(summary.by_operator().all(|(_, counts)| counts.applied > 0), "{summary}");
     check(PointerModel::new, &Expectation::plane()).unwrap();
+}
+
+/// The questions that the runner asks about an edge before it is removed must not stand in for the operator.
+#[test]
+fn stale_handles_reach_the_operators_that_remove() {
+    /// Says that it removed an edge that was not there.
+    struct Careless(RotationSystem);
+    impl View for Careless {
+        delegate_view!(|this| &this.0);
+    }
+    impl Subject for Careless {
+        subject_by_index!();
+        fn unbounded_face(&self) -> Option<usize> {
+            self.0.unbounded_face()
+        }
+        fn add_isolated_vertex(&mut self, face: usize) -> Result<usize, Refusal> {
+            self.0.add_isolated_vertex(face)
+        }
+        fn split_vertex(&mut self, from: Corner<usize, usize>, to: Corner<usize, usize>) -> Result<usize, Refusal> {
+            self.0.split_vertex(from, to)
+        }
+        fn remove_edge(&mut self, h: usize) -> Result<Option<usize>, Refusal> {
+            self.0.remove_edge(h).or(Ok(None))
+        }
+        fn contract_edge(&mut self, h: usize) -> Result<usize, Refusal> {
+            self.0.contract_edge(h).or(Ok(0))
+        }
+        fn join_edges(&mut self, h: usize) -> Result<(), Refusal> {
+            self.0.join_edges(h).or(Ok(()))
+        }
+    }
+    let begin = "twinedge program 1\nadd_isolated_vertex unbounded\nsplit_vertex i0 i0\nremove_edge h0\n";
+    for name in ["remove_edge", "contract_edge", "join_edges"] {
+        let program: Program = format!("{begin}{name} !h0").parse().unwrap();
+        let careless = || Careless(RotationSystem::new());
+        let failure = conformance::run(&program, careless(), &RotationSystem::expectation()).unwrap_err();
+        assert_eq!(failure.before, 3, "{name}: {failure}");
+    }
+}
+
+/// The finding was eight bodies written by hand.
+#[test]
+fn what_is_not_written_is_not_supported() {
+    // Its operators are all the default ones.
+    let mut inert = Inert(EDGE.parse().unwrap());
+    let (at, alone) = (Corner::At(0), Corner::Isolated(0));
+    let unsupported = Refusal::Unsupported;
+    assert_eq!(inert.add_isolated_vertex(0).unwrap_err(), unsupported);
+    assert_eq!(inert.remove_isolated_vertex(0).unwrap_err(), unsupported);
+    assert_eq!(inert.connect(at, alone, Side::Left, &[]).unwrap_err(), unsupported);
+    assert_eq!(inert.remove_edge(0).unwrap_err(), unsupported);
+    assert_eq!(inert.split_edge(0).unwrap_err(), unsupported);
+    assert_eq!(inert.join_edges(0).unwrap_err(), unsupported);
+    assert_eq!(inert.split_vertex(at, at).unwrap_err(), unsupported);
+    assert_eq!(inert.contract_edge(0).unwrap_err(), unsupported);
+    assert_eq!(inert.flip_edge(0, Turn::Clockwise).unwrap_err(), unsupported);
+    assert_eq!(inert.move_inner(at, 0).unwrap_err(), unsupported);
+    assert_eq!(inert.mesh_flip_edge(0).unwrap_err(), unsupported);
+    assert_eq!(inert.mesh_split_edge(0).unwrap_err(), unsupported);
+    assert_eq!(inert.mesh_split_face(0).unwrap_err(), unsupported);
+    assert_eq!(inert.mesh_collapse_edge(0).unwrap_err(), unsupported);
+}
+
+/// A count of what a mesh programmer writes, with imports and without blank lines and comments.
+#[test]
+fn a_mesh_is_put_to_the_test_in_under_forty_lines() {
+    let example = include_str!("../../examples/mesh_conformance.rs");
+    let (before, rest) = example.split_once("// ---- the adapter and the test").unwrap();
+    let (written, _) = rest.split_once("// ---- to here").unwrap();
+    let is_code = |line: &&str| !line.trim().is_empty() && !line.trim().starts_with("//") && !line.starts_with(" -");
+    let imports = before.lines().filter(|line| line.starts_with("use ")).count();
+    let lines = imports + written.lines().filter(is_code).count();
+    assert_eq!(lines, 39, "the example says so");
 }
 
 #[test]
@@ -268,7 +361,7 @@ fn a_map_that_exists_is_the_start_on_every_structure() {
 fn a_surface_keeps_its_genus_and_a_border_is_closed_in_the_reference() {
     for (triangles, vertices, genus, faces) in [(torus(), 9, 1, 18), (RING.to_vec(), 6, 0, 8)] {
         let mesh = Mesh::new(vertices, &triangles, false);
-        let start = PointerModel::from_view(&mesh, &expectation()).unwrap();
+        let start = PointerModel::from_view(&mesh, &KEPT).unwrap();
         let report = validate(&start.model, &Expectation::surface(), Collect::All);
         let certificate = report.certificate().expect("the model is a closed surface");
         assert_eq!((certificate.genus, certificate.faces), (genus, faces));
@@ -289,10 +382,88 @@ fn a_start_that_will_not_do_is_named() {
     assert_eq!(error, StartError::Inconsistent(0));
 }
 
+/// A triangle. Its half-edges have no twins.
+struct NoTwins;
+
+impl View for NoTwins {
+    view_answers! { |_triangle|
+        vertex_slots => 3,
+        half_edge_slots => 3,
+        face_slots => 1,
+        origin(h) => Some(h),
+        twin(_h) => None,
+        next(h) => Some((h + 1) % 3),
+        face(_h) => Some(0),
+        outer_half_edge(_f) => Some(0),
+    }
+}
+
+impl Subject for NoTwins {
+    subject_by_index!();
+}
+
+#[test]
+fn a_structure_without_twins_is_refused_by_name() {
+    assert!(validate(&NoTwins, &KEPT, Collect::All).is_valid());
+    let found = check(|| NoTwins, &KEPT).unwrap_err();
+    assert_eq!(found.failure.difference, Difference::Start(StartError::NoTwin(0)));
+    assert_eq!(
+        found.to_string(),
+        "at the start: half-edge 0 has no twin; both half-edges of each edge are needed, those of the border included"
+    );
+}
+
+/// A structure that has no handle for one of its half-edges.
+struct Nameless(FlipOnly);
+
+impl View for Nameless {
+    delegate_view!(|this| &this.0);
+}
+
+impl Subject for Nameless {
+    type Vertex = usize;
+    type HalfEdge = usize;
+    type Face = usize;
+
+    fn half_edge_at(&self, index: usize) -> Option<usize> {
+        Some(index).filter(|index| *index != 5)
+    }
+    fn face_of(&self, corner: Corner<usize, usize>) -> Result<usize, Refusal> {
+        self.0.face_of(corner)
+    }
+    fn origin_of(&self, h: usize) -> Result<usize, Refusal> {
+        self.0.origin_of(h)
+    }
+    fn twin_of(&self, h: usize) -> Result<usize, Refusal> {
+        self.0.twin_of(h)
+    }
+    fn next_of(&self, h: usize) -> Result<usize, Refusal> {
+        self.0.next_of(h)
+    }
+}
+
+#[test]
+fn half_edges_too_many_too_few_and_without_handle_are_named() {
+    let make = |flip| FlipOnly::of(&OCTAHEDRON, 6, flip);
+    let found = |flip| check(|| make(flip), &without_faces()).unwrap_err();
+    for (found, difference, message) in [
+        (found(Flip::Adds), Difference::Unknown { half_edge: 24 }, "half-edge 24 of the view should not be there"),
+        (found(Flip::Drops), Difference::Missing { corner: 22 }, "corner 22 is no half-edge of the view"),
+        (
+            check(|| Nameless(make(Flip::Right)), &without_faces()).unwrap_err(),
+            Difference::NoHandle { half_edge: 5 },
+            "half_edge_at gives no handle for half-edge 5",
+        ),
+    ] {
+        assert_eq!(found.failure.difference, difference);
+        assert!(found.to_string().contains(message), "{found}");
+    }
+}
+
 #[test]
 fn on_discs_and_borders_operators_are_refused_for_their_own_reasons() {
     let mesh = Mesh::new(5, &[[0, 1, 4], [1, 2, 4], [2, 3, 4], [3, 0, 4]], false);
-    let mut start = PointerModel::from_view(&mesh, &expectation()).unwrap();
+    let mut start = PointerModel::from_view(&mesh, &KEPT).unwrap();
     let name = |index: usize| start.half_edges.iter().find(|(other, _)| *other == index).unwrap().1;
     let border = (0..mesh.half_edge_slots()).find(|h| View::face(&mesh, *h).is_none()).unwrap();
     let (border, spoke) = (name(border), name(2));
@@ -316,7 +487,54 @@ fn on_discs_and_borders_operators_are_refused_for_their_own_reasons() {
 
 #[test]
 fn structures_that_use_handles_again_are_not_asked_for_stale_ones() {
-    let asked = Conformance::of(&expectation()).without_stale_handles();
+    let asked = Conformance::of(&KEPT).without_stale_handles();
     let summary = asked.check(|| Mesh::new(6, &OCTAHEDRON, false)).unwrap();
     assert!(summary.not_compared().any(|part| part == NotCompared::StaleHandles));
+}
+
+/// A mesh that keeps no `next` on the border, and perhaps no faces.
+struct Bare {
+    mesh: Mesh,
+    has_faces: bool,
+}
+
+impl View for Bare {
+    delegate_view!(|this| &this.mesh; except next, face, face_slots);
+
+    fn next(&self, h: usize) -> Link {
+        View::face(&self.mesh, h).and_then(|_| View::next(&self.mesh, h))
+    }
+    fn face(&self, h: usize) -> Link {
+        View::face(&self.mesh, h).filter(|_| self.has_faces)
+    }
+    fn face_slots(&self) -> usize {
+        if self.has_faces { self.mesh.face_slots() } else { 0 }
+    }
+}
+
+impl Subject for Bare {
+    subject_by_index! {
+        mesh_flip_edge => |bare: &mut Self, h| bare.mesh.mesh_flip_edge(h),
+        mesh_split_edge => |bare: &mut Self, h| bare.mesh.mesh_split_edge(h),
+        mesh_collapse_edge => |bare: &mut Self, h| bare.mesh.mesh_collapse_edge(h),
+    }
+}
+
+#[test]
+fn half_edges_on_the_border_need_no_next() {
+    for (has_faces, kept) in [(true, KEPT), (false, without_faces().open())] {
+        for (triangles, vertices) in [(RING.to_vec(), 6), (vec![[0, 1, 2]], 3)] {
+            let make = |has_bug| Bare { mesh: Mesh::new(vertices, &triangles, has_bug), has_faces };
+            let summary = check(|| make(false), &kept).unwrap();
+            for name in ["mesh_flip_edge", "mesh_split_edge", "mesh_collapse_edge"] {
+                let counts = summary.of(name).unwrap();
+                assert!(counts.applied > 200 && counts.refused > 0, "{summary}");
+            }
+            assert!(summary.not_compared().any(|part| part == NotCompared::BorderNext), "{summary}");
+            assert!(check(|| make(true), &kept).is_err());
+        }
+    }
+    // Where it is kept, it is compared.
+    let summary = check(|| Mesh::new(6, &RING, false), &KEPT).unwrap();
+    assert!(summary.not_compared().all(|part| part != NotCompared::BorderNext), "{summary}");
 }

@@ -1,116 +1,108 @@
 //! Random programs of edits on whole numbers, for tests that ask about their outcome.
 
 use quickcheck::{Arbitrary, Gen};
-use twinedge::dcel::{Face, HalfEdge, Vertex};
 use twinedge::geometry::Point;
-use twinedge::geometry::noding::Snap;
-use twinedge::map::{FeatureId, PlanarMap};
+use twinedge::map::PlanarMap;
+use twinedge::map::program::{AtPick, EditKind, EditOp, EditProgram, EditRunner, FeaturesPick, GridPick, Spot};
+use twinedge::program::candidates;
 
 /// Vertices have even coordinates from 0 to this.
 pub(crate) const SIDE: u8 = 14;
 
 /// A place with whole coordinates.
 #[derive(Clone, Copy, Debug)]
-pub(crate) struct Spot(pub(crate) i32, pub(crate) i32);
+pub(crate) struct Place(u8, u8);
 
-impl Spot {
+impl Place {
     pub(crate) fn point(self) -> Point {
         Point::new(self.0.into(), self.1.into())
     }
-
-    /// A place for a vertex.
-    fn even(self) -> Point {
-        Self(self.0 & !1, self.1 & !1).point()
-    }
 }
 
-impl Arbitrary for Spot {
+impl Arbitrary for Place {
     fn arbitrary(g: &mut Gen) -> Self {
-        let mut along = || i32::from(u8::arbitrary(g) % (SIDE + 1));
+        let mut along = || u8::arbitrary(g) % (SIDE + 1);
         Self(along(), along())
     }
 }
 
+/// A program that makes only vertices with even coordinates from 0 to [`SIDE`].
 #[derive(Clone, Debug)]
-pub(crate) enum Edit {
-    Point(Spot),
-    Segment(Spot, Spot),
-    Snapped(Spot, Spot),
-    Ring(Vec<Spot>),
-    RemoveEdge(u8),
-    RemoveVertex(u8),
-    MoveVertex(u8, Spot),
-    /// Some face is covered by these of the features there are, one bit each.
-    Claim(u8, u8),
-    /// The same along some edge.
-    Along(u8, u8),
-}
+pub(crate) struct EvenEdits(pub(crate) EditProgram);
 
-impl Arbitrary for Edit {
+impl Arbitrary for EvenEdits {
     fn arbitrary(g: &mut Gen) -> Self {
-        let spot = Spot::arbitrary;
-        let byte = u8::arbitrary;
-        match byte(g) % 16 {
-            0 => Self::Point(spot(g)),
-            1..4 => Self::Segment(spot(g), spot(g)),
-            4..7 => Self::Snapped(spot(g), spot(g)),
-            7..10 => Self::Ring((0..3 + byte(g) % 3).map(|_| spot(g)).collect()),
-            10 => Self::RemoveEdge(byte(g)),
-            11 => Self::RemoveVertex(byte(g)),
-            12 => Self::MoveVertex(byte(g), spot(g)),
-            13..15 => Self::Claim(byte(g), byte(g)),
-            _ => Self::Along(byte(g), byte(g)),
+        let generator = EditProgram::generator()
+            .weight(EditKind::AddFeature, 0)
+            .weight(EditKind::InsertRing, 10)
+            .weight(EditKind::SetFeaturesOf, 6);
+        let mut program = generator.length(0..=g.size()).generate(g);
+        for op in &mut program.0 {
+            match op {
+                EditOp::InsertSegmentSnapped { snap, .. } => *snap = GridPick::Size(2.0.into()),
+                EditOp::SetFeaturesOf { features, .. } | EditOp::SetFeaturesAlong { features, .. } => {
+                    *features = FeaturesPick(u8::arbitrary(g).into());
+                }
+                _ => {}
+            }
+            // What is snapped becomes even by that.
+            let mask = if matches!(op, EditOp::InsertSegmentSnapped { .. }) { !0 } else { !1 };
+            for spot in spots(op) {
+                let Place(x, y) = Place::arbitrary(g);
+                *spot = Spot::new((x & mask).into(), (y & mask).into());
+            }
         }
+        Self(program)
+    }
+
+    fn shrink(&self) -> Box<dyn Iterator<Item = Self>> {
+        Box::new(candidates(&self.0).map(Self).filter(|smaller| smaller.clone().is_even()))
     }
 }
 
-fn choose<T>(all: impl Iterator<Item = T>, which: u8) -> Option<T> {
-    let mut all: Vec<T> = all.collect();
-    let place = usize::from(which).checked_rem(all.len())?;
-    Some(all.swap_remove(place))
+impl EvenEdits {
+    fn is_even(mut self) -> bool {
+        self.0.0.iter_mut().all(|op| {
+            let step = match op {
+                EditOp::InsertSegmentSnapped { snap, .. } if *snap != GridPick::Size(2.0.into()) => return false,
+                EditOp::InsertSegmentSnapped { .. } => 1.0,
+                _ => 2.0,
+            };
+            spots(op).into_iter().all(|spot| [spot.x, spot.y].iter().all(|c| c.get() % step == 0.0))
+        })
+    }
 }
 
-/// Does an edit, unless there is nothing to do it to. Some are refused, which `tests/edit` looks after.
-pub(crate) fn apply(map: &mut PlanarMap, edit: &Edit) {
-    let some_vertex = |map: &PlanarMap, which| choose(map.dcel().vertices().map(Vertex::key), which);
-    let some_edge = |map: &PlanarMap, which| choose(map.dcel().edges().map(HalfEdge::key), which);
-    let bits = |map: &PlanarMap, set: u8| -> Vec<FeatureId> {
-        map.features().filter(|f| set & 1 << (f.index() % 8) != 0).collect()
+/// The points that an edit is given.
+fn spots(op: &mut EditOp) -> Vec<&mut Spot> {
+    let at: Vec<&mut AtPick> = match op {
+        EditOp::InsertPoint { at } => vec![at],
+        EditOp::InsertSegment { from, to } | EditOp::InsertSegmentSnapped { from, to, .. } => vec![from, to],
+        EditOp::InsertRing { points } => points.iter_mut().collect(),
+        EditOp::MoveVertex { to, .. } => return vec![to],
+        _ => Vec::new(),
     };
-    let nothing_to_do = || Ok(());
-    let _outcome = match edit {
-        Edit::Point(p) => map.insert_point(p.even()).map(drop),
-        Edit::Segment(a, b) => map.insert_segment(a.even(), b.even()).map(drop),
-        Edit::Snapped(a, b) => map.insert_segment_snapped(a.point(), b.point(), Snap::Size(2.0)).map(drop),
-        Edit::Ring(spots) => map.insert_ring(spots.iter().map(|p| p.even())).map(drop),
-        Edit::RemoveEdge(which) => some_edge(map, *which).map_or_else(nothing_to_do, |h| map.remove_edge(h).map(drop)),
-        Edit::RemoveVertex(which) => {
-            some_vertex(map, *which).map_or_else(nothing_to_do, |v| map.remove_vertex(v).map(drop))
-        }
-        Edit::MoveVertex(which, to) => {
-            some_vertex(map, *which).map_or_else(nothing_to_do, |v| map.move_vertex(v, to.even()))
-        }
-        Edit::Claim(which, set) => {
-            let set = bits(map, *set);
-            choose(map.dcel().faces().map(Face::key), *which)
-                .map_or_else(nothing_to_do, |f| map.set_features_of(f, set))
-        }
-        Edit::Along(which, set) => {
-            let set = bits(map, *set);
-            some_edge(map, *which).map_or_else(nothing_to_do, |h| map.set_features_along(h, set))
-        }
-    };
+    at.into_iter()
+        .filter_map(|at| match at {
+            AtPick::Point(spot) | AtPick::Near(spot, _) => Some(spot),
+            AtPick::Vertex(_) => None,
+        })
+        .collect()
 }
 
-/// The map that a program makes of the empty one, with features that nobody has claimed at first.
-#[allow(dead_code, reason = "some tests ask between two edits")]
-pub(crate) fn edited(program: &[Edit], features: usize) -> PlanarMap {
+/// The map that a program makes of the empty one, with so many features that nobody has claimed at first.
+pub(crate) fn edited(program: &EvenEdits, features: usize) -> PlanarMap {
     let mut map = PlanarMap::new();
     for i in 0..features {
         map.add_feature(Some(format!("feature {i}")));
     }
-    for edit in program {
-        apply(&mut map, edit);
+    let mut runner = EditRunner::new(map);
+    for op in &program.0.0 {
+        let mut op = op.clone();
+        if let EditOp::SetFeaturesOf { features: set, .. } | EditOp::SetFeaturesAlong { features: set, .. } = &mut op {
+            set.0 &= (1 << features) - 1;
+        }
+        runner.step(&op);
     }
-    map
+    runner.into_map()
 }

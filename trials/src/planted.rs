@@ -69,6 +69,12 @@ impl<const PANICS: bool> Subject for Planted<PANICS> {
     fn unbounded_face(&self) -> Option<FaceKey> {
         Subject::unbounded_face(&self.0)
     }
+    fn half_edge_at(&self, index: usize) -> Option<HalfEdgeKey> {
+        Subject::half_edge_at(&self.0, index)
+    }
+    fn vertex_at(&self, index: usize) -> Option<VertexKey> {
+        Subject::vertex_at(&self.0, index)
+    }
     fn face_of(&self, corner: CornerOf<Self>) -> Result<FaceKey, Refusal> {
         Subject::face_of(&self.0, corner)
     }

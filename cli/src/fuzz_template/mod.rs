@@ -81,7 +81,7 @@ impl FuzzTemplate {
         print(&format!(
             "{shown}/ is written.\n\n{replace}\
              With cargo-fuzz (cargo install cargo-fuzz) and a nightly toolchain:\n  \
-             cargo +nightly fuzz run --fuzz-dir {shown} conforms\n\n\
+             cargo +nightly fuzz run --fuzz-dir {shown} conforms -- -max_len=400\n\n\
              Without, and without feedback from coverage:\n  \
              RUSTFLAGS='--cfg fuzzing' cargo run --release --manifest-path {shown}/Cargo.toml -- \
              -runs=100000 -len_control=0 -max_len=400 {shown}/corpus/conforms\n\n\

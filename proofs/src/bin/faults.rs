@@ -4,10 +4,12 @@
 //! cargo run -p twinedge-proofs --bin faults                            the table, in Markdown
 //! cargo run -p twinedge-proofs --bin faults -- --only R1               the faults with these words in their names
 //! cargo run -p twinedge-proofs --bin faults -- --checks corrupt,soak   these checks alone
+//! cargo run -p twinedge-proofs --bin faults -- --minutes 20            what can be run in so many minutes
 //! ```
 //!
 //! One build holds all faults, each behind a switch that is read from the environment. Each check then runs once without a fault,
-//! and must pass, and once with each. A fault is caught if the check fails, panics, or takes longer than a minute.
+//! and must pass, and once with each. A fault is caught if the check fails, panics, or takes longer than a minute and five times
+//! what it takes without a fault. The checks of the part of the library that has the fault are run first, and of these the quickest.
 #![allow(clippy::print_stdout, clippy::print_stderr, reason = "it is a program")]
 
 use std::collections::BTreeMap;
@@ -22,7 +24,7 @@ use twinedge_proofs::faults::{Fault, SWITCH, parse, plant};
 
 type Result<T> = std::result::Result<T, Box<dyn Error + Send + Sync>>;
 
-/// After this long a check counts as one that does not end.
+/// A check that takes longer than this, and than five times what it takes without a fault, counts as one that does not end.
 const LIMIT: Duration = Duration::from_secs(60);
 
 /// A check: its name, and the program with its arguments.
@@ -30,11 +32,14 @@ struct Check {
     name: &'static str,
     program: PathBuf,
     arguments: Vec<&'static str>,
+    /// How long it takes without a fault.
+    takes: Duration,
 }
 
 /// What became of a check.
 #[derive(Clone, Copy, PartialEq, Eq)]
 enum End {
+    NotRun,
     Passed,
     Failed,
     TimedOut,
@@ -50,34 +55,38 @@ const TESTS: [(&str, &[&str], &str); 4] = [
 
 /// The checks of the program `twinedge`.
 const COMMANDS: [(&str, &[&str]); 5] = [
-    ("corrupt", &["corrupt", "--edges", "3", "--pairs", "5000", "--seed", "1", "--threads", "1"]),
+    ("corrupt", &["corrupt", "--edges", "2", "--pairs", "1000", "--seed", "1", "--threads", "1"]),
     ("tables", &["tables", "--half-edges", "2", "--threads", "1"]),
-    ("sample", &["sample", "--tables", "5000", "--seed", "1", "--threads", "1"]),
+    ("sample", &["sample", "--tables", "1000", "--seed", "1", "--threads", "1"]),
     ("prove", &["prove", "--edges", "2", "--threads", "1"]),
-    ("soak", &["soak", "--programs", "60", "--seed", "1", "--threads", "1", "--save", "/dev/null/none"]),
+    ("soak", &["soak", "--programs", "30", "--seed", "1", "--threads", "1", "--save", "/dev/null/none"]),
 ];
 
 fn main() -> Result<()> {
     let option = |name: &str| std::env::args().skip_while(|argument| argument != name).nth(1);
     let (only, chosen) = (option("--only"), option("--checks"));
+    let minutes = option("--minutes").map(|minutes| minutes.parse::<u64>()).transpose()?;
     let is_chosen = |name: &str| chosen.as_ref().is_none_or(|names| names.split(',').any(|other| other == name));
     let root = Path::new(env!("CARGO_MANIFEST_DIR")).join("..").canonicalize()?;
     let faults = read(&root.join("proofs/faults"))?;
     let build = root.join("target/faults");
     let copy = build.join("sources");
     copy_planted(&root, &copy, &faults)?;
-    let checks = built(&copy, &build, is_chosen)?;
-    for check in &checks {
+    let mut checks = built(&copy, &build, is_chosen)?;
+    let start = Instant::now();
+    for check in &mut checks {
         let start = Instant::now();
         if check.run(None)? != End::Passed {
             return Err(format!("{} does not pass without a fault", check.name).into());
         }
-        eprintln!("{} passes without a fault in {:.1} s", check.name, start.elapsed().as_secs_f64());
+        check.takes = start.elapsed();
+        eprintln!("{} passes without a fault in {:.1} s", check.name, check.takes.as_secs_f64());
     }
     let wanted: Vec<usize> =
         (0..faults.len()).filter(|n| only.as_ref().is_none_or(|words| faults[*n].what.contains(words))).collect();
-    let caught = matrix(&checks, &wanted)?;
-    print(&checks, &faults, &caught);
+    let until = minutes.map(|minutes| start + Duration::from_secs(60 * minutes));
+    let ends = matrix(&checks, &faults, &wanted, until)?;
+    print(&checks, &faults, &ends);
     Ok(())
 }
 
@@ -144,19 +153,30 @@ fn built(copy: &Path, build: &Path, is_chosen: impl Fn(&str) -> bool) -> Result<
         let line = said.lines().find(|line| line.contains(source)).ok_or_else(|| format!("cargo made no {source}"))?;
         let program =
             line.split_once('(').and_then(|(_, rest)| rest.split_once(')')).ok_or("cargo says something else")?.0;
-        checks.push(Check { name, program: copy.join(program), arguments: vec!["--test-threads=1", "-q"] });
+        checks.push(Check {
+            name,
+            program: copy.join(program),
+            arguments: vec!["--test-threads=1", "-q"],
+            takes: LIMIT,
+        });
     }
     if COMMANDS.iter().any(|(name, _)| is_chosen(name)) {
         cargo(&["build", "--release", "-p", "twinedge-cli"])?;
     }
     let program = build.join("release/twinedge");
     for (name, arguments) in COMMANDS.iter().filter(|(name, _)| is_chosen(name)) {
-        checks.push(Check { name, program: program.clone(), arguments: arguments.to_vec() });
+        checks.push(Check { name, program: program.clone(), arguments: arguments.to_vec(), takes: LIMIT });
     }
     Ok(checks)
 }
 
 impl Check {
+    /// Whether the check is about the part of the library that has this fault.
+    fn is_near(&self, fault: &Fault) -> bool {
+        let of_validator = ["validate", "corrupt", "tables", "sample"].contains(&self.name);
+        of_validator == fault.file.starts_with("src/validate/") && self.name != "harnesses"
+    }
+
     /// Runs the check with a fault switched on.
     fn run(&self, fault: Option<usize>) -> Result<End> {
         let mut command = Command::new(&self.program);
@@ -173,7 +193,7 @@ impl Check {
             if let Some(status) = child.try_wait()? {
                 return Ok(if status.success() { End::Passed } else { End::Failed });
             }
-            if start.elapsed() > LIMIT {
+            if start.elapsed() > LIMIT.max(5 * self.takes) {
                 child.kill()?;
                 child.wait()?;
                 return Ok(End::TimedOut);
@@ -183,15 +203,29 @@ impl Check {
     }
 }
 
-/// Runs every check with each of these faults, four faults at a time.
-fn matrix(checks: &[Check], wanted: &[usize]) -> Result<BTreeMap<usize, Vec<End>>> {
-    let (next, done) = (AtomicUsize::new(0), Mutex::new(BTreeMap::new()));
+/// Runs each check with each of these faults, four at a time, until it is too late to begin another.
+fn matrix(
+    checks: &[Check],
+    faults: &[Fault],
+    wanted: &[usize],
+    until: Option<Instant>,
+) -> Result<BTreeMap<usize, Vec<End>>> {
+    let mut cells: Vec<(usize, usize)> =
+        (0..checks.len()).flat_map(|check| wanted.iter().map(move |fault| (check, *fault))).collect();
+    cells.sort_by_key(|(check, fault)| (!checks[*check].is_near(&faults[*fault]), checks[*check].takes));
+    let none: BTreeMap<usize, Vec<End>> =
+        wanted.iter().map(|fault| (*fault, vec![End::NotRun; checks.len()])).collect();
+    let (next, done) = (AtomicUsize::new(0), Mutex::new(none));
     let work = || -> Result<()> {
-        while let Some(fault) = wanted.get(next.fetch_add(1, Ordering::Relaxed)) {
-            let ends = checks.iter().map(|check| check.run(Some(*fault))).collect::<Result<Vec<_>>>()?;
-            let marks: String = ends.iter().map(|end| mark(*end)).collect();
-            eprintln!("{fault:3} {marks}");
-            done.lock().map_err(|_| "another thread panicked")?.insert(*fault, ends);
+        while let Some((check, fault)) = cells.get(next.fetch_add(1, Ordering::Relaxed)) {
+            if until.is_some_and(|until| Instant::now() >= until) {
+                break;
+            }
+            let end = checks[*check].run(Some(*fault))?;
+            eprintln!("{} {} {fault}", mark(end), checks[*check].name);
+            if let Some(ends) = done.lock().map_err(|_| "another thread panicked")?.get_mut(fault) {
+                ends[*check] = end;
+            }
         }
         Ok(())
     };
@@ -204,6 +238,7 @@ fn matrix(checks: &[Check], wanted: &[usize]) -> Result<BTreeMap<usize, Vec<End>
 
 const fn mark(end: End) -> char {
     match end {
+        End::NotRun => '–',
         End::Passed => '·',
         End::Failed => '×',
         End::TimedOut => 't',
@@ -212,26 +247,48 @@ const fn mark(end: End) -> char {
 
 /// The table in Markdown.
 fn print(checks: &[Check], faults: &[Fault], caught: &BTreeMap<usize, Vec<End>>) {
-    println!("| fault | where | {} |", checks.iter().map(|check| check.name).collect::<Vec<_>>().join(" | "));
+    println!(
+        "| fault | where | {} |",
+        checks.iter().map(|check| format!("`{}`", check.name)).collect::<Vec<_>>().join(" | ")
+    );
     println!("| --- | --- |{}", " --- |".repeat(checks.len()));
     for (n, ends) in caught {
         let Fault { what, file, .. } = &faults[*n];
-        let name = file.rsplit('/').next().unwrap_or(file);
+        let name = file.strip_prefix("src/").unwrap_or(file);
         let marks: Vec<String> = ends.iter().map(|end| mark(*end).to_string()).collect();
         println!("| {what} | `{name}` | {} |", marks.join(" | "));
     }
-    let caught_by = |ends: &Vec<End>| ends.iter().filter(|end| **end != End::Passed).count();
-    let count = |test: fn(usize) -> bool| caught.values().filter(|ends| test(caught_by(ends))).count();
-    println!();
+    let by = |ends: &[End]| -> Vec<usize> { (0..checks.len()).filter(|check| ends[*check].is_caught()).collect() };
+    let names = |catchers: &[usize]| {
+        let of_it = caught.iter().filter(|(_, ends)| by(ends) == catchers);
+        of_it.map(|(n, _)| format!("*{}*", faults[*n].what)).collect::<Vec<_>>()
+    };
+    let none = names(&[]);
+    let one: Vec<_> = (0..checks.len()).map(|check| names(&[check])).collect();
+    let by_one: usize = one.iter().map(Vec::len).sum();
+    let several = caught.len() - none.len() - by_one;
     println!(
-        "{} faults: {} caught by several checks, {} by one, {} by none.",
+        "\n{} faults: {several} caught by several checks, {by_one} by one, {} by none.\n",
         caught.len(),
-        count(|n| n > 1),
-        count(|n| n == 1),
-        count(|n| n == 0)
+        none.len()
     );
-    for (position, check) in checks.iter().enumerate() {
-        let by = caught.values().filter(|ends| ends[position] != End::Passed).count();
-        println!("- {}: {by}", check.name);
+    println!(
+        "| check | caught | not run | caught by it alone | seconds without a fault |\n| --- | --- | --- | --- | --- |"
+    );
+    for (position, Check { name, takes, .. }) in checks.iter().enumerate() {
+        let count = |test: fn(&End) -> bool| caught.values().filter(|ends| test(&ends[position])).count();
+        let (by_it, not_run) = (count(|end| end.is_caught()), count(|end| *end == End::NotRun));
+        println!("| `{name}` | {by_it} | {not_run} | {} | {:.1} |", one[position].len(), takes.as_secs_f64());
+    }
+    println!("\nCaught by one:\n");
+    for (check, names) in checks.iter().zip(&one).filter(|(_, names)| !names.is_empty()) {
+        println!("- `{}`: {}", check.name, names.join("; "));
+    }
+    println!("\nCaught by none: {}", none.join("; "));
+}
+
+impl End {
+    const fn is_caught(self) -> bool {
+        matches!(self, Self::Failed | Self::TimedOut)
     }
 }

@@ -3,7 +3,7 @@
 use super::draw::Draw;
 use super::pick::{AtPick, FeaturesPick, GridPick, MapFacePick, MapHalfEdgePick, MapVertexPick, RingPick, Spot};
 use super::table::edits;
-use crate::program::choose::{Bytes, Choose};
+use crate::program::choose::Choose;
 use crate::program::{Generator, Language};
 
 macro_rules! define_op {
@@ -83,11 +83,7 @@ impl EditProgram {
     /// zeros. O(bytes).
     #[must_use]
     pub fn from_bytes(bytes: &[u8]) -> Self {
-        // The weights are small numbers, so every edit takes a byte at least.
-        let generator = Self::generator().length(1..=1);
-        let mut source = Bytes::new(bytes);
-        let next = || if source.rest().is_empty() { None } else { generator.generate(&mut source).0.pop() };
-        core::iter::from_fn(next).collect()
+        Self::generator().decode(bytes)
     }
 
     /// A generator of programs, to be told which edits, how often, and how many.

@@ -11,6 +11,7 @@ use crate::program::outcome::StepOutcome;
 use crate::program::pointer_model::PointerModel;
 use crate::program::runner::Runner;
 use crate::program::subject::{Refusal, Subject};
+use crate::validate::adapt::Borders;
 use crate::validate::{Collect, Expectation, Part, validate};
 use alloc::boxed::Box;
 use alloc::vec::Vec;
@@ -52,10 +53,7 @@ impl<K: Subject> InStep<K> {
         if let (true, Some(part)) = (is_empty, lacks) {
             return Err(Difference::Lacks(part));
         }
-        let report = validate(&subject, expectation, Collect::First);
-        if !report.is_valid() {
-            return Err(Difference::Invalid(Box::new(report)));
-        }
+        judge(&subject, expectation)?;
         let start = PointerModel::from_view(&subject, expectation).map_err(Difference::Start)?;
         let mut handles = Vec::new();
         let mut names = Vec::new();
@@ -142,10 +140,7 @@ impl<K: Subject> InStep<K> {
 
     fn compare(&mut self) -> Result<(), Difference> {
         let expectation = &self.settings.expectation;
-        let report = validate(self.subject.subject(), expectation, Collect::First);
-        if !report.is_valid() {
-            return Err(Difference::Invalid(Box::new(report)));
-        }
+        judge(self.subject.subject(), expectation)?;
         let has_faces = expectation.has(Part::Faces);
         if NEEDED.into_iter().all(|part| expectation.has(part)) {
             let code = self.canonizer.subdivision(self.reference.subject());
@@ -160,4 +155,14 @@ impl<K: Subject> InStep<K> {
         }
         Ok(())
     }
+}
+
+/// Holds a subject to the rules. Where half-edges on the border have no `next`, it is the one that follows from the rest.
+fn judge<K: Subject>(subject: &K, expectation: &Expectation) -> Result<(), Difference> {
+    let borders = if expectation.is_open() { Borders::of(subject) } else { None };
+    let report = match borders {
+        Some(borders) => validate(&borders, expectation, Collect::First),
+        None => validate(subject, expectation, Collect::First),
+    };
+    if report.is_valid() { Ok(()) } else { Err(Difference::Invalid(Box::new(report))) }
 }

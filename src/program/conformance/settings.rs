@@ -1,16 +1,6 @@
 //! What is asked of a comparison: of one program, or of many random ones.
 
-use super::difference::{Counterexample, Difference, Failure};
-use super::in_step::InStep;
-use super::summary::ConformanceSummary;
-use crate::program::choose::Choose;
-use crate::program::every::{every_mesh_op, every_op};
-use crate::program::generator::Generator;
-use crate::program::op::{Op, OpKind, Program};
-use crate::program::shrink::shrink;
-use crate::program::subject::Subject;
 use crate::validate::Expectation;
-use alloc::vec::Vec;
 
 /// What a run must have covered to count.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
@@ -42,10 +32,10 @@ pub enum Coverage {
 pub struct Conformance {
     pub(super) expectation: Expectation,
     pub(super) stale_handles: bool,
-    coverage: Option<Coverage>,
-    programs: usize,
-    operators: usize,
-    seed: u64,
+    pub(super) coverage: Option<Coverage>,
+    pub(super) programs: usize,
+    pub(super) operators: usize,
+    pub(super) seed: u64,
 }
 
 impl Conformance {
@@ -86,140 +76,4 @@ impl Conformance {
         self.seed = seed;
         self
     }
-
-    /// Begins a comparison, to be continued operator by operator.
-    ///
-    /// # Errors
-    /// Those of [`run`](super::run) before the first operator.
-    pub fn begin<K: Subject>(self, subject: K) -> Result<InStep<K>, Failure> {
-        InStep::with(subject, self)
-    }
-
-    /// Runs a program, as [`run`](super::run) does.
-    ///
-    /// # Errors
-    /// Those of [`run`](super::run).
-    pub fn run<K: Subject>(self, program: &Program, subject: K) -> Result<ConformanceSummary, Failure> {
-        let summary = self.compare(program, subject)?;
-        Self::judge(self.coverage.unwrap_or(Coverage::SomeOperator), &summary).map_err(|difference| Failure {
-            before: program.0.len(),
-            op: None,
-            difference,
-        })?;
-        Ok(summary)
-    }
-
-    /// Runs random programs, each on a new subject, as [`check`](super::check) does.
-    ///
-    /// # Errors
-    /// Those of [`check`](super::check).
-    pub fn check<K: Subject>(self, mut make: impl FnMut() -> K) -> Result<ConformanceSummary, Counterexample> {
-        let mut sum = ConformanceSummary::default();
-        let mut noise = Noise(self.seed);
-        let mut generator = generator_for(&sum);
-        for _ in 0..self.programs {
-            let mut program = Program::default();
-            let failed = |program, failure| Counterexample { program, failure };
-            let mut pair = self.begin(make()).map_err(|failure| failed(Program::default(), failure))?;
-            let mut step = |op: Op, pair: &mut InStep<K>| {
-                program.0.push(op);
-                let Err(failure) = pair.step(op) else { return Ok(()) };
-                let small = shrink(&program, |program| self.compare(program, make()).is_err());
-                // A subject that does something else each time fails as it did the first time.
-                Err(match self.compare(&small, make()) {
-                    Err(failure) => failed(small, failure),
-                    Ok(_) => failed(program.clone(), failure),
-                })
-            };
-            for _ in 0..self.operators {
-                let Some(op) = generator.op(&mut noise) else { break };
-                step(op, &mut pair)?;
-            }
-            // Operators that random arguments seldom suit are tried with all.
-            for op in Self::rest(&pair, &sum) {
-                let is_applied = |summary: &ConformanceSummary| summary.of(op.name()).is_some_and(|c| c.applied > 0);
-                if !is_applied(&sum) && !is_applied(&pair.summary()) {
-                    step(op, &mut pair)?;
-                }
-            }
-            sum.add(&pair.summary());
-            generator = generator_for(&sum);
-        }
-        let coverage = self.coverage.unwrap_or(Coverage::EveryOperator);
-        Self::judge(coverage, &sum).map_err(|difference| Counterexample {
-            program: Program::default(),
-            failure: Failure { before: sum.total().all(), op: None, difference },
-        })?;
-        Ok(sum)
-    }
-
-    /// Every argument of the operators that the subject has and that were not applied so far.
-    fn rest<K: Subject>(pair: &InStep<K>, sum: &ConformanceSummary) -> Vec<Op> {
-        let mut all = *sum;
-        all.add(&pair.summary());
-        let is_left = |op: &Op| all.of(op.name()).is_some_and(|counts| counts.is_supported() && counts.applied == 0);
-        let mut ops = every_mesh_op(pair.subject());
-        ops.extend(every_op(pair.subject()));
-        ops.retain(is_left);
-        ops
-    }
-
-    /// Compares and does not ask what was covered.
-    fn compare<K: Subject>(self, program: &Program, subject: K) -> Result<ConformanceSummary, Failure> {
-        let mut pair = self.begin(subject)?;
-        for op in &program.0 {
-            pair.step(*op)?;
-        }
-        Ok(pair.summary())
-    }
-
-    fn judge(coverage: Coverage, summary: &ConformanceSummary) -> Result<(), Difference> {
-        let total = summary.total();
-        if coverage != Coverage::Nothing && total.applied == 0 && total.all() > 0 {
-            return Err(Difference::NothingApplied);
-        }
-        let never =
-            |(name, counts): (_, super::OperatorCounts)| (counts.is_supported() && counts.applied == 0).then_some(name);
-        let names: Vec<&'static str> = summary.by_operator().filter_map(never).collect();
-        if coverage == Coverage::EveryOperator && !names.is_empty() {
-            return Err(Difference::NeverApplied(names));
-        }
-        Ok(())
-    }
-}
-
-/// Numbers without pattern: `splitmix64` (Steele, Lea and Flood, *Fast splittable pseudorandom number generators*, 2014).
-struct Noise(u64);
-
-impl Noise {
-    fn next(&mut self) -> u64 {
-        self.0 = self.0.wrapping_add(0x9E37_79B9_7F4A_7C15);
-        let mixed = (self.0 ^ self.0 >> 30).wrapping_mul(0xBF58_476D_1CE4_E5B9);
-        let mixed = (mixed ^ mixed >> 27).wrapping_mul(0x94D0_49BB_1331_11EB);
-        mixed ^ mixed >> 31
-    }
-}
-
-impl Choose for Noise {
-    fn choose(&mut self, n: usize) -> usize {
-        (self.next() >> 8) as usize % n.max(1)
-    }
-}
-
-/// Operators as often as in any bytes, and those of meshes, which are in no bytes, as often as the most frequent one. One that
-/// the subject has answered four times only by not having it is drawn no more.
-fn generator_for(so_far: &ConformanceSummary) -> Generator {
-    let most = OpKind::SHARES.iter().map(|(_, share)| *share).max().unwrap_or(1);
-    let is_out =
-        |kind: OpKind| so_far.of(kind.name()).is_some_and(|counts| counts.unsupported >= 4 && !counts.is_supported());
-    let weight = |kind, share| {
-        if is_out(kind) {
-            0
-        } else if share == 0 {
-            most
-        } else {
-            share
-        }
-    };
-    OpKind::SHARES.iter().fold(Program::generator(), |all, (kind, share)| all.weight(*kind, weight(*kind, *share)))
 }

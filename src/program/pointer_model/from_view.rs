@@ -47,7 +47,7 @@ impl PointerModel {
     ///   [`Refusal::NotDisc`](crate::program::Refusal::NotDisc), last of all reasons, is what would make another face than a disc: adding an
     ///   isolated vertex, removing an edge whose two sides are the same face, contracting the only edge of a component.
     ///   Isolated vertices of the view are left out.
-    /// - **Without faces** ([`Part::Faces`]), each cycle is a face.
+    /// - **Without faces** ([`Part::Faces`]), each cycle is a face, but where half-edges have no `next`, there is a border.
     /// - **Where a half-edge has no face** (a border), the model has one that closes the surface, marked as outside. So the
     ///   surface is closed in the model, and genus and neighbours are those of the closed one. What needs that face is refused as
     ///   [`Refusal::Border`](crate::program::Refusal::Border), after stale handles and before other reasons:
@@ -140,7 +140,8 @@ impl PointerModelStart {
         for (h, record) in records {
             if record.borrow().face.upgrade().is_none() {
                 let f = self.model.make_face();
-                f.borrow_mut().border = has_faces && face_of(view, *h).is_none();
+                let is_border = if has_faces { face_of(view, *h).is_none() } else { view.next(*h).is_none() };
+                f.borrow_mut().border = is_border;
                 label_cycle(record, &f, true);
             }
         }

@@ -13,6 +13,7 @@ use twinedge::map::{Builder, PlanarMap, Shape};
 /// How many places there are in each direction: few, so that much meets.
 const SIDE: u8 = 7;
 
+/// Not `map::program`: the model knows points and no keys, so an edit must say where and not by the number of a record.
 #[derive(Clone, Debug)]
 enum Edit {
     Point(Grid),

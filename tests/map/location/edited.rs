@@ -2,9 +2,10 @@
 
 use crate::location::maps::{point, quickcheck};
 use crate::location::points::same_edge;
-use crate::support::edits::{Edit, SIDE, Spot, apply};
+use crate::support::edits::{EvenEdits, Place, SIDE};
 use crate::support::oracle::{Plain, whole};
 use twinedge::geometry::Point;
+use twinedge::map::program::EditRunner;
 use twinedge::map::{LocateError, Located, Locator, PlanarMap, QueryLine, ZoneElement};
 
 /// Asks in every way, beginning from the last answer, and gives the next.
@@ -34,20 +35,21 @@ fn ask(map: &PlanarMap, mut last: Located, from: Point, to: Point) -> Located {
     last
 }
 
-fn program(edits: Vec<(Edit, Spot, Spot)>) -> bool {
-    let mut map = PlanarMap::new();
-    let mut last = Located::Face(map.dcel().unbounded_face().key());
-    for (i, (edit, from, to)) in edits.iter().enumerate() {
-        apply(&mut map, edit);
-        if i % 3 == 2 {
-            last = ask(&map, last, from.point(), to.point());
+fn program(edits: EvenEdits, asked: Vec<(Place, Place)>) -> bool {
+    let mut runner = EditRunner::new(PlanarMap::new());
+    let mut last = Located::Face(runner.map().dcel().unbounded_face().key());
+    let mut asked = asked.iter();
+    for (i, op) in edits.0.0.iter().enumerate() {
+        runner.step(op);
+        if let Some((from, to)) = (i % 3 == 2).then(|| asked.next()).flatten() {
+            last = ask(runner.map(), last, from.point(), to.point());
         }
     }
-    ask(&map, last, point(-1, 3), point(i32::from(SIDE) + 1, 5));
+    ask(runner.map(), last, point(-1, 3), point(i32::from(SIDE) + 1, 5));
     true
 }
 
 #[test]
 fn answers_are_those_of_the_map_as_it_is_after_its_edits() {
-    quickcheck(600, program as fn(Vec<(Edit, Spot, Spot)>) -> bool);
+    quickcheck(600, program as fn(EvenEdits, Vec<(Place, Place)>) -> bool);
 }

@@ -111,7 +111,7 @@ fn validating_a_mesh_with_keys() {
         };
         (report.certificate().map(|found| found.cycles), report.named(names).to_string())
     };
-    assert_eq!(report(&mesh).0, Some(4));
+    assert_eq!(report(&mesh).0, Some(3));
     mesh.half_edges.get_mut(&HALF_EDGE).unwrap().vertex = Some(VERTEX + 3);
     let (certificate, text) = report(&mesh);
     assert_eq!(certificate, None);

@@ -99,10 +99,14 @@ impl<'a> Judge<'a> {
     }
 
     /// All single corruptions and exchanges of a map in its forms, and all pairs if it is one of the smallest. In every form:
-    /// exchanges of what is structural, and the others if it is one of the smallest.
+    /// exchanges of what is structural, the others if it is one of the smallest, and the table as it is.
     pub(super) fn corrupt(&self, map: &'a [Specimen]) {
         for specimen in map {
             let in_every_form = specimen.form == Form::Every;
+            if in_every_form && !self.is_stopped() {
+                let tally = self.compare(Corruption::new(specimen, &[]), &specimen.table);
+                lock(&self.judged).fields.entry((specimen.form, "nothing")).or_default().add(&tally);
+            }
             if specimen.is_smallest || !in_every_form {
                 self.corrupt_once(specimen);
                 self.exchange(specimen, &Exchange::all(&specimen.table, specimen.expectation));

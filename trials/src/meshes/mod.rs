@@ -18,12 +18,16 @@ pub use triangulations::Triangulation;
 use crate::panics::catch;
 use crate::published;
 use crate::run::Run;
+use std::collections::BTreeMap;
 use twinedge::program::conformance::{ConformanceSummary, InStep};
 use twinedge::program::{Op, Subject, every_mesh_op, every_op};
 
+/// So often in a row an operator is tried on a map when the structure says that it does not have it.
+const SURELY_UNSUPPORTED: u32 = 8;
+
 /// Tries every operator with every argument on every small triangulation.
 ///
-/// A panic of the structure is caught and reported. Time grows about fiftyfold with each vertex;
+/// A panic of the structure is caught and reported. Time grows about tenfold with each vertex;
 /// [`MeshesWork::estimate`] tells how much there is.
 ///
 /// ```
@@ -97,10 +101,12 @@ impl<K: Subject> Worker<'_, K> {
         let on = first.subject();
         let ops: Vec<Op> = every_mesh_op(on).into_iter().chain(every_op(on)).collect();
         drop(first);
+        // How often in a row the structure said that it does not have an operator, on this map: elsewhere it is asked again, so that
+        // the counts do not depend on which thread had which maps.
+        let mut lacks: BTreeMap<&str, u32> = BTreeMap::new();
         for op in ops {
-            let counts = self.summary.of(op.name()).unwrap_or_default();
-            // Told often enough that the structure does not have it.
-            if counts.unsupported > 8 && !counts.is_supported() {
+            let lacks = lacks.entry(op.name()).or_default();
+            if *lacks >= SURELY_UNSUPPORTED {
                 continue;
             }
             if run.is_stopped() {
@@ -113,9 +119,11 @@ impl<K: Subject> Worker<'_, K> {
                 self.note(row, map, Some(op), message);
                 continue;
             }
-            let is_applied = trial.summary().total().applied > before.total().applied;
+            let (before, after) = (before.total(), trial.summary().total());
+            let is_applied = after.applied > before.applied;
+            *lacks = if after.unsupported > before.unsupported { *lacks + 1 } else { 0 };
             self.rows[row].applied += u64::from(is_applied);
-            self.rows[row].refused += u64::from(trial.summary().total().refused > before.total().refused);
+            self.rows[row].refused += u64::from(after.refused > before.refused);
             if is_applied {
                 self.summary.add(&trial.summary());
             } else {
