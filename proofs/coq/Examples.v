@@ -5,7 +5,7 @@
 
 From mathcomp Require Import all_ssreflect.
 From twinedge Require Import View Rules Reference Verdict Table Subdivision Lists ConnectBridge.
-From twinedge Require Import ConnectSplit ConnectLoop SplitEdge.
+From twinedge Require Import ConnectSplit ConnectLoop SplitEdge FastPath.
 Set Implicit Arguments.
 Unset Strict Implicit.
 Unset Printing Implicit Defensive.
@@ -111,6 +111,13 @@ Proof. by apply/first_broken_none; vm_compute. Qed.
 
 Example two_unbounded_break_f1_first : ~ f1_outer (faces_only 2) /\ forall q, index q < index F1 -> holds (faces_only 2) q.
 Proof. by apply/(first_broken_some (faces_only 2) F1); vm_compute. Qed.
+
+(** ** The fast path, run: it accepts what is right, refuses the torus, and leaves T2 to be checked *)
+
+Example fast_path_on_examples :
+  [/\ fast_path edge_and_point, fast_path point_in_loop, fast_path (faces_only 1), ~~ fast_path torus
+    & fast_path loop_in_itself].
+Proof. by split; vm_compute. Qed.
 
 (** ** Two edges in the unbounded face, and a bridge between them
 
