@@ -280,11 +280,11 @@ fn print(checks: &[Check], faults: &[Fault], caught: &BTreeMap<usize, Vec<End>>)
         let (by_it, not_run) = (count(|end| end.is_caught()), count(|end| *end == End::NotRun));
         println!("| `{name}` | {by_it} | {not_run} | {} | {:.1} |", one[position].len(), takes.as_secs_f64());
     }
-    println!("\nCaught by one:\n");
+    println!("\nCaught by one of those that were run:\n");
     for (check, names) in checks.iter().zip(&one).filter(|(_, names)| !names.is_empty()) {
         println!("- `{}`: {}", check.name, names.join("; "));
     }
-    println!("\nCaught by none: {}", none.join("; "));
+    println!("\nCaught by none of those that were run: {}", none.join("; "));
 }
 
 impl End {
