@@ -29,7 +29,7 @@
 //!
 //! With the subject as it is. The empty map will do if the subject has `add_isolated_vertex`. Any other valid structure becomes
 //! that of the reference by [`PointerModel::from_view`](crate::program::PointerModel::from_view), which says how it stands for meshes, borders and
-//! surfaces, and the subject tells its handles by [`Subject::half_edge_at`](crate::program::Subject::half_edge_at). Each half-edge needs a twin,
+//! surfaces, and the subject tells its handles by [`Subject::half_edge_at`]. Each half-edge needs a twin,
 //! on the border, too. A half-edge on the border needs no `next`: its view may answer nil.
 //!
 //! A mesh whose handles are indices needs a [`View`](crate::validate::View), which [`view_answers!`](crate::view_answers) writes from an
