@@ -50,7 +50,7 @@ pub fn expectations() -> Vec<Expectation> {
 /// ```
 /// use twinedge::validate::{Collect, Expectation, Part, Table, forms, validate};
 /// // An edge between two vertices.
-/// let edge: Table = "V 2 0 - 1 - H 2 0 1 1 1 0 - 1 0 0 0 0 - B 1 0 h0 i0 F 1 - 1 0".parse()?;
+/// let edge: Table = "V 2 0 - 1 - H 2 0 1 1 1 0 1 0 0 0 0 B 1 0 h0 i0 F 1 - 1 0".parse()?;
 /// assert!(validate(&edge, &Expectation::plane(), Collect::All).is_valid());
 /// // On a sphere its one face has an outer boundary component like any other.
 /// let sphere = Expectation::surface();
