@@ -95,7 +95,7 @@ pub fn run<K: Subject>(
 /// Runs 200 random programs of 40 operators, each on a new subject, and makes the first that fails small. They are always the same
 /// programs; [`Conformance`] has others, and more.
 ///
-/// Operators are drawn among those that the subject has, as far as has been seen. Costs what is said of [`run`].
+/// Operators are drawn among those that the subject has, as far as has been seen. Costs as much as so many calls of [`run`].
 ///
 /// # Errors
 /// The smallest program found that shows a difference, with the difference. [`Difference::NeverApplied`] if the subject has an
