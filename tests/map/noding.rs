@@ -4,7 +4,7 @@ use quickcheck::{QuickCheck, TestResult};
 use std::collections::BTreeSet;
 use twinedge::dcel::Face;
 use twinedge::geometry::Point;
-use twinedge::geometry::noding::Snap;
+use twinedge::geometry::noding::{NodingSummary, Snap};
 use twinedge::io::{ReadError, geojson};
 use twinedge::map::{BuildError, Builder, Feature, FeatureId, Noding, PlanarMap, Shape};
 
@@ -80,6 +80,25 @@ fn exact_noding_cuts_at_points_that_lie_on_segments_and_moves_nothing() {
     });
     let along = map.features_along(shared.expect("it was cut out").key()).expect("of this map");
     assert_eq!(along.map(FeatureId::index).collect::<Vec<_>>(), [0, 1]);
+}
+
+#[test]
+fn exact_noding_of_what_is_plane_is_the_same_map() {
+    let shapes = [polygon(&[(0, 0), (6, 0), (6, 3), (0, 3)]), polygon(&[(1, 1), (3, 1), (3, 2)])];
+    let cells = (0..64).map(|i| (i % 8, 10 + i / 8));
+    let cells = cells.map(|(x, y)| polygon(&[(x, y), (x + 1, y), (x + 1, y + 1), (x, y + 1)]));
+    let shapes: Vec<Feature> = shapes.into_iter().chain(cells).collect();
+    let [plain, cut] =
+        [Noding::None, Noding::Exact].map(|noding| gather(&shapes).build_with(noding).expect("nothing crosses"));
+    assert_eq!(cut.noding(), Some(&NodingSummary::default()));
+    assert!(cut.is_plane() && cut.validate().is_valid());
+    let records = |map: &PlanarMap| {
+        let at = |v: twinedge::dcel::Vertex<'_>| map.position(v.key()).expect("of this map");
+        let of = |h: twinedge::dcel::HalfEdge<'_>| (h.index(), at(h.origin()), h.next().index(), h.face().index());
+        map.dcel().half_edges().map(of).collect::<Vec<_>>()
+    };
+    assert!(records(&plain) == records(&cut));
+    assert_eq!(covered(&plain), covered(&cut));
 }
 
 #[test]

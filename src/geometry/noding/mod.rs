@@ -224,7 +224,22 @@ pub fn node(segments: &[[Point; 2]], points: &[Point], snap: Snap) -> Result<Nod
     if segments.len().saturating_mul(2).saturating_add(points.len()) >= u32::MAX as usize {
         return Err(NodingError::TooMany);
     }
-    let read = Read::new(&grid, segments, points);
+    finish(&grid, &Read::new(&grid, segments, points))
+}
+
+/// The same for distinct points, each of which is a vertex, and segments between them by number.
+#[cfg(feature = "map")]
+pub(crate) fn node_numbered(points: &[Point], segments: &[[u32; 2]], snap: Snap) -> Result<Noded, NodingError> {
+    let (largest, holder) = largest_coordinate(&[], points)?;
+    let grid = Grid::new(snap, largest, holder)?;
+    if segments.len().max(points.len()) >= u32::MAX as usize {
+        return Err(NodingError::TooMany);
+    }
+    finish(&grid, &Read::numbered(&grid, points, segments))
+}
+
+/// Nodes what was read.
+fn finish(grid: &Grid, read: &Read) -> Result<Noded, NodingError> {
     let given = read.segments();
     let Runs { joined, of, duplicates } = runs::join(&given);
     let mut vertices = read.vertices.clone();
@@ -250,12 +265,9 @@ pub fn node(segments: &[[Point; 2]], points: &[Point], snap: Snap) -> Result<Nod
         number[v as usize] = place;
     }
     let renamed = |v: u32| number[v as usize];
-    let mut edges: Vec<[u32; 2]> = chains.edges().map(|edge| sorted(edge.map(renamed))).collect();
-    edges.sort_unstable();
-    edges.dedup();
     Ok(Noded {
         points: order.iter().map(|&v| grid.point(vertices[v as usize])).collect(),
-        segments: edges,
+        segments: distinct_edges(|| chains.edges().map(|edge| sorted(edge.map(renamed))), vertices.len()),
         summary: NodingSummary {
             cell: grid.cell(),
             crossings: vertices.len() - read.vertices.len(),
@@ -264,10 +276,33 @@ pub fn node(segments: &[[Point; 2]], points: &[Point], snap: Snap) -> Result<Nod
             collapsed: collapsed.len(),
             merged: read.distinct() - read.vertices.len(),
             rounds,
-            largest_move: read.largest_move(&grid),
+            largest_move: read.largest_move(grid),
         },
         pool: chains.pool().iter().copied().chain(collapsed).map(renamed).collect(),
         ranges,
         vertex_of_point: read.points().map(renamed).collect(),
     })
+}
+
+/// Edges in lexicographical order, each once. O(n + v) for v vertices, and what it takes to sort those at each vertex.
+fn distinct_edges<I: Iterator<Item = [u32; 2]>>(edges: impl Fn() -> I, vertices: usize) -> Vec<[u32; 2]> {
+    // Summed up, `first[v + 1]` is where those of vertex v begin, and filing them moves it to where they end.
+    let mut first = vec![0_usize; vertices + 2];
+    for [v, _] in edges() {
+        first[v as usize + 2] += 1;
+    }
+    for v in 1..first.len() {
+        first[v] += first[v - 1];
+    }
+    let mut filed = vec![[0; 2]; first[vertices + 1]];
+    for edge in edges() {
+        let place = &mut first[edge[0] as usize + 1];
+        filed[*place] = edge;
+        *place += 1;
+    }
+    for range in first.windows(2) {
+        filed[range[0]..range[1]].sort_unstable();
+    }
+    filed.dedup();
+    filed
 }
