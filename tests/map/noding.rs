@@ -124,6 +124,39 @@ fn exact_noding_refuses_crossings_without_a_point() {
 }
 
 #[test]
+fn more_cuts_than_are_allowed_are_an_error() {
+    // Each of the level segments crosses each of the upright ones.
+    let level = (0..40).map(|i| ((-1, i), (40, i)));
+    let all: Vec<(Whole, Whole)> = level.chain((0..40).map(|i| ((i, -1), (i, 40)))).collect();
+    let within = |cuts: usize| {
+        let mut builder = segments(&all);
+        builder.limit_cuts(cuts);
+        builder.build_with(Noding::Snap(Snap::Size(1.0)))
+    };
+    assert_eq!(within(3200).expect("each of 1600 crossings cuts two").noding().map(|n| n.crossings), Some(1600));
+    // Far too many are foreseen, a few too many are found.
+    for allowed in [0, 100, 3199] {
+        assert_eq!(within(allowed).err(), Some(BuildError::TooManyCuts { allowed }));
+    }
+}
+
+#[test]
+fn lines_that_cross_a_million_times_are_refused_unless_that_is_allowed() {
+    let mut random = 1_u64;
+    let mut coordinate = || {
+        random = random.wrapping_mul(6_364_136_223_846_793_005).wrapping_add(1_442_695_040_888_963_407);
+        (random >> 33) as f64
+    };
+    let mut builder = Builder::new();
+    for _ in 0..6000 {
+        let [a, b, c, d] = [(); 4].map(|()| coordinate());
+        builder.segment([a, b], [c, d]).expect("in range");
+    }
+    let refused = builder.build_with(Noding::Snap(Snap::Auto));
+    assert!(matches!(refused, Err(BuildError::TooManyCuts { allowed }) if allowed == (1 << 20) + 16 * 6000));
+}
+
+#[test]
 fn snapping_cuts_crossings_and_features_follow() {
     let squares = [polygon(&[(0, 0), (4, 0), (4, 4), (0, 4)]), polygon(&[(1, 1), (1, 5), (5, 5), (5, 1)])];
     let map = gather(&squares).build_with(Noding::Snap(Snap::Auto)).expect("in reach");

@@ -88,6 +88,7 @@
 mod bundle;
 mod chains;
 mod chords;
+mod estimate;
 mod grid;
 mod input;
 mod pixel;
@@ -98,6 +99,7 @@ mod search;
 use crate::geometry::point::Point;
 use chains::sorted;
 use core::iter::FusedIterator;
+use estimate::crossing_cuts;
 use grid::Grid;
 use read::{Read, largest_coordinate};
 use runs::Runs;
@@ -212,38 +214,72 @@ impl FusedIterator for Chain<'_> {}
 /// `points` are vertices too: a segment that visits the pixel of one goes through it, and one that nothing touches is
 /// an isolated vertex of the result, and so is the vertex of a collapsed segment.
 ///
-/// Cost: see [the module](self#cost).
+/// Cost: see [the module](self#cost). [`node_within`] bounds it.
 ///
 /// # Errors
 ///
 /// [`NodingError`]: coordinates that are not finite, or out of reach of the grid; a size that is not one; too many
 /// points.
 pub fn node(segments: &[[Point; 2]], points: &[Point], snap: Snap) -> Result<Noded, NodingError> {
+    node_within(segments, points, snap, usize::MAX)
+}
+
+/// The same, unless segments are cut more than so many times: n segments may cross n² / 2 times, which no memory holds.
+///
+/// A segment is cut once at each vertex between its ends. Overlapping segments of one line count as one. Some pairs of
+/// segments are tried first, and if they cross so often that twice as many cuts as allowed are to be expected, noding does
+/// not begin. Otherwise it ends when there are too many. Memory is O(n + cuts).
+///
+/// ```
+/// use twinedge::geometry::Point;
+/// use twinedge::geometry::noding::{NodingError, Snap, node_within};
+///
+/// let line = |a: [f64; 2], b: [f64; 2]| [Point::from(a), Point::from(b)];
+/// let level = (0..10).map(|i| line([-1.0, f64::from(i)], [10.0, f64::from(i)]));
+/// let upright = (0..10).map(|i| line([f64::from(i), -1.0], [f64::from(i), 10.0]));
+/// let grid: Vec<[Point; 2]> = level.chain(upright).collect();
+/// // A hundred crossings, each of which cuts two segments.
+/// assert!(node_within(&grid, &[], Snap::Auto, 200).is_ok());
+/// assert_eq!(node_within(&grid, &[], Snap::Auto, 199).unwrap_err(), NodingError::TooManyCuts { allowed: 199 });
+/// ```
+///
+/// # Errors
+///
+/// [`NodingError::TooManyCuts`], and those of [`node`].
+pub fn node_within(segments: &[[Point; 2]], points: &[Point], snap: Snap, cuts: usize) -> Result<Noded, NodingError> {
     let (largest, holder) = largest_coordinate(segments, points)?;
     let grid = Grid::new(snap, largest, holder)?;
     if segments.len().saturating_mul(2).saturating_add(points.len()) >= u32::MAX as usize {
         return Err(NodingError::TooMany);
     }
-    finish(&grid, &Read::new(&grid, segments, points))
+    finish(&grid, &Read::new(&grid, segments, points), cuts)
 }
 
 /// The same for distinct points, each of which is a vertex, and segments between them by number.
 #[cfg(feature = "map")]
-pub(crate) fn node_numbered(points: &[Point], segments: &[[u32; 2]], snap: Snap) -> Result<Noded, NodingError> {
+pub(crate) fn node_numbered(
+    points: &[Point],
+    segments: &[[u32; 2]],
+    snap: Snap,
+    cuts: usize,
+) -> Result<Noded, NodingError> {
     let (largest, holder) = largest_coordinate(&[], points)?;
     let grid = Grid::new(snap, largest, holder)?;
     if segments.len().max(points.len()) >= u32::MAX as usize {
         return Err(NodingError::TooMany);
     }
-    finish(&grid, &Read::numbered(&grid, points, segments))
+    finish(&grid, &Read::numbered(&grid, points, segments), cuts)
 }
 
 /// Nodes what was read.
-fn finish(grid: &Grid, read: &Read) -> Result<Noded, NodingError> {
+fn finish(grid: &Grid, read: &Read, cuts: usize) -> Result<Noded, NodingError> {
     let given = read.segments();
     let Runs { joined, of, duplicates } = runs::join(&given);
+    if crossing_cuts(grid.pixels, &joined).is_some_and(|expected| expected / 2 > cuts as u64) {
+        return Err(NodingError::TooManyCuts { allowed: cuts });
+    }
     let mut vertices = read.vertices.clone();
-    let (chains, rounds) = chains::snap(grid.pixels, &joined, &mut vertices)?;
+    let (chains, rounds) = chains::snap(grid.pixels, &joined, &mut vertices, cuts)?;
 
     let mut collapsed = Vec::new();
     let mut runs = of.into_iter().map(|run| run as usize);

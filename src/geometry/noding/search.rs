@@ -129,8 +129,15 @@ struct Search<'a> {
 ///
 /// No two segments may overlap in more than a point, and the vertices are distinct and include all ends.
 ///
+/// More than so many visits are an error.
+///
 /// Cost: O((n + k) log n) in practice, for n segments and vertices and k crossings and visits.
-pub(super) fn search(pixels: Pixels, segments: &[Segment], vertices: &mut Vec<Pixel>) -> Result<Found, NodingError> {
+pub(super) fn search(
+    pixels: Pixels,
+    segments: &[Segment],
+    vertices: &mut Vec<Pixel>,
+    most: usize,
+) -> Result<Found, NodingError> {
     if segments.len() >= u32::MAX as usize {
         return Err(NodingError::TooMany);
     }
@@ -163,6 +170,10 @@ pub(super) fn search(pixels: Pixels, segments: &[Segment], vertices: &mut Vec<Pi
                     search.try_bundle(&bundle, v as u32);
                 }
             }
+        }
+        // One task finds O(n) at most, in practice.
+        if search.found.visits.len() > most {
+            return Err(NodingError::TooManyCuts { allowed: most });
         }
     }
     Ok(search.found)

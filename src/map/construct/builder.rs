@@ -2,7 +2,7 @@
 
 use super::arrange::{Swept, arrange, points_by_vertex};
 use super::cover::cover;
-use super::cut::{self, Cut, Noding};
+use super::cut::{self, Cut, Noding, usual_cuts};
 use super::error::BuildError;
 use super::gathered::{Dart, GatheredFeature};
 use super::rings::Ring;
@@ -46,6 +46,8 @@ pub struct Builder {
     segment_numbers: FxHashMap<(u32, u32), u32>,
     pub(super) features: Vec<GatheredFeature>,
     summary: BuildSummary,
+    /// How often segments may be cut, if it was said.
+    cuts: Option<usize>,
 }
 
 impl Builder {
@@ -124,6 +126,27 @@ impl Builder {
     #[must_use]
     pub const fn summary(&self) -> &BuildSummary {
         &self.summary
+    }
+
+    /// Says how often [`Noding::Snap`] may cut segments, each once at each vertex between its ends. Otherwise it is 2^20
+    /// times, and 16 times for each distinct segment: most drawings are cut far less often, and memory grows with every cut.
+    /// O(1).
+    ///
+    /// ```
+    /// use twinedge::geometry::noding::Snap;
+    /// use twinedge::map::{BuildError, Builder, Noding};
+    ///
+    /// let mut builder = Builder::new();
+    /// builder.segment([0.0, 0.0], [2.0, 2.0])?;
+    /// builder.segment([0.0, 2.0], [2.0, 0.0])?;
+    /// // The crossing cuts both.
+    /// builder.limit_cuts(1);
+    /// let refused = builder.build_with(Noding::Snap(Snap::Auto));
+    /// assert!(matches!(refused, Err(BuildError::TooManyCuts { allowed: 1 })));
+    /// # Ok::<(), BuildError>(())
+    /// ```
+    pub const fn limit_cuts(&mut self, cuts: usize) {
+        self.cuts = Some(cuts);
     }
 
     fn check(shape: &Shape, at: Position) -> Result<(), BuildError> {
@@ -287,9 +310,9 @@ impl Builder {
     ///
     /// # Errors
     /// [`BuildError::Full`]; with [`Noding::Exact`], [`BuildError::Crossing`]; with [`Noding::Snap`],
-    /// [`BuildError::CellSize`] and [`BuildError::OutOfReach`].
+    /// [`BuildError::CellSize`], [`BuildError::OutOfReach`] and [`BuildError::TooManyCuts`].
     pub fn build_with(self, noding: Noding) -> Result<PlanarMap, BuildError> {
-        let Self { points, places, segments, segment_numbers, mut features, summary } = self;
+        let Self { points, places, segments, segment_numbers, mut features, summary, cuts } = self;
         drop((places, segment_numbers));
         // What is plane need not be cut.
         let plane = if noding == Noding::Exact { Some(Swept::new(&points, &segments)?) } else { None };
@@ -302,7 +325,8 @@ impl Builder {
                 (points, segments, Some(summary))
             }
             Noding::Snap(snap) => {
-                let Cut { points, segments, summary } = cut::snapped(&points, &segments, &mut features, snap)?;
+                let cuts = cuts.unwrap_or(usual_cuts(segments.len()));
+                let Cut { points, segments, summary } = cut::snapped(&points, &segments, &mut features, snap, cuts)?;
                 (points, segments, Some(summary))
             }
         };

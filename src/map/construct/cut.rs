@@ -158,19 +158,27 @@ pub(super) fn exact(
     Ok(Cut { points, segments: out, summary })
 }
 
+/// How often segments may be cut unless it is said otherwise.
+pub(super) const fn usual_cuts(segments: usize) -> usize {
+    segments.saturating_mul(16).saturating_add(1 << 20)
+}
+
 /// Cuts segments wherever they meet, and rounds to a grid; see [`noding`](crate::geometry::noding).
 pub(super) fn snapped(
     points: &[Point],
     segments: &[[u32; 2]],
     features: &mut [GatheredFeature],
     snap: Snap,
+    cuts: usize,
 ) -> Result<Cut, BuildError> {
     // The predicates must be exact on grid points, too.
     if matches!(snap, Snap::Size(size) if size < MIN_COORDINATE) {
         return Err(BuildError::CellSize);
     }
-    let noded = match node_numbered(points, segments, snap) {
-        Ok(noded) if noded.summary.cell < MIN_COORDINATE => node_numbered(points, segments, Snap::Size(MIN_COORDINATE)),
+    let noded = match node_numbered(points, segments, snap, cuts) {
+        Ok(noded) if noded.summary.cell < MIN_COORDINATE => {
+            node_numbered(points, segments, Snap::Size(MIN_COORDINATE), cuts)
+        }
         outcome => outcome,
     };
     let noded = noded.map_err(|error| match error {
@@ -179,6 +187,7 @@ pub(super) fn snapped(
             let p = at.point(&[], points).unwrap_or_default();
             BuildError::OutOfReach { x: p.x, y: p.y }
         }
+        NodingError::TooManyCuts { allowed } => BuildError::TooManyCuts { allowed },
         NodingError::TooMany => BuildError::Full(RecordKind::Vertex),
     })?;
     if noded.points.len().max(noded.segments.len()) >= 1 << 30 {

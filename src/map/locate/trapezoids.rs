@@ -23,16 +23,16 @@
 //!
 //! In a large drawing it is memory that takes time, and a random order jumps through it. So segments come in rounds, each of
 //! as many as all before it. Which round a segment is in is random; within a round segments follow a curve that fills
-//! the plane, so that one is next to the one before. Between two trapezoids' worth of earlier segments a round puts O(1) on
-//! average, so it adds O(1) questions to a way, and the rounds O(log n) together. And the points of a round are found
-//! together before it: neighbours share the way from the root.
+//! the plane, so that one is next to the one before. A round puts O(1) segments on average through a trapezoid of the rounds
+//! before, so it adds O(1) questions to a way, and all rounds add O(log n). And the points of a round are found together
+//! before it: neighbours share the way from the root.
 //!
-//! Nothing is gained by building anew if the graph came out deep: the chance that any point at all takes more than
-//! 3 λ ln (n + 1) questions is below 2 / (n + 1)^(0.22 λ − 3).
+//! Nothing is gained by building anew if the graph came out deep: in a random order, the chance that any point at all takes
+//! more than 3 λ ln (n + 1) questions is below 2 / (n + 1)^(0.22 λ − 3).
 //!
 //! Sources: M. de Berg, O. Cheong, M. van Kreveld, M. Overmars, "Computational Geometry", 3rd edition, 2008, chapter 6
-//! (after K. Mulmuley, 1990, and R. Seidel, 1991); N. Amenta, S. Choi, G. Rote, "Incremental constructions con BRIO", SoCG 2003,
-//! 211-219.
+//! (after K. Mulmuley, 1990, and R. Seidel, 1991); N. Amenta, S. Choi, G. Rote, "Incremental constructions con BRIO", Symposium on
+//! Computational Geometry 2003, 211-219.
 
 use super::bounds::Bounds;
 use super::curve::Curve;

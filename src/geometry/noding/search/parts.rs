@@ -38,7 +38,7 @@ impl Tiles {
 
     fn tile(&self, pixel: Pixel, axis: usize) -> usize {
         let within = pixel[axis].clamp(self.block.low[axis], self.block.high[axis]) - self.block.low[axis];
-        (within >> self.sides[axis]) as usize
+        (within >> self.sides[axis]).unsigned_abs() as usize
     }
 
     /// Row by row.

@@ -46,7 +46,7 @@ fn finds_all(kind: u8, raw: Vec<(i8, i8, i8, i8)>, shift: u8) -> bool {
 
     let crossings = runs.iter().enumerate().flat_map(|(i, s)| runs[..i].iter().filter_map(|t| pixels.crossing(s, t)));
     let hot: BTreeSet<Pixel> = vertices.iter().copied().chain(crossings).collect();
-    let found = search(pixels, &runs, &mut vertices).unwrap();
+    let found = search(pixels, &runs, &mut vertices, usize::MAX).unwrap();
     assert_eq!(vertices.len(), hot.len());
     assert_eq!(vertices.iter().copied().collect::<BTreeSet<_>>(), hot);
 
