@@ -46,6 +46,7 @@
 
 #[cfg(feature = "arbitrary")]
 mod arbitrary;
+mod audited;
 #[doc(hidden)]
 pub mod by_index;
 mod call;
