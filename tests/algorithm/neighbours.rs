@@ -97,7 +97,7 @@ fn features_have_the_neighbours_that_one_sees(cells: Vec<u8>) -> bool {
         let mut expected: BTreeMap<usize, BTreeSet<[(u64, u64); 2]>> = BTreeMap::new();
         let has = |set: u8, feature: usize| set & 1 << feature != 0;
         for ([p, q], left, other) in edges(&board) {
-            for b in (0..4).filter(|b| *b != a && has(left, a) && has(other, *b) && !(has(left, *b) && has(other, a))) {
+            for b in (0..4).filter(|b| *b != a && has(left, a) && !has(other, a) && has(other, *b)) {
                 expected.entry(b).or_default().insert([bits(at(p)), bits(at(q))]);
             }
         }
