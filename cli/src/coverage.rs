@@ -5,6 +5,7 @@ use crate::output::style::{BAD, GOOD, QUIET};
 use crate::output::{counted, grouped, measure, plain};
 use crate::query::label;
 use crate::status::Failure;
+use crate::units::Units;
 use serde::Serialize;
 use std::fmt::Write as _;
 use twinedge::algorithm::coverage::{CoverageRule, Defect, Finding, Limits, check};
@@ -58,6 +59,8 @@ pub(crate) struct Coverage {
     duplicates: usize,
     /// Features, not defects.
     ogc_invalid: usize,
+    /// Of lengths; areas are in its square.
+    unit: &'static str,
     /// Why C1 … C5 were not checked.
     #[serde(skip_serializing_if = "Option::is_none")]
     not_checked: Option<String>,
@@ -71,17 +74,18 @@ pub(crate) struct Coverage {
     has_polygons: bool,
 }
 
+/// A finding.
 #[derive(Debug, Serialize)]
-struct Entry {
+pub(crate) struct Entry {
     rule: &'static str,
     kind: &'static str,
     features: Vec<Named>,
     #[serde(skip_serializing_if = "Option::is_none")]
-    area: Option<f64>,
+    pub(crate) area: Option<f64>,
     #[serde(skip_serializing_if = "Option::is_none")]
-    width: Option<f64>,
+    pub(crate) width: Option<f64>,
     #[serde(skip_serializing_if = "Option::is_none")]
-    length: Option<f64>,
+    pub(crate) length: Option<f64>,
     at: [f64; 2],
     /// What is wrong, in the words of the OGC, where.
     #[serde(skip_serializing_if = "Vec::is_empty")]
@@ -92,6 +96,9 @@ struct Entry {
     #[serde(skip)]
     place: Rank,
 }
+
+/// Rule, kind, features, area, width, length, and the coordinates of the place.
+type Row<'a> = (&'a str, &'a str, String, Option<f64>, Option<f64>, Option<f64>, f64, f64);
 
 /// The rule, and how many findings of it come before.
 type Rank = (CoverageRule, usize);
@@ -120,7 +127,7 @@ const DEFECTS: usize = 20;
 impl Coverage {
     /// Asks all rules. Overlaps and gaps are those of the input: where borders cross they are cut on the finest grid, and where a
     /// grid was asked for, what it removed or made is found by comparing.
-    pub(crate) fn new(imported: &Imported, asked: &Asked, list: usize) -> Self {
+    pub(crate) fn new(imported: &Imported, asked: &Asked, units: &Units, list: usize) -> Self {
         let limits = Limits { gap_width: asked.gap_width, sliver_area: asked.sliver, ..Limits::default() };
         let mut found = Self {
             overlaps: 0,
@@ -129,13 +136,14 @@ impl Coverage {
             slivers: 0,
             duplicates: 0,
             ogc_invalid: imported.noted.defects.len(),
+            unit: units.name(),
             not_checked: None,
             gap_width: None,
             sliver_area: None,
             findings: Vec::new(),
             has_polygons: imported.read.polygons > 0,
         };
-        match judged(imported, &limits) {
+        match judged(imported, &limits, units) {
             Ok(Judged { findings, gap_width, sliver_area }) => {
                 (found.gap_width, found.sliver_area) = (Some(gap_width), Some(sliver_area));
                 for (finding, snapping) in &findings {
@@ -188,9 +196,14 @@ impl Coverage {
         self.has_polygons
     }
 
-    /// Whether all rules were checked.
-    pub(crate) const fn is_checked(&self) -> bool {
-        self.not_checked.is_none()
+    /// Why C1 … C5 could not be checked, if so.
+    pub(crate) fn not_checked(&self) -> Option<&str> {
+        self.not_checked.as_deref()
+    }
+
+    /// What is listed, to be sorted and cut.
+    pub(crate) const fn findings_mut(&mut self) -> &mut Vec<Entry> {
+        &mut self.findings
     }
 
     /// A line for each rule.
@@ -201,7 +214,7 @@ impl Coverage {
                 (_, Some(why)) if rule != CoverageRule::Validity => {
                     writeln!(out, "{QUIET}not checked: {}{QUIET:#}", plain(why))?;
                 }
-                (0, _) => writeln!(out, "{GOOD}ok{GOOD:#}{}", QUIET_LIMITS.of(self, rule))?,
+                (0, _) => writeln!(out, "{GOOD}ok{GOOD:#}{}", self.limit(rule))?,
                 (n, _) => {
                     let found = if asked.is_rule() { format!("{BAD}BROKEN{BAD:#}  ") } else { String::new() };
                     let count = match (n, what) {
@@ -210,11 +223,21 @@ impl Coverage {
                         (n, "set of duplicates") => format!("{} sets of duplicates", grouped(n)),
                         (n, what) => counted(n, what),
                     };
-                    writeln!(out, "{found}{count}{}", QUIET_LIMITS.of(self, rule))?;
+                    writeln!(out, "{found}{count}{}", self.limit(rule))?;
                 }
             }
         }
         Ok(())
+    }
+
+    /// The limit of a rule, for its line.
+    fn limit(&self, rule: CoverageRule) -> String {
+        let text = match (rule, self.gap_width, self.sliver_area) {
+            (CoverageRule::NearMiss, Some(width), _) => format!("up to a width of {}", measure(width)),
+            (CoverageRule::Sliver, _, Some(area)) => format!("below an area of {}", measure(area)),
+            _ => return String::new(),
+        };
+        format!("  {QUIET}{text}{QUIET:#}")
     }
 
     /// The worst of each rule.
@@ -236,22 +259,6 @@ impl Coverage {
     }
 }
 
-/// The limits of a rule, for its line.
-struct LimitText;
-
-const QUIET_LIMITS: LimitText = LimitText;
-
-impl LimitText {
-    fn of(&self, coverage: &Coverage, rule: CoverageRule) -> String {
-        let text = match (rule, coverage.gap_width, coverage.sliver_area) {
-            (CoverageRule::NearMiss, Some(width), _) => format!("up to a width of {}", measure(width)),
-            (CoverageRule::Sliver, _, Some(area)) => format!("below an area of {}", measure(area)),
-            _ => return String::new(),
-        };
-        format!("  {QUIET}{text}{QUIET:#}")
-    }
-}
-
 /// What C1 … C5 found.
 struct Judged {
     findings: Vec<(Finding, Option<&'static str>)>,
@@ -259,11 +266,15 @@ struct Judged {
     sliver_area: f64,
 }
 
-fn judged(imported: &Imported, limits: &Limits) -> Result<Judged, Failure> {
+fn judged(imported: &Imported, limits: &Limits, units: &Units) -> Result<Judged, Failure> {
     let map = &imported.map;
     let Some(builder) = imported.builder.clone() else {
         let found = check(map, limits)?;
-        let findings = found.findings.into_iter().map(|finding| (finding, None)).collect();
+        let converted = |mut finding: Finding| {
+            units.convert(map, &mut finding);
+            (finding, None)
+        };
+        let findings = found.findings.into_iter().map(converted).collect();
         return Ok(Judged { findings, gap_width: found.gap_width, sliver_area: found.sliver_area });
     };
     let of_input = builder.build_with(Noding::Snap(Snap::Auto))?;
@@ -274,17 +285,23 @@ fn judged(imported: &Imported, limits: &Limits) -> Result<Judged, Failure> {
         Some(_) => check(map, &limits)?.findings,
         None => Vec::new(),
     };
+    let converted = |map: &PlanarMap, finding: &Finding| {
+        let mut finding = finding.clone();
+        units.convert(map, &mut finding);
+        finding
+    };
     let is_among = |finding: &Finding, others: &[Finding]| {
         others.iter().any(|other| (other.rule, &other.features) == (finding.rule, &finding.features))
     };
     let made = snapped.iter().filter(|finding| !is_among(finding, &found.findings));
-    let made: Vec<(Finding, Option<&'static str>)> = made.map(|finding| (finding.clone(), Some("made"))).collect();
+    let made: Vec<(Finding, Option<&'static str>)> =
+        made.map(|finding| (converted(map, finding), Some("made"))).collect();
     let removed = |finding: &Finding| map.noding().is_some() && !is_among(finding, &snapped);
-    let of_input = found.findings.into_iter().map(|finding| {
+    let on_input = found.findings.into_iter().map(|finding| {
         let snapping = removed(&finding).then_some("removed");
-        (finding, snapping)
+        (converted(&of_input, &finding), snapping)
     });
-    let mut findings: Vec<_> = of_input.chain(made).collect();
+    let mut findings: Vec<_> = on_input.chain(made).collect();
     findings.sort_by_key(|(finding, _)| finding.rule);
     Ok(Judged { findings, gap_width: found.gap_width, sliver_area: found.sliver_area })
 }
@@ -327,7 +344,20 @@ impl Entry {
         }
     }
 
-    fn write(&self, out: &mut String) -> std::fmt::Result {
+    /// The id of the rule.
+    pub(crate) const fn rule(&self) -> &'static str {
+        self.rule
+    }
+
+    /// The finding as a row of a table: the features by their ids, or else names, with semicolons between.
+    pub(crate) fn row(&self) -> Row<'_> {
+        let features = self.features.iter().map(|feature| feature.key()).collect::<Vec<_>>().join(";");
+        let kind = self.defects.first().map_or(self.kind, |flaw| &flaw.reason);
+        (self.rule, kind, features, self.area, self.width, self.length, self.at[0], self.at[1])
+    }
+
+    /// Writes the finding as a line.
+    pub(crate) fn write(&self, out: &mut String) -> std::fmt::Result {
         let labels: Vec<&str> = self.features.iter().map(|feature| feature.label.as_str()).collect();
         let [x, y] = self.at;
         write!(out, "{} {}", self.rule, self.kind)?;
@@ -353,6 +383,12 @@ impl Entry {
 }
 
 impl Named {
+    /// The id, the name or the number.
+    fn key(&self) -> String {
+        let key = self.id.clone().or_else(|| self.name.clone());
+        key.unwrap_or_else(|| format!("#{}", self.number))
+    }
+
     fn new(imported: &Imported, feature: FeatureId) -> Self {
         let map: &PlanarMap = &imported.map;
         let id = imported.noted.ids.get(feature.index()).cloned().flatten();

@@ -116,7 +116,7 @@ pub(crate) struct MapFile {
 
     /// Take the names of features from this column (property). Default: name, NAME, Name, ADMIN, admin, title or id, the first
     /// that there is.
-    #[arg(long, value_name = "COLUMN")]
+    #[arg(long, value_name = "COLUMN", global = true)]
     name_from: Option<String>,
 
     /// Accept a file without lines and polygons, such as an empty layer or one of points.

@@ -27,6 +27,7 @@ mod status;
 mod structures;
 mod sum;
 mod tables;
+mod units;
 mod voronoi;
 
 use clap::{Parser, Subcommand};

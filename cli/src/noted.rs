@@ -12,6 +12,9 @@ use twinedge::map::{Feature, Shape};
 /// How many columns an error lists.
 const COLUMNS: usize = 20;
 
+/// By how much longitudes and latitudes may exceed their range, as rounded ones do.
+const ROUNDING: f64 = 1e-6;
+
 /// A value that a column of a feature is to have.
 #[derive(Clone, Debug)]
 pub(crate) struct Condition {
@@ -126,10 +129,10 @@ impl Noted {
     /// Whether the coordinates can be longitudes and latitudes, and no other reference system is named.
     pub(crate) fn look_like_degrees(&self, read: &ReadSummary) -> bool {
         read.other_crs == 0
-            && self.low.x >= -180.0
-            && self.high.x <= 180.0
-            && self.low.y >= -90.0
-            && self.high.y <= 90.0
+            && self.low.x >= -180.0 - ROUNDING
+            && self.high.x <= 180.0 + ROUNDING
+            && self.low.y >= -90.0 - ROUNDING
+            && self.high.y <= 90.0 + ROUNDING
     }
 
     /// What a reader of the results should know about the coordinates.

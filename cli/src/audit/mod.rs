@@ -11,6 +11,7 @@ use crate::output::style::{BAD, GOOD, QUIET};
 use crate::output::{Format, counted, grouped, plain, print, print_json};
 use crate::query::label;
 use crate::status::{Failure, Verdict};
+use crate::units::Units;
 use serde::Serialize;
 use std::collections::BTreeSet;
 use std::fmt::Write as _;
@@ -93,11 +94,13 @@ impl Audit {
         let imported = self.map.build_from(input, Keep { coverage: true, condition: None })?;
         let map = &imported.map;
         let report = validate_embedding(map, &Expectation::plane(), Collect::AtMost(self.list));
-        let coverage = Coverage::new(&imported, &self.coverage, self.list);
+        let units = Units::Plane { degrees: imported.noted.look_like_degrees(&imported.read) };
+        let coverage = Coverage::new(&imported, &self.coverage, &units, self.list);
         let elapsed = start.elapsed().as_secs_f64() * 1000.0;
         let of_coverage = if self.coverage.is_rule() { coverage.total() } else { 0 };
         // What cannot be checked is not known to hold.
-        let is_valid = report.is_valid() && of_coverage == 0 && (!self.coverage.is_rule() || coverage.is_checked());
+        let is_valid =
+            report.is_valid() && of_coverage == 0 && (!self.coverage.is_rule() || coverage.not_checked().is_none());
         let audited = Audited { imported: &imported, report: &report, coverage, is_valid, elapsed };
         match self.format {
             Format::Text => print(&self.text(&audited)?)?,
@@ -255,7 +258,7 @@ impl Audit {
             let violations = report.violation_count();
             let of_coverage = if self.coverage.is_rule() { coverage.total() } else { 0 };
             let all = counted(violations as usize + of_coverage, "violation");
-            let beside = if self.coverage.is_rule() && !coverage.is_checked() {
+            let beside = if self.coverage.is_rule() && !coverage.not_checked().is_none() {
                 ", and C1 to C5 could not be checked"
             } else {
                 ""

@@ -46,7 +46,7 @@ struct Row {
 
 impl Faces {
     pub(super) fn answer(&self, asked: &Asked) -> Result<(), Failure> {
-        let Asked { input, map } = asked;
+        let Asked { input, map, .. } = asked;
         let mut faces = Vec::with_capacity(map.dcel().face_count());
         for face in map.dcel().faces() {
             let features: Vec<String> = map.features_of(face.key())?.map(|f| label(map, f)).collect();
