@@ -12,8 +12,11 @@ use twinedge::map::{Feature, Shape};
 /// How many columns an error lists.
 const COLUMNS: usize = 20;
 
-/// By how much longitudes and latitudes may exceed their range, as rounded ones do.
-const ROUNDING: f64 = 1e-6;
+/// The greatest longitude, either way: some maps go on beyond the antimeridian.
+const LONGITUDE: f64 = 360.0;
+
+/// The greatest latitude, either way, as rounding may exceed it.
+const LATITUDE: f64 = 90.0 + 1e-6;
 
 /// A value that a column of a feature is to have.
 #[derive(Clone, Debug)]
@@ -129,10 +132,10 @@ impl Noted {
     /// Whether the coordinates can be longitudes and latitudes, and no other reference system is named.
     pub(crate) fn look_like_degrees(&self, read: &ReadSummary) -> bool {
         read.other_crs == 0
-            && self.low.x >= -180.0 - ROUNDING
-            && self.high.x <= 180.0 + ROUNDING
-            && self.low.y >= -90.0 - ROUNDING
-            && self.high.y <= 90.0 + ROUNDING
+            && self.low.x >= -LONGITUDE
+            && self.high.x <= LONGITUDE
+            && self.low.y >= -LATITUDE
+            && self.high.y <= LATITUDE
     }
 
     /// What a reader of the results should know about the coordinates.
