@@ -18,6 +18,9 @@ const LONGITUDE: f64 = 360.0;
 /// The greatest latitude, either way, as rounding may exceed it.
 const LATITUDE: f64 = 90.0 + 1e-6;
 
+/// The latitude from which on an edge counts as one along a pole.
+const POLE: f64 = 89.0;
+
 /// A value that a column of a feature is to have.
 #[derive(Clone, Debug)]
 pub(crate) struct Condition {
@@ -111,7 +114,7 @@ impl Noted {
                 self.low = Point::new(self.low.x.min(p.x), self.low.y.min(p.y));
                 self.high = Point::new(self.high.x.max(p.x), self.high.y.max(p.y));
             }
-            crosses |= chain.windows(2).any(|pair| (pair[1].x - pair[0].x).abs() > 180.0);
+            crosses |= chain.windows(2).any(|pair| goes_around(pair[0], pair[1]));
         }
         self.across_antimeridian += usize::from(crosses);
     }
@@ -160,6 +163,11 @@ around the whole map here; cut them at 180 degrees"
         }
         warnings
     }
+}
+
+/// Whether an edge spans more than half of the longitudes, except along a pole, as that of Antarctica does.
+fn goes_around(a: Point, b: Point) -> bool {
+    (b.x - a.x).abs() > 180.0 && a.y.abs().min(b.y.abs()) < POLE
 }
 
 /// The rings, lines and points of a shape.
