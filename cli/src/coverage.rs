@@ -366,16 +366,13 @@ impl Entry {
             let more = if more.is_empty() { String::new() } else { format!(" and {} more", more.len()) };
             write!(out, ": {}{more}", few.join(", "))?;
         }
-        match (self.area, self.width, self.length) {
-            (Some(area), Some(width), Some(length)) => {
-                let [area, width, length] = [area, width, length].map(measure);
-                write!(out, "; area {area}, width {width}, borders of {length}")?;
-            }
-            _ => {
-                let mut reasons: Vec<&str> = self.defects.iter().map(|flaw| flaw.reason.as_str()).collect();
-                reasons.dedup();
-                write!(out, "; {}", reasons.join(", "))?;
-            }
+        if let (Some(area), Some(width), Some(length)) = (self.area, self.width, self.length) {
+            let [area, width, length] = [area, width, length].map(measure);
+            write!(out, "; area {area}, width {width}, borders of {length}")?;
+        } else {
+            let mut reasons: Vec<&str> = self.defects.iter().map(|flaw| flaw.reason.as_str()).collect();
+            reasons.dedup();
+            write!(out, "; {}", reasons.join(", "))?;
         }
         let snapped = self.snapping.map_or_else(String::new, |what| format!(" ({what} by snapping)"));
         writeln!(out, "; at ({x}, {y}){snapped}")

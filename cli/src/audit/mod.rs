@@ -161,7 +161,7 @@ fn features(map: &PlanarMap, violation: &Violation) -> Vec<String> {
 
 impl Audit {
     fn text(&self, audited: &Audited<'_>) -> Result<String, std::fmt::Error> {
-        let Audited { imported, report, coverage, is_valid, elapsed } = audited;
+        let Audited { imported, report, coverage, .. } = audited;
         let Imported { name, read, map, noted, .. } = imported;
         let explain = self.explain;
         let mut out = String::new();
@@ -248,32 +248,26 @@ impl Audit {
         if coverage.has_polygons() {
             coverage.write_worst(&mut out, self.list)?;
         }
-        if *is_valid {
-            writeln!(
-                out,
-                "{GOOD}valid{GOOD:#}: every rule that applies holds{} ({elapsed:.0} ms)",
-                self.beside(coverage)
-            )?;
-        } else {
-            let violations = report.violation_count();
-            let of_coverage = if self.coverage.is_rule() { coverage.total() } else { 0 };
-            let all = counted(violations as usize + of_coverage, "violation");
-            let beside = if self.coverage.is_rule() && !coverage.not_checked().is_none() {
-                ", and C1 to C5 could not be checked"
-            } else {
-                ""
-            };
-            writeln!(out, "{BAD}not valid{BAD:#}: {all}{beside} ({elapsed:.0} ms)")?;
-        }
+        self.write_verdict(&mut out, audited)?;
         Ok(out)
     }
 
-    /// What C1 … C6 found, if that does not make a map invalid.
-    fn beside(&self, coverage: &Coverage) -> String {
-        match coverage.total() {
-            0 => String::new(),
-            n => format!("; C1 to C6 have {}, which --coverage counts as violations", counted(n, "finding")),
+    /// The last line: whether the map is valid.
+    fn write_verdict(&self, out: &mut String, audited: &Audited<'_>) -> std::fmt::Result {
+        let Audited { report, coverage, is_valid, elapsed, .. } = audited;
+        let found = coverage.total();
+        if *is_valid {
+            let beside = match found {
+                0 => String::new(),
+                n => format!("; C1 to C6 have {}, which --coverage counts as violations", counted(n, "finding")),
+            };
+            return writeln!(out, "{GOOD}valid{GOOD:#}: every rule that applies holds{beside} ({elapsed:.0} ms)");
         }
+        let of_coverage = if self.coverage.is_rule() { found } else { 0 };
+        let all = counted(report.violation_count() as usize + of_coverage, "violation");
+        let is_unknown = self.coverage.is_rule() && coverage.not_checked().is_some();
+        let beside = if is_unknown { ", and C1 to C5 could not be checked" } else { "" };
+        writeln!(out, "{BAD}not valid{BAD:#}: {all}{beside} ({elapsed:.0} ms)")
     }
 }
 

@@ -81,7 +81,7 @@ pub(super) fn print_all(
             }
         };
         // Where features overlap along a part of their border, that part is known in the units of the coordinates.
-        let shared = if border.shared == plane { length } else { length * border.shared / plane };
+        let shared = if plane > 0.0 { length * (border.shared / plane) } else { 0.0 };
         rows.push(Row {
             number: one.index(),
             id: id(one),

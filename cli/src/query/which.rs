@@ -40,11 +40,12 @@ impl Which {
             Self { name: Some(name), .. } => find(asked, name),
             Self { id: Some(id), .. } => {
                 let ids = asked.noted.ids.iter().enumerate();
-                let found = ids.filter(|(_, other)| other.as_ref() == Some(id)).map(|(number, _)| number).collect();
-                only(asked, found, &format!("the id {}", plain(id)))
+                let found: Vec<usize> =
+                    ids.filter(|(_, other)| other.as_ref() == Some(id)).map(|(number, _)| number).collect();
+                only(asked, &found, &format!("the id {}", plain(id)))
             }
             Self { condition: Some(Condition { column, value }), .. } => {
-                only(asked, asked.noted.matching.clone(), &format!("{} = {}", plain(column), plain(value)))
+                only(asked, &asked.noted.matching, &format!("{} = {}", plain(column), plain(value)))
             }
             _ => Err(Failure("say which feature: NAME, --id or --where".to_owned())),
         }
@@ -52,9 +53,9 @@ impl Which {
 }
 
 /// The only one of the features with these numbers.
-fn only(asked: &Asked, found: Vec<usize>, what: &str) -> Result<FeatureId, Failure> {
+fn only(asked: &Asked, found: &[usize], what: &str) -> Result<FeatureId, Failure> {
     let Asked { input, map, .. } = asked;
-    match found[..] {
+    match *found {
         [number] => map.feature(number).ok_or_else(|| Failure(format!("{input}: no feature has {what}"))),
         [] => Err(Failure(format!("{input}: no feature has {what}"))),
         _ => {

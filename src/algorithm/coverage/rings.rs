@@ -62,7 +62,7 @@ type Segments = RTree<GeomWithData<Rectangle<[f64; 2]>, (usize, usize)>>;
 
 /// Rings with an index of their segments.
 pub(super) struct Rings {
-    pub(super) rings: Vec<Ring>,
+    pub(super) all: Vec<Ring>,
     segments: Segments,
     /// The greatest first coordinate.
     right: f64,
@@ -78,7 +78,7 @@ impl Rings {
         let all = (0..rings.len()).flat_map(|r| (0..rings[r].points.len()).map(move |i| (r, i)));
         let segments = RTree::bulk_load(all.map(|(r, i)| boxed(r, i)).collect());
         let right = rings.iter().flat_map(|ring| &ring.points).map(|p| p.x).fold(f64::NEG_INFINITY, f64::max);
-        Self { rings, segments, right }
+        Self { all: rings, segments, right }
     }
 
     /// All places where rings meet, except where a ring goes on. Where several segments meet at a point, each pair of rings is
@@ -86,7 +86,7 @@ impl Rings {
     pub(super) fn meets(&self) -> Vec<Meet> {
         let mut found = Vec::new();
         let mut known: FxHashSet<(u64, u64, usize, usize, Contact)> = FxHashSet::default();
-        for (r, ring) in self.rings.iter().enumerate() {
+        for (r, ring) in self.all.iter().enumerate() {
             for i in 0..ring.points.len() {
                 let [a, b] = ring.segment(i);
                 let area = AABB::from_corners([a.x.min(b.x), a.y.min(b.y)], [a.x.max(b.x), a.y.max(b.y)]);
@@ -108,7 +108,7 @@ impl Rings {
 
     /// How two segments meet, and where.
     fn contact(&self, (r, i): (usize, usize), (q, j): (usize, usize)) -> Option<(Contact, Point)> {
-        let (one, other) = (&self.rings[r], &self.rings[q]);
+        let (one, other) = (&self.all[r], &self.all[q]);
         let ([a, b], [c, d]) = (one.segment(i), other.segment(j));
         let at = match meeting(a, b, c, d) {
             Meeting::Disjoint => return None,
@@ -141,14 +141,14 @@ impl Rings {
     /// For each ring the rings that it lies in, if no two of them cross. O(log n + segments to its right) for each ring, as long
     /// as one of its points lies on no other ring.
     pub(super) fn containers(&self) -> Vec<Vec<usize>> {
-        (0..self.rings.len()).map(|r| self.containers_of(r)).collect()
+        (0..self.all.len()).map(|r| self.containers_of(r)).collect()
     }
 
     fn containers_of(&self, r: usize) -> Vec<usize> {
         // Whether it lies inside, for each ring to its right; that it does not know of those on which all its points so far lie.
         let mut inside: FxHashMap<usize, bool> = FxHashMap::default();
         let mut unknown: FxHashSet<usize> = FxHashSet::default();
-        for (n, p) in self.rings[r].points.iter().enumerate() {
+        for (n, p) in self.all[r].points.iter().enumerate() {
             let (odd, on) = self.ray(*p);
             for q in odd.iter().chain(&on).chain(&unknown).copied().filter(|q| *q != r).collect::<Vec<_>>() {
                 if on.contains(&q) {
@@ -175,7 +175,7 @@ impl Rings {
         let reach = AABB::from_corners([p.x, p.y], [self.right.max(p.x), p.y]);
         for near in self.segments.locate_in_envelope_intersecting(reach) {
             let (q, i) = near.data;
-            let [a, b] = self.rings[q].segment(i);
+            let [a, b] = self.all[q].segment(i);
             if on_segment(p, a, b) {
                 on.insert(q);
             }
@@ -190,8 +190,8 @@ impl Rings {
 
     /// Whether a ring, all points of which lie on another, goes inside that from its first point on.
     fn starts_inside(&self, r: usize, q: usize) -> bool {
-        let [p, next] = self.rings[r].segment(0);
-        let other = &self.rings[q];
+        let [p, next] = self.all[r].segment(0);
+        let other = &self.all[q];
         let on = (0..other.points.len()).find(|i| {
             let [a, b] = other.segment(*i);
             on_segment(p, a, b)

@@ -137,7 +137,7 @@ fn without_repetition(points: &[Point]) -> Vec<Point> {
 }
 
 fn defect(rings: &Rings, kind: DefectKind, ring: usize, at: Point) -> Defect {
-    let Ring { polygon, number, .. } = rings.rings[ring];
+    let Ring { polygon, number, .. } = rings.all[ring];
     Defect { kind, at, shape: polygon, ring: number }
 }
 
@@ -152,11 +152,11 @@ fn intersection(rings: &Rings, meet: &Meet) -> Defect {
 /// What lies where it may not, of rings that do not cross.
 fn nesting(rings: &Rings) -> Vec<Defect> {
     let mut found = Vec::new();
-    let shells: FxHashSet<usize> = rings.rings.iter().filter(|c| c.number == 0).map(|c| c.polygon).collect();
+    let shells: FxHashSet<usize> = rings.all.iter().filter(|c| c.number == 0).map(|c| c.polygon).collect();
     for (r, containers) in rings.containers().iter().enumerate() {
-        let ring = &rings.rings[r];
+        let ring = &rings.all[r];
         let within = |polygon: usize, is_shell: bool| {
-            containers.iter().map(|c| &rings.rings[*c]).any(|c| c.polygon == polygon && (c.number == 0) == is_shell)
+            containers.iter().map(|c| &rings.all[*c]).any(|c| c.polygon == polygon && (c.number == 0) == is_shell)
         };
         let kind = if ring.number > 0 {
             if shells.contains(&ring.polygon) && !within(ring.polygon, true) {
@@ -168,7 +168,7 @@ fn nesting(rings: &Rings) -> Vec<Defect> {
             }
         } else {
             let is_nested = |c: &usize| {
-                let c = &rings.rings[*c];
+                let c = &rings.all[*c];
                 c.number == 0 && c.polygon != ring.polygon && !within(c.polygon, false)
             };
             if !containers.iter().any(is_nested) {
@@ -185,14 +185,14 @@ fn nesting(rings: &Rings) -> Vec<Defect> {
 /// circle. Each such polygon is reported where its first circle closes.
 fn disconnected(rings: &Rings, meets: &[Meet]) -> Vec<Defect> {
     // Rings first, then points of a polygon.
-    let mut parent: Vec<usize> = (0..rings.rings.len()).collect();
+    let mut parent: Vec<usize> = (0..rings.all.len()).collect();
     let mut points: FxHashMap<(u64, u64, usize), usize> = FxHashMap::default();
     let mut joined: FxHashSet<(usize, usize)> = FxHashSet::default();
     let mut reported = FxHashSet::default();
     let mut found = Vec::new();
     for meet in meets {
-        let polygon = rings.rings[meet.rings[0]].polygon;
-        if polygon != rings.rings[meet.rings[1]].polygon {
+        let polygon = rings.all[meet.rings[0]].polygon;
+        if polygon != rings.all[meet.rings[1]].polygon {
             continue;
         }
         let point = *points.entry((meet.at.x.to_bits(), meet.at.y.to_bits(), polygon)).or_insert_with(|| {
