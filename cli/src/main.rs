@@ -4,6 +4,7 @@
 
 mod audit;
 mod corrupt;
+mod coverage;
 mod decompose;
 mod document;
 mod draw;
@@ -11,6 +12,7 @@ mod effort;
 mod expectation_text;
 mod fuzz_template;
 mod input;
+mod noted;
 mod outline;
 mod output;
 mod print_tables;
@@ -25,6 +27,7 @@ mod status;
 mod structures;
 mod sum;
 mod tables;
+mod units;
 mod voronoi;
 
 use clap::{Parser, Subcommand};

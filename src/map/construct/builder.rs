@@ -36,7 +36,7 @@ use rustc_hash::FxHashMap;
 /// assert!(map.validate().is_valid());
 /// # Ok::<(), twinedge::map::BuildError>(())
 /// ```
-#[derive(Debug, Default)]
+#[derive(Clone, Debug, Default)]
 pub struct Builder {
     points: Vec<Point>,
     /// By [`Point::hash_key`].
