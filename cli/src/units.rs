@@ -126,7 +126,7 @@ mod tests {
     use twinedge::map::{Builder, Shape};
 
     /// A square of one degree at the equator has an area of 12308778361.469 m² and a perimeter of 443770.917 m
-    /// (the documentation of `PolygonArea` in GeographicLib).
+    /// (the documentation of `PolygonArea` in the library `GeographicLib`).
     #[test]
     fn a_degree_at_the_equator_is_as_large_as_geographiclib_says() {
         let square = [[0.0, 0.0], [1.0, 0.0], [1.0, 1.0], [0.0, 1.0], [0.0, 0.0]].map(Point::from);
