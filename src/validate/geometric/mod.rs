@@ -2,6 +2,7 @@
 //!
 //! All decisions are exact (see [`predicates`](crate::geometry::predicates)). G4 and G5 take one sweep, O(n log n).
 
+pub(super) mod bends;
 pub(super) mod columns;
 pub(super) mod components;
 pub(super) mod lists;
