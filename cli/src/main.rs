@@ -13,6 +13,7 @@ mod fuzz_template;
 mod input;
 mod outline;
 mod output;
+mod postgis;
 mod print_tables;
 mod progress;
 mod prove;
@@ -51,6 +52,7 @@ struct Arguments {
 #[derive(Debug, Subcommand)]
 enum Command {
     Audit(audit::Audit),
+    Postgis(postgis::Postgis),
     Query(query::Query),
     Draw(draw::Draw),
     Decompose(decompose::Decompose),
@@ -68,6 +70,7 @@ enum Command {
 fn main() -> ExitCode {
     let verdict = match Arguments::parse().command {
         Command::Audit(audit) => audit.run(),
+        Command::Postgis(postgis) => postgis.run(),
         Command::Query(query) => query.run(),
         Command::Draw(draw) => draw.run(),
         Command::Decompose(decompose) => decompose.run(),
