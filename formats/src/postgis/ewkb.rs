@@ -66,8 +66,8 @@ impl<'a> Rest<'a> {
     }
 }
 
-/// Reads a geometry. O(rings).
-pub(super) fn parse(bytes: &[u8]) -> Result<Geometry<'_>, Cause> {
+/// Reads a geometry, and the number of its reference system, which is 0 where none is given. O(rings).
+pub(super) fn parse(bytes: &[u8]) -> Result<(Geometry<'_>, u32), Cause> {
     let mut rest = Rest { bytes, big_endian: false };
     rest.big_endian = match rest.take(1)?[0] {
         0 => true,
@@ -75,9 +75,7 @@ pub(super) fn parse(bytes: &[u8]) -> Result<Geometry<'_>, Cause> {
         order => return Err(Cause::ByteOrder(order)),
     };
     let kind = rest.number()?;
-    if kind & SRID != 0 {
-        rest.take(4)?;
-    }
+    let srid = if kind & SRID == 0 { 0 } else { rest.number()? };
     let (number, iso) = (kind & !(Z | M | SRID), (kind & 0xffff) / 1000);
     let dimensions = 2 + usize::from(kind & Z != 0) + usize::from(kind & M != 0);
     let dimensions = match iso {
@@ -107,10 +105,10 @@ pub(super) fn parse(bytes: &[u8]) -> Result<Geometry<'_>, Cause> {
             }
             Geometry::Polygon(outer, rings)
         }
-        _ => return Ok(Geometry::Other(number)),
+        _ => return Ok((Geometry::Other(number), srid)),
     };
     match rest.bytes.len() {
-        0 => Ok(geometry),
+        0 => Ok((geometry, srid)),
         more => Err(Cause::GeometryTrailing(more)),
     }
 }

@@ -71,6 +71,9 @@ findings! {
     "P1" EndsElsewhere { edge: i64, node: i64 } "ends_elsewhere"
         "the line of an edge does not end at its end node."
         cause "a line or a node was moved by a plain UPDATE, or the line was reversed" remedy "use `ST_ChangeEdgeGeom` and `ST_MoveIsoNode`";
+    "P1" OtherReferenceSystem { table: TableName, id: i64, srid: u32, first: u32 } "other_reference_system"
+        "a geometry has another reference system than the first one of the topology."
+        cause "a geometry was written without `ST_Transform`" remedy "transform it, or set the number by `ST_SetSRID` if only that is wrong";
     "P2" ConnectedHasContainingFace { node: i64, face: i64 } "connected_has_containing_face"
         "a node with edges has a `containing_face`."
         cause "an edge was inserted by hand at an isolated node" remedy "set `containing_face` to null";
@@ -133,6 +136,13 @@ impl fmt::Display for Finding {
             }
             Self::EndsElsewhere { edge, node } => {
                 write!(f, "the line of edge {edge} ends elsewhere than at its end node {node}")
+            }
+            Self::OtherReferenceSystem { table, id, srid, first } => {
+                let column = if table == TableName::Face { "mbr" } else { "geom" };
+                write!(
+                    f,
+                    "{column} of {table} {id} has the reference system {srid}, where the first geometry has {first}"
+                )
             }
             Self::ConnectedHasContainingFace { node, face } => {
                 write!(f, "node {node} has edges, but its containing_face is {face} instead of null")

@@ -31,7 +31,7 @@ pub fn is_copy(beginning: &[u8]) -> bool {
 /// [`ReadError::Content`] if the streams are malformed, with byte, table, row and column; and [`ReadError::Io`].
 pub fn read(input: impl BufRead, limit: usize) -> Result<Topology, ReadError> {
     let mut streams = CopyReader::new(input);
-    let mut read = Reading { topology: Topology::default(), containing: Vec::new() };
+    let mut read = Reading { topology: Topology::default(), containing: Vec::new(), srid: None };
     read.topology.findings = Findings::new(limit);
     read.nodes(&mut streams)?;
     read.faces(&mut streams)?;
@@ -45,6 +45,8 @@ struct Reading {
     topology: Topology,
     /// Nodes with their containing face, where that is not null.
     containing: Vec<(u32, i64)>,
+    /// The reference system of the first geometry.
+    srid: Option<u32>,
 }
 
 /// Columns of edges that can be resolved only when all edges are there.
@@ -62,10 +64,10 @@ impl Reading {
         while streams.next_row(3)? {
             let id = streams.integer("node_id")?;
             let containing = streams.integer("containing_face")?;
-            let geometry = match streams.value("geom")?.map(parse).transpose() {
-                Ok(Some(Geometry::Point(point))) => Ok(point),
-                Ok(Some(other)) => Err(Some(number(&other))),
-                Ok(None) => Err(None),
+            let (geometry, srid) = match streams.value("geom")?.map(parse).transpose() {
+                Ok(Some((Geometry::Point(point), srid))) => (Ok(point), Some(srid)),
+                Ok(Some((other, srid))) => (Err(Some(number(&other))), Some(srid)),
+                Ok(None) => (Err(None), None),
                 Err(cause) => return Err(streams.error(cause)),
             };
             let Some(id) = self.id(streams, &ids, TableName::Node, id)? else { continue };
@@ -78,6 +80,7 @@ impl Reading {
                 }
                 _ => {}
             }
+            self.one_system(TableName::Node, id, srid);
             self.containing.extend(containing.map(|face| (ids.len() as u32, face)));
             self.topology.points.push(point);
             ids.push(id);
@@ -91,11 +94,13 @@ impl Reading {
         let mut ids = Vec::new();
         while streams.next_row(2)? {
             let id = streams.integer("face_id")?;
-            let mbr = match streams.value("mbr")?.map(parse).transpose() {
-                Ok(geometry) => geometry.as_ref().map_or(Mbr::Null, Mbr::of),
+            let (mbr, srid) = match streams.value("mbr")?.map(parse).transpose() {
+                Ok(Some((geometry, srid))) => (Mbr::of(&geometry), Some(srid)),
+                Ok(None) => (Mbr::Null, None),
                 Err(cause) => return Err(streams.error(cause)),
             };
             let Some(id) = self.id(streams, &ids, TableName::Face, id)? else { continue };
+            self.one_system(TableName::Face, id, srid);
             self.topology.mbrs.push(mbr);
             ids.push(id);
         }
@@ -114,8 +119,8 @@ impl Reading {
             let left = [streams.integer("next_left_edge")?, streams.integer("abs_next_left_edge")?];
             let right = [streams.integer("next_right_edge")?, streams.integer("abs_next_right_edge")?];
             let sides = [streams.integer("left_face")?, streams.integer("right_face")?];
-            let line = match streams.value("geom")?.map(parse).transpose() {
-                Ok(line) => line,
+            let (line, srid) = match streams.value("geom")?.map(parse).transpose() {
+                Ok(line) => line.unzip(),
                 Err(cause) => return Err(streams.error(cause)),
             };
             // Null and positive ids only are looked at here: the rest of the row may borrow the stream.
@@ -126,6 +131,7 @@ impl Reading {
                 });
                 continue;
             };
+            self.one_system(TableName::EdgeData, id, srid);
             let fits = self.edge(&mut edges, id, ends, sides, line.as_ref());
             if !fits || edges.ids.len() > MOST_ROWS {
                 return Err(streams.error(Cause::TooLarge));
@@ -157,6 +163,15 @@ impl Reading {
             self.topology.findings.add(Finding::IdMissing { table, row: streams.row() });
         }
         Ok(id)
+    }
+
+    /// Compares the reference system of a geometry with that of the first one.
+    fn one_system(&mut self, table: TableName, id: i64, srid: Option<u32>) {
+        let Some(srid) = srid else { return };
+        let first = *self.srid.get_or_insert(srid);
+        if srid != first {
+            self.topology.findings.add(Finding::OtherReferenceSystem { table, id, srid, first });
+        }
     }
 
     /// Enters an edge, but for its links to other edges; false if there are too many bends.
