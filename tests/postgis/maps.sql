@@ -40,11 +40,12 @@ SELECT CreateTopology('nothing');
 SELECT CreateTopology('Old Town', 4326, 0, true);
 SELECT TopoGeo_AddLineString('Old Town', ST_GeomFromEWKT(line)) FROM (VALUES
   ('SRID=4326;LINESTRING Z(0 0 1,10 0 2,10 10 3,0 0 1)'), ('SRID=4326;LINESTRING Z(10 0 2,20 0 9,10 10 3)')) lines(line);
--- Coordinates that are no binary fractions, with repeated points: legal, and counted.
+-- Coordinates that are no binary fractions. Points that are repeated within a line are legal, and counted.
 SELECT CreateTopology('decimal');
 SELECT TopoGeo_AddLineString('decimal', line::geometry) FROM (VALUES
-  (1, 'LINESTRING(0.1 0.1,0.7 0.2,0.7 0.2,0.9 0.9,0.9 0.9,0.3 0.8,0.1 0.1)'), (2, 'LINESTRING(0.3 0.8,-0.4 0.9,-1.1 0.6,0.1 0.1)')
+  (1, 'LINESTRING(0.1 0.1,0.7 0.2,0.9 0.9,0.3 0.8,0.1 0.1)'), (2, 'LINESTRING(0.3 0.8,-0.4 0.9,-1.1 0.6,0.1 0.1)')
 ) lines(i, line) ORDER BY i;
+UPDATE decimal.edge_data SET geom = ST_AddPoint(geom, ST_PointN(geom, 2), 1) WHERE ST_NPoints(geom) > 2;
 -- Ids of 8 bytes that are far from 0, as PostGIS 3.6 has them.
 SELECT CreateTopology('large_ids');
 SELECT TopoGeo_AddLineString('large_ids', line::geometry) FROM (VALUES
