@@ -14,7 +14,7 @@ use twinedge_formats::postgis::sql;
   twinedge postgis --sql city_data | psql -X -h db.example.org -U reader mydatabase > city.copy
   twinedge audit --postgis city.copy --format json | jq '.violations[].message'
 
-Exit status: 0.")]
+Exit status: 0 the commands were printed; 2 the command was misused.")]
 pub(crate) struct Postgis {
     /// The topology: the schema with its tables `node`, `face` and `edge_data`.
     #[arg(long, value_name = "NAME")]

@@ -18,7 +18,7 @@ struct Json<'a> {
     elapsed_ms: f64,
 }
 
-/// Reads the streams and prints what was found. At most `list` violations of each rule P0 … P4 are listed, and of all others together.
+/// Reads the streams and prints what was found. At most `list` violations are listed.
 pub(super) fn audit(
     Input { name, reader, .. }: Input,
     list: usize,

@@ -131,12 +131,24 @@ const EXPECTATION: Expectation =
     Expectation::plane().without(Part::BoundaryComponents).without(Part::Prev).without(Part::Leaving);
 const GEOMETRIC: [Rule; 5] = [Rule::G1, Rule::G2, Rule::G3, Rule::G4, Rule::G5];
 
-/// Judges a topology. Of the violations of the rules R1 … G5, up to `limit` are kept; all are counted.
+/// Judges a topology. Up to `limit` violations are kept, those of the first rules before others; all are counted.
 ///
 /// O(n log n) for n rows and bends, and p more for p pairs of segments whose boxes meet, if edges clash.
 ///
 /// # Errors
 /// [`ReadError::OutOfMemory`].
+///
+/// ```
+/// use twinedge_formats::postgis::{audit, read};
+/// // What `psql` writes for a topology with nothing but face 0, and no `mbr`.
+/// let begin = b"PGCOPY\n\xff\r\n\0\0\0\0\0\0\0\0\0";
+/// let (end, face) = ([0xff; 2], [0, 2, 0, 0, 0, 4, 0, 0, 0, 0, 0xff, 0xff, 0xff, 0xff]);
+/// let streams = [&begin[..], &end, begin, &face, &end, begin, &end].concat();
+/// let found = audit(&read(&*streams, 100)?, 100)?;
+/// assert!(found.is_valid());
+/// assert_eq!(found.counts().faces, 1);
+/// # Ok::<(), twinedge_formats::postgis::ReadError>(())
+/// ```
 pub fn audit(topology: &Topology, limit: usize) -> Result<TopologyAudit, ReadError> {
     let labels = FaceLabels::with_holes(topology, topology.universe()).ok_or(ReadError::OutOfMemory)?;
     let view = Listed { labels, topology };
@@ -172,6 +184,7 @@ pub fn audit(topology: &Topology, limit: usize) -> Result<TopologyAudit, ReadErr
     });
     let mut violations: Vec<_> = own.chain(theirs).collect();
     violations.sort_by_key(|one| rules.iter().position(|rule| rule.id == one.rule));
+    violations.truncate(limit);
     let counts = TopologyCounts {
         nodes: topology.nodes.len(),
         isolated_nodes: report.counts().isolated_vertices,

@@ -154,7 +154,12 @@ const CASES: &[Case] = &[
         &["L2", "B1"],
         "half-edges +1 and -3 both have next +2, so one of their cycles never closes",
     ),
-    ("face_changes", |rows| rows.row(EDGE, 1)[LEFT_FACE] = int(3), &["B1"], "half-edge +6 bounds face 2, its next +1 bounds 3"),
+    (
+        "face_changes",
+        |rows| rows.row(EDGE, 1)[LEFT_FACE] = int(3),
+        &["B1"],
+        "half-edge +6 bounds face 2, its next +1 bounds 3",
+    ),
     (
         "segments_cross",
         |rows| rows.row(EDGE, 3)[GEOM] = line(&[[40.0, 0.0], [-5.0, 30.0], [40.0, 60.0]]),
