@@ -76,7 +76,7 @@ fn what_psql_could_not_write_is_an_error() {
     };
     let audit = ["audit", "--postgis", "-"];
     assert!(failed(&audit, b"").contains("the stream is empty"));
-    assert!(failed(&audit, &TOWN[..1000]).contains("table edge_data, row "));
+    assert!(failed(&audit, &TOWN[..3000]).contains("table edge_data, row "));
     assert!(failed(&audit, b"{\"type\": \"FeatureCollection\"}").contains("no binary COPY stream begins here, but `{"));
     assert!(
         failed(&["audit", "-", "--snap", "auto"], TOWN)

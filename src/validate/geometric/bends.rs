@@ -1,6 +1,6 @@
 //! The bends of all edges as one column, each edge once.
 
-use super::columns::reserved;
+use super::reserved::reserved;
 use crate::geometry::Point;
 use crate::validate::columns::NIL;
 use crate::validate::embedding::Embedding;

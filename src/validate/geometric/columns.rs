@@ -5,6 +5,7 @@
 //! vertices share no half-edge.
 
 use super::bends::{Bends, asked};
+use super::reserved::reserved;
 use crate::geometry::Point;
 use crate::validate::columns::NIL;
 use crate::validate::embedding::Embedding;
@@ -151,11 +152,4 @@ impl Columns {
             n => self.bends.points[if edge == h { places.start } else { places.start + n - 1 }],
         }
     }
-}
-
-/// An empty column with memory for `n` entries, if there is as much.
-pub(super) fn reserved<T>(n: usize) -> Option<Vec<T>> {
-    let mut column = Vec::new();
-    column.try_reserve_exact(n).ok()?;
-    Some(column)
 }

@@ -6,5 +6,6 @@ pub(super) mod bends;
 pub(super) mod columns;
 pub(super) mod components;
 pub(super) mod lists;
+mod reserved;
 pub(super) mod segments;
 pub(super) mod validator;
