@@ -106,7 +106,6 @@ pub fn places<E: Embedding + ?Sized>(embedding: &E, violation: &Violation) -> Ve
     };
     let mut points = Vec::new();
     match *violation {
-        Violation::BendNotFinite { half_edge, bend: i } => points.extend(bend(half_edge, i)),
         Violation::SegmentZeroLength { half_edge, segment: i } => points.extend(segment(half_edge, i)[0]),
         Violation::SegmentsCross { first, first_segment, second, second_segment }
         | Violation::SegmentsOverlap { first, first_segment, second, second_segment } => {
@@ -115,7 +114,8 @@ pub fn places<E: Embedding + ?Sized>(embedding: &E, violation: &Violation) -> Ve
         Violation::VertexInSegment { vertex: v, .. } | Violation::BendAtVertex { vertex: v, .. } => {
             points.extend(vertex(v));
         }
-        Violation::BendInSegment { half_edge, bend: i, .. }
+        Violation::BendNotFinite { half_edge, bend: i }
+        | Violation::BendInSegment { half_edge, bend: i, .. }
         | Violation::BendsAtSamePlace { first: half_edge, first_bend: i, .. } => points.extend(bend(half_edge, i)),
         _ => {}
     }

@@ -341,7 +341,9 @@ impl Violation {
             | V::BendNotFinite { half_edge, .. }
             | V::SegmentZeroLength { half_edge, .. }
             | V::ZeroLength { half_edge } => [Some(H(half_edge)), None],
-            V::LoopEdge { half_edge, vertex } => [Some(H(half_edge)), Some(X(vertex))],
+            V::LoopEdge { half_edge, vertex } | V::BendAtVertex { half_edge, vertex, .. } => {
+                [Some(H(half_edge)), Some(X(vertex))]
+            }
             V::TwinNotMutual { half_edge, twin, .. } => [Some(H(half_edge)), Some(H(twin))],
             V::PrevOfNext { half_edge, next, .. }
             | V::Target { half_edge, next, .. }
@@ -356,7 +358,6 @@ impl Violation {
             | V::SegmentsOverlap { first, second, .. }
             | V::BendsAtSamePlace { first, second, .. }
             | V::BendInSegment { half_edge: first, other: second, .. } => [Some(H(first)), Some(H(second))],
-            V::BendAtVertex { half_edge, vertex, .. } => [Some(H(half_edge)), Some(X(vertex))],
             V::NotLeaving { vertex, half_edge, .. }
             | V::SplitRotation { vertex, half_edge, .. }
             | V::OutOfOrder { vertex, half_edge, .. }

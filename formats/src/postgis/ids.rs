@@ -5,7 +5,7 @@ use std::collections::BTreeSet;
 /// The ids of a table, and the slot of each.
 #[derive(Debug, Default)]
 pub(super) struct Ids {
-    ids: Vec<i64>,
+    all: Vec<i64>,
     lookup: Lookup,
     /// Slots of rows whose id an earlier row has.
     repeated: BTreeSet<u32>,
@@ -56,39 +56,39 @@ impl Ids {
             }
             _ => Lookup::Consecutive,
         };
-        Self { ids, lookup, repeated }
+        Self { all: ids, lookup, repeated }
     }
 
     pub(super) fn len(&self) -> usize {
-        self.ids.len()
+        self.all.len()
     }
 
     /// The id of a slot.
     pub(super) fn id(&self, slot: usize) -> Option<i64> {
-        self.ids.get(slot).copied()
+        self.all.get(slot).copied()
     }
 
     /// The slot of an id. O(1), or O(log n) where ids are far apart.
     pub(super) fn slot(&self, id: i64) -> Option<u32> {
         match &self.lookup {
             Lookup::Consecutive => {
-                let slot = id.checked_sub(*self.ids.first()?)?;
-                u32::try_from(slot).ok().filter(|slot| (*slot as usize) < self.ids.len())
+                let slot = id.checked_sub(*self.all.first()?)?;
+                u32::try_from(slot).ok().filter(|slot| (*slot as usize) < self.all.len())
             }
             Lookup::Dense(min, slots) => {
                 let at = usize::try_from(id.checked_sub(*min)?).ok()?;
                 slots.get(at).copied().filter(|slot| *slot != NIL)
             }
             Lookup::Sorted(sorted) => {
-                let slot = *sorted.get(sorted.partition_point(|slot| self.ids[*slot as usize] < id))?;
-                (self.ids[slot as usize] == id).then_some(slot)
+                let slot = *sorted.get(sorted.partition_point(|slot| self.all[*slot as usize] < id))?;
+                (self.all[slot as usize] == id).then_some(slot)
             }
         }
     }
 
     /// Whether the row in this slot has its id for itself, or is the first that has it.
     pub(super) fn is_first(&self, slot: usize) -> bool {
-        slot < self.ids.len() && (self.repeated.is_empty() || !self.repeated.contains(&(slot as u32)))
+        slot < self.all.len() && (self.repeated.is_empty() || !self.repeated.contains(&(slot as u32)))
     }
 
     /// The slots of rows whose id an earlier row has.

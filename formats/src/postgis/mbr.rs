@@ -49,6 +49,7 @@ impl Mbr {
     /// A rectangle has four corners, then the first again, and goes from each to the next along an axis.
     fn of_ring(ring: Points<'_>) -> Self {
         let corners: Vec<Point> = ring.iter().take(6).collect();
+        #[expect(clippy::float_cmp, reason = "a corner has the very coordinates of its neighbours")]
         let along_axis = |pair: &[Point]| pair[0].x == pair[1].x || pair[0].y == pair[1].y;
         let found = Box2::of(corners.iter().copied());
         let corner = |x, y| corners.contains(&Point::new(x, y));

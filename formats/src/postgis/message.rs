@@ -5,7 +5,7 @@ use twinedge::validate::{Field, Record, Violation};
 
 /// The column that is a field of a half-edge.
 const fn column(half_edge: usize, field: Field) -> Option<Column> {
-    Some(match (field, half_edge % 2 == 0) {
+    Some(match (field, half_edge.is_multiple_of(2)) {
         (Field::Origin, true) => Column::StartNode,
         (Field::Origin, false) => Column::EndNode,
         (Field::Next, true) => Column::NextLeftEdge,

@@ -25,7 +25,7 @@
 //! counted. Layers and the table `relation` are not read.
 //!
 //! Sources: the documentation of PostGIS 3.3, chapter 9; ISO 13249-3 (SQL/MM), topology-geometry; for COPY and its binary format
-//! the documentation of PostgreSQL 15.
+//! the documentation of `PostgreSQL` 15.
 
 mod audit;
 mod copy;

@@ -179,6 +179,6 @@ impl Embedding for Topology {
     fn bend(&self, half_edge: usize, bend: usize) -> Point {
         let edge = half_edge / 2;
         let [from, to] = [self.first_bend[edge], self.first_bend[edge + 1]].map(|place| place as usize);
-        self.bends[if half_edge % 2 == 0 { from + bend } else { to - 1 - bend }]
+        self.bends[if half_edge.is_multiple_of(2) { from + bend } else { to - 1 - bend }]
     }
 }

@@ -1,8 +1,9 @@
 //! Streams as rows, and back: a second reading of the format, in the plainest way.
+#![allow(clippy::unnecessary_wraps, reason = "a value of a row may be null")]
 
 use twinedge_formats::postgis::{Topology, TopologyAudit, audit, read};
 
-/// The map that `tests/postgis/maps.sql` calls `town`, as PostgreSQL 15 with PostGIS 3.3.2 wrote it.
+/// The map that `tests/postgis/maps.sql` calls `town`, as `PostgreSQL` 15 with PostGIS 3.3.2 wrote it.
 pub(crate) const TOWN: &[u8] = include_bytes!("data/town.copy");
 /// The others of that file.
 pub(crate) const DECIMAL: &[u8] = include_bytes!("data/decimal.copy");
@@ -57,9 +58,9 @@ impl Rows {
         for rows in &self.0 {
             out.extend(b"PGCOPY\n\xff\r\n\0\0\0\0\0\0\0\0\0");
             for row in rows {
-                out.extend((row.len() as i16).to_be_bytes());
+                out.extend((row.len() as u16).to_be_bytes());
                 for value in row {
-                    out.extend(value.as_ref().map_or(-1, |value| value.len() as i32).to_be_bytes());
+                    out.extend(value.as_ref().map_or(u32::MAX, |value| value.len() as u32).to_be_bytes());
                     out.extend(value.iter().flatten());
                 }
             }
