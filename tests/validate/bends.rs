@@ -325,6 +325,9 @@ fn edges(table: &Table) -> [usize; 2] {
 
 const ENDS: [[f64; 2]; 4] = [[0.0, 0.0], [10.0, 0.0], [0.0, 8.0], [10.0, 8.0]];
 
+/// The bends of an edge.
+type Line = &'static [[f64; 2]];
+
 /// The only violation, with the points at which it is.
 fn only(drawn: &Drawn) -> (Violation, Vec<[f64; 2]>) {
     let report = drawn.report();
@@ -347,7 +350,7 @@ fn g1_names_the_bend() {
 
 #[test]
 fn g4_names_the_segments_and_the_bends() {
-    let kinds: [(&[[f64; 2]], &[[f64; 2]], &str); 6] = [
+    let kinds: [(Line, Line, &str); 6] = [
         (&[[5.0, 9.0]], &[], "segments_cross"),
         (&[[5.0, 8.0]], &[], "bend_in_segment"),
         (&[[3.0, 8.0], [6.0, 8.0]], &[], "segments_overlap"),
