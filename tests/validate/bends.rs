@@ -397,3 +397,44 @@ fn more_bends_than_can_be_numbered_are_not_read() {
     assert_eq!(report.outcome(Rule::G1).and_then(|outcome| outcome.unchecked), Some(Unchecked::TooLarge));
     assert!(!report.is_valid());
 }
+
+/// Bends whose number and places change from call to call.
+struct Fickle {
+    drawn: Drawn,
+    random: std::cell::RefCell<Random>,
+}
+
+impl View for Fickle {
+    delegate_view!(|this| &this.drawn.table);
+}
+
+impl Embedding for Fickle {
+    fn point(&self, vertex: usize) -> Point {
+        self.drawn.points[vertex]
+    }
+
+    fn bends(&self, half_edge: usize) -> usize {
+        assert!(half_edge < self.drawn.table.half_edge_slots());
+        self.random.borrow_mut().below(4)
+    }
+
+    fn bend(&self, half_edge: usize, bend: usize) -> Point {
+        assert!(half_edge < self.drawn.table.half_edge_slots() && bend < 4);
+        let mut random = self.random.borrow_mut();
+        if random.below(40) == 0 { Point::new(f64::NAN, f64::INFINITY) } else { random.point(0, 16) }
+    }
+}
+
+#[test]
+fn bends_may_change_from_call_to_call() {
+    let mut random = Random(2);
+    for seed in 0..500 {
+        let drawn = Twice::of(&random.map(), &mut random).bent;
+        let fickle = Fickle { drawn, random: std::cell::RefCell::new(Random(seed)) };
+        let report = validate_embedding(&fickle, &PLANE, Collect::All);
+        for violation in report.violations() {
+            assert!(places(&fickle, violation).len() <= 4, "{violation}");
+            assert!(!violation.to_string().is_empty());
+        }
+    }
+}
