@@ -102,6 +102,7 @@ mod geometric;
 mod hints;
 mod named;
 mod names;
+pub mod near;
 mod passes;
 mod record;
 pub mod reference;
