@@ -15,6 +15,7 @@ mod input;
 mod noted;
 mod outline;
 mod output;
+mod postgis;
 mod print_tables;
 mod progress;
 mod prove;
@@ -54,6 +55,7 @@ struct Arguments {
 #[derive(Debug, Subcommand)]
 enum Command {
     Audit(audit::Audit),
+    Postgis(postgis::Postgis),
     Query(query::Query),
     Draw(draw::Draw),
     Decompose(decompose::Decompose),
@@ -71,6 +73,7 @@ enum Command {
 fn main() -> ExitCode {
     let verdict = match Arguments::parse().command {
         Command::Audit(audit) => audit.run(),
+        Command::Postgis(postgis) => postgis.run(),
         Command::Query(query) => query.run(),
         Command::Draw(draw) => draw.run(),
         Command::Decompose(decompose) => decompose.run(),

@@ -8,6 +8,7 @@ mod support;
 mod adapters;
 mod adversarial_embeddings;
 mod adversarial_views;
+mod bends;
 mod comparison;
 mod embeddings;
 mod expectations;

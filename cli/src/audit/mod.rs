@@ -1,8 +1,9 @@
-//! `twinedge audit`: builds a map and validates it, or validates a mesh or a file of tables.
+//! `twinedge audit`: builds a map and validates it, or validates a mesh, a file of tables or a topology of PostGIS.
 
 mod mesh_file;
 mod table_file;
 mod textbook;
+mod topology_file;
 
 use crate::coverage::{Asked, Coverage};
 use crate::input::{Imported, MapFile};
@@ -22,6 +23,7 @@ use twinedge::io::ReadSummary;
 use twinedge::map::{BuildSummary, Irregularity, IrregularityKind, PlanarMap, Position};
 use twinedge::validate::{Collect, Expectation, Record, Report, Violation};
 use twinedge::validate::{places, validate_embedding};
+use twinedge_formats::postgis::is_copy;
 
 /// Check a map (GeoJSON, WKT) or a mesh (OBJ, OFF, PLY, STL) for everything that can be wrong.
 ///
@@ -31,6 +33,9 @@ use twinedge::validate::{places, validate_embedding};
 ///
 /// A mesh file (OBJ, OFF, PLY, STL) is joined to half-edges along shared edges. What cannot be joined is reported by its faces
 /// and vertices, and the options under "Meshes" say what else must hold.
+///
+/// A topology of PostGIS is judged by the links that the database keeps, and named by its ids. `twinedge postgis` prints what `psql`
+/// needs to write it.
 ///
 /// A file of tables is judged line by line instead. `twinedge tables --print` and `twinedge corrupt --print` write such files.
 /// Each line is one structure as plain tables, in the text form of `twinedge::validate::Table`; a verdict may follow, `= ok` or
@@ -43,6 +48,7 @@ use twinedge::validate::{places, validate_embedding};
   twinedge audit --snap auto drawn-by-hand.geojson
   twinedge audit --format json - < parcels.geojson | jq .valid
   twinedge audit bunny.obj --closed --genus 0 --triangles
+  twinedge postgis --sql city_data | psql -X mydatabase | twinedge audit --postgis -
   twinedge tables --half-edges 2 --print | twinedge audit -
   twinedge audit examples/tables/five_faces.txt
 
@@ -64,6 +70,11 @@ pub(crate) struct Audit {
     #[arg(long)]
     explain: bool,
 
+    /// The input is a topology of PostGIS, as `psql` writes it after `twinedge postgis --sql NAME`. (It is recognised without this, too;
+    /// with it nothing else is accepted.)
+    #[arg(long)]
+    postgis: bool,
+
     #[command(flatten)]
     coverage: Asked,
 
@@ -75,6 +86,11 @@ impl Audit {
     pub(crate) fn run(&self) -> Result<Verdict, Failure> {
         let start = Instant::now();
         let mut input = self.map.open()?;
+        if self.postgis || is_copy(input.beginning()?) {
+            self.map.refuse_snap(&input.name, "a topology of PostGIS")?;
+            self.refuse_mesh_options(&input.name)?;
+            return topology_file::audit(input, self.list, self.explain, self.format);
+        }
         if textbook::is_textbook(input.beginning()?) {
             self.refuse_coverage(&input.name, "a textbook's tables")?;
             return textbook::audit(&input.name, input.reader, self.list, self.format);
