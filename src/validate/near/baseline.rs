@@ -186,7 +186,7 @@ fn put<T>(column: &mut [T], slot: usize, row: T) {
     }
 }
 
-/// Validates a structure after a change, in time proportional to the change: [what is checked](self).
+/// Validates a structure after a change, in time proportional to the change: [what is checked](super#what-is-checked).
 ///
 /// `touched` names every record that has changed since the baseline was made or last moved on. If all is right, the
 /// baseline moves on to the structure as it is. Costs O(k log k) for k records that were touched, and the walks in step along the
