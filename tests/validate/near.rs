@@ -241,6 +241,53 @@ fn where_there_is_no_local_validation() {
     assert_eq!(*report, validate(&broken, &Expectation::plane(), Collect::All));
 }
 
+/// A face that came and went within one change, like all of its records.
+#[test]
+fn what_came_and_went_is_vacant() {
+    let mut dcel = ring(5_000);
+    let mut baseline = Baseline::new(&dcel, &Expectation::plane()).unwrap();
+    let before = Table::copy_of(&dcel).unwrap();
+    let h = dcel.half_edges().next().unwrap();
+    let (from, to) = (Corner::At(h.key()), Corner::At(h.next().next().key()));
+    let connected = dcel.connect(from, to, Split::default()).unwrap().half_edge;
+    let between = Table::copy_of(&dcel).unwrap();
+    dcel.remove_edge(connected).unwrap();
+    let after = Table::copy_of(&dcel).unwrap();
+    let (mut touched, back) = (difference(&before, &between), difference(&between, &after));
+    touched.half_edges.extend(back.half_edges);
+    touched.vertices.extend(back.vertices);
+    touched.boundaries.extend(back.boundaries);
+    touched.faces.extend(back.faces);
+    touched.listed.extend(back.listed);
+    let watched = Watched::new(&after);
+    validate_near(&mut baseline, &watched, &touched).unwrap();
+    assert!(watched.twin.get() < 100, "{}", watched.twin.get());
+}
+
+/// After records were not named the baseline is wrong. Nothing loops or panics then, and what is wrong in the structure itself
+/// is found if it is named.
+#[test]
+fn a_baseline_that_missed_something_ends() {
+    let expectation = Expectation::plane();
+    for map in Census::new(Scope::Subdivisions { edges: 2, vertices: 2 }) {
+        let mut table = Table::copy_of(map.runner.subject()).unwrap();
+        let right = Baseline::new(&table, &expectation).unwrap();
+        let everything = difference(&Table::default(), &table);
+        let before = table.clone();
+        for_each_corruption(&mut table, &expectation, |corrupt, cell, _| {
+            let mut baseline = right.clone();
+            let mut touched = everything.clone();
+            touch(&mut touched, cell);
+            // It believes that nothing has changed, and then hears of records that have not.
+            assert!(validate_near(&mut baseline, corrupt, &Touched::default()).is_ok());
+            let found = validate_near(&mut baseline, corrupt, &touched);
+            let report = validate(corrupt, &expectation, Collect::First);
+            assert!(found.is_err() || report.broken_rules().all(|rule| rule > Rule::F2), "{corrupt}");
+            assert!(validate_near(&mut baseline, &before, &touched).is_ok());
+        });
+    }
+}
+
 /// A structure that is right although records that have changed were not named is right, and followed from there.
 #[test]
 fn forgotten_records_are_caught_up_with() {

@@ -142,21 +142,19 @@ impl Baseline {
         for (b, row) in changes.labels {
             put(&mut mirror.labels, b, row);
         }
-        for (f, is_live) in changes.faces {
-            let Some(face) = mirror.faces.get_mut(f) else { continue };
-            if !is_live {
-                *face = Face::VACANT;
-                continue;
-            }
-            face.outer = now.view.outer(f).map_or(NIL, |b| b as u32);
-            if now.has(Part::Holes) {
-                face.inner.resize(now.view.inner_count(f), NIL);
+        for (f, row) in changes.faces {
+            match (mirror.faces.get_mut(f), row) {
+                (Some(face), Some((outer, inner))) => {
+                    face.outer = outer;
+                    face.inner.resize(inner, NIL);
+                }
+                (Some(face), None) => *face = Face::VACANT,
+                (None, _) => {}
             }
         }
-        for (f, i) in changes.entries {
-            let entry = mirror.faces.get_mut(f).and_then(|face| face.inner.get_mut(i));
-            if let (Some(entry), Some(b)) = (entry, now.view.inner(f, i)) {
-                *entry = b as u32;
+        for (f, i, b) in changes.entries {
+            if let Some(entry) = mirror.faces.get_mut(f).and_then(|face| face.inner.get_mut(i)) {
+                *entry = b;
             }
         }
         self.counts = changes.counts;
@@ -204,7 +202,7 @@ fn put<T>(column: &mut [T], slot: usize, row: T) {
 /// table.half_edges[0].as_mut().unwrap().origin = Some(1);
 /// let touched = Touched { half_edges: vec![0], ..Touched::default() };
 /// let report = validate_near(&mut baseline, &table, &touched).unwrap_err();
-/// assert_eq!(report.broken_rules().next(), Some(Rule::L3));
+/// assert_eq!(report.broken_rules().next(), Some(Rule::V1));
 /// # Ok::<(), Box<dyn std::error::Error>>(())
 /// ```
 ///

@@ -26,9 +26,10 @@ pub(super) struct Changes {
     pub(super) followed: Vec<(usize, u32)>,
     pub(super) vertices: Vec<(usize, Vertex)>,
     pub(super) labels: Vec<(usize, Label)>,
-    pub(super) faces: Vec<(usize, bool)>,
-    /// Entries of lists that are to be read anew.
-    pub(super) entries: Vec<(usize, usize)>,
+    /// Faces, and what they have, unless they are vacant: the outer boundary component, and how many inner ones.
+    pub(super) faces: Vec<(usize, Option<(u32, usize)>)>,
+    /// Entries of lists: the face, the position, and the boundary component.
+    pub(super) entries: Vec<(usize, usize, u32)>,
     pub(super) counts: Counts,
 }
 
@@ -160,17 +161,9 @@ impl<V: View + ?Sized> Check<'_, V> {
         step: impl Fn(usize) -> usize,
         stays: impl Fn(usize) -> bool,
     ) -> Option<usize> {
-        let first = first?;
-        let mut h = first;
-        loop {
-            if !self.may_differ(h) || self.now.is_half_edge(h) && stays(h) {
-                return Some(h);
-            }
-            h = step(h);
-            if h == first {
-                return None;
-            }
-        }
+        let orbit = core::iter::successors(first, |h| Some(step(*h)).filter(|next| Some(*next) != first));
+        // No longer than there are some that may differ, in case the baseline is not right because something was not named.
+        orbit.take(self.half_edges.len() + 1).find(|h| !self.may_differ(*h) || self.now.is_half_edge(*h) && stays(*h))
     }
 
     /// The labels that may be wrong: those that may differ, those of half-edges and vertices that may, and those that were, or
@@ -341,8 +334,7 @@ impl<V: View + ?Sized> Check<'_, V> {
         lost.sort_unstable();
         for f in sorted(faces) {
             let count = |list: &[usize]| list.partition_point(|g| *g <= f) - list.partition_point(|g| *g < f);
-            let is_live = self.face(f, count(&gained), count(&lost), labels)?;
-            self.changes.faces.push((f, is_live));
+            self.face(f, count(&gained), count(&lost), labels)?;
         }
         for (f, i) in sorted(entries) {
             if !now.is_face(f) || i >= now.view.inner_count(f) {
@@ -353,12 +345,12 @@ impl<V: View + ?Sized> Check<'_, V> {
             if row.inner() != Some((f, i)) {
                 return None;
             }
-            self.changes.entries.push((f, i));
+            self.changes.entries.push((f, i, b as u32));
         }
         Some(())
     }
 
-    fn face(&mut self, f: usize, gained: usize, lost: usize, labels: &[usize]) -> Option<bool> {
+    fn face(&mut self, f: usize, gained: usize, lost: usize, labels: &[usize]) -> Option<()> {
         let (was, now) = (self.was, self.now);
         let counts = &mut self.changes.counts;
         let before = was.faces.get(f).filter(|face| face.is_live());
@@ -369,10 +361,12 @@ impl<V: View + ?Sized> Check<'_, V> {
         if !now.is_face(f) {
             // Whatever it listed must have changed, and is looked at.
             let is_seen = |b: u32| index(b).is_none_or(|b| labels.binary_search(&b).is_ok());
-            return (is_seen(before?.outer) && listed.iter().all(|b| is_seen(*b))).then_some(false);
+            self.changes.faces.push((f, None));
+            return (before.is_none_or(|face| is_seen(face.outer)) && listed.iter().all(|b| is_seen(*b))).then_some(());
         }
         counts.faces += 1;
-        match now.view.outer(f) {
+        let outer = now.view.outer(f);
+        match outer {
             None => counts.unbounded += 1,
             Some(b) => {
                 let row = now.label(b)?;
@@ -380,12 +374,14 @@ impl<V: View + ?Sized> Check<'_, V> {
                 is_outer.then_some(())?;
             }
         }
+        let mut inner = 0;
         if now.has(Part::Holes) {
-            let expected = (listed.len() + gained).checked_sub(lost)?;
-            (now.view.inner_count(f) == expected).then_some(())?;
-            counts.inner += expected;
+            inner = (listed.len() + gained).checked_sub(lost)?;
+            (now.view.inner_count(f) == inner).then_some(())?;
+            counts.inner += inner;
         }
-        Some(true)
+        self.changes.faces.push((f, Some((outer.map_or(NIL, |b| b as u32), inner))));
+        Some(())
     }
 
     /// F1's one unbounded face, and Euler's formula for the whole: where every component has one inner boundary component and
