@@ -9,7 +9,7 @@ use alloc::boxed::Box;
 /// A [`Dcel`] that is validated after each operator, in the time that the operator took: see [`validate::near`](crate::validate::near)
 /// for what is checked.
 ///
-/// No sequence of operators breaks a rule. This is for those who test that, or change the operators, on maps for
+/// No sequence of operators breaks a rule. Take this to test that, or while you change an operator, on maps for
 /// which [`Dcel::validate`] after each step is too slow.
 ///
 /// ```
