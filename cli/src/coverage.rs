@@ -121,7 +121,7 @@ struct Flaw {
     ring: usize,
 }
 
-/// How many defects of a feature are listed.
+/// How many defects of each kind are listed of a feature.
 const DEFECTS: usize = 20;
 
 impl Coverage {
@@ -338,7 +338,12 @@ impl Entry {
             width: None,
             length: None,
             at: defects.first().map_or([0.0; 2], |defect| defect.at.into()),
-            defects: defects.iter().take(DEFECTS).map(flaw).collect(),
+            // They are sorted by kind.
+            defects: defects
+                .chunk_by(|a, b| a.kind == b.kind)
+                .flat_map(|kind| kind.iter().take(DEFECTS))
+                .map(flaw)
+                .collect(),
             snapping: None,
             place: (rule, number),
         }

