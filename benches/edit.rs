@@ -4,8 +4,9 @@
 //!   a country, likewise; a line across everything, rounded; and building the whole map, which is what an edit saves.
 //! - `islands`: squares in an ocean, 10 of them and 4,000. Per edge, building costs the same, and so does cutting an island
 //!   in two and joining it again. What is drawn in the ocean is held against all its coast, so it does not.
+//! - `at random places`: operators of topology on a grid that is larger than the caches.
 //!
-//! Run with `cargo bench --bench edit`.
+//! Targets: an isolated vertex, twice as long as splitting an edge. Run with `cargo bench --bench edit`.
 
 mod common;
 
@@ -16,6 +17,7 @@ use twinedge::geometry::Point;
 use twinedge::geometry::noding::{Snap, node};
 use twinedge::map::edit::At;
 use twinedge::map::{Builder, PlanarMap, Shape};
+use twinedge::program::choose::{Choose, Random};
 
 /// Points inside some faces whose outer boundary is a few dozen edges, each with a half-edge of that boundary: points that
 /// see the target of that half-edge.
@@ -175,5 +177,36 @@ fn islands(criterion: &mut Criterion) {
     }
 }
 
-criterion_group!(benches, world, islands);
+/// Half-edges of a grid of a million vertices, in an order in which none is near the one before.
+fn random_half_edges(map: &PlanarMap) -> Vec<HalfEdgeKey> {
+    let keys: Vec<HalfEdgeKey> = map.dcel().half_edges().map(HalfEdge::key).collect();
+    let mut random = Random::seeded(1);
+    (0..200_000).map(|_| keys[random.choose(keys.len())]).collect()
+}
+
+fn operators(criterion: &mut Criterion) {
+    let map = common::triangulated_grid(1000);
+    let chosen = random_half_edges(&map);
+    let faces: Vec<_> = chosen.iter().map(|h| map.dcel().half_edge(*h).expect("of this map").face().key()).collect();
+    let mut group = criterion.benchmark_group("at random places");
+    group.sample_size(10);
+    group.throughput(Throughput::Elements(chosen.len() as u64));
+    group.bench_function("split_edge", |b| {
+        b.iter_batched_ref(
+            || map.dcel().clone(),
+            |dcel| chosen.iter().for_each(|h| drop(black_box(dcel.split_edge(*h)))),
+            BatchSize::LargeInput,
+        );
+    });
+    group.bench_function("add_isolated_vertex", |b| {
+        b.iter_batched_ref(
+            || map.dcel().clone(),
+            |dcel| faces.iter().for_each(|f| drop(black_box(dcel.add_isolated_vertex(*f)))),
+            BatchSize::LargeInput,
+        );
+    });
+    group.finish();
+}
+
+criterion_group!(benches, world, islands, operators);
 criterion_main!(benches);

@@ -42,6 +42,7 @@ mod assembled;
 mod construct;
 mod feature;
 mod feature_sets;
+mod feature_tries;
 mod import;
 mod planar_map;
 mod record_tree;

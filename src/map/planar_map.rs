@@ -120,7 +120,7 @@ impl PlanarMap {
         Ok(self.point(self.dcel.vertex(vertex)?.index()))
     }
 
-    /// The features that cover a face, in order. O(1).
+    /// The features that cover a face, in order. O(log features) for the first, O(1) for each other on average.
     ///
     /// ```
     /// use twinedge::map::{Builder, Shape};
@@ -139,10 +139,11 @@ impl PlanarMap {
     /// [`StaleKey::Face`].
     pub fn features_of(&self, face: FaceKey) -> Result<impl Iterator<Item = FeatureId> + '_, StaleKey> {
         let set = self.features.of_face(self.dcel.face(face)?.index());
-        Ok(self.features.set(set).iter().copied())
+        Ok(self.features.set(set))
     }
 
-    /// The features whose rings or lines run along an edge, in order. O(1).
+    /// The features whose rings or lines run along an edge, in order. O(log features) for the first, O(1) for each other on
+    /// average.
     ///
     /// ```
     /// use twinedge::map::Builder;
@@ -160,7 +161,7 @@ impl PlanarMap {
     /// [`StaleKey::HalfEdge`].
     pub fn features_along(&self, half_edge: HalfEdgeKey) -> Result<impl Iterator<Item = FeatureId> + '_, StaleKey> {
         let set = self.features.along(self.dcel.half_edge(half_edge)?.index());
-        Ok(self.features.set(set).iter().copied())
+        Ok(self.features.set(set))
     }
 
     /// The feature with this number, counted from 0 in order of input; none beyond the last. O(1).

@@ -2,7 +2,7 @@
 
 use super::error::EditError;
 use crate::dcel::{Corner, HalfEdgeKey, Split};
-use crate::map::feature_sets::SetId;
+use crate::map::feature_tries::SetId;
 use crate::map::planar_map::PlanarMap;
 use crate::store::links::Need;
 

@@ -78,7 +78,7 @@ impl PlanarMap {
             self.features.put_face(self.dcel.face(kept_face)?.index(), common);
             for (face, set) in sides {
                 let lost = self.features.differing(set, common);
-                edited.features_dropped.extend(self.features.set(lost).iter().map(|feature| (face, *feature)));
+                edited.features_dropped.extend(self.features.set(lost).map(|feature| (face, feature)));
             }
         }
         Ok(())

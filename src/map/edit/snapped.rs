@@ -9,7 +9,7 @@ use crate::dcel::{HalfEdgeKey, VertexKey};
 use crate::geometry::Point;
 use crate::geometry::noding::{Snap, node};
 use crate::geometry::predicates::MIN_COORDINATE;
-use crate::map::feature_sets::SetId;
+use crate::map::feature_tries::SetId;
 use crate::map::locate::located::Located;
 use crate::map::planar_map::PlanarMap;
 use rustc_hash::FxHashMap;
