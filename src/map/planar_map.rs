@@ -2,6 +2,7 @@
 
 use super::feature::FeatureId;
 use super::feature_sets::FeatureSets;
+use super::index::{KeptIndex, RecordIndex};
 use super::summary::BuildSummary;
 use crate::dcel::{Dcel, FaceKey, HalfEdgeKey, StaleKey, VertexKey};
 use crate::delegate_view;
@@ -62,6 +63,7 @@ pub struct PlanarMap {
     pub(super) noding: Option<NodingSummary>,
     /// Whether edges meet at shared endpoints only.
     pub(super) plane: bool,
+    pub(super) index: KeptIndex,
 }
 
 impl Default for PlanarMap {
@@ -74,6 +76,7 @@ impl Default for PlanarMap {
             summary: BuildSummary::default(),
             noding: None,
             plane: true,
+            index: KeptIndex::default(),
         }
     }
 }
@@ -244,6 +247,13 @@ impl PlanarMap {
     #[must_use]
     pub fn validate(&self) -> Report {
         validate_embedding(self, &Expectation::plane(), Collect::All)
+    }
+}
+
+impl PlanarMap {
+    /// The index of the edges and isolated vertices, which is built if there is none. O(n log n) then.
+    pub(super) fn index(&self) -> &RecordIndex {
+        self.index.get(&self.dcel, &self.points)
     }
 }
 

@@ -143,7 +143,7 @@ impl SavedMap<Dcel> {
         for (edge, number) in dcel.edges().zip(edges) {
             features.put_along(edge.index(), set(number)?);
         }
-        let map = PlanarMap { dcel, points, names, features, summary, noding, plane: true };
+        let map = PlanarMap { dcel, points, names, features, summary, noding, ..PlanarMap::default() };
         let report = map.validate();
         if report.is_valid() { Ok(map) } else { Err(LoadError::Invalid(Box::new(report))) }
     }

@@ -67,8 +67,7 @@ impl Issuer {
     /// Issues a key and gives its slot.
     pub(super) fn issue(&mut self) -> u32 {
         if let Some(slot) = self.free.pop() {
-            let shown = &mut self.generations[slot as usize];
-            *shown = shown.wrapping_add(1);
+            self.generations[slot as usize] |= 1;
             return slot;
         }
         self.generations.push(self.offset.wrapping_add(1));

@@ -12,6 +12,7 @@ use crate::geometry::crossing::{Clash, clashes};
 use crate::geometry::noding::NodingSummary;
 use crate::geometry::predicates::in_range;
 use crate::map::feature::{Feature, FeatureId, Shape};
+use crate::map::index::KeptIndex;
 use crate::map::planar_map::PlanarMap;
 use crate::map::summary::{BuildSummary, IrregularityKind, Position};
 use rustc_hash::FxHashMap;
@@ -351,6 +352,7 @@ impl Builder {
             features: features_of_map,
             summary,
             noding: noded,
+            index: KeptIndex::default(),
         })
     }
 }

@@ -133,7 +133,9 @@ fn walk(dcel: &Dcel, uses: &Uses, parts: &[Part], sets: &mut FeatureSets, featur
         let set = sets.differing(sets.of_face(h.twin().face().index()), changed);
         sets.put_face(face.index(), set);
         steps.push(Step::Leave(segment));
-        steps.extend(face.half_edges().map(|h| h.twin()).filter(|h| !known[h.face().index()]).map(|h| Step::Enter(h.index())));
+        steps.extend(
+            face.half_edges().map(|h| h.twin()).filter(|h| !known[h.face().index()]).map(|h| Step::Enter(h.index())),
+        );
     }
 }
 

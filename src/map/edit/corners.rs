@@ -18,7 +18,7 @@ impl PlanarMap {
     ///
     /// O(length of the shorter of the two cycles).
     pub(crate) fn connect_corners(&mut self, from: Corner, to: Corner) -> Result<HalfEdgeKey, EditError> {
-        let connected = self.dcel.connect(from, to, Split::default())?;
+        let connected = self.connect(from, to, Split::default())?;
         let h = self.dcel.half_edge(connected.half_edge)?;
         let (index, kept) = (h.index(), h.twin().face().index());
         // A slot may have been that of another edge or face.
