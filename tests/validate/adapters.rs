@@ -123,6 +123,77 @@ fn backward_links_are_judged_as_forward_ones() {
     }
 }
 
+/// Of two half-edges with the same `prev`, the first follows it, and L2 is broken at the second.
+#[test]
+fn of_two_that_follow_one_half_edge_the_first_is_next() {
+    let [(mut table, expectation), ..] = maps();
+    let live: Vec<usize> = (0..table.half_edges.len()).filter(|h| table.is_half_edge(*h)).collect();
+    for (g, h) in live.iter().flat_map(|g| live.iter().map(move |h| (*g, *h))).filter(|(g, h)| g != h) {
+        let right = half_edge(&mut table, h).prev;
+        half_edge(&mut table, h).prev = table.prev(g);
+        let backward = Backward::of(&table).unwrap();
+        assert_eq!(backward.next(table.prev(g).unwrap()), Some(g.min(h)));
+        let report = validate(&backward, &expectation, Collect::All);
+        let l2 = report.violations().iter().filter(|violation| violation.rule() == Rule::L2);
+        let at: Vec<_> = l2.map(|violation| violation.records()[0]).collect();
+        assert_eq!(at, [Some(Record::HalfEdge(g.max(h)))], "{report}");
+        half_edge(&mut table, h).prev = right;
+    }
+}
+
+/// A table with a tombstone before each of its half-edges: a half-edge that is not live, and answers what the live one does.
+struct WithTombstones(Table);
+
+impl View for WithTombstones {
+    delegate_view!(|this| &this.0; except half_edge_slots, is_half_edge, origin, twin, next, prev, face, leaving, outer_half_edge);
+    fn half_edge_slots(&self) -> usize {
+        2 * self.0.half_edge_slots()
+    }
+    fn is_half_edge(&self, h: usize) -> bool {
+        h % 2 == 1 && self.0.is_half_edge(h / 2)
+    }
+    fn origin(&self, h: usize) -> Link {
+        self.0.origin(h / 2)
+    }
+    fn twin(&self, h: usize) -> Link {
+        self.0.twin(h / 2).map(|twin| 2 * twin + 1)
+    }
+    fn next(&self, h: usize) -> Link {
+        self.0.next(h / 2).map(|next| 2 * next + 1)
+    }
+    fn prev(&self, h: usize) -> Link {
+        self.0.prev(h / 2).map(|prev| 2 * prev + 1)
+    }
+    fn face(&self, h: usize) -> Link {
+        self.0.face(h / 2)
+    }
+    fn leaving(&self, v: usize) -> Link {
+        self.0.leaving(v).map(|h| 2 * h + 1)
+    }
+    fn outer_half_edge(&self, f: usize) -> Link {
+        self.0.outer_half_edge(f).map(|h| 2 * h + 1)
+    }
+}
+
+/// What a structure still answers of half-edges that it has deleted does not count.
+#[test]
+fn adapters_do_not_read_tombstones() {
+    let judge = |view: &dyn View, expectation: &Expectation| {
+        let report = validate(view, expectation, Collect::All);
+        assert!(report.is_valid(), "{report}");
+    };
+    for (table, expectation) in maps() {
+        judge(&Targets::of(AsTargets(WithTombstones(mirrored(&table)))).unwrap(), &expectation);
+        judge(&Backward::of(WithTombstones(table.clone())).unwrap(), &expectation);
+        judge(&FaceLabels::one_cycle(WithTombstones(table)).unwrap(), &expectation);
+    }
+    judge(&Borders::of(WithTombstones(fan())).unwrap(), &MESH.without(Part::Leaving).open());
+    let mut nested = nested_textbook();
+    nested.vertices.pop();
+    nested.faces[1].as_mut().unwrap().inner_starts.pop();
+    judge(&FaceLabels::with_holes(WithTombstones(nested), Some(0)).unwrap(), &TEXTBOOK.without(Part::Leaving));
+}
+
 /// A mesh of these triangles. Its border half-edges have twin and origin, and neither face nor next.
 fn with_bare_border(vertices: usize, triangles: &[[usize; 3]]) -> Table {
     let mut table = textbook_mesh(vertices, triangles);
@@ -188,6 +259,22 @@ fn a_border_with_one_next_is_refused() {
     }
 }
 
+/// Half-edges that name a face are at no border, even if the cycle lacks `next` all along.
+#[test]
+fn the_cycle_of_a_face_is_no_border() {
+    let whole = textbook_mesh(4, &[[0, 1, 2], [0, 3, 1], [1, 3, 2], [0, 2, 3]]);
+    let mut without = whole.clone();
+    for row in without.half_edges.iter_mut().flatten().filter(|row| row.face == Some(3)) {
+        row.next = None;
+    }
+    let report = validate(&Borders::of(&without).unwrap(), &MESH.open(), Collect::All);
+    assert_eq!(report.broken_rules().next(), Some(Rule::R1), "{report}");
+    // Where they name none, they are.
+    without.half_edges.iter_mut().flatten().filter(|row| row.next.is_none()).for_each(|row| row.face = None);
+    without.faces.pop();
+    assert_eq!(first_broken_rule(&Borders::of(&without).unwrap(), &MESH.open()), None);
+}
+
 /// A face that two cycles name, and one that nobody names.
 #[test]
 fn labels_alone_show_faces_that_are_not_one_cycle() {
@@ -196,6 +283,10 @@ fn labels_alone_show_faces_that_are_not_one_cycle() {
         let mut bare = table.clone();
         bare.faces.iter_mut().flatten().for_each(|row| row.outer_half_edge = None);
         let view = FaceLabels::one_cycle(&bare).unwrap();
+        for f in 0..bare.faces.len() {
+            let first = (0..bare.half_edges.len()).find(|h| bare.face(*h) == Some(f));
+            assert_eq!(view.outer_half_edge(f), first);
+        }
         let report = validate(&view, &MESH, Collect::All);
         assert_eq!(first_broken_rule(&view, &MESH), report.broken_rules().next());
         report.broken_rules().collect::<Vec<_>>()
@@ -228,6 +319,15 @@ fn holes_follow_from_labels() {
     assert_eq!((view.inner_count(3), view.inner_count(usize::MAX), view.inner_start(0, 9)), (0, 0, None));
 }
 
+/// How many nodes these edges connect with the first.
+fn reached(edges: &[(usize, usize)]) -> usize {
+    let mut reached = BTreeSet::from([0]);
+    while let Some((a, b)) = edges.iter().find(|(a, b)| reached.contains(a) != reached.contains(b)) {
+        reached.extend([*a, *b]);
+    }
+    reached.len()
+}
+
 /// Every label of every cycle of three loops side by side, and every unbounded face, or none. By the labels, faces and components
 /// are joined; a map is a tree that hangs from the unbounded face.
 #[test]
@@ -243,14 +343,12 @@ fn labels_that_cannot_nest_are_refused() {
         }
         let edges: Vec<(usize, usize)> = (0..6).map(|h| (h / 2, 3 + label(h))).collect();
         // Components 0 … 2 and faces 3 … 6: a tree of 7 nodes has 6 edges, and is connected.
-        let mut reached = BTreeSet::from([0]);
-        while let Some((a, b)) = edges.iter().find(|(a, b)| reached.contains(a) != reached.contains(b)) {
-            reached.extend([*a, *b]);
-        }
-        let is_tree = reached.len() == 7;
+        let is_tree = reached(&edges) == 7;
         let expectation = TEXTBOOK.without(Part::Leaving);
         let judge = |unbounded: Link, expectation: Expectation| {
             let view = FaceLabels::with_holes(&table, unbounded).unwrap();
+            // All cycles of the unbounded face are inner.
+            assert_eq!(unbounded.and_then(|f| view.outer_half_edge(f)), None);
             let report = validate(&view, &expectation, Collect::AtMost(0));
             assert_eq!(report.broken_rules().next(), first_broken_rule(&view, &expectation));
             report.is_valid()
@@ -261,22 +359,26 @@ fn labels_that_cannot_nest_are_refused() {
         accepted[0] += usize::from(is_tree);
         // Without a record of the unbounded face the tree hangs from a component.
         assert_eq!(judge(None, expectation.without(Part::UnboundedFace)), is_tree);
-        // Where half-edge 1 is outside everything, the three other faces are bounded.
-        half_edge(&mut table, 1).face = None;
+        // Where one half-edge is outside everything, or is not there, the three other faces are bounded.
         table.faces.pop();
-        let labels_live = (0..6).all(|h| h == 1 || label(h) < 3);
-        let edges: Vec<(usize, usize)> =
-            edges.into_iter().enumerate().filter(|(h, _)| *h != 1).map(|(_, e)| e).collect();
-        let mut reached = BTreeSet::from([0]);
-        while let Some((a, b)) = edges.iter().find(|(a, b)| reached.contains(a) != reached.contains(b)) {
-            reached.extend([*a, *b]);
+        for outside in [1, 3, 5] {
+            let labels_live = (0..6).all(|h| h == outside || label(h) < 3);
+            let edges: Vec<(usize, usize)> = (0..6).filter(|h| *h != outside).map(|h| (h / 2, 3 + label(h))).collect();
+            let is_tree = labels_live && reached(&edges) == 6;
+            let mut table = table.clone();
+            half_edge(&mut table, outside).face = None;
+            let mut without = table.clone();
+            without.half_edges[outside] = None;
+            half_edge(&mut without, outside ^ 1).twin = None;
+            for table in [table, without] {
+                let view = FaceLabels::with_holes(&table, None).unwrap();
+                let expectation = expectation.without(Part::UnboundedFace).open();
+                let report = validate(&view, &expectation, Collect::AtMost(0));
+                assert_eq!(report.broken_rules().next(), first_broken_rule(&view, &expectation));
+                assert_eq!(report.is_valid(), is_tree, "{edges:?}\n{report}");
+                accepted[1] += usize::from(is_tree);
+            }
         }
-        let view = FaceLabels::with_holes(&table, None).unwrap();
-        let expectation = expectation.without(Part::UnboundedFace).open();
-        let report = validate(&view, &expectation, Collect::AtMost(0));
-        assert_eq!(report.broken_rules().next(), first_broken_rule(&view, &expectation));
-        assert_eq!(report.is_valid(), labels_live && reached.len() == 6, "{edges:?}\n{report}");
-        accepted[1] += usize::from(report.is_valid());
     }
     // A component joins two faces. By Cayley there are 4² trees on four faces, and 3! · 2³ ways to name and turn their edges.
     assert_eq!(accepted[0], 16 * 6 * 8);
