@@ -8,7 +8,7 @@
 #![allow(clippy::print_stdout, clippy::print_stderr, reason = "it is a program")]
 
 use clap::Parser;
-use std::collections::BTreeMap;
+use std::collections::{BTreeMap, BTreeSet};
 use std::error::Error;
 use std::fs::{self, File, OpenOptions};
 use std::hash::{DefaultHasher, Hash, Hasher};
@@ -35,7 +35,7 @@ struct Arguments {
     /// The faults with these words in their names
     #[arg(long, value_name = "WORDS")]
     only: Option<String>,
-    /// These checks alone, separated by commas
+    /// These checks alone, separated by commas: the program's commands, and test binaries
     #[arg(long, value_name = "NAMES", value_delimiter = ',')]
     checks: Option<Vec<String>>,
     /// Run no further check with a fault that as many have caught
@@ -55,11 +55,11 @@ const LIMIT: Duration = Duration::from_secs(60);
 /// The address space of a check in kibibytes, where there is a shell to limit it.
 const MEMORY: &str = "3000000";
 
-/// A check: its name, and the program with its arguments.
+/// A check: its name, and the program with its arguments. The tests of one module are one check.
 struct Check {
-    name: &'static str,
+    name: String,
     program: PathBuf,
-    arguments: Vec<&'static str>,
+    arguments: Vec<String>,
     /// How long it takes without a fault.
     takes: Duration,
 }
@@ -197,16 +197,28 @@ fn built(copy: &Path, build: &Path, is_chosen: impl Fn(&str) -> bool) -> Result<
         let line = said.lines().find(|line| line.contains(source)).ok_or_else(|| format!("cargo made no {source}"))?;
         let program =
             line.split_once('(').and_then(|(_, rest)| rest.split_once(')')).ok_or("cargo says something else")?.0;
-        checks.push(Check { name, program: copy.join(program), arguments: vec!["--test-threads=1"], takes: LIMIT });
+        let program = copy.join(program);
+        for module in modules(&program)? {
+            let arguments = vec![format!("{module}::"), "--test-threads=1".to_owned()];
+            checks.push(Check { name: format!("{name} {module}"), program: program.clone(), arguments, takes: LIMIT });
+        }
     }
     if COMMANDS.iter().any(|(name, _)| is_chosen(name)) {
         cargo(&["build", "--release", "-p", "twinedge-cli"])?;
     }
     let program = build.join("release/twinedge");
     for (name, arguments) in COMMANDS.iter().filter(|(name, _)| is_chosen(name)) {
-        checks.push(Check { name, program: program.clone(), arguments: arguments.to_vec(), takes: LIMIT });
+        let arguments = arguments.iter().map(|argument| (*argument).to_owned()).collect();
+        checks.push(Check { name: (*name).to_owned(), program: program.clone(), arguments, takes: LIMIT });
     }
     Ok(checks)
+}
+
+/// The modules that have the tests of a program.
+fn modules(program: &Path) -> Result<BTreeSet<String>> {
+    let output = Command::new(program).args(["--list", "--format", "terse"]).output()?;
+    let listed = String::from_utf8(output.stdout)?;
+    Ok(listed.lines().filter_map(|line| line.split_once("::")).map(|(module, _)| module.to_owned()).collect())
 }
 
 impl Check {
@@ -218,7 +230,7 @@ impl Check {
             file if file.starts_with("src/algorithm/") => &["algorithm"],
             _ => &["dcel", "program", "prove", "soak", "audited"],
         };
-        near.contains(&self.name)
+        near.iter().any(|name| self.name.split(' ').next() == Some(name))
     }
 
     /// Runs the check with a fault switched on.
@@ -318,7 +330,7 @@ fn matrix(
         (0..checks.len()).flat_map(|check| wanted.iter().map(move |fault| (check, *fault))).collect();
     cells.sort_by_key(|(check, fault)| (!checks[*check].is_near(&faults[*fault]), checks[*check].takes));
     let recorded = |fault: usize| {
-        let cell = |check: &Check| known.known.get(&(check.name.to_owned(), faults[fault].what.clone())).copied();
+        let cell = |check: &Check| known.known.get(&(check.name.clone(), faults[fault].what.clone())).copied();
         checks.iter().map(|check| cell(check).unwrap_or(End::NotRun)).collect::<Vec<End>>()
     };
     let recorded: BTreeMap<usize, Vec<End>> = wanted.iter().map(|fault| (*fault, recorded(*fault))).collect();
@@ -339,7 +351,7 @@ fn matrix(
                 continue;
             }
             let end = checks[*check].run(Some(*fault))?;
-            let (name, what) = (checks[*check].name, &faults[*fault].what);
+            let (name, what) = (&checks[*check].name, &faults[*fault].what);
             eprintln!("{number} of {count}: {} {name}, {what}", end.mark());
             known.lock().map_err(|_| "another thread panicked")?.add(end, name, what)?;
             if let Some(ends) = done.lock().map_err(|_| "another thread panicked")?.get_mut(fault) {
@@ -354,46 +366,44 @@ fn matrix(
     Ok(done.into_inner().map_err(|_| "a thread panicked")?)
 }
 
-/// The table in Markdown.
+/// The tables in Markdown.
 fn print(checks: &[Check], faults: &[Fault], caught: &BTreeMap<usize, Vec<End>>) {
-    println!(
-        "| fault | where | {} |",
-        checks.iter().map(|check| format!("`{}`", check.name)).collect::<Vec<_>>().join(" | ")
-    );
-    println!("| --- | --- |{}", " --- |".repeat(checks.len()));
+    println!("| fault | where | caught by | not by | not run |\n| --- | --- | --- | --- | --- |");
+    let named = |ends: &[End], test: fn(End) -> bool| -> Vec<String> {
+        let those = checks.iter().zip(ends).filter(|(_, end)| test(**end));
+        those
+            .map(|(check, end)| if *end == End::TimedOut { format!("{} (t)", check.name) } else { check.name.clone() })
+            .collect()
+    };
+    let (mut by_none, mut by_one) = (Vec::new(), Vec::new());
     for (n, ends) in caught {
         let Fault { what, file, .. } = &faults[*n];
         let name = file.strip_prefix("src/").unwrap_or(file);
-        let marks: Vec<String> = ends.iter().map(|end| end.mark().to_string()).collect();
-        println!("| {what} | `{name}` | {} |", marks.join(" | "));
+        let by = named(ends, End::is_caught);
+        let not_by = named(ends, |end| end == End::Passed).len();
+        println!("| {what} | `{name}` | {} | {not_by} | {} |", by.join(", "), ends.len() - by.len() - not_by);
+        match &by[..] {
+            [] => by_none.push(format!("- {what}")),
+            [one] => by_one.push(format!("- {what}: {one}")),
+            _ => {}
+        }
     }
-    let by = |ends: &[End]| -> Vec<usize> { (0..checks.len()).filter(|check| ends[*check].is_caught()).collect() };
-    let names = |catchers: &[usize]| {
-        let of_it = caught.iter().filter(|(_, ends)| by(ends) == catchers);
-        of_it.map(|(n, _)| format!("*{}*", faults[*n].what)).collect::<Vec<_>>()
-    };
-    let none = names(&[]);
-    let one: Vec<_> = (0..checks.len()).map(|check| names(&[check])).collect();
-    let by_one: usize = one.iter().map(Vec::len).sum();
-    let several = caught.len() - none.len() - by_one;
+    let several = caught.len() - by_none.len() - by_one.len();
     println!(
-        "\n{} faults: {several} caught by several checks, {by_one} by one, {} by none.\n",
+        "\n{} faults: {several} caught by several checks, {} by one, {} by none.\n",
         caught.len(),
-        none.len()
+        by_one.len(),
+        by_none.len()
     );
-    println!(
-        "| check | caught | not run | caught by it alone | seconds without a fault |\n| --- | --- | --- | --- | --- |"
-    );
+    for (words, faults) in [("one", by_one), ("none", by_none)].iter().filter(|(_, faults)| !faults.is_empty()) {
+        println!("Caught by {words} of those that were run:\n\n{}\n", faults.join("\n"));
+    }
+    println!("| check | caught | not caught | seconds without a fault |\n| --- | --- | --- | --- |");
     for (position, Check { name, takes, .. }) in checks.iter().enumerate() {
-        let count = |test: fn(&End) -> bool| caught.values().filter(|ends| test(&ends[position])).count();
-        let (by_it, not_run) = (count(|end| end.is_caught()), count(|end| *end == End::NotRun));
-        println!("| `{name}` | {by_it} | {not_run} | {} | {:.1} |", one[position].len(), takes.as_secs_f64());
+        let count = |test: fn(End) -> bool| caught.values().filter(|ends| test(ends[position])).count();
+        let (by_it, not_by_it) = (count(End::is_caught), count(|end| end == End::Passed));
+        println!("| {name} | {by_it} | {not_by_it} | {:.1} |", takes.as_secs_f64());
     }
-    println!("\nCaught by one of those that were run:\n");
-    for (check, names) in checks.iter().zip(&one).filter(|(_, names)| !names.is_empty()) {
-        println!("- `{}`: {}", check.name, names.join("; "));
-    }
-    println!("\nCaught by none of those that were run: {}", none.join("; "));
 }
 
 impl End {
