@@ -140,9 +140,10 @@ fn read(folder: &Path) -> Result<Vec<Fault>> {
 }
 
 /// Writes a copy of the sources with all faults planted, and gives a number that stands for it. Files that are the same already are
-/// left alone.
+/// left alone, and what is no longer a source goes.
 fn copy_planted(root: &Path, copy: &Path, faults: &[Fault]) -> Result<u64> {
     let mut sum = DefaultHasher::new();
+    let mut copied = BTreeSet::new();
     let mut folders = vec![PathBuf::new()];
     while let Some(folder) = folders.pop() {
         let mut entries = fs::read_dir(root.join(&folder))?.collect::<std::result::Result<Vec<_>, _>>()?;
@@ -162,6 +163,7 @@ fn copy_planted(root: &Path, copy: &Path, faults: &[Fault]) -> Result<u64> {
                 bytes = plant(&String::from_utf8(bytes)?, &of_file)?.into_bytes();
             }
             if path == Path::new("src/lib.rs") {
+                bytes.splice(..0, "#![allow(warnings)]\n".bytes());
                 bytes.extend(SWITCH.bytes());
             }
             if path.extension().is_some_and(|extension| extension != "md") {
@@ -170,7 +172,19 @@ fn copy_planted(root: &Path, copy: &Path, faults: &[Fault]) -> Result<u64> {
             let to = copy.join(&path);
             if fs::read(&to).ok().as_ref() != Some(&bytes) {
                 fs::create_dir_all(copy.join(&folder))?;
-                fs::write(to, bytes)?;
+                fs::write(&to, bytes)?;
+            }
+            copied.insert(to);
+        }
+    }
+    let mut folders = vec![copy.to_owned()];
+    while let Some(folder) = folders.pop() {
+        for entry in fs::read_dir(folder)? {
+            let entry = entry?;
+            if entry.file_type()?.is_dir() {
+                folders.push(entry.path());
+            } else if !copied.contains(&entry.path()) {
+                fs::remove_file(entry.path())?;
             }
         }
     }
