@@ -83,9 +83,13 @@ impl PlanarMap {
         }
         let edges: Vec<HalfEdge<'_>> = v.rotation().collect();
         self.points[v.index()] = from;
-        edges.iter().for_each(|h| index.remove_edge(&IndexedEdge::new(*h, &self.points)));
+        for h in &edges {
+            index.remove_edge(&IndexedEdge::new(*h, &self.points));
+        }
         self.points[v.index()] = to;
-        edges.iter().for_each(|h| index.add_edge(*h, &self.points));
+        for h in edges {
+            index.add_edge(h, &self.points);
+        }
         Ok(())
     }
 

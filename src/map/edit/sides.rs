@@ -143,10 +143,9 @@ impl PlanarMap {
             TreeRecord::Vertex(v) => [self.dcel.vertex_at(v as usize).and_then(|v| v.isolated()), None],
         };
         let (mut near, mut all) = (Vec::new(), Vec::new());
-        let (mut in_box, mut listed) = (self.index().in_box(low, high), face.inner());
+        let mut listed = face.inner();
         // In step, as there may be far more of either.
-        loop {
-            let Some(boxed) = in_box.next() else { break };
+        for boxed in self.index().in_box(low, high) {
             near.extend(of_record(boxed).into_iter().flatten().filter(|b| !b.is_outer() && b.face() == face));
             let Some(b) = listed.next() else { return all };
             all.push(b);

@@ -158,7 +158,9 @@ impl PlanarMap {
                 Meeting::Disjoint => continue,
                 Meeting::Cross | Meeting::Touch(Endpoint::B) => {
                     let [origin, target] = [tail, head].map(|p| (p, line.side(p)));
-                    Line::crossing(h, origin, target).into_iter().for_each(|event| sight.meet(event));
+                    if let Some(event) = Line::crossing(h, origin, target) {
+                        sight.meet(event);
+                    }
                 }
                 Meeting::Touch(_) | Meeting::SharedEndpoint | Meeting::Overlap => {}
             }
