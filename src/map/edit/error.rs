@@ -41,7 +41,8 @@ pub enum EditError {
         /// The second coordinate.
         y: f64,
     },
-    /// A segment would cross this edge, at a point interior to both. It may cross other edges, too.
+    /// A segment would cross this edge, at a point interior to both. It is the first one on the way, by the half-edge that has
+    /// the face before it. There may be others.
     #[error("it would cross the edge of {0:?}")]
     Crosses(HalfEdgeKey),
     /// A ring of fewer than three points.

@@ -51,9 +51,9 @@ impl PlanarMap {
     ///
     /// Of a bounded face that is split, the part with the shorter outer boundary is the new one; on a tie, that to the left.
     ///
-    /// O(sizes of the faces that it passes + degrees of the vertices on it), once its first point is found; see [`At`]. For
-    /// each face that is split into parts with boundaries of lengths s and t, s ≤ t, where j of its k inner boundary
-    /// components lie in the box around the first, O(k + (s + j) log (s + j)).
+    /// What the index takes to find what is on it ([costs](crate::map::edit#costs)), once its first point is found; see [`At`].
+    /// For each face that is split into parts with boundaries of lengths s and t, s ≤ t, where j of its k inner boundary
+    /// components lie in the box around the first, O(k + (s + j) log (s + j)) at most.
     ///
     /// ```
     /// use twinedge::map::PlanarMap;
@@ -61,7 +61,7 @@ impl PlanarMap {
     ///
     /// let mut map = PlanarMap::new();
     /// let wall = map.insert_segment([0.0, 0.0], [4.0, 0.0])?.way[0];
-    /// assert_eq!(map.insert_segment([1.0, -1.0], [1.0, 1.0]), Err(EditError::Crosses(wall)));
+    /// assert_eq!(map.insert_segment([1.0, 1.0], [1.0, -1.0]), Err(EditError::Crosses(wall)));
     /// // Of this the middle is there.
     /// let longer = map.insert_segment([-2.0, 0.0], [6.0, 0.0])?;
     /// assert_eq!((longer.way.len(), longer.way[1], longer.edges_made.len()), (3, wall, 2));
