@@ -37,6 +37,8 @@
 //! | `serde` (default) | [`mesh::MeshAudit`], `postgis::TopologyAudit` and their parts are `Serialize` | serde |
 #![cfg_attr(docsrs, feature(doc_cfg))]
 
+#[cfg(feature = "layer")]
+pub mod layer;
 pub mod mesh;
 #[cfg(feature = "postgis")]
 pub mod postgis;
