@@ -2,6 +2,7 @@
 
 use crate::input::{Imported, MapFile};
 use crate::output::{grouped, print};
+use crate::output_file::write_file;
 use crate::status::{Failure, Verdict};
 use std::path::{Path, PathBuf};
 use twinedge::geometry::Point;
@@ -108,7 +109,7 @@ impl Draw {
         match self.output.as_deref().filter(|path| *path != Path::new("-")) {
             None => print(&picture)?,
             Some(path) => {
-                std::fs::write(path, picture).map_err(|error| Failure(format!("{}: {error}", path.display())))?;
+                write_file(path, self.map.path(), picture.as_bytes())?;
             }
         }
         Ok(if report.is_valid() { Verdict::Sound } else { Verdict::Wrong })

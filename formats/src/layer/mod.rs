@@ -20,6 +20,7 @@
 //! [`read`] tells the format by its content and by the extension of the file. Files that are truncated or contradict themselves,
 //! and counts that exceed the data, are errors ([`ReadError`]).
 
+pub mod clean;
 mod error;
 mod format;
 #[cfg(feature = "geojson")]

@@ -124,7 +124,7 @@ pub(in crate::layer) fn unique(name: &str, taken: &mut HashSet<String>) -> Strin
 }
 
 fn write_crs(database: &Connection, crs: Option<&Crs>) -> Result<i64, WriteError> {
-    let mut insert = |name: &str, id: i64, organization: &str, code: i64, definition: &str| {
+    let insert = |name: &str, id: i64, organization: &str, code: i64, definition: &str| {
         let sql = "INSERT INTO gpkg_spatial_ref_sys VALUES (?1, ?2, ?3, ?4, ?5, NULL)";
         database.execute(sql, params![name, id, organization, code, definition])
     };
