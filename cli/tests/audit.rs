@@ -16,8 +16,11 @@ fn broken(found: &Value) -> Vec<(&str, u64)> {
     rules.filter(|(_, violations)| *violations > 0).collect()
 }
 
+/// In alphabetical order.
 fn keys(value: &Value) -> Vec<&str> {
-    value.as_object().unwrap().keys().map(String::as_str).collect()
+    let mut keys: Vec<&str> = value.as_object().unwrap().keys().map(String::as_str).collect();
+    keys.sort_unstable();
+    keys
 }
 
 #[test]

@@ -34,7 +34,7 @@ pub enum Documents {
 pub enum Part {
     /// A feature, with all that the file says of it; a geometry without a feature around it counts as one.
     Feature(Parsed),
-    /// A member of the outermost object that is not part of a feature, by name: `crs`, `name`, `bbox` and foreign ones.
+    /// A member of a collection of features, by name: `crs`, `name`, `bbox` and foreign ones.
     Member(String, JsonValue),
 }
 
@@ -457,15 +457,27 @@ impl<'de> Visitor<'de> for Walk<'_, '_> {
             let feature = Parsed::deserialize(MapAccessDeserializer::new(inner))?;
             return sink.take(Part::Feature(feature));
         }
-        let mut members = Members { inner, sink, at_features: false, has_features: false };
-        match GeoJson::deserialize(MapAccessDeserializer::new(&mut members))? {
-            GeoJson::FeatureCollection(_) => Ok(()),
+        let mut members = Members { inner, sink, at_features: false, has_features: false, kept: Vec::new() };
+        let document = GeoJson::deserialize(MapAccessDeserializer::new(&mut members))?;
+        let kept = core::mem::take(&mut members.kept);
+        match document {
+            GeoJson::FeatureCollection(_) => {
+                kept.into_iter().try_for_each(|(name, value)| members.sink.take(Part::Member(name, value)))
+            }
             // The features of an object of another type, which have been handed over already.
             other if members.has_features => FeatureCollection::try_from(other).map(drop).map_err(A::Error::custom),
-            GeoJson::Feature(feature) => members.sink.take(Part::Feature(feature)),
-            GeoJson::Geometry(geometry) => members.sink.take(Part::Feature(geometry.into())),
+            GeoJson::Feature(feature) => members.sink.take(Part::Feature(with_members(feature, kept))),
+            GeoJson::Geometry(geometry) => members.sink.take(Part::Feature(with_members(geometry.into(), kept))),
         }
     }
+}
+
+/// A feature that is the outermost object, with the members that the crate did not get to see.
+fn with_members(mut feature: Parsed, kept: Vec<(String, JsonValue)>) -> Parsed {
+    if !kept.is_empty() {
+        feature.foreign_members.get_or_insert_default().extend(kept);
+    }
+    feature
 }
 
 /// The members of the outermost object as the crate gets to see them: without those that mean nothing here, which it
@@ -475,6 +487,8 @@ struct Members<'s, 'f, A> {
     sink: &'s mut Sink<'f>,
     at_features: bool,
     has_features: bool,
+    /// Those that mean nothing here, if they are kept.
+    kept: Vec<(String, JsonValue)>,
 }
 
 impl<'de, A: MapAccess<'de>> MapAccess<'de> for Members<'_, '_, A> {
@@ -489,7 +503,7 @@ impl<'de, A: MapAccess<'de>> MapAccess<'de> for Members<'_, '_, A> {
             }
             if self.sink.keep_members {
                 let value = self.inner.next_value()?;
-                self.sink.take(Part::Member(key, value))?;
+                self.kept.push((key, value));
             } else if key == "crs" {
                 let name = self.inner.next_value_seed(crs::NAME)?;
                 self.sink.other_crs += usize::from(name.is_some_and(|name| crs::is_other(&name)));
