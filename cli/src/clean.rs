@@ -53,7 +53,8 @@ pub(crate) struct Clean {
     #[arg(long, value_name = "WHICH", value_enum, default_value_t)]
     overlap: Claim,
 
-    /// Greatest mean width of a gap that is filled, in the units of the coordinates. Default: only gaps smaller than --sliver are.
+    /// Greatest mean width of a gap that is filled, in the units of the coordinates, and greatest distance between two borders that
+    /// face each other beside the outside: the space between them is filled as well. Default: only gaps smaller than --sliver are.
     #[arg(long, value_name = "W", value_parser = crate::coverage::positive)]
     gap_width: Option<f64>,
 
@@ -270,7 +271,7 @@ fn left_text(left: &Left) -> String {
     let all = [
         (left.overlaps, "overlap", ""),
         (left.gaps, "gap", " (--gap-width W fills those up to a width)"),
-        (left.near_misses, "near miss", " (--snap SIZE closes those narrower than a cell)"),
+        (left.near_misses, "near miss", " (--gap-width W closes those up to a width)"),
         (left.slivers, "sliver", " that is all there is of its feature"),
         (left.invalid, "invalid feature", ""),
     ];

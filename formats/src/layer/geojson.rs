@@ -1,7 +1,7 @@
 //! GeoJSON (RFC 7946) and newline-delimited GeoJSON. The library's reader does the reading, and drops nothing here.
 
 use super::error::{ReadError, WriteError};
-use super::model::{Crs, Dimensions, Feature, Geometry, Header, Id, Layer, Members, Position, Shape, Value};
+use super::model::{Crs, Dimensions, Feature, Geometry, Header, Id, Layer, Members, Position, Shape, Value, json_number};
 use super::names::Names;
 use super::read::Each;
 use ::geojson::{Feature as Parsed, Geometry as ParsedGeometry, GeometryValue, feature};
@@ -43,7 +43,7 @@ pub(super) fn read(reader: &mut dyn Read, documents: Documents, each: &mut Each<
 fn feature(parsed: Parsed, names: &mut Names) -> Feature {
     let Parsed { bbox, geometry, id, properties, foreign_members } = parsed;
     let mut members = Members::new();
-    members.extend(bbox.map(|bbox| ("bbox".to_owned(), Json::from(bbox))));
+    members.extend(bbox.map(|bbox| ("bbox".to_owned(), bbox.into_iter().map(json_number).collect())));
     members.extend(foreign_members.into_iter().flatten());
     let attributes = properties.into_iter().flatten();
     Feature {
@@ -198,9 +198,7 @@ fn write_position(position: &Position, out: &mut dyn Write) -> io::Result<()> {
 
 /// The shortest text that is read as the same number.
 fn write_number(number: f64, out: &mut dyn Write) -> io::Result<()> {
-    const EXACT: f64 = 1e15;
-    let is_short = number.abs() < EXACT && number.fract() == 0.0 && !(number == 0.0 && number.is_sign_negative());
-    if is_short { write!(out, "{number}") } else { write!(out, "{}", Json::from(number)) }
+    write!(out, "{}", json_number(number))
 }
 
 fn list<T>(

@@ -198,6 +198,13 @@ impl Value {
     }
 }
 
+/// A number of 64 bits as JSON has it: whole ones without a point.
+pub(super) fn json_number(number: f64) -> serde_json::Value {
+    const EXACT: f64 = 1e15;
+    let is_whole = number.abs() < EXACT && number.fract() == 0.0 && !(number == 0.0 && number.is_sign_negative());
+    if is_whole { (number as i64).into() } else { number.into() }
+}
+
 /// Bytes in hexadecimal digits.
 pub(super) fn hex(bytes: &[u8]) -> String {
     const DIGITS: &[u8; 16] = b"0123456789ABCDEF";

@@ -33,7 +33,7 @@ fn a_coverage_stays_as_it_is_to_the_byte() {
     let text = r#"{"type":"FeatureCollection",
 "note":"x",
 "features":[
-{"type":"Feature","id":1,"rights":2,"bbox":[0,0,10,10],"properties":{"b":1,"a":2.0},"geometry":{"type":"Polygon","coordinates":[[[5,0,1],[0,0],[0,10],[10,10],[10,0],[5,0,1]]]}},
+{"type":"Feature","id":1,"bbox":[0,0,10,10],"rights":2,"properties":{"b":1,"a":2.0},"geometry":{"type":"Polygon","coordinates":[[[5,0,1],[0,0],[0,10],[10,10],[10,0],[5,0,1]]]}},
 {"type":"Feature","id":2,"properties":{},"geometry":{"type":"MultiPolygon","coordinates":[[[[10,0],[10,10],[20,10],[20,0],[10,0]]]]}}
 ]}
 "#;
@@ -88,6 +88,31 @@ fn wide_gaps_stay_and_are_counted() {
     let assign = Options { gap_width: Some(1.0), ..Options::default() };
     let (layer, report) = cleaned(&from_text(ring), &CleanOptions { assign, ..CleanOptions::default() });
     assert_eq!((rings(&layer.features[0]).len(), report.left), (1, None));
+}
+
+#[test]
+fn a_gap_that_is_open_to_the_outside_is_closed_up_to_a_width() {
+    // A strip of 0.05 beside both sides of the upper square, and one of 1.
+    let text = "POLYGON((0 0,30 0,30 10,0 10,0 0))\nPOLYGON((0 10.05,30 10.05,30 20,0 20,0 10.05))\nPOLYGON((31 0,40 0,40 20,31 20,31 0))\n";
+    let with_width = |gap_width| {
+        let assign = Options { gap_width, ..Options::default() };
+        cleaned(&from_text(text), &CleanOptions { assign, ..CleanOptions::default() })
+    };
+    let (_, report) = with_width(None);
+    assert_eq!((report.changes.len(), report.left.map(|left| left.near_misses)), (0, Some(1)));
+    let (layer, report) = with_width(Some(0.1));
+    assert_eq!((report.left, report.changes.len(), report.features.len()), (None, 1, 1));
+    assert_eq!((report.changes[0].kind, report.changes[0].to), (ChangeKind::Gap, Some(0)));
+    assert!((report.features[0].area_after - 301.5).abs() < 1e-9);
+    assert_eq!(layer.features[2], from_text(text).features[2]);
+    let (again, report) = with_width_of(&layer, 0.1);
+    assert!(report.features.is_empty());
+    assert_eq!(to_geojson(&again), to_geojson(&layer));
+}
+
+fn with_width_of(layer: &Layer, width: f64) -> (Layer, CleanReport) {
+    let assign = Options { gap_width: Some(width), ..Options::default() };
+    cleaned(layer, &CleanOptions { assign, ..CleanOptions::default() })
 }
 
 #[test]
@@ -165,7 +190,7 @@ fn the_box_of_a_feature_that_changed_is_its_box() {
         {"type":"Feature","properties":{},"geometry":{"type":"Polygon","coordinates":[[[0,0],[10,0],[10,10],[0,10],[0,0]]]}},
         {"type":"Feature","bbox":[8,0,12,10],"properties":{},"geometry":{"type":"Polygon","coordinates":[[[8,0],[12,0],[12,10],[8,10],[8,0]]]}}]}"#;
     let (layer, _) = cleaned(&from_text(text), &CleanOptions::default());
-    assert_eq!(layer.features[1].members.get("bbox"), Some(&serde_json::json!([10.0, 0.0, 12.0, 10.0])));
+    assert_eq!(layer.features[1].members.get("bbox"), Some(&serde_json::json!([10, 0, 12, 10])));
 }
 
 /// The countries of the world with planted faults: two overlaps, a gap, slivers.
@@ -226,6 +251,13 @@ quickcheck! {
                 && (report.left.is_none() || left.is_plane)
                 && (left.overlaps, left.invalid) == (0, 0),
         )
+    }
+
+    fn closing_gaps_twice_is_closing_them_once(corners: Vec<(u8, u8)>, width: bool) -> TestResult {
+        let Some(layer) = quadrangles(&corners, 0.7) else { return TestResult::discard() };
+        let width = if width { 0.2 } else { 0.8 };
+        let once = with_width_of(&layer, width).0;
+        TestResult::from_bool(to_geojson(&with_width_of(&once, width).0) == to_geojson(&once))
     }
 
     fn the_area_that_is_covered_stays(corners: Vec<(u8, u8)>) -> TestResult {

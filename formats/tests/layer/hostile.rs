@@ -72,7 +72,7 @@ fn a_shapefile_with_any_byte_changed_ends_in_an_error_or_a_layer() {
         });
         fs::write(&part, original).unwrap();
     }
-    assert!(errors > 1_000, "{errors}");
+    assert!(errors > 500, "{errors}");
     assert!(read(&path).is_ok());
 }
 

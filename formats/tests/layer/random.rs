@@ -50,10 +50,13 @@ fn value(g: &mut Gen) -> Value {
 impl Arbitrary for RandomLayer {
     fn arbitrary(g: &mut Gen) -> Self {
         let dimensions = [Dimensions::Xy, Dimensions::Xyz, Dimensions::Xym, Dimensions::Xyzm];
-        let features = (0..usize::arbitrary(g) % 4).map(|_| Feature {
-            geometry: Some(geometry(g, *g.choose(&dimensions).unwrap_or(&Dimensions::Xy), 0)),
-            attributes: vec![("a".into(), value(g))],
-            ..Feature::default()
+        let features = (0..usize::arbitrary(g) % 4).map(|_| {
+            let dimensions = *g.choose(&dimensions).unwrap_or(&Dimensions::Xy);
+            Feature {
+                geometry: Some(geometry(g, dimensions, 0)),
+                attributes: vec![("a".into(), value(g))],
+                ..Feature::default()
+            }
         });
         Self(Layer { features: features.collect(), ..Layer::default() })
     }

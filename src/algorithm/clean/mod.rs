@@ -27,4 +27,4 @@ mod ownership;
 mod resolve;
 
 pub use change::{Change, ChangeKind, Options, Winner};
-pub use resolve::{Cleaned, clean};
+pub use resolve::{Cleaned, clean, clean_with_fillers};

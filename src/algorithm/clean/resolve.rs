@@ -51,11 +51,36 @@ pub struct Cleaned {
 /// # Errors
 /// [`CoverageError::NotPlane`]; build such a map [with snapping](crate::map::Noding::Snap).
 pub fn clean(map: &PlanarMap, options: &Options) -> Result<Cleaned, CoverageError> {
+    clean_with_fillers(map, options, map.features().count())
+}
+
+/// As [`clean`], where the features from a number on are fillers: they get nothing, and what only they claim goes to the neighbour
+/// with the longest common border. So gaps can be closed that are open to the outside, where somebody has drawn what to fill.
+///
+/// ```
+/// use twinedge::algorithm::clean::{Options, clean_with_fillers};
+/// use twinedge::map::{Builder, Noding, Shape};
+///
+/// let box_of = |x0: f64, x1: f64| [[x0, 0.0], [x1, 0.0], [x1, 9.0], [x0, 9.0]].map(Into::into).to_vec();
+/// let mut builder = Builder::new();
+/// builder.shape(&Shape::Polygon(vec![box_of(0.0, 5.0)]))?;
+/// builder.shape(&Shape::Polygon(vec![box_of(5.1, 9.0)]))?;
+/// builder.shape(&Shape::Polygon(vec![box_of(5.0, 5.1)]))?;
+/// let cleaned = clean_with_fillers(&builder.build_with(Noding::Exact)?, &Options::default(), 2)?;
+/// let sizes: Vec<usize> = cleaned.faces.iter().map(Vec::len).collect();
+/// assert_eq!(sizes, [2, 1, 0]);
+/// # Ok::<(), Box<dyn std::error::Error>>(())
+/// ```
+///
+/// # Errors
+/// As for [`clean`].
+pub fn clean_with_fillers(map: &PlanarMap, options: &Options, fillers: usize) -> Result<Cleaned, CoverageError> {
     if !map.is_plane() {
         return Err(CoverageError::NotPlane);
     }
     let mut ownership = Ownership::new(map);
-    let mut changes = overlaps(map, &mut ownership, options.winner);
+    let mut changes = overlaps(map, &mut ownership, options.winner, fillers);
+    fill(map, &mut ownership, fillers, &mut changes);
     let sliver_area = loop {
         let regions = ownership.regions();
         let limit = options.sliver_area.unwrap_or_else(|| {
@@ -82,14 +107,17 @@ pub fn clean(map: &PlanarMap, options: &Options) -> Result<Cleaned, CoverageErro
 }
 
 /// Gives each face to one of the features that claim it, and returns where there are several.
-fn overlaps(map: &PlanarMap, ownership: &mut Ownership<'_>, winner: Winner) -> Vec<Change> {
+fn overlaps(map: &PlanarMap, ownership: &mut Ownership<'_>, winner: Winner, fillers: usize) -> Vec<Change> {
     let mut sizes = vec![0.0; map.features().count()];
     for face in map.dcel().faces() {
         for feature in features_of(map, face) {
             sizes[feature.index()] += ownership.area(&[face]);
         }
     }
-    let claims = |face: Face<'_>| Some(features_of(map, face).collect::<Vec<_>>()).filter(|all| !all.is_empty());
+    let claims = |face: Face<'_>| {
+        let claimed = features_of(map, face).filter(|feature| feature.index() < fillers);
+        Some(claimed.collect::<Vec<_>>()).filter(|all| !all.is_empty())
+    };
     let mut changes = Vec::new();
     for faces in connected(map.dcel().faces(), claims) {
         let from: Vec<FeatureId> = faces.first().copied().and_then(claims).unwrap_or_default();
@@ -110,6 +138,21 @@ fn overlaps(map: &PlanarMap, ownership: &mut Ownership<'_>, winner: Winner) -> V
         change(map, ChangeKind::Overlap, from, to, &region)
     });
     regions.collect()
+}
+
+/// Gives what only fillers claim to neighbours.
+fn fill(map: &PlanarMap, ownership: &mut Ownership<'_>, fillers: usize, changes: &mut Vec<Change>) {
+    let is_filled = |face: Face<'_>| {
+        let is_free = ownership.owner(face).is_none() && !face.is_unbounded();
+        (is_free && features_of(map, face).any(|feature| feature.index() >= fillers)).then_some(())
+    };
+    for faces in connected(map.dcel().faces(), is_filled) {
+        let region = ownership.region(faces);
+        if let Some(to) = ownership.neighbour(&region) {
+            ownership.give(&region.faces, Some(to));
+            changes.push(change(map, ChangeKind::Gap, Vec::new(), Some(to), &region));
+        }
+    }
 }
 
 fn change(

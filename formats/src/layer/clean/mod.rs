@@ -11,23 +11,26 @@
 //! the rules of the OGC. Vertices that were there before keep their further dimensions; for the others these are interpolated
 //! along the ring.
 //!
+//! Narrow spaces between two features that are open to the outside (C3) are filled if a width of gaps is given: quadrangles are drawn
+//! between the borders that face each other, and what they fill goes to a neighbour.
+//!
 //! Lines and points are neither cut nor moved.
 
 mod dimensions;
+mod fillers;
 mod rebuild;
 mod report;
 mod restored;
 
 use super::model::{Feature, Layer};
 use dimensions::Further;
+use fillers::fillers;
 use rebuild::{is_same, polygons_of, replace};
 use restored::Restored;
-use twinedge::algorithm::area::ring_area;
-use twinedge::algorithm::clean::{Cleaned, Options, clean as assign};
-use twinedge::algorithm::contour::{self, ContourError, Polygon};
-use twinedge::algorithm::coverage::{CoverageError, CoverageRule, Limits, check, defects};
-use twinedge::geometry::Point;
-use twinedge::geometry::noding::Snap;
+use twinedge::algorithm::clean::{Cleaned, Options, clean_with_fillers};
+use twinedge::algorithm::contour::{self, ContourError};
+use twinedge::algorithm::coverage::{CoverageError, CoverageRule, Finding, Limits, check, defects};
+use twinedge::geometry::noding::{NodingSummary, Snap};
 use twinedge::io::ReadSummary;
 use twinedge::map::{self, BuildError, Builder, Noding, PlanarMap};
 
@@ -84,63 +87,114 @@ pub enum CleanError {
 /// # Errors
 /// [`CleanError`]; the layer is then unchanged.
 pub fn clean(layer: &mut Layer, options: &CleanOptions) -> Result<CleanReport, CleanError> {
-    let map = build(&layer.features, options.snap)?;
-    let cleaned = assign(&map, &options.assign)?;
-    let cell = map.noding().map(|noding| noding.cell).filter(|cell| *cell > 0.0);
-    // A grid that nobody asked for is a means only: points go back to where they were, if nothing crosses then.
-    let restored = match (options.snap, cell) {
-        (None, Some(cell)) => Some(Restored::new(&layer.features, cell)),
-        _ => None,
-    };
-    let mut report = CleanReport::new(&map, &cleaned);
-    let mut features = outlined(&layer.features, &map, &cleaned, restored.as_ref(), &mut report)?;
-    report.left = left(&features, options)?;
-    if restored.is_some() && report.left.is_some_and(|left| !left.is_plane) {
-        features = outlined(&layer.features, &map, &cleaned, None, &mut report)?;
-        report.left = left(&features, options)?;
+    let mut done = pass(&layer.features, &[], options)?;
+    // Narrow spaces that are open to the outside are filled, as long as fewer are left each time.
+    if let Some(width) = options.assign.gap_width {
+        while !done.near_misses.is_empty() {
+            let next = pass(&done.features, &fillers(&done.near_misses, width), options)?;
+            if next.near_misses.len() >= done.near_misses.len() || !next.is_plane() {
+                break;
+            }
+            let noding = done.noding.filter(|noding| noding.cell > 0.0).or(next.noding);
+            done.changes.extend(next.changes.iter().cloned());
+            done = Pass { changes: done.changes, noding, ..next };
+        }
     }
-    layer.features = features;
+    let mut report = CleanReport {
+        polygons: 0,
+        noding: done.noding,
+        sliver_area: done.sliver_area,
+        changes: done.changes,
+        features: Vec::new(),
+        left: done.left,
+    };
+    for (number, (before, after)) in layer.features.iter().zip(&mut done.features).enumerate() {
+        let polygons = before.geometry.as_ref().map(polygons_of).unwrap_or_default();
+        report.polygons += usize::from(!polygons.is_empty());
+        if before.geometry != after.geometry {
+            let now = after.geometry.as_ref().map(polygons_of).unwrap_or_default();
+            report.features.push(FeatureChange::new(number, &polygons, &now));
+            rebuild::update_box(after);
+        }
+    }
+    layer.features = done.features;
     if !report.features.is_empty() {
         rebuild::update_box_of_layer(layer);
     }
     Ok(report)
 }
 
-/// The features with their outlines, and in the report what changed.
+/// What one round of cleaning made.
+struct Pass {
+    features: Vec<Feature>,
+    changes: Vec<LayerChange>,
+    noding: Option<NodingSummary>,
+    sliver_area: f64,
+    left: Option<Left>,
+    near_misses: Vec<Finding>,
+}
+
+impl Pass {
+    fn is_plane(&self) -> bool {
+        self.left.is_none_or(|left| left.is_plane)
+    }
+}
+
+/// One round: noding, faces to features, outlines.
+fn pass(features: &[Feature], fillers: &[map::Shape], options: &CleanOptions) -> Result<Pass, CleanError> {
+    let map = build(features, fillers, options.snap)?;
+    let cleaned = clean_with_fillers(&map, &options.assign, features.len())?;
+    let cell = map.noding().map(|noding| noding.cell).filter(|cell| *cell > 0.0);
+    // A grid that nobody asked for is a means only: points go back to where they were, if nothing crosses then.
+    let restored = match (options.snap, cell) {
+        (None, Some(cell)) => Some(Restored::new(features, cell)),
+        _ => None,
+    };
+    let mut made = outlined(features, &map, &cleaned, restored.as_ref())?;
+    let (mut left, mut near_misses) = judged(&made, options)?;
+    if restored.is_some() && left.is_some_and(|left| !left.is_plane) {
+        made = outlined(features, &map, &cleaned, None)?;
+        (left, near_misses) = judged(&made, options)?;
+    }
+    Ok(Pass {
+        features: made,
+        changes: cleaned.changes.iter().map(LayerChange::from).collect(),
+        noding: map.noding().copied(),
+        sliver_area: cleaned.sliver_area,
+        left,
+        near_misses,
+    })
+}
+
+/// The features with their outlines.
 fn outlined(
     features: &[Feature],
     map: &PlanarMap,
     cleaned: &Cleaned,
     restored: Option<&Restored>,
-    report: &mut CleanReport,
 ) -> Result<Vec<Feature>, CleanError> {
     let cell = map.noding().map(|noding| noding.cell).filter(|cell| *cell > 0.0);
     let mut further = Further::new(features, cell);
-    report.features.clear();
-    report.polygons = 0;
     let mut all = features.to_vec();
-    for (number, (feature, faces)) in all.iter_mut().zip(&cleaned.faces).enumerate() {
+    for (feature, faces) in all.iter_mut().zip(&cleaned.faces) {
         let Some(geometry) = &feature.geometry else { continue };
         let before = polygons_of(geometry);
         if before.is_empty() {
             continue;
         }
-        report.polygons += 1;
         let mut after = contour::of_faces(map, faces.iter().copied())?.polygons;
         if let Some(restored) = restored {
             after.iter_mut().for_each(|polygon| restored.polygon(polygon));
         }
         if !is_same(&before, &after) {
-            report.features.push(feature_change(number, &before, &after));
             feature.geometry = replace(geometry, &after, &mut further);
-            rebuild::update_box(feature);
         }
     }
     Ok(all)
 }
 
-/// The map of all polygons, cut where they meet.
-fn build(features: &[Feature], snap: Option<Snap>) -> Result<PlanarMap, CleanError> {
+/// The map of all polygons and then of the fillers, cut where they meet.
+fn build(features: &[Feature], fillers: &[map::Shape], snap: Option<Snap>) -> Result<PlanarMap, CleanError> {
     let mut builder = Builder::new();
     let mut any = false;
     for feature in features {
@@ -150,6 +204,9 @@ fn build(features: &[Feature], snap: Option<Snap>) -> Result<PlanarMap, CleanErr
     }
     if !any {
         return Err(CleanError::NoPolygons);
+    }
+    for filler in fillers {
+        builder.shape(filler)?;
     }
     if let Some(snap) = snap {
         return Ok(builder.build_with(Noding::Snap(snap))?);
@@ -167,22 +224,8 @@ fn shapes(feature: &Feature) -> Vec<map::Shape> {
     shapes
 }
 
-fn feature_change(number: usize, before: &[Vec<Vec<Point>>], after: &[Polygon]) -> FeatureChange {
-    let area = |rings: &Vec<Vec<Point>>| {
-        let areas = rings.iter().map(|ring| ring_area(ring.iter().copied()).abs());
-        areas.enumerate().map(|(i, area)| if i == 0 { area } else { -area }).sum::<f64>()
-    };
-    FeatureChange {
-        feature: number,
-        area_before: before.iter().map(area).sum(),
-        area_after: after.iter().map(Polygon::area).sum(),
-        points_before: before.iter().flatten().map(Vec::len).sum(),
-        points_after: after.iter().flat_map(Polygon::rings).map(<[Point]>::len).sum(),
-    }
-}
-
-/// What breaks C1 … C6 afterwards, judged by the polygons that are written.
-fn left(features: &[Feature], options: &CleanOptions) -> Result<Option<Left>, CleanError> {
+/// What breaks C1 … C6 afterwards, judged by the polygons that are written, and the near misses among it.
+fn judged(features: &[Feature], options: &CleanOptions) -> Result<(Option<Left>, Vec<Finding>), CleanError> {
     let mut builder = Builder::new();
     let mut left = Left::default();
     for feature in features {
@@ -192,6 +235,7 @@ fn left(features: &[Feature], options: &CleanOptions) -> Result<Option<Left>, Cl
     }
     let map = builder.build()?;
     left.is_plane = map.is_plane();
+    let mut near_misses = Vec::new();
     if map.is_plane() {
         let Options { gap_width, sliver_area, thinness, .. } = options.assign;
         let found = check(&map, &Limits { gap_width, sliver_area, thinness })?;
@@ -200,6 +244,7 @@ fn left(features: &[Feature], options: &CleanOptions) -> Result<Option<Left>, Cl
         left.gaps = count(CoverageRule::Gap);
         left.near_misses = count(CoverageRule::NearMiss);
         left.slivers = count(CoverageRule::Sliver);
+        near_misses.extend(found.findings.into_iter().filter(|finding| finding.rule == CoverageRule::NearMiss));
     }
-    Ok((left != Left { is_plane: true, ..Left::default() }).then_some(left))
+    Ok(((left != Left { is_plane: true, ..Left::default() }).then_some(left), near_misses))
 }

@@ -1,6 +1,6 @@
 //! The geometry of a feature, with other polygons.
 
-use super::super::model::{Feature, Geometry, Layer, Line, Position, Shape};
+use super::super::model::{Feature, Geometry, Layer, Line, Position, Shape, json_number};
 use super::dimensions::Further;
 use std::cmp::Ordering;
 use twinedge::algorithm::area::ring_area;
@@ -105,7 +105,7 @@ fn bounds<'a>(geometries: impl Iterator<Item = &'a Geometry>) -> Option<serde_js
             bounds = Some([x0.min(p.x), y0.min(p.y), x1.max(p.x), y1.max(p.y)]);
         });
     }
-    bounds.map(|bounds| bounds.to_vec().into())
+    bounds.map(|bounds| bounds.into_iter().map(json_number).collect())
 }
 
 /// Brings the member `bbox` of a feature up to date, if it has one.

@@ -1,9 +1,10 @@
 //! What cleaning did.
 
-use twinedge::algorithm::clean::{ChangeKind, Cleaned};
+use twinedge::algorithm::area::ring_area;
+use twinedge::algorithm::clean::{Change, ChangeKind};
 use twinedge::geometry::Point;
 use twinedge::geometry::noding::NodingSummary;
-use twinedge::map::{FeatureId, PlanarMap};
+use twinedge::map::FeatureId;
 
 /// What cleaning did. Areas and widths are in the units of the coordinates.
 #[derive(Clone, Debug, PartialEq)]
@@ -75,23 +76,33 @@ pub struct Left {
     pub invalid: usize,
 }
 
-impl CleanReport {
-    pub(super) fn new(map: &PlanarMap, cleaned: &Cleaned) -> Self {
-        let changes = cleaned.changes.iter().map(|change| LayerChange {
+impl From<&Change> for LayerChange {
+    fn from(change: &Change) -> Self {
+        Self {
             kind: change.kind,
             from: change.from.iter().map(|feature| feature.index()).collect(),
             to: change.to.map(FeatureId::index),
             area: change.area,
             width: change.width,
             at: change.at,
-        });
+        }
+    }
+}
+
+impl FeatureChange {
+    /// By the polygons before and after, the outer ring of each first.
+    pub(super) fn new(feature: usize, before: &[Vec<Vec<Point>>], after: &[Vec<Vec<Point>>]) -> Self {
+        let area = |rings: &Vec<Vec<Point>>| {
+            let areas = rings.iter().map(|ring| ring_area(ring.iter().copied()).abs());
+            areas.enumerate().map(|(i, area)| if i == 0 { area } else { -area }).sum::<f64>()
+        };
+        let points = |polygons: &[Vec<Vec<Point>>]| polygons.iter().flatten().map(Vec::len).sum();
         Self {
-            polygons: 0,
-            noding: map.noding().copied(),
-            sliver_area: cleaned.sliver_area,
-            changes: changes.collect(),
-            features: Vec::new(),
-            left: None,
+            feature,
+            area_before: before.iter().map(area).sum(),
+            area_after: after.iter().map(area).sum(),
+            points_before: points(before),
+            points_after: points(after),
         }
     }
 }
