@@ -173,7 +173,9 @@ impl Cleaned<'_> {
             writeln!(out, "  {what:38} {:>9}{area}  {QUIET}{beside}{QUIET:#}", grouped(found.count()))?;
         }
         let gone = report.features.iter().filter(|feature| feature.area_after == 0.0).count();
-        for (what, count) in [("features with another geometry", report.features.len()), ("of these, without area now", gone)] {
+        for (what, count) in
+            [("features with another geometry", report.features.len()), ("of these, without area now", gone)]
+        {
             writeln!(out, "  {what:38} {:>9}", grouped(count))?;
         }
         out.push('\n');
@@ -235,21 +237,29 @@ impl Cleaned<'_> {
             with_polygons: report.polygons,
             cell: report.noding.map(|noding| noding.cell).filter(|cell| *cell > 0.0),
             sliver_area: report.sliver_area,
-            changes: report.changes.iter().map(|change| JsonChange {
-                kind: change.kind.name(),
-                from: change.from.iter().map(named).collect(),
-                to: change.to.as_ref().map(named),
-                area: change.area,
-                width: change.width,
-                at: change.at.into(),
-            }).collect(),
-            changed: report.features.iter().map(|feature| JsonFeature {
-                feature: named(&feature.feature),
-                area_before: feature.area_before,
-                area_after: feature.area_after,
-                points_before: feature.points_before,
-                points_after: feature.points_after,
-            }).collect(),
+            changes: report
+                .changes
+                .iter()
+                .map(|change| JsonChange {
+                    kind: change.kind.name(),
+                    from: change.from.iter().map(named).collect(),
+                    to: change.to.as_ref().map(named),
+                    area: change.area,
+                    width: change.width,
+                    at: change.at.into(),
+                })
+                .collect(),
+            changed: report
+                .features
+                .iter()
+                .map(|feature| JsonFeature {
+                    feature: named(&feature.feature),
+                    area_before: feature.area_before,
+                    area_after: feature.area_after,
+                    points_before: feature.points_before,
+                    points_after: feature.points_after,
+                })
+                .collect(),
             left: report.left.map(|left| JsonLeft {
                 plane: left.is_plane,
                 overlaps: left.overlaps,

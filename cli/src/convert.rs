@@ -85,12 +85,13 @@ impl LayerOutput {
         let Some(path) = self.output.as_deref() else { return Ok(None) };
         let name = path.display().to_string();
         let format = self.to.map(Format::from).or_else(|| Format::of_path(path));
-        let format = format.or_else(|| self.is_stdout().then_some(Format::GeoJson)).ok_or_else(|| {
-            Failure(format!("{name}: the extension does not say which format to write; --to does"))
-        })?;
+        let format = format
+            .or_else(|| self.is_stdout().then_some(Format::GeoJson))
+            .ok_or_else(|| Failure(format!("{name}: the extension does not say which format to write; --to does")))?;
         let failed = |error: twinedge_formats::layer::WriteError| Failure(format!("{name}: {error}"));
         if !self.lossy {
-            refuse_losses(layer, format).map_err(|error| Failure(format!("{name}: {error}; --lossy writes the rest")))?;
+            refuse_losses(layer, format)
+                .map_err(|error| Failure(format!("{name}: {error}; --lossy writes the rest")))?;
         }
         if self.is_stdout() {
             let mut out = BufWriter::new(std::io::stdout().lock());

@@ -158,8 +158,8 @@ impl LayerFile {
     pub(crate) fn read(&self) -> Result<(String, Layer), Failure> {
         let Input { name, mut reader, path, .. } = Input::open(Some(&self.file))?;
         let options = ReadOptions { layer: self.layer.clone(), ..ReadOptions::default() };
-        let layer = read_layer(&mut reader, path.as_deref(), &options)
-            .map_err(|error| Failure(format!("{name}: {error}")))?;
+        let layer =
+            read_layer(&mut reader, path.as_deref(), &options).map_err(|error| Failure(format!("{name}: {error}")))?;
         Ok((name, layer))
     }
 }

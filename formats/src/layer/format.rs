@@ -2,7 +2,7 @@
 
 use std::fmt;
 use std::path::Path;
-use twinedge::io::{Format as TextFormat, ForeignFormat};
+use twinedge::io::{ForeignFormat, Format as TextFormat};
 
 /// A format of layers.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]

@@ -146,7 +146,9 @@ pub fn losses(layer: &Layer, format: Format) -> Vec<Loss> {
         found.extend(some_if(layer.features.iter().filter(|f| f.id.is_some()).count(), Loss::Ids));
     }
     members(layer, format, &mut found);
-    if let Some(name) = layer.header.name.as_ref().filter(|_| matches!(format, Format::GeoJsonSeq | Format::Wkt | Format::Wkb)) {
+    if let Some(name) =
+        layer.header.name.as_ref().filter(|_| matches!(format, Format::GeoJsonSeq | Format::Wkt | Format::Wkb))
+    {
         found.push(Loss::Name(name.clone()));
     }
     if let Some(crs) = &layer.header.crs {

@@ -44,7 +44,8 @@ fn add(geometry: &Geometry, shapes: &mut Vec<map::Shape>, empty: &mut usize) {
         None => *empty += 1,
     };
     let of_line = |positions: &Line| (!positions.is_empty()).then(|| map::Shape::Line(line(positions)));
-    let of_rings = |rings: &Vec<Line>| (!rings.is_empty()).then(|| map::Shape::Polygon(rings.iter().map(line).collect()));
+    let of_rings =
+        |rings: &Vec<Line>| (!rings.is_empty()).then(|| map::Shape::Polygon(rings.iter().map(line).collect()));
     match &geometry.shape {
         Shape::Point(point) => put(point.as_ref().map(|p| map::Shape::Point(Point::new(p.x, p.y)))),
         Shape::MultiPoint(points) => shapes.extend(line(points).into_iter().map(map::Shape::Point)),

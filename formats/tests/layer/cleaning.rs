@@ -72,7 +72,10 @@ fn gaps_go_to_the_neighbour_with_the_longest_border() {
     // Between the three a gap of 0.01 by 10, whose long sides are those of the first and the second.
     let text = "POLYGON((0 0,10 0,10 10,0 10,0 0))\nPOLYGON((10.01 0,20 0,20 10,10.01 10,10.01 5,10.01 0))\n\
 POLYGON((0 10,10 10,10.01 10,20 10,20 20,0 20,0 10))\nPOLYGON((0 0,0 -9,20 -9,20 0,10.01 0,10 0,0 0))\n";
-    let (_, report) = cleaned(&from_text(text), &CleanOptions { assign: Options { gap_width: Some(0.02), ..Options::default() }, ..CleanOptions::default() });
+    let (_, report) = cleaned(
+        &from_text(text),
+        &CleanOptions { assign: Options { gap_width: Some(0.02), ..Options::default() }, ..CleanOptions::default() },
+    );
     let [gap] = &report.changes[..] else { panic!("{:?}", report.changes) };
     assert_eq!((gap.kind, gap.to), (ChangeKind::Gap, Some(0)));
     assert!((gap.width - 0.01).abs() < 1e-4 && (gap.area - 0.1).abs() < 1e-9);
@@ -175,9 +178,14 @@ fn a_grid_joins_what_is_within_a_cell() {
 
 #[test]
 fn lines_and_points_beside_polygons_stay() {
-    let text = format!("{}GEOMETRYCOLLECTION(POINT(1 1),POLYGON((9 0,19 0,19 10,9 10,9 0)),LINESTRING(0 0,5 5))\nPOINT(3 3)\n", squares(&[0.0]));
+    let text = format!(
+        "{}GEOMETRYCOLLECTION(POINT(1 1),POLYGON((9 0,19 0,19 10,9 10,9 0)),LINESTRING(0 0,5 5))\nPOINT(3 3)\n",
+        squares(&[0.0])
+    );
     let (layer, _) = cleaned(&from_text(&text), &CleanOptions::default());
-    let Some(Shape::Collection(parts)) = layer.features[1].geometry.as_ref().map(|geometry| &geometry.shape) else { panic!("a collection") };
+    let Some(Shape::Collection(parts)) = layer.features[1].geometry.as_ref().map(|geometry| &geometry.shape) else {
+        panic!("a collection")
+    };
     let names: Vec<&str> = parts.iter().map(|part| part.shape.name()).collect();
     assert_eq!(names, ["Polygon", "Point", "LineString"]);
     assert_eq!(layer.features[2], from_text("POINT(3 3)\n").features[0]);
@@ -196,7 +204,11 @@ fn the_box_of_a_feature_that_changed_is_its_box() {
 /// The countries of the world with planted faults: two overlaps, a gap, slivers.
 #[test]
 fn what_is_planted_on_the_world_is_mended_and_the_rest_stays() {
-    let world = cleaned(&world(), &CleanOptions { assign: Options { gap_width: Some(1e9), ..Options::default() }, ..CleanOptions::default() }).0;
+    let world = cleaned(
+        &world(),
+        &CleanOptions { assign: Options { gap_width: Some(1e9), ..Options::default() }, ..CleanOptions::default() },
+    )
+    .0;
     let mut planted = world.clone();
     let number = |name: &str| world.features.iter().position(|f| f.name().as_deref() == Some(name)).unwrap();
     // A corner of Poland that no other country has is moved outwards, over its neighbour, and one of Spain inwards.
@@ -204,11 +216,16 @@ fn what_is_planted_on_the_world_is_mended_and_the_rest_stays() {
     for (name, factor) in [("Poland", 1.05), ("Spain", 0.98), ("Mongolia", 1.02)] {
         let number = number(name);
         moved.push(number);
-        let Some(Shape::Polygon(rings)) = planted.features[number].geometry.as_mut().map(|geometry| &mut geometry.shape) else { continue };
+        let Some(Shape::Polygon(rings)) =
+            planted.features[number].geometry.as_mut().map(|geometry| &mut geometry.shape)
+        else {
+            continue;
+        };
         let count = rings[0].len();
         rings[0][count / 2].x *= factor;
     }
-    let options = CleanOptions { assign: Options { gap_width: Some(1e9), ..Options::default() }, ..CleanOptions::default() };
+    let options =
+        CleanOptions { assign: Options { gap_width: Some(1e9), ..Options::default() }, ..CleanOptions::default() };
     let (mended, report) = cleaned(&planted, &options);
     let left = report.left.unwrap_or_default();
     assert_eq!((left.overlaps, left.gaps, left.slivers, left.invalid), (0, 0, 0, 0), "{left:?}");

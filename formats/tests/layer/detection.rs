@@ -6,9 +6,16 @@ use twinedge_formats::layer::{Format, ReadError, ReadOptions, Shape, read, read_
 #[test]
 fn content_tells_the_format_of_a_stream() {
     assert_eq!(from_text("POINT(1 2)").features.len(), 1);
-    assert_eq!(from_text("{\"type\":\"Point\",\"coordinates\":[1,2]}\n{\"type\":\"Point\",\"coordinates\":[3,4]}").features.len(), 2);
+    assert_eq!(
+        from_text("{\"type\":\"Point\",\"coordinates\":[1,2]}\n{\"type\":\"Point\",\"coordinates\":[3,4]}")
+            .features
+            .len(),
+        2
+    );
     let point = from_text("0101000000000000000000F03F0000000000000040");
-    assert!(matches!(&point.features[0].geometry.as_ref().unwrap().shape, Shape::Point(Some(p)) if (p.x, p.y) == (1.0, 2.0)));
+    assert!(
+        matches!(&point.features[0].geometry.as_ref().unwrap().shape, Shape::Point(Some(p)) if (p.x, p.y) == (1.0, 2.0))
+    );
 }
 
 #[test]

@@ -41,7 +41,10 @@ fn nesting_has_a_bound() {
 #[test]
 fn wrong_digits_have_a_line() {
     let text = "0101000000000000000000F03F0000000000000040\n01zz\n";
-    assert_eq!(from_bytes(text.as_bytes()).unwrap_err().to_string(), "well-known binary: line 2: not hexadecimal digits");
+    assert_eq!(
+        from_bytes(text.as_bytes()).unwrap_err().to_string(),
+        "well-known binary: line 2: not hexadecimal digits"
+    );
 }
 
 /// Each byte of a file changed in some ways, and each beginning of it: whatever comes out, it comes.
@@ -107,7 +110,9 @@ fn a_geopackage_with_bytes_changed_ends_in_an_error_or_a_layer() {
 fn geometries_of_a_geopackage_are_checked() {
     let (_folder, path) = scratch("map.gpkg");
     write_path(&from_text("POINT(1 2)\n"), &path, Format::GeoPackage).unwrap();
-    for geometry in ["'text'", "x'47'", "x'4750000100000000'", "x'47500021000000000101000000'", "x'4750000F00000000'", "7"] {
+    for geometry in
+        ["'text'", "x'47'", "x'4750000100000000'", "x'47500021000000000101000000'", "x'4750000F00000000'", "7"]
+    {
         let database = rusqlite::Connection::open(&path).unwrap();
         database.execute_batch(&format!("UPDATE map SET geom = {geometry}")).unwrap();
         drop(database);

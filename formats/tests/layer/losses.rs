@@ -46,8 +46,7 @@ fn ids_members_and_reference_systems_are_not_lost_silently() {
     let text = r#"{"type":"FeatureCollection","source":"x","crs":{"type":"name","properties":{"name":"EPSG:2056"}},
         "features":[{"type":"Feature","id":"a","properties":{"b":1},"geometry":{"type":"Point","coordinates":[1,2]}}]}"#;
     let layer = from_text(text);
-    let [ids, members, crs] =
-        [Loss::Ids(1), Loss::Members(vec!["source".into()]), Loss::Crs("EPSG:2056".into())];
+    let [ids, members, crs] = [Loss::Ids(1), Loss::Members(vec!["source".into()]), Loss::Crs("EPSG:2056".into())];
     assert!(losses(&layer, Format::GeoJson).is_empty());
     assert_eq!(losses(&layer, Format::GeoJsonSeq), [members.clone(), crs.clone()]);
     assert_eq!(losses(&layer, Format::Shapefile), [ids.clone(), members.clone(), crs.clone()]);

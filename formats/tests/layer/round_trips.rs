@@ -86,7 +86,10 @@ fn binary_geometries_are_read_as_bytes_big_endian_and_extended() {
 fn attributes() -> Layer {
     let square = |x: f64| {
         let ring = [(x, 0.0), (x, 1.0), (x + 1.0, 1.0), (x + 1.0, 0.0), (x, 0.0)];
-        Geometry { dimensions: Dimensions::Xy, shape: Shape::Polygon(vec![ring.map(|(x, y)| Position::new(x, y)).to_vec()]) }
+        Geometry {
+            dimensions: Dimensions::Xy,
+            shape: Shape::Polygon(vec![ring.map(|(x, y)| Position::new(x, y)).to_vec()]),
+        }
     };
     let names: [Arc<str>; 6] = ["zone", "count", "size", "built", "open", "none"].map(Into::into);
     let values = [

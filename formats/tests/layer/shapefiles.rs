@@ -36,7 +36,10 @@ fn character_sets_are_those_that_are_named() {
     let some = |text: &str| Some(text.to_owned());
     // Windows-1252 by its mark; without a mark, UTF-8 if it is that.
     assert_eq!(points(folder, &table(&[b" Z\xFCrich  ", b"         "], 0x57)).unwrap(), [some("Zürich"), None]);
-    assert_eq!(points(folder, &table(&[b" Z\xC3\xBCrich ", b" Z\xFCrich  "], 0)).unwrap(), [some("Zürich"), some("Zürich")]);
+    assert_eq!(
+        points(folder, &table(&[b" Z\xC3\xBCrich ", b" Z\xFCrich  "], 0)).unwrap(),
+        [some("Zürich"), some("Zürich")]
+    );
     // The file beside wins over the mark.
     fs::write(&path, "CP1251").unwrap();
     let bytes = table(&[b" \xCC\xEE\xF1\xEA\xE2\xE0  ", b"         "], 0x57);
@@ -97,7 +100,13 @@ fn rings_turn_as_a_shapefile_wants_it() {
 
 #[test]
 fn heights_and_measures_come_back() {
-    for text in ["LINESTRING Z(0 0 1,1 1 2)\n", "LINESTRING M(0 0 1,1 1 2)\n", "LINESTRING ZM(0 0 1 5,1 1 2 6)\n", "POINT ZM(0 0 1 5)\n", "MULTIPOINT Z((0 0 1),(1 1 2))\n"] {
+    for text in [
+        "LINESTRING Z(0 0 1,1 1 2)\n",
+        "LINESTRING M(0 0 1,1 1 2)\n",
+        "LINESTRING ZM(0 0 1 5,1 1 2 6)\n",
+        "POINT ZM(0 0 1 5)\n",
+        "MULTIPOINT Z((0 0 1),(1 1 2))\n",
+    ] {
         let layer = from_text(text);
         assert_eq!(through(&layer, Format::Shapefile).features[0].geometry, layer.features[0].geometry, "{text}");
     }

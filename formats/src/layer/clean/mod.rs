@@ -34,7 +34,7 @@ use twinedge::geometry::noding::{NodingSummary, Snap};
 use twinedge::io::ReadSummary;
 use twinedge::map::{self, BuildError, Builder, Noding, PlanarMap};
 
-pub use report::{CleanReport, FeatureChange, Left, LayerChange};
+pub use report::{CleanReport, FeatureChange, LayerChange, Left};
 
 /// How a layer is cleaned.
 #[derive(Clone, Copy, Debug, Default)]

@@ -69,19 +69,19 @@ pub(in crate::layer) fn write(layer: &Layer, path: &Path) -> Result<(), WriteErr
     let srs = write_crs(&transaction, layer.header.crs.as_ref())?;
     let stem = || path.file_stem().map(|stem| stem.to_string_lossy().into_owned());
     // Names that begin so belong to the format and to SQLite.
-    let is_free = |name: &String| !["gpkg_", "rtree_", "sqlite_"].iter().any(|own| name.to_lowercase().starts_with(own));
-    let table =
-        layer.header.name.clone().or_else(stem).filter(|name| !name.is_empty() && is_free(name));
+    let is_free =
+        |name: &String| !["gpkg_", "rtree_", "sqlite_"].iter().any(|own| name.to_lowercase().starts_with(own));
+    let table = layer.header.name.clone().or_else(stem).filter(|name| !name.is_empty() && is_free(name));
     let table = table.unwrap_or_else(|| "layer".to_owned());
     let fields = layer.fields();
     let mut taken = HashSet::new();
     let columns: Vec<String> = fields.iter().map(|field| unique(&field.name, &mut taken)).collect();
     let [key_column, geometry_column] = ["fid", "geom"].map(|name| unique(name, &mut taken));
-    let mut definitions =
-        vec![format!("{} INTEGER PRIMARY KEY AUTOINCREMENT NOT NULL", quoted(&key_column))];
+    let mut definitions = vec![format!("{} INTEGER PRIMARY KEY AUTOINCREMENT NOT NULL", quoted(&key_column))];
     let kind = geometry_kind(layer);
     definitions.push(format!("{} {kind}", quoted(&geometry_column)));
-    definitions.extend(columns.iter().zip(&fields).map(|(name, field)| format!("{} {}", quoted(name), declared(field))));
+    definitions
+        .extend(columns.iter().zip(&fields).map(|(name, field)| format!("{} {}", quoted(name), declared(field))));
     transaction.execute_batch(&format!("CREATE TABLE {} ({})", quoted(&table), definitions.join(", ")))?;
     let [x0, y0, x1, y1] = extent(layer).map_or([None; 4], |extent| extent.map(Some));
     transaction.execute(
@@ -186,7 +186,13 @@ fn dimension_flags(layer: &Layer) -> [i64; 2] {
     let has_m = |d: Dimensions| matches!(d, Dimensions::Xym | Dimensions::Xyzm);
     let flag = |has: &dyn Fn(Dimensions) -> bool| {
         let count = geometries(layer).filter(|geometry| has(geometry.dimensions)).count();
-        if count == 0 { 0 } else if count == geometries(layer).count() { 1 } else { 2 }
+        if count == 0 {
+            0
+        } else if count == geometries(layer).count() {
+            1
+        } else {
+            2
+        }
     };
     [flag(&has_z), flag(&has_m)]
 }

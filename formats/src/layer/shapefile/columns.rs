@@ -39,7 +39,13 @@ impl ShapeKind {
             Base::Polygon => 5,
             Base::MultiPoint => 8,
         };
-        base + if self.has_z { 10 } else if self.has_m { 20 } else { 0 }
+        base + if self.has_z {
+            10
+        } else if self.has_m {
+            20
+        } else {
+            0
+        }
     }
 }
 

@@ -133,7 +133,10 @@ impl<R: BufRead> Table<R> {
         }
         let widths: usize = columns.iter().map(|column| column.width).sum();
         if widths + 1 != record {
-            return Err(invalid(&format!("its records have {record} bytes, and its columns with the mark {}", widths + 1)));
+            return Err(invalid(&format!(
+                "its records have {record} bytes, and its columns with the mark {}",
+                widths + 1
+            )));
         }
         Ok(Self { reader, columns, charset, count, record: vec![0; record] })
     }

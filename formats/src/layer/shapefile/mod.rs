@@ -58,9 +58,8 @@ fn text_beside(path: &Path, extension: &str) -> io::Result<Option<String>> {
 /// Reads the Shapefile of which `path` is a part. Records are read by the index if there is one. Those that the table marks as
 /// deleted are left out.
 pub(super) fn read(path: &Path, each: &mut Each<'_>) -> Result<Header, ReadError> {
-    let missing = |extension: &str| {
-        content(Place::Header, Cause::Missing(path.with_extension(extension).display().to_string()))
-    };
+    let missing =
+        |extension: &str| content(Place::Header, Cause::Missing(path.with_extension(extension).display().to_string()));
     let shp = beside(path, "shp").ok_or_else(|| missing("shp"))?;
     let charset = text_beside(path, "cpg")?;
     let wkt = text_beside(path, "prj")?.filter(|text| !text.is_empty());
@@ -76,7 +75,10 @@ pub(super) fn read(path: &Path, each: &mut Each<'_>) -> Result<Header, ReadError
         if let Some(table) = &mut table {
             let row = table.next(number)?;
             let (deleted, attributes) = row.ok_or_else(|| {
-                content(Place::Feature(number), Cause::Invalid("the table has fewer records than there are shapes".into()))
+                content(
+                    Place::Feature(number),
+                    Cause::Invalid("the table has fewer records than there are shapes".into()),
+                )
             })?;
             feature.attributes = attributes;
             is_deleted = deleted;
@@ -203,10 +205,8 @@ fn write_shapes(
     mut shp: BufWriter<File>,
     mut shx: BufWriter<File>,
 ) -> Result<(), WriteError> {
-    let too_large = || WriteError::Impossible {
-        format: Format::Shapefile,
-        what: "more than 4 gigabytes of geometries".to_owned(),
-    };
+    let too_large =
+        || WriteError::Impossible { format: Format::Shapefile, what: "more than 4 gigabytes of geometries".to_owned() };
     let mut records = Vec::new();
     let mut index = Vec::new();
     let mut bounds = record::Bounds::default();
@@ -242,4 +242,3 @@ fn header(words: i32, kind: ShapeKind, bounds: &record::Bounds) -> Vec<u8> {
 
 /// The extensions of the files of a Shapefile that are read and written here.
 pub(super) const EXTENSIONS: [&str; 5] = ["shp", "shx", "dbf", "prj", "cpg"];
-

@@ -32,7 +32,10 @@ impl Extent {
     }
 
     fn contains(&self, other: &Self) -> bool {
-        self.low.x <= other.low.x && self.low.y <= other.low.y && self.high.x >= other.high.x && self.high.y >= other.high.y
+        self.low.x <= other.low.x
+            && self.low.y <= other.low.y
+            && self.high.x >= other.high.x
+            && self.high.y >= other.high.y
     }
 }
 
