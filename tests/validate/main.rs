@@ -15,6 +15,7 @@ mod expectations;
 mod families;
 mod forms;
 mod mesh_rules;
+mod names;
 mod near;
 mod open_embeddings;
 mod reports;
