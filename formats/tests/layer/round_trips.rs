@@ -14,7 +14,7 @@ const EVERYTHING: &str = r#"{"type":"FeatureCollection",
 "features":[
 {"type":"Feature","id":"A-1","bbox":[0,0,4,4],"rights":"none","properties":{"zone":"W2","area":16.0,"count":3,"since":"2020-01-31","tags":["x",{"y":1}]},"geometry":{"type":"Polygon","coordinates":[[[0,0,5],[4,0,5.5],[4,4,6],[0,4,-0.0],[0,0,5]]]}},
 {"type":"Feature","id":7,"properties":{"zone":null},"geometry":{"type":"MultiPolygon","coordinates":[[[[5,0],[6,0],[6,1],[5,0]]],[[[8,0],[9,0],[9,1],[8,0]]]]}},
-{"type":"Feature","properties":{},"geometry":{"type":"GeometryCollection","geometries":[{"type":"Point","coordinates":[1e-7,1.5e300]},{"type":"LineString","coordinates":[[0,0],[0.1,0.2]]},{"type":"MultiPoint","coordinates":[[0.3,1.8446744073709552e+19]]},{"type":"MultiLineString","coordinates":[[[0,0],[1,1]]]}]}},
+{"type":"Feature","properties":{},"geometry":{"type":"GeometryCollection","geometries":[{"type":"Point","coordinates":[1e-7,1.5e+300]},{"type":"LineString","coordinates":[[0,0],[0.1,0.2]]},{"type":"MultiPoint","coordinates":[[0.3,1.8446744073709552e+19]]},{"type":"MultiLineString","coordinates":[[[0,0],[1,1]]]}]}},
 {"type":"Feature","properties":{"zone":"\u0000\"ü"},"geometry":null}
 ]}
 "#;
