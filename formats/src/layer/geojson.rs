@@ -20,7 +20,7 @@ pub(super) fn read(reader: &mut dyn Read, documents: Documents, each: &mut Each<
     read_parts(reader, documents, |part| {
         match part {
             Part::Feature(parsed) => {
-                let feature = feature(parsed, &mut names);
+                let feature = feature(*parsed, &mut names);
                 if let Some(geometry) = &feature.geometry {
                     let in_range = |p: &Position| p.x.abs() <= 180.0 && p.y.abs() <= 90.0;
                     geometry.shape.visit(&mut |p| in_degrees = Some(in_degrees != Some(false) && in_range(p)));
@@ -66,20 +66,20 @@ fn converted(value: GeometryValue) -> Geometry {
         let number = |i: usize| numbers.get(i).copied().unwrap_or_default();
         Position { x: number(0), y: number(1), more: numbers.get(2..).unwrap_or_default().into() }
     }
-    fn line(positions: Vec<::geojson::Position>) -> Vec<Position> {
+    fn line(positions: &[::geojson::Position]) -> Vec<Position> {
         positions.iter().map(position).collect()
     }
-    fn rings(rings: Vec<Vec<::geojson::Position>>) -> Vec<Vec<Position>> {
-        rings.into_iter().map(line).collect()
+    fn rings(rings: &[Vec<::geojson::Position>]) -> Vec<Vec<Position>> {
+        rings.iter().map(|ring| line(ring)).collect()
     }
     let shape = match value {
         GeometryValue::Point { coordinates } => Shape::Point(Some(position(&coordinates))),
-        GeometryValue::MultiPoint { coordinates } => Shape::MultiPoint(line(coordinates)),
-        GeometryValue::LineString { coordinates } => Shape::Line(line(coordinates)),
-        GeometryValue::MultiLineString { coordinates } => Shape::MultiLine(rings(coordinates)),
-        GeometryValue::Polygon { coordinates } => Shape::Polygon(rings(coordinates)),
+        GeometryValue::MultiPoint { coordinates } => Shape::MultiPoint(line(&coordinates)),
+        GeometryValue::LineString { coordinates } => Shape::Line(line(&coordinates)),
+        GeometryValue::MultiLineString { coordinates } => Shape::MultiLine(rings(&coordinates)),
+        GeometryValue::Polygon { coordinates } => Shape::Polygon(rings(&coordinates)),
         GeometryValue::MultiPolygon { coordinates } => {
-            Shape::MultiPolygon(coordinates.into_iter().map(rings).collect())
+            Shape::MultiPolygon(coordinates.iter().map(|polygon| rings(polygon)).collect())
         }
         GeometryValue::GeometryCollection { geometries } => {
             let geometries = geometries.into_iter().map(|geometry: ParsedGeometry| converted(geometry.value));

@@ -154,8 +154,7 @@ pub fn losses(layer: &Layer, format: Format) -> Vec<Loss> {
     if let Some(crs) = &layer.header.crs {
         let is_held = match format {
             Format::GeoJson => crs.member.is_some() || crs.code.is_some() || !crs.is_other(),
-            Format::GeoJsonSeq => !crs.is_other(),
-            Format::Wkt | Format::Wkb => !crs.is_other(),
+            Format::GeoJsonSeq | Format::Wkt | Format::Wkb => !crs.is_other(),
             Format::Shapefile => crs.wkt.is_some() || !crs.is_other(),
             Format::GeoPackage => crs.wkt.is_some() || crs.code.is_some() || !crs.is_other(),
         };

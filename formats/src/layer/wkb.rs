@@ -255,12 +255,16 @@ pub(super) fn append(geometry: &Geometry, out: &mut Vec<u8>) {
         Shape::MultiPolygon(polygons) => {
             head(6, dimensions, out);
             count(polygons.len(), out);
-            polygons.iter().for_each(|rings| append_polygon(rings, dimensions, out));
+            for rings in polygons {
+                append_polygon(rings, dimensions, out);
+            }
         }
         Shape::Collection(geometries) => {
             head(7, dimensions, out);
             count(geometries.len(), out);
-            geometries.iter().for_each(|geometry| append(geometry, out));
+            for geometry in geometries {
+                append(geometry, out);
+            }
         }
     }
 }
@@ -291,11 +295,15 @@ fn append_position(position: &Position, dimensions: Dimensions, out: &mut Vec<u8
 
 fn append_line(line: &[Position], dimensions: Dimensions, out: &mut Vec<u8>) {
     count(line.len(), out);
-    line.iter().for_each(|position| append_position(position, dimensions, out));
+    for position in line {
+        append_position(position, dimensions, out);
+    }
 }
 
 fn append_polygon(rings: &[Line], dimensions: Dimensions, out: &mut Vec<u8>) {
     head(3, dimensions, out);
     count(rings.len(), out);
-    rings.iter().for_each(|ring| append_line(ring, dimensions, out));
+    for ring in rings {
+        append_line(ring, dimensions, out);
+    }
 }

@@ -16,7 +16,9 @@ fn table(records: &[&[u8; 9]], charset_mark: u8) -> Vec<u8> {
     bytes.extend(b"name\0\0\0\0\0\0\0C\0\0\0\0\x08");
     bytes.resize(64, 0);
     bytes.push(0x0D);
-    records.iter().for_each(|record| bytes.extend(*record));
+    for record in records {
+        bytes.extend(*record);
+    }
     bytes
 }
 

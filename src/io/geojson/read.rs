@@ -33,7 +33,7 @@ pub enum Documents {
 #[non_exhaustive]
 pub enum Part {
     /// A feature, with all that the file says of it; a geometry without a feature around it counts as one.
-    Feature(Parsed),
+    Feature(Box<Parsed>),
     /// A member of a collection of features, by name: `crs`, `name`, `bbox` and foreign ones.
     Member(String, JsonValue),
 }
@@ -135,8 +135,9 @@ where
 {
     let mut failure = None;
     let mut take = |part| {
-        if let Part::Feature(Parsed { geometry: Some(geometry), .. }) = &part {
-            check(&geometry.value, 0).map_err(|cause| (None, cause))?;
+        if let Part::Feature(feature) = &part {
+            let checked = feature.geometry.as_ref().map_or(Ok(()), |geometry| check(&geometry.value, 0));
+            checked.map_err(|cause| (None, cause))?;
         }
         Ok(each(part).map_err(|error| failure = Some(error)).is_ok())
     };
@@ -184,7 +185,7 @@ where
     let mut summary = ReadSummary::default();
     let mut take = |part| {
         let Part::Feature(parsed) = part else { return Ok(true) };
-        let (feature, properties) = converted(parsed, &mut summary)?;
+        let (feature, properties) = converted(*parsed, &mut summary)?;
         Ok(each(feature, &properties).map_err(|error| failure = Some(error)).is_ok())
     };
     let outcome = read_all(reader, documents, false, &mut take);
@@ -455,7 +456,7 @@ impl<'de> Visitor<'de> for Walk<'_, '_> {
         let Self { part, sink } = self;
         if let DocumentPart::Element = part {
             let feature = Parsed::deserialize(MapAccessDeserializer::new(inner))?;
-            return sink.take(Part::Feature(feature));
+            return sink.take(Part::Feature(feature.into()));
         }
         let mut members = Members { inner, sink, at_features: false, has_features: false, kept: Vec::new() };
         let document = GeoJson::deserialize(MapAccessDeserializer::new(&mut members))?;
@@ -466,8 +467,8 @@ impl<'de> Visitor<'de> for Walk<'_, '_> {
             }
             // The features of an object of another type, which have been handed over already.
             other if members.has_features => FeatureCollection::try_from(other).map(drop).map_err(A::Error::custom),
-            GeoJson::Feature(feature) => members.sink.take(Part::Feature(with_members(feature, kept))),
-            GeoJson::Geometry(geometry) => members.sink.take(Part::Feature(with_members(geometry.into(), kept))),
+            GeoJson::Feature(feature) => members.sink.take(Part::Feature(with_members(feature, kept).into())),
+            GeoJson::Geometry(geometry) => members.sink.take(Part::Feature(with_members(geometry.into(), kept).into())),
         }
     }
 }

@@ -63,9 +63,9 @@ impl Further {
     pub(super) fn line(&self, ring: &[Point]) -> Line {
         let known = |p: &Point| {
             let key = key(p.x, p.y);
-            let fits = |more: &&Box<[f64]>| self.count.is_none_or(|count| more.len() == count);
+            let fits = |numbers: usize| self.count.is_none_or(|count| count == numbers);
             let own = self.of_feature.get(&key);
-            own.or_else(|| self.of_all.get(&key).filter(|_| self.count != Some(0)).filter(fits)).cloned()
+            own.or_else(|| self.of_all.get(&key).filter(|more| fits(more.len()))).cloned()
         };
         let mut further: Vec<Option<Box<[f64]>>> = ring.iter().map(known).collect();
         match self.count {
@@ -105,7 +105,7 @@ impl Further {
         }
         // The end repeats the start.
         if let [start, .., end] = further {
-            *end = start.clone();
+            end.clone_from(start);
         }
     }
 }

@@ -184,7 +184,9 @@ fn outlined(
         }
         let mut after = contour::of_faces(map, faces.iter().copied())?.polygons;
         if let Some(restored) = restored {
-            after.iter_mut().for_each(|polygon| restored.polygon(polygon));
+            for polygon in &mut after {
+                restored.polygon(polygon);
+            }
         }
         if !is_same(&before, &after) {
             feature.geometry = replace(geometry, &after, &mut further);

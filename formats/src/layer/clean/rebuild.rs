@@ -49,7 +49,7 @@ fn canonical(mut polygons: Vec<Rings>) -> Option<Vec<Rings>> {
                 ring[1..].reverse();
             }
         }
-        rings[1..].sort_by(compare_rings);
+        rings[1..].sort_by(|a, b| compare_rings(a, b));
     }
     polygons.sort_by(|a, b| {
         let rings = a.iter().zip(b).map(|(a, b)| compare_rings(a, b));
@@ -58,7 +58,7 @@ fn canonical(mut polygons: Vec<Rings>) -> Option<Vec<Rings>> {
     Some(polygons)
 }
 
-fn compare_rings(a: &Vec<Point>, b: &Vec<Point>) -> Ordering {
+fn compare_rings(a: &[Point], b: &[Point]) -> Ordering {
     let points = a.iter().zip(b).map(|(a, b)| compare_lexicographic(*a, *b));
     points.fold(Ordering::Equal, Ordering::then).then(a.len().cmp(&b.len()))
 }
@@ -120,9 +120,8 @@ pub(super) fn update_box(feature: &mut Feature) {
 
 /// Brings the member `bbox` of a layer up to date, if it has one.
 pub(super) fn update_box_of_layer(layer: &mut Layer) {
-    if layer.header.members.contains_key("bbox") {
-        if let Some(bounds) = bounds(layer.features.iter().filter_map(|feature| feature.geometry.as_ref())) {
-            layer.header.members.insert("bbox".to_owned(), bounds);
-        }
+    let bounds = bounds(layer.features.iter().filter_map(|feature| feature.geometry.as_ref()));
+    if let (Some(member), Some(bounds)) = (layer.header.members.get_mut("bbox"), bounds) {
+        *member = bounds;
     }
 }

@@ -1,6 +1,6 @@
-//! OGC GeoPackage: tables of `SQLite`, geometries as well-known binary behind a header.
+//! OGC `GeoPackage`: tables of `SQLite`, geometries as well-known binary behind a header.
 //!
-//! Source: "OGC GeoPackage Encoding Standard" (OGC 12-128r19), clauses 1 and 2.1.
+//! Source: "OGC `GeoPackage` Encoding Standard" (OGC 12-128r19), clauses 1 and 2.1.
 
 mod read;
 mod write;

@@ -1,4 +1,4 @@
-//! Reading a layer of a GeoPackage. The file is opened for reading only, and its schema is not trusted.
+//! Reading a layer of a `GeoPackage`. The file is opened for reading only, and its schema is not trusted.
 
 use super::super::error::{Cause, Place, ReadError};
 use super::super::format::Format;

@@ -1,4 +1,4 @@
-//! Writing a layer as a GeoPackage of its own.
+//! Writing a layer as a `GeoPackage` of its own.
 
 use super::super::error::WriteError;
 use super::super::model::{Crs, Dimensions, Feature, Field, FieldKind, Geometry, Id, Layer, Value};
@@ -18,7 +18,7 @@ impl From<rusqlite::Error> for WriteError {
 /// "GPKG", and version 1.3.
 const HEAD: &str = "PRAGMA application_id = 1196444487; PRAGMA user_version = 10300; PRAGMA journal_mode = OFF;";
 
-/// The tables that every GeoPackage has.
+/// The tables that every `GeoPackage` has.
 const TABLES: &str = "
 CREATE TABLE gpkg_spatial_ref_sys (
   srs_name TEXT NOT NULL, srs_id INTEGER NOT NULL PRIMARY KEY, organization TEXT NOT NULL,

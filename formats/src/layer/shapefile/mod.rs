@@ -13,7 +13,7 @@ mod rings;
 
 use super::error::{Cause, Place, ReadError, WriteError};
 use super::format::Format;
-use super::model::{Crs, Feature, Field, Header, Layer};
+use super::model::{Crs, Feature, Field, Geometry, Header, Layer};
 use super::read::Each;
 use columns::{ShapeKind, shape_kind};
 use dbf::Table;
@@ -69,7 +69,7 @@ pub(super) fn read(path: &Path, each: &mut Each<'_>) -> Result<Header, ReadError
     };
     let mut shapes = Shapes::open(&shp, beside(path, "shx").as_deref())?;
     let mut number = 0;
-    while let Some(geometry) = shapes.next(number)? {
+    while let Some(Record { geometry }) = shapes.next(number)? {
         let mut feature = Feature { geometry, ..Feature::default() };
         let mut is_deleted = false;
         if let Some(table) = &mut table {
@@ -101,6 +101,12 @@ pub(super) fn read(path: &Path, each: &mut Each<'_>) -> Result<Header, ReadError
     })
 }
 
+/// A record of `.shp`.
+struct Record {
+    /// None for a null shape.
+    geometry: Option<Geometry>,
+}
+
 /// The records of `.shp`.
 struct Shapes {
     file: BufReader<File>,
@@ -122,7 +128,7 @@ impl Shapes {
     }
 
     /// The geometry of the next record.
-    fn next(&mut self, number: usize) -> Result<Option<Option<super::model::Geometry>>, ReadError> {
+    fn next(&mut self, number: usize) -> Result<Option<Record>, ReadError> {
         let failed = |cause| content(Place::Feature(number), cause);
         let start = match &self.index {
             Some(index) => match index.get(number) {
@@ -146,7 +152,7 @@ impl Shapes {
         self.at = start + 8 + bytes;
         self.buffer.resize(bytes as usize, 0);
         self.file.read_exact(&mut self.buffer).map_err(|error| truncated(error, "a record", failed))?;
-        record::parse(&self.buffer).map(Some).map_err(failed)
+        record::parse(&self.buffer).map(|geometry| Some(Record { geometry })).map_err(failed)
     }
 }
 
@@ -217,12 +223,12 @@ fn write_shapes(
         record::append(feature.geometry.as_ref(), kind, &mut bounds, &mut records);
         let words = i32::try_from((records.len() - start - 8) / 2).map_err(|_| too_large())?;
         records[start + 4..start + 8].copy_from_slice(&words.to_be_bytes());
-        let offset = i32::try_from((HEADER + start) / 2).map_err(|_| too_large())?;
+        let offset = i32::try_from(HEADER / 2 + start / 2).map_err(|_| too_large())?;
         index.extend(offset.to_be_bytes());
         index.extend(words.to_be_bytes());
     }
     for (out, body) in [(&mut shp, &records), (&mut shx, &index)] {
-        let words = i32::try_from((HEADER + body.len()) / 2).map_err(|_| too_large())?;
+        let words = i32::try_from(HEADER / 2 + body.len() / 2).map_err(|_| too_large())?;
         out.write_all(&header(words, kind, &bounds))?;
         out.write_all(body)?;
         out.flush()?;

@@ -231,9 +231,13 @@ pub(super) fn append(geometry: Option<&Geometry>, kind: ShapeKind, bounds: &mut 
     let has_m = matches!(geometry.dimensions, Dimensions::Xym | Dimensions::Xyzm);
     let mut column = |range: [f64; 2], value: &dyn Fn(&Position) -> f64| {
         if kind.base != Base::Point {
-            range.iter().for_each(|number| out.extend(number.to_le_bytes()));
+            for number in range {
+                out.extend(number.to_le_bytes());
+            }
         }
-        lines.iter().flatten().for_each(|position| out.extend(value(position).to_le_bytes()));
+        for position in lines.iter().flatten() {
+            out.extend(value(position).to_le_bytes());
+        }
     };
     if kind.has_z {
         column(own.range(2), &|p| p.more.first().copied().filter(|_| has_z).unwrap_or_default());
