@@ -420,6 +420,17 @@ fn a_link_that_is_nil_everywhere_is_said_to_be_left_out_by_the_expectation() {
 fn faces_that_are_named_but_not_there_are_said_to_be_missing() {
     let mut table = textbook_mesh(4, &TETRAHEDRON);
     half_edge(&mut table, 0).face = Some(9);
+    // A vertex that a face of the textbook lists, seen as if there were boundary components.
+    let textbook: Table = "V 1 - - H 0 B 0 F 1 - 1 - FH 1 - 1 v0".parse().unwrap();
+    let found = hints(&validate(&textbook, &Expectation::plane(), Collect::All));
+    assert!(
+        found.iter().any(|hint| hint.ends_with("use `Expectation::without(Part::BoundaryComponents)`")),
+        "{found:?}"
+    );
+    assert_eq!(
+        hints(&validate(&textbook, &Expectation::plane().without(Part::BoundaryComponents), Collect::All)),
+        [""; 0]
+    );
     assert_eq!(hints(&validate(&table, &MESH, Collect::All)), [""; 0]);
     table.faces.clear();
     let report = validate(&table, &MESH, Collect::All);
