@@ -416,11 +416,9 @@ fn a_link_that_is_nil_everywhere_is_said_to_be_left_out_by_the_expectation() {
     assert!(!hints(&validate(&table, &MESH, Collect::All)).iter().any(|hint| hint.contains("prev")));
 }
 
+/// A vertex that a face of the textbook lists, seen as if there were boundary components.
 #[test]
-fn faces_that_are_named_but_not_there_are_said_to_be_missing() {
-    let mut table = textbook_mesh(4, &TETRAHEDRON);
-    half_edge(&mut table, 0).face = Some(9);
-    // A vertex that a face of the textbook lists, seen as if there were boundary components.
+fn lists_of_the_textbook_are_said_to_need_an_expectation() {
     let textbook: Table = "V 1 - - H 0 B 0 F 1 - 1 - FH 1 - 1 v0".parse().unwrap();
     let found = hints(&validate(&textbook, &Expectation::plane(), Collect::All));
     assert!(
@@ -431,6 +429,12 @@ fn faces_that_are_named_but_not_there_are_said_to_be_missing() {
         hints(&validate(&textbook, &Expectation::plane().without(Part::BoundaryComponents), Collect::All)),
         [""; 0]
     );
+}
+
+#[test]
+fn faces_that_are_named_but_not_there_are_said_to_be_missing() {
+    let mut table = textbook_mesh(4, &TETRAHEDRON);
+    half_edge(&mut table, 0).face = Some(9);
     assert_eq!(hints(&validate(&table, &MESH, Collect::All)), [""; 0]);
     table.faces.clear();
     let report = validate(&table, &MESH, Collect::All);
