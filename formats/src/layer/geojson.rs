@@ -1,11 +1,11 @@
 //! GeoJSON (RFC 7946) and newline-delimited GeoJSON. The library's reader does the reading, and drops nothing here.
 
+use super::each::Each;
 use super::error::{ReadError, WriteError};
 use super::model::{
     Crs, Dimensions, Feature, Geometry, Header, Id, Layer, Members, Position, Shape, Value, json_number,
 };
 use super::names::Names;
-use super::read::Each;
 use ::geojson::{Feature as Parsed, Geometry as ParsedGeometry, GeometryValue, feature};
 use serde_json::Value as Json;
 use std::io::{self, Read, Write};

@@ -21,6 +21,7 @@
 //! and counts that exceed the data, are errors ([`ReadError`]).
 
 pub mod clean;
+mod each;
 mod error;
 mod format;
 #[cfg(feature = "geojson")]
@@ -28,7 +29,9 @@ mod geojson;
 #[cfg(feature = "geopackage")]
 mod geopackage;
 mod loss;
+mod losses;
 mod model;
+#[cfg(feature = "geojson")]
 mod names;
 mod read;
 #[cfg(feature = "shapefile")]
@@ -40,12 +43,14 @@ mod wkb;
 mod wkt;
 mod write;
 
+pub use each::Each;
 pub use error::{Cause, Place, ReadError, WriteError};
 pub use format::Format;
-pub use loss::{Loss, losses};
+pub use loss::Loss;
+pub use losses::losses;
 pub use model::{
     Crs, Dimensions, Feature, Field, FieldKind, Geometry, Header, Id, Layer, Line, Members, Position, Shape, Value,
 };
-pub use read::{Each, ReadOptions, read, read_layer, read_path};
+pub use read::{ReadOptions, read, read_layer, read_path};
 pub use to_map::to_map;
 pub use write::{files, refuse_losses, write, write_path};

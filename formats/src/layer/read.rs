@@ -1,17 +1,15 @@
 //! Reading a layer in any of the formats.
 
+use super::each::Each;
 use super::error::ReadError;
 use super::format::Format;
-use super::model::{Feature, Header, Layer};
+use super::model::{Header, Layer};
 use std::fs::File;
 use std::io::{BufReader, Cursor, Read};
 use std::path::Path;
 
 /// How many bytes are looked at to tell the format.
 const HEAD: u64 = 1 << 16;
-
-/// Takes the features of a layer, one by one, and ends the reading by an error.
-pub type Each<'a> = dyn FnMut(Feature) -> Result<(), ReadError> + 'a;
 
 /// How to read a layer.
 #[derive(Clone, Debug, Default)]

@@ -5,10 +5,10 @@
 //! Sources: "Simple feature access, part 1: common architecture" (OGC 06-103r4), section 8; the documentation of PostGIS for the
 //! extended form.
 
+use super::each::Each;
 use super::error::{Cause, Place, ReadError, WriteError};
 use super::format::Format;
 use super::model::{Crs, Dimensions, Feature, Geometry, Header, Layer, Line, Position, Shape, hex};
-use super::read::Each;
 use std::io::{BufRead, BufReader, Read, Write};
 
 /// How many collections may lie around a geometry.

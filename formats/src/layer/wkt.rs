@@ -1,8 +1,8 @@
 //! Well-known text, a geometry per line. The crate `wkt` reads and writes the geometries.
 
+use super::each::Each;
 use super::error::{ReadError, WriteError};
 use super::model::{Dimensions, Feature, Geometry, Header, Layer, Line, Position, Shape};
-use super::read::Each;
 use ::wkt::Wkt;
 use ::wkt::types::{
     Coord, Dimension, GeometryCollection, LineString, MultiLineString, MultiPoint, MultiPolygon, Point, Polygon,

@@ -2,7 +2,7 @@
 
 use super::error::WriteError;
 use super::format::Format;
-use super::loss::losses;
+use super::losses::losses;
 use super::model::Layer;
 use std::fs::File;
 use std::io::{BufWriter, Write};

@@ -112,7 +112,7 @@ pub(in crate::layer) fn write(layer: &Layer, path: &Path) -> Result<(), WriteErr
 }
 
 /// A name that no other column has, whatever the case.
-pub(in crate::layer) fn unique(name: &str, taken: &mut HashSet<String>) -> String {
+fn unique(name: &str, taken: &mut HashSet<String>) -> String {
     let mut free = if name.is_empty() { "field".to_owned() } else { name.to_owned() };
     for number in 1.. {
         if taken.insert(free.to_lowercase()) {

@@ -3,7 +3,7 @@
 use super::super::error::{Cause, Place, ReadError};
 use super::super::model::{Field, FieldKind, Layer, Value};
 use super::columns::{Column, text};
-use super::{content, truncated};
+use super::failed::{content, truncated};
 use encoding_rs::{Encoding, UTF_8, WINDOWS_1252};
 use std::io::{self, BufRead, Write};
 use std::sync::Arc;

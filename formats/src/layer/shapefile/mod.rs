@@ -8,15 +8,17 @@
 
 mod columns;
 mod dbf;
+mod failed;
 mod record;
 mod rings;
 
+use super::each::Each;
 use super::error::{Cause, Place, ReadError, WriteError};
 use super::format::Format;
 use super::model::{Crs, Feature, Field, Geometry, Header, Layer};
-use super::read::Each;
 use columns::{ShapeKind, shape_kind};
 use dbf::Table;
+use failed::{content, truncated};
 use std::fs::{self, File};
 use std::io::{self, BufReader, BufWriter, Read, Seek, SeekFrom, Write};
 use std::path::{Path, PathBuf};
@@ -34,10 +36,6 @@ const VERSION: i32 = 1_000;
 /// What Esri writes for longitude and latitude on WGS 84.
 const WGS_84: &str = "GEOGCS[\"GCS_WGS_1984\",DATUM[\"D_WGS_1984\",SPHEROID[\"WGS_1984\",6378137.0,298.257223563]],\
 PRIMEM[\"Greenwich\",0.0],UNIT[\"Degree\",0.0174532925199433]]";
-
-fn content(place: Place, cause: Cause) -> ReadError {
-    ReadError::Content { format: Format::Shapefile, place, cause }
-}
 
 /// The file of the same name with another extension, in small letters or capitals, if there is one.
 fn beside(path: &Path, extension: &str) -> Option<PathBuf> {
@@ -154,10 +152,6 @@ impl Shapes {
         self.file.read_exact(&mut self.buffer).map_err(|error| truncated(error, "a record", failed))?;
         record::parse(&self.buffer).map(|geometry| Some(Record { geometry })).map_err(failed)
     }
-}
-
-fn truncated(error: io::Error, what: &'static str, failed: impl FnOnce(Cause) -> ReadError) -> ReadError {
-    if error.kind() == io::ErrorKind::UnexpectedEof { failed(Cause::Truncated(what)) } else { ReadError::Io(error) }
 }
 
 fn check_header(file: &mut impl Read) -> Result<(), ReadError> {
