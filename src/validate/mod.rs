@@ -43,7 +43,7 @@
 //!                               F1 outer ────┤
 //!                               F2 listed ───┘
 //!
-//!  if asked for:      R1 ─► M1 used, M4 closed
+//!  if asked for:      R1 ─► M1 used, M4 closed, M8 kept (and V1)
 //!                     R1, L ─► M2 simple
 //!                     R1, L2, B1, F1 ─► M3 sides
 //!                     V2 ─► M5 connected, M6 borders (and B1), M7 genus (and T3)
@@ -64,7 +64,7 @@
 //! draw that topology: `validate_embedding` checks it, with the
 //! feature `geometry`.
 //!
-//! M1 … M7 are of another kind: a structure may well break them. They say what a mesh is to be (closed, of triangles, of this genus),
+//! M1 … M8 are of another kind: a structure may well break them. They say what a mesh is to be (closed, of triangles, of this genus),
 //! and each is checked, and in the report, only if the [`Expectation`] asks for it.
 //!
 //! # Structures as they are

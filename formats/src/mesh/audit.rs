@@ -29,7 +29,7 @@ pub struct MeshAudit {
 /// Joins the faces of a mesh, has the validator judge the result, and counts.
 ///
 /// What is expected is [`HalfEdgeMesh::expectation`], surfaces of any genus and with any borders, or that and what else is asked
-/// for: rules M1 … M7. Where faces could not be joined, some of these cannot be checked, and the report says so.
+/// for: rules M1 … M8. Where faces could not be joined, some of these cannot be checked, and the report says so.
 ///
 /// `collect` says how many findings of each kind, and how many violations, are kept. All findings are counted; violations as
 /// [`Collect`] says. Time and memory are linear in points and corners (expected, and but for the inverse of Ackermann's
