@@ -73,6 +73,9 @@
 //! keep nothing) is wrapped in an adapter. The table of [`adapt`] says what to do for which. [`adapt::Index`] gives keys the
 //! dense indices that a view needs, and [`Report::named`] prints a report with the keys.
 //!
+//! Structures of other languages are often columns of integers already, which [`interchange::Columns`] reads where they lie;
+//! [`interchange::Preset`] has the expectations for known libraries.
+//!
 //! # After a change
 //!
 //! [`near`] validates a structure that was right before, in the time that the change took: after each operator of a test, or each
@@ -86,8 +89,8 @@
 //!
 //! # With serde
 //!
-//! With the feature `serde`, reports, violations, certificates and tables can be written and read. A [`Report`] is checked as
-//! it is read: what no validation could have reported is an error. Whether it is true of some structure, only a validation
+//! With the feature `serde`, reports, violations, certificates and tables can be written and read. A [`Report`] is written in the form that
+//! `docs/report.md` describes, in a format with named fields such as JSON, and is checked as it is read: what no validation could have reported is an error. Whether it is true of some structure, only a validation
 //! of that structure can tell.
 
 pub mod adapt;
@@ -105,6 +108,7 @@ pub mod forms;
 #[cfg(feature = "geometry")]
 mod geometric;
 mod hints;
+pub mod interchange;
 mod named;
 mod names;
 pub mod near;
@@ -135,6 +139,8 @@ pub use geometric::validator::validate_embedding;
 pub use named::Named;
 pub use record::{Field, Record};
 pub use report::{Certificate, Collect, Report, RuleOutcome, Unchecked};
+#[cfg(feature = "serde")]
+pub use report_serde::{Described, REPORT_SCHEMA};
 pub use rule::Rule;
 pub use table::{BoundaryRow, FaceRow, HalfEdgeRow, Table, VertexRow};
 pub use table_text::ParseTableError;

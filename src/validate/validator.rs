@@ -8,8 +8,8 @@ use super::passes;
 use super::report::{Collect, Report, Unchecked};
 use super::rule::Rule;
 use super::rules::{
-    borders, bounds, closed, connected, cycle, euler, genus, isolated, kept, leaving, listed, live, nesting, outer, outside,
-    sides, simple, used,
+    borders, bounds, closed, connected, cycle, euler, genus, isolated, kept, leaving, listed, live, nesting, outer,
+    outside, sides, simple, used,
 };
 use super::run::Run;
 use super::view::View;

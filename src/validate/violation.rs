@@ -25,7 +25,7 @@ macro_rules! violations {
         /// ```
         #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
         #[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
-        #[cfg_attr(feature = "serde", serde(rename_all = "snake_case"))]
+        #[cfg_attr(feature = "serde", serde(tag = "kind", content = "fields", rename_all = "snake_case"))]
         #[non_exhaustive]
         #[allow(missing_docs, reason = "the fields are named after the words of the design, and each variant says what they are")]
         pub enum Violation {

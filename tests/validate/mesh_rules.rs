@@ -365,8 +365,7 @@ fn m8_a_border_vertex_keeps_an_inner_half_edge() {
     assert_eq!(report.outcome(Rule::M8).unwrap().unchecked, Some(Unchecked::Broken(Rule::V1)));
 }
 
-const OPTIONAL: [Rule; 8] =
-    [Rule::M1, Rule::M2, Rule::M3, Rule::M4, Rule::M5, Rule::M6, Rule::M7, Rule::M8];
+const OPTIONAL: [Rule; 8] = [Rule::M1, Rule::M2, Rule::M3, Rule::M4, Rule::M5, Rule::M6, Rule::M7, Rule::M8];
 
 /// The expectation, with everything asked for.
 const fn everything(expectation: Expectation) -> Expectation {
@@ -485,7 +484,9 @@ fn both_validators_agree_on_every_corruption() {
         let records = with_boundary_components(textbook);
         for (table, base) in [(textbook, MESH), (&records, BY_RECORD)] {
             for base in [base, base.without(Part::Prev), base.without(Part::Faces)] {
-                for expectation in [everything(base), base.sides(4).components(1).borders(1).genus(0).simple(), base.border_kept()] {
+                for expectation in
+                    [everything(base), base.sides(4).components(1).borders(1).genus(0).simple(), base.border_kept()]
+                {
                     let mut table = table.clone();
                     for_each_corruption(&mut table, &expectation, |changed, _, _| match agree(changed, expectation) {
                         None => met += 1,

@@ -8,15 +8,18 @@ use twinedge::validate::{Collect, Expectation, Report, Rule, validate};
 ///
 /// ```text
 /// {
+///   "schema": "twinedge-report/1",
 ///   "valid": false,
 ///   "counts": {"vertices": 7, "unused_vertices": 0, "edges": 12, "border_edges": 0, "faces": 8, "left_out_faces": 0,
 ///              "triangles": 8, "components": 1, "borders": 0, "euler_characteristic": 3, "genus": null, "orientable": true},
 ///   "finding_count": 1,
 ///   "findings": [{"kind": "non_manifold_vertex", "faces": [0, 4], "vertices": [0],
 ///                 "message": "2 fans of faces meet at vertex 0 and share no edge there; one face of each: 0, 4"}],
-///   "rules": [{"id": "R1", "violations": 0, "checked": 120, "unchecked": null}, …,
-///             {"id": "M7", "violations": 0, "checked": 0, "unchecked": "needs V2, which is broken"}],
-///   "violations": [{"rule": "V2", "message": "from half-edge 20 the rotation of vertex 0 reaches …"}]
+///   "rules": [{"id": "R1", "checked": 120, "violations": 0, "unchecked": null}, …,
+///             {"id": "M7", "checked": 0, "violations": 0, "unchecked": {"broken": "V2"}}],
+///   "violation_count": 1,
+///   "violations": [{"rule": "V2", "kind": "split_rotation", "fields": {"vertex": 0, …}, "records": [{"vertex": 0}, {"half_edge": 20}],
+///                   "message": "from half-edge 20 the rotation of vertex 0 reaches …"}]
 /// }
 /// ```
 #[derive(Clone, Debug, PartialEq)]

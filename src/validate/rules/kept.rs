@@ -36,11 +36,10 @@ pub(in crate::validate) fn check<V: View + ?Sized>(run: &mut Run<'_, V>) -> Flow
     // Per vertex a half-edge of the border that leaves it.
     let mut border = column(run.vertices, NIL)?;
     for h in (0..run.half_edges).filter(|h| run.live_half_edge(*h)) {
-        if on_border(run, h as usize)
-            && let Some(border) = border.get_mut(run.origin(h) as usize)
-            && *border == NIL
-        {
-            *border = h;
+        if on_border(run, h as usize) {
+            if let Some(border) = border.get_mut(run.origin(h) as usize) {
+                *border = h.min(*border);
+            }
         }
     }
     for (vertex, border) in border.into_iter().enumerate() {
