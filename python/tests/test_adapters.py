@@ -81,7 +81,7 @@ def test_coverages_are_judged_as_geos_judges_them():
         assert adapters.shapely(polygons).valid == adapters.geopandas(series).valid == shapely.coverage_is_valid(polygons)
     # GEOS asks for the vertex on both sides, and so do the rules: it lies inside an edge.
     assert not shapely.coverage_is_valid(node_missing)
-    assert [v.kind for v in adapters.shapely(node_missing).violations] == ["touch"]
+    assert "touch" in {v.kind for v in adapters.shapely(node_missing).violations}
 
 
 def test_unknown_arguments_are_refused():

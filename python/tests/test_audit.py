@@ -79,8 +79,8 @@ def test_meshes_are_judged_by_their_faces():
         (7, TypeError, "cannot audit int"),
         ("no-such-file.geojson", FileNotFoundError, "no such file"),
         ([shapely.box(0, 0, 1, 1), "POINT(0 0)"], TypeError, "cannot audit str"),
-        ({"type": "Polygon", "coordinates": [[[0, "x"]]]}, ValueError, ""),
-        ({"type": "Cube"}, ValueError, ""),
+        ({"type": "Polygon", "coordinates": [[[0, "x"]]]}, ValueError, "line 1"),
+        ({"type": "Cube"}, ValueError, "Cube"),
     ],
 )
 def test_what_cannot_be_audited_is_said(layer, error, told):

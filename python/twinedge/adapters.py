@@ -15,7 +15,7 @@ None of the libraries is imported here. The records of a report are positions in
 from __future__ import annotations
 
 from collections.abc import Sequence
-from itertools import chain
+from itertools import chain, repeat
 from typing import Any, NamedTuple
 
 import numpy as np
@@ -36,7 +36,7 @@ class Columns(NamedTuple):
     """A structure as arrays, with its names."""
 
     #: What :func:`twinedge.validate` takes: ``origin``, ``twin``, ``next``, ``prev`` and, of a mesh, ``face`` and others.
-    links: dict[str, _Array]
+    links: dict[str, Any]
     #: The name of each vertex.
     vertices: list[Any]
     #: The origins and targets of the half-edges, as positions in ``vertices``, of shape (h, 2).
@@ -65,10 +65,8 @@ class _HalfEdges:
         return np.where((origin < 0) | (target < 0), _DANGLING, found)
 
 
-def _positions(index: dict[Any, int] | None, values: Any, count: int) -> _Array:
-    if index is not None:
-        values = map(index.get, values, (_DANGLING for _ in range(count)))
-    return np.fromiter(values, np.int64, count)
+def _positions(index: dict[Any, int], values: Any, count: int) -> _Array:
+    return np.fromiter(map(index.get, values, repeat(_DANGLING)), np.int64, count)
 
 
 def networkx_columns(embedding: Any) -> Columns:

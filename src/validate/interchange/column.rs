@@ -1,7 +1,7 @@
 //! One column of links: every so many cells of a slice.
 
 use super::cell::Cell;
-use super::columns::ColumnsError;
+use super::error::ColumnsError;
 use crate::validate::view::Link;
 
 /// A column of links in a slice of integers.

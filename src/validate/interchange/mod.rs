@@ -6,9 +6,11 @@
 mod cell;
 mod column;
 mod columns;
+mod error;
 mod preset;
 
 pub use cell::Cell;
 pub use column::Column;
-pub use columns::{Columns, ColumnsError};
+pub use columns::Columns;
+pub use error::ColumnsError;
 pub use preset::Preset;
