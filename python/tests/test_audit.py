@@ -103,3 +103,12 @@ def test_coordinates_are_not_rounded():
     report = twinedge.audit([shapely.box(0, 0, 1, 1), shapely.box(x, 0, 2, 1)])
     assert report.counts["components"] == 2
     assert json.loads(json.dumps(x)) == x
+
+
+def test_empty_and_missing_geometries_keep_their_places():
+    layer = geopandas.GeoSeries([None, shapely.Polygon(), *squares(0, 0.5)])
+    for each in [layer, list(layer)]:
+        report = twinedge.audit(each)
+        assert report.violations[-1].features == (2, 3)
+    with pytest.raises(ValueError, match="feature 0"):
+        twinedge.audit([shapely.Point(np.nan, 1)])

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import json
 import os
+import sys
 from collections.abc import Iterable, Sequence
 from pathlib import Path
 from typing import Any
@@ -94,27 +95,46 @@ def audit_faces(
     return Report(_twinedge.audit_faces(points, corners, offsets, asked))
 
 
-def _features(layer: Any) -> list[Any]:
-    """The geometries of anything that holds some, each as a dictionary in the form of GeoJSON, or ``None``."""
+def _collection(layer: Any) -> str:
+    """The geometries of anything that holds some, as a text in the form of GeoJSON: a feature for each, in order."""
+    geometries = ",".join(f'{{"type":"Feature","properties":null,"geometry":{text}}}' for text in _geometries(layer))
+    return f'{{"type":"FeatureCollection","features":[{geometries}]}}'
+
+
+def _by_shapely(geometries: npt.NDArray[Any]) -> list[str] | None:
+    """The texts of an array of nothing but shapely geometries, and of missing ones."""
+    shapely = sys.modules.get("shapely")
+    if shapely is None or not all(one is None or isinstance(one, shapely.Geometry) for one in geometries):
+        return None
+    # GEOS writes an empty ring as no JSON reader expects it.
+    geometries = np.where(shapely.is_empty(geometries), None, geometries)
+    return ["null" if text is None else text for text in shapely.to_geojson(geometries)]
+
+
+def _geometries(layer: Any) -> list[str]:
     if hasattr(layer, "geometry") and hasattr(layer, "columns"):
         layer = layer.geometry
-    if hasattr(layer, "to_wkb") and hasattr(layer, "values"):
-        layer = layer.values
+    if hasattr(layer, "geom_type") and hasattr(layer, "__array__"):
+        layer = np.asarray(layer)
+    if isinstance(layer, (np.ndarray, list, tuple)) and len(layer):
+        texts = _by_shapely(np.fromiter(layer, object, len(layer)))
+        if texts is not None:
+            return texts
     if isinstance(layer, dict) or hasattr(layer, "__geo_interface__"):
         found = layer if isinstance(layer, dict) else layer.__geo_interface__
         kind = found.get("type")
         if kind == "FeatureCollection":
-            return [feature["geometry"] for feature in found["features"]]
-        return [found["geometry"] if kind == "Feature" else found]
+            return [json.dumps(feature["geometry"]) for feature in found["features"]]
+        return [json.dumps(found["geometry"] if kind == "Feature" else found)]
     if isinstance(layer, (str, bytes)):
         raise TypeError(f"cannot audit {type(layer).__name__}: give a path as pathlib.Path, or the name of a file that exists")
     try:
-        geometries = [*layer]
+        several = [*layer]
     except TypeError:
         raise TypeError(
             f"cannot audit {type(layer).__name__}: expected a path, a frame or a sequence of geometries, or __geo_interface__"
         ) from None
-    return [geometry for one in geometries for geometry in ([None] if one is None else _features(one))]
+    return [text for one in several for text in (["null"] if one is None else _geometries(one))]
 
 
 def audit(
@@ -183,9 +203,7 @@ def audit(
         _refuse("a mesh", format=format, coverage=coverage, gap_width=gap_width, sliver_area=sliver_area, snap=snap)
         return audit_faces(np.asarray(layer.faces), len(layer.vertices), list=list, **expected)
     else:
-        features = [{"type": "Feature", "properties": None, "geometry": geometry} for geometry in _features(layer)]
-        text = json.dumps({"type": "FeatureCollection", "features": features}).encode()
-        format = "geojson"
+        text, format = _collection(layer).encode(), "geojson"
     if expected:
         raise TypeError(f"{next(iter(expected))}: this is for meshes, and the layer is a map")
     asked = {

@@ -87,22 +87,24 @@ pub struct Expectation {
     surface: Surface,
     open: bool,
     lacks: u8,
-    /// M1 … M8, each with its number if it is asked for; 0 for those that have none.
-    asked: [Option<usize>; 8],
+    /// A bit for each of M1 … M8 that is asked for.
+    asked: u8,
+    /// The numbers of M3, M5, M6 and M7; 0 where they are not asked for.
+    numbers: [usize; 4],
 }
 
 impl Expectation {
     /// A planar subdivision with every part.
     #[must_use]
     pub const fn plane() -> Self {
-        Self { surface: Surface::Plane, open: false, lacks: 0, asked: [None; 8] }
+        Self { surface: Surface::Plane, open: false, lacks: 0, asked: 0, numbers: [0; 4] }
     }
 
     /// A subdivision of closed orientable surfaces: no unbounded face, no holes in faces.
     #[must_use]
     pub const fn surface() -> Self {
         let lacks = Part::Holes.bit() | Part::UnboundedFace.bit();
-        Self { surface: Surface::Any, open: false, lacks, asked: [None; 8] }
+        Self { surface: Surface::Any, open: false, lacks, asked: 0, numbers: [0; 4] }
     }
 
     /// The same, for a structure that lacks this part, and the parts that depend on it.
@@ -222,8 +224,27 @@ impl Expectation {
     }
 
     const fn ask(mut self, rule: Rule, number: usize) -> Self {
-        self.asked[rule.index() - Rule::M1.index()] = Some(number);
+        self.asked |= Self::bit(rule);
+        if let Some(place) = Self::place(rule) {
+            self.numbers[place] = number;
+        }
         self
+    }
+
+    /// The bit of an optional rule.
+    const fn bit(rule: Rule) -> u8 {
+        1 << (rule.index() - Rule::M1.index())
+    }
+
+    /// Where the number of a rule is, if it has one.
+    const fn place(rule: Rule) -> Option<usize> {
+        match rule {
+            Rule::M3 => Some(0),
+            Rule::M5 => Some(1),
+            Rule::M6 => Some(2),
+            Rule::M7 => Some(3),
+            _ => None,
+        }
     }
 
     /// Whether the rule is asked for. A rule that is not [optional](Rule::is_optional) always is.
@@ -236,14 +257,14 @@ impl Expectation {
     /// ```
     #[must_use]
     pub const fn asks_for(&self, rule: Rule) -> bool {
-        !rule.is_optional() || self.asked[rule.index() - Rule::M1.index()].is_some()
+        !rule.is_optional() || self.asked & Self::bit(rule) != 0
     }
 
     /// The number that M3, M5, M6 or M7 is asked to find; `None` if it is not asked for, and for all other rules.
     #[must_use]
     pub const fn expected_count(&self, rule: Rule) -> Option<usize> {
-        match rule {
-            Rule::M3 | Rule::M5 | Rule::M6 | Rule::M7 => self.asked[rule.index() - Rule::M1.index()],
+        match Self::place(rule) {
+            Some(place) if self.asks_for(rule) => Some(self.numbers[place]),
             _ => None,
         }
     }
