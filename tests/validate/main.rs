@@ -16,6 +16,7 @@ mod families;
 mod forms;
 mod interchange;
 mod mesh_rules;
+mod names;
 mod near;
 mod open_embeddings;
 mod reports;
