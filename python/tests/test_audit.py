@@ -8,6 +8,7 @@ import numpy as np
 import pytest
 import shapely
 import trimesh
+from compas.datastructures import Mesh
 
 import twinedge
 
@@ -77,6 +78,7 @@ def test_meshes_are_judged_by_their_faces():
     ("layer", "error", "told"),
     [
         (7, TypeError, "cannot audit int"),
+        (Mesh(), TypeError, "cannot audit Mesh"),
         ("no-such-file.geojson", FileNotFoundError, "no such file"),
         ([shapely.box(0, 0, 1, 1), "POINT(0 0)"], TypeError, "cannot audit str"),
         ({"type": "Polygon", "coordinates": [[[0, "x"]]]}, ValueError, "line 1"),

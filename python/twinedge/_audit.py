@@ -199,7 +199,7 @@ def audit(
             _refuse(path.name, format=format, coverage=coverage, gap_width=gap_width, sliver_area=sliver_area, snap=snap)
             return Report(_twinedge.audit_mesh(path, _asked(list=list, **expected)))
         text, format = path.read_bytes(), format or _MAPS.get(path.suffix.lower())
-    elif hasattr(layer, "faces") and hasattr(layer, "vertices"):
+    elif hasattr(layer, "faces") and hasattr(layer, "vertices") and not callable(layer.faces):
         _refuse("a mesh", format=format, coverage=coverage, gap_width=gap_width, sliver_area=sliver_area, snap=snap)
         return audit_faces(np.asarray(layer.faces), len(layer.vertices), list=list, **expected)
     else:
