@@ -102,12 +102,12 @@ def _collection(layer: Any) -> str:
 
 
 def _by_shapely(geometries: npt.NDArray[Any]) -> list[str] | None:
-    """The texts of an array of nothing but shapely geometries, and of missing ones."""
+    """The texts of an array of nothing but shapely geometries, and of missing ones. Overwrites the array."""
     shapely = sys.modules.get("shapely")
     if shapely is None or not all(one is None or isinstance(one, shapely.Geometry) for one in geometries):
         return None
     # GEOS writes an empty ring as no JSON reader expects it.
-    geometries = np.where(shapely.is_empty(geometries), None, geometries)
+    geometries[shapely.is_empty(geometries)] = None
     return ["null" if text is None else text for text in shapely.to_geojson(geometries)]
 
 

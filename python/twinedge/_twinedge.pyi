@@ -1,6 +1,8 @@
 from os import PathLike
 from typing import Any, Final
 
+__all__: list[str]
+
 __version__: Final[str]
 REPORT_SCHEMA: Final[str]
 DEFAULT_LIST: Final[int]
