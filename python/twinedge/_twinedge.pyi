@@ -1,7 +1,18 @@
 from os import PathLike
 from typing import Any, Final
 
-__all__: list[str]
+__all__ = [
+    "DEFAULT_LIST",
+    "KINDS",
+    "PRESETS",
+    "REPORT_SCHEMA",
+    "__version__",
+    "audit_faces",
+    "audit_map",
+    "audit_mesh",
+    "explain",
+    "validate",
+]
 
 __version__: Final[str]
 REPORT_SCHEMA: Final[str]
