@@ -13,7 +13,8 @@
 //!   in `ndarray.resize(…, refcheck=False)`, which turns off numpy's own check for this and must not be called meanwhile, as with
 //!   any other use of the array.
 //! - *In bounds, aligned*: pointer, shape and strides are read under the lock, and the slice spans exactly the elements
-//!   between the first and the last, all of which numpy guarantees to be there. What is not aligned or not in whole steps is refused.
+//!   between the first and the last, all of which numpy guarantees to be there (`as_strided` of `numpy.lib.stride_tricks` can make
+//!   arrays of which it does not, for every user of such an array). What is not aligned or not in whole steps is refused.
 //! - *Initialised*: numpy's integers have no invalid bit pattern, and `numpy.empty` hands out memory that has some.
 //! - *Types*: an atomic integer has the size, alignment and bit pattern of the integer. Atomic loads need no write access on
 //!   the targets that have these types, so read-only memory (a mapped file) is fine.
@@ -62,7 +63,7 @@ pub(crate) struct Array<'py, T: Atomic> {
 
 /// The cells of an array, while it is kept.
 pub(crate) struct Cells<'a, T: Atomic> {
-    cells: &'a [T::As],
+    span: &'a [T::As],
     first: usize,
     stride: isize,
     len: usize,
@@ -92,7 +93,7 @@ impl<'py, T: Atomic> Array<'py, T> {
         let size = size_of::<T>();
         let (len, bytes) = (self.array.len(), self.array.strides()[0]);
         if len == 0 {
-            return Ok(Cells { cells: &[], first: 0, stride: 1, len: 0 });
+            return Ok(Cells { span: &[], first: 0, stride: 1, len: 0 });
         }
         let start = self.array.data();
         let whole = isize::try_from(size).ok().filter(|size| bytes % size == 0);
@@ -108,22 +109,22 @@ impl<'py, T: Atomic> Array<'py, T> {
         // SAFETY: `start` leads to element 0, and element `len - 1` lies `steps` integers after it, or before it if the stride is
         // negative. Both are in one allocation, which `self.array` keeps. All between them is initialised memory of that allocation,
         // aligned as element 0 is. See the head of the file for writes by others.
-        let cells = unsafe { std::slice::from_raw_parts(start.cast::<T::As>().cast_const().sub(first), steps + 1) };
-        Ok(Cells { cells, first, stride, len })
+        let span = unsafe { std::slice::from_raw_parts(start.cast::<T::As>().cast_const().sub(first), steps + 1) };
+        Ok(Cells { span, first, stride, len })
     }
 }
 
 impl<'a, T: Atomic> Cells<'a, T> {
     /// The column of links.
     pub(crate) fn column(&self) -> PyResult<Column<'a, T::As>> {
-        Column::strided(self.cells, self.first, self.stride, self.len).map_err(|e| PyValueError::new_err(e.to_string()))
+        Column::strided(self.span, self.first, self.stride, self.len).map_err(|e| PyValueError::new_err(e.to_string()))
     }
 
     /// A number that is another one after nearly every change of the array.
     pub(crate) fn sum(&self) -> u64 {
         let (mut at, mut sum, mut weight) = (self.first, 0_u64, 1_u64);
         for _ in 0..self.len {
-            sum = sum.wrapping_add(T::bits(&self.cells[at]).wrapping_mul(weight));
+            sum = sum.wrapping_add(T::bits(&self.span[at]).wrapping_mul(weight));
             weight = weight.wrapping_add(0x9E37_79B9_7F4A_7C16);
             at = at.wrapping_add_signed(self.stride);
         }

@@ -128,9 +128,8 @@ fn judge<T: Atomic>(
         [column(0)?, column(1)?, column(2)?, column(3)?, column(4)?, column(5)?, column(6)?, column(7)?];
     let wrong = |error: twinedge::validate::interchange::ColumnsError| PyValueError::new_err(error.to_string());
     let next = next.ok_or_else(|| PyTypeError::new_err("next: missing"))?;
-    let ends = match (origin, target) {
-        (Some(ends), None) | (None, Some(ends)) => ends,
-        _ => return Err(PyTypeError::new_err("give either origin or target")),
+    let ((Some(ends), None) | (None, Some(ends))) = (origin, target) else {
+        return Err(PyTypeError::new_err("give either origin or target"));
     };
     // A link beyond dangles, and must not make as many records.
     let slots = |column: twinedge::validate::interchange::Column<'_, T::As>| column.slots().min(next.len());
