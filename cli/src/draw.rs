@@ -27,7 +27,7 @@ dotted, and a dashed ring shows where one of them is tiny. A map that is not pla
 are explained below the map. Islands far from everything else are drawn in insets, unless --whole is given.
 
 Exit status: 0 the map is drawn and valid; 1 it is drawn, and violations are marked; 2 it could not be read or drawn.")]
-#[allow(clippy::struct_excessive_bools, reason = "each is a flag of the command line")]
+#[allow(clippy::struct_excessive_bools, reason = "flags of a command")]
 pub(crate) struct Draw {
     #[command(flatten)]
     map: MapFile,
