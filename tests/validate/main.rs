@@ -17,6 +17,7 @@ mod mesh_rules;
 mod open_embeddings;
 mod reports;
 mod serialized;
+mod settled;
 mod small_tables;
 mod statements;
 mod table_text;

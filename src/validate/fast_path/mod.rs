@@ -36,152 +36,146 @@
 //!
 //! Every structure that keeps R1 … T3 and has no open boundary is settled here.
 
+mod borders;
 mod boundaries;
 mod components;
 mod extent;
+mod known;
 mod links;
 mod marks;
 mod rotations;
 
 use super::columns::{Component, Components, NIL};
-use super::counts::Counts;
 use super::expectation::{Part, Surface};
-use super::report::Unchecked;
-use super::rule::Rule;
 use super::run::Run;
 use super::view::View;
 use alloc::vec::Vec;
-use boundaries::Inner;
+use boundaries::{Boundaries, Cycles};
 use components::Joined;
 use extent::Extent;
+pub(super) use known::Known;
+use known::{Lists, Vertices, Whole};
+use links::Links;
 use rotations::Rotations;
 
-/// Whether R1 … T3 hold. If so, their outcomes are entered, and all is known that later rules need; if not, nothing is.
-pub(super) fn check<V: View + ?Sized>(run: &mut Run<'_, V>) -> bool {
-    if run.expect.is_open() {
-        return false;
-    }
-    let extent = Extent {
-        vertices: run.vertices as usize,
-        half_edges: run.half_edges as usize,
-        boundaries: run.boundaries as usize,
-        faces: run.faces as usize,
-        expect: run.expect,
-    };
-    let Some((counts, components)) = look(run.view, extent) else { return false };
-    settle(run, counts, components);
-    true
-}
-
-/// What the scan and the walks find, or nothing if something is wrong.
-fn look<V: View + ?Sized>(view: &V, extent: Extent) -> Option<(Counts, Components)> {
-    let links = links::scan(view, extent)?;
-    let along = boundaries::walk(view, extent, &links)?;
-    let around = rotations::walk(view, extent, &links)?;
-    // By record each isolated vertex names what starts at it; otherwise those listed are marked, so it suffices to count.
-    let claimed = if extent.has(Part::BoundaryComponents) { around.claimed } else { around.isolated };
-    let may_be_unclaimed = !extent.has(Part::BoundaryComponents) && !extent.has(Part::UnboundedFace);
-    if around.half_edges != links.half_edges || claimed != along.at_vertex && !may_be_unclaimed {
-        return None;
-    }
-    let half_edges = links.half_edges;
-    drop(links);
-    let mut counts = Counts {
-        vertices: around.vertices,
-        half_edges,
-        edges: half_edges / 2,
-        faces: along.faces,
-        outer_boundaries: along.outer,
-        inner_boundaries: along.inner.len(),
-        isolated_vertices: around.isolated,
-        cycles: Some(along.cycles),
-        borders: Some(0),
-        ..Counts::default()
-    };
-    // Euler's formula, where an isolated vertex has one cycle: V + cycles − E is twice the number of components, at genus 0.
-    let twice = (counts.vertices + along.cycles + around.isolated).checked_sub(counts.edges)?;
-    let (components, genus) = join(view, extent, around, &along.inner, twice)?;
-    counts.components = Some(components.all.len());
-    counts.genus = Some(genus);
-    Some((counts, components))
-}
-
-/// The components and the genus; nothing if T1 or T3 is broken.
-fn join<V: View + ?Sized>(
-    view: &V,
-    extent: Extent,
+/// The scan and the walks around the vertices, where nothing is wrong with the rotations.
+pub(super) struct Turned {
+    links: Links,
     around: Rotations,
-    inner: &[Inner],
-    twice: usize,
-) -> Option<(Components, usize)> {
-    let plane = extent.expect.surface_kind() == Surface::Plane;
+}
+
+/// Finds out what holds of R1 … T3, part by part.
+pub(super) fn look<V: View + ?Sized>(run: &mut Run<'_, V>) {
+    let view = run.view;
+    let extent = Extent::of(run);
+    let Some(mut links) = links::scan(view, extent) else { return };
+    let Some(doubts) = links.doubts(view, extent) else { return };
+    run.known.half_edges = Some(doubts);
+    let is_map = links.next_holds && links.twin_holds && links.one_into_each;
+    let mut vertices_hold = true;
+    let mut around = if is_map { rotations::walk(view, extent, &links) } else { None };
+    if is_map && around.is_none() && links.note_leaving(view, extent).is_some() {
+        // What a vertex keeps may be all that is wrong.
+        vertices_hold = false;
+        around = rotations::walk(view, extent, &links);
+    }
+    let Some(around) = around else {
+        // The lists stand on their own, but their rules come after one that is broken.
+        if !run.findings.wants_first_only() && links.next_holds && links.name_holds && extent.has(Part::Faces) {
+            run.known.lists = boundaries::read(view, extent, &links, true).map(|lists| Lists::of(&lists));
+        }
+        return;
+    };
+    if vertices_hold && around.claimed.is_some() {
+        run.known.vertices = Some(Vertices { live: around.vertices, isolated: around.isolated });
+    }
+    let turned = Turned { links, around };
+    if !extent.has(Part::Faces) {
+        run.known.turned = Some(turned);
+        whole(run);
+    } else if !turned.links.name_holds {
+        run.known.turned = Some(turned);
+    } else {
+        let walked = extent.expect.surface_kind() != Surface::Plane;
+        match boundaries::read(view, extent, &turned.links, walked) {
+            Some(lists) => listed(run, extent, turned, &lists),
+            None => run.known.turned = Some(turned),
+        }
+    }
+}
+
+/// Where the lists are right, or right if the components are as many as they leave room for: what follows of the whole.
+fn listed<V: View + ?Sized>(run: &mut Run<'_, V>, extent: Extent, turned: Turned, lists: &Boundaries) {
+    let Some(unnamed) = boundaries::cycles(run.view, extent, &turned.links, false) else { return };
+    let claims_agree = agree(extent, &turned.around, lists);
+    let cycles = Cycles { named: lists.cycles, unnamed: unnamed.unnamed };
+    let Some(mut whole) = join(run.view, extent, turned, &cycles) else { return };
+    run.known.lists = Some(Lists::of(lists));
+    run.known.isolated = claims_agree;
+    if extent.expect.surface_kind() == Surface::Plane && extent.has(Part::Holes) {
+        run.known.outsides = outsides(&mut whole.components, lists, extent.has(Part::UnboundedFace)).is_some();
+    }
+    run.known.whole = Some(whole);
+}
+
+/// The rest of B2: as many isolated vertices name a boundary component as are listed. By record each names what starts at it;
+/// otherwise those listed are marked, so it suffices to count.
+fn agree(extent: Extent, around: &Rotations, lists: &Boundaries) -> bool {
+    if extent.has(Part::BoundaryComponents) {
+        around.claimed == Some(lists.at_vertex)
+    } else {
+        lists.vertices_hold && (around.isolated == lists.at_vertex || !extent.has(Part::UnboundedFace))
+    }
+}
+
+/// Where the rotations are right, and the lists may be wrong: finds the components and the genus from the cycles.
+pub(super) fn whole<V: View + ?Sized>(run: &mut Run<'_, V>) {
+    let Some(turned) = run.known.turned.take() else { return };
+    let extent = Extent::of(run);
+    let Some(cycles) = boundaries::cycles(run.view, extent, &turned.links, true) else { return };
+    run.known.whole = join(run.view, extent, turned, &cycles);
+}
+
+/// The components and the genus; nothing if T3 is broken.
+fn join<V: View + ?Sized>(view: &V, extent: Extent, turned: Turned, cycles: &Cycles) -> Option<Whole> {
+    let Turned { mut links, around } = turned;
+    let loops = borders::loops(view, extent, &mut links)?;
+    let (half_edges, unpaired) = (links.half_edges, links.unpaired);
+    drop(links);
+    let edges = (half_edges - unpaired) / 2 + unpaired;
+    let borders = cycles.unnamed.len() + loops.len();
+    // Euler's formula, where an isolated vertex has one cycle: V + cycles − E is twice the number of components, at genus 0.
+    let twice = (around.vertices + cycles.named + borders + around.isolated).checked_sub(edges)?;
     let least = twice / 2;
     let simple = around.simple;
     let Joined { of, first } = components::join(view, extent, around, least.max(1))?;
     let genus = first.len().checked_sub(least)?;
-    if twice % 2 != 0 || plane && genus > 0 {
+    if twice % 2 != 0 || extent.expect.surface_kind() == Surface::Plane && genus > 0 {
         return None;
     }
     let mut all = Vec::new();
     all.try_reserve_exact(first.len()).ok()?;
     all.extend(first.into_iter().map(Component::at));
-    if plane && extent.has(Part::Holes) {
-        outsides(&of, &mut all, inner, extent.has(Part::UnboundedFace))?;
+    for v in cycles.unnamed.iter().chain(&loops) {
+        all.get_mut(*of.get(*v as usize)? as usize)?.open = true;
     }
-    Some((Components { of, all, simple }, genus))
+    let components = Components { of, all, simple };
+    Some(Whole { components, genus, cycles: cycles.named, borders })
 }
 
 /// T1: notes in which face each component lies.
-fn outsides(of: &[u32], all: &mut [Component], inner: &[Inner], every: bool) -> Option<()> {
-    for entry in inner {
+fn outsides(components: &mut Components, lists: &Boundaries, every: bool) -> Option<()> {
+    let Components { of, all, .. } = components;
+    let mut twice = false;
+    for entry in &lists.inner {
         let component = all.get_mut(*of.get(entry.vertex as usize)? as usize)?;
-        if component.lies_in != NIL {
-            return None;
-        }
+        twice |= component.lies_in != NIL;
         component.lies_in = entry.face;
     }
-    (!every || inner.len() == all.len()).then_some(())
-}
-
-/// Enters what the rules would have counted one by one.
-fn settle<V: View + ?Sized>(run: &mut Run<'_, V>, counts: Counts, components: Components) {
-    let has = |part| run.expect.has(part);
-    let half_edges = counts.half_edges as u64;
-    let connected = (counts.vertices - counts.isolated_vertices) as u64;
-    let by_record = has(Part::BoundaryComponents);
-    let boundaries = (counts.outer_boundaries + counts.inner_boundaries) as u64;
-    let links_of_half_edge = 3 + u64::from(has(Part::Prev)) + u64::from(has(Part::Faces));
-    let link_of_vertex = u64::from(has(Part::Leaving) || by_record && has(Part::Holes));
-    let links_of_boundary = if by_record { 2 } else { 0 };
-    let others = [
-        counts.vertices as u64 * link_of_vertex,
-        boundaries * links_of_boundary,
-        (counts.faces + counts.inner_boundaries) as u64,
-    ];
-    let findings = &mut run.findings;
-    findings.checked(Rule::R1, half_edges * links_of_half_edge + others.iter().sum::<u64>());
-    for rule in [Rule::L1, Rule::L2, Rule::L3] {
-        findings.checked(rule, half_edges);
+    let none = every && all.iter().any(|component| component.lies_in == NIL && !component.open);
+    if twice || none {
+        // T1 begins anew.
+        all.iter_mut().for_each(|component| component.lies_in = NIL);
     }
-    findings.checked(Rule::V2, connected);
-    for (rule, needs, checked) in [
-        (Rule::V1, [Part::Leaving].as_slice(), connected),
-        (Rule::B1, &[Part::Faces], half_edges),
-        (Rule::B2, &[Part::Faces, Part::Holes], counts.vertices as u64),
-        (Rule::F1, &[Part::Faces], counts.faces as u64),
-        (Rule::F2, &[Part::Faces], boundaries),
-    ] {
-        match needs.iter().find(|part| !run.expect.has(**part)) {
-            Some(part) => findings.not_checked(rule, Unchecked::Lacks(*part)),
-            None => findings.checked(rule, checked),
-        }
-    }
-    let total = components.all.len() as u64;
-    match run.containment_unchecked() {
-        None => run.findings.checked(Rule::T1, total),
-        Some(why) => run.findings.not_checked(Rule::T1, why),
-    }
-    run.findings.checked(Rule::T3, total);
-    run.counts = counts;
-    run.components = Some(components);
+    (!twice && !none).then_some(())
 }

@@ -15,4 +15,5 @@ mod compare;
 mod rules;
 
 pub use compare::{Disagreement, compare, compare_first, disagreement};
+pub use super::validator::rule_by_rule;
 pub use rules::{broken_rules, first_broken_rule};

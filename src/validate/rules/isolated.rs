@@ -26,6 +26,11 @@ pub(in crate::validate) fn check<V: View + ?Sized>(run: &mut Run<'_, V>) -> Flow
             return Ok(());
         }
     }
+    if run.known.isolated {
+        run.findings.checked(Rule::B2, run.counts.vertices as u64);
+        return Ok(());
+    }
+    run.count_fans()?;
     let by_record = run.expect.has(Part::BoundaryComponents);
     // The boundary component, or the face, that starts at a vertex or lists it as isolated.
     let mut started: Vec<u32> = column(run.vertices, NIL)?;
