@@ -48,7 +48,13 @@ fn every_corruption_of_small_maps_in_every_form() {
 
 /// So many loops, each at a vertex of its own.
 fn loops(count: usize) -> Table {
-    let half_edge = |h: usize| HalfEdgeRow { origin: Some(h / 2), twin: Some(h ^ 1), next: Some(h), prev: Some(h), ..HalfEdgeRow::default() };
+    let half_edge = |h: usize| HalfEdgeRow {
+        origin: Some(h / 2),
+        twin: Some(h ^ 1),
+        next: Some(h),
+        prev: Some(h),
+        ..HalfEdgeRow::default()
+    };
     Table {
         vertices: (0..count).map(|v| Some(VertexRow { leaving: Some(2 * v), ..VertexRow::default() })).collect(),
         half_edges: (0..2 * count).map(|h| Some(half_edge(h))).collect(),

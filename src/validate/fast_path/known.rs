@@ -38,6 +38,8 @@ pub(in crate::validate) struct Doubts {
 pub(in crate::validate) struct Vertices {
     pub(in crate::validate) live: usize,
     pub(in crate::validate) isolated: usize,
+    /// How many of the isolated ones name a boundary component that starts at them. No other vertex names one.
+    pub(in crate::validate) claimed: usize,
 }
 
 /// How much the faces list.

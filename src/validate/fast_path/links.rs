@@ -16,7 +16,7 @@ pub(super) struct Links {
     pub(super) half_edges: usize,
     /// How many of them have no twin.
     pub(super) unpaired: usize,
-    /// How many of them name neither face nor boundary component.
+    /// How many of them name neither face nor boundary component, where there are such.
     pub(super) unnamed: usize,
     /// Per vertex a half-edge that leaves it, or nil, where vertices keep none.
     leaving: Option<Vec<u32>>,
@@ -89,6 +89,38 @@ impl Links {
     }
 }
 
+/// Puts in doubt every half-edge that names a boundary component, or a face, that is not live. None if they are too many.
+///
+/// Where the lists are right, all that is named is listed, and so it is live.
+pub(super) fn doubt_names<V: View + ?Sized>(view: &V, extent: Extent, doubts: &mut Doubts) -> Option<()> {
+    let by_record = extent.has(Part::BoundaryComponents);
+    if !extent.has(Part::Faces) {
+        return Some(());
+    }
+    let is_live = |name: usize| {
+        if by_record {
+            name < extent.boundaries && view.is_boundary(name)
+        } else {
+            name < extent.faces && view.is_face(name)
+        }
+    };
+    let most = doubts.half_edges.len() + MOST_DOUBTS;
+    for h in (0..extent.half_edges).filter(|h| view.is_half_edge(*h)) {
+        let name = if by_record { view.boundary(h) } else { view.face(h) };
+        if name.is_none_or(is_live) {
+            continue;
+        }
+        if doubts.half_edges.len() == most {
+            return None;
+        }
+        doubts.half_edges.try_reserve(1).ok()?;
+        doubts.half_edges.push(h as u32);
+    }
+    doubts.half_edges.sort_unstable();
+    doubts.half_edges.dedup();
+    Some(())
+}
+
 /// Reads the links of every half-edge, in order of their numbers, so that none waits for another. None if too many are wrong.
 #[inline(never)]
 pub(super) fn scan<V: View + ?Sized>(view: &V, extent: Extent) -> Option<Links> {
@@ -123,7 +155,7 @@ fn note<V: View + ?Sized>(view: &V, leaving: &mut [u32], h: usize) {
 }
 
 /// Scans, and tells `note` each half-edge.
-#[inline]
+#[inline(always)]
 fn scan_and<V: View + ?Sized>(view: &V, extent: Extent, links: &mut Links, mut note: impl FnMut(usize)) -> Option<()> {
     let scan = Scan {
         view,
@@ -133,27 +165,18 @@ fn scan_and<V: View + ?Sized>(view: &V, extent: Extent, links: &mut Links, mut n
         by_label: extent.has(Part::Faces) && !extent.has(Part::BoundaryComponents),
         open: extent.expect.is_open(),
     };
+    let mut live = 0;
     for h in 0..extent.half_edges {
         if !view.is_half_edge(h) {
             continue;
         }
-        links.half_edges += 1;
-        let twin = view.twin(h);
-        let next = existing(view.next(h), extent.half_edges).filter(|n| view.is_half_edge(*n));
-        let name = scan.name(h);
-        let next_holds = next.is_some_and(|n| !scan.with_prev || view.prev(n) == Some(h));
-        let name_holds = next.is_none_or(|n| scan.name(n) == name) && scan.may_be_named(name, twin);
-        let twin_holds = scan.twin_holds(h, twin, next);
-        if !(next_holds && name_holds && twin_holds) {
-            links.doubt(h, [next_holds, name_holds, twin_holds])?;
+        live += 1;
+        if !scan.is_inside_and_holds(h) {
+            scan.at_border_or_wrong(h, links)?;
         }
-        if twin.is_none() {
-            links.unpaired += 1;
-            links.ends(scan.target(next), h, extent)?;
-        }
-        links.unnamed += usize::from(name.is_none());
         note(h);
     }
+    links.half_edges = live;
     Some(())
 }
 
@@ -199,8 +222,46 @@ struct Scan<'a, V: ?Sized> {
 }
 
 impl<V: View + ?Sized> Scan<'_, V> {
+    /// Whether nothing is wrong with a half-edge that has twin and face, as nearly all have.
+    #[inline(always)]
+    fn is_inside_and_holds(&self, h: usize) -> bool {
+        let (view, half_edges) = (self.view, self.extent.half_edges);
+        let (Some(t), Some(n)) = (existing(view.twin(h), half_edges), existing(view.next(h), half_edges)) else {
+            return false;
+        };
+        let target = view.origin(t);
+        let name = self.name(h);
+        self.is_mutual(h, t)
+            && view.is_half_edge(n)
+            && view.origin(n) == target
+            && self.is_vertex(target)
+            && (!self.with_prev || view.prev(n) == Some(h))
+            && (!self.by_record && !self.by_label || name.is_some() && self.name(n) == name)
+    }
+
+    /// Looks at what may be at the border, notes what is, and what is wrong.
+    #[cold]
+    fn at_border_or_wrong(&self, h: usize, links: &mut Links) -> Option<()> {
+        let (view, half_edges) = (self.view, self.extent.half_edges);
+        let twin = view.twin(h);
+        let next = existing(view.next(h), half_edges).filter(|n| view.is_half_edge(*n));
+        let name = self.name(h);
+        let next_holds = next.is_some_and(|n| !self.with_prev || view.prev(n) == Some(h));
+        let name_holds = next.is_none_or(|n| self.name(n) == name) && self.may_be_named(name, twin);
+        let twin_holds = self.twin_holds(h, twin, next);
+        if !(next_holds && name_holds && twin_holds) {
+            links.doubt(h, [next_holds, name_holds, twin_holds])?;
+        }
+        if twin.is_none() {
+            links.unpaired += 1;
+            links.ends(self.target(next), h, self.extent)?;
+        }
+        links.unnamed += usize::from(name.is_none());
+        Some(())
+    }
+
     /// The boundary component, or without records for these the face, that the half-edge names.
-    #[inline]
+    #[inline(always)]
     fn name(&self, h: usize) -> Link {
         if self.by_record {
             self.view.boundary(h)
@@ -211,29 +272,28 @@ impl<V: View + ?Sized> Scan<'_, V> {
         }
     }
 
-    /// R1 of that name.
-    #[inline]
+    /// R1 of that name, but for what the name leads to.
     fn may_be_named(&self, name: Link, twin: Link) -> bool {
-        match name {
-            Some(b) if self.by_record => b < self.extent.boundaries && self.view.is_boundary(b),
-            Some(f) => f < self.extent.faces && self.view.is_face(f),
-            None => !self.by_record && !self.by_label || self.open && twin.is_some(),
-        }
+        name.is_some() || !self.by_record && !self.by_label || self.open && twin.is_some()
     }
 
     /// L1 and L3, and R1 of the origin of the twin. A half-edge without twin answers for its own.
-    #[inline]
     fn twin_holds(&self, h: usize, twin: Link, next: Link) -> bool {
         let view = self.view;
         let Some(t) = twin else { return self.open && self.is_vertex(view.origin(h)) };
-        let mutual = t != h && t < self.extent.half_edges && view.twin(t) == Some(h) && view.is_half_edge(t);
-        mutual && {
+        t < self.extent.half_edges && self.is_mutual(h, t) && {
             let target = view.origin(t);
             self.is_vertex(target) && next.is_none_or(|n| view.origin(n) == target)
         }
     }
 
-    #[inline]
+    /// L1.
+    #[inline(always)]
+    fn is_mutual(&self, h: usize, t: usize) -> bool {
+        t != h && self.view.is_half_edge(t) && self.view.twin(t) == Some(h)
+    }
+
+    #[inline(always)]
     fn is_vertex(&self, vertex: Link) -> bool {
         vertex.is_some_and(|v| v < self.extent.vertices && self.view.is_vertex(v))
     }

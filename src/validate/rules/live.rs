@@ -159,7 +159,13 @@ fn vertices<V: View + ?Sized>(run: &mut Run<'_, V>) -> Flow {
 fn boundaries<V: View + ?Sized>(run: &mut Run<'_, V>) -> Flow {
     let by_record = run.expect.has(Part::BoundaryComponents);
     let live = match run.known.lists {
-        Some(lists) => if by_record { lists.outer + lists.inner } else { 0 },
+        Some(lists) => {
+            if by_record {
+                lists.outer + lists.inner
+            } else {
+                0
+            }
+        }
         None => each_boundary(run)?,
     };
     run.findings.checked(Rule::R1, live as u64 * 2);
