@@ -3,7 +3,7 @@
 use super::columns::{Component, Components, Fan, NIL, column};
 use super::counts::{Bounds, Counts};
 use super::expectation::{Expectation, Part, Surface};
-use super::fast_path::Known;
+use super::fast_path::known::Known;
 use super::findings::{Findings, Flow};
 use super::report::{Collect, Unchecked};
 use super::rule::Rule;

@@ -2,7 +2,6 @@
 
 use crate::validate::columns::{NIL, column};
 use crate::validate::expectation::{Expectation, Part};
-use crate::validate::run::Run;
 use alloc::vec::Vec;
 
 /// How many slots there are, and what the structure has.
@@ -16,16 +15,6 @@ pub(super) struct Extent {
 }
 
 impl Extent {
-    pub(super) const fn of<V: ?Sized>(run: &Run<'_, V>) -> Self {
-        Self {
-            vertices: run.vertices as usize,
-            half_edges: run.half_edges as usize,
-            boundaries: run.boundaries as usize,
-            faces: run.faces as usize,
-            expect: run.expect,
-        }
-    }
-
     pub(super) const fn has(&self, part: Part) -> bool {
         self.expect.has(part)
     }

@@ -1,7 +1,8 @@
 //! What the scan and the walks have settled, for the rules to enter or to start from.
 
-use super::Turned;
 use super::boundaries::Boundaries;
+use super::links::{Doubts, Links};
+use super::rotations::Rotations;
 use crate::validate::columns::Components;
 use alloc::vec::Vec;
 
@@ -24,13 +25,10 @@ pub(in crate::validate) struct Known {
     pub(in crate::validate) outsides: bool,
 }
 
-/// The half-edges that are in doubt: all others keep their rules.
-pub(in crate::validate) struct Doubts {
-    /// In order of their numbers. All of them are live.
-    pub(in crate::validate) half_edges: Vec<u32>,
-    /// How many half-edges are live, and how many of these have no twin.
-    pub(in crate::validate) live: usize,
-    pub(in crate::validate) unpaired: usize,
+/// The scan and the walks around the vertices, where nothing is wrong with the rotations.
+pub(super) struct Turned {
+    pub(super) links: Links,
+    pub(super) around: Rotations,
 }
 
 /// How many vertices there are.

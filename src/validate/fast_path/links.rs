@@ -1,7 +1,6 @@
 //! The scan over the half-edges: R1, L1, L2 where there is `prev`, L3, and that what a half-edge names is what the next names.
 
 use super::extent::{Extent, existing, nils};
-use super::known::Doubts;
 use crate::validate::columns::NIL;
 use crate::validate::expectation::Part;
 use crate::validate::view::{Link, View};
@@ -29,6 +28,15 @@ pub(super) struct Links {
     pub(super) next_holds: bool,
     pub(super) name_holds: bool,
     pub(super) twin_holds: bool,
+}
+
+/// The half-edges that are in doubt: all others keep their rules.
+pub(in crate::validate) struct Doubts {
+    /// In order of their numbers. All of them are live.
+    pub(in crate::validate) half_edges: Vec<u32>,
+    /// How many half-edges are live, and how many of these have no twin.
+    pub(in crate::validate) live: usize,
+    pub(in crate::validate) unpaired: usize,
 }
 
 impl Links {
@@ -157,14 +165,7 @@ fn note<V: View + ?Sized>(view: &V, leaving: &mut [u32], h: usize) {
 /// Scans, and tells `note` each half-edge.
 #[inline(always)]
 fn scan_and<V: View + ?Sized>(view: &V, extent: Extent, links: &mut Links, mut note: impl FnMut(usize)) -> Option<()> {
-    let scan = Scan {
-        view,
-        extent,
-        with_prev: extent.has(Part::Prev),
-        by_record: extent.has(Part::BoundaryComponents),
-        by_label: extent.has(Part::Faces) && !extent.has(Part::BoundaryComponents),
-        open: extent.expect.is_open(),
-    };
+    let scan = Scan::new(view, extent);
     let mut live = 0;
     for h in 0..extent.half_edges {
         if !view.is_half_edge(h) {
@@ -172,11 +173,33 @@ fn scan_and<V: View + ?Sized>(view: &V, extent: Extent, links: &mut Links, mut n
         }
         live += 1;
         if !scan.is_inside_and_holds(h) {
-            scan.at_border_or_wrong(h, links)?;
+            at_border_or_wrong(view, extent, h, links)?;
         }
         note(h);
     }
     links.half_edges = live;
+    Some(())
+}
+
+/// Looks at what may be at the border, notes what is, and what is wrong.
+#[cold]
+#[inline(never)]
+fn at_border_or_wrong<V: View + ?Sized>(view: &V, extent: Extent, h: usize, links: &mut Links) -> Option<()> {
+    let scan = Scan::new(view, extent);
+    let twin = view.twin(h);
+    let next = existing(view.next(h), extent.half_edges).filter(|n| view.is_half_edge(*n));
+    let name = scan.name(h);
+    let next_holds = next.is_some_and(|n| !scan.with_prev || view.prev(n) == Some(h));
+    let name_holds = next.is_none_or(|n| scan.name(n) == name) && scan.may_be_named(name, twin);
+    let twin_holds = scan.twin_holds(h, twin, next);
+    if !(next_holds && name_holds && twin_holds) {
+        links.doubt(h, [next_holds, name_holds, twin_holds])?;
+    }
+    if twin.is_none() {
+        links.unpaired += 1;
+        links.ends(scan.target(next), h, extent)?;
+    }
+    links.unnamed += usize::from(name.is_none());
     Some(())
 }
 
@@ -221,7 +244,19 @@ struct Scan<'a, V: ?Sized> {
     open: bool,
 }
 
-impl<V: View + ?Sized> Scan<'_, V> {
+impl<'a, V: View + ?Sized> Scan<'a, V> {
+    #[inline(always)]
+    fn new(view: &'a V, extent: Extent) -> Self {
+        Self {
+            view,
+            extent,
+            with_prev: extent.has(Part::Prev),
+            by_record: extent.has(Part::BoundaryComponents),
+            by_label: extent.has(Part::Faces) && !extent.has(Part::BoundaryComponents),
+            open: extent.expect.is_open(),
+        }
+    }
+
     /// Whether nothing is wrong with a half-edge that has twin and face, as nearly all have.
     #[inline(always)]
     fn is_inside_and_holds(&self, h: usize) -> bool {
@@ -237,27 +272,6 @@ impl<V: View + ?Sized> Scan<'_, V> {
             && self.is_vertex(target)
             && (!self.with_prev || view.prev(n) == Some(h))
             && (!self.by_record && !self.by_label || name.is_some() && self.name(n) == name)
-    }
-
-    /// Looks at what may be at the border, notes what is, and what is wrong.
-    #[cold]
-    fn at_border_or_wrong(&self, h: usize, links: &mut Links) -> Option<()> {
-        let (view, half_edges) = (self.view, self.extent.half_edges);
-        let twin = view.twin(h);
-        let next = existing(view.next(h), half_edges).filter(|n| view.is_half_edge(*n));
-        let name = self.name(h);
-        let next_holds = next.is_some_and(|n| !self.with_prev || view.prev(n) == Some(h));
-        let name_holds = next.is_none_or(|n| self.name(n) == name) && self.may_be_named(name, twin);
-        let twin_holds = self.twin_holds(h, twin, next);
-        if !(next_holds && name_holds && twin_holds) {
-            links.doubt(h, [next_holds, name_holds, twin_holds])?;
-        }
-        if twin.is_none() {
-            links.unpaired += 1;
-            links.ends(self.target(next), h, self.extent)?;
-        }
-        links.unnamed += usize::from(name.is_none());
-        Some(())
     }
 
     /// The boundary component, or without records for these the face, that the half-edge names.

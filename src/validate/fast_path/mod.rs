@@ -1,7 +1,7 @@
 //! The common case first: a scan by index and walks around the vertices that settle R1 … T3 at once.
 //!
 //! Most structures that are validated are valid, and most of the others are wrong at few places. So the fast path reads every
-//! link once or twice, counts, and notes what it has settled ([`Known`]). Then the rules are run in order, each by the file
+//! link once or twice, counts, and notes what it has settled ([`known`]). Then the rules are run in order, each by the file
 //! that is named after it: what is settled they enter, and look only at the rest. The report is the same as that of
 //! [`rule_by_rule`](super::reference::rule_by_rule). The fast path takes every expectation.
 //!
@@ -63,7 +63,7 @@ mod borders;
 mod boundaries;
 mod components;
 mod extent;
-mod known;
+pub(super) mod known;
 mod links;
 mod marks;
 mod rotations;
@@ -76,16 +76,8 @@ use alloc::vec::Vec;
 use boundaries::{Boundaries, Cycles};
 use components::Joined;
 use extent::Extent;
-pub(super) use known::Known;
-use known::{Lists, Vertices, Whole};
-use links::Links;
+use known::{Known, Lists, Turned, Vertices, Whole};
 use rotations::Rotations;
-
-/// The scan and the walks around the vertices, where nothing is wrong with the rotations.
-pub(super) struct Turned {
-    links: Links,
-    around: Rotations,
-}
 
 /// Finds out what holds of R1 … T3, part by part.
 ///
@@ -95,7 +87,7 @@ pub(super) fn look<V: View + ?Sized>(run: &mut Run<'_, V>) {
     if run.known.lists.is_some() {
         return;
     }
-    let (view, extent) = (run.view, Extent::of(run));
+    let (view, extent) = (run.view, extent_of(run));
     let named = run.known.half_edges.as_mut().and_then(|doubts| links::doubt_names(view, extent, doubts));
     if named.is_none() {
         run.known = Known::default();
@@ -105,7 +97,7 @@ pub(super) fn look<V: View + ?Sized>(run: &mut Run<'_, V>) {
 /// The same, but for what half-edges name where the lists are not right.
 fn settle<V: View + ?Sized>(run: &mut Run<'_, V>) {
     let view = run.view;
-    let extent = Extent::of(run);
+    let extent = extent_of(run);
     let Some(mut links) = links::scan(view, extent) else { return };
     let Some(doubts) = links.doubts(view, extent) else { return };
     run.known.half_edges = Some(doubts);
@@ -142,6 +134,16 @@ fn settle<V: View + ?Sized>(run: &mut Run<'_, V>) {
     }
 }
 
+const fn extent_of<V: ?Sized>(run: &Run<'_, V>) -> Extent {
+    Extent {
+        vertices: run.vertices as usize,
+        half_edges: run.half_edges as usize,
+        boundaries: run.boundaries as usize,
+        faces: run.faces as usize,
+        expect: run.expect,
+    }
+}
+
 /// Where the lists are right, or right if the components are as many as they leave room for: what follows of the whole.
 fn listed<V: View + ?Sized>(run: &mut Run<'_, V>, extent: Extent, turned: Turned, lists: &Boundaries) {
     let Some(unnamed) = boundaries::cycles(run.view, extent, &turned.links, false) else { return };
@@ -169,7 +171,7 @@ fn agree(extent: Extent, around: &Rotations, lists: &Boundaries) -> bool {
 /// Where the rotations are right, and the lists may be wrong: finds the components and the genus from the cycles.
 pub(super) fn whole<V: View + ?Sized>(run: &mut Run<'_, V>) {
     let Some(turned) = run.known.turned.take() else { return };
-    let extent = Extent::of(run);
+    let extent = extent_of(run);
     let Some(cycles) = boundaries::cycles(run.view, extent, &turned.links, true) else { return };
     run.known.whole = join(run.view, extent, turned, &cycles);
 }
