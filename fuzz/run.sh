@@ -2,6 +2,7 @@
 # Builds all fuzz targets and runs each for a fixed number of runs, beginning with its corpus:
 #
 #     fuzz/run.sh [RUNS [TARGET…]]
+#     fuzz/run.sh still [TARGET…]    until coverage stands still: in rounds of 20,000 runs, until three in a row reach no new code
 #
 # Exit status: 0 nothing was found; 1 something was; 2 misuse.
 #
@@ -12,13 +13,13 @@ cd "$(dirname "$0")"
 
 all=(programs in_step stale_keys validator_total segments noding edits geojson)
 misused() {
-  printf '%s\nusage: fuzz/run.sh [RUNS [TARGET…]]\ntargets: %s\n' "$1" "${all[*]}" >&2
+  printf '%s\nusage: fuzz/run.sh [RUNS|still [TARGET…]]\ntargets: %s\n' "$1" "${all[*]}" >&2
   exit 2
 }
 
 runs=${1:-2000}
 shift || true
-[[ $runs =~ ^[0-9]+$ ]] || misused "not a number of runs: $runs"
+[[ $runs =~ ^[0-9]+$ || $runs == still ]] || misused "not a number of runs: $runs"
 targets=("$@")
 if [ ${#targets[@]} -eq 0 ]; then
   targets=("${all[@]}")
@@ -33,6 +34,7 @@ if cargo fuzz --version >/dev/null 2>&1 && cargo +nightly --version >/dev/null 2
   cargo +nightly fuzz build --fuzz-dir . --target-dir "$build"
   binaries=$build/$(rustc -vV | sed -n 's/^host: //p')/release
 else
+  [ "$runs" != still ] || misused 'coverage is only known with cargo-fuzz and a nightly toolchain'
   echo '==> no cargo-fuzz with a nightly toolchain: plain build, no coverage feedback'
   RUSTFLAGS='--cfg fuzzing' cargo build --release --bins --target-dir "$build"
   binaries=$build/release
@@ -42,17 +44,37 @@ fi
 found=$(mktemp -d)
 trap 'rm -rf "$found"' EXIT
 mkdir -p artifacts
-for target in "${targets[@]}"; do
-  options=(-runs="$runs" -timeout=20 -seed=1 -print_final_stats=0 -artifact_prefix="artifacts/$target-")
+
+# A number of runs of one target. The last line of its log has the coverage.
+run() {
+  local target=$1 runs=$2 seed=$3
+  local options=(-runs="$runs" -timeout=20 -seed="$seed" -print_final_stats=0 -artifact_prefix="artifacts/$target-")
   if [ -f "dictionaries/$target.dict" ]; then
     options+=(-dict="dictionaries/$target.dict")
   fi
-  mkdir "$found/$target"
-  echo "==> $target, $runs runs"
   "$binaries/$target" "${options[@]}" "$found/$target" "corpus/$target" 2>"$found/$target.log" || {
     cat "$found/$target.log"
     echo "==> $target failed; see artifacts/"
     exit 1
   }
-  tail -n 1 "$found/$target.log"
+}
+
+for target in "${targets[@]}"; do
+  mkdir "$found/$target"
+  if [ "$runs" != still ]; then
+    echo "==> $target, $runs runs"
+    run "$target" "$runs" 1
+    tail -n 1 "$found/$target.log"
+    continue
+  fi
+  echo "==> $target, until coverage stands still"
+  reached=0 since=0 round=0
+  while [ "$since" -lt 3 ]; do
+    round=$((round + 1))
+    run "$target" 20000 "$round"
+    now=$(sed -n 's/^#[0-9]*[[:space:]]DONE[[:space:]]*cov: \([0-9]*\) .*/\1/p' "$found/$target.log")
+    since=$((now > reached ? 0 : since + 1))
+    reached=$((now > reached ? now : reached))
+    echo "$((round * 20000)) runs: $now edges of the program's code reached"
+  done
 done

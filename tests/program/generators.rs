@@ -1,4 +1,4 @@
-//! Generators and proptest: they draw what they are told, and failures shrink operator by operator.
+//! Generators and proptest: they draw the operators that have a weight, and failures shrink operator by operator.
 
 use proptest::arbitrary::{any, any_with};
 use proptest::strategy::{Strategy, ValueTree};

@@ -1,28 +1,46 @@
 //! Plants every fault of `proofs/faults/` in a copy of the sources, and prints which check catches which.
 //!
-//! ```text
-//! cargo run -p twinedge-proofs --bin faults                            the table, in Markdown
-//! cargo run -p twinedge-proofs --bin faults -- --only R1               the faults with these words in their names
-//! cargo run -p twinedge-proofs --bin faults -- --checks corrupt,soak   these checks alone
-//! cargo run -p twinedge-proofs --bin faults -- --minutes 20            what can be run in so many minutes
-//! ```
-//!
 //! One build holds all faults, each behind a switch that is read from the environment. Each check then runs once without a fault,
 //! and must pass, and once with each. A fault is caught if the check fails, panics, or takes longer than a minute and five times
 //! what it takes without a fault. The checks of the part of the library that has the fault are run first, and of these the quickest.
 #![allow(clippy::print_stdout, clippy::print_stderr, reason = "it is a program")]
 
+use clap::Parser;
 use std::collections::BTreeMap;
 use std::error::Error;
 use std::fs;
+use std::io::{BufRead, BufReader};
 use std::path::{Path, PathBuf};
 use std::process::{Command, Stdio};
 use std::sync::Mutex;
-use std::sync::atomic::{AtomicUsize, Ordering};
+use std::sync::atomic::{AtomicBool, AtomicUsize, Ordering};
 use std::time::{Duration, Instant};
 use twinedge_proofs::faults::{Fault, SWITCH, parse, plant};
 
 type Result<T> = std::result::Result<T, Box<dyn Error + Send + Sync>>;
+
+/// Plants every fault of `proofs/faults/` in a copy of the sources under `target/faults`, and prints, in Markdown, which check
+/// catches which.
+#[derive(Parser)]
+#[command(after_help = "\
+Examples:
+  cargo run -p twinedge-proofs --bin faults                           every cell of the table: hours
+  cargo run -p twinedge-proofs --bin faults -- --enough 2             until two checks have caught each fault
+  cargo run -p twinedge-proofs --bin faults -- --only R1 --checks corrupt,tables")]
+struct Arguments {
+    /// The faults with these words in their names
+    #[arg(long, value_name = "WORDS")]
+    only: Option<String>,
+    /// These checks alone, separated by commas
+    #[arg(long, value_name = "NAMES", value_delimiter = ',')]
+    checks: Option<Vec<String>>,
+    /// Run no further check with a fault that as many have caught
+    #[arg(long, value_name = "N")]
+    enough: Option<usize>,
+    /// Begin no check later than this
+    #[arg(long, value_name = "N")]
+    minutes: Option<u64>,
+}
 
 /// A check that takes longer than this, and than five times what it takes without a fault, counts as one that does not end.
 const LIMIT: Duration = Duration::from_secs(60);
@@ -63,10 +81,12 @@ const COMMANDS: [(&str, &[&str]); 5] = [
 ];
 
 fn main() -> Result<()> {
-    let option = |name: &str| std::env::args().skip_while(|argument| argument != name).nth(1);
-    let (only, chosen) = (option("--only"), option("--checks"));
-    let minutes = option("--minutes").map(|minutes| minutes.parse::<u64>()).transpose()?;
-    let is_chosen = |name: &str| chosen.as_ref().is_none_or(|names| names.split(',').any(|other| other == name));
+    let Arguments { only, checks: chosen, enough, minutes } = Arguments::parse();
+    let named = TESTS.iter().map(|(name, ..)| *name).chain(COMMANDS.iter().map(|(name, _)| *name)).collect::<Vec<_>>();
+    if let Some(other) = chosen.iter().flatten().find(|name| !named.contains(&name.as_str())) {
+        return Err(format!("there is no check {other}; the checks are {}", named.join(", ")).into());
+    }
+    let is_chosen = |name: &str| chosen.as_ref().is_none_or(|names| names.iter().any(|other| other == name));
     let root = Path::new(env!("CARGO_MANIFEST_DIR")).join("..").canonicalize()?;
     let faults = read(&root.join("proofs/faults"))?;
     let build = root.join("target/faults");
@@ -85,7 +105,8 @@ fn main() -> Result<()> {
     let wanted: Vec<usize> =
         (0..faults.len()).filter(|n| only.as_ref().is_none_or(|words| faults[*n].what.contains(words))).collect();
     let until = minutes.map(|minutes| start + Duration::from_secs(60 * minutes));
-    let ends = matrix(&checks, &faults, &wanted, until)?;
+    let limits = Limits { until, enough: enough.unwrap_or(usize::MAX) };
+    let ends = matrix(&checks, &faults, &wanted, limits)?;
     print(&checks, &faults, &ends);
     Ok(())
 }
@@ -153,12 +174,7 @@ fn built(copy: &Path, build: &Path, is_chosen: impl Fn(&str) -> bool) -> Result<
         let line = said.lines().find(|line| line.contains(source)).ok_or_else(|| format!("cargo made no {source}"))?;
         let program =
             line.split_once('(').and_then(|(_, rest)| rest.split_once(')')).ok_or("cargo says something else")?.0;
-        checks.push(Check {
-            name,
-            program: copy.join(program),
-            arguments: vec!["--test-threads=1", "-q"],
-            takes: LIMIT,
-        });
+        checks.push(Check { name, program: copy.join(program), arguments: vec!["--test-threads=1"], takes: LIMIT });
     }
     if COMMANDS.iter().any(|(name, _)| is_chosen(name)) {
         cargo(&["build", "--release", "-p", "twinedge-cli"])?;
@@ -180,7 +196,7 @@ impl Check {
     /// Runs the check with a fault switched on.
     fn run(&self, fault: Option<usize>) -> Result<End> {
         let mut command = Command::new(&self.program);
-        command.args(&self.arguments).stdin(Stdio::null()).stdout(Stdio::null()).stderr(Stdio::null());
+        command.args(&self.arguments).stdin(Stdio::null()).stdout(Stdio::piped()).stderr(Stdio::null());
         // Some tests read files beside their sources.
         let folder = self.program.ancestors().find(|folder| folder.ends_with("faults")).unwrap_or(Path::new("."));
         command.current_dir(folder.join("sources"));
@@ -188,28 +204,44 @@ impl Check {
             command.env("PLANTED_FAULT", fault.to_string());
         }
         let mut child = command.spawn()?;
-        let start = Instant::now();
-        loop {
-            if let Some(status) = child.try_wait()? {
-                return Ok(if status.success() { End::Passed } else { End::Failed });
+        let output = child.stdout.take().ok_or("the check has no output")?;
+        let has_failed = AtomicBool::new(false);
+        std::thread::scope(|scope| {
+            // The first test that fails is enough.
+            scope.spawn(|| {
+                let lines = BufReader::new(output).lines().map_while(std::result::Result::ok);
+                for line in lines {
+                    if line.ends_with("... FAILED") {
+                        has_failed.store(true, Ordering::Relaxed);
+                    }
+                }
+            });
+            let start = Instant::now();
+            loop {
+                if let Some(status) = child.try_wait()? {
+                    return Ok(if status.success() { End::Passed } else { End::Failed });
+                }
+                let is_late = start.elapsed() > LIMIT.max(5 * self.takes);
+                if is_late || has_failed.load(Ordering::Relaxed) {
+                    child.kill()?;
+                    child.wait()?;
+                    return Ok(if is_late { End::TimedOut } else { End::Failed });
+                }
+                std::thread::sleep(Duration::from_millis(5));
             }
-            if start.elapsed() > LIMIT.max(5 * self.takes) {
-                child.kill()?;
-                child.wait()?;
-                return Ok(End::TimedOut);
-            }
-            std::thread::sleep(Duration::from_millis(5));
-        }
+        })
     }
 }
 
-/// Runs each check with each of these faults, four at a time, until it is too late to begin another.
-fn matrix(
-    checks: &[Check],
-    faults: &[Fault],
-    wanted: &[usize],
+/// When to stop.
+#[derive(Clone, Copy)]
+struct Limits {
     until: Option<Instant>,
-) -> Result<BTreeMap<usize, Vec<End>>> {
+    enough: usize,
+}
+
+/// Runs each check with each of these faults, four at a time.
+fn matrix(checks: &[Check], faults: &[Fault], wanted: &[usize], limits: Limits) -> Result<BTreeMap<usize, Vec<End>>> {
     let mut cells: Vec<(usize, usize)> =
         (0..checks.len()).flat_map(|check| wanted.iter().map(move |fault| (check, *fault))).collect();
     cells.sort_by_key(|(check, fault)| (!checks[*check].is_near(&faults[*fault]), checks[*check].takes));
@@ -218,8 +250,14 @@ fn matrix(
     let (next, done) = (AtomicUsize::new(0), Mutex::new(none));
     let work = || -> Result<()> {
         while let Some((check, fault)) = cells.get(next.fetch_add(1, Ordering::Relaxed)) {
-            if until.is_some_and(|until| Instant::now() >= until) {
+            if limits.until.is_some_and(|until| Instant::now() >= until) {
                 break;
+            }
+            let is_caught = |done: &BTreeMap<usize, Vec<End>>| {
+                done.get(fault).is_some_and(|ends| ends.iter().filter(|end| end.is_caught()).count() >= limits.enough)
+            };
+            if is_caught(&*done.lock().map_err(|_| "another thread panicked")?) {
+                continue;
             }
             let end = checks[*check].run(Some(*fault))?;
             eprintln!("{} {} {fault}", mark(end), checks[*check].name);

@@ -80,7 +80,7 @@ impl<K: Subject> InStep<K> {
         Ok(pair)
     }
 
-    /// Runs one operator on both, and compares them. Costs what is said of [`run`](super::run).
+    /// Runs one operator on both, and compares them. Costs as much as a step of [`run`](super::run).
     ///
     /// # Errors
     /// The first difference. After one, or after a panic of the subject, the two are no longer in step, and what further

@@ -22,6 +22,9 @@
 //! 4. whether the handles say the same: `twin`, `next`, origins and faces of every half-edge and isolated vertex, in
 //!    order of their creation. So a subject that hands out the wrong handle is found at once, and not when it is used.
 //!
+//! What an operator returns is not compared beyond its handles: which boundary components and faces it says that it kept, made and
+//! dropped. For `Dcel`, [`Reported`](crate::program::Reported) compares that, too.
+//!
 //! What a structure does not have is not compared, and the summary [says so](ConformanceSummary::not_compared). An operator that the
 //! subject does not have, or has no room for, is not run on the reference either, but the subject must be as it was.
 //!
@@ -34,7 +37,8 @@
 //!
 //! A mesh whose handles are indices needs a [`View`](crate::validate::View), which [`view_answers!`](crate::view_answers) writes from an
 //! answer to a line, and a [`Subject`], which [`subject_by_index!`](crate::subject_by_index) writes from the names of the operators that it
-//! has. Errors become a [`Refusal`](crate::program::Refusal): [`program::mesh`](crate::program::mesh) says for which reason each operator is
+//! has. Errors become a [`Refusal`](crate::program::Refusal) by `From` (an error type of another crate, such as `String`, needs a
+//! wrapper of your own for that): [`program::mesh`](crate::program::mesh) says for which reason each operator is
 //! refused, and in which order. The example `mesh_conformance` is 39 lines of this beside the mesh.
 //!
 //! # When nothing was tried
@@ -95,7 +99,7 @@ pub fn run<K: Subject>(
 /// Runs 200 random programs of 40 operators, each on a new subject, and makes the first that fails small. They are always the same
 /// programs; [`Conformance`] has others, and more.
 ///
-/// Operators are drawn among those that the subject has, as far as has been seen. Costs what is said of [`run`].
+/// Operators are drawn among those that the subject has, as far as has been seen. Costs as much as so many calls of [`run`].
 ///
 /// # Errors
 /// The smallest program found that shows a difference, with the difference. [`Difference::NeverApplied`] if the subject has an

@@ -42,7 +42,7 @@ impl Finding {
     }
 }
 
-/// Runs a program on the empty structure, up to the first finding. The closure is told of each call before it is made.
+/// Runs a program on the empty structure, up to the first finding. The closure gets each call before it is made.
 pub fn run<P: Peer>(program: &Program, before: &mut dyn FnMut(&str)) -> Verdict {
     let mut peer = P::new();
     let (mut done, mut refused, mut skipped) = (0, 0, 0);

@@ -2,8 +2,11 @@
 //! by step, with records named by the order in which they were made. Keys that name nothing are refused by all of them, and
 //! what does not fit into fixed arrays is refused without a trace.
 
+mod full;
+mod keys;
+
 use quickcheck::{Gen, QuickCheck};
-use std::collections::{HashMap, HashSet};
+use std::collections::HashMap;
 use std::hash::Hash;
 use std::mem::{Discriminant, discriminant};
 use twinedge::dcel::{
@@ -298,6 +301,12 @@ impl<S: Store + Clone> Run<S> {
     }
 }
 
+/// Puts two vertices, joined by an edge, in the unbounded face. Takes one boundary component only.
+fn an_edge<S: Store>(dcel: &mut Dcel<S>) -> HalfEdgeKey {
+    let v = dcel.add_isolated_vertex(dcel.unbounded_face().key()).unwrap().vertex;
+    dcel.split_vertex(v, v).unwrap().half_edge
+}
+
 /// Runs a property of programs, always the same ones.
 fn for_programs(property: fn(Vec<[u16; 4]>) -> bool) {
     QuickCheck::new().rng(Gen::from_size_and_seed(100, 7)).tests(1000).quickcheck(property);
@@ -351,255 +360,4 @@ fn what_does_not_fit_is_refused_without_a_trace_and_what_fits_is_not() {
         true
     }
     for_programs(like_the_default);
-}
-
-/// Puts two vertices, joined by an edge, in the unbounded face. Takes one boundary component only.
-fn an_edge<S: Store>(dcel: &mut Dcel<S>) -> HalfEdgeKey {
-    let v = dcel.add_isolated_vertex(dcel.unbounded_face().key()).unwrap().vertex;
-    dcel.split_vertex(v, v).unwrap().half_edge
-}
-
-fn refused<S: Store, T: std::fmt::Debug + PartialEq>(
-    dcel: &mut Dcel<S>,
-    kind: RecordKind,
-    operator: impl FnOnce(&mut Dcel<S>) -> Result<T, OperatorError>,
-) {
-    let before = Table::copy_of(dcel);
-    assert_eq!(operator(dcel), Err(OperatorError::Full(kind)));
-    assert_eq!(Table::copy_of(dcel), before);
-    assert!(dcel.validate().is_valid());
-}
-
-#[test]
-fn full_of_vertices() {
-    let mut dcel: Dcel<FixedStore<2, 9, 9, 9>> = Dcel::default();
-    let h = an_edge(&mut dcel);
-    let outside = dcel.unbounded_face().key();
-    refused(&mut dcel, RecordKind::Vertex, |dcel| dcel.add_isolated_vertex(outside));
-    refused(&mut dcel, RecordKind::Vertex, |dcel| dcel.split_edge(h));
-    refused(&mut dcel, RecordKind::Vertex, |dcel| dcel.split_vertex(h, h));
-    let kept = dcel.contract_edge(h).unwrap().kept;
-    assert!(dcel.split_vertex(kept, kept).is_ok());
-}
-
-#[test]
-fn full_of_edges() {
-    let mut dcel: Dcel<FixedStore<9, 1, 9, 9>> = Dcel::default();
-    let h = an_edge(&mut dcel);
-    let v = dcel.add_isolated_vertex(dcel.unbounded_face().key()).unwrap().vertex;
-    refused(&mut dcel, RecordKind::Edge, |dcel| dcel.connect(h, v, Split::default()));
-    refused(&mut dcel, RecordKind::Edge, |dcel| dcel.connect(h, h, Split::default()));
-    refused(&mut dcel, RecordKind::Edge, |dcel| dcel.split_edge(h));
-    refused(&mut dcel, RecordKind::Edge, |dcel| dcel.split_vertex(v, v));
-    dcel.remove_edge(h).unwrap();
-    assert!(dcel.split_vertex(v, v).is_ok());
-}
-
-#[test]
-fn full_of_boundary_components() {
-    let mut dcel: Dcel<FixedStore<9, 9, 1, 9>> = Dcel::default();
-    let h = an_edge(&mut dcel);
-    let outside = dcel.unbounded_face().key();
-    refused(&mut dcel, RecordKind::Boundary, |dcel| dcel.add_isolated_vertex(outside));
-    refused(&mut dcel, RecordKind::Boundary, |dcel| dcel.connect(h, h, Split::default()));
-    refused(&mut dcel, RecordKind::Boundary, |dcel| dcel.remove_edge(h));
-    let kept = dcel.contract_edge(h).unwrap().kept;
-    dcel.remove_isolated_vertex(kept).unwrap();
-    assert!(dcel.add_isolated_vertex(outside).is_ok());
-}
-
-#[test]
-fn full_of_faces() {
-    let mut dcel: Dcel<FixedStore<9, 9, 9, 1>> = Dcel::default();
-    let h = an_edge(&mut dcel);
-    refused(&mut dcel, RecordKind::Face, |dcel| dcel.connect(h, h, Split::default()));
-    let mut dcel: Dcel<FixedStore<9, 9, 9, 2>> = Dcel::default();
-    let h = an_edge(&mut dcel);
-    let n = dcel.connect(h, h, Split::default()).unwrap().half_edge;
-    refused(&mut dcel, RecordKind::Face, |dcel| dcel.connect(h, h, Split::default()));
-    dcel.remove_edge(n).unwrap();
-    assert!(dcel.connect(h, h, Split::default()).is_ok());
-}
-
-#[test]
-fn the_largest_fixed_store_holds_what_it_says() {
-    let mut dcel: Dcel<FixedStore<255, 127, 255, 255>> = Dcel::default();
-    let outside = dcel.unbounded_face().key();
-    let vertices: Vec<_> = (0..255).map(|_| dcel.add_isolated_vertex(outside).unwrap().vertex).collect();
-    refused(&mut dcel, RecordKind::Vertex, |dcel| dcel.add_isolated_vertex(outside));
-    let first = dcel.connect(vertices[0], vertices[1], Split::default()).unwrap().half_edge;
-    for v in &vertices[2..128] {
-        dcel.connect(first, *v, Split::default()).unwrap();
-    }
-    assert_eq!((dcel.vertex_count(), dcel.edge_count(), dcel.boundary_count()), (255, 127, 128));
-    refused(&mut dcel, RecordKind::Edge, |dcel| dcel.connect(first, vertices[200], Split::default()));
-    assert_eq!(dcel.vertex(vertices[0]).unwrap().degree(), 127);
-
-    let mut dcel: Dcel<FixedStore<255, 127, 255, 128>> = Dcel::default();
-    let v = dcel.add_isolated_vertex(dcel.unbounded_face().key()).unwrap().vertex;
-    let first = dcel.connect(v, v, Split::default()).unwrap().half_edge;
-    for _ in 1..127 {
-        dcel.connect(first, first, Split { new_face: Side::Right, inner: &[] }).unwrap();
-    }
-    assert_eq!((dcel.edge_count(), dcel.face_count(), dcel.boundary_count()), (127, 128, 128));
-    assert!(dcel.validate().is_valid());
-}
-
-/// All keys that a structure has now.
-fn all_keys<S: Store>(dcel: &Dcel<S>) -> (Vec<VertexKey>, Vec<HalfEdgeKey>, Vec<BoundaryKey>, Vec<FaceKey>) {
-    (
-        dcel.vertices().map(twinedge::dcel::Vertex::key).collect(),
-        dcel.half_edges().map(twinedge::dcel::HalfEdge::key).collect(),
-        dcel.boundaries().map(twinedge::dcel::Boundary::key).collect(),
-        dcel.faces().map(twinedge::dcel::Face::key).collect(),
-    )
-}
-
-/// Two structures made alike share no key, and each refuses those of the other by name.
-fn foreign_keys_are_refused<S: Store>() {
-    let make = || {
-        let mut dcel = Dcel::<S>::default();
-        let h = an_edge(&mut dcel);
-        dcel.connect(h, h, Split::default()).unwrap();
-        dcel
-    };
-    let (mut one, other) = (make(), make());
-    let before = Table::copy_of(&one);
-    let (vertices, half_edges, boundaries, faces) = all_keys(&other);
-    for v in vertices {
-        assert_eq!(one.vertex(v).unwrap_err(), StaleKey::Vertex(v));
-        assert_eq!(one.remove_isolated_vertex(v), Err(StaleKey::Vertex(v).into()));
-    }
-    for h in half_edges {
-        assert_eq!(one.half_edge(h).unwrap_err(), StaleKey::HalfEdge(h));
-        assert_eq!(one.remove_edge(h), Err(StaleKey::HalfEdge(h).into()));
-        assert_eq!(one.connect(h, h, Split::default()), Err(StaleKey::HalfEdge(h).into()));
-    }
-    for b in boundaries {
-        assert_eq!(one.boundary(b).unwrap_err(), StaleKey::Boundary(b));
-        assert_eq!(one.move_inner(b, one.unbounded_face().key()), Err(StaleKey::Boundary(b).into()));
-    }
-    for f in faces {
-        assert_eq!(one.face(f).unwrap_err(), StaleKey::Face(f));
-        assert_eq!(one.add_isolated_vertex(f), Err(StaleKey::Face(f).into()));
-    }
-    assert_eq!(Table::copy_of(&one), before);
-}
-
-#[test]
-fn foreign_keys_are_refused_by_every_store() {
-    foreign_keys_are_refused::<SlotStore>();
-    foreign_keys_are_refused::<PointerStore>();
-    foreign_keys_are_refused::<Roomy>();
-}
-
-/// A slot is used again, with a key that was never there before, while all keys of the past stay refused.
-fn used_slots_get_new_keys<S: Store>() {
-    let mut dcel = Dcel::<S>::default();
-    let outside = dcel.unbounded_face().key();
-    let kept = dcel.add_isolated_vertex(outside).unwrap().vertex;
-    let (mut vertices, mut half_edges, mut boundaries, mut faces) =
-        (HashSet::new(), HashSet::new(), HashSet::new(), HashSet::new());
-    let mut slots = HashSet::new();
-    for _ in 0..50 {
-        let h = dcel.connect(kept, kept, Split::default()).unwrap();
-        let (a, t) = (dcel.half_edge(h.half_edge).unwrap(), dcel.half_edge(h.half_edge).unwrap().twin());
-        let face = dcel.face(h.new_face().unwrap()).unwrap();
-        slots.insert((a.index().min(t.index()), face.index()));
-        assert!(half_edges.insert(a.key()) && half_edges.insert(t.key()) && faces.insert(face.key()));
-        let Ok(RemovedEdge::Merged { dropped, .. }) = dcel.remove_edge(h.half_edge) else { panic!() };
-        assert!(boundaries.insert(dropped));
-        let added = dcel.add_isolated_vertex(outside).unwrap();
-        assert!(vertices.insert(added.vertex) && boundaries.insert(added.boundary));
-        dcel.remove_isolated_vertex(added.vertex).unwrap();
-        assert!(vertices.iter().all(|v| dcel.vertex(*v).is_err()));
-        assert!(half_edges.iter().all(|h| dcel.half_edge(*h).is_err()));
-        assert!(boundaries.iter().all(|b| dcel.boundary(*b).is_err()));
-        assert!(faces.iter().all(|f| dcel.face(*f).is_err()));
-    }
-    assert_eq!(slots.len(), 1, "the memory is used again");
-    assert!(dcel.vertex(kept).is_ok() && dcel.face(outside).is_ok());
-}
-
-#[test]
-fn used_slots_get_new_keys_in_every_store() {
-    used_slots_get_new_keys::<SlotStore>();
-    used_slots_get_new_keys::<PointerStore>();
-    used_slots_get_new_keys::<FixedStore<2, 1, 2, 2>>();
-}
-
-/// Keys made of arbitrary bits name a record only if they are its key.
-fn only_keys_that_were_issued_are_accepted<S: Store>() {
-    let mut dcel = Dcel::<S>::default();
-    let h = an_edge(&mut dcel);
-    dcel.connect(h, h, Split::default()).unwrap();
-    let (vertices, half_edges, boundaries, faces) = all_keys(&dcel);
-    let generation = slotmap::Key::data(&h).as_ffi() >> 32;
-    let slots = (0..300).chain([u64::from(u32::MAX) - 1, u64::from(u32::MAX)]);
-    let generations =
-        [generation, 1, generation.wrapping_add(2) & 0xFFFF_FFFF, generation ^ 0x8000_0000, 0, 0xFFFF_FFFF];
-    for bits in slots.flat_map(|slot| generations.map(|generation| generation << 32 | slot)) {
-        let data = slotmap::KeyData::from_ffi(bits);
-        assert_eq!(dcel.vertex(data.into()).is_ok(), vertices.contains(&data.into()), "{data:?}");
-        assert_eq!(dcel.half_edge(data.into()).is_ok(), half_edges.contains(&data.into()), "{data:?}");
-        assert_eq!(dcel.boundary(data.into()).is_ok(), boundaries.contains(&data.into()), "{data:?}");
-        assert_eq!(dcel.face(data.into()).is_ok(), faces.contains(&data.into()), "{data:?}");
-    }
-}
-
-#[test]
-fn only_keys_that_were_issued_are_accepted_by_every_store() {
-    only_keys_that_were_issued_are_accepted::<SlotStore>();
-    only_keys_that_were_issued_are_accepted::<PointerStore>();
-    only_keys_that_were_issued_are_accepted::<Roomy>();
-}
-
-/// Data kept beside the structure is found by key, and comes back in full when iterated.
-fn secondary_maps_take_the_keys<S: Store>() {
-    let mut dcel = Dcel::<S>::default();
-    an_edge(&mut dcel);
-    let (vertices, half_edges, boundaries, faces) = all_keys(&dcel);
-    let of_vertices: slotmap::SecondaryMap<VertexKey, ()> = vertices.iter().map(|v| (*v, ())).collect();
-    let of_half_edges: slotmap::SecondaryMap<HalfEdgeKey, ()> = half_edges.iter().map(|h| (*h, ())).collect();
-    let of_boundaries: slotmap::SecondaryMap<BoundaryKey, ()> = boundaries.iter().map(|b| (*b, ())).collect();
-    let of_faces: slotmap::SecondaryMap<FaceKey, ()> = faces.iter().map(|f| (*f, ())).collect();
-    assert_eq!(of_vertices.keys().collect::<Vec<_>>(), vertices);
-    assert_eq!(of_half_edges.keys().collect::<Vec<_>>(), half_edges);
-    assert_eq!(of_boundaries.keys().collect::<Vec<_>>(), boundaries);
-    assert_eq!(of_faces.keys().collect::<Vec<_>>(), faces);
-}
-
-#[test]
-fn secondary_maps_take_the_keys_of_every_store() {
-    secondary_maps_take_the_keys::<SlotStore>();
-    secondary_maps_take_the_keys::<PointerStore>();
-    secondary_maps_take_the_keys::<Roomy>();
-}
-
-/// What is done to a copy does not show in the original, nor the other way round.
-fn copies_are_apart<S: Store + Clone>() {
-    let mut dcel = Dcel::<S>::default();
-    let h = an_edge(&mut dcel);
-    dcel.connect(h, h, Split::default()).unwrap();
-    let gone = dcel.split_edge(h).unwrap().half_edge;
-    dcel.join_edges(h).unwrap();
-    let before = Table::copy_of(&dcel);
-    let mut copy = dcel.clone();
-    assert_eq!(Table::copy_of(&copy), before);
-    assert_eq!(all_keys(&copy), all_keys(&dcel));
-    assert!(copy.half_edge(gone).is_err());
-    copy.split_edge(h).unwrap();
-    copy.contract_edge(h).unwrap();
-    assert_eq!(Table::copy_of(&dcel), before);
-    let after = Table::copy_of(&copy);
-    drop(dcel);
-    assert_eq!(Table::copy_of(&copy), after);
-    assert!(copy.validate().is_valid());
-}
-
-#[test]
-fn copies_are_apart_in_every_store() {
-    copies_are_apart::<SlotStore>();
-    copies_are_apart::<PointerStore>();
-    copies_are_apart::<Roomy>();
 }

@@ -1,0 +1,92 @@
+//! What does not fit into fixed arrays is refused without a trace, kind of record by kind.
+
+use super::an_edge;
+use twinedge::dcel::{Dcel, OperatorError, RecordKind, Side, Split};
+use twinedge::store::{FixedStore, Store};
+use twinedge::validate::Table;
+
+fn refused<S: Store, T: std::fmt::Debug + PartialEq>(
+    dcel: &mut Dcel<S>,
+    kind: RecordKind,
+    operator: impl FnOnce(&mut Dcel<S>) -> Result<T, OperatorError>,
+) {
+    let before = Table::copy_of(dcel);
+    assert_eq!(operator(dcel), Err(OperatorError::Full(kind)));
+    assert_eq!(Table::copy_of(dcel), before);
+    assert!(dcel.validate().is_valid());
+}
+
+#[test]
+fn full_of_vertices() {
+    let mut dcel: Dcel<FixedStore<2, 9, 9, 9>> = Dcel::default();
+    let h = an_edge(&mut dcel);
+    let outside = dcel.unbounded_face().key();
+    refused(&mut dcel, RecordKind::Vertex, |dcel| dcel.add_isolated_vertex(outside));
+    refused(&mut dcel, RecordKind::Vertex, |dcel| dcel.split_edge(h));
+    refused(&mut dcel, RecordKind::Vertex, |dcel| dcel.split_vertex(h, h));
+    let kept = dcel.contract_edge(h).unwrap().kept;
+    assert!(dcel.split_vertex(kept, kept).is_ok());
+}
+
+#[test]
+fn full_of_edges() {
+    let mut dcel: Dcel<FixedStore<9, 1, 9, 9>> = Dcel::default();
+    let h = an_edge(&mut dcel);
+    let v = dcel.add_isolated_vertex(dcel.unbounded_face().key()).unwrap().vertex;
+    refused(&mut dcel, RecordKind::Edge, |dcel| dcel.connect(h, v, Split::default()));
+    refused(&mut dcel, RecordKind::Edge, |dcel| dcel.connect(h, h, Split::default()));
+    refused(&mut dcel, RecordKind::Edge, |dcel| dcel.split_edge(h));
+    refused(&mut dcel, RecordKind::Edge, |dcel| dcel.split_vertex(v, v));
+    dcel.remove_edge(h).unwrap();
+    assert!(dcel.split_vertex(v, v).is_ok());
+}
+
+#[test]
+fn full_of_boundary_components() {
+    let mut dcel: Dcel<FixedStore<9, 9, 1, 9>> = Dcel::default();
+    let h = an_edge(&mut dcel);
+    let outside = dcel.unbounded_face().key();
+    refused(&mut dcel, RecordKind::Boundary, |dcel| dcel.add_isolated_vertex(outside));
+    refused(&mut dcel, RecordKind::Boundary, |dcel| dcel.connect(h, h, Split::default()));
+    refused(&mut dcel, RecordKind::Boundary, |dcel| dcel.remove_edge(h));
+    let kept = dcel.contract_edge(h).unwrap().kept;
+    dcel.remove_isolated_vertex(kept).unwrap();
+    assert!(dcel.add_isolated_vertex(outside).is_ok());
+}
+
+#[test]
+fn full_of_faces() {
+    let mut dcel: Dcel<FixedStore<9, 9, 9, 1>> = Dcel::default();
+    let h = an_edge(&mut dcel);
+    refused(&mut dcel, RecordKind::Face, |dcel| dcel.connect(h, h, Split::default()));
+    let mut dcel: Dcel<FixedStore<9, 9, 9, 2>> = Dcel::default();
+    let h = an_edge(&mut dcel);
+    let n = dcel.connect(h, h, Split::default()).unwrap().half_edge;
+    refused(&mut dcel, RecordKind::Face, |dcel| dcel.connect(h, h, Split::default()));
+    dcel.remove_edge(n).unwrap();
+    assert!(dcel.connect(h, h, Split::default()).is_ok());
+}
+
+#[test]
+fn the_largest_fixed_store_holds_what_it_says() {
+    let mut dcel: Dcel<FixedStore<255, 127, 255, 255>> = Dcel::default();
+    let outside = dcel.unbounded_face().key();
+    let vertices: Vec<_> = (0..255).map(|_| dcel.add_isolated_vertex(outside).unwrap().vertex).collect();
+    refused(&mut dcel, RecordKind::Vertex, |dcel| dcel.add_isolated_vertex(outside));
+    let first = dcel.connect(vertices[0], vertices[1], Split::default()).unwrap().half_edge;
+    for v in &vertices[2..128] {
+        dcel.connect(first, *v, Split::default()).unwrap();
+    }
+    assert_eq!((dcel.vertex_count(), dcel.edge_count(), dcel.boundary_count()), (255, 127, 128));
+    refused(&mut dcel, RecordKind::Edge, |dcel| dcel.connect(first, vertices[200], Split::default()));
+    assert_eq!(dcel.vertex(vertices[0]).unwrap().degree(), 127);
+
+    let mut dcel: Dcel<FixedStore<255, 127, 255, 128>> = Dcel::default();
+    let v = dcel.add_isolated_vertex(dcel.unbounded_face().key()).unwrap().vertex;
+    let first = dcel.connect(v, v, Split::default()).unwrap().half_edge;
+    for _ in 1..127 {
+        dcel.connect(first, first, Split { new_face: Side::Right, inner: &[] }).unwrap();
+    }
+    assert_eq!((dcel.edge_count(), dcel.face_count(), dcel.boundary_count()), (127, 128, 128));
+    assert!(dcel.validate().is_valid());
+}
