@@ -4,7 +4,6 @@ use super::boundaries::Boundaries;
 use super::links::{Doubts, Links};
 use super::rotations::Rotations;
 use crate::validate::columns::Components;
-use alloc::vec::Vec;
 
 /// What holds already, part by part. Nothing of what is none, or false, is known.
 #[derive(Default)]
@@ -49,7 +48,7 @@ pub(in crate::validate) struct Lists {
 }
 
 impl Lists {
-    pub(super) const fn of(lists: &Boundaries) -> Self {
+    pub(super) fn of(lists: &Boundaries) -> Self {
         Self { faces: lists.faces, outer: lists.outer, inner: lists.inner.len() }
     }
 }

@@ -10,6 +10,7 @@ use alloc::vec::Vec;
 const MOST_DOUBTS: usize = 1024;
 
 /// What the scan finds.
+#[allow(clippy::struct_excessive_bools, reason = "each says one thing about all half-edges")]
 pub(super) struct Links {
     /// How many half-edges are live.
     pub(super) half_edges: usize,
@@ -164,6 +165,7 @@ fn note<V: View + ?Sized>(view: &V, leaving: &mut [u32], h: usize) {
 
 /// Scans, and tells `note` each half-edge.
 #[inline(always)]
+#[allow(clippy::inline_always, reason = "the scan is a loop over all half-edges")]
 fn scan_and<V: View + ?Sized>(view: &V, extent: Extent, links: &mut Links, mut note: impl FnMut(usize)) -> Option<()> {
     let scan = Scan::new(view, extent);
     let mut live = 0;
@@ -235,6 +237,7 @@ impl Links {
 }
 
 /// What the scan asks of each half-edge.
+#[allow(clippy::struct_excessive_bools, reason = "what is asked for, read once")]
 struct Scan<'a, V: ?Sized> {
     view: &'a V,
     extent: Extent,
@@ -244,6 +247,7 @@ struct Scan<'a, V: ?Sized> {
     open: bool,
 }
 
+#[allow(clippy::inline_always, reason = "the scan is a loop over all half-edges")]
 impl<'a, V: View + ?Sized> Scan<'a, V> {
     #[inline(always)]
     fn new(view: &'a V, extent: Extent) -> Self {

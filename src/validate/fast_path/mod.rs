@@ -215,7 +215,9 @@ fn outsides(components: &mut Components, lists: &Boundaries, every: bool) -> Opt
     let none = every && all.iter().any(|component| component.lies_in == NIL && !component.open);
     if twice || none {
         // T1 begins anew.
-        all.iter_mut().for_each(|component| component.lies_in = NIL);
+        for component in all {
+            component.lies_in = NIL;
+        }
     }
     (!twice && !none).then_some(())
 }
