@@ -7,17 +7,24 @@
 //! Lines: the index beside an R-tree of the edges' bounding boxes, asked for the box of the segment, and every edge in turn;
 //! both sort what they find by rounded distance. Target: 20 µs for a segment that meets 30 faces.
 //!
+//! The index: built beside a constrained Delaunay triangulation with a hierarchy of hints. Target: no slower.
+//!
 //! Run with `cargo bench --bench location`.
 
 mod common;
 
-use criterion::{BatchSize, Criterion, criterion_group, criterion_main};
+use criterion::{BatchSize, Criterion, Throughput, criterion_group, criterion_main};
 use rstar::primitives::{GeomWithData, Line, Rectangle};
 use rstar::{AABB, RTree};
+use spade::{ConstrainedDelaunayTriangulation, HierarchyHintGenerator, Point2};
+use std::collections::HashMap;
 use std::hint::black_box;
+use twinedge::dcel::{HalfEdge, Vertex, VertexKey};
 use twinedge::geometry::Point;
 use twinedge::geometry::predicates::{Meeting, meeting};
 use twinedge::map::{Feature, Located, Locator, PlanarMap, QueryLine, Shape, ZoneElement};
+
+type Hierarchy = ConstrainedDelaunayTriangulation<Point2<f64>, (), (), (), HierarchyHintGenerator<f64>>;
 
 /// Numbers from 0 to 1 that look random, always the same ones.
 fn random() -> impl FnMut() -> f64 {
@@ -115,7 +122,34 @@ fn points(criterion: &mut Criterion) {
         );
     });
     group.finish();
-    criterion.bench_function("index of world-50m", |b| b.iter(|| Locator::new(black_box(&map))));
+}
+
+/// Building the index, per half-edge, beside a triangulation with a hierarchy of hints, which also locates in O(log n).
+fn index(criterion: &mut Criterion) {
+    for (name, map) in [
+        ("world-50m".to_string(), common::world_50m()),
+        ("a grid of 20 × 20".to_string(), common::triangulated_grid(20)),
+        ("a grid of 300 × 300".to_string(), common::triangulated_grid(300)),
+    ] {
+        let at = |v: Vertex<'_>| map.position(v.key()).expect("of this map");
+        let places: HashMap<VertexKey, usize> = map.dcel().vertices().map(|v| v.key()).zip(0..).collect();
+        let points: Vec<Point2<f64>> = map.dcel().vertices().map(at).map(|p| Point2::new(p.x, p.y)).collect();
+        let ends = |h: HalfEdge<'_>| [places[&h.origin().key()], places[&h.target().key()]];
+        let edges: Vec<[usize; 2]> = map.dcel().edges().map(ends).collect();
+
+        let mut group = criterion.benchmark_group(format!("index of {name}"));
+        group.sample_size(10);
+        group.throughput(Throughput::Elements(2 * edges.len() as u64));
+        group.bench_function("spade, constrained, with hierarchy", |b| {
+            b.iter_batched(
+                || (points.clone(), edges.clone()),
+                |(points, edges)| Hierarchy::bulk_load_cdt(points, edges).expect("the map is plane"),
+                BatchSize::LargeInput,
+            );
+        });
+        group.bench_function("twinedge", |b| b.iter(|| Locator::new(black_box(&map))));
+        group.finish();
+    }
 }
 
 /// The edges that a segment meets, sorted by rounded distance.
@@ -140,7 +174,7 @@ fn faces(met: &[ZoneElement]) -> usize {
 fn lines(criterion: &mut Criterion) {
     let map: PlanarMap = common::world_50m();
     let locator = Locator::new(&map).expect("the world is plane");
-    let at = |v: twinedge::dcel::Vertex<'_>| map.position(v.key()).expect("of this map");
+    let at = |v: Vertex<'_>| map.position(v.key()).expect("of this map");
     let edges: Vec<[Point; 2]> = map.dcel().edges().map(|h| [at(h.origin()), at(h.target())]).collect();
     let boxes = edges.iter().map(|e| GeomWithData::new(Line::new(e[0].into(), e[1].into()), *e));
     let tree: RTree<GeomWithData<Line<[f64; 2]>, [Point; 2]>> = RTree::bulk_load(boxes.collect());
@@ -174,6 +208,6 @@ fn lines(criterion: &mut Criterion) {
 criterion_group! {
     name = benches;
     config = Criterion::default().sample_size(30);
-    targets = points, lines
+    targets = points, lines, index
 }
 criterion_main!(benches);

@@ -57,6 +57,7 @@
 //! | insert and remove points and segments, step by step | [`map::edit`] | `map` (default) |
 //! | find where points lie and what lines meet | [`map::Locator`] | `map` (default) |
 //! | compute neighbours, outlines, areas, centroids, overlays; check Pick's theorem | [`algorithm`] | `map` (default) |
+//! | find overlaps, gaps, slivers, duplicates, polygons that are not valid by the OGC | [`algorithm::coverage`] | `map` (default) |
 //! | cut faces into convex pieces, make Voronoi diagrams and Delaunay triangulations | `algorithm::convex`, `algorithm::voronoi` | `spade` |
 //! | walk from face to face, as on a graph | `algorithm::dual` | `petgraph` |
 //! | read and write the tables of a textbook | [`io::tables`] | `map` (default) |

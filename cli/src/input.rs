@@ -1,5 +1,7 @@
 //! Reading a map from a file or from standard input, or the built-in map.
 
+use crate::noted::{Keep, Noted};
+use crate::output::counted;
 use crate::status::Failure;
 use indicatif::{ProgressBar, ProgressStyle};
 use std::fs::File;
@@ -40,6 +42,10 @@ pub(crate) struct Imported {
     /// What was read and what was dropped.
     pub(crate) read: ReadSummary,
     pub(crate) map: PlanarMap,
+    /// What was noted of the features.
+    pub(crate) noted: Noted,
+    /// What the map was built of, if it was kept and the map is not plane or was snapped to a grid that was asked for.
+    pub(crate) builder: Option<Builder>,
 }
 
 impl Input {
@@ -75,11 +81,18 @@ impl Input {
     }
 }
 
-fn gather(reader: impl Read, format: Option<Format>) -> Result<(Builder, ReadSummary), InputError> {
+fn gather(
+    reader: impl Read,
+    format: Option<Format>,
+    mut noted: Noted,
+    keep: Keep<'_>,
+) -> Result<(Builder, ReadSummary, Noted), InputError> {
     let mut builder = Builder::new();
-    let summary =
-        formats::read(reader, format, |feature| builder.feature(&feature).map(drop).map_err(InputError::from))?;
-    Ok((builder, summary))
+    let summary = formats::read_with_properties(reader, format, |mut feature, properties| {
+        noted.note(&mut feature, properties, keep);
+        builder.feature(&feature).map(drop).map_err(InputError::from)
+    })?;
+    Ok((builder, summary, noted))
 }
 
 /// A bar on standard error, if that is a terminal.
@@ -100,6 +113,15 @@ pub(crate) struct MapFile {
 
     #[command(flatten)]
     cutting: Cutting,
+
+    /// Take the names of features from this column (property). Default: name, NAME, Name, ADMIN, admin, title or id, the first
+    /// that there is.
+    #[arg(long, value_name = "COLUMN", global = true)]
+    name_from: Option<String>,
+
+    /// Accept a file without lines and polygons, such as an empty layer or one of points.
+    #[arg(long)]
+    allow_empty: bool,
 }
 
 /// How segments that cross, touch or overlap are treated.
@@ -119,6 +141,11 @@ impl MapFile {
 
     /// Reads the map and builds it. A mesh is refused.
     pub(crate) fn build(&self) -> Result<Imported, Failure> {
+        self.build_keeping(Keep::default())
+    }
+
+    /// Reads the map, builds it and keeps what is asked for. A mesh is refused.
+    pub(crate) fn build_keeping(&self, keep: Keep<'_>) -> Result<Imported, Failure> {
         let mut input = self.open()?;
         if let Some(format) = input.mesh_format()? {
             return Err(Failure(format!(
@@ -126,7 +153,7 @@ impl MapFile {
                 input.name
             )));
         }
-        self.build_from(input)
+        self.build_from(input, keep)
     }
 
     /// Refuses the option that only maps have, if it was given.
@@ -138,13 +165,34 @@ impl MapFile {
     }
 
     /// Builds the map that was opened.
-    pub(crate) fn build_from(&self, Input { name, reader, format, .. }: Input) -> Result<Imported, Failure> {
+    pub(crate) fn build_from(&self, input: Input, keep: Keep<'_>) -> Result<Imported, Failure> {
+        let Input { name, reader, format, .. } = input;
+        let failed = |error: InputError| Failure(format!("{name}: {error}"));
+        let noted = Noted::new(self.name_from.clone());
+        let (builder, read, noted) = gather(reader, format, noted, keep).map_err(failed)?;
+        self.refuse_empty(&name, &read)?;
+        noted.refuse_unknown_columns(&name, keep)?;
         let noding = self.cutting.snap.map_or(Noding::None, Noding::Snap);
-        let built = gather(reader, format).and_then(|(builder, read)| Ok((read, builder.build_with(noding)?)));
-        match built {
-            Ok((read, map)) => Ok(Imported { name, read, map }),
-            Err(error) => Err(Failure(format!("{name}: {error}"))),
+        let kept = (keep.coverage && self.cutting.snap != Some(Snap::Auto)).then(|| builder.clone());
+        let map = builder.build_with(noding).map_err(|error| failed(error.into()))?;
+        let builder = kept.filter(|_| !map.is_plane() || map.noding().is_some());
+        Ok(Imported { name, read, map, noted, builder })
+    }
+
+    /// Refuses a file of which no map can be built.
+    fn refuse_empty(&self, name: &str, read: &ReadSummary) -> Result<(), Failure> {
+        if self.allow_empty || read.polygons + read.lines > 0 {
+            return Ok(());
         }
+        let features = counted(read.features, "feature");
+        let found = match (read.features, read.points) {
+            (0, _) => "no features".to_owned(),
+            (_, 0) => format!("{features}, none with a geometry"),
+            (_, points) => format!("{features} with {} and nothing else", counted(points, "point")),
+        };
+        Err(Failure(format!(
+            "{name}: a map is made of lines and polygons, and this file has {found}; --allow-empty accepts it"
+        )))
     }
 }
 

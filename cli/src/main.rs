@@ -4,6 +4,7 @@
 
 mod audit;
 mod corrupt;
+mod coverage;
 mod decompose;
 mod document;
 mod draw;
@@ -11,8 +12,10 @@ mod effort;
 mod expectation_text;
 mod fuzz_template;
 mod input;
+mod noted;
 mod outline;
 mod output;
+mod postgis;
 mod print_tables;
 mod progress;
 mod prove;
@@ -25,6 +28,7 @@ mod status;
 mod structures;
 mod sum;
 mod tables;
+mod units;
 mod voronoi;
 
 use clap::{Parser, Subcommand};
@@ -51,6 +55,7 @@ struct Arguments {
 #[derive(Debug, Subcommand)]
 enum Command {
     Audit(audit::Audit),
+    Postgis(postgis::Postgis),
     Query(query::Query),
     Draw(draw::Draw),
     Decompose(decompose::Decompose),
@@ -68,6 +73,7 @@ enum Command {
 fn main() -> ExitCode {
     let verdict = match Arguments::parse().command {
         Command::Audit(audit) => audit.run(),
+        Command::Postgis(postgis) => postgis.run(),
         Command::Query(query) => query.run(),
         Command::Draw(draw) => draw.run(),
         Command::Decompose(decompose) => decompose.run(),

@@ -1,7 +1,7 @@
 //! The structures that the commands work on, by name.
 
 use clap::ValueEnum;
-use twinedge::dcel::Dcel;
+use twinedge::dcel::{Audited, Dcel};
 use twinedge::program::{Reported, RotationSystem};
 use twinedge::store::{FixedStore, PointerStore, SlotStore};
 use twinedge::validate::Expectation;
@@ -21,6 +21,8 @@ pub(crate) enum StructureName {
     Pointers,
     /// Fixed arrays, with room for 24 vertices, 40 edges, 40 boundary components and 24 faces.
     Fixed,
+    /// The default store, validated locally after each operator.
+    Audited,
     /// A second independent model: a rotation system.
     #[value(name = "model")]
     RotationSystem,
@@ -51,6 +53,13 @@ const PLANTED: TestSource = TestSource {
     ..dcel_source(&[DCEL, PROGRAM, EXPECTATION], "Dcel::new()")
 };
 
+const AUDITED: &str = r#"Audited::new(Dcel::new()).expect("the empty map is valid")"#;
+
+/// The empty map, audited.
+fn audited() -> Audited {
+    Audited::new(Dcel::new()).expect("the empty map is valid")
+}
+
 impl StructureName {
     /// The stores and the second model, without the structures that have a bug.
     pub(crate) const SOUND: [Self; 4] = [Self::Slots, Self::Pointers, Self::Fixed, Self::RotationSystem];
@@ -60,6 +69,7 @@ impl StructureName {
             Self::Slots => "slots",
             Self::Pointers => "pointers",
             Self::Fixed => "fixed",
+            Self::Audited => "audited",
             Self::RotationSystem => "model",
             Self::Planted => "planted",
             Self::Panicking => "panicking",
@@ -83,6 +93,11 @@ impl StructureName {
                 let imports = &[DCEL, PROGRAM, "twinedge::store::FixedStore", EXPECTATION];
                 let source = dcel_source(imports, "Dcel::<FixedStore<24, 40, 40, 24>>::default()");
                 task.run(Structure::new(name, Dcel::<FixedStore<24, 40, 40, 24>>::default, plane).source(source))
+            }
+            Self::Audited => {
+                let imports = &["twinedge::dcel::{Audited, Dcel}", PROGRAM, EXPECTATION];
+                let source = dcel_source(imports, AUDITED);
+                task.run(Structure::new(name, audited, plane).source(source))
             }
             Self::RotationSystem => {
                 let source = TestSource {
@@ -125,7 +140,7 @@ impl StructureName {
                 let make = Reported::<FixedStore<24, 40, 40, 24>>::default;
                 Box::new(Structure::new(name, make, plane).source(source))
             }
-            Self::RotationSystem | Self::Planted | Self::Panicking => self.with(Boxed),
+            Self::Audited | Self::RotationSystem | Self::Planted | Self::Panicking => self.with(Boxed),
         }
     }
 }
@@ -156,6 +171,7 @@ mod tests {
         slots: Slots;
         pointers: Pointers;
         fixed: Fixed;
+        audited: Audited;
         model: RotationSystem;
         planted: Planted;
     }

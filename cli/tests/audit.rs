@@ -42,7 +42,12 @@ fn a_larger_map_is_valid() {
 #[test]
 fn machines_get_these_keys() {
     let (_, found) = run(&["audit", "--format", "json", &data("world-110m-crossing.geojson")]);
-    assert_eq!(keys(&found), ["counts", "elapsed_ms", "import", "input", "rules", "valid", "violations"]);
+    assert_eq!(
+        keys(&found),
+        ["counts", "coverage", "elapsed_ms", "import", "input", "rules", "valid", "violations", "warnings"]
+    );
+    let counted = ["duplicates", "findings", "gap_width", "gaps", "near_misses", "ogc_invalid", "overlaps"];
+    assert_eq!(keys(&found["coverage"]), [&counted[..], &["sliver_area", "slivers", "unit"]].concat());
     assert_eq!(
         keys(&found["counts"]),
         [
@@ -255,4 +260,129 @@ fn explanations_are_given_of_maps_and_of_tables() {
     assert!(text.lines().any(|line| line.starts_with("F1: usual cause: ")), "{text}");
     let text = String::from_utf8(twinedge_reading(&["audit", "-"], table).stdout).unwrap();
     assert!(!text.contains("usual cause"), "{text}");
+}
+
+/// Three parcels: the second begins 0.05 inside the first, the third 0.05 behind the second.
+const PARCELS: &str = r#"{"type": "FeatureCollection", "features": [
+    {"type": "Feature", "id": "A-1", "properties": {"name": "Meadow"}, "geometry":
+        {"type": "Polygon", "coordinates": [[[0, 0], [10, 0], [10, 10], [0, 10], [0, 0]]]}},
+    {"type": "Feature", "id": "A-2", "properties": {}, "geometry":
+        {"type": "Polygon", "coordinates": [[[9.95, 0], [20, 0], [20, 10], [9.95, 10], [9.95, 0]]]}},
+    {"type": "Feature", "id": "A-3", "properties": {}, "geometry":
+        {"type": "Polygon", "coordinates": [[[20.05, 0], [30, 0], [30, 10], [20.05, 10], [20.05, 0]]]}}]}"#;
+
+fn audited(arguments: &[&str], input: &str) -> (Option<i32>, Value) {
+    let arguments = [&["audit", "-", "--format", "json"], arguments].concat();
+    let output = twinedge_reading(&arguments, input.as_bytes());
+    assert_eq!(String::from_utf8_lossy(&output.stderr), "");
+    (output.status.code(), serde_json::from_slice(&output.stdout).unwrap())
+}
+
+#[test]
+fn overlaps_and_near_misses_are_reported_on_a_map_that_is_not_plane() {
+    let (_, found) = audited(&[], PARCELS);
+    let coverage = &found["coverage"];
+    let counts =
+        ["overlaps", "gaps", "near_misses", "slivers", "duplicates", "ogc_invalid"].map(|what| &coverage[what]);
+    assert_eq!(counts.map(|count| count.as_u64().unwrap()), [1, 0, 1, 0, 0, 0]);
+    let [overlap, miss] = &coverage["findings"].as_array().unwrap()[..] else { panic!("{coverage}") };
+    assert_eq!((&overlap["rule"], &overlap["kind"]), (&json!("C1"), &json!("overlap")));
+    assert_eq!(
+        overlap["features"],
+        json!([{"number": 0, "id": "A-1", "name": "Meadow"}, {"number": 1, "id": "A-2", "name": null}])
+    );
+    let measure = |finding: &Value, what: &str| finding[what].as_f64().unwrap();
+    assert!((measure(overlap, "area") - 0.5).abs() < 1e-9 && (measure(overlap, "length") - 20.1).abs() < 1e-9);
+    assert!((measure(miss, "width") - 0.05).abs() < 1e-9 && (measure(miss, "length") - 20.0).abs() < 1e-9);
+
+    let text = String::from_utf8(twinedge_reading(&["audit", "-"], PARCELS.as_bytes()).stdout).unwrap();
+    assert!(text.contains("\n  C1  overlap      1 overlap\n"), "{text}");
+    let worst = "C1 overlap: Meadow (id A-1), id A-2; area 0.5000, width 0.0498, borders of 20.1000; at (9.97";
+    assert!(text.contains(worst), "{text}");
+}
+
+#[test]
+fn findings_make_a_map_invalid_only_if_asked() {
+    let gap = PARCELS.replace("9.95", "10").replace("20.05", "20.25");
+    let (status, found) = audited(&[], &gap);
+    assert_eq!((status, &found["valid"], &found["coverage"]["near_misses"]), (Some(0), &json!(true), &json!(0)));
+    let (status, found) = audited(&["--gap-width", "0.3"], &gap);
+    assert_eq!((status, &found["valid"], &found["coverage"]["near_misses"]), (Some(0), &json!(true), &json!(1)));
+    let (status, found) = audited(&["--gap-width", "0.3", "--coverage"], &gap);
+    assert_eq!((status, &found["valid"]), (Some(1), &json!(false)));
+    let (status, _) = audited(&["--coverage"], &gap);
+    assert_eq!(status, Some(0));
+    let (_, found) =
+        audited(&["--sliver", "1000"], &PARCELS.replace("[30, 10], [20.05, 10]", "[30, 0.1], [20.05, 0.1]"));
+    assert_eq!((&found["coverage"]["slivers"], &found["coverage"]["sliver_area"]), (&json!(1), &json!(1000.0)));
+    for wrong in ["0", "-1", "inf", "wide"] {
+        assert_eq!(twinedge(&["audit", &format!("--gap-width={wrong}")]).status.code(), Some(2), "{wrong}");
+    }
+    let mesh = twinedge_reading(&["audit", "-", "--coverage"], b"v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 3\n");
+    assert!(complaint(&mesh).contains("are for maps, and this is a mesh"), "{mesh:?}");
+}
+
+#[test]
+fn what_snapping_removes_or_makes_is_reported() {
+    let (_, found) = audited(&["--snap", "auto"], PARCELS);
+    assert_eq!((&found["valid"], &found["coverage"]["overlaps"]), (&json!(true), &json!(1)));
+    let (_, found) = audited(&["--snap", "1"], PARCELS);
+    let findings = found["coverage"]["findings"].as_array().unwrap();
+    let snapping: Vec<(&Value, &Value)> = findings.iter().map(|one| (&one["rule"], &one["snapping"])).collect();
+    let removed = json!("removed");
+    assert_eq!(snapping, [(&json!("C1"), &removed), (&json!("C3"), &removed)]);
+    // The mouth of a bay between two parcels closes on a coarse grid: a gap is made.
+    let bay = "POLYGON ((0 0, 10 0, 10 4, 4 4, 4 8, 6.9 8, 6.9 10, 0 10, 0 0))\n\
+               POLYGON ((10 0, 20 0, 20 10, 7.1 10, 7.1 8, 10 8, 10 4, 10 0))\n";
+    let (_, found) = audited(&["--snap", "1"], bay);
+    let findings = found["coverage"]["findings"].as_array().unwrap();
+    let made: Vec<&Value> = findings.iter().filter(|one| one["snapping"] == "made").map(|one| &one["rule"]).collect();
+    assert_eq!(made, [&json!("C2")], "{findings:?}");
+}
+
+#[test]
+fn polygons_that_are_not_valid_are_named_in_the_words_of_the_ogc() {
+    let nested = "POLYGON ((0 0, 9 0, 9 9, 0 9, 0 0), (1 1, 8 1, 8 8, 1 8, 1 1), (2 2, 3 2, 3 3, 2 3, 2 2))\n";
+    let (_, found) = audited(&[], nested);
+    let finding =
+        &found["coverage"]["findings"].as_array().unwrap().iter().find(|one| one["rule"] == "C6").unwrap()["defects"];
+    assert_eq!(*finding, json!([{"reason": "Holes are nested", "at": [2.0, 2.0], "shape": 0, "ring": 2}]));
+}
+
+#[test]
+fn a_file_without_lines_and_polygons_is_refused_with_what_it_has() {
+    let none = r#"{"type": "FeatureCollection", "features": []}"#;
+    let null = r#"{"type": "Feature", "properties": {}, "geometry": null}"#;
+    for (input, what) in [
+        (none, "this file has no features"),
+        (null, "this file has 1 feature, none with a geometry"),
+        ("POINT (1 2)\nMULTIPOINT ((1 2), (3 4))\n", "this file has 2 features with 3 points and nothing else"),
+    ] {
+        for command in [&["audit", "-"][..], &["query", "-", "faces"], &["draw", "-"]] {
+            let output = twinedge_reading(command, input.as_bytes());
+            assert_eq!(output.status.code(), Some(2), "{what}");
+            assert!(complaint(&output).contains(what), "{}", complaint(&output));
+        }
+        let output = twinedge_reading(&["audit", "-", "--allow-empty"], input.as_bytes());
+        assert_eq!(output.status.code(), Some(0), "{what}");
+    }
+}
+
+#[test]
+fn reference_systems_and_the_antimeridian_are_warned_of() {
+    let with = |crs: &str, far: f64| {
+        format!(
+            r#"{{"type": "FeatureCollection", "crs": {crs}, "features": [{{"type": "Feature", "properties": {{}}, "geometry":
+            {{"type": "Polygon", "coordinates": [[[170, 0], [{far}, 0], [{far}, 9], [170, 9], [170, 0]]]}}}}]}}"#
+        )
+    };
+    let warnings = |input: String| audited(&[], &input).1["warnings"].as_array().unwrap().clone();
+    let named = |name: &str| format!(r#"{{"type": "name", "properties": {{"name": "{name}"}}}}"#);
+    for usual in ["null".to_owned(), named("urn:ogc:def:crs:OGC:1.3:CRS84"), named("EPSG:4326")] {
+        assert_eq!(warnings(with(&usual, 179.0)), [] as [Value; 0], "{usual}");
+    }
+    let other = warnings(with(&named("urn:ogc:def:crs:EPSG::2056"), -170.0));
+    assert!(other.len() == 1 && other[0].as_str().unwrap().contains("coordinate reference system"), "{other:?}");
+    let across = warnings(with("null", -170.0));
+    assert!(across.len() == 1 && across[0].as_str().unwrap().contains("antimeridian"), "{across:?}");
 }

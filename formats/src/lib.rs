@@ -1,7 +1,7 @@
 //! Readers for files that hold half-edge structures, or what becomes one, and their audit.
 //!
 //! [`mesh`] reads OBJ, OFF, PLY and STL, joins the faces to half-edges, says in the user's terms what cannot be joined, and
-//! has the validator of `twinedge` judge the rest.
+//! has the validator of `twinedge` judge the rest. `postgis` reads a topology of PostGIS as the database keeps it.
 //!
 //! ```
 //! # #[cfg(feature = "off")] {
@@ -33,7 +33,10 @@
 //! | --- | --- | --- |
 //! | `obj`, `off`, `stl` (default) | a reader each | none |
 //! | `ply` (default) | the reader for PLY | ply-rs-bw |
-//! | `serde` (default) | [`mesh::MeshAudit`] and its parts are `Serialize` | serde |
+//! | `postgis` (default) | the module `postgis` | robust, rstar, rustc-hash |
+//! | `serde` (default) | [`mesh::MeshAudit`], `postgis::TopologyAudit` and their parts are `Serialize` | serde |
 #![cfg_attr(docsrs, feature(doc_cfg))]
 
 pub mod mesh;
+#[cfg(feature = "postgis")]
+pub mod postgis;

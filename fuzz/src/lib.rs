@@ -5,9 +5,11 @@
 mod drawings;
 mod edits;
 mod maps;
+mod postgis;
 mod tables;
 
 pub use drawings::{geojson, noding, segments};
 pub use edits::edits;
 pub use maps::{in_step, programs, stale_keys};
+pub use postgis::postgis;
 pub use tables::{right_map, validator_total};

@@ -243,7 +243,8 @@ view! {
 }
 
 /// The features of a map, joined where they have a border in common, with the length of the border; the number of a node is
-/// [`FeatureId::index`]. What a border is, [`neighbours`](super::neighbours) says.
+/// [`FeatureId::index`]. What a border is, [`neighbours`](super::neighbours) says; where two features overlap, the length is the
+/// mean of that of the one with the other and that of the other with the one.
 ///
 /// O(edges · k² · log) for edges with up to k features on a side.
 ///
@@ -268,8 +269,10 @@ pub fn borders(map: &PlanarMap) -> UnGraph<FeatureId, f64> {
     for h in map.dcel().edges() {
         let [left, right] = [h.face(), h.twin().face()].map(|face| features_of(map, face).collect::<Vec<_>>());
         for (a, b) in left.iter().flat_map(|a| right.iter().map(move |b| (*a, *b))) {
-            if a != b && !(right.contains(&a) && left.contains(&b)) {
-                *lengths.entry([a.min(b), a.max(b)]).or_default() += length(map, h);
+            // One of them ends here, or both do.
+            let ending = u8::from(!right.contains(&a)) + u8::from(!left.contains(&b));
+            if a != b && ending > 0 {
+                *lengths.entry([a.min(b), a.max(b)]).or_default() += length(map, h) * f64::from(ending) / 2.0;
             }
         }
     }

@@ -10,7 +10,7 @@
 //! | [`colouring`] | which colours tell neighbours apart? |
 //! | [`contour`] | what is the outline of a feature, a face, any set of faces? |
 //! | `convex` | into which convex pieces does a face fall? (feature `spade`) |
-//! | [`coverage`] | which faces does a feature cover, and which are claimed twice? |
+//! | [`coverage`] | which faces does a feature cover? where do features overlap, leave gaps, nearly meet? are they valid by the OGC? |
 //! | `dual` | what way leads from face to face, and what hangs by one edge? (feature `petgraph`) |
 //! | [`lattice`] | how many lattice points lie inside a face, and does Pick's theorem hold? |
 //! | [`neighbours`] | which faces or features share a border, where, and how long is it? |

@@ -8,13 +8,21 @@
 //!           └───────┘
 //! ```
 //!
-//! Two faces are neighbours if an edge has one of them on one side and the other on the other. Two features are neighbours
-//! if an edge has a face of one on one side and a face of the other on the other side; an edge with both features on both
-//! sides, inside an overlap, is no border.
+//! Two faces are neighbours if an edge has one of them on one side and the other on the other. The border of a feature with
+//! another is the part of its own boundary beyond which the other lies, whether or not the other lies on this side as well:
+//!
+//! ```text
+//!   ┌───────┬─┬───────┐     a and b overlap. The border of a with b is the right side of the overlap, the end of a; that of
+//!   │   a   │ab   b   │     b with a is its left side. Along both together, as if each were a border, it would be twice as
+//!   │       │ │       │     long. None of it is shared: on no edge does one feature end and the other begin.
+//!   └───────┴─┴───────┘
+//! ```
+//!
+//! Where nothing overlaps, two features see the same border, each from its side, and all of it is shared.
 //!
 //! Lengths are those of the plane, in the units of the coordinates: for longitudes and latitudes, degrees.
 
-use super::area::Sum;
+use super::area::{Sum, face_area};
 use super::coverage::{faces_of, features_of};
 use crate::dcel::{Face, FaceKey, HalfEdge, StaleKey, Vertex};
 use crate::geometry::Point;
@@ -33,6 +41,19 @@ pub struct Neighbour<K> {
     pub borders: Vec<Vec<Point>>,
     /// The length of all these chains together.
     pub length: f64,
+    /// The length of those edges of them on which one ends and the other begins: all, unless the two overlap there.
+    pub shared: f64,
+}
+
+/// Two features that have a border with each other or overlap.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Pair {
+    /// The two, in order.
+    pub features: [FeatureId; 2],
+    /// The border of the first with the second, as [`of_feature`] gives it; empty where the second lies inside the first.
+    pub border: Neighbour<FeatureId>,
+    /// The area that both cover.
+    pub overlap: f64,
 }
 
 /// The neighbours of a face across its edges, in order of their indices; the unbounded face may be one. An edge with the
@@ -71,7 +92,7 @@ pub fn of_face(map: &PlanarMap, key: FaceKey) -> Result<Vec<Neighbour<FaceKey>>,
     Ok(borders.into_iter().filter_map(with).collect())
 }
 
-/// The neighbours of a feature across edges, in order. O(faces of the map · log + m log n) for m pairs of a half-edge of a face
+/// The neighbours of a feature beyond its own boundary, in order. O(faces of the map · log + m log n) for m pairs of a half-edge of a face
 /// that the feature covers and a feature on the other side.
 ///
 /// None for a feature of another map that this one does not have.
@@ -95,18 +116,69 @@ pub fn of_feature(map: &PlanarMap, feature: FeatureId) -> Vec<Neighbour<FeatureI
     for face in covered(map, feature) {
         for h in face.half_edges() {
             let across = h.twin().face();
-            if across == face {
+            if features_of(map, across).any(|f| f == feature) {
                 continue;
             }
-            let back_too = features_of(map, across).any(|f| f == feature);
-            for other in features_of(map, across).filter(|f| *f != feature) {
-                if !(back_too && features_of(map, face).any(|f| f == other)) {
-                    borders.entry(other).or_default().push(h);
+            for other in features_of(map, across) {
+                borders.entry(other).or_default().push(h);
+            }
+        }
+    }
+    borders.into_iter().map(|(other, border)| neighbour_feature(map, other, &border)).collect()
+}
+
+/// All pairs of features that have a border with each other or overlap, in order. O(n log n) for n half-edges, each counted
+/// once for each pair of a feature on its side and a feature across it.
+///
+/// ```
+/// use twinedge::algorithm::neighbours::pairs;
+/// use twinedge::map::{Builder, Noding, Shape};
+///
+/// // The second square begins half a unit inside the first one.
+/// let square = |x: f64| [[x, 0.0], [x + 9.0, 0.0], [x + 9.0, 9.0], [x, 9.0]].map(Into::into).to_vec();
+/// let mut builder = Builder::new();
+/// builder.shape(&Shape::Polygon(vec![square(0.0)]))?;
+/// builder.shape(&Shape::Polygon(vec![square(8.5)]))?;
+/// let map = builder.build_with(Noding::Exact)?;
+/// let [pair] = &pairs(&map)[..] else { unreachable!("there are two features") };
+/// assert_eq!((pair.border.length, pair.border.shared, pair.overlap), (9.0, 0.0, 4.5));
+/// # Ok::<(), twinedge::map::BuildError>(())
+/// ```
+#[must_use]
+pub fn pairs(map: &PlanarMap) -> Vec<Pair> {
+    let mut found: BTreeMap<[FeatureId; 2], (Vec<HalfEdge<'_>>, Sum)> = BTreeMap::new();
+    for face in map.dcel().faces() {
+        let here: Vec<FeatureId> = features_of(map, face).collect();
+        if here.is_empty() {
+            continue;
+        }
+        let area = if here.len() > 1 { face_area(map, face.key()).unwrap_or_default() } else { 0.0 };
+        for (i, one) in here.iter().enumerate() {
+            for other in &here[i + 1..] {
+                found.entry([*one, *other]).or_default().1.add(area);
+            }
+        }
+        for h in face.half_edges() {
+            let across: Vec<FeatureId> = features_of(map, h.twin().face()).collect();
+            for one in here.iter().filter(|one| !across.contains(one)) {
+                for other in across.iter().filter(|other| *other > one) {
+                    found.entry([*one, *other]).or_default().0.push(h);
                 }
             }
         }
     }
-    borders.into_iter().map(|(other, border)| neighbour(map, other, &border)).collect()
+    let pair = |(features, (border, overlap)): ([FeatureId; 2], (Vec<HalfEdge<'_>>, Sum))| {
+        let border = neighbour_feature(map, features[1], &border);
+        Pair { features, border, overlap: overlap.value() }
+    };
+    found.into_iter().map(pair).collect()
+}
+
+/// As [`neighbour`], for a feature: edges with it on both sides are not shared.
+fn neighbour_feature(map: &PlanarMap, other: FeatureId, border: &[HalfEdge<'_>]) -> Neighbour<FeatureId> {
+    let is_shared = |h: &&HalfEdge<'_>| !features_of(map, h.face()).any(|f| f == other);
+    let shared: Sum = border.iter().filter(is_shared).map(|h| length(map, *h)).collect();
+    Neighbour { shared: shared.value(), ..neighbour(map, other, border) }
 }
 
 /// The faces that meet a face at a vertex and nowhere along an edge, in order of their indices. O(n log n) for the n
@@ -184,16 +256,15 @@ fn around<'a>(faces: &[Face<'a>]) -> Vec<Vertex<'a>> {
     faces.iter().flat_map(|f| f.half_edges()).map(HalfEdge::origin).filter(|v| seen.insert(v.index())).collect()
 }
 
+fn length(map: &PlanarMap, h: HalfEdge<'_>) -> f64 {
+    let [a, b] = [h.origin(), h.target()].map(|v| map.point(v.index()));
+    (b.x - a.x).hypot(b.y - a.y)
+}
+
 fn neighbour<K>(map: &PlanarMap, neighbour: K, border: &[HalfEdge<'_>]) -> Neighbour<K> {
-    let point = |v: Vertex<'_>| map.point(v.index());
-    let length: Sum = border
-        .iter()
-        .map(|h| {
-            let (a, b) = (point(h.origin()), point(h.target()));
-            (b.x - a.x).hypot(b.y - a.y)
-        })
-        .collect();
-    Neighbour { neighbour, borders: chains(map, border), length: length.value() }
+    let sum: Sum = border.iter().map(|h| length(map, *h)).collect();
+    let length = sum.value();
+    Neighbour { neighbour, borders: chains(map, border), length, shared: length }
 }
 
 /// A set of half-edges as maximal chains: each ends where none goes on, or more than one comes or leaves. O(n log n).

@@ -68,6 +68,7 @@
 mod access;
 mod around;
 mod assemble;
+mod audited;
 mod circulators;
 mod elements;
 mod error;
@@ -78,6 +79,7 @@ mod view;
 
 #[allow(unused_imports, reason = "for the layers above, which a smaller selection of features leaves out")]
 pub(crate) use assemble::Assembly;
+pub use audited::Audited;
 pub use circulators::{Cycle, Rotation};
 pub use elements::{Boundary, Face, HalfEdge, Vertex};
 pub use error::{OperatorError, StaleKey};

@@ -32,6 +32,8 @@ mod format;
 #[cfg(any(feature = "geojson", feature = "wkt"))]
 mod json_head;
 #[cfg(any(feature = "geojson", feature = "wkt"))]
+mod properties;
+#[cfg(any(feature = "geojson", feature = "wkt"))]
 mod read;
 #[cfg(any(feature = "geojson", feature = "wkt"))]
 mod summary;
@@ -45,7 +47,8 @@ pub use self::{
     error::{FeatureLabel, MAX_NESTED_COLLECTIONS, ReadCause, ReadError, TextPlace},
     foreign::ForeignFormat,
     format::Format,
-    read::read,
+    properties::Properties,
+    read::{read, read_with_properties},
     summary::ReadSummary,
     write::WriteError,
 };

@@ -3,6 +3,7 @@
 use super::error::{ReadCause, ReadError, TextPlace};
 use super::foreign::ForeignFormat;
 use super::format::Format;
+use super::properties::Properties;
 use super::summary::ReadSummary;
 use crate::map::Feature;
 use std::io::{Cursor, Read};
@@ -36,9 +37,25 @@ const HEAD: u64 = 1 << 16;
 /// # Errors
 /// [`ReadError`], turned into `E`, and whatever `each` returns.
 pub fn read<R, E>(
+    reader: R,
+    format: Option<Format>,
+    mut each: impl FnMut(Feature) -> Result<(), E>,
+) -> Result<ReadSummary, E>
+where
+    R: Read,
+    E: From<ReadError>,
+{
+    read_with_properties(reader, format, |feature, _| each(feature))
+}
+
+/// Reads a map as [`read`] does, and hands over the properties of each feature with it. For an example see [`Properties`].
+///
+/// # Errors
+/// As for [`read`].
+pub fn read_with_properties<R, E>(
     mut reader: R,
     format: Option<Format>,
-    each: impl FnMut(Feature) -> Result<(), E>,
+    mut each: impl FnMut(Feature, &Properties) -> Result<(), E>,
 ) -> Result<ReadSummary, E>
 where
     R: Read,
@@ -59,14 +76,14 @@ where
     let all = Cursor::new(head).chain(reader);
     match format {
         #[cfg(feature = "geojson")]
-        Format::GeoJson => super::geojson::read(all, each),
+        Format::GeoJson => super::geojson::read_with_properties(all, each),
         #[cfg(feature = "geojson")]
-        Format::GeoJsonSeq => super::geojson::read_sequence(all, each),
+        Format::GeoJsonSeq => super::geojson::read_sequence_with_properties(all, each),
         #[cfg(feature = "wkt")]
-        Format::Wkt => super::wkt::read(all, each),
+        Format::Wkt => super::wkt::read(all, |feature| each(feature, &Properties::default())),
         #[cfg(not(all(feature = "geojson", feature = "wkt")))]
         off => {
-            drop((all, each));
+            drop((all, &mut each));
             refuse(ReadCause::FeatureOff(off))
         }
     }

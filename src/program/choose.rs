@@ -6,6 +6,7 @@
 //! | --- | --- |
 //! | [`Odometer`], turned by [`for_each_choice`] | every sequence of answers, one after the other |
 //! | [`Bytes`] | a fuzzer's bytes, or a `Vec<u8>` of quickcheck, which then shrinks the choices too |
+//! | [`Random`] | random numbers from a seed, without another crate |
 //! | `arbitrary::Unstructured` (feature `arbitrary`) | the same, where the bytes are already wrapped |
 //! | `quickcheck::Gen` (feature `quickcheck`) | quickcheck, at random |
 //! | `proptest::test_runner::TestRunner` (feature `proptest`) | proptest, at random |
@@ -65,6 +66,36 @@ impl Choose for Bytes<'_> {
         let (taken, rest) = self.rest.split_at(wanted.min(self.rest.len()));
         self.rest = rest;
         taken.iter().rev().fold(0, |number, byte| number << 8 | usize::from(*byte)) % n
+    }
+}
+
+/// Choices at random, always the same ones for a seed (the generator `splitmix64`: Steele, Lea and Flood, 2014).
+///
+/// ```
+/// use twinedge::program::choose::{Choose, Random};
+/// let throws = |seed| { let mut die = Random::seeded(seed); [(); 20].map(|()| 1 + die.choose(6)) };
+/// assert_eq!(throws(1), throws(1));
+/// assert_ne!(throws(1), throws(2));
+/// assert!(throws(3).iter().all(|throw| (1..=6).contains(throw)));
+/// ```
+#[derive(Clone, Debug)]
+pub struct Random(u64);
+
+impl Random {
+    /// The choices that belong to this seed.
+    #[must_use]
+    pub const fn seeded(seed: u64) -> Self {
+        Self(seed)
+    }
+}
+
+impl Choose for Random {
+    /// Each number is as likely as the others.
+    fn choose(&mut self, n: usize) -> usize {
+        self.0 = self.0.wrapping_add(0x9E37_79B9_7F4A_7C15);
+        let mixed = (self.0 ^ self.0 >> 30).wrapping_mul(0xBF58_476D_1CE4_E5B9);
+        let mixed = (mixed ^ mixed >> 27).wrapping_mul(0x94D0_49BB_1331_11EB);
+        ((mixed ^ mixed >> 31) % n.max(1) as u64) as usize
     }
 }
 
@@ -151,6 +182,9 @@ impl Choose for Odometer {
 }
 
 /// Runs the body once for every sequence of answers that it can get, and tells how many these were.
+///
+/// Sequences of few questions do not come before those of many: to get a shortest failing one, raise a bound on the number of steps
+/// from 1. A body that has seen enough asks nothing more, and each of its further runs is one call.
 ///
 /// The body must ask the same after the same answers, and its number of questions must be bounded; otherwise this
 /// does not end.

@@ -27,6 +27,7 @@
 //! | --- | --- |
 //! | drive a structure of your own | the trait [`Subject`]; [`Dcel`](crate::dcel::Dcel) has it, over every store |
 //! | see whether it does what it should | [`conformance::check`]: it and [`PointerModel`] in step, compared after every operator of random programs |
+//! | try operators that are not in this language | [`choose`]: draw an operator and its arguments from a source, and call [`validate`](crate::validate::validate) after each |
 //! | check what the operators of `Dcel` report as well | [`Reported`] |
 //! | get programs | [`Program::from_bytes`]; the features `arbitrary`, `quickcheck` and `proptest` for the crates of these names |
 //! | say which operators, how often and how many | [`Generator`], for all of these; of bytes, [`Generator::decode`] |
@@ -45,6 +46,7 @@
 
 #[cfg(feature = "arbitrary")]
 mod arbitrary;
+mod audited;
 #[doc(hidden)]
 pub mod by_index;
 mod call;

@@ -61,6 +61,10 @@ pub enum Refusal {
     /// The subject has no room for more records.
     #[error("there is no room")]
     Full,
+    /// The operator of the subject panicked, and the panic was caught. No reference refuses for this reason, so it is always a
+    /// difference, and programs that lead to it shrink.
+    #[error("the operator panicked")]
+    Panicked,
     /// The subject does not have this operator.
     #[error("the operator is not supported")]
     Unsupported,
@@ -95,7 +99,9 @@ pub enum Refusal {
 ///
 /// [`View`] is the same structure as the validator sees it. Its indices need not have anything to do with the handles,
 /// except that [`Subject::half_edge_at`] and [`Subject::vertex_at`] lead from the ones to the others where programs begin with
-/// a structure that is not empty.
+/// a structure that is not empty. A structure with keys keeps an [`Index`](crate::validate::adapt::Index) of all keys seen so far,
+/// [extends](crate::validate::adapt::Index::extend) it after each operator, and answers `is_vertex`, `is_half_edge` and `is_face` by
+/// asking whether the key is live.
 pub trait Subject: View {
     /// Names a vertex. Like all handles it must never name another one once its vertex is gone.
     type Vertex: Copy + Eq + Debug;

@@ -44,6 +44,8 @@ pub(crate) mod place;
 mod pointers;
 #[forbid(unsafe_code)]
 pub(crate) mod slots;
+#[forbid(unsafe_code)]
+mod watched;
 
 pub use fixed::FixedStore;
 pub use keys::{BoundaryKey, FaceKey, HalfEdgeKey, VertexKey};
@@ -51,3 +53,4 @@ pub use links::Store;
 #[cfg(feature = "pointer-store")]
 pub use pointers::PointerStore;
 pub use slots::SlotStore;
+pub use watched::Watched;

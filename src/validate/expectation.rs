@@ -126,8 +126,8 @@ impl Expectation {
     /// - There are two half-edges, twins of each other. The one along the boundary has no face (no boundary component,
     ///   where there are records for these).
     ///
-    /// A half-edge with neither twin nor face bounds nothing, and breaks R1. If the structure lacks faces, there is
-    /// nothing to check of that.
+    /// Both half-edges of an edge may lack a face. A half-edge with neither twin nor face bounds nothing, and breaks R1. If the
+    /// structure lacks faces, there is nothing to check of that.
     ///
     /// The outside of a component may be an open boundary, and then it has no inner boundary component.
     #[must_use]

@@ -73,6 +73,11 @@
 //! keep nothing) is wrapped in an adapter. The table of [`adapt`] says what to do for which. [`adapt::Index`] gives keys the
 //! dense indices that a view needs, and [`Report::named`] prints a report with the keys.
 //!
+//! # After a change
+//!
+//! [`near`] validates a structure that was right before, in the time that the change took: after each operator of a test, or each
+//! edit of an editor.
+//!
 //! # Why believe it
 //!
 //! There is a second implementation: [`mod@reference`] states each rule once more in sets and quantifiers, and [`enumerate`]
@@ -102,6 +107,7 @@ mod geometric;
 mod hints;
 mod named;
 mod names;
+pub mod near;
 mod passes;
 mod record;
 pub mod reference;

@@ -308,7 +308,8 @@ rules! {
     M7 "M7" "genus" counts "component" "components"
         "the genera of the components add up to the genus expected"
         in "genus" broken by "mesh_rules" "m7_a_sphere_is_no_torus";
-    /// A coordinate is also refused if it is out of the range in which the predicates are exact.
+    /// A coordinate is also refused if it is out of the range in which the predicates are exact. Of an edge with bends, these are checked,
+    /// and each segment between them.
     G1 "G1" "finite" counts "vertex" "vertices"
         "coordinates are finite, and no edge has zero length"
         in "finite" broken by "embeddings" "g1_a_coordinate_that_is_not_finite";
@@ -337,6 +338,8 @@ rules! {
     ///  X         |         ====/======      o o
     /// / \    ----+----        /
     /// ```
+    ///
+    /// A bend is no endpoint: edges do not meet there, and an edge does not pass through its own bends.
     G4 "G4" "disjoint" counts "edge" "edges"
         "edges meet only at shared endpoints"
         in "disjoint" broken by "embeddings" "g4_a_square_twisted_into_a_bow_tie";

@@ -257,6 +257,14 @@ violations! {
         "both ends of an edge lie at the same point."
         cause "points of the input were repeated, or rounded to the same coordinates"
         remedy "merge the two vertices, which contracts the edge";
+    G1 BendNotFinite { half_edge: usize, bend: usize } "bend_not_finite"
+        "a coordinate of a bend is NaN or infinite, or out of the range of the exact predicates."
+        cause "a coordinate was missing in the input, or a projection or a division failed"
+        remedy "drop the bend, or repair its coordinates";
+    G1 SegmentZeroLength { half_edge: usize, segment: usize } "segment_zero_length"
+        "two consecutive points of an edge with bends are the same."
+        cause "a point of the line was repeated, or rounded to the same coordinates"
+        remedy "drop the repeated point";
     G2 OutOfOrder { vertex: usize, half_edge: usize, found: usize } "out_of_order"
         "`next` is not the next half-edge clockwise at the target."
         cause "the half-edges were sorted counter-clockwise, or by rounded angles, or a vertex was moved across an edge"
@@ -285,6 +293,30 @@ violations! {
         "two vertices lie at the same point."
         cause "points were not merged by their coordinates"
         remedy "merge the vertices, and link their half-edges into one rotation";
+    G4 SegmentsCross { first: usize, first_segment: usize, second: usize, second_segment: usize } "segments_cross"
+        "two segments cross, of edges of which one has bends, or of one edge."
+        cause "lines were not noded, or were simplified one by one, or a line crosses itself"
+        remedy "split both edges where they cross, or restore the bends that keep them apart";
+    G4 VertexInSegment { vertex: usize, half_edge: usize, segment: usize } "vertex_in_segment"
+        "a vertex lies inside a segment of an edge with bends."
+        cause "an edge was not split where another one ends"
+        remedy "split the edge at the vertex";
+    G4 BendInSegment { half_edge: usize, bend: usize, other: usize, segment: usize } "bend_in_segment"
+        "a bend lies inside a segment of another edge, or of its own."
+        cause "lines that touch were not noded"
+        remedy "make the bend a vertex, and split the other edge there";
+    G4 SegmentsOverlap { first: usize, first_segment: usize, second: usize, second_segment: usize } "segments_overlap"
+        "two segments have more than a point in common, of edges of which one has bends, or of one edge."
+        cause "a border was drawn twice, or a line turns back along itself"
+        remedy "split both edges at the points of the other, and merge the parts that coincide";
+    G4 BendAtVertex { half_edge: usize, bend: usize, vertex: usize } "bend_at_vertex"
+        "a bend lies at a vertex, where its edge does not end."
+        cause "an edge was not split where it passes through a vertex"
+        remedy "split the edge at the vertex";
+    G4 BendsAtSamePlace { first: usize, first_bend: usize, second: usize, second_bend: usize } "bends_at_same_place"
+        "two bends, of two edges or of one, lie at the same point."
+        cause "lines that meet were not noded there"
+        remedy "make the point a vertex, and split the edges there";
     G5 WrongFace { boundary: Record, face: usize, found: Link } "wrong_face"
         "an inner boundary component lies in another face than the one that lists it, or in none."
         cause "a hole was assigned by its bounding box or by an inexact test, or stayed behind when its face was split"
@@ -306,8 +338,12 @@ impl Violation {
             V::TwinIsSelf { half_edge }
             | V::CycleNotListed { half_edge }
             | V::OnBorder { half_edge, .. }
+            | V::BendNotFinite { half_edge, .. }
+            | V::SegmentZeroLength { half_edge, .. }
             | V::ZeroLength { half_edge } => [Some(H(half_edge)), None],
-            V::LoopEdge { half_edge, vertex } => [Some(H(half_edge)), Some(X(vertex))],
+            V::LoopEdge { half_edge, vertex } | V::BendAtVertex { half_edge, vertex, .. } => {
+                [Some(H(half_edge)), Some(X(vertex))]
+            }
             V::TwinNotMutual { half_edge, twin, .. } => [Some(H(half_edge)), Some(H(twin))],
             V::PrevOfNext { half_edge, next, .. }
             | V::Target { half_edge, next, .. }
@@ -317,10 +353,15 @@ impl Violation {
             V::NextShared { first, second, .. }
             | V::ParallelEdges { first, second, .. }
             | V::Cross { first, second }
-            | V::Overlap { first, second } => [Some(H(first)), Some(H(second))],
+            | V::Overlap { first, second }
+            | V::SegmentsCross { first, second, .. }
+            | V::SegmentsOverlap { first, second, .. }
+            | V::BendsAtSamePlace { first, second, .. }
+            | V::BendInSegment { half_edge: first, other: second, .. } => [Some(H(first)), Some(H(second))],
             V::NotLeaving { vertex, half_edge, .. }
             | V::SplitRotation { vertex, half_edge, .. }
             | V::OutOfOrder { vertex, half_edge, .. }
+            | V::VertexInSegment { vertex, half_edge, .. }
             | V::Touch { vertex, half_edge } => [Some(X(vertex)), Some(H(half_edge))],
             V::StartElsewhere { boundary, half_edge, .. } => [Some(B(boundary)), Some(H(half_edge))],
             V::SecondCycle { boundary, .. } | V::WrongPlace { boundary, .. } | V::NotListed { boundary, .. } => {

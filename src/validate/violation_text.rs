@@ -372,6 +372,17 @@ pub(super) fn write(violation: &Violation, names: Names<'_>, f: &mut fmt::Format
             let half_edge = names.half_edge(half_edge);
             write!(f, "half-edge {half_edge} starts and ends at the same point: it has no direction")
         }
+        V::BendNotFinite { half_edge, bend } => {
+            let half_edge = names.half_edge(half_edge);
+            write!(f, "bend {bend} of half-edge {half_edge} has a coordinate that is not finite, or out of range")
+        }
+        V::SegmentZeroLength { half_edge, segment } => {
+            let half_edge = names.half_edge(half_edge);
+            write!(
+                f,
+                "segment {segment} of half-edge {half_edge} starts and ends at the same point: it has no direction"
+            )
+        }
         V::OutOfOrder { vertex, half_edge, found } => {
             let vertex = names.vertex(vertex);
             let found = names.half_edge(found);
@@ -411,6 +422,51 @@ pub(super) fn write(violation: &Violation, names: Names<'_>, f: &mut fmt::Format
             let first = names.vertex(first);
             let second = names.vertex(second);
             write!(f, "vertices {first} and {second} lie at the same point but are not joined")
+        }
+        V::SegmentsCross { first, first_segment, second, second_segment } => {
+            let first = names.half_edge(first);
+            let second = names.half_edge(second);
+            write!(
+                f,
+                "segment {first_segment} of half-edge {first} and segment {second_segment} of half-edge {second} cross where no \
+                 vertex is: the map is not plane"
+            )
+        }
+        V::VertexInSegment { vertex, half_edge, segment } => {
+            let vertex = names.vertex(vertex);
+            let half_edge = names.half_edge(half_edge);
+            write!(
+                f,
+                "vertex {vertex} lies inside segment {segment} of half-edge {half_edge}, which does not end there"
+            )
+        }
+        V::BendInSegment { half_edge, bend, other, segment } => {
+            let half_edge = names.half_edge(half_edge);
+            let other = names.half_edge(other);
+            write!(f, "bend {bend} of half-edge {half_edge} lies inside segment {segment} of half-edge {other}")
+        }
+        V::SegmentsOverlap { first, first_segment, second, second_segment } => {
+            let first = names.half_edge(first);
+            let second = names.half_edge(second);
+            write!(
+                f,
+                "segment {first_segment} of half-edge {first} and segment {second_segment} of half-edge {second} overlap: they have \
+                 more than a point in common"
+            )
+        }
+        V::BendAtVertex { half_edge, bend, vertex } => {
+            let half_edge = names.half_edge(half_edge);
+            let vertex = names.vertex(vertex);
+            write!(f, "bend {bend} of half-edge {half_edge} lies at vertex {vertex}, where the half-edge does not end")
+        }
+        V::BendsAtSamePlace { first, first_bend, second, second_bend } => {
+            let first = names.half_edge(first);
+            let second = names.half_edge(second);
+            write!(
+                f,
+                "bend {first_bend} of half-edge {first} and bend {second_bend} of half-edge {second} lie at the same point, where \
+                 no vertex is"
+            )
         }
         V::WrongFace { boundary, face, found } => {
             let face = names.face(face);

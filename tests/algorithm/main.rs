@@ -7,6 +7,7 @@ mod support;
 
 mod contour;
 mod convex;
+mod coverage;
 mod dual;
 mod homework;
 mod lattice;

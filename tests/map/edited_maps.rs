@@ -91,21 +91,26 @@ fn borders_are_as_long_as_their_edges() {
             (a.x - b.x).hypot(a.y - b.y)
         };
         let of = |face: Face<'_>| covers(&map, face.key());
-        let mut lengths: BTreeMap<(usize, usize), f64> = BTreeMap::new();
+        // Where a ends and b lies beyond, and how much of that is where b begins.
+        let mut lengths: BTreeMap<(usize, usize), [f64; 2]> = BTreeMap::new();
         for h in map.dcel().half_edges().filter(|h| h.face() != h.twin().face()) {
             let (here, across) = (of(h.face()), of(h.twin().face()));
-            for a in &here {
-                for b in across.iter().filter(|b| *b != a && !(here.contains(b) && across.contains(a))) {
-                    *lengths.entry((*a, *b)).or_default() += length(h);
+            for a in here.iter().filter(|a| !across.contains(a)) {
+                for b in &across {
+                    let [border, shared] = lengths.entry((*a, *b)).or_default();
+                    *border += length(h);
+                    *shared += if here.contains(b) { 0.0 } else { length(h) };
                 }
             }
         }
         for feature in map.features() {
             for other in neighbours::of_feature(&map, feature) {
-                let expected = lengths.remove(&(feature.index(), other.neighbour.index())).expect("they have a border");
+                let [expected, shared] =
+                    lengths.remove(&(feature.index(), other.neighbour.index())).expect("they have a border");
                 let steps = other.borders.iter().flat_map(|chain| chain.windows(2));
                 let drawn: f64 = steps.map(|pair| (pair[0].x - pair[1].x).hypot(pair[0].y - pair[1].y)).sum();
                 assert!((other.length - expected).abs() < 1e-9 && (drawn - expected).abs() < 1e-9);
+                assert!((other.shared - shared).abs() < 1e-9);
             }
         }
         assert!(lengths.is_empty(), "{lengths:?}");

@@ -4,7 +4,7 @@ use quickcheck::{QuickCheck, TestResult};
 use std::collections::BTreeSet;
 use twinedge::dcel::Face;
 use twinedge::geometry::Point;
-use twinedge::geometry::noding::Snap;
+use twinedge::geometry::noding::{NodingSummary, Snap};
 use twinedge::io::{ReadError, geojson};
 use twinedge::map::{BuildError, Builder, Feature, FeatureId, Noding, PlanarMap, Shape};
 
@@ -83,6 +83,25 @@ fn exact_noding_cuts_at_points_that_lie_on_segments_and_moves_nothing() {
 }
 
 #[test]
+fn exact_noding_of_what_is_plane_is_the_same_map() {
+    let shapes = [polygon(&[(0, 0), (6, 0), (6, 3), (0, 3)]), polygon(&[(1, 1), (3, 1), (3, 2)])];
+    let cells = (0..64).map(|i| (i % 8, 10 + i / 8));
+    let cells = cells.map(|(x, y)| polygon(&[(x, y), (x + 1, y), (x + 1, y + 1), (x, y + 1)]));
+    let shapes: Vec<Feature> = shapes.into_iter().chain(cells).collect();
+    let [plain, cut] =
+        [Noding::None, Noding::Exact].map(|noding| gather(&shapes).build_with(noding).expect("nothing crosses"));
+    assert_eq!(cut.noding(), Some(&NodingSummary::default()));
+    assert!(cut.is_plane() && cut.validate().is_valid());
+    let records = |map: &PlanarMap| {
+        let at = |v: twinedge::dcel::Vertex<'_>| map.position(v.key()).expect("of this map");
+        let of = |h: twinedge::dcel::HalfEdge<'_>| (h.index(), at(h.origin()), h.next().index(), h.face().index());
+        map.dcel().half_edges().map(of).collect::<Vec<_>>()
+    };
+    assert!(records(&plain) == records(&cut));
+    assert_eq!(covered(&plain), covered(&cut));
+}
+
+#[test]
 fn exact_noding_cuts_a_crossing_at_which_the_input_has_a_point() {
     let mut builder = segments(&[((0, 0), (4, 4)), ((0, 4), (4, 0))]);
     builder.shape(&Shape::Point(at((2, 2)))).expect("in range");
@@ -102,6 +121,39 @@ fn exact_noding_refuses_crossings_without_a_point() {
         }
         other => panic!("{other:?}"),
     }
+}
+
+#[test]
+fn more_cuts_than_are_allowed_are_an_error() {
+    // Each of the level segments crosses each of the upright ones.
+    let level = (0..40).map(|i| ((-1, i), (40, i)));
+    let all: Vec<(Whole, Whole)> = level.chain((0..40).map(|i| ((i, -1), (i, 40)))).collect();
+    let within = |cuts: usize| {
+        let mut builder = segments(&all);
+        builder.limit_cuts(cuts);
+        builder.build_with(Noding::Snap(Snap::Size(1.0)))
+    };
+    assert_eq!(within(3200).expect("each of 1600 crossings cuts two").noding().map(|n| n.crossings), Some(1600));
+    // Far too many are foreseen, a few too many are found.
+    for allowed in [0, 100, 3199] {
+        assert_eq!(within(allowed).err(), Some(BuildError::TooManyCuts { allowed }));
+    }
+}
+
+#[test]
+fn lines_that_cross_a_million_times_are_refused_unless_that_is_allowed() {
+    let mut random = 1_u64;
+    let mut coordinate = || {
+        random = random.wrapping_mul(6_364_136_223_846_793_005).wrapping_add(1_442_695_040_888_963_407);
+        (random >> 33) as f64
+    };
+    let mut builder = Builder::new();
+    for _ in 0..6000 {
+        let [a, b, c, d] = [(); 4].map(|()| coordinate());
+        builder.segment([a, b], [c, d]).expect("in range");
+    }
+    let refused = builder.build_with(Noding::Snap(Snap::Auto));
+    assert!(matches!(refused, Err(BuildError::TooManyCuts { allowed }) if allowed == (1 << 20) + 16 * 6000));
 }
 
 #[test]

@@ -45,6 +45,8 @@ enum Fault {
     Side,
     /// `contract_edge` says of loops that they are stale.
     WrongReason,
+    /// `contract_edge` panics at loops, and the panic is caught.
+    Panics,
     /// `flip_edge` turns the wrong way.
     Turn,
     /// `remove_edge` reports the wrong face as gone.
@@ -191,6 +193,11 @@ impl Subject for Faulty {
     fn contract_edge(&mut self, h: usize) -> Result<usize, Refusal> {
         match self.model.contract_edge(h) {
             Err(Refusal::Loop) if self.has(Fault::WrongReason) => Err(Refusal::Stale),
+            Err(Refusal::Loop) if self.has(Fault::Panics) => {
+                // Without the hook, which would print it.
+                let result = std::panic::catch_unwind(|| std::panic::resume_unwind(Box::new("a loop")));
+                result.unwrap_or(Err(Refusal::Panicked))
+            }
             other => other,
         }
     }
@@ -266,6 +273,18 @@ fn a_wrong_reason_is_found() {
         failure.to_string(),
         "after operator 3, `contract_edge h0`: the outcome should be `refused: the edge is a loop` and is \
          `refused: a handle is stale`"
+    );
+}
+
+/// The summary of a check once showed caught panics as want of room, which passes.
+#[test]
+fn a_caught_panic_is_found_and_shrinks() {
+    let (shrunk, failure) = shrunk(Fault::Panics);
+    assert_eq!(shrunk, program("add_isolated_vertex unbounded\nconnect i0 ~0 left\ncontract_edge h0"));
+    let subject = StepOutcome::Refused(Refusal::Panicked);
+    assert!(
+        matches!(failure.difference, Difference::StepOutcome { subject: found, .. } if found == subject),
+        "{failure}"
     );
 }
 

@@ -6,7 +6,7 @@ use crate::support::opinions::agree;
 use crate::support::tables::{half_edge, textbook_map, textbook_mesh, vertex};
 use std::collections::BTreeSet;
 use twinedge::delegate_view;
-use twinedge::validate::adapt::{Backward, Borders, FaceLabels, Index, Targets};
+use twinedge::validate::adapt::{Backward, Borders, FaceLabels, Ids, Index, Targets};
 use twinedge::validate::enumerate::{Cell, for_each_corruption};
 use twinedge::validate::reference::first_broken_rule;
 use twinedge::validate::{
@@ -388,6 +388,20 @@ fn an_index_numbers_ids_in_their_order() {
     assert_eq!(index.follow(1, &index, |id| (*id == "c").then_some("b")), None);
     assert_eq!(index.follow(9, &index, |_| Some("b")), None);
     assert_eq!((index.name(2), index.name(7)), ("\"b\"".to_owned(), "7".to_owned()));
+}
+
+#[test]
+fn an_index_that_is_extended_keeps_its_numbers() {
+    let mut index = Index::of(["c", "a", "a"]);
+    index.extend(["b", "a", "d", "b", "d", "B"]);
+    assert_eq!((0..index.len()).map(|i| *index.id(i).unwrap()).collect::<Vec<_>>(), ["c", "a", "a", "b", "d", "B"]);
+    assert_eq!(["a", "b", "c", "d", "B"].map(|id| index.get(&id)), [Some(1), Some(3), Some(0), Some(4), Some(5)]);
+    index.extend([]);
+    index.extend(["c"]);
+    assert_eq!(index.len(), 6);
+    let ids = Ids { vertices: Index::of([1.5_f64.to_bits()]), half_edges: index, faces: Index::of(['f']) };
+    let names = [Record::Vertex(3), Record::HalfEdge(4), Record::Face(0), Record::Boundary(8)].map(|r| ids.name(r));
+    assert_eq!(names, ["3", "\"d\"", "'f'", "8"]);
 }
 
 /// With the index as the name, a report reads as it does without names; and each record that a violation names is named.

@@ -1,14 +1,18 @@
-//! `twinedge audit`: builds a map and validates it, or validates a mesh or a file of tables.
+//! `twinedge audit`: builds a map and validates it, or validates a mesh, a file of tables or a topology of PostGIS.
 
 mod mesh_file;
 mod table_file;
 mod textbook;
+mod topology_file;
 
+use crate::coverage::{Asked, Coverage};
 use crate::input::{Imported, MapFile};
+use crate::noted::Keep;
 use crate::output::style::{BAD, GOOD, QUIET};
 use crate::output::{Format, counted, grouped, plain, print, print_json};
 use crate::query::label;
 use crate::status::{Failure, Verdict};
+use crate::units::Units;
 use serde::Serialize;
 use std::collections::BTreeSet;
 use std::fmt::Write as _;
@@ -19,6 +23,7 @@ use twinedge::io::ReadSummary;
 use twinedge::map::{BuildSummary, Irregularity, IrregularityKind, PlanarMap, Position};
 use twinedge::validate::{Collect, Expectation, Record, Report, Violation};
 use twinedge::validate::{places, validate_embedding};
+use twinedge_formats::postgis::is_copy;
 
 /// Check a map (GeoJSON, WKT) or a mesh (OBJ, OFF, PLY, STL) for everything that can be wrong.
 ///
@@ -28,6 +33,9 @@ use twinedge::validate::{places, validate_embedding};
 ///
 /// A mesh file (OBJ, OFF, PLY, STL) is joined to half-edges along shared edges. What cannot be joined is reported by its faces
 /// and vertices, and the options under "Meshes" say what else must hold.
+///
+/// A topology of PostGIS is judged by the links that the database keeps, and named by its ids. `twinedge postgis` prints what `psql`
+/// needs to write it.
 ///
 /// A file of tables is judged line by line instead. `twinedge tables --print` and `twinedge corrupt --print` write such files.
 /// Each line is one structure as plain tables, in the text form of `twinedge::validate::Table`; a verdict may follow, `= ok` or
@@ -40,6 +48,7 @@ use twinedge::validate::{places, validate_embedding};
   twinedge audit --snap auto drawn-by-hand.geojson
   twinedge audit --format json - < parcels.geojson | jq .valid
   twinedge audit bunny.obj --closed --genus 0 --triangles
+  twinedge postgis --sql city_data | psql -X mydatabase | twinedge audit --postgis -
   twinedge tables --half-edges 2 --print | twinedge audit -
   twinedge audit examples/tables/five_faces.txt
 
@@ -61,6 +70,14 @@ pub(crate) struct Audit {
     #[arg(long)]
     explain: bool,
 
+    /// The input is a topology of PostGIS, as `psql` writes it after `twinedge postgis --sql NAME`. (It is recognised without this, too;
+    /// with it nothing else is accepted.)
+    #[arg(long)]
+    postgis: bool,
+
+    #[command(flatten)]
+    coverage: Asked,
+
     #[command(flatten)]
     mesh: mesh_file::Expected,
 }
@@ -69,28 +86,53 @@ impl Audit {
     pub(crate) fn run(&self) -> Result<Verdict, Failure> {
         let start = Instant::now();
         let mut input = self.map.open()?;
+        if self.postgis || is_copy(input.beginning()?) {
+            self.map.refuse_snap(&input.name, "a topology of PostGIS")?;
+            self.refuse_mesh_options(&input.name)?;
+            return topology_file::audit(input, self.list, self.explain, self.format);
+        }
         if textbook::is_textbook(input.beginning()?) {
+            self.refuse_coverage(&input.name, "a textbook's tables")?;
             return textbook::audit(&input.name, input.reader, self.list, self.format);
         }
         if table_file::is_table_file(input.beginning()?) {
             self.map.refuse_snap(&input.name, "a file of tables")?;
+            self.refuse_coverage(&input.name, "a file of tables")?;
             self.refuse_mesh_options(&input.name)?;
             return table_file::audit(&input.name, input.reader, self.list, self.explain, self.format);
         }
         if let Some(format) = input.mesh_format()? {
             self.map.refuse_snap(&input.name, "a mesh")?;
+            self.refuse_coverage(&input.name, "a mesh")?;
             return mesh_file::audit(input, format, self.mesh.expectation(), self.list, self.explain, self.format);
         }
         self.refuse_mesh_options(&input.name)?;
-        let imported = self.map.build_from(input)?;
+        let imported = self.map.build_from(input, Keep { coverage: true, condition: None })?;
         let map = &imported.map;
         let report = validate_embedding(map, &Expectation::plane(), Collect::AtMost(self.list));
+        let units = Units::Plane { degrees: imported.noted.look_like_degrees(&imported.read) };
+        let coverage = Coverage::new(&imported, &self.coverage, &units, self.list);
         let elapsed = start.elapsed().as_secs_f64() * 1000.0;
+        let of_coverage = if self.coverage.is_rule() { coverage.total() } else { 0 };
+        // What cannot be checked is not known to hold.
+        let is_valid =
+            report.is_valid() && of_coverage == 0 && (!self.coverage.is_rule() || coverage.not_checked().is_none());
+        let audited = Audited { imported: &imported, report: &report, coverage, is_valid, elapsed };
         match self.format {
-            Format::Text => print(&text(&imported, &report, self.explain, elapsed)?)?,
-            Format::Json => print_json(&Json::new(&imported, &report, self.explain, elapsed))?,
+            Format::Text => print(&self.text(&audited)?)?,
+            Format::Json => print_json(&Json::new(audited, self.explain))?,
         }
-        Ok(if report.is_valid() { Verdict::Sound } else { Verdict::Wrong })
+        Ok(if is_valid { Verdict::Sound } else { Verdict::Wrong })
+    }
+
+    /// Refuses the options about coverages for what is no map.
+    fn refuse_coverage(&self, name: &str, what: &str) -> Result<(), Failure> {
+        if self.coverage.is_any() {
+            return Err(Failure(format!(
+                "{name}: --coverage, --gap-width and --sliver are for maps, and this is {what}"
+            )));
+        }
+        Ok(())
     }
 
     fn refuse_mesh_options(&self, name: &str) -> Result<(), Failure> {
@@ -100,6 +142,15 @@ impl Audit {
         }
         Ok(())
     }
+}
+
+/// A map, audited.
+struct Audited<'a> {
+    imported: &'a Imported,
+    report: &'a Report,
+    coverage: Coverage,
+    is_valid: bool,
+    elapsed: f64,
 }
 
 /// The names of the features that a violation touches; numbers, counted from 0, for those without name.
@@ -124,83 +175,116 @@ fn features(map: &PlanarMap, violation: &Violation) -> Vec<String> {
     found.into_iter().map(|feature| label(map, feature)).collect()
 }
 
-fn text(imported: &Imported, report: &Report, explain: bool, elapsed: f64) -> Result<String, std::fmt::Error> {
-    let Imported { name, read, map } = imported;
-    let mut out = String::new();
-    writeln!(out, "{name}")?;
-    writeln!(out, "{QUIET}{}{QUIET:#}", input_line(map.summary()))?;
-    if let Some(dropped) = dropped_line(read) {
-        writeln!(out, "{QUIET}{dropped}{QUIET:#}")?;
-    }
-    if let Some(noding) = map.noding() {
-        writeln!(out, "{QUIET}{}{QUIET:#}", noding_line(noding))?;
-    }
-    out.push_str(&irregularities(map));
-    out.push('\n');
-    let counts = report.counts();
-    let or_unknown = |n: Option<usize>| n.map_or_else(|| "unknown".to_owned(), grouped);
-    for (what, count) in [
-        ("vertices (V)", grouped(counts.vertices)),
-        ("edges (E)", grouped(counts.edges)),
-        ("half-edges", grouped(counts.half_edges)),
-        ("faces (F), the unbounded one included", grouped(counts.faces)),
-        ("components (C)", or_unknown(counts.components)),
-        ("outer boundary components", grouped(counts.outer_boundaries)),
-        ("inner boundary components", grouped(counts.inner_boundaries)),
-        ("isolated vertices", grouped(counts.isolated_vertices)),
-        ("genus", or_unknown(counts.genus)),
-    ] {
-        writeln!(out, "  {what:38} {count:>12}")?;
-    }
-    out.push('\n');
-    for (rule, outcome) in report.outcomes() {
-        write!(out, "  {:2}  {:10} ", rule.id(), rule.name())?;
-        match (outcome.violations, outcome.unchecked) {
-            (0, None) => {
-                write!(out, "{GOOD}ok{GOOD:#}      {} {}", grouped(outcome.checked), rule.unit(outcome.checked))?;
+impl Audit {
+    fn text(&self, audited: &Audited<'_>) -> Result<String, std::fmt::Error> {
+        let Audited { imported, report, coverage, .. } = audited;
+        let Imported { name, read, map, noted, .. } = imported;
+        let explain = self.explain;
+        let mut out = String::new();
+        writeln!(out, "{name}")?;
+        writeln!(out, "{QUIET}{}{QUIET:#}", input_line(map.summary()))?;
+        if let Some(dropped) = dropped_line(read) {
+            writeln!(out, "{QUIET}{dropped}{QUIET:#}")?;
+        }
+        if let Some(noding) = map.noding() {
+            writeln!(out, "{QUIET}{}{QUIET:#}", noding_line(noding))?;
+        }
+        for warning in noted.warnings(read) {
+            writeln!(out, "{BAD}warning{BAD:#}: {warning}")?;
+        }
+        out.push_str(&irregularities(map));
+        out.push('\n');
+        let counts = report.counts();
+        let or_unknown = |n: Option<usize>| n.map_or_else(|| "unknown".to_owned(), grouped);
+        for (what, count) in [
+            ("vertices (V)", grouped(counts.vertices)),
+            ("edges (E)", grouped(counts.edges)),
+            ("half-edges", grouped(counts.half_edges)),
+            ("faces (F), the unbounded one included", grouped(counts.faces)),
+            ("components (C)", or_unknown(counts.components)),
+            ("outer boundary components", grouped(counts.outer_boundaries)),
+            ("inner boundary components", grouped(counts.inner_boundaries)),
+            ("isolated vertices", grouped(counts.isolated_vertices)),
+            ("genus", or_unknown(counts.genus)),
+        ] {
+            writeln!(out, "  {what:38} {count:>12}")?;
+        }
+        out.push('\n');
+        for (rule, outcome) in report.outcomes() {
+            write!(out, "  {:2}  {:10} ", rule.id(), rule.name())?;
+            match (outcome.violations, outcome.unchecked) {
+                (0, None) => {
+                    write!(out, "{GOOD}ok{GOOD:#}      {} {}", grouped(outcome.checked), rule.unit(outcome.checked))?;
+                }
+                (0, Some(why)) => write!(out, "{QUIET}not checked: {why}{QUIET:#}")?,
+                (n, _) => {
+                    let of = grouped(outcome.checked);
+                    write!(
+                        out,
+                        "{BAD}BROKEN{BAD:#}  {} in {of} {}",
+                        counted(n as usize, "violation"),
+                        rule.unit(outcome.checked)
+                    )?;
+                }
             }
-            (0, Some(why)) => write!(out, "{QUIET}not checked: {why}{QUIET:#}")?,
-            (n, _) => {
-                let of = grouped(outcome.checked);
-                write!(
+            out.push('\n');
+        }
+        if coverage.has_polygons() {
+            out.push('\n');
+            coverage.write_rules(&mut out, &self.coverage)?;
+        }
+        out.push('\n');
+        for violation in report.violations() {
+            writeln!(out, "{BAD}{}{BAD:#} {violation}", violation.rule())?;
+            let at: Vec<_> = places(map, violation).iter().map(|p| format!("({}, {})", p.x, p.y)).collect();
+            if !at.is_empty() {
+                writeln!(out, "   at {}", at.join(" "))?;
+            }
+            let features = features(map, violation);
+            if !features.is_empty() {
+                writeln!(out, "   on the border of {}", features.join(", "))?;
+            }
+        }
+        let more = report.violation_count().saturating_sub(report.violations().len() as u64);
+        if more > 0 {
+            writeln!(out, "… and {} more; see --list", grouped(more))?;
+        }
+        if explain {
+            let mut kinds = BTreeSet::new();
+            for violation in report.violations().iter().filter(|violation| kinds.insert(violation.kind())) {
+                writeln!(
                     out,
-                    "{BAD}BROKEN{BAD:#}  {} in {of} {}",
-                    counted(n as usize, "violation"),
-                    rule.unit(outcome.checked)
+                    "{}: usual cause: {}; remedy: {}",
+                    violation.rule(),
+                    violation.cause(),
+                    violation.remedy()
                 )?;
             }
         }
-        out.push('\n');
-    }
-    out.push('\n');
-    for violation in report.violations() {
-        writeln!(out, "{BAD}{}{BAD:#} {violation}", violation.rule())?;
-        let at: Vec<_> = places(map, violation).iter().map(|p| format!("({}, {})", p.x, p.y)).collect();
-        if !at.is_empty() {
-            writeln!(out, "   at {}", at.join(" "))?;
+        if coverage.has_polygons() {
+            coverage.write_worst(&mut out, self.list)?;
         }
-        let features = features(map, violation);
-        if !features.is_empty() {
-            writeln!(out, "   on the border of {}", features.join(", "))?;
+        self.write_verdict(&mut out, audited)?;
+        Ok(out)
+    }
+
+    /// The last line: whether the map is valid.
+    fn write_verdict(&self, out: &mut String, audited: &Audited<'_>) -> std::fmt::Result {
+        let Audited { report, coverage, is_valid, elapsed, .. } = audited;
+        let found = coverage.total();
+        if *is_valid {
+            let beside = match found {
+                0 => String::new(),
+                n => format!("; C1 to C6 have {}, which --coverage counts as violations", counted(n, "finding")),
+            };
+            return writeln!(out, "{GOOD}valid{GOOD:#}: every rule that applies holds{beside} ({elapsed:.0} ms)");
         }
+        let of_coverage = if self.coverage.is_rule() { found } else { 0 };
+        let all = counted(report.violation_count() as usize + of_coverage, "violation");
+        let is_unknown = self.coverage.is_rule() && coverage.not_checked().is_some();
+        let beside = if is_unknown { ", and C1 to C5 could not be checked" } else { "" };
+        writeln!(out, "{BAD}not valid{BAD:#}: {all}{beside} ({elapsed:.0} ms)")
     }
-    let more = report.violation_count().saturating_sub(report.violations().len() as u64);
-    if more > 0 {
-        writeln!(out, "… and {} more; see --list", grouped(more))?;
-    }
-    if explain {
-        let mut kinds = BTreeSet::new();
-        for violation in report.violations().iter().filter(|violation| kinds.insert(violation.kind())) {
-            writeln!(out, "{}: usual cause: {}; remedy: {}", violation.rule(), violation.cause(), violation.remedy())?;
-        }
-    }
-    if report.is_valid() {
-        writeln!(out, "{GOOD}valid{GOOD:#}: every rule that applies holds ({elapsed:.0} ms)")?;
-    } else {
-        let count = report.violation_count();
-        writeln!(out, "{BAD}not valid{BAD:#}: {} ({elapsed:.0} ms)", counted(count as usize, "violation"))?;
-    }
-    Ok(out)
 }
 
 /// What the reader dropped, except for properties, which every file has.
@@ -292,6 +376,8 @@ struct Json<'a> {
     counts: JsonCounts,
     rules: Vec<JsonRule>,
     violations: Vec<JsonViolation>,
+    coverage: Coverage,
+    warnings: Vec<String>,
     elapsed_ms: f64,
 }
 
@@ -409,14 +495,15 @@ struct JsonViolation {
 }
 
 impl<'a> Json<'a> {
-    fn new(imported: &'a Imported, report: &Report, explain: bool, elapsed_ms: f64) -> Self {
-        let Imported { name, read, map } = imported;
+    fn new(audited: Audited<'a>, explain: bool) -> Self {
+        let Audited { imported, report, coverage, is_valid, elapsed } = audited;
+        let Imported { name, read, map, noted, .. } = imported;
         let counts = report.counts();
         Self {
             input: name,
             import: JsonImport::new(map, read),
             noding: map.noding().map(JsonNoding::from),
-            valid: report.is_valid(),
+            valid: is_valid,
             counts: JsonCounts {
                 vertices: counts.vertices,
                 edges: counts.edges,
@@ -449,7 +536,9 @@ impl<'a> Json<'a> {
                     features: features(map, violation),
                 })
                 .collect(),
-            elapsed_ms,
+            coverage,
+            warnings: noted.warnings(read),
+            elapsed_ms: elapsed,
         }
     }
 }

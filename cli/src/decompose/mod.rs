@@ -83,17 +83,17 @@ struct Row {
 
 impl Decompose {
     pub(crate) fn run(&self) -> Result<Verdict, Failure> {
-        let Imported { name: input, map, .. } = self.map.build()?;
+        let Imported { name: input, map, noted, .. } = self.map.build()?;
         if !map.is_plane() {
             let why = "edges cross, touch or overlap, so faces are not well defined";
             return Err(Failure(format!("{input}: {why}; --snap auto cuts them, audit says where they are")));
         }
-        let asked = Asked { input, map };
+        let asked = Asked { input, map, noted };
         let features = match &self.feature {
             Some(name) => vec![find(&asked, name)?],
             None => asked.map.features().collect(),
         };
-        let Asked { input, mut map } = asked;
+        let Asked { input, mut map, .. } = asked;
         let by_feature = faces_by_feature(&map);
         let faces: Vec<FaceKey> = features.iter().flat_map(|f| by_feature[f.index()].iter().copied()).collect();
         if let Some(file) = &self.steps {

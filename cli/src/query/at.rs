@@ -38,7 +38,7 @@ struct Answer<'a> {
 
 impl At {
     pub(super) fn answer(&self, asked: &Asked) -> Result<(), Failure> {
-        let Asked { input, map } = asked;
+        let Asked { input, map, .. } = asked;
         let found = match Locator::new(map)?.locate(Point::new(self.x, self.y))? {
             Located::Face(key) => Record::face(map, key),
             Located::Edge(key) => Record::edge(map, key),

@@ -1,7 +1,9 @@
 //! `twinedge query … contour`.
 
 use super::asked::Asked;
-use super::names::{find, label};
+use super::names::label;
+use super::which::Which;
+use crate::noted::Condition;
 use crate::output::{grouped, measure, print, print_json};
 use crate::status::Failure;
 use clap::ValueEnum;
@@ -19,8 +21,8 @@ use twinedge::map::Feature;
 
 Exit status: 0 there is an answer; 2 the input could not be read, or has no feature of that name.")]
 pub(super) struct Contour {
-    /// The feature.
-    name: String,
+    #[command(flatten)]
+    which: Which,
 
     /// What to print.
     #[arg(long, value_enum, default_value_t)]
@@ -56,9 +58,13 @@ struct Polygon {
 }
 
 impl Contour {
+    pub(super) const fn condition(&self) -> Option<&Condition> {
+        self.which.condition()
+    }
+
     pub(super) fn answer(&self, asked: &Asked) -> Result<(), Failure> {
-        let Asked { input, map } = asked;
-        let id = find(asked, &self.name)?;
+        let Asked { input, map, .. } = asked;
+        let id = self.which.find(asked)?;
         let contour = of_feature(map, id).map_err(|error| Failure(format!("{input}: {error}")))?;
         let name = label(map, id);
         let written = |contour: Outline| {

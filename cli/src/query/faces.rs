@@ -1,10 +1,12 @@
 //! `twinedge query … faces`.
 
 use super::asked::Asked;
+use super::list::{Limit, greatest_first};
 use super::names::label;
 use crate::output::style::BAD;
 use crate::output::{Format, grouped, measure, print, print_json};
 use crate::status::Failure;
+use clap::ValueEnum;
 use serde::Serialize;
 use std::collections::BTreeSet;
 use std::fmt::Write as _;
@@ -19,9 +21,28 @@ use twinedge::dcel::Face;
 
 Exit status: 0 there is an answer; 2 the input could not be read.")]
 pub(super) struct Faces {
+    /// What to sort by.
+    #[arg(long, value_enum, default_value_t)]
+    sort: SortBy,
+
+    #[command(flatten)]
+    limit: Limit,
+
     /// Output format.
     #[arg(long, value_enum, default_value_t)]
     format: Format,
+}
+
+/// What faces are sorted by.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, ValueEnum)]
+enum SortBy {
+    /// Their numbers.
+    #[default]
+    Number,
+    /// The area, the largest first; the unbounded face comes last.
+    Area,
+    /// The number of edges, the most first.
+    Edges,
 }
 
 #[derive(Debug, Serialize)]
@@ -46,7 +67,7 @@ struct Row {
 
 impl Faces {
     pub(super) fn answer(&self, asked: &Asked) -> Result<(), Failure> {
-        let Asked { input, map } = asked;
+        let Asked { input, map, .. } = asked;
         let mut faces = Vec::with_capacity(map.dcel().face_count());
         for face in map.dcel().faces() {
             let features: Vec<String> = map.features_of(face.key())?.map(|f| label(map, f)).collect();
@@ -64,6 +85,12 @@ impl Faces {
                 neighbours: neighbours.into_iter().collect(),
             });
         }
+        match self.sort {
+            SortBy::Number => {}
+            SortBy::Area => greatest_first(&mut faces, |row| row.area.unwrap_or(f64::NEG_INFINITY)),
+            SortBy::Edges => greatest_first(&mut faces, |row| row.edges as f64),
+        }
+        self.limit.cut(&mut faces);
         match self.format {
             Format::Text => print(&text(&faces)?),
             Format::Json => print_json(&Answer { input, faces }),

@@ -40,7 +40,7 @@ struct Row {
 
 impl Lattice {
     pub(super) fn answer(&self, asked: &Asked) -> Result<(), Failure> {
-        let Asked { input, map } = asked;
+        let Asked { input, map, .. } = asked;
         let found = of_map(map).map_err(|error| Failure(format!("{input}: {error}")))?;
         let mut faces = Vec::with_capacity(found.faces.len());
         for (face, count) in &found.faces {

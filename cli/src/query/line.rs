@@ -73,7 +73,7 @@ struct Step {
 
 impl Line {
     pub(super) fn answer(&self, asked: &Asked) -> Result<(), Failure> {
-        let Asked { input, map } = asked;
+        let Asked { input, map, .. } = asked;
         let (from, to) = (Point::new(self.x1, self.y1), Point::new(self.x2, self.y2));
         let stretch = match self.extent {
             Extent::Segment => QueryLine::Segment(from, to),

@@ -2,20 +2,27 @@
 
 mod asked;
 mod at;
+mod borders;
 mod contour;
+mod coverage;
 mod faces;
 mod lattice;
 mod line;
+mod list;
 mod names;
 mod neighbours;
 mod record;
 mod route;
+mod which;
 
 pub(crate) use asked::Asked;
 pub(crate) use names::{find, label};
 
 use crate::input::{Imported, MapFile};
+use crate::noted::Keep;
+use crate::output::plain;
 use crate::status::{Failure, Verdict};
+use crate::units::Units;
 use clap::Subcommand;
 
 /// Ask a map about neighbours, places, lines, outlines, faces, ways and lattice points.
@@ -28,6 +35,9 @@ use clap::Subcommand;
   twinedge query world.geojson contour Lesotho --format wkt
   twinedge query - faces --format json < parcels.geojson
   twinedge query route Portugal China
+  twinedge query counties.geojson neighbours --where STATE=Iowa --name-from NAME
+  twinedge query counties.geojson neighbours --all --sort length --limit 20 --format csv
+  twinedge query parcels.geojson coverage
 
 NAME is the name of a feature as the map writes it, or # and its number, counted from 0: '#12'. A file that is called like a \
 question, such as faces, needs its folder: ./faces
@@ -44,6 +54,7 @@ pub(crate) struct Query {
 #[derive(Debug, Subcommand)]
 enum Question {
     Neighbours(neighbours::Neighbours),
+    Coverage(coverage::CoverageOf),
     At(at::At),
     Line(line::Line),
     Contour(contour::Contour),
@@ -52,22 +63,48 @@ enum Question {
     Lattice(lattice::Lattice),
 }
 
+impl Question {
+    /// What must be kept of the input for the answer.
+    const fn keep(&self) -> Keep<'_> {
+        let condition = match self {
+            Self::Neighbours(question) => question.condition(),
+            Self::Contour(question) => question.condition(),
+            _ => None,
+        };
+        Keep { coverage: matches!(self, Self::Coverage(_)), condition }
+    }
+}
+
 impl Query {
     pub(crate) fn run(&self) -> Result<Verdict, Failure> {
-        let Imported { name: input, map, .. } = self.map.build()?;
-        if !map.is_plane() {
+        let imported = self.map.build_keeping(self.question.keep())?;
+        for warning in imported.noted.warnings(&imported.read) {
+            eprintln!("twinedge: warning: {}: {warning}", plain(&imported.name));
+        }
+        if let Question::Coverage(question) = &self.question {
+            question.answer(&imported)?;
+            return Ok(Verdict::Sound);
+        }
+        if !imported.map.is_plane() {
             let why = "edges cross, touch or overlap, so places are not well defined";
+            let input = imported.name;
             return Err(Failure(format!("{input}: {why}; --snap auto cuts them, audit says where they are")));
         }
-        let asked = Asked { input, map };
+        let units = match &self.question {
+            Question::Neighbours(question) => question.measured().units(&imported)?,
+            _ => Units::Plane { degrees: false },
+        };
+        let Imported { name: input, map, noted, .. } = imported;
+        let asked = Asked { input, map, noted };
         match &self.question {
-            Question::Neighbours(question) => question.answer(&asked),
+            Question::Neighbours(question) => question.answer(&asked, &units),
             Question::At(question) => question.answer(&asked),
             Question::Line(question) => question.answer(&asked),
             Question::Contour(question) => question.answer(&asked),
             Question::Faces(question) => question.answer(&asked),
             Question::Route(question) => question.answer(&asked),
             Question::Lattice(question) => question.answer(&asked),
+            Question::Coverage(_) => Ok(()),
         }?;
         Ok(Verdict::Sound)
     }

@@ -17,7 +17,7 @@ const SIMILAR: f64 = 0.75;
 
 /// The feature with this name, or with the number after a `#`.
 pub(crate) fn find(asked: &Asked, name: &str) -> Result<FeatureId, Failure> {
-    let Asked { input, map } = asked;
+    let Asked { input, map, .. } = asked;
     let named: Vec<FeatureId> = map.features().filter(|f| map.name(*f) == Some(name)).collect();
     let numbered = name.strip_prefix('#').and_then(|number| number.parse().ok());
     match (&named[..], numbered.and_then(|number: usize| map.features().nth(number))) {
@@ -41,7 +41,7 @@ pub(crate) fn find(asked: &Asked, name: &str) -> Result<FeatureId, Failure> {
             Err(Failure(format!("{input}: no feature has the name {name}{hint}")))
         }
         (several, _) => {
-            let numbers: Vec<String> = several.iter().map(|f| format!("'#{}'", f.index())).collect();
+            let numbers: Vec<String> = several.iter().map(|f| asked.hint(f.index())).collect();
             let numbers = numbers.join(", ");
             Err(Failure(format!("{input}: {} features have the name {name}; ask for one of {numbers}", several.len())))
         }

@@ -1,37 +1,60 @@
 //! `twinedge query … neighbours`.
 
 use super::asked::Asked;
-use super::names::{find, label};
+use super::borders::{SortBy, print_all};
+use super::list::{Limit, TableFormat};
+use super::names::label;
+use super::which::Which;
+use crate::noted::Condition;
 use crate::output::style::{BAD, QUIET};
-use crate::output::{Format, measure, print, print_json};
+use crate::output::{measure, print, print_json};
 use crate::status::Failure;
+use crate::units::{Measured, Units};
 use serde::Serialize;
 use std::collections::BTreeMap;
 use std::fmt::Write as _;
-use twinedge::algorithm::area::face_area;
 use twinedge::algorithm::coverage::faces_of;
 use twinedge::algorithm::neighbours::{of_feature, touching_feature};
 use twinedge::map::FeatureId;
 
-/// The neighbours of a feature: who shares a border with it, along which lines, and how long these are in the units of the coordinates.
+/// The neighbours of a feature: who shares a border with it, along which lines, and how long these are.
 #[derive(Debug, clap::Args)]
 #[command(after_help = "Examples:
   twinedge query neighbours Switzerland
   twinedge query parcels.geojson neighbours '#12' --format json
+  twinedge query parcels.geojson neighbours --id A-1
+  twinedge query parcels.geojson neighbours --where owner=Meier
+  twinedge query neighbours --all --geodesic --sort length --limit 20
 
 Exit status: 0 there is an answer; 2 the input could not be read, or has no feature of that name.")]
 pub(super) struct Neighbours {
-    /// The feature.
-    name: String,
+    #[command(flatten)]
+    which: Which,
 
-    /// Output format.
+    /// All pairs of neighbours, as a table: the border of one with the other, the part of it on which one ends and the other
+    /// begins, and the area that both cover. With --geodesic that part is taken in proportion, where features overlap.
+    #[arg(long)]
+    all: bool,
+
+    #[command(flatten)]
+    measured: Measured,
+
+    /// With --all: what to sort by.
+    #[arg(long, value_enum, default_value_t, requires = "all")]
+    sort: SortBy,
+
+    #[command(flatten)]
+    limit: Limit,
+
+    /// Output format; csv with --all only.
     #[arg(long, value_enum, default_value_t)]
-    format: Format,
+    format: TableFormat,
 }
 
 #[derive(Debug, Serialize)]
 struct Answer<'a> {
     input: &'a str,
+    unit: &'static str,
     feature: String,
     id: usize,
     neighbours: Vec<Border>,
@@ -62,21 +85,36 @@ struct Overlap {
 }
 
 impl Neighbours {
-    pub(super) fn answer(&self, asked: &Asked) -> Result<(), Failure> {
-        let answer = Answer::new(asked, find(asked, &self.name)?);
+    pub(super) const fn condition(&self) -> Option<&Condition> {
+        self.which.condition()
+    }
+
+    pub(super) const fn measured(&self) -> &Measured {
+        &self.measured
+    }
+
+    pub(super) fn answer(&self, asked: &Asked, units: &Units) -> Result<(), Failure> {
+        match (self.all, self.which.is_given()) {
+            (true, false) => return print_all(asked, units, self.sort, &self.limit, self.format),
+            (true, true) => return Err(Failure("--all is about all features: ask for none".to_owned())),
+            (false, _) => {}
+        }
+        let mut answer = Answer::new(asked, units, self.which.find(asked)?);
+        self.limit.cut(&mut answer.neighbours);
         match self.format {
-            Format::Text => print(&answer.text()?),
-            Format::Json => print_json(&answer),
+            TableFormat::Text => print(&answer.text(units)?),
+            TableFormat::Csv => Err(Failure("--format csv is for the table of --all".to_owned())),
+            TableFormat::Json => print_json(&answer),
         }
     }
 }
 
 impl<'a> Answer<'a> {
-    fn new(Asked { input, map }: &'a Asked, feature: FeatureId) -> Self {
+    fn new(Asked { input, map, .. }: &'a Asked, units: &Units, feature: FeatureId) -> Self {
         let named = |feature| Named { name: label(map, feature), id: feature.index() };
         let mut shared: BTreeMap<FeatureId, (usize, f64)> = BTreeMap::new();
         for face in faces_of(map, feature) {
-            let area = face_area(map, face).unwrap_or_default();
+            let area = map.dcel().face(face).map_or(0.0, |face| units.area(map, face));
             for other in map.features_of(face).into_iter().flatten().filter(|f| *f != feature) {
                 let (faces, sum) = shared.entry(other).or_default();
                 *faces += 1;
@@ -85,11 +123,15 @@ impl<'a> Answer<'a> {
         }
         let neighbours = of_feature(map, feature).into_iter().map(|n| Border {
             with: named(n.neighbour),
-            length: n.length,
+            length: match units {
+                Units::Plane { .. } => n.length,
+                Units::Geodesic(_) => n.borders.iter().map(|chain| units.length(chain)).sum(),
+            },
             borders: n.borders.into_iter().map(|chain| chain.into_iter().map(Into::into).collect()).collect(),
         });
         Self {
             input,
+            unit: units.name(),
             feature: label(map, feature),
             id: feature.index(),
             neighbours: neighbours.collect(),
@@ -98,7 +140,7 @@ impl<'a> Answer<'a> {
         }
     }
 
-    fn text(&self) -> Result<String, std::fmt::Error> {
+    fn text(&self, units: &Units) -> Result<String, std::fmt::Error> {
         let mut out = String::new();
         let Self { input, feature, .. } = self;
         writeln!(out, "{feature}\n{QUIET}{input}{QUIET:#}\n")?;
@@ -121,6 +163,7 @@ impl<'a> Answer<'a> {
                 measure(*area)
             )?;
         }
+        writeln!(out, "\n{QUIET}{}{QUIET:#}", units.sentence())?;
         Ok(out)
     }
 }

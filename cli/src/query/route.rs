@@ -51,7 +51,7 @@ struct Answer<'a> {
 
 impl Route {
     pub(super) fn answer(&self, asked: &Asked) -> Result<(), Failure> {
-        let Asked { input, map } = asked;
+        let Asked { input, map, .. } = asked;
         let (from, to) = (find(asked, &self.from)?, find(asked, &self.to)?);
         let by = match self.by {
             Measure::Borders => By::Borders,

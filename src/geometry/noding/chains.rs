@@ -71,13 +71,15 @@ impl Chains {
 
 /// The chains of runs, and the number of rounds in which one was bent.
 ///
-/// The vertices where runs cross are added to `vertices`.
+/// The vertices where runs cross are added to `vertices`. It is an error if there are more than so many cuts.
 pub(super) fn snap(
     pixels: Pixels,
     runs: &[Segment],
     vertices: &mut Vec<Pixel>,
+    cuts: usize,
 ) -> Result<(Chains, usize), NodingError> {
-    let found = search(pixels, runs, vertices)?;
+    let found = search(pixels, runs, vertices, cuts)?;
+    let mut bends_left = cuts - found.visits.len();
     let chains = Chains::through(runs, vertices, found.visits);
     // All edges of a chain that is bent are new lines, which can visit pixels that the run did not visit. So can the
     // only edge of one that is not bent, if the ends of the run moved.
@@ -92,7 +94,13 @@ pub(super) fn snap(
     let hot = vertices.len();
     while !fresh.is_empty() {
         let segments: Vec<Segment> = fresh.iter().map(|&edge| between(vertices, edge)).collect();
-        let found = search(Pixels::ONE_STEP, &segments, vertices)?.visits;
+        let found = search(Pixels::ONE_STEP, &segments, vertices, bends_left)
+            .map_err(|error| match error {
+                NodingError::TooManyCuts { .. } => NodingError::TooManyCuts { allowed: cuts },
+                other => other,
+            })?
+            .visits;
+        bends_left -= found.len();
         debug_assert_eq!(hot, vertices.len(), "snapped edges do not cross");
         let pieces = Chains::through(&segments, vertices, found);
         fresh.clear();

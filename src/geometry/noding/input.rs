@@ -69,6 +69,12 @@ pub enum NodingError {
     /// The size of a cell is not a positive finite number.
     #[error("the size of a cell is not a positive finite number")]
     Size,
+    /// Segments meet each other, or pass close to vertices, more often than was allowed.
+    #[error("segments are cut more than {allowed} times")]
+    TooManyCuts {
+        /// How often they may be cut.
+        allowed: usize,
+    },
     /// There are more points than a `u32` can number.
     #[error("more points than 2^32 - 1")]
     TooMany,

@@ -88,6 +88,7 @@
 mod bundle;
 mod chains;
 mod chords;
+mod estimate;
 mod grid;
 mod input;
 mod pixel;
@@ -98,6 +99,7 @@ mod search;
 use crate::geometry::point::Point;
 use chains::sorted;
 use core::iter::FusedIterator;
+use estimate::crossing_cuts;
 use grid::Grid;
 use read::{Read, largest_coordinate};
 use runs::Runs;
@@ -212,23 +214,72 @@ impl FusedIterator for Chain<'_> {}
 /// `points` are vertices too: a segment that visits the pixel of one goes through it, and one that nothing touches is
 /// an isolated vertex of the result, and so is the vertex of a collapsed segment.
 ///
-/// Cost: see [the module](self#cost).
+/// Cost: see [the module](self#cost). [`node_within`] bounds it.
 ///
 /// # Errors
 ///
 /// [`NodingError`]: coordinates that are not finite, or out of reach of the grid; a size that is not one; too many
 /// points.
 pub fn node(segments: &[[Point; 2]], points: &[Point], snap: Snap) -> Result<Noded, NodingError> {
+    node_within(segments, points, snap, usize::MAX)
+}
+
+/// The same, unless segments are cut more than so many times: n segments may cross n² / 2 times, which no memory holds.
+///
+/// A segment is cut once at each vertex between its ends. Overlapping segments of one line count as one. Some pairs of
+/// segments are tried first, and if they cross so often that twice as many cuts as allowed are to be expected, noding does
+/// not begin. Otherwise it ends when there are too many. Memory is O(n + cuts).
+///
+/// ```
+/// use twinedge::geometry::Point;
+/// use twinedge::geometry::noding::{NodingError, Snap, node_within};
+///
+/// let line = |a: [f64; 2], b: [f64; 2]| [Point::from(a), Point::from(b)];
+/// let level = (0..10).map(|i| line([-1.0, f64::from(i)], [10.0, f64::from(i)]));
+/// let upright = (0..10).map(|i| line([f64::from(i), -1.0], [f64::from(i), 10.0]));
+/// let grid: Vec<[Point; 2]> = level.chain(upright).collect();
+/// // A hundred crossings, each of which cuts two segments.
+/// assert!(node_within(&grid, &[], Snap::Auto, 200).is_ok());
+/// assert_eq!(node_within(&grid, &[], Snap::Auto, 199).unwrap_err(), NodingError::TooManyCuts { allowed: 199 });
+/// ```
+///
+/// # Errors
+///
+/// [`NodingError::TooManyCuts`], and those of [`node`].
+pub fn node_within(segments: &[[Point; 2]], points: &[Point], snap: Snap, cuts: usize) -> Result<Noded, NodingError> {
     let (largest, holder) = largest_coordinate(segments, points)?;
     let grid = Grid::new(snap, largest, holder)?;
     if segments.len().saturating_mul(2).saturating_add(points.len()) >= u32::MAX as usize {
         return Err(NodingError::TooMany);
     }
-    let read = Read::new(&grid, segments, points);
+    finish(&grid, &Read::new(&grid, segments, points), cuts)
+}
+
+/// The same for distinct points, each of which is a vertex, and segments between them by number.
+#[cfg(feature = "map")]
+pub(crate) fn node_numbered(
+    points: &[Point],
+    segments: &[[u32; 2]],
+    snap: Snap,
+    cuts: usize,
+) -> Result<Noded, NodingError> {
+    let (largest, holder) = largest_coordinate(&[], points)?;
+    let grid = Grid::new(snap, largest, holder)?;
+    if segments.len().max(points.len()) >= u32::MAX as usize {
+        return Err(NodingError::TooMany);
+    }
+    finish(&grid, &Read::numbered(&grid, points, segments), cuts)
+}
+
+/// Nodes what was read.
+fn finish(grid: &Grid, read: &Read, cuts: usize) -> Result<Noded, NodingError> {
     let given = read.segments();
     let Runs { joined, of, duplicates } = runs::join(&given);
+    if crossing_cuts(grid.pixels, &joined).is_some_and(|expected| expected / 2 > cuts as u64) {
+        return Err(NodingError::TooManyCuts { allowed: cuts });
+    }
     let mut vertices = read.vertices.clone();
-    let (chains, rounds) = chains::snap(grid.pixels, &joined, &mut vertices)?;
+    let (chains, rounds) = chains::snap(grid.pixels, &joined, &mut vertices, cuts)?;
 
     let mut collapsed = Vec::new();
     let mut runs = of.into_iter().map(|run| run as usize);
@@ -250,12 +301,9 @@ pub fn node(segments: &[[Point; 2]], points: &[Point], snap: Snap) -> Result<Nod
         number[v as usize] = place;
     }
     let renamed = |v: u32| number[v as usize];
-    let mut edges: Vec<[u32; 2]> = chains.edges().map(|edge| sorted(edge.map(renamed))).collect();
-    edges.sort_unstable();
-    edges.dedup();
     Ok(Noded {
         points: order.iter().map(|&v| grid.point(vertices[v as usize])).collect(),
-        segments: edges,
+        segments: distinct_edges(|| chains.edges().map(|edge| sorted(edge.map(renamed))), vertices.len()),
         summary: NodingSummary {
             cell: grid.cell(),
             crossings: vertices.len() - read.vertices.len(),
@@ -264,10 +312,33 @@ pub fn node(segments: &[[Point; 2]], points: &[Point], snap: Snap) -> Result<Nod
             collapsed: collapsed.len(),
             merged: read.distinct() - read.vertices.len(),
             rounds,
-            largest_move: read.largest_move(&grid),
+            largest_move: read.largest_move(grid),
         },
         pool: chains.pool().iter().copied().chain(collapsed).map(renamed).collect(),
         ranges,
         vertex_of_point: read.points().map(renamed).collect(),
     })
+}
+
+/// Edges in lexicographical order, each once. O(n + v) for v vertices, and what it takes to sort those at each vertex.
+fn distinct_edges<I: Iterator<Item = [u32; 2]>>(edges: impl Fn() -> I, vertices: usize) -> Vec<[u32; 2]> {
+    // Summed up, `first[v + 1]` is where those of vertex v begin, and filing them moves it to where they end.
+    let mut first = vec![0_usize; vertices + 2];
+    for [v, _] in edges() {
+        first[v as usize + 2] += 1;
+    }
+    for v in 1..first.len() {
+        first[v] += first[v - 1];
+    }
+    let mut filed = vec![[0; 2]; first[vertices + 1]];
+    for edge in edges() {
+        let place = &mut first[edge[0] as usize + 1];
+        filed[*place] = edge;
+        *place += 1;
+    }
+    for range in first.windows(2) {
+        filed[range[0]..range[1]].sort_unstable();
+    }
+    filed.dedup();
+    filed
 }

@@ -3,7 +3,7 @@
 use super::grid::Grid;
 use super::input::{Input, NodingError};
 use super::pixel::{Pixel, Segment, Steps};
-use crate::geometry::point::Point;
+use crate::geometry::point::{Point, folded};
 use rustc_hash::FxHashMap;
 
 /// A distinct point of the input.
@@ -49,6 +49,29 @@ impl Read {
         reader.read
     }
 
+    /// The same for distinct points, each of which is a vertex, and segments between them by number.
+    #[cfg(feature = "map")]
+    pub(super) fn numbered(grid: &Grid, points: &[Point], segments: &[[u32; 2]]) -> Self {
+        let place = |(point, number): (&Point, u32)| (grid.pixels.at(grid.steps(*point)), number);
+        let mut sorted: Vec<(Pixel, u32)> = points.iter().zip(0..).map(place).collect();
+        sorted.sort_unstable();
+        let mut vertices: Vec<Pixel> = Vec::with_capacity(points.len());
+        let mut vertex_of = vec![0; points.len()];
+        for (pixel, number) in sorted {
+            if vertices.last() != Some(&pixel) {
+                vertices.push(pixel);
+            }
+            vertex_of[number as usize] = vertices.len() as u32 - 1;
+        }
+        let site = |(point, vertex): (&Point, u32)| Site { point: *point, at: grid.steps(*point), vertex };
+        Self {
+            sites: points.iter().zip(vertex_of).map(site).collect(),
+            ends: segments.to_vec(),
+            points: (0..points.len() as u32).collect(),
+            vertices,
+        }
+    }
+
     /// The segments that are more than a vertex.
     pub(super) fn segments(&self) -> Vec<Segment> {
         let longer = self.ends.iter().map(|ends| ends.map(|site| &self.sites[site as usize]));
@@ -86,18 +109,19 @@ impl Read {
 struct Reader<'a> {
     grid: &'a Grid,
     read: Read,
+    /// By [`Point::hash_key`].
     sites: FxHashMap<(u64, u64), u32>,
-    vertices: FxHashMap<(i64, i64), u32>,
+    /// By the coordinates of the pixel, folded.
+    vertices: FxHashMap<(u64, u64), u32>,
 }
 
 impl Reader<'_> {
     fn site(&mut self, point: Point) -> u32 {
-        // Adding zero makes −0 and 0 one.
-        let bits = ((point.x + 0.0).to_bits(), (point.y + 0.0).to_bits());
-        *self.sites.entry(bits).or_insert_with(|| {
+        *self.sites.entry(point.hash_key()).or_insert_with(|| {
             let at = self.grid.steps(point);
             let pixel = self.grid.pixels.at(at);
-            let vertex = *self.vertices.entry(pixel.into()).or_insert_with(|| {
+            let key = pixel.map(|c| folded(c.cast_unsigned()));
+            let vertex = *self.vertices.entry(key.into()).or_insert_with(|| {
                 self.read.vertices.push(pixel);
                 self.read.vertices.len() as u32 - 1
             });

@@ -8,7 +8,7 @@
 use super::pixel::{Segment, cross, minus};
 use core::cmp::Ordering;
 use core::hash::Hasher;
-use rustc_hash::{FxHashMap, FxHasher};
+use rustc_hash::{FxHashMap, FxHashSet, FxHasher};
 
 /// Segments, joined.
 pub(super) struct Runs {
@@ -26,12 +26,14 @@ pub(super) fn join(segments: &[Segment]) -> Runs {
     // Segments of one line in linked lists. Different lines can share a list (a rare thing), which the exact order
     // undoes.
     const NONE: u32 = u32::MAX;
-    let mut last = FxHashMap::with_capacity_and_hasher(segments.len(), rustc_hash::FxBuildHasher);
+    let lines: Vec<u64> = segments.iter().map(line).collect();
+    let again = repeated(&lines);
+    let mut last = FxHashMap::default();
     let mut before = vec![NONE; segments.len()];
-    for (id, segment) in segments.iter().enumerate() {
-        before[id] = last.insert(line(segment), id as u32).unwrap_or(NONE);
+    for (id, line) in lines.iter().enumerate().filter(|(_, line)| again.contains(line)) {
+        before[id] = last.insert(*line, id as u32).unwrap_or(NONE);
     }
-    let mut runs = Runs { joined: Vec::with_capacity(last.len()), of: vec![NONE; segments.len()], duplicates: 0 };
+    let mut runs = Runs { joined: Vec::with_capacity(segments.len()), of: vec![NONE; segments.len()], duplicates: 0 };
     let mut group = Vec::new();
     for id in (0..segments.len() as u32).rev() {
         if runs.of[id as usize] != NONE {
@@ -47,6 +49,21 @@ pub(super) fn join(segments: &[Segment]) -> Runs {
         runs.sweep(segments, &group);
     }
     runs
+}
+
+/// The numbers that occur more than once, and some others: a table of bits, many times as many as numbers, says which may.
+fn repeated(numbers: &[u64]) -> FxHashSet<u64> {
+    let words = numbers.len().div_ceil(4).next_power_of_two();
+    let mut seen = vec![0_u64; words];
+    let mut repeated = FxHashSet::default();
+    for number in numbers {
+        let (word, bit) = (&mut seen[(*number >> 6) as usize & (words - 1)], 1 << (*number & 63));
+        if *word & bit != 0 {
+            repeated.insert(*number);
+        }
+        *word |= bit;
+    }
+    repeated
 }
 
 impl Runs {

@@ -20,12 +20,18 @@
 //!   └───────┴─┴───────┘
 //! ```
 //!
+//! A block with very many segments is cut in many tiles at once, as long as most segments are so short that a tile or two
+//! hold them: that saves going through all of them for each halving.
+//!
 //! Blocks are made of whole pixels, so each hot pixel is met in one leaf, and each visit is found once.
 
 use super::bundle::Bundle;
 use super::chords::{Chord, Chords, chords};
 use super::input::NodingError;
 use super::pixel::{Block, Pixel, Pixels, Segment, Steps};
+use parts::{Tiles, around, halves};
+
+mod parts;
 
 #[cfg(test)]
 mod tests;
@@ -46,6 +52,9 @@ const FEW: usize = limit(16, 2);
 
 /// More crossings than this for each chord of a block are not listed.
 const DENSE: usize = limit(8, 1);
+
+/// From this many segments on, a block is cut in tiles.
+const MANY: usize = limit(1024, 4);
 
 /// The result of the search.
 #[derive(Default)]
@@ -120,8 +129,15 @@ struct Search<'a> {
 ///
 /// No two segments may overlap in more than a point, and the vertices are distinct and include all ends.
 ///
+/// More than so many visits are an error.
+///
 /// Cost: O((n + k) log n) in practice, for n segments and vertices and k crossings and visits.
-pub(super) fn search(pixels: Pixels, segments: &[Segment], vertices: &mut Vec<Pixel>) -> Result<Found, NodingError> {
+pub(super) fn search(
+    pixels: Pixels,
+    segments: &[Segment],
+    vertices: &mut Vec<Pixel>,
+    most: usize,
+) -> Result<Found, NodingError> {
     if segments.len() >= u32::MAX as usize {
         return Err(NodingError::TooMany);
     }
@@ -154,6 +170,10 @@ pub(super) fn search(pixels: Pixels, segments: &[Segment], vertices: &mut Vec<Pi
                     search.try_bundle(&bundle, v as u32);
                 }
             }
+        }
+        // One task finds O(n) at most, in practice.
+        if search.found.visits.len() > most {
+            return Err(NodingError::TooManyCuts { allowed: most });
         }
     }
     Ok(search.found)
@@ -198,6 +218,9 @@ impl Search<'_> {
                 Chords::SideBySide(_) | Chords::Apart => return Ok(()),
             }
         }
+        if segments.len() >= MANY && self.tile(block, segments, vertices) {
+            return Ok(());
+        }
         let (tasks, segments_to, vertices_to) = (self.tasks.len(), self.segment_pool.len(), self.vertex_pool.len());
         let most = self.part(&halves(block), segments, vertices, State::New);
         if most <= work - work / 4 || (work > SOME_PAIRS && look.state == State::Cut) {
@@ -237,12 +260,61 @@ impl Search<'_> {
         }
     }
 
+    /// Puts off the tiles of a block, if most segments lie in few of them and no tile has most.
+    fn tile(&mut self, block: &Block, segments: &[u32], vertices: &[u32]) -> bool {
+        let tiles = Tiles::new(block);
+        let parts = tiles.blocks();
+        let mut contents = self.empty_contents(parts.len());
+        // The tiles that are looked at, of all segments that are in more than one.
+        let mut left = segments.len();
+        let mut few = true;
+        for &id in segments {
+            let segment = &self.segments[id as usize];
+            let around = self.pixels.around(segment);
+            let range = tiles.of(&around);
+            let count = range.clone().count();
+            if count > 1 {
+                let Some(rest) = left.checked_sub(count) else {
+                    few = false;
+                    break;
+                };
+                left = rest;
+            }
+            for tile in range {
+                if parts[tile].includes(&around) || self.pixels.line_nears(segment, &parts[tile]) {
+                    contents[tile].segments.push(id);
+                    contents[tile].grow(around);
+                }
+            }
+        }
+        let most = segments.len() - segments.len() / 4;
+        few &= contents.iter().all(|content| content.segments.len() <= most);
+        if few {
+            for &id in vertices {
+                let pixel = self.vertices[id as usize];
+                for tile in tiles.of(&Block::one(pixel)) {
+                    contents[tile].vertices.push(id);
+                    contents[tile].grow(Block::one(pixel));
+                }
+            }
+            self.put_off(&parts, &contents, State::New);
+        }
+        self.contents = contents;
+        few
+    }
+
+    /// Room for so many parts.
+    fn empty_contents(&mut self, parts: usize) -> Vec<Content> {
+        let mut contents = core::mem::take(&mut self.contents);
+        contents.resize_with(parts.max(contents.len()), Content::default);
+        contents.iter_mut().for_each(Content::clear);
+        contents
+    }
+
     /// Puts off parts of a block, those without anything to find excepted. Returns the number of pairs in the part
     /// with most.
     fn part(&mut self, parts: &[Block], segments: &[u32], vertices: &[u32], state: State) -> usize {
-        let mut contents = core::mem::take(&mut self.contents);
-        contents.resize_with(parts.len(), Content::default);
-        contents.iter_mut().for_each(Content::clear);
+        let mut contents = self.empty_contents(parts.len());
         for &id in segments {
             let segment = &self.segments[id as usize];
             let around = self.pixels.around(segment);
@@ -262,8 +334,15 @@ impl Search<'_> {
                 }
             }
         }
+        let most = self.put_off(parts, &contents, state);
+        self.contents = contents;
+        most
+    }
+
+    /// Puts off parts of a block with these contents.
+    fn put_off(&mut self, parts: &[Block], contents: &[Content], state: State) -> usize {
         let mut most = 0;
-        for (part, Content { segments, vertices, all }) in parts.iter().zip(&contents) {
+        for (part, Content { segments, vertices, all }) in parts.iter().zip(contents) {
             let (m, h) = (segments.len(), vertices.len());
             // A visit takes a vertex, and a crossing that is not known two segments.
             let Some(all) = all.filter(|_| m > 0 && (h > 0 || m >= 2 && state != State::Crossed)) else {
@@ -272,7 +351,6 @@ impl Search<'_> {
             self.wait(part.meet(&all), segments, vertices, state);
             most = most.max(pairs(m, h));
         }
-        self.contents = contents;
         most
     }
 
@@ -441,36 +519,4 @@ impl Search<'_> {
         let visitors = bundle.visitors(self.vertices[v as usize]);
         self.found.visits.extend(visitors.map(|id| [id, v]));
     }
-}
-
-/// The axis along which a block of more than one pixel is longer.
-fn longer(block: &Block) -> usize {
-    usize::from(block.high[1] - block.low[1] > block.high[0] - block.low[0])
-}
-
-/// A block, parted across its longer side.
-fn halves(block: &Block) -> [Block; 2] {
-    let axis = longer(block);
-    let mut halves = [*block; 2];
-    let middle = block.low[axis] + (block.high[axis] - block.low[axis]) / 2;
-    halves[0].high[axis] = middle;
-    halves[1].low[axis] = middle + 1;
-    halves
-}
-
-/// A block without a pixel of it, in up to four parts.
-fn around(block: &Block, pixel: Pixel) -> Vec<Block> {
-    let axis = longer(block);
-    let mut parts = vec![*block; 4];
-    parts[0].high[axis] = pixel[axis] - 1;
-    parts[1].low[axis] = pixel[axis] + 1;
-    for part in &mut parts[2..] {
-        part.low[axis] = pixel[axis];
-        part.high[axis] = pixel[axis];
-    }
-    parts[2].high[1 - axis] = pixel[1 - axis] - 1;
-    parts[3].low[1 - axis] = pixel[1 - axis] + 1;
-    // A pixel on the border leaves nothing on the other side.
-    parts.retain(|part| part.low[0] <= part.high[0] && part.low[1] <= part.high[1]);
-    parts
 }

@@ -30,7 +30,7 @@
 //! - Numbers of a position beyond the first two are dropped and counted; so are properties other than the name, and empty
 //!   lines and polygons ([`ReadSummary`](super::ReadSummary)).
 //! - Members may come in any order. `bbox`, `crs` and foreign members of the outermost object are skipped, whatever
-//!   they hold and however deep.
+//!   they hold and however deep. A `crs` other than that of RFC 7946 is counted.
 //! - Rings may be open or closed, and lines may have one position only: the builder of a map reports those.
 //!
 //! # What is done by the `geojson` crate
@@ -44,9 +44,11 @@
 //! Two of its limits are limits here: a point or the first polygon of a multi-polygon must not be empty, and no file
 //! can be read in a program that turns on the feature `arbitrary_precision` of `serde_json`.
 
+mod crs;
 mod input;
 mod read;
 mod write;
 
 pub use read::{read, read_sequence};
+pub(in crate::io) use read::{read_sequence_with_properties, read_with_properties};
 pub use write::write;

@@ -11,9 +11,11 @@ use serde::de::{Deserialize, DeserializeSeed, Deserializer, Error, IgnoredAny};
 use serde::de::{IntoDeserializer, MapAccess, SeqAccess, Visitor};
 use serde_json::error::Category;
 
+use super::crs;
 use super::input::{self, Progress};
 use crate::geometry::Point;
 use crate::io::error::{FeatureLabel, MAX_NESTED_COLLECTIONS, ReadCause, ReadError, TextPlace};
+use crate::io::properties::Properties;
 use crate::io::summary::ReadSummary;
 use crate::map::{Feature, Shape};
 
@@ -32,7 +34,19 @@ enum Documents {
 /// # Errors
 /// [`ReadError`], turned into `E`, and whatever `each` returns. Something other than white space after the end of the object
 /// is [`ReadCause::Trailing`].
-pub fn read<R, E>(reader: R, each: impl FnMut(Feature) -> Result<(), E>) -> Result<ReadSummary, E>
+pub fn read<R, E>(reader: R, mut each: impl FnMut(Feature) -> Result<(), E>) -> Result<ReadSummary, E>
+where
+    R: Read,
+    E: From<ReadError>,
+{
+    read_with_properties(reader, |feature, _| each(feature))
+}
+
+/// [`read`], with the properties of each feature.
+pub(in crate::io) fn read_with_properties<R, E>(
+    reader: R,
+    each: impl FnMut(Feature, &Properties) -> Result<(), E>,
+) -> Result<ReadSummary, E>
 where
     R: Read,
     E: From<ReadError>,
@@ -58,7 +72,19 @@ where
 ///
 /// # Errors
 /// As for [`read`].
-pub fn read_sequence<R, E>(reader: R, each: impl FnMut(Feature) -> Result<(), E>) -> Result<ReadSummary, E>
+pub fn read_sequence<R, E>(reader: R, mut each: impl FnMut(Feature) -> Result<(), E>) -> Result<ReadSummary, E>
+where
+    R: Read,
+    E: From<ReadError>,
+{
+    read_sequence_with_properties(reader, |feature, _| each(feature))
+}
+
+/// [`read_sequence`], with the properties of each feature.
+pub(in crate::io) fn read_sequence_with_properties<R, E>(
+    reader: R,
+    each: impl FnMut(Feature, &Properties) -> Result<(), E>,
+) -> Result<ReadSummary, E>
 where
     R: Read,
     E: From<ReadError>,
@@ -69,7 +95,7 @@ where
 fn read_all<R, E>(
     reader: R,
     documents: Documents,
-    mut each: impl FnMut(Feature) -> Result<(), E>,
+    mut each: impl FnMut(Feature, &Properties) -> Result<(), E>,
 ) -> Result<ReadSummary, E>
 where
     R: Read,
@@ -80,7 +106,8 @@ where
         .map_err(|error| ReadError::new(progress.get().at, ReadCause::Io(error)))?;
     let mut input = serde_json::Deserializer::from_reader(text);
     let mut failure = None;
-    let mut goes_on = |feature| each(feature).map_err(|error| failure = Some(error)).is_ok();
+    let mut goes_on =
+        |feature, properties: &Properties| each(feature, properties).map_err(|error| failure = Some(error)).is_ok();
     let mut sink = Sink { goes_on: &mut goes_on, summary: ReadSummary::default(), in_features: false, fault: None };
     let outcome = match documents {
         Documents::One => read_document(&mut input, &mut sink, &progress),
@@ -153,7 +180,7 @@ fn classify(error: serde_json::Error, progress: Progress) -> ReadError {
 /// Where features go.
 struct Sink<'f> {
     /// Takes a feature, and says whether to go on.
-    goes_on: &'f mut dyn FnMut(Feature) -> bool,
+    goes_on: &'f mut dyn FnMut(Feature, &Properties) -> bool,
     summary: ReadSummary,
     /// Whether an element of `"features"` is being read.
     in_features: bool,
@@ -185,7 +212,8 @@ impl Sink<'_> {
         }
         let feature = Feature { name, id, shapes: shapes.shapes };
         self.summary.add(&feature, shapes.with_extra_dimensions, shapes.empty);
-        if (self.goes_on)(feature) { Ok(()) } else { Err(S::custom("stopped")) }
+        let properties = Properties { object: parsed.properties.unwrap_or_default() };
+        if (self.goes_on)(feature, &properties) { Ok(()) } else { Err(S::custom("stopped")) }
     }
 }
 
@@ -349,7 +377,12 @@ impl<'de, A: MapAccess<'de>> MapAccess<'de> for Members<'_, '_, A> {
                 self.at_features = known == "features";
                 return seed.deserialize(known.into_deserializer()).map(Some);
             }
-            self.inner.next_value::<IgnoredAny>()?;
+            if key == "crs" {
+                let name = self.inner.next_value_seed(crs::NAME)?;
+                self.sink.summary.other_crs += usize::from(name.is_some_and(|name| crs::is_other(&name)));
+            } else {
+                self.inner.next_value::<IgnoredAny>()?;
+            }
         }
         Ok(None)
     }

@@ -2,8 +2,8 @@
 //!
 //! ```text
 //!   segments ─► rotations, sorted by angle ─► next ─► cycles ─► outer ones get a face each
-//!                                                        └───► the outside of each component: one sweep finds the edge
-//!                                                              below its lowest vertex, and thereby the face it lies in
+//!          │                                             └───► the outside of each component: the edge below its lowest
+//!          └──► one sweep ─► the edges below, a clash ─────────► vertex, and thereby the face it lies in
 //! ```
 //!
 //! Source: de Berg et al., "Computational Geometry", 3rd edition, section 2.3.
@@ -14,7 +14,7 @@ use crate::dcel::{Assembly, Dcel, RecordKind};
 use crate::geometry::Point;
 use crate::geometry::crossing::Clash;
 use crate::geometry::predicates::{compare_angle, compare_lexicographic};
-use crate::geometry::sweep::sweep;
+use crate::geometry::sweep::{Sweep, sweep};
 use crate::store::links::{BoundaryStart, VertexLink};
 use core::cmp::Ordering;
 
@@ -24,25 +24,36 @@ const NIL: u32 = u32::MAX;
 /// The number of the unbounded face.
 const UNBOUNDED: u32 = 0;
 
-/// What the points and segments make.
-pub(super) struct Arranged {
-    pub(super) dcel: Dcel,
+/// What one sweep says about points and segments.
+pub(super) struct Swept {
+    /// The lexicographically smallest point of each component, from left to right.
+    lowest: Vec<u32>,
+    /// For each of these, the segment directly below.
+    below: Vec<Option<u32>>,
     /// Whether, and where first, the segments do not meet at shared endpoints only.
     pub(super) clash: Option<Clash>,
 }
 
-impl Arranged {
-    /// The index of the half-edge of a dart.
-    pub(super) const fn half_edge(dart: Dart) -> u32 {
-        Assembly::half_edge_index(dart)
+impl Swept {
+    /// Sweeps over points and segments, which are distinct and in range. O(n log n).
+    pub(super) fn new(points: &[Point], segments: &[[u32; 2]]) -> Result<Self, BuildError> {
+        let lowest = lowest_points(points, segments);
+        let Sweep { below, clash, .. } =
+            sweep(points, segments, &lowest).map_err(|_| BuildError::Full(RecordKind::Vertex))?;
+        Ok(Self { lowest, below, clash })
     }
+}
 
-    /// The points by index of their vertex.
-    pub(super) fn points_by_vertex(points: &[Point]) -> Vec<Point> {
-        let mut by_index = vec![Point::default(); Assembly::vertex_index(0) as usize];
-        by_index.extend_from_slice(points);
-        by_index
-    }
+/// The index of the half-edge of a dart.
+pub(super) const fn half_edge(dart: Dart) -> u32 {
+    Assembly::half_edge_index(dart)
+}
+
+/// The points by index of their vertex.
+pub(super) fn points_by_vertex(points: &[Point]) -> Vec<Point> {
+    let mut by_index = vec![Point::default(); Assembly::vertex_index(0) as usize];
+    by_index.extend_from_slice(points);
+    by_index
 }
 
 /// The darts that leave each point, counter-clockwise from the positive x axis.
@@ -165,12 +176,12 @@ fn outside_dart(rotations: &Rotations, points: &[Point], segments: &[[u32; 2]], 
     leaving.get(upper.wrapping_sub(1)).or(leaving.last()).copied()
 }
 
-/// Arranges the points and segments, which are distinct and in range, into a subdivision. O(n log n).
-pub(super) fn arrange(points: &[Point], segments: &[[u32; 2]]) -> Result<Arranged, BuildError> {
+/// Arranges the points and segments, which are distinct and in range, into a subdivision, with what the sweep said about
+/// them. O(n log n).
+pub(super) fn arrange(points: &[Point], segments: &[[u32; 2]], swept: &Swept) -> Result<Dcel, BuildError> {
+    let Swept { lowest, below, .. } = swept;
     let rotations = Rotations::new(points, segments);
     let cycles = Cycles::new(&rotations, points.len());
-    let lowest = lowest_points(points, segments);
-    let swept = sweep(points, segments, &lowest).map_err(|_| BuildError::Full(RecordKind::Vertex))?;
 
     // The cycles that are the outside of their component, and for each the face where that lies.
     let mut outside = vec![false; cycles.starts.len()];
@@ -191,7 +202,7 @@ pub(super) fn arrange(points: &[Point], segments: &[[u32; 2]]) -> Result<Arrange
     let mut starts: Vec<BoundaryStart<u32, u32>> = cycles.starts.iter().copied().map(BoundaryStart::HalfEdge).collect();
     let mut inner = Vec::with_capacity(lowest.len());
     // From left to right, so that the face of what lies below a component is known.
-    for ((low, dart), below) in lowest.iter().zip(&outside_darts).zip(&swept.below) {
+    for ((low, dart), below) in lowest.iter().zip(&outside_darts).zip(below) {
         let face = below.map_or(UNBOUNDED, |segment| {
             let [a, b] = segments[segment as usize];
             let rises = compare_lexicographic(points[a as usize], points[b as usize]) == Ordering::Less;
@@ -220,6 +231,5 @@ pub(super) fn arrange(points: &[Point], segments: &[[u32; 2]]) -> Result<Arrange
         outer: &outer,
         inner: &inner,
     };
-    let dcel = assembly.assemble().map_err(BuildError::Full)?;
-    Ok(Arranged { dcel, clash: swept.clash })
+    assembly.assemble().map_err(BuildError::Full)
 }

@@ -1,14 +1,15 @@
 //! Gathering rings, lines and points, and building the map of them all at once.
 
-use super::arrange::{Arranged, arrange};
+use super::arrange::{Swept, arrange, points_by_vertex};
 use super::cover::cover;
-use super::cut::{self, Cut, Noding};
+use super::cut::{self, Cut, Noding, usual_cuts};
 use super::error::BuildError;
 use super::gathered::{Dart, GatheredFeature};
 use super::rings::Ring;
 use crate::dcel::RecordKind;
 use crate::geometry::Point;
 use crate::geometry::crossing::{Clash, clashes};
+use crate::geometry::noding::NodingSummary;
 use crate::geometry::predicates::in_range;
 use crate::map::feature::{Feature, FeatureId, Shape};
 use crate::map::feature_sets::FeatureSets;
@@ -35,15 +36,18 @@ use rustc_hash::FxHashMap;
 /// assert!(map.validate().is_valid());
 /// # Ok::<(), twinedge::map::BuildError>(())
 /// ```
-#[derive(Debug, Default)]
+#[derive(Clone, Debug, Default)]
 pub struct Builder {
     points: Vec<Point>,
+    /// By [`Point::hash_key`].
     places: FxHashMap<(u64, u64), u32>,
     /// Distinct segments, by their ends in order of vertex numbers.
     segments: Vec<[u32; 2]>,
     segment_numbers: FxHashMap<(u32, u32), u32>,
     pub(super) features: Vec<GatheredFeature>,
     summary: BuildSummary,
+    /// How often segments may be cut, if it was said.
+    cuts: Option<usize>,
 }
 
 impl Builder {
@@ -122,6 +126,27 @@ impl Builder {
     #[must_use]
     pub const fn summary(&self) -> &BuildSummary {
         &self.summary
+    }
+
+    /// Says how often [`Noding::Snap`] may cut segments, each once at each vertex between its ends. Otherwise it is 2^20
+    /// times, and 16 times for each distinct segment: most drawings are cut far less often, and memory grows with every cut.
+    /// O(1).
+    ///
+    /// ```
+    /// use twinedge::geometry::noding::Snap;
+    /// use twinedge::map::{BuildError, Builder, Noding};
+    ///
+    /// let mut builder = Builder::new();
+    /// builder.segment([0.0, 0.0], [2.0, 2.0])?;
+    /// builder.segment([0.0, 2.0], [2.0, 0.0])?;
+    /// // The crossing cuts both.
+    /// builder.limit_cuts(1);
+    /// let refused = builder.build_with(Noding::Snap(Snap::Auto));
+    /// assert!(matches!(refused, Err(BuildError::TooManyCuts { allowed: 1 })));
+    /// # Ok::<(), BuildError>(())
+    /// ```
+    pub const fn limit_cuts(&mut self, cuts: usize) {
+        self.cuts = Some(cuts);
     }
 
     fn check(shape: &Shape, at: Position) -> Result<(), BuildError> {
@@ -243,7 +268,7 @@ impl Builder {
         // Adding zero turns −0 into 0.
         let p = Point::new(p.x + 0.0, p.y + 0.0);
         let next = self.points.len() as u32;
-        let number = *self.places.entry((p.x.to_bits(), p.y.to_bits())).or_insert(next);
+        let number = *self.places.entry(p.hash_key()).or_insert(next);
         if number == next {
             if next >= 1 << 30 {
                 return Err(BuildError::Full(RecordKind::Vertex));
@@ -285,23 +310,31 @@ impl Builder {
     ///
     /// # Errors
     /// [`BuildError::Full`]; with [`Noding::Exact`], [`BuildError::Crossing`]; with [`Noding::Snap`],
-    /// [`BuildError::CellSize`] and [`BuildError::OutOfReach`].
+    /// [`BuildError::CellSize`], [`BuildError::OutOfReach`] and [`BuildError::TooManyCuts`].
     pub fn build_with(self, noding: Noding) -> Result<PlanarMap, BuildError> {
-        let Self { points, places, segments, segment_numbers, mut features, summary } = self;
+        let Self { points, places, segments, segment_numbers, mut features, summary, cuts } = self;
         drop((places, segment_numbers));
+        // What is plane need not be cut.
+        let plane = if noding == Noding::Exact { Some(Swept::new(&points, &segments)?) } else { None };
+        let plane = plane.filter(|swept| swept.clash.is_none());
         let (points, segments, noded) = match noding {
             Noding::None => (points, segments, None),
+            Noding::Exact if plane.is_some() => (points, segments, Some(NodingSummary::default())),
             Noding::Exact => {
                 let Cut { points, segments, summary } = cut::exact(points, &segments, &mut features)?;
                 (points, segments, Some(summary))
             }
             Noding::Snap(snap) => {
-                let Cut { points, segments, summary } = cut::snapped(&points, &segments, &mut features, snap)?;
+                let cuts = cuts.unwrap_or(usual_cuts(segments.len()));
+                let Cut { points, segments, summary } = cut::snapped(&points, &segments, &mut features, snap, cuts)?;
                 (points, segments, Some(summary))
             }
         };
-        let arranged = arrange(&points, &segments)?;
-        match arranged.clash {
+        let swept = match plane {
+            Some(swept) => swept,
+            None => Swept::new(&points, &segments)?,
+        };
+        match swept.clash {
             Some(Clash::Cross { a, b }) if noding == Noding::Exact => {
                 let [one, other] = [a, b].map(|segment| segments[segment as usize].map(|v| points[v as usize]));
                 let count = clashes(&points, &segments, 0).map_or(1, |(_, count)| count);
@@ -309,12 +342,13 @@ impl Builder {
             }
             _ => {}
         }
-        let covered = cover(&points, &segments, &arranged.dcel, &features);
+        let dcel = arrange(&points, &segments, &swept)?;
+        let covered = cover(&points, &segments, &dcel, &features);
         let features_of_map = FeatureSets::new(&covered.faces, &covered.edges);
         Ok(PlanarMap {
-            points: Arranged::points_by_vertex(&points),
-            plane: arranged.clash.is_none(),
-            dcel: arranged.dcel,
+            points: points_by_vertex(&points),
+            plane: swept.clash.is_none(),
+            dcel,
             names: features.into_iter().map(|feature| feature.name).collect(),
             features: features_of_map,
             summary,

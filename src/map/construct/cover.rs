@@ -11,7 +11,7 @@
 //!
 //! O(segments of the feature · log + sizes of the faces inside); without the logarithm for simple polygons.
 
-use super::arrange::Arranged;
+use super::arrange::half_edge;
 use super::gathered::{Dart, GatheredFeature, origin, target};
 use crate::dcel::{Dcel, Face, HalfEdge, Vertex};
 use crate::geometry::Point;
@@ -60,7 +60,7 @@ pub(super) fn cover(points: &[Point], segments: &[[u32; 2]], dcel: &Dcel, featur
     let mut touched = Vec::new();
     for (feature, number) in features.iter().zip(0..) {
         for dart in feature.polygons.iter().flatten().chain(&feature.lines) {
-            covered.edges.push((Arranged::half_edge(*dart & !1), number));
+            covered.edges.push((half_edge(*dart & !1), number));
         }
         for darts in &feature.polygons {
             if let Some(rings) = marks.simple_rings(points, segments, darts) {
@@ -194,9 +194,9 @@ impl Marks {
         for dart in ring {
             let inner = dart ^ u32::from(!left);
             for dart in [inner, inner ^ 1] {
-                self.in_piece[Arranged::half_edge(dart) as usize] = self.round;
+                self.in_piece[half_edge(dart) as usize] = self.round;
             }
-            let face = dcel.half_edge_at(Arranged::half_edge(inner) as usize).map(|h| h.face().index());
+            let face = dcel.half_edge_at(half_edge(inner) as usize).map(|h| h.face().index());
             if face.is_some() && face.as_ref() != faces.last() {
                 faces.extend(face);
             }
@@ -217,13 +217,13 @@ impl Marks {
         let tail = |d: Dart| points[target(segments, d ^ 1) as usize];
         let head = |d: Dart| points[target(segments, d) as usize];
         for dart in piece {
-            self.in_piece[Arranged::half_edge(*dart) as usize] = self.round;
+            self.in_piece[half_edge(*dart) as usize] = self.round;
         }
         // What leaves the lowest point least steeply has the outside below and the inside above.
         let seed = piece.iter().copied().min_by(|a, b| {
             compare_lexicographic(tail(*a), tail(*b)).then_with(|| by_steepness(tail(*a), head(*a), head(*b)))
         });
-        let Some(seed) = seed.map(|d| Arranged::half_edge(d) as usize) else { return };
+        let Some(seed) = seed.map(|d| half_edge(d) as usize) else { return };
 
         // Half-edges at vertices still to be visited, with whether the inside lies to their left.
         let mut stack = vec![(seed, true)];

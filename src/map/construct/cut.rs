@@ -4,7 +4,7 @@ use super::error::BuildError;
 use super::gathered::{Dart, GatheredFeature};
 use crate::dcel::RecordKind;
 use crate::geometry::Point;
-use crate::geometry::noding::{NodingError, NodingSummary, Snap, node};
+use crate::geometry::noding::{NodingError, NodingSummary, Snap, node_numbered};
 use crate::geometry::predicates::{MIN_COORDINATE, compare_lexicographic, on_segment};
 use rstar::primitives::GeomWithData;
 use rstar::{AABB, RTree};
@@ -43,28 +43,21 @@ pub(super) struct Cut {
 
 /// The darts that each segment became, in the direction from its first end to its second.
 struct Pieces {
-    numbers: FxHashMap<[u32; 2], u32>,
     darts: Vec<Dart>,
     starts: Vec<usize>,
 }
 
 impl Pieces {
-    fn new(segments: &[[u32; 2]]) -> Self {
-        let numbers = segments.iter().copied().zip(0..).collect();
-        Self { numbers, darts: Vec::with_capacity(segments.len()), starts: vec![0] }
+    fn new(segments: usize) -> Self {
+        Self { darts: Vec::with_capacity(segments), starts: vec![0] }
     }
 
-    /// Takes the next segment, as the vertices along it.
-    fn push(&mut self, chain: impl Iterator<Item = u32>, mut made: impl FnMut([u32; 2]) -> Option<u32>) {
+    /// Takes the next segment, as the vertices along it, and the number of each piece by its ends, the smaller one first.
+    fn push(&mut self, chain: impl Iterator<Item = u32>, mut number: impl FnMut([u32; 2]) -> Option<u32>) {
         let mut last = None;
         for to in chain {
             if let Some(from) = last.replace(to).filter(|from| *from != to) {
-                let ends = [from.min(to), from.max(to)];
-                let number = self.numbers.get(&ends).copied().or_else(|| {
-                    let number = made(ends)?;
-                    self.numbers.insert(ends, number);
-                    Some(number)
-                });
+                let number = number([from.min(to), from.max(to)]);
                 self.darts.extend(number.map(|number| number << 1 | u32::from(from > to)));
             }
         }
@@ -94,6 +87,33 @@ impl Pieces {
     }
 }
 
+/// The numbers of segments that are in lexicographical order.
+struct Numbers<'a> {
+    segments: &'a [[u32; 2]],
+    /// The first segment of each point, and how many there are.
+    first: Vec<u32>,
+}
+
+impl<'a> Numbers<'a> {
+    fn new(segments: &'a [[u32; 2]], points: usize) -> Self {
+        let mut first = vec![0; points + 1];
+        for [point, _] in segments {
+            first[*point as usize + 1] += 1;
+        }
+        for i in 1..first.len() {
+            first[i] += first[i - 1];
+        }
+        Self { segments, first }
+    }
+
+    /// The number of the segment with these ends. O(log degree).
+    fn of(&self, ends: [u32; 2]) -> Option<u32> {
+        let [from, to] = [0, 1].map(|i| self.first[ends[0] as usize + i]);
+        let place = self.segments[from as usize..to as usize].binary_search(&ends).ok()?;
+        Some(from + place as u32)
+    }
+}
+
 /// Cuts segments at the points that lie on them. O((n + k) log n) for k points in the bounding boxes of segments, in
 /// practice: an R-tree gives no guarantee.
 pub(super) fn exact(
@@ -104,7 +124,8 @@ pub(super) fn exact(
     let tree: RTree<GeomWithData<[f64; 2], u32>> =
         RTree::bulk_load(points.iter().zip(0..).map(|(p, v)| GeomWithData::new((*p).into(), v)).collect());
     let mut out = Vec::with_capacity(segments.len());
-    let mut pieces = Pieces::new(&[]);
+    let mut numbers: FxHashMap<[u32; 2], u32> = FxHashMap::default();
+    let mut pieces = Pieces::new(segments.len());
     let mut summary = NodingSummary::default();
     let mut full = false;
     for [from, to] in segments {
@@ -119,8 +140,12 @@ pub(super) fn exact(
         });
         summary.split += usize::from(along.len() > 2);
         pieces.push(along.into_iter(), |ends| {
+            if let Some(number) = numbers.get(&ends) {
+                return Some(*number);
+            }
             let number = u32::try_from(out.len()).ok().filter(|number| *number < 1 << 30);
             full |= number.is_none();
+            numbers.extend(number.map(|number| (ends, number)));
             out.extend(number.map(|_| ends));
             number
         });
@@ -133,36 +158,45 @@ pub(super) fn exact(
     Ok(Cut { points, segments: out, summary })
 }
 
+/// How often segments may be cut unless it is said otherwise.
+pub(super) const fn usual_cuts(segments: usize) -> usize {
+    segments.saturating_mul(16).saturating_add(1 << 20)
+}
+
 /// Cuts segments wherever they meet, and rounds to a grid; see [`noding`](crate::geometry::noding).
 pub(super) fn snapped(
     points: &[Point],
     segments: &[[u32; 2]],
     features: &mut [GatheredFeature],
     snap: Snap,
+    cuts: usize,
 ) -> Result<Cut, BuildError> {
-    let drawn: Vec<[Point; 2]> = segments.iter().map(|ends| ends.map(|v| points[v as usize])).collect();
     // The predicates must be exact on grid points, too.
     if matches!(snap, Snap::Size(size) if size < MIN_COORDINATE) {
         return Err(BuildError::CellSize);
     }
-    let noded = match node(&drawn, points, snap) {
-        Ok(noded) if noded.summary.cell < MIN_COORDINATE => node(&drawn, points, Snap::Size(MIN_COORDINATE)),
+    let noded = match node_numbered(points, segments, snap, cuts) {
+        Ok(noded) if noded.summary.cell < MIN_COORDINATE => {
+            node_numbered(points, segments, Snap::Size(MIN_COORDINATE), cuts)
+        }
         outcome => outcome,
     };
     let noded = noded.map_err(|error| match error {
         NodingError::Size => BuildError::CellSize,
         NodingError::NotFinite { at } | NodingError::OutOfRange { at } => {
-            let p = at.point(&drawn, points).unwrap_or_default();
+            let p = at.point(&[], points).unwrap_or_default();
             BuildError::OutOfReach { x: p.x, y: p.y }
         }
+        NodingError::TooManyCuts { allowed } => BuildError::TooManyCuts { allowed },
         NodingError::TooMany => BuildError::Full(RecordKind::Vertex),
     })?;
     if noded.points.len().max(noded.segments.len()) >= 1 << 30 {
         return Err(BuildError::Full(RecordKind::Edge));
     }
-    let mut pieces = Pieces::new(&noded.segments);
+    let number = Numbers::new(&noded.segments, noded.points.len());
+    let mut pieces = Pieces::new(segments.len());
     for segment in 0..segments.len() {
-        pieces.push(noded.chain(segment).into_iter().flatten(), |_| None);
+        pieces.push(noded.chain(segment).into_iter().flatten(), |ends| number.of(ends));
     }
     pieces.follow(features);
     Ok(Cut { points: noded.points, segments: noded.segments, summary: noded.summary })

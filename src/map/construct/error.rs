@@ -46,6 +46,12 @@ pub enum BuildError {
         /// How many pairs cross.
         count: u64,
     },
+    /// Segments meet more often than is allowed ([`Builder::limit_cuts`](crate::map::Builder::limit_cuts)).
+    #[error("segments are cut more than {allowed} times: allow more, or see whether they are the right ones")]
+    TooManyCuts {
+        /// How often they may be cut.
+        allowed: usize,
+    },
     /// The size of a cell is not a finite number of at least 2^-400 ([`Noding::Snap`](crate::map::Noding::Snap)).
     #[error("the size of a cell of the grid must be a finite number of at least 2^-400")]
     CellSize,

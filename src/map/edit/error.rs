@@ -92,7 +92,7 @@ impl EditError {
                 let Point { x, y } = at.point(segments, points).unwrap_or_default();
                 Self::OutOfReach { x, y }
             }
-            NodingError::TooMany => OperatorError::Full(RecordKind::Vertex).into(),
+            NodingError::TooMany | NodingError::TooManyCuts { .. } => OperatorError::Full(RecordKind::Vertex).into(),
         }
     }
 }

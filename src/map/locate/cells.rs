@@ -1,5 +1,6 @@
 //! A grid over the map, which answers most searches without the graph.
 
+use super::bounds::Bounds;
 use super::graph::{Graph, GraphHit, Stage};
 use crate::geometry::Point;
 use crate::geometry::predicates::{Orientation, in_range, orientation};
@@ -9,8 +10,8 @@ use alloc::vec::Vec;
 /// How many marks per cell are made at most, on average, before the grid is given up.
 const MAX_MARKS_PER_CELL: usize = 16;
 
-/// A grid of as many columns as rows, with about one cell for each segment. An empty cell stores its face; in all others
-/// the search starts at the root of the graph.
+/// A grid of as many columns as rows, with about one cell for each segment. An empty cell stores its face; all others store
+/// the first question of the graph of which the answer is not the same for all points of the cell, and the search starts there.
 ///
 /// The grid only saves time. Where segments are so long that it would take more than O(n) to draw them cell by cell, all
 /// cells count as not empty.
@@ -66,11 +67,12 @@ impl Axis {
 }
 
 impl Cells {
-    /// Makes the grid for the points and segments within this box. O(n), and a search for each row of empty cells.
-    pub(super) fn new(graph: &Graph, [min, max]: [Point; 2]) -> Self {
+    /// Makes the grid for the points and segments within this box. O(n), and a short search for each cell.
+    pub(super) fn new(graph: &Graph, Bounds { low, high }: Bounds) -> Self {
         let side = 1 << graph.segments().len().max(1).ilog2().div_ceil(2);
-        let (columns, rows) = (Axis::new(min.x, max.x, side), Axis::new(min.y, max.y, side));
+        let (columns, rows) = (Axis::new(low.x, high.x, side), Axis::new(low.y, high.y, side));
         let mut cells = Self { columns, rows, stages: vec![graph.root(); side * side] };
+        cells.narrow(graph, side);
         if let Some(marked) = cells.marked(graph) {
             for row in 0..side {
                 let mut face = None;
@@ -89,6 +91,24 @@ impl Cells {
             }
         }
         cells
+    }
+
+    /// Stores for each cell how far all of it goes one way through the graph: first for all cells together, then for
+    /// quarters of them.
+    fn narrow(&mut self, graph: &Graph, side: usize) {
+        let mut blocks = vec![([0, 0], side, graph.root())];
+        while let Some(([column, row], size, from)) = blocks.pop() {
+            let [[left, right], [lower, upper]] = [(&self.columns, column), (&self.rows, row)]
+                .map(|(axis, at)| [axis.bounds[at][0], axis.bounds[at + size - 1][1]]);
+            let stage = graph.narrow(from, &Bounds { low: Point::new(left, lower), high: Point::new(right, upper) });
+            if size == 1 {
+                self.stages[row * side + column] = stage;
+            } else {
+                let half = size / 2;
+                let quarters = [[0, 0], [half, 0], [0, half], [half, half]];
+                blocks.extend(quarters.map(|[right, up]| ([column + right, row + up], half, stage)));
+            }
+        }
     }
 
     /// Which cells are not empty; none if the segments pass through too many.
@@ -144,7 +164,7 @@ impl Cells {
         if !in_range(p) || self.place(p) != row * self.columns.pieces + column {
             return None;
         }
-        match graph.find(graph.root(), p) {
+        match graph.find(self.stages[self.place(p)], p) {
             GraphHit::Face(face) => Some(Graph::stage(face)),
             GraphHit::Point(_) | GraphHit::Segment(_) => None,
         }

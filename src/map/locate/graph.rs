@@ -1,5 +1,6 @@
 //! The search graph, packed: questions of 12 bytes each, which lead to a face.
 
+use super::bounds::Bounds;
 use super::trapezoids::{Drawn, GraphError, Node, search_graph};
 use crate::geometry::Point;
 use crate::geometry::predicates::{Orientation, compare_lexicographic, count_step, orientation};
@@ -64,8 +65,7 @@ impl Graph {
             }
             Node::Trapezoid(_) => None,
         }));
-        let segments = drawn.segments.iter().map(|ends| ends.map(|end| drawn.points[end as usize])).collect();
-        Ok(Self { root: stages[0], questions: packed, points: drawn.points, segments })
+        Ok(Self { root: stages[0], questions: packed, points: drawn.points, segments: drawn.ends })
     }
 
     /// Where every way begins.
@@ -97,6 +97,22 @@ impl Graph {
             stage = if above { question.above } else { question.below };
         }
         GraphHit::Face(stage ^ MARK)
+    }
+
+    /// Goes on from a stage as far as all of a box goes one way.
+    pub(super) fn narrow(&self, mut stage: Stage, bounds: &Bounds) -> Stage {
+        while stage & MARK == 0 {
+            count_step();
+            let question = self.questions[stage as usize];
+            let above = if question.of & MARK == 0 {
+                bounds.above(self.segments[question.of as usize])
+            } else {
+                bounds.after(self.points[(question.of ^ MARK) as usize])
+            };
+            let Some(above) = above else { break };
+            stage = if above { question.above } else { question.below };
+        }
+        stage
     }
 
     /// The stage at which it is known that a point lies in this face.

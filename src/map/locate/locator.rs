@@ -1,5 +1,6 @@
 //! The index: a search graph, a grid in front of it, and a tree of boxes for lines.
 
+use super::bounds::Bounds;
 use super::cells::Cells;
 use super::graph::{Graph, GraphHit};
 use super::located::{LocateError, Located, check_range};
@@ -9,6 +10,7 @@ use crate::geometry::predicates::compare_lexicographic;
 use crate::map::planar_map::PlanarMap;
 use crate::map::record_tree::RecordTree;
 use crate::validate::Embedding;
+use std::sync::OnceLock;
 
 /// An index of a map: where points lie, and what lines meet.
 ///
@@ -22,7 +24,7 @@ pub struct Locator<'m> {
     vertices: Vec<u32>,
     /// For each segment of the graph, the half-edge that runs from its lower end to its higher.
     rising: Vec<u32>,
-    pub(in crate::map) tree: RecordTree,
+    tree: OnceLock<RecordTree>,
 }
 
 impl core::fmt::Debug for Locator<'_> {
@@ -36,6 +38,8 @@ impl<'m> Locator<'m> {
     /// expectation is over the orders in which edges may be inserted, not over the maps: fans, combs, long parallels
     /// and thousands of islands are no worse than others. The order is that of a fixed pseudo-random sequence, so equal
     /// maps have equal indices.
+    ///
+    /// What only lines need is built with the first [`zone`](Self::zone).
     ///
     /// # Errors
     /// [`LocateError::NotPlane`], if [`PlanarMap::is_plane`] says no. [`LocateError::TooLarge`] beyond some hundred
@@ -53,17 +57,18 @@ impl<'m> Locator<'m> {
         for (place, vertex) in (0..).zip(&vertices) {
             places[*vertex as usize] = place;
         }
-        let mut drawn = Drawn { points: vertices.iter().map(point).collect(), segments: Vec::new() };
+        let points = vertices.iter().map(point).collect();
+        let mut drawn = Drawn { points, segments: Vec::new(), ends: Vec::new() };
         let mut rising = Vec::with_capacity(dcel.edge_count());
         for h in dcel.half_edges() {
             let ends = [h.origin(), h.target()].map(|v| places[v.index()]);
             if ends[0] < ends[1] {
                 drawn.segments.push(ends);
+                drawn.ends.push(ends.map(|end| drawn.points[end as usize]));
                 rising.push(h.index() as u32);
             }
         }
-        let bounds = bounds(&drawn.points);
-        let tree = RecordTree::new(map);
+        let bounds = Bounds::around(drawn.points.iter().copied());
         let face_above = |segment: Option<u32>| {
             let edge = segment.and_then(|segment| dcel.half_edge_at(rising[segment as usize] as usize));
             edge.map_or(dcel.unbounded_face(), |h| h.face()).index() as u32
@@ -73,7 +78,12 @@ impl<'m> Locator<'m> {
             GraphError::Clash => LocateError::NotPlane,
         })?;
         let cells = bounds.map(|bounds| Cells::new(&graph, bounds));
-        Ok(Self { map, graph, cells, vertices, rising, tree })
+        Ok(Self { map, graph, cells, vertices, rising, tree: OnceLock::new() })
+    }
+
+    /// The boxes around edges and isolated vertices, which only lines need. O(n log n) when it is asked for first.
+    pub(in crate::map) fn tree(&self) -> &RecordTree {
+        self.tree.get_or_init(|| RecordTree::new(self.map))
     }
 
     /// The map.
@@ -117,14 +127,6 @@ impl<'m> Locator<'m> {
         // The map is borrowed, so every record of the index is live.
         Ok(located.unwrap_or(Located::Face(dcel.unbounded_face().key())))
     }
-}
-
-/// The smallest box around points.
-fn bounds(points: &[Point]) -> Option<[Point; 2]> {
-    let first = *points.first()?;
-    Some(points.iter().fold([first, first], |[min, max], p| {
-        [Point::new(min.x.min(p.x), min.y.min(p.y)), Point::new(max.x.max(p.x), max.y.max(p.y))]
-    }))
 }
 
 #[cfg(test)]

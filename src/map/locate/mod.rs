@@ -41,9 +41,12 @@
 //!
 //! The index is the search graph of a trapezoidal map (see `trapezoids.rs`): O(n) memory and O(log n) questions, whatever
 //! the map. In front of it is a grid of about one cell per edge. A cell that no edge meets stores its face, so most searches
-//! end in the grid. The worst case is that of the graph: the grid has one number per cell and no lists.
+//! end in the grid; others store where in the graph the ways of its points part. The worst case is that of the graph: the
+//! grid has one number per cell and no lists.
 
+mod bounds;
 mod cells;
+mod curve;
 mod graph;
 pub(in crate::map) mod in_face;
 pub(in crate::map) mod located;

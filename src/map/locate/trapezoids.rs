@@ -20,12 +20,22 @@
 //! *Cost.* On average over the orders, a segment cuts O(1) trapezoids and a question is asked O(log n) times on the way to
 //! any fixed point, whatever the drawing. The order is that of a fixed pseudo-random sequence, so it is the same in every
 //! run; a drawing made up against this very sequence could be slow, and all others are as good as the average.
-//! Nothing is gained by building anew if the graph came out deep: the chance that any point at all takes more than
-//! 3 λ ln (n + 1) questions is below 2 / (n + 1)^(0.22 λ − 3).
 //!
-//! Source: M. de Berg, O. Cheong, M. van Kreveld, M. Overmars, "Computational Geometry", 3rd edition, 2008, chapter 6
-//! (after K. Mulmuley, 1990, and R. Seidel, 1991).
+//! In a large drawing it is memory that takes time, and a random order jumps through it. So segments come in rounds, each of
+//! as many as all before it. Which round a segment is in is random; within a round segments follow a curve that fills
+//! the plane, so that one is next to the one before. A round puts O(1) segments on average through a trapezoid of the rounds
+//! before, so it adds O(1) questions to a way, and all rounds add O(log n). And the points of a round are found together
+//! before it: neighbours share the way from the root.
+//!
+//! Nothing is gained by building anew if the graph came out deep: in a random order, the chance that any point at all takes
+//! more than 3 λ ln (n + 1) questions is below 2 / (n + 1)^(0.22 λ − 3).
+//!
+//! Sources: M. de Berg, O. Cheong, M. van Kreveld, M. Overmars, "Computational Geometry", 3rd edition, 2008, chapter 6
+//! (after K. Mulmuley, 1990, and R. Seidel, 1991); N. Amenta, S. Choi, G. Rote, "Incremental constructions con BRIO", Symposium on
+//! Computational Geometry 2003, 211-219.
 
+use super::bounds::Bounds;
+use super::curve::Curve;
 use crate::geometry::Point;
 use crate::geometry::predicates::{Orientation, count_step, orientation};
 
@@ -37,12 +47,14 @@ pub(super) struct Drawn {
     pub(super) points: Vec<Point>,
     /// The places of the lower and the higher end among the points.
     pub(super) segments: Vec<[u32; 2]>,
+    /// The lower and the higher end of each segment.
+    pub(super) ends: Vec<[Point; 2]>,
 }
 
 impl Drawn {
     /// On which side of a segment a point lies.
     fn side(&self, segment: u32, p: Point) -> Orientation {
-        let [low, high] = self.segments[segment as usize].map(|end| self.points[end as usize]);
+        let [low, high] = self.ends[segment as usize];
         orientation(low, high, p)
     }
 }
@@ -82,6 +94,9 @@ impl Trapezoid {
 const LEFT: usize = 0;
 const RIGHT: usize = 1;
 
+/// Into how many groups the points of a group are parted that are to be found together.
+const PARTS: usize = 4;
+
 /// Why there is no search graph.
 pub(super) enum GraphError {
     /// There are too many nodes.
@@ -94,6 +109,8 @@ pub(super) enum GraphError {
 struct TrapezoidalMap<'a> {
     drawn: &'a Drawn,
     nodes: Vec<Node>,
+    /// A node whose region holds the point; if the point has its walls, what is to the right of it. NIL before its round.
+    starts: Vec<u32>,
     /// Which points have their walls.
     walled: Vec<bool>,
 }
@@ -104,13 +121,25 @@ pub(super) fn search_graph(drawn: &Drawn) -> Result<Vec<Node>, GraphError> {
     let (points, segments) = (drawn.points.len(), drawn.segments.len());
     let mut nodes = Vec::with_capacity(2 * points + 6 * segments + 1);
     nodes.push(Node::Trapezoid(everything));
-    let mut map = TrapezoidalMap { drawn, nodes, walled: vec![false; points] };
-    // Vertices without segments come last: their walls would be cut by segments later on.
-    for segment in shuffled(segments) {
-        map.insert(segment)?;
+    let Some(bounds) = Bounds::around(drawn.points.iter().copied()) else { return Ok(nodes) };
+    let curve = Curve::through(bounds);
+    let place = |point: u32| curve.place(drawn.points[point as usize]);
+    let mut map = TrapezoidalMap { drawn, nodes, starts: vec![NIL; points], walled: vec![false; points] };
+    for round in rounds(shuffled(segments)) {
+        let round =
+            sorted_along(round.iter().map(|segment| (place(drawn.segments[*segment as usize][LEFT]), *segment)));
+        map.find_all(round.iter().flat_map(|segment| drawn.segments[*segment as usize]), place);
+        for segment in round {
+            map.insert(segment)?;
+        }
     }
-    for vertex in shuffled(points) {
-        map.wall(vertex)?;
+    // Vertices without segments come last: their walls would be cut by segments later on.
+    for round in rounds(shuffled(points)) {
+        let round = sorted_along(round.iter().map(|point| (place(*point), *point)));
+        map.find_all(round.iter().copied(), place);
+        for point in round {
+            map.wall(point)?;
+        }
     }
     Ok(map.nodes)
 }
@@ -120,18 +149,64 @@ impl TrapezoidalMap<'_> {
     fn insert(&mut self, segment: u32) -> Result<(), GraphError> {
         let [low, high] = self.drawn.segments[segment as usize];
         self.wall(high)?;
-        let first = match self.wall(low)? {
-            Some(right_of_low) => right_of_low,
-            None => self.find(low, Some(high)),
-        };
-        self.thread(segment, first)
+        self.wall(low)?;
+        self.thread(segment, self.find(low, Some(high)))
+    }
+
+    /// Finds nodes from which to start for all of some points that are to get their walls in this round.
+    ///
+    /// They are found in groups of neighbours: as far as all of a box around a group goes one way, the group goes it
+    /// together.
+    fn find_all(&mut self, points: impl Iterator<Item = u32>, place: impl Fn(u32) -> u32) {
+        let mut fresh = Vec::new();
+        for point in points {
+            let start = &mut self.starts[point as usize];
+            if *start == NIL {
+                *start = 0;
+                fresh.push((place(point), point));
+            }
+        }
+        let all = sorted_along(fresh);
+        let mut groups = vec![(&all[..], 0)];
+        while let Some((group, from)) = groups.pop() {
+            let Some(bounds) = Bounds::around(group.iter().map(|point| self.drawn.points[*point as usize])) else {
+                continue;
+            };
+            let node = self.narrow(from, &bounds);
+            if group.len() == 1 || matches!(self.nodes[node as usize], Node::Trapezoid(_)) {
+                for point in group {
+                    self.starts[*point as usize] = node;
+                }
+            } else {
+                groups.extend(group.chunks(group.len().div_ceil(PARTS)).map(|part| (part, node)));
+            }
+        }
+    }
+
+    /// Goes from a node as far as all of a box goes one way.
+    fn narrow(&self, mut at: u32, bounds: &Bounds) -> u32 {
+        loop {
+            count_step();
+            let next = match self.nodes[at as usize] {
+                Node::Point { vertex, left, right } => {
+                    let after = bounds.after(self.drawn.points[vertex as usize]);
+                    after.map(|after| if after { right } else { left })
+                }
+                Node::Segment { segment, below, above } => {
+                    bounds.above(self.drawn.ends[segment as usize]).map(|is_above| if is_above { above } else { below })
+                }
+                Node::Trapezoid(_) => None,
+            };
+            let Some(next) = next else { return at };
+            at = next;
+        }
     }
 
     /// The trapezoid in which a point lies that has no wall yet, or else that in which the way to another point, further
     /// right, begins.
     fn find(&self, from: u32, to: Option<u32>) -> u32 {
         let p = self.drawn.points[from as usize];
-        let mut at = 0;
+        let mut at = self.starts[from as usize];
         loop {
             count_step();
             at = match self.nodes[at as usize] {
@@ -155,16 +230,16 @@ impl TrapezoidalMap<'_> {
         }
     }
 
-    /// Gives a point its walls, if it has none; the trapezoid to their right, then.
+    /// Gives a point its walls, if it has none.
     ///
     /// ```text
     ///    _____________        ______:______
     ///        old         ->    left p right
     ///    _____________        ______:______
     /// ```
-    fn wall(&mut self, vertex: u32) -> Result<Option<u32>, GraphError> {
+    fn wall(&mut self, vertex: u32) -> Result<(), GraphError> {
         if core::mem::replace(&mut self.walled[vertex as usize], true) {
-            return Ok(None);
+            return Ok(());
         }
         let at = self.find(vertex, None);
         let old = self.trapezoid(at)?;
@@ -177,7 +252,8 @@ impl TrapezoidalMap<'_> {
         self.link_upper(right, old.upper[RIGHT]);
         self.link_lower(right, old.lower[RIGHT]);
         self.nodes[at as usize] = Node::Point { vertex, left, right };
-        Ok(Some(right))
+        self.starts[vertex as usize] = right;
+        Ok(())
     }
 
     /// Draws a segment through the trapezoids, from that on the right of its lower end to that on the left of its higher.
@@ -297,4 +373,22 @@ fn shuffled(n: usize) -> Vec<u32> {
         order.swap(i, below as usize);
     }
     order
+}
+
+/// Parts numbers in rounds, each of as many as all before it.
+fn rounds(numbers: Vec<u32>) -> impl Iterator<Item = Vec<u32>> {
+    let mut done = 0;
+    core::iter::from_fn(move || {
+        let round = numbers.get(done..numbers.len().min((2 * done).max(1)))?;
+        done += round.len();
+        (!round.is_empty()).then(|| round.to_vec())
+    })
+}
+
+/// Numbers in the order of their places.
+fn sorted_along(numbers: impl IntoIterator<Item = (u32, u32)>) -> Vec<u32> {
+    let mut sorted: Vec<u64> =
+        numbers.into_iter().map(|(at, number)| u64::from(at) << 32 | u64::from(number)).collect();
+    sorted.sort_unstable();
+    sorted.into_iter().map(|number| number as u32).collect()
 }

@@ -13,7 +13,7 @@ impl Locator<'_> {
     ///
     /// The edges that it meets come from an R-tree, so edges elsewhere cost nothing, even a thousand islands in
     /// the same face. For m boxes of the tree that the query meets, and k edges and vertices that it meets, this takes
-    /// O(m + k log k), and O(degree) for each vertex. On maps, m is a few times the square root of the number of edges;
+    /// O(m + k log k), and O(degree) for each vertex. The first call builds the R-tree, O(n log n). On maps, m is a few times the square root of the number of edges;
     /// but where boxes hardly fit their edges, as with long slanted parallels, m may be as large as the map.
     ///
     /// # Errors
@@ -53,7 +53,7 @@ impl Locator<'_> {
         let to = if let QueryLine::Segment(..) = query { Some(through) } else { None };
 
         let mut events = Vec::new();
-        each_event(&self.tree, self.map, &line, query, |event| {
+        each_event(self.tree(), self.map, &line, query, |event| {
             if first.is_none_or(|first| line.order(first, event.place).is_lt())
                 && to.is_none_or(|to| line.order(event.place, LinePlace::At(to)).is_le())
             {

@@ -5,7 +5,7 @@ use super::in_step::InStep;
 use super::settings::{Conformance, Coverage};
 use super::summary::{ConformanceSummary, OperatorCounts};
 use crate::dcel::{Corner, Side};
-use crate::program::choose::Choose;
+use crate::program::choose::Random;
 use crate::program::every::{every_mesh_op, every_op};
 use crate::program::generator::Generator;
 use crate::program::op::{FacePick, HalfEdgePick, InnerPick, Op, OpKind, Program, SecondPick, VertexPick};
@@ -44,7 +44,7 @@ impl Conformance {
     /// Those of [`check`](super::check).
     pub fn check<K: Subject>(self, mut make: impl FnMut() -> K) -> Result<ConformanceSummary, Counterexample> {
         let mut sum = ConformanceSummary::default();
-        let mut noise = Noise(self.seed);
+        let mut noise = Random::seeded(self.seed);
         let mut generator = generator_for(&sum);
         for _ in 0..self.programs {
             let mut program = Program::default();
@@ -142,24 +142,6 @@ fn triangle_for<K: Subject>(left: &[Op], on: &Runner<K>) -> Vec<Op> {
         },
         Op::MeshSplitFace { half_edge: half_edge(0) },
     ]
-}
-
-/// Numbers without pattern: `splitmix64` (Steele, Lea and Flood, *Fast splittable pseudorandom number generators*, 2014).
-struct Noise(u64);
-
-impl Noise {
-    fn next(&mut self) -> u64 {
-        self.0 = self.0.wrapping_add(0x9E37_79B9_7F4A_7C15);
-        let mixed = (self.0 ^ self.0 >> 30).wrapping_mul(0xBF58_476D_1CE4_E5B9);
-        let mixed = (mixed ^ mixed >> 27).wrapping_mul(0x94D0_49BB_1331_11EB);
-        mixed ^ mixed >> 31
-    }
-}
-
-impl Choose for Noise {
-    fn choose(&mut self, n: usize) -> usize {
-        (self.next() >> 8) as usize % n.max(1)
-    }
 }
 
 /// So often an operator is drawn that finds nothing to choose from, before it becomes a rare one.

@@ -26,7 +26,8 @@
 //! dropped. For `Dcel`, [`Reported`](crate::program::Reported) compares that, too.
 //!
 //! What a structure does not have is not compared, and the summary [says so](ConformanceSummary::not_compared). An operator that the
-//! subject does not have, or has no room for, is not run on the reference either, but the subject must be as it was.
+//! subject does not have, or has no room for, is not run on the reference either, but the subject must be as it was. To get on beyond a
+//! difference that is known, answer [`Refusal::Unsupported`](crate::program::Refusal::Unsupported) where it would occur.
 //!
 //! # Where it begins
 //!
@@ -82,7 +83,8 @@ use crate::validate::Expectation;
 /// only comparing handles takes more than O(n log n), beside a few operators of the reference and maps with many
 /// symmetries.
 ///
-/// A panic of the subject is not caught.
+/// A panic of the subject is not caught here. A subject that catches it itself, with `std::panic::catch_unwind`, answers
+/// [`Refusal::Panicked`](crate::program::Refusal::Panicked): that is reported like any other difference, and shrinks.
 ///
 /// # Errors
 /// The first difference, and the operator that made it. Before the first operator: what is wrong with the structure as a start.

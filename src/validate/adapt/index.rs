@@ -1,5 +1,6 @@
 //! Dense indices for records that have names of their own.
 
+use crate::validate::record::Record;
 use crate::validate::view::Link;
 use alloc::vec::Vec;
 
@@ -7,8 +8,9 @@ use alloc::vec::Vec;
 ///
 /// A [`View`](crate::validate::View) answers by indices `0 .. n`. For a structure with ids make one `Index` for its vertices,
 /// one for its half-edges and one for its faces, and answer each question by [`follow`](Self::follow). An id that is nobody's
-/// (of a record that was removed, or of another structure) becomes a link that dangles, which R1 reports. To print a
-/// report with the ids, see [`Report::named`](crate::validate::Report::named).
+/// (of a record that was removed, or of another structure) becomes a link that dangles, which R1 reports. The report does not know
+/// that id: it prints `18446744073709551615`, with the record and the field where your structure has the id. To print a
+/// report with the ids of the records, see [`Report::named`](crate::validate::Report::named), and [`Ids::name`](super::Ids::name).
 ///
 /// ```
 /// use twinedge::validate::adapt::Index;
@@ -65,6 +67,38 @@ impl<K: Ord> Index<K> {
         Self { ids, sorted }
     }
 
+    /// Numbers more ids, after those that there are. An id that has an index keeps it. O(n log n) for n ids in all.
+    ///
+    /// For a structure that changes: extend the index after each change by the ids of all live records, so that an index stays the
+    /// name of one record, and answer `is_vertex`, `is_half_edge` and `is_face` by the structure.
+    ///
+    /// ```
+    /// use twinedge::validate::adapt::Index;
+    /// let mut index = Index::of(['b', 'a']);
+    /// index.extend(['c', 'a']);
+    /// assert_eq!((index.len(), index.get(&'a'), index.get(&'c')), (3, Some(1), Some(2)));
+    /// ```
+    ///
+    /// # Panics
+    /// May panic if `Ord` is no total order for `K`.
+    pub fn extend(&mut self, ids: impl IntoIterator<Item = K>) {
+        let first = self.ids.len();
+        let more: Vec<K> = ids.into_iter().filter(|id| self.get(id).is_none()).collect();
+        self.ids.extend(more);
+        let mut order: Vec<usize> = (first..self.ids.len()).collect();
+        order.sort_by(|a, b| self.ids[*a].cmp(&self.ids[*b]));
+        let mut twice: Vec<usize> =
+            order.windows(2).filter(|pair| self.ids[pair[0]] == self.ids[pair[1]]).map(|pair| pair[1]).collect();
+        twice.sort_unstable();
+        let mut index = 0;
+        self.ids.retain(|_| {
+            index += 1;
+            twice.binary_search(&(index - 1)).is_err()
+        });
+        self.sorted.extend(first..self.ids.len());
+        self.sorted.sort_by(|a, b| self.ids[*a].cmp(&self.ids[*b]));
+    }
+
     /// How many ids there are: the number of slots.
     #[must_use]
     pub fn len(&self) -> usize {
@@ -110,6 +144,40 @@ impl<K: core::fmt::Debug> Index<K> {
         match self.ids.get(index) {
             Some(id) => alloc::format!("{id:?}"),
             None => alloc::format!("{index}"),
+        }
+    }
+}
+
+/// The ids of the vertices, half-edges and faces of one structure.
+///
+/// ```
+/// use twinedge::validate::Record;
+/// use twinedge::validate::adapt::{Ids, Index};
+/// let ids = Ids { vertices: Index::of(["a", "b"]), half_edges: Index::of(["ab", "ba"]), faces: Index::of([7]) };
+/// assert_eq!(ids.name(Record::HalfEdge(1)), "\"ba\"");
+/// assert_eq!(ids.name(Record::Face(0)), "7");
+/// // report.named(|record| ids.name(record)) prints the report with them.
+/// ```
+#[derive(Clone, Debug, PartialEq, Eq, Hash, Default)]
+pub struct Ids<V, H, F> {
+    /// Those of the vertices.
+    pub vertices: Index<V>,
+    /// Those of the half-edges.
+    pub half_edges: Index<H>,
+    /// Those of the faces.
+    pub faces: Index<F>,
+}
+
+impl<V: core::fmt::Debug, H: core::fmt::Debug, F: core::fmt::Debug> Ids<V, H, F> {
+    /// The `Debug` form of the id of a record, for [`Report::named`](crate::validate::Report::named); its index, if it has no id,
+    /// as boundary components have none.
+    #[must_use]
+    pub fn name(&self, record: Record) -> alloc::string::String {
+        match record {
+            Record::Vertex(v) => self.vertices.name(v),
+            Record::HalfEdge(h) => self.half_edges.name(h),
+            Record::Face(f) => self.faces.name(f),
+            Record::Boundary(b) => alloc::format!("{b}"),
         }
     }
 }

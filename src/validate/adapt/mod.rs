@@ -11,14 +11,14 @@
 //! | half-edges along a border, without `next` and face | [`Borders`], and [`open`](super::Expectation::open) |
 //! | half-edges along a border, with `next`, without face | [`open`](super::Expectation::open) |
 //! | no half-edge on the far side of a border edge | answer `twin` with nil, and [`open`](super::Expectation::open) |
-//! | the target of each half-edge | implement [`target`](super::View::target), and [`Targets`] |
+//! | the target of each half-edge | implement [`target`](super::View::target), and [`Targets`]; or, if every half-edge has a twin, answer `origin(h)` with `target(twin(h))`, as a structure that changes must |
 //! | a half-edge that arrives at each vertex | answer `leaving` with its twin; if that is nil, with its next |
 //! | no half-edge at the vertices | leave out [`Part::Leaving`](super::Part::Leaving) |
 //! | the face of each half-edge, nothing in the faces | [`FaceLabels`] |
-//! | one half-edge in each face | answer `outer_half_edge`, and leave out [`Part::BoundaryComponents`](super::Part::BoundaryComponents) and [`Part::Holes`](super::Part::Holes) |
+//! | one half-edge in each face | answer `outer_half_edge`, and leave out [`Part::BoundaryComponents`](super::Part::BoundaryComponents) and [`Part::Holes`](super::Part::Holes), which [`Expectation::surface`](super::Expectation::surface) lacks already |
 //! | outer half-edge and holes in each face | answer `outer_half_edge`, `inner_count`, `inner_start`, and leave out [`Part::BoundaryComponents`](super::Part::BoundaryComponents) |
 //! | no faces | leave out [`Part::Faces`](super::Part::Faces) |
-//! | keys, handles or pointers instead of indices | [`Index`], one for each kind; [`Report::named`](super::Report::named) prints reports with them |
+//! | keys, handles or pointers instead of indices | [`Index`], one for each kind, or [`Ids`]; [`Report::named`](super::Report::named) prints reports with them |
 //! | vacant slots | answer `is_vertex`, `is_half_edge`, `is_face` |
 //!
 //! | family | half-edge `h` is | missing | tested in `tests/validate/families/` |
@@ -37,7 +37,7 @@
 //! family keeps to each other value, and compare the verdict with one that uses no adapter.
 //!
 //! Adapters are views like all others: no answer of the structure makes them panic or loop, and they cost linear time and
-//! memory. They read the structure when they are made, and keep what they derived.
+//! memory. They read the structure when they are made, and keep what they derived: after a change of the structure, make a new one.
 
 mod backward;
 mod borders;
@@ -50,6 +50,6 @@ mod targets;
 
 pub use backward::Backward;
 pub use borders::Borders;
-pub use index::Index;
+pub use index::{Ids, Index};
 pub use labels::FaceLabels;
 pub use targets::Targets;

@@ -4,9 +4,14 @@
 //! hold, `next` and `next∘twin` return to where they started, or end at an open boundary, and the walks around two
 //! vertices share no half-edge.
 
+use super::bends::{Bends, asked};
+use super::reserved::reserved;
 use crate::geometry::Point;
 use crate::validate::columns::NIL;
 use crate::validate::embedding::Embedding;
+use crate::validate::report::Unchecked;
+use crate::validate::rule::Rule;
+use core::ops::Range;
 
 /// Links and points, by slots.
 pub(in crate::validate) struct Columns {
@@ -20,11 +25,23 @@ pub(in crate::validate) struct Columns {
     pub(in crate::validate) is_vertex: Vec<bool>,
     /// Where they lie.
     pub(in crate::validate) points: Vec<Point>,
+    /// Where the edges bend.
+    pub(in crate::validate) bends: Bends,
 }
 
 impl Columns {
-    /// Reads a structure of which R1 and L hold. None if they no longer hold, or there is no memory for the columns.
-    pub(in crate::validate) fn read<E: Embedding + ?Sized>(embedding: &E) -> Option<Self> {
+    /// Reads a structure of which R1 and L hold. An error if they no longer hold, there is no memory for the columns, or there are
+    /// too many bends.
+    pub(in crate::validate) fn read<E: Embedding + ?Sized>(embedding: &E) -> Result<Self, Unchecked> {
+        // A structure that has changed since cannot be relied on.
+        let mut columns = Self::of_links(embedding).ok_or(Unchecked::Broken(Rule::R1))?;
+        let edges = columns.half_edges().filter(|h| columns.is_asked(*h));
+        let most = NIL as usize - 1 - columns.points.len();
+        columns.bends = Bends::read(embedding, columns.origin.len(), edges, most)?;
+        Ok(columns)
+    }
+
+    fn of_links<E: Embedding + ?Sized>(embedding: &E) -> Option<Self> {
         let slots = |n: usize| u32::try_from(n).ok().filter(|n| *n < NIL).map(|n| n as usize);
         let vertices = slots(embedding.vertex_slots())?;
         let half_edges = slots(embedding.half_edge_slots())?;
@@ -34,6 +51,7 @@ impl Columns {
             next: reserved(half_edges)?,
             is_vertex: reserved(vertices)?,
             points: reserved(vertices)?,
+            bends: Bends::default(),
         };
         for v in 0..vertices {
             let live = embedding.is_vertex(v);
@@ -107,11 +125,31 @@ impl Columns {
     pub(in crate::validate) fn head(&self, h: usize) -> Point {
         self.points[self.target(h)]
     }
-}
 
-/// An empty column with memory for `n` entries, if there is as much.
-fn reserved<T>(n: usize) -> Option<Vec<T>> {
-    let mut column = Vec::new();
-    column.try_reserve_exact(n).ok()?;
-    Some(column)
+    /// Whether this half-edge of its edge is asked for the bends.
+    pub(in crate::validate) fn is_asked(&self, h: usize) -> bool {
+        asked(h, self.twin[h]) == h
+    }
+
+    /// The half-edge of the same edge that is asked for the bends, and the places of these.
+    pub(in crate::validate) fn bends_of(&self, h: usize) -> (usize, Range<usize>) {
+        let edge = asked(h, self.twin[h]);
+        (edge, self.bends.range(edge))
+    }
+
+    /// The points of a half-edge behind its origin: its bends, and the target.
+    pub(in crate::validate) fn line(&self, h: usize) -> impl Iterator<Item = Point> + '_ {
+        let (edge, places) = self.bends_of(h);
+        let (forward, backward) = if edge == h { (places, 0..0) } else { (0..0, places) };
+        forward.chain(backward.rev()).map(|place| self.bends.points[place]).chain([self.head(h)])
+    }
+
+    /// The point towards which a half-edge leaves its origin.
+    pub(in crate::validate) fn towards(&self, h: usize) -> Point {
+        let (edge, places) = self.bends_of(h);
+        match places.len() {
+            0 => self.head(h),
+            n => self.bends.points[if edge == h { places.start } else { places.start + n - 1 }],
+        }
+    }
 }

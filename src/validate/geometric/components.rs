@@ -1,4 +1,4 @@
-//! The components of an embedding, each with its lexicographically smallest vertex.
+//! The components of an embedding, each with its lexicographically smallest vertex and bend.
 
 use super::columns::Columns;
 use crate::geometry::predicates::compare_lexicographic;
@@ -11,6 +11,8 @@ pub(in crate::validate) struct Components {
     pub(in crate::validate) of: Vec<u32>,
     /// For each component, its lexicographically smallest vertex.
     pub(in crate::validate) lowest: Vec<u32>,
+    /// For each component, the place of its lexicographically smallest bend, if that is smaller than all vertices; else nil.
+    pub(in crate::validate) lowest_bend: Vec<u32>,
 }
 
 impl Components {
@@ -38,7 +40,21 @@ impl Components {
                 *low = v as u32;
             }
         }
-        Self { of, lowest }
+        let mut lowest_bend = vec![NIL; lowest.len()];
+        if !columns.bends.points.is_empty() {
+            for h in columns.half_edges().filter(|h| columns.is_asked(*h)) {
+                let component = of[columns.origin(h)] as usize;
+                let low = &mut lowest_bend[component];
+                for place in columns.bends.range(h) {
+                    let at = |place: u32| columns.bends.points[place as usize];
+                    let smallest = if *low == NIL { columns.points[lowest[component] as usize] } else { at(*low) };
+                    if compare_lexicographic(at(place as u32), smallest) == Ordering::Less {
+                        *low = place as u32;
+                    }
+                }
+            }
+        }
+        Self { of, lowest, lowest_bend }
     }
 }
 

@@ -1,4 +1,4 @@
-//! The edges of an embedding as segments, for the sweep.
+//! The edges of an embedding as segments, for the sweep. An edge with bends is several.
 
 use super::columns::Columns;
 use crate::geometry::Point;
@@ -8,10 +8,10 @@ use crate::validate::columns::NIL;
 use crate::validate::violation::Violation;
 use core::cmp::Ordering;
 
-/// The embedding in the form that the sweep takes: live vertices only, and each edge once.
+/// The embedding in the form that the sweep takes: live vertices only, then the bends, and each edge once.
 pub(in crate::validate) struct Segments {
     pub(in crate::validate) points: Vec<Point>,
-    /// The vertex of each point.
+    /// The vertex of each point that is none of the bends, which follow.
     vertices: Vec<usize>,
     /// The point of each vertex.
     pub(in crate::validate) numbers: Vec<u32>,
@@ -19,6 +19,10 @@ pub(in crate::validate) struct Segments {
     /// For each segment the half-edge that runs from its lexicographically smaller end to the larger; at an open boundary
     /// the only one.
     half_edges: Vec<usize>,
+    /// Which segment of its edge each is, in the direction of the half-edge that has the bends; empty if there are none.
+    pieces: Vec<u32>,
+    /// How many edges there are.
+    pub(in crate::validate) edges: usize,
 }
 
 impl Segments {
@@ -30,41 +34,142 @@ impl Segments {
             numbers: Vec::new(),
             ends: Vec::new(),
             half_edges: Vec::new(),
+            pieces: Vec::new(),
+            edges: 0,
         };
         for v in columns.vertices() {
             numbers[v] = found.points.len() as u32;
             found.points.push(columns.points[v]);
             found.vertices.push(v);
         }
+        found.points.extend(&columns.bends.points);
+        found.numbers = numbers;
         for h in columns.half_edges() {
-            if rises(columns, h) || columns.twin[h] == NIL {
-                found.ends.push([columns.origin(h), columns.target(h)].map(|v| numbers[v]));
+            found.edges += usize::from(columns.is_asked(h));
+            if !columns.bends_of(h).1.is_empty() {
+                found.bent(columns, h);
+            } else if rises(columns.tail(h), columns.head(h)) || columns.twin[h] == NIL {
+                found.ends.push([columns.origin(h), columns.target(h)].map(|v| found.numbers[v]));
                 found.half_edges.push(h);
+                if !columns.bends.points.is_empty() {
+                    found.pieces.push(0);
+                }
             }
         }
-        found.numbers = numbers;
         found
+    }
+
+    /// The segments of an edge with bends, once for its two half-edges.
+    fn bent(&mut self, columns: &Columns, h: usize) {
+        let (edge, places) = columns.bends_of(h);
+        if edge != h {
+            return;
+        }
+        let mut from = self.numbers[columns.origin(h)];
+        let target = self.numbers[columns.target(h)];
+        let vertices = self.vertices.len();
+        let bend = |place: usize| (vertices + place) as u32;
+        for (piece, to) in places.map(bend).chain([target]).enumerate() {
+            let along = rises(self.points[from as usize], self.points[to as usize]) || columns.twin[h] == NIL;
+            self.ends.push([from, to]);
+            self.half_edges.push(if along { h } else { columns.twin[h] as usize });
+            self.pieces.push(piece as u32);
+            from = to;
+        }
+    }
+
+    /// The point that is the bend at this place.
+    pub(in crate::validate) fn bend(&self, place: usize) -> u32 {
+        (self.vertices.len() + place) as u32
     }
 
     /// The half-edge that has the region above a segment to its left; none if the boundary is open there.
     pub(in crate::validate) fn above(&self, columns: &Columns, segment: u32) -> Option<usize> {
         let h = self.half_edges[segment as usize];
-        rises(columns, h).then_some(h)
+        let [from, to] = self.ends[segment as usize].map(|end| self.points[end as usize]);
+        // The ends are in the direction of the half-edge that has the bends, or that has none.
+        let along = columns.bends_of(h).1.is_empty() || columns.is_asked(h);
+        (rises(from, to) == along).then_some(h)
     }
 
     /// A clash of segments as a violation of G4.
-    pub(in crate::validate) fn violation(&self, clash: Clash) -> Violation {
-        let vertex = |p: u32| self.vertices[p as usize];
-        let edge = |s: u32| self.half_edges[s as usize];
+    pub(in crate::validate) fn violation(&self, columns: &Columns, clash: Clash) -> Violation {
         match clash {
-            Clash::SamePlace { a, b } => Violation::SamePlace { first: vertex(a), second: vertex(b) },
-            Clash::Cross { a, b } => Violation::Cross { first: edge(a), second: edge(b) },
-            Clash::Overlap { a, b } => Violation::Overlap { first: edge(a), second: edge(b) },
-            Clash::Touch { vertex: v, segment } => Violation::Touch { vertex: vertex(v), half_edge: edge(segment) },
+            Clash::SamePlace { a, b } => match (self.spot(columns, a), self.spot(columns, b)) {
+                (Spot::Vertex(first), Spot::Vertex(second)) => Violation::SamePlace { first, second },
+                (Spot::Bend(half_edge, bend), Spot::Vertex(vertex))
+                | (Spot::Vertex(vertex), Spot::Bend(half_edge, bend)) => {
+                    Violation::BendAtVertex { half_edge, bend, vertex }
+                }
+                (Spot::Bend(first, first_bend), Spot::Bend(second, second_bend)) => {
+                    Violation::BendsAtSamePlace { first, first_bend, second, second_bend }
+                }
+            },
+            Clash::Cross { a, b } if self.is_straight(columns, a) && self.is_straight(columns, b) => {
+                Violation::Cross { first: self.half_edge(a), second: self.half_edge(b) }
+            }
+            Clash::Cross { a, b } => {
+                let ((first, first_segment), (second, second_segment)) =
+                    (self.piece(columns, a), self.piece(columns, b));
+                Violation::SegmentsCross { first, first_segment, second, second_segment }
+            }
+            Clash::Overlap { a, b } if self.is_straight(columns, a) && self.is_straight(columns, b) => {
+                Violation::Overlap { first: self.half_edge(a), second: self.half_edge(b) }
+            }
+            Clash::Overlap { a, b } => {
+                let ((first, first_segment), (second, second_segment)) =
+                    (self.piece(columns, a), self.piece(columns, b));
+                Violation::SegmentsOverlap { first, first_segment, second, second_segment }
+            }
+            Clash::Touch { vertex, segment: other } => match self.spot(columns, vertex) {
+                Spot::Vertex(vertex) if self.is_straight(columns, other) => {
+                    Violation::Touch { vertex, half_edge: self.half_edge(other) }
+                }
+                Spot::Vertex(vertex) => {
+                    let (half_edge, segment) = self.piece(columns, other);
+                    Violation::VertexInSegment { vertex, half_edge, segment }
+                }
+                Spot::Bend(half_edge, bend) => {
+                    let (other, segment) = self.piece(columns, other);
+                    Violation::BendInSegment { half_edge, bend, other, segment }
+                }
+            },
         }
+    }
+
+    fn spot(&self, columns: &Columns, point: u32) -> Spot {
+        match (point as usize).checked_sub(self.vertices.len()) {
+            None => Spot::Vertex(self.vertices[point as usize]),
+            Some(place) => {
+                let (half_edge, bend) = columns.bends.owner(place);
+                Spot::Bend(half_edge, bend)
+            }
+        }
+    }
+
+    fn half_edge(&self, segment: u32) -> usize {
+        self.half_edges[segment as usize]
+    }
+
+    fn is_straight(&self, columns: &Columns, segment: u32) -> bool {
+        columns.bends_of(self.half_edge(segment)).1.is_empty()
+    }
+
+    /// The half-edge that is asked for the bends of a segment's edge, and which segment of it this is. Called where there are bends.
+    fn piece(&self, columns: &Columns, segment: u32) -> (usize, usize) {
+        let (edge, _) = columns.bends_of(self.half_edge(segment));
+        (edge, self.pieces[segment as usize] as usize)
     }
 }
 
-fn rises(columns: &Columns, h: usize) -> bool {
-    compare_lexicographic(columns.tail(h), columns.head(h)) == Ordering::Less
+/// What a point of the sweep is.
+enum Spot {
+    Vertex(usize),
+    /// A half-edge, and the number of its bend.
+    Bend(usize, usize),
+}
+
+/// Whether the way between two points leads to the lexicographically larger one.
+fn rises(from: Point, to: Point) -> bool {
+    compare_lexicographic(from, to) == Ordering::Less
 }

@@ -23,6 +23,8 @@ const GEOMETRIC: &[Rule] = &[Rule::G1, Rule::G2, Rule::G3, Rule::G4, Rule::G5];
 /// clash, all clashes are found and counted, which takes O(n log n + p) for p pairs of edges whose bounding boxes meet;
 /// else the cost is O(n log n). Like [`validate`], it does not panic unless the [`Embedding`] does, and it always ends.
 ///
+/// Edges may have [bends](Embedding::bends). The verdict is that of the same map with a vertex at each bend, and n counts the bends.
+///
 /// Where there is no unbounded face, what lies outside everything must lie in no face ([`Part::UnboundedFace`]), and what
 /// lies in a face must be listed by it.
 ///
@@ -64,14 +66,14 @@ fn all_rules<E: Embedding + ?Sized>(
 ) -> Flow {
     let links = [Rule::R1, Rule::L1, Rule::L2, Rule::L3];
     let why = first_broken(topology, &links);
-    // A structure that has changed since cannot be relied on.
-    let columns = if why.is_none() { Columns::read(embedding) } else { None };
-    let Some(columns) = columns else {
-        let why = why.unwrap_or(Unchecked::Broken(Rule::R1));
-        for rule in GEOMETRIC {
-            findings.not_checked(*rule, why);
+    let columns = match why.map_or_else(|| Columns::read(embedding), Err) {
+        Ok(columns) => columns,
+        Err(why) => {
+            for rule in GEOMETRIC {
+                findings.not_checked(*rule, why);
+            }
+            return Ok(());
         }
-        return Ok(());
     };
     finite::check(findings, &columns)?;
     if let Some(rule) = findings.broken(&[Rule::G1]) {
@@ -86,7 +88,7 @@ fn all_rules<E: Embedding + ?Sized>(
     }
     let segments = Segments::of(&columns);
     let components = Components::of(&columns);
-    let below = disjoint::check(findings, &segments, &components.lowest)?;
+    let below = disjoint::check(findings, &columns, &segments, &components)?;
     let faces =
         first_broken(topology, &[Rule::V2, Rule::B1, Rule::B2, Rule::F1, Rule::F2, Rule::T1, Rule::T2, Rule::T3]);
     let why = faces.or_else(|| findings.broken(&[Rule::G4]).map(Unchecked::Broken));

@@ -8,7 +8,8 @@
 //!          d
 //! ```
 //!
-//! Turning clockwise once around a vertex, the angle rises exactly once.
+//! Turning clockwise once around a vertex, the angle rises exactly once. The direction of an edge with bends is that to the nearest
+//! bend.
 
 use crate::geometry::predicates::compare_angle;
 use crate::validate::columns::NIL;
@@ -34,7 +35,7 @@ pub(in crate::validate) fn check(findings: &mut Findings, columns: &Columns) -> 
         let mut rises = 0;
         let mut h = first;
         while let Some(after) = columns.clockwise(h) {
-            if compare_angle(center, columns.head(h), columns.head(after)) == Ordering::Less {
+            if compare_angle(center, columns.towards(h), columns.towards(after)) == Ordering::Less {
                 rises += 1;
                 if rises > 1 {
                     findings.add(Violation::OutOfOrder { vertex: v, half_edge: h, found: after })?;

@@ -10,20 +10,29 @@
 
 use crate::geometry::crossing::clashes;
 use crate::geometry::sweep::sweep;
+use crate::validate::columns::NIL;
 use crate::validate::findings::{Findings, Halt};
+use crate::validate::geometric::columns::Columns;
+use crate::validate::geometric::components::Components;
 use crate::validate::geometric::segments::Segments;
 use crate::validate::report::Unchecked;
 use crate::validate::rule::Rule;
 
-/// Runs G4, and gives the segment below each of these vertices, which is a guess if G4 is broken. None if there are too
-/// many segments.
+/// Runs G4, and gives the segment below the smallest point of each component, which is a guess if G4 is broken. None if there are
+/// too many segments.
 pub(in crate::validate) fn check(
     findings: &mut Findings,
+    columns: &Columns,
     segments: &Segments,
-    vertices: &[u32],
+    components: &Components,
 ) -> Result<Option<Vec<Option<u32>>>, Halt> {
-    findings.checked(Rule::G4, segments.ends.len() as u64);
-    let queries: Vec<u32> = vertices.iter().map(|v| segments.numbers[*v as usize]).collect();
+    findings.checked(Rule::G4, segments.edges as u64);
+    let lowest = components.lowest.iter().zip(&components.lowest_bend);
+    let number = |(vertex, bend): (&u32, &u32)| match *bend {
+        NIL => segments.numbers[*vertex as usize],
+        place => segments.bend(place as usize),
+    };
+    let queries: Vec<u32> = lowest.map(number).collect();
     // The arrays describe segments: G1 holds, and every number was given out by `Segments::of`.
     let Ok(swept) = sweep(&segments.points, &segments.ends, &queries) else {
         findings.not_checked(Rule::G4, Unchecked::TooLarge);
@@ -34,7 +43,7 @@ pub(in crate::validate) fn check(
             clashes(&segments.points, &segments.ends, findings.room()).unwrap_or_else(|_| (Vec::new(), 0));
         let kept = found.len() as u64;
         for clash in found {
-            findings.add(segments.violation(clash))?;
+            findings.add(segments.violation(columns, clash))?;
         }
         findings.add_uncollected(Rule::G4, total.saturating_sub(kept));
     }

@@ -1,6 +1,7 @@
 //! G1 finite: coordinates are finite, and no edge has zero length.
 //!
-//! A coordinate is also refused if it is out of the range in which the predicates are exact.
+//! A coordinate is also refused if it is out of the range in which the predicates are exact. Of an edge with bends no segment has
+//! zero length.
 
 use crate::geometry::predicates::in_range;
 use crate::validate::findings::{Findings, Flow};
@@ -18,10 +19,23 @@ pub(in crate::validate) fn check(findings: &mut Findings, columns: &Columns) -> 
         }
     }
     findings.checked(Rule::G1, checked);
-    for h in columns.half_edges() {
-        // Nil is larger than any half-edge.
-        if (h as u32) < columns.twin[h] && columns.tail(h) == columns.head(h) {
-            findings.add(Violation::ZeroLength { half_edge: h })?;
+    let bends = &columns.bends;
+    for place in (0..bends.points.len()).filter(|place| !in_range(bends.points[*place])) {
+        let (half_edge, bend) = bends.owner(place);
+        findings.add(Violation::BendNotFinite { half_edge, bend })?;
+    }
+    for half_edge in columns.half_edges().filter(|h| columns.is_asked(*h)) {
+        if bends.range(half_edge).is_empty() {
+            if columns.tail(half_edge) == columns.head(half_edge) {
+                findings.add(Violation::ZeroLength { half_edge })?;
+            }
+            continue;
+        }
+        let mut from = columns.tail(half_edge);
+        for (segment, to) in columns.line(half_edge).enumerate() {
+            if std::mem::replace(&mut from, to) == to {
+                findings.add(Violation::SegmentZeroLength { half_edge, segment })?;
+            }
         }
     }
     Ok(())

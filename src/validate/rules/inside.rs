@@ -8,7 +8,7 @@
 //!   └────┴────┘
 //! ```
 //!
-//! A component that no face lists lies outside everything, where the unbounded face has no record.
+//! The lowest point may be a bend. A component that no face lists lies outside everything, where the unbounded face has no record.
 
 use crate::validate::embedding::Embedding;
 use crate::validate::expectation::{Expectation, Part};
@@ -28,7 +28,7 @@ pub(in crate::validate) struct Inside<'a, E: ?Sized> {
     pub(in crate::validate) columns: &'a Columns,
     pub(in crate::validate) components: &'a Components,
     pub(in crate::validate) segments: &'a Segments,
-    /// The segment below the lowest vertex of each component.
+    /// The segment below the lowest point of each component.
     pub(in crate::validate) below: &'a [Option<u32>],
     pub(in crate::validate) lists: &'a Lists,
 }

@@ -39,16 +39,13 @@ pub(in crate::validate) fn check(findings: &mut Findings, columns: &Columns, lis
     Ok(())
 }
 
-/// Whether the face lies around the cycle, not inside it: whether at the lexicographically smallest vertex it lies to
-/// the left. A cycle may pass there more than once.
+/// Whether the face lies around the cycle, not inside it: whether at the lexicographically smallest point, a vertex or a bend, it lies
+/// to the left. A cycle may pass there more than once.
 fn turns_clockwise(columns: &Columns, start: usize, seen: &mut [bool]) -> bool {
     let mut low = columns.tail(start);
     let mut around = false;
-    let mut h = start;
-    loop {
-        seen[h] = true;
-        let n = columns.next(h);
-        let (before, at, after) = (columns.tail(h), columns.tail(n), columns.head(n));
+    let (mut before, mut at) = (low, columns.towards(start));
+    let mut pass = |after: Point| {
         match compare_lexicographic(at, low) {
             Ordering::Less => {
                 low = at;
@@ -57,8 +54,18 @@ fn turns_clockwise(columns: &Columns, start: usize, seen: &mut [bool]) -> bool {
             Ordering::Equal => around |= corner_opens_left(before, at, after),
             Ordering::Greater => {}
         }
-        h = n;
+        (before, at) = (at, after);
+    };
+    let mut h = start;
+    // The first point of the cycle's line is where the walk is at the beginning.
+    let mut skip = 1;
+    loop {
+        seen[h] = true;
+        columns.line(h).skip(skip).for_each(&mut pass);
+        skip = 0;
+        h = columns.next(h);
         if h == start {
+            pass(columns.towards(start));
             return around;
         }
     }

@@ -1,6 +1,6 @@
 //! Handles as the indices by which the validator knows their records.
 
-use twinedge::dcel::Dcel;
+use twinedge::dcel::{Audited, Dcel};
 use twinedge::program::{Reported, RotationSystem, Subject};
 use twinedge::store::Store;
 use twinedge::validate::View;
@@ -28,6 +28,18 @@ impl<S: Store> Indexed for Dcel<S> {
 }
 
 impl<S: Store> Indexed for Reported<S> {
+    fn vertex_index(&self, vertex: Self::Vertex) -> Option<usize> {
+        self.dcel().vertex_index(vertex)
+    }
+    fn half_edge_index(&self, half_edge: Self::HalfEdge) -> Option<usize> {
+        self.dcel().half_edge_index(half_edge)
+    }
+    fn face_index(&self, face: Self::Face) -> Option<usize> {
+        self.dcel().face_index(face)
+    }
+}
+
+impl<S: Store> Indexed for Audited<S> {
     fn vertex_index(&self, vertex: Self::Vertex) -> Option<usize> {
         self.dcel().vertex_index(vertex)
     }

@@ -1,6 +1,6 @@
 //! The search on small input, compared with trying all pairs.
 
-use super::{Block, Pixel, Pixels, Segment, around, search};
+use super::{Block, Pixel, Pixels, Segment, Tiles, around, search};
 use crate::geometry::noding::runs::join;
 use quickcheck::{Gen, QuickCheck};
 use std::collections::{BTreeMap, BTreeSet};
@@ -46,7 +46,7 @@ fn finds_all(kind: u8, raw: Vec<(i8, i8, i8, i8)>, shift: u8) -> bool {
 
     let crossings = runs.iter().enumerate().flat_map(|(i, s)| runs[..i].iter().filter_map(|t| pixels.crossing(s, t)));
     let hot: BTreeSet<Pixel> = vertices.iter().copied().chain(crossings).collect();
-    let found = search(pixels, &runs, &mut vertices).unwrap();
+    let found = search(pixels, &runs, &mut vertices, usize::MAX).unwrap();
     assert_eq!(vertices.len(), hot.len());
     assert_eq!(vertices.iter().copied().collect::<BTreeSet<_>>(), hot);
 
@@ -86,5 +86,21 @@ fn the_parts_around_a_pixel_and_the_pixel_make_the_block() {
             assert_eq!(all().count(), pixels);
             assert!(parts.iter().all(|part| part.contains(part.low) && block.includes(part)));
         }
+    }
+}
+
+#[test]
+fn the_tiles_of_a_block_make_the_block() {
+    for high in [[4, 2], [0, 5], [1, 1], [7, 8], [0, 0]] {
+        let block = Block { low: [-3, 2], high: [high[0] - 3, high[1] + 2] };
+        let tiles = Tiles::new(&block);
+        let parts = tiles.blocks();
+        for pixel in (-3..=high[0] - 3).flat_map(|x| (2..=high[1] + 2).map(move |y| [x, y])) {
+            let held: Vec<usize> = (0..parts.len()).filter(|tile| parts[*tile].contains(pixel)).collect();
+            assert_eq!(held, tiles.of(&Block::one(pixel)).collect::<Vec<_>>());
+            assert_eq!(held.len(), 1);
+        }
+        let all: Vec<usize> = tiles.of(&block).collect();
+        assert!((0..parts.len()).all(|tile| all.contains(&tile) == block.overlaps(&parts[tile])));
     }
 }

@@ -1,7 +1,4 @@
 //! Which faces a feature covers.
-//!
-//! Where a map is not plane, the inside of a feature whose edges cross others may seem to extend to the unbounded face: the
-//! feature leaks. Then it is not known what it covers.
 
 use crate::dcel::{Face, FaceKey};
 use crate::map::{FeatureId, PlanarMap};

@@ -24,9 +24,9 @@ type Result<T> = std::result::Result<T, Box<dyn Error + Send + Sync>>;
 #[derive(Parser)]
 #[command(after_help = "\
 Examples:
-  cargo run -p twinedge-proofs --bin faults                           every cell of the table: hours
-  cargo run -p twinedge-proofs --bin faults -- --enough 2             until two checks have caught each fault
-  cargo run -p twinedge-proofs --bin faults -- --only R1 --checks corrupt,tables")]
+  cargo run -p twinedge-proofs --example faults                           every cell of the table: hours
+  cargo run -p twinedge-proofs --example faults -- --enough 2             until two checks have caught each fault
+  cargo run -p twinedge-proofs --example faults -- --only R1 --checks corrupt,tables")]
 struct Arguments {
     /// The faults with these words in their names
     #[arg(long, value_name = "WORDS")]

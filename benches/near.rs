@@ -1,0 +1,60 @@
+//! Validation after each operator: an edge split and joined again at random places of a triangulated grid of 10³ to 10⁶ edges, on
+//! a `Dcel`, on an `Audited` one, and with a full validation after each operator (on the smallest only).
+//!
+//! Run with `cargo bench --bench near`.
+
+mod common;
+
+use criterion::{BenchmarkId, Criterion, Throughput, criterion_group, criterion_main};
+use std::hint::black_box;
+use twinedge::dcel::{Audited, Dcel, HalfEdgeKey};
+
+/// Half-edges at places that are far apart.
+fn places(dcel: &Dcel) -> Vec<HalfEdgeKey> {
+    let keys: Vec<HalfEdgeKey> = dcel.edges().map(|h| h.key()).collect();
+    (0..1_000).map(|i: usize| keys[i.wrapping_mul(0x9E37_79B9_7F4A_7C15) % keys.len()]).collect()
+}
+
+fn near(criterion: &mut Criterion) {
+    let mut group = criterion.benchmark_group("split and join an edge");
+    for side in [19, 58, 183, 578] {
+        let mut dcel = common::triangulated_grid(side).dcel().clone();
+        let places = places(&dcel);
+        let edges = dcel.edge_count();
+        group.throughput(Throughput::Elements(2 * places.len() as u64));
+        group.bench_function(BenchmarkId::new("not validated", edges), |bench| {
+            bench.iter(|| {
+                for h in &places {
+                    let split = dcel.split_edge(*h).expect("it is an edge");
+                    black_box(dcel.join_edges(split.half_edge).expect("the new vertex has two edges"));
+                }
+            });
+        });
+        if side == 19 {
+            group.bench_function(BenchmarkId::new("validated in full", edges), |bench| {
+                bench.iter(|| {
+                    for h in &places {
+                        let split = dcel.split_edge(*h).expect("it is an edge");
+                        assert!(dcel.validate().is_valid());
+                        dcel.join_edges(split.half_edge).expect("the new vertex has two edges");
+                        assert!(dcel.validate().is_valid());
+                    }
+                });
+            });
+        }
+        let mut audited = Audited::new(dcel).expect("a grid is valid");
+        group.bench_function(BenchmarkId::new("validated locally", edges), |bench| {
+            bench.iter(|| {
+                for h in &places {
+                    let split = audited.change(|dcel| dcel.split_edge(*h)).expect("valid").expect("it is an edge");
+                    let joined = audited.change(|dcel| dcel.join_edges(split.half_edge)).expect("valid");
+                    black_box(joined.expect("the new vertex has two edges"));
+                }
+            });
+        });
+    }
+    group.finish();
+}
+
+criterion_group!(benches, near);
+criterion_main!(benches);

@@ -1,0 +1,406 @@
+//! The rules of a coverage, C1 … C6, in the report of `audit` and as the answer of `query coverage`.
+
+use crate::input::Imported;
+use crate::output::style::{BAD, GOOD, QUIET};
+use crate::output::{counted, grouped, measure, plain};
+use crate::query::label;
+use crate::status::Failure;
+use crate::units::Units;
+use serde::Serialize;
+use std::fmt::Write as _;
+use twinedge::algorithm::coverage::{CoverageRule, Defect, Finding, Limits, check};
+use twinedge::geometry::noding::Snap;
+use twinedge::map::{FeatureId, Noding, PlanarMap};
+
+/// How many findings of each rule the text shows.
+const SHOWN: usize = 3;
+
+/// How a coverage is judged.
+#[derive(Debug, clap::Args)]
+#[command(next_help_heading = "Coverage (maps)")]
+pub(crate) struct Asked {
+    /// Count what breaks C1 … C6 as violations: overlaps, gaps, near misses, slivers, duplicates, polygons that are not valid by
+    /// the OGC. Otherwise they are counted and shown, and the map is valid with them.
+    #[arg(long)]
+    coverage: bool,
+
+    /// Greatest width of a near miss, and of a gap that is reported, in the units of the coordinates. Default: gaps of any
+    /// width, and near misses up to a hundredth of the median length of the edges.
+    #[arg(long, value_name = "W", value_parser = positive)]
+    gap_width: Option<f64>,
+
+    /// Area below which a thin part of a feature is a sliver. Default: a thousandth of the median area of all parts.
+    #[arg(long, value_name = "A", value_parser = positive)]
+    sliver: Option<f64>,
+}
+
+fn positive(text: &str) -> Result<f64, String> {
+    text.parse().ok().filter(|x| *x > 0.0 && f64::is_finite(*x)).ok_or_else(|| "not a positive number".to_owned())
+}
+
+impl Asked {
+    pub(crate) const fn is_any(&self) -> bool {
+        self.coverage || self.gap_width.is_some() || self.sliver.is_some()
+    }
+
+    /// Whether findings make a map invalid.
+    pub(crate) const fn is_rule(&self) -> bool {
+        self.coverage
+    }
+}
+
+/// What was found, as JSON has it.
+#[derive(Debug, Serialize)]
+pub(crate) struct Coverage {
+    overlaps: usize,
+    gaps: usize,
+    near_misses: usize,
+    slivers: usize,
+    duplicates: usize,
+    /// Features, not defects.
+    ogc_invalid: usize,
+    /// Of lengths; areas are in its square.
+    unit: &'static str,
+    /// Why C1 … C5 were not checked.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    not_checked: Option<String>,
+    #[serde(skip_serializing_if = "Option::is_none")]
+    gap_width: Option<f64>,
+    #[serde(skip_serializing_if = "Option::is_none")]
+    sliver_area: Option<f64>,
+    /// The first of each rule, the largest first.
+    findings: Vec<Entry>,
+    #[serde(skip)]
+    has_polygons: bool,
+}
+
+/// A finding.
+#[derive(Debug, Serialize)]
+pub(crate) struct Entry {
+    rule: &'static str,
+    kind: &'static str,
+    features: Vec<Named>,
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub(crate) area: Option<f64>,
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub(crate) width: Option<f64>,
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub(crate) length: Option<f64>,
+    at: [f64; 2],
+    /// What is wrong, in the words of the OGC, where.
+    #[serde(skip_serializing_if = "Vec::is_empty")]
+    defects: Vec<Flaw>,
+    /// `removed`: on the input only; `made`: on the snapped map only.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    snapping: Option<&'static str>,
+    #[serde(skip)]
+    place: Rank,
+}
+
+/// Rule, kind, features, area, width, length, and the coordinates of the place.
+type Row<'a> = (&'a str, &'a str, String, Option<f64>, Option<f64>, Option<f64>, f64, f64);
+
+/// The rule, and how many findings of it come before.
+type Rank = (CoverageRule, usize);
+
+#[derive(Debug, Serialize)]
+struct Named {
+    number: usize,
+    #[serde(skip_serializing_if = "Option::is_none")]
+    id: Option<String>,
+    name: Option<String>,
+    #[serde(skip)]
+    label: String,
+}
+
+#[derive(Debug, Serialize)]
+struct Flaw {
+    reason: String,
+    at: [f64; 2],
+    shape: usize,
+    ring: usize,
+}
+
+/// How many defects of each kind are listed of a feature.
+const DEFECTS: usize = 20;
+
+impl Coverage {
+    /// Asks all rules. Overlaps and gaps are those of the input: where borders cross they are cut on the finest grid, and where a
+    /// grid was asked for, what it removed or made is found by comparing.
+    pub(crate) fn new(imported: &Imported, asked: &Asked, units: &Units, list: usize) -> Self {
+        let limits = Limits { gap_width: asked.gap_width, sliver_area: asked.sliver, ..Limits::default() };
+        let mut found = Self {
+            overlaps: 0,
+            gaps: 0,
+            near_misses: 0,
+            slivers: 0,
+            duplicates: 0,
+            ogc_invalid: imported.noted.defects.len(),
+            unit: units.name(),
+            not_checked: None,
+            gap_width: None,
+            sliver_area: None,
+            findings: Vec::new(),
+            has_polygons: imported.read.polygons > 0,
+        };
+        match judged(imported, &limits, units) {
+            Ok(Judged { findings, gap_width, sliver_area }) => {
+                (found.gap_width, found.sliver_area) = (Some(gap_width), Some(sliver_area));
+                for (finding, snapping) in &findings {
+                    let count = found.count_of(finding.rule);
+                    *count += 1;
+                    let place = (finding.rule, *count);
+                    if place.1 <= list {
+                        found.findings.push(Entry::new(imported, finding, *snapping, place));
+                    }
+                }
+            }
+            Err(Failure(why)) => found.not_checked = Some(why),
+        }
+        for (n, (feature, defects)) in imported.noted.defects.iter().take(list).enumerate() {
+            found.findings.push(Entry::invalid(imported, *feature, defects, n + 1));
+        }
+        found
+    }
+
+    fn count_of(&mut self, rule: CoverageRule) -> &mut usize {
+        match rule {
+            CoverageRule::Overlap => &mut self.overlaps,
+            CoverageRule::Gap => &mut self.gaps,
+            CoverageRule::NearMiss => &mut self.near_misses,
+            CoverageRule::Sliver => &mut self.slivers,
+            CoverageRule::Duplicate => &mut self.duplicates,
+            _ => &mut self.ogc_invalid,
+        }
+    }
+
+    /// How many findings there are of each rule, in order.
+    fn counts(&self) -> [(CoverageRule, usize, &'static str); 6] {
+        [
+            (CoverageRule::Overlap, self.overlaps, "overlap"),
+            (CoverageRule::Gap, self.gaps, "gap"),
+            (CoverageRule::NearMiss, self.near_misses, "near miss"),
+            (CoverageRule::Sliver, self.slivers, "sliver"),
+            (CoverageRule::Duplicate, self.duplicates, "set of duplicates"),
+            (CoverageRule::Validity, self.ogc_invalid, "invalid feature"),
+        ]
+    }
+
+    /// How many findings there are.
+    pub(crate) fn total(&self) -> usize {
+        self.counts().iter().map(|(_, count, _)| count).sum()
+    }
+
+    /// Whether there is anything that could be a coverage.
+    pub(crate) const fn has_polygons(&self) -> bool {
+        self.has_polygons
+    }
+
+    /// Why C1 … C5 could not be checked, if so.
+    pub(crate) fn not_checked(&self) -> Option<&str> {
+        self.not_checked.as_deref()
+    }
+
+    /// What is listed, to be sorted and cut.
+    pub(crate) const fn findings_mut(&mut self) -> &mut Vec<Entry> {
+        &mut self.findings
+    }
+
+    /// A line for each rule.
+    pub(crate) fn write_rules(&self, out: &mut String, asked: &Asked) -> std::fmt::Result {
+        for (rule, count, what) in self.counts() {
+            write!(out, "  {:2}  {:12} ", rule.id(), rule.name())?;
+            match (count, &self.not_checked) {
+                (_, Some(why)) if rule != CoverageRule::Validity => {
+                    writeln!(out, "{QUIET}not checked: {}{QUIET:#}", plain(why))?;
+                }
+                (0, _) => writeln!(out, "{GOOD}ok{GOOD:#}{}", self.limit(rule))?,
+                (n, _) => {
+                    let found = if asked.is_rule() { format!("{BAD}BROKEN{BAD:#}  ") } else { String::new() };
+                    let count = match (n, what) {
+                        (1, _) => format!("1 {what}"),
+                        (n, "near miss") => format!("{} near misses", grouped(n)),
+                        (n, "set of duplicates") => format!("{} sets of duplicates", grouped(n)),
+                        (n, what) => counted(n, what),
+                    };
+                    writeln!(out, "{found}{count}{}", self.limit(rule))?;
+                }
+            }
+        }
+        Ok(())
+    }
+
+    /// The limit of a rule, for its line.
+    fn limit(&self, rule: CoverageRule) -> String {
+        let text = match (rule, self.gap_width, self.sliver_area) {
+            (CoverageRule::NearMiss, Some(width), _) => format!("up to a width of {}", measure(width)),
+            (CoverageRule::Sliver, _, Some(area)) => format!("below an area of {}", measure(area)),
+            _ => return String::new(),
+        };
+        format!("  {QUIET}{text}{QUIET:#}")
+    }
+
+    /// The worst of each rule.
+    pub(crate) fn write_worst(&self, out: &mut String, list: usize) -> std::fmt::Result {
+        for (rule, count, _) in self.counts() {
+            let of_rule = self.findings.iter().filter(|entry| entry.place.0 == rule);
+            let shown = of_rule.take(SHOWN.min(list)).map(|entry| entry.write(out)).collect::<Result<Vec<_>, _>>()?;
+            let more = count - shown.len();
+            if more > 0 && !shown.is_empty() {
+                writeln!(
+                    out,
+                    "   {QUIET}… and {} more of {}; --format json lists them{QUIET:#}",
+                    grouped(more),
+                    rule.id()
+                )?;
+            }
+        }
+        Ok(())
+    }
+}
+
+/// What C1 … C5 found.
+struct Judged {
+    findings: Vec<(Finding, Option<&'static str>)>,
+    gap_width: f64,
+    sliver_area: f64,
+}
+
+fn judged(imported: &Imported, limits: &Limits, units: &Units) -> Result<Judged, Failure> {
+    let map = &imported.map;
+    let Some(builder) = imported.builder.clone() else {
+        let found = check(map, limits)?;
+        let converted = |mut finding: Finding| {
+            units.convert(map, &mut finding);
+            (finding, None)
+        };
+        let findings = found.findings.into_iter().map(converted).collect();
+        return Ok(Judged { findings, gap_width: found.gap_width, sliver_area: found.sliver_area });
+    };
+    let of_input = builder.build_with(Noding::Snap(Snap::Auto))?;
+    let found = check(&of_input, limits)?;
+    // The same limits for both.
+    let limits = Limits { gap_width: limits.gap_width, sliver_area: Some(found.sliver_area), ..*limits };
+    let snapped = match map.noding() {
+        Some(_) => check(map, &limits)?.findings,
+        None => Vec::new(),
+    };
+    let converted = |map: &PlanarMap, finding: &Finding| {
+        let mut finding = finding.clone();
+        units.convert(map, &mut finding);
+        finding
+    };
+    let is_among = |finding: &Finding, others: &[Finding]| {
+        others.iter().any(|other| (other.rule, &other.features) == (finding.rule, &finding.features))
+    };
+    let made = snapped.iter().filter(|finding| !is_among(finding, &found.findings));
+    let made: Vec<(Finding, Option<&'static str>)> =
+        made.map(|finding| (converted(map, finding), Some("made"))).collect();
+    let removed = |finding: &Finding| map.noding().is_some() && !is_among(finding, &snapped);
+    let on_input = found.findings.into_iter().map(|finding| {
+        let snapping = removed(&finding).then_some("removed");
+        (converted(&of_input, &finding), snapping)
+    });
+    let mut findings: Vec<_> = on_input.chain(made).collect();
+    findings.sort_by_key(|(finding, _)| finding.rule);
+    Ok(Judged { findings, gap_width: found.gap_width, sliver_area: found.sliver_area })
+}
+
+impl Entry {
+    fn new(imported: &Imported, finding: &Finding, snapping: Option<&'static str>, place: Rank) -> Self {
+        Self {
+            rule: finding.rule.id(),
+            kind: finding.rule.name(),
+            features: finding.features.iter().map(|feature| Named::new(imported, *feature)).collect(),
+            area: Some(finding.area),
+            width: Some(finding.width),
+            length: Some(finding.length),
+            at: finding.at.into(),
+            defects: Vec::new(),
+            snapping,
+            place,
+        }
+    }
+
+    fn invalid(imported: &Imported, feature: usize, defects: &[Defect], number: usize) -> Self {
+        let rule = CoverageRule::Validity;
+        let flaw = |defect: &Defect| Flaw {
+            reason: defect.kind.to_string(),
+            at: defect.at.into(),
+            shape: defect.shape,
+            ring: defect.ring,
+        };
+        Self {
+            rule: rule.id(),
+            kind: rule.name(),
+            features: imported.map.feature(feature).map(|id| Named::new(imported, id)).into_iter().collect(),
+            area: None,
+            width: None,
+            length: None,
+            at: defects.first().map_or([0.0; 2], |defect| defect.at.into()),
+            // They are sorted by kind.
+            defects: defects
+                .chunk_by(|a, b| a.kind == b.kind)
+                .flat_map(|kind| kind.iter().take(DEFECTS))
+                .map(flaw)
+                .collect(),
+            snapping: None,
+            place: (rule, number),
+        }
+    }
+
+    /// The id of the rule.
+    pub(crate) const fn rule(&self) -> &'static str {
+        self.rule
+    }
+
+    /// The finding as a row of a table: the features by their ids, or else names, with semicolons between.
+    pub(crate) fn row(&self) -> Row<'_> {
+        let features = self.features.iter().map(|feature| feature.key()).collect::<Vec<_>>().join(";");
+        let kind = self.defects.first().map_or(self.kind, |flaw| &flaw.reason);
+        (self.rule, kind, features, self.area, self.width, self.length, self.at[0], self.at[1])
+    }
+
+    /// Writes the finding as a line.
+    pub(crate) fn write(&self, out: &mut String) -> std::fmt::Result {
+        let labels: Vec<&str> = self.features.iter().map(|feature| feature.label.as_str()).collect();
+        let [x, y] = self.at;
+        write!(out, "{} {}", self.rule, self.kind)?;
+        if !labels.is_empty() {
+            let (few, more) = labels.split_at(labels.len().min(4));
+            let more = if more.is_empty() { String::new() } else { format!(" and {} more", more.len()) };
+            write!(out, ": {}{more}", few.join(", "))?;
+        }
+        if let (Some(area), Some(width), Some(length)) = (self.area, self.width, self.length) {
+            let [area, width, length] = [area, width, length].map(measure);
+            write!(out, "; area {area}, width {width}, borders of {length}")?;
+        } else {
+            let mut reasons: Vec<&str> = self.defects.iter().map(|flaw| flaw.reason.as_str()).collect();
+            reasons.dedup();
+            write!(out, "; {}", reasons.join(", "))?;
+        }
+        let snapped = self.snapping.map_or_else(String::new, |what| format!(" ({what} by snapping)"));
+        writeln!(out, "; at ({x}, {y}){snapped}")
+    }
+}
+
+impl Named {
+    /// The id, the name or the number.
+    fn key(&self) -> String {
+        let key = self.id.clone().or_else(|| self.name.clone());
+        key.unwrap_or_else(|| format!("#{}", self.number))
+    }
+
+    fn new(imported: &Imported, feature: FeatureId) -> Self {
+        let map: &PlanarMap = &imported.map;
+        let id = imported.noted.ids.get(feature.index()).cloned().flatten();
+        let label = match &id {
+            Some(id) if map.name(feature).is_some_and(|name| name != id) => {
+                format!("{} (id {})", label(map, feature), plain(id))
+            }
+            Some(id) if map.name(feature).is_none() => format!("id {}", plain(id)),
+            _ => label(map, feature),
+        };
+        Self { number: feature.index(), id, name: map.name(feature).map(str::to_owned), label }
+    }
+}

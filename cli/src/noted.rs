@@ -1,0 +1,180 @@
+//! What is noted of features while they are read, since a map does not keep it: ids, conditions met, defects, places.
+
+use crate::output::plain;
+use crate::status::Failure;
+use std::collections::BTreeSet;
+use std::str::FromStr;
+use twinedge::algorithm::coverage::{Defect, defects};
+use twinedge::geometry::Point;
+use twinedge::io::{Properties, ReadSummary};
+use twinedge::map::{Feature, Shape};
+
+/// How many columns an error lists.
+const COLUMNS: usize = 20;
+
+/// The greatest longitude, either way: some maps go on beyond the antimeridian.
+const LONGITUDE: f64 = 360.0;
+
+/// The greatest latitude, either way, as rounding may exceed it.
+const LATITUDE: f64 = 90.0 + 1e-6;
+
+/// The latitude from which on an edge counts as one along a pole.
+const POLE: f64 = 89.0;
+
+/// A value that a column of a feature is to have.
+#[derive(Clone, Debug)]
+pub(crate) struct Condition {
+    pub(crate) column: String,
+    pub(crate) value: String,
+}
+
+impl FromStr for Condition {
+    type Err = &'static str;
+
+    fn from_str(text: &str) -> Result<Self, Self::Err> {
+        let (column, value) = text.split_once('=').ok_or("no COLUMN=VALUE")?;
+        Ok(Self { column: column.to_owned(), value: value.to_owned() })
+    }
+}
+
+/// What is kept of the input beside the map.
+#[derive(Clone, Copy, Default)]
+pub(crate) struct Keep<'a> {
+    /// What the coverage is judged by.
+    pub(crate) coverage: bool,
+    /// Which features meet a condition.
+    pub(crate) condition: Option<&'a Condition>,
+}
+
+/// What was noted of the features.
+#[derive(Debug)]
+pub(crate) struct Noted {
+    name_from: Option<String>,
+    /// The id of each feature in the file.
+    pub(crate) ids: Vec<Option<String>>,
+    /// The numbers of the features that meet the condition.
+    pub(crate) matching: Vec<usize>,
+    /// Features that are not valid by the rules of the OGC, by number.
+    pub(crate) defects: Vec<(usize, Vec<Defect>)>,
+    /// How many features have a line or ring that goes from one side of the antimeridian to the other.
+    across_antimeridian: usize,
+    /// Least and greatest coordinates.
+    low: Point,
+    high: Point,
+    columns: BTreeSet<String>,
+    has_name: bool,
+    has_condition: bool,
+}
+
+impl Noted {
+    /// Nothing yet. Names are taken from the column, if one is given.
+    pub(crate) fn new(name_from: Option<String>) -> Self {
+        let far = f64::INFINITY;
+        Self {
+            name_from,
+            ids: Vec::new(),
+            matching: Vec::new(),
+            defects: Vec::new(),
+            across_antimeridian: 0,
+            low: Point::new(far, far),
+            high: Point::new(-far, -far),
+            columns: BTreeSet::new(),
+            has_name: false,
+            has_condition: false,
+        }
+    }
+
+    /// Notes the next feature, and names it by the column asked for.
+    pub(crate) fn note(&mut self, feature: &mut Feature, properties: &Properties, keep: Keep<'_>) {
+        let number = self.ids.len();
+        self.ids.push(feature.id.clone());
+        if let Some(column) = &self.name_from {
+            feature.name = properties.get(column);
+            self.has_name |= feature.name.is_some();
+        }
+        if let Some(Condition { column, value }) = keep.condition {
+            let found = properties.get(column);
+            self.has_condition |= found.is_some();
+            if found.as_ref() == Some(value) {
+                self.matching.push(number);
+            }
+        }
+        if (self.name_from.is_some() || keep.condition.is_some()) && self.columns.len() < COLUMNS {
+            self.columns.extend(properties.columns().map(str::to_owned));
+        }
+        if keep.coverage {
+            let found = defects(&feature.shapes);
+            if !found.is_empty() {
+                self.defects.push((number, found));
+            }
+        }
+        let mut crosses = false;
+        for chain in feature.shapes.iter().flat_map(chains) {
+            for p in chain {
+                self.low = Point::new(self.low.x.min(p.x), self.low.y.min(p.y));
+                self.high = Point::new(self.high.x.max(p.x), self.high.y.max(p.y));
+            }
+            crosses |= chain.windows(2).any(|pair| goes_around(pair[0], pair[1]));
+        }
+        self.across_antimeridian += usize::from(crosses);
+    }
+
+    /// Refuses a column that no feature has.
+    pub(crate) fn refuse_unknown_columns(&self, name: &str, keep: Keep<'_>) -> Result<(), Failure> {
+        let by_name = self.name_from.as_ref().filter(|_| !self.has_name);
+        let by_condition = keep.condition.map(|condition| &condition.column).filter(|_| !self.has_condition);
+        let Some(column) = by_name.or(by_condition) else { return Ok(()) };
+        let columns: Vec<String> = self.columns.iter().take(COLUMNS).map(|column| plain(column)).collect();
+        let known = match &columns[..] {
+            [] => "there are no columns".to_owned(),
+            columns => format!("there are {}", columns.join(", ")),
+        };
+        Err(Failure(format!("{name}: no feature has a value in the column {column}; {known}")))
+    }
+
+    /// Whether the coordinates can be longitudes and latitudes, and no other reference system is named.
+    pub(crate) fn look_like_degrees(&self, read: &ReadSummary) -> bool {
+        read.other_crs == 0
+            && self.low.x >= -LONGITUDE
+            && self.high.x <= LONGITUDE
+            && self.low.y >= -LATITUDE
+            && self.high.y <= LATITUDE
+    }
+
+    /// What a reader of the results should know about the coordinates.
+    pub(crate) fn warnings(&self, read: &ReadSummary) -> Vec<String> {
+        let mut warnings = Vec::new();
+        if read.other_crs > 0 {
+            warnings.push(
+                "the file names a coordinate reference system (crs) other than longitude and latitude on WGS 84; it was \
+ignored, and lengths and areas are in its units"
+                    .to_owned(),
+            );
+        }
+        if self.look_like_degrees(read) && self.across_antimeridian > 0 {
+            let (count, have) = match self.across_antimeridian {
+                1 => ("1 feature".to_owned(), "has"),
+                n => (format!("{n} features"), "have"),
+            };
+            warnings.push(format!(
+                "{count} {have} edges that span more than 180 degrees of longitude: they probably cross the antimeridian, and run \
+around the whole map here; cut them at 180 degrees"
+            ));
+        }
+        warnings
+    }
+}
+
+/// Whether an edge spans more than half of the longitudes, except along a pole, as that of Antarctica does.
+fn goes_around(a: Point, b: Point) -> bool {
+    (b.x - a.x).abs() > 180.0 && a.y.abs().min(b.y.abs()) < POLE
+}
+
+/// The rings, lines and points of a shape.
+fn chains(shape: &Shape) -> Box<dyn Iterator<Item = &[Point]> + '_> {
+    match shape {
+        Shape::Polygon(rings) => Box::new(rings.iter().map(Vec::as_slice)),
+        Shape::Line(points) => Box::new(std::iter::once(points.as_slice())),
+        Shape::Point(point) => Box::new(std::iter::once(std::slice::from_ref(point))),
+    }
+}

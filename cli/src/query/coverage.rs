@@ -1,0 +1,104 @@
+//! `twinedge query … coverage`.
+
+use super::list::{Limit, TableFormat, csv, greatest_first};
+use crate::coverage::{Asked, Coverage, Entry};
+use crate::input::Imported;
+use crate::output::style::QUIET;
+use crate::output::{print, print_json};
+use crate::status::Failure;
+use crate::units::Measured;
+use clap::ValueEnum;
+use serde::Serialize;
+
+/// Overlaps, gaps, near misses, slivers, duplicates and features that are not valid by the OGC: what breaks C1 … C6, as a table.
+///
+/// The map need not be plane: borders that cross are cut on the finest grid.
+#[derive(Debug, clap::Args)]
+#[command(
+    name = "coverage",
+    after_help = "Examples:
+  twinedge query parcels.geojson coverage
+  twinedge query parcels.geojson coverage --rule C1 --sort area --limit 10
+  twinedge query counties.geojson coverage --geodesic --gap-width 0.0001 --format csv
+
+Exit status: 0 there is an answer, if only that there is nothing; 2 the input could not be read, or the coverage not judged."
+)]
+pub(super) struct CoverageOf {
+    #[command(flatten)]
+    asked: Asked,
+
+    #[command(flatten)]
+    measured: Measured,
+
+    /// List findings of this rule only: C1 to C6. Can be given several times.
+    #[arg(long, value_name = "RULE", value_parser = ["C1", "C2", "C3", "C4", "C5", "C6"])]
+    rule: Vec<String>,
+
+    /// What to sort by. Within each rule, the largest area comes first anyway.
+    #[arg(long, value_enum, default_value_t)]
+    sort: SortBy,
+
+    #[command(flatten)]
+    limit: Limit,
+
+    /// Output format.
+    #[arg(long, value_enum, default_value_t)]
+    format: TableFormat,
+}
+
+/// What findings are sorted by.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, ValueEnum)]
+enum SortBy {
+    /// The rule.
+    #[default]
+    Rule,
+    /// The area, the largest first.
+    Area,
+    /// The width, the greatest first.
+    Width,
+    /// The length of the borders, the longest first.
+    Length,
+}
+
+#[derive(Debug, Serialize)]
+struct Answer<'a> {
+    input: &'a str,
+    unit: &'static str,
+    coverage: Coverage,
+}
+
+const HEADINGS: [&str; 8] = ["rule", "kind", "features", "area", "width", "length", "x", "y"];
+
+impl CoverageOf {
+    pub(super) fn answer(&self, imported: &Imported) -> Result<(), Failure> {
+        let units = self.measured.units(imported)?;
+        let mut coverage = Coverage::new(imported, &self.asked, &units, usize::MAX);
+        if let Some(why) = coverage.not_checked() {
+            return Err(Failure(format!("{}: {why}", imported.name)));
+        }
+        let findings = coverage.findings_mut();
+        findings.retain(|entry| self.rule.is_empty() || self.rule.iter().any(|rule| rule == entry.rule()));
+        let greatest =
+            |measure: fn(&Entry) -> Option<f64>| move |entry: &Entry| measure(entry).unwrap_or(f64::NEG_INFINITY);
+        match self.sort {
+            SortBy::Rule => {}
+            SortBy::Area => greatest_first(findings, greatest(|entry| entry.area)),
+            SortBy::Width => greatest_first(findings, greatest(|entry| entry.width)),
+            SortBy::Length => greatest_first(findings, greatest(|entry| entry.length)),
+        }
+        self.limit.cut(findings);
+        match self.format {
+            TableFormat::Text => {
+                let mut out = String::new();
+                coverage.write_rules(&mut out, &self.asked)?;
+                out.push('\n');
+                for entry in coverage.findings_mut() {
+                    entry.write(&mut out)?;
+                }
+                print(&format!("{out}{QUIET}{}{QUIET:#}\n", units.sentence()))
+            }
+            TableFormat::Csv => print(&csv(coverage.findings_mut().iter().map(|entry| entry.row()), &HEADINGS)?),
+            TableFormat::Json => print_json(&Answer { input: &imported.name, unit: units.name(), coverage }),
+        }
+    }
+}

@@ -1,0 +1,47 @@
+//! Lists that can be sorted and cut.
+
+use crate::status::Failure;
+use clap::ValueEnum;
+use serde::Serialize;
+
+/// The output format of a table.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, ValueEnum)]
+pub(super) enum TableFormat {
+    /// Text.
+    #[default]
+    Text,
+    /// Comma-separated values, with a line of headings.
+    Csv,
+    /// One JSON object.
+    Json,
+}
+
+/// How many rows are wanted.
+#[derive(Debug, clap::Args)]
+pub(super) struct Limit {
+    /// Greatest number of rows; all by default.
+    #[arg(long, value_name = "N")]
+    limit: Option<usize>,
+}
+
+impl Limit {
+    /// Drops the rows after the last one wanted.
+    pub(super) fn cut<T>(&self, rows: &mut Vec<T>) {
+        rows.truncate(self.limit.unwrap_or(usize::MAX));
+    }
+}
+
+/// Sorts rows by a number, the greatest first; rows with the same number stay in order.
+pub(super) fn greatest_first<T>(rows: &mut [T], number: impl Fn(&T) -> f64) {
+    rows.sort_by(|a, b| number(b).total_cmp(&number(a)));
+}
+
+/// Rows as comma-separated values.
+pub(super) fn csv<T: Serialize>(rows: impl IntoIterator<Item = T>, headings: &[&str]) -> Result<String, Failure> {
+    let mut writer = csv::WriterBuilder::new().has_headers(false).from_writer(Vec::new());
+    writer.write_record(headings)?;
+    for row in rows {
+        writer.serialize(row)?;
+    }
+    Ok(String::from_utf8(writer.into_inner().map_err(|error| Failure(error.to_string()))?)?)
+}

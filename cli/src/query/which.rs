@@ -1,0 +1,70 @@
+//! Which feature a question is about.
+
+use super::asked::Asked;
+use super::names::find;
+use crate::noted::Condition;
+use crate::output::plain;
+use crate::status::Failure;
+use twinedge::map::FeatureId;
+
+/// A feature, by its name, its id or a column.
+#[derive(Debug, clap::Args)]
+#[group(multiple = false)]
+pub(super) struct Which {
+    /// The feature, by its name, or by # and its number, counted from 0.
+    name: Option<String>,
+
+    /// The feature, by its id in the file.
+    #[arg(long, value_name = "ID")]
+    id: Option<String>,
+
+    /// The feature that has this value in a column (property), as in `--where owner=Meier`.
+    #[arg(long = "where", value_name = "COLUMN=VALUE")]
+    condition: Option<Condition>,
+}
+
+impl Which {
+    /// What must be noted while the map is read.
+    pub(super) const fn condition(&self) -> Option<&Condition> {
+        self.condition.as_ref()
+    }
+
+    /// Whether a feature is asked for.
+    pub(super) const fn is_given(&self) -> bool {
+        self.name.is_some() || self.id.is_some() || self.condition.is_some()
+    }
+
+    /// The only feature that it can be.
+    pub(super) fn find(&self, asked: &Asked) -> Result<FeatureId, Failure> {
+        match self {
+            Self { name: Some(name), .. } => find(asked, name),
+            Self { id: Some(id), .. } => {
+                let ids = asked.noted.ids.iter().enumerate();
+                let found: Vec<usize> =
+                    ids.filter(|(_, other)| other.as_ref() == Some(id)).map(|(number, _)| number).collect();
+                only(asked, &found, &format!("the id {}", plain(id)))
+            }
+            Self { condition: Some(Condition { column, value }), .. } => {
+                only(asked, &asked.noted.matching, &format!("{} = {}", plain(column), plain(value)))
+            }
+            _ => Err(Failure("say which feature: NAME, --id or --where".to_owned())),
+        }
+    }
+}
+
+/// The only one of the features with these numbers.
+fn only(asked: &Asked, found: &[usize], what: &str) -> Result<FeatureId, Failure> {
+    let Asked { input, map, .. } = asked;
+    match *found {
+        [number] => map.feature(number).ok_or_else(|| Failure(format!("{input}: no feature has {what}"))),
+        [] => Err(Failure(format!("{input}: no feature has {what}"))),
+        _ => {
+            let numbers: Vec<String> = found.iter().map(|number| asked.hint(*number)).collect();
+            Err(Failure(format!(
+                "{input}: {} features have {what}; ask for one of {}",
+                found.len(),
+                numbers.join(", ")
+            )))
+        }
+    }
+}

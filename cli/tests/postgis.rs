@@ -1,0 +1,85 @@
+//! `twinedge postgis`, and `twinedge audit` of what `psql` writes then.
+
+mod support;
+
+use support::{complaint, json, twinedge, twinedge_reading};
+
+const TOWN: &[u8] = include_bytes!("../../formats/tests/postgis/data/town.copy");
+
+/// The town of which edge 1 has another `next_left_edge`.
+fn broken() -> Vec<u8> {
+    let mut bytes = TOWN.to_vec();
+    // The ids of edge 1: itself, its nodes, and its next edges 3 and −6.
+    let row: Vec<u8> =
+        [1, 1, 2, 3, 3, -6, 6, 2, 0].iter().flat_map(|id: &i32| [4_i32, *id]).flat_map(i32::to_be_bytes).collect();
+    let at = bytes.windows(row.len()).position(|window| window == row).expect("edge 1 is there");
+    // Two values of eight bytes before it, each with its length.
+    for column in [3, 4] {
+        bytes[at + 8 * column + 7] = 99;
+    }
+    bytes
+}
+
+#[test]
+fn the_commands_for_psql_are_printed() {
+    let output = twinedge(&["postgis", "--sql", "my \"old\" town"]);
+    assert_eq!(output.status.code(), Some(0));
+    let text = String::from_utf8(output.stdout).unwrap();
+    assert!(
+        text.contains(
+            "\nBEGIN TRANSACTION ISOLATION LEVEL REPEATABLE READ READ ONLY;\nCOPY \"my \"\"old\"\" town\".node ("
+        ),
+        "{text}"
+    );
+    assert_eq!(text.matches("TO STDOUT (FORMAT binary);\n").count(), 3);
+    assert!(text.ends_with("COMMIT;\n"));
+    assert_eq!(twinedge(&["postgis"]).status.code(), Some(2));
+}
+
+#[test]
+fn a_right_topology_is_valid() {
+    for arguments in [&["audit", "--postgis", "-"][..], &["audit", "-"]] {
+        let output = twinedge_reading(arguments, TOWN);
+        let text = String::from_utf8(output.stdout).unwrap();
+        assert_eq!(output.status.code(), Some(0), "{text}");
+        assert!(text.contains("\n  bends                                            16\n"), "{text}");
+        assert!(text.contains("\n  P4  cached     ok      36 values\n"), "{text}");
+        assert!(text.contains("valid: every rule that applies holds"), "{text}");
+    }
+}
+
+#[test]
+fn what_is_broken_is_named_by_ids_in_text_and_json() {
+    let sentence = "next_left_edge of edge 1 is 99, and there is no such edge";
+    let output = twinedge_reading(&["audit", "--postgis", "-", "--explain"], &broken());
+    let text = String::from_utf8(output.stdout).unwrap();
+    assert_eq!(output.status.code(), Some(1), "{text}");
+    assert!(text.contains(&format!("R1 {sentence}\n   at (0, 0) (40, 0)\nR1: usual cause: ")), "{text}");
+    assert!(text.contains("not valid: 1 violation"), "{text}");
+
+    let path = format!("{}/broken.copy", env!("CARGO_TARGET_TMPDIR"));
+    std::fs::write(&path, broken()).unwrap();
+    let (status, found) = json(&["audit", &path, "--format", "json", "--explain"]);
+    assert_eq!((status, &found["valid"]), (Some(1), &serde_json::json!(false)));
+    let violation = &found["violations"][0];
+    assert_eq!((&violation["rule"], &violation["message"]), (&"R1".into(), &sentence.into()));
+    assert!(violation["remedy"].as_str().is_some_and(|remedy| !remedy.is_empty()));
+    assert_eq!(found["rules"].as_array().unwrap().len(), 5 + 19);
+}
+
+#[test]
+fn what_psql_could_not_write_is_an_error() {
+    let failed = |arguments: &[&str], input: &[u8]| {
+        let output = twinedge_reading(arguments, input);
+        assert_eq!(output.status.code(), Some(2));
+        complaint(&output)
+    };
+    let audit = ["audit", "--postgis", "-"];
+    assert!(failed(&audit, b"").contains("the stream is empty"));
+    assert!(failed(&audit, &TOWN[..3000]).contains("table edge_data, row "));
+    assert!(failed(&audit, b"{\"type\": \"FeatureCollection\"}").contains("no binary COPY stream begins here, but `{"));
+    assert!(
+        failed(&["audit", "-", "--snap", "auto"], TOWN)
+            .contains("--snap is for maps, and this is a topology of PostGIS")
+    );
+}

@@ -1,0 +1,338 @@
+//! The audit of a topology: the validator's rules, and P0 … P4.
+
+use super::error::ReadError;
+use super::finding::{Finding, Findings, RULES};
+use super::mbr::Mbr;
+use super::message::message;
+use super::topology::Topology;
+use std::fmt;
+use twinedge::delegate_view;
+use twinedge::geometry::Point;
+use twinedge::validate::adapt::FaceLabels;
+use twinedge::validate::{Collect, Embedding, Expectation, Part, Report, Rule, Start, View};
+use twinedge::validate::{places, validate, validate_embedding};
+
+/// What an audit found. `Display` prints all of it as text; with the feature `serde` it is serialized as
+///
+/// ```text
+/// {
+///   "valid": false,
+///   "counts": {"nodes": 5, "isolated_nodes": 1, "edges": 5, "faces": 4, "components": 3, "bends": 7, "repeated_points": 0},
+///   "rules": [{"id": "P0", "name": "ids", "checked": 14, "unit": "rows", "violations": 0, "unchecked": null}, …],
+///   "violations": [{"rule": "R1", "kind": "dangling", "message": "next_left_edge of edge 3 is 99, and there is no such edge",
+///                   "at": [[10.0, 0.0], [10.0, 10.0]]}]
+/// }
+/// ```
+#[derive(Clone, Debug, PartialEq)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize))]
+pub struct TopologyAudit {
+    valid: bool,
+    counts: TopologyCounts,
+    rules: Vec<TopologyRule>,
+    violations: Vec<TopologyViolation>,
+}
+
+/// How many there are of everything.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize))]
+pub struct TopologyCounts {
+    /// Nodes.
+    pub nodes: usize,
+    /// Nodes without edges.
+    pub isolated_nodes: usize,
+    /// Edges.
+    pub edges: usize,
+    /// Faces, face 0 included.
+    pub faces: usize,
+    /// Connected components of nodes and edges, if they could be counted.
+    pub components: Option<usize>,
+    /// Points of lines between their ends.
+    pub bends: usize,
+    /// Points of lines that repeat the one before them. They are legal.
+    pub repeated_points: u64,
+}
+
+/// The outcome of a rule.
+#[derive(Clone, Debug, PartialEq, Eq)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize))]
+pub struct TopologyRule {
+    /// `P0` … `P4`, `R1` … `T4`, `G1` … `G5`.
+    pub id: &'static str,
+    /// Its name.
+    pub name: &'static str,
+    /// How many of its unit were checked.
+    pub checked: u64,
+    /// What is counted.
+    pub unit: &'static str,
+    /// How many violations there are, kept or not.
+    pub violations: u64,
+    /// Why it was not checked, or not on everything.
+    pub unchecked: Option<String>,
+}
+
+/// One violation, in the words of the database.
+#[derive(Clone, Debug, PartialEq)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize))]
+pub struct TopologyViolation {
+    /// The id of the rule.
+    pub rule: &'static str,
+    /// The name of the violation, in snake case.
+    pub kind: &'static str,
+    /// What is wrong, in a sentence with the ids of the database.
+    pub message: String,
+    /// Where it is: nodes, ends of edges, bends.
+    pub at: Vec<[f64; 2]>,
+    /// What usually causes it.
+    #[cfg_attr(feature = "serde", serde(skip))]
+    pub cause: &'static str,
+    /// What mends it.
+    #[cfg_attr(feature = "serde", serde(skip))]
+    pub remedy: &'static str,
+}
+
+/// The topology with what its columns imply: the lists of the faces.
+struct Listed<'a> {
+    labels: FaceLabels<&'a Topology>,
+    topology: &'a Topology,
+}
+
+impl View for Listed<'_> {
+    delegate_view!(|this| &this.labels; except inner_count, inner_start);
+
+    fn inner_count(&self, face: usize) -> usize {
+        self.labels.inner_count(face) + self.topology.contained(face).len()
+    }
+
+    fn inner_start(&self, face: usize, position: usize) -> Option<Start> {
+        let holes = self.labels.inner_count(face);
+        match position.checked_sub(holes) {
+            None => self.labels.inner_start(face, position),
+            Some(i) => self.topology.contained(face).get(i).map(|(_, node)| Start::Vertex(*node as usize)),
+        }
+    }
+}
+
+impl Embedding for Listed<'_> {
+    fn point(&self, vertex: usize) -> Point {
+        self.topology.point(vertex)
+    }
+
+    fn bends(&self, half_edge: usize) -> usize {
+        self.topology.bends(half_edge)
+    }
+
+    fn bend(&self, half_edge: usize, bend: usize) -> Point {
+        self.topology.bend(half_edge, bend)
+    }
+}
+
+/// What a topology has: twins, origins, `next` and the face of each half-edge.
+const EXPECTATION: Expectation =
+    Expectation::plane().without(Part::BoundaryComponents).without(Part::Prev).without(Part::Leaving);
+const GEOMETRIC: [Rule; 5] = [Rule::G1, Rule::G2, Rule::G3, Rule::G4, Rule::G5];
+
+/// Judges a topology. Up to `limit` violations are kept, those of the first rules before others; all are counted.
+///
+/// O(n log n) for n rows and bends, and p more for p pairs of segments whose boxes meet, if edges clash.
+///
+/// # Errors
+/// [`ReadError::OutOfMemory`].
+///
+/// ```
+/// use twinedge_formats::postgis::{audit, read};
+/// // What `psql` writes for a topology with nothing but face 0, and no `mbr`.
+/// let begin = b"PGCOPY\n\xff\r\n\0\0\0\0\0\0\0\0\0";
+/// let (end, face) = ([0xff; 2], [0, 2, 0, 0, 0, 4, 0, 0, 0, 0, 0xff, 0xff, 0xff, 0xff]);
+/// let streams = [&begin[..], &end, begin, &face, &end, begin, &end].concat();
+/// let found = audit(&read(&*streams, 100)?, 100)?;
+/// assert!(found.is_valid());
+/// assert_eq!(found.counts().faces, 1);
+/// # Ok::<(), twinedge_formats::postgis::ReadError>(())
+/// ```
+pub fn audit(topology: &Topology, limit: usize) -> Result<TopologyAudit, ReadError> {
+    let labels = FaceLabels::with_holes(topology, topology.universe()).ok_or(ReadError::OutOfMemory)?;
+    let view = Listed { labels, topology };
+    let ends_meet = topology.findings.counts[1] == 0;
+    let collect = Collect::AtMost(limit);
+    let report = if ends_meet {
+        validate_embedding(&view, &EXPECTATION, collect)
+    } else {
+        validate(&view, &EXPECTATION, collect)
+    };
+    let mut findings = topology.findings.clone();
+    let broken = |rule: &Rule| report.outcome(*rule).is_some_and(|outcome| outcome.violations > 0);
+    let mbrs_unchecked = [Rule::R1, Rule::L3, Rule::B1].into_iter().find(broken);
+    if mbrs_unchecked.is_none() {
+        boxes(topology, &mut findings);
+    }
+    let rules = rules(topology, &findings, &report, mbrs_unchecked);
+    let own = findings.kept.iter().map(|finding| TopologyViolation {
+        rule: finding.rule(),
+        kind: finding.kind(),
+        message: finding.to_string(),
+        at: place(topology, finding),
+        cause: finding.cause(),
+        remedy: finding.remedy(),
+    });
+    let theirs = report.violations().iter().map(|violation| TopologyViolation {
+        rule: violation.rule().id(),
+        kind: violation.kind(),
+        message: message(topology, violation),
+        at: places(&view, violation).into_iter().map(Into::into).collect(),
+        cause: violation.cause(),
+        remedy: violation.remedy(),
+    });
+    let mut violations: Vec<_> = own.chain(theirs).collect();
+    violations.sort_by_key(|one| rules.iter().position(|rule| rule.id == one.rule));
+    violations.truncate(limit);
+    let counts = TopologyCounts {
+        nodes: topology.nodes.len(),
+        isolated_nodes: report.counts().isolated_vertices,
+        edges: topology.edges.len(),
+        faces: topology.faces.len(),
+        components: report.counts().components,
+        bends: topology.bends.len(),
+        repeated_points: topology.repeated_points,
+    };
+    let valid = report.is_valid() && ends_meet && findings.counts.iter().all(|count| *count == 0);
+    Ok(TopologyAudit { valid, counts, rules, violations })
+}
+
+/// P4, for `mbr`.
+fn boxes(topology: &Topology, findings: &mut Findings) {
+    for (slot, mbr) in topology.mbrs.iter().enumerate().filter(|(slot, _)| topology.is_face(*slot)) {
+        let face = topology.faces.id(slot).unwrap_or_default();
+        match mbr {
+            Mbr::Null if face == 0 => {}
+            _ if face == 0 => findings.add(Finding::UniverseHasMbr { face }),
+            Mbr::Null => findings.add(Finding::MbrMissing { face }),
+            Mbr::NoBox => findings.add(Finding::MbrNotBox { face }),
+            Mbr::Is(found) if *found != topology.boxes[slot] => findings.add(Finding::MbrWrong { face }),
+            Mbr::Is(_) => {}
+        }
+    }
+}
+
+fn rules(topology: &Topology, findings: &Findings, report: &Report, mbrs: Option<Rule>) -> Vec<TopologyRule> {
+    let [nodes, faces, edges] = [&topology.nodes, &topology.faces, &topology.edges].map(|ids| ids.len() as u64);
+    let checked = [nodes + faces + edges, nodes + edges, nodes, faces, faces + 2 * edges];
+    let mut rules = Vec::new();
+    for (i, (id, name, unit)) in RULES.into_iter().enumerate() {
+        let unchecked = mbrs.filter(|_| id == "P4").map(|rule| format!("for mbr: needs {rule}, which is broken"));
+        rules.push(TopologyRule { id, name, checked: checked[i], unit, violations: findings.counts[i], unchecked });
+    }
+    rules.extend(report.outcomes().map(|(rule, outcome)| TopologyRule {
+        id: rule.id(),
+        name: rule.name(),
+        checked: outcome.checked,
+        unit: rule.unit(outcome.checked),
+        violations: outcome.violations,
+        unchecked: outcome.unchecked.map(|why| why.to_string()),
+    }));
+    let missing = GEOMETRIC.into_iter().filter(|rule| report.outcome(*rule).is_none());
+    rules.extend(missing.map(|rule| TopologyRule {
+        id: rule.id(),
+        name: rule.name(),
+        checked: 0,
+        unit: rule.unit(0),
+        violations: 0,
+        unchecked: Some("needs P1, which is broken".to_owned()),
+    }));
+    rules
+}
+
+/// Where a finding is: the node, or the ends of the edge.
+fn place(topology: &Topology, finding: &Finding) -> Vec<[f64; 2]> {
+    let node = |id: i64| topology.nodes.slot(id).map(|slot| topology.points[slot as usize].into());
+    let edge = |id: i64| {
+        let ends = topology.edges.slot(id).map(|slot| topology.ends[slot as usize]);
+        let points = ends.into_iter().flatten().filter_map(|node| topology.points.get(node as usize));
+        points.map(|p| (*p).into()).collect()
+    };
+    let mut at: Vec<[f64; 2]> = match *finding {
+        Finding::StartsElsewhere { edge: id, .. }
+        | Finding::EndsElsewhere { edge: id, .. }
+        | Finding::EdgeWithoutCurve { edge: id }
+        | Finding::EdgeNotCurve { edge: id, .. }
+        | Finding::AbsNextDiffers { edge: id, .. } => edge(id),
+        Finding::ConnectedHasContainingFace { node: id, .. } | Finding::NoSuchContainingFace { node: id, .. } => {
+            node(id).into_iter().collect()
+        }
+        _ => Vec::new(),
+    };
+    at.retain(|[x, y]| !x.is_nan() && !y.is_nan());
+    at
+}
+
+impl TopologyAudit {
+    /// Whether no rule is broken, and every rule that applies was checked.
+    #[must_use]
+    pub const fn is_valid(&self) -> bool {
+        self.valid
+    }
+
+    /// How many there are of everything.
+    #[must_use]
+    pub const fn counts(&self) -> &TopologyCounts {
+        &self.counts
+    }
+
+    /// The outcome of each rule: P0 … P4, then those of the validator.
+    #[must_use]
+    pub fn rules(&self) -> &[TopologyRule] {
+        &self.rules
+    }
+
+    /// The violations that were kept, in the order of the rules.
+    #[must_use]
+    pub fn violations(&self) -> &[TopologyViolation] {
+        &self.violations
+    }
+
+    /// How many violations there are, kept or not.
+    #[must_use]
+    pub fn violation_count(&self) -> u64 {
+        self.rules.iter().map(|rule| rule.violations).sum()
+    }
+}
+
+/// The counts come first, then the rules, the violations, and the verdict.
+impl fmt::Display for TopologyAudit {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        let TopologyCounts { nodes, isolated_nodes, edges, faces, components, bends, repeated_points } = self.counts;
+        let components = components.map_or_else(|| "unknown".to_owned(), |count| count.to_string());
+        for (what, count) in [
+            ("nodes (V)", nodes.to_string()),
+            ("edges (E)", edges.to_string()),
+            ("faces (F), face 0 included", faces.to_string()),
+            ("components", components),
+            ("isolated nodes", isolated_nodes.to_string()),
+            ("bends", bends.to_string()),
+            ("repeated points", repeated_points.to_string()),
+        ] {
+            writeln!(f, "{what:28} {count:>12}")?;
+        }
+        for TopologyRule { id, name, checked, unit, violations, unchecked } in &self.rules {
+            write!(f, "{id} {name:10} ")?;
+            match (violations, unchecked) {
+                (0, None) => writeln!(f, "ok, {checked} {unit}")?,
+                (0, Some(why)) => writeln!(f, "not checked: {why}")?,
+                (n, why) => {
+                    write!(f, "BROKEN, {n} violation{} in {checked} {unit}", if *n == 1 { "" } else { "s" })?;
+                    match why {
+                        Some(why) => writeln!(f, "; not checked {why}")?,
+                        None => writeln!(f)?,
+                    }
+                }
+            }
+        }
+        for TopologyViolation { rule, message, .. } in &self.violations {
+            writeln!(f, "{rule}: {message}")?;
+        }
+        let more = self.violation_count().saturating_sub(self.violations.len() as u64);
+        if more > 0 {
+            writeln!(f, "… and {more} more")?;
+        }
+        f.write_str(if self.valid { "valid" } else { "not valid" })
+    }
+}

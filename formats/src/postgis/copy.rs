@@ -1,0 +1,131 @@
+//! Binary COPY streams, one after another.
+
+use super::error::{Cause, Place, ReadError, TableName};
+use std::io::{BufRead, Read};
+
+/// How every binary COPY stream begins.
+pub(super) const SIGNATURE: &[u8; 11] = b"PGCOPY\n\xff\r\n\0";
+/// These flags change the format; the others may be ignored.
+const CRITICAL: u32 = 0xffff_0000;
+/// How many bytes of something else are shown.
+const SHOWN: usize = 24;
+
+/// The streams, and where in them reading has come to.
+pub(super) struct CopyReader<R> {
+    input: R,
+    byte: u64,
+    place: Place,
+    value: Vec<u8>,
+}
+
+impl<R: BufRead> CopyReader<R> {
+    pub(super) fn new(input: R) -> Self {
+        let place = Place { table: TableName::Node, row: 0, column: None };
+        Self { input, byte: 0, place, value: Vec::new() }
+    }
+
+    pub(super) fn error(&self, cause: Cause) -> ReadError {
+        ReadError::Content { byte: self.byte, place: self.place, cause }
+    }
+
+    /// The number of the row that was begun last.
+    pub(super) fn row(&self) -> u64 {
+        self.place.row
+    }
+
+    /// Reads the header of the stream of a table.
+    pub(super) fn begin(&mut self, table: TableName) -> Result<(), ReadError> {
+        self.place = Place { table, row: 0, column: None };
+        self.take(SIGNATURE.len() as u64)?;
+        if self.value != SIGNATURE {
+            if self.value.is_empty() && table == TableName::Node {
+                return Err(self.error(Cause::Empty));
+            }
+            if SIGNATURE.starts_with(&self.value) {
+                return Err(self.error(Cause::Truncated));
+            }
+            // The rest of the line says more about what it is.
+            let mut more = Vec::new();
+            (&mut self.input).take(SHOWN as u64).read_to_end(&mut more)?;
+            self.value.extend(more);
+            let text = String::from_utf8_lossy(&self.value);
+            let found: String = text.chars().take(SHOWN).flat_map(char::escape_debug).collect();
+            return Err(self.error(Cause::Signature { found: found.into() }));
+        }
+        self.byte += SIGNATURE.len() as u64;
+        let flags = u32::from_be_bytes(self.bytes()?);
+        if flags & CRITICAL != 0 {
+            return Err(self.error(Cause::Flags(flags)));
+        }
+        let extension = u64::from(u32::from_be_bytes(self.bytes()?));
+        self.take(extension)?;
+        self.advance(extension)
+    }
+
+    /// Begins the next row; false at the end of the stream.
+    pub(super) fn next_row(&mut self, columns: u16) -> Result<bool, ReadError> {
+        self.place.column = None;
+        self.place.row += 1;
+        match i16::from_be_bytes(self.bytes()?) {
+            -1 => Ok(false),
+            found if u16::try_from(found) == Ok(columns) => Ok(true),
+            found => Err(self.error(Cause::Columns { found, expected: columns })),
+        }
+    }
+
+    /// An integer of 4 or 8 bytes; none if it is null.
+    pub(super) fn integer(&mut self, column: &'static str) -> Result<Option<i64>, ReadError> {
+        self.place.column = Some(column);
+        match i32::from_be_bytes(self.bytes()?) {
+            4 => Ok(Some(i32::from_be_bytes(self.bytes()?).into())),
+            8 => Ok(Some(i64::from_be_bytes(self.bytes()?))),
+            -1 => Ok(None),
+            length => Err(self.error(usize::try_from(length).map_or(Cause::Length(length), Cause::Width))),
+        }
+    }
+
+    /// The bytes of a value; none if it is null. Memory grows with what is there, not with what is claimed.
+    pub(super) fn value(&mut self, column: &'static str) -> Result<Option<&[u8]>, ReadError> {
+        self.place.column = Some(column);
+        let length = i32::from_be_bytes(self.bytes()?);
+        match u64::try_from(length) {
+            Ok(length) => {
+                self.take(length)?;
+                self.advance(length)?;
+                Ok(Some(&self.value))
+            }
+            Err(_) if length == -1 => Ok(None),
+            Err(_) => Err(self.error(Cause::Length(length))),
+        }
+    }
+
+    /// Sees that nothing follows.
+    pub(super) fn end(&mut self) -> Result<(), ReadError> {
+        if self.input.fill_buf()?.is_empty() { Ok(()) } else { Err(self.error(Cause::Trailing)) }
+    }
+
+    /// Takes so many bytes, or what there is.
+    fn take(&mut self, count: u64) -> Result<(), ReadError> {
+        self.value.clear();
+        (&mut self.input).take(count).read_to_end(&mut self.value)?;
+        Ok(())
+    }
+
+    /// Goes on behind what was taken, if it was all there.
+    fn advance(&mut self, count: u64) -> Result<(), ReadError> {
+        self.byte += self.value.len() as u64;
+        if (self.value.len() as u64) < count { Err(self.error(Cause::Truncated)) } else { Ok(()) }
+    }
+
+    fn bytes<const N: usize>(&mut self) -> Result<[u8; N], ReadError> {
+        let mut bytes = [0; N];
+        match self.input.read_exact(&mut bytes) {
+            Ok(()) => {
+                self.byte += N as u64;
+                Ok(bytes)
+            }
+            Err(error) if error.kind() == std::io::ErrorKind::UnexpectedEof => Err(self.error(Cause::Truncated)),
+            Err(error) => Err(error.into()),
+        }
+    }
+}

@@ -1,0 +1,200 @@
+//! What only a topology of PostGIS can have wrong.
+
+use super::error::TableName;
+use super::ewkb::kind_name;
+use std::fmt;
+
+macro_rules! findings {
+    ($($rule:literal $variant:ident { $($field:ident: $type:ty),+ } $kind:literal $what:literal
+        cause $cause:literal remedy $remedy:literal;)*) => {
+        /// One broken rule P0 … P4, with the ids of the database. `Display` says in a sentence what is wrong.
+        #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
+        #[non_exhaustive]
+        #[allow(missing_docs, reason = "the fields are named after tables and columns, and each variant says what they are")]
+        pub enum Finding {
+            $(#[doc = concat!($rule, ": ", $what)] $variant { $($field: $type),+ },)*
+        }
+
+        impl Finding {
+            /// The rule: `P0` and so on.
+            #[must_use]
+            pub const fn rule(&self) -> &'static str {
+                match self { $(Self::$variant { .. } => $rule,)* }
+            }
+
+            /// The name of the finding, in snake case. Names do not change between versions.
+            #[must_use]
+            pub const fn kind(&self) -> &'static str {
+                match self { $(Self::$variant { .. } => $kind,)* }
+            }
+
+            /// What usually causes it.
+            #[must_use]
+            pub const fn cause(&self) -> &'static str {
+                match self { $(Self::$variant { .. } => $cause,)* }
+            }
+
+            /// What mends it.
+            #[must_use]
+            pub const fn remedy(&self) -> &'static str {
+                match self { $(Self::$variant { .. } => $remedy,)* }
+            }
+        }
+    };
+}
+
+findings! {
+    "P0" IdMissing { table: TableName, row: u64 } "id_missing"
+        "a row has no id. It is left out. Rows are counted from 1 in the order of the stream."
+        cause "the primary key was dropped" remedy "delete the row, or give it an id, and restore the primary key";
+    "P0" IdRepeated { table: TableName, id: i64 } "id_repeated"
+        "two rows have the same id. The second is left out."
+        cause "the primary key was dropped, or its index is corrupt" remedy "delete one of the rows, and restore the primary key";
+    "P0" EdgeIdNotPositive { edge: i64 } "edge_id_not_positive"
+        "the id of an edge is 0 or negative, so a sign cannot say which side is meant. The edge is left out."
+        cause "ids were assigned by hand, or the sequence was reset" remedy "give the edge a new id, and change what refers to it";
+    "P1" NodeWithoutPoint { node: i64 } "node_without_point"
+        "the geometry of a node is null, or a point without coordinates."
+        cause "the column was updated by an expression that is null" remedy "set it to the end of an edge of the node";
+    "P1" NodeNotPoint { node: i64, geometry: u32 } "node_not_point"
+        "the geometry of a node is of another type."
+        cause "the type of the column was changed" remedy "set it to the end of an edge of the node";
+    "P1" EdgeWithoutCurve { edge: i64 } "edge_without_curve"
+        "the geometry of an edge is null, or has fewer than two points."
+        cause "the column was updated by an expression that is null" remedy "restore the line, or remove the edge by `ST_RemEdgeModFace`";
+    "P1" EdgeNotCurve { edge: i64, geometry: u32 } "edge_not_curve"
+        "the geometry of an edge is no line."
+        cause "the type of the column was changed" remedy "restore the line";
+    "P1" StartsElsewhere { edge: i64, node: i64 } "starts_elsewhere"
+        "the line of an edge does not start at its start node."
+        cause "a line or a node was moved by a plain UPDATE, or the line was reversed" remedy "use `ST_ChangeEdgeGeom` and `ST_MoveIsoNode`";
+    "P1" EndsElsewhere { edge: i64, node: i64 } "ends_elsewhere"
+        "the line of an edge does not end at its end node."
+        cause "a line or a node was moved by a plain UPDATE, or the line was reversed" remedy "use `ST_ChangeEdgeGeom` and `ST_MoveIsoNode`";
+    "P1" OtherReferenceSystem { table: TableName, id: i64, srid: u32, first: u32 } "other_reference_system"
+        "a geometry has another reference system than the first one of the topology."
+        cause "a geometry was written without `ST_Transform`" remedy "transform it, or set the number by `ST_SetSRID` if only that is wrong";
+    "P2" ConnectedHasContainingFace { node: i64, face: i64 } "connected_has_containing_face"
+        "a node with edges has a `containing_face`."
+        cause "an edge was inserted by hand at an isolated node" remedy "set `containing_face` to null";
+    "P2" NoSuchContainingFace { node: i64, face: i64 } "no_such_containing_face"
+        "the `containing_face` of a node is no face."
+        cause "the face was deleted, with its foreign key switched off" remedy "set it to the result of `GetFaceContainingPoint`";
+    "P3" FaceWithoutEdges { face: i64 } "face_without_edges"
+        "no edge names the face."
+        cause "a face was inserted by hand, or its edges were relabelled" remedy "delete the row, or restore `left_face` and `right_face` of its edges";
+    "P4" MbrMissing { face: i64 } "mbr_missing"
+        "the `mbr` of a face is null."
+        cause "the row was inserted by hand" remedy "set it to `ST_Envelope(ST_GetFaceGeometry(topology, face))`";
+    "P4" MbrNotBox { face: i64 } "mbr_not_box"
+        "the `mbr` of a face is no rectangle along the axes."
+        cause "the column was updated by hand" remedy "set it to `ST_Envelope(ST_GetFaceGeometry(topology, face))`";
+    "P4" MbrWrong { face: i64 } "mbr_wrong"
+        "the `mbr` of a face is not the box around the edges that name it."
+        cause "an edge was moved, and the column was not updated" remedy "set it to `ST_Envelope(ST_GetFaceGeometry(topology, face))`";
+    "P4" UniverseHasMbr { face: i64 } "universe_has_mbr"
+        "the `mbr` of face 0 is not null."
+        cause "the column of all faces was updated" remedy "set it to null";
+    "P4" AbsNextDiffers { edge: i64, column: TopologyColumn, found: Option<i64> } "abs_next_differs"
+        "an `abs_next_…` column is not the absolute value of the column that it belongs to."
+        cause "a link was updated, and the column beside it was not" remedy "set it to `abs(next_left_edge)` or `abs(next_right_edge)`";
+}
+
+/// A column that keeps the absolute value of another.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
+#[allow(missing_docs, reason = "the names are those of the columns")]
+pub enum TopologyColumn {
+    AbsNextLeftEdge,
+    AbsNextRightEdge,
+}
+
+impl fmt::Display for TopologyColumn {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        f.write_str(match self {
+            Self::AbsNextLeftEdge => "abs_next_left_edge",
+            Self::AbsNextRightEdge => "abs_next_right_edge",
+        })
+    }
+}
+
+impl fmt::Display for Finding {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        match *self {
+            Self::IdMissing { table, row } => write!(f, "row {row} of table {table} has no id"),
+            Self::IdRepeated { table, id } => write!(f, "two rows of table {table} have the id {id}"),
+            Self::EdgeIdNotPositive { edge } => write!(f, "edge {edge} has an id that is not positive"),
+            Self::NodeWithoutPoint { node } => write!(f, "node {node} has no point"),
+            Self::NodeNotPoint { node, geometry } => {
+                write!(f, "the geometry of node {node} is {}, no point", kind_name(geometry))
+            }
+            Self::EdgeWithoutCurve { edge } => write!(f, "edge {edge} has no line of two points or more"),
+            Self::EdgeNotCurve { edge, geometry } => {
+                write!(f, "the geometry of edge {edge} is {}, no line", kind_name(geometry))
+            }
+            Self::StartsElsewhere { edge, node } => {
+                write!(f, "the line of edge {edge} starts elsewhere than at its start node {node}")
+            }
+            Self::EndsElsewhere { edge, node } => {
+                write!(f, "the line of edge {edge} ends elsewhere than at its end node {node}")
+            }
+            Self::OtherReferenceSystem { table, id, srid, first } => {
+                let column = if table == TableName::Face { "mbr" } else { "geom" };
+                write!(
+                    f,
+                    "{column} of {table} {id} has the reference system {srid}, where the first geometry has {first}"
+                )
+            }
+            Self::ConnectedHasContainingFace { node, face } => {
+                write!(f, "node {node} has edges, but its containing_face is {face} instead of null")
+            }
+            Self::NoSuchContainingFace { node, face } => {
+                write!(f, "the containing_face of node {node} is {face}, and there is no such face with edges")
+            }
+            Self::FaceWithoutEdges { face } => write!(f, "no edge names face {face} as its left or right face"),
+            Self::MbrMissing { face } => write!(f, "the mbr of face {face} is null"),
+            Self::MbrNotBox { face } => write!(f, "the mbr of face {face} is no rectangle along the axes"),
+            Self::MbrWrong { face } => write!(f, "the mbr of face {face} is not the box around its edges"),
+            Self::UniverseHasMbr { face } => write!(f, "the mbr of face {face}, which has no outside, is not null"),
+            Self::AbsNextDiffers { edge, column, found } => {
+                write!(f, "{column} of edge {edge} is ")?;
+                match found {
+                    Some(found) => write!(f, "{found}")?,
+                    None => f.write_str("null")?,
+                }
+                f.write_str(", not the absolute value of the link beside it")
+            }
+        }
+    }
+}
+
+/// The findings, of which some are kept, and how many there are of each rule.
+#[derive(Clone, Debug, Default)]
+pub(super) struct Findings {
+    pub(super) kept: Vec<Finding>,
+    pub(super) counts: [u64; 5],
+    cap: usize,
+}
+
+/// The rules, by their ids.
+pub(super) const RULES: [(&str, &str, &str); 5] = [
+    ("P0", "ids", "rows"),
+    ("P1", "ends", "nodes and edges"),
+    ("P2", "containing", "nodes"),
+    ("P3", "edges", "faces"),
+    ("P4", "cached", "values"),
+];
+
+impl Findings {
+    /// Keeps up to so many of each rule.
+    pub(super) fn new(cap: usize) -> Self {
+        Self { cap, ..Self::default() }
+    }
+
+    pub(super) fn add(&mut self, finding: Finding) {
+        let rule = RULES.iter().position(|(id, _, _)| *id == finding.rule()).unwrap_or_default();
+        self.counts[rule] += 1;
+        if self.counts[rule] <= self.cap as u64 {
+            self.kept.push(finding);
+        }
+    }
+}

@@ -1,0 +1,48 @@
+//! Violations of the validator in the words of the database.
+
+use super::topology::{Column, Topology};
+use twinedge::validate::{Field, Record, Violation};
+
+/// The column that is a field of a half-edge.
+const fn column(half_edge: usize, field: Field) -> Option<Column> {
+    Some(match (field, half_edge.is_multiple_of(2)) {
+        (Field::Origin, true) => Column::StartNode,
+        (Field::Origin, false) => Column::EndNode,
+        (Field::Next, true) => Column::NextLeftEdge,
+        (Field::Next, false) => Column::NextRightEdge,
+        (Field::Face, true) => Column::LeftFace,
+        (Field::Face, false) => Column::RightFace,
+        _ => return None,
+    })
+}
+
+/// A violation in a sentence that names database ids, and columns where that is plainer.
+pub(super) fn message(topology: &Topology, violation: &Violation) -> String {
+    let edge = |h: usize| topology.edges.id(h / 2).unwrap_or_default();
+    match *violation {
+        Violation::Nil { record: Record::HalfEdge(h), field } => {
+            if let Some(column) = column(h, field) {
+                return format!("{} of edge {} is null", column.name(), edge(h));
+            }
+        }
+        Violation::Dangling { record: Record::HalfEdge(h), field, .. } => {
+            if let Some(column) = column(h, field) {
+                let what = match field {
+                    Field::Origin => "node",
+                    Field::Next => "edge",
+                    _ => "face",
+                };
+                if let Some(named) = topology.unknown(h / 2, column) {
+                    let (name, edge) = (column.name(), edge(h));
+                    return format!("{name} of edge {edge} is {named}, and there is no such {what}");
+                }
+            }
+        }
+        Violation::IsolatedUnclaimed { vertex } => {
+            let node = topology.name(Record::Vertex(vertex));
+            return format!("node {node} has no edges, and no face contains it");
+        }
+        _ => {}
+    }
+    violation.named(|record| topology.name(record)).to_string()
+}

@@ -1,0 +1,253 @@
+//! Every finding, made from the map that PostGIS wrote, with its sentence.
+
+use crate::support::{ABS_NEXT_LEFT, EDGE, FACE, GEOM, LEFT_FACE, NEXT_LEFT, NODE, Rows, START, TOWN};
+use crate::support::{int, line, point, polygon};
+use std::collections::BTreeSet;
+use twinedge_formats::postgis::TopologyAudit;
+
+/// The audit of the town after a change.
+fn changed(change: impl FnOnce(&mut Rows)) -> TopologyAudit {
+    let mut rows = Rows::of(TOWN);
+    change(&mut rows);
+    rows.audit()
+}
+
+/// The rules that are broken.
+fn broken(audit: &TopologyAudit) -> Vec<&'static str> {
+    audit.rules().iter().filter(|rule| rule.violations > 0).map(|rule| rule.id).collect()
+}
+
+/// A change, the rules that it breaks, and the sentence of one of the violations.
+type Case = (&'static str, fn(&mut Rows), &'static [&'static str], &'static str);
+
+const CASES: &[Case] = &[
+    ("id_missing", |rows| rows.row(NODE, 13)[0] = None, &["P0"], "row 13 of table node has no id"),
+    (
+        "id_repeated",
+        |rows| {
+            let copy = rows.row(EDGE, 5).clone();
+            rows.0[EDGE].push(copy);
+        },
+        &["P0"],
+        "two rows of table edge_data have the id 5",
+    ),
+    (
+        "edge_id_not_positive",
+        |rows| rows.row(EDGE, 10)[0] = int(-10),
+        &["P0", "R1", "B2"],
+        "edge -10 has an id that is not positive",
+    ),
+    ("node_without_point", |rows| rows.row(NODE, 13)[2] = None, &["P1"], "node 13 has no point"),
+    ("node_without_point", |rows| rows.row(NODE, 3)[2] = point(f64::NAN, f64::NAN), &["P1"], "node 3 has no point"),
+    (
+        "node_not_point",
+        |rows| rows.row(NODE, 13)[2] = line(&[[0.0, 0.0], [1.0, 0.0]]),
+        &["P1"],
+        "the geometry of node 13 is a line, no point",
+    ),
+    ("edge_without_curve", |rows| rows.row(EDGE, 5)[GEOM] = None, &["P1"], "edge 5 has no line of two points or more"),
+    (
+        "edge_not_curve",
+        |rows| rows.row(EDGE, 5)[GEOM] = Some(vec![1, 8, 0, 0, 0, 0, 0, 0, 0]),
+        &["P1"],
+        "the geometry of edge 5 is a circular string, no line",
+    ),
+    (
+        "starts_elsewhere",
+        |rows| rows.row(EDGE, 5)[GEOM] = line(&[[41.0, 60.0], [40.0, 100.0]]),
+        &["P1", "P4"],
+        "the line of edge 5 starts elsewhere than at its start node 3",
+    ),
+    (
+        "ends_elsewhere",
+        |rows| rows.row(EDGE, 5)[GEOM] = line(&[[40.0, 60.0], [40.0, 99.0]]),
+        &["P1"],
+        "the line of edge 5 ends elsewhere than at its end node 4",
+    ),
+    (
+        "other_reference_system",
+        |rows| {
+            let geom = rows.row(EDGE, 5)[GEOM].as_mut().unwrap();
+            geom[4] = 0x20;
+            geom.splice(5..5, 4326_u32.to_le_bytes());
+        },
+        &["P1"],
+        "geom of edge_data 5 has the reference system 4326, where the first geometry has 0",
+    ),
+    (
+        "connected_has_containing_face",
+        |rows| rows.row(NODE, 3)[1] = int(2),
+        &["P2"],
+        "node 3 has edges, but its containing_face is 2 instead of null",
+    ),
+    (
+        "no_such_containing_face",
+        |rows| rows.row(NODE, 13)[1] = int(99),
+        &["P2", "B2"],
+        "the containing_face of node 13 is 99, and there is no such face with edges",
+    ),
+    (
+        "isolated_unclaimed",
+        |rows| rows.row(NODE, 13)[1] = None,
+        &["B2"],
+        "node 13 has no edges, and no face contains it",
+    ),
+    (
+        "face_without_edges",
+        |rows| rows.0[FACE].push(vec![int(99), None]),
+        &["P3"],
+        "no edge names face 99 as its left or right face",
+    ),
+    ("mbr_missing", |rows| rows.row(FACE, 3)[1] = None, &["P4"], "the mbr of face 3 is null"),
+    (
+        "mbr_not_box",
+        |rows| rows.row(FACE, 6)[1] = polygon(&[[200.0, 0.0], [210.0, 0.0], [205.0, 10.0], [200.0, 0.0]]),
+        &["P4"],
+        "the mbr of face 6 is no rectangle along the axes",
+    ),
+    (
+        "mbr_wrong",
+        |rows| {
+            let ring = [[200.0, 0.0], [200.0, 10.0], [211.0, 10.0], [211.0, 0.0], [200.0, 0.0]];
+            rows.row(FACE, 6)[1] = polygon(&ring);
+        },
+        &["P4"],
+        "the mbr of face 6 is not the box around its edges",
+    ),
+    (
+        "universe_has_mbr",
+        |rows| rows.row(FACE, 0)[1] = polygon(&[[0.0, 0.0], [0.0, 1.0], [1.0, 1.0], [1.0, 0.0], [0.0, 0.0]]),
+        &["P4"],
+        "the mbr of face 0, which has no outside, is not null",
+    ),
+    (
+        "abs_next_differs",
+        |rows| rows.row(EDGE, 1)[ABS_NEXT_LEFT] = int(-3),
+        &["P4"],
+        "abs_next_left_edge of edge 1 is -3, not the absolute value of the link beside it",
+    ),
+    (
+        "dangling",
+        |rows| rows.row(EDGE, 1)[NEXT_LEFT] = int(-99),
+        &["P4", "R1"],
+        "next_left_edge of edge 1 is -99, and there is no such edge",
+    ),
+    (
+        "dangling",
+        |rows| rows.row(EDGE, 1)[START] = int(99),
+        &["R1"],
+        "start_node of edge 1 is 99, and there is no such node",
+    ),
+    (
+        "dangling",
+        |rows| rows.row(EDGE, 1)[LEFT_FACE] = int(99),
+        &["R1"],
+        "left_face of edge 1 is 99, and there is no such face",
+    ),
+    ("nil", |rows| rows.row(EDGE, 1)[START] = None, &["R1"], "start_node of edge 1 is null"),
+    (
+        "next_shared",
+        |rows| {
+            rows.row(EDGE, 1)[NEXT_LEFT] = int(2);
+            rows.row(EDGE, 1)[ABS_NEXT_LEFT] = int(2);
+        },
+        &["L2", "B1"],
+        "half-edges +1 and -3 both have next +2, so one of their cycles never closes",
+    ),
+    (
+        "face_changes",
+        |rows| rows.row(EDGE, 1)[LEFT_FACE] = int(3),
+        &["B1"],
+        "half-edge +6 bounds face 2, its next +1 bounds 3",
+    ),
+    (
+        "segments_cross",
+        |rows| rows.row(EDGE, 3)[GEOM] = line(&[[40.0, 0.0], [-5.0, 30.0], [40.0, 60.0]]),
+        &["P4", "G4"],
+        "segment 0 of half-edge +6 and segment 0 of half-edge +3 cross where no vertex is: the map is not plane",
+    ),
+    (
+        "bend_not_finite",
+        |rows| rows.row(EDGE, 3)[GEOM] = line(&[[40.0, 0.0], [f64::INFINITY, 30.0], [40.0, 60.0]]),
+        &["P4", "G1"],
+        "bend 0 of half-edge +3 has a coordinate that is not finite, or out of range",
+    ),
+    (
+        "wrong_face",
+        |rows| rows.row(NODE, 13)[1] = int(3),
+        &["G5"],
+        "the inner boundary component at vertex 13 is listed by face 3, but lies in face 2",
+    ),
+];
+
+#[test]
+fn each_change_breaks_its_rules_and_is_named_by_ids() {
+    let mut kinds = BTreeSet::new();
+    for (kind, change, rules, sentence) in CASES {
+        let audit = changed(*change);
+        assert_eq!(broken(&audit), *rules, "{kind}\n{audit}");
+        assert!(!audit.is_valid());
+        let found = audit.violations().iter().find(|one| one.kind == *kind && one.message.starts_with(sentence));
+        assert!(found.is_some(), "{kind}: {sentence}\n{audit}");
+        assert!(audit.to_string().contains(sentence));
+        kinds.insert(*kind);
+    }
+    // All kinds of rules P0 … P4 that there are, as the source lists them.
+    let source = include_str!("../../src/postgis/finding.rs");
+    let list = source.split("\nfindings! {").nth(1).and_then(|rest| rest.split("\n}").next()).expect("there is a list");
+    for row in list.lines().filter(|row| row.starts_with("    \"P")) {
+        let kind = row.split('"').nth(3).expect("a row names its kind");
+        assert!(kinds.contains(kind), "no case for {kind}");
+    }
+}
+
+#[test]
+fn places_are_those_of_the_records_and_bends() {
+    let audit = changed(|rows| rows.row(EDGE, 3)[GEOM] = line(&[[40.0, 0.0], [-5.0, 30.0], [40.0, 60.0]]));
+    let cross = audit.violations().iter().find(|one| one.kind == "segments_cross").expect("they cross");
+    assert_eq!(cross.at, [[0.0, 50.0], [0.0, 0.0], [40.0, 0.0], [-5.0, 30.0]]);
+    let audit = changed(|rows| rows.row(NODE, 3)[1] = int(2));
+    assert_eq!(audit.violations()[0].at, [[40.0, 60.0]]);
+}
+
+#[test]
+fn rules_that_need_a_broken_one_are_not_checked() {
+    let audit = changed(|rows| rows.row(EDGE, 5)[GEOM] = None);
+    let unchecked = |id: &str| audit.rules().iter().find(|rule| rule.id == id).and_then(|rule| rule.unchecked.clone());
+    for id in ["G1", "G2", "G3", "G4", "G5"] {
+        assert_eq!(unchecked(id).as_deref(), Some("needs P1, which is broken"));
+    }
+    let audit = changed(|rows| rows.row(EDGE, 1)[LEFT_FACE] = int(3));
+    let p4 = audit.rules().iter().find(|rule| rule.id == "P4").expect("it is listed");
+    assert_eq!(p4.unchecked.as_deref(), Some("for mbr: needs B1, which is broken"));
+}
+
+#[test]
+fn all_are_counted_and_as_many_kept_as_asked() {
+    let mut rows = Rows::of(TOWN);
+    for row in &mut rows.0[EDGE] {
+        row[ABS_NEXT_LEFT] = None;
+    }
+    let topology = twinedge_formats::postgis::read(&*rows.bytes(), 3).unwrap();
+    let audit = twinedge_formats::postgis::audit(&topology, 3).unwrap();
+    assert_eq!((audit.violations().len(), audit.violation_count()), (3, 14));
+    assert!(audit.to_string().contains("… and 11 more"));
+}
+
+#[test]
+#[cfg(feature = "serde")]
+fn an_audit_is_one_object() {
+    let audit = changed(|rows| rows.row(EDGE, 1)[NEXT_LEFT] = int(-99));
+    let value = serde_json::to_value(&audit).unwrap();
+    assert_eq!(value["valid"], false);
+    assert_eq!(value["counts"]["edges"], 14);
+    assert_eq!(
+        value["rules"][0],
+        serde_json::json!({
+            "id": "P0", "name": "ids", "checked": 38, "unit": "rows", "violations": 0, "unchecked": null
+        })
+    );
+    let dangling = value["violations"].as_array().unwrap().iter().find(|one| one["rule"] == "R1").unwrap();
+    assert_eq!(dangling["message"], "next_left_edge of edge 1 is -99, and there is no such edge");
+    assert_eq!(dangling["at"], serde_json::json!([[0.0, 0.0], [40.0, 0.0]]));
+}

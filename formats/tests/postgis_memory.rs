@@ -1,0 +1,53 @@
+//! What a stream claims costs no memory.
+
+use std::alloc::{GlobalAlloc, Layout, System};
+use std::sync::atomic::{AtomicUsize, Ordering::Relaxed};
+use twinedge_formats::postgis::read;
+
+struct Counting;
+
+static NOW: AtomicUsize = AtomicUsize::new(0);
+static PEAK: AtomicUsize = AtomicUsize::new(0);
+
+#[allow(unsafe_code, reason = "an allocator that counts and passes everything on")]
+// SAFETY: every call goes to the allocator of the system as it is.
+unsafe impl GlobalAlloc for Counting {
+    unsafe fn alloc(&self, layout: Layout) -> *mut u8 {
+        let now = NOW.fetch_add(layout.size(), Relaxed) + layout.size();
+        PEAK.fetch_max(now, Relaxed);
+        // SAFETY: as above.
+        unsafe { System.alloc(layout) }
+    }
+
+    unsafe fn dealloc(&self, at: *mut u8, layout: Layout) {
+        NOW.fetch_sub(layout.size(), Relaxed);
+        // SAFETY: as above.
+        unsafe { System.dealloc(at, layout) }
+    }
+}
+
+#[global_allocator]
+static COUNTING: Counting = Counting;
+
+#[test]
+fn claims_cost_nothing() {
+    let header: &[u8] = b"PGCOPY\n\xff\r\n\0\0\0\0\0";
+    let begun = [header, &[0; 4]].concat();
+    let long: &[u8] = &[0x7f, 0xff, 0xff, 0xff];
+    let node: &[u8] = &[0, 3, 0, 0, 0, 4, 0, 0, 0, 1, 0xff, 0xff, 0xff, 0xff];
+    let empty_table: &[u8] = &[0xff, 0xff];
+    for bytes in [
+        // An extension of the header, a geometry, a line and a polygon of 2³¹ bytes, points or rings.
+        [header, &[0xff; 4]].concat(),
+        [&begun, node, long, &[1, 1]].concat(),
+        [&begun, node, &[0, 0, 0, 9], &[1, 2, 0, 0, 0, 0xff, 0xff, 0xff, 0x7f]].concat(),
+        [&begun, empty_table, &begun, &[0, 2, 0, 0, 0, 4, 0, 0, 0, 1], &[0, 0, 0, 9], &[1, 3, 0, 0, 0], &[0xff; 4]]
+            .concat(),
+    ] {
+        let before = NOW.load(Relaxed);
+        PEAK.store(before, Relaxed);
+        assert!(read(&*bytes, 100).is_err());
+        let used = PEAK.load(Relaxed) - before;
+        assert!(used < 20_000, "{used} bytes for a stream of {}", bytes.len());
+    }
+}

@@ -1,0 +1,81 @@
+//! Asking a map all rules of a coverage that a map can answer.
+
+use super::claims::faces_by_feature;
+use super::duplicate::{duplicates, first_like};
+use super::finding::{CoverageRule, Finding, Limits};
+use super::gap::gaps;
+use super::near_miss::near_misses;
+use super::overlap::overlaps;
+use super::sliver::slivers;
+use crate::map::PlanarMap;
+use thiserror::Error;
+
+/// What C1 … C5 found on a map.
+#[derive(Clone, Debug, PartialEq)]
+#[non_exhaustive]
+pub struct Coverage {
+    /// In order of the rules; those of one rule by falling area.
+    pub findings: Vec<Finding>,
+    /// The greatest width of a near miss that was asked for or chosen.
+    pub gap_width: f64,
+    /// The area of slivers that was asked for or chosen.
+    pub sliver_area: f64,
+}
+
+impl Coverage {
+    /// What one rule found. O(findings).
+    pub fn of(&self, rule: CoverageRule) -> impl Iterator<Item = &Finding> {
+        self.findings.iter().filter(move |finding| finding.rule == rule)
+    }
+}
+
+/// Why a map cannot be asked.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash, Error)]
+#[non_exhaustive]
+pub enum CoverageError {
+    /// The map is not plane, so it is not known what the features cover.
+    #[error("the map is not plane, so it is not known what the features cover")]
+    NotPlane,
+}
+
+/// Finds what breaks C1 … C5. C6 is asked of shapes: [`defects`](super::defects).
+///
+/// O(n log n + c) for n half-edges and faces, each counted once for each feature that covers it, and c pairs of edges on the
+/// outside whose boxes come as near as the width asked for.
+///
+/// ```
+/// use twinedge::algorithm::coverage::{CoverageRule, Limits, check};
+/// use twinedge::map::{Builder, Noding, Shape};
+///
+/// // Two parcels; the right one begins half a unit inside the left one.
+/// let parcel = |x: f64| [[x, 0.0], [x + 10.0, 0.0], [x + 10.0, 10.0], [x, 10.0]].map(Into::into).to_vec();
+/// let mut builder = Builder::new();
+/// builder.shape(&Shape::Polygon(vec![parcel(0.0)]))?;
+/// builder.shape(&Shape::Polygon(vec![parcel(9.5)]))?;
+/// let map = builder.build_with(Noding::Exact)?;
+/// let coverage = check(&map, &Limits::default())?;
+/// let [overlap] = &coverage.findings[..] else { unreachable!("nothing else is wrong") };
+/// assert_eq!((overlap.rule, overlap.area, overlap.length), (CoverageRule::Overlap, 5.0, 21.0));
+/// assert!((overlap.width - 0.476).abs() < 0.001);
+/// # Ok::<(), Box<dyn std::error::Error>>(())
+/// ```
+///
+/// # Errors
+/// [`CoverageError::NotPlane`]; build such a map [with snapping](crate::map::Noding::Snap).
+pub fn check(map: &PlanarMap, limits: &Limits) -> Result<Coverage, CoverageError> {
+    if !map.is_plane() {
+        return Err(CoverageError::NotPlane);
+    }
+    let faces = faces_by_feature(map);
+    let first_like = first_like(map, &faces);
+    let gaps = gaps(map, limits);
+    let (near_misses, gap_width) = near_misses(map, &gaps.open, limits);
+    let (slivers, sliver_area) = slivers(map, &faces, limits);
+    let duplicates = duplicates(map, &faces, &first_like);
+    let mut findings = Vec::new();
+    for mut found in [overlaps(map, &first_like), gaps.findings, near_misses, slivers, duplicates] {
+        found.sort_by(|a, b| b.area.total_cmp(&a.area));
+        findings.append(&mut found);
+    }
+    Ok(Coverage { findings, gap_width, sliver_area })
+}

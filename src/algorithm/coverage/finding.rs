@@ -1,0 +1,112 @@
+//! The rules of a coverage, and what one of them found.
+
+use crate::dcel::FaceKey;
+use crate::geometry::Point;
+use crate::map::FeatureId;
+use core::fmt;
+
+/// A rule of a coverage. Its features lie side by side, which breaks none.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord, Hash)]
+#[non_exhaustive]
+pub enum CoverageRule {
+    /// C1: no face is claimed by two features.
+    Overlap,
+    /// C2: no bounded face is unclaimed.
+    Gap,
+    /// C3: borders of two features coincide or are farther apart than a given width.
+    NearMiss,
+    /// C4: no part of a feature is both small and thin.
+    Sliver,
+    /// C5: no two features claim the same faces.
+    Duplicate,
+    /// C6: the polygons of each feature are valid by the rules of the OGC.
+    Validity,
+}
+
+impl CoverageRule {
+    /// All, in order of their ids.
+    pub const ALL: [Self; 6] =
+        [Self::Overlap, Self::Gap, Self::NearMiss, Self::Sliver, Self::Duplicate, Self::Validity];
+
+    /// The id: `C1` to `C6`.
+    #[must_use]
+    pub const fn id(self) -> &'static str {
+        match self {
+            Self::Overlap => "C1",
+            Self::Gap => "C2",
+            Self::NearMiss => "C3",
+            Self::Sliver => "C4",
+            Self::Duplicate => "C5",
+            Self::Validity => "C6",
+        }
+    }
+
+    /// The name.
+    #[must_use]
+    pub const fn name(self) -> &'static str {
+        match self {
+            Self::Overlap => "overlap",
+            Self::Gap => "gap",
+            Self::NearMiss => "near miss",
+            Self::Sliver => "sliver",
+            Self::Duplicate => "duplicate",
+            Self::Validity => "OGC validity",
+        }
+    }
+}
+
+impl fmt::Display for CoverageRule {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        write!(f, "{} {}", self.id(), self.name())
+    }
+}
+
+/// One thing that breaks a rule of a coverage. Lengths and areas are in the units of the coordinates.
+#[derive(Clone, Debug, PartialEq)]
+#[non_exhaustive]
+pub struct Finding {
+    /// The rule.
+    pub rule: CoverageRule,
+    /// The features involved, in order: those that claim the overlap or the duplicate, those around the gap, the two of a
+    /// near miss, the one of the sliver.
+    pub features: Vec<FeatureId>,
+    /// The area: of the overlap, the gap, the sliver, one of the duplicates, or the space between the borders of a near miss.
+    pub area: f64,
+    /// The mean width: twice the area by the length of the borders. For a strip it is the width; for a disk or a square it is
+    /// half of it.
+    pub width: f64,
+    /// The length of the borders involved: all around the faces, or both sides of a near miss.
+    pub length: f64,
+    /// A point inside it.
+    pub at: Point,
+    /// The faces that make it up, none for a near miss.
+    pub faces: Vec<FaceKey>,
+    /// The stretches of borders that face each other, of a near miss; none for the other rules.
+    pub stretches: Vec<[Point; 2]>,
+}
+
+/// What counts as narrow and what as a sliver.
+///
+/// ```
+/// use twinedge::algorithm::coverage::Limits;
+///
+/// let limits = Limits { gap_width: Some(0.5), ..Limits::default() };
+/// assert_eq!(limits.thinness, 0.2);
+/// ```
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Limits {
+    /// The greatest width of a near miss, and of a gap if it is to be found; a wider gap counts as intended. By default every
+    /// gap is found whatever its width, and a near miss is at most a hundredth of the median length of the edges wide.
+    pub gap_width: Option<f64>,
+    /// The area below which a thin part of a feature is a sliver. Default: a thousandth of the median area of all parts.
+    pub sliver_area: Option<f64>,
+    /// The thinness below which a small part of a feature is a sliver: 4πA/P² for area A and perimeter P, which is 1 for a
+    /// disk, 0.79 for a square, and 0.2 for a rectangle 14 times as long as it is wide.
+    pub thinness: f64,
+}
+
+impl Default for Limits {
+    fn default() -> Self {
+        Self { gap_width: None, sliver_area: None, thinness: 0.2 }
+    }
+}

@@ -1,0 +1,45 @@
+//! C2 gap: no bounded face is unclaimed.
+//!
+//! Unclaimed faces that hang together across lines are one gap; if they hang together with the unbounded face, they are
+//! outside. Holes that a single feature has are gaps as well: nothing on the map says that they are meant.
+
+use super::claims::features_of;
+use super::finding::{CoverageRule, Finding, Limits};
+use super::region::{border, connected, finding};
+use crate::dcel::Face;
+use crate::map::{FeatureId, PlanarMap};
+use rustc_hash::FxHashMap;
+
+/// The gaps, and the unclaimed faces that are none.
+pub(super) struct Gaps {
+    pub(super) findings: Vec<Finding>,
+    /// By index of face, the number of the connected unclaimed space that it belongs to and that is not reported as a gap: the
+    /// outside, or a gap that is wider than asked for.
+    pub(super) open: FxHashMap<usize, usize>,
+}
+
+/// Finds the gaps. O(n log n).
+pub(super) fn gaps(map: &PlanarMap, limits: &Limits) -> Gaps {
+    let unclaimed = |face: Face<'_>| features_of(map, face).next().is_none().then_some(());
+    let mut found = Gaps { findings: Vec::new(), open: FxHashMap::default() };
+    for (number, space) in connected(map.dcel().faces(), unclaimed).iter().enumerate() {
+        if !space.iter().any(|face| face.is_unbounded()) {
+            let gap = finding(map, CoverageRule::Gap, around(map, space), space);
+            if limits.gap_width.is_none_or(|width| gap.width <= width) {
+                found.findings.push(gap);
+                continue;
+            }
+        }
+        found.open.extend(space.iter().map(|face| (face.index(), number)));
+    }
+    found
+}
+
+/// The features around a set of faces.
+fn around(map: &PlanarMap, faces: &[Face<'_>]) -> Vec<FeatureId> {
+    let mut features: Vec<FeatureId> =
+        border(faces).into_iter().flat_map(|h| features_of(map, h.twin().face())).collect();
+    features.sort_unstable();
+    features.dedup();
+    features
+}

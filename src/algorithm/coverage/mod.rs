@@ -1,0 +1,43 @@
+//! Which faces a feature covers, and whether the features of a map are a coverage: areas side by side, without overlaps and gaps.
+//!
+//! ```text
+//!   ┌──────┬──┬─────┐    ┌──────┐┌─────┐    ┌──────┐┌─────┐    ┌──────┬┬─────┐
+//!   │  a   │ab│  b  │    │  a   ││  b  │    │  a   ││  b  │    │  a   ││  b  │  ││ belongs to a
+//!   │      │  │     │    │      └┴─────┤    │      ││     │    │      ││     │  third part of b,
+//!   └──────┴──┴─────┘    └──────┴──────┘    └──────┘└─────┘    └──────┴┴─────┘  or to c
+//!      C1 overlap             C2 gap          C3 near miss        C4 sliver
+//! ```
+//!
+//! | rule | finds | file |
+//! | --- | --- | --- |
+//! | C1 overlap | faces that two features claim | `overlap.rs` |
+//! | C2 gap | faces that no feature claims, with claimed faces all around them | `gap.rs` |
+//! | C3 near miss | borders of two features that face each other across a narrow space that is open to the outside | `near_miss.rs` |
+//! | C4 sliver | small and thin parts of a feature | `sliver.rs` |
+//! | C5 duplicate | features that claim the same faces | `duplicate.rs` |
+//! | C6 OGC validity | polygons that are not valid by the rules of the OGC, in its words | `validity.rs` |
+//!
+//! [`check`] asks C1 … C5 of a map, [`defects`] asks C6 of the shapes of a feature, which a map has no longer. A finding is
+//! no error of the structure: a map with overlaps is a valid planar subdivision. The rules are independent: a map can be made
+//! that breaks any one of them alone.
+//!
+//! Where a map is not plane, the inside of a feature whose edges cross others may seem to extend to the unbounded face: the
+//! feature leaks ([`leaks`]). Then it is not known what it covers, and [`check`] refuses the map.
+
+mod check;
+mod claims;
+mod duplicate;
+mod finding;
+mod gap;
+mod near_miss;
+mod overlap;
+mod region;
+mod rings;
+mod sliver;
+mod validity;
+
+pub use check::{Coverage, CoverageError, check};
+pub(crate) use claims::features_of;
+pub use claims::{faces_by_feature, faces_of, leaks, overlaps};
+pub use finding::{CoverageRule, Finding, Limits};
+pub use validity::{Defect, DefectKind, defects};

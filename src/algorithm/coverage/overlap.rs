@@ -1,0 +1,31 @@
+//! C1 overlap: no face is claimed by two features.
+//!
+//! Faces that hang together and are claimed by the same features are one overlap. Features that claim the same faces count as
+//! one here: they are duplicates (C5).
+
+use super::claims::features_of;
+use super::finding::{CoverageRule, Finding};
+use super::region::{connected, finding};
+use crate::dcel::Face;
+use crate::map::{FeatureId, PlanarMap};
+use rustc_hash::FxHashMap;
+
+/// The overlaps. `first_like` has, for each feature, the first one that claims the same faces. O(n + o log o) for o half-edges
+/// of overlaps, expected.
+pub(super) fn overlaps(map: &PlanarMap, first_like: &[FeatureId]) -> Vec<Finding> {
+    let mut claims: FxHashMap<usize, Vec<FeatureId>> = FxHashMap::default();
+    let mut claimed = Vec::new();
+    for face in map.dcel().faces() {
+        let mut of: Vec<FeatureId> = features_of(map, face).map(|f| first_like[f.index()]).collect();
+        of.dedup();
+        of.sort_unstable();
+        of.dedup();
+        if of.len() > 1 {
+            claims.insert(face.index(), of);
+            claimed.push(face);
+        }
+    }
+    let regions = connected(claimed, |face: Face<'_>| claims.get(&face.index()));
+    let features = |region: &[Face<'_>]| claims.get(&region[0].index()).cloned().unwrap_or_default();
+    regions.iter().map(|region| finding(map, CoverageRule::Overlap, features(region), region)).collect()
+}

@@ -1,0 +1,97 @@
+//! Connected sets of faces, and their measures.
+
+use super::finding::{CoverageRule, Finding};
+use crate::algorithm::area::{Sum, face_area};
+use crate::dcel::{Face, HalfEdge};
+use crate::geometry::Point;
+use crate::map::{FeatureId, PlanarMap};
+use crate::validate::Embedding;
+use rustc_hash::FxHashSet;
+
+/// The length of an edge.
+pub(super) fn length(map: &PlanarMap, h: HalfEdge<'_>) -> f64 {
+    let [a, b] = ends(map, h);
+    (b.x - a.x).hypot(b.y - a.y)
+}
+
+/// Where a half-edge starts and ends.
+pub(super) fn ends(map: &PlanarMap, h: HalfEdge<'_>) -> [Point; 2] {
+    [h.origin(), h.target()].map(|v| map.point(v.index()))
+}
+
+/// The sets of faces that hang together across edges between faces of the same class, in order of their first face; faces
+/// without class belong to none. O(half-edges of the faces), expected.
+pub(super) fn connected<'a, C: PartialEq>(
+    faces: impl IntoIterator<Item = Face<'a>>,
+    class: impl Fn(Face<'a>) -> Option<C>,
+) -> Vec<Vec<Face<'a>>> {
+    let mut seen = FxHashSet::default();
+    let mut found = Vec::new();
+    for start in faces {
+        let Some(kind) = class(start).filter(|_| seen.insert(start.index())) else { continue };
+        let mut region = vec![start];
+        let mut next = 0;
+        while let Some(face) = region.get(next).copied() {
+            next += 1;
+            for other in face.neighbours() {
+                if class(other).as_ref() == Some(&kind) && seen.insert(other.index()) {
+                    region.push(other);
+                }
+            }
+        }
+        found.push(region);
+    }
+    found
+}
+
+/// The half-edges around a connected set of bounded faces: of its faces, with another face on the other side.
+pub(super) fn border<'a>(faces: &[Face<'a>]) -> Vec<HalfEdge<'a>> {
+    let inside: FxHashSet<usize> = faces.iter().map(|f| f.index()).collect();
+    let around = faces.iter().flat_map(|f| f.half_edges());
+    around.filter(|h| !inside.contains(&h.twin().face().index())).collect()
+}
+
+/// The finding that a set of bounded faces is.
+pub(super) fn finding(map: &PlanarMap, rule: CoverageRule, features: Vec<FeatureId>, faces: &[Face<'_>]) -> Finding {
+    let areas = faces.iter().map(|f| face_area(map, f.key()).unwrap_or_default());
+    let area: Sum = areas.clone().collect();
+    let around: Sum = border(faces).into_iter().map(|h| length(map, h)).collect();
+    let (area, length) = (area.value(), around.value());
+    let largest = areas.zip(faces).max_by(|a, b| a.0.total_cmp(&b.0));
+    Finding {
+        rule,
+        features,
+        area,
+        width: mean_width(area, length),
+        length,
+        at: largest.and_then(|(_, face)| point_inside(map, *face)).unwrap_or_default(),
+        faces: faces.iter().map(|f| f.key()).collect(),
+        stretches: Vec::new(),
+    }
+}
+
+/// Twice the area by the length of the border.
+pub(super) fn mean_width(area: f64, length: f64) -> f64 {
+    if length > 0.0 { 2.0 * area / length } else { 0.0 }
+}
+
+/// A point inside a bounded face: the middle of the longest stretch inside it of a horizontal line, up to rounding.
+/// O(n log n) for its n half-edges.
+fn point_inside(map: &PlanarMap, face: Face<'_>) -> Option<Point> {
+    let mut heights: Vec<f64> = face.outer()?.half_edges().map(|h| map.point(h.origin().index()).y).collect();
+    heights.sort_unstable_by(f64::total_cmp);
+    heights.dedup();
+    // Halfway between two neighbouring heights in the middle, so that no vertex of the outer boundary lies on the line.
+    let middle = heights.len() / 2;
+    let y = f64::midpoint(*heights.get(middle.checked_sub(1)?)?, *heights.get(middle)?);
+    let mut crossings: Vec<f64> = face
+        .half_edges()
+        .map(|h| ends(map, h))
+        .filter(|[a, b]| (a.y > y) != (b.y > y))
+        .map(|[a, b]| a.x + (b.x - a.x) * ((y - a.y) / (b.y - a.y)))
+        .collect();
+    crossings.sort_unstable_by(f64::total_cmp);
+    let stretches = crossings.chunks_exact(2).map(|pair| (pair[1] - pair[0], f64::midpoint(pair[0], pair[1])));
+    let (_, x) = stretches.max_by(|a, b| a.0.total_cmp(&b.0))?;
+    Some(Point::new(x, y))
+}

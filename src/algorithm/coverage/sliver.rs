@@ -1,0 +1,34 @@
+//! C4 sliver: no part of a feature is both small and thin.
+//!
+//! A part is a set of faces of the feature that hang together across edges: a polygon of its
+//! [contour](crate::algorithm::contour). Overlaps and gaps that are slivers are found as overlaps and gaps.
+
+use super::finding::{CoverageRule, Finding, Limits};
+use super::region::{connected, finding};
+use crate::dcel::{Face, FaceKey};
+use crate::map::PlanarMap;
+use core::f64::consts::PI;
+use rustc_hash::FxHashSet;
+
+/// The slivers, and the area below which a thin part is one. O(n + half-edges of the faces of each feature), expected.
+pub(super) fn slivers(map: &PlanarMap, faces: &[Vec<FaceKey>], limits: &Limits) -> (Vec<Finding>, f64) {
+    let mut parts = Vec::new();
+    for (feature, keys) in map.features().zip(faces) {
+        let own: Vec<Face<'_>> = keys.iter().filter_map(|key| map.dcel().face(*key).ok()).collect();
+        let indices: FxHashSet<usize> = own.iter().map(|face| face.index()).collect();
+        let regions = connected(own, |face| indices.contains(&face.index()).then_some(()));
+        parts.extend(regions.iter().map(|part| finding(map, CoverageRule::Sliver, vec![feature], part)));
+    }
+    let limit = limits.sliver_area.unwrap_or_else(|| median(parts.iter().map(|part| part.area).collect()) / 1_000.0);
+    parts.retain(|part| part.area < limit && 4.0 * PI * part.area < limits.thinness * part.length * part.length);
+    (parts, limit)
+}
+
+/// The middle one of some numbers, 0 if there are none. O(n), expected.
+pub(super) fn median(mut numbers: Vec<f64>) -> f64 {
+    if numbers.is_empty() {
+        return 0.0;
+    }
+    let middle = numbers.len() / 2;
+    *numbers.select_nth_unstable_by(middle, f64::total_cmp).1
+}

@@ -1,0 +1,223 @@
+//! C6 OGC validity: the polygons of each feature are valid by the rules of the OGC.
+//!
+//! ```text
+//!   ┌─────┐      ┌──┐       ┌───────┐  ┌─┐   ┌─────────┐   ┌─────────┐   ┌────○────┐
+//!   └───┐ │      └┐ │       │       │  └─┘   │ ┌─────┐ │   │ ┌─────┐ │   │   / \   │
+//!    ┌──┼─┘     ┌─○─┘       │       │        │ │ ┌─┐ │ │   │ │     │ │   │  ○   ○  │
+//!    └──┘       └──┘        └───────┘        │ └─┴─┴─┘ │   │ └─────┘ │   │   \ /   │
+//!                                            └─────────┘   └─────────┘   └────○────┘
+//!   Self-       Ring Self-  Hole lies        Holes are     Nested        Interior is
+//!   intersection intersection outside shell  nested        shells        disconnected
+//! ```
+//!
+//! The words are those of the JTS Topology Suite and of what is built on it (GEOS, PostGIS, shapely, QGIS). All decisions are
+//! made by exact predicates.
+//!
+//! All polygons of a feature are taken as one multi-polygon. Rings that are open count as closed, points that repeat the one
+//! before them count once: the builder of a map reports both.
+//!
+//! Source: "Simple feature access, part 1: common architecture" (OGC 06-103r4), sections 6.1.11 and 6.1.14.
+
+use super::rings::{Contact, Meet, Ring, Rings};
+use crate::geometry::Point;
+use crate::map::Shape;
+use core::fmt;
+use rustc_hash::{FxHashMap, FxHashSet};
+
+/// In which way the polygons of a feature are not valid.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord, Hash)]
+#[non_exhaustive]
+pub enum DefectKind {
+    /// A ring with fewer than three different points on end, or a line with fewer than two.
+    TooFewPoints,
+    /// Rings cross, or run along each other.
+    SelfIntersection,
+    /// A ring visits a point twice, without crossing itself.
+    RingSelfIntersection,
+    /// A hole lies outside the outer ring of its polygon.
+    HoleOutsideShell,
+    /// A hole lies inside another one of its polygon.
+    NestedHoles,
+    /// Rings touch at so many points that the inside of the polygon falls apart.
+    DisconnectedInterior,
+    /// A polygon lies inside another one of the feature.
+    NestedShells,
+}
+
+impl fmt::Display for DefectKind {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        f.write_str(match self {
+            Self::TooFewPoints => "Too few points in geometry component",
+            Self::SelfIntersection => "Self-intersection",
+            Self::RingSelfIntersection => "Ring Self-intersection",
+            Self::HoleOutsideShell => "Hole lies outside shell",
+            Self::NestedHoles => "Holes are nested",
+            Self::DisconnectedInterior => "Interior is disconnected",
+            Self::NestedShells => "Nested shells",
+        })
+    }
+}
+
+/// Something that makes the polygons of a feature invalid.
+#[derive(Clone, Copy, Debug, PartialEq)]
+#[non_exhaustive]
+pub struct Defect {
+    /// What.
+    pub kind: DefectKind,
+    /// Where; rounded, where rings cross.
+    pub at: Point,
+    /// The shape.
+    pub shape: usize,
+    /// The ring in the shape.
+    pub ring: usize,
+}
+
+/// All defects of the shapes of a feature, each place once, in order of their kinds. Rings that cross or touch themselves have
+/// no inside, so what lies in what is asked only if there are none.
+///
+/// O(n log n + p + r · k) for n points, p pairs of segments whose boxes meet, and r rings with k segments each at the height of
+/// one of their points.
+///
+/// ```
+/// use twinedge::algorithm::coverage::{DefectKind, defects};
+/// use twinedge::map::Shape;
+///
+/// let square = |low: f64, high: f64| [[low, low], [high, low], [high, high], [low, high]].map(Into::into).to_vec();
+/// let found = defects(&[Shape::Polygon(vec![square(0.0, 4.0), square(5.0, 6.0)])]);
+/// assert_eq!((found[0].kind, found[0].ring), (DefectKind::HoleOutsideShell, 1));
+/// assert_eq!(found[0].kind.to_string(), "Hole lies outside shell");
+/// assert!(defects(&[Shape::Polygon(vec![square(0.0, 4.0), square(1.0, 2.0)])]).is_empty());
+/// ```
+#[must_use]
+pub fn defects(shapes: &[Shape]) -> Vec<Defect> {
+    let mut found = Vec::new();
+    let mut rings = Vec::new();
+    for (polygon, shape) in shapes.iter().enumerate() {
+        let too_few = |ring: usize, points: &[Point]| {
+            let kind = DefectKind::TooFewPoints;
+            points.first().map(|at| Defect { kind, at: *at, shape: polygon, ring })
+        };
+        match shape {
+            Shape::Polygon(all) => {
+                for (number, points) in all.iter().enumerate() {
+                    let distinct = without_repetition(points);
+                    if distinct.len() < 3 {
+                        found.extend(too_few(number, points));
+                    } else {
+                        rings.push(Ring { points: distinct, polygon, number });
+                    }
+                }
+            }
+            Shape::Line(points) if without_repetition(points).len() < 2 => found.extend(too_few(0, points)),
+            Shape::Line(_) | Shape::Point(_) => {}
+        }
+    }
+    let rings = Rings::new(rings);
+    let meets = rings.meets();
+    let is_touch = |meet: &Meet| meet.contact == Contact::Touch;
+    found.extend(meets.iter().filter(|meet| !is_touch(meet)).map(|meet| intersection(&rings, meet)));
+    if meets.iter().all(is_touch) {
+        found.extend(nesting(&rings));
+        if found.is_empty() {
+            found.extend(disconnected(&rings, &meets));
+        }
+    }
+    found.sort_by_key(|defect| (defect.kind, defect.shape, defect.ring));
+    found
+}
+
+/// The points of a ring or line, without those that repeat the one before; of a ring, the last does not repeat the first.
+fn without_repetition(points: &[Point]) -> Vec<Point> {
+    let mut distinct: Vec<Point> = points.to_vec();
+    distinct.dedup();
+    while distinct.len() > 1 && distinct.first() == distinct.last() {
+        distinct.pop();
+    }
+    distinct
+}
+
+fn defect(rings: &Rings, kind: DefectKind, ring: usize, at: Point) -> Defect {
+    let Ring { polygon, number, .. } = rings.all[ring];
+    Defect { kind, at, shape: polygon, ring: number }
+}
+
+fn intersection(rings: &Rings, meet: &Meet) -> Defect {
+    let kind = match meet.contact {
+        Contact::SelfTouch => DefectKind::RingSelfIntersection,
+        Contact::Crossing | Contact::Touch => DefectKind::SelfIntersection,
+    };
+    defect(rings, kind, meet.rings[0], meet.at)
+}
+
+/// What lies where it may not, of rings that do not cross.
+fn nesting(rings: &Rings) -> Vec<Defect> {
+    let mut found = Vec::new();
+    let shells: FxHashSet<usize> = rings.all.iter().filter(|c| c.number == 0).map(|c| c.polygon).collect();
+    for (r, containers) in rings.containers().iter().enumerate() {
+        let ring = &rings.all[r];
+        let within = |polygon: usize, is_shell: bool| {
+            containers.iter().map(|c| &rings.all[*c]).any(|c| c.polygon == polygon && (c.number == 0) == is_shell)
+        };
+        let kind = if ring.number > 0 {
+            if shells.contains(&ring.polygon) && !within(ring.polygon, true) {
+                DefectKind::HoleOutsideShell
+            } else if within(ring.polygon, false) {
+                DefectKind::NestedHoles
+            } else {
+                continue;
+            }
+        } else {
+            let is_nested = |c: &usize| {
+                let c = &rings.all[*c];
+                c.number == 0 && c.polygon != ring.polygon && !within(c.polygon, false)
+            };
+            if !containers.iter().any(is_nested) {
+                continue;
+            }
+            DefectKind::NestedShells
+        };
+        found.push(defect(rings, kind, r, ring.points[0]));
+    }
+    found
+}
+
+/// The polygons whose inside falls apart: it does if rings and the points at which they touch, joined to each other, form a
+/// circle. Each such polygon is reported where its first circle closes.
+fn disconnected(rings: &Rings, meets: &[Meet]) -> Vec<Defect> {
+    // Rings first, then points of a polygon.
+    let mut parent: Vec<usize> = (0..rings.all.len()).collect();
+    let mut points: FxHashMap<(u64, u64, usize), usize> = FxHashMap::default();
+    let mut joined: FxHashSet<(usize, usize)> = FxHashSet::default();
+    let mut reported = FxHashSet::default();
+    let mut found = Vec::new();
+    for meet in meets {
+        let polygon = rings.all[meet.rings[0]].polygon;
+        if polygon != rings.all[meet.rings[1]].polygon {
+            continue;
+        }
+        let point = *points.entry((meet.at.x.to_bits(), meet.at.y.to_bits(), polygon)).or_insert_with(|| {
+            parent.push(parent.len());
+            parent.len() - 1
+        });
+        for ring in meet.rings {
+            if !joined.insert((ring, point)) {
+                continue;
+            }
+            let (one, other) = (root(&mut parent, ring), root(&mut parent, point));
+            if one != other {
+                parent[one] = other;
+            } else if reported.insert(polygon) {
+                found.push(defect(rings, DefectKind::DisconnectedInterior, ring, meet.at));
+            }
+        }
+    }
+    found
+}
+
+fn root(parent: &mut [usize], mut of: usize) -> usize {
+    while parent[of] != of {
+        parent[of] = parent[parent[of]];
+        of = parent[of];
+    }
+    of
+}

@@ -1,0 +1,90 @@
+//! Boxes, and on which side of a point or a segment all of a box lies.
+
+use crate::geometry::Point;
+use crate::geometry::predicates::compare_lexicographic;
+
+/// A box with sides along the axes, which belong to it.
+#[derive(Clone, Copy)]
+pub(super) struct Bounds {
+    pub(super) low: Point,
+    pub(super) high: Point,
+}
+
+impl Bounds {
+    /// The smallest box around points; none if there are none.
+    pub(super) fn around(points: impl IntoIterator<Item = Point>) -> Option<Self> {
+        let one = |p: Point| Self { low: p, high: p };
+        points.into_iter().map(one).reduce(|a, b| Self {
+            low: Point::new(a.low.x.min(b.low.x), a.low.y.min(b.low.y)),
+            high: Point::new(a.high.x.max(b.high.x), a.high.y.max(b.high.y)),
+        })
+    }
+
+    /// Whether all of it comes after a point in lexicographic order, or all before; none if neither.
+    #[inline]
+    pub(super) fn after(&self, p: Point) -> Option<bool> {
+        if compare_lexicographic(self.high, p).is_lt() {
+            Some(false)
+        } else if compare_lexicographic(self.low, p).is_gt() {
+            Some(true)
+        } else {
+            None
+        }
+    }
+
+    /// Whether all of it lies to the left of the line through two points, the lower one first, or all to the right; none if
+    /// neither is clear.
+    ///
+    /// Only the two corners furthest from the line count. Each difference and product is off by at most one part in 2^53,
+    /// so a side of which the rounded value is so clear is the right one.
+    #[inline]
+    pub(super) fn above(&self, [low, high]: [Point; 2]) -> Option<bool> {
+        let (dx, dy) = (high.x - low.x, high.y - low.y);
+        let side = |x: f64, y: f64| {
+            let (left, right) = (dx * (y - low.y), dy * (x - low.x));
+            (left - right, 1e-15 * (left.abs() + right.abs()))
+        };
+        let (nearest, furthest) = if dy > 0.0 { (self.high.x, self.low.x) } else { (self.low.x, self.high.x) };
+        let (least, slack_of_least) = side(nearest, self.low.y);
+        if least > slack_of_least {
+            return Some(true);
+        }
+        let (most, slack_of_most) = side(furthest, self.high.y);
+        if most < -slack_of_most { Some(false) } else { None }
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::Bounds;
+    use crate::geometry::Point;
+    use crate::geometry::predicates::{Orientation, compare_lexicographic, orientation};
+
+    #[test]
+    fn a_side_that_is_said_is_that_of_all_corners() {
+        let coordinates = || (0..4).map(f64::from);
+        let points: Vec<Point> = coordinates().flat_map(|x| coordinates().map(move |y| Point::new(x, y))).collect();
+        let mut said = [0; 4];
+        for (a, b) in points.iter().flat_map(|a| points.iter().map(move |b| (*a, *b))) {
+            let Some(bounds) = Bounds::around([a, b]) else { unreachable!("there are two points") };
+            let Bounds { low, high } = bounds;
+            let corners = [low, high, Point::new(low.x, high.y), Point::new(high.x, low.y)];
+            for p in &points {
+                let sides = corners.map(|corner| compare_lexicographic(corner, *p));
+                let all = [sides.iter().all(|side| side.is_gt()), sides.iter().all(|side| side.is_lt())];
+                assert_eq!(bounds.after(*p).map(|after| [after, !after]), all.contains(&true).then_some(all));
+                said[usize::from(all[0])] += usize::from(all.contains(&true));
+            }
+            let ends = points.iter().flat_map(|p| points.iter().map(move |q| [*p, *q]));
+            for [p, q] in ends.filter(|[p, q]| compare_lexicographic(*p, *q).is_lt()) {
+                let sides = corners.map(|corner| orientation(p, q, corner));
+                let all = [Orientation::CounterClockwise, Orientation::Clockwise]
+                    .map(|side| sides.iter().all(|of_corner| *of_corner == side));
+                assert_eq!(bounds.above([p, q]).map(|above| [above, !above]), all.contains(&true).then_some(all));
+                said[2 + usize::from(all[0])] += usize::from(all.contains(&true));
+            }
+        }
+        assert!(said.iter().all(|times| *times > 100), "{said:?}");
+        assert!(Bounds::around([]).is_none());
+    }
+}

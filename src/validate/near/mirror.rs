@@ -1,0 +1,195 @@
+//! The links as they were when the structure was last found right, in columns of 32-bit numbers.
+
+use crate::validate::columns::NIL;
+use crate::validate::expectation::{Expectation, Part};
+use crate::validate::view::{BoundaryPlace, Start, View};
+use alloc::vec::Vec;
+
+/// What a vacant slot has in its first column.
+pub(super) const VACANT: u32 = NIL - 1;
+/// The place of an outer boundary component.
+pub(super) const OUTER: u32 = NIL;
+
+/// The links of a half-edge. Its *label* is its boundary component, or its face where there are no boundary components.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub(super) struct HalfEdge {
+    pub(super) origin: u32,
+    pub(super) twin: u32,
+    pub(super) next: u32,
+    pub(super) prev: u32,
+    pub(super) label: u32,
+}
+
+impl HalfEdge {
+    pub(super) const VACANT: Self = Self { origin: VACANT, twin: NIL, next: NIL, prev: NIL, label: NIL };
+
+    pub(super) const fn is_live(&self) -> bool {
+        self.origin != VACANT
+    }
+}
+
+/// A vertex: a half-edge that leaves it, or nil.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub(super) struct Vertex {
+    pub(super) leaving: u32,
+    pub(super) isolated: u32,
+}
+
+impl Vertex {
+    pub(super) const VACANT: Self = Self { leaving: VACANT, isolated: NIL };
+
+    pub(super) const fn is_live(self) -> bool {
+        self.leaving != VACANT
+    }
+}
+
+/// What a label stands for: where it starts, and the face and the place where it is listed. Without records for boundary
+/// components it is a face, and only the start counts.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub(super) struct Label {
+    pub(super) start: Start,
+    pub(super) face: u32,
+    pub(super) place: u32,
+}
+
+impl Label {
+    pub(super) const VACANT: Self = Self { start: Start::Vertex(0), face: VACANT, place: OUTER };
+
+    pub(super) const fn is_live(&self) -> bool {
+        self.face != VACANT
+    }
+    /// The face that lists it inside, with the position.
+    pub(super) fn inner(&self) -> Option<(usize, usize)> {
+        (self.is_live() && self.place != OUTER).then_some((self.face as usize, self.place as usize))
+    }
+}
+
+/// A face, where there are records for boundary components.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub(super) struct Face {
+    pub(super) outer: u32,
+    pub(super) inner: Vec<u32>,
+}
+
+impl Face {
+    pub(super) const VACANT: Self = Self { outer: VACANT, inner: Vec::new() };
+
+    pub(super) const fn is_live(&self) -> bool {
+        self.outer != VACANT
+    }
+}
+
+/// All links.
+#[derive(Clone, Debug, Default)]
+pub(super) struct Mirror {
+    pub(super) half_edges: Vec<HalfEdge>,
+    pub(super) vertices: Vec<Vertex>,
+    pub(super) labels: Vec<Label>,
+    pub(super) faces: Vec<Face>,
+}
+
+impl Mirror {
+    pub(super) fn half_edge(&self, h: usize) -> HalfEdge {
+        self.half_edges.get(h).copied().unwrap_or(HalfEdge::VACANT)
+    }
+    pub(super) fn vertex(&self, v: usize) -> Vertex {
+        self.vertices.get(v).copied().unwrap_or(Vertex::VACANT)
+    }
+    pub(super) fn label(&self, b: usize) -> Label {
+        self.labels.get(b).copied().unwrap_or(Label::VACANT)
+    }
+    /// The half-edge that follows clockwise in the rotation.
+    pub(super) fn turned(&self, h: usize) -> usize {
+        self.half_edge(self.half_edge(h).twin as usize).next as usize
+    }
+}
+
+/// A structure as it is now: a view, its numbers of slots, and what it has.
+pub(super) struct Now<'a, V: ?Sized> {
+    pub(super) view: &'a V,
+    pub(super) expect: Expectation,
+    pub(super) vertices: usize,
+    pub(super) half_edges: usize,
+    pub(super) labels: usize,
+    pub(super) faces: usize,
+}
+
+impl<'a, V: View + ?Sized> Now<'a, V> {
+    /// Nothing if there are more slots than can be numbered.
+    pub(super) fn new(view: &'a V, expect: Expectation) -> Option<Self> {
+        let (vertices, half_edges) = (view.vertex_slots(), view.half_edge_slots());
+        let faces = if expect.has(Part::Faces) { view.face_slots() } else { 0 };
+        let labels = if expect.has(Part::BoundaryComponents) { view.boundary_slots() } else { faces };
+        let fits = [vertices, half_edges, labels, faces].iter().all(|slots| *slots < VACANT as usize);
+        fits.then_some(Self { view, expect, vertices, half_edges, labels, faces })
+    }
+
+    pub(super) const fn has(&self, part: Part) -> bool {
+        self.expect.has(part)
+    }
+    pub(super) fn is_vertex(&self, v: usize) -> bool {
+        v < self.vertices && self.view.is_vertex(v)
+    }
+    pub(super) fn is_half_edge(&self, h: usize) -> bool {
+        h < self.half_edges && self.view.is_half_edge(h)
+    }
+    pub(super) fn is_label(&self, b: usize) -> bool {
+        let is_live = if self.has(Part::BoundaryComponents) { V::is_boundary } else { V::is_face };
+        b < self.labels && is_live(self.view, b)
+    }
+    pub(super) fn is_face(&self, f: usize) -> bool {
+        f < self.faces && self.view.is_face(f)
+    }
+
+    /// A half-edge with its links. Vacant if the slot is; nothing if a link does not lead to a live record.
+    pub(super) fn half_edge(&self, h: usize) -> Option<HalfEdge> {
+        if !self.is_half_edge(h) {
+            return Some(HalfEdge::VACANT);
+        }
+        let half_edge = |link: Option<usize>| link.filter(|h| self.is_half_edge(*h)).map(|h| h as u32);
+        let origin = self.view.origin(h).filter(|v| self.is_vertex(*v))? as u32;
+        let (twin, next) = (half_edge(self.view.twin(h))?, half_edge(self.view.next(h))?);
+        let prev = if self.has(Part::Prev) { half_edge(self.view.prev(h))? } else { NIL };
+        let label = if self.has(Part::Faces) { self.label_of(h).filter(|b| self.is_label(*b))? as u32 } else { NIL };
+        Some(HalfEdge { origin, twin, next, prev, label })
+    }
+
+    /// The label of a half-edge of which nothing else is asked.
+    pub(super) fn label_of(&self, h: usize) -> Option<usize> {
+        if self.has(Part::BoundaryComponents) { self.view.boundary(h) } else { self.view.face(h) }
+    }
+
+    /// Where a live label starts.
+    pub(super) fn start(&self, b: usize) -> Option<Start> {
+        if self.has(Part::BoundaryComponents) {
+            self.view.boundary_start(b)
+        } else {
+            self.view.outer_half_edge(b).map(Start::HalfEdge)
+        }
+    }
+
+    /// A label with its links. Vacant if the slot is; nothing if a link does not lead to a live record.
+    pub(super) fn label(&self, b: usize) -> Option<Label> {
+        if !self.is_label(b) {
+            return Some(Label::VACANT);
+        }
+        let start = self.start(b)?;
+        let is_live = match start {
+            Start::HalfEdge(h) => self.is_half_edge(h),
+            Start::Vertex(v) => self.is_vertex(v),
+        };
+        if !is_live {
+            return None;
+        }
+        if !self.has(Part::BoundaryComponents) {
+            return Some(Label { start, face: b as u32, place: OUTER });
+        }
+        let face = self.view.boundary_face(b).filter(|f| self.is_face(*f))? as u32;
+        let place = match self.has(Part::Places).then(|| self.view.boundary_place(b)) {
+            None | Some(Some(BoundaryPlace::Outer)) => OUTER,
+            Some(Some(BoundaryPlace::Inner(i))) => u32::try_from(i).ok().filter(|i| *i < VACANT)?,
+            Some(None) => return None,
+        };
+        Some(Label { start, face, place })
+    }
+}

@@ -1,0 +1,36 @@
+//! Validation after a small change, in time proportional to the change.
+//!
+//! A [`Baseline`] keeps the links of a structure that was found right. [`validate_near`] takes the structure as it is now,
+//! and the records that were [`Touched`] since. It looks at those and at what they can break, and moves the baseline on.
+//!
+//! ```text
+//!        before             after: h, n and p have changed
+//!
+//!    p ──► h ──►        p ──► n ──► h ──►       R1, L1 … L3 and labels: of h, n, p, and of what they were linked to
+//!    ◄─────────         ◄──── · ◄──────         V2, B1: no walk around the whole cycle, see below
+//! ```
+//!
+//! # What is checked
+//!
+//! | rules | how |
+//! | --- | --- |
+//! | R1 … F2 | completely: if they held before, and all records that have changed are named, they hold now |
+//! | T1 and T3 | by their sum: V − E + F = 1 + the number of inner boundary components. Only for maps in the plane with boundary components and an unbounded face |
+//! | T1 of each component, T2, T4, M1 … M7 | not checked |
+//!
+//! # Why it need not walk around a cycle
+//!
+//! V2 and B1 say that all half-edges with one origin, or one boundary component, lie on one orbit of a permutation. A half-edge
+//! of which neither the origin nor the following one has changed lies on an orbit with one that has, or on an orbit that has not
+//! changed at all. So it is enough that those that have changed lie on one orbit, and that one of them was there before if
+//! any of those before are left. They are found on one orbit by walks in step from all of them, of which one need not end:
+//! an operator that relabels the shorter of two cycles is checked in the time that it took.
+
+mod baseline;
+mod check;
+mod mirror;
+mod orbits;
+mod touched;
+
+pub use baseline::{Baseline, BaselineError, validate_near};
+pub use touched::Touched;

@@ -1,0 +1,325 @@
+//! C1 … C6: each rule is broken alone, with values from outside; what is built by chance is compared with plain arithmetic.
+//!
+//! Values that are not plain arithmetic are those of shapely 2.2 with GEOS 3.14: `is_valid_reason`, `intersection`, `union_all`.
+//! `tests/shapely` compares with the library itself.
+
+use quickcheck::QuickCheck;
+use twinedge::algorithm::coverage::{
+    Coverage, CoverageError, CoverageRule, DefectKind, Finding, Limits, check, defects,
+};
+use twinedge::geometry::Point;
+use twinedge::geometry::noding::Snap;
+use twinedge::map::{Builder, Noding, PlanarMap, Shape};
+
+fn ring(points: &[[f64; 2]]) -> Vec<Point> {
+    points.iter().copied().map(Point::from).collect()
+}
+
+fn area([x0, y0]: [f64; 2], [x1, y1]: [f64; 2]) -> Shape {
+    Shape::Polygon(vec![ring(&[[x0, y0], [x1, y0], [x1, y1], [x0, y1]])])
+}
+
+fn map(shapes: &[Shape]) -> PlanarMap {
+    let mut builder = Builder::new();
+    for shape in shapes {
+        builder.shape(shape).expect("in range");
+    }
+    let exact = builder.clone().build_with(Noding::Exact);
+    exact.or_else(|_| builder.build_with(Noding::Snap(Snap::Auto))).expect("it fits")
+}
+
+fn found(shapes: &[Shape], limits: &Limits) -> Coverage {
+    check(&map(shapes), limits).expect("it is plane")
+}
+
+/// The only finding, with the features in it.
+fn only(shapes: &[Shape], limits: &Limits) -> (Finding, Vec<usize>) {
+    let [finding] = &found(shapes, limits).findings[..] else {
+        panic!("{:?}", found(shapes, limits).findings);
+    };
+    (finding.clone(), finding.features.iter().map(|feature| feature.index()).collect())
+}
+
+fn near(a: f64, b: f64) -> bool {
+    (a - b).abs() < 1e-9
+}
+
+/// Three parcels of 10 by 10 in a row, and a fourth above the first two.
+fn parcels() -> Vec<Shape> {
+    vec![
+        area([0.0, 0.0], [10.0, 10.0]),
+        area([10.0, 0.0], [20.0, 10.0]),
+        area([20.0, 0.0], [30.0, 10.0]),
+        area([0.0, 10.0], [20.0, 20.0]),
+    ]
+}
+
+#[test]
+fn parcels_side_by_side_break_nothing() {
+    assert_eq!(found(&parcels(), &Limits::default()).findings, []);
+    // Nothing is asked of lines, and of no features.
+    let line = Shape::Line(ring(&[[0.0, 0.0], [1.0, 0.0], [1.0, 1.0], [0.0, 0.0]]));
+    assert_eq!(found(&[line], &Limits::default()).findings, []);
+    assert_eq!(found(&[], &Limits::default()).findings, []);
+}
+
+#[test]
+fn an_overlap_breaks_only_c1() {
+    let mut shapes = parcels();
+    shapes[2] = area([19.5, 0.0], [30.0, 10.0]);
+    let (finding, features) = only(&shapes, &Limits::default());
+    assert_eq!((finding.rule, features), (CoverageRule::Overlap, vec![1, 2]));
+    assert!(near(finding.area, 5.0) && near(finding.length, 21.0) && near(finding.width, 10.0 / 21.0));
+    assert!((19.5..20.0).contains(&finding.at.x) && (0.0..10.0).contains(&finding.at.y), "{:?}", finding.at);
+    assert_eq!(finding.faces.len(), 1);
+}
+
+#[test]
+fn an_overlap_of_slanted_borders_has_the_area_of_the_intersection() {
+    // Polygon([(0, 0), (4, 0), (0, 3)]) and Polygon([(1, 1), (4, 1), (1, 4)]) have this intersection in shapely.
+    let one = Shape::Polygon(vec![ring(&[[0.0, 0.0], [4.0, 0.0], [0.0, 3.0]])]);
+    let other = Shape::Polygon(vec![ring(&[[1.0, 1.0], [4.0, 1.0], [1.0, 4.0]])]);
+    let (finding, _) = only(&[one, other], &Limits::default());
+    // The triangle (1, 1), (8/3, 1), (1, 9/4).
+    assert!(near(finding.area, 25.0 / 24.0), "{}", finding.area);
+}
+
+#[test]
+fn a_gap_breaks_only_c2() {
+    let mut shapes = parcels();
+    shapes[3] = Shape::Polygon(vec![ring(&[
+        [0.0, 10.0],
+        [9.0, 10.0],
+        [10.0, 10.5],
+        [11.0, 10.0],
+        [20.0, 10.0],
+        [20.0, 20.0],
+        [0.0, 20.0],
+    ])]);
+    let (finding, features) = only(&shapes, &Limits::default());
+    assert_eq!((finding.rule, features), (CoverageRule::Gap, vec![0, 1, 3]));
+    assert!(near(finding.area, 0.5) && near(finding.length, 2.0 + 2.0 * 1.25_f64.sqrt()));
+    // Wider than asked for, it is meant.
+    let narrow = Limits { gap_width: Some(finding.width * 0.99), ..Limits::default() };
+    assert!(found(&shapes, &narrow).of(CoverageRule::Gap).next().is_none());
+    let wide = Limits { gap_width: Some(finding.width * 1.01), ..Limits::default() };
+    assert_eq!(found(&shapes, &wide).of(CoverageRule::Gap).count(), 1);
+}
+
+#[test]
+fn a_line_does_not_close_a_gap_and_does_not_cut_one() {
+    // A bay between three parcels, closed by a line.
+    let bay = [
+        area([0.0, 0.0], [30.0, 10.0]),
+        area([0.0, 10.0], [10.0, 20.0]),
+        area([20.0, 10.0], [30.0, 20.0]),
+        Shape::Line(ring(&[[10.0, 20.0], [20.0, 20.0]])),
+    ];
+    assert_eq!(found(&bay, &Limits::default()).findings, []);
+    // A lake with a line across it is one gap.
+    let lake = Shape::Polygon(vec![
+        ring(&[[0.0, 0.0], [30.0, 0.0], [30.0, 30.0], [0.0, 30.0]]),
+        ring(&[[10.0, 10.0], [10.0, 20.0], [20.0, 20.0], [20.0, 10.0]]),
+    ]);
+    let ferry = Shape::Line(ring(&[[10.0, 10.0], [20.0, 20.0]]));
+    let (finding, _) = only(&[lake, ferry], &Limits::default());
+    assert_eq!((finding.rule, finding.faces.len(), finding.area), (CoverageRule::Gap, 2, 100.0));
+}
+
+#[test]
+fn a_strip_open_to_the_outside_breaks_only_c3() {
+    let mut shapes = parcels();
+    shapes[2] = area([20.05, 0.0], [30.0, 10.0]);
+    // The fourth parcel does not reach the strip, which is open at both ends.
+    let (finding, features) = only(&shapes, &Limits::default());
+    assert_eq!((finding.rule, features), (CoverageRule::NearMiss, vec![1, 2]));
+    assert!(near(finding.area, 0.5) && near(finding.length, 20.0) && near(finding.width, 0.05), "{finding:?}");
+    assert!((20.0..20.05).contains(&finding.at.x));
+    for (width, count) in [(0.049, 0), (0.051, 1)] {
+        let limits = Limits { gap_width: Some(width), ..Limits::default() };
+        assert_eq!(found(&shapes, &limits).of(CoverageRule::NearMiss).count(), count, "{width}");
+    }
+}
+
+#[test]
+fn a_strip_along_many_short_edges_is_one_near_miss() {
+    // A winding border, and the same shifted by 0.01.
+    let bends = 50;
+    let winding =
+        |shift: f64| (0..=bends).map(move |i| [f64::from(i % 2) * 0.3 + shift, f64::from(i)]).collect::<Vec<_>>();
+    let mut west = vec![[-10.0, 50.0], [-10.0, 0.0]];
+    west.extend(winding(0.0));
+    let mut east = winding(0.01);
+    east.extend([[20.0, 50.0], [20.0, 0.0]]);
+    let shapes = [west, east].map(|points| Shape::Polygon(vec![ring(&points)]));
+    let (finding, features) = only(&shapes, &Limits { gap_width: Some(0.02), ..Limits::default() });
+    assert_eq!((finding.rule, features), (CoverageRule::NearMiss, vec![0, 1]));
+    let border = 50.0 * 1.09_f64.sqrt();
+    assert!((finding.length - 2.0 * border).abs() < 0.01 && (finding.area - 0.5).abs() < 0.01, "{finding:?}");
+}
+
+#[test]
+fn borders_that_part_at_a_vertex_are_no_near_miss() {
+    let limits = Limits { gap_width: Some(0.1), ..Limits::default() };
+    // At 45 degrees, and at 6 degrees.
+    for (rise, count) in [(10.0, 0), (1.0, 1)] {
+        let low = area([0.0, -10.0], [10.0, 0.0]);
+        let high = Shape::Polygon(vec![ring(&[[0.0, 0.0], [10.0, rise], [10.0, 20.0], [0.0, 20.0]])]);
+        assert_eq!(found(&[low, high], &limits).findings.len(), count, "{rise}");
+    }
+    // Two parts of one feature are no neighbours.
+    let mut builder = Builder::new();
+    let shapes = vec![area([0.0, 0.0], [10.0, 10.0]), area([10.05, 0.0], [20.0, 10.0])];
+    builder.feature(&twinedge::map::Feature { shapes, ..Default::default() }).expect("in range");
+    assert_eq!(check(&builder.build().expect("small"), &limits).expect("plane").findings, []);
+}
+
+#[test]
+fn a_thin_part_breaks_only_c4() {
+    let mut shapes = parcels();
+    shapes.push(area([0.0, -0.01], [5.0, 0.0]));
+    let (finding, features) = only(&shapes, &Limits::default());
+    assert_eq!((finding.rule, features), (CoverageRule::Sliver, vec![4]));
+    assert!(near(finding.area, 0.05) && near(finding.length, 10.02));
+    let count = |area, thinness| {
+        let limits = Limits { sliver_area: Some(area), thinness, ..Limits::default() };
+        found(&shapes, &limits).of(CoverageRule::Sliver).count()
+    };
+    assert_eq!((count(0.04, 0.2), count(0.06, 0.2), count(0.06, 0.001)), (0, 1, 0));
+}
+
+#[test]
+fn the_same_polygon_twice_breaks_only_c5() {
+    let mut shapes = parcels();
+    shapes.push(shapes[1].clone());
+    shapes.push(shapes[1].clone());
+    let (finding, features) = only(&shapes, &Limits::default());
+    assert_eq!((finding.rule, features, finding.area), (CoverageRule::Duplicate, vec![1, 4, 5], 100.0));
+    // What overlaps one of them overlaps them all, and is found once.
+    shapes.push(area([19.0, 4.0], [20.0, 5.0]));
+    let rules: Vec<CoverageRule> = found(&shapes, &Limits::default()).findings.iter().map(|f| f.rule).collect();
+    assert_eq!(rules, [CoverageRule::Overlap, CoverageRule::Duplicate]);
+}
+
+#[test]
+fn a_map_that_is_not_plane_is_refused() {
+    let mut builder = Builder::new();
+    builder.shape(&area([0.0, 0.0], [4.0, 4.0])).expect("in range");
+    builder.shape(&area([2.0, 2.0], [6.0, 6.0])).expect("in range");
+    let crossing = builder.build().expect("small");
+    assert_eq!(check(&crossing, &Limits::default()), Err(CoverageError::NotPlane));
+}
+
+/// Rings of points.
+type Polygon = Vec<Vec<[f64; 2]>>;
+
+/// What shapely says of polygons, in the words of GEOS.
+#[test]
+fn polygons_are_invalid_for_the_reason_that_geos_gives() {
+    use DefectKind::{
+        DisconnectedInterior, HoleOutsideShell, NestedHoles, NestedShells, RingSelfIntersection, SelfIntersection,
+        TooFewPoints,
+    };
+    let square = |low: f64, high: f64| vec![[low, low], [high, low], [high, high], [low, high], [low, low]];
+    let bow_tie = vec![[0.0, 0.0], [4.0, 4.0], [4.0, 0.0], [0.0, 4.0], [0.0, 0.0]];
+    let touching = vec![[0.0, 0.0], [4.0, 0.0], [2.0, 2.0], [4.0, 4.0], [0.0, 4.0], [2.0, 2.0], [0.0, 0.0]];
+    let spike = vec![[0.0, 0.0], [4.0, 0.0], [4.0, 2.0], [6.0, 2.0], [4.0, 2.0], [4.0, 4.0], [0.0, 4.0], [0.0, 0.0]];
+    let across = vec![[0.0, 2.0], [2.0, 1.0], [4.0, 2.0], [2.0, 3.0], [0.0, 2.0]];
+    let inside = vec![[0.0, 2.0], [2.0, 1.0], [3.0, 2.0], [2.0, 3.0], [0.0, 2.0]];
+    let cases: Vec<(&str, Vec<Polygon>, Option<DefectKind>)> = vec![
+        ("valid", vec![vec![square(0.0, 9.0), square(1.0, 2.0)]], None),
+        ("hole touches the shell", vec![vec![square(0.0, 4.0), inside]], None),
+        ("island in a hole", vec![vec![square(0.0, 9.0), square(1.0, 8.0)], vec![square(2.0, 7.0)]], None),
+        ("bow tie", vec![vec![bow_tie]], Some(SelfIntersection)),
+        ("touch", vec![vec![touching]], Some(RingSelfIntersection)),
+        ("spike", vec![vec![spike]], Some(SelfIntersection)),
+        ("line", vec![vec![vec![[0.0, 0.0], [1.0, 1.0], [0.0, 0.0]]]], Some(TooFewPoints)),
+        ("hole outside", vec![vec![square(0.0, 4.0), square(5.0, 6.0)]], Some(HoleOutsideShell)),
+        ("hole around", vec![vec![square(1.0, 2.0), square(0.0, 4.0)]], Some(HoleOutsideShell)),
+        ("holes", vec![vec![square(0.0, 9.0), square(1.0, 8.0), square(2.0, 7.0)]], Some(NestedHoles)),
+        ("cut in two", vec![vec![square(0.0, 4.0), across]], Some(DisconnectedInterior)),
+        ("shells", vec![vec![square(0.0, 9.0)], vec![square(1.0, 2.0)]], Some(NestedShells)),
+        ("crossing shells", vec![vec![square(0.0, 3.0)], vec![square(2.0, 4.0)]], Some(SelfIntersection)),
+        (
+            "shared border",
+            vec![vec![square(0.0, 2.0)], vec![vec![[2.0, 0.0], [4.0, 0.0], [2.0, 2.0], [2.0, 0.0]]]],
+            Some(SelfIntersection),
+        ),
+        ("same hole twice", vec![vec![square(0.0, 9.0), square(1.0, 2.0), square(1.0, 2.0)]], Some(SelfIntersection)),
+    ];
+    for (name, polygons, expected) in cases {
+        let shapes: Vec<Shape> =
+            polygons.iter().map(|rings| Shape::Polygon(rings.iter().map(|r| ring(r)).collect())).collect();
+        let kinds: Vec<DefectKind> = defects(&shapes).iter().map(|defect| defect.kind).collect();
+        assert_eq!(kinds.first().copied(), expected, "{name}");
+        // The spike touches its own foot, too.
+        assert!(name == "spike" || kinds.windows(2).all(|pair| pair[0] == pair[1]), "{name}: {kinds:?}");
+        // Without the points that repeat the first one it is the same.
+        let open: Vec<Shape> = polygons
+            .iter()
+            .map(|rings| Shape::Polygon(rings.iter().map(|r| ring(&r[..r.len() - 1])).collect()))
+            .collect();
+        assert_eq!(defects(&open).len(), kinds.len(), "{name}");
+    }
+}
+
+#[test]
+fn a_ring_all_points_of_which_lie_on_another_is_located() {
+    // A diamond with its points on the middles of the sides of a square, as a hole and as a second shell.
+    let square =
+        ring(&[[0.0, 0.0], [2.0, 0.0], [4.0, 0.0], [4.0, 2.0], [4.0, 4.0], [2.0, 4.0], [0.0, 4.0], [0.0, 2.0]]);
+    let diamond = ring(&[[2.0, 0.0], [4.0, 2.0], [2.0, 4.0], [0.0, 2.0]]);
+    let kinds = |shapes: &[Shape]| defects(shapes).iter().map(|defect| defect.kind).collect::<Vec<_>>();
+    for turned in [false, true] {
+        let diamond: Vec<Point> = if turned { diamond.iter().rev().copied().collect() } else { diamond.clone() };
+        let hole = [Shape::Polygon(vec![square.clone(), diamond.clone()])];
+        assert_eq!(kinds(&hole), [DefectKind::DisconnectedInterior]);
+        let shells = [Shape::Polygon(vec![square.clone()]), Shape::Polygon(vec![diamond.clone()])];
+        assert_eq!(kinds(&shells), [DefectKind::NestedShells]);
+        // A point of the hole on each side of a triangle around it: the hole lies outside.
+        let outside = [Shape::Polygon(vec![diamond, square.clone()])];
+        assert_eq!(kinds(&outside), [DefectKind::HoleOutsideShell]);
+    }
+}
+
+/// Which of three features claim each cell of a board of 4 by 4: overlaps and gaps have the areas of their cells.
+fn areas_are_those_of_the_cells(cells: Vec<u8>) -> bool {
+    let at = |x: usize, y: usize| -> u8 {
+        cells.get(4 * x + y).map_or(1, |cell| [1, 2, 4, 1, 2, 4, 0, 3, 5, 7][usize::from(cell % 10)])
+    };
+    let mut builder = Builder::new();
+    for feature in 0..3 {
+        let mut shapes = Vec::new();
+        for (x, y) in (0..4).flat_map(|x| (0..4).map(move |y| (x, y))) {
+            if at(x, y) & 1 << feature != 0 {
+                shapes.push(area([x as f64, y as f64], [x as f64 + 1.0, y as f64 + 1.0]));
+            }
+        }
+        builder.feature(&twinedge::map::Feature { shapes, ..Default::default() }).expect("in range");
+    }
+    let coverage = check(&builder.build().expect("small"), &Limits::default()).expect("plane");
+    let sum = |rule| coverage.of(rule).map(|finding| finding.area).sum::<f64>();
+    let claimed_twice = (0..16).filter(|cell| at(cell / 4, cell % 4).count_ones() > 1).count() as f64;
+    // Without features that claim the same cells, all that is claimed twice is an overlap.
+    let duplicates = coverage.of(CoverageRule::Duplicate).count() > 0;
+    // Unclaimed cells from which no way leads to the border of the board, across sides.
+    let mut open = [false; 16];
+    for _ in 0..16 {
+        for cell in 0..16 {
+            let (x, y) = (cell / 4, cell % 4);
+            let border = x == 0 || y == 0 || x == 3 || y == 3;
+            let beside = || {
+                [(x > 0, 4), (y > 0, 1)].into_iter().any(|(has, by)| has && open[cell - by])
+                    || [(x < 3, 4), (y < 3, 1)].into_iter().any(|(has, by)| has && open[cell + by])
+            };
+            open[cell] = at(x, y) == 0 && (border || beside());
+        }
+    }
+    let gaps = (0..16).filter(|cell| at(cell / 4, cell % 4) == 0 && !open[*cell]).count() as f64;
+    (duplicates || near(sum(CoverageRule::Overlap), claimed_twice)) && near(sum(CoverageRule::Gap), gaps)
+}
+
+#[test]
+fn overlaps_and_gaps_agree_with_the_cells() {
+    QuickCheck::new().tests(1_000).quickcheck(areas_are_those_of_the_cells as fn(Vec<u8>) -> bool);
+}

@@ -1,0 +1,311 @@
+//! Local validation: it accepts nothing that a full validation refuses, follows what is right, and reads only what has changed.
+
+use crate::support::watched::Watched;
+use twinedge::dcel::{Corner, Dcel, Split};
+use twinedge::program::census::{Census, Scope};
+use twinedge::program::{StepOutcome, try_every_op};
+use twinedge::validate::enumerate::{Cell, for_each_corruption};
+use twinedge::validate::forms::{expectations, projected};
+use twinedge::validate::near::{Baseline, BaselineError, Touched, validate_near};
+use twinedge::validate::{Collect, Expectation, Part, Rule, Table, validate};
+
+/// The record that has the cell.
+fn touch(touched: &mut Touched, cell: Cell) {
+    match cell {
+        Cell::Origin(h) | Cell::Twin(h) | Cell::Next(h) | Cell::Prev(h) | Cell::Boundary(h) | Cell::Face(h) => {
+            touched.half_edges.push(h);
+        }
+        Cell::Leaving(v) | Cell::Isolated(v) => touched.vertices.push(v),
+        Cell::BoundaryFace(b) | Cell::BoundaryStart(b) | Cell::BoundaryPlace(b) => touched.boundaries.push(b),
+        Cell::Outer(f) | Cell::OuterHalfEdge(f) | Cell::InnerStart(f, _) => touched.faces.push(f),
+        Cell::Inner(f, i) => touched.listed.push((f, i)),
+    }
+}
+
+/// All records that differ.
+fn difference(before: &Table, after: &Table) -> Touched {
+    fn rows<R: PartialEq>(before: &[Option<R>], after: &[Option<R>]) -> Vec<usize> {
+        let row = |rows: &[Option<R>], i: usize| -> Option<usize> { rows.get(i)?.as_ref().map(|_| i) };
+        let differ = |i: &usize| {
+            row(before, *i).is_some() != row(after, *i).is_some()
+                || row(before, *i).is_some() && before.get(*i) != after.get(*i)
+        };
+        (0..before.len().max(after.len())).filter(differ).collect()
+    }
+    let faces = rows(&before.faces, &after.faces);
+    let list = |table: &Table, f: usize| match table.faces.get(f) {
+        Some(Some(row)) => row.inner.clone(),
+        _ => vec![],
+    };
+    let mut listed = vec![];
+    for f in &faces {
+        let (before, after) = (list(before, *f), list(after, *f));
+        listed.extend((0..before.len().max(after.len())).filter(|i| before.get(*i) != after.get(*i)).map(|i| (*f, i)));
+    }
+    Touched {
+        vertices: rows(&before.vertices, &after.vertices),
+        half_edges: rows(&before.half_edges, &after.half_edges),
+        boundaries: rows(&before.boundaries, &after.boundaries),
+        faces,
+        listed,
+    }
+}
+
+/// Asserts that what is found right keeps R1 … F2.
+fn judge(baseline: &Baseline, table: &Table, touched: &Touched) -> bool {
+    let found = validate_near(&mut baseline.clone(), table, touched);
+    let report = validate(table, baseline.expectation(), Collect::All);
+    match found {
+        Ok(()) => {
+            let broken = report.broken_rules().find(|rule| *rule <= Rule::F2);
+            assert_eq!(broken, None, "{table}\n{touched:?}\n{report}");
+        }
+        Err(found) => assert_eq!(*found, report, "{table}\n{touched:?}"),
+    }
+    report.is_valid()
+}
+
+#[test]
+fn every_corruption_of_every_small_map_in_every_form() {
+    let (mut judged, mut right) = (0, 0);
+    for map in Census::new(Scope::Subdivisions { edges: 2, vertices: 3 }) {
+        let whole = Table::copy_of(map.runner.subject()).unwrap();
+        for expectation in expectations() {
+            let mut table = projected(&whole, &expectation);
+            let Ok(baseline) = Baseline::new(&table, &expectation) else { continue };
+            for_each_corruption(&mut table, &expectation, |corrupt, cell, _| {
+                let mut touched = Touched::default();
+                touch(&mut touched, cell);
+                judged += 1;
+                right += usize::from(judge(&baseline, corrupt, &touched));
+            });
+        }
+    }
+    assert!(judged > 100_000 && right > 1_000, "{judged} corruptions, of which {right} are right");
+}
+
+#[test]
+fn every_pair_of_corruptions_of_every_smallest_map() {
+    let expectation = Expectation::plane();
+    let (mut judged, mut right) = (0, 0);
+    for map in Census::new(Scope::Subdivisions { edges: 1, vertices: 3 }) {
+        let mut table = Table::copy_of(map.runner.subject()).unwrap();
+        let baseline = Baseline::new(&table, &expectation).unwrap();
+        for_each_corruption(&mut table, &expectation, |corrupt, first, _| {
+            let mut twice = corrupt.clone();
+            for_each_corruption(&mut twice, &expectation, |corrupt, second, _| {
+                let mut touched = Touched::default();
+                touch(&mut touched, first);
+                touch(&mut touched, second);
+                judged += 1;
+                right += usize::from(judge(&baseline, corrupt, &touched));
+            });
+        });
+    }
+    assert!(judged > 100_000 && right > 100, "{judged} pairs, of which {right} are right");
+}
+
+/// All that an operator can do wrong by one link, on every small map.
+#[test]
+fn every_operator_with_every_wrong_link() {
+    let expectation = Expectation::plane();
+    let (mut judged, mut wrong) = (0, 0);
+    for map in Census::new(Scope::Subdivisions { edges: 2, vertices: 2 }) {
+        let before = Table::copy_of(map.runner.subject()).unwrap();
+        let baseline = Baseline::new(&before, &expectation).unwrap();
+        try_every_op(&map.runner, |_, outcome, changed| {
+            if outcome != StepOutcome::Applied {
+                return;
+            }
+            let mut after = Table::copy_of(changed.subject()).unwrap();
+            let written = difference(&before, &after);
+            for_each_corruption(&mut after, &expectation, |corrupt, cell, _| {
+                let mut touched = written.clone();
+                touch(&mut touched, cell);
+                judged += 1;
+                wrong += usize::from(!judge(&baseline, corrupt, &touched));
+            });
+        });
+    }
+    assert!(judged > 100_000 && wrong * 10 > judged * 9, "{judged} results, of which {wrong} are wrong");
+}
+
+/// One baseline follows each operator, and is then what a new one would be.
+#[test]
+fn a_baseline_follows_every_operator_on_every_small_map() {
+    for expectation in [
+        Expectation::plane(),
+        Expectation::plane().without(Part::Prev).without(Part::Leaving),
+        Expectation::plane().without(Part::Faces),
+        Expectation::plane().without(Part::Faces).without(Part::Prev).without(Part::Leaving),
+        Expectation::surface(),
+        Expectation::surface().without(Part::BoundaryComponents),
+    ] {
+        for map in Census::new(Scope::Subdivisions { edges: 3, vertices: 2 }) {
+            let whole = Table::copy_of(map.runner.subject()).unwrap();
+            let before = projected(&whole, &expectation);
+            let baseline = Baseline::new(&before, &expectation).unwrap();
+            try_every_op(&map.runner, |op, _, changed| {
+                let after = projected(&Table::copy_of(changed.subject()).unwrap(), &expectation);
+                let mut followed = baseline.clone();
+                let touched = difference(&before, &after);
+                validate_near(&mut followed, &after, &touched).unwrap();
+                // Both lead to the same verdicts from here on, if they go back by the same way.
+                let fresh = Baseline::new(&after, &expectation).unwrap();
+                for mut baseline in [followed, fresh] {
+                    validate_near(&mut baseline, &before, &touched).unwrap();
+                }
+                assert!(!touched.is_empty() || before == after, "{op:?}");
+            });
+        }
+    }
+}
+
+/// A ring of this many edges, and in its face an isolated vertex and a ring of three.
+fn ring(edges: usize) -> Dcel {
+    let mut dcel = Dcel::new();
+    let outside = dcel.unbounded_face().key();
+    for edges in [edges, 3] {
+        let face = dcel.faces().find(|face| !face.is_unbounded()).map_or(outside, |face| face.key());
+        let v = dcel.add_isolated_vertex(face).unwrap().vertex;
+        let h = dcel.connect(v, v, Split::default()).unwrap().half_edge;
+        for _ in 1..edges {
+            dcel.split_edge(h).unwrap();
+        }
+        dcel.add_isolated_vertex(face).unwrap();
+    }
+    dcel
+}
+
+/// What it reads does not grow with the structure.
+#[test]
+fn what_is_read_depends_on_the_change_only() {
+    type Change = fn(&mut Dcel);
+    let changes: [(&str, Change); 6] = [
+        ("split_edge", |dcel| {
+            let h = dcel.half_edges().next().unwrap().key();
+            dcel.split_edge(h).unwrap();
+        }),
+        ("join_edges", |dcel| {
+            let h = dcel.half_edges().next().unwrap().key();
+            dcel.join_edges(h).unwrap();
+        }),
+        ("connect, near", |dcel| {
+            let h = dcel.half_edges().next().unwrap();
+            let (from, to) = (Corner::At(h.key()), Corner::At(h.next().next().key()));
+            dcel.connect(from, to, Split::default()).unwrap();
+        }),
+        ("connect, with an isolated vertex", |dcel| {
+            let h = dcel.half_edges().find(|h| h.face().inner().any(|b| b.isolated_vertex().is_some())).unwrap();
+            let v = h.face().inner().find_map(|b| b.isolated_vertex()).unwrap().key();
+            let h = h.key();
+            dcel.connect(h, v, Split::default()).unwrap();
+        }),
+        ("add_isolated_vertex", |dcel| {
+            let f = dcel.half_edges().next().unwrap().face().key();
+            dcel.add_isolated_vertex(f).unwrap();
+        }),
+        ("contract_edge", |dcel| {
+            let h = dcel.half_edges().next().unwrap().key();
+            dcel.contract_edge(h).unwrap();
+        }),
+    ];
+    for (name, change) in changes {
+        let asked = [50, 5_000].map(|edges| {
+            let mut dcel = ring(edges);
+            let before = Table::copy_of(&dcel).unwrap();
+            let mut baseline = Baseline::new(&before, &Expectation::plane()).unwrap();
+            change(&mut dcel);
+            let after = Table::copy_of(&dcel).unwrap();
+            let watched = Watched::new(&after);
+            validate_near(&mut baseline, &watched, &difference(&before, &after)).unwrap();
+            [&watched.twin, &watched.next, &watched.prev, &watched.inner_count, &watched.inner]
+                .map(std::cell::Cell::get)
+        });
+        assert_eq!(asked[0], asked[1], "{name}");
+        assert!(asked[0].iter().sum::<usize>() < 300, "{name}: {asked:?}");
+    }
+}
+
+#[test]
+fn where_there_is_no_local_validation() {
+    let table = Table::copy_of(&ring(3)).unwrap();
+    let of = |expectation: Expectation| Baseline::new(&projected(&table, &expectation), &expectation);
+    assert!(matches!(of(Expectation::plane().open()), Err(BaselineError::OpenBoundaries)));
+    for part in [Part::BoundaryComponents, Part::Places, Part::UnboundedFace] {
+        assert!(matches!(of(Expectation::plane().without(part)), Err(BaselineError::Lacks(lacks)) if lacks == part));
+    }
+    let mut broken = table;
+    broken.half_edges.iter_mut().flatten().next().unwrap().next = Some(0);
+    let Err(BaselineError::Invalid(report)) = Baseline::new(&broken, &Expectation::plane()) else { panic!() };
+    assert_eq!(*report, validate(&broken, &Expectation::plane(), Collect::All));
+}
+
+/// A face that came and went within one change, like all of its records.
+#[test]
+fn what_came_and_went_is_vacant() {
+    let mut dcel = ring(5_000);
+    let mut baseline = Baseline::new(&dcel, &Expectation::plane()).unwrap();
+    let before = Table::copy_of(&dcel).unwrap();
+    let h = dcel.half_edges().next().unwrap();
+    let (from, to) = (Corner::At(h.key()), Corner::At(h.next().next().key()));
+    let connected = dcel.connect(from, to, Split::default()).unwrap().half_edge;
+    let between = Table::copy_of(&dcel).unwrap();
+    dcel.remove_edge(connected).unwrap();
+    let after = Table::copy_of(&dcel).unwrap();
+    let (mut touched, back) = (difference(&before, &between), difference(&between, &after));
+    touched.half_edges.extend(back.half_edges);
+    touched.vertices.extend(back.vertices);
+    touched.boundaries.extend(back.boundaries);
+    touched.faces.extend(back.faces);
+    touched.listed.extend(back.listed);
+    let watched = Watched::new(&after);
+    validate_near(&mut baseline, &watched, &touched).unwrap();
+    assert!(watched.twin.get() < 100, "{}", watched.twin.get());
+}
+
+/// After records were not named the baseline is wrong. Nothing loops or panics then, and what is wrong in the structure itself
+/// is found if it is named.
+#[test]
+fn a_baseline_that_missed_something_ends() {
+    let expectation = Expectation::plane();
+    for map in Census::new(Scope::Subdivisions { edges: 2, vertices: 2 }) {
+        let mut table = Table::copy_of(map.runner.subject()).unwrap();
+        let right = Baseline::new(&table, &expectation).unwrap();
+        let everything = difference(&Table::default(), &table);
+        let before = table.clone();
+        for_each_corruption(&mut table, &expectation, |corrupt, cell, _| {
+            let mut baseline = right.clone();
+            let mut touched = everything.clone();
+            touch(&mut touched, cell);
+            // It believes that nothing has changed, and then hears of records that have not.
+            assert!(validate_near(&mut baseline, corrupt, &Touched::default()).is_ok());
+            let found = validate_near(&mut baseline, corrupt, &touched);
+            let report = validate(corrupt, &expectation, Collect::First);
+            assert!(found.is_err() || report.broken_rules().all(|rule| rule > Rule::F2), "{corrupt}");
+            assert!(validate_near(&mut baseline, &before, &touched).is_ok());
+        });
+    }
+}
+
+/// A structure that is right although records that have changed were not named is right, and followed from there.
+#[test]
+fn forgotten_records_are_caught_up_with() {
+    let mut dcel = ring(5);
+    let mut baseline = Baseline::new(&dcel, &Expectation::plane()).unwrap();
+    let h = dcel.half_edges().next().unwrap().key();
+    // Nothing is named, so nothing is read, and nothing can be said.
+    dcel.split_edge(h).unwrap();
+    validate_near(&mut baseline, &dcel, &Touched::default()).unwrap();
+    let before = Table::copy_of(&dcel).unwrap();
+    dcel.split_edge(h).unwrap();
+    let some =
+        Touched { vertices: difference(&before, &Table::copy_of(&dcel).unwrap()).vertices, ..Touched::default() };
+    validate_near(&mut baseline, &dcel, &some).unwrap();
+    let before = Table::copy_of(&dcel).unwrap();
+    dcel.split_edge(h).unwrap();
+    let after = Table::copy_of(&dcel).unwrap();
+    let watched = Watched::new(&after);
+    validate_near(&mut baseline, &watched, &difference(&before, &after)).unwrap();
+    assert!(watched.twin.get() < 100);
+}
