@@ -17,8 +17,7 @@ pub(super) struct Boundaries {
     pub(super) at_vertex: usize,
     /// Whether each of these is listed once, where there are no records for boundary components.
     pub(super) vertices_hold: bool,
-    /// How many cycles are listed.
-    pub(super) cycles: usize,
+    pub(super) cycles: Cycles,
 }
 
 /// An inner boundary component: where it starts, and the face that lists it.
@@ -29,6 +28,7 @@ pub(super) struct Inner {
 }
 
 /// The cycles of `next`.
+#[derive(Default)]
 pub(super) struct Cycles {
     /// How many name a boundary component or a face; all where there are none.
     pub(super) named: usize,
@@ -41,54 +41,60 @@ struct Lists<'a, V: ?Sized> {
     view: &'a V,
     extent: Extent,
     links: &'a Links,
-    /// Whether every cycle is walked along, and so all are listed in the end.
-    walked: bool,
     /// How many half-edges were visited.
     visited: usize,
     found: Boundaries,
 }
 
-/// Reads the lists of all faces, and walks along the listed cycles: along all of them if `walked`, or only those that could be
-/// listed twice.
-pub(super) fn read<V: View + ?Sized>(view: &V, extent: Extent, links: &Links, walked: bool) -> Option<Boundaries> {
-    let found = Boundaries { faces: 0, outer: 0, inner: Vec::new(), at_vertex: 0, vertices_hold: true, cycles: 0 };
-    let mut lists = Lists { view, extent, links, walked, visited: 0, found };
+/// Reads the lists of all faces, and walks along every cycle: from where it is listed, or if it names nothing, from its first half-edge.
+pub(super) fn read<V: View + ?Sized>(view: &V, extent: Extent, links: &Links) -> Option<Boundaries> {
+    let cycles = Cycles::default();
+    let found = Boundaries { faces: 0, outer: 0, inner: Vec::new(), at_vertex: 0, vertices_hold: true, cycles };
+    let mut lists = Lists { view, extent, links, visited: 0, found };
     if extent.has(Part::BoundaryComponents) {
         lists.by_record()?;
     } else {
         lists.by_label()?;
     }
+    if extent.expect.is_open() && lists.visited < links.half_edges {
+        lists.unnamed()?;
+    }
     let unbounded = lists.found.faces - lists.found.outer;
-    let complete = !walked || lists.visited == links.half_edges - links.unnamed;
-    (complete && unbounded == usize::from(extent.has(Part::UnboundedFace))).then_some(lists.found)
+    let complete = lists.visited == links.half_edges && unbounded == usize::from(extent.has(Part::UnboundedFace));
+    complete.then_some(lists.found)
 }
 
-/// Walks along every cycle, or only along those that name nothing.
+/// Counts the cycles, where `next` is known to be a permutation.
 #[inline(never)]
-pub(super) fn cycles<V: View + ?Sized>(view: &V, extent: Extent, links: &Links, all: bool) -> Option<Cycles> {
-    let mut cycles = Cycles { named: 0, unnamed: Vec::new() };
-    if !all && links.unnamed == 0 {
-        return Some(cycles);
-    }
-    let has_names = extent.has(Part::Faces);
-    let by_record = extent.has(Part::BoundaryComponents);
-    let is_unnamed = |h| has_names && if by_record { view.boundary(h) } else { view.face(h) }.is_none();
-    let mut passed = Marks::new(extent.half_edges)?;
-    let mut visited = 0;
+pub(super) fn cycles<V: View + ?Sized>(view: &V, extent: Extent, links: &Links) -> Option<Cycles> {
+    let mut cycles = Cycles::default();
+    let tells_borders = extent.expect.is_open() && extent.has(Part::Faces);
+    let mut passed = Marks::default();
+    let follow = |h| existing(view.next(h), extent.half_edges);
     for start in 0..extent.half_edges {
-        if passed.has(start) || !view.is_half_edge(start) {
+        if !view.is_half_edge(start) {
             continue;
         }
-        let is_unnamed = is_unnamed(start);
-        if !is_unnamed && !all {
-            continue;
-        }
-        visited += along(view, extent, start, links.half_edges - visited, |h| passed.mark(h))?;
-        if is_unnamed && extent.expect.is_open() {
-            cycles.unnamed.try_reserve(1).ok()?;
-            cycles.unnamed.push(existing(view.origin(start), extent.vertices)? as u32);
+        // Most cycles are short. So the next four are read, without a branch that depends on what they are, and without marks.
+        let second = follow(start)?;
+        let third = follow(second)?;
+        let fourth = follow(third)?;
+        let fifth = follow(fourth)?;
+        let is_short = (second == start) | (third == start) | (fourth == start) | (fifth == start);
+        let is_first = if is_short {
+            (start <= second) & (start <= third) & (start <= fourth)
         } else {
-            cycles.named += 1;
+            passed.make_room(extent.half_edges)?;
+            let is_first = !passed.has(start);
+            if is_first {
+                along(view, extent, start, links.half_edges, |h| passed.mark(h))?;
+            }
+            is_first
+        };
+        if tells_borders && is_first && extent.name(view, start).is_none() {
+            cycles.note_unnamed(existing(view.origin(start), extent.vertices)?)?;
+        } else {
+            cycles.named += usize::from(is_first);
         }
     }
     Some(cycles)
@@ -105,14 +111,23 @@ fn along<V: View + ?Sized>(
     mut visit: impl FnMut(usize) -> Option<()>,
 ) -> Option<usize> {
     let mut h = start;
-    for visited in 1..=limit {
+    for visited in 0..limit {
         visit(h)?;
         h = existing(view.next(h), extent.half_edges)?;
         if h == start {
-            return Some(visited);
+            return Some(visited + 1);
         }
     }
     None
+}
+
+impl Cycles {
+    /// Notes a vertex of a border loop.
+    fn note_unnamed(&mut self, vertex: usize) -> Option<()> {
+        self.unnamed.try_reserve(1).ok()?;
+        self.unnamed.push(vertex as u32);
+        Some(())
+    }
 }
 
 impl<V: View + ?Sized> Lists<'_, V> {
@@ -153,7 +168,7 @@ impl<V: View + ?Sized> Lists<'_, V> {
         let start = view.boundary_start(b)?;
         self.enter(f, start, place)?;
         if let Start::HalfEdge(start) = start {
-            self.cycle(start, view.boundary(start) == Some(b), self.walked, |_| Some(()))?;
+            self.cycle(start, |h| (view.boundary(h) == Some(b)).then_some(()))?;
         }
         Some(())
     }
@@ -173,6 +188,7 @@ impl<V: View + ?Sized> Lists<'_, V> {
             let outer = view.outer_half_edge(f);
             let inner = if extent.has(Part::Holes) { view.inner_count(f) } else { 0 };
             entries = entries.checked_add(inner).filter(|entries| *entries <= most)?;
+            let of_f = |h| (view.face(h) == Some(f)).then_some(());
             let is_alone = inner == usize::from(outer.is_none());
             if !is_alone {
                 passed.make_room(extent.half_edges)?;
@@ -184,32 +200,40 @@ impl<V: View + ?Sized> Lists<'_, V> {
                 self.enter(f, start, place)?;
                 match start {
                     Start::Vertex(v) => self.isolated(v, &mut listed)?,
-                    Start::HalfEdge(h) if is_alone => {
-                        self.cycle(h, view.face(h) == Some(f), self.walked, |_| Some(()))?;
-                    }
-                    Start::HalfEdge(h) => self.cycle(h, view.face(h) == Some(f), true, |h| passed.mark(h))?,
+                    Start::HalfEdge(start) if is_alone => self.cycle(start, of_f)?,
+                    Start::HalfEdge(start) => self.cycle(start, |h| of_f(h).and_then(|()| passed.mark(h)))?,
                 }
             }
         }
         Some(())
     }
 
-    /// Counts a cycle that is listed where its half-edges say, and walks along it if it must.
+    /// Walks along the cycles that name nothing, which no face lists. Each has twins, which bound something, or it bounds nothing.
+    #[cold]
+    #[inline(never)]
+    fn unnamed(&mut self) -> Option<()> {
+        let (view, extent) = (self.view, self.extent);
+        let mut passed = Marks::new(extent.half_edges)?;
+        for start in (0..extent.half_edges).filter(|h| view.is_half_edge(*h)) {
+            if extent.name(view, start).is_some() || passed.has(start) {
+                continue;
+            }
+            let is_border = |h| extent.name(view, h).is_none() && view.twin(h).is_some();
+            let visit = |h| if is_border(h) { passed.mark(h) } else { None };
+            self.visited += along(view, extent, start, self.links.half_edges - self.visited, visit)?;
+            self.found.cycles.note_unnamed(existing(view.origin(start), extent.vertices)?)?;
+        }
+        Some(())
+    }
+
+    /// Walks along a cycle that a face lists, and counts it.
     #[inline]
-    fn cycle(
-        &mut self,
-        start: usize,
-        names_its_list: bool,
-        walked: bool,
-        visit: impl FnMut(usize) -> Option<()>,
-    ) -> Option<()> {
-        if !names_its_list || !self.view.is_half_edge(start) {
+    fn cycle(&mut self, start: usize, visit: impl FnMut(usize) -> Option<()>) -> Option<()> {
+        if !self.view.is_half_edge(start) {
             return None;
         }
-        if walked {
-            self.visited += along(self.view, self.extent, start, self.links.half_edges - self.visited, visit)?;
-        }
-        self.found.cycles += 1;
+        self.visited += along(self.view, self.extent, start, self.links.half_edges - self.visited, visit)?;
+        self.found.cycles.named += 1;
         Some(())
     }
 

@@ -1,7 +1,8 @@
 //! What the scan and the walks have settled, for the rules to enter or to start from.
 
 use super::boundaries::Boundaries;
-use super::links::{Doubts, Links};
+use super::doubts::Doubts;
+use super::links::Links;
 use super::rotations::Rotations;
 use crate::validate::columns::Components;
 

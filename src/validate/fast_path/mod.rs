@@ -62,6 +62,7 @@
 mod borders;
 mod boundaries;
 mod components;
+mod doubts;
 mod extent;
 pub(super) mod known;
 mod links;
@@ -75,63 +76,57 @@ use super::view::View;
 use alloc::vec::Vec;
 use boundaries::{Boundaries, Cycles};
 use components::Joined;
+use doubts::Settled;
 use extent::Extent;
 use known::{Known, Lists, Turned, Vertices, Whole};
+use links::Links;
 use rotations::Rotations;
 
 /// Finds out what holds of R1 … T3, part by part.
 ///
 /// What is noted as known holds whatever else is broken.
 pub(super) fn look<V: View + ?Sized>(run: &mut Run<'_, V>) {
-    settle(run);
-    if run.known.lists.is_some() {
-        return;
-    }
     let (view, extent) = (run.view, extent_of(run));
-    let named = run.known.half_edges.as_mut().and_then(|doubts| links::doubt_names(view, extent, doubts));
-    if named.is_none() {
+    let Some(mut links) = links::scan(view, extent) else { return };
+    let around = turn(run, extent, &mut links);
+    // Where the rotations are wrong the lists stand on their own, but their rules come after one that is broken.
+    let is_wanted = around.is_some() || !run.findings.wants_first_only();
+    let lists = if extent.has(Part::Faces) && links.next_holds && is_wanted {
+        boundaries::read(view, extent, &links)
+    } else {
+        None
+    };
+    let settled = Settled { origins: around.is_some(), names: lists.is_some() };
+    let Some(doubts) = doubts::find(view, extent, &links, settled) else {
         run.known = Known::default();
+        return;
+    };
+    run.known.half_edges = Some(doubts);
+    run.known.lists = lists.as_ref().map(Lists::of);
+    let Some(around) = around else { return };
+    let turned = Turned { links, around };
+    match lists {
+        Some(lists) => listed(run, extent, turned, &lists),
+        None => run.known.turned = Some(turned),
+    }
+    if !extent.has(Part::Faces) {
+        whole(run);
     }
 }
 
-/// The same, but for what half-edges name where the lists are not right.
-fn settle<V: View + ?Sized>(run: &mut Run<'_, V>) {
-    let view = run.view;
-    let extent = extent_of(run);
-    let Some(mut links) = links::scan(view, extent) else { return };
-    let Some(doubts) = links.doubts(view, extent) else { return };
-    run.known.half_edges = Some(doubts);
-    let is_map = links.next_holds && links.twin_holds && links.one_into_each;
-    let mut vertices_hold = true;
-    let mut around = if is_map { rotations::walk(view, extent, &links) } else { None };
-    if is_map && around.is_none() && links.note_leaving(view, extent).is_some() {
-        // What a vertex keeps may be all that is wrong.
-        vertices_hold = false;
-        around = rotations::walk(view, extent, &links);
+/// Walks around the vertices, where the links are right, and notes what holds of these.
+fn turn<V: View + ?Sized>(run: &mut Run<'_, V>, extent: Extent, links: &mut Links) -> Option<Rotations> {
+    if !(links.next_holds && links.twin_holds && links.one_into_each) {
+        return None;
     }
-    let Some(around) = around else {
-        // The lists stand on their own, but their rules come after one that is broken.
-        if !run.findings.wants_first_only() && links.next_holds && links.name_holds && extent.has(Part::Faces) {
-            run.known.lists = boundaries::read(view, extent, &links, true).map(|lists| Lists::of(&lists));
-        }
-        return;
-    };
-    if let Some(claimed) = around.claimed.filter(|_| vertices_hold) {
-        run.known.vertices = Some(Vertices { live: around.vertices, isolated: around.isolated, claimed });
+    if let Some(around) = rotations::walk(run.view, extent, links) {
+        let Rotations { vertices: live, isolated, claimed, .. } = around;
+        run.known.vertices = claimed.map(|claimed| Vertices { live, isolated, claimed });
+        return Some(around);
     }
-    let turned = Turned { links, around };
-    if !extent.has(Part::Faces) {
-        run.known.turned = Some(turned);
-        whole(run);
-    } else if !turned.links.name_holds {
-        run.known.turned = Some(turned);
-    } else {
-        let walked = extent.expect.surface_kind() != Surface::Plane;
-        match boundaries::read(view, extent, &turned.links, walked) {
-            Some(lists) => listed(run, extent, turned, &lists),
-            None => run.known.turned = Some(turned),
-        }
-    }
+    // What a vertex keeps may be all that is wrong.
+    links.note_leaving(run.view, extent)?;
+    rotations::walk(run.view, extent, links)
 }
 
 const fn extent_of<V: ?Sized>(run: &Run<'_, V>) -> Extent {
@@ -144,14 +139,10 @@ const fn extent_of<V: ?Sized>(run: &Run<'_, V>) -> Extent {
     }
 }
 
-/// Where the lists are right, or right if the components are as many as they leave room for: what follows of the whole.
+/// Where the lists are right, too: what follows of the whole.
 fn listed<V: View + ?Sized>(run: &mut Run<'_, V>, extent: Extent, turned: Turned, lists: &Boundaries) {
-    let Some(unnamed) = boundaries::cycles(run.view, extent, &turned.links, false) else { return };
-    let claims_agree = agree(extent, &turned.around, lists);
-    let cycles = Cycles { named: lists.cycles, unnamed: unnamed.unnamed };
-    let Some(mut whole) = join(run.view, extent, turned, &cycles) else { return };
-    run.known.lists = Some(Lists::of(lists));
-    run.known.isolated = claims_agree;
+    run.known.isolated = agree(extent, &turned.around, lists);
+    let Some(mut whole) = join(run.view, extent, turned, &lists.cycles) else { return };
     if extent.expect.surface_kind() == Surface::Plane && extent.has(Part::Holes) {
         run.known.outsides = outsides(&mut whole.components, lists, extent.has(Part::UnboundedFace)).is_some();
     }
@@ -172,7 +163,7 @@ fn agree(extent: Extent, around: &Rotations, lists: &Boundaries) -> bool {
 pub(super) fn whole<V: View + ?Sized>(run: &mut Run<'_, V>) {
     let Some(turned) = run.known.turned.take() else { return };
     let extent = extent_of(run);
-    let Some(cycles) = boundaries::cycles(run.view, extent, &turned.links, true) else { return };
+    let Some(cycles) = boundaries::cycles(run.view, extent, &turned.links) else { return };
     run.known.whole = join(run.view, extent, turned, &cycles);
 }
 

@@ -88,12 +88,12 @@ fn around<V: View + ?Sized>(
     mut see: impl FnMut(usize) -> Option<()>,
 ) -> Option<usize> {
     let mut h = start;
-    for visited in 1..=limit {
+    for visited in 0..limit {
         let t = existing(view.twin(h), extent.half_edges)?;
         see(view.origin(t)?)?;
         h = existing(view.next(t), extent.half_edges)?;
         if h == start {
-            return Some(visited);
+            return Some(visited + 1);
         }
     }
     None
@@ -110,11 +110,11 @@ fn across<V: View + ?Sized>(
 ) -> Option<usize> {
     see(view.origin(before)?)?;
     let mut h = existing(view.next(before), extent.half_edges)?;
-    for visited in 1..=limit {
+    for visited in 0..limit {
         let Some(t) = view.twin(h) else {
             let next = existing(view.next(h), extent.half_edges)?;
             see(view.origin(next)?)?;
-            return Some(visited);
+            return Some(visited + 1);
         };
         let t = existing(Some(t), extent.half_edges)?;
         see(view.origin(t)?)?;
