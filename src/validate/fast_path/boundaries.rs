@@ -75,21 +75,25 @@ pub(super) fn cycles<V: View + ?Sized>(view: &V, extent: Extent, links: &Links) 
         if !view.is_half_edge(start) {
             continue;
         }
-        // Most cycles are short. So the next four are read, without a branch that depends on what they are, and without marks.
+        // Most cycles are short. So the next ones are read, without a branch for each and without marks.
         let second = follow(start)?;
         let third = follow(second)?;
-        let fourth = follow(third)?;
-        let fifth = follow(fourth)?;
-        let is_short = (second == start) | (third == start) | (fourth == start) | (fifth == start);
-        let is_first = if is_short {
-            (start <= second) & (start <= third) & (start <= fourth)
+        let fourth = view.next(third);
+        let is_triangle = (second == start) | (third == start) | (fourth == Some(start));
+        let is_first = if is_triangle {
+            (start <= second) & (start <= third)
         } else {
-            passed.make_room(extent.half_edges)?;
-            let is_first = !passed.has(start);
-            if is_first {
-                along(view, extent, start, links.half_edges, |h| passed.mark(h))?;
+            let fourth = existing(fourth, extent.half_edges)?;
+            if view.next(fourth) == Some(start) {
+                (start <= second) & (start <= third) & (start <= fourth)
+            } else {
+                passed.make_room(extent.half_edges)?;
+                let is_first = !passed.has(start);
+                if is_first {
+                    along(view, extent, start, links.half_edges, |h| passed.mark(h))?;
+                }
+                is_first
             }
-            is_first
         };
         if tells_borders && is_first && extent.name(view, start).is_none() {
             cycles.note_unnamed(existing(view.origin(start), extent.vertices)?)?;

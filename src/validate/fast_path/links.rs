@@ -124,30 +124,53 @@ fn note<V: View + ?Sized>(view: &V, leaving: &mut [u32], h: usize) {
 }
 
 /// Scans, and tells `note` each half-edge.
-#[inline(never)]
 fn scan_and<V: View + ?Sized, const WITH_PREV: bool>(
     view: &V,
     extent: Extent,
     links: &mut Links,
     mut note: impl FnMut(usize),
 ) -> Option<()> {
-    let mut live = 0;
-    for h in 0..extent.half_edges {
-        if !view.is_half_edge(h) {
-            continue;
-        }
-        live += 1;
-        if !is_inside_and_holds::<V, WITH_PREV>(view, extent.half_edges, h) {
+    let mut h = 0;
+    while h < extent.half_edges {
+        let (end, live) = right_ones::<V, WITH_PREV>(view, extent.half_edges, h, &mut note);
+        h = end;
+        links.half_edges += live;
+        if h < extent.half_edges {
+            links.half_edges += 1;
             at_border_or_wrong(view, extent, h, links)?;
+            note(h);
+            h += 1;
         }
-        note(h);
     }
-    links.half_edges = live;
     Some(())
 }
 
+/// Scans from a half-edge to the next one that is at the border or wrong, or to the end. Returns that, and how many are live up to it.
+///
+/// A loop of its own, as it takes most of the time: it calls nothing but the view, and everything that it compares is in registers.
+#[inline(never)]
+fn right_ones<V: View + ?Sized, const WITH_PREV: bool>(
+    view: &V,
+    half_edges: usize,
+    from: usize,
+    note: &mut impl FnMut(usize),
+) -> (usize, usize) {
+    let mut live = 0;
+    for h in from..half_edges {
+        if view.is_half_edge(h) {
+            if !is_inside_and_holds::<V, WITH_PREV>(view, half_edges, h) {
+                return (h, live);
+            }
+            live += 1;
+            note(h);
+        }
+    }
+    (half_edges, live)
+}
+
 /// Whether nothing is wrong with a half-edge that has a twin, as nearly all have.
-#[inline]
+#[inline(always)]
+#[allow(clippy::inline_always, reason = "a call for each half-edge costs more than what it asks")]
 fn is_inside_and_holds<V: View + ?Sized, const WITH_PREV: bool>(view: &V, half_edges: usize, h: usize) -> bool {
     let Some(t) = existing(view.twin(h), half_edges) else { return false };
     let Some(n) = existing(view.next(h), half_edges) else { return false };
