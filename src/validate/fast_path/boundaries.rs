@@ -81,11 +81,11 @@ pub(super) fn cycles<V: View + ?Sized>(view: &V, extent: Extent, links: &Links) 
         let fourth = view.next(third);
         let is_triangle = (second == start) | (third == start) | (fourth == Some(start));
         let is_first = if is_triangle {
-            (start <= second) & (start <= third)
+            start <= second.min(third)
         } else {
             let fourth = existing(fourth, extent.half_edges)?;
             if view.next(fourth) == Some(start) {
-                (start <= second) & (start <= third) & (start <= fourth)
+                start <= fourth.min(third).min(second)
             } else {
                 passed.make_room(extent.half_edges)?;
                 let is_first = !passed.has(start);

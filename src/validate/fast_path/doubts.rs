@@ -25,10 +25,9 @@ pub(super) struct Settled {
 }
 
 /// The half-edges that may break a rule: those at which the scan has found something wrong, and, by a second scan, those at which
-/// something is wrong that nothing else has settled; and their twins. None if they are too many.
+/// something is wrong that nothing else has settled. None if they are too many.
 pub(super) fn find<V: View + ?Sized>(view: &V, extent: Extent, links: &Links, settled: Settled) -> Option<Doubts> {
     let mut half_edges = Vec::new();
-    half_edges.try_reserve_exact(2 * links.wrong.len()).ok()?;
     for h in &links.wrong {
         with_twin(view, extent, *h as usize, &mut half_edges)?;
     }
@@ -37,16 +36,21 @@ pub(super) fn find<V: View + ?Sized>(view: &V, extent: Extent, links: &Links, se
     if !(is_prev_settled && settled.origins && are_names_settled) {
         let most = half_edges.len() + MOST_DOUBTS;
         for h in (0..extent.half_edges).filter(|h| view.is_half_edge(*h)) {
+            let has_origin = settled.origins || has_origin(view, extent, h);
             let holds = (is_prev_settled || is_led_back_to(view, extent, h))
-                && (settled.origins || has_origin(view, extent, h))
                 && (are_names_settled || is_named(view, extent, h));
-            if holds {
+            if holds && has_origin {
                 continue;
             }
             if half_edges.len() >= most {
                 return None;
             }
-            with_twin(view, extent, h, &mut half_edges)?;
+            if has_origin {
+                half_edges.try_reserve(1).ok()?;
+                half_edges.push(h as u32);
+            } else {
+                with_twin(view, extent, h, &mut half_edges)?;
+            }
         }
     }
     half_edges.sort_unstable();
