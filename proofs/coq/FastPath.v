@@ -32,7 +32,10 @@
     - A nil is read as 0 where it has been excluded before: of what is listed ([entry_ok]), of the twins and origins of
       half-edges ([scanned]), and of the vertices where boundary components start ([entry_ok]).
 
-    Nothing is said here of the figures that the Rust code notes on the way, and of memory that runs out. *)
+    - It accepts or refuses. The Rust code asks the same in another order, the vertices before the cycles, and where something
+      is wrong it keeps what holds in spite of that, and has the rest looked at by the rules.
+
+    Nothing is said here of that, of the figures that the Rust code notes on the way, and of memory that runs out. *)
 
 From mathcomp Require Import all_ssreflect.
 From twinedge Require Import View Rules Loops Reference.

@@ -6,58 +6,64 @@
 //! [`rule_by_rule`](super::reference::rule_by_rule). The fast path takes every expectation.
 //!
 //! ```text
-//!   scan, by index:               lists of the faces:           around v, from leaving(v):
+//!   scan, by index:               along each cycle:             around v, from leaving(v):
 //!
-//!        h          n             face f ──► b ──► start h              \   |   /
-//!   ·────────►w────────►·         b names f and its place,          ◄── \  |  / ──►
-//!   ·◄────────w                   h names b                        ─────── v ───────
-//!        t
-//!   twin(t) = h ≠ t,              at an open boundary, across v, from the half-edge without
-//!   origin(n) = origin(t),        twin that ends at v:
-//!   prev(n) = h,                      ──p──► v ──► · · · ──► v ──last──►
-//!   h and n name the same b
+//!        h          n             ┌──► h ──► n ──► · ──┐              \   |   /
+//!   ·────────►w────────►·         └────────────────────┘           ◄── \  |  / ──►
+//!   ·◄────────w                   boundary(h) = b,                ─────── v ───────
+//!        t                        face(b) lists b
+//!   twin(t) = h ≠ t,                                            at an open boundary, across v,
+//!   origin(n) = origin(t),                                      from the half-edge without twin that ends at v:
+//!   prev(n) = h                                                     ──p──► v ──► · · · ──► v ──last──►
 //! ```
 //!
 //! # Why this is enough
 //!
 //! The walks remember little, because they count. Say that the scan finds nothing wrong, that every step of every walk finds what the
-//! picture says, that every walk around a vertex returns to where it started, or at an open boundary ends at a half-edge without twin,
-//! and that these walks take as many steps as there are half-edges.
+//! picture says, that every walk returns to where it started, or at an open boundary ends at a half-edge without twin, and that
+//! each kind of walk takes as many steps as there are half-edges.
 //!
-//! - The scan is R1 of half-edges, L1, L3, and L2 where there is `prev`: each half-edge is the `prev` of its next, so `next` is a
-//!   permutation. The origin of a half-edge is read through its twin. All half-edges of a cycle name the same boundary component or
-//!   face, or, at an open boundary, nothing.
+//! - The scan is L1 and L3, and it finds that `twin` and `next` lead from half-edges to half-edges. Where there is `prev`, each half-edge
+//!   is the `prev` of its next, so `next` is a permutation, and `prev` is live and `next` undoes it (L2).
 //! - By L3 the origin stays the same around a vertex, and `leaving(v)` leaves v, so the walks around different vertices do not meet,
-//!   and visit every half-edge once, and each with its origin: that is V1 and V2. Where vertices keep no half-edge, the scan
-//!   notes one of each.
+//!   and visit every half-edge once, and each with its origin: that is V1 and V2, and R1 of origins. Where vertices keep no half-edge,
+//!   the scan notes one of each.
 //! - At an open boundary a rotation that is not closed is a chain, and begins after a half-edge without twin that ends at the vertex. The
 //!   scan notes one of these for each vertex; if it meets two, two fans share the vertex, and V2 is broken. A chain ends at the
 //!   first half-edge without twin, so as many leave the vertex as end there: one. They follow one another around the border loops.
 //! - Without `prev`, a step around a vertex leads from h to `next(twin(h))`. Each half-edge is reached by one step of one walk, or
 //!   begins a chain as the next of one half-edge without twin. So no two half-edges have the same next: L2.
+//! - The walks along the cycles start where faces list them. No two of them meet: their half-edges have different boundary
+//!   components, or different faces, or they are marked. So they visit every half-edge once, and each names what lists its cycle
+//!   (B1, and R1 of these names). Cycles that name nothing are border loops, and are marked, too.
 //! - The faces list as many boundary components as there are, each of them once, by its own face, and each starts at a half-edge that
-//!   names it, or at a vertex (F1, F2, and R1 of faces and boundary components). So there are at least as many cycles as are listed.
-//!   Without records, cycles listed by one face are walked along and marked, so these differ, too.
+//!   names it, or at a vertex (F1, F2, and R1 of faces and boundary components).
 //! - Each isolated vertex names a boundary component that starts at it, and there are as many of these as of those (B2).
+//! - Without faces, and where the lists are wrong, the cycles are counted by their half-edges with the smallest number. Those of cycles
+//!   with up to four half-edges need no marks.
 //! - Components are joined until as few are left as Euler's formula allows. It says that `V − E + cycles = 2C − 2g` with
-//!   `g ≥ 0`, where border loops are cycles. There are never fewer sets than components. In the plane, the cycles that are listed
-//!   take the place of all: `V − E + listed ≤ V − E + cycles ≤ 2C ≤ 2 · sets`. If the first is equal to the last, no cycle is missing
-//!   from the lists (B1), all that half-edges name is listed and so live, C is known, and g is 0 (T3).
-//! - On other surfaces, where a rotation is wrong, and where there are no faces, every cycle is walked along and counted. On a surface
-//!   the difference that is left when all edges are used is the genus.
-//! - Cycles that name nothing are border loops. They are walked along and marked.
+//!   `g ≥ 0`, where border loops are cycles, so there are never fewer, and once there are as many, C is known and g is 0. Where all
+//!   edges are used up before, the difference is the genus (T3).
 //! - Then each component needs one inner boundary component, or none if a border loop is its outside (T1).
+//!
+//! # What of this is proved
+//!
+//! `proofs/coq/FastPath.v` models the scan with `prev`, the walks from what vertices keep and from records of boundary components, the
+//! counts, the joining and T1: what structures in the plane with every part and without open boundary go through. It is proved to accept
+//! exactly what keeps R1 … T1 and T3. That is a proof of the model; this code is compared with the rules by tests. The rest is argued
+//! here and tested, not proved: structures that lack a part, open boundaries, other surfaces, cycles without faces, and what is settled
+//! where something is wrong.
 //!
 //! # Where something is wrong
 //!
-//! A half-edge at which the scan finds nothing wrong keeps R1, L and B1, with two exceptions: its origin is vouched for by its twin, and
-//! its `prev` by the half-edge before it. So the rules look at the half-edges at which something is wrong, at their twins, and, if
-//! any `next` or `prev` is wrong, at those to which no `prev` leads back, which takes a second scan; so does what half-edges name, where the
-//! lists are wrong. If they are too many, nothing is
-//! settled. Without `prev`, two half-edges of the same next may be anywhere, and L looks at all.
+//! A half-edge at which the scan finds nothing wrong keeps L1 and L3, and R1 of `twin` and `next`, and its next L2. So the rules
+//! look at the half-edges at which something is wrong, at their twins, and, by a second scan, at those to which no `prev` leads back,
+//! if any `next` or `prev` is wrong, at those whose origins are not live, if the rotations are wrong, and at those that name what
+//! is not live or what the next does not name, if the lists are wrong. If they are too many, nothing is settled. Without `prev`, two
+//! half-edges of the same next may be anywhere, and L looks at all.
 //!
-//! What is right in spite of that is settled: the lists where names and `next` are right, as every cycle is walked along then; V1 and V2
-//! where the links are right; T3 where V2 is, by all cycles of `next`.
+//! What is right in spite of that is settled: the lists where `next` is right; V1 and V2 where the links are right; T3 where V2 is, by
+//! all cycles of `next`.
 
 mod borders;
 mod boundaries;
