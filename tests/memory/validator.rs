@@ -244,7 +244,8 @@ impl<V: View> View for Wrong<'_, V> {
     }
 }
 
-/// What the fast path keeps of a structure with one fault, until the rules have used it, is no more than they take without it.
+/// What the fast path keeps of a structure with one fault, until the rules have used it, and what they take beside it are together no
+/// more than the rules take alone, and less than the documentation says.
 #[test]
 fn what_is_partly_settled_takes_no_more_than_elsewhere() {
     let edges = 100_000;
@@ -270,9 +271,9 @@ fn what_is_partly_settled_takes_no_more_than_elsewhere() {
                     true
                 });
                 most = most.max(bytes);
-                assert!(bytes <= (24 + 5 * 2) * edges + REPORT, "{bytes} bytes, {rule:?}, {expectation:?}");
+                assert!(bytes <= 20 * edges + REPORT, "{bytes} bytes, {rule:?}, {expectation:?}");
             }
         }
     }
-    assert_close(most, (24 + 5 * 2) * edges);
+    assert_close(most, 20 * edges);
 }
