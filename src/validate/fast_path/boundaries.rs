@@ -79,7 +79,7 @@ pub(super) fn cycles<V: View + ?Sized>(view: &V, extent: Extent, links: &Links) 
         let second = follow(start)?;
         let third = follow(second)?;
         let fourth = view.next(third);
-        let is_triangle = (second == start) | (third == start) | (fourth == Some(start));
+        let is_triangle = second == start || third == start || fourth == Some(start);
         let is_first = if is_triangle {
             start <= second.min(third)
         } else {
