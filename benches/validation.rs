@@ -93,7 +93,8 @@ impl Mesh {
         self.outer[longest] = u32::MAX;
         for h in 0..self.next.len() {
             if self.face[h] == longest as u32 {
-                self.twin[self.twin[h] as usize] = u32::MAX;
+                let twin = self.twin[h] as usize;
+                self.twin[twin] = u32::MAX;
                 self.origin[h] = u32::MAX;
             }
         }
