@@ -21,8 +21,9 @@ const LEGIBLE: usize = 1_000;
   twinedge draw parcels.geojson --detail -o parcels.svg          with half-edges, as textbooks draw them
   twinedge draw --detail --window 5.5 45.5 11 48 -o alps.svg     a part of it
 
-Each feature has a colour, and neighbours have different ones. A face that two features claim is hatched. A map that is not \
-plane is drawn as well, with the rule and the records at each place where it is not.
+Each feature has a colour, and neighbours have different ones. A face that two features claim is hatched, a gap between them is \
+dotted, and a dashed ring shows where one of them is tiny. A map that is not plane is drawn as well; violations have numbers, which \
+are explained below the map. Islands far from everything else are drawn in insets, unless --whole is given.
 
 Exit status: 0 the map is drawn and valid; 1 it is drawn, and violations are marked; 2 it could not be read or drawn.")]
 pub(crate) struct Draw {
@@ -38,7 +39,7 @@ pub(crate) struct Draw {
     detail: bool,
 
     /// Write the three tables of the textbooks instead of a picture: vertices, faces, half-edges.
-    #[arg(long, conflicts_with_all = ["detail", "force", "window", "size"])]
+    #[arg(long, conflicts_with_all = ["detail", "force", "window", "size", "whole"])]
     tables: bool,
 
     /// Draw details even if there are too many to be legible.
@@ -49,7 +50,11 @@ pub(crate) struct Draw {
     #[arg(long, num_args = 4, value_names = ["X0", "Y0", "X1", "Y1"], allow_negative_numbers = true)]
     window: Option<Vec<f64>>,
 
-    /// Longer side of the picture, in pixels.
+    /// Draw islands far from everything else where they are, even if that makes everything small.
+    #[arg(long)]
+    whole: bool,
+
+    /// Longer side of the map in the picture, in pixels.
     #[arg(long, value_name = "PIXELS", default_value_t = 1_200, value_parser = clap::value_parser!(u32).range(100..=100_000))]
     size: u32,
 
@@ -103,7 +108,13 @@ impl Draw {
             )));
         }
         let report = validate_embedding(&map, &Expectation::plane(), Collect::AtMost(self.list));
-        let options = Options { size: self.size.into(), detail: self.detail, window, violations: report.violations() };
+        let options = Options {
+            size: self.size.into(),
+            detail: self.detail,
+            window,
+            insets: !self.whole,
+            violations: report.violations(),
+        };
         let picture = if self.tables { Textbook::of_embedding(&map).to_string() } else { svg::draw(&map, &options) };
         match self.output.as_deref().filter(|path| *path != Path::new("-")) {
             None => print(&picture)?,

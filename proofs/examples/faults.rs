@@ -2,14 +2,17 @@
 //!
 //! One build holds all faults, each behind a switch that is read from the environment. Each check then runs once without a fault,
 //! and must pass, and once with each. A fault is caught if the check fails, panics, or takes longer than a minute and five times
-//! what it takes without a fault. The checks of the part of the library that has the fault are run first, and of these the quickest.
+//! what it takes without a fault, or more memory than any of them does. The checks of the part of the library that has the fault are
+//! run first, and of these the quickest. Each result is written to `target/faults/cells.txt`, and taken from there by the next run
+//! of the same sources.
 #![allow(clippy::print_stdout, clippy::print_stderr, reason = "it is a program")]
 
 use clap::Parser;
-use std::collections::BTreeMap;
+use std::collections::{BTreeMap, BTreeSet};
 use std::error::Error;
-use std::fs;
-use std::io::{BufRead, BufReader};
+use std::fs::{self, File, OpenOptions};
+use std::hash::{DefaultHasher, Hash, Hasher};
+use std::io::{BufRead, BufReader, Write};
 use std::path::{Path, PathBuf};
 use std::process::{Command, Stdio};
 use std::sync::Mutex;
@@ -26,30 +29,37 @@ type Result<T> = std::result::Result<T, Box<dyn Error + Send + Sync>>;
 Examples:
   cargo run -p twinedge-proofs --example faults                           every cell of the table: hours
   cargo run -p twinedge-proofs --example faults -- --enough 2             until two checks have caught each fault
+  cargo run -p twinedge-proofs --example faults -- --minutes 30           go on for half an hour: what was run before is kept
   cargo run -p twinedge-proofs --example faults -- --only R1 --checks corrupt,tables")]
 struct Arguments {
     /// The faults with these words in their names
     #[arg(long, value_name = "WORDS")]
     only: Option<String>,
-    /// These checks alone, separated by commas
+    /// These checks alone, separated by commas: the program's commands, and test binaries
     #[arg(long, value_name = "NAMES", value_delimiter = ',')]
     checks: Option<Vec<String>>,
     /// Run no further check with a fault that as many have caught
     #[arg(long, value_name = "N")]
     enough: Option<usize>,
-    /// Begin no check later than this
+    /// Begin no check later than this. The next run goes on from there, unless a source has changed
     #[arg(long, value_name = "N")]
     minutes: Option<u64>,
+    /// How many checks run side by side
+    #[arg(long, value_name = "N", default_value_t = std::thread::available_parallelism().map_or(1, std::num::NonZero::get))]
+    threads: usize,
 }
 
 /// A check that takes longer than this, and than five times what it takes without a fault, counts as one that does not end.
 const LIMIT: Duration = Duration::from_secs(60);
 
-/// A check: its name, and the program with its arguments.
+/// The address space of a check in kibibytes, where there is a shell to limit it.
+const MEMORY: &str = "3000000";
+
+/// A check: its name, and the program with its arguments. The tests of one module are one check.
 struct Check {
-    name: &'static str,
+    name: String,
     program: PathBuf,
-    arguments: Vec<&'static str>,
+    arguments: Vec<String>,
     /// How long it takes without a fault.
     takes: Duration,
 }
@@ -64,24 +74,30 @@ enum End {
 }
 
 /// The checks that are test binaries: the name, the arguments by which cargo builds it, and its source as cargo names it.
-const TESTS: [(&str, &[&str], &str); 4] = [
+const TESTS: [(&str, &[&str], &str); 6] = [
     ("validate", &["-p", "twinedge", "--test", "validate"], "tests/validate/main.rs"),
     ("dcel", &["-p", "twinedge", "--test", "dcel"], "tests/dcel/main.rs"),
     ("program", &["-p", "twinedge", "--test", "program"], "tests/program/main.rs"),
+    ("map", &["-p", "twinedge", "--test", "map"], "tests/map/main.rs"),
+    ("algorithm", &["-p", "twinedge", "--test", "algorithm"], "tests/algorithm/main.rs"),
     ("harnesses", &["-p", "twinedge-proofs", "--lib"], "unittests src/lib.rs"),
 ];
 
 /// The checks of the program `twinedge`.
-const COMMANDS: [(&str, &[&str]); 5] = [
+const COMMANDS: [(&str, &[&str]); 6] = [
     ("corrupt", &["corrupt", "--edges", "2", "--pairs", "1000", "--seed", "1", "--threads", "1"]),
     ("tables", &["tables", "--half-edges", "2", "--threads", "1"]),
     ("sample", &["sample", "--tables", "1000", "--seed", "1", "--threads", "1"]),
     ("prove", &["prove", "--edges", "2", "--threads", "1"]),
     ("soak", &["soak", "--programs", "30", "--seed", "1", "--threads", "1", "--save", "/dev/null/none"]),
+    (
+        "audited",
+        &["soak", "--on", "audited", "--programs", "30", "--seed", "1", "--threads", "1", "--save", "/dev/null/none"],
+    ),
 ];
 
 fn main() -> Result<()> {
-    let Arguments { only, checks: chosen, enough, minutes } = Arguments::parse();
+    let Arguments { only, checks: chosen, enough, minutes, threads } = Arguments::parse();
     let named = TESTS.iter().map(|(name, ..)| *name).chain(COMMANDS.iter().map(|(name, _)| *name)).collect::<Vec<_>>();
     if let Some(other) = chosen.iter().flatten().find(|name| !named.contains(&name.as_str())) {
         return Err(format!("there is no check {other}; the checks are {}", named.join(", ")).into());
@@ -91,7 +107,7 @@ fn main() -> Result<()> {
     let faults = read(&root.join("proofs/faults"))?;
     let build = root.join("target/faults");
     let copy = build.join("sources");
-    copy_planted(&root, &copy, &faults)?;
+    let sources = copy_planted(&root, &copy, &faults)?;
     let mut checks = built(&copy, &build, is_chosen)?;
     let start = Instant::now();
     for check in &mut checks {
@@ -105,8 +121,9 @@ fn main() -> Result<()> {
     let wanted: Vec<usize> =
         (0..faults.len()).filter(|n| only.as_ref().is_none_or(|words| faults[*n].what.contains(words))).collect();
     let until = minutes.map(|minutes| start + Duration::from_secs(60 * minutes));
-    let limits = Limits { until, enough: enough.unwrap_or(usize::MAX) };
-    let ends = matrix(&checks, &faults, &wanted, limits)?;
+    let limits = Limits { until, enough: enough.unwrap_or(usize::MAX), threads };
+    let mut cells = Cells::open(&build.join("cells.txt"), sources)?;
+    let ends = matrix(&checks, &faults, &wanted, limits, &mut cells)?;
     print(&checks, &faults, &ends);
     Ok(())
 }
@@ -122,12 +139,16 @@ fn read(folder: &Path) -> Result<Vec<Fault>> {
     Ok(faults)
 }
 
-/// Writes a copy of the sources with all faults planted. Files that are the same already are left alone.
-fn copy_planted(root: &Path, copy: &Path, faults: &[Fault]) -> Result<()> {
+/// Writes a copy of the sources with all faults planted, and gives a number that stands for it. Files that are the same already are
+/// left alone, and what is no longer a source goes.
+fn copy_planted(root: &Path, copy: &Path, faults: &[Fault]) -> Result<u64> {
+    let mut sum = DefaultHasher::new();
+    let mut copied = BTreeSet::new();
     let mut folders = vec![PathBuf::new()];
     while let Some(folder) = folders.pop() {
-        for entry in fs::read_dir(root.join(&folder))? {
-            let entry = entry?;
+        let mut entries = fs::read_dir(root.join(&folder))?.collect::<std::result::Result<Vec<_>, _>>()?;
+        entries.sort_by_key(|entry| entry.file_name());
+        for entry in entries {
             let path = folder.join(entry.file_name());
             if entry.file_type()?.is_dir() {
                 let is_source =
@@ -142,16 +163,32 @@ fn copy_planted(root: &Path, copy: &Path, faults: &[Fault]) -> Result<()> {
                 bytes = plant(&String::from_utf8(bytes)?, &of_file)?.into_bytes();
             }
             if path == Path::new("src/lib.rs") {
+                bytes.splice(..0, "#![allow(warnings)]\n".bytes());
                 bytes.extend(SWITCH.bytes());
+            }
+            if path.extension().is_some_and(|extension| extension != "md") {
+                (&path, &bytes).hash(&mut sum);
             }
             let to = copy.join(&path);
             if fs::read(&to).ok().as_ref() != Some(&bytes) {
                 fs::create_dir_all(copy.join(&folder))?;
-                fs::write(to, bytes)?;
+                fs::write(&to, bytes)?;
+            }
+            copied.insert(to);
+        }
+    }
+    let mut folders = vec![copy.to_owned()];
+    while let Some(folder) = folders.pop() {
+        for entry in fs::read_dir(folder)? {
+            let entry = entry?;
+            if entry.file_type()?.is_dir() {
+                folders.push(entry.path());
+            } else if !copied.contains(&entry.path()) {
+                fs::remove_file(entry.path())?;
             }
         }
     }
-    Ok(())
+    Ok(sum.finish())
 }
 
 /// Builds the copy, and gives the checks.
@@ -174,28 +211,51 @@ fn built(copy: &Path, build: &Path, is_chosen: impl Fn(&str) -> bool) -> Result<
         let line = said.lines().find(|line| line.contains(source)).ok_or_else(|| format!("cargo made no {source}"))?;
         let program =
             line.split_once('(').and_then(|(_, rest)| rest.split_once(')')).ok_or("cargo says something else")?.0;
-        checks.push(Check { name, program: copy.join(program), arguments: vec!["--test-threads=1"], takes: LIMIT });
+        let program = copy.join(program);
+        for module in modules(&program)? {
+            let arguments = vec![format!("{module}::"), "--test-threads=1".to_owned()];
+            checks.push(Check { name: format!("{name} {module}"), program: program.clone(), arguments, takes: LIMIT });
+        }
     }
     if COMMANDS.iter().any(|(name, _)| is_chosen(name)) {
         cargo(&["build", "--release", "-p", "twinedge-cli"])?;
     }
     let program = build.join("release/twinedge");
     for (name, arguments) in COMMANDS.iter().filter(|(name, _)| is_chosen(name)) {
-        checks.push(Check { name, program: program.clone(), arguments: arguments.to_vec(), takes: LIMIT });
+        let arguments = arguments.iter().map(|argument| (*argument).to_owned()).collect();
+        checks.push(Check { name: (*name).to_owned(), program: program.clone(), arguments, takes: LIMIT });
     }
     Ok(checks)
+}
+
+/// The modules that have the tests of a program.
+fn modules(program: &Path) -> Result<BTreeSet<String>> {
+    let output = Command::new(program).args(["--list", "--format", "terse"]).output()?;
+    let listed = String::from_utf8(output.stdout)?;
+    Ok(listed.lines().filter_map(|line| line.split_once("::")).map(|(module, _)| module.to_owned()).collect())
 }
 
 impl Check {
     /// Whether the check is about the part of the library that has this fault.
     fn is_near(&self, fault: &Fault) -> bool {
-        let of_validator = ["validate", "corrupt", "tables", "sample"].contains(&self.name);
-        of_validator == fault.file.starts_with("src/validate/") && self.name != "harnesses"
+        let near: &[&str] = match fault.file.as_str() {
+            file if file.starts_with("src/validate/near") => &["validate", "dcel", "audited"],
+            file if file.starts_with("src/validate/") => &["validate", "map", "corrupt", "tables", "sample"],
+            file if file.starts_with("src/algorithm/") => &["algorithm"],
+            _ => &["dcel", "program", "prove", "soak", "audited"],
+        };
+        near.iter().any(|name| self.name.split(' ').next() == Some(name))
     }
 
     /// Runs the check with a fault switched on.
     fn run(&self, fault: Option<usize>) -> Result<End> {
-        let mut command = Command::new(&self.program);
+        let mut command = if cfg!(unix) {
+            let mut shell = Command::new("sh");
+            shell.args(["-c", &format!("ulimit -v {MEMORY}; exec \"$0\" \"$@\"")]).arg(&self.program);
+            shell
+        } else {
+            Command::new(&self.program)
+        };
         command.args(&self.arguments).stdin(Stdio::null()).stdout(Stdio::piped()).stderr(Stdio::null());
         // Some tests read files beside their sources.
         let folder = self.program.ancestors().find(|folder| folder.ends_with("faults")).unwrap_or(Path::new("."));
@@ -233,25 +293,70 @@ impl Check {
     }
 }
 
-/// When to stop.
+/// When to stop, and how many checks run side by side.
 #[derive(Clone, Copy)]
 struct Limits {
     until: Option<Instant>,
     enough: usize,
+    threads: usize,
 }
 
-/// Runs each check with each of these faults, four at a time.
-fn matrix(checks: &[Check], faults: &[Fault], wanted: &[usize], limits: Limits) -> Result<BTreeMap<usize, Vec<End>>> {
+/// The cells that were run with these sources, in a file.
+struct Cells {
+    known: BTreeMap<(String, String), End>,
+    file: File,
+}
+
+impl Cells {
+    fn open(path: &Path, sources: u64) -> Result<Self> {
+        let head = format!("sources {sources:016x}");
+        let text = fs::read_to_string(path).unwrap_or_default();
+        let mut known = BTreeMap::new();
+        let is_current = text.lines().next() == Some(&head);
+        for line in text.lines().skip(1).filter(|_| is_current) {
+            let mut columns = line.splitn(3, '\t');
+            if let (Some(end), Some(check), Some(what)) =
+                (columns.next().and_then(End::of_mark), columns.next(), columns.next())
+            {
+                known.insert((check.to_owned(), what.to_owned()), end);
+            }
+        }
+        if !is_current {
+            fs::write(path, format!("{head}\n"))?;
+        }
+        Ok(Self { known, file: OpenOptions::new().append(true).open(path)? })
+    }
+
+    fn add(&mut self, end: End, check: &str, what: &str) -> Result<()> {
+        Ok(writeln!(self.file, "{}\t{check}\t{what}", end.mark())?)
+    }
+}
+
+/// Runs each check with each of these faults, but for what is known.
+fn matrix(
+    checks: &[Check],
+    faults: &[Fault],
+    wanted: &[usize],
+    limits: Limits,
+    known: &mut Cells,
+) -> Result<BTreeMap<usize, Vec<End>>> {
     let mut cells: Vec<(usize, usize)> =
         (0..checks.len()).flat_map(|check| wanted.iter().map(move |fault| (check, *fault))).collect();
     cells.sort_by_key(|(check, fault)| (!checks[*check].is_near(&faults[*fault]), checks[*check].takes));
-    let none: BTreeMap<usize, Vec<End>> =
-        wanted.iter().map(|fault| (*fault, vec![End::NotRun; checks.len()])).collect();
-    let (next, done) = (AtomicUsize::new(0), Mutex::new(none));
+    let recorded = |fault: usize| {
+        let cell = |check: &Check| known.known.get(&(check.name.clone(), faults[fault].what.clone())).copied();
+        checks.iter().map(|check| cell(check).unwrap_or(End::NotRun)).collect::<Vec<End>>()
+    };
+    let recorded: BTreeMap<usize, Vec<End>> = wanted.iter().map(|fault| (*fault, recorded(*fault))).collect();
+    cells.retain(|(check, fault)| recorded.get(fault).is_some_and(|ends| ends[*check] == End::NotRun));
+    let count = cells.len();
+    let (next, done, known) = (AtomicUsize::new(0), Mutex::new(recorded), Mutex::new(known));
     let work = || -> Result<()> {
-        while let Some((check, fault)) = cells.get(next.fetch_add(1, Ordering::Relaxed)) {
+        loop {
+            let number = next.fetch_add(1, Ordering::Relaxed);
+            let Some((check, fault)) = cells.get(number) else { return Ok(()) };
             if limits.until.is_some_and(|until| Instant::now() >= until) {
-                break;
+                return Ok(());
             }
             let is_caught = |done: &BTreeMap<usize, Vec<End>>| {
                 done.get(fault).is_some_and(|ends| ends.iter().filter(|end| end.is_caught()).count() >= limits.enough)
@@ -260,72 +365,75 @@ fn matrix(checks: &[Check], faults: &[Fault], wanted: &[usize], limits: Limits) 
                 continue;
             }
             let end = checks[*check].run(Some(*fault))?;
-            eprintln!("{} {} {fault}", mark(end), checks[*check].name);
+            let (name, what) = (&checks[*check].name, &faults[*fault].what);
+            eprintln!("{number} of {count}: {} {name}, {what}", end.mark());
+            known.lock().map_err(|_| "another thread panicked")?.add(end, name, what)?;
             if let Some(ends) = done.lock().map_err(|_| "another thread panicked")?.get_mut(fault) {
                 ends[*check] = end;
             }
         }
-        Ok(())
     };
     std::thread::scope(|scope| {
-        let threads = [(); 4].map(|()| scope.spawn(work));
+        let threads: Vec<_> = (0..limits.threads).map(|_| scope.spawn(work)).collect();
         threads.into_iter().try_for_each(|thread| thread.join().map_err(|_| "a thread panicked")?)
     })?;
     Ok(done.into_inner().map_err(|_| "a thread panicked")?)
 }
 
-const fn mark(end: End) -> char {
-    match end {
-        End::NotRun => '–',
-        End::Passed => '·',
-        End::Failed => '×',
-        End::TimedOut => 't',
-    }
-}
-
-/// The table in Markdown.
+/// The tables in Markdown.
 fn print(checks: &[Check], faults: &[Fault], caught: &BTreeMap<usize, Vec<End>>) {
-    println!(
-        "| fault | where | {} |",
-        checks.iter().map(|check| format!("`{}`", check.name)).collect::<Vec<_>>().join(" | ")
-    );
-    println!("| --- | --- |{}", " --- |".repeat(checks.len()));
+    println!("| fault | where | caught by | not by | not run |\n| --- | --- | --- | --- | --- |");
+    let named = |ends: &[End], test: fn(End) -> bool| -> Vec<String> {
+        let those = checks.iter().zip(ends).filter(|(_, end)| test(**end));
+        those
+            .map(|(check, end)| if *end == End::TimedOut { format!("{} (t)", check.name) } else { check.name.clone() })
+            .collect()
+    };
+    let (mut by_none, mut by_one) = (Vec::new(), Vec::new());
     for (n, ends) in caught {
         let Fault { what, file, .. } = &faults[*n];
         let name = file.strip_prefix("src/").unwrap_or(file);
-        let marks: Vec<String> = ends.iter().map(|end| mark(*end).to_string()).collect();
-        println!("| {what} | `{name}` | {} |", marks.join(" | "));
+        let by = named(ends, End::is_caught);
+        let not_by = named(ends, |end| end == End::Passed).len();
+        println!("| {what} | `{name}` | {} | {not_by} | {} |", by.join(", "), ends.len() - by.len() - not_by);
+        match &by[..] {
+            [] => by_none.push(format!("- {what}")),
+            [one] => by_one.push(format!("- {what}: {one}")),
+            _ => {}
+        }
     }
-    let by = |ends: &[End]| -> Vec<usize> { (0..checks.len()).filter(|check| ends[*check].is_caught()).collect() };
-    let names = |catchers: &[usize]| {
-        let of_it = caught.iter().filter(|(_, ends)| by(ends) == catchers);
-        of_it.map(|(n, _)| format!("*{}*", faults[*n].what)).collect::<Vec<_>>()
-    };
-    let none = names(&[]);
-    let one: Vec<_> = (0..checks.len()).map(|check| names(&[check])).collect();
-    let by_one: usize = one.iter().map(Vec::len).sum();
-    let several = caught.len() - none.len() - by_one;
+    let several = caught.len() - by_none.len() - by_one.len();
     println!(
-        "\n{} faults: {several} caught by several checks, {by_one} by one, {} by none.\n",
+        "\n{} faults: {several} caught by several checks, {} by one, {} by none.\n",
         caught.len(),
-        none.len()
+        by_one.len(),
+        by_none.len()
     );
-    println!(
-        "| check | caught | not run | caught by it alone | seconds without a fault |\n| --- | --- | --- | --- | --- |"
-    );
+    for (words, faults) in [("one", by_one), ("none", by_none)].iter().filter(|(_, faults)| !faults.is_empty()) {
+        println!("Caught by {words} of those that were run:\n\n{}\n", faults.join("\n"));
+    }
+    println!("| check | caught | not caught | seconds without a fault |\n| --- | --- | --- | --- |");
     for (position, Check { name, takes, .. }) in checks.iter().enumerate() {
-        let count = |test: fn(&End) -> bool| caught.values().filter(|ends| test(&ends[position])).count();
-        let (by_it, not_run) = (count(|end| end.is_caught()), count(|end| *end == End::NotRun));
-        println!("| `{name}` | {by_it} | {not_run} | {} | {:.1} |", one[position].len(), takes.as_secs_f64());
+        let count = |test: fn(End) -> bool| caught.values().filter(|ends| test(ends[position])).count();
+        let (by_it, not_by_it) = (count(End::is_caught), count(|end| end == End::Passed));
+        println!("| {name} | {by_it} | {not_by_it} | {:.1} |", takes.as_secs_f64());
     }
-    println!("\nCaught by one of those that were run:\n");
-    for (check, names) in checks.iter().zip(&one).filter(|(_, names)| !names.is_empty()) {
-        println!("- `{}`: {}", check.name, names.join("; "));
-    }
-    println!("\nCaught by none of those that were run: {}", none.join("; "));
 }
 
 impl End {
+    const fn mark(self) -> char {
+        match self {
+            Self::NotRun => '–',
+            Self::Passed => '·',
+            Self::Failed => '×',
+            Self::TimedOut => 't',
+        }
+    }
+
+    fn of_mark(mark: &str) -> Option<Self> {
+        [Self::Passed, Self::Failed, Self::TimedOut].into_iter().find(|end| mark.chars().eq([end.mark()]))
+    }
+
     const fn is_caught(self) -> bool {
         matches!(self, Self::Failed | Self::TimedOut)
     }

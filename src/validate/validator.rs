@@ -1,4 +1,4 @@
-//! The rules R1 … T4 in order, and M1 … M7 where they are asked for.
+//! The rules R1 … T4 in order, and M1 … M8 where they are asked for.
 
 use super::columns::Components;
 use super::expectation::Expectation;
@@ -8,8 +8,8 @@ use super::passes;
 use super::report::{Collect, Report, Unchecked};
 use super::rule::Rule;
 use super::rules::{
-    borders, bounds, closed, connected, cycle, euler, genus, isolated, leaving, listed, live, nesting, outer, outside,
-    sides, simple, used,
+    borders, bounds, closed, connected, cycle, euler, genus, isolated, kept, leaving, listed, live, nesting, outer,
+    outside, sides, simple, used,
 };
 use super::run::Run;
 use super::view::View;
@@ -33,7 +33,7 @@ const TOPOLOGICAL: &[Rule] = &[
     Rule::T4,
 ];
 
-/// Validates any half-edge structure: rules R1 … T4, and those of M1 … M7 that the expectation asks for.
+/// Validates any half-edge structure: rules R1 … T4, and those of M1 … M8 that the expectation asks for.
 ///
 /// Cost: O(n) time (but for the inverse of Ackermann's function) and memory, n being the number of slots of all kinds. It
 /// does not panic unless the [`View`] does, and it always ends. At most so many bytes are in use at a time, besides the violations that are kept:
@@ -146,7 +146,7 @@ fn whole<V: View + ?Sized>(run: &mut Run<'_, V>) -> Result<Option<Components>, H
     Ok(Some(components))
 }
 
-/// M1 … M7, each if it is asked for.
+/// M1 … M8, each if it is asked for.
 fn asked<V: View + ?Sized>(run: &mut Run<'_, V>, components: Option<&Components>) -> Flow {
     used::check(run)?;
     simple::check(run, components)?;
@@ -154,5 +154,6 @@ fn asked<V: View + ?Sized>(run: &mut Run<'_, V>, components: Option<&Components>
     closed::check(run)?;
     connected::check(run)?;
     borders::check(run)?;
-    genus::check(run)
+    genus::check(run)?;
+    kept::check(run)
 }

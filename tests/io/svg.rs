@@ -3,7 +3,7 @@
 use quickcheck::{Gen, QuickCheck};
 use twinedge::geometry::{MAX_COORDINATE, MIN_COORDINATE, Point};
 use twinedge::io::svg::{Options, draw, half_edges_in};
-use twinedge::map::{Builder, Feature, PlanarMap, Shape};
+use twinedge::map::{Builder, Feature, Noding, PlanarMap, Shape};
 use twinedge::validate::{Field, Record, Violation};
 
 fn polygon(name: &str, ring: &[[f64; 2]]) -> Feature {
@@ -120,9 +120,141 @@ fn violations_are_marked_where_they_are() {
     assert!(is_well_formed(&text), "{text}");
     assert!(text.contains("<circle class=\"bad\" cx=\"500.00\" cy=\"500.00\""), "{text}");
     let edges: Vec<usize> = map.dcel().edges().map(|h| h.index()).collect();
-    assert!(edges.iter().all(|h| text.contains(&format!(" h{h}")) || text.contains(&format!(" h{}", h + 1))));
-    assert!(text.contains(">G4 ") && paths(&text, "bad").contains(&vec![12.0, 988.0, 988.0, 12.0]), "{text}");
+    assert!(text.contains(&format!("1  G4 half-edges {} and {} cross", edges[0], edges[1])), "{text}");
+    assert!(text.contains(">1</text>") && paths(&text, "bad").contains(&vec![12.0, 988.0, 988.0, 12.0]), "{text}");
     assert!(!draw(&map, &Options::default()).contains("class=\"bad\""));
+}
+
+/// A field of 4 by 4 squares, and three islands: two far to the right, and one far below.
+fn archipelago() -> PlanarMap {
+    let square = |x: f64, y: f64, side: f64| [[x, y], [x + side, y], [x + side, y + side], [x, y + side]];
+    let mut features: Vec<Feature> =
+        (0..16).map(|i| polygon("field", &square(f64::from(i % 4), f64::from(i / 4), 1.0))).collect();
+    features.push(polygon("Near", &square(40.0, 0.0, 2.0)));
+    features.push(polygon("Next", &square(42.2, 0.0, 2.0)));
+    features.push(polygon("Deep", &square(0.0, -60.0, 1.0)));
+    built(&features)
+}
+
+/// The part with the most vertices is as large as if there were no islands.
+#[test]
+fn islands_far_away_are_drawn_in_insets() {
+    let map = archipelago();
+    let text = draw(&map, &Options::default());
+    assert!(is_well_formed(&text), "{text}");
+    assert_eq!((text.matches("class=\"inset\"").count(), text.matches("<svg ").count()), (2, 4), "{text}");
+    assert!(text.contains("viewBox=\"0 0 1000 1162\"") && text.contains("M12 988L256 988"), "{text}");
+    // Each face is in one panel, and so is each name; two islands that lie near each other have one inset.
+    assert_eq!(text.matches("fill-rule").count(), 19);
+    let inset = text.split("<svg ").find(|panel| panel.contains("Near")).expect("is drawn");
+    assert!(inset.contains("f") && inset.contains("Next") && !inset.contains("Deep"), "{inset}");
+    let scale: Vec<&str> = text.split(" × the scale").filter_map(|before| before.rsplit('>').next()).take(2).collect();
+    // 176 pixels for 4.2 units and 126 for 1, against 976 for 4.
+    assert_eq!(scale, ["0.17", "0.52"]);
+    let whole = draw(&map, &Options { insets: false, ..Options::default() });
+    assert!(!whole.contains("inset\" x") && whole.matches("<svg ").count() == 2, "{whole}");
+    let window = Some([Point::new(-1.0, -1.0), Point::new(5.0, 5.0)]);
+    assert!(!draw(&map, &Options { window, ..Options::default() }).contains("× the scale"));
+}
+
+/// What lies a little apart needs no inset, and of many far parts the rest is counted.
+#[test]
+fn insets_are_few() {
+    let square = |x: f64, y: f64| [[x, y], [x + 1.0, y], [x + 1.0, y + 1.0], [x, y + 1.0]];
+    let near: Vec<Feature> = (0..20).map(|i| polygon("", &square(1.4 * f64::from(i), 0.0))).collect();
+    assert!(!draw(&built(&near), &Options::default()).contains("× the scale"));
+    let far: Vec<Feature> = (0..10).map(|i| polygon("", &square(3.0_f64.powi(i), 0.0))).collect();
+    let text = draw(&built(&far), &Options::default());
+    let counted = text.split(" more parts lie far away").next().and_then(|before| before.rsplit('>').next());
+    assert_eq!((text.matches("× the scale").count(), counted), (6, Some("2")), "{text}");
+}
+
+/// The more lines there are, the thinner they are: they cover at most a part of the picture.
+#[test]
+fn lines_thin_with_their_number() {
+    let width = |n: u32| {
+        let mut builder = Builder::new();
+        for i in 0..=n {
+            let at = f64::from(i) / f64::from(n);
+            builder.segment([at, 0.0], [at, 1.0]).expect("in range");
+        }
+        let text = draw(&builder.build().expect("fits"), &Options::default());
+        text.split("class=\"edges\" style=\"stroke-width:")
+            .nth(1)
+            .and_then(|rest| rest.split('"').next()?.parse::<f64>().ok())
+    };
+    assert_eq!(width(10), None);
+    // 401 lines of 976 pixels, and eight hundredths of a thousand by a thousand.
+    assert_eq!([width(400), width(100_000)], [Some(0.20), Some(0.05)]);
+}
+
+/// Names that do not fit into their faces stand beside them, with a line that leads there, and cover no other.
+#[test]
+fn names_that_do_not_fit_have_lines() {
+    let narrow = |i: u32| {
+        let x = 40.0 * f64::from(i);
+        polygon(&format!("Narrow valley {i}"), &[[x, 0.0], [x + 2.0, 0.0], [x + 2.0, 50.0], [x, 50.0]])
+    };
+    let text = draw(&built(&(0..10).map(narrow).collect::<Vec<_>>()), &Options { insets: false, ..Options::default() });
+    assert!(is_well_formed(&text), "{text}");
+    assert_eq!(text.matches("class=\"leader\"").count(), 7, "one to 20,000 square pixels of 1000 by 159");
+    let place = |line: &str, attribute: &str| -> f64 {
+        let value = line.split(&format!(" {attribute}=\"")).nth(1).and_then(|rest| rest.split('"').next());
+        value.and_then(|value| value.parse().ok()).expect("has it")
+    };
+    let names: Vec<[f64; 2]> = text
+        .lines()
+        .filter(|l| l.starts_with("<text class=\"name\""))
+        .map(|l| ["x", "y"].map(|a| place(l, a)))
+        .collect();
+    assert_eq!(names.len(), 7);
+    for (i, a) in names.iter().enumerate() {
+        assert!(names[..i].iter().all(|b| (a[0] - b[0]).abs() > 78.0 || (a[1] - b[1]).abs() >= 11.0), "{names:?}");
+    }
+}
+
+/// On a map that is not plane it is not known what a feature covers; it is filled by its own outline.
+#[test]
+fn features_of_a_map_that_is_not_plane_are_filled() {
+    let square = |x: f64| [[x, x], [x + 2.0, x], [x + 2.0, x + 2.0], [x, x + 2.0]];
+    let mut builder = Builder::new();
+    for (name, x) in [("a", 0.0), ("b", 1.0)] {
+        builder.feature(&polygon(name, &square(x))).expect("in range");
+    }
+    let map = builder.build_with(Noding::None).expect("fits");
+    assert!(!map.is_plane());
+    let text = draw(&map, &Options::default());
+    let filled: Vec<Vec<f64>> = ["#8ecae6", "#f4b88a"].iter().flat_map(|fill| filled(&text, fill)).collect();
+    // 3 units on 976 pixels.
+    assert_eq!(filled.len(), 2, "{text}");
+    let low = |path: &Vec<f64>| path.iter().copied().step_by(2).fold(f64::INFINITY, f64::min);
+    let mut lows: Vec<f64> = filled.iter().filter(|path| path.len() == 8).map(low).collect();
+    lows.sort_by(f64::total_cmp);
+    assert_eq!(lows, [12.0, 337.33], "{text}");
+}
+
+/// The numbers in the outlines with this fill.
+fn filled(text: &str, fill: &str) -> Vec<Vec<f64>> {
+    let lines = text.replace(&format!("<path fill=\"{fill}\""), "<path class=\"filled\"");
+    paths(&lines, "filled")
+}
+
+/// Gaps are dotted; of gaps and overlaps the tiny ones have a ring.
+#[test]
+fn tiny_gaps_and_overlaps_are_ringed() {
+    let mut builder = Builder::new();
+    let ring = |ring: &[[f64; 2]]| ring.iter().map(|p| Point::from(*p)).collect::<Vec<_>>();
+    let square = |x: f64, side: f64| ring(&[[x, x], [x + side, x], [x + side, x + side], [x, x + side]]);
+    builder.shape(&Shape::Polygon(vec![square(0.0, 100.0), square(10.0, 0.5), square(20.0, 30.0)])).expect("in range");
+    builder.shape(&Shape::Polygon(vec![square(60.0, 0.5)])).expect("in range");
+    let text = draw(&builder.build().expect("fits"), &Options::default());
+    let count = |class: &str| text.matches(&format!("class=\"{class}\"")).count();
+    assert_eq!((count("gap"), count("hatch"), count("tiny")), (2, 1, 2), "{text}");
+    // A map without areas has no gaps.
+    let mut lines = PlanarMap::new();
+    lines.insert_ring([[0.0, 0.0], [1.0, 0.0], [1.0, 1.0]]).expect("in range");
+    let text = draw(&lines, &Options::default());
+    assert!(text.contains("class=\"free\"") && !text.contains("class=\"gap\""));
 }
 
 #[test]
@@ -172,6 +304,7 @@ fn anything_is_drawn(segments: Vec<((u8, u8), (u8, u8))>) -> bool {
         && paths(&text, "half").len() == map.dcel().half_edge_count()
         && text.matches("fill-rule").count() == bounded
         && text.matches("class=\"rule\"").count() == report.violations().len()
+        && text.matches("class=\"legend\"").count() == report.violations().len().min(41)
 }
 
 #[test]

@@ -21,7 +21,9 @@ use twinedge::dcel::{Boundary, Face, Vertex};
 use twinedge::geometry::noding;
 use twinedge::io::ReadSummary;
 use twinedge::map::{BuildSummary, Irregularity, IrregularityKind, PlanarMap, Position};
-use twinedge::validate::{Collect, Expectation, Record, Report, Violation};
+use twinedge::validate::{
+    Bounds, Collect, Counts, Described, Expectation, REPORT_SCHEMA, Record, Report, Rule, RuleOutcome, Violation,
+};
 use twinedge::validate::{places, validate_embedding};
 use twinedge_formats::postgis::is_copy;
 
@@ -372,10 +374,13 @@ struct Json<'a> {
     import: JsonImport,
     #[serde(skip_serializing_if = "Option::is_none")]
     noding: Option<JsonNoding>,
+    schema: &'static str,
     valid: bool,
-    counts: JsonCounts,
+    counts: Counts,
+    bounds: Option<Bounds>,
     rules: Vec<JsonRule>,
-    violations: Vec<JsonViolation>,
+    violation_count: u64,
+    violations: Vec<JsonViolation<'a>>,
     coverage: Coverage,
     warnings: Vec<String>,
     elapsed_ms: f64,
@@ -461,31 +466,16 @@ impl From<&noding::NodingSummary> for JsonNoding {
 }
 
 #[derive(Debug, Serialize)]
-struct JsonCounts {
-    vertices: usize,
-    edges: usize,
-    half_edges: usize,
-    faces: usize,
-    components: Option<usize>,
-    outer_boundaries: usize,
-    inner_boundaries: usize,
-    isolated_vertices: usize,
-    genus: Option<usize>,
-}
-
-#[derive(Debug, Serialize)]
 struct JsonRule {
-    id: &'static str,
-    checked: u64,
-    violations: u64,
-    #[serde(skip_serializing_if = "Option::is_none")]
-    not_checked: Option<String>,
+    id: Rule,
+    #[serde(flatten)]
+    outcome: RuleOutcome,
 }
 
 #[derive(Debug, Serialize)]
-struct JsonViolation {
-    rule: &'static str,
-    message: String,
+struct JsonViolation<'a> {
+    #[serde(flatten)]
+    described: Described<'a>,
     #[serde(skip_serializing_if = "Option::is_none")]
     cause: Option<&'static str>,
     #[serde(skip_serializing_if = "Option::is_none")]
@@ -498,38 +488,21 @@ impl<'a> Json<'a> {
     fn new(audited: Audited<'a>, explain: bool) -> Self {
         let Audited { imported, report, coverage, is_valid, elapsed } = audited;
         let Imported { name, read, map, noted, .. } = imported;
-        let counts = report.counts();
         Self {
             input: name,
             import: JsonImport::new(map, read),
             noding: map.noding().map(JsonNoding::from),
+            schema: REPORT_SCHEMA,
             valid: is_valid,
-            counts: JsonCounts {
-                vertices: counts.vertices,
-                edges: counts.edges,
-                half_edges: counts.half_edges,
-                faces: counts.faces,
-                components: counts.components,
-                outer_boundaries: counts.outer_boundaries,
-                inner_boundaries: counts.inner_boundaries,
-                isolated_vertices: counts.isolated_vertices,
-                genus: counts.genus,
-            },
-            rules: report
-                .outcomes()
-                .map(|(rule, outcome)| JsonRule {
-                    id: rule.id(),
-                    checked: outcome.checked,
-                    violations: outcome.violations,
-                    not_checked: outcome.unchecked.map(|why| why.to_string()),
-                })
-                .collect(),
+            counts: *report.counts(),
+            bounds: report.certificate().and_then(|certificate| certificate.bounds),
+            rules: report.outcomes().map(|(id, outcome)| JsonRule { id, outcome }).collect(),
+            violation_count: report.violation_count(),
             violations: report
                 .violations()
                 .iter()
                 .map(|violation| JsonViolation {
-                    rule: violation.rule().id(),
-                    message: violation.to_string(),
+                    described: Described(violation),
                     cause: explain.then(|| violation.cause()),
                     remedy: explain.then(|| violation.remedy()),
                     at: places(map, violation).into_iter().map(Into::into).collect(),

@@ -1,33 +1,41 @@
-//! The picture as a whole: faces, edges and names.
+//! The picture as a whole.
 
-use super::frame::{Frame, path};
-use super::label_spot::widest;
+use super::fill::Fills;
+use super::frame::Frame;
+use super::layout::{Layout, SPACE};
 use super::options::Options;
-use super::text::{escaped, put, text};
-use super::{detail, marks};
-use crate::algorithm::colouring::feature_colours;
-use crate::algorithm::coverage::{faces_by_feature, features_of};
-use crate::dcel::{Boundary, HalfEdge};
-use crate::geometry::Point;
+use super::text::put;
+use super::{detail, lines, marks, names};
 use crate::map::PlanarMap;
-use crate::validate::Embedding;
-
-/// Fills for features; more colours than these repeat.
-const FILLS: [&str; 8] = ["#8ecae6", "#f4b88a", "#a8d5a2", "#f2a9bb", "#c9b8e4", "#ffe08a", "#9adbc9", "#d8c4a8"];
 
 const STYLE: &str = "\
-.sea,.free{fill:#f6f8fa}.hatch{fill:url(#hatch)}\
+.sea,.free{fill:#f6f8fa}.hatch{fill:url(#hatch)}.gap{fill:url(#gap)}\
+.tiny{fill:none;stroke:#7c3aed;stroke-width:1.2;stroke-dasharray:3 2}\
 .edges{fill:none;stroke:#444;stroke-width:.6;stroke-linejoin:round;stroke-linecap:round}\
-.point{fill:#222}.name{fill:#333;font-size:9px;text-anchor:middle}\
-.detail .edges{stroke:#999;stroke-width:1.2}\
+.point{fill:#222}.name{fill:#333;font-size:9px;text-anchor:middle}.leader{fill:none;stroke:#333;stroke-width:.5}\
+.inset{fill:none;stroke:#94a3b8}.note{fill:#475569;font-size:9px}\
+.detail .edges{stroke:#999;stroke-width:1.2}.detail .gap{fill:#f6f8fa}\
 .half{fill:none;stroke:#1d4ed8;stroke-width:1}.next{fill:none;stroke:#64748b;stroke-width:.7;stroke-dasharray:2 1.5}\
 .hname{fill:#1d4ed8;font-size:9px;text-anchor:middle;dominant-baseline:central}\
 .vertex{fill:#fff;stroke:#111}.vname{fill:#111;font-size:10px;font-weight:bold;text-anchor:middle;dominant-baseline:central}\
 .fname{fill:#57534e;font-size:12px;font-style:italic;text-anchor:middle;dominant-baseline:central}\
-.bad{fill:none;stroke:#dc2626;stroke-width:1.6}.rule{fill:#dc2626;font-size:11px;font-weight:bold}\
+.bad{fill:none;stroke:#dc2626;stroke-width:1.6}.thin{stroke-width:.8}\
+.rule{fill:#dc2626;font-size:11px;font-weight:bold}.legend{fill:#b91c1c;font-size:11px}\
 .halo{stroke:#fff;stroke-width:3px;stroke-opacity:.85;stroke-linejoin:round}";
 
-/// Draws a map, plane or not. O(n log n) time and O(n) text for the size n of the map, and O(v²) time for v violations.
+/// Patterns and the heads of arrows.
+const DEFINITIONS: &str = "<defs>\
+<pattern id=\"hatch\" width=\"5\" height=\"5\" patternUnits=\"userSpaceOnUse\" patternTransform=\"rotate(45)\">\
+<path d=\"M0 0V5\" stroke=\"#111\" stroke-width=\"1.6\" stroke-opacity=\".6\"/></pattern>\n\
+<pattern id=\"gap\" width=\"6\" height=\"6\" patternUnits=\"userSpaceOnUse\"><path d=\"M0 0H6V6H0Z\" fill=\"#f6f8fa\"/>\
+<circle cx=\"3\" cy=\"3\" r=\".9\" fill=\"#7c3aed\" fill-opacity=\".45\"/></pattern>\n\
+<marker id=\"head\" orient=\"auto\" markerUnits=\"userSpaceOnUse\" markerWidth=\"8\" markerHeight=\"8\" refX=\"6\" refY=\"3\">\
+<path d=\"M0 0L6 3L0 6L1.5 3Z\" fill=\"#1d4ed8\"/></marker>\n\
+<marker id=\"tip\" orient=\"auto\" markerUnits=\"userSpaceOnUse\" markerWidth=\"6\" markerHeight=\"6\" refX=\"4\" refY=\"2\">\
+<path d=\"M0 0L4 2L0 4Z\" fill=\"#64748b\"/></marker></defs>\n";
+
+/// Draws a map, plane or not. O(n log n) time and O(n) text for the size n of the map, and O(v² + m²) time for v violations and m
+/// names.
 ///
 /// ```
 /// use twinedge::map::{Builder, Shape};
@@ -42,117 +50,62 @@ const STYLE: &str = "\
 /// ```
 #[must_use]
 pub fn draw(map: &PlanarMap, options: &Options<'_>) -> String {
-    let frame = Frame::new(map, options);
-    let [width, height] = frame.size();
+    let Layout { main, insets, left_out } = Layout::new(map, options);
+    let fills = Fills::of(map);
+    let [main_width, main_height] = main.size;
+    let inset_row = insets.first().map_or(0.0, |inset| inset.size[1] + SPACE);
+    let insets_end: f64 = insets.iter().map(|inset| inset.size[0] + SPACE).sum();
+    let width = main_width.max(if insets.is_empty() { 0.0 } else { SPACE + insets_end });
+    let legend = main_height + inset_row;
+    let height = legend + marks::legend_height(options.violations.len());
     let mut out = String::new();
     put(
         &mut out,
         format_args!(
             "<svg xmlns=\"http://www.w3.org/2000/svg\" width=\"{width:.0}\" height=\"{height:.0}\" \
-viewBox=\"0 0 {width:.0} {height:.0}\" font-family=\"Helvetica, Arial, sans-serif\">\n<style>{STYLE}</style>\n<defs>\
-<pattern id=\"hatch\" width=\"5\" height=\"5\" patternUnits=\"userSpaceOnUse\" patternTransform=\"rotate(45)\">\
-<path d=\"M0 0V5\" stroke=\"#111\" stroke-width=\"1.6\" stroke-opacity=\".6\"/></pattern>\n\
-<marker id=\"head\" orient=\"auto\" markerUnits=\"userSpaceOnUse\" markerWidth=\"8\" markerHeight=\"8\" refX=\"6\" refY=\"3\">\
-<path d=\"M0 0L6 3L0 6L1.5 3Z\" fill=\"#1d4ed8\"/></marker>\n\
-<marker id=\"tip\" orient=\"auto\" markerUnits=\"userSpaceOnUse\" markerWidth=\"6\" markerHeight=\"6\" refX=\"4\" refY=\"2\">\
-<path d=\"M0 0L4 2L0 4Z\" fill=\"#64748b\"/></marker></defs>\n\
+viewBox=\"0 0 {width:.0} {height:.0}\" font-family=\"Helvetica, Arial, sans-serif\">\n<style>{STYLE}</style>\n{DEFINITIONS}\
 <rect class=\"sea\" width=\"100%\" height=\"100%\"/>\n"
         ),
     );
     put(&mut out, format_args!("<g class=\"{}\">\n", if options.detail { "detail" } else { "map" }));
-    faces(&mut out, map, &frame);
-    edges(&mut out, map, &frame);
-    if options.detail {
-        detail::draw(&mut out, map, &frame);
-    } else {
-        names(&mut out, map, &frame);
+    panel(&mut out, map, &main, [0.0, 0.0], &fills, options);
+    let mut left = SPACE;
+    for inset in &insets {
+        let [width, height] = inset.size;
+        panel(&mut out, map, inset, [left, main_height], &fills, options);
+        let (x, y, times) = (left + 4.0, main_height + height - 4.0, inset.scale / main.scale);
+        put(
+            &mut out,
+            format_args!(
+                "<rect class=\"inset\" x=\"{left:.1}\" y=\"{main_height:.1}\" width=\"{width:.1}\" height=\"{height:.1}\"/>\n\
+<text class=\"note\" x=\"{x:.1}\" y=\"{y:.1}\">{times:.2} × the scale</text>\n"
+            ),
+        );
+        left += width + SPACE;
     }
-    marks::draw(&mut out, map, &frame, options.violations);
+    if left_out > 0 {
+        let y = main_height - 4.0;
+        put(
+            &mut out,
+            format_args!("<text class=\"note\" x=\"{SPACE}\" y=\"{y:.1}\">{left_out} more parts lie far away</text>\n"),
+        );
+    }
+    marks::legend(&mut out, options.violations, [SPACE, legend], width);
     out.push_str("</g>\n</svg>\n");
     out
 }
 
-fn positions<'a>(map: &'a PlanarMap, boundary: Boundary<'a>) -> impl Iterator<Item = Point> + 'a {
-    boundary.half_edges().map(|h| map.point(h.origin().index()))
-}
-
-fn faces(out: &mut String, map: &PlanarMap, frame: &Frame) {
-    let colours = feature_colours(map);
-    for face in map.dcel().faces().filter(|f| !f.is_unbounded()) {
-        if !frame.shows(face.outer().into_iter().flat_map(|b| positions(map, b))) {
-            continue;
-        }
-        let mut outline = String::new();
-        for boundary in face.boundaries().filter(|b| b.start().is_some()) {
-            path(&mut outline, positions(map, boundary).map(|p| frame.at(p)), true);
-        }
-        let features: Vec<_> = features_of(map, face).collect();
-        let fill = features.first().map_or_else(
-            || "class=\"free\"".to_owned(),
-            |f| format!("fill=\"{}\"", FILLS[colours[f.index()] % FILLS.len()]),
-        );
-        let names: Vec<&str> = features.iter().filter_map(|f| map.name(*f)).collect();
-        let title = format!("f{}: {}", face.index(), escaped(&names.join(", ")));
-        put(out, format_args!("<path {fill} fill-rule=\"evenodd\" d=\"{outline}\"><title>{title}</title></path>\n"));
-        if features.len() > 1 {
-            put(
-                out,
-                format_args!(
-                    "<path class=\"hatch\" fill-rule=\"evenodd\" d=\"{outline}\"><title>{title}</title></path>\n"
-                ),
-            );
-        }
+/// Draws a part of the map into a panel, and nothing beyond its border.
+fn panel(out: &mut String, map: &PlanarMap, frame: &Frame, [x, y]: [f64; 2], fills: &Fills, options: &Options<'_>) {
+    let [width, height] = frame.size;
+    put(out, format_args!("<svg x=\"{x:.1}\" y=\"{y:.1}\" width=\"{width:.1}\" height=\"{height:.1}\">\n"));
+    fills.draw(out, map, frame);
+    lines::draw(out, map, frame);
+    if options.detail {
+        detail::draw(out, map, frame);
+    } else {
+        names::draw(out, map, frame);
     }
-}
-
-/// Every edge once, through vertices of degree 2 without lifting the pen.
-fn edges(out: &mut String, map: &PlanarMap, frame: &Frame) {
-    let slots = map.dcel().half_edges().map(HalfEdge::index).max().map_or(0, |last| last + 1);
-    let mut drawn = vec![false; slots];
-    let through = |h: HalfEdge<'_>| h.next().twin().next() == h.twin();
-    let mut outline = String::new();
-    // Chains with ends first; the rest are closed.
-    let ends = map.dcel().half_edges().filter(|h| !through(h.prev()));
-    for start in ends.chain(map.dcel().half_edges()) {
-        let mut chain = Vec::new();
-        let mut h = start;
-        while !drawn[h.index()] {
-            drawn[h.index()] = true;
-            drawn[h.twin().index()] = true;
-            if chain.is_empty() {
-                chain.push(map.point(h.origin().index()));
-            }
-            chain.push(map.point(h.target().index()));
-            if !through(h) {
-                break;
-            }
-            h = h.next();
-        }
-        if frame.shows(chain.iter().copied()) {
-            path(&mut outline, chain.iter().map(|p| frame.at(*p)), false);
-        }
-    }
-    put(out, format_args!("<path class=\"edges\" d=\"{outline}\"/>\n"));
-    for v in map.dcel().vertices().filter(|v| v.leaving().is_none()) {
-        let [x, y] = frame.at(map.point(v.index()));
-        put(out, format_args!("<circle class=\"point\" cx=\"{x:.2}\" cy=\"{y:.2}\" r=\"1.5\"/>\n"));
-    }
-}
-
-/// The name of each feature in the widest of its faces, where there is room for it.
-fn names(out: &mut String, map: &PlanarMap, frame: &Frame) {
-    const LETTER: f64 = 5.2;
-    for (feature, faces) in map.features().zip(faces_by_feature(map)) {
-        let Some(name) = map.name(feature) else { continue };
-        let faces = faces.into_iter().filter_map(|f| map.dcel().face(f).ok());
-        let spots = faces.filter_map(|face| widest(map, frame, face));
-        let Some(spot) = spots.max_by(|a, b| a.width.total_cmp(&b.width)) else { continue };
-        if spot.width > LETTER * name.chars().count() as f64 {
-            let [x, y] = spot.middle;
-            let [width, height] = frame.size();
-            if (0.0..=width).contains(&x) && (0.0..=height).contains(&y) {
-                text(out, "name", [x, y + 3.0], name);
-            }
-        }
-    }
+    marks::draw(out, map, frame, options.violations);
+    out.push_str("</svg>\n");
 }

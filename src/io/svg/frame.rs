@@ -1,32 +1,35 @@
 //! From coordinates to pixels.
 
-use super::options::Options;
 use super::text::put;
 use crate::dcel::Face;
 use crate::geometry::Point;
 use crate::map::PlanarMap;
 use crate::validate::Embedding;
 
-/// Where in the picture points are.
+/// Where in a panel of the picture points are.
 pub(super) struct Frame {
-    low: Point,
-    high: Point,
-    scale: f64,
-    margin: f64,
+    bounds: Bounds,
+    pub(super) scale: f64,
+    /// The width and height of the panel.
+    pub(super) size: [f64; 2],
     whole: bool,
 }
 
 impl Frame {
-    pub(super) fn new(map: &PlanarMap, options: &Options<'_>) -> Self {
-        let margin = if options.detail { 40.0 } else { 12.0 };
-        let all = Bounds::around(map.dcel().vertices().map(|v| map.point(v.index())));
-        let window = options.window.and_then(Bounds::of_window);
-        let Bounds { low, high } =
-            *window.as_ref().unwrap_or(if all.low.x <= all.high.x { &all } else { &Bounds::UNIT });
-        let size = if options.size.is_nan() { 1000.0 } else { options.size.clamp(100.0, 1e5) };
-        let span = (high.x - low.x).max(high.y - low.y);
-        let scale = if span > 0.0 { (size - 2.0 * margin) / span } else { 1.0 };
-        Self { low, high, scale, margin, whole: window.is_none() }
+    /// A panel for these bounds, with margins. Its longer side has so many pixels. `whole` says that it shows the whole map.
+    pub(super) fn new(bounds: Bounds, longer: f64, margin: f64, whole: bool) -> Self {
+        let span = bounds.longer();
+        let scale = if span > 0.0 { (longer - 2.0 * margin) / span } else { 1.0 };
+        let size = bounds.sides().map(|side| (side * scale + 2.0 * margin).ceil());
+        Self { bounds, scale, size, whole }
+    }
+
+    /// A panel of this size, with the bounds in its middle.
+    pub(super) fn within(bounds: Bounds, size: [f64; 2], margin: f64) -> Self {
+        let sides = bounds.sides();
+        let fits = [0, 1].map(|i| if sides[i] > 0.0 { (size[i] - 2.0 * margin) / sides[i] } else { f64::INFINITY });
+        let scale = if fits[0].min(fits[1]).is_finite() { fits[0].min(fits[1]) } else { 1.0 };
+        Self { bounds, scale, size, whole: false }
     }
 
     /// Whether it shows everything.
@@ -34,51 +37,73 @@ impl Frame {
         self.whole
     }
 
-    /// The width and height of the picture.
-    pub(super) fn size(&self) -> [f64; 2] {
-        [self.high.x - self.low.x, self.high.y - self.low.y].map(|side| (side * self.scale + 2.0 * self.margin).ceil())
-    }
-
     pub(super) fn at(&self, p: Point) -> [f64; 2] {
-        let [x, y] = [p.x - self.low.x, self.high.y - p.y].map(|c| c * self.scale + self.margin);
-        [x, y]
+        let Bounds { low, high } = self.bounds;
+        let sides = self.bounds.sides();
+        let from = [p.x - low.x, high.y - p.y];
+        [0, 1].map(|i| from[i] * self.scale + (self.size[i] - sides[i] * self.scale) / 2.0)
     }
 
-    /// Whether the box around these points meets the picture.
+    /// Whether the box around these points meets the panel.
     pub(super) fn shows(&self, points: impl IntoIterator<Item = Point>) -> bool {
-        Bounds::around(points).meets(&Bounds { low: self.low, high: self.high })
+        Bounds::around(points).meets(&self.bounds)
+    }
+
+    /// Whether a place in pixels is in the panel.
+    pub(super) fn holds(&self, at: [f64; 2]) -> bool {
+        [0, 1].iter().all(|i| (0.0..=self.size[*i]).contains(&at[*i]))
     }
 }
 
 /// No window is smaller: coordinates of the smallest magnitude that differ in the last bit only are further apart.
 const SMALLEST_WINDOW: f64 = 1e-140;
 
-struct Bounds {
-    low: Point,
-    high: Point,
+/// The box around some points.
+#[derive(Clone, Copy)]
+pub(super) struct Bounds {
+    pub(super) low: Point,
+    pub(super) high: Point,
 }
 
 impl Bounds {
-    const EMPTY: Self =
+    pub(super) const EMPTY: Self =
         Self { low: Point::new(f64::INFINITY, f64::INFINITY), high: Point::new(f64::NEG_INFINITY, f64::NEG_INFINITY) };
-    const UNIT: Self = Self { low: Point::new(0.0, 0.0), high: Point::new(1.0, 1.0) };
+    pub(super) const UNIT: Self = Self { low: Point::new(0.0, 0.0), high: Point::new(1.0, 1.0) };
 
     /// None for one without area, or that is not finite, or so small that coordinates in pixels could overflow.
-    fn of_window(corners: [Point; 2]) -> Option<Self> {
+    pub(super) fn of_window(corners: [Point; 2]) -> Option<Self> {
         let window = Self::around(corners);
-        let sides = [window.high.x - window.low.x, window.high.y - window.low.y];
         let finite = corners.iter().all(|p| p.x.is_finite() && p.y.is_finite());
-        (finite && sides.iter().all(|side| side.is_finite() && *side >= SMALLEST_WINDOW)).then_some(window)
+        let has_area = window.sides().iter().all(|side| side.is_finite() && *side >= SMALLEST_WINDOW);
+        (finite && has_area).then_some(window)
     }
 
-    fn around(points: impl IntoIterator<Item = Point>) -> Self {
-        points.into_iter().fold(Self::EMPTY, |Self { low, high }, p| Self {
-            low: Point::new(low.x.min(p.x), low.y.min(p.y)),
-            high: Point::new(high.x.max(p.x), high.y.max(p.y)),
-        })
+    pub(super) fn around(points: impl IntoIterator<Item = Point>) -> Self {
+        points.into_iter().fold(Self::EMPTY, |bounds, p| bounds.with(Self { low: p, high: p }))
     }
 
-    fn meets(&self, other: &Self) -> bool {
+    /// The box around both.
+    pub(super) fn with(self, Self { low, high }: Self) -> Self {
+        Self {
+            low: Point::new(self.low.x.min(low.x), self.low.y.min(low.y)),
+            high: Point::new(self.high.x.max(high.x), self.high.y.max(high.y)),
+        }
+    }
+
+    pub(super) fn is_empty(&self) -> bool {
+        self.low.x > self.high.x
+    }
+
+    pub(super) fn sides(&self) -> [f64; 2] {
+        [self.high.x - self.low.x, self.high.y - self.low.y]
+    }
+
+    pub(super) fn longer(&self) -> f64 {
+        let [x, y] = self.sides();
+        x.max(y)
+    }
+
+    pub(super) fn meets(&self, other: &Self) -> bool {
         self.low.x <= other.high.x
             && other.low.x <= self.high.x
             && self.low.y <= other.high.y
@@ -108,7 +133,7 @@ pub fn half_edges_in(map: &PlanarMap, window: Option<[Point; 2]>) -> usize {
     map.dcel().half_edges().filter(seen).count()
 }
 
-/// All half-edges of a face as pairs of points in the picture.
+/// All half-edges of a face as pairs of points in the panel.
 pub(super) fn sides<'a>(
     map: &'a PlanarMap,
     frame: &'a Frame,

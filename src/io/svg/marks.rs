@@ -1,4 +1,4 @@
-//! Violations, in red.
+//! Violations, in red, with a number each, and the legend.
 
 use super::frame::Frame;
 use super::text::{escaped, put, text};
@@ -9,48 +9,78 @@ use crate::map::PlanarMap;
 use crate::validate::{Embedding, places};
 use crate::validate::{Record, Violation};
 
-/// How often a label is moved.
+/// How often a number is moved.
 const MOVES: usize = 12;
+/// How many rows the legend has at most, and how high each is.
+const ROWS: usize = 40;
+const ROW: f64 = 16.0;
+/// The width of a letter in the legend.
+const LETTER: f64 = 5.8;
 
-/// Marks each violation: its edges, a circle around the place, and beside it the rule and the records.
+/// Marks each violation that the panel shows: its edges, a circle around the place, and beside it its number. O(v²) for v violations.
 pub(super) fn draw(out: &mut String, map: &PlanarMap, frame: &Frame, violations: &[Violation]) {
     let mut taken: Vec<[f64; 2]> = Vec::new();
-    for violation in violations {
-        let mut edges = Vec::new();
-        let mut label = violation.rule().id().to_owned();
-        for record in violation.records().into_iter().flatten() {
-            let (letter, index) = match record {
-                Record::Vertex(v) => ('v', v),
-                Record::HalfEdge(h) => ('h', h),
-                Record::Boundary(b) => ('b', b),
-                Record::Face(f) => ('f', f),
-            };
-            put(&mut label, format_args!(" {letter}{index}"));
-            if let Record::HalfEdge(h) = record {
-                edges.extend(map.dcel().half_edge_at(h).map(|h| ends(map, h)));
-            }
-        }
-        for [a, b] in edges.iter().map(|edge| edge.map(|p| frame.at(p))) {
+    for (violation, number) in violations.iter().zip(1..) {
+        let half_edges = violation.records().into_iter().flatten().filter_map(|record| match record {
+            Record::HalfEdge(h) => map.dcel().half_edge_at(h),
+            _ => None,
+        });
+        let edges: Vec<[Point; 2]> = half_edges.map(|h| ends(map, h)).collect();
+        for [a, b] in edges.iter().filter(|edge| frame.shows(**edge)).map(|edge| edge.map(|p| frame.at(p))) {
             put(out, format_args!("<path class=\"bad\" d=\"M{:.2} {:.2}L{:.2} {:.2}\"/>\n", a[0], a[1], b[0], b[1]));
         }
-        let Some(place) = place(map, violation, &edges) else { continue };
+        let Some(place) = place(map, violation, &edges).filter(|place| frame.shows([*place])) else { continue };
         let [x, y] = frame.at(place);
         let title = escaped(&violation.to_string());
         put(
             out,
             format_args!("<circle class=\"bad\" cx=\"{x:.2}\" cy=\"{y:.2}\" r=\"9\"><title>{title}</title></circle>\n"),
         );
-        // Labels move down from the ones before that they cover, a few times.
+        // Numbers move down from the ones before that they cover, a few times.
         let mut at = [x + 13.0, y + 4.0];
-        let covers = |at: [f64; 2], other: &[f64; 2]| {
-            (at[0] - other[0]).abs() < 7.0 * label.len() as f64 && (at[1] - other[1]).abs() < 13.0
-        };
+        let covers =
+            |at: [f64; 2], other: &[f64; 2]| (at[0] - other[0]).abs() < 22.0 && (at[1] - other[1]).abs() < 13.0;
         for _ in 0..MOVES {
             let Some(other) = taken.iter().find(|other| covers(at, other)) else { break };
             at[1] = other[1] + 13.5;
         }
         taken.push(at);
-        text(out, "rule", at, &label);
+        if at[1] - y > 10.0 {
+            let [to_x, to_y] = [at[0], at[1] - 4.0];
+            put(out, format_args!("<path class=\"bad thin\" d=\"M{x:.1} {y:.1}L{to_x:.1} {to_y:.1}\"/>\n"));
+        }
+        text(out, "rule", at, &number.to_string());
+    }
+}
+
+/// The height of the legend of so many violations.
+pub(super) fn legend_height(violations: usize) -> f64 {
+    let rows = violations.min(ROWS) + usize::from(violations > ROWS);
+    if rows == 0 { 0.0 } else { ROW * (rows + 1) as f64 }
+}
+
+/// Writes the legend: the number of each violation and what it says, cut where the picture ends.
+pub(super) fn legend(out: &mut String, violations: &[Violation], [left, top]: [f64; 2], width: f64) {
+    let room = width - 2.0 * left;
+    let mut row = top;
+    for (violation, number) in violations.iter().zip(1..).take(ROWS) {
+        row += ROW;
+        let whole = format!("{number}  {} {violation}", violation.rule().id());
+        let shown = whole.chars().zip(1..).take_while(|(_, n)| f64::from(*n) * LETTER < room);
+        let mut line: String = shown.map(|(letter, _)| letter).collect();
+        if line.len() < whole.len() {
+            line.pop();
+            line.push('…');
+        }
+        let [title, line] = [&whole, &line].map(|text| escaped(text));
+        put(
+            out,
+            format_args!("<text class=\"legend\" x=\"{left}\" y=\"{row:.0}\"><title>{title}</title>{line}</text>\n"),
+        );
+    }
+    if violations.len() > ROWS {
+        let (more, row) = (violations.len() - ROWS, row + ROW);
+        put(out, format_args!("<text class=\"legend\" x=\"{left}\" y=\"{row:.0}\">… and {more} more</text>\n"));
     }
 }
 

@@ -1,8 +1,10 @@
 //! A picture of a map, as SVG text.
 //!
 //! Faces have the colour of the first feature that covers them, neighbours different ones; a face that more than one feature
-//! covers is hatched. [Violations](Options::violations) are red, with the rule and the records. Maps that are not plane are
-//! drawn too, so that one can look at what a report names. With [`Options::detail`] the half-edges are drawn as textbooks do:
+//! covers is hatched, one inside the map that none covers is dotted, and a dashed ring shows where one of them is tiny.
+//! [Violations](Options::violations) are red, with numbers that a legend explains. Maps that are not plane are drawn too, so that
+//! one can look at what a report names; the features are filled by their own outlines then. Parts far away are in
+//! [insets](Options::insets). With [`Options::detail`] the half-edges are drawn as textbooks do:
 //!
 //! ```text
 //!    v1 ●═══════════● v0        each half-edge is an arrow to the left of its edge,
@@ -15,9 +17,13 @@
 
 mod detail;
 mod draw;
+mod fill;
 mod frame;
 mod label_spot;
+mod layout;
+mod lines;
 mod marks;
+mod names;
 mod options;
 mod text;
 

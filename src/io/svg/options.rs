@@ -13,12 +13,15 @@ pub struct Options<'a> {
     pub detail: bool,
     /// Two opposite corners of the part to draw; none for everything, and so is a window without area.
     pub window: Option<[Point; 2]>,
-    /// What to mark.
+    /// Whether parts that lie far from all others are drawn in insets, where everything would be small else. With a window, and in
+    /// detail, there are none.
+    pub insets: bool,
+    /// What to mark, and to list below the map.
     pub violations: &'a [Violation],
 }
 
 impl Default for Options<'_> {
     fn default() -> Self {
-        Self { size: 1000.0, detail: false, window: None, violations: &[] }
+        Self { size: 1000.0, detail: false, window: None, insets: true, violations: &[] }
     }
 }

@@ -41,7 +41,7 @@ pub(super) fn outer_cycles(cycles: &Cycles, unbounded: Link) -> Option<Vec<u32>>
     }
     let open = (0..count).filter(|c| cycles.face[*c] == NIL || cycles.unpaired[*c]);
     for c in open.chain(0..count) {
-        search.enter(cycles.component[c], NIL);
+        search.enter(cycles.component[c]);
         search.follow();
     }
     Some(search.outer)
@@ -54,18 +54,19 @@ impl Search<'_> {
         while let Some(face) = self.queue.pop() {
             for c in cycles.of_face(face as usize) {
                 if *c != self.outer[face as usize] {
-                    self.enter(cycles.component[*c as usize], *c);
+                    self.enter(cycles.component[*c as usize]);
                 }
             }
         }
     }
 
-    /// Enters a component through one of its cycles, its outside: the others are the outer ones of their faces.
-    fn enter(&mut self, component: u32, through: u32) {
+    /// Enters a component: its cycles are the outer ones of their faces. The one through which it is entered, its outside, is not,
+    /// because the face of that has been reached.
+    fn enter(&mut self, component: u32) {
         if core::mem::replace(&mut self.component_reached[component as usize], true) {
             return;
         }
-        for c in self.by_component.group(component as usize).iter().filter(|c| **c != through) {
+        for c in self.by_component.group(component as usize) {
             let face = self.cycles.face[*c as usize];
             if face != NIL && !core::mem::replace(&mut self.face_reached[face as usize], true) {
                 self.outer[face as usize] = *c;

@@ -1,0 +1,143 @@
+//! What faces are filled with.
+
+use super::frame::{Bounds, Frame, path};
+use super::text::{escaped, put};
+use crate::algorithm::colouring::feature_colours;
+use crate::algorithm::coverage::features_of;
+use crate::dcel::{Boundary, HalfEdge};
+use crate::geometry::Point;
+use crate::map::{FeatureId, PlanarMap};
+use crate::validate::Embedding;
+use std::collections::BTreeMap;
+
+/// Fills for features; more colours than these repeat.
+const FILLS: [&str; 8] = ["#8ecae6", "#f4b88a", "#a8d5a2", "#f2a9bb", "#c9b8e4", "#ffe08a", "#9adbc9", "#d8c4a8"];
+
+/// An overlap or a gap is ringed if it is smaller than this, in pixels.
+const TINY: f64 = 8.0;
+
+/// The colours of the features, and whether any of them covers a face.
+pub(super) struct Fills {
+    colours: Vec<usize>,
+    has_areas: bool,
+}
+
+impl Fills {
+    /// O(n log n).
+    pub(super) fn of(map: &PlanarMap) -> Self {
+        let has_areas = map.dcel().faces().any(|face| features_of(map, face).next().is_some());
+        Self { colours: feature_colours(map), has_areas }
+    }
+
+    fn of_feature(&self, feature: FeatureId) -> &'static str {
+        FILLS[self.colours[feature.index()] % FILLS.len()]
+    }
+
+    /// Fills the faces of a map. Of a map that is not plane it fills the features: it is not known which faces they cover.
+    pub(super) fn draw(&self, out: &mut String, map: &PlanarMap, frame: &Frame) {
+        if !map.is_plane() {
+            for (feature, rings) in map.features().zip(rings(map)) {
+                self.rings(out, map, frame, feature, &rings);
+            }
+        }
+        let mut tiny = String::new();
+        for face in map.dcel().faces().filter(|f| !f.is_unbounded()) {
+            let bounds = Bounds::around(face.outer().into_iter().flat_map(|b| positions(map, b)));
+            if !frame.shows([bounds.low, bounds.high]) {
+                continue;
+            }
+            let mut outline = String::new();
+            for boundary in face.boundaries().filter(|b| b.start().is_some()) {
+                path(&mut outline, positions(map, boundary).map(|p| frame.at(p)), true);
+            }
+            let features: Vec<_> = if map.is_plane() { features_of(map, face).collect() } else { Vec::new() };
+            let names: Vec<&str> = features.iter().filter_map(|f| map.name(*f)).collect();
+            let title = format!("<title>f{}: {}</title>", face.index(), escaped(&names.join(", ")));
+            let is_gap = features.is_empty() && self.has_areas && map.is_plane();
+            let fill = match features.first() {
+                Some(first) => format!("fill=\"{}\"", self.of_feature(*first)),
+                None if is_gap => "class=\"gap\"".to_owned(),
+                None if map.is_plane() => "class=\"free\"".to_owned(),
+                None => "fill=\"none\"".to_owned(),
+            };
+            put(out, format_args!("<path {fill} fill-rule=\"evenodd\" d=\"{outline}\">{title}</path>\n"));
+            if features.len() > 1 {
+                put(out, format_args!("<path class=\"hatch\" fill-rule=\"evenodd\" d=\"{outline}\">{title}</path>\n"));
+            }
+            if (features.len() > 1 || is_gap) && bounds.longer() * frame.scale < TINY {
+                let [low, high] = [bounds.low, bounds.high].map(|p| frame.at(p));
+                let [x, y] = [0, 1].map(|i| f64::midpoint(low[i], high[i]));
+                put(
+                    &mut tiny,
+                    format_args!("<circle class=\"tiny\" cx=\"{x:.2}\" cy=\"{y:.2}\" r=\"{TINY}\">{title}</circle>\n"),
+                );
+            }
+        }
+        out.push_str(&tiny);
+    }
+
+    /// Fills what lies inside these rings by the even-odd rule.
+    fn rings(&self, out: &mut String, map: &PlanarMap, frame: &Frame, feature: FeatureId, rings: &[Vec<Point>]) {
+        if rings.is_empty() || !frame.shows(rings.iter().flatten().copied()) {
+            return;
+        }
+        let mut outline = String::new();
+        for ring in rings {
+            path(&mut outline, ring.iter().map(|p| frame.at(*p)), true);
+        }
+        let (fill, title) = (self.of_feature(feature), escaped(map.name(feature).unwrap_or_default()));
+        put(
+            out,
+            format_args!("<path fill=\"{fill}\" fill-rule=\"evenodd\" d=\"{outline}\"><title>{title}</title></path>\n"),
+        );
+    }
+}
+
+/// The rings that the edges of each feature form, by its index; none where they do not. O(n log n).
+fn rings(map: &PlanarMap) -> Vec<Vec<Vec<Point>>> {
+    let mut edges: Vec<Vec<HalfEdge<'_>>> = vec![Vec::new(); map.features().count()];
+    for edge in map.dcel().edges() {
+        for feature in map.features_along(edge.key()).into_iter().flatten() {
+            edges[feature.index()].push(edge);
+        }
+    }
+    edges.into_iter().map(|edges| closed(map, &edges)).collect()
+}
+
+/// Closed walks that pass each of these edges once; none if at some vertex an odd number of them meet.
+fn closed(map: &PlanarMap, edges: &[HalfEdge<'_>]) -> Vec<Vec<Point>> {
+    let mut at: BTreeMap<usize, Vec<(usize, usize)>> = BTreeMap::new();
+    for (i, edge) in edges.iter().enumerate() {
+        let [from, to] = [edge.origin().index(), edge.target().index()];
+        at.entry(from).or_default().push((i, to));
+        at.entry(to).or_default().push((i, from));
+    }
+    if at.values().any(|here| here.len() % 2 == 1) {
+        return Vec::new();
+    }
+    let mut passed = vec![false; edges.len()];
+    let mut walks = Vec::new();
+    for (first, edge) in edges.iter().enumerate() {
+        if passed[first] {
+            continue;
+        }
+        let mut walk = Vec::new();
+        let mut v = edge.origin().index();
+        while let Some((next, to)) = at.get_mut(&v).and_then(|here| {
+            while here.last().is_some_and(|(i, _)| passed[*i]) {
+                here.pop();
+            }
+            here.pop()
+        }) {
+            passed[next] = true;
+            walk.push(map.point(v));
+            v = to;
+        }
+        walks.push(walk);
+    }
+    walks
+}
+
+pub(super) fn positions<'a>(map: &'a PlanarMap, boundary: Boundary<'a>) -> impl Iterator<Item = Point> + 'a {
+    boundary.half_edges().map(|h| map.point(h.origin().index()))
+}

@@ -1,0 +1,157 @@
+//! Structures that answer of what is not there, that change, or that claim too much.
+
+use super::{AsTargets, MESH, TEXTBOOK, fan, maps, mirrored};
+use crate::support::inconsistent::Inconsistent;
+use crate::support::nested::nested_textbook;
+use twinedge::delegate_view;
+use twinedge::validate::adapt::{Backward, Borders, FaceLabels, Targets};
+use twinedge::validate::{Collect, Expectation, Link, Part, Table, View, validate};
+
+const BARE: Expectation = Expectation::plane().without(Part::Faces).without(Part::Leaving);
+
+/// A table with a tombstone before each of its half-edges: a half-edge that is not live, and answers what the live one does.
+struct WithTombstones(Table);
+
+impl View for WithTombstones {
+    delegate_view!(|this| &this.0; except half_edge_slots, is_half_edge, origin, twin, next, prev, face, leaving, outer_half_edge);
+    fn half_edge_slots(&self) -> usize {
+        2 * self.0.half_edge_slots()
+    }
+    fn is_half_edge(&self, h: usize) -> bool {
+        h % 2 == 1 && self.0.is_half_edge(h / 2)
+    }
+    fn origin(&self, h: usize) -> Link {
+        self.0.origin(h / 2)
+    }
+    fn twin(&self, h: usize) -> Link {
+        self.0.twin(h / 2).map(|twin| 2 * twin + 1)
+    }
+    fn next(&self, h: usize) -> Link {
+        self.0.next(h / 2).map(|next| 2 * next + 1)
+    }
+    fn prev(&self, h: usize) -> Link {
+        self.0.prev(h / 2).map(|prev| 2 * prev + 1)
+    }
+    fn face(&self, h: usize) -> Link {
+        self.0.face(h / 2)
+    }
+    fn leaving(&self, v: usize) -> Link {
+        self.0.leaving(v).map(|h| 2 * h + 1)
+    }
+    fn outer_half_edge(&self, f: usize) -> Link {
+        self.0.outer_half_edge(f).map(|h| 2 * h + 1)
+    }
+}
+
+/// What a structure still answers of half-edges that it has deleted does not count.
+#[test]
+fn adapters_do_not_read_tombstones() {
+    let judge = |view: &dyn View, expectation: &Expectation| {
+        let report = validate(view, expectation, Collect::All);
+        assert!(report.is_valid(), "{report}");
+    };
+    for (table, expectation) in maps() {
+        judge(&Targets::of(AsTargets(WithTombstones(mirrored(&table)))).unwrap(), &expectation);
+        judge(&Backward::of(WithTombstones(table.clone())).unwrap(), &expectation);
+        judge(&FaceLabels::one_cycle(WithTombstones(table)).unwrap(), &expectation);
+    }
+    judge(&Borders::of(WithTombstones(fan())).unwrap(), &MESH.without(Part::Leaving).open());
+    let mut nested = nested_textbook();
+    nested.vertices.pop();
+    nested.faces[1].as_mut().unwrap().inner_starts.pop();
+    judge(&FaceLabels::with_holes(WithTombstones(nested), Some(0)).unwrap(), &TEXTBOOK.without(Part::Leaving));
+}
+
+/// No answers, whether they dangle or change from call to call, make an adapter panic, loop, or ask about slots that are
+/// not there.
+#[test]
+fn adapters_are_total() {
+    let all = |view: &dyn Fn() -> Box<dyn View>| {
+        let expectations = [MESH, MESH.open(), TEXTBOOK, TEXTBOOK.open(), BARE, BARE.open()];
+        let mut adapted: Vec<Option<Box<dyn View>>> = vec![
+            Targets::of(AsTargets(view())).map(|view| Box::new(view) as _),
+            Borders::of(view()).map(|view| Box::new(view) as _),
+            Backward::of(view()).map(|view| Box::new(view) as _),
+            FaceLabels::one_cycle(view()).map(|view| Box::new(view) as _),
+        ];
+        adapted.extend(
+            [None, Some(0), Some(2), Some(usize::MAX)]
+                .map(|unbounded| FaceLabels::with_holes(view(), unbounded).map(|view| Box::new(view) as _)),
+        );
+        for view in adapted.into_iter().flatten() {
+            for expectation in expectations {
+                validate(&view, &expectation, Collect::All);
+            }
+        }
+    };
+    for (table, _) in maps().into_iter().chain([(nested_textbook(), TEXTBOOK), (fan(), MESH)]) {
+        let table: &'static Table = Box::leak(Box::new(table));
+        for consistent in (0..200).chain([u64::MAX]) {
+            all(&|| Box::new(Inconsistent::new(table, consistent, consistent)));
+        }
+    }
+}
+
+/// A table that claims one half-edge less each time it is asked, until there is none.
+struct Shrinking<'a>(&'a Table, std::cell::Cell<usize>);
+
+impl View for Shrinking<'_> {
+    delegate_view!(|this| this.0; except half_edge_slots, face_slots);
+    fn half_edge_slots(&self) -> usize {
+        self.1.set(self.1.get().saturating_sub(1));
+        self.1.get()
+    }
+    fn face_slots(&self) -> usize {
+        self.half_edge_slots().min(self.0.face_slots())
+    }
+}
+
+#[test]
+fn a_structure_that_shrinks_makes_no_adapter_panic() {
+    for (table, expectation) in maps() {
+        for claimed in 1..40 {
+            let view = || Shrinking(&table, std::cell::Cell::new(claimed.min(table.half_edges.len() + 1)));
+            let judge = |view: &dyn View| drop(validate(&view, &expectation, Collect::All));
+            judge(&Targets::of(AsTargets(view())).unwrap());
+            judge(&Borders::of(view()).unwrap());
+            judge(&Backward::of(view()).unwrap());
+            judge(&FaceLabels::one_cycle(view()).unwrap());
+            judge(&FaceLabels::with_holes(view(), Some(0)).unwrap());
+        }
+    }
+}
+
+/// A claim of more records than 32 bits number makes no adapter.
+#[test]
+fn a_claim_of_too_many_records_makes_no_adapter() {
+    struct Claims([usize; 3]);
+    impl View for Claims {
+        fn vertex_slots(&self) -> usize {
+            self.0[0]
+        }
+        fn half_edge_slots(&self) -> usize {
+            self.0[1]
+        }
+        fn face_slots(&self) -> usize {
+            self.0[2]
+        }
+        fn origin(&self, _: usize) -> Link {
+            None
+        }
+        fn twin(&self, _: usize) -> Link {
+            None
+        }
+        fn next(&self, _: usize) -> Link {
+            None
+        }
+    }
+    for claimed in [usize::MAX, u32::MAX as usize] {
+        assert!(Targets::of(Claims([0, claimed, 0])).is_none());
+        assert!(Borders::of(Claims([0, claimed, 0])).is_none());
+        assert!(Backward::of(Claims([0, claimed, 0])).is_none());
+        for claims in [[0, claimed, 0], [0, 0, claimed]] {
+            assert!(FaceLabels::one_cycle(Claims(claims)).is_none());
+            assert!(FaceLabels::with_holes(Claims(claims), None).is_none());
+        }
+    }
+}

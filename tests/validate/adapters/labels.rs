@@ -1,0 +1,120 @@
+//! Lists of faces that follow from the faces of half-edges.
+
+use super::{MESH, TEXTBOOK};
+use crate::support::nested::nested_textbook;
+use crate::support::opinions::agree;
+use crate::support::tables::{half_edge, textbook_map, textbook_mesh};
+use std::collections::BTreeSet;
+use twinedge::validate::adapt::FaceLabels;
+use twinedge::validate::reference::first_broken_rule;
+use twinedge::validate::{Collect, Expectation, Link, Part, Rule, Start, Table, View, validate};
+
+/// A face that two cycles name, and one that nobody names.
+#[test]
+fn labels_alone_show_faces_that_are_not_one_cycle() {
+    let mut table = textbook_mesh(4, &[[0, 1, 2], [0, 3, 1], [1, 3, 2], [0, 2, 3]]);
+    let judge = |table: &Table| {
+        let mut bare = table.clone();
+        bare.faces.iter_mut().flatten().for_each(|row| row.outer_half_edge = None);
+        let view = FaceLabels::one_cycle(&bare).unwrap();
+        for f in 0..bare.faces.len() {
+            let first = (0..bare.half_edges.len()).find(|h| bare.face(*h) == Some(f));
+            assert_eq!(view.outer_half_edge(f), first);
+        }
+        let report = validate(&view, &MESH, Collect::All);
+        assert_eq!(first_broken_rule(&view, &MESH), report.broken_rules().next());
+        report.broken_rules().collect::<Vec<_>>()
+    };
+    assert_eq!(judge(&table), []);
+    for row in table.half_edges.iter_mut().flatten().filter(|row| row.face == Some(3)) {
+        row.face = Some(2);
+    }
+    assert_eq!(judge(&table), [Rule::F1, Rule::F2]);
+    table.faces.pop();
+    assert_eq!(judge(&table), [Rule::F2]);
+}
+
+/// The lists of a map follow from its labels, up to their order and the half-edges that stand for cycles.
+#[test]
+fn holes_follow_from_labels() {
+    let mut table = nested_textbook();
+    // The isolated vertex is in no list that can be derived.
+    table.vertices.pop();
+    table.faces[1].as_mut().unwrap().inner_starts.pop();
+    assert_eq!(agree(&table, TEXTBOOK), None);
+    let view = FaceLabels::with_holes(&table, Some(0)).unwrap();
+    let listed =
+        |f: usize| (view.outer_half_edge(f), (0..view.inner_count(f)).map(|i| view.inner_start(f, i)).collect());
+    let hole = |h: usize| vec![Some(Start::HalfEdge(h))];
+    assert_eq!([0, 1, 2].map(listed), [(None, hole(1)), (Some(0), hole(7)), (Some(6), vec![])]);
+    assert_eq!(first_broken_rule(&view, &TEXTBOOK), None);
+    let isolated = FaceLabels::with_holes(nested_textbook(), Some(0)).unwrap();
+    assert_eq!(first_broken_rule(&isolated, &TEXTBOOK), Some(Rule::B2));
+    assert_eq!((view.inner_count(3), view.inner_count(usize::MAX), view.inner_start(0, 9)), (0, 0, None));
+}
+
+/// How many nodes these edges connect with the first.
+fn reached(edges: &[(usize, usize)]) -> usize {
+    let mut reached = BTreeSet::from([0]);
+    while let Some((a, b)) = edges.iter().find(|(a, b)| reached.contains(a) != reached.contains(b)) {
+        reached.extend([*a, *b]);
+    }
+    reached.len()
+}
+
+/// Every label of every cycle of three loops side by side, and every unbounded face, or none. By the labels, faces and components
+/// are joined; a map is a tree that hangs from the unbounded face.
+#[test]
+fn labels_that_cannot_nest_are_refused() {
+    let half_edges: Vec<(usize, usize)> = (0..6).map(|h| (h / 2, h)).collect();
+    let loops = textbook_map(3, &half_edges, &[(None, &[]), (None, &[]), (None, &[]), (None, &[])]);
+    let mut accepted = [0, 0];
+    for labels in 0..4_usize.pow(6) {
+        let label = |h: usize| labels / 4_usize.pow(h as u32) % 4;
+        let mut table = loops.clone();
+        for h in 0..6 {
+            half_edge(&mut table, h).face = Some(label(h));
+        }
+        let edges: Vec<(usize, usize)> = (0..6).map(|h| (h / 2, 3 + label(h))).collect();
+        // Components 0 … 2 and faces 3 … 6: a tree of 7 nodes has 6 edges, and is connected.
+        let is_tree = reached(&edges) == 7;
+        let expectation = TEXTBOOK.without(Part::Leaving);
+        let judge = |unbounded: Link, expectation: Expectation| {
+            let view = FaceLabels::with_holes(&table, unbounded).unwrap();
+            // All cycles of the unbounded face are inner.
+            assert_eq!(unbounded.and_then(|f| view.outer_half_edge(f)), None);
+            let report = validate(&view, &expectation, Collect::AtMost(0));
+            assert_eq!(report.broken_rules().next(), first_broken_rule(&view, &expectation));
+            report.is_valid()
+        };
+        for f in 0..4 {
+            assert_eq!(judge(Some(f), expectation), is_tree, "{edges:?} {f}");
+        }
+        accepted[0] += usize::from(is_tree);
+        // Without a record of the unbounded face the tree hangs from a component.
+        assert_eq!(judge(None, expectation.without(Part::UnboundedFace)), is_tree);
+        // Where one half-edge is outside everything, or is not there, the three other faces are bounded.
+        table.faces.pop();
+        for outside in [1, 3, 5] {
+            let labels_live = (0..6).all(|h| h == outside || label(h) < 3);
+            let edges: Vec<(usize, usize)> = (0..6).filter(|h| *h != outside).map(|h| (h / 2, 3 + label(h))).collect();
+            let is_tree = labels_live && reached(&edges) == 6;
+            let mut table = table.clone();
+            half_edge(&mut table, outside).face = None;
+            let mut without = table.clone();
+            without.half_edges[outside] = None;
+            half_edge(&mut without, outside ^ 1).twin = None;
+            for table in [table, without] {
+                let view = FaceLabels::with_holes(&table, None).unwrap();
+                let expectation = expectation.without(Part::UnboundedFace).open();
+                let report = validate(&view, &expectation, Collect::AtMost(0));
+                assert_eq!(report.broken_rules().next(), first_broken_rule(&view, &expectation));
+                assert_eq!(report.is_valid(), is_tree, "{edges:?}\n{report}");
+                accepted[1] += usize::from(is_tree);
+            }
+        }
+    }
+    // A component joins two faces. By Cayley there are 4² trees on four faces, and 3! · 2³ ways to name and turn their edges.
+    assert_eq!(accepted[0], 16 * 6 * 8);
+    assert!(accepted[1] > 0);
+}

@@ -1,0 +1,98 @@
+//! Structures that keep targets, and structures that keep `prev` alone.
+
+use super::{AsTargets, maps, mirrored};
+use crate::support::opinions::agree;
+use crate::support::tables::half_edge;
+use std::collections::BTreeSet;
+use twinedge::validate::adapt::{Backward, Targets};
+use twinedge::validate::enumerate::{Cell, for_each_corruption};
+use twinedge::validate::reference::first_broken_rule;
+use twinedge::validate::{Collect, Link, Record, Rule, Table, View, validate};
+
+/// A structure with targets is sound if and only if its mirror image, in which nothing is derived, is: for each change of each
+/// link, and of two at once where origins are concerned.
+#[test]
+fn targets_are_judged_as_their_mirror_image() {
+    for (table, expectation) in maps() {
+        let table = mirrored(&table);
+        assert_eq!(agree(&mirrored(&table), expectation), None);
+        let same = |changed: &Table| {
+            let verdict = first_broken_rule(&mirrored(changed), &expectation).is_none();
+            let report = validate(&Targets::of(AsTargets(changed)).unwrap(), &expectation, Collect::All);
+            assert_eq!(report.is_valid(), verdict, "{changed}\n{report}");
+            assert_eq!(
+                first_broken_rule(&Targets::of(AsTargets(changed)).unwrap(), &expectation),
+                report.broken_rules().next()
+            );
+            verdict
+        };
+        let mut caught = 0;
+        for_each_corruption(&mut table.clone(), &expectation, |changed, _, _| caught += usize::from(!same(changed)));
+        assert!(caught > 50);
+        let n = table.half_edges.len();
+        for (g, h) in (0..n).flat_map(|g| (0..g).map(move |h| (g, h))) {
+            if table.half_edges[g].is_none() || table.half_edges[h].is_none() {
+                continue;
+            }
+            for (u, v) in (0..4).map(|i| (i % 2, i / 2)) {
+                let mut changed = table.clone();
+                (half_edge(&mut changed, g).origin, half_edge(&mut changed, h).origin) = (Some(u), Some(v));
+                same(&changed);
+            }
+        }
+    }
+}
+
+/// At a border, too, each target is the origin of exactly one half-edge.
+#[test]
+fn each_target_is_read_once() {
+    for (table, _) in maps() {
+        let live: Vec<usize> = (0..table.half_edges.len()).filter(|h| table.is_half_edge(*h)).collect();
+        let targets = Targets::of(AsTargets(mirrored(&table))).unwrap();
+        let from: BTreeSet<Link> = live.iter().map(|h| targets.origin_from(*h)).collect();
+        assert_eq!(from, live.iter().copied().map(Some).collect());
+    }
+    let nothing = Targets::of(AsTargets(Table::default())).unwrap();
+    assert_eq!((nothing.origin_from(0), nothing.origin_from(usize::MAX), nothing.origin(3)), (None, None, None));
+}
+
+/// `next` is not read, and where `prev` is changed it is no permutation. All else is as with both links.
+#[test]
+fn backward_links_are_judged_as_forward_ones() {
+    for (table, expectation) in maps() {
+        let mut caught = 0;
+        for_each_corruption(&mut table.clone(), &expectation, |changed, cell, _| {
+            let mut backward = changed.clone();
+            backward.half_edges.iter_mut().flatten().for_each(|row| row.next = None);
+            let view = Backward::of(&backward).unwrap();
+            let report = validate(&view, &expectation, Collect::All);
+            assert_eq!(report.broken_rules().next(), first_broken_rule(&view, &expectation));
+            let verdict = match cell {
+                Cell::Next(_) => true,
+                Cell::Prev(_) => false,
+                _ => first_broken_rule(changed, &expectation).is_none(),
+            };
+            assert_eq!(report.is_valid(), verdict, "{cell:?} {report}");
+            caught += usize::from(!verdict);
+        });
+        assert!(caught > 50);
+    }
+}
+
+/// Of two half-edges with the same `prev`, the first follows it, and L2 is broken at the second.
+#[test]
+fn of_two_that_follow_one_half_edge_the_first_is_next() {
+    let [(mut table, expectation), ..] = maps();
+    let live: Vec<usize> = (0..table.half_edges.len()).filter(|h| table.is_half_edge(*h)).collect();
+    for (g, h) in live.iter().flat_map(|g| live.iter().map(move |h| (*g, *h))).filter(|(g, h)| g != h) {
+        let right = half_edge(&mut table, h).prev;
+        half_edge(&mut table, h).prev = table.prev(g);
+        let backward = Backward::of(&table).unwrap();
+        assert_eq!(backward.next(table.prev(g).unwrap()), Some(g.min(h)));
+        let report = validate(&backward, &expectation, Collect::All);
+        let l2 = report.violations().iter().filter(|violation| violation.rule() == Rule::L2);
+        let at: Vec<_> = l2.map(|violation| violation.records()[0]).collect();
+        assert_eq!(at, [Some(Record::HalfEdge(g.max(h)))], "{report}");
+        half_edge(&mut table, h).prev = right;
+    }
+}
