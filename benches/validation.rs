@@ -170,7 +170,7 @@ fn faulty(criterion: &mut Criterion) {
     let mut group = criterion.benchmark_group("validate a grid with one fault");
     group.throughput(Throughput::Elements(map.dcel().half_edge_count() as u64));
     group.bench_function("none", |b| {
-        b.iter(|| assert!(validate(black_box(map.dcel()), &plane, Collect::All).is_valid()))
+        b.iter(|| assert!(validate(black_box(map.dcel()), &plane, Collect::All).is_valid()));
     });
     for (what, twin) in [("twin", true), ("next", false)] {
         let view = Wrong { right: map.dcel(), twin };
