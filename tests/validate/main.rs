@@ -21,6 +21,7 @@ mod near;
 mod open_embeddings;
 mod reports;
 mod serialized;
+mod settled;
 mod small_tables;
 mod statements;
 mod table_text;
