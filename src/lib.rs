@@ -70,7 +70,7 @@
 //!
 //! | feature | what it adds | dependencies |
 //! | --- | --- | --- |
-//! | (none) | [`mod@validate`]: rules R1 … T4, and M1 … M7 if asked for; `no_std` with `alloc` | none |
+//! | (none) | [`mod@validate`]: rules R1 … T4, and M1 … M8 if asked for; `no_std` with `alloc` | none |
 //! | `dcel` | [`store`], [`dcel`] | slotmap, thiserror |
 //! | `geometry` | [`geometry`], and rules G1 … G5 in [`mod@validate`]; needs `std` | robust, rstar, rustc-hash, thiserror |
 //! | `map` (default) | [`map`], [`algorithm`], [`io::svg`] | those of `dcel` and `geometry` |

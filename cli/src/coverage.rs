@@ -34,7 +34,8 @@ pub(crate) struct Asked {
     sliver: Option<f64>,
 }
 
-fn positive(text: &str) -> Result<f64, String> {
+/// A positive number on the command line.
+pub(crate) fn positive(text: &str) -> Result<f64, String> {
     text.parse().ok().filter(|x| *x > 0.0 && f64::is_finite(*x)).ok_or_else(|| "not a positive number".to_owned())
 }
 

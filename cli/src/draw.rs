@@ -2,6 +2,7 @@
 
 use crate::input::{Imported, MapFile};
 use crate::output::{grouped, print};
+use crate::output_file::write_file;
 use crate::status::{Failure, Verdict};
 use std::path::{Path, PathBuf};
 use twinedge::geometry::Point;
@@ -26,6 +27,7 @@ dotted, and a dashed ring shows where one of them is tiny. A map that is not pla
 are explained below the map. Islands far from everything else are drawn in insets, unless --whole is given.
 
 Exit status: 0 the map is drawn and valid; 1 it is drawn, and violations are marked; 2 it could not be read or drawn.")]
+#[allow(clippy::struct_excessive_bools, reason = "flags of a command")]
 pub(crate) struct Draw {
     #[command(flatten)]
     map: MapFile,
@@ -119,7 +121,7 @@ impl Draw {
         match self.output.as_deref().filter(|path| *path != Path::new("-")) {
             None => print(&picture)?,
             Some(path) => {
-                std::fs::write(path, picture).map_err(|error| Failure(format!("{}: {error}", path.display())))?;
+                write_file(path, self.map.path(), picture.as_bytes())?;
             }
         }
         Ok(if report.is_valid() { Verdict::Sound } else { Verdict::Wrong })

@@ -22,7 +22,7 @@ enum Ask {
 }
 
 /// The rules that must be asked for, with the word for each.
-const ASKED: [(Rule, &str, Ask); 7] = [
+const ASKED: [(Rule, &str, Ask); 8] = [
     (Rule::M1, "no-unused-vertices", Ask::Plain(Expectation::no_unused_vertices)),
     (Rule::M2, "simple", Ask::Plain(Expectation::simple)),
     (Rule::M3, "sides", Ask::Number(Expectation::sides)),
@@ -30,6 +30,7 @@ const ASKED: [(Rule, &str, Ask); 7] = [
     (Rule::M5, "components", Ask::Number(Expectation::components)),
     (Rule::M6, "borders", Ask::Number(Expectation::borders)),
     (Rule::M7, "genus", Ask::Number(Expectation::genus)),
+    (Rule::M8, "border-kept", Ask::Plain(Expectation::border_kept)),
 ];
 
 /// An expectation in words: `plane`, or `surface open without prev places asking closed genus 0`.
@@ -138,7 +139,7 @@ mod tests {
         assert_eq!(
             ExpectationText(all).to_string(),
             "surface open without prev holes unbounded-face asking no-unused-vertices simple sides 7 closed components 7 \
-             borders 7 genus 7"
+             borders 7 genus 7 border-kept"
         );
         assert_eq!(parse("plane open asking closed"), Ok(Expectation::plane().open().closed()));
     }

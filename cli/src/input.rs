@@ -8,8 +8,9 @@ use std::fs::File;
 use std::io::{self, BufRead, BufReader, Read};
 use std::path::{Path, PathBuf};
 use twinedge::geometry::noding::Snap;
-use twinedge::io::{self as formats, Format, ReadError, ReadSummary};
+use twinedge::io::ReadSummary;
 use twinedge::map::{BuildError, Builder, Noding, PlanarMap};
+use twinedge_formats::layer::{Format, Layer, ReadError, ReadOptions, read, read_layer, to_map};
 use twinedge_formats::mesh::Format as MeshFormat;
 
 /// The built-in map of the world; see `data/README.md`.
@@ -29,6 +30,8 @@ enum InputError {
 pub(crate) struct Input {
     pub(crate) name: String,
     pub(crate) reader: Box<dyn BufRead>,
+    /// Where it is, if it is a file.
+    path: Option<PathBuf>,
     /// The format that the name tells.
     format: Option<Format>,
     /// The format of meshes that the name tells.
@@ -64,7 +67,8 @@ impl Input {
             }
         };
         let (format, mesh_format) = (path.and_then(Format::of_path), path.and_then(MeshFormat::of_name));
-        Ok(Self { name, reader, format, mesh_format })
+        let path = path.filter(|path| *path != Path::new("-")).map(Path::to_owned);
+        Ok(Self { name, reader, path, format, mesh_format })
     }
 
     /// Its first bytes, without reading them.
@@ -82,16 +86,20 @@ impl Input {
 }
 
 fn gather(
-    reader: impl Read,
-    format: Option<Format>,
+    reader: &mut dyn Read,
+    path: Option<&Path>,
+    options: &ReadOptions,
     mut noted: Noted,
     keep: Keep<'_>,
 ) -> Result<(Builder, ReadSummary, Noted), InputError> {
     let mut builder = Builder::new();
-    let summary = formats::read_with_properties(reader, format, |mut feature, properties| {
-        noted.note(&mut feature, properties, keep);
-        builder.feature(&feature).map(drop).map_err(InputError::from)
+    let mut summary = ReadSummary::default();
+    let header = read(reader, path, options, &mut |feature| {
+        let mut of_map = to_map(&feature, &mut summary);
+        noted.note(&mut of_map, &feature, keep);
+        builder.feature(&of_map).map(drop).map_err(ReadError::refused)
     })?;
+    summary.other_crs += usize::from(header.crs.is_some_and(|crs| crs.is_other()));
     Ok((builder, summary, noted))
 }
 
@@ -107,9 +115,13 @@ fn progress(bytes: u64) -> ProgressBar {
 /// The file that is named on the command line.
 #[derive(Debug, clap::Args)]
 pub(crate) struct MapFile {
-    /// A GeoJSON or WKT file, or `-` for standard input. `audit` takes meshes as well: OBJ, OFF, PLY, STL. Default: the built-in
-    /// map of the world.
+    /// A file of GeoJSON, newline-delimited GeoJSON, well-known text or binary, a Shapefile or a GeoPackage, or `-` for standard
+    /// input. `audit` takes meshes as well: OBJ, OFF, PLY, STL. Default: the built-in map of the world.
     file: Option<PathBuf>,
+
+    /// The layer to read of a GeoPackage with several.
+    #[arg(long, value_name = "NAME")]
+    layer: Option<String>,
 
     #[command(flatten)]
     cutting: Cutting,
@@ -124,6 +136,34 @@ pub(crate) struct MapFile {
     allow_empty: bool,
 }
 
+/// A layer that is named on the command line.
+#[derive(Debug, clap::Args)]
+pub(crate) struct LayerFile {
+    /// The file to read, or `-` for standard input: GeoJSON, newline-delimited GeoJSON, well-known text or binary, a Shapefile or a
+    /// GeoPackage.
+    file: PathBuf,
+
+    /// The layer to read of a GeoPackage with several.
+    #[arg(long, value_name = "NAME")]
+    layer: Option<String>,
+}
+
+impl LayerFile {
+    /// Where the input is, if it is a file.
+    pub(crate) fn path(&self) -> Option<&Path> {
+        Some(self.file.as_path()).filter(|path| *path != Path::new("-"))
+    }
+
+    /// Reads all of it: the name of the input, and the layer.
+    pub(crate) fn read(&self) -> Result<(String, Layer), Failure> {
+        let Input { name, mut reader, path, .. } = Input::open(Some(&self.file))?;
+        let options = ReadOptions { layer: self.layer.clone(), ..ReadOptions::default() };
+        let layer =
+            read_layer(&mut reader, path.as_deref(), &options).map_err(|error| Failure(format!("{name}: {error}")))?;
+        Ok((name, layer))
+    }
+}
+
 /// How segments that cross, touch or overlap are treated.
 #[derive(Debug, clap::Args)]
 pub(crate) struct Cutting {
@@ -134,6 +174,11 @@ pub(crate) struct Cutting {
 }
 
 impl MapFile {
+    /// Where the input is, if it is a file.
+    pub(crate) fn path(&self) -> Option<&Path> {
+        self.file.as_deref().filter(|path| *path != Path::new("-"))
+    }
+
     /// Opens the input.
     pub(crate) fn open(&self) -> Result<Input, Failure> {
         Input::open(self.file.as_deref())
@@ -166,10 +211,11 @@ impl MapFile {
 
     /// Builds the map that was opened.
     pub(crate) fn build_from(&self, input: Input, keep: Keep<'_>) -> Result<Imported, Failure> {
-        let Input { name, reader, format, .. } = input;
+        let Input { name, mut reader, path, .. } = input;
         let failed = |error: InputError| Failure(format!("{name}: {error}"));
         let noted = Noted::new(self.name_from.clone());
-        let (builder, read, noted) = gather(reader, format, noted, keep).map_err(failed)?;
+        let options = ReadOptions { layer: self.layer.clone(), ..ReadOptions::default() };
+        let (builder, read, noted) = gather(&mut reader, path.as_deref(), &options, noted, keep).map_err(failed)?;
         self.refuse_empty(&name, &read)?;
         noted.refuse_unknown_columns(&name, keep)?;
         let noding = self.cutting.snap.map_or(Noding::None, Noding::Snap);
@@ -196,7 +242,8 @@ impl MapFile {
     }
 }
 
-fn snap(text: &str) -> Result<Snap, String> {
+/// The argument of `--snap`.
+pub(crate) fn snap(text: &str) -> Result<Snap, String> {
     if text == "auto" {
         return Ok(Snap::Auto);
     }

@@ -3,6 +3,8 @@
 //! Arguments, text, JSON, progress bars and Ctrl-C are here. The tests themselves are in the crate `twinedge-trials`.
 
 mod audit;
+mod clean;
+mod convert;
 mod corrupt;
 mod coverage;
 mod decompose;
@@ -12,9 +14,11 @@ mod effort;
 mod expectation_text;
 mod fuzz_template;
 mod input;
+mod noding_text;
 mod noted;
 mod outline;
 mod output;
+mod output_file;
 mod postgis;
 mod print_tables;
 mod progress;
@@ -41,6 +45,8 @@ use std::process::ExitCode;
 #[command(after_help = "Examples:
   twinedge audit parcels.geojson
   twinedge audit bunny.obj
+  twinedge clean counties.shp -o clean.shp
+  twinedge convert counties.shp -o counties.geojson
   twinedge query neighbours Switzerland
   twinedge draw -o world.svg
   twinedge prove
@@ -55,6 +61,8 @@ struct Arguments {
 #[derive(Debug, Subcommand)]
 enum Command {
     Audit(audit::Audit),
+    Clean(clean::Clean),
+    Convert(convert::Convert),
     Postgis(postgis::Postgis),
     Query(query::Query),
     Draw(draw::Draw),
@@ -73,6 +81,8 @@ enum Command {
 fn main() -> ExitCode {
     let verdict = match Arguments::parse().command {
         Command::Audit(audit) => audit.run(),
+        Command::Clean(clean) => clean.run(),
+        Command::Convert(convert) => convert.run(),
         Command::Postgis(postgis) => postgis.run(),
         Command::Query(query) => query.run(),
         Command::Draw(draw) => draw.run(),

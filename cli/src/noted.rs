@@ -6,8 +6,9 @@ use std::collections::BTreeSet;
 use std::str::FromStr;
 use twinedge::algorithm::coverage::{Defect, defects};
 use twinedge::geometry::Point;
-use twinedge::io::{Properties, ReadSummary};
+use twinedge::io::ReadSummary;
 use twinedge::map::{Feature, Shape};
+use twinedge_formats::layer::{Feature as LayerFeature, Value};
 
 /// How many columns an error lists.
 const COLUMNS: usize = 20;
@@ -85,22 +86,23 @@ impl Noted {
     }
 
     /// Notes the next feature, and names it by the column asked for.
-    pub(crate) fn note(&mut self, feature: &mut Feature, properties: &Properties, keep: Keep<'_>) {
+    pub(crate) fn note(&mut self, feature: &mut Feature, read: &LayerFeature, keep: Keep<'_>) {
+        let text = |column: &str| read.get(column).and_then(Value::text);
         let number = self.ids.len();
         self.ids.push(feature.id.clone());
         if let Some(column) = &self.name_from {
-            feature.name = properties.get(column);
+            feature.name = text(column);
             self.has_name |= feature.name.is_some();
         }
         if let Some(Condition { column, value }) = keep.condition {
-            let found = properties.get(column);
+            let found = text(column);
             self.has_condition |= found.is_some();
             if found.as_ref() == Some(value) {
                 self.matching.push(number);
             }
         }
         if (self.name_from.is_some() || keep.condition.is_some()) && self.columns.len() < COLUMNS {
-            self.columns.extend(properties.columns().map(str::to_owned));
+            self.columns.extend(read.attributes.iter().map(|(name, _)| name.to_string()));
         }
         if keep.coverage {
             let found = defects(&feature.shapes);

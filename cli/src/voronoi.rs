@@ -2,6 +2,7 @@
 
 use crate::outline::ring;
 use crate::output::{counted, plain, print};
+use crate::output_file::write_file;
 use crate::status::{Failure, Verdict};
 use serde_json::{Map, Value, json};
 use std::io::Read as _;
@@ -75,7 +76,7 @@ impl MakeVoronoi {
         };
         let is_svg = path.extension().is_some_and(|extension| extension.eq_ignore_ascii_case("svg"));
         let text = if is_svg { svg::draw(&map, &Options::default()) } else { collection };
-        std::fs::write(path, text).map_err(|error| Failure(format!("{}: {error}", path.display())))?;
+        write_file(path, Some(&self.points), text.as_bytes())?;
         print(&format!("{}: {what}\n", plain(&name)))?;
         Ok(Verdict::Sound)
     }

@@ -1,7 +1,8 @@
 //! Readers for files that hold half-edge structures, or what becomes one, and their audit.
 //!
 //! [`mesh`] reads OBJ, OFF, PLY and STL, joins the faces to half-edges, says in the user's terms what cannot be joined, and
-//! has the validator of `twinedge` judge the rest. `postgis` reads a topology of PostGIS as the database keeps it.
+//! has the validator of `twinedge` judge the rest. `postgis` reads a topology of PostGIS as the database keeps it. `layer` reads and
+//! writes layers of features, and repairs them.
 //!
 //! ```
 //! # #[cfg(feature = "off")] {
@@ -33,10 +34,13 @@
 //! | --- | --- | --- |
 //! | `obj`, `off`, `stl` (default) | a reader each | none |
 //! | `ply` (default) | the reader for PLY | ply-rs-bw |
+//! | `geojson`, `geopackage`, `shapefile`, `wkb`, `wkt` (default) | the module `layer`, with a reader and a writer each | geojson, rusqlite, `encoding_rs`, none, wkt |
 //! | `postgis` (default) | the module `postgis` | robust, rstar, rustc-hash |
 //! | `serde` (default) | [`mesh::MeshAudit`], `postgis::TopologyAudit` and their parts are `Serialize` | serde |
 #![cfg_attr(docsrs, feature(doc_cfg))]
 
+#[cfg(feature = "layer")]
+pub mod layer;
 pub mod mesh;
 #[cfg(feature = "postgis")]
 pub mod postgis;

@@ -4,12 +4,14 @@
 
 mod drawings;
 mod edits;
+mod layers;
 mod maps;
 mod postgis;
 mod tables;
 
 pub use drawings::{geojson, noding, segments};
 pub use edits::edits;
+pub use layers::layer;
 pub use maps::{in_step, programs, stale_keys};
 pub use postgis::postgis;
 pub use tables::{right_map, validator_total};

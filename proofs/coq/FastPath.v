@@ -10,10 +10,11 @@
 
            h          n             ┌──► h ──► n ──► · ──┐              \   |   /
       ·────────►w────────►·         └────────────────────┘           ◄── \  |  / ──►
-      ·◄────────w                   prev(n) = h,                    ─────── v ───────
-           t                        boundary(h) = b,
-      twin(t) = h ≠ t,              face(b) lists b
-      origin(n) = origin(t)
+      ·◄────────w                   boundary(h) = b,                ─────── v ───────
+           t                        face(b) lists b
+      twin(t) = h ≠ t,
+      origin(n) = origin(t),
+      prev(n) = h
 >>
 
     Like the Rust code it asks of any slot that there is, live or not, and so it hears what vacant slots say ([says_twin]
@@ -31,7 +32,10 @@
     - A nil is read as 0 where it has been excluded before: of what is listed ([entry_ok]), of the twins and origins of
       half-edges ([scanned]), and of the vertices where boundary components start ([entry_ok]).
 
-    Nothing is said here of the figures that the Rust code notes on the way, and of memory that runs out. *)
+    - It accepts or refuses. The Rust code asks the same in another order, the vertices before the cycles, and where something
+      is wrong it keeps what holds in spite of that, and has the rest looked at by the rules.
+
+    Nothing is said here of that, of the figures that the Rust code notes on the way, and of memory that runs out. *)
 
 From mathcomp Require Import all_ssreflect.
 From twinedge Require Import View Rules Loops Reference.
@@ -57,18 +61,14 @@ Definition scanned h : bool :=
   match existing (half_edge_slots t) (says_twin t h), existing (half_edge_slots t) (says_next t h) with
   | Some w, Some n =>
     [&& w != h, same_link (says_twin t w) (Some h), half_edge t w, half_edge t n, ~~ is_nil (says_origin t n),
-        same_link (says_origin t n) (says_origin t w) & ~~ is_nil (says_origin t h)]
+        same_link (says_origin t n) (says_origin t w) & same_link (says_prev t n) (Some h)]
   | _, _ => false
   end.
 
 (** ** Along every boundary component, from where a face lists it (boundaries.rs) *)
 
 Definition along_step b h : link :=
-  if same_link (says_boundary t h) (Some b) then
-    if existing (half_edge_slots t) (says_next t h) is Some n then
-      if same_link (says_prev t n) (Some h) then Some n else None
-    else None
-  else None.
+  if same_link (says_boundary t h) (Some b) then existing (half_edge_slots t) (says_next t h) else None.
 
 (** How many half-edges the walk along [b] visits, if it finds nothing wrong. *)
 Definition along b : option nat :=

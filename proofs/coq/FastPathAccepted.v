@@ -52,20 +52,17 @@ Qed.
 
 Lemma scannedP h : scanned t h -> exists w n,
   [/\ says_twin t h = Some w, half_edge t w, w <> h & says_twin t w = Some h] /\
-  [/\ says_next t h = Some n, half_edge t n & exists2 u, says_origin t n = Some u & says_origin t w = Some u].
+  [/\ says_next t h = Some n, half_edge t n, says_prev t n = Some h & exists2 u, says_origin t n = Some u & says_origin t w = Some u].
 Proof.
 rewrite /scanned; case Ew: (existing _ _) => [w|] //; case En: (existing _ _) => [n|] //.
-case/and5P=> /eqP wh /same_linkP tw lw ln /and3P[on /same_linkP ow _].
+case/and5P=> /eqP wh /same_linkP tw lw ln /and3P[on /same_linkP ow /same_linkP pn].
 have [Ew' _] := (existingP _ _ _).1 Ew; have [En' _] := (existingP _ _ _).1 En; exists w, n; split; split=> //.
 by case O: (says_origin t n) on ow => [u|] // _ ow; exists u.
 Qed.
 
 Lemma along_stepP b h n : along_step t b h = Some n ->
-  [/\ says_next t h = Some n, says_prev t n = Some h & says_boundary t h = Some b].
-Proof.
-rewrite /along_step; case: ifP => // /same_linkP bh; case En: (existing _ _) => [m|] //.
-by case: ifP => // /same_linkP pm [<-]; have [] := (existingP _ _ _).1 En.
-Qed.
+  says_next t h = Some n /\ says_boundary t h = Some b.
+Proof. by rewrite /along_step; case: ifP => // /same_linkP bh /existingP[]. Qed.
 
 Lemma around_stepP h n : around_step t h = Some n ->
   exists w u, [/\ says_twin t h = Some w, says_origin t w = Some u & says_next t w = Some n].
@@ -172,8 +169,8 @@ Qed.
 Lemma along_orbit_live b l h : half_edge t l -> on_orbit (along_step t b) l h -> half_edge t h.
 Proof.
 move=> ll [k]; elim: k h => [|k IH] h /=; first by case=> <-.
-case E: (iter k _ _) => [g|] //= /along_stepP[nx _ _].
-by have [w [n [_ [nx' ln _]]]] := scannedP (scan_ok (IH g E)); move: nx; rewrite nx' => -[<-].
+case E: (iter k _ _) => [g|] //= /along_stepP[nx _].
+by have [w [n [_ [nx' ln _ _]]]] := scannedP (scan_ok (IH g E)); move: nx; rewrite nx' => -[<-].
 Qed.
 
 Lemma along_listP b : boundary t b -> uniq (along_list b) /\ forall h, h \in along_list b ->
@@ -193,7 +190,7 @@ by case: ifP => // ll /round_tripP[].
 Qed.
 
 Lemma along_list_half_edge b h : boundary t b -> h \in along_list b -> half_edge t h /\ says_boundary t h = Some b.
-Proof. by case/along_listP=> _ /[apply] -[lh [n /along_stepP[_ _ bh] _] _ _]. Qed.
+Proof. by case/along_listP=> _ /[apply] -[lh [n /along_stepP[_ bh] _] _ _]. Qed.
 
 (** The walks along the boundary components visit every half-edge. *)
 Lemma all_along h : half_edge t h -> exists2 b, boundary t b & h \in along_list b.
@@ -221,9 +218,12 @@ Lemma half_edge_ok h : half_edge t h -> exists w n g b,
     & [/\ says_boundary t h = Some b, boundary t b, says_boundary t n = Some b & h \in along_list b]].
 Proof.
 case/all_along=> b lb hb; have [_ /(_ h hb)[lh [n En nb] [g Eg gb] _]] := along_listP lb.
-have [w [m [T [nx' _ o]]]] := scannedP (scan_ok lh); have [nx pv bh] := along_stepP En; have [gx gp _] := along_stepP Eg.
+have [w [m [T [nx' _ pv o]]]] := scannedP (scan_ok lh); have [nx bh] := along_stepP En; have [gx _] := along_stepP Eg.
 have [ln bn] := along_list_half_edge lb nb; have [lg _] := along_list_half_edge lb gb.
-by move: nx'; rewrite nx => -[nm]; rewrite -nm in o; exists w, n, g, b.
+move: nx'; rewrite nx => -[nm]; rewrite -nm in o pv.
+have gp : says_prev t h = Some g.
+  by have [_ [m' [_ [gx' _ + _]]]] := scannedP (scan_ok lg); move: gx'; rewrite gx => -[<-].
+by exists w, n, g, b.
 Qed.
 
 (** The walk around a vertex visits half-edges that leave it. *)
@@ -379,11 +379,11 @@ rewrite /boundary_of /boundary_start !heardE //; have [_ H] := along_listP lb; s
   rewrite -bc in hc; have [_ _ _ [l S [hl [k Ek]]]] := H h hc; exists l => //; exists k; have [ll _] := along_start lb S.
   elim: k h Ek {lh bh hc} => //= k IH h; case E: (iter k _ _) => [g|] //= st; rewrite (IH g) //=.
   have lg : half_edge t g by apply: (along_orbit_live ll); exists k; exact: E.
-  by have [nx _ _] := along_stepP st; rewrite /next heardE.
+  by have [nx _] := along_stepP st; rewrite /next heardE.
 have : forall j i, iter j (obind (next t)) (Some g) = Some i -> i \in along_list b.
   elim=> [|j IH] i /=; first by case=> <-; case: (along_start lb S).
   case E: (iter j _ _) => [x|] //=; have [lx [n st nb] _ _] := H x (IH x E).
-  by have [nx _ _] := along_stepP st; rewrite /next heardE // nx => -[<-].
+  by have [nx _] := along_stepP st; rewrite /next heardE // nx => -[<-].
 by move=> /[apply] hb; case: (along_list_half_edge lb hb).
 Qed.
 

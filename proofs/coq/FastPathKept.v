@@ -40,8 +40,8 @@ Proof. by rewrite /= vertex_below ?org_live. Qed.
 
 Lemma scan_kept h : half_edge t h -> scanned t h.
 Proof.
-case/dartP=> x <-; rewrite /scanned says_twinE says_nextE !existing_num says_twinE !says_originE !dart_live.
-by rewrite (twK map) (org_nx map) /= !eqxx (inj_eq (@num_inj _ _)) (tw_neq map).
+case/dartP=> x <-; rewrite /scanned says_twinE says_nextE !existing_num says_twinE !says_originE says_prevE !dart_live.
+by rewrite (twK map) (org_nx map) (nxK map) /= !eqxx (inj_eq (@num_inj _ _)) (tw_neq map).
 Qed.
 
 (** *** The walks *)
@@ -53,7 +53,7 @@ Qed.
 
 Lemma along_stepE (x : dart t) : along_step t (bnd x) (num x) = next t (num x).
 Proof.
-by rewrite (nextE map) /along_step says_nextE existing_num says_boundaryE says_prevE (nxK map) /= !eqxx.
+by rewrite (nextE map) /along_step says_nextE existing_num says_boundaryE /= !eqxx.
 Qed.
 
 Lemma around_trip (x : dart t) : round_trip (half_edge_slots t) (around_step t) (num x) = Some (order (@tn t) x).

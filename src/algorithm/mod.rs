@@ -7,6 +7,7 @@
 //! | --- | --- |
 //! | [`area`] | how large is a face, a feature? |
 //! | [`centroid`] | where is the middle of a face, a feature? |
+//! | [`clean`] | which feature gets each face, if none may lie in two, and gaps and slivers go to neighbours? |
 //! | [`colouring`] | which colours tell neighbours apart? |
 //! | [`contour`] | what is the outline of a feature, a face, any set of faces? |
 //! | `convex` | into which convex pieces does a face fall? (feature `spade`) |
@@ -19,6 +20,7 @@
 
 pub mod area;
 pub mod centroid;
+pub mod clean;
 pub mod colouring;
 pub mod contour;
 #[cfg(feature = "spade")]

@@ -7,7 +7,7 @@
 /// ```
 /// use twinedge::io::{self, Format};
 ///
-/// let text = r#"{"type": "Feature", "properties": {"owner": "Meier", "area": 12.5}, "geometry": null}"#;
+/// let text = r#"{"type": "Feature", "properties": {"area": 12.5, "owner": "Meier"}, "geometry": null}"#;
 /// io::read_with_properties(text.as_bytes(), None, |_, properties| {
 ///     assert_eq!(properties.get("owner").as_deref(), Some("Meier"));
 ///     assert_eq!(properties.get("area").as_deref(), Some("12.5"));

@@ -30,8 +30,8 @@ pub struct ReadSummary {
 }
 
 impl ReadSummary {
-    /// Counts one more feature.
-    pub(super) fn add(&mut self, feature: &Feature, with_extra_dimensions: usize, empty: usize) {
+    /// Counts one more feature, of which so many positions had further dimensions and so many shapes were empty. O(shapes).
+    pub fn add(&mut self, feature: &Feature, with_extra_dimensions: usize, empty: usize) {
         self.features += 1;
         self.without_geometry += usize::from(feature.shapes.is_empty());
         self.with_extra_dimensions += with_extra_dimensions;

@@ -44,8 +44,38 @@ where
     R: Read,
     E: From<ReadError>,
 {
-    let mut input = BufReader::new(reader);
     let mut summary = ReadSummary::default();
+    read_geometries(reader, |line, geometry| {
+        let mut shapes = LineShapes { line, shapes: Vec::new(), with_extra_dimensions: 0, empty: 0 };
+        shapes.add(geometry, 0)?;
+        let feature = Feature { shapes: shapes.shapes, ..Feature::default() };
+        summary.add(&feature, shapes.with_extra_dimensions, shapes.empty);
+        each(feature)
+    })?;
+    Ok(summary)
+}
+
+/// Reads a file without dropping anything: the number of each line, counted from 1, and its geometry as the crate `wkt` has it.
+/// Otherwise as [`read`]; what numbers there are is not checked.
+///
+/// # Errors
+/// As for [`read`].
+///
+/// ```
+/// use twinedge::io::{ReadError, wkt};
+///
+/// wkt::read_geometries("POINT Z (1 2 3)".as_bytes(), |line, geometry| {
+///     assert_eq!((line, geometry.to_string().as_str()), (1, "POINT Z(1 2 3)"));
+///     Ok::<_, ReadError>(())
+/// })?;
+/// # Ok::<_, ReadError>(())
+/// ```
+pub fn read_geometries<R, E>(reader: R, mut each: impl FnMut(usize, Wkt<f64>) -> Result<(), E>) -> Result<(), E>
+where
+    R: Read,
+    E: From<ReadError>,
+{
+    let mut input = BufReader::new(reader);
     let mut bytes = Vec::new();
     for line in 1.. {
         bytes.clear();
@@ -60,13 +90,9 @@ where
         }
         check_frame(text, line)?;
         let geometry = text.parse().map_err(|message| error_in(line, syntax(message)))?;
-        let mut shapes = LineShapes { line, shapes: Vec::new(), with_extra_dimensions: 0, empty: 0 };
-        shapes.add(geometry, 0)?;
-        let feature = Feature { shapes: shapes.shapes, ..Feature::default() };
-        summary.add(&feature, shapes.with_extra_dimensions, shapes.empty);
-        each(feature)?;
+        each(line, geometry)?;
     }
-    Ok(summary)
+    Ok(())
 }
 
 fn error_in(line: usize, cause: ReadCause) -> ReadError {

@@ -7,6 +7,8 @@
 /// structure that does it: `mesh_flip_edge => Self::flip`. The method takes `&mut self` and the index, may give anything, which is
 /// dropped, and its error becomes a [`Refusal`](crate::program::Refusal) by `From`.
 ///
+/// Operators must leave half-edges at their indices; [`mesh::Named`](crate::program::mesh::Named) is for meshes that move them.
+///
 /// The unbounded face is the default: none. If the structure uses the indices of removed records again, stale handles cannot
 /// be told from live ones: see [`Conformance::without_stale_handles`](crate::program::conformance::Conformance::without_stale_handles).
 ///

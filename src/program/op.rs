@@ -177,7 +177,31 @@ impl CountChange {
     }
 }
 
-/// A sequence of operators, to be run by a [`Runner`](super::Runner) from the empty map.
+/// A sequence of operators, to be run by a [`Runner`](super::Runner) from the empty map or any other start.
+///
+/// # As text
+///
+/// [`Display`](core::fmt::Display) writes an operator to a line, [`FromStr`](core::str::FromStr) reads it back, and `#` begins a comment:
+///
+/// ```text
+/// twinedge program 1
+/// add_isolated_vertex unbounded
+/// split_vertex i0 ~0                   # the second corner is the first that fits
+/// connect h0 h1 left inner 0,2 also h5 # the new face to the left, with inner boundary components 0 and 2, and that of h5
+/// remove_edge !h0                      # a stale handle
+/// ```
+///
+/// | word | chooses |
+/// | --- | --- |
+/// | `h3` | the half-edge with number 3 (counted from 0), and its corner |
+/// | `i3` | the isolated vertex with number 3, and its corner |
+/// | `o3` | the origin of `h3`, taken for an isolated vertex |
+/// | `!h3`, `!v3`, `!f3` | of the half-edges, vertices, faces that were removed |
+/// | `~3` | of the corners that fit the first one |
+/// | `unbounded` | the unbounded face |
+///
+/// Numbers count from 0, modulo the length of the list: half-edges in order of creation, those of an edge side by side, those of the
+/// start first; isolated vertices in the order in which they became so.
 ///
 /// ```
 /// use twinedge::program::{StepOutcome, Program, Runner};

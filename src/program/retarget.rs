@@ -4,13 +4,14 @@ use super::op::{CornerPick, FacePick, HalfEdgePick, InnerPick, Op, Program, Seco
 use super::resolve::{Choose, Fit};
 use super::runner::Runner;
 use super::script::{Name, Scripted, Stage, extend, follow};
+use super::subject::Subject;
 use super::table::operators;
 use crate::dcel::{Dcel, Side, Turn};
 use alloc::vec::Vec;
 
 impl Scripted for Program {
     type Op = Op;
-    type Stage = NamedRunner;
+    type Stage = NamedRunner<Dcel>;
 
     fn ops(&self) -> &[Op] {
         &self.0
@@ -26,8 +27,8 @@ impl Scripted for Program {
 }
 
 /// A runner, and beside each of its lists the names of what is on it.
-pub struct NamedRunner {
-    runner: Runner<Dcel>,
+pub struct NamedRunner<K: Subject> {
+    runner: Runner<K>,
     half_edges: Vec<Name>,
     isolated: Vec<Name>,
     retired_half_edges: Vec<Name>,
@@ -40,7 +41,7 @@ macro_rules! define_rewrite {
         changes [$($change:expr),+]
         $($arg:ident: $pick:ty => $handle:ty, $depends:tt;)*
     })*) => {
-        impl NamedRunner {
+        impl<K: Subject> NamedRunner<K> {
             fn renumbered(&self, op: Op, number: &mut impl FnMut(&[Name], u16) -> u16) -> Op {
                 match op {
                     $(Op::$variant { $($arg),* } => {
@@ -54,18 +55,28 @@ macro_rules! define_rewrite {
 }
 operators!(define_rewrite);
 
-impl Stage for NamedRunner {
-    type Op = Op;
-
-    fn new() -> Self {
+impl<K: Subject> NamedRunner<K> {
+    /// Begins with what a runner has; no operator made it.
+    pub(super) fn beginning(runner: Runner<K>) -> Self {
+        let (mut half_edges, mut isolated) = (Vec::new(), Vec::new());
+        extend(&mut half_edges, runner.half_edges().len(), usize::MAX);
+        extend(&mut isolated, runner.isolated().len(), usize::MAX);
         Self {
-            runner: Runner::new(Dcel::new()),
-            half_edges: Vec::new(),
-            isolated: Vec::new(),
+            runner,
+            half_edges,
+            isolated,
             retired_half_edges: Vec::new(),
             retired_vertices: Vec::new(),
             retired_faces: Vec::new(),
         }
+    }
+}
+
+impl<K: Subject + Default> Stage for NamedRunner<K> {
+    type Op = Op;
+
+    fn new() -> Self {
+        Self::beginning(Runner::new(K::default()))
     }
 
     fn rewrite(&self, op: &Op, number: &mut impl FnMut(&[Name], u16) -> u16) -> Op {
@@ -88,14 +99,14 @@ impl Stage for NamedRunner {
 trait Renumber: Choose {
     fn renumber(
         self,
-        stage: &NamedRunner,
+        stage: &NamedRunner<impl Subject>,
         context: Self::Context<CornerPick>,
         number: &mut impl FnMut(&[Name], u16) -> u16,
     ) -> Self;
 }
 
 impl Renumber for HalfEdgePick {
-    fn renumber(self, stage: &NamedRunner, (): (), number: &mut impl FnMut(&[Name], u16) -> u16) -> Self {
+    fn renumber(self, stage: &NamedRunner<impl Subject>, (): (), number: &mut impl FnMut(&[Name], u16) -> u16) -> Self {
         match self {
             Self::Live(k) => Self::Live(number(&stage.half_edges, k)),
             Self::Retired(k) => Self::Retired(number(&stage.retired_half_edges, k)),
@@ -104,7 +115,7 @@ impl Renumber for HalfEdgePick {
 }
 
 impl Renumber for VertexPick {
-    fn renumber(self, stage: &NamedRunner, (): (), number: &mut impl FnMut(&[Name], u16) -> u16) -> Self {
+    fn renumber(self, stage: &NamedRunner<impl Subject>, (): (), number: &mut impl FnMut(&[Name], u16) -> u16) -> Self {
         match self {
             Self::Isolated(k) => Self::Isolated(number(&stage.isolated, k)),
             Self::OriginOf(k) => Self::OriginOf(number(&stage.half_edges, k)),
@@ -114,7 +125,7 @@ impl Renumber for VertexPick {
 }
 
 impl Renumber for CornerPick {
-    fn renumber(self, stage: &NamedRunner, (): (), number: &mut impl FnMut(&[Name], u16) -> u16) -> Self {
+    fn renumber(self, stage: &NamedRunner<impl Subject>, (): (), number: &mut impl FnMut(&[Name], u16) -> u16) -> Self {
         match self {
             Self::At(pick) => Self::At(pick.renumber(stage, (), number)),
             Self::Isolated(pick) => Self::Isolated(pick.renumber(stage, (), number)),
@@ -125,7 +136,7 @@ impl Renumber for CornerPick {
 impl Renumber for SecondPick {
     fn renumber(
         self,
-        stage: &NamedRunner,
+        stage: &NamedRunner<impl Subject>,
         (from, fit): (CornerPick, Fit),
         number: &mut impl FnMut(&[Name], u16) -> u16,
     ) -> Self {
@@ -144,13 +155,18 @@ impl Renumber for SecondPick {
 }
 
 impl Renumber for InnerPick {
-    fn renumber(self, stage: &NamedRunner, _: CornerPick, number: &mut impl FnMut(&[Name], u16) -> u16) -> Self {
+    fn renumber(
+        self,
+        stage: &NamedRunner<impl Subject>,
+        _: CornerPick,
+        number: &mut impl FnMut(&[Name], u16) -> u16,
+    ) -> Self {
         Self { also: self.also.map(|pick| pick.renumber(stage, (), number)), ..self }
     }
 }
 
 impl Renumber for FacePick {
-    fn renumber(self, stage: &NamedRunner, (): (), number: &mut impl FnMut(&[Name], u16) -> u16) -> Self {
+    fn renumber(self, stage: &NamedRunner<impl Subject>, (): (), number: &mut impl FnMut(&[Name], u16) -> u16) -> Self {
         match self {
             Self::Unbounded => Self::Unbounded,
             Self::Of(pick) => Self::Of(pick.renumber(stage, (), number)),
@@ -160,13 +176,13 @@ impl Renumber for FacePick {
 }
 
 impl Renumber for Side {
-    fn renumber(self, _: &NamedRunner, (): (), _: &mut impl FnMut(&[Name], u16) -> u16) -> Self {
+    fn renumber(self, _: &NamedRunner<impl Subject>, (): (), _: &mut impl FnMut(&[Name], u16) -> u16) -> Self {
         self
     }
 }
 
 impl Renumber for Turn {
-    fn renumber(self, _: &NamedRunner, (): (), _: &mut impl FnMut(&[Name], u16) -> u16) -> Self {
+    fn renumber(self, _: &NamedRunner<impl Subject>, (): (), _: &mut impl FnMut(&[Name], u16) -> u16) -> Self {
         self
     }
 }

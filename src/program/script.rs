@@ -50,14 +50,16 @@ struct Line<O> {
     chosen: Vec<Option<Name>>,
 }
 
-/// A program that remembers what each of its operators chose when it was run.
-#[derive(Clone, Debug)]
-pub(super) struct Script<P: Scripted>(Vec<Line<P::Op>>);
+/// A program that remembers what each of its operators chose when it was run, and how each run begins.
+pub(super) struct Script<P: Scripted, F> {
+    lines: Vec<Line<P::Op>>,
+    begin: F,
+}
 
-impl<P: Scripted> Script<P> {
+impl<P: Scripted, S: Stage<Op = P::Op>, F: Fn() -> S> Script<P, F> {
     /// Runs a program to see what it chooses.
-    pub(super) fn of(program: &P) -> Self {
-        let mut stage = P::Stage::new();
+    pub(super) fn of(program: &P, begin: F) -> Self {
+        let mut stage = begin();
         let line = |(place, op): (usize, &P::Op)| {
             let mut chosen = Vec::new();
             stage.rewrite(op, &mut |names, k| {
@@ -67,12 +69,12 @@ impl<P: Scripted> Script<P> {
             stage.step(op, place);
             Line { place, op: op.clone(), chosen }
         };
-        Self(program.ops().iter().enumerate().map(line).collect())
+        Self { lines: program.ops().iter().enumerate().map(line).collect(), begin }
     }
 
     /// The program without some operators.
     pub(super) fn without(&self, places: &Range<usize>) -> P {
-        Self::play(self.0.iter().filter(|line| !places.contains(&line.place)).cloned())
+        self.play(self.lines.iter().filter(|line| !places.contains(&line.place)).cloned())
     }
 
     /// The program with another operator in one place.
@@ -80,12 +82,12 @@ impl<P: Scripted> Script<P> {
         let other = |line: &Line<P::Op>| {
             if line.place == place { Line { place, op: op.clone(), chosen: Vec::new() } } else { line.clone() }
         };
-        Self::play(self.0.iter().map(other))
+        self.play(self.lines.iter().map(other))
     }
 
     /// Writes down a program that chooses what the lines did, as far as it is still there.
-    fn play(lines: impl Iterator<Item = Line<P::Op>>) -> P {
-        let mut stage = P::Stage::new();
+    fn play(&self, lines: impl Iterator<Item = Line<P::Op>>) -> P {
+        let mut stage = (self.begin)();
         let rewrite = |line: Line<P::Op>| {
             let mut chosen = line.chosen.into_iter();
             let op = stage.rewrite(&line.op, &mut |names, k| {

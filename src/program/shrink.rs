@@ -1,7 +1,7 @@
 //! Making a failing program small.
 
 use super::generator::Language;
-use super::script::Script;
+use super::script::{Script, Stage};
 use alloc::vec::Vec;
 use core::ops::Range;
 
@@ -11,9 +11,21 @@ use core::ops::Range;
 /// Zeller and Hildebrandt's delta debugging (*Simplifying and Isolating Failure-Inducing Input*, 2002), with one
 /// addition: what remains goes on choosing the same half-edges and vertices, although the lists in which they are
 /// counted have changed. Every step makes the program smaller, so it ends.
-pub fn shrink<P: Language>(program: &P, mut fails: impl FnMut(&P) -> bool) -> P {
+///
+/// A program for a structure that is not empty at the start, such as a mesh, is made small by
+/// [`conformance::check`](super::conformance::check), which knows the start.
+pub fn shrink<P: Language>(program: &P, fails: impl FnMut(&P) -> bool) -> P {
+    shrink_from(program, P::Stage::new, fails)
+}
+
+/// The same for programs whose runs begin so.
+pub(super) fn shrink_from<P: Language, S: Stage<Op = P::Op>>(
+    program: &P,
+    begin: impl Fn() -> S + Clone,
+    mut fails: impl FnMut(&P) -> bool,
+) -> P {
     let mut smallest = program.clone();
-    while let Some(smaller) = candidates(&smallest).find(&mut fails) {
+    while let Some(smaller) = candidates_from(&smallest, begin.clone()).find(&mut fails) {
         smallest = smaller;
     }
     smallest
@@ -24,7 +36,14 @@ pub fn shrink<P: Language>(program: &P, mut fails: impl FnMut(&P) -> bool) -> P 
 /// This is what `quickcheck` and `proptest` are given to shrink with; [`shrink`] repeats it as often as it helps. Each takes a run
 /// of the program to find, on a [`Dcel`](crate::dcel::Dcel) or, for edits, a planar map.
 pub fn candidates<P: Language>(program: &P) -> impl Iterator<Item = P> + use<P> {
-    let script = Script::of(program);
+    candidates_from(program, P::Stage::new)
+}
+
+fn candidates_from<P: Language, S: Stage<Op = P::Op>, F: Fn() -> S>(
+    program: &P,
+    begin: F,
+) -> impl Iterator<Item = P> + use<P, S, F> {
+    let script = Script::of(program, begin);
     let ops = program.ops().to_vec();
     let count = ops.len();
     let lengths = core::iter::successors(Some(count), |length| (*length > 1).then(|| length.div_ceil(2)));

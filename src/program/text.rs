@@ -1,21 +1,4 @@
-//! Programs as text: to be read by people, kept in files, and read back.
-//!
-//! ```text
-//! twinedge program 1
-//! add_isolated_vertex unbounded
-//! split_vertex i0 ~0               # ~k: the k-th corner that fits the one before it
-//! connect h0 h1 left inner 0,2 also h5
-//! remove_edge !h0                  # !h, !v, !f: a handle that was removed
-//! ```
-//!
-//! | word | chooses |
-//! | --- | --- |
-//! | `h3` | the half-edge with number 3 (counted from 0), and its corner |
-//! | `i3` | the isolated vertex with number 3, and its corner |
-//! | `o3` | the origin of `h3`, taken for an isolated vertex |
-//! | `!h3`, `!v3`, `!f3` | of the half-edges, vertices, faces that were removed |
-//! | `~3` | of the corners that fit the first one |
-//! | `unbounded` | the unbounded face |
+//! Programs as text: to be read by people, kept in files, and read back. The notation is explained at [`Program`].
 
 use super::op::{CornerPick, FacePick, HalfEdgePick, InnerPick, Op, Program, SecondPick, VertexPick};
 use super::table::operators;

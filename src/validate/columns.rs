@@ -56,6 +56,7 @@ impl Component {
 }
 
 /// The components of the whole map.
+#[derive(Default)]
 pub(super) struct Components {
     /// Per vertex the number of its component.
     pub(super) of: Vec<u32>,

@@ -69,7 +69,7 @@ pub enum Surface {
 ///
 /// # What can be asked for
 ///
-/// A structure keeps R1 … T4, or it is broken. M1 … M7 say what else it is to be. Each is checked, and in the report, only if it
+/// A structure keeps R1 … T4, or it is broken. M1 … M8 say what else it is to be. Each is checked, and in the report, only if it
 /// is asked for; it needs the rules before it, and where they are broken it is reported as not checked.
 ///
 /// | rule | asked for by |
@@ -81,27 +81,30 @@ pub enum Surface {
 /// | M5 connected | [`components`](Self::components) |
 /// | M6 borders | [`borders`](Self::borders) |
 /// | M7 genus | [`genus`](Self::genus) |
+/// | M8 kept | [`border_kept`](Self::border_kept) |
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
 pub struct Expectation {
     surface: Surface,
     open: bool,
     lacks: u8,
-    /// M1 … M7, each with its number if it is asked for; 0 for those that have none.
-    asked: [Option<usize>; 7],
+    /// A bit for each of M1 … M8 that is asked for.
+    asked: u8,
+    /// The numbers of M3, M5, M6 and M7; 0 where they are not asked for.
+    numbers: [usize; 4],
 }
 
 impl Expectation {
     /// A planar subdivision with every part.
     #[must_use]
     pub const fn plane() -> Self {
-        Self { surface: Surface::Plane, open: false, lacks: 0, asked: [None; 7] }
+        Self { surface: Surface::Plane, open: false, lacks: 0, asked: 0, numbers: [0; 4] }
     }
 
     /// A subdivision of closed orientable surfaces: no unbounded face, no holes in faces.
     #[must_use]
     pub const fn surface() -> Self {
         let lacks = Part::Holes.bit() | Part::UnboundedFace.bit();
-        Self { surface: Surface::Any, open: false, lacks, asked: [None; 7] }
+        Self { surface: Surface::Any, open: false, lacks, asked: 0, numbers: [0; 4] }
     }
 
     /// The same, for a structure that lacks this part, and the parts that depend on it.
@@ -200,9 +203,48 @@ impl Expectation {
         self.ask(Rule::M7, genus)
     }
 
+    /// The same, and a vertex on the border keeps a half-edge of the border (M8): one without face, or, where the edges of the
+    /// border have one half-edge only, one without twin. Libraries that tell a border vertex by the half-edge that it keeps rely
+    /// on this.
+    ///
+    /// ```
+    /// use twinedge::validate::{Collect, Expectation, Part, Table, Violation, validate};
+    /// // A triangle of which the twins 3, 4 and 5 have no face. Vertex 0 keeps half-edge 0, which has one.
+    /// let table: Table = "V 3 0 - 3 - 4 - H 6 0 3 1 2 - 1 4 2 0 - 2 5 0 1 - 1 0 5 4 - 2 1 3 5 - 0 2 4 3 - B 0 F 1 - 0 \
+    ///     HF 6 0 0 0 - - - FH 1 0 0".parse()?;
+    /// let expectation = Expectation::surface().without(Part::BoundaryComponents).open();
+    /// assert!(validate(&table, &expectation, Collect::All).is_valid());
+    /// let report = validate(&table, &expectation.border_kept(), Collect::All);
+    /// assert_eq!(report.violations(), [Violation::KeptInside { vertex: 0, half_edge: 0, border: 5 }]);
+    /// # Ok::<(), twinedge::validate::ParseTableError>(())
+    /// ```
+    #[must_use]
+    pub const fn border_kept(self) -> Self {
+        self.ask(Rule::M8, 0)
+    }
+
     const fn ask(mut self, rule: Rule, number: usize) -> Self {
-        self.asked[rule.index() - Rule::M1.index()] = Some(number);
+        self.asked |= Self::bit(rule);
+        if let Some(place) = Self::place(rule) {
+            self.numbers[place] = number;
+        }
         self
+    }
+
+    /// The bit of an optional rule.
+    const fn bit(rule: Rule) -> u8 {
+        1 << (rule.index() - Rule::M1.index())
+    }
+
+    /// Where the number of a rule is, if it has one.
+    const fn place(rule: Rule) -> Option<usize> {
+        match rule {
+            Rule::M3 => Some(0),
+            Rule::M5 => Some(1),
+            Rule::M6 => Some(2),
+            Rule::M7 => Some(3),
+            _ => None,
+        }
     }
 
     /// Whether the rule is asked for. A rule that is not [optional](Rule::is_optional) always is.
@@ -215,14 +257,14 @@ impl Expectation {
     /// ```
     #[must_use]
     pub const fn asks_for(&self, rule: Rule) -> bool {
-        !rule.is_optional() || self.asked[rule.index() - Rule::M1.index()].is_some()
+        !rule.is_optional() || self.asked & Self::bit(rule) != 0
     }
 
     /// The number that M3, M5, M6 or M7 is asked to find; `None` if it is not asked for, and for all other rules.
     #[must_use]
     pub const fn expected_count(&self, rule: Rule) -> Option<usize> {
-        match rule {
-            Rule::M3 | Rule::M5 | Rule::M6 | Rule::M7 => self.asked[rule.index() - Rule::M1.index()],
+        match Self::place(rule) {
+            Some(place) if self.asks_for(rule) => Some(self.numbers[place]),
             _ => None,
         }
     }

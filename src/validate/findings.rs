@@ -67,6 +67,11 @@ impl Findings {
         self.held_back.take().map_or(Ok(()), |violation| self.add(violation))
     }
 
+    /// Whether the run ends with the first violation.
+    pub(crate) fn wants_first_only(&self) -> bool {
+        self.collect == Collect::First
+    }
+
     pub(crate) const fn checked(&mut self, rule: Rule, count: u64) {
         self.outcomes[rule.index()].checked += count;
     }

@@ -1,4 +1,4 @@
-//! What a report advises where a whole column of links is nil or dangling: that comes of a wrong expectation or of a method
+//! What a report advises where a whole column of links is nil or dangling, or what a face lists is nil: that comes of a wrong expectation or of a method
 //! of the view that is not implemented, more often than of broken records.
 
 use super::counts::Counts;
@@ -42,6 +42,15 @@ pub(super) fn write(
             f,
             "hint: the {field} of {which} {nil} {kind} is nil; if the structure has no {}, use `Expectation::without(Part::{part:?})`",
             part.name()
+        )?;
+    }
+    let lists_nothing =
+        |violation: &Violation| matches!(violation, Violation::Nil { record: Record::Face(_), field: Field::Inner(_) });
+    if violations.iter().any(lists_nothing) {
+        writeln!(
+            f,
+            "hint: what a face lists is nil; if the structure has no records for boundary components, use \
+             `Expectation::without(Part::BoundaryComponents)`"
         )?;
     }
     let names_face = |violation: &Violation| {

@@ -43,7 +43,7 @@
 //!                               F1 outer ────┤
 //!                               F2 listed ───┘
 //!
-//!  if asked for:      R1 ─► M1 used, M4 closed
+//!  if asked for:      R1 ─► M1 used, M4 closed, M8 kept (and V1)
 //!                     R1, L ─► M2 simple
 //!                     R1, L2, B1, F1 ─► M3 sides
 //!                     V2 ─► M5 connected, M6 borders (and B1), M7 genus (and T3)
@@ -64,7 +64,7 @@
 //! draw that topology: `validate_embedding` checks it, with the
 //! feature `geometry`.
 //!
-//! M1 … M7 are of another kind: a structure may well break them. They say what a mesh is to be (closed, of triangles, of this genus),
+//! M1 … M8 are of another kind: a structure may well break them. They say what a mesh is to be (closed, of triangles, of this genus),
 //! and each is checked, and in the report, only if the [`Expectation`] asks for it.
 //!
 //! # Structures as they are
@@ -72,6 +72,9 @@
 //! A structure that keeps other links than a [`View`] answers (targets instead of origins, borders without `next`, faces that
 //! keep nothing) is wrapped in an adapter. The table of [`adapt`] says what to do for which. [`adapt::Index`] gives keys the
 //! dense indices that a view needs, and [`Report::named`] prints a report with the keys.
+//!
+//! Structures of other languages are often columns of integers already, which [`interchange::Columns`] reads where they lie;
+//! [`interchange::Preset`] has the expectations for known libraries.
 //!
 //! # After a change
 //!
@@ -86,8 +89,8 @@
 //!
 //! # With serde
 //!
-//! With the feature `serde`, reports, violations, certificates and tables can be written and read. A [`Report`] is checked as
-//! it is read: what no validation could have reported is an error. Whether it is true of some structure, only a validation
+//! With the feature `serde`, reports, violations, certificates and tables can be written and read. A [`Report`] is written in the form that
+//! `docs/report.md` describes, in a format with named fields such as JSON, and is checked as it is read: what no validation could have reported is an error. Whether it is true of some structure, only a validation
 //! of that structure can tell.
 
 pub mod adapt;
@@ -105,6 +108,7 @@ pub mod forms;
 #[cfg(feature = "geometry")]
 mod geometric;
 mod hints;
+pub mod interchange;
 mod named;
 mod names;
 pub mod near;
@@ -135,6 +139,8 @@ pub use geometric::validator::validate_embedding;
 pub use named::Named;
 pub use record::{Field, Record};
 pub use report::{Certificate, Collect, Report, RuleOutcome, Unchecked};
+#[cfg(feature = "serde")]
+pub use report_serde::{Described, REPORT_SCHEMA};
 pub use rule::Rule;
 pub use table::{BoundaryRow, FaceRow, HalfEdgeRow, Table, VertexRow};
 pub use table_text::ParseTableError;

@@ -162,7 +162,6 @@ pub struct Certificate {
 /// # Ok::<(), twinedge::validate::ParseTableError>(())
 /// ```
 #[derive(Clone, PartialEq, Eq)]
-#[cfg_attr(feature = "serde", derive(serde::Serialize))]
 pub struct Report {
     pub(crate) outcomes: Vec<(Rule, RuleOutcome)>,
     pub(crate) violations: Vec<Violation>,

@@ -1,17 +1,25 @@
-//! Reports that are read again: what a validation could not have reported is refused.
+//! Reports as documents, and reports that are read again: what a validation could not have reported is refused.
 
 use super::counts::{Bounds, Counts};
+use super::record::Record;
 use super::report::{Report, RuleOutcome, Unchecked};
 use super::rule::Rule;
 use super::violation::Violation;
+use alloc::string::{String, ToString};
 use alloc::vec::Vec;
 use core::fmt;
 use serde::de::Error as _;
-use serde::{Deserialize, Deserializer};
+use serde::{Deserialize, Deserializer, Serialize, Serializer};
 
 /// Why a report that is read cannot come from a validation.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 enum Inconsistency {
+    /// It is in the form of another version.
+    Schema,
+    /// A violation says that it breaks another rule than this.
+    OtherRule(Rule),
+    /// It says that it is valid, or not, and its outcomes say otherwise.
+    Verdict,
     /// The rules are not in order, or one is there twice.
     RuleOrder(Rule),
     /// The violations are not in the order of the rules.
@@ -29,6 +37,9 @@ enum Inconsistency {
 impl fmt::Display for Inconsistency {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         match self {
+            Self::Schema => write!(f, "expected the schema {REPORT_SCHEMA}"),
+            Self::OtherRule(rule) => write!(f, "a violation of {rule} names another rule"),
+            Self::Verdict => f.write_str("`valid` contradicts the outcomes of the rules"),
             Self::RuleOrder(rule) => write!(f, "the outcome of {rule} is not in the order of the rules"),
             Self::ViolationOrder(rule) => write!(f, "a violation of {rule} is not in the order of the rules"),
             Self::ViolationCount(rule) => write!(f, "more violations of {rule} than its outcome counts"),
@@ -39,19 +50,109 @@ impl fmt::Display for Inconsistency {
     }
 }
 
-/// The fields of a [`Report`].
+/// The name and version of the form in which a [`Report`] is written: the value of its key `schema`. `docs/report.md` describes it.
+///
+/// Within a version, keys and names are added, and none changes or goes.
+pub const REPORT_SCHEMA: &str = "twinedge-report/1";
+
+/// A violation as an entry of a report: rule, kind, fields, records and message.
+///
+/// ```
+/// use twinedge::validate::{Described, Violation};
+/// let written = serde_json::to_value(Described(&Violation::TwinIsSelf { half_edge: 3 }))?;
+/// assert_eq!(written, serde_json::json!({
+///     "rule": "L1",
+///     "kind": "twin_is_self",
+///     "fields": { "half_edge": 3 },
+///     "records": [{ "half_edge": 3 }],
+///     "message": "half-edge 3 is its own twin, so its edge has one side only",
+/// }));
+/// # Ok::<(), serde_json::Error>(())
+/// ```
+#[derive(Clone, Copy, Debug)]
+pub struct Described<'a>(pub &'a Violation);
+
+impl Serialize for Described<'_> {
+    fn serialize<S: Serializer>(&self, serializer: S) -> Result<S::Ok, S::Error> {
+        #[derive(Serialize)]
+        struct Entry<'a> {
+            rule: Rule,
+            #[serde(flatten)]
+            violation: &'a Violation,
+            records: Vec<Record>,
+            message: String,
+        }
+        let Self(violation) = *self;
+        let records = violation.records().into_iter().flatten().collect();
+        Entry { rule: violation.rule(), violation, records, message: violation.to_string() }.serialize(serializer)
+    }
+}
+
+/// A rule with its outcome, as an entry of a report.
+#[derive(Serialize, Deserialize)]
+struct OutcomeEntry {
+    id: Rule,
+    #[serde(flatten)]
+    outcome: RuleOutcome,
+}
+
+impl Serialize for Report {
+    fn serialize<S: Serializer>(&self, serializer: S) -> Result<S::Ok, S::Error> {
+        #[derive(Serialize)]
+        #[serde(rename = "Report")]
+        struct Document<'a> {
+            schema: &'static str,
+            valid: bool,
+            counts: &'a Counts,
+            bounds: Option<Bounds>,
+            rules: Vec<OutcomeEntry>,
+            violation_count: u64,
+            violations: Vec<Described<'a>>,
+        }
+        Document {
+            schema: REPORT_SCHEMA,
+            valid: self.is_valid(),
+            counts: &self.counts,
+            bounds: self.bounds,
+            rules: self.outcomes().map(|(id, outcome)| OutcomeEntry { id, outcome }).collect(),
+            violation_count: self.violation_count(),
+            violations: self.violations.iter().map(Described).collect(),
+        }
+        .serialize(serializer)
+    }
+}
+
+/// A violation that is read. What follows from its fields is compared.
+#[derive(Deserialize)]
+struct ViolationEntry {
+    rule: Rule,
+    #[serde(flatten)]
+    violation: Violation,
+}
+
+/// The keys of a report that are read. The others follow from these.
 #[derive(Deserialize)]
 #[serde(rename = "Report")]
 struct Fields {
-    outcomes: Vec<(Rule, RuleOutcome)>,
-    violations: Vec<Violation>,
+    schema: String,
+    valid: bool,
+    rules: Vec<OutcomeEntry>,
+    violations: Vec<ViolationEntry>,
     counts: Counts,
     bounds: Option<Bounds>,
 }
 
 impl Fields {
     fn check(self) -> Result<Report, Inconsistency> {
-        let Self { outcomes, violations, counts, bounds } = self;
+        let Self { schema, valid, rules, violations, counts, bounds } = self;
+        if schema != REPORT_SCHEMA {
+            return Err(Inconsistency::Schema);
+        }
+        if let Some(entry) = violations.iter().find(|entry| entry.rule != entry.violation.rule()) {
+            return Err(Inconsistency::OtherRule(entry.violation.rule()));
+        }
+        let outcomes: Vec<_> = rules.into_iter().map(|entry| (entry.id, entry.outcome)).collect();
+        let violations: Vec<_> = violations.into_iter().map(|entry| entry.violation).collect();
         if let Some(pair) = outcomes.windows(2).find(|pair| pair[0].0 >= pair[1].0) {
             return Err(Inconsistency::RuleOrder(pair[1].0));
         }
@@ -76,6 +177,7 @@ impl Fields {
         let all_counted = components.is_some() && cycles.is_some() && borders.is_some() && genus.is_some();
         match report.is_valid() {
             true if !all_counted => Err(Inconsistency::NotCounted),
+            is_valid if is_valid != valid => Err(Inconsistency::Verdict),
             true if isolated_vertices > vertices || edges > half_edges => Err(Inconsistency::Counts),
             _ => Ok(report),
         }

@@ -10,7 +10,7 @@ macro_rules! rules {
         ///
         /// ```
         /// use twinedge::validate::Rule;
-        /// assert_eq!(Rule::ALL.len(), 26);
+        /// assert_eq!(Rule::ALL.len(), 27);
         /// let rule = Rule::L1;
         /// assert_eq!((rule.id(), rule.name()), ("L1", "twin"));
         /// assert_eq!(rule.statement(), "`twin(twin(h)) = h` and `twin(h) ≠ h`");
@@ -308,6 +308,19 @@ rules! {
     M7 "M7" "genus" counts "component" "components"
         "the genera of the components add up to the genus expected"
         in "genus" broken by "mesh_rules" "m7_a_sphere_is_no_torus";
+    /// Checked where the expectation asks for it by `border_kept`. Libraries that promise it tell a border vertex from an inner one
+    /// by the one half-edge. Where vertices keep none, it is not checked.
+    ///
+    /// ```text
+    ///   f  ╱
+    ///    ╱      a half-edge from v without face or twin: v keeps such a one,
+    /// ──v───    not one of those that bound f
+    /// ```
+    ///
+    /// In the [reference](mod@crate::validate::reference): `m8`.
+    M8 "M8" "kept" counts "vertex" "vertices"
+        "a vertex that some half-edge without twin or face leaves keeps such a one"
+        in "kept" broken by "mesh_rules" "m8_a_border_vertex_keeps_an_inner_half_edge";
     /// A coordinate is also refused if it is out of the range in which the predicates are exact. Of an edge with bends, these are checked,
     /// and each segment between them.
     G1 "G1" "finite" counts "vertex" "vertices"
@@ -362,10 +375,10 @@ impl Rule {
         matches!(self, Self::G1 | Self::G2 | Self::G3 | Self::G4 | Self::G5)
     }
 
-    /// Whether the rule is checked only where the expectation asks for it (M1 … M7).
+    /// Whether the rule is checked only where the expectation asks for it (M1 … M8).
     #[must_use]
     pub const fn is_optional(self) -> bool {
-        matches!(self, Self::M1 | Self::M2 | Self::M3 | Self::M4 | Self::M5 | Self::M6 | Self::M7)
+        matches!(self, Self::M1 | Self::M2 | Self::M3 | Self::M4 | Self::M5 | Self::M6 | Self::M7 | Self::M8)
     }
 
     /// The position in [`Rule::ALL`].

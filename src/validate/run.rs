@@ -1,8 +1,9 @@
 //! One run of the validator over one structure: what all rules share, and the ways in which they read the structure.
 
-use super::columns::{Component, Components, Fan, NIL};
+use super::columns::{Component, Components, Fan, NIL, column};
 use super::counts::{Bounds, Counts};
 use super::expectation::{Expectation, Part, Surface};
+use super::fast_path::known::Known;
 use super::findings::{Findings, Flow};
 use super::report::{Collect, Unchecked};
 use super::rule::Rule;
@@ -28,6 +29,8 @@ pub(super) struct Run<'a, V: ?Sized> {
     pub(super) map_is_live: bool,
     /// Per vertex: how many half-edges name it as their origin, and one of those.
     pub(super) fans: Vec<Fan>,
+    /// What the fast path has settled.
+    pub(super) known: Known,
     /// The components, once V2 is known to hold.
     pub(super) components: Option<Components>,
     /// `prev` as it follows from `next`, where the structure has none of its own.
@@ -50,6 +53,7 @@ impl<'a, V: View + ?Sized> Run<'a, V> {
             list_budget: 0,
             map_is_live: true,
             fans: Vec::new(),
+            known: Known::default(),
             components: None,
             derived_prev: Vec::new(),
         }
@@ -68,6 +72,58 @@ impl<'a, V: View + ?Sized> Run<'a, V> {
         }
         if self.expect.has(Part::Faces) {
             self.faces = slots(self.view.face_slots())?;
+        }
+        Ok(())
+    }
+
+    /// How many half-edges R1, L1 … L3 and B1 look at one by one: all, or those that are in doubt.
+    pub(super) fn in_doubt(&self) -> u32 {
+        self.known.half_edges.as_ref().map_or(self.half_edges, |doubts| doubts.half_edges.len() as u32)
+    }
+
+    /// The half-edge at this position among those, if it is live.
+    #[inline]
+    pub(super) fn doubtful(&self, i: u32) -> Option<u32> {
+        let h = match &self.known.half_edges {
+            None => i,
+            Some(doubts) => doubts.half_edges.get(i as usize).copied()?,
+        };
+        self.live_half_edge(h).then_some(h)
+    }
+
+    /// How many live half-edges are not in doubt.
+    pub(super) fn beyond_doubt(&self) -> usize {
+        self.known.half_edges.as_ref().map_or(0, |doubts| doubts.live.saturating_sub(doubts.half_edges.len()))
+    }
+
+    /// Counts the half-edges at each vertex, unless that is done.
+    pub(super) fn count_fans(&mut self) -> Flow {
+        if self.fans.len() == self.vertices as usize {
+            return Ok(());
+        }
+        self.fans = column(self.vertices, Fan { degree: 0, leaving: NIL })?;
+        for h in 0..self.half_edges {
+            if !self.live_half_edge(h) {
+                continue;
+            }
+            if let Some(fan) = self.view.origin(h as usize).and_then(|v| self.fans.get_mut(v)) {
+                *fan = Fan { degree: fan.degree + 1, leaving: h };
+            }
+        }
+        Ok(())
+    }
+
+    /// Notes what precedes each half-edge, where an open boundary needs it and nothing has noted it.
+    pub(super) fn derive_prev(&mut self) -> Flow {
+        if self.expect.has(Part::Prev) || !self.expect.is_open() || !self.derived_prev.is_empty() {
+            return Ok(());
+        }
+        self.derived_prev = column(self.half_edges, NIL)?;
+        for h in 0..self.half_edges {
+            let next = self.next(h) as usize;
+            if let Some(before) = self.derived_prev.get_mut(next).filter(|_| self.view.is_half_edge(h as usize)) {
+                *before = h;
+            }
         }
         Ok(())
     }

@@ -25,7 +25,7 @@ macro_rules! violations {
         /// ```
         #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
         #[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
-        #[cfg_attr(feature = "serde", serde(rename_all = "snake_case"))]
+        #[cfg_attr(feature = "serde", serde(tag = "kind", content = "fields", rename_all = "snake_case"))]
         #[non_exhaustive]
         #[allow(missing_docs, reason = "the fields are named after the words of the design, and each variant says what they are")]
         pub enum Violation {
@@ -249,6 +249,10 @@ violations! {
         "there are more or fewer handles."
         cause "faces are missing on both sides of a tunnel, a small handle was left by a reconstruction, or vertices were merged across a gap"
         remedy "cut the handle and close both ends, or ask for the genus that the surface has";
+    M8 KeptInside { vertex: usize, half_edge: usize, border: usize } "kept_inside"
+        "a vertex keeps a half-edge that has twin and face, and another one that leaves it lacks one of them."
+        cause "a face was removed, or added beside the border, and the half-edge kept by its vertices was not chosen again"
+        remedy "after a change along the border, let each vertex there keep the half-edge of the border that leaves it";
     G1 NotFinite { vertex: usize } "not_finite"
         "a coordinate is NaN or infinite, or out of the range of the exact predicates."
         cause "a coordinate was missing in the input, or a projection or a division failed"
@@ -362,6 +366,7 @@ impl Violation {
             | V::SplitRotation { vertex, half_edge, .. }
             | V::OutOfOrder { vertex, half_edge, .. }
             | V::VertexInSegment { vertex, half_edge, .. }
+            | V::KeptInside { vertex, half_edge, .. }
             | V::Touch { vertex, half_edge } => [Some(X(vertex)), Some(H(half_edge))],
             V::StartElsewhere { boundary, half_edge, .. } => [Some(B(boundary)), Some(H(half_edge))],
             V::SecondCycle { boundary, .. } | V::WrongPlace { boundary, .. } | V::NotListed { boundary, .. } => {

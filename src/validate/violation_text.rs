@@ -364,6 +364,14 @@ pub(super) fn write(violation: &Violation, names: Names<'_>, f: &mut fmt::Format
         V::WrongGenus { found, expected } => {
             write!(f, "the components have genus {found} together, where {expected} is expected")
         }
+        V::KeptInside { vertex, half_edge, border } => {
+            let (vertex, kept, border) = (names.vertex(vertex), names.half_edge(half_edge), names.half_edge(border));
+            write!(
+                f,
+                "vertex {vertex} keeps half-edge {kept}, which is not on the border, where half-edge {border} leaves it along \
+                 the border"
+            )
+        }
         V::NotFinite { vertex } => {
             let vertex = names.vertex(vertex);
             write!(f, "vertex {vertex} has a coordinate that is not finite, or out of range")

@@ -12,6 +12,7 @@ mod conformance;
 mod counts;
 mod generators;
 mod in_step;
+mod named_mesh;
 mod partial;
 mod program;
 mod reported;

@@ -9,4 +9,5 @@ pub(crate) mod opinions;
 pub(crate) mod oracle;
 pub(crate) mod tables;
 pub(crate) mod tracked;
+pub(crate) mod triangles;
 pub(crate) mod watched;

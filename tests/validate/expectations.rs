@@ -416,6 +416,21 @@ fn a_link_that_is_nil_everywhere_is_said_to_be_left_out_by_the_expectation() {
     assert!(!hints(&validate(&table, &MESH, Collect::All)).iter().any(|hint| hint.contains("prev")));
 }
 
+/// A vertex that a face of the textbook lists, seen as if there were boundary components.
+#[test]
+fn lists_of_the_textbook_are_said_to_need_an_expectation() {
+    let textbook: Table = "V 1 - - H 0 B 0 F 1 - 1 - FH 1 - 1 v0".parse().unwrap();
+    let found = hints(&validate(&textbook, &Expectation::plane(), Collect::All));
+    assert!(
+        found.iter().any(|hint| hint.ends_with("use `Expectation::without(Part::BoundaryComponents)`")),
+        "{found:?}"
+    );
+    assert_eq!(
+        hints(&validate(&textbook, &Expectation::plane().without(Part::BoundaryComponents), Collect::All)),
+        [""; 0]
+    );
+}
+
 #[test]
 fn faces_that_are_named_but_not_there_are_said_to_be_missing() {
     let mut table = textbook_mesh(4, &TETRAHEDRON);

@@ -1,4 +1,4 @@
-//! The rules that must be asked for, M1 … M7, and the counts that do not depend on the way in which a border is kept.
+//! The rules that must be asked for, M1 … M8, and the counts that do not depend on the way in which a border is kept.
 
 use crate::support::opinions::{agree, agree_on_first, broken};
 use crate::support::tables::{face, half_edge, map, textbook_map, vertex, with_boundary_components};
@@ -328,11 +328,48 @@ fn m7_a_sphere_is_no_torus() {
     }
 }
 
-const OPTIONAL: [Rule; 7] = [Rule::M1, Rule::M2, Rule::M3, Rule::M4, Rule::M5, Rule::M6, Rule::M7];
+#[test]
+fn m8_a_border_vertex_keeps_an_inner_half_edge() {
+    let wrong = |vertex, half_edge, border| Violation::KeptInside { vertex, half_edge, border };
+    // Two triangles. Half-edges 2 and 3 are their diagonal.
+    let mut alone = faces(4, &[[0, 1, 2], [0, 2, 3]], Border::OneHalfEdge);
+    for (v, h) in [(0, 0), (1, 1), (2, 4), (3, 5)] {
+        vertex(&mut alone, v).leaving = Some(h);
+    }
+    assert_eq!(agree(&alone, MESH.border_kept()), None);
+    vertex(&mut alone, 0).leaving = Some(3);
+    only(Rule::M8, &alone, MESH.border_kept(), &[wrong(0, 3, 0)]);
+    only(Rule::M8, &alone, MESH.without(Part::Faces).border_kept(), &[wrong(0, 3, 0)]);
+    // Now half-edges 6 … 9 have no face.
+    let mut twins = faces(4, &[[0, 1, 2], [0, 2, 3]], Border::NoFace);
+    for h in 6..10 {
+        let v = half_edge(&mut twins, h).origin.unwrap();
+        vertex(&mut twins, v).leaving = Some(h);
+    }
+    assert_eq!(agree(&twins, MESH.border_kept()), None);
+    assert_eq!(agree(&with_boundary_components(&twins), BY_RECORD.border_kept()), None);
+    let v = half_edge(&mut twins, 2).origin.unwrap();
+    let border = vertex(&mut twins, v).leaving.replace(2).unwrap();
+    only(Rule::M8, &twins, MESH.border_kept(), &[wrong(v, 2, border)]);
+    only(Rule::M8, &with_boundary_components(&twins), BY_RECORD.border_kept(), &[wrong(v, 2, border)]);
+    // Without faces nobody can tell; vertices that keep nothing break no promise; a closed surface has no border.
+    assert_eq!(agree(&twins, MESH.without(Part::Faces).border_kept()), None);
+    let report = validate(&twins, &MESH.without(Part::Leaving).border_kept(), Collect::All);
+    assert_eq!(report.outcome(Rule::M8).unwrap().unchecked, Some(Unchecked::Lacks(Part::Leaving)));
+    assert!(report.is_valid());
+    let pillow = faces(3, &[[0, 1, 2], [2, 1, 0]], Border::OneHalfEdge);
+    assert_eq!(agree(&pillow, Expectation::surface().without(Part::BoundaryComponents).border_kept()), None);
+    // What V1 reports is not reported again.
+    vertex(&mut twins, 0).leaving = Some(1);
+    let report = validate(&twins, &MESH.border_kept(), Collect::All);
+    assert_eq!(report.outcome(Rule::M8).unwrap().unchecked, Some(Unchecked::Broken(Rule::V1)));
+}
+
+const OPTIONAL: [Rule; 8] = [Rule::M1, Rule::M2, Rule::M3, Rule::M4, Rule::M5, Rule::M6, Rule::M7, Rule::M8];
 
 /// The expectation, with everything asked for.
 const fn everything(expectation: Expectation) -> Expectation {
-    expectation.no_unused_vertices().simple().sides(3).closed().components(1).borders(0).genus(0)
+    expectation.no_unused_vertices().simple().sides(3).closed().components(1).borders(0).genus(0).border_kept()
 }
 
 #[test]
@@ -346,6 +383,7 @@ fn a_rule_is_in_the_report_if_and_only_if_it_is_asked_for() {
         (Rule::M5, none.components(0), Some(0)),
         (Rule::M6, none.borders(usize::MAX), Some(usize::MAX)),
         (Rule::M7, none.genus(2), Some(2)),
+        (Rule::M8, none.border_kept(), None),
     ];
     let rules = |expectation: &Expectation| -> Vec<Rule> {
         let report = validate(&Table::default(), expectation, Collect::All);
@@ -387,7 +425,7 @@ fn what_cannot_be_known_is_not_checked() {
         OPTIONAL.iter().filter_map(why).collect()
     };
     let because = |broken: Rule, rules: &[Rule]| rules.iter().map(|rule| (*rule, broken)).collect::<Vec<_>>();
-    let [_, m2, m3, _, m5, m6, m7] = OPTIONAL;
+    let [_, m2, m3, _, m5, m6, m7, _] = OPTIONAL;
     assert_eq!(unchecked(&|_| ()), []);
     assert_eq!(unchecked(&|t| half_edge(t, 0).origin = Some(99)), because(Rule::R1, &OPTIONAL));
     // Of the links from faces only M3 needs anything.
@@ -427,7 +465,7 @@ fn the_first_violation_is_of_the_first_rule_that_is_asked_for() {
     table.vertices.push(Some(VertexRow::default()));
     let expectation = everything(MESH.genus(3)).genus(4).components(7);
     let all = validate(&table, &expectation, Collect::All);
-    assert_eq!(broken(&all), [Rule::M1, Rule::M3, Rule::M4, Rule::M5, Rule::M6, Rule::M7]);
+    assert_eq!(broken(&all), [Rule::M1, Rule::M3, Rule::M4, Rule::M5, Rule::M6, Rule::M7, Rule::M8]);
     let first = validate(&table, &expectation, Collect::First);
     assert_eq!(first.violations(), &all.violations()[..1]);
     for rule in &OPTIONAL[1..] {
@@ -446,7 +484,9 @@ fn both_validators_agree_on_every_corruption() {
         let records = with_boundary_components(textbook);
         for (table, base) in [(textbook, MESH), (&records, BY_RECORD)] {
             for base in [base, base.without(Part::Prev), base.without(Part::Faces)] {
-                for expectation in [everything(base), base.sides(4).components(1).borders(1).genus(0).simple()] {
+                for expectation in
+                    [everything(base), base.sides(4).components(1).borders(1).genus(0).simple(), base.border_kept()]
+                {
                     let mut table = table.clone();
                     for_each_corruption(&mut table, &expectation, |changed, _, _| match agree(changed, expectation) {
                         None => met += 1,

@@ -39,16 +39,16 @@ fn tables_and_certificates_are_read_as_they_were_written() {
 fn a_violation_is_named_by_its_kind() {
     let violation = Violation::TwinNotMutual { half_edge: 3, twin: 2, found: None };
     let written = to_value(violation).unwrap();
-    assert_eq!(written, json!({ "twin_not_mutual": { "half_edge": 3, "twin": 2, "found": null } }));
+    assert_eq!(written, json!({ "kind": "twin_not_mutual", "fields": { "half_edge": 3, "twin": 2, "found": null } }));
     assert_eq!(from_value::<Violation>(written).unwrap(), violation);
     assert_eq!(to_value(Rule::L1).unwrap(), json!("L1"));
     // Each name is one that serde knows: what it misses then are the fields.
-    let unknown = |kind: &str| from_value::<Violation>(json!({ kind: {} })).unwrap_err().to_string();
+    let unknown = |kind: &str| from_value::<Violation>(json!({ "kind": kind, "fields": {} })).unwrap_err().to_string();
     assert!(unknown("no_such_kind").contains("unknown variant"));
     for kind in Violation::KINDS.iter().filter(|kind| **kind != "no_unbounded_face") {
         assert!(unknown(kind).contains("missing field"), "{kind}: {}", unknown(kind));
     }
-    assert_eq!(from_value::<Violation>(json!("no_unbounded_face")).unwrap(), Violation::NoUnboundedFace);
+    assert_eq!(from_value::<Violation>(json!({ "kind": "no_unbounded_face" })).unwrap(), Violation::NoUnboundedFace);
 }
 
 /// A report with one violation of L1, and then with one value replaced.
@@ -65,29 +65,41 @@ fn refused(change: impl FnOnce(&mut Value)) -> String {
 
 #[test]
 fn a_report_with_rules_out_of_order_is_refused() {
-    let error = refused(|report| report["outcomes"].as_array_mut().unwrap().swap(0, 1));
+    let error = refused(|report| report["rules"].as_array_mut().unwrap().swap(0, 1));
     assert_eq!(error, "the outcome of R1 is not in the order of the rules");
 }
 
 #[test]
 fn a_report_with_violations_out_of_order_is_refused() {
     let error = refused(|report| {
-        report["outcomes"][6][1]["violations"] = json!(1);
-        let other = json!({ "second_cycle": { "boundary": 0, "cycle": 1, "half_edges": 2 } });
+        report["rules"][6]["violations"] = json!(1);
+        let other =
+            json!({ "rule": "B1", "kind": "second_cycle", "fields": { "boundary": 0, "cycle": 1, "half_edges": 2 } });
         report["violations"].as_array_mut().unwrap().insert(0, other);
     });
     assert_eq!(error, "a violation of L1 is not in the order of the rules");
 }
 
 #[test]
+fn a_report_that_contradicts_itself_is_refused() {
+    assert_eq!(refused(|report| report["valid"] = json!(true)), "`valid` contradicts the outcomes of the rules");
+    assert_eq!(
+        refused(|report| report["schema"] = json!("twinedge-report/2")),
+        "expected the schema twinedge-report/1"
+    );
+    let error = refused(|report| report["violations"][0]["rule"] = json!("L2"));
+    assert_eq!(error, "a violation of L1 names another rule");
+}
+
+#[test]
 fn a_report_with_violations_that_are_not_counted_is_refused() {
-    let error = refused(|report| report["outcomes"][1][1]["violations"] = json!(1));
+    let error = refused(|report| report["rules"][1]["violations"] = json!(1));
     assert_eq!(error, "more violations of L1 than its outcome counts");
 }
 
 #[test]
 fn a_report_that_blames_a_rule_that_holds_is_refused() {
-    let error = refused(|report| report["outcomes"][13][1]["unchecked"] = json!({ "broken": "V1" }));
+    let error = refused(|report| report["rules"][13]["unchecked"] = json!({ "broken": "V1" }));
     assert_eq!(error, "a rule was not checked because V1 is broken, which it is not");
 }
 
@@ -112,8 +124,8 @@ fn reasons_are_written_by_name() {
     let expectation = Expectation::surface().without(Part::Faces);
     let report = to_value(validate(&Table::default(), &expectation, Collect::All)).unwrap();
     assert_eq!(
-        report["outcomes"][6],
-        json!(["B1", { "checked": 0, "violations": 0, "unchecked": { "lacks": "faces" } }])
+        report["rules"][6],
+        json!({ "id": "B1", "checked": 0, "violations": 0, "unchecked": { "lacks": "faces" } })
     );
-    assert_eq!(report["outcomes"][10][1]["unchecked"], json!("plane_only"));
+    assert_eq!(report["rules"][10]["unchecked"], json!("plane_only"));
 }

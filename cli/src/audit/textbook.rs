@@ -7,7 +7,7 @@ use serde::Serialize;
 use std::fmt::Write as _;
 use std::io::Read;
 use twinedge::io::tables::Textbook;
-use twinedge::validate::{Collect, Record, Report, validate, validate_embedding};
+use twinedge::validate::{self, Collect, REPORT_SCHEMA, Record, Report, RuleOutcome, validate, validate_embedding};
 
 /// Whether a file that begins so has the three tables of a textbook: the first word that is no comment is a heading, or the
 /// name of a vertex, a half-edge or a face.
@@ -26,9 +26,11 @@ pub(super) fn is_textbook(beginning: &[u8]) -> bool {
 #[derive(Debug, Serialize)]
 struct Audited<'a> {
     input: &'a str,
+    schema: &'static str,
     valid: bool,
     counts: Counts,
     rules: Vec<Rule>,
+    violation_count: u64,
     violations: Vec<Violation>,
 }
 
@@ -43,17 +45,17 @@ struct Counts {
 
 #[derive(Debug, Serialize)]
 struct Rule {
-    id: &'static str,
+    id: validate::Rule,
     name: &'static str,
-    checked: u64,
-    violations: u64,
-    #[serde(skip_serializing_if = "Option::is_none")]
-    not_checked: Option<String>,
+    #[serde(flatten)]
+    outcome: RuleOutcome,
 }
 
 #[derive(Debug, Serialize)]
 struct Violation {
     rule: &'static str,
+    kind: &'static str,
+    records: Vec<Record>,
     /// With the names of the tables.
     message: String,
 }
@@ -122,19 +124,16 @@ fn with_names(message: &str, tables: &Textbook) -> String {
 impl<'a> Audited<'a> {
     fn new(input: &'a str, tables: &Textbook, report: &Report) -> Self {
         let counts = report.counts();
-        let rules = report.outcomes().map(|(rule, outcome)| Rule {
-            id: rule.id(),
-            name: rule.name(),
-            checked: outcome.checked,
-            violations: outcome.violations,
-            not_checked: outcome.unchecked.map(|why| why.to_string()),
-        });
+        let rules = report.outcomes().map(|(rule, outcome)| Rule { id: rule, name: rule.name(), outcome });
         let violations = report.violations().iter().map(|violation| Violation {
             rule: violation.rule().id(),
+            kind: violation.kind(),
+            records: violation.records().into_iter().flatten().collect(),
             message: with_names(&violation.to_string(), tables),
         });
         Self {
             input,
+            schema: REPORT_SCHEMA,
             valid: report.is_valid(),
             counts: Counts {
                 vertices: counts.vertices,
@@ -144,6 +143,7 @@ impl<'a> Audited<'a> {
                 components: counts.components,
             },
             rules: rules.collect(),
+            violation_count: report.violation_count(),
             violations: violations.collect(),
         }
     }
@@ -156,8 +156,8 @@ impl<'a> Audited<'a> {
             [(vertices, "vertex"), (half_edges, "half-edge"), (faces, "face")].map(|(n, name)| counted(n, name));
         writeln!(out, "{QUIET}the three tables of a textbook: {vertices}, {half_edges}, {faces}{QUIET:#}\n")?;
         for rule in &self.rules {
-            write!(out, "  {:2}  {:10} ", rule.id, rule.name)?;
-            match (rule.violations, &rule.not_checked) {
+            write!(out, "  {:2}  {:10} ", rule.id.id(), rule.name)?;
+            match (rule.outcome.violations, rule.outcome.unchecked) {
                 (0, None) => writeln!(out, "{GOOD}ok{GOOD:#}")?,
                 (0, Some(why)) => writeln!(out, "{QUIET}not checked: {why}{QUIET:#}")?,
                 (n, _) => writeln!(out, "{BAD}BROKEN{BAD:#}  {}", counted(n as usize, "violation"))?,

@@ -5,6 +5,7 @@ mod steps;
 use crate::input::{Imported, MapFile};
 use crate::output::style::QUIET;
 use crate::output::{grouped, plain, print};
+use crate::output_file::write_file;
 use crate::query::{Asked, find, label};
 use crate::status::{Failure, Verdict};
 use clap::ValueEnum;
@@ -98,7 +99,7 @@ impl Decompose {
         let faces: Vec<FaceKey> = features.iter().flat_map(|f| by_feature[f.index()].iter().copied()).collect();
         if let Some(file) = &self.steps {
             let picture = steps::picture(&map, &faces).map_err(|error| Failure(format!("{input}: {error}")))?;
-            std::fs::write(file, picture).map_err(|error| Failure(format!("{}: {error}", file.display())))?;
+            write_file(file, self.map.path(), picture.as_bytes())?;
         }
         let found = decompose(&mut map, faces).map_err(|error| Failure(format!("{input}: {error}")))?;
         let found: BTreeMap<FaceKey, Decomposition> = found.into_iter().map(|one| (one.face, one)).collect();
@@ -128,7 +129,7 @@ impl Decompose {
         match self.output.as_deref().filter(|path| *path != Path::new("-")) {
             None => print(&text)?,
             Some(path) => {
-                std::fs::write(path, text).map_err(|error| Failure(format!("{}: {error}", path.display())))?;
+                write_file(path, self.map.path(), text.as_bytes())?;
             }
         }
         Ok(if answer.ok { Verdict::Sound } else { Verdict::Wrong })

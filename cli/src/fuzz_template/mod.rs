@@ -16,6 +16,9 @@ const SEEDS: (u64, usize) = (16, 400);
 /// The structure must implement `twinedge::program::Subject`. The target runs random programs of operators on it and on the
 /// reference in step, and prints the smallest program that it can find where they differ. The folder has a manifest, the target
 /// and a few inputs to begin with; nothing is overwritten.
+///
+/// The folder is a crate of its own. So the library of your package must implement `View` and `Subject`, for example behind a
+/// feature, which the manifest then names; a dev-dependency on twinedge is not enough.
 #[derive(Debug, clap::Args)]
 #[command(after_help = "Examples:
   twinedge fuzz-template
@@ -27,7 +30,8 @@ pub(crate) struct FuzzTemplate {
     #[arg(default_value = "fuzz", value_name = "DIR")]
     folder: PathBuf,
 
-    /// A Rust expression that makes an empty structure. Default: a placeholder, to be replaced in the target.
+    /// A Rust expression that makes the structure to begin with: empty, or any valid one. Default: a placeholder, to be replaced in
+    /// the target.
     #[arg(long, value_name = "EXPRESSION")]
     subject: Option<String>,
 
@@ -59,14 +63,14 @@ impl FuzzTemplate {
             None => concat!("version = \"", env!("CARGO_PKG_VERSION"), "\"").to_owned(),
         };
         let imported = name.replace('-', "_");
-        let placeholder = format!("{imported}::Mesh::new()");
+        let placeholder = "todo!(\"your structure\")";
         let manifest = MANIFEST.replace("{package}", &name).replace("{path}", &path).replace("{twinedge}", &twinedge);
-        let subject = self.subject.as_deref().unwrap_or(&placeholder);
+        let subject = self.subject.as_deref().unwrap_or(placeholder);
         let target = TARGET.replace("{crate}", &format!("`{imported}`")).replace("{subject}", subject);
 
         write(&folder.join("Cargo.toml"), manifest.as_bytes())?;
         write(&folder.join("fuzz_targets/conforms.rs"), target.as_bytes())?;
-        write(&folder.join(".gitignore"), b"target\nartifacts\ncoverage\n")?;
+        write(&folder.join(".gitignore"), b"target\nartifacts\ncoverage\ncrash-*\n")?;
         let (seeds, bytes) = SEEDS;
         for seed in 0..seeds {
             write(&folder.join(format!("corpus/conforms/seed-{seed}")), &noise(seed, bytes))?;
@@ -75,18 +79,22 @@ impl FuzzTemplate {
         let replace = match self.subject {
             Some(_) => String::new(),
             None => format!(
-                "Put your structure, empty, in the place of `{placeholder}` in\n  {shown}/fuzz_targets/conforms.rs\n\n"
+                "Put your structure, empty or any valid one, in the place of `{placeholder}` in\n  \
+                 {shown}/fuzz_targets/conforms.rs\n\n"
             ),
         };
         print(&format!(
             "{shown}/ is written.\n\n{replace}\
              With cargo-fuzz (cargo install cargo-fuzz) and a nightly toolchain:\n  \
              cargo +nightly fuzz run --fuzz-dir {shown} conforms -- -max_len=400\n\n\
-             Without, and without feedback from coverage:\n  \
+             On stable Rust, without AddressSanitizer:\n  \
+             cargo fuzz run --sanitizer none --fuzz-dir {shown} conforms -- -max_len=400\n\n\
+             Without cargo-fuzz, and without feedback from coverage:\n  \
              RUSTFLAGS='--cfg fuzzing' cargo run --release --manifest-path {shown}/Cargo.toml -- \
-             -runs=100000 -len_control=0 -max_len=400 {shown}/corpus/conforms\n\n\
+             -runs=100000 -len_control=0 -max_len=400 -artifact_prefix={shown}/ {shown}/corpus/conforms\n\n\
              A failure prints the smallest program that was found, as text. Keep it in a test:\n  \
-             let program: twinedge::program::Program = \"…\".parse().unwrap();\n"
+             let program: twinedge::program::Program = \"…\".parse().unwrap();\n  \
+             The documentation of `Program` explains the notation.\n"
         ))?;
         Ok(Verdict::Sound)
     }

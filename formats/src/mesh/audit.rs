@@ -8,15 +8,18 @@ use twinedge::validate::{Collect, Expectation, Report, Rule, validate};
 ///
 /// ```text
 /// {
+///   "schema": "twinedge-report/1",
 ///   "valid": false,
 ///   "counts": {"vertices": 7, "unused_vertices": 0, "edges": 12, "border_edges": 0, "faces": 8, "left_out_faces": 0,
 ///              "triangles": 8, "components": 1, "borders": 0, "euler_characteristic": 3, "genus": null, "orientable": true},
 ///   "finding_count": 1,
 ///   "findings": [{"kind": "non_manifold_vertex", "faces": [0, 4], "vertices": [0],
 ///                 "message": "2 fans of faces meet at vertex 0 and share no edge there; one face of each: 0, 4"}],
-///   "rules": [{"id": "R1", "violations": 0, "checked": 120, "unchecked": null}, …,
-///             {"id": "M7", "violations": 0, "checked": 0, "unchecked": "needs V2, which is broken"}],
-///   "violations": [{"rule": "V2", "message": "from half-edge 20 the rotation of vertex 0 reaches …"}]
+///   "rules": [{"id": "R1", "checked": 120, "violations": 0, "unchecked": null}, …,
+///             {"id": "M7", "checked": 0, "violations": 0, "unchecked": {"broken": "V2"}}],
+///   "violation_count": 1,
+///   "violations": [{"rule": "V2", "kind": "split_rotation", "fields": {"vertex": 0, …}, "records": [{"vertex": 0}, {"half_edge": 20}],
+///                   "message": "from half-edge 20 the rotation of vertex 0 reaches …"}]
 /// }
 /// ```
 #[derive(Clone, Debug, PartialEq)]
@@ -29,7 +32,7 @@ pub struct MeshAudit {
 /// Joins the faces of a mesh, has the validator judge the result, and counts.
 ///
 /// What is expected is [`HalfEdgeMesh::expectation`], surfaces of any genus and with any borders, or that and what else is asked
-/// for: rules M1 … M7. Where faces could not be joined, some of these cannot be checked, and the report says so.
+/// for: rules M1 … M8. Where faces could not be joined, some of these cannot be checked, and the report says so.
 ///
 /// `collect` says how many findings of each kind, and how many violations, are kept. All findings are counted; violations as
 /// [`Collect`] says. Time and memory are linear in points and corners (expected, and but for the inverse of Ackermann's

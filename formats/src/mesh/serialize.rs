@@ -1,49 +1,37 @@
-//! An audit as one object.
+//! An audit as one object: a report in the form of the library, with findings and other counts.
 
 use super::{Finding, MeshAudit, MeshCounts};
 use serde::ser::{Serialize, SerializeStruct, Serializer};
+use twinedge::validate::{Described, REPORT_SCHEMA, Rule, RuleOutcome};
 
 impl Serialize for MeshAudit {
     fn serialize<S: Serializer>(&self, serializer: S) -> Result<S::Ok, S::Error> {
         #[derive(serde::Serialize)]
         struct Object<'a> {
+            schema: &'static str,
             valid: bool,
             counts: &'a MeshCounts,
             finding_count: usize,
             findings: &'a [Finding],
-            rules: Vec<Rule>,
-            violations: Vec<Violation>,
+            rules: Vec<Entry>,
+            violation_count: u64,
+            violations: Vec<Described<'a>>,
         }
         #[derive(serde::Serialize)]
-        struct Rule {
-            id: &'static str,
-            violations: u64,
-            checked: u64,
-            unchecked: Option<String>,
+        struct Entry {
+            id: Rule,
+            #[serde(flatten)]
+            outcome: RuleOutcome,
         }
-        #[derive(serde::Serialize)]
-        struct Violation {
-            rule: &'static str,
-            message: String,
-        }
-        let rules = self.report().outcomes().map(|(rule, outcome)| Rule {
-            id: rule.id(),
-            violations: outcome.violations,
-            checked: outcome.checked,
-            unchecked: outcome.unchecked.map(|why| why.to_string()),
-        });
-        let violations = self
-            .report()
-            .violations()
-            .iter()
-            .map(|violation| Violation { rule: violation.rule().id(), message: violation.to_string() });
         Object {
+            schema: REPORT_SCHEMA,
             valid: self.is_valid(),
             counts: self.counts(),
             finding_count: self.findings().total(),
             findings: self.findings().list(),
-            rules: rules.collect(),
-            violations: violations.collect(),
+            rules: self.report().outcomes().map(|(id, outcome)| Entry { id, outcome }).collect(),
+            violation_count: self.report().violation_count(),
+            violations: self.report().violations().iter().map(Described).collect(),
         }
         .serialize(serializer)
     }

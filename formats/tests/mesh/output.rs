@@ -22,7 +22,8 @@ fn json_has_the_keys_that_scripts_use() {
     assert_eq!(violations.iter().map(|violation| &violation["rule"]).collect::<Vec<_>>(), ["V2", "M1"]);
     assert_eq!(
         violations[1],
-        json!({"rule": "M1", "message": "no half-edge leaves vertex 7: no edge and no face uses it"})
+        json!({"rule": "M1", "kind": "unused_vertex", "fields": {"vertex": 7}, "records": [{"vertex": 7}],
+               "message": "no half-edge leaves vertex 7: no edge and no face uses it"})
     );
     assert_eq!(value["finding_count"], 2);
     assert_eq!(
@@ -35,9 +36,9 @@ fn json_has_the_keys_that_scripts_use() {
     let ids: Vec<_> = rules.iter().map(|rule| rule["id"].as_str().expect("text")).collect();
     assert_eq!(ids[..4], [Rule::R1.id(), Rule::L1.id(), Rule::L2.id(), Rule::L3.id()]);
     assert_eq!(rules[5], json!({"id": "V2", "violations": 1, "checked": 7, "unchecked": null}));
-    assert_eq!(rules[12]["unchecked"], "needs V2, which is broken");
+    assert_eq!(rules[12]["unchecked"], json!({"broken": "V2"}));
     assert_eq!(rules[14], json!({"id": "M1", "violations": 1, "checked": 8, "unchecked": null}));
-    assert_eq!(rules[15], json!({"id": "M7", "violations": 0, "checked": 0, "unchecked": "needs V2, which is broken"}));
+    assert_eq!(rules[15], json!({"id": "M7", "violations": 0, "checked": 0, "unchecked": {"broken": "V2"}}));
     assert_eq!(rules.len(), 16);
 }
 

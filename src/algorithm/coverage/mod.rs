@@ -31,9 +31,9 @@ mod finding;
 mod gap;
 mod near_miss;
 mod overlap;
-mod region;
+pub(super) mod region;
 mod rings;
-mod sliver;
+pub(super) mod sliver;
 mod validity;
 
 pub use check::{Coverage, CoverageError, check};

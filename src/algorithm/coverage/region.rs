@@ -9,7 +9,7 @@ use crate::validate::Embedding;
 use rustc_hash::FxHashSet;
 
 /// The length of an edge.
-pub(super) fn length(map: &PlanarMap, h: HalfEdge<'_>) -> f64 {
+pub(in crate::algorithm) fn length(map: &PlanarMap, h: HalfEdge<'_>) -> f64 {
     let [a, b] = ends(map, h);
     (b.x - a.x).hypot(b.y - a.y)
 }
@@ -21,7 +21,7 @@ pub(super) fn ends(map: &PlanarMap, h: HalfEdge<'_>) -> [Point; 2] {
 
 /// The sets of faces that hang together across edges between faces of the same class, in order of their first face; faces
 /// without class belong to none. O(half-edges of the faces), expected.
-pub(super) fn connected<'a, C: PartialEq>(
+pub(in crate::algorithm) fn connected<'a, C: PartialEq>(
     faces: impl IntoIterator<Item = Face<'a>>,
     class: impl Fn(Face<'a>) -> Option<C>,
 ) -> Vec<Vec<Face<'a>>> {
@@ -45,7 +45,7 @@ pub(super) fn connected<'a, C: PartialEq>(
 }
 
 /// The half-edges around a connected set of bounded faces: of its faces, with another face on the other side.
-pub(super) fn border<'a>(faces: &[Face<'a>]) -> Vec<HalfEdge<'a>> {
+pub(in crate::algorithm) fn border<'a>(faces: &[Face<'a>]) -> Vec<HalfEdge<'a>> {
     let inside: FxHashSet<usize> = faces.iter().map(|f| f.index()).collect();
     let around = faces.iter().flat_map(|f| f.half_edges());
     around.filter(|h| !inside.contains(&h.twin().face().index())).collect()
@@ -71,13 +71,13 @@ pub(super) fn finding(map: &PlanarMap, rule: CoverageRule, features: Vec<Feature
 }
 
 /// Twice the area by the length of the border.
-pub(super) fn mean_width(area: f64, length: f64) -> f64 {
+pub(in crate::algorithm) fn mean_width(area: f64, length: f64) -> f64 {
     if length > 0.0 { 2.0 * area / length } else { 0.0 }
 }
 
 /// A point inside a bounded face: the middle of the longest stretch inside it of a horizontal line, up to rounding.
 /// O(n log n) for its n half-edges.
-fn point_inside(map: &PlanarMap, face: Face<'_>) -> Option<Point> {
+pub(in crate::algorithm) fn point_inside(map: &PlanarMap, face: Face<'_>) -> Option<Point> {
     let mut heights: Vec<f64> = face.outer()?.half_edges().map(|h| map.point(h.origin().index()).y).collect();
     heights.sort_unstable_by(f64::total_cmp);
     heights.dedup();

@@ -25,7 +25,7 @@ pub(super) fn slivers(map: &PlanarMap, faces: &[Vec<FaceKey>], limits: &Limits) 
 }
 
 /// The middle one of some numbers, 0 if there are none. O(n), expected.
-pub(super) fn median(mut numbers: Vec<f64>) -> f64 {
+pub(in crate::algorithm) fn median(mut numbers: Vec<f64>) -> f64 {
     if numbers.is_empty() {
         return 0.0;
     }

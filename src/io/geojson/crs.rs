@@ -1,5 +1,6 @@
 //! The member `crs` of the outermost object, which was in GeoJSON before RFC 7946.
 
+use ::geojson::JsonValue;
 use core::fmt;
 use serde::de::{DeserializeSeed, Deserializer, Error, IgnoredAny, MapAccess, SeqAccess, Visitor};
 
@@ -9,6 +10,21 @@ const USUAL: [&str; 3] = ["CRS84", "EPSG::4326", "EPSG:4326"];
 /// Whether this name of a coordinate reference system means something else than longitudes and latitudes on WGS 84.
 pub(super) fn is_other(name: &str) -> bool {
     !USUAL.iter().any(|usual| name.ends_with(usual))
+}
+
+/// Whether the member `crs` of an object means something else than longitudes and latitudes on WGS 84. O(1).
+///
+/// ```
+/// use twinedge::io::geojson::names_other_crs;
+///
+/// let crs = |name: &str| serde_json::json!({"type": "name", "properties": {"name": name}});
+/// assert!(!names_other_crs(&crs("urn:ogc:def:crs:OGC:1.3:CRS84")));
+/// assert!(names_other_crs(&crs("urn:ogc:def:crs:EPSG::2056")));
+/// ```
+#[must_use]
+pub fn names_other_crs(crs: &JsonValue) -> bool {
+    let name = crs.pointer("/properties/name").and_then(JsonValue::as_str);
+    !crs.is_null() && is_other(name.unwrap_or_default())
 }
 
 /// Looks for a text at the end of a path of keys: empty, if there is something else; none, if there is null. The rest of the

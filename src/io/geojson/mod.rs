@@ -49,6 +49,7 @@ mod input;
 mod read;
 mod write;
 
-pub use read::{read, read_sequence};
+pub use crs::names_other_crs;
+pub use read::{Documents, NAME_COLUMNS, Part, read, read_parts, read_sequence};
 pub(in crate::io) use read::{read_sequence_with_properties, read_with_properties};
 pub use write::write;

@@ -20,10 +20,22 @@ use crate::io::summary::ReadSummary;
 use crate::map::{Feature, Shape};
 
 /// How many GeoJSON objects there are.
-#[derive(Clone, Copy, PartialEq, Eq)]
-enum Documents {
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
+pub enum Documents {
+    /// One.
     One,
+    /// Any number, one after the other.
     Many,
+}
+
+/// A part of a file, as the crate `geojson` has it.
+#[derive(Clone, Debug, PartialEq)]
+#[non_exhaustive]
+pub enum Part {
+    /// A feature, with all that the file says of it; a geometry without a feature around it counts as one.
+    Feature(Box<Parsed>),
+    /// A member of a collection of features, by name: `crs`, `name`, `bbox` and foreign ones.
+    Member(String, JsonValue),
 }
 
 /// Reads a map, handing its features to `each` in the order of the file.
@@ -51,7 +63,7 @@ where
     R: Read,
     E: From<ReadError>,
 {
-    read_all(reader, Documents::One, each)
+    read_features(reader, Documents::One, each)
 }
 
 /// Reads a map of any number of GeoJSON objects, one after the other: newline-delimited GeoJSON, where each line is an
@@ -89,10 +101,78 @@ where
     R: Read,
     E: From<ReadError>,
 {
-    read_all(reader, Documents::Many, each)
+    read_features(reader, Documents::Many, each)
 }
 
-fn read_all<R, E>(
+/// Reads a file without dropping anything: features as the crate `geojson` has them, with their properties, foreign members and
+/// all dimensions, and the members of the outermost object. Otherwise as [`read`] and [`read_sequence`].
+///
+/// ```
+/// use twinedge::io::ReadError;
+/// use twinedge::io::geojson::{Documents, Part, read_parts};
+///
+/// let text = r#"{"type":"FeatureCollection","name":"peaks","features":[
+///     {"type":"Feature","geometry":{"type":"Point","coordinates":[7.66,45.98,4478]},"properties":{"first":1865}}]}"#;
+/// let mut names = Vec::new();
+/// read_parts(text.as_bytes(), Documents::One, |part| {
+///     match part {
+///         Part::Member(name, _) => names.push(name),
+///         Part::Feature(feature) => assert_eq!(feature.property("first"), Some(&1865.into())),
+///         _ => {}
+///     }
+///     Ok::<_, ReadError>(())
+/// })?;
+/// assert_eq!(names, ["name"]);
+/// # Ok::<_, ReadError>(())
+/// ```
+///
+/// # Errors
+/// As for [`read`].
+pub fn read_parts<R, E>(reader: R, documents: Documents, mut each: impl FnMut(Part) -> Result<(), E>) -> Result<(), E>
+where
+    R: Read,
+    E: From<ReadError>,
+{
+    let mut failure = None;
+    let mut take = |part| {
+        if let Part::Feature(feature) = &part {
+            let checked = feature.geometry.as_ref().map_or(Ok(()), |geometry| check(&geometry.value, 0));
+            checked.map_err(|cause| (None, cause))?;
+        }
+        Ok(each(part).map_err(|error| failure = Some(error)).is_ok())
+    };
+    let outcome = read_all(reader, documents, true, &mut take);
+    match (failure, outcome) {
+        (Some(failure), _) => Err(failure),
+        (None, Err(error)) => Err(error.into()),
+        (None, Ok(_)) => Ok(()),
+    }
+}
+
+/// Checks what the crate does not: that positions have two numbers, and how deep collections are nested.
+fn check(value: &GeometryValue, depth: usize) -> Result<(), ReadCause> {
+    fn positions<'a>(all: impl IntoIterator<Item = &'a Position>) -> Result<(), ReadCause> {
+        match all.into_iter().map(|position| position.len()).find(|numbers| *numbers < 2) {
+            Some(numbers) => Err(ReadCause::ShortPosition { numbers }),
+            None => Ok(()),
+        }
+    }
+    match value {
+        GeometryValue::Point { coordinates } => positions([coordinates]),
+        GeometryValue::MultiPoint { coordinates } | GeometryValue::LineString { coordinates } => positions(coordinates),
+        GeometryValue::MultiLineString { coordinates } | GeometryValue::Polygon { coordinates } => {
+            positions(coordinates.iter().flatten())
+        }
+        GeometryValue::MultiPolygon { coordinates } => positions(coordinates.iter().flatten().flatten()),
+        GeometryValue::GeometryCollection { .. } if depth == MAX_NESTED_COLLECTIONS => Err(ReadCause::TooDeep),
+        GeometryValue::GeometryCollection { geometries } => {
+            geometries.iter().try_for_each(|geometry| check(&geometry.value, depth + 1))
+        }
+    }
+}
+
+/// Reads features for a map.
+fn read_features<R, E>(
     reader: R,
     documents: Documents,
     mut each: impl FnMut(Feature, &Properties) -> Result<(), E>,
@@ -101,37 +181,51 @@ where
     R: Read,
     E: From<ReadError>,
 {
+    let mut failure = None;
+    let mut summary = ReadSummary::default();
+    let mut take = |part| {
+        let Part::Feature(parsed) = part else { return Ok(true) };
+        let (feature, properties) = converted(*parsed, &mut summary)?;
+        Ok(each(feature, &properties).map_err(|error| failure = Some(error)).is_ok())
+    };
+    let outcome = read_all(reader, documents, false, &mut take);
+    match (failure, outcome) {
+        (Some(failure), _) => Err(failure),
+        (None, Err(error)) => Err(error.into()),
+        (None, Ok(other_crs)) => Ok(ReadSummary { other_crs, ..summary }),
+    }
+}
+
+/// A fault of a feature that the crate took, and the feature's name.
+type Fault = (Option<String>, ReadCause);
+
+/// Hands over all parts, and returns how many objects name a reference system that means something else. `take` says whether
+/// to go on.
+fn read_all(
+    reader: impl Read,
+    documents: Documents,
+    keep_members: bool,
+    take: &mut dyn FnMut(Part) -> Result<bool, Fault>,
+) -> Result<usize, ReadError> {
     let progress = Cell::new(Progress::START);
     let text = input::open(reader, &progress, documents == Documents::Many)
         .map_err(|error| ReadError::new(progress.get().at, ReadCause::Io(error)))?;
     let mut input = serde_json::Deserializer::from_reader(text);
-    let mut failure = None;
-    let mut goes_on =
-        |feature, properties: &Properties| each(feature, properties).map_err(|error| failure = Some(error)).is_ok();
-    let mut sink = Sink { goes_on: &mut goes_on, summary: ReadSummary::default(), in_features: false, fault: None };
-    let outcome = match documents {
-        Documents::One => read_document(&mut input, &mut sink, &progress),
-        Documents::Many => Ok(()),
-    };
-    let outcome = outcome.and_then(|()| {
-        while let Err(error) = input.end() {
-            let error = classify(error, progress.get());
-            match (documents, error.cause) {
-                (Documents::Many, ReadCause::Syntax { .. }) => read_document(&mut input, &mut sink, &progress)?,
-                (Documents::One, ReadCause::Syntax { .. }) => {
-                    return Err(ReadError::new(error.place, ReadCause::Trailing { what: "GeoJSON object" }));
-                }
-                (_, cause) => return Err(ReadError::new(error.place, cause)),
-            }
-        }
-        Ok(())
-    });
-    let summary = sink.summary;
-    match (failure, outcome) {
-        (Some(failure), _) => Err(failure),
-        (None, Err(error)) => Err(error.into()),
-        (None, Ok(())) => Ok(summary),
+    let mut sink = Sink { take, keep_members, features: 0, other_crs: 0, in_features: false, fault: None };
+    if documents == Documents::One {
+        read_document(&mut input, &mut sink, &progress)?;
     }
+    while let Err(error) = input.end() {
+        let error = classify(error, progress.get());
+        match (documents, error.cause) {
+            (Documents::Many, ReadCause::Syntax { .. }) => read_document(&mut input, &mut sink, &progress)?,
+            (Documents::One, ReadCause::Syntax { .. }) => {
+                return Err(ReadError::new(error.place, ReadCause::Trailing { what: "GeoJSON object" }));
+            }
+            (_, cause) => return Err(ReadError::new(error.place, cause)),
+        }
+    }
+    Ok(sink.other_crs)
 }
 
 /// Reads one object. If `each` stopped the reading, there is an error too.
@@ -142,7 +236,7 @@ fn read_document<'de>(
 ) -> Result<(), ReadError> {
     Walk { part: DocumentPart::Document, sink }.deserialize(input).map_err(|error| {
         let error = classify(error, progress.get());
-        let index = sink.summary.features;
+        let index = sink.features;
         match (&error.cause, sink.fault.take()) {
             (ReadCause::Malformed { .. } | ReadCause::OutOfRange | ReadCause::TooDeep, Some((name, cause))) => {
                 ReadError::new(error.place, cause).in_feature(FeatureLabel { index, name })
@@ -179,42 +273,59 @@ fn classify(error: serde_json::Error, progress: Progress) -> ReadError {
 
 /// Where features go.
 struct Sink<'f> {
-    /// Takes a feature, and says whether to go on.
-    goes_on: &'f mut dyn FnMut(Feature, &Properties) -> bool,
-    summary: ReadSummary,
+    /// Takes a part, and says whether to go on.
+    take: &'f mut dyn FnMut(Part) -> Result<bool, Fault>,
+    /// Whether the members of the outermost object are handed over as well.
+    keep_members: bool,
+    features: usize,
+    other_crs: usize,
     /// Whether an element of `"features"` is being read.
     in_features: bool,
-    /// A fault of a feature that the crate took, and the feature's name. Serde only gets to know that there is one, and
-    /// adds the place.
-    fault: Option<(Option<String>, ReadCause)>,
+    /// Serde only gets to know that there is a fault, and adds the place.
+    fault: Option<Fault>,
 }
 
 impl Sink<'_> {
-    fn take<S: Error>(&mut self, parsed: Parsed) -> Result<(), S> {
-        let label = |value: &JsonValue| match value {
-            JsonValue::String(text) => Some(text.clone()),
-            JsonValue::Number(number) => Some(number.to_string()),
-            _ => None,
-        };
-        let keys = ["name", "NAME", "Name", "ADMIN", "admin", "title", "id"];
-        let name = keys.into_iter().find_map(|key| parsed.property(key).and_then(label));
-        let properties = parsed.properties.as_ref().map_or(0, |properties| properties.len());
-        self.summary.dropped_properties += properties - usize::from(name.is_some());
-        let id = parsed.id.map(|id| match id {
-            Id::String(text) => text,
-            Id::Number(number) => number.to_string(),
-        });
-        let mut shapes = FeatureShapes::default();
-        let added = parsed.geometry.map_or(Ok(()), |geometry| shapes.add(geometry.value, 0));
-        if let Err(cause) = added {
-            self.fault = Some((name, cause));
-            return Err(S::custom("faulty"));
+    fn take<S: Error>(&mut self, part: Part) -> Result<(), S> {
+        let is_feature = matches!(part, Part::Feature(_));
+        match (self.take)(part) {
+            Ok(goes_on) => {
+                self.features += usize::from(is_feature);
+                if goes_on { Ok(()) } else { Err(S::custom("stopped")) }
+            }
+            Err(fault) => {
+                self.fault = Some(fault);
+                Err(S::custom("faulty"))
+            }
         }
-        let feature = Feature { name, id, shapes: shapes.shapes };
-        self.summary.add(&feature, shapes.with_extra_dimensions, shapes.empty);
-        let properties = Properties { object: parsed.properties.unwrap_or_default() };
-        if (self.goes_on)(feature, &properties) { Ok(()) } else { Err(S::custom("stopped")) }
     }
+}
+
+/// The columns from which the name of a feature is taken, unless it is said otherwise: the first that there is.
+pub const NAME_COLUMNS: [&str; 7] = ["name", "NAME", "Name", "ADMIN", "admin", "title", "id"];
+
+/// A feature of the crate as one for a map, with its properties.
+fn converted(parsed: Parsed, summary: &mut ReadSummary) -> Result<(Feature, Properties), Fault> {
+    let label = |value: &JsonValue| match value {
+        JsonValue::String(text) => Some(text.clone()),
+        JsonValue::Number(number) => Some(number.to_string()),
+        _ => None,
+    };
+    let name = NAME_COLUMNS.into_iter().find_map(|key| parsed.property(key).and_then(label));
+    let properties = parsed.properties.as_ref().map_or(0, |properties| properties.len());
+    summary.dropped_properties += properties - usize::from(name.is_some());
+    let id = parsed.id.map(|id| match id {
+        Id::String(text) => text,
+        Id::Number(number) => number.to_string(),
+    });
+    let mut shapes = FeatureShapes::default();
+    let added = parsed.geometry.map_or(Ok(()), |geometry| shapes.add(geometry.value, 0));
+    if let Err(cause) = added {
+        return Err((name, cause));
+    }
+    let feature = Feature { name, id, shapes: shapes.shapes };
+    summary.add(&feature, shapes.with_extra_dimensions, shapes.empty);
+    Ok((feature, Properties { object: parsed.properties.unwrap_or_default() }))
 }
 
 /// The shapes of one feature.
@@ -345,17 +456,29 @@ impl<'de> Visitor<'de> for Walk<'_, '_> {
         let Self { part, sink } = self;
         if let DocumentPart::Element = part {
             let feature = Parsed::deserialize(MapAccessDeserializer::new(inner))?;
-            return sink.take(feature);
+            return sink.take(Part::Feature(feature.into()));
         }
-        let mut members = Members { inner, sink, at_features: false, has_features: false };
-        match GeoJson::deserialize(MapAccessDeserializer::new(&mut members))? {
-            GeoJson::FeatureCollection(_) => Ok(()),
+        let mut members = Members { inner, sink, at_features: false, has_features: false, kept: Vec::new() };
+        let document = GeoJson::deserialize(MapAccessDeserializer::new(&mut members))?;
+        let kept = core::mem::take(&mut members.kept);
+        match document {
+            GeoJson::FeatureCollection(_) => {
+                kept.into_iter().try_for_each(|(name, value)| members.sink.take(Part::Member(name, value)))
+            }
             // The features of an object of another type, which have been handed over already.
             other if members.has_features => FeatureCollection::try_from(other).map(drop).map_err(A::Error::custom),
-            GeoJson::Feature(feature) => members.sink.take(feature),
-            GeoJson::Geometry(geometry) => members.sink.take(geometry.into()),
+            GeoJson::Feature(feature) => members.sink.take(Part::Feature(with_members(feature, kept).into())),
+            GeoJson::Geometry(geometry) => members.sink.take(Part::Feature(with_members(geometry.into(), kept).into())),
         }
     }
+}
+
+/// A feature that is the outermost object, with the members that the crate did not get to see.
+fn with_members(mut feature: Parsed, kept: Vec<(String, JsonValue)>) -> Parsed {
+    if !kept.is_empty() {
+        feature.foreign_members.get_or_insert_default().extend(kept);
+    }
+    feature
 }
 
 /// The members of the outermost object as the crate gets to see them: without those that mean nothing here, which it
@@ -365,6 +488,8 @@ struct Members<'s, 'f, A> {
     sink: &'s mut Sink<'f>,
     at_features: bool,
     has_features: bool,
+    /// Those that mean nothing here, if they are kept.
+    kept: Vec<(String, JsonValue)>,
 }
 
 impl<'de, A: MapAccess<'de>> MapAccess<'de> for Members<'_, '_, A> {
@@ -377,9 +502,12 @@ impl<'de, A: MapAccess<'de>> MapAccess<'de> for Members<'_, '_, A> {
                 self.at_features = known == "features";
                 return seed.deserialize(known.into_deserializer()).map(Some);
             }
-            if key == "crs" {
+            if self.sink.keep_members {
+                let value = self.inner.next_value()?;
+                self.kept.push((key, value));
+            } else if key == "crs" {
                 let name = self.inner.next_value_seed(crs::NAME)?;
-                self.sink.summary.other_crs += usize::from(name.is_some_and(|name| crs::is_other(&name)));
+                self.sink.other_crs += usize::from(name.is_some_and(|name| crs::is_other(&name)));
             } else {
                 self.inner.next_value::<IgnoredAny>()?;
             }

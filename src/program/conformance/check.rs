@@ -9,9 +9,12 @@ use crate::program::choose::Random;
 use crate::program::every::{every_mesh_op, every_op};
 use crate::program::generator::Generator;
 use crate::program::op::{FacePick, HalfEdgePick, InnerPick, Op, OpKind, Program, SecondPick, VertexPick};
+use crate::program::pointer_model::PointerModel;
+use crate::program::retarget::NamedRunner;
 use crate::program::runner::Runner;
-use crate::program::shrink::shrink;
+use crate::program::shrink::shrink_from;
 use crate::program::subject::Subject;
+use crate::validate::Table;
 use alloc::vec;
 use alloc::vec::Vec;
 
@@ -50,10 +53,12 @@ impl Conformance {
             let mut program = Program::default();
             let failed = |program, failure| Counterexample { program, failure };
             let mut pair = self.begin(make()).map_err(|failure| failed(Program::default(), failure))?;
+            let start = Table::copy_of(pair.subject().subject());
             let mut step = |op: Op, pair: &mut InStep<K>| {
                 program.0.push(op);
                 let Err(failure) = pair.step(op) else { return Ok(()) };
-                let small = shrink(&program, |program| self.compare(program, make()).is_err());
+                let begin = || NamedRunner::beginning(self.reference_of(start.as_ref()));
+                let small = shrink_from(&program, begin, |program| self.compare(program, make()).is_err());
                 // A subject that does something else each time fails as it did the first time.
                 Err(match self.compare(&small, make()) {
                     Err(failure) => failed(small, failure),
@@ -83,6 +88,19 @@ impl Conformance {
             failure: Failure { before: sum.total().all(), op: None, difference },
         })?;
         Ok(sum)
+    }
+
+    /// The reference as it is at the start. Empty if the start cannot be read, which costs no more than larger counterexamples.
+    fn reference_of(&self, start: Option<&Table>) -> Runner<PointerModel> {
+        let start = start.and_then(|start| PointerModel::from_view(start, &self.expectation).ok());
+        start.map_or_else(
+            || Runner::new(PointerModel::new()),
+            |start| {
+                let half_edges = start.half_edges.into_iter().map(|(_, half_edge)| half_edge).collect();
+                let isolated = start.isolated.into_iter().map(|(_, vertex)| vertex).collect();
+                Runner::starting_with(start.model, half_edges, isolated)
+            },
+        )
     }
 
     /// Every argument of the operators that the subject has and that were not applied so far.

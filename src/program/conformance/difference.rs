@@ -5,6 +5,7 @@ use crate::program::outcome::StepOutcome;
 use crate::program::pointer_model::StartError;
 use crate::validate::{Part, Report};
 use alloc::boxed::Box;
+use alloc::string::ToString;
 use alloc::vec::Vec;
 use core::fmt;
 use thiserror::Error;
@@ -58,7 +59,10 @@ pub enum Difference {
         vertex: usize,
     },
     /// The view has a half-edge whose handle is that of another one, or of none that should be there.
-    #[error("half-edge {half_edge} of the view should not be there, or its handle is that of another one")]
+    #[error(
+        "half-edge {half_edge} of the view should not be there, or its handle is that of another one. If operators move half-edges \
+         to other indices, the mesh needs program::mesh::Named"
+    )]
     Unknown {
         /// Its index in the view.
         half_edge: usize,
@@ -113,15 +117,16 @@ pub enum Difference {
     },
 }
 
-/// The first violation of a report, in words.
+/// The first violation of a report, in words, and what the report advises.
 struct FirstViolation<'a>(&'a Report);
 
 impl fmt::Display for FirstViolation<'_> {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         match self.0.violations().first() {
-            Some(violation) => write!(f, "{} is broken: {violation}", violation.rule()),
-            None => f.write_str("a rule could not be checked"),
+            Some(violation) => write!(f, "{} is broken: {violation}", violation.rule())?,
+            None => f.write_str("a rule could not be checked")?,
         }
+        self.0.to_string().lines().filter(|line| line.starts_with("hint: ")).try_for_each(|line| write!(f, "\n{line}"))
     }
 }
 
@@ -168,7 +173,7 @@ impl core::error::Error for Counterexample {}
 impl fmt::Display for Counterexample {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         write!(f, "{}", self.failure)?;
-        if self.program.0.is_empty() { Ok(()) } else { write!(f, ", by\n{}", self.program) }
+        if self.program.0.is_empty() { Ok(()) } else { write!(f, "\nwith this program:\n{}", self.program) }
     }
 }
 

@@ -40,7 +40,22 @@
 //! answer to a line, and a [`Subject`], which [`subject_by_index!`](crate::subject_by_index) writes from the names of the operators that it
 //! has. Errors become a [`Refusal`](crate::program::Refusal) by `From` (an error type of another crate, such as `String`, needs a
 //! wrapper of your own for that): [`program::mesh`](crate::program::mesh) says for which reason each operator is
-//! refused, and in which order. The example `mesh_conformance` is 39 lines of this beside the mesh.
+//! refused, and in which order. The example `mesh_conformance` is 39 lines of this beside the mesh: one whose half-edges keep their
+//! indices, the twin of `h` being `h ^ 1`, and which stores the half-edges on its border.
+//!
+//! If operators move half-edges to other indices (where `next` is arithmetic they must), or if half-edges on the border are not
+//! stored, [`mesh::Named`](crate::program::mesh::Named) takes the mesh and its operators, and no `Subject` has to be written.
+//!
+//! `View` and `Subject` are implemented in the crate of the structure, or for a newtype elsewhere. Tests of that crate need twinedge as
+//! a dev-dependency; a fuzz target is another crate, so the implementation must be in the library then, behind a feature of its own if
+//! users are not to see it:
+//!
+//! ```toml
+//! [dependencies]
+//! twinedge = { version = "0.1", default-features = false, features = ["program"], optional = true }
+//! [features]
+//! fuzzing = ["dep:twinedge"]
+//! ```
 //!
 //! # When nothing was tried
 //!

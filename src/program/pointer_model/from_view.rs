@@ -25,7 +25,9 @@ pub struct PointerModelStart {
 #[non_exhaustive]
 pub enum StartError {
     /// A half-edge has no twin. Operators change both half-edges of an edge.
-    #[error("half-edge {0} has no twin; both half-edges of each edge are needed, those of the border included")]
+    #[error(
+        "half-edge {0} has no twin; both half-edges of each edge are needed, those of the border included (program::mesh::Named adds them to a mesh)"
+    )]
     NoTwin(usize),
     /// The structure has both holes and open boundaries. Which of them are outside, the view does not say.
     #[error("the structure has holes in faces and open boundaries; which boundaries are outside is not known then")]

@@ -11,7 +11,8 @@
 //! | half-edges along a border, without `next` and face | [`Borders`], and [`open`](super::Expectation::open) |
 //! | half-edges along a border, with `next`, without face | [`open`](super::Expectation::open) |
 //! | no half-edge on the far side of a border edge | answer `twin` with nil, and [`open`](super::Expectation::open) |
-//! | the target of each half-edge | implement [`target`](super::View::target), and [`Targets`]; or, if every half-edge has a twin, answer `origin(h)` with `target(twin(h))`, as a structure that changes must |
+//! | the target of each half-edge | implement [`target`](super::View::target), and [`Targets`] |
+//! | the same, in a structure that changes | answer `origin(h)` with `target(prev(h))`, if it has `prev` or its faces are triangles; if every half-edge has a twin, with `target(twin(h))` |
 //! | a half-edge that arrives at each vertex | answer `leaving` with its twin; if that is nil, with its next |
 //! | no half-edge at the vertices | leave out [`Part::Leaving`](super::Part::Leaving) |
 //! | the face of each half-edge, nothing in the faces | [`FaceLabels`] |
@@ -19,6 +20,7 @@
 //! | outer half-edge and holes in each face | answer `outer_half_edge`, `inner_count`, `inner_start`, and leave out [`Part::BoundaryComponents`](super::Part::BoundaryComponents) |
 //! | no faces | leave out [`Part::Faces`](super::Part::Faces) |
 //! | keys, handles or pointers instead of indices | [`Index`], one for each kind, or [`Ids`]; [`Report::named`](super::Report::named) prints reports with them |
+//! | half-edges that operators move to other indices | nothing to validate it; to test its operators, `program::mesh::Named` (feature `program`) |
 //! | vacant slots | answer `is_vertex`, `is_half_edge`, `is_face` |
 //!
 //! | family | half-edge `h` is | missing | tested in `tests/validate/families/` |

@@ -1,4 +1,4 @@
-//! The walks along the cycles: L2, B1, F1, F2 and the faces' half of B2.
+//! The lists of the faces, and the cycles: B1, F1, F2 and the faces' half of B2.
 
 use super::extent::{Extent, existing};
 use super::links::Links;
@@ -7,7 +7,7 @@ use crate::validate::expectation::Part;
 use crate::validate::view::{BoundaryPlace, Start, View};
 use alloc::vec::Vec;
 
-/// What the walks along the cycles find.
+/// What the faces list.
 pub(super) struct Boundaries {
     pub(super) faces: usize,
     /// How many faces have an outer boundary component.
@@ -15,7 +15,9 @@ pub(super) struct Boundaries {
     pub(super) inner: Vec<Inner>,
     /// How many of the inner boundary components are isolated vertices.
     pub(super) at_vertex: usize,
-    pub(super) cycles: usize,
+    /// Whether each of these is listed once, where there are no records for boundary components.
+    pub(super) vertices_hold: bool,
+    pub(super) cycles: Cycles,
 }
 
 /// An inner boundary component: where it starts, and the face that lists it.
@@ -25,8 +27,17 @@ pub(super) struct Inner {
     pub(super) face: u32,
 }
 
-/// The walks so far.
-struct Walks<'a, V: ?Sized> {
+/// The cycles of `next`.
+#[derive(Default)]
+pub(super) struct Cycles {
+    /// How many name a boundary component or a face; all where there are none.
+    pub(super) named: usize,
+    /// A vertex of each of the others, which are border loops.
+    pub(super) unnamed: Vec<u32>,
+}
+
+/// The lists so far.
+struct Lists<'a, V: ?Sized> {
     view: &'a V,
     extent: Extent,
     links: &'a Links,
@@ -35,35 +46,95 @@ struct Walks<'a, V: ?Sized> {
     found: Boundaries,
 }
 
-/// Walks along every cycle, from where faces list it.
-pub(super) fn walk<V: View + ?Sized>(view: &V, extent: Extent, links: &Links) -> Option<Boundaries> {
-    let found = Boundaries { faces: 0, outer: 0, inner: Vec::new(), at_vertex: 0, cycles: 0 };
-    let mut walks = Walks { view, extent, links, visited: 0, found };
-    if !extent.has(Part::Faces) {
-        walks.every_cycle()?;
-    } else if extent.has(Part::BoundaryComponents) {
-        walks.by_record()?;
+/// Reads the lists of all faces, and walks along every cycle: from where it is listed, or if it names nothing, from its first half-edge.
+pub(super) fn read<V: View + ?Sized>(view: &V, extent: Extent, links: &Links) -> Option<Boundaries> {
+    let cycles = Cycles::default();
+    let found = Boundaries { faces: 0, outer: 0, inner: Vec::new(), at_vertex: 0, vertices_hold: true, cycles };
+    let mut lists = Lists { view, extent, links, visited: 0, found };
+    if extent.has(Part::BoundaryComponents) {
+        lists.by_record()?;
     } else {
-        walks.by_label()?;
+        lists.by_label()?;
     }
-    let unbounded = walks.found.faces - walks.found.outer;
-    let complete = walks.visited == links.half_edges && unbounded == usize::from(extent.has(Part::UnboundedFace));
-    complete.then_some(walks.found)
+    if extent.expect.is_open() && lists.visited < links.half_edges {
+        lists.unnamed()?;
+    }
+    let unbounded = lists.found.faces - lists.found.outer;
+    let complete = lists.visited == links.half_edges && unbounded == usize::from(extent.has(Part::UnboundedFace));
+    complete.then_some(lists.found)
 }
 
-impl<V: View + ?Sized> Walks<'_, V> {
-    /// Without faces: from the first half-edge of each cycle.
-    #[inline(never)]
-    fn every_cycle(&mut self) -> Option<()> {
-        let mut passed = Marks::new(self.extent.half_edges)?;
-        for start in 0..self.extent.half_edges {
-            if !passed.has(start) && self.view.is_half_edge(start) {
-                self.along(start, |h| passed.mark(h))?;
-            }
+/// Counts the cycles, where `next` is known to be a permutation.
+#[inline(never)]
+pub(super) fn cycles<V: View + ?Sized>(view: &V, extent: Extent, links: &Links) -> Option<Cycles> {
+    let mut cycles = Cycles::default();
+    let tells_borders = extent.expect.is_open() && extent.has(Part::Faces);
+    let mut passed = Marks::default();
+    let follow = |h| existing(view.next(h), extent.half_edges);
+    for start in 0..extent.half_edges {
+        if !view.is_half_edge(start) {
+            continue;
         }
+        // Most cycles are short. So the next ones are read, without a branch for each and without marks.
+        let second = follow(start)?;
+        let third = follow(second)?;
+        let fourth = view.next(third);
+        let is_triangle = second == start || third == start || fourth == Some(start);
+        let is_first = if is_triangle {
+            start <= second.min(third)
+        } else {
+            let fourth = existing(fourth, extent.half_edges)?;
+            if view.next(fourth) == Some(start) {
+                start <= fourth.min(third).min(second)
+            } else {
+                passed.make_room(extent.half_edges)?;
+                let is_first = !passed.has(start);
+                if is_first {
+                    along(view, extent, start, links.half_edges, |h| passed.mark(h))?;
+                }
+                is_first
+            }
+        };
+        if tells_borders && is_first && extent.name(view, start).is_none() {
+            cycles.note_unnamed(existing(view.origin(start), extent.vertices)?)?;
+        } else {
+            cycles.named += usize::from(is_first);
+        }
+    }
+    Some(cycles)
+}
+
+/// Walks along one cycle, all of whose half-edges may be visited, and returns how many these are; none if they are more than
+/// `limit`.
+#[inline]
+fn along<V: View + ?Sized>(
+    view: &V,
+    extent: Extent,
+    start: usize,
+    limit: usize,
+    mut visit: impl FnMut(usize) -> Option<()>,
+) -> Option<usize> {
+    let mut h = start;
+    for visited in 0..limit {
+        visit(h)?;
+        h = existing(view.next(h), extent.half_edges)?;
+        if h == start {
+            return Some(visited + 1);
+        }
+    }
+    None
+}
+
+impl Cycles {
+    /// Notes a vertex of a border loop.
+    fn note_unnamed(&mut self, vertex: usize) -> Option<()> {
+        self.unnamed.try_reserve(1).ok()?;
+        self.unnamed.push(vertex as u32);
         Some(())
     }
+}
 
+impl<V: View + ?Sized> Lists<'_, V> {
     /// With records: every boundary component is listed once, by the face it names, at the place it says.
     #[inline(never)]
     fn by_record(&mut self) -> Option<()> {
@@ -89,7 +160,7 @@ impl<V: View + ?Sized> Walks<'_, V> {
         (entries == boundaries).then_some(())
     }
 
-    /// Walks along a boundary component that this face lists.
+    /// Reads a boundary component that this face lists.
     #[inline]
     fn record(&mut self, f: usize, b: usize, place: BoundaryPlace, listed: &mut Marks) -> Option<()> {
         let (view, extent) = (self.view, self.extent);
@@ -101,7 +172,7 @@ impl<V: View + ?Sized> Walks<'_, V> {
         let start = view.boundary_start(b)?;
         self.enter(f, start, place)?;
         if let Start::HalfEdge(start) = start {
-            self.along(start, |h| (view.boundary(h) == Some(b)).then_some(()))?;
+            self.cycle(start, |h| (view.boundary(h) == Some(b)).then_some(()))?;
         }
         Some(())
     }
@@ -111,12 +182,16 @@ impl<V: View + ?Sized> Walks<'_, V> {
     #[inline(never)]
     fn by_label(&mut self) -> Option<()> {
         let (view, extent) = (self.view, self.extent);
+        // Isolated vertices are listed, too.
+        let most = self.links.half_edges.checked_add(extent.vertices)?;
+        let mut entries = 0_usize;
         let mut passed = Marks::default();
         let mut listed = Marks::default();
         for f in (0..extent.faces).filter(|f| view.is_face(*f)) {
             self.found.faces += 1;
             let outer = view.outer_half_edge(f);
             let inner = if extent.has(Part::Holes) { view.inner_count(f) } else { 0 };
+            entries = entries.checked_add(inner).filter(|entries| *entries <= most)?;
             let of_f = |h| (view.face(h) == Some(f)).then_some(());
             let is_alone = inner == usize::from(outer.is_none());
             if !is_alone {
@@ -129,41 +204,49 @@ impl<V: View + ?Sized> Walks<'_, V> {
                 self.enter(f, start, place)?;
                 match start {
                     Start::Vertex(v) => self.isolated(v, &mut listed)?,
-                    Start::HalfEdge(start) if is_alone => self.along(start, of_f)?,
-                    Start::HalfEdge(start) => self.along(start, |h| of_f(h).and_then(|()| passed.mark(h)))?,
+                    Start::HalfEdge(start) if is_alone => self.cycle(start, of_f)?,
+                    Start::HalfEdge(start) => self.cycle(start, |h| of_f(h).and_then(|()| passed.mark(h)))?,
                 }
             }
         }
         Some(())
     }
 
-    /// Walks along one cycle, all of whose half-edges may be visited.
-    #[inline]
-    fn along(&mut self, start: usize, mut visit: impl FnMut(usize) -> Option<()>) -> Option<()> {
-        let (view, half_edges, with_prev) = (self.view, self.extent.half_edges, self.extent.has(Part::Prev));
-        let mut h = existing(Some(start), half_edges).filter(|h| view.is_half_edge(*h))?;
-        for visited in self.visited + 1..=self.links.half_edges {
-            visit(h)?;
-            let n = existing(view.next(h), half_edges)?;
-            if with_prev && view.prev(n) != Some(h) {
-                return None;
+    /// Walks along the cycles that name nothing, which no face lists. Each has twins, which bound something, or it bounds nothing.
+    #[cold]
+    #[inline(never)]
+    fn unnamed(&mut self) -> Option<()> {
+        let (view, extent) = (self.view, self.extent);
+        let mut passed = Marks::new(extent.half_edges)?;
+        for start in (0..extent.half_edges).filter(|h| view.is_half_edge(*h)) {
+            if extent.name(view, start).is_some() || passed.has(start) {
+                continue;
             }
-            if n == start {
-                self.visited = visited;
-                self.found.cycles += 1;
-                return Some(());
-            }
-            h = n;
+            let is_border = |h| extent.name(view, h).is_none() && view.twin(h).is_some();
+            let visit = |h| if is_border(h) { passed.mark(h) } else { None };
+            self.visited += along(view, extent, start, self.links.half_edges - self.visited, visit)?;
+            self.found.cycles.note_unnamed(existing(view.origin(start), extent.vertices)?)?;
         }
-        None
+        Some(())
+    }
+
+    /// Walks along a cycle that a face lists, and counts it.
+    #[inline]
+    fn cycle(&mut self, start: usize, visit: impl FnMut(usize) -> Option<()>) -> Option<()> {
+        if !self.view.is_half_edge(start) {
+            return None;
+        }
+        self.visited += along(self.view, self.extent, start, self.links.half_edges - self.visited, visit)?;
+        self.found.cycles.named += 1;
+        Some(())
     }
 
     /// Notes an isolated vertex that a face lists.
     #[cold]
-    fn isolated(&self, v: usize, listed: &mut Marks) -> Option<()> {
+    fn isolated(&mut self, v: usize, listed: &mut Marks) -> Option<()> {
         listed.make_room(self.extent.vertices)?;
-        listed.mark(v)?;
-        (self.view.is_vertex(v) && self.links.leaving(self.view, v).is_none()).then_some(())
+        self.found.vertices_hold &= listed.mark(v).is_some() && self.links.leaving(self.view, v).is_none();
+        Some(())
     }
 
     /// Counts a boundary component that a face lists.
@@ -172,16 +255,16 @@ impl<V: View + ?Sized> Walks<'_, V> {
         let vertex = match start {
             Start::HalfEdge(h) => self.view.origin(existing(Some(h), self.extent.half_edges)?),
             Start::Vertex(_) if place == BoundaryPlace::Outer => None,
-            Start::Vertex(v) => Some(v),
+            Start::Vertex(v) => Some(v).filter(|v| *v < self.extent.vertices && self.view.is_vertex(*v)),
         };
-        let vertex = existing(vertex, self.extent.vertices)? as u32;
         if place == BoundaryPlace::Outer {
+            vertex?;
             self.found.outer += 1;
             return Some(());
         }
         self.found.at_vertex += usize::from(matches!(start, Start::Vertex(_)));
         self.found.inner.try_reserve(1).ok()?;
-        self.found.inner.push(Inner { vertex, face: f as u32 });
+        self.found.inner.push(Inner { vertex: existing(vertex, self.extent.vertices)? as u32, face: f as u32 });
         Some(())
     }
 }

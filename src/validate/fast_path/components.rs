@@ -39,10 +39,13 @@ pub(super) fn join<V: View + ?Sized>(view: &V, extent: Extent, around: Rotations
             if !view.is_half_edge(h) {
                 continue;
             }
-            let t = existing(view.twin(h), extent.half_edges)?;
-            if h < t {
-                sets.join(*of.get(view.origin(h)?)?, *of.get(view.origin(t)?)?)?;
-            }
+            // Without twin the edge ends where the next one starts.
+            let t = match view.twin(h) {
+                Some(t) if t < h => continue,
+                Some(t) => existing(Some(t), extent.half_edges)?,
+                None => existing(view.next(h), extent.half_edges)?,
+            };
+            sets.join(*of.get(view.origin(h)?)?, *of.get(view.origin(t)?)?)?;
         }
         first = sets.number(&mut of, &first)?;
     }

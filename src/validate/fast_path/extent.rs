@@ -2,6 +2,7 @@
 
 use crate::validate::columns::{NIL, column};
 use crate::validate::expectation::{Expectation, Part};
+use crate::validate::view::{Link, View};
 use alloc::vec::Vec;
 
 /// How many slots there are, and what the structure has.
@@ -17,6 +18,12 @@ pub(super) struct Extent {
 impl Extent {
     pub(super) const fn has(&self, part: Part) -> bool {
         self.expect.has(part)
+    }
+
+    /// The boundary component, or without records for these the face, that the half-edge names.
+    #[inline]
+    pub(super) fn name<V: View + ?Sized>(&self, view: &V, h: usize) -> Link {
+        if self.has(Part::BoundaryComponents) { view.boundary(h) } else { view.face(h) }
     }
 }
 

@@ -1,15 +1,30 @@
-//! The scan over the half-edges: L1 and L3, and R1 of `twin` and `next`.
+//! The scan over the half-edges: L1 and L3, R1 of `twin` and `next`, and L2 where there is `prev`.
 
 use super::extent::{Extent, existing, nils};
+use crate::validate::columns::NIL;
 use crate::validate::expectation::Part;
-use crate::validate::view::View;
+use crate::validate::view::{Link, View};
 use alloc::vec::Vec;
+
+/// With more half-edges in doubt than these, all are.
+pub(super) const MOST_DOUBTS: usize = 1024;
 
 /// What the scan finds.
 pub(super) struct Links {
+    /// How many half-edges are live.
     pub(super) half_edges: usize,
+    /// How many of them have no twin.
+    pub(super) unpaired: usize,
     /// Per vertex a half-edge that leaves it, or nil, where vertices keep none.
-    pub(super) leaving: Option<Vec<u32>>,
+    leaving: Option<Vec<u32>>,
+    /// Per vertex a half-edge without twin that ends there, or nil; empty if all have one.
+    pub(super) into: Vec<u32>,
+    /// Whether no two half-edges without twin end at one vertex.
+    pub(super) one_into_each: bool,
+    /// The half-edges at which something is wrong, in order.
+    pub(super) wrong: Vec<u32>,
+    pub(super) next_holds: bool,
+    pub(super) twin_holds: bool,
 }
 
 impl Links {
@@ -18,43 +33,183 @@ impl Links {
     pub(super) fn leaving<V: View + ?Sized>(&self, view: &V, v: usize) -> Option<usize> {
         match &self.leaving {
             None => view.leaving(v),
-            Some(noted) => noted.get(v).copied().filter(|h| *h != u32::MAX).map(|h| h as usize),
+            Some(noted) => noted.get(v).copied().filter(|h| *h != NIL).map(|h| h as usize),
         }
     }
-}
 
-/// Reads the links of every half-edge, in order of their numbers, so that none waits for another.
-#[inline(never)]
-pub(super) fn scan<V: View + ?Sized>(view: &V, extent: Extent) -> Option<Links> {
-    if extent.has(Part::Leaving) {
-        let half_edges = scan_and(view, extent, |_, _| Some(()))?;
-        return Some(Links { half_edges, leaving: None });
+    /// A half-edge without twin that ends at the vertex.
+    #[inline]
+    pub(super) fn into(&self, v: usize) -> Option<usize> {
+        self.into.get(v).copied().filter(|h| *h != NIL).map(|h| h as usize)
     }
-    let mut leaving = nils(extent.vertices)?;
-    let half_edges = scan_and(view, extent, |h, origin| leaving.get_mut(origin).map(|noted| *noted = h as u32))?;
-    Some(Links { half_edges, leaving: Some(leaving) })
-}
 
-/// Scans, and tells `note` each half-edge with its origin.
-#[inline]
-fn scan_and<V: View + ?Sized>(
-    view: &V,
-    extent: Extent,
-    mut note: impl FnMut(usize, usize) -> Option<()>,
-) -> Option<usize> {
-    let mut live = 0;
-    for h in 0..extent.half_edges {
-        if !view.is_half_edge(h) {
-            continue;
-        }
-        live += 1;
-        let t = existing(view.twin(h), extent.half_edges)?;
-        let n = existing(view.next(h), extent.half_edges)?;
-        let mutual = t != h && view.twin(t) == Some(h) && view.is_half_edge(t) && view.is_half_edge(n);
-        if !mutual || view.origin(n)? != view.origin(t)? {
+    /// Notes a half-edge that leaves each vertex, in the place of those that vertices keep. None if that is done, or there is no
+    /// memory for it.
+    pub(super) fn note_leaving<V: View + ?Sized>(&mut self, view: &V, extent: Extent) -> Option<()> {
+        if self.leaving.is_some() {
             return None;
         }
-        note(h, view.origin(h)?)?;
+        let mut leaving = nils(extent.vertices)?;
+        for h in (0..extent.half_edges).filter(|h| view.is_half_edge(*h)) {
+            note(view, &mut leaving, h);
+        }
+        self.leaving = Some(leaving);
+        Some(())
     }
-    Some(live)
+
+    /// Notes a half-edge at which something is wrong.
+    #[cold]
+    fn doubt(&mut self, h: usize, [next_holds, twin_holds]: [bool; 2]) -> Option<()> {
+        self.next_holds &= next_holds;
+        self.twin_holds &= twin_holds;
+        if self.wrong.len() == MOST_DOUBTS {
+            return None;
+        }
+        self.wrong.try_reserve(1).ok()?;
+        self.wrong.push(h as u32);
+        Some(())
+    }
+
+    /// Notes that a half-edge without twin ends at a vertex.
+    fn ends(&mut self, target: Option<usize>, h: usize, extent: Extent) -> Option<()> {
+        if !extent.expect.is_open() {
+            return Some(());
+        }
+        if self.into.is_empty() {
+            self.into = nils(extent.vertices)?;
+        }
+        if let Some(into) = target.and_then(|v| self.into.get_mut(v)) {
+            self.one_into_each &= *into == NIL;
+            *into = h as u32;
+        }
+        Some(())
+    }
+}
+
+/// Reads the links of every half-edge, in order of their numbers, so that none waits for another. None if too many are wrong.
+pub(super) fn scan<V: View + ?Sized>(view: &V, extent: Extent) -> Option<Links> {
+    let mut links = Links {
+        half_edges: 0,
+        unpaired: 0,
+        leaving: None,
+        into: Vec::new(),
+        one_into_each: true,
+        wrong: Vec::new(),
+        next_holds: true,
+        twin_holds: true,
+    };
+    let mut leaving = Vec::new();
+    if !extent.has(Part::Leaving) {
+        leaving = nils(extent.vertices)?;
+    }
+    // What is asked for is decided here, once, and not at each half-edge.
+    match (extent.has(Part::Prev), extent.has(Part::Leaving)) {
+        (true, true) => scan_and::<V, true>(view, extent, &mut links, |_| {})?,
+        (false, true) => scan_and::<V, false>(view, extent, &mut links, |_| {})?,
+        (true, false) => scan_and::<V, true>(view, extent, &mut links, |h| note(view, &mut leaving, h))?,
+        (false, false) => scan_and::<V, false>(view, extent, &mut links, |h| note(view, &mut leaving, h))?,
+    }
+    if !extent.has(Part::Leaving) {
+        links.leaving = Some(leaving);
+    }
+    Some(links)
+}
+
+/// Notes that the half-edge leaves its origin.
+#[inline]
+fn note<V: View + ?Sized>(view: &V, leaving: &mut [u32], h: usize) {
+    if let Some(noted) = view.origin(h).and_then(|v| leaving.get_mut(v)) {
+        *noted = h as u32;
+    }
+}
+
+/// Scans, and tells `note` each half-edge.
+fn scan_and<V: View + ?Sized, const WITH_PREV: bool>(
+    view: &V,
+    extent: Extent,
+    links: &mut Links,
+    mut note: impl FnMut(usize),
+) -> Option<()> {
+    let mut h = 0;
+    while h < extent.half_edges {
+        let (end, live) = right_ones::<V, WITH_PREV>(view, extent.half_edges, h, &mut note);
+        h = end;
+        links.half_edges += live;
+        if h < extent.half_edges {
+            links.half_edges += 1;
+            at_border_or_wrong(view, extent, h, links)?;
+            note(h);
+            h += 1;
+        }
+    }
+    Some(())
+}
+
+/// Scans from a half-edge to the next one that is at the border or wrong, or to the end. Returns that, and how many are live up to it.
+///
+/// A loop of its own, as it takes most of the time: it calls nothing but the view, and everything that it compares is in registers.
+#[inline(never)]
+fn right_ones<V: View + ?Sized, const WITH_PREV: bool>(
+    view: &V,
+    half_edges: usize,
+    from: usize,
+    note: &mut impl FnMut(usize),
+) -> (usize, usize) {
+    let mut live = 0;
+    for h in from..half_edges {
+        if view.is_half_edge(h) {
+            if !is_inside_and_holds::<V, WITH_PREV>(view, half_edges, h) {
+                return (h, live);
+            }
+            live += 1;
+            note(h);
+        }
+    }
+    (half_edges, live)
+}
+
+/// Whether nothing is wrong with a half-edge that has a twin, as nearly all have.
+#[inline(always)]
+#[allow(clippy::inline_always, reason = "a call for each half-edge costs more than what it asks")]
+fn is_inside_and_holds<V: View + ?Sized, const WITH_PREV: bool>(view: &V, half_edges: usize, h: usize) -> bool {
+    let Some(t) = existing(view.twin(h), half_edges) else { return false };
+    let Some(n) = existing(view.next(h), half_edges) else { return false };
+    let target = view.origin(t);
+    is_mutual(view, h, t)
+        && view.is_half_edge(n)
+        && target.is_some()
+        && view.origin(n) == target
+        && (!WITH_PREV || view.prev(n) == Some(h))
+}
+
+/// Looks at what may be at the border, notes what is, and what is wrong.
+#[cold]
+#[inline(never)]
+fn at_border_or_wrong<V: View + ?Sized>(view: &V, extent: Extent, h: usize, links: &mut Links) -> Option<()> {
+    let twin = view.twin(h);
+    let next = existing(view.next(h), extent.half_edges).filter(|n| view.is_half_edge(*n));
+    let next_holds = next.is_some_and(|n| !extent.has(Part::Prev) || view.prev(n) == Some(h));
+    let twin_holds = twin_holds(view, extent, h, twin, next);
+    if !(next_holds && twin_holds) {
+        links.doubt(h, [next_holds, twin_holds])?;
+    }
+    if twin.is_none() {
+        links.unpaired += 1;
+        let target = next.and_then(|n| existing(view.origin(n), extent.vertices));
+        links.ends(target, h, extent)?;
+    }
+    Some(())
+}
+
+/// L1 and L3.
+fn twin_holds<V: View + ?Sized>(view: &V, extent: Extent, h: usize, twin: Link, next: Option<usize>) -> bool {
+    let Some(t) = twin else { return extent.expect.is_open() };
+    let is_pair = t < extent.half_edges && is_mutual(view, h, t);
+    is_pair && view.origin(t).is_some() && next.is_none_or(|n| view.origin(n) == view.origin(t))
+}
+
+/// L1.
+#[inline]
+fn is_mutual<V: View + ?Sized>(view: &V, h: usize, t: usize) -> bool {
+    t != h && view.is_half_edge(t) && view.twin(t) == Some(h)
 }

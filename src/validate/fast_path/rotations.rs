@@ -10,8 +10,9 @@ use alloc::vec::Vec;
 pub(super) struct Rotations {
     pub(super) vertices: usize,
     pub(super) isolated: usize,
-    /// How many of the isolated ones name a boundary component that starts at them.
-    pub(super) claimed: usize,
+    /// How many of the isolated ones name a boundary component that starts at them; none if one names anything else, or a
+    /// connected one does.
+    pub(super) claimed: Option<usize>,
     /// How many half-edges were visited.
     pub(super) half_edges: usize,
     /// Per vertex the neighbour with the smallest number, or itself if that is smaller.
@@ -28,7 +29,7 @@ pub(super) fn walk<V: View + ?Sized>(view: &V, extent: Extent, links: &Links) ->
     let mut found = Rotations {
         vertices: 0,
         isolated: 0,
-        claimed: 0,
+        claimed: Some(0),
         half_edges: 0,
         nearest: nils(extent.vertices)?,
         roots: 0,
@@ -43,28 +44,37 @@ pub(super) fn walk<V: View + ?Sized>(view: &V, extent: Extent, links: &Links) ->
         match links.leaving(view, v) {
             None => {
                 found.isolated += 1;
-                found.claimed += usize::from(names_boundary && is_claimed(view, extent, v)?);
+                if names_boundary {
+                    found.claimed = found.claimed.and_then(|all| Some(all + usize::from(is_claimed(view, extent, v)?)));
+                }
             }
             Some(start) => {
                 let leaves = start < extent.half_edges && view.is_half_edge(start) && view.origin(start) == Some(v);
-                if !leaves || names_boundary && view.isolated(v).is_some() {
+                if !leaves {
                     return None;
+                }
+                if names_boundary && view.isolated(v).is_some() {
+                    found.claimed = None;
                 }
                 let limit = links.half_edges - found.half_edges;
                 // A loop leads to its own vertex twice.
                 let simple = &mut found.simple;
-                found.half_edges += around(view, extent, start, limit, |neighbour| {
+                let see = |neighbour| {
                     let seen = seen_from.get_mut(neighbour)?;
                     *simple &= core::mem::replace(seen, v as u32) != v as u32;
                     nearest = nearest.min(neighbour);
                     Some(())
-                })?;
+                };
+                found.half_edges += match links.into(v) {
+                    None => around(view, extent, start, limit, see)?,
+                    Some(before) => across(view, extent, before, limit, see)?,
+                };
             }
         }
         found.nearest[v] = nearest as u32;
         found.roots += usize::from(nearest == v);
     }
-    Some(found)
+    (found.half_edges == links.half_edges).then_some(found)
 }
 
 /// Walks around one vertex, from a half-edge that leaves it, and returns how many half-edges it visited; none if it visits
@@ -78,13 +88,37 @@ fn around<V: View + ?Sized>(
     mut see: impl FnMut(usize) -> Option<()>,
 ) -> Option<usize> {
     let mut h = start;
-    for visited in 1..=limit {
+    for visited in 0..limit {
         let t = existing(view.twin(h), extent.half_edges)?;
         see(view.origin(t)?)?;
         h = existing(view.next(t), extent.half_edges)?;
         if h == start {
-            return Some(visited);
+            return Some(visited + 1);
         }
+    }
+    None
+}
+
+/// Walks across one vertex at an open boundary, from the half-edge after the one without twin that ends there to the one
+/// without twin that leaves it.
+fn across<V: View + ?Sized>(
+    view: &V,
+    extent: Extent,
+    before: usize,
+    limit: usize,
+    mut see: impl FnMut(usize) -> Option<()>,
+) -> Option<usize> {
+    see(view.origin(before)?)?;
+    let mut h = existing(view.next(before), extent.half_edges)?;
+    for visited in 0..limit {
+        let Some(t) = view.twin(h) else {
+            let next = existing(view.next(h), extent.half_edges)?;
+            see(view.origin(next)?)?;
+            return Some(visited + 1);
+        };
+        let t = existing(Some(t), extent.half_edges)?;
+        see(view.origin(t)?)?;
+        h = existing(view.next(t), extent.half_edges)?;
     }
     None
 }

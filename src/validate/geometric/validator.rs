@@ -16,7 +16,7 @@ use crate::validate::validator::validate;
 /// The rules of this validator.
 const GEOMETRIC: &[Rule] = &[Rule::G1, Rule::G2, Rule::G3, Rule::G4, Rule::G5];
 
-/// Validates any half-edge structure with coordinates: rules R1 … T4, and M1 … M7 if asked for, as [`validate`] does, and then
+/// Validates any half-edge structure with coordinates: rules R1 … T4, and M1 … M8 if asked for, as [`validate`] does, and then
 /// G1 … G5.
 ///
 /// G rules are checked where the rules of topology that they build on hold, and reported as not checked elsewhere. If edges

@@ -13,15 +13,26 @@ use crate::validate::view::View;
 pub(in crate::validate) fn check<V: View + ?Sized>(run: &mut Run<'_, V>) -> Flow {
     let with_prev = run.expect.has(Part::Prev);
     if !with_prev {
-        run.derived_prev = column(run.half_edges, NIL)?;
+        // Without `prev` the walks around the vertices settle L2; otherwise each half-edge may share its next with any other.
+        if !run.known.rotations_hold() {
+            run.known.half_edges = None;
+        }
+        if run.known.half_edges.is_none() {
+            run.derived_prev = column(run.half_edges, NIL)?;
+        }
     }
     // Where R1 found every link live, a slot in range is live.
     let all_live = run.map_is_live;
-    let [mut twins, mut nexts, mut targets] = [0, 0, 0];
-    for h in 0..run.half_edges {
-        if !run.live_half_edge(h) {
-            continue;
-        }
+    let settled = run.beyond_doubt() as u64;
+    let [mut twins, mut nexts, mut targets] = [settled; 3];
+    if let Some(doubts) = &run.known.half_edges {
+        let unpaired = doubts.half_edges.iter().filter(|h| run.view.twin(**h as usize).is_none()).count();
+        let settled_without_twin = doubts.unpaired.saturating_sub(unpaired) as u64;
+        twins -= settled_without_twin.min(settled);
+        targets -= settled_without_twin.min(settled);
+    }
+    for i in 0..run.in_doubt() {
+        let Some(h) = run.doubtful(i) else { continue };
         let twin = Some(run.twin(h)).filter(|t| *t != NIL && (all_live || run.live_half_edge(*t)));
         let next = Some(run.next(h)).filter(|n| *n != NIL && (all_live || run.live_half_edge(*n)));
         if let Some(t) = twin {
@@ -32,7 +43,7 @@ pub(in crate::validate) fn check<V: View + ?Sized>(run: &mut Run<'_, V>) -> Flow
             nexts += 1;
             if with_prev {
                 next_prev::check_next(run, h, n, all_live)?;
-            } else {
+            } else if !run.derived_prev.is_empty() {
                 next_prev::check_distinct(run, h, n)?;
             }
         }

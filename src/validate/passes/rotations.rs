@@ -16,6 +16,19 @@ pub(in crate::validate) fn check<V: View + ?Sized>(run: &mut Run<'_, V>) -> Flow
         run.findings.not_checked(Rule::V2, Unchecked::Broken(rule));
         return Ok(());
     }
+    if run.known.rotations_hold() {
+        run.findings.checked(Rule::V2, (run.counts.vertices - run.counts.isolated_vertices) as u64);
+        return Ok(());
+    }
+    find(run)?;
+    run.findings.checked(Rule::V2, (run.counts.vertices - run.counts.isolated_vertices) as u64);
+    Ok(())
+}
+
+/// Walks around all vertices.
+pub(in crate::validate) fn find<V: View + ?Sized>(run: &mut Run<'_, V>) -> Flow {
+    run.count_fans()?;
+    run.derive_prev()?;
     let mut of = column(run.vertices, NIL)?;
     // The last vertex from which a vertex was seen as a neighbour: seen twice from one means parallel edges.
     let mut seen_from = column(run.vertices, NIL)?;
@@ -64,7 +77,6 @@ pub(in crate::validate) fn check<V: View + ?Sized>(run: &mut Run<'_, V>) -> Flow
         all.try_reserve(1).map_err(|_| Halt::OutOfMemory)?;
         all.push(component);
     }
-    run.findings.checked(Rule::V2, (run.counts.vertices - run.counts.isolated_vertices) as u64);
     run.components = Some(Components { of, all, simple });
     Ok(())
 }

@@ -42,7 +42,7 @@ pub fn first_broken_rule<V: View + ?Sized>(view: &V, expectation: &Expectation) 
 /// A rule and the function that says whether it holds.
 type Judged<'a, V> = (Rule, fn(&Structure<'a, V>) -> bool);
 
-fn rules<'a, V: View + ?Sized>() -> [Judged<'a, V>; 21] {
+fn rules<'a, V: View + ?Sized>() -> [Judged<'a, V>; 22] {
     [
         (Rule::R1, r1),
         (Rule::L1, l1),
@@ -65,6 +65,7 @@ fn rules<'a, V: View + ?Sized>() -> [Judged<'a, V>; 21] {
         (Rule::M5, m5),
         (Rule::M6, m6),
         (Rule::M7, m7),
+        (Rule::M8, m8),
     ]
 }
 
@@ -329,6 +330,14 @@ fn m7<V: View + ?Sized>(s: &Structure<'_, V>) -> bool {
     };
     let found = s.components().iter().map(genus).sum::<Option<usize>>();
     s.expect.expected_count(Rule::M7).is_none_or(|expected| found == Some(expected))
+}
+
+/// M8 kept: a vertex that some half-edge without twin or face leaves keeps such a one.
+fn m8<V: View + ?Sized>(s: &Structure<'_, V>) -> bool {
+    let on_border = |h: Link| s.twin(h).is_none() || s.lacks_face(h);
+    !s.expect.asks_for(Rule::M8)
+        || s.lacks(Part::Leaving)
+        || s.vertices.iter().all(|&v| !s.all_leaving(v).into_iter().any(on_border) || on_border(s.leaving(v)))
 }
 
 /// What half-edges say about the faces that they bound.

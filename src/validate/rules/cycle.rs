@@ -24,26 +24,38 @@ pub(in crate::validate) fn check<V: View + ?Sized>(run: &mut Run<'_, V>) -> Flow
         run.findings.not_checked(Rule::B1, Unchecked::Lacks(Part::Faces));
         return Ok(());
     }
+    if run.known.lists.is_some() {
+        run.findings.checked(Rule::B1, run.counts.half_edges as u64);
+        if run.expect.has(Part::BoundaryComponents) {
+            not_walked(run);
+        }
+        return Ok(());
+    }
     if run.expect.has(Part::BoundaryComponents) {
-        let sizes = constant_along_next(run)?;
+        constant_along_next(run)?;
+        let sizes = sizes(run)?;
         components_have_one_cycle(run, &sizes)
     } else {
         cycles_have_one_face(run)
     }
 }
 
-/// Returns, per boundary component, how many half-edges name it.
-fn constant_along_next<V: View + ?Sized>(run: &mut Run<'_, V>) -> Result<Vec<u32>, Halt> {
+/// Per boundary component, how many half-edges name it.
+fn sizes<V: View + ?Sized>(run: &Run<'_, V>) -> Result<Vec<u32>, Halt> {
     let mut sizes = column(run.boundaries, 0)?;
-    let mut checked = 0;
-    for h in 0..run.half_edges {
-        if !run.live_half_edge(h) {
-            continue;
-        }
-        let (b, n) = (run.boundary(h), run.next(h));
-        if let Some(size) = sizes.get_mut(b as usize) {
+    for h in (0..run.half_edges).filter(|h| run.live_half_edge(*h)) {
+        if let Some(size) = sizes.get_mut(run.boundary(h) as usize) {
             *size += 1;
         }
+    }
+    Ok(sizes)
+}
+
+fn constant_along_next<V: View + ?Sized>(run: &mut Run<'_, V>) -> Flow {
+    let mut checked = run.beyond_doubt() as u64;
+    for i in 0..run.in_doubt() {
+        let Some(h) = run.doubtful(i) else { continue };
+        let (b, n) = (run.boundary(h), run.next(h));
         if !run.live_half_edge(n) {
             continue;
         }
@@ -62,7 +74,7 @@ fn constant_along_next<V: View + ?Sized>(run: &mut Run<'_, V>) -> Result<Vec<u32
         }
     }
     run.findings.checked(Rule::B1, checked);
-    Ok(sizes)
+    Ok(())
 }
 
 fn components_have_one_cycle<V: View + ?Sized>(run: &mut Run<'_, V>, sizes: &[u32]) -> Flow {
@@ -102,11 +114,19 @@ fn components_have_one_cycle<V: View + ?Sized>(run: &mut Run<'_, V>, sizes: &[u3
             second_cycle(run, b, 0, half_edges)?;
         }
     }
-    if !walkable && constant_along_next {
-        let first = if run.map_is_live { Rule::L2 } else { Rule::R1 };
-        run.findings.not_checked(Rule::B1, Unchecked::Broken(first));
+    if constant_along_next {
+        not_walked(run);
     }
     Ok(())
+}
+
+/// Notes that no cycle can be walked along, if so.
+fn not_walked<V: View + ?Sized>(run: &mut Run<'_, V>) {
+    if !run.map_is_live {
+        run.findings.not_checked(Rule::B1, Unchecked::Broken(Rule::R1));
+    } else if !run.findings.holds(Rule::L2) {
+        run.findings.not_checked(Rule::B1, Unchecked::Broken(Rule::L2));
+    }
 }
 
 fn second_cycle<V: View + ?Sized>(run: &mut Run<'_, V>, b: u32, cycle: u32, half_edges: u32) -> Flow {
@@ -129,11 +149,9 @@ fn cycle_length<V: View + ?Sized>(run: &Run<'_, V>, start: u32, limit: u32) -> u
 }
 
 fn cycles_have_one_face<V: View + ?Sized>(run: &mut Run<'_, V>) -> Flow {
-    let mut checked = 0;
-    for h in 0..run.half_edges as usize {
-        if !run.view.is_half_edge(h) {
-            continue;
-        }
+    let mut checked = run.beyond_doubt() as u64;
+    for i in 0..run.in_doubt() {
+        let Some(h) = run.doubtful(i).map(|h| h as usize) else { continue };
         let n = run.next(h as u32);
         if !run.live_half_edge(n) {
             continue;

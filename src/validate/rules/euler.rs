@@ -17,6 +17,11 @@ use crate::validate::violation::Violation;
 
 /// Runs T3, and adds up the genus.
 pub(in crate::validate) fn check<V: View + ?Sized>(run: &mut Run<'_, V>, components: &Components) -> Flow {
+    if let Some(known) = &run.known.whole {
+        run.counts.genus = Some(known.genus);
+        run.findings.checked(Rule::T3, components.all.len() as u64);
+        return Ok(());
+    }
     let mut total = 0;
     for component in &components.all {
         let vertex = component.vertex as usize;

@@ -26,6 +26,11 @@ pub(in crate::validate) fn check<V: View + ?Sized>(run: &mut Run<'_, V>) -> Flow
             return Ok(());
         }
     }
+    if run.known.isolated || each_is_claimed(run) {
+        run.findings.checked(Rule::B2, run.counts.vertices as u64);
+        return Ok(());
+    }
+    run.count_fans()?;
     let by_record = run.expect.has(Part::BoundaryComponents);
     // The boundary component, or the face, that starts at a vertex or lists it as isolated.
     let mut started: Vec<u32> = column(run.vertices, NIL)?;
@@ -69,6 +74,14 @@ pub(in crate::validate) fn check<V: View + ?Sized>(run: &mut Run<'_, V>) -> Flow
     }
     run.findings.checked(Rule::B2, checked);
     Ok(())
+}
+
+/// Whether as many boundary components start at vertices as isolated vertices are known to name.
+fn each_is_claimed<V: View + ?Sized>(run: &Run<'_, V>) -> bool {
+    let Some(known) = run.known.vertices.filter(|_| run.expect.has(Part::BoundaryComponents)) else { return false };
+    let starts_at_vertex =
+        |b: &u32| run.live_boundary(*b) && matches!(run.view.boundary_start(*b as usize), Some(Start::Vertex(_)));
+    (0..run.boundaries).filter(starts_at_vertex).count() == known.claimed
 }
 
 /// Notes that a boundary component starts at a vertex, or that a face lists it.

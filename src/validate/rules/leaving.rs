@@ -18,6 +18,10 @@ pub(in crate::validate) fn check<V: View + ?Sized>(run: &mut Run<'_, V>) -> Flow
         run.findings.not_checked(Rule::V1, Unchecked::Lacks(Part::Leaving));
         return Ok(());
     }
+    if let Some(known) = run.known.vertices {
+        run.findings.checked(Rule::V1, (known.live - known.isolated) as u64);
+        return Ok(());
+    }
     let mut checked = 0;
     for v in 0..run.vertices {
         if !run.live_vertex(v) {

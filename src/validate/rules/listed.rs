@@ -24,7 +24,18 @@ pub(in crate::validate) fn check<V: View + ?Sized>(run: &mut Run<'_, V>) -> Flow
         run.findings.not_checked(Rule::F2, Unchecked::Lacks(Part::Faces));
         return Ok(());
     }
-    if run.expect.has(Part::BoundaryComponents) { components_listed(run) } else { cycles_listed(run) }
+    let by_record = run.expect.has(Part::BoundaryComponents);
+    let broken = if run.map_is_live { run.findings.broken(&[Rule::L2]) } else { Some(Rule::R1) };
+    if let Some(rule) = broken.filter(|_| !by_record) {
+        run.findings.not_checked(Rule::F2, Unchecked::Broken(rule));
+        return Ok(());
+    }
+    if let Some(lists) = run.known.lists {
+        run.counts.inner_boundaries = lists.inner;
+        run.findings.checked(Rule::F2, (lists.outer + lists.inner) as u64);
+        return Ok(());
+    }
+    if by_record { components_listed(run) } else { cycles_listed(run) }
 }
 
 fn components_listed<V: View + ?Sized>(run: &mut Run<'_, V>) -> Flow {
@@ -98,11 +109,6 @@ fn check_entry<V: View + ?Sized>(
 }
 
 fn cycles_listed<V: View + ?Sized>(run: &mut Run<'_, V>) -> Flow {
-    let broken = if run.map_is_live { run.findings.broken(&[Rule::L2]) } else { Some(Rule::R1) };
-    if let Some(rule) = broken {
-        run.findings.not_checked(Rule::F2, Unchecked::Broken(rule));
-        return Ok(());
-    }
     let mut listed = column(run.half_edges, false)?;
     for f in 0..run.faces as usize {
         if !run.view.is_face(f) {

@@ -33,7 +33,6 @@ enum RecordKind {
 
 /// Runs R1, and counts the records on the way.
 pub(in crate::validate) fn check<V: View + ?Sized>(run: &mut Run<'_, V>) -> Result<(), Halt> {
-    run.fans = column(run.vertices, Fan { degree: 0, leaving: NIL })?;
     half_edges(run)?;
     run.map_is_live = run.findings.holds(Rule::R1);
     vertices(run)?;
@@ -85,17 +84,20 @@ fn half_edges<V: View + ?Sized>(run: &mut Run<'_, V>) -> Flow {
     let with_face = run.expect.has(Part::Faces) && !with_boundary;
     let closed = !run.expect.is_open();
     let links = 3 + u64::from(with_prev) + u64::from(with_boundary || with_face);
+    if run.known.half_edges.is_none() {
+        run.fans = column(run.vertices, Fan { degree: 0, leaving: NIL })?;
+    }
     let (mut live, mut without_twin) = (0, 0);
-    for h in 0..run.half_edges as usize {
-        if !run.view.is_half_edge(h) {
-            continue;
-        }
+    for i in 0..run.in_doubt() {
+        let Some(h) = run.doubtful(i).map(|h| h as usize) else { continue };
         live += 1;
         let record = Record::HalfEdge(h);
         let origin = run.view.origin(h);
         check_link(run, (record, Field::Origin), origin, Vertex, true)?;
-        if let Some(v) = origin.filter(|v| *v < run.vertices as usize) {
-            run.fans[v] = Fan { degree: run.fans[v].degree + 1, leaving: h as u32 };
+        if run.known.half_edges.is_none() {
+            if let Some(fan) = origin.and_then(|v| run.fans.get_mut(v)) {
+                *fan = Fan { degree: fan.degree + 1, leaving: h as u32 };
+            }
         }
         let twin = run.view.twin(h);
         without_twin += usize::from(twin.is_none());
@@ -112,6 +114,9 @@ fn half_edges<V: View + ?Sized>(run: &mut Run<'_, V>) -> Flow {
             check_link(run, (record, Field::Face), run.view.face(h), Face, bounds)?;
         }
     }
+    if let Some(doubts) = &run.known.half_edges {
+        (live, without_twin) = (doubts.live, doubts.unpaired);
+    }
     run.counts.half_edges = live;
     run.counts.edges = (live - without_twin) / 2 + without_twin;
     run.findings.checked(Rule::R1, live as u64 * links);
@@ -122,6 +127,13 @@ fn vertices<V: View + ?Sized>(run: &mut Run<'_, V>) -> Flow {
     let with_leaving = run.expect.has(Part::Leaving);
     let with_isolated = run.expect.has(Part::BoundaryComponents) && run.expect.has(Part::Holes);
     let links = u64::from(with_leaving || with_isolated);
+    if let Some(known) = run.known.vertices {
+        run.counts.vertices = known.live;
+        run.counts.isolated_vertices = known.isolated;
+        run.findings.checked(Rule::R1, known.live as u64 * links);
+        return Ok(());
+    }
+    run.count_fans()?;
     let mut live = 0;
     for v in 0..run.vertices as usize {
         if !run.view.is_vertex(v) {
@@ -145,6 +157,25 @@ fn vertices<V: View + ?Sized>(run: &mut Run<'_, V>) -> Flow {
 }
 
 fn boundaries<V: View + ?Sized>(run: &mut Run<'_, V>) -> Flow {
+    let by_record = run.expect.has(Part::BoundaryComponents);
+    let live = match run.known.lists {
+        Some(lists) => {
+            if by_record {
+                lists.outer + lists.inner
+            } else {
+                0
+            }
+        }
+        None => each_boundary(run)?,
+    };
+    run.findings.checked(Rule::R1, live as u64 * 2);
+    // Valid lists stay far below this, and corrupt ones are read far enough to find what they list twice.
+    let records = if by_record { live } else { run.counts.half_edges + run.counts.vertices };
+    run.list_budget = 2 * records + 16;
+    Ok(())
+}
+
+fn each_boundary<V: View + ?Sized>(run: &mut Run<'_, V>) -> Result<usize, Halt> {
     let mut live = 0;
     for b in 0..run.boundaries as usize {
         if !run.view.is_boundary(b) {
@@ -155,15 +186,15 @@ fn boundaries<V: View + ?Sized>(run: &mut Run<'_, V>) -> Flow {
         check_link(run, (record, Field::Face), run.view.boundary_face(b), RecordKind::Face, true)?;
         check_start(run, (record, Field::Start), run.view.boundary_start(b))?;
     }
-    run.findings.checked(Rule::R1, live as u64 * 2);
-    // Valid lists stay far below this, and corrupt ones are read far enough to find what they list twice.
-    let by_record = run.expect.has(Part::BoundaryComponents);
-    let records = if by_record { live } else { run.counts.half_edges + run.counts.vertices };
-    run.list_budget = 2 * records + 16;
-    Ok(())
+    Ok(live)
 }
 
 fn faces<V: View + ?Sized>(run: &mut Run<'_, V>) -> Flow {
+    if let Some(lists) = run.known.lists {
+        run.counts.faces = lists.faces;
+        run.findings.checked(Rule::R1, (lists.faces + lists.inner) as u64);
+        return Ok(());
+    }
     let by_record = run.expect.has(Part::BoundaryComponents);
     let with_inner = run.expect.has(Part::Holes);
     let mut budget = run.list_budget;

@@ -8,7 +8,7 @@
 //! | B1, B2 | `cycle`, `isolated` |
 //! | F1, F2 | `outer`, `listed` |
 //! | T1 … T4 | `outside`, `nesting`, `euler`, `bounds` |
-//! | M1 … M7 | `used`, `simple`, `sides`, `closed`, `connected`, `borders`, `genus` |
+//! | M1 … M8 | `used`, `simple`, `sides`, `closed`, `connected`, `borders`, `genus`, `kept` |
 //! | G1 … G5 | `finite`, `angles`, `winding`, `disjoint`, `inside` |
 
 pub(super) mod borders;
@@ -19,6 +19,7 @@ pub(super) mod cycle;
 pub(super) mod euler;
 pub(super) mod genus;
 pub(super) mod isolated;
+pub(super) mod kept;
 pub(super) mod leaving;
 pub(super) mod listed;
 pub(super) mod live;

@@ -19,6 +19,11 @@ pub(in crate::validate) fn check<V: View + ?Sized>(run: &mut Run<'_, V>) -> Flow
         run.findings.not_checked(Rule::F1, Unchecked::Lacks(Part::Faces));
         return Ok(());
     }
+    if let Some(lists) = run.known.lists {
+        run.counts.outer_boundaries = lists.outer;
+        run.findings.checked(Rule::F1, lists.faces as u64);
+        return Ok(());
+    }
     let mut unbounded = None;
     let mut checked = 0;
     for f in 0..run.faces as usize {

@@ -28,6 +28,13 @@
 //! What happens to the handles is left to the kernel, except that the half-edges of the surrounding boundary keep theirs: the other
 //! edges of the triangles at the edge, or, where a triangle collapses, the other edges of the triangles beyond. The new half-edges are found from
 //! these by `next` and `twin`. So a kernel may turn an edge either way, and keep either of two edges that become one.
+//!
+//! A kernel that moves half-edges to other indices, as it must where `next` is arithmetic on the index, or that does not store
+//! the half-edges on its border, is put to the test through [`Named`].
+
+mod named;
+
+pub use named::Named;
 
 use super::subject::{Refusal, Subject};
 use crate::dcel::{Corner, Side, Turn};

@@ -1,0 +1,350 @@
+//! `twinedge clean`: a layer of polygons without overlaps, narrow gaps and slivers.
+
+use crate::convert::{LayerOutput, Written};
+use crate::input::LayerFile;
+use crate::noding_text;
+use crate::output::style::{BAD, GOOD, QUIET};
+use crate::output::{Format, counted, grouped, measure, plain, print, print_json};
+use crate::status::{Failure, Verdict};
+use serde::Serialize;
+use std::fmt::Write as _;
+use std::time::Instant;
+use twinedge::algorithm::clean::{ChangeKind, Options, Winner};
+use twinedge::geometry::noding::Snap;
+use twinedge_formats::layer::clean::{CleanOptions, CleanReport, FeatureChange, LayerChange, Left, clean};
+use twinedge_formats::layer::{Feature, Layer};
+
+/// Repair a layer of polygons: cut borders where they meet, and resolve overlaps, small gaps and slivers.
+///
+/// Each place belongs to one feature afterwards. Overlaps go to one of the features that claim them. Gaps that are small, or at most
+/// as wide as --gap-width, and slivers go to the neighbour with the longest common border. Spikes and repeated points are dropped,
+/// and polygons are valid by the OGC.
+///
+/// Ids, attributes, the order of features and foreign members are kept, and so is the geometry of features in which nothing
+/// changed. Vertices keep their further dimensions; for new ones these are interpolated. Lines and points are left as they are.
+///
+/// No point moves, unless borders cross where there is none, or --snap asks for a grid. Cleaning the output again changes nothing.
+#[derive(Debug, clap::Args)]
+#[command(after_help = "Examples:
+  twinedge clean counties.shp --dry-run                         only say what would be done
+  twinedge clean counties.shp -o clean.shp
+  twinedge clean parcels.geojson -o parcels.gpkg --snap 0.001 --gap-width 0.05
+  twinedge clean zones.gpkg -o zones.gpkg.new --to geopackage --overlap first --sliver 25
+
+Exit status: 0 the output is a coverage, `twinedge audit --coverage` finds nothing; 1 something is left, and the report says \
+what; 2 the input could not be read, or the output not written.")]
+pub(crate) struct Clean {
+    #[command(flatten)]
+    input: LayerFile,
+
+    #[command(flatten)]
+    output: LayerOutput,
+
+    /// Only report what would be done.
+    #[arg(long, conflicts_with = "output")]
+    dry_run: bool,
+
+    /// Round all points to a grid first: points within the same cell become one. SIZE is the greatest width of the cells: the width
+    /// is the largest power of two up to it.
+    #[arg(long, value_name = "auto|SIZE", value_parser = crate::input::snap)]
+    snap: Option<Snap>,
+
+    /// The feature that gets what several claim.
+    #[arg(long, value_name = "WHICH", value_enum, default_value_t)]
+    overlap: Claim,
+
+    /// Greatest mean width of a gap that is filled, in the units of the coordinates, and greatest distance between two borders that
+    /// face each other beside the outside: the space between them is filled as well. Default: only gaps smaller than --sliver are.
+    #[arg(long, value_name = "W", value_parser = crate::coverage::positive)]
+    gap_width: Option<f64>,
+
+    /// Area below which gaps are filled and thin parts of features given away. Default: a thousandth of the median area of all parts.
+    #[arg(long, value_name = "A", value_parser = crate::coverage::positive)]
+    sliver: Option<f64>,
+
+    /// Output format of the report.
+    #[arg(long, value_enum, default_value_t)]
+    format: Format,
+
+    /// Greatest number of changes to list in the text; all are counted.
+    #[arg(long, value_name = "N", default_value_t = 20)]
+    list: usize,
+}
+
+/// Which feature gets what several claim.
+#[derive(Clone, Copy, Debug, Default, clap::ValueEnum)]
+enum Claim {
+    /// The one with the largest area, the first of those.
+    #[default]
+    Larger,
+    /// The one with the smallest area, the first of those.
+    Smaller,
+    /// The first in the file.
+    First,
+    /// The last in the file.
+    Last,
+}
+
+impl From<Claim> for Winner {
+    fn from(claim: Claim) -> Self {
+        match claim {
+            Claim::Larger => Self::Larger,
+            Claim::Smaller => Self::Smaller,
+            Claim::First => Self::First,
+            Claim::Last => Self::Last,
+        }
+    }
+}
+
+impl Clean {
+    pub(crate) fn run(&self) -> Result<Verdict, Failure> {
+        let start = Instant::now();
+        if !self.dry_run && !self.output.is_given() {
+            return Err(Failure("neither a file to write (-o FILE) nor --dry-run was given".to_owned()));
+        }
+        let (name, mut layer) = self.input.read()?;
+        let assign = Options {
+            winner: self.overlap.into(),
+            gap_width: self.gap_width,
+            sliver_area: self.sliver,
+            ..Options::default()
+        };
+        let report = clean(&mut layer, &CleanOptions { snap: self.snap, assign })
+            .map_err(|error| Failure(format!("{name}: {error}")))?;
+        let written = self.output.write(&layer, self.input.path())?;
+        let elapsed = start.elapsed().as_secs_f64() * 1000.0;
+        let cleaned = Cleaned { name: &name, layer: &layer, report: &report, written: written.as_ref(), elapsed };
+        match self.format {
+            // Standard output has the layer.
+            _ if self.output.is_stdout() => {}
+            Format::Text => print(&cleaned.text(self.list)?)?,
+            Format::Json => print_json(&cleaned.json())?,
+        }
+        Ok(if report.left.is_none() { Verdict::Sound } else { Verdict::Wrong })
+    }
+}
+
+/// A layer, cleaned.
+struct Cleaned<'a> {
+    name: &'a str,
+    layer: &'a Layer,
+    report: &'a CleanReport,
+    written: Option<&'a Written>,
+    elapsed: f64,
+}
+
+/// What to call a feature.
+fn label(layer: &Layer, number: usize) -> String {
+    let feature = layer.features.get(number);
+    let name = feature.and_then(Feature::name);
+    let id = feature.and_then(|feature| feature.id.as_ref()).map(ToString::to_string);
+    plain(&match (name, id) {
+        (Some(name), Some(id)) if name != id => format!("{name} ({id})"),
+        (Some(name), _) => name,
+        (None, Some(id)) => id,
+        (None, None) => format!("feature {number}"),
+    })
+}
+
+impl Cleaned<'_> {
+    fn labels(&self, numbers: &[usize]) -> String {
+        numbers.iter().map(|number| label(self.layer, *number)).collect::<Vec<_>>().join(", ")
+    }
+
+    fn text(&self, list: usize) -> Result<String, std::fmt::Error> {
+        let Self { name, report, layer, .. } = self;
+        let mut out = String::new();
+        writeln!(out, "{}", plain(name))?;
+        let all = counted(layer.features.len(), "feature");
+        writeln!(out, "{QUIET}{all}, {} with polygons{QUIET:#}", grouped(report.polygons))?;
+        if let Some(noding) = report.noding.as_ref().filter(|noding| noding.cell > 0.0) {
+            writeln!(out, "{QUIET}{}{QUIET:#}", noding_text::line(noding))?;
+        }
+        let limit = format!("below an area of {}", measure(report.sliver_area));
+        out.push('\n');
+        for (kind, what, beside) in [
+            (ChangeKind::Overlap, "overlaps resolved", String::new()),
+            (ChangeKind::Gap, "gaps filled", String::new()),
+            (ChangeKind::Sliver, "slivers given to neighbours or dropped", limit),
+        ] {
+            let found = report.changes.iter().filter(|change| change.kind == kind);
+            let area: f64 = found.clone().map(|change| change.area).sum();
+            let area = if area > 0.0 { format!("  area {}", measure(area)) } else { String::new() };
+            writeln!(out, "  {what:38} {:>9}{area}  {QUIET}{beside}{QUIET:#}", grouped(found.count()))?;
+        }
+        let gone = report.features.iter().filter(|feature| feature.area_after == 0.0).count();
+        for (what, count) in
+            [("features with another geometry", report.features.len()), ("of these, without area now", gone)]
+        {
+            writeln!(out, "  {what:38} {:>9}", grouped(count))?;
+        }
+        out.push('\n');
+        for change in report.changes.iter().take(list) {
+            self.write_change(&mut out, change)?;
+        }
+        let more = report.changes.len().saturating_sub(list);
+        if more > 0 {
+            writeln!(out, "… and {} more; see --list", grouped(more))?;
+        }
+        for feature in report.features.iter().take(list) {
+            let FeatureChange { feature: number, area_before, area_after, points_before, points_after, .. } = feature;
+            writeln!(
+                out,
+                "{}: area {} → {}, points {} → {}",
+                label(layer, *number),
+                measure(*area_before),
+                measure(*area_after),
+                grouped(*points_before),
+                grouped(*points_after)
+            )?;
+        }
+        let more = report.features.len().saturating_sub(list);
+        if more > 0 {
+            writeln!(out, "… and {} more features; see --list", grouped(more))?;
+        }
+        if let Some(Written { name, format }) = self.written {
+            writeln!(out, "written to {} ({format})", plain(name))?;
+        }
+        match &report.left {
+            None => writeln!(out, "{GOOD}clean{GOOD:#}: C1 to C6 hold ({:.0} ms)", self.elapsed),
+            Some(left) => writeln!(out, "{BAD}not clean{BAD:#}: {} ({:.0} ms)", left_text(left), self.elapsed),
+        }?;
+        Ok(out)
+    }
+
+    fn write_change(&self, out: &mut String, change: &LayerChange) -> std::fmt::Result {
+        let to = change.to.map_or_else(|| "nobody".to_owned(), |to| label(self.layer, to));
+        let from = match &change.from[..] {
+            [] => String::new(),
+            from => format!(" of {}", self.labels(from)),
+        };
+        let (area, width, at) = (measure(change.area), measure(change.width), change.at);
+        writeln!(out, "{}{from} to {to}: area {area}, width {width}, at ({}, {})", change.kind, at.x, at.y)
+    }
+
+    fn json(&self) -> Json<'_> {
+        let Self { name, report, layer, written, elapsed } = self;
+        let named = |number: &usize| Named {
+            number: *number,
+            id: layer.features.get(*number).and_then(|feature| feature.id.as_ref()).map(ToString::to_string),
+            name: layer.features.get(*number).and_then(Feature::name),
+        };
+        Json {
+            input: name,
+            output: written.map(|written| &*written.name),
+            clean: report.left.is_none(),
+            features: layer.features.len(),
+            with_polygons: report.polygons,
+            cell: report.noding.map(|noding| noding.cell).filter(|cell| *cell > 0.0),
+            sliver_area: report.sliver_area,
+            changes: report
+                .changes
+                .iter()
+                .map(|change| JsonChange {
+                    kind: change.kind.name(),
+                    from: change.from.iter().map(named).collect(),
+                    to: change.to.as_ref().map(named),
+                    area: change.area,
+                    width: change.width,
+                    at: change.at.into(),
+                })
+                .collect(),
+            changed: report
+                .features
+                .iter()
+                .map(|feature| JsonFeature {
+                    feature: named(&feature.feature),
+                    area_before: feature.area_before,
+                    area_after: feature.area_after,
+                    points_before: feature.points_before,
+                    points_after: feature.points_after,
+                })
+                .collect(),
+            left: report.left.map(|left| JsonLeft {
+                plane: left.is_plane,
+                overlaps: left.overlaps,
+                gaps: left.gaps,
+                near_misses: left.near_misses,
+                slivers: left.slivers,
+                ogc_invalid: left.invalid,
+            }),
+            elapsed_ms: *elapsed,
+        }
+    }
+}
+
+/// What is left, and what removes it.
+fn left_text(left: &Left) -> String {
+    if !left.is_plane {
+        return "borders still cross; --snap SIZE rounds them to a coarser grid".to_owned();
+    }
+    let all = [
+        (left.overlaps, "overlap", ""),
+        (left.gaps, "gap", " (--gap-width W fills those up to a width)"),
+        (left.near_misses, "near miss", " (--gap-width W closes those up to a width)"),
+        (left.slivers, "sliver", " that is all there is of its feature"),
+        (left.invalid, "invalid feature", ""),
+    ];
+    let parts = all.iter().filter(|(count, ..)| *count > 0).map(|(count, what, hint)| match (*count, *what) {
+        (n, "near miss") if n > 1 => format!("{} near misses{hint}", grouped(n)),
+        (n, what) => format!("{}{hint}", counted(n, what)),
+    });
+    format!("left are {}", parts.collect::<Vec<_>>().join(", "))
+}
+
+#[derive(Debug, Serialize)]
+struct Json<'a> {
+    input: &'a str,
+    #[serde(skip_serializing_if = "Option::is_none")]
+    output: Option<&'a str>,
+    clean: bool,
+    features: usize,
+    with_polygons: usize,
+    #[serde(skip_serializing_if = "Option::is_none")]
+    cell: Option<f64>,
+    sliver_area: f64,
+    changes: Vec<JsonChange>,
+    changed: Vec<JsonFeature>,
+    #[serde(skip_serializing_if = "Option::is_none")]
+    left: Option<JsonLeft>,
+    elapsed_ms: f64,
+}
+
+#[derive(Debug, Serialize)]
+struct Named {
+    number: usize,
+    #[serde(skip_serializing_if = "Option::is_none")]
+    id: Option<String>,
+    #[serde(skip_serializing_if = "Option::is_none")]
+    name: Option<String>,
+}
+
+#[derive(Debug, Serialize)]
+struct JsonChange {
+    kind: &'static str,
+    from: Vec<Named>,
+    to: Option<Named>,
+    area: f64,
+    width: f64,
+    at: [f64; 2],
+}
+
+#[derive(Debug, Serialize)]
+struct JsonFeature {
+    #[serde(flatten)]
+    feature: Named,
+    area_before: f64,
+    area_after: f64,
+    points_before: usize,
+    points_after: usize,
+}
+
+#[derive(Debug, Serialize)]
+struct JsonLeft {
+    plane: bool,
+    overlaps: usize,
+    gaps: usize,
+    near_misses: usize,
+    slivers: usize,
+    ogc_invalid: usize,
+}

@@ -1,0 +1,136 @@
+//! `twinedge convert`: a layer in another format.
+
+use crate::input::LayerFile;
+use crate::output::style::BAD;
+use crate::output::{counted, plain, print};
+use crate::output_file::write_files;
+use crate::status::{Failure, Verdict};
+use std::io::{BufWriter, Write};
+use std::path::{Path, PathBuf};
+use twinedge_formats::layer::{Format, Layer, files, losses, refuse_losses, write, write_path};
+
+/// Write a layer in another format, with nothing lost.
+///
+/// Geometries with all their dimensions, ids, attributes with their types, the order of features, foreign members and the coordinate
+/// reference system are kept. What the other format cannot hold is an error that says what it is, and with `--lossy` a warning.
+/// Coordinates are not transformed.
+#[derive(Debug, clap::Args)]
+#[command(after_help = "Examples:
+  twinedge convert counties.shp -o counties.geojson
+  twinedge convert cadastre.gpkg --layer parcels -o parcels.shp --lossy
+  twinedge convert parcels.geojson -o - --to wkt | head
+
+Exit status: 0 it is written; 2 it could not be read, or cannot be written without loss.")]
+pub(crate) struct Convert {
+    #[command(flatten)]
+    input: LayerFile,
+
+    #[command(flatten)]
+    output: LayerOutput,
+}
+
+/// Where a layer is written, and how.
+#[derive(Debug, clap::Args)]
+pub(crate) struct LayerOutput {
+    /// File to write; its extension says in which format: .geojson, .geojsonl, .wkt, .wkb, .shp, .gpkg. `-` is standard output.
+    #[arg(short, long, value_name = "FILE")]
+    output: Option<PathBuf>,
+
+    /// The format, whatever the extension.
+    #[arg(long, value_name = "FORMAT", value_enum)]
+    to: Option<Target>,
+
+    /// Write even what the format cannot hold, and warn.
+    #[arg(long)]
+    lossy: bool,
+}
+
+/// A format to write.
+#[derive(Clone, Copy, Debug, clap::ValueEnum)]
+enum Target {
+    Geojson,
+    Geojsonl,
+    Wkt,
+    Wkb,
+    Shapefile,
+    Geopackage,
+}
+
+impl From<Target> for Format {
+    fn from(target: Target) -> Self {
+        match target {
+            Target::Geojson => Self::GeoJson,
+            Target::Geojsonl => Self::GeoJsonSeq,
+            Target::Wkt => Self::Wkt,
+            Target::Wkb => Self::Wkb,
+            Target::Shapefile => Self::Shapefile,
+            Target::Geopackage => Self::GeoPackage,
+        }
+    }
+}
+
+impl LayerOutput {
+    /// Whether something is to be written.
+    pub(crate) const fn is_given(&self) -> bool {
+        self.output.is_some()
+    }
+
+    /// Whether the layer goes to standard output, which then has room for nothing else.
+    pub(crate) fn is_stdout(&self) -> bool {
+        self.output.as_deref() == Some(Path::new("-"))
+    }
+
+    /// Writes a layer, and warns of what is lost. None if no file was asked for.
+    pub(crate) fn write(&self, layer: &Layer, input: Option<&Path>) -> Result<Option<Written>, Failure> {
+        let Some(path) = self.output.as_deref() else { return Ok(None) };
+        let name = path.display().to_string();
+        let format = self.to.map(Format::from).or_else(|| Format::of_path(path));
+        let format = format
+            .or_else(|| self.is_stdout().then_some(Format::GeoJson))
+            .ok_or_else(|| Failure(format!("{name}: the extension does not say which format to write; --to does")))?;
+        let failed = |error: twinedge_formats::layer::WriteError| Failure(format!("{name}: {error}"));
+        if !self.lossy {
+            refuse_losses(layer, format)
+                .map_err(|error| Failure(format!("{name}: {error}; --lossy writes the rest")))?;
+        }
+        if self.is_stdout() {
+            let mut out = BufWriter::new(std::io::stdout().lock());
+            let written = write(layer, &mut out, format).map_err(failed);
+            match written.and_then(|()| Ok(out.flush()?)) {
+                // That nobody reads on is no error.
+                Err(Failure(message)) if message.contains("Broken pipe") => {}
+                other => other?,
+            }
+        } else {
+            // The path names the main file of several.
+            let path = if format == Format::Shapefile { path.with_extension("shp") } else { path.to_owned() };
+            let all = files(&path, format);
+            write_files(&path, &all, input, |path| write_path(layer, path, format).map_err(failed))?;
+        }
+        for loss in losses(layer, format) {
+            anstream::eprintln!("{BAD}warning{BAD:#}: {format} does not hold {}", plain(&loss.to_string()));
+        }
+        Ok(Some(Written { name, format }))
+    }
+}
+
+/// What was written.
+pub(crate) struct Written {
+    pub(crate) name: String,
+    pub(crate) format: Format,
+}
+
+impl Convert {
+    pub(crate) fn run(&self) -> Result<Verdict, Failure> {
+        if !self.output.is_given() {
+            return Err(Failure("no file to write was given: -o FILE".to_owned()));
+        }
+        let (name, layer) = self.input.read()?;
+        let written = self.output.write(&layer, self.input.path())?;
+        if let Some(Written { name: to, format }) = written.filter(|_| !self.output.is_stdout()) {
+            let count = counted(layer.features.len(), "feature");
+            print(&format!("{}: {count} written to {} ({format})\n", plain(&name), plain(&to)))?;
+        }
+        Ok(Verdict::Sound)
+    }
+}

@@ -1,0 +1,61 @@
+//! Files that are written: whole or not at all, and never over the input.
+
+use crate::status::Failure;
+use same_file::is_same_file;
+use std::fs;
+use std::path::{Path, PathBuf};
+use twinedge_formats::layer::{Format, files};
+
+/// Writes a file, and refuses to overwrite the input, by whatever path.
+pub(crate) fn write_file(path: &Path, input: Option<&Path>, contents: &[u8]) -> Result<(), Failure> {
+    let failed = |error: std::io::Error| Failure(format!("{}: {error}", path.display()));
+    write_files(path, &[path.to_owned()], input, |path| fs::write(path, contents).map_err(failed))
+}
+
+/// Writes the files that belong to a path. `write` gets the path of the same name in a new folder beside them; what it has written
+/// there takes the place of what was there before. What is no plain file, such as `/dev/stdout`, is written to as it is.
+pub(crate) fn write_files(
+    path: &Path,
+    all: &[PathBuf],
+    input: Option<&Path>,
+    write: impl FnOnce(&Path) -> Result<(), Failure>,
+) -> Result<(), Failure> {
+    let failed = |error: std::io::Error| Failure(format!("{}: {error}", path.display()));
+    if let Some(input) = input {
+        // Each file of a Shapefile is a part of the input.
+        let format = Format::of_path(input).unwrap_or(Format::GeoJson);
+        let parts = files(input, format).into_iter().chain([input.to_owned()]);
+        for part in parts {
+            if let Some(same) = all.iter().find(|file| is_same_file(file, &part).unwrap_or(false)) {
+                return Err(Failure(format!("{}: this is the input, and is not overwritten", same.display())));
+            }
+        }
+    }
+    if fs::metadata(path).is_ok_and(|metadata| !metadata.is_file()) {
+        return write(path);
+    }
+    // What a link leads to is replaced, and not the link.
+    let real = fs::canonicalize(path).unwrap_or_else(|_| path.to_owned());
+    let folder = real.parent().filter(|folder| !folder.as_os_str().is_empty()).unwrap_or(Path::new("."));
+    let name = real.file_name().ok_or_else(|| Failure(format!("{}: this is no file", path.display())))?;
+    let scratch = tempfile::Builder::new().prefix(".twinedge-").tempdir_in(folder).map_err(failed)?;
+    let written = scratch.path().join(name);
+    write(&written)?;
+    for file in all {
+        let (from, to) = match file.extension() {
+            _ if all.len() == 1 => (written.clone(), real.clone()),
+            Some(extension) => (written.with_extension(extension), real.with_extension(extension)),
+            None => continue,
+        };
+        if from.exists() {
+            if let Ok(metadata) = fs::metadata(&to) {
+                fs::set_permissions(&from, metadata.permissions()).map_err(failed)?;
+            }
+            fs::rename(from, to).map_err(failed)?;
+        } else if to.exists() {
+            // It would belong to what was there before.
+            fs::remove_file(to).map_err(failed)?;
+        }
+    }
+    Ok(())
+}

@@ -1,0 +1,163 @@
+//! `convert`, `clean`, and that outputs are written whole and never over the input.
+
+mod support;
+
+use serde_json::{Value, json};
+use std::fs;
+use std::path::Path;
+use support::{complaint, json as run_json, scratch_folder, twinedge, twinedge_reading};
+
+/// Three parcels: the second begins half a unit inside the first, and between both and the third there is a narrow gap.
+const PARCELS: &str = r#"{"type":"FeatureCollection",
+"source":"survey",
+"features":[
+{"type":"Feature","id":"A-1","properties":{"owner":"Meier","since":"2020-01-31"},"geometry":{"type":"Polygon","coordinates":[[[0,0],[10,0],[10,10],[0,10],[0,0]]]}},
+{"type":"Feature","id":"A-2","properties":{"owner":"Müller"},"geometry":{"type":"Polygon","coordinates":[[[9.5,0],[20,0],[20,10],[9.5,10],[9.5,0]]]}},
+{"type":"Feature","id":"A-3","properties":{"owner":"Huber"},"geometry":{"type":"Polygon","coordinates":[[[0,10],[10,10.05],[20,10],[20,20],[0,20],[0,10]]]}}
+]}
+"#;
+
+fn parcels(folder: &Path) -> String {
+    let path = folder.join("parcels.geojson");
+    fs::write(&path, PARCELS).unwrap();
+    path.display().to_string()
+}
+
+fn in_folder(folder: &Path, name: &str) -> String {
+    folder.join(name).display().to_string()
+}
+
+fn status(arguments: &[&str]) -> Option<i32> {
+    twinedge(arguments).status.code()
+}
+
+#[test]
+fn an_auditor_finds_and_mends_what_is_wrong_with_a_shapefile() {
+    let folder = scratch_folder("auditor");
+    let [shp, clean, again] = ["parcels.shp", "clean.shp", "again.shp"].map(|name| in_folder(&folder, name));
+    assert_eq!(status(&["convert", &parcels(&folder), "-o", &shp, "--lossy"]), Some(0));
+
+    let (code, found) = run_json(&["audit", "--coverage", "--snap", "auto", "--format", "json", &shp]);
+    assert_eq!((code, &found["coverage"]["overlaps"], &found["coverage"]["gaps"]), (Some(1), &json!(1), &json!(1)));
+
+    let (code, done) = run_json(&["clean", &shp, "-o", &clean, "--gap-width", "0.1", "--format", "json"]);
+    assert_eq!((code, &done["clean"], &done["features"]), (Some(0), &json!(true), &json!(3)));
+    let kinds: Vec<&Value> = done["changes"].as_array().unwrap().iter().map(|change| &change["kind"]).collect();
+    assert_eq!(kinds, ["overlap", "gap"]);
+
+    assert_eq!(status(&["audit", "--coverage", &clean]), Some(0));
+    let text = String::from_utf8(twinedge(&["convert", &clean, "-o", "-", "--to", "geojson"]).stdout).unwrap();
+    assert!(text.contains(r#""owner":"Müller","since":null"#) && text.contains(r#""since":"2020-01-31""#), "{text}");
+
+    // Once more changes nothing.
+    assert_eq!(status(&["clean", &clean, "-o", &again, "--gap-width", "0.1"]), Some(0));
+    for extension in ["shp", "shx", "dbf", "cpg"] {
+        let [one, two] = [&clean, &again].map(|path| fs::read(Path::new(path).with_extension(extension)).unwrap());
+        assert!(one == two, "{extension}");
+    }
+}
+
+#[test]
+fn a_dry_run_writes_nothing_and_a_report_names_features() {
+    let folder = scratch_folder("dry_run");
+    let output = twinedge(&["clean", &parcels(&folder), "--dry-run"]);
+    let text = String::from_utf8(output.stdout).unwrap();
+    assert!(text.contains("overlap of A-1, A-2 to A-2: area 5.0000, width 0.4762"), "{text}");
+    assert_eq!(fs::read_dir(&folder).unwrap().count(), 1);
+    assert!(complaint(&twinedge(&["clean", &parcels(&folder)])).contains("--dry-run"));
+}
+
+#[test]
+fn a_layer_on_standard_output_stands_there_alone() {
+    let output = twinedge_reading(&["clean", "-", "-o", "-", "--gap-width", "0.1"], PARCELS.as_bytes());
+    assert_eq!((output.status.code(), output.stderr), (Some(0), Vec::new()));
+    let layer: Value = serde_json::from_slice(&output.stdout).unwrap();
+    assert_eq!((&layer["source"], &layer["features"][0]["id"]), (&json!("survey"), &json!("A-1")));
+}
+
+#[test]
+fn what_a_format_cannot_hold_is_refused_and_said() {
+    let folder = scratch_folder("lossy");
+    let (input, output) = (parcels(&folder), in_folder(&folder, "parcels.shp"));
+    let refused = complaint(&twinedge(&["convert", &input, "-o", &output]));
+    assert!(refused.contains("the ids of 3 features") && refused.contains("foreign members (source)"), "{refused}");
+    assert!(!Path::new(&output).exists());
+    let warned = twinedge(&["convert", &input, "-o", &output, "--lossy"]);
+    let text = String::from_utf8(warned.stderr).unwrap();
+    assert!(text.lines().all(|line| line.starts_with("warning: Shapefile does not hold ")), "{text}");
+    assert!(complaint(&twinedge(&["convert", &input, "-o", "parcels.xyz"])).contains("--to"));
+}
+
+#[test]
+fn the_input_is_not_overwritten_by_any_path() {
+    let folder = scratch_folder("overwritten");
+    let input = parcels(&folder);
+    let link = in_folder(&folder, "link.geojson");
+    let roundabout = format!("{}/../overwritten/parcels.geojson", folder.display());
+    let hard = in_folder(&folder, "hard.geojson");
+    std::fs::hard_link(&input, &hard).unwrap();
+    #[cfg(unix)]
+    std::os::unix::fs::symlink(&input, &link).unwrap();
+    #[cfg(not(unix))]
+    std::fs::copy(&input, &link).unwrap();
+    let all = if cfg!(unix) { vec![&input, &roundabout, &hard, &link] } else { vec![&input, &roundabout, &hard] };
+    for output in all {
+        for command in [&["clean"][..], &["convert"], &["draw"], &["decompose"]] {
+            let arguments = [command, &[&input, "-o", output]].concat();
+            let said = twinedge(&arguments);
+            assert_eq!(said.status.code(), Some(2), "{arguments:?}");
+            assert!(String::from_utf8_lossy(&said.stderr).contains("this is the input"), "{arguments:?}");
+        }
+    }
+    assert_eq!(fs::read_to_string(&input).unwrap(), PARCELS);
+    // Nor is a part of a Shapefile.
+    let shp = in_folder(&folder, "a.shp");
+    assert_eq!(status(&["convert", &input, "-o", &shp, "--lossy"]), Some(0));
+    for part in ["a.shp", "a.dbf", "a.cpg"] {
+        assert!(complaint(&twinedge(&["draw", &shp, "-o", &in_folder(&folder, part)])).contains("this is the input"));
+    }
+}
+
+#[test]
+fn what_fails_leaves_what_was_there() {
+    let folder = scratch_folder("whole");
+    let output = in_folder(&folder, "out.shp");
+    fs::write(&output, "before").unwrap();
+    let mixed = b"POINT(1 2)\nLINESTRING(0 0,1 1)\n";
+    let failed = twinedge_reading(&["convert", "-", "-o", &output], mixed);
+    assert_eq!(failed.status.code(), Some(2));
+    assert_eq!(fs::read_to_string(&output).unwrap(), "before");
+    assert_eq!(fs::read_dir(&folder).unwrap().count(), 1);
+}
+
+#[test]
+fn a_link_is_followed_and_a_device_written_to() {
+    let folder = scratch_folder("links");
+    let input = parcels(&folder);
+    let target = in_folder(&folder, "target.wkt");
+    fs::write(&target, "before").unwrap();
+    #[cfg(unix)]
+    {
+        let link = in_folder(&folder, "link.wkt");
+        std::os::unix::fs::symlink(&target, &link).unwrap();
+        assert_eq!(status(&["convert", &input, "-o", &link, "--lossy"]), Some(0));
+        assert!(fs::symlink_metadata(&link).unwrap().is_symlink());
+        assert!(fs::read_to_string(&target).unwrap().starts_with("POLYGON((0 0,"));
+        assert_eq!(status(&["draw", &input, "-o", "/dev/null"]), Some(1));
+    }
+}
+
+#[test]
+fn every_command_reads_every_format() {
+    let folder = scratch_folder("formats");
+    let input = parcels(&folder);
+    for name in ["p.geojsonl", "p.gpkg", "p.shp", "p.wkb", "p.wkt"] {
+        let path = in_folder(&folder, name);
+        assert_eq!(status(&["convert", &input, "-o", &path, "--lossy"]), Some(0), "{name}");
+        let (_, found) = run_json(&["audit", "--format", "json", &path]);
+        assert_eq!(found["import"]["features"], 3, "{name}");
+        assert_eq!(status(&["query", "faces", "--snap", "auto", &path]), Some(0), "{name}");
+    }
+    let named = twinedge(&["audit", "--format", "json", "--name-from", "owner", &in_folder(&folder, "p.shp")]);
+    assert!(String::from_utf8(named.stdout).unwrap().contains("Müller"));
+}

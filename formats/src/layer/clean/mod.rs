@@ -1,0 +1,252 @@
+//! Cleaning a layer of polygons: noding, then [`twinedge::algorithm::clean`], then the polygons of the features that changed.
+//!
+//! ```text
+//!   polygons ─► map, cut where they meet ─► faces, each of one feature ─► outlines ─► polygons
+//!                                                                            │
+//!                     what is the same as before stays as it is, to the byte ◄┘
+//! ```
+//!
+//! Ids, attributes, the order of features and foreign members stay. Of a feature whose outline is the same, so does the geometry.
+//! That of the others is made anew: rings are closed, outer ones counter-clockwise, without repeated points and spikes, valid by
+//! the rules of the OGC. Vertices that were there before keep their further dimensions; for the others these are interpolated
+//! along the ring.
+//!
+//! Narrow spaces between two features that are open to the outside (C3) are filled if a width of gaps is given: quadrangles are drawn
+//! between the borders that face each other, and what they fill goes to a neighbour.
+//!
+//! Lines and points are neither cut nor moved.
+
+mod dimensions;
+mod fillers;
+mod rebuild;
+mod report;
+mod restored;
+
+use super::model::{Feature, Layer};
+use dimensions::Further;
+use fillers::fillers;
+use rebuild::{is_same, polygons_of, replace};
+use restored::Restored;
+use twinedge::algorithm::clean::{Cleaned, Options, clean_with_fillers};
+use twinedge::algorithm::contour::{self, ContourError};
+use twinedge::algorithm::coverage::{CoverageError, CoverageRule, Finding, Limits, check, defects};
+use twinedge::geometry::noding::{NodingSummary, Snap};
+use twinedge::io::ReadSummary;
+use twinedge::map::{self, BuildError, Builder, Noding, PlanarMap};
+
+pub use report::{CleanReport, FeatureChange, LayerChange, Left};
+
+/// How a layer is cleaned.
+#[derive(Clone, Copy, Debug, Default)]
+pub struct CleanOptions {
+    /// The grid to which points are rounded. Without one nothing moves, unless borders cross where there is no point: then all
+    /// points are rounded to the finest grid that the coordinates allow.
+    pub snap: Option<Snap>,
+    /// Which feature gets what.
+    pub assign: Options,
+}
+
+/// Why a layer could not be cleaned.
+#[derive(Debug, thiserror::Error)]
+#[non_exhaustive]
+pub enum CleanError {
+    /// There is no polygon.
+    #[error("there is no polygon to clean")]
+    NoPolygons,
+    /// No map can be made of the polygons.
+    #[error(transparent)]
+    Build(#[from] BuildError),
+    /// The map is not plane: an error of the library.
+    #[error(transparent)]
+    Coverage(#[from] CoverageError),
+    /// A feature has no outline: an error of the library.
+    #[error(transparent)]
+    Contour(#[from] ContourError),
+}
+
+/// Cleans a layer in place, and reports what was done. O(n log n) for most layers; see
+/// [`twinedge::algorithm::clean::clean`] and [noding](twinedge::geometry::noding#cost).
+///
+/// Cleaning the result again changes nothing.
+///
+/// ```
+/// use twinedge_formats::layer::clean::{CleanOptions, clean};
+/// use twinedge_formats::layer::{ReadOptions, read_layer};
+///
+/// # #[cfg(feature = "wkt")] {
+/// // The right parcel begins half a unit inside the left one.
+/// let text = "POLYGON((0 0, 10 0, 10 10, 0 10, 0 0))\nPOLYGON((9.5 0, 19 0, 19 10, 9.5 10, 9.5 0))\n";
+/// let mut layer = read_layer(&mut text.as_bytes(), None, &ReadOptions::default())?;
+/// let report = clean(&mut layer, &CleanOptions::default())?;
+/// assert_eq!((report.changes.len(), report.changes[0].area), (1, 5.0));
+/// assert!(report.left.is_none());
+/// # }
+/// # Ok::<(), Box<dyn std::error::Error>>(())
+/// ```
+///
+/// # Errors
+/// [`CleanError`]; the layer is then unchanged.
+pub fn clean(layer: &mut Layer, options: &CleanOptions) -> Result<CleanReport, CleanError> {
+    let mut done = pass(&layer.features, &[], options)?;
+    // Narrow spaces that are open to the outside are filled, as long as fewer are left each time.
+    if let Some(width) = options.assign.gap_width {
+        while !done.near_misses.is_empty() {
+            let next = pass(&done.features, &fillers(&done.near_misses, width), options)?;
+            if next.near_misses.len() >= done.near_misses.len() || !next.is_plane() {
+                break;
+            }
+            let noding = done.noding.filter(|noding| noding.cell > 0.0).or(next.noding);
+            done.changes.extend(next.changes.iter().cloned());
+            done = Pass { changes: done.changes, noding, ..next };
+        }
+    }
+    let mut report = CleanReport {
+        polygons: 0,
+        noding: done.noding,
+        sliver_area: done.sliver_area,
+        changes: done.changes,
+        features: Vec::new(),
+        left: done.left,
+    };
+    for (number, (before, after)) in layer.features.iter().zip(&mut done.features).enumerate() {
+        let polygons = before.geometry.as_ref().map(polygons_of).unwrap_or_default();
+        report.polygons += usize::from(!polygons.is_empty());
+        if before.geometry != after.geometry {
+            let now = after.geometry.as_ref().map(polygons_of).unwrap_or_default();
+            report.features.push(FeatureChange::new(number, &polygons, &now));
+            rebuild::update_box(after);
+        }
+    }
+    layer.features = done.features;
+    if !report.features.is_empty() {
+        rebuild::update_box_of_layer(layer);
+    }
+    Ok(report)
+}
+
+/// What one round of cleaning made.
+struct Pass {
+    features: Vec<Feature>,
+    changes: Vec<LayerChange>,
+    noding: Option<NodingSummary>,
+    sliver_area: f64,
+    left: Option<Left>,
+    near_misses: Vec<Finding>,
+}
+
+impl Pass {
+    fn is_plane(&self) -> bool {
+        self.left.is_none_or(|left| left.is_plane)
+    }
+}
+
+/// One round: noding, faces to features, outlines.
+fn pass(features: &[Feature], fillers: &[map::Shape], options: &CleanOptions) -> Result<Pass, CleanError> {
+    let map = build(features, fillers, options.snap)?;
+    let cleaned = clean_with_fillers(&map, &options.assign, features.len())?;
+    let cell = map.noding().map(|noding| noding.cell).filter(|cell| *cell > 0.0);
+    // A grid that nobody asked for is a means only: points go back to where they were, if nothing crosses then.
+    let restored = match (options.snap, cell) {
+        (None, Some(cell)) => Some(Restored::new(features, cell)),
+        _ => None,
+    };
+    let mut made = outlined(features, &map, &cleaned, restored.as_ref())?;
+    let (mut left, mut near_misses) = judged(&made, options)?;
+    if restored.is_some() && left.is_some_and(|left| !left.is_plane) {
+        made = outlined(features, &map, &cleaned, None)?;
+        (left, near_misses) = judged(&made, options)?;
+    }
+    Ok(Pass {
+        features: made,
+        changes: cleaned.changes.iter().map(LayerChange::from).collect(),
+        noding: map.noding().copied(),
+        sliver_area: cleaned.sliver_area,
+        left,
+        near_misses,
+    })
+}
+
+/// The features with their outlines.
+fn outlined(
+    features: &[Feature],
+    map: &PlanarMap,
+    cleaned: &Cleaned,
+    restored: Option<&Restored>,
+) -> Result<Vec<Feature>, CleanError> {
+    let cell = map.noding().map(|noding| noding.cell).filter(|cell| *cell > 0.0);
+    let mut further = Further::new(features, cell);
+    let mut all = features.to_vec();
+    for (feature, faces) in all.iter_mut().zip(&cleaned.faces) {
+        let Some(geometry) = &feature.geometry else { continue };
+        let before = polygons_of(geometry);
+        if before.is_empty() {
+            continue;
+        }
+        let mut after = contour::of_faces(map, faces.iter().copied())?.polygons;
+        if let Some(restored) = restored {
+            for polygon in &mut after {
+                restored.polygon(polygon);
+            }
+        }
+        if !is_same(&before, &after) {
+            feature.geometry = replace(geometry, &after, &mut further);
+        }
+    }
+    Ok(all)
+}
+
+/// The map of all polygons and then of the fillers, cut where they meet.
+fn build(features: &[Feature], fillers: &[map::Shape], snap: Option<Snap>) -> Result<PlanarMap, CleanError> {
+    let mut builder = Builder::new();
+    let mut any = false;
+    for feature in features {
+        let shapes = shapes(feature);
+        any |= !shapes.is_empty();
+        builder.feature(&map::Feature { name: feature.name(), id: None, shapes })?;
+    }
+    if !any {
+        return Err(CleanError::NoPolygons);
+    }
+    for filler in fillers {
+        builder.shape(filler)?;
+    }
+    if let Some(snap) = snap {
+        return Ok(builder.build_with(Noding::Snap(snap))?);
+    }
+    match builder.clone().build_with(Noding::Exact) {
+        Err(BuildError::Crossing { .. }) => Ok(builder.build_with(Noding::Snap(Snap::Auto))?),
+        built => Ok(built?),
+    }
+}
+
+/// The polygons of a feature, as the library takes them.
+fn shapes(feature: &Feature) -> Vec<map::Shape> {
+    let mut shapes = super::to_map(feature, &mut ReadSummary::default()).shapes;
+    shapes.retain(|shape| matches!(shape, map::Shape::Polygon(_)));
+    shapes
+}
+
+/// What breaks C1 … C6 afterwards, judged by the polygons that are written, and the near misses among it.
+fn judged(features: &[Feature], options: &CleanOptions) -> Result<(Option<Left>, Vec<Finding>), CleanError> {
+    let mut builder = Builder::new();
+    let mut left = Left::default();
+    for feature in features {
+        let shapes = shapes(feature);
+        left.invalid += usize::from(!defects(&shapes).is_empty());
+        builder.feature(&map::Feature { shapes, ..map::Feature::default() })?;
+    }
+    let map = builder.build()?;
+    left.is_plane = map.is_plane();
+    let mut near_misses = Vec::new();
+    if map.is_plane() {
+        let Options { gap_width, sliver_area, thinness, .. } = options.assign;
+        let found = check(&map, &Limits { gap_width, sliver_area, thinness })?;
+        let count = |rule| found.of(rule).count();
+        left.overlaps = count(CoverageRule::Overlap);
+        left.gaps = count(CoverageRule::Gap);
+        left.near_misses = count(CoverageRule::NearMiss);
+        left.slivers = count(CoverageRule::Sliver);
+        near_misses.extend(found.findings.into_iter().filter(|finding| finding.rule == CoverageRule::NearMiss));
+    }
+    Ok(((left != Left { is_plane: true, ..Left::default() }).then_some(left), near_misses))
+}

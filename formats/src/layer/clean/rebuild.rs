@@ -1,0 +1,127 @@
+//! The geometry of a feature, with other polygons.
+
+use super::super::model::{Feature, Geometry, Layer, Line, Position, Shape, json_number};
+use super::dimensions::Further;
+use std::cmp::Ordering;
+use twinedge::algorithm::area::ring_area;
+use twinedge::algorithm::contour::Polygon;
+use twinedge::geometry::Point;
+use twinedge::geometry::predicates::compare_lexicographic;
+
+/// The rings of a polygon, the outer one first.
+pub(super) type Rings = Vec<Vec<Point>>;
+
+/// All polygons of a geometry.
+pub(super) fn polygons_of(geometry: &Geometry) -> Vec<Rings> {
+    let mut found = Vec::new();
+    // Adding zero turns −0 into 0.
+    let ring = |ring: &Line| ring.iter().map(|p| Point::new(p.x + 0.0, p.y + 0.0)).collect();
+    let rings = |rings: &Vec<Line>| rings.iter().map(ring).collect();
+    match &geometry.shape {
+        Shape::Polygon(polygon) if !polygon.is_empty() => found.push(rings(polygon)),
+        Shape::MultiPolygon(polygons) => found.extend(polygons.iter().filter(|rings| !rings.is_empty()).map(rings)),
+        Shape::Collection(parts) => found.extend(parts.iter().flat_map(polygons_of)),
+        _ => {}
+    }
+    found
+}
+
+/// Whether polygons are the same, whatever the order of polygons and holes, and where rings start and which way they turn.
+/// O(n log n).
+pub(super) fn is_same(before: &[Rings], after: &[Polygon]) -> bool {
+    let after = after.iter().map(|polygon| polygon.rings().map(<[Point]>::to_vec).collect());
+    canonical(before.to_vec()).is_some_and(|before| canonical(after.collect()).as_ref() == Some(&before))
+}
+
+/// Polygons in a form that is the same for the same polygons; none if rings are open or repeat points.
+fn canonical(mut polygons: Vec<Rings>) -> Option<Vec<Rings>> {
+    for rings in &mut polygons {
+        for (number, ring) in rings.iter_mut().enumerate() {
+            let is_closed = ring.len() > 3 && ring.first() == ring.last();
+            if !is_closed || ring.windows(2).any(|pair| pair[0] == pair[1]) {
+                return None;
+            }
+            ring.pop();
+            let smallest = |a: &usize, b: &usize| compare_lexicographic(ring[*a], ring[*b]);
+            let start = (0..ring.len()).min_by(smallest).unwrap_or_default();
+            ring.rotate_left(start);
+            if (ring_area(ring.iter().copied()) > 0.0) != (number == 0) {
+                ring[1..].reverse();
+            }
+        }
+        rings[1..].sort_by(|a, b| compare_rings(a, b));
+    }
+    polygons.sort_by(|a, b| {
+        let rings = a.iter().zip(b).map(|(a, b)| compare_rings(a, b));
+        rings.fold(Ordering::Equal, Ordering::then).then(a.len().cmp(&b.len()))
+    });
+    Some(polygons)
+}
+
+fn compare_rings(a: &[Point], b: &[Point]) -> Ordering {
+    let points = a.iter().zip(b).map(|(a, b)| compare_lexicographic(*a, *b));
+    points.fold(Ordering::Equal, Ordering::then).then(a.len().cmp(&b.len()))
+}
+
+/// The geometry with these polygons in the place of its own; none if nothing is left. A polygon becomes a multi-polygon if there
+/// are several, and a multi-polygon stays one.
+pub(super) fn replace(geometry: &Geometry, polygons: &[Polygon], further: &mut Further) -> Option<Geometry> {
+    let dimensions = geometry.dimensions;
+    further.of_feature(geometry);
+    let mut polygons: Vec<Vec<Line>> =
+        polygons.iter().map(|polygon| polygon.rings().map(|ring| further.line(ring)).collect()).collect();
+    let shape = match &geometry.shape {
+        Shape::Collection(parts) => {
+            let mut kept: Vec<Geometry> = parts.iter().filter_map(without_polygons).collect();
+            let made = polygons.into_iter().map(|rings| Geometry { dimensions, shape: Shape::Polygon(rings) });
+            kept.splice(0..0, made);
+            Some(Shape::Collection(kept)).filter(|shape| !shape.is_empty())
+        }
+        Shape::Polygon(_) if polygons.len() == 1 => polygons.pop().map(Shape::Polygon),
+        _ if polygons.is_empty() => None,
+        _ => Some(Shape::MultiPolygon(polygons)),
+    };
+    shape.map(|shape| Geometry { dimensions, shape })
+}
+
+/// A part of a collection without its polygons; none if nothing is left.
+fn without_polygons(part: &Geometry) -> Option<Geometry> {
+    match &part.shape {
+        Shape::Polygon(_) | Shape::MultiPolygon(_) => None,
+        Shape::Collection(parts) => {
+            let shape = Shape::Collection(parts.iter().filter_map(without_polygons).collect());
+            Some(Geometry { dimensions: part.dimensions, shape })
+        }
+        _ => Some(part.clone()),
+    }
+}
+
+/// The box around geometries, as the member `bbox` has it.
+fn bounds<'a>(geometries: impl Iterator<Item = &'a Geometry>) -> Option<serde_json::Value> {
+    let mut bounds: Option<[f64; 4]> = None;
+    for geometry in geometries {
+        geometry.shape.visit(&mut |p: &Position| {
+            let [x0, y0, x1, y1] = bounds.unwrap_or([p.x, p.y, p.x, p.y]);
+            bounds = Some([x0.min(p.x), y0.min(p.y), x1.max(p.x), y1.max(p.y)]);
+        });
+    }
+    bounds.map(|bounds| bounds.into_iter().map(json_number).collect())
+}
+
+/// Brings the member `bbox` of a feature up to date, if it has one.
+pub(super) fn update_box(feature: &mut Feature) {
+    if feature.members.contains_key("bbox") {
+        match bounds(feature.geometry.iter()) {
+            Some(bounds) => drop(feature.members.insert("bbox".to_owned(), bounds)),
+            None => drop(feature.members.remove("bbox")),
+        }
+    }
+}
+
+/// Brings the member `bbox` of a layer up to date, if it has one.
+pub(super) fn update_box_of_layer(layer: &mut Layer) {
+    let bounds = bounds(layer.features.iter().filter_map(|feature| feature.geometry.as_ref()));
+    if let (Some(member), Some(bounds)) = (layer.header.members.get_mut("bbox"), bounds) {
+        *member = bounds;
+    }
+}

@@ -1,0 +1,178 @@
+//! Why a layer could not be read or written.
+
+use super::format::Format;
+use super::loss::Loss;
+use std::fmt;
+use std::io;
+use twinedge::io::ForeignFormat;
+
+/// Why a layer could not be read.
+#[derive(Debug, thiserror::Error)]
+#[non_exhaustive]
+pub enum ReadError {
+    /// The file or stream itself could not be read.
+    #[error("{0}")]
+    Io(#[from] io::Error),
+    /// The text is not what GeoJSON or well-known text demands.
+    #[error(transparent)]
+    Text(#[from] twinedge::io::ReadError),
+    /// The content is not what the format demands.
+    #[error("{format}: {place}: {cause}")]
+    Content {
+        /// The format.
+        format: Format,
+        /// Where.
+        place: Place,
+        /// What is wrong.
+        cause: Cause,
+    },
+    /// `SQLite` refuses the file.
+    #[error("GeoPackage: {message}")]
+    Database {
+        /// What it says.
+        message: String,
+    },
+    /// The file has several layers, and none was asked for; or none of the name that was asked for.
+    #[error("{}", choose_layer(wanted.as_deref(), layers))]
+    Layers {
+        /// The name that was asked for.
+        wanted: Option<String>,
+        /// The layers that there are.
+        layers: Vec<String>,
+    },
+    /// The format is made of several files, or needs to be read in any order, and this is a stream.
+    #[error("{0} is read from a file, not from a stream")]
+    NeedsFile(Format),
+    /// There is nothing but white space.
+    #[error("the input is empty")]
+    Empty,
+    /// The content is of a format that is known by its first bytes, but not read here.
+    #[error("this looks like {0}, which is not read here: {advice}", advice = .0.advice())]
+    Foreign(ForeignFormat),
+    /// The content is of no known format.
+    #[error(
+        "the format is not recognised: GeoJSON, well-known text and binary, Shapefiles and GeoPackages are read; \
+         convert others with `ogr2ogr -f GPKG map.gpkg FILE`"
+    )]
+    Unrecognised,
+    /// The crate was built without the feature that reads this format.
+    #[error("{0} is read with the feature `{feature}` of twinedge-formats, which is off", feature = .0.feature())]
+    FeatureOff(Format),
+    /// Whoever takes the features refused one.
+    #[error("{0}")]
+    Refused(Box<dyn std::error::Error + Send + Sync>),
+}
+
+impl ReadError {
+    /// The error by which a taker of features ends the reading.
+    pub fn refused(error: impl std::error::Error + Send + Sync + 'static) -> Self {
+        Self::Refused(Box::new(error))
+    }
+}
+
+fn choose_layer(wanted: Option<&str>, layers: &[String]) -> String {
+    let there_are = match layers {
+        [] => "there are no layers of features".to_owned(),
+        layers => format!("there are {}", layers.join(", ")),
+    };
+    match wanted {
+        Some(wanted) => format!("there is no layer {wanted}; {there_are}"),
+        None if layers.is_empty() => there_are,
+        None => format!("the file has several layers, and one must be chosen (--layer): {there_are}"),
+    }
+}
+
+/// A place in a file that is not text.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
+#[non_exhaustive]
+pub enum Place {
+    /// The header, or the file as a whole.
+    Header,
+    /// A feature, counted from 0.
+    Feature(usize),
+    /// A line, counted from 1.
+    Line(usize),
+}
+
+impl fmt::Display for Place {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        match self {
+            Self::Header => f.write_str("header"),
+            Self::Feature(number) => write!(f, "feature {number}"),
+            Self::Line(number) => write!(f, "line {number}"),
+        }
+    }
+}
+
+/// What is wrong in a file that is not text.
+#[derive(Clone, Debug, PartialEq, Eq, thiserror::Error)]
+#[non_exhaustive]
+pub enum Cause {
+    /// The data ends where this should follow.
+    #[error("the data ends within {0}")]
+    Truncated(&'static str),
+    /// Something that the format does not allow, or that is not read here.
+    #[error("{0}")]
+    Invalid(String),
+    /// A count that the data cannot hold.
+    #[error("{count} {what} are more than the data can hold")]
+    TooMany {
+        /// What is counted.
+        what: &'static str,
+        /// How many there should be.
+        count: u64,
+    },
+    /// Bytes follow the end of a geometry.
+    #[error("{0} bytes follow the end of the geometry")]
+    Trailing(usize),
+    /// Collections are nested too deep.
+    #[error("nested too deep")]
+    TooDeep,
+    /// A text is not of the character set of the file.
+    #[error("a text is not {0}")]
+    Charset(&'static str),
+    /// A file that belongs to it is not there.
+    #[error("the file {0} is missing")]
+    Missing(String),
+}
+
+/// Why a layer could not be written.
+#[derive(Debug, thiserror::Error)]
+#[non_exhaustive]
+pub enum WriteError {
+    /// The file could not be written.
+    #[error("{0}")]
+    Io(#[from] io::Error),
+    /// `SQLite` could not write it.
+    #[error("GeoPackage: {message}")]
+    Database {
+        /// What it says.
+        message: String,
+    },
+    /// The format cannot hold all of the layer, and losses are not allowed.
+    #[error("{format} cannot hold all of it: {}", list(losses))]
+    Loss {
+        /// The format.
+        format: Format,
+        /// What would be lost.
+        losses: Vec<Loss>,
+    },
+    /// The format cannot hold this at all.
+    #[error("{format} cannot hold {what}")]
+    Impossible {
+        /// The format.
+        format: Format,
+        /// What.
+        what: String,
+    },
+    /// The crate was built without the feature that writes this format.
+    #[error("{0} is written with the feature `{feature}` of twinedge-formats, which is off", feature = .0.feature())]
+    FeatureOff(Format),
+    /// The format is made of several files, or must be written in any order, and this is a stream.
+    #[error("{0} is written to a file, not to a stream")]
+    NeedsFile(Format),
+}
+
+fn list(losses: &[Loss]) -> String {
+    losses.iter().map(ToString::to_string).collect::<Vec<_>>().join("; ")
+}

@@ -1,0 +1,17 @@
+//! OGC `GeoPackage`: tables of `SQLite`, geometries as well-known binary behind a header.
+//!
+//! Source: "OGC `GeoPackage` Encoding Standard" (OGC 12-128r19), clauses 1 and 2.1.
+
+mod read;
+mod write;
+
+pub(super) use read::read;
+pub(super) use write::{holds_ids, write};
+
+/// What the header of a geometry begins with, and its version.
+const MAGIC: [u8; 3] = *b"GP\0";
+
+/// A name as SQL has it.
+fn quoted(name: &str) -> String {
+    format!("\"{}\"", name.replace('"', "\"\""))
+}

@@ -1,0 +1,122 @@
+//! What a format cannot hold of a layer.
+
+use super::model::{FieldKind, Layer};
+use std::fmt;
+
+/// Something that a format cannot hold.
+#[derive(Clone, Debug, PartialEq, Eq)]
+#[non_exhaustive]
+pub enum Loss {
+    /// Ids of features.
+    Ids(usize),
+    /// Attributes: the columns.
+    Attributes(Vec<String>),
+    /// Members of objects that mean nothing to GeoJSON, by name.
+    Members(Vec<String>),
+    /// The name of the layer.
+    Name(String),
+    /// The coordinate reference system.
+    Crs(String),
+    /// Features without geometry, which come back with an empty one.
+    NullGeometries(usize),
+    /// Geometries without positions, which come back without geometry.
+    EmptyGeometries(usize),
+    /// Measures of positions, which come back as heights or not at all.
+    Measures(usize),
+    /// Geometries with positions of several dimensions: some lose numbers, or gain zeros.
+    MixedDimensions(usize),
+    /// Names of columns that are cut or changed: the old and the new one.
+    Renamed(Vec<(String, String)>),
+    /// Values of a column that come back as another type.
+    Type {
+        /// The column.
+        column: String,
+        /// What its values are.
+        from: FieldKind,
+        /// What they become.
+        to: FieldKind,
+    },
+    /// Texts of a column that are cut.
+    Cut {
+        /// The column.
+        column: String,
+        /// How many values.
+        count: usize,
+        /// To how many bytes.
+        bytes: usize,
+    },
+    /// Numbers of a column that are no number, infinite, or have more digits than there is room for.
+    Numbers {
+        /// The column.
+        column: String,
+        /// How many values.
+        count: usize,
+    },
+    /// Attributes that some features do not have at all, which come back as null.
+    Absent(usize),
+}
+
+impl Loss {
+    /// Whether it is only of form: a value that comes back as another type, an absent one as null, the name of the layer.
+    #[must_use]
+    pub const fn is_minor(&self) -> bool {
+        matches!(
+            self,
+            Self::Type { .. } | Self::Absent(_) | Self::Name(_) | Self::NullGeometries(_) | Self::EmptyGeometries(_)
+        )
+    }
+}
+
+impl fmt::Display for Loss {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        match self {
+            Self::Ids(n) => write!(f, "the ids of {n} features"),
+            Self::Attributes(columns) => write!(f, "attributes ({})", some(columns)),
+            Self::Members(names) => write!(f, "foreign members ({})", some(names)),
+            Self::Name(name) => write!(f, "the name of the layer ({name})"),
+            Self::Crs(name) => write!(f, "the coordinate reference system ({name})"),
+            Self::NullGeometries(n) => write!(f, "that {n} features have no geometry"),
+            Self::EmptyGeometries(n) => write!(f, "that {n} geometries are empty"),
+            Self::Measures(n) => write!(f, "that {n} geometries have measures (M)"),
+            Self::MixedDimensions(n) => write!(f, "that positions of {n} geometries differ in their dimensions"),
+            Self::Renamed(names) => {
+                let names: Vec<String> = names.iter().map(|(old, new)| format!("{old} becomes {new}")).collect();
+                write!(f, "names of columns ({})", some(&names))
+            }
+            Self::Type { column, from, to } => write!(f, "that {column} is {}: it becomes {}", kind(*from), kind(*to)),
+            Self::Cut { column, count, bytes } => {
+                write!(f, "{count} texts of {column}, which are cut to {bytes} bytes")
+            }
+            Self::Numbers { column, count } => write!(f, "{count} numbers of {column}"),
+            Self::Absent(n) => write!(f, "that {n} attributes are absent, which become null"),
+        }
+    }
+}
+
+const fn kind(kind: FieldKind) -> &'static str {
+    match kind {
+        FieldKind::Bool => "a truth value",
+        FieldKind::Integer => "a whole number",
+        FieldKind::Real => "a number",
+        FieldKind::Text => "a text",
+        FieldKind::Date => "a date",
+        FieldKind::DateTime => "a date with a time",
+        FieldKind::Bytes => "bytes",
+        FieldKind::Json => "a list or an object",
+    }
+}
+
+/// The first names.
+fn some(names: &[String]) -> String {
+    const SHOWN: usize = 8;
+    let shown = names.iter().take(SHOWN).map(String::as_str).collect::<Vec<_>>().join(", ");
+    match names.len().saturating_sub(SHOWN) {
+        0 => shown,
+        more => format!("{shown} and {more} more"),
+    }
+}
+
+/// How many attributes features lack of so many columns.
+pub(super) fn absent(layer: &Layer, columns: usize) -> usize {
+    layer.features.iter().map(|feature| columns.saturating_sub(feature.attributes.len())).sum()
+}

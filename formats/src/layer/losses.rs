@@ -1,0 +1,143 @@
+//! Finding what a format cannot hold of a layer.
+
+use super::format::Format;
+use super::loss::{Loss, absent};
+use super::model::{Dimensions, FieldKind, Geometry, Layer, Shape, Value};
+use std::collections::BTreeSet;
+
+/// What would be lost if the layer were written in this format. O(size of the layer).
+///
+/// What a format holds in another form is no loss: the order of the rings of a Shapefile, a multi-polygon of one polygon that
+/// becomes a polygon there, or how many digits a number is written with.
+///
+/// ```
+/// use twinedge_formats::layer::{Feature, Format, Id, Layer, Loss, losses};
+///
+/// let feature = Feature { id: Some(Id::Text("A-1".into())), ..Feature::default() };
+/// let layer = Layer { features: vec![feature], ..Layer::default() };
+/// assert!(losses(&layer, Format::GeoJson).is_empty());
+/// assert_eq!(losses(&layer, Format::Wkt), [Loss::Ids(1), Loss::NullGeometries(1)]);
+/// ```
+#[must_use]
+pub fn losses(layer: &Layer, format: Format) -> Vec<Loss> {
+    let mut found = Vec::new();
+    let some_if = |n: usize, loss: fn(usize) -> Loss| (n > 0).then(|| loss(n));
+    let has_columns = matches!(format, Format::GeoJson | Format::GeoJsonSeq | Format::Shapefile | Format::GeoPackage);
+    let is_json = matches!(format, Format::GeoJson | Format::GeoJsonSeq);
+
+    #[cfg(feature = "geopackage")]
+    let holds_ids = is_json || (format == Format::GeoPackage && super::geopackage::holds_ids(layer));
+    #[cfg(not(feature = "geopackage"))]
+    let holds_ids = is_json;
+    if !holds_ids {
+        found.extend(some_if(layer.features.iter().filter(|f| f.id.is_some()).count(), Loss::Ids));
+    }
+    members(layer, format, &mut found);
+    if let Some(name) =
+        layer.header.name.as_ref().filter(|_| matches!(format, Format::GeoJsonSeq | Format::Wkt | Format::Wkb))
+    {
+        found.push(Loss::Name(name.clone()));
+    }
+    if let Some(crs) = &layer.header.crs {
+        let is_held = match format {
+            Format::GeoJson => crs.member.is_some() || crs.code.is_some() || !crs.is_other(),
+            Format::GeoJsonSeq | Format::Wkt | Format::Wkb => !crs.is_other(),
+            Format::Shapefile => crs.wkt.is_some() || !crs.is_other(),
+            Format::GeoPackage => crs.wkt.is_some() || crs.code.is_some() || !crs.is_other(),
+        };
+        if !is_held {
+            found.push(Loss::Crs(crs.name()));
+        }
+    }
+    geometries(layer, format, &mut found);
+    let fields = layer.fields();
+    if !has_columns {
+        let columns: Vec<String> = fields.iter().map(|field| field.name.to_string()).collect();
+        if !columns.is_empty() {
+            found.push(Loss::Attributes(columns));
+        }
+        return found;
+    }
+    match format {
+        #[cfg(feature = "shapefile")]
+        Format::Shapefile => super::shapefile::losses(layer, &fields, &mut found),
+        Format::GeoPackage => {
+            let mut taken = BTreeSet::new();
+            let repeated = fields.iter().filter(|field| !taken.insert(field.name.to_lowercase()));
+            let renamed: Vec<_> = repeated.map(|field| (field.name.to_string(), format!("{}_1", field.name))).collect();
+            if !renamed.is_empty() {
+                found.push(Loss::Renamed(renamed));
+            }
+            for field in fields.iter().filter(|field| field.kind == FieldKind::Json) {
+                found.push(Loss::Type { column: field.name.to_string(), from: FieldKind::Json, to: FieldKind::Text });
+            }
+            found.extend(some_if(absent(layer, fields.len()), Loss::Absent));
+        }
+        _ => {
+            for field in &fields {
+                if matches!(field.kind, FieldKind::Date | FieldKind::DateTime | FieldKind::Bytes) {
+                    let column = field.name.to_string();
+                    found.push(Loss::Type { column, from: field.kind, to: FieldKind::Text });
+                }
+                let values = layer.features.iter().filter_map(|feature| feature.get(&field.name));
+                let count = values.filter(|value| matches!(value, Value::Real(x) if !x.is_finite())).count();
+                if count > 0 {
+                    found.push(Loss::Numbers { column: field.name.to_string(), count });
+                }
+            }
+        }
+    }
+    found
+}
+
+fn members(layer: &Layer, format: Format, found: &mut Vec<Loss>) {
+    let of_features: BTreeSet<&String> = match format {
+        Format::GeoJson | Format::GeoJsonSeq => BTreeSet::new(),
+        // A box says nothing that the geometry does not say.
+        _ => layer.features.iter().flat_map(|f| f.members.keys()).filter(|name| *name != "bbox").collect(),
+    };
+    let of_layer: Vec<&String> = match format {
+        Format::GeoJson => Vec::new(),
+        _ => layer.header.members.keys().filter(|name| *name != "bbox").collect(),
+    };
+    let names: Vec<String> = of_layer.into_iter().chain(of_features).cloned().collect();
+    if !names.is_empty() {
+        found.push(Loss::Members(names));
+    }
+}
+
+fn geometries(layer: &Layer, format: Format, found: &mut Vec<Loss>) {
+    let (mut null, mut empty, mut measures, mut mixed) = (0, 0, 0, 0);
+    for feature in &layer.features {
+        let Some(geometry) = &feature.geometry else {
+            null += 1;
+            continue;
+        };
+        empty += usize::from(geometry.shape.is_empty());
+        measures += usize::from(matches!(geometry.dimensions, Dimensions::Xym | Dimensions::Xyzm));
+        mixed += usize::from(is_mixed(geometry));
+    }
+    let some_if = |n: usize, loss: fn(usize) -> Loss| (n > 0).then(|| loss(n));
+    match format {
+        Format::GeoJson | Format::GeoJsonSeq => found.extend(some_if(measures, Loss::Measures)),
+        Format::Wkt | Format::Wkb => {
+            found.extend(some_if(null, Loss::NullGeometries));
+            found.extend(some_if(mixed, Loss::MixedDimensions));
+        }
+        Format::GeoPackage => found.extend(some_if(mixed, Loss::MixedDimensions)),
+        Format::Shapefile => {
+            found.extend(some_if(empty, Loss::EmptyGeometries));
+            found.extend(some_if(mixed, Loss::MixedDimensions));
+        }
+    }
+}
+
+/// Whether positions have another number of dimensions than the geometry says.
+fn is_mixed(geometry: &Geometry) -> bool {
+    if let Shape::Collection(parts) = &geometry.shape {
+        return parts.iter().any(|part| part.dimensions != geometry.dimensions || is_mixed(part));
+    }
+    let mut found = false;
+    geometry.shape.visit(&mut |position| found |= position.more.len() != geometry.dimensions.more());
+    found
+}

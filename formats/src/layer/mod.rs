@@ -1,0 +1,56 @@
+//! Layers of features in the formats of geographic information systems, read and written without loss.
+//!
+//! ```text
+//!   file ─► read ─► features: id, geometry, attributes, foreign members ─► Layer ─► write ─► file
+//!                      └─► to_map ─► twinedge::map::Builder
+//! ```
+//!
+//! | format | reads | writes | what it cannot hold |
+//! | --- | --- | --- | --- |
+//! | GeoJSON, one object | one feature after the other | yes | measures; types of dates and bytes; members of geometries |
+//! | GeoJSON, newline-delimited | one feature after the other | yes | the same, and what is said of the layer |
+//! | well-known text | line by line | yes | ids, attributes, features without geometry |
+//! | well-known binary, extended too | line by line (hexadecimal digits), or bytes | lines of digits | the same |
+//! | Shapefile | record by record | yes | ids, mixed geometries, names of more than 10 bytes, texts of more than 254, empty texts, lists |
+//! | `GeoPackage` | row by row | yes | ids that are not whole numbers, lists, names that differ by case |
+//!
+//! [`losses`] says what a format cannot hold of a layer. Numbers are those of 64 bits. A GeoJSON file without `crs` whose coordinates can be longitudes and latitudes is
+//! in these, on WGS 84, as RFC 7946 has it.
+//!
+//! [`read`] tells the format by its content and by the extension of the file. Files that are truncated or contradict themselves,
+//! and counts that exceed the data, are errors ([`ReadError`]).
+
+pub mod clean;
+mod each;
+mod error;
+mod format;
+#[cfg(feature = "geojson")]
+mod geojson;
+#[cfg(feature = "geopackage")]
+mod geopackage;
+mod loss;
+mod losses;
+mod model;
+#[cfg(feature = "geojson")]
+mod names;
+mod read;
+#[cfg(feature = "shapefile")]
+mod shapefile;
+mod to_map;
+#[cfg(feature = "wkb")]
+mod wkb;
+#[cfg(feature = "wkt")]
+mod wkt;
+mod write;
+
+pub use each::Each;
+pub use error::{Cause, Place, ReadError, WriteError};
+pub use format::Format;
+pub use loss::Loss;
+pub use losses::losses;
+pub use model::{
+    Crs, Dimensions, Feature, Field, FieldKind, Geometry, Header, Id, Layer, Line, Members, Position, Shape, Value,
+};
+pub use read::{ReadOptions, read, read_layer, read_path};
+pub use to_map::to_map;
+pub use write::{files, refuse_losses, write, write_path};

@@ -1,0 +1,417 @@
+//! Layers: features with geometries and attributes, and what a file says beside them.
+
+use std::sync::Arc;
+
+/// A position: x, y, and the further dimensions that the file has.
+#[derive(Clone, Debug, Default, PartialEq)]
+pub struct Position {
+    /// The first coordinate.
+    pub x: f64,
+    /// The second coordinate.
+    pub y: f64,
+    /// The others, as [`Geometry::dimensions`] says. GeoJSON may have any number of them.
+    pub more: Box<[f64]>,
+}
+
+impl Position {
+    /// A position with two dimensions.
+    #[must_use]
+    pub fn new(x: f64, y: f64) -> Self {
+        Self { x, y, more: Box::default() }
+    }
+}
+
+/// What the numbers of the positions of a geometry mean.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Hash)]
+#[non_exhaustive]
+pub enum Dimensions {
+    /// x and y, and in GeoJSON whatever follows, usually z.
+    #[default]
+    Xy,
+    /// x, y and height.
+    Xyz,
+    /// x, y and a measure.
+    Xym,
+    /// x, y, height and a measure.
+    Xyzm,
+}
+
+impl Dimensions {
+    /// How many numbers follow x and y, and in [`Xy`](Self::Xy) may.
+    #[must_use]
+    pub const fn more(self) -> usize {
+        match self {
+            Self::Xy => 0,
+            Self::Xyz | Self::Xym => 1,
+            Self::Xyzm => 2,
+        }
+    }
+
+    /// Those with a height, a measure, or both.
+    #[must_use]
+    pub const fn with(height: bool, measure: bool) -> Self {
+        match (height, measure) {
+            (false, false) => Self::Xy,
+            (true, false) => Self::Xyz,
+            (false, true) => Self::Xym,
+            (true, true) => Self::Xyzm,
+        }
+    }
+}
+
+/// A geometry.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Geometry {
+    /// What the numbers of the positions mean.
+    pub dimensions: Dimensions,
+    /// The positions.
+    pub shape: Shape,
+}
+
+/// A chain of positions. A ring is closed if its last position repeats the first.
+pub type Line = Vec<Position>;
+
+/// The positions of a geometry. Nothing is repaired or refused: rings may be open, wind either way, or be empty.
+#[derive(Clone, Debug, PartialEq)]
+#[non_exhaustive]
+pub enum Shape {
+    /// A point; none is an empty one.
+    Point(Option<Position>),
+    /// Points.
+    MultiPoint(Vec<Position>),
+    /// A line.
+    Line(Line),
+    /// Lines.
+    MultiLine(Vec<Line>),
+    /// A polygon: the outer ring and those of the holes.
+    Polygon(Vec<Line>),
+    /// Polygons.
+    MultiPolygon(Vec<Vec<Line>>),
+    /// Geometries of any kind.
+    Collection(Vec<Geometry>),
+}
+
+impl Shape {
+    /// The name of its kind, as the OGC has it.
+    #[must_use]
+    pub const fn name(&self) -> &'static str {
+        match self {
+            Self::Point(_) => "Point",
+            Self::MultiPoint(_) => "MultiPoint",
+            Self::Line(_) => "LineString",
+            Self::MultiLine(_) => "MultiLineString",
+            Self::Polygon(_) => "Polygon",
+            Self::MultiPolygon(_) => "MultiPolygon",
+            Self::Collection(_) => "GeometryCollection",
+        }
+    }
+
+    /// Whether there is no position in it.
+    #[must_use]
+    pub fn is_empty(&self) -> bool {
+        let mut any = false;
+        self.visit(&mut |_| any = true);
+        !any
+    }
+
+    /// Calls `each` for all positions, in order. The recursion is as deep as collections are nested.
+    pub fn visit<'a>(&'a self, each: &mut dyn FnMut(&'a Position)) {
+        match self {
+            Self::Point(point) => point.iter().for_each(each),
+            Self::MultiPoint(points) | Self::Line(points) => points.iter().for_each(each),
+            Self::MultiLine(lines) | Self::Polygon(lines) => lines.iter().flatten().for_each(each),
+            Self::MultiPolygon(polygons) => polygons.iter().flatten().flatten().for_each(each),
+            Self::Collection(geometries) => geometries.iter().for_each(|geometry| geometry.shape.visit(each)),
+        }
+    }
+}
+
+/// The value of an attribute.
+#[derive(Clone, Debug, Default, PartialEq)]
+#[non_exhaustive]
+pub enum Value {
+    /// There is none.
+    #[default]
+    Null,
+    /// A truth value.
+    Bool(bool),
+    /// A whole number.
+    Integer(i64),
+    /// Another number.
+    Real(f64),
+    /// A text.
+    Text(String),
+    /// A day, as `2026-01-31`.
+    Date(String),
+    /// A day and a time, as the file writes it, usually `2026-01-31T12:00:00Z`.
+    DateTime(String),
+    /// Bytes.
+    Bytes(Vec<u8>),
+    /// A list or an object, or a whole number beyond 64 bits with sign.
+    Json(serde_json::Value),
+}
+
+impl Value {
+    /// The value as text: a text as it is, a number or a truth value as JSON writes it, a list or an object as JSON, bytes in
+    /// hexadecimal digits; none for null.
+    #[must_use]
+    pub fn text(&self) -> Option<String> {
+        Some(match self {
+            Self::Null => return None,
+            Self::Text(text) | Self::Date(text) | Self::DateTime(text) => text.clone(),
+            other => match other.to_json() {
+                serde_json::Value::String(text) => text,
+                json => json.to_string(),
+            },
+        })
+    }
+
+    /// The value as JSON has it. Bytes become hexadecimal digits, and numbers that are not finite null.
+    #[must_use]
+    pub fn to_json(&self) -> serde_json::Value {
+        match self {
+            Self::Null => serde_json::Value::Null,
+            Self::Bool(value) => (*value).into(),
+            Self::Integer(value) => (*value).into(),
+            Self::Real(value) => (*value).into(),
+            Self::Text(text) | Self::Date(text) | Self::DateTime(text) => text.as_str().into(),
+            Self::Bytes(bytes) => hex(bytes).into(),
+            Self::Json(json) => json.clone(),
+        }
+    }
+
+    /// A value that JSON has.
+    #[must_use]
+    pub fn of_json(json: serde_json::Value) -> Self {
+        use serde_json::Value as Json;
+        match json {
+            Json::Null => Self::Null,
+            Json::Bool(value) => Self::Bool(value),
+            Json::String(text) => Self::Text(text),
+            Json::Number(number) => match (number.as_i64(), number.is_f64(), number.as_f64()) {
+                (Some(value), ..) => Self::Integer(value),
+                (None, true, Some(value)) => Self::Real(value),
+                _ => Self::Json(Json::Number(number)),
+            },
+            Json::Array(_) | Json::Object(_) => Self::Json(json),
+        }
+    }
+}
+
+/// A number of 64 bits as JSON has it: whole ones without a point.
+pub(super) fn json_number(number: f64) -> serde_json::Value {
+    const EXACT: f64 = 1e15;
+    let is_whole = number.abs() < EXACT && number.fract() == 0.0 && !(number == 0.0 && number.is_sign_negative());
+    if is_whole { (number as i64).into() } else { number.into() }
+}
+
+/// Bytes in hexadecimal digits.
+pub(super) fn hex(bytes: &[u8]) -> String {
+    const DIGITS: &[u8; 16] = b"0123456789ABCDEF";
+    let digit = |half: u8| char::from(DIGITS[usize::from(half & 15)]);
+    bytes.iter().flat_map(|byte| [digit(byte >> 4), digit(*byte)]).collect()
+}
+
+/// The id of a feature.
+#[derive(Clone, Debug, PartialEq)]
+pub enum Id {
+    /// A text.
+    Text(String),
+    /// A number, as JSON has it.
+    Number(serde_json::Number),
+}
+
+impl std::fmt::Display for Id {
+    fn fmt(&self, f: &mut std::fmt::Formatter<'_>) -> std::fmt::Result {
+        match self {
+            Self::Text(text) => f.write_str(text),
+            Self::Number(number) => number.fmt(f),
+        }
+    }
+}
+
+/// Members of an object that mean nothing to its format, in order.
+pub type Members = serde_json::Map<String, serde_json::Value>;
+
+/// A feature.
+#[derive(Clone, Debug, Default, PartialEq)]
+pub struct Feature {
+    /// Its id.
+    pub id: Option<Id>,
+    /// Where it is.
+    pub geometry: Option<Geometry>,
+    /// Its attributes by name of column, in order.
+    pub attributes: Vec<(Arc<str>, Value)>,
+    /// Further members of its object in GeoJSON, `bbox` among them.
+    pub members: Members,
+}
+
+impl Feature {
+    /// The value in a column. O(columns).
+    #[must_use]
+    pub fn get(&self, column: &str) -> Option<&Value> {
+        self.attributes.iter().find(|(name, _)| **name == *column).map(|(_, value)| value)
+    }
+
+    /// The name: the first text or number among the usual columns (`twinedge::io::geojson::NAME_COLUMNS`).
+    #[must_use]
+    pub fn name(&self) -> Option<String> {
+        let label = |value: &Value| match value {
+            Value::Text(text) => Some(text.clone()),
+            Value::Integer(_) | Value::Real(_) => value.text(),
+            _ => None,
+        };
+        twinedge::io::geojson::NAME_COLUMNS.iter().find_map(|column| self.get(column).and_then(label))
+    }
+}
+
+/// The type of a column.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
+#[non_exhaustive]
+pub enum FieldKind {
+    /// Truth values.
+    Bool,
+    /// Whole numbers.
+    Integer,
+    /// Numbers.
+    Real,
+    /// Texts.
+    Text,
+    /// Days.
+    Date,
+    /// Days with times.
+    DateTime,
+    /// Bytes.
+    Bytes,
+    /// Lists and objects.
+    Json,
+}
+
+/// A column.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub struct Field {
+    /// Its name.
+    pub name: Arc<str>,
+    /// Its type.
+    pub kind: FieldKind,
+    /// The greatest number of characters, if the file gives one.
+    pub width: Option<usize>,
+    /// The number of digits after the point, if the file gives one.
+    pub decimals: Option<usize>,
+}
+
+/// A coordinate reference system, as far as the file names it.
+#[derive(Clone, Debug, Default, PartialEq)]
+pub struct Crs {
+    /// Who numbers it, usually `EPSG`, and its number.
+    pub code: Option<(String, i64)>,
+    /// Its definition in well-known text.
+    pub wkt: Option<String>,
+    /// The member `crs` of a GeoJSON object.
+    pub member: Option<serde_json::Value>,
+}
+
+/// The name under which Esri writes longitude and latitude on WGS 84.
+const ESRI_WGS_84: &str = "GCS_WGS_1984";
+
+impl Crs {
+    /// Whether it means something else than longitudes and latitudes on WGS 84.
+    #[must_use]
+    pub fn is_other(&self) -> bool {
+        if let Some(member) = &self.member {
+            return twinedge::io::geojson::names_other_crs(member);
+        }
+        match (&self.code, &self.wkt) {
+            (Some((authority, code)), _) => !(authority.eq_ignore_ascii_case("EPSG") && *code == 4326),
+            (None, Some(wkt)) => {
+                let is_named = wkt.contains(ESRI_WGS_84) || wkt.contains("\"WGS 84\"");
+                !(wkt.trim_start().starts_with("GEOG") && is_named)
+            }
+            (None, None) => false,
+        }
+    }
+
+    /// What to call it in a message.
+    #[must_use]
+    pub fn name(&self) -> String {
+        if let Some((authority, code)) = &self.code {
+            return format!("{authority}:{code}");
+        }
+        let of_wkt = self.wkt.as_deref().and_then(|wkt| wkt.split('"').nth(1));
+        let of_member = self.member.as_ref().and_then(|m| m.pointer("/properties/name")).and_then(|name| name.as_str());
+        of_member.or(of_wkt).unwrap_or("without name").to_owned()
+    }
+}
+
+/// What a file says of a layer beside its features.
+#[derive(Clone, Debug, Default, PartialEq)]
+pub struct Header {
+    /// The name of the layer.
+    pub name: Option<String>,
+    /// The coordinate reference system.
+    pub crs: Option<Crs>,
+    /// The columns in order, if the format has a list of them.
+    pub fields: Vec<Field>,
+    /// Further members of the outermost object of GeoJSON.
+    pub members: Members,
+    /// The character set of the texts, if the format leaves it open.
+    pub charset: Option<String>,
+}
+
+/// Features, and what a file says beside them.
+#[derive(Clone, Debug, Default, PartialEq)]
+pub struct Layer {
+    /// What the file says beside the features.
+    pub header: Header,
+    /// The features in order.
+    pub features: Vec<Feature>,
+}
+
+impl Layer {
+    /// The columns: those of the header, and then those that features have besides, in order. Of a column that is not in the header
+    /// the type is that of its values, and text if they differ; whole and other numbers together are numbers. O(attributes),
+    /// expected.
+    #[must_use]
+    pub fn fields(&self) -> Vec<Field> {
+        let mut fields = self.header.fields.clone();
+        let known = fields.len();
+        let mut places: rustc_hash::FxHashMap<Arc<str>, usize> =
+            fields.iter().map(|field| field.name.clone()).zip(0..).collect();
+        let mut kinds: Vec<Option<FieldKind>> = vec![None; known];
+        for (name, value) in self.features.iter().flat_map(|feature| &feature.attributes) {
+            let place = *places.entry(name.clone()).or_insert_with(|| {
+                fields.push(Field { name: name.clone(), kind: FieldKind::Text, width: None, decimals: None });
+                kinds.push(None);
+                fields.len() - 1
+            });
+            let kind = kind_of(value);
+            kinds[place] = match (kinds[place], kind) {
+                (None, kind) | (kind, None) => kind,
+                (Some(a), Some(b)) if a == b => Some(a),
+                (Some(FieldKind::Integer | FieldKind::Real), Some(FieldKind::Integer | FieldKind::Real)) => {
+                    Some(FieldKind::Real)
+                }
+                _ => Some(FieldKind::Text),
+            };
+        }
+        for (field, kind) in fields.iter_mut().zip(kinds).skip(known) {
+            field.kind = kind.unwrap_or(FieldKind::Text);
+        }
+        fields
+    }
+}
+
+/// The type of a value; none for null.
+pub(super) fn kind_of(value: &Value) -> Option<FieldKind> {
+    Some(match value {
+        Value::Null => return None,
+        Value::Bool(_) => FieldKind::Bool,
+        Value::Integer(_) => FieldKind::Integer,
+        Value::Real(_) => FieldKind::Real,
+        Value::Text(_) => FieldKind::Text,
+        Value::Date(_) => FieldKind::Date,
+        Value::DateTime(_) => FieldKind::DateTime,
+        Value::Bytes(_) => FieldKind::Bytes,
+        Value::Json(_) => FieldKind::Json,
+    })
+}

@@ -1,0 +1,112 @@
+//! Reading a layer in any of the formats.
+
+use super::each::Each;
+use super::error::ReadError;
+use super::format::Format;
+use super::model::{Header, Layer};
+use std::fs::File;
+use std::io::{BufReader, Cursor, Read};
+use std::path::Path;
+
+/// How many bytes are looked at to tell the format.
+const HEAD: u64 = 1 << 16;
+
+/// How to read a layer.
+#[derive(Clone, Debug, Default)]
+pub struct ReadOptions {
+    /// The format. Without one, the content tells, and then the extension of the file.
+    pub format: Option<Format>,
+    /// The layer to read, by its name, of a file with several.
+    pub layer: Option<String>,
+}
+
+/// Reads a layer, handing over its features in the order of the file. Data of a format that is made of several files is read
+/// from `path`, and that of others from `reader`.
+///
+/// Features are handed over as they are read, so faults may show after some of them. Memory O(largest feature), and for a
+/// Shapefile its index.
+///
+/// # Errors
+/// [`ReadError`], and whatever `each` returns.
+///
+/// ```
+/// use twinedge_formats::layer::{ReadOptions, read};
+///
+/// # #[cfg(feature = "geojson")] {
+/// let text = r#"{"type": "Feature", "id": 7, "geometry": null, "properties": {"owner": "Meier"}}"#;
+/// read(&mut text.as_bytes(), None, &ReadOptions::default(), &mut |feature| {
+///     assert_eq!(feature.get("owner").and_then(|owner| owner.text()).as_deref(), Some("Meier"));
+///     Ok(())
+/// })?;
+/// # }
+/// # Ok::<_, twinedge_formats::layer::ReadError>(())
+/// ```
+pub fn read(
+    reader: &mut dyn Read,
+    path: Option<&Path>,
+    options: &ReadOptions,
+    each: &mut Each<'_>,
+) -> Result<Header, ReadError> {
+    let mut head = Vec::new();
+    reader.take(HEAD).read_to_end(&mut head)?;
+    let of_content = Format::of_content(&head).map_err(ReadError::Foreign)?;
+    let by_name = options.format.or_else(|| path.and_then(Format::of_path));
+    // Content that is told by its first bytes is what it is, whatever the name.
+    let format = match (of_content, by_name) {
+        (Some(binary @ (Format::Shapefile | Format::GeoPackage | Format::Wkb)), _) => binary,
+        (_, Some(by_name)) => by_name,
+        (Some(text), None) => text,
+        (None, None) if is_blank(&head) => return Err(ReadError::Empty),
+        (None, None) => return Err(ReadError::Unrecognised),
+    };
+    let mut all = Cursor::new(head).chain(reader);
+    match format {
+        #[cfg(feature = "geojson")]
+        Format::GeoJson => super::geojson::read(&mut all, twinedge::io::geojson::Documents::One, each),
+        #[cfg(feature = "geojson")]
+        Format::GeoJsonSeq => super::geojson::read(&mut all, twinedge::io::geojson::Documents::Many, each),
+        #[cfg(feature = "wkt")]
+        Format::Wkt => super::wkt::read(&mut all, each),
+        #[cfg(feature = "wkb")]
+        Format::Wkb => super::wkb::read(&mut all, each),
+        #[cfg(feature = "shapefile")]
+        Format::Shapefile => super::shapefile::read(path.ok_or(ReadError::NeedsFile(format))?, each),
+        #[cfg(feature = "geopackage")]
+        Format::GeoPackage => {
+            let path = path.ok_or(ReadError::NeedsFile(format))?;
+            super::geopackage::read(path, options.layer.as_deref(), each)
+        }
+        #[allow(unreachable_patterns, reason = "with all features on, nothing is left")]
+        off => {
+            let _ = (&mut all, each);
+            Err(ReadError::FeatureOff(off))
+        }
+    }
+}
+
+fn is_blank(head: &[u8]) -> bool {
+    head.strip_prefix(b"\xEF\xBB\xBF").unwrap_or(head).trim_ascii().is_empty()
+}
+
+/// Reads a whole layer from a file.
+///
+/// # Errors
+/// As for [`read`].
+pub fn read_path(path: impl AsRef<Path>, options: &ReadOptions) -> Result<Layer, ReadError> {
+    let path = path.as_ref();
+    let mut file = BufReader::new(File::open(path)?);
+    read_layer(&mut file, Some(path), options)
+}
+
+/// Reads a whole layer.
+///
+/// # Errors
+/// As for [`read`].
+pub fn read_layer(reader: &mut dyn Read, path: Option<&Path>, options: &ReadOptions) -> Result<Layer, ReadError> {
+    let mut features = Vec::new();
+    let header = read(reader, path, options, &mut |feature| {
+        features.push(feature);
+        Ok(())
+    })?;
+    Ok(Layer { header, features })
+}

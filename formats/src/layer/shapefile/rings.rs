@@ -1,0 +1,111 @@
+//! Polygons of a Shapefile: a list of rings, outer ones clockwise and holes counter-clockwise, in any order.
+
+use super::super::model::{Line, Position};
+use twinedge::algorithm::area::ring_area;
+use twinedge::geometry::Point;
+use twinedge::geometry::predicates::{Orientation, on_segment, orientation};
+
+fn point(position: &Position) -> Point {
+    Point::new(position.x, position.y)
+}
+
+fn area(ring: &[Position]) -> f64 {
+    ring_area(ring.iter().map(point))
+}
+
+/// Least and greatest coordinates.
+#[derive(Clone, Copy)]
+struct Extent {
+    low: Point,
+    high: Point,
+}
+
+impl Extent {
+    fn of(ring: &[Position]) -> Self {
+        let far = f64::INFINITY;
+        let mut extent = Self { low: Point::new(far, far), high: Point::new(-far, -far) };
+        for p in ring {
+            extent.low = Point::new(extent.low.x.min(p.x), extent.low.y.min(p.y));
+            extent.high = Point::new(extent.high.x.max(p.x), extent.high.y.max(p.y));
+        }
+        extent
+    }
+
+    fn contains(&self, other: &Self) -> bool {
+        self.low.x <= other.low.x
+            && self.low.y <= other.low.y
+            && self.high.x >= other.high.x
+            && self.high.y >= other.high.y
+    }
+}
+
+/// The polygons of a list of rings: one for each outer ring, in order, with the holes that lie in it and in no smaller one. A hole
+/// that lies in none is a polygon of its own, and so is every ring if none is an outer one. O(rings² · points) at worst, where
+/// boxes lie inside each other.
+pub(super) fn polygons(rings: Vec<Line>) -> Vec<Vec<Line>> {
+    let (outer, inner): (Vec<Line>, Vec<Line>) = rings.into_iter().partition(|ring| area(ring) <= 0.0);
+    let mut polygons: Vec<Vec<Line>> = outer.into_iter().map(|ring| vec![ring]).collect();
+    match &mut polygons[..] {
+        [] => return inner.into_iter().map(|ring| vec![ring]).collect(),
+        [only] => {
+            let extent = Extent::of(&only[0]);
+            if inner.iter().all(|hole| extent.contains(&Extent::of(hole))) {
+                only.extend(inner);
+                return polygons;
+            }
+        }
+        _ => {}
+    }
+    let shells: Vec<(Extent, f64)> =
+        polygons.iter().map(|polygon| (Extent::of(&polygon[0]), area(&polygon[0]).abs())).collect();
+    let mut orphans = Vec::new();
+    for hole in inner {
+        let extent = Extent::of(&hole);
+        let around = shells.iter().enumerate().filter(|(_, (shell, _))| shell.contains(&extent));
+        let around = around.filter(|(number, _)| lies_in(&hole, &polygons[*number][0]));
+        match around.min_by(|a, b| a.1.1.total_cmp(&b.1.1)) {
+            Some((number, _)) => polygons[number].push(hole),
+            None => orphans.push(vec![hole]),
+        }
+    }
+    polygons.extend(orphans);
+    polygons
+}
+
+/// Whether the first point of a ring that is not on the other one is inside it; yes, if all are on it.
+fn lies_in(ring: &[Position], other: &[Position]) -> bool {
+    ring.iter().find_map(|p| is_inside(point(p), other)).unwrap_or(true)
+}
+
+/// Whether a point is inside a ring; none if it is on it.
+fn is_inside(p: Point, ring: &[Position]) -> Option<bool> {
+    let mut inside = false;
+    for pair in ring.windows(2) {
+        let [a, b] = [point(&pair[0]), point(&pair[1])];
+        if on_segment(p, a, b) {
+            return None;
+        }
+        let (low, high) = if a.y < b.y { (a, b) } else { (b, a) };
+        inside ^= low.y <= p.y && p.y < high.y && orientation(low, high, p) == Orientation::CounterClockwise;
+    }
+    Some(inside)
+}
+
+/// The rings of polygons, closed, outer ones clockwise and holes counter-clockwise. Rings without points are left out.
+pub(super) fn written_rings<'a>(polygons: impl IntoIterator<Item = &'a [Line]>) -> Vec<Line> {
+    let mut written = Vec::new();
+    for rings in polygons {
+        for (number, ring) in rings.iter().enumerate().filter(|(_, ring)| !ring.is_empty()) {
+            let mut ring = ring.clone();
+            if let Some(first) = ring.first().filter(|first| ring.last() != Some(*first)) {
+                ring.push(first.clone());
+            }
+            let is_counter_clockwise = area(&ring) > 0.0;
+            if is_counter_clockwise == (number == 0) {
+                ring.reverse();
+            }
+            written.push(ring);
+        }
+    }
+    written
+}

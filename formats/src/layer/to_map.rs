@@ -1,0 +1,58 @@
+//! Features as the library takes them.
+
+use super::model::{Feature, Geometry, Line, Shape};
+use twinedge::geometry::Point;
+use twinedge::io::ReadSummary;
+use twinedge::map;
+
+/// The feature for a map, with its name and id, counted in a summary. Further dimensions and empty shapes are dropped, collections
+/// flattened. O(positions).
+///
+/// ```
+/// use twinedge::io::ReadSummary;
+/// use twinedge::map::Shape as MapShape;
+/// use twinedge_formats::layer::{Dimensions, Feature, Geometry, Position, Shape, to_map};
+///
+/// let shape = Shape::Point(Some(Position { more: Box::from([4478.0]), ..Position::new(7.66, 45.98) }));
+/// let peak = Feature { geometry: Some(Geometry { dimensions: Dimensions::Xyz, shape }), ..Feature::default() };
+/// let mut summary = ReadSummary::default();
+/// assert!(matches!(to_map(&peak, &mut summary).shapes[..], [MapShape::Point(_)]));
+/// assert_eq!((summary.points, summary.with_extra_dimensions), (1, 1));
+/// ```
+#[must_use]
+pub fn to_map(feature: &Feature, summary: &mut ReadSummary) -> map::Feature {
+    let mut shapes = Vec::new();
+    let (mut further, mut empty) = (0, 0);
+    if let Some(geometry) = &feature.geometry {
+        geometry.shape.visit(&mut |position| further += usize::from(!position.more.is_empty()));
+        add(geometry, &mut shapes, &mut empty);
+    }
+    let name = feature.name();
+    summary.dropped_properties += feature.attributes.len() - usize::from(name.is_some());
+    let feature = map::Feature { name, id: feature.id.as_ref().map(ToString::to_string), shapes };
+    summary.add(&feature, further, empty);
+    feature
+}
+
+/// The recursion is as deep as collections are nested.
+fn add(geometry: &Geometry, shapes: &mut Vec<map::Shape>, empty: &mut usize) {
+    fn line(positions: &Line) -> Vec<Point> {
+        positions.iter().map(|p| Point::new(p.x, p.y)).collect()
+    }
+    let mut put = |shape: Option<map::Shape>| match shape {
+        Some(shape) => shapes.push(shape),
+        None => *empty += 1,
+    };
+    let of_line = |positions: &Line| (!positions.is_empty()).then(|| map::Shape::Line(line(positions)));
+    let of_rings =
+        |rings: &Vec<Line>| (!rings.is_empty()).then(|| map::Shape::Polygon(rings.iter().map(line).collect()));
+    match &geometry.shape {
+        Shape::Point(point) => put(point.as_ref().map(|p| map::Shape::Point(Point::new(p.x, p.y)))),
+        Shape::MultiPoint(points) => shapes.extend(line(points).into_iter().map(map::Shape::Point)),
+        Shape::Line(positions) => put(of_line(positions)),
+        Shape::MultiLine(lines) => lines.iter().for_each(|positions| put(of_line(positions))),
+        Shape::Polygon(rings) => put(of_rings(rings)),
+        Shape::MultiPolygon(polygons) => polygons.iter().for_each(|rings| put(of_rings(rings))),
+        Shape::Collection(geometries) => geometries.iter().for_each(|geometry| add(geometry, shapes, empty)),
+    }
+}

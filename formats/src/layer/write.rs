@@ -1,0 +1,84 @@
+//! Writing a layer in any of the formats.
+
+use super::error::WriteError;
+use super::format::Format;
+use super::losses::losses;
+use super::model::Layer;
+use std::fs::File;
+use std::io::{BufWriter, Write};
+use std::path::{Path, PathBuf};
+
+/// Refuses a format that cannot hold all of a layer. What a layer is likely to do without is let pass
+/// ([`Loss::is_minor`](super::Loss::is_minor)).
+///
+/// # Errors
+/// [`WriteError::Loss`].
+pub fn refuse_losses(layer: &Layer, format: Format) -> Result<(), WriteError> {
+    let losses: Vec<_> = losses(layer, format).into_iter().filter(|loss| !loss.is_minor()).collect();
+    if losses.is_empty() { Ok(()) } else { Err(WriteError::Loss { format, losses }) }
+}
+
+/// The files that are written for a path: that of the path, and for a Shapefile those beside it.
+#[must_use]
+pub fn files(path: &Path, format: Format) -> Vec<PathBuf> {
+    #[cfg(feature = "shapefile")]
+    if format == Format::Shapefile {
+        return super::shapefile::EXTENSIONS.iter().map(|extension| path.with_extension(extension)).collect();
+    }
+    let _ = format;
+    vec![path.to_owned()]
+}
+
+/// Writes a layer to a file that does not exist yet, whatever the format loses ([`losses`]).
+///
+/// # Errors
+/// [`WriteError`]. The file may then be there, in part.
+pub fn write_path(layer: &Layer, path: &Path, format: Format) -> Result<(), WriteError> {
+    match format {
+        #[cfg(feature = "shapefile")]
+        Format::Shapefile => super::shapefile::write(layer, path),
+        #[cfg(feature = "geopackage")]
+        Format::GeoPackage => super::geopackage::write(layer, path),
+        format => {
+            let mut out = BufWriter::new(File::create(path)?);
+            write(layer, &mut out, format)?;
+            Ok(out.flush()?)
+        }
+    }
+}
+
+/// Writes a layer to a stream. The writer is not buffered inside.
+///
+/// # Errors
+/// [`WriteError`].
+///
+/// ```
+/// use twinedge_formats::layer::{Feature, Format, Layer, Value, write};
+///
+/// # #[cfg(feature = "geojson")] {
+/// let feature = Feature { attributes: vec![("owner".into(), Value::Text("Meier".into()))], ..Feature::default() };
+/// let layer = Layer { features: vec![feature], ..Layer::default() };
+/// let mut text = Vec::new();
+/// write(&layer, &mut text, Format::GeoJsonSeq)?;
+/// assert_eq!(text, b"{\"type\":\"Feature\",\"properties\":{\"owner\":\"Meier\"},\"geometry\":null}\n");
+/// # }
+/// # Ok::<_, twinedge_formats::layer::WriteError>(())
+/// ```
+pub fn write(layer: &Layer, out: &mut dyn Write, format: Format) -> Result<(), WriteError> {
+    match format {
+        #[cfg(feature = "geojson")]
+        Format::GeoJson => super::geojson::write(layer, out),
+        #[cfg(feature = "geojson")]
+        Format::GeoJsonSeq => super::geojson::write_sequence(layer, out),
+        #[cfg(feature = "wkt")]
+        Format::Wkt => super::wkt::write(layer, out),
+        #[cfg(feature = "wkb")]
+        Format::Wkb => super::wkb::write(layer, out),
+        format if format.needs_file() => Err(WriteError::NeedsFile(format)),
+        #[allow(unreachable_patterns, reason = "with all features on, nothing is left")]
+        off => {
+            let _ = (layer, out);
+            Err(WriteError::FeatureOff(off))
+        }
+    }
+}

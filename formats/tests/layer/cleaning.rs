@@ -1,0 +1,297 @@
+//! Cleaning: what was planted is gone, what was right is as it was, and cleaning twice is cleaning once.
+
+use crate::support::{from_text, to_geojson, world};
+use quickcheck::{TestResult, quickcheck};
+use twinedge::algorithm::clean::{ChangeKind, Options, Winner};
+use twinedge::geometry::noding::Snap;
+use twinedge_formats::layer::clean::{CleanError, CleanOptions, CleanReport, clean};
+use twinedge_formats::layer::{Feature, Layer, Position, Shape};
+
+fn cleaned(layer: &Layer, options: &CleanOptions) -> (Layer, CleanReport) {
+    let mut layer = layer.clone();
+    let report = clean(&mut layer, options).unwrap();
+    (layer, report)
+}
+
+fn rings(feature: &Feature) -> Vec<&Vec<Position>> {
+    match feature.geometry.as_ref().map(|geometry| &geometry.shape) {
+        Some(Shape::Polygon(rings)) => rings.iter().collect(),
+        Some(Shape::MultiPolygon(polygons)) => polygons.iter().flatten().collect(),
+        _ => Vec::new(),
+    }
+}
+
+/// Squares of side 10 side by side, by their left ends; as WKT.
+fn squares(lefts: &[f64]) -> String {
+    let square = |x: &f64| format!("POLYGON(({x} 0,{r} 0,{r} 10,{x} 10,{x} 0))\n", r = x + 10.0);
+    lefts.iter().map(square).collect()
+}
+
+#[test]
+fn a_coverage_stays_as_it_is_to_the_byte() {
+    // Outer rings clockwise, a start in the middle of a side, a measure, foreign members.
+    let text = r#"{"type":"FeatureCollection",
+"note":"x",
+"features":[
+{"type":"Feature","id":1,"bbox":[0,0,10,10],"rights":2,"properties":{"b":1,"a":2.0},"geometry":{"type":"Polygon","coordinates":[[[5,0,1],[0,0],[0,10],[10,10],[10,0],[5,0,1]]]}},
+{"type":"Feature","id":2,"properties":{},"geometry":{"type":"MultiPolygon","coordinates":[[[[10,0],[10,10],[20,10],[20,0],[10,0]]]]}}
+]}
+"#;
+    let (layer, report) = cleaned(&from_text(text), &CleanOptions::default());
+    assert_eq!(to_geojson(&layer).replace("\"crs\"", ""), text);
+    assert!(report.changes.is_empty() && report.features.is_empty() && report.left.is_none());
+}
+
+#[test]
+fn an_overlap_goes_to_whom_is_asked() {
+    // The right one is larger; its part of the overlap is 5.
+    let text = format!("{}POLYGON((9.5 0,25 0,25 10,9.5 10,9.5 0))\n", squares(&[0.0]));
+    let areas = |winner| {
+        let assign = Options { winner, ..Options::default() };
+        let (_, report) = cleaned(&from_text(&text), &CleanOptions { assign, ..CleanOptions::default() });
+        assert_eq!((report.changes.len(), report.changes[0].kind), (1, ChangeKind::Overlap));
+        assert!(report.left.is_none());
+        report.features.iter().map(|feature| feature.area_after).collect::<Vec<_>>()
+    };
+    assert_eq!(areas(Winner::Larger), [95.0, 155.0]);
+    assert_eq!(areas(Winner::Smaller), [100.0, 150.0]);
+    assert_eq!(areas(Winner::First), [100.0, 150.0]);
+    assert_eq!(areas(Winner::Last), [95.0, 155.0]);
+}
+
+#[test]
+fn of_two_features_at_the_same_place_the_first_stays() {
+    let (layer, report) = cleaned(&from_text(&squares(&[0.0, 0.0])), &CleanOptions::default());
+    assert!(layer.features[0].geometry.is_some() && layer.features[1].geometry.is_none());
+    assert_eq!(report.features.len(), 1);
+    assert!(report.left.is_none());
+}
+
+#[test]
+fn gaps_go_to_the_neighbour_with_the_longest_border() {
+    // Between the three a gap of 0.01 by 10, whose long sides are those of the first and the second.
+    let text = "POLYGON((0 0,10 0,10 10,0 10,0 0))\nPOLYGON((10.01 0,20 0,20 10,10.01 10,10.01 5,10.01 0))\n\
+POLYGON((0 10,10 10,10.01 10,20 10,20 20,0 20,0 10))\nPOLYGON((0 0,0 -9,20 -9,20 0,10.01 0,10 0,0 0))\n";
+    let (_, report) = cleaned(
+        &from_text(text),
+        &CleanOptions { assign: Options { gap_width: Some(0.02), ..Options::default() }, ..CleanOptions::default() },
+    );
+    let [gap] = &report.changes[..] else { panic!("{:?}", report.changes) };
+    assert_eq!((gap.kind, gap.to), (ChangeKind::Gap, Some(0)));
+    assert!((gap.width - 0.01).abs() < 1e-4 && (gap.area - 0.1).abs() < 1e-9);
+    assert!(report.left.is_none(), "{:?}", report.left);
+}
+
+#[test]
+fn wide_gaps_stay_and_are_counted() {
+    let ring = "POLYGON((0 0,10 0,10 10,0 10,0 0),(4 4,4 6,6 6,6 4,4 4))\n";
+    let (layer, report) = cleaned(&from_text(ring), &CleanOptions::default());
+    assert_eq!(rings(&layer.features[0]).len(), 2);
+    assert_eq!(report.left.map(|left| left.gaps), Some(1));
+    let assign = Options { gap_width: Some(1.0), ..Options::default() };
+    let (layer, report) = cleaned(&from_text(ring), &CleanOptions { assign, ..CleanOptions::default() });
+    assert_eq!((rings(&layer.features[0]).len(), report.left), (1, None));
+}
+
+#[test]
+fn a_gap_that_is_open_to_the_outside_is_closed_up_to_a_width() {
+    // A strip of 0.05 beside both sides of the upper square, and one of 1.
+    let text = "POLYGON((0 0,30 0,30 10,0 10,0 0))\nPOLYGON((0 10.05,30 10.05,30 20,0 20,0 10.05))\nPOLYGON((31 0,40 0,40 20,31 20,31 0))\n";
+    let with_width = |gap_width| {
+        let assign = Options { gap_width, ..Options::default() };
+        cleaned(&from_text(text), &CleanOptions { assign, ..CleanOptions::default() })
+    };
+    let (_, report) = with_width(None);
+    assert_eq!((report.changes.len(), report.left.map(|left| left.near_misses)), (0, Some(1)));
+    let (layer, report) = with_width(Some(0.1));
+    assert_eq!((report.left, report.changes.len(), report.features.len()), (None, 1, 1));
+    assert_eq!((report.changes[0].kind, report.changes[0].to), (ChangeKind::Gap, Some(0)));
+    assert!((report.features[0].area_after - 301.5).abs() < 1e-9);
+    assert_eq!(layer.features[2], from_text(text).features[2]);
+    let (again, report) = with_width_of(&layer, 0.1);
+    assert!(report.features.is_empty());
+    assert_eq!(to_geojson(&again), to_geojson(&layer));
+}
+
+fn with_width_of(layer: &Layer, width: f64) -> (Layer, CleanReport) {
+    let assign = Options { gap_width: Some(width), ..Options::default() };
+    cleaned(layer, &CleanOptions { assign, ..CleanOptions::default() })
+}
+
+#[test]
+fn slivers_go_to_neighbours_or_vanish_but_nothing_vanishes_with_them() {
+    // The first has a sliver inside the second's side, and one far away; the third is nothing but a sliver.
+    let text = "MULTIPOLYGON(((0 0,10 0,10 10,0 10,0 0)),((20 0,20.001 0,20.001 10,20 10,20 0)),((50 0,50.001 0,50.001 10,50 10,50 0)))\n\
+POLYGON((10 0,20 0,20 10,10 10,10 0))\nPOLYGON((70 0,70.001 0,70.001 10,70 10,70 0))\n";
+    let assign = Options { sliver_area: Some(0.1), ..Options::default() };
+    let (layer, report) = cleaned(&from_text(text), &CleanOptions { assign, ..CleanOptions::default() });
+    let slivers: Vec<_> = report.changes.iter().map(|change| (change.kind, change.from[0], change.to)).collect();
+    assert_eq!(slivers.len(), 2);
+    assert!(slivers.contains(&(ChangeKind::Sliver, 0, Some(1))) && slivers.contains(&(ChangeKind::Sliver, 0, None)));
+    assert!(layer.features[2].geometry.is_some());
+    assert_eq!(report.left.map(|left| left.slivers), Some(1));
+}
+
+#[test]
+fn spikes_repeated_points_and_open_rings_are_mended() {
+    let text = "POLYGON((0 0,5 0,5 0,10 0,15 0,10 0,10 10,0 10))\n";
+    let (layer, report) = cleaned(&from_text(text), &CleanOptions::default());
+    let ring: Vec<(f64, f64)> = rings(&layer.features[0])[0].iter().map(|p| (p.x, p.y)).collect();
+    assert_eq!(ring, [(0.0, 0.0), (5.0, 0.0), (10.0, 0.0), (10.0, 10.0), (0.0, 10.0), (0.0, 0.0)]);
+    assert!(report.left.is_none());
+}
+
+#[test]
+fn vertices_keep_their_heights_and_new_ones_lie_between() {
+    // The crossing of the second with the upper side of the first is new.
+    let text = "POLYGON Z((0 0 0,10 0 10,10 10 20,0 10 10,0 0 0))\nPOLYGON Z((4 5 1,6 5 1,6 15 3,4 15 3,4 5 1))\n";
+    let (layer, report) = cleaned(&from_text(text), &CleanOptions::default());
+    assert!(report.left.is_none());
+    let heights: Vec<(f64, f64, f64)> = rings(&layer.features[0])[0].iter().map(|p| (p.x, p.y, p.more[0])).collect();
+    assert!(heights.contains(&(10.0, 10.0, 20.0)) && heights.contains(&(4.0, 10.0, 14.0)), "{heights:?}");
+    let of_second = rings(&layer.features[1]);
+    assert!(of_second[0].iter().all(|p| p.more.len() == 1));
+}
+
+#[test]
+fn borders_that_cross_are_cut_and_other_points_stay_where_they_were() {
+    // 0.1 is on no grid of powers of two.
+    let text = "POLYGON((0.1 0.1,10.1 0.3,10.1 10.7,0.1 10.3,0.1 0.1))\nPOLYGON((9.3 3.3,20.7 3.1,20.9 7.7,9.3 6.1,9.3 3.3))\n\
+POLYGON((30.1 0.1,40.3 0.1,40.3 10.7,30.1 0.1))\n";
+    let before = from_text(text);
+    let (after, report) = cleaned(&before, &CleanOptions::default());
+    assert!(report.left.is_none());
+    assert_eq!(after.features[2], before.features[2]);
+    assert_eq!(report.features.len(), 2);
+    let of_first = rings(&after.features[0]);
+    assert!(rings(&before.features[0])[0].iter().all(|p| of_first[0].contains(p)));
+}
+
+#[test]
+fn a_grid_joins_what_is_within_a_cell() {
+    let text = format!("{}POLYGON((10.1 0.1,20 0,20 10,10.1 9.9,10.1 0.1))\n", squares(&[0.0]));
+    let snap = CleanOptions { snap: Some(Snap::Size(0.5)), ..CleanOptions::default() };
+    let (layer, report) = cleaned(&from_text(&text), &snap);
+    assert!(report.left.is_none(), "{:?}", report.left);
+    assert!(rings(&layer.features[1])[0].iter().any(|p| (p.x, p.y) == (10.0, 0.0)));
+}
+
+#[test]
+fn lines_and_points_beside_polygons_stay() {
+    let text = format!(
+        "{}GEOMETRYCOLLECTION(POINT(1 1),POLYGON((9 0,19 0,19 10,9 10,9 0)),LINESTRING(0 0,5 5))\nPOINT(3 3)\n",
+        squares(&[0.0])
+    );
+    let (layer, _) = cleaned(&from_text(&text), &CleanOptions::default());
+    let Some(Shape::Collection(parts)) = layer.features[1].geometry.as_ref().map(|geometry| &geometry.shape) else {
+        panic!("a collection")
+    };
+    let names: Vec<&str> = parts.iter().map(|part| part.shape.name()).collect();
+    assert_eq!(names, ["Polygon", "Point", "LineString"]);
+    assert_eq!(layer.features[2], from_text("POINT(3 3)\n").features[0]);
+    assert!(matches!(clean(&mut from_text("POINT(3 3)\n"), &CleanOptions::default()), Err(CleanError::NoPolygons)));
+}
+
+#[test]
+fn the_box_of_a_feature_that_changed_is_its_box() {
+    let text = r#"{"type":"FeatureCollection","features":[
+        {"type":"Feature","properties":{},"geometry":{"type":"Polygon","coordinates":[[[0,0],[10,0],[10,10],[0,10],[0,0]]]}},
+        {"type":"Feature","bbox":[8,0,12,10],"properties":{},"geometry":{"type":"Polygon","coordinates":[[[8,0],[12,0],[12,10],[8,10],[8,0]]]}}]}"#;
+    let (layer, _) = cleaned(&from_text(text), &CleanOptions::default());
+    assert_eq!(layer.features[1].members.get("bbox"), Some(&serde_json::json!([10, 0, 12, 10])));
+}
+
+/// The countries of the world with planted faults: two overlaps, a gap, slivers.
+#[test]
+fn what_is_planted_on_the_world_is_mended_and_the_rest_stays() {
+    let world = cleaned(
+        &world(),
+        &CleanOptions { assign: Options { gap_width: Some(1e9), ..Options::default() }, ..CleanOptions::default() },
+    )
+    .0;
+    let mut planted = world.clone();
+    let number = |name: &str| world.features.iter().position(|f| f.name().as_deref() == Some(name)).unwrap();
+    // A corner of Poland that no other country has is moved outwards, over its neighbour, and one of Spain inwards.
+    let mut moved = Vec::new();
+    for (name, factor) in [("Poland", 1.05), ("Spain", 0.98), ("Mongolia", 1.02)] {
+        let number = number(name);
+        moved.push(number);
+        let Some(Shape::Polygon(rings)) =
+            planted.features[number].geometry.as_mut().map(|geometry| &mut geometry.shape)
+        else {
+            continue;
+        };
+        let count = rings[0].len();
+        rings[0][count / 2].x *= factor;
+    }
+    let options =
+        CleanOptions { assign: Options { gap_width: Some(1e9), ..Options::default() }, ..CleanOptions::default() };
+    let (mended, report) = cleaned(&planted, &options);
+    let left = report.left.unwrap_or_default();
+    assert_eq!((left.overlaps, left.gaps, left.slivers, left.invalid), (0, 0, 0, 0), "{left:?}");
+    assert!(report.changes.iter().any(|change| change.kind == ChangeKind::Overlap));
+    let changed: Vec<usize> = report.features.iter().map(|feature| feature.feature).collect();
+    for (i, (before, after)) in planted.features.iter().zip(&mended.features).enumerate() {
+        assert_eq!((&before.id, &before.attributes, &before.members), (&after.id, &after.attributes, &after.members));
+        assert!(changed.contains(&i) || before == after);
+    }
+    // Neighbours of three countries, and not the world.
+    assert!(changed.len() < 20, "{changed:?}");
+    assert_eq!(to_geojson(&cleaned(&mended, &options).0), to_geojson(&mended));
+}
+
+/// Quadrangles with corners on a small grid, so that all that can meet meets.
+fn quadrangles(corners: &[(u8, u8)], scale: f64) -> Option<Layer> {
+    let polygons: Vec<String> = corners
+        .chunks_exact(4)
+        .map(|corners| {
+            let at = |(x, y): &(u8, u8)| format!("{} {}", f64::from(x % 8) * scale, f64::from(y % 8) * scale);
+            let points: Vec<String> = corners.iter().chain(&corners[..1]).map(at).collect();
+            format!("POLYGON(({}))\n", points.join(","))
+        })
+        .collect();
+    (!polygons.is_empty()).then(|| from_text(&polygons.concat()))
+}
+
+quickcheck! {
+    fn cleaning_twice_is_cleaning_once(corners: Vec<(u8, u8)>, odd_scale: bool, coarse: bool) -> TestResult {
+        let Some(layer) = quadrangles(&corners, if odd_scale { 0.7 } else { 1.0 }) else { return TestResult::discard() };
+        let snap = coarse.then_some(Snap::Size(0.5));
+        let options = CleanOptions { snap, ..CleanOptions::default() };
+        let (once, report) = cleaned(&layer, &options);
+        let (twice, again) = cleaned(&once, &options);
+        let left = report.left.unwrap_or_default();
+        TestResult::from_bool(
+            to_geojson(&twice) == to_geojson(&once)
+                && again.changes.is_empty()
+                && again.features.is_empty()
+                && (report.left.is_none() || left.is_plane)
+                && (left.overlaps, left.invalid) == (0, 0),
+        )
+    }
+
+    fn closing_gaps_twice_is_closing_them_once(corners: Vec<(u8, u8)>, width: bool) -> TestResult {
+        let Some(layer) = quadrangles(&corners, 0.7) else { return TestResult::discard() };
+        let width = if width { 0.2 } else { 0.8 };
+        let once = with_width_of(&layer, width).0;
+        TestResult::from_bool(to_geojson(&with_width_of(&once, width).0) == to_geojson(&once))
+    }
+
+    fn the_area_that_is_covered_stays(corners: Vec<(u8, u8)>) -> TestResult {
+        let Some(layer) = quadrangles(&corners, 1.0) else { return TestResult::discard() };
+        // A limit below which there is nothing: only overlaps are resolved.
+        let assign = Options { sliver_area: Some(1e-12), ..Options::default() };
+        let winners = [Winner::Larger, Winner::Smaller, Winner::First, Winner::Last];
+        let covered = winners.map(|winner| {
+            let assign = Options { winner, ..assign };
+            let mut layer = layer.clone();
+            clean(&mut layer, &CleanOptions { assign, ..CleanOptions::default() }).unwrap();
+            let areas = layer.features.iter().flat_map(rings).map(|ring| {
+                let ring = ring.iter().map(|p| twinedge::geometry::Point::new(p.x, p.y));
+                twinedge::algorithm::area::ring_area(ring)
+            });
+            areas.sum::<f64>()
+        });
+        TestResult::from_bool(covered.iter().all(|area| (area - covered[0]).abs() < 1e-6))
+    }
+}

@@ -1,0 +1,115 @@
+//! Shapefiles that others write: character sets, rings in any order, deleted records.
+
+use crate::support::{from_text, read, scratch, through};
+use std::fs;
+use std::path::Path;
+use twinedge_formats::layer::{Format, Line, ReadError, Shape, Value, write_path};
+
+/// A table of the column `name`, 8 bytes wide, and these records, each with its mark.
+fn table(records: &[&[u8; 9]], charset_mark: u8) -> Vec<u8> {
+    let mut bytes = vec![3, 95, 7, 26];
+    bytes.extend((records.len() as u32).to_le_bytes());
+    bytes.extend(65_u16.to_le_bytes());
+    bytes.extend(9_u16.to_le_bytes());
+    bytes.resize(29, 0);
+    bytes.extend([charset_mark, 0, 0]);
+    bytes.extend(b"name\0\0\0\0\0\0\0C\0\0\0\0\x08");
+    bytes.resize(64, 0);
+    bytes.push(0x0D);
+    for record in records {
+        bytes.extend(*record);
+    }
+    bytes
+}
+
+/// Two points, and this table.
+fn points(folder: &Path, table: &[u8]) -> Result<Vec<Option<String>>, ReadError> {
+    let path = folder.join("points.shp");
+    write_path(&from_text("POINT(1 2)\nPOINT(3 4)\n"), &path, Format::Shapefile).unwrap();
+    fs::remove_file(path.with_extension("cpg")).unwrap();
+    fs::write(path.with_extension("dbf"), table).unwrap();
+    Ok(read(&path)?.features.iter().map(|feature| feature.get("name").and_then(Value::text)).collect())
+}
+
+#[test]
+fn character_sets_are_those_that_are_named() {
+    let (folder, path) = scratch("points.cpg");
+    let folder = folder.path();
+    let some = |text: &str| Some(text.to_owned());
+    // Windows-1252 by its mark; without a mark, UTF-8 if it is that.
+    assert_eq!(points(folder, &table(&[b" Z\xFCrich  ", b"         "], 0x57)).unwrap(), [some("Zürich"), None]);
+    assert_eq!(
+        points(folder, &table(&[b" Z\xC3\xBCrich ", b" Z\xFCrich  "], 0)).unwrap(),
+        [some("Zürich"), some("Zürich")]
+    );
+    // The file beside wins over the mark.
+    fs::write(&path, "CP1251").unwrap();
+    let bytes = table(&[b" \xCC\xEE\xF1\xEA\xE2\xE0  ", b"         "], 0x57);
+    let shp = folder.join("points.shp");
+    fs::write(shp.with_extension("dbf"), bytes).unwrap();
+    assert_eq!(read(&shp).unwrap().features[0].get("name").and_then(Value::text), some("Москва"));
+}
+
+#[test]
+fn deleted_records_are_left_out_with_their_shapes() {
+    let (folder, _) = scratch("");
+    assert_eq!(points(folder.path(), &table(&[b"*gone    ", b" here    "], 0)).unwrap(), [Some("here".to_owned())]);
+}
+
+#[test]
+fn a_table_with_other_records_than_shapes_is_refused() {
+    let (folder, _) = scratch("");
+    for records in [&[b" a       "][..], &[b" a       ", b" b       ", b" c       "]] {
+        assert!(matches!(points(folder.path(), &table(records, 0)), Err(ReadError::Content { .. })));
+    }
+}
+
+#[test]
+fn a_shapefile_needs_no_table_and_no_index() {
+    let (_folder, path) = scratch("points.shp");
+    write_path(&from_text("POINT(1 2)\nPOINT(3 4)\n"), &path, Format::Shapefile).unwrap();
+    fs::remove_file(path.with_extension("dbf")).unwrap();
+    fs::remove_file(path.with_extension("shx")).unwrap();
+    assert_eq!(read(&path).unwrap().features.len(), 2);
+}
+
+fn ring_count(text: &str) -> Vec<usize> {
+    let layer = through(&from_text(text), Format::Shapefile);
+    match &layer.features[0].geometry.as_ref().unwrap().shape {
+        Shape::Polygon(rings) => vec![rings.len()],
+        Shape::MultiPolygon(polygons) => polygons.iter().map(Vec::<Line>::len).collect(),
+        other => panic!("{}", other.name()),
+    }
+}
+
+#[test]
+fn holes_go_to_the_smallest_polygon_around_them() {
+    // A polygon with a hole, in it an island with a hole, and another polygon.
+    let text = "MULTIPOLYGON(((0 0,9 0,9 9,0 9,0 0),(1 1,1 8,8 8,8 1,1 1)),((20 0,21 0,21 1,20 0)),\
+((2 2,7 2,7 7,2 7,2 2),(3 3,3 6,6 6,6 3,3 3)))\n";
+    assert_eq!(ring_count(text), [2, 1, 2]);
+    // A hole that touches its polygon in its first point.
+    assert_eq!(ring_count("MULTIPOLYGON(((0 0,9 0,9 9,0 9,0 0),(0 0,1 2,2 1,0 0)),((20 0,21 0,21 1,20 0)))\n"), [2, 1]);
+}
+
+#[test]
+fn rings_turn_as_a_shapefile_wants_it() {
+    let layer = through(&from_text("POLYGON((0 0,9 0,9 9,0 9,0 0))\n"), Format::Shapefile);
+    let Shape::Polygon(rings) = &layer.features[0].geometry.as_ref().unwrap().shape else { panic!("a polygon") };
+    // Clockwise: up first.
+    assert_eq!((rings[0][1].x, rings[0][1].y), (0.0, 9.0));
+}
+
+#[test]
+fn heights_and_measures_come_back() {
+    for text in [
+        "LINESTRING Z(0 0 1,1 1 2)\n",
+        "LINESTRING M(0 0 1,1 1 2)\n",
+        "LINESTRING ZM(0 0 1 5,1 1 2 6)\n",
+        "POINT ZM(0 0 1 5)\n",
+        "MULTIPOINT Z((0 0 1),(1 1 2))\n",
+    ] {
+        let layer = from_text(text);
+        assert_eq!(through(&layer, Format::Shapefile).features[0].geometry, layer.features[0].geometry, "{text}");
+    }
+}

@@ -1,0 +1,56 @@
+//! Layers and files for the tests.
+
+use std::path::{Path, PathBuf};
+use tempfile::TempDir;
+use twinedge_formats::layer::{Format, Layer, ReadError, ReadOptions, read_layer, read_path, write, write_path};
+
+/// Reads a layer from a text, whose content tells the format.
+pub(crate) fn from_text(text: &str) -> Layer {
+    from_bytes(text.as_bytes()).unwrap()
+}
+
+/// Reads a layer from bytes, whose content tells the format.
+pub(crate) fn from_bytes(bytes: &[u8]) -> Result<Layer, ReadError> {
+    let mut bytes = bytes;
+    read_layer(&mut bytes, None, &ReadOptions::default())
+}
+
+/// A layer as GeoJSON.
+pub(crate) fn to_geojson(layer: &Layer) -> String {
+    let mut text = Vec::new();
+    write(layer, &mut text, Format::GeoJson).unwrap();
+    String::from_utf8(text).unwrap()
+}
+
+/// A folder, and the path of a file in it.
+pub(crate) fn scratch(name: &str) -> (TempDir, PathBuf) {
+    let folder = TempDir::new().unwrap();
+    let path = folder.path().join(name);
+    (folder, path)
+}
+
+/// What comes back of a layer that is written in a format.
+pub(crate) fn through(layer: &Layer, format: Format) -> Layer {
+    let name = match format {
+        Format::GeoJson => "layer.geojson",
+        Format::GeoJsonSeq => "layer.geojsonl",
+        Format::Wkt => "layer.wkt",
+        Format::Wkb => "layer.wkb",
+        Format::Shapefile => "layer.shp",
+        Format::GeoPackage => "layer.gpkg",
+        other => unreachable!("{other} is not tested"),
+    };
+    let (_folder, path) = scratch(name);
+    write_path(layer, &path, format).unwrap();
+    read(&path).unwrap()
+}
+
+/// Reads a layer from a file.
+pub(crate) fn read(path: &Path) -> Result<Layer, ReadError> {
+    read_path(path, &ReadOptions::default())
+}
+
+/// The built-in map of the program: 177 countries, with holes, parts and attributes.
+pub(crate) fn world() -> Layer {
+    read(Path::new(concat!(env!("CARGO_MANIFEST_DIR"), "/../cli/data/world-110m.geojson"))).unwrap()
+}

@@ -1,0 +1,77 @@
+//! What a structure is held to, from keyword arguments.
+
+use pyo3::exceptions::PyValueError;
+use pyo3::prelude::*;
+use twinedge::validate::Expectation;
+use twinedge::validate::interchange::Preset;
+
+/// The rules that must be asked for, and how many violations are listed.
+#[derive(FromPyObject)]
+#[pyo3(from_item_all)]
+pub(crate) struct Asked {
+    plane: bool,
+    open: bool,
+    preset: Option<String>,
+    sides: Option<usize>,
+    simple: bool,
+    closed: bool,
+    used: bool,
+    border_kept: bool,
+    components: Option<usize>,
+    borders: Option<usize>,
+    genus: Option<usize>,
+    list: usize,
+}
+
+impl Asked {
+    /// How many violations are listed.
+    pub(crate) const fn list(&self) -> usize {
+        self.list
+    }
+
+    /// The expectation of a structure of columns.
+    pub(crate) fn of_columns(&self) -> PyResult<Expectation> {
+        let base = match &self.preset {
+            None if self.plane => Expectation::plane(),
+            None => Expectation::surface(),
+            Some(name) => Preset::from_name(name)
+                .ok_or_else(|| {
+                    let names: Vec<_> = Preset::ALL.iter().map(|preset| preset.name()).collect();
+                    PyValueError::new_err(format!(
+                        "preset: there is none named {name:?}; there are {}",
+                        names.join(", ")
+                    ))
+                })?
+                .expectation(),
+        };
+        Ok(self.asking(base))
+    }
+
+    /// The expectation, with what is asked for.
+    pub(crate) fn asking(&self, mut expectation: Expectation) -> Expectation {
+        if self.open {
+            expectation = expectation.open();
+        }
+        for (asked, ask) in [
+            (self.simple, Expectation::simple as fn(Expectation) -> Expectation),
+            (self.closed, Expectation::closed),
+            (self.used, Expectation::no_unused_vertices),
+            (self.border_kept, Expectation::border_kept),
+        ] {
+            if asked {
+                expectation = ask(expectation);
+            }
+        }
+        for (number, ask) in [
+            (self.sides, Expectation::sides as fn(Expectation, usize) -> Expectation),
+            (self.components, Expectation::components),
+            (self.borders, Expectation::borders),
+            (self.genus, Expectation::genus),
+        ] {
+            if let Some(number) = number {
+                expectation = ask(expectation, number);
+            }
+        }
+        expectation
+    }
+}

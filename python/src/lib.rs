@@ -1,0 +1,26 @@
+//! The Python module `twinedge._twinedge`: the validator over numpy arrays, and audits of meshes and maps.
+//!
+//! Each function returns a report as JSON, in the form of `docs/report.md`. The package `twinedge` makes objects of it.
+
+mod arrays;
+mod expectation;
+mod maps;
+mod meshes;
+mod structure;
+
+use pyo3::prelude::*;
+
+/// The native part of `twinedge`.
+#[pymodule]
+fn _twinedge(module: &Bound<'_, PyModule>) -> PyResult<()> {
+    module.add("__version__", env!("CARGO_PKG_VERSION"))?;
+    module.add("REPORT_SCHEMA", twinedge::validate::REPORT_SCHEMA)?;
+    module.add("DEFAULT_LIST", twinedge::validate::Collect::DEFAULT_CAP)?;
+    module.add("PRESETS", twinedge::validate::interchange::Preset::ALL.iter().map(|p| p.name()).collect::<Vec<_>>())?;
+    module.add("KINDS", twinedge::validate::Violation::KINDS.to_vec())?;
+    module.add_function(wrap_pyfunction!(structure::validate, module)?)?;
+    module.add_function(wrap_pyfunction!(structure::explain, module)?)?;
+    module.add_function(wrap_pyfunction!(meshes::audit_faces, module)?)?;
+    module.add_function(wrap_pyfunction!(meshes::audit_mesh, module)?)?;
+    module.add_function(wrap_pyfunction!(maps::audit_map, module)?)
+}

@@ -1,0 +1,156 @@
+//! Audits of maps: GeoJSON and WKT.
+
+use pyo3::exceptions::PyValueError;
+use pyo3::prelude::*;
+use pyo3::pybacked::PyBackedBytes;
+use serde::Serialize;
+use serde_json::json;
+use std::collections::BTreeSet;
+use twinedge::algorithm::coverage::{Coverage, CoverageRule, Defect, Limits, check, defects};
+use twinedge::dcel::{Boundary, Face, Vertex};
+use twinedge::geometry::noding::Snap;
+use twinedge::io::{Format, ReadError, read};
+use twinedge::map::{BuildError, Builder, FeatureId, Noding, PlanarMap};
+use twinedge::validate::{Collect, Expectation, Record, Violation, places, validate_embedding};
+
+/// Why a map cannot be read.
+struct Refused(String);
+
+impl From<ReadError> for Refused {
+    fn from(error: ReadError) -> Self {
+        Self(error.to_string())
+    }
+}
+
+/// What is wrong beside the rules of the validator.
+#[derive(Serialize)]
+struct Found {
+    rule: &'static str,
+    kind: &'static str,
+    features: Vec<usize>,
+    at: [f64; 2],
+    #[serde(skip_serializing_if = "Option::is_none")]
+    area: Option<f64>,
+    #[serde(skip_serializing_if = "Option::is_none")]
+    width: Option<f64>,
+    message: String,
+}
+
+/// How C1 … C6 are asked.
+#[derive(FromPyObject)]
+#[pyo3(from_item_all)]
+pub(crate) struct Asked {
+    coverage: bool,
+    gap_width: Option<f64>,
+    sliver_area: Option<f64>,
+    snap: Option<f64>,
+    list: usize,
+}
+
+/// Builds the planar map of a text and judges it. A `snap` of 0 chooses the grid.
+#[pyfunction]
+pub(crate) fn audit_map(py: Python<'_>, text: PyBackedBytes, format: Option<&str>, asked: Asked) -> PyResult<String> {
+    let format = match format {
+        None => None,
+        Some("geojson") => Some(Format::GeoJson),
+        Some("wkt") => Some(Format::Wkt),
+        Some(other) => return Err(PyValueError::new_err(format!("format: there is none named {other:?}"))),
+    };
+    py.detach(move || audit(&text, format, &asked)).map_err(|Refused(why)| PyValueError::new_err(why))
+}
+
+fn audit(text: &[u8], format: Option<Format>, asked: &Asked) -> Result<String, Refused> {
+    let mut builder = Builder::new();
+    let mut invalid: Vec<(usize, Vec<Defect>)> = Vec::new();
+    let mut number = 0;
+    read(text, format, |feature| {
+        let found = defects(&feature.shapes);
+        if !found.is_empty() {
+            invalid.push((number, found));
+        }
+        number += 1;
+        builder.feature(&feature).map(drop).map_err(|error: BuildError| Refused(error.to_string()))
+    })?;
+    let noding = match asked.snap {
+        None => Noding::None,
+        Some(size) if size > 0.0 && size.is_finite() => Noding::Snap(Snap::Size(size)),
+        Some(_) => Noding::Snap(Snap::Auto),
+    };
+    let kept = builder.clone();
+    let map = builder.build_with(noding).map_err(|error| Refused(error.to_string()))?;
+    let report = validate_embedding(&map, &Expectation::plane(), Collect::AtMost(asked.list));
+    let mut document = serde_json::to_value(&report).map_err(|error| Refused(error.to_string()))?;
+    let listed = document["violations"].as_array_mut().into_iter().flatten();
+    for (object, violation) in listed.zip(report.violations()) {
+        let at: Vec<[f64; 2]> = places(&map, violation).into_iter().map(Into::into).collect();
+        object["at"] = json!(at);
+        object["features"] = json!(features(&map, violation));
+    }
+    let limits = Limits { gap_width: asked.gap_width, sliver_area: asked.sliver_area, ..Limits::default() };
+    // What the features cover is known of a plane map only: borders that cross are cut first.
+    let coverage = if map.is_plane() {
+        check(&map, &limits).map_err(|error| Refused(error.to_string()))?
+    } else {
+        let snapped = kept.build_with(Noding::Snap(Snap::Auto)).map_err(|error| Refused(error.to_string()))?;
+        check(&snapped, &limits).map_err(|error| Refused(error.to_string()))?
+    };
+    let found = findings(&coverage, &invalid);
+    if asked.coverage && !found.is_empty() {
+        document["valid"] = json!(false);
+    }
+    document["finding_count"] = json!(found.len());
+    document["findings"] = json!(found.into_iter().take(asked.list).collect::<Vec<_>>());
+    document["features"] = json!(number);
+    Ok(document.to_string())
+}
+
+/// The numbers of the features that a violation touches.
+fn features(map: &PlanarMap, violation: &Violation) -> BTreeSet<usize> {
+    let dcel = map.dcel();
+    let mut found = BTreeSet::new();
+    for record in violation.records().into_iter().flatten() {
+        let half_edges: Vec<_> = match record {
+            Record::HalfEdge(h) => dcel.half_edge_at(h).into_iter().collect(),
+            Record::Vertex(v) => dcel.vertex_at(v).into_iter().flat_map(Vertex::rotation).collect(),
+            Record::Boundary(b) => dcel.boundary_at(b).and_then(Boundary::start).into_iter().collect(),
+            Record::Face(f) => {
+                let face = dcel.face_at(f).map(Face::key);
+                found.extend(face.and_then(|f| map.features_of(f).ok()).into_iter().flatten().map(FeatureId::index));
+                Vec::new()
+            }
+        };
+        for h in half_edges {
+            found.extend(map.features_along(h.key()).into_iter().flatten().map(FeatureId::index));
+        }
+    }
+    found
+}
+
+/// What breaks C1 … C6, in order.
+fn findings(coverage: &Coverage, invalid: &[(usize, Vec<Defect>)]) -> Vec<Found> {
+    let of_map = coverage.findings.iter().map(|finding| {
+        let features: Vec<usize> = finding.features.iter().map(|feature| feature.index()).collect();
+        let (name, area, width) = (finding.rule.name(), finding.area, finding.width);
+        Found {
+            rule: finding.rule.id(),
+            kind: finding.rule.name(),
+            message: format!("{name} of features {features:?}, area {area}, mean width {width}"),
+            features,
+            at: finding.at.into(),
+            area: Some(area),
+            width: Some(width),
+        }
+    });
+    let of_shapes = invalid.iter().flat_map(|(feature, defects)| {
+        defects.iter().map(move |defect| Found {
+            rule: CoverageRule::Validity.id(),
+            kind: CoverageRule::Validity.name(),
+            features: vec![*feature],
+            at: defect.at.into(),
+            area: None,
+            width: None,
+            message: format!("feature {feature} is not valid: {}", defect.kind),
+        })
+    });
+    of_map.chain(of_shapes).collect()
+}

@@ -1,0 +1,116 @@
+"""Audits of geometries, frames, meshes and files."""
+
+import json
+from pathlib import Path
+
+import geopandas
+import numpy as np
+import pytest
+import shapely
+import trimesh
+from compas.datastructures import Mesh
+
+import twinedge
+
+DATA = Path(__file__).parents[2] / "tests" / "data"
+PARCELS = Path(__file__).parents[2] / "docs" / "parcels.geojson"
+
+
+def squares(*lefts):
+    return [shapely.box(left, 0, left + 1, 1) for left in lefts]
+
+
+def test_frames_series_sequences_and_dictionaries_have_one_verdict():
+    polygons = squares(0, 1, 2.5)
+    frame = geopandas.GeoDataFrame({"name": list("abc")}, geometry=polygons, index=[7, 8, 9])
+    reports = [
+        twinedge.audit(layer)
+        for layer in [polygons, np.array(polygons), frame, frame.geometry, frame.geometry.values, frame.__geo_interface__,
+                      shapely.MultiPolygon(polygons), shapely.MultiPolygon(polygons).__geo_interface__,
+                      {"type": "Feature", "properties": {}, "geometry": shapely.MultiPolygon(polygons).__geo_interface__}]
+    ]
+    assert all(report.valid for report in reports)
+    assert {tuple(report.counts.items()) for report in reports} == {tuple(reports[0].counts.items())}
+    assert (reports[0].counts["faces"], reports[0].counts["components"]) == (4, 2)
+
+
+def test_a_crossing_is_found_where_it_is():
+    report = twinedge.audit(squares(0, 0.5))
+    assert not report.valid and report.broken_rules[-1] == "G4"
+    crossing = report.violations[-1]
+    assert crossing.features == (0, 1) and crossing.at
+
+
+def test_overlaps_count_if_a_coverage_is_asked_for():
+    polygons = [shapely.box(0, 0, 2, 2), shapely.box(0, 0, 2, 2)]
+    assert twinedge.audit(polygons).valid
+    report = twinedge.audit(polygons, coverage=True)
+    assert not report.valid and {f.kind for f in report.findings} == {"duplicate"}
+    assert report.findings[0].fields["features"] == [0, 1]
+
+
+def test_files_are_told_by_their_names(tmp_path):
+    assert twinedge.audit(PARCELS).valid
+    assert twinedge.audit(str(DATA / "world-110m-crossing.geojson")).broken_rules[0] == "T3"
+    (tmp_path / "map.wkt").write_text("POLYGON((0 0, 1 0, 1 1, 0 0))")
+    assert twinedge.audit(tmp_path / "map.wkt").counts["faces"] == 2
+    mesh = tmp_path / "mesh.off"
+    trimesh.creation.box().export(mesh)
+    assert twinedge.audit(mesh, closed=True, genus=0, sides=3).valid
+    assert twinedge.audit(mesh, genus=1).broken_rules == ["M7"]
+    with pytest.raises(TypeError, match="snap: this is for maps"):
+        twinedge.audit(mesh, snap="auto")
+    with pytest.raises(TypeError, match="genus: this is for meshes"):
+        twinedge.audit(PARCELS, genus=0)
+
+
+def test_meshes_are_judged_by_their_faces():
+    box = trimesh.creation.box()
+    assert twinedge.audit(box, closed=True, sides=3).valid
+    assert twinedge.audit_faces(box.faces.tolist(), closed=True, sides=3).valid
+    three = twinedge.audit_faces([[0, 1, 2], [0, 1, 3], [0, 1, 4]])
+    assert "non_manifold_edge" in {f.kind for f in three.findings}
+    assert twinedge.audit_faces(np.empty((0, 3), int)).valid
+    assert twinedge.audit_faces([[0, 1, 2]], 4, used=True).broken_rules == ["M1"]
+
+
+@pytest.mark.parametrize(
+    ("layer", "error", "told"),
+    [
+        (7, TypeError, "cannot audit int"),
+        (Mesh(), TypeError, "cannot audit Mesh"),
+        ("no-such-file.geojson", FileNotFoundError, "no such file"),
+        ([shapely.box(0, 0, 1, 1), "POINT(0 0)"], TypeError, "cannot audit str"),
+        ({"type": "Polygon", "coordinates": [[[0, "x"]]]}, ValueError, "line 1"),
+        ({"type": "Cube"}, ValueError, "Cube"),
+    ],
+)
+def test_what_cannot_be_audited_is_said(layer, error, told):
+    with pytest.raises(error, match=told):
+        twinedge.audit(layer)
+
+
+def test_faces_that_are_none_are_refused():
+    for faces, error in [([[0, 1, -1]], ValueError), ([[0.0, 1.0, 2.0]], TypeError), (np.zeros((2, 3)), TypeError),
+                         (np.zeros(3, int), ValueError)]:
+        with pytest.raises(error, match="faces"):
+            twinedge.audit_faces(faces)
+    with pytest.raises(ValueError, match="3"):
+        twinedge.audit_faces([[0, 1, 3]], 3)
+
+
+def test_coordinates_are_not_rounded():
+    # The corner of the second lies beside the border of the first by one unit in the last place.
+    x = np.nextafter(1.0, 2.0)
+    report = twinedge.audit([shapely.box(0, 0, 1, 1), shapely.box(x, 0, 2, 1)])
+    assert report.counts["components"] == 2
+    assert json.loads(json.dumps(x)) == x
+
+
+def test_empty_and_missing_geometries_keep_their_places():
+    layer = geopandas.GeoSeries([None, shapely.Polygon(), *squares(0, 0.5)])
+    for each in [layer, list(layer)]:
+        report = twinedge.audit(each)
+        assert report.violations[-1].features == (2, 3)
+    with pytest.raises(ValueError, match="feature 0"):
+        twinedge.audit([shapely.Point(np.nan, 1)])

@@ -1,0 +1,91 @@
+//! What is asked for, and what was changed.
+
+use crate::dcel::FaceKey;
+use crate::geometry::Point;
+use crate::map::FeatureId;
+use core::fmt;
+
+/// Which of the features that claim a face gets it.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Hash)]
+#[non_exhaustive]
+pub enum Winner {
+    /// The one that claims the largest area on the map; the first of those.
+    #[default]
+    Larger,
+    /// The one that claims the smallest area; the first of those.
+    Smaller,
+    /// The first in order of input.
+    First,
+    /// The last.
+    Last,
+}
+
+/// How a coverage is made.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Options {
+    /// Which feature gets what several claim.
+    pub winner: Winner,
+    /// The greatest mean width of a gap that is filled. By default only small gaps are.
+    pub gap_width: Option<f64>,
+    /// The area below which gaps are filled, and thin parts of features given away. Default: a thousandth of the median area of all
+    /// parts.
+    pub sliver_area: Option<f64>,
+    /// The thinness below which a small part of a feature is a sliver, as for [coverages](crate::algorithm::coverage::Limits).
+    pub thinness: f64,
+}
+
+impl Default for Options {
+    fn default() -> Self {
+        Self { winner: Winner::Larger, gap_width: None, sliver_area: None, thinness: 0.2 }
+    }
+}
+
+/// Why faces changed hands.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord, Hash)]
+#[non_exhaustive]
+pub enum ChangeKind {
+    /// Several features claimed them.
+    Overlap,
+    /// No feature claimed them.
+    Gap,
+    /// They were a sliver.
+    Sliver,
+}
+
+impl ChangeKind {
+    /// The name.
+    #[must_use]
+    pub const fn name(self) -> &'static str {
+        match self {
+            Self::Overlap => "overlap",
+            Self::Gap => "gap",
+            Self::Sliver => "sliver",
+        }
+    }
+}
+
+impl fmt::Display for ChangeKind {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        f.write_str(self.name())
+    }
+}
+
+/// Connected faces that changed hands. Lengths and areas are in the units of the coordinates.
+#[derive(Clone, Debug, PartialEq)]
+#[non_exhaustive]
+pub struct Change {
+    /// Why.
+    pub kind: ChangeKind,
+    /// The features that had them: those that claimed the overlap, the one of the sliver, none for a gap.
+    pub from: Vec<FeatureId>,
+    /// The feature that got them; none for a sliver that was dropped.
+    pub to: Option<FeatureId>,
+    /// Their area.
+    pub area: f64,
+    /// Their mean width: twice the area by the length of the border.
+    pub width: f64,
+    /// A point inside.
+    pub at: Point,
+    /// The faces.
+    pub faces: Vec<FaceKey>,
+}

@@ -1,0 +1,84 @@
+//! Which feature has which face, while faces change hands, and the regions of faces that one feature has.
+
+use crate::algorithm::area::{Sum, face_area};
+use crate::algorithm::coverage::region::{border, connected, length};
+use crate::dcel::Face;
+use crate::map::{FeatureId, PlanarMap};
+use std::collections::BTreeMap;
+
+/// Which feature has which face, by index of face.
+pub(super) struct Ownership<'m> {
+    pub(super) map: &'m PlanarMap,
+    owners: Vec<Option<FeatureId>>,
+    areas: Vec<f64>,
+}
+
+/// A connected set of faces that one feature has, or none.
+pub(super) struct Region<'m> {
+    pub(super) owner: Option<FeatureId>,
+    pub(super) faces: Vec<Face<'m>>,
+    pub(super) area: f64,
+    /// The length of the border.
+    pub(super) length: f64,
+    /// Whether the unbounded face is among them.
+    pub(super) is_outside: bool,
+}
+
+impl<'m> Ownership<'m> {
+    /// Nobody has anything. O(half-edges).
+    pub(super) fn new(map: &'m PlanarMap) -> Self {
+        let faces = map.dcel().faces().map(|face| face.index() + 1).max().unwrap_or_default();
+        let mut areas = vec![0.0; faces];
+        for face in map.dcel().faces().filter(|face| !face.is_unbounded()) {
+            areas[face.index()] = face_area(map, face.key()).unwrap_or_default();
+        }
+        Self { map, owners: vec![None; faces], areas }
+    }
+
+    pub(super) fn owner(&self, face: Face<'_>) -> Option<FeatureId> {
+        self.owners[face.index()]
+    }
+
+    pub(super) fn give(&mut self, faces: &[Face<'_>], to: Option<FeatureId>) {
+        for face in faces {
+            self.owners[face.index()] = to;
+        }
+    }
+
+    /// The area of some faces.
+    pub(super) fn area(&self, faces: &[Face<'_>]) -> f64 {
+        let sum: Sum = faces.iter().map(|face| self.areas[face.index()]).collect();
+        sum.value()
+    }
+
+    /// All regions, in order of their first face. O(half-edges), expected.
+    pub(super) fn regions(&self) -> Vec<Region<'m>> {
+        let all = connected(self.map.dcel().faces(), |face| Some(self.owner(face)));
+        all.into_iter().map(|faces| self.region(faces)).collect()
+    }
+
+    /// A connected set of faces of one owner.
+    pub(super) fn region(&self, faces: Vec<Face<'m>>) -> Region<'m> {
+        let around: Sum = border(&faces).into_iter().map(|h| length(self.map, h)).collect();
+        Region {
+            owner: faces.first().and_then(|face| self.owner(*face)),
+            area: self.area(&faces),
+            length: around.value(),
+            is_outside: faces.iter().any(|face| face.is_unbounded()),
+            faces,
+        }
+    }
+
+    /// The feature with the longest common border, the first of those; none without neighbours. O(half-edges of the region · log).
+    pub(super) fn neighbour(&self, region: &Region<'m>) -> Option<FeatureId> {
+        let mut common: BTreeMap<FeatureId, Sum> = BTreeMap::new();
+        for h in border(&region.faces) {
+            if let Some(other) = self.owner(h.twin().face()).filter(|other| Some(*other) != region.owner) {
+                common.entry(other).or_default().add(length(self.map, h));
+            }
+        }
+        let longest = common.into_iter().map(|(feature, sum)| (feature, sum.value()));
+        // The first of several that are as long.
+        longest.reduce(|best, other| if other.1 > best.1 { other } else { best }).map(|(feature, _)| feature)
+    }
+}

@@ -1,0 +1,235 @@
+//! Giving each face to one feature at most.
+
+use super::change::{Change, ChangeKind, Options, Winner};
+use super::ownership::{Ownership, Region};
+use crate::algorithm::coverage::region::{connected, mean_width, point_inside};
+use crate::algorithm::coverage::sliver::median;
+use crate::algorithm::coverage::{CoverageError, features_of};
+use crate::dcel::{Face, FaceKey};
+use crate::map::{FeatureId, PlanarMap};
+use core::f64::consts::PI;
+use rustc_hash::FxHashSet;
+
+/// The part of the median area of all parts below which a thin part is a sliver.
+const OF_MEDIAN: f64 = 1_000.0;
+
+/// A coverage, made of the features of a map.
+#[derive(Clone, Debug, PartialEq)]
+#[non_exhaustive]
+pub struct Cleaned {
+    /// The faces of each feature, by [`FeatureId::index`], in order of their indices.
+    pub faces: Vec<Vec<FaceKey>>,
+    /// What changed hands, in the order in which it did. Faces may do so several times.
+    pub changes: Vec<Change>,
+    /// The area of slivers that was asked for, or was chosen at last.
+    pub sliver_area: f64,
+}
+
+/// Gives each face to one feature at most: see [the module](super).
+///
+/// O(r · n log n) for n half-edges and faces, each counted once for each feature that covers it, and r rounds, which are few
+/// unless slivers lie beside slivers.
+///
+/// ```
+/// use twinedge::algorithm::clean::{ChangeKind, Options, clean};
+/// use twinedge::map::{Builder, Noding, Shape};
+///
+/// // Two parcels; the right one begins half a unit inside the left one.
+/// let parcel = |x: f64, width: f64| [[x, 0.0], [x + width, 0.0], [x + width, 10.0], [x, 10.0]].map(Into::into).to_vec();
+/// let mut builder = Builder::new();
+/// let left = builder.shape(&Shape::Polygon(vec![parcel(0.0, 10.0)]))?;
+/// let right = builder.shape(&Shape::Polygon(vec![parcel(9.5, 8.0)]))?;
+/// let map = builder.build_with(Noding::Exact)?;
+/// let cleaned = clean(&map, &Options::default())?;
+/// let [change] = &cleaned.changes[..] else { unreachable!("nothing else is wrong") };
+/// assert_eq!((change.kind, change.area), (ChangeKind::Overlap, 5.0));
+/// assert_eq!((&change.from[..], change.to), (&[left, right][..], Some(left)));
+/// assert_eq!((cleaned.faces[0].len(), cleaned.faces[1].len()), (2, 1));
+/// # Ok::<(), Box<dyn std::error::Error>>(())
+/// ```
+///
+/// # Errors
+/// [`CoverageError::NotPlane`]; build such a map [with snapping](crate::map::Noding::Snap).
+pub fn clean(map: &PlanarMap, options: &Options) -> Result<Cleaned, CoverageError> {
+    clean_with_fillers(map, options, map.features().count())
+}
+
+/// As [`clean`], where the features from a number on are fillers: they get nothing, and what only they claim goes to the neighbour
+/// with the longest common border. So gaps can be closed that are open to the outside, where somebody has drawn what to fill.
+///
+/// ```
+/// use twinedge::algorithm::clean::{Options, clean_with_fillers};
+/// use twinedge::map::{Builder, Noding, Shape};
+///
+/// let box_of = |x0: f64, x1: f64| [[x0, 0.0], [x1, 0.0], [x1, 9.0], [x0, 9.0]].map(Into::into).to_vec();
+/// let mut builder = Builder::new();
+/// builder.shape(&Shape::Polygon(vec![box_of(0.0, 5.0)]))?;
+/// builder.shape(&Shape::Polygon(vec![box_of(5.1, 9.0)]))?;
+/// builder.shape(&Shape::Polygon(vec![box_of(5.0, 5.1)]))?;
+/// let cleaned = clean_with_fillers(&builder.build_with(Noding::Exact)?, &Options::default(), 2)?;
+/// let sizes: Vec<usize> = cleaned.faces.iter().map(Vec::len).collect();
+/// assert_eq!(sizes, [2, 1, 0]);
+/// # Ok::<(), Box<dyn std::error::Error>>(())
+/// ```
+///
+/// # Errors
+/// As for [`clean`].
+pub fn clean_with_fillers(map: &PlanarMap, options: &Options, fillers: usize) -> Result<Cleaned, CoverageError> {
+    if !map.is_plane() {
+        return Err(CoverageError::NotPlane);
+    }
+    let mut ownership = Ownership::new(map);
+    let mut changes = overlaps(map, &mut ownership, options.winner, fillers);
+    fill(map, &mut ownership, fillers, &mut changes);
+    let sliver_area = loop {
+        let regions = ownership.regions();
+        let limit = options.sliver_area.unwrap_or_else(|| {
+            let parts = regions.iter().filter(|region| region.owner.is_some());
+            median(parts.map(|region| region.area).collect()) / OF_MEDIAN
+        });
+        let before = changes.len();
+        fill_gaps(&mut ownership, &regions, limit, options.gap_width, &mut changes);
+        // Gaps that were filled have changed what is beside them.
+        if changes.len() == before {
+            give_slivers(&mut ownership, &regions, limit, options.thinness, &mut changes);
+        }
+        if changes.len() == before {
+            break limit;
+        }
+    };
+    let mut faces = vec![Vec::new(); map.features().count()];
+    for face in map.dcel().faces() {
+        if let Some(owner) = ownership.owner(face) {
+            faces[owner.index()].push(face.key());
+        }
+    }
+    Ok(Cleaned { faces, changes, sliver_area })
+}
+
+/// Gives each face to one of the features that claim it, and returns where there are several.
+fn overlaps(map: &PlanarMap, ownership: &mut Ownership<'_>, winner: Winner, fillers: usize) -> Vec<Change> {
+    let mut sizes = vec![0.0; map.features().count()];
+    for face in map.dcel().faces() {
+        for feature in features_of(map, face) {
+            sizes[feature.index()] += ownership.area(&[face]);
+        }
+    }
+    let claims = |face: Face<'_>| {
+        let claimed = features_of(map, face).filter(|feature| feature.index() < fillers);
+        Some(claimed.collect::<Vec<_>>()).filter(|all| !all.is_empty())
+    };
+    let mut changes = Vec::new();
+    for faces in connected(map.dcel().faces(), claims) {
+        let from: Vec<FeatureId> = faces.first().copied().and_then(claims).unwrap_or_default();
+        let size = |feature: &FeatureId| sizes[feature.index()];
+        let to = match winner {
+            Winner::Larger => from.iter().copied().reduce(|a, b| if size(&b) > size(&a) { b } else { a }),
+            Winner::Smaller => from.iter().copied().reduce(|a, b| if size(&b) < size(&a) { b } else { a }),
+            Winner::First => from.first().copied(),
+            Winner::Last => from.last().copied(),
+        };
+        ownership.give(&faces, to);
+        if from.len() > 1 {
+            changes.push((faces, from, to));
+        }
+    }
+    let regions = changes.into_iter().map(|(faces, from, to)| {
+        let region = ownership.region(faces);
+        change(map, ChangeKind::Overlap, from, to, &region)
+    });
+    regions.collect()
+}
+
+/// Gives what only fillers claim to neighbours.
+fn fill(map: &PlanarMap, ownership: &mut Ownership<'_>, fillers: usize, changes: &mut Vec<Change>) {
+    let is_filled = |face: Face<'_>| {
+        let is_free = ownership.owner(face).is_none() && !face.is_unbounded();
+        (is_free && features_of(map, face).any(|feature| feature.index() >= fillers)).then_some(())
+    };
+    for faces in connected(map.dcel().faces(), is_filled) {
+        let region = ownership.region(faces);
+        if let Some(to) = ownership.neighbour(&region) {
+            ownership.give(&region.faces, Some(to));
+            changes.push(change(map, ChangeKind::Gap, Vec::new(), Some(to), &region));
+        }
+    }
+}
+
+fn change(
+    map: &PlanarMap,
+    kind: ChangeKind,
+    from: Vec<FeatureId>,
+    to: Option<FeatureId>,
+    region: &Region<'_>,
+) -> Change {
+    let largest = region.faces.iter().max_by(|a, b| {
+        let area = |face: &Face<'_>| crate::algorithm::area::face_area(map, face.key()).unwrap_or_default();
+        area(a).total_cmp(&area(b))
+    });
+    Change {
+        kind,
+        from,
+        to,
+        area: region.area,
+        width: mean_width(region.area, region.length),
+        at: largest.and_then(|face| point_inside(map, *face)).unwrap_or_default(),
+        faces: region.faces.iter().map(|face| face.key()).collect(),
+    }
+}
+
+/// Gives gaps to their neighbours. Two gaps are never neighbours, so the regions stay right meanwhile.
+fn fill_gaps(
+    ownership: &mut Ownership<'_>,
+    regions: &[Region<'_>],
+    limit: f64,
+    width: Option<f64>,
+    changes: &mut Vec<Change>,
+) {
+    for region in regions.iter().filter(|region| region.owner.is_none() && !region.is_outside) {
+        let is_narrow = width.is_some_and(|width| mean_width(region.area, region.length) <= width);
+        if !(region.area < limit || is_narrow) {
+            continue;
+        }
+        let Some(to) = ownership.neighbour(region) else { continue };
+        ownership.give(&region.faces, Some(to));
+        changes.push(change(ownership.map, ChangeKind::Gap, Vec::new(), Some(to), region));
+    }
+}
+
+/// Gives slivers to their neighbours, the smallest first, but none beside one that has changed hands in this round: it may have
+/// become a part of something larger.
+fn give_slivers(
+    ownership: &mut Ownership<'_>,
+    regions: &[Region<'_>],
+    limit: f64,
+    thinness: f64,
+    changes: &mut Vec<Change>,
+) {
+    let mut parts = vec![0_usize; ownership.map.features().count()];
+    for owner in regions.iter().filter_map(|region| region.owner) {
+        parts[owner.index()] += 1;
+    }
+    let is_sliver = |region: &&Region<'_>| {
+        let is_thin = 4.0 * PI * region.area < thinness * region.length * region.length;
+        region.owner.is_some() && region.area < limit && is_thin
+    };
+    let mut slivers: Vec<&Region<'_>> = regions.iter().filter(is_sliver).collect();
+    slivers.sort_by(|a, b| a.area.total_cmp(&b.area));
+    let mut changed: FxHashSet<usize> = FxHashSet::default();
+    for region in slivers {
+        let Some(owner) = region.owner else { continue };
+        let is_beside = region.faces.iter().any(|face| changed.contains(&face.index()));
+        // The last part of a feature stays: nothing else would be left of it.
+        if is_beside || parts[owner.index()] == 1 {
+            continue;
+        }
+        let to = ownership.neighbour(region);
+        ownership.give(&region.faces, to);
+        parts[owner.index()] -= 1;
+        for face in &region.faces {
+            changed.insert(face.index());
+            changed.extend(face.neighbours().map(|other| other.index()));
+        }
+        changes.push(change(ownership.map, ChangeKind::Sliver, vec![owner], to, region));
+    }
+}

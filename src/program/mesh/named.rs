@@ -1,0 +1,296 @@
+//! Names that stay for the half-edges of a mesh that moves them.
+
+use crate::delegate_view;
+use crate::program::subject::{Refusal, Subject};
+use crate::validate::{Link, Start, View};
+use alloc::boxed::Box;
+use alloc::collections::{BTreeMap, BTreeSet};
+use alloc::vec::Vec;
+use core::fmt;
+
+/// An operator of a mesh, which takes the index of a half-edge.
+type Operator<M> = Box<dyn FnMut(&mut M, usize) -> Result<(), Refusal>>;
+
+/// Where a half-edge is: twice its index in the mesh, or one more for the side outside of a half-edge without twin.
+type Place = usize;
+const NOWHERE: Place = usize::MAX;
+
+/// A simple triangle mesh as a [`Subject`], whatever its operators do to the indices of its half-edges, and whether or not it stores
+/// half-edges on its border.
+///
+/// Where `next` is arithmetic (`3 ⌊h / 3⌋ + (h + 1) mod 3`, as in corner tables and lists of triangles), an operator has to move
+/// half-edges to other indices, and an index is no handle. In a simple mesh no two half-edges start and end at the same vertices.
+/// So here each half-edge has a number of its own by which it is found again after each operator, from its two ends. Vertices keep
+/// their indices.
+///
+/// ```text
+///        3 ◄────────── 2          A half-edge without twin gets one: it has no face
+///        │ ╲   ╲       ▲          and no next. Here 4 half-edges of 6 have none, and
+///        │   ╲   ╲     │          the mesh as it is seen has 10.
+///        ▼     ╲   ╲   │
+///        0 ──────────► 1
+/// ```
+///
+/// O(n log n) for each operator, for n half-edges. The view is that of the mesh with other numbers, and O(log n) per question.
+///
+/// ```
+/// use std::collections::BTreeSet;
+/// use twinedge::program::mesh::Named;
+/// use twinedge::program::{Refusal, conformance};
+/// use twinedge::validate::{Expectation, Part};
+/// use twinedge::view_answers;
+///
+/// /// Triangles: half-edge `3t + i` leads from corner `i` of triangle `t` to the next.
+/// #[derive(Clone)]
+/// struct Triangles(Vec<[usize; 3]>);
+///
+/// impl Triangles {
+///     fn origin(&self, h: usize) -> usize { self.0[h / 3][h % 3] }
+///     fn target(&self, h: usize) -> usize { self.0[h / 3][(h + 1) % 3] }
+///     fn twin(&self, h: usize) -> Option<usize> {
+///         (0..3 * self.0.len()).find(|t| (self.origin(*t), self.target(*t)) == (self.target(h), self.origin(h)))
+///     }
+///     fn flip(&mut self, h: usize) -> Result<(), Refusal> {
+///         let twin = self.twin(h).ok_or(Refusal::Border)?;
+///         let across = |h: usize| self.0[h / 3][(h + 2) % 3];
+///         let (a, b, c, d) = (self.origin(h), self.origin(twin), across(h), across(twin));
+///         if self.0.iter().any(|t| t.contains(&c) && t.contains(&d)) { return Err(Refusal::NotSimple); }
+///         (self.0[h / 3], self.0[twin / 3]) = ([a, d, c], [b, c, d]);
+///         Ok(())
+///     }
+/// }
+///
+/// impl twinedge::validate::View for Triangles {
+///     view_answers! { |m|
+///         vertex_slots => m.0.iter().flatten().max().map_or(0, |v| v + 1),
+///         half_edge_slots => 3 * m.0.len(),
+///         face_slots => m.0.len(),
+///         origin(h) => Some(m.origin(h)),
+///         twin(h) => Triangles::twin(m, h),
+///         next(h) => Some(h - h % 3 + (h + 1) % 3),
+///         face(h) => Some(h / 3),
+///         outer_half_edge(f) => Some(3 * f),
+///     }
+/// }
+///
+/// // Two triangles side by side, and a third.
+/// let mesh = Triangles(vec![[0, 1, 3], [1, 2, 3], [2, 4, 3]]);
+/// let expectation = Expectation::surface().open().without(Part::BoundaryComponents).without(Part::Prev).without(Part::Leaving);
+/// let make = || Named::new(mesh.clone()).flip_edge(Triangles::flip);
+/// let summary = conformance::check(make, &expectation.simple().triangles())?;
+/// assert!(summary.of("mesh_flip_edge").unwrap().applied > 0);
+/// # Ok::<(), twinedge::program::conformance::Counterexample>(())
+/// ```
+pub struct Named<M> {
+    mesh: M,
+    /// Per number, where the half-edge is.
+    place: Vec<Place>,
+    /// By place, the number.
+    number: BTreeMap<Place, usize>,
+    /// Per number, the ends of the half-edge.
+    ends: Vec<[Link; 2]>,
+    flip_edge: Option<Operator<M>>,
+    split_edge: Option<Operator<M>>,
+    split_face: Option<Operator<M>>,
+    collapse_edge: Option<Operator<M>>,
+}
+
+/// Writes the methods that name an operator of the mesh.
+macro_rules! operators {
+    ($($name:ident)*) => {
+        $(
+            /// The same mesh with this operator, which takes the index of a half-edge of the mesh. What it gives is dropped, and its
+            /// error becomes a [`Refusal`] by `Into`. What it is to do stands in
+            #[doc = concat!("[`", stringify!($name), "`](super::", stringify!($name), ").")]
+            #[must_use]
+            pub fn $name<T, E: Into<Refusal>>(
+                mut self,
+                mut operator: impl FnMut(&mut M, usize) -> Result<T, E> + 'static,
+            ) -> Self {
+                self.$name = Some(Box::new(move |mesh, h| operator(mesh, h).map(drop).map_err(Into::into)));
+                self
+            }
+        )*
+    };
+}
+
+impl<M: View> Named<M> {
+    /// Begins with a mesh as it is. O(n log n).
+    #[must_use]
+    pub fn new(mesh: M) -> Self {
+        let mut named = Self {
+            mesh,
+            place: Vec::new(),
+            number: BTreeMap::new(),
+            ends: Vec::new(),
+            flip_edge: None,
+            split_edge: None,
+            split_face: None,
+            collapse_edge: None,
+        };
+        named.find_again(|v| v);
+        named
+    }
+
+    operators!(flip_edge split_edge split_face collapse_edge);
+
+    /// The mesh.
+    #[must_use]
+    pub const fn mesh(&self) -> &M {
+        &self.mesh
+    }
+
+    /// All places where half-edges are, or lack.
+    fn places(&self) -> Vec<Place> {
+        let live = (0..self.mesh.half_edge_slots()).filter(|h| self.mesh.is_half_edge(*h));
+        live.flat_map(|h| [Some(2 * h), self.mesh.twin(h).is_none().then_some(2 * h + 1)]).flatten().collect()
+    }
+
+    /// The vertices where the half-edge at a place starts and ends.
+    fn ends_at(&self, place: Place) -> [Link; 2] {
+        let h = place / 2;
+        let start = |link: Link| link.filter(|h| *h < self.mesh.half_edge_slots()).and_then(|h| self.mesh.origin(h));
+        let ends = [self.mesh.origin(h), start(self.mesh.next(h)).or_else(|| start(self.mesh.twin(h)))];
+        if place % 2 == 0 { ends } else { [ends[1], ends[0]] }
+    }
+
+    /// Finds the half-edges by their ends after an operator. `now` is the vertex that a vertex of before has become.
+    fn find_again(&mut self, now: impl Fn(usize) -> usize) {
+        let mut known: BTreeMap<[Link; 2], usize> = BTreeMap::new();
+        for (n, _) in self.place.iter().enumerate().filter(|(_, place)| **place != NOWHERE) {
+            known.entry(self.ends[n].map(|end| end.map(&now))).or_insert(n);
+        }
+        self.place.fill(NOWHERE);
+        self.number.clear();
+        for place in self.places() {
+            let ends = self.ends_at(place);
+            let n = known.remove(&ends).unwrap_or(self.place.len());
+            if n == self.place.len() {
+                self.place.push(NOWHERE);
+                self.ends.push(ends);
+            }
+            (self.place[n], self.ends[n]) = (place, ends);
+            self.number.insert(place, n);
+        }
+    }
+
+    fn place(&self, n: usize) -> Option<Place> {
+        self.place.get(n).copied().filter(|place| *place != NOWHERE)
+    }
+
+    /// The number of a half-edge of the mesh; one that no half-edge has, if it is not there.
+    fn numbered(&self, link: Link) -> Link {
+        link.map(|h| h.checked_mul(2).and_then(|place| self.number.get(&place)).copied().unwrap_or(usize::MAX))
+    }
+
+    fn start(&self, start: Option<Start>) -> Option<Start> {
+        match start? {
+            Start::HalfEdge(h) => self.numbered(Some(h)).map(Start::HalfEdge),
+            vertex @ Start::Vertex(_) => Some(vertex),
+        }
+    }
+
+    /// What the half-edge with a number keeps, if it is stored.
+    fn kept(&self, n: usize, link: impl Fn(&M, usize) -> Link) -> Link {
+        self.place(n).filter(|place| place % 2 == 0).and_then(|place| link(&self.mesh, place / 2))
+    }
+
+    /// Runs an operator of the mesh on the half-edge with this number, or, where that is not stored, on its twin.
+    fn run(&mut self, n: usize, operator: impl Fn(&mut Self) -> &mut Option<Operator<M>>) -> Result<(), Refusal> {
+        let place = self.place(n).ok_or(Refusal::Stale)?;
+        let mut chosen = operator(self).take().ok_or(Refusal::Unsupported)?;
+        let result = chosen(&mut self.mesh, place / 2);
+        *operator(self) = Some(chosen);
+        result
+    }
+}
+
+impl<M: View> View for Named<M> {
+    delegate_view!(|this| &this.mesh; only vertex_slots, is_vertex, isolated, face_slots, is_face, outer, inner_count, inner);
+    delegate_view!(|this| &this.mesh; only boundary_slots, is_boundary, boundary_face, boundary_place);
+
+    fn half_edge_slots(&self) -> usize {
+        self.place.len()
+    }
+    fn is_half_edge(&self, n: usize) -> bool {
+        self.place(n).is_some()
+    }
+    fn origin(&self, n: usize) -> Link {
+        self.ends.get(n)?[0]
+    }
+    fn twin(&self, n: usize) -> Link {
+        let place = self.place(n)?;
+        match (place % 2, self.mesh.twin(place / 2)) {
+            (0, None) => self.number.get(&(place + 1)).copied(),
+            (0, twin) => self.numbered(twin),
+            _ => self.numbered(Some(place / 2)),
+        }
+    }
+    fn next(&self, n: usize) -> Link {
+        self.numbered(self.kept(n, M::next))
+    }
+    fn prev(&self, n: usize) -> Link {
+        self.numbered(self.kept(n, M::prev))
+    }
+    fn boundary(&self, n: usize) -> Link {
+        self.kept(n, M::boundary)
+    }
+    fn face(&self, n: usize) -> Link {
+        self.kept(n, M::face)
+    }
+    fn leaving(&self, v: usize) -> Link {
+        self.numbered(self.mesh.leaving(v))
+    }
+    fn outer_half_edge(&self, f: usize) -> Link {
+        self.numbered(self.mesh.outer_half_edge(f))
+    }
+    fn boundary_start(&self, b: usize) -> Option<Start> {
+        self.start(self.mesh.boundary_start(b))
+    }
+    fn inner_start(&self, f: usize, position: usize) -> Option<Start> {
+        self.start(self.mesh.inner_start(f, position))
+    }
+}
+
+impl<M: View> Subject for Named<M> {
+    crate::subject_by_index!();
+
+    fn mesh_flip_edge(&mut self, n: usize) -> Result<(), Refusal> {
+        self.run(n, |named| &mut named.flip_edge)?;
+        self.find_again(|v| v);
+        Ok(())
+    }
+
+    fn mesh_split_edge(&mut self, n: usize) -> Result<(), Refusal> {
+        self.run(n, |named| &mut named.split_edge)?;
+        self.find_again(|v| v);
+        Ok(())
+    }
+
+    fn mesh_split_face(&mut self, n: usize) -> Result<(), Refusal> {
+        if self.place(n).ok_or(Refusal::Stale)? % 2 == 1 {
+            return Err(if self.split_face.is_some() { Refusal::Border } else { Refusal::Unsupported });
+        }
+        self.run(n, |named| &mut named.split_face)?;
+        self.find_again(|v| v);
+        Ok(())
+    }
+
+    fn mesh_collapse_edge(&mut self, n: usize) -> Result<(), Refusal> {
+        let ends = self.ends.get(n).copied().unwrap_or_default();
+        let vertices = |mesh: &M| (0..mesh.vertex_slots()).filter(|v| mesh.is_vertex(*v)).collect::<BTreeSet<usize>>();
+        let before = vertices(&self.mesh);
+        self.run(n, |named| &mut named.collapse_edge)?;
+        // What the two ends have become: one of them, or a vertex that is new.
+        let after = vertices(&self.mesh);
+        let of_both = ends.into_iter().flatten().chain(after.difference(&before).copied()).find(|v| after.contains(v));
+        self.find_again(|v| if ends.contains(&Some(v)) { of_both.unwrap_or(v) } else { v });
+        Ok(())
+    }
+}
+
+impl<M: fmt::Debug> fmt::Debug for Named<M> {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        f.debug_struct("Named").field("mesh", &self.mesh).field("place", &self.place).finish_non_exhaustive()
+    }
+}

@@ -1,0 +1,92 @@
+//! The half-edges that are in doubt, where something is wrong.
+
+use super::extent::{Extent, existing};
+use super::links::{Links, MOST_DOUBTS};
+use crate::validate::expectation::Part;
+use crate::validate::view::View;
+use alloc::vec::Vec;
+
+/// The half-edges that are in doubt: all others keep their rules.
+pub(in crate::validate) struct Doubts {
+    /// In order of their numbers. All of them are live.
+    pub(in crate::validate) half_edges: Vec<u32>,
+    /// How many half-edges are live, and how many of these have no twin.
+    pub(in crate::validate) live: usize,
+    pub(in crate::validate) unpaired: usize,
+}
+
+/// What has been settled of all half-edges.
+#[derive(Clone, Copy)]
+pub(super) struct Settled {
+    /// Their origins are live.
+    pub(super) origins: bool,
+    /// What they name is live, and what the next names.
+    pub(super) names: bool,
+}
+
+/// The half-edges that may break a rule: those at which the scan has found something wrong, and, by a second scan, those at which
+/// something is wrong that nothing else has settled. None if they are too many.
+pub(super) fn find<V: View + ?Sized>(view: &V, extent: Extent, links: &Links, settled: Settled) -> Option<Doubts> {
+    let mut half_edges = Vec::new();
+    for h in &links.wrong {
+        with_twin(view, extent, *h as usize, &mut half_edges)?;
+    }
+    let is_prev_settled = links.next_holds || !extent.has(Part::Prev);
+    let are_names_settled = settled.names || !extent.has(Part::Faces);
+    if !(is_prev_settled && settled.origins && are_names_settled) {
+        let most = half_edges.len() + MOST_DOUBTS;
+        for h in (0..extent.half_edges).filter(|h| view.is_half_edge(*h)) {
+            let has_origin = settled.origins || has_origin(view, extent, h);
+            let holds = (is_prev_settled || is_led_back_to(view, extent, h))
+                && (are_names_settled || is_named(view, extent, h));
+            if holds && has_origin {
+                continue;
+            }
+            if half_edges.len() >= most {
+                return None;
+            }
+            if has_origin {
+                half_edges.try_reserve(1).ok()?;
+                half_edges.push(h as u32);
+            } else {
+                with_twin(view, extent, h, &mut half_edges)?;
+            }
+        }
+    }
+    half_edges.sort_unstable();
+    half_edges.dedup();
+    Some(Doubts { half_edges, live: links.half_edges, unpaired: links.unpaired })
+}
+
+/// Puts in doubt a half-edge and its twin, which may be the only witness, and whose target is the origin of this one.
+fn with_twin<V: View + ?Sized>(view: &V, extent: Extent, h: usize, half_edges: &mut Vec<u32>) -> Option<()> {
+    half_edges.try_reserve(2).ok()?;
+    half_edges.push(h as u32);
+    let twin = existing(view.twin(h), extent.half_edges).filter(|t| view.is_half_edge(*t));
+    half_edges.extend(twin.map(|t| t as u32));
+    Some(())
+}
+
+/// Whether the next of what precedes the half-edge is the half-edge again.
+#[inline]
+fn is_led_back_to<V: View + ?Sized>(view: &V, extent: Extent, h: usize) -> bool {
+    let before = existing(view.prev(h), extent.half_edges).filter(|p| view.is_half_edge(*p));
+    before.and_then(|p| view.next(p)) == Some(h)
+}
+
+#[inline]
+fn has_origin<V: View + ?Sized>(view: &V, extent: Extent, h: usize) -> bool {
+    view.origin(h).is_some_and(|v| v < extent.vertices && view.is_vertex(v))
+}
+
+/// Whether the half-edge names a live boundary component, or face, or may name none; and the next names the same.
+#[inline]
+fn is_named<V: View + ?Sized>(view: &V, extent: Extent, h: usize) -> bool {
+    let name = extent.name(view, h);
+    let is_live = match name {
+        None => extent.expect.is_open() && view.twin(h).is_some(),
+        Some(b) if extent.has(Part::BoundaryComponents) => b < extent.boundaries && view.is_boundary(b),
+        Some(f) => f < extent.faces && view.is_face(f),
+    };
+    is_live && existing(view.next(h), extent.half_edges).is_none_or(|n| extent.name(view, n) == name)
+}

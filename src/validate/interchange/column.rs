@@ -1,0 +1,86 @@
+//! One column of links: every so many cells of a slice.
+
+use super::cell::Cell;
+use super::error::ColumnsError;
+use crate::validate::view::Link;
+
+/// A column of links in a slice of integers.
+///
+/// ```
+/// use twinedge::validate::interchange::Column;
+/// // Two records of three fields each. The column is the second field.
+/// let records = [0_i32, 10, 0, 0, -1, 0];
+/// let column = Column::strided(&records, 1, 3, 2)?;
+/// assert_eq!((column.link(0), column.link(1), column.len()), (Some(10), None, 2));
+/// # Ok::<(), twinedge::validate::interchange::ColumnsError>(())
+/// ```
+#[derive(Debug)]
+pub struct Column<'a, T> {
+    cells: &'a [T],
+    first: usize,
+    /// A step of the stride, modulo the number of all positions: a negative one is added like a positive one.
+    step: usize,
+    len: usize,
+}
+
+impl<T> Clone for Column<'_, T> {
+    fn clone(&self) -> Self {
+        *self
+    }
+}
+
+impl<T> Copy for Column<'_, T> {}
+
+impl<'a, T: Cell> Column<'a, T> {
+    /// The column of all cells.
+    #[must_use]
+    pub const fn new(cells: &'a [T]) -> Self {
+        Self { cells, first: 0, step: 1, len: cells.len() }
+    }
+
+    /// The column of the `len` cells at `first`, `first + stride`, `first + 2 · stride` and so on. A stride may be negative.
+    ///
+    /// # Errors
+    /// [`ColumnsError::OutOfSlice`] if one of these is not in the slice.
+    pub const fn strided(cells: &'a [T], first: usize, stride: isize, len: usize) -> Result<Self, ColumnsError> {
+        let error = Err(ColumnsError::OutOfSlice { first, stride, len, cells: cells.len() });
+        let Some(steps) = len.checked_sub(1) else { return Ok(Self { cells, first: 0, step: 1, len }) };
+        let Some(span) = stride.unsigned_abs().checked_mul(steps) else { return error };
+        let (step, last) = if stride < 0 {
+            (0_usize.wrapping_sub(stride.unsigned_abs()), first.checked_sub(span))
+        } else {
+            (stride.unsigned_abs(), first.checked_add(span))
+        };
+        match last {
+            Some(last) if first < cells.len() && last < cells.len() => Ok(Self { cells, first, step, len }),
+            _ => error,
+        }
+    }
+
+    /// The number of links.
+    #[must_use]
+    pub const fn len(&self) -> usize {
+        self.len
+    }
+
+    /// Whether there is no link.
+    #[must_use]
+    pub const fn is_empty(&self) -> bool {
+        self.len == 0
+    }
+
+    /// The link at this position; nil past the end.
+    #[inline]
+    #[must_use]
+    pub fn link(&self, position: usize) -> Link {
+        // Within the column nothing wraps: `strided` has looked at both ends.
+        let cell = self.first.wrapping_add(position.wrapping_mul(self.step));
+        if position < self.len { self.cells.get(cell)?.link() } else { None }
+    }
+
+    /// One more than the largest link, and 0 if there is none: how many records the links lead to, if none dangles. O(n).
+    #[must_use]
+    pub fn slots(&self) -> usize {
+        (0..self.len).filter_map(|i| self.link(i)).max().map_or(0, |largest| largest.saturating_add(1))
+    }
+}

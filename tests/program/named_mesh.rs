@@ -1,0 +1,182 @@
+//! Meshes that move their half-edges and store none on the border, put to the test by names that stay.
+
+use crate::support::triangles::{Bug, Triangles};
+use twinedge::program::conformance::{self, Conformance, Counterexample};
+use twinedge::program::mesh::Named;
+use twinedge::program::{Corner, Refusal, Subject};
+use twinedge::validate::{Collect, Expectation, Part, View, validate};
+
+const MESH: Expectation =
+    Expectation::surface().open().without(Part::BoundaryComponents).without(Part::Prev).simple().triangles();
+
+const OCTAHEDRON: [[usize; 3]; 8] =
+    [[0, 1, 2], [0, 2, 3], [0, 3, 4], [0, 4, 1], [5, 2, 1], [5, 3, 2], [5, 4, 3], [5, 1, 4]];
+const PYRAMID: [[usize; 3]; 4] = [[0, 1, 4], [1, 2, 4], [2, 3, 4], [3, 0, 4]];
+
+fn named(vertices: usize, triangles: &[[usize; 3]], bug: Bug) -> Named<Triangles> {
+    Named::new(Triangles::new(vertices, triangles, bug))
+        .flip_edge(Triangles::flip)
+        .split_edge(Triangles::split)
+        .collapse_edge(Triangles::collapse)
+}
+
+#[test]
+fn a_right_mesh_agrees_with_the_reference() {
+    for (vertices, triangles) in [(6, &OCTAHEDRON[..]), (5, &PYRAMID), (3, &[[0, 1, 2]])] {
+        let settings = Conformance::of(&MESH).coverage(conformance::Coverage::SomeOperator).programs(100, 30);
+        let summary = settings.check(|| named(vertices, triangles, Bug::None)).unwrap();
+        let splits = summary.of("mesh_split_edge").unwrap();
+        assert!(splits.applied > 500 && splits.refused > 0, "{summary}");
+        let collapses = summary.of("mesh_collapse_edge").unwrap();
+        assert!(collapses.applied > 300 && collapses.refused > 100, "{summary}");
+        assert_eq!(summary.of("mesh_split_face").unwrap().applied, 0);
+    }
+}
+
+/// What a program of a counterexample does, without the numbers.
+fn operators(found: &Counterexample) -> Vec<&str> {
+    found.program.0.iter().map(|op| op.name()).collect()
+}
+
+/// Every bug is found on the disc, and the program is made small from the disc on: no number counts beyond the half-edges that there
+/// are, and nothing is left that the bug does not need.
+#[test]
+fn bugs_are_found_and_their_programs_are_small() {
+    for (bug, most) in [(Bug::StaleLeaving, 1), (Bug::ForgetsFan, 3), (Bug::Pinches, 4)] {
+        for seed in 0..4 {
+            let settings = Conformance::of(&MESH).seed(seed);
+            let found = settings.check(|| named(5, &PYRAMID, bug)).unwrap_err();
+            let operators = operators(&found);
+            assert!(operators.len() <= most, "{bug:?} {found}");
+            assert_eq!(operators.last(), Some(&"mesh_collapse_edge"), "{bug:?} {found}");
+            let numbers = found.program.to_string();
+            let numbers = numbers.split(" h").skip(1).map(|rest| {
+                rest.split_whitespace().next().and_then(|number| number.parse::<usize>().ok()).expect("is a number")
+            });
+            // A split adds at most six half-edges.
+            assert!(numbers.into_iter().all(|number| number < 16 + 6 * most), "{bug:?} {found}");
+        }
+    }
+}
+
+/// The same by indices: the first flip is a difference, though the mesh is right, and the message says what to do.
+#[test]
+fn a_mesh_that_moves_half_edges_is_told_of_names() {
+    struct ByIndex(Named<Triangles>, Vec<usize>);
+    impl View for ByIndex {
+        twinedge::delegate_view!(|this| &this.0; except half_edge_slots, is_half_edge, origin, twin, next, face, leaving, outer_half_edge);
+        fn half_edge_slots(&self) -> usize {
+            self.1.len()
+        }
+        fn is_half_edge(&self, h: usize) -> bool {
+            self.0.is_half_edge(self.1[h])
+        }
+        fn origin(&self, h: usize) -> Option<usize> {
+            self.0.origin(self.1[h])
+        }
+        fn twin(&self, h: usize) -> Option<usize> {
+            self.at(self.0.twin(self.1[h]))
+        }
+        fn next(&self, h: usize) -> Option<usize> {
+            self.at(self.0.next(self.1[h]))
+        }
+        fn face(&self, h: usize) -> Option<usize> {
+            self.0.face(self.1[h])
+        }
+        fn leaving(&self, v: usize) -> Option<usize> {
+            self.at(self.0.leaving(v))
+        }
+        fn outer_half_edge(&self, f: usize) -> Option<usize> {
+            self.at(self.0.outer_half_edge(f))
+        }
+    }
+    impl ByIndex {
+        fn at(&self, link: Option<usize>) -> Option<usize> {
+            self.1.iter().position(|n| Some(*n) == link)
+        }
+        /// Splits, and exchanges the first half-edge with the last.
+        fn split(&mut self, h: usize) -> Result<(), Refusal> {
+            self.0.mesh_split_edge(self.1[h])?;
+            self.1 = (0..self.0.half_edge_slots()).collect();
+            let last = self.1.len() - 1;
+            self.1.swap(0, last);
+            Ok(())
+        }
+    }
+    impl Subject for ByIndex {
+        twinedge::subject_by_index!(mesh_split_edge => Self::split);
+    }
+    let make = || {
+        let named = named(6, &OCTAHEDRON, Bug::None);
+        let all = (0..named.half_edge_slots()).collect();
+        ByIndex(named, all)
+    };
+    let found = conformance::check(make, &MESH).unwrap_err();
+    assert_eq!(operators(&found), ["mesh_split_edge"]);
+    assert!(found.to_string().contains("the mesh needs program::mesh::Named"), "{found}");
+}
+
+/// The half-edges that are not stored are there, without face and next, and each half-edge is the same one after an operator.
+#[test]
+fn names_stay() {
+    let mut mesh = named(5, &PYRAMID, Bug::None);
+    let live =
+        |mesh: &Named<Triangles>| (0..mesh.half_edge_slots()).filter(|n| mesh.is_half_edge(*n)).collect::<Vec<_>>();
+    assert_eq!(live(&mesh).len(), 16);
+    let ends = |mesh: &Named<Triangles>, n: usize| [mesh.origin(n), mesh.origin(mesh.twin(n).unwrap())];
+    let border: Vec<usize> = live(&mesh).into_iter().filter(|n| mesh.face(*n).is_none()).collect();
+    assert_eq!(border.len(), 4);
+    for n in &border {
+        assert_eq!((mesh.next(*n), mesh.mesh_split_face(*n)), (None, Err(Refusal::Unsupported)));
+        assert_eq!(
+            (mesh.face_of(Corner::At(*n)), mesh.mesh_flip_edge(*n)),
+            (Err(Refusal::Border), Err(Refusal::Border))
+        );
+    }
+    let before: Vec<_> = live(&mesh).into_iter().map(|n| (n, ends(&mesh, n))).collect();
+    // The edge from 0 to the apex is turned: two half-edges are new, all others have their ends.
+    let spoke = before.iter().find(|(_, ends)| *ends == [Some(0), Some(4)]).unwrap().0;
+    assert_eq!(mesh.mesh_flip_edge(spoke), Ok(()));
+    let turned: Vec<usize> = live(&mesh).into_iter().filter(|n| *n >= 16).collect();
+    assert_eq!((live(&mesh).len(), turned.len(), mesh.mesh_flip_edge(spoke)), (16, 2, Err(Refusal::Stale)));
+    for (n, ends_before) in &before {
+        let is_turned = matches!(ends_before, [Some(0), Some(4)] | [Some(4), Some(0)]);
+        assert!(is_turned != mesh.is_half_edge(*n));
+        assert!(is_turned || ends(&mesh, *n) == *ends_before);
+    }
+    // An edge of the border collapses, given by the half-edge that is not stored; what started at one end starts at the other.
+    let n = border[0];
+    let [from, to] = ends(&mesh, n);
+    assert_eq!(mesh.mesh_collapse_edge(n), Ok(()));
+    assert_eq!(live(&mesh).len(), 16 - 4);
+    assert!(live(&mesh).into_iter().all(|n| n < 18), "no half-edge is new");
+    assert_ne!(mesh.is_vertex(from.unwrap()), mesh.is_vertex(to.unwrap()));
+    assert!(validate(&twinedge::validate::adapt::Borders::of(&mesh).unwrap(), &MESH, Collect::All).is_valid());
+    assert!(!mesh.is_half_edge(usize::MAX) && mesh.twin(usize::MAX).is_none() && mesh.origin(usize::MAX).is_none());
+}
+
+/// An operator that the mesh does not have, and links that lead nowhere.
+#[test]
+fn a_broken_mesh_stays_broken() {
+    let mut bare = Named::new(Triangles::new(3, &[[0, 1, 2]], Bug::None));
+    assert_eq!(bare.mesh_flip_edge(0), Err(Refusal::Unsupported));
+    assert_eq!((bare.mesh_flip_edge(99), bare.mesh_split_face(99)), (Err(Refusal::Stale), Err(Refusal::Stale)));
+    struct Dangling;
+    impl View for Dangling {
+        twinedge::view_answers! { |_m|
+            vertex_slots => 2,
+            half_edge_slots => 2,
+            origin(h) => Some(h),
+            twin(_h) => Some(7),
+            next(_h) => Some(usize::MAX),
+            leaving(_v) => Some(5),
+        }
+    }
+    let named = Named::new(Dangling);
+    assert_eq!(
+        (named.twin(0), named.next(1), named.leaving(0)),
+        (Some(usize::MAX), Some(usize::MAX), Some(usize::MAX))
+    );
+    let report = validate(&named, &Expectation::surface().without(Part::Faces).without(Part::Prev), Collect::All);
+    assert!(!report.is_valid());
+}

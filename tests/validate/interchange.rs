@@ -1,0 +1,180 @@
+//! Columns of integers, and the presets of libraries.
+
+use std::collections::BTreeSet;
+use std::sync::atomic::{AtomicI32, AtomicI64, AtomicU32, AtomicU64};
+use twinedge::validate::adapt::{FaceLabels, Targets};
+use twinedge::validate::enumerate::for_each_corruption;
+use twinedge::validate::interchange::{Cell, Column, Columns, ColumnsError, Preset};
+use twinedge::validate::{Collect, Expectation, Part, Rule, Table, View, Violation, validate};
+
+fn link(value: Option<usize>) -> i64 {
+    value.map_or(-1, |value| i64::try_from(value).unwrap_or(-2))
+}
+
+/// The links of a table as records of six fields in one array, and the half-edges of vertices and faces.
+struct Records {
+    half_edges: Vec<i64>,
+    leaving: Vec<i64>,
+    outer: Vec<i64>,
+}
+
+fn records(table: &Table) -> Records {
+    let of = |h: usize| {
+        [table.origin(h), table.twin(h), table.next(h), table.prev(h), table.face(h), table.target(h)].map(link)
+    };
+    Records {
+        half_edges: (0..table.half_edge_slots()).flat_map(of).collect(),
+        leaving: (0..table.vertex_slots()).map(|v| link(table.leaving(v))).collect(),
+        outer: (0..table.face_slots()).map(|f| link(table.outer_half_edge(f))).collect(),
+    }
+}
+
+fn columns(records: &Records) -> Columns<'_, i64> {
+    let n = records.half_edges.len() / 6;
+    let field = |i| Column::strided(&records.half_edges, i, 6, n).unwrap();
+    Columns::new(records.leaving.len(), field(0), field(1), field(2))
+        .and_then(|c| c.with_prev(field(3)))
+        .and_then(|c| c.with_faces(records.outer.len(), field(4)))
+        .and_then(|c| c.with_leaving(Column::new(&records.leaving)))
+        .and_then(|c| c.with_outer_half_edge(Column::new(&records.outer)))
+        .unwrap()
+}
+
+/// A closed surface: two triangles, back to back.
+fn pillow() -> Table {
+    "V 3 0 - 2 - 4 - H 6 0 1 2 4 - 1 0 5 3 - 1 3 4 0 - 2 2 1 5 - 2 5 0 2 - 0 4 3 1 - B 0 F 2 - 0 - 0 HF 6 0 1 0 1 0 1 FH 2 0 0 1 0"
+        .parse()
+        .unwrap()
+}
+
+#[test]
+fn columns_have_the_verdict_of_the_table_that_they_are_of() {
+    let mut table = pillow();
+    let expectation = Expectation::surface().without(Part::BoundaryComponents);
+    assert!(validate(&table, &expectation, Collect::All).is_valid());
+    let mut broken = BTreeSet::new();
+    for_each_corruption(&mut table, &expectation, |changed, _, _| {
+        let records = records(changed);
+        let columns = columns(&records);
+        assert_eq!(columns.expectation(Expectation::surface()), expectation);
+        let (of_table, of_columns) =
+            (validate(changed, &expectation, Collect::All), validate(&columns, &expectation, Collect::All));
+        assert_eq!(of_table.broken_rules().collect::<Vec<_>>(), of_columns.broken_rules().collect::<Vec<_>>());
+        broken.extend(of_columns.broken_rules().next());
+    });
+    assert!(broken.len() >= 7, "{broken:?}");
+}
+
+#[test]
+fn every_type_of_integer_holds_the_same_links() {
+    let origin = [0_i32, 1, 1, 2, 2, 0, -1, -2, 7];
+    let links: Vec<_> = origin.iter().map(Cell::link).collect();
+    let [a, b, c, d] = [
+        origin.map(i64::from).map(AtomicI64::new).iter().map(Cell::link).collect::<Vec<_>>(),
+        origin.map(AtomicI32::new).iter().map(Cell::link).collect(),
+        origin.map(|i| AtomicU32::new(i.cast_unsigned())).iter().map(Cell::link).collect(),
+        origin.map(|i| AtomicU64::new(i64::from(i).cast_unsigned())).iter().map(Cell::link).collect(),
+    ];
+    assert_eq!((&a, &b), (&links, &links));
+    // Without a sign, −2 is a large number, which dangles, too.
+    for unsigned in [c, d] {
+        assert_eq!((&unsigned[..7], unsigned[8]), (&links[..7], links[8]));
+        assert!(unsigned[7] > Some(1 << 31));
+    }
+    assert_eq!(links[6..], [None, Some(usize::MAX), Some(7)]);
+}
+
+#[test]
+fn a_column_lies_in_its_slice() {
+    let cells = [3_u32, 5, 7, 9];
+    let reversed = Column::strided(&cells, 3, -1, 4).unwrap();
+    assert_eq!([0, 1, 2, 3, 4].map(|i| reversed.link(i)), [Some(9), Some(7), Some(5), Some(3), None]);
+    assert_eq!((reversed.slots(), reversed.link(usize::MAX), reversed.is_empty()), (10, None, false));
+    let constant = Column::strided(&cells, 2, 0, 1000).unwrap();
+    assert_eq!((constant.link(999), constant.link(1000)), (Some(7), None));
+    let none = Column::strided(&cells, 99, isize::MIN, 0).unwrap();
+    assert_eq!((none.link(0), none.slots(), none.is_empty()), (None, 0, true));
+    for (first, stride, len) in
+        [(0, 1, 5), (4, 1, 1), (1, 2, 3), (2, -1, 4), (0, -1, 2), (3, isize::MAX, 3), (3, isize::MIN, 3)]
+    {
+        let error = Column::strided(&cells, first, stride, len).unwrap_err();
+        assert_eq!(error, ColumnsError::OutOfSlice { first, stride, len, cells: 4 });
+        assert!(error.to_string().ends_with("not in a slice of 4"));
+    }
+}
+
+#[test]
+fn every_column_has_the_length_of_its_records() {
+    let (long, short) = ([0_i32; 4], [0_i32; 3]);
+    let (long, short) = (Column::new(&long), Column::new(&short));
+    let right = || Columns::new(3, long, long, long).unwrap();
+    assert!(right().with_leaving(short).is_ok());
+    for (error, column, found, expected) in [
+        (Columns::new(3, short, long, long), "origin", 3, 4),
+        (Columns::new(3, long, short, long), "twin", 3, 4),
+        (Columns::paired(3, long, short), "origin", 4, 3),
+        (right().with_prev(short), "prev", 3, 4),
+        (right().with_faces(2, short), "face", 3, 4),
+        (right().with_leaving(long), "leaving", 4, 3),
+        (right().with_outer_half_edge(short), "outer_half_edge", 3, 0),
+    ] {
+        assert_eq!(error.unwrap_err(), ColumnsError::Length { column, found, expected });
+    }
+}
+
+#[test]
+fn targets_pairs_and_labels_are_completed_by_the_adapters() {
+    // The pillow by its targets, without twins and without lists of the faces.
+    let (target, next, face) = ([1_u32, 0, 2, 1, 0, 2], [2_u32, 5, 4, 1, 0, 3], [0_u32, 1, 0, 1, 0, 1]);
+    let judge = |target: &[u32], face: &[u32]| {
+        let columns = Columns::paired(3, Column::new(target), Column::new(&next)).unwrap().by_target();
+        let columns = columns.with_faces(2, Column::new(face)).unwrap();
+        let expectation = columns.expectation(Expectation::surface());
+        let view = FaceLabels::one_cycle(Targets::of(columns).unwrap()).unwrap();
+        validate(&view, &expectation, Collect::All).broken_rules().next()
+    };
+    assert_eq!(judge(&target, &face), None);
+    assert_eq!(judge(&target, &[0, 1, 0, 1, 1, 1]), Some(Rule::B1));
+    assert_eq!(judge(&[1, 0, 2, 1, 0, 9], &face), Some(Rule::R1));
+}
+
+#[test]
+fn presets_have_names_sources_and_parts() {
+    let names: BTreeSet<_> = Preset::ALL.iter().map(|preset| preset.name()).collect();
+    assert_eq!(names.len(), 6);
+    for preset in Preset::ALL {
+        assert_eq!(Preset::from_name(preset.name()), Some(*preset));
+        assert!(preset.source().contains(", "));
+    }
+    assert_eq!(Preset::from_name("cgal"), None);
+    let asks = |preset: Preset| {
+        Rule::ALL.iter().copied().filter(|r| r.is_optional() && preset.expectation().asks_for(*r)).collect::<Vec<_>>()
+    };
+    assert_eq!(
+        Preset::ALL.iter().map(|p| asks(*p)).collect::<Vec<_>>(),
+        [vec![], vec![Rule::M8], vec![], vec![Rule::M3], vec![Rule::M2], vec![Rule::M2]]
+    );
+    // The nested triangles have holes, places left out: an arrangement, and nothing of the others.
+    let table = crate::support::nested::nested();
+    for preset in Preset::ALL {
+        assert_eq!(
+            validate(&table, &preset.expectation(), Collect::First).is_valid(),
+            *preset == Preset::Arrangement2 || *preset == Preset::Networkx,
+            "{preset:?}"
+        );
+    }
+}
+
+/// The names are those of `docs/report.md`; none is there twice.
+#[test]
+fn every_kind_of_violation_is_documented_once() {
+    let kinds: BTreeSet<_> = Violation::KINDS.iter().collect();
+    assert_eq!(kinds.len(), Violation::KINDS.len());
+    let page = std::fs::read_to_string(concat!(env!("CARGO_MANIFEST_DIR"), "/docs/report.md")).unwrap();
+    let rows: Vec<_> = page
+        .lines()
+        .filter_map(|line| line.strip_prefix("| `")?.split('`').next())
+        .filter(|name| kinds.contains(name))
+        .collect();
+    assert_eq!(rows, Violation::KINDS);
+}
