@@ -1,5 +1,6 @@
 //! Building `world-50m` from its segments, per distinct segment, beside sorting these segments: the least that any sweep
-//! must do; and gathering a grid of squares whose coordinates have few digits or many.
+//! must do; gathering a grid of squares whose coordinates have few digits or many; and squares inside each other, as polygons
+//! that cover each other and as lines.
 //!
 //! Targets: 400 ns per segment, and 1,500 ns where they are noded first; noded exactly, 1.3 times as long as not noded, as
 //! there is nothing to cut; and gathering few digits, 1.5 times as long as all digits. Run with `cargo bench --bench build`.
@@ -81,9 +82,38 @@ fn gathering(criterion: &mut Criterion) {
     group.finish();
 }
 
+/// Squares inside each other, the largest first.
+fn nested(squares: u32) -> impl Iterator<Item = Vec<Point>> {
+    (0..squares).map(move |i| {
+        let (low, high) = (f64::from(i), f64::from(4 * squares - i));
+        [[low, low], [high, low], [high, high], [low, high], [low, low]].map(Point::from).to_vec()
+    })
+}
+
+fn nesting(criterion: &mut Criterion) {
+    let mut group = criterion.benchmark_group("build nested squares");
+    for squares in [1_000, 10_000] {
+        group.throughput(Throughput::Elements(4 * u64::from(squares)));
+        let mut build = |name: &str, shapes: Vec<Shape>| {
+            group.bench_function(format!("{squares} {name}"), |b| {
+                b.iter(|| {
+                    let mut builder = Builder::new();
+                    for shape in black_box(&shapes) {
+                        builder.shape(shape).expect("in range");
+                    }
+                    builder.build().expect("it fits")
+                });
+            });
+        };
+        build("lines", nested(squares).map(Shape::Line).collect());
+        build("polygons", nested(squares).map(|ring| Shape::Polygon(vec![ring])).collect());
+    }
+    group.finish();
+}
+
 criterion_group! {
     name = benches;
     config = Criterion::default().sample_size(30);
-    targets = building, gathering
+    targets = building, gathering, nesting
 }
 criterion_main!(benches);

@@ -4,8 +4,11 @@
 //!   a country, likewise; a line across everything, rounded; and building the whole map, which is what an edit saves.
 //! - `islands`: squares in an ocean, 10 of them and 4,000. Per edge, building costs the same, and so does cutting an island
 //!   in two and joining it again. What is drawn in the ocean is held against all its coast, so it does not.
+//! - `at random places`: operators of topology on a grid that is larger than the caches.
+//! - `a point in and out`, `a bridge in and out`: between 1,000 and 100,000 islands, at a hub with that many edges, in a ring of
+//!   half as many; beside a square in an otherwise empty map. The index is there.
 //!
-//! Run with `cargo bench --bench edit`.
+//! Targets: points and bridges, 5 µs wherever, growing with the logarithm; an isolated vertex, twice as long as splitting an edge. Run with `cargo bench --bench edit`.
 
 mod common;
 
@@ -16,6 +19,7 @@ use twinedge::geometry::Point;
 use twinedge::geometry::noding::{Snap, node};
 use twinedge::map::edit::At;
 use twinedge::map::{Builder, PlanarMap, Shape};
+use twinedge::program::choose::{Choose, Random};
 
 /// Points inside some faces whose outer boundary is a few dozen edges, each with a half-edge of that boundary: points that
 /// see the target of that half-edge.
@@ -175,5 +179,122 @@ fn islands(criterion: &mut Criterion) {
     }
 }
 
-criterion_group!(benches, world, islands);
+/// Half-edges of a grid of a million vertices, in an order in which none is near the one before.
+fn random_half_edges(map: &PlanarMap) -> Vec<HalfEdgeKey> {
+    let keys: Vec<HalfEdgeKey> = map.dcel().half_edges().map(HalfEdge::key).collect();
+    let mut random = Random::seeded(1);
+    (0..200_000).map(|_| keys[random.choose(keys.len())]).collect()
+}
+
+fn operators(criterion: &mut Criterion) {
+    let map = common::triangulated_grid(1000);
+    let chosen = random_half_edges(&map);
+    let faces: Vec<_> = chosen.iter().map(|h| map.dcel().half_edge(*h).expect("of this map").face().key()).collect();
+    let mut group = criterion.benchmark_group("at random places");
+    group.sample_size(10);
+    group.throughput(Throughput::Elements(chosen.len() as u64));
+    // A clone has no room to grow: its columns are moved with the first record that is added, which is not timed.
+    let copy = || {
+        let mut dcel = map.dcel().clone();
+        dcel.split_edge(chosen[0]).expect("of this map");
+        dcel.add_isolated_vertex(faces[0]).expect("of this map");
+        dcel
+    };
+    group.bench_function("split_edge", |b| {
+        b.iter_batched_ref(
+            copy,
+            |dcel| chosen.iter().for_each(|h| drop(black_box(dcel.split_edge(*h)))),
+            BatchSize::LargeInput,
+        );
+    });
+    group.bench_function("add_isolated_vertex", |b| {
+        b.iter_batched_ref(
+            copy,
+            |dcel| faces.iter().for_each(|f| drop(black_box(dcel.add_isolated_vertex(*f)))),
+            BatchSize::LargeInput,
+        );
+    });
+    group.finish();
+}
+
+/// Times points and bridges that are drawn and erased again: ends of bridges, and points near half-edges.
+fn in_and_out(criterion: &mut Criterion, name: &str, map: &mut PlanarMap, bridges: &[[At; 2]], points: &[At]) {
+    let mut which = bridges.iter().cycle();
+    let mut bridge = || {
+        let [from, to] = *which.next().expect("it goes round");
+        let edited = map.insert_segment(black_box(from), to).expect("it crosses nothing");
+        match edited.vertices_made[..] {
+            [end] => map.remove_vertex(end).expect("just made"),
+            _ => map.remove_edge(edited.way[0]).expect("just made"),
+        }
+    };
+    // The index is built before anything is timed.
+    bridge();
+    criterion.bench_function(&format!("a bridge in and out, {name}"), |b| b.iter(&mut bridge));
+    let mut which = points.iter().cycle();
+    criterion.bench_function(&format!("a point in and out, {name}"), |b| {
+        b.iter(|| {
+            let at = *which.next().expect("it goes round");
+            let made = map.insert_point(black_box(at)).expect("in range").vertices[0];
+            map.remove_vertex(made).expect("just made")
+        });
+    });
+}
+
+fn near(x: f64, y: f64) -> At {
+    At::Point(Point::new(x, y))
+}
+
+fn crowds(criterion: &mut Criterion) {
+    let ring = |points: Vec<Point>| Shape::Polygon(vec![points]);
+    let vertex = |map: &PlanarMap, p: Point| {
+        let Ok(twinedge::map::Located::Vertex(v)) = map.locate(p) else { panic!("there is a vertex") };
+        At::Vertex(v)
+    };
+    for count in [1_000, 100_000_u32] {
+        let mut builder = Builder::new();
+        for i in 0..count {
+            builder.shape(&ring(square(i).to_vec())).expect("in range");
+        }
+        let mut map = builder.build().expect("it fits");
+        let chosen: Vec<u32> = (0..count / 64 - 1).map(|i| i * 7919 % (count / 64 - 1) * 64 + i % 63).collect();
+        let bridges: Vec<[At; 2]> =
+            chosen.iter().map(|i| [vertex(&map, square(*i)[2]), vertex(&map, square(*i + 1)[3])]).collect();
+        let points: Vec<At> = chosen.iter().map(|i| near(square(*i)[2].x + 0.5, square(*i)[2].y + 0.25)).collect();
+        in_and_out(criterion, &format!("{count} islands"), &mut map, &bridges, &points);
+
+        let turn = std::f64::consts::TAU / f64::from(count);
+        let around = |i: u32, radius: f64| {
+            let angle = (f64::from(i) + if radius > 2.0 { 0.5 } else { 0.0 }) * turn;
+            Point::new(radius * angle.cos(), radius * angle.sin())
+        };
+        let mut builder = Builder::new();
+        for i in 0..count {
+            builder.segment([0.0, 0.0], around(i, 1.0)).expect("in range");
+        }
+        let mut map = builder.build().expect("it fits");
+        let hub = vertex(&map, Point::new(0.0, 0.0));
+        let ends: Vec<Point> = (0..1000).map(|i| around(i * 7919 % count, 3.0)).collect();
+        let bridges: Vec<[At; 2]> = ends.iter().map(|p| [hub, At::Point(*p)]).collect();
+        let points: Vec<At> = ends.iter().map(|p| At::Point(*p)).collect();
+        in_and_out(criterion, &format!("a hub of {count}"), &mut map, &bridges, &points);
+
+        let mut builder = Builder::new();
+        builder.shape(&ring((0..count / 2).map(|i| around(2 * i, 1.0)).collect())).expect("in range");
+        let mut map = builder.build().expect("it fits");
+        let shore = map.dcel().faces().find_map(|f| f.outer_half_edge()).expect("the ring has a face").key();
+        let inside: Vec<Point> = (0..1000).map(|i| around(i * 7919 % count, 0.5)).collect();
+        let points: Vec<At> = inside.iter().map(|p| At::from((*p, shore))).collect();
+        let corner = map.dcel().half_edge(shore).expect("of this map").origin().key();
+        let bridges: Vec<[At; 2]> = inside.iter().map(|p| [At::Vertex(corner), At::Point(*p)]).collect();
+        in_and_out(criterion, &format!("a ring of {}", count / 2), &mut map, &bridges, &points);
+    }
+    let mut map = PlanarMap::new();
+    let made = map.insert_ring(square(0)).expect("in range");
+    let bridges = [[At::Vertex(made.vertices[0]), near(1.0, 0.5)]];
+    let hint = At::from((Point::new(1.0, 1.5), made.way[0]));
+    in_and_out(criterion, "a square alone", &mut map, &bridges, &[hint]);
+}
+
+criterion_group!(benches, world, islands, operators, crowds);
 criterion_main!(benches);

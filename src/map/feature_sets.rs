@@ -5,67 +5,31 @@
 //! face the set of another is a copy of one number, which is what edits do most.
 
 use super::feature::FeatureId;
-use rustc_hash::FxHashMap;
-
-/// The number of a set of features.
-#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash, Default)]
-pub(super) struct SetId(u32);
+use super::feature_tries::{FeatureTries, Members, SetId, SetOperation};
 
 /// The sets of features of the faces and edges of a map, by index.
-#[derive(Clone, Debug)]
+#[derive(Clone, Debug, Default)]
 pub(super) struct FeatureSets {
-    /// Each sorted, without repetition. The first is the empty one.
-    sets: Vec<Box<[FeatureId]>>,
-    numbers: FxHashMap<Box<[FeatureId]>, SetId>,
+    sets: FeatureTries,
     faces: Vec<SetId>,
     /// By half the index of either half-edge.
     edges: Vec<SetId>,
 }
 
-impl Default for FeatureSets {
-    fn default() -> Self {
-        let numbers = FxHashMap::from_iter([(Box::default(), SetId(0))]);
-        Self { sets: vec![Box::default()], numbers, faces: Vec::new(), edges: Vec::new() }
-    }
-}
-
 impl FeatureSets {
-    /// From sorted pairs: the index of a face and the number of a feature that covers it; the smaller index of the two
-    /// half-edges of an edge and the number of a feature that runs along it. O(pairs), expected.
-    pub(super) fn new(covering: &[(u32, u32)], running: &[(u32, u32)]) -> Self {
-        let mut features = Self::default();
-        let mut set = Vec::new();
-        let mut last = SetId(0);
-        let mut take = |pairs: &[(u32, u32)], per_index: u32, column: fn(&mut Self) -> &mut Vec<SetId>| {
-            for same in pairs.chunk_by(|a, b| a.0 == b.0) {
-                set.clear();
-                set.extend(same.iter().map(|(_, feature)| FeatureId(*feature)));
-                // What comes together often belongs to the same features.
-                if *features.sets[last.0 as usize] != *set {
-                    last = features.number(&set);
-                }
-                put(column(&mut features), (same[0].0 / per_index) as usize, last);
-            }
-        };
-        take(covering, 1, |features| &mut features.faces);
-        take(running, 2, |features| &mut features.edges);
-        features
+    /// The number of the set of one feature. O(1), expected.
+    pub(super) fn single(&mut self, feature: FeatureId) -> SetId {
+        self.sets.single(feature)
     }
 
-    /// The number of a set that is sorted and has no repetition. O(its size), expected.
-    pub(super) fn number(&mut self, set: &[FeatureId]) -> SetId {
-        if let Some(known) = self.numbers.get(set) {
-            return *known;
-        }
-        let number = SetId(self.sets.len() as u32);
-        self.sets.push(set.into());
-        self.numbers.insert(set.into(), number);
-        number
+    /// The number of the set of these features. O(features · log), expected.
+    pub(super) fn number(&mut self, features: impl IntoIterator<Item = FeatureId>) -> SetId {
+        self.sets.number(features)
     }
 
-    /// The features of a set, in order. O(1).
-    pub(super) fn set(&self, number: SetId) -> &[FeatureId] {
-        &self.sets[number.0 as usize]
+    /// The features of a set, in order. O(log features) for the first, O(1) for each other on average.
+    pub(super) fn set(&self, number: SetId) -> Members<'_> {
+        self.sets.members(number)
     }
 
     /// What covers the face with this index. O(1).
@@ -86,31 +50,19 @@ impl FeatureSets {
         put(&mut self.edges, half_edge / 2, set);
     }
 
-    /// The set of those in both. O(sizes).
+    /// The set of those in both. O(log features) for each feature in one only, as for the next two.
     pub(super) fn common(&mut self, a: SetId, b: SetId) -> SetId {
-        self.combined(a, b, |in_a, in_b| in_a && in_b)
+        self.sets.combined(SetOperation::Common, a, b)
     }
 
-    /// The set of those in either. O(sizes).
+    /// The set of those in either.
     pub(super) fn either(&mut self, a: SetId, b: SetId) -> SetId {
-        self.combined(a, b, |in_a, in_b| in_a || in_b)
+        self.sets.combined(SetOperation::Either, a, b)
     }
 
-    /// The set of those in one and not in the other. O(sizes).
+    /// The set of those in one and not in the other.
     pub(super) fn differing(&mut self, a: SetId, b: SetId) -> SetId {
-        self.combined(a, b, |in_a, in_b| in_a != in_b)
-    }
-
-    fn combined(&mut self, a: SetId, b: SetId, keep: fn(bool, bool) -> bool) -> SetId {
-        if a == b {
-            return if keep(true, true) { a } else { SetId(0) };
-        }
-        let (one, other) = (self.set(a), self.set(b));
-        let mut all: Vec<FeatureId> = one.iter().chain(other).copied().collect();
-        all.sort_unstable();
-        all.dedup();
-        all.retain(|f| keep(one.binary_search(f).is_ok(), other.binary_search(f).is_ok()));
-        self.number(&all)
+        self.sets.combined(SetOperation::Differing, a, b)
     }
 }
 

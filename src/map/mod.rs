@@ -42,9 +42,10 @@ mod assembled;
 mod construct;
 mod feature;
 mod feature_sets;
+mod feature_tries;
 mod import;
+mod index;
 mod planar_map;
-mod record_tree;
 #[cfg(feature = "serde")]
 mod saved;
 mod summary;

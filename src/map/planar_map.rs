@@ -2,6 +2,7 @@
 
 use super::feature::FeatureId;
 use super::feature_sets::FeatureSets;
+use super::index::{KeptIndex, RecordIndex};
 use super::summary::BuildSummary;
 use crate::dcel::{Dcel, FaceKey, HalfEdgeKey, StaleKey, VertexKey};
 use crate::delegate_view;
@@ -62,6 +63,7 @@ pub struct PlanarMap {
     pub(super) noding: Option<NodingSummary>,
     /// Whether edges meet at shared endpoints only.
     pub(super) plane: bool,
+    pub(super) index: KeptIndex,
 }
 
 impl Default for PlanarMap {
@@ -74,6 +76,7 @@ impl Default for PlanarMap {
             summary: BuildSummary::default(),
             noding: None,
             plane: true,
+            index: KeptIndex::default(),
         }
     }
 }
@@ -120,7 +123,7 @@ impl PlanarMap {
         Ok(self.point(self.dcel.vertex(vertex)?.index()))
     }
 
-    /// The features that cover a face, in order. O(1).
+    /// The features that cover a face, in order. O(log features) for the first, O(1) for each other on average.
     ///
     /// ```
     /// use twinedge::map::{Builder, Shape};
@@ -139,10 +142,11 @@ impl PlanarMap {
     /// [`StaleKey::Face`].
     pub fn features_of(&self, face: FaceKey) -> Result<impl Iterator<Item = FeatureId> + '_, StaleKey> {
         let set = self.features.of_face(self.dcel.face(face)?.index());
-        Ok(self.features.set(set).iter().copied())
+        Ok(self.features.set(set))
     }
 
-    /// The features whose rings or lines run along an edge, in order. O(1).
+    /// The features whose rings or lines run along an edge, in order. O(log features) for the first, O(1) for each other on
+    /// average.
     ///
     /// ```
     /// use twinedge::map::Builder;
@@ -160,7 +164,7 @@ impl PlanarMap {
     /// [`StaleKey::HalfEdge`].
     pub fn features_along(&self, half_edge: HalfEdgeKey) -> Result<impl Iterator<Item = FeatureId> + '_, StaleKey> {
         let set = self.features.along(self.dcel.half_edge(half_edge)?.index());
-        Ok(self.features.set(set).iter().copied())
+        Ok(self.features.set(set))
     }
 
     /// The feature with this number, counted from 0 in order of input; none beyond the last. O(1).
@@ -243,6 +247,13 @@ impl PlanarMap {
     #[must_use]
     pub fn validate(&self) -> Report {
         validate_embedding(self, &Expectation::plane(), Collect::All)
+    }
+}
+
+impl PlanarMap {
+    /// The index of the edges and isolated vertices, which is built if there is none. O(n log n) then.
+    pub(super) fn index(&self) -> &RecordIndex {
+        self.index.get(&self.dcel, &self.points)
     }
 }
 

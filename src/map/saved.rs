@@ -1,7 +1,8 @@
 //! Maps as serde saves and loads them.
 
 use super::feature::FeatureId;
-use super::feature_sets::{FeatureSets, SetId};
+use super::feature_sets::FeatureSets;
+use super::feature_tries::SetId;
 use super::planar_map::PlanarMap;
 use super::summary::BuildSummary;
 use crate::dcel::Dcel;
@@ -78,7 +79,7 @@ impl Serialize for PlanarMap {
         let mut numbers: FxHashMap<SetId, usize> = FxHashMap::default();
         let mut number = |set: SetId| {
             *numbers.entry(set).or_insert_with(|| {
-                sets.push(self.features.set(set).to_vec());
+                sets.push(self.features.set(set).collect());
                 sets.len() - 1
             })
         };
@@ -133,7 +134,7 @@ impl SavedMap<Dcel> {
             if !(sorted && known) {
                 return Err(LoadError::BadSet(i));
             }
-            numbers.push(features.number(set));
+            numbers.push(features.number(set.iter().copied()));
         }
         let set = |number: usize| numbers.get(number).copied().ok_or(LoadError::NoSuchSet(number));
         for (face, number) in dcel.faces().zip(faces) {
@@ -142,7 +143,7 @@ impl SavedMap<Dcel> {
         for (edge, number) in dcel.edges().zip(edges) {
             features.put_along(edge.index(), set(number)?);
         }
-        let map = PlanarMap { dcel, points, names, features, summary, noding, plane: true };
+        let map = PlanarMap { dcel, points, names, features, summary, noding, ..PlanarMap::default() };
         let report = map.validate();
         if report.is_valid() { Ok(map) } else { Err(LoadError::Invalid(Box::new(report))) }
     }

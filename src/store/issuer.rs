@@ -1,9 +1,7 @@
-//! One slotmap per kind of record issues, checks and retires its keys.
+//! What issues, checks and retires the keys of one kind of record.
 
-use super::keys::{key, parts};
 use alloc::vec::Vec;
 use core::sync::atomic::{AtomicU32, Ordering};
-use slotmap::{Key, SlotMap};
 
 /// Counts the structures made so far, to tell their keys apart.
 static STRUCTURES: AtomicU32 = AtomicU32::new(0);
@@ -25,43 +23,61 @@ pub(super) fn with_room<T>(room: usize) -> Vec<T> {
     column
 }
 
-/// Issues, checks and retires the keys of one kind of record.
+/// Issues, checks and retires the slots of one kind of record.
 ///
-/// The slotmap decides which slot is next and what its generation is. A column beside it repeats the generations, so that
-/// the key of a slot is found with one load.
+/// A slotmap without values: it gives out the keys that [`slotmap`] would, and its free slots are the only other thing that it
+/// keeps. A `SlotMap` has no way from a slot to its key, so a column of generations would have to repeat its own.
 #[derive(Clone, Debug)]
-pub(super) struct Issuer<K: Key> {
-    pub(super) slots: SlotMap<K, ()>,
-    /// Per slot the generation that its key shows, which is odd; one more than the last one if the slot is vacant.
-    pub(super) generations: Vec<u32>,
-    pub(super) offset: u32,
+pub(super) struct Issuer {
+    /// Per slot the generation that its key shows, which is odd; one more than the last one if the slot is vacant. Slot 0 is
+    /// never used, because slotmap's secondary maps pass over it.
+    generations: Vec<u32>,
+    /// The vacant slots but slot 0. The one that was retired last is issued first.
+    free: Vec<u32>,
+    offset: u32,
 }
 
-impl<K: Key> Issuer<K> {
+impl Issuer {
     pub(super) fn with_room(room: usize, offset: u32) -> Self {
         let mut generations = with_room(room.saturating_add(1));
         generations.push(0);
-        let mut slots = SlotMap::with_key();
-        // Best effort, as for the columns.
-        let _ = slots.try_reserve(room);
-        Self { slots, generations, offset }
+        Self { generations, free: Vec::new(), offset }
+    }
+
+    /// An issuer with these generations by slot, the live ones odd. None if slot 0 is missing or live.
+    #[cfg(feature = "serde")]
+    pub(super) fn restored(generations: Vec<u32>, offset: u32) -> Option<Self> {
+        let unused = generations.first()? % 2 == 0;
+        let free = (1..generations.len()).filter(|slot| generations[*slot] % 2 == 0).map(|slot| slot as u32).collect();
+        unused.then_some(Self { generations, free, offset })
+    }
+
+    /// By slot, the generations that [`Issuer::restored`] needs.
+    #[cfg(feature = "serde")]
+    pub(super) fn generations(&self) -> &[u32] {
+        &self.generations
+    }
+
+    /// What is added to the generations that slotmap would show.
+    #[cfg(feature = "serde")]
+    pub(super) const fn offset(&self) -> u32 {
+        self.offset
     }
 
     /// Issues a key and gives its slot.
     pub(super) fn issue(&mut self) -> u32 {
-        let (slot, generation) = parts(self.slots.insert(()));
-        let shown = generation.wrapping_add(self.offset);
-        match self.generations.get_mut(slot as usize) {
-            Some(entry) => *entry = shown,
-            None => self.generations.push(shown),
+        if let Some(slot) = self.free.pop() {
+            self.generations[slot as usize] |= 1;
+            return slot;
         }
-        slot
+        self.generations.push(self.offset.wrapping_add(1));
+        self.generations.len() as u32 - 1
     }
 
     pub(super) fn retire(&mut self, slot: u32) {
         let shown = &mut self.generations[slot as usize];
-        self.slots.remove(key(slot, shown.wrapping_sub(self.offset)));
         *shown = shown.wrapping_add(1);
+        self.free.push(slot);
     }
 
     /// The generation of a slot: odd if live, even if not.
@@ -76,7 +92,7 @@ impl<K: Key> Issuer<K> {
     }
 
     pub(super) fn len(&self) -> usize {
-        self.slots.len()
+        self.generations.len() - 1 - self.free.len()
     }
 
     /// One more than the highest slot in use so far.

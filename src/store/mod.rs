@@ -10,7 +10,7 @@
 //!
 //! | store | bytes per half-edge | face loops, ns per half-edge | vertex rotations | the same, small |
 //! | --- | --- | --- | --- | --- |
-//! | [`SlotStore`] | 40 | 3.0 | 2.1 | 1.7, 0.8 |
+//! | [`SlotStore`] | 29 | 3.0 | 2.1 | 1.7, 0.8 |
 //! | `PointerStore` | 113 | 29 | 19 | 2.0, 0.7 |
 //! | [`FixedStore`] | | | | 2.4, 1.1 |
 //!
@@ -32,9 +32,6 @@
 mod fixed;
 #[forbid(unsafe_code)]
 mod issuer;
-#[cfg(feature = "serde")]
-#[forbid(unsafe_code)]
-mod issuer_restore;
 mod keys;
 #[forbid(unsafe_code)]
 pub(crate) mod links;

@@ -137,6 +137,39 @@ fn islands_lie_in_the_lake_that_lies_in_the_island() {
 }
 
 #[test]
+fn a_feature_of_many_polygons_covers_what_any_of_them_covers() {
+    // Side by side, one inside the other, and one twice, which is as good as once.
+    let parts = [([0, 0], [4, 4]), ([4, 0], [8, 4]), ([1, 1], [3, 3]), ([20, 0], [24, 4]), ([20, 0], [24, 4])];
+    let shapes = parts.map(|(low, high)| Shape::Polygon(vec![rectangle(low, high)]));
+    let mut builder = Builder::new();
+    let feature = builder.feature(&Feature { shapes: shapes.to_vec(), ..Feature::default() }).expect("in range");
+    let other = builder.shape(&Shape::Polygon(vec![rectangle([5, 1], [6, 2])])).expect("in range");
+    let map = builder.build().expect("fits");
+    assert!((covered_area(&map, feature) - 48.0).abs() < 1e-12);
+    assert!((covered_area(&map, other) - 1.0).abs() < 1e-12);
+}
+
+#[test]
+fn ten_thousand_polygons_inside_each_other_cover_each_other() {
+    const DEPTH: i32 = 10_000;
+    let mut builder = Builder::new();
+    for i in 0..DEPTH {
+        let (low, high) = (f64::from(i), f64::from(4 * DEPTH - i));
+        let square = ring(&[[low, low], [high, low], [high, high], [low, high]]);
+        builder.shape(&Shape::Polygon(vec![square])).expect("in range");
+    }
+    let map = builder.build().expect("fits");
+    for face in map.dcel().faces().step_by(999) {
+        let covers: Vec<usize> = map.features_of(face.key()).expect("of this map").map(|f| f.index()).collect();
+        // The corner of its outer cycle that is closest to the origin is that of the smallest polygon around it.
+        let corners = face.outer().into_iter().flat_map(|b| b.half_edges());
+        let low = corners.map(|h| map.position(h.origin().key()).expect("of this map").x).fold(f64::NAN, f64::min);
+        let around = if low.is_nan() { 0 } else { low as usize + 1 };
+        assert!(covers.into_iter().eq(0..around));
+    }
+}
+
+#[test]
 fn a_hole_that_touches_its_shell_at_a_vertex_is_no_hole_of_the_map() {
     let shell = ring(&[[0.0, 0.0], [4.0, 0.0], [4.0, 4.0], [0.0, 4.0], [0.0, 0.0]]);
     let hole = ring(&[[0.0, 0.0], [1.0, 2.0], [2.0, 1.0], [0.0, 0.0]]);

@@ -101,3 +101,31 @@ fn capacity_that_no_machine_has_is_best_effort() {
         assert_eq!((dcel.vertex_count(), dcel.half_edge_count(), dcel.face_count()), (10, 40, 12));
     }
 }
+
+#[test]
+fn a_record_takes_as_many_bytes_as_the_documentation_says() {
+    const EACH: usize = 1000;
+    let columns = |vertices: usize, edges: usize, faces: usize, boundaries: usize| {
+        8 * (vertices + 1) + 36 * (edges + 1) + 12 * (faces + 1) + 16 * (boundaries + 1)
+    };
+    let before = LIVE_BYTES.get();
+    // As many faces as boundary components, and one of either outside.
+    let dcel = Dcel::with_capacity(EACH, 2 * EACH);
+    let held = (LIVE_BYTES.get() - before).cast_unsigned();
+    let stated = columns(EACH, 2 * EACH, EACH + 2, EACH + 2);
+    assert!(held <= stated && held + 64 >= stated, "{held} bytes, {stated} stated");
+    drop(dcel);
+
+    // An only inner boundary component is listed in the column.
+    let mut dcel = Dcel::with_capacity(EACH, EACH);
+    let outside = dcel.unbounded_face().key();
+    let before = LIVE_BYTES.get();
+    let vertex = dcel.add_isolated_vertex(outside).unwrap().vertex;
+    assert_eq!(LIVE_BYTES.get(), before);
+    let others: Vec<_> = (0..9).map(|_| dcel.add_isolated_vertex(outside).unwrap().vertex).collect();
+    assert!(LIVE_BYTES.get() > before);
+    for vertex in others.into_iter().chain([vertex]) {
+        dcel.remove_isolated_vertex(vertex).unwrap();
+    }
+    assert!(dcel.validate().is_valid());
+}

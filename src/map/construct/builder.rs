@@ -12,7 +12,7 @@ use crate::geometry::crossing::{Clash, clashes};
 use crate::geometry::noding::NodingSummary;
 use crate::geometry::predicates::in_range;
 use crate::map::feature::{Feature, FeatureId, Shape};
-use crate::map::feature_sets::FeatureSets;
+use crate::map::index::KeptIndex;
 use crate::map::planar_map::PlanarMap;
 use crate::map::summary::{BuildSummary, IrregularityKind, Position};
 use rustc_hash::FxHashMap;
@@ -343,8 +343,7 @@ impl Builder {
             _ => {}
         }
         let dcel = arrange(&points, &segments, &swept)?;
-        let covered = cover(&points, &segments, &dcel, &features);
-        let features_of_map = FeatureSets::new(&covered.faces, &covered.edges);
+        let features_of_map = cover(&dcel, segments.len(), &features);
         Ok(PlanarMap {
             points: points_by_vertex(&points),
             plane: swept.clash.is_none(),
@@ -353,6 +352,7 @@ impl Builder {
             features: features_of_map,
             summary,
             noding: noded,
+            index: KeptIndex::default(),
         })
     }
 }

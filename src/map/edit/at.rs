@@ -9,10 +9,10 @@ use crate::geometry::Point;
 /// Of several points only the first is searched for, and its hint used: from there on the way leads to the others.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub enum At {
-    /// Anywhere. It is found as by [`PlanarMap::locate_from`](crate::map::PlanarMap::locate_from) with the unbounded face for a hint: O(n) at worst.
+    /// Anywhere. It is found as by [`PlanarMap::locate`](crate::map::PlanarMap::locate): by an index that the map keeps once it is needed.
     Point(Point),
-    /// A point in the face of a half-edge or on its boundary, O(size of that boundary); or elsewhere after all, and found
-    /// from there as by [`PlanarMap::locate_from`](crate::map::PlanarMap::locate_from).
+    /// A point in the face of a half-edge or on its boundary, O(1) if that boundary is short; or elsewhere after all, or in a
+    /// face with a long one, and found as without the hint.
     Near(Point, HalfEdgeKey),
     /// Where this vertex is. O(1).
     Vertex(VertexKey),

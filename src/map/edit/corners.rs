@@ -2,7 +2,7 @@
 
 use super::error::EditError;
 use crate::dcel::{Corner, HalfEdgeKey, Split};
-use crate::map::feature_sets::SetId;
+use crate::map::feature_tries::SetId;
 use crate::map::planar_map::PlanarMap;
 use crate::store::links::Need;
 
@@ -18,7 +18,7 @@ impl PlanarMap {
     ///
     /// O(length of the shorter of the two cycles).
     pub(crate) fn connect_corners(&mut self, from: Corner, to: Corner) -> Result<HalfEdgeKey, EditError> {
-        let connected = self.dcel.connect(from, to, Split::default())?;
+        let connected = self.connect(from, to, Split::default())?;
         let h = self.dcel.half_edge(connected.half_edge)?;
         let (index, kept) = (h.index(), h.twin().face().index());
         // A slot may have been that of another edge or face.

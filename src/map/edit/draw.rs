@@ -7,7 +7,7 @@ use super::trace::Towards;
 use crate::dcel::{Corner, FaceKey, HalfEdge, HalfEdgeKey, Split, VertexKey};
 use crate::geometry::Point;
 use crate::geometry::predicates::on_segment;
-use crate::map::feature_sets::{SetId, put};
+use crate::map::feature_tries::SetId;
 use crate::map::locate::located::Located;
 use crate::map::planar_map::PlanarMap;
 use crate::store::links::Need;
@@ -49,27 +49,19 @@ impl PlanarMap {
         face: FaceKey,
         edited: &mut Edited,
     ) -> Result<VertexKey, EditError> {
-        let v = self.dcel.add_isolated_vertex(face)?.vertex;
-        self.put_point(v, p)?;
+        let v = self.add_isolated(p, face)?;
         edited.vertices_made.push(v);
         Ok(v)
     }
 
     /// Puts a new vertex on an edge.
     pub(super) fn split(&mut self, h: HalfEdgeKey, p: Point, edited: &mut Edited) -> Result<VertexKey, EditError> {
-        let made = self.dcel.split_edge(h)?;
-        self.put_point(made.vertex, p)?;
+        let made = self.split_at(h, p)?;
         let set = self.features.along(self.dcel.half_edge(h)?.index());
         self.features.put_along(self.dcel.half_edge(made.half_edge)?.index(), set);
         edited.vertices_made.push(made.vertex);
         edited.edges_split.push((h, made.half_edge));
         Ok(made.vertex)
-    }
-
-    pub(super) fn put_point(&mut self, v: VertexKey, p: Point) -> Result<(), EditError> {
-        let index = self.dcel.vertex(v)?.index();
-        put(&mut self.points, index, p);
-        Ok(())
     }
 
     /// The half-edge from one vertex to another, with nothing between them, save an edge perhaps; it is made unless it is
@@ -102,7 +94,7 @@ impl PlanarMap {
         let corner = |at: Option<HalfEdge<'_>>, v: VertexKey| at.map_or(Corner::Isolated(v), |h| Corner::At(h.key()));
         let (at_v, at_w) = (corner(at_v, from), corner(at_w, to));
         split.inner = &inner;
-        let connected = self.dcel.connect(at_v, at_w, split)?;
+        let connected = self.connect(at_v, at_w, split)?;
         // A slot may have been that of another edge or face.
         let half_edge = connected.half_edge;
         self.features.put_along(self.dcel.half_edge(half_edge)?.index(), SetId::default());

@@ -41,7 +41,7 @@ impl PlanarMap {
     ) -> Result<(), EditError> {
         let index = self.dcel.face(face)?.index();
         let set = self.checked(features)?;
-        let set = self.features.number(&set);
+        let set = self.features.number(set);
         self.features.put_face(index, set);
         Ok(())
     }
@@ -58,7 +58,7 @@ impl PlanarMap {
     ) -> Result<(), EditError> {
         let index = self.dcel.half_edge(half_edge)?.index();
         let set = self.checked(features)?;
-        let set = self.features.number(&set);
+        let set = self.features.number(set);
         self.features.put_along(index, set);
         Ok(())
     }

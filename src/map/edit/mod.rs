@@ -44,9 +44,13 @@
 //!
 //! # Costs
 //!
-//! No index is kept, so the first point of an edit is found by walking there from outside the map, unless it is given as a
-//! vertex or near a half-edge ([`At`]). An edit visits only the faces on its way, but the *whole* boundary of each: crossing
-//! an ocean costs as much as its coastlines are long.
+//! An edit looks only at what is near its way: at small faces as a whole, and elsewhere at what an index finds there. The map
+//! builds this index, O(n log n), when an edit needs it first: for a point without hint ([`At`]), or on a face with more than some
+//! dozens of edges or islands, or at a vertex of such a degree. From then on the map keeps it, which takes O(log n) for each edge
+//! that is made, split or dropped. So points and bridges take O(log n) on most maps, in an ocean of islands, at a hub, and in
+//! a face with a long boundary, too. An edge that splits a face takes the length of the shorter part besides.
+//! [`insert_segment_snapped`](crate::map::PlanarMap::insert_segment_snapped) looks at the *whole* boundary of each face on
+//! its way.
 
 mod at;
 mod chain;
@@ -57,6 +61,7 @@ mod error;
 mod features;
 mod insert;
 mod move_vertex;
+mod operators;
 mod outcome;
 mod place;
 mod plan;
@@ -65,7 +70,7 @@ mod relabel;
 mod remove;
 mod sides;
 mod snapped;
-mod trace;
+pub(in crate::map) mod trace;
 
 pub use at::At;
 pub use error::EditError;

@@ -5,6 +5,7 @@ use super::error::EditError;
 use crate::dcel::{Face, HalfEdge, Vertex, VertexKey};
 use crate::geometry::Point;
 use crate::geometry::predicates::{Meeting, Orientation, meeting, on_segment, orientation};
+use crate::map::index::{TreeRecord, is_small};
 use crate::map::planar_map::PlanarMap;
 
 impl PlanarMap {
@@ -21,7 +22,8 @@ impl PlanarMap {
     /// is met, the map is deformed without ever ceasing to be plane, so the rotations, the faces and what lies in them are
     /// what they were. (An edge that is met without its ends being met, is met by the vertex.)
     ///
-    /// O(sizes of the faces around the vertex), each counted as often as it has a corner there.
+    /// O(sizes of the faces around the vertex), each counted as often as it has a corner there; where one is not small, the edges
+    /// in the box around what is swept over, and what the index takes to find them.
     ///
     /// ```
     /// use twinedge::geometry::Point;
@@ -55,33 +57,56 @@ impl PlanarMap {
                 }
             }
         }
-        let index = v.index();
-        self.points[index] = to;
-        Ok(())
+        self.put_at(vertex, to)
     }
 
     /// Checks that nothing on the boundary of a face is in the way of a vertex, nor any vertex there in the way of some of
     /// its edges.
     fn free_way(&self, v: Vertex<'_>, face: Face<'_>, to: Point, edges: &[HalfEdge<'_>]) -> Result<(), EditError> {
         let from = self.at(v);
-        let met = |w: Vertex<'_>| {
-            let p = self.at(w);
-            let swept = |h: &HalfEdge<'_>| h.target() != w && in_triangle(p, [from, to, self.at(h.target())]);
-            w != v && (on_segment(p, from, to) || edges.iter().any(swept))
+        let (half_edges, isolated) = self.around(face, edges.iter().map(|h| self.at(h.target())).chain([from, to]));
+        let met = |w: &Vertex<'_>| {
+            let p = self.at(*w);
+            let swept = |h: &HalfEdge<'_>| h.target() != *w && in_triangle(p, [from, to, self.at(h.target())]);
+            *w != v && (on_segment(p, from, to) || edges.iter().any(swept))
         };
-        let vertices = face.half_edges().map(|h| h.origin());
-        let isolated = face.inner().filter_map(|b| b.isolated_vertex());
-        if let Some(w) = vertices.chain(isolated).find(|w| met(*w)) {
+        let vertices = half_edges.iter().flat_map(|h| [h.origin(), h.target()]);
+        // Of all that is, the one with the smallest index, as the index finds them in any order.
+        if let Some(w) = vertices.chain(isolated).filter(met).min_by_key(|w| w.index()) {
             return Err(EditError::VertexInTheWay(w.key()));
         }
         let met = |h: &HalfEdge<'_>| {
             let [tail, head] = self.ends(*h);
             h.origin() != v && h.target() != v && meeting(from, to, tail, head) != Meeting::Disjoint
         };
-        match face.half_edges().find(met) {
+        match half_edges.into_iter().filter(met).min_by_key(|h| h.index()) {
             Some(h) => Err(EditError::EdgeInTheWay(h.key())),
             None => Ok(()),
         }
+    }
+
+    /// The half-edges and isolated vertices on the boundary of a face; where this is not small, all of the map instead that
+    /// have a place in the box around some points. Whatever lies in the way there, something of the face is in the way, too.
+    fn around<'a>(
+        &'a self,
+        face: Face<'a>,
+        points: impl Iterator<Item = Point>,
+    ) -> (Vec<HalfEdge<'a>>, Vec<Vertex<'a>>) {
+        if is_small(face) {
+            return (face.half_edges().collect(), face.inner().filter_map(|b| b.isolated_vertex()).collect());
+        }
+        let infinite = Point::new(f64::INFINITY, f64::INFINITY);
+        let (low, high) = points.fold((infinite, Point::new(-infinite.x, -infinite.y)), |(low, high), p| {
+            (Point::new(low.x.min(p.x), low.y.min(p.y)), Point::new(high.x.max(p.x), high.y.max(p.y)))
+        });
+        let (mut half_edges, mut isolated) = (Vec::new(), Vec::new());
+        for boxed in self.index().in_box(low, high) {
+            match boxed.record {
+                TreeRecord::Edge(h) => half_edges.extend(self.dcel.half_edge_at(h as usize)),
+                TreeRecord::Vertex(v) => isolated.extend(self.dcel.vertex_at(v as usize)),
+            }
+        }
+        (half_edges, isolated)
     }
 }
 

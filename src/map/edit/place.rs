@@ -2,10 +2,12 @@
 
 use super::at::At;
 use super::error::EditError;
-use crate::dcel::{HalfEdge, Vertex};
+use crate::dcel::{FaceKey, HalfEdge, Vertex};
 use crate::geometry::Point;
 use crate::geometry::predicates::in_range;
-use crate::map::locate::located::{LocateError, Located};
+use crate::map::index::is_small;
+use crate::map::locate::in_face::locate_in_face;
+use crate::map::locate::located::Located;
 use crate::map::planar_map::PlanarMap;
 
 impl PlanarMap {
@@ -32,11 +34,11 @@ impl PlanarMap {
     /// Where the point that is meant lies. For the cost see [`At`].
     pub(super) fn place_of(&self, at: At) -> Result<Located, EditError> {
         match at {
-            At::Point(_) => self.place(self.point_of(at)?, self.dcel.unbounded_face().key()),
+            At::Point(_) => self.place(self.point_of(at)?, None),
             At::Near(_, hint) => {
                 // A stale hint is said first.
-                self.dcel.half_edge(hint)?;
-                self.place(self.point_of(at)?, hint)
+                let face = self.dcel.half_edge(hint)?.face().key();
+                self.place(self.point_of(at)?, Some(face))
             }
             At::Vertex(v) => Ok(Located::Vertex(self.dcel.vertex(v)?.key())),
         }
@@ -52,11 +54,14 @@ impl PlanarMap {
         [self.at(h.origin()), self.at(h.target())]
     }
 
-    /// Where a point in range lies, going there from something else.
-    pub(super) fn place(&self, p: Point, from: impl Into<Located>) -> Result<Located, EditError> {
-        self.locate_from(p, from).map_err(|error| match error {
-            LocateError::Stale(key) => key.into(),
-            _ => EditError::NotPlane,
-        })
+    /// Where a point lies: in a face that is likely, if this is small, or wherever the index finds it.
+    pub(super) fn place(&self, p: Point, likely: Option<FaceKey>) -> Result<Located, EditError> {
+        if let Some(face) = likely {
+            let face = self.dcel.face(face)?;
+            if let Some(located) = is_small(face).then(|| locate_in_face(self, face, p)).flatten() {
+                return Ok(located);
+            }
+        }
+        self.locate(p).map_err(|_| EditError::NotPlane)
     }
 }

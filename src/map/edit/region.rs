@@ -5,7 +5,7 @@ use crate::dcel::{Face, FaceKey, HalfEdgeKey, VertexKey};
 use crate::geometry::Point;
 use crate::geometry::noding::{Noded, Snap, node};
 use crate::geometry::predicates::{Meeting, meeting};
-use crate::map::feature_sets::SetId;
+use crate::map::feature_tries::SetId;
 use crate::map::locate::located::Located;
 use crate::map::planar_map::PlanarMap;
 use rstar::{AABB, RTree, primitives::Rectangle};

@@ -5,7 +5,7 @@ use super::outcome::Edited;
 use super::plan::{EdgeChange, SnapPlan};
 use super::trace::Towards;
 use crate::dcel::{FaceKey, VertexKey};
-use crate::map::feature_sets::SetId;
+use crate::map::feature_tries::SetId;
 use crate::map::planar_map::PlanarMap;
 use rustc_hash::FxHashMap;
 

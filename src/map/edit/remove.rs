@@ -61,7 +61,7 @@ impl PlanarMap {
         for h in edges {
             self.erase(h, &mut edited)?;
         }
-        self.dcel.remove_isolated_vertex(vertex)?;
+        self.remove_isolated(vertex)?;
         edited.vertices_dropped.push(vertex);
         Ok(edited)
     }
@@ -70,7 +70,7 @@ impl PlanarMap {
     pub(super) fn erase(&mut self, half_edge: HalfEdgeKey, edited: &mut Edited) -> Result<(), EditError> {
         let h = self.dcel.half_edge(half_edge)?;
         let sides = [h.face(), h.twin().face()].map(|f| (f.key(), self.features.of_face(f.index())));
-        let removed = self.dcel.remove_edge(half_edge)?;
+        let removed = self.disconnect(half_edge)?;
         edited.edges_dropped.push(half_edge);
         if let RemovedEdge::Merged { kept_face, dropped_face, .. } = removed {
             edited.faces_merged.push((kept_face, dropped_face));
@@ -78,7 +78,7 @@ impl PlanarMap {
             self.features.put_face(self.dcel.face(kept_face)?.index(), common);
             for (face, set) in sides {
                 let lost = self.features.differing(set, common);
-                edited.features_dropped.extend(self.features.set(lost).iter().map(|feature| (face, *feature)));
+                edited.features_dropped.extend(self.features.set(lost).map(|feature| (face, feature)));
             }
         }
         Ok(())

@@ -11,10 +11,11 @@
 //! ```
 
 use super::error::EditError;
-use crate::dcel::{Boundary, BoundaryKey, HalfEdge, OperatorError, RecordKind, Side, Vertex};
+use crate::dcel::{Boundary, BoundaryKey, Face, HalfEdge, OperatorError, RecordKind, Side, Vertex};
 use crate::geometry::Point;
 use crate::geometry::predicates::{Orientation, compare_lexicographic, orientation};
 use crate::geometry::sweep::sweep;
+use crate::map::index::{BoxedRecord, TreeRecord, is_small};
 use crate::map::planar_map::PlanarMap;
 use core::cmp::Ordering;
 use rustc_hash::FxHashMap;
@@ -59,8 +60,9 @@ impl PlanarMap {
     /// Of the two parts of an outer cycle the shorter becomes the boundary of the new face; on a tie the one on the left.
     /// Where the cycle is an inner one, geometry decides.
     ///
-    /// O(length s of the shorter part + k) for k other inner boundary components of the face; where j of these have a place
-    /// in the box around that part, O((s + j) log (s + j)) for a sweep.
+    /// O(length s of the shorter part + k), where k is the lesser of the number of other inner boundary components of the face
+    /// and that of edges in the box around that part; where j of the former have a place in the box, O((s + j) log (s + j))
+    /// for a sweep.
     pub(super) fn sides(&self, from: HalfEdge<'_>, to: HalfEdge<'_>) -> Result<(Side, Vec<BoundaryKey>), EditError> {
         let split = from.boundary();
         let part = CyclePart::shorter(from, to);
@@ -71,18 +73,17 @@ impl PlanarMap {
             Side::Right if around => Side::Left,
             Side::Left | Side::Right => Side::Right,
         };
-        let others = split.face().inner().filter(|b| *b != split);
-        Ok((side, self.enclosed(&part, &places, around, others)?))
+        Ok((side, self.enclosed(&part, &places, around, split)?))
     }
 
-    /// Those of some components that lie inside a part of a cycle: to its left, or, if the part lies around its inside, to
-    /// its right.
-    fn enclosed<'a>(
+    /// The other inner boundary components of the face of a cycle that lie inside a part of it: to its left, or, if the part
+    /// lies around its inside, to its right.
+    fn enclosed(
         &self,
         part: &CyclePart<'_>,
         places: &[Point],
         around: bool,
-        components: impl Iterator<Item = Boundary<'a>>,
+        split: Boundary<'_>,
     ) -> Result<Vec<BoundaryKey>, EditError> {
         let (mut low, mut high) = (places[0], places[0]);
         for p in places {
@@ -91,7 +92,7 @@ impl PlanarMap {
         }
         let mut points = Vec::new();
         let mut candidates = Vec::new();
-        for component in components {
+        for component in self.inner_near(split.face(), low, high).into_iter().filter(|b| *b != split) {
             let any = component.start().map(|h| h.origin()).or_else(|| component.isolated_vertex());
             let Some(p) = any.map(|v| self.at(v)) else { continue };
             if low.x < p.x && p.x < high.x && low.y < p.y && p.y < high.y {
@@ -125,6 +126,33 @@ impl PlanarMap {
         let lies_inside =
             |below: &Option<u32>| below.is_some_and(|segment| rises_on_the_left[&segments[segment as usize]] != around);
         Ok(candidates.into_iter().zip(&swept.below).filter(|(_, below)| lies_inside(below)).map(|(b, _)| b).collect())
+    }
+}
+
+impl PlanarMap {
+    /// The inner boundary components of a face, or those of them that have an edge in a box. O(lesser of the number of the
+    /// former and that of edges in the box), beside what the index takes.
+    fn inner_near<'a>(&'a self, face: Face<'a>, low: Point, high: Point) -> Vec<Boundary<'a>> {
+        if is_small(face) {
+            return face.inner().collect();
+        }
+        let of_record = |boxed: &BoxedRecord| match boxed.record {
+            TreeRecord::Edge(h) => {
+                self.dcel.half_edge_at(h as usize).map_or([None; 2], |h| [h, h.twin()].map(|h| Some(h.boundary())))
+            }
+            TreeRecord::Vertex(v) => [self.dcel.vertex_at(v as usize).and_then(|v| v.isolated()), None],
+        };
+        let (mut near, mut all) = (Vec::new(), Vec::new());
+        let mut listed = face.inner();
+        // In step, as there may be far more of either.
+        for boxed in self.index().in_box(low, high) {
+            near.extend(of_record(boxed).into_iter().flatten().filter(|b| !b.is_outer() && b.face() == face));
+            let Some(b) = listed.next() else { return all };
+            all.push(b);
+        }
+        near.sort_unstable_by_key(|b| b.index());
+        near.dedup();
+        near
     }
 }
 

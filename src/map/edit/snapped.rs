@@ -9,7 +9,7 @@ use crate::dcel::{HalfEdgeKey, VertexKey};
 use crate::geometry::Point;
 use crate::geometry::noding::{Snap, node};
 use crate::geometry::predicates::MIN_COORDINATE;
-use crate::map::feature_sets::SetId;
+use crate::map::feature_tries::SetId;
 use crate::map::locate::located::Located;
 use crate::map::planar_map::PlanarMap;
 use rustc_hash::FxHashMap;
@@ -181,11 +181,11 @@ impl PlanarMap {
 
     /// Makes an isolated vertex at a point in the interior of a face, that of `start` unless this is gone by now.
     fn make_in_the_open(&mut self, p: Point, start: Located, edited: &mut Edited) -> Result<VertexKey, EditError> {
-        let hint = match start {
-            Located::Face(face) if self.dcel.face(face).is_ok() => start,
-            _ => self.dcel.unbounded_face().key().into(),
+        let likely = match start {
+            Located::Face(face) => Some(face).filter(|face| self.dcel.face(*face).is_ok()),
+            Located::Vertex(_) | Located::Edge(_) => None,
         };
-        let place = self.place(p, hint)?;
+        let place = self.place(p, likely)?;
         self.realise(p, place, edited)
     }
 

@@ -6,8 +6,12 @@ use crate::geometry::Point;
 use crate::geometry::predicates::{
     Endpoint, Meeting, Orientation, compare_angle, compare_lexicographic, meeting, on_segment, orientation,
 };
+use crate::map::index::{is_hub, is_small};
 use crate::map::locate::located::Located;
 use crate::map::planar_map::PlanarMap;
+use crate::map::zone::QueryLine;
+use crate::map::zone::line::{EventRecord, Line, LineEvent, LinePlace};
+use crate::map::zone::selection::each_event;
 use core::cmp::Ordering;
 use rustc_hash::FxHashMap;
 use std::collections::hash_map::Entry;
@@ -21,7 +25,7 @@ pub(super) struct Trace {
 }
 
 /// What leaves a vertex towards a point.
-pub(super) enum Towards<'a> {
+pub(in crate::map) enum Towards<'a> {
     /// This half-edge, in exactly that direction.
     Along(HalfEdge<'a>),
     /// Nothing: the direction is in the corner of this half-edge.
@@ -41,8 +45,15 @@ impl<'a> Towards<'a> {
 }
 
 impl PlanarMap {
-    /// What leaves a vertex towards a point elsewhere. O(degree).
-    pub(super) fn towards<'a>(&self, v: Vertex<'a>, p: Point) -> Towards<'a> {
+    /// What leaves a vertex towards a point elsewhere. O(log degree), with the index where the degree is high.
+    pub(in crate::map) fn towards<'a>(&'a self, v: Vertex<'a>, p: Point) -> Towards<'a> {
+        if is_hub(v) {
+            let found = self.index().towards(v, p).and_then(|h| self.dcel.half_edge_at(h));
+            if let Some(h) = found {
+                let along = compare_angle(self.at(v), self.at(h.target()), p).is_eq();
+                return if along { Towards::Along(h) } else { Towards::Corner(h) };
+            }
+        }
         let at = self.at(v);
         let mut corner = None;
         for h in v.rotation() {
@@ -64,12 +75,12 @@ impl PlanarMap {
         corner.map_or(Towards::Isolated, Towards::Corner)
     }
 
-    /// The way of a segment from a point in a known place to another point. O(sizes of the faces that it passes and
-    /// degrees of the vertices that it passes), and a factor of log for sorting the vertices.
+    /// The way of a segment from a point in a known place to another point. O(k log k) for k vertices and edges on it; and what
+    /// the index takes to find these, unless the faces that it passes are small.
     pub(super) fn trace(&self, start: Located, from: Point, to: Point) -> Result<Trace, EditError> {
         let mut stops = Vec::new();
         let (mut place, mut at) = (start, from);
-        let mut seen = FxHashMap::default();
+        let mut seen = Way::default();
         loop {
             let ahead = match place {
                 Located::Vertex(key) => {
@@ -117,17 +128,16 @@ impl PlanarMap {
         if on_the_way(self.at(v), at, to) { Ahead::Vertex(v) } else { Ahead::End(Located::Edge(h.key())) }
     }
 
-    /// What lies ahead on the way through a face. Each face is looked at once, however often the way comes to it.
-    fn ahead_in<'a>(
-        &self,
-        face: Face<'a>,
-        at: Point,
-        to: Point,
-        seen: &mut FxHashMap<FaceKey, Seen<'a>>,
-    ) -> Result<Ahead<'a>, EditError> {
-        let Seen { beyond, end } = match seen.entry(face.key()) {
-            Entry::Occupied(entry) => entry.into_mut(),
-            Entry::Vacant(entry) => entry.insert(self.seen_in(face, at, to)?),
+    /// What lies ahead on the way through a face. Each face is looked at once, however often the way comes to it; a face
+    /// that is not small with all that lies behind it.
+    fn ahead_in<'a>(&'a self, face: Face<'a>, at: Point, to: Point, way: &mut Way<'a>) -> Result<Ahead<'a>, EditError> {
+        if way.all.is_none() && !is_small(face) {
+            way.all = Some(self.seen_ahead(at, to)?);
+        }
+        let Seen { beyond, end } = match (&mut way.all, way.faces.entry(face.key())) {
+            (Some(all), _) => all,
+            (None, Entry::Occupied(entry)) => entry.into_mut(),
+            (None, Entry::Vacant(entry)) => entry.insert(self.seen_in(face, at, to)?),
         };
         while let Some((v, w)) = beyond.last() {
             if on_the_way(*w, at, to) {
@@ -135,45 +145,117 @@ impl PlanarMap {
             }
             beyond.pop();
         }
-        Ok(Ahead::End(*end))
+        Ok(Ahead::End(end.unwrap_or(Located::Face(face.key()))))
     }
 
-    /// What there is of a face on the way; an error if that crosses an edge there.
+    /// What there is of a face on the way; an error if that crosses an edge there, the first one.
     fn seen_in<'a>(&self, face: Face<'a>, at: Point, to: Point) -> Result<Seen<'a>, EditError> {
-        let mut beyond = Vec::new();
-        let mut look_at = |v: Vertex<'a>| {
-            let w = self.at(v);
-            if on_the_way(w, at, to) {
-                beyond.push((v, w));
-            }
-        };
-        let mut end = Located::Face(face.key());
+        let line = Line { from: at, through: to };
+        let mut sight = Sight::new(at, to);
         for h in face.half_edges() {
             let [tail, head] = self.ends(h);
             match meeting(at, to, tail, head) {
                 Meeting::Disjoint => continue,
-                Meeting::Cross => return Err(EditError::Crosses(h.key())),
-                Meeting::Touch(Endpoint::B) => end = Located::Edge(h.key()),
+                Meeting::Cross | Meeting::Touch(Endpoint::B) => {
+                    let [origin, target] = [tail, head].map(|p| (p, line.side(p)));
+                    if let Some(event) = Line::crossing(h, origin, target) {
+                        sight.meet(event);
+                    }
+                }
                 Meeting::Touch(_) | Meeting::SharedEndpoint | Meeting::Overlap => {}
             }
-            look_at(h.origin());
-            look_at(h.target());
+            sight.pass(h.origin(), tail);
+            sight.pass(h.target(), head);
         }
-        face.inner().filter_map(|b| b.isolated_vertex()).for_each(look_at);
-        beyond.sort_unstable_by(|(_, p), (_, q)| compare_lexicographic(*q, *p));
-        if compare_lexicographic(to, at).is_lt() {
-            beyond.reverse();
+        face.inner().filter_map(|b| b.isolated_vertex()).for_each(|v| sight.pass(v, self.at(v)));
+        sight.seen()
+    }
+
+    /// All there is on the way; an error if that crosses an edge, the first one.
+    fn seen_ahead(&self, at: Point, to: Point) -> Result<Seen<'_>, EditError> {
+        let mut sight = Sight::new(at, to);
+        let line = Line { from: at, through: to };
+        let ends = [Some(at), Some(to)];
+        each_event(self, &line, &QueryLine::Segment(at, to), ends, |event| match event.record {
+            EventRecord::Vertex(v) => sight.pass(v, self.at(v)),
+            EventRecord::Edge(_) => sight.meet(event),
+        });
+        // What leaves a hub at an end meets the way nowhere else, but where it runs along it. Ahead of a hub nothing does.
+        if let Some(hub) = self.index().hub_at(to).and_then(|v| self.dcel.vertex_at(v)) {
+            sight.pass(hub, to);
+            if let Towards::Along(h) = self.towards(hub, at) {
+                sight.pass(h.target(), self.at(h.target()));
+            }
         }
-        Ok(Seen { beyond, end })
+        sight.seen()
     }
 }
 
-/// What there is of a face on the way of a segment.
+/// What has been looked at on the way of a segment.
+#[derive(Default)]
+struct Way<'a> {
+    faces: FxHashMap<FaceKey, Seen<'a>>,
+    /// All that lies ahead, where a face was too large to be scanned.
+    all: Option<Seen<'a>>,
+}
+
+/// What is being seen on the way of a segment.
+struct Sight<'a> {
+    at: Point,
+    to: Point,
+    line: Line,
+    beyond: Vec<(Vertex<'a>, Point)>,
+    end: Option<Located>,
+    /// Where it crosses an edge first.
+    crossing: Option<LineEvent<'a>>,
+}
+
+impl<'a> Sight<'a> {
+    const fn new(at: Point, to: Point) -> Self {
+        Self { at, to, line: Line { from: at, through: to }, beyond: Vec::new(), end: None, crossing: None }
+    }
+
+    fn pass(&mut self, v: Vertex<'a>, w: Point) {
+        if on_the_way(w, self.at, self.to) {
+            self.beyond.push((v, w));
+        }
+    }
+
+    /// Meets an edge that the line crosses: on the way, at its end, or elsewhere.
+    fn meet(&mut self, event: LineEvent<'a>) {
+        let EventRecord::Edge(across) = event.record else { return };
+        let after = |place: LinePlace| self.line.order(place, event.place);
+        if after(LinePlace::At(self.at)).is_ge() {
+            return;
+        }
+        match after(LinePlace::At(self.to)) {
+            // It is met from the face before it.
+            Ordering::Equal => self.end = Some(Located::Edge(across.twin().key())),
+            Ordering::Greater if self.crossing.is_none_or(|first| after(first.place).is_gt()) => {
+                self.crossing = Some(event);
+            }
+            Ordering::Less | Ordering::Greater => {}
+        }
+    }
+
+    fn seen(mut self) -> Result<Seen<'a>, EditError> {
+        if let Some(LineEvent { record: EventRecord::Edge(across), .. }) = self.crossing {
+            return Err(EditError::Crosses(across.twin().key()));
+        }
+        self.beyond.sort_unstable_by(|(_, p), (_, q)| compare_lexicographic(*q, *p));
+        if compare_lexicographic(self.to, self.at).is_lt() {
+            self.beyond.reverse();
+        }
+        Ok(Seen { beyond: self.beyond, end: self.end })
+    }
+}
+
+/// What there is on the way of a segment.
 struct Seen<'a> {
     /// The vertices, the furthest first; some of them twice.
     beyond: Vec<(Vertex<'a>, Point)>,
-    /// Where the segment ends, if in this face and not at a vertex.
-    end: Located,
+    /// The edge inside which the segment ends, if it does.
+    end: Option<Located>,
 }
 
 /// What lies ahead on the way of a segment.

@@ -1,4 +1,4 @@
-//! The index: a search graph, a grid in front of it, and a tree of boxes for lines.
+//! The index: a search graph, and a grid in front of it.
 
 use super::bounds::Bounds;
 use super::cells::Cells;
@@ -8,9 +8,7 @@ use super::trapezoids::{Drawn, GraphError};
 use crate::geometry::Point;
 use crate::geometry::predicates::compare_lexicographic;
 use crate::map::planar_map::PlanarMap;
-use crate::map::record_tree::RecordTree;
 use crate::validate::Embedding;
-use std::sync::OnceLock;
 
 /// An index of a map: where points lie, and what lines meet.
 ///
@@ -24,7 +22,6 @@ pub struct Locator<'m> {
     vertices: Vec<u32>,
     /// For each segment of the graph, the half-edge that runs from its lower end to its higher.
     rising: Vec<u32>,
-    tree: OnceLock<RecordTree>,
 }
 
 impl core::fmt::Debug for Locator<'_> {
@@ -39,7 +36,7 @@ impl<'m> Locator<'m> {
     /// and thousands of islands are no worse than others. The order is that of a fixed pseudo-random sequence, so equal
     /// maps have equal indices.
     ///
-    /// What only lines need is built with the first [`zone`](Self::zone).
+    /// What only lines need is the index that the map keeps; it is built with the first [`zone`](Self::zone).
     ///
     /// # Errors
     /// [`LocateError::NotPlane`], if [`PlanarMap::is_plane`] says no. [`LocateError::TooLarge`] beyond some hundred
@@ -78,12 +75,7 @@ impl<'m> Locator<'m> {
             GraphError::Clash => LocateError::NotPlane,
         })?;
         let cells = bounds.map(|bounds| Cells::new(&graph, bounds));
-        Ok(Self { map, graph, cells, vertices, rising, tree: OnceLock::new() })
-    }
-
-    /// The boxes around edges and isolated vertices, which only lines need. O(n log n) when it is asked for first.
-    pub(in crate::map) fn tree(&self) -> &RecordTree {
-        self.tree.get_or_init(|| RecordTree::new(self.map))
+        Ok(Self { map, graph, cells, vertices, rising })
     }
 
     /// The map.

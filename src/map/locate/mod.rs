@@ -3,9 +3,10 @@
 //! | | builds | answers in | for |
 //! | --- | --- | --- | --- |
 //! | [`Locator`] | O(n log n) | O(log n) | many questions about one map |
-//! | [`PlanarMap::locate_from`](crate::map::PlanarMap::locate_from) | nothing | the boundaries of the faces on the way | few questions, or a map that changes between them |
+//! | [`PlanarMap::locate`](crate::map::PlanarMap::locate) | once, O(n log n), and keeps it through edits | O(log n) on most maps, O(n) at worst | a map that changes between questions |
+//! | [`PlanarMap::locate_from`](crate::map::PlanarMap::locate_from) | nothing | the boundaries of the faces on the way | few questions |
 //!
-//! Both are exact: a point is at a vertex, inside an edge or in a face, and there is no tolerance.
+//! All are exact: a point is at a vertex, inside an edge or in a face, and there is no tolerance.
 //!
 //! ```text
 //!    ●────────────●
@@ -49,6 +50,7 @@ mod cells;
 mod curve;
 mod graph;
 pub(in crate::map) mod in_face;
+mod kept;
 pub(in crate::map) mod located;
 pub(in crate::map) mod locator;
 mod trapezoids;

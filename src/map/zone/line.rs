@@ -12,14 +12,14 @@ use core::cmp::Ordering;
 
 /// The line through two different points, directed from the one to the other.
 #[derive(Clone, Copy)]
-pub(super) struct Line {
-    pub(super) from: Point,
-    pub(super) through: Point,
+pub(in crate::map) struct Line {
+    pub(in crate::map) from: Point,
+    pub(in crate::map) through: Point,
 }
 
 /// A point of a line.
 #[derive(Clone, Copy)]
-pub(super) enum LinePlace {
+pub(in crate::map) enum LinePlace {
     /// This one, which lies on the line.
     At(Point),
     /// Where the segment from the first point, on the left of the line, to the second, on the right, crosses it.
@@ -36,14 +36,14 @@ pub(super) enum LinePlace {
 
 /// A record that a line meets in one point, and where.
 #[derive(Clone, Copy)]
-pub(super) struct LineEvent<'m> {
-    pub(super) record: EventRecord<'m>,
-    pub(super) place: LinePlace,
+pub(in crate::map) struct LineEvent<'m> {
+    pub(in crate::map) record: EventRecord<'m>,
+    pub(in crate::map) place: LinePlace,
 }
 
 impl LineEvent<'_> {
     /// The same, for the line in the other direction.
-    pub(super) fn turned(self) -> Self {
+    pub(in crate::map) fn turned(self) -> Self {
         let record = match self.record {
             EventRecord::Edge(h) => EventRecord::Edge(h.twin()),
             vertex @ EventRecord::Vertex(_) => vertex,
@@ -58,7 +58,7 @@ impl LineEvent<'_> {
 
 /// The record that a line meets in one point.
 #[derive(Clone, Copy)]
-pub(super) enum EventRecord<'m> {
+pub(in crate::map) enum EventRecord<'m> {
     Vertex(Vertex<'m>),
     /// An edge, by the half-edge that crosses from the left of the line to its right: its face is ahead.
     Edge(HalfEdge<'m>),
@@ -66,7 +66,7 @@ pub(super) enum EventRecord<'m> {
 
 /// The record that a line goes through between two events.
 #[derive(Clone, Copy)]
-pub(super) enum LinePiece<'m> {
+pub(in crate::map) enum LinePiece<'m> {
     Face(Face<'m>),
     /// An edge, by the half-edge in the direction of the line.
     Along(HalfEdge<'m>),
@@ -74,13 +74,13 @@ pub(super) enum LinePiece<'m> {
 
 impl Line {
     #[inline]
-    pub(super) fn side(&self, p: Point) -> Orientation {
+    pub(in crate::map) fn side(&self, p: Point) -> Orientation {
         orientation(self.from, self.through, p)
     }
 
     /// Compares two places by how far along the line they are. Equal, if the one is the other, or if the map is not plane
     /// and neither is first.
-    pub(super) fn order(&self, a: LinePlace, b: LinePlace) -> Ordering {
+    pub(in crate::map) fn order(&self, a: LinePlace, b: LinePlace) -> Ordering {
         match (a, b) {
             (LinePlace::At(a), LinePlace::At(b)) => self.order_points(a, b),
             (LinePlace::At(p), LinePlace::Crossing(left, right)) => Self::beside(left, right, p),
@@ -122,14 +122,14 @@ impl Line {
     }
 
     /// The event of meeting a vertex.
-    pub(super) fn at<'m>(map: &PlanarMap, vertex: Vertex<'m>) -> LineEvent<'m> {
+    pub(in crate::map) fn at<'m>(map: &PlanarMap, vertex: Vertex<'m>) -> LineEvent<'m> {
         LineEvent { record: EventRecord::Vertex(vertex), place: LinePlace::At(map.point(vertex.index())) }
     }
 
     /// How the line crosses an edge, if it passes between its ends: these are given as the ends of one of the half-edges, with
     /// their sides.
     #[inline]
-    pub(super) fn crossing(
+    pub(in crate::map) fn crossing(
         h: HalfEdge<'_>,
         origin: (Point, Orientation),
         target: (Point, Orientation),
@@ -146,7 +146,7 @@ impl Line {
     }
 
     /// What the line goes through after an event. O(degree).
-    pub(super) fn after<'m>(&self, map: &'m PlanarMap, event: LineEvent<'m>) -> LinePiece<'m> {
+    pub(in crate::map) fn after<'m>(&self, map: &'m PlanarMap, event: LineEvent<'m>) -> LinePiece<'m> {
         let vertex = match event.record {
             EventRecord::Edge(h) => return LinePiece::Face(h.face()),
             EventRecord::Vertex(vertex) => vertex,

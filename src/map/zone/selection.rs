@@ -4,21 +4,21 @@ use super::line::{Line, LineEvent};
 use super::query::QueryLine;
 use crate::geometry::Point;
 use crate::geometry::predicates::Orientation;
+use crate::map::index::{BoxedRecord, TreeRecord};
 use crate::map::planar_map::PlanarMap;
-use crate::map::record_tree::{BoxedRecord, RecordTree, TreeRecord};
 use rstar::{AABB, RTreeObject, SelectionFunction};
 
 /// Visits every record that the line meets in one point and whose box the query meets. Some are visited twice; those beyond
-/// the ends of the query may be among them.
-pub(super) fn each_event<'m>(
-    tree: &RecordTree,
+/// the ends of the query may be among them. The edges of hubs at certain points may be left out.
+pub(in crate::map) fn each_event<'m>(
     map: &'m PlanarMap,
     line: &Line,
     query: &QueryLine,
+    but_hubs_at: [Option<Point>; 2],
     mut visit: impl FnMut(LineEvent<'m>),
 ) {
     let dcel = map.dcel();
-    for boxed in tree.select(Selection::new(line, query)) {
+    for boxed in map.index().select(Selection::new(line, query), but_hubs_at) {
         match boxed.record {
             TreeRecord::Vertex(_) if line.side(boxed.ends[0]) != Orientation::Collinear => {}
             TreeRecord::Vertex(vertex) => {
@@ -44,6 +44,7 @@ pub(super) fn each_event<'m>(
 }
 
 /// Selects the boxes that a query meets, and perhaps some that it just misses: their contents are then tested exactly.
+#[derive(Clone)]
 struct Selection {
     from: Point,
     /// The direction of the line.

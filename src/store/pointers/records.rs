@@ -163,8 +163,8 @@ impl Record for FaceRecord {
 
 /// The records of one kind: who issues, checks and retires their keys, and the boxes.
 pub(super) struct Records<R: Record> {
-    pub(super) issuer: Issuer<R::Key>,
-    /// Owned. That of slot 1 comes first, because slotmap does not use slot 0.
+    pub(super) issuer: Issuer,
+    /// Owned. That of slot 1 comes first, because slot 0 is not used.
     pub(super) boxes: Vec<Ref<R>>,
 }
 

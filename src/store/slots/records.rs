@@ -49,6 +49,6 @@ impl SlotStore {
         self.start.resize(boundaries, NIL);
         self.place.resize(boundaries, UNLISTED);
         self.outer.resize(self.faces.end(), NIL);
-        self.inner.resize(self.faces.end(), None);
+        self.inner.resize(self.faces.end());
     }
 }

@@ -4,40 +4,35 @@ use super::columns::{
     BoundarySlot, FaceSlot, HalfEdgeSlot, MOST, MOST_EDGES, NIL, OTHER, VACANT, VertexSlot, column, put, start_bits,
     vertex_link_bits,
 };
+use super::inner::InnerLists;
 use crate::store::issuer::{Issuer, structure_offset};
 use crate::store::keys::{BoundaryKey, FaceKey, HalfEdgeKey, VertexKey, key, parts};
 use crate::store::links::{BoundaryStart, Links, Need, RecordKind, Store, VertexLink, room};
 use crate::store::place::{OUTER, UNLISTED};
-use alloc::boxed::Box;
 use alloc::vec::Vec;
-use slotmap::DefaultKey;
-
-/// The inner boundary components of one face. Boxed, because most faces have none.
-#[derive(Clone, Debug, Default)]
-pub(super) struct InnerList(Vec<BoundarySlot>);
 
 /// The default store: slotmap keys over columns of 32-bit slots.
 #[derive(Clone, Debug)]
 pub struct SlotStore {
-    pub(super) edges: Issuer<DefaultKey>,
+    pub(super) edges: Issuer,
     pub(super) origin: Vec<VertexSlot>,
     pub(super) next: Vec<HalfEdgeSlot>,
     pub(super) prev: Vec<HalfEdgeSlot>,
     pub(super) boundary: Vec<BoundarySlot>,
 
-    pub(super) vertices: Issuer<VertexKey>,
+    pub(super) vertices: Issuer,
     pub(super) vertex_link: Vec<u32>,
 
-    pub(super) boundaries: Issuer<BoundaryKey>,
+    pub(super) boundaries: Issuer,
     pub(super) boundary_face: Vec<FaceSlot>,
     pub(super) start: Vec<u32>,
     pub(super) place: Vec<u32>,
 
-    pub(super) faces: Issuer<FaceKey>,
+    pub(super) faces: Issuer,
     /// The half-edge where the outer boundary component starts, as in the textbooks: most walks around a face need nothing
     /// else. The boundary component is had through it.
     pub(super) outer: Vec<u32>,
-    pub(super) inner: Vec<Option<Box<InnerList>>>,
+    pub(super) inner: InnerLists,
     pub(super) unbounded: FaceSlot,
 }
 
@@ -67,7 +62,7 @@ impl Links for SlotStore {
             place: column(need.boundaries, NIL, 1),
             faces: Issuer::with_room(faces, offset),
             outer: column(faces, VACANT, 1),
-            inner: column(faces, None, 1),
+            inner: InnerLists::new(column(faces, InnerLists::unused(), 1)),
             unbounded: FaceSlot(NIL),
         };
         store.unbounded = store.add_face();
@@ -259,7 +254,7 @@ impl Links for SlotStore {
     fn add_face(&mut self) -> FaceSlot {
         let slot = self.faces.issue();
         put(&mut self.outer, slot, NIL);
-        put(&mut self.inner, slot, None);
+        self.inner.add(slot);
         FaceSlot(slot)
     }
 
@@ -276,7 +271,6 @@ impl Links for SlotStore {
     }
 
     fn remove_face(&mut self, f: FaceSlot) {
-        self.inner[f.0 as usize] = None;
         self.outer[f.0 as usize] = VACANT;
         self.faces.retire(f.0);
     }
@@ -349,12 +343,12 @@ impl Links for SlotStore {
 
     #[inline]
     fn inner_count(&self, f: FaceSlot) -> usize {
-        self.inner[f.0 as usize].as_ref().map_or(0, |list| list.0.len())
+        self.inner.of(f.0).len()
     }
 
     #[inline]
     fn inner(&self, f: FaceSlot, position: usize) -> Option<BoundarySlot> {
-        self.inner[f.0 as usize].as_ref()?.0.get(position).copied()
+        self.inner.of(f.0).get(position).copied()
     }
 
     fn set_origin(&mut self, h: HalfEdgeSlot, v: VertexSlot) {
@@ -394,24 +388,18 @@ impl Links for SlotStore {
     }
 
     fn list_inner(&mut self, f: FaceSlot, b: BoundarySlot) {
-        let list = self.inner[f.0 as usize].get_or_insert_default();
-        self.place[b.0 as usize] = list.0.len() as u32;
+        self.place[b.0 as usize] = self.inner_count(f) as u32;
         self.boundary_face[b.0 as usize] = f;
-        list.0.push(b);
+        self.inner.push(f.0, b);
     }
 
     fn unlist(&mut self, b: BoundarySlot) {
-        let f = self.boundary_face[b.0 as usize].0 as usize;
+        let f = self.boundary_face[b.0 as usize];
         let place = core::mem::replace(&mut self.place[b.0 as usize], UNLISTED);
         if place == OUTER {
-            self.outer[f] = NIL;
-        } else if let Some(list) = &mut self.inner[f] {
-            list.0.swap_remove(place as usize);
-            if let Some(moved) = list.0.get(place as usize) {
-                self.place[moved.0 as usize] = place;
-            } else if list.0.is_empty() {
-                self.inner[f] = None;
-            }
+            self.outer[f.0 as usize] = NIL;
+        } else if let Some(moved) = self.inner.swap_remove(f.0, place) {
+            self.place[moved.0 as usize] = place;
         }
     }
 }

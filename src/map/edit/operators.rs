@@ -1,0 +1,101 @@
+//! The operators of topology on a map: each brings its points and its index along. Edits change a map through these alone.
+
+use super::error::EditError;
+use crate::dcel::{
+    Connected, Corner, FaceKey, HalfEdge, HalfEdgeKey, OperatorError, RemovedEdge, Split, SplitEdge, VertexKey,
+};
+use crate::geometry::Point;
+use crate::map::feature_sets::put;
+use crate::map::index::IndexedEdge;
+use crate::map::planar_map::PlanarMap;
+
+impl PlanarMap {
+    /// Adds an isolated vertex at a point in the interior of a face.
+    pub(super) fn add_isolated(&mut self, p: Point, face: FaceKey) -> Result<VertexKey, OperatorError> {
+        let key = self.dcel.add_isolated_vertex(face)?.vertex;
+        let v = self.dcel.vertex(key)?;
+        put(&mut self.points, v.index(), p);
+        if let Some(index) = self.index.if_built() {
+            index.add_vertex(v, &self.points);
+        }
+        Ok(key)
+    }
+
+    /// Removes an isolated vertex.
+    pub(super) fn remove_isolated(&mut self, vertex: VertexKey) -> Result<(), OperatorError> {
+        let v = self.dcel.vertex(vertex)?.index();
+        self.dcel.remove_isolated_vertex(vertex)?;
+        if let Some(index) = self.index.if_built() {
+            index.remove_vertex(v, self.points[v]);
+        }
+        Ok(())
+    }
+
+    /// Splits an edge by a vertex at a point.
+    pub(super) fn split_at(&mut self, h: HalfEdgeKey, p: Point) -> Result<SplitEdge, OperatorError> {
+        let before = self.indexed(h)?;
+        let made = self.dcel.split_edge(h)?;
+        put(&mut self.points, self.dcel.vertex(made.vertex)?.index(), p);
+        if let (Some(index), Some(before)) = (self.index.if_built(), before) {
+            index.remove_edge(&before);
+            for part in [h, made.half_edge] {
+                index.add_edge(self.dcel.half_edge(part)?, &self.points);
+            }
+        }
+        Ok(made)
+    }
+
+    /// Draws an edge between two corners that see each other.
+    pub(super) fn connect(&mut self, from: Corner, to: Corner, split: Split<'_>) -> Result<Connected, OperatorError> {
+        let connected = self.dcel.connect(from, to, split)?;
+        if let Some(index) = self.index.if_built() {
+            for corner in [from, to] {
+                if let Corner::Isolated(v) = corner {
+                    let v = self.dcel.vertex(v)?.index();
+                    index.remove_vertex(v, self.points[v]);
+                }
+            }
+            index.add_edge(self.dcel.half_edge(connected.half_edge)?, &self.points);
+        }
+        Ok(connected)
+    }
+
+    /// Removes an edge.
+    pub(super) fn disconnect(&mut self, h: HalfEdgeKey) -> Result<RemovedEdge, OperatorError> {
+        let before = self.indexed(h)?;
+        let removed = self.dcel.remove_edge(h)?;
+        if let (Some(index), Some(before)) = (self.index.if_built(), before) {
+            index.remove_edge(&before);
+            let ends = before.vertices().into_iter().filter_map(|v| self.dcel.vertex_at(v));
+            ends.filter(|v| v.isolated().is_some()).for_each(|v| index.add_vertex(v, &self.points));
+        }
+        Ok(removed)
+    }
+
+    /// Moves a vertex with its edges. O(degree).
+    pub(super) fn put_at(&mut self, vertex: VertexKey, to: Point) -> Result<(), EditError> {
+        let v = self.dcel.vertex(vertex)?;
+        let from = std::mem::replace(&mut self.points[v.index()], to);
+        let Some(index) = self.index.if_built() else { return Ok(()) };
+        if v.isolated().is_some() {
+            index.remove_vertex(v.index(), from);
+            index.add_vertex(v, &self.points);
+        }
+        let edges: Vec<HalfEdge<'_>> = v.rotation().collect();
+        self.points[v.index()] = from;
+        for h in &edges {
+            index.remove_edge(&IndexedEdge::new(*h, &self.points));
+        }
+        self.points[v.index()] = to;
+        for h in edges {
+            index.add_edge(h, &self.points);
+        }
+        Ok(())
+    }
+
+    /// An edge as the index has it, if there is one.
+    fn indexed(&mut self, h: HalfEdgeKey) -> Result<Option<IndexedEdge>, OperatorError> {
+        let h = self.dcel.half_edge(h)?;
+        Ok(self.index.if_built().map(|_| IndexedEdge::new(h, &self.points)))
+    }
+}

@@ -1,0 +1,272 @@
+//! Sets of features, each kept once, that share what they have in common.
+//!
+//! A set is a binary trie over the numbers of its features, with 64 of them in a leaf. Equal parts of sets are one node
+//! (hash-consing), so sets are equal if their nodes are, and a set that differs from another in one feature costs
+//! O(log features) nodes, however large both are. With ten thousand polygons inside each other, each face has its set.
+//!
+//! Source: Okasaki and Gill, "Fast mergeable integer maps", 1998.
+
+use super::feature::FeatureId;
+use rustc_hash::FxHashMap;
+use std::collections::hash_map::Entry;
+
+/// The number of a set of features.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash, Default)]
+pub(super) struct SetId(u32);
+
+const EMPTY: SetId = SetId(0);
+
+/// The bits of a feature's number that choose one of the 64 of a leaf.
+const LEAF_BITS: u32 = 6;
+
+/// As many nodes lie side by side on the way to a leaf, one for each bit left, and the leaf.
+const DEPTH: usize = (u32::BITS - LEAF_BITS) as usize + 1;
+
+/// Part of a set. The upper bits of all its features are those of `prefix`.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
+enum Node {
+    Leaf {
+        prefix: u32,
+        /// Which of the 64 are in the set; never 0 but in the empty set.
+        bits: u64,
+    },
+    /// Neither side is empty.
+    Branch {
+        prefix: u32,
+        /// The bit in which the features of both sides differ.
+        bit: u32,
+        sides: [SetId; 2],
+    },
+}
+
+impl Node {
+    const fn prefix(self) -> u32 {
+        match self {
+            Self::Leaf { prefix, .. } | Self::Branch { prefix, .. } => prefix,
+        }
+    }
+
+    /// How many of the lower bits differ between its features.
+    const fn width(self) -> u32 {
+        match self {
+            Self::Leaf { .. } => LEAF_BITS,
+            Self::Branch { bit, .. } => bit + 1,
+        }
+    }
+}
+
+/// What becomes of two sets.
+#[derive(Clone, Copy)]
+pub(super) enum SetOperation {
+    Common,
+    Either,
+    Differing,
+}
+
+/// All sets that have occurred.
+#[derive(Clone, Debug)]
+pub(super) struct FeatureTries {
+    /// By number of set.
+    nodes: Vec<Node>,
+    numbers: FxHashMap<Node, SetId>,
+}
+
+impl Default for FeatureTries {
+    fn default() -> Self {
+        Self { nodes: vec![Node::Leaf { prefix: 0, bits: 0 }], numbers: FxHashMap::default() }
+    }
+}
+
+/// The bits of a number from this one upwards.
+const fn above(number: u32, width: u32) -> u32 {
+    if width >= u32::BITS { 0 } else { number >> width << width }
+}
+
+impl FeatureTries {
+    /// The set of one feature. O(1), expected.
+    pub(super) fn single(&mut self, feature: FeatureId) -> SetId {
+        let prefix = above(feature.0, LEAF_BITS);
+        self.leaf(prefix, 1 << (feature.0 - prefix))
+    }
+
+    /// The set of these features. O(features · log), expected.
+    pub(super) fn number(&mut self, features: impl IntoIterator<Item = FeatureId>) -> SetId {
+        features.into_iter().fold(EMPTY, |set, feature| {
+            let single = self.single(feature);
+            self.combined(SetOperation::Either, set, single)
+        })
+    }
+
+    /// The features of a set, in order. O(log features) for the first, O(1) for each other on average.
+    pub(super) fn members(&self, set: SetId) -> Members<'_> {
+        let mut rest = [EMPTY; DEPTH];
+        rest[0] = set;
+        Members { nodes: &self.nodes, rest, left: 1, prefix: 0, bits: 0 }
+    }
+
+    /// The set of those in both, in either, or in one only. O(log features) for each feature in one set only.
+    pub(super) fn combined(&mut self, operation: SetOperation, a: SetId, b: SetId) -> SetId {
+        let all = !matches!(operation, SetOperation::Common);
+        if a == b {
+            return if matches!(operation, SetOperation::Differing) { EMPTY } else { a };
+        }
+        if a == EMPTY || b == EMPTY {
+            return match (all, a == EMPTY) {
+                (false, _) => EMPTY,
+                (true, true) => b,
+                (true, false) => a,
+            };
+        }
+        let (one, other) = (self.nodes[a.0 as usize], self.nodes[b.0 as usize]);
+        let width = one.width().max(other.width());
+        if above(one.prefix(), width) != above(other.prefix(), width) {
+            return if all { self.side_by_side(a, b) } else { EMPTY };
+        }
+        // The recursion ends, as the widths fall with each step.
+        match (one, other) {
+            (Node::Leaf { prefix, bits }, Node::Leaf { bits: others, .. }) => {
+                let bits = match operation {
+                    SetOperation::Common => bits & others,
+                    SetOperation::Either => bits | others,
+                    SetOperation::Differing => bits ^ others,
+                };
+                self.leaf(prefix, bits)
+            }
+            (Node::Branch { prefix, bit, sides }, Node::Branch { bit: other_bit, sides: others, .. })
+                if bit == other_bit =>
+            {
+                let sides = [0, 1].map(|side| self.combined(operation, sides[side], others[side]));
+                self.branch(prefix, bit, sides)
+            }
+            (Node::Branch { prefix, bit, sides }, inside) if bit + 1 > inside.width() => {
+                self.inside(operation, (prefix, bit, sides), b, inside)
+            }
+            (inside, Node::Branch { prefix, bit, sides }) => self.inside(operation, (prefix, bit, sides), a, inside),
+            // A leaf is the narrowest of all, so a branch on the left is the wider one.
+            (Node::Branch { .. }, Node::Leaf { .. }) => EMPTY,
+        }
+    }
+
+    /// What becomes of a branch and a set that lies on one side of it.
+    fn inside(
+        &mut self,
+        operation: SetOperation,
+        (prefix, bit, mut sides): (u32, u32, [SetId; 2]),
+        set: SetId,
+        node: Node,
+    ) -> SetId {
+        let side = (node.prefix() >> bit & 1) as usize;
+        let combined = self.combined(operation, sides[side], set);
+        if matches!(operation, SetOperation::Common) {
+            return combined;
+        }
+        sides[side] = combined;
+        self.branch(prefix, bit, sides)
+    }
+
+    /// All of two sets whose prefixes differ.
+    fn side_by_side(&mut self, a: SetId, b: SetId) -> SetId {
+        let [one, other] = [a, b].map(|set| self.nodes[set.0 as usize].prefix());
+        let bit = (one ^ other).ilog2();
+        let sides = if one < other { [a, b] } else { [b, a] };
+        self.branch(above(one, bit + 1), bit, sides)
+    }
+
+    fn leaf(&mut self, prefix: u32, bits: u64) -> SetId {
+        if bits == 0 { EMPTY } else { self.intern(Node::Leaf { prefix, bits }) }
+    }
+
+    fn branch(&mut self, prefix: u32, bit: u32, sides: [SetId; 2]) -> SetId {
+        match sides {
+            [EMPTY, set] | [set, EMPTY] => set,
+            _ => self.intern(Node::Branch { prefix, bit, sides }),
+        }
+    }
+
+    fn intern(&mut self, node: Node) -> SetId {
+        match self.numbers.entry(node) {
+            Entry::Occupied(known) => *known.get(),
+            Entry::Vacant(new) => {
+                self.nodes.push(node);
+                *new.insert(SetId(self.nodes.len() as u32 - 1))
+            }
+        }
+    }
+}
+
+/// The features of a set, in order.
+#[derive(Clone)]
+pub(super) struct Members<'a> {
+    nodes: &'a [Node],
+    /// What comes after the leaf in hand, the next one last.
+    rest: [SetId; DEPTH],
+    /// How many of these there are.
+    left: usize,
+    /// What is left of the leaf in hand.
+    prefix: u32,
+    bits: u64,
+}
+
+impl Iterator for Members<'_> {
+    type Item = FeatureId;
+
+    fn next(&mut self) -> Option<FeatureId> {
+        while self.bits == 0 {
+            self.left = self.left.checked_sub(1)?;
+            match self.nodes[self.rest[self.left].0 as usize] {
+                Node::Leaf { prefix, bits } => (self.prefix, self.bits) = (prefix, bits),
+                Node::Branch { sides: [low, high], .. } => {
+                    self.rest[self.left] = high;
+                    self.rest[self.left + 1] = low;
+                    self.left += 2;
+                }
+            }
+        }
+        let lowest = self.bits.trailing_zeros();
+        self.bits &= self.bits - 1;
+        Some(FeatureId(self.prefix + lowest))
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::{EMPTY, FeatureTries, SetOperation};
+    use crate::map::feature::FeatureId;
+    use quickcheck::quickcheck;
+    use std::collections::BTreeSet;
+
+    /// Numbers that share prefixes of all lengths.
+    fn spread(numbers: &[(u8, u8)]) -> BTreeSet<FeatureId> {
+        numbers.iter().map(|(shift, low)| FeatureId((1_u32 << (shift % 32)) ^ u32::from(low % 70))).collect()
+    }
+
+    quickcheck! {
+        fn sets_are_those_of_the_standard_library(a: Vec<(u8, u8)>, b: Vec<(u8, u8)>) -> bool {
+            let (a, b) = (spread(&a), spread(&b));
+            let mut tries = FeatureTries::default();
+            let [x, y] = [&a, &b].map(|set| tries.number(set.iter().copied()));
+            let mut is = |operation, expected: BTreeSet<FeatureId>| {
+                let set = tries.combined(operation, x, y);
+                let equal = tries.members(set).eq(expected.iter().copied());
+                // In whatever order it is put together, a set has one number.
+                equal && set == tries.number(expected.into_iter().rev())
+            };
+            is(SetOperation::Common, &a & &b)
+                && is(SetOperation::Either, &a | &b)
+                && is(SetOperation::Differing, &a ^ &b)
+        }
+    }
+
+    #[test]
+    fn sets_inside_each_other_share_their_nodes() {
+        const SETS: u32 = 10_000;
+        let mut tries = FeatureTries::default();
+        let mut set = EMPTY;
+        for feature in 0..SETS {
+            let single = tries.single(FeatureId(feature));
+            set = tries.combined(SetOperation::Differing, set, single);
+        }
+        assert_eq!(tries.members(set).count(), SETS as usize);
+        assert!(tries.nodes.len() < 12 * SETS as usize, "{}", tries.nodes.len());
+    }
+}

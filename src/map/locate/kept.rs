@@ -1,0 +1,102 @@
+//! Where a point lies, by the index that a map keeps.
+//!
+//! The index knows something near. From the point straight there, and a little further, what is met first bounds the face: that
+//! is decided exactly, whatever is near.
+
+use super::located::{LocateError, Located, check_range};
+use crate::dcel::HalfEdge;
+use crate::geometry::Point;
+use crate::geometry::predicates::{compare_lexicographic, in_range};
+use crate::map::edit::trace::Towards;
+use crate::map::index::{BoxedRecord, TreeRecord};
+use crate::map::planar_map::PlanarMap;
+use crate::map::zone::QueryLine;
+use crate::map::zone::line::{EventRecord, Line, LineEvent, LinePlace};
+use crate::map::zone::selection::each_event;
+use crate::validate::Embedding;
+
+impl PlanarMap {
+    /// Where a point lies, for a map that changes between questions. An edge is named by the half-edge that runs to the right,
+    /// or straight up.
+    ///
+    /// The first call builds an index, O(n log n), which the map keeps through all [edits](crate::map::edit). With it, a
+    /// question takes what an R-tree takes to find what lies between the point and something near: O(log n) where boxes hardly overlap, as on most maps,
+    /// and O(n) at worst, as among long slanted parallels, or between the spokes of a star. [`Locator`](crate::map::Locator) has
+    /// no such worst case, and borrows the map.
+    ///
+    /// ```
+    /// use twinedge::geometry::Point;
+    /// use twinedge::map::{Located, PlanarMap};
+    ///
+    /// let mut map = PlanarMap::new();
+    /// let ring = map.insert_ring([[0.0, 0.0], [4.0, 0.0], [0.0, 4.0]])?;
+    /// let inside = ring.faces_split[0].1;
+    /// assert_eq!(map.locate(Point::new(1.0, 1.5))?, Located::Face(inside));
+    /// map.insert_segment([0.0, 2.5], [2.5, 0.0])?;
+    /// assert!(matches!(map.locate(Point::new(1.0, 1.5))?, Located::Edge(_)));
+    /// # Ok::<(), Box<dyn std::error::Error>>(())
+    /// ```
+    ///
+    /// # Errors
+    /// [`LocateError::OutOfRange`]; [`LocateError::NotPlane`].
+    pub fn locate(&self, p: Point) -> Result<Located, LocateError> {
+        check_range(p)?;
+        if !self.is_plane() {
+            return Err(LocateError::NotPlane);
+        }
+        let Some(near) = self.index().near(p) else {
+            return Ok(Located::Face(self.dcel().unbounded_face().key()));
+        };
+        let end = near.nearest_end(p);
+        let found = if end == p {
+            self.vertex_of(near, p)
+        } else {
+            // Towards an end something is met for certain, but perhaps only after a long way.
+            let across = near.across(p).filter(|q| in_range(*q) && *q != p);
+            across.and_then(|q| self.first_met(p, q)).or_else(|| self.first_met(p, end))
+        };
+        found.ok_or(LocateError::NotPlane)
+    }
+
+    /// The end of a record that is at a point.
+    fn vertex_of(&self, boxed: &BoxedRecord, p: Point) -> Option<Located> {
+        let dcel = self.dcel();
+        let ends = match boxed.record {
+            TreeRecord::Edge(h) => {
+                dcel.half_edge_at(h as usize).map_or([None; 2], |h| [h.origin(), h.target()].map(Some))
+            }
+            TreeRecord::Vertex(v) => [dcel.vertex_at(v as usize), None],
+        };
+        ends.into_iter().flatten().find(|v| self.point(v.index()) == p).map(|v| v.key().into())
+    }
+
+    /// Where a point lies, by what the segment from there to another point meets first; none if it meets nothing.
+    fn first_met(&self, p: Point, to: Point) -> Option<Located> {
+        let line = Line { from: p, through: to };
+        let mut first: Option<LineEvent<'_>> = None;
+        each_event(self, &line, &QueryLine::Segment(p, to), [None; 2], |event| {
+            let is_ahead = line.order(LinePlace::At(p), event.place).is_le();
+            if is_ahead && first.is_none_or(|first| line.order(event.place, first.place).is_lt()) {
+                first = Some(event);
+            }
+        });
+        let LineEvent { record, place } = first?;
+        let is_here = line.order(LinePlace::At(p), place).is_eq();
+        Some(match record {
+            EventRecord::Vertex(v) if is_here => Located::Vertex(v.key()),
+            EventRecord::Vertex(v) => match self.towards(v, p) {
+                Towards::Along(h) => Located::Edge(self.rising(h).key()),
+                Towards::Corner(h) => h.face().key().into(),
+                Towards::Isolated => v.isolated()?.face().key().into(),
+            },
+            EventRecord::Edge(across) if is_here => Located::Edge(self.rising(across).key()),
+            EventRecord::Edge(across) => across.twin().face().key().into(),
+        })
+    }
+
+    /// The half-edge of an edge that runs to the right, or straight up.
+    fn rising<'a>(&self, h: HalfEdge<'a>) -> HalfEdge<'a> {
+        let [a, b] = [h.origin(), h.target()].map(|v| self.point(v.index()));
+        if compare_lexicographic(a, b).is_lt() { h } else { h.twin() }
+    }
+}

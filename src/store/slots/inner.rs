@@ -1,0 +1,89 @@
+//! The lists of the inner boundary components of faces.
+
+use super::columns::{BoundarySlot, NIL, OTHER, put};
+use alloc::vec::Vec;
+
+/// What stands for no list.
+const NONE: BoundarySlot = BoundarySlot(NIL);
+
+/// The list of each face, by slot: most are empty and most others have one entry, so that only longer ones are lists on
+/// the heap.
+#[derive(Clone, Debug, Default)]
+pub(super) struct InnerLists {
+    /// Per face nothing, its only entry, or (high bit) the number of its list.
+    faces: Vec<BoundarySlot>,
+    lists: Vec<Vec<BoundarySlot>>,
+    /// The lists that are of no face. They are empty.
+    free: Vec<u32>,
+}
+
+impl InnerLists {
+    /// Of faces in this column.
+    pub(super) const fn new(faces: Vec<BoundarySlot>) -> Self {
+        Self { faces, lists: Vec::new(), free: Vec::new() }
+    }
+
+    /// What stands for no list.
+    pub(super) const fn unused() -> BoundarySlot {
+        NONE
+    }
+
+    /// Adds faces without lists until there are this many slots.
+    pub(super) fn resize(&mut self, faces: usize) {
+        self.faces.resize(faces, NONE);
+    }
+
+    /// Adds a face, whose list is empty.
+    pub(super) fn add(&mut self, face: u32) {
+        put(&mut self.faces, face, NONE);
+    }
+
+    /// The list of a face.
+    #[inline]
+    pub(super) fn of(&self, face: u32) -> &[BoundarySlot] {
+        let entry = &self.faces[face as usize];
+        if *entry == NONE {
+            &[]
+        } else if entry.0 & OTHER == 0 {
+            core::slice::from_ref(entry)
+        } else {
+            &self.lists[(entry.0 ^ OTHER) as usize]
+        }
+    }
+
+    /// Appends an entry to the list of a face. O(1), amortised.
+    pub(super) fn push(&mut self, face: u32, b: BoundarySlot) {
+        let entry = &mut self.faces[face as usize];
+        if *entry == NONE {
+            *entry = b;
+        } else if entry.0 & OTHER == 0 {
+            let list = self.free.pop().unwrap_or_else(|| {
+                self.lists.push(Vec::new());
+                self.lists.len() as u32 - 1
+            });
+            self.lists[list as usize].extend([*entry, b]);
+            *entry = BoundarySlot(list | OTHER);
+        } else {
+            self.lists[(entry.0 ^ OTHER) as usize].push(b);
+        }
+    }
+
+    /// Takes an entry off the list of a face, and gives the one that has its place now, which was the last. O(1).
+    pub(super) fn swap_remove(&mut self, face: u32, place: u32) -> Option<BoundarySlot> {
+        let entry = &mut self.faces[face as usize];
+        if entry.0 & OTHER == 0 {
+            *entry = NONE;
+            return None;
+        }
+        let number = entry.0 ^ OTHER;
+        let list = self.lists.get_mut(number as usize)?;
+        list.swap_remove(place as usize);
+        if list.is_empty() {
+            *list = Vec::new();
+            self.free.push(number);
+            *entry = NONE;
+            return None;
+        }
+        list.get(place as usize).copied()
+    }
+}
