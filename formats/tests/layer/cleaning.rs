@@ -259,6 +259,10 @@ quickcheck! {
         let snap = coarse.then_some(Snap::Size(0.5));
         let options = CleanOptions { snap, ..CleanOptions::default() };
         let (once, report) = cleaned(&layer, &options);
+        // Rings that enclose nothing are gone, and then there is no polygon to clean.
+        if once.features.iter().all(|feature| feature.geometry.is_none()) {
+            return TestResult::discard();
+        }
         let (twice, again) = cleaned(&once, &options);
         let left = report.left.unwrap_or_default();
         TestResult::from_bool(
@@ -274,6 +278,10 @@ quickcheck! {
         let Some(layer) = quadrangles(&corners, 0.7) else { return TestResult::discard() };
         let width = if width { 0.2 } else { 0.8 };
         let once = with_width_of(&layer, width).0;
+        // Rings that enclose nothing are gone, and then there is no polygon to clean.
+        if once.features.iter().all(|feature| feature.geometry.is_none()) {
+            return TestResult::discard();
+        }
         TestResult::from_bool(to_geojson(&with_width_of(&once, width).0) == to_geojson(&once))
     }
 
