@@ -155,23 +155,25 @@ fn names_stay() {
     assert!(!mesh.is_half_edge(usize::MAX) && mesh.twin(usize::MAX).is_none() && mesh.origin(usize::MAX).is_none());
 }
 
+/// Two half-edges whose links lead nowhere.
+struct Dangling;
+impl View for Dangling {
+    twinedge::view_answers! { |_m|
+        vertex_slots => 2,
+        half_edge_slots => 2,
+        origin(h) => Some(h),
+        twin(_h) => Some(7),
+        next(_h) => Some(usize::MAX),
+        leaving(_v) => Some(5),
+    }
+}
+
 /// An operator that the mesh does not have, and links that lead nowhere.
 #[test]
 fn a_broken_mesh_stays_broken() {
     let mut bare = Named::new(Triangles::new(3, &[[0, 1, 2]], Bug::None));
     assert_eq!(bare.mesh_flip_edge(0), Err(Refusal::Unsupported));
     assert_eq!((bare.mesh_flip_edge(99), bare.mesh_split_face(99)), (Err(Refusal::Stale), Err(Refusal::Stale)));
-    struct Dangling;
-    impl View for Dangling {
-        twinedge::view_answers! { |_m|
-            vertex_slots => 2,
-            half_edge_slots => 2,
-            origin(h) => Some(h),
-            twin(_h) => Some(7),
-            next(_h) => Some(usize::MAX),
-            leaving(_v) => Some(5),
-        }
-    }
     let named = Named::new(Dangling);
     assert_eq!(
         (named.twin(0), named.next(1), named.leaving(0)),

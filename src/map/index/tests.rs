@@ -1,5 +1,7 @@
 //! The index after random edits, beside one that is built anew and beside scans of the whole map.
 
+#![allow(clippy::needless_pass_by_value, reason = "quickcheck hands its arguments over")]
+
 use super::{BoxedRecord, RecordIndex, is_hub};
 use crate::geometry::Point;
 use crate::geometry::predicates::{Meeting, meeting};
@@ -104,7 +106,7 @@ fn a_star_that_is_drawn_moved_and_erased_has_a_fan_meanwhile() {
     const SPOKES: u32 = 40;
     let mut map = PlanarMap::new();
     let hub = map.insert_point([0.0, 0.0]).unwrap().vertices[0];
-    let head = |i: u32| [f64::from(i) - 20.0, if i % 2 == 0 { 50.0 } else { -50.0 }];
+    let head = |i: u32| [f64::from(i) - 20.0, if i.is_multiple_of(2) { 50.0 } else { -50.0 }];
     for i in 0..SPOKES {
         map.insert_segment(hub, head(i)).unwrap();
         check(&map).unwrap();
