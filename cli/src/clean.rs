@@ -160,7 +160,7 @@ impl Cleaned<'_> {
         if let Some(noding) = report.noding.as_ref().filter(|noding| noding.cell > 0.0) {
             writeln!(out, "{QUIET}{}{QUIET:#}", noding_text::line(noding))?;
         }
-        let limit = format!("below an area of {}", measure(report.sliver_area));
+        let limit = format!("  {QUIET}below an area of {}{QUIET:#}", measure(report.sliver_area));
         out.push('\n');
         for (kind, what, beside) in [
             (ChangeKind::Overlap, "overlaps resolved", String::new()),
@@ -170,7 +170,7 @@ impl Cleaned<'_> {
             let found = report.changes.iter().filter(|change| change.kind == kind);
             let area: f64 = found.clone().map(|change| change.area).sum();
             let area = if area > 0.0 { format!("  area {}", measure(area)) } else { String::new() };
-            writeln!(out, "  {what:38} {:>9}{area}  {QUIET}{beside}{QUIET:#}", grouped(found.count()))?;
+            writeln!(out, "  {what:38} {:>9}{area}{beside}", grouped(found.count()))?;
         }
         let gone = report.features.iter().filter(|feature| feature.area_after == 0.0).count();
         for (what, count) in

@@ -44,8 +44,9 @@ fn crossings_are_marked() {
     let output = twinedge(&["draw", &data("world-110m-crossing.geojson")]);
     assert_eq!(output.status.code(), Some(1));
     let picture = String::from_utf8(output.stdout).unwrap();
-    // Each label is there twice: its halo, and itself.
-    assert_eq!(picture.matches(">G4 h").count(), 4);
+    // Each row of the legend has the whole sentence, and what fits of it.
+    assert_eq!(picture.matches("  G4 half-edges ").count(), 4);
+    assert_eq!(picture.matches("<text class=\"legend\"").count(), 3);
     assert_eq!(picture.matches("<circle class=\"bad\"").count(), 3);
 }
 

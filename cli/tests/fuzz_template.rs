@@ -29,13 +29,16 @@ fn the_target_is_written_for_the_package_around_it() {
     let output = twinedge(&["fuzz-template", fuzz.to_str().unwrap()]);
     assert_eq!(output.status.code(), Some(0), "{}", said(&output.stderr));
     let text = said(&output.stdout);
-    assert!(text.contains("in the place of `my_mesh::Mesh::new()`") && text.contains("fuzz run --fuzz-dir"), "{text}");
+    assert!(
+        text.contains("in the place of `todo!(\"your structure\")`") && text.contains("fuzz run --fuzz-dir"),
+        "{text}"
+    );
 
     let manifest = fs::read_to_string(fuzz.join("Cargo.toml")).unwrap();
     assert!(manifest.contains("name = \"my-mesh-fuzz\"\n") && manifest.contains("my-mesh = { path = \"..\" }\n"));
     assert!(manifest.contains(&format!("twinedge = {{ version = \"{}\"", env!("CARGO_PKG_VERSION"))), "{manifest}");
     let target = fs::read_to_string(fuzz.join("fuzz_targets/conforms.rs")).unwrap();
-    assert!(target.contains("asked.run(program, my_mesh::Mesh::new());"), "{target}");
+    assert!(target.contains("asked.run(program, todo!(\"your structure\"));"), "{target}");
     assert!(
         ![&manifest, &target].iter().any(|text| ["{package}", "{path}", "{twinedge}", "{crate}", "{subject}"]
             .iter()

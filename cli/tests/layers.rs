@@ -102,7 +102,7 @@ fn the_input_is_not_overwritten_by_any_path() {
     std::fs::copy(&input, &link).unwrap();
     let all = if cfg!(unix) { vec![&input, &roundabout, &hard, &link] } else { vec![&input, &roundabout, &hard] };
     for output in all {
-        for command in [&["clean"][..], &["convert"], &["draw"], &["decompose"]] {
+        for command in [&["clean"][..], &["convert"], &["draw"], &["decompose", "--snap", "auto"]] {
             let arguments = [command, &[&input, "-o", output]].concat();
             let said = twinedge(&arguments);
             assert_eq!(said.status.code(), Some(2), "{arguments:?}");
@@ -156,7 +156,7 @@ fn every_command_reads_every_format() {
         assert_eq!(status(&["convert", &input, "-o", &path, "--lossy"]), Some(0), "{name}");
         let (_, found) = run_json(&["audit", "--format", "json", &path]);
         assert_eq!(found["import"]["features"], 3, "{name}");
-        assert_eq!(status(&["query", "faces", "--snap", "auto", &path]), Some(0), "{name}");
+        assert_eq!(status(&["query", "--snap", "auto", &path, "faces"]), Some(0), "{name}");
     }
     let named = twinedge(&["audit", "--format", "json", "--name-from", "owner", &in_folder(&folder, "p.shp")]);
     assert!(String::from_utf8(named.stdout).unwrap().contains("Müller"));

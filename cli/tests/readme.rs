@@ -60,6 +60,7 @@ fn the_commands_of_the_readmes_print_what_stands_there() {
         for Sample { mut arguments, output } in samples {
             let shown = arguments.join(" ");
             let picture = arguments.iter().position(|argument| argument == "-o").map(|at| at + 1);
+            let picture = picture.filter(|at| arguments[*at] != "-");
             let drawn = picture.map(|at| std::mem::replace(&mut arguments[at], "-".to_owned()));
             let mut command = Command::new(env!("CARGO_BIN_EXE_twinedge"));
             let run = command.current_dir(root()).args(&arguments).output().expect("it starts");

@@ -409,7 +409,8 @@ fn a_structure_without_twins_is_refused_by_name() {
     assert_eq!(found.failure.difference, Difference::Start(StartError::NoTwin(0)));
     assert_eq!(
         found.to_string(),
-        "at the start: half-edge 0 has no twin; both half-edges of each edge are needed, those of the border included"
+        "at the start: half-edge 0 has no twin; both half-edges of each edge are needed, those of the border included \
+         (program::mesh::Named adds them to a mesh)"
     );
 }
 

@@ -338,7 +338,8 @@ impl Links for SlotStore {
     #[inline]
     fn outer_half_edge(&self, f: FaceSlot) -> Option<HalfEdgeSlot> {
         let bits = self.outer[f.0 as usize];
-        (bits < VACANT).then_some(HalfEdgeSlot(bits))
+        // The high bit is set if there is none, and if the outer boundary component is an isolated vertex, against the rules.
+        (bits & OTHER == 0).then_some(HalfEdgeSlot(bits))
     }
 
     #[inline]
