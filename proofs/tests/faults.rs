@@ -30,6 +30,17 @@ fn every_fault_can_be_planted() {
     }
 }
 
+/// What is replaced is an expression, and so is what replaces it: else the planted sources do not compile.
+#[test]
+fn faults_are_expressions() {
+    for Fault { what, text, wrong, .. } in all() {
+        for text in [text, wrong] {
+            let is_expression = syn::parse_str::<syn::Expr>(&text).is_ok();
+            assert!(is_expression, "{what}: {text}");
+        }
+    }
+}
+
 /// Each check of the validator's rules and of a coverage's, each operator and the store has a fault.
 #[test]
 fn every_part_has_a_fault() {
