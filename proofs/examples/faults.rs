@@ -32,7 +32,7 @@ Examples:
   cargo run -p twinedge-proofs --example faults -- --minutes 30           go on for half an hour: what was run before is kept
   cargo run -p twinedge-proofs --example faults -- --only R1 --checks corrupt,tables")]
 struct Arguments {
-    /// The faults with these words in their names
+    /// The faults with these words in their names, or in the paths of their files
     #[arg(long, value_name = "WORDS")]
     only: Option<String>,
     /// These checks alone, separated by commas: the program's commands, and test binaries
@@ -118,8 +118,11 @@ fn main() -> Result<()> {
         check.takes = start.elapsed();
         eprintln!("{} passes without a fault in {:.1} s", check.name, check.takes.as_secs_f64());
     }
-    let wanted: Vec<usize> =
-        (0..faults.len()).filter(|n| only.as_ref().is_none_or(|words| faults[*n].what.contains(words))).collect();
+    let wanted: Vec<usize> = (0..faults.len())
+        .filter(|n| {
+            only.as_ref().is_none_or(|words| faults[*n].what.contains(words) || faults[*n].file.contains(words))
+        })
+        .collect();
     let until = minutes.map(|minutes| start + Duration::from_secs(60 * minutes));
     let limits = Limits { until, enough: enough.unwrap_or(usize::MAX), threads };
     let mut cells = Cells::open(&build.join("cells.txt"), sources)?;
