@@ -93,7 +93,7 @@ pub fn losses(layer: &Layer, format: Format) -> Vec<Loss> {
 fn members(layer: &Layer, format: Format, found: &mut Vec<Loss>) {
     let of_features: BTreeSet<&String> = match format {
         Format::GeoJson | Format::GeoJsonSeq => BTreeSet::new(),
-        // A box says nothing that the geometry does not say.
+        // A box follows from the geometry.
         _ => layer.features.iter().flat_map(|f| f.members.keys()).filter(|name| *name != "bbox").collect(),
     };
     let of_layer: Vec<&String> = match format {

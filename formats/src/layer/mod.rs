@@ -8,7 +8,7 @@
 //! | format | reads | writes | what it cannot hold |
 //! | --- | --- | --- | --- |
 //! | GeoJSON, one object | one feature after the other | yes | measures; types of dates and bytes; members of geometries |
-//! | GeoJSON, newline-delimited | one feature after the other | yes | the same, and what is said of the layer |
+//! | GeoJSON, newline-delimited | one feature after the other | yes | the same, and name, CRS and foreign members of the layer |
 //! | well-known text | line by line | yes | ids, attributes, features without geometry |
 //! | well-known binary, extended too | line by line (hexadecimal digits), or bytes | lines of digits | the same |
 //! | Shapefile | record by record | yes | ids, mixed geometries, names of more than 10 bytes, texts of more than 254, empty texts, lists |

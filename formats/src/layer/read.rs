@@ -51,7 +51,7 @@ pub fn read(
     reader.take(HEAD).read_to_end(&mut head)?;
     let of_content = Format::of_content(&head).map_err(ReadError::Foreign)?;
     let by_name = options.format.or_else(|| path.and_then(Format::of_path));
-    // Content that is told by its first bytes is what it is, whatever the name.
+    // The first bytes of some formats tell what the content is, whatever the name.
     let format = match (of_content, by_name) {
         (Some(binary @ (Format::Shapefile | Format::GeoPackage | Format::Wkb)), _) => binary,
         (_, Some(by_name)) => by_name,

@@ -140,7 +140,7 @@ fn walk(dcel: &Dcel, uses: &Uses, parts: &[Part], sets: &mut FeatureSets, featur
 }
 
 impl State {
-    /// Crosses a segment, and tells which features begin or end there. A feature that does both is told twice.
+    /// Crosses a segment, and gives the features that begin or end there; one that does both is given twice.
     fn cross(&mut self, uses: &[u32], parts: &[Part], mut changes: impl FnMut(FeatureId)) {
         for same in uses.chunk_by(|a, b| a == b) {
             let part = parts[same[0] as usize];

@@ -163,7 +163,7 @@ impl RecordIndex {
 #[derive(Clone, Default)]
 pub(super) struct KeptIndex(OnceLock<Box<RecordIndex>>);
 
-/// Says nothing of what is in it, so that a map looks the same with and without.
+/// Leaves out what is in it, so that a map looks the same with and without.
 impl core::fmt::Debug for KeptIndex {
     fn fmt(&self, f: &mut core::fmt::Formatter<'_>) -> core::fmt::Result {
         f.write_str("KeptIndex")
