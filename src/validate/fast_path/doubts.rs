@@ -88,5 +88,7 @@ fn is_named<V: View + ?Sized>(view: &V, extent: Extent, h: usize) -> bool {
         Some(b) if extent.has(Part::BoundaryComponents) => b < extent.boundaries && view.is_boundary(b),
         Some(f) => f < extent.faces && view.is_face(f),
     };
-    is_live && existing(view.next(h), extent.half_edges).is_none_or(|n| extent.name(view, n) == name)
+    // A next that is vacant is among what the scan has found, and a vacant half-edge is not asked.
+    let next = existing(view.next(h), extent.half_edges).filter(|n| view.is_half_edge(*n));
+    is_live && next.is_none_or(|n| extent.name(view, n) == name)
 }
