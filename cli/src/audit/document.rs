@@ -27,8 +27,8 @@ pub(super) struct Document {
     pub(super) findings: Vec<Marked>,
     /// How many there are, listed or not.
     pub(super) total: u64,
-    /// The features of the map: name and id.
-    pub(super) features: Vec<(Option<String>, Option<String>)>,
+    /// The features of the map: name, id, and a colour that neighbours have not.
+    pub(super) features: Vec<(Option<String>, Option<String>, usize)>,
     #[serde(skip)]
     pub(super) crs: Option<Crs>,
 }

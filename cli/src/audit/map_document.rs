@@ -7,6 +7,7 @@ use super::packed::{Beside, Map, Names, Window};
 use crate::coverage::{Entry, Named, statement};
 use crate::input::Imported;
 use crate::noding_text;
+use twinedge::algorithm::colouring::feature_colours;
 use twinedge::map::PlanarMap;
 use twinedge::validate::Violation;
 
@@ -30,10 +31,12 @@ pub(super) fn document(audited: &Audited<'_>, explain: bool) -> Document {
     }
     let violations = report.violations().iter().map(|violation| of_violation(imported, violation, explain));
     let of_coverage = coverage.findings().iter().map(|entry| of_entry(entry, *is_coverage_rule));
-    let feature = |id| {
+    let feature = |(id, colour)| {
         let Named { id, name, .. } = Named::new(imported, id);
-        (name, id)
+        (name, id, colour)
     };
+    // Where the map is not plane, it is not known on it which features are neighbours.
+    let colours = feature_colours(coverage.of_input().filter(|_| !map.is_plane()).unwrap_or(map));
     Document {
         input: name.clone(),
         valid: *is_valid,
@@ -44,7 +47,7 @@ pub(super) fn document(audited: &Audited<'_>, explain: bool) -> Document {
         unit: coverage.has_polygons().then(|| coverage.unit()),
         findings: violations.chain(of_coverage).collect(),
         total: report.violation_count() + coverage.total() as u64,
-        features: map.features().map(feature).collect(),
+        features: map.features().zip(colours).map(feature).collect(),
         crs: crs.clone(),
     }
 }

@@ -34,6 +34,7 @@ pub(super) struct Map {
     origin: Position,
     step: f64,
     chains: usize,
+    points: usize,
     faces: usize,
     isolated: usize,
     /// How many edges are shown, and how many there are.
@@ -300,6 +301,7 @@ impl Map {
             origin,
             step,
             chains: chains.len(),
+            points: chains.iter().map(|chain| chain.stops.len()).sum(),
             faces: faces.len(),
             isolated: isolated.len(),
             edges: [shown, all],
