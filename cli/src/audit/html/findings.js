@@ -40,7 +40,7 @@ function target(s, finding, isClose) {
   const at = finding.at || [(box[0] + box[2]) / 2, (box[1] + box[3]) / 2];
   const span = Math.max(box[2] - box[0], box[3] - box[1]);
   if (span > 0 && !isClose) return { box, part: 0.5 };
-  const near = finding.width > 0 ? 4 * finding.width : 2 * lengthNear(s, at);
+  const near = finding.width > 0 ? 4 * finding.width : (isClose ? 0.5 : 1.5) * lengthNear(s, at);
   const half = Math.min(near, span > 0 ? span / 4 : Infinity) || 1e-9;
   return { box: [at[0] - half, at[1] - half, at[0] + half, at[1] + half], part: 0.5 };
 }

@@ -72,7 +72,7 @@ function angleFrom(a, b) {
   return Math.atan2(a[1] - b[1], b[0] - a[0]);
 }
 
-/** Draws the half-edges of these chains, and the names of them and of vertices. */
+/** Draws the half-edges of these chains, and the names of them and of vertices; the room that the names take. */
 function drawHalfEdges(context, view, s, chains, hasNames) {
   const arrows = new Map();
   const arrowOf = (run) => {
@@ -109,6 +109,7 @@ function drawHalfEdges(context, view, s, chains, hasNames) {
     const at = [(a[0] + b[0]) / 2 + left[0] * away, (a[1] + b[1]) / 2 + left[1] * away];
     if (isFree(taken, at, wide)) haloed(context, text, ...at, colours.half);
   }
+  return taken;
 }
 
 /** Whether there is room for a text of this width; if so, it is taken. */
@@ -143,12 +144,13 @@ function head(context, from, to, size) {
   context.fill();
 }
 
-/** The curve to the next half-edge: along the corner between them, straight across if that is elsewhere. */
+/** The curve to the next half-edge: along the corner between them, in an arc if that is elsewhere. */
 function drawNext(context, view, s, here, run, to, next) {
   const corner = here.points[here.points.length - 1];
   const isHere = Math.hypot(corner[0] - to.points[0][0], corner[1] - to.points[0][1]) < 1;
   const [a, b] = [here.head, to.tail];
-  let bend = [(a[0] + b[0]) / 2, (a[1] + b[1]) / 2];
+  // Beside the straight line, where an edge may be.
+  let bend = [(a[0] + b[0]) / 2 + (b[1] - a[1]) / 4, (a[1] + b[1]) / 2 - (b[0] - a[0]) / 4];
   if (isHere) {
     const from = angleFrom(to.points[0], to.points[1]);
     let width = angleFrom(corner, here.points[here.points.length - 2]) - from;

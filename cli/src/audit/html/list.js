@@ -46,7 +46,7 @@ class FindingList {
         this.filter();
       });
       const of = this.data.rules.find((one) => one.id === rule);
-      rules.append(element("label", { title: of?.statement || "" }, box, ` ${rule} ${name} (${count})`));
+      rules.append(element("label", { title: of?.statement?.replaceAll("`", "") ?? "" }, box, ` ${rule} ${name} (${count})`));
     }
     rules.closest("fieldset").hidden = counts.size === 0;
     const input = document.getElementById("feature");
@@ -172,16 +172,15 @@ class FindingList {
     fact("Features", named.length ? named : null);
     for (const what of ["area", "width", "length"]) {
       const value = this.chosen[what];
-      const unit = { degrees: { area: "square degrees" }, metres: { area: "square metres" } }[this.data.unit]?.[what];
-      const named = unit || (what === "area" && this.data.unit ? "in squares of the units of the coordinates" : this.data.unit);
-      if (value !== null) fact(what === "length" ? "Borders" : what[0].toUpperCase() + what.slice(1), `${format(value)} ${named ?? ""}`);
+      const unit = `${what === "area" ? "square " : ""}${this.data.unit}`;
+      if (value !== null) fact(what === "length" ? "Borders" : what[0].toUpperCase() + what.slice(1), `${format(value)} ${unit}`);
     }
     fact("Records", records.join(", "));
     fact("Place", at ? `(${at[0]}, ${at[1]})` : "none: the record has no coordinates");
     fact("Cause", cause);
     fact("Remedy", remedy);
     const counted = violation ? "a violation" : "a finding that does not make the map invalid";
-    const statement = this.data.rules.find((one) => one.id === rule)?.statement;
+    const statement = this.data.rules.find((one) => one.id === rule)?.statement?.replaceAll("`", "");
     panel.append(element("h2", { textContent: `${rule} ${name}` }), element("p", { textContent: message }));
     if (statement) panel.append(element("p", { textContent: `Rule: ${statement}.` }));
     panel.append(facts, element("p", { textContent: `Number ${number} of ${this.all.length}: ${counted}.` }));

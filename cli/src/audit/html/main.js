@@ -28,8 +28,10 @@ function* paint() {
   yield* drawEdges(back, now, structure);
   const hasNames = byId("names-on").checked;
   const chains = byId("links-on").checked ? legibleChains(now, structure) : [];
-  if (chains.length) drawHalfEdges(back, now, structure, chains, hasNames);
-  if (hasNames) drawNames(back, now, areas, data.features, new Set(list?.chosen?.features ?? []), chains.length > 0 && areas === structure);
+  const taken = chains.length ? drawHalfEdges(back, now, structure, chains, hasNames) : [];
+  const chosen = new Set(list?.chosen?.features ?? []);
+  const withFaces = chains.length > 0 && areas === structure;
+  if (hasNames) drawNames(back, now, areas, data.features, { chosen, taken, withFaces });
   stage.dataset.drawn = chains.length ? "half-edges" : "map";
   return now;
 }
@@ -242,14 +244,15 @@ function addTexts() {
   for (const { id, name, statement, outcome, found } of data.rules) {
     const cell = element("td", { textContent: outcome, className: found ? "bad" : "" });
     rows.append(
-      element("tr", {}, element("th", { scope: "row", textContent: `${id} ${name}` }), element("td", { textContent: statement ?? "" }), cell),
+      element("tr", {}, element("th", { scope: "row", textContent: `${id} ${name}` }), element("td", { textContent: statement?.replaceAll("`", "") ?? "" }), cell),
     );
   }
   const [edges, all] = data.map.edges;
   const cuts = [];
   const number = (n) => n.toLocaleString("en");
   if (edges < all) cuts.push(`The map has ${number(all)} edges. Shown are ${number(edges)} of them: those near the listed findings.`);
-  if (data.map.placeless) cuts.push(`${number(data.map.placeless)} records without a place in the plane are not drawn.`);
+  if (!structure.bounds) cuts.push("Nothing has coordinates: there is nothing to draw.");
+  else if (data.map.placeless) cuts.push(`${number(data.map.placeless)} records without a place in the plane are not drawn.`);
   if (areas !== structure) cuts.push("Borders cross: faces are filled as they are after cutting them where they do.");
   byId("cut").hidden = cuts.length === 0;
   byId("cut").classList.toggle("bad", edges < all);

@@ -8,12 +8,13 @@ const MOST_POINTS = 400000;
 /** A name is cut to so many letters. */
 const LONGEST = 40;
 
-/** The widest stretch of a face along a horizontal line in sight: its middle in pixels and its width. */
+/** The widest stretch of a face along each of some horizontal lines in sight, the widest first: its middle in pixels and its width. */
 function widest(view, s, face) {
   const seen = view.box();
   const [low, high] = [Math.max(face.box[1], seen[1]), Math.min(face.box[3], seen[3])];
-  let best = null;
+  const found = [];
   for (let i = 0; i < HEIGHTS; i++) {
+    let best = null;
     const y = low + ((high - low) * (i + 0.5)) / HEIGHTS;
     const crossings = [];
     for (const ring of face.rings) {
@@ -35,8 +36,9 @@ function widest(view, s, face) {
       const worth = (to - from) * (1 - 0.06 * Math.abs(i - (HEIGHTS - 1) / 2));
       if (to > from && (!best || worth > best.worth)) best = { worth, x: (from + to) / 2, y, width: to - from };
     }
+    if (best) found.push({ worth: best.worth, x: view.px(best.x), y: view.py(best.y), width: best.width * view.scale });
   }
-  return best && { x: view.px(best.x), y: view.py(best.y), width: best.width * view.scale };
+  return found.sort((a, b) => b.worth - a.worth);
 }
 
 /** Text as it is drawn on the map: without control characters, and not too long. */
@@ -45,8 +47,8 @@ function shown(text) {
   return letters.length > LONGEST ? letters.slice(0, LONGEST - 1).join("") + "…" : letters.join("");
 }
 
-/** Writes names. Those of the features in `first` have their turn before the others. */
-function drawNames(context, view, s, features, first, isDetailed) {
+/** Writes names where no room is taken. Those of the chosen features have their turn before the others. */
+function drawNames(context, view, s, features, { chosen: first, taken, withFaces }) {
   const seen = view.box();
   const inSight = [];
   for (const face of s.faces) {
@@ -55,7 +57,6 @@ function drawNames(context, view, s, features, first, isDetailed) {
     if (w > 14 && h > 9) inSight.push([face, w * h * (face.features.some((one) => first.has(one)) ? 1e6 : 1)]);
   }
   inSight.sort((a, b) => b[1] - a[1]);
-  const taken = [];
   const named = new Set();
   let points = 0;
   context.textAlign = "center";
@@ -63,29 +64,31 @@ function drawNames(context, view, s, features, first, isDetailed) {
   for (const [face] of inSight.slice(0, MOST_FACES)) {
     for (const ring of face.rings) eachPoint(s, ring, () => (points += HEIGHTS));
     if (points > MOST_POINTS) return;
-    const spot = widest(view, s, face);
-    if (!spot) continue;
+    const spots = widest(view, s, face);
     const chosen = face.features.filter((one) => features[one][0] !== null && !named.has(one));
     const lines = chosen.slice(0, 3).map((one) => shown(features[one][0]));
     if (face.features.length > 1 && lines.length > 1) lines.splice(0, lines.length, lines.join(" + "));
     const text = lines[0];
     context.font = "13px system-ui, sans-serif";
-    if (text !== undefined && place(context, taken, spot, text, colours.ink, 0)) {
+    if (text !== undefined && place(context, taken, spots, text, colours.ink)) {
       if (face.features.length === 1) named.add(face.features[0]);
     }
-    if (isDetailed) {
+    if (withFaces) {
       context.font = "italic 12px system-ui, sans-serif";
-      place(context, taken, spot, faceName(s, face.index), colours.quiet, text === undefined ? 0 : 16);
+      place(context, taken, spots, faceName(s, face.index), colours.quiet);
     }
   }
 }
 
-/** Writes a text where there is room for it. */
-function place(context, taken, spot, text, colour, below) {
+/** Writes a text at the first of some spots where there is room for it. */
+function place(context, taken, spots, text, colour) {
   const width = context.measureText(text).width;
-  const area = [spot.x - width / 2 - 2, spot.y + below - 8, spot.x + width / 2 + 2, spot.y + below + 8];
-  if (width > spot.width - 4 || taken.some((other) => meets(area, other))) return false;
-  taken.push(area);
-  haloed(context, text, spot.x, spot.y + below, colour);
-  return true;
+  for (const { x, y, width: room } of spots) {
+    const area = [x - width / 2 - 2, y - 8, x + width / 2 + 2, y + 8];
+    if (width > room - 4 || taken.some((other) => meets(area, other))) continue;
+    taken.push(area);
+    haloed(context, text, x, y, colour);
+    return true;
+  }
+  return false;
 }
