@@ -200,3 +200,62 @@ fn what_has_no_place_in_the_plane_is_refused() {
         }
     }
 }
+
+/// The data of a page.
+fn page(arguments: &[&str], input: &[u8]) -> (Option<i32>, Value) {
+    let output = twinedge_reading(&[&["audit", "--format", "html"], arguments].concat(), input);
+    let page = String::from_utf8(output.stdout).unwrap();
+    // Nothing to load, no mark left, and no element of the input.
+    for foreign in ["http:", "https:", " src=", "@import", "url(", "{data}", "{script}", "{style}", "alert(1)</script>"]
+    {
+        assert!(!page.contains(foreign), "{foreign}");
+    }
+    assert!(page.starts_with("<!doctype html>") && page.trim_end().ends_with("</html>"));
+    assert!(page.contains("content=\"default-src 'none'; "));
+    let (_, data) = page.split_once("<script id=\"data\" type=\"application/json\">").unwrap();
+    let (data, _) = data.split_once("</script>").unwrap();
+    (output.status.code(), serde_json::from_str(data).unwrap())
+}
+
+#[test]
+fn a_page_has_the_map_and_what_was_found() {
+    let (status, found) = page(&[&data("world-110m-crossing.geojson")], b"");
+    assert_eq!(status, Some(1));
+    assert_eq!((&found["valid"], found["findings"].as_array().unwrap().len()), (&json!(false), 10));
+    assert_eq!(found["map"]["edges"], json!([7651, 7651]));
+    // The map is not plane: the faces are those of the map with its borders cut, which has two crossings more.
+    assert_eq!(found["map"]["areas"]["edges"], json!([7655, 7655]));
+    assert_eq!(found["features"].as_array().unwrap().len(), 177);
+    let crossing = &found["findings"][1];
+    assert_eq!(crossing["trace"]["lines"].as_array().unwrap().len(), 2);
+    let names: Vec<&str> = crossing["features"]
+        .as_array()
+        .unwrap()
+        .iter()
+        .map(|number| found["features"][number.as_u64().unwrap() as usize][0].as_str().unwrap())
+        .collect();
+    assert_eq!(names, ["Sudan", "Central African Rep.", "S. Sudan"]);
+    let (status, found) = page(&["--coverage"], b"");
+    assert_eq!((status, &found["map"]["areas"]), (Some(1), &json!(null)));
+    assert!(found["findings"].as_array().unwrap().iter().all(|one| one["violation"] == true));
+}
+
+#[test]
+fn hostile_names_stay_texts() {
+    let name = "</script><script>alert(1)</script>\u{2028}\"'&<!--";
+    let squares = SQUARES.replace("\"a\"", &json!(name).to_string());
+    let (status, found) = page(&["-"], squares.as_bytes());
+    assert_eq!((status, &found["features"][0][0]), (Some(0), &json!(name)));
+}
+
+#[test]
+fn a_page_shows_tables_and_topologies() {
+    let (status, found) = page(&["-"], BROKEN.as_bytes());
+    assert_eq!((status, &found["map"]["edges"]), (Some(1), &json!([3, 3])));
+    assert_eq!(found["map"]["names"]["own"]["half_edges"][0], "e1,1");
+    let town = include_bytes!("../../formats/tests/postgis/data/town.copy");
+    let (status, found) = page(&["-"], town);
+    assert_eq!((status, &found["findings"], &found["valid"]), (Some(0), &json!([]), &json!(true)));
+    let edges = found["map"]["names"]["ids"]["edges"].as_array().unwrap().len();
+    assert_eq!(found["map"]["edges"], json!([edges, edges]));
+}

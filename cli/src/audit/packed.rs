@@ -371,3 +371,72 @@ impl Stream {
         }
     }
 }
+
+#[cfg(test)]
+mod tests {
+    use super::{Beside, Map, Names, Window, zigzag};
+    use twinedge::io::tables::Textbook;
+    use twinedge::map::{Builder, Shape};
+
+    fn pack(structure: &impl twinedge::validate::Embedding) -> Map {
+        Map::pack(structure, Beside { features: &|_| vec![7], names: Names::Indices, windows: &[] })
+    }
+
+    fn numbers(bytes: &[u8]) -> Vec<u64> {
+        let mut found = Vec::new();
+        let (mut number, mut shift) = (0, 0);
+        for byte in bytes {
+            number |= u64::from(byte & 0x7f) << shift;
+            shift += 7;
+            if byte & 0x80 == 0 {
+                found.push(number);
+                (number, shift) = (0, 0);
+            }
+        }
+        found
+    }
+
+    #[test]
+    fn small_numbers_are_short() {
+        assert_eq!([0, -1, 1, -2, 2].map(zigzag), [0, 1, 2, 3, 4]);
+        assert_eq!(zigzag(i64::MIN), u64::MAX);
+    }
+
+    #[test]
+    fn a_ring_is_one_chain_with_a_side_in_each_face() {
+        let square = [[0.0, 0.0], [1.0, 0.0], [1.0, 1.0], [0.0, 1.0]].map(Into::into).to_vec();
+        let mut builder = Builder::new();
+        builder.shape(&Shape::Polygon(vec![square])).expect("in range");
+        let packed = pack(&builder.build().expect("small"));
+        assert_eq!((packed.chains, packed.points, packed.faces, packed.edges), (1, 5, 2, [4, 4]));
+        let numbers = numbers(&packed.stream);
+        // Two sides and five points, four half-edges, two sides, two faces with a feature each.
+        assert_eq!(numbers.len(), 2 + 5 * 3 + 4 + 2 * 2 + 2 * 3);
+        // Each side is its own next, and they are in different faces.
+        let [next, face, next_back, face_back] = numbers[21..25] else { panic!("{numbers:?}") };
+        assert_eq!((next, next_back), (1, 1));
+        assert_eq!([face, face_back].iter().sum::<u64>(), 3);
+    }
+
+    #[test]
+    fn a_half_edge_whose_twin_disowns_it_is_a_chain_with_one_side() {
+        // e1,1 and e1,2 are twins; e2,1 has e1,2 as its twin, and that has not.
+        let tables = "v1 (0, 0) e1,1\nv2 (4, 0) e1,2\nv3 (9, 9) e2,1\nf1 nil e1,1
+            e1,1 v1 e1,2 f1 e1,2 e1,2\ne1,2 v2 e1,1 f1 e1,1 e1,1\ne2,1 v3 e1,2 f1 ? nil";
+        let tables: Textbook = tables.parse().expect("it is one");
+        let packed = pack(&tables);
+        assert_eq!((packed.chains, packed.edges, packed.placeless), (2, [2, 2], 0));
+        let numbers = numbers(&packed.stream);
+        assert_eq!((numbers[0], numbers[9]), (0, 1));
+        let nowhere: Textbook = tables.to_string().replace("(9, 9)", "?").parse().expect("it is one");
+        assert_eq!((pack(&nowhere).chains, pack(&nowhere).placeless), (1, 1));
+    }
+
+    #[test]
+    fn windows_have_margins() {
+        let window = Window::around(&[[0.0, 0.0], [4.0, 1.0]]).expect("there are points");
+        assert_eq!((window.low, window.high), ([-4.0, -4.0], [8.0, 5.0]));
+        assert!(window.meets(&Window::around(&[[8.0, 5.0]]).expect("there is a point")));
+        assert!(!window.meets(&Window::around(&[[8.1, 0.0]]).expect("there is a point")));
+    }
+}
