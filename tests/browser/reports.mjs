@@ -83,8 +83,10 @@ const pixel = (page, id, px, py) =>
     px,
     py,
   );
-/** What the overlay has at a place. */
-const drawnAt = async (page, x, y) => pixel(page, "over", ...(await page.evaluate((x, y) => [view.px(x), view.py(y)], x, y)));
+const at = (page, x, y) => page.evaluate((x, y) => [view.px(x), view.py(y)], x, y);
+/** What the map and the overlay have at a place. */
+const baseAt = async (page, x, y) => pixel(page, "base", ...(await at(page, x, y)));
+const drawnAt = async (page, x, y) => pixel(page, "over", ...(await at(page, x, y)));
 const holds = ([x0, y0, x1, y1], [x, y]) => x0 < x && x < x1 && y0 < y && y < y1;
 
 async function parcelsByMouse(browser, url) {
@@ -101,6 +103,8 @@ async function parcelsByMouse(browser, url) {
     check(`${rule} is listed`, all.some((one) => one.startsWith(`${rule} `) && one.includes(features)), all);
   }
   await picture(page, "parcels");
+  const [alder, sea] = [await baseAt(page, 30, 130), await baseAt(page, -60, 60)];
+  check("faces are filled", Math.hypot(...alder.map((x, i) => x - sea[i])) > 40, [alder, sea]);
 
   // The overlap of Alder and Birch.
   const place = all.findIndex((one) => one.startsWith("C1 overlap Alder"));
@@ -110,8 +114,8 @@ async function parcelsByMouse(browser, url) {
   const box = await seen(page);
   check("it is in sight", holds(box, [101, 101]) && holds(box, [101, 199]), box);
   check("closer than the whole map", box[2] - box[0] < 0.9 * (before[2] - before[0]), box);
-  const fill = await drawnAt(page, 101.3, 120);
-  check("it is filled", fill[3] > 40, fill);
+  const mark = await drawnAt(page, 101, 120);
+  check("it is marked", mark[3] > 40, mark);
   same("nothing beside it is", (await drawnAt(page, 150, 150))[3], 0);
   const detail = await text(page, "#detail");
   for (const part of ["C1 overlap", "Alder (id P-1)", "Birch (id P-2)", "200 ", "no face is claimed by two features"]) {
@@ -121,6 +125,8 @@ async function parcelsByMouse(browser, url) {
   await click(page, "#closer");
   const close = await seen(page);
   check("closer", close[2] - close[0] < 0.5 * (box[2] - box[0]) && holds(close, [101, 150]), close);
+  const fill = await drawnAt(page, 101, 151);
+  check("it is filled", fill[3] > 40 && fill[3] < 200, fill);
   await picture(page, "parcels-closer");
   await click(page, "#whole");
   check("the whole map again", holds(await seen(page), [0.5, -49]), await seen(page));
@@ -138,9 +144,9 @@ async function parcelsByMouse(browser, url) {
   // The wheel zooms towards the pointer, dragging moves.
   await click(page, "#whole");
   const [wide, middle] = [await seen(page), await page.$eval("#over", (c) => c.getBoundingClientRect().toJSON())];
-  const at = [middle.left + middle.width / 4, middle.top + middle.height / 4];
+  const start = [middle.left + middle.width / 4, middle.top + middle.height / 4];
   const under = await page.evaluate((w, h) => view.at(w / 4, h / 4), middle.width, middle.height);
-  await page.mouse.move(...at);
+  await page.mouse.move(...start);
   await page.mouse.wheel({ deltaY: -240 });
   await drawn(page);
   const narrow = await seen(page);
@@ -148,7 +154,7 @@ async function parcelsByMouse(browser, url) {
   const still = await page.evaluate((w, h) => view.at(w / 4, h / 4), middle.width, middle.height);
   check("the pointer stays where it was", Math.hypot(still[0] - under[0], still[1] - under[1]) < (wide[2] - wide[0]) / middle.width, still);
   await page.mouse.down();
-  await page.mouse.move(at[0] + 100, at[1] + 50, { steps: 4 });
+  await page.mouse.move(start[0] + 100, start[1] + 50, { steps: 4 });
   await page.mouse.up();
   await drawn(page);
   const moved = await seen(page);
