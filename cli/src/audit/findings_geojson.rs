@@ -2,12 +2,14 @@
 
 use super::document::{Document, Marked};
 use crate::coverage::Named;
+use crate::output::plain;
+use crate::output::style::BAD;
 use crate::status::Failure;
 use crate::trace::{Position as Place, Trace};
 use serde_json::json;
 use std::sync::Arc;
 use twinedge_formats::layer::{
-    Crs, Dimensions, Feature, Format, Geometry, Header, Id, Layer, Members, Position, Shape, Value, write,
+    Crs, Dimensions, Feature, Format, Geometry, Header, Id, Layer, Members, Position, Shape, Value, losses, write,
 };
 
 /// One feature for each finding, all with the same columns.
@@ -32,6 +34,9 @@ pub(super) fn layer(document: &Document) -> Result<Vec<u8>, Failure> {
             .map(|(one, number)| columns.feature(document, one, number))
             .collect(),
     };
+    for loss in losses(&layer, Format::GeoJson) {
+        anstream::eprintln!("{BAD}warning{BAD:#}: {} does not hold {}", Format::GeoJson, plain(&loss.to_string()));
+    }
     let mut bytes = Vec::new();
     write(&layer, &mut bytes, Format::GeoJson)?;
     Ok(bytes)

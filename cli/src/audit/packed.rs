@@ -6,12 +6,12 @@
 //!
 //! ```text
 //!   stream   = chain* sides* face* isolated*          all numbers as LEB128; s(n) is zigzag, Δ from the number before it
-//!   chain    = one-sided? points (s(Δx) s(Δy) vertex)* s(Δ half-edge) for each line between two points
-//!   vertex   = 0 for a bend | 1 + s(Δ index)
+//!   chain    = one-sided? points stop* s(Δ half-edge) for each line between two points
+//!   stop     = 0 s(Δx) s(Δy) for a bend | 1 + 2 s(Δ index) for a vertex that came before | 2 + 2 s(Δ index) s(Δx) s(Δy)
 //!   sides    = next face, for both sides of each chain
 //!   next     = 0 for none | 1 + s(side - own side)        face = 0 for none | 1 + its place below
 //!   face     = s(Δ index) features s(Δ feature)*
-//!   isolated = s(Δx) s(Δy) 1 + s(Δ index)
+//!   isolated = stop
 //! ```
 //!
 //! Coordinates are rounded to a grid of 2^40 cells across the longer side of the map.
@@ -35,6 +35,8 @@ pub(super) struct Map {
     step: f64,
     chains: usize,
     points: usize,
+    /// No vertex has a greater index.
+    vertex_slots: usize,
     faces: usize,
     isolated: usize,
     /// How many edges are shown, and how many there are.
@@ -253,7 +255,8 @@ impl Map {
             whole.map_or(([0.0; 2], 0.0), |Window { low, high }| (low, (high[0] - low[0]).max(high[1] - low[1])));
         let step = if span > 0.0 { (span.log2().ceil() - f64::from(CELLS)).exp2() } else { 1.0 };
 
-        let mut stream = Stream { bytes: Vec::new(), origin, step, ..Stream::default() };
+        let known = vec![false; structure.vertex_slots()];
+        let mut stream = Stream { origin, step, known, ..Stream::default() };
         let mut side = vec![NONE; structure.half_edge_slots()];
         for (c, chain) in (0..).step_by(2).zip(&chains) {
             stream.chain(chain);
@@ -302,6 +305,7 @@ impl Map {
             step,
             chains: chains.len(),
             points: chains.iter().map(|chain| chain.stops.len()).sum(),
+            vertex_slots: structure.vertex_slots(),
             faces: faces.len(),
             isolated: isolated.len(),
             edges: [shown, all],
@@ -320,6 +324,8 @@ struct Stream {
     origin: Position,
     step: f64,
     at: [i64; 2],
+    /// The vertices that came before.
+    known: Vec<bool>,
     vertex: i64,
     half_edge: i64,
     face: i64,
@@ -345,19 +351,25 @@ impl Stream {
     }
 
     fn stop(&mut self, stop: &Stop) {
-        for i in [0, 1] {
-            let cell = ((stop.at[i] - self.origin[i]) / self.step).round() as i64;
-            self.number(zigzag(cell - self.at[i]));
-            self.at[i] = cell;
-        }
-        match stop.vertex {
-            None => self.number(0),
-            Some(vertex) => {
-                let vertex = vertex as i64;
-                self.number(1 + zigzag(vertex - self.vertex));
-                self.vertex = vertex;
+        let cell = [0, 1].map(|i| ((stop.at[i] - self.origin[i]) / self.step).round() as i64);
+        let is_new = match stop.vertex {
+            None => {
+                self.number(0);
+                true
             }
+            Some(vertex) => {
+                let is_new = !std::mem::replace(&mut self.known[vertex], true);
+                let vertex = vertex as i64;
+                self.number(1 + 2 * zigzag(vertex - self.vertex) + u64::from(is_new));
+                self.vertex = vertex;
+                is_new
+            }
+        };
+        if is_new {
+            self.number(zigzag(cell[0] - self.at[0]));
+            self.number(zigzag(cell[1] - self.at[1]));
         }
+        self.at = cell;
     }
 
     fn chain(&mut self, chain: &Chain) {
@@ -411,9 +423,9 @@ mod tests {
         assert_eq!((packed.chains, packed.points, packed.faces, packed.edges), (1, 5, 2, [4, 4]));
         let numbers = numbers(&packed.stream);
         // Two sides and five points, four half-edges, two sides, two faces with a feature each.
-        assert_eq!(numbers.len(), 2 + 5 * 3 + 4 + 2 * 2 + 2 * 3);
+        assert_eq!(numbers.len(), 2 + (4 * 3 + 1) + 4 + 2 * 2 + 2 * 3);
         // Each side is its own next, and they are in different faces.
-        let [next, face, next_back, face_back] = numbers[21..25] else { panic!("{numbers:?}") };
+        let [next, face, next_back, face_back] = numbers[19..23] else { panic!("{numbers:?}") };
         assert_eq!((next, next_back), (1, 1));
         assert_eq!([face, face_back].iter().sum::<u64>(), 3);
     }
@@ -427,6 +439,7 @@ mod tests {
         let packed = pack(&tables);
         assert_eq!((packed.chains, packed.edges, packed.placeless), (2, [2, 2], 0));
         let numbers = numbers(&packed.stream);
+        // Flag, number of points, two new vertices, a half-edge; then the other one.
         assert_eq!((numbers[0], numbers[9]), (0, 1));
         let nowhere: Textbook = tables.to_string().replace("(9, 9)", "?").parse().expect("it is one");
         assert_eq!((pack(&nowhere).chains, pack(&nowhere).placeless), (1, 1));

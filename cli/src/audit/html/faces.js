@@ -6,6 +6,9 @@ const PORTION = 20000;
 /** Lines are thinner where they would cover more than this part of the picture. */
 const COVERED = 0.08;
 
+/** Lines that would be thinner than this, in pixels, are fainter instead. */
+const THINNEST = 0.3;
+
 /** Fills the faces of a structure by their features. */
 function* drawFaces(context, view, s, features) {
   const seen = view.box();
@@ -73,8 +76,10 @@ function* drawEdges(context, view, s) {
       const pixel = py * Math.ceil(view.width) + px;
       if (px < 0 || py < 0 || px >= view.width || taken[pixel]) continue;
       taken[pixel] = 1;
-      path.rect(px, py, 0.5, 0.5);
+      path.moveTo(px, py + 0.5);
+      path.lineTo(px + 1, py + 0.5);
       points += 1;
+      length += 1;
     } else {
       let [lastX, lastY] = [NaN, NaN];
       const last = s.start[c + 1] - 1;
@@ -100,9 +105,13 @@ function* drawEdges(context, view, s) {
   paths.push(path);
   context.strokeStyle = colours.edge;
   context.lineJoin = context.lineCap = "round";
-  context.lineWidth = Math.max(0.2, Math.min(1, (COVERED * view.width * view.height) / Math.max(length, 1)));
+  const width = Math.min(1, (COVERED * view.width * view.height) / Math.max(length, 1));
+  context.lineWidth = Math.max(width, THINNEST);
+  const strength = Math.min(1, width / THINNEST);
   for (const one of paths) {
+    context.globalAlpha = strength;
     context.stroke(one);
+    context.globalAlpha = 1;
     yield;
   }
   context.fillStyle = colours.vertex;

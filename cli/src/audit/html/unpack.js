@@ -51,11 +51,19 @@ function unpack(packed) {
     bounds: null,
   };
   let [x, y, vertex, half] = [0, 0, 0, 0];
+  // The cells of the vertices that came before.
+  const [cellX, cellY] = [new Float64Array(packed.vertex_slots), new Float64Array(packed.vertex_slots)];
   const stop = () => {
-    x += numbers.signed();
-    y += numbers.signed();
     const code = numbers.number();
-    if (code) vertex += unzigzag(code - 1);
+    const isNew = code % 2 === 0;
+    if (code) vertex += unzigzag(Math.floor((code - 1) / 2));
+    if (isNew) {
+      x += numbers.signed();
+      y += numbers.signed();
+      if (code) [cellX[vertex], cellY[vertex]] = [x, y];
+    } else {
+      [x, y] = [cellX[vertex], cellY[vertex]];
+    }
     return [packed.origin[0] + x * step, packed.origin[1] + y * step, code ? vertex : -1];
   };
   for (let c = 0, p = 0; c < chains; c++) {
