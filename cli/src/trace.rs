@@ -63,7 +63,7 @@ impl Trace {
     /// A line; a point if it has no length.
     fn line(&mut self, line: Vec<Position>) {
         match line.first() {
-            Some(first) if line.iter().all(|p| p == first) => self.points.push(*first),
+            Some(first) if line.iter().all(|p| Some(p) == line.first()) => self.points.push(*first),
             Some(_) => self.lines.push(line),
             None => {}
         }
@@ -145,12 +145,12 @@ fn cycle<E: Embedding + ?Sized>(embedding: &E, start: usize) -> Vec<Position> {
 
 /// Whether a line is closed, has at least three sides, and turns counter-clockwise.
 fn is_outer_ring(line: &[Position]) -> bool {
-    let [Some(first), Some(last)] = [line.first(), line.last()] else { return false };
+    let Some(first) = line.first() else { return false };
     let twice = |pair: &[Position]| {
         let [p, q] = [pair[0], pair[1]].map(|p| [p[0] - first[0], p[1] - first[1]]);
         p[0] * q[1] - p[1] * q[0]
     };
-    line.len() >= 4 && first == last && line.windows(2).map(twice).sum::<f64>() > 0.0
+    line.len() >= 4 && line.first() == line.last() && line.windows(2).map(twice).sum::<f64>() > 0.0
 }
 
 #[cfg(test)]

@@ -47,8 +47,7 @@ fn check_layer(layer: &Value) {
         match geometry["type"].as_str() {
             None => assert!(geometry.is_null()),
             Some("Point") => drop(positions(&json!([coordinates]), 1)),
-            Some("MultiPoint") => drop(positions(coordinates, 2)),
-            Some("LineString") => drop(positions(coordinates, 2)),
+            Some("MultiPoint" | "LineString") => drop(positions(coordinates, 2)),
             Some("MultiLineString") => coordinates.as_array().unwrap().iter().for_each(|line| drop(positions(line, 2))),
             Some("Polygon") => check_polygon(coordinates),
             Some("MultiPolygon") => coordinates.as_array().unwrap().iter().for_each(check_polygon),

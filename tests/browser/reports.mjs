@@ -1,10 +1,10 @@
 // Opens reports in a browser and looks at what they show. The argument is a folder for reports and pictures.
 
 import { spawnSync } from "node:child_process";
-import { writeFileSync } from "node:fs";
+import { readFileSync, writeFileSync } from "node:fs";
 import { createRequire } from "node:module";
 import { join } from "node:path";
-import { pathToFileURL } from "node:url";
+import { fileURLToPath, pathToFileURL } from "node:url";
 import { hostile, hostileNames, many, parcels, tables } from "./maps.mjs";
 
 const folder = process.argv[2];
@@ -271,6 +271,17 @@ async function brokenLink(browser, url) {
   await page.close();
 }
 
+/** A page of a map of which most is not shown says so. */
+async function cutMap(browser, url) {
+  const whole = readFileSync(fileURLToPath(url), "utf8");
+  const cut = join(folder, "cut.html");
+  writeFileSync(cut, whole.replace('"edges":[5,5]', '"edges":[5,5000000]'));
+  const { page, complaints } = await open(browser, pathToFileURL(cut).href);
+  same("what is not shown", await text(page, "#cut"), "The map has 5,000,000 edges. Shown are 5 of them: those near the listed findings.");
+  same("no complaint", complaints, []);
+  await page.close();
+}
+
 async function hostileTexts(browser, url) {
   const { page, complaints } = await open(browser, url);
   same("title", await page.title(), join(folder, "hostile.geojson"));
@@ -327,6 +338,7 @@ try {
   await parcelsByKeys(browser, ofParcels);
   await roles(browser, ofParcels);
   await brokenLink(browser, ofTables);
+  await cutMap(browser, ofTables);
   await hostileTexts(browser, report("hostile.geojson", hostile, 1));
   await manyParcels(browser, report("many.geojson", many, 1));
   await narrowWindow(browser, ofParcels);

@@ -1,10 +1,8 @@
 //! What was found, as the formats with a map show it.
 
-use super::destination::{Destination, ReportFormat};
-use super::{findings_geojson, packed, page};
+use super::packed::Window;
 use crate::coverage::Named;
-use crate::output::{counted, grouped, plain, print};
-use crate::status::Failure;
+use crate::output::{counted, grouped};
 use crate::trace::{Position, Trace, place};
 use serde::Serialize;
 use twinedge::validate::{Embedding, Report, Rule, RuleOutcome, Violation};
@@ -126,31 +124,12 @@ pub(super) fn rule_lines(report: &Report) -> Vec<RuleLine> {
 
 impl Document {
     /// Around each finding.
-    pub(super) fn windows(&self) -> Vec<packed::Window> {
+    pub(super) fn windows(&self) -> Vec<Window> {
         let of = |one: &Marked| {
             let Trace { points, lines, polygons } = &one.trace;
             let rings = polygons.iter().flatten().chain(lines).flatten();
-            packed::Window::around(rings.chain(points).chain(&one.at))
+            Window::around(rings.chain(points).chain(&one.at))
         };
         self.findings.iter().filter_map(of).collect()
-    }
-
-    /// Writes it in one of the formats with a map. `map` packs what the page shows.
-    pub(super) fn write(&self, to: &Destination<'_>, map: impl FnOnce() -> packed::Map) -> Result<(), Failure> {
-        match to.format {
-            ReportFormat::Html => to.bytes(page::page(self, &map())?.as_bytes())?,
-            _ => to.bytes(&findings_geojson::layer(self)?)?,
-        }
-        let Some(file) = to.file() else { return Ok(()) };
-        let listed = match (self.findings.len(), self.total) {
-            (listed, total) if listed as u64 == total => counted(listed, "finding"),
-            (listed, total) => format!("{listed} of {}", counted(total as usize, "finding")),
-        };
-        print(&format!(
-            "{}: {}; {listed} written to {}\n",
-            plain(&self.input),
-            self.verdict,
-            plain(&file.display().to_string())
-        ))
     }
 }

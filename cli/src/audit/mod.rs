@@ -13,6 +13,7 @@ mod page;
 mod table_file;
 mod textbook;
 mod topology_file;
+mod write;
 
 use crate::coverage::{Asked, Coverage};
 use crate::input::MapFile;
@@ -131,7 +132,7 @@ impl Audit {
             ReportFormat::Json => to.json(&Json::new(audited, self.explain))?,
             ReportFormat::Geojson | ReportFormat::Html => {
                 let document = map_document::document(&audited, self.explain);
-                document.write(&to, || map_document::packed(&audited, &document))?;
+                write::write(&document, &to, || map_document::packed(&audited, &document))?;
             }
         }
         Ok(if is_valid { Verdict::Sound } else { Verdict::Wrong })

@@ -220,6 +220,10 @@ fn chains<E: Embedding + ?Sized>(structure: &E, links: &Links) -> (Vec<Chain>, u
 impl Map {
     /// Packs a structure. O(n) for its size n, and O(n · w) for w windows if it is too large.
     pub(super) fn pack<E: Embedding + ?Sized>(structure: &E, beside: Beside<'_>) -> Self {
+        Self::pack_up_to(MOST_EDGES, structure, beside)
+    }
+
+    fn pack_up_to<E: Embedding + ?Sized>(most_edges: usize, structure: &E, beside: Beside<'_>) -> Self {
         let links = Links::of(structure);
         let (mut chains, mut placeless) = chains(structure, &links);
         let edges = |chains: &[Chain]| -> usize {
@@ -231,7 +235,7 @@ impl Map {
         let whole = chains.iter().filter_map(box_of).fold(None, |sum: Option<Window>, one| {
             Window::tight(sum.iter().chain([&one]).flat_map(|window| [&window.low, &window.high]))
         });
-        if all > MOST_EDGES {
+        if all > most_edges {
             chains
                 .retain(|chain| box_of(chain).is_some_and(|of| beside.windows.iter().any(|window| window.meets(&of))));
         }
@@ -292,9 +296,9 @@ impl Map {
             let features = (beside.features)(*face);
             stream.number(features.len() as u64);
             let mut last = 0;
-            for feature in features {
-                stream.number(zigzag(feature as i64 - last));
-                last = feature as i64;
+            for feature in features.into_iter().map(signed) {
+                stream.number(zigzag(feature - last));
+                last = feature;
             }
         }
         for (vertex, at) in &isolated {
@@ -332,7 +336,13 @@ struct Stream {
 }
 
 fn zigzag(number: i64) -> u64 {
-    ((number << 1) ^ (number >> 63)) as u64
+    let twice = number.unsigned_abs().wrapping_mul(2);
+    if number < 0 { twice.wrapping_sub(1) } else { twice }
+}
+
+/// An index; none is so large.
+fn signed(index: usize) -> i64 {
+    i64::try_from(index).unwrap_or(i64::MAX)
 }
 
 impl Stream {
@@ -345,7 +355,7 @@ impl Stream {
     }
 
     fn index(&mut self, index: usize, last: impl Fn(&mut Self) -> &mut i64) {
-        let index = index as i64;
+        let index = signed(index);
         let before = std::mem::replace(last(self), index);
         self.number(zigzag(index - before));
     }
@@ -359,7 +369,7 @@ impl Stream {
             }
             Some(vertex) => {
                 let is_new = !std::mem::replace(&mut self.known[vertex], true);
-                let vertex = vertex as i64;
+                let vertex = signed(vertex);
                 self.number(1 + 2 * zigzag(vertex - self.vertex) + u64::from(is_new));
                 self.vertex = vertex;
                 is_new
@@ -443,6 +453,24 @@ mod tests {
         assert_eq!((numbers[0], numbers[9]), (0, 1));
         let nowhere: Textbook = tables.to_string().replace("(9, 9)", "?").parse().expect("it is one");
         assert_eq!((pack(&nowhere).chains, pack(&nowhere).placeless), (1, 1));
+    }
+
+    #[test]
+    fn of_a_structure_that_is_too_large_the_windows_are_shown() {
+        let mut builder = Builder::new();
+        for x in [0.0, 100.0] {
+            let triangle = [[x, 0.0], [x + 1.0, 0.0], [x, 1.0]].map(Into::into).to_vec();
+            builder.shape(&Shape::Polygon(vec![triangle])).expect("in range");
+        }
+        let map = builder.build().expect("small");
+        let window = Window::around(&[[99.0, 0.0], [100.0, 0.5]]).expect("there are points");
+        let up_to = |most| {
+            let beside = Beside { features: &|_| Vec::new(), names: Names::Indices, windows: &[window] };
+            Map::pack_up_to(most, &map, beside)
+        };
+        assert_eq!((up_to(6).edges, up_to(6).chains), ([6, 6], 2));
+        let cut = up_to(5);
+        assert_eq!((cut.edges, cut.chains, cut.points), ([3, 6], 1, 4));
     }
 
     #[test]

@@ -3,6 +3,7 @@
 use super::destination::{Destination, ReportFormat};
 use super::document::{Document, Marked, counts, rule_lines};
 use super::packed::{Beside, Map, Names};
+use super::write::write;
 use crate::output::style::{BAD, GOOD, QUIET};
 use crate::output::{counted, grouped, plain};
 use crate::status::{Failure, Verdict};
@@ -88,7 +89,7 @@ pub(super) fn audit(
         ReportFormat::Json => to.json(&audited)?,
         ReportFormat::Geojson | ReportFormat::Html => {
             let document = document(name, &tables, &report, explain);
-            document.write(&to, || packed(&tables, &document))?;
+            write(&document, &to, || packed(&tables, &document))?;
         }
     }
     Ok(if audited.valid { Verdict::Sound } else { Verdict::Wrong })

@@ -3,6 +3,7 @@
 use super::destination::{Destination, ReportFormat};
 use super::document::{Document, Marked, RuleLine};
 use super::packed::{Beside, Map, Names};
+use super::write::write;
 use crate::input::Input;
 use crate::output::style::{BAD, GOOD, QUIET};
 use crate::output::{counted, grouped, plain};
@@ -43,7 +44,7 @@ pub(super) fn audit(
         }
         ReportFormat::Geojson | ReportFormat::Html => {
             let document = document(&name, &audit, explain);
-            document.write(&to, || packed(&topology, &document))?;
+            write(&document, &to, || packed(&topology, &document))?;
         }
     }
     Ok(if audit.is_valid() { Verdict::Sound } else { Verdict::Wrong })

@@ -53,18 +53,18 @@ function arrow(view, s, run) {
   for (let p = run.from; p !== run.to + step; p += step) points.push([view.px(s.x[p]), view.py(s.y[p])]);
   const length = points.slice(1).reduce((sum, p, i) => sum + Math.hypot(p[0] - points[i][0], p[1] - points[i][1]), 0);
   const [aside, short] = [Math.min(ASIDE, length * 0.12), Math.min(SHORT, length * 0.25)];
-  const line = [];
-  for (let i = 0; i + 1 < points.length; i++) {
-    const [a, b] = [points[i], points[i + 1]];
+  const along = points.slice(1).map((b, i) => {
+    const a = points[i];
     const size = Math.hypot(b[0] - a[0], b[1] - a[1]) || 1;
-    const along = [(b[0] - a[0]) / size, (b[1] - a[1]) / size];
-    // Pixels count downwards.
-    const left = [along[1] * aside, -along[0] * aside];
-    const cut = Math.min(short, size * 0.4);
-    const [on, off] = [i === 0 ? cut : 0, i + 2 === points.length ? cut : 0];
-    line.push([a[0] + left[0] + along[0] * on, a[1] + left[1] + along[1] * on]);
-    line.push([b[0] + left[0] - along[0] * off, b[1] + left[1] - along[1] * off]);
-  }
+    return { x: (b[0] - a[0]) / size, y: (b[1] - a[1]) / size, cut: Math.min(short, size * 0.4) };
+  });
+  const line = points.map(([x, y], i) => {
+    const [before, after] = [along[i - 1] ?? along[i], along[i] ?? along[i - 1]];
+    // At a bend where both offset lines cross; not too far away where it is sharp. Pixels count downwards.
+    const away = aside / Math.max(0.3, 1 + before.x * after.x + before.y * after.y);
+    const on = i === 0 ? after.cut : i + 1 === points.length ? -before.cut : 0;
+    return [x + (before.y + after.y) * away + after.x * on, y - (before.x + after.x) * away + after.y * on];
+  });
   return { points, line, aside, short, length, tail: line[0], head: line[line.length - 1] };
 }
 
@@ -100,7 +100,7 @@ function drawHalfEdges(context, view, s, chains, hasNames) {
   context.textAlign = "center";
   context.textBaseline = "middle";
   for (const [text, { line, length }] of labels) {
-    const i = 2 * Math.floor(line.length / 4);
+    const i = Math.floor((line.length - 1) / 2);
     const [a, b] = [line[i], line[i + 1]];
     const size = Math.hypot(b[0] - a[0], b[1] - a[1]) || 1;
     const [left, wide] = [[(b[1] - a[1]) / size, -(b[0] - a[0]) / size], context.measureText(text).width];

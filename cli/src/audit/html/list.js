@@ -72,7 +72,7 @@ class FindingList {
     );
     const listed = this.all.length < total ? ` (${total.toLocaleString("en")} were found; --list N lists more)` : "";
     document.getElementById("shown").textContent =
-      this.all.length === 0 ? "Nothing was found." : `${this.left.length} of ${this.all.length} findings are shown${listed}`;
+      this.all.length === 0 ? "Nothing was found." : `${this.left.length} of ${this.all.length} findings shown${listed}`;
     this.list.replaceChildren();
     this.rendered = 0;
     this.render();
