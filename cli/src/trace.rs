@@ -30,7 +30,7 @@ impl Trace {
         Self { points, lines, polygons }
     }
 
-    /// The records of a violation: half-edges and cycles as lines, faces as polygons where they are some, vertices as points.
+    /// The records of a violation: half-edges and cycles as lines, faces as polygons if their outer cycles turn that way, vertices as points.
     pub(crate) fn of_violation<E: Embedding + ?Sized>(embedding: &E, violation: &Violation) -> Self {
         let mut trace = Self::default();
         for record in violation.records().into_iter().flatten() {
@@ -129,12 +129,15 @@ pub(crate) fn target<E: Embedding + ?Sized>(embedding: &E, h: usize) -> Option<u
     by_twin.or_else(|| embedding.next(h).filter(live).and_then(|next| embedding.origin(next)))
 }
 
+/// A line along a cycle has no more points, since cycles that are broken may have most of their half-edges in common.
+const LONGEST: usize = 50_000;
+
 /// The half-edges from this one on along `next`, until one comes again.
 fn cycle<E: Embedding + ?Sized>(embedding: &E, start: usize) -> Vec<Position> {
     let mut line: Vec<Position> = Vec::new();
     let mut seen = HashSet::new();
     let mut h = Some(start);
-    while let Some(this) = h.filter(|h| *h < embedding.half_edge_slots() && seen.insert(*h)) {
+    while let Some(this) = h.filter(|h| line.len() < LONGEST && *h < embedding.half_edge_slots() && seen.insert(*h)) {
         let points = half_edge(embedding, this);
         let is_continued = line.last().is_some() && line.last() == points.first();
         line.extend(points.into_iter().skip(usize::from(is_continued)));

@@ -2,7 +2,7 @@
 
 const data = JSON.parse(document.getElementById("data").textContent);
 const structure = unpack(data.map);
-// Where borders cross, it is not known which faces of the map the features cover; those of the map with its borders cut are filled.
+// Of a map that is not plane it is not known which faces the features cover; those of the map with its borders cut are filled.
 const areas = data.map.areas ? unpack(data.map.areas) : structure;
 const byId = (id) => document.getElementById(id);
 const [stage, base, over] = ["stage", "base", "over"].map(byId);
@@ -253,7 +253,7 @@ function addTexts() {
   if (edges < all) cuts.push(`The map has ${number(all)} edges. Shown are ${number(edges)} of them: those near the listed findings.`);
   if (!structure.bounds) cuts.push("Nothing has coordinates: there is nothing to draw.");
   else if (data.map.placeless) cuts.push(`${number(data.map.placeless)} records without a place in the plane are not drawn.`);
-  if (areas !== structure) cuts.push("Borders cross: faces are filled as they are after cutting them where they do.");
+  if (areas !== structure) cuts.push("Borders cross, touch or overlap: the faces are those after cutting them there.");
   byId("cut").hidden = cuts.length === 0;
   byId("cut").classList.toggle("bad", edges < all);
   byId("cut").textContent = cuts.join(" ");
