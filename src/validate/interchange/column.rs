@@ -69,6 +69,11 @@ impl<'a, T: Cell> Column<'a, T> {
         self.len == 0
     }
 
+    /// Nothing, if the column of this name has the length that is expected.
+    pub(super) const fn expect_len(&self, column: &'static str, expected: usize) -> Result<(), ColumnsError> {
+        if self.len == expected { Ok(()) } else { Err(ColumnsError::Length { column, found: self.len, expected }) }
+    }
+
     /// The link at this position; nil past the end.
     #[inline]
     #[must_use]
