@@ -255,8 +255,8 @@ twinedge_status twinedge_follow_inner(twinedge_structure *structure,
                                       twinedge_inner_of function,
                                       void *context);
 
-// What a library promises, instead of `PLANE`: "surface_mesh" and "arrangement_2" (CGAL), "openmesh", "trimesh", "compas",
-// "networkx". Errors: `NULL`, `UNKNOWN`.
+// What a library promises, instead of `PLANE`: `surface_mesh` and `arrangement_2` (CGAL), `openmesh`, `trimesh`, `compas`,
+// `networkx`. Errors: `NULL`, `UNKNOWN`.
 twinedge_status twinedge_preset(twinedge_structure *structure,
                                 const char *name);
 
@@ -295,10 +295,10 @@ size_t twinedge_report_listed(const twinedge_report *report);
 // The violation at this position of the list, in the order of the rules; null past the end.
 const twinedge_violation *twinedge_report_violation(const twinedge_report *report, size_t position);
 
-// The id of the broken rule, as "L1".
+// The id of the broken rule, as `L1`.
 const char *twinedge_violation_rule(const twinedge_violation *violation);
 
-// The kind of violation, one of the names in docs/report.md, as "twin_not_mutual".
+// The kind of violation, one of the names in docs/report.md, as `twin_not_mutual`.
 const char *twinedge_violation_kind(const twinedge_violation *violation);
 
 // What is wrong, as a sentence.

@@ -38,7 +38,7 @@ impl Atomic for AtomicU64 {}
 /// Cells of the caller: a pointer to the first, how many, and the number of bytes from one to the next.
 #[derive(Clone, Copy, Debug)]
 pub(crate) struct Cells {
-    cells: *const c_void,
+    start: *const c_void,
     count: usize,
     stride: isize,
 }
@@ -72,7 +72,7 @@ impl Cells {
         if count > 0 && !bytes.is_some_and(fits) {
             return refused(Status::Length, "so many cells do not fit into memory");
         }
-        Ok(Self { cells, count, stride })
+        Ok(Self { start: cells, count, stride })
     }
 
     /// The cells as a slice of all integers between the first and the last, and where in it the first is.
@@ -86,7 +86,7 @@ impl Cells {
         let span = steps * stride.unsigned_abs();
         let first = if stride < 0 { span } else { 0 };
         // SAFETY: see the head of the file. `new` has looked at null, alignment and size; the caller promises the memory.
-        let slice = unsafe { std::slice::from_raw_parts(self.cells.cast::<T>().sub(first), span + 1) };
+        let slice = unsafe { std::slice::from_raw_parts(self.start.cast::<T>().sub(first), span + 1) };
         (slice, first, stride)
     }
 
@@ -128,6 +128,6 @@ impl Cells {
     /// The memory is there, the cells were made for pointers, and `position < count`.
     pub(crate) unsafe fn pointer(&self, position: usize) -> *const c_void {
         // SAFETY: as the caller promises; an aligned cell within the span. Pointers are read before any callback is called.
-        unsafe { *self.cells.cast::<*const c_void>().byte_offset(self.stride * position.cast_signed()) }
+        unsafe { *self.start.cast::<*const c_void>().byte_offset(self.stride * position.cast_signed()) }
     }
 }

@@ -10,7 +10,7 @@ use twinedge::validate::{self as rules, Counts};
 /// The result of a validation. Strings that are read from it belong to it. Any number of threads may read it.
 #[derive(Debug)]
 pub struct Report {
-    report: rules::Report,
+    found: rules::Report,
     violations: OnceLock<Vec<Violation>>,
     text: OnceLock<CString>,
     json: OnceLock<CString>,
@@ -33,8 +33,8 @@ fn string(text: impl Into<Vec<u8>>) -> CString {
 }
 
 impl Report {
-    pub(crate) const fn new(report: rules::Report) -> Self {
-        Self { report, violations: OnceLock::new(), text: OnceLock::new(), json: OnceLock::new() }
+    pub(crate) const fn new(found: rules::Report) -> Self {
+        Self { found, violations: OnceLock::new(), text: OnceLock::new(), json: OnceLock::new() }
     }
 
     fn violations(&self) -> &[Violation] {
@@ -47,7 +47,7 @@ impl Report {
                 remedy: string(violation.remedy()),
                 records: violation.records(),
             };
-            self.report.violations().iter().map(of).collect()
+            self.found.violations().iter().map(of).collect()
         })
     }
 }
@@ -80,7 +80,7 @@ pub unsafe extern "C" fn twinedge_report_free(report: *mut Report) {
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn twinedge_report_valid(report: *const Report) -> bool {
     // SAFETY: as the caller promises.
-    unsafe { with(report, false, |report| report.report.is_valid()) }
+    unsafe { with(report, false, |report| report.found.is_valid()) }
 }
 
 /// A number of the report, one of `twinedge_count`; `UINT64_MAX` for what could not be counted because a rule is broken, and for a
@@ -88,8 +88,8 @@ pub unsafe extern "C" fn twinedge_report_valid(report: *const Report) -> bool {
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn twinedge_report_count(report: *const Report, count: c_int) -> u64 {
     let read = |report: &Report| match Count::of(count).ok()? {
-        Count::Violations => Some(report.report.violation_count()),
-        count => counted(report.report.counts(), count).map(|n| n as u64),
+        Count::Violations => Some(report.found.violation_count()),
+        count => counted(report.found.counts(), count).map(|n| n as u64),
     };
     // SAFETY: as the caller promises.
     unsafe { with(report, None, read) }.unwrap_or(u64::MAX)
@@ -99,7 +99,7 @@ pub unsafe extern "C" fn twinedge_report_count(report: *const Report, count: c_i
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn twinedge_report_text(report: *const Report) -> *const c_char {
     // SAFETY: as the caller promises.
-    unsafe { with(report, null(), |r| r.text.get_or_init(|| string(r.report.to_string())).as_ptr()) }
+    unsafe { with(report, null(), |r| r.text.get_or_init(|| string(r.found.to_string())).as_ptr()) }
 }
 
 /// The report as JSON, in the form of docs/report.md.
@@ -107,14 +107,14 @@ pub unsafe extern "C" fn twinedge_report_text(report: *const Report) -> *const c
 pub unsafe extern "C" fn twinedge_report_json(report: *const Report) -> *const c_char {
     let written = |report: &rules::Report| string(serde_json::to_vec(report).unwrap_or_default());
     // SAFETY: as the caller promises.
-    unsafe { with(report, null(), |r| r.json.get_or_init(|| written(&r.report)).as_ptr()) }
+    unsafe { with(report, null(), |r| r.json.get_or_init(|| written(&r.found)).as_ptr()) }
 }
 
 /// How many violations are listed.
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn twinedge_report_listed(report: *const Report) -> usize {
     // SAFETY: as the caller promises.
-    unsafe { with(report, 0, |report| report.report.violations().len()) }
+    unsafe { with(report, 0, |report| report.found.violations().len()) }
 }
 
 /// The violation at this position of the list, in the order of the rules; null past the end.
@@ -124,14 +124,14 @@ pub unsafe extern "C" fn twinedge_report_violation(report: *const Report, positi
     unsafe { with(report, null(), |report| report.violations().get(position).map_or(null(), std::ptr::from_ref)) }
 }
 
-/// The id of the broken rule, as "L1".
+/// The id of the broken rule, as `L1`.
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn twinedge_violation_rule(violation: *const Violation) -> *const c_char {
     // SAFETY: as the caller promises.
     unsafe { with(violation, null(), |violation| violation.rule.as_ptr()) }
 }
 
-/// The kind of violation, one of the names in docs/report.md, as "twin_not_mutual".
+/// The kind of violation, one of the names in docs/report.md, as `twin_not_mutual`.
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn twinedge_violation_kind(violation: *const Violation) -> *const c_char {
     // SAFETY: as the caller promises.

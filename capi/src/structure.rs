@@ -23,7 +23,7 @@ pub struct Structure {
 }
 
 impl Structure {
-    fn fail(&mut self, failure: Failure) -> Status {
+    fn fail(&mut self, failure: &Failure) -> Status {
         self.message = CString::new(failure.message.replace('\0', "")).unwrap_or_default();
         failure.status
     }
@@ -34,7 +34,7 @@ impl Structure {
             Ok(()) => Status::Ok,
             Err(failure) => match self.failed {
                 None => {
-                    let status = self.fail(failure);
+                    let status = self.fail(&failure);
                     *self.failed.insert(status)
                 }
                 Some(_) => failure.status,
@@ -258,8 +258,8 @@ pub unsafe extern "C" fn twinedge_follow_inner(
     unsafe { set(structure, setting) }
 }
 
-/// What a library promises, instead of `PLANE`: "surface_mesh" and "arrangement_2" (CGAL), "openmesh", "trimesh", "compas",
-/// "networkx". Errors: `NULL`, `UNKNOWN`.
+/// What a library promises, instead of `PLANE`: `surface_mesh` and `arrangement_2` (CGAL), `openmesh`, `trimesh`, `compas`,
+/// `networkx`. Errors: `NULL`, `UNKNOWN`.
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn twinedge_preset(structure: *mut Structure, name: *const c_char) -> Status {
     if name.is_null() {
@@ -319,6 +319,6 @@ pub unsafe extern "C" fn twinedge_validate(structure: *mut Structure, report: *m
             if made.is_null() { Status::Panic } else { Status::Ok }
         }
         // SAFETY: as the caller promises.
-        Err(failure) => unsafe { with_mut(structure, Status::Panic, |structure| structure.fail(failure)) },
+        Err(failure) => unsafe { with_mut(structure, Status::Panic, |structure| structure.fail(&failure)) },
     }
 }

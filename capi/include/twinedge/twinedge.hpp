@@ -1,10 +1,9 @@
 // twinedge.h for C++17: handles that free themselves, columns that are owned, errors as exceptions. Header-only.
-#ifndef TWINEDGE_TWINEDGE_HPP
-#define TWINEDGE_TWINEDGE_HPP
-
+#pragma once
 #include <deque>
 #include <memory>
 #include <stdexcept>
+#include <unordered_map>
 #include <vector>
 
 #include "../twinedge.h"
@@ -50,5 +49,3 @@ class structure {
 };
 
 }  // namespace twinedge
-
-#endif
