@@ -7,6 +7,7 @@ use twinedge::validate::{Collect, Expectation, Link, Part, View, validate};
 
 struct Torus {
     origin: Vec<u32>,
+    twin: Vec<u32>,
     next: Vec<u32>,
     prev: Vec<u32>,
     face: Vec<u32>,
@@ -21,6 +22,7 @@ impl Torus {
         let size = (4 * n * n) as usize;
         let mut torus = Self {
             origin: vec![0; size],
+            twin: (0..4 * n * n).map(|h| h ^ 1).collect(),
             next: vec![0; size],
             prev: vec![0; size],
             face: vec![0; size],
@@ -66,7 +68,7 @@ impl View for Torus {
         link(self.origin[half_edge])
     }
     fn twin(&self, half_edge: usize) -> Link {
-        Some(half_edge ^ 1)
+        link(self.twin[half_edge])
     }
     fn next(&self, half_edge: usize) -> Link {
         link(self.next[half_edge])

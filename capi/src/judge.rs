@@ -106,7 +106,12 @@ impl<'a, T: Cell> Given<'a, T> {
         let memory = Failure::memory;
         // Adapters answer through one indirect call for each link, so that the validator is compiled once for all of them.
         let adapted: Box<dyn View + '_> = match (by_target, labels) {
-            (false, false) => return Ok(validate(&columns, &expectation, collect)),
+            (false, false) => {
+                return Ok(match columns.dense() {
+                    Some(dense) => validate(&dense, &expectation, collect),
+                    None => validate(&columns, &expectation, collect),
+                });
+            }
             (false, true) => Box::new(FaceLabels::one_cycle(columns).ok_or_else(memory)?),
             (true, false) => Box::new(Targets::of(columns).ok_or_else(memory)?),
             (true, true) => {

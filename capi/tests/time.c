@@ -6,7 +6,7 @@
 #include <twinedge.h>
 
 enum { N = 500 };
-static uint32_t origin[4 * N * N], next[4 * N * N], prev[4 * N * N], face[4 * N * N], leaving[N * N], kept[N * N];
+static uint32_t origin[4 * N * N], twin[4 * N * N], next[4 * N * N], prev[4 * N * N], face[4 * N * N], leaving[N * N], kept[N * N];
 
 static uint32_t vertex(uint32_t x, uint32_t y) { return y % N * N + x % N; }
 
@@ -18,6 +18,7 @@ int main(void) {
       const uint32_t origins[] = {here, right, vertex(x + 1, y + 1), above};
       for (int i = 0; i < 4; i++) {
         origin[sides[i]] = origins[i];
+        twin[sides[i]] = sides[i] ^ 1;
         next[sides[i]] = sides[(i + 1) % 4];
         prev[sides[i]] = sides[(i + 3) % 4];
         face[sides[i]] = here;
@@ -26,6 +27,7 @@ int main(void) {
     }
   twinedge_structure *s = twinedge_structure_new();
   twinedge_column_u32(s, TWINEDGE_LINK_ORIGIN, origin, 4 * N * N, 0);
+  twinedge_column_u32(s, TWINEDGE_LINK_TWIN, twin, 4 * N * N, 0);
   twinedge_column_u32(s, TWINEDGE_LINK_NEXT, next, 4 * N * N, 0);
   twinedge_column_u32(s, TWINEDGE_LINK_PREV, prev, 4 * N * N, 0);
   twinedge_column_u32(s, TWINEDGE_LINK_FACE, face, 4 * N * N, 0);

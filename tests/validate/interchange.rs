@@ -40,6 +40,48 @@ fn columns(records: &Records) -> Columns<'_, i64> {
         .unwrap()
 }
 
+/// The links of the columns, each in an array of its own.
+fn slices(columns: &Columns<'_, i64>, table: &Table) -> [Vec<i64>; 7] {
+    let half_edges = |of: &dyn Fn(usize) -> Option<usize>| (0..table.half_edge_slots()).map(|h| link(of(h))).collect();
+    [
+        half_edges(&|h| columns.origin(h)),
+        half_edges(&|h| columns.twin(h)),
+        half_edges(&|h| columns.next(h)),
+        half_edges(&|h| columns.prev(h)),
+        half_edges(&|h| columns.face(h)),
+        (0..table.vertex_slots()).map(|v| link(columns.leaving(v))).collect(),
+        (0..table.face_slots()).map(|f| link(columns.outer_half_edge(f))).collect(),
+    ]
+}
+
+fn whole(slices: &[Vec<i64>; 7]) -> Columns<'_, i64> {
+    let [origin, twin, next, prev, face, leaving, outer] = slices;
+    Columns::new(leaving.len(), Column::new(origin), Column::new(twin), Column::new(next))
+        .and_then(|c| c.with_prev(Column::new(prev)))
+        .and_then(|c| c.with_faces(outer.len(), Column::new(face)))
+        .and_then(|c| c.with_leaving(Column::new(leaving)))
+        .and_then(|c| c.with_outer_half_edge(Column::new(outer)))
+        .unwrap()
+}
+
+#[test]
+fn only_whole_columns_of_live_records_are_dense() {
+    let table = pillow();
+    let records = records(&table);
+    assert!(columns(&records).dense().is_none());
+    let slices = slices(&columns(&records), &table);
+    let whole = whole(&slices);
+    assert!(whole.dense().is_some() && whole.by_target().dense().is_none());
+    assert!(whole.with_live_faces(&[true, true]).unwrap().dense().is_some());
+    assert!(whole.with_live_faces(&[true, false]).unwrap().dense().is_none());
+    // Twins are paired where there is no column of them.
+    let paired = Columns::paired(3, Column::new(&slices[0]), Column::new(&slices[2])).unwrap().dense().unwrap();
+    assert_eq!(
+        ((0..6).map(|h| paired.twin(h)).collect::<Vec<_>>(), paired.prev(0)),
+        ([1, 0, 3, 2, 5, 4].map(Some).to_vec(), None)
+    );
+}
+
 /// A closed surface: two triangles, back to back.
 fn pillow() -> Table {
     "V 3 0 - 2 - 4 - H 6 0 1 2 4 - 1 0 5 3 - 1 3 4 0 - 2 2 1 5 - 2 5 0 2 - 0 4 3 1 - B 0 F 2 - 0 - 0 HF 6 0 1 0 1 0 1 FH 2 0 0 1 0"
@@ -59,6 +101,9 @@ fn columns_have_the_verdict_of_the_table_that_they_are_of() {
         assert_eq!(columns.expectation(Expectation::surface()), expectation);
         let (of_table, of_columns) =
             (validate(changed, &expectation, Collect::All), validate(&columns, &expectation, Collect::All));
+        let slices = slices(&columns, changed);
+        let dense = whole(&slices).dense().expect("whole columns");
+        assert_eq!(of_columns, validate(&dense, &expectation, Collect::All));
         assert_eq!(of_table.broken_rules().collect::<Vec<_>>(), of_columns.broken_rules().collect::<Vec<_>>());
         broken.extend(of_columns.broken_rules().next());
     });

@@ -13,7 +13,8 @@ fn root() -> PathBuf {
 fn all_imports() -> Imports {
     let root = root();
     let mut all: Vec<Crate> = Vec::new();
-    for manifest in ["Cargo.toml", "capi/Cargo.toml", "fuzz/Cargo.toml", "python/Cargo.toml", "tests/peers/Cargo.toml"] {
+    for manifest in ["Cargo.toml", "capi/Cargo.toml", "fuzz/Cargo.toml", "python/Cargo.toml", "tests/peers/Cargo.toml"]
+    {
         all.extend(crates(&root.join(manifest)).expect("Cargo lists the crates"));
     }
     for each in &mut all {

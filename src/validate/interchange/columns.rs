@@ -3,6 +3,7 @@
 use super::boundaries::Boundaries;
 use super::cell::Cell;
 use super::column::Column;
+use super::dense::Dense;
 use super::error::ColumnsError;
 use crate::validate::expectation::{Expectation, Part};
 use crate::validate::view::{Link, Start, View};
@@ -13,7 +14,7 @@ use crate::validate::view::{Link, Start, View};
 /// [`adapt::Targets`](crate::validate::adapt::Targets); where faces keep nothing, wrap it in
 /// [`adapt::FaceLabels`](crate::validate::adapt::FaceLabels).
 ///
-/// Constructors cost O(1), and memory is not allocated. A link is read at each question, with one check of a bound.
+/// Constructors cost O(1), those with `live` in their name O(n), and memory is not allocated. A link is read at each question, with one check of a bound.
 ///
 /// ```
 /// use twinedge::validate::interchange::{Column, Columns};
@@ -224,8 +225,44 @@ impl<'a, T: Cell> Columns<'a, T> {
         if live.len() != expected {
             return Err(ColumnsError::Length { column, found: live.len(), expected });
         }
-        self.live[kind] = Some(live);
+        // Where all are live there is nothing to ask.
+        self.live[kind] = if live.iter().all(|live| *live) { None } else { Some(live) };
         Ok(self)
+    }
+
+    /// The same structure, in a form that is validated faster: if it has origins, every column is a whole slice, every record is live, and
+    /// there are no records of boundary components. O(1).
+    ///
+    /// ```
+    /// use twinedge::validate::interchange::{Column, Columns};
+    /// use twinedge::validate::{Collect, Expectation, validate};
+    /// let (origin, next) = ([0_i32, 1, 1, 2, 2, 0], [2_i32, 5, 4, 1, 0, 3]);
+    /// let columns = Columns::paired(3, Column::new(&origin), Column::new(&next))?;
+    /// let expectation = columns.expectation(Expectation::plane());
+    /// let report = match columns.dense() {
+    ///     Some(dense) => validate(&dense, &expectation, Collect::All),
+    ///     None => validate(&columns, &expectation, Collect::All),
+    /// };
+    /// assert!(report.is_valid());
+    /// # Ok::<(), twinedge::validate::interchange::ColumnsError>(())
+    /// ```
+    #[must_use]
+    pub fn dense(&self) -> Option<Dense<'a, T>> {
+        if self.boundaries.is_some() || self.live.iter().any(Option::is_some) {
+            return None;
+        }
+        let optional = |column: Option<Column<'a, T>>| column.map_or(Some(&[][..]), |column| column.cells());
+        Some(Dense {
+            vertices: self.vertices,
+            faces: self.faces,
+            origin: self.origin?.cells()?,
+            next: self.next.cells()?,
+            twin: optional(self.twin)?,
+            prev: optional(self.prev)?,
+            face: optional(self.face)?,
+            leaving: optional(self.leaving)?,
+            outer_half_edge: optional(self.outer_half_edge)?,
+        })
     }
 
     /// The expectation without the parts that the columns lack: places of boundary components always; records of boundary

@@ -7,6 +7,7 @@ mod boundaries;
 mod cell;
 mod column;
 mod columns;
+mod dense;
 mod error;
 mod preset;
 
@@ -14,5 +15,6 @@ pub use boundaries::Boundaries;
 pub use cell::Cell;
 pub use column::Column;
 pub use columns::Columns;
+pub use dense::Dense;
 pub use error::ColumnsError;
 pub use preset::Preset;
