@@ -124,7 +124,7 @@ static std::vector<trial::row> corrupt(Check check) {
 }
 
 int main() {
-  std::printf("CGAL %s, Arrangement_2\n", CGAL_VERSION_STR);
+  std::printf("\nCGAL %s, `Arrangement_2`:\n", CGAL_VERSION_STR);
   // Exact constructions: two squares that cross.
   using Exact = CGAL::Arr_segment_traits_2<CGAL::Exact_predicates_exact_constructions_kernel>;
   CGAL::Arrangement_2<Exact> crossing;

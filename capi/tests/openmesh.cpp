@@ -77,7 +77,7 @@ static std::vector<trial::row> corrupt(const Mesh &sound) {
 }
 
 int main() {
-  std::printf("OpenMesh %d.%d\n", OM_GET_VER, OM_GET_MAJ);
+  std::printf("\nOpenMesh %d.%d:\n", OM_GET_VER, OM_GET_MAJ);
   // What is deleted is skipped; triangles are meshes, too.
   auto holed = grid<OpenMesh::TriMesh_ArrayKernelT<>>(6);
   holed.request_vertex_status(), holed.request_edge_status(), holed.request_face_status();

@@ -82,7 +82,7 @@ static std::vector<trial::row> corrupt(const Mesh &sound, Check check) {
 }
 
 int main() {
-  std::printf("CGAL %s, Surface_mesh\n", CGAL_VERSION_STR);
+  std::printf("\nCGAL %s, `Surface_mesh`:\n", CGAL_VERSION_STR);
   // What is removed is skipped.
   Mesh holed = grid(6);
   CGAL::Euler::remove_face(holed.halfedge(F(14)), holed);
