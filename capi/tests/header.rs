@@ -16,3 +16,15 @@ fn the_header_is_current() {
     let kept = std::fs::read(&path).unwrap_or_default();
     assert!(kept == made, "the header is old: UPDATE_HEADER=1 cargo test --test header");
 }
+
+#[test]
+fn every_package_names_the_version() {
+    let version = env!("CARGO_PKG_VERSION");
+    for (file, line) in [
+        ("twinedge.pc", format!("Version: {version}")),
+        ("twinedge-config-version.cmake", format!("set(PACKAGE_VERSION \"{version}\")")),
+    ] {
+        let text = std::fs::read_to_string(Path::new(FOLDER).join(file)).expect("the file can be read");
+        assert!(text.lines().any(|each| each == line), "{file} does not say {line}");
+    }
+}

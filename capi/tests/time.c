@@ -1,4 +1,4 @@
-// The least time of a validation over columns, in milliseconds, of the torus of examples/rust_view.rs.
+// The least time of a validation over columns, in milliseconds, of the torus of rust_view.rs.
 #define _POSIX_C_SOURCE 199309L
 #include <stdio.h>
 #include <stdlib.h>

@@ -1,4 +1,4 @@
-//! The least processor time of a validation of a torus of 1,000,000 half-edges, through a `View` of Rust's own vectors. `tests/time.c`
+//! The least processor time of a validation of a torus of 1,000,000 half-edges, through a `View` of Rust's own vectors. `time.c`
 //! does the same through columns.
 
 use std::hint::black_box;
