@@ -416,6 +416,17 @@ fn a_link_that_is_nil_everywhere_is_said_to_be_left_out_by_the_expectation() {
     assert!(!hints(&validate(&table, &MESH, Collect::All)).iter().any(|hint| hint.contains("prev")));
 }
 
+#[test]
+fn half_edges_without_twin_are_said_to_be_legal_at_a_border() {
+    let mut table = textbook_mesh(4, &TETRAHEDRON);
+    for h in [0, 5] {
+        half_edge(&mut table, h).twin = None;
+    }
+    let hint = "a twin is nil; if the structure has a border, use `Expectation::open()`";
+    assert_eq!(hints(&validate(&table, &MESH, Collect::All)), [hint]);
+    assert_eq!(hints(&validate(&table, &MESH.open(), Collect::All)), [""; 0]);
+}
+
 /// A vertex that a face of the textbook lists, seen as if there were boundary components.
 #[test]
 fn lists_of_the_textbook_are_said_to_need_an_expectation() {
@@ -467,10 +478,12 @@ fn a_report_reads_as_sentences() {
         assert!(right.lines().any(|found| found == line), "{right}");
     }
     half_edge(&mut table, 3).next = Some(99);
+    half_edge(&mut table, 4).next = Some(usize::MAX);
     half_edge(&mut table, 5).twin = None;
     let wrong = validate(&table, &MESH, Collect::All).to_string();
     for part in [
-        "R1 live      BROKEN, 2 violations in 68 links\n",
+        "R1 live      BROKEN, 3 violations in 68 links\n",
+        "R1: the next of half-edge 4 leads to no record at all: following it reads something else\n",
         "V2 rotation  not checked: needs R1, which is broken\n",
         "R1: the next of half-edge 3 is 99, which is no live record: following it reads something else\n",
         "R1: the twin of half-edge 5 is nil, but the record needs one\n",
