@@ -10,8 +10,8 @@
 //!
 //! # Unsafe code
 //!
-//! It is in four files, each with its argument: `border.rs` (handles), `cells.rs` (the memory of columns), `callbacks.rs` (the
-//! caller's functions), `report.rs` and `structure.rs` (the exported functions, which do nothing but enter the border). The caller must
+//! Three files argue it at their heads: `border.rs` (handles), `cells.rs` (the memory of columns), `callbacks.rs` (the caller's
+//! functions). `structure.rs`, `report.rs` and `judge.rs` only pass on what the caller promises. The caller must
 //! keep to three things, which no library can check: a handle comes from this library and was not freed; a pointer that is not null leads
 //! to as much memory as its count and stride say, until [`twinedge_validate`](structure::twinedge_validate) returns; a structure
 //! is used by one thread at a time. The `SAFETY` comments call these "as the caller promises". Everything else is checked: null, alignment, overflow, lengths, numbers that name nothing. Links are data,

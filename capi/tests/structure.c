@@ -38,12 +38,15 @@ static twinedge_report *judge(twinedge_structure *s) {
   return r;
 }
 
-static void is_valid(twinedge_structure *s) {
+// A valid structure with this number of something.
+static void counts(twinedge_structure *s, twinedge_count what, uint64_t number) {
   twinedge_report *r = judge(s);
   if (!twinedge_report_valid(r)) fputs(twinedge_report_text(r), stderr);
-  CHECK(twinedge_report_valid(r) && twinedge_report_count(r, TWINEDGE_COUNT_VIOLATIONS) == 0);
+  CHECK(twinedge_report_valid(r) && twinedge_report_count(r, what) == number);
   twinedge_report_free(r);
 }
+
+static void is_valid(twinedge_structure *s) { counts(s, TWINEDGE_COUNT_VIOLATIONS, 0); }
 
 static void breaks(twinedge_structure *s, const char *rule) {
   twinedge_report *r = judge(s);
@@ -64,8 +67,8 @@ static void fails(twinedge_structure *s, twinedge_status status, const char *mes
 
 static void reports(void) {
   twinedge_report *r = judge(pillow());
-  static const uint64_t counts[] = {3, 6, 3, 2, 2, 0, 0, 1, 2, 0, 0, 0};
-  for (int i = 0; i < 12; i++) CHECK(twinedge_report_count(r, i) == counts[i]);
+  static const uint64_t expected[] = {3, 6, 3, 2, 2, 0, 0, 1, 2, 0, 0, 0};
+  for (int i = 0; i < 12; i++) CHECK(twinedge_report_count(r, i) == expected[i]);
   CHECK(twinedge_report_count(r, 12) == UINT64_MAX && twinedge_report_count(r, -1) == UINT64_MAX);
   CHECK(twinedge_report_listed(r) == 0 && twinedge_report_violation(r, 0) == NULL);
   CHECK(strstr(twinedge_report_json(r), "{\"schema\":\"twinedge-report/1\",\"valid\":true,") == twinedge_report_json(r));
@@ -163,7 +166,7 @@ static void expectations(void) {
     twinedge_column_i32(s, TWINEDGE_LINK_NEXT, next, 3, 0);
     twinedge_column_i32(s, TWINEDGE_LINK_FACE, zero, 3, 0);
     twinedge_expect(s, TWINEDGE_EXPECTED_OPEN, (size_t)open);
-    if (open) is_valid(s);
+    if (open) counts(s, TWINEDGE_COUNT_BORDERS, 1);
     else breaks(s, "R1");
   }
   s = pillow();
@@ -177,7 +180,7 @@ static void expectations(void) {
   twinedge_column_i32(s, TWINEDGE_LINK_ORIGIN, o, 4, 0);
   twinedge_column_i32(s, TWINEDGE_LINK_NEXT, n, 4, 0);
   twinedge_expect(s, TWINEDGE_EXPECTED_GENUS, 1);
-  is_valid(s);
+  counts(s, TWINEDGE_COUNT_GENUS, 1);
 }
 
 // A triangle in the plane, with an isolated vertex inside. Face 0 is unbounded.
@@ -185,7 +188,11 @@ static void boundary_components(void) {
   static const int32_t boundary[] = {0, 1, 0, 1, 0, 1}, isolated[] = {-1, -1, -1, 2}, face[] = {1, 0, 1},
                        half_edge_of[] = {0, 1, -1}, vertex[] = {-1, -1, 3}, outer[] = {-1, 0}, first[] = {0, 1, 2},
                        inner[] = {1, 2}, listed_twice[] = {1, 1};
-  for (int broken = 0; broken < 2; broken++) {
+  static const twinedge_count counted[] = {TWINEDGE_COUNT_OUTER_BOUNDARIES, TWINEDGE_COUNT_INNER_BOUNDARIES,
+                                           TWINEDGE_COUNT_ISOLATED_VERTICES, TWINEDGE_COUNT_COMPONENTS};
+  static const uint64_t numbers[] = {1, 2, 1, 2};
+  for (int test = 0; test < 5; test++) {
+    const int broken = test == 4;
     twinedge_structure *s = twinedge_structure_new();
     twinedge_column_i32(s, TWINEDGE_LINK_ORIGIN, ORIGIN, 6, 0);
     twinedge_column_i32(s, TWINEDGE_LINK_NEXT, NEXT, 6, 0);
@@ -199,7 +206,7 @@ static void boundary_components(void) {
     twinedge_column_i32(s, TWINEDGE_LINK_INNER, broken ? listed_twice : inner, 2, 0);
     twinedge_expect(s, TWINEDGE_EXPECTED_PLANE, 1);
     if (broken) breaks(s, "F2");
-    else is_valid(s);
+    else counts(s, counted[test], numbers[test]);
   }
 }
 
