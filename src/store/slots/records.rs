@@ -21,8 +21,14 @@ impl SlotStore {
     /// # Errors
     /// The kind of record of which there are more than a store can hold.
     pub(crate) fn with_records(need: Need) -> Result<(Self, Slots), RecordKind> {
-        let mut store = Self::with_room(need);
+        let store = Self::with_room(need);
         store.room_for(need)?;
+        Ok(store.issue(need))
+    }
+
+    /// The same store with that many records more, for which there is room. The caller sets all their links.
+    pub(crate) fn issue(mut self, need: Need) -> (Self, Slots) {
+        let store = &mut self;
         let edges = (0..need.edges).map(|_| store.edges.issue() << 1);
         let slots = Slots {
             half_edges: edges.flat_map(|h| [HalfEdgeSlot(h), HalfEdgeSlot(h | 1)]).collect(),
@@ -33,7 +39,7 @@ impl SlotStore {
                 .collect(),
         };
         store.fill_columns();
-        Ok((store, slots))
+        (self, slots)
     }
 
     /// Makes the columns as long as there are slots.
