@@ -71,8 +71,7 @@
 //! | lists of the vertices around each bounded face | [`Dcel::from_faces`] | what is not a plane map, with face or vertex |
 //! | the darts around each vertex, counter-clockwise | [`Dcel::from_rotations`] | what is not planar, with vertex or dart |
 //!
-//! With the feature
-//! `serde` a `Dcel` can be saved and loaded. It is validated when it is loaded, and it keeps its keys.
+//! With the feature `serde` a `Dcel` can be saved and loaded. It is validated when it is loaded, and it keeps its keys.
 
 mod access;
 mod around;
