@@ -4,7 +4,7 @@ use crate::dcel::assemble::Assembly;
 use crate::dcel::import::gather::NIL;
 use crate::dcel::structure::Dcel;
 use crate::store::links::{BoundaryStart, Links, Need, VertexLink};
-use crate::store::slots::Slots;
+use crate::store::slots::{InOrder, Numbered};
 use crate::store::{BoundaryKey, FaceKey, HalfEdgeKey, SlotStore, VertexKey};
 use alloc::vec;
 use alloc::vec::Vec;
@@ -44,11 +44,11 @@ impl<T: Copy> Live<T> {
         Self { slots, numbers }
     }
 
-    /// The new key of each old one.
-    fn renamed<K: Key>(&self, new: &[T], old_key: impl Fn(T) -> K, new_key: impl Fn(T) -> K) -> SecondaryMap<K, K> {
+    /// The new key of each old one, by its number.
+    fn renamed<K: Key>(&self, old_key: impl Fn(T) -> K, new_key: impl Fn(u32) -> K) -> SecondaryMap<K, K> {
         let mut renamed = SecondaryMap::with_capacity(self.numbers.len());
-        for (old, new) in self.slots.iter().zip(new) {
-            renamed.insert(old_key(*old), new_key(*new));
+        for (number, old) in (0..).zip(&self.slots) {
+            renamed.insert(old_key(*old), new_key(number));
         }
         renamed
     }
@@ -130,15 +130,13 @@ impl Dcel {
             boundaries: boundaries.slots.len(),
             faces: faces.slots.len() - 1,
         };
-        let (store, slots) = SlotStore::with_room(need).issue(need);
-        let new = assembly.link(store, &slots);
-        let Slots { vertices: new_vertices, half_edges: new_half_edges, boundaries: new_boundaries, faces: new_faces } =
-            slots;
+        let new = assembly.link(SlotStore::with_room(need).filled(need), &InOrder);
+        let to = &new.store;
         let renamed = Renamed {
-            vertices: vertices.renamed(&new_vertices, |v| old.vertex_key(v), |v| new.store.vertex_key(v)),
-            half_edges: half_edges.renamed(&new_half_edges, |h| old.half_edge_key(h), |h| new.store.half_edge_key(h)),
-            boundaries: boundaries.renamed(&new_boundaries, |b| old.boundary_key(b), |b| new.store.boundary_key(b)),
-            faces: faces.renamed(&new_faces, |f| old.face_key(f), |f| new.store.face_key(f)),
+            vertices: vertices.renamed(|v| old.vertex_key(v), |n| to.vertex_key(InOrder.vertex(n))),
+            half_edges: half_edges.renamed(|h| old.half_edge_key(h), |n| to.half_edge_key(InOrder.half_edge(n))),
+            boundaries: boundaries.renamed(|b| old.boundary_key(b), |n| to.boundary_key(InOrder.boundary(n))),
+            faces: faces.renamed(|f| old.face_key(f), |n| to.face_key(InOrder.face(n))),
         };
         *self = new;
         renamed

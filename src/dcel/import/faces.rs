@@ -153,10 +153,20 @@ struct Corners {
     starts: Vec<u32>,
 }
 
+/// An empty column with that much capacity, if there is memory for it.
+fn with_room(room: usize) -> Vec<u32> {
+    let mut column = Vec::new();
+    let _ = column.try_reserve_exact(room);
+    column
+}
+
 impl Corners {
     fn read<F: AsRef<[u32]>>(vertices: usize, faces: impl IntoIterator<Item = F>) -> Result<Self, FacesError> {
-        let mut corners = Self { vertex: Vec::new(), next: Vec::new(), starts: Vec::new() };
-        for (face, list) in faces.into_iter().enumerate() {
+        let faces = faces.into_iter();
+        // No face has fewer than three.
+        let least = faces.size_hint().0.min(MOST_CORNERS / 3);
+        let mut corners = Self { vertex: with_room(3 * least), next: with_room(3 * least), starts: with_room(least) };
+        for (face, list) in faces.enumerate() {
             let list = list.as_ref();
             let start = corners.vertex.len();
             if list.len() >= MOST_CORNERS - start {
