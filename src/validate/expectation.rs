@@ -82,6 +82,10 @@ pub enum Surface {
 /// | M6 borders | [`borders`](Self::borders) |
 /// | M7 genus | [`genus`](Self::genus) |
 /// | M8 kept | [`border_kept`](Self::border_kept) |
+///
+/// What most programs that work with triangle meshes take for granted is
+/// `surface().without(Part::BoundaryComponents).no_unused_vertices().simple().triangles()`, with `.open().borders(n)` for a mesh with
+/// `n` border loops. M8 is a promise of some libraries, and no more usual than its absence.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
 pub struct Expectation {
     surface: Surface,
@@ -191,7 +195,8 @@ impl Expectation {
     }
 
     /// The same, with so many border loops over all components (M6). A structure has them only if it is
-    /// [`open`](Self::open).
+    /// [`open`](Self::open). With 0 it asks for what [`closed`](Self::closed) asks for, but counts the loops and does not name
+    /// half-edges.
     #[must_use]
     pub const fn borders(self, count: usize) -> Self {
         self.ask(Rule::M6, count)

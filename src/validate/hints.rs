@@ -1,5 +1,5 @@
-//! What a report advises where a whole column of links is nil or dangling, or what a face lists is nil: that comes of a wrong expectation or of a method
-//! of the view that is not implemented, more often than of broken records.
+//! What a report advises where a whole column of links is nil or dangling, where half-edges have no twin, or what a face lists is nil:
+//! that comes of a wrong expectation or of a method of the view that is not implemented, more often than of broken records.
 
 use super::counts::Counts;
 use super::expectation::Part;
@@ -43,6 +43,10 @@ pub(super) fn write(
             "hint: the {field} of {which} {nil} {kind} is nil; if the structure has no {}, use `Expectation::without(Part::{part:?})`",
             part.name()
         )?;
+    }
+    // Where open boundaries are legal, a half-edge may lack its twin.
+    if violations.iter().any(|violation| nil_at(*violation, Field::Twin).is_some()) {
+        writeln!(f, "hint: a twin is nil; if the structure has a border, use `Expectation::open()`")?;
     }
     let lists_nothing =
         |violation: &Violation| matches!(violation, Violation::Nil { record: Record::Face(_), field: Field::Inner(_) });

@@ -152,7 +152,30 @@ fn names_stay() {
     assert!(live(&mesh).into_iter().all(|n| n < 18), "no half-edge is new");
     assert_ne!(mesh.is_vertex(from.unwrap()), mesh.is_vertex(to.unwrap()));
     assert!(validate(&twinedge::validate::adapt::Borders::of(&mesh).unwrap(), &MESH, Collect::All).is_valid());
+    // The numbers lead back to the mesh.
+    for n in live(&mesh) {
+        let [start, end] = ends(&mesh, n);
+        let h = mesh.in_mesh(n).unwrap();
+        assert_eq!(mesh.mesh().origin(h), if mesh.face(n).is_some() { start } else { end });
+    }
+    assert_eq!((mesh.in_mesh(spoke), mesh.in_mesh(usize::MAX)), (None, None));
     assert!(!mesh.is_half_edge(usize::MAX) && mesh.twin(usize::MAX).is_none() && mesh.origin(usize::MAX).is_none());
+}
+
+/// What still leads to a half-edge that has been removed leads to the number that it had.
+#[test]
+fn a_link_to_a_removed_half_edge_has_its_number() {
+    let found = Conformance::of(&MESH).check(|| named(5, &PYRAMID, Bug::StaleLeaving)).unwrap_err();
+    let mut steps = Conformance::of(&MESH).begin(named(5, &PYRAMID, Bug::StaleLeaving)).unwrap();
+    assert!(found.program.0.iter().any(|op| steps.step(*op).is_err()));
+    let mesh = steps.subject().subject();
+    let stale = (0..mesh.vertex_slots()).filter(|v| mesh.is_vertex(*v)).find_map(|v| {
+        let n = mesh.leaving(v).filter(|n| !mesh.is_half_edge(*n))?;
+        Some((v, n))
+    });
+    let (v, n) = stale.unwrap();
+    assert!(n < mesh.half_edge_slots() && mesh.in_mesh(n).is_none());
+    assert!(found.to_string().contains(&format!("the leaving half-edge of vertex {v} is {n}")), "{found}");
 }
 
 /// Two half-edges whose links lead nowhere.

@@ -5,6 +5,7 @@ pub(crate) mod edits;
 pub(crate) mod exact;
 pub(crate) mod inconsistent;
 pub(crate) mod nested;
+pub(crate) mod only_live;
 pub(crate) mod opinions;
 pub(crate) mod oracle;
 pub(crate) mod tables;

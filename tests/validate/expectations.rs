@@ -416,6 +416,17 @@ fn a_link_that_is_nil_everywhere_is_said_to_be_left_out_by_the_expectation() {
     assert!(!hints(&validate(&table, &MESH, Collect::All)).iter().any(|hint| hint.contains("prev")));
 }
 
+#[test]
+fn half_edges_without_twin_are_said_to_be_legal_at_a_border() {
+    let mut table = textbook_mesh(4, &TETRAHEDRON);
+    for h in [0, 5] {
+        half_edge(&mut table, h).twin = None;
+    }
+    let hint = "a twin is nil; if the structure has a border, use `Expectation::open()`";
+    assert_eq!(hints(&validate(&table, &MESH, Collect::All)), [hint]);
+    assert_eq!(hints(&validate(&table, &MESH.open(), Collect::All)), [""; 0]);
+}
+
 /// A vertex that a face of the textbook lists, seen as if there were boundary components.
 #[test]
 fn lists_of_the_textbook_are_said_to_need_an_expectation() {

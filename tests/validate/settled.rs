@@ -1,5 +1,6 @@
 //! The fast path changes nothing in a report, and settles what is right.
 
+use crate::support::only_live::OnlyLive;
 use crate::support::watched::Watched;
 use twinedge::program::census::{Census, Scope};
 use twinedge::validate::enumerate::for_each_corruption;
@@ -7,7 +8,8 @@ use twinedge::validate::forms::{expectations, projections};
 use twinedge::validate::reference::rule_by_rule;
 use twinedge::validate::{Collect, Expectation, HalfEdgeRow, Table, VertexRow, View, validate};
 
-/// The report is that of the rules one by one, however many violations are collected.
+/// The report is that of the rules one by one, however many violations are collected, and neither asks for what a
+/// vacant slot holds.
 #[track_caller]
 fn assert_same(view: &impl View, expectation: &Expectation, what: impl std::fmt::Display) {
     for collect in [Collect::All, Collect::First, Collect::AtMost(1)] {
@@ -15,6 +17,8 @@ fn assert_same(view: &impl View, expectation: &Expectation, what: impl std::fmt:
         let by_the_rules = rule_by_rule(view, expectation, collect);
         assert_eq!(report, by_the_rules, "{what}\n{expectation:?}\n{collect:?}\n{report}\n{by_the_rules}");
     }
+    let _ = validate(&OnlyLive(view), expectation, Collect::All);
+    let _ = rule_by_rule(&OnlyLive(view), expectation, Collect::All);
 }
 
 #[test]

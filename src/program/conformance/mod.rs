@@ -34,7 +34,8 @@
 //! With the subject as it is. The empty map will do if the subject has `add_isolated_vertex`. Any other valid structure becomes
 //! that of the reference by [`PointerModel::from_view`](crate::program::PointerModel::from_view), which says how it stands for meshes, borders and
 //! surfaces, and the subject tells its handles by [`Subject::half_edge_at`]. Each half-edge needs a twin,
-//! on the border, too. A half-edge on the border needs no `next`: its view may answer nil.
+//! on the border, too; [`mesh::Named`](crate::program::mesh::Named) adds those that a mesh does not store. A half-edge on the border
+//! needs no `next`: its view may answer nil.
 //!
 //! A mesh whose handles are indices needs a [`View`](crate::validate::View), which [`view_answers!`](crate::view_answers) writes from an
 //! answer to a line, and a [`Subject`], which [`subject_by_index!`](crate::subject_by_index) writes from the names of the operators that it

@@ -3,6 +3,7 @@
 use crate::program::op::Op;
 use crate::program::outcome::StepOutcome;
 use crate::program::subject::Refusal;
+use alloc::vec::Vec;
 use core::fmt;
 
 /// What became of one operator, each time that it was run.
@@ -77,7 +78,7 @@ impl NotCompared {
 
 /// How many operators of a program, or of several, came to what, and what was not compared.
 ///
-/// [`Display`](fmt::Display) gives a table with a row for each operator that was run.
+/// [`Display`](fmt::Display) gives a table with a row for each operator that was run, and lists those that the subject does not have.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Hash)]
 pub struct ConformanceSummary {
     counts: [OperatorCounts; Op::NAMES.len()],
@@ -138,9 +139,17 @@ impl fmt::Display for ConformanceSummary {
             "{:<22} {:>9} {:>9} {:>9} {:>9} {:>12}",
             "operator", "applied", "refused", "skipped", "no room", "unsupported"
         )?;
+        let mut lacks = Vec::new();
         for (name, counts) in self.by_operator().filter(|(_, counts)| counts.all() > 0) {
             let OperatorCounts { applied, refused, skipped, no_room, unsupported } = counts;
-            writeln!(f, "{name:<22} {applied:>9} {refused:>9} {skipped:>9} {no_room:>9} {unsupported:>12}")?;
+            if applied == 0 && refused == 0 && no_room == 0 && unsupported > 0 {
+                lacks.push(name);
+            } else {
+                writeln!(f, "{name:<22} {applied:>9} {refused:>9} {skipped:>9} {no_room:>9} {unsupported:>12}")?;
+            }
+        }
+        if !lacks.is_empty() {
+            writeln!(f, "not supported: {}", lacks.join(", "))?;
         }
         for part in self.not_compared() {
             writeln!(f, "not compared: {}", part.name())?;

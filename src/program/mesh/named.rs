@@ -1,4 +1,4 @@
-//! Names that stay for the half-edges of a mesh that moves them.
+//! Numbers that stay for the half-edges of a mesh that moves them.
 
 use crate::delegate_view;
 use crate::program::subject::{Refusal, Subject};
@@ -16,12 +16,26 @@ type Place = usize;
 const NOWHERE: Place = usize::MAX;
 
 /// A simple triangle mesh as a [`Subject`], whatever its operators do to the indices of its half-edges, and whether or not it stores
-/// half-edges on its border.
+/// half-edges on its border. The mesh is any [`View`]: it may have vacant slots, and keep `prev`, `leaving` and faces or not.
 ///
 /// Where `next` is arithmetic (`3 ⌊h / 3⌋ + (h + 1) mod 3`, as in corner tables and lists of triangles), an operator has to move
 /// half-edges to other indices, and an index is no handle. In a simple mesh no two half-edges start and end at the same vertices.
-/// So here each half-edge has a number of its own by which it is found again after each operator, from its two ends. Vertices keep
-/// their indices.
+/// So here each half-edge has a number of its own by which it is found again after each operator, from its two ends. Vertices and
+/// faces keep their indices.
+///
+/// Messages of [`conformance`](crate::program::conformance) have these numbers (programs have numbers of their own: see
+/// [`Program`](crate::program::Program)). To find half-edge 10 of a message in the mesh, run the program again:
+///
+/// ```no_run
+/// # use twinedge::program::{conformance::{Counterexample, InStep}, mesh::Named};
+/// # use twinedge::validate::{Expectation, View};
+/// # fn find<M: View>(found: Counterexample, make: fn() -> Named<M>, expectation: Expectation) {
+/// let mut steps = InStep::new(make(), &expectation).expect("the start is right");
+/// let failure = found.program.0.iter().find_map(|op| steps.step(*op).err());
+/// let named = steps.subject().subject();
+/// println!("{failure:?}: half-edge {:?} of {:?}", named.in_mesh(10), named.mesh().half_edge_slots());
+/// # }
+/// ```
 ///
 /// ```text
 ///        3 ◄────────── 2          A half-edge without twin gets one: it has no face
@@ -66,7 +80,7 @@ const NOWHERE: Place = usize::MAX;
 ///         half_edge_slots => 3 * m.0.len(),
 ///         face_slots => m.0.len(),
 ///         origin(h) => Some(m.origin(h)),
-///         twin(h) => Triangles::twin(m, h),
+///         twin(h) => m.twin(h),
 ///         next(h) => Some(h - h % 3 + (h + 1) % 3),
 ///         face(h) => Some(h / 3),
 ///         outer_half_edge(f) => Some(3 * f),
@@ -79,6 +93,7 @@ const NOWHERE: Place = usize::MAX;
 /// let make = || Named::new(mesh.clone()).flip_edge(Triangles::flip);
 /// let summary = conformance::check(make, &expectation.simple().triangles())?;
 /// assert!(summary.of("mesh_flip_edge").unwrap().applied > 0);
+/// assert_eq!(make().in_mesh(2), Some(1));
 /// # Ok::<(), twinedge::program::conformance::Counterexample>(())
 /// ```
 pub struct Named<M> {
@@ -140,6 +155,13 @@ impl<M: View> Named<M> {
         &self.mesh
     }
 
+    /// The half-edge of the mesh that has this number, or on the border the one whose twin has it. None if it has been removed, or
+    /// there is none. O(1).
+    #[must_use]
+    pub fn in_mesh(&self, number: usize) -> Option<usize> {
+        self.place(number).map(|place| place / 2)
+    }
+
     /// All places where half-edges are, or lack.
     fn places(&self) -> Vec<Place> {
         let live = (0..self.mesh.half_edge_slots()).filter(|h| self.mesh.is_half_edge(*h));
@@ -161,7 +183,7 @@ impl<M: View> Named<M> {
             known.entry(self.ends[n].map(|end| end.map(&now))).or_insert(n);
         }
         self.place.fill(NOWHERE);
-        self.number.clear();
+        let before = core::mem::take(&mut self.number);
         for place in self.places() {
             let ends = self.ends_at(place);
             let n = known.remove(&ends).unwrap_or(self.place.len());
@@ -172,13 +194,19 @@ impl<M: View> Named<M> {
             (self.place[n], self.ends[n]) = (place, ends);
             self.number.insert(place, n);
         }
+        // What leads to a half-edge that is gone leads to the number that it had.
+        for (place, n) in before {
+            if self.place(n).is_none() {
+                self.number.entry(place).or_insert(n);
+            }
+        }
     }
 
     fn place(&self, n: usize) -> Option<Place> {
         self.place.get(n).copied().filter(|place| *place != NOWHERE)
     }
 
-    /// The number of a half-edge of the mesh; one that no half-edge has, if it is not there.
+    /// The number of a half-edge of the mesh; the one that it had, if it is gone, and one that none has, if it never was there.
     fn numbered(&self, link: Link) -> Link {
         link.map(|h| h.checked_mul(2).and_then(|place| self.number.get(&place)).copied().unwrap_or(usize::MAX))
     }

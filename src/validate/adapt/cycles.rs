@@ -36,7 +36,7 @@ impl Cycles {
             let mut at = Some(first);
             while let Some(entry) = at.and_then(|h| of.get_mut(h)).filter(|entry| **entry == NIL) {
                 *entry = number;
-                at = at.and_then(|h| view.next(h));
+                at = at.and_then(|h| view.next(h)).filter(|h| *h < of.len() && view.is_half_edge(*h));
             }
         }
         let mut unpaired = filled(start.len(), false)?;

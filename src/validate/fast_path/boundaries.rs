@@ -233,9 +233,6 @@ impl<V: View + ?Sized> Lists<'_, V> {
     /// Walks along a cycle that a face lists, and counts it.
     #[inline]
     fn cycle(&mut self, start: usize, visit: impl FnMut(usize) -> Option<()>) -> Option<()> {
-        if !self.view.is_half_edge(start) {
-            return None;
-        }
         self.visited += along(self.view, self.extent, start, self.links.half_edges - self.visited, visit)?;
         self.found.cycles.named += 1;
         Some(())
@@ -253,7 +250,8 @@ impl<V: View + ?Sized> Lists<'_, V> {
     #[inline]
     fn enter(&mut self, f: usize, start: Start, place: BoundaryPlace) -> Option<()> {
         let vertex = match start {
-            Start::HalfEdge(h) => self.view.origin(existing(Some(h), self.extent.half_edges)?),
+            Start::HalfEdge(h) if h < self.extent.half_edges && self.view.is_half_edge(h) => self.view.origin(h),
+            Start::HalfEdge(_) => None,
             Start::Vertex(_) if place == BoundaryPlace::Outer => None,
             Start::Vertex(v) => Some(v).filter(|v| *v < self.extent.vertices && self.view.is_vertex(*v)),
         };

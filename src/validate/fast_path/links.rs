@@ -189,12 +189,11 @@ fn right_ones<V: View + ?Sized, const WITH_PREV: bool>(
 fn is_inside_and_holds<V: View + ?Sized, const WITH_PREV: bool>(view: &V, half_edges: usize, h: usize) -> bool {
     let Some(t) = existing(view.twin(h), half_edges) else { return false };
     let Some(n) = existing(view.next(h), half_edges) else { return false };
+    if !(is_mutual(view, h, t) && view.is_half_edge(n)) {
+        return false;
+    }
     let target = view.origin(t);
-    is_mutual(view, h, t)
-        && view.is_half_edge(n)
-        && target.is_some()
-        && view.origin(n) == target
-        && (!WITH_PREV || view.prev(n) == Some(h))
+    target.is_some() && view.origin(n) == target && (!WITH_PREV || view.prev(n) == Some(h))
 }
 
 /// How many of these half-edges are live; none if something is wrong with one, or one has no twin.

@@ -3,9 +3,10 @@
 use super::{AsTargets, MESH, TEXTBOOK, fan, maps, mirrored};
 use crate::support::inconsistent::Inconsistent;
 use crate::support::nested::nested_textbook;
+use crate::support::only_live::OnlyLive;
 use twinedge::delegate_view;
 use twinedge::validate::adapt::{Backward, Borders, FaceLabels, Targets};
-use twinedge::validate::{Collect, Expectation, Link, Part, Table, View, validate};
+use twinedge::validate::{Collect, Expectation, HalfEdgeRow, Link, Part, Table, View, validate};
 
 const BARE: Expectation = Expectation::plane().without(Part::Faces).without(Part::Leaving);
 
@@ -60,6 +61,29 @@ fn adapters_do_not_read_tombstones() {
     nested.vertices.pop();
     nested.faces[1].as_mut().unwrap().inner_starts.pop();
     judge(&FaceLabels::with_holes(WithTombstones(nested), Some(0)).unwrap(), &TEXTBOOK.without(Part::Leaving));
+}
+
+/// A link to a slot that is vacant is an answer like any other: the slot is not asked what it holds.
+#[test]
+fn adapters_ask_no_vacant_slot() {
+    let links: [fn(&mut HalfEdgeRow) -> &mut Link; 3] = [|row| &mut row.twin, |row| &mut row.next, |row| &mut row.prev];
+    for (table, expectation) in maps().into_iter().chain([(nested_textbook(), TEXTBOOK), (fan(), MESH.open())]) {
+        for h in 0..table.half_edges.len() {
+            for link in links {
+                let mut to_vacant = table.clone();
+                let Some(row) = &mut to_vacant.half_edges[h] else { continue };
+                *link(row) = Some(table.half_edges.len());
+                to_vacant.half_edges.push(None);
+                let view = OnlyLive(&to_vacant);
+                let judge = |view: &dyn View| assert!(!validate(view, &expectation, Collect::All).is_valid());
+                judge(&Targets::of(AsTargets(&view)).unwrap());
+                judge(&Borders::of(&view).unwrap());
+                judge(&FaceLabels::one_cycle(&view).unwrap());
+                judge(&FaceLabels::with_holes(&view, None).unwrap());
+                drop(validate(&Backward::of(&view).unwrap(), &expectation, Collect::All));
+            }
+        }
+    }
 }
 
 /// No answers, whether they dangle or change from call to call, make an adapter panic, loop, or ask about slots that are

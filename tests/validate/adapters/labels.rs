@@ -110,6 +110,9 @@ fn labels_that_cannot_nest_are_refused() {
                 let report = validate(&view, &expectation, Collect::AtMost(0));
                 assert_eq!(report.broken_rules().next(), first_broken_rule(&view, &expectation));
                 assert_eq!(report.is_valid(), is_tree, "{edges:?}\n{report}");
+                // The component at the border is the one that lies in no face.
+                let inside = outside ^ 1;
+                assert!(!is_tree || view.outer_half_edge(label(inside)) == Some(inside), "{edges:?}");
                 accepted[1] += usize::from(is_tree);
             }
         }
