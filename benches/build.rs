@@ -1,6 +1,6 @@
 //! Building `world-50m` from its segments, per distinct segment, beside sorting these segments: the least that any sweep
 //! must do; gathering a grid of squares whose coordinates have few digits or many; and squares inside each other, as polygons
-//! that cover each other and as lines. Whole structures at once, per half-edge: a triangulated grid from its faces, beside sorting the sides
+//! that cover each other and as lines. Noding the diameters of a circle, beside noding their halves. Whole structures at once, per half-edge: a triangulated grid from its faces, beside sorting the sides
 //! of these and beside `from_view` of the same faces with their links; from its rotations; and removing edges by `retain`, beside one by one.
 //!
 //! Targets: 400 ns per segment, and 1,500 ns where they are noded first; noded exactly, 1.3 times as long as not noded, as
@@ -12,7 +12,7 @@ use criterion::{BatchSize, Criterion, Throughput, criterion_group, criterion_mai
 use std::hint::black_box;
 use twinedge::dcel::{Corner, Dcel, Outside, Placement, Vertex};
 use twinedge::geometry::Point;
-use twinedge::geometry::noding::Snap;
+use twinedge::geometry::noding::{Snap, node};
 use twinedge::map::{Builder, Feature, Noding, PlanarMap, Shape};
 use twinedge::validate::Expectation;
 
@@ -114,6 +114,25 @@ fn nesting(criterion: &mut Criterion) {
     group.finish();
 }
 
+/// The diameters of a circle, which all meet in its middle, and their halves, which need no cut.
+fn stars(criterion: &mut Criterion) {
+    let mut group = criterion.benchmark_group("node diameters");
+    group.sample_size(10);
+    for n in [1_000_u32, 10_000, 100_000] {
+        let ends = (0..n).map(|i| (std::f64::consts::PI * f64::from(i) / f64::from(n)).sin_cos());
+        let diameters: Vec<[Point; 2]> = ends.map(|(s, c)| [Point::new(-c, -s), Point::new(c, s)]).collect();
+        let halves: Vec<[Point; 2]> =
+            diameters.iter().flat_map(|[a, b]| [[*a, Point::new(0.0, 0.0)], [Point::new(0.0, 0.0), *b]]).collect();
+        group.throughput(Throughput::Elements(n.into()));
+        for (name, segments) in [("halves", halves), ("diameters", diameters)] {
+            group.bench_function(format!("{n} {name}"), |b| {
+                b.iter(|| node(black_box(&segments), &[], Snap::Auto).expect("they are finite"));
+            });
+        }
+    }
+    group.finish();
+}
+
 /// A grid of 1,000 × 1,000 vertices, by all ways in, and without half of its edges.
 fn bulk(criterion: &mut Criterion) {
     let map = common::triangulated_grid(1_000);
@@ -180,6 +199,6 @@ fn bulk(criterion: &mut Criterion) {
 criterion_group! {
     name = benches;
     config = Criterion::default().sample_size(30);
-    targets = building, gathering, nesting, bulk
+    targets = building, gathering, nesting, stars, bulk
 }
 criterion_main!(benches);

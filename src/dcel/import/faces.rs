@@ -250,7 +250,7 @@ impl Corners {
     }
 
     /// The structure in which the half-edge of each corner has this number.
-    fn assemble(&self, vertex_count: usize, numbers: Vec<u32>, half_edges: usize) -> Result<(Dcel, Keys), FacesError> {
+    fn assemble(self, vertex_count: usize, numbers: Vec<u32>, half_edges: usize) -> Result<(Dcel, Keys), FacesError> {
         let faces = self.starts.len();
         let mut origin = vec![NIL; half_edges];
         let mut next = vec![NIL; half_edges];
@@ -313,6 +313,8 @@ impl Corners {
             outer: &outer,
             inner: &inner,
         };
+        // The columns of the store take their memory.
+        drop((self, leaving, pieces));
         let dcel = assembly.assemble().map_err(FacesError::Full)?;
         let numbers = Numbers {
             vertices: (0..vertex_count as u32).collect(),

@@ -21,8 +21,6 @@ mod records;
 mod restore;
 mod store;
 
-#[cfg(feature = "serde")]
-pub(crate) use records::Slots;
 pub(crate) use records::{InOrder, Numbered};
 #[cfg(feature = "serde")]
 pub(crate) use restore::{Generations, Live};
