@@ -33,6 +33,13 @@ pub(super) struct Nest<S: Store> {
     pub(super) outer: Vec<u32>,
 }
 
+impl<S: Store> Nest<S> {
+    /// The group of the face that a cycle bounds.
+    pub(super) fn group_of_cycle(&self, store: &S, cycle: usize) -> u32 {
+        self.group_of[store.face_index(store.face(store.boundary(self.starts[cycle])))]
+    }
+}
+
 impl<S: Store> Rest<'_, S> {
     pub(super) fn goes(&self, h: S::HalfEdge) -> bool {
         self.goes[self.dcel.store.half_edge_index(h)]

@@ -199,19 +199,15 @@ impl<S: Store> Plan<S> {
         self.made = new + self.isolated.len();
     }
 
-    fn group_of_cycle(&self, store: &S, nest: &Nest<S>, cycle: usize) -> u32 {
-        nest.group_of[store.face_index(store.face(store.boundary(nest.starts[cycle])))]
-    }
-
     /// The cycles of groups in which something changes.
     fn changing_cycles(&self, store: &S, nest: &Nest<S>) -> impl Iterator<Item = usize> {
-        (0..nest.starts.len()).filter(|cycle| self.changes[self.group_of_cycle(store, nest, *cycle) as usize])
+        (0..nest.starts.len()).filter(|cycle| self.changes[nest.group_of_cycle(store, *cycle) as usize])
     }
 
     fn apply(self, store: &mut S, nest: &Nest<S>, retained: &mut Retained) {
         let cycles: Vec<_> = self
             .changing_cycles(store, nest)
-            .map(|cycle| (cycle, self.group_of_cycle(store, nest, cycle) as usize))
+            .map(|cycle| (cycle, nest.group_of_cycle(store, cycle) as usize))
             .collect();
         for index in 0..store.boundary_slots() {
             let Some(b) = store.boundary_at(index) else { continue };

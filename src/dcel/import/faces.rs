@@ -360,7 +360,7 @@ impl Corners {
 fn number(mut twins: Vec<u32>) -> (Vec<u32>, usize) {
     /// Marks what is a number already.
     const NUMBER: u32 = 1 << 31;
-    let mut count = 0;
+    let mut count = 0_u32;
     for corner in 0..twins.len() {
         match twins[corner] {
             NIL => {}
