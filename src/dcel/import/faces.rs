@@ -344,9 +344,9 @@ impl Corners {
             }
             border.push(h ^ 1);
         }
-        for (corner, h) in (0..).zip(numbers).filter(|(_, h)| origin[**h as usize ^ 1] == NIL) {
+        for (vertex, h) in self.vertex.iter().zip(numbers).filter(|(_, h)| origin[**h as usize ^ 1] == NIL) {
             // As many sides without twin leave a vertex as end there: every one is followed.
-            next[*h as usize ^ 1] = leaving_border[self.vertex[corner as usize] as usize];
+            next[*h as usize ^ 1] = leaving_border[*vertex as usize];
         }
         for h in &border {
             // The side across is followed by one that leaves where this one does.
@@ -360,7 +360,7 @@ impl Corners {
 fn number(mut twins: Vec<u32>) -> (Vec<u32>, usize) {
     /// Marks what is a number already.
     const NUMBER: u32 = 1 << 31;
-    let mut count = 0_u32;
+    let mut count = 0;
     for corner in 0..twins.len() {
         match twins[corner] {
             NIL => {}

@@ -61,11 +61,12 @@
 //!   lines that pass many vertices on a coarse grid can need more: iterating is known to let them drift.
 //! - A vertex can come to lie *on* an edge that passed nearby, but never on its other side.
 //!
-//! Opposite points are read at opposite positions, unless a cell is a step. The input is read to 2^53 steps of the largest coordinate. That is exact for coordinates of more than half of the
+//! The input is read to 2^53 steps of the largest coordinate. That is exact for coordinates of more than half of the
 //! largest, and off by less than a step for smaller ones that use all their digits. Pixels are larger than steps, by
 //! a factor of 8 with [`Snap::Auto`] and of whatever is asked for with [`Snap::Size`]; the exception is a size of
 //! just one step. So whether and where segments cross is decided before their ends move, which is why vertices do not
-//! change sides.
+//! change sides. Opposite points are read at opposite positions, so that diameters of a circle around the origin meet in
+//! one vertex; the exception is the same.
 //!
 //! # Exactness
 //!
