@@ -66,9 +66,9 @@ pub fn validate<V: View + ?Sized>(view: &V, expectation: &Expectation, collect: 
 
 /// The same report as that of [`validate`], by all threads of the current pool of `rayon`.
 ///
-/// Structures are read in parts if they are closed and have records of boundary components with their places, and vertices that keep a
-/// half-edge, as a `Dcel` has. Where all of R1 … F2 holds, the half-edges, the vertices and the faces are each divided among the threads. Others, and what
-/// is broken, are validated as by [`validate`], after one more look in parts at most.
+/// Structures are read in parts if they are closed and have records of boundary components with their places, and vertices that
+/// keep a half-edge, as a `Dcel` has. Where all of R1 … F2 holds, the half-edges, the vertices and the faces are each divided
+/// among the threads. Others, and what is broken, are validated as by [`validate`], after one more look in parts at most.
 ///
 /// Cost: O(n) time in each thread and O(n) memory: beyond that of [`validate`], 4 bytes per vertex in each thread.
 ///

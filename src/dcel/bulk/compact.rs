@@ -58,8 +58,8 @@ impl Dcel {
     /// Closes the gaps that removed records have left, so that memory and the time of walks over all records fit
     /// what there is. Gives the new key of every old one.
     ///
-    /// The order of the records is kept, and that of lists and of the two half-edges of an edge; the unbounded face becomes the first one. Then
-    /// indices are without gaps: from 1 for vertices, boundary components and faces, from 2 for half-edges.
+    /// The order of the records is kept, and that of lists and of the two half-edges of an edge; the unbounded face becomes the
+    /// first one. Then indices are without gaps: from 1 for vertices, boundary components and faces, from 2 for half-edges.
     ///
     /// All keys are new, those of records that did not move too. The old ones become stale, as those of another structure are,
     /// with the same [limits](Dcel#keys): the generations begin anew. So data kept by key is to be moved:

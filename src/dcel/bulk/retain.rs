@@ -37,19 +37,20 @@ pub struct MergedFace {
 impl<S: Store> Dcel<S> {
     /// Removes all vertices and edges for which a condition does not hold, in one pass. An edge goes with either of its ends.
     ///
-    /// The vertices are asked first, in order; then of each edge whose ends stay the half-edge with the smaller index. Vertices that have no edge left become isolated.
-    /// What is left is what [`remove_edge`](Dcel::remove_edge) and [`remove_isolated_vertex`](Dcel::remove_isolated_vertex) leave, one
-    /// after the other, in any order:
+    /// The vertices are asked first, in order; then of each edge whose ends stay the half-edge with the smaller index. Vertices
+    /// that have no edge left become isolated. What is left is what [`remove_edge`](Dcel::remove_edge) and
+    /// [`remove_isolated_vertex`](Dcel::remove_isolated_vertex) leave, one after the other, in any order:
     ///
     /// - Vertices and half-edges that stay keep their keys.
     /// - Of faces that become one the unbounded face is kept. If it is not among them, it is the one to the left of the
     ///   half-edge with the smallest index on the new outer boundary component: never one that another of them surrounds.
-    /// - A boundary component is kept by the cycle on which its start is then. If several starts come to lie on one cycle, that with the
-    ///   smallest index is kept.
+    /// - A boundary component is kept by the cycle on which its start is then. If several starts come to lie on one cycle,
+    ///   that with the smallest index is kept.
     ///
     /// The order of the inner boundary components of a face that lost an edge changes.
     ///
-    /// O(slots), however much goes, so a few edges are better removed one by one. It needs O(slots) memory meanwhile.
+    /// O(slots) time and memory, however much goes. So a few edges are better removed one by one, and so are edges that separate
+    /// short cycles, one place after the other.
     ///
     /// # Errors
     /// [`OperatorError::Full`] if more boundary components are made than dropped, and there is no room for them.

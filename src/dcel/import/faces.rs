@@ -106,9 +106,9 @@ impl Dcel {
     /// | holes and components inside a face, an unbounded face among the faces, closed surfaces by one of their faces | [`Dcel::from_view`] |
     /// | faces that touch at a vertex only, parallel edges, loops | [`Dcel::from_rotations`] |
     ///
-    /// The keys are those by number of vertices, of faces, and of half-edges by *corner*: half-edge `i` leaves the `i`-th vertex of all
-    /// lists, one after the other. Records keep this order: of the two half-edges of an edge the one with the smaller
-    /// number has the smaller index. Nothing has to be validated afterwards.
+    /// The keys are those by number of vertices, of faces, and of half-edges by *corner*: half-edge `i` leaves the `i`-th
+    /// vertex of all lists, one after the other. Records keep this order: of the two half-edges of an edge the one with the
+    /// smaller number has the smaller index. Nothing has to be validated afterwards.
     ///
     /// O(n) time and memory for n vertices and corners.
     ///

@@ -87,9 +87,9 @@ pub enum RotationsError {
 impl Dcel {
     /// Builds the structure in which each vertex has this rotation: the darts that leave it, counter-clockwise.
     ///
-    /// A *dart* is the number of a half-edge. The two of an edge have the numbers `2e` and `2e + 1`, and each number below the number of
-    /// half-edges is listed once. A vertex without darts is isolated. Loops and parallel edges are
-    /// accepted. The faces are traced: the half-edge that follows a dart is the one clockwise from its twin.
+    /// A *dart* is the number of a half-edge. The two of an edge have the numbers `2e` and `2e + 1`, and each number below the
+    /// number of half-edges is listed once. A vertex without darts is isolated. Loops and parallel edges are accepted. The
+    /// faces are traced: the half-edge that follows a dart is the one clockwise from its twin.
     ///
     /// ```text
     ///           2
@@ -100,9 +100,9 @@ impl Dcel {
     ///       0 ─►   ◄─ 1        dart 0 goes from 0 to 1, dart 1 back, …
     /// ```
     ///
-    /// A rotation system does not say which of its faces is the unbounded one, nor in which faces its components lie. For that there are
-    /// [`Placement`]s, one for a component. A component without placement lies in the unbounded face, and its outside is
-    /// the face to the left of its dart with the smallest number.
+    /// A rotation system does not say which of its faces is the unbounded one, nor in which faces its components lie. For that
+    /// there are [`Placement`]s, one for a component. A component without placement lies in the unbounded face, and its outside
+    /// is the face to the left of its dart with the smallest number.
     ///
     /// The keys are those by number of vertices, and of half-edges by dart. A dart has the index of its number plus 2. There
     /// are no keys of faces by number: `map.half_edge(key)?.face()` is the face to the left of a dart.

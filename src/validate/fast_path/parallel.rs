@@ -1,8 +1,8 @@
 //! The fast path on several threads: the scan and the walks in parts, one for each thread.
 //!
-//! It settles everything or nothing: where all that it asks is right, it notes what [`look`](super::look) would note, and otherwise the caller
-//! looks again, on one thread. It takes closed structures with records of boundary components and their places, and vertices that keep a
-//! half-edge: then no part has to know what another one has visited.
+//! It settles everything or nothing: where all that it asks is right, it notes what [`look`](super::look) would note, and
+//! otherwise the caller looks again, on one thread. It takes closed structures with records of boundary components and their
+//! places, and vertices that keep a half-edge: then no part has to know what another one has visited.
 //!
 //! # Why the parts suffice
 //!
@@ -10,7 +10,8 @@
 //!
 //! - That a boundary component is listed once: each entry is at the place that the boundary component names, so two entries are of
 //!   different ones.
-//! - That no walk is longer than what is left of the half-edges: each part has them all as its limit, so the work is O(n) for each part.
+//! - That no walk is longer than what is left of the half-edges: each part has them all as its limit, so the work is O(n) for
+//!   each part.
 //! - Which vertices were seen from a vertex: by a column for each part.
 
 use super::boundaries::{Boundaries, Cycles, Inner, along};
@@ -27,7 +28,8 @@ use alloc::vec::Vec;
 use core::ops::Range;
 use rayon::prelude::*;
 
-/// Finds out that all of R1 … B2 and F1 … T3 holds. False if it does not, or if this cannot be found out in parts; then nothing is noted.
+/// Finds out that R1 … B1, F1 and F2 hold, and notes that and what follows of the whole. False if they do not, or if this
+/// cannot be found out in parts; then nothing is noted.
 pub(in crate::validate) fn look<V: View + Sync + ?Sized>(run: &mut Run<'_, V>) -> bool {
     let extent = extent_of(run);
     let Some((links, around, lists)) = all(run.view, extent) else { return false };
