@@ -48,6 +48,11 @@ pub(super) fn write(violation: &Violation, names: Names<'_>, f: &mut fmt::Format
             let record = names.record(record);
             write!(f, "the {field} of {record} is nil, but the record needs one")
         }
+        // What a link to an unknown id becomes.
+        V::Dangling { record, field, value: usize::MAX } => {
+            let record = names.record(record);
+            write!(f, "the {field} of {record} leads to no record at all: following it reads something else")
+        }
         V::Dangling { record, field, value } => {
             let record = names.record(record);
             write!(f, "the {field} of {record} is {value}, which is no live record: following it reads something else")

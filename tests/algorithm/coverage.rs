@@ -59,7 +59,8 @@ fn parcels_side_by_side_break_nothing() {
     assert_eq!(found(&parcels(), &Limits::default()).findings, []);
     // Nothing is asked of lines, and of no features.
     let line = Shape::Line(ring(&[[0.0, 0.0], [1.0, 0.0], [1.0, 1.0], [0.0, 0.0]]));
-    assert_eq!(found(&[line], &Limits::default()).findings, []);
+    let other = Shape::Line(ring(&[[0.0, 0.0], [9.0, 9.0]]));
+    assert_eq!(found(&[line, other], &Limits::default()).findings, []);
     assert_eq!(found(&[], &Limits::default()).findings, []);
 }
 
@@ -72,6 +73,15 @@ fn an_overlap_breaks_only_c1() {
     assert!(near(finding.area, 5.0) && near(finding.length, 21.0) && near(finding.width, 10.0 / 21.0));
     assert!((19.5..20.0).contains(&finding.at.x) && (0.0..10.0).contains(&finding.at.y), "{:?}", finding.at);
     assert_eq!(finding.faces.len(), 1);
+}
+
+#[test]
+fn overlaps_of_different_features_are_different_findings() {
+    let shapes = [area([0.0, 0.0], [10.0, 10.0]), area([8.0, 0.0], [20.0, 5.0]), area([8.0, 5.0], [20.0, 10.0])];
+    let findings = found(&shapes, &Limits::default()).findings;
+    let found: Vec<_> =
+        findings.iter().map(|f| (f.rule, f.features.iter().map(|f| f.index()).collect(), f.area)).collect();
+    assert_eq!(found, [(CoverageRule::Overlap, vec![0, 1], 10.0), (CoverageRule::Overlap, vec![0, 2], 10.0)]);
 }
 
 #[test]
@@ -158,6 +168,62 @@ fn a_strip_along_many_short_edges_is_one_near_miss() {
     assert!((finding.length - 2.0 * border).abs() < 0.01 && (finding.area - 0.5).abs() < 0.01, "{finding:?}");
 }
 
+/// The width is measured across slanted borders, too, whose boxes overlap.
+#[test]
+fn slanted_borders_are_as_far_apart_as_they_are() {
+    let shift = 0.15 / std::f64::consts::SQRT_2;
+    let shapes = [
+        [[0.0, 0.0], [10.0, 10.0], [0.0, 10.0]],
+        [[shift, -shift], [10.0 + shift, -shift], [10.0 + shift, 10.0 - shift]],
+    ];
+    let shapes = shapes.map(|points| Shape::Polygon(vec![ring(&points)]));
+    for (width, count) in [(0.149, 0), (0.151, 1)] {
+        let limits = Limits { gap_width: Some(width), ..Limits::default() };
+        assert_eq!(found(&shapes, &limits).of(CoverageRule::NearMiss).count(), count, "{width}");
+    }
+}
+
+/// A lake between 0 and 1 has a narrow arm, and a strip between 1 and 2 is open to the outside. What is on the other side of 1 is no
+/// neighbour.
+///
+/// ```text
+///   0000 1 222222
+///   0    1 222222
+///   0    1           the strip
+///   0    11111111
+///   0               0   the arm
+///   000000000000000
+/// ```
+#[test]
+fn borders_of_different_spaces_are_no_near_miss() {
+    let shapes = [
+        vec![
+            [-1.0, -5.0],
+            [21.0, -5.0],
+            [21.0, 4.3],
+            [20.0, 4.3],
+            [20.0, 4.0],
+            [9.0, 4.0],
+            [9.0, 0.0],
+            [0.0, 0.0],
+            [0.0, 10.0],
+            [9.0, 10.0],
+            [9.0, 12.0],
+            [-1.0, 12.0],
+        ],
+        vec![[9.0, 4.3], [21.0, 4.3], [21.0, 4.6], [10.0, 4.6], [10.0, 12.0], [9.0, 12.0]],
+        vec![[10.0, 4.9], [21.0, 4.9], [21.0, 12.0], [10.0, 12.0]],
+    ];
+    let shapes = shapes.map(|points| Shape::Polygon(vec![ring(&points)]));
+    let coverage = found(&shapes, &Limits { gap_width: Some(1.0), ..Limits::default() });
+    let mut pairs: Vec<Vec<usize>> = coverage
+        .of(CoverageRule::NearMiss)
+        .map(|finding| finding.features.iter().map(|feature| feature.index()).collect())
+        .collect();
+    pairs.sort_unstable();
+    assert_eq!(pairs, [[0, 1], [1, 2]]);
+}
+
 #[test]
 fn borders_that_part_at_a_vertex_are_no_near_miss() {
     let limits = Limits { gap_width: Some(0.1), ..Limits::default() };
@@ -226,7 +292,16 @@ fn polygons_are_invalid_for_the_reason_that_geos_gives() {
     let spike = vec![[0.0, 0.0], [4.0, 0.0], [4.0, 2.0], [6.0, 2.0], [4.0, 2.0], [4.0, 4.0], [0.0, 4.0], [0.0, 0.0]];
     let across = vec![[0.0, 2.0], [2.0, 1.0], [4.0, 2.0], [2.0, 3.0], [0.0, 2.0]];
     let inside = vec![[0.0, 2.0], [2.0, 1.0], [3.0, 2.0], [2.0, 3.0], [0.0, 2.0]];
+    let low = vec![[0.0, 0.0], [2.0, -1.0], [4.0, 0.0], [2.0, 0.5], [0.0, 0.0]];
+    let high = vec![[0.0, 0.0], [2.0, 1.0], [4.0, 0.0], [2.0, 3.0], [0.0, 0.0]];
+    let through_corners = vec![[2.0, 2.0], [4.0, 0.0], [6.0, 2.0], [4.0, 4.0], [2.0, 2.0]];
+    let notched = vec![[0.0, 0.0], [8.0, 0.0], [8.0, 8.0], [6.0, 4.0], [4.0, 2.0], [2.0, 4.0], [0.0, 8.0], [0.0, 0.0]];
+    let in_the_notch = vec![[0.0, 8.0], [4.0, 2.0], [8.0, 8.0], [0.0, 8.0]];
     let cases: Vec<(&str, Vec<Polygon>, Option<DefectKind>)> = vec![
+        ("polygons touch twice", vec![vec![low], vec![high]], None),
+        ("hole crosses at corners", vec![vec![square(0.0, 4.0), through_corners]], Some(SelfIntersection)),
+        ("in a notch", vec![vec![notched.clone()], vec![in_the_notch.clone()]], None),
+        ("hole in a notch", vec![vec![notched, in_the_notch]], Some(HoleOutsideShell)),
         ("valid", vec![vec![square(0.0, 9.0), square(1.0, 2.0)]], None),
         ("hole touches the shell", vec![vec![square(0.0, 4.0), inside]], None),
         ("island in a hole", vec![vec![square(0.0, 9.0), square(1.0, 8.0)], vec![square(2.0, 7.0)]], None),

@@ -478,10 +478,12 @@ fn a_report_reads_as_sentences() {
         assert!(right.lines().any(|found| found == line), "{right}");
     }
     half_edge(&mut table, 3).next = Some(99);
+    half_edge(&mut table, 4).next = Some(usize::MAX);
     half_edge(&mut table, 5).twin = None;
     let wrong = validate(&table, &MESH, Collect::All).to_string();
     for part in [
-        "R1 live      BROKEN, 2 violations in 68 links\n",
+        "R1 live      BROKEN, 3 violations in 68 links\n",
+        "R1: the next of half-edge 4 leads to no record at all: following it reads something else\n",
         "V2 rotation  not checked: needs R1, which is broken\n",
         "R1: the next of half-edge 3 is 99, which is no live record: following it reads something else\n",
         "R1: the twin of half-edge 5 is nil, but the record needs one\n",

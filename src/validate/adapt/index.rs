@@ -9,7 +9,7 @@ use alloc::vec::Vec;
 /// A [`View`](crate::validate::View) answers by indices `0 .. n`. For a structure with ids make one `Index` for its vertices,
 /// one for its half-edges and one for its faces, and answer each question by [`follow`](Self::follow). An id that is nobody's
 /// (of a record that was removed, or of another structure) becomes a link that dangles, which R1 reports. The report does not know
-/// that id: it prints `18446744073709551615`, with the record and the field where your structure has the id. To print a
+/// that id: it says that the link leads to no record at all, with the record and the field where your structure has the id. To print a
 /// report with the ids of the records, see [`Report::named`](crate::validate::Report::named), and [`Ids::name`](super::Ids::name).
 ///
 /// ```
