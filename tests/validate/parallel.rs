@@ -52,6 +52,24 @@ fn every_corruption_of_small_maps() {
     assert!(corruptions > 10_000, "{corruptions}");
 }
 
+/// A list that ends too early leaves a boundary component that no face lists.
+#[test]
+fn a_boundary_component_that_is_not_listed() {
+    let (pools, expectation, mut dropped) = (pools(), Expectation::plane(), 0);
+    for map in Census::new(Scope::Subdivisions { edges: 1, vertices: 3 }) {
+        let table = Table::copy_of(map.runner.subject()).unwrap();
+        for f in 0..table.faces.len() {
+            let mut table = table.clone();
+            if table.faces[f].as_mut().and_then(|row| row.inner.pop()).is_some() {
+                dropped += 1;
+                assert!(!validate(&table, &expectation, Collect::First).is_valid());
+                assert_same(&pools, &table, &expectation);
+            }
+        }
+    }
+    assert!(dropped > 5, "{dropped}");
+}
+
 /// Larger maps, whole and with a fault in one place.
 #[test]
 fn programs_and_a_wrong_link() {
