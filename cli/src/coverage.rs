@@ -5,6 +5,7 @@ use crate::output::style::{BAD, GOOD, QUIET};
 use crate::output::{counted, grouped, measure, plain};
 use crate::query::label;
 use crate::status::Failure;
+use crate::trace::Trace;
 use crate::units::Units;
 use serde::Serialize;
 use std::fmt::Write as _;
@@ -32,6 +33,18 @@ pub(crate) struct Asked {
     /// Area below which a thin part of a feature is a sliver. Default: a thousandth of the median area of all parts.
     #[arg(long, value_name = "A", value_parser = positive)]
     sliver: Option<f64>,
+}
+
+/// What a rule says.
+pub(crate) const fn statement(rule: CoverageRule) -> &'static str {
+    match rule {
+        CoverageRule::Overlap => "no face is claimed by two features",
+        CoverageRule::Gap => "no bounded face is unclaimed",
+        CoverageRule::NearMiss => "borders of two features coincide or are farther apart than a given width",
+        CoverageRule::Sliver => "no part of a feature is both small and thin",
+        CoverageRule::Duplicate => "no two features claim the same faces",
+        _ => "the polygons of each feature are valid by the rules of the OGC",
+    }
 }
 
 /// A positive number on the command line.
@@ -73,6 +86,9 @@ pub(crate) struct Coverage {
     findings: Vec<Entry>,
     #[serde(skip)]
     has_polygons: bool,
+    /// The map of the input with its borders cut, where the findings are of that one.
+    #[serde(skip)]
+    of_input: Option<PlanarMap>,
 }
 
 /// A finding.
@@ -96,6 +112,8 @@ pub(crate) struct Entry {
     snapping: Option<&'static str>,
     #[serde(skip)]
     place: Rank,
+    #[serde(skip)]
+    trace: Trace,
 }
 
 /// Rule, kind, features, area, width, length, and the coordinates of the place.
@@ -104,14 +122,15 @@ type Row<'a> = (&'a str, &'a str, String, Option<f64>, Option<f64>, Option<f64>,
 /// The rule, and how many findings of it come before.
 type Rank = (CoverageRule, usize);
 
-#[derive(Debug, Serialize)]
-struct Named {
-    number: usize,
+/// A feature as it is named.
+#[derive(Clone, Debug, Serialize)]
+pub(crate) struct Named {
+    pub(crate) number: usize,
     #[serde(skip_serializing_if = "Option::is_none")]
-    id: Option<String>,
-    name: Option<String>,
+    pub(crate) id: Option<String>,
+    pub(crate) name: Option<String>,
     #[serde(skip)]
-    label: String,
+    pub(crate) label: String,
 }
 
 #[derive(Debug, Serialize)]
@@ -143,18 +162,22 @@ impl Coverage {
             sliver_area: None,
             findings: Vec::new(),
             has_polygons: imported.read.polygons > 0,
+            of_input: None,
         };
         match judged(imported, &limits, units) {
-            Ok(Judged { findings, gap_width, sliver_area }) => {
+            Ok(Judged { findings, gap_width, sliver_area, of_input }) => {
                 (found.gap_width, found.sliver_area) = (Some(gap_width), Some(sliver_area));
                 for (finding, snapping) in &findings {
                     let count = found.count_of(finding.rule);
                     *count += 1;
                     let place = (finding.rule, *count);
                     if place.1 <= list {
-                        found.findings.push(Entry::new(imported, finding, *snapping, place));
+                        let map = of_input.as_ref().filter(|_| *snapping != Some("made")).unwrap_or(&imported.map);
+                        let trace = Trace::of_finding(map, finding);
+                        found.findings.push(Entry::new(imported, finding, *snapping, place, trace));
                     }
                 }
+                found.of_input = of_input;
             }
             Err(Failure(why)) => found.not_checked = Some(why),
         }
@@ -176,7 +199,7 @@ impl Coverage {
     }
 
     /// How many findings there are of each rule, in order.
-    fn counts(&self) -> [(CoverageRule, usize, &'static str); 6] {
+    pub(crate) fn counts(&self) -> [(CoverageRule, usize, &'static str); 6] {
         [
             (CoverageRule::Overlap, self.overlaps, "overlap"),
             (CoverageRule::Gap, self.gaps, "gap"),
@@ -202,6 +225,21 @@ impl Coverage {
         self.not_checked.as_deref()
     }
 
+    /// What is listed.
+    pub(crate) fn findings(&self) -> &[Entry] {
+        &self.findings
+    }
+
+    /// The unit of lengths.
+    pub(crate) const fn unit(&self) -> &'static str {
+        self.unit
+    }
+
+    /// The map of the input with its borders cut, where the findings are of that one.
+    pub(crate) const fn of_input(&self) -> Option<&PlanarMap> {
+        self.of_input.as_ref()
+    }
+
     /// What is listed, to be sorted and cut.
     pub(crate) const fn findings_mut(&mut self) -> &mut Vec<Entry> {
         &mut self.findings
@@ -209,36 +247,50 @@ impl Coverage {
 
     /// A line for each rule.
     pub(crate) fn write_rules(&self, out: &mut String, asked: &Asked) -> std::fmt::Result {
-        for (rule, count, what) in self.counts() {
+        for (rule, count, _) in self.counts() {
             write!(out, "  {:2}  {:12} ", rule.id(), rule.name())?;
+            let limit = self.limit(rule).map_or_else(String::new, |limit| format!("  {QUIET}{limit}{QUIET:#}"));
             match (count, &self.not_checked) {
                 (_, Some(why)) if rule != CoverageRule::Validity => {
                     writeln!(out, "{QUIET}not checked: {}{QUIET:#}", plain(why))?;
                 }
-                (0, _) => writeln!(out, "{GOOD}ok{GOOD:#}{}", self.limit(rule))?,
-                (n, _) => {
-                    let found = if asked.is_rule() { format!("{BAD}BROKEN{BAD:#}  ") } else { String::new() };
-                    let count = match (n, what) {
-                        (1, _) => format!("1 {what}"),
-                        (n, "near miss") => format!("{} near misses", grouped(n)),
-                        (n, "set of duplicates") => format!("{} sets of duplicates", grouped(n)),
-                        (n, what) => counted(n, what),
-                    };
-                    writeln!(out, "{found}{count}{}", self.limit(rule))?;
+                (0, _) => writeln!(out, "{GOOD}ok{GOOD:#}{limit}")?,
+                _ => {
+                    let broken = if asked.is_rule() { format!("{BAD}BROKEN{BAD:#}  ") } else { String::new() };
+                    writeln!(out, "{broken}{}{limit}", self.found(rule))?;
                 }
             }
         }
         Ok(())
     }
 
+    /// How many findings of a rule there are, with what they are called.
+    fn found(&self, rule: CoverageRule) -> String {
+        let of_rule = self.counts().into_iter().find(|(other, ..)| *other == rule);
+        let (_, count, what) = of_rule.unwrap_or((rule, 0, "finding"));
+        match (count, what) {
+            (1, _) => format!("1 {what}"),
+            (n, "near miss") => format!("{} near misses", grouped(n)),
+            (n, "set of duplicates") => format!("{} sets of duplicates", grouped(n)),
+            (n, what) => counted(n, what),
+        }
+    }
+
+    /// What came of a rule, in words.
+    pub(crate) fn outcome(&self, rule: CoverageRule) -> String {
+        match &self.not_checked {
+            Some(why) if rule != CoverageRule::Validity => format!("not checked: {why}"),
+            _ => [self.found(rule)].into_iter().chain(self.limit(rule)).collect::<Vec<_>>().join(" "),
+        }
+    }
+
     /// The limit of a rule, for its line.
-    fn limit(&self, rule: CoverageRule) -> String {
-        let text = match (rule, self.gap_width, self.sliver_area) {
-            (CoverageRule::NearMiss, Some(width), _) => format!("up to a width of {}", measure(width)),
-            (CoverageRule::Sliver, _, Some(area)) => format!("below an area of {}", measure(area)),
-            _ => return String::new(),
-        };
-        format!("  {QUIET}{text}{QUIET:#}")
+    fn limit(&self, rule: CoverageRule) -> Option<String> {
+        match (rule, self.gap_width, self.sliver_area) {
+            (CoverageRule::NearMiss, Some(width), _) => Some(format!("up to a width of {}", measure(width))),
+            (CoverageRule::Sliver, _, Some(area)) => Some(format!("below an area of {}", measure(area))),
+            _ => None,
+        }
     }
 
     /// The worst of each rule.
@@ -265,6 +317,7 @@ struct Judged {
     findings: Vec<(Finding, Option<&'static str>)>,
     gap_width: f64,
     sliver_area: f64,
+    of_input: Option<PlanarMap>,
 }
 
 fn judged(imported: &Imported, limits: &Limits, units: &Units) -> Result<Judged, Failure> {
@@ -276,7 +329,8 @@ fn judged(imported: &Imported, limits: &Limits, units: &Units) -> Result<Judged,
             (finding, None)
         };
         let findings = found.findings.into_iter().map(converted).collect();
-        return Ok(Judged { findings, gap_width: found.gap_width, sliver_area: found.sliver_area });
+        let (gap_width, sliver_area) = (found.gap_width, found.sliver_area);
+        return Ok(Judged { findings, gap_width, sliver_area, of_input: None });
     };
     let of_input = builder.build_with(Noding::Snap(Snap::Auto))?;
     let found = check(&of_input, limits)?;
@@ -304,11 +358,12 @@ fn judged(imported: &Imported, limits: &Limits, units: &Units) -> Result<Judged,
     });
     let mut findings: Vec<_> = on_input.chain(made).collect();
     findings.sort_by_key(|(finding, _)| finding.rule);
-    Ok(Judged { findings, gap_width: found.gap_width, sliver_area: found.sliver_area })
+    let (gap_width, sliver_area) = (found.gap_width, found.sliver_area);
+    Ok(Judged { findings, gap_width, sliver_area, of_input: Some(of_input) })
 }
 
 impl Entry {
-    fn new(imported: &Imported, finding: &Finding, snapping: Option<&'static str>, place: Rank) -> Self {
+    fn new(imported: &Imported, finding: &Finding, snapping: Option<&'static str>, place: Rank, trace: Trace) -> Self {
         Self {
             rule: finding.rule.id(),
             kind: finding.rule.name(),
@@ -320,6 +375,7 @@ impl Entry {
             defects: Vec::new(),
             snapping,
             place,
+            trace,
         }
     }
 
@@ -347,6 +403,7 @@ impl Entry {
                 .collect(),
             snapping: None,
             place: (rule, number),
+            trace: Trace { points: defects.iter().map(|defect| defect.at.into()).collect(), ..Trace::default() },
         }
     }
 
@@ -372,27 +429,51 @@ impl Entry {
             let more = if more.is_empty() { String::new() } else { format!(" and {} more", more.len()) };
             write!(out, ": {}{more}", few.join(", "))?;
         }
+        let snapped = self.snapping.map_or_else(String::new, |what| format!(" ({what} by snapping)"));
+        writeln!(out, "; {}; at ({x}, {y}){snapped}", self.detail())
+    }
+
+    /// The measures, or what is not valid, in words.
+    pub(crate) fn detail(&self) -> String {
         if let (Some(area), Some(width), Some(length)) = (self.area, self.width, self.length) {
             let [area, width, length] = [area, width, length].map(measure);
-            write!(out, "; area {area}, width {width}, borders of {length}")?;
-        } else {
-            let mut reasons: Vec<&str> = self.defects.iter().map(|flaw| flaw.reason.as_str()).collect();
-            reasons.dedup();
-            write!(out, "; {}", reasons.join(", "))?;
+            return format!("area {area}, width {width}, borders of {length}");
         }
-        let snapped = self.snapping.map_or_else(String::new, |what| format!(" ({what} by snapping)"));
-        writeln!(out, "; at ({x}, {y}){snapped}")
+        let mut reasons: Vec<&str> = self.defects.iter().map(|flaw| flaw.reason.as_str()).collect();
+        reasons.dedup();
+        reasons.join(", ")
+    }
+
+    pub(crate) const fn kind(&self) -> &'static str {
+        self.kind
+    }
+
+    pub(crate) fn features(&self) -> &[Named] {
+        &self.features
+    }
+
+    pub(crate) const fn at(&self) -> [f64; 2] {
+        self.at
+    }
+
+    /// Whether snapping removed or made it.
+    pub(crate) const fn snapping(&self) -> Option<&'static str> {
+        self.snapping
+    }
+
+    pub(crate) const fn trace(&self) -> &Trace {
+        &self.trace
     }
 }
 
 impl Named {
     /// The id, the name or the number.
-    fn key(&self) -> String {
+    pub(crate) fn key(&self) -> String {
         let key = self.id.clone().or_else(|| self.name.clone());
         key.unwrap_or_else(|| format!("#{}", self.number))
     }
 
-    fn new(imported: &Imported, feature: FeatureId) -> Self {
+    pub(crate) fn new(imported: &Imported, feature: FeatureId) -> Self {
         let map: &PlanarMap = &imported.map;
         let id = imported.noted.ids.get(feature.index()).cloned().flatten();
         let label = match &id {

@@ -10,7 +10,7 @@ use std::path::{Path, PathBuf};
 use twinedge::geometry::noding::Snap;
 use twinedge::io::ReadSummary;
 use twinedge::map::{BuildError, Builder, Noding, PlanarMap};
-use twinedge_formats::layer::{Format, Layer, ReadError, ReadOptions, read, read_layer, to_map};
+use twinedge_formats::layer::{Crs, Format, Layer, ReadError, ReadOptions, read, read_layer, to_map};
 use twinedge_formats::mesh::Format as MeshFormat;
 
 /// The built-in map of the world; see `data/README.md`.
@@ -49,6 +49,8 @@ pub(crate) struct Imported {
     pub(crate) noted: Noted,
     /// What the map was built of, if it was kept and the map is not plane or was snapped to a grid that was asked for.
     pub(crate) builder: Option<Builder>,
+    /// The coordinate reference system, if the file names one.
+    pub(crate) crs: Option<Crs>,
 }
 
 impl Input {
@@ -91,7 +93,7 @@ fn gather(
     options: &ReadOptions,
     mut noted: Noted,
     keep: Keep<'_>,
-) -> Result<(Builder, ReadSummary, Noted), InputError> {
+) -> Result<(Builder, ReadSummary, Noted, Option<Crs>), InputError> {
     let mut builder = Builder::new();
     let mut summary = ReadSummary::default();
     let header = read(reader, path, options, &mut |feature| {
@@ -99,8 +101,8 @@ fn gather(
         noted.note(&mut of_map, &feature, keep);
         builder.feature(&of_map).map(drop).map_err(ReadError::refused)
     })?;
-    summary.other_crs += usize::from(header.crs.is_some_and(|crs| crs.is_other()));
-    Ok((builder, summary, noted))
+    summary.other_crs += usize::from(header.crs.as_ref().is_some_and(Crs::is_other));
+    Ok((builder, summary, noted, header.crs))
 }
 
 /// A bar on standard error, if that is a terminal.
@@ -215,14 +217,15 @@ impl MapFile {
         let failed = |error: InputError| Failure(format!("{name}: {error}"));
         let noted = Noted::new(self.name_from.clone());
         let options = ReadOptions { layer: self.layer.clone(), ..ReadOptions::default() };
-        let (builder, read, noted) = gather(&mut reader, path.as_deref(), &options, noted, keep).map_err(failed)?;
+        let (builder, read, noted, crs) =
+            gather(&mut reader, path.as_deref(), &options, noted, keep).map_err(failed)?;
         self.refuse_empty(&name, &read)?;
         noted.refuse_unknown_columns(&name, keep)?;
         let noding = self.cutting.snap.map_or(Noding::None, Noding::Snap);
         let kept = (keep.coverage && self.cutting.snap != Some(Snap::Auto)).then(|| builder.clone());
         let map = builder.build_with(noding).map_err(|error| failed(error.into()))?;
         let builder = kept.filter(|_| !map.is_plane() || map.noding().is_some());
-        Ok(Imported { name, read, map, noted, builder })
+        Ok(Imported { name, read, map, noted, builder, crs })
     }
 
     /// Refuses a file of which no map can be built.

@@ -32,6 +32,7 @@ mod status;
 mod structures;
 mod sum;
 mod tables;
+mod trace;
 mod units;
 mod voronoi;
 

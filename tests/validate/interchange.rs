@@ -4,8 +4,8 @@ use std::collections::BTreeSet;
 use std::sync::atomic::{AtomicI32, AtomicI64, AtomicU32, AtomicU64};
 use twinedge::validate::adapt::{FaceLabels, Targets};
 use twinedge::validate::enumerate::for_each_corruption;
-use twinedge::validate::interchange::{Cell, Column, Columns, ColumnsError, Preset};
-use twinedge::validate::{Collect, Expectation, Part, Rule, Table, View, Violation, validate};
+use twinedge::validate::interchange::{Boundaries, Cell, Column, Columns, ColumnsError, Preset};
+use twinedge::validate::{Collect, Expectation, Part, Rule, Start, Table, View, Violation, validate};
 
 fn link(value: Option<usize>) -> i64 {
     value.map_or(-1, |value| i64::try_from(value).unwrap_or(-2))
@@ -40,6 +40,48 @@ fn columns(records: &Records) -> Columns<'_, i64> {
         .unwrap()
 }
 
+/// The links of the columns, each in an array of its own.
+fn slices(columns: &Columns<'_, i64>, table: &Table) -> [Vec<i64>; 7] {
+    let half_edges = |of: &dyn Fn(usize) -> Option<usize>| (0..table.half_edge_slots()).map(|h| link(of(h))).collect();
+    [
+        half_edges(&|h| columns.origin(h)),
+        half_edges(&|h| columns.twin(h)),
+        half_edges(&|h| columns.next(h)),
+        half_edges(&|h| columns.prev(h)),
+        half_edges(&|h| columns.face(h)),
+        (0..table.vertex_slots()).map(|v| link(columns.leaving(v))).collect(),
+        (0..table.face_slots()).map(|f| link(columns.outer_half_edge(f))).collect(),
+    ]
+}
+
+fn whole(slices: &[Vec<i64>; 7]) -> Columns<'_, i64> {
+    let [origin, twin, next, prev, face, leaving, outer] = slices;
+    Columns::new(leaving.len(), Column::new(origin), Column::new(twin), Column::new(next))
+        .and_then(|c| c.with_prev(Column::new(prev)))
+        .and_then(|c| c.with_faces(outer.len(), Column::new(face)))
+        .and_then(|c| c.with_leaving(Column::new(leaving)))
+        .and_then(|c| c.with_outer_half_edge(Column::new(outer)))
+        .unwrap()
+}
+
+#[test]
+fn only_whole_columns_of_live_records_are_dense() {
+    let table = pillow();
+    let records = records(&table);
+    assert!(columns(&records).dense().is_none());
+    let slices = slices(&columns(&records), &table);
+    let whole = whole(&slices);
+    assert!(whole.dense().is_some() && whole.by_target().dense().is_none());
+    assert!(whole.with_live_faces(&[true, true]).unwrap().dense().is_some());
+    assert!(whole.with_live_faces(&[true, false]).unwrap().dense().is_none());
+    // Twins are paired where there is no column of them.
+    let paired = Columns::paired(3, Column::new(&slices[0]), Column::new(&slices[2])).unwrap().dense().unwrap();
+    assert_eq!(
+        ((0..6).map(|h| paired.twin(h)).collect::<Vec<_>>(), paired.prev(0)),
+        ([1, 0, 3, 2, 5, 4].map(Some).to_vec(), None)
+    );
+}
+
 /// A closed surface: two triangles, back to back.
 fn pillow() -> Table {
     "V 3 0 - 2 - 4 - H 6 0 1 2 4 - 1 0 5 3 - 1 3 4 0 - 2 2 1 5 - 2 5 0 2 - 0 4 3 1 - B 0 F 2 - 0 - 0 HF 6 0 1 0 1 0 1 FH 2 0 0 1 0"
@@ -59,10 +101,133 @@ fn columns_have_the_verdict_of_the_table_that_they_are_of() {
         assert_eq!(columns.expectation(Expectation::surface()), expectation);
         let (of_table, of_columns) =
             (validate(changed, &expectation, Collect::All), validate(&columns, &expectation, Collect::All));
+        let slices = slices(&columns, changed);
+        let dense = whole(&slices).dense().expect("whole columns");
+        assert_eq!(of_columns, validate(&dense, &expectation, Collect::All));
         assert_eq!(of_table.broken_rules().collect::<Vec<_>>(), of_columns.broken_rules().collect::<Vec<_>>());
         broken.extend(of_columns.broken_rules().next());
     });
     assert!(broken.len() >= 7, "{broken:?}");
+}
+
+/// The records of boundary components of a table, and the lists of its faces one after the other.
+#[derive(Default)]
+struct Lists {
+    boundary: Vec<i64>,
+    isolated: Vec<i64>,
+    face: Vec<i64>,
+    half_edge: Vec<i64>,
+    vertex: Vec<i64>,
+    outer: Vec<i64>,
+    inner_first: Vec<i64>,
+    inner: Vec<i64>,
+    live: [Vec<bool>; 4],
+}
+
+fn lists(table: &Table) -> Lists {
+    let mut lists = Lists {
+        boundary: (0..table.half_edge_slots()).map(|h| link(table.boundary(h))).collect(),
+        isolated: (0..table.vertex_slots()).map(|v| link(table.isolated(v))).collect(),
+        outer: (0..table.face_slots()).map(|f| link(table.outer(f))).collect(),
+        live: [
+            (0..table.vertex_slots()).map(|v| table.is_vertex(v)).collect(),
+            (0..table.half_edge_slots()).map(|h| table.is_half_edge(h)).collect(),
+            (0..table.boundary_slots()).map(|b| table.is_boundary(b)).collect(),
+            (0..table.face_slots()).map(|f| table.is_face(f)).collect(),
+        ],
+        ..Lists::default()
+    };
+    for boundary in 0..table.boundary_slots() {
+        lists.face.push(link(table.boundary_face(boundary)));
+        let (half_edge, vertex) = match table.boundary_start(boundary) {
+            Some(Start::HalfEdge(half_edge)) => (Some(half_edge), None),
+            Some(Start::Vertex(vertex)) => (None, Some(vertex)),
+            None => (None, None),
+        };
+        lists.half_edge.push(link(half_edge));
+        lists.vertex.push(link(vertex));
+    }
+    for face in 0..table.face_slots() {
+        lists.inner_first.push(i64::try_from(lists.inner.len()).unwrap());
+        lists.inner.extend((0..table.inner_count(face)).map(|i| link(table.inner(face, i))));
+    }
+    lists.inner_first.push(i64::try_from(lists.inner.len()).unwrap());
+    lists
+}
+
+fn boundaries(lists: &Lists) -> Boundaries<'_, i64> {
+    Boundaries {
+        boundary: Column::new(&lists.boundary),
+        isolated: Some(Column::new(&lists.isolated)),
+        face: Column::new(&lists.face),
+        half_edge: Column::new(&lists.half_edge),
+        vertex: Some(Column::new(&lists.vertex)),
+        outer: Column::new(&lists.outer),
+        inner_first: Column::new(&lists.inner_first),
+        inner: Column::new(&lists.inner),
+    }
+}
+
+fn with_lists<'a>(records: &'a Records, lists: &'a Lists) -> Columns<'a, i64> {
+    let n = records.half_edges.len() / 6;
+    let field = |i| Column::strided(&records.half_edges, i, 6, n).unwrap();
+    Columns::new(records.leaving.len(), field(0), field(1), field(2))
+        .and_then(|c| c.with_prev(field(3)))
+        .and_then(|c| c.with_leaving(Column::new(&records.leaving)))
+        .and_then(|c| c.with_boundaries(lists.outer.len(), boundaries(lists)))
+        .and_then(|c| c.with_live_vertices(&lists.live[0]))
+        .and_then(|c| c.with_live_half_edges(&lists.live[1]))
+        .and_then(|c| c.with_live_boundaries(&lists.live[2]))
+        .and_then(|c| c.with_live_faces(&lists.live[3]))
+        .unwrap()
+}
+
+#[test]
+fn boundary_components_in_columns_have_the_verdict_of_their_table() {
+    let mut table = crate::support::nested::nested();
+    // A vacant slot of each kind, which is skipped.
+    table.vertices.push(None);
+    table.half_edges.push(None);
+    table.boundaries.push(None);
+    table.faces.push(None);
+    let expectation = Preset::Arrangement2.expectation();
+    assert!(validate(&table, &expectation, Collect::All).is_valid());
+    let mut broken = BTreeSet::new();
+    for_each_corruption(&mut table, &expectation, |changed, _, _| {
+        let (records, lists) = (records(changed), lists(changed));
+        let columns = with_lists(&records, &lists);
+        assert_eq!(columns.expectation(Expectation::plane()), expectation);
+        let of_table = validate(changed, &expectation, Collect::All);
+        let of_columns = validate(&columns, &expectation, Collect::All);
+        // A link beyond may be another number, but the rules that it breaks are the same.
+        assert_eq!(of_table.broken_rules().collect::<Vec<_>>(), of_columns.broken_rules().collect::<Vec<_>>());
+        broken.extend(of_columns.broken_rules().next());
+    });
+    assert!(broken.len() >= 9, "{broken:?}");
+}
+
+#[test]
+fn lists_of_faces_may_start_anywhere() {
+    let table = crate::support::nested::nested();
+    let (records, mut lists) = (records(&table), lists(&table));
+    let expectation = Preset::Arrangement2.expectation();
+    let broken = |lists: &Lists| {
+        validate(&with_lists(&records, lists), &expectation, Collect::All).broken_rules().collect::<Vec<_>>()
+    };
+    assert_eq!((&lists.inner_first[..], broken(&lists)), (&[0, 1, 3, 3][..], vec![]));
+    for (place, value, first) in [
+        (0, -1, Rule::F2),
+        (0, 1, Rule::F2),
+        (1, 0, Rule::F2),
+        (3, 4, Rule::R1),
+        (3, -2, Rule::R1),
+        (0, -2, Rule::F2),
+        (3, i64::MAX, Rule::R1),
+    ] {
+        let right = std::mem::replace(&mut lists.inner_first[place], value);
+        assert_eq!(broken(&lists).first(), Some(&first), "{place} {value}");
+        lists.inner_first[place] = right;
+    }
 }
 
 #[test]
@@ -119,6 +284,39 @@ fn every_column_has_the_length_of_its_records() {
         (right().with_outer_half_edge(short), "outer_half_edge", 3, 0),
     ] {
         assert_eq!(error.unwrap_err(), ColumnsError::Length { column, found, expected });
+    }
+    // Four half-edges, three vertices and boundary components, two faces.
+    let fits = Boundaries {
+        boundary: long,
+        isolated: Some(short),
+        face: short,
+        half_edge: short,
+        vertex: Some(short),
+        outer: Column::strided(&[0_i32], 0, 0, 2).unwrap(),
+        inner_first: short,
+        inner: long,
+    };
+    assert!(right().with_boundaries(2, fits).is_ok());
+    for (boundaries, column, found, expected) in [
+        (Boundaries { boundary: short, ..fits }, "boundary", 3, 4),
+        (Boundaries { isolated: Some(long), ..fits }, "isolated", 4, 3),
+        (Boundaries { face: long, ..fits }, "boundary_half_edge", 3, 4),
+        (Boundaries { half_edge: long, ..fits }, "boundary_half_edge", 4, 3),
+        (Boundaries { vertex: Some(long), ..fits }, "boundary_vertex", 4, 3),
+        (Boundaries { outer: short, ..fits }, "outer", 3, 2),
+        (Boundaries { inner_first: long, ..fits }, "inner_first", 4, 3),
+    ] {
+        let error = right().with_boundaries(2, boundaries).unwrap_err();
+        assert_eq!(error, ColumnsError::Length { column, found, expected });
+    }
+    let live = [true; 5];
+    for (error, column, expected) in [
+        (right().with_live_vertices(&live), "live_vertices", 3),
+        (right().with_live_half_edges(&live), "live_half_edges", 4),
+        (right().with_live_boundaries(&live), "live_boundaries", 0),
+        (right().with_live_faces(&live), "live_faces", 0),
+    ] {
+        assert_eq!(error.unwrap_err(), ColumnsError::Length { column, found: 5, expected });
     }
 }
 

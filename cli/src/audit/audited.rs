@@ -2,10 +2,11 @@
 
 use crate::coverage::Coverage;
 use crate::input::Imported;
+use crate::output::counted;
 use crate::query::label;
 use std::collections::BTreeSet;
 use twinedge::dcel::{Boundary, Face, Vertex};
-use twinedge::map::PlanarMap;
+use twinedge::map::{FeatureId, PlanarMap};
 use twinedge::validate::{Record, Report, Violation};
 
 /// A map, audited.
@@ -13,12 +14,33 @@ pub(super) struct Audited<'a> {
     pub(super) imported: &'a Imported,
     pub(super) report: &'a Report,
     pub(super) coverage: Coverage,
+    /// Whether findings of the coverage count as violations.
+    pub(super) is_coverage_rule: bool,
     pub(super) is_valid: bool,
     pub(super) elapsed: f64,
 }
 
-/// The names of the features that a violation touches; numbers, counted from 0, for those without name.
-pub(super) fn features(map: &PlanarMap, violation: &Violation) -> Vec<String> {
+impl Audited<'_> {
+    /// Whether the map is valid, in a sentence.
+    pub(super) fn verdict(&self) -> String {
+        let found = self.coverage.total();
+        if self.is_valid {
+            let beside = match found {
+                0 => String::new(),
+                n => format!("; C1 to C6 have {}, which --coverage counts as violations", counted(n, "finding")),
+            };
+            return format!("valid: every rule that applies holds{beside}");
+        }
+        let of_coverage = if self.is_coverage_rule { found } else { 0 };
+        let all = counted(self.report.violation_count() as usize + of_coverage, "violation");
+        let is_unknown = self.is_coverage_rule && self.coverage.not_checked().is_some();
+        let beside = if is_unknown { ", and C1 to C5 could not be checked" } else { "" };
+        format!("not valid: {all}{beside}")
+    }
+}
+
+/// The features that a violation touches, in order.
+pub(super) fn features(map: &PlanarMap, violation: &Violation) -> BTreeSet<FeatureId> {
     let dcel = map.dcel();
     let mut found = BTreeSet::new();
     for record in violation.records().into_iter().flatten() {
@@ -36,5 +58,10 @@ pub(super) fn features(map: &PlanarMap, violation: &Violation) -> Vec<String> {
             found.extend(map.features_along(h.key()).into_iter().flatten());
         }
     }
-    found.into_iter().map(|feature| label(map, feature)).collect()
+    found
+}
+
+/// The names of the features that a violation touches; numbers, counted from 0, for those without name.
+pub(super) fn labels(map: &PlanarMap, violation: &Violation) -> Vec<String> {
+    features(map, violation).into_iter().map(|feature| label(map, feature)).collect()
 }

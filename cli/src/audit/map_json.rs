@@ -1,6 +1,6 @@
 //! The report of a map as JSON.
 
-use super::audited::{Audited, features};
+use super::audited::{Audited, labels};
 use crate::coverage::Coverage;
 use crate::input::Imported;
 use serde::Serialize;
@@ -127,7 +127,7 @@ struct JsonViolation<'a> {
 
 impl<'a> Json<'a> {
     pub(super) fn new(audited: Audited<'a>, explain: bool) -> Self {
-        let Audited { imported, report, coverage, is_valid, elapsed } = audited;
+        let Audited { imported, report, coverage, is_valid, elapsed, .. } = audited;
         let Imported { name, read, map, noted, .. } = imported;
         Self {
             input: name,
@@ -147,7 +147,7 @@ impl<'a> Json<'a> {
                     cause: explain.then(|| violation.cause()),
                     remedy: explain.then(|| violation.remedy()),
                     at: places(map, violation).into_iter().map(Into::into).collect(),
-                    features: features(map, violation),
+                    features: labels(map, violation),
                 })
                 .collect(),
             coverage,

@@ -1,6 +1,6 @@
 //! The report of a map as text.
 
-use super::audited::{Audited, features};
+use super::audited::{Audited, labels};
 use crate::coverage::Asked;
 use crate::input::Imported;
 use crate::noding_text;
@@ -86,7 +86,7 @@ impl Shown<'_> {
             if !at.is_empty() {
                 writeln!(out, "   at {}", at.join(" "))?;
             }
-            let features = features(map, violation);
+            let features = labels(map, violation);
             if !features.is_empty() {
                 writeln!(out, "   on the border of {}", features.join(", "))?;
             }
@@ -110,31 +110,17 @@ impl Shown<'_> {
         if coverage.has_polygons() {
             coverage.write_worst(&mut out, self.list)?;
         }
-        self.write_verdict(&mut out, audited)?;
+        // The first word is coloured.
+        let verdict = audited.verdict();
+        let (word, rest) = verdict.split_once(':').unwrap_or((&verdict, ""));
+        let style = if audited.is_valid { GOOD } else { BAD };
+        writeln!(out, "{style}{word}{style:#}:{rest} ({:.0} ms)", audited.elapsed)?;
         Ok(out)
-    }
-
-    /// The last line: whether the map is valid.
-    fn write_verdict(&self, out: &mut String, audited: &Audited<'_>) -> std::fmt::Result {
-        let Audited { report, coverage, is_valid, elapsed, .. } = audited;
-        let found = coverage.total();
-        if *is_valid {
-            let beside = match found {
-                0 => String::new(),
-                n => format!("; C1 to C6 have {}, which --coverage counts as violations", counted(n, "finding")),
-            };
-            return writeln!(out, "{GOOD}valid{GOOD:#}: every rule that applies holds{beside} ({elapsed:.0} ms)");
-        }
-        let of_coverage = if self.coverage.is_rule() { found } else { 0 };
-        let all = counted(report.violation_count() as usize + of_coverage, "violation");
-        let is_unknown = self.coverage.is_rule() && coverage.not_checked().is_some();
-        let beside = if is_unknown { ", and C1 to C5 could not be checked" } else { "" };
-        writeln!(out, "{BAD}not valid{BAD:#}: {all}{beside} ({elapsed:.0} ms)")
     }
 }
 
 /// What the reader dropped, except for properties, which every file has.
-fn dropped_line(read: &ReadSummary) -> Option<String> {
+pub(super) fn dropped_line(read: &ReadSummary) -> Option<String> {
     let mut dropped = Vec::new();
     if read.with_extra_dimensions > 0 {
         dropped.push(format!("the dimensions beyond x and y of {}", counted(read.with_extra_dimensions, "position")));
@@ -145,7 +131,7 @@ fn dropped_line(read: &ReadSummary) -> Option<String> {
     (!dropped.is_empty()).then(|| format!("dropped: {}", dropped.join(", ")))
 }
 
-fn input_line(summary: &BuildSummary) -> String {
+pub(super) fn input_line(summary: &BuildSummary) -> String {
     let (features, segments) = (summary.features, summary.segments);
     let mut line = format!("{}, {}", counted(features, "feature"), counted(segments, "segment"));
     for (count, what) in [

@@ -1,8 +1,9 @@
 //! Auditing a mesh file.
 
+use super::destination::Destination;
 use crate::input::Input;
 use crate::output::style::{BAD, GOOD, QUIET};
-use crate::output::{Format, counted, print, print_json};
+use crate::output::{Format, counted};
 use crate::status::{Failure, Verdict};
 use serde::Serialize;
 use std::collections::BTreeSet;
@@ -91,17 +92,18 @@ pub(super) fn audit(
     expectation: Expectation,
     list: usize,
     explain: bool,
-    output: Format,
+    to: Destination<'_>,
 ) -> Result<Verdict, Failure> {
     let start = Instant::now();
+    let output = to.without_map(&name, "a mesh")?;
     let file = mesh::read(reader, Some(format)).map_err(|error| Failure(format!("{name}: {error}")))?;
     let audit = mesh::audit(&file.mesh, &expectation, Collect::AtMost(list));
     let elapsed_ms = start.elapsed().as_secs_f64() * 1000.0;
     match output {
-        Format::Text => print(&text(&name, &file, &audit, explain, elapsed_ms)?)?,
+        Format::Text => to.text(&text(&name, &file, &audit, explain, elapsed_ms)?)?,
         Format::Json => {
             let json = Json { input: &name, format: format.name(), dropped: &file.dropped, audit: &audit, elapsed_ms };
-            if explain { print_json(&explained(&json)?)? } else { print_json(&json)? }
+            if explain { to.json(&explained(&json)?)? } else { to.json(&json)? }
         }
     }
     Ok(if audit.is_valid() { Verdict::Sound } else { Verdict::Wrong })

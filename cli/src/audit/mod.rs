@@ -1,20 +1,27 @@
 //! `twinedge audit`: builds a map and validates it, or validates a mesh, a file of tables or a topology of PostGIS.
 
 mod audited;
+mod destination;
+mod document;
+mod findings_geojson;
+mod map_document;
 mod map_json;
 mod map_text;
 mod mesh_file;
+mod packed;
+mod page;
 mod table_file;
 mod textbook;
 mod topology_file;
+mod write;
 
 use crate::coverage::{Asked, Coverage};
 use crate::input::MapFile;
 use crate::noted::Keep;
-use crate::output::{Format, print, print_json};
 use crate::status::{Failure, Verdict};
 use crate::units::Units;
 use audited::Audited;
+use destination::ReportFormat;
 use map_json::Json;
 use map_text::Shown;
 use std::time::Instant;
@@ -43,6 +50,8 @@ use twinedge_formats::postgis::is_copy;
   twinedge audit parcels.geojson
   twinedge audit --snap auto drawn-by-hand.geojson
   twinedge audit --format json - < parcels.geojson | jq .valid
+  twinedge audit parcels.geojson -o findings.geojson     what was found as a layer, for QGIS
+  twinedge audit counties.shp -o report.html             the map and what was found, for a browser
   twinedge audit bunny.obj --closed --genus 0 --triangles
   twinedge postgis --sql city_data | psql -X mydatabase | twinedge audit --postgis -
   twinedge tables --half-edges 2 --print | twinedge audit -
@@ -53,9 +62,8 @@ pub(crate) struct Audit {
     #[command(flatten)]
     map: MapFile,
 
-    /// Output format.
-    #[arg(long, value_enum, default_value_t)]
-    format: Format,
+    #[command(flatten)]
+    destination: destination::Arguments,
 
     /// Greatest number of violations to list; all are counted.
     #[arg(long, value_name = "N", default_value_t = Collect::DEFAULT_CAP)]
@@ -82,25 +90,26 @@ impl Audit {
     pub(crate) fn run(&self) -> Result<Verdict, Failure> {
         let start = Instant::now();
         let mut input = self.map.open()?;
+        let to = self.destination.destination(self.map.path());
         if self.postgis || is_copy(input.beginning()?) {
             self.map.refuse_snap(&input.name, "a topology of PostGIS")?;
             self.refuse_mesh_options(&input.name)?;
-            return topology_file::audit(input, self.list, self.explain, self.format);
+            return topology_file::audit(input, self.list, self.explain, to);
         }
         if textbook::is_textbook(input.beginning()?) {
             self.refuse_coverage(&input.name, "a textbook's tables")?;
-            return textbook::audit(&input.name, input.reader, self.list, self.format);
+            return textbook::audit(&input.name, input.reader, self.list, self.explain, to);
         }
         if table_file::is_table_file(input.beginning()?) {
             self.map.refuse_snap(&input.name, "a file of tables")?;
             self.refuse_coverage(&input.name, "a file of tables")?;
             self.refuse_mesh_options(&input.name)?;
-            return table_file::audit(&input.name, input.reader, self.list, self.explain, self.format);
+            return table_file::audit(&input.name, input.reader, self.list, self.explain, to);
         }
         if let Some(format) = input.mesh_format()? {
             self.map.refuse_snap(&input.name, "a mesh")?;
             self.refuse_coverage(&input.name, "a mesh")?;
-            return mesh_file::audit(input, format, self.mesh.expectation(), self.list, self.explain, self.format);
+            return mesh_file::audit(input, format, self.mesh.expectation(), self.list, self.explain, to);
         }
         self.refuse_mesh_options(&input.name)?;
         let imported = self.map.build_from(input, Keep { coverage: true, condition: None })?;
@@ -113,13 +122,18 @@ impl Audit {
         // What cannot be checked is not known to hold.
         let is_valid =
             report.is_valid() && of_coverage == 0 && (!self.coverage.is_rule() || coverage.not_checked().is_none());
-        let audited = Audited { imported: &imported, report: &report, coverage, is_valid, elapsed };
-        match self.format {
-            Format::Text => {
+        let is_coverage_rule = self.coverage.is_rule();
+        let audited = Audited { imported: &imported, report: &report, coverage, is_coverage_rule, is_valid, elapsed };
+        match to.format {
+            ReportFormat::Text => {
                 let shown = Shown { coverage: &self.coverage, list: self.list, explain: self.explain };
-                print(&shown.text(&audited)?)?;
+                to.text(&shown.text(&audited)?)?;
             }
-            Format::Json => print_json(&Json::new(audited, self.explain))?,
+            ReportFormat::Json => to.json(&Json::new(audited, self.explain))?,
+            ReportFormat::Geojson | ReportFormat::Html => {
+                let document = map_document::document(&audited, self.explain);
+                write::write(&document, &to, || map_document::packed(&audited, &document))?;
+            }
         }
         Ok(if is_valid { Verdict::Sound } else { Verdict::Wrong })
     }

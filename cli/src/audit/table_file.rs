@@ -1,8 +1,9 @@
 //! Auditing a file of tables, one on each line.
 
+use super::destination::Destination;
 use crate::expectation_text::parse;
 use crate::output::style::{BAD, GOOD, QUIET};
-use crate::output::{Format, counted, grouped, plain, print, print_json};
+use crate::output::{Format, counted, grouped, plain};
 use crate::status::{Failure, Verdict};
 use serde::Serialize;
 use std::collections::{BTreeMap, BTreeSet};
@@ -66,9 +67,10 @@ pub(super) fn audit(
     mut input: impl BufRead,
     list: usize,
     explain: bool,
-    format: Format,
+    to: Destination<'_>,
 ) -> Result<Verdict, Failure> {
     let start = Instant::now();
+    let output = to.without_map(name, "a file of tables")?;
     let mut audited = Audited { input: name, explain, ..Audited::default() };
     let mut broken = BTreeMap::new();
     let mut expectation = Expectation::plane();
@@ -91,9 +93,9 @@ pub(super) fn audit(
         broken.into_iter().map(|(rule, tables): (Rule, u64)| RuleTables { id: rule.id(), tables }).collect();
     audited.valid = audited.valid_tables == audited.tables && audited.verdicts_differ == 0;
     audited.elapsed_ms = start.elapsed().as_secs_f64() * 1000.0;
-    match format {
-        Format::Text => print(&audited.text()?)?,
-        Format::Json => print_json(&audited)?,
+    match output {
+        Format::Text => to.text(&audited.text()?)?,
+        Format::Json => to.json(&audited)?,
     }
     Ok(if audited.valid { Verdict::Sound } else { Verdict::Wrong })
 }

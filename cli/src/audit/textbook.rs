@@ -1,13 +1,19 @@
 //! `twinedge audit` of the three tables of a textbook.
 
+use super::destination::{Destination, ReportFormat};
+use super::document::{Document, Marked, counts, rule_lines};
+use super::packed::{Beside, Map, Names};
+use super::write::write;
 use crate::output::style::{BAD, GOOD, QUIET};
-use crate::output::{Format, counted, grouped, plain, print, print_json};
+use crate::output::{counted, grouped, plain};
 use crate::status::{Failure, Verdict};
 use serde::Serialize;
 use std::fmt::Write as _;
 use std::io::Read;
 use twinedge::io::tables::Textbook;
-use twinedge::validate::{self, Collect, REPORT_SCHEMA, Record, Report, RuleOutcome, validate, validate_embedding};
+use twinedge::validate::{
+    self, Collect, REPORT_SCHEMA, Record, Report, RuleOutcome, View, validate, validate_embedding,
+};
 
 /// Whether a file that begins so has the three tables of a textbook: the first word that is no comment is a heading, or the
 /// name of a vertex, a half-edge or a face.
@@ -61,7 +67,13 @@ struct Violation {
 }
 
 /// Reads the tables and validates them.
-pub(super) fn audit(name: &str, mut reader: impl Read, list: usize, format: Format) -> Result<Verdict, Failure> {
+pub(super) fn audit(
+    name: &str,
+    mut reader: impl Read,
+    list: usize,
+    explain: bool,
+    to: Destination<'_>,
+) -> Result<Verdict, Failure> {
     let mut text = String::new();
     reader.read_to_string(&mut text).map_err(|error| Failure(format!("{name}: {error}")))?;
     let tables: Textbook = text.parse().map_err(|error| Failure(format!("{name}: {error}")))?;
@@ -72,11 +84,60 @@ pub(super) fn audit(name: &str, mut reader: impl Read, list: usize, format: Form
         validate(&tables, &expectation, collect)
     };
     let audited = Audited::new(name, &tables, &report);
-    match format {
-        Format::Text => print(&audited.text(report.violation_count())?)?,
-        Format::Json => print_json(&audited)?,
+    match to.format {
+        ReportFormat::Text => to.text(&audited.text(report.violation_count())?)?,
+        ReportFormat::Json => to.json(&audited)?,
+        ReportFormat::Geojson | ReportFormat::Html => {
+            let document = document(name, &tables, &report, explain);
+            write(&document, &to, || packed(&tables, &document))?;
+        }
     }
     Ok(if audited.valid { Verdict::Sound } else { Verdict::Wrong })
+}
+
+/// What was found, with the names of the tables.
+fn document(name: &str, tables: &Textbook, report: &Report, explain: bool) -> Document {
+    let marked = |violation: &validate::Violation| {
+        let named = |record: Record| tables.name(record).map_or_else(|| record.to_string(), str::to_owned);
+        Marked {
+            message: with_names(&violation.to_string(), tables),
+            records: violation.records().into_iter().flatten().map(named).collect(),
+            ..Marked::of_violation(tables, violation, explain)
+        }
+    };
+    let no_places = "The tables have no coordinates: there is nothing to draw.";
+    let count = report.violation_count();
+    Document {
+        input: name.to_owned(),
+        valid: report.is_valid(),
+        verdict: match counted(count as usize, "violation") {
+            _ if report.is_valid() => "valid: every rule that applies holds".to_owned(),
+            violations => format!("not valid: {violations}"),
+        },
+        notes: ["The three tables of a textbook."]
+            .into_iter()
+            .chain((!tables.has_coordinates()).then_some(no_places))
+            .map(str::to_owned)
+            .collect(),
+        counts: counts(report),
+        rules: rule_lines(report),
+        findings: report.violations().iter().map(marked).collect(),
+        total: count,
+        ..Document::default()
+    }
+}
+
+fn packed(tables: &Textbook, document: &Document) -> Map {
+    let name = |record: Record| tables.name(record).unwrap_or_default().to_owned();
+    let half_edges = 0..tables.half_edge_slots();
+    let mutual = |h: &usize| tables.twin(*h).filter(|t| half_edges.contains(t) && tables.twin(*t) == Some(*h));
+    let names = Names::Own {
+        vertices: (0..tables.vertex_slots()).map(|v| name(Record::Vertex(v))).collect(),
+        half_edges: half_edges.clone().map(|h| name(Record::HalfEdge(h))).collect(),
+        faces: (0..tables.face_slots()).map(|f| name(Record::Face(f))).collect(),
+        twins: half_edges.clone().map(|h| mutual(&h)).collect(),
+    };
+    Map::pack(tables, Beside { features: &|_| Vec::new(), names, windows: &document.windows() })
 }
 
 /// Makes a record of an index.

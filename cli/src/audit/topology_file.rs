@@ -1,14 +1,20 @@
 //! Auditing a topology of PostGIS, as `psql` wrote it.
 
+use super::destination::{Destination, ReportFormat};
+use super::document::{Document, Marked, RuleLine};
+use super::packed::{Beside, Map, Names};
+use super::write::write;
 use crate::input::Input;
 use crate::output::style::{BAD, GOOD, QUIET};
-use crate::output::{Format, counted, grouped, plain, print, print_json};
+use crate::output::{counted, grouped, plain};
 use crate::status::{Failure, Verdict};
+use crate::trace::{Trace, middle};
 use serde::Serialize;
 use std::collections::BTreeSet;
 use std::fmt::Write as _;
 use std::time::Instant;
-use twinedge_formats::postgis::{self, TopologyAudit, TopologyRule, TopologyViolation};
+use twinedge::validate::{Record, View};
+use twinedge_formats::postgis::{self, Topology, TopologyAudit, TopologyRule, TopologyViolation};
 
 #[derive(Debug, Serialize)]
 struct Json<'a> {
@@ -23,21 +29,83 @@ pub(super) fn audit(
     Input { name, reader, .. }: Input,
     list: usize,
     explain: bool,
-    output: Format,
+    to: Destination<'_>,
 ) -> Result<Verdict, Failure> {
     let start = Instant::now();
     let failed = |error| Failure(format!("{name}: {error}"));
     let topology = postgis::read(reader, list).map_err(failed)?;
     let audit = postgis::audit(&topology, list).map_err(failed)?;
     let elapsed_ms = start.elapsed().as_secs_f64() * 1000.0;
-    match output {
-        Format::Text => print(&text(&name, &audit, explain, elapsed_ms)?)?,
-        Format::Json => {
+    match to.format {
+        ReportFormat::Text => to.text(&text(&name, &audit, explain, elapsed_ms)?)?,
+        ReportFormat::Json => {
             let json = Json { input: &name, audit: &audit, elapsed_ms };
-            if explain { print_json(&explained(&json)?)? } else { print_json(&json)? }
+            if explain { to.json(&explained(&json)?)? } else { to.json(&json)? }
+        }
+        ReportFormat::Geojson | ReportFormat::Html => {
+            let document = document(&name, &audit, explain);
+            write(&document, &to, || packed(&topology, &document))?;
         }
     }
     Ok(if audit.is_valid() { Verdict::Sound } else { Verdict::Wrong })
+}
+
+/// What was found, with the ids of the database. Violations have places, and no records.
+fn document(name: &str, audit: &TopologyAudit, explain: bool) -> Document {
+    let named = |id: &str| audit.rules().iter().find(|rule| rule.id == id).map_or("", |rule| rule.name);
+    let marked = |one: &TopologyViolation| Marked {
+        rule: one.rule,
+        name: named(one.rule),
+        kind: one.kind,
+        message: one.message.clone(),
+        violation: true,
+        cause: explain.then_some(one.cause),
+        remedy: explain.then_some(one.remedy),
+        at: middle(&one.at),
+        trace: Trace { points: one.at.clone(), ..Trace::default() },
+        ..Marked::default()
+    };
+    let rule = |rule: &TopologyRule| {
+        let checked = format!("{} {}", grouped(rule.checked), rule.unit);
+        let outcome = match (rule.violations, &rule.unchecked) {
+            (0, None) => format!("holds for {checked}"),
+            (0, Some(why)) => format!("not checked: {why}"),
+            (n, _) => format!("{} in {checked}", counted(n as usize, "violation")),
+        };
+        RuleLine { id: rule.id, name: rule.name, statement: None, outcome, found: rule.violations }
+    };
+    let counts = audit.counts();
+    Document {
+        input: name.to_owned(),
+        valid: audit.is_valid(),
+        verdict: match counted(audit.violation_count() as usize, "violation") {
+            _ if audit.is_valid() => "valid: every rule that applies holds".to_owned(),
+            violations => format!("not valid: {violations}"),
+        },
+        notes: vec!["A topology of PostGIS; records have the ids of the database.".to_owned()],
+        counts: vec![
+            ("nodes", grouped(counts.nodes)),
+            ("edges", grouped(counts.edges)),
+            ("faces", grouped(counts.faces)),
+            ("isolated nodes", grouped(counts.isolated_nodes)),
+            ("bends", grouped(counts.bends)),
+        ],
+        rules: audit.rules().iter().map(rule).collect(),
+        findings: audit.violations().iter().map(marked).collect(),
+        total: audit.violation_count(),
+        ..Document::default()
+    }
+}
+
+fn packed(topology: &Topology, document: &Document) -> Map {
+    let names = Names::Ids {
+        vertices: (0..topology.vertex_slots()).map(|v| topology.name(Record::Vertex(v))).collect(),
+        edges: (0..topology.half_edge_slots() / 2)
+            .map(|edge| topology.name(Record::HalfEdge(2 * edge)).trim_start_matches('+').to_owned())
+            .collect(),
+        faces: (0..topology.face_slots()).map(|f| topology.name(Record::Face(f))).collect(),
+    };
+    Map::pack(topology, Beside { features: &|_| Vec::new(), names, windows: &document.windows() })
 }
 
 /// The same, with the usual cause and the remedy of each violation.

@@ -16,6 +16,7 @@ use crate::validate::view::Link;
 /// ```
 #[derive(Debug)]
 pub struct Column<'a, T> {
+    /// Where the step is 1, the cells of the column and no others.
     cells: &'a [T],
     first: usize,
     /// A step of the stride, modulo the number of all positions: a negative one is added like a positive one.
@@ -44,7 +45,7 @@ impl<'a, T: Cell> Column<'a, T> {
     /// [`ColumnsError::OutOfSlice`] if one of these is not in the slice.
     pub const fn strided(cells: &'a [T], first: usize, stride: isize, len: usize) -> Result<Self, ColumnsError> {
         let error = Err(ColumnsError::OutOfSlice { first, stride, len, cells: cells.len() });
-        let Some(steps) = len.checked_sub(1) else { return Ok(Self { cells, first: 0, step: 1, len }) };
+        let Some(steps) = len.checked_sub(1) else { return Ok(Self::new(&[])) };
         let Some(span) = stride.unsigned_abs().checked_mul(steps) else { return error };
         let (step, last) = if stride < 0 {
             (0_usize.wrapping_sub(stride.unsigned_abs()), first.checked_sub(span))
@@ -52,7 +53,11 @@ impl<'a, T: Cell> Column<'a, T> {
             (stride.unsigned_abs(), first.checked_add(span))
         };
         match last {
-            Some(last) if first < cells.len() && last < cells.len() => Ok(Self { cells, first, step, len }),
+            Some(last) if first < cells.len() && last < cells.len() => Ok(if step == 1 {
+                Self::new(cells.split_at(first).1.split_at(len).0)
+            } else {
+                Self { cells, first, step, len }
+            }),
             _ => error,
         }
     }
@@ -69,10 +74,23 @@ impl<'a, T: Cell> Column<'a, T> {
         self.len == 0
     }
 
+    /// The cells, if they lie one after the other.
+    pub(super) const fn cells(&self) -> Option<&'a [T]> {
+        if self.step == 1 { Some(self.cells) } else { None }
+    }
+
+    /// Nothing, if the column of this name has the length that is expected.
+    pub(super) const fn expect_len(&self, column: &'static str, expected: usize) -> Result<(), ColumnsError> {
+        if self.len == expected { Ok(()) } else { Err(ColumnsError::Length { column, found: self.len, expected }) }
+    }
+
     /// The link at this position; nil past the end.
     #[inline]
     #[must_use]
     pub fn link(&self, position: usize) -> Link {
+        if self.step == 1 {
+            return self.cells.get(position)?.link();
+        }
         // Within the column nothing wraps: `strided` has looked at both ends.
         let cell = self.first.wrapping_add(position.wrapping_mul(self.step));
         if position < self.len { self.cells.get(cell)?.link() } else { None }

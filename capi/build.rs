@@ -1,0 +1,8 @@
+//! The name under which programs that are linked with the shared library look for it.
+
+fn main() {
+    if std::env::var("CARGO_CFG_TARGET_OS").as_deref() == Ok("linux") {
+        println!("cargo:rustc-cdylib-link-arg=-Wl,-soname,libtwinedge.so.0");
+    }
+    println!("cargo:rerun-if-changed=build.rs");
+}

@@ -1,0 +1,58 @@
+//! The border: handles become references, panics become errors.
+//!
+//! # Why it is sound
+//!
+//! A handle is the pointer of a `Box` that this library has made, or null, which is looked for. The caller promises the rest, as the
+//! head of the crate says. A reference lives only while `run` does: no callback of the caller runs meanwhile, as
+//! [`crate::structure::twinedge_validate`] copies the plan first. So a callback that uses the handle again meets no other reference.
+
+use std::panic::{AssertUnwindSafe, catch_unwind};
+
+/// What `run` returns, or `otherwise` if it panics.
+pub(crate) fn guarded<R>(otherwise: R, run: impl FnOnce() -> R) -> R {
+    // What a panic leaves half done is a structure or a report, which have no invariants between their fields.
+    catch_unwind(AssertUnwindSafe(run)).unwrap_or(otherwise)
+}
+
+/// What `run` returns for the object of the handle, or `otherwise` if the handle is null or `run` panics.
+///
+/// # Safety
+/// The handle is null, or leads to an object that this library has made, and that no other call uses meanwhile.
+pub(crate) unsafe fn with_mut<T, R>(handle: *mut T, otherwise: R, run: impl FnOnce(&mut T) -> R) -> R {
+    if handle.is_null() {
+        return otherwise;
+    }
+    // SAFETY: not null, so as the caller promises.
+    let object = unsafe { &mut *handle };
+    guarded(otherwise, || run(object))
+}
+
+/// The same for an object that others may read meanwhile. What is returned may borrow from it: it then lives as long as the object.
+///
+/// # Safety
+/// The handle is null, or leads to an object that this library has made, and that no call changes meanwhile.
+pub(crate) unsafe fn with<'a, T: 'a, R>(handle: *const T, otherwise: R, run: impl FnOnce(&'a T) -> R) -> R {
+    if handle.is_null() {
+        return otherwise;
+    }
+    // SAFETY: not null, so as the caller promises.
+    let object = unsafe { &*handle };
+    guarded(otherwise, || run(object))
+}
+
+/// The handle of an object.
+pub(crate) fn handle<T>(object: T) -> *mut T {
+    Box::into_raw(Box::new(object))
+}
+
+/// Frees the object of the handle, if it is not null.
+///
+/// # Safety
+/// The handle is null, or comes from [`handle`], and is used no more.
+pub(crate) unsafe fn free<T>(handle: *mut T) {
+    if !handle.is_null() {
+        // SAFETY: not null, so it comes from `Box::into_raw`, once.
+        let object = unsafe { Box::from_raw(handle) };
+        guarded((), || drop(object));
+    }
+}

@@ -1,0 +1,177 @@
+//! Structures of pointers: the caller lists the records, and functions of the caller say which record a link leads to.
+//!
+//! Records are numbered in the order in which they are listed. Each function is called once for each record, before the validation;
+//! what it answers is looked up, and is kept as a column. So no answer is ever followed: a pointer that is in no list dangles.
+//!
+//! # Why it is sound
+//!
+//! A function that is not null is called with what the caller gave for it: its context, and records from its own lists. It promises to
+//! be a function of that type. It is `extern "C-unwind"`, so an exception of C++ that leaves it has a meaning here: the process is
+//! aborted, or the call that led here returns [`Status::Panic`]. Which of the two, Rust does not say. No reference to anything that the
+//! function could reach through a handle is held meanwhile.
+
+use crate::cells::Cells;
+use crate::failure::{Failure, Status};
+use crate::names::{Link, Record};
+use rustc_hash::FxHashMap;
+use std::ffi::c_void;
+use std::sync::atomic::AtomicU64;
+use twinedge::validate::interchange::Column;
+
+/// Where a link of a record leads: a record, or null for nil. It gets the context and a record, and is called once for each record.
+pub type LinkOf = Option<unsafe extern "C-unwind" fn(context: *mut c_void, record: *const c_void) -> *const c_void>;
+
+/// The inner boundary component at this position of the list of a face, in `*inner`. False if the list has no such position. It gets
+/// the context, a face and the positions from 0 on.
+pub type InnerOf = Option<
+    unsafe extern "C-unwind" fn(
+        context: *mut c_void,
+        face: *const c_void,
+        position: usize,
+        inner: *mut *const c_void,
+    ) -> bool,
+>;
+
+/// A function, with its context.
+#[derive(Clone, Copy, Debug)]
+pub(crate) struct Callback<F> {
+    pub(crate) function: F,
+    pub(crate) context: *mut c_void,
+}
+
+/// What is no record. Nil is the largest number.
+const DANGLING: u64 = u64::MAX - 1;
+const NIL: u64 = u64::MAX;
+
+/// The records of one kind, with their numbers.
+struct Numbered {
+    records: Vec<*const c_void>,
+    numbers: FxHashMap<usize, u64>,
+}
+
+impl Numbered {
+    /// # Safety
+    /// As [`Cells::pointer`], for every position.
+    unsafe fn of(kind: Record, cells: Option<Cells>) -> Result<Self, Failure> {
+        let count = cells.map_or(0, |cells| cells.count());
+        let mut all = Self { records: Vec::new(), numbers: FxHashMap::default() };
+        all.records.try_reserve_exact(count).map_err(|_| Failure::memory())?;
+        all.numbers.try_reserve(count).map_err(|_| Failure::memory())?;
+        if let Some(cells) = cells {
+            for position in 0..count {
+                // SAFETY: as the caller promises.
+                let record = unsafe { cells.pointer(position) };
+                if record.is_null() {
+                    return Err(Failure::new(Status::Null, format!("the {} {position} is null", kind.name())));
+                }
+                if let Some(earlier) = all.numbers.insert(record as usize, position as u64) {
+                    let kind = kind.name();
+                    let message = format!("the {kind} {position} is given before, as {kind} {earlier}");
+                    return Err(Failure::new(Status::Conflict, message));
+                }
+                all.records.push(record);
+            }
+        }
+        Ok(all)
+    }
+
+    fn number(&self, record: *const c_void) -> u64 {
+        if record.is_null() { NIL } else { self.numbers.get(&(record as usize)).copied().unwrap_or(DANGLING) }
+    }
+}
+
+/// What the functions have answered, as columns.
+#[derive(Debug, Default)]
+pub(crate) struct Answers {
+    columns: [Option<Vec<AtomicU64>>; Link::KINDS],
+    counts: [usize; Record::KINDS],
+}
+
+impl Answers {
+    /// Asks every function.
+    ///
+    /// # Safety
+    /// The lists of records are there, and the functions may be called.
+    pub(crate) unsafe fn of(
+        records: [Option<Cells>; Record::KINDS],
+        links: &[Option<Callback<LinkOf>>; Link::KINDS],
+        inner: Option<Callback<InnerOf>>,
+    ) -> Result<Self, Failure> {
+        let kinds = [Record::Vertex, Record::HalfEdge, Record::Boundary, Record::Face];
+        // SAFETY: as the caller promises.
+        let numbered = |kind: Record| unsafe { Numbered::of(kind, records[kind as usize]) };
+        let all = [numbered(kinds[0])?, numbered(kinds[1])?, numbered(kinds[2])?, numbered(kinds[3])?];
+        let mut answers = Self { counts: [0, 1, 2, 3].map(|kind| all[kind].records.len()), ..Self::default() };
+        for link in Link::ALL {
+            if let (Some(callback), Some((from, to))) = (links[link as usize], link.ends()) {
+                // SAFETY: as the caller promises.
+                let column = unsafe { ask(callback, &all[from as usize].records, &all[to as usize]) }?;
+                answers.columns[link as usize] = Some(column);
+            }
+        }
+        if let Some(callback) = inner {
+            let (faces, boundaries) = (&all[Record::Face as usize].records, &all[Record::Boundary as usize]);
+            // SAFETY: as the caller promises.
+            let (first, list) = unsafe { ask_lists(callback, faces, boundaries) }?;
+            answers.columns[Link::InnerFirst as usize] = Some(first);
+            answers.columns[Link::Inner as usize] = Some(list);
+        }
+        Ok(answers)
+    }
+
+    /// The columns.
+    pub(crate) fn columns(&self) -> [Option<Column<'_, AtomicU64>>; Link::KINDS] {
+        Link::ALL.map(|link| self.columns[link as usize].as_ref().map(|column| Column::new(column)))
+    }
+
+    /// How many records of each kind there are.
+    pub(crate) const fn counts(&self) -> [usize; Record::KINDS] {
+        self.counts
+    }
+}
+
+/// # Safety
+/// The function may be called with its context and each of these records.
+unsafe fn ask(callback: Callback<LinkOf>, records: &[*const c_void], to: &Numbered) -> Result<Vec<AtomicU64>, Failure> {
+    let mut column = Vec::new();
+    column.try_reserve_exact(records.len()).map_err(|_| Failure::memory())?;
+    let Some(function) = callback.function else { return Ok(column) };
+    for record in records {
+        // SAFETY: as the caller promises.
+        let answer = unsafe { function(callback.context, *record) };
+        column.push(AtomicU64::new(to.number(answer)));
+    }
+    Ok(column)
+}
+
+/// Where the list of each face begins, and all lists.
+///
+/// # Safety
+/// The function may be called with its context and each of these faces.
+unsafe fn ask_lists(
+    callback: Callback<InnerOf>,
+    faces: &[*const c_void],
+    to: &Numbered,
+) -> Result<(Vec<AtomicU64>, Vec<AtomicU64>), Failure> {
+    let (mut first, mut list) = (Vec::new(), Vec::new());
+    first.try_reserve_exact(faces.len() + 1).map_err(|_| Failure::memory())?;
+    // A list without end is cut where the validator says `list_too_long`: after twice as many as there are, and 16.
+    let most = to.records.len().saturating_mul(2).saturating_add(17);
+    let Some(function) = callback.function else { return Ok((first, list)) };
+    for face in faces {
+        first.push(AtomicU64::new(list.len() as u64));
+        let mut position = 0;
+        while list.len() < most {
+            let mut inner = std::ptr::null();
+            // SAFETY: as the caller promises; `inner` is a place for a pointer.
+            if !unsafe { function(callback.context, *face, position, &raw mut inner) } {
+                break;
+            }
+            list.try_reserve(1).map_err(|_| Failure::memory())?;
+            list.push(AtomicU64::new(to.number(inner)));
+            position += 1;
+        }
+    }
+    first.push(AtomicU64::new(list.len() as u64));
+    Ok((first, list))
+}

@@ -1,0 +1,133 @@
+//! The memory of the caller's columns.
+//!
+//! # Why it is sound
+//!
+//! The memory belongs to the caller, who may have other threads that write to it, or callbacks. So no `&[i64]` ever leads there: it
+//! would promise that the memory does not change. It is read as atomic integers, which promise nothing: each read is one load of an
+//! aligned integer. A write meanwhile gives the old value or the new one, and the validator returns on any values.
+//!
+//! - *In bounds*: the slice spans the bytes from the first cell to the last, which the caller promises to be there, in one object;
+//!   where that span does not fit into the address space, it is refused.
+//! - *Aligned*: looked at. Atomic integers of 32 and 64 bits are aligned to their size here, which may be more than C's alignment.
+//! - *Initialised*: between the cells of a stride lie other fields and padding, which the slice covers and nobody loads. Memory that
+//!   comes from the caller is bytes that Rust did not write, and every pattern of bits is an integer.
+//! - *Types*: an atomic integer has the size and the bits of the integer. Its load needs no write access.
+
+use crate::failure::{Failure, Status};
+use std::ffi::c_void;
+use std::sync::atomic::{AtomicI32, AtomicI64, AtomicU8, AtomicU32, AtomicU64, Ordering::Relaxed};
+use twinedge::validate::interchange::{Cell, Column};
+
+/// The type of a column.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub(crate) enum Width {
+    I32,
+    I64,
+    U32,
+    U64,
+}
+
+/// An integer as it is read: an atomic one. Only this file implements it.
+pub(crate) trait Atomic: Cell {}
+
+impl Atomic for AtomicI32 {}
+impl Atomic for AtomicI64 {}
+impl Atomic for AtomicU32 {}
+impl Atomic for AtomicU64 {}
+
+/// Cells of the caller: a pointer to the first, how many, and the number of bytes from one to the next.
+#[derive(Clone, Copy, Debug)]
+pub(crate) struct Cells {
+    start: *const c_void,
+    count: usize,
+    stride: isize,
+}
+
+impl Cells {
+    /// Cells of `size` bytes each. A stride of 0 means that they lie one after the other.
+    pub(crate) fn new(
+        name: &str,
+        cells: *const c_void,
+        count: usize,
+        stride: isize,
+        size: usize,
+    ) -> Result<Self, Failure> {
+        let refused = |status, why: &str| Err(Failure::new(status, format!("{name}: {why}")));
+        if count > 0 && cells.is_null() {
+            return refused(Status::Null, "the pointer is null");
+        }
+        let stride = if stride == 0 { size.cast_signed() } else { stride };
+        if stride % size.cast_signed() != 0 {
+            return refused(Status::Alignment, "the stride is no multiple of the size of a cell");
+        }
+        if !(cells as usize).is_multiple_of(size) {
+            return refused(Status::Alignment, "the cells are not aligned");
+        }
+        let bytes = stride.unsigned_abs().checked_mul(count.saturating_sub(1)).and_then(|span| span.checked_add(size));
+        let fits = |bytes: usize| {
+            let start = cells as usize;
+            isize::try_from(bytes).is_ok()
+                && if stride < 0 { start >= bytes - size } else { start.checked_add(bytes).is_some() }
+        };
+        if count > 0 && !bytes.is_some_and(fits) {
+            return refused(Status::Length, "so many cells do not fit into memory");
+        }
+        Ok(Self { start: cells, count, stride })
+    }
+
+    /// The cells as a slice of all integers between the first and the last, and where in it the first is.
+    ///
+    /// # Safety
+    /// The memory is there for as long as `'a`, and `T` has the size for which the cells were made.
+    unsafe fn span<'a, T>(&self) -> (&'a [T], usize, isize) {
+        let stride = self.stride / size_of::<T>().cast_signed();
+        let Some(steps) = self.count.checked_sub(1) else { return (&[], 0, 1) };
+        // No overflow: `new` has looked.
+        let span = steps * stride.unsigned_abs();
+        let first = if stride < 0 { span } else { 0 };
+        // SAFETY: see the head of the file. `new` has looked at null, alignment and size; the caller promises the memory.
+        let slice = unsafe { std::slice::from_raw_parts(self.start.cast::<T>().sub(first), span + 1) };
+        (slice, first, stride)
+    }
+
+    /// The column of links.
+    ///
+    /// # Safety
+    /// The memory is there for as long as `'a`, and `T` has the size for which the cells were made.
+    pub(crate) unsafe fn column<'a, T: Atomic>(&self) -> Result<Column<'a, T>, Failure> {
+        // SAFETY: as the caller promises.
+        let (span, first, stride) = unsafe { self.span::<T>() };
+        Ok(Column::strided(span, first, stride, self.count)?)
+    }
+
+    /// Which of the bytes are not 0.
+    ///
+    /// # Safety
+    /// The memory is there, and the cells were made for bytes.
+    pub(crate) unsafe fn flags(&self) -> Result<Vec<bool>, Failure> {
+        // SAFETY: as the caller promises.
+        let (span, first, stride) = unsafe { self.span::<AtomicU8>() };
+        let mut flags = Vec::new();
+        flags.try_reserve_exact(self.count).map_err(|_| Failure::memory())?;
+        let mut at = first;
+        for _ in 0..self.count {
+            flags.push(span.get(at).is_some_and(|byte| byte.load(Relaxed) != 0));
+            at = at.wrapping_add_signed(stride);
+        }
+        Ok(flags)
+    }
+
+    /// The number of cells.
+    pub(crate) const fn count(&self) -> usize {
+        self.count
+    }
+
+    /// The pointer in the cell, where these are pointers.
+    ///
+    /// # Safety
+    /// The memory is there, the cells were made for pointers, and `position < count`.
+    pub(crate) unsafe fn pointer(&self, position: usize) -> *const c_void {
+        // SAFETY: as the caller promises; an aligned cell within the span. Pointers are read before any callback is called.
+        unsafe { *self.start.cast::<*const c_void>().byte_offset(self.stride * position.cast_signed()) }
+    }
+}

@@ -1,0 +1,127 @@
+//! What the caller has said of a structure.
+
+use crate::callbacks::{Callback, InnerOf, LinkOf};
+use crate::cells::{Cells, Width};
+use crate::failure::{Failure, Status};
+use crate::names::{Expect, Link, Record};
+use twinedge::validate::interchange::Preset;
+use twinedge::validate::{Collect, Expectation};
+
+/// What is expected.
+#[derive(Clone, Debug, Default)]
+pub(crate) struct Asked {
+    preset: Option<Preset>,
+    plane: bool,
+    open: bool,
+    simple: bool,
+    closed: bool,
+    used: bool,
+    border_kept: bool,
+    sides: Option<usize>,
+    components: Option<usize>,
+    borders: Option<usize>,
+    genus: Option<usize>,
+    list: Option<usize>,
+}
+
+impl Asked {
+    pub(crate) const fn set(&mut self, what: Expect, number: usize) {
+        let flag = number != 0;
+        match what {
+            Expect::Plane => self.plane = flag,
+            Expect::Open => self.open = flag,
+            Expect::Simple => self.simple = flag,
+            Expect::Closed => self.closed = flag,
+            Expect::Used => self.used = flag,
+            Expect::BorderKept => self.border_kept = flag,
+            Expect::Sides => self.sides = Some(number),
+            Expect::Components => self.components = Some(number),
+            Expect::Borders => self.borders = Some(number),
+            Expect::Genus => self.genus = Some(number),
+            Expect::List => self.list = Some(number),
+        }
+    }
+
+    pub(crate) fn preset(&mut self, name: &str) -> Result<(), Failure> {
+        let preset = Preset::from_name(name).ok_or_else(|| {
+            let names: Vec<_> = Preset::ALL.iter().map(|preset| preset.name()).collect();
+            let message = format!("preset: there is none named {name:?}; there are {}", names.join(", "));
+            Failure::new(Status::Unknown, message)
+        })?;
+        self.preset = Some(preset);
+        Ok(())
+    }
+
+    /// How many violations are listed.
+    pub(crate) fn collect(&self) -> Collect {
+        self.list.map_or(Collect::All, Collect::AtMost)
+    }
+
+    pub(crate) fn expectation(&self) -> Result<Expectation, Failure> {
+        let mut expectation = match (self.preset, self.plane) {
+            (None, false) => Expectation::surface(),
+            (None, true) => Expectation::plane(),
+            (Some(preset), false) => preset.expectation(),
+            (Some(_), true) => {
+                return Err(Failure::new(Status::Conflict, "plane: a preset says on which surface the structure lies"));
+            }
+        };
+        for (asked, ask) in [
+            (self.open, Expectation::open as fn(Expectation) -> Expectation),
+            (self.simple, Expectation::simple),
+            (self.closed, Expectation::closed),
+            (self.used, Expectation::no_unused_vertices),
+            (self.border_kept, Expectation::border_kept),
+        ] {
+            if asked {
+                expectation = ask(expectation);
+            }
+        }
+        for (number, ask) in [
+            (self.sides, Expectation::sides as fn(Expectation, usize) -> Expectation),
+            (self.components, Expectation::components),
+            (self.borders, Expectation::borders),
+            (self.genus, Expectation::genus),
+        ] {
+            if let Some(number) = number {
+                expectation = ask(expectation, number);
+            }
+        }
+        Ok(expectation)
+    }
+}
+
+/// A structure as the caller describes it. It owns nothing of the caller's.
+#[derive(Clone, Debug, Default)]
+pub(crate) struct Plan {
+    pub(crate) width: Option<Width>,
+    pub(crate) columns: [Option<Cells>; Link::KINDS],
+    pub(crate) live: [Option<Cells>; Record::KINDS],
+    pub(crate) counts: [Option<usize>; Record::KINDS],
+    pub(crate) records: [Option<Cells>; Record::KINDS],
+    pub(crate) links: [Option<Callback<LinkOf>>; Link::KINDS],
+    pub(crate) inner: Option<Callback<InnerOf>>,
+    pub(crate) asked: Asked,
+}
+
+impl Plan {
+    pub(crate) fn column(&mut self, link: Link, width: Width, cells: Cells) -> Result<(), Failure> {
+        if self.width.is_some_and(|other| other != width) {
+            let message = format!("{}: the columns before are of another type", link.name());
+            return Err(Failure::new(Status::Type, message));
+        }
+        self.width = Some(width);
+        self.columns[link as usize] = Some(cells);
+        Ok(())
+    }
+
+    /// Whether the structure is one of pointers.
+    pub(crate) fn is_of_pointers(&self) -> Result<bool, Failure> {
+        let pointers =
+            self.records.iter().any(Option::is_some) || self.links.iter().any(Option::is_some) || self.inner.is_some();
+        if pointers && self.width.is_some() {
+            return Err(Failure::new(Status::Conflict, "give either columns or records with functions"));
+        }
+        Ok(pointers)
+    }
+}

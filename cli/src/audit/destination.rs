@@ -1,0 +1,115 @@
+//! The format of a report, and where it goes.
+
+use crate::output::{Format, print, print_json};
+use crate::output_file::write_file;
+use crate::status::Failure;
+use anstream::adapter::strip_str;
+use clap::ValueEnum;
+use serde::Serialize;
+use std::io::{self, Write};
+use std::path::{Path, PathBuf};
+
+/// The format of a report.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, ValueEnum)]
+pub(super) enum ReportFormat {
+    /// Text, coloured on a terminal.
+    Text,
+    /// One JSON object.
+    Json,
+    /// What was found as a layer of points, lines and polygons (RFC 7946).
+    Geojson,
+    /// The map and what was found side by side, in one file that a browser shows without network.
+    Html,
+}
+
+impl ReportFormat {
+    /// The format that the extension of a file says.
+    fn of_path(path: &Path) -> Option<Self> {
+        let extension = path.extension()?.to_str()?.to_ascii_lowercase();
+        match extension.as_str() {
+            "json" => Some(Self::Json),
+            "geojson" => Some(Self::Geojson),
+            "html" | "htm" => Some(Self::Html),
+            _ => None,
+        }
+    }
+}
+
+/// The arguments.
+#[derive(Debug, clap::Args)]
+pub(super) struct Arguments {
+    /// Output format. Default: what the extension of the output says (.json, .geojson, .html), else text. geojson and html are for
+    /// maps, topologies of PostGIS and the tables of a textbook.
+    #[arg(long, value_enum)]
+    format: Option<ReportFormat>,
+
+    /// File to write; `-` is standard output, and the default.
+    #[arg(short, long, value_name = "FILE")]
+    output: Option<PathBuf>,
+}
+
+impl Arguments {
+    /// Where the report of an input goes.
+    pub(super) fn destination<'a>(&'a self, input: Option<&'a Path>) -> Destination<'a> {
+        let path = self.output.as_deref().filter(|path| *path != Path::new("-"));
+        let format = self.format.or_else(|| path.and_then(ReportFormat::of_path)).unwrap_or(ReportFormat::Text);
+        Destination { format, path, input }
+    }
+}
+
+/// Where the report of an input goes.
+#[derive(Clone, Copy)]
+pub(super) struct Destination<'a> {
+    pub(super) format: ReportFormat,
+    path: Option<&'a Path>,
+    input: Option<&'a Path>,
+}
+
+impl Destination<'_> {
+    /// The format, for what has no place in the plane.
+    pub(super) fn without_map(&self, name: &str, what: &str) -> Result<Format, Failure> {
+        match self.format {
+            ReportFormat::Text => Ok(Format::Text),
+            ReportFormat::Json => Ok(Format::Json),
+            ReportFormat::Geojson | ReportFormat::Html => Err(Failure(format!(
+                "{name}: the formats geojson and html are for maps, topologies of PostGIS and the tables of a textbook, and this is \
+{what}"
+            ))),
+        }
+    }
+
+    /// Writes text for people.
+    pub(super) fn text(&self, text: &str) -> Result<(), Failure> {
+        match self.path {
+            None => print(text),
+            Some(path) => write_file(path, self.input, strip_str(text).to_string().as_bytes()),
+        }
+    }
+
+    /// Writes one JSON object.
+    pub(super) fn json(&self, value: &impl Serialize) -> Result<(), Failure> {
+        if self.path.is_none() {
+            return print_json(value);
+        }
+        let mut text = serde_json::to_string_pretty(value)?;
+        text.push('\n');
+        self.bytes(text.as_bytes())
+    }
+
+    /// Writes bytes as they are. That nobody reads on (`… | head`) is no error.
+    pub(super) fn bytes(&self, bytes: &[u8]) -> Result<(), Failure> {
+        let Some(path) = self.path else {
+            let mut out = io::stdout().lock();
+            return match out.write_all(bytes).and_then(|()| out.flush()) {
+                Err(error) if error.kind() != io::ErrorKind::BrokenPipe => Err(error.into()),
+                _ => Ok(()),
+            };
+        };
+        write_file(path, self.input, bytes)
+    }
+
+    /// The file that is written, if it is one.
+    pub(super) const fn file(&self) -> Option<&Path> {
+        self.path
+    }
+}

@@ -1,0 +1,122 @@
+//! What was found as a layer of GeoJSON.
+
+use super::document::{Document, Marked};
+use crate::coverage::Named;
+use crate::output::plain;
+use crate::output::style::BAD;
+use crate::status::Failure;
+use crate::trace::{Position as Place, Trace};
+use serde_json::json;
+use std::sync::Arc;
+use twinedge_formats::layer::{
+    Crs, Dimensions, Feature, Format, Geometry, Header, Id, Layer, Members, Position, Shape, Value, losses, write,
+};
+
+/// One feature for each finding, all with the same columns.
+pub(super) fn layer(document: &Document) -> Result<Vec<u8>, Failure> {
+    let mut members = Members::new();
+    members.insert("valid".to_owned(), document.valid.into());
+    members.insert("verdict".to_owned(), document.verdict.as_str().into());
+    members.insert("found".to_owned(), document.total.into());
+    let columns = Columns::new();
+    let layer = Layer {
+        header: Header {
+            name: Some(format!("findings in {}", document.input)),
+            // Longitudes and latitudes need none.
+            crs: document.crs.clone().filter(Crs::is_other),
+            members,
+            ..Header::default()
+        },
+        features: document
+            .findings
+            .iter()
+            .zip(1..)
+            .map(|(one, number)| columns.feature(document, one, number))
+            .collect(),
+    };
+    for loss in losses(&layer, Format::GeoJson) {
+        anstream::eprintln!("{BAD}warning{BAD:#}: {} does not hold {}", Format::GeoJson, plain(&loss.to_string()));
+    }
+    let mut bytes = Vec::new();
+    write(&layer, &mut bytes, Format::GeoJson)?;
+    Ok(bytes)
+}
+
+/// The names of the columns, which all features share.
+struct Columns([Arc<str>; 17]);
+
+impl Columns {
+    fn new() -> Self {
+        Self(
+            [
+                "rule",
+                "name",
+                "kind",
+                "message",
+                "violation",
+                "records",
+                "features",
+                "feature_ids",
+                "feature_names",
+                "area",
+                "width",
+                "length",
+                "unit",
+                "x",
+                "y",
+                "cause",
+                "remedy",
+            ]
+            .map(Arc::from),
+        )
+    }
+
+    fn feature(&self, document: &Document, one: &Marked, number: u64) -> Feature {
+        let text = |text: &str| Value::Text(text.to_owned());
+        let number_of = |value: Option<f64>| value.filter(|x| x.is_finite()).map_or(Value::Null, Value::Real);
+        let list = |each: fn(&Named) -> String| Value::Json(one.features.iter().map(each).collect());
+        let has_measure = one.area.or(one.width).or(one.length).is_some();
+        let [x, y] = one.at.map_or([None; 2], |at| at.map(Some));
+        let values = [
+            text(one.rule),
+            text(one.name),
+            text(one.kind),
+            text(&one.message),
+            Value::Bool(one.violation),
+            Value::Json(json!(one.records)),
+            list(|feature| feature.label.clone()),
+            list(Named::key),
+            list(|feature| feature.name.clone().unwrap_or_default()),
+            number_of(one.area),
+            number_of(one.width),
+            number_of(one.length),
+            document.unit.filter(|_| has_measure).map_or(Value::Null, text),
+            number_of(x),
+            number_of(y),
+            one.cause.map_or(Value::Null, text),
+            one.remedy.map_or(Value::Null, text),
+        ];
+        Feature {
+            id: Some(Id::Number(number.into())),
+            geometry: shape(&one.trace, one.at).map(|shape| Geometry { dimensions: Dimensions::default(), shape }),
+            attributes: self.0.iter().cloned().zip(values).collect(),
+            members: Members::new(),
+        }
+    }
+}
+
+/// The shape of a finding, of one kind: its polygons, or else its lines, its points, or the place to look at.
+fn shape(trace: &Trace, at: Option<Place>) -> Option<Shape> {
+    let position = |p: &Place| Position::new(p[0], p[1]);
+    let line = |line: &Vec<Place>| line.iter().map(position).collect::<Vec<_>>();
+    let polygon = |rings: &Vec<Vec<Place>>| rings.iter().map(line).collect::<Vec<_>>();
+    Some(match (&trace.polygons[..], &trace.lines[..], &trace.points[..]) {
+        ([one], ..) => Shape::Polygon(polygon(one)),
+        ([], [one], _) => Shape::Line(line(one)),
+        ([], [], [one]) => Shape::Point(Some(position(one))),
+        ([], [], []) => Shape::Point(Some(position(&at?))),
+        ([], [], several) => Shape::MultiPoint(several.iter().map(position).collect()),
+        ([], several, _) => Shape::MultiLine(several.iter().map(line).collect()),
+        (several, ..) => Shape::MultiPolygon(several.iter().map(polygon).collect()),
+    })
+}
