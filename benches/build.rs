@@ -1,17 +1,20 @@
 //! Building `world-50m` from its segments, per distinct segment, beside sorting these segments: the least that any sweep
 //! must do; gathering a grid of squares whose coordinates have few digits or many; and squares inside each other, as polygons
-//! that cover each other and as lines.
+//! that cover each other and as lines. Noding the diameters of a circle, beside noding their halves. Whole structures at once, per half-edge: a triangulated grid from its faces, beside sorting the sides
+//! of these and beside `from_view` of the same faces with their links; from its rotations; and removing edges by `retain`, beside one by one.
 //!
 //! Targets: 400 ns per segment, and 1,500 ns where they are noded first; noded exactly, 1.3 times as long as not noded, as
-//! there is nothing to cut; and gathering few digits, 1.5 times as long as all digits. Run with `cargo bench --bench build`.
+//! there is nothing to cut; gathering few digits, 1.5 times as long as all digits; and 60 ns per half-edge from faces. Run with `cargo bench --bench build`.
 
 mod common;
 
-use criterion::{Criterion, Throughput, criterion_group, criterion_main};
+use criterion::{BatchSize, Criterion, Throughput, criterion_group, criterion_main};
 use std::hint::black_box;
+use twinedge::dcel::{Corner, Dcel, Outside, Placement, Vertex};
 use twinedge::geometry::Point;
-use twinedge::geometry::noding::Snap;
+use twinedge::geometry::noding::{Snap, node};
 use twinedge::map::{Builder, Feature, Noding, PlanarMap, Shape};
+use twinedge::validate::Expectation;
 
 fn build(features: &[Feature], noding: Noding) -> PlanarMap {
     let mut builder = Builder::new();
@@ -111,9 +114,91 @@ fn nesting(criterion: &mut Criterion) {
     group.finish();
 }
 
+/// The diameters of a circle, which all meet in its middle, and their halves, which need no cut.
+fn stars(criterion: &mut Criterion) {
+    let mut group = criterion.benchmark_group("node diameters");
+    group.sample_size(10);
+    for n in [1_000_u32, 10_000, 100_000] {
+        let ends = (0..n).map(|i| (std::f64::consts::PI * f64::from(i) / f64::from(n)).sin_cos());
+        let diameters: Vec<[Point; 2]> = ends.map(|(s, c)| [Point::new(-c, -s), Point::new(c, s)]).collect();
+        let halves: Vec<[Point; 2]> =
+            diameters.iter().flat_map(|[a, b]| [[*a, Point::new(0.0, 0.0)], [Point::new(0.0, 0.0), *b]]).collect();
+        group.throughput(Throughput::Elements(n.into()));
+        for (name, segments) in [("halves", halves), ("diameters", diameters)] {
+            group.bench_function(format!("{n} {name}"), |b| {
+                b.iter(|| node(black_box(&segments), &[], Snap::Auto).expect("they are finite"));
+            });
+        }
+    }
+    group.finish();
+}
+
+/// A grid of 1,000 × 1,000 vertices, by all ways in, and without half of its edges.
+fn bulk(criterion: &mut Criterion) {
+    let map = common::triangulated_grid(1_000);
+    let dcel = map.dcel();
+    let number = |v: Vertex<'_>| v.index() as u32 - 1;
+    let faces: Vec<[u32; 3]> = dcel
+        .faces()
+        .filter_map(|f| {
+            let mut corners = f.outer()?.half_edges().map(|h| number(h.origin()));
+            Some([corners.next()?, corners.next()?, corners.next()?])
+        })
+        .collect();
+    let rotations: Vec<Vec<u32>> =
+        dcel.vertices().map(|v| v.rotation().map(|h| h.index() as u32 - 2).collect()).collect();
+    let around = dcel.unbounded_face().inner().next().and_then(|b| b.start()).expect("the grid has an outside");
+    let outside = Placement { outside: Corner::At(around.index() as u32 - 2), within: None };
+
+    let mut group = criterion.benchmark_group("a grid at once");
+    group.sample_size(10).throughput(Throughput::Elements(dcel.half_edge_count() as u64));
+    group.bench_function("sort the sides", |b| {
+        b.iter(|| {
+            let side = |a: u32, b: u32, at: usize| (u64::from(a.min(b)) << 32 | u64::from(a.max(b)), at as u32);
+            let mut sides: Vec<(u64, u32)> = Vec::with_capacity(3 * faces.len());
+            for (f, [a, b, c]) in black_box(&faces).iter().enumerate() {
+                sides.extend([side(*a, *b, 3 * f), side(*b, *c, 3 * f + 1), side(*c, *a, 3 * f + 2)]);
+            }
+            sides.sort_unstable();
+            sides
+        });
+    });
+    group.bench_function("from_view, linked", |b| {
+        b.iter(|| Dcel::from_view(black_box(dcel), &Expectation::plane(), Outside::Given).expect("it is valid"));
+    });
+    group.bench_function("from_faces", |b| {
+        b.iter(|| Dcel::from_faces(dcel.vertex_count(), black_box(&faces)).expect("they are a map"));
+    });
+    group.bench_function("from_rotations", |b| {
+        b.iter(|| Dcel::from_rotations(black_box(&rotations), &[outside]).expect("they are a map"));
+    });
+    // Scattered, as far as a multiplication scatters.
+    let goes = |h: usize| (h as u64 / 2).wrapping_mul(0x9e37_79b9_7f4a_7c15) >> 63 == 0;
+    group.bench_function("remove_edge, half of all", |b| {
+        b.iter_batched_ref(
+            || dcel.clone(),
+            |dcel| {
+                let edges: Vec<_> = dcel.edges().filter(|h| goes(h.index())).map(|h| h.key()).collect();
+                for h in edges {
+                    dcel.remove_edge(h).expect("it is there");
+                }
+            },
+            BatchSize::PerIteration,
+        );
+    });
+    group.bench_function("retain, without half of all", |b| {
+        let retain = |dcel: &mut Dcel| dcel.retain(|_| true, |h| !goes(h.index())).expect("there is room");
+        b.iter_batched_ref(|| dcel.clone(), retain, BatchSize::PerIteration);
+    });
+    group.bench_function("compact", |b| {
+        b.iter_batched_ref(|| dcel.clone(), Dcel::compact, BatchSize::PerIteration);
+    });
+    group.finish();
+}
+
 criterion_group! {
     name = benches;
     config = Criterion::default().sample_size(30);
-    targets = building, gathering, nesting
+    targets = building, gathering, nesting, stars, bulk
 }
 criterion_main!(benches);

@@ -9,7 +9,7 @@
 use super::structure::Dcel;
 use crate::store::SlotStore;
 use crate::store::links::{BoundaryStart, Links, Need, RecordKind, VertexLink};
-use crate::store::slots::Slots;
+use crate::store::slots::{InOrder, Numbered};
 
 /// A planar subdivision as columns. Records are numbered from 0 without gaps, and every number is in range.
 ///
@@ -50,8 +50,7 @@ impl Assembly<'_> {
     /// # Errors
     /// The kind of record of which there are more than a store can hold.
     pub(crate) fn assemble(&self) -> Result<Dcel, RecordKind> {
-        let (store, slots) = SlotStore::with_records(self.need())?;
-        Ok(self.link(store, &slots))
+        Ok(self.link(SlotStore::with_records(self.need())?, &InOrder))
     }
 
     /// The index of the vertex with this number.
@@ -67,39 +66,37 @@ impl Assembly<'_> {
     }
 
     /// Sets the links of all records, of which those with the numbers of this assembly have these slots.
-    pub(super) fn link(&self, mut store: SlotStore, slots: &Slots) -> Dcel {
-        let vertex = |number: u32| slots.vertices[number as usize];
-        let half_edge = |number: u32| slots.half_edges[number as usize];
-        let boundary = |number: u32| slots.boundaries[number as usize];
-        for (v, link) in slots.vertices.iter().zip(self.vertices) {
+    pub(super) fn link(&self, mut store: SlotStore, slots: &impl Numbered) -> Dcel {
+        for (v, link) in (0..).zip(self.vertices) {
             store.set_vertex_link(
-                *v,
+                slots.vertex(v),
                 match *link {
-                    VertexLink::Leaving(h) => VertexLink::Leaving(half_edge(h)),
-                    VertexLink::Isolated(b) => VertexLink::Isolated(boundary(b)),
+                    VertexLink::Leaving(h) => VertexLink::Leaving(slots.half_edge(h)),
+                    VertexLink::Isolated(b) => VertexLink::Isolated(slots.boundary(b)),
                 },
             );
         }
         let columns = self.origin.iter().zip(self.next).zip(self.boundary);
-        for (h, ((origin, next), b)) in slots.half_edges.iter().zip(columns) {
-            store.set_origin(*h, vertex(*origin));
-            store.set_boundary(*h, boundary(*b));
-            store.join(*h, half_edge(*next));
+        for (h, ((origin, next), b)) in (0..).zip(columns) {
+            let h = slots.half_edge(h);
+            store.set_origin(h, slots.vertex(*origin));
+            store.set_boundary(h, slots.boundary(*b));
+            store.join(h, slots.half_edge(*next));
         }
-        for (b, start) in slots.boundaries.iter().zip(self.starts) {
+        for (b, start) in (0..).zip(self.starts) {
             store.set_start(
-                *b,
+                slots.boundary(b),
                 match *start {
-                    BoundaryStart::HalfEdge(h) => BoundaryStart::HalfEdge(half_edge(h)),
-                    BoundaryStart::Vertex(v) => BoundaryStart::Vertex(vertex(v)),
+                    BoundaryStart::HalfEdge(h) => BoundaryStart::HalfEdge(slots.half_edge(h)),
+                    BoundaryStart::Vertex(v) => BoundaryStart::Vertex(slots.vertex(v)),
                 },
             );
         }
-        for (f, b) in slots.faces.iter().skip(1).zip(self.outer) {
-            store.list_outer(*f, boundary(*b));
+        for (f, b) in (1..).zip(self.outer) {
+            store.list_outer(slots.face(f), slots.boundary(*b));
         }
         for (f, b) in self.inner {
-            store.list_inner(slots.faces[*f as usize], boundary(*b));
+            store.list_inner(slots.face(*f), slots.boundary(*b));
         }
         Dcel { store }
     }

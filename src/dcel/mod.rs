@@ -42,6 +42,9 @@
 //! | [`flip_edge`](Dcel::flip_edge) | [`flip_edge`](Dcel::flip_edge), turned the other way |
 //! | [`move_inner`](Dcel::move_inner) | [`move_inner`](Dcel::move_inner), back |
 //!
+//! Two methods change a whole structure in linear time: [`retain`](Dcel::retain) removes what a condition does not hold for, as the
+//! operators would one by one, and [`compact`](Dcel::compact) closes the gaps that removed records leave.
+//!
 //! # Data of your own
 //!
 //! The records hold topology and nothing else. Keep coordinates, names and weights by key in a [`SecondaryMap`]. It may accept
@@ -62,13 +65,19 @@
 //!
 //! # Structures that exist already
 //!
-//! [`Dcel::from_view`] builds a `Dcel` from any structure that the validator can read, after validating it. With the feature
-//! `serde` a `Dcel` can be saved and loaded. It is validated when it is loaded, and it keeps its keys.
+//! | there is | in | refused |
+//! | --- | --- | --- |
+//! | a half-edge structure of any kind that the validator can read | [`Dcel::from_view`] | what breaks a rule, with the report |
+//! | lists of the vertices around each bounded face | [`Dcel::from_faces`] | what is not a plane map, with face or vertex |
+//! | the darts around each vertex, counter-clockwise | [`Dcel::from_rotations`] | what is not planar, with vertex or dart |
+//!
+//! With the feature `serde` a `Dcel` can be saved and loaded. It is validated when it is loaded, and it keeps its keys.
 
 mod access;
 mod around;
 mod assemble;
 mod audited;
+mod bulk;
 mod circulators;
 mod elements;
 mod error;
@@ -80,10 +89,11 @@ mod view;
 #[allow(unused_imports, reason = "for the layers above, which a smaller selection of features leaves out")]
 pub(crate) use assemble::Assembly;
 pub use audited::Audited;
+pub use bulk::{MergedFace, Renamed, Retained};
 pub use circulators::{Cycle, Rotation};
 pub use elements::{Boundary, Face, HalfEdge, Vertex};
 pub use error::{OperatorError, StaleKey};
-pub use import::{ImportError, Keys, Outside};
+pub use import::{FacesError, ImportError, Keys, Outside, Placement, RotationsError};
 pub use operators::{
     AddedVertex, Connected, Connection, ContractedEdge, Corner, JoinedEdges, RemovedEdge, RemovedVertex, Side, Split,
     SplitEdge, SplitVertex, Turn,

@@ -74,6 +74,12 @@ impl Issuer {
         self.generations.len() as u32 - 1
     }
 
+    /// Issues so many keys of slots that were never used, in order.
+    pub(super) fn issue_many(&mut self, count: usize) {
+        let end = self.generations.len() + count;
+        self.generations.resize(end, self.offset.wrapping_add(1));
+    }
+
     pub(super) fn retire(&mut self, slot: u32) {
         let shown = &mut self.generations[slot as usize];
         *shown = shown.wrapping_add(1);

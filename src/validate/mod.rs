@@ -145,5 +145,7 @@ pub use rule::Rule;
 pub use table::{BoundaryRow, FaceRow, HalfEdgeRow, Table, VertexRow};
 pub use table_text::ParseTableError;
 pub use validator::validate;
+#[cfg(feature = "rayon")]
+pub use validator::validate_parallel;
 pub use view::{BoundaryPlace, Link, Start, View};
 pub use violation::Violation;

@@ -6,6 +6,7 @@
 mod support;
 
 mod audited;
+mod bulk;
 mod elements;
 mod import;
 mod operator_laws;

@@ -19,6 +19,7 @@ mod mesh_rules;
 mod names;
 mod near;
 mod open_embeddings;
+mod parallel;
 mod reports;
 mod serialized;
 mod settled;

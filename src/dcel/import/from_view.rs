@@ -136,7 +136,8 @@ fn check_borders(report: &Report, borders: usize) -> Result<(), ImportError> {
     }
 }
 
-fn keys(dcel: &Dcel, numbers: &Numbers) -> Keys {
+/// The keys of the records with these numbers.
+pub(super) fn keys(dcel: &Dcel, numbers: &Numbers) -> Keys {
     // Slot 0 of each kind is vacant, and so is the first pair of half-edges.
     fn all<K>(numbers: &[u32], key: impl Fn(usize) -> Option<K>) -> Vec<Option<K>> {
         numbers.iter().map(|n| if *n == NIL { None } else { key(*n as usize) }).collect()

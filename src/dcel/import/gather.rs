@@ -12,7 +12,7 @@ use alloc::vec;
 use alloc::vec::Vec;
 
 /// Not yet known, or no such record.
-pub(super) const NIL: u32 = u32::MAX;
+pub(in crate::dcel) const NIL: u32 = u32::MAX;
 
 /// A vertex of which it is not yet known whether it is isolated.
 const UNKNOWN: VertexLink<u32, u32> = VertexLink::Isolated(NIL);

@@ -51,7 +51,11 @@ impl Grid {
         power_of_two(self.cell)
     }
 
-    /// The position of a point: the nearest one, halves going up, of those in the same pixel.
+    /// The position of a point: the nearest one, of those in the same pixel.
+    ///
+    /// Where a pixel is a step, halves go up, as they do in pixels. Otherwise `-p` is at the position opposite to that of `p`, so that
+    /// segments through the origin whose ends are opposite still meet there: halves go to even positions, and next to
+    /// the border of a pixel away from it.
     pub(super) fn steps(&self, p: Point) -> Steps {
         [p.x, p.y].map(|x| {
             let (mantissa, exponent) = decode(x);
@@ -61,10 +65,15 @@ impl Grid {
             }
             // A mantissa has 53 bits, so the rest of a longer way down makes no difference.
             let drop = drop.min(62);
-            let (below, nearest) = (mantissa >> drop, (mantissa + (1 << (drop - 1))) >> drop);
-            // If a pixel is many steps, its borders are whole steps, and the position below is in the same one.
-            let same = |p, q| self.pixels.along(p) == self.pixels.along(q);
-            if self.pixels.shift == 0 || same(below, nearest) { nearest } else { below }
+            let half = 1 << (drop - 1);
+            let up = (mantissa + half) >> drop;
+            if self.pixels.shift == 0 {
+                return up;
+            }
+            let (below, rest) = (mantissa >> drop, mantissa & ((1 << drop) - 1));
+            let nearest = if rest == half { below + (below & 1) } else { up };
+            // The borders of pixels that are many steps are whole steps.
+            if rest != 0 && self.pixels.is_border(nearest) { 2 * below + 1 - nearest } else { nearest }
         })
     }
 
@@ -160,6 +169,26 @@ mod tests {
             }
             assert_eq!(rounded((-0.5_f64).next_down()), [-1, -1]);
             assert_eq!(rounded(-1e-300), [0, 0]);
+        }
+    }
+
+    /// Also next to the borders of pixels, which are half-open.
+    #[test]
+    fn opposite_points_have_opposite_positions() {
+        for (cell, largest) in [(power_of_two(-50), 1.0), (power_of_two(-52), 1.0), (power_of_two(-30), 1e6)] {
+            let grid = grid(Snap::Size(cell), largest);
+            let step = power_of_two(grid.step);
+            for quarters in 0..400 {
+                let x = f64::from(quarters) * step / 4.0;
+                let [[p, q], [r, s]] = [Point::new(x, -x), Point::new(-x, x)].map(|p| grid.steps(p));
+                assert_eq!([p, q], [-r, -s], "{quarters} quarters of a step");
+                assert!((p as f64 * step - x).abs() < step);
+                // The pixel is that of the point itself.
+                for (at, x) in [(p, x), (q, -x)] {
+                    let pixel = (x / cell + 0.5).floor();
+                    assert!((grid.pixels.along(at) as f64 - pixel).abs() < 0.5, "{x} in {cell}");
+                }
+            }
         }
     }
 

@@ -65,7 +65,8 @@
 //! largest, and off by less than a step for smaller ones that use all their digits. Pixels are larger than steps, by
 //! a factor of 8 with [`Snap::Auto`] and of whatever is asked for with [`Snap::Size`]; the exception is a size of
 //! just one step. So whether and where segments cross is decided before their ends move, which is why vertices do not
-//! change sides.
+//! change sides. Opposite points are read at opposite positions, so that diameters of a circle around the origin meet in
+//! one vertex; the exception is the same.
 //!
 //! # Exactness
 //!

@@ -118,6 +118,11 @@ impl Pixels {
         (position + (self.size() >> 1)) >> self.shift
     }
 
+    /// Whether a coordinate is on the border of two pixels of more than a step.
+    pub(super) fn is_border(self, position: i64) -> bool {
+        (position + (self.size() >> 1)) & (self.size() - 1) == 0
+    }
+
     /// The centre of a pixel.
     pub(super) fn centre(self, pixel: Pixel) -> Steps {
         pixel.map(|c| c << self.shift)

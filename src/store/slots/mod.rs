@@ -21,7 +21,7 @@ mod records;
 mod restore;
 mod store;
 
-pub(crate) use records::Slots;
+pub(crate) use records::{InOrder, Numbered};
 #[cfg(feature = "serde")]
 pub(crate) use restore::{Generations, Live};
 pub use store::SlotStore;

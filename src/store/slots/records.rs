@@ -4,9 +4,11 @@ use super::columns::{BoundarySlot, FaceSlot, HalfEdgeSlot, NIL, VertexSlot};
 use super::store::SlotStore;
 use crate::store::links::{Links, Need, RecordKind};
 use crate::store::place::UNLISTED;
+#[cfg(feature = "serde")]
 use alloc::vec::Vec;
 
-/// The slots of the records of a store, in the order in which they were issued. The first face is the unbounded one.
+/// The slots of the records of a store that was saved, by number.
+#[cfg(feature = "serde")]
 pub(crate) struct Slots {
     pub(crate) vertices: Vec<VertexSlot>,
     /// The two of an edge side by side.
@@ -15,25 +17,75 @@ pub(crate) struct Slots {
     pub(crate) faces: Vec<FaceSlot>,
 }
 
+/// The slots of records by their numbers. Face 0 is the unbounded one.
+pub(crate) trait Numbered {
+    fn vertex(&self, number: u32) -> VertexSlot;
+    /// The two of an edge have the numbers `2e` and `2e + 1`.
+    fn half_edge(&self, number: u32) -> HalfEdgeSlot;
+    fn boundary(&self, number: u32) -> BoundarySlot;
+    fn face(&self, number: u32) -> FaceSlot;
+}
+
+#[cfg(feature = "serde")]
+impl Numbered for Slots {
+    fn vertex(&self, number: u32) -> VertexSlot {
+        self.vertices[number as usize]
+    }
+
+    fn half_edge(&self, number: u32) -> HalfEdgeSlot {
+        self.half_edges[number as usize]
+    }
+
+    fn boundary(&self, number: u32) -> BoundarySlot {
+        self.boundaries[number as usize]
+    }
+
+    fn face(&self, number: u32) -> FaceSlot {
+        self.faces[number as usize]
+    }
+}
+
+/// The slots of a store that has just been filled: the first ones, in order. Slot 0 of each kind is vacant, and so is the first pair
+/// of half-edges.
+pub(crate) struct InOrder;
+
+impl Numbered for InOrder {
+    fn vertex(&self, number: u32) -> VertexSlot {
+        VertexSlot(number + 1)
+    }
+
+    fn half_edge(&self, number: u32) -> HalfEdgeSlot {
+        HalfEdgeSlot(number + 2)
+    }
+
+    fn boundary(&self, number: u32) -> BoundarySlot {
+        BoundarySlot(number + 1)
+    }
+
+    fn face(&self, number: u32) -> FaceSlot {
+        FaceSlot(number + 1)
+    }
+}
+
 impl SlotStore {
-    /// A store with that many records beside the unbounded face. The caller sets all their links.
+    /// A store with that many records beside the unbounded face, in the slots of [`InOrder`]. The caller sets all their links.
     ///
     /// # Errors
     /// The kind of record of which there are more than a store can hold.
-    pub(crate) fn with_records(need: Need) -> Result<(Self, Slots), RecordKind> {
-        let mut store = Self::with_room(need);
+    pub(crate) fn with_records(need: Need) -> Result<Self, RecordKind> {
+        let store = Self::with_room(need);
         store.room_for(need)?;
-        let edges = (0..need.edges).map(|_| store.edges.issue() << 1);
-        let slots = Slots {
-            half_edges: edges.flat_map(|h| [HalfEdgeSlot(h), HalfEdgeSlot(h | 1)]).collect(),
-            vertices: (0..need.vertices).map(|_| VertexSlot(store.vertices.issue())).collect(),
-            boundaries: (0..need.boundaries).map(|_| BoundarySlot(store.boundaries.issue())).collect(),
-            faces: core::iter::once(store.unbounded)
-                .chain((0..need.faces).map(|_| FaceSlot(store.faces.issue())))
-                .collect(),
-        };
-        store.fill_columns();
-        Ok((store, slots))
+        Ok(store.filled(need))
+    }
+
+    /// An empty store with that many records more, for which there is room.
+    pub(crate) fn filled(mut self, need: Need) -> Self {
+        self.edges.issue_many(need.edges);
+        self.vertices.issue_many(need.vertices);
+        self.boundaries.issue_many(need.boundaries);
+        self.faces.issue_many(need.faces);
+        self.fill_columns();
+        self
     }
 
     /// Makes the columns as long as there are slots.

@@ -107,7 +107,7 @@ pub(super) fn cycles<V: View + ?Sized>(view: &V, extent: Extent, links: &Links) 
 /// Walks along one cycle, all of whose half-edges may be visited, and returns how many these are; none if they are more than
 /// `limit`.
 #[inline]
-fn along<V: View + ?Sized>(
+pub(super) fn along<V: View + ?Sized>(
     view: &V,
     extent: Extent,
     start: usize,

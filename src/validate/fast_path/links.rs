@@ -28,6 +28,21 @@ pub(super) struct Links {
 }
 
 impl Links {
+    /// Those of so many half-edges, at which nothing is wrong, where vertices keep a half-edge and nothing is open.
+    #[cfg(feature = "rayon")]
+    pub(super) const fn right(half_edges: usize) -> Self {
+        Self {
+            half_edges,
+            unpaired: 0,
+            leaving: None,
+            into: Vec::new(),
+            one_into_each: true,
+            wrong: Vec::new(),
+            next_holds: true,
+            twin_holds: true,
+        }
+    }
+
     /// A half-edge that leaves the vertex.
     #[inline]
     pub(super) fn leaving<V: View + ?Sized>(&self, view: &V, v: usize) -> Option<usize> {
@@ -179,6 +194,34 @@ fn is_inside_and_holds<V: View + ?Sized, const WITH_PREV: bool>(view: &V, half_e
     }
     let target = view.origin(t);
     target.is_some() && view.origin(n) == target && (!WITH_PREV || view.prev(n) == Some(h))
+}
+
+/// How many of these half-edges are live; none if something is wrong with one, or one has no twin.
+#[cfg(feature = "rayon")]
+pub(super) fn count_right<V: View + ?Sized>(
+    view: &V,
+    extent: Extent,
+    with_prev: bool,
+    range: core::ops::Range<usize>,
+) -> Option<usize> {
+    fn count<V: View + ?Sized, const WITH_PREV: bool>(
+        view: &V,
+        half_edges: usize,
+        range: core::ops::Range<usize>,
+    ) -> Option<usize> {
+        let mut live = 0;
+        for h in range {
+            if view.is_half_edge(h) {
+                if !is_inside_and_holds::<V, WITH_PREV>(view, half_edges, h) {
+                    return None;
+                }
+                live += 1;
+            }
+        }
+        Some(live)
+    }
+    let count = if with_prev { count::<V, true> } else { count::<V, false> };
+    count(view, extent.half_edges, range)
 }
 
 /// Looks at what may be at the border, notes what is, and what is wrong.

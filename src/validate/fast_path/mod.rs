@@ -73,6 +73,8 @@ mod extent;
 pub(super) mod known;
 mod links;
 mod marks;
+#[cfg(feature = "rayon")]
+pub(super) mod parallel;
 mod rotations;
 
 use super::columns::{Component, Components, NIL};

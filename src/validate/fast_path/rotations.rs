@@ -80,7 +80,7 @@ pub(super) fn walk<V: View + ?Sized>(view: &V, extent: Extent, links: &Links) ->
 /// Walks around one vertex, from a half-edge that leaves it, and returns how many half-edges it visited; none if it visits
 /// more than `limit`.
 #[inline]
-fn around<V: View + ?Sized>(
+pub(super) fn around<V: View + ?Sized>(
     view: &V,
     extent: Extent,
     start: usize,
@@ -125,7 +125,7 @@ fn across<V: View + ?Sized>(
 
 /// Half of B2: whether the isolated vertex names a boundary component, which then starts at it. It need not if it may lie in
 /// an unbounded face that has no record.
-fn is_claimed<V: View + ?Sized>(view: &V, extent: Extent, v: usize) -> Option<bool> {
+pub(super) fn is_claimed<V: View + ?Sized>(view: &V, extent: Extent, v: usize) -> Option<bool> {
     let Some(b) = view.isolated(v) else {
         return (!extent.has(Part::UnboundedFace)).then_some(false);
     };

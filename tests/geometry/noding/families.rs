@@ -15,6 +15,16 @@ fn a_star_through_one_point_has_one_crossing() {
     assert_eq!((noded.summary.crossings, noded.summary.split), (1, 10_000));
 }
 
+/// The ends of a diameter are opposite to the last digit, and are read so.
+#[test]
+fn diameters_of_a_circle_around_the_origin_meet_in_one_point() {
+    let n = 1000_i32;
+    let ends = (0..n).map(|i| (TAU * f64::from(i) / f64::from(2 * n)).sin_cos());
+    let diameters: Vec<Segment> = ends.map(|(s, c)| segment([-c, -s], [c, s])).collect();
+    let noded = check(&diameters, &[], Snap::Auto);
+    assert_eq!(counts(&noded), [2001, 2000, 1]);
+}
+
 #[test]
 fn a_star_whose_lines_nearly_meet_is_plane() {
     // Sines and cosines are not exact, and neither is the point where the lines should meet.

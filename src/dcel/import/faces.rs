@@ -1,0 +1,413 @@
+//! From faces as lists of vertices to a [`Dcel`].
+
+use super::from_view::keys;
+use super::gather::{NIL, Numbers};
+use super::keys::Keys;
+use super::pieces::Pieces;
+use crate::dcel::assemble::Assembly;
+use crate::dcel::structure::Dcel;
+use crate::store::links::{BoundaryStart, RecordKind, VertexLink};
+use alloc::vec;
+use alloc::vec::Vec;
+use thiserror::Error;
+
+/// Why [`Dcel::from_faces`](crate::dcel::Dcel::from_faces) refused. Faces are counted from 0, in the order in which they came.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash, Error)]
+#[non_exhaustive]
+pub enum FacesError {
+    /// A face lists a vertex that there is not.
+    #[error("face {face} lists vertex {vertex}, but there are {vertices} vertices, counted from 0")]
+    NoSuchVertex {
+        /// The face.
+        face: usize,
+        /// What it lists.
+        vertex: u32,
+        /// How many vertices there are.
+        vertices: usize,
+    },
+    /// A face lists fewer than three vertices.
+    #[error("face {face} lists fewer than three vertices")]
+    TooShort {
+        /// The face.
+        face: usize,
+    },
+    /// A face lists a vertex twice in a row, the last and the first one included.
+    #[error("face {face} lists vertex {vertex} twice in a row")]
+    Loop {
+        /// The face.
+        face: usize,
+        /// The vertex.
+        vertex: u32,
+    },
+    /// Two faces, or one twice, go from one vertex to the next in the same direction: they overlap, one of them is listed
+    /// clockwise, or three faces share an edge.
+    #[error("faces {} and {} both go from vertex {} to vertex {}", .faces[0], .faces[1], .vertices[0], .vertices[1])]
+    SameSide {
+        /// The faces, the one that came first in front.
+        faces: [usize; 2],
+        /// From where to where.
+        vertices: [u32; 2],
+    },
+    /// Faces meet at a vertex that no common edge connects there, so that their order around it is not known.
+    #[error("at vertex {vertex} faces meet that no common edge connects there")]
+    SeveralFans {
+        /// The vertex.
+        vertex: u32,
+    },
+    /// A component is a closed surface: every side of a face is shared with another, and nothing is left to be outside.
+    #[error("the component of vertex {vertex} is closed: leave out the face that is to be outside")]
+    Closed {
+        /// Its vertex with the smallest number.
+        vertex: u32,
+    },
+    /// A component has several borders. All but one of them are holes, which are faces too.
+    #[error("the component of vertex {vertex} has several borders: list the faces that fill its holes")]
+    SeveralBorders {
+        /// Its vertex with the smallest number.
+        vertex: u32,
+    },
+    /// A component has one border, and lies on a surface that cannot be drawn in the plane.
+    #[error("the component of vertex {vertex} has genus {genus}, and a planar subdivision has genus 0")]
+    Genus {
+        /// Its vertex with the smallest number.
+        vertex: u32,
+        /// Its genus.
+        genus: usize,
+    },
+    /// There are more records of this kind than a [`Dcel`](crate::dcel::Dcel) can hold.
+    #[error("there are more {0} than fit")]
+    Full(RecordKind),
+}
+
+/// More corners may need more half-edges than there are numbers.
+const MOST_CORNERS: usize = 1 << 30;
+
+impl Dcel {
+    /// Builds the structure that has these bounded faces. Each face lists the numbers of the vertices around it,
+    /// counter-clockwise. What is left outside of all of them becomes the unbounded face.
+    ///
+    /// ```text
+    ///   3───────2
+    ///   │ 1   ╱ │     [0, 1, 2]     4 vertices, 5 edges, 3 faces
+    ///   │   ╱   │     [0, 2, 3]
+    ///   │ ╱   0 │
+    ///   0───────1
+    /// ```
+    ///
+    /// The faces may form several components, which lie side by side in the unbounded face. Each of them has one border: what
+    /// surrounds a face or fills a hole is a face, too. A vertex that no face lists is an isolated vertex in the unbounded
+    /// face. Vertices may repeat in a face, where a dangling edge or a bridge runs through it: `[0, 1, 2, 0, 3]` is a triangle with an
+    /// edge from 0 to 3 inside.
+    ///
+    /// There are no coordinates, so clockwise faces are not noticed if all are: they make the mirror image.
+    ///
+    /// | not accepted here | instead |
+    /// | --- | --- |
+    /// | holes and components inside a face, an unbounded face among the faces, closed surfaces by one of their faces | [`Dcel::from_view`] |
+    /// | faces that touch at a vertex only, parallel edges, loops | [`Dcel::from_rotations`] |
+    ///
+    /// The keys are those by number of vertices, of faces, and of half-edges by *corner*: half-edge `i` leaves the `i`-th
+    /// vertex of all lists, one after the other. Records keep this order: of the two half-edges of an edge the one with the
+    /// smaller number has the smaller index. Nothing has to be validated afterwards.
+    ///
+    /// O(n) time and memory for n vertices and corners.
+    ///
+    /// # Errors
+    /// [`FacesError::NoSuchVertex`], [`FacesError::TooShort`] and [`FacesError::Loop`] for the first face that is wrong by
+    /// itself; then [`FacesError::SameSide`], [`FacesError::SeveralFans`], and for the first component that is wrong
+    /// [`FacesError::Closed`], [`FacesError::SeveralBorders`] or [`FacesError::Genus`]; [`FacesError::Full`].
+    ///
+    /// ```
+    /// use twinedge::dcel::{Dcel, FacesError};
+    ///
+    /// let (map, keys) = Dcel::from_faces(4, [[0, 1, 2], [0, 2, 3]])?;
+    /// assert_eq!((map.vertex_count(), map.edge_count(), map.face_count()), (4, 5, 3));
+    /// // Corner 2, the first face from vertex 2 to vertex 0, lies across corner 3.
+    /// let diagonal = map.half_edge(keys.half_edge(2).unwrap())?;
+    /// assert_eq!(Some(diagonal.twin().key()), keys.half_edge(3));
+    /// assert_eq!(Some(diagonal.twin().face().key()), keys.face(1));
+    ///
+    /// let error = Dcel::from_faces(4, [[0, 1, 2], [0, 3, 2]]).unwrap_err();
+    /// assert_eq!(error, FacesError::SameSide { faces: [0, 1], vertices: [2, 0] });
+    /// # Ok::<(), Box<dyn std::error::Error>>(())
+    /// ```
+    pub fn from_faces<F: AsRef<[u32]>>(
+        vertices: usize,
+        faces: impl IntoIterator<Item = F>,
+    ) -> Result<(Self, Keys), FacesError> {
+        if vertices >= NIL as usize / 2 {
+            return Err(FacesError::Full(RecordKind::Vertex));
+        }
+        let corners = Corners::read(vertices, faces)?;
+        let (numbers, half_edges) = number(corners.join(vertices)?);
+        corners.assemble(vertices, numbers, half_edges)
+    }
+}
+
+/// All lists, one after the other.
+struct Corners {
+    vertex: Vec<u32>,
+    /// By corner: the next one of the face.
+    next: Vec<u32>,
+    /// Where the list of each face starts.
+    starts: Vec<u32>,
+}
+
+/// An empty column with that much capacity, if there is memory for it.
+fn with_room(room: usize) -> Vec<u32> {
+    let mut column = Vec::new();
+    let _ = column.try_reserve_exact(room);
+    column
+}
+
+impl Corners {
+    fn read<F: AsRef<[u32]>>(vertices: usize, faces: impl IntoIterator<Item = F>) -> Result<Self, FacesError> {
+        let faces = faces.into_iter();
+        // No face has fewer than three.
+        let least = faces.size_hint().0.min(MOST_CORNERS / 3);
+        let mut corners = Self { vertex: with_room(3 * least), next: with_room(3 * least), starts: with_room(least) };
+        for (face, list) in faces.enumerate() {
+            let list = list.as_ref();
+            let start = corners.vertex.len();
+            if list.len() >= MOST_CORNERS - start {
+                return Err(FacesError::Full(RecordKind::Edge));
+            }
+            let [.., last] = *list else { return Err(FacesError::TooShort { face }) };
+            if list.len() < 3 {
+                return Err(FacesError::TooShort { face });
+            }
+            let mut before = last;
+            for vertex in list {
+                if *vertex as usize >= vertices {
+                    return Err(FacesError::NoSuchVertex { face, vertex: *vertex, vertices });
+                }
+                if *vertex == before {
+                    return Err(FacesError::Loop { face, vertex: *vertex });
+                }
+                before = *vertex;
+            }
+            let end = start + list.len();
+            corners.vertex.extend_from_slice(list);
+            corners.next.extend(start as u32 + 1..end as u32);
+            corners.next.push(start as u32);
+            corners.starts.push(start as u32);
+        }
+        Ok(corners)
+    }
+
+    fn target(&self, corner: u32) -> u32 {
+        self.vertex[self.next[corner as usize] as usize]
+    }
+
+    fn face_of(&self, corner: u32) -> usize {
+        self.starts.partition_point(|start| *start <= corner) - 1
+    }
+
+    /// Finds the other corner of each edge; [`NIL`] on the border.
+    ///
+    /// Around each vertex the corners that lead to neighbours with smaller numbers meet those that come from there, by two
+    /// arrays over the vertices. So a hub costs what its degree is.
+    fn join(&self, vertices: usize) -> Result<Vec<u32>, FacesError> {
+        // The corners that lead to each vertex, as a list threaded through all.
+        let mut arriving = vec![NIL; vertices];
+        let mut after = vec![NIL; self.vertex.len()];
+        for corner in (0..self.vertex.len() as u32).rev() {
+            let target = self.target(corner) as usize;
+            after[corner as usize] = arriving[target];
+            arriving[target] = corner;
+        }
+        let mut twins = vec![NIL; self.vertex.len()];
+        // By neighbour: the corner that comes from it, and the one that leads to it.
+        let mut sides = vec![[NIL; 2]; vertices];
+        for v in 0..vertices as u32 {
+            let some = |corner: u32| (corner != NIL).then_some(corner);
+            let around = || core::iter::successors(some(arriving[v as usize]), |corner| some(after[*corner as usize]));
+            for from in around() {
+                let to = self.next[from as usize];
+                for (corner, neighbour, side) in [(from, self.vertex[from as usize], 0), (to, self.target(to), 1)] {
+                    if neighbour > v {
+                        continue;
+                    }
+                    let before = core::mem::replace(&mut sides[neighbour as usize][side], corner);
+                    if before != NIL {
+                        let faces = [before.min(corner), before.max(corner)].map(|corner| self.face_of(corner));
+                        let vertices = [self.vertex[corner as usize], self.target(corner)];
+                        return Err(FacesError::SameSide { faces, vertices });
+                    }
+                }
+            }
+            for from in around() {
+                for neighbour in [self.vertex[from as usize], self.target(self.next[from as usize])] {
+                    let [from, to] = core::mem::replace(&mut sides[neighbour as usize], [NIL; 2]);
+                    if from != NIL && to != NIL {
+                        twins[from as usize] = to;
+                        twins[to as usize] = from;
+                    }
+                }
+            }
+        }
+        Ok(twins)
+    }
+
+    /// The structure in which the half-edge of each corner has this number.
+    fn assemble(self, vertex_count: usize, numbers: Vec<u32>, half_edges: usize) -> Result<(Dcel, Keys), FacesError> {
+        let faces = self.starts.len();
+        let mut origin = vec![NIL; half_edges];
+        let mut next = vec![NIL; half_edges];
+        let mut boundary = vec![NIL; half_edges];
+        let ends = self.starts.iter().skip(1).copied().chain([self.vertex.len() as u32]);
+        for ((face, start), end) in (0..).zip(&self.starts).zip(ends) {
+            for corner in *start..end {
+                let h = numbers[corner as usize] as usize;
+                origin[h] = self.vertex[corner as usize];
+                next[h] = numbers[self.next[corner as usize] as usize];
+                boundary[h] = face;
+            }
+        }
+        let border = self.border(vertex_count, &numbers, &mut origin, &mut next)?;
+        let mut leaving = vec![NIL; vertex_count];
+        for (h, v) in origin.iter().enumerate().rev() {
+            leaving[*v as usize] = h as u32;
+        }
+        let pieces = Pieces::find(&origin, &next, &leaving);
+        if pieces.visited < half_edges {
+            return Err(FacesError::SeveralFans { vertex: several_fans(&origin, &next, &leaving) });
+        }
+
+        let start_of = |start: &u32| numbers[*start as usize];
+        let mut starts: Vec<_> = self.starts.iter().map(start_of).map(BoundaryStart::HalfEdge).collect();
+        let mut borders = vec![0_u32; pieces.first.len()];
+        for h in border {
+            if boundary[h as usize] != NIL {
+                continue;
+            }
+            let b = starts.len() as u32;
+            starts.push(BoundaryStart::HalfEdge(h));
+            borders[pieces.of[origin[h as usize] as usize] as usize] += 1;
+            let mut along = h;
+            while boundary[along as usize] == NIL {
+                boundary[along as usize] = b;
+                along = next[along as usize];
+            }
+        }
+        check_plane(&pieces, &origin, &starts, &borders, &leaving)?;
+
+        let vertices: Vec<_> = (0..)
+            .zip(&leaving)
+            .map(|(v, leaving)| {
+                if *leaving != NIL {
+                    return VertexLink::Leaving(*leaving);
+                }
+                starts.push(BoundaryStart::Vertex(v));
+                VertexLink::Isolated(starts.len() as u32 - 1)
+            })
+            .collect();
+        let outer: Vec<u32> = (0..faces as u32).collect();
+        let inner: Vec<_> = (faces as u32..starts.len() as u32).map(|b| (0, b)).collect();
+        let assembly = Assembly {
+            vertices: &vertices,
+            origin: &origin,
+            next: &next,
+            boundary: &boundary,
+            starts: &starts,
+            outer: &outer,
+            inner: &inner,
+        };
+        // The columns of the store take their memory.
+        drop((self, leaving, pieces));
+        let dcel = assembly.assemble().map_err(FacesError::Full)?;
+        let numbers = Numbers {
+            vertices: (0..vertex_count as u32).collect(),
+            half_edges: numbers,
+            faces: (1..=faces as u32).collect(),
+            ..Numbers::default()
+        };
+        let keys = keys(&dcel, &numbers);
+        Ok((dcel, keys))
+    }
+
+    /// Links the half-edges of the border, which belong to no corner, and lists them.
+    fn border(
+        &self,
+        vertices: usize,
+        numbers: &[u32],
+        origin: &mut [u32],
+        next: &mut [u32],
+    ) -> Result<Vec<u32>, FacesError> {
+        let mut leaving_border = vec![NIL; vertices];
+        let mut border = Vec::new();
+        for (corner, h) in (0..).zip(numbers).filter(|(_, h)| origin[**h as usize ^ 1] == NIL) {
+            let vertex = self.target(corner);
+            let before = core::mem::replace(&mut leaving_border[vertex as usize], h ^ 1);
+            if before != NIL {
+                return Err(FacesError::SeveralFans { vertex });
+            }
+            border.push(h ^ 1);
+        }
+        for (vertex, h) in self.vertex.iter().zip(numbers).filter(|(_, h)| origin[**h as usize ^ 1] == NIL) {
+            // As many sides without twin leave a vertex as end there: every one is followed.
+            next[*h as usize ^ 1] = leaving_border[*vertex as usize];
+        }
+        for h in &border {
+            // The side across is followed by one that leaves where this one does.
+            origin[*h as usize] = origin[next[*h as usize ^ 1] as usize];
+        }
+        Ok(border)
+    }
+}
+
+/// Numbers the half-edges of the corners, the two of an edge side by side; and says how many there are with those of the border.
+fn number(mut twins: Vec<u32>) -> (Vec<u32>, usize) {
+    /// Marks what is a number already.
+    const NUMBER: u32 = 1 << 31;
+    let mut count = 0;
+    for corner in 0..twins.len() {
+        match twins[corner] {
+            NIL => {}
+            number if number & NUMBER != 0 => {
+                twins[corner] = number ^ NUMBER;
+                continue;
+            }
+            twin => twins[twin as usize] = (count + 1) | NUMBER,
+        }
+        twins[corner] = count;
+        count += 2;
+    }
+    (twins, count as usize)
+}
+
+/// A vertex with several rotations, of which the walk from its leaving half-edge finds one.
+#[cold]
+fn several_fans(origin: &[u32], next: &[u32], leaving: &[u32]) -> u32 {
+    let mut visited = vec![false; origin.len()];
+    for start in leaving.iter().filter(|h| **h != NIL) {
+        let mut h = *start;
+        while !core::mem::replace(&mut visited[h as usize], true) {
+            h = next[h as usize ^ 1];
+        }
+    }
+    visited.iter().position(|visited| !visited).map_or(NIL, |h| origin[h])
+}
+
+/// Whether each component has one border and genus 0. Isolated vertices have no border.
+fn check_plane(
+    pieces: &Pieces,
+    origin: &[u32],
+    starts: &[BoundaryStart<u32, u32>],
+    borders: &[u32],
+    leaving: &[u32],
+) -> Result<(), FacesError> {
+    let genera = pieces.genera(origin, starts);
+    for ((vertex, borders), genus) in pieces.first.iter().copied().zip(borders).zip(genera) {
+        if leaving[vertex as usize] == NIL {
+            continue;
+        }
+        match borders {
+            0 => return Err(FacesError::Closed { vertex }),
+            1 if genus == 0 => {}
+            1 => return Err(FacesError::Genus { vertex, genus }),
+            _ => return Err(FacesError::SeveralBorders { vertex }),
+        }
+    }
+    Ok(())
+}

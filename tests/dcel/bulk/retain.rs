@@ -1,0 +1,140 @@
+//! Retaining: what is left is what the operators leave, one by one.
+
+use super::{built, check};
+use std::collections::{BTreeMap, BTreeSet};
+use std::sync::atomic::{AtomicUsize, Ordering};
+use twinedge::dcel::{
+    BoundaryKey, Dcel, FaceKey, HalfEdgeKey, OperatorError, RecordKind, RemovedEdge, Retained, VertexKey,
+};
+use twinedge::program::Program;
+use twinedge::program::canonical::isomorphic;
+use twinedge::store::{FixedStore, PointerStore, SlotStore, Store};
+use twinedge::validate::Table;
+
+/// Whether a record with this index stays: a condition that is made of some bytes.
+fn stays(chosen: &[u8], index: usize) -> bool {
+    chosen.get(index.checked_rem(chosen.len()).unwrap_or(0)).is_none_or(|byte| byte % 3 > 0)
+}
+
+/// Which faces become one, as sets.
+fn groups(faces: &[FaceKey], merged: impl IntoIterator<Item = (FaceKey, FaceKey)>) -> BTreeSet<BTreeSet<FaceKey>> {
+    let mut group: BTreeMap<FaceKey, FaceKey> = faces.iter().map(|f| (*f, *f)).collect();
+    for (dropped, kept) in merged {
+        let (from, to) = (group[&dropped], group[&kept]);
+        group.values_mut().filter(|f| **f == from).for_each(|f| *f = to);
+    }
+    let mut sets: BTreeMap<FaceKey, BTreeSet<FaceKey>> = BTreeMap::new();
+    for (f, of) in group {
+        sets.entry(of).or_default().insert(f);
+    }
+    sets.into_values().collect()
+}
+
+/// How many edges, vertices and faces went, how many boundary components were made, and how many times nothing changed.
+static SEEN: [AtomicUsize; 5] = [const { AtomicUsize::new(0) }; 5];
+
+fn law<S: Store + Clone>(program: Program, of_vertices: Vec<u8>, of_edges: Vec<u8>, backwards: bool) {
+    let old: Dcel<S> = built(&program);
+    let (mut map, mut other) = (old.clone(), old.clone());
+    let retained = map.retain(|v| stays(&of_vertices, v.index()), |h| stays(&of_edges, h.index() / 2)).unwrap();
+    assert!(map.validate().is_valid(), "{:?}", map.validate());
+
+    // What is dropped is what the conditions say, and nothing else.
+    let vertices: Vec<VertexKey> =
+        old.vertices().filter(|v| !stays(&of_vertices, v.index())).map(|v| v.key()).collect();
+    let edges: Vec<HalfEdgeKey> = old
+        .edges()
+        .filter(|h| {
+            let ends = [h.origin(), h.target()];
+            !ends.iter().all(|v| stays(&of_vertices, v.index())) || !stays(&of_edges, h.index() / 2)
+        })
+        .map(|h| h.key())
+        .collect();
+    assert_eq!((&retained.vertices, &retained.edges), (&vertices, &edges));
+    for v in old.vertices() {
+        assert_eq!(map.vertex(v.key()).is_err(), vertices.contains(&v.key()));
+    }
+    for h in old.edges() {
+        assert_eq!(map.half_edge(h.key()).is_err(), edges.contains(&h.key()));
+        if let Ok(here) = map.half_edge(h.key()) {
+            assert_eq!([here.origin().key(), here.target().key()], [h.origin().key(), h.target().key()]);
+        }
+    }
+
+    // The operators leave the same, in either order, and merge the same faces.
+    let mut merged = vec![];
+    let mut order = edges.clone();
+    if backwards {
+        order.reverse();
+    }
+    for h in order {
+        if let RemovedEdge::Merged { kept_face, dropped_face, .. } = other.remove_edge(h).unwrap() {
+            merged.push((dropped_face, kept_face));
+        }
+    }
+    for v in &vertices {
+        other.remove_isolated_vertex(*v).unwrap();
+    }
+    assert!(isomorphic(&map, &other));
+    for h in other.half_edges() {
+        assert_eq!(map.half_edge(h.key()).unwrap().next().key(), h.next().key());
+    }
+    let faces: Vec<FaceKey> = old.faces().map(|f| f.key()).collect();
+    let said = retained.faces.iter().map(|merged| (merged.dropped, merged.kept));
+    assert_eq!(groups(&faces, said), groups(&faces, merged));
+    for merged in &retained.faces {
+        assert!(map.face(merged.dropped).is_err() && map.face(merged.kept).is_ok());
+    }
+    assert_eq!(map.face_count() + retained.faces.len(), old.face_count());
+    assert_eq!(map.unbounded_face().key(), old.unbounded_face().key());
+    // Of two faces the surrounding one is kept: where the operators have no choice, neither has this.
+    for f in map.faces().filter(|f| !f.is_unbounded()) {
+        let outer = f.outer().unwrap().half_edges().map(|h| h.key());
+        let mut before = outer.map(|h| old.half_edge(h).unwrap().face().key());
+        assert!(before.any(|before| before == f.key()));
+    }
+
+    // Boundary components go and come as is said, and stay with their starts.
+    let all = |map: &Dcel<S>| map.boundaries().map(|b| b.key()).collect::<BTreeSet<BoundaryKey>>();
+    let (before, after) = (all(&old), all(&map));
+    assert!(before.difference(&after).copied().eq(retained.dropped.iter().copied().collect::<BTreeSet<_>>()));
+    assert!(after.difference(&before).copied().eq(retained.made.iter().copied().collect::<BTreeSet<_>>()));
+    for b in map.boundaries().filter(|b| before.contains(&b.key())) {
+        let was = old.boundary(b.key()).unwrap();
+        let start = was.start().map(|h| map.half_edge(h.key()).unwrap().boundary().key());
+        assert_eq!(start, b.start().map(|_| b.key()));
+        assert_eq!(was.isolated_vertex().map(|v| v.key()), b.isolated_vertex().map(|v| v.key()));
+    }
+    let unchanged = usize::from(retained == Retained::default());
+    if unchanged == 1 {
+        assert_eq!(Table::copy_of(&map), Table::copy_of(&old));
+    }
+    let Retained { vertices, edges, faces, made, .. } = retained;
+    for (seen, count) in SEEN.iter().zip([edges.len(), vertices.len(), faces.len(), made.len(), unchanged]) {
+        seen.fetch_add(count, Ordering::Relaxed);
+    }
+}
+
+#[test]
+fn what_is_left_is_what_the_operators_leave() {
+    check(1500, 100, law::<SlotStore> as fn(Program, Vec<u8>, Vec<u8>, bool));
+    check(200, 100, law::<PointerStore> as fn(Program, Vec<u8>, Vec<u8>, bool));
+    assert!(SEEN.iter().all(|seen| seen.load(Ordering::Relaxed) > 10), "{SEEN:?}");
+}
+
+/// Two edges in a row: without the first, there are an edge and an isolated vertex, with one boundary component more.
+#[test]
+fn what_does_not_fit_is_refused_and_changes_nothing() {
+    let program = "twinedge program 1\n add_isolated_vertex unbounded\n split_vertex i0 i0\n split_edge h0".parse();
+    let mut map: Dcel<FixedStore<3, 2, 1, 1>> = built(&program.unwrap());
+    assert_eq!((map.edge_count(), map.boundary_count()), (2, 1));
+    let first = map.edges().next().unwrap().key();
+    let before = Table::copy_of(&map);
+    assert_eq!(map.retain(|_| true, |h| h.key() != first), Err(OperatorError::Full(RecordKind::Boundary)));
+    assert_eq!(Table::copy_of(&map), before);
+    // With its end it fits.
+    let end = map.half_edge(first).unwrap();
+    let end = if end.origin().degree() == 1 { end.origin().key() } else { end.target().key() };
+    assert_eq!(map.retain(|v| v.key() != end, |_| true).unwrap().edges, [first]);
+    assert!(map.validate().is_valid());
+}
