@@ -198,7 +198,10 @@ fn a_run_in_which_nothing_was_applied_fails_unless_it_is_allowed_to() {
         assert_eq!((failure.op, &failure.difference), (None, &Difference::NothingApplied));
         assert_eq!(
             failure.to_string(),
-            format!("after {} operators: no operator was applied, so nothing was tried", program.0.len())
+            format!(
+                "after {} operators: no operator was applied, so nothing was tried; does the subject answer any of them with other than `Unsupported`?",
+                program.0.len()
+            )
         );
         let asked = Conformance::of(&plane).coverage(Coverage::Nothing);
         assert_eq!(asked.run(&program, inert()).unwrap().total().applied, 0);
