@@ -1,12 +1,15 @@
 //! The fast path changes nothing in a report, and settles what is right.
 
 use crate::support::only_live::OnlyLive;
+use crate::support::tables::{half_edge, textbook_mesh, vertex};
 use crate::support::watched::Watched;
+use twinedge::dcel::Dcel;
 use twinedge::program::census::{Census, Scope};
+use twinedge::program::{Program, Runner};
 use twinedge::validate::enumerate::for_each_corruption;
 use twinedge::validate::forms::{expectations, projections};
 use twinedge::validate::reference::rule_by_rule;
-use twinedge::validate::{Collect, Expectation, HalfEdgeRow, Table, VertexRow, View, validate};
+use twinedge::validate::{Collect, Expectation, HalfEdgeRow, Part, Start, Table, VertexRow, View, validate};
 
 /// The report is that of the rules one by one, however many violations are collected, and neither asks for what a
 /// vacant slot holds.
@@ -105,4 +108,158 @@ fn one_wrong_link_is_not_searched_for_from_the_start() {
     table.half_edges[count].as_mut().unwrap().prev = None;
     let [twin, next, prev] = asked(&table);
     assert!(twin < right[0] && next < right[1] && prev <= 2 * right[2] + 20, "{twin} {next} {prev}");
+}
+
+/// Numbers that look random, each less than what is asked for. Always the same for a seed.
+struct Numbers(u64);
+
+impl Numbers {
+    fn below(&mut self, end: usize) -> usize {
+        self.0 = self.0.wrapping_mul(6_364_136_223_846_793_005).wrapping_add(1_442_695_040_888_963_407);
+        (self.0 >> 33) as usize % end.max(1)
+    }
+
+    /// A place for each of so many records, no two the same, with two vacant slots among them.
+    fn places(&mut self, count: usize) -> Vec<usize> {
+        let mut places: Vec<usize> = (0..count + 2).collect();
+        for i in (1..places.len()).rev() {
+            places.swap(i, self.below(i + 1));
+        }
+        places.truncate(count);
+        places
+    }
+}
+
+/// The rows at their places.
+fn placed<T: Clone>(rows: &[Option<T>], places: &[usize]) -> Vec<Option<T>> {
+    let mut placed = vec![None; places.len() + 2];
+    for (row, place) in rows.iter().zip(places) {
+        placed[*place] = row.clone();
+    }
+    placed
+}
+
+/// The same structure with its records in another order, and vacant slots among them.
+fn renumbered(table: &Table, numbers: &mut Numbers) -> Table {
+    let [v, h, b, f] = [table.vertices.len(), table.half_edges.len(), table.boundaries.len(), table.faces.len()]
+        .map(|count| numbers.places(count));
+    let mut table = table.clone();
+    for row in table.vertices.iter_mut().flatten() {
+        row.leaving = row.leaving.map(|to| h[to]);
+        row.isolated = row.isolated.map(|to| b[to]);
+    }
+    for row in table.half_edges.iter_mut().flatten() {
+        row.origin = row.origin.map(|to| v[to]);
+        row.boundary = row.boundary.map(|to| b[to]);
+        row.face = row.face.map(|to| f[to]);
+        for link in [&mut row.twin, &mut row.next, &mut row.prev] {
+            *link = link.map(|to| h[to]);
+        }
+    }
+    let start = |start: Start| match start {
+        Start::HalfEdge(to) => Start::HalfEdge(h[to]),
+        Start::Vertex(to) => Start::Vertex(v[to]),
+    };
+    for row in table.boundaries.iter_mut().flatten() {
+        row.face = row.face.map(|to| f[to]);
+        row.start = row.start.map(start);
+    }
+    for row in table.faces.iter_mut().flatten() {
+        row.outer = row.outer.map(|to| b[to]);
+        row.outer_half_edge = row.outer_half_edge.map(|to| h[to]);
+        row.inner.iter_mut().for_each(|link| *link = link.map(|to| b[to]));
+        row.inner_starts.iter_mut().for_each(|link| *link = link.map(start));
+    }
+    Table {
+        vertices: placed(&table.vertices, &v),
+        half_edges: placed(&table.half_edges, &h),
+        boundaries: placed(&table.boundaries, &b),
+        faces: placed(&table.faces, &f),
+    }
+}
+
+/// The report is that of the rules one by one: as the table is, and with some of its links set to other half-edges.
+#[track_caller]
+fn assert_same_with_wrong_links(table: &Table, expectation: &Expectation, numbers: &mut Numbers) {
+    assert_same(table, expectation, table);
+    for _ in 0..4 {
+        let mut wrong = table.clone();
+        let (at, to) = (numbers.below(table.half_edges.len()), numbers.below(table.half_edges.len()));
+        if let Some(row) = &mut wrong.half_edges[at] {
+            *[&mut row.next, &mut row.prev, &mut row.twin][numbers.below(3)] = Some(to);
+        }
+        assert_same(&wrong, expectation, &wrong);
+    }
+}
+
+/// Maps with tens of edges, in every form. In maps with three edges no cycle is long, and each component has one vertex that is
+/// smaller than its neighbours.
+#[test]
+fn larger_maps_with_their_records_in_any_order() {
+    let mut valid = 0;
+    for seed in 0..12 {
+        let mut numbers = Numbers(seed);
+        let bytes: Vec<u8> = (0..600).map(|_| numbers.below(256) as u8).collect();
+        let mut runner = Runner::new(Dcel::new());
+        for op in Program::from_bytes(&bytes).0 {
+            runner.step(op);
+        }
+        let table = renumbered(&Table::copy_of(runner.subject()).unwrap(), &mut numbers);
+        for expectation in expectations() {
+            let all = projections(&table, &expectation);
+            for _ in 0..3 {
+                let projection = &all[numbers.below(all.len())];
+                valid += usize::from(validate(projection, &expectation, Collect::First).is_valid());
+                assert_same_with_wrong_links(projection, &expectation, &mut numbers);
+            }
+        }
+    }
+    assert!(valid > 3_000, "{valid}");
+}
+
+/// Meshes with and without border, of any genus, with the half-edges of the border and without.
+#[test]
+fn larger_meshes_with_their_records_in_any_order() {
+    let torus = |columns: usize, rows: usize| {
+        let at = move |x: usize, y: usize| x % columns + columns * (y % rows);
+        let squares = (0..columns).flat_map(move |x| (0..rows).map(move |y| (x, y)));
+        squares
+            .flat_map(|(x, y)| {
+                let [a, b, c, d] = [at(x, y), at(x + 1, y), at(x + 1, y + 1), at(x, y + 1)];
+                [[a, b, c], [a, c, d]]
+            })
+            .collect::<Vec<_>>()
+    };
+    let mesh = Expectation::surface().without(Part::BoundaryComponents);
+    for seed in 0..60 {
+        let mut numbers = Numbers(seed);
+        // Up to three of them side by side, and some triangles taken out.
+        let mut triangles = Vec::new();
+        for part in 0..=numbers.below(3) {
+            triangles.extend(torus(3, 4).into_iter().map(|triangle| triangle.map(|v| v + 12 * part)));
+        }
+        let vertices = triangles.len() / 2;
+        for _ in 0..numbers.below(4) {
+            triangles.swap_remove(numbers.below(triangles.len()));
+        }
+        let paired = textbook_mesh(vertices, &triangles);
+        let mut bare = paired.clone();
+        for h in 0..bare.half_edges.len() {
+            if let Some(HalfEdgeRow { face: None, twin: Some(twin), .. }) = paired.half_edges[h] {
+                bare.half_edges[h] = None;
+                half_edge(&mut bare, twin).twin = None;
+            }
+        }
+        for v in 0..vertices {
+            vertex(&mut bare, v).leaving = (0..bare.half_edges.len()).find(|h| bare.origin(*h) == Some(v));
+        }
+        for table in [paired, bare].map(|table| renumbered(&table, &mut numbers)) {
+            for expectation in [mesh, mesh.open()] {
+                for lacks in [None, Some(Part::Prev), Some(Part::Leaving), Some(Part::Faces)] {
+                    let expectation = lacks.map_or(expectation, |part| expectation.without(part));
+                    assert_same_with_wrong_links(&table, &expectation, &mut numbers);
+                }
+            }
+        }
+    }
 }
