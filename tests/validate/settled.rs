@@ -134,7 +134,7 @@ impl Numbers {
 fn placed<T: Clone>(rows: &[Option<T>], places: &[usize]) -> Vec<Option<T>> {
     let mut placed = vec![None; places.len() + 2];
     for (row, place) in rows.iter().zip(places) {
-        placed[*place] = row.clone();
+        placed[*place].clone_from(row);
     }
     placed
 }
