@@ -541,3 +541,21 @@ fn both_validators_agree_on_all_small_open_maps() {
     assert_eq!(found.map(|[met, _]| met > 0), met, "{found:?}");
     assert!(found.iter().all(|[_, broken]| *broken > 0), "{found:?}");
 }
+
+/// A triangle that breaks all that is asked for, and R1, too: what needs the links is not checked, and nothing is said of it.
+#[test]
+fn what_is_asked_for_is_not_checked_where_links_are_broken() {
+    for border in BORDERS {
+        let mut table = faces(5, &[[0, 1, 2]], border);
+        let expectation =
+            MESH.no_unused_vertices().simple().sides(4).closed().components(2).borders(0).genus(1).border_kept();
+        assert!(validate(&table, &expectation, Collect::All).broken_rules().count() >= 5);
+        half_edge(&mut table, 0).next = Some(99);
+        let report = validate(&table, &expectation, Collect::All);
+        assert!(report.violations().iter().all(|violation| violation.rule() == Rule::R1), "{report}");
+        for rule in [Rule::M1, Rule::M2, Rule::M3, Rule::M4, Rule::M5, Rule::M6, Rule::M7, Rule::M8] {
+            let unchecked = report.outcome(rule).and_then(|outcome| outcome.unchecked);
+            assert_eq!(unchecked, Some(Unchecked::Broken(Rule::R1)), "{rule} {report}");
+        }
+    }
+}
