@@ -15,7 +15,7 @@ use crate::failure::{Failure, Status};
 use crate::names::{Link, Record};
 use rustc_hash::FxHashMap;
 use std::ffi::c_void;
-use std::sync::atomic::AtomicU64;
+use std::sync::atomic::AtomicI64;
 use twinedge::validate::interchange::Column;
 
 /// Where a link of a record leads: a record, or null for nil. It gets the context and a record, and is called once for each record.
@@ -39,14 +39,14 @@ pub(crate) struct Callback<F> {
     pub(crate) context: *mut c_void,
 }
 
-/// What is no record. Nil is the largest number.
-const DANGLING: u64 = u64::MAX - 1;
-const NIL: u64 = u64::MAX;
+/// What is no record.
+const DANGLING: i64 = -2;
+const NIL: i64 = -1;
 
 /// The records of one kind, with their numbers.
 struct Numbered {
     records: Vec<*const c_void>,
-    numbers: FxHashMap<usize, u64>,
+    numbers: FxHashMap<usize, i64>,
 }
 
 impl Numbered {
@@ -64,7 +64,7 @@ impl Numbered {
                 if record.is_null() {
                     return Err(Failure::new(Status::Null, format!("the {} {position} is null", kind.name())));
                 }
-                if let Some(earlier) = all.numbers.insert(record as usize, position as u64) {
+                if let Some(earlier) = all.numbers.insert(record as usize, position as i64) {
                     let kind = kind.name();
                     let message = format!("the {kind} {position} is given before, as {kind} {earlier}");
                     return Err(Failure::new(Status::Conflict, message));
@@ -75,7 +75,7 @@ impl Numbered {
         Ok(all)
     }
 
-    fn number(&self, record: *const c_void) -> u64 {
+    fn number(&self, record: *const c_void) -> i64 {
         if record.is_null() { NIL } else { self.numbers.get(&(record as usize)).copied().unwrap_or(DANGLING) }
     }
 }
@@ -83,7 +83,7 @@ impl Numbered {
 /// What the functions have answered, as columns.
 #[derive(Debug, Default)]
 pub(crate) struct Answers {
-    columns: [Option<Vec<AtomicU64>>; Link::KINDS],
+    columns: [Option<Vec<AtomicI64>>; Link::KINDS],
     counts: [usize; Record::KINDS],
 }
 
@@ -120,7 +120,7 @@ impl Answers {
     }
 
     /// The columns.
-    pub(crate) fn columns(&self) -> [Option<Column<'_, AtomicU64>>; Link::KINDS] {
+    pub(crate) fn columns(&self) -> [Option<Column<'_, AtomicI64>>; Link::KINDS] {
         Link::ALL.map(|link| self.columns[link as usize].as_ref().map(|column| Column::new(column)))
     }
 
@@ -132,14 +132,14 @@ impl Answers {
 
 /// # Safety
 /// The function may be called with its context and each of these records.
-unsafe fn ask(callback: Callback<LinkOf>, records: &[*const c_void], to: &Numbered) -> Result<Vec<AtomicU64>, Failure> {
+unsafe fn ask(callback: Callback<LinkOf>, records: &[*const c_void], to: &Numbered) -> Result<Vec<AtomicI64>, Failure> {
     let mut column = Vec::new();
     column.try_reserve_exact(records.len()).map_err(|_| Failure::memory())?;
     let Some(function) = callback.function else { return Ok(column) };
     for record in records {
         // SAFETY: as the caller promises.
         let answer = unsafe { function(callback.context, *record) };
-        column.push(AtomicU64::new(to.number(answer)));
+        column.push(AtomicI64::new(to.number(answer)));
     }
     Ok(column)
 }
@@ -152,14 +152,14 @@ unsafe fn ask_lists(
     callback: Callback<InnerOf>,
     faces: &[*const c_void],
     to: &Numbered,
-) -> Result<(Vec<AtomicU64>, Vec<AtomicU64>), Failure> {
+) -> Result<(Vec<AtomicI64>, Vec<AtomicI64>), Failure> {
     let (mut first, mut list) = (Vec::new(), Vec::new());
     first.try_reserve_exact(faces.len() + 1).map_err(|_| Failure::memory())?;
     // A list without end is cut where the validator says `list_too_long`: after twice as many as there are, and 16.
     let most = to.records.len().saturating_mul(2).saturating_add(17);
     let Some(function) = callback.function else { return Ok((first, list)) };
     for face in faces {
-        first.push(AtomicU64::new(list.len() as u64));
+        first.push(AtomicI64::new(list.len() as i64));
         let mut position = 0;
         while list.len() < most {
             let mut inner = std::ptr::null();
@@ -168,10 +168,10 @@ unsafe fn ask_lists(
                 break;
             }
             list.try_reserve(1).map_err(|_| Failure::memory())?;
-            list.push(AtomicU64::new(to.number(inner)));
+            list.push(AtomicI64::new(to.number(inner)));
             position += 1;
         }
     }
-    first.push(AtomicU64::new(list.len() as u64));
+    first.push(AtomicI64::new(list.len() as i64));
     Ok((first, list))
 }

@@ -84,9 +84,7 @@ pub enum Difference {
         question: Question,
     },
     /// No operator was applied, so nothing was tried.
-    #[error(
-        "no operator was applied, so nothing was tried; does the subject answer any of them with other than `Unsupported`?"
-    )]
+    #[error("no operator was applied, so nothing was tried: does the subject have any of them?")]
     NothingApplied,
     /// The subject has operators that were never applied.
     #[error("never applied, and so not tried: {}", .0.join(", "))]

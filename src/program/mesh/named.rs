@@ -33,7 +33,7 @@ const NOWHERE: Place = usize::MAX;
 /// let mut steps = InStep::new(make(), &expectation).expect("the start is right");
 /// let failure = found.program.0.iter().find_map(|op| steps.step(*op).err());
 /// let named = steps.subject().subject();
-/// println!("{failure:?}: half-edge {:?} of {:?}", named.in_mesh(10), named.mesh().half_edge_slots());
+/// println!("{failure:?}: in the mesh it is half-edge {:?}", named.in_mesh(10));
 /// # }
 /// ```
 ///

@@ -29,7 +29,6 @@ pub(super) struct Links {
 
 impl Links {
     /// Those of so many half-edges, at which nothing is wrong, where vertices keep a half-edge and nothing is open.
-    #[cfg(feature = "rayon")]
     pub(super) const fn right(half_edges: usize) -> Self {
         Self {
             half_edges,
@@ -103,16 +102,7 @@ impl Links {
 
 /// Reads the links of every half-edge, in order of their numbers, so that none waits for another. None if too many are wrong.
 pub(super) fn scan<V: View + ?Sized>(view: &V, extent: Extent) -> Option<Links> {
-    let mut links = Links {
-        half_edges: 0,
-        unpaired: 0,
-        leaving: None,
-        into: Vec::new(),
-        one_into_each: true,
-        wrong: Vec::new(),
-        next_holds: true,
-        twin_holds: true,
-    };
+    let mut links = Links::right(0);
     let mut leaving = Vec::new();
     if !extent.has(Part::Leaving) {
         leaving = nils(extent.vertices)?;

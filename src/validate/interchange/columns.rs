@@ -14,7 +14,8 @@ use crate::validate::view::{Link, Start, View};
 /// [`adapt::Targets`](crate::validate::adapt::Targets); where faces keep nothing, wrap it in
 /// [`adapt::FaceLabels`](crate::validate::adapt::FaceLabels).
 ///
-/// Constructors cost O(1), those with `live` in their name O(n), and memory is not allocated. A link is read at each question, with one check of a bound.
+/// Constructors cost O(1), those with `live` in their name O(n), and memory is not allocated. A link is read at each question, with
+/// one check of a bound.
 ///
 /// ```
 /// use twinedge::validate::interchange::{Column, Columns};
