@@ -64,7 +64,7 @@ impl Numbered {
                 if record.is_null() {
                     return Err(Failure::new(Status::Null, format!("the {} {position} is null", kind.name())));
                 }
-                if let Some(earlier) = all.numbers.insert(record as usize, position as i64) {
+                if let Some(earlier) = all.numbers.insert(record as usize, position.cast_signed() as i64) {
                     let kind = kind.name();
                     let message = format!("the {kind} {position} is given before, as {kind} {earlier}");
                     return Err(Failure::new(Status::Conflict, message));
@@ -159,7 +159,7 @@ unsafe fn ask_lists(
     let most = to.records.len().saturating_mul(2).saturating_add(17);
     let Some(function) = callback.function else { return Ok((first, list)) };
     for face in faces {
-        first.push(AtomicI64::new(list.len() as i64));
+        first.push(AtomicI64::new(list.len().cast_signed() as i64));
         let mut position = 0;
         while list.len() < most {
             let mut inner = std::ptr::null();
@@ -172,6 +172,6 @@ unsafe fn ask_lists(
             position += 1;
         }
     }
-    first.push(AtomicI64::new(list.len() as i64));
+    first.push(AtomicI64::new(list.len().cast_signed() as i64));
     Ok((first, list))
 }
