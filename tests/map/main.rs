@@ -13,3 +13,4 @@ mod location;
 mod noding;
 mod planar_map;
 mod saved;
+mod threads;
