@@ -97,7 +97,7 @@ impl Search<'_> {
 
     /// Takes what another search found in its blocks.
     fn take(&mut self, other: Self) -> Result<(), NodingError> {
-        let renamed = self.vertices.take(other.vertices).ok_or(NodingError::TooMany)?;
+        let renamed = self.vertices.take(&other.vertices).ok_or(NodingError::TooMany)?;
         self.found.visits.extend(other.found.visits.into_iter().map(|[segment, v]| [segment, renamed(v)]));
         self.found.doubtful.extend(other.found.doubtful);
         Ok(())

@@ -32,7 +32,7 @@ impl<'a> Vertices<'a> {
     }
 
     /// Adds what a search beside this one added. Returns what the numbers became that it gave to them; none if there are too many.
-    pub(super) fn take(&mut self, other: Self) -> Option<impl Fn(u32) -> u32 + use<>> {
+    pub(super) fn take(&mut self, other: &Self) -> Option<impl Fn(u32) -> u32 + use<>> {
         let (before, moved) = (other.before as u32, (self.len() - other.before) as u32);
         self.added.extend_from_slice(&other.added[other.before - other.given.len()..]);
         let all_have_numbers = self.len() < u32::MAX as usize;
