@@ -2,6 +2,7 @@
 
 use crate::noted::{Keep, Noted};
 use crate::output::counted;
+use crate::progress::busy;
 use crate::status::Failure;
 use indicatif::{ProgressBar, ProgressStyle};
 use std::fs::File;
@@ -223,7 +224,7 @@ impl MapFile {
         noted.refuse_unknown_columns(&name, keep)?;
         let noding = self.cutting.snap.map_or(Noding::None, Noding::Snap);
         let kept = (keep.coverage && self.cutting.snap != Some(Snap::Auto)).then(|| builder.clone());
-        let map = builder.build_with(noding).map_err(|error| failed(error.into()))?;
+        let map = busy("building the map", || builder.build_with(noding)).map_err(|error| failed(error.into()))?;
         let builder = kept.filter(|_| !map.is_plane() || map.noding().is_some());
         Ok(Imported { name, read, map, noted, builder, crs })
     }

@@ -18,6 +18,7 @@ mod write;
 use crate::coverage::{Asked, Coverage};
 use crate::input::MapFile;
 use crate::noted::Keep;
+use crate::progress::busy;
 use crate::status::{Failure, Verdict};
 use crate::units::Units;
 use audited::Audited;
@@ -114,7 +115,7 @@ impl Audit {
         self.refuse_mesh_options(&input.name)?;
         let imported = self.map.build_from(input, Keep { coverage: true, condition: None })?;
         let map = &imported.map;
-        let report = validate_embedding(map, &Expectation::plane(), Collect::AtMost(self.list));
+        let report = busy("validating", || validate_embedding(map, &Expectation::plane(), Collect::AtMost(self.list)));
         let units = Units::Plane { degrees: imported.noted.look_like_degrees(&imported.read) };
         let coverage = Coverage::new(&imported, &self.coverage, &units, self.list);
         let elapsed = start.elapsed().as_secs_f64() * 1000.0;
