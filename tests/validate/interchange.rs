@@ -352,6 +352,8 @@ fn presets_have_names_sources_and_parts() {
         Preset::ALL.iter().map(|p| asks(*p)).collect::<Vec<_>>(),
         [vec![], vec![Rule::M8], vec![], vec![Rule::M3], vec![Rule::M2], vec![Rule::M2]]
     );
+    let keeps_prev = |preset: &Preset| preset.expectation().has(Part::Prev);
+    assert_eq!(Preset::ALL.iter().map(keeps_prev).collect::<Vec<_>>(), [true, true, true, false, false, true]);
     // The nested triangles have holes, places left out: an arrangement, and nothing of the others.
     let table = crate::support::nested::nested();
     for preset in Preset::ALL {
