@@ -238,7 +238,10 @@ fn lists_of_faces_may_start_anywhere() {
     let (records, mut lists) = (records(&table), lists(&table));
     let expectation = Preset::Arrangement2.expectation();
     let broken = |lists: &Lists| {
-        validate(&with_lists(&records, lists), &expectation, Collect::All).broken_rules().collect::<Vec<_>>()
+        let columns = with_lists(&records, lists);
+        let report = validate(&columns, &expectation, Collect::All);
+        assert_eq!(Some(&report), columns.validate(expectation, Collect::All).as_ref());
+        report.broken_rules().collect::<Vec<_>>()
     };
     assert_eq!((&lists.inner_first[..], broken(&lists)), (&[0, 1, 3, 3][..], vec![]));
     for (place, value, first) in [

@@ -13,7 +13,7 @@ use crate::validate::validator::validate;
 use crate::validate::view::View;
 use alloc::boxed::Box;
 
-/// What is done with a view, whatever its type: [`Columns::with_view`] takes it.
+/// What is done with a view, whatever its type: [`Columns::with_view`] takes it, and has an example.
 pub trait OnView {
     /// What comes of it.
     type Output;
@@ -234,13 +234,13 @@ impl<'a, T: Cell> Columns<'a, T> {
         Ok(self)
     }
 
-    /// The report of the structure, held to the parts of the [`expectation`](Self::expectation) that the columns have. Where half-edges keep
-    /// targets, or faces keep nothing, [`adapt::Targets`](crate::validate::adapt::Targets) and
+    /// The report of the structure, held to the parts of the [`expectation`](Self::expectation) that the columns have. Where
+    /// half-edges keep targets, or faces keep nothing, [`adapt::Targets`](crate::validate::adapt::Targets) and
     /// [`adapt::FaceLabels`](crate::validate::adapt::FaceLabels) answer. `None` if there is no memory for these, or more than
     /// `u32::MAX - 1` records of one kind.
     ///
-    /// It is the report of [`validate`](validate()), sooner: the columns are looked at first, and read with fewer checks where they are whole
-    /// slices, or go forward in memory, and all records are live. O(n).
+    /// It is the report of [`validate`](validate()), sooner: the columns are looked at first, and read with fewer checks where they
+    /// are whole slices, or go forward in memory, and all records are live. O(n).
     ///
     /// ```
     /// use twinedge::validate::interchange::{Column, Columns};
@@ -264,6 +264,36 @@ impl<'a, T: Cell> Columns<'a, T> {
     }
 
     /// Does something with the view and the expectation of [`validate`](Self::validate): validates it in a wrapper of one's own, say.
+    /// `None` as there. O(n), and what is done.
+    ///
+    /// ```
+    /// use twinedge::delegate_view;
+    /// use twinedge::validate::interchange::{Column, Columns, OnView};
+    /// use twinedge::validate::{Collect, Expectation, Report, Rule, View, validate};
+    ///
+    /// /// The structure, without its half-edge 5.
+    /// struct Cut<V>(V);
+    /// impl<V: View> View for Cut<V> {
+    ///     delegate_view!(|this| &this.0; except is_half_edge);
+    ///     fn is_half_edge(&self, half_edge: usize) -> bool {
+    ///         half_edge != 5 && self.0.is_half_edge(half_edge)
+    ///     }
+    /// }
+    ///
+    /// struct WithoutFive;
+    /// impl OnView for WithoutFive {
+    ///     type Output = Report;
+    ///     fn on<V: View>(self, view: V, expectation: &Expectation) -> Report {
+    ///         validate(&Cut(view), expectation, Collect::All)
+    ///     }
+    /// }
+    ///
+    /// let (origin, next) = ([0_i32, 1, 1, 2, 2, 0], [2_i32, 5, 4, 1, 0, 3]);
+    /// let columns = Columns::paired(3, Column::new(&origin), Column::new(&next))?;
+    /// let report = columns.with_view(Expectation::plane(), WithoutFive).expect("memory");
+    /// assert_eq!(report.broken_rules().next(), Some(Rule::R1));
+    /// # Ok::<(), twinedge::validate::interchange::ColumnsError>(())
+    /// ```
     pub fn with_view<D: OnView>(&self, expectation: Expectation, on: D) -> Option<D::Output> {
         let expectation = self.expectation(expectation);
         let labels = expectation.has(Part::Faces)
@@ -274,7 +304,7 @@ impl<'a, T: Cell> Columns<'a, T> {
         if !by_target && !labels {
             return Some(self.fastest(&expectation, on));
         }
-        // The usual ones. All others answer through one indirect call for each link, so that not every form is compiled with each adapter.
+        // The usual ones. All others answer through one indirect call for each link, so that few forms are compiled with adapters.
         let plain = self.form.map::<_, true>(|column| column.cells());
         let adapted: Box<dyn View + '_> = match (plain, by_target) {
             (Some(form), false) => return Some(on.on(FaceLabels::one_cycle(form)?, &expectation)),
