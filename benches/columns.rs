@@ -51,7 +51,7 @@ impl Torus {
         &self.fields[field][..len]
     }
 
-    fn columns(&self, column: impl Fn(usize) -> Column<'_, u32>) -> Columns<'_, u32> {
+    fn columns<'a>(&'a self, column: impl Fn(usize) -> Column<'a, u32>) -> Columns<'a, u32> {
         let kept = Column::new(&self.kept);
         let columns = Columns::new(self.kept.len(), column(0), column(1), column(2)).expect("lengths");
         let columns = columns.with_prev(column(3)).and_then(|columns| columns.with_leaving(kept)).expect("lengths");
