@@ -111,7 +111,7 @@ impl View for Records<'_> {
 struct Lists<'a>(Slices<'a>);
 
 impl View for Lists<'_> {
-    twinedge::delegate_view!(|this| &this.0; except boundary_slots, boundary, boundary_face, boundary_start, outer);
+    twinedge::delegate_view!(|this| &this.0; except boundary_slots, is_boundary, boundary, boundary_face, boundary_start, outer);
     fn boundary_slots(&self) -> usize {
         self.0.0.faces.len()
     }
