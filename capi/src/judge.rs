@@ -6,9 +6,8 @@ use crate::failure::{Failure, Status};
 use crate::names::{Link, Record};
 use crate::plan::Plan;
 use std::sync::atomic::{AtomicI32, AtomicI64, AtomicU32, AtomicU64};
-use twinedge::validate::adapt::{FaceLabels, Targets};
 use twinedge::validate::interchange::{Boundaries, Cell, Column, Columns};
-use twinedge::validate::{Collect, Expectation, Part, Report, View, validate};
+use twinedge::validate::{Collect, Expectation, Report};
 
 /// The columns of a structure, and how many records there are where the caller has said so.
 struct Given<'a, T> {
@@ -98,28 +97,7 @@ impl<'a, T: Cell> Given<'a, T> {
             (None, None) => return Err(Failure::new(Status::Missing, "give either origin or target")),
             (Some(_), Some(_)) => return Err(Failure::new(Status::Conflict, "give either origin or target")),
         };
-        let columns = self.columns(ends, next, by_target)?;
-        let expectation = columns.expectation(expectation);
-        let labels = expectation.has(Part::Faces)
-            && !expectation.has(Part::BoundaryComponents)
-            && self.column(Link::FaceHalfEdge).is_none();
-        let memory = Failure::memory;
-        // Adapters answer through one indirect call for each link, so that the validator is compiled once for all of them.
-        let adapted: Box<dyn View + '_> = match (by_target, labels) {
-            (false, false) => {
-                return Ok(match columns.dense() {
-                    Some(dense) => validate(&dense, &expectation, collect),
-                    None => validate(&columns, &expectation, collect),
-                });
-            }
-            (false, true) => Box::new(FaceLabels::one_cycle(columns).ok_or_else(memory)?),
-            (true, false) => Box::new(Targets::of(columns).ok_or_else(memory)?),
-            (true, true) => {
-                let view = Targets::of(columns).ok_or_else(memory)?;
-                Box::new(FaceLabels::one_cycle(view).ok_or_else(memory)?)
-            }
-        };
-        Ok(validate(&*adapted, &expectation, collect))
+        self.columns(ends, next, by_target)?.validate(expectation, collect).ok_or_else(Failure::memory)
     }
 
     fn columns(&self, ends: Column<'a, T>, next: Column<'a, T>, by_target: bool) -> Result<Columns<'_, T>, Failure> {

@@ -27,7 +27,7 @@ use twinedge_trials::{Checker, Outcome, Run, Structure, StructureError, Validato
 /// component, outer ones become inner ones, a loop becomes a single half-edge that is its own twin, and a face lists an entry again.
 ///
 /// Maps of up to two edges and two vertices are judged in every form, too: as each of the 112 distinct expectations has them (plane
-/// or surface, closed or open, with or without each part), and as two have them that ask for M1 ... M7. Each rule that an
+/// or surface, closed or open, with or without each part), and as three have them that ask for M1 ... M8. Each rule that an
 /// expectation checks must be the first broken one there.
 ///
 /// Then pairs of single corruptions follow: all of them on the maps of at most one edge and two vertices, and a sample of them on

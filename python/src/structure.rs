@@ -10,9 +10,8 @@ use pyo3::prelude::*;
 use pyo3::types::PyDict;
 use std::cell::{Cell, RefCell};
 use twinedge::delegate_view;
-use twinedge::validate::adapt::{FaceLabels, Targets};
-use twinedge::validate::interchange::Columns;
-use twinedge::validate::{self as rules, Collect, Expectation, Link, Part, Report, View, Violation};
+use twinedge::validate::interchange::{Columns, OnView};
+use twinedge::validate::{self as rules, Collect, Expectation, Link, Report, View, Violation};
 
 /// How many half-edges are walked from one look at signals to the next.
 const BETWEEN_SIGNALS: u32 = 1 << 18;
@@ -158,29 +157,23 @@ fn judge<T: Atomic>(
     if let Some(kept) = face_half_edge {
         columns = columns.with_outer_half_edge(kept).map_err(wrong)?;
     }
-    let expectation = columns.expectation(expectation);
     let memory = || PyMemoryError::new_err("not enough memory, or more than 4,294,967,294 records of a kind");
-    let labels_only = expectation.has(Part::Faces) && face_half_edge.is_none();
-    if target.is_some() {
-        let view = Targets::of(columns).ok_or_else(memory)?;
-        if labels_only {
-            run(FaceLabels::one_cycle(view).ok_or_else(memory)?, expectation, collect)
-        } else {
-            run(view, expectation, collect)
-        }
-    } else if labels_only {
-        run(FaceLabels::one_cycle(columns).ok_or_else(memory)?, expectation, collect)
-    } else {
-        run(columns, expectation, collect)
-    }
+    columns.with_view(expectation, Run(collect)).ok_or_else(memory)?
 }
 
-fn run<V: View>(view: V, expectation: Expectation, collect: Collect) -> PyResult<Report> {
-    let view = Interruptible::new(view);
-    let report = rules::validate(&view, &expectation, collect);
-    match view.raised.into_inner() {
-        None => Ok(report),
-        Some(error) => Err(error),
+/// Validates, until it is interrupted.
+struct Run(Collect);
+
+impl OnView for Run {
+    type Output = PyResult<Report>;
+
+    fn on<V: View>(self, view: V, expectation: &Expectation) -> PyResult<Report> {
+        let view = Interruptible::new(view);
+        let report = rules::validate(&view, expectation, self.0);
+        match view.raised.into_inner() {
+            None => Ok(report),
+            Some(error) => Err(error),
+        }
     }
 }
 

@@ -1,8 +1,10 @@
 """What other checkers pass, reduced. Each test states what a library does in the version that is named; it fails when that changes."""
 
+import json
 import signal
-from collections import Counter
+from collections import Counter, defaultdict
 from contextlib import contextmanager
+from pathlib import Path
 
 import networkx as nx
 import numpy as np
@@ -12,6 +14,8 @@ import trimesh
 from compas.datastructures import Mesh
 
 from twinedge import adapters
+
+ROOT = Path(__file__).parents[2]
 
 
 class _Hang(Exception):
@@ -84,6 +88,67 @@ def test_networkx_check_structure_on_every_wrong_neighbour_of_a_tetrahedron():
     assert adapters.networkx(embedding).valid
 
 
+class _Links(dict):
+    """The links of a half-edge. It counts how often one is read, and stops when that has been too often."""
+
+    left = 10**9
+
+    def __getitem__(self, key):
+        _Links.left -= 1
+        if _Links.left < 0:
+            raise _Hang
+        return super().__getitem__(key)
+
+
+class _Counted(nx.PlanarEmbedding):
+    edge_attr_dict_factory = _Links
+
+
+def _neighbours_of_countries():
+    """The countries of Natural Earth at 1 : 110 million, joined where they share a border, in the embedding that networkx finds."""
+    owners = defaultdict(set)
+    features = json.loads((ROOT / "cli" / "data" / "world-110m.geojson").read_text(encoding="utf-8"))["features"]
+    for country, feature in enumerate(features):
+        shape = feature["geometry"]
+        for polygon in [shape["coordinates"]] if shape["type"] == "Polygon" else shape["coordinates"]:
+            for ring in polygon:
+                for ends in zip(ring, ring[1:], strict=False):
+                    owners[tuple(sorted(map(tuple, ends)))].add(country)
+    graph = nx.Graph()
+    graph.add_nodes_from(range(len(features)))
+    graph.add_edges_from(pair for pair in owners.values() if len(pair) == 2)
+    embedding = _Counted()
+    embedding.set_data(nx.check_planarity(graph)[1].get_data())
+    return embedding
+
+
+def test_networkx_check_structure_on_a_wrong_neighbour_of_each_half_edge_of_a_map():
+    embedding = _neighbours_of_countries()
+    assert embedding.number_of_edges() == 626
+    budget = _Links.left
+    embedding.check_structure()
+    # The walk around a vertex depends on the last neighbour alone, so a check that reads ten times as much goes in a circle.
+    budget = 10 * (budget - _Links.left)
+    found = {"cw": Counter(), "ccw": Counter()}
+    for u in embedding:
+        around = dict(embedding[u])
+        for links in around.values():
+            for attribute, counter in found.items():
+                right = dict.__getitem__(links, attribute)
+                # The neighbour after the right one. There is another one unless this is the only one.
+                wrong = dict.__getitem__(around[right], attribute)
+                if wrong == right:
+                    continue
+                links[attribute] = wrong
+                _Links.left = budget
+                counter[_check_structure(embedding, 60)] += 1
+                _Links.left = 10**9
+                assert adapters.networkx(embedding).broken_rules[0] == "L2"
+                links[attribute] = right
+    assert found == {"cw": {"caught": 470, "hangs": 140}, "ccw": {"caught": 450, "passes": 160}}
+    assert adapters.networkx(embedding).valid
+
+
 def test_compas_collapse_edge_leaves_half_edges_of_the_vertex_that_went():
     # https://github.com/compas-dev/compas/issues/880
     mesh = Mesh.from_vertices_and_faces([[0, 0, 0], [10, 0, 0], [10, 10, 0], [0, 5, 0], [0, 10, 0]], [[0, 1, 2], [0, 2, 3, 4]])
@@ -122,8 +187,21 @@ def test_trimesh_calls_two_bodies_that_touch_in_a_vertex_one_volume():
 def test_geos_calls_a_map_that_crosses_itself_a_valid_coverage():
     square = shapely.box(0, 0, 4, 4)
     bow_tie = shapely.Polygon([(4, 0), (8, 4), (8, 0), (4, 4)])
-    # Documented: the polygons are to be valid. The bow-tie is not, and both of its crossing sides pass.
+    # The bow-tie crosses itself. It overlaps no other polygon, and whether each is to be valid is not documented.
     assert shapely.coverage_is_valid([square, bow_tie]) and not bow_tie.is_valid
     report = adapters.shapely([square, bow_tie])
     assert not report.valid and report.broken_rules[-1] == "G4"
     assert {f.fields["rule"] for f in report.findings} >= {"C6"}
+
+
+def test_geos_calls_countries_that_cross_themselves_a_valid_coverage():
+    layer = json.loads((ROOT / "tests" / "data" / "world-110m-crossing.geojson").read_text(encoding="utf-8"))
+    names = [feature["properties"]["name"] for feature in layer["features"]]
+    countries = np.array([shapely.geometry.shape(feature["geometry"]) for feature in layer["features"]])
+    assert shapely.coverage_is_valid(countries)
+    assert [names[i] for i in np.flatnonzero(~shapely.is_valid(countries))] == ["Sudan", "North Korea"]
+    report = adapters.shapely(countries)
+    crossing = [violation for violation in report.violations if violation.rule == "G4"]
+    assert len(crossing) == 2
+    invalid = {names[i] for finding in report.findings if finding.fields["rule"] == "C6" for i in finding.fields["features"]}
+    assert invalid >= {"Sudan", "North Korea"}

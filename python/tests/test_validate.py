@@ -62,6 +62,13 @@ def test_what_is_asked_for_is_checked(triangle):
     assert twinedge.validate(**both, preset="surface_mesh", border_kept=True).broken_rules == ["M8"]
 
 
+def test_the_preset_of_networkx_checks_both_orders(triangle):
+    triangle["prev"] = [4, 3, 0, 5, 2, 1]
+    assert twinedge.validate(**triangle, preset="networkx").valid
+    triangle["prev"][0] = 2
+    assert twinedge.validate(**triangle, preset="networkx").broken_rules == ["L2"]
+
+
 def test_targets_pairs_and_labels(triangle):
     pillow = {"next": [2, 5, 4, 1, 0, 3], "face": [0, 1, 0, 1, 0, 1]}
     assert twinedge.validate(origin=[0, 1, 1, 2, 2, 0], **pillow, genus=0).valid

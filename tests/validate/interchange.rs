@@ -4,7 +4,7 @@ use std::collections::BTreeSet;
 use std::sync::atomic::{AtomicI32, AtomicI64, AtomicU32, AtomicU64};
 use twinedge::validate::adapt::{FaceLabels, Targets};
 use twinedge::validate::enumerate::for_each_corruption;
-use twinedge::validate::interchange::{Boundaries, Cell, Column, Columns, ColumnsError, Preset};
+use twinedge::validate::interchange::{Boundaries, Cell, Column, Columns, ColumnsError, OnView, Preset};
 use twinedge::validate::{Collect, Expectation, Part, Rule, Start, Table, View, Violation, validate};
 
 fn link(value: Option<usize>) -> i64 {
@@ -64,18 +64,38 @@ fn whole(slices: &[Vec<i64>; 7]) -> Columns<'_, i64> {
         .unwrap()
 }
 
+/// The name of the type of the view that is judged.
+struct NameOfView;
+
+impl OnView for NameOfView {
+    type Output = &'static str;
+    fn on<V: View>(self, _: V, _: &Expectation) -> &'static str {
+        std::any::type_name::<V>()
+    }
+}
+
 #[test]
-fn only_whole_columns_of_live_records_are_dense() {
+fn columns_are_judged_in_the_fastest_form_that_they_have() {
     let table = pillow();
     let records = records(&table);
-    assert!(columns(&records).dense().is_none());
     let slices = slices(&columns(&records), &table);
     let whole = whole(&slices);
-    assert!(whole.dense().is_some() && whole.by_target().dense().is_none());
-    assert!(whole.with_live_faces(&[true, true]).unwrap().dense().is_some());
-    assert!(whole.with_live_faces(&[true, false]).unwrap().dense().is_none());
+    let form = |columns: Columns<'_, i64>| {
+        let name = columns.with_view(Expectation::surface(), NameOfView).unwrap();
+        let reads = ["Forward", "Column<", "&[i64]", "dyn"].into_iter().find(|kind| name.contains(kind)).unwrap();
+        (reads, name.ends_with("true>"))
+    };
+    assert_eq!(form(whole), ("&[i64]", true));
+    assert_eq!(form(whole.with_live_faces(&[true, true]).unwrap()), ("&[i64]", true));
+    assert_eq!(form(whole.with_live_faces(&[true, false]).unwrap()), ("&[i64]", false));
+    assert_eq!(form(columns(&records)), ("Forward", true));
+    assert_eq!(form(columns(&records).with_live_faces(&[true, false]).unwrap()), ("Column<", false));
+    let backward = Column::strided(&slices[3], 5, -1, 6).unwrap();
+    assert_eq!(form(whole.with_prev(backward).unwrap()), ("Column<", false));
+    assert_eq!(form(whole.by_target()), ("&[i64]", false));
+    assert_eq!(form(columns(&records).by_target()).0, "dyn");
     // Twins are paired where there is no column of them.
-    let paired = Columns::paired(3, Column::new(&slices[0]), Column::new(&slices[2])).unwrap().dense().unwrap();
+    let paired = Columns::paired(3, Column::new(&slices[0]), Column::new(&slices[2])).unwrap();
     assert_eq!(
         ((0..6).map(|h| paired.twin(h)).collect::<Vec<_>>(), paired.prev(0)),
         ([1, 0, 3, 2, 5, 4].map(Some).to_vec(), None)
@@ -102,8 +122,13 @@ fn columns_have_the_verdict_of_the_table_that_they_are_of() {
         let (of_table, of_columns) =
             (validate(changed, &expectation, Collect::All), validate(&columns, &expectation, Collect::All));
         let slices = slices(&columns, changed);
-        let dense = whole(&slices).dense().expect("whole columns");
-        assert_eq!(of_columns, validate(&dense, &expectation, Collect::All));
+        let whole = whole(&slices);
+        let last = slices[3].len() - 1;
+        let backward: Vec<_> = slices[3].iter().rev().copied().collect();
+        let backward = Column::strided(&backward, last, -1, slices[3].len()).unwrap();
+        for form in [columns, whole, whole.with_prev(backward).unwrap()] {
+            assert_eq!(Some(&of_columns), form.validate(Expectation::surface(), Collect::All).as_ref());
+        }
         assert_eq!(of_table.broken_rules().collect::<Vec<_>>(), of_columns.broken_rules().collect::<Vec<_>>());
         broken.extend(of_columns.broken_rules().next());
     });
@@ -199,6 +224,7 @@ fn boundary_components_in_columns_have_the_verdict_of_their_table() {
         assert_eq!(columns.expectation(Expectation::plane()), expectation);
         let of_table = validate(changed, &expectation, Collect::All);
         let of_columns = validate(&columns, &expectation, Collect::All);
+        assert_eq!(Some(&of_columns), columns.validate(Expectation::plane(), Collect::All).as_ref());
         // A link beyond may be another number, but the rules that it breaks are the same.
         assert_eq!(of_table.broken_rules().collect::<Vec<_>>(), of_columns.broken_rules().collect::<Vec<_>>());
         broken.extend(of_columns.broken_rules().next());
@@ -212,7 +238,10 @@ fn lists_of_faces_may_start_anywhere() {
     let (records, mut lists) = (records(&table), lists(&table));
     let expectation = Preset::Arrangement2.expectation();
     let broken = |lists: &Lists| {
-        validate(&with_lists(&records, lists), &expectation, Collect::All).broken_rules().collect::<Vec<_>>()
+        let columns = with_lists(&records, lists);
+        let report = validate(&columns, &expectation, Collect::All);
+        assert_eq!(Some(&report), columns.validate(expectation, Collect::All).as_ref());
+        report.broken_rules().collect::<Vec<_>>()
     };
     assert_eq!((&lists.inner_first[..], broken(&lists)), (&[0, 1, 3, 3][..], vec![]));
     for (place, value, first) in [
@@ -329,7 +358,9 @@ fn targets_pairs_and_labels_are_completed_by_the_adapters() {
         let columns = columns.with_faces(2, Column::new(face)).unwrap();
         let expectation = columns.expectation(Expectation::surface());
         let view = FaceLabels::one_cycle(Targets::of(columns).unwrap()).unwrap();
-        validate(&view, &expectation, Collect::All).broken_rules().next()
+        let report = validate(&view, &expectation, Collect::All);
+        assert_eq!(Some(&report), columns.validate(Expectation::surface(), Collect::All).as_ref());
+        report.broken_rules().next()
     };
     assert_eq!(judge(&target, &face), None);
     assert_eq!(judge(&target, &[0, 1, 0, 1, 1, 1]), Some(Rule::B1));
@@ -352,6 +383,8 @@ fn presets_have_names_sources_and_parts() {
         Preset::ALL.iter().map(|p| asks(*p)).collect::<Vec<_>>(),
         [vec![], vec![Rule::M8], vec![], vec![Rule::M3], vec![Rule::M2], vec![Rule::M2]]
     );
+    let keeps_prev = |preset: &Preset| preset.expectation().has(Part::Prev);
+    assert_eq!(Preset::ALL.iter().map(keeps_prev).collect::<Vec<_>>(), [true, true, true, false, false, true]);
     // The nested triangles have holes, places left out: an arrangement, and nothing of the others.
     let table = crate::support::nested::nested();
     for preset in Preset::ALL {

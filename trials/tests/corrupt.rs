@@ -71,7 +71,7 @@ fn a_validator_that_is_blind_to_a_late_rule_is_noticed_in_every_form() {
 fn every_expectation_sees_every_rule_broken() {
     let work = CorruptWork { edges: 2, pairs: 0, seed: 0 };
     let outcome = corrupt(&slots(), work, &Validator, &Run::default(), &abort).unwrap().into_result().unwrap();
-    assert_eq!(outcome.expectations.len(), 114);
+    assert_eq!(outcome.expectations.len(), 115);
     assert_eq!(outcome.never_first_broken().collect::<Vec<_>>(), []);
     let rules = |number: usize| outcome.expectations[number].first_broken.len();
     // The plane with every part: all but T4. The least that is checked: R1, L1, L2, L3, V2.
@@ -84,6 +84,7 @@ fn every_expectation_sees_every_rule_broken() {
     let surface = "surface, open, without lists of inner boundary components, unbounded face, asking for";
     assert_eq!(asked(112), (format!("{surface} M1, M2, M3, M4, M5, M6, M7"), vec!["M1", "M2", "M3", "M4"]));
     assert_eq!(asked(113), (format!("{surface} M5, M6, M7"), vec!["M5", "M6", "M7"]));
+    assert_eq!(asked(114), (format!("{surface} M8"), vec!["M8"]));
     // With one edge there is nothing to nest: this is said, and no failure.
     let small = corrupted(&Validator);
     assert!(small.never_first_broken().any(|(_, rule)| rule == Rule::T3) && small.is_ok());

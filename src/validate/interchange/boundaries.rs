@@ -1,7 +1,7 @@
 //! Records of boundary components in columns.
 
 use super::cell::Cell;
-use super::column::Column;
+use super::column::{Column, Links};
 use super::error::ColumnsError;
 use crate::validate::view::{Link, Start};
 
@@ -38,7 +38,7 @@ impl<T> Clone for Boundaries<'_, T> {
 
 impl<T> Copy for Boundaries<'_, T> {}
 
-impl<T: Cell> Boundaries<'_, T> {
+impl<'a, T: Cell> Boundaries<'a, T> {
     /// Nothing, if every column has its length.
     pub(super) fn fit(&self, vertices: usize, half_edges: usize, faces: usize) -> Result<(), ColumnsError> {
         let boundaries = self.face.len();
@@ -54,25 +54,64 @@ impl<T: Cell> Boundaries<'_, T> {
         self.inner_first.expect_len("inner_first", faces.saturating_add(1))
     }
 
-    pub(super) const fn slots(&self) -> usize {
+    pub(super) fn lists(&self) -> Lists<Column<'a, T>> {
+        let Self { boundary, isolated, face, half_edge, vertex, outer, inner_first, inner } = *self;
+        let none = Column::new(&[]);
+        let (isolated, vertex) = (isolated.unwrap_or(none), vertex.unwrap_or(none));
+        Lists { boundary, isolated, face, half_edge, vertex, outer, inner_first, inner }
+    }
+}
+
+/// The same, in columns of any kind.
+#[derive(Clone, Copy, Debug)]
+pub(super) struct Lists<C> {
+    pub(super) boundary: C,
+    /// This and `vertex` may be without links.
+    pub(super) isolated: C,
+    pub(super) face: C,
+    half_edge: C,
+    vertex: C,
+    pub(super) outer: C,
+    inner_first: C,
+    inner: C,
+}
+
+impl<C: Links> Lists<C> {
+    /// The same, in columns of another kind, if every column can be one.
+    pub(super) fn map<D>(&self, to: impl Fn(C) -> Option<D>) -> Option<Lists<D>> {
+        Some(Lists {
+            boundary: to(self.boundary)?,
+            isolated: to(self.isolated)?,
+            face: to(self.face)?,
+            half_edge: to(self.half_edge)?,
+            vertex: to(self.vertex)?,
+            outer: to(self.outer)?,
+            inner_first: to(self.inner_first)?,
+            inner: to(self.inner)?,
+        })
+    }
+
+    pub(super) fn slots(&self) -> usize {
         self.face.len()
     }
 
     pub(super) fn start(&self, boundary: usize) -> Option<Start> {
-        match self.half_edge.link(boundary) {
+        match self.half_edge.at(boundary) {
             Some(half_edge) => Some(Start::HalfEdge(half_edge)),
-            None => self.vertex?.link(boundary).map(Start::Vertex),
+            None => self.vertex.at(boundary).map(Start::Vertex),
         }
     }
 
     pub(super) fn inner_count(&self, face: usize) -> usize {
-        match (self.inner_first.link(face), self.inner_first.link(face.saturating_add(1))) {
+        match (self.inner_first.at(face), self.inner_first.at(face.saturating_add(1))) {
             (Some(first), Some(end)) => end.saturating_sub(first),
             _ => 0,
         }
     }
 
     pub(super) fn inner(&self, face: usize, position: usize) -> Link {
-        self.inner.link(self.inner_first.link(face)?.checked_add(position)?)
+        let position = self.inner_first.at(face)?.checked_add(position)?;
+        // A list may go on past the end of them all.
+        if position < self.inner.len() { self.inner.at(position) } else { None }
     }
 }

@@ -4,6 +4,13 @@ use super::cell::Cell;
 use super::error::ColumnsError;
 use crate::validate::view::Link;
 
+/// Links by position.
+pub(super) trait Links: Copy {
+    fn len(&self) -> usize;
+    /// The link at this position, which is not past the end.
+    fn at(&self, position: usize) -> Link;
+}
+
 /// A column of links in a slice of integers.
 ///
 /// ```
@@ -16,7 +23,7 @@ use crate::validate::view::Link;
 /// ```
 #[derive(Debug)]
 pub struct Column<'a, T> {
-    /// Where the step is 1, the cells of the column and no others.
+    /// From the first cell of the column in memory to its last.
     cells: &'a [T],
     first: usize,
     /// A step of the stride, modulo the number of all positions: a negative one is added like a positive one.
@@ -47,19 +54,16 @@ impl<'a, T: Cell> Column<'a, T> {
         let error = Err(ColumnsError::OutOfSlice { first, stride, len, cells: cells.len() });
         let Some(steps) = len.checked_sub(1) else { return Ok(Self::new(&[])) };
         let Some(span) = stride.unsigned_abs().checked_mul(steps) else { return error };
-        let (step, last) = if stride < 0 {
-            (0_usize.wrapping_sub(stride.unsigned_abs()), first.checked_sub(span))
-        } else {
-            (stride.unsigned_abs(), first.checked_add(span))
-        };
-        match last {
-            Some(last) if first < cells.len() && last < cells.len() => Ok(if step == 1 {
-                Self::new(cells.split_at(first).1.split_at(len).0)
-            } else {
-                Self { cells, first, step, len }
-            }),
-            _ => error,
+        let last = if stride < 0 { first.checked_sub(span) } else { first.checked_add(span) };
+        let Some(last) = last else { return error };
+        if first >= cells.len() || last >= cells.len() {
+            return error;
         }
+        let step = stride.unsigned_abs();
+        let (lowest, first, step) =
+            if stride < 0 { (last, span, 0_usize.wrapping_sub(step)) } else { (first, 0, step) };
+        let cells = cells.split_at(lowest).1.split_at(span + 1).0;
+        Ok(Self { cells, first, step, len })
     }
 
     /// The number of links.
@@ -76,7 +80,12 @@ impl<'a, T: Cell> Column<'a, T> {
 
     /// The cells, if they lie one after the other.
     pub(super) const fn cells(&self) -> Option<&'a [T]> {
-        if self.step == 1 { Some(self.cells) } else { None }
+        if self.step == 1 || self.len == 0 { Some(self.cells) } else { None }
+    }
+
+    /// The same column, if it goes forward in memory.
+    pub(super) const fn forward(&self) -> Option<Forward<'a, T>> {
+        if self.first == 0 { Some(Forward { cells: self.cells, step: self.step, len: self.len }) } else { None }
     }
 
     /// Nothing, if the column of this name has the length that is expected.
@@ -88,17 +97,62 @@ impl<'a, T: Cell> Column<'a, T> {
     #[inline]
     #[must_use]
     pub fn link(&self, position: usize) -> Link {
-        if self.step == 1 {
-            return self.cells.get(position)?.link();
-        }
-        // Within the column nothing wraps: `strided` has looked at both ends.
-        let cell = self.first.wrapping_add(position.wrapping_mul(self.step));
-        if position < self.len { self.cells.get(cell)?.link() } else { None }
+        if position < self.len { self.at(position) } else { None }
     }
 
     /// One more than the largest link, and 0 if there is none: how many records the links lead to, if none dangles. O(n).
     #[must_use]
     pub fn slots(&self) -> usize {
         (0..self.len).filter_map(|i| self.link(i)).max().map_or(0, |largest| largest.saturating_add(1))
+    }
+}
+
+impl<T: Cell> Links for Column<'_, T> {
+    fn len(&self) -> usize {
+        self.len
+    }
+
+    #[inline]
+    fn at(&self, position: usize) -> Link {
+        // Within the column nothing wraps: `strided` has looked at both ends.
+        self.cells.get(self.first.wrapping_add(position.wrapping_mul(self.step)))?.link()
+    }
+}
+
+impl<T: Cell> Links for &[T] {
+    fn len(&self) -> usize {
+        <[T]>::len(self)
+    }
+
+    #[inline]
+    fn at(&self, position: usize) -> Link {
+        self.get(position)?.link()
+    }
+}
+
+/// A column that goes forward in memory: one addition less for each link.
+#[derive(Debug)]
+pub(super) struct Forward<'a, T> {
+    cells: &'a [T],
+    step: usize,
+    len: usize,
+}
+
+impl<T> Clone for Forward<'_, T> {
+    fn clone(&self) -> Self {
+        *self
+    }
+}
+
+impl<T> Copy for Forward<'_, T> {}
+
+impl<T: Cell> Links for Forward<'_, T> {
+    fn len(&self) -> usize {
+        self.len
+    }
+
+    #[inline]
+    fn at(&self, position: usize) -> Link {
+        self.cells.get(position.wrapping_mul(self.step))?.link()
     }
 }

@@ -3,15 +3,28 @@
 use super::boundaries::Boundaries;
 use super::cell::Cell;
 use super::column::Column;
-use super::dense::Dense;
 use super::error::ColumnsError;
+use super::form::Form;
+use crate::delegate_view;
+use crate::validate::adapt::{FaceLabels, Targets};
 use crate::validate::expectation::{Expectation, Part};
-use crate::validate::view::{Link, Start, View};
+use crate::validate::report::{Collect, Report};
+use crate::validate::validator::validate;
+use crate::validate::view::View;
+use alloc::boxed::Box;
+
+/// What is done with a view, whatever its type: [`Columns::with_view`] takes it, and has an example.
+pub trait OnView {
+    /// What comes of it.
+    type Output;
+    /// Does it, with a view and what that is to be held to.
+    fn on<V: View>(self, view: V, expectation: &Expectation) -> Self::Output;
+}
 
 /// A half-edge structure whose links are columns of integers, read where they lie.
 ///
-/// Where half-edges keep their target, make it [`by_target`](Self::by_target) and wrap it in
-/// [`adapt::Targets`](crate::validate::adapt::Targets); where faces keep nothing, wrap it in
+/// [`Columns::validate`] judges it. It is a [`View`] of its columns, too: where half-edges keep their target
+/// ([`by_target`](Self::by_target)), that needs [`adapt::Targets`](crate::validate::adapt::Targets), and where faces keep nothing,
 /// [`adapt::FaceLabels`](crate::validate::adapt::FaceLabels).
 ///
 /// Constructors cost O(1), those with `live` in their name O(n), and memory is not allocated. A link is read at each question, with
@@ -19,12 +32,11 @@ use crate::validate::view::{Link, Start, View};
 ///
 /// ```
 /// use twinedge::validate::interchange::{Column, Columns};
-/// use twinedge::validate::{Collect, Expectation, validate};
+/// use twinedge::validate::{Collect, Expectation};
 /// // A triangle. Half-edges 0, 2 and 4 run around its inside.
 /// let (origin, twin, next) = ([0_i32, 1, 1, 2, 2, 0], [1_i32, 0, 3, 2, 5, 4], [2_i32, 5, 4, 1, 0, 3]);
 /// let columns = Columns::new(3, Column::new(&origin), Column::new(&twin), Column::new(&next))?;
-/// let expectation = columns.expectation(Expectation::plane());
-/// assert!(validate(&columns, &expectation, Collect::All).is_valid());
+/// assert!(columns.validate(Expectation::plane(), Collect::All).expect("memory").is_valid());
 ///
 /// let error = Columns::new(3, Column::new(&origin), Column::new(&twin[1..]), Column::new(&next)).unwrap_err();
 /// assert_eq!(error.to_string(), "the column `twin` has length 5, where 6 is expected");
@@ -32,20 +44,9 @@ use crate::validate::view::{Link, Start, View};
 /// ```
 #[derive(Debug)]
 pub struct Columns<'a, T> {
-    vertices: usize,
-    half_edges: usize,
-    faces: usize,
-    origin: Option<Column<'a, T>>,
-    target: Option<Column<'a, T>>,
-    twin: Option<Column<'a, T>>,
-    next: Column<'a, T>,
-    prev: Option<Column<'a, T>>,
-    face: Option<Column<'a, T>>,
-    leaving: Option<Column<'a, T>>,
-    outer_half_edge: Option<Column<'a, T>>,
-    boundaries: Option<Boundaries<'a, T>>,
-    /// Which vertices, half-edges, boundary components and faces are live, where not all are.
-    live: [Option<&'a [bool]>; 4],
+    form: Form<'a, Column<'a, T>, false>,
+    /// Whether there are `prev`, `face` and `leaving`.
+    has: [bool; 3],
 }
 
 impl<T> Clone for Columns<'_, T> {
@@ -68,8 +69,8 @@ impl<'a, T: Cell> Columns<'a, T> {
         next: Column<'a, T>,
     ) -> Result<Self, ColumnsError> {
         let mut columns = Self::paired(vertices, origin, next)?;
-        twin.expect_len("twin", columns.half_edges)?;
-        columns.twin = Some(twin);
+        twin.expect_len("twin", columns.form.half_edges)?;
+        columns.form.twin = Some(twin);
         Ok(columns)
     }
 
@@ -80,28 +81,30 @@ impl<'a, T: Cell> Columns<'a, T> {
     pub fn paired(vertices: usize, origin: Column<'a, T>, next: Column<'a, T>) -> Result<Self, ColumnsError> {
         let half_edges = next.len();
         origin.expect_len("origin", half_edges)?;
-        Ok(Self {
+        let none = Column::new(&[]);
+        let form = Form {
             vertices,
             half_edges,
             faces: 0,
-            origin: Some(origin),
-            target: None,
-            twin: None,
             next,
-            prev: None,
-            face: None,
-            leaving: None,
-            outer_half_edge: None,
-            boundaries: None,
+            twin: None,
+            origin,
+            target: none,
+            prev: none,
+            face: none,
+            leaving: none,
+            outer_half_edge: none,
+            lists: None,
             live: [None; 4],
-        })
+        };
+        Ok(Self { form, has: [false; 3] })
     }
 
     /// The same structure, the first column of which held targets.
     #[must_use]
     pub const fn by_target(mut self) -> Self {
-        self.target = self.origin;
-        self.origin = None;
+        self.form.target = self.form.origin;
+        self.form.origin = Column::new(&[]);
         self
     }
 
@@ -110,8 +113,8 @@ impl<'a, T: Cell> Columns<'a, T> {
     /// # Errors
     /// [`ColumnsError::Length`] if the column has another length than there are half-edges.
     pub fn with_prev(mut self, prev: Column<'a, T>) -> Result<Self, ColumnsError> {
-        prev.expect_len("prev", self.half_edges)?;
-        self.prev = Some(prev);
+        prev.expect_len("prev", self.form.half_edges)?;
+        (self.form.prev, self.has[0]) = (prev, true);
         Ok(self)
     }
 
@@ -120,9 +123,9 @@ impl<'a, T: Cell> Columns<'a, T> {
     /// # Errors
     /// [`ColumnsError::Length`] if the column has another length than there are half-edges.
     pub fn with_faces(mut self, faces: usize, face: Column<'a, T>) -> Result<Self, ColumnsError> {
-        face.expect_len("face", self.half_edges)?;
-        self.face = Some(face);
-        self.faces = faces;
+        face.expect_len("face", self.form.half_edges)?;
+        (self.form.face, self.has[1]) = (face, true);
+        self.form.faces = faces;
         Ok(self)
     }
 
@@ -131,8 +134,8 @@ impl<'a, T: Cell> Columns<'a, T> {
     /// # Errors
     /// [`ColumnsError::Length`] if the column has another length than there are vertices.
     pub fn with_leaving(mut self, leaving: Column<'a, T>) -> Result<Self, ColumnsError> {
-        leaving.expect_len("leaving", self.vertices)?;
-        self.leaving = Some(leaving);
+        leaving.expect_len("leaving", self.form.vertices)?;
+        (self.form.leaving, self.has[2]) = (leaving, true);
         Ok(self)
     }
 
@@ -141,8 +144,8 @@ impl<'a, T: Cell> Columns<'a, T> {
     /// # Errors
     /// [`ColumnsError::Length`] if the column has another length than there are [faces](Self::with_faces).
     pub fn with_outer_half_edge(mut self, outer_half_edge: Column<'a, T>) -> Result<Self, ColumnsError> {
-        outer_half_edge.expect_len("outer_half_edge", self.faces)?;
-        self.outer_half_edge = Some(outer_half_edge);
+        outer_half_edge.expect_len("outer_half_edge", self.form.faces)?;
+        self.form.outer_half_edge = outer_half_edge;
         Ok(self)
     }
 
@@ -174,9 +177,9 @@ impl<'a, T: Cell> Columns<'a, T> {
     /// # Ok::<(), twinedge::validate::interchange::ColumnsError>(())
     /// ```
     pub fn with_boundaries(mut self, faces: usize, boundaries: Boundaries<'a, T>) -> Result<Self, ColumnsError> {
-        boundaries.fit(self.vertices, self.half_edges, faces)?;
-        self.boundaries = Some(boundaries);
-        self.faces = faces;
+        boundaries.fit(self.form.vertices, self.form.half_edges, faces)?;
+        self.form.lists = Some(boundaries.lists());
+        self.form.faces = faces;
         Ok(self)
     }
 
@@ -185,7 +188,7 @@ impl<'a, T: Cell> Columns<'a, T> {
     /// # Errors
     /// [`ColumnsError::Length`] if there are more or fewer than vertices.
     pub fn with_live_vertices(self, live: &'a [bool]) -> Result<Self, ColumnsError> {
-        let slots = self.vertices;
+        let slots = self.form.vertices;
         self.with_live(0, "live_vertices", slots, live)
     }
 
@@ -194,7 +197,7 @@ impl<'a, T: Cell> Columns<'a, T> {
     /// # Errors
     /// [`ColumnsError::Length`] if there are more or fewer than half-edges.
     pub fn with_live_half_edges(self, live: &'a [bool]) -> Result<Self, ColumnsError> {
-        let slots = self.half_edges;
+        let slots = self.form.half_edges;
         self.with_live(1, "live_half_edges", slots, live)
     }
 
@@ -212,7 +215,7 @@ impl<'a, T: Cell> Columns<'a, T> {
     /// # Errors
     /// [`ColumnsError::Length`] if there are more or fewer than faces.
     pub fn with_live_faces(self, live: &'a [bool]) -> Result<Self, ColumnsError> {
-        let slots = self.faces;
+        let slots = self.form.faces;
         self.with_live(3, "live_faces", slots, live)
     }
 
@@ -227,43 +230,103 @@ impl<'a, T: Cell> Columns<'a, T> {
             return Err(ColumnsError::Length { column, found: live.len(), expected });
         }
         // Where all are live there is nothing to ask.
-        self.live[kind] = if live.iter().all(|live| *live) { None } else { Some(live) };
+        self.form.live[kind] = if live.iter().all(|live| *live) { None } else { Some(live) };
         Ok(self)
     }
 
-    /// The same structure, in a form that is validated faster: if it has origins, every column is a whole slice, every record is live, and
-    /// there are no records of boundary components. O(1).
+    /// The report of the structure, held to the parts of the [`expectation`](Self::expectation) that the columns have. Where
+    /// half-edges keep targets, or faces keep nothing, [`adapt::Targets`](crate::validate::adapt::Targets) and
+    /// [`adapt::FaceLabels`](crate::validate::adapt::FaceLabels) answer. `None` if there is no memory for these, or more than
+    /// `u32::MAX - 1` records of one kind.
+    ///
+    /// It is the report of [`validate`](validate()), sooner: the columns are looked at first, and read with fewer checks where they
+    /// are whole slices, or go forward in memory, and all records are live. O(n).
     ///
     /// ```
     /// use twinedge::validate::interchange::{Column, Columns};
-    /// use twinedge::validate::{Collect, Expectation, validate};
-    /// let (origin, next) = ([0_i32, 1, 1, 2, 2, 0], [2_i32, 5, 4, 1, 0, 3]);
-    /// let columns = Columns::paired(3, Column::new(&origin), Column::new(&next))?;
-    /// let expectation = columns.expectation(Expectation::plane());
-    /// let report = match columns.dense() {
-    ///     Some(dense) => validate(&dense, &expectation, Collect::All),
-    ///     None => validate(&columns, &expectation, Collect::All),
-    /// };
+    /// use twinedge::validate::{Collect, Expectation};
+    /// let (target, next) = ([1_i32, 0, 2, 1, 0, 2], [2_i32, 5, 4, 1, 0, 3]);
+    /// let columns = Columns::paired(3, Column::new(&target), Column::new(&next))?.by_target();
+    /// let report = columns.validate(Expectation::plane(), Collect::All).expect("memory");
     /// assert!(report.is_valid());
     /// # Ok::<(), twinedge::validate::interchange::ColumnsError>(())
     /// ```
     #[must_use]
-    pub fn dense(&self) -> Option<Dense<'a, T>> {
-        if self.boundaries.is_some() || self.live.iter().any(Option::is_some) {
-            return None;
+    pub fn validate(&self, expectation: Expectation, collect: Collect) -> Option<Report> {
+        struct Validate(Collect);
+        impl OnView for Validate {
+            type Output = Report;
+            fn on<V: View>(self, view: V, expectation: &Expectation) -> Report {
+                validate(&view, expectation, self.0)
+            }
         }
-        let optional = |column: Option<Column<'a, T>>| column.map_or(Some(&[][..]), |column| column.cells());
-        Some(Dense {
-            vertices: self.vertices,
-            faces: self.faces,
-            origin: self.origin?.cells()?,
-            next: self.next.cells()?,
-            twin: optional(self.twin)?,
-            prev: optional(self.prev)?,
-            face: optional(self.face)?,
-            leaving: optional(self.leaving)?,
-            outer_half_edge: optional(self.outer_half_edge)?,
-        })
+        self.with_view(expectation, Validate(collect))
+    }
+
+    /// Does something with the view and the expectation of [`validate`](Self::validate): validates it in a wrapper of one's own, say.
+    /// `None` as there. O(n), and what is done.
+    ///
+    /// ```
+    /// use twinedge::delegate_view;
+    /// use twinedge::validate::interchange::{Column, Columns, OnView};
+    /// use twinedge::validate::{Collect, Expectation, Report, Rule, View, validate};
+    ///
+    /// /// The structure, without its half-edge 5.
+    /// struct Cut<V>(V);
+    /// impl<V: View> View for Cut<V> {
+    ///     delegate_view!(|this| &this.0; except is_half_edge);
+    ///     fn is_half_edge(&self, half_edge: usize) -> bool {
+    ///         half_edge != 5 && self.0.is_half_edge(half_edge)
+    ///     }
+    /// }
+    ///
+    /// struct WithoutFive;
+    /// impl OnView for WithoutFive {
+    ///     type Output = Report;
+    ///     fn on<V: View>(self, view: V, expectation: &Expectation) -> Report {
+    ///         validate(&Cut(view), expectation, Collect::All)
+    ///     }
+    /// }
+    ///
+    /// let (origin, next) = ([0_i32, 1, 1, 2, 2, 0], [2_i32, 5, 4, 1, 0, 3]);
+    /// let columns = Columns::paired(3, Column::new(&origin), Column::new(&next))?;
+    /// let report = columns.with_view(Expectation::plane(), WithoutFive).expect("memory");
+    /// assert_eq!(report.broken_rules().next(), Some(Rule::R1));
+    /// # Ok::<(), twinedge::validate::interchange::ColumnsError>(())
+    /// ```
+    pub fn with_view<D: OnView>(&self, expectation: Expectation, on: D) -> Option<D::Output> {
+        let expectation = self.expectation(expectation);
+        let labels = expectation.has(Part::Faces)
+            && !expectation.has(Part::BoundaryComponents)
+            && self.form.outer_half_edge.is_empty()
+            && self.form.faces > 0;
+        let by_target = !self.form.target.is_empty();
+        if !by_target && !labels {
+            return Some(self.fastest(&expectation, on));
+        }
+        // The usual ones. All others answer through one indirect call for each link, so that few forms are compiled with adapters.
+        let plain = self.form.map::<_, true>(|column| column.cells());
+        let adapted: Box<dyn View + '_> = match (plain, by_target) {
+            (Some(form), false) => return Some(on.on(FaceLabels::one_cycle(form)?, &expectation)),
+            (Some(form), true) if !labels => return Some(on.on(Targets::of(form)?, &expectation)),
+            (_, false) => Box::new(FaceLabels::one_cycle(self.form)?),
+            (_, true) if !labels => Box::new(Targets::of(self.form)?),
+            (_, true) => Box::new(FaceLabels::one_cycle(Targets::of(self.form)?)?),
+        };
+        Some(on.on(adapted, &expectation))
+    }
+
+    fn fastest<D: OnView>(&self, expectation: &Expectation, on: D) -> D::Output {
+        if let Some(form) = self.form.map::<_, true>(|column| column.cells()) {
+            return on.on(form, expectation);
+        }
+        if let Some(form) = self.form.map::<_, false>(|column| column.cells()) {
+            return on.on(form, expectation);
+        }
+        match self.form.map::<_, true>(|column| column.forward()) {
+            Some(form) => on.on(form, expectation),
+            None => on.on(self.form, expectation),
+        }
     }
 
     /// The expectation without the parts that the columns lack: places of boundary components always; records of boundary
@@ -271,104 +334,21 @@ impl<'a, T: Cell> Columns<'a, T> {
     #[must_use]
     pub const fn expectation(&self, mut expectation: Expectation) -> Expectation {
         expectation = expectation.without(Part::Places);
-        if self.boundaries.is_none() {
+        if self.form.lists.is_none() {
             expectation = expectation.without(Part::BoundaryComponents).without(Part::Holes);
         }
-        if self.prev.is_none() {
+        let [prev, face, leaving] = self.has;
+        if !prev {
             expectation = expectation.without(Part::Prev);
         }
-        if self.leaving.is_none() {
+        if !leaving {
             expectation = expectation.without(Part::Leaving);
         }
-        let labelled = self.face.is_some() || self.boundaries.is_some();
+        let labelled = face || self.form.lists.is_some();
         if labelled { expectation } else { expectation.without(Part::Faces) }
     }
 }
 
-fn at<T: Cell>(column: Option<Column<'_, T>>, position: usize) -> Link {
-    column?.link(position)
-}
-
-/// Whether the slot is live: all below `slots` are where there is no mask.
-fn is_live(mask: Option<&[bool]>, slot: usize, slots: usize) -> bool {
-    match mask {
-        None => slot < slots,
-        Some(live) => live.get(slot).is_some_and(|live| *live),
-    }
-}
-
 impl<T: Cell> View for Columns<'_, T> {
-    fn vertex_slots(&self) -> usize {
-        self.vertices
-    }
-    fn half_edge_slots(&self) -> usize {
-        self.half_edges
-    }
-    fn face_slots(&self) -> usize {
-        self.faces
-    }
-    fn boundary_slots(&self) -> usize {
-        self.boundaries.as_ref().map_or(0, |boundaries| boundaries.slots())
-    }
-    fn is_vertex(&self, vertex: usize) -> bool {
-        is_live(self.live[0], vertex, self.vertices)
-    }
-    fn is_half_edge(&self, half_edge: usize) -> bool {
-        is_live(self.live[1], half_edge, self.half_edges)
-    }
-    fn is_boundary(&self, boundary: usize) -> bool {
-        is_live(self.live[2], boundary, self.boundary_slots())
-    }
-    fn is_face(&self, face: usize) -> bool {
-        is_live(self.live[3], face, self.faces)
-    }
-    fn origin(&self, half_edge: usize) -> Link {
-        at(self.origin, half_edge)
-    }
-    fn target(&self, half_edge: usize) -> Link {
-        at(self.target, half_edge)
-    }
-    fn twin(&self, half_edge: usize) -> Link {
-        match self.twin {
-            Some(twin) => twin.link(half_edge),
-            None => Some(half_edge ^ 1),
-        }
-    }
-    fn next(&self, half_edge: usize) -> Link {
-        self.next.link(half_edge)
-    }
-    fn prev(&self, half_edge: usize) -> Link {
-        at(self.prev, half_edge)
-    }
-    fn face(&self, half_edge: usize) -> Link {
-        at(self.face, half_edge)
-    }
-    fn leaving(&self, vertex: usize) -> Link {
-        at(self.leaving, vertex)
-    }
-    fn outer_half_edge(&self, face: usize) -> Link {
-        at(self.outer_half_edge, face)
-    }
-
-    fn boundary(&self, half_edge: usize) -> Link {
-        self.boundaries.as_ref()?.boundary.link(half_edge)
-    }
-    fn isolated(&self, vertex: usize) -> Link {
-        self.boundaries.as_ref()?.isolated?.link(vertex)
-    }
-    fn boundary_face(&self, boundary: usize) -> Link {
-        self.boundaries.as_ref()?.face.link(boundary)
-    }
-    fn boundary_start(&self, boundary: usize) -> Option<Start> {
-        self.boundaries.as_ref()?.start(boundary)
-    }
-    fn outer(&self, face: usize) -> Link {
-        self.boundaries.as_ref()?.outer.link(face)
-    }
-    fn inner_count(&self, face: usize) -> usize {
-        self.boundaries.as_ref().map_or(0, |boundaries| boundaries.inner_count(face))
-    }
-    fn inner(&self, face: usize, position: usize) -> Link {
-        self.boundaries.as_ref()?.inner(face, position)
-    }
+    delegate_view!(|this| &this.form);
 }

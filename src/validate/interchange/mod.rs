@@ -7,14 +7,13 @@ mod boundaries;
 mod cell;
 mod column;
 mod columns;
-mod dense;
 mod error;
+mod form;
 mod preset;
 
 pub use boundaries::Boundaries;
 pub use cell::Cell;
 pub use column::Column;
-pub use columns::Columns;
-pub use dense::Dense;
+pub use columns::{Columns, OnView};
 pub use error::ColumnsError;
 pub use preset::Preset;

@@ -15,8 +15,9 @@
 //! Maps of up to two edges and two vertices are also judged in every form: as each of the 112 [expectations](twinedge::validate::forms) has them, closed
 //! and, where that is expected, with a face or a cycle of half-edges taken out. There each rule that the expectation checks must be
 //! the first broken one for some table, except for those that follow from the rules before: T4, and T3 on surfaces of any genus.
-//! Two more expectations ask for M1 … M7: a sphere of triangles, for which M1 … M4 are first broken, and a sphere, for which
-//! M5 … M7 are. Tables in these forms are judged as they are, too: some of them break M1 … M7 only.
+//! Three more expectations ask for M1 … M8: a sphere of triangles, for which M1 … M4 are first broken, a sphere, for which
+//! M5 … M7 are, and a surface whose border vertices keep border half-edges, for which M8 is. Tables in these forms are judged as they
+//! are, too: some of them break M1 … M8 only.
 //!
 //! The reference decides what is wrong, and by which rule first; the validator must say the same. Then pairs of single corruptions
 //! follow: all of them on the maps with at most one edge and two vertices, and a sample of them on all maps.

@@ -21,7 +21,7 @@ pub enum Form {
     Records,
     /// Without, as in textbooks: half-edges name their face, and faces name half-edges.
     Textbook,
-    /// The forms of all expectations together, with closed and open boundaries, and of two that ask for M1 … M7.
+    /// The forms of all expectations together, with closed and open boundaries, and of three that ask for M1 … M8.
     Every,
 }
 
@@ -152,13 +152,13 @@ impl fmt::Display for Corruption<'_> {
     }
 }
 
-/// The expectations to which tables in every form are held: the distinct ones, and two that ask for more.
+/// The expectations to which tables in every form are held: the distinct ones, and three that ask for more.
 pub(super) fn held_to() -> Vec<Expectation> {
     let open = Expectation::surface().open();
     // Small maps break one of M1 … M4 first, if it is asked for.
     let sphere = open.components(1).borders(0).genus(0);
     let of_triangles = sphere.no_unused_vertices().simple().triangles().closed();
-    expectations().into_iter().chain([of_triangles, sphere]).collect()
+    expectations().into_iter().chain([of_triangles, sphere, open.border_kept()]).collect()
 }
 
 /// The expectation in words.
@@ -191,6 +191,7 @@ pub(super) fn independent_rules(expectation: Expectation) -> Vec<Rule> {
         Rule::T3 => plane,
         Rule::M1 | Rule::M2 | Rule::M3 | Rule::M4 => expectation.asks_for(*rule),
         Rule::M5 | Rule::M6 | Rule::M7 => expectation.asks_for(*rule) && !expectation.asks_for(Rule::M4),
+        Rule::M8 => expectation.asks_for(*rule) && expectation.has(Part::Leaving),
         _ => false,
     };
     Rule::ALL.iter().copied().filter(is_checked).collect()
