@@ -1,55 +1,14 @@
 //! Local validation: it accepts nothing that a full validation refuses, follows what is right, and reads only what has changed.
 
+use crate::support::changes::{difference, touch};
 use crate::support::watched::Watched;
 use twinedge::dcel::{Corner, Dcel, Split};
 use twinedge::program::census::{Census, Scope};
 use twinedge::program::{StepOutcome, try_every_op};
-use twinedge::validate::enumerate::{Cell, for_each_corruption};
+use twinedge::validate::enumerate::for_each_corruption;
 use twinedge::validate::forms::{expectations, projected};
 use twinedge::validate::near::{Baseline, BaselineError, Touched, validate_near};
 use twinedge::validate::{Collect, Expectation, Part, Rule, Table, validate};
-
-/// The record that has the cell.
-fn touch(touched: &mut Touched, cell: Cell) {
-    match cell {
-        Cell::Origin(h) | Cell::Twin(h) | Cell::Next(h) | Cell::Prev(h) | Cell::Boundary(h) | Cell::Face(h) => {
-            touched.half_edges.push(h);
-        }
-        Cell::Leaving(v) | Cell::Isolated(v) => touched.vertices.push(v),
-        Cell::BoundaryFace(b) | Cell::BoundaryStart(b) | Cell::BoundaryPlace(b) => touched.boundaries.push(b),
-        Cell::Outer(f) | Cell::OuterHalfEdge(f) | Cell::InnerStart(f, _) => touched.faces.push(f),
-        Cell::Inner(f, i) => touched.listed.push((f, i)),
-    }
-}
-
-/// All records that differ.
-fn difference(before: &Table, after: &Table) -> Touched {
-    fn rows<R: PartialEq>(before: &[Option<R>], after: &[Option<R>]) -> Vec<usize> {
-        let row = |rows: &[Option<R>], i: usize| -> Option<usize> { rows.get(i)?.as_ref().map(|_| i) };
-        let differ = |i: &usize| {
-            row(before, *i).is_some() != row(after, *i).is_some()
-                || row(before, *i).is_some() && before.get(*i) != after.get(*i)
-        };
-        (0..before.len().max(after.len())).filter(differ).collect()
-    }
-    let faces = rows(&before.faces, &after.faces);
-    let list = |table: &Table, f: usize| match table.faces.get(f) {
-        Some(Some(row)) => row.inner.clone(),
-        _ => vec![],
-    };
-    let mut listed = vec![];
-    for f in &faces {
-        let (before, after) = (list(before, *f), list(after, *f));
-        listed.extend((0..before.len().max(after.len())).filter(|i| before.get(*i) != after.get(*i)).map(|i| (*f, i)));
-    }
-    Touched {
-        vertices: rows(&before.vertices, &after.vertices),
-        half_edges: rows(&before.half_edges, &after.half_edges),
-        boundaries: rows(&before.boundaries, &after.boundaries),
-        faces,
-        listed,
-    }
-}
 
 /// Asserts that what is found right keeps R1 … F2.
 fn judge(baseline: &Baseline, table: &Table, touched: &Touched) -> bool {

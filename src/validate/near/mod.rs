@@ -28,9 +28,13 @@
 
 mod baseline;
 mod check;
+#[cfg(feature = "geometry")]
+mod embedded;
 mod mirror;
 mod orbits;
 mod touched;
 
 pub use baseline::{Baseline, BaselineError, validate_near};
+#[cfg(feature = "geometry")]
+pub use embedded::{EmbeddingBaseline, validate_embedding_near};
 pub use touched::Touched;
