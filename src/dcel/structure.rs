@@ -62,7 +62,11 @@ impl Dcel {
 impl Dcel {
     /// Changes the structure, and notes what is written. O(1) beside the change.
     #[allow(dead_code, reason = "for the layers above, which a smaller selection of features leaves out")]
-    pub(crate) fn watched<T>(&mut self, notes: &mut Touched, change: impl FnOnce(&mut Dcel<Watched<SlotStore>>) -> T) -> T {
+    pub(crate) fn watched<T>(
+        &mut self,
+        notes: &mut Touched,
+        change: impl FnOnce(&mut Dcel<Watched<SlotStore>>) -> T,
+    ) -> T {
         let store = mem::replace(&mut self.store, SlotStore::hollow());
         let mut watched = Dcel { store: Watched::with_notes(store, mem::take(notes)) };
         let answer = change(&mut watched);

@@ -95,3 +95,53 @@ impl Audited {
         self.map
     }
 }
+
+#[cfg(test)]
+mod tests {
+    use super::Audited;
+    use crate::geometry::predicates::steps_of;
+    use crate::map::planar_map::PlanarMap;
+    use crate::map::{Builder, Shape};
+
+    /// Islands on a grid in a large frame.
+    fn islands(side: u32) -> PlanarMap {
+        let square =
+            |x: f64, y: f64, side: f64| [[x, y], [x + side, y], [x + side, y + side], [x, y + side]].map(Into::into);
+        let mut builder = Builder::new();
+        let frame = square(-10.0, -10.0, f64::from(4 * side + 20));
+        builder.shape(&Shape::Polygon(vec![frame.to_vec()])).unwrap();
+        for i in 0..side * side {
+            let island = square(f64::from(4 * (i % side)), f64::from(4 * (i / side)), 2.0);
+            builder.shape(&Shape::Polygon(vec![island.to_vec()])).unwrap();
+        }
+        builder.build().unwrap()
+    }
+
+    /// Comparisons and steps in trees, of edit and validation together.
+    fn steps(side: u32, edit: fn(&mut PlanarMap, f64)) -> u64 {
+        let mut map = islands(side);
+        // So that the index of the map is there.
+        map.insert_point([-1.0, -1.0]).unwrap();
+        let mut audited = Audited::new(map).unwrap();
+        let (changed, steps) = steps_of(|| audited.change(|map| edit(map, f64::from(4 * (side / 2)))));
+        changed.unwrap();
+        steps
+    }
+
+    #[test]
+    fn the_work_grows_with_the_logarithm() {
+        type Edit = fn(&mut PlanarMap, f64);
+        let edits: [(&str, Edit); 4] = [
+            ("a point in the open", |map, x| drop(map.insert_point([x + 3.0, x + 3.0]).unwrap())),
+            ("a bridge", |map, x| drop(map.insert_segment([x + 2.0, x + 1.0], [x + 4.0, x + 1.0]).unwrap())),
+            ("an edge across an island", |map, x| drop(map.insert_segment([x, x], [x + 2.0, x + 2.0]).unwrap())),
+            ("a ring in an island", |map, x| {
+                drop(map.insert_ring([[x + 0.5, x + 0.5], [x + 1.0, x + 0.5], [x + 0.5, x + 1.0]]).unwrap());
+            }),
+        ];
+        for (name, edit) in edits {
+            let [few, many] = [10, 100].map(|side| steps(side, edit));
+            assert!(many < 3 * few && many < 5_000, "{name}: {few} steps among 100 islands, {many} among 10,000");
+        }
+    }
+}

@@ -9,12 +9,10 @@ use twinedge::dcel::{Corner, Dcel, Side, Split, Turn};
 use twinedge::delegate_view;
 use twinedge::geometry::Point;
 use twinedge::map::PlanarMap;
-use twinedge::map::program::{EditOutcome, EditProgram, EditRunner};
+use twinedge::map::program::{EditOp, EditOutcome, EditProgram, EditRunner};
 use twinedge::validate::enumerate::for_each_corruption;
 use twinedge::validate::near::{EmbeddingBaseline, Touched, validate_embedding_near};
-use twinedge::validate::{
-    Collect, Embedding, Expectation, Rule, Table, View, validate_embedding,
-};
+use twinedge::validate::{BoundaryPlace, Collect, Embedding, Expectation, Rule, Table, View, validate_embedding};
 
 const PLANE: Expectation = Expectation::plane();
 
@@ -73,8 +71,7 @@ struct Tally {
     in_full: usize,
 }
 
-const COUNTED: [Rule; 9] =
-    [Rule::T1, Rule::T2, Rule::T3, Rule::T4, Rule::G1, Rule::G2, Rule::G3, Rule::G4, Rule::G5];
+const COUNTED: [Rule; 9] = [Rule::T1, Rule::T2, Rule::T3, Rule::T4, Rule::G1, Rule::G2, Rule::G3, Rule::G4, Rule::G5];
 
 impl Tally {
     /// Asserts that the verdict is that of the full validation. The baseline moves on if it is right.
@@ -107,11 +104,15 @@ fn seeded(seed: u64, size: usize) -> Gen {
 
 /// Visits each state of a map that a program leads through, with that before it.
 fn each_edit(program: &EditProgram, mut visit: impl FnMut(&PlanarMap, &PlanarMap)) {
+    each_edit_of(program, |_, before, after| visit(before, after));
+}
+
+fn each_edit_of(program: &EditProgram, mut visit: impl FnMut(&EditOp, &PlanarMap, &PlanarMap)) {
     let mut runner = EditRunner::new(PlanarMap::new());
     for op in &program.0 {
         let before = runner.map().clone();
         if let EditOutcome::Applied(_) = runner.step(op) {
-            visit(&before, runner.map());
+            visit(op, &before, runner.map());
         }
     }
 }
@@ -125,14 +126,16 @@ fn one_baseline_follows_whole_programs() {
     let mut tally = Tally::default();
     for program in programs() {
         let mut baseline = EmbeddingBaseline::new(&PlanarMap::new(), &PLANE).unwrap();
-        each_edit(&program, |before, after| {
+        each_edit_of(&program, |op, before, after| {
             let (before, after) = (Scene::of(before), Scene::of(after));
+            let in_full = tally.in_full;
             assert!(tally.judge(&mut baseline, &after, &after.since(&before)));
+            // Edges that it reroutes merge faces and split them again.
+            let reroutes = matches!(op, EditOp::InsertSegmentSnapped { .. });
+            assert!(tally.in_full == in_full || reroutes, "{op} of {program}");
         });
     }
-    println!("{tally:?}");
-    assert!(tally.judged > 1_000, "{tally:?}");
-    assert_eq!(tally.in_full, 0, "{tally:?}");
+    assert!(tally.judged > 1_000 && tally.in_full * 100 < tally.judged, "{tally:?}");
 }
 
 /// Several edits at once, and back again.
@@ -151,7 +154,6 @@ fn one_baseline_follows_many_edits_at_once() {
             }
         }
     }
-    println!("{tally:?}");
     assert!(tally.judged > 1_000, "{tally:?}");
     // What lies where is not always told by what has changed.
     assert!(tally.in_full * 20 < tally.judged, "{tally:?}");
@@ -191,7 +193,6 @@ fn every_edit_with_every_vertex_elsewhere() {
             }
         });
     }
-    println!("{tally:?}");
     assert!(tally.judged > 30_000 && tally.right > 3_000, "{tally:?}");
     assert!(tally.broken[4..].iter().all(|count| *count > 20), "{tally:?}");
     assert_eq!(tally.in_full, 0, "{tally:?}");
@@ -216,7 +217,6 @@ fn every_edit_with_every_wrong_link() {
             });
         });
     }
-    println!("{tally:?}");
     assert!(tally.judged > 40_000 && tally.right * 20 < tally.judged, "{tally:?}");
 }
 
@@ -293,7 +293,6 @@ fn every_operator_with_every_argument() {
             });
         }
     }
-    println!("{tally:?}");
     assert!(tally.judged > 50_000 && tally.right > 1_000, "{tally:?}");
     assert!(tally.broken[5..].iter().all(|count| *count > 20), "{tally:?}");
     assert!(tally.in_full * 100 < tally.right, "{tally:?}");
@@ -328,7 +327,45 @@ fn pairs_of_operators() {
             });
         }
     }
-    println!("{tally:?}");
     assert!(tally.judged > 20_000 && tally.right > 100, "{tally:?}");
     assert!(tally.in_full * 20 < tally.right, "{tally:?}");
+}
+
+/// Two boundary components of different faces, or of different kinds, each where the other is listed. All rules from R1 to F2 hold.
+fn exchanged(table: &Table, one: usize, other: usize) -> Option<Table> {
+    let mut table = table.clone();
+    let [a, b] = [one, other].map(|b| table.boundaries.get(b).cloned().flatten());
+    let (a, b) = (a?, b?);
+    for (label, row) in [(one, &b), (other, &a)] {
+        let face = table.faces[row.face?].as_mut()?;
+        match row.place? {
+            BoundaryPlace::Outer => face.outer = Some(label),
+            BoundaryPlace::Inner(i) => face.inner[i] = Some(label),
+        }
+        let own = table.boundaries[label].as_mut()?;
+        (own.face, own.place) = (row.face, row.place);
+    }
+    Some(table)
+}
+
+/// What geometry proves of topology: T1 and T2 of each component.
+#[test]
+fn boundary_components_in_the_place_of_others() {
+    let mut tally = Tally::default();
+    for program in programs() {
+        each_edit(&program, |before, after| {
+            let (before, after) = (Scene::of(before), Scene::of(after));
+            let baseline = before.baseline();
+            let labels = after.table.boundary_slots();
+            for one in 0..labels {
+                for other in one + 1..labels {
+                    let Some(table) = exchanged(&after.table, one, other) else { continue };
+                    let scene = Scene::new(table, after.points.clone());
+                    tally.judge(&mut baseline.clone(), &scene, &scene.since(&before));
+                }
+            }
+        });
+    }
+    assert!(tally.judged > 5_000 && tally.right > 100, "{tally:?}");
+    assert!(tally.broken[..2].iter().all(|count| *count > 20), "{tally:?}");
 }

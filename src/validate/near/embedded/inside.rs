@@ -1,4 +1,4 @@
-//! G5: each inner boundary component lies in the face that lists it. See [why it need not be located](super#what-lies-where).
+//! G5: each inner boundary component lies in the face that lists it. See [why it need not be located](crate::validate::near#what-lies-where).
 
 use super::chain::{Beside, Chain, SummedChain};
 use super::drawing::{Drawing, TIMES, Time, sorted};
@@ -233,7 +233,8 @@ impl Check<'_> {
         };
         for b in self.trees.starts_in(corners) {
             let label = drawing.label(Time::After, b);
-            let is_other = label.inner().is_some_and(|(face, _)| face == f) && drawing.labels.binary_search(&b).is_err();
+            let is_other =
+                label.inner().is_some_and(|(face, _)| face == f) && drawing.labels.binary_search(&b).is_err();
             if !is_other {
                 continue;
             }

@@ -1,4 +1,4 @@
-//! Coordinates, after a small change.
+//! Coordinates, after a small change. See [`near`](super) for what is checked, and why that is enough.
 
 mod baseline;
 mod chain;

@@ -75,8 +75,7 @@ impl Drawing<'_> {
                 _ => 0,
             }
         };
-        let keeps =
-            |(b, difference): &(usize, i64)| turns(Time::Before, *b) + difference == turns(Time::After, *b);
+        let keeps = |(b, difference): &(usize, i64)| turns(Time::Before, *b) + difference == turns(Time::After, *b);
         differences(terms).iter().all(keeps).then_some(())
     }
 }
