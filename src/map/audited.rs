@@ -65,18 +65,17 @@ impl Audited {
         });
         let answer = change(&mut self.map);
         self.is_right = false;
-        match self.map.notes.0.as_deref().filter(|notes| mark == Some(ptr::from_ref(*notes))) {
-            Some(notes) => validate_embedding_near(&mut self.baseline, &self.map, notes)?,
-            None => {
-                // It is another map, whose edits were not noted, or for others.
-                self.map.notes.0 = None;
-                let baseline = EmbeddingBaseline::new(&self.map, self.baseline.expectation());
-                self.baseline = baseline.map_err(|error| match error {
-                    BaselineError::Invalid(report) => report,
-                    _ => Box::new(self.map.validate()),
-                })?;
-                self.map.notes.0 = Some(Box::default());
-            }
+        if let Some(notes) = self.map.notes.0.as_deref().filter(|notes| mark == Some(ptr::from_ref(*notes))) {
+            validate_embedding_near(&mut self.baseline, &self.map, notes)?;
+        } else {
+            // It is another map, whose edits were not noted, or for others.
+            self.map.notes.0 = None;
+            let baseline = EmbeddingBaseline::new(&self.map, self.baseline.expectation());
+            self.baseline = baseline.map_err(|error| match error {
+                BaselineError::Invalid(report) => report,
+                _ => Box::new(self.map.validate()),
+            })?;
+            self.map.notes.0 = Some(Box::default());
         }
         self.is_right = true;
         Ok(answer)

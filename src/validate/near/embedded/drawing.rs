@@ -55,7 +55,7 @@ pub(super) fn sorted<T: Ord>(mut list: Vec<T>) -> Vec<T> {
     list
 }
 
-fn find<'a, T>(list: &'a [(usize, T)], slot: usize) -> Option<&'a T> {
+fn find<T>(list: &[(usize, T)], slot: usize) -> Option<&T> {
     list.binary_search_by_key(&slot, |row| row.0).ok().map(|position| &list[position].1)
 }
 

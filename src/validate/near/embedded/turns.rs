@@ -29,7 +29,7 @@ const fn sign(time: Time) -> i64 {
 impl Drawing<'_> {
     /// These half-edges, and of each the one that a step leads to, before and after.
     fn with(&self, step: impl Fn(Time, usize) -> Option<usize>) -> Vec<usize> {
-        let others = TIMES.into_iter().flat_map(|time| self.half_edges.iter().filter_map(move |h| Some((time, *h))));
+        let others = TIMES.into_iter().flat_map(|time| self.half_edges.iter().map(move |h| (time, *h)));
         let others: Vec<usize> = others.filter_map(|(time, h)| step(time, h)).collect();
         sorted(self.half_edges.iter().copied().chain(others).collect())
     }
