@@ -114,7 +114,9 @@ mod tests {
             for mirrored in [false, true] {
                 let mut walk: Vec<[f64; 2]> = shape.to_vec();
                 for _ in 0..4 {
-                    walk.iter_mut().for_each(|[x, y]| (*x, *y) = (-*y, *x));
+                    for [x, y] in &mut walk {
+                        (*x, *y) = (-*y, *x);
+                    }
                     let there: Vec<[f64; 2]> =
                         if mirrored { walk.iter().rev().copied().collect() } else { walk.clone() };
                     // Mirrored, the spike points outwards.
