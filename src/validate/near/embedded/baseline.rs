@@ -1,7 +1,8 @@
 //! The structure and its coordinates as they were when they were last found right.
 
 use super::disjoint::is_disjoint;
-use super::drawing::{Drawing, Update};
+use super::drawing::Drawing;
+use super::drawn::Update;
 use super::inside::is_inside;
 use super::tree::DrawnTrees;
 use crate::geometry::Point;
@@ -84,7 +85,7 @@ fn put(points: &mut Vec<Point>, slots: usize, placed: Vec<(usize, Point)>) {
 }
 
 /// Validates a structure with coordinates after a change, in time proportional to the change, all rules from R1 to T4 and from G1 to
-/// G5: [what is checked](super#with-coordinates).
+/// G5: [what is checked](crate::validate::near#with-coordinates).
 ///
 /// `touched` names every record that has changed since the baseline was made or last moved on, and each vertex that lies elsewhere. If
 /// all is right, the baseline moves on. Costs O(k log n) for k records that were touched, or are edges of vertices that lie elsewhere,

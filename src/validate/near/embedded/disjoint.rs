@@ -1,6 +1,7 @@
 //! G4: what is drawn now, against everything whose box it meets.
 
-use super::tree::{Drawn, DrawnTrees, Thing};
+use super::drawn::{Drawn, Thing};
+use super::tree::DrawnTrees;
 use crate::geometry::predicates::{Meeting, meeting, on_segment};
 
 /// Whether what has come, which is in the trees already, meets the rest at shared vertices only.

@@ -1,6 +1,6 @@
 //! A drawing before a change and after it, and what differs.
 
-use super::tree::{Drawn, Start as DrawnStart};
+use super::drawn::{Drawn, Line, Start as DrawnStart, Update};
 use crate::geometry::Point;
 use crate::geometry::predicates::in_range;
 use crate::validate::columns::NIL;
@@ -19,13 +19,6 @@ pub(super) enum Time {
 /// Both, in order.
 pub(super) const TIMES: [Time; 2] = [Time::Before, Time::After];
 
-/// A half-edge as it is drawn: the vertices at its ends, and where they lie.
-#[derive(Clone, Copy, Debug, PartialEq)]
-pub(super) struct Line {
-    pub(super) vertices: [u32; 2],
-    pub(super) points: [Point; 2],
-}
-
 /// The links and places as they were, and what has changed since.
 pub(super) struct Drawing<'a> {
     was: &'a Mirror,
@@ -37,15 +30,6 @@ pub(super) struct Drawing<'a> {
     pub(super) half_edges: Vec<usize>,
     /// The labels that may differ, and those that these half-edges have or had, sorted.
     pub(super) labels: Vec<usize>,
-}
-
-/// What an index has to take off and to add.
-#[derive(Default)]
-pub(super) struct Update {
-    pub(super) gone: Vec<Drawn>,
-    pub(super) come: Vec<Drawn>,
-    pub(super) starts_gone: Vec<DrawnStart>,
-    pub(super) starts_come: Vec<DrawnStart>,
 }
 
 /// Sorts, and drops what occurs twice.

@@ -101,8 +101,12 @@ pub(super) fn is_inside(drawing: &Drawing<'_>, trees: &DrawnTrees) -> Option<()>
         *affected.entry(f).or_default() += 1;
         let lies_there = match check.known(label.start)? {
             Known::Kept(beside, was_in) => check.lies_in(f, beside, was_in)?,
-            Known::New(lowest) => match trees.below(lowest, drawing) {
-                Some(h) => drawing.face_of(Time::After, h) == Some(f),
+            Known::New(lowest) => match trees.below(lowest) {
+                // The region above an edge is to the left of the half-edge that leads to the right.
+                Some((h, rises)) => {
+                    let h = if rises { h } else { drawing.twin(Time::After, h)? };
+                    drawing.face_of(Time::After, h) == Some(f)
+                }
                 None => drawing.is_unbounded(Time::After, f),
             },
         };

@@ -4,6 +4,7 @@ mod baseline;
 mod chain;
 mod disjoint;
 mod drawing;
+mod drawn;
 mod inside;
 mod tree;
 mod turns;

@@ -1,82 +1,9 @@
 //! What is drawn, in R-trees of its own: no index that the structure keeps has a part in its validation.
 
-use super::drawing::{Drawing, Line, Time, Update};
+use super::drawn::{Drawn, Start, Thing, Update};
 use crate::geometry::Point;
-use crate::geometry::predicates::{Orientation, compare_lexicographic, count_step, orientation};
-use core::cmp::Ordering;
+use crate::geometry::predicates::{compare_lexicographic, count_step};
 use rstar::{AABB, ParentNode, RTree, RTreeNode, RTreeObject};
-
-/// An edge, by the smaller of its half-edges, or an isolated vertex.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub(super) enum Thing {
-    Edge(u32),
-    Vertex(u32),
-}
-
-/// An edge or isolated vertex, and where its ends lie.
-#[derive(Clone, Copy, Debug, PartialEq)]
-pub(super) struct Drawn {
-    pub(super) thing: Thing,
-    pub(super) vertices: [u32; 2],
-    pub(super) ends: [Point; 2],
-}
-
-impl Drawn {
-    pub(super) fn edge(h: usize, line: Line) -> Self {
-        Self { thing: Thing::Edge(h as u32), vertices: line.vertices, ends: line.points }
-    }
-
-    pub(super) fn vertex(v: usize, at: Point) -> Self {
-        Self { thing: Thing::Vertex(v as u32), vertices: [v as u32; 2], ends: [at; 2] }
-    }
-
-    /// From the lexicographically smaller end to the larger.
-    fn rising(&self) -> [Point; 2] {
-        let [a, b] = self.ends;
-        if compare_lexicographic(a, b).is_gt() { [b, a] } else { [a, b] }
-    }
-
-    /// Whether it passes below a point, where the sweep line through that point has it between its ends.
-    fn passes_below(&self, p: Point) -> bool {
-        let [low, high] = self.rising();
-        let spans = compare_lexicographic(low, p).is_lt() && compare_lexicographic(p, high).is_lt();
-        spans && orientation(low, high, p) == Orientation::CounterClockwise
-    }
-
-    /// Of two that a sweep line meets, and that meet at most at an end, whether this is above.
-    fn is_above(&self, other: &Self) -> bool {
-        let ([low, high], [other_low, other_high]) = (self.rising(), other.rising());
-        match compare_lexicographic(low, other_low) {
-            Ordering::Less => orientation(low, high, other_low) == Orientation::Clockwise,
-            Ordering::Equal => orientation(low, high, other_high) == Orientation::Clockwise,
-            Ordering::Greater => orientation(other_low, other_high, low) == Orientation::CounterClockwise,
-        }
-    }
-}
-
-impl RTreeObject for Drawn {
-    type Envelope = AABB<[f64; 2]>;
-
-    fn envelope(&self) -> Self::Envelope {
-        let [a, b] = self.ends.map(<[f64; 2]>::from);
-        AABB::from_corners(a, b)
-    }
-}
-
-/// An inner boundary component, by the place where it starts.
-#[derive(Clone, Copy, Debug, PartialEq)]
-pub(super) struct Start {
-    pub(super) label: u32,
-    pub(super) at: Point,
-}
-
-impl RTreeObject for Start {
-    type Envelope = AABB<[f64; 2]>;
-
-    fn envelope(&self) -> Self::Envelope {
-        AABB::from_point(self.at.into())
-    }
-}
 
 fn exchange<T: RTreeObject<Envelope = AABB<[f64; 2]>> + PartialEq + Copy>(tree: &mut RTree<T>, gone: &[T], come: &[T]) {
     for one in gone {
@@ -123,9 +50,9 @@ impl DrawnTrees {
         all.inspect(|_| count_step()).map(|start| start.label as usize)
     }
 
-    /// The half-edge that has the region just below a point to its left, of a point that is lexicographically smaller than all that
-    /// it is joined to: of the edges straight below it the highest, from its smaller end to the larger. None if there is none.
-    pub(super) fn below(&self, p: Point, drawing: &Drawing<'_>) -> Option<usize> {
+    /// Of the edges straight below a point that is lexicographically smaller than all that it is joined to, the highest, and whether
+    /// its half-edge leads from its smaller end to the larger. None if there is none.
+    pub(super) fn below(&self, p: Point) -> Option<(usize, bool)> {
         let mut best: Option<&Drawn> = None;
         // None of what is lower than the lower end of the best so far is above that.
         let floor = |best: Option<&Drawn>| best.map_or(f64::NEG_INFINITY, |best| best.ends[0].y.min(best.ends[1].y));
@@ -158,6 +85,6 @@ impl DrawnTrees {
             });
         }
         let Drawn { thing: Thing::Edge(h), ends: [a, b], .. } = *best? else { return None };
-        if compare_lexicographic(a, b).is_lt() { Some(h as usize) } else { drawing.twin(Time::After, h as usize) }
+        Some((h as usize, compare_lexicographic(a, b).is_lt()))
     }
 }
