@@ -106,8 +106,8 @@ mod tests {
         let shapes: [&[[f64; 2]]; 4] = [
             &[[0.0, 0.0], [4.0, 0.0], [4.0, 4.0], [0.0, 4.0]],
             &[[0.0, 0.0], [4.0, 1.0], [2.0, 1.0], [5.0, 3.0], [1.0, 4.0], [2.0, 2.0]],
-            // Collinear corners, and one that is a spike inwards.
-            &[[0.0, 0.0], [2.0, 0.0], [4.0, 0.0], [4.0, 4.0], [3.0, 3.0], [4.0, 4.0], [0.0, 4.0], [0.0, 1.0]],
+            // Collinear corners.
+            &[[0.0, 0.0], [2.0, 0.0], [4.0, 0.0], [4.0, 4.0], [0.0, 4.0], [0.0, 1.0]],
             &[[0.0, 0.0], [1.0, -3.0], [2.0, -3.0], [2.0, -2.0], [1.0, -2.5]],
         ];
         for shape in shapes {
@@ -119,11 +119,17 @@ mod tests {
                     }
                     let there: Vec<[f64; 2]> =
                         if mirrored { walk.iter().rev().copied().collect() } else { walk.clone() };
-                    // Mirrored, the spike points outwards.
                     assert_eq!(turns(&there), if mirrored { -1 } else { 1 }, "{there:?}");
                 }
             }
         }
+    }
+
+    #[test]
+    fn a_spike_into_the_face_makes_no_difference() {
+        let [corner, inside, outside] = [[4.0, 4.0], [3.0, 3.0], [5.0, 5.0]];
+        assert_eq!(turns(&[[0.0, 0.0], [4.0, 0.0], corner, inside, corner, [0.0, 4.0]]), 1);
+        assert_eq!(turns(&[[0.0, 0.0], [0.0, 4.0], corner, outside, corner, [4.0, 0.0]]), -1);
     }
 
     #[test]
