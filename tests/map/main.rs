@@ -5,6 +5,7 @@
 #[path = "../support/mod.rs"]
 mod support;
 
+mod audited;
 mod edit;
 mod edit_programs;
 mod edited_maps;

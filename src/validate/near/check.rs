@@ -33,6 +33,22 @@ pub(super) struct Changes {
     pub(super) counts: Counts,
 }
 
+impl Changes {
+    /// Of a structure that has come since there was nothing.
+    #[cfg(feature = "geometry")]
+    pub(super) fn all_of(mirror: &Mirror, counts: Counts) -> Self {
+        let faces = mirror.faces.iter().map(|face| face.is_live().then_some((face.outer, face.inner.len())));
+        Self {
+            half_edges: mirror.half_edges.iter().copied().enumerate().collect(),
+            vertices: mirror.vertices.iter().copied().enumerate().collect(),
+            labels: mirror.labels.iter().copied().enumerate().collect(),
+            faces: faces.enumerate().collect(),
+            counts,
+            ..Self::default()
+        }
+    }
+}
+
 /// A member of a vertex or label that has come or turned: the group, the half-edge, and whether it belonged there before.
 type Member = (usize, usize, bool);
 
