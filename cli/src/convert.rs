@@ -7,7 +7,7 @@ use crate::output_file::write_files;
 use crate::status::{Failure, Verdict};
 use std::io::{BufWriter, Write};
 use std::path::{Path, PathBuf};
-use twinedge_formats::layer::{Format, Layer, files, losses, refuse_losses, write, write_path};
+use twinedge_formats::layer::{Format, Layer, WriteError, files, losses, refuse_losses, write, write_path};
 
 /// Write a layer in another format, with nothing lost.
 ///
@@ -88,10 +88,12 @@ impl LayerOutput {
         let format = format
             .or_else(|| self.is_stdout().then_some(Format::GeoJson))
             .ok_or_else(|| Failure(format!("{name}: the extension does not say which format to write; --to does")))?;
-        let failed = |error: twinedge_formats::layer::WriteError| Failure(format!("{name}: {error}"));
+        let failed = |error: WriteError| Failure(format!("{name}: {error}"));
         if !self.lossy {
-            refuse_losses(layer, format)
-                .map_err(|error| Failure(format!("{name}: {error}; --lossy writes the rest")))?;
+            refuse_losses(layer, format).map_err(|error| match error {
+                WriteError::Loss { .. } => Failure(format!("{name}: {error}; --lossy writes the rest")),
+                other => failed(other),
+            })?;
         }
         if self.is_stdout() {
             let mut out = BufWriter::new(std::io::stdout().lock());

@@ -117,11 +117,11 @@ fn progress(bytes: u64) -> ProgressBar {
 /// The file that is named on the command line.
 #[derive(Debug, clap::Args)]
 pub(crate) struct MapFile {
-    /// A file of GeoJSON, newline-delimited GeoJSON, well-known text or binary, a Shapefile or a GeoPackage, or `-` for standard
-    /// input. `audit` takes meshes as well: OBJ, OFF, PLY, STL. Default: the built-in map of the world.
+    /// A file of GeoJSON, newline-delimited GeoJSON, TopoJSON, well-known text or binary, a Shapefile or a GeoPackage, or `-` for
+    /// standard input. `audit` takes meshes as well: OBJ, OFF, PLY, STL. Default: the built-in map of the world.
     file: Option<PathBuf>,
 
-    /// The layer to read of a GeoPackage with several.
+    /// The layer to read of a file with several: the table of a GeoPackage, the object of a TopoJSON.
     #[arg(long, value_name = "NAME")]
     layer: Option<String>,
 
@@ -141,11 +141,11 @@ pub(crate) struct MapFile {
 /// A layer that is named on the command line.
 #[derive(Debug, clap::Args)]
 pub(crate) struct LayerFile {
-    /// The file to read, or `-` for standard input: GeoJSON, newline-delimited GeoJSON, well-known text or binary, a Shapefile or a
-    /// GeoPackage.
+    /// The file to read, or `-` for standard input: GeoJSON, newline-delimited GeoJSON, TopoJSON, well-known text or binary, a
+    /// Shapefile or a GeoPackage.
     file: PathBuf,
 
-    /// The layer to read of a GeoPackage with several.
+    /// The layer to read of a file with several: the table of a GeoPackage, the object of a TopoJSON.
     #[arg(long, value_name = "NAME")]
     layer: Option<String>,
 }

@@ -7,8 +7,9 @@
 //!
 //! | format | reads | writes | what it cannot hold |
 //! | --- | --- | --- | --- |
-//! | GeoJSON, one object | one feature after the other | yes | measures; types of dates and bytes; members of geometries |
+//! | GeoJSON, one object | one feature after the other | yes | measures; types of dates and bytes |
 //! | GeoJSON, newline-delimited | one feature after the other | yes | the same, and name, CRS and foreign members of the layer |
+//! | `TopoJSON` | as a whole | no | |
 //! | well-known text | line by line | yes | ids, attributes, features without geometry |
 //! | well-known binary, extended too | line by line (hexadecimal digits), or bytes | lines of digits | the same |
 //! | Shapefile | record by record | yes | ids, mixed geometries, names of more than 10 bytes, texts of more than 254, empty texts, lists |
@@ -28,15 +29,19 @@ mod format;
 mod geojson;
 #[cfg(feature = "geopackage")]
 mod geopackage;
+#[cfg(any(feature = "geojson", feature = "topojson"))]
+mod json;
 mod loss;
 mod losses;
 mod model;
-#[cfg(feature = "geojson")]
+#[cfg(any(feature = "geojson", feature = "topojson"))]
 mod names;
 mod read;
 #[cfg(feature = "shapefile")]
 mod shapefile;
 mod to_map;
+#[cfg(feature = "topojson")]
+mod topojson;
 #[cfg(feature = "wkb")]
 mod wkb;
 #[cfg(feature = "wkt")]

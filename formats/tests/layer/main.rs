@@ -9,3 +9,4 @@ mod random;
 mod round_trips;
 mod shapefiles;
 mod support;
+mod topojson;
