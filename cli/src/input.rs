@@ -181,6 +181,11 @@ impl MapFile {
         self.file.as_deref().filter(|path| *path != Path::new("-"))
     }
 
+    /// The layer that was asked for.
+    pub(crate) fn layer(&self) -> Option<&str> {
+        self.layer.as_deref()
+    }
+
     /// Opens the input.
     pub(crate) fn open(&self) -> Result<Input, Failure> {
         Input::open(self.file.as_deref())

@@ -196,6 +196,30 @@ fn every_command_reads_topojson() {
 }
 
 #[test]
+fn arcs_are_judged_as_they_are_shared() {
+    let arcs = |text: &str, format: &str| {
+        let arguments = ["audit", "--arcs", "--layer", "squares", "--format", format, "-"];
+        let output = twinedge_reading(&arguments, text.as_bytes());
+        (output.status.code(), String::from_utf8(output.stdout).unwrap())
+    };
+    let (code, text) = arcs(TOPOLOGY, "text");
+    assert!(code == Some(0) && text.contains("arcs of TopoJSON") && text.contains("A2  sides      ok"), "{text}");
+    // Both are the left one.
+    let wrong = TOPOLOGY.replace("[[2, -1]]", "[[0, 1]]");
+    let (code, text) = arcs(&wrong, "json");
+    let found: Value = serde_json::from_str(&text).unwrap();
+    let message = "arc 0 has feature 0 of squares (left) and feature 1 of squares (right) on the same side";
+    assert_eq!((code, &found["violations"][0]["message"]), (Some(1), &json!(message)));
+    assert_eq!((&found["violations"][0]["rule"], &found["counts"]["edges"]), (&json!("A2"), &json!(2)));
+    for format in ["geojson", "html"] {
+        assert!(arcs(&wrong, format).1.contains(message), "{format}");
+    }
+    let said = |arguments: &[&str]| complaint(&twinedge_reading(arguments, TOPOLOGY.as_bytes()));
+    assert!(said(&["audit", "--arcs", "-"]).contains("there are squares, town"));
+    assert!(said(&["audit", "--arcs", "--snap", "auto", "-"]).contains("--snap is for maps"));
+}
+
+#[test]
 fn members_of_geometries_survive_cleaning() {
     let text = PARCELS.replace(
         r#""geometry":{"type":"Polygon""#,

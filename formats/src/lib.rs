@@ -2,7 +2,7 @@
 //!
 //! [`mesh`] reads OBJ, OFF, PLY and STL, joins the faces to half-edges, says in the user's terms what cannot be joined, and
 //! has the validator of `twinedge` judge the rest. `postgis` reads a topology of PostGIS as the database keeps it. `layer` reads and
-//! writes layers of features, and repairs them.
+//! writes layers of features, and repairs them; `layer::topojson` audits arcs.
 //!
 //! ```
 //! # #[cfg(feature = "off")] {
@@ -45,3 +45,5 @@ pub mod layer;
 pub mod mesh;
 #[cfg(feature = "postgis")]
 pub mod postgis;
+#[cfg(any(feature = "postgis", feature = "topojson"))]
+mod topology_audit;

@@ -41,7 +41,7 @@ mod read;
 mod shapefile;
 mod to_map;
 #[cfg(feature = "topojson")]
-mod topojson;
+pub mod topojson;
 #[cfg(feature = "wkb")]
 mod wkb;
 #[cfg(feature = "wkt")]

@@ -70,7 +70,7 @@ pub fn read(
         #[cfg(feature = "wkb")]
         Format::Wkb => super::wkb::read(&mut all, each),
         #[cfg(feature = "topojson")]
-        Format::TopoJson => super::topojson::read(&mut all, options.layer.as_deref(), each),
+        Format::TopoJson => super::topojson::read_features(&mut all, options.layer.as_deref(), each),
         #[cfg(feature = "shapefile")]
         Format::Shapefile => super::shapefile::read(path.ok_or(ReadError::NeedsFile(format))?, each),
         #[cfg(feature = "geopackage")]

@@ -56,7 +56,7 @@ pub(in crate::layer) fn read(
 }
 
 /// The name of the object to read.
-fn chosen(objects: &Members, wanted: Option<&str>) -> Result<String, ReadError> {
+pub(super) fn chosen(objects: &Members, wanted: Option<&str>) -> Result<String, ReadError> {
     let name = match wanted {
         Some(name) => objects.contains_key(name).then_some(name),
         None if objects.len() == 1 => objects.keys().next().map(String::as_str),
@@ -203,10 +203,10 @@ fn object_of(json: Json) -> Result<Members, Cause> {
     }
 }
 
-fn no_list() -> Cause {
+pub(super) fn no_list() -> Cause {
     Cause::Invalid("something else where a list should be".to_owned())
 }
 
-fn list<T>(json: &Json, each: impl FnMut(&Json) -> Result<T, Cause>) -> Result<Vec<T>, Cause> {
+pub(super) fn list<T>(json: &Json, each: impl FnMut(&Json) -> Result<T, Cause>) -> Result<Vec<T>, Cause> {
     json.as_array().ok_or_else(no_list)?.iter().map(each).collect()
 }
