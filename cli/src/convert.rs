@@ -32,7 +32,7 @@ pub(crate) struct Convert {
 /// Where a layer is written, and how.
 #[derive(Debug, clap::Args)]
 pub(crate) struct LayerOutput {
-    /// File to write; its extension says in which format: .geojson, .geojsonl, .wkt, .wkb, .shp, .gpkg. `-` is standard output.
+    /// File to write; its extension says in which format: .geojson, .geojsonl, .wkt, .wkb, .shp, .gpkg, .fgb. `-` is standard output.
     #[arg(short, long, value_name = "FILE")]
     output: Option<PathBuf>,
 
@@ -54,6 +54,7 @@ enum Target {
     Wkb,
     Shapefile,
     Geopackage,
+    Flatgeobuf,
 }
 
 impl From<Target> for Format {
@@ -65,6 +66,7 @@ impl From<Target> for Format {
             Target::Wkb => Self::Wkb,
             Target::Shapefile => Self::Shapefile,
             Target::Geopackage => Self::GeoPackage,
+            Target::Flatgeobuf => Self::FlatGeobuf,
         }
     }
 }

@@ -13,7 +13,7 @@ mod topologies;
 
 pub use drawings::{geojson, noding, segments};
 pub use edits::edits;
-pub use layers::layer;
+pub use layers::{flatgeobuf, layer};
 pub use maps::{in_step, programs, stale_keys};
 pub use postgis::postgis;
 pub use shapefiles::shapefile;

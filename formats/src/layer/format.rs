@@ -22,12 +22,22 @@ pub enum Format {
     GeoPackage,
     /// `TopoJSON`, which is read only.
     TopoJson,
+    /// `FlatGeobuf`.
+    FlatGeobuf,
 }
 
 impl Format {
     /// All formats.
-    pub const ALL: [Self; 7] =
-        [Self::GeoJson, Self::GeoJsonSeq, Self::Wkt, Self::Wkb, Self::Shapefile, Self::GeoPackage, Self::TopoJson];
+    pub const ALL: [Self; 8] = [
+        Self::GeoJson,
+        Self::GeoJsonSeq,
+        Self::Wkt,
+        Self::Wkb,
+        Self::Shapefile,
+        Self::GeoPackage,
+        Self::TopoJson,
+        Self::FlatGeobuf,
+    ];
 
     /// The format that the extension of a file name stands for; none, if the content must tell, as for `.json`.
     ///
@@ -45,6 +55,7 @@ impl Format {
             "gpkg" => Some(Self::GeoPackage),
             "wkb" => Some(Self::Wkb),
             "topojson" => Some(Self::TopoJson),
+            "fgb" => Some(Self::FlatGeobuf),
             _ => Some(Self::of_text(TextFormat::of_path(path)?)),
         }
     }
@@ -68,6 +79,7 @@ impl Format {
             Some(ForeignFormat::GeoPackage) => Ok(Some(Self::GeoPackage)),
             Some(ForeignFormat::Wkb) => Ok(Some(Self::Wkb)),
             Some(ForeignFormat::TopoJson) => Ok(Some(Self::TopoJson)),
+            Some(ForeignFormat::FlatGeobuf) => Ok(Some(Self::FlatGeobuf)),
             Some(foreign) => Err(foreign),
             None => Ok(TextFormat::of_content(head).map(Self::of_text)),
         }
@@ -90,6 +102,7 @@ impl Format {
             Self::Shapefile => "shapefile",
             Self::GeoPackage => "geopackage",
             Self::TopoJson => "topojson",
+            Self::FlatGeobuf => "flatgeobuf",
         }
     }
 
@@ -110,6 +123,7 @@ impl fmt::Display for Format {
             Self::Shapefile => "Shapefile",
             Self::GeoPackage => "GeoPackage",
             Self::TopoJson => "TopoJSON",
+            Self::FlatGeobuf => "FlatGeobuf",
         })
     }
 }

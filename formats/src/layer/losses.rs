@@ -26,9 +26,11 @@ pub fn losses(layer: &Layer, format: Format) -> Vec<Loss> {
     let is_json = matches!(format, Format::GeoJson | Format::GeoJsonSeq | Format::TopoJson);
 
     #[cfg(feature = "geopackage")]
-    let holds_ids = is_json || (format == Format::GeoPackage && super::geopackage::holds_ids(layer));
+    let holds_ids = is_json
+        || format == Format::FlatGeobuf
+        || (format == Format::GeoPackage && super::geopackage::holds_ids(layer));
     #[cfg(not(feature = "geopackage"))]
-    let holds_ids = is_json;
+    let holds_ids = is_json || format == Format::FlatGeobuf;
     if !holds_ids {
         found.extend(some_if(layer.features.iter().filter(|f| f.id.is_some()).count(), Loss::Ids));
     }
@@ -43,7 +45,7 @@ pub fn losses(layer: &Layer, format: Format) -> Vec<Loss> {
             Format::GeoJson | Format::TopoJson => crs.member.is_some() || crs.code.is_some() || !crs.is_other(),
             Format::GeoJsonSeq | Format::Wkt | Format::Wkb => !crs.is_other(),
             Format::Shapefile => crs.wkt.is_some() || !crs.is_other(),
-            Format::GeoPackage => crs.wkt.is_some() || crs.code.is_some() || !crs.is_other(),
+            Format::GeoPackage | Format::FlatGeobuf => crs.wkt.is_some() || crs.code.is_some() || !crs.is_other(),
         };
         if !is_held {
             found.push(Loss::Crs(crs.name()));
@@ -61,6 +63,8 @@ pub fn losses(layer: &Layer, format: Format) -> Vec<Loss> {
     match format {
         #[cfg(feature = "shapefile")]
         Format::Shapefile => super::shapefile::losses(layer, &fields, &mut found),
+        #[cfg(feature = "flatgeobuf")]
+        Format::FlatGeobuf => super::flatgeobuf::losses(layer, &mut found),
         Format::GeoPackage => {
             let mut taken = BTreeSet::new();
             let repeated = fields.iter().filter(|field| !taken.insert(field.name.to_lowercase()));
@@ -100,7 +104,8 @@ fn members(layer: &Layer, format: Format, found: &mut Vec<Loss>) {
         feature.geometry.iter().for_each(|geometry| of_geometry(geometry, is_json, &mut of_features));
     }
     let of_layer: Vec<&String> = match format {
-        Format::GeoJson | Format::TopoJson => Vec::new(),
+        // FlatGeobuf holds some, and says which it does not.
+        Format::GeoJson | Format::TopoJson | Format::FlatGeobuf => Vec::new(),
         _ => layer.header.members.keys().collect(),
     };
     // A box follows from the geometry.
@@ -142,7 +147,7 @@ fn geometries(layer: &Layer, format: Format, found: &mut Vec<Loss>) {
             found.extend(some_if(null, Loss::NullGeometries));
             found.extend(some_if(mixed, Loss::MixedDimensions));
         }
-        Format::GeoPackage => found.extend(some_if(mixed, Loss::MixedDimensions)),
+        Format::GeoPackage | Format::FlatGeobuf => found.extend(some_if(mixed, Loss::MixedDimensions)),
         Format::Shapefile => {
             found.extend(some_if(empty, Loss::EmptyGeometries));
             found.extend(some_if(mixed, Loss::MixedDimensions));

@@ -13,6 +13,7 @@
 //! | well-known text | line by line | yes | ids, attributes, features without geometry |
 //! | well-known binary, extended too | line by line (hexadecimal digits), or bytes | lines of digits | the same |
 //! | Shapefile | record by record | yes | ids, mixed geometries, names of more than 10 bytes, texts of more than 254, empty texts, lists |
+//! | `FlatGeobuf` | feature by feature | yes, without an index | ids that are not the numbers of features, other types of values in a column |
 //! | `GeoPackage` | row by row | yes | ids that are not whole numbers, lists, names that differ by case |
 //!
 //! [`losses`] says what a format cannot hold of a layer. Numbers are those of 64 bits. A GeoJSON file without `crs` whose coordinates can be longitudes and latitudes is
@@ -24,6 +25,8 @@
 pub mod clean;
 mod each;
 mod error;
+#[cfg(feature = "flatgeobuf")]
+mod flatgeobuf;
 mod format;
 #[cfg(feature = "geojson")]
 mod geojson;

@@ -53,7 +53,12 @@ pub fn read(
     let by_name = options.format.or_else(|| path.and_then(Format::of_path));
     // The beginning of some formats tells what the content is, whatever the name.
     let format = match (of_content, by_name) {
-        (Some(known @ (Format::Shapefile | Format::GeoPackage | Format::Wkb | Format::TopoJson)), _) => known,
+        (
+            Some(
+                known @ (Format::Shapefile | Format::GeoPackage | Format::Wkb | Format::TopoJson | Format::FlatGeobuf),
+            ),
+            _,
+        ) => known,
         (_, Some(by_name)) => by_name,
         (Some(text), None) => text,
         (None, None) if is_blank(&head) => return Err(ReadError::Empty),
@@ -71,6 +76,8 @@ pub fn read(
         Format::Wkb => super::wkb::read(&mut all, each),
         #[cfg(feature = "topojson")]
         Format::TopoJson => super::topojson::read_features(&mut all, options.layer.as_deref(), each),
+        #[cfg(feature = "flatgeobuf")]
+        Format::FlatGeobuf => super::flatgeobuf::read(&mut all, each),
         #[cfg(feature = "shapefile")]
         Format::Shapefile => super::shapefile::read(path.ok_or(ReadError::NeedsFile(format))?, each),
         #[cfg(feature = "geopackage")]

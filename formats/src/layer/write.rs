@@ -78,6 +78,8 @@ pub fn write(layer: &Layer, out: &mut dyn Write, format: Format) -> Result<(), W
         Format::Wkt => super::wkt::write(layer, out),
         #[cfg(feature = "wkb")]
         Format::Wkb => super::wkb::write(layer, out),
+        #[cfg(feature = "flatgeobuf")]
+        Format::FlatGeobuf => super::flatgeobuf::write(layer, out),
         Format::TopoJson => Err(WriteError::ReadOnly(format)),
         format if format.needs_file() => Err(WriteError::NeedsFile(format)),
         #[allow(unreachable_patterns, reason = "with all features on, nothing is left")]

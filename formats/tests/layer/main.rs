@@ -4,6 +4,7 @@
 mod arcs;
 mod cleaning;
 mod detection;
+mod flatgeobuf;
 mod hostile;
 mod losses;
 mod random;
