@@ -117,8 +117,8 @@ fn progress(bytes: u64) -> ProgressBar {
 /// The file that is named on the command line.
 #[derive(Debug, clap::Args)]
 pub(crate) struct MapFile {
-    /// A file of GeoJSON, newline-delimited GeoJSON, TopoJSON, well-known text or binary, a Shapefile or a GeoPackage, or `-` for
-    /// standard input. `audit` takes meshes as well: OBJ, OFF, PLY, STL. Default: the built-in map of the world.
+    /// A file of GeoJSON, newline-delimited GeoJSON, TopoJSON, well-known text or binary, a Shapefile, a GeoPackage or FlatGeobuf,
+    /// or `-` for standard input. `audit` takes meshes as well: OBJ, OFF, PLY, STL. Default: the built-in map of the world.
     file: Option<PathBuf>,
 
     /// The layer to read of a file with several: the table of a GeoPackage, the object of a TopoJSON.
@@ -142,7 +142,7 @@ pub(crate) struct MapFile {
 #[derive(Debug, clap::Args)]
 pub(crate) struct LayerFile {
     /// The file to read, or `-` for standard input: GeoJSON, newline-delimited GeoJSON, TopoJSON, well-known text or binary, a
-    /// Shapefile or a GeoPackage.
+    /// Shapefile, a GeoPackage or FlatGeobuf.
     file: PathBuf,
 
     /// The layer to read of a file with several: the table of a GeoPackage, the object of a TopoJSON.

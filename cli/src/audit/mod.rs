@@ -28,7 +28,7 @@ use std::time::Instant;
 use twinedge::validate::{Collect, Expectation, validate_embedding};
 use twinedge_formats::postgis::is_copy;
 
-/// Check a map (GeoJSON, TopoJSON, WKT, WKB, Shapefile, GeoPackage) or a mesh (OBJ, OFF, PLY, STL) for everything that can be wrong.
+/// Check a map (GeoJSON, TopoJSON, WKT, WKB, Shapefile, GeoPackage, FlatGeobuf) or a mesh (OBJ, OFF, PLY, STL) for everything that can be wrong.
 ///
 /// Of a map the planar subdivision is built, and every rule is checked on it.
 ///

@@ -2,9 +2,10 @@
 
 use crate::support::{from_bytes, from_text, scratch, to_geojson, world};
 use twinedge::map::{Builder, PlanarMap};
+use twinedge_formats::layer::topojson::{audit, read as read_arcs};
 use twinedge_formats::layer::{
-    Cause, Format, Geometry, Id, Layer, Loss, Place, ReadError, ReadOptions, Shape, Value, WriteError, losses,
-    read_layer, read_path, refuse_losses, to_map, write_path,
+    Cause, Format, Geometry, Id, Layer, Line, Loss, Place, Position, ReadError, ReadOptions, Shape, Value, WriteError,
+    losses, read_layer, read_path, refuse_losses, to_map, write_path,
 };
 
 /// The example of the specification, section 1.1.
@@ -128,6 +129,57 @@ fn what_geo2topo_wrote_is_the_map_that_it_read() {
         // V − E + F = 1 + C: the mainland, the island of Tierra del Fuego, the Falkland Islands.
         assert_eq!((dcel.vertex_count(), dcel.edge_count(), dcel.face_count()), (590, 602, 16));
     }
+}
+
+/// A layer of polygons as TopoJSON with an arc for each segment, which all rings along it share.
+fn by_segments(layer: &Layer) -> serde_json::Value {
+    use serde_json::json;
+    let (mut arcs, mut known) = (Vec::new(), std::collections::HashMap::<_, i64>::new());
+    let mut ring = |ring: &Line| -> Vec<i64> {
+        let index = |pair: &[Position]| {
+            let [a, b] = [&pair[0], &pair[1]].map(|p| [p.x.to_bits(), p.y.to_bits()]);
+            if let Some(arc) = known.get(&(b, a)) {
+                return !*arc;
+            }
+            *known.entry((a, b)).or_insert_with(|| {
+                arcs.push(json!([[pair[0].x, pair[0].y], [pair[1].x, pair[1].y]]));
+                arcs.len() as i64 - 1
+            })
+        };
+        ring.windows(2).map(index).collect()
+    };
+    let mut polygon = |rings: &Vec<Line>| rings.iter().map(&mut ring).collect::<Vec<_>>();
+    let geometries: Vec<serde_json::Value> = layer
+        .features
+        .iter()
+        .map(|feature| match &feature.geometry.as_ref().unwrap().shape {
+            Shape::Polygon(rings) => json!({"type": "Polygon", "arcs": polygon(rings)}),
+            Shape::MultiPolygon(all) => {
+                json!({"type": "MultiPolygon", "arcs": all.iter().map(&mut polygon).collect::<Vec<_>>()})
+            }
+            other => panic!("{}", other.name()),
+        })
+        .collect();
+    json!({"type": "Topology", "arcs": arcs, "objects": {"world": {"type": "GeometryCollection", "geometries": geometries}}})
+}
+
+/// 7,493 − 7,655 + 288 = 1 + 125, as `twinedge audit` counts the map, and as it is in the documentation.
+#[test]
+fn the_world_in_arcs_is_the_world() {
+    let world = world();
+    let text = by_segments(&world).to_string();
+    let found = from_text(&text);
+    assert_eq!(found.features.len(), 177);
+    for (before, after) in world.features.iter().zip(&found.features) {
+        assert_eq!(before.geometry, after.geometry);
+    }
+    let map = built(&found);
+    let dcel = map.dcel();
+    assert_eq!((dcel.vertex_count(), dcel.edge_count(), dcel.face_count()), (7493, 7655, 288));
+    // The arcs themselves.
+    let arcs = audit(&read_arcs(&mut text.as_bytes(), None, 100).unwrap(), 100);
+    assert_eq!((arcs.counts().nodes, arcs.counts().edges), (7493, 7655));
+    assert_eq!(arcs.counts().components, Some(125));
 }
 
 #[test]
