@@ -120,7 +120,9 @@ fn members(layer: &Layer, format: Format, found: &mut Vec<Loss>) {
 fn of_geometry<'a>(geometry: &'a Geometry, is_json: bool, names: &mut BTreeSet<&'a String>) {
     names.extend(geometry.members.keys().filter(|name| !is_json || is_reserved_in_json(name)));
     if let Shape::Collection(parts) = &geometry.shape {
-        parts.iter().for_each(|part| of_geometry(part, is_json, names));
+        for part in parts {
+            of_geometry(part, is_json, names);
+        }
     }
 }
 

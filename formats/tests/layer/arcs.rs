@@ -169,18 +169,20 @@ fn where_ends_do_not_join_faces_are_not_judged_and_arcs_are() {
     assert_eq!(rule("B1").unchecked.as_deref(), Some("needs A1, which is broken"));
 }
 
+/// The places of all numbers in nested lists.
+fn indices(value: &Value, path: &str, places: &mut Vec<String>) {
+    for (i, item) in value.as_array().into_iter().flatten().enumerate() {
+        let path = format!("{path}/{i}");
+        if item.is_number() { places.push(path) } else { indices(item, &path, places) }
+    }
+}
+
 /// Each of the 61 indices of a real map, set to each of the other 73.
 #[test]
 fn every_wrong_index_is_found() {
     let file: Value = serde_json::from_str(SOUTH_AMERICA).unwrap();
     let geometries = "/objects/countries/geometries";
     let mut places = Vec::new();
-    fn indices(value: &Value, path: &str, places: &mut Vec<String>) {
-        for (i, item) in value.as_array().into_iter().flatten().enumerate() {
-            let path = format!("{path}/{i}");
-            if item.is_number() { places.push(path) } else { indices(item, &path, places) }
-        }
-    }
     for (i, one) in file.pointer(geometries).unwrap().as_array().unwrap().iter().enumerate() {
         indices(&one["arcs"], &format!("{geometries}/{i}/arcs"), &mut places);
     }

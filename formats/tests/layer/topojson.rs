@@ -143,7 +143,7 @@ fn by_segments(layer: &Layer) -> serde_json::Value {
             }
             *known.entry((a, b)).or_insert_with(|| {
                 arcs.push(json!([[pair[0].x, pair[0].y], [pair[1].x, pair[1].y]]));
-                arcs.len() as i64 - 1
+                i64::try_from(arcs.len()).unwrap() - 1
             })
         };
         ring.windows(2).map(index).collect()

@@ -151,7 +151,9 @@ fn header(layer: &Layer, columns: &[(Field, FieldKind)], geometry_type: Kind) ->
 /// Notes the dimensions and the box of a geometry. The recursion is as deep as collections are nested.
 fn look(geometry: &Geometry, has_z: &mut bool, has_m: &mut bool, bounds: &mut Option<[f64; 4]>) {
     if let Shape::Collection(parts) = &geometry.shape {
-        parts.iter().for_each(|part| look(part, has_z, has_m, bounds));
+        for part in parts {
+            look(part, has_z, has_m, bounds);
+        }
         return;
     }
     let (z, m) = numbers(geometry);

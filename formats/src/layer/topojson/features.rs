@@ -36,9 +36,8 @@ pub(in crate::layer) fn read(
     };
     match object {
         Json::Object(mut collection) if is_collection(&collection) => {
-            let parts = match collection.shift_remove("geometries") {
-                Some(Json::Array(parts)) => parts,
-                _ => return Err(content(Place::Header, Cause::Invalid("a collection without geometries".to_owned()))),
+            let Some(Json::Array(parts)) = collection.shift_remove("geometries") else {
+                return Err(content(Place::Header, Cause::Invalid("a collection without geometries".to_owned())));
             };
             for (number, part) in parts.into_iter().enumerate() {
                 take(number, part)?;
