@@ -3,7 +3,7 @@
 use crate::support::{from_bytes, from_text, read, scratch, through, world};
 use std::path::Path;
 use twinedge_formats::layer::{
-    Cause, Dimensions, FieldKind, Format, Id, Layer, Loss, Place, ReadError, Shape, Value, losses, write,
+    Cause, Crs, Dimensions, FieldKind, Format, Id, Layer, Loss, Place, ReadError, Shape, Value, losses, write,
 };
 
 /// `pyogrio` 0.13 with GDAL 3.12.4 wrote it, with an index: two polygons with heights, in EPSG:2056.
@@ -110,6 +110,16 @@ fn every_value_comes_back_and_what_does_not_is_reported() {
     }
     // Numbers and texts in a column are texts.
     assert_eq!(again.features[0].get("f"), Some(&Value::Text("7".into())));
+}
+
+#[test]
+fn a_reference_system_without_a_number_of_32_bits_is_reported() {
+    let mut layer = from_text("POINT(1 2)\n");
+    for (code, is_held) in [(2056, true), (1 << 31, false), (0, false)] {
+        layer.header.crs = Some(Crs { code: Some(("EPSG".into(), code)), ..Crs::default() });
+        assert_eq!(losses(&layer, Format::FlatGeobuf).is_empty(), is_held, "{code}");
+        assert_eq!(through(&layer, Format::FlatGeobuf).header.crs == layer.header.crs, is_held, "{code}");
+    }
 }
 
 #[test]

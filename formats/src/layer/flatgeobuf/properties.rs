@@ -2,9 +2,11 @@
 
 use super::super::error::Cause;
 use super::super::model::{Field, FieldKind, Value};
-use super::read::Columns;
-use ::flatgeobuf::ColumnType as Type;
+use ::flatgeobuf::{Column, ColumnType as Type};
+use flatbuffers::{ForwardsUOffset, Vector};
 use std::sync::Arc;
+
+type Columns<'a> = Option<Vector<'a, ForwardsUOffset<Column<'a>>>>;
 
 /// The type of a column.
 pub(super) fn kind(column: Type) -> Result<FieldKind, Cause> {

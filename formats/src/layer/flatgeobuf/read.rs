@@ -7,10 +7,10 @@ use super::super::model::{Crs, Dimensions, Feature, Field, Geometry, Header, Id,
 use super::TEXTS;
 use super::properties::{attributes, kind};
 use ::flatgeobuf::{
-    Column, Geometry as Table, GeometryType as Kind, Header as HeaderTable, size_prefixed_root_as_feature_with_opts,
+    Geometry as Table, GeometryType as Kind, Header as HeaderTable, size_prefixed_root_as_feature_with_opts,
     size_prefixed_root_as_header_with_opts,
 };
-use flatbuffers::{ForwardsUOffset, InvalidFlatbuffer, Vector, VerifierOptions};
+use flatbuffers::{InvalidFlatbuffer, Vector, VerifierOptions};
 use std::io::{self, Read};
 use std::sync::Arc;
 
@@ -25,8 +25,6 @@ const NODE: u64 = 40;
 
 /// The newest version of the format that is known.
 const VERSION: u8 = 3;
-
-pub(super) type Columns<'a> = Option<Vector<'a, ForwardsUOffset<Column<'a>>>>;
 
 fn content(place: Place, cause: Cause) -> ReadError {
     ReadError::Content { format: Format::FlatGeobuf, place, cause }
