@@ -30,21 +30,17 @@ use super::chords::{Chord, Chords, chords};
 use super::input::NodingError;
 use super::pixel::{Block, Pixel, Pixels, Segment, Steps};
 use core::sync::atomic::AtomicUsize;
-use fork::Budget;
+use limits::{Budget, limit};
 use parts::{Tiles, around, halves};
 use vertices::Vertices;
 
 mod fork;
+mod limits;
 mod parts;
 mod vertices;
 
 #[cfg(test)]
 mod tests;
-
-/// A limit, and the one in tests of this crate, which is so low that small input goes every way.
-const fn limit(usual: usize, in_tests: usize) -> usize {
-    if cfg!(test) { in_tests } else { usual }
-}
 
 /// Up to this many pairs, trying all is cheaper than halving.
 const FEW_PAIRS: usize = limit(256, 8);

@@ -1,37 +1,13 @@
 //! The tasks of a search, one after the other, or, where there are many, in two halves at once: blocks share no pixel, so what is
 //! found in one does not change what is found in another. Only the numbers of new vertices depend on the order.
 
-use super::{Found, Look, Search, Task, limit};
+use super::limits::{Budget, limit};
+use super::{Found, Look, Search, Task};
 use crate::geometry::noding::input::NodingError;
 use crate::geometry::threads;
-use core::sync::atomic::{AtomicUsize, Ordering};
 
 /// Tasks with fewer segments are not halved.
 const MANY: usize = limit(1 << 13, 16);
-
-/// How many visits may be found, by all searches that run at once.
-pub(super) struct Budget<'a> {
-    pub(super) most: usize,
-    /// Those that were counted.
-    pub(super) visits: &'a AtomicUsize,
-    /// How many of them are of this search.
-    pub(super) counted: usize,
-}
-
-impl Budget<'_> {
-    /// Counts the visits of this search from time to time: threads wait for each other where they count.
-    fn check(&mut self, found: usize) -> Result<(), NodingError> {
-        const SOME: usize = limit(1024, 4);
-        let fresh = found - self.counted;
-        if fresh >= SOME {
-            self.counted = found;
-            if self.visits.fetch_add(fresh, Ordering::Relaxed) + fresh > self.most {
-                return Err(NodingError::TooManyCuts { allowed: self.most });
-            }
-        }
-        Ok(())
-    }
-}
 
 impl Search<'_> {
     /// Does all tasks.
