@@ -1,6 +1,7 @@
 //! Local validation: it accepts nothing that a full validation refuses, follows what is right, and reads only what has changed.
 
 use crate::support::changes::{difference, touch};
+use crate::support::only_live::OnlyLive;
 use crate::support::watched::Watched;
 use twinedge::dcel::{Corner, Dcel, HalfEdge, Split};
 use twinedge::program::census::{Census, Scope};
@@ -15,7 +16,7 @@ use twinedge::validate::{
 
 /// Asserts that what is found right keeps R1 … F2.
 fn judge(baseline: &Baseline, table: &Table, touched: &Touched) -> bool {
-    let found = validate_near(&mut baseline.clone(), table, touched);
+    let found = validate_near(&mut baseline.clone(), &OnlyLive(table), touched);
     let report = validate(table, baseline.expectation(), Collect::All);
     match found {
         Ok(()) => {

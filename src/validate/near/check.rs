@@ -213,7 +213,9 @@ impl<V: View + ?Sized> Check<'_, V> {
     /// The live boundary component that an isolated vertex names.
     fn isolated(&self, v: usize) -> Option<usize> {
         let names = self.now.has(Part::BoundaryComponents) && self.now.has(Part::Holes) && self.now.is_vertex(v);
-        self.now.view.isolated(v).filter(|b| names && self.now.is_label(*b))
+        // A vacant slot is not asked.
+        let named = if names { self.now.view.isolated(v) } else { None };
+        named.filter(|b| self.now.is_label(*b))
     }
 
     /// V1, V2 and B2 of each vertex that may differ, of those where half-edges start or started that may, and of those that the
