@@ -6,9 +6,10 @@
 //! - `build`: a triangulation of random points from its segments, on one thread and on all, beside sorting these.
 //! - `node`: random segments of which each crosses about two others, on one thread and on all, beside `i_overlay`'s union of as
 //!   many triangles around them, which cuts, too.
-//! - `index`: a `Locator` of the triangulation, beside building `spade`'s, with its hierarchy of hints.
+//! - `index`: a `Locator` of the triangulation, beside `spade`'s triangulation of the same points, with its hierarchy of hints:
+//!   easier, as no edge is asked for; `location` has the same with all edges as constraints.
 //! - `locate`: random points in it, beside `spade`, and beside `geo`'s polygons in an R-tree of `rstar`; per point.
-//! - `edit`: an edge of the triangulation split and joined again, with validation after each.
+//! - `edit`: an edge of the grid split and joined again, with validation after each (`Audited`), beside none; per operator.
 //!
 //! Those that take long at 10⁷ half-edges end at 10⁶. `benches/README.md` has the results; `benches/growth.py` makes them of what this
 //! leaves in `target/criterion`. Run with `cargo bench --bench growth`.
@@ -166,8 +167,8 @@ fn of_grids(criterion: &mut Criterion) {
         group.bench_function(BenchmarkId::new("not validated", size), |b| {
             b.iter(|| {
                 for h in &places {
-                    let split = edited.split_edge(*h).expect("it is an edge");
-                    black_box(edited.join_edges(split.half_edge).expect("the new vertex has two edges"));
+                    edited.split_edge(*h).expect("it is an edge");
+                    black_box(edited.join_edges(*h).expect("the new vertex has two edges"));
                 }
             });
         });
@@ -175,8 +176,8 @@ fn of_grids(criterion: &mut Criterion) {
         group.bench_function(BenchmarkId::new("twinedge", size), |b| {
             b.iter(|| {
                 for h in &places {
-                    let split = audited.change(|dcel| dcel.split_edge(*h)).expect("valid").expect("it is an edge");
-                    let joined = audited.change(|dcel| dcel.join_edges(split.half_edge)).expect("valid");
+                    audited.change(|dcel| dcel.split_edge(*h)).expect("valid").expect("it is an edge");
+                    let joined = audited.change(|dcel| dcel.join_edges(*h)).expect("valid");
                     black_box(joined.expect("the new vertex has two edges"));
                 }
             });
@@ -207,7 +208,7 @@ fn of_triangulations(criterion: &mut Criterion) {
         group.finish();
 
         let mut group = self::group(criterion, "index", size);
-        group.bench_function(BenchmarkId::new("spade, triangulated", size), |b| {
+        group.bench_function(BenchmarkId::new("spade, without constraints", size), |b| {
             b.iter(|| triangulated(black_box(&points)));
         });
         group.bench_function(BenchmarkId::new("twinedge", size), |b| b.iter(|| Locator::new(black_box(&map))));
