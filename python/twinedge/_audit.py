@@ -329,5 +329,6 @@ def _cell(snap: Any) -> float | None:
 
 def _refuse(what: str, **given: Any) -> None:
     for name, value in given.items():
-        if value not in (None, False):
+        # Not 0, which is a width.
+        if value is not None and value is not False:
             raise TypeError(f"{name}: this is for maps, and {what} is a mesh")

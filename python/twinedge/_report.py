@@ -100,7 +100,7 @@ def _aside(parts: list[str]) -> str:
 
 
 def _labelled(labels: tuple[Any, ...]) -> str:
-    return _aside([", ".join(map(repr, labels))] if labels else [])
+    return _aside([f"feature{'s' if len(labels) > 1 else ''} {', '.join(map(repr, labels))}"] if labels else [])
 
 
 @dataclass(frozen=True)

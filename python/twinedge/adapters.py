@@ -194,6 +194,7 @@ def compas(mesh: Any, **expected: Any) -> Report:
 
     ``expected`` is as for :func:`twinedge.validate`. Compare ``mesh.is_manifold()``. Names are the keys of the mesh.
 
+    >>> import twinedge
     >>> from compas.datastructures import Mesh
     >>> twinedge.adapters.compas(Mesh.from_polyhedron(6), closed=True, sides=4, genus=0).valid
     True
@@ -211,7 +212,7 @@ def trimesh(mesh: Any, **expected: Any) -> Report:
     ``expected`` is as for :func:`twinedge.audit_faces`. Compare ``mesh.is_watertight``, ``is_winding_consistent`` and ``is_volume``,
     which are true of ``closed=True`` and more. Half-edge ``h`` is side ``h % 3`` of triangle ``h // 3``, and ``report.name`` says so.
 
-    >>> import trimesh
+    >>> import trimesh, twinedge
     >>> box = trimesh.creation.box()
     >>> twinedge.adapters.trimesh(box, closed=True, genus=0).valid
     True
@@ -232,7 +233,7 @@ def shapely(polygons: Any, **limits: Any) -> Report:
     ``limits`` are those of :func:`twinedge.audit`. Compare ``shapely.coverage_is_valid`` and ``shapely.is_valid``. Findings make the
     report invalid, so one that is not valid may have no violations.
 
-    >>> import shapely
+    >>> import shapely, twinedge
     >>> report = twinedge.adapters.shapely([shapely.box(0, 0, 2, 1), shapely.box(0, 0, 2, 1)])
     >>> [(finding.rule, finding.kind, finding.features) for finding in report.findings]
     [('C5', 'duplicate', (0, 1))]
@@ -246,7 +247,7 @@ def geopandas(layer: Any, **limits: Any) -> Report:
     ``features`` of the report are positions: ``layer.iloc[list(features)]``. ``labels`` are those of the index, or of the column that
     ``name=`` says. Compare ``GeoSeries.is_valid_coverage``.
 
-    >>> import geopandas, shapely
+    >>> import geopandas, shapely, twinedge
     >>> boxes = [shapely.box(0, 0, 2, 1), shapely.box(1, 0, 3, 1)]
     >>> layer = geopandas.GeoDataFrame({"parcel": ["north", "south"]}, geometry=boxes)
     >>> twinedge.adapters.geopandas(layer, name="parcel").findings[0].labels
