@@ -317,7 +317,7 @@ class Report:
         """
         import pandas as pd
 
-        rows = [_row(one) for one in [*self.violations, *self.findings]]
+        rows = [*map(_row, self.violations), *map(_row, self.findings)]
         frame = pd.DataFrame(rows, columns=[*_row_types(), "message"])
         return frame.astype(_row_types())
 

@@ -19,8 +19,8 @@ themselves are what :func:`networkx_columns` and :func:`compas_columns` return.
 True
 >>> del embedding["a"]["b"]["ccw"]
 >>> violation = twinedge.adapters.networkx(embedding).violations[0]
->>> violation.rule, str(violation.records[0]), violation.names[0]
-('R1', 'half-edge 5', ('b', 'a'))
+>>> violation.rule, violation.records[0].kind, violation.names[0]
+('R1', 'half_edge', ('b', 'a'))
 """
 
 from __future__ import annotations
