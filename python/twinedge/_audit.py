@@ -310,7 +310,8 @@ def audit(
         "list": _twinedge.DEFAULT_LIST if list is None else _count("list", list),
     }
     document, found = _twinedge.audit_map(text, format, asked)
-    if labels is None and any(one is not None for one in found):
+    # The text that is made of a layer has no names.
+    if any(one is not None for one in found):
         labels = found
     return Report(document, None if labels is None else {"feature": labels})
 
