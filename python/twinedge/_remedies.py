@@ -10,15 +10,14 @@ REMEDIES: Final[dict[str, str]] = {
     "dangling": "find what links to a record before it is removed; if all such links dangle, pass the number of records"
     " (`vertices=`, `faces=`)",
     "twin_is_self": "create both half-edges of an edge together; at an open boundary let the twin be nil (-1), and pass `open=True`",
-    "no_unbounded_face": "leave out `plane=True` for a mesh; in the plane, let the half-edges around the outside name a face"
-    " without `face_half_edge` (-1)",
-    "second_unbounded_face": "set `face_half_edge` of one of the two faces, or merge the unbounded faces",
+    "no_unbounded_face": "leave out `plane=True` for a mesh",
+    "second_unbounded_face": "set the outer boundary component of one of the two faces, or merge the unbounded faces",
     "no_outer": "set `face_half_edge` of the face, or retire the face",
     "wrong_place": "update the place of the entry that is moved",
     "no_outside": "list the outside of each component as an inner boundary component of the face in which it lies; leave out"
     " `plane=True` for a mesh",
-    "genus": "split edges where they cross (`snap=` of `audit`), sort the half-edges around each vertex by angle, or leave out"
-    " `plane=True` (`plane=False`)",
+    "genus": "split edges where they cross (`snap=` of `audit`), sort the half-edges around each vertex by angle, or pass"
+    " `plane=False` for a surface with handles",
     "unused_vertex": "delete the vertex, or do not ask for `used`",
     "cross": "split both edges where they cross: `audit(layer, snap=\"auto\")`, or the size of a grid as `snap=`, does so before it judges",
     "touch": "split the edge at the vertex: `audit(layer, snap=\"auto\")`, or the size of a grid as `snap=`, does so before it judges",
