@@ -34,11 +34,7 @@ pub(crate) fn audit_faces(
 
 /// Reads a mesh file and judges it: the report as JSON, and where the corners of each face begin.
 #[pyfunction]
-pub(crate) fn audit_mesh(
-    py: Python<'_>,
-    path: PathBuf,
-    asked: Asked,
-) -> PyResult<(String, Bound<'_, PyArray1<u32>>)> {
+pub(crate) fn audit_mesh(py: Python<'_>, path: PathBuf, asked: Asked) -> PyResult<(String, Bound<'_, PyArray1<u32>>)> {
     let (text, offsets) = py.detach(move || {
         let file = mesh::read_path(&path).map_err(|error| {
             let text = format!("{}: {error}", path.display());
