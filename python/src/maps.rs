@@ -33,6 +33,8 @@ struct Found {
     area: Option<f64>,
     #[serde(skip_serializing_if = "Option::is_none")]
     width: Option<f64>,
+    #[serde(skip_serializing_if = "Option::is_none")]
+    length: Option<f64>,
     message: String,
 }
 
@@ -47,9 +49,12 @@ pub(crate) struct Asked {
     list: usize,
 }
 
+/// The report as JSON, and the name of each feature.
+type Judged = (String, Vec<Option<String>>);
+
 /// Builds the planar map of a text and judges it. A `snap` of 0 chooses the grid.
 #[pyfunction]
-pub(crate) fn audit_map(py: Python<'_>, text: PyBackedBytes, format: Option<&str>, asked: Asked) -> PyResult<String> {
+pub(crate) fn audit_map(py: Python<'_>, text: PyBackedBytes, format: Option<&str>, asked: Asked) -> PyResult<Judged> {
     let format = match format {
         None => None,
         Some("geojson") => Some(Format::GeoJson),
@@ -59,16 +64,16 @@ pub(crate) fn audit_map(py: Python<'_>, text: PyBackedBytes, format: Option<&str
     py.detach(move || audit(&text, format, &asked)).map_err(|Refused(why)| PyValueError::new_err(why))
 }
 
-fn audit(text: &[u8], format: Option<Format>, asked: &Asked) -> Result<String, Refused> {
+fn audit(text: &[u8], format: Option<Format>, asked: &Asked) -> Result<Judged, Refused> {
     let mut builder = Builder::new();
     let mut invalid: Vec<(usize, Vec<Defect>)> = Vec::new();
-    let mut number = 0;
+    let mut names = Vec::new();
     read(text, format, |feature| {
         let found = defects(&feature.shapes);
         if !found.is_empty() {
-            invalid.push((number, found));
+            invalid.push((names.len(), found));
         }
-        number += 1;
+        names.push(feature.name.clone().or_else(|| feature.id.clone()));
         builder.feature(&feature).map(drop).map_err(|error: BuildError| Refused(error.to_string()))
     })?;
     let noding = match asked.snap {
@@ -100,8 +105,8 @@ fn audit(text: &[u8], format: Option<Format>, asked: &Asked) -> Result<String, R
     }
     document["finding_count"] = json!(found.len());
     document["findings"] = json!(found.into_iter().take(asked.list).collect::<Vec<_>>());
-    document["features"] = json!(number);
-    Ok(document.to_string())
+    document["features"] = json!(names.len());
+    Ok((document.to_string(), names))
 }
 
 /// The numbers of the features that a violation touches.
@@ -139,6 +144,7 @@ fn findings(coverage: &Coverage, invalid: &[(usize, Vec<Defect>)]) -> Vec<Found>
             at: finding.at.into(),
             area: Some(area),
             width: Some(width),
+            length: Some(finding.length),
         }
     });
     let of_shapes = invalid.iter().flat_map(|(feature, defects)| {
@@ -149,6 +155,7 @@ fn findings(coverage: &Coverage, invalid: &[(usize, Vec<Defect>)]) -> Vec<Found>
             at: defect.at.into(),
             area: None,
             width: None,
+            length: None,
             message: format!("feature {feature} is not valid: {}", defect.kind),
         })
     });

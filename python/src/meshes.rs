@@ -1,7 +1,7 @@
 //! Audits of meshes: lists of faces, and mesh files.
 
 use crate::expectation::Asked;
-use numpy::{PyReadonlyArray1, PyReadonlyArray2};
+use numpy::{IntoPyArray, PyArray1, PyReadonlyArray1, PyReadonlyArray2};
 use pyo3::exceptions::{PyOSError, PyRuntimeError, PyValueError};
 use pyo3::prelude::*;
 use std::path::PathBuf;
@@ -32,14 +32,15 @@ pub(crate) fn audit_faces(
     })
 }
 
-/// Reads a mesh file and judges it.
+/// Reads a mesh file and judges it: the report as JSON, and where the corners of each face begin.
 #[pyfunction]
-pub(crate) fn audit_mesh(py: Python<'_>, path: PathBuf, asked: Asked) -> PyResult<String> {
-    py.detach(move || {
+pub(crate) fn audit_mesh(py: Python<'_>, path: PathBuf, asked: Asked) -> PyResult<(String, Bound<'_, PyArray1<u32>>)> {
+    let (text, offsets) = py.detach(move || {
         let file = mesh::read_path(&path).map_err(|error| {
             let text = format!("{}: {error}", path.display());
             if path.exists() { PyValueError::new_err(text) } else { PyOSError::new_err(text) }
         })?;
-        report(&file.mesh, &asked)
-    })
+        Ok::<_, PyErr>((report(&file.mesh, &asked)?, file.mesh.offsets().to_vec()))
+    })?;
+    Ok((text, offsets.into_pyarray(py)))
 }

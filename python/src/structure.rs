@@ -5,7 +5,7 @@ use crate::expectation::Asked;
 use numpy::PyArrayDescrMethods as _;
 use numpy::PyUntypedArray;
 use numpy::PyUntypedArrayMethods as _;
-use pyo3::exceptions::{PyKeyError, PyMemoryError, PyRuntimeError, PyTypeError, PyValueError};
+use pyo3::exceptions::{PyMemoryError, PyRuntimeError, PyTypeError, PyValueError};
 use pyo3::prelude::*;
 use pyo3::types::PyDict;
 use std::cell::{Cell, RefCell};
@@ -71,7 +71,7 @@ pub(crate) fn validate(
     faces: Option<usize>,
     asked: Asked,
 ) -> PyResult<String> {
-    let next = columns.get_item("next")?.ok_or_else(|| PyKeyError::new_err("next"))?;
+    let next = columns.get_item("next")?.ok_or_else(|| PyTypeError::new_err("next: missing"))?;
     let next = next.cast::<PyUntypedArray>().map_err(|_| PyTypeError::new_err("next: expected an array"))?;
     let dtype = next.dtype();
     let report = if dtype.is_equiv_to(&numpy::dtype::<i64>(py)) {

@@ -13,10 +13,13 @@ import numpy as np
 import numpy.typing as npt
 
 from . import _twinedge
+from ._names import Names, Sides
 from ._report import Report
-from ._validate import _asked, _count
+from ._validate import _MOST, _asked, _count, _number, _refuse_masked
 
 _MESHES = {".obj", ".off", ".ply", ".stl"}
+#: What may be asked of a mesh.
+_OF_MESHES = ("sides", "simple", "closed", "used", "components", "borders", "genus")
 _MAPS = {".wkt": "wkt", ".geojson": "geojson", ".json": "geojson"}
 
 
@@ -26,6 +29,7 @@ def _offsets(lengths: Iterable[int]) -> npt.NDArray[np.uint32]:
 
 def _corners(faces: Any) -> tuple[npt.NDArray[np.uint32], npt.NDArray[np.uint32]]:
     """The vertices of all faces in one array, and where each face begins."""
+    _refuse_masked("faces", faces)
     if isinstance(faces, np.ndarray) and faces.dtype != object:
         if faces.ndim != 2:
             raise ValueError(f"faces: expected two dimensions, not the shape {faces.shape}")
@@ -37,8 +41,13 @@ def _corners(faces: Any) -> tuple[npt.NDArray[np.uint32], npt.NDArray[np.uint32]
         offsets = _offsets(map(len, listed))
     if corners.dtype.kind not in "iu":
         raise TypeError(f"faces: expected integers, not {corners.dtype}")
-    if corners.size and (corners.min() < 0 or corners.max() >= 2**32):
-        raise ValueError("faces: a vertex is negative or too large")
+    if corners.size and (corners.min() < 0 or corners.max() >= _MOST):
+        at = int(np.flatnonzero((corners < 0) | (corners >= _MOST))[0])
+        side = Sides(offsets)[at]
+        raise ValueError(
+            f"faces: face {side.face} has the vertex {corners[at]} at its corner {side.corner}, which is"
+            f" {'negative' if corners[at] < 0 else 'too large'}"
+        )
     return np.ascontiguousarray(corners, dtype=np.uint32), offsets
 
 
@@ -70,21 +79,27 @@ def audit_faces(
     -------
     Report
         With :attr:`~Report.findings`: edges with more than two faces, vertices at which fans of faces touch, faces that repeat a
-        vertex, and so on. Half-edge ``h`` of a violation is the side of face ``h // k`` that begins at its corner ``h % k``.
+        vertex, and so on: ``vertices`` and ``faces`` of a finding are positions here. Half-edges are numbered side by side, face by
+        face: number ``h`` of faces with ``k`` corners each is the side of face ``h // k`` that begins at its corner ``h % k``. Of faces
+        with different numbers of corners, it is a side of the face before which at most ``h`` corners lie, the last such.
+        ``report.name(record)`` says which in both cases, as ``Side(face=1, corner=2)``, and so does ``names`` of a violation::
+
+            report = twinedge.audit_faces([[0, 1, 2, 3], [0, 2, 1]], closed=True)
+            [violation.names for violation in report.violations]
 
     Raises
     ------
     TypeError
-        The vertices are no integers.
+        The vertices are no integers, or in a masked array.
     ValueError
-        A vertex is negative, or not less than ``vertices``.
+        A vertex is negative, or not less than ``vertices``; the message says of which face.
 
     Notes
     -----
     Linear time and memory. The faces are copied before the interpreter lock is released.
     """
     corners, offsets = _corners(faces)
-    count = _count("vertices", vertices)
+    count = _count("vertices", vertices, _MOST)
     if count is None:
         count = int(corners.max()) + 1 if corners.size else 0
     asked = _asked(
@@ -92,7 +107,7 @@ def audit_faces(
     )
     # Of the points only the number counts here.
     points = np.broadcast_to(np.zeros(3), (count, 3))
-    return Report(_twinedge.audit_faces(points, corners, offsets, asked))
+    return Report(_twinedge.audit_faces(points, corners, offsets, asked), {"half_edge": Sides(offsets)})
 
 
 def _collection(layer: Any) -> str:
@@ -111,7 +126,68 @@ def _by_shapely(geometries: npt.NDArray[Any]) -> list[str] | None:
     return ["null" if text is None else text for text in shapely.to_geojson(geometries)]
 
 
+def _labels(layer: Any, name: str | None) -> Names | None:
+    """The labels of the features, if the layer has some: see `audit`."""
+    if hasattr(layer, "index") and hasattr(layer, "geom_type"):
+        return _labels_of_frame(layer, name)
+    found = layer if isinstance(layer, dict) else getattr(layer, "__geo_interface__", {})
+    if found.get("type") == "FeatureCollection":
+        properties = [feature.get("properties") or {} for feature in found["features"]]
+        labels = [p.get(name or "name", f.get("id")) for p, f in zip(properties, found["features"], strict=True)]
+        if name is not None and not any(name in p for p in properties):
+            raise ValueError(f"name: no feature has the property {name!r}")
+        return labels if any(label is not None for label in labels) else None
+    if name is not None:
+        raise TypeError("name: this is for frames and for collections of features with properties")
+    return None
+
+
+def _labels_of_frame(layer: Any, name: str | None) -> Names | None:
+    columns = getattr(layer, "columns", ())
+    if name is not None:
+        if name not in columns:
+            raise ValueError(f"name: there is no column {name!r}; there are {', '.join(map(str, columns)) or 'none'}")
+        return _listed(layer[name])
+    labels = _listed(layer.index)
+    if labels != [*range(len(layer))]:
+        return labels
+    return _listed(layer["name"]) if "name" in columns else None
+
+
+def _listed(column: Any) -> Sequence[Any]:
+    labels: Sequence[Any] = column.tolist()
+    return labels
+
+
+def _other(layer: Any) -> str | None:
+    """What to call instead, for what is no layer but known."""
+    if hasattr(layer, "check_structure") and hasattr(layer, "_adj"):
+        return "for the rotations of a PlanarEmbedding call twinedge.adapters.networkx"
+    if hasattr(layer, "nodes") and hasattr(layer, "adj"):
+        return "a graph lies nowhere: networkx.check_planarity gives a PlanarEmbedding, for twinedge.adapters.networkx"
+    if hasattr(layer, "halfedge") and hasattr(layer, "face"):
+        return "for a mesh of compas call twinedge.adapters.compas"
+    if hasattr(layer, "graph") and hasattr(layer, "to_geometry"):
+        return "give one mesh: scene.to_mesh() puts those of a scene together"
+    if isinstance(layer, np.ndarray) and layer.dtype != object and layer.size:
+        return "for the faces of a mesh call twinedge.audit_faces, for links twinedge.validate"
+    if isinstance(layer, (int, np.integer)):
+        return "for the faces of a mesh call twinedge.audit_faces, for links twinedge.validate"
+    if hasattr(layer, "columns") and not hasattr(layer, "geometry"):
+        return "the frame has no geometry: geopandas.GeoDataFrame(frame, geometry=…) gives it some"
+    return None
+
+
+def _refused(layer: Any, why: str | None = None) -> TypeError:
+    what = "None" if layer is None else type(layer).__name__
+    return TypeError(
+        f"cannot audit {what}: {why or _other(layer) or 'expected a path, a frame or a sequence of geometries, or __geo_interface__'}"
+    )
+
+
 def _geometries(layer: Any) -> list[str]:
+    if _other(layer):
+        raise _refused(layer)
     if hasattr(layer, "geometry") and hasattr(layer, "columns"):
         layer = layer.geometry
     if hasattr(layer, "geom_type") and hasattr(layer, "__array__"):
@@ -127,13 +203,11 @@ def _geometries(layer: Any) -> list[str]:
             return [json.dumps(feature["geometry"]) for feature in found["features"]]
         return [json.dumps(found["geometry"] if kind == "Feature" else found)]
     if isinstance(layer, (str, bytes)):
-        raise TypeError(f"cannot audit {type(layer).__name__}: give a path as pathlib.Path, or the name of a file that exists")
+        raise _refused(layer, "give a path as pathlib.Path, or the name of a file that exists")
     try:
         several = [*layer]
     except TypeError:
-        raise TypeError(
-            f"cannot audit {type(layer).__name__}: expected a path, a frame or a sequence of geometries, or __geo_interface__"
-        ) from None
+        raise _refused(layer) from None
     return [text for one in several for text in (["null"] if one is None else _geometries(one))]
 
 
@@ -145,6 +219,7 @@ def audit(
     gap_width: float | None = None,
     sliver_area: float | None = None,
     snap: float | str | None = None,
+    name: str | None = None,
     list: int | None = None,
     **expected: Any,
 ) -> Report:
@@ -152,7 +227,7 @@ def audit(
 
     Of lines and polygons the planar map is built and every rule is checked on it, those about coordinates too: that edges meet
     at their ends only, that holes lie in the face that lists them. Overlaps, gaps, near misses, slivers and duplicates of the
-    polygons, and polygons that are not valid by the OGC (rules C1 to C6), are :attr:`Report.findings`.
+    polygons, and polygons that are not valid by the OGC (rules C1 to C6), are :attr:`Report.findings`. ``Report.to_frame`` has both.
 
     Parameters
     ----------
@@ -163,10 +238,19 @@ def audit(
         ``"geojson"`` or ``"wkt"``. By default told by the name of the file, or by its content.
     coverage : bool
         What breaks C1 to C6 makes the map invalid.
-    gap_width, sliver_area : float, optional
-        How wide a near miss is at most, and a gap that is reported; how large a sliver is at most.
+    gap_width : float, optional
+        How wide a near miss (C3) is at most, and a gap (C2) that is reported: **a wider gap is then taken as intended, and not
+        reported**. Default: gaps of any width, and near misses up to a hundredth of the median length of the edges. The width of a gap
+        is its *mean* width, twice its area by the length of its border: the width of a strip, but half of the side of a square.
+    sliver_area : float, optional
+        A part of a feature is a sliver (C4) if it is smaller than this, and thin: 4πA/P² is less than 0.2 for its area A and
+        perimeter P. Default: a thousandth of the median area of all parts.
     snap : float or "auto", optional
         Cut segments where they meet, on a grid of cells that are at most so wide.
+    name : str, optional
+        The column, or the property of features, that has their labels. By default the index of a frame or series, if it is not just
+        0, 1, 2, …; else the column or property ``name``, if there is one, or the ``id`` of a feature. The features of a file have the
+        names that the file gives them (``name``, ``NAME``, ``ADMIN``, ``title`` or ``id``).
     list : int, optional
         The most violations, and the most findings, that are listed. Default: 1000.
     **expected
@@ -175,50 +259,77 @@ def audit(
     Returns
     -------
     Report
-        ``features`` of a violation or a finding are positions in the layer.
+        ``features`` of a violation or a finding are positions in the layer, ``labels`` their labels. Of a mesh, see
+        :func:`audit_faces`.
 
     Raises
     ------
     OSError
         A file cannot be read.
     TypeError
-        The layer is nothing of these, or an argument is for meshes, or for maps, only.
+        The layer is nothing of these (the message says what to call instead), or an argument is for meshes, or for maps, only.
     ValueError
-        The file or the geometry is malformed.
+        The file or the geometry is malformed; a width, an area or ``snap`` is negative or not finite; there is no column ``name``.
 
     Notes
     -----
     O(n log n + k) for n segments and k places where boxes of segments meet. The interpreter lock is released while the map is
     built and judged, and signals are handled after that.
     """
+    unknown = [argument for argument in expected if argument not in _OF_MESHES]
+    if unknown:
+        raise TypeError(f"audit() got an unexpected keyword argument {unknown[0]!r}")
+    for_maps = {
+        "format": format, "coverage": coverage, "gap_width": gap_width, "sliver_area": sliver_area, "snap": snap, "name": name
+    }
+    labels: Names | None = None
     if isinstance(layer, (str, os.PathLike)) and not hasattr(layer, "__geo_interface__"):
         path = Path(layer)
         if isinstance(layer, str) and not path.exists():
             raise FileNotFoundError(f"{layer}: no such file")
         if path.suffix.lower() in _MESHES:
-            _refuse(path.name, format=format, coverage=coverage, gap_width=gap_width, sliver_area=sliver_area, snap=snap)
-            return Report(_twinedge.audit_mesh(path, _asked(list=list, **expected)))
+            _refuse(path.name, **for_maps)
+            report, offsets = _twinedge.audit_mesh(path, _asked(list=list, **expected))
+            return Report(report, {"half_edge": Sides(offsets)})
+        if name is not None:
+            raise TypeError("name: this is for frames and for collections of features; those of a file have the names that it gives")
         text, format = path.read_bytes(), format or _MAPS.get(path.suffix.lower())
     elif hasattr(layer, "faces") and hasattr(layer, "vertices") and not callable(layer.faces):
-        _refuse("a mesh", format=format, coverage=coverage, gap_width=gap_width, sliver_area=sliver_area, snap=snap)
+        _refuse("this", **for_maps)
         return audit_faces(np.asarray(layer.faces), len(layer.vertices), list=list, **expected)
     else:
         text, format = _collection(layer).encode(), "geojson"
+        labels = _labels(layer, name)
     if expected:
         raise TypeError(f"{next(iter(expected))}: this is for meshes, and the layer is a map")
     asked = {
         "coverage": bool(coverage),
-        "gap_width": gap_width,
-        "sliver_area": sliver_area,
-        "snap": 0.0 if snap == "auto" else snap,
+        "gap_width": _number("gap_width", gap_width),
+        "sliver_area": _number("sliver_area", sliver_area),
+        "snap": _cell(snap),
         "list": _twinedge.DEFAULT_LIST if list is None else _count("list", list),
     }
-    if isinstance(snap, (int, float)) and not snap > 0:
+    document, found = _twinedge.audit_map(text, format, asked)
+    # The text that is made of a layer has no names.
+    if any(one is not None for one in found):
+        labels = found
+    return Report(document, None if labels is None else {"feature": labels})
+
+
+def _cell(snap: Any) -> float | None:
+    """The size of a cell, 0 for one that is to be chosen."""
+    if snap is None or isinstance(snap, str):
+        if snap not in (None, "auto"):
+            raise ValueError(f"snap: {snap!r} is neither 'auto' nor a positive number")
+        return None if snap is None else 0.0
+    size = _number("snap", snap)
+    if not size:
         raise ValueError(f"snap: {snap} is neither 'auto' nor a positive number")
-    return Report(_twinedge.audit_map(text, format, asked))
+    return size
 
 
 def _refuse(what: str, **given: Any) -> None:
     for name, value in given.items():
-        if value not in (None, False):
+        # Not 0, which is a width.
+        if value is not None and value is not False:
             raise TypeError(f"{name}: this is for maps, and {what} is a mesh")

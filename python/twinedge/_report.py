@@ -4,11 +4,13 @@ from __future__ import annotations
 
 import html
 import json
-from collections.abc import Mapping
+from collections.abc import Iterable, Mapping
 from dataclasses import dataclass
 from typing import TYPE_CHECKING, Any
 
 from . import _twinedge
+from ._names import Names
+from ._remedies import REMEDIES
 
 if TYPE_CHECKING:
     import pandas as pd
@@ -62,6 +64,11 @@ class Violation:
     at: tuple[tuple[float, float], ...] = ()
     #: The positions of the features concerned, for a map.
     features: tuple[int, ...] = ()
+    #: The names of the records, in their order, if the structure has some: of ``networkx`` a node, or a pair of nodes for a
+    #: half-edge; of a list of faces a :class:`Side` for a half-edge. See :meth:`Report.name`.
+    names: tuple[Any, ...] = ()
+    #: The labels of ``features``, in their order, if the layer has some. See ``name`` of :func:`twinedge.audit`.
+    labels: tuple[Any, ...] = ()
 
     def _explained(self) -> tuple[str, str]:
         entry: dict[str, Any] = {"kind": self.kind}
@@ -76,26 +83,91 @@ class Violation:
 
     @property
     def remedy(self) -> str:
-        """What mends it."""
-        return self._explained()[1]
+        """What mends it, in the arguments of this package."""
+        return REMEDIES.get(self.kind) or self._explained()[1]
 
     def __str__(self) -> str:
-        return f"{self.rule}: {self.message}"
+        called = [f"{record} is {_told(name)}" for record, name in zip(self.records, self.names, strict=False) if name != record.index]
+        return f"{self.rule}: {self.message}{_aside(called)}{_labelled(self.labels)}"
+
+
+def _told(name: Any) -> str:
+    return str(name) if hasattr(name, "_fields") else repr(name)
+
+
+def _aside(parts: list[str]) -> str:
+    return f" ({', '.join(parts)})" if parts else ""
+
+
+def _labelled(labels: tuple[Any, ...]) -> str:
+    return _aside([f"feature{'s' if len(labels) > 1 else ''} {', '.join(map(repr, labels))}"] if labels else [])
 
 
 @dataclass(frozen=True)
 class Finding:
-    """What is wrong with a list of faces, or with the polygons of a map as a coverage (rules C1 to C6)."""
+    """What is wrong with a list of faces, or with the polygons of a map as a coverage (rules C1 to C6).
 
-    #: As ``"non_manifold_vertex"`` of a mesh, ``"overlap"`` of a coverage.
+    Lengths and areas are in the units of the coordinates.
+    """
+
+    #: One of :data:`twinedge.FINDING_KINDS`, as ``"non_manifold_vertex"`` of a mesh, ``"near_miss"`` of a coverage.
     kind: str
     #: A sentence.
     message: str
-    #: All keys of the JSON form: ``faces`` and ``vertices`` of a mesh; ``rule``, ``features``, ``at``, ``area`` of a map.
+    #: All keys of the JSON form, with their values there: ``kind`` of C3 and C6 is ``"near miss"`` and ``"OGC validity"`` in it.
     fields: dict[str, Any]
+    #: ``"C1"`` to ``"C6"`` of a coverage; ``None`` of a mesh.
+    rule: str | None = None
+    #: The positions of the features concerned, of a coverage.
+    features: tuple[int, ...] = ()
+    #: The labels of ``features``, in their order, if the layer has some. See ``name`` of :func:`twinedge.audit`.
+    labels: tuple[Any, ...] = ()
+    #: The faces concerned, of a mesh.
+    faces: tuple[int, ...] = ()
+    #: The vertices concerned, of a mesh.
+    vertices: tuple[int, ...] = ()
+    #: A point inside it, of a coverage.
+    at: tuple[float, float] | None = None
+    #: The area: of the overlap, the gap, the sliver, one duplicate, or the space of a near miss. ``None`` for C6 and meshes.
+    area: float | None = None
+    #: The *mean* width, ``2 * area / length``: the width of a strip, half of the side of a square.
+    width: float | None = None
+    #: The length of the borders: all around the area, or both sides of a near miss.
+    length: float | None = None
 
     def __str__(self) -> str:
-        return f"{self.kind}: {self.message}"
+        return f"{self.rule or self.kind}: {self.message}{_labelled(self.labels)}"
+
+
+def finding_kind(name: str) -> str:
+    """The kind of a finding, in snake case as those of violations, from its name in the JSON form."""
+    return name.lower().replace(" ", "_")
+
+
+_KINDS = ("vertex", "half_edge", "boundary", "face")
+
+
+def _row_types() -> dict[str, str]:
+    """The columns of a frame, and their types."""
+    return {
+        **dict.fromkeys(("rule", "kind"), "object"),
+        **dict.fromkeys(_KINDS, "Int64"),
+        **dict.fromkeys(("features", "names"), "object"),
+        **dict.fromkeys(("x", "y", "area", "width", "length"), "float64"),
+    }
+
+
+def _row(one: Violation | Finding) -> dict[str, Any]:
+    row: dict[str, Any] = {"rule": one.rule, "kind": one.kind, "features": one.features, "message": one.message}
+    if isinstance(one, Violation):
+        row |= {record.kind: record.index for record in reversed(one.records)}
+        places: tuple[tuple[float, float], ...] = one.at
+        row["names"] = one.labels or one.names
+    else:
+        row |= {"vertex": next(iter(one.vertices), None), "face": next(iter(one.faces), None)}
+        row |= {"area": one.area, "width": one.width, "length": one.length, "names": one.labels}
+        places = () if one.at is None else (one.at,)
+    return row | (dict(zip("xy", places[0], strict=True)) if places else {})
 
 
 class InvalidStructure(ValueError):
@@ -115,20 +187,46 @@ class Report:
     ``bool(report)`` is an error, as it would be read in two ways: ask for :attr:`valid`.
     """
 
-    def __init__(self, document: str | Mapping[str, Any]) -> None:
+    def __init__(self, document: str | Mapping[str, Any], names: Mapping[str, Names] | None = None) -> None:
         """From the JSON form, which ``docs/report.md`` of the project describes.
 
-        Raises ``ValueError`` if it has another version.
+        ``names`` has what the records of some kinds are called, by position: ``"vertex"``, ``"half_edge"``, ``"face"``,
+        ``"feature"``. It is no part of the JSON form. Raises ``ValueError`` if the form has another version.
         """
         found = json.loads(document) if isinstance(document, str) else dict(document)
         if found.get("schema") != _twinedge.REPORT_SCHEMA:
             raise ValueError(f"expected the schema {_twinedge.REPORT_SCHEMA}, not {found.get('schema')!r}")
         self._document: dict[str, Any] = found
+        self._names: dict[str, Names] = dict(names or {})
 
     @property
     def valid(self) -> bool:
-        """Whether no violation was found and every rule that applies was checked."""
+        """Whether no violation was found, every rule that applies was checked, and no finding is a fault.
+
+        Findings of a mesh are faults, but for ``unused_vertex``. Those of a coverage are if it was asked for, by
+        ``coverage=True`` or by ``adapters.shapely`` and ``adapters.geopandas``: then ``violations`` may be empty where ``findings``
+        are the reason. :meth:`to_frame` has both.
+        """
         return bool(self._document["valid"])
+
+    def name(self, record: Record) -> Any:
+        """What a record is called in the structure that was judged; its index, if it has no name.
+
+        Of ``adapters.networkx`` a node, or for a half-edge a pair of nodes, origin and target; of ``adapters.compas`` the keys of
+        the mesh likewise; of a list of faces a :class:`Side` for a half-edge, with ``face`` and ``corner``.
+        """
+        names = self._names.get(record.kind, ())
+        return names[record.index] if 0 <= record.index < len(names) else record.index
+
+    def _record_names(self, records: tuple[Record, ...]) -> tuple[Any, ...]:
+        return tuple(map(self.name, records)) if any(record.kind in self._names for record in records) else ()
+
+    def _labels(self, features: Iterable[int]) -> tuple[Any, ...]:
+        labels = self._names.get("feature")
+        return () if labels is None else tuple(labels[feature] for feature in features)
+
+    def _named(self, names: Mapping[str, Names]) -> Report:
+        return Report(self._document, names)
 
     @property
     def counts(self) -> dict[str, Any]:
@@ -150,19 +248,23 @@ class Report:
 
     @property
     def violations(self) -> list[Violation]:
-        """The violations that are listed, in the order of the rules."""
-        return [
-            Violation(
-                rule=v["rule"],
-                kind=v["kind"],
-                records=tuple(Record(kind, index) for r in v["records"] for kind, index in r.items()),
-                message=v["message"],
-                fields=dict(v.get("fields", {})),
-                at=tuple((x, y) for x, y in v.get("at", ())),
-                features=tuple(v.get("features", ())),
-            )
-            for v in self._document["violations"]
-        ]
+        """The violations that are listed, in the order of the rules. A report that is not valid may have :attr:`findings` only."""
+        return [*map(self._violation, self._document["violations"])]
+
+    def _violation(self, entry: dict[str, Any]) -> Violation:
+        records = tuple(Record(kind, index) for r in entry["records"] for kind, index in r.items())
+        features = tuple(entry.get("features", ()))
+        return Violation(
+            rule=entry["rule"],
+            kind=entry["kind"],
+            records=records,
+            message=entry["message"],
+            fields=dict(entry.get("fields", {})),
+            at=tuple((x, y) for x, y in entry.get("at", ())),
+            features=features,
+            names=self._record_names(records),
+            labels=self._labels(features),
+        )
 
     @property
     def violation_count(self) -> int:
@@ -172,7 +274,24 @@ class Report:
     @property
     def findings(self) -> list[Finding]:
         """What is wrong with a list of faces, or with a map as a coverage; empty for arrays."""
-        return [Finding(f["kind"], f["message"], dict(f)) for f in self._document.get("findings", ())]
+        return [*map(self._finding, self._document.get("findings", ()))]
+
+    def _finding(self, entry: dict[str, Any]) -> Finding:
+        features = tuple(entry.get("features", ()))
+        return Finding(
+            kind=finding_kind(entry["kind"]),
+            message=entry["message"],
+            fields=dict(entry),
+            rule=entry.get("rule"),
+            features=features,
+            labels=self._labels(features),
+            faces=tuple(entry.get("faces", ())),
+            vertices=tuple(entry.get("vertices", ())),
+            at=(entry["at"][0], entry["at"][1]) if "at" in entry else None,
+            area=entry.get("area"),
+            width=entry.get("width"),
+            length=entry.get("length"),
+        )
 
     @property
     def finding_count(self) -> int:
@@ -189,22 +308,18 @@ class Report:
         return json.dumps(self._document)
 
     def to_frame(self) -> pd.DataFrame:
-        """The violations that are listed as a pandas frame, a row for each.
+        """The violations and the findings that are listed as a pandas frame, a row for each, violations first.
 
-        The columns are ``rule``, ``kind``, ``vertex``, ``half_edge``, ``boundary``, ``face`` (the first record of each kind, or
-        missing) and ``message``. Needs pandas.
+        The columns are ``rule`` (missing for findings of a mesh), ``kind``, ``vertex``, ``half_edge``, ``boundary``, ``face`` (the first record
+        of each kind, or missing), ``features`` (positions), ``names`` (the labels of the features, or the names of the records, if
+        there are some), ``x``, ``y`` (the first place, or missing), ``area``, ``width``, ``length`` (of findings of a coverage), and
+        ``message``. Needs pandas.
         """
         import pandas as pd
 
-        kinds = ["vertex", "half_edge", "boundary", "face"]
-        rows = []
-        for violation in self.violations:
-            row: dict[str, Any] = {"rule": violation.rule, "kind": violation.kind, **dict.fromkeys(kinds)}
-            for record in reversed(violation.records):
-                row[record.kind] = record.index
-            rows.append(row | {"message": violation.message})
-        frame = pd.DataFrame(rows, columns=["rule", "kind", *kinds, "message"])
-        return frame.astype(dict.fromkeys(kinds, "Int64"))
+        rows = [*map(_row, self.violations), *map(_row, self.findings)]
+        frame = pd.DataFrame(rows, columns=[*_row_types(), "message"])
+        return frame.astype(_row_types())
 
     def raise_if_invalid(self) -> Report:
         """The report itself, if it is valid.
@@ -269,4 +384,4 @@ class Report:
     __hash__ = None  # type: ignore[assignment]
 
     def __reduce__(self) -> tuple[Any, ...]:
-        return (Report, (self._document,))
+        return (Report, (self._document, self._names))

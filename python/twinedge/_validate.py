@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+import math
+import sys
 from collections.abc import Sequence
 from typing import Any
 
@@ -14,10 +16,22 @@ from ._report import Report
 #: What is taken as a column of links.
 Links = npt.NDArray[np.integer[Any]] | Sequence[int]
 
+#: The columns with an element for each half-edge.
+_OF_HALF_EDGES = ("origin", "target", "twin", "next", "prev", "face")
 _NATIVE = [np.dtype(t) for t in (np.int32, np.int64, np.uint32, np.uint64)]
 
 
+#: The most records of a kind: a link has 32 bits in the validator, and two values are not positions.
+_MOST = 2**32 - 2
+
+
+def _refuse_masked(name: str, value: Any) -> None:
+    if np.ma.isMaskedArray(value):
+        raise TypeError(f"{name}: the mask of a masked array would not be read: give `{name}.filled(-1)`, or the array without mask")
+
+
 def _links(name: str, value: Any) -> npt.NDArray[Any]:
+    _refuse_masked(name, value)
     try:
         array = np.asarray(value)
     except ValueError as error:
@@ -60,14 +74,34 @@ def _columns(given: dict[str, Any]) -> dict[str, npt.NDArray[Any]]:
     return arrays
 
 
-def _count(name: str, value: Any) -> int | None:
+def _same_length(columns: dict[str, npt.NDArray[Any]]) -> None:
+    lengths = {name: len(columns[name]) for name in _OF_HALF_EDGES if name in columns}
+    if len({*lengths.values()}) > 1:
+        listed = ", ".join(f"`{name}` {length}" for name, length in lengths.items())
+        raise ValueError(f"the columns of half-edges differ in length: {listed}")
+
+
+def _count(name: str, value: Any, most: int = sys.maxsize) -> int | None:
     if value is None:
         return None
     if isinstance(value, (bool, np.bool_)) or not isinstance(value, (int, np.integer)):
         raise TypeError(f"{name}: expected a number, not {type(value).__name__}")
     if value < 0:
         raise ValueError(f"{name}: {value} is negative")
+    if value > most:
+        raise ValueError(f"{name}: {value} is more than {most:,}, the most that there can be")
     return int(value)
+
+
+def _number(name: str, value: Any) -> float | None:
+    """A length or an area."""
+    if value is None:
+        return None
+    if isinstance(value, (bool, np.bool_)) or not isinstance(value, (int, float, np.integer, np.floating)):
+        raise TypeError(f"{name}: expected a number, not {type(value).__name__}")
+    if not 0 <= value < math.inf:
+        raise ValueError(f"{name}: {value} is negative or not finite")
+    return float(value)
 
 
 def _asked(
@@ -85,6 +119,8 @@ def _asked(
     genus: int | None = None,
     list: int | None = None,
 ) -> dict[str, Any]:
+    if preset is not None and not isinstance(preset, str):
+        raise TypeError(f"preset: expected a name, one of {', '.join(_twinedge.PRESETS)}, not {type(preset).__name__}")
     if plane and preset is not None:
         raise ValueError("plane: a preset says on which surface the structure lies")
     return {
@@ -157,7 +193,7 @@ def validate(
     open : bool
         Borders are legal: a half-edge may lack its twin or its face.
     preset : str, optional
-        Instead of ``plane``: what a library promises, one of :data:`twinedge.PRESETS`.
+        Instead of ``plane``: what a library promises, one of :data:`twinedge.PRESETS`. ``README.md`` has a table of their rules.
     sides, components, borders, genus : int, optional
         Every face has so many sides; there are so many components with an edge, border loops, handles (rules M3, M5, M6, M7).
     simple, closed, used, border_kept : bool
@@ -173,9 +209,9 @@ def validate(
     Raises
     ------
     TypeError
-        A column is no array of integers, or ``origin`` and ``target`` are both given, or neither.
+        A column is no array of integers, or a masked one; ``next`` is ``None``; ``origin`` and ``target`` are both given, or neither.
     ValueError
-        A column has another length than there are records, or more than one dimension; a count is negative.
+        A column has another length than there are records, or more than one dimension; a count is negative or too large.
     RuntimeError
         An array changed during the call. A change that is undone again is not noticed. Nothing worse happens.
     MemoryError
@@ -190,6 +226,8 @@ def validate(
     copies with 64 bits are read. Other threads may write to the arrays meanwhile, at the cost of the error above; only
     ``ndarray.resize(…, refcheck=False)`` must not be called, since it frees memory that is in use.
     """
+    if next is None:
+        raise TypeError("next is required: the half-edge that follows each one on its cycle")
     if (origin is None) == (target is None):
         raise TypeError("give either origin or target")
     if face_half_edge is not None and face is None:
@@ -206,6 +244,7 @@ def validate(
         "leaving": leaving,
         "face_half_edge": face_half_edge,
     })
+    _same_length(columns)
     asked = _asked(
         plane=plane,
         open=open,
@@ -220,4 +259,4 @@ def validate(
         genus=genus,
         list=list,
     )
-    return Report(_twinedge.validate(columns, _count("vertices", vertices), _count("faces", faces), asked))
+    return Report(_twinedge.validate(columns, _count("vertices", vertices, _MOST), _count("faces", faces, _MOST), asked))

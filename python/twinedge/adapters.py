@@ -8,8 +8,19 @@
 :func:`geopandas`   a GeoDataFrame or GeoSeries of polygons, as a coverage
 =================== ====================================================
 
-None of the libraries is imported here. The records of a report are positions in the arrays that :func:`networkx_columns` and
-:func:`compas_columns` return; their ``half_edges`` and ``vertices`` give the names.
+None of the libraries is imported here. A report says what its records are called in the structure: ``report.name(record)`` is a node or
+a key, or for a half-edge the pair of its origin and its target, and ``names`` of a violation has those of its records. The arrays
+themselves are what :func:`networkx_columns` and :func:`compas_columns` return.
+
+>>> import networkx
+>>> import twinedge
+>>> _, embedding = networkx.check_planarity(networkx.cycle_graph(["a", "b", "c"]))
+>>> twinedge.adapters.networkx(embedding).valid
+True
+>>> del embedding["a"]["b"]["ccw"]
+>>> violation = twinedge.adapters.networkx(embedding).violations[0]
+>>> violation.rule, violation.records[0].kind, violation.names[0]
+('R1', 'half_edge', ('b', 'a'))
 """
 
 from __future__ import annotations
@@ -22,6 +33,7 @@ import numpy as np
 import numpy.typing as npt
 
 from ._audit import audit, audit_faces
+from ._names import Pairs
 from ._report import Report
 from ._validate import validate
 
@@ -37,10 +49,17 @@ class Columns(NamedTuple):
 
     #: What :func:`twinedge.validate` takes: ``origin``, ``twin``, ``next``, ``prev`` and, of a mesh, ``face`` and others.
     links: dict[str, Any]
-    #: The name of each vertex.
+    #: The name of each vertex: ``vertices[v]`` is that of vertex ``v`` of a report.
     vertices: list[Any]
-    #: The origins and targets of the half-edges, as positions in ``vertices``, of shape (h, 2).
+    #: The origins and targets of the half-edges, of shape (h, 2): positions in ``vertices``, negative for what is not there.
+    #: ``[vertices[v] for v in half_edges[h]]`` are the names of the ends of half-edge ``h``; ``report.name(record)`` has the same.
     half_edges: _Array
+
+
+def _expect(known: bool, wanted: str, given: Any, instead: str = "") -> None:
+    if not known:
+        what = "None" if given is None else type(given).__name__
+        raise TypeError(f"expected a {wanted}, not {what}{instead}")
 
 
 def _find(keys: _Array, order: _Array, wanted: _Array) -> _Array:
@@ -73,8 +92,11 @@ def networkx_columns(embedding: Any) -> Columns:
     """The links of a ``networkx.PlanarEmbedding``.
 
     The target's ``ccw`` makes ``next``, the origin's ``cw`` makes ``prev``: both are checked. What is missing, or leads to no
-    neighbour, dangles. O(h log h) time for h half-edges, of which the sorting is a small part.
+    neighbour, dangles. O(h log h) time for h half-edges, of which the sorting is a small part. Anything else is a ``TypeError``.
     """
+    instead = ": networkx.check_planarity(graph) gives one" if hasattr(embedding, "nodes") else ""
+    known = hasattr(embedding, "check_structure") and hasattr(embedding, "_adj")
+    _expect(known, "networkx.PlanarEmbedding", embedding, instead)
     adjacency = embedding._adj
     vertices = [*adjacency]
     neighbours = [*adjacency.values()]
@@ -89,11 +111,11 @@ def networkx_columns(embedding: Any) -> Columns:
     cw = _positions(index, [d.get("cw", nobody) for d in data], n)
     half_edges = _HalfEdges(len(vertices), origin, target)
     twin = half_edges.find(target, origin)
-    known = np.where(twin < 0, 0, twin)
+    back = np.where(twin < 0, 0, twin)
     links = {
         "origin": origin,
         "twin": twin,
-        "next": half_edges.find(target, np.where(twin < 0, _DANGLING, ccw[known] if n else ccw)),
+        "next": half_edges.find(target, np.where(twin < 0, _DANGLING, ccw[back] if n else ccw)),
         "prev": half_edges.find(cw, origin),
     }
     return Columns(links, vertices, np.stack([origin, target], axis=1))
@@ -102,10 +124,12 @@ def networkx_columns(embedding: Any) -> Columns:
 def networkx(embedding: Any, **expected: Any) -> Report:
     """Judge a ``networkx.PlanarEmbedding``: a rotation system, in the plane, without loops and parallel edges.
 
-    ``expected`` is as for :func:`twinedge.validate`. Compare ``embedding.check_structure()``.
+    ``expected`` is as for :func:`twinedge.validate`. Compare ``embedding.check_structure()``. Names are nodes, and pairs of nodes; the
+    page of this module has an example.
     """
     columns = networkx_columns(embedding)
-    return validate(**columns.links, vertices=len(columns.vertices), **{"plane": True, "simple": True} | expected)
+    report = validate(**columns.links, vertices=len(columns.vertices), **{"plane": True, "simple": True} | expected)
+    return report._named({"vertex": columns.vertices, "half_edge": Pairs(columns.vertices, columns.half_edges)})
 
 
 def compas_columns(mesh: Any) -> Columns:
@@ -113,8 +137,10 @@ def compas_columns(mesh: Any) -> Columns:
 
     ``next`` is what the list of the face says. Half-edges without a face keep none there; theirs is the half-edge without face
     at which the faces around their target end. ``face`` is the position of the face in ``mesh.face``. What is missing dangles, and
-    so does a vertex that is not in ``mesh.vertex``. O(h log h).
+    so does a vertex that is not in ``mesh.vertex``. O(h log h). Anything else is a ``TypeError``.
     """
+    known = all(isinstance(getattr(mesh, name, None), dict) for name in ("halfedge", "face", "vertex"))
+    _expect(known, "compas.datastructures.Mesh", mesh)
     halfedge, face = mesh.halfedge, mesh.face
     # Half-edges and faces may name vertices that are gone: these come last.
     named = chain(mesh.vertex, halfedge, *halfedge.values(), chain.from_iterable(face.values()))
@@ -166,26 +192,51 @@ def _first(index: dict[Any, int], half_edges: _HalfEdges, corners: Sequence[Any]
 def compas(mesh: Any, **expected: Any) -> Report:
     """Judge a ``compas.datastructures.Mesh``: surfaces with or without border, without loops and parallel edges.
 
-    ``expected`` is as for :func:`twinedge.validate`. Compare ``mesh.is_manifold()``.
+    ``expected`` is as for :func:`twinedge.validate`. Compare ``mesh.is_manifold()``. Names are the keys of the mesh.
+
+    >>> import twinedge
+    >>> from compas.datastructures import Mesh
+    >>> twinedge.adapters.compas(Mesh.from_polyhedron(6), closed=True, sides=4, genus=0).valid
+    True
     """
     columns = compas_columns(mesh)
     asked = {"open": True, "simple": True} | expected
-    return validate(**columns.links, vertices=len(mesh.vertex), faces=len(mesh.face), **asked)
+    report = validate(**columns.links, vertices=len(mesh.vertex), faces=len(mesh.face), **asked)
+    pairs = Pairs(columns.vertices, columns.half_edges)
+    return report._named({"vertex": columns.vertices, "half_edge": pairs, "face": [*mesh.face]})
 
 
 def trimesh(mesh: Any, **expected: Any) -> Report:
     """Judge a ``trimesh.Trimesh``: its triangles are joined at their edges.
 
     ``expected`` is as for :func:`twinedge.audit_faces`. Compare ``mesh.is_watertight``, ``is_winding_consistent`` and ``is_volume``,
-    which are true of ``closed=True`` and more.
+    which are true of ``closed=True`` and more. Half-edge ``h`` is side ``h % 3`` of triangle ``h // 3``, and ``report.name`` says so.
+
+    >>> import trimesh, twinedge
+    >>> box = trimesh.creation.box()
+    >>> twinedge.adapters.trimesh(box, closed=True, genus=0).valid
+    True
+    >>> box.faces[0] = box.faces[0][::-1]
+    >>> {finding.kind for finding in twinedge.adapters.trimesh(box, closed=True).findings}
+    {'flipped_faces'}
     """
+    # A PointCloud has no faces, a Scene neither faces nor vertices.
+    known = hasattr(mesh, "faces") and hasattr(mesh, "vertices") and not callable(mesh.faces)
+    instead = ": scene.to_mesh() puts the meshes of a scene together" if hasattr(mesh, "to_mesh") else ""
+    _expect(known, "trimesh.Trimesh", mesh, instead)
     return audit_faces(np.asarray(mesh.faces), len(mesh.vertices), **{"sides": 3} | expected)
 
 
 def shapely(polygons: Any, **limits: Any) -> Report:
     """Judge shapely polygons as a coverage: without overlaps, gaps, near misses, slivers and duplicates, each valid.
 
-    ``limits`` are those of :func:`twinedge.audit`. Compare ``shapely.coverage_is_valid`` and ``shapely.is_valid``.
+    ``limits`` are those of :func:`twinedge.audit`. Compare ``shapely.coverage_is_valid`` and ``shapely.is_valid``. Findings make the
+    report invalid, so one that is not valid may have no violations.
+
+    >>> import shapely, twinedge
+    >>> report = twinedge.adapters.shapely([shapely.box(0, 0, 2, 1), shapely.box(0, 0, 2, 1)])
+    >>> [(finding.rule, finding.kind, finding.features) for finding in report.findings]
+    [('C5', 'duplicate', (0, 1))]
     """
     return audit(polygons, **{"coverage": True} | limits)
 
@@ -193,6 +244,13 @@ def shapely(polygons: Any, **limits: Any) -> Report:
 def geopandas(layer: Any, **limits: Any) -> Report:
     """Judge the polygons of a GeoDataFrame or GeoSeries as a coverage, as :func:`shapely` does.
 
-    ``features`` of the report are positions: ``layer.iloc[list(features)]``. Compare ``GeoSeries.is_valid_coverage``.
+    ``features`` of the report are positions: ``layer.iloc[list(features)]``. ``labels`` are those of the index, or of the column that
+    ``name=`` says. Compare ``GeoSeries.is_valid_coverage``.
+
+    >>> import geopandas, shapely, twinedge
+    >>> boxes = [shapely.box(0, 0, 2, 1), shapely.box(1, 0, 3, 1)]
+    >>> layer = geopandas.GeoDataFrame({"parcel": ["north", "south"]}, geometry=boxes)
+    >>> twinedge.adapters.geopandas(layer, name="parcel").findings[0].labels
+    ('north', 'south')
     """
     return audit(layer, **{"coverage": True} | limits)

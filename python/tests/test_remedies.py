@@ -1,0 +1,40 @@
+"""Remedies are in the arguments of this package."""
+
+import re
+from pathlib import Path
+
+import shapely
+
+import twinedge
+from twinedge._remedies import REMEDIES
+
+LIBRARY = (Path(__file__).parents[2] / "src" / "validate" / "violation.rs").read_text()
+#: What somebody who writes Python cannot call.
+OF_RUST = re.compile(r"::|Expectation|Part\b|Builder|_slots|no_unused_vertices|outer_half_edge|`outer`|\bwithout\(")
+
+
+def of_library():
+    entries = re.findall(r'"([a-z_]+)"\n\s+"(?:[^"\\]|\\.)*"\n\s+cause "([^"]*)"\n\s+remedy "([^"]*)"', LIBRARY)
+    return {kind: (cause, remedy) for kind, cause, remedy in entries}
+
+
+def test_no_kind_speaks_of_rust():
+    found = of_library()
+    assert [*found] == twinedge.KINDS
+    assert {*REMEDIES} <= {*found}
+    for kind, (cause, remedy) in found.items():
+        assert not OF_RUST.search(cause), kind
+        # The table has what it must, and nothing else.
+        assert bool(OF_RUST.search(remedy)) == (kind in REMEDIES), kind
+    for kind, remedy in REMEDIES.items():
+        assert not OF_RUST.search(remedy) and not remedy.endswith("."), kind
+    assert len(REMEDIES) >= 12
+
+
+def test_a_violation_has_the_remedy_of_the_table():
+    violation = twinedge.audit([shapely.box(0, 0, 2, 2), shapely.box(1, 1, 3, 3)]).violations[-1]
+    assert violation.kind == "cross" and violation.remedy == REMEDIES["cross"] and "snap=" in violation.remedy
+    # And the remedy mends it.
+    assert twinedge.audit([shapely.box(0, 0, 2, 2), shapely.box(1, 1, 3, 3)], snap="auto").valid
+    loop = twinedge.validate(origin=[0, 1], twin=[0, 1], next=[0, 1]).violations
+    assert "open=True" in loop[0].remedy
