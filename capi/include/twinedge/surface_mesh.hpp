@@ -3,9 +3,9 @@
 // A Surface_mesh stores for each vertex a half-edge that arrives, `halfedge(v)`. Reports name one that leaves, which is derived: what
 // follows `halfedge(v)`, if both are at v; else the opposite of `halfedge(v)`; `halfedge(v)` itself if that is nil or removed.
 #pragma once
-#include <CGAL/Surface_mesh.h>
-
 #include "twinedge.hpp"
+
+#include <CGAL/Surface_mesh.h>
 
 namespace twinedge {
 
