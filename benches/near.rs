@@ -1,13 +1,16 @@
 //! Validation after each operator: an edge split and joined again at random places of a triangulated grid of 10³ to 10⁶ edges, on
-//! a `Dcel`, on an `Audited` one, and with a full validation after each operator (on the smallest only).
+//! a `Dcel`, on an `Audited` one, and with a full validation after each operator (on the smallest only). And after each edit: an edge
+//! erased and drawn again on a `PlanarMap`, the same ways.
 //!
 //! Run with `cargo bench --bench near`.
 
 mod common;
 
 use criterion::{BenchmarkId, Criterion, Throughput, criterion_group, criterion_main};
+use std::collections::BTreeMap;
 use std::hint::black_box;
-use twinedge::dcel::{Audited, Dcel, HalfEdgeKey};
+use twinedge::dcel::{Audited, Dcel, HalfEdgeKey, VertexKey};
+use twinedge::map::{self, PlanarMap};
 
 /// Half-edges at places that are far apart.
 fn places(dcel: &Dcel) -> Vec<HalfEdgeKey> {
@@ -56,5 +59,58 @@ fn near(criterion: &mut Criterion) {
     group.finish();
 }
 
-criterion_group!(benches, near);
+/// Edges that are far apart, with their ends.
+fn walls(map: &PlanarMap) -> Vec<(HalfEdgeKey, [VertexKey; 2])> {
+    let wall = |h: HalfEdgeKey| {
+        let h = map.dcel().half_edge(h).expect("it is one of the map");
+        (h.key(), [h.origin().key(), h.target().key()])
+    };
+    places(map.dcel()).into_iter().map(wall).collect::<BTreeMap<_, _>>().into_iter().collect()
+}
+
+/// Erases an edge and draws it again, by edits that are handed to `edit`.
+fn redraw(
+    walls: &mut [(HalfEdgeKey, [VertexKey; 2])],
+    mut edit: impl FnMut(&mut dyn FnMut(&mut PlanarMap) -> HalfEdgeKey) -> HalfEdgeKey,
+) {
+    for (h, [from, to]) in walls {
+        let gone = *h;
+        edit(&mut |map| {
+            map.remove_edge(gone).expect("it is an edge");
+            gone
+        });
+        *h = edit(&mut |map| map.insert_segment(*from, *to).expect("it was there").way[0]);
+    }
+}
+
+fn near_edits(criterion: &mut Criterion) {
+    let mut group = criterion.benchmark_group("erase and draw an edge");
+    for side in [19, 58, 183, 578] {
+        let mut map = common::triangulated_grid(side);
+        let edges = map.dcel().edge_count();
+        let mut drawn = walls(&map);
+        group.throughput(Throughput::Elements(2 * drawn.len() as u64));
+        group.bench_function(BenchmarkId::new("not validated", edges), |bench| {
+            bench.iter(|| redraw(&mut drawn, |edit| edit(&mut map)));
+        });
+        if side == 19 {
+            group.bench_function(BenchmarkId::new("validated in full", edges), |bench| {
+                bench.iter(|| {
+                    redraw(&mut drawn, |edit| {
+                        let h = edit(&mut map);
+                        assert!(map.validate().is_valid());
+                        h
+                    });
+                });
+            });
+        }
+        let mut audited = map::Audited::new(map).expect("a grid is valid");
+        group.bench_function(BenchmarkId::new("validated locally", edges), |bench| {
+            bench.iter(|| redraw(&mut drawn, |edit| audited.change(|map| edit(map)).expect("valid")));
+        });
+    }
+    group.finish();
+}
+
+criterion_group!(benches, near, near_edits);
 criterion_main!(benches);

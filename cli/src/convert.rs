@@ -7,7 +7,7 @@ use crate::output_file::write_files;
 use crate::status::{Failure, Verdict};
 use std::io::{BufWriter, Write};
 use std::path::{Path, PathBuf};
-use twinedge_formats::layer::{Format, Layer, files, losses, refuse_losses, write, write_path};
+use twinedge_formats::layer::{Format, Layer, WriteError, files, losses, refuse_losses, write, write_path};
 
 /// Write a layer in another format, with nothing lost.
 ///
@@ -32,7 +32,7 @@ pub(crate) struct Convert {
 /// Where a layer is written, and how.
 #[derive(Debug, clap::Args)]
 pub(crate) struct LayerOutput {
-    /// File to write; its extension says in which format: .geojson, .geojsonl, .wkt, .wkb, .shp, .gpkg. `-` is standard output.
+    /// File to write; its extension says in which format: .geojson, .geojsonl, .wkt, .wkb, .shp, .gpkg, .fgb. `-` is standard output.
     #[arg(short, long, value_name = "FILE")]
     output: Option<PathBuf>,
 
@@ -54,6 +54,7 @@ enum Target {
     Wkb,
     Shapefile,
     Geopackage,
+    Flatgeobuf,
 }
 
 impl From<Target> for Format {
@@ -65,6 +66,7 @@ impl From<Target> for Format {
             Target::Wkb => Self::Wkb,
             Target::Shapefile => Self::Shapefile,
             Target::Geopackage => Self::GeoPackage,
+            Target::Flatgeobuf => Self::FlatGeobuf,
         }
     }
 }
@@ -88,10 +90,12 @@ impl LayerOutput {
         let format = format
             .or_else(|| self.is_stdout().then_some(Format::GeoJson))
             .ok_or_else(|| Failure(format!("{name}: the extension does not say which format to write; --to does")))?;
-        let failed = |error: twinedge_formats::layer::WriteError| Failure(format!("{name}: {error}"));
+        let failed = |error: WriteError| Failure(format!("{name}: {error}"));
         if !self.lossy {
-            refuse_losses(layer, format)
-                .map_err(|error| Failure(format!("{name}: {error}; --lossy writes the rest")))?;
+            refuse_losses(layer, format).map_err(|error| match error {
+                WriteError::Loss { .. } => Failure(format!("{name}: {error}; --lossy writes the rest")),
+                other => failed(other),
+            })?;
         }
         if self.is_stdout() {
             let mut out = BufWriter::new(std::io::stdout().lock());

@@ -3,6 +3,7 @@
 use crate::input::Imported;
 use crate::output::style::{BAD, GOOD, QUIET};
 use crate::output::{counted, grouped, measure, plain};
+use crate::progress::busy;
 use crate::query::label;
 use crate::status::Failure;
 use crate::trace::Trace;
@@ -323,7 +324,7 @@ struct Judged {
 fn judged(imported: &Imported, limits: &Limits, units: &Units) -> Result<Judged, Failure> {
     let map = &imported.map;
     let Some(builder) = imported.builder.clone() else {
-        let found = check(map, limits)?;
+        let found = busy("checking the coverage", || check(map, limits))?;
         let converted = |mut finding: Finding| {
             units.convert(map, &mut finding);
             (finding, None)

@@ -2,6 +2,7 @@
 
 use crate::noted::{Keep, Noted};
 use crate::output::counted;
+use crate::progress::busy;
 use crate::status::Failure;
 use indicatif::{ProgressBar, ProgressStyle};
 use std::fs::File;
@@ -117,11 +118,11 @@ fn progress(bytes: u64) -> ProgressBar {
 /// The file that is named on the command line.
 #[derive(Debug, clap::Args)]
 pub(crate) struct MapFile {
-    /// A file of GeoJSON, newline-delimited GeoJSON, well-known text or binary, a Shapefile or a GeoPackage, or `-` for standard
-    /// input. `audit` takes meshes as well: OBJ, OFF, PLY, STL. Default: the built-in map of the world.
+    /// A file of GeoJSON, newline-delimited GeoJSON, TopoJSON, well-known text or binary, a Shapefile, a GeoPackage or FlatGeobuf,
+    /// or `-` for standard input. `audit` takes meshes as well: OBJ, OFF, PLY, STL. Default: the built-in map of the world.
     file: Option<PathBuf>,
 
-    /// The layer to read of a GeoPackage with several.
+    /// The layer to read of a file with several: the table of a GeoPackage, the object of a TopoJSON.
     #[arg(long, value_name = "NAME")]
     layer: Option<String>,
 
@@ -141,11 +142,11 @@ pub(crate) struct MapFile {
 /// A layer that is named on the command line.
 #[derive(Debug, clap::Args)]
 pub(crate) struct LayerFile {
-    /// The file to read, or `-` for standard input: GeoJSON, newline-delimited GeoJSON, well-known text or binary, a Shapefile or a
-    /// GeoPackage.
+    /// The file to read, or `-` for standard input: GeoJSON, newline-delimited GeoJSON, TopoJSON, well-known text or binary, a
+    /// Shapefile, a GeoPackage or FlatGeobuf.
     file: PathBuf,
 
-    /// The layer to read of a GeoPackage with several.
+    /// The layer to read of a file with several: the table of a GeoPackage, the object of a TopoJSON.
     #[arg(long, value_name = "NAME")]
     layer: Option<String>,
 }
@@ -179,6 +180,11 @@ impl MapFile {
     /// Where the input is, if it is a file.
     pub(crate) fn path(&self) -> Option<&Path> {
         self.file.as_deref().filter(|path| *path != Path::new("-"))
+    }
+
+    /// The layer that was asked for.
+    pub(crate) fn layer(&self) -> Option<&str> {
+        self.layer.as_deref()
     }
 
     /// Opens the input.
@@ -223,7 +229,7 @@ impl MapFile {
         noted.refuse_unknown_columns(&name, keep)?;
         let noding = self.cutting.snap.map_or(Noding::None, Noding::Snap);
         let kept = (keep.coverage && self.cutting.snap != Some(Snap::Auto)).then(|| builder.clone());
-        let map = builder.build_with(noding).map_err(|error| failed(error.into()))?;
+        let map = busy("building the map", || builder.build_with(noding)).map_err(|error| failed(error.into()))?;
         let builder = kept.filter(|_| !map.is_plane() || map.noding().is_some());
         Ok(Imported { name, read, map, noted, builder, crs })
     }

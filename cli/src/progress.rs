@@ -3,6 +3,7 @@
 use crate::status::Failure;
 use indicatif::{ProgressBar, ProgressStyle};
 use std::sync::atomic::{AtomicBool, Ordering};
+use std::sync::mpsc::RecvTimeoutError;
 use std::sync::{Mutex, MutexGuard, PoisonError};
 use std::time::Duration;
 use twinedge_trials::Progress;
@@ -28,6 +29,28 @@ pub(crate) fn stop() {
 pub(crate) static BARS: Bars = Bars(Mutex::new(None));
 
 pub(crate) struct Bars(Mutex<Option<ProgressBar>>);
+
+/// Does work that may take long, and says so after a second, if standard error is a terminal.
+pub(crate) fn busy<T>(doing: &'static str, work: impl FnOnce() -> T) -> T {
+    std::thread::scope(|scope| {
+        let (done, waits) = std::sync::mpsc::channel::<()>();
+        scope.spawn(move || {
+            if waits.recv_timeout(Duration::from_secs(1)) == Err(RecvTimeoutError::Timeout) {
+                let bar = ProgressBar::new_spinner().with_message(doing);
+                if let Ok(style) = ProgressStyle::with_template("{spinner} {msg}, {elapsed}") {
+                    bar.set_style(style);
+                }
+                bar.enable_steady_tick(Duration::from_millis(250));
+                // Until the other end is dropped.
+                let _ = waits.recv();
+                bar.finish_and_clear();
+            }
+        });
+        let out = work();
+        drop(done);
+        out
+    })
+}
 
 impl Bars {
     fn bar(&self) -> MutexGuard<'_, Option<ProgressBar>> {

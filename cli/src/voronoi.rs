@@ -1,17 +1,18 @@
 //! `twinedge voronoi`: the cells of the points of a file.
 
+use crate::input::LayerFile;
 use crate::outline::ring;
 use crate::output::{counted, plain, print};
 use crate::output_file::write_file;
 use crate::status::{Failure, Verdict};
 use serde_json::{Map, Value, json};
-use std::io::Read as _;
 use std::path::{Path, PathBuf};
 use twinedge::algorithm::voronoi::{Delaunay, Voronoi, delaunay, voronoi};
 use twinedge::dcel::FaceKey;
 use twinedge::geometry::Point;
 use twinedge::io::svg::{self, Options};
 use twinedge::map::PlanarMap;
+use twinedge_formats::layer::{Layer, Shape};
 
 /// Make the Voronoi diagram of points: for each the part of the plane that is nearest to it.
 ///
@@ -23,15 +24,15 @@ use twinedge::map::PlanarMap;
     name = "voronoi",
     after_help = "Examples:
   twinedge voronoi stations.geojson -o cells.geojson
-  twinedge voronoi stations.geojson --bounds 5.5 45.5 11 48 -o cells.svg
+  twinedge voronoi stations.gpkg --layer active --bounds 5.5 45.5 11 48 -o cells.svg
   twinedge voronoi stations.geojson --delaunay -o triangles.geojson
 
 Exit status: 0 the diagram is made; 2 the input could not be read or has something else than points, or a point lies outside \
 the bounds."
 )]
 pub(crate) struct MakeVoronoi {
-    /// GeoJSON file with points, or `-` for standard input.
-    points: PathBuf,
+    #[command(flatten)]
+    points: LayerFile,
 
     /// Lower left and upper right corner of the box that closes the cells.
     #[arg(long, num_args = 4, value_names = ["X0", "Y0", "X1", "Y1"], allow_negative_numbers = true, conflicts_with = "delaunay")]
@@ -76,79 +77,42 @@ impl MakeVoronoi {
         };
         let is_svg = path.extension().is_some_and(|extension| extension.eq_ignore_ascii_case("svg"));
         let text = if is_svg { svg::draw(&map, &Options::default()) } else { collection };
-        write_file(path, Some(&self.points), text.as_bytes())?;
+        write_file(path, self.points.path(), text.as_bytes())?;
         print(&format!("{}: {what}\n", plain(&name)))?;
         Ok(Verdict::Sound)
     }
 
     fn read(&self) -> Result<(String, Sites), Failure> {
-        let mut bytes = Vec::new();
-        let name = if self.points == Path::new("-") {
-            std::io::stdin().read_to_end(&mut bytes)?;
-            "standard input".to_owned()
-        } else {
-            let name = self.points.display().to_string();
-            bytes = std::fs::read(&self.points).map_err(|error| Failure(format!("{name}: {error}")))?;
-            name
-        };
-        let value: Value = serde_json::from_slice(&bytes).map_err(|error| Failure(format!("{name}: {error}")))?;
-        let sites = Sites::new(&value).map_err(|error| Failure(format!("{name}: {error}")))?;
+        let (name, layer) = self.points.read()?;
+        let sites = Sites::new(&layer).map_err(|error| Failure(format!("{name}: {error}")))?;
         Ok((name, sites))
     }
 }
 
-/// Why a file has no points.
+/// Why a layer has no points.
 #[derive(Debug, thiserror::Error)]
-enum PointsError {
-    #[error("this is no GeoJSON: a FeatureCollection, a Feature or a geometry is expected")]
-    Unknown,
-    #[error("feature {feature}: its geometry is no point but {kind}")]
-    OtherGeometry { feature: usize, kind: String },
-    #[error("feature {feature}: a point has two numbers")]
-    Position { feature: usize },
+#[error("feature {feature}: its geometry is no point but {kind}")]
+struct OtherGeometry {
+    feature: usize,
+    kind: &'static str,
 }
 
 impl Sites {
-    fn new(value: &Value) -> Result<Self, PointsError> {
+    fn new(layer: &Layer) -> Result<Self, OtherGeometry> {
         let mut sites = Self::default();
-        match value["type"].as_str() {
-            Some("FeatureCollection") => {
-                let features = value["features"].as_array().ok_or(PointsError::Unknown)?;
-                features.iter().enumerate().try_for_each(|(i, feature)| sites.feature(i, feature))?;
+        for (number, feature) in layer.features.iter().enumerate() {
+            let Some(geometry) = &feature.geometry else { continue };
+            if !matches!(geometry.shape, Shape::Point(_) | Shape::MultiPoint(_)) {
+                return Err(OtherGeometry { feature: number, kind: geometry.shape.name() });
             }
-            Some("Feature") => sites.feature(0, value)?,
-            Some(_) => sites.geometry(0, value, &Map::new())?,
-            None => return Err(PointsError::Unknown),
+            let attributes = feature.attributes.iter().map(|(name, value)| (name.to_string(), value.to_json()));
+            let properties: Map<String, Value> = attributes.collect();
+            geometry.shape.visit(&mut |position| {
+                sites.points.push(Point::new(position.x, position.y));
+                sites.properties.push(properties.clone());
+            });
         }
         Ok(sites)
-    }
-
-    fn feature(&mut self, number: usize, feature: &Value) -> Result<(), PointsError> {
-        let none = Map::new();
-        let properties = feature["properties"].as_object().unwrap_or(&none);
-        match &feature["geometry"] {
-            Value::Null => Ok(()),
-            geometry => self.geometry(number, geometry, properties),
-        }
-    }
-
-    fn geometry(&mut self, feature: usize, value: &Value, properties: &Map<String, Value>) -> Result<(), PointsError> {
-        let error = PointsError::Position { feature };
-        let positions = match value["type"].as_str() {
-            Some("Point") => vec![&value["coordinates"]],
-            Some("MultiPoint") => value["coordinates"].as_array().ok_or(error)?.iter().collect(),
-            kind => {
-                let kind = kind.map_or_else(|| "without a type".to_owned(), plain);
-                return Err(PointsError::OtherGeometry { feature, kind });
-            }
-        };
-        for position in positions {
-            let number = |i: usize| position.get(i).and_then(Value::as_f64);
-            let (x, y) = number(0).zip(number(1)).ok_or(PointsError::Position { feature })?;
-            self.points.push(Point::new(x, y));
-            self.properties.push(properties.clone());
-        }
-        Ok(())
     }
 }
 

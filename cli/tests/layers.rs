@@ -161,3 +161,77 @@ fn every_command_reads_every_format() {
     let named = twinedge(&["audit", "--format", "json", "--name-from", "owner", &in_folder(&folder, "p.shp")]);
     assert!(String::from_utf8(named.stdout).unwrap().contains("Müller"));
 }
+
+/// Two unit squares side by side with a common arc, and a town.
+const TOPOLOGY: &str = r#"{"type": "Topology",
+"arcs": [[[1, 0], [1, 1]], [[1, 1], [0, 1], [0, 0], [1, 0]], [[1, 0], [2, 0], [2, 1], [1, 1]]],
+"objects": {
+  "squares": {"type": "GeometryCollection", "geometries": [
+    {"type": "Polygon", "id": "a", "properties": {"name": "left"}, "arcs": [[0, 1]]},
+    {"type": "Polygon", "id": "b", "properties": {"name": "right"}, "arcs": [[2, -1]]}]},
+  "town": {"type": "Point", "coordinates": [0.5, 0.5]}}}"#;
+
+#[test]
+fn every_command_reads_topojson() {
+    let folder = scratch_folder("topojson");
+    let [map, clean, drawn, other] =
+        ["map.topojson", "clean.geojson", "map.svg", "other.topojson"].map(|name| in_folder(&folder, name));
+    fs::write(&map, TOPOLOGY).unwrap();
+    let squares = ["--layer", "squares"];
+    let (code, found) = run_json(&["audit", &map, "--layer", "squares", "--format", "json"]);
+    assert_eq!((code, &found["counts"]["vertices"], &found["counts"]["faces"]), (Some(0), &json!(6), &json!(3)));
+    assert_eq!(status(&["clean", &map, squares[0], squares[1], "-o", &clean]), Some(0));
+    assert_eq!(status(&["draw", &map, squares[0], squares[1], "-o", &drawn]), Some(0));
+    assert!(fs::read_to_string(&drawn).unwrap().contains("left"));
+    let text = twinedge(&["query", &map, squares[0], squares[1], "neighbours", "left"]).stdout;
+    assert!(String::from_utf8_lossy(&text).contains("right"));
+    let text = twinedge(&["convert", &map, squares[0], squares[1], "-o", "-"]).stdout;
+    assert!(String::from_utf8_lossy(&text).contains(r#""id":"b","properties":{"name":"right"}"#));
+
+    let said = complaint(&twinedge(&["audit", &map]));
+    assert!(said.contains("(--layer): there are squares, town"), "{said}");
+    let said = complaint(&twinedge(&["convert", &map, squares[0], squares[1], "-o", &other]));
+    assert!(said.contains("TopoJSON is read here, but not written") && !said.contains("--lossy"), "{said}");
+    assert!(!Path::new(&other).exists());
+}
+
+#[test]
+fn arcs_are_judged_as_they_are_shared() {
+    let arcs = |text: &str, format: &str| {
+        let arguments = ["audit", "--arcs", "--layer", "squares", "--format", format, "-"];
+        let output = twinedge_reading(&arguments, text.as_bytes());
+        (output.status.code(), String::from_utf8(output.stdout).unwrap())
+    };
+    let (code, text) = arcs(TOPOLOGY, "text");
+    assert!(code == Some(0) && text.contains("arcs of TopoJSON") && text.contains("A2  sides      ok"), "{text}");
+    // Both are the left one.
+    let wrong = TOPOLOGY.replace("[[2, -1]]", "[[0, 1]]");
+    let (code, text) = arcs(&wrong, "json");
+    let found: Value = serde_json::from_str(&text).unwrap();
+    let message = "arc 0 has feature 0 of squares (left) and feature 1 of squares (right) on the same side";
+    assert_eq!((code, &found["violations"][0]["message"]), (Some(1), &json!(message)));
+    assert_eq!((&found["violations"][0]["rule"], &found["counts"]["edges"]), (&json!("A2"), &json!(2)));
+    for format in ["geojson", "html"] {
+        assert!(arcs(&wrong, format).1.contains(message), "{format}");
+    }
+    let said = |arguments: &[&str]| complaint(&twinedge_reading(arguments, TOPOLOGY.as_bytes()));
+    assert!(said(&["audit", "--arcs", "-"]).contains("there are squares, town"));
+    assert!(said(&["audit", "--arcs", "--snap", "auto", "-"]).contains("--snap is for maps"));
+}
+
+#[test]
+fn members_of_geometries_survive_cleaning() {
+    let text = PARCELS.replace(
+        r#""geometry":{"type":"Polygon""#,
+        r#""geometry":{"accuracy":0.1,"bbox":[0,0,99,99],"type":"Polygon""#,
+    );
+    let output = twinedge_reading(&["clean", "-", "-o", "-", "--gap-width", "0.1"], text.as_bytes());
+    let cleaned: Value = serde_json::from_slice(&output.stdout).unwrap();
+    for feature in cleaned["features"].as_array().unwrap() {
+        assert_eq!(feature["geometry"]["accuracy"], json!(0.1), "{feature}");
+    }
+    // The box of a geometry that changed is that of what became of it.
+    assert_eq!(cleaned["features"][1]["geometry"]["bbox"][2], json!(20));
+    let output = twinedge_reading(&["convert", "-", "-o", "-", "--to", "wkt"], text.as_bytes());
+    assert!(complaint(&output).contains("foreign members (source, accuracy)"), "{}", complaint(&output));
+}

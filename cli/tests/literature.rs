@@ -154,6 +154,16 @@ fn points_have_cells() {
 }
 
 #[test]
+fn cells_are_made_of_points_in_any_format() {
+    let text = "POINT(0 0)\nPOINT EMPTY\nMULTIPOINT((4 0),(0 4))\n";
+    let topology = r#"{"type": "Topology", "arcs": [], "objects": {"a": {"type": "GeometryCollection", "geometries": [
+        {"type": "Point", "coordinates": [0, 0]}, {"type": null}, {"type": "MultiPoint", "coordinates": [[4, 0], [0, 4]]}]}}}"#;
+    let found = answer(&["voronoi", "-"], text);
+    assert_eq!(found["features"].as_array().unwrap().len(), 3);
+    assert_eq!(answer(&["voronoi", "-"], topology), found);
+}
+
+#[test]
 fn what_has_no_cells_is_said() {
     let said = |arguments: &[&str], input: &str| {
         let output = twinedge_reading(arguments, input.as_bytes());
@@ -162,9 +172,13 @@ fn what_has_no_cells_is_said() {
     };
     assert!(said(&["voronoi", "-"], LETTERS).contains("feature 0: its geometry is no point but Polygon"));
     assert!(said(&["voronoi", "-"], "{").contains("line 1"));
-    assert!(said(&["voronoi", "-"], "[]").contains("no GeoJSON"));
+    assert!(said(&["voronoi", "-"], "[]").contains("not GeoJSON"));
+    assert!(
+        said(&["voronoi", "-"], "POINT(0 0)\nLINESTRING(0 0,1 1)\n")
+            .contains("feature 1: its geometry is no point but LineString")
+    );
     assert!(said(&["voronoi", "-"], r#"{"type": "MultiPoint", "coordinates": []}"#).contains("there is no site"));
-    assert!(said(&["voronoi", "-"], &PLACES.replace("[0, 0]", "[0]")).contains("feature 0: a point has two numbers"));
+    assert!(said(&["voronoi", "-"], &PLACES.replace("[0, 0]", "[0]")).contains("position"));
     let outside = said(&["voronoi", "-", "--bounds", "1", "1", "5", "5"], PLACES);
     assert!(outside.contains("site 0 at (0, 0) lies outside the bounds"), "{outside}");
     assert!(said(&["voronoi", "-", "--bounds", "1", "1", "0", "5"], PLACES).contains("lower left"));

@@ -2,7 +2,7 @@
 //!
 //! [`mesh`] reads OBJ, OFF, PLY and STL, joins the faces to half-edges, says in the user's terms what cannot be joined, and
 //! has the validator of `twinedge` judge the rest. `postgis` reads a topology of PostGIS as the database keeps it. `layer` reads and
-//! writes layers of features, and repairs them.
+//! writes layers of features, and repairs them; `layer::topojson` audits arcs.
 //!
 //! ```
 //! # #[cfg(feature = "off")] {
@@ -34,7 +34,8 @@
 //! | --- | --- | --- |
 //! | `obj`, `off`, `stl` (default) | a reader each | none |
 //! | `ply` (default) | the reader for PLY | ply-rs-bw |
-//! | `geojson`, `geopackage`, `shapefile`, `wkb`, `wkt` (default) | the module `layer`, with a reader and a writer each | geojson, rusqlite, `encoding_rs`, none, wkt |
+//! | `flatgeobuf`, `geojson`, `geopackage`, `shapefile`, `wkb`, `wkt` (default) | the module `layer`, with a reader and a writer each | flatgeobuf, geojson, rusqlite, `encoding_rs`, none, wkt |
+//! | `topojson` (default) | a reader | serde |
 //! | `postgis` (default) | the module `postgis` | robust, rstar, rustc-hash |
 //! | `serde` (default) | [`mesh::MeshAudit`], `postgis::TopologyAudit` and their parts are `Serialize` | serde |
 #![cfg_attr(docsrs, feature(doc_cfg))]
@@ -44,3 +45,5 @@ pub mod layer;
 pub mod mesh;
 #[cfg(feature = "postgis")]
 pub mod postgis;
+#[cfg(any(feature = "postgis", feature = "topojson"))]
+mod topology_audit;

@@ -41,7 +41,7 @@ fn point(source: &mut Bytes<'_>) -> Point {
 }
 
 /// A program of edits, with points on a small grid, close to it and anywhere, and with keys that may be stale. After each
-/// the map is valid, and data kept beside it can follow by what the edit says; or the edit was refused, and nothing changed.
+/// the map is valid, as what was written says and all of it, and data kept beside it can follow by what the edit says; or the edit was refused, and nothing changed.
 /// Every so often the same points and segments, built at once, make the same faces, and points are found where the index
 /// finds them.
 ///
@@ -50,11 +50,17 @@ fn point(source: &mut Bytes<'_>) -> Point {
 pub fn edits(bytes: &[u8]) {
     let program = program(bytes);
     let mut places = Bytes::new(bytes);
-    let mut runner = EditRunner::new(PlanarMap::new());
+    let mut runner = EditRunner::audited(PlanarMap::new()).expect("the empty map is valid");
     let mut last = Located::Face(runner.map().dcel().unbounded_face().key());
     for (i, op) in (1..).zip(&program.0) {
         let mut shadow = Shadow::of(runner.map());
+        let before = format!("{:?}", runner.map());
         let outcome = runner.step_checked(op).unwrap_or_else(|failure| panic!("{failure}\nof {program}"));
+        if let EditOutcome::Refused(error) = &outcome {
+            assert_eq!(format!("{:?}", runner.map()), before, "edit {i} was refused ({error}) of {program}");
+        }
+        let report = runner.map().validate();
+        assert!(report.is_valid(), "only found by full validation after edit {i} of {program}\n{report}");
         let relabels = matches!(op, EditOp::SetFeaturesOf { .. } | EditOp::SetFeaturesAlong { .. });
         if let (EditOutcome::Applied(edited), false) = (&outcome, relabels) {
             shadow.follow(runner.map(), edited);

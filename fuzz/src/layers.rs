@@ -2,11 +2,27 @@
 
 use twinedge_formats::layer::{Format, Layer, ReadOptions, read_layer, write};
 
-/// The geometries of a layer, written.
-fn written(layer: &Layer) -> Vec<u8> {
+/// A layer, written.
+fn written(layer: &Layer, format: Format) -> Vec<u8> {
     let mut bytes = Vec::new();
-    write(layer, &mut bytes, Format::Wkb).expect("memory");
+    write(layer, &mut bytes, format).expect("memory");
     bytes
+}
+
+/// What is read is written and read again as it was.
+fn comes_back(bytes: &[u8], format: Format) {
+    // The beginning tells other formats, whatever is asked for.
+    if format == Format::FlatGeobuf && !bytes.starts_with(b"fgb") {
+        return;
+    }
+    let options = ReadOptions { format: Some(format), ..ReadOptions::default() };
+    let read = |mut bytes: &[u8]| read_layer(&mut bytes, None, &options);
+    let Ok(found) = read(bytes) else { return };
+    let once = written(&found, format);
+    let again = read(&once).expect("what was written is of the format");
+    assert_eq!(found.features.len(), again.features.len());
+    // Compared as bytes: a height may be NaN.
+    assert!(once == written(&again, format));
 }
 
 /// What is read of well-known binary is written and read again as it was.
@@ -14,13 +30,13 @@ fn written(layer: &Layer) -> Vec<u8> {
 /// # Panics
 /// If not.
 pub fn layer(bytes: &[u8]) {
-    let options = ReadOptions { format: Some(Format::Wkb), ..ReadOptions::default() };
-    let read = |mut bytes: &[u8]| read_layer(&mut bytes, None, &options);
-    // Other formats are recognised as such.
-    let Ok(found) = read(bytes) else { return };
-    let once = written(&found);
-    let again = read(&once).expect("what was written is well-known binary");
-    assert_eq!(found.features.len(), again.features.len());
-    // Compared as bytes: a height may be NaN.
-    assert!(once == written(&again));
+    comes_back(bytes, Format::Wkb);
+}
+
+/// What is read of `FlatGeobuf` is written and read again as it was.
+///
+/// # Panics
+/// If not.
+pub fn flatgeobuf(bytes: &[u8]) {
+    comes_back(bytes, Format::FlatGeobuf);
 }

@@ -7,11 +7,15 @@ mod edits;
 mod layers;
 mod maps;
 mod postgis;
+mod shapefiles;
 mod tables;
+mod topologies;
 
 pub use drawings::{geojson, noding, segments};
 pub use edits::edits;
-pub use layers::layer;
+pub use layers::{flatgeobuf, layer};
 pub use maps::{in_step, programs, stale_keys};
 pub use postgis::postgis;
+pub use shapefiles::shapefile;
 pub use tables::{right_map, validator_total};
+pub use topologies::topojson;

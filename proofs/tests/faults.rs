@@ -61,6 +61,8 @@ fn every_part_has_a_fault() {
         "corner.rs",
         "near/mod.rs",
         "near/touched.rs",
+        "near/embedded",
+        "embedded/mod.rs",
         "coverage/mod.rs",
         "claims.rs",
         "finding.rs",
@@ -68,9 +70,12 @@ fn every_part_has_a_fault() {
         "coverage/check.rs",
     ];
     let folders = ["fast_path", "rules", "passes", "adapt"].map(|folder| format!("src/validate/{folder}"));
-    for folder in
-        folders.iter().map(String::as_str).chain(["src/dcel/operators", "src/validate/near", "src/algorithm/coverage"])
-    {
+    for folder in folders.iter().map(String::as_str).chain([
+        "src/dcel/operators",
+        "src/validate/near",
+        "src/validate/near/embedded",
+        "src/algorithm/coverage",
+    ]) {
         for file in listed(folder) {
             let is_wanted = !without.iter().any(|name| file.ends_with(name));
             assert_eq!(faults.iter().any(|fault| fault.file == file), is_wanted, "{file}");

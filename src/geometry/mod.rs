@@ -14,6 +14,7 @@ pub mod sweep;
 
 mod point;
 mod status;
+pub(crate) mod threads;
 
 pub use point::Point;
 pub use predicates::{MAX_COORDINATE, MIN_COORDINATE};

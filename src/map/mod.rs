@@ -39,17 +39,20 @@ pub mod zone;
 
 #[cfg(feature = "spade")]
 mod assembled;
+mod audited;
 mod construct;
 mod feature;
 mod feature_sets;
 mod feature_tries;
 mod import;
 mod index;
+mod notes;
 mod planar_map;
 #[cfg(feature = "serde")]
 mod saved;
 mod summary;
 
+pub use audited::Audited;
 pub use construct::{BuildError, Builder, Noding};
 pub use feature::{Feature, FeatureId, Shape};
 pub use import::MapImportError;

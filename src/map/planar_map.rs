@@ -3,6 +3,7 @@
 use super::feature::FeatureId;
 use super::feature_sets::FeatureSets;
 use super::index::{KeptIndex, RecordIndex};
+use super::notes::Notes;
 use super::summary::BuildSummary;
 use crate::dcel::{Dcel, FaceKey, HalfEdgeKey, StaleKey, VertexKey};
 use crate::delegate_view;
@@ -64,6 +65,7 @@ pub struct PlanarMap {
     /// Whether edges meet at shared endpoints only.
     pub(super) plane: bool,
     pub(super) index: KeptIndex,
+    pub(super) notes: Notes,
 }
 
 impl Default for PlanarMap {
@@ -77,6 +79,7 @@ impl Default for PlanarMap {
             noding: None,
             plane: true,
             index: KeptIndex::default(),
+            notes: Notes::default(),
         }
     }
 }

@@ -38,6 +38,11 @@ pub(super) struct Issuer {
 }
 
 impl Issuer {
+    /// One without slot 0, in place of another for a moment. It must not be asked for anything.
+    pub(super) const fn hollow() -> Self {
+        Self { generations: Vec::new(), free: Vec::new(), offset: 0 }
+    }
+
     pub(super) fn with_room(room: usize, offset: u32) -> Self {
         let mut generations = with_room(room.saturating_add(1));
         generations.push(0);

@@ -18,8 +18,20 @@ impl<S: Links> Watched<S> {
         Self { store, touched: Touched::default() }
     }
 
+    /// One that goes on with notes.
+    #[allow(dead_code, reason = "for the layers above, which a smaller selection of features leaves out")]
+    pub(crate) const fn with_notes(store: S, touched: Touched) -> Self {
+        Self { store, touched }
+    }
+
     pub(crate) fn into_inner(self) -> S {
         self.store
+    }
+
+    /// The store, and what was written.
+    #[allow(dead_code, reason = "for the layers above, which a smaller selection of features leaves out")]
+    pub(crate) fn into_parts(self) -> (S, Touched) {
+        (self.store, self.touched)
     }
 
     /// What was written since this was last cleared.

@@ -79,7 +79,7 @@
 //! # After a change
 //!
 //! [`near`] validates a structure that was right before, in the time that the change took: after each operator of a test, or each
-//! edit of an editor.
+//! edit of an editor, with coordinates or without.
 //!
 //! # Why believe it
 //!

@@ -5,6 +5,7 @@
 #[path = "../support/mod.rs"]
 mod support;
 
+mod audited;
 mod edit;
 mod edit_programs;
 mod edited_maps;
@@ -13,3 +14,4 @@ mod location;
 mod noding;
 mod planar_map;
 mod saved;
+mod threads;

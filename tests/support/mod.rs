@@ -1,6 +1,7 @@
 //! What the tests of the validator share.
 #![allow(dead_code, unused_macros, unused_imports, reason = "each test file uses a part of it")]
 
+pub(crate) mod changes;
 pub(crate) mod edits;
 pub(crate) mod exact;
 pub(crate) mod inconsistent;

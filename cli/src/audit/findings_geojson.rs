@@ -98,7 +98,7 @@ impl Columns {
         ];
         Feature {
             id: Some(Id::Number(number.into())),
-            geometry: shape(&one.trace, one.at).map(|shape| Geometry { dimensions: Dimensions::default(), shape }),
+            geometry: shape(&one.trace, one.at).map(|shape| Geometry::new(Dimensions::default(), shape)),
             attributes: self.0.iter().cloned().zip(values).collect(),
             members: Members::new(),
         }

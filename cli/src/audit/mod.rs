@@ -18,6 +18,7 @@ mod write;
 use crate::coverage::{Asked, Coverage};
 use crate::input::MapFile;
 use crate::noted::Keep;
+use crate::progress::busy;
 use crate::status::{Failure, Verdict};
 use crate::units::Units;
 use audited::Audited;
@@ -28,7 +29,7 @@ use std::time::Instant;
 use twinedge::validate::{Collect, Expectation, validate_embedding};
 use twinedge_formats::postgis::is_copy;
 
-/// Check a map (GeoJSON, WKT, WKB, Shapefile, GeoPackage) or a mesh (OBJ, OFF, PLY, STL) for everything that can be wrong.
+/// Check a map (GeoJSON, TopoJSON, WKT, WKB, Shapefile, GeoPackage, FlatGeobuf) or a mesh (OBJ, OFF, PLY, STL) for everything that can be wrong.
 ///
 /// Of a map the planar subdivision is built, and every rule is checked on it.
 ///
@@ -39,6 +40,8 @@ use twinedge_formats::postgis::is_copy;
 ///
 /// A topology of PostGIS is judged by the links that the database keeps, and named by its ids. `twinedge postgis` prints what `psql`
 /// needs to write it.
+///
+/// The arcs of TopoJSON are edges that polygons share. `--arcs` judges them as they are, and names them by their numbers.
 ///
 /// A file of tables is judged line by line instead. `twinedge tables --print` and `twinedge corrupt --print` write such files.
 /// Each line is one structure as plain tables, in the text form of `twinedge::validate::Table`; a verdict may follow, `= ok` or
@@ -53,6 +56,7 @@ use twinedge_formats::postgis::is_copy;
   twinedge audit parcels.geojson -o findings.geojson     what was found as a layer, for QGIS
   twinedge audit counties.shp -o report.html             the map and what was found, for a browser
   twinedge audit bunny.obj --closed --genus 0 --triangles
+  twinedge audit --arcs counties.topojson --layer counties
   twinedge postgis --sql city_data | psql -X mydatabase | twinedge audit --postgis -
   twinedge tables --half-edges 2 --print | twinedge audit -
   twinedge audit examples/tables/five_faces.txt
@@ -79,6 +83,11 @@ pub(crate) struct Audit {
     #[arg(long)]
     postgis: bool,
 
+    /// Judge the arcs of TopoJSON as they are shared, instead of the map that the features draw: that they join, that each side of an
+    /// arc has one polygon at most, that they meet at their ends only, and that polygons lie where their arcs lead around.
+    #[arg(long, conflicts_with = "postgis")]
+    arcs: bool,
+
     #[command(flatten)]
     coverage: Asked,
 
@@ -94,7 +103,13 @@ impl Audit {
         if self.postgis || is_copy(input.beginning()?) {
             self.map.refuse_snap(&input.name, "a topology of PostGIS")?;
             self.refuse_mesh_options(&input.name)?;
-            return topology_file::audit(input, self.list, self.explain, to);
+            return topology_file::audit_postgis(input, self.list, self.explain, to);
+        }
+        if self.arcs {
+            self.map.refuse_snap(&input.name, "audited arc by arc")?;
+            self.refuse_coverage(&input.name, "audited arc by arc")?;
+            self.refuse_mesh_options(&input.name)?;
+            return topology_file::audit_arcs(input, self.map.layer(), self.list, self.explain, to);
         }
         if textbook::is_textbook(input.beginning()?) {
             self.refuse_coverage(&input.name, "a textbook's tables")?;
@@ -114,7 +129,7 @@ impl Audit {
         self.refuse_mesh_options(&input.name)?;
         let imported = self.map.build_from(input, Keep { coverage: true, condition: None })?;
         let map = &imported.map;
-        let report = validate_embedding(map, &Expectation::plane(), Collect::AtMost(self.list));
+        let report = busy("validating", || validate_embedding(map, &Expectation::plane(), Collect::AtMost(self.list)));
         let units = Units::Plane { degrees: imported.noted.look_like_degrees(&imported.read) };
         let coverage = Coverage::new(&imported, &self.coverage, &units, self.list);
         let elapsed = start.elapsed().as_secs_f64() * 1000.0;

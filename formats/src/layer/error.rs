@@ -4,7 +4,7 @@ use super::format::Format;
 use super::loss::Loss;
 use std::fmt;
 use std::io;
-use twinedge::io::ForeignFormat;
+use twinedge::io::{ForeignFormat, TextPlace};
 
 /// Why a layer could not be read.
 #[derive(Debug, thiserror::Error)]
@@ -51,7 +51,7 @@ pub enum ReadError {
     Foreign(ForeignFormat),
     /// The content is of no known format.
     #[error(
-        "the format is not recognised: GeoJSON, well-known text and binary, Shapefiles and GeoPackages are read; \
+        "the format is not recognised: GeoJSON, TopoJSON, well-known text and binary, Shapefiles, GeoPackages and FlatGeobuf are read; \
          convert others with `ogr2ogr -f GPKG map.gpkg FILE`"
     )]
     Unrecognised,
@@ -92,6 +92,10 @@ pub enum Place {
     Feature(usize),
     /// A line, counted from 1.
     Line(usize),
+    /// A byte of a text.
+    Text(TextPlace),
+    /// An arc of TopoJSON, counted from 0.
+    Arc(usize),
 }
 
 impl fmt::Display for Place {
@@ -100,6 +104,8 @@ impl fmt::Display for Place {
             Self::Header => f.write_str("header"),
             Self::Feature(number) => write!(f, "feature {number}"),
             Self::Line(number) => write!(f, "line {number}"),
+            Self::Text(place) => place.fmt(f),
+            Self::Arc(number) => write!(f, "arc {number}"),
         }
     }
 }
@@ -128,6 +134,20 @@ pub enum Cause {
     /// Collections are nested too deep.
     #[error("nested too deep")]
     TooDeep,
+    /// The index of an arc of TopoJSON leads nowhere.
+    #[error("the index {index} is none of an arc: there are {arcs} arcs")]
+    NoSuchArc {
+        /// The index: for a negative one, its complement is the number of the arc.
+        index: i64,
+        /// How many arcs there are.
+        arcs: usize,
+    },
+    /// Arcs of TopoJSON are repeated so often that features would have more positions than this.
+    #[error("arcs are repeated so often that there are more than {limit} positions")]
+    Expanded {
+        /// 2²⁰, and 16 times the positions of all arcs.
+        limit: u64,
+    },
     /// A text is not of the character set of the file.
     #[error("a text is not {0}")]
     Charset(&'static str),
@@ -168,6 +188,9 @@ pub enum WriteError {
     /// The crate was built without the feature that writes this format.
     #[error("{0} is written with the feature `{feature}` of twinedge-formats, which is off", feature = .0.feature())]
     FeatureOff(Format),
+    /// The format is read, and not written.
+    #[error("{0} is read here, but not written")]
+    ReadOnly(Format),
     /// The format is made of several files, or must be written in any order, and this is a stream.
     #[error("{0} is written to a file, not to a stream")]
     NeedsFile(Format),

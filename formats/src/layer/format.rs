@@ -20,12 +20,24 @@ pub enum Format {
     Shapefile,
     /// OGC `GeoPackage`.
     GeoPackage,
+    /// `TopoJSON`, which is read only.
+    TopoJson,
+    /// `FlatGeobuf`.
+    FlatGeobuf,
 }
 
 impl Format {
     /// All formats.
-    pub const ALL: [Self; 6] =
-        [Self::GeoJson, Self::GeoJsonSeq, Self::Wkt, Self::Wkb, Self::Shapefile, Self::GeoPackage];
+    pub const ALL: [Self; 8] = [
+        Self::GeoJson,
+        Self::GeoJsonSeq,
+        Self::Wkt,
+        Self::Wkb,
+        Self::Shapefile,
+        Self::GeoPackage,
+        Self::TopoJson,
+        Self::FlatGeobuf,
+    ];
 
     /// The format that the extension of a file name stands for; none, if the content must tell, as for `.json`.
     ///
@@ -42,6 +54,8 @@ impl Format {
             "shp" | "shx" | "dbf" => Some(Self::Shapefile),
             "gpkg" => Some(Self::GeoPackage),
             "wkb" => Some(Self::Wkb),
+            "topojson" => Some(Self::TopoJson),
+            "fgb" => Some(Self::FlatGeobuf),
             _ => Some(Self::of_text(TextFormat::of_path(path)?)),
         }
     }
@@ -64,6 +78,8 @@ impl Format {
             Some(ForeignFormat::Shapefile) => Ok(Some(Self::Shapefile)),
             Some(ForeignFormat::GeoPackage) => Ok(Some(Self::GeoPackage)),
             Some(ForeignFormat::Wkb) => Ok(Some(Self::Wkb)),
+            Some(ForeignFormat::TopoJson) => Ok(Some(Self::TopoJson)),
+            Some(ForeignFormat::FlatGeobuf) => Ok(Some(Self::FlatGeobuf)),
             Some(foreign) => Err(foreign),
             None => Ok(TextFormat::of_content(head).map(Self::of_text)),
         }
@@ -85,6 +101,8 @@ impl Format {
             Self::Wkb => "wkb",
             Self::Shapefile => "shapefile",
             Self::GeoPackage => "geopackage",
+            Self::TopoJson => "topojson",
+            Self::FlatGeobuf => "flatgeobuf",
         }
     }
 
@@ -104,6 +122,8 @@ impl fmt::Display for Format {
             Self::Wkb => "well-known binary",
             Self::Shapefile => "Shapefile",
             Self::GeoPackage => "GeoPackage",
+            Self::TopoJson => "TopoJSON",
+            Self::FlatGeobuf => "FlatGeobuf",
         })
     }
 }

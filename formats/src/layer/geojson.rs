@@ -2,9 +2,9 @@
 
 use super::each::Each;
 use super::error::{ReadError, WriteError};
-use super::model::{
-    Crs, Dimensions, Feature, Geometry, Header, Id, Layer, Members, Position, Shape, Value, json_number,
-};
+use super::json::{self, InDegrees};
+use super::losses::is_reserved_in_json;
+use super::model::{Crs, Feature, Geometry, Header, Id, Layer, Members, Position, Shape, Value, json_number};
 use super::names::Names;
 use ::geojson::{Feature as Parsed, Geometry as ParsedGeometry, GeometryValue, feature};
 use serde_json::Value as Json;
@@ -15,15 +15,13 @@ use twinedge::io::geojson::{Documents, Part, read_parts};
 pub(super) fn read(reader: &mut dyn Read, documents: Documents, each: &mut Each<'_>) -> Result<Header, ReadError> {
     let mut header = Header::default();
     let mut names = Names::default();
-    // Whether all coordinates can be longitudes and latitudes; none so far.
-    let mut in_degrees = None;
+    let mut in_degrees = InDegrees::default();
     read_parts(reader, documents, |part| {
         match part {
             Part::Feature(parsed) => {
                 let feature = feature(*parsed, &mut names);
                 if let Some(geometry) = &feature.geometry {
-                    let in_range = |p: &Position| p.x.abs() <= 180.0 && p.y.abs() <= 90.0;
-                    geometry.shape.visit(&mut |p| in_degrees = Some(in_degrees != Some(false) && in_range(p)));
+                    in_degrees.look_at(geometry);
                 }
                 each(feature)?;
             }
@@ -36,30 +34,25 @@ pub(super) fn read(reader: &mut dyn Read, documents: Documents, each: &mut Each<
         }
         Ok::<_, ReadError>(())
     })?;
-    if header.crs.is_none() && in_degrees == Some(true) {
-        header.crs = Some(Crs { code: Some(("EPSG".to_owned(), 4326)), ..Crs::default() });
-    }
+    header.crs = header.crs.or_else(|| in_degrees.crs());
     Ok(header)
 }
 
 fn feature(parsed: Parsed, names: &mut Names) -> Feature {
     let Parsed { bbox, geometry, id, properties, foreign_members } = parsed;
-    let mut members = Members::new();
-    members.extend(bbox.map(|bbox| ("bbox".to_owned(), bbox.into_iter().map(json_number).collect())));
-    members.extend(foreign_members.into_iter().flatten());
     let attributes = properties.into_iter().flatten();
     Feature {
         id: id.map(|id| match id {
             feature::Id::String(text) => Id::Text(text),
             feature::Id::Number(number) => Id::Number(number),
         }),
-        geometry: geometry.map(|geometry| converted(geometry.value)),
+        geometry: geometry.map(converted),
         attributes: attributes.map(|(name, value)| (names.get(&name), Value::of_json(value))).collect(),
-        members,
+        members: members(bbox, foreign_members),
     }
 }
 
-fn converted(value: GeometryValue) -> Geometry {
+fn converted(ParsedGeometry { bbox, value, foreign_members }: ParsedGeometry) -> Geometry {
     fn position(numbers: &::geojson::Position) -> Position {
         // The reader has checked that there are two.
         let numbers = numbers.as_slice();
@@ -82,16 +75,16 @@ fn converted(value: GeometryValue) -> Geometry {
             Shape::MultiPolygon(coordinates.iter().map(|polygon| rings(polygon)).collect())
         }
         GeometryValue::GeometryCollection { geometries } => {
-            let geometries = geometries.into_iter().map(|geometry: ParsedGeometry| converted(geometry.value));
-            Shape::Collection(geometries.collect())
+            Shape::Collection(geometries.into_iter().map(converted).collect())
         }
     };
-    // A third number is a height. Where positions differ in how many they have, they say it themselves.
-    let mut count: Option<usize> = None;
-    let mut is_uniform = true;
-    shape.visit(&mut |position| is_uniform &= *count.get_or_insert(position.more.len()) == position.more.len());
-    let height = is_uniform && count == Some(1);
-    Geometry { dimensions: Dimensions::with(height, false), shape }
+    json::geometry(shape, members(bbox, foreign_members))
+}
+
+/// The members that mean nothing here, with the box.
+fn members(bbox: Option<Vec<f64>>, foreign: Option<Members>) -> Members {
+    let bbox = bbox.map(|bbox| ("bbox".to_owned(), bbox.into_iter().map(json_number).collect()));
+    bbox.into_iter().chain(foreign.into_iter().flatten()).collect()
 }
 
 /// Writes one object, a feature per line.
@@ -180,6 +173,9 @@ fn write_geometry(geometry: &Geometry, out: &mut dyn Write) -> io::Result<()> {
                 list(polygons, out, |rings, out| list(rings, out, |ring, out| write_line(ring, out)))?;
             }
         }
+    }
+    for (name, value) in geometry.members.iter().filter(|(name, _)| !is_reserved_in_json(name)) {
+        write!(out, ",{}:{value}", Json::from(name.as_str()))?;
     }
     out.write_all(b"}")
 }

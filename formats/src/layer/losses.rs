@@ -22,13 +22,15 @@ use std::collections::BTreeSet;
 pub fn losses(layer: &Layer, format: Format) -> Vec<Loss> {
     let mut found = Vec::new();
     let some_if = |n: usize, loss: fn(usize) -> Loss| (n > 0).then(|| loss(n));
-    let has_columns = matches!(format, Format::GeoJson | Format::GeoJsonSeq | Format::Shapefile | Format::GeoPackage);
-    let is_json = matches!(format, Format::GeoJson | Format::GeoJsonSeq);
+    let has_columns = !matches!(format, Format::Wkt | Format::Wkb);
+    let is_json = matches!(format, Format::GeoJson | Format::GeoJsonSeq | Format::TopoJson);
 
     #[cfg(feature = "geopackage")]
-    let holds_ids = is_json || (format == Format::GeoPackage && super::geopackage::holds_ids(layer));
+    let holds_ids = is_json
+        || format == Format::FlatGeobuf
+        || (format == Format::GeoPackage && super::geopackage::holds_ids(layer));
     #[cfg(not(feature = "geopackage"))]
-    let holds_ids = is_json;
+    let holds_ids = is_json || format == Format::FlatGeobuf;
     if !holds_ids {
         found.extend(some_if(layer.features.iter().filter(|f| f.id.is_some()).count(), Loss::Ids));
     }
@@ -40,9 +42,14 @@ pub fn losses(layer: &Layer, format: Format) -> Vec<Loss> {
     }
     if let Some(crs) = &layer.header.crs {
         let is_held = match format {
-            Format::GeoJson => crs.member.is_some() || crs.code.is_some() || !crs.is_other(),
+            Format::GeoJson | Format::TopoJson => crs.member.is_some() || crs.code.is_some() || !crs.is_other(),
             Format::GeoJsonSeq | Format::Wkt | Format::Wkb => !crs.is_other(),
             Format::Shapefile => crs.wkt.is_some() || !crs.is_other(),
+            // Its numbers have 32 bits, and 0 stands for none.
+            Format::FlatGeobuf => {
+                let has_code = crs.code.as_ref().is_some_and(|(_, code)| (1..=i32::MAX.into()).contains(code));
+                crs.wkt.is_some() || has_code || !crs.is_other()
+            }
             Format::GeoPackage => crs.wkt.is_some() || crs.code.is_some() || !crs.is_other(),
         };
         if !is_held {
@@ -61,6 +68,8 @@ pub fn losses(layer: &Layer, format: Format) -> Vec<Loss> {
     match format {
         #[cfg(feature = "shapefile")]
         Format::Shapefile => super::shapefile::losses(layer, &fields, &mut found),
+        #[cfg(feature = "flatgeobuf")]
+        Format::FlatGeobuf => super::flatgeobuf::losses(layer, &mut found),
         Format::GeoPackage => {
             let mut taken = BTreeSet::new();
             let repeated = fields.iter().filter(|field| !taken.insert(field.name.to_lowercase()));
@@ -91,19 +100,40 @@ pub fn losses(layer: &Layer, format: Format) -> Vec<Loss> {
 }
 
 fn members(layer: &Layer, format: Format, found: &mut Vec<Loss>) {
-    let of_features: BTreeSet<&String> = match format {
-        Format::GeoJson | Format::GeoJsonSeq => BTreeSet::new(),
-        // A box follows from the geometry.
-        _ => layer.features.iter().flat_map(|f| f.members.keys()).filter(|name| *name != "bbox").collect(),
-    };
+    let is_json = matches!(format, Format::GeoJson | Format::GeoJsonSeq | Format::TopoJson);
+    let mut of_features = BTreeSet::new();
+    for feature in &layer.features {
+        if !is_json {
+            of_features.extend(feature.members.keys());
+        }
+        feature.geometry.iter().for_each(|geometry| of_geometry(geometry, is_json, &mut of_features));
+    }
     let of_layer: Vec<&String> = match format {
-        Format::GeoJson => Vec::new(),
-        _ => layer.header.members.keys().filter(|name| *name != "bbox").collect(),
+        // FlatGeobuf holds some, and says which it does not.
+        Format::GeoJson | Format::TopoJson | Format::FlatGeobuf => Vec::new(),
+        _ => layer.header.members.keys().collect(),
     };
-    let names: Vec<String> = of_layer.into_iter().chain(of_features).cloned().collect();
+    // A box follows from the geometry.
+    let names = of_layer.into_iter().chain(of_features).filter(|name| *name != "bbox");
+    let names: Vec<String> = names.cloned().collect();
     if !names.is_empty() {
         found.push(Loss::Members(names));
     }
+}
+
+/// The members of a geometry and its parts that are lost. The recursion is as deep as collections are nested.
+fn of_geometry<'a>(geometry: &'a Geometry, is_json: bool, names: &mut BTreeSet<&'a String>) {
+    names.extend(geometry.members.keys().filter(|name| !is_json || is_reserved_in_json(name)));
+    if let Shape::Collection(parts) = &geometry.shape {
+        for part in parts {
+            of_geometry(part, is_json, names);
+        }
+    }
+}
+
+/// Whether a member of a geometry means something in GeoJSON, or is forbidden there (RFC 7946, section 7.1).
+pub(super) fn is_reserved_in_json(name: &str) -> bool {
+    matches!(name, "type" | "coordinates" | "geometries" | "geometry" | "properties" | "features")
 }
 
 fn geometries(layer: &Layer, format: Format, found: &mut Vec<Loss>) {
@@ -119,12 +149,12 @@ fn geometries(layer: &Layer, format: Format, found: &mut Vec<Loss>) {
     }
     let some_if = |n: usize, loss: fn(usize) -> Loss| (n > 0).then(|| loss(n));
     match format {
-        Format::GeoJson | Format::GeoJsonSeq => found.extend(some_if(measures, Loss::Measures)),
+        Format::GeoJson | Format::GeoJsonSeq | Format::TopoJson => found.extend(some_if(measures, Loss::Measures)),
         Format::Wkt | Format::Wkb => {
             found.extend(some_if(null, Loss::NullGeometries));
             found.extend(some_if(mixed, Loss::MixedDimensions));
         }
-        Format::GeoPackage => found.extend(some_if(mixed, Loss::MixedDimensions)),
+        Format::GeoPackage | Format::FlatGeobuf => found.extend(some_if(mixed, Loss::MixedDimensions)),
         Format::Shapefile => {
             found.extend(some_if(empty, Loss::EmptyGeometries));
             found.extend(some_if(mixed, Loss::MixedDimensions));

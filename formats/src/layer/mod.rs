@@ -7,11 +7,13 @@
 //!
 //! | format | reads | writes | what it cannot hold |
 //! | --- | --- | --- | --- |
-//! | GeoJSON, one object | one feature after the other | yes | measures; types of dates and bytes; members of geometries |
+//! | GeoJSON, one object | one feature after the other | yes | measures; types of dates and bytes |
 //! | GeoJSON, newline-delimited | one feature after the other | yes | the same, and name, CRS and foreign members of the layer |
+//! | `TopoJSON` | as a whole | no | |
 //! | well-known text | line by line | yes | ids, attributes, features without geometry |
 //! | well-known binary, extended too | line by line (hexadecimal digits), or bytes | lines of digits | the same |
 //! | Shapefile | record by record | yes | ids, mixed geometries, names of more than 10 bytes, texts of more than 254, empty texts, lists |
+//! | `FlatGeobuf` | feature by feature | yes, without an index | ids that are not the numbers of features, other types of values in a column |
 //! | `GeoPackage` | row by row | yes | ids that are not whole numbers, lists, names that differ by case |
 //!
 //! [`losses`] says what a format cannot hold of a layer. Numbers are those of 64 bits. A GeoJSON file without `crs` whose coordinates can be longitudes and latitudes is
@@ -23,20 +25,26 @@
 pub mod clean;
 mod each;
 mod error;
+#[cfg(feature = "flatgeobuf")]
+mod flatgeobuf;
 mod format;
 #[cfg(feature = "geojson")]
 mod geojson;
 #[cfg(feature = "geopackage")]
 mod geopackage;
+#[cfg(any(feature = "geojson", feature = "topojson"))]
+mod json;
 mod loss;
 mod losses;
 mod model;
-#[cfg(feature = "geojson")]
+#[cfg(any(feature = "geojson", feature = "topojson"))]
 mod names;
 mod read;
 #[cfg(feature = "shapefile")]
 mod shapefile;
 mod to_map;
+#[cfg(feature = "topojson")]
+pub mod topojson;
 #[cfg(feature = "wkb")]
 mod wkb;
 #[cfg(feature = "wkt")]

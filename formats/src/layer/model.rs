@@ -66,6 +66,17 @@ pub struct Geometry {
     pub dimensions: Dimensions,
     /// The positions.
     pub shape: Shape,
+    /// Further members of its object in GeoJSON, `bbox` among them. Those of the outermost geometry of a feature in TopoJSON are
+    /// members of the feature.
+    pub members: Members,
+}
+
+impl Geometry {
+    /// A geometry without further members.
+    #[must_use]
+    pub fn new(dimensions: Dimensions, shape: Shape) -> Self {
+        Self { dimensions, shape, members: Members::new() }
+    }
 }
 
 /// A chain of positions. A ring is closed if its last position repeats the first.

@@ -16,7 +16,7 @@ const HEAD: u64 = 1 << 16;
 pub struct ReadOptions {
     /// The format. Without one, the content tells, and then the extension of the file.
     pub format: Option<Format>,
-    /// The layer to read, by its name, of a file with several.
+    /// The layer to read, by its name, of a file with several. Those of TopoJSON are its objects.
     pub layer: Option<String>,
 }
 
@@ -51,9 +51,14 @@ pub fn read(
     reader.take(HEAD).read_to_end(&mut head)?;
     let of_content = Format::of_content(&head).map_err(ReadError::Foreign)?;
     let by_name = options.format.or_else(|| path.and_then(Format::of_path));
-    // The first bytes of some formats tell what the content is, whatever the name.
+    // The beginning of some formats tells what the content is, whatever the name.
     let format = match (of_content, by_name) {
-        (Some(binary @ (Format::Shapefile | Format::GeoPackage | Format::Wkb)), _) => binary,
+        (
+            Some(
+                known @ (Format::Shapefile | Format::GeoPackage | Format::Wkb | Format::TopoJson | Format::FlatGeobuf),
+            ),
+            _,
+        ) => known,
         (_, Some(by_name)) => by_name,
         (Some(text), None) => text,
         (None, None) if is_blank(&head) => return Err(ReadError::Empty),
@@ -69,6 +74,10 @@ pub fn read(
         Format::Wkt => super::wkt::read(&mut all, each),
         #[cfg(feature = "wkb")]
         Format::Wkb => super::wkb::read(&mut all, each),
+        #[cfg(feature = "topojson")]
+        Format::TopoJson => super::topojson::read_features(&mut all, options.layer.as_deref(), each),
+        #[cfg(feature = "flatgeobuf")]
+        Format::FlatGeobuf => super::flatgeobuf::read(&mut all, each),
         #[cfg(feature = "shapefile")]
         Format::Shapefile => super::shapefile::read(path.ok_or(ReadError::NeedsFile(format))?, each),
         #[cfg(feature = "geopackage")]

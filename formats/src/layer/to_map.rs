@@ -14,7 +14,7 @@ use twinedge::map;
 /// use twinedge_formats::layer::{Dimensions, Feature, Geometry, Position, Shape, to_map};
 ///
 /// let shape = Shape::Point(Some(Position { more: Box::from([4478.0]), ..Position::new(7.66, 45.98) }));
-/// let peak = Feature { geometry: Some(Geometry { dimensions: Dimensions::Xyz, shape }), ..Feature::default() };
+/// let peak = Feature { geometry: Some(Geometry::new(Dimensions::Xyz, shape)), ..Feature::default() };
 /// let mut summary = ReadSummary::default();
 /// assert!(matches!(to_map(&peak, &mut summary).shapes[..], [MapShape::Point(_)]));
 /// assert_eq!((summary.points, summary.with_extra_dimensions), (1, 1));

@@ -147,7 +147,7 @@ impl Bytes<'_> {
             }
             _ => return Err(Cause::Invalid(format!("{kind} is a type of geometries that is not read here"))),
         };
-        Ok((Geometry { dimensions: form.dimensions, shape }, srid.map(i64::from)))
+        Ok((Geometry::new(form.dimensions, shape), srid.map(i64::from)))
     }
 
     fn collection(&mut self, kind: u32, count: usize, depth: usize) -> Result<Shape, Cause> {
@@ -212,7 +212,7 @@ impl Bytes<'_> {
 
 /// Writes a geometry per line, in hexadecimal digits; a feature without one is an empty collection.
 pub(super) fn write(layer: &Layer, out: &mut dyn Write) -> Result<(), WriteError> {
-    let empty = Geometry { dimensions: Dimensions::Xy, shape: Shape::Collection(Vec::new()) };
+    let empty = Geometry::new(Dimensions::Xy, Shape::Collection(Vec::new()));
     let mut bytes = Vec::new();
     for feature in &layer.features {
         bytes.clear();

@@ -61,7 +61,7 @@ fn converted(geometry: Wkt<f64>) -> Geometry {
         Dimension::XYM => Dimensions::Xym,
         Dimension::XYZM => Dimensions::Xyzm,
     };
-    Geometry { dimensions, shape }
+    Geometry::new(dimensions, shape)
 }
 
 /// Writes a geometry per line; a feature without one is an empty collection.

@@ -12,8 +12,11 @@ use std::path::{Path, PathBuf};
 /// ([`Loss::is_minor`](super::Loss::is_minor)).
 ///
 /// # Errors
-/// [`WriteError::Loss`].
+/// [`WriteError::Loss`], and [`WriteError::ReadOnly`].
 pub fn refuse_losses(layer: &Layer, format: Format) -> Result<(), WriteError> {
+    if format == Format::TopoJson {
+        return Err(WriteError::ReadOnly(format));
+    }
     let losses: Vec<_> = losses(layer, format).into_iter().filter(|loss| !loss.is_minor()).collect();
     if losses.is_empty() { Ok(()) } else { Err(WriteError::Loss { format, losses }) }
 }
@@ -35,6 +38,7 @@ pub fn files(path: &Path, format: Format) -> Vec<PathBuf> {
 /// [`WriteError`]. The file may then be there, in part.
 pub fn write_path(layer: &Layer, path: &Path, format: Format) -> Result<(), WriteError> {
     match format {
+        Format::TopoJson => Err(WriteError::ReadOnly(format)),
         #[cfg(feature = "shapefile")]
         Format::Shapefile => super::shapefile::write(layer, path),
         #[cfg(feature = "geopackage")]
@@ -74,6 +78,9 @@ pub fn write(layer: &Layer, out: &mut dyn Write, format: Format) -> Result<(), W
         Format::Wkt => super::wkt::write(layer, out),
         #[cfg(feature = "wkb")]
         Format::Wkb => super::wkb::write(layer, out),
+        #[cfg(feature = "flatgeobuf")]
+        Format::FlatGeobuf => super::flatgeobuf::write(layer, out),
+        Format::TopoJson => Err(WriteError::ReadOnly(format)),
         format if format.needs_file() => Err(WriteError::NeedsFile(format)),
         #[allow(unreachable_patterns, reason = "with all features on, nothing is left")]
         off => {

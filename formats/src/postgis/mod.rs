@@ -39,7 +39,8 @@ mod read;
 mod sql;
 mod topology;
 
-pub use audit::{TopologyAudit, TopologyCounts, TopologyRule, TopologyViolation, audit};
+pub use crate::topology_audit::{TopologyAudit, TopologyCounts, TopologyRule, TopologyViolation};
+pub use audit::audit;
 pub use error::{Cause, Place, ReadError, TableName};
 pub use finding::{Finding, TopologyColumn};
 pub use read::{is_copy, read};

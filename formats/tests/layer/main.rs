@@ -1,11 +1,14 @@
 //! Layers: what is read, what is written, what is refused, and cleaning.
 #![allow(clippy::needless_pass_by_value, reason = "quickcheck hands properties their input by value")]
 
+mod arcs;
 mod cleaning;
 mod detection;
+mod flatgeobuf;
 mod hostile;
 mod losses;
 mod random;
 mod round_trips;
 mod shapefiles;
 mod support;
+mod topojson;

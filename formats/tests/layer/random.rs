@@ -34,7 +34,7 @@ fn geometry(g: &mut Gen, dimensions: Dimensions, depth: usize) -> Geometry {
         5 => Shape::MultiPolygon((0..usize::arbitrary(g) % 3).map(|_| lines(g)).collect()),
         _ => Shape::Collection((0..usize::arbitrary(g) % 3).map(|_| geometry(g, dimensions, depth + 1)).collect()),
     };
-    Geometry { dimensions, shape }
+    Geometry::new(dimensions, shape)
 }
 
 fn value(g: &mut Gen) -> Value {

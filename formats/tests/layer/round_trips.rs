@@ -15,7 +15,8 @@ const EVERYTHING: &str = r#"{"type":"FeatureCollection",
 {"type":"Feature","id":"A-1","bbox":[0,0,4,4],"rights":"none","properties":{"zone":"W2","area":16.0,"count":3,"since":"2020-01-31","tags":["x",{"y":1}]},"geometry":{"type":"Polygon","coordinates":[[[0,0,5],[4,0,5.5],[4,4,6],[0,4,-0.0],[0,0,5]]]}},
 {"type":"Feature","id":7,"properties":{"zone":null},"geometry":{"type":"MultiPolygon","coordinates":[[[[5,0],[6,0],[6,1],[5,0]]],[[[8,0],[9,0],[9,1],[8,0]]]]}},
 {"type":"Feature","properties":{},"geometry":{"type":"GeometryCollection","geometries":[{"type":"Point","coordinates":[1e-7,1.5e+300]},{"type":"LineString","coordinates":[[0,0],[0.1,0.2]]},{"type":"MultiPoint","coordinates":[[0.3,1.8446744073709552e+19]]},{"type":"MultiLineString","coordinates":[[[0,0],[1,1]]]}]}},
-{"type":"Feature","properties":{"zone":"\u0000\"ü"},"geometry":null}
+{"type":"Feature","properties":{"zone":"\u0000\"ü"},"geometry":null},
+{"type":"Feature","properties":{},"geometry":{"type":"GeometryCollection","geometries":[{"type":"Point","coordinates":[1,2],"bbox":[1,2,1,2],"accuracy":0.1}],"surveyed":{"by":"Meier"}}}
 ]}
 "#;
 
@@ -86,10 +87,8 @@ fn binary_geometries_are_read_as_bytes_big_endian_and_extended() {
 fn attributes() -> Layer {
     let square = |x: f64| {
         let ring = [(x, 0.0), (x, 1.0), (x + 1.0, 1.0), (x + 1.0, 0.0), (x, 0.0)];
-        Geometry {
-            dimensions: Dimensions::Xy,
-            shape: Shape::Polygon(vec![ring.map(|(x, y)| Position::new(x, y)).to_vec()]),
-        }
+        let ring = ring.map(|(x, y)| Position::new(x, y)).to_vec();
+        Geometry::new(Dimensions::Xy, Shape::Polygon(vec![ring]))
     };
     let names: [Arc<str>; 6] = ["zone", "count", "size", "built", "open", "none"].map(Into::into);
     let values = [

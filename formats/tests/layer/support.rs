@@ -38,6 +38,7 @@ pub(crate) fn through(layer: &Layer, format: Format) -> Layer {
         Format::Wkb => "layer.wkb",
         Format::Shapefile => "layer.shp",
         Format::GeoPackage => "layer.gpkg",
+        Format::FlatGeobuf => "layer.fgb",
         other => unreachable!("{other} is not tested"),
     };
     let (_folder, path) = scratch(name);

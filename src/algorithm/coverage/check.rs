@@ -7,6 +7,7 @@ use super::gap::gaps;
 use super::near_miss::near_misses;
 use super::overlap::overlaps;
 use super::sliver::slivers;
+use crate::geometry::threads;
 use crate::map::PlanarMap;
 use thiserror::Error;
 
@@ -40,7 +41,7 @@ pub enum CoverageError {
 
 /// Finds what breaks C1 … C5. C6 is asked of shapes: [`defects`](super::defects).
 ///
-/// O(n log n + c) for n half-edges and faces, each counted once for each feature that covers it, and c pairs of edges on the
+/// With the feature `rayon`, on the threads of its current pool. O(n log n + c) for n half-edges and faces, each counted once for each feature that covers it, and c pairs of edges on the
 /// outside whose boxes come as near as the width asked for.
 ///
 /// ```
@@ -68,12 +69,19 @@ pub fn check(map: &PlanarMap, limits: &Limits) -> Result<Coverage, CoverageError
     }
     let faces = faces_by_feature(map);
     let first_like = first_like(map, &faces);
-    let gaps = gaps(map, limits);
-    let (near_misses, gap_width) = near_misses(map, &gaps.open, limits);
-    let (slivers, sliver_area) = slivers(map, &faces, limits);
-    let duplicates = duplicates(map, &faces, &first_like);
+    let unclaimed = || {
+        let gaps = gaps(map, limits);
+        let (near_misses, gap_width) = near_misses(map, &gaps.open, limits);
+        (gaps.findings, near_misses, gap_width)
+    };
+    let claimed = || {
+        let (slivers, sliver_area) = slivers(map, &faces, limits);
+        (overlaps(map, &first_like), slivers, sliver_area, duplicates(map, &faces, &first_like))
+    };
+    let ((gaps, near_misses, gap_width), (overlaps, slivers, sliver_area, duplicates)) =
+        threads::join(unclaimed, claimed);
     let mut findings = Vec::new();
-    for mut found in [overlaps(map, &first_like), gaps.findings, near_misses, slivers, duplicates] {
+    for mut found in [overlaps, gaps, near_misses, slivers, duplicates] {
         found.sort_by(|a, b| b.area.total_cmp(&a.area));
         findings.append(&mut found);
     }

@@ -6,19 +6,21 @@
 use super::finding::{CoverageRule, Finding, Limits};
 use super::region::{connected, finding};
 use crate::dcel::{Face, FaceKey};
-use crate::map::PlanarMap;
+use crate::geometry::threads;
+use crate::map::{FeatureId, PlanarMap};
 use core::f64::consts::PI;
 use rustc_hash::FxHashSet;
 
 /// The slivers, and the area below which a thin part is one. O(n + half-edges of the faces of each feature), expected.
 pub(super) fn slivers(map: &PlanarMap, faces: &[Vec<FaceKey>], limits: &Limits) -> (Vec<Finding>, f64) {
-    let mut parts = Vec::new();
-    for (feature, keys) in map.features().zip(faces) {
+    let of_feature = |(feature, keys): &(FeatureId, &Vec<FaceKey>)| {
         let own: Vec<Face<'_>> = keys.iter().filter_map(|key| map.dcel().face(*key).ok()).collect();
         let indices: FxHashSet<usize> = own.iter().map(|face| face.index()).collect();
         let regions = connected(own, |face| indices.contains(&face.index()).then_some(()));
-        parts.extend(regions.iter().map(|part| finding(map, CoverageRule::Sliver, vec![feature], part)));
-    }
+        regions.iter().map(|part| finding(map, CoverageRule::Sliver, vec![*feature], part)).collect::<Vec<_>>()
+    };
+    let features: Vec<(FeatureId, &Vec<FaceKey>)> = map.features().zip(faces).collect();
+    let mut parts: Vec<Finding> = threads::map(&features, of_feature).into_iter().flatten().collect();
     let limit = limits.sliver_area.unwrap_or_else(|| median(parts.iter().map(|part| part.area).collect()) / 1_000.0);
     parts.retain(|part| part.area < limit && 4.0 * PI * part.area < limits.thinness * part.length * part.length);
     (parts, limit)

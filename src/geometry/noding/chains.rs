@@ -3,6 +3,7 @@
 use super::input::NodingError;
 use super::pixel::{Pixel, Pixels, Segment};
 use super::search::search;
+use crate::geometry::threads;
 use rustc_hash::{FxHashMap, FxHashSet};
 
 /// Chains of vertices, one for each run, from its `a` to its `b`.
@@ -50,7 +51,7 @@ impl Chains {
     /// The chains of segments through the vertices that they visit, in order.
     fn through(segments: &[Segment], vertices: &[Pixel], mut visits: Vec<[u32; 2]>) -> Self {
         let place = |&[s, v]: &[u32; 2]| (s, segments[s as usize].progress(vertices[v as usize]));
-        visits.sort_unstable_by_key(place);
+        threads::sort_unstable_by(&mut visits, |a, b| place(a).cmp(&place(b)));
         let mut chains = Self {
             pool: Vec::with_capacity(2 * segments.len() + visits.len()),
             starts: Vec::with_capacity(segments.len() + 1),

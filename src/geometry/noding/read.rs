@@ -4,6 +4,8 @@ use super::grid::Grid;
 use super::input::{Input, NodingError};
 use super::pixel::{Pixel, Segment, Steps};
 use crate::geometry::point::{Point, folded};
+#[cfg(feature = "map")]
+use crate::geometry::threads;
 use rustc_hash::FxHashMap;
 
 /// A distinct point of the input.
@@ -54,7 +56,7 @@ impl Read {
     pub(super) fn numbered(grid: &Grid, points: &[Point], segments: &[[u32; 2]]) -> Self {
         let place = |(point, number): (&Point, u32)| (grid.pixels.at(grid.steps(*point)), number);
         let mut sorted: Vec<(Pixel, u32)> = points.iter().zip(0..).map(place).collect();
-        sorted.sort_unstable();
+        threads::sort_unstable_by(&mut sorted, Ord::cmp);
         let mut vertices: Vec<Pixel> = Vec::with_capacity(points.len());
         let mut vertex_of = vec![0; points.len()];
         for (pixel, number) in sorted {

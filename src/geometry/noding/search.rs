@@ -29,17 +29,18 @@ use super::bundle::Bundle;
 use super::chords::{Chord, Chords, chords};
 use super::input::NodingError;
 use super::pixel::{Block, Pixel, Pixels, Segment, Steps};
+use core::sync::atomic::AtomicUsize;
+use limits::{Budget, limit};
 use parts::{Tiles, around, halves};
+use vertices::Vertices;
 
+mod fork;
+mod limits;
 mod parts;
+mod vertices;
 
 #[cfg(test)]
 mod tests;
-
-/// A limit, and the one in tests of this crate, which is so low that small input goes every way.
-const fn limit(usual: usize, in_tests: usize) -> usize {
-    if cfg!(test) { in_tests } else { usual }
-}
 
 /// Up to this many pairs, trying all is cheaper than halving.
 const FEW_PAIRS: usize = limit(256, 8);
@@ -116,9 +117,12 @@ impl Content {
 struct Search<'a> {
     pixels: Pixels,
     segments: &'a [Segment],
-    vertices: &'a mut Vec<Pixel>,
+    vertices: Vertices<'a>,
     found: Found,
+    budget: Budget<'a>,
     tasks: Vec<Task<'a>>,
+    /// How many of the tasks are of bundles.
+    bundles: usize,
     segment_pool: Vec<u32>,
     vertex_pool: Vec<u32>,
     /// Room for the parts of a block, kept.
@@ -142,41 +146,28 @@ pub(super) fn search(
         return Err(NodingError::TooMany);
     }
     let all = vertices.iter().copied().map(Block::one).reduce(|a, b| a.join(&b));
+    let task = |block| Task::Look(Look { block, segments_from: 0, vertices_from: 0, state: State::New });
+    let visits = AtomicUsize::new(0);
     let mut search = Search {
         pixels,
         segments,
         found: Found::default(),
-        tasks: Vec::new(),
+        budget: Budget { most, visits: &visits, counted: 0 },
+        tasks: all.map(task).into_iter().collect(),
+        bundles: 0,
         segment_pool: (0..segments.len() as u32).collect(),
         vertex_pool: (0..vertices.len() as u32).collect(),
         contents: Vec::new(),
-        vertices,
+        vertices: Vertices::new(vertices),
     };
-    search
-        .tasks
-        .extend(all.map(|block| Task::Look(Look { block, segments_from: 0, vertices_from: 0, state: State::New })));
-    let (mut segment_ids, mut vertex_ids) = (Vec::new(), Vec::new());
-    while let Some(task) = search.tasks.pop() {
-        match task {
-            Task::Look(look) => {
-                segment_ids.clear();
-                segment_ids.extend(search.segment_pool.drain(look.segments_from..));
-                vertex_ids.clear();
-                vertex_ids.extend(search.vertex_pool.drain(look.vertices_from..));
-                search.look(&look, &segment_ids, &mut vertex_ids)?;
-            }
-            Task::Finish { bundle, vertices_from } => {
-                for v in vertices_from..search.vertices.len() {
-                    search.try_bundle(&bundle, v as u32);
-                }
-            }
-        }
-        // One task finds O(n) at most, in practice.
-        if search.found.visits.len() > most {
-            return Err(NodingError::TooManyCuts { allowed: most });
-        }
+    search.run()?;
+    let Search { found, vertices: all, .. } = search;
+    if found.visits.len() > most {
+        return Err(NodingError::TooManyCuts { allowed: most });
     }
-    Ok(search.found)
+    let added = all.added();
+    vertices.extend(added);
+    Ok(found)
 }
 
 /// The number of pairs to try among `m` segments and between them and `h` vertices.
@@ -477,12 +468,7 @@ impl Search<'_> {
         known.sort_unstable();
         for pixel in pixels {
             if known.binary_search(&pixel).is_err() {
-                let id = self.vertices.len() as u32;
-                if id == u32::MAX {
-                    return Err(NodingError::TooMany);
-                }
-                self.vertices.push(pixel);
-                vertices.push(id);
+                vertices.push(self.vertices.push(pixel).ok_or(NodingError::TooMany)?);
             }
         }
         Ok(())
@@ -510,6 +496,7 @@ impl Search<'_> {
         for &v in &*vertices {
             self.try_bundle(&bundle, v);
         }
+        self.bundles += 1;
         self.tasks.push(Task::Finish { bundle, vertices_from: self.vertices.len() });
         self.wait(*block, &others, vertices, State::New);
         Ok(())

@@ -15,11 +15,15 @@ use crate::geometry::Point;
 use crate::geometry::crossing::Clash;
 use crate::geometry::predicates::{compare_angle, compare_lexicographic};
 use crate::geometry::sweep::{Sweep, sweep};
+use crate::geometry::threads;
 use crate::store::links::{BoundaryStart, VertexLink};
 use core::cmp::Ordering;
 
 /// Not yet known.
 const NIL: u32 = u32::MAX;
+
+/// Fewer darts are not divided among threads.
+const MANY: usize = 1 << 14;
 
 /// The number of the unbounded face.
 const UNBOUNDED: u32 = 0;
@@ -79,16 +83,8 @@ impl Rotations {
             darts[*place as usize] = dart as u32;
             *place += 1;
         }
-        let mut rotations = Self { first, darts };
-        for v in 0..points.len() {
-            let range = rotations.range(v);
-            let leaving = &mut rotations.darts[range];
-            if leaving.len() > 1 {
-                let head = |d: &Dart| points[target(segments, *d) as usize];
-                leaving.sort_unstable_by(|a, b| compare_angle(points[v], head(a), head(b)));
-            }
-        }
-        rotations
+        sort_by_angle(points, segments, 0, &first, &mut darts);
+        Self { first, darts }
     }
 
     fn range(&self, v: usize) -> core::ops::Range<usize> {
@@ -97,6 +93,29 @@ impl Rotations {
 
     fn leaving(&self, v: usize) -> &[Dart] {
         &self.darts[self.range(v)]
+    }
+}
+
+/// Sorts the darts that leave each point, from the point with this number on; `first` has the place of the first dart of each, and
+/// of the end, counted from the first dart of all, as far as the darts are at hand.
+fn sort_by_angle(points: &[Point], segments: &[[u32; 2]], from: usize, first: &[u32], darts: &mut [Dart]) {
+    let of = first.len() - 1;
+    let place = |i: usize| (first[i] - first[0]) as usize;
+    if of > 1 && darts.len() > MANY {
+        let (half, middle) = (of / 2, place(of / 2));
+        let (these, others) = darts.split_at_mut(middle);
+        threads::join(
+            || sort_by_angle(points, segments, from, &first[..=half], these),
+            || sort_by_angle(points, segments, from + half, &first[half..], others),
+        );
+        return;
+    }
+    for i in 0..of {
+        let leaving = &mut darts[place(i)..place(i + 1)];
+        if leaving.len() > 1 {
+            let (at, head) = (points[from + i], |d: &Dart| points[target(segments, *d) as usize]);
+            leaving.sort_unstable_by(|a, b| compare_angle(at, head(a), head(b)));
+        }
     }
 }
 
@@ -135,6 +154,21 @@ impl Cycles {
             starts.push(start as u32);
         }
         Self { next, of, starts }
+    }
+}
+
+/// The rotations of points and segments, and their cycles.
+pub(super) struct Turned {
+    rotations: Rotations,
+    cycles: Cycles,
+}
+
+impl Turned {
+    /// O(n log n).
+    pub(super) fn new(points: &[Point], segments: &[[u32; 2]]) -> Self {
+        let rotations = Rotations::new(points, segments);
+        let cycles = Cycles::new(&rotations, points.len());
+        Self { rotations, cycles }
     }
 }
 
@@ -177,15 +211,19 @@ fn outside_dart(rotations: &Rotations, points: &[Point], segments: &[[u32; 2]], 
 }
 
 /// Arranges the points and segments, which are distinct and in range, into a subdivision, with what the sweep said about
-/// them. O(n log n).
-pub(super) fn arrange(points: &[Point], segments: &[[u32; 2]], swept: &Swept) -> Result<Dcel, BuildError> {
+/// them and their rotations. O(n log n).
+pub(super) fn arrange(
+    points: &[Point],
+    segments: &[[u32; 2]],
+    swept: &Swept,
+    turned: &Turned,
+) -> Result<Dcel, BuildError> {
     let Swept { lowest, below, .. } = swept;
-    let rotations = Rotations::new(points, segments);
-    let cycles = Cycles::new(&rotations, points.len());
+    let Turned { rotations, cycles } = turned;
 
     // The cycles that are the outside of their component, and for each the face where that lies.
     let mut outside = vec![false; cycles.starts.len()];
-    let outside_darts: Vec<_> = lowest.iter().map(|v| outside_dart(&rotations, points, segments, *v)).collect();
+    let outside_darts: Vec<_> = lowest.iter().map(|v| outside_dart(rotations, points, segments, *v)).collect();
     for dart in outside_darts.iter().flatten() {
         outside[cycles.of[*dart as usize] as usize] = true;
     }

@@ -1,6 +1,6 @@
 //! Gathering rings, lines and points, and building the map of them all at once.
 
-use super::arrange::{Swept, arrange, points_by_vertex};
+use super::arrange::{Swept, Turned, arrange, points_by_vertex};
 use super::cover::cover;
 use super::cut::{self, Cut, Noding, usual_cuts};
 use super::error::BuildError;
@@ -11,8 +11,10 @@ use crate::geometry::Point;
 use crate::geometry::crossing::{Clash, clashes};
 use crate::geometry::noding::NodingSummary;
 use crate::geometry::predicates::in_range;
+use crate::geometry::threads;
 use crate::map::feature::{Feature, FeatureId, Shape};
 use crate::map::index::KeptIndex;
+use crate::map::notes::Notes;
 use crate::map::planar_map::PlanarMap;
 use crate::map::summary::{BuildSummary, IrregularityKind, Position};
 use rustc_hash::FxHashMap;
@@ -290,6 +292,7 @@ impl Builder {
     /// did.
     ///
     /// O(n log n) without noding; see [`noding`](crate::geometry::noding#cost) for what that adds.
+    /// With the feature `rayon`, the work is divided among the threads of its current pool; the map is the same.
     ///
     /// ```
     /// use twinedge::geometry::noding::Snap;
@@ -330,10 +333,12 @@ impl Builder {
                 (points, segments, Some(summary))
             }
         };
-        let swept = match plane {
-            Some(swept) => swept,
-            None => Swept::new(&points, &segments)?,
-        };
+        // Neither needs the other.
+        let (swept, turned) = threads::join(
+            || plane.map_or_else(|| Swept::new(&points, &segments), Ok),
+            || Turned::new(&points, &segments),
+        );
+        let swept = swept?;
         match swept.clash {
             Some(Clash::Cross { a, b }) if noding == Noding::Exact => {
                 let [one, other] = [a, b].map(|segment| segments[segment as usize].map(|v| points[v as usize]));
@@ -342,7 +347,7 @@ impl Builder {
             }
             _ => {}
         }
-        let dcel = arrange(&points, &segments, &swept)?;
+        let dcel = arrange(&points, &segments, &swept, &turned)?;
         let features_of_map = cover(&dcel, segments.len(), &features);
         Ok(PlanarMap {
             points: points_by_vertex(&points),
@@ -353,6 +358,7 @@ impl Builder {
             summary,
             noding: noded,
             index: KeptIndex::default(),
+            notes: Notes::default(),
         })
     }
 }

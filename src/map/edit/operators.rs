@@ -9,10 +9,20 @@ use crate::map::feature_sets::put;
 use crate::map::index::IndexedEdge;
 use crate::map::planar_map::PlanarMap;
 
+/// Runs an operator of topology, and notes what it writes if the map is to.
+macro_rules! operate {
+    ($map:ident.$operator:ident($($argument:expr),*)) => {
+        match &mut $map.notes.0 {
+            None => $map.dcel.$operator($($argument),*),
+            Some(notes) => $map.dcel.watched(notes, |dcel| dcel.$operator($($argument),*)),
+        }
+    };
+}
+
 impl PlanarMap {
     /// Adds an isolated vertex at a point in the interior of a face.
     pub(super) fn add_isolated(&mut self, p: Point, face: FaceKey) -> Result<VertexKey, OperatorError> {
-        let key = self.dcel.add_isolated_vertex(face)?.vertex;
+        let key = operate!(self.add_isolated_vertex(face))?.vertex;
         let v = self.dcel.vertex(key)?;
         put(&mut self.points, v.index(), p);
         if let Some(index) = self.index.if_built() {
@@ -24,7 +34,7 @@ impl PlanarMap {
     /// Removes an isolated vertex.
     pub(super) fn remove_isolated(&mut self, vertex: VertexKey) -> Result<(), OperatorError> {
         let v = self.dcel.vertex(vertex)?.index();
-        self.dcel.remove_isolated_vertex(vertex)?;
+        operate!(self.remove_isolated_vertex(vertex))?;
         if let Some(index) = self.index.if_built() {
             index.remove_vertex(v, self.points[v]);
         }
@@ -34,7 +44,7 @@ impl PlanarMap {
     /// Splits an edge by a vertex at a point.
     pub(super) fn split_at(&mut self, h: HalfEdgeKey, p: Point) -> Result<SplitEdge, OperatorError> {
         let before = self.indexed(h)?;
-        let made = self.dcel.split_edge(h)?;
+        let made = operate!(self.split_edge(h))?;
         put(&mut self.points, self.dcel.vertex(made.vertex)?.index(), p);
         if let (Some(index), Some(before)) = (self.index.if_built(), before) {
             index.remove_edge(&before);
@@ -47,7 +57,7 @@ impl PlanarMap {
 
     /// Draws an edge between two corners that see each other.
     pub(super) fn connect(&mut self, from: Corner, to: Corner, split: Split<'_>) -> Result<Connected, OperatorError> {
-        let connected = self.dcel.connect(from, to, split)?;
+        let connected = operate!(self.connect(from, to, split))?;
         if let Some(index) = self.index.if_built() {
             for corner in [from, to] {
                 if let Corner::Isolated(v) = corner {
@@ -63,7 +73,7 @@ impl PlanarMap {
     /// Removes an edge.
     pub(super) fn disconnect(&mut self, h: HalfEdgeKey) -> Result<RemovedEdge, OperatorError> {
         let before = self.indexed(h)?;
-        let removed = self.dcel.remove_edge(h)?;
+        let removed = operate!(self.remove_edge(h))?;
         if let (Some(index), Some(before)) = (self.index.if_built(), before) {
             index.remove_edge(&before);
             let ends = before.vertices().into_iter().filter_map(|v| self.dcel.vertex_at(v));
@@ -75,6 +85,9 @@ impl PlanarMap {
     /// Moves a vertex with its edges. O(degree).
     pub(super) fn put_at(&mut self, vertex: VertexKey, to: Point) -> Result<(), EditError> {
         let v = self.dcel.vertex(vertex)?;
+        if let Some(notes) = &mut self.notes.0 {
+            notes.vertices.push(v.index());
+        }
         let from = std::mem::replace(&mut self.points[v.index()], to);
         let Some(index) = self.index.if_built() else { return Ok(()) };
         if v.isolated().is_some() {

@@ -7,6 +7,7 @@ use super::located::{LocateError, Located, check_range};
 use super::trapezoids::{Drawn, GraphError};
 use crate::geometry::Point;
 use crate::geometry::predicates::compare_lexicographic;
+use crate::geometry::threads;
 use crate::map::planar_map::PlanarMap;
 use crate::validate::Embedding;
 
@@ -118,6 +119,27 @@ impl<'m> Locator<'m> {
         };
         // The map is borrowed, so every record of the index is live.
         Ok(located.unwrap_or(Located::Face(dcel.unbounded_face().key())))
+    }
+
+    /// Where each of some points lies, in their order: what [`locate`](Self::locate) says of each. O(log n) expected for each; with
+    /// the feature `rayon`, the points are divided among the threads of its current pool.
+    ///
+    /// ```
+    /// use twinedge::map::{Located, Locator, PlanarMap};
+    ///
+    /// let mut map = PlanarMap::new();
+    /// let ring = map.insert_ring([[0.0, 0.0], [4.0, 0.0], [0.0, 4.0]])?;
+    /// let (outside, inside) = ring.faces_split[0];
+    /// let places = Locator::new(&map)?.locate_all(&[[1.0, 1.0], [9.0, 9.0]].map(Into::into));
+    /// assert_eq!(places, [Ok(Located::Face(inside)), Ok(Located::Face(outside))]);
+    /// # Ok::<(), Box<dyn std::error::Error>>(())
+    /// ```
+    ///
+    /// # Errors
+    /// [`LocateError::OutOfRange`] in the place of each point that is.
+    #[must_use]
+    pub fn locate_all(&self, points: &[Point]) -> Vec<Result<Located, LocateError>> {
+        threads::map(points, |p| self.locate(*p))
     }
 }
 

@@ -123,7 +123,8 @@ pub(super) fn search_graph(drawn: &Drawn) -> Result<Vec<Node>, GraphError> {
     nodes.push(Node::Trapezoid(everything));
     let Some(bounds) = Bounds::around(drawn.points.iter().copied()) else { return Ok(nodes) };
     let curve = Curve::through(bounds);
-    let place = |point: u32| curve.place(drawn.points[point as usize]);
+    let places: Vec<u32> = drawn.points.iter().map(|p| curve.place(*p)).collect();
+    let place = |point: u32| places[point as usize];
     let mut map = TrapezoidalMap { drawn, nodes, starts: vec![NIL; points], walled: vec![false; points] };
     for round in rounds(shuffled(segments)) {
         let round =

@@ -36,6 +36,31 @@ pub struct SlotStore {
     pub(super) unbounded: FaceSlot,
 }
 
+impl SlotStore {
+    /// What takes the place of another store for a moment: it has no unbounded face, and must not be asked for anything. It takes no
+    /// memory.
+    #[allow(dead_code, reason = "for the layers above, which a smaller selection of features leaves out")]
+    pub(crate) const fn hollow() -> Self {
+        Self {
+            edges: Issuer::hollow(),
+            origin: Vec::new(),
+            next: Vec::new(),
+            prev: Vec::new(),
+            boundary: Vec::new(),
+            vertices: Issuer::hollow(),
+            vertex_link: Vec::new(),
+            boundaries: Issuer::hollow(),
+            boundary_face: Vec::new(),
+            start: Vec::new(),
+            place: Vec::new(),
+            faces: Issuer::hollow(),
+            outer: Vec::new(),
+            inner: InnerLists::new(Vec::new()),
+            unbounded: FaceSlot(NIL),
+        }
+    }
+}
+
 impl Store for SlotStore {}
 
 impl Links for SlotStore {

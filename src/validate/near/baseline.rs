@@ -16,9 +16,9 @@ use alloc::vec::Vec;
 /// Takes 20 bytes per half-edge, 8 per vertex, 24 per boundary component, and 32 per face with 4 for each entry of its list.
 #[derive(Clone, Debug)]
 pub struct Baseline {
-    expect: Expectation,
-    mirror: Mirror,
-    counts: Counts,
+    pub(super) expect: Expectation,
+    pub(super) mirror: Mirror,
+    pub(super) counts: Counts,
 }
 
 /// Why there is no [`Baseline`] of a structure.
@@ -34,6 +34,10 @@ pub enum BaselineError {
     Lacks(Part),
     /// The answers of the view changed while it was read.
     Changing,
+    /// The structure need not lie in the plane, so it has no drawing there to validate.
+    NotPlane,
+    /// Edges have bends, which are not validated locally.
+    Bends,
 }
 
 impl core::fmt::Display for BaselineError {
@@ -45,6 +49,8 @@ impl core::fmt::Display for BaselineError {
                 write!(f, "faces with holes are validated locally only with {}: use `validate`", part.name())
             }
             Self::Changing => f.write_str("the view gives other answers each time it is asked"),
+            Self::NotPlane => f.write_str("coordinates are validated locally only of maps in the plane"),
+            Self::Bends => f.write_str("edges with bends are not validated locally: use `validate_embedding`"),
         }
     }
 }
@@ -58,14 +64,25 @@ impl Baseline {
     /// The structure is not valid; or the expectation has open boundaries, or faces with holes and without boundary components,
     /// places or an unbounded face.
     pub fn new<V: View + ?Sized>(view: &V, expectation: &Expectation) -> Result<Self, BaselineError> {
+        Self::supports(expectation)?;
+        validate(view, expectation, Collect::All).into_result().map_err(BaselineError::Invalid)?;
+        Self::of_right(view, expectation)
+    }
+
+    /// Whether local validation is to be had.
+    pub(super) fn supports(expectation: &Expectation) -> Result<(), BaselineError> {
         if expectation.is_open() {
             return Err(BaselineError::OpenBoundaries);
         }
         let needed = [Part::BoundaryComponents, Part::Places, Part::UnboundedFace];
-        if let Some(part) = needed.into_iter().find(|part| expectation.has(Part::Holes) && !expectation.has(*part)) {
-            return Err(BaselineError::Lacks(part));
+        match needed.into_iter().find(|part| expectation.has(Part::Holes) && !expectation.has(*part)) {
+            Some(part) => Err(BaselineError::Lacks(part)),
+            None => Ok(()),
         }
-        validate(view, expectation, Collect::All).into_result().map_err(BaselineError::Invalid)?;
+    }
+
+    /// Of a structure that is right.
+    pub(super) fn of_right<V: View + ?Sized>(view: &V, expectation: &Expectation) -> Result<Self, BaselineError> {
         let mut baseline = Self { expect: *expectation, mirror: Mirror::default(), counts: Counts::default() };
         baseline.read(view).ok_or(BaselineError::Changing)?;
         Ok(baseline)
@@ -78,7 +95,7 @@ impl Baseline {
     }
 
     /// Reads every link of a valid structure: all records are touched.
-    fn read<V: View + ?Sized>(&mut self, view: &V) -> Option<()> {
+    pub(super) fn read<V: View + ?Sized>(&mut self, view: &V) -> Option<()> {
         let now = Now::new(view, self.expect)?;
         self.mirror = Mirror::default();
         let mut counts = Counts::default();
@@ -122,7 +139,7 @@ impl Baseline {
     }
 
     /// Follows the structure.
-    fn follow<V: View + ?Sized>(&mut self, now: &Now<'_, V>, changes: Changes) {
+    pub(super) fn follow<V: View + ?Sized>(&mut self, now: &Now<'_, V>, changes: Changes) {
         let mirror = &mut self.mirror;
         fit(&mut mirror.half_edges, now.half_edges, HalfEdge::VACANT);
         fit(&mut mirror.vertices, now.vertices, Vertex::VACANT);
@@ -172,7 +189,7 @@ fn read_face<V: View + ?Sized>(now: &Now<'_, V>, f: usize) -> Option<Face> {
 }
 
 /// As long as there are slots.
-fn fit<T: Clone>(column: &mut Vec<T>, slots: usize, vacant: T) {
+pub(super) fn fit<T: Clone>(column: &mut Vec<T>, slots: usize, vacant: T) {
     if column.len() < slots {
         column.resize(slots, vacant);
     }

@@ -33,6 +33,22 @@ pub(super) struct Changes {
     pub(super) counts: Counts,
 }
 
+impl Changes {
+    /// Of a structure that has come since there was nothing.
+    #[cfg(feature = "geometry")]
+    pub(super) fn all_of(mirror: &Mirror, counts: Counts) -> Self {
+        let faces = mirror.faces.iter().map(|face| face.is_live().then_some((face.outer, face.inner.len())));
+        Self {
+            half_edges: mirror.half_edges.iter().copied().enumerate().collect(),
+            vertices: mirror.vertices.iter().copied().enumerate().collect(),
+            labels: mirror.labels.iter().copied().enumerate().collect(),
+            faces: faces.enumerate().collect(),
+            counts,
+            ..Self::default()
+        }
+    }
+}
+
 /// A member of a vertex or label that has come or turned: the group, the half-edge, and whether it belonged there before.
 type Member = (usize, usize, bool);
 
@@ -197,7 +213,9 @@ impl<V: View + ?Sized> Check<'_, V> {
     /// The live boundary component that an isolated vertex names.
     fn isolated(&self, v: usize) -> Option<usize> {
         let names = self.now.has(Part::BoundaryComponents) && self.now.has(Part::Holes) && self.now.is_vertex(v);
-        self.now.view.isolated(v).filter(|b| names && self.now.is_label(*b))
+        // A vacant slot is not asked.
+        let named = if names { self.now.view.isolated(v) } else { None };
+        named.filter(|b| self.now.is_label(*b))
     }
 
     /// V1, V2 and B2 of each vertex that may differ, of those where half-edges start or started that may, and of those that the

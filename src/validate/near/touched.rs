@@ -2,7 +2,8 @@
 
 use alloc::vec::Vec;
 
-/// The records that were added, removed, or had a link changed since the structure was last found right, by index.
+/// The records that were added, removed, or had a link changed since the structure was last found right, by index. A vertex
+/// that lies elsewhere counts as changed, and so does a half-edge whose bends are others.
 ///
 /// An index may occur several times. A record that is named without having changed costs time and does no harm. If one that has
 /// changed is missing, the answer of [`validate_near`](super::validate_near) means nothing.

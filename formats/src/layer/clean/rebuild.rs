@@ -1,6 +1,6 @@
 //! The geometry of a feature, with other polygons.
 
-use super::super::model::{Feature, Geometry, Layer, Line, Position, Shape, json_number};
+use super::super::model::{Feature, Geometry, Layer, Line, Members, Position, Shape, json_number};
 use super::dimensions::Further;
 use std::cmp::Ordering;
 use twinedge::algorithm::area::ring_area;
@@ -73,7 +73,13 @@ pub(super) fn replace(geometry: &Geometry, polygons: &[Polygon], further: &mut F
     let shape = match &geometry.shape {
         Shape::Collection(parts) => {
             let mut kept: Vec<Geometry> = parts.iter().filter_map(without_polygons).collect();
-            let made = polygons.into_iter().map(|rings| Geometry { dimensions, shape: Shape::Polygon(rings) });
+            let mut made: Vec<Geometry> =
+                polygons.into_iter().map(|rings| Geometry::new(dimensions, Shape::Polygon(rings))).collect();
+            let mut of_polygons = parts.iter().filter(|part| without_polygons(part).is_none());
+            // Of several polygons it is not known which one became which.
+            if let ([one], Some(part), None) = (&mut made[..], of_polygons.next(), of_polygons.next()) {
+                *one = with_members(part, std::mem::replace(&mut one.shape, Shape::Point(None)));
+            }
             kept.splice(0..0, made);
             Some(Shape::Collection(kept)).filter(|shape| !shape.is_empty())
         }
@@ -81,7 +87,15 @@ pub(super) fn replace(geometry: &Geometry, polygons: &[Polygon], further: &mut F
         _ if polygons.is_empty() => None,
         _ => Some(Shape::MultiPolygon(polygons)),
     };
-    shape.map(|shape| Geometry { dimensions, shape })
+    shape.map(|shape| with_members(geometry, shape))
+}
+
+/// A shape in the place of that of a geometry.
+fn with_members(geometry: &Geometry, shape: Shape) -> Geometry {
+    let mut made = Geometry { dimensions: geometry.dimensions, shape, members: geometry.members.clone() };
+    let bounds = bounds([&made].into_iter());
+    update_member(&mut made.members, bounds);
+    made
 }
 
 /// A part of a collection without its polygons; none if nothing is left.
@@ -90,7 +104,7 @@ fn without_polygons(part: &Geometry) -> Option<Geometry> {
         Shape::Polygon(_) | Shape::MultiPolygon(_) => None,
         Shape::Collection(parts) => {
             let shape = Shape::Collection(parts.iter().filter_map(without_polygons).collect());
-            Some(Geometry { dimensions: part.dimensions, shape })
+            Some(with_members(part, shape))
         }
         _ => Some(part.clone()),
     }
@@ -110,10 +124,14 @@ fn bounds<'a>(geometries: impl Iterator<Item = &'a Geometry>) -> Option<serde_js
 
 /// Brings the member `bbox` of a feature up to date, if it has one.
 pub(super) fn update_box(feature: &mut Feature) {
-    if feature.members.contains_key("bbox") {
-        match bounds(feature.geometry.iter()) {
-            Some(bounds) => drop(feature.members.insert("bbox".to_owned(), bounds)),
-            None => drop(feature.members.remove("bbox")),
+    update_member(&mut feature.members, bounds(feature.geometry.iter()));
+}
+
+fn update_member(members: &mut Members, bounds: Option<serde_json::Value>) {
+    if members.contains_key("bbox") {
+        match bounds {
+            Some(bounds) => drop(members.insert("bbox".to_owned(), bounds)),
+            None => drop(members.shift_remove("bbox")),
         }
     }
 }

@@ -123,7 +123,7 @@ pub(super) fn parse(record: &[u8]) -> Result<Option<Geometry>, Cause> {
             }
         }
     };
-    Ok(Some(Geometry { dimensions, shape }))
+    Ok(Some(Geometry::new(dimensions, shape)))
 }
 
 /// The parts of a list of positions, by where each starts.

@@ -1,0 +1,276 @@
+//! Reading `FlatGeobuf` from a stream. Lengths and counts are believed only as far as there is data.
+
+use super::super::each::Each;
+use super::super::error::{Cause, Place, ReadError};
+use super::super::format::Format;
+use super::super::model::{Crs, Dimensions, Feature, Field, Geometry, Header, Id, Line, Members, Position, Shape};
+use super::TEXTS;
+use super::properties::{attributes, kind};
+use ::flatgeobuf::{
+    Geometry as Table, GeometryType as Kind, Header as HeaderTable, size_prefixed_root_as_feature_with_opts,
+    size_prefixed_root_as_header_with_opts,
+};
+use flatbuffers::{InvalidFlatbuffer, Vector, VerifierOptions};
+use std::io::{self, Read};
+use std::sync::Arc;
+
+/// How many collections may lie around a geometry.
+const NESTED: usize = 32;
+
+/// The largest header that the crate reads, too.
+const LARGEST_HEADER: u32 = 10 << 20;
+
+/// The bytes of a node of the index.
+const NODE: u64 = 40;
+
+/// The newest version of the format that is known.
+const VERSION: u8 = 3;
+
+fn content(place: Place, cause: Cause) -> ReadError {
+    ReadError::Content { format: Format::FlatGeobuf, place, cause }
+}
+
+fn invalid(message: impl Into<String>) -> Cause {
+    Cause::Invalid(message.into())
+}
+
+/// Reads features, each handed to `each`. An index is skipped.
+pub(in crate::layer) fn read(reader: &mut dyn Read, each: &mut Each<'_>) -> Result<Header, ReadError> {
+    let in_header = |cause| content(Place::Header, cause);
+    let mut magic = [0; 8];
+    reader.read_exact(&mut magic).map_err(|error| truncated(error, Place::Header, "the first 8 bytes"))?;
+    let [b'f', b'g', b'b', version, b'f', b'g', b'b', _] = magic else {
+        return Err(in_header(invalid("it does not begin as FlatGeobuf does")));
+    };
+    if version > VERSION {
+        return Err(in_header(invalid(format!("version {version} is not read here"))));
+    }
+    let mut buffer = Vec::new();
+    if !table(reader, &mut buffer, Place::Header, Some(LARGEST_HEADER))? {
+        return Err(in_header(Cause::Truncated("the header")));
+    }
+    let header = size_prefixed_root_as_header_with_opts(&options(&buffer), &buffer);
+    let header = header.map_err(|error| in_header(refused(&error)))?;
+    if header.has_t() || header.has_tm() {
+        return Err(in_header(invalid("positions with times are not read here")));
+    }
+    let mut fields = Vec::new();
+    for column in header.columns().into_iter().flatten() {
+        let name: Arc<str> = column.name().into();
+        let kind = kind(column.type_()).map_err(in_header)?;
+        let width = usize::try_from(column.width()).ok().filter(|width| *width > 0);
+        fields.push(Field { name, kind, width, decimals: None });
+    }
+    skip_index(reader, &header)?;
+    let count = header.features_count();
+    let mut body = Vec::new();
+    for number in 0_u64.. {
+        let place = Place::Feature(number as usize);
+        if !table(reader, &mut body, place, None)? {
+            if number < count {
+                let cause = Cause::TooMany { what: "features", count };
+                return Err(in_header(cause));
+            }
+            break;
+        }
+        if count > 0 && number == count {
+            return Err(in_header(invalid(format!("more features follow than the {count} that the header counts"))));
+        }
+        each(feature(&header, &body, number, &fields).map_err(|cause| content(place, cause))?)?;
+    }
+    Ok(of_header(&header, fields))
+}
+
+/// The error for a stream that ends.
+fn truncated(error: io::Error, place: Place, what: &'static str) -> ReadError {
+    match error.kind() {
+        io::ErrorKind::UnexpectedEof => content(place, Cause::Truncated(what)),
+        _ => error.into(),
+    }
+}
+
+fn refused(error: &InvalidFlatbuffer) -> Cause {
+    // The rest says where in the tables.
+    invalid(error.to_string().lines().next().unwrap_or_default())
+}
+
+/// What tables may expand to: they can share vectors, so that a few bytes stand for many.
+fn options(bytes: &[u8]) -> VerifierOptions {
+    VerifierOptions {
+        max_depth: 2 * NESTED,
+        max_tables: bytes.len(),
+        max_apparent_size: 16 * bytes.len() + 1024,
+        ..VerifierOptions::default()
+    }
+}
+
+/// Reads a table with the length before it; false at the end of the stream. Memory grows with what is there.
+fn table(reader: &mut dyn Read, buffer: &mut Vec<u8>, place: Place, largest: Option<u32>) -> Result<bool, ReadError> {
+    buffer.clear();
+    reader.take(4).read_to_end(buffer)?;
+    if buffer.is_empty() {
+        return Ok(false);
+    }
+    let Some(length) = buffer.first_chunk().map(|bytes| u32::from_le_bytes(*bytes)) else {
+        return Err(content(place, Cause::Truncated("a length")));
+    };
+    if largest.is_some_and(|largest| length > largest) {
+        return Err(content(place, Cause::TooMany { what: "bytes of a header", count: length.into() }));
+    }
+    let found = reader.take(length.into()).read_to_end(buffer)?;
+    if found < length as usize {
+        return Err(content(place, Cause::Truncated("a table")));
+    }
+    Ok(true)
+}
+
+/// The index is a tree: each node has as many below it as the header says, and those of the lowest level are features.
+fn skip_index(reader: &mut dyn Read, header: &HeaderTable<'_>) -> Result<(), ReadError> {
+    let (count, size) = (header.features_count(), u64::from(header.index_node_size()));
+    if size == 0 || count == 0 {
+        return Ok(());
+    }
+    let too_many = || content(Place::Header, Cause::TooMany { what: "features", count });
+    if size == 1 {
+        return Err(content(Place::Header, invalid("nodes of the index have one entry each")));
+    }
+    let (mut level, mut nodes) = (count, count);
+    while level > 1 {
+        level = level.div_ceil(size);
+        nodes = nodes.checked_add(level).ok_or_else(too_many)?;
+    }
+    let bytes = if count == 1 { nodes.checked_add(1) } else { Some(nodes) };
+    let bytes = bytes.and_then(|nodes| nodes.checked_mul(NODE)).ok_or_else(too_many)?;
+    let skipped = io::copy(&mut reader.take(bytes), &mut io::sink())?;
+    if skipped < bytes { Err(content(Place::Header, Cause::Truncated("the index"))) } else { Ok(()) }
+}
+
+fn of_header(header: &HeaderTable<'_>, fields: Vec<Field>) -> Header {
+    let text = |text: Option<&str>| text.filter(|text| !text.is_empty()).map(str::to_owned);
+    let crs = header.crs().map(|crs| Crs {
+        code: (crs.code() != 0).then(|| (text(crs.org()).unwrap_or_else(|| "EPSG".to_owned()), crs.code().into())),
+        wkt: text(crs.wkt()),
+        member: None,
+    });
+    let texts = [header.title(), header.description(), header.metadata()];
+    let members = TEXTS.into_iter().zip(texts).filter_map(|(name, value)| Some((name.to_owned(), text(value)?.into())));
+    Header {
+        name: text(header.name()),
+        crs: crs.filter(|crs| crs.code.is_some() || crs.wkt.is_some()),
+        fields,
+        members: members.collect(),
+        charset: None,
+    }
+}
+
+fn feature(header: &HeaderTable<'_>, body: &[u8], number: u64, fields: &[Field]) -> Result<Feature, Cause> {
+    let table = size_prefixed_root_as_feature_with_opts(&options(body), body).map_err(|error| refused(&error))?;
+    let geometry = table.geometry().map(|geometry| {
+        let kind = Some(header.geometry_type()).filter(|kind| *kind != Kind::Unknown);
+        shape(geometry, kind.unwrap_or(geometry.type_()), header, 0)
+    });
+    let bytes = table.properties().map(|bytes| bytes.bytes()).unwrap_or_default();
+    Ok(Feature {
+        id: Some(Id::Number(number.into())),
+        geometry: geometry.transpose()?,
+        attributes: attributes(bytes, header.columns(), table.columns(), fields)?,
+        members: Members::new(),
+    })
+}
+
+/// The recursion is as deep as collections are nested, at most [`NESTED`].
+fn shape(table: Table<'_>, kind: Kind, header: &HeaderTable<'_>, depth: usize) -> Result<Geometry, Cause> {
+    if depth > NESTED {
+        return Err(Cause::TooDeep);
+    }
+    let dimensions = Dimensions::with(header.has_z() && table.z().is_some(), header.has_m() && table.m().is_some());
+    let parts = || table.parts().into_iter().flatten();
+    let shape = match kind {
+        Kind::Point => match &mut positions(table, dimensions)?[..] {
+            [] => Shape::Point(None),
+            [one] if one.x.is_nan() && one.y.is_nan() => Shape::Point(None),
+            [one] => Shape::Point(Some(finite(std::mem::take(one))?)),
+            more => return Err(invalid(format!("a point with {} positions", more.len()))),
+        },
+        Kind::MultiPoint => Shape::MultiPoint(line(table, dimensions)?),
+        Kind::LineString => Shape::Line(line(table, dimensions)?),
+        Kind::MultiLineString => Shape::MultiLine(lines(table, dimensions)?),
+        Kind::Polygon => Shape::Polygon(lines(table, dimensions)?),
+        Kind::MultiPolygon => {
+            if table.xy().is_some_and(|xy| !xy.is_empty()) {
+                return Err(invalid("a MultiPolygon with positions outside of its parts"));
+            }
+            Shape::MultiPolygon(parts().map(|part| lines(part, dimensions_of(header, part))).collect::<Result<_, _>>()?)
+        }
+        Kind::GeometryCollection => {
+            let parts = parts().map(|part| shape(part, part.type_(), header, depth + 1));
+            Shape::Collection(parts.collect::<Result<_, _>>()?)
+        }
+        other => {
+            let name = other.variant_name().map_or_else(|| other.0.to_string(), str::to_owned);
+            return Err(invalid(format!("{name} is a type of geometries that is not read here")));
+        }
+    };
+    // Parts have the numbers, and not the geometry that has parts.
+    let dimensions = match &shape {
+        Shape::MultiPolygon(_) => parts().next().map_or(dimensions, |part| dimensions_of(header, part)),
+        _ => dimensions,
+    };
+    Ok(Geometry::new(dimensions, shape))
+}
+
+fn dimensions_of(header: &HeaderTable<'_>, table: Table<'_>) -> Dimensions {
+    Dimensions::with(header.has_z() && table.z().is_some(), header.has_m() && table.m().is_some())
+}
+
+fn finite(position: Position) -> Result<Position, Cause> {
+    if position.x.is_finite() && position.y.is_finite() {
+        return Ok(position);
+    }
+    Err(invalid(format!("the coordinates ({}, {}) are not finite", position.x, position.y)))
+}
+
+fn line(table: Table<'_>, dimensions: Dimensions) -> Result<Line, Cause> {
+    positions(table, dimensions)?.into_iter().map(finite).collect()
+}
+
+/// All positions of a table.
+fn positions(table: Table<'_>, dimensions: Dimensions) -> Result<Line, Cause> {
+    let Some(xy) = table.xy() else { return Ok(Line::new()) };
+    let more: Vec<Vector<'_, f64>> = match dimensions {
+        Dimensions::Xy => Vec::new(),
+        Dimensions::Xyz => table.z().into_iter().collect(),
+        Dimensions::Xym => table.m().into_iter().collect(),
+        Dimensions::Xyzm => table.z().into_iter().chain(table.m()).collect(),
+    };
+    let count = xy.len() / 2;
+    if xy.len() % 2 == 1 || more.iter().any(|numbers| numbers.len() != count) {
+        return Err(invalid("the numbers of coordinates differ"));
+    }
+    let of = |i: usize| Position {
+        x: xy.get(2 * i),
+        y: xy.get(2 * i + 1),
+        more: more.iter().map(|numbers| numbers.get(i)).collect(),
+    };
+    Ok((0..count).map(of).collect())
+}
+
+/// The positions of a table in parts, which it says where to end; one part, if it does not.
+fn lines(table: Table<'_>, dimensions: Dimensions) -> Result<Vec<Line>, Cause> {
+    let mut rest = line(table, dimensions)?.into_iter();
+    let all = rest.len();
+    let Some(ends) = table.ends().filter(|ends| !ends.is_empty()) else {
+        return Ok(if all == 0 { Vec::new() } else { vec![rest.collect()] });
+    };
+    let (mut lines, mut begin) = (Vec::new(), 0);
+    for end in ends {
+        let count = (end as usize).checked_sub(begin).filter(|count| *count <= rest.len());
+        let count = count.ok_or_else(|| invalid(format!("a part ends at position {end}, and there are {all}")))?;
+        lines.push(rest.by_ref().take(count).collect());
+        begin = end as usize;
+    }
+    match rest.len() {
+        0 => Ok(lines),
+        more => Err(invalid(format!("{more} positions follow the last part"))),
+    }
+}

@@ -1,0 +1,187 @@
+//! A file of TopoJSON: the arcs with their coordinates, and the objects as they are.
+
+use super::super::error::{Cause, Place, ReadError};
+use super::super::format::Format;
+use super::super::model::{Line, Members, Position};
+use serde::de::{self, Deserialize, Deserializer, MapAccess, SeqAccess, Visitor};
+use serde_json::Value as Json;
+use serde_json::error::Category;
+use std::fmt;
+use std::io::Read;
+use twinedge::io::TextPlace;
+
+/// A file, whose numbers are coordinates already.
+#[derive(Debug, Default)]
+pub(super) struct Document {
+    pub(super) transform: Transform,
+    pub(super) arcs: Vec<Line>,
+    /// The objects by name.
+    pub(super) objects: Members,
+    /// The other members.
+    pub(super) members: Members,
+}
+
+/// What makes coordinates of the numbers of a quantised file.
+#[derive(Clone, Copy, Debug, serde::Deserialize)]
+pub(super) struct Transform {
+    scale: [f64; 2],
+    translate: [f64; 2],
+}
+
+/// That which changes nothing.
+impl Default for Transform {
+    fn default() -> Self {
+        Self { scale: [1.0; 2], translate: [0.0; 2] }
+    }
+}
+
+impl Transform {
+    pub(super) fn apply(&self, at: &mut Position) {
+        at.x = at.x * self.scale[0] + self.translate[0];
+        at.y = at.y * self.scale[1] + self.translate[1];
+    }
+}
+
+/// An error of the format.
+pub(super) fn content(place: Place, cause: Cause) -> ReadError {
+    ReadError::Content { format: Format::TopoJson, place, cause }
+}
+
+/// The error for a coordinate that is too large for a number of 64 bits.
+pub(super) fn check_finite(at: &Position) -> Result<(), Cause> {
+    if at.x.is_finite() && at.y.is_finite() {
+        return Ok(());
+    }
+    Err(Cause::Invalid(format!("the coordinates ({}, {}) are not finite", at.x, at.y)))
+}
+
+impl Document {
+    /// Reads a file. O(bytes) time and memory; nesting is bounded by `serde_json`.
+    pub(super) fn read(reader: &mut dyn Read) -> Result<Self, ReadError> {
+        let mut bytes = Vec::new();
+        reader.read_to_end(&mut bytes)?;
+        let text = bytes.strip_prefix(b"\xEF\xBB\xBF").unwrap_or(&bytes);
+        let Raw { transform, mut arcs, objects, members } = serde_json::from_slice(text).map_err(|error| {
+            let place = TextPlace { line: error.line(), column: Some(error.column()) };
+            content(Place::Text(place), cause(&error))
+        })?;
+        for (number, arc) in arcs.iter_mut().enumerate() {
+            decode(arc, transform.as_ref()).map_err(|cause| content(Place::Arc(number), cause))?;
+        }
+        Ok(Self { transform: transform.unwrap_or_default(), arcs, objects, members })
+    }
+}
+
+fn cause(error: &serde_json::Error) -> Cause {
+    if error.classify() == Category::Eof {
+        return Cause::Truncated("the outermost object");
+    }
+    // The place is given beside the message.
+    let message = error.to_string();
+    let end = message.rfind(" at line ").unwrap_or(message.len());
+    Cause::Invalid(message[..end].to_owned())
+}
+
+/// Quantised positions are differences to the position before them.
+fn decode(arc: &mut Line, transform: Option<&Transform>) -> Result<(), Cause> {
+    let mut at = [0.0; 2];
+    for position in arc {
+        if let Some(transform) = transform {
+            at = [at[0] + position.x, at[1] + position.y];
+            [position.x, position.y] = at;
+            transform.apply(position);
+        }
+        check_finite(position)?;
+    }
+    Ok(())
+}
+
+/// The members of the outermost object as they are read.
+struct Raw {
+    transform: Option<Transform>,
+    arcs: Vec<Line>,
+    objects: Members,
+    members: Members,
+}
+
+impl<'de> Deserialize<'de> for Raw {
+    fn deserialize<D: Deserializer<'de>>(deserializer: D) -> Result<Self, D::Error> {
+        struct Topology;
+        impl<'de> Visitor<'de> for Topology {
+            type Value = Raw;
+
+            fn expecting(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+                f.write_str("an object with the type Topology")
+            }
+
+            fn visit_map<A: MapAccess<'de>>(self, mut map: A) -> Result<Raw, A::Error> {
+                let (mut kind, mut transform, mut arcs, mut objects) = (None, None, None, None);
+                let mut members = Members::new();
+                while let Some(name) = map.next_key::<String>()? {
+                    let is_repeated = match name.as_str() {
+                        "type" => kind.replace(map.next_value::<String>()?).is_some(),
+                        "transform" => transform.replace(map.next_value::<Option<Transform>>()?).is_some(),
+                        "arcs" => arcs.replace(map.next_value::<Arcs>()?.0).is_some(),
+                        "objects" => objects.replace(map.next_value::<Members>()?).is_some(),
+                        _ => members.insert(name.clone(), map.next_value::<Json>()?).is_some(),
+                    };
+                    if is_repeated {
+                        return Err(de::Error::custom(format_args!("the member `{name}` is repeated")));
+                    }
+                }
+                match kind {
+                    Some(kind) if kind == "Topology" => {}
+                    Some(kind) => {
+                        return Err(de::Error::custom(format_args!("the type is {kind:?}, and must be Topology")));
+                    }
+                    None => return Err(de::Error::missing_field("type")),
+                }
+                Ok(Raw {
+                    transform: transform.flatten(),
+                    arcs: arcs.ok_or_else(|| de::Error::missing_field("arcs"))?,
+                    objects: objects.ok_or_else(|| de::Error::missing_field("objects"))?,
+                    members,
+                })
+            }
+        }
+        deserializer.deserialize_map(Topology)
+    }
+}
+
+/// The arcs, as they are written.
+#[derive(serde::Deserialize)]
+#[serde(transparent)]
+struct Arcs(#[serde(deserialize_with = "lines")] Vec<Line>);
+
+fn lines<'de, D: Deserializer<'de>>(deserializer: D) -> Result<Vec<Line>, D::Error> {
+    let arcs = Vec::<Vec<Written>>::deserialize(deserializer)?;
+    Ok(arcs.into_iter().map(|arc| arc.into_iter().map(|Written(position)| position).collect()).collect())
+}
+
+/// A position, as it is written.
+struct Written(Position);
+
+impl<'de> Deserialize<'de> for Written {
+    fn deserialize<D: Deserializer<'de>>(deserializer: D) -> Result<Self, D::Error> {
+        struct Numbers;
+        impl<'de> Visitor<'de> for Numbers {
+            type Value = Written;
+
+            fn expecting(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+                f.write_str("a position of two numbers or more")
+            }
+
+            fn visit_seq<A: SeqAccess<'de>>(self, mut seq: A) -> Result<Written, A::Error> {
+                let short = |n| move || de::Error::invalid_length(n, &"a position of two numbers or more");
+                let x = seq.next_element()?.ok_or_else(short(0))?;
+                let y = seq.next_element()?.ok_or_else(short(1))?;
+                let mut more = Vec::new();
+                while let Some(number) = seq.next_element()? {
+                    more.push(number);
+                }
+                Ok(Written(Position { x, y, more: more.into() }))
+            }
+        }
+        deserializer.deserialize_seq(Numbers)
+    }
+}

@@ -1,0 +1,89 @@
+//! What only a file of TopoJSON can have wrong.
+
+use crate::topology_audit::TopologyViolation;
+
+/// The rules, by their ids.
+pub(super) const RULES: [(&str, &str, &str); 4] =
+    [("A0", "size", "arcs"), ("A1", "ends", "indices"), ("A2", "sides", "sides of arcs"), ("A3", "used", "arcs")];
+
+/// A way to break a rule: the rule, its name, what usually causes it, what mends it.
+#[derive(Clone, Copy, Debug)]
+pub(super) struct Kind {
+    rule: usize,
+    name: &'static str,
+    cause: &'static str,
+    remedy: &'static str,
+}
+
+impl Kind {
+    const fn new(rule: usize, name: &'static str, cause: &'static str, remedy: &'static str) -> Self {
+        Self { rule, name, cause, remedy }
+    }
+
+    pub(super) const ARC_WITHOUT_LENGTH: Self = Self::new(
+        0,
+        "arc_without_length",
+        "the map was simplified or quantised until nothing was left of the arc",
+        "remove it, and the rings that are made of it alone",
+    );
+    pub(super) const NO_SUCH_ARC: Self = Self::new(
+        1,
+        "no_such_arc",
+        "arcs were removed or filtered, and the objects were not renumbered",
+        "write the file again from its source",
+    );
+    pub(super) const NOT_JOINED: Self = Self::new(
+        1,
+        "not_joined",
+        "an arc was moved or simplified together with its ends, or an index has the wrong sign",
+        "restore the arc; `~i` is arc i backwards",
+    );
+    pub(super) const NOT_CLOSED: Self =
+        Self::new(1, "not_closed", "an index is missing, or an arc was moved", "add the missing arc to the ring");
+    pub(super) const RING_WITHOUT_AREA: Self = Self::new(
+        0,
+        "ring_without_area",
+        "the map was simplified or quantised until nothing was left inside the ring",
+        "remove the ring",
+    );
+    pub(super) const SAME_SIDE: Self = Self::new(
+        2,
+        "same_side",
+        "two polygons overlap, or a polygon is in the object twice",
+        "let one of the polygons go the other way around, along its own border",
+    );
+    pub(super) const BOTH_SIDES: Self =
+        Self::new(2, "both_sides", "a ring goes forth and back along an arc", "remove both indices from the ring");
+    pub(super) const UNUSED: Self =
+        Self::new(3, "unused_arc", "an object or a polygon was removed, and its arcs were not", "remove the arc");
+}
+
+/// The findings, of which some are kept, and how many there are of each rule.
+#[derive(Clone, Debug, Default)]
+pub(super) struct Findings {
+    pub(super) kept: Vec<TopologyViolation>,
+    pub(super) counts: [u64; 4],
+    cap: usize,
+}
+
+impl Findings {
+    /// Keeps up to so many of each rule.
+    pub(super) fn new(cap: usize) -> Self {
+        Self { cap, ..Self::default() }
+    }
+
+    pub(super) fn add(&mut self, kind: Kind, message: impl FnOnce() -> String, at: &[[f64; 2]]) {
+        let count = &mut self.counts[kind.rule];
+        *count += 1;
+        if *count <= self.cap as u64 {
+            self.kept.push(TopologyViolation {
+                rule: RULES[kind.rule].0,
+                kind: kind.name,
+                message: message(),
+                at: at.to_vec(),
+                cause: kind.cause,
+                remedy: kind.remedy,
+            });
+        }
+    }
+}

@@ -1,0 +1,184 @@
+//! The arcs of a file as a half-edge structure, and as a view.
+
+use super::finding::Findings;
+use twinedge::geometry::Point;
+use twinedge::geometry::predicates::compare_angle;
+use twinedge::validate::{Embedding, Link, Record, Start, View};
+
+/// No half-edge, vertex or face.
+pub(super) const NIL: u32 = u32::MAX;
+
+/// The arcs that the polygons of an object are made of, as a half-edge structure: half-edge `2 · i` is arc `i`, and `2 · i + 1` is arc
+/// `i` backwards, index `~i`. Faces are polygons, those of a multi-polygon each for itself.
+///
+/// Which polygon lies to the left of a half-edge, and which ring is the outer one, is what the file says. Which half-edge follows
+/// another around a face is not in the file: it is the next one in the order around the end. So a polygon that lies
+/// elsewhere than its arcs has a label that changes along a cycle (B1), and so on.
+///
+/// Points that repeat the one before them are no bends. Arcs without length, and those that no polygon uses, are no edges.
+#[derive(Debug, Default)]
+pub struct ArcTopology {
+    /// The distinct ends of arcs.
+    pub(super) points: Vec<Point>,
+    /// Per arc its ends; nil for an arc that is no edge.
+    pub(super) ends: Vec<[u32; 2]>,
+    /// Per arc the place of its first bend, and then their number.
+    pub(super) first_bend: Vec<usize>,
+    pub(super) bends: Vec<Point>,
+    /// Per half-edge the polygon to its left; nil for none.
+    pub(super) label: Vec<u32>,
+    /// Per half-edge whether it belongs to the outer ring of that polygon.
+    pub(super) is_outer: Vec<bool>,
+    /// Per half-edge the one that follows it.
+    pub(super) next: Vec<u32>,
+    /// Per face a half-edge of its outer cycle.
+    pub(super) outer: Vec<u32>,
+    /// Faces with a half-edge of each inner cycle, sorted.
+    pub(super) inner: Vec<(u32, u32)>,
+    /// What the faces are called.
+    pub(super) names: Vec<String>,
+    /// How many indices there are in all objects.
+    pub(super) indices: u64,
+    pub(super) repeated_points: u64,
+    pub(super) findings: Findings,
+}
+
+impl ArcTopology {
+    /// What a record is called: the index of an arc, `~` before it where it is backwards; the polygon; the coordinates of an end.
+    ///
+    /// For [`Report::named`](twinedge::validate::Report::named). A record that is not there is named by its number.
+    #[must_use]
+    pub fn name(&self, record: Record) -> String {
+        let found = match record {
+            Record::Vertex(v) => self.points.get(v).map(|p| format!("({}, {})", p.x, p.y)),
+            Record::HalfEdge(h) => Some(format!("{}{}", if h.is_multiple_of(2) { "" } else { "~" }, h / 2)),
+            Record::Face(f) => self.names.get(f).cloned(),
+            Record::Boundary(_) => None,
+        };
+        found.unwrap_or_else(|| record.index().to_string())
+    }
+
+    /// Where a half-edge goes first.
+    fn towards(&self, half_edge: usize) -> Point {
+        if self.bends(half_edge) > 0 {
+            return self.bend(half_edge, 0);
+        }
+        self.points[self.ends[half_edge / 2][1 - half_edge % 2] as usize]
+    }
+
+    /// Links each half-edge to the one that follows it: from its end on, the next one clockwise. O(n log n).
+    pub(super) fn link(&mut self) {
+        let mut around: Vec<(u32, u32)> = Vec::new();
+        for (arc, ends) in self.ends.iter().enumerate() {
+            let sides = ends.iter().zip(2 * arc as u32..);
+            around.extend(sides.filter(|(v, _)| **v != NIL).map(|(v, h)| (*v, h)));
+        }
+        around.sort_unstable();
+        self.next = vec![NIL; 2 * self.ends.len()];
+        for leaving in around.chunk_by_mut(|a, b| a.0 == b.0) {
+            let center = self.points[leaving[0].0 as usize];
+            leaving.sort_by(|a, b| compare_angle(center, self.towards(a.1 as usize), self.towards(b.1 as usize)));
+            for (i, (_, h)) in leaving.iter().enumerate() {
+                let before = i.checked_sub(1).unwrap_or(leaving.len() - 1);
+                self.next[(h ^ 1) as usize] = leaving[before].1;
+            }
+        }
+    }
+
+    /// Finds the cycles of the faces. The one with the outer ring is the outer one. O(n log n).
+    pub(super) fn list(&mut self) {
+        self.outer = vec![NIL; self.names.len()];
+        let mut seen = vec![false; self.next.len()];
+        for start in 0..self.next.len() {
+            let face = self.label[start];
+            if face == NIL || self.next[start] == NIL {
+                continue;
+            }
+            let (mut h, mut is_outer, mut is_new) = (start, false, false);
+            // `next` is a permutation, as each half-edge follows one other.
+            while !seen[h] {
+                (seen[h], is_new) = (true, true);
+                is_outer |= self.is_outer[h] && self.label[h] == face;
+                h = self.next[h] as usize;
+            }
+            let outer = &mut self.outer[face as usize];
+            if is_new && is_outer && *outer == NIL {
+                *outer = start as u32;
+            } else if is_new {
+                self.inner.push((face, start as u32));
+            }
+        }
+        self.inner.sort_unstable();
+    }
+
+    /// The inner cycles of a face.
+    fn inner_of(&self, face: usize) -> &[(u32, u32)] {
+        let before = |face: usize| self.inner.partition_point(|(f, _)| (*f as usize) < face);
+        &self.inner[before(face)..before(face.saturating_add(1))]
+    }
+}
+
+fn entry(column: &[u32], i: usize) -> Link {
+    column.get(i).filter(|slot| **slot != NIL).map(|slot| *slot as usize)
+}
+
+impl View for ArcTopology {
+    fn vertex_slots(&self) -> usize {
+        self.points.len()
+    }
+
+    fn half_edge_slots(&self) -> usize {
+        self.next.len()
+    }
+
+    fn face_slots(&self) -> usize {
+        self.outer.len()
+    }
+
+    fn is_half_edge(&self, half_edge: usize) -> bool {
+        self.ends[half_edge / 2][0] != NIL
+    }
+
+    fn origin(&self, half_edge: usize) -> Link {
+        entry(&self.ends[half_edge / 2], half_edge % 2)
+    }
+
+    fn twin(&self, half_edge: usize) -> Link {
+        Some(half_edge ^ 1)
+    }
+
+    fn next(&self, half_edge: usize) -> Link {
+        entry(&self.next, half_edge)
+    }
+
+    fn face(&self, half_edge: usize) -> Link {
+        entry(&self.label, half_edge)
+    }
+
+    fn outer_half_edge(&self, face: usize) -> Link {
+        entry(&self.outer, face)
+    }
+
+    fn inner_count(&self, face: usize) -> usize {
+        self.inner_of(face).len()
+    }
+
+    fn inner_start(&self, face: usize, position: usize) -> Option<Start> {
+        self.inner_of(face).get(position).map(|(_, h)| Start::HalfEdge(*h as usize))
+    }
+}
+
+impl Embedding for ArcTopology {
+    fn point(&self, vertex: usize) -> Point {
+        self.points[vertex]
+    }
+
+    fn bends(&self, half_edge: usize) -> usize {
+        self.first_bend[half_edge / 2 + 1] - self.first_bend[half_edge / 2]
+    }
+
+    fn bend(&self, half_edge: usize, bend: usize) -> Point {
+        let [from, to] = [self.first_bend[half_edge / 2], self.first_bend[half_edge / 2 + 1]];
+        self.bends[if half_edge.is_multiple_of(2) { from + bend } else { to - 1 - bend }]
+    }
+}

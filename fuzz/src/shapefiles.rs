@@ -1,0 +1,56 @@
+//! Shapefiles.
+
+use std::fs;
+use std::path::Path;
+use std::process;
+use twinedge_formats::layer::{Format, Layer, ReadOptions, read_path, write_path};
+
+/// A Shapefile of up to four parts: the first byte says which, and then each has its length as two bytes, the low one first. The last one is
+/// what is left. The reader returns; what is read is written, and comes back as it was written.
+///
+/// # Panics
+/// If not, or if files cannot be written to the folder for temporary ones.
+pub fn shapefile(bytes: &[u8]) {
+    let folder = std::env::temp_dir().join(format!("twinedge-fuzz-{}", process::id()));
+    let _ = fs::remove_dir_all(&folder);
+    fs::create_dir_all(&folder).expect("a folder for temporary files");
+    let once = lay_out(bytes, &folder.join("map.shp")).then(|| read(&folder.join("map.shp"))).flatten();
+    // A Shapefile has one type of geometries, and other limits that an input need not keep.
+    let written = once.and_then(|layer| written(&layer, &folder.join("once.shp")));
+    if let Some(once) = written {
+        let twice = self::written(&once, &folder.join("twice.shp")).expect("what was written once");
+        // As text: a measure may be NaN.
+        assert_eq!(format!("{:?}", once.features), format!("{:?}", twice.features));
+    }
+    let _ = fs::remove_dir_all(&folder);
+}
+
+fn read(path: &Path) -> Option<Layer> {
+    read_path(path, &ReadOptions::default()).ok()
+}
+
+fn written(layer: &Layer, path: &Path) -> Option<Layer> {
+    write_path(layer, path, Format::Shapefile).ok()?;
+    Some(read_path(path, &ReadOptions::default()).expect("what was written is a Shapefile"))
+}
+
+/// Writes the parts; false if there are none.
+fn lay_out(bytes: &[u8], path: &Path) -> bool {
+    let Some((parts, mut rest)) = bytes.split_first() else { return false };
+    let chosen: Vec<&str> = ["shp", "dbf", "shx", "cpg"]
+        .into_iter()
+        .enumerate()
+        .filter(|(i, _)| parts >> i & 1 == 1)
+        .map(|(_, e)| e)
+        .collect();
+    for (i, extension) in chosen.iter().enumerate() {
+        let mut part = rest;
+        if i + 1 < chosen.len() {
+            let Some((length, after)) = rest.split_first_chunk() else { return false };
+            let length = usize::from(u16::from_le_bytes(*length)).min(after.len());
+            (part, rest) = after.split_at(length);
+        }
+        fs::write(path.with_extension(extension), part).expect("the folder is there");
+    }
+    !chosen.is_empty()
+}

@@ -1,0 +1,35 @@
+//! Files of TopoJSON.
+
+use twinedge_formats::layer::{Format, Place, ReadError, ReadOptions, read_layer, topojson as arcs, write};
+
+/// The reader and the audit of the arcs return, and errors lie inside the input. What is read is written as well-known binary and read again as it was.
+///
+/// # Panics
+/// If not.
+pub fn topojson(bytes: &[u8]) {
+    let lines = bytes.iter().filter(|byte| **byte == b'\n').count() + 1;
+    // Each object for itself, where there are several.
+    let mut layers = vec![None];
+    if let Err(error) = arcs::read(&mut &*bytes, None, 2) {
+        match error {
+            ReadError::Layers { layers: found, .. } => layers = found.into_iter().map(Some).collect(),
+            ReadError::Content { place: Place::Text(at), .. } => assert!(at.line <= lines, "{at}"),
+            _ => {}
+        }
+    }
+    for layer in layers.into_iter().take(3) {
+        if let Ok(topology) = arcs::read(&mut &*bytes, layer.as_deref(), 2) {
+            let audit = arcs::audit(&topology, 2);
+            assert_eq!(audit.is_valid(), audit.violation_count() == 0, "{audit}");
+        }
+        let options = ReadOptions { format: Some(Format::TopoJson), layer };
+        let Ok(found) = read_layer(&mut &*bytes, None, &options) else { continue };
+        let mut once = Vec::new();
+        write(&found, &mut once, Format::Wkb).expect("memory");
+        let options = ReadOptions { format: Some(Format::Wkb), layer: None };
+        let again = read_layer(&mut &*once, None, &options).expect("what was written is well-known binary");
+        let mut twice = Vec::new();
+        write(&again, &mut twice, Format::Wkb).expect("memory");
+        assert!(once == twice);
+    }
+}

@@ -1,0 +1,50 @@
+//! Work that may be divided: with the feature `rayon` among the threads of its current pool, otherwise it is done on one thread.
+//! The result is the same, bit for bit.
+
+use core::cmp::Ordering;
+
+/// Shorter slices are sorted on one thread.
+#[cfg(feature = "rayon")]
+const LONG: usize = 1 << 14;
+
+/// Does both, and returns both results.
+#[cfg(feature = "rayon")]
+pub(crate) fn join<A: Send, B: Send>(a: impl FnOnce() -> A + Send, b: impl FnOnce() -> B + Send) -> (A, B) {
+    rayon::join(a, b)
+}
+
+/// Does both, and returns both results.
+#[cfg(not(feature = "rayon"))]
+pub(crate) fn join<A, B>(a: impl FnOnce() -> A, b: impl FnOnce() -> B) -> (A, B) {
+    (a(), b())
+}
+
+/// Sorts by an order in which only equal items tie, so that there is one result. O(n log n).
+#[cfg(feature = "rayon")]
+pub(crate) fn sort_unstable_by<T: Send>(items: &mut [T], order: impl Fn(&T, &T) -> Ordering + Sync) {
+    use rayon::slice::ParallelSliceMut;
+    if items.len() < LONG {
+        items.sort_unstable_by(order);
+    } else {
+        items.par_sort_unstable_by(order);
+    }
+}
+
+/// Sorts by an order in which only equal items tie, so that there is one result. O(n log n).
+#[cfg(not(feature = "rayon"))]
+pub(crate) fn sort_unstable_by<T>(items: &mut [T], order: impl Fn(&T, &T) -> Ordering) {
+    items.sort_unstable_by(order);
+}
+
+/// What a function says of each item, in their order.
+#[cfg(all(feature = "map", feature = "rayon"))]
+pub(crate) fn map<T: Sync, R: Send>(items: &[T], of: impl Fn(&T) -> R + Sync + Send) -> Vec<R> {
+    use rayon::iter::{IntoParallelRefIterator, ParallelIterator};
+    items.par_iter().map(of).collect()
+}
+
+/// What a function says of each item, in their order.
+#[cfg(all(feature = "map", not(feature = "rayon")))]
+pub(crate) fn map<T, R>(items: &[T], of: impl Fn(&T) -> R) -> Vec<R> {
+    items.iter().map(of).collect()
+}

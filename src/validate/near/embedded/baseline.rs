@@ -1,0 +1,165 @@
+//! The structure and its coordinates as they were when they were last found right.
+
+use super::disjoint::is_disjoint;
+use super::drawing::Drawing;
+use super::drawn::Update;
+use super::inside::is_inside;
+use super::tree::DrawnTrees;
+use crate::geometry::Point;
+use crate::validate::embedding::Embedding;
+use crate::validate::expectation::{Expectation, Part, Surface};
+use crate::validate::geometric::validator::validate_embedding;
+use crate::validate::near::baseline::{Baseline, BaselineError, fit};
+use crate::validate::near::check::{Changes, changes};
+use crate::validate::near::mirror::{Mirror, Now};
+use crate::validate::near::touched::Touched;
+use crate::validate::report::{Collect, Report};
+
+/// The links and coordinates of a structure that was found right, to compare it with after a change. See
+/// [`validate_embedding_near`].
+///
+/// Takes, beside a [`Baseline`], 16 bytes per vertex, and about 70 per edge and 40 per inner boundary component for R-trees of them.
+#[derive(Clone, Debug)]
+pub struct EmbeddingBaseline {
+    links: Baseline,
+    points: Vec<Point>,
+    /// None if the drawing was not read since the links were.
+    trees: Option<DrawnTrees>,
+}
+
+impl EmbeddingBaseline {
+    /// Validates the structure in full, and keeps its links and coordinates. O(n log n).
+    ///
+    /// # Errors
+    /// The structure is not valid; or edges have bends; or the expectation is not that of a plane map with faces, boundary
+    /// components, places, lists of inner ones, and an unbounded face.
+    pub fn new<E: Embedding + ?Sized>(embedding: &E, expectation: &Expectation) -> Result<Self, BaselineError> {
+        Baseline::supports(expectation)?;
+        let needed = [Part::Faces, Part::BoundaryComponents, Part::Places, Part::Holes, Part::UnboundedFace];
+        if let Some(part) = needed.into_iter().find(|part| !expectation.has(*part)) {
+            return Err(BaselineError::Lacks(part));
+        }
+        if expectation.surface_kind() != Surface::Plane {
+            return Err(BaselineError::NotPlane);
+        }
+        validate_embedding(embedding, expectation, Collect::All).into_result().map_err(BaselineError::Invalid)?;
+        let links = Baseline::of_right(embedding, expectation)?;
+        let half_edges = links.mirror.half_edges.iter().enumerate();
+        let mut edges = half_edges.filter(|(h, row)| row.is_live() && *h < row.twin as usize);
+        if edges.any(|(h, _)| embedding.bends(h) > 0) {
+            return Err(BaselineError::Bends);
+        }
+        let mut baseline = Self { links, points: Vec::new(), trees: None };
+        baseline.read_drawing(embedding).ok_or(BaselineError::Changing)?;
+        Ok(baseline)
+    }
+
+    /// What the structure is held to.
+    #[must_use]
+    pub const fn expectation(&self) -> &Expectation {
+        self.links.expectation()
+    }
+
+    /// Reads where everything lies: all of it has come since there was nothing.
+    fn read_drawing<E: Embedding + ?Sized>(&mut self, embedding: &E) -> Option<()> {
+        self.trees = None;
+        let nothing = Mirror::default();
+        let all = Changes::all_of(&self.links.mirror, self.links.counts);
+        let drawing = Drawing::new(embedding, &nothing, &[], &all)?;
+        let update = drawing.update()?;
+        self.points.clear();
+        put(&mut self.points, self.links.mirror.vertices.len(), drawing.into_placed());
+        self.trees = Some(DrawnTrees::new(update));
+        Some(())
+    }
+}
+
+/// Points by index of vertex.
+fn put(points: &mut Vec<Point>, slots: usize, placed: Vec<(usize, Point)>) {
+    fit(points, slots, Point::default());
+    for (v, p) in placed {
+        if let Some(place) = points.get_mut(v) {
+            *place = p;
+        }
+    }
+}
+
+/// Validates a structure with coordinates after a change, in time proportional to the change, all rules from R1 to T4 and from G1 to
+/// G5: [what is checked](crate::validate::near#with-coordinates).
+///
+/// `touched` names every record that has changed since the baseline was made or last moved on, and each vertex that lies elsewhere. If
+/// all is right, the baseline moves on. Costs O(k log n) for k records that were touched, or are edges of vertices that lie elsewhere,
+/// in a structure of n; and besides
+///
+/// - for each edge that is drawn elsewhere, what an R-tree takes to find the edges whose boxes meet its own, and those edges;
+/// - for each face whose extent has changed, O(log k) for each inner boundary component that starts in the box around what it has
+///   gained or lost.
+///
+/// If something is wrong, the structure is validated in full, so that the report is that of
+/// [`validate_embedding`](crate::validate::validate_embedding): O(n log n). The baseline stays as it is then.
+///
+/// ```
+/// use twinedge::map::PlanarMap;
+/// use twinedge::validate::near::{EmbeddingBaseline, Touched, validate_embedding_near};
+/// use twinedge::validate::{Expectation, View};
+///
+/// let mut map = PlanarMap::new();
+/// let corner = map.insert_ring([[0.0, 0.0], [4.0, 0.0], [0.0, 4.0]])?.vertices[0];
+/// let mut baseline = EmbeddingBaseline::new(&map, &Expectation::plane())?;
+/// map.move_vertex(corner, [-1.0, -1.0])?;
+/// let touched = Touched { vertices: vec![map.dcel().vertex(corner)?.index()], ..Touched::default() };
+/// validate_embedding_near(&mut baseline, &map, &touched)?;
+/// # Ok::<(), Box<dyn std::error::Error>>(())
+/// ```
+///
+/// # Errors
+/// The report of the full validation, if a rule is broken.
+pub fn validate_embedding_near<E: Embedding + ?Sized>(
+    baseline: &mut EmbeddingBaseline,
+    embedding: &E,
+    touched: &Touched,
+) -> Result<(), Box<Report>> {
+    let EmbeddingBaseline { links, points, trees } = baseline;
+    if let (Some(now), Some(trees)) = (Now::new(embedding, links.expect), trees) {
+        let found = changes(&links.mirror, &now, links.counts, touched).and_then(|changes| {
+            let placed = checked(&links.mirror, points, trees, embedding, &changes)?;
+            Some((changes, placed))
+        });
+        if let Some((changes, placed)) = found {
+            put(points, now.vertices, placed);
+            links.follow(&now, changes);
+            return Ok(());
+        }
+    }
+    validate_embedding(embedding, &links.expect, Collect::All).into_result()?;
+    // The structure is right: some record that has changed was not named, or what has changed does not tell what lies where.
+    if links.read(embedding).is_some() {
+        let _ = baseline.read_drawing(embedding);
+    }
+    Ok(())
+}
+
+/// Checks G1 … G5, and gives the places of the vertices that may differ. The trees have moved on then, and not otherwise.
+fn checked<E: Embedding + ?Sized>(
+    was: &Mirror,
+    points: &[Point],
+    trees: &mut DrawnTrees,
+    embedding: &E,
+    changes: &Changes,
+) -> Option<Vec<(usize, Point)>> {
+    let drawing = Drawing::new(embedding, was, points, changes)?;
+    let update = drawing.update()?;
+    trees.apply(&update);
+    let keeps = keeps_rules(&drawing, &update, trees);
+    if keeps.is_none() {
+        trees.undo(&update);
+    }
+    keeps.map(|()| drawing.into_placed())
+}
+
+fn keeps_rules(drawing: &Drawing<'_>, update: &Update, trees: &DrawnTrees) -> Option<()> {
+    drawing.angles()?;
+    is_disjoint(&update.come, trees).then_some(())?;
+    drawing.winding()?;
+    is_inside(drawing, trees)
+}

@@ -1,0 +1,211 @@
+//! How often closed walks go around a point that is as close to a half-edge as can be.
+
+use crate::geometry::Point;
+use crate::geometry::predicates::{Orientation, compare_lexicographic, count_step, orientation};
+use core::cmp::Ordering;
+use rstar::{AABB, RTree, RTreeObject};
+use rustc_hash::FxHashMap;
+
+/// A point infinitely close to the beginning of a half-edge, on it, and then infinitely less far to its left.
+#[derive(Clone, Copy, Debug)]
+pub(super) struct Beside {
+    pub(super) at: Point,
+    /// Where the half-edge leads, which is elsewhere.
+    pub(super) towards: Point,
+}
+
+impl Beside {
+    /// Close to an isolated point, on some side of it.
+    pub(super) fn isolated(at: Point) -> Self {
+        Self { at, towards: Point::new(if at.x == 0.0 { 1.0 } else { 0.0 }, at.y) }
+    }
+
+    /// Whether it is to the left of another point; it is never straight above or below.
+    fn is_left_of(&self, p: Point) -> bool {
+        let Self { at, towards } = self;
+        let by_x = |a: f64, b: f64| a.partial_cmp(&b).unwrap_or(Ordering::Equal);
+        // To the left of upwards is to the left.
+        by_x(at.x, p.x).then(by_x(towards.x, at.x)).then(by_x(at.y, towards.y)).is_lt()
+    }
+
+    /// Whether it is above a segment from left to right that passes above or below it.
+    fn is_above(&self, low: Point, high: Point) -> bool {
+        let above = match orientation(low, high, self.at) {
+            Orientation::Collinear => orientation(low, high, self.towards),
+            side => side,
+        };
+        match above {
+            Orientation::CounterClockwise => true,
+            Orientation::Clockwise => false,
+            Orientation::Collinear => compare_lexicographic(self.at, self.towards).is_lt(),
+        }
+    }
+}
+
+/// A segment with its ends in order, and how often walks take it from left to right, less how often from right to left.
+#[derive(Clone, Copy, Debug)]
+struct Weighted {
+    low: Point,
+    high: Point,
+    weight: i64,
+}
+
+impl RTreeObject for Weighted {
+    type Envelope = AABB<[f64; 2]>;
+
+    fn envelope(&self) -> Self::Envelope {
+        AABB::from_corners(self.low.into(), self.high.into())
+    }
+}
+
+/// A sum of closed walks. What cancels out is left out.
+#[derive(Debug, Default)]
+pub(super) struct Chain {
+    segments: Vec<Weighted>,
+}
+
+/// The segments at a point of a chain.
+#[derive(Default)]
+struct Joint {
+    count: usize,
+    ends_here: Option<usize>,
+    begins_here: Option<usize>,
+}
+
+impl Chain {
+    /// Adds a segment, as often as `weight` says.
+    pub(super) fn add(&mut self, [from, to]: [Point; 2], weight: i64) {
+        let [from, to] = [from, to].map(|p| Point::new(p.x + 0.0, p.y + 0.0));
+        let rises = compare_lexicographic(from, to).is_lt();
+        let (low, high, weight) = if rises { (from, to, weight) } else { (to, from, -weight) };
+        self.segments.push(Weighted { low, high, weight });
+    }
+
+    /// The sum of what was added. O(k log k).
+    pub(super) fn summed(mut self) -> SummedChain {
+        self.cancel();
+        self.straighten();
+        self.cancel();
+        let infinite = Point::new(f64::INFINITY, f64::INFINITY);
+        let mut corners = [infinite, Point::new(-infinite.x, -infinite.y)];
+        for Weighted { low, high, .. } in &self.segments {
+            let [from, to] = &mut corners;
+            *from = Point::new(from.x.min(low.x), from.y.min(low.y).min(high.y));
+            *to = Point::new(to.x.max(high.x), to.y.max(low.y).max(high.y));
+        }
+        let corners = (!self.segments.is_empty()).then_some(corners);
+        SummedChain { corners, tree: RTree::bulk_load(self.segments) }
+    }
+
+    /// Each segment once.
+    fn cancel(&mut self) {
+        self.segments
+            .sort_unstable_by(|a, b| compare_lexicographic(a.low, b.low).then(compare_lexicographic(a.high, b.high)));
+        self.segments.dedup_by(|next, sum| {
+            let same = next.low == sum.low && next.high == sum.high;
+            if same {
+                sum.weight += next.weight;
+            }
+            same
+        });
+        self.segments.retain(|segment| segment.weight != 0);
+    }
+
+    /// Joins segments that go on straight, as where an edge was split.
+    fn straighten(&mut self) {
+        let mut joints: FxHashMap<(u64, u64), Joint> = FxHashMap::default();
+        for (i, Weighted { low, high, .. }) in self.segments.iter().enumerate() {
+            let joint = joints.entry(low.hash_key()).or_default();
+            joint.count += 1;
+            joint.begins_here = Some(i);
+            let joint = joints.entry(high.hash_key()).or_default();
+            joint.count += 1;
+            joint.ends_here = Some(i);
+        }
+        // From left to right, so that what is behind a segment is joined to it already.
+        for i in 0..self.segments.len() {
+            let after = self.segments[i];
+            let Some(&Joint { count: 2, ends_here: Some(j), begins_here: Some(_) }) = joints.get(&after.low.hash_key())
+            else {
+                continue;
+            };
+            let before = self.segments[j];
+            let straight = orientation(before.low, after.low, after.high) == Orientation::Collinear;
+            if straight && before.weight == after.weight {
+                self.segments[i].low = before.low;
+                self.segments[j].weight = 0;
+            }
+        }
+    }
+}
+
+/// A sum of closed walks, to be asked.
+#[derive(Debug, Default)]
+pub(super) struct SummedChain {
+    corners: Option<[Point; 2]>,
+    tree: RTree<Weighted>,
+}
+
+impl SummedChain {
+    /// The corners of the box around it, unless nothing is left of it.
+    pub(super) const fn corners(&self) -> Option<[Point; 2]> {
+        self.corners
+    }
+
+    /// How often it goes around a point counter-clockwise. O(log k), and what an R-tree takes to find what is below the point.
+    pub(super) fn around(&self, p: Beside) -> i64 {
+        let below = AABB::from_corners([p.at.x, f64::MIN], p.at.into());
+        let passes = |segment: &&Weighted| {
+            count_step();
+            !p.is_left_of(segment.low) && p.is_left_of(segment.high) && p.is_above(segment.low, segment.high)
+        };
+        self.tree.locate_in_envelope_intersecting(below).filter(passes).map(|segment| segment.weight).sum()
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::{Beside, Chain, Point};
+
+    fn chain(walks: &[&[[f64; 2]]]) -> super::SummedChain {
+        let mut chain = Chain::default();
+        for walk in walks {
+            for (i, p) in walk.iter().enumerate() {
+                chain.add([Point::from(*p), walk[(i + 1) % walk.len()].into()], 1);
+            }
+        }
+        chain.summed()
+    }
+
+    const SQUARE: &[[f64; 2]] = &[[0.0, 0.0], [4.0, 0.0], [4.0, 4.0], [0.0, 4.0]];
+
+    #[test]
+    fn a_point_just_to_the_left_of_each_side_is_inside() {
+        let square = chain(&[SQUARE]);
+        for i in 0..4 {
+            let [a, b] = [SQUARE[i], SQUARE[(i + 1) % 4]].map(Point::from);
+            assert_eq!(square.around(Beside { at: a, towards: b }), 1, "{a:?}");
+            assert_eq!(square.around(Beside { at: b, towards: a }), 0, "{a:?}");
+        }
+        for (p, times) in [([2.0, 2.0], 1), ([5.0, 2.0], 0), ([2.0, 5.0], 0), ([2.0, -1.0], 0), ([-1.0, 2.0], 0)] {
+            assert_eq!(square.around(Beside::isolated(p.into())), times, "{p:?}");
+        }
+    }
+
+    #[test]
+    fn what_cancels_out_is_left_out() {
+        let back: Vec<[f64; 2]> = SQUARE.iter().rev().copied().collect();
+        assert!(chain(&[SQUARE, &back]).corners().is_none());
+        // With each side in several pieces.
+        let split = |ring: &[[f64; 2]]| -> Vec<[f64; 2]> {
+            let pieces = |i: usize| {
+                let ([ax, ay], [bx, by]) = (ring[i], ring[(i + 1) % ring.len()]);
+                [0.0, 0.25, 0.5].map(|t| [ax + (bx - ax) * t, ay + (by - ay) * t])
+            };
+            (0..ring.len()).flat_map(pieces).collect()
+        };
+        assert!(chain(&[SQUARE, &split(&back)]).corners().is_none());
+        assert!(chain(&[&split(SQUARE), &back]).corners().is_none());
+        assert_eq!(chain(&[SQUARE, SQUARE]).around(Beside::isolated([1.0, 1.0].into())), 2);
+    }
+}

@@ -1,0 +1,27 @@
+//! G4: what is drawn now, against everything whose box it meets.
+
+use super::drawn::{Drawn, Thing};
+use super::tree::DrawnTrees;
+use crate::geometry::predicates::{Meeting, meeting, on_segment};
+
+/// Whether what has come, which is in the trees already, meets the rest at shared vertices only.
+pub(super) fn is_disjoint(come: &[Drawn], trees: &DrawnTrees) -> bool {
+    let free = |drawn: &Drawn| trees.beside(drawn).all(|other| other.thing == drawn.thing || !clash(drawn, other));
+    come.iter().all(free)
+}
+
+fn clash(a: &Drawn, b: &Drawn) -> bool {
+    match (a.thing, b.thing) {
+        (Thing::Vertex(_), _) => on_segment(a.ends[0], b.ends[0], b.ends[1]),
+        (_, Thing::Vertex(_)) => on_segment(b.ends[0], a.ends[0], a.ends[1]),
+        (Thing::Edge(_), Thing::Edge(_)) => match meeting(a.ends[0], a.ends[1], b.ends[0], b.ends[1]) {
+            Meeting::Disjoint => false,
+            // At one place there is one vertex.
+            Meeting::SharedEndpoint => (0..2).any(|i| {
+                let other = (0..2).find(|j| a.ends[i] == b.ends[*j]);
+                other.is_some_and(|j| a.vertices[i] != b.vertices[j])
+            }),
+            Meeting::Cross | Meeting::Touch(_) | Meeting::Overlap => true,
+        },
+    }
+}

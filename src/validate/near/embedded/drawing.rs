@@ -1,0 +1,242 @@
+//! A drawing before a change and after it, and what differs.
+
+use super::drawn::{Drawn, Line, Start as DrawnStart, Update};
+use crate::geometry::Point;
+use crate::geometry::predicates::in_range;
+use crate::validate::columns::NIL;
+use crate::validate::embedding::Embedding;
+use crate::validate::near::check::Changes;
+use crate::validate::near::mirror::{HalfEdge, Label, Mirror, Vertex};
+use crate::validate::view::Start;
+
+/// Before the change, or after it.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub(super) enum Time {
+    Before,
+    After,
+}
+
+/// Both, in order.
+pub(super) const TIMES: [Time; 2] = [Time::Before, Time::After];
+
+/// The links and places as they were, and what has changed since.
+pub(super) struct Drawing<'a> {
+    was: &'a Mirror,
+    points: &'a [Point],
+    changes: &'a Changes,
+    /// The vertices that may differ and are there now, with their places, sorted.
+    placed: Vec<(usize, Point)>,
+    /// The half-edges that may have other links, or be drawn elsewhere, sorted.
+    pub(super) half_edges: Vec<usize>,
+    /// The labels that may differ, and those that these half-edges have or had, sorted.
+    pub(super) labels: Vec<usize>,
+}
+
+/// Sorts, and drops what occurs twice.
+pub(super) fn sorted<T: Ord>(mut list: Vec<T>) -> Vec<T> {
+    list.sort_unstable();
+    list.dedup();
+    list
+}
+
+fn find<T>(list: &[(usize, T)], slot: usize) -> Option<&T> {
+    list.binary_search_by_key(&slot, |row| row.0).ok().map(|position| &list[position].1)
+}
+
+impl<'a> Drawing<'a> {
+    /// Nothing if a coordinate is out of range or an edge has bends, or if the links before are not those of a structure that was
+    /// right.
+    pub(super) fn new<E: Embedding + ?Sized>(
+        embedding: &E,
+        was: &'a Mirror,
+        points: &'a [Point],
+        changes: &'a Changes,
+    ) -> Option<Self> {
+        let live = changes.vertices.iter().filter(|(_, row)| row.is_live());
+        let placed: Vec<(usize, Point)> = live.map(|(v, _)| (*v, embedding.point(*v))).collect();
+        if !placed.iter().all(|(_, p)| in_range(*p)) {
+            return None;
+        }
+        let mut drawing = Self { was, points, changes, placed, half_edges: Vec::new(), labels: Vec::new() };
+        let mut half_edges: Vec<usize> = changes.half_edges.iter().map(|(h, _)| *h).collect();
+        for (v, _) in &changes.vertices {
+            if drawing.place(Time::Before, *v) != drawing.place(Time::After, *v) {
+                for time in TIMES {
+                    drawing.rotation(time, *v, &mut half_edges)?;
+                }
+            }
+        }
+        for time in TIMES {
+            let twins: Vec<usize> = half_edges.iter().filter_map(|h| drawing.twin(time, *h)).collect();
+            half_edges.extend(twins);
+        }
+        let half_edges = sorted(half_edges);
+        let straight = |h: &usize| {
+            let twin = drawing.twin(Time::After, *h);
+            twin.is_none_or(|twin| twin < *h || embedding.bends(*h) == 0)
+        };
+        if !half_edges.iter().all(straight) {
+            return None;
+        }
+        let mut labels: Vec<usize> = changes.labels.iter().map(|(b, _)| *b).collect();
+        for time in TIMES {
+            labels.extend(half_edges.iter().filter_map(|h| drawing.label_of(time, *h)));
+        }
+        drawing.half_edges = half_edges;
+        drawing.labels = sorted(labels);
+        Some(drawing)
+    }
+
+    /// The places of the vertices that may differ.
+    pub(super) fn into_placed(self) -> Vec<(usize, Point)> {
+        self.placed
+    }
+
+    pub(super) fn row(&self, time: Time, h: usize) -> HalfEdge {
+        let was = self.was.half_edge(h);
+        match time {
+            Time::Before => was,
+            Time::After => find(&self.changes.half_edges, h).copied().unwrap_or_else(|| {
+                let prev = find(&self.changes.followed, h).copied();
+                HalfEdge { prev: prev.unwrap_or(was.prev), ..was }
+            }),
+        }
+    }
+
+    pub(super) fn vertex(&self, time: Time, v: usize) -> Vertex {
+        let now = if time == Time::After { find(&self.changes.vertices, v) } else { None };
+        now.copied().unwrap_or_else(|| self.was.vertex(v))
+    }
+
+    pub(super) fn label(&self, time: Time, b: usize) -> Label {
+        let now = if time == Time::After { find(&self.changes.labels, b) } else { None };
+        now.copied().unwrap_or_else(|| self.was.label(b))
+    }
+
+    /// The outer boundary component of a live face, or nil, and the number of inner ones.
+    pub(super) fn face(&self, time: Time, f: usize) -> Option<(u32, usize)> {
+        let now = if time == Time::After { find(&self.changes.faces, f) } else { None };
+        now.copied().unwrap_or_else(|| {
+            let was = self.was.faces.get(f).filter(|face| face.is_live())?;
+            Some((was.outer, was.inner.len()))
+        })
+    }
+
+    /// Whether it is the unbounded face.
+    pub(super) fn is_unbounded(&self, time: Time, f: usize) -> bool {
+        self.face(time, f).is_some_and(|(outer, _)| outer == NIL)
+    }
+
+    pub(super) fn place(&self, time: Time, v: usize) -> Option<Point> {
+        if !self.vertex(time, v).is_live() {
+            return None;
+        }
+        let now = if time == Time::After { find(&self.placed, v) } else { None };
+        now.or_else(|| self.points.get(v)).copied()
+    }
+
+    pub(super) fn twin(&self, time: Time, h: usize) -> Option<usize> {
+        Some(self.row(time, h)).filter(HalfEdge::is_live).map(|row| row.twin as usize)
+    }
+
+    /// The half-edge that follows clockwise in the rotation.
+    pub(super) fn turned(&self, time: Time, h: usize) -> Option<usize> {
+        self.twin(time, h).map(|twin| self.row(time, twin).next as usize)
+    }
+
+    pub(super) fn line(&self, time: Time, h: usize) -> Option<Line> {
+        let row = self.row(time, h);
+        let vertices = [row.origin, self.row(time, self.twin(time, h)?).origin];
+        let points = [self.place(time, vertices[0] as usize)?, self.place(time, vertices[1] as usize)?];
+        Some(Line { vertices, points })
+    }
+
+    /// Where a half-edge is drawn, if that is the same before and after.
+    pub(super) fn kept(&self, h: usize) -> Option<[Point; 2]> {
+        let [before, after] = TIMES.map(|time| self.line(time, h).map(|line| line.points));
+        before.filter(|_| before == after)
+    }
+
+    pub(super) fn label_of(&self, time: Time, h: usize) -> Option<usize> {
+        Some(self.row(time, h)).filter(HalfEdge::is_live).map(|row| row.label as usize)
+    }
+
+    /// The face to the left of a half-edge.
+    pub(super) fn face_of(&self, time: Time, h: usize) -> Option<usize> {
+        let label = self.label(time, self.label_of(time, h)?);
+        label.is_live().then_some(label.face as usize)
+    }
+
+    /// The half-edges that leave a vertex.
+    fn rotation(&self, time: Time, v: usize, into: &mut Vec<usize>) -> Option<()> {
+        let vertex = self.vertex(time, v);
+        if !vertex.is_live() || vertex.leaving == NIL {
+            return Some(());
+        }
+        let first = vertex.leaving as usize;
+        let mut h = first;
+        // Only links that are not right lead around for ever.
+        for _ in 0..=self.was.half_edges.len() + self.changes.half_edges.len() {
+            into.push(h);
+            h = self.turned(time, h)?;
+            if h == first {
+                return Some(());
+            }
+        }
+        None
+    }
+
+    /// An edge as the index has it, by the smaller of its half-edges.
+    fn edge(&self, time: Time, h: usize) -> Option<Drawn> {
+        self.twin(time, h).filter(|twin| h < *twin)?;
+        self.line(time, h).map(|line| Drawn::edge(h, line))
+    }
+
+    /// An isolated vertex as the index has it.
+    fn isolated(&self, time: Time, v: usize) -> Option<Drawn> {
+        let vertex = self.vertex(time, v);
+        let place = self.place(time, v).filter(|_| vertex.isolated != NIL)?;
+        Some(Drawn::vertex(v, place))
+    }
+
+    /// Where an inner boundary component starts.
+    fn start(&self, time: Time, b: usize) -> Option<DrawnStart> {
+        let label = self.label(time, b);
+        label.inner()?;
+        let at = match label.start {
+            Start::HalfEdge(h) => self.line(time, h)?.points[0],
+            Start::Vertex(v) => self.place(time, v)?,
+        };
+        Some(DrawnStart { label: b as u32, at })
+    }
+
+    /// What an index has to take off and to add. Nothing if an edge has no length.
+    pub(super) fn update(&self) -> Option<Update> {
+        fn put<T: PartialEq>(pair: [Option<T>; 2], gone: &mut Vec<T>, come: &mut Vec<T>) {
+            if pair[0] != pair[1] {
+                let [before, after] = pair;
+                gone.extend(before);
+                come.extend(after);
+            }
+        }
+        let mut update = Update::default();
+        for h in &self.half_edges {
+            put(TIMES.map(|time| self.edge(time, *h)), &mut update.gone, &mut update.come);
+        }
+        if update.come.iter().any(|edge| edge.ends[0] == edge.ends[1]) {
+            return None;
+        }
+        for (v, _) in &self.changes.vertices {
+            put(TIMES.map(|time| self.isolated(time, *v)), &mut update.gone, &mut update.come);
+        }
+        for b in &self.labels {
+            put(TIMES.map(|time| self.start(time, *b)), &mut update.starts_gone, &mut update.starts_come);
+        }
+        Some(update)
+    }
+
+    /// The boundary components whose records may differ.
+    pub(super) fn changed_labels(&self) -> impl Iterator<Item = usize> + '_ {
+        self.changes.labels.iter().map(|(b, _)| *b)
+    }
+}

@@ -1,0 +1,256 @@
+//! G5: each inner boundary component lies in the face that lists it. See [why it need not be located](crate::validate::near#what-lies-where).
+
+use super::chain::{Beside, Chain, SummedChain};
+use super::drawing::{Drawing, TIMES, Time, sorted};
+use super::tree::DrawnTrees;
+use crate::geometry::Point;
+use crate::geometry::predicates::compare_lexicographic;
+use crate::validate::columns::NIL;
+use crate::validate::view::Start;
+use rustc_hash::FxHashMap;
+
+/// Where the boundary components of the faces went.
+#[derive(Default)]
+struct Moves {
+    /// How many went from one face to another, by both.
+    moved: FxHashMap<(usize, usize), usize>,
+    /// How many went from a face to others, and how many are no more.
+    left: FxHashMap<usize, usize>,
+    dead: FxHashMap<usize, usize>,
+    /// For each face those from which it has some, itself included, sorted; and the other way round.
+    sources: FxHashMap<usize, Vec<usize>>,
+    targets: FxHashMap<usize, Vec<usize>>,
+}
+
+impl Moves {
+    fn of(drawing: &Drawing<'_>, faces: &[usize]) -> Option<Self> {
+        let mut moves = Self::default();
+        for b in drawing.changed_labels() {
+            let [before, after] = TIMES.map(|time| Some(drawing.label(time, b)).filter(|label| label.is_live()));
+            let Some(before) = before.map(|label| label.face as usize) else { continue };
+            match after.map(|label| label.face as usize) {
+                None => *moves.dead.entry(before).or_default() += 1,
+                Some(after) if after != before => {
+                    *moves.left.entry(before).or_default() += 1;
+                    *moves.moved.entry((before, after)).or_default() += 1;
+                }
+                Some(_) => {}
+            }
+        }
+        let mut ways: Vec<(usize, usize)> = moves.moved.keys().copied().collect();
+        for f in faces {
+            if count(drawing, *f) > moves.left(*f).checked_add(moves.dead(*f))? {
+                ways.push((*f, *f));
+            }
+        }
+        for (from, to) in sorted(ways) {
+            moves.sources.entry(to).or_default().push(from);
+            moves.targets.entry(from).or_default().push(to);
+        }
+        Some(moves)
+    }
+
+    fn left(&self, f: usize) -> usize {
+        self.left.get(&f).copied().unwrap_or(0)
+    }
+
+    fn dead(&self, f: usize) -> usize {
+        self.dead.get(&f).copied().unwrap_or(0)
+    }
+
+    fn sources(&self, f: usize) -> &[usize] {
+        self.sources.get(&f).map_or(&[], Vec::as_slice)
+    }
+
+    /// Whether all boundary components of a face that are left are now of another one, or still its own.
+    fn is_whole(&self, drawing: &Drawing<'_>, from: usize, to: usize) -> bool {
+        if from == to {
+            return self.left(from) == 0;
+        }
+        let moved = self.moved.get(&(from, to)).copied().unwrap_or(0);
+        moved + self.dead(from) == count(drawing, from)
+    }
+}
+
+/// How many boundary components a face had.
+fn count(drawing: &Drawing<'_>, f: usize) -> usize {
+    drawing.face(Time::Before, f).map_or(0, |(outer, inner)| inner + usize::from(outer != NIL))
+}
+
+/// What is known of an inner boundary component: a place beside it that is as it was, with the face in which that was, or its
+/// smallest point.
+enum Known {
+    Kept(Beside, usize),
+    New(Point),
+}
+
+/// G5. Nothing also where this cannot be told from what has changed.
+pub(super) fn is_inside(drawing: &Drawing<'_>, trees: &DrawnTrees) -> Option<()> {
+    let faces = |b: &usize| {
+        let face = |time: Time| Some(drawing.label(time, *b)).filter(|label| label.is_live()).map(|label| label.face);
+        TIMES.map(|time| face(time).map(|f| f as usize))
+    };
+    let faces: Vec<usize> = sorted(drawing.labels.iter().flat_map(faces).flatten().collect());
+    let moves = Moves::of(drawing, &faces)?;
+    let chains = chains(drawing, &moves);
+    let check = Check { drawing, trees, moves: &moves, chains: &chains };
+    let mut affected: FxHashMap<usize, usize> = FxHashMap::default();
+    for b in &drawing.labels {
+        let label = drawing.label(Time::After, *b);
+        let Some((f, _)) = label.inner() else { continue };
+        *affected.entry(f).or_default() += 1;
+        let lies_there = match check.known(label.start)? {
+            Known::Kept(beside, was_in) => check.lies_in(f, beside, was_in)?,
+            Known::New(lowest) => match trees.below(lowest) {
+                // The region above an edge is to the left of the half-edge that leads to the right.
+                Some((h, rises)) => {
+                    let h = if rises { h } else { drawing.twin(Time::After, h)? };
+                    drawing.face_of(Time::After, h) == Some(f)
+                }
+                None => drawing.is_unbounded(Time::After, f),
+            },
+        };
+        lies_there.then_some(())?;
+    }
+    for f in faces {
+        let Some((_, inner)) = drawing.face(Time::After, f) else { continue };
+        if inner > affected.get(&f).copied().unwrap_or(0) {
+            check.others(f)?;
+        }
+    }
+    Some(())
+}
+
+/// For each face what its boundary has become: what the half-edges of its boundary components are now, less what they were, and
+/// less those that its sources have lost.
+fn chains(drawing: &Drawing<'_>, moves: &Moves) -> FxHashMap<usize, SummedChain> {
+    let mut chains: FxHashMap<usize, Chain> = FxHashMap::default();
+    for h in &drawing.half_edges {
+        let [before, after] = TIMES.map(|time| {
+            let label = drawing.label_of(time, *h)?;
+            drawing.line(time, *h).map(|line| (label, line.points))
+        });
+        if let Some((b, points)) = after {
+            let f = drawing.label(Time::After, b).face as usize;
+            chains.entry(f).or_default().add(points, 1);
+        }
+        if let Some((b, points)) = before {
+            let now = drawing.label(Time::After, b);
+            let was = drawing.label(Time::Before, b).face as usize;
+            let kept_by = now.is_live().then_some(now.face as usize);
+            let lost_by = if now.is_live() { None } else { moves.targets.get(&was) };
+            for f in kept_by.iter().chain(lost_by.into_iter().flatten()) {
+                chains.entry(*f).or_default().add(points, -1);
+            }
+        }
+    }
+    chains.into_iter().map(|(f, chain)| (f, chain.summed())).collect()
+}
+
+struct Check<'a> {
+    drawing: &'a Drawing<'a>,
+    trees: &'a DrawnTrees,
+    moves: &'a Moves,
+    chains: &'a FxHashMap<usize, SummedChain>,
+}
+
+impl Check<'_> {
+    /// What is known of the boundary component that starts here.
+    fn known(&self, start: Start) -> Option<Known> {
+        let drawing = self.drawing;
+        let first = match start {
+            Start::HalfEdge(h) => h,
+            Start::Vertex(v) => return self.known_vertex(v),
+        };
+        let mut lowest = drawing.line(Time::After, first)?.points[0];
+        let mut h = first;
+        // Those that are not as they were are among those that may differ.
+        for _ in 0..=drawing.half_edges.len() {
+            if let Some([at, towards]) = drawing.kept(h) {
+                return Some(Known::Kept(Beside { at, towards }, drawing.face_of(Time::Before, h)?));
+            }
+            let at = drawing.line(Time::After, h)?.points[0];
+            if compare_lexicographic(at, lowest).is_lt() {
+                lowest = at;
+            }
+            h = drawing.row(Time::After, h).next as usize;
+            if h == first {
+                return Some(Known::New(lowest));
+            }
+        }
+        None
+    }
+
+    /// The same of an isolated vertex.
+    fn known_vertex(&self, v: usize) -> Option<Known> {
+        let drawing = self.drawing;
+        let at = drawing.place(Time::After, v)?;
+        if drawing.place(Time::Before, v) != Some(at) {
+            return Some(Known::New(at));
+        }
+        let was = drawing.vertex(Time::Before, v);
+        if was.isolated != NIL {
+            let label = drawing.label(Time::Before, was.isolated as usize);
+            return Some(Known::Kept(Beside::isolated(at), label.face as usize));
+        }
+        let h = was.leaving as usize;
+        let towards = drawing.line(Time::Before, h)?.points[1];
+        Some(Known::Kept(Beside { at, towards }, drawing.face_of(Time::Before, h)?))
+    }
+
+    /// How often what bounds a face now went around a place in another face, or the same, without what has changed. Nothing if
+    /// that cannot be told.
+    fn around_before(&self, f: usize, was_in: usize) -> Option<i64> {
+        let mut around = 0;
+        for from in self.moves.sources(f) {
+            if *from != was_in {
+                self.moves.is_whole(self.drawing, *from, f).then_some(())?;
+                around -= i64::from(self.drawing.is_unbounded(Time::Before, *from));
+                continue;
+            }
+            let (outer, _) = self.drawing.face(Time::Before, *from)?;
+            if outer != NIL {
+                let now = self.drawing.label(Time::After, outer as usize);
+                around += i64::from(!now.is_live() || now.face as usize == f);
+            }
+        }
+        Some(around)
+    }
+
+    /// How often the boundary of a face goes around a place inside it.
+    fn required(&self, f: usize) -> i64 {
+        i64::from(!self.drawing.is_unbounded(Time::After, f))
+    }
+
+    /// Whether a place that was in a face is now in another, or still in it.
+    fn lies_in(&self, f: usize, beside: Beside, was_in: usize) -> Option<bool> {
+        let changed = self.chains.get(&f).map_or(0, |chain| chain.around(beside));
+        Some(self.around_before(f, was_in)? + changed == self.required(f))
+    }
+
+    /// The inner boundary components of a face that were there before, and of which nothing has changed.
+    fn others(&self, f: usize) -> Option<()> {
+        let drawing = self.drawing;
+        (self.around_before(f, f)? == self.required(f)).then_some(())?;
+        let Some((chain, corners)) = self.chains.get(&f).and_then(|chain| Some((chain, chain.corners()?))) else {
+            return Some(());
+        };
+        for b in self.trees.starts_in(corners) {
+            let label = drawing.label(Time::After, b);
+            let is_other =
+                label.inner().is_some_and(|(face, _)| face == f) && drawing.labels.binary_search(&b).is_err();
+            if !is_other {
+                continue;
+            }
+            let beside = match label.start {
+                Start::HalfEdge(h) => {
+                    let [at, towards] = drawing.kept(h)?;
+                    Beside { at, towards }
+                }
+                Start::Vertex(v) => Beside::isolated(drawing.place(Time::After, v)?),
+            };
+            (chain.around(beside) == 0).then_some(())?;
+        }
+        Some(())
+    }
+}

@@ -1,0 +1,371 @@
+//! Local validation of a drawing: the verdict is that of a full validation, after every edit, after every operator with every
+//! argument, and after every corruption of one link or one place; and only what has changed is read.
+
+use crate::support::changes::{difference, touch};
+use crate::support::edits::EvenEdits;
+use quickcheck::{Arbitrary, Gen};
+use std::cell::Cell;
+use twinedge::dcel::{Corner, Dcel, Side, Split, Turn};
+use twinedge::delegate_view;
+use twinedge::geometry::Point;
+use twinedge::map::PlanarMap;
+use twinedge::map::program::{EditOp, EditOutcome, EditProgram, EditRunner};
+use twinedge::validate::enumerate::for_each_corruption;
+use twinedge::validate::near::{EmbeddingBaseline, Touched, validate_embedding_near};
+use twinedge::validate::{BoundaryPlace, Collect, Embedding, Expectation, Rule, Table, View, validate_embedding};
+
+const PLANE: Expectation = Expectation::plane();
+
+/// A structure with coordinates, and how often it was asked for one.
+struct Scene {
+    table: Table,
+    points: Vec<Point>,
+    asked: Cell<usize>,
+}
+
+impl View for Scene {
+    delegate_view!(|this| &this.table);
+}
+
+impl Embedding for Scene {
+    fn point(&self, vertex: usize) -> Point {
+        self.asked.set(self.asked.get() + 1);
+        self.points.get(vertex).copied().unwrap_or_default()
+    }
+}
+
+impl Scene {
+    fn new(table: Table, points: Vec<Point>) -> Self {
+        Self { table, points, asked: Cell::new(0) }
+    }
+
+    fn of(map: &PlanarMap) -> Self {
+        let points = (0..map.vertex_slots()).map(|v| map.point(v)).collect();
+        Self::new(Table::copy_of(map.dcel()).unwrap(), points)
+    }
+
+    fn baseline(&self) -> EmbeddingBaseline {
+        EmbeddingBaseline::new(self, &PLANE).unwrap()
+    }
+
+    /// All records that differ from an earlier scene, and the vertices that lie elsewhere.
+    fn since(&self, before: &Self) -> Touched {
+        let mut touched = difference(&before.table, &self.table);
+        let moved = |v: &usize| {
+            let [was, is] = [before, self].map(|scene| scene.points.get(*v).copied());
+            self.table.is_vertex(*v) && was != is
+        };
+        touched.vertices.extend((0..self.table.vertex_slots()).filter(moved));
+        touched
+    }
+}
+
+/// What became of a judgement.
+#[derive(Default, Debug)]
+struct Tally {
+    judged: usize,
+    right: usize,
+    /// For each rule of geometry, and for T1 … T4, how often it was broken.
+    broken: [usize; 9],
+    /// How often a right structure was validated in full.
+    in_full: usize,
+}
+
+const COUNTED: [Rule; 9] = [Rule::T1, Rule::T2, Rule::T3, Rule::T4, Rule::G1, Rule::G2, Rule::G3, Rule::G4, Rule::G5];
+
+impl Tally {
+    /// Asserts that the verdict is that of the full validation. The baseline moves on if it is right.
+    fn judge(&mut self, baseline: &mut EmbeddingBaseline, scene: &Scene, touched: &Touched) -> bool {
+        scene.asked.set(0);
+        let found = validate_embedding_near(baseline, scene, touched);
+        let asked = scene.asked.get();
+        let report = validate_embedding(scene, &PLANE, Collect::All);
+        self.judged += 1;
+        for (count, rule) in self.broken.iter_mut().zip(COUNTED) {
+            *count += usize::from(report.broken_rules().any(|broken| broken == rule));
+        }
+        match found {
+            Ok(()) => {
+                assert!(report.is_valid(), "{}\n{:?}\n{touched:?}\n{report}", scene.table, scene.points);
+                self.right += 1;
+                // A full validation asks for all points, and once more to read them.
+                self.in_full += usize::from(asked > scene.table.vertices.iter().flatten().count());
+            }
+            Err(found) => assert_eq!(*found, report, "{}\n{:?}\n{touched:?}", scene.table, scene.points),
+        }
+        report.is_valid()
+    }
+}
+
+/// A generator that always gives the same.
+fn seeded(seed: u64, size: usize) -> Gen {
+    Gen::from_size_and_seed(size, seed)
+}
+
+/// Visits each state of a map that a program leads through, with that before it.
+fn each_edit(program: &EditProgram, mut visit: impl FnMut(&PlanarMap, &PlanarMap)) {
+    each_edit_of(program, |_, before, after| visit(before, after));
+}
+
+fn each_edit_of(program: &EditProgram, mut visit: impl FnMut(&EditOp, &PlanarMap, &PlanarMap)) {
+    let mut runner = EditRunner::new(PlanarMap::new());
+    for op in &program.0 {
+        let before = runner.map().clone();
+        if let EditOutcome::Applied(_) = runner.step(op) {
+            visit(op, &before, runner.map());
+        }
+    }
+}
+
+fn programs() -> impl Iterator<Item = EditProgram> {
+    (0..150).map(|seed| EvenEdits::arbitrary(&mut seeded(seed, 40)).0)
+}
+
+#[test]
+fn one_baseline_follows_whole_programs() {
+    let mut tally = Tally::default();
+    for program in programs() {
+        let mut baseline = EmbeddingBaseline::new(&PlanarMap::new(), &PLANE).unwrap();
+        each_edit_of(&program, |op, before, after| {
+            let (before, after) = (Scene::of(before), Scene::of(after));
+            let in_full = tally.in_full;
+            assert!(tally.judge(&mut baseline, &after, &after.since(&before)));
+            // Edges that it reroutes merge faces and split them again.
+            let reroutes = matches!(op, EditOp::InsertSegmentSnapped { .. });
+            assert!(tally.in_full == in_full || reroutes, "{op} of {program}");
+        });
+    }
+    assert!(tally.judged > 1_000 && tally.in_full * 100 < tally.judged, "{tally:?}");
+}
+
+/// Several edits at once, and back again.
+#[test]
+fn one_baseline_follows_many_edits_at_once() {
+    let mut tally = Tally::default();
+    for program in programs() {
+        let mut scenes = vec![Scene::of(&PlanarMap::new())];
+        each_edit(&program, |_, after| scenes.push(Scene::of(after)));
+        for stride in [2, 3, 7] {
+            let mut baseline = scenes[0].baseline();
+            let there: Vec<&Scene> = scenes.iter().step_by(stride).collect();
+            let back = there.iter().rev().skip(1);
+            for pair in there.iter().chain(back).collect::<Vec<_>>().windows(2) {
+                assert!(tally.judge(&mut baseline, pair[1], &pair[1].since(pair[0])));
+            }
+        }
+    }
+    assert!(tally.judged > 1_000, "{tally:?}");
+    // What lies where is not always told by what has changed.
+    assert!(tally.in_full * 20 < tally.judged, "{tally:?}");
+}
+
+/// Places to put a vertex: others, midpoints, a grid, and what is no place.
+fn places(scene: &Scene) -> Vec<Point> {
+    let mut places: Vec<Point> = (0..8).map(|i| Point::new(f64::from(i * 5 % 16), f64::from(i * 3 % 16))).collect();
+    let live: Vec<usize> = (0..scene.points.len()).filter(|v| scene.table.is_vertex(*v)).collect();
+    places.extend(live.iter().map(|v| scene.points[*v]));
+    let table = &scene.table;
+    for h in (0..table.half_edge_slots()).step_by(2).filter(|h| table.is_half_edge(*h)) {
+        let [a, b] = [table.origin(h), table.origin(h + 1)].map(|v| scene.points[v.unwrap()]);
+        places.push(Point::new(f64::midpoint(a.x, b.x), f64::midpoint(a.y, b.y)));
+    }
+    places.extend([[f64::NAN, 0.0], [f64::INFINITY, 1.0], [1e-300, 0.0]].map(Point::from));
+    places
+}
+
+#[test]
+fn every_edit_with_every_vertex_elsewhere() {
+    let mut tally = Tally::default();
+    for program in programs().take(20) {
+        each_edit(&program, |before, after| {
+            let (before, mut after) = (Scene::of(before), Scene::of(after));
+            let written = after.since(&before);
+            let baseline = before.baseline();
+            for v in (0..after.points.len()).filter(|v| after.table.is_vertex(*v)).collect::<Vec<_>>() {
+                let was = after.points[v];
+                for place in places(&after) {
+                    after.points[v] = place;
+                    let mut touched = written.clone();
+                    touched.vertices.push(v);
+                    tally.judge(&mut baseline.clone(), &after, &touched);
+                }
+                after.points[v] = was;
+            }
+        });
+    }
+    assert!(tally.judged > 30_000 && tally.right > 3_000, "{tally:?}");
+    assert!(tally.broken[4..].iter().all(|count| *count > 20), "{tally:?}");
+    assert_eq!(tally.in_full, 0, "{tally:?}");
+}
+
+#[test]
+fn every_edit_with_every_wrong_link() {
+    let mut tally = Tally::default();
+    for program in programs().take(14) {
+        each_edit(&program, |before, after| {
+            if after.dcel().edge_count() > 8 {
+                return;
+            }
+            let (before, mut after) = (Scene::of(before), Scene::of(after));
+            let written = after.since(&before);
+            let baseline = before.baseline();
+            let points = after.points.clone();
+            for_each_corruption(&mut after.table, &PLANE, |corrupt, cell, _| {
+                let mut touched = written.clone();
+                touch(&mut touched, cell);
+                tally.judge(&mut baseline.clone(), &Scene::new(corrupt.clone(), points.clone()), &touched);
+            });
+        });
+    }
+    assert!(tally.judged > 40_000 && tally.right * 20 < tally.judged, "{tally:?}");
+}
+
+/// All that operators of topology make of a structure, with every argument: most of it is not what is drawn.
+fn each_operator(dcel: &Dcel, mut visit: impl FnMut(&Dcel)) {
+    let mut attempt = |operator: &dyn Fn(&mut Dcel) -> bool| {
+        let mut changed = dcel.clone();
+        if operator(&mut changed) {
+            visit(&changed);
+        }
+    };
+    let half_edges: Vec<_> = dcel.half_edges().map(|h| h.key()).collect();
+    let faces: Vec<_> = dcel.faces().map(|f| f.key()).collect();
+    let isolated: Vec<_> = dcel.boundaries().filter_map(|b| b.isolated_vertex()).map(|v| v.key()).collect();
+    let corners: Vec<Corner> =
+        half_edges.iter().map(|h| Corner::At(*h)).chain(isolated.iter().map(|v| Corner::Isolated(*v))).collect();
+    let starts: Vec<_> = dcel.boundaries().filter(|b| !b.is_outer()).map(|b| b.key()).collect();
+    for from in &corners {
+        for to in &corners {
+            for new_face in [Side::Left, Side::Right] {
+                for inner in [&[][..], &starts, &starts[..starts.len() / 2], &starts[starts.len() / 2..]] {
+                    attempt(&|dcel| dcel.connect(*from, *to, Split { new_face, inner }).is_ok());
+                }
+            }
+        }
+    }
+    for h in &half_edges {
+        attempt(&|dcel| dcel.remove_edge(*h).is_ok());
+        attempt(&|dcel| dcel.split_edge(*h).is_ok());
+        attempt(&|dcel| dcel.join_edges(*h).is_ok());
+        attempt(&|dcel| dcel.contract_edge(*h).is_ok());
+        attempt(&|dcel| dcel.flip_edge(*h, Turn::CounterClockwise).is_ok());
+        attempt(&|dcel| dcel.flip_edge(*h, Turn::Clockwise).is_ok());
+    }
+    for face in &faces {
+        attempt(&|dcel| dcel.add_isolated_vertex(*face).is_ok());
+        for start in &starts {
+            attempt(&|dcel| dcel.move_inner(*start, *face).is_ok());
+        }
+    }
+    for v in &isolated {
+        attempt(&|dcel| dcel.remove_isolated_vertex(*v).is_ok());
+    }
+}
+
+/// A new vertex gets one of several places.
+fn drawn(dcel: &Dcel, before: &Scene, mut visit: impl FnMut(&mut Scene)) {
+    let mut scene = Scene::new(Table::copy_of(dcel).unwrap(), before.points.clone());
+    scene.points.resize(scene.table.vertex_slots(), Point::default());
+    let new = (0..scene.points.len()).find(|v| scene.table.is_vertex(*v) && !before.table.is_vertex(*v));
+    let Some(v) = new else {
+        return visit(&mut scene);
+    };
+    for place in places(before) {
+        scene.points[v] = place;
+        visit(&mut scene);
+    }
+}
+
+#[test]
+fn every_operator_with_every_argument() {
+    let mut tally = Tally::default();
+    for program in programs().take(40) {
+        let mut maps = vec![];
+        each_edit(&program, |_, after| maps.push(after.clone()));
+        for map in maps.iter().filter(|map| (3..12).contains(&map.dcel().edge_count())).step_by(3) {
+            let before = Scene::of(map);
+            let baseline = before.baseline();
+            each_operator(map.dcel(), |dcel| {
+                drawn(dcel, &before, |after| {
+                    let touched = after.since(&before);
+                    tally.judge(&mut baseline.clone(), after, &touched);
+                });
+            });
+        }
+    }
+    assert!(tally.judged > 50_000 && tally.right > 1_000, "{tally:?}");
+    assert!(tally.broken[5..].iter().all(|count| *count > 20), "{tally:?}");
+    assert!(tally.in_full * 100 < tally.right, "{tally:?}");
+}
+
+/// Operators that come one after the other, and are judged at once. Every so often one is taken.
+#[test]
+fn pairs_of_operators() {
+    let mut tally = Tally::default();
+    let mut number = 0_usize;
+    for program in programs().take(60) {
+        let mut maps = vec![];
+        each_edit(&program, |_, after| maps.push(after.clone()));
+        for map in maps.iter().filter(|map| (3..12).contains(&map.dcel().edge_count())).step_by(4) {
+            let before = Scene::of(map);
+            let baseline = before.baseline();
+            each_operator(map.dcel(), |first| {
+                number += 1;
+                if number % 29 != 0 {
+                    return;
+                }
+                each_operator(first, |second| {
+                    number += 1;
+                    if number % 31 != 0 {
+                        return;
+                    }
+                    drawn(second, &before, |after| {
+                        let touched = after.since(&before);
+                        tally.judge(&mut baseline.clone(), after, &touched);
+                    });
+                });
+            });
+        }
+    }
+    assert!(tally.judged > 20_000 && tally.right > 100, "{tally:?}");
+    assert!(tally.in_full * 20 < tally.right, "{tally:?}");
+}
+
+/// Two boundary components of different faces, or of different kinds, each where the other is listed. All rules from R1 to F2 hold.
+fn exchanged(table: &Table, one: usize, other: usize) -> Option<Table> {
+    let mut table = table.clone();
+    let [a, b] = [one, other].map(|b| table.boundaries.get(b).copied().flatten());
+    let (a, b) = (a?, b?);
+    for (label, row) in [(one, &b), (other, &a)] {
+        let face = table.faces[row.face?].as_mut()?;
+        match row.place? {
+            BoundaryPlace::Outer => face.outer = Some(label),
+            BoundaryPlace::Inner(i) => face.inner[i] = Some(label),
+        }
+        let own = table.boundaries[label].as_mut()?;
+        (own.face, own.place) = (row.face, row.place);
+    }
+    Some(table)
+}
+
+/// What geometry proves of topology: T1 and T2 of each component.
+#[test]
+fn boundary_components_in_the_place_of_others() {
+    let mut tally = Tally::default();
+    for program in programs() {
+        each_edit(&program, |before, after| {
+            let (before, after) = (Scene::of(before), Scene::of(after));
+            let baseline = before.baseline();
+            let labels = after.table.boundary_slots();
+            for one in 0..labels {
+                for other in one + 1..labels {
+                    let Some(table) = exchanged(&after.table, one, other) else { continue };
+                    let scene = Scene::new(table, after.points.clone());
+                    tally.judge(&mut baseline.clone(), &scene, &scene.since(&before));
+                }
+            }
+        });
+    }
+    assert!(tally.judged > 4_000 && tally.right > 100, "{tally:?}");
+    assert!(tally.broken[..2].iter().all(|count| *count > 10), "{tally:?}");
+}
