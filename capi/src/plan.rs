@@ -138,12 +138,12 @@ impl Plan {
 
     /// Whether a structure of pointers has the links that are needed, and the lists of all records that links join.
     pub(crate) fn pointers_are_complete(&self) -> Result<(), Failure> {
-        let listed = |link: Link, kind: Record| match self.records[kind as usize] {
-            Some(_) => Ok(()),
-            None => {
-                let message = format!("{}: needs the list of {} (`twinedge_pointers`)", link.name(), kind.names());
-                Err(Failure::new(Status::Missing, message))
+        let listed = |link: Link, kind: Record| {
+            if self.records[kind as usize].is_some() {
+                return Ok(());
             }
+            let message = format!("{}: needs the list of {} (`twinedge_pointers`)", link.name(), kind.names());
+            Err(Failure::new(Status::Missing, message))
         };
         for (link, _) in Link::ALL.into_iter().zip(&self.links).filter(|(_, function)| function.is_some()) {
             if let Some((from, to)) = link.ends() {

@@ -94,7 +94,8 @@ fn one_of_each_kind() -> Vec<Violation> {
         let cells: Vec<_> = line.split('|').map(str::trim).collect();
         let [_, kind, _, fields, ..] = cells[..] else { return None };
         let kind = kind.strip_prefix('`')?.strip_suffix('`')?;
-        let fields: Vec<_> = fields.split(", ").filter_map(|field| field.strip_prefix('`')?.strip_suffix('`')).collect();
+        let fields: Vec<_> =
+            fields.split(", ").filter_map(|field| field.strip_prefix('`')?.strip_suffix('`')).collect();
         (0..values.len().pow(u32::try_from(fields.len()).ok()?)).find_map(|mut choice| {
             let mut holds = serde_json::Map::new();
             for field in &fields {
@@ -121,12 +122,23 @@ fn all_kinds_speak_of_the_header() {
     for violation in all {
         let words = Words::default();
         for text in [words.message(0, &violation), remedy(&violation).to_owned(), cause(&violation).to_owned()] {
-            for rust in ["::", "Expectation", "Part", "without(", "_slots", "outer_half_edge", "no_unused", "Builder", "answer with"] {
+            for rust in [
+                "::",
+                "Expectation",
+                "Part",
+                "without(",
+                "_slots",
+                "outer_half_edge",
+                "no_unused",
+                "Builder",
+                "answer with",
+            ] {
                 assert!(!text.contains(rust), "{}: {text}", violation.kind());
             }
             // What is in backquotes is in the header, or a link.
             for name in text.split('`').skip(1).step_by(2) {
-                let is_link = Link::ALL.iter().any(|link| name == link.name() || name.starts_with(&format!("{}(", link.name())));
+                let is_link =
+                    Link::ALL.iter().any(|link| name == link.name() || name.starts_with(&format!("{}(", link.name())));
                 let is_known = is_link || header.contains(name);
                 assert!(is_known, "{}: {name}", violation.kind());
             }

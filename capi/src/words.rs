@@ -120,10 +120,9 @@ fn hint(line: &str) -> String {
 fn hold(value: &mut Value) {
     match value {
         Value::Number(number) => {
-            let exact = number.as_u64().map_or_else(
-                || number.as_i64().is_some_and(|n| n.unsigned_abs() <= EXACT),
-                |n| n <= EXACT,
-            );
+            let exact = number
+                .as_u64()
+                .map_or_else(|| number.as_i64().is_some_and(|n| n.unsigned_abs() <= EXACT), |n| n <= EXACT);
             if !exact {
                 *value = Value::String(number.to_string());
             }
