@@ -36,7 +36,8 @@ typedef enum {
   TWINEDGE_STATUS_CONFLICT,
   // There is not enough memory, or there are more than 4,294,967,294 records of a kind.
   TWINEDGE_STATUS_MEMORY,
-  // A defect of this library, or a callback that left by an exception. The message of a panic goes to the standard error.
+  // A defect of this library: it panicked, and the message went to the standard error. Or a callback in Rust that panicked. (An
+  // exception of C++ that leaves a callback is no error of this kind: it ends the process.)
   TWINEDGE_STATUS_PANIC,
 } twinedge_status;
 
@@ -56,15 +57,18 @@ typedef enum {
 typedef enum {
   // Per half-edge: the vertex where it starts. This or `TARGET` is needed.
   TWINEDGE_LINK_ORIGIN,
-  // Per half-edge: the vertex where it ends.
+  // Per half-edge: the vertex where it ends. Reports then speak of origins that follow: that of a half-edge is the target of its twin.
   TWINEDGE_LINK_TARGET,
-  // Per half-edge: the other half-edge of its edge. Without this column, the twin of half-edge `h` is `h ^ 1`.
+  // Per half-edge: the other half-edge of its edge. Without this column, the twin of half-edge `h` is `h ^ 1`, and the text of a report
+  // says so. A structure of pointers needs it.
   TWINEDGE_LINK_TWIN,
   // Per half-edge: the one that follows on its cycle. Needed.
   TWINEDGE_LINK_NEXT,
   // Per half-edge: the one that precedes.
   TWINEDGE_LINK_PREV,
-  // Per half-edge: the face to its left, in structures without records of boundary components.
+  // Per half-edge: the face to its left, in structures without records of boundary components. Each face has one cycle then, the
+  // outside too. A map in the plane with several components, or with faces that have holes, needs `BOUNDARY` instead. Where the
+  // outside has no record, its half-edges have the face nil: expect `OPEN`, also with `PLANE`.
   TWINEDGE_LINK_FACE,
   // Per half-edge: its boundary component. Needs the links of boundary components, `OUTER`, `INNER_FIRST` and `INNER`.
   TWINEDGE_LINK_BOUNDARY,
@@ -72,7 +76,8 @@ typedef enum {
   TWINEDGE_LINK_LEAVING,
   // Per vertex: the boundary component that it is, if it is isolated.
   TWINEDGE_LINK_ISOLATED,
-  // Per face: a half-edge of it, in structures without records of boundary components.
+  // Per face: a half-edge of it, in structures without records of boundary components. Every face needs one, the outside of a plane
+  // too, if it has a record: nil is for no face. Needs `FACE`.
   TWINEDGE_LINK_FACE_HALF_EDGE,
   // Per face: its outer boundary component; nil for the unbounded face.
   TWINEDGE_LINK_OUTER,
@@ -90,7 +95,8 @@ typedef enum {
 
 // What a structure is held to, beyond the rules that every structure keeps.
 typedef enum {
-  // Not 0: it lies in the plane. Otherwise it is a surface of any genus.
+  // Not 0: it lies in the plane: every component has genus 0 (T3). With `BOUNDARY`, faces and components nest (F1, T1, T2): then the
+  // one unbounded face has `OUTER` nil. With `FACE`, no face is unbounded: each keeps a half-edge. Otherwise it is a surface of any genus.
   TWINEDGE_EXPECTED_PLANE,
   // Not 0: borders are legal, where a half-edge lacks its twin or its face.
   TWINEDGE_EXPECTED_OPEN,
@@ -104,7 +110,7 @@ typedef enum {
   TWINEDGE_EXPECTED_BORDER_KEPT,
   // Every bounded face has so many sides (M3).
   TWINEDGE_EXPECTED_SIDES,
-  // There are so many components with an edge (M5).
+  // There are so many components with an edge (M5). `twinedge_count` counts isolated vertices as components, too.
   TWINEDGE_EXPECTED_COMPONENTS,
   // There are so many border loops (M6).
   TWINEDGE_EXPECTED_BORDERS,
@@ -130,7 +136,7 @@ typedef enum {
   TWINEDGE_COUNT_INNER_BOUNDARIES,
   // Vertices that no half-edge leaves.
   TWINEDGE_COUNT_ISOLATED_VERTICES,
-  // Connected components.
+  // Connected components. An isolated vertex is one.
   TWINEDGE_COUNT_COMPONENTS,
   // Cycles of `next` that are no border loops.
   TWINEDGE_COUNT_CYCLES,
@@ -153,11 +159,12 @@ typedef struct twinedge_structure twinedge_structure;
 // One violation of a report, to which it belongs.
 typedef struct twinedge_violation twinedge_violation;
 
-// Where a link of a record leads: a record, or null for nil. It gets the context and a record, and is called once for each record.
+// Where a link of a record leads: a record, or null for nil. It gets the context and a record, and is called once for each record. It
+// must not throw: that ends the process.
 typedef const void *(*twinedge_link_of)(void *context, const void *record);
 
 // The inner boundary component at this position of the list of a face, in `*inner`. False if the list has no such position. It gets
-// the context, a face and the positions from 0 on.
+// the context, a face and the positions from 0 on. It must not throw: that ends the process.
 typedef bool (*twinedge_inner_of)(void *context, const void *face, size_t position, const void **inner);
 
 #ifdef __cplusplus
@@ -169,19 +176,21 @@ const char *twinedge_version(void);
 
 // A structure without columns. By default it is to be a closed surface of any genus. Free it with `twinedge_structure_free`.
 //
-// A setter that fails changes nothing. `twinedge_validate` returns the first failure again, so a caller may look at its status alone.
+// A setter that fails changes nothing else, but the structure stays failed: each `twinedge_validate` returns the first failure of a
+// setter again, so a caller may look at its status alone. Free the structure then, and start over.
 twinedge_structure *twinedge_structure_new(void);
 
 // Frees the structure. Reports of it stay.
 void twinedge_structure_free(twinedge_structure *structure);
 
-// The message of the first setter that failed, or else of the last `twinedge_validate` that did, or else "". It belongs to the
+// The message of the first setter that failed; else, of the last `twinedge_validate` if it failed; else "". It belongs to the
 // structure, until the next call on it.
 const char *twinedge_structure_error(const twinedge_structure *structure);
 
 // A column of `count` links of 32 bits with sign. `stride` is the number of bytes from one link to the next: `sizeof` the struct for a
 // field of an array of structs, 0 for an array of links, negative for one that is read backwards. Nil is −1. The memory is
-// read by `twinedge_validate`, and must be there until then. All columns of a structure are of one type.
+// read by `twinedge_validate`, and must be there until then. All columns of a structure are of one type. A column that is given again
+// takes the place of the first.
 //
 // O(1). Errors: `NULL`, `UNKNOWN` (no such link), `LENGTH`, `ALIGNMENT`, `TYPE`.
 twinedge_status twinedge_column_i32(twinedge_structure *structure,
@@ -239,18 +248,22 @@ twinedge_status twinedge_pointers(twinedge_structure *structure,
                                   size_t count);
 
 // The function that says where a link leads, for a structure of pointers. It is called by `twinedge_validate`, once for each record. It
-// must return: an exception ends the process, or is the error `PANIC`. It must not free the structure.
+// must not free the structure, and must return: an exception of C++ that leaves it ends the process, with a message that does not
+// name the function. In C++, `follow` of `twinedge/twinedge.hpp` takes functions that may throw.
 //
-// Errors: `NULL`, `UNKNOWN` (no such link, or one of `INNER_FIRST` and `INNER`, which are for `twinedge_follow_inner`).
+// `NEXT`, `TWIN` and one of `ORIGIN` and `TARGET` are needed, and the lists of the records that have a link and to which it leads.
+//
+// Errors: `NULL`, `UNKNOWN` (no such link, or one of `INNER_FIRST` and `INNER`, which are for `twinedge_follow_inner`); of
+// `twinedge_validate`: `MISSING`.
 twinedge_status twinedge_follow(twinedge_structure *structure,
                                 int link,
                                 twinedge_link_of function,
                                 void *context);
 
 // The function that says what faces list as inner boundary components, for a structure of pointers. All lists together are read up
-// to twice as many as there are boundary components, and 17.
+// to twice as many as there are boundary components, and 17. The lists of faces and of boundary components are needed.
 //
-// Errors: `NULL`.
+// Errors: `NULL`; of `twinedge_validate`: `MISSING`.
 twinedge_status twinedge_follow_inner(twinedge_structure *structure,
                                       twinedge_inner_of function,
                                       void *context);
@@ -283,10 +296,10 @@ bool twinedge_report_valid(const twinedge_report *report);
 uint64_t twinedge_report_count(const twinedge_report *report,
                                int count);
 
-// The report as text, a line for each rule.
+// The report as text, a line for each rule, then a line for each violation that is listed. It is for people, and may change.
 const char *twinedge_report_text(const twinedge_report *report);
 
-// The report as JSON, in the form of docs/report.md.
+// The report as JSON, in the form of docs/report.md. Numbers that a double does not hold are strings.
 const char *twinedge_report_json(const twinedge_report *report);
 
 // How many violations are listed.
@@ -307,7 +320,7 @@ const char *twinedge_violation_message(const twinedge_violation *violation);
 // What usually causes a violation of this kind.
 const char *twinedge_violation_cause(const twinedge_violation *violation);
 
-// What mends it.
+// What mends it, in the words of this header.
 const char *twinedge_violation_remedy(const twinedge_violation *violation);
 
 // The record at position 0, which is at fault, or at position 1. Its kind goes to `*kind`, its index to `*index`; either may be null.

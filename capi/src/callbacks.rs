@@ -6,9 +6,9 @@
 //! # Why it is sound
 //!
 //! A function that is not null is called with what the caller gave for it: its context, and records from its own lists. It promises to
-//! be a function of that type. It is `extern "C-unwind"`, so an exception of C++ that leaves it has a meaning here: the process is
-//! aborted, or the call that led here returns [`Status::Panic`]. Which of the two, Rust does not say. No reference to anything that the
-//! function could reach through a handle is held meanwhile.
+//! be a function of that type. It is `extern "C-unwind"`, so an exception of C++ that leaves it has a meaning here: Rust's runtime
+//! ends the process, as it can catch none of another language. A panic of a function in Rust is [`Status::Panic`]. No reference to
+//! anything that the function could reach through a handle is held meanwhile.
 
 use crate::cells::Cells;
 use crate::failure::{Failure, Status};
@@ -18,11 +18,12 @@ use std::ffi::c_void;
 use std::sync::atomic::AtomicI64;
 use twinedge::validate::interchange::Column;
 
-/// Where a link of a record leads: a record, or null for nil. It gets the context and a record, and is called once for each record.
+/// Where a link of a record leads: a record, or null for nil. It gets the context and a record, and is called once for each record. It
+/// must not throw: that ends the process.
 pub type LinkOf = Option<unsafe extern "C-unwind" fn(context: *mut c_void, record: *const c_void) -> *const c_void>;
 
 /// The inner boundary component at this position of the list of a face, in `*inner`. False if the list has no such position. It gets
-/// the context, a face and the positions from 0 on.
+/// the context, a face and the positions from 0 on. It must not throw: that ends the process.
 pub type InnerOf = Option<
     unsafe extern "C-unwind" fn(
         context: *mut c_void,

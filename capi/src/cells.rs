@@ -28,12 +28,22 @@ pub(crate) enum Width {
 }
 
 /// An integer as it is read: an atomic one. Only this file implements it.
-pub(crate) trait Atomic: Cell {}
+pub(crate) trait Atomic: Cell {
+    /// The integer, with its sign.
+    fn number(&self) -> i128;
+}
 
-impl Atomic for AtomicI32 {}
-impl Atomic for AtomicI64 {}
-impl Atomic for AtomicU32 {}
-impl Atomic for AtomicU64 {}
+macro_rules! atomic {
+    ($($type:ty),*) => {
+        $(impl Atomic for $type {
+            fn number(&self) -> i128 {
+                self.load(Relaxed).into()
+            }
+        })*
+    };
+}
+
+atomic!(AtomicI32, AtomicI64, AtomicU32, AtomicU64);
 
 /// Cells of the caller: a pointer to the first, how many, and the number of bytes from one to the next.
 #[derive(Clone, Copy, Debug)]
@@ -98,6 +108,21 @@ impl Cells {
         // SAFETY: as the caller promises.
         let (span, first, stride) = unsafe { self.span::<T>() };
         Ok(Column::strided(span, first, stride, self.count)?)
+    }
+
+    /// The integer at this position, if there is one.
+    ///
+    /// # Safety
+    /// As [`column`](Self::column).
+    pub(crate) unsafe fn number<T: Atomic>(&self, position: usize) -> Option<i128> {
+        if position >= self.count {
+            return None;
+        }
+        // SAFETY: as the caller promises.
+        let (span, first, stride) = unsafe { self.span::<T>() };
+        // No overflow: the cell is one of the span.
+        let at = first.checked_add_signed(stride * position.cast_signed())?;
+        span.get(at).map(Atomic::number)
     }
 
     /// Which of the bytes are not 0.

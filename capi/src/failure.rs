@@ -24,7 +24,8 @@ pub enum Status {
     Conflict,
     /// There is not enough memory, or there are more than 4,294,967,294 records of a kind.
     Memory,
-    /// A defect of this library, or a callback that left by an exception. The message of a panic goes to the standard error.
+    /// A defect of this library: it panicked, and the message went to the standard error. Or a callback in Rust that panicked. (An
+    /// exception of C++ that leaves a callback is no error of this kind: it ends the process.)
     Panic,
 }
 

@@ -5,6 +5,7 @@ use crate::cells::{Atomic, Width};
 use crate::failure::{Failure, Status};
 use crate::names::{Link, Record};
 use crate::plan::Plan;
+use crate::words::Words;
 use std::sync::atomic::{AtomicI32, AtomicI64, AtomicU32, AtomicU64};
 use twinedge::validate::interchange::{Boundaries, Cell, Column, Columns};
 use twinedge::validate::{Collect, Expectation, Report};
@@ -20,16 +21,19 @@ struct Given<'a, T> {
 ///
 /// # Safety
 /// The memory of its columns and records is there, and its functions may be called.
-pub(crate) unsafe fn judge(plan: &Plan) -> Result<Report, Failure> {
+pub(crate) unsafe fn judge(plan: &Plan) -> Result<(Report, Words), Failure> {
     let expectation = plan.asked.expectation()?;
     let collect = plan.asked.collect();
     // SAFETY: as the caller promises.
     let live = unsafe { flags(plan) }?;
     if plan.is_of_pointers()? {
+        plan.pointers_are_complete()?;
         // SAFETY: as the caller promises.
         let answers = unsafe { Answers::of(plan.records, &plan.links, plan.inner) }?;
         let given = Given { columns: answers.columns(), counts: answers.counts().map(Some), live };
-        return given.judge(expectation, collect);
+        let report = given.judge(expectation, collect)?;
+        let words = Words::new(plan, &report, |_, _| None);
+        return Ok((report, words));
     }
     // SAFETY: as the caller promises; the width is that of every column.
     unsafe {
@@ -62,7 +66,7 @@ unsafe fn of_type<T: Atomic>(
     live: [Option<Vec<bool>>; Record::KINDS],
     expectation: Expectation,
     collect: Collect,
-) -> Result<Report, Failure> {
+) -> Result<(Report, Words), Failure> {
     let mut columns = [const { None }; Link::KINDS];
     for (column, cells) in columns.iter_mut().zip(&plan.columns) {
         if let Some(cells) = cells {
@@ -70,7 +74,11 @@ unsafe fn of_type<T: Atomic>(
             *column = Some(unsafe { cells.column::<T>() }?);
         }
     }
-    Given { columns, counts: plan.counts, live }.judge(expectation, collect)
+    let report = Given { columns, counts: plan.counts, live }.judge(expectation, collect)?;
+    // SAFETY: as for the columns.
+    let number = |link: Link, at| plan.columns[link as usize].and_then(|cells| unsafe { cells.number::<T>(at) });
+    let words = Words::new(plan, &report, number);
+    Ok((report, words))
 }
 
 impl<'a, T: Cell> Given<'a, T> {

@@ -32,3 +32,4 @@ pub mod names;
 mod plan;
 #[cfg(test)]
 mod tests;
+mod words;

@@ -23,15 +23,18 @@ pub enum Record {
 pub enum Link {
     /// Per half-edge: the vertex where it starts. This or `TARGET` is needed.
     Origin,
-    /// Per half-edge: the vertex where it ends.
+    /// Per half-edge: the vertex where it ends. Reports then speak of origins that follow: that of a half-edge is the target of its twin.
     Target,
-    /// Per half-edge: the other half-edge of its edge. Without this column, the twin of half-edge `h` is `h ^ 1`.
+    /// Per half-edge: the other half-edge of its edge. Without this column, the twin of half-edge `h` is `h ^ 1`, and the text of a report
+    /// says so. A structure of pointers needs it.
     Twin,
     /// Per half-edge: the one that follows on its cycle. Needed.
     Next,
     /// Per half-edge: the one that precedes.
     Prev,
-    /// Per half-edge: the face to its left, in structures without records of boundary components.
+    /// Per half-edge: the face to its left, in structures without records of boundary components. Each face has one cycle then, the
+    /// outside too. A map in the plane with several components, or with faces that have holes, needs `BOUNDARY` instead. Where the
+    /// outside has no record, its half-edges have the face nil: expect `OPEN`, also with `PLANE`.
     Face,
     /// Per half-edge: its boundary component. Needs the links of boundary components, `OUTER`, `INNER_FIRST` and `INNER`.
     Boundary,
@@ -39,7 +42,8 @@ pub enum Link {
     Leaving,
     /// Per vertex: the boundary component that it is, if it is isolated.
     Isolated,
-    /// Per face: a half-edge of it, in structures without records of boundary components.
+    /// Per face: a half-edge of it, in structures without records of boundary components. Every face needs one, the outside of a plane
+    /// too, if it has a record: nil is for no face. Needs `FACE`.
     FaceHalfEdge,
     /// Per face: its outer boundary component; nil for the unbounded face.
     Outer,
@@ -59,7 +63,8 @@ pub enum Link {
 #[repr(C)]
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Expect {
-    /// Not 0: it lies in the plane. Otherwise it is a surface of any genus.
+    /// Not 0: it lies in the plane: every component has genus 0 (T3). With `BOUNDARY`, faces and components nest (F1, T1, T2): then the
+    /// one unbounded face has `OUTER` nil. With `FACE`, no face is unbounded: each keeps a half-edge. Otherwise it is a surface of any genus.
     Plane,
     /// Not 0: borders are legal, where a half-edge lacks its twin or its face.
     Open,
@@ -73,7 +78,7 @@ pub enum Expect {
     BorderKept,
     /// Every bounded face has so many sides (M3).
     Sides,
-    /// There are so many components with an edge (M5).
+    /// There are so many components with an edge (M5). `twinedge_count` counts isolated vertices as components, too.
     Components,
     /// There are so many border loops (M6).
     Borders,
@@ -101,7 +106,7 @@ pub enum Count {
     InnerBoundaries,
     /// Vertices that no half-edge leaves.
     IsolatedVertices,
-    /// Connected components.
+    /// Connected components. An isolated vertex is one.
     Components,
     /// Cycles of `next` that are no border loops.
     Cycles,
@@ -125,6 +130,16 @@ impl Record {
 
     pub(crate) fn of(number: c_int) -> Result<Self, Failure> {
         find(&Self::ALL, "kind of record", number)
+    }
+
+    /// The name of many.
+    pub(crate) const fn names(self) -> &'static str {
+        match self {
+            Self::Vertex => "vertices",
+            Self::HalfEdge => "half-edges",
+            Self::Boundary => "boundary components",
+            Self::Face => "faces",
+        }
     }
 
     pub(crate) const fn name(self) -> &'static str {
@@ -183,6 +198,11 @@ impl Link {
             Self::BoundaryHalfEdge => "boundary_half_edge",
             Self::BoundaryVertex => "boundary_vertex",
         }
+    }
+
+    /// The constant in the header.
+    pub(crate) fn constant(self) -> String {
+        format!("TWINEDGE_LINK_{}", self.name().to_ascii_uppercase())
     }
 
     /// The records that have the link, and those to which it leads; nothing for the lists.

@@ -25,6 +25,11 @@ pub(crate) struct Asked {
 }
 
 impl Asked {
+    /// Whether a preset was asked for.
+    pub(crate) const fn is_preset(&self) -> bool {
+        self.preset.is_some()
+    }
+
     pub(crate) const fn set(&mut self, what: Expect, number: usize) {
         let flag = number != 0;
         match what {
@@ -123,5 +128,38 @@ impl Plan {
             return Err(Failure::new(Status::Conflict, "give either columns or records with functions"));
         }
         Ok(pointers)
+    }
+
+    /// Whether the caller gave the link: by a column, or by a function.
+    pub(crate) fn gives(&self, link: Link) -> bool {
+        let by_list = matches!(link, Link::InnerFirst | Link::Inner) && self.inner.is_some();
+        by_list || self.columns[link as usize].is_some() || self.links[link as usize].is_some()
+    }
+
+    /// Whether a structure of pointers has the links that are needed, and the lists of all records that links join.
+    pub(crate) fn pointers_are_complete(&self) -> Result<(), Failure> {
+        let listed = |link: Link, kind: Record| {
+            if self.records[kind as usize].is_some() {
+                return Ok(());
+            }
+            let message = format!("{}: needs the list of {} (`twinedge_pointers`)", link.name(), kind.names());
+            Err(Failure::new(Status::Missing, message))
+        };
+        for (link, _) in Link::ALL.into_iter().zip(&self.links).filter(|(_, function)| function.is_some()) {
+            if let Some((from, to)) = link.ends() {
+                listed(link, from)?;
+                listed(link, to)?;
+            }
+        }
+        if self.inner.is_some() {
+            listed(Link::Inner, Record::Face)?;
+            listed(Link::Inner, Record::Boundary)?;
+        }
+        for link in [Link::Next, Link::Twin] {
+            if !self.gives(link) {
+                return Err(Failure::new(Status::Missing, format!("{}: missing", link.name())));
+            }
+        }
+        Ok(())
     }
 }

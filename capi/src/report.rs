@@ -2,6 +2,7 @@
 
 use crate::border::{free, with};
 use crate::names::{Count, Record};
+use crate::words::{self, Words};
 use std::ffi::{CString, c_char, c_int};
 use std::ptr::null;
 use std::sync::OnceLock;
@@ -11,6 +12,7 @@ use twinedge::validate::{self as rules, Counts};
 #[derive(Debug)]
 pub struct Report {
     found: rules::Report,
+    words: Words,
     violations: OnceLock<Vec<Violation>>,
     text: OnceLock<CString>,
     json: OnceLock<CString>,
@@ -33,21 +35,21 @@ fn string(text: impl Into<Vec<u8>>) -> CString {
 }
 
 impl Report {
-    pub(crate) const fn new(found: rules::Report) -> Self {
-        Self { found, violations: OnceLock::new(), text: OnceLock::new(), json: OnceLock::new() }
+    pub(crate) fn new((found, words): (rules::Report, Words)) -> Self {
+        Self { found, words, violations: OnceLock::new(), text: OnceLock::new(), json: OnceLock::new() }
     }
 
     fn violations(&self) -> &[Violation] {
         self.violations.get_or_init(|| {
-            let of = |violation: &rules::Violation| Violation {
+            let of = |(position, violation): (usize, &rules::Violation)| Violation {
                 rule: string(violation.rule().id()),
                 kind: string(violation.kind()),
-                message: string(violation.to_string()),
-                cause: string(violation.cause()),
-                remedy: string(violation.remedy()),
+                message: string(self.words.message(position, violation)),
+                cause: string(words::cause(violation)),
+                remedy: string(words::remedy(violation)),
                 records: violation.records(),
             };
-            self.found.violations().iter().map(of).collect()
+            self.found.violations().iter().enumerate().map(of).collect()
         })
     }
 }
@@ -95,19 +97,18 @@ pub unsafe extern "C" fn twinedge_report_count(report: *const Report, count: c_i
     unsafe { with(report, None, read) }.unwrap_or(u64::MAX)
 }
 
-/// The report as text, a line for each rule.
+/// The report as text, a line for each rule, then a line for each violation that is listed. It is for people, and may change.
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn twinedge_report_text(report: *const Report) -> *const c_char {
     // SAFETY: as the caller promises.
-    unsafe { with(report, null(), |r| r.text.get_or_init(|| string(r.found.to_string())).as_ptr()) }
+    unsafe { with(report, null(), |r| r.text.get_or_init(|| string(r.words.text(&r.found))).as_ptr()) }
 }
 
-/// The report as JSON, in the form of docs/report.md.
+/// The report as JSON, in the form of docs/report.md. Numbers that a double does not hold are strings.
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn twinedge_report_json(report: *const Report) -> *const c_char {
-    let written = |report: &rules::Report| string(serde_json::to_vec(report).unwrap_or_default());
     // SAFETY: as the caller promises.
-    unsafe { with(report, null(), |r| r.json.get_or_init(|| written(&r.found)).as_ptr()) }
+    unsafe { with(report, null(), |r| r.json.get_or_init(|| string(r.words.json(&r.found))).as_ptr()) }
 }
 
 /// How many violations are listed.
@@ -152,7 +153,7 @@ pub unsafe extern "C" fn twinedge_violation_cause(violation: *const Violation) -
     unsafe { with(violation, null(), |violation| violation.cause.as_ptr()) }
 }
 
-/// What mends it.
+/// What mends it, in the words of this header.
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn twinedge_violation_remedy(violation: *const Violation) -> *const c_char {
     // SAFETY: as the caller promises.

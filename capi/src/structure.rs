@@ -61,7 +61,8 @@ pub extern "C" fn twinedge_version() -> *const c_char {
 
 /// A structure without columns. By default it is to be a closed surface of any genus. Free it with `twinedge_structure_free`.
 ///
-/// A setter that fails changes nothing. `twinedge_validate` returns the first failure again, so a caller may look at its status alone.
+/// A setter that fails changes nothing else, but the structure stays failed: each `twinedge_validate` returns the first failure of a
+/// setter again, so a caller may look at its status alone. Free the structure then, and start over.
 #[unsafe(no_mangle)]
 pub extern "C" fn twinedge_structure_new() -> *mut Structure {
     guarded(null_mut(), || handle(Structure::default()))
@@ -74,7 +75,7 @@ pub unsafe extern "C" fn twinedge_structure_free(structure: *mut Structure) {
     unsafe { free(structure) }
 }
 
-/// The message of the first setter that failed, or else of the last `twinedge_validate` that did, or else "". It belongs to the
+/// The message of the first setter that failed; else, of the last `twinedge_validate` if it failed; else "". It belongs to the
 /// structure, until the next call on it.
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn twinedge_structure_error(structure: *const Structure) -> *const c_char {
@@ -101,7 +102,8 @@ unsafe fn column(
 
 /// A column of `count` links of 32 bits with sign. `stride` is the number of bytes from one link to the next: `sizeof` the struct for a
 /// field of an array of structs, 0 for an array of links, negative for one that is read backwards. Nil is −1. The memory is
-/// read by `twinedge_validate`, and must be there until then. All columns of a structure are of one type.
+/// read by `twinedge_validate`, and must be there until then. All columns of a structure are of one type. A column that is given again
+/// takes the place of the first.
 ///
 /// O(1). Errors: `NULL`, `UNKNOWN` (no such link), `LENGTH`, `ALIGNMENT`, `TYPE`.
 #[unsafe(no_mangle)]
@@ -212,9 +214,13 @@ pub unsafe extern "C" fn twinedge_pointers(
 }
 
 /// The function that says where a link leads, for a structure of pointers. It is called by `twinedge_validate`, once for each record. It
-/// must return: an exception ends the process, or is the error `PANIC`. It must not free the structure.
+/// must not free the structure, and must return: an exception of C++ that leaves it ends the process, with a message that does not
+/// name the function. In C++, `follow` of `twinedge/twinedge.hpp` takes functions that may throw.
 ///
-/// Errors: `NULL`, `UNKNOWN` (no such link, or one of `INNER_FIRST` and `INNER`, which are for `twinedge_follow_inner`).
+/// `NEXT`, `TWIN` and one of `ORIGIN` and `TARGET` are needed, and the lists of the records that have a link and to which it leads.
+///
+/// Errors: `NULL`, `UNKNOWN` (no such link, or one of `INNER_FIRST` and `INNER`, which are for `twinedge_follow_inner`); of
+/// `twinedge_validate`: `MISSING`.
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn twinedge_follow(
     structure: *mut Structure,
@@ -238,9 +244,9 @@ pub unsafe extern "C" fn twinedge_follow(
 }
 
 /// The function that says what faces list as inner boundary components, for a structure of pointers. All lists together are read up
-/// to twice as many as there are boundary components, and 17.
+/// to twice as many as there are boundary components, and 17. The lists of faces and of boundary components are needed.
 ///
-/// Errors: `NULL`.
+/// Errors: `NULL`; of `twinedge_validate`: `MISSING`.
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn twinedge_follow_inner(
     structure: *mut Structure,
@@ -300,7 +306,11 @@ pub unsafe extern "C" fn twinedge_validate(structure: *mut Structure, report: *m
     }
     // The plan is copied, so that no reference to the structure is held while functions of the caller run.
     let copy = |structure: &mut Structure| match structure.failed {
-        None => Ok(structure.plan.clone()),
+        None => {
+            // No sentence of an earlier validation stays.
+            structure.message = CString::default();
+            Ok(structure.plan.clone())
+        }
         Some(status) => Err(status),
     };
     // SAFETY: as the caller promises.
@@ -308,7 +318,7 @@ pub unsafe extern "C" fn twinedge_validate(structure: *mut Structure, report: *m
         Ok(plan) => plan,
         Err(status) => return status,
     };
-    let panicked = || Err(Failure::new(Status::Panic, "the validation panicked, or a function left by an exception"));
+    let panicked = || Err(Failure::new(Status::Panic, "the validation, or a function of the caller, panicked"));
     // SAFETY: as the caller promises for all that the plan leads to.
     let judged = guarded(None, || Some(unsafe { judge(&plan) })).unwrap_or_else(panicked);
     match judged {

@@ -132,7 +132,8 @@ int main() {
     const Exact::Point_2 corners[] = {{at, at}, {at + 2, at}, {at + 2, at + 2}, {at, at + 2}};
     for (int i = 0; i < 4; ++i) CGAL::insert(crossing, Exact::X_monotone_curve_2(corners[i], corners[(i + 1) % 4]));
   }
-  const auto report = twinedge::of(crossing).validate();
+  const auto &constant = crossing;
+  const auto report = twinedge::of(constant).validate();
   trial::require(report.valid() && report.count(TWINEDGE_COUNT_FACES) == 4, "two squares that cross");
 
   trial::table("`Arrangement_2`", "`arr.is_valid()`", corrupt([](Arrangement &a) { return a.is_valid(); }));

@@ -215,7 +215,8 @@ static void errors(void) {
   CHECK(*twinedge_structure_error(s) == 0);
   CHECK(twinedge_column_i32(s, 16, ORIGIN, 6, 0) == TWINEDGE_STATUS_UNKNOWN);
   CHECK(twinedge_column_i32(s, TWINEDGE_LINK_NEXT, NULL, 6, 0) == TWINEDGE_STATUS_NULL);
-  // The first failure stays.
+  // The first failure stays, also when the same is done right.
+  CHECK(twinedge_column_i32(s, TWINEDGE_LINK_NEXT, NEXT, 6, 0) == TWINEDGE_STATUS_OK);
   fails(s, TWINEDGE_STATUS_UNKNOWN, "there is no link with the number 16");
   fails(twinedge_structure_new(), TWINEDGE_STATUS_MISSING, "next: missing");
 #define FAILS(call, status, message) \
@@ -263,6 +264,16 @@ static void errors(void) {
   s = pillow();
   CHECK(twinedge_validate(s, NULL) == TWINEDGE_STATUS_NULL);
   fails(s, TWINEDGE_STATUS_NULL, "the place for the report is null");
+  // What failed is mended, and its sentence is gone. A column that is given again takes the place of the first.
+  s = pillow();
+  CHECK(twinedge_column_i32(s, TWINEDGE_LINK_PREV, PREV, 5, 0) == TWINEDGE_STATUS_OK);
+  twinedge_report *mended = NULL;
+  CHECK(twinedge_validate(s, &mended) == TWINEDGE_STATUS_LENGTH && *twinedge_structure_error(s));
+  CHECK(twinedge_column_i32(s, TWINEDGE_LINK_PREV, PREV, 6, 0) == TWINEDGE_STATUS_OK);
+  CHECK(twinedge_validate(s, &mended) == TWINEDGE_STATUS_OK && twinedge_report_valid(mended));
+  CHECK(*twinedge_structure_error(s) == 0);
+  twinedge_report_free(mended);
+  twinedge_structure_free(s);
   // No structure: no call does more than say so.
   twinedge_report *r = (twinedge_report *)(void *)other;
   CHECK(twinedge_validate(NULL, &r) == TWINEDGE_STATUS_NULL && r == NULL);
@@ -273,6 +284,96 @@ static void errors(void) {
   CHECK(!twinedge_violation_rule(NULL) && !twinedge_violation_record(NULL, 0, NULL, NULL));
   twinedge_structure_free(NULL);
   twinedge_report_free(NULL);
+}
+
+// What a report says, in words of the header.
+static void says(twinedge_structure *s, const char *text, const char *json) {
+  twinedge_report *r = judge(s);
+  const char *all = twinedge_report_text(r);
+  if (!strstr(all, text)) fprintf(stderr, "%s\n", all);
+  CHECK(strstr(all, text) && !strstr(all, "Expectation") && !strstr(all, "expectation") && !strstr(all, "face_slots"));
+  if (!strstr(twinedge_report_json(r), json)) fprintf(stderr, "%s\n", twinedge_report_json(r));
+  CHECK(strstr(twinedge_report_json(r), json));
+  twinedge_report_free(r);
+}
+
+static void words(void) {
+  static const int32_t nils[] = {-1, -1, -1, -1, -1, -1}, far[] = {0, 1, 0, -7, 0, 1}, least[] = {INT32_MIN, 2, 4};
+  twinedge_structure *s = twinedge_structure_new();
+  twinedge_column_i32(s, TWINEDGE_LINK_ORIGIN, ORIGIN, 6, 0);
+  twinedge_column_i32(s, TWINEDGE_LINK_NEXT, NEXT, 6, 0);
+  says(s, "V1 leaving   not checked: TWINEDGE_LINK_LEAVING was not given", "\"unchecked\":{\"lacks\":\"leaving\"}");
+  s = twinedge_structure_new();
+  twinedge_column_i32(s, TWINEDGE_LINK_ORIGIN, ORIGIN, 6, 0);
+  twinedge_column_i32(s, TWINEDGE_LINK_NEXT, NEXT, 6, 0);
+  says(s, "L1 twin      ok, 6 half-edges (twin: h ^ 1, as TWINEDGE_LINK_TWIN was not given)\n", "\"id\":\"L1\"");
+  twinedge_report *r = judge(pillow());
+  CHECK(!strstr(twinedge_report_text(r), "h ^ 1"));
+  twinedge_report_free(r);
+  s = pillow();
+  twinedge_preset(s, "trimesh");
+  says(s, "V1 leaving   not checked: the preset leaves out leaving half-edges", "");
+  // Hints.
+  s = pillow();
+  twinedge_column_i32(s, TWINEDGE_LINK_PREV, nils, 6, 0);
+  says(s, "has no prev links, do not give `TWINEDGE_LINK_PREV`", "\"kind\":\"nil\"");
+  s = pillow();
+  twinedge_column_i32(s, TWINEDGE_LINK_FACE, nils, 6, 0);
+  says(s, "has no faces, do not give `TWINEDGE_LINK_FACE`", "");
+  s = pillow();
+  twinedge_column_i32(s, TWINEDGE_LINK_LEAVING, nils, 3, 0);
+  says(s, "has no leaving half-edges, do not give `TWINEDGE_LINK_LEAVING`", "");
+  s = pillow();
+  twinedge_column_i32(s, TWINEDGE_LINK_TWIN, nils, 6, 0);
+  says(s, "if the structure has a border, expect `TWINEDGE_EXPECTED_OPEN`", "");
+  s = pillow();
+  twinedge_records(s, TWINEDGE_RECORD_FACE, 0);
+  twinedge_column_i32(s, TWINEDGE_LINK_FACE_HALF_EDGE, NULL, 0, 0);
+  says(s, "there are none; give their number by `twinedge_records`", "");
+  // Numbers that are no index.
+  s = pillow();
+  twinedge_column_i32(s, TWINEDGE_LINK_FACE, far, 6, 0);
+  says(s, "the face of half-edge 3 is -7, which is no live record", "\"field\":\"face\",\"value\":-7}");
+  s = pillow();
+  twinedge_column_i32(s, TWINEDGE_LINK_LEAVING, least, 3, 0);
+  says(s, "the leaving half-edge of vertex 0 is -2147483648, which", "\"value\":-2147483648}");
+  int64_t origin[6], next[6], target[6];
+  for (int h = 0; h < 6; h++) origin[h] = ORIGIN[h], next[h] = NEXT[h], target[h] = ORIGIN[h ^ 1];
+  static const int64_t wide[] = {INT64_MIN, 9007199254740992, 9007199254740991, -9007199254740992};
+  static const char *const text[] = {"is -9223372036854775808, which", "is 9007199254740992, which", "is 9007199254740991, which",
+                                     "is -9007199254740992, which"};
+  static const char *const json[] = {"\"value\":\"-9223372036854775808\"}", "\"value\":\"9007199254740992\"}",
+                                     "\"value\":9007199254740991}", "\"value\":\"-9007199254740992\"}"};
+  for (int i = 0; i < 4; i++) {
+    next[2] = wide[i];
+    s = twinedge_structure_new();
+    twinedge_column_i64(s, TWINEDGE_LINK_ORIGIN, origin, 6, 0);
+    twinedge_column_i64(s, TWINEDGE_LINK_NEXT, next, 6, 0);
+    says(s, text[i], json[i]);
+  }
+  // The origin of half-edge 4 is the target of half-edge 5.
+  next[2] = NEXT[2], target[5] = -3;
+  s = twinedge_structure_new();
+  twinedge_column_i64(s, TWINEDGE_LINK_TARGET, target, 6, 0);
+  twinedge_column_i64(s, TWINEDGE_LINK_NEXT, next, 6, 0);
+  says(s, "the origin of half-edge 4 is -3, which", "\"value\":-3}");
+}
+
+// A triangle in the plane: every face has a half-edge, or the outside has no record.
+static void faces_in_the_plane(void) {
+  static const int32_t nil_outside[] = {0, -1, 0, -1, 0, -1}, kept_nil[] = {0, -1};
+  for (int test = 0; test < 4; test++) {
+    twinedge_structure *s = twinedge_structure_new();
+    twinedge_column_i32(s, TWINEDGE_LINK_ORIGIN, ORIGIN, 6, 0);
+    twinedge_column_i32(s, TWINEDGE_LINK_NEXT, NEXT, 6, 0);
+    twinedge_column_i32(s, TWINEDGE_LINK_FACE, test < 2 ? FACE : nil_outside, 6, 0);
+    twinedge_column_i32(s, TWINEDGE_LINK_FACE_HALF_EDGE, test == 1 ? kept_nil : KEPT, test < 2 ? 2 : 1, 0);
+    twinedge_expect(s, TWINEDGE_EXPECTED_PLANE, 1);
+    twinedge_expect(s, TWINEDGE_EXPECTED_OPEN, test == 2);
+    if (test % 2 == 0) is_valid(s);
+    else if (test == 1) says(s, "`TWINEDGE_LINK_FACE_HALF_EDGE` (or `TWINEDGE_LINK_OUTER`) is nil", "\"kind\":\"no_outer\"");
+    else breaks(s, "R1");
+  }
 }
 
 // Every value in every cell: each ends, and the sound one is the only one without violation among the columns of links.
@@ -368,6 +469,7 @@ static void pointers(void) {
   for (int i = 0; i < 4; i++) {
     half_edges[2].next = garbage[i];
     breaks(of_nodes(), "R1");
+    if (garbage[i]) says(of_nodes(), "the next of half-edge 2 leads to what is not in the list", "\"value\":\"none\"}");
   }
   link_nodes();
   half_edges[2].next = &half_edges[3];
@@ -386,14 +488,18 @@ static void pointers(void) {
   fails(s, TWINEDGE_STATUS_NULL, "the vertex 1 is null");
 
   // Faces with endless lists of what is no boundary component.
-  static const void *h[6], *f[2];
+  static const void *h[6], *f[2], *v[3];
   for (int i = 0; i < 6; i++) h[i] = &half_edges[i];
+  for (int i = 0; i < 3; i++) v[i] = &vertices[i];
   for (int i = 0; i < 2; i++) f[i] = &faces[i];
   int asked = 0;
   s = twinedge_structure_new();
   twinedge_pointers(s, TWINEDGE_RECORD_HALF_EDGE, h, 6);
   twinedge_pointers(s, TWINEDGE_RECORD_FACE, f, 2);
+  twinedge_pointers(s, TWINEDGE_RECORD_VERTEX, v, 3);
+  twinedge_pointers(s, TWINEDGE_RECORD_BOUNDARY, NULL, 0);
   twinedge_follow(s, TWINEDGE_LINK_ORIGIN, origin_of, NULL);
+  twinedge_follow(s, TWINEDGE_LINK_TWIN, twin_of, NULL);
   twinedge_follow(s, TWINEDGE_LINK_NEXT, next_of, NULL);
   twinedge_follow(s, TWINEDGE_LINK_BOUNDARY, face_of, NULL);
   twinedge_follow(s, TWINEDGE_LINK_BOUNDARY_FACE, face_of, NULL);
@@ -405,6 +511,37 @@ static void pointers(void) {
   CHECK(asked == 17);
 }
 
+// Each list and each link that is needed, left out in turn.
+static void lists_that_are_missing(void) {
+  static const int kinds[] = {TWINEDGE_RECORD_VERTEX, TWINEDGE_RECORD_HALF_EDGE, TWINEDGE_RECORD_FACE};
+  static const int links[] = {TWINEDGE_LINK_ORIGIN, TWINEDGE_LINK_NEXT, TWINEDGE_LINK_TWIN, TWINEDGE_LINK_FACE};
+  static const twinedge_link_of functions[] = {origin_of, next_of, twin_of, face_of};
+  static const char *const messages[] = {"origin: needs the list of vertices", "origin: needs the list of half-edges",
+                                         "face: needs the list of faces",      "give either origin or target",
+                                         "next: missing",                      "twin: missing"};
+  static const void *v[3], *h[6], *f[2];
+  for (int i = 0; i < 6; i++) h[i] = &half_edges[i];
+  for (int i = 0; i < 3; i++) v[i] = &vertices[i];
+  for (int i = 0; i < 2; i++) f[i] = &faces[i];
+  const void **const lists[] = {v, h, f};
+  static const size_t sizes[] = {3, 6, 2};
+  for (int left_out = 0; left_out < 7; left_out++) {
+    twinedge_structure *s = twinedge_structure_new();
+    for (int i = 0; i < 3; i++)
+      if (i != left_out) twinedge_pointers(s, kinds[i], lists[i], sizes[i]);
+    for (int i = 0; i < 4; i++)
+      if (i + 3 != left_out) twinedge_follow(s, links[i], functions[i], NULL);
+    if (left_out == 6) is_valid(s);  // Faces are listed, and none names them.
+    else fails(s, TWINEDGE_STATUS_MISSING, messages[left_out]);
+  }
+  // Faces that list boundary components, of which there is no list.
+  int asked = 0;
+  twinedge_structure *s = of_nodes();
+  twinedge_follow_inner(s, endless, &asked);
+  fails(s, TWINEDGE_STATUS_MISSING, "inner: needs the list of boundary components");
+  CHECK(asked == 0);
+}
+
 int main(void) {
   CHECK(strcmp(twinedge_version(), "0.1.0") == 0);
   is_valid(pillow());
@@ -413,8 +550,11 @@ int main(void) {
   expectations();
   boundary_components();
   errors();
+  words();
+  faces_in_the_plane();
   corruptions();
   pointers();
+  lists_that_are_missing();
   puts("structure.c: all is well");
   return 0;
 }

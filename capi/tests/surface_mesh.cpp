@@ -1,6 +1,7 @@
 // CGAL's Surface_mesh: sound ones, and single corruptions through its public interface, beside its own checkers.
 #include <CGAL/Simple_cartesian.h>
 #include <CGAL/boost/graph/Euler_operations.h>
+#include <CGAL/boost/graph/generators.h>
 #include <CGAL/boost/graph/helpers.h>
 #include <CGAL/version.h>
 
@@ -81,6 +82,35 @@ static std::vector<trial::row> corrupt(const Mesh &sound, Check check) {
   return rows;
 }
 
+// Links that are easily read through a removed half-edge, and what a report names where the mesh stores a half-edge that arrives.
+static void kept_half_edges() {
+  const auto message = [](const Mesh &m, int position) -> std::string {
+    const auto report = twinedge::of(m).validate();
+    const auto *violation = twinedge_report_violation(report.get(), std::size_t(position));
+    return violation ? twinedge_violation_message(violation) : "";
+  };
+  Mesh m;
+  CGAL::make_icosahedron<Mesh, Point>(m);
+  const auto a = m.add_vertex(), b = m.add_vertex();
+  const auto edge = m.add_edge(a, b);
+  m.set_halfedge(b, edge);
+  m.remove_edge(m.edge(edge));
+  trial::require(m.is_removed(m.halfedge(b)) && m.halfedge(b) == H(60), "vertex 13 keeps a removed half-edge");
+  trial::require(message(m, 0).find("the leaving half-edge of vertex 13 is 60, which is no live record") == 0,
+                 "a removed half-edge of a vertex breaks R1: " + message(m, 0));
+  Mesh wrong;
+  CGAL::make_icosahedron<Mesh, Point>(wrong);
+  const H kept(7);
+  const V other = wrong.target(kept) == V(2) ? V(3) : V(2);
+  wrong.set_halfedge(other, kept);
+  trial::require(message(wrong, 0).find("keeps half-edge 6, ") != std::string::npos, "the opposite is named: " + message(wrong, 0));
+  // A half-edge without next: its vertex is not blamed for it.
+  Mesh nil;
+  CGAL::make_icosahedron<Mesh, Point>(nil);
+  nil.set_next_only(nil.halfedge(V(0)), Mesh::null_halfedge());
+  trial::require(twinedge::of(nil).validate().count(TWINEDGE_COUNT_VIOLATIONS) == 1, "one nil next is one violation");
+}
+
 int main() {
   std::printf("\nCGAL %s, `Surface_mesh`:\n", CGAL_VERSION_STR);
   // What is removed is skipped.
@@ -91,6 +121,7 @@ int main() {
   trial::require(holed.has_garbage() && report.valid() && report.count(TWINEDGE_COUNT_BORDERS) == 2, "a grid with a hole");
   trial::require(report.count(TWINEDGE_COUNT_VERTICES) == 48 && report.count(TWINEDGE_COUNT_FACES) == 34, "vacant slots");
 
+  kept_half_edges();
   const Mesh small = grid(2);
   trial::table("`Surface_mesh`", "`m.is_valid()`", corrupt(small, their_members));
   trial::table("`Surface_mesh`", "`is_valid_polygon_mesh(m)`", corrupt(small, their_functions));

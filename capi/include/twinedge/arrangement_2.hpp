@@ -1,13 +1,14 @@
-// twinedge::of(arrangement): a CGAL::Arrangement_2 of bounded curves, with its CCBs; not const, as Arr_accessor asks. O(n) on average.
+// twinedge::of(arrangement): a CGAL::Arrangement_2 of bounded curves, with its CCBs. O(n) on average.
 #pragma once
+#include "twinedge.hpp"
 #include <CGAL/Arr_accessor.h>
 #include <CGAL/Arrangement_2.h>
-#include "twinedge.hpp"
 namespace twinedge {
 template <class Traits, class Dcel>
-structure of(CGAL::Arrangement_2<Traits, Dcel> &arrangement) {
+structure of(const CGAL::Arrangement_2<Traits, Dcel> &arrangement) {
+  using Arrangement = CGAL::Arrangement_2<Traits, Dcel>;
   const std::uint32_t nil = UINT32_MAX, dangling = nil - 1;
-  const auto &d = CGAL::Arr_accessor<CGAL::Arrangement_2<Traits, Dcel>>(arrangement).dcel();
+  const auto &d = CGAL::Arr_accessor<Arrangement>(const_cast<Arrangement &>(arrangement)).dcel();  // It is only read.
   std::unordered_map<const void *, std::uint32_t> numbers[4];  // Of vertices, half-edges, boundary components, faces.
   std::vector<std::uint32_t> columns[TWINEDGE_LINK_BOUNDARY_VERTEX + 1];
   const auto put = [&](twinedge_link link, std::uint32_t number) { columns[link].push_back(number); };
@@ -37,11 +38,11 @@ structure of(CGAL::Arrangement_2<Traits, Dcel> &arrangement) {
   for (auto f = d.faces_begin(); f != d.faces_end(); ++f) {
     const auto outer = f->number_of_outer_ccbs();
     put(TWINEDGE_LINK_OUTER, outer > 1 ? dangling : outer ? of_half_edge(*f->outer_ccbs_begin()) : nil);
-    put(TWINEDGE_LINK_INNER_FIRST, columns[TWINEDGE_LINK_INNER].size());
+    put(TWINEDGE_LINK_INNER_FIRST, std::uint32_t(columns[TWINEDGE_LINK_INNER].size()));
     for (auto i = f->inner_ccbs_begin(); i != f->inner_ccbs_end(); ++i) put(TWINEDGE_LINK_INNER, of_half_edge(*i));
     for (auto i = f->isolated_vertices_begin(); i != f->isolated_vertices_end(); ++i) put(TWINEDGE_LINK_INNER, of_vertex(&*i));
   }
-  put(TWINEDGE_LINK_INNER_FIRST, columns[TWINEDGE_LINK_INNER].size());
+  put(TWINEDGE_LINK_INNER_FIRST, std::uint32_t(columns[TWINEDGE_LINK_INNER].size()));
   structure s;
   for (const int link : {1, 2, 3, 4, 6, 7, 8, 10, 11, 12, 13, 14, 15})  // Not ORIGIN, FACE, FACE_HALF_EDGE.
     s.column(static_cast<twinedge_link>(link), std::move(columns[link]));

@@ -1,9 +1,9 @@
 // twinedge::of(mesh): a PolyMesh or TriMesh of OpenMesh as columns. What is deleted and not yet collected is a vacant slot. O(n).
 #pragma once
+#include "twinedge.hpp"
+
 #include <OpenMesh/Core/Mesh/PolyConnectivity.hh>
 #include <type_traits>
-
-#include "twinedge.hpp"
 
 namespace twinedge {
 

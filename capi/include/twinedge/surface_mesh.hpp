@@ -1,8 +1,11 @@
 // twinedge::of(mesh): a CGAL::Surface_mesh as columns. What is removed and not yet collected is a vacant slot. O(n).
+//
+// A Surface_mesh stores for each vertex a half-edge that arrives, `halfedge(v)`. Reports name one that leaves, which is derived: what
+// follows `halfedge(v)`, if both are at v; else the opposite of `halfedge(v)`; `halfedge(v)` itself if that is nil or removed.
 #pragma once
-#include <CGAL/Surface_mesh.h>
-
 #include "twinedge.hpp"
+
+#include <CGAL/Surface_mesh.h>
 
 namespace twinedge {
 
@@ -23,8 +26,13 @@ structure of(const CGAL::Surface_mesh<Point> &m) {
   }
   for (std::uint32_t i = 0; i < vertices; ++i) {
     const typename mesh::Vertex_index v(i);
-    const std::uint32_t arriving = m.halfedge(v);  // What follows leaves the vertex.
-    leaving[i] = arriving < half_edges ? next[arriving] : arriving;
+    const std::uint32_t arriving = m.halfedge(v);
+    leaving[i] = arriving;  // Nil, past the end or vacant breaks R1. `next` of what is removed is CGAL's list of free slots.
+    if (arriving < half_edges && live_half_edges[arriving]) {
+      const std::uint32_t opposite = m.opposite(typename mesh::Halfedge_index(arriving)), follows = next[arriving];
+      const bool arrives = origin[opposite] == i && follows < half_edges && origin[follows] == i;
+      leaving[i] = arrives ? follows : opposite;
+    }
     live_vertices[i] = !m.is_removed(v);
   }
   for (std::uint32_t i = 0; i < faces; ++i) {
