@@ -4,8 +4,7 @@
 #include <CGAL/Arr_accessor.h>
 #include <CGAL/Arrangement_2.h>
 namespace twinedge {
-template <class Traits, class Dcel>
-structure of(const CGAL::Arrangement_2<Traits, Dcel> &arrangement) {
+template <class Traits, class Dcel> structure of(const CGAL::Arrangement_2<Traits, Dcel> &arrangement) {
   using Arrangement = CGAL::Arrangement_2<Traits, Dcel>;
   const std::uint32_t nil = UINT32_MAX, dangling = nil - 1;
   const auto &d = CGAL::Arr_accessor<Arrangement>(const_cast<Arrangement &>(arrangement)).dcel();  // It is only read.

@@ -4,7 +4,6 @@
 // follows `halfedge(v)`, if both are at v; else the opposite of `halfedge(v)`; `halfedge(v)` itself if that is nil or removed.
 #pragma once
 #include "twinedge.hpp"
-
 #include <CGAL/Surface_mesh.h>
 
 namespace twinedge {
