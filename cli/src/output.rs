@@ -37,6 +37,11 @@ pub(crate) fn counted(n: usize, name: &str) -> String {
     format!("{} {plural}", grouped(n))
 }
 
+/// How many rules were not checked, to be added to a verdict; nothing if all were.
+pub(crate) fn not_checked(rules: usize) -> String {
+    if rules == 0 { String::new() } else { format!("; {} not checked", counted(rules, "rule")) }
+}
+
 /// A number that should be 0, marked if it is not.
 pub(crate) fn zero(found: u64) -> String {
     use style::BAD;

@@ -105,6 +105,12 @@ impl TopologyAudit {
         &self.violations
     }
 
+    /// How many rules were not checked, or not on everything.
+    #[must_use]
+    pub fn unchecked_count(&self) -> usize {
+        self.rules.iter().filter(|rule| rule.unchecked.is_some()).count()
+    }
+
     /// How many violations there are, kept or not.
     #[must_use]
     pub fn violation_count(&self) -> u64 {

@@ -6,7 +6,7 @@ use super::packed::{Beside, Map, Names};
 use super::write::write;
 use crate::input::Input;
 use crate::output::style::{BAD, GOOD, QUIET};
-use crate::output::{counted, grouped, plain};
+use crate::output::{counted, grouped, not_checked, plain};
 use crate::status::{Failure, Verdict};
 use crate::trace::{Trace, middle};
 use serde::Serialize;
@@ -143,10 +143,7 @@ impl Found<'_> {
         Document {
             input: name.to_owned(),
             valid: audit.is_valid(),
-            verdict: match counted(audit.violation_count() as usize, "violation") {
-                _ if audit.is_valid() => "valid: every rule that applies holds".to_owned(),
-                violations => format!("not valid: {violations}"),
-            },
+            verdict: self.verdict(),
             notes: vec![what.note.to_owned()],
             counts: vec![
                 (what.nodes, grouped(counts.nodes)),
@@ -213,13 +210,20 @@ impl Found<'_> {
                 writeln!(out, "{rule}: usual cause: {cause}; remedy: {remedy}")?;
             }
         }
-        if audit.is_valid() {
-            writeln!(out, "{GOOD}valid{GOOD:#}: every rule that applies holds ({elapsed_ms:.0} ms)")?;
-        } else {
-            let count = counted(audit.violation_count() as usize, "violation");
-            writeln!(out, "{BAD}not valid{BAD:#}: {count} ({elapsed_ms:.0} ms)")?;
-        }
+        let verdict = self.verdict();
+        let (word, rest) = verdict.split_once(':').unwrap_or((&verdict, ""));
+        let style = if audit.is_valid() { GOOD } else { BAD };
+        writeln!(out, "{style}{word}{style:#}:{rest} ({elapsed_ms:.0} ms)")?;
         Ok(out)
+    }
+
+    /// Whether the topology is valid, in a sentence.
+    fn verdict(&self) -> String {
+        if self.audit.is_valid() {
+            return "valid: every rule that applies holds".to_owned();
+        }
+        let violations = counted(self.audit.violation_count() as usize, "violation");
+        format!("not valid: {violations}{}", not_checked(self.audit.unchecked_count()))
     }
 }
 

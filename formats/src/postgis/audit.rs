@@ -1,5 +1,6 @@
 //! The audit of a topology: the validator's rules, and P0 … P4.
 
+use super::containing::containing;
 use super::error::ReadError;
 use super::finding::{Finding, Findings, RULES};
 use super::mbr::Mbr;
@@ -87,7 +88,15 @@ pub fn audit(topology: &Topology, limit: usize) -> Result<TopologyAudit, ReadErr
     if mbrs_unchecked.is_none() {
         boxes(topology, &mut findings);
     }
-    let rules = rules(topology, &findings, &report, mbrs_unchecked);
+    // G5 asks the same, where the links allow it.
+    let is_checked = report.outcome(Rule::G5).is_some_and(|outcome| outcome.unchecked.is_none());
+    let nowhere = match (is_checked, ends_meet) {
+        (true, _) => 0,
+        (false, true) => containing(topology, &mut findings),
+        (false, false) => topology.contained.len() as u64,
+    };
+    let unchecked = Unchecked { mbrs: mbrs_unchecked, nowhere };
+    let rules = rules(topology, &findings, &report, &unchecked);
     let own = findings.kept.iter().map(|finding| TopologyViolation {
         rule: finding.rule(),
         kind: finding.kind(),
@@ -135,12 +144,27 @@ fn boxes(topology: &Topology, findings: &mut Findings) {
     }
 }
 
-fn rules(topology: &Topology, findings: &Findings, report: &Report, mbrs: Option<Rule>) -> Vec<TopologyRule> {
+/// What could not be asked.
+struct Unchecked {
+    /// The rule without which `mbr` cannot be judged.
+    mbrs: Option<Rule>,
+    /// How many isolated nodes may lie anywhere.
+    nowhere: u64,
+}
+
+fn rules(topology: &Topology, findings: &Findings, report: &Report, not: &Unchecked) -> Vec<TopologyRule> {
     let [nodes, faces, edges] = [&topology.nodes, &topology.faces, &topology.edges].map(|ids| ids.len() as u64);
     let checked = [nodes + faces + edges, nodes + edges, nodes, faces, faces + 2 * edges];
     let mut rules = Vec::new();
     for (i, (id, name, unit)) in RULES.into_iter().enumerate() {
-        let unchecked = mbrs.filter(|_| id == "P4").map(|rule| format!("for mbr: needs {rule}, which is broken"));
+        let unchecked = match (id, not.mbrs, not.nowhere) {
+            ("P4", Some(rule), _) => Some(format!("for mbr: needs {rule}, which is broken")),
+            ("P2", _, count) if count > 0 => {
+                let nodes = if count == 1 { "1 isolated node lies" } else { &format!("{count} isolated nodes lie") };
+                Some(format!("in which face {nodes}: needs G5, or P1 and lines around the faces that close"))
+            }
+            _ => None,
+        };
         rules.push(TopologyRule { id, name, checked: checked[i], unit, violations: findings.counts[i], unchecked });
     }
     rules.extend(report.outcomes().map(|(rule, outcome)| TopologyRule {
@@ -177,7 +201,9 @@ fn place(topology: &Topology, finding: &Finding) -> Vec<[f64; 2]> {
         | Finding::EdgeWithoutCurve { edge: id }
         | Finding::EdgeNotCurve { edge: id, .. }
         | Finding::AbsNextDiffers { edge: id, .. } => edge(id),
-        Finding::ConnectedHasContainingFace { node: id, .. } | Finding::NoSuchContainingFace { node: id, .. } => {
+        Finding::LiesElsewhere { node: id, .. }
+        | Finding::ConnectedHasContainingFace { node: id, .. }
+        | Finding::NoSuchContainingFace { node: id, .. } => {
             node(id).into_iter().collect()
         }
         _ => Vec::new(),

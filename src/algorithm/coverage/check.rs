@@ -16,6 +16,8 @@ use thiserror::Error;
 pub struct Coverage {
     /// In order of the rules; those of one rule by falling area.
     pub findings: Vec<Finding>,
+    /// The gaps that are wider than the limit, if there is one, by falling area. They are not among the findings.
+    pub wider_gaps: Vec<Finding>,
     /// The greatest width of a near miss that was asked for or chosen.
     pub gap_width: f64,
     /// The area of slivers that was asked for or chosen.
@@ -69,13 +71,15 @@ pub fn check(map: &PlanarMap, limits: &Limits) -> Result<Coverage, CoverageError
     let faces = faces_by_feature(map);
     let first_like = first_like(map, &faces);
     let gaps = gaps(map, limits);
-    let (near_misses, gap_width) = near_misses(map, &gaps.open, limits);
+    let (near_misses, gap_width) = near_misses(map, &gaps.outside, limits);
     let (slivers, sliver_area) = slivers(map, &faces, limits);
     let duplicates = duplicates(map, &faces, &first_like);
+    let mut wider_gaps = gaps.wider;
+    wider_gaps.sort_by(|a, b| b.area.total_cmp(&a.area));
     let mut findings = Vec::new();
     for mut found in [overlaps(map, &first_like), gaps.findings, near_misses, slivers, duplicates] {
         found.sort_by(|a, b| b.area.total_cmp(&a.area));
         findings.append(&mut found);
     }
-    Ok(Coverage { findings, gap_width, sliver_area })
+    Ok(Coverage { findings, wider_gaps, gap_width, sliver_area })
 }
