@@ -1,6 +1,7 @@
 //! What the audit of a topology found whose edges are kept as lines with bends: of PostGIS, or of TopoJSON.
 
 use std::fmt;
+use twinedge::validate::Report;
 
 /// What an audit found. `Display` prints all of it as text; with the feature `serde` it is serialized as
 ///
@@ -20,6 +21,8 @@ pub struct TopologyAudit {
     pub(crate) counts: TopologyCounts,
     pub(crate) rules: Vec<TopologyRule>,
     pub(crate) violations: Vec<TopologyViolation>,
+    #[cfg_attr(feature = "serde", serde(skip))]
+    pub(crate) unchecked: usize,
 }
 
 /// How many there are of everything.
@@ -105,10 +108,10 @@ impl TopologyAudit {
         &self.violations
     }
 
-    /// How many rules were not checked, or not on everything.
+    /// How many rules that apply were not checked, or not on everything.
     #[must_use]
-    pub fn unchecked_count(&self) -> usize {
-        self.rules.iter().filter(|rule| rule.unchecked.is_some()).count()
+    pub const fn unchecked_count(&self) -> usize {
+        self.unchecked
     }
 
     /// How many violations there are, kept or not.
@@ -155,6 +158,16 @@ impl fmt::Display for TopologyAudit {
         if more > 0 {
             writeln!(f, "… and {more} more")?;
         }
-        f.write_str(if self.valid { "valid" } else { "not valid" })
+        f.write_str(if self.valid { "valid" } else { "not valid" })?;
+        match self.unchecked {
+            0 => Ok(()),
+            1 => f.write_str("; 1 rule not checked"),
+            n => write!(f, "; {n} rules not checked"),
+        }
     }
+}
+
+/// How many rules of a report apply and were not checked.
+pub(crate) fn not_checked(report: &Report) -> usize {
+    report.outcomes().filter(|(_, outcome)| outcome.unchecked.is_some_and(|why| !why.is_by_design())).count()
 }

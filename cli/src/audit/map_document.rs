@@ -15,9 +15,10 @@ use twinedge::validate::Violation;
 pub(super) fn document(audited: &Audited<'_>, explain: bool) -> Document {
     let Audited { imported, report, coverage, is_coverage_rule, is_valid, .. } = audited;
     let Imported { name, read, map, noted, crs, .. } = imported;
-    let mut notes = vec![input_line(map.summary())];
+    let mut notes = vec![input_line(map.summary(), imported.orients_rings)];
     notes.extend(dropped_line(read));
     notes.extend(map.noding().map(noding_text::line));
+    notes.extend(noted.hint());
     notes.extend(noted.warnings(read).into_iter().map(|warning| format!("Warning: {warning}")));
     let mut rules: Vec<RuleLine> = rule_lines(report);
     if coverage.has_polygons() {

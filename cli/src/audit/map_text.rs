@@ -16,7 +16,8 @@ use twinedge::validate::places;
 #[derive(Clone, Copy)]
 pub(super) struct Shown<'a> {
     pub(super) coverage: &'a Asked,
-    pub(super) list: usize,
+    /// How many findings of each rule C1 … C6.
+    pub(super) worst: usize,
     pub(super) explain: bool,
 }
 
@@ -28,7 +29,7 @@ impl Shown<'_> {
         let explain = self.explain;
         let mut out = String::new();
         writeln!(out, "{name}")?;
-        writeln!(out, "{QUIET}{}{QUIET:#}", input_line(map.summary()))?;
+        writeln!(out, "{QUIET}{}{QUIET:#}", input_line(map.summary(), imported.orients_rings))?;
         if let Some(dropped) = dropped_line(read) {
             writeln!(out, "{QUIET}{dropped}{QUIET:#}")?;
         }
@@ -37,6 +38,9 @@ impl Shown<'_> {
         }
         for warning in noted.warnings(read) {
             writeln!(out, "{BAD}warning{BAD:#}: {warning}")?;
+        }
+        if let Some(hint) = noted.hint() {
+            writeln!(out, "{QUIET}{hint}{QUIET:#}")?;
         }
         out.push_str(&irregularities(map));
         out.push('\n');
@@ -108,7 +112,7 @@ impl Shown<'_> {
             }
         }
         if coverage.has_polygons() {
-            coverage.write_worst(&mut out, self.list)?;
+            coverage.write_worst(&mut out, self.worst, noted.decimals())?;
         }
         // The first word is coloured.
         let verdict = audited.verdict();
@@ -131,7 +135,7 @@ pub(super) fn dropped_line(read: &ReadSummary) -> Option<String> {
     (!dropped.is_empty()).then(|| format!("dropped: {}", dropped.join(", ")))
 }
 
-pub(super) fn input_line(summary: &BuildSummary) -> String {
+pub(super) fn input_line(summary: &BuildSummary, orients_rings: bool) -> String {
     let (features, segments) = (summary.features, summary.segments);
     let mut line = format!("{}, {}", counted(features, "feature"), counted(segments, "segment"));
     for (count, what) in [
@@ -146,7 +150,11 @@ pub(super) fn input_line(summary: &BuildSummary) -> String {
     let mut mark = ';';
     for (count, one, several) in [
         (summary.degenerate_rings, "ring encloses nothing", "rings enclose nothing"),
-        (summary.rings_wound_wrongly, "ring is wound the wrong way", "rings are wound the wrong way"),
+        (
+            if orients_rings { summary.rings_wound_wrongly } else { 0 },
+            "ring is wound the wrong way",
+            "rings are wound the wrong way",
+        ),
         (summary.self_touching_rings, "ring touches itself", "rings touch themselves"),
         (summary.spikes, "spike", "spikes"),
     ] {

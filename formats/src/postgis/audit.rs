@@ -6,7 +6,7 @@ use super::finding::{Finding, Findings, RULES};
 use super::mbr::Mbr;
 use super::message::message;
 use super::topology::Topology;
-use crate::topology_audit::{TopologyAudit, TopologyCounts, TopologyRule, TopologyViolation};
+use crate::topology_audit::{TopologyAudit, TopologyCounts, TopologyRule, TopologyViolation, not_checked};
 use twinedge::delegate_view;
 use twinedge::geometry::Point;
 use twinedge::validate::adapt::FaceLabels;
@@ -90,10 +90,12 @@ pub fn audit(topology: &Topology, limit: usize) -> Result<TopologyAudit, ReadErr
     }
     // G5 asks the same, where the links allow it.
     let is_checked = report.outcome(Rule::G5).is_some_and(|outcome| outcome.unchecked.is_none());
-    let nowhere = match (is_checked, ends_meet) {
-        (true, _) => 0,
-        (false, true) => containing(topology, &mut findings),
-        (false, false) => topology.contained.len() as u64,
+    let nowhere = if is_checked {
+        0
+    } else if ends_meet && !broken(&Rule::G4) {
+        containing(topology, &mut findings)
+    } else {
+        topology.contained.len() as u64
     };
     let unchecked = Unchecked { mbrs: mbrs_unchecked, nowhere };
     let rules = rules(topology, &findings, &report, &unchecked);
@@ -126,7 +128,9 @@ pub fn audit(topology: &Topology, limit: usize) -> Result<TopologyAudit, ReadErr
         repeated_points: topology.repeated_points,
     };
     let valid = report.is_valid() && ends_meet && findings.counts.iter().all(|count| *count == 0);
-    Ok(TopologyAudit { valid, counts, rules, violations })
+    let own_unchecked = rules.iter().filter(|rule| rule.id.starts_with('P') && rule.unchecked.is_some()).count();
+    let unchecked = own_unchecked + not_checked(&report) + rules.len() - RULES.len() - report.outcomes().count();
+    Ok(TopologyAudit { valid, counts, rules, violations, unchecked })
 }
 
 /// P4, for `mbr`.
@@ -203,9 +207,7 @@ fn place(topology: &Topology, finding: &Finding) -> Vec<[f64; 2]> {
         | Finding::AbsNextDiffers { edge: id, .. } => edge(id),
         Finding::LiesElsewhere { node: id, .. }
         | Finding::ConnectedHasContainingFace { node: id, .. }
-        | Finding::NoSuchContainingFace { node: id, .. } => {
-            node(id).into_iter().collect()
-        }
+        | Finding::NoSuchContainingFace { node: id, .. } => node(id).into_iter().collect(),
         _ => Vec::new(),
     };
     at.retain(|[x, y]| !x.is_nan() && !y.is_nan());

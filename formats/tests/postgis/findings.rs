@@ -173,6 +173,15 @@ const CASES: &[Case] = &[
         "bend 0 of half-edge +3 has a coordinate that is not finite, or out of range",
     ),
     (
+        "lies_elsewhere",
+        |rows| {
+            rows.row(EDGE, 1)[NEXT_LEFT] = int(5);
+            rows.row(NODE, 13)[1] = int(3);
+        },
+        &["P2", "P4", "L2", "L3", "B1", "F1"],
+        "node 13 lies in face 2 by the lines around it, and its containing_face is 3",
+    ),
+    (
         "wrong_face",
         |rows| rows.row(NODE, 13)[1] = int(3),
         &["G5"],
