@@ -21,7 +21,7 @@ pub(crate) const SHOWN: usize = 3;
 #[command(next_help_heading = "Coverage (maps)")]
 pub(crate) struct Asked {
     /// Count what breaks C1 … C6 as violations: overlaps, gaps, near misses, slivers, duplicates, polygons that are not valid by
-    /// the OGC. Otherwise they are counted and shown, and the map is valid with them.
+    /// the OGC. Otherwise they are counted and shown, and the map is valid with them; in GeoJSON their `violation` is then false.
     #[arg(long)]
     coverage: bool,
 
@@ -47,6 +47,36 @@ pub(crate) const fn statement(rule: CoverageRule) -> &'static str {
         CoverageRule::Sliver => "no part of a feature is both small and thin",
         CoverageRule::Duplicate => "no two features claim the same faces",
         _ => "the polygons of each feature are valid by the rules of the OGC",
+    }
+}
+
+/// What usually causes a finding, and what mends it.
+const fn explanation(rule: CoverageRule) -> (&'static str, &'static str) {
+    match rule {
+        CoverageRule::Overlap => (
+            "a border was drawn twice, or a feature was moved or comes from another source",
+            "`twinedge clean` gives the place to one of the features, as `--overlap` says",
+        ),
+        CoverageRule::Gap => (
+            "borders were drawn one by one and do not meet, or the gap is meant: a lake, a road",
+            "`twinedge clean --gap-width W` fills gaps up to that mean width; `twinedge audit --gap-width W` lists no wider ones",
+        ),
+        CoverageRule::NearMiss => (
+            "borders were drawn one by one and do not meet",
+            "`twinedge clean --gap-width W` fills the space between them; `--snap SIZE` joins points within a cell",
+        ),
+        CoverageRule::Sliver => (
+            "it is left over from an overlay, or a border was drawn twice",
+            "`twinedge clean` gives it to a neighbour; `--sliver A` is the area",
+        ),
+        CoverageRule::Duplicate => (
+            "a feature was copied or imported twice",
+            "delete one of them; `twinedge clean` leaves the geometry to the first and the attributes to all",
+        ),
+        _ => (
+            "a ring crosses or touches itself, as points are in the wrong order or borders run back",
+            "`twinedge clean` makes the polygons anew",
+        ),
     }
 }
 
@@ -115,6 +145,10 @@ pub(crate) struct Entry {
     /// `removed`: on the input only; `made`: on the snapped map only.
     #[serde(skip_serializing_if = "Option::is_none")]
     snapping: Option<&'static str>,
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub(crate) cause: Option<&'static str>,
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub(crate) remedy: Option<&'static str>,
     #[serde(skip)]
     place: Rank,
     #[serde(skip)]
@@ -192,6 +226,14 @@ impl Coverage {
             found.findings.push(Entry::invalid(imported, *feature, defects, n + 1));
         }
         found
+    }
+
+    /// Says of each finding what usually causes it and what mends it.
+    pub(crate) fn explain(&mut self) {
+        for entry in &mut self.findings {
+            let (cause, remedy) = explanation(entry.place.0);
+            (entry.cause, entry.remedy) = (Some(cause), Some(remedy));
+        }
     }
 
     fn count_of(&mut self, rule: CoverageRule) -> &mut usize {
@@ -309,6 +351,10 @@ impl Coverage {
         for (rule, count, _) in self.counts() {
             let of_rule = self.findings.iter().filter(|entry| entry.place.0 == rule);
             let shown = of_rule.take(list).map(|entry| entry.write(out, decimals)).collect::<Result<Vec<_>, _>>()?;
+            let explained = self.findings.iter().find(|entry| entry.place.0 == rule).filter(|_| !shown.is_empty());
+            if let Some(Entry { cause: Some(cause), remedy: Some(remedy), .. }) = explained {
+                writeln!(out, "{}: usual cause: {cause}; remedy: {remedy}", rule.id())?;
+            }
             let more = count - shown.len();
             if more > 0 && !shown.is_empty() {
                 writeln!(out, "   {QUIET}… and {} more of {}; see --list{QUIET:#}", grouped(more), rule.id())?;
@@ -382,6 +428,8 @@ impl Entry {
             at: finding.at.into(),
             defects: Vec::new(),
             snapping,
+            cause: None,
+            remedy: None,
             place,
             trace,
         }
@@ -410,6 +458,8 @@ impl Entry {
                 .map(flaw)
                 .collect(),
             snapping: None,
+            cause: None,
+            remedy: None,
             place: (rule, number),
             trace: Trace { points: defects.iter().map(|defect| defect.at.into()).collect(), ..Trace::default() },
         }

@@ -11,7 +11,7 @@ use twinedge::validate::Report;
 ///   "counts": {"nodes": 5, "isolated_nodes": 1, "edges": 5, "faces": 4, "components": 3, "bends": 7, "repeated_points": 0},
 ///   "rules": [{"id": "P0", "name": "ids", "checked": 14, "unit": "rows", "violations": 0, "unchecked": null}, …],
 ///   "violations": [{"rule": "R1", "kind": "dangling", "message": "next_left_edge of edge 3 is 99, and there is no such edge",
-///                   "at": [[10.0, 0.0], [10.0, 10.0]]}]
+///                   "at": [[10.0, 0.0], [10.0, 10.0]], "records": ["edge +3"]}]
 /// }
 /// ```
 #[derive(Clone, Debug, PartialEq)]
@@ -75,6 +75,11 @@ pub struct TopologyViolation {
     pub message: String,
     /// Where it is: nodes, ends of edges, bends.
     pub at: Vec<[f64; 2]>,
+    /// The records that it names, as the database or file does: `edge +17`, `node 80`, `face 6`.
+    pub records: Vec<String>,
+    /// The lines of the edges among them, whole.
+    #[cfg_attr(feature = "serde", serde(skip))]
+    pub lines: Vec<Vec<[f64; 2]>>,
     /// What usually causes it.
     #[cfg_attr(feature = "serde", serde(skip))]
     pub cause: &'static str,

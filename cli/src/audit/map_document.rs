@@ -4,6 +4,7 @@ use super::audited::{Audited, features};
 use super::document::{Document, Marked, RuleLine, counts, rule_lines};
 use super::map_text::{dropped_line, input_line};
 use super::packed::{Beside, Map, Names, Window};
+use super::remedies::remedy;
 use crate::coverage::{Entry, Named, statement};
 use crate::input::Imported;
 use crate::noding_text;
@@ -57,6 +58,7 @@ fn of_violation(imported: &Imported, violation: &Violation, explain: bool) -> Ma
     let map = &imported.map;
     Marked {
         features: features(map, violation).into_iter().map(|feature| Named::new(imported, feature)).collect(),
+        remedy: explain.then(|| remedy(violation)),
         ..Marked::of_violation(map, violation, explain)
     }
 }
@@ -74,8 +76,8 @@ fn of_entry(entry: &Entry, is_rule: bool) -> Marked {
         area: entry.area,
         width: entry.width,
         length: entry.length,
-        cause: None,
-        remedy: None,
+        cause: entry.cause,
+        remedy: entry.remedy,
         at: Some(entry.at()),
         trace: entry.trace().clone(),
     }

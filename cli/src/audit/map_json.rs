@@ -1,6 +1,7 @@
 //! The report of a map as JSON.
 
 use super::audited::{Audited, labels};
+use super::remedies::remedy;
 use crate::coverage::Coverage;
 use crate::input::Imported;
 use serde::Serialize;
@@ -146,7 +147,7 @@ impl<'a> Json<'a> {
                 .map(|violation| JsonViolation {
                     described: Described(violation),
                     cause: explain.then(|| violation.cause()),
-                    remedy: explain.then(|| violation.remedy()),
+                    remedy: explain.then(|| remedy(violation)),
                     at: places(map, violation).into_iter().map(Into::into).collect(),
                     features: labels(map, violation),
                 })

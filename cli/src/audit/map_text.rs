@@ -1,6 +1,7 @@
 //! The report of a map as text.
 
 use super::audited::{Audited, labels};
+use super::remedies::remedy;
 use crate::coverage::Asked;
 use crate::input::Imported;
 use crate::noding_text;
@@ -10,7 +11,7 @@ use std::collections::BTreeSet;
 use std::fmt::Write as _;
 use twinedge::io::ReadSummary;
 use twinedge::map::{BuildSummary, IrregularityKind, PlanarMap};
-use twinedge::validate::places;
+use twinedge::validate::{Rule, Violation, places};
 
 /// How the report is shown.
 #[derive(Clone, Copy)]
@@ -84,16 +85,12 @@ impl Shown<'_> {
             coverage.write_rules(&mut out, self.coverage)?;
         }
         out.push('\n');
-        for violation in report.violations() {
-            writeln!(out, "{BAD}{}{BAD:#} {violation}", violation.rule())?;
-            let at: Vec<_> = places(map, violation).iter().map(|p| format!("({}, {})", p.x, p.y)).collect();
-            if !at.is_empty() {
-                writeln!(out, "   at {}", at.join(" "))?;
-            }
-            let features = labels(map, violation);
-            if !features.is_empty() {
-                writeln!(out, "   on the border of {}", features.join(", "))?;
-            }
+        // That the map does not fit in the plane follows from borders that cross.
+        let crossings = report.outcome(Rule::G4).is_some_and(|outcome| outcome.violations > 0);
+        let (following, first): (Vec<_>, Vec<_>) =
+            report.violations().iter().partition(|violation| crossings && violation.rule() == Rule::T3);
+        for violation in first {
+            write_violation(&mut out, map, violation)?;
         }
         let more = report.violation_count().saturating_sub(report.violations().len() as u64);
         if more > 0 {
@@ -107,12 +104,16 @@ impl Shown<'_> {
                     "{}: usual cause: {}; remedy: {}",
                     violation.rule(),
                     violation.cause(),
-                    violation.remedy()
+                    remedy(violation)
                 )?;
             }
         }
         if coverage.has_polygons() {
             coverage.write_worst(&mut out, self.worst, noted.decimals())?;
+        }
+        for violation in following {
+            write_violation(&mut out, map, violation)?;
+            writeln!(out, "   {QUIET}which follows from the crossings (G4){QUIET:#}")?;
         }
         // The first word is coloured.
         let verdict = audited.verdict();
@@ -121,6 +122,20 @@ impl Shown<'_> {
         writeln!(out, "{style}{word}{style:#}:{rest} ({:.0} ms)", audited.elapsed)?;
         Ok(out)
     }
+}
+
+/// A violation with its places and the features around.
+fn write_violation(out: &mut String, map: &PlanarMap, violation: &Violation) -> std::fmt::Result {
+    writeln!(out, "{BAD}{}{BAD:#} {violation}", violation.rule())?;
+    let at: Vec<_> = places(map, violation).iter().map(|p| format!("({}, {})", p.x, p.y)).collect();
+    if !at.is_empty() {
+        writeln!(out, "   at {}", at.join(" "))?;
+    }
+    let features = labels(map, violation);
+    if !features.is_empty() {
+        writeln!(out, "   on the border of {}", features.join(", "))?;
+    }
+    Ok(())
 }
 
 /// What the reader dropped, except for properties, which every file has.

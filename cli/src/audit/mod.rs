@@ -10,6 +10,7 @@ mod map_text;
 mod mesh_file;
 mod packed;
 mod page;
+mod remedies;
 mod table_file;
 mod textbook;
 mod topology_file;
@@ -132,7 +133,10 @@ impl Audit {
         let map = &imported.map;
         let report = validate_embedding(map, &Expectation::plane(), Collect::AtMost(list));
         let units = Units::Plane { degrees: imported.noted.look_like_degrees(&imported.read) };
-        let coverage = Coverage::new(&imported, &self.coverage, &units, list);
+        let mut coverage = Coverage::new(&imported, &self.coverage, &units, list);
+        if self.explain {
+            coverage.explain();
+        }
         let elapsed = start.elapsed().as_secs_f64() * 1000.0;
         let of_coverage = if self.coverage.is_rule() { coverage.total() } else { 0 };
         // What cannot be checked is not known to hold.

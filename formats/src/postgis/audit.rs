@@ -1,6 +1,6 @@
 //! The audit of a topology: the validator's rules, and P0 … P4.
 
-use super::containing::containing;
+use super::containing::{containing, points};
 use super::error::ReadError;
 use super::finding::{Finding, Findings, RULES};
 use super::mbr::Mbr;
@@ -10,7 +10,7 @@ use crate::topology_audit::{TopologyAudit, TopologyCounts, TopologyRule, Topolog
 use twinedge::delegate_view;
 use twinedge::geometry::Point;
 use twinedge::validate::adapt::FaceLabels;
-use twinedge::validate::{Collect, Embedding, Expectation, Part, Report, Rule, Start, View};
+use twinedge::validate::{Collect, Embedding, Expectation, Part, Record, Report, Rule, Start, View};
 use twinedge::validate::{places, validate, validate_embedding};
 
 /// The topology with what its columns imply: the lists of the faces.
@@ -104,6 +104,8 @@ pub fn audit(topology: &Topology, limit: usize) -> Result<TopologyAudit, ReadErr
         kind: finding.kind(),
         message: finding.to_string(),
         at: place(topology, finding),
+        records: finding.record().into_iter().collect(),
+        lines: finding.edge().and_then(|id| line(topology, topology.edges.slot(id)?)).into_iter().collect(),
         cause: finding.cause(),
         remedy: finding.remedy(),
     });
@@ -112,6 +114,8 @@ pub fn audit(topology: &Topology, limit: usize) -> Result<TopologyAudit, ReadErr
         kind: violation.kind(),
         message: message(topology, violation),
         at: places(&view, violation).into_iter().map(Into::into).collect(),
+        records: violation.records().into_iter().flatten().filter_map(|record| named(topology, record)).collect(),
+        lines: violation.records().into_iter().flatten().filter_map(|record| drawn(topology, record)).collect(),
         cause: violation.cause(),
         remedy: violation.remedy(),
     });
@@ -131,6 +135,33 @@ pub fn audit(topology: &Topology, limit: usize) -> Result<TopologyAudit, ReadErr
     let own_unchecked = rules.iter().filter(|rule| rule.id.starts_with('P') && rule.unchecked.is_some()).count();
     let unchecked = own_unchecked + not_checked(&report) + rules.len() - RULES.len() - report.outcomes().count();
     Ok(TopologyAudit { valid, counts, rules, violations, unchecked })
+}
+
+/// What the database calls a record.
+fn named(topology: &Topology, record: Record) -> Option<String> {
+    let table = match record {
+        Record::Vertex(_) => "node",
+        Record::HalfEdge(_) => "edge",
+        Record::Face(_) => "face",
+        Record::Boundary(_) => return None,
+    };
+    Some(format!("{table} {}", topology.name(record)))
+}
+
+/// The line of an edge.
+fn drawn(topology: &Topology, record: Record) -> Option<Vec<[f64; 2]>> {
+    match record {
+        Record::HalfEdge(h) => line(topology, u32::try_from(h / 2).ok()?),
+        _ => None,
+    }
+}
+
+/// The line of an edge with two points or more, if all of them are finite.
+fn line(topology: &Topology, edge: u32) -> Option<Vec<[f64; 2]>> {
+    let edge = edge as usize;
+    let line = topology.ends.get(edge).map(|_| points(topology, edge))?;
+    (line.len() > 1 && line.iter().all(|p| p.x.is_finite() && p.y.is_finite()))
+        .then(|| line.into_iter().map(Into::into).collect())
 }
 
 /// P4, for `mbr`.

@@ -23,7 +23,8 @@ pub(super) fn containing(topology: &Topology, findings: &mut Findings) -> u64 {
     let mut inside: Vec<Option<BTreeSet<u32>>> = vec![Some(BTreeSet::new()); nodes.len()];
     for edge in 0..topology.edges.len() {
         let [left, right] = topology.sides[edge];
-        for [a, b] in segments(topology, edge) {
+        for pair in points(topology, edge).windows(2) {
+            let [a, b] = [pair[0], pair[1]];
             let (low, high) = if a.y <= b.y { (a, b) } else { (b, a) };
             let from = nodes.partition_point(|(p, ..)| p.y < low.y);
             let at_height = nodes[from..].iter().take_while(|(p, ..)| p.y <= high.y).zip(&mut inside[from..]);
@@ -80,12 +81,11 @@ pub(super) fn containing(topology: &Topology, findings: &mut Findings) -> u64 {
     unknown
 }
 
-/// The segments of the line of an edge, where it has both nodes.
-fn segments(topology: &Topology, edge: usize) -> Vec<[Point; 2]> {
+/// The points of the line of an edge; the first and the last are those of its nodes, as far as it has them.
+pub(super) fn points(topology: &Topology, edge: usize) -> Vec<Point> {
     let [start, end] = topology.ends[edge].map(|node| topology.points.get(node as usize).copied());
     let bends = (0..topology.bends(2 * edge)).map(|bend| topology.bend(2 * edge, bend));
-    let points: Vec<Point> = start.into_iter().chain(bends).chain(end).collect();
-    points.windows(2).map(|pair| [pair[0], pair[1]]).collect()
+    start.into_iter().chain(bends).chain(end).collect()
 }
 
 /// The faces whose lines do not close.

@@ -177,6 +177,41 @@ impl fmt::Display for Finding {
     }
 }
 
+impl Finding {
+    /// The edge that it is about.
+    pub(super) const fn edge(&self) -> Option<i64> {
+        match *self {
+            Self::EdgeWithoutCurve { edge }
+            | Self::EdgeNotCurve { edge, .. }
+            | Self::StartsElsewhere { edge, .. }
+            | Self::EndsElsewhere { edge, .. }
+            | Self::AbsNextDiffers { edge, .. }
+            | Self::EdgeIdNotPositive { edge } => Some(edge),
+            _ => None,
+        }
+    }
+
+    /// The record that it is about, by its table and its id.
+    pub(super) fn record(&self) -> Option<String> {
+        match *self {
+            Self::NodeWithoutPoint { node }
+            | Self::NodeNotPoint { node, .. }
+            | Self::ConnectedHasContainingFace { node, .. }
+            | Self::NoSuchContainingFace { node, .. }
+            | Self::LiesElsewhere { node, .. } => Some(format!("node {node}")),
+            Self::FaceWithoutEdges { face }
+            | Self::MbrMissing { face }
+            | Self::MbrNotBox { face }
+            | Self::MbrWrong { face }
+            | Self::UniverseHasMbr { face } => Some(format!("face {face}")),
+            Self::IdRepeated { table, id } | Self::OtherReferenceSystem { table, id, .. } => {
+                Some(format!("{table} {id}"))
+            }
+            _ => self.edge().map(|edge| format!("edge {edge}")),
+        }
+    }
+}
+
 /// The findings, of which some are kept, and how many there are of each rule.
 #[derive(Clone, Debug, Default)]
 pub(super) struct Findings {

@@ -71,6 +71,8 @@ pub fn audit(topology: &ArcTopology, limit: usize) -> TopologyAudit {
         kind: violation.kind(),
         message: violation.named(|record| topology.name(record)).to_string(),
         at: places(topology, violation).into_iter().map(Into::into).collect(),
+        records: violation.records().into_iter().flatten().map(|record| topology.name(record)).collect(),
+        lines: Vec::new(),
         cause: violation.cause(),
         remedy: violation.remedy(),
     }));
