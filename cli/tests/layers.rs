@@ -237,7 +237,8 @@ fn members_of_geometries_survive_cleaning() {
 }
 
 /// Two parcels with a gap like a spindle between them, 10 wide in the middle.
-const SPINDLE: &str = "POLYGON((0 -20,100 -20,100 0,90 0,50 -5,10 0,0 0,0 -20))\nPOLYGON((0 0,10 0,50 5,90 0,100 0,100 20,0 20,0 0))\n";
+const SPINDLE: &str =
+    "POLYGON((0 -20,100 -20,100 0,90 0,50 -5,10 0,0 0,0 -20))\nPOLYGON((0 0,10 0,50 5,90 0,100 0,100 20,0 20,0 0))\n";
 
 #[test]
 fn a_gap_that_is_too_wide_is_left_whole_and_said_so() {

@@ -1,13 +1,15 @@
 //! `twinedge clean`: a layer of polygons without overlaps, narrow gaps and slivers.
 
+mod json;
+
 use crate::convert::{LayerOutput, Written};
 use crate::input::LayerFile;
 use crate::noding_text;
 use crate::output::style::{BAD, GOOD, QUIET};
 use crate::output::{Format, counted, decimals, grouped, measure, place, plain, print, print_json};
 use crate::status::{Failure, Verdict};
-use serde::Serialize;
-use std::collections::BTreeSet;
+use json::{Json, JsonChange, JsonFeature, JsonLeft, JsonRemaining, Named};
+use std::collections::{BTreeMap, BTreeSet};
 use std::fmt::Write as _;
 use std::time::Instant;
 use twinedge::algorithm::clean::{ChangeKind, Options, Winner};
@@ -126,6 +128,13 @@ impl Clean {
             .map_err(|error| Failure(format!("{name}: {error}")))?;
         let written = self.output.write(&layer, self.input.path())?;
         let elapsed = start.elapsed().as_secs_f64() * 1000.0;
+        let mut changes: BTreeMap<usize, Vec<&LayerChange>> = BTreeMap::new();
+        for change in &report.changes {
+            let won = change.to.filter(|to| !change.from.contains(to));
+            for feature in change.from.iter().copied().chain(won) {
+                changes.entry(feature).or_default().push(change);
+            }
+        }
         let cleaned = Cleaned {
             name: &name,
             names,
@@ -133,6 +142,7 @@ impl Clean {
             report: &report,
             written: written.as_ref(),
             gap_width: self.gap_width,
+            changes,
             elapsed,
         };
         match self.format {
@@ -160,6 +170,8 @@ struct Cleaned<'a> {
     report: &'a CleanReport,
     written: Option<&'a Written>,
     gap_width: Option<f64>,
+    /// The changes that each feature has a part in.
+    changes: BTreeMap<usize, Vec<&'a LayerChange>>,
     elapsed: f64,
 }
 
@@ -225,7 +237,7 @@ impl Cleaned<'_> {
         if let Some(noding) = report.noding.as_ref().filter(|noding| noding.cell > 0.0) {
             writeln!(out, "{QUIET}{}{QUIET:#}", noding_text::line(noding))?;
         }
-        let decimals = greatest(self.layer);
+        let decimals = decimals_of(self.layer);
         let limit = format!("  {QUIET}below an area of {}{QUIET:#}", measure(report.sliver_area));
         out.push('\n');
         for (kind, what, beside) in [
@@ -296,7 +308,7 @@ impl Cleaned<'_> {
     fn reasons(&self, feature: &FeatureChange) -> Vec<String> {
         let number = feature.feature;
         let mut reasons = Vec::new();
-        for change in &self.report.changes {
+        for change in self.changes.get(&number).into_iter().flatten() {
             let has_lost = change.from.contains(&number);
             let has_won = change.to == Some(number);
             let others: Vec<usize> = change.from.iter().copied().filter(|other| *other != number).collect();
@@ -328,7 +340,8 @@ impl Cleaned<'_> {
         let gone = self.report.features.iter().filter(|feature| feature.points_after == 0);
         let warning = |feature: &FeatureChange| {
             let number = feature.feature;
-            let to = self.report.changes.iter().filter(|change| change.from.contains(&number)).filter_map(|one| one.to);
+            let changes = self.changes.get(&number).into_iter().flatten();
+            let to = changes.filter(|change| change.from.contains(&number)).filter_map(|one| one.to);
             let to: BTreeSet<usize> = to.filter(|to| *to != number).collect();
             let to = match to.len() {
                 0 => "its rings enclose nothing".to_owned(),
@@ -348,12 +361,8 @@ impl Cleaned<'_> {
         };
         let at = place([at.x, at.y], decimals);
         let hint = match rule {
-            CoverageRule::Gap | CoverageRule::NearMiss => {
-                format!(
-                    "; --gap-width {} would fill it",
-                    rounded_up(if *rule == CoverageRule::Gap { *width } else { 2.0 * *width })
-                )
-            }
+            CoverageRule::Gap => format!("; --gap-width {} would fill it", rounded_up(*width)),
+            CoverageRule::NearMiss => "; --gap-width would fill it, from its greatest width on".to_owned(),
             _ => String::new(),
         };
         match rule {
@@ -446,7 +455,7 @@ impl Cleaned<'_> {
 }
 
 /// With how many decimal places a place is shown.
-fn greatest(layer: &Layer) -> usize {
+fn decimals_of(layer: &Layer) -> usize {
     let mut greatest: f64 = 0.0;
     for geometry in layer.features.iter().filter_map(|feature| feature.geometry.as_ref()) {
         geometry.shape.visit(&mut |position| greatest = greatest.max(position.x.abs()).max(position.y.abs()));
@@ -478,76 +487,4 @@ fn left_text(left: &Left) -> String {
         (n, what) => format!("{}{hint}", counted(n, what)),
     });
     format!("left are {}", parts.collect::<Vec<_>>().join(", "))
-}
-
-#[derive(Debug, Serialize)]
-struct Json<'a> {
-    input: &'a str,
-    #[serde(skip_serializing_if = "Option::is_none")]
-    output: Option<&'a str>,
-    clean: bool,
-    features: usize,
-    with_polygons: usize,
-    #[serde(skip_serializing_if = "Option::is_none")]
-    cell: Option<f64>,
-    sliver_area: f64,
-    changes: Vec<JsonChange>,
-    changed: Vec<JsonFeature>,
-    #[serde(skip_serializing_if = "Option::is_none")]
-    left: Option<JsonLeft>,
-    /// Gaps that are wider than `--gap-width`.
-    wider_gaps: Vec<JsonRemaining>,
-    warnings: Vec<String>,
-    elapsed_ms: f64,
-}
-
-#[derive(Debug, Serialize)]
-struct Named {
-    number: usize,
-    #[serde(skip_serializing_if = "Option::is_none")]
-    id: Option<String>,
-    #[serde(skip_serializing_if = "Option::is_none")]
-    name: Option<String>,
-}
-
-#[derive(Debug, Serialize)]
-struct JsonChange {
-    kind: &'static str,
-    from: Vec<Named>,
-    to: Option<Named>,
-    area: f64,
-    width: f64,
-    at: [f64; 2],
-}
-
-#[derive(Debug, Serialize)]
-struct JsonFeature {
-    #[serde(flatten)]
-    feature: Named,
-    area_before: f64,
-    area_after: f64,
-    points_before: usize,
-    points_after: usize,
-    reasons: Vec<String>,
-}
-
-#[derive(Debug, Serialize)]
-struct JsonLeft {
-    plane: bool,
-    overlaps: usize,
-    gaps: usize,
-    near_misses: usize,
-    slivers: usize,
-    ogc_invalid: usize,
-    findings: Vec<JsonRemaining>,
-}
-
-#[derive(Debug, Serialize)]
-struct JsonRemaining {
-    rule: &'static str,
-    kind: &'static str,
-    features: Vec<Named>,
-    area: f64,
-    width: f64,
-    at: [f64; 2],
 }
