@@ -198,6 +198,13 @@ impl Noted {
             && self.high.y <= LATITUDE
     }
 
+    /// How many features have no geometry, and which.
+    pub(crate) fn without_geometry(&self) -> Option<String> {
+        let (names, count) = &self.null;
+        let more = if *count > names.len() { ", …" } else { "" };
+        (*count > 0).then(|| format!("{} without geometry: {}{more}", counted(*count, "feature"), names.join(", ")))
+    }
+
     /// What a reader of the results should know about the coordinates.
     pub(crate) fn warnings(&self, read: &ReadSummary) -> Vec<String> {
         let mut warnings = Vec::new();
@@ -207,11 +214,6 @@ impl Noted {
 ignored, and lengths and areas are in its units"
                     .to_owned(),
             );
-        }
-        let (names, count) = &self.null;
-        if *count > 0 {
-            let more = if *count > names.len() { ", …" } else { "" };
-            warnings.push(format!("{} without geometry: {}{more}", counted(*count, "feature"), names.join(", ")));
         }
         if self.look_like_degrees(read) && self.across_antimeridian > 0 {
             let (count, have) = match self.across_antimeridian {

@@ -253,7 +253,7 @@ fn numbers_agree_with_their_nouns() {
     };
     let crossing = text("LINESTRING (0 0, 2 2)\nLINESTRING (0 2, 2 0)\n");
     assert!(
-        crossing.contains("BROKEN  1 violation in ") && crossing.contains("not valid: 1 violation ("),
+        crossing.contains("BROKEN  1 violation in ") && crossing.contains("not valid: 1 violation; "),
         "{crossing}"
     );
     let spike = text("POLYGON ((0 0, 2 0, 2 2, 3 3, 2 2, 0 2, 0 0))\n");

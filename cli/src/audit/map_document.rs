@@ -21,7 +21,9 @@ pub(super) fn document(audited: &Audited<'_>, explain: bool) -> Document {
     notes.extend(dropped_line(read));
     notes.extend(map.noding().map(noding_text::line));
     notes.extend(noted.hint());
-    notes.extend(noted.warnings(read).into_iter().map(|warning| format!("Warning: {warning}")));
+    notes.extend(
+        noted.without_geometry().into_iter().chain(noted.warnings(read)).map(|warning| format!("Warning: {warning}")),
+    );
     let mut rules: Vec<RuleLine> = rule_lines(report);
     if coverage.has_polygons() {
         rules.extend(coverage.counts().map(|(rule, count, _)| RuleLine {

@@ -153,7 +153,7 @@ impl<'a> Json<'a> {
                 })
                 .collect(),
             coverage,
-            warnings: noted.warnings(read),
+            warnings: noted.without_geometry().into_iter().chain(noted.warnings(read)).collect(),
             elapsed_ms: elapsed,
         }
     }

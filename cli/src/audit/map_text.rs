@@ -37,7 +37,7 @@ impl Shown<'_> {
         if let Some(noding) = map.noding() {
             writeln!(out, "{QUIET}{}{QUIET:#}", noding_text::line(noding))?;
         }
-        for warning in noted.warnings(read) {
+        for warning in noted.without_geometry().into_iter().chain(noted.warnings(read)) {
             writeln!(out, "{BAD}warning{BAD:#}: {warning}")?;
         }
         if let Some(hint) = noted.hint() {
