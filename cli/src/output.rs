@@ -64,7 +64,7 @@ pub(crate) fn measure(x: f64) -> String {
 /// How many decimal places a place on a map is shown with in text: to a ten-millionth of the greatest coordinate.
 pub(crate) fn decimals(greatest: f64) -> usize {
     let before = if greatest > 0.0 && greatest.is_finite() { greatest.log10().ceil() } else { 0.0 };
-    (7.0 - before).clamp(0.0, 15.0) as usize
+    (0_u8..15).take_while(|places| f64::from(*places) < 7.0 - before).count()
 }
 
 /// A place in text, with so many decimal places at most.

@@ -245,7 +245,7 @@ fn statement(id: &str) -> Option<&'static str> {
         ("A2", "each side of an arc has one polygon at most, and not the same one as the other side"),
         ("A3", "some object uses the arc"),
     ];
-    let of_validator = || Rule::ALL.into_iter().find(|rule| rule.id() == id).map(|rule| rule.statement());
+    let of_validator = || Rule::ALL.iter().find(|rule| rule.id() == id).map(|rule| rule.statement());
     own.into_iter().find(|(own, _)| *own == id).map(|(_, says)| says).or_else(of_validator)
 }
 
