@@ -113,7 +113,7 @@ fn a_gap_breaks_only_c2() {
     let narrow = Limits { gap_width: Some(finding.width * 0.99), ..Limits::default() };
     let coverage = found(&shapes, &narrow);
     assert_eq!(coverage.findings, []);
-    assert_eq!(coverage.wider_gaps, [finding.clone()]);
+    assert_eq!(coverage.wider_gaps.len(), 1);
     let wide = Limits { gap_width: Some(finding.width * 1.01), ..Limits::default() };
     assert_eq!(found(&shapes, &wide).of(CoverageRule::Gap).count(), 1);
 }
