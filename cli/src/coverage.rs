@@ -1,8 +1,9 @@
 //! The rules of a coverage, C1 … C6, in the report of `audit` and as the answer of `query coverage`.
 
+use crate::coverage_words::explanation;
 use crate::input::Imported;
 use crate::output::style::{BAD, GOOD, QUIET};
-use crate::output::{counted, grouped, measure, plain};
+use crate::output::{counted, grouped, measure, place, plain};
 use crate::progress::busy;
 use crate::query::label;
 use crate::status::Failure;
@@ -14,38 +15,29 @@ use twinedge::algorithm::coverage::{CoverageRule, Defect, Finding, Limits, check
 use twinedge::geometry::noding::Snap;
 use twinedge::map::{FeatureId, Noding, PlanarMap};
 
-/// How many findings of each rule the text shows.
-const SHOWN: usize = 3;
+/// How many findings of each rule the text shows unless asked.
+pub(crate) const SHOWN: usize = 3;
 
 /// How a coverage is judged.
 #[derive(Debug, clap::Args)]
 #[command(next_help_heading = "Coverage (maps)")]
 pub(crate) struct Asked {
     /// Count what breaks C1 … C6 as violations: overlaps, gaps, near misses, slivers, duplicates, polygons that are not valid by
-    /// the OGC. Otherwise they are counted and shown, and the map is valid with them.
+    /// the OGC. Otherwise they are counted and shown, and the map is valid with them; in GeoJSON their `violation` is then false.
     #[arg(long)]
     coverage: bool,
 
-    /// Greatest width of a near miss, and of a gap that is reported, in the units of the coordinates. Default: gaps of any
-    /// width, and near misses up to a hundredth of the median length of the edges.
+    /// Greatest width of a near miss, and of a gap that is reported, in the units of the coordinates. The width is the mean one: twice
+    /// the area by the length of the border. Wider gaps are counted. Default: gaps of any width, and near misses up to a hundredth of
+    /// the median length of the edges.
     #[arg(long, value_name = "W", value_parser = positive)]
     gap_width: Option<f64>,
 
-    /// Area below which a thin part of a feature is a sliver. Default: a thousandth of the median area of all parts.
+    /// Area below which a thin part of a feature is a sliver. A part is thin if 4π · area / perimeter² is below 0.2: a rectangle 14 times
+    /// as long as wide. Default: a thousandth of the median area of all parts of features; `clean` measures them after overlaps are
+    /// resolved, so its limit is a little different.
     #[arg(long, value_name = "A", value_parser = positive)]
     sliver: Option<f64>,
-}
-
-/// What a rule says.
-pub(crate) const fn statement(rule: CoverageRule) -> &'static str {
-    match rule {
-        CoverageRule::Overlap => "no face is claimed by two features",
-        CoverageRule::Gap => "no bounded face is unclaimed",
-        CoverageRule::NearMiss => "borders of two features coincide or are farther apart than a given width",
-        CoverageRule::Sliver => "no part of a feature is both small and thin",
-        CoverageRule::Duplicate => "no two features claim the same faces",
-        _ => "the polygons of each feature are valid by the rules of the OGC",
-    }
 }
 
 /// A positive number on the command line.
@@ -83,6 +75,8 @@ pub(crate) struct Coverage {
     gap_width: Option<f64>,
     #[serde(skip_serializing_if = "Option::is_none")]
     sliver_area: Option<f64>,
+    /// Gaps that are wider than `gap_width`, where that was asked for. They are not among the findings.
+    wider_gaps: usize,
     /// The first of each rule, the largest first.
     findings: Vec<Entry>,
     #[serde(skip)]
@@ -111,6 +105,10 @@ pub(crate) struct Entry {
     /// `removed`: on the input only; `made`: on the snapped map only.
     #[serde(skip_serializing_if = "Option::is_none")]
     snapping: Option<&'static str>,
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub(crate) cause: Option<&'static str>,
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub(crate) remedy: Option<&'static str>,
     #[serde(skip)]
     place: Rank,
     #[serde(skip)]
@@ -161,12 +159,14 @@ impl Coverage {
             not_checked: None,
             gap_width: None,
             sliver_area: None,
+            wider_gaps: 0,
             findings: Vec::new(),
             has_polygons: imported.read.polygons > 0,
             of_input: None,
         };
         match judged(imported, &limits, units) {
-            Ok(Judged { findings, gap_width, sliver_area, of_input }) => {
+            Ok(Judged { findings, gap_width, sliver_area, wider_gaps, of_input }) => {
+                found.wider_gaps = wider_gaps;
                 (found.gap_width, found.sliver_area) = (Some(gap_width), Some(sliver_area));
                 for (finding, snapping) in &findings {
                     let count = found.count_of(finding.rule);
@@ -186,6 +186,14 @@ impl Coverage {
             found.findings.push(Entry::invalid(imported, *feature, defects, n + 1));
         }
         found
+    }
+
+    /// Says of each finding what usually causes it and what mends it.
+    pub(crate) fn explain(&mut self) {
+        for entry in &mut self.findings {
+            let (cause, remedy) = explanation(entry.place.0);
+            (entry.cause, entry.remedy) = (Some(cause), Some(remedy));
+        }
     }
 
     fn count_of(&mut self, rule: CoverageRule) -> &mut usize {
@@ -281,13 +289,20 @@ impl Coverage {
     pub(crate) fn outcome(&self, rule: CoverageRule) -> String {
         match &self.not_checked {
             Some(why) if rule != CoverageRule::Validity => format!("not checked: {why}"),
-            _ => [self.found(rule)].into_iter().chain(self.limit(rule)).collect::<Vec<_>>().join(" "),
+            _ => {
+                let mark = if rule == CoverageRule::Gap { "; " } else { " " };
+                [self.found(rule)].into_iter().chain(self.limit(rule)).collect::<Vec<_>>().join(mark)
+            }
         }
     }
 
     /// The limit of a rule, for its line.
     fn limit(&self, rule: CoverageRule) -> Option<String> {
         match (rule, self.gap_width, self.sliver_area) {
+            (CoverageRule::Gap, Some(width), _) if self.wider_gaps > 0 => {
+                let [are, gaps] = if self.wider_gaps == 1 { ["is", "gap"] } else { ["are", "gaps"] };
+                Some(format!("{} {gaps} wider than {} {are} not listed", grouped(self.wider_gaps), measure(width)))
+            }
             (CoverageRule::NearMiss, Some(width), _) => Some(format!("up to a width of {}", measure(width))),
             (CoverageRule::Sliver, _, Some(area)) => Some(format!("below an area of {}", measure(area))),
             _ => None,
@@ -295,18 +310,17 @@ impl Coverage {
     }
 
     /// The worst of each rule.
-    pub(crate) fn write_worst(&self, out: &mut String, list: usize) -> std::fmt::Result {
+    pub(crate) fn write_worst(&self, out: &mut String, list: usize, decimals: usize) -> std::fmt::Result {
         for (rule, count, _) in self.counts() {
             let of_rule = self.findings.iter().filter(|entry| entry.place.0 == rule);
-            let shown = of_rule.take(SHOWN.min(list)).map(|entry| entry.write(out)).collect::<Result<Vec<_>, _>>()?;
+            let shown = of_rule.take(list).map(|entry| entry.write(out, decimals)).collect::<Result<Vec<_>, _>>()?;
+            let explained = self.findings.iter().find(|entry| entry.place.0 == rule).filter(|_| !shown.is_empty());
+            if let Some(Entry { cause: Some(cause), remedy: Some(remedy), .. }) = explained {
+                writeln!(out, "{}: usual cause: {cause}; remedy: {remedy}", rule.id())?;
+            }
             let more = count - shown.len();
             if more > 0 && !shown.is_empty() {
-                writeln!(
-                    out,
-                    "   {QUIET}… and {} more of {}; --format json lists them{QUIET:#}",
-                    grouped(more),
-                    rule.id()
-                )?;
+                writeln!(out, "   {QUIET}… and {} more of {}; see --list{QUIET:#}", grouped(more), rule.id())?;
             }
         }
         Ok(())
@@ -318,6 +332,7 @@ struct Judged {
     findings: Vec<(Finding, Option<&'static str>)>,
     gap_width: f64,
     sliver_area: f64,
+    wider_gaps: usize,
     of_input: Option<PlanarMap>,
 }
 
@@ -329,9 +344,9 @@ fn judged(imported: &Imported, limits: &Limits, units: &Units) -> Result<Judged,
             units.convert(map, &mut finding);
             (finding, None)
         };
+        let (gap_width, sliver_area, wider_gaps) = (found.gap_width, found.sliver_area, found.wider_gaps.len());
         let findings = found.findings.into_iter().map(converted).collect();
-        let (gap_width, sliver_area) = (found.gap_width, found.sliver_area);
-        return Ok(Judged { findings, gap_width, sliver_area, of_input: None });
+        return Ok(Judged { findings, gap_width, sliver_area, wider_gaps, of_input: None });
     };
     let of_input = builder.build_with(Noding::Snap(Snap::Auto))?;
     let found = check(&of_input, limits)?;
@@ -353,6 +368,7 @@ fn judged(imported: &Imported, limits: &Limits, units: &Units) -> Result<Judged,
     let made: Vec<(Finding, Option<&'static str>)> =
         made.map(|finding| (converted(map, finding), Some("made"))).collect();
     let removed = |finding: &Finding| map.noding().is_some() && !is_among(finding, &snapped);
+    let wider_gaps = found.wider_gaps.len();
     let on_input = found.findings.into_iter().map(|finding| {
         let snapping = removed(&finding).then_some("removed");
         (converted(&of_input, &finding), snapping)
@@ -360,7 +376,7 @@ fn judged(imported: &Imported, limits: &Limits, units: &Units) -> Result<Judged,
     let mut findings: Vec<_> = on_input.chain(made).collect();
     findings.sort_by_key(|(finding, _)| finding.rule);
     let (gap_width, sliver_area) = (found.gap_width, found.sliver_area);
-    Ok(Judged { findings, gap_width, sliver_area, of_input: Some(of_input) })
+    Ok(Judged { findings, gap_width, sliver_area, wider_gaps, of_input: Some(of_input) })
 }
 
 impl Entry {
@@ -375,6 +391,8 @@ impl Entry {
             at: finding.at.into(),
             defects: Vec::new(),
             snapping,
+            cause: None,
+            remedy: None,
             place,
             trace,
         }
@@ -403,6 +421,8 @@ impl Entry {
                 .map(flaw)
                 .collect(),
             snapping: None,
+            cause: None,
+            remedy: None,
             place: (rule, number),
             trace: Trace { points: defects.iter().map(|defect| defect.at.into()).collect(), ..Trace::default() },
         }
@@ -421,9 +441,8 @@ impl Entry {
     }
 
     /// Writes the finding as a line.
-    pub(crate) fn write(&self, out: &mut String) -> std::fmt::Result {
+    pub(crate) fn write(&self, out: &mut String, decimals: usize) -> std::fmt::Result {
         let labels: Vec<&str> = self.features.iter().map(|feature| feature.label.as_str()).collect();
-        let [x, y] = self.at;
         write!(out, "{} {}", self.rule, self.kind)?;
         if !labels.is_empty() {
             let (few, more) = labels.split_at(labels.len().min(4));
@@ -431,7 +450,7 @@ impl Entry {
             write!(out, ": {}{more}", few.join(", "))?;
         }
         let snapped = self.snapping.map_or_else(String::new, |what| format!(" ({what} by snapping)"));
-        writeln!(out, "; {}; at ({x}, {y}){snapped}", self.detail())
+        writeln!(out, "; {}; at {}{snapped}", self.detail(), place(self.at, decimals))
     }
 
     /// The measures, or what is not valid, in words.

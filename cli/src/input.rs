@@ -11,7 +11,7 @@ use std::path::{Path, PathBuf};
 use twinedge::geometry::noding::Snap;
 use twinedge::io::ReadSummary;
 use twinedge::map::{BuildError, Builder, Noding, PlanarMap};
-use twinedge_formats::layer::{Crs, Format, Layer, ReadError, ReadOptions, read, read_layer, to_map};
+use twinedge_formats::layer::{Crs, Format, Layer, ReadError, ReadOptions, format_of, read, read_layer, to_map};
 use twinedge_formats::mesh::Format as MeshFormat;
 
 /// The built-in map of the world; see `data/README.md`.
@@ -52,6 +52,8 @@ pub(crate) struct Imported {
     pub(crate) builder: Option<Builder>,
     /// The coordinate reference system, if the file names one.
     pub(crate) crs: Option<Crs>,
+    /// Whether the format says which way rings turn.
+    pub(crate) orients_rings: bool,
 }
 
 impl Input {
@@ -223,6 +225,8 @@ impl MapFile {
         let failed = |error: InputError| Failure(format!("{name}: {error}"));
         let noted = Noted::new(self.name_from.clone());
         let options = ReadOptions { layer: self.layer.clone(), ..ReadOptions::default() };
+        let head = reader.fill_buf().map_err(|error| Failure(format!("{name}: {error}")))?;
+        let orients_rings = format_of(head, path.as_deref(), &options).is_ok_and(Format::orients_rings);
         let (builder, read, noted, crs) =
             gather(&mut reader, path.as_deref(), &options, noted, keep).map_err(failed)?;
         self.refuse_empty(&name, &read)?;
@@ -231,7 +235,7 @@ impl MapFile {
         let kept = (keep.coverage && self.cutting.snap != Some(Snap::Auto)).then(|| builder.clone());
         let map = busy("building the map", || builder.build_with(noding)).map_err(|error| failed(error.into()))?;
         let builder = kept.filter(|_| !map.is_plane() || map.noding().is_some());
-        Ok(Imported { name, read, map, noted, builder, crs })
+        Ok(Imported { name, read, map, noted, builder, crs, orients_rings })
     }
 
     /// Refuses a file of which no map can be built.

@@ -7,6 +7,7 @@ mod clean;
 mod convert;
 mod corrupt;
 mod coverage;
+mod coverage_words;
 mod decompose;
 mod document;
 mod draw;

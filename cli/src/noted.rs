@@ -1,8 +1,8 @@
 //! What is noted of features while they are read, since a map does not keep it: ids, conditions met, defects, places.
 
-use crate::output::plain;
+use crate::output::{counted, decimals, plain};
 use crate::status::Failure;
-use std::collections::BTreeSet;
+use std::collections::{BTreeSet, HashSet};
 use std::str::FromStr;
 use twinedge::algorithm::coverage::{Defect, defects};
 use twinedge::geometry::Point;
@@ -12,6 +12,9 @@ use twinedge_formats::layer::{Feature as LayerFeature, Value};
 
 /// How many columns an error lists.
 const COLUMNS: usize = 20;
+
+/// How many features without geometry a warning names.
+const NULL: usize = 5;
 
 /// The greatest longitude, either way: some maps go on beyond the antimeridian.
 const LONGITUDE: f64 = 360.0;
@@ -59,6 +62,10 @@ pub(crate) struct Noted {
     pub(crate) defects: Vec<(usize, Vec<Defect>)>,
     /// How many features have a line or ring that goes from one side of the antimeridian to the other.
     across_antimeridian: usize,
+    /// The first features without geometry, and how many there are.
+    null: (Vec<String>, usize),
+    /// Columns of text in which no value is missing or repeated so far, while no feature has a name or an id.
+    unique: Option<Vec<(String, HashSet<String>)>>,
     /// Least and greatest coordinates.
     low: Point,
     high: Point,
@@ -77,6 +84,8 @@ impl Noted {
             matching: Vec::new(),
             defects: Vec::new(),
             across_antimeridian: 0,
+            null: (Vec::new(), 0),
+            unique: None,
             low: Point::new(far, far),
             high: Point::new(-far, -far),
             columns: BTreeSet::new(),
@@ -110,6 +119,14 @@ impl Noted {
                 self.defects.push((number, found));
             }
         }
+        if read.geometry.is_none() {
+            self.null.1 += 1;
+            if self.null.0.len() < NULL {
+                let name = feature.name.as_ref().or(feature.id.as_ref()).map(|name| plain(name));
+                self.null.0.push(name.unwrap_or_else(|| format!("feature {number}")));
+            }
+        }
+        self.note_unique(number, feature, read);
         let mut crosses = false;
         for chain in feature.shapes.iter().flat_map(chains) {
             for p in chain {
@@ -119,6 +136,44 @@ impl Noted {
             crosses |= chain.windows(2).any(|pair| goes_around(pair[0], pair[1]));
         }
         self.across_antimeridian += usize::from(crosses);
+    }
+
+    /// Notes which columns could name the features.
+    fn note_unique(&mut self, number: usize, feature: &Feature, read: &LayerFeature) {
+        if feature.name.is_some() || feature.id.is_some() || self.name_from.is_some() {
+            self.unique = Some(Vec::new());
+            return;
+        }
+        let of_text = read.attributes.iter().filter_map(|(column, value)| match value {
+            Value::Text(text) => Some((column.to_string(), text)),
+            _ => None,
+        });
+        if number == 0 {
+            self.unique =
+                Some(of_text.take(COLUMNS).map(|(column, text)| (column, HashSet::from([text.clone()]))).collect());
+            return;
+        }
+        let unique = self.unique.get_or_insert_default();
+        unique.retain_mut(|(column, seen)| match read.get(column) {
+            Some(Value::Text(text)) => seen.insert(text.clone()),
+            _ => false,
+        });
+    }
+
+    /// What would name the features, if none has a name.
+    pub(crate) fn hint(&self) -> Option<String> {
+        let columns = self.unique.as_ref().filter(|_| self.ids.len() > 1)?;
+        let mut names = columns.iter().map(|(column, _)| plain(column));
+        let first = names.next()?;
+        let others: Vec<String> = names.collect();
+        let or = if others.is_empty() { String::new() } else { format!("; or {}", others.join(", ")) };
+        Some(format!("the features have no names: --name-from {first} takes them from a column{or}"))
+    }
+
+    /// With how many decimal places a place is shown in text.
+    pub(crate) fn decimals(&self) -> usize {
+        let all = [self.low.x, self.low.y, self.high.x, self.high.y];
+        decimals(all.into_iter().filter(|x| x.is_finite()).fold(0.0, |greatest, x| x.abs().max(greatest)))
     }
 
     /// Refuses a column that no feature has.
@@ -141,6 +196,13 @@ impl Noted {
             && self.high.x <= LONGITUDE
             && self.low.y >= -LATITUDE
             && self.high.y <= LATITUDE
+    }
+
+    /// How many features have no geometry, and which.
+    pub(crate) fn without_geometry(&self) -> Option<String> {
+        let (names, count) = &self.null;
+        let more = if *count > names.len() { ", …" } else { "" };
+        (*count > 0).then(|| format!("{} without geometry: {}{more}", counted(*count, "feature"), names.join(", ")))
     }
 
     /// What a reader of the results should know about the coordinates.

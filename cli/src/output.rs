@@ -37,6 +37,11 @@ pub(crate) fn counted(n: usize, name: &str) -> String {
     format!("{} {plural}", grouped(n))
 }
 
+/// How many rules were not checked, to be added to a verdict; nothing if all were.
+pub(crate) fn not_checked(rules: usize) -> String {
+    if rules == 0 { String::new() } else { format!("; {} not checked", counted(rules, "rule")) }
+}
+
 /// A number that should be 0, marked if it is not.
 pub(crate) fn zero(found: u64) -> String {
     use style::BAD;
@@ -54,6 +59,22 @@ pub(crate) fn part_line(shard: Shard) -> String {
 /// A measure with four decimal places, or with four digits where these would show none.
 pub(crate) fn measure(x: f64) -> String {
     if x != 0.0 && !(1e-3..1e12).contains(&x.abs()) { format!("{x:.3e}") } else { format!("{x:.4}") }
+}
+
+/// How many decimal places a place on a map is shown with in text: to a ten-millionth of the greatest coordinate.
+pub(crate) fn decimals(greatest: f64) -> usize {
+    let before = if greatest > 0.0 && greatest.is_finite() { greatest.log10().ceil() } else { 0.0 };
+    (0_u8..15).take_while(|places| f64::from(*places) < 7.0 - before).count()
+}
+
+/// A place in text, with so many decimal places at most.
+pub(crate) fn place([x, y]: [f64; 2], decimals: usize) -> String {
+    let [x, y] = [x, y].map(|x| {
+        let text = format!("{x:.decimals$}");
+        let short = if text.contains('.') { text.trim_end_matches('0').trim_end_matches('.') } else { &text };
+        if short == "-0" { "0".to_owned() } else { short.to_owned() }
+    });
+    format!("({x}, {y})")
 }
 
 /// A text from a map or the command line as it may stand on a terminal: without control characters, which could break lines
@@ -89,7 +110,7 @@ pub(crate) mod style {
 
 #[cfg(test)]
 mod tests {
-    use super::{counted, grouped, measure, plain};
+    use super::{counted, decimals, grouped, measure, place, plain};
 
     #[test]
     fn numbers_agree_with_their_nouns() {
@@ -110,6 +131,14 @@ mod tests {
     fn control_characters_are_replaced() {
         assert_eq!(plain("C\u{f4}te d'Ivoire"), "C\u{f4}te d'Ivoire");
         assert_eq!(plain("a\x1b[31mb\nc\u{9b}d"), "a\u{fffd}[31mb\u{fffd}c\u{fffd}d");
+    }
+
+    #[test]
+    fn places_are_as_exact_as_the_map() {
+        assert_eq!(place([54_575.620_276_214_504, 31_614.149_999_999_965], decimals(98_064.0)), "(54575.62, 31614.15)");
+        assert_eq!(place([7.5, -1e-12], decimals(180.0)), "(7.5, 0)");
+        assert_eq!(place([1e9, 100.0], decimals(1e9)), "(1000000000, 100)");
+        assert_eq!(decimals(0.0), 7);
     }
 
     #[test]

@@ -63,7 +63,7 @@ fn machines_get_these_keys() {
         ]
     );
     let counted = ["duplicates", "findings", "gap_width", "gaps", "near_misses", "ogc_invalid", "overlaps"];
-    assert_eq!(keys(&found["coverage"]), [&counted[..], &["sliver_area", "slivers", "unit"]].concat());
+    assert_eq!(keys(&found["coverage"]), [&counted[..], &["sliver_area", "slivers", "unit", "wider_gaps"]].concat());
     assert_eq!(
         keys(&found["counts"]),
         [
@@ -253,7 +253,7 @@ fn numbers_agree_with_their_nouns() {
     };
     let crossing = text("LINESTRING (0 0, 2 2)\nLINESTRING (0 2, 2 0)\n");
     assert!(
-        crossing.contains("BROKEN  1 violation in ") && crossing.contains("not valid: 1 violation ("),
+        crossing.contains("BROKEN  1 violation in ") && crossing.contains("not valid: 1 violation; "),
         "{crossing}"
     );
     let spike = text("POLYGON ((0 0, 2 0, 2 2, 3 3, 2 2, 0 2, 0 0))\n");
@@ -402,4 +402,19 @@ fn reference_systems_and_the_antimeridian_are_warned_of() {
     assert!(other.len() == 1 && other[0].as_str().unwrap().contains("coordinate reference system"), "{other:?}");
     let across = warnings(with("null", -170.0));
     assert!(across.len() == 1 && across[0].as_str().unwrap().contains("antimeridian"), "{across:?}");
+}
+
+#[test]
+fn as_many_findings_are_listed_and_explained_as_asked() {
+    let text = |arguments: &[&str]| String::from_utf8(twinedge(arguments).stdout).unwrap();
+    let few = text(&["audit", "--list", "1", "--explain"]);
+    assert!(few.contains("   … and 1 more of C1; see --list\n") && few.matches("\nC1 overlap: ").count() == 1, "{few}");
+    assert!(few.contains("\nC1: usual cause: ") && few.contains("`twinedge clean` gives the place to one"), "{few}");
+    let crossing = data("world-110m-crossing.geojson");
+    let all = text(&["audit", "--list", "100", "--explain", &crossing]);
+    assert!(!all.contains("more of C"), "{all}");
+    let [g4, c6, t3] =
+        ["\nG4 half-edges", "\nC6 OGC", "\nT3 the component"].map(|what| all.rfind(what).expect("listed"));
+    assert!(g4 < c6 && c6 < t3, "{all}");
+    assert!(!all.contains("geometry::noding") && !all.contains("Expectation::"), "{all}");
 }

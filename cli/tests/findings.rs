@@ -108,8 +108,8 @@ fn violations_and_findings_are_points_lines_and_polygons() {
     assert!((at[0] - 23.888_056).abs() < 1e-6 && (at[1] - 8.619_091).abs() < 1e-6, "{at:?}");
     let overlap = &features(&found)[3]["properties"];
     assert_eq!(
-        (&overlap["unit"], &overlap["violation"], &overlap["cause"]),
-        (&json!("degrees"), &json!(false), &json!(null))
+        (&overlap["unit"], &overlap["violation"], overlap["cause"].is_string()),
+        (&json!("degrees"), &json!(false), true)
     );
     assert!((overlap["area"].as_f64().unwrap() - 6.521e-4).abs() < 1e-7);
 }

@@ -235,3 +235,76 @@ fn members_of_geometries_survive_cleaning() {
     let output = twinedge_reading(&["convert", "-", "-o", "-", "--to", "wkt"], text.as_bytes());
     assert!(complaint(&output).contains("foreign members (source, accuracy)"), "{}", complaint(&output));
 }
+
+/// Two parcels with a gap like a spindle between them, 10 wide in the middle.
+const SPINDLE: &str =
+    "POLYGON((0 -20,100 -20,100 0,90 0,50 -5,10 0,0 0,0 -20))\nPOLYGON((0 0,10 0,50 5,90 0,100 0,100 20,0 20,0 0))\n";
+
+#[test]
+fn a_gap_that_is_too_wide_is_left_whole_and_said_so() {
+    let folder = scratch_folder("spindle");
+    let input = in_folder(&folder, "spindle.wkt");
+    fs::write(&input, SPINDLE).unwrap();
+    let text = |arguments: &[&str]| String::from_utf8(twinedge(arguments).stdout).unwrap();
+    let done = text(&["clean", &input, "--dry-run", "--gap-width", "1"]);
+    assert!(done.contains("features with another geometry                 0\n"), "{done}");
+    assert!(done.contains("left as it is: gap of feature 0, feature 1, area 400.0000, width "), "{done}");
+    assert!(done.contains("clean: C1 to C6 hold; 1 gap wider than 1 is left"), "{done}");
+    let (_, done) = run_json(&["clean", &input, "--dry-run", "--gap-width", "1", "--format", "json"]);
+    assert_eq!((done["wider_gaps"].as_array().map(Vec::len), &done["wider_gaps"][0]["area"]), (Some(1), &json!(400.0)));
+
+    let found = text(&["audit", &input, "--gap-width", "1"]);
+    assert!(found.contains("C2  gap          ok  1 gap wider than 1.0000 is not listed\n"), "{found}");
+    assert!(found.contains("C3  near miss    ok"), "{found}");
+    let (_, found) = run_json(&["audit", &input, "--gap-width", "1", "--format", "json"]);
+    assert_eq!((&found["coverage"]["wider_gaps"], &found["coverage"]["near_misses"]), (&json!(1), &json!(0)));
+
+    // Without a width it is left, named, and the width that would take it is said: it does.
+    let left = text(&["clean", &input, "--dry-run"]);
+    let width = left.split("--gap-width ").nth(1).and_then(|rest| rest.split(' ').next()).expect("a width").to_owned();
+    assert!(left.contains("left: gap of feature 0, feature 1, area 400.0000"), "{left}");
+    assert_eq!(status(&["clean", &input, "--dry-run", "--gap-width", &width]), Some(0));
+}
+
+#[test]
+fn cleaning_names_features_by_a_column_and_says_why() {
+    let folder = scratch_folder("reasons");
+    let input = in_folder(&folder, "copied.geojson");
+    let square = "[[[9.5,0],[20,0],[20,10],[9.5,10],[9.5,0]]]";
+    let copy = format!(
+        r#",{{"type":"Feature","properties":{{"owner":"Copy"}},"geometry":{{"type":"Polygon","coordinates":{square}}}}}
+,{{"type":"Feature","properties":{{"owner":"Nowhere"}},"geometry":null}}
+]}}"#
+    );
+    fs::write(&input, PARCELS.replace("\n]}", &copy).replace(r#""id":"#, r#""no":"#)).unwrap();
+    let output = twinedge(&["clean", &input, "--dry-run", "--gap-width", "0.1", "--name-from", "owner"]);
+    let text = String::from_utf8(output.stdout).unwrap();
+    assert!(text.contains("warning: Copy has no geometry any more: its place went to "), "{text}");
+    assert!(text.contains("Copy: area 105.0000 → 0.0000, points 5 → 0; overlap with "), "{text}");
+    assert!(text.contains("gap filled"), "{text}");
+    let output = twinedge(&["clean", &input, "--dry-run", "--name-from", "nothing"]);
+    assert_eq!(output.status.code(), Some(2));
+    assert!(complaint(&output).contains("no feature has a value in the column nothing; there are owner, since"));
+
+    let text = String::from_utf8(twinedge(&["audit", &input]).stdout).unwrap();
+    assert!(text.contains("the features have no names: --name-from owner takes them from a column\n"), "{text}");
+    assert!(text.contains("warning: 1 feature without geometry: feature 4\n"), "{text}");
+}
+
+#[test]
+fn rings_are_judged_by_the_rule_of_their_format() {
+    let folder = scratch_folder("rings");
+    let input = in_folder(&folder, "clockwise.geojson");
+    let clockwise = r#"{"type":"Polygon","coordinates":[[[0,0],[0,1],[1,1],[1,0],[0,0]]]}"#;
+    fs::write(&input, clockwise).unwrap();
+    let wrong = |path: &str| {
+        let (_, found) = run_json(&["audit", path, "--format", "json"]);
+        (found["import"]["rings_wound_wrongly"].clone(), found["import"]["irregularities"].as_array().unwrap().len())
+    };
+    assert_eq!(wrong(&input), (json!(1), 1));
+    for name in ["rings.shp", "rings.wkt", "rings.gpkg"] {
+        let output = in_folder(&folder, name);
+        assert_eq!(status(&["convert", &input, "-o", &output, "--lossy"]), Some(0));
+        assert_eq!(wrong(&output), (json!(0), 0), "{name}");
+    }
+}

@@ -55,7 +55,7 @@ fn what_is_broken_is_named_by_ids_in_text_and_json() {
     let text = String::from_utf8(output.stdout).unwrap();
     assert_eq!(output.status.code(), Some(1), "{text}");
     assert!(text.contains(&format!("R1 {sentence}\n   at (0, 0) (40, 0)\nR1: usual cause: ")), "{text}");
-    assert!(text.contains("not valid: 1 violation"), "{text}");
+    assert!(text.contains("not valid: 1 violation; 15 rules not checked ("), "{text}");
 
     let path = format!("{}/broken.copy", env!("CARGO_TARGET_TMPDIR"));
     std::fs::write(&path, broken()).unwrap();
@@ -63,8 +63,28 @@ fn what_is_broken_is_named_by_ids_in_text_and_json() {
     assert_eq!((status, &found["valid"]), (Some(1), &serde_json::json!(false)));
     let violation = &found["violations"][0];
     assert_eq!((&violation["rule"], &violation["message"]), (&"R1".into(), &sentence.into()));
+    assert_eq!(violation["records"], serde_json::json!(["edge +1"]));
     assert!(violation["remedy"].as_str().is_some_and(|remedy| !remedy.is_empty()));
     assert_eq!(found["rules"].as_array().unwrap().len(), 5 + 19);
+}
+
+#[test]
+fn a_layer_of_findings_has_records_and_lines_and_warns_of_its_coordinates() {
+    let output = twinedge_reading(&["audit", "--postgis", "-", "--format", "geojson"], &broken());
+    let layer: serde_json::Value = serde_json::from_slice(&output.stdout).unwrap();
+    let found = &layer["features"][0];
+    assert_eq!(found["properties"]["records"], serde_json::json!(["edge +1"]));
+    assert_eq!(found["geometry"]["type"], "LineString");
+    assert!(found["geometry"]["coordinates"].as_array().unwrap().len() >= 2);
+    // Nothing of it is beyond the poles.
+    assert_eq!(String::from_utf8_lossy(&output.stderr), "");
+
+    let folder = support::scratch_folder("projected");
+    let path = folder.join("metres.wkt").display().to_string();
+    std::fs::write(&path, "POLYGON((0 0,900 0,900 900,0 900,0 0))\nPOLYGON((800 0,999 0,999 900,800 900,800 0))\n")
+        .unwrap();
+    let output = twinedge(&["audit", &path, "--format", "geojson"]);
+    assert!(complaint(&output).contains("no coordinate reference system is known"), "{}", complaint(&output));
 }
 
 #[test]

@@ -1,6 +1,7 @@
 //! What the audit of a topology found whose edges are kept as lines with bends: of PostGIS, or of TopoJSON.
 
 use std::fmt;
+use twinedge::validate::Report;
 
 /// What an audit found. `Display` prints all of it as text; with the feature `serde` it is serialized as
 ///
@@ -10,7 +11,7 @@ use std::fmt;
 ///   "counts": {"nodes": 5, "isolated_nodes": 1, "edges": 5, "faces": 4, "components": 3, "bends": 7, "repeated_points": 0},
 ///   "rules": [{"id": "P0", "name": "ids", "checked": 14, "unit": "rows", "violations": 0, "unchecked": null}, …],
 ///   "violations": [{"rule": "R1", "kind": "dangling", "message": "next_left_edge of edge 3 is 99, and there is no such edge",
-///                   "at": [[10.0, 0.0], [10.0, 10.0]]}]
+///                   "at": [[10.0, 0.0], [10.0, 10.0]], "records": ["edge +3"]}]
 /// }
 /// ```
 #[derive(Clone, Debug, PartialEq)]
@@ -20,6 +21,8 @@ pub struct TopologyAudit {
     pub(crate) counts: TopologyCounts,
     pub(crate) rules: Vec<TopologyRule>,
     pub(crate) violations: Vec<TopologyViolation>,
+    #[cfg_attr(feature = "serde", serde(skip))]
+    pub(crate) unchecked: usize,
 }
 
 /// How many there are of everything.
@@ -72,6 +75,11 @@ pub struct TopologyViolation {
     pub message: String,
     /// Where it is: nodes, ends of edges, bends.
     pub at: Vec<[f64; 2]>,
+    /// The records that it names, as the database or file does: `edge +17`, `node 80`, `face 6`.
+    pub records: Vec<String>,
+    /// The lines of the edges among them, whole.
+    #[cfg_attr(feature = "serde", serde(skip))]
+    pub lines: Vec<Vec<[f64; 2]>>,
     /// What usually causes it.
     #[cfg_attr(feature = "serde", serde(skip))]
     pub cause: &'static str,
@@ -103,6 +111,12 @@ impl TopologyAudit {
     #[must_use]
     pub fn violations(&self) -> &[TopologyViolation] {
         &self.violations
+    }
+
+    /// How many rules that apply were not checked, or not on everything.
+    #[must_use]
+    pub const fn unchecked_count(&self) -> usize {
+        self.unchecked
     }
 
     /// How many violations there are, kept or not.
@@ -149,6 +163,16 @@ impl fmt::Display for TopologyAudit {
         if more > 0 {
             writeln!(f, "… and {more} more")?;
         }
-        f.write_str(if self.valid { "valid" } else { "not valid" })
+        f.write_str(if self.valid { "valid" } else { "not valid" })?;
+        match self.unchecked {
+            0 => Ok(()),
+            1 => f.write_str("; 1 rule not checked"),
+            n => write!(f, "; {n} rules not checked"),
+        }
     }
+}
+
+/// How many rules of a report apply and were not checked.
+pub(crate) fn not_checked(report: &Report) -> usize {
+    report.outcomes().filter(|(_, outcome)| outcome.unchecked.is_some_and(|why| !why.is_by_design())).count()
 }

@@ -111,9 +111,25 @@ fn a_gap_breaks_only_c2() {
     assert!(near(finding.area, 0.5) && near(finding.length, 2.0 + 2.0 * 1.25_f64.sqrt()));
     // Wider than asked for, it is meant.
     let narrow = Limits { gap_width: Some(finding.width * 0.99), ..Limits::default() };
-    assert!(found(&shapes, &narrow).of(CoverageRule::Gap).next().is_none());
+    let coverage = found(&shapes, &narrow);
+    assert_eq!(coverage.findings, []);
+    assert_eq!(coverage.wider_gaps.len(), 1);
     let wide = Limits { gap_width: Some(finding.width * 1.01), ..Limits::default() };
     assert_eq!(found(&shapes, &wide).of(CoverageRule::Gap).count(), 1);
+}
+
+/// A gap like a spindle, between two features, comes to a point at both ends. It is wider than asked for as a whole.
+#[test]
+fn the_tips_of_a_wide_gap_are_no_near_misses() {
+    let shapes = [
+        [[0.0, -20.0], [100.0, -20.0], [100.0, 0.0], [90.0, 0.0], [50.0, -5.0], [10.0, 0.0], [0.0, 0.0]],
+        [[0.0, 0.0], [10.0, 0.0], [50.0, 5.0], [90.0, 0.0], [100.0, 0.0], [100.0, 20.0], [0.0, 20.0]],
+    ];
+    let shapes = shapes.map(|points| Shape::Polygon(vec![ring(&points)]));
+    let coverage = found(&shapes, &Limits { gap_width: Some(1.0), ..Limits::default() });
+    assert_eq!(coverage.findings, []);
+    assert_eq!(coverage.wider_gaps.len(), 1);
+    assert!(near(coverage.wider_gaps[0].area, 400.0));
 }
 
 #[test]
@@ -183,7 +199,7 @@ fn slanted_borders_are_as_far_apart_as_they_are() {
     }
 }
 
-/// A lake between 0 and 1 has a narrow arm, and a strip between 1 and 2 is open to the outside. What is on the other side of 1 is no
+/// A lake between 0 and 1 has a narrow arm, which is part of a wide gap, and a strip between 1 and 2 is open to the outside. What is on the other side of 1 is no
 /// neighbour.
 ///
 /// ```text
@@ -221,7 +237,8 @@ fn borders_of_different_spaces_are_no_near_miss() {
         .map(|finding| finding.features.iter().map(|feature| feature.index()).collect())
         .collect();
     pairs.sort_unstable();
-    assert_eq!(pairs, [[0, 1], [1, 2]]);
+    assert_eq!(pairs, [[1, 2]]);
+    assert_eq!(coverage.wider_gaps.len(), 1);
 }
 
 #[test]

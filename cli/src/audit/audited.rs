@@ -2,12 +2,12 @@
 
 use crate::coverage::Coverage;
 use crate::input::Imported;
-use crate::output::counted;
+use crate::output::{counted, not_checked};
 use crate::query::label;
 use std::collections::BTreeSet;
 use twinedge::dcel::{Boundary, Face, Vertex};
 use twinedge::map::{FeatureId, PlanarMap};
-use twinedge::validate::{Record, Report, Violation};
+use twinedge::validate::{Record, Report, Unchecked, Violation};
 
 /// A map, audited.
 pub(super) struct Audited<'a> {
@@ -33,9 +33,12 @@ impl Audited<'_> {
         }
         let of_coverage = if self.is_coverage_rule { found } else { 0 };
         let all = counted(self.report.violation_count() as usize + of_coverage, "violation");
-        let is_unknown = self.is_coverage_rule && self.coverage.not_checked().is_some();
-        let beside = if is_unknown { ", and C1 to C5 could not be checked" } else { "" };
-        format!("not valid: {all}{beside}")
+        let is_missing = |why: Unchecked| !why.is_by_design();
+        let of_structure =
+            self.report.outcomes().filter(|(_, outcome)| outcome.unchecked.is_some_and(is_missing)).count();
+        // C1 to C5.
+        let of_coverage = if self.is_coverage_rule && self.coverage.not_checked().is_some() { 5 } else { 0 };
+        format!("not valid: {all}{}", not_checked(of_structure + of_coverage))
     }
 }
 

@@ -34,12 +34,27 @@ pub(super) fn layer(document: &Document) -> Result<Vec<u8>, Failure> {
             .map(|(one, number)| columns.feature(document, one, number))
             .collect(),
     };
+    if document.crs.is_none() && !layer.features.iter().all(looks_like_degrees) {
+        anstream::eprintln!(
+            "{BAD}warning{BAD:#}: no coordinate reference system is known, and the coordinates are no longitudes and latitudes, for \
+which a reader of GeoJSON will take them: set the reference system of the layer by hand"
+        );
+    }
     for loss in losses(&layer, Format::GeoJson) {
         anstream::eprintln!("{BAD}warning{BAD:#}: {} does not hold {}", Format::GeoJson, plain(&loss.to_string()));
     }
     let mut bytes = Vec::new();
     write(&layer, &mut bytes, Format::GeoJson)?;
     Ok(bytes)
+}
+
+/// Whether all positions of a feature can be longitudes and latitudes in degrees.
+fn looks_like_degrees(feature: &Feature) -> bool {
+    let mut all = true;
+    if let Some(geometry) = &feature.geometry {
+        geometry.shape.visit(&mut |position| all &= position.x.abs() <= 360.0 && position.y.abs() <= 90.0);
+    }
+    all
 }
 
 /// The names of the columns, which all features share.

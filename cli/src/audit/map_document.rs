@@ -4,7 +4,9 @@ use super::audited::{Audited, features};
 use super::document::{Document, Marked, RuleLine, counts, rule_lines};
 use super::map_text::{dropped_line, input_line};
 use super::packed::{Beside, Map, Names, Window};
-use crate::coverage::{Entry, Named, statement};
+use super::remedies::remedy;
+use crate::coverage::{Entry, Named};
+use crate::coverage_words::statement;
 use crate::input::Imported;
 use crate::noding_text;
 use twinedge::algorithm::colouring::feature_colours;
@@ -15,10 +17,13 @@ use twinedge::validate::Violation;
 pub(super) fn document(audited: &Audited<'_>, explain: bool) -> Document {
     let Audited { imported, report, coverage, is_coverage_rule, is_valid, .. } = audited;
     let Imported { name, read, map, noted, crs, .. } = imported;
-    let mut notes = vec![input_line(map.summary())];
+    let mut notes = vec![input_line(map.summary(), imported.orients_rings)];
     notes.extend(dropped_line(read));
     notes.extend(map.noding().map(noding_text::line));
-    notes.extend(noted.warnings(read).into_iter().map(|warning| format!("Warning: {warning}")));
+    notes.extend(noted.hint());
+    notes.extend(
+        noted.without_geometry().into_iter().chain(noted.warnings(read)).map(|warning| format!("Warning: {warning}")),
+    );
     let mut rules: Vec<RuleLine> = rule_lines(report);
     if coverage.has_polygons() {
         rules.extend(coverage.counts().map(|(rule, count, _)| RuleLine {
@@ -56,6 +61,7 @@ fn of_violation(imported: &Imported, violation: &Violation, explain: bool) -> Ma
     let map = &imported.map;
     Marked {
         features: features(map, violation).into_iter().map(|feature| Named::new(imported, feature)).collect(),
+        remedy: explain.then(|| remedy(violation)),
         ..Marked::of_violation(map, violation, explain)
     }
 }
@@ -73,8 +79,8 @@ fn of_entry(entry: &Entry, is_rule: bool) -> Marked {
         area: entry.area,
         width: entry.width,
         length: entry.length,
-        cause: None,
-        remedy: None,
+        cause: entry.cause,
+        remedy: entry.remedy,
         at: Some(entry.at()),
         trace: entry.trace().clone(),
     }

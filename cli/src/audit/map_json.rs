@@ -1,12 +1,12 @@
 //! The report of a map as JSON.
 
 use super::audited::{Audited, labels};
+use super::remedies::remedy;
 use crate::coverage::Coverage;
 use crate::input::Imported;
 use serde::Serialize;
 use twinedge::geometry::noding::NodingSummary;
-use twinedge::io::ReadSummary;
-use twinedge::map::{Irregularity, PlanarMap, Position};
+use twinedge::map::{Irregularity, IrregularityKind, Position};
 use twinedge::validate::{Bounds, Counts, Described, REPORT_SCHEMA, Rule, RuleOutcome, places};
 
 #[derive(Debug, Serialize)]
@@ -56,13 +56,15 @@ struct JsonIrregularity {
 }
 
 impl JsonImport {
-    fn new(map: &PlanarMap, read: &ReadSummary) -> Self {
+    fn new(imported: &Imported) -> Self {
+        let Imported { map, read, orients_rings, .. } = imported;
         let summary = map.summary();
         let irregularity = |one: &Irregularity| {
             let Position { feature, shape, ring, point } = one.position;
             let name = map.features().nth(feature).and_then(|f| map.name(f)).map(str::to_owned);
             JsonIrregularity { kind: one.kind.to_string(), at: one.at.into(), feature, name, shape, ring, point }
         };
+        let is_one = |one: &&Irregularity| *orients_rings || one.kind != IrregularityKind::WoundWrongly;
         Self {
             features: summary.features,
             segments: summary.segments,
@@ -70,13 +72,13 @@ impl JsonImport {
             repeated_points: summary.zero_length_segments,
             open_rings: summary.open_rings,
             degenerate_rings: summary.degenerate_rings,
-            rings_wound_wrongly: summary.rings_wound_wrongly,
+            rings_wound_wrongly: if *orients_rings { summary.rings_wound_wrongly } else { 0 },
             self_touching_rings: summary.self_touching_rings,
             spikes: summary.spikes,
             with_extra_dimensions: read.with_extra_dimensions,
             dropped_properties: read.dropped_properties,
             dropped_empty: read.dropped_empty,
-            irregularities: summary.irregularities.iter().map(irregularity).collect(),
+            irregularities: summary.irregularities.iter().filter(is_one).map(irregularity).collect(),
         }
     }
 }
@@ -131,7 +133,7 @@ impl<'a> Json<'a> {
         let Imported { name, read, map, noted, .. } = imported;
         Self {
             input: name,
-            import: JsonImport::new(map, read),
+            import: JsonImport::new(imported),
             noding: map.noding().map(JsonNoding::from),
             schema: REPORT_SCHEMA,
             valid: is_valid,
@@ -145,13 +147,13 @@ impl<'a> Json<'a> {
                 .map(|violation| JsonViolation {
                     described: Described(violation),
                     cause: explain.then(|| violation.cause()),
-                    remedy: explain.then(|| violation.remedy()),
+                    remedy: explain.then(|| remedy(violation)),
                     at: places(map, violation).into_iter().map(Into::into).collect(),
                     features: labels(map, violation),
                 })
                 .collect(),
             coverage,
-            warnings: noted.warnings(read),
+            warnings: noted.without_geometry().into_iter().chain(noted.warnings(read)).collect(),
             elapsed_ms: elapsed,
         }
     }

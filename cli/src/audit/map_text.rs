@@ -1,6 +1,7 @@
 //! The report of a map as text.
 
 use super::audited::{Audited, labels};
+use super::remedies::remedy;
 use crate::coverage::Asked;
 use crate::input::Imported;
 use crate::noding_text;
@@ -10,13 +11,14 @@ use std::collections::BTreeSet;
 use std::fmt::Write as _;
 use twinedge::io::ReadSummary;
 use twinedge::map::{BuildSummary, IrregularityKind, PlanarMap};
-use twinedge::validate::places;
+use twinedge::validate::{Rule, Violation, places};
 
 /// How the report is shown.
 #[derive(Clone, Copy)]
 pub(super) struct Shown<'a> {
     pub(super) coverage: &'a Asked,
-    pub(super) list: usize,
+    /// How many findings of each rule C1 … C6.
+    pub(super) worst: usize,
     pub(super) explain: bool,
 }
 
@@ -28,15 +30,18 @@ impl Shown<'_> {
         let explain = self.explain;
         let mut out = String::new();
         writeln!(out, "{name}")?;
-        writeln!(out, "{QUIET}{}{QUIET:#}", input_line(map.summary()))?;
+        writeln!(out, "{QUIET}{}{QUIET:#}", input_line(map.summary(), imported.orients_rings))?;
         if let Some(dropped) = dropped_line(read) {
             writeln!(out, "{QUIET}{dropped}{QUIET:#}")?;
         }
         if let Some(noding) = map.noding() {
             writeln!(out, "{QUIET}{}{QUIET:#}", noding_text::line(noding))?;
         }
-        for warning in noted.warnings(read) {
+        for warning in noted.without_geometry().into_iter().chain(noted.warnings(read)) {
             writeln!(out, "{BAD}warning{BAD:#}: {warning}")?;
+        }
+        if let Some(hint) = noted.hint() {
+            writeln!(out, "{QUIET}{hint}{QUIET:#}")?;
         }
         out.push_str(&irregularities(map));
         out.push('\n');
@@ -80,16 +85,12 @@ impl Shown<'_> {
             coverage.write_rules(&mut out, self.coverage)?;
         }
         out.push('\n');
-        for violation in report.violations() {
-            writeln!(out, "{BAD}{}{BAD:#} {violation}", violation.rule())?;
-            let at: Vec<_> = places(map, violation).iter().map(|p| format!("({}, {})", p.x, p.y)).collect();
-            if !at.is_empty() {
-                writeln!(out, "   at {}", at.join(" "))?;
-            }
-            let features = labels(map, violation);
-            if !features.is_empty() {
-                writeln!(out, "   on the border of {}", features.join(", "))?;
-            }
+        // That the map does not fit in the plane follows from borders that cross.
+        let crossings = report.outcome(Rule::G4).is_some_and(|outcome| outcome.violations > 0);
+        let (following, first): (Vec<_>, Vec<_>) =
+            report.violations().iter().partition(|violation| crossings && violation.rule() == Rule::T3);
+        for violation in first {
+            write_violation(&mut out, map, violation)?;
         }
         let more = report.violation_count().saturating_sub(report.violations().len() as u64);
         if more > 0 {
@@ -103,12 +104,16 @@ impl Shown<'_> {
                     "{}: usual cause: {}; remedy: {}",
                     violation.rule(),
                     violation.cause(),
-                    violation.remedy()
+                    remedy(violation)
                 )?;
             }
         }
         if coverage.has_polygons() {
-            coverage.write_worst(&mut out, self.list)?;
+            coverage.write_worst(&mut out, self.worst, noted.decimals())?;
+        }
+        for violation in following {
+            write_violation(&mut out, map, violation)?;
+            writeln!(out, "   {QUIET}which follows from the crossings (G4){QUIET:#}")?;
         }
         // The first word is coloured.
         let verdict = audited.verdict();
@@ -117,6 +122,20 @@ impl Shown<'_> {
         writeln!(out, "{style}{word}{style:#}:{rest} ({:.0} ms)", audited.elapsed)?;
         Ok(out)
     }
+}
+
+/// A violation with its places and the features around.
+fn write_violation(out: &mut String, map: &PlanarMap, violation: &Violation) -> std::fmt::Result {
+    writeln!(out, "{BAD}{}{BAD:#} {violation}", violation.rule())?;
+    let at: Vec<_> = places(map, violation).iter().map(|p| format!("({}, {})", p.x, p.y)).collect();
+    if !at.is_empty() {
+        writeln!(out, "   at {}", at.join(" "))?;
+    }
+    let features = labels(map, violation);
+    if !features.is_empty() {
+        writeln!(out, "   on the border of {}", features.join(", "))?;
+    }
+    Ok(())
 }
 
 /// What the reader dropped, except for properties, which every file has.
@@ -131,7 +150,7 @@ pub(super) fn dropped_line(read: &ReadSummary) -> Option<String> {
     (!dropped.is_empty()).then(|| format!("dropped: {}", dropped.join(", ")))
 }
 
-pub(super) fn input_line(summary: &BuildSummary) -> String {
+pub(super) fn input_line(summary: &BuildSummary, orients_rings: bool) -> String {
     let (features, segments) = (summary.features, summary.segments);
     let mut line = format!("{}, {}", counted(features, "feature"), counted(segments, "segment"));
     for (count, what) in [
@@ -146,7 +165,11 @@ pub(super) fn input_line(summary: &BuildSummary) -> String {
     let mut mark = ';';
     for (count, one, several) in [
         (summary.degenerate_rings, "ring encloses nothing", "rings enclose nothing"),
-        (summary.rings_wound_wrongly, "ring is wound the wrong way", "rings are wound the wrong way"),
+        (
+            if orients_rings { summary.rings_wound_wrongly } else { 0 },
+            "ring is wound the wrong way",
+            "rings are wound the wrong way",
+        ),
         (summary.self_touching_rings, "ring touches itself", "rings touch themselves"),
         (summary.spikes, "spike", "spikes"),
     ] {

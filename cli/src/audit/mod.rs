@@ -10,12 +10,13 @@ mod map_text;
 mod mesh_file;
 mod packed;
 mod page;
+mod remedies;
 mod table_file;
 mod textbook;
 mod topology_file;
 mod write;
 
-use crate::coverage::{Asked, Coverage};
+use crate::coverage::{Asked, Coverage, SHOWN};
 use crate::input::MapFile;
 use crate::noted::Keep;
 use crate::progress::busy;
@@ -69,9 +70,10 @@ pub(crate) struct Audit {
     #[command(flatten)]
     destination: destination::Arguments,
 
-    /// Greatest number of violations to list; all are counted.
-    #[arg(long, value_name = "N", default_value_t = Collect::DEFAULT_CAP)]
-    list: usize,
+    /// Greatest number of violations to list, and of findings of each rule C1 … C6; all are counted. Default: 1000, and in the text 3
+    /// findings of each of C1 … C6.
+    #[arg(long, value_name = "N")]
+    list: Option<usize>,
 
     /// Say of each kind of violation or finding what usually causes it and what mends it. In JSON these are the keys `cause` and
     /// `remedy`.
@@ -98,40 +100,44 @@ pub(crate) struct Audit {
 impl Audit {
     pub(crate) fn run(&self) -> Result<Verdict, Failure> {
         let start = Instant::now();
+        let list = self.list.unwrap_or(Collect::DEFAULT_CAP);
         let mut input = self.map.open()?;
         let to = self.destination.destination(self.map.path());
         if self.postgis || is_copy(input.beginning()?) {
             self.map.refuse_snap(&input.name, "a topology of PostGIS")?;
             self.refuse_mesh_options(&input.name)?;
-            return topology_file::audit_postgis(input, self.list, self.explain, to);
+            return topology_file::audit_postgis(input, list, self.explain, to);
         }
         if self.arcs {
             self.map.refuse_snap(&input.name, "audited arc by arc")?;
             self.refuse_coverage(&input.name, "audited arc by arc")?;
             self.refuse_mesh_options(&input.name)?;
-            return topology_file::audit_arcs(input, self.map.layer(), self.list, self.explain, to);
+            return topology_file::audit_arcs(input, self.map.layer(), list, self.explain, to);
         }
         if textbook::is_textbook(input.beginning()?) {
             self.refuse_coverage(&input.name, "a textbook's tables")?;
-            return textbook::audit(&input.name, input.reader, self.list, self.explain, to);
+            return textbook::audit(&input.name, input.reader, list, self.explain, to);
         }
         if table_file::is_table_file(input.beginning()?) {
             self.map.refuse_snap(&input.name, "a file of tables")?;
             self.refuse_coverage(&input.name, "a file of tables")?;
             self.refuse_mesh_options(&input.name)?;
-            return table_file::audit(&input.name, input.reader, self.list, self.explain, to);
+            return table_file::audit(&input.name, input.reader, list, self.explain, to);
         }
         if let Some(format) = input.mesh_format()? {
             self.map.refuse_snap(&input.name, "a mesh")?;
             self.refuse_coverage(&input.name, "a mesh")?;
-            return mesh_file::audit(input, format, self.mesh.expectation(), self.list, self.explain, to);
+            return mesh_file::audit(input, format, self.mesh.expectation(), list, self.explain, to);
         }
         self.refuse_mesh_options(&input.name)?;
         let imported = self.map.build_from(input, Keep { coverage: true, condition: None })?;
         let map = &imported.map;
-        let report = busy("validating", || validate_embedding(map, &Expectation::plane(), Collect::AtMost(self.list)));
+        let report = busy("validating", || validate_embedding(map, &Expectation::plane(), Collect::AtMost(list)));
         let units = Units::Plane { degrees: imported.noted.look_like_degrees(&imported.read) };
-        let coverage = Coverage::new(&imported, &self.coverage, &units, self.list);
+        let mut coverage = Coverage::new(&imported, &self.coverage, &units, list);
+        if self.explain {
+            coverage.explain();
+        }
         let elapsed = start.elapsed().as_secs_f64() * 1000.0;
         let of_coverage = if self.coverage.is_rule() { coverage.total() } else { 0 };
         // What cannot be checked is not known to hold.
@@ -141,7 +147,8 @@ impl Audit {
         let audited = Audited { imported: &imported, report: &report, coverage, is_coverage_rule, is_valid, elapsed };
         match to.format {
             ReportFormat::Text => {
-                let shown = Shown { coverage: &self.coverage, list: self.list, explain: self.explain };
+                let worst = self.list.unwrap_or(SHOWN);
+                let shown = Shown { coverage: &self.coverage, worst, explain: self.explain };
                 to.text(&shown.text(&audited)?)?;
             }
             ReportFormat::Json => to.json(&Json::new(audited, self.explain))?,

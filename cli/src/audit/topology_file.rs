@@ -6,14 +6,14 @@ use super::packed::{Beside, Map, Names};
 use super::write::write;
 use crate::input::Input;
 use crate::output::style::{BAD, GOOD, QUIET};
-use crate::output::{counted, grouped, plain};
+use crate::output::{counted, grouped, not_checked, plain};
 use crate::status::{Failure, Verdict};
 use crate::trace::{Trace, middle};
 use serde::Serialize;
 use std::collections::BTreeSet;
 use std::fmt::Write as _;
 use std::time::Instant;
-use twinedge::validate::{Embedding, Record};
+use twinedge::validate::{Embedding, Record, Rule};
 use twinedge_formats::layer::topojson;
 use twinedge_formats::postgis::{self, TopologyAudit, TopologyRule, TopologyViolation};
 
@@ -114,7 +114,7 @@ impl Found<'_> {
         Ok(if self.audit.is_valid() { Verdict::Sound } else { Verdict::Wrong })
     }
 
-    /// What was found. Violations have places, and no records.
+    /// What was found.
     fn document(&self) -> Document {
         let Self { name, audit, what, explain, .. } = *self;
         let named = |id: &str| audit.rules().iter().find(|rule| rule.id == id).map_or("", |rule| rule.name);
@@ -126,8 +126,13 @@ impl Found<'_> {
             violation: true,
             cause: explain.then_some(one.cause),
             remedy: explain.then_some(one.remedy),
+            records: one.records.clone(),
             at: middle(&one.at),
-            trace: Trace { points: one.at.clone(), ..Trace::default() },
+            trace: Trace {
+                points: if one.lines.is_empty() { one.at.clone() } else { Vec::new() },
+                lines: one.lines.clone(),
+                ..Trace::default()
+            },
             ..Marked::default()
         };
         let rule = |rule: &TopologyRule| {
@@ -137,16 +142,13 @@ impl Found<'_> {
                 (0, Some(why)) => format!("not checked: {why}"),
                 (n, _) => format!("{} in {checked}", counted(n as usize, "violation")),
             };
-            RuleLine { id: rule.id, name: rule.name, statement: None, outcome, found: rule.violations }
+            RuleLine { id: rule.id, name: rule.name, statement: statement(rule.id), outcome, found: rule.violations }
         };
         let counts = audit.counts();
         Document {
             input: name.to_owned(),
             valid: audit.is_valid(),
-            verdict: match counted(audit.violation_count() as usize, "violation") {
-                _ if audit.is_valid() => "valid: every rule that applies holds".to_owned(),
-                violations => format!("not valid: {violations}"),
-            },
+            verdict: self.verdict(),
             notes: vec![what.note.to_owned()],
             counts: vec![
                 (what.nodes, grouped(counts.nodes)),
@@ -213,14 +215,38 @@ impl Found<'_> {
                 writeln!(out, "{rule}: usual cause: {cause}; remedy: {remedy}")?;
             }
         }
-        if audit.is_valid() {
-            writeln!(out, "{GOOD}valid{GOOD:#}: every rule that applies holds ({elapsed_ms:.0} ms)")?;
-        } else {
-            let count = counted(audit.violation_count() as usize, "violation");
-            writeln!(out, "{BAD}not valid{BAD:#}: {count} ({elapsed_ms:.0} ms)")?;
-        }
+        let verdict = self.verdict();
+        let (word, rest) = verdict.split_once(':').unwrap_or((&verdict, ""));
+        let style = if audit.is_valid() { GOOD } else { BAD };
+        writeln!(out, "{style}{word}{style:#}:{rest} ({elapsed_ms:.0} ms)")?;
         Ok(out)
     }
+
+    /// Whether the topology is valid, in a sentence.
+    fn verdict(&self) -> String {
+        if self.audit.is_valid() {
+            return "valid: every rule that applies holds".to_owned();
+        }
+        let violations = counted(self.audit.violation_count() as usize, "violation");
+        format!("not valid: {violations}{}", not_checked(self.audit.unchecked_count()))
+    }
+}
+
+/// What a rule says.
+fn statement(id: &str) -> Option<&'static str> {
+    let own = [
+        ("P0", "ids are there and unique, and those of edges are positive"),
+        ("P1", "every edge is a line from its start node to its end node, all in one reference system"),
+        ("P2", "nodes with edges have no `containing_face`; those of the others are faces in which they lie"),
+        ("P3", "every face but face 0 has edges"),
+        ("P4", "`mbr` and the `abs_next_…` columns are what they are computed of"),
+        ("A0", "every arc has two different positions, and every ring encloses something"),
+        ("A1", "every index is that of an arc, arcs join end to end, rings close"),
+        ("A2", "each side of an arc has one polygon at most, and not the same one as the other side"),
+        ("A3", "some object uses the arc"),
+    ];
+    let of_validator = || Rule::ALL.iter().find(|rule| rule.id() == id).map(|rule| rule.statement());
+    own.into_iter().find(|(own, _)| *own == id).map(|(_, says)| says).or_else(of_validator)
 }
 
 fn packed(topology: &impl Embedding, name: impl Fn(Record) -> String, document: &Document) -> Map {

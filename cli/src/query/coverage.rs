@@ -93,7 +93,7 @@ impl CoverageOf {
                 coverage.write_rules(&mut out, &self.asked)?;
                 out.push('\n');
                 for entry in coverage.findings_mut() {
-                    entry.write(&mut out)?;
+                    entry.write(&mut out, imported.noted.decimals())?;
                 }
                 print(&format!("{out}{QUIET}{}{QUIET:#}\n", units.sentence()))
             }

@@ -39,6 +39,20 @@ impl Format {
         Self::FlatGeobuf,
     ];
 
+    /// Whether it says which way rings turn. RFC 7946 does, and so does Esri's description of Shapefiles, whose rings are turned when
+    /// they are read. "Simple feature access" (OGC 06-103r4 and 06-104r4), on which well-known text, well-known binary and `GeoPackage`
+    /// rest, leaves it open, and so do `FlatGeobuf` and `TopoJSON`.
+    ///
+    /// ```
+    /// use twinedge_formats::layer::Format;
+    ///
+    /// assert!(Format::Shapefile.orients_rings() && !Format::Wkt.orients_rings());
+    /// ```
+    #[must_use]
+    pub const fn orients_rings(self) -> bool {
+        matches!(self, Self::GeoJson | Self::GeoJsonSeq | Self::Shapefile)
+    }
+
     /// The format that the extension of a file name stands for; none, if the content must tell, as for `.json`.
     ///
     /// ```

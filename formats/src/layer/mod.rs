@@ -59,6 +59,6 @@ pub use losses::losses;
 pub use model::{
     Crs, Dimensions, Feature, Field, FieldKind, Geometry, Header, Id, Layer, Line, Members, Position, Shape, Value,
 };
-pub use read::{ReadOptions, read, read_layer, read_path};
+pub use read::{ReadOptions, format_of, read, read_layer, read_path};
 pub use to_map::to_map;
 pub use write::{files, refuse_losses, write, write_path};

@@ -49,21 +49,7 @@ pub fn read(
 ) -> Result<Header, ReadError> {
     let mut head = Vec::new();
     reader.take(HEAD).read_to_end(&mut head)?;
-    let of_content = Format::of_content(&head).map_err(ReadError::Foreign)?;
-    let by_name = options.format.or_else(|| path.and_then(Format::of_path));
-    // The beginning of some formats tells what the content is, whatever the name.
-    let format = match (of_content, by_name) {
-        (
-            Some(
-                known @ (Format::Shapefile | Format::GeoPackage | Format::Wkb | Format::TopoJson | Format::FlatGeobuf),
-            ),
-            _,
-        ) => known,
-        (_, Some(by_name)) => by_name,
-        (Some(text), None) => text,
-        (None, None) if is_blank(&head) => return Err(ReadError::Empty),
-        (None, None) => return Err(ReadError::Unrecognised),
-    };
+    let format = format_of(&head, path, options)?;
     let mut all = Cursor::new(head).chain(reader);
     match format {
         #[cfg(feature = "geojson")]
@@ -90,6 +76,36 @@ pub fn read(
             let _ = (&mut all, each);
             Err(ReadError::FeatureOff(off))
         }
+    }
+}
+
+/// The format as which [`read`] reads what begins with these bytes. O(bytes).
+///
+/// # Errors
+/// [`ReadError::Foreign`], [`ReadError::Empty`] and [`ReadError::Unrecognised`].
+///
+/// ```
+/// use twinedge_formats::layer::{Format, ReadOptions, format_of};
+///
+/// let format = format_of(b"POINT(1 2)", None, &ReadOptions::default())?;
+/// assert_eq!(format, Format::Wkt);
+/// # Ok::<_, twinedge_formats::layer::ReadError>(())
+/// ```
+pub fn format_of(head: &[u8], path: Option<&Path>, options: &ReadOptions) -> Result<Format, ReadError> {
+    let of_content = Format::of_content(head).map_err(ReadError::Foreign)?;
+    let by_name = options.format.or_else(|| path.and_then(Format::of_path));
+    // The beginning of some formats tells what the content is, whatever the name.
+    match (of_content, by_name) {
+        (
+            Some(
+                known @ (Format::Shapefile | Format::GeoPackage | Format::Wkb | Format::TopoJson | Format::FlatGeobuf),
+            ),
+            _,
+        ) => Ok(known),
+        (_, Some(by_name)) => Ok(by_name),
+        (Some(text), None) => Ok(text),
+        (None, None) if is_blank(head) => Err(ReadError::Empty),
+        (None, None) => Err(ReadError::Unrecognised),
     }
 }
 

@@ -1,15 +1,16 @@
 //! The audit of a topology: the validator's rules, and P0 … P4.
 
+use super::containing::{containing, points};
 use super::error::ReadError;
 use super::finding::{Finding, Findings, RULES};
 use super::mbr::Mbr;
 use super::message::message;
 use super::topology::Topology;
-use crate::topology_audit::{TopologyAudit, TopologyCounts, TopologyRule, TopologyViolation};
+use crate::topology_audit::{TopologyAudit, TopologyCounts, TopologyRule, TopologyViolation, not_checked};
 use twinedge::delegate_view;
 use twinedge::geometry::Point;
 use twinedge::validate::adapt::FaceLabels;
-use twinedge::validate::{Collect, Embedding, Expectation, Part, Report, Rule, Start, View};
+use twinedge::validate::{Collect, Embedding, Expectation, Part, Record, Report, Rule, Start, View};
 use twinedge::validate::{places, validate, validate_embedding};
 
 /// The topology with what its columns imply: the lists of the faces.
@@ -87,12 +88,24 @@ pub fn audit(topology: &Topology, limit: usize) -> Result<TopologyAudit, ReadErr
     if mbrs_unchecked.is_none() {
         boxes(topology, &mut findings);
     }
-    let rules = rules(topology, &findings, &report, mbrs_unchecked);
+    // G5 asks the same, where the links allow it.
+    let is_checked = report.outcome(Rule::G5).is_some_and(|outcome| outcome.unchecked.is_none());
+    let nowhere = if is_checked {
+        0
+    } else if ends_meet && !broken(&Rule::G4) {
+        containing(topology, &mut findings)
+    } else {
+        topology.contained.len() as u64
+    };
+    let unchecked = Unchecked { mbrs: mbrs_unchecked, nowhere };
+    let rules = rules(topology, &findings, &report, &unchecked);
     let own = findings.kept.iter().map(|finding| TopologyViolation {
         rule: finding.rule(),
         kind: finding.kind(),
         message: finding.to_string(),
         at: place(topology, finding),
+        records: finding.record().into_iter().collect(),
+        lines: finding.edge().and_then(|id| line(topology, topology.edges.slot(id)?)).into_iter().collect(),
         cause: finding.cause(),
         remedy: finding.remedy(),
     });
@@ -101,6 +114,8 @@ pub fn audit(topology: &Topology, limit: usize) -> Result<TopologyAudit, ReadErr
         kind: violation.kind(),
         message: message(topology, violation),
         at: places(&view, violation).into_iter().map(Into::into).collect(),
+        records: violation.records().into_iter().flatten().filter_map(|record| named(topology, record)).collect(),
+        lines: violation.records().into_iter().flatten().filter_map(|record| drawn(topology, record)).collect(),
         cause: violation.cause(),
         remedy: violation.remedy(),
     });
@@ -117,7 +132,36 @@ pub fn audit(topology: &Topology, limit: usize) -> Result<TopologyAudit, ReadErr
         repeated_points: topology.repeated_points,
     };
     let valid = report.is_valid() && ends_meet && findings.counts.iter().all(|count| *count == 0);
-    Ok(TopologyAudit { valid, counts, rules, violations })
+    let own_unchecked = rules.iter().filter(|rule| rule.id.starts_with('P') && rule.unchecked.is_some()).count();
+    let unchecked = own_unchecked + not_checked(&report) + rules.len() - RULES.len() - report.outcomes().count();
+    Ok(TopologyAudit { valid, counts, rules, violations, unchecked })
+}
+
+/// What the database calls a record.
+fn named(topology: &Topology, record: Record) -> Option<String> {
+    let table = match record {
+        Record::Vertex(_) => "node",
+        Record::HalfEdge(_) => "edge",
+        Record::Face(_) => "face",
+        Record::Boundary(_) => return None,
+    };
+    Some(format!("{table} {}", topology.name(record)))
+}
+
+/// The line of an edge.
+fn drawn(topology: &Topology, record: Record) -> Option<Vec<[f64; 2]>> {
+    match record {
+        Record::HalfEdge(h) => line(topology, u32::try_from(h / 2).ok()?),
+        _ => None,
+    }
+}
+
+/// The line of an edge with two points or more, if all of them are finite.
+fn line(topology: &Topology, edge: u32) -> Option<Vec<[f64; 2]>> {
+    let edge = edge as usize;
+    let line = topology.ends.get(edge).map(|_| points(topology, edge))?;
+    (line.len() > 1 && line.iter().all(|p| p.x.is_finite() && p.y.is_finite()))
+        .then(|| line.into_iter().map(Into::into).collect())
 }
 
 /// P4, for `mbr`.
@@ -135,12 +179,27 @@ fn boxes(topology: &Topology, findings: &mut Findings) {
     }
 }
 
-fn rules(topology: &Topology, findings: &Findings, report: &Report, mbrs: Option<Rule>) -> Vec<TopologyRule> {
+/// What could not be asked.
+struct Unchecked {
+    /// The rule without which `mbr` cannot be judged.
+    mbrs: Option<Rule>,
+    /// How many isolated nodes may lie anywhere.
+    nowhere: u64,
+}
+
+fn rules(topology: &Topology, findings: &Findings, report: &Report, not: &Unchecked) -> Vec<TopologyRule> {
     let [nodes, faces, edges] = [&topology.nodes, &topology.faces, &topology.edges].map(|ids| ids.len() as u64);
     let checked = [nodes + faces + edges, nodes + edges, nodes, faces, faces + 2 * edges];
     let mut rules = Vec::new();
     for (i, (id, name, unit)) in RULES.into_iter().enumerate() {
-        let unchecked = mbrs.filter(|_| id == "P4").map(|rule| format!("for mbr: needs {rule}, which is broken"));
+        let unchecked = match (id, not.mbrs, not.nowhere) {
+            ("P4", Some(rule), _) => Some(format!("for mbr: needs {rule}, which is broken")),
+            ("P2", _, count) if count > 0 => {
+                let nodes = if count == 1 { "1 isolated node lies" } else { &format!("{count} isolated nodes lie") };
+                Some(format!("in which face {nodes}: needs G5, or P1 and lines around the faces that close"))
+            }
+            _ => None,
+        };
         rules.push(TopologyRule { id, name, checked: checked[i], unit, violations: findings.counts[i], unchecked });
     }
     rules.extend(report.outcomes().map(|(rule, outcome)| TopologyRule {
@@ -177,9 +236,9 @@ fn place(topology: &Topology, finding: &Finding) -> Vec<[f64; 2]> {
         | Finding::EdgeWithoutCurve { edge: id }
         | Finding::EdgeNotCurve { edge: id, .. }
         | Finding::AbsNextDiffers { edge: id, .. } => edge(id),
-        Finding::ConnectedHasContainingFace { node: id, .. } | Finding::NoSuchContainingFace { node: id, .. } => {
-            node(id).into_iter().collect()
-        }
+        Finding::LiesElsewhere { node: id, .. }
+        | Finding::ConnectedHasContainingFace { node: id, .. }
+        | Finding::NoSuchContainingFace { node: id, .. } => node(id).into_iter().collect(),
         _ => Vec::new(),
     };
     at.retain(|[x, y]| !x.is_nan() && !y.is_nan());

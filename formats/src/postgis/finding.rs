@@ -80,6 +80,9 @@ findings! {
     "P2" NoSuchContainingFace { node: i64, face: i64 } "no_such_containing_face"
         "the `containing_face` of a node is no face."
         cause "the face was deleted, with its foreign key switched off" remedy "set it to the result of `GetFaceContainingPoint`";
+    "P2" LiesElsewhere { node: i64, face: i64, lies_in: Option<i64> } "lies_elsewhere"
+        "a node does not lie in its `containing_face`, by the lines and the faces that these name. It is reported where links are broken; otherwise G5 says so."
+        cause "`containing_face` was set by hand, or not updated with the edges around it" remedy "set it to the result of `GetFaceContainingPoint`";
     "P3" FaceWithoutEdges { face: i64 } "face_without_edges"
         "no edge names the face."
         cause "a face was inserted by hand, or its edges were relabelled" remedy "delete the row, or restore `left_face` and `right_face` of its edges";
@@ -150,6 +153,13 @@ impl fmt::Display for Finding {
             Self::NoSuchContainingFace { node, face } => {
                 write!(f, "the containing_face of node {node} is {face}, and there is no such face with edges")
             }
+            Self::LiesElsewhere { node, face, lies_in } => {
+                match lies_in {
+                    Some(other) => write!(f, "node {node} lies in face {other}")?,
+                    None => write!(f, "node {node} does not lie in face {face}")?,
+                }
+                write!(f, " by the lines around it, and its containing_face is {face}")
+            }
             Self::FaceWithoutEdges { face } => write!(f, "no edge names face {face} as its left or right face"),
             Self::MbrMissing { face } => write!(f, "the mbr of face {face} is null"),
             Self::MbrNotBox { face } => write!(f, "the mbr of face {face} is no rectangle along the axes"),
@@ -163,6 +173,41 @@ impl fmt::Display for Finding {
                 }
                 f.write_str(", not the absolute value of the link beside it")
             }
+        }
+    }
+}
+
+impl Finding {
+    /// The edge that it is about.
+    pub(super) const fn edge(&self) -> Option<i64> {
+        match *self {
+            Self::EdgeWithoutCurve { edge }
+            | Self::EdgeNotCurve { edge, .. }
+            | Self::StartsElsewhere { edge, .. }
+            | Self::EndsElsewhere { edge, .. }
+            | Self::AbsNextDiffers { edge, .. }
+            | Self::EdgeIdNotPositive { edge } => Some(edge),
+            _ => None,
+        }
+    }
+
+    /// The record that it is about, by its table and its id.
+    pub(super) fn record(&self) -> Option<String> {
+        match *self {
+            Self::NodeWithoutPoint { node }
+            | Self::NodeNotPoint { node, .. }
+            | Self::ConnectedHasContainingFace { node, .. }
+            | Self::NoSuchContainingFace { node, .. }
+            | Self::LiesElsewhere { node, .. } => Some(format!("node {node}")),
+            Self::FaceWithoutEdges { face }
+            | Self::MbrMissing { face }
+            | Self::MbrNotBox { face }
+            | Self::MbrWrong { face }
+            | Self::UniverseHasMbr { face } => Some(format!("face {face}")),
+            Self::IdRepeated { table, id } | Self::OtherReferenceSystem { table, id, .. } => {
+                Some(format!("{table} {id}"))
+            }
+            _ => self.edge().map(|edge| format!("edge {edge}")),
         }
     }
 }

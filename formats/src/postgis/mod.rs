@@ -17,7 +17,7 @@
 //! | --- | --- |
 //! | P0 ids | ids are there and unique, and those of edges are positive |
 //! | P1 ends | every node is a point, every edge a line that starts at its start node and ends at its end node, all in one reference system |
-//! | P2 containing | nodes with edges have no `containing_face`; those of the others are faces |
+//! | P2 containing | nodes with edges have no `containing_face`; those of the others are faces; where links are broken and G5 cannot say so, they lie in them by the lines alone |
 //! | P3 edges | every face but face 0 is named by an edge |
 //! | P4 cached | `mbr` is the box around the edges of its face, and null for face 0; `abs_next_left_edge` and `abs_next_right_edge` are the values without sign |
 //!
@@ -28,6 +28,7 @@
 //! the documentation of `PostgreSQL` 15.
 
 mod audit;
+mod containing;
 mod copy;
 mod error;
 mod ewkb;

@@ -3,6 +3,7 @@
 use crate::support::{from_text, to_geojson, world};
 use quickcheck::{TestResult, quickcheck};
 use twinedge::algorithm::clean::{ChangeKind, Options, Winner};
+use twinedge::algorithm::coverage::{CoverageRule, DefectKind};
 use twinedge::geometry::noding::Snap;
 use twinedge_formats::layer::clean::{CleanError, CleanOptions, CleanReport, clean};
 use twinedge_formats::layer::{Feature, Layer, Position, Shape};
@@ -88,6 +89,8 @@ fn wide_gaps_stay_and_are_counted() {
     let (layer, report) = cleaned(&from_text(ring), &CleanOptions::default());
     assert_eq!(rings(&layer.features[0]).len(), 2);
     assert_eq!(report.left.map(|left| left.gaps), Some(1));
+    let [gap] = &report.remaining[..] else { panic!("{:?}", report.remaining) };
+    assert_eq!((gap.rule, gap.features.as_slice(), gap.area), (CoverageRule::Gap, &[0][..], 4.0));
     let assign = Options { gap_width: Some(1.0), ..Options::default() };
     let (layer, report) = cleaned(&from_text(ring), &CleanOptions { assign, ..CleanOptions::default() });
     assert_eq!((rings(&layer.features[0]).len(), report.left), (1, None));
@@ -111,6 +114,27 @@ fn a_gap_that_is_open_to_the_outside_is_closed_up_to_a_width() {
     let (again, report) = with_width_of(&layer, 0.1);
     assert!(report.features.is_empty());
     assert_eq!(to_geojson(&again), to_geojson(&layer));
+}
+
+/// A spindle of a gap, 10 wide in the middle, comes to a point at both ends.
+#[test]
+fn a_gap_that_is_too_wide_is_left_whole_and_counted() {
+    let text = "POLYGON((0 -20,100 -20,100 0,90 0,50 -5,10 0,0 0,0 -20))\nPOLYGON((0 0,10 0,50 5,90 0,100 0,100 20,0 20,0 0))\n";
+    let layer = from_text(text);
+    let (after, report) = with_width_of(&layer, 1.0);
+    assert_eq!((to_geojson(&after), report.changes, report.left), (to_geojson(&layer), vec![], None));
+    let [gap] = &report.wider_gaps[..] else { panic!("{:?}", report.wider_gaps) };
+    assert_eq!((gap.features.as_slice(), gap.area.round()), (&[0, 1][..], 400.0));
+}
+
+#[test]
+fn the_area_before_is_what_was_covered_and_the_area_of_nothing_is_zero() {
+    let text = "POLYGON((0 0,10 10,10 0,0 10,0 0))\nPOLYGON((20 0,30 0,30 10,20 10,20 0))\nPOLYGON((20 0,30 0,30 10,20 10,20 0))\n";
+    let (_, report) = cleaned(&from_text(text), &CleanOptions::default());
+    let [bowtie, duplicate] = &report.features[..] else { panic!("{:?}", report.features) };
+    assert_eq!((bowtie.area_before, bowtie.area_after), (50.0, 50.0));
+    assert_eq!(bowtie.defects, [DefectKind::SelfIntersection]);
+    assert_eq!((duplicate.area_after, duplicate.area_after.is_sign_negative()), (0.0, false));
 }
 
 fn with_width_of(layer: &Layer, width: f64) -> (Layer, CleanReport) {

@@ -86,7 +86,7 @@ fn binary_geometries_are_read_as_bytes_big_endian_and_extended() {
 /// A layer with every type of attributes that tables have.
 fn attributes() -> Layer {
     let square = |x: f64| {
-        let ring = [(x, 0.0), (x, 1.0), (x + 1.0, 1.0), (x + 1.0, 0.0), (x, 0.0)];
+        let ring = [(x, 0.0), (x + 1.0, 0.0), (x + 1.0, 1.0), (x, 1.0), (x, 0.0)];
         let ring = ring.map(|(x, y)| Position::new(x, y)).to_vec();
         Geometry::new(Dimensions::Xy, Shape::Polygon(vec![ring]))
     };

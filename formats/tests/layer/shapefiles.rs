@@ -96,8 +96,15 @@ fn holes_go_to_the_smallest_polygon_around_them() {
 fn rings_turn_as_a_shapefile_wants_it() {
     let layer = through(&from_text("POLYGON((0 0,9 0,9 9,0 9,0 0))\n"), Format::Shapefile);
     let Shape::Polygon(rings) = &layer.features[0].geometry.as_ref().unwrap().shape else { panic!("a polygon") };
-    // Clockwise: up first.
-    assert_eq!((rings[0][1].x, rings[0][1].y), (0.0, 9.0));
+    // Clockwise in the file, and turned when it is read, with the same first point.
+    assert_eq!(rings[0].iter().map(|p| (p.x, p.y)).collect::<Vec<_>>()[..2], [(0.0, 0.0), (9.0, 0.0)]);
+    let (_folder, path) = scratch("square.shp");
+    write_path(&layer, &path, Format::Shapefile).unwrap();
+    let bytes = fs::read(&path).unwrap();
+    // The second point of the only record: after two heads, the type, the box, two counts and the start of the ring.
+    let second = 100 + 8 + 4 + 32 + 8 + 4 + 16;
+    let [x, y] = [0, 8].map(|at| f64::from_le_bytes(bytes[second + at..][..8].try_into().unwrap()));
+    assert_eq!((x, y), (0.0, 9.0));
 }
 
 #[test]

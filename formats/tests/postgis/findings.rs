@@ -173,6 +173,15 @@ const CASES: &[Case] = &[
         "bend 0 of half-edge +3 has a coordinate that is not finite, or out of range",
     ),
     (
+        "lies_elsewhere",
+        |rows| {
+            rows.row(EDGE, 1)[NEXT_LEFT] = int(5);
+            rows.row(NODE, 13)[1] = int(3);
+        },
+        &["P2", "P4", "L2", "L3", "B1", "F1"],
+        "node 13 lies in face 2 by the lines around it, and its containing_face is 3",
+    ),
+    (
         "wrong_face",
         |rows| rows.row(NODE, 13)[1] = int(3),
         &["G5"],
@@ -220,6 +229,51 @@ fn rules_that_need_a_broken_one_are_not_checked() {
     let audit = changed(|rows| rows.row(EDGE, 1)[LEFT_FACE] = int(3));
     let p4 = audit.rules().iter().find(|rule| rule.id == "P4").expect("it is listed");
     assert_eq!(p4.unchecked.as_deref(), Some("for mbr: needs B1, which is broken"));
+}
+
+/// One wrong link switches G5 off. Lines and points say where isolated nodes lie even so.
+#[test]
+fn isolated_nodes_are_placed_without_links() {
+    let outcome = |audit: &TopologyAudit| audit.rules().iter().find(|rule| rule.id == "P2").cloned().expect("listed");
+    let messages = |audit: &TopologyAudit| {
+        let of_p2 = audit.violations().iter().filter(|one| one.rule == "P2");
+        of_p2.map(|one| one.message.clone()).collect::<Vec<_>>()
+    };
+    let wrong_link = |rows: &mut Rows| rows.row(EDGE, 1)[NEXT_LEFT] = int(5);
+    let right = changed(wrong_link);
+    let g5 = right.rules().iter().find(|rule| rule.id == "G5").expect("listed");
+    assert!(g5.unchecked.is_some());
+    assert_eq!((outcome(&right).violations, outcome(&right).unchecked), (0, None));
+    // Each isolated node in each face that is not its own.
+    let rows = Rows::of(TOWN);
+    let faces: Vec<_> = rows.0[FACE].iter().map(|row| row[0].clone()).collect();
+    let isolated: Vec<_> = rows.0[NODE].iter().filter(|row| row[1].is_some()).cloned().collect();
+    assert!(isolated.len() >= 4);
+    let number = |bytes: &Option<Vec<u8>>| i32::from_be_bytes(bytes.clone().unwrap().try_into().unwrap());
+    for row in &isolated {
+        for face in faces.iter().filter(|face| **face != row[1]) {
+            let audit = changed(|rows| {
+                wrong_link(rows);
+                rows.row(NODE, number(&row[0]))[1].clone_from(face);
+            });
+            let [node, own, named] = [&row[0], &row[1], face].map(number);
+            let place = match own {
+                0 => format!("does not lie in face {named}"),
+                own => format!("lies in face {own}"),
+            };
+            let message = format!("node {node} {place} by the lines around it, and its containing_face is {named}");
+            assert_eq!(messages(&audit), [message]);
+        }
+    }
+    // A face whose lines do not close says nothing, and P2 does not pass.
+    let unknown = changed(|rows| {
+        wrong_link(rows);
+        rows.row(EDGE, 1)[LEFT_FACE] = int(3);
+    });
+    assert_eq!(outcome(&unknown).violations, 0);
+    let why = outcome(&unknown).unchecked.expect("the lines around a face do not close");
+    assert!(why.starts_with("in which face "), "{why}");
+    assert!(unknown.unchecked_count() > 5);
 }
 
 #[test]

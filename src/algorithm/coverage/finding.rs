@@ -95,7 +95,8 @@ pub struct Finding {
 /// ```
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Limits {
-    /// The greatest width of a near miss, and of a gap if it is to be found; a wider gap counts as intended. By default every
+    /// The greatest width of a near miss, and of a gap if it is to be found; a wider gap counts as
+    /// intended: it is counted, and not searched for near misses. By default every
     /// gap is found whatever its width, and a near miss is at most a hundredth of the median length of the edges wide.
     pub gap_width: Option<f64>,
     /// The area below which a thin part of a feature is a sliver. Default: a thousandth of the median area of all parts.

@@ -8,29 +8,33 @@ use super::finding::{CoverageRule, Finding, Limits};
 use super::region::{border, connected, finding};
 use crate::dcel::Face;
 use crate::map::{FeatureId, PlanarMap};
-use rustc_hash::FxHashMap;
+use rustc_hash::FxHashSet;
 
 /// The gaps, and the unclaimed faces that are none.
+#[derive(Default)]
 pub(super) struct Gaps {
     pub(super) findings: Vec<Finding>,
-    /// By index of face, the number of the connected unclaimed space that it belongs to and that is not reported as a gap: the
-    /// outside, or a gap that is wider than asked for.
-    pub(super) open: FxHashMap<usize, usize>,
+    /// The gaps that are wider than asked for.
+    pub(super) wider: Vec<Finding>,
+    /// The unclaimed faces that hang together with the unbounded one, by index.
+    pub(super) outside: FxHashSet<usize>,
 }
 
 /// Finds the gaps. O(n log n).
 pub(super) fn gaps(map: &PlanarMap, limits: &Limits) -> Gaps {
     let unclaimed = |face: Face<'_>| features_of(map, face).next().is_none().then_some(());
-    let mut found = Gaps { findings: Vec::new(), open: FxHashMap::default() };
-    for (number, space) in connected(map.dcel().faces(), unclaimed).iter().enumerate() {
-        if !space.iter().any(|face| face.is_unbounded()) {
-            let gap = finding(map, CoverageRule::Gap, around(map, space), space);
-            if limits.gap_width.is_none_or(|width| gap.width <= width) {
-                found.findings.push(gap);
-                continue;
-            }
+    let mut found = Gaps::default();
+    for space in connected(map.dcel().faces(), unclaimed) {
+        if space.iter().any(|face| face.is_unbounded()) {
+            found.outside.extend(space.iter().map(|face| face.index()));
+            continue;
         }
-        found.open.extend(space.iter().map(|face| (face.index(), number)));
+        let gap = finding(map, CoverageRule::Gap, around(map, &space), &space);
+        if limits.gap_width.is_none_or(|width| gap.width <= width) {
+            found.findings.push(gap);
+        } else {
+            found.wider.push(gap);
+        }
     }
     found
 }

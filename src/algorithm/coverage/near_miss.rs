@@ -1,7 +1,7 @@
 //! C3 near miss: borders of two features coincide or are farther apart than a given width.
 //!
 //! ```text
-//!   ┌────────┐ ┌────────┐      h, on the border of a, faces g, on the border of b: the same open space is to the left of
+//!   ┌────────┐ ┌────────┐      h, on the border of a, faces g, on the border of b: the outside is to the left of
 //!   │   a    │h│   b    │      both, they run in opposite directions, and a stretch of each lies within the width of the other.
 //!   │       ▲│ │▼       │      Stretches that follow each other, or face each other, are one near miss.
 //!   └────────┘g└────────┘
@@ -29,12 +29,10 @@ const LEAST: f64 = 4.0;
 /// The part of the median length of edges that is the width if none is given.
 const OF_MEDIAN: f64 = 100.0;
 
-/// A half-edge of a feature's border with an open space to its left.
+/// A half-edge of a feature's border with the outside to its left.
 struct Side<'a> {
     half_edge: HalfEdge<'a>,
     ends: [Point; 2],
-    /// The number of the space.
-    space: usize,
     features: Vec<FeatureId>,
 }
 
@@ -46,10 +44,10 @@ struct Stretch {
     other: usize,
 }
 
-/// The near misses, and the width up to which they are such. `open` has the number of the space to which a face belongs,
-/// if no feature claims it and it is no gap. O(n log n + c log c) for c pairs of edges whose boxes come as near as the width.
-pub(super) fn near_misses(map: &PlanarMap, open: &FxHashMap<usize, usize>, limits: &Limits) -> (Vec<Finding>, f64) {
-    let sides = sides(map, open);
+/// The near misses, and the width up to which they are such. `outside` has the faces that hang
+/// together with the unbounded one, by index. O(n log n + c log c) for c pairs of edges whose boxes come as near as the width.
+pub(super) fn near_misses(map: &PlanarMap, outside: &FxHashSet<usize>, limits: &Limits) -> (Vec<Finding>, f64) {
+    let sides = sides(map, outside);
     let width =
         limits.gap_width.unwrap_or_else(|| median(map.dcel().edges().map(|h| length(map, h)).collect()) / OF_MEDIAN);
     // By the two features, then by side.
@@ -65,7 +63,7 @@ pub(super) fn near_misses(map: &PlanarMap, open: &FxHashMap<usize, usize>, limit
         let high = [a.x.max(b.x) + width, a.y.max(b.y) + width];
         for near in tree.locate_in_envelope_intersecting(AABB::from_corners(low, high)) {
             let other = &sides[near.data];
-            if near.data == i || other.space != side.space || have_common(&side.features, &other.features) {
+            if near.data == i || have_common(&side.features, &other.features) {
                 continue;
             }
             let Some((from, to)) = facing(side.ends, other.ends, width) else { continue };
@@ -88,14 +86,13 @@ pub(super) fn near_misses(map: &PlanarMap, open: &FxHashMap<usize, usize>, limit
     (findings, width)
 }
 
-/// The half-edges with an open space to their left and claimed faces to their right.
-fn sides<'a>(map: &'a PlanarMap, open: &FxHashMap<usize, usize>) -> Vec<Side<'a>> {
+/// The half-edges with the outside to their left and claimed faces to their right.
+fn sides<'a>(map: &'a PlanarMap, outside: &FxHashSet<usize>) -> Vec<Side<'a>> {
     let mut sides = Vec::new();
-    for half_edge in map.dcel().half_edges() {
-        let Some(space) = open.get(&half_edge.face().index()) else { continue };
+    for half_edge in map.dcel().half_edges().filter(|h| outside.contains(&h.face().index())) {
         let features: Vec<FeatureId> = features_of(map, half_edge.twin().face()).collect();
         if !features.is_empty() {
-            sides.push(Side { half_edge, ends: ends(map, half_edge), space: *space, features });
+            sides.push(Side { half_edge, ends: ends(map, half_edge), features });
         }
     }
     sides

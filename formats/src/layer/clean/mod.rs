@@ -34,7 +34,7 @@ use twinedge::geometry::noding::{NodingSummary, Snap};
 use twinedge::io::ReadSummary;
 use twinedge::map::{self, BuildError, Builder, Noding, PlanarMap};
 
-pub use report::{CleanReport, FeatureChange, LayerChange, Left};
+pub use report::{CleanReport, FeatureChange, LayerChange, Left, Remaining};
 
 /// How a layer is cleaned.
 #[derive(Clone, Copy, Debug, Default)]
@@ -90,11 +90,14 @@ pub fn clean(layer: &mut Layer, options: &CleanOptions) -> Result<CleanReport, C
     let mut done = pass(&layer.features, &[], options)?;
     // Narrow spaces that are open to the outside are filled, as long as fewer are left each time.
     if let Some(width) = options.assign.gap_width {
-        while !done.near_misses.is_empty() {
-            let next = pass(&done.features, &fillers(&done.near_misses, width), options)?;
-            if next.near_misses.len() >= done.near_misses.len() || !next.is_plane() {
+        let mut near_misses = done.near_misses();
+        while !near_misses.is_empty() {
+            let next = pass(&done.features, &fillers(&near_misses, width), options)?;
+            let left = next.near_misses();
+            if left.len() >= near_misses.len() || !next.is_plane() {
                 break;
             }
+            near_misses = left;
             let noding = done.noding.filter(|noding| noding.cell > 0.0).or(next.noding);
             done.changes.extend(next.changes.iter().cloned());
             done = Pass { changes: done.changes, noding, ..next };
@@ -106,14 +109,17 @@ pub fn clean(layer: &mut Layer, options: &CleanOptions) -> Result<CleanReport, C
         sliver_area: done.sliver_area,
         changes: done.changes,
         features: Vec::new(),
-        left: done.left,
+        left: done.judged.left,
+        remaining: done.judged.remaining.iter().map(Remaining::from).collect(),
+        wider_gaps: done.judged.wider_gaps.iter().map(Remaining::from).collect(),
     };
+    report.remaining.extend(done.judged.invalid);
     for (number, (before, after)) in layer.features.iter().zip(&mut done.features).enumerate() {
         let polygons = before.geometry.as_ref().map(polygons_of).unwrap_or_default();
         report.polygons += usize::from(!polygons.is_empty());
         if before.geometry != after.geometry {
             let now = after.geometry.as_ref().map(polygons_of).unwrap_or_default();
-            report.features.push(FeatureChange::new(number, &polygons, &now));
+            report.features.push(FeatureChange::new(number, &shapes(before), &polygons, &now));
             rebuild::update_box(after);
         }
     }
@@ -130,13 +136,17 @@ struct Pass {
     changes: Vec<LayerChange>,
     noding: Option<NodingSummary>,
     sliver_area: f64,
-    left: Option<Left>,
-    near_misses: Vec<Finding>,
+    judged: Judged,
 }
 
 impl Pass {
     fn is_plane(&self) -> bool {
-        self.left.is_none_or(|left| left.is_plane)
+        self.judged.left.is_none_or(|left| left.is_plane)
+    }
+
+    fn near_misses(&self) -> Vec<Finding> {
+        let all = self.judged.remaining.iter();
+        all.filter(|finding| finding.rule == CoverageRule::NearMiss).cloned().collect()
     }
 }
 
@@ -151,18 +161,17 @@ fn pass(features: &[Feature], fillers: &[map::Shape], options: &CleanOptions) ->
         _ => None,
     };
     let mut made = outlined(features, &map, &cleaned, restored.as_ref())?;
-    let (mut left, mut near_misses) = judged(&made, options)?;
-    if restored.is_some() && left.is_some_and(|left| !left.is_plane) {
+    let mut found = judged(&made, options)?;
+    if restored.is_some() && found.left.is_some_and(|left| !left.is_plane) {
         made = outlined(features, &map, &cleaned, None)?;
-        (left, near_misses) = judged(&made, options)?;
+        found = judged(&made, options)?;
     }
     Ok(Pass {
         features: made,
         changes: cleaned.changes.iter().map(LayerChange::from).collect(),
         noding: map.noding().copied(),
         sliver_area: cleaned.sliver_area,
-        left,
-        near_misses,
+        judged: found,
     })
 }
 
@@ -226,18 +235,32 @@ fn shapes(feature: &Feature) -> Vec<map::Shape> {
     shapes
 }
 
-/// What breaks C1 … C6 afterwards, judged by the polygons that are written, and the near misses among it.
-fn judged(features: &[Feature], options: &CleanOptions) -> Result<(Option<Left>, Vec<Finding>), CleanError> {
+/// What a layer breaks.
+#[derive(Default)]
+struct Judged {
+    left: Option<Left>,
+    /// C1 … C4.
+    remaining: Vec<Finding>,
+    /// C6.
+    invalid: Vec<Remaining>,
+    wider_gaps: Vec<Finding>,
+}
+
+/// What breaks C1 … C6 afterwards, judged by the polygons that are written.
+fn judged(features: &[Feature], options: &CleanOptions) -> Result<Judged, CleanError> {
     let mut builder = Builder::new();
     let mut left = Left::default();
-    for feature in features {
+    let mut judged = Judged::default();
+    for (number, feature) in features.iter().enumerate() {
         let shapes = shapes(feature);
-        left.invalid += usize::from(!defects(&shapes).is_empty());
+        if let Some(defect) = defects(&shapes).first() {
+            left.invalid += 1;
+            judged.invalid.push(Remaining::invalid(number, defect));
+        }
         builder.feature(&map::Feature { shapes, ..map::Feature::default() })?;
     }
     let map = builder.build()?;
     left.is_plane = map.is_plane();
-    let mut near_misses = Vec::new();
     if map.is_plane() {
         let Options { gap_width, sliver_area, thinness, .. } = options.assign;
         let found = check(&map, &Limits { gap_width, sliver_area, thinness })?;
@@ -246,7 +269,10 @@ fn judged(features: &[Feature], options: &CleanOptions) -> Result<(Option<Left>,
         left.gaps = count(CoverageRule::Gap);
         left.near_misses = count(CoverageRule::NearMiss);
         left.slivers = count(CoverageRule::Sliver);
-        near_misses.extend(found.findings.into_iter().filter(|finding| finding.rule == CoverageRule::NearMiss));
+        judged.wider_gaps = found.wider_gaps;
+        judged.remaining = found.findings;
+        judged.remaining.retain(|finding| finding.rule != CoverageRule::Duplicate);
     }
-    Ok(((left != Left { is_plane: true, ..Left::default() }).then_some(left), near_misses))
+    judged.left = (left != Left { is_plane: true, ..Left::default() }).then_some(left);
+    Ok(judged)
 }

@@ -1,10 +1,11 @@
 //! What cleaning did.
 
-use twinedge::algorithm::area::ring_area;
+use twinedge::algorithm::area::{face_area, ring_area};
 use twinedge::algorithm::clean::{Change, ChangeKind};
+use twinedge::algorithm::coverage::{CoverageRule, Defect, DefectKind, Finding, defects, faces_of};
 use twinedge::geometry::Point;
-use twinedge::geometry::noding::NodingSummary;
-use twinedge::map::FeatureId;
+use twinedge::geometry::noding::{NodingSummary, Snap};
+use twinedge::map::{self, Builder, FeatureId, Noding, Shape};
 
 /// What cleaning did. Areas and widths are in the units of the coordinates.
 #[derive(Clone, Debug, PartialEq)]
@@ -22,6 +23,10 @@ pub struct CleanReport {
     pub features: Vec<FeatureChange>,
     /// What still breaks C1 … C6; none if nothing does.
     pub left: Option<Left>,
+    /// Each thing that does, in order of the rules, the largest of a rule first.
+    pub remaining: Vec<Remaining>,
+    /// The gaps that are wider than the width that was asked for. They are left as they are, and break nothing.
+    pub wider_gaps: Vec<Remaining>,
 }
 
 /// An area that changed hands. Features are named by their numbers, counted from 0.
@@ -48,7 +53,9 @@ pub struct LayerChange {
 pub struct FeatureChange {
     /// Its number, counted from 0.
     pub feature: usize,
-    /// What its rings enclosed.
+    /// What was not valid by the OGC before, each kind once.
+    pub defects: Vec<DefectKind>,
+    /// What its rings enclosed; of one that was not valid, what it covered by even-odd count.
     pub area_before: f64,
     /// What they enclose now; 0 if nothing is left of it, and then it has no geometry.
     pub area_after: f64,
@@ -56,6 +63,41 @@ pub struct FeatureChange {
     pub points_before: usize,
     /// Those that it has now.
     pub points_after: usize,
+}
+
+/// A thing that was left as it is. Features are named by their numbers, counted from 0.
+#[derive(Clone, Debug, PartialEq)]
+#[non_exhaustive]
+pub struct Remaining {
+    /// The rule that it breaks, or would break if it were not as wide.
+    pub rule: CoverageRule,
+    /// The features involved.
+    pub features: Vec<usize>,
+    /// The area; 0 for C6.
+    pub area: f64,
+    /// The mean width; 0 for C6.
+    pub width: f64,
+    /// A point inside.
+    pub at: Point,
+}
+
+impl Remaining {
+    /// C6: the first defect of a feature.
+    pub(super) fn invalid(feature: usize, defect: &Defect) -> Self {
+        Self { rule: CoverageRule::Validity, features: vec![feature], area: 0.0, width: 0.0, at: defect.at }
+    }
+}
+
+impl From<&Finding> for Remaining {
+    fn from(finding: &Finding) -> Self {
+        Self {
+            rule: finding.rule,
+            features: finding.features.iter().map(|feature| feature.index()).collect(),
+            area: finding.area,
+            width: finding.width,
+            at: finding.at,
+        }
+    }
 }
 
 /// How many findings of C1 … C6 are left.
@@ -90,19 +132,33 @@ impl From<&Change> for LayerChange {
 }
 
 impl FeatureChange {
-    /// By the polygons before and after, the outer ring of each first.
-    pub(super) fn new(feature: usize, before: &[Vec<Vec<Point>>], after: &[Vec<Vec<Point>>]) -> Self {
+    /// By the shapes and polygons before, and the polygons after, the outer ring of each first.
+    pub(super) fn new(feature: usize, shapes: &[Shape], before: &[Vec<Vec<Point>>], after: &[Vec<Vec<Point>>]) -> Self {
         let area = |rings: &Vec<Vec<Point>>| {
             let areas = rings.iter().map(|ring| ring_area(ring.iter().copied()).abs());
             areas.enumerate().map(|(i, area)| if i == 0 { area } else { -area }).sum::<f64>()
         };
+        let mut kinds: Vec<DefectKind> = defects(shapes).iter().map(|defect| defect.kind).collect();
+        kinds.dedup();
+        let by_faces = if kinds.is_empty() { None } else { covered(shapes) };
+        let total = |polygons: &[Vec<Vec<Point>>]| polygons.iter().map(area).fold(0.0, |a, b| a + b);
         let points = |polygons: &[Vec<Vec<Point>>]| polygons.iter().flatten().map(Vec::len).sum();
         Self {
             feature,
-            area_before: before.iter().map(area).sum(),
-            area_after: after.iter().map(area).sum(),
+            defects: kinds,
+            area_before: by_faces.unwrap_or_else(|| total(before)),
+            area_after: total(after),
             points_before: points(before),
             points_after: points(after),
         }
     }
+}
+
+/// What polygons cover whose rings may cross: the area of the faces inside an odd number of rings, on the finest grid.
+fn covered(shapes: &[Shape]) -> Option<f64> {
+    let mut builder = Builder::new();
+    let feature = builder.feature(&map::Feature { shapes: shapes.to_vec(), ..map::Feature::default() }).ok()?;
+    let map = builder.build_with(Noding::Snap(Snap::Auto)).ok()?;
+    let areas = faces_of(&map, feature).into_iter().filter_map(|face| face_area(&map, face).ok());
+    Some(areas.fold(0.0, |a, b| a + b))
 }

@@ -39,10 +39,23 @@ impl Extent {
     }
 }
 
+/// The polygons of a list of rings, turned: outer rings are counter-clockwise and holes clockwise, as GeoJSON wants them, where the
+/// file has them as its format says. Each ring keeps its first point.
+pub(super) fn polygons(rings: Vec<Line>) -> Vec<Vec<Line>> {
+    let mut polygons = grouped(rings);
+    for ring in polygons.iter_mut().flatten() {
+        // Rings without area have no direction, and are written as they are read.
+        if area(ring) != 0.0 {
+            ring.reverse();
+        }
+    }
+    polygons
+}
+
 /// The polygons of a list of rings: one for each outer ring, in order, with the holes that lie in it and in no smaller one. A hole
 /// that lies in none is a polygon of its own, and so is every ring if none is an outer one. O(rings² · points) at worst, where
 /// boxes lie inside each other.
-pub(super) fn polygons(rings: Vec<Line>) -> Vec<Vec<Line>> {
+fn grouped(rings: Vec<Line>) -> Vec<Vec<Line>> {
     let (outer, inner): (Vec<Line>, Vec<Line>) = rings.into_iter().partition(|ring| area(ring) <= 0.0);
     let mut polygons: Vec<Vec<Line>> = outer.into_iter().map(|ring| vec![ring]).collect();
     match &mut polygons[..] {

@@ -2,7 +2,7 @@
 
 use super::finding::RULES;
 use super::topology::ArcTopology;
-use crate::topology_audit::{TopologyAudit, TopologyCounts, TopologyRule, TopologyViolation};
+use crate::topology_audit::{TopologyAudit, TopologyCounts, TopologyRule, TopologyViolation, not_checked};
 use twinedge::validate::{Collect, Expectation, Part, Unchecked, places, validate_embedding};
 
 /// What arcs have: what no polygon covers is open.
@@ -71,6 +71,8 @@ pub fn audit(topology: &ArcTopology, limit: usize) -> TopologyAudit {
         kind: violation.kind(),
         message: violation.named(|record| topology.name(record)).to_string(),
         at: places(topology, violation).into_iter().map(Into::into).collect(),
+        records: violation.records().into_iter().flatten().map(|record| topology.name(record)).collect(),
+        lines: Vec::new(),
         cause: violation.cause(),
         remedy: violation.remedy(),
     }));
@@ -85,5 +87,11 @@ pub fn audit(topology: &ArcTopology, limit: usize) -> TopologyAudit {
         bends: topology.bends.len(),
         repeated_points: topology.repeated_points,
     };
-    TopologyAudit { valid: report.is_valid() && findings.counts == [0; 4], counts, rules, violations }
+    // Without joined arcs, rules of faces are left out that apply.
+    let unchecked = if is_joined {
+        not_checked(&report)
+    } else {
+        report.outcomes().filter(|(_, one)| one.unchecked.is_some()).count()
+    };
+    TopologyAudit { valid: report.is_valid() && findings.counts == [0; 4], counts, rules, violations, unchecked }
 }

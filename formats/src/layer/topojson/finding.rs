@@ -81,6 +81,8 @@ impl Findings {
                 kind: kind.name,
                 message: message(),
                 at: at.to_vec(),
+                records: Vec::new(),
+                lines: Vec::new(),
                 cause: kind.cause,
                 remedy: kind.remedy,
             });

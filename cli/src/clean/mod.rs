@@ -1,24 +1,32 @@
 //! `twinedge clean`: a layer of polygons without overlaps, narrow gaps and slivers.
 
+mod json;
+
 use crate::convert::{LayerOutput, Written};
 use crate::input::LayerFile;
 use crate::noding_text;
 use crate::output::style::{BAD, GOOD, QUIET};
-use crate::output::{Format, counted, grouped, measure, plain, print, print_json};
+use crate::output::{Format, counted, decimals, grouped, measure, place, plain, print, print_json};
 use crate::status::{Failure, Verdict};
-use serde::Serialize;
+use json::{Json, JsonChange, JsonFeature, JsonLeft, JsonRemaining, Named};
+use std::collections::{BTreeMap, BTreeSet};
 use std::fmt::Write as _;
 use std::time::Instant;
 use twinedge::algorithm::clean::{ChangeKind, Options, Winner};
+use twinedge::algorithm::coverage::CoverageRule;
 use twinedge::geometry::noding::Snap;
-use twinedge_formats::layer::clean::{CleanOptions, CleanReport, FeatureChange, LayerChange, Left, clean};
-use twinedge_formats::layer::{Feature, Layer};
+use twinedge_formats::layer::clean::{CleanOptions, CleanReport, FeatureChange, LayerChange, Left, Remaining, clean};
+use twinedge_formats::layer::{Feature, Layer, Value};
 
 /// Repair a layer of polygons: cut borders where they meet, and resolve overlaps, small gaps and slivers.
 ///
 /// Each place belongs to one feature afterwards. Overlaps go to one of the features that claim them. Gaps that are small, or at most
 /// as wide as --gap-width, and slivers go to the neighbour with the longest common border. Spikes and repeated points are dropped,
-/// and polygons are valid by the OGC.
+/// and polygons are valid by the OGC. The width of a gap is its mean width: twice the area by the length of the border. A wider gap is
+/// left whole, and the report says so.
+///
+/// Of several features that cover the same place one keeps it; the others keep their attributes and have no geometry any more, of
+/// which a warning is given.
 ///
 /// Ids, attributes, the order of features and foreign members are kept, and so is the geometry of features in which nothing
 /// changed. Vertices keep their further dimensions; for new ones these are interpolated. Lines and points are left as they are.
@@ -40,6 +48,10 @@ pub(crate) struct Clean {
     #[command(flatten)]
     output: LayerOutput,
 
+    /// In the report, call features by this column. Default: name, NAME, Name, ADMIN, admin, title or id, the first that there is.
+    #[arg(long, value_name = "COLUMN")]
+    name_from: Option<String>,
+
     /// Only report what would be done.
     #[arg(long, conflicts_with = "output")]
     dry_run: bool,
@@ -54,11 +66,12 @@ pub(crate) struct Clean {
     overlap: Claim,
 
     /// Greatest mean width of a gap that is filled, in the units of the coordinates, and greatest distance between two borders that
-    /// face each other beside the outside: the space between them is filled as well. Default: only gaps smaller than --sliver are.
+    /// face each other where the space between them is open to the outside: it is filled as well. Default: only gaps smaller than --sliver are.
     #[arg(long, value_name = "W", value_parser = crate::coverage::positive)]
     gap_width: Option<f64>,
 
-    /// Area below which gaps are filled and thin parts of features given away. Default: a thousandth of the median area of all parts.
+    /// Area below which gaps are filled and thin parts of features given away. A part is thin if 4π · area / perimeter² is below 0.2: a
+    /// rectangle 14 times as long as wide. Default: a thousandth of the median area of all parts, measured after overlaps are resolved.
     #[arg(long, value_name = "A", value_parser = crate::coverage::positive)]
     sliver: Option<f64>,
 
@@ -103,6 +116,8 @@ impl Clean {
             return Err(Failure("neither a file to write (-o FILE) nor --dry-run was given".to_owned()));
         }
         let (name, mut layer) = self.input.read()?;
+        let names = Names { from: self.name_from.as_deref() };
+        names.refuse_unknown(&name, &layer)?;
         let assign = Options {
             winner: self.overlap.into(),
             gap_width: self.gap_width,
@@ -113,10 +128,30 @@ impl Clean {
             .map_err(|error| Failure(format!("{name}: {error}")))?;
         let written = self.output.write(&layer, self.input.path())?;
         let elapsed = start.elapsed().as_secs_f64() * 1000.0;
-        let cleaned = Cleaned { name: &name, layer: &layer, report: &report, written: written.as_ref(), elapsed };
+        let mut changes: BTreeMap<usize, Vec<&LayerChange>> = BTreeMap::new();
+        for change in &report.changes {
+            let won = change.to.filter(|to| !change.from.contains(to));
+            for feature in change.from.iter().copied().chain(won) {
+                changes.entry(feature).or_default().push(change);
+            }
+        }
+        let cleaned = Cleaned {
+            name: &name,
+            names,
+            layer: &layer,
+            report: &report,
+            written: written.as_ref(),
+            gap_width: self.gap_width,
+            changes,
+            elapsed,
+        };
         match self.format {
             // Standard output has the layer.
-            _ if self.output.is_stdout() => {}
+            _ if self.output.is_stdout() => {
+                for warning in cleaned.warnings() {
+                    anstream::eprintln!("{BAD}warning{BAD:#}: {warning}");
+                }
+            }
             Format::Text => print(&cleaned.text(self.list)?)?,
             Format::Json => print_json(&cleaned.json())?,
         }
@@ -124,19 +159,57 @@ impl Clean {
     }
 }
 
+/// How many columns an error lists.
+const COLUMNS: usize = 20;
+
 /// A layer, cleaned.
 struct Cleaned<'a> {
     name: &'a str,
+    names: Names<'a>,
     layer: &'a Layer,
     report: &'a CleanReport,
     written: Option<&'a Written>,
+    gap_width: Option<f64>,
+    /// The changes that each feature has a part in.
+    changes: BTreeMap<usize, Vec<&'a LayerChange>>,
     elapsed: f64,
 }
 
+/// Where the names of features come from.
+#[derive(Clone, Copy)]
+struct Names<'a> {
+    /// The column that was asked for.
+    from: Option<&'a str>,
+}
+
+impl Names<'_> {
+    fn of(self, feature: &Feature) -> Option<String> {
+        match self.from {
+            Some(column) => feature.get(column).and_then(Value::text),
+            None => feature.name(),
+        }
+    }
+
+    /// Refuses a column that no feature has.
+    fn refuse_unknown(self, name: &str, layer: &Layer) -> Result<(), Failure> {
+        let Some(column) = self.from else { return Ok(()) };
+        if layer.features.iter().any(|feature| self.of(feature).is_some()) {
+            return Ok(());
+        }
+        let columns: BTreeSet<String> =
+            layer.features.iter().flat_map(|feature| &feature.attributes).map(|(name, _)| plain(name)).collect();
+        let known = match columns.into_iter().take(COLUMNS).collect::<Vec<_>>() {
+            columns if columns.is_empty() => "there are no columns".to_owned(),
+            columns => format!("there are {}", columns.join(", ")),
+        };
+        Err(Failure(format!("{name}: no feature has a value in the column {column}; {known}")))
+    }
+}
+
 /// What to call a feature.
-fn label(layer: &Layer, number: usize) -> String {
+fn label(names: Names<'_>, layer: &Layer, number: usize) -> String {
     let feature = layer.features.get(number);
-    let name = feature.and_then(Feature::name);
+    let name = feature.and_then(|feature| names.of(feature));
     let id = feature.and_then(|feature| feature.id.as_ref()).map(ToString::to_string);
     plain(&match (name, id) {
         (Some(name), Some(id)) if name != id => format!("{name} ({id})"),
@@ -147,8 +220,12 @@ fn label(layer: &Layer, number: usize) -> String {
 }
 
 impl Cleaned<'_> {
+    fn label(&self, number: usize) -> String {
+        label(self.names, self.layer, number)
+    }
+
     fn labels(&self, numbers: &[usize]) -> String {
-        numbers.iter().map(|number| label(self.layer, *number)).collect::<Vec<_>>().join(", ")
+        numbers.iter().map(|number| self.label(*number)).collect::<Vec<_>>().join(", ")
     }
 
     fn text(&self, list: usize) -> Result<String, std::fmt::Error> {
@@ -160,6 +237,7 @@ impl Cleaned<'_> {
         if let Some(noding) = report.noding.as_ref().filter(|noding| noding.cell > 0.0) {
             writeln!(out, "{QUIET}{}{QUIET:#}", noding_text::line(noding))?;
         }
+        let decimals = decimals_of(self.layer);
         let limit = format!("  {QUIET}below an area of {}{QUIET:#}", measure(report.sliver_area));
         out.push('\n');
         for (kind, what, beside) in [
@@ -180,7 +258,7 @@ impl Cleaned<'_> {
         }
         out.push('\n');
         for change in report.changes.iter().take(list) {
-            self.write_change(&mut out, change)?;
+            self.write_change(&mut out, change, decimals)?;
         }
         let more = report.changes.len().saturating_sub(list);
         if more > 0 {
@@ -190,44 +268,143 @@ impl Cleaned<'_> {
             let FeatureChange { feature: number, area_before, area_after, points_before, points_after, .. } = feature;
             writeln!(
                 out,
-                "{}: area {} → {}, points {} → {}",
-                label(layer, *number),
+                "{}: area {} → {}, points {} → {}; {}",
+                self.label(*number),
                 measure(*area_before),
                 measure(*area_after),
                 grouped(*points_before),
-                grouped(*points_after)
+                grouped(*points_after),
+                self.reasons(feature).join("; "),
             )?;
         }
         let more = report.features.len().saturating_sub(list);
         if more > 0 {
             writeln!(out, "… and {} more features; see --list", grouped(more))?;
         }
+        for warning in self.warnings() {
+            writeln!(out, "{BAD}warning{BAD:#}: {warning}")?;
+        }
+        for one in report.remaining.iter().take(list) {
+            writeln!(out, "left: {}", self.remaining(one, decimals))?;
+        }
+        let more = report.remaining.len().saturating_sub(list);
+        if more > 0 {
+            writeln!(out, "… and {} more are left; see --list", grouped(more))?;
+        }
+        for one in report.wider_gaps.iter().take(list) {
+            writeln!(out, "left as it is: {}", self.remaining(one, decimals))?;
+        }
         if let Some(Written { name, format }) = self.written {
             writeln!(out, "written to {} ({format})", plain(name))?;
         }
         match &report.left {
-            None => writeln!(out, "{GOOD}clean{GOOD:#}: C1 to C6 hold ({:.0} ms)", self.elapsed),
+            None => writeln!(out, "{GOOD}clean{GOOD:#}: C1 to C6 hold{} ({:.0} ms)", self.wider(), self.elapsed),
             Some(left) => writeln!(out, "{BAD}not clean{BAD:#}: {} ({:.0} ms)", left_text(left), self.elapsed),
         }?;
         Ok(out)
     }
 
-    fn write_change(&self, out: &mut String, change: &LayerChange) -> std::fmt::Result {
-        let to = change.to.map_or_else(|| "nobody".to_owned(), |to| label(self.layer, to));
+    /// Why a feature has another geometry.
+    fn reasons(&self, feature: &FeatureChange) -> Vec<String> {
+        let number = feature.feature;
+        let mut reasons = Vec::new();
+        for change in self.changes.get(&number).into_iter().flatten() {
+            let has_lost = change.from.contains(&number);
+            let has_won = change.to == Some(number);
+            let others: Vec<usize> = change.from.iter().copied().filter(|other| *other != number).collect();
+            let to = change.to.map_or_else(|| "nobody".to_owned(), |to| self.label(to));
+            reasons.extend(match (change.kind, has_lost, has_won) {
+                (ChangeKind::Overlap, true, true) => Some(format!("overlap with {} kept", self.labels(&others))),
+                (ChangeKind::Overlap, true, false) => {
+                    Some(format!("overlap with {} given to {to}", self.labels(&others)))
+                }
+                (ChangeKind::Gap, _, true) => Some("gap filled".to_owned()),
+                (ChangeKind::Sliver, true, _) => Some(format!("sliver given to {to}")),
+                (ChangeKind::Sliver, false, true) => Some(format!("sliver of {} taken", self.labels(&others))),
+                _ => None,
+            });
+        }
+        if !feature.defects.is_empty() {
+            let kinds: Vec<String> = feature.defects.iter().map(ToString::to_string).collect();
+            reasons.push(format!("it was not valid ({})", kinds.join(", ")));
+        }
+        reasons.dedup();
+        if reasons.is_empty() {
+            reasons.push("points where borders meet, spikes or repeated points".to_owned());
+        }
+        reasons
+    }
+
+    /// The features that have no geometry any more, each in a sentence.
+    fn warnings(&self) -> Vec<String> {
+        let gone = self.report.features.iter().filter(|feature| feature.points_after == 0);
+        let warning = |feature: &FeatureChange| {
+            let number = feature.feature;
+            let changes = self.changes.get(&number).into_iter().flatten();
+            let to = changes.filter(|change| change.from.contains(&number)).filter_map(|one| one.to);
+            let to: BTreeSet<usize> = to.filter(|to| *to != number).collect();
+            let to = match to.len() {
+                0 => "its rings enclose nothing".to_owned(),
+                _ => format!("its place went to {}", self.labels(&to.into_iter().collect::<Vec<_>>())),
+            };
+            format!("{} has no geometry any more: {to}; its attributes are kept", self.label(number))
+        };
+        gone.map(warning).collect()
+    }
+
+    /// Something that was left, and what would take it.
+    fn remaining(&self, one: &Remaining, decimals: usize) -> String {
+        let Remaining { rule, features, area, width, at, .. } = one;
+        let what = match features.len() {
+            0 => rule.name().to_owned(),
+            _ => format!("{} of {}", rule.name(), self.labels(features)),
+        };
+        let at = place([at.x, at.y], decimals);
+        let hint = match rule {
+            CoverageRule::Gap => format!("; --gap-width {} would fill it", rounded_up(*width)),
+            CoverageRule::NearMiss => "; --gap-width would fill it, from its greatest width on".to_owned(),
+            _ => String::new(),
+        };
+        match rule {
+            CoverageRule::Validity => format!("{what}, at {at}"),
+            _ => format!("{what}, area {}, width {}, at {at}{hint}", measure(*area), measure(*width)),
+        }
+    }
+
+    /// How many gaps were left because they are wider than asked for.
+    fn wider(&self) -> String {
+        match (self.report.wider_gaps.len(), self.gap_width) {
+            (0, _) | (_, None) => String::new(),
+            (1, Some(width)) => format!("; 1 gap wider than {width} is left"),
+            (n, Some(width)) => format!("; {} gaps wider than {width} are left", grouped(n)),
+        }
+    }
+
+    fn write_change(&self, out: &mut String, change: &LayerChange, decimals: usize) -> std::fmt::Result {
+        let to = change.to.map_or_else(|| "nobody".to_owned(), |to| self.label(to));
         let from = match &change.from[..] {
             [] => String::new(),
             from => format!(" of {}", self.labels(from)),
         };
-        let (area, width, at) = (measure(change.area), measure(change.width), change.at);
-        writeln!(out, "{}{from} to {to}: area {area}, width {width}, at ({}, {})", change.kind, at.x, at.y)
+        let (area, width) = (measure(change.area), measure(change.width));
+        let at = place([change.at.x, change.at.y], decimals);
+        writeln!(out, "{}{from} to {to}: area {area}, width {width}, at {at}", change.kind)
     }
 
     fn json(&self) -> Json<'_> {
-        let Self { name, report, layer, written, elapsed } = self;
+        let Self { name, names, report, layer, written, elapsed, .. } = self;
         let named = |number: &usize| Named {
             number: *number,
             id: layer.features.get(*number).and_then(|feature| feature.id.as_ref()).map(ToString::to_string),
-            name: layer.features.get(*number).and_then(Feature::name),
+            name: layer.features.get(*number).and_then(|feature| names.of(feature)),
+        };
+        let remaining = |one: &Remaining| JsonRemaining {
+            rule: one.rule.id(),
+            kind: one.rule.name(),
+            features: one.features.iter().map(named).collect(),
+            area: one.area,
+            width: one.width,
+            at: one.at.into(),
         };
         Json {
             input: name,
@@ -258,6 +435,7 @@ impl Cleaned<'_> {
                     area_after: feature.area_after,
                     points_before: feature.points_before,
                     points_after: feature.points_after,
+                    reasons: self.reasons(feature),
                 })
                 .collect(),
             left: report.left.map(|left| JsonLeft {
@@ -267,10 +445,29 @@ impl Cleaned<'_> {
                 near_misses: left.near_misses,
                 slivers: left.slivers,
                 ogc_invalid: left.invalid,
+                findings: report.remaining.iter().map(remaining).collect(),
             }),
+            wider_gaps: report.wider_gaps.iter().map(remaining).collect(),
+            warnings: self.warnings(),
             elapsed_ms: *elapsed,
         }
     }
+}
+
+/// With how many decimal places a place is shown.
+fn decimals_of(layer: &Layer) -> usize {
+    let mut greatest: f64 = 0.0;
+    for geometry in layer.features.iter().filter_map(|feature| feature.geometry.as_ref()) {
+        geometry.shape.visit(&mut |position| greatest = greatest.max(position.x.abs()).max(position.y.abs()));
+    }
+    decimals(greatest)
+}
+
+/// A number that is at least as large, with three digits.
+fn rounded_up(x: f64) -> f64 {
+    let unit = 10_f64.powf(x.abs().max(f64::MIN_POSITIVE).log10().floor() - 2.0);
+    let text = format!("{:.2e}", (x / unit).ceil() * unit);
+    text.parse().ok().filter(|y| *y >= x).unwrap_or(x)
 }
 
 /// What is left, and what removes it.
@@ -290,61 +487,4 @@ fn left_text(left: &Left) -> String {
         (n, what) => format!("{}{hint}", counted(n, what)),
     });
     format!("left are {}", parts.collect::<Vec<_>>().join(", "))
-}
-
-#[derive(Debug, Serialize)]
-struct Json<'a> {
-    input: &'a str,
-    #[serde(skip_serializing_if = "Option::is_none")]
-    output: Option<&'a str>,
-    clean: bool,
-    features: usize,
-    with_polygons: usize,
-    #[serde(skip_serializing_if = "Option::is_none")]
-    cell: Option<f64>,
-    sliver_area: f64,
-    changes: Vec<JsonChange>,
-    changed: Vec<JsonFeature>,
-    #[serde(skip_serializing_if = "Option::is_none")]
-    left: Option<JsonLeft>,
-    elapsed_ms: f64,
-}
-
-#[derive(Debug, Serialize)]
-struct Named {
-    number: usize,
-    #[serde(skip_serializing_if = "Option::is_none")]
-    id: Option<String>,
-    #[serde(skip_serializing_if = "Option::is_none")]
-    name: Option<String>,
-}
-
-#[derive(Debug, Serialize)]
-struct JsonChange {
-    kind: &'static str,
-    from: Vec<Named>,
-    to: Option<Named>,
-    area: f64,
-    width: f64,
-    at: [f64; 2],
-}
-
-#[derive(Debug, Serialize)]
-struct JsonFeature {
-    #[serde(flatten)]
-    feature: Named,
-    area_before: f64,
-    area_after: f64,
-    points_before: usize,
-    points_after: usize,
-}
-
-#[derive(Debug, Serialize)]
-struct JsonLeft {
-    plane: bool,
-    overlaps: usize,
-    gaps: usize,
-    near_misses: usize,
-    slivers: usize,
-    ogc_invalid: usize,
 }
