@@ -354,6 +354,7 @@ fn close(table: &mut Table, ring: usize) {
 /// Several wrong records at once, of which no other check but the one that is meant notices anything: with wrong components added
 /// so that the sum of Euler's formula holds.
 #[test]
+#[expect(clippy::too_many_lines, reason = "a table of cases")]
 fn what_only_one_check_finds() {
     type Change = fn(&mut Table);
     let mut isolated_in_face = rings(2);
