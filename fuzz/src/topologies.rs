@@ -7,7 +7,7 @@ use twinedge_formats::layer::{Format, Place, ReadError, ReadOptions, read_layer,
 /// # Panics
 /// If not.
 pub fn topojson(bytes: &[u8]) {
-    let lines = bytes.iter().filter(|byte| **byte == b'\n').count() + 1;
+    let lines = bytes.split(|byte| *byte == b'\n').count();
     // Each object for itself, where there are several.
     let mut layers = vec![None];
     if let Err(error) = arcs::read(&mut &*bytes, None, 2) {
