@@ -191,6 +191,24 @@ POLYGON((30.1 0.1,40.3 0.1,40.3 10.7,30.1 0.1))\n";
     assert!(rings(&before.features[0])[0].iter().all(|p| of_first[0].contains(p)));
 }
 
+/// Two squares cross and one lies apart, on the left of zero; each of its coordinates is halfway between two points of the grid.
+#[test]
+fn points_halfway_between_two_points_of_the_grid_stay_where_they_were() {
+    let half = f64::exp2(-44.0);
+    let [low, high] = [-60.0 - half, -50.0 + half];
+    let text = format!(
+        "POLYGON((0 0,60 0,60 60,0 60,0 0))\nPOLYGON((50 -30,90 30,50 90,45 30,50 -30))\n\
+POLYGON(({low} {low},{high} {low},{high} {high},{low} {high},{low} {low}))\n"
+    );
+    let layer = from_text(&text);
+    let (after, report) = cleaned(&layer, &CleanOptions::default());
+    let cell = report.noding.map(|noding| noding.cell).unwrap();
+    assert_eq!(cell, 2.0 * half, "the middle of a cell of the grid on which borders were cut");
+    assert!(!report.changes.is_empty() && report.left.is_none());
+    assert_eq!(after.features[2], layer.features[2]);
+    assert_eq!(report.features.iter().map(|feature| feature.feature).collect::<Vec<_>>(), [0, 1]);
+}
+
 #[test]
 fn a_grid_joins_what_is_within_a_cell() {
     let text = format!("{}POLYGON((10.1 0.1,20 0,20 10,10.1 9.9,10.1 0.1))\n", squares(&[0.0]));

@@ -10,9 +10,14 @@ pub(super) fn key(x: f64, y: f64) -> (u64, u64) {
     ((x + 0.0).to_bits(), (y + 0.0).to_bits())
 }
 
-/// The middle of the cell in which a position lies.
+/// The middle of the cell in which a position lies: halves go up, as where the map is built.
 pub(super) fn rounded(position: &Position, cell: f64) -> Point {
-    let [x, y] = [position.x, position.y].map(|number| (number / cell).round() * cell);
+    let up = |number: f64| {
+        let (cells, below) = (number / cell, (number / cell).floor());
+        // Adding a half could round.
+        if cells - below >= 0.5 { below + 1.0 } else { below }
+    };
+    let [x, y] = [position.x, position.y].map(|number| up(number) * cell);
     Point::new(x + 0.0, y + 0.0)
 }
 
