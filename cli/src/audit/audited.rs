@@ -7,7 +7,7 @@ use crate::query::label;
 use std::collections::BTreeSet;
 use twinedge::dcel::{Boundary, Face, Vertex};
 use twinedge::map::{FeatureId, PlanarMap};
-use twinedge::validate::{Record, Report, Unchecked, Violation};
+use twinedge::validate::{Record, Report, Rule, Unchecked, Violation};
 
 /// A map, audited.
 pub(super) struct Audited<'a> {
@@ -20,7 +20,16 @@ pub(super) struct Audited<'a> {
     pub(super) elapsed: f64,
 }
 
+/// What is said of a violation that follows from others.
+pub(super) const FOLLOWS: &str = "which follows from the crossings (G4)";
+
 impl Audited<'_> {
+    /// The violations, and those that follow from them: where borders cross, the map does not fit in the plane.
+    pub(super) fn violations(&self) -> (Vec<&Violation>, Vec<&Violation>) {
+        let crossings = self.report.outcome(Rule::G4).is_some_and(|outcome| outcome.violations > 0);
+        self.report.violations().iter().partition(|violation| !(crossings && violation.rule() == Rule::T3))
+    }
+
     /// Whether the map is valid, in a sentence.
     pub(super) fn verdict(&self) -> String {
         let found = self.coverage.total();

@@ -1,6 +1,6 @@
 //! The report of a map, for the formats with a map.
 
-use super::audited::{Audited, features};
+use super::audited::{Audited, FOLLOWS, features};
 use super::document::{Document, Marked, RuleLine, counts, rule_lines};
 use super::map_text::{dropped_line, input_line};
 use super::packed::{Beside, Map, Names, Window};
@@ -34,7 +34,12 @@ pub(super) fn document(audited: &Audited<'_>, explain: bool) -> Document {
             found: count as u64,
         }));
     }
-    let violations = report.violations().iter().map(|violation| of_violation(imported, violation, explain));
+    let (first, following) = audited.violations();
+    let of_report = |violation: &Violation| of_violation(imported, violation, explain);
+    let following = following.into_iter().map(|violation| {
+        let marked = of_report(violation);
+        Marked { message: format!("{}, {FOLLOWS}", marked.message), ..marked }
+    });
     let of_coverage = coverage.findings().iter().map(|entry| of_entry(entry, *is_coverage_rule));
     let feature = |(id, colour)| {
         let Named { id, name, .. } = Named::new(imported, id);
@@ -50,7 +55,7 @@ pub(super) fn document(audited: &Audited<'_>, explain: bool) -> Document {
         counts: counts(report),
         rules,
         unit: coverage.has_polygons().then(|| coverage.unit()),
-        findings: violations.chain(of_coverage).collect(),
+        findings: first.into_iter().map(of_report).chain(of_coverage).chain(following).collect(),
         total: report.violation_count() + coverage.total() as u64,
         features: map.features().zip(colours).map(feature).collect(),
         crs: crs.clone(),

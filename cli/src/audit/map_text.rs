@@ -1,6 +1,6 @@
 //! The report of a map as text.
 
-use super::audited::{Audited, labels};
+use super::audited::{Audited, FOLLOWS, labels};
 use super::remedies::remedy;
 use crate::coverage::Asked;
 use crate::input::Imported;
@@ -11,7 +11,7 @@ use std::collections::BTreeSet;
 use std::fmt::Write as _;
 use twinedge::io::ReadSummary;
 use twinedge::map::{BuildSummary, IrregularityKind, PlanarMap};
-use twinedge::validate::{Rule, Violation, places};
+use twinedge::validate::{Violation, places};
 
 /// How the report is shown.
 #[derive(Clone, Copy)]
@@ -85,10 +85,7 @@ impl Shown<'_> {
             coverage.write_rules(&mut out, self.coverage)?;
         }
         out.push('\n');
-        // That the map does not fit in the plane follows from borders that cross.
-        let crossings = report.outcome(Rule::G4).is_some_and(|outcome| outcome.violations > 0);
-        let (following, first): (Vec<_>, Vec<_>) =
-            report.violations().iter().partition(|violation| crossings && violation.rule() == Rule::T3);
+        let (first, following) = audited.violations();
         for violation in first {
             write_violation(&mut out, map, violation)?;
         }
@@ -113,7 +110,7 @@ impl Shown<'_> {
         }
         for violation in following {
             write_violation(&mut out, map, violation)?;
-            writeln!(out, "   {QUIET}which follows from the crossings (G4){QUIET:#}")?;
+            writeln!(out, "   {QUIET}{FOLLOWS}{QUIET:#}")?;
         }
         // The first word is coloured.
         let verdict = audited.verdict();
