@@ -1,7 +1,7 @@
 //! What the audit of a topology found whose edges are kept as lines with bends: of PostGIS, or of TopoJSON.
 
 use std::fmt;
-use twinedge::validate::Report;
+use twinedge::validate::{Report, Rule, RuleOutcome};
 
 /// What an audit found. `Display` prints all of it as text; with the feature `serde` it is serialized as
 ///
@@ -61,6 +61,20 @@ pub struct TopologyRule {
     pub violations: u64,
     /// Why it was not checked, or not on everything.
     pub unchecked: Option<String>,
+}
+
+impl TopologyRule {
+    /// The outcome of a rule of the validator.
+    pub(crate) fn of(rule: Rule, outcome: &RuleOutcome) -> Self {
+        Self {
+            id: rule.id(),
+            name: rule.name(),
+            checked: outcome.checked,
+            unit: rule.unit(outcome.checked),
+            violations: outcome.violations,
+            unchecked: outcome.unchecked.map(|why| why.to_string()),
+        }
+    }
 }
 
 /// One violation, in the words of the database or file.

@@ -20,7 +20,7 @@ pub(super) struct Audited<'a> {
     pub(super) elapsed: f64,
 }
 
-/// What is said of a violation that follows from others.
+/// Stands after a violation that follows from others.
 pub(super) const FOLLOWS: &str = "which follows from the crossings (G4)";
 
 impl Audited<'_> {

@@ -202,14 +202,7 @@ fn rules(topology: &Topology, findings: &Findings, report: &Report, not: &Unchec
         };
         rules.push(TopologyRule { id, name, checked: checked[i], unit, violations: findings.counts[i], unchecked });
     }
-    rules.extend(report.outcomes().map(|(rule, outcome)| TopologyRule {
-        id: rule.id(),
-        name: rule.name(),
-        checked: outcome.checked,
-        unit: rule.unit(outcome.checked),
-        violations: outcome.violations,
-        unchecked: outcome.unchecked.map(|why| why.to_string()),
-    }));
+    rules.extend(report.outcomes().map(|(rule, outcome)| TopologyRule::of(rule, &outcome)));
     let missing = GEOMETRIC.into_iter().filter(|rule| report.outcome(*rule).is_none());
     rules.extend(missing.map(|rule| TopologyRule {
         id: rule.id(),

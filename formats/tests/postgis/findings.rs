@@ -265,7 +265,7 @@ fn isolated_nodes_are_placed_without_links() {
             assert_eq!(messages(&audit), [message]);
         }
     }
-    // A face whose lines do not close says nothing, and P2 does not pass.
+    // Where the lines around a face do not close, nobody knows what lies in it, so P2 is not checked.
     let unknown = changed(|rows| {
         wrong_link(rows);
         rows.row(EDGE, 1)[LEFT_FACE] = int(3);

@@ -54,16 +54,12 @@ pub fn audit(topology: &ArcTopology, limit: usize) -> TopologyAudit {
             unchecked: None,
         })
         .collect();
-    rules.extend(report.outcomes().map(|(rule, outcome)| TopologyRule {
-        id: rule.id(),
-        name: rule.name(),
-        checked: outcome.checked,
-        unit: rule.unit(outcome.checked),
-        violations: outcome.violations,
-        unchecked: outcome.unchecked.map(|why| match why {
-            Unchecked::Lacks(_) if !is_joined => "needs A1, which is broken".to_owned(),
-            why => why.to_string(),
-        }),
+    rules.extend(report.outcomes().map(|(rule, outcome)| {
+        let mut found = TopologyRule::of(rule, &outcome);
+        if !is_joined && matches!(outcome.unchecked, Some(Unchecked::Lacks(_))) {
+            found.unchecked = Some("needs A1, which is broken".to_owned());
+        }
+        found
     }));
     let mut violations = findings.kept.clone();
     violations.extend(report.violations().iter().map(|violation| TopologyViolation {

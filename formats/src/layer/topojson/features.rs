@@ -42,7 +42,7 @@ pub(in crate::layer) fn read(
             for (number, part) in parts.into_iter().enumerate() {
                 take(number, part)?;
             }
-            // What is said of the object is said of the layer.
+            // The members of the object are those of the layer.
             collection.shift_remove("type");
             for (name, value) in collection {
                 header.members.entry(name).or_insert(value);
