@@ -1,5 +1,6 @@
 //! Structures that come in: the same map, its keys in the right places, and nothing that is not a planar subdivision.
 
+use crate::support::erased::validate;
 use crate::support::inconsistent::Inconsistent;
 use crate::support::tables::{face, half_edge, map, textbook_map, textbook_mesh, vertex};
 use quickcheck::{Gen, QuickCheck, Testable};
@@ -11,7 +12,7 @@ use twinedge::delegate_view;
 use twinedge::program::canonical::isomorphic;
 use twinedge::program::{Program, Runner};
 use twinedge::validate::enumerate::for_each_corruption;
-use twinedge::validate::{Collect, Expectation, FaceRow, Part, Rule, Start, Table, View, validate};
+use twinedge::validate::{Collect, Expectation, FaceRow, Part, Rule, Start, Table, View};
 
 fn check(tests: u64, size: usize, law: impl Testable) {
     QuickCheck::new().rng(Gen::from_size_and_seed(size, 2026)).tests(tests).quickcheck(law);

@@ -1,6 +1,7 @@
 //! What holds for every program: rules are kept, what is done can be undone, an error changes nothing, and a key that
 //! is stale stays so.
 
+use crate::support::erased::validate;
 use crate::support::tracked::{Keys, Tracked};
 use quickcheck::{Gen, QuickCheck, Testable};
 use slotmap::{Key, SecondaryMap};
@@ -13,7 +14,7 @@ use twinedge::dcel::{
 use twinedge::program::canonical::{Canonizer, Code};
 use twinedge::program::{Op, Program, Runner, StepOutcome, Subject};
 use twinedge::store::{PointerStore, SlotStore, Store};
-use twinedge::validate::{Collect, Expectation, Table, validate};
+use twinedge::validate::{Collect, Expectation, Table};
 
 /// So many random programs of up to so many operators, always the same.
 fn check(tests: u64, size: usize, law: impl Testable) {

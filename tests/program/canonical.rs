@@ -1,12 +1,12 @@
 //! Canonical forms: against published counts of maps, and against a search through all correspondences.
 
+use crate::support::erased::validate;
 use std::collections::{BTreeMap, BTreeSet};
 use twinedge::dcel::{Dcel, HalfEdge, HalfEdgeKey, Side, Split};
 use twinedge::program::canonical::{Canonizer, Code, isomorphic};
 use twinedge::program::{FacePick, Op, Program, Runner};
 use twinedge::validate::{
     BoundaryPlace, BoundaryRow, Collect, Expectation, FaceRow, HalfEdgeRow, Part, Start, Table, VertexRow, View,
-    validate,
 };
 
 /// All maps with one more edge, from one of each kind: a leaf in every corner, an edge between any two corners of a

@@ -1,12 +1,13 @@
 //! Whatever a program does, it does the same to the pointer model and to the one of this crate over each of its
 //! stores: the same refusals, the same map after each step, and never anything for the validator to find.
 
+use crate::support::erased::validate;
 use quickcheck::{Arbitrary, Gen, QuickCheck};
 use twinedge::dcel::Dcel;
 use twinedge::program::canonical::{Canonizer, Code};
 use twinedge::program::{Op, PointerModel, Program, Refusal, Runner, StepOutcome, Subject};
 use twinedge::store::{FixedStore, PointerStore, SlotStore};
-use twinedge::validate::{Collect, Expectation, validate};
+use twinedge::validate::{Collect, Expectation};
 
 /// The largest there is.
 type Largest = FixedStore<255, 127, 255, 255>;

@@ -1,10 +1,11 @@
 //! Structures that do not have all operators, or all parts: meshes, surfaces, borders.
 
+use crate::support::erased::validate;
 use std::cell::Cell;
 use std::rc::Rc;
 use twinedge::program::conformance::{Conformance, Coverage, Difference, NotCompared, Question, check};
 use twinedge::program::*;
-use twinedge::validate::{Collect, Expectation, Link, Part, Table, View, validate};
+use twinedge::validate::{Collect, Expectation, Link, Part, Table, View};
 use twinedge::{delegate_view, subject_by_index, view_answers};
 
 #[allow(dead_code, unreachable_pub, reason = "an example has a main function of its own")]

@@ -3,6 +3,7 @@
 
 pub(crate) mod changes;
 pub(crate) mod edits;
+pub(crate) mod erased;
 pub(crate) mod exact;
 pub(crate) mod inconsistent;
 pub(crate) mod nested;

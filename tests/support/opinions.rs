@@ -1,8 +1,9 @@
 //! Both validators judge a structure alike.
 
+use crate::support::erased::validate;
 use std::fmt::Debug;
 use twinedge::validate::reference::{Disagreement, compare, compare_first};
-use twinedge::validate::{Collect, Expectation, Report, Rule, View, validate};
+use twinedge::validate::{Collect, Expectation, Report, Rule, View};
 
 /// The rules that the report says are broken.
 pub(crate) fn broken(report: &Report) -> Vec<Rule> {
@@ -22,10 +23,10 @@ fn agreed<V: View + Debug>(
 
 /// Asserts that both validators agree, and returns the first broken rule.
 pub(crate) fn agree<V: View + Debug>(view: &V, expectation: Expectation) -> Option<Rule> {
-    agreed(compare(view, &expectation), view, expectation)
+    agreed(compare::<dyn View>(view, &expectation), view, expectation)
 }
 
 /// The same for very many structures: only the first broken rule is compared.
 pub(crate) fn agree_on_first<V: View + Debug>(view: &V, expectation: Expectation) -> Option<Rule> {
-    agreed(compare_first(view, &expectation), view, expectation)
+    agreed(compare_first::<dyn View>(view, &expectation), view, expectation)
 }

@@ -1,11 +1,12 @@
 //! Embeddings whose answers change: validation ends, without a panic, in linear time, and asks only about slots that there
 //! are.
 
+use crate::support::erased::validate_embedding;
 use crate::support::inconsistent::Inconsistent;
 use crate::support::nested::{nested, nested_textbook};
 use twinedge::geometry::Point;
 use twinedge::validate::{Collect, Expectation, Part};
-use twinedge::validate::{Embedding, places, validate_embedding};
+use twinedge::validate::{Embedding, places};
 
 /// Where the vertices of the nested triangles lie, while answers are consistent.
 const POINTS: [[f64; 2]; 7] = [[0.0, 0.0], [10.0, 0.0], [5.0, 10.0], [4.0, 1.0], [6.0, 1.0], [5.0, 3.0], [7.0, 3.0]];

@@ -1,6 +1,7 @@
 //! Views that answer anything: the validator returns, and refuses them. No answer makes it panic, ask about a slot that is
 //! not there, or go on for ever.
 
+use crate::support::erased::validate;
 use crate::support::inconsistent::Inconsistent;
 use crate::support::nested::{nested, nested_textbook};
 use crate::support::opinions::{agree, broken};
@@ -9,7 +10,7 @@ use std::cell::Cell;
 use twinedge::delegate_view;
 use twinedge::validate::enumerate::for_each_corruption;
 use twinedge::validate::{
-    BoundaryPlace, Collect, Expectation, Link, Part, Rule, Start, Table, Unchecked, View, Violation, validate,
+    BoundaryPlace, Collect, Expectation, Link, Part, Rule, Start, Table, Unchecked, View, Violation,
 };
 
 /// All the expectations that make a difference to which code runs.

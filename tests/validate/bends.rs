@@ -1,12 +1,13 @@
 //! Edges with bends: judged as the same map with a vertex at each bend, and named by their bends.
 
+use crate::support::erased::validate_embedding;
 use std::collections::BTreeMap;
 use twinedge::delegate_view;
 use twinedge::geometry::Point;
 use twinedge::geometry::noding::Snap;
 use twinedge::map::{Builder, Noding, PlanarMap};
 use twinedge::validate::{Collect, Expectation, Link, Report, Rule, Start, Table, Unchecked, View, Violation};
-use twinedge::validate::{Embedding, places, validate_embedding};
+use twinedge::validate::{Embedding, places};
 
 const PLANE: Expectation = Expectation::plane();
 

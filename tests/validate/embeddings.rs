@@ -1,11 +1,12 @@
 //! G1 … G5: each broken alone, where it can be, and named rightly.
 
+use crate::support::erased::validate_embedding;
 use twinedge::dcel::{Dcel, HalfEdge};
 use twinedge::delegate_view;
 use twinedge::geometry::Point;
 use twinedge::map::{Builder, PlanarMap};
 use twinedge::validate::{Collect, Expectation, Link, Record, Report, Rule, Unchecked, View, Violation};
-use twinedge::validate::{Embedding, places, validate_embedding};
+use twinedge::validate::{Embedding, places};
 
 /// A structure drawn elsewhere than its map says.
 struct Redrawn {

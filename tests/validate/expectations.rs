@@ -1,11 +1,12 @@
 //! What a structure is held to: each expectation accepts what it should, and what is not checked is said.
 
+use crate::support::erased::validate;
 use crate::support::opinions::agree;
 use crate::support::tables::{boundary, face, half_edge, map, mesh, textbook_map, textbook_mesh, vertex};
 use twinedge::validate::enumerate::for_each_corruption;
 use twinedge::validate::{
     BoundaryPlace, Certificate, Collect, Expectation, FaceRow, Field, HalfEdgeRow, Link, Part, Record, Report, Rule,
-    Start, Table, Unchecked, VertexRow, View, Violation, validate,
+    Start, Table, Unchecked, VertexRow, View, Violation,
 };
 
 const TETRAHEDRON: [[usize; 3]; 4] = [[0, 1, 2], [0, 3, 1], [1, 3, 2], [0, 2, 3]];

@@ -1,9 +1,9 @@
 //! Small maps in every form: right where they should be.
 
+use crate::support::erased::{first_broken_rule, validate};
 use twinedge::program::census::{Census, Scope};
 use twinedge::validate::forms::{expectations, projections};
-use twinedge::validate::reference::first_broken_rule;
-use twinedge::validate::{Collect, Expectation, Part, Table, validate};
+use twinedge::validate::{Collect, Expectation, Part, Table};
 
 #[test]
 fn there_are_112_expectations() {

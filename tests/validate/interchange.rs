@@ -1,11 +1,12 @@
 //! Columns of integers, and the presets of libraries.
 
+use crate::support::erased::validate;
 use std::collections::BTreeSet;
 use std::sync::atomic::{AtomicI32, AtomicI64, AtomicU32, AtomicU64};
 use twinedge::validate::adapt::{FaceLabels, Targets};
 use twinedge::validate::enumerate::for_each_corruption;
 use twinedge::validate::interchange::{Boundaries, Cell, Column, Columns, ColumnsError, OnView, Preset};
-use twinedge::validate::{Collect, Expectation, Part, Rule, Start, Table, View, Violation, validate};
+use twinedge::validate::{Collect, Expectation, Part, Rule, Start, Table, View, Violation};
 
 fn link(value: Option<usize>) -> i64 {
     value.map_or(-1, |value| i64::try_from(value).unwrap_or(-2))

@@ -1,12 +1,13 @@
 //! The rules that must be asked for, M1 … M8, and the counts that do not depend on the way in which a border is kept.
 
+use crate::support::erased::validate;
 use crate::support::opinions::{agree, agree_on_first, broken};
 use crate::support::tables::{face, half_edge, map, textbook_map, vertex, with_boundary_components};
 use std::collections::HashMap;
 use twinedge::validate::enumerate::{Cell, for_each_assignment, for_each_corruption};
 use twinedge::validate::{
     Certificate, Collect, Expectation, FaceRow, Field, HalfEdgeRow, Part, Record, Report, Rule, Start, Table,
-    Unchecked, VertexRow, Violation, validate,
+    Unchecked, VertexRow, Violation,
 };
 
 const MESH: Expectation = Expectation::surface().without(Part::BoundaryComponents).open();

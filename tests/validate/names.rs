@@ -1,11 +1,12 @@
 //! Reports with the owner's names, and indices of the owner's ids.
 
 use super::adapters::{TEXTBOOK, maps};
+use crate::support::erased::validate;
 use crate::support::nested::{nested, nested_textbook};
 use std::collections::BTreeSet;
 use twinedge::validate::adapt::{Ids, Index};
 use twinedge::validate::enumerate::for_each_corruption;
-use twinedge::validate::{Collect, Expectation, Part, Record, Violation, validate};
+use twinedge::validate::{Collect, Expectation, Part, Record, Violation};
 
 #[test]
 fn an_index_numbers_ids_in_their_order() {

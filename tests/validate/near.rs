@@ -1,6 +1,7 @@
 //! Local validation: it accepts nothing that a full validation refuses, follows what is right, and reads only what has changed.
 
 use crate::support::changes::{difference, touch};
+use crate::support::erased::validate;
 use crate::support::only_live::OnlyLive;
 use crate::support::watched::Watched;
 use twinedge::dcel::{Corner, Dcel, HalfEdge, Split};
@@ -11,7 +12,6 @@ use twinedge::validate::forms::{expectations, projected};
 use twinedge::validate::near::{Baseline, BaselineError, Touched, validate_near};
 use twinedge::validate::{
     BoundaryPlace, BoundaryRow, Collect, Expectation, FaceRow, HalfEdgeRow, Part, Rule, Start, Table, VertexRow, View,
-    validate,
 };
 
 /// Asserts that what is found right keeps R1 … F2.

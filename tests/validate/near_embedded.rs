@@ -3,6 +3,7 @@
 
 use crate::support::changes::{difference, touch};
 use crate::support::edits::EvenEdits;
+use crate::support::erased::validate_embedding;
 use quickcheck::{Arbitrary, Gen};
 use std::cell::Cell;
 use twinedge::dcel::{Corner, Dcel, Side, Split, Turn};
@@ -12,7 +13,7 @@ use twinedge::map::PlanarMap;
 use twinedge::map::program::{EditOp, EditOutcome, EditProgram, EditRunner};
 use twinedge::validate::enumerate::for_each_corruption;
 use twinedge::validate::near::{EmbeddingBaseline, Touched, validate_embedding_near};
-use twinedge::validate::{BoundaryPlace, Collect, Embedding, Expectation, Rule, Table, View, validate_embedding};
+use twinedge::validate::{BoundaryPlace, Collect, Embedding, Expectation, Rule, Table, View};
 
 const PLANE: Expectation = Expectation::plane();
 

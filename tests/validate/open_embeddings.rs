@@ -1,12 +1,13 @@
 //! G1 … G5 where the structure has an open boundary or no unbounded face: what lies outside everything lies in no face.
 
+use crate::support::erased::validate_embedding;
 use crate::support::tables::{half_edge, map, textbook_map};
 use twinedge::delegate_view;
 use twinedge::geometry::Point;
+use twinedge::validate::Embedding;
 use twinedge::validate::{
     Collect, Expectation, FaceRow, HalfEdgeRow, Part, Record, Report, Rule, Start, Table, VertexRow, View, Violation,
 };
-use twinedge::validate::{Embedding, validate_embedding};
 
 /// A table and where its vertices lie.
 struct Drawn {

@@ -1,5 +1,6 @@
 //! By several threads the report is the same, whatever is wrong and however many threads there are.
 
+use crate::support::erased::validate;
 use quickcheck::{Gen, QuickCheck};
 use rayon::{ThreadPool, ThreadPoolBuilder};
 use twinedge::dcel::Dcel;
@@ -7,7 +8,7 @@ use twinedge::program::census::{Census, Scope};
 use twinedge::program::{Program, Runner};
 use twinedge::validate::enumerate::for_each_corruption;
 use twinedge::validate::forms::{expectations, projections};
-use twinedge::validate::{Collect, Expectation, Part, Table, View, validate, validate_parallel};
+use twinedge::validate::{Collect, Expectation, Part, Table, View, validate_parallel};
 
 fn pools() -> [ThreadPool; 3] {
     [1, 2, 5].map(|threads| ThreadPoolBuilder::new().num_threads(threads).build().unwrap())

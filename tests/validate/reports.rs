@@ -1,11 +1,12 @@
 //! What a report says beside the violation looked for: how much was checked, where it was cut short, what else is wrong.
 
+use crate::support::erased::validate;
 use crate::support::nested::{FACES, HALF_EDGES, PLANE, TEXTBOOK, nested, nested_textbook};
 use crate::support::opinions::agree;
 use crate::support::tables::{face, half_edge, map, vertex};
 use twinedge::validate::enumerate::for_each_corruption;
 use twinedge::validate::{
-    Collect, Expectation, FaceRow, Field, Part, Record, Report, Rule, Start, Table, Unchecked, Violation, validate,
+    Collect, Expectation, FaceRow, Field, Part, Record, Report, Rule, Start, Table, Unchecked, Violation,
 };
 
 #[test]

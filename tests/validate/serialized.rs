@@ -1,10 +1,11 @@
 //! Reports and tables with serde: what is written is read again, and a report that no validation gives is refused.
 
+use crate::support::erased::validate;
 use crate::support::nested::{PLANE, TEXTBOOK, nested, nested_textbook};
 use crate::support::tables::half_edge;
 use serde_json::{Value, from_value, json, to_value};
 use twinedge::validate::enumerate::for_each_corruption;
-use twinedge::validate::{Certificate, Collect, Expectation, Part, Report, Rule, Table, Violation, validate};
+use twinedge::validate::{Certificate, Collect, Expectation, Part, Report, Rule, Table, Violation};
 
 fn read_again(report: &Report) -> Report {
     from_value(to_value(report).unwrap()).unwrap()

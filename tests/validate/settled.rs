@@ -1,5 +1,6 @@
 //! The fast path changes nothing in a report, and settles what is right.
 
+use crate::support::erased::validate;
 use crate::support::only_live::OnlyLive;
 use crate::support::tables::{half_edge, textbook_mesh, vertex};
 use crate::support::watched::Watched;
@@ -9,7 +10,7 @@ use twinedge::program::{Program, Runner};
 use twinedge::validate::enumerate::for_each_corruption;
 use twinedge::validate::forms::{expectations, projections};
 use twinedge::validate::reference::rule_by_rule;
-use twinedge::validate::{Collect, Expectation, HalfEdgeRow, Part, Start, Table, VertexRow, View, validate};
+use twinedge::validate::{Collect, Expectation, HalfEdgeRow, Part, Start, Table, VertexRow, View};
 
 /// The report is that of the rules one by one, however many violations are collected, and neither asks for what a
 /// vacant slot holds.

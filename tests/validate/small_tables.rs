@@ -1,12 +1,12 @@
 //! All small tables: every assignment of the cells named, right or wrong. Both validators judge each alike, and as many
 //! are right as there are maps to be written down.
 
+use crate::support::erased::validate;
 use crate::support::opinions::{agree, agree_on_first};
 use crate::support::tables::{map, textbook_map};
 use twinedge::validate::enumerate::{Cell, Value, for_each_assignment};
 use twinedge::validate::{
     BoundaryPlace, BoundaryRow, Collect, Expectation, FaceRow, HalfEdgeRow, Part, Rule, Start, Table, VertexRow,
-    validate,
 };
 
 /// What a cell is set to.

@@ -4,13 +4,13 @@
 //! *Computational Geometry*, chapter 2. (b) is the map of five faces that is often used to explain the three tables; of
 //! its half-edge table only four rows are given (marked `*`), along with all of the vertex and the face table.
 
+use crate::support::erased::validate;
 use crate::support::opinions::agree;
 use crate::support::tables::{face, with_boundary_components};
 use std::collections::BTreeSet;
 use twinedge::validate::enumerate::{Cell, Value, for_each_corruption};
 use twinedge::validate::{
-    Certificate, Collect, Expectation, FaceRow, HalfEdgeRow, Link, Part, Rule, Start, Table, Unchecked, VertexRow,
-    View, validate,
+    Certificate, Collect, Expectation, FaceRow, HalfEdgeRow, Link, Part, Rule, Start, Table, Unchecked, VertexRow, View,
 };
 
 /// ```text

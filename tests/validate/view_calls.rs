@@ -2,12 +2,13 @@
 //!
 //! These are bounds on work that do not depend on any clock.
 
+use crate::support::erased::validate;
 use crate::support::nested::{PLANE, TEXTBOOK, nested, nested_textbook};
 use crate::support::opinions::{agree, broken};
 use crate::support::tables::{half_edge, map, mesh};
 use crate::support::watched::Watched;
 use twinedge::validate::reference::rule_by_rule;
-use twinedge::validate::{Collect, Expectation, Link, Part, Rule, Start, Table, Violation, validate};
+use twinedge::validate::{Collect, Expectation, Link, Part, Rule, Start, Table, Violation};
 
 /// How often a valid table is asked for the twin, next and prev of its half-edges.
 fn questions(table: &Table, expectation: Expectation) -> [usize; 3] {

@@ -1,11 +1,12 @@
 //! For each rule, tables that break only it, and for each way of breaking it the exact violation.
 
+use crate::support::erased::validate;
 use crate::support::nested::{PLANE, TEXTBOOK, nested, nested_textbook};
 use crate::support::opinions::{agree, broken};
 use crate::support::tables::{boundary, face, half_edge, map, mesh, vertex};
 use twinedge::validate::{
     BoundaryPlace, BoundaryRow, Collect, Expectation, FaceRow, Field, Part, Record, Rule, Start, Table, Unchecked,
-    VertexRow, Violation, validate,
+    VertexRow, Violation,
 };
 
 /// Two edges between two vertices: half-edges 0 and 3 around the inside, 1 and 2 around the outside.

@@ -3,9 +3,10 @@
 use crate::error::StructureError;
 use crate::panics::catch;
 use crate::regression::TestSource;
+use crate::verdict::judge;
 use std::fmt;
 use twinedge::program::Subject;
-use twinedge::validate::{Collect, Expectation, Part, validate};
+use twinedge::validate::{Expectation, Part};
 
 /// A structure under test: its name, how an empty one is made, and what the validator can hold it to.
 ///
@@ -81,7 +82,7 @@ impl<K: Subject> Structure<K> {
 
     /// The empty map keeps the rules. One that panics passes: engines report that with the program that does it.
     pub(crate) fn starts_valid(&self) -> Result<(), StructureError> {
-        let Ok(report) = catch(|| validate(&self.make(), &self.expectation, Collect::First)) else { return Ok(()) };
+        let Ok(report) = catch(|| judge(&self.make(), &self.expectation)) else { return Ok(()) };
         report.violations().first().map_or(Ok(()), |violation| Err(StructureError::InvalidStart(*violation)))
     }
 }

@@ -1,6 +1,6 @@
 //! What a validator says of a table, in the form in which the reference answers.
 
-use twinedge::validate::{Collect, Expectation, Rule, Table, validate};
+use twinedge::validate::{Collect, Expectation, Report, Rule, Table, View, validate};
 
 /// What a validator says of a table.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
@@ -72,6 +72,11 @@ impl Checker for Validator {
         let broken = report.outcomes().find(|(_, outcome)| outcome.violations > 0).map(|(rule, _)| rule);
         Verdict { valid: report.is_valid(), broken }
     }
+}
+
+/// What the library's validator reports on a structure. Through a pointer: it is compiled once then, and not for every structure.
+pub(crate) fn judge(structure: &dyn View, expectation: &Expectation) -> Report {
+    validate(structure, expectation, Collect::First)
 }
 
 /// A first broken rule in words.

@@ -12,7 +12,7 @@ use crate::program::pointer_model::PointerModel;
 use crate::program::runner::Runner;
 use crate::program::subject::{Refusal, Subject};
 use crate::validate::adapt::Borders;
-use crate::validate::{Collect, Expectation, Part, validate};
+use crate::validate::{Collect, Expectation, Part, View, validate};
 use alloc::boxed::Box;
 use alloc::vec::Vec;
 
@@ -158,7 +158,9 @@ impl<K: Subject> InStep<K> {
 }
 
 /// Holds a subject to the rules. Where half-edges on the border have no `next`, it is the one that follows from the rest.
-fn judge<K: Subject>(subject: &K, expectation: &Expectation) -> Result<(), Difference> {
+///
+/// Through a pointer: the validator is compiled once then, and not for every subject.
+fn judge(subject: &dyn View, expectation: &Expectation) -> Result<(), Difference> {
     let borders = if expectation.is_open() { Borders::of(subject) } else { None };
     let report = match borders {
         Some(borders) => validate(&borders, expectation, Collect::First),

@@ -1,6 +1,7 @@
 //! What does not fit into fixed arrays is refused without a trace, kind of record by kind.
 
 use super::an_edge;
+use crate::support::erased::validate_plane;
 use twinedge::dcel::{Dcel, OperatorError, RecordKind, Side, Split};
 use twinedge::store::{FixedStore, Store};
 use twinedge::validate::Table;
@@ -13,7 +14,7 @@ fn refused<S: Store, T: std::fmt::Debug + PartialEq>(
     let before = Table::copy_of(dcel);
     assert_eq!(operator(dcel), Err(OperatorError::Full(kind)));
     assert_eq!(Table::copy_of(dcel), before);
-    assert!(dcel.validate().is_valid());
+    assert!(validate_plane(&*dcel).is_valid());
 }
 
 #[test]
@@ -88,5 +89,5 @@ fn the_largest_fixed_store_holds_what_it_says() {
         dcel.connect(first, first, Split { new_face: Side::Right, inner: &[] }).unwrap();
     }
     assert_eq!((dcel.edge_count(), dcel.face_count(), dcel.boundary_count()), (127, 128, 128));
-    assert!(dcel.validate().is_valid());
+    assert!(validate_plane(&dcel).is_valid());
 }

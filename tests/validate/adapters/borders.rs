@@ -1,11 +1,11 @@
 //! Borders without `next`.
 
 use super::{MESH, fan, with_bare_border};
+use crate::support::erased::{first_broken_rule, validate};
 use crate::support::opinions::agree;
 use crate::support::tables::{half_edge, textbook_mesh};
 use twinedge::validate::adapt::Borders;
-use twinedge::validate::reference::first_broken_rule;
-use twinedge::validate::{Collect, Rule, Table, View, Violation, validate};
+use twinedge::validate::{Collect, Rule, Table, View, Violation};
 
 #[test]
 fn a_border_without_next_is_linked() {

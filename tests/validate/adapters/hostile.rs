@@ -1,12 +1,13 @@
 //! Structures that answer of what is not there, that change, or that claim too much.
 
 use super::{AsTargets, MESH, TEXTBOOK, fan, maps, mirrored};
+use crate::support::erased::validate;
 use crate::support::inconsistent::Inconsistent;
 use crate::support::nested::nested_textbook;
 use crate::support::only_live::OnlyLive;
 use twinedge::delegate_view;
 use twinedge::validate::adapt::{Backward, Borders, FaceLabels, Targets};
-use twinedge::validate::{Collect, Expectation, HalfEdgeRow, Link, Part, Table, View, validate};
+use twinedge::validate::{Collect, Expectation, HalfEdgeRow, Link, Part, Table, View};
 
 const BARE: Expectation = Expectation::plane().without(Part::Faces).without(Part::Leaving);
 

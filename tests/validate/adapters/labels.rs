@@ -1,13 +1,13 @@
 //! Lists of faces that follow from the faces of half-edges.
 
 use super::{MESH, TEXTBOOK};
+use crate::support::erased::{first_broken_rule, validate};
 use crate::support::nested::nested_textbook;
 use crate::support::opinions::agree;
 use crate::support::tables::{half_edge, textbook_map, textbook_mesh};
 use std::collections::BTreeSet;
 use twinedge::validate::adapt::FaceLabels;
-use twinedge::validate::reference::first_broken_rule;
-use twinedge::validate::{Collect, Expectation, Link, Part, Rule, Start, Table, View, validate};
+use twinedge::validate::{Collect, Expectation, Link, Part, Rule, Start, Table, View};
 
 /// A face that two cycles name, and one that nobody names.
 #[test]

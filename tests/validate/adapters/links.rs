@@ -1,13 +1,13 @@
 //! Structures that keep targets, and structures that keep `prev` alone.
 
 use super::{AsTargets, maps, mirrored};
+use crate::support::erased::{first_broken_rule, validate};
 use crate::support::opinions::agree;
 use crate::support::tables::half_edge;
 use std::collections::BTreeSet;
 use twinedge::validate::adapt::{Backward, Targets};
 use twinedge::validate::enumerate::{Cell, for_each_corruption};
-use twinedge::validate::reference::first_broken_rule;
-use twinedge::validate::{Collect, Link, Record, Rule, Table, View, validate};
+use twinedge::validate::{Collect, Link, Record, Rule, Table, View};
 
 /// A structure with targets is sound if and only if its mirror image, in which nothing is derived, is: for each change of each
 /// link, and of two at once where origins are concerned.

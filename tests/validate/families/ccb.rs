@@ -2,11 +2,10 @@
 //! component; a vertex keeps a half-edge that *arrives* at it, or the record of the isolated vertex that it is.
 
 use super::{Stored, each_change, holds, judged, mirrored};
+use crate::support::erased::validate;
 use crate::support::nested::nested;
 use twinedge::validate::adapt::Targets;
-use twinedge::validate::{
-    BoundaryRow, Collect, Expectation, FaceRow, Link, Part, Start, Table, VertexRow, View, validate,
-};
+use twinedge::validate::{BoundaryRow, Collect, Expectation, FaceRow, Link, Part, Start, Table, VertexRow, View};
 
 #[derive(Clone)]
 struct HalfEdge {

@@ -2,8 +2,9 @@
 //! keeps its vertex and the opposite corner, that of the triangle across the side that faces it.
 
 use super::{Stored, each_change, judged};
+use crate::support::erased::validate;
 use std::collections::BTreeSet;
-use twinedge::validate::{Collect, Expectation, Link, Part, View, validate};
+use twinedge::validate::{Collect, Expectation, Link, Part, View};
 
 #[derive(Clone)]
 struct CornerTable {

@@ -2,11 +2,10 @@
 //! next nor face; a vertex keeps a half-edge that leaves it.
 
 use super::{Stored, each_change, holds, judged, open_tetrahedron};
+use crate::support::erased::validate;
 use std::collections::BTreeMap;
 use twinedge::validate::adapt::{Borders, Index, Targets};
-use twinedge::validate::{
-    Collect, Expectation, FaceRow, HalfEdgeRow, Link, Part, Record, Table, VertexRow, View, validate,
-};
+use twinedge::validate::{Collect, Expectation, FaceRow, HalfEdgeRow, Link, Part, Record, Table, VertexRow, View};
 
 #[derive(Clone)]
 struct HalfEdge {

@@ -10,9 +10,10 @@ mod surface_mesh;
 mod textbook;
 mod winged_edge;
 
+use crate::support::erased::{broken_rules, first_broken_rule, validate};
 use crate::support::tables::textbook_mesh;
-use twinedge::validate::reference::{broken_rules, first_broken_rule};
-use twinedge::validate::{Collect, Expectation, HalfEdgeRow, Link, Report, Table, View, validate};
+
+use twinedge::validate::{Collect, Expectation, HalfEdgeRow, Link, Report, Table, View};
 
 /// A stored link, and the number of records of the kind that it leads to.
 type Stored<'a> = (&'a mut Link, usize);

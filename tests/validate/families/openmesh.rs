@@ -2,8 +2,9 @@
 //! next and no face; a vertex keeps a half-edge that leaves it.
 
 use super::{Stored, each_change, holds, judged, mirrored, open_tetrahedron, other_side};
+use crate::support::erased::validate;
 use twinedge::validate::adapt::Targets;
-use twinedge::validate::{Collect, Expectation, FaceRow, Link, Part, Table, VertexRow, View, validate};
+use twinedge::validate::{Collect, Expectation, FaceRow, Link, Part, Table, VertexRow, View};
 
 #[derive(Clone)]
 struct HalfEdge {

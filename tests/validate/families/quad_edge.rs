@@ -2,10 +2,11 @@
 //! keeps `Onext`, the next one counter-clockwise around its origin, which is a vertex for even `r` and a face for odd `r`.
 
 use super::{Changes, Stored, each_change, judged};
+use crate::support::erased::validate;
 use crate::support::tables::textbook_mesh;
 use std::collections::BTreeSet;
 use twinedge::validate::adapt::FaceLabels;
-use twinedge::validate::{Collect, Expectation, Link, Part, Table, View, validate};
+use twinedge::validate::{Collect, Expectation, Link, Part, Table, View};
 
 #[derive(Clone)]
 struct QuadEdge {

@@ -2,8 +2,9 @@
 //! half-edges have next and prev and no face; a vertex keeps a half-edge that *arrives* at it.
 
 use super::{Stored, each_change, holds, judged, mirrored, open_tetrahedron, other_side};
+use crate::support::erased::validate;
 use twinedge::validate::adapt::Targets;
-use twinedge::validate::{Collect, Expectation, FaceRow, Link, Part, Rule, Table, VertexRow, View, validate};
+use twinedge::validate::{Collect, Expectation, FaceRow, Link, Part, Rule, Table, VertexRow, View};
 
 #[derive(Clone)]
 struct Connectivity {

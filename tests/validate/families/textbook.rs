@@ -1,10 +1,9 @@
 //! The tables of de Berg, Cheong, van Kreveld and Overmars, *Computational Geometry* (2008), section 2.2.
 
 use super::{Stored, each_change, holds, judged};
+use crate::support::erased::validate;
 use crate::support::tables::textbook_map;
-use twinedge::validate::{
-    Collect, Expectation, FaceRow, HalfEdgeRow, Link, Part, Start, Table, VertexRow, View, validate,
-};
+use twinedge::validate::{Collect, Expectation, FaceRow, HalfEdgeRow, Link, Part, Start, Table, VertexRow, View};
 
 #[derive(Clone, Copy)]
 struct HalfEdge {

@@ -2,8 +2,9 @@
 //! edges before and after it around each face. Vertices and faces keep one edge.
 
 use super::{Stored, each_change, holds, judged};
+use crate::support::erased::validate;
 use crate::support::tables::textbook_mesh;
-use twinedge::validate::{Collect, Expectation, FaceRow, HalfEdgeRow, Link, Part, Table, VertexRow, View, validate};
+use twinedge::validate::{Collect, Expectation, FaceRow, HalfEdgeRow, Link, Part, Table, VertexRow, View};
 
 /// Side 0 runs from `vertices[0]` to `vertices[1]` along `faces[0]`, side 1 back along `faces[1]`.
 #[derive(Clone)]

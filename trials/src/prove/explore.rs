@@ -5,10 +5,11 @@ use super::grow::{Codes, grow, play};
 use crate::panics::catch;
 use crate::run::Run;
 use crate::structure::Structure;
+use crate::verdict::judge;
 use twinedge::program::canonical::Canonizer;
 use twinedge::program::census::Scope;
 use twinedge::program::{Op, Program, Refusal, Runner, StepOutcome, Subject, every_op};
-use twinedge::validate::{Collect, Counts, Report, View, validate};
+use twinedge::validate::{Counts, Report, View};
 
 /// Explores all maps of a scope that belong to this part of the work. After each operator that is applied, the map is validated
 /// and its counts are compared with those before; after each that is refused, the map must be as it was, link by link.
@@ -51,7 +52,7 @@ enum Tried {
 impl<K: Subject + Clone> Worker<'_, K> {
     fn visit(&mut self, program: &Program) {
         let validated = play(self.structure, program).and_then(|map| {
-            let report = catch(|| validate(map.subject(), &self.structure.expectation(), Collect::First))?;
+            let report = catch(|| judge(map.subject(), &self.structure.expectation()))?;
             Ok((map, report))
         });
         let (map, report) = match validated {
@@ -68,7 +69,7 @@ impl<K: Subject + Clone> Worker<'_, K> {
         try_every_op(
             &map,
             |outcome, result| match outcome {
-                StepOutcome::Applied => Tried::Applied(validate(result.subject(), &expectation, Collect::First)),
+                StepOutcome::Applied => Tried::Applied(judge(result.subject(), &expectation)),
                 outcome => Tried::Refused(outcome, same(map.subject(), result.subject())),
             },
             |op, tried, result| self.judge(program, op, &before, tried, result),

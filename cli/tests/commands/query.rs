@@ -1,10 +1,8 @@
 //! `twinedge query`.
 
-mod support;
-
+use crate::support::{complaint, data, json as run, twinedge, twinedge_reading};
 use serde_json::{Value, json};
 use std::collections::BTreeSet;
-use support::{complaint, data, json as run, twinedge, twinedge_reading};
 
 fn names(found: &Value) -> BTreeSet<&str> {
     found.as_array().unwrap().iter().map(|one| one["name"].as_str().unwrap()).collect()

@@ -1,10 +1,8 @@
 //! `twinedge fuzz-template`. That its project is built and finds a bug is tested by `fuzz/tests/template.rs`.
 
-mod support;
-
+use crate::support::twinedge;
 use std::fs;
 use std::path::{Path, PathBuf};
-use support::twinedge;
 
 /// A folder of this test's own, with a package in it.
 fn package(name: &str, manifest: &str) -> PathBuf {

@@ -1,10 +1,8 @@
 //! `--shard` and `twinedge sum`.
 
-mod support;
-
+use crate::support::{complaint, json, scratch_folder, twinedge};
 use serde_json::Value;
 use std::path::PathBuf;
-use support::{complaint, json, scratch_folder, twinedge};
 
 /// Writes the JSON of each part to a file of its own. Returns their names, the last part first.
 fn parts(folder: &str, arguments: &[&str], count: u32) -> Vec<String> {

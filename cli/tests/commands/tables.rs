@@ -1,8 +1,6 @@
 //! `twinedge tables`.
 
-mod support;
-
-use support::{complaint, json, twinedge};
+use crate::support::{complaint, json, twinedge};
 
 #[test]
 fn the_tables_of_two_half_edges_are_judged_alike_and_counted() {

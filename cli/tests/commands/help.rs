@@ -1,8 +1,6 @@
 //! `--help`.
 
-mod support;
-
-use support::twinedge;
+use crate::support::twinedge;
 
 /// This command and all below it, as `--help` lists them.
 fn commands(command: &[String]) -> Vec<Vec<String>> {

@@ -1,10 +1,8 @@
 //! Reports of the library, and the JSON of `twinedge audit`, have the form of `docs/report.schema.json`.
 
-mod support;
-
+use crate::support::{data, json as run};
 use boon::{Compiler, Schemas};
 use serde_json::{Value, json, to_value};
-use support::{data, json as run};
 use twinedge::validate::{Collect, Expectation, Table, validate};
 
 /// What is wrong with the form of a document.

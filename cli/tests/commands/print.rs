@@ -1,9 +1,7 @@
 //! `--print`, and `twinedge audit` on files of tables.
 
-mod support;
-
+use crate::support::{complaint, json as json_of, twinedge, twinedge_reading};
 use serde_json::{Value, json};
-use support::{complaint, twinedge, twinedge_reading};
 use twinedge::validate::Table;
 
 /// The lines that a command prints, and its summary.
@@ -31,7 +29,7 @@ fn every_table_is_printed_with_its_verdict() {
     }
     // As the formula says.
     assert_eq!(tables.iter().filter(|(_, verdict)| *verdict == "ok").count(), 4);
-    let (_, found) = support::json(&["tables", "--half-edges", "0", "--format", "json"]);
+    let (_, found) = json_of(&["tables", "--half-edges", "0", "--format", "json"]);
     assert_eq!(found["tables"][0]["judged"], tables.len());
 }
 

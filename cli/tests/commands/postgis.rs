@@ -1,10 +1,8 @@
 //! `twinedge postgis`, and `twinedge audit` of what `psql` writes then.
 
-mod support;
+use crate::support::{complaint, json, scratch_folder, twinedge, twinedge_reading};
 
-use support::{complaint, json, twinedge, twinedge_reading};
-
-const TOWN: &[u8] = include_bytes!("../../formats/tests/postgis/data/town.copy");
+const TOWN: &[u8] = include_bytes!("../../../formats/tests/postgis/data/town.copy");
 
 /// The town of which edge 1 has another `next_left_edge`.
 fn broken() -> Vec<u8> {
@@ -79,7 +77,7 @@ fn a_layer_of_findings_has_records_and_lines_and_warns_of_its_coordinates() {
     // Nothing of it is beyond the poles.
     assert_eq!(String::from_utf8_lossy(&output.stderr), "");
 
-    let folder = support::scratch_folder("projected");
+    let folder = scratch_folder("projected");
     let path = folder.join("metres.wkt").display().to_string();
     std::fs::write(&path, "POLYGON((0 0,900 0,900 900,0 900,0 0))\nPOLYGON((800 0,999 0,999 900,800 900,800 0))\n")
         .unwrap();

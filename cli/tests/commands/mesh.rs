@@ -1,9 +1,7 @@
 //! `twinedge audit` of mesh files.
 
-mod support;
-
+use crate::support::{complaint, json, twinedge, twinedge_reading};
 use std::fs;
-use support::{complaint, json, twinedge, twinedge_reading};
 
 /// The faces of a cube, counted from 1, outward.
 const CUBE: &str = "v 0 0 0\nv 1 0 0\nv 1 1 0\nv 0 1 0\nv 0 0 1\nv 1 0 1\nv 1 1 1\nv 0 1 1\n\

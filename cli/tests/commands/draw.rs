@@ -1,9 +1,7 @@
 //! `twinedge draw`.
 
-mod support;
-
+use crate::support::{complaint, data, twinedge};
 use std::path::PathBuf;
-use support::{complaint, data, twinedge};
 
 /// A file of this test that is gone afterwards.
 struct Scratch(PathBuf);

@@ -1,9 +1,7 @@
 //! `twinedge audit`.
 
-mod support;
-
+use crate::support::{complaint, data, json as run, twinedge, twinedge_reading};
 use serde_json::{Value, json};
-use support::{complaint, data, json as run, twinedge, twinedge_reading};
 
 fn counts(found: &Value) -> [u64; 4] {
     ["vertices", "edges", "components", "faces"].map(|what| found["counts"][what].as_u64().unwrap())

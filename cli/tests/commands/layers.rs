@@ -1,11 +1,9 @@
 //! `convert`, `clean`, and that outputs are written whole and never over the input.
 
-mod support;
-
+use crate::support::{complaint, json as run_json, scratch_folder, twinedge, twinedge_reading};
 use serde_json::{Value, json};
 use std::fs;
 use std::path::Path;
-use support::{complaint, json as run_json, scratch_folder, twinedge, twinedge_reading};
 
 /// Three parcels: the second begins half a unit inside the first, and between both and the third there is a narrow gap.
 const PARCELS: &str = r#"{"type":"FeatureCollection",

@@ -1,9 +1,7 @@
 //! `twinedge soak` and `twinedge replay`.
 
-mod support;
-
+use crate::support::{complaint, json, twinedge, twinedge_reading};
 use std::path::PathBuf;
-use support::{complaint, json, twinedge, twinedge_reading};
 use twinedge::program::Program;
 
 /// A file in the directory for tests, and its name.

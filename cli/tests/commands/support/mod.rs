@@ -1,5 +1,4 @@
 //! Running the program.
-#![allow(dead_code, reason = "each test file uses a part of it")]
 
 use std::io::Write;
 use std::process::{Command, Output, Stdio};

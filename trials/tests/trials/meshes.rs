@@ -8,7 +8,7 @@ use twinedge_trials::planted::Planted;
 use twinedge_trials::{Outcome, Run, Shard, Structure, meshes, sum};
 
 #[allow(dead_code, unreachable_pub, reason = "an example has a main function of its own")]
-#[path = "../../examples/mesh_conformance.rs"]
+#[path = "../../../examples/mesh_conformance.rs"]
 mod mesh;
 use mesh::{KEPT, Mesh};
 

@@ -1,5 +1,4 @@
 //! Ctrl-C.
-#![cfg(target_os = "linux")]
 
 use std::process::{Child, Command, Stdio};
 

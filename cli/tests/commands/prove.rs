@@ -1,8 +1,6 @@
 //! `twinedge prove`.
 
-mod support;
-
-use support::{complaint, json, twinedge};
+use crate::support::{complaint, json, twinedge};
 
 #[test]
 fn the_maps_of_up_to_four_edges_are_as_many_as_published() {

@@ -1,9 +1,7 @@
 //! `twinedge corrupt`.
 
-mod support;
-
+use crate::support::{complaint, json, twinedge};
 use serde_json::Value;
-use support::{complaint, json, twinedge};
 
 fn number(row: &Value, key: &str) -> u64 {
     row[key].as_u64().unwrap_or_else(|| panic!("{key} in {row}"))

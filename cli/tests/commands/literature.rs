@@ -1,10 +1,8 @@
 //! `twinedge decompose`, `voronoi`, `query … route`, `query … lattice`, `draw --tables` and `audit` of tables.
 
-mod support;
-
+use crate::support::{complaint, json as run, twinedge, twinedge_reading};
 use serde_json::{Value, json};
 use std::path::PathBuf;
-use support::{complaint, json as run, twinedge, twinedge_reading};
 
 fn example(name: &str) -> String {
     format!("{}/../examples/tables/{name}", env!("CARGO_MANIFEST_DIR"))

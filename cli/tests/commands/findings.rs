@@ -1,9 +1,7 @@
 //! `twinedge audit --format geojson` and where reports are written.
 
-mod support;
-
+use crate::support::{complaint, data, scratch_folder, twinedge, twinedge_reading};
 use serde_json::{Value, json};
-use support::{complaint, data, scratch_folder, twinedge, twinedge_reading};
 
 fn layer(arguments: &[&str], input: &[u8]) -> (Option<i32>, Value) {
     let output = twinedge_reading(&[&["audit", "--format", "geojson"], arguments].concat(), input);
@@ -252,7 +250,7 @@ fn a_page_shows_tables_and_topologies() {
     let (status, found) = page(&["-"], BROKEN.as_bytes());
     assert_eq!((status, &found["map"]["edges"]), (Some(1), &json!([3, 3])));
     assert_eq!(found["map"]["names"]["own"]["half_edges"][0], "e1,1");
-    let town = include_bytes!("../../formats/tests/postgis/data/town.copy");
+    let town = include_bytes!("../../../formats/tests/postgis/data/town.copy");
     let (status, found) = page(&["-"], town);
     assert_eq!((status, &found["findings"], &found["valid"]), (Some(0), &json!([]), &json!(true)));
     let edges = found["map"]["names"]["ids"]["edges"].as_array().unwrap().len();

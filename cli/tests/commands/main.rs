@@ -1,0 +1,24 @@
+//! What the commands print and return, and how they end.
+
+mod support;
+
+mod audit;
+mod corrupt;
+mod draw;
+mod findings;
+mod fuzz_template;
+mod help;
+#[cfg(target_os = "linux")]
+mod interrupt;
+mod layers;
+mod literature;
+mod mesh;
+mod postgis;
+mod print;
+mod prove;
+mod query;
+mod readme;
+mod schema;
+mod soak;
+mod sum;
+mod tables;

@@ -1,0 +1,9 @@
+//! The trials: what they count, what they find, how they end.
+
+mod corrupt;
+mod incomplete;
+mod meshes;
+mod prove;
+mod sample;
+mod shards;
+mod soak;
