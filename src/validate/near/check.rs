@@ -192,7 +192,8 @@ impl<V: View + ?Sized> Check<'_, V> {
                 continue;
             }
             // Which led there before, if any, must lead elsewhere.
-            let is_free = index(before.prev).is_none_or(|led| self.changed(led).is_some_and(|led| led.next != row.next));
+            let is_free =
+                index(before.prev).is_none_or(|led| self.changed(led).is_some_and(|led| led.next != row.next));
             let seen = SeenHalfEdge { row: before, is_led: false };
             let position = self.changes.half_edges.see(&mut self.was.half_edges, next, seen)?;
             let seen = self.changes.half_edges.at_mut(position);
