@@ -3,6 +3,7 @@
 mod compact;
 mod nest;
 mod retain;
+mod sets;
 
 pub use compact::Renamed;
 pub use retain::{MergedFace, Retained};

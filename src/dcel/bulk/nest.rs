@@ -2,15 +2,19 @@
 //! is its outer one.
 //!
 //! ```text
-//!   the unbounded group:   all its cycles are inner
-//!     across an inner cycle:    the other cycles of that component, each the outer one of its group
-//!       the other cycles of that group:    inner again, and so on
+//!   a group with one cycle: it is the outer one            ┐ and so on, of the cycles
+//!   a component with one cycle: it is its outside, inner   ┘ that are left; the unbounded group has no outer one
 //! ```
+//!
+//! Each cycle is of one group and of one component. Groups and components are a tree in this way, rooted at the unbounded group. A
+//! cycle is outer if the component is the parent of the group, and inner if it is the other way round. The tree is taken apart from
+//! its leaves, each of which has one cycle left: that to its parent.
 
+use super::sets::Sets;
 use crate::dcel::import::gather::NIL;
 use crate::dcel::structure::Dcel;
 use crate::store::Store;
-use crate::store::links::{BoundaryStart, VertexLink};
+use crate::store::links::VertexLink;
 use alloc::vec;
 use alloc::vec::Vec;
 
@@ -19,6 +23,8 @@ pub(super) struct Rest<'a, S: Store> {
     pub(super) dcel: &'a Dcel<S>,
     /// By half-edge, whether it goes.
     pub(super) goes: &'a [bool],
+    /// Of each edge that goes one half-edge.
+    pub(super) edges: &'a [S::HalfEdge],
 }
 
 /// The cycles that are left, and the faces whose borders go, in groups that become one face each.
@@ -27,17 +33,14 @@ pub(super) struct Nest<S: Store> {
     pub(super) cycle_of: Vec<u32>,
     /// By cycle its half-edge with the smallest index.
     pub(super) starts: Vec<S::HalfEdge>,
+    /// By cycle the group of the face that it bounds.
+    pub(super) group_of_cycle: Vec<u32>,
     /// By face its group. That of the unbounded face is 0.
     pub(super) group_of: Vec<u32>,
     /// By group the cycle that is its outer boundary component; nil for the unbounded one.
     pub(super) outer: Vec<u32>,
-}
-
-impl<S: Store> Nest<S> {
-    /// The group of the face that a cycle bounds.
-    pub(super) fn group_of_cycle(&self, store: &S, cycle: usize) -> u32 {
-        self.group_of[store.face_index(store.face(store.boundary(self.starts[cycle])))]
-    }
+    /// Half-edges that get another next.
+    pub(super) joins: Vec<[S::HalfEdge; 2]>,
 }
 
 impl<S: Store> Rest<'_, S> {
@@ -46,7 +49,7 @@ impl<S: Store> Rest<'_, S> {
     }
 
     /// The half-edge that will follow one that stays. O(half-edges between them that go).
-    pub(super) fn next(&self, h: S::HalfEdge) -> S::HalfEdge {
+    fn next(&self, h: S::HalfEdge) -> S::HalfEdge {
         let store = &self.dcel.store;
         let mut next = store.next(h);
         while self.goes(next) {
@@ -70,101 +73,100 @@ impl<S: Store> Rest<'_, S> {
         Some(h)
     }
 
-    /// The half-edges of a cycle that is left, from one on.
-    pub(super) fn cycle(&self, start: S::HalfEdge) -> impl Iterator<Item = S::HalfEdge> {
-        core::iter::successors(Some(start), move |h| Some(self.next(*h)).filter(|next| *next != start))
-    }
-
-    /// Finds the cycles and the groups. O(slots).
+    /// Finds the groups and the cycles. O(slots α(slots)), where α is the inverse of Ackermann's function.
     pub(super) fn nest(&self) -> Nest<S> {
         let store = &self.dcel.store;
-        let (mut cycle_of, mut starts) = (vec![NIL; self.goes.len()], Vec::new());
-        for start in (0..self.goes.len()).filter_map(|i| store.half_edge_at(i)) {
-            if self.goes(start) || cycle_of[store.half_edge_index(start)] != NIL {
+        let (group_of, groups) = self.groups();
+        let (mut cycle_of, mut joins) = (vec![NIL; self.goes.len()], Vec::new());
+        let (mut starts, mut group_of_cycle) = (Vec::new(), Vec::new());
+        for index in 0..self.goes.len() {
+            if self.goes[index] || cycle_of[index] != NIL {
                 continue;
             }
-            for h in self.cycle(start) {
+            let Some(start) = store.half_edge_at(index) else { continue };
+            let mut h = start;
+            loop {
                 cycle_of[store.half_edge_index(h)] = starts.len() as u32;
+                let next = self.next(h);
+                if next != store.next(h) {
+                    joins.push([h, next]);
+                }
+                h = next;
+                if h == start {
+                    break;
+                }
             }
             starts.push(start);
+            group_of_cycle.push(group_of[store.face_index(store.face(store.boundary(start)))]);
         }
-        let (group_of, groups) = self.groups();
-        let mut nest = Nest { cycle_of, starts, group_of, outer: vec![NIL; groups] };
-        self.find_outer(&mut nest);
-        nest
+        let outer = self.outer(&cycle_of, &group_of_cycle, groups);
+        Nest { cycle_of, starts, group_of_cycle, group_of, outer, joins }
     }
 
-    /// By face its group, and how many there are: a search from face to face across the edges that go.
+    /// By face its group, and how many there are. An edge that goes joins the groups of its faces.
     fn groups(&self) -> (Vec<u32>, usize) {
         let store = &self.dcel.store;
-        let mut of = vec![NIL; store.face_slots()];
-        let mut groups = 0;
-        let mut queue = Vec::new();
-        let faces = (0..of.len()).filter_map(|i| store.face_at(i));
-        for first in core::iter::once(store.unbounded()).chain(faces) {
-            if of[store.face_index(first)] != NIL {
-                continue;
-            }
-            of[store.face_index(first)] = groups;
-            queue.push(first);
-            while let Some(f) = queue.pop() {
-                let inner = (0..store.inner_count(f)).filter_map(|i| store.inner(f, i));
-                for b in store.outer(f).into_iter().chain(inner) {
-                    let BoundaryStart::HalfEdge(start) = store.start(b) else { continue };
-                    let along =
-                        core::iter::successors(Some(start), |h| Some(store.next(*h)).filter(|next| *next != start));
-                    for h in along.filter(|h| self.goes(*h)) {
-                        let across = store.face(store.boundary(store.twin(h)));
-                        let group = &mut of[store.face_index(across)];
-                        if *group == NIL {
-                            *group = groups;
-                            queue.push(across);
-                        }
-                    }
-                }
-            }
-            groups += 1;
+        let index = |h: S::HalfEdge| store.face_index(store.face(store.boundary(h))) as u32;
+        let mut sets = Sets::new(store.face_slots());
+        for h in self.edges {
+            sets.join(index(*h), index(store.twin(*h)));
         }
-        (of, groups as usize)
+        let mut of = vec![NIL; store.face_slots()];
+        // By number that stands for a set, the group.
+        let mut groups = vec![NIL; of.len()];
+        let mut count = 0;
+        let faces = (0..of.len()).filter_map(|i| store.face_at(i));
+        for f in core::iter::once(store.unbounded()).chain(faces) {
+            let f = store.face_index(f);
+            let group = &mut groups[sets.find(f as u32) as usize];
+            if *group == NIL {
+                *group = count;
+                count += 1;
+            }
+            of[f] = *group;
+        }
+        (of, count as usize)
     }
 
-    /// Finds the outer cycle of each group, from the unbounded one inwards.
-    fn find_outer(&self, nest: &mut Nest<S>) {
+    /// By group its outer cycle.
+    fn outer(&self, cycle_of: &[u32], group_of_cycle: &[u32], groups: usize) -> Vec<u32> {
         let store = &self.dcel.store;
-        let Nest { cycle_of, starts, group_of, outer } = nest;
-        let group_of_cycle = |cycle: u32| {
-            let start = starts[cycle as usize];
-            group_of[store.face_index(store.face(store.boundary(start)))] as usize
-        };
-        // The cycles of each group, as a list threaded through all.
-        let mut cycles = vec![NIL; outer.len()];
-        let mut after = vec![NIL; starts.len()];
-        for cycle in (0..starts.len() as u32).rev() {
-            let first = &mut cycles[group_of_cycle(cycle)];
-            after[cycle as usize] = core::mem::replace(first, cycle);
-        }
-        let mut seen = vec![false; starts.len()];
-        let mut queue = Vec::new();
-        let mut offer_all = |group: usize, seen: &mut [bool], queue: &mut Vec<u32>| {
-            let mut cycle = core::mem::replace(&mut cycles[group], NIL);
-            while cycle != NIL {
-                if !core::mem::replace(&mut seen[cycle as usize], true) {
-                    queue.push(cycle);
-                }
-                cycle = after[cycle as usize];
-            }
-        };
-        offer_all(0, &mut seen, &mut queue);
-        while let Some(cycle) = queue.pop() {
-            for h in self.cycle(starts[cycle as usize]) {
+        // The components, as sets of cycles.
+        let mut components = Sets::new(group_of_cycle.len());
+        for (index, cycle) in cycle_of.iter().enumerate().filter(|(_, cycle)| **cycle != NIL) {
+            if let Some(h) = store.half_edge_at(index) {
                 let across = cycle_of[store.half_edge_index(store.twin(h))];
-                if seen[across as usize] {
-                    continue;
+                if *cycle < across {
+                    components.join(*cycle, across);
                 }
-                let group = group_of_cycle(across);
-                outer[group] = across;
-                offer_all(group, &mut seen, &mut queue);
             }
         }
+        // The nodes of the tree: the groups, then the components, by the cycle that stands for each. Of each, how many cycles are left,
+        // and the exclusive or of their numbers: if one is left, that is its number.
+        let mut ends = |cycle: u32| [group_of_cycle[cycle as usize] as usize, groups + components.find(cycle) as usize];
+        let mut left = vec![(0_u32, 0_u32); groups + group_of_cycle.len()];
+        for cycle in 0..group_of_cycle.len() as u32 {
+            for node in ends(cycle) {
+                left[node].0 += 1;
+                left[node].1 ^= cycle;
+            }
+        }
+        let mut outer = vec![NIL; groups];
+        for first in 1..left.len() {
+            let mut node = first;
+            while node != 0 && left[node].0 == 1 {
+                let cycle = left[node].1;
+                let [group, component] = ends(cycle);
+                if node == group {
+                    outer[group] = cycle;
+                }
+                for node in [group, component] {
+                    left[node].0 -= 1;
+                    left[node].1 ^= cycle;
+                }
+                node = if node == group { component } else { group };
+            }
+        }
+        outer
     }
 }

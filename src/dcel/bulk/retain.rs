@@ -3,6 +3,7 @@
 use super::nest::{Nest, Rest};
 use crate::dcel::elements::{HalfEdge, Vertex};
 use crate::dcel::error::OperatorError;
+use crate::dcel::import::gather::NIL;
 use crate::dcel::structure::Dcel;
 use crate::store::links::{BoundaryStart, Need, VertexLink};
 use crate::store::{BoundaryKey, FaceKey, HalfEdgeKey, Store, VertexKey};
@@ -74,6 +75,7 @@ impl<S: Store> Dcel<S> {
         let store = &self.store;
         let mut vertex_goes = vec![false; store.vertex_slots()];
         let mut goes = vec![false; store.half_edge_slots()];
+        let mut removed = Vec::new();
         let mut retained = Retained::default();
         for v in self.vertices().filter(|v| !vertices(*v)) {
             vertex_goes[v.index()] = true;
@@ -84,17 +86,18 @@ impl<S: Store> Dcel<S> {
                 goes[h.index()] = true;
                 goes[h.twin().index()] = true;
                 retained.edges.push(h.key());
+                removed.extend(store.half_edge_at(h.index()));
             }
         }
         if retained.vertices.is_empty() && retained.edges.is_empty() {
             return Ok(retained);
         }
-        let rest = Rest { dcel: self, goes: &goes };
+        let rest = Rest { dcel: self, goes: &goes, edges: &removed };
         let nest = rest.nest();
         let plan = Plan::new(&rest, &nest, &vertex_goes);
         let boundaries = plan.made.saturating_sub(plan.dropped.len());
         self.room_for(Need { boundaries, ..Need::NONE })?;
-        plan.apply(&mut self.store, &nest, &mut retained);
+        plan.apply(&mut self.store, &nest, &removed, &mut retained);
         Ok(retained)
     }
 }
@@ -106,16 +109,12 @@ struct Plan<S: Store> {
     /// By group the face that is kept.
     kept: Vec<S::Face>,
     vertices: Vec<S::Vertex>,
-    /// Of each edge one half-edge.
-    edges: Vec<S::HalfEdge>,
     faces: Vec<S::Face>,
     dropped: Vec<S::Boundary>,
     /// How many boundary components are new.
     made: usize,
     /// By cycle the boundary component that it keeps.
     cycles: Vec<Option<S::Boundary>>,
-    /// Half-edges that get another next.
-    joins: Vec<[S::HalfEdge; 2]>,
     /// Vertices that keep another half-edge.
     leaving: Vec<(S::Vertex, S::HalfEdge)>,
     /// Vertices that become isolated, and their groups.
@@ -135,26 +134,16 @@ impl<S: Store> Plan<S> {
             changes: vec![false; nest.outer.len()],
             kept: kept.collect(),
             vertices: Vec::new(),
-            edges: Vec::new(),
             faces: Vec::new(),
             dropped: Vec::new(),
             made: 0,
             cycles: vec![None; nest.starts.len()],
-            joins: Vec::new(),
             leaving: Vec::new(),
             isolated: Vec::new(),
             islands: Vec::new(),
         };
-        for h in (0..rest.goes.len()).filter_map(|i| store.half_edge_at(i)) {
-            let next = store.next(h);
-            if rest.goes(h) {
-                plan.changes[group(face_at(h)) as usize] = true;
-                if store.half_edge_index(h) < store.half_edge_index(store.twin(h)) {
-                    plan.edges.push(h);
-                }
-            } else if rest.goes(next) {
-                plan.joins.push([h, rest.next(h)]);
-            }
+        for h in rest.edges {
+            plan.changes[group(face_at(*h)) as usize] = true;
         }
         for (v, goes) in vertex_goes.iter().enumerate().filter_map(|(i, goes)| Some((store.vertex_at(i)?, *goes))) {
             match store.vertex_link(v) {
@@ -196,34 +185,30 @@ impl<S: Store> Plan<S> {
                 _ => self.dropped.push(b),
             }
         }
-        let new = self.changing_cycles(store, nest).filter(|cycle| self.cycles[*cycle].is_none()).count();
+        let new = self.changing_cycles(nest).filter(|cycle| self.cycles[*cycle].is_none()).count();
         self.made = new + self.isolated.len();
     }
 
     /// The cycles of groups in which something changes.
-    fn changing_cycles(&self, store: &S, nest: &Nest<S>) -> impl Iterator<Item = usize> {
-        (0..nest.starts.len()).filter(|cycle| self.changes[nest.group_of_cycle(store, *cycle) as usize])
+    fn changing_cycles(&self, nest: &Nest<S>) -> impl Iterator<Item = usize> {
+        (0..nest.starts.len()).filter(|cycle| self.changes[nest.group_of_cycle[*cycle] as usize])
     }
 
-    fn apply(self, store: &mut S, nest: &Nest<S>, retained: &mut Retained) {
-        let cycles: Vec<_> = self
-            .changing_cycles(store, nest)
-            .map(|cycle| (cycle, nest.group_of_cycle(store, cycle) as usize))
-            .collect();
+    fn apply(mut self, store: &mut S, nest: &Nest<S>, edges: &[S::HalfEdge], retained: &mut Retained) {
         for index in 0..store.boundary_slots() {
             let Some(b) = store.boundary_at(index) else { continue };
             if self.changes[nest.group_of[store.face_index(store.face(b))] as usize] {
                 store.unlist(b);
             }
         }
-        for [h, next] in self.joins {
-            store.join(h, next);
+        for [h, next] in &nest.joins {
+            store.join(*h, *next);
         }
         for (v, h) in self.leaving {
             store.set_vertex_link(v, VertexLink::Leaving(h));
         }
-        for h in self.edges {
-            store.remove_edge(h);
+        for h in edges {
+            store.remove_edge(*h);
         }
         for v in self.vertices {
             store.remove_vertex(v);
@@ -232,25 +217,26 @@ impl<S: Store> Plan<S> {
             retained.dropped.push(store.boundary_key(b));
             store.remove_boundary(b);
         }
-        for (cycle, group) in cycles {
-            let (start, face) = (nest.starts[cycle], self.kept[group]);
-            let b = self.cycles[cycle].unwrap_or_else(|| {
-                let made = store.add_boundary(face, BoundaryStart::HalfEdge(start));
+        for (cycle, group) in (0..).zip(&nest.group_of_cycle) {
+            if !self.changes[*group as usize] {
+                continue;
+            }
+            let face = self.kept[*group as usize];
+            let b = *self.cycles[cycle].get_or_insert_with(|| {
+                let made = store.add_boundary(face, BoundaryStart::HalfEdge(nest.starts[cycle]));
                 retained.made.push(store.boundary_key(made));
                 made
             });
-            let mut h = start;
-            loop {
-                store.set_boundary(h, b);
-                h = store.next(h);
-                if h == start {
-                    break;
-                }
-            }
-            if nest.outer[group] == cycle as u32 {
+            if nest.outer[*group as usize] == cycle as u32 {
                 store.list_outer(face, b);
             } else {
                 store.list_inner(face, b);
+            }
+        }
+        for (index, cycle) in nest.cycle_of.iter().enumerate().filter(|(_, cycle)| **cycle != NIL) {
+            let (Some(h), Some(b)) = (store.half_edge_at(index), self.cycles[*cycle as usize]) else { continue };
+            if store.boundary(h) != b {
+                store.set_boundary(h, b);
             }
         }
         for (v, group) in self.isolated {
