@@ -4,6 +4,7 @@ mod compact;
 mod nest;
 mod retain;
 mod sets;
+mod splice;
 
 pub use compact::Renamed;
 pub use retain::{MergedFace, Retained};

@@ -1,5 +1,4 @@
-//! What is left of a structure without some of its edges: the cycles, the faces that have become one, and which cycle of a face
-//! is its outer one.
+//! Which faces become one where edges go, and which boundary component of such a group of faces is its outer one.
 //!
 //! ```text
 //!   a group with one cycle: it is the outer one            ┐ and so on, of the cycles
@@ -12,103 +11,25 @@
 
 use super::sets::Sets;
 use crate::dcel::import::gather::NIL;
-use crate::dcel::structure::Dcel;
 use crate::store::Store;
-use crate::store::links::VertexLink;
+use crate::store::links::BoundaryStart;
 use alloc::vec;
 use alloc::vec::Vec;
 
-/// A structure without the edges that are to go. Nothing of it is changed yet.
-pub(super) struct Rest<'a, S: Store> {
-    pub(super) dcel: &'a Dcel<S>,
-    /// By half-edge, whether it goes.
-    pub(super) goes: &'a [bool],
-    /// Of each edge that goes one half-edge.
-    pub(super) edges: &'a [S::HalfEdge],
-}
-
-/// The cycles that are left, and the faces whose borders go, in groups that become one face each.
-pub(super) struct Nest<S: Store> {
-    /// By half-edge its cycle; nil for those that go.
-    pub(super) cycle_of: Vec<u32>,
-    /// By cycle its half-edge with the smallest index.
-    pub(super) starts: Vec<S::HalfEdge>,
-    /// By cycle the group of the face that it bounds.
-    pub(super) group_of_cycle: Vec<u32>,
+/// The faces in groups that become one face each.
+pub(super) struct Groups {
     /// By face its group. That of the unbounded face is 0.
-    pub(super) group_of: Vec<u32>,
-    /// By group the cycle that is its outer boundary component; nil for the unbounded one.
-    pub(super) outer: Vec<u32>,
-    /// Half-edges that get another next.
-    pub(super) joins: Vec<[S::HalfEdge; 2]>,
+    of: Vec<u32>,
+    pub(super) count: usize,
 }
 
-impl<S: Store> Rest<'_, S> {
-    pub(super) fn goes(&self, h: S::HalfEdge) -> bool {
-        self.goes[self.dcel.store.half_edge_index(h)]
-    }
-
-    /// The half-edge that will follow one that stays. O(half-edges between them that go).
-    fn next(&self, h: S::HalfEdge) -> S::HalfEdge {
-        let store = &self.dcel.store;
-        let mut next = store.next(h);
-        while self.goes(next) {
-            // At the latest the twin of `h` stays.
-            next = store.next(store.twin(next));
-        }
-        next
-    }
-
-    /// A half-edge that leaves the vertex and stays, from the one that it keeps on. O(degree).
-    pub(super) fn leaving(&self, v: S::Vertex) -> Option<S::HalfEdge> {
-        let store = &self.dcel.store;
-        let VertexLink::Leaving(start) = store.vertex_link(v) else { return None };
-        let mut h = start;
-        while self.goes(h) {
-            h = store.next(store.twin(h));
-            if h == start {
-                return None;
-            }
-        }
-        Some(h)
-    }
-
-    /// Finds the groups and the cycles. O(slots α(slots)), where α is the inverse of Ackermann's function.
-    pub(super) fn nest(&self) -> Nest<S> {
-        let store = &self.dcel.store;
-        let (group_of, groups) = self.groups();
-        let (mut cycle_of, mut joins) = (vec![NIL; self.goes.len()], Vec::new());
-        let (mut starts, mut group_of_cycle) = (Vec::new(), Vec::new());
-        for index in 0..self.goes.len() {
-            if self.goes[index] || cycle_of[index] != NIL {
-                continue;
-            }
-            let Some(start) = store.half_edge_at(index) else { continue };
-            let mut h = start;
-            loop {
-                cycle_of[store.half_edge_index(h)] = starts.len() as u32;
-                let next = self.next(h);
-                if next != store.next(h) {
-                    joins.push([h, next]);
-                }
-                h = next;
-                if h == start {
-                    break;
-                }
-            }
-            starts.push(start);
-            group_of_cycle.push(group_of[store.face_index(store.face(store.boundary(start)))]);
-        }
-        let outer = self.outer(&cycle_of, &group_of_cycle, groups);
-        Nest { cycle_of, starts, group_of_cycle, group_of, outer, joins }
-    }
-
-    /// By face its group, and how many there are. An edge that goes joins the groups of its faces.
-    fn groups(&self) -> (Vec<u32>, usize) {
-        let store = &self.dcel.store;
+impl Groups {
+    /// Where these edges go, of each of which there is one half-edge. O(slots α(slots)), where α is the inverse of Ackermann's
+    /// function.
+    pub(super) fn without<S: Store>(store: &S, edges: &[S::HalfEdge]) -> Self {
         let index = |h: S::HalfEdge| store.face_index(store.face(store.boundary(h))) as u32;
         let mut sets = Sets::new(store.face_slots());
-        for h in self.edges {
+        for h in edges {
             sets.join(index(*h), index(store.twin(*h)));
         }
         let mut of = vec![NIL; store.face_slots()];
@@ -125,46 +46,59 @@ impl<S: Store> Rest<'_, S> {
             }
             of[f] = *group;
         }
-        (of, count as usize)
+        Self { of, count: count as usize }
     }
 
-    /// By group its outer cycle.
-    fn outer(&self, cycle_of: &[u32], group_of_cycle: &[u32], groups: usize) -> Vec<u32> {
-        let store = &self.dcel.store;
-        // The components, as sets of cycles.
-        let mut components = Sets::new(group_of_cycle.len());
-        for (index, cycle) in cycle_of.iter().enumerate().filter(|(_, cycle)| **cycle != NIL) {
-            if let Some(h) = store.half_edge_at(index) {
-                let across = cycle_of[store.half_edge_index(store.twin(h))];
-                if *cycle < across {
-                    components.join(*cycle, across);
-                }
+    pub(super) fn of_face<S: Store>(&self, store: &S, f: S::Face) -> usize {
+        self.of[store.face_index(f)] as usize
+    }
+
+    pub(super) fn of_boundary<S: Store>(&self, store: &S, b: S::Boundary) -> usize {
+        self.of_face(store, store.face(b))
+    }
+
+    /// By group the index of the boundary component that is its outer one, or nil, once each cycle has a boundary component, which
+    /// still names a face of its group. O(slots α(slots)).
+    pub(super) fn outer<S: Store>(&self, store: &S) -> Vec<u32> {
+        let index = |h: S::HalfEdge| store.boundary_index(store.boundary(h)) as u32;
+        // The components, as sets of boundary components.
+        let mut components = Sets::new(store.boundary_slots());
+        for h in (0..store.half_edge_slots()).filter_map(|i| store.half_edge_at(i)) {
+            let twin = store.twin(h);
+            if store.half_edge_index(h) < store.half_edge_index(twin) {
+                components.join(index(h), index(twin));
             }
         }
-        // The nodes of the tree: the groups, then the components, by the cycle that stands for each. Of each, how many cycles are left,
+        // The nodes of the tree: the groups, then the components, by the number that stands for each. Of each, how many cycles are left,
         // and the exclusive or of their numbers: if one is left, that is its number.
-        let mut ends = |cycle: u32| [group_of_cycle[cycle as usize] as usize, groups + components.find(cycle) as usize];
-        let mut left = vec![(0_u32, 0_u32); groups + group_of_cycle.len()];
-        for cycle in 0..group_of_cycle.len() as u32 {
-            for node in ends(cycle) {
-                left[node].0 += 1;
+        let mut left = vec![(0_u32, 0_u32); self.count + store.boundary_slots()];
+        let mut take = |left: &mut [(u32, u32)], b: S::Boundary, by: u32| {
+            let cycle = store.boundary_index(b) as u32;
+            let ends = [self.of_boundary(store, b), self.count + components.find(cycle) as usize];
+            for node in ends {
+                left[node].0 = left[node].0.wrapping_add(by);
                 left[node].1 ^= cycle;
             }
+            ends
+        };
+        for b in (0..store.boundary_slots()).filter_map(|i| store.boundary_at(i)) {
+            if matches!(store.start(b), BoundaryStart::HalfEdge(_)) {
+                take(&mut left, b, 1);
+            }
         }
-        let mut outer = vec![NIL; groups];
+        let mut outer = vec![NIL; self.count];
         for first in 1..left.len() {
             let mut node = first;
             while node != 0 && left[node].0 == 1 {
                 let cycle = left[node].1;
-                let [group, component] = ends(cycle);
+                let Some(b) = store.boundary_at(cycle as usize) else { break };
+                let [group, component] = take(&mut left, b, u32::MAX);
                 if node == group {
                     outer[group] = cycle;
+                    node = component;
+                } else {
+                    node = group;
                 }
-                for node in [group, component] {
-                    left[node].0 -= 1;
-                    left[node].1 ^= cycle;
-                }
-                node = if node == group { component } else { group };
             }
         }
         outer

@@ -141,7 +141,7 @@ impl<V: View + ?Sized> Check<'_, V> {
     }
 
     /// The same rules of the half-edges to which those that may differ were linked, and which do not differ themselves: what they
-    /// say of these must still be so.
+    /// say of these must still be so. Origins, labels and `prev` that are wrong here are wrong at another half-edge, too.
     fn neighbours(&mut self) -> Option<()> {
         let has_prev = self.now.has(Part::Prev);
         for position in 0..self.changes.touched {
