@@ -127,7 +127,8 @@ impl Work {
     fn apply<S: Store>(&mut self, dcel: &mut Dcel<S>, removed: &[S::HalfEdge]) {
         let isolated = self.splice(dcel, removed);
         let store = &mut dcel.store;
-        let (mut cycles, islands) = self.keep_boundaries(store);
+        let mut islands = Vec::new();
+        let mut cycles = self.keep_boundaries(store, &mut islands);
         let fresh = self.other_cycles(store);
         for h in removed {
             store.remove_edge(*h);
@@ -198,10 +199,10 @@ impl Work {
         ends.filter(|(v, _)| !self.vertex_goes[store.vertex_index(*v)]).collect()
     }
 
-    /// Takes all boundary components of groups that change from the lists. Gives those that stay, each with what it is now: cycles, and
-    /// isolated vertices with their groups.
-    fn keep_boundaries<S: Store>(&mut self, store: &mut S) -> (Vec<Cycle<S>>, Vec<(S::Boundary, usize)>) {
-        let (mut cycles, mut islands) = (Vec::new(), Vec::new());
+    /// Takes all boundary components of groups that change from the lists. Gives those that are cycles now, and puts those that stay
+    /// isolated vertices in `islands`, with their groups.
+    fn keep_boundaries<S: Store>(&mut self, store: &mut S, islands: &mut Vec<(S::Boundary, usize)>) -> Vec<Cycle<S>> {
+        let mut cycles = Vec::new();
         for index in 0..store.boundary_slots() {
             let Some(boundary) = store.boundary_at(index) else { continue };
             let group = self.groups.of_boundary(store, boundary);
@@ -218,7 +219,7 @@ impl Work {
                 _ => self.retained.dropped.push(store.boundary_key(boundary)),
             }
         }
-        (cycles, islands)
+        cycles
     }
 
     /// Gives a cycle a boundary component. Gives the face that was to the left of the half-edge with the smallest index.

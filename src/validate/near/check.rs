@@ -48,7 +48,7 @@ impl<V: View + ?Sized> Check<'_, V> {
     /// The links of a half-edge that may differ, as they are now.
     #[inline]
     fn changed(&self, h: usize) -> Option<HalfEdge> {
-        let position = self.changes.half_edges.position(&self.was.half_edges, h)?;
+        let position = self.was.half_edges.position(h)?;
         (position < self.changes.touched).then(|| self.changes.half_edges.at(position).row)
     }
 
@@ -418,7 +418,7 @@ impl<V: View + ?Sized> Check<'_, V> {
 
     fn face(&mut self, position: usize) -> Option<()> {
         let (was, now) = (&*self.was, self.now);
-        let Changes { counts, faces, labels, .. } = &mut *self.changes;
+        let Changes { counts, faces, .. } = &mut *self.changes;
         let f = faces.slot(position);
         let face = faces.at_mut(position);
         let before = was.face(f);
@@ -428,7 +428,7 @@ impl<V: View + ?Sized> Check<'_, V> {
         counts.inner -= listed.len();
         if !now.is_face(f) {
             // Whatever it listed must have changed, and is looked at.
-            let is_seen = |b: u32| index(b).is_none_or(|b| labels.position(&was.labels, b).is_some());
+            let is_seen = |b: u32| index(b).is_none_or(|b| was.labels.position(b).is_some());
             return (is_seen(before.outer) && listed.iter().all(|b| is_seen(*b))).then_some(());
         }
         counts.faces += 1;

@@ -50,8 +50,10 @@ impl<R: Row> Column<R> {
         }
     }
 
-    fn mark(&self, index: usize) -> u32 {
-        self.rows.get(index).map_or(0, |row| row.1)
+    /// Where a slot is in the list of seen ones.
+    #[inline]
+    pub(super) fn position(&self, index: usize) -> Option<usize> {
+        self.rows.get(index).and_then(|row| (row.1 as usize).checked_sub(1))
     }
 }
 
@@ -89,15 +91,9 @@ impl<T> Seen<T> {
         }
     }
 
-    /// Where it is in the list.
-    #[inline]
-    pub(super) fn position<R: Row>(&self, column: &Column<R>, index: usize) -> Option<usize> {
-        (column.mark(index) as usize).checked_sub(1)
-    }
-
     #[inline]
     pub(super) fn find<R: Row>(&self, column: &Column<R>, index: usize) -> Option<&T> {
-        self.rows.get(self.position(column, index)?).map(|row| &row.1)
+        self.rows.get(column.position(index)?).map(|row| &row.1)
     }
 
     pub(super) fn len(&self) -> usize {

@@ -6,7 +6,7 @@ use alloc::vec::Vec;
 #[derive(Clone, Debug, Default)]
 pub(super) struct Walks {
     /// The member from which each walk that has not ended comes, and where it is.
-    walks: Vec<(usize, usize)>,
+    under_way: Vec<(usize, usize)>,
     /// By member the one that its walk has met.
     meets: Vec<Option<usize>>,
     is_met: Vec<bool>,
@@ -31,18 +31,18 @@ impl Walks {
         limit: usize,
         step: impl Fn(usize) -> Option<usize>,
     ) -> Option<()> {
-        let Self { walks, meets, is_met } = self;
-        walks.clear();
-        walks.extend(members.iter().copied().enumerate());
+        let Self { under_way, meets, is_met } = self;
+        under_way.clear();
+        under_way.extend(members.iter().copied().enumerate());
         meets.clear();
         meets.resize(members.len(), None);
         is_met.clear();
         is_met.resize(members.len(), false);
         let mut left = limit;
-        while walks.len() > 1 {
-            left = left.checked_sub(walks.len())?;
+        while under_way.len() > 1 {
+            left = left.checked_sub(under_way.len())?;
             let mut position = 0;
-            while let Some((from, at)) = walks.get_mut(position) {
+            while let Some((from, at)) = under_way.get_mut(position) {
                 *at = step(*at)?;
                 let Ok(met) = members.binary_search(at) else {
                     position += 1;
@@ -52,7 +52,7 @@ impl Walks {
                     return None;
                 }
                 meets[*from] = Some(met);
-                walks.swap_remove(position);
+                under_way.swap_remove(position);
             }
         }
         // From the one that no walk has met, if there is one, the chain is as long as there are members.

@@ -123,7 +123,7 @@ impl<'a> Drawing<'a> {
     }
 
     pub(super) fn place(&self, time: Time, v: usize) -> Option<Point> {
-        let seen = if time == Time::After { self.changes.vertices.position(&self.was.vertices, v) } else { None };
+        let seen = if time == Time::After { self.was.vertices.position(v) } else { None };
         match seen {
             Some(position) => self.placed.get(position).copied().flatten(),
             None => self.points.get(v).copied().filter(|_| self.was.vertex(v).is_live()),
