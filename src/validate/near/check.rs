@@ -102,7 +102,7 @@ impl<V: View + ?Sized> Check<'_, V> {
         let now = self.now;
         let h = self.changes.half_edges.slot(position);
         let (before, mut row) = (self.was.half_edge(h), now.half_edge(h)?);
-        if !now.has(Part::Prev) {
+        if row.is_live() && !now.has(Part::Prev) {
             // As before, unless another one is found that leads here.
             row.prev = before.prev;
         }
