@@ -362,7 +362,7 @@ fn what_only_one_check_finds() {
     add_isolated(&mut isolated_in_face, 1);
     let mut one_vertex = rings(0);
     add_isolated(&mut one_vertex, 0);
-    let cases: [(&str, Table, Change, Rule); 8] = [
+    let cases: [(&str, Table, Change, Rule); 9] = [
         (
             "a half-edge is its own twin",
             one_vertex,
@@ -373,6 +373,16 @@ fn what_only_one_check_finds() {
                 table.half_edges.push(Some(row));
                 table.vertices[0] = Some(VertexRow { leaving: Some(0), ..VertexRow::default() });
                 table.boundaries[0].as_mut().unwrap().start = Some(Start::HalfEdge(0));
+            },
+            Rule::L1,
+        ),
+        (
+            "two half-edges are each other's twins, and those that were their twins do not know",
+            rings(1),
+            |table| {
+                for (h, twin) in [(0, 2), (2, 0)] {
+                    table.half_edges[h].as_mut().unwrap().twin = Some(twin);
+                }
             },
             Rule::L1,
         ),

@@ -3,6 +3,8 @@
 mod compact;
 mod nest;
 mod retain;
+mod sets;
+mod splice;
 
 pub use compact::Renamed;
 pub use retain::{MergedFace, Retained};

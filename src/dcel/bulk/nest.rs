@@ -1,170 +1,106 @@
-//! What is left of a structure without some of its edges: the cycles, the faces that have become one, and which cycle of a face
-//! is its outer one.
+//! Which faces become one where edges go, and which boundary component of such a group of faces is its outer one.
 //!
 //! ```text
-//!   the unbounded group:   all its cycles are inner
-//!     across an inner cycle:    the other cycles of that component, each the outer one of its group
-//!       the other cycles of that group:    inner again, and so on
+//!   a group with one cycle: it is the outer one            ┐ and so on, of the cycles
+//!   a component with one cycle: it is its outside, inner   ┘ that are left; the unbounded group has no outer one
 //! ```
+//!
+//! Each cycle is of one group and of one component. Groups and components are a tree in this way, rooted at the unbounded group. A
+//! cycle is outer if the component is the parent of the group, and inner if it is the other way round. The tree is taken apart from
+//! its leaves, each of which has one cycle left: that to its parent.
 
+use super::sets::Sets;
 use crate::dcel::import::gather::NIL;
-use crate::dcel::structure::Dcel;
 use crate::store::Store;
-use crate::store::links::{BoundaryStart, VertexLink};
+use crate::store::links::BoundaryStart;
 use alloc::vec;
 use alloc::vec::Vec;
 
-/// A structure without the edges that are to go. Nothing of it is changed yet.
-pub(super) struct Rest<'a, S: Store> {
-    pub(super) dcel: &'a Dcel<S>,
-    /// By half-edge, whether it goes.
-    pub(super) goes: &'a [bool],
-}
-
-/// The cycles that are left, and the faces whose borders go, in groups that become one face each.
-pub(super) struct Nest<S: Store> {
-    /// By half-edge its cycle; nil for those that go.
-    pub(super) cycle_of: Vec<u32>,
-    /// By cycle its half-edge with the smallest index.
-    pub(super) starts: Vec<S::HalfEdge>,
+/// The faces in groups that become one face each.
+pub(super) struct Groups {
     /// By face its group. That of the unbounded face is 0.
-    pub(super) group_of: Vec<u32>,
-    /// By group the cycle that is its outer boundary component; nil for the unbounded one.
-    pub(super) outer: Vec<u32>,
+    of: Vec<u32>,
+    pub(super) count: usize,
 }
 
-impl<S: Store> Nest<S> {
-    /// The group of the face that a cycle bounds.
-    pub(super) fn group_of_cycle(&self, store: &S, cycle: usize) -> u32 {
-        self.group_of[store.face_index(store.face(store.boundary(self.starts[cycle])))]
-    }
-}
-
-impl<S: Store> Rest<'_, S> {
-    pub(super) fn goes(&self, h: S::HalfEdge) -> bool {
-        self.goes[self.dcel.store.half_edge_index(h)]
-    }
-
-    /// The half-edge that will follow one that stays. O(half-edges between them that go).
-    pub(super) fn next(&self, h: S::HalfEdge) -> S::HalfEdge {
-        let store = &self.dcel.store;
-        let mut next = store.next(h);
-        while self.goes(next) {
-            // At the latest the twin of `h` stays.
-            next = store.next(store.twin(next));
+impl Groups {
+    /// Where these edges go, of each of which there is one half-edge. O(slots α(slots)), where α is the inverse of Ackermann's
+    /// function.
+    pub(super) fn without<S: Store>(store: &S, edges: &[S::HalfEdge]) -> Self {
+        let index = |h: S::HalfEdge| store.face_index(store.face(store.boundary(h))) as u32;
+        let mut sets = Sets::new(store.face_slots());
+        for h in edges {
+            sets.join(index(*h), index(store.twin(*h)));
         }
-        next
-    }
-
-    /// A half-edge that leaves the vertex and stays, from the one that it keeps on. O(degree).
-    pub(super) fn leaving(&self, v: S::Vertex) -> Option<S::HalfEdge> {
-        let store = &self.dcel.store;
-        let VertexLink::Leaving(start) = store.vertex_link(v) else { return None };
-        let mut h = start;
-        while self.goes(h) {
-            h = store.next(store.twin(h));
-            if h == start {
-                return None;
-            }
-        }
-        Some(h)
-    }
-
-    /// The half-edges of a cycle that is left, from one on.
-    pub(super) fn cycle(&self, start: S::HalfEdge) -> impl Iterator<Item = S::HalfEdge> {
-        core::iter::successors(Some(start), move |h| Some(self.next(*h)).filter(|next| *next != start))
-    }
-
-    /// Finds the cycles and the groups. O(slots).
-    pub(super) fn nest(&self) -> Nest<S> {
-        let store = &self.dcel.store;
-        let (mut cycle_of, mut starts) = (vec![NIL; self.goes.len()], Vec::new());
-        for start in (0..self.goes.len()).filter_map(|i| store.half_edge_at(i)) {
-            if self.goes(start) || cycle_of[store.half_edge_index(start)] != NIL {
-                continue;
-            }
-            for h in self.cycle(start) {
-                cycle_of[store.half_edge_index(h)] = starts.len() as u32;
-            }
-            starts.push(start);
-        }
-        let (group_of, groups) = self.groups();
-        let mut nest = Nest { cycle_of, starts, group_of, outer: vec![NIL; groups] };
-        self.find_outer(&mut nest);
-        nest
-    }
-
-    /// By face its group, and how many there are: a search from face to face across the edges that go.
-    fn groups(&self) -> (Vec<u32>, usize) {
-        let store = &self.dcel.store;
         let mut of = vec![NIL; store.face_slots()];
-        let mut groups = 0;
-        let mut queue = Vec::new();
+        // By number that stands for a set, the group.
+        let mut groups = vec![NIL; of.len()];
+        let mut count = 0;
         let faces = (0..of.len()).filter_map(|i| store.face_at(i));
-        for first in core::iter::once(store.unbounded()).chain(faces) {
-            if of[store.face_index(first)] != NIL {
-                continue;
+        for f in core::iter::once(store.unbounded()).chain(faces) {
+            let f = store.face_index(f);
+            let group = &mut groups[sets.find(f as u32) as usize];
+            if *group == NIL {
+                *group = count;
+                count += 1;
             }
-            of[store.face_index(first)] = groups;
-            queue.push(first);
-            while let Some(f) = queue.pop() {
-                let inner = (0..store.inner_count(f)).filter_map(|i| store.inner(f, i));
-                for b in store.outer(f).into_iter().chain(inner) {
-                    let BoundaryStart::HalfEdge(start) = store.start(b) else { continue };
-                    let along =
-                        core::iter::successors(Some(start), |h| Some(store.next(*h)).filter(|next| *next != start));
-                    for h in along.filter(|h| self.goes(*h)) {
-                        let across = store.face(store.boundary(store.twin(h)));
-                        let group = &mut of[store.face_index(across)];
-                        if *group == NIL {
-                            *group = groups;
-                            queue.push(across);
-                        }
-                    }
-                }
-            }
-            groups += 1;
+            of[f] = *group;
         }
-        (of, groups as usize)
+        Self { of, count: count as usize }
     }
 
-    /// Finds the outer cycle of each group, from the unbounded one inwards.
-    fn find_outer(&self, nest: &mut Nest<S>) {
-        let store = &self.dcel.store;
-        let Nest { cycle_of, starts, group_of, outer } = nest;
-        let group_of_cycle = |cycle: u32| {
-            let start = starts[cycle as usize];
-            group_of[store.face_index(store.face(store.boundary(start)))] as usize
-        };
-        // The cycles of each group, as a list threaded through all.
-        let mut cycles = vec![NIL; outer.len()];
-        let mut after = vec![NIL; starts.len()];
-        for cycle in (0..starts.len() as u32).rev() {
-            let first = &mut cycles[group_of_cycle(cycle)];
-            after[cycle as usize] = core::mem::replace(first, cycle);
-        }
-        let mut seen = vec![false; starts.len()];
-        let mut queue = Vec::new();
-        let mut offer_all = |group: usize, seen: &mut [bool], queue: &mut Vec<u32>| {
-            let mut cycle = core::mem::replace(&mut cycles[group], NIL);
-            while cycle != NIL {
-                if !core::mem::replace(&mut seen[cycle as usize], true) {
-                    queue.push(cycle);
-                }
-                cycle = after[cycle as usize];
-            }
-        };
-        offer_all(0, &mut seen, &mut queue);
-        while let Some(cycle) = queue.pop() {
-            for h in self.cycle(starts[cycle as usize]) {
-                let across = cycle_of[store.half_edge_index(store.twin(h))];
-                if seen[across as usize] {
-                    continue;
-                }
-                let group = group_of_cycle(across);
-                outer[group] = across;
-                offer_all(group, &mut seen, &mut queue);
+    pub(super) fn of_face<S: Store>(&self, store: &S, f: S::Face) -> usize {
+        self.of[store.face_index(f)] as usize
+    }
+
+    pub(super) fn of_boundary<S: Store>(&self, store: &S, b: S::Boundary) -> usize {
+        self.of_face(store, store.face(b))
+    }
+
+    /// By group the index of the boundary component that is its outer one, or nil, once each cycle has a boundary component, which
+    /// still names a face of its group. O(slots α(slots)).
+    pub(super) fn outer<S: Store>(&self, store: &S) -> Vec<u32> {
+        let index = |h: S::HalfEdge| store.boundary_index(store.boundary(h)) as u32;
+        // The components, as sets of boundary components.
+        let mut components = Sets::new(store.boundary_slots());
+        for h in (0..store.half_edge_slots()).filter_map(|i| store.half_edge_at(i)) {
+            let twin = store.twin(h);
+            if store.half_edge_index(h) < store.half_edge_index(twin) {
+                components.join(index(h), index(twin));
             }
         }
+        // The nodes of the tree: the groups, then the components, by the number that stands for each. Of each, how many cycles are left,
+        // and the exclusive or of their numbers: if one is left, that is its number.
+        let mut left = vec![(0_u32, 0_u32); self.count + store.boundary_slots()];
+        let mut take = |left: &mut [(u32, u32)], b: S::Boundary, by: u32| {
+            let cycle = store.boundary_index(b) as u32;
+            let ends = [self.of_boundary(store, b), self.count + components.find(cycle) as usize];
+            for node in ends {
+                left[node].0 = left[node].0.wrapping_add(by);
+                left[node].1 ^= cycle;
+            }
+            ends
+        };
+        for b in (0..store.boundary_slots()).filter_map(|i| store.boundary_at(i)) {
+            if matches!(store.start(b), BoundaryStart::HalfEdge(_)) {
+                take(&mut left, b, 1);
+            }
+        }
+        let mut outer = vec![NIL; self.count];
+        for first in 1..left.len() {
+            let mut node = first;
+            while node != 0 && left[node].0 == 1 {
+                let cycle = left[node].1;
+                let Some(b) = store.boundary_at(cycle as usize) else { break };
+                let [group, component] = take(&mut left, b, u32::MAX);
+                if node == group {
+                    outer[group] = cycle;
+                    node = component;
+                } else {
+                    node = group;
+                }
+            }
+        }
+        outer
     }
 }

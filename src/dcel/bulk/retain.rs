@@ -1,6 +1,6 @@
 //! Keeping some vertices and edges and removing all others.
 
-use super::nest::{Nest, Rest};
+use super::nest::Groups;
 use crate::dcel::elements::{HalfEdge, Vertex};
 use crate::dcel::error::OperatorError;
 use crate::dcel::structure::Dcel;
@@ -49,8 +49,8 @@ impl<S: Store> Dcel<S> {
     ///
     /// The order of the inner boundary components of a face that lost an edge changes.
     ///
-    /// O(slots) time and memory, however much goes. So a few edges are better removed one by one, and so are edges that separate
-    /// short cycles, one place after the other.
+    /// O(slots α(slots)) time and O(slots) memory, however much goes; α is the inverse of Ackermann's function, at most 4. So a few edges
+    /// are better removed one by one, and so are edges that separate short cycles, one place after the other.
     ///
     /// # Errors
     /// [`OperatorError::Full`] if more boundary components are made than dropped, and there is no room for them.
@@ -74,199 +74,210 @@ impl<S: Store> Dcel<S> {
         let store = &self.store;
         let mut vertex_goes = vec![false; store.vertex_slots()];
         let mut goes = vec![false; store.half_edge_slots()];
+        let mut removed = Vec::new();
         let mut retained = Retained::default();
         for v in self.vertices().filter(|v| !vertices(*v)) {
             vertex_goes[v.index()] = true;
             retained.vertices.push(v.key());
         }
+        let any_goes = !retained.vertices.is_empty();
         for h in self.edges() {
-            if vertex_goes[h.origin().index()] || vertex_goes[h.target().index()] || !edges(h) {
+            let loses_end = any_goes && (vertex_goes[h.origin().index()] || vertex_goes[h.target().index()]);
+            if loses_end || !edges(h) {
                 goes[h.index()] = true;
                 goes[h.twin().index()] = true;
                 retained.edges.push(h.key());
+                removed.extend(store.half_edge_at(h.index()));
             }
         }
         if retained.vertices.is_empty() && retained.edges.is_empty() {
             return Ok(retained);
         }
-        let rest = Rest { dcel: self, goes: &goes };
-        let nest = rest.nest();
-        let plan = Plan::new(&rest, &nest, &vertex_goes);
-        let boundaries = plan.made.saturating_sub(plan.dropped.len());
+        let groups = Groups::without(store, &removed);
+        // Euler's formula gives the number of components, hence that of boundary components.
+        let [vertices, edges] = [self.vertex_count() - retained.vertices.len(), self.edge_count() - removed.len()];
+        let boundaries = (vertices + 2 * groups.count - 2 - edges).saturating_sub(self.boundary_count());
         self.room_for(Need { boundaries, ..Need::NONE })?;
-        plan.apply(&mut self.store, &nest, &mut retained);
-        Ok(retained)
+        let mut work = Work { changes: vec![false; groups.count], groups, goes, vertex_goes, retained };
+        work.apply(self, &removed);
+        Ok(work.retained)
     }
 }
 
-/// What is to be done, found out before anything is changed.
-struct Plan<S: Store> {
+/// A cycle of a group in which something changes.
+struct Cycle<S: Store> {
+    boundary: S::Boundary,
+    group: usize,
+    /// The face to the left of the half-edge with the smallest index, as it was.
+    face: S::Face,
+}
+
+/// What is being done, once it is known that there is room for it.
+struct Work {
+    groups: Groups,
     /// By group, whether it loses an edge or a vertex. What belongs to the others stays as it is.
     changes: Vec<bool>,
-    /// By group the face that is kept.
-    kept: Vec<S::Face>,
-    vertices: Vec<S::Vertex>,
-    /// Of each edge one half-edge.
-    edges: Vec<S::HalfEdge>,
-    faces: Vec<S::Face>,
-    dropped: Vec<S::Boundary>,
-    /// How many boundary components are new.
-    made: usize,
-    /// By cycle the boundary component that it keeps.
-    cycles: Vec<Option<S::Boundary>>,
-    /// Half-edges that get another next.
-    joins: Vec<[S::HalfEdge; 2]>,
-    /// Vertices that keep another half-edge.
-    leaving: Vec<(S::Vertex, S::HalfEdge)>,
-    /// Vertices that become isolated, and their groups.
-    isolated: Vec<(S::Vertex, u32)>,
-    /// The boundary components of isolated vertices that stay, and their groups.
-    islands: Vec<(S::Boundary, u32)>,
+    /// By half-edge, whether it goes, or has its boundary component.
+    goes: Vec<bool>,
+    vertex_goes: Vec<bool>,
+    retained: Retained,
 }
 
-impl<S: Store> Plan<S> {
-    fn new(rest: &Rest<'_, S>, nest: &Nest<S>, vertex_goes: &[bool]) -> Self {
-        let store = &rest.dcel.store;
-        let face_at = |h: S::HalfEdge| store.face(store.boundary(h));
-        let group = |f: S::Face| nest.group_of[store.face_index(f)];
-        let kept = core::iter::once(store.unbounded())
-            .chain(nest.outer.iter().skip(1).map(|cycle| face_at(nest.starts[*cycle as usize])));
-        let mut plan = Self {
-            changes: vec![false; nest.outer.len()],
-            kept: kept.collect(),
-            vertices: Vec::new(),
-            edges: Vec::new(),
-            faces: Vec::new(),
-            dropped: Vec::new(),
-            made: 0,
-            cycles: vec![None; nest.starts.len()],
-            joins: Vec::new(),
-            leaving: Vec::new(),
-            isolated: Vec::new(),
-            islands: Vec::new(),
-        };
-        for h in (0..rest.goes.len()).filter_map(|i| store.half_edge_at(i)) {
-            let next = store.next(h);
-            if rest.goes(h) {
-                plan.changes[group(face_at(h)) as usize] = true;
-                if store.half_edge_index(h) < store.half_edge_index(store.twin(h)) {
-                    plan.edges.push(h);
-                }
-            } else if rest.goes(next) {
-                plan.joins.push([h, rest.next(h)]);
+impl Work {
+    fn apply<S: Store>(&mut self, dcel: &mut Dcel<S>, removed: &[S::HalfEdge]) {
+        let isolated = self.splice(dcel, removed);
+        let store = &mut dcel.store;
+        let mut islands = Vec::new();
+        let mut cycles = self.keep_boundaries(store, &mut islands);
+        let fresh = self.other_cycles(store);
+        for h in removed {
+            store.remove_edge(*h);
+        }
+        for index in 0..self.vertex_goes.len() {
+            if self.vertex_goes[index] {
+                store.vertex_at(index).into_iter().for_each(|v| store.remove_vertex(v));
             }
         }
-        for (v, goes) in vertex_goes.iter().enumerate().filter_map(|(i, goes)| Some((store.vertex_at(i)?, *goes))) {
-            match store.vertex_link(v) {
-                _ if goes => plan.vertices.push(v),
-                VertexLink::Leaving(h) if rest.goes(h) => match rest.leaving(v) {
-                    Some(h) => plan.leaving.push((v, h)),
-                    None => plan.isolated.push((v, group(face_at(h)))),
-                },
-                _ => {}
-            }
-            if let (true, VertexLink::Isolated(b)) = (goes, store.vertex_link(v)) {
-                plan.changes[group(store.face(b)) as usize] = true;
-            }
+        for key in &self.retained.dropped {
+            store.find_boundary(*key).into_iter().for_each(|b| store.remove_boundary(b));
         }
-        plan.boundaries(rest, nest, vertex_goes);
-        let is_dropped = |f: &S::Face| plan.kept[group(*f) as usize] != *f;
-        plan.faces = (0..store.face_slots()).filter_map(|i| store.face_at(i)).filter(is_dropped).collect();
-        plan
-    }
-
-    /// Finds out which boundary components stay, where something changes.
-    fn boundaries(&mut self, rest: &Rest<'_, S>, nest: &Nest<S>, vertex_goes: &[bool]) {
-        let store = &rest.dcel.store;
-        for b in (0..store.boundary_slots()).filter_map(|i| store.boundary_at(i)) {
-            let group = nest.group_of[store.face_index(store.face(b))];
-            if !self.changes[group as usize] {
-                continue;
-            }
-            match store.start(b) {
-                BoundaryStart::Vertex(v) if !vertex_goes[store.vertex_index(v)] => self.islands.push((b, group)),
-                BoundaryStart::HalfEdge(start) if !rest.goes(start) => {
-                    let cycle = &mut self.cycles[nest.cycle_of[store.half_edge_index(start)] as usize];
-                    if cycle.is_none() {
-                        *cycle = Some(b);
-                    } else {
-                        self.dropped.push(b);
-                    }
-                }
-                _ => self.dropped.push(b),
-            }
-        }
-        let new = self.changing_cycles(store, nest).filter(|cycle| self.cycles[*cycle].is_none()).count();
-        self.made = new + self.isolated.len();
-    }
-
-    /// The cycles of groups in which something changes.
-    fn changing_cycles(&self, store: &S, nest: &Nest<S>) -> impl Iterator<Item = usize> {
-        (0..nest.starts.len()).filter(|cycle| self.changes[nest.group_of_cycle(store, *cycle) as usize])
-    }
-
-    fn apply(self, store: &mut S, nest: &Nest<S>, retained: &mut Retained) {
-        let cycles: Vec<_> = self
-            .changing_cycles(store, nest)
-            .map(|cycle| (cycle, nest.group_of_cycle(store, cycle) as usize))
-            .collect();
-        for index in 0..store.boundary_slots() {
-            let Some(b) = store.boundary_at(index) else { continue };
-            if self.changes[nest.group_of[store.face_index(store.face(b))] as usize] {
-                store.unlist(b);
-            }
-        }
-        for [h, next] in self.joins {
-            store.join(h, next);
-        }
-        for (v, h) in self.leaving {
-            store.set_vertex_link(v, VertexLink::Leaving(h));
-        }
-        for h in self.edges {
-            store.remove_edge(h);
-        }
-        for v in self.vertices {
-            store.remove_vertex(v);
-        }
-        for b in self.dropped {
-            retained.dropped.push(store.boundary_key(b));
-            store.remove_boundary(b);
-        }
-        for (cycle, group) in cycles {
-            let (start, face) = (nest.starts[cycle], self.kept[group]);
-            let b = self.cycles[cycle].unwrap_or_else(|| {
-                let made = store.add_boundary(face, BoundaryStart::HalfEdge(start));
-                retained.made.push(store.boundary_key(made));
-                made
-            });
+        for (start, group, face) in fresh {
+            let boundary = store.add_boundary(face, BoundaryStart::HalfEdge(start));
+            self.retained.made.push(store.boundary_key(boundary));
             let mut h = start;
             loop {
-                store.set_boundary(h, b);
+                store.set_boundary(h, boundary);
                 h = store.next(h);
                 if h == start {
                     break;
                 }
             }
-            if nest.outer[group] == cycle as u32 {
-                store.list_outer(face, b);
-            } else {
-                store.list_inner(face, b);
+            cycles.push(Cycle { boundary, group, face });
+        }
+        let outer = self.groups.outer(store);
+        let mut kept = vec![store.unbounded(); self.groups.count];
+        let is_outer = |store: &S, b: S::Boundary, group: usize| outer[group] as usize == store.boundary_index(b);
+        for Cycle { boundary, group, face } in &cycles {
+            if is_outer(store, *boundary, *group) {
+                kept[*group] = *face;
             }
         }
-        for (v, group) in self.isolated {
-            let face = self.kept[group as usize];
-            let made = store.add_boundary(face, BoundaryStart::Vertex(v));
-            retained.made.push(store.boundary_key(made));
+        for Cycle { boundary, group, .. } in cycles {
+            if is_outer(store, boundary, group) {
+                store.list_outer(kept[group], boundary);
+            } else {
+                store.list_inner(kept[group], boundary);
+            }
+        }
+        for (v, group) in isolated {
+            let made = store.add_boundary(kept[group], BoundaryStart::Vertex(v));
+            self.retained.made.push(store.boundary_key(made));
             store.set_vertex_link(v, VertexLink::Isolated(made));
-            store.list_inner(face, made);
+            store.list_inner(kept[group], made);
         }
-        for (b, group) in self.islands {
-            store.list_inner(self.kept[group as usize], b);
+        for (b, group) in islands {
+            store.list_inner(kept[group], b);
         }
-        for f in self.faces {
-            let kept = self.kept[nest.group_of[store.face_index(f)] as usize];
-            retained.faces.push(MergedFace { dropped: store.face_key(f), kept: store.face_key(kept) });
-            store.remove_face(f);
+        self.merge_faces(store, &kept);
+    }
+
+    /// Takes the edges out of the links, and finds out which groups change. Gives the vertices that become isolated, with their groups.
+    fn splice<S: Store>(&mut self, dcel: &mut Dcel<S>, removed: &[S::HalfEdge]) -> Vec<(S::Vertex, usize)> {
+        let mut last = Vec::new();
+        for h in removed {
+            let group = self.groups.of_boundary(&dcel.store, dcel.store.boundary(*h));
+            self.changes[group] = true;
+            dcel.splice_out(*h, &mut last);
+        }
+        let store = &dcel.store;
+        for v in self.retained.vertices.iter().filter_map(|key| store.find_vertex(*key)) {
+            if let VertexLink::Isolated(b) = store.vertex_link(v) {
+                self.changes[self.groups.of_boundary(store, b)] = true;
+            }
+        }
+        let ends = last.into_iter().map(|h| (store.origin(h), self.groups.of_boundary(store, store.boundary(h))));
+        ends.filter(|(v, _)| !self.vertex_goes[store.vertex_index(*v)]).collect()
+    }
+
+    /// Takes all boundary components of groups that change from the lists. Gives those that are cycles now, and puts those that stay
+    /// isolated vertices in `islands`, with their groups.
+    fn keep_boundaries<S: Store>(&mut self, store: &mut S, islands: &mut Vec<(S::Boundary, usize)>) -> Vec<Cycle<S>> {
+        let mut cycles = Vec::new();
+        for index in 0..store.boundary_slots() {
+            let Some(boundary) = store.boundary_at(index) else { continue };
+            let group = self.groups.of_boundary(store, boundary);
+            if !self.changes[group] {
+                continue;
+            }
+            store.unlist(boundary);
+            match store.start(boundary) {
+                BoundaryStart::HalfEdge(h) if !self.goes[store.half_edge_index(h)] => {
+                    let face = self.relabel(store, h, boundary);
+                    cycles.push(Cycle { boundary, group, face });
+                }
+                BoundaryStart::Vertex(v) if !self.vertex_goes[store.vertex_index(v)] => islands.push((boundary, group)),
+                _ => self.retained.dropped.push(store.boundary_key(boundary)),
+            }
+        }
+        cycles
+    }
+
+    /// Gives a cycle a boundary component. Gives the face that was to the left of the half-edge with the smallest index.
+    fn relabel<S: Store>(&mut self, store: &mut S, start: S::HalfEdge, boundary: S::Boundary) -> S::Face {
+        let mut least = (usize::MAX, boundary);
+        let mut h = start;
+        loop {
+            let (index, before) = (store.half_edge_index(h), store.boundary(h));
+            self.goes[index] = true;
+            if index < least.0 {
+                least = (index, before);
+            }
+            if before != boundary {
+                store.set_boundary(h, boundary);
+            }
+            h = store.next(h);
+            if h == start {
+                return store.face(least.1);
+            }
+        }
+    }
+
+    /// The cycles on which no boundary component starts: of each the half-edge with the smallest index, the group, and the face that
+    /// was to its left.
+    fn other_cycles<S: Store>(&mut self, store: &S) -> Vec<(S::HalfEdge, usize, S::Face)> {
+        let mut cycles = Vec::new();
+        for index in 0..self.goes.len() {
+            if self.goes[index] {
+                continue;
+            }
+            let Some(start) = store.half_edge_at(index) else { continue };
+            let face = store.face(store.boundary(start));
+            let group = self.groups.of_face(store, face);
+            if !self.changes[group] {
+                continue;
+            }
+            let mut h = start;
+            loop {
+                self.goes[store.half_edge_index(h)] = true;
+                h = store.next(h);
+                if h == start {
+                    break;
+                }
+            }
+            cycles.push((start, group, face));
+        }
+        cycles
+    }
+
+    /// Removes the faces that are part of another one now.
+    fn merge_faces<S: Store>(&mut self, store: &mut S, kept: &[S::Face]) {
+        for index in 0..store.face_slots() {
+            let Some(f) = store.face_at(index) else { continue };
+            let group = self.groups.of_face(store, f);
+            if self.changes[group] && kept[group] != f {
+                self.retained.faces.push(MergedFace { dropped: store.face_key(f), kept: store.face_key(kept[group]) });
+                store.remove_face(f);
+            }
         }
     }
 }

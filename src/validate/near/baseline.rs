@@ -1,7 +1,9 @@
 //! The structure as it was when it was last found right.
 
-use super::check::{Changes, Counts, changes};
-use super::mirror::{Face, HalfEdge, Label, Mirror, Now, OUTER, Vertex};
+use super::changes::{Changes, Counts};
+use super::check::find_changes;
+use super::column::Row;
+use super::mirror::{Face, Mirror, Now, Vertex};
 use super::touched::Touched;
 use crate::validate::columns::NIL;
 use crate::validate::expectation::{Expectation, Part};
@@ -13,12 +15,15 @@ use alloc::vec::Vec;
 
 /// The links of a structure that was found right, to compare it with after a change. See [`validate_near`].
 ///
-/// Takes 20 bytes per half-edge, 8 per vertex, 24 per boundary component, and 32 per face with 4 for each entry of its list.
+/// Takes 24 bytes per half-edge, 12 per vertex, 20 per boundary component, and 32 per face with 4 for each entry of its list. The memory
+/// that a check takes is kept for the next one: some 40 bytes for each record that was touched, where there were most of them.
 #[derive(Clone, Debug)]
 pub struct Baseline {
     pub(super) expect: Expectation,
     pub(super) mirror: Mirror,
     pub(super) counts: Counts,
+    /// What the last check has found.
+    pub(super) changes: Changes,
 }
 
 /// Why there is no [`Baseline`] of a structure.
@@ -83,7 +88,12 @@ impl Baseline {
 
     /// Of a structure that is right.
     pub(super) fn of_right<V: View + ?Sized>(view: &V, expectation: &Expectation) -> Result<Self, BaselineError> {
-        let mut baseline = Self { expect: *expectation, mirror: Mirror::default(), counts: Counts::default() };
+        let mut baseline = Self {
+            expect: *expectation,
+            mirror: Mirror::default(),
+            counts: Counts::default(),
+            changes: Changes::default(),
+        };
         baseline.read(view).ok_or(BaselineError::Changing)?;
         Ok(baseline)
     }
@@ -113,90 +123,87 @@ impl Baseline {
             counts.half_edges += usize::from(row.is_live());
             mirror.half_edges.push(row);
             if row.is_live() {
-                mirror.vertices.get_mut(row.origin as usize)?.leaving = h as u32;
+                mirror.vertices.row_mut(row.origin as usize)?.leaving = h as u32;
             }
         }
         for h in 0..now.half_edges {
             let row = mirror.half_edge(h);
             if row.is_live() {
-                mirror.half_edges.get_mut(row.next as usize)?.prev = h as u32;
+                mirror.half_edges.row_mut(row.next as usize)?.prev = h as u32;
             }
         }
         if now.has(Part::Faces) {
-            mirror.labels = (0..now.labels).map(|b| now.label(b)).collect::<Option<_>>()?;
+            for b in 0..now.labels {
+                mirror.labels.push(now.label(b)?);
+            }
             counts.faces = (0..now.faces).filter(|f| now.is_face(*f)).count();
         }
         if now.has(Part::BoundaryComponents) {
             for f in 0..now.faces {
-                let face = read_face(&now, f)?;
+                let (face, inner) = read_face(&now, f)?;
                 counts.unbounded += usize::from(face.outer == NIL);
-                counts.inner += face.inner.len();
+                counts.inner += inner.len();
                 mirror.faces.push(face);
+                mirror.inner.push(inner);
             }
         }
         self.counts = counts;
         Some(())
     }
 
-    /// Follows the structure.
-    pub(super) fn follow<V: View + ?Sized>(&mut self, now: &Now<'_, V>, changes: Changes) {
-        let mirror = &mut self.mirror;
-        fit(&mut mirror.half_edges, now.half_edges, HalfEdge::VACANT);
-        fit(&mut mirror.vertices, now.vertices, Vertex::VACANT);
-        fit(&mut mirror.labels, now.labels, Label::VACANT);
-        fit(&mut mirror.faces, if now.has(Part::BoundaryComponents) { now.faces } else { 0 }, Face::VACANT);
-        for (h, row) in changes.half_edges {
-            put(&mut mirror.half_edges, h, row);
+    /// Finds what has changed. Nothing if it cannot be right.
+    pub(super) fn find_changes<V: View + ?Sized>(&mut self, now: &Now<'_, V>, touched: &Touched) -> Option<()> {
+        find_changes(&mut self.mirror, now, self.counts, touched, &mut self.changes)
+    }
+
+    /// Follows the structure to where the last check has found it.
+    pub(super) fn follow(&mut self) {
+        let Self { mirror, changes, .. } = self;
+        for (h, row) in changes.touched() {
+            put(mirror.half_edges.row_mut(h), row);
         }
-        for (h, prev) in changes.followed {
-            if let Some(row) = mirror.half_edges.get_mut(h) {
-                row.prev = prev;
+        for (h, seen) in changes.half_edges.iter().skip(changes.touched) {
+            if let Some(row) = mirror.half_edges.row_mut(h) {
+                row.prev = seen.row.prev;
             }
         }
-        for (v, row) in changes.vertices {
-            put(&mut mirror.vertices, v, row);
+        for (v, seen) in changes.vertices.iter() {
+            put(mirror.vertices.row_mut(v), seen.row);
         }
-        for (b, row) in changes.labels {
-            put(&mut mirror.labels, b, row);
+        for (b, seen) in changes.labels.iter() {
+            put(mirror.labels.row_mut(b), seen.row);
         }
-        for (f, row) in changes.faces {
-            match (mirror.faces.get_mut(f), row) {
-                (Some(face), Some((outer, inner))) => {
-                    face.outer = outer;
-                    face.inner.resize(inner, NIL);
-                }
-                (Some(face), None) => *face = Face::VACANT,
-                (None, _) => {}
+        for (f, seen) in changes.faces.iter() {
+            let (Some(face), Some(list)) = (mirror.faces.row_mut(f), mirror.inner.get_mut(f)) else { continue };
+            if let Some((outer, inner)) = seen.now {
+                face.outer = outer;
+                list.resize(inner, NIL);
+            } else {
+                *face = Face::VACANT;
+                *list = Vec::new();
             }
         }
-        for (f, i, b) in changes.entries {
-            if let Some(entry) = mirror.faces.get_mut(f).and_then(|face| face.inner.get_mut(i)) {
-                *entry = b;
+        for (f, i, b) in &changes.entries {
+            if let Some(entry) = mirror.inner.get_mut(*f).and_then(|list| list.get_mut(*i)) {
+                *entry = *b;
             }
         }
         self.counts = changes.counts;
     }
 }
 
-fn read_face<V: View + ?Sized>(now: &Now<'_, V>, f: usize) -> Option<Face> {
+fn read_face<V: View + ?Sized>(now: &Now<'_, V>, f: usize) -> Option<(Face, Vec<u32>)> {
     if !now.is_face(f) {
-        return Some(Face::VACANT);
+        return Some((Face::VACANT, Vec::new()));
     }
-    let outer = now.view.outer(f).map_or(OUTER, |b| b as u32);
+    let outer = now.view.outer(f).map_or(NIL, |b| b as u32);
     let listed = if now.has(Part::Holes) { now.view.inner_count(f) } else { 0 };
     let inner: Option<Vec<u32>> = (0..listed).map(|i| now.view.inner(f, i).map(|b| b as u32)).collect();
-    Some(Face { outer, inner: inner? })
+    Some((Face { outer }, inner?))
 }
 
-/// As long as there are slots.
-pub(super) fn fit<T: Clone>(column: &mut Vec<T>, slots: usize, vacant: T) {
-    if column.len() < slots {
-        column.resize(slots, vacant);
-    }
-}
-
-fn put<T>(column: &mut [T], slot: usize, row: T) {
-    if let Some(place) = column.get_mut(slot) {
+fn put<T>(place: Option<&mut T>, row: T) {
+    if let Some(place) = place {
         *place = row;
     }
 }
@@ -230,10 +237,9 @@ pub fn validate_near<V: View + ?Sized>(
     view: &V,
     touched: &Touched,
 ) -> Result<(), Box<Report>> {
-    let now = Now::new(view, baseline.expect);
-    let found = now.as_ref().and_then(|now| changes(&baseline.mirror, now, baseline.counts, touched));
-    if let (Some(now), Some(changes)) = (now, found) {
-        baseline.follow(&now, changes);
+    let found = Now::new(view, baseline.expect).and_then(|now| baseline.find_changes(&now, touched));
+    if found.is_some() {
+        baseline.follow();
         return Ok(());
     }
     validate(view, &baseline.expect, Collect::All).into_result()?;

@@ -1,70 +1,19 @@
 //! The check itself: everything that the records which have changed can break.
 
+use super::changes::{Changes, Counts, SeenFace, SeenGroup, SeenHalfEdge};
+use super::column::Row;
 use super::mirror::{HalfEdge, Label, Mirror, Now, OUTER, Vertex};
-use super::orbits;
 use super::touched::Touched;
 use crate::validate::columns::NIL;
 use crate::validate::expectation::{Part, Surface};
 use crate::validate::view::{Start, View};
-use alloc::vec::Vec;
 
-/// How many records there are.
-#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
-pub(super) struct Counts {
-    pub(super) vertices: usize,
-    pub(super) half_edges: usize,
-    pub(super) faces: usize,
-    pub(super) unbounded: usize,
-    pub(super) inner: usize,
-}
-
-/// What has changed since, for the mirror to follow.
-#[derive(Debug, Default)]
-pub(super) struct Changes {
-    pub(super) half_edges: Vec<(usize, HalfEdge)>,
-    /// Half-edges that have not changed, with the one that leads to each now.
-    pub(super) followed: Vec<(usize, u32)>,
-    pub(super) vertices: Vec<(usize, Vertex)>,
-    pub(super) labels: Vec<(usize, Label)>,
-    /// Faces, and what they have, unless they are vacant: the outer boundary component, and how many inner ones.
-    pub(super) faces: Vec<(usize, Option<(u32, usize)>)>,
-    /// Entries of lists: the face, the position, and the boundary component.
-    pub(super) entries: Vec<(usize, usize, u32)>,
-    pub(super) counts: Counts,
-}
-
-impl Changes {
-    /// Of a structure that has come since there was nothing.
-    #[cfg(feature = "geometry")]
-    pub(super) fn all_of(mirror: &Mirror, counts: Counts) -> Self {
-        let faces = mirror.faces.iter().map(|face| face.is_live().then_some((face.outer, face.inner.len())));
-        Self {
-            half_edges: mirror.half_edges.iter().copied().enumerate().collect(),
-            vertices: mirror.vertices.iter().copied().enumerate().collect(),
-            labels: mirror.labels.iter().copied().enumerate().collect(),
-            faces: faces.enumerate().collect(),
-            counts,
-            ..Self::default()
-        }
-    }
-}
-
-/// A member of a vertex or label that has come or turned: the group, the half-edge, and whether it belonged there before.
-type Member = (usize, usize, bool);
-
-/// What is being checked: the structure as it was and is, and which records may differ, sorted.
-pub(super) struct Check<'a, V: ?Sized> {
-    was: &'a Mirror,
+/// What is being checked: the structure as it was and is, and what differs.
+struct Check<'a, V: ?Sized> {
+    /// Only the marks change.
+    was: &'a mut Mirror,
     now: &'a Now<'a, V>,
-    half_edges: Vec<usize>,
-    changes: Changes,
-}
-
-/// Sorts, and drops what occurs twice.
-fn sorted<T: Ord>(mut list: Vec<T>) -> Vec<T> {
-    list.sort_unstable();
-    list.dedup();
-    list
+    changes: &'a mut Changes,
 }
 
 /// The link of a column.
@@ -72,98 +21,186 @@ fn index(link: u32) -> Option<usize> {
     (link < NIL - 1).then_some(link as usize)
 }
 
-/// The part of a list of members that is of this group.
-fn of_group(members: &[Member], group: usize) -> &[Member] {
-    let from = members.partition_point(|member| member.0 < group);
-    let len = members[from..].partition_point(|member| member.0 == group);
-    &members[from..from + len]
-}
-
-/// Everything that has changed, if no rule from R1 to F2 is broken, nor the sum of Euler's formula.
-pub(super) fn changes<'a, V: View + ?Sized>(
-    was: &'a Mirror,
-    now: &'a Now<'a, V>,
+/// Finds everything that has changed. Nothing if a rule from R1 to F2 is broken, or the sum of Euler's formula.
+pub(super) fn find_changes<V: View + ?Sized>(
+    was: &mut Mirror,
+    now: &Now<'_, V>,
     counts: Counts,
     touched: &Touched,
-) -> Option<Changes> {
-    let half_edges = sorted(touched.half_edges.clone());
-    let mut check = Check { was, now, half_edges, changes: Changes { counts, ..Changes::default() } };
-    let (turned, relabelled) = check.links()?;
-    let labels = check.labels_to_see(touched);
-    check.vertices(touched, &labels, &turned)?;
+    changes: &mut Changes,
+) -> Option<()> {
+    changes.clear(was, counts);
+    was.fit(now);
+    let mut check = Check { was, now, changes };
+    check.half_edges(touched)?;
+    check.neighbours()?;
+    check.led()?;
     if now.has(Part::Faces) {
-        check.labels(&labels, &relabelled)?;
-        check.faces(touched, &labels)?;
+        check.see_labels(touched);
+        check.labels()?;
+        check.faces(touched)?;
     }
-    check.euler()?;
-    Some(check.changes)
+    check.vertices(touched)?;
+    check.euler()
 }
 
 impl<V: View + ?Sized> Check<'_, V> {
-    fn may_differ(&self, h: usize) -> bool {
-        self.half_edges.binary_search(&h).is_ok()
+    /// The links of a half-edge that may differ, as they are now.
+    #[inline]
+    fn changed(&self, h: usize) -> Option<HalfEdge> {
+        let position = self.was.half_edges.position(h)?;
+        (position < self.changes.touched).then(|| self.changes.half_edges.at(position).row)
     }
 
-    /// R1 of half-edges, L1, L2, L3, and the labels along `next`: of each half-edge that may differ, and of those that it was
-    /// linked to. Gives the half-edges that are new at their vertex or turn elsewhere, and those that are new on their label or
-    /// lead elsewhere.
-    fn links(&mut self) -> Option<(Vec<Member>, Vec<Member>)> {
-        let (was, now) = (self.was, self.now);
-        let mut around = self.half_edges.clone();
-        for h in &self.half_edges {
-            let row = was.half_edge(*h);
-            around.extend([row.twin, row.next, row.prev].into_iter().filter_map(index));
+    fn see_vertex(&mut self, v: usize) {
+        let seen = SeenGroup { row: Vertex::VACANT, first: 0 };
+        self.changes.vertices.see(&mut self.was.vertices, v, seen);
+    }
+
+    fn see_label(&mut self, b: usize) {
+        let seen = SeenGroup { row: Label::VACANT, first: 0 };
+        self.changes.labels.see(&mut self.was.labels, b, seen);
+    }
+
+    fn see_face(&mut self, f: usize) -> Option<&mut SeenFace> {
+        let position = self.changes.faces.see(&mut self.was.faces, f, SeenFace::default())?;
+        Some(self.changes.faces.at_mut(position))
+    }
+
+    /// A half-edge is new at its vertex, or followed by another one there.
+    fn turned(&mut self, v: u32, h: usize, is_old: bool) {
+        let seen = SeenGroup { row: Vertex::VACANT, first: 0 };
+        if let Some(position) = self.changes.vertices.see(&mut self.was.vertices, v as usize, seen) {
+            let first = &mut self.changes.vertices.at_mut(position).first;
+            *first = self.changes.members.push(h, is_old, *first);
         }
-        let (mut turned, mut relabelled, mut follows) = (Vec::new(), Vec::new(), Vec::new());
-        for h in sorted(around) {
-            let (before, row) = (was.half_edge(h), now.half_edge(h)?);
-            if self.may_differ(h) {
-                self.changes.counts.half_edges += usize::from(row.is_live());
-                self.changes.counts.half_edges -= usize::from(before.is_live());
-                self.changes.half_edges.push((h, row));
+    }
+
+    /// A half-edge is new on its label, or leads to another one.
+    fn relabelled(&mut self, b: u32, h: usize, is_old: bool) {
+        let seen = SeenGroup { row: Label::VACANT, first: 0 };
+        if let Some(position) = self.changes.labels.see(&mut self.was.labels, b as usize, seen) {
+            let first = &mut self.changes.labels.at_mut(position).first;
+            *first = self.changes.members.push(h, is_old, *first);
+        }
+    }
+
+    /// R1 of half-edges, L1, L2, L3, and the labels along `next`: of each half-edge that may differ.
+    fn half_edges(&mut self, touched: &Touched) -> Option<()> {
+        for h in &touched.half_edges {
+            let vacant = SeenHalfEdge { row: HalfEdge::VACANT, is_led: false };
+            self.changes.half_edges.see(&mut self.was.half_edges, *h, vacant);
+        }
+        self.changes.touched = self.changes.half_edges.len();
+        for position in 0..self.changes.touched {
+            self.half_edge(position)?;
+        }
+        Some(())
+    }
+
+    fn half_edge(&mut self, position: usize) -> Option<()> {
+        let now = self.now;
+        let h = self.changes.half_edges.slot(position);
+        let (before, mut row) = (self.was.half_edge(h), now.half_edge(h)?);
+        if row.is_live() && !now.has(Part::Prev) {
+            // As before, unless another one is found that leads here.
+            row.prev = before.prev;
+        }
+        self.changes.half_edges.at_mut(position).row = row;
+        self.changes.counts.half_edges += usize::from(row.is_live());
+        self.changes.counts.half_edges -= usize::from(before.is_live());
+        let moves = before.origin != row.origin;
+        if before.is_live() {
+            if moves {
+                self.see_vertex(before.origin as usize);
             }
-            if !row.is_live() {
+            if before.label != row.label {
+                self.see_label(before.label as usize);
+            }
+        }
+        if !row.is_live() {
+            return Some(());
+        }
+        let (twin, next) = (row.twin as usize, row.next as usize);
+        let mutual = twin != h && now.view.twin(twin) == Some(h);
+        let joined =
+            !now.has(Part::Prev) || now.view.prev(next) == Some(h) && now.view.next(row.prev as usize) == Some(h);
+        let meets = now.view.origin(next)? == now.view.origin(twin)?;
+        let labelled = !now.has(Part::Faces) || now.label_of(next)? == row.label as usize;
+        if !(mutual && joined && meets && labelled) {
+            return None;
+        }
+        if moves || self.was.turned(h) != now.view.next(twin)? {
+            self.turned(row.origin, h, !moves);
+        }
+        let is_old = before.is_live() && before.label == row.label;
+        if now.has(Part::Faces) && (!is_old || before.next != row.next) {
+            self.relabelled(row.label, h, is_old);
+        }
+        Some(())
+    }
+
+    /// The same rules of the half-edges to which those that may differ were linked, and which do not differ themselves: what they
+    /// say of these must still be so. Origins, labels and `prev` that are wrong here are wrong at another half-edge, too.
+    fn neighbours(&mut self) -> Option<()> {
+        let has_prev = self.now.has(Part::Prev);
+        for position in 0..self.changes.touched {
+            let h = self.changes.half_edges.slot(position);
+            let (before, row) = (self.was.half_edge(h), self.changes.half_edges.at(position).row);
+            if !before.is_live() {
                 continue;
             }
-            let (twin, next) = (row.twin as usize, row.next as usize);
-            let mutual = twin != h && now.view.twin(twin) == Some(h);
-            let joined =
-                !now.has(Part::Prev) || now.view.prev(next) == Some(h) && now.view.next(row.prev as usize) == Some(h);
-            let meets = now.view.origin(next)? == now.view.origin(twin)?;
-            let labelled = !now.has(Part::Faces) || now.label_of(next)? == row.label as usize;
-            if !(mutual && joined && meets && labelled) {
+            let [twin, next, prev] = [before.twin, before.next, before.prev].map(|h| h as usize);
+            if self.changed(twin).is_none() {
+                let meets = self.now_origin(self.was.half_edge(twin).next as usize) == row.origin;
+                if !(row.is_live() && row.twin as usize == twin && meets) {
+                    return None;
+                }
+                if before.next != row.next {
+                    self.turned(self.was.half_edge(twin).origin, twin, true);
+                }
+            }
+            if has_prev && self.changed(next).is_none() && !(row.is_live() && row.next as usize == next) {
                 return None;
             }
-            follows.push((next, h));
-            let is_old = before.is_live() && before.origin == row.origin;
-            if !is_old || was.turned(h) != now.view.next(twin)? {
-                turned.push((row.origin as usize, h, is_old));
-            }
-            let is_old = before.is_live() && before.label == row.label;
-            if !is_old || before.next != row.next {
-                relabelled.push((row.label as usize, h, is_old));
+            if self.changed(prev).is_none() {
+                let leads = self.was.half_edge(prev);
+                let joined = row.is_live() && row.prev as usize == prev;
+                let meets = self.now_origin(leads.twin as usize) == row.origin;
+                let labelled = leads.label == row.label;
+                if !(joined && meets && labelled) {
+                    return None;
+                }
             }
         }
-        self.follow(sorted(follows))?;
-        Some((sorted(turned), sorted(relabelled)))
+        Some(())
+    }
+
+    /// Where a half-edge starts now.
+    fn now_origin(&self, h: usize) -> u32 {
+        self.changed(h).unwrap_or_else(|| self.was.half_edge(h)).origin
     }
 
     /// L2 where there is no `prev`: no two half-edges lead to the same.
-    fn follow(&mut self, follows: Vec<(usize, usize)>) -> Option<()> {
-        let twice = follows.windows(2).any(|pair| pair[0].0 == pair[1].0);
-        let free = |(next, h): &(usize, usize)| {
-            let led = index(self.was.half_edge(*next).prev);
-            led.is_none_or(|led| led == *h || self.may_differ(led))
-        };
-        if twice || !follows.iter().all(free) {
-            return None;
-        }
-        for (next, h) in follows {
-            // The list is sorted by half-edge, as those that may differ are.
-            if let Ok(position) = self.changes.half_edges.binary_search_by_key(&next, |row| row.0) {
-                self.changes.half_edges[position].1.prev = h as u32;
-            } else {
-                self.changes.followed.push((next, h as u32));
+    fn led(&mut self) -> Option<()> {
+        for position in 0..self.changes.touched {
+            let h = self.changes.half_edges.slot(position);
+            let row = self.changes.half_edges.at(position).row;
+            let next = row.next as usize;
+            let before = self.was.half_edge(next);
+            if !row.is_live() || before.prev as usize == h {
+                continue;
+            }
+            // Which led there before, if any, must lead elsewhere.
+            let is_free =
+                index(before.prev).is_none_or(|led| self.changed(led).is_some_and(|led| led.next != row.next));
+            let seen = SeenHalfEdge { row: before, is_led: false };
+            let position = self.changes.half_edges.see(&mut self.was.half_edges, next, seen)?;
+            let seen = self.changes.half_edges.at_mut(position);
+            let twice = core::mem::replace(&mut seen.is_led, true);
+            seen.row.prev = h as u32;
+            if twice || !is_free {
+                return None;
             }
         }
         Some(())
@@ -175,39 +212,37 @@ impl<V: View + ?Sized> Check<'_, V> {
         &self,
         first: Option<usize>,
         step: impl Fn(usize) -> usize,
-        stays: impl Fn(usize) -> bool,
+        stays: impl Fn(HalfEdge) -> bool,
     ) -> Option<usize> {
         let orbit = core::iter::successors(first, |h| Some(step(*h)).filter(|next| Some(*next) != first));
         // No longer than there are some that may differ, in case the baseline is not right because something was not named.
-        orbit.take(self.half_edges.len() + 1).find(|h| !self.may_differ(*h) || self.now.is_half_edge(*h) && stays(*h))
+        orbit.take(self.changes.touched + 1).find(|h| self.changed(*h).is_none_or(&stays))
     }
 
-    /// The labels that may be wrong: those that may differ, those of half-edges and vertices that may, and those that were, or
-    /// are, where a face's list was written.
-    fn labels_to_see(&self, touched: &Touched) -> Vec<usize> {
-        if !self.now.has(Part::Faces) {
-            return Vec::new();
+    /// Sees the labels that may be wrong: beside those that half-edges have come to or gone from, those that may differ, those of vertices
+    /// that may, and those that were, or are, where a face's list was written.
+    fn see_labels(&mut self, touched: &Touched) {
+        if !self.now.has(Part::BoundaryComponents) {
+            touched.faces.iter().for_each(|f| self.see_label(*f));
+            return;
         }
-        let has_records = self.now.has(Part::BoundaryComponents);
-        let mut labels = if has_records { touched.boundaries.clone() } else { touched.faces.clone() };
-        for (h, row) in &self.changes.half_edges {
-            labels.extend([self.was.half_edge(*h).label, row.label].into_iter().filter_map(index));
-        }
-        if !has_records {
-            return sorted(labels);
-        }
+        touched.boundaries.iter().for_each(|b| self.see_label(*b));
         for v in &touched.vertices {
-            labels.extend(index(self.was.vertex(*v).isolated));
-            labels.extend(self.isolated(*v));
+            let before = index(self.was.vertex(*v).isolated);
+            for b in before.into_iter().chain(self.isolated(*v)) {
+                self.see_label(b);
+            }
         }
-        let listed = touched.listed.iter().map(|(f, _)| f);
-        for f in touched.faces.iter().chain(listed) {
-            labels.extend(self.was.faces.get(*f).and_then(|face| index(face.outer)));
+        for f in touched.faces.iter().chain(touched.listed.iter().map(|(f, _)| f)) {
+            if let Some(b) = index(self.was.face(*f).outer) {
+                self.see_label(b);
+            }
         }
         for (f, position) in &touched.listed {
-            labels.extend(self.was.faces.get(*f).and_then(|face| face.inner.get(*position)).map(|b| *b as usize));
+            if let Some(b) = self.was.inner(*f).get(*position) {
+                self.see_label(*b as usize);
+            }
         }
-        sorted(labels)
     }
 
     /// The live boundary component that an isolated vertex names.
@@ -218,43 +253,40 @@ impl<V: View + ?Sized> Check<'_, V> {
         named.filter(|b| self.now.is_label(*b))
     }
 
-    /// V1, V2 and B2 of each vertex that may differ, of those where half-edges start or started that may, and of those that the
-    /// labels are or were.
-    fn vertices(&mut self, touched: &Touched, labels: &[usize], turned: &[Member]) -> Option<()> {
-        let mut vertices = touched.vertices.clone();
-        for (h, row) in &self.changes.half_edges {
-            vertices.extend([self.was.half_edge(*h).origin, row.origin].into_iter().filter_map(index));
+    /// V1, V2 and B2 of each vertex that may differ, of those that half-edges have come to or gone from, or turn elsewhere, and of
+    /// those that the labels are or were.
+    fn vertices(&mut self, touched: &Touched) -> Option<()> {
+        touched.vertices.iter().for_each(|v| self.see_vertex(*v));
+        for position in 0..self.changes.labels.len() {
+            let before = self.was.label(self.changes.labels.slot(position));
+            for row in [before, self.changes.labels.at(position).row] {
+                if let Some(v) = row.vertex() {
+                    self.see_vertex(v);
+                }
+            }
         }
-        vertices.extend(turned.iter().map(|member| member.0));
-        for b in labels {
-            let before = Some(self.was.label(*b)).filter(Label::is_live).map(|row| row.start);
-            let starts = [before, if self.now.is_label(*b) { self.now.start(*b) } else { None }];
-            vertices.extend(starts.into_iter().flatten().filter_map(|start| match start {
-                Start::Vertex(v) => Some(v),
-                Start::HalfEdge(_) => None,
-            }));
-        }
-        for v in sorted(vertices) {
-            let row = self.vertex(v, of_group(turned, v))?;
+        for position in 0..self.changes.vertices.len() {
+            let v = self.changes.vertices.slot(position);
+            let row = self.vertex(v, self.changes.vertices.at(position).first)?;
             self.changes.counts.vertices += usize::from(row.is_live());
             self.changes.counts.vertices -= usize::from(self.was.vertex(v).is_live());
-            self.changes.vertices.push((v, row));
+            self.changes.vertices.at_mut(position).row = row;
         }
         Some(())
     }
 
-    fn vertex(&self, v: usize, members: &[Member]) -> Option<Vertex> {
-        let (was, now) = (self.was, self.now);
-        let leaves = |h: usize| now.view.origin(h) == Some(v);
+    fn vertex(&mut self, v: usize, members: usize) -> Option<Vertex> {
+        let (was, now) = (&*self.was, self.now);
         let first = index(was.vertex(v).leaving);
-        let remains = self.remaining(first, |h| was.turned(h), leaves);
+        let remains = self.remaining(first, |h| was.turned(h), |row| row.origin as usize == v);
         if !now.is_vertex(v) {
             return remains.is_none().then_some(Vertex::VACANT);
         }
-        let connected = remains.or_else(|| members.first().map(|member| member.1));
+        let connected = remains.or_else(|| self.changes.members.list(members).next().map(|member| member.half_edge));
         let mut leaving = connected;
         if now.has(Part::Leaving) {
             leaving = now.view.leaving(v);
+            let leaves = |h: usize| now.view.origin(h) == Some(v);
             let agrees = leaving.map_or(connected.is_none(), |h| now.is_half_edge(h) && leaves(h));
             if !agrees {
                 return None;
@@ -279,42 +311,46 @@ impl<V: View + ?Sized> Check<'_, V> {
     /// Whether the members, and what remains of those that were there before, lie on one orbit.
     ///
     /// An orbit without member is one of before, all of it. So if any half-edge remains, a member must be an old one.
-    fn one_orbit(&self, members: &[Member], remains: bool, step: impl Fn(usize) -> Option<usize>) -> Option<()> {
-        if members.is_empty() {
+    fn one_orbit(&mut self, first: usize, remains: bool, step: impl Fn(usize) -> Option<usize>) -> Option<()> {
+        let Changes { members, group, walks, .. } = &mut *self.changes;
+        group.clear();
+        group.extend(members.list(first).map(|member| member.half_edge));
+        if group.is_empty() {
             return Some(());
         }
-        let half_edges: Vec<usize> = members.iter().map(|member| member.1).collect();
-        let is_one = !remains || members.iter().any(|member| member.2);
+        let is_one = !remains || members.list(first).any(|member| member.is_old);
         is_one.then_some(())?;
-        orbits::on_one(&half_edges, self.now.half_edges, step)
+        group.sort_unstable();
+        walks.on_one(group, self.now.half_edges, step)
     }
 
     /// R1, B1, and the labels' half of B2 and F2.
-    fn labels(&mut self, labels: &[usize], relabelled: &[Member]) -> Option<()> {
-        for b in labels {
-            let row = self.label(*b, of_group(relabelled, *b))?;
-            self.changes.labels.push((*b, row));
+    fn labels(&mut self) -> Option<()> {
+        for position in 0..self.changes.labels.len() {
+            let b = self.changes.labels.slot(position);
+            let row = self.label(b, self.changes.labels.at(position).first)?;
+            self.changes.labels.at_mut(position).row = row;
         }
         Some(())
     }
 
-    fn label(&self, b: usize, members: &[Member]) -> Option<Label> {
-        let (was, now) = (self.was, self.now);
-        let first = match was.label(b) {
-            Label { start: Start::HalfEdge(h), .. } => Some(h),
-            _ => None,
+    fn label(&mut self, b: usize, members: usize) -> Option<Label> {
+        let (was, now) = (&*self.was, self.now);
+        let first = match was.label(b).start() {
+            Start::HalfEdge(h) => Some(h),
+            Start::Vertex(_) => None,
         };
-        let has_it = |h: usize| now.label_of(h) == Some(b);
-        let remains = self.remaining(first, |h| was.half_edge(h).next as usize, has_it);
+        let remains = self.remaining(first, |h| was.half_edge(h).next as usize, |row| row.label as usize == b);
         let row = now.label(b)?;
         if !row.is_live() {
             return remains.is_none().then_some(row);
         }
-        let starts = match row.start {
+        let has_it = |h: usize| now.label_of(h) == Some(b);
+        let starts = match row.start() {
             Start::HalfEdge(h) => has_it(h),
             Start::Vertex(v) => {
                 let is_listed = now.has(Part::Holes) && row.place != OUTER;
-                is_listed && remains.is_none() && members.is_empty() && now.view.isolated(v) == Some(b)
+                is_listed && remains.is_none() && members == 0 && now.view.isolated(v) == Some(b)
             }
         };
         let is_listed = !now.has(Part::BoundaryComponents)
@@ -327,60 +363,73 @@ impl<V: View + ?Sized> Check<'_, V> {
         Some(row)
     }
 
-    /// R1 of faces, F1, and the faces' half of F2.
-    fn faces(&mut self, touched: &Touched, labels: &[usize]) -> Option<()> {
-        let now = self.now;
-        if !now.has(Part::BoundaryComponents) {
+    /// R1 of faces, F1, and the faces' half of F2: of those that may differ, and of those of which a boundary component has come,
+    /// gone, or got another place.
+    fn faces(&mut self, touched: &Touched) -> Option<()> {
+        if !self.now.has(Part::BoundaryComponents) {
             // Each label is a face, with one cycle.
-            for (b, row) in &self.changes.labels {
-                self.changes.counts.faces += usize::from(row.is_live());
-                self.changes.counts.faces -= usize::from(self.was.label(*b).is_live());
+            for (b, seen) in self.changes.labels.iter() {
+                self.changes.counts.faces += usize::from(seen.row.is_live());
+                self.changes.counts.faces -= usize::from(self.was.label(b).is_live());
             }
             return Some(());
         }
-        let (mut faces, mut entries) = (touched.faces.clone(), touched.listed.clone());
-        let (mut gained, mut lost) = (Vec::new(), Vec::new());
-        faces.extend(entries.iter().map(|entry| entry.0));
-        for (b, row) in &self.changes.labels {
-            let before = self.was.label(*b);
-            faces.extend([before.face, row.face].into_iter().filter_map(index));
-            gained.extend(row.inner().map(|entry| entry.0));
-            lost.extend(before.inner().map(|entry| entry.0));
-            entries.extend(row.inner().into_iter().chain(before.inner()));
+        for f in touched.faces.iter().chain(touched.listed.iter().map(|(f, _)| f)) {
+            self.see_face(*f);
         }
-        gained.sort_unstable();
-        lost.sort_unstable();
-        for f in sorted(faces) {
-            let count = |list: &[usize]| list.partition_point(|g| *g <= f) - list.partition_point(|g| *g < f);
-            self.face(f, count(&gained), count(&lost), labels)?;
-        }
-        for (f, i) in sorted(entries) {
-            if !now.is_face(f) || i >= now.view.inner_count(f) {
+        for position in 0..self.changes.labels.len() {
+            let before = self.was.label(self.changes.labels.slot(position));
+            let row = self.changes.labels.at(position).row;
+            if (before.face, before.place) == (row.face, row.place) {
                 continue;
             }
-            let b = now.view.inner(f, i)?;
-            let row = now.label(b)?;
-            if row.inner() != Some((f, i)) {
-                return None;
+            for (label, is_now) in [(before, false), (row, true)] {
+                let Some(face) = index(label.face).and_then(|f| self.see_face(f)) else { continue };
+                if let Some((f, i)) = label.inner() {
+                    face.gained += usize::from(is_now);
+                    face.lost += usize::from(!is_now);
+                    self.entry(f, i)?;
+                }
             }
-            self.changes.entries.push((f, i, b as u32));
+        }
+        for (f, i) in &touched.listed {
+            self.entry(*f, *i)?;
+        }
+        for position in 0..self.changes.faces.len() {
+            self.face(position)?;
         }
         Some(())
     }
 
-    fn face(&mut self, f: usize, gained: usize, lost: usize, labels: &[usize]) -> Option<()> {
-        let (was, now) = (self.was, self.now);
-        let counts = &mut self.changes.counts;
-        let before = was.faces.get(f).filter(|face| face.is_live());
-        let listed = before.map_or(&[][..], |face| &face.inner);
-        counts.faces -= usize::from(before.is_some());
-        counts.unbounded -= usize::from(before.is_some_and(|face| face.outer == NIL));
+    /// The entry of a list, if it is that long.
+    fn entry(&mut self, f: usize, i: usize) -> Option<()> {
+        let now = self.now;
+        if !now.is_face(f) || i >= now.view.inner_count(f) {
+            return Some(());
+        }
+        let b = now.view.inner(f, i)?;
+        let row = now.label(b)?;
+        if row.inner() != Some((f, i)) {
+            return None;
+        }
+        self.changes.entries.push((f, i, b as u32));
+        Some(())
+    }
+
+    fn face(&mut self, position: usize) -> Option<()> {
+        let (was, now) = (&*self.was, self.now);
+        let Changes { counts, faces, .. } = &mut *self.changes;
+        let f = faces.slot(position);
+        let face = faces.at_mut(position);
+        let before = was.face(f);
+        let listed = was.inner(f);
+        counts.faces -= usize::from(before.is_live());
+        counts.unbounded -= usize::from(before.outer == NIL);
         counts.inner -= listed.len();
         if !now.is_face(f) {
             // Whatever it listed must have changed, and is looked at.
-            let is_seen = |b: u32| index(b).is_none_or(|b| labels.binary_search(&b).is_ok());
-            self.changes.faces.push((f, None));
-            return (before.is_none_or(|face| is_seen(face.outer)) && listed.iter().all(|b| is_seen(*b))).then_some(());
+            let is_seen = |b: u32| index(b).is_none_or(|b| was.labels.position(b).is_some());
+            return (is_seen(before.outer) && listed.iter().all(|b| is_seen(*b))).then_some(());
         }
         counts.faces += 1;
         let outer = now.view.outer(f);
@@ -394,11 +443,11 @@ impl<V: View + ?Sized> Check<'_, V> {
         }
         let mut inner = 0;
         if now.has(Part::Holes) {
-            inner = (listed.len() + gained).checked_sub(lost)?;
+            inner = (listed.len() + face.gained).checked_sub(face.lost)?;
             (now.view.inner_count(f) == inner).then_some(())?;
             counts.inner += inner;
         }
-        self.changes.faces.push((f, Some((outer.map_or(NIL, |b| b as u32), inner))));
+        face.now = Some((outer.map_or(NIL, |b| b as u32), inner));
         Some(())
     }
 

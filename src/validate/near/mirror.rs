@@ -1,5 +1,6 @@
 //! The links as they were when the structure was last found right, in columns of 32-bit numbers.
 
+use super::column::{Column, Row};
 use crate::validate::columns::NIL;
 use crate::validate::expectation::{Expectation, Part};
 use crate::validate::view::{BoundaryPlace, Start, View};
@@ -20,9 +21,11 @@ pub(super) struct HalfEdge {
     pub(super) label: u32,
 }
 
-impl HalfEdge {
-    pub(super) const VACANT: Self = Self { origin: VACANT, twin: NIL, next: NIL, prev: NIL, label: NIL };
+impl Row for HalfEdge {
+    const VACANT: Self = Self { origin: VACANT, twin: NIL, next: NIL, prev: NIL, label: NIL };
+}
 
+impl HalfEdge {
     pub(super) const fn is_live(&self) -> bool {
         self.origin != VACANT
     }
@@ -35,9 +38,11 @@ pub(super) struct Vertex {
     pub(super) isolated: u32,
 }
 
-impl Vertex {
-    pub(super) const VACANT: Self = Self { leaving: VACANT, isolated: NIL };
+impl Row for Vertex {
+    const VACANT: Self = Self { leaving: VACANT, isolated: NIL };
+}
 
+impl Vertex {
     pub(super) const fn is_live(self) -> bool {
         self.leaving != VACANT
     }
@@ -47,16 +52,36 @@ impl Vertex {
 /// components it is a face, and only the start counts.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(super) struct Label {
-    pub(super) start: Start,
+    /// An isolated vertex, or a half-edge.
+    starts_at: u32,
+    is_vertex: bool,
     pub(super) face: u32,
     pub(super) place: u32,
 }
 
+impl Row for Label {
+    const VACANT: Self = Self { starts_at: 0, is_vertex: true, face: VACANT, place: OUTER };
+}
+
 impl Label {
-    pub(super) const VACANT: Self = Self { start: Start::Vertex(0), face: VACANT, place: OUTER };
+    fn new(start: Start, face: u32, place: u32) -> Self {
+        let (starts_at, is_vertex) = match start {
+            Start::HalfEdge(h) => (h as u32, false),
+            Start::Vertex(v) => (v as u32, true),
+        };
+        Self { starts_at, is_vertex, face, place }
+    }
 
     pub(super) const fn is_live(&self) -> bool {
         self.face != VACANT
+    }
+    pub(super) const fn start(&self) -> Start {
+        let at = self.starts_at as usize;
+        if self.is_vertex { Start::Vertex(at) } else { Start::HalfEdge(at) }
+    }
+    /// The isolated vertex that a live one is.
+    pub(super) fn vertex(&self) -> Option<usize> {
+        (self.is_live() && self.is_vertex).then_some(self.starts_at as usize)
     }
     /// The face that lists it inside, with the position.
     pub(super) fn inner(&self) -> Option<(usize, usize)> {
@@ -64,17 +89,18 @@ impl Label {
     }
 }
 
-/// A face, where there are records for boundary components.
-#[derive(Clone, Debug, PartialEq, Eq)]
+/// The outer boundary component of a face, or nil, where there are records for boundary components.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(super) struct Face {
     pub(super) outer: u32,
-    pub(super) inner: Vec<u32>,
+}
+
+impl Row for Face {
+    const VACANT: Self = Self { outer: VACANT };
 }
 
 impl Face {
-    pub(super) const VACANT: Self = Self { outer: VACANT, inner: Vec::new() };
-
-    pub(super) const fn is_live(&self) -> bool {
+    pub(super) const fn is_live(self) -> bool {
         self.outer != VACANT
     }
 }
@@ -82,25 +108,47 @@ impl Face {
 /// All links.
 #[derive(Clone, Debug, Default)]
 pub(super) struct Mirror {
-    pub(super) half_edges: Vec<HalfEdge>,
-    pub(super) vertices: Vec<Vertex>,
-    pub(super) labels: Vec<Label>,
-    pub(super) faces: Vec<Face>,
+    pub(super) half_edges: Column<HalfEdge>,
+    pub(super) vertices: Column<Vertex>,
+    pub(super) labels: Column<Label>,
+    pub(super) faces: Column<Face>,
+    /// By face its inner boundary components.
+    pub(super) inner: Vec<Vec<u32>>,
 }
 
 impl Mirror {
     pub(super) fn half_edge(&self, h: usize) -> HalfEdge {
-        self.half_edges.get(h).copied().unwrap_or(HalfEdge::VACANT)
+        self.half_edges.get(h)
     }
     pub(super) fn vertex(&self, v: usize) -> Vertex {
-        self.vertices.get(v).copied().unwrap_or(Vertex::VACANT)
+        self.vertices.get(v)
     }
     pub(super) fn label(&self, b: usize) -> Label {
-        self.labels.get(b).copied().unwrap_or(Label::VACANT)
+        self.labels.get(b)
+    }
+    pub(super) fn face(&self, f: usize) -> Face {
+        self.faces.get(f)
+    }
+    /// The inner boundary components of a face; none of a vacant one.
+    pub(super) fn inner(&self, f: usize) -> &[u32] {
+        self.inner.get(f).map_or(&[], Vec::as_slice)
     }
     /// The half-edge that follows clockwise in the rotation.
     pub(super) fn turned(&self, h: usize) -> usize {
         self.half_edge(self.half_edge(h).twin as usize).next as usize
+    }
+
+    /// Makes all columns as long as there are slots.
+    pub(super) fn fit<V: View + ?Sized>(&mut self, now: &Now<'_, V>) {
+        self.half_edges.fit(now.half_edges);
+        self.vertices.fit(now.vertices);
+        self.labels.fit(now.labels);
+        if now.has(Part::BoundaryComponents) {
+            self.faces.fit(now.faces);
+            if self.inner.len() < now.faces {
+                self.inner.resize_with(now.faces, Vec::new);
+            }
+        }
     }
 }
 
@@ -182,7 +230,7 @@ impl<'a, V: View + ?Sized> Now<'a, V> {
             return None;
         }
         if !self.has(Part::BoundaryComponents) {
-            return Some(Label { start, face: b as u32, place: OUTER });
+            return Some(Label::new(start, b as u32, OUTER));
         }
         let face = self.view.boundary_face(b).filter(|f| self.is_face(*f))? as u32;
         let place = match self.has(Part::Places).then(|| self.view.boundary_place(b)) {
@@ -190,6 +238,6 @@ impl<'a, V: View + ?Sized> Now<'a, V> {
             Some(Some(BoundaryPlace::Inner(i))) => u32::try_from(i).ok().filter(|i| *i < VACANT)?,
             Some(None) => return None,
         };
-        Some(Label { start, face, place })
+        Some(Label::new(start, face, place))
     }
 }

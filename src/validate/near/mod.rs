@@ -86,7 +86,9 @@
 //! this.
 
 mod baseline;
+mod changes;
 mod check;
+mod column;
 #[cfg(feature = "geometry")]
 mod embedded;
 mod mirror;

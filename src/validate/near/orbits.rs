@@ -2,51 +2,72 @@
 
 use alloc::vec::Vec;
 
-/// Whether all members lie on one orbit of the permutation `step`. They are sorted, and differ from each other.
-///
-/// ```text
-///    a ──► · ──► b ──► c ──► · ──► · ──► · ──► …        a meets b, b meets c: c leads back to a
-/// ```
-///
-/// The walks from all members advance in step. Each ends at the first member that it meets. One of them need not end: no two
-/// meet the same member, so if the others form one chain, the last leads back to its beginning. The walks do not overlap, so
-/// there are at most as many steps as the orbit has elements, and no more than there are members times the second largest of the
-/// distances between them.
-///
-/// Nothing if they do not, if a step leads nowhere, or after more than `limit` steps, as can be where `step` is no permutation.
-pub(super) fn on_one(members: &[usize], limit: usize, step: impl Fn(usize) -> Option<usize>) -> Option<()> {
-    let mut walks: Vec<(usize, usize)> = members.iter().copied().enumerate().collect();
-    let mut meets: Vec<Option<usize>> = alloc::vec![None; members.len()];
-    let mut is_met = alloc::vec![false; members.len()];
-    let mut left = limit;
-    while walks.len() > 1 {
-        left = left.checked_sub(walks.len())?;
-        let mut position = 0;
-        while let Some((from, at)) = walks.get_mut(position) {
-            *at = step(*at)?;
-            let Ok(met) = members.binary_search(at) else {
-                position += 1;
-                continue;
-            };
-            if core::mem::replace(&mut is_met[met], true) {
-                return None;
+/// Memory for the walks, which is kept.
+#[derive(Clone, Debug, Default)]
+pub(super) struct Walks {
+    /// The member from which each walk that has not ended comes, and where it is.
+    under_way: Vec<(usize, usize)>,
+    /// By member the one that its walk has met.
+    meets: Vec<Option<usize>>,
+    is_met: Vec<bool>,
+}
+
+impl Walks {
+    /// Whether all members lie on one orbit of the permutation `step`. They are sorted, and differ from each other.
+    ///
+    /// ```text
+    ///    a ──► · ──► b ──► c ──► · ──► · ──► · ──► …        a meets b, b meets c: c leads back to a
+    /// ```
+    ///
+    /// The walks from all members advance in step. Each ends at the first member that it meets. One of them need not end: no two
+    /// meet the same member, so if the others form one chain, the last leads back to its beginning. The walks do not overlap, so
+    /// there are at most as many steps as the orbit has elements, and no more than there are members times the second largest of the
+    /// distances between them.
+    ///
+    /// Nothing if they do not, if a step leads nowhere, or after more than `limit` steps, as can be where `step` is no permutation.
+    pub(super) fn on_one(
+        &mut self,
+        members: &[usize],
+        limit: usize,
+        step: impl Fn(usize) -> Option<usize>,
+    ) -> Option<()> {
+        let Self { under_way, meets, is_met } = self;
+        under_way.clear();
+        under_way.extend(members.iter().copied().enumerate());
+        meets.clear();
+        meets.resize(members.len(), None);
+        is_met.clear();
+        is_met.resize(members.len(), false);
+        let mut left = limit;
+        while under_way.len() > 1 {
+            left = left.checked_sub(under_way.len())?;
+            let mut position = 0;
+            while let Some((from, at)) = under_way.get_mut(position) {
+                *at = step(*at)?;
+                let Ok(met) = members.binary_search(at) else {
+                    position += 1;
+                    continue;
+                };
+                if core::mem::replace(&mut is_met[met], true) {
+                    return None;
+                }
+                meets[*from] = Some(met);
+                under_way.swap_remove(position);
             }
-            meets[*from] = Some(met);
-            walks.swap_remove(position);
         }
+        // From the one that no walk has met, if there is one, the chain is as long as there are members.
+        let first = is_met.iter().position(|met| !met).unwrap_or(0);
+        let chain = core::iter::successors(Some(first), |at| meets.get(*at).copied()?.filter(|next| *next != first));
+        (chain.take(members.len()).count() == members.len()).then_some(())
     }
-    // From the one that no walk has met, if there is one, the chain is as long as there are members.
-    let first = is_met.iter().position(|met| !met).unwrap_or(0);
-    let chain = core::iter::successors(Some(first), |at| meets.get(*at).copied()?.filter(|next| *next != first));
-    (chain.take(members.len()).count() == members.len()).then_some(())
 }
 
 #[cfg(test)]
 mod tests {
-    use super::on_one;
+    use super::Walks;
 
     fn is_one(members: &[usize], next: &[usize]) -> bool {
-        on_one(members, next.len(), |at| next.get(at).copied()).is_some()
+        Walks::default().on_one(members, next.len(), |at| next.get(at).copied()).is_some()
     }
 
     #[test]

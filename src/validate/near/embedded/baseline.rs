@@ -9,9 +9,9 @@ use crate::geometry::Point;
 use crate::validate::embedding::Embedding;
 use crate::validate::expectation::{Expectation, Part, Surface};
 use crate::validate::geometric::validator::validate_embedding;
-use crate::validate::near::baseline::{Baseline, BaselineError, fit};
-use crate::validate::near::check::{Changes, changes};
-use crate::validate::near::mirror::{Mirror, Now};
+use crate::validate::near::baseline::{Baseline, BaselineError};
+use crate::validate::near::changes::Changes;
+use crate::validate::near::mirror::Now;
 use crate::validate::near::touched::Touched;
 use crate::validate::report::{Collect, Report};
 
@@ -44,10 +44,10 @@ impl EmbeddingBaseline {
         }
         validate_embedding(embedding, expectation, Collect::All).into_result().map_err(BaselineError::Invalid)?;
         let links = Baseline::of_right(embedding, expectation)?;
-        let half_edges = links.mirror.half_edges.iter().enumerate();
-        let mut edges = half_edges.filter(|(h, row)| row.is_live() && *h < row.twin as usize);
-        if edges.any(|(h, _)| embedding.bends(h) > 0) {
-            return Err(BaselineError::Bends);
+        for (h, row) in links.mirror.half_edges.iter() {
+            if row.is_live() && h < row.twin as usize && embedding.bends(h) > 0 {
+                return Err(BaselineError::Bends);
+            }
         }
         let mut baseline = Self { links, points: Vec::new(), trees: None };
         baseline.read_drawing(embedding).ok_or(BaselineError::Changing)?;
@@ -63,20 +63,21 @@ impl EmbeddingBaseline {
     /// Reads where everything lies: all of it has come since there was nothing.
     fn read_drawing<E: Embedding + ?Sized>(&mut self, embedding: &E) -> Option<()> {
         self.trees = None;
-        let nothing = Mirror::default();
-        let all = Changes::all_of(&self.links.mirror, self.links.counts);
+        let (nothing, all) = Changes::all_of(&self.links.mirror, self.links.counts);
         let drawing = Drawing::new(embedding, &nothing, &[], &all)?;
         let update = drawing.update()?;
         self.points.clear();
-        put(&mut self.points, self.links.mirror.vertices.len(), drawing.into_placed());
+        put(&mut self.points, self.links.mirror.vertices.len(), drawing.placed());
         self.trees = Some(DrawnTrees::new(update));
         Some(())
     }
 }
 
 /// Points by index of vertex.
-fn put(points: &mut Vec<Point>, slots: usize, placed: Vec<(usize, Point)>) {
-    fit(points, slots, Point::default());
+fn put(points: &mut Vec<Point>, slots: usize, placed: impl Iterator<Item = (usize, Point)>) {
+    if points.len() < slots {
+        points.resize(slots, Point::default());
+    }
     for (v, p) in placed {
         if let Some(place) = points.get_mut(v) {
             *place = p;
@@ -121,13 +122,9 @@ pub fn validate_embedding_near<E: Embedding + ?Sized>(
 ) -> Result<(), Box<Report>> {
     let EmbeddingBaseline { links, points, trees } = baseline;
     if let (Some(now), Some(trees)) = (Now::new(embedding, links.expect), trees) {
-        let found = changes(&links.mirror, &now, links.counts, touched).and_then(|changes| {
-            let placed = checked(&links.mirror, points, trees, embedding, &changes)?;
-            Some((changes, placed))
-        });
-        if let Some((changes, placed)) = found {
-            put(points, now.vertices, placed);
-            links.follow(&now, changes);
+        let found = links.find_changes(&now, touched).and_then(|()| move_on(links, points, trees, embedding));
+        if found.is_some() {
+            links.follow();
             return Ok(());
         }
     }
@@ -139,22 +136,23 @@ pub fn validate_embedding_near<E: Embedding + ?Sized>(
     Ok(())
 }
 
-/// Checks G1 … G5, and gives the places of the vertices that may differ. The trees have moved on then, and not otherwise.
-fn checked<E: Embedding + ?Sized>(
-    was: &Mirror,
-    points: &[Point],
+/// Checks G1 … G5. The trees and the places have moved on then, and not otherwise.
+fn move_on<E: Embedding + ?Sized>(
+    links: &Baseline,
+    points: &mut Vec<Point>,
     trees: &mut DrawnTrees,
     embedding: &E,
-    changes: &Changes,
-) -> Option<Vec<(usize, Point)>> {
-    let drawing = Drawing::new(embedding, was, points, changes)?;
+) -> Option<()> {
+    let drawing = Drawing::new(embedding, &links.mirror, points, &links.changes)?;
     let update = drawing.update()?;
     trees.apply(&update);
-    let keeps = keeps_rules(&drawing, &update, trees);
-    if keeps.is_none() {
+    if keeps_rules(&drawing, &update, trees).is_none() {
         trees.undo(&update);
+        return None;
     }
-    keeps.map(|()| drawing.into_placed())
+    let placed: Vec<(usize, Point)> = drawing.placed().collect();
+    put(points, links.mirror.vertices.len(), placed.into_iter());
+    Some(())
 }
 
 fn keeps_rules(drawing: &Drawing<'_>, update: &Update, trees: &DrawnTrees) -> Option<()> {

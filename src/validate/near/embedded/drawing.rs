@@ -5,7 +5,7 @@ use crate::geometry::Point;
 use crate::geometry::predicates::in_range;
 use crate::validate::columns::NIL;
 use crate::validate::embedding::Embedding;
-use crate::validate::near::check::Changes;
+use crate::validate::near::changes::Changes;
 use crate::validate::near::mirror::{HalfEdge, Label, Mirror, Vertex};
 use crate::validate::view::Start;
 
@@ -24,8 +24,8 @@ pub(super) struct Drawing<'a> {
     was: &'a Mirror,
     points: &'a [Point],
     changes: &'a Changes,
-    /// The vertices that may differ and are there now, with their places, sorted.
-    placed: Vec<(usize, Point)>,
+    /// The places of the vertices that may differ, in their order; of those that are vacant, none.
+    placed: Vec<Option<Point>>,
     /// The half-edges that may have other links, or be drawn elsewhere, sorted.
     pub(super) half_edges: Vec<usize>,
     /// The labels that may differ, and those that these half-edges have or had, sorted.
@@ -39,10 +39,6 @@ pub(super) fn sorted<T: Ord>(mut list: Vec<T>) -> Vec<T> {
     list
 }
 
-fn find<T>(list: &[(usize, T)], slot: usize) -> Option<&T> {
-    list.binary_search_by_key(&slot, |row| row.0).ok().map(|position| &list[position].1)
-}
-
 impl<'a> Drawing<'a> {
     /// Nothing if a coordinate is out of range or an edge has bends, or if the links before are not those of a structure that was
     /// right.
@@ -52,17 +48,17 @@ impl<'a> Drawing<'a> {
         points: &'a [Point],
         changes: &'a Changes,
     ) -> Option<Self> {
-        let live = changes.vertices.iter().filter(|(_, row)| row.is_live());
-        let placed: Vec<(usize, Point)> = live.map(|(v, _)| (*v, embedding.point(*v))).collect();
-        if !placed.iter().all(|(_, p)| in_range(*p)) {
+        let seen = changes.vertices.iter();
+        let placed: Vec<_> = seen.map(|(v, seen)| seen.row.is_live().then(|| embedding.point(v))).collect();
+        if !placed.iter().flatten().all(|p| in_range(*p)) {
             return None;
         }
         let mut drawing = Self { was, points, changes, placed, half_edges: Vec::new(), labels: Vec::new() };
-        let mut half_edges: Vec<usize> = changes.half_edges.iter().map(|(h, _)| *h).collect();
-        for (v, _) in &changes.vertices {
-            if drawing.place(Time::Before, *v) != drawing.place(Time::After, *v) {
+        let mut half_edges: Vec<usize> = changes.touched().map(|(h, _)| h).collect();
+        for (v, _) in changes.vertices.iter() {
+            if drawing.place(Time::Before, v) != drawing.place(Time::After, v) {
                 for time in TIMES {
-                    drawing.rotation(time, *v, &mut half_edges)?;
+                    drawing.rotation(time, v, &mut half_edges)?;
                 }
             }
         }
@@ -78,7 +74,7 @@ impl<'a> Drawing<'a> {
         if !half_edges.iter().all(straight) {
             return None;
         }
-        let mut labels: Vec<usize> = changes.labels.iter().map(|(b, _)| *b).collect();
+        let mut labels: Vec<usize> = changes.labels.iter().map(|(b, _)| b).collect();
         for time in TIMES {
             labels.extend(half_edges.iter().filter_map(|h| drawing.label_of(time, *h)));
         }
@@ -87,39 +83,38 @@ impl<'a> Drawing<'a> {
         Some(drawing)
     }
 
-    /// The places of the vertices that may differ.
-    pub(super) fn into_placed(self) -> Vec<(usize, Point)> {
-        self.placed
+    /// The places of the vertices that may differ, by index.
+    pub(super) fn placed(&self) -> impl Iterator<Item = (usize, Point)> + '_ {
+        self.changes.vertices.iter().zip(&self.placed).filter_map(|((v, _), place)| Some((v, (*place)?)))
     }
 
     pub(super) fn row(&self, time: Time, h: usize) -> HalfEdge {
-        let was = self.was.half_edge(h);
         match time {
-            Time::Before => was,
-            Time::After => find(&self.changes.half_edges, h).copied().unwrap_or_else(|| {
-                let prev = find(&self.changes.followed, h).copied();
-                HalfEdge { prev: prev.unwrap_or(was.prev), ..was }
-            }),
+            Time::Before => self.was.half_edge(h),
+            Time::After => self.changes.half_edge(self.was, h),
         }
     }
 
     pub(super) fn vertex(&self, time: Time, v: usize) -> Vertex {
-        let now = if time == Time::After { find(&self.changes.vertices, v) } else { None };
-        now.copied().unwrap_or_else(|| self.was.vertex(v))
+        let now = if time == Time::After { self.changes.vertices.find(&self.was.vertices, v) } else { None };
+        now.map_or_else(|| self.was.vertex(v), |seen| seen.row)
     }
 
     pub(super) fn label(&self, time: Time, b: usize) -> Label {
-        let now = if time == Time::After { find(&self.changes.labels, b) } else { None };
-        now.copied().unwrap_or_else(|| self.was.label(b))
+        let now = if time == Time::After { self.changes.labels.find(&self.was.labels, b) } else { None };
+        now.map_or_else(|| self.was.label(b), |seen| seen.row)
     }
 
     /// The outer boundary component of a live face, or nil, and the number of inner ones.
     pub(super) fn face(&self, time: Time, f: usize) -> Option<(u32, usize)> {
-        let now = if time == Time::After { find(&self.changes.faces, f) } else { None };
-        now.copied().unwrap_or_else(|| {
-            let was = self.was.faces.get(f).filter(|face| face.is_live())?;
-            Some((was.outer, was.inner.len()))
-        })
+        let now = if time == Time::After { self.changes.faces.find(&self.was.faces, f) } else { None };
+        now.map_or_else(
+            || {
+                let was = self.was.face(f);
+                was.is_live().then(|| (was.outer, self.was.inner(f).len()))
+            },
+            |seen| seen.now,
+        )
     }
 
     /// Whether it is the unbounded face.
@@ -128,11 +123,11 @@ impl<'a> Drawing<'a> {
     }
 
     pub(super) fn place(&self, time: Time, v: usize) -> Option<Point> {
-        if !self.vertex(time, v).is_live() {
-            return None;
+        let seen = if time == Time::After { self.was.vertices.position(v) } else { None };
+        match seen {
+            Some(position) => self.placed.get(position).copied().flatten(),
+            None => self.points.get(v).copied().filter(|_| self.was.vertex(v).is_live()),
         }
-        let now = if time == Time::After { find(&self.placed, v) } else { None };
-        now.or_else(|| self.points.get(v)).copied()
     }
 
     pub(super) fn twin(&self, time: Time, h: usize) -> Option<usize> {
@@ -203,7 +198,7 @@ impl<'a> Drawing<'a> {
     fn start(&self, time: Time, b: usize) -> Option<DrawnStart> {
         let label = self.label(time, b);
         label.inner()?;
-        let at = match label.start {
+        let at = match label.start() {
             Start::HalfEdge(h) => self.line(time, h)?.points[0],
             Start::Vertex(v) => self.place(time, v)?,
         };
@@ -226,8 +221,8 @@ impl<'a> Drawing<'a> {
         if update.come.iter().any(|edge| edge.ends[0] == edge.ends[1]) {
             return None;
         }
-        for (v, _) in &self.changes.vertices {
-            put(TIMES.map(|time| self.isolated(time, *v)), &mut update.gone, &mut update.come);
+        for (v, _) in self.changes.vertices.iter() {
+            put(TIMES.map(|time| self.isolated(time, v)), &mut update.gone, &mut update.come);
         }
         for b in &self.labels {
             put(TIMES.map(|time| self.start(time, *b)), &mut update.starts_gone, &mut update.starts_come);
@@ -237,6 +232,6 @@ impl<'a> Drawing<'a> {
 
     /// The boundary components whose records may differ.
     pub(super) fn changed_labels(&self) -> impl Iterator<Item = usize> + '_ {
-        self.changes.labels.iter().map(|(b, _)| *b)
+        self.changes.labels.iter().map(|(b, _)| b)
     }
 }

@@ -99,7 +99,7 @@ pub(super) fn is_inside(drawing: &Drawing<'_>, trees: &DrawnTrees) -> Option<()>
         let label = drawing.label(Time::After, *b);
         let Some((f, _)) = label.inner() else { continue };
         *affected.entry(f).or_default() += 1;
-        let lies_there = match check.known(label.start)? {
+        let lies_there = match check.known(label.start())? {
             Known::Kept(beside, was_in) => check.lies_in(f, beside, was_in)?,
             Known::New(lowest) => match trees.below(lowest) {
                 // The region above an edge is to the left of the half-edge that leads to the right.
@@ -242,7 +242,7 @@ impl Check<'_> {
             if !is_other {
                 continue;
             }
-            let beside = match label.start {
+            let beside = match label.start() {
                 Start::HalfEdge(h) => {
                     let [at, towards] = drawing.kept(h)?;
                     Beside { at, towards }

@@ -69,7 +69,7 @@ impl Drawing<'_> {
         }
         let turns = |time: Time, b: usize| {
             let label = self.label(time, b);
-            match (label.is_live(), label.start) {
+            match (label.is_live(), label.start()) {
                 (true, Start::HalfEdge(_)) if label.inner().is_some() => -1,
                 (true, Start::HalfEdge(_)) => 1,
                 _ => 0,

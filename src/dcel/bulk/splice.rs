@@ -1,0 +1,43 @@
+//! Taking edges out of the links.
+
+use crate::dcel::structure::Dcel;
+use crate::store::Store;
+use crate::store::links::VertexLink;
+
+impl<S: Store> Dcel<S> {
+    /// Takes an edge out of the cycles and rotations that it is part of. Its own record and the labels stay. The half-edges by which
+    /// vertices lose their last one are put in `last`. O(1).
+    pub(super) fn splice_out(&mut self, n: S::HalfEdge, last: &mut impl Extend<S::HalfEdge>) {
+        let store = &mut self.store;
+        let t = store.twin(n);
+        for h in [n, t] {
+            let v = store.origin(h);
+            if store.vertex_link(v) == VertexLink::Leaving(h) {
+                // The next one clockwise, except the other half of a loop.
+                let after = store.next(store.twin(h));
+                let after = if after == store.twin(h) { store.next(h) } else { after };
+                if after == h {
+                    last.extend([h]);
+                } else {
+                    store.set_vertex_link(v, VertexLink::Leaving(after));
+                }
+            }
+        }
+        let (before_n, after_n) = (store.prev(n), store.next(n));
+        let (before_t, after_t) = (store.prev(t), store.next(t));
+        if after_n == n {
+            if after_t != t {
+                store.join(before_t, after_t);
+            }
+        } else if after_t == t {
+            store.join(before_n, after_n);
+        } else {
+            if after_t != n {
+                store.join(before_n, after_t);
+            }
+            if after_n != t {
+                store.join(before_t, after_n);
+            }
+        }
+    }
+}
