@@ -102,18 +102,18 @@ impl Links {
 
 /// Reads the links of every half-edge, in order of their numbers, so that none waits for another. None if too many are wrong.
 pub(super) fn scan<V: View + ?Sized>(view: &V, extent: Extent) -> Option<Links> {
-    let mut links = Links::right(0);
     let mut leaving = Vec::new();
     if !extent.has(Part::Leaving) {
         leaving = nils(extent.vertices)?;
     }
     // What is asked for is decided here, once, and not at each half-edge.
-    match (extent.has(Part::Prev), extent.has(Part::Leaving)) {
-        (true, true) => scan_and::<V, true>(view, extent, &mut links, |_| {})?,
-        (false, true) => scan_and::<V, false>(view, extent, &mut links, |_| {})?,
-        (true, false) => scan_and::<V, true>(view, extent, &mut links, |h| note(view, &mut leaving, h))?,
-        (false, false) => scan_and::<V, false>(view, extent, &mut links, |h| note(view, &mut leaving, h))?,
-    }
+    let scan = match (extent.has(Part::Prev), extent.has(Part::Leaving)) {
+        (true, true) => scan_and::<V, true, false>,
+        (false, true) => scan_and::<V, false, false>,
+        (true, false) => scan_and::<V, true, true>,
+        (false, false) => scan_and::<V, false, true>,
+    };
+    let mut links = scan(view, extent, &mut leaving)?;
     if !extent.has(Part::Leaving) {
         links.leaving = Some(leaving);
     }
@@ -128,37 +128,39 @@ fn note<V: View + ?Sized>(view: &V, leaving: &mut [u32], h: usize) {
     }
 }
 
-/// Scans, and tells `note` each half-edge.
-fn scan_and<V: View + ?Sized, const WITH_PREV: bool>(
+/// Scans, and notes in `leaving` what leaves each vertex if `NOTES`.
+fn scan_and<V: View + ?Sized, const WITH_PREV: bool, const NOTES: bool>(
     view: &V,
     extent: Extent,
-    links: &mut Links,
-    mut note: impl FnMut(usize),
-) -> Option<()> {
+    leaving: &mut [u32],
+) -> Option<Links> {
+    let mut links = Links::right(0);
     let mut h = 0;
     while h < extent.half_edges {
-        let (end, live) = right_ones::<V, WITH_PREV>(view, extent.half_edges, h, &mut note);
+        let (end, live) = right_ones::<V, WITH_PREV, NOTES>(view, extent.half_edges, h, leaving);
         h = end;
         links.half_edges += live;
         if h < extent.half_edges {
             links.half_edges += 1;
-            at_border_or_wrong(view, extent, h, links)?;
-            note(h);
+            at_border_or_wrong(view, extent, h, &mut links)?;
+            if NOTES {
+                note(view, leaving, h);
+            }
             h += 1;
         }
     }
-    Some(())
+    Some(links)
 }
 
 /// Scans from a half-edge to the next one that is at the border or wrong, or to the end. Returns that, and how many are live up to it.
 ///
 /// A loop of its own, as it takes most of the time: it calls nothing but the view, and everything that it compares is in registers.
 #[inline(never)]
-fn right_ones<V: View + ?Sized, const WITH_PREV: bool>(
+fn right_ones<V: View + ?Sized, const WITH_PREV: bool, const NOTES: bool>(
     view: &V,
     half_edges: usize,
     from: usize,
-    note: &mut impl FnMut(usize),
+    leaving: &mut [u32],
 ) -> (usize, usize) {
     let mut live = 0;
     for h in from..half_edges {
@@ -167,7 +169,9 @@ fn right_ones<V: View + ?Sized, const WITH_PREV: bool>(
                 return (h, live);
             }
             live += 1;
-            note(h);
+            if NOTES {
+                note(view, leaving, h);
+            }
         }
     }
     (half_edges, live)

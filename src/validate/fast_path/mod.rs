@@ -68,6 +68,7 @@
 mod borders;
 mod boundaries;
 mod components;
+mod cycles;
 mod doubts;
 mod extent;
 pub(super) mod known;
@@ -82,8 +83,9 @@ use super::expectation::{Part, Surface};
 use super::run::Run;
 use super::view::View;
 use alloc::vec::Vec;
-use boundaries::{Boundaries, Cycles};
+use boundaries::Boundaries;
 use components::Joined;
+use cycles::Cycles;
 use doubts::Settled;
 use extent::Extent;
 use known::{Known, Lists, Turned, Vertices, Whole};
@@ -99,18 +101,18 @@ pub(super) fn look<V: View + ?Sized>(run: &mut Run<'_, V>) {
     let around = turn(run, extent, &mut links);
     // Where the rotations are wrong the lists stand on their own, but their rules come after one that is broken.
     let is_wanted = around.is_some() || !run.findings.wants_first_only();
-    let lists = if extent.has(Part::Faces) && links.next_holds && is_wanted {
+    let lists = if extent.has(Part::Faces) && is_wanted {
         boundaries::read(view, extent, &links)
     } else {
         None
     };
-    let settled = Settled { origins: around.is_some(), names: lists.is_some() };
+    let settled = Settled { origins: around.is_some(), names: lists.is_some() && links.next_holds };
     let Some(doubts) = doubts::find(view, extent, &links, settled) else {
         run.known = Known::default();
         return;
     };
     run.known.half_edges = Some(doubts);
-    run.known.lists = lists.as_ref().map(Lists::of);
+    run.known.lists = lists.as_ref().map(|lists| Lists::of(lists, links.next_holds));
     let Some(around) = around else { return };
     let turned = Turned { links, around };
     match lists {
@@ -125,6 +127,7 @@ pub(super) fn look<V: View + ?Sized>(run: &mut Run<'_, V>) {
 /// Walks around the vertices, where the links are right, and notes what holds of these.
 fn turn<V: View + ?Sized>(run: &mut Run<'_, V>, extent: Extent, links: &mut Links) -> Option<Rotations> {
     if !(links.next_holds && links.twin_holds && links.one_into_each) {
+        run.known.vertices = rotations::by_index(run.view, extent, links);
         return None;
     }
     if let Some(around) = rotations::walk(run.view, extent, links) {
@@ -169,9 +172,10 @@ fn agree(extent: Extent, around: &Rotations, lists: &Boundaries) -> bool {
 
 /// Where the rotations are right, and the lists may be wrong: finds the components and the genus from the cycles.
 pub(super) fn whole<V: View + ?Sized>(run: &mut Run<'_, V>) {
-    let Some(turned) = run.known.turned.take() else { return };
+    let Some(mut turned) = run.known.turned.take() else { return };
     let extent = extent_of(run);
-    let Some(cycles) = boundaries::cycles(run.view, extent, &turned.links) else { return };
+    let cycles = turned.around.cycles.take().or_else(|| cycles::count(run.view, extent, &turned.links));
+    let Some(cycles) = cycles else { return };
     run.known.whole = join(run.view, extent, turned, &cycles);
 }
 

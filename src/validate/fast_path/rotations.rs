@@ -1,6 +1,8 @@
 //! The walks around the vertices: V1, V2 and the vertices' half of B2.
 
+use super::cycles::{Count, Cycles, Listed, Pass};
 use super::extent::{Extent, existing, nils};
+use super::known::Vertices;
 use super::links::Links;
 use crate::validate::expectation::Part;
 use crate::validate::view::{Start, View};
@@ -21,11 +23,28 @@ pub(super) struct Rotations {
     pub(super) roots: usize,
     /// Whether there is neither a loop nor a pair of parallel edges.
     pub(super) simple: bool,
+    /// The cycles, where there are no faces to list them.
+    pub(super) cycles: Option<Cycles>,
 }
 
-/// Walks around every vertex, in order of their numbers.
-#[inline(never)]
+/// Walks around every vertex, in order of their numbers. Where there are no faces, counts the cycles on the way.
 pub(super) fn walk<V: View + ?Sized>(view: &V, extent: Extent, links: &Links) -> Option<Rotations> {
+    if extent.has(Part::Faces) {
+        return walk_and(view, extent, links, &mut Listed);
+    }
+    let mut cycles = Count::default();
+    let mut found = walk_and(view, extent, links, &mut cycles)?;
+    found.cycles = Some(cycles.all(view, extent, links.half_edges)?);
+    Some(found)
+}
+
+#[inline(never)]
+fn walk_and<V: View + ?Sized, P: Pass>(
+    view: &V,
+    extent: Extent,
+    links: &Links,
+    cycles: &mut P,
+) -> Option<Rotations> {
     let mut found = Rotations {
         vertices: 0,
         isolated: 0,
@@ -34,6 +53,7 @@ pub(super) fn walk<V: View + ?Sized>(view: &V, extent: Extent, links: &Links) ->
         nearest: nils(extent.vertices)?,
         roots: 0,
         simple: true,
+        cycles: None,
     };
     // The last vertex from which a vertex was seen as a neighbour: seen twice from one means parallel edges.
     let mut seen_from = nils(extent.vertices)?;
@@ -49,10 +69,7 @@ pub(super) fn walk<V: View + ?Sized>(view: &V, extent: Extent, links: &Links) ->
                 }
             }
             Some(start) => {
-                let leaves = start < extent.half_edges && view.is_half_edge(start) && view.origin(start) == Some(v);
-                if !leaves {
-                    return None;
-                }
+                leaves(view, extent, start, v).then_some(())?;
                 if names_boundary && view.isolated(v).is_some() {
                     found.claimed = None;
                 }
@@ -66,8 +83,8 @@ pub(super) fn walk<V: View + ?Sized>(view: &V, extent: Extent, links: &Links) ->
                     Some(())
                 };
                 found.half_edges += match links.into(v) {
-                    None => around(view, extent, start, limit, see)?,
-                    Some(before) => across(view, extent, before, limit, see)?,
+                    None => around(view, extent, start, limit, see, cycles)?,
+                    Some(before) => across(view, extent, before, limit, see, cycles)?,
                 };
             }
         }
@@ -75,6 +92,41 @@ pub(super) fn walk<V: View + ?Sized>(view: &V, extent: Extent, links: &Links) ->
         found.roots += usize::from(nearest == v);
     }
     (found.half_edges == links.half_edges).then_some(found)
+}
+
+/// Looks at every vertex without walking around it: V1 and R1 of vertices. None if something is wrong with one, or half-edges leave
+/// one that keeps none.
+pub(super) fn by_index<V: View + ?Sized>(view: &V, extent: Extent, links: &Links) -> Option<Vertices> {
+    let names_boundary = extent.has(Part::BoundaryComponents) && extent.has(Part::Holes);
+    let mut found = Vertices { live: 0, isolated: 0, claimed: 0 };
+    for v in (0..extent.vertices).filter(|v| view.is_vertex(*v)) {
+        found.live += 1;
+        match links.leaving(view, v) {
+            None => {
+                found.isolated += 1;
+                if names_boundary {
+                    found.claimed += usize::from(is_claimed(view, extent, v)?);
+                }
+            }
+            Some(start) => {
+                let is_kept = leaves(view, extent, start, v) && !(names_boundary && view.isolated(v).is_some());
+                is_kept.then_some(())?;
+            }
+        }
+    }
+    // What vertices keep may be nil at some that half-edges leave.
+    if found.isolated > 0 && extent.has(Part::Leaving) {
+        let mut half_edges = (0..extent.half_edges).filter(|h| view.is_half_edge(*h));
+        let keeps = |v: usize| !view.is_vertex(v) || view.leaving(v).is_some();
+        half_edges.all(|h| existing(view.origin(h), extent.vertices).is_none_or(keeps)).then_some(())?;
+    }
+    Some(found)
+}
+
+/// Whether a half-edge that a vertex keeps is live and leaves it.
+#[inline]
+fn leaves<V: View + ?Sized>(view: &V, extent: Extent, start: usize, v: usize) -> bool {
+    start < extent.half_edges && view.is_half_edge(start) && view.origin(start) == Some(v)
 }
 
 /// Walks around one vertex, from a half-edge that leaves it, and returns how many half-edges it visited; none if it visits
@@ -86,12 +138,14 @@ pub(super) fn around<V: View + ?Sized>(
     start: usize,
     limit: usize,
     mut see: impl FnMut(usize) -> Option<()>,
+    cycles: &mut impl Pass,
 ) -> Option<usize> {
     let mut h = start;
     for visited in 0..limit {
         let t = existing(view.twin(h), extent.half_edges)?;
         see(view.origin(t)?)?;
         h = existing(view.next(t), extent.half_edges)?;
+        cycles.pass(view, extent, [t, h])?;
         if h == start {
             return Some(visited + 1);
         }
@@ -107,9 +161,11 @@ fn across<V: View + ?Sized>(
     before: usize,
     limit: usize,
     mut see: impl FnMut(usize) -> Option<()>,
+    cycles: &mut impl Pass,
 ) -> Option<usize> {
     see(view.origin(before)?)?;
     let mut h = existing(view.next(before), extent.half_edges)?;
+    cycles.pass(view, extent, [before, h])?;
     for visited in 0..limit {
         let Some(t) = view.twin(h) else {
             let next = existing(view.next(h), extent.half_edges)?;
@@ -119,6 +175,7 @@ fn across<V: View + ?Sized>(
         let t = existing(Some(t), extent.half_edges)?;
         see(view.origin(t)?)?;
         h = existing(view.next(t), extent.half_edges)?;
+        cycles.pass(view, extent, [t, h])?;
     }
     None
 }
