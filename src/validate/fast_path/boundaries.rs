@@ -29,7 +29,7 @@ pub(super) struct Inner {
 }
 
 /// The lists so far.
-struct Lists<'a, V: ?Sized> {
+struct Lists<'a, V: ?Sized, const WALKS: bool> {
     view: &'a V,
     extent: Extent,
     links: &'a Links,
@@ -41,19 +41,24 @@ struct Lists<'a, V: ?Sized> {
 /// Reads the lists of all faces, and walks along every cycle: from where it is listed, or if it names nothing, from its first half-edge.
 /// Where some `next` is wrong there are no walks, and only the start of each cycle is looked at.
 pub(super) fn read<V: View + ?Sized>(view: &V, extent: Extent, links: &Links) -> Option<Boundaries> {
+    // Decided once, and not at each cycle.
+    if links.next_holds { read_and::<V, true>(view, extent, links) } else { read_and::<V, false>(view, extent, links) }
+}
+
+fn read_and<V: View + ?Sized, const WALKS: bool>(view: &V, extent: Extent, links: &Links) -> Option<Boundaries> {
     let cycles = Cycles::default();
     let found = Boundaries { faces: 0, outer: 0, inner: Vec::new(), at_vertex: 0, vertices_hold: true, cycles };
-    let mut lists = Lists { view, extent, links, visited: 0, found };
+    let mut lists = Lists::<V, WALKS> { view, extent, links, visited: 0, found };
     if extent.has(Part::BoundaryComponents) {
         lists.by_record()?;
     } else {
         lists.by_label()?;
     }
-    if links.next_holds && extent.expect.is_open() && lists.visited < links.half_edges {
+    if WALKS && extent.expect.is_open() && lists.visited < links.half_edges {
         lists.unnamed()?;
     }
     let unbounded = lists.found.faces - lists.found.outer;
-    let all_visited = lists.visited == links.half_edges || !links.next_holds;
+    let all_visited = lists.visited == links.half_edges || !WALKS;
     let complete = all_visited && unbounded == usize::from(extent.has(Part::UnboundedFace));
     complete.then_some(lists.found)
 }
@@ -79,7 +84,7 @@ pub(super) fn along<V: View + ?Sized>(
     None
 }
 
-impl<V: View + ?Sized> Lists<'_, V> {
+impl<V: View + ?Sized, const WALKS: bool> Lists<'_, V, WALKS> {
     /// With records: every boundary component is listed once, by the face it names, at the place it says.
     #[inline(never)]
     fn by_record(&mut self) -> Option<()> {
@@ -178,7 +183,7 @@ impl<V: View + ?Sized> Lists<'_, V> {
     /// Walks along a cycle that a face lists, and counts it.
     #[inline]
     fn cycle(&mut self, start: usize, mut visit: impl FnMut(usize) -> Option<()>) -> Option<()> {
-        if !self.links.next_holds {
+        if !WALKS {
             return visit(start);
         }
         self.visited += along(self.view, self.extent, start, self.links.half_edges - self.visited, visit)?;

@@ -32,47 +32,60 @@ pub(super) fn find<V: View + ?Sized>(view: &V, extent: Extent, links: &Links, se
     for h in &links.wrong {
         with_twin(view, extent, *h as usize, &mut half_edges)?;
     }
-    let is_prev_settled = links.next_holds || !extent.has(Part::Prev);
-    let are_names_settled = settled.names || !extent.has(Part::Faces);
-    if !(is_prev_settled && settled.origins && are_names_settled) {
-        let most = half_edges.len() + MOST_DOUBTS;
-        let mut wrong = links.wrong.iter().peekable();
-        let mut led_to = Marks::default();
-        if !is_prev_settled {
-            led_to.make_room(extent.half_edges)?;
-        }
-        for h in (0..extent.half_edges).filter(|h| view.is_half_edge(*h)) {
-            if wrong.next_if_eq(&&(h as u32)).is_some() {
-                continue;
-            }
-            let mut is_named = true;
-            if !(is_prev_settled && are_names_settled) {
-                let next = existing(view.next(h), extent.half_edges)?;
-                if !is_prev_settled {
-                    led_to.mark(next)?;
-                }
-                is_named = are_names_settled || is_named_as(view, extent, h, next);
-            }
-            let has_origin = settled.origins || has_origin(view, extent, h);
-            if is_named && has_origin {
-                continue;
-            }
-            if half_edges.len() >= most {
-                return None;
-            }
-            with_twin(view, extent, h, &mut half_edges)?;
-        }
-        if !is_prev_settled {
-            let unled = led_to.rest(extent.half_edges).filter(|h| view.is_half_edge(*h));
-            for h in unled.take(MOST_DOUBTS) {
-                half_edges.try_reserve(1).ok()?;
-                half_edges.push(h as u32);
-            }
-        }
-    }
+    scan_again(view, extent, links, settled, &mut half_edges)?;
     half_edges.sort_unstable();
     half_edges.dedup();
     Some(Doubts { half_edges, live: links.half_edges, unpaired: links.unpaired })
+}
+
+/// The second scan, over the half-edges at which the first has found nothing wrong.
+fn scan_again<V: View + ?Sized>(
+    view: &V,
+    extent: Extent,
+    links: &Links,
+    settled: Settled,
+    half_edges: &mut Vec<u32>,
+) -> Option<()> {
+    let is_prev_settled = links.next_holds || !extent.has(Part::Prev);
+    let are_names_settled = settled.names || !extent.has(Part::Faces);
+    if is_prev_settled && settled.origins && are_names_settled {
+        return Some(());
+    }
+    let most = half_edges.len() + MOST_DOUBTS;
+    let mut wrong = links.wrong.iter().peekable();
+    let mut led_to = Marks::default();
+    if !is_prev_settled {
+        led_to.make_room(extent.half_edges)?;
+    }
+    for h in (0..extent.half_edges).filter(|h| view.is_half_edge(*h)) {
+        if wrong.next_if_eq(&&(h as u32)).is_some() {
+            continue;
+        }
+        let mut is_named = true;
+        if !(is_prev_settled && are_names_settled) {
+            let next = existing(view.next(h), extent.half_edges)?;
+            if !is_prev_settled {
+                led_to.mark(next)?;
+            }
+            is_named = are_names_settled || is_named_as(view, extent, h, next);
+        }
+        if is_named && (settled.origins || has_origin(view, extent, h)) {
+            continue;
+        }
+        if half_edges.len() >= most {
+            return None;
+        }
+        with_twin(view, extent, h, half_edges)?;
+    }
+    if !is_prev_settled {
+        // As many as were wrong.
+        let unled = led_to.rest(extent.half_edges).filter(|h| view.is_half_edge(*h));
+        for h in unled.take(MOST_DOUBTS) {
+            half_edges.try_reserve(1).ok()?;
+            half_edges.push(h as u32);
+        }
+    }
+    Some(())
 }
 
 /// Puts in doubt a half-edge and its twin, which may be the only witness, and whose target is the origin of this one.

@@ -137,7 +137,12 @@ fn scan_and<V: View + ?Sized, const WITH_PREV: bool, const NOTES: bool>(
     let mut links = Links::right(0);
     let mut h = 0;
     while h < extent.half_edges {
-        let (end, live) = right_ones::<V, WITH_PREV, NOTES>(view, extent.half_edges, h, leaving);
+        let (end, live) = if NOTES {
+            let leaving = &mut *leaving;
+            right_ones::<V, WITH_PREV>(view, extent.half_edges, h, move |h| note(view, leaving, h))
+        } else {
+            right_ones::<V, WITH_PREV>(view, extent.half_edges, h, |_| {})
+        };
         h = end;
         links.half_edges += live;
         if h < extent.half_edges {
@@ -156,11 +161,11 @@ fn scan_and<V: View + ?Sized, const WITH_PREV: bool, const NOTES: bool>(
 ///
 /// A loop of its own, as it takes most of the time: it calls nothing but the view, and everything that it compares is in registers.
 #[inline(never)]
-fn right_ones<V: View + ?Sized, const WITH_PREV: bool, const NOTES: bool>(
+fn right_ones<V: View + ?Sized, const WITH_PREV: bool>(
     view: &V,
     half_edges: usize,
     from: usize,
-    leaving: &mut [u32],
+    mut note: impl FnMut(usize),
 ) -> (usize, usize) {
     let mut live = 0;
     for h in from..half_edges {
@@ -169,9 +174,7 @@ fn right_ones<V: View + ?Sized, const WITH_PREV: bool, const NOTES: bool>(
                 return (h, live);
             }
             live += 1;
-            if NOTES {
-                note(view, leaving, h);
-            }
+            note(h);
         }
     }
     (half_edges, live)

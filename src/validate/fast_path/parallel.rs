@@ -75,7 +75,16 @@ fn rotations<V: View + Sync + ?Sized>(view: &V, extent: Extent, links: &Links) -
     let found = nearest.par_chunks_mut(length).enumerate();
     let found = found.map(|(i, nearest)| rotations_of(view, extent, links, i * length, nearest));
     let found: Vec<Rotations> = found.collect::<Option<_>>()?;
-    let none = Rotations { vertices: 0, isolated: 0, claimed: Some(0), half_edges: 0, nearest, roots: 0, simple: true, cycles: None };
+    let none = Rotations {
+        vertices: 0,
+        isolated: 0,
+        claimed: Some(0),
+        half_edges: 0,
+        nearest,
+        roots: 0,
+        simple: true,
+        cycles: None,
+    };
     let all = found.into_iter().fold(none, |all, part| Rotations {
         vertices: all.vertices + part.vertices,
         isolated: all.isolated + part.isolated,
@@ -125,12 +134,19 @@ fn rotations_of<V: View + ?Sized>(
                     found.claimed = None;
                 }
                 let simple = &mut found.simple;
-                found.half_edges += around(view, extent, start, links.half_edges, |neighbour| {
-                    let seen = seen_from.get_mut(neighbour)?;
-                    *simple &= core::mem::replace(seen, v as u32) != v as u32;
-                    nearest = nearest.min(neighbour);
-                    Some(())
-                }, &mut Listed)?;
+                found.half_edges += around(
+                    view,
+                    extent,
+                    start,
+                    links.half_edges,
+                    |neighbour| {
+                        let seen = seen_from.get_mut(neighbour)?;
+                        *simple &= core::mem::replace(seen, v as u32) != v as u32;
+                        nearest = nearest.min(neighbour);
+                        Some(())
+                    },
+                    &mut Listed,
+                )?;
                 if found.half_edges > links.half_edges {
                     return None;
                 }

@@ -2,7 +2,6 @@
 
 use super::cycles::{Count, Cycles, Listed, Pass};
 use super::extent::{Extent, existing, nils};
-use super::known::Vertices;
 use super::links::Links;
 use crate::validate::expectation::Part;
 use crate::validate::view::{Start, View};
@@ -38,13 +37,9 @@ pub(super) fn walk<V: View + ?Sized>(view: &V, extent: Extent, links: &Links) ->
     Some(found)
 }
 
+/// Walks around every vertex, and counts of the cycles what is asked for.
 #[inline(never)]
-fn walk_and<V: View + ?Sized, P: Pass>(
-    view: &V,
-    extent: Extent,
-    links: &Links,
-    cycles: &mut P,
-) -> Option<Rotations> {
+fn walk_and<V: View + ?Sized, P: Pass>(view: &V, extent: Extent, links: &Links, cycles: &mut P) -> Option<Rotations> {
     let mut found = Rotations {
         vertices: 0,
         isolated: 0,
@@ -94,38 +89,9 @@ fn walk_and<V: View + ?Sized, P: Pass>(
     (found.half_edges == links.half_edges).then_some(found)
 }
 
-/// Looks at every vertex without walking around it: V1 and R1 of vertices. None if something is wrong with one, or half-edges leave
-/// one that keeps none.
-pub(super) fn by_index<V: View + ?Sized>(view: &V, extent: Extent, links: &Links) -> Option<Vertices> {
-    let names_boundary = extent.has(Part::BoundaryComponents) && extent.has(Part::Holes);
-    let mut found = Vertices { live: 0, isolated: 0, claimed: 0 };
-    for v in (0..extent.vertices).filter(|v| view.is_vertex(*v)) {
-        found.live += 1;
-        match links.leaving(view, v) {
-            None => {
-                found.isolated += 1;
-                if names_boundary {
-                    found.claimed += usize::from(is_claimed(view, extent, v)?);
-                }
-            }
-            Some(start) => {
-                let is_kept = leaves(view, extent, start, v) && !(names_boundary && view.isolated(v).is_some());
-                is_kept.then_some(())?;
-            }
-        }
-    }
-    // What vertices keep may be nil at some that half-edges leave.
-    if found.isolated > 0 && extent.has(Part::Leaving) {
-        let mut half_edges = (0..extent.half_edges).filter(|h| view.is_half_edge(*h));
-        let keeps = |v: usize| !view.is_vertex(v) || view.leaving(v).is_some();
-        half_edges.all(|h| existing(view.origin(h), extent.vertices).is_none_or(keeps)).then_some(())?;
-    }
-    Some(found)
-}
-
 /// Whether a half-edge that a vertex keeps is live and leaves it.
 #[inline]
-fn leaves<V: View + ?Sized>(view: &V, extent: Extent, start: usize, v: usize) -> bool {
+pub(super) fn leaves<V: View + ?Sized>(view: &V, extent: Extent, start: usize, v: usize) -> bool {
     start < extent.half_edges && view.is_half_edge(start) && view.origin(start) == Some(v)
 }
 
