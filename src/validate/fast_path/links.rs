@@ -102,18 +102,18 @@ impl Links {
 
 /// Reads the links of every half-edge, in order of their numbers, so that none waits for another. None if too many are wrong.
 pub(super) fn scan<V: View + ?Sized>(view: &V, extent: Extent) -> Option<Links> {
+    let mut links = Links::right(0);
     let mut leaving = Vec::new();
     if !extent.has(Part::Leaving) {
         leaving = nils(extent.vertices)?;
     }
     // What is asked for is decided here, once, and not at each half-edge.
-    let scan = match (extent.has(Part::Prev), extent.has(Part::Leaving)) {
-        (true, true) => scan_and::<V, true, false>,
-        (false, true) => scan_and::<V, false, false>,
-        (true, false) => scan_and::<V, true, true>,
-        (false, false) => scan_and::<V, false, true>,
-    };
-    let mut links = scan(view, extent, &mut leaving)?;
+    match (extent.has(Part::Prev), extent.has(Part::Leaving)) {
+        (true, true) => scan_and::<V, true>(view, extent, &mut links, |_| {})?,
+        (false, true) => scan_and::<V, false>(view, extent, &mut links, |_| {})?,
+        (true, false) => scan_and::<V, true>(view, extent, &mut links, |h| note(view, &mut leaving, h))?,
+        (false, false) => scan_and::<V, false>(view, extent, &mut links, |h| note(view, &mut leaving, h))?,
+    }
     if !extent.has(Part::Leaving) {
         links.leaving = Some(leaving);
     }
@@ -128,33 +128,26 @@ fn note<V: View + ?Sized>(view: &V, leaving: &mut [u32], h: usize) {
     }
 }
 
-/// Scans, and notes in `leaving` what leaves each vertex if `NOTES`.
-fn scan_and<V: View + ?Sized, const WITH_PREV: bool, const NOTES: bool>(
+/// Scans, and tells `note` each half-edge.
+fn scan_and<V: View + ?Sized, const WITH_PREV: bool>(
     view: &V,
     extent: Extent,
-    leaving: &mut [u32],
-) -> Option<Links> {
-    let mut links = Links::right(0);
+    links: &mut Links,
+    mut note: impl FnMut(usize),
+) -> Option<()> {
     let mut h = 0;
     while h < extent.half_edges {
-        let (end, live) = if NOTES {
-            let leaving = &mut *leaving;
-            right_ones::<V, WITH_PREV>(view, extent.half_edges, h, move |h| note(view, leaving, h))
-        } else {
-            right_ones::<V, WITH_PREV>(view, extent.half_edges, h, |_| {})
-        };
+        let (end, live) = right_ones::<V, WITH_PREV>(view, extent.half_edges, h, &mut note);
         h = end;
         links.half_edges += live;
         if h < extent.half_edges {
             links.half_edges += 1;
-            at_border_or_wrong(view, extent, h, &mut links)?;
-            if NOTES {
-                note(view, leaving, h);
-            }
+            at_border_or_wrong(view, extent, h, links)?;
+            note(h);
             h += 1;
         }
     }
-    Some(links)
+    Some(())
 }
 
 /// Scans from a half-edge to the next one that is at the border or wrong, or to the end. Returns that, and how many are live up to it.
@@ -165,7 +158,7 @@ fn right_ones<V: View + ?Sized, const WITH_PREV: bool>(
     view: &V,
     half_edges: usize,
     from: usize,
-    mut note: impl FnMut(usize),
+    note: &mut impl FnMut(usize),
 ) -> (usize, usize) {
     let mut live = 0;
     for h in from..half_edges {
