@@ -1,6 +1,6 @@
 //! The lists of the faces, and the cycles: B1, F1, F2 and the faces' half of B2.
 
-use super::cycles::Cycles;
+use super::cycles::{Cycles, along};
 use super::extent::{Extent, existing};
 use super::links::Links;
 use super::marks::Marks;
@@ -61,27 +61,6 @@ fn read_and<V: View + ?Sized, const WALKS: bool>(view: &V, extent: Extent, links
     let all_visited = lists.visited == links.half_edges || !WALKS;
     let complete = all_visited && unbounded == usize::from(extent.has(Part::UnboundedFace));
     complete.then_some(lists.found)
-}
-
-/// Walks along one cycle, all of whose half-edges may be visited, and returns how many these are; none if they are more than
-/// `limit`.
-#[inline]
-pub(super) fn along<V: View + ?Sized>(
-    view: &V,
-    extent: Extent,
-    start: usize,
-    limit: usize,
-    mut visit: impl FnMut(usize) -> Option<()>,
-) -> Option<usize> {
-    let mut h = start;
-    for visited in 0..limit {
-        visit(h)?;
-        h = existing(view.next(h), extent.half_edges)?;
-        if h == start {
-            return Some(visited + 1);
-        }
-    }
-    None
 }
 
 impl<V: View + ?Sized, const WALKS: bool> Lists<'_, V, WALKS> {

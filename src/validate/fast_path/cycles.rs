@@ -1,6 +1,5 @@
 //! The cycles of `next`, counted half-edge by half-edge.
 
-use super::boundaries::along;
 use super::extent::{Extent, existing};
 use super::links::Links;
 use super::marks::Marks;
@@ -147,4 +146,25 @@ pub(super) fn count<V: View + ?Sized>(view: &V, extent: Extent, links: &Links) -
     }
     counted.walk(view, extent, links.half_edges, |h| visit(h, true))?;
     Some(cycles)
+}
+
+/// Walks along one cycle, all of whose half-edges may be visited, and returns how many these are; none if they are more than
+/// `limit`.
+#[inline]
+pub(super) fn along<V: View + ?Sized>(
+    view: &V,
+    extent: Extent,
+    start: usize,
+    limit: usize,
+    mut visit: impl FnMut(usize) -> Option<()>,
+) -> Option<usize> {
+    let mut h = start;
+    for visited in 0..limit {
+        visit(h)?;
+        h = existing(view.next(h), extent.half_edges)?;
+        if h == start {
+            return Some(visited + 1);
+        }
+    }
+    None
 }

@@ -14,8 +14,8 @@
 //!   each part.
 //! - Which vertices were seen from a vertex: by a column for each part.
 
-use super::boundaries::{Boundaries, Inner, along};
-use super::cycles::{Cycles, Listed};
+use super::boundaries::{Boundaries, Inner};
+use super::cycles::{Cycles, Listed, along};
 use super::doubts::{self, Settled};
 use super::extent::{Extent, existing, nils};
 use super::known::{Lists, Turned, Vertices};
