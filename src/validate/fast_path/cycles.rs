@@ -74,7 +74,7 @@ impl Count {
     ) -> Option<bool> {
         let third = existing(view.next(second), extent.half_edges)?;
         let fourth = view.next(third);
-        if (second == start) | (third == start) | (fourth == Some(start)) {
+        if second == start || third == start || fourth == Some(start) {
             return Some(start <= second.min(third));
         }
         self.is_first_of_four(view, extent, [start, second, third, existing(fourth, extent.half_edges)?])
