@@ -1,5 +1,6 @@
 //! The lists of the faces, and the cycles: B1, F1, F2 and the faces' half of B2.
 
+use super::cycles::{Cycles, along};
 use super::extent::{Extent, existing};
 use super::links::Links;
 use super::marks::Marks;
@@ -27,17 +28,8 @@ pub(super) struct Inner {
     pub(super) face: u32,
 }
 
-/// The cycles of `next`.
-#[derive(Default)]
-pub(super) struct Cycles {
-    /// How many name a boundary component or a face; all where there are none.
-    pub(super) named: usize,
-    /// A vertex of each of the others, which are border loops.
-    pub(super) unnamed: Vec<u32>,
-}
-
 /// The lists so far.
-struct Lists<'a, V: ?Sized> {
+struct Lists<'a, V: ?Sized, const WALKS: bool> {
     view: &'a V,
     extent: Extent,
     links: &'a Links,
@@ -47,94 +39,31 @@ struct Lists<'a, V: ?Sized> {
 }
 
 /// Reads the lists of all faces, and walks along every cycle: from where it is listed, or if it names nothing, from its first half-edge.
+/// Where some `next` is wrong there are no walks, and only the start of each cycle is looked at.
 pub(super) fn read<V: View + ?Sized>(view: &V, extent: Extent, links: &Links) -> Option<Boundaries> {
+    // Decided once, and not at each cycle.
+    if links.next_holds { read_and::<V, true>(view, extent, links) } else { read_and::<V, false>(view, extent, links) }
+}
+
+fn read_and<V: View + ?Sized, const WALKS: bool>(view: &V, extent: Extent, links: &Links) -> Option<Boundaries> {
     let cycles = Cycles::default();
     let found = Boundaries { faces: 0, outer: 0, inner: Vec::new(), at_vertex: 0, vertices_hold: true, cycles };
-    let mut lists = Lists { view, extent, links, visited: 0, found };
+    let mut lists = Lists::<V, WALKS> { view, extent, links, visited: 0, found };
     if extent.has(Part::BoundaryComponents) {
         lists.by_record()?;
     } else {
         lists.by_label()?;
     }
-    if extent.expect.is_open() && lists.visited < links.half_edges {
+    if WALKS && extent.expect.is_open() && lists.visited < links.half_edges {
         lists.unnamed()?;
     }
     let unbounded = lists.found.faces - lists.found.outer;
-    let complete = lists.visited == links.half_edges && unbounded == usize::from(extent.has(Part::UnboundedFace));
+    let all_visited = lists.visited == links.half_edges || !WALKS;
+    let complete = all_visited && unbounded == usize::from(extent.has(Part::UnboundedFace));
     complete.then_some(lists.found)
 }
 
-/// Counts the cycles, where `next` is known to be a permutation.
-#[inline(never)]
-pub(super) fn cycles<V: View + ?Sized>(view: &V, extent: Extent, links: &Links) -> Option<Cycles> {
-    let mut cycles = Cycles::default();
-    let tells_borders = extent.expect.is_open() && extent.has(Part::Faces);
-    let mut passed = Marks::default();
-    let follow = |h| existing(view.next(h), extent.half_edges);
-    for start in 0..extent.half_edges {
-        if !view.is_half_edge(start) {
-            continue;
-        }
-        // Most cycles are short. So the next ones are read, without a branch for each and without marks.
-        let second = follow(start)?;
-        let third = follow(second)?;
-        let fourth = view.next(third);
-        let is_triangle = second == start || third == start || fourth == Some(start);
-        let is_first = if is_triangle {
-            start <= second.min(third)
-        } else {
-            let fourth = existing(fourth, extent.half_edges)?;
-            if view.next(fourth) == Some(start) {
-                start <= fourth.min(third).min(second)
-            } else {
-                passed.make_room(extent.half_edges)?;
-                let is_first = !passed.has(start);
-                if is_first {
-                    along(view, extent, start, links.half_edges, |h| passed.mark(h))?;
-                }
-                is_first
-            }
-        };
-        if tells_borders && is_first && extent.name(view, start).is_none() {
-            cycles.note_unnamed(existing(view.origin(start), extent.vertices)?)?;
-        } else {
-            cycles.named += usize::from(is_first);
-        }
-    }
-    Some(cycles)
-}
-
-/// Walks along one cycle, all of whose half-edges may be visited, and returns how many these are; none if they are more than
-/// `limit`.
-#[inline]
-pub(super) fn along<V: View + ?Sized>(
-    view: &V,
-    extent: Extent,
-    start: usize,
-    limit: usize,
-    mut visit: impl FnMut(usize) -> Option<()>,
-) -> Option<usize> {
-    let mut h = start;
-    for visited in 0..limit {
-        visit(h)?;
-        h = existing(view.next(h), extent.half_edges)?;
-        if h == start {
-            return Some(visited + 1);
-        }
-    }
-    None
-}
-
-impl Cycles {
-    /// Notes a vertex of a border loop.
-    fn note_unnamed(&mut self, vertex: usize) -> Option<()> {
-        self.unnamed.try_reserve(1).ok()?;
-        self.unnamed.push(vertex as u32);
-        Some(())
-    }
-}
-
-impl<V: View + ?Sized> Lists<'_, V> {
+impl<V: View + ?Sized, const WALKS: bool> Lists<'_, V, WALKS> {
     /// With records: every boundary component is listed once, by the face it names, at the place it says.
     #[inline(never)]
     fn by_record(&mut self) -> Option<()> {
@@ -232,7 +161,10 @@ impl<V: View + ?Sized> Lists<'_, V> {
 
     /// Walks along a cycle that a face lists, and counts it.
     #[inline]
-    fn cycle(&mut self, start: usize, visit: impl FnMut(usize) -> Option<()>) -> Option<()> {
+    fn cycle(&mut self, start: usize, mut visit: impl FnMut(usize) -> Option<()>) -> Option<()> {
+        if !WALKS {
+            return visit(start);
+        }
         self.visited += along(self.view, self.extent, start, self.links.half_edges - self.visited, visit)?;
         self.found.cycles.named += 1;
         Some(())

@@ -2,6 +2,7 @@
 
 use super::extent::{Extent, existing};
 use super::links::{Links, MOST_DOUBTS};
+use super::marks::Marks;
 use crate::validate::expectation::Part;
 use crate::validate::view::View;
 use alloc::vec::Vec;
@@ -31,31 +32,60 @@ pub(super) fn find<V: View + ?Sized>(view: &V, extent: Extent, links: &Links, se
     for h in &links.wrong {
         with_twin(view, extent, *h as usize, &mut half_edges)?;
     }
-    let is_prev_settled = links.next_holds || !extent.has(Part::Prev);
-    let are_names_settled = settled.names || !extent.has(Part::Faces);
-    if !(is_prev_settled && settled.origins && are_names_settled) {
-        let most = half_edges.len() + MOST_DOUBTS;
-        for h in (0..extent.half_edges).filter(|h| view.is_half_edge(*h)) {
-            let has_origin = settled.origins || has_origin(view, extent, h);
-            let holds = (is_prev_settled || is_led_back_to(view, extent, h))
-                && (are_names_settled || is_named(view, extent, h));
-            if holds && has_origin {
-                continue;
-            }
-            if half_edges.len() >= most {
-                return None;
-            }
-            if has_origin {
-                half_edges.try_reserve(1).ok()?;
-                half_edges.push(h as u32);
-            } else {
-                with_twin(view, extent, h, &mut half_edges)?;
-            }
-        }
-    }
+    scan_again(view, extent, links, settled, &mut half_edges)?;
     half_edges.sort_unstable();
     half_edges.dedup();
     Some(Doubts { half_edges, live: links.half_edges, unpaired: links.unpaired })
+}
+
+/// The second scan, over the half-edges at which the first has found nothing wrong.
+fn scan_again<V: View + ?Sized>(
+    view: &V,
+    extent: Extent,
+    links: &Links,
+    settled: Settled,
+    half_edges: &mut Vec<u32>,
+) -> Option<()> {
+    let is_prev_settled = links.next_holds || !extent.has(Part::Prev);
+    let are_names_settled = settled.names || !extent.has(Part::Faces);
+    if is_prev_settled && settled.origins && are_names_settled {
+        return Some(());
+    }
+    let most = half_edges.len() + MOST_DOUBTS;
+    let mut wrong = links.wrong.iter().peekable();
+    let mut led_to = Marks::default();
+    if !is_prev_settled {
+        led_to.make_room(extent.half_edges)?;
+    }
+    for h in (0..extent.half_edges).filter(|h| view.is_half_edge(*h)) {
+        if wrong.next_if_eq(&&(h as u32)).is_some() {
+            continue;
+        }
+        let mut is_named = true;
+        if !(is_prev_settled && are_names_settled) {
+            let next = existing(view.next(h), extent.half_edges)?;
+            if !is_prev_settled {
+                led_to.mark(next)?;
+            }
+            is_named = are_names_settled || is_named_as(view, extent, h, next);
+        }
+        if is_named && (settled.origins || has_origin(view, extent, h)) {
+            continue;
+        }
+        if half_edges.len() >= most {
+            return None;
+        }
+        with_twin(view, extent, h, half_edges)?;
+    }
+    if !is_prev_settled {
+        // As many as were wrong.
+        let unled = led_to.rest(extent.half_edges).filter(|h| view.is_half_edge(*h));
+        for h in unled.take(MOST_DOUBTS) {
+            half_edges.try_reserve(1).ok()?;
+            half_edges.push(h as u32);
+        }
+    }
+    Some(())
 }
 
 /// Puts in doubt a half-edge and its twin, which may be the only witness, and whose target is the origin of this one.
@@ -67,13 +97,6 @@ fn with_twin<V: View + ?Sized>(view: &V, extent: Extent, h: usize, half_edges: &
     Some(())
 }
 
-/// Whether the next of what precedes the half-edge is the half-edge again.
-#[inline]
-fn is_led_back_to<V: View + ?Sized>(view: &V, extent: Extent, h: usize) -> bool {
-    let before = existing(view.prev(h), extent.half_edges).filter(|p| view.is_half_edge(*p));
-    before.and_then(|p| view.next(p)) == Some(h)
-}
-
 #[inline]
 fn has_origin<V: View + ?Sized>(view: &V, extent: Extent, h: usize) -> bool {
     view.origin(h).is_some_and(|v| v < extent.vertices && view.is_vertex(v))
@@ -81,14 +104,12 @@ fn has_origin<V: View + ?Sized>(view: &V, extent: Extent, h: usize) -> bool {
 
 /// Whether the half-edge names a live boundary component, or face, or may name none; and the next names the same.
 #[inline]
-fn is_named<V: View + ?Sized>(view: &V, extent: Extent, h: usize) -> bool {
+fn is_named_as<V: View + ?Sized>(view: &V, extent: Extent, h: usize, next: usize) -> bool {
     let name = extent.name(view, h);
     let is_live = match name {
         None => extent.expect.is_open() && view.twin(h).is_some(),
         Some(b) if extent.has(Part::BoundaryComponents) => b < extent.boundaries && view.is_boundary(b),
         Some(f) => f < extent.faces && view.is_face(f),
     };
-    // A next that is vacant is among what the scan has found, and a vacant half-edge is not asked.
-    let next = existing(view.next(h), extent.half_edges).filter(|n| view.is_half_edge(*n));
-    is_live && next.is_none_or(|n| extent.name(view, n) == name)
+    is_live && extent.name(view, next) == name
 }

@@ -13,7 +13,8 @@ pub(in crate::validate) struct Known {
     pub(in crate::validate) half_edges: Option<Doubts>,
     /// V1, and R1 of vertices.
     pub(in crate::validate) vertices: Option<Vertices>,
-    /// F1, F2, the rest of B1, and R1 of boundary components and faces.
+    /// F1, F2, R1 of boundary components and faces, and that starts name what lists them. If all cycles were walked along, the rest of
+    /// B1, too.
     pub(in crate::validate) lists: Option<Lists>,
     /// V2: what the scan and the walks around the vertices have found, until the components are joined from it.
     pub(super) turned: Option<Turned>,
@@ -46,11 +47,16 @@ pub(in crate::validate) struct Lists {
     pub(in crate::validate) faces: usize,
     pub(in crate::validate) outer: usize,
     pub(in crate::validate) inner: usize,
+    /// How many of the inner ones start at a vertex.
+    pub(in crate::validate) at_vertex: usize,
+    /// Whether the cycles are known to have the half-edges that name what lists them, and no others.
+    pub(in crate::validate) walked: bool,
 }
 
 impl Lists {
-    pub(super) fn of(lists: &Boundaries) -> Self {
-        Self { faces: lists.faces, outer: lists.outer, inner: lists.inner.len() }
+    pub(super) fn of(lists: &Boundaries, walked: bool) -> Self {
+        let Boundaries { faces, outer, at_vertex, .. } = *lists;
+        Self { faces, outer, inner: lists.inner.len(), at_vertex, walked }
     }
 }
 

@@ -33,9 +33,40 @@ impl Marks {
     #[inline]
     pub(super) fn mark(&mut self, slot: usize) -> Option<()> {
         let word = self.0.get_mut(slot / 64)?;
-        let bit = 1 << (slot % 64);
+        let bit = bit(slot);
         let is_new = *word & bit == 0;
         *word |= bit;
         is_new.then_some(())
     }
+
+    /// Takes the slot out of the set; none if it is not in it.
+    #[inline]
+    pub(super) fn clear(&mut self, slot: usize) -> Option<()> {
+        let word = self.0.get_mut(slot / 64)?;
+        let bit = bit(slot);
+        let was_marked = *word & bit != 0;
+        *word &= !bit;
+        was_marked.then_some(())
+    }
+
+    /// The first slot of the set in the word of this one or after it.
+    pub(super) fn first_from(&self, slot: usize) -> Option<usize> {
+        let words = self.0.get(slot / 64..)?;
+        let (i, word) = words.iter().enumerate().find(|(_, word)| **word != 0)?;
+        Some((slot / 64 + i) * 64 + word.trailing_zeros() as usize)
+    }
+
+    /// The slots that are not in the set, of so many.
+    pub(super) fn rest(&self, slots: usize) -> impl Iterator<Item = usize> {
+        let words = self.0.iter().enumerate().filter(|(_, word)| **word != u64::MAX);
+        words
+            .flat_map(|(i, _)| i * 64..i * 64 + 64)
+            .take_while(move |slot| *slot < slots)
+            .filter(|slot| !self.has(*slot))
+    }
+}
+
+/// The bit of a slot in its word.
+fn bit(slot: usize) -> u64 {
+    1 << (slot % 64)
 }

@@ -39,8 +39,9 @@
 //! - The faces list as many boundary components as there are, each of them once, by its own face, and each starts at a half-edge that
 //!   names it, or at a vertex (F1, F2, and R1 of faces and boundary components).
 //! - Each isolated vertex names a boundary component that starts at it, and there are as many of these as of those (B2).
-//! - Without faces, and where the lists are wrong, the cycles are counted by their half-edges with the smallest number. Those of cycles
-//!   with up to four half-edges need no marks.
+//! - Without faces the walks around the vertices pass each half-edge once, together with its next, and the cycles are counted on the way;
+//!   where the lists are wrong, a scan passes them. A cycle of up to four half-edges is counted by the one with the smallest number. The
+//!   half-edges of longer cycles are marked, and in the end these cycles are walked along.
 //! - Components are joined until as few are left as Euler's formula allows. It says that `V − E + cycles = 2C − 2g` with
 //!   `g ≥ 0`, where border loops are cycles, so there are never fewer, and once there are as many, C is known and g is 0. Where all
 //!   edges are used up before, the difference is the genus (T3).
@@ -57,17 +58,23 @@
 //! # Where something is wrong
 //!
 //! A half-edge at which the scan finds nothing wrong keeps L1 and L3, and R1 of `twin` and `next`, and its next L2. So the rules
-//! look at the half-edges at which something is wrong, at their twins, and, by a second scan, at those to which no `prev` leads back,
-//! if any `next` or `prev` is wrong, at those whose origins are not live, if the rotations are wrong, and at those that name what
+//! look at the half-edges at which something is wrong, at their twins, and, by a second scan, at those that are the
+//! next of no right half-edge, if any `next` or `prev` is wrong, at those whose origins are not live, if the rotations are wrong, and at those that name what
 //! is not live or what the next does not name, if the lists are wrong. If they are too many, nothing is settled. Without `prev`, two
 //! half-edges of the same next may be anywhere, and L looks at all.
 //!
-//! What is right in spite of that is settled: the lists where `next` is right; V1 and V2 where the links are right; T3 where V2 is, by
-//! all cycles of `next`.
+//! What is right in spite of that is settled: V1 and V2 where the links are right; T3 where V2 is, by all cycles of `next`; and the lists.
+//!
+//! Where some link is wrong, no walk around a vertex is sure to return. Then V1 is settled by index: each vertex keeps a half-edge that
+//! leaves it, or keeps none, and none leaves it. Where some `next` is wrong, no walk along a cycle is sure to return, either. Then
+//! F1 and F2 are settled without these walks, and that each start names what lists it. The rest of B1 needs the cycles, so it is not
+//! checked where L2 or R1 is broken, but for half-edges that name a boundary component that starts at a vertex: where there is one,
+//! B1 looks at all half-edges.
 
 mod borders;
 mod boundaries;
 mod components;
+mod cycles;
 mod doubts;
 mod extent;
 pub(super) mod known;
@@ -76,14 +83,16 @@ mod marks;
 #[cfg(feature = "rayon")]
 pub(super) mod parallel;
 mod rotations;
+mod vertices;
 
 use super::columns::{Component, Components, NIL};
 use super::expectation::{Part, Surface};
 use super::run::Run;
 use super::view::View;
 use alloc::vec::Vec;
-use boundaries::{Boundaries, Cycles};
+use boundaries::Boundaries;
 use components::Joined;
+use cycles::Cycles;
 use doubts::Settled;
 use extent::Extent;
 use known::{Known, Lists, Turned, Vertices, Whole};
@@ -97,20 +106,16 @@ pub(super) fn look<V: View + ?Sized>(run: &mut Run<'_, V>) {
     let (view, extent) = (run.view, extent_of(run));
     let Some(mut links) = links::scan(view, extent) else { return };
     let around = turn(run, extent, &mut links);
-    // Where the rotations are wrong the lists stand on their own, but their rules come after one that is broken.
+    // Where the links or the rotations are wrong the lists stand on their own, but their rules come after one that is broken.
     let is_wanted = around.is_some() || !run.findings.wants_first_only();
-    let lists = if extent.has(Part::Faces) && links.next_holds && is_wanted {
-        boundaries::read(view, extent, &links)
-    } else {
-        None
-    };
-    let settled = Settled { origins: around.is_some(), names: lists.is_some() };
+    let lists = if extent.has(Part::Faces) && is_wanted { boundaries::read(view, extent, &links) } else { None };
+    let settled = Settled { origins: around.is_some(), names: lists.is_some() && links.next_holds };
     let Some(doubts) = doubts::find(view, extent, &links, settled) else {
         run.known = Known::default();
         return;
     };
     run.known.half_edges = Some(doubts);
-    run.known.lists = lists.as_ref().map(Lists::of);
+    run.known.lists = lists.as_ref().map(|lists| Lists::of(lists, links.next_holds));
     let Some(around) = around else { return };
     let turned = Turned { links, around };
     match lists {
@@ -125,6 +130,7 @@ pub(super) fn look<V: View + ?Sized>(run: &mut Run<'_, V>) {
 /// Walks around the vertices, where the links are right, and notes what holds of these.
 fn turn<V: View + ?Sized>(run: &mut Run<'_, V>, extent: Extent, links: &mut Links) -> Option<Rotations> {
     if !(links.next_holds && links.twin_holds && links.one_into_each) {
+        run.known.vertices = vertices::by_index(run.view, extent, links);
         return None;
     }
     if let Some(around) = rotations::walk(run.view, extent, links) {
@@ -169,9 +175,10 @@ fn agree(extent: Extent, around: &Rotations, lists: &Boundaries) -> bool {
 
 /// Where the rotations are right, and the lists may be wrong: finds the components and the genus from the cycles.
 pub(super) fn whole<V: View + ?Sized>(run: &mut Run<'_, V>) {
-    let Some(turned) = run.known.turned.take() else { return };
+    let Some(mut turned) = run.known.turned.take() else { return };
     let extent = extent_of(run);
-    let Some(cycles) = boundaries::cycles(run.view, extent, &turned.links) else { return };
+    let cycles = turned.around.cycles.take().or_else(|| cycles::count(run.view, extent, &turned.links));
+    let Some(cycles) = cycles else { return };
     run.known.whole = join(run.view, extent, turned, &cycles);
 }
 

@@ -14,7 +14,8 @@
 //!   each part.
 //! - Which vertices were seen from a vertex: by a column for each part.
 
-use super::boundaries::{Boundaries, Cycles, Inner, along};
+use super::boundaries::{Boundaries, Inner};
+use super::cycles::{Cycles, Listed, along};
 use super::doubts::{self, Settled};
 use super::extent::{Extent, existing, nils};
 use super::known::{Lists, Turned, Vertices};
@@ -38,7 +39,7 @@ pub(in crate::validate) fn look<V: View + Sync + ?Sized>(run: &mut Run<'_, V>) -
     let Rotations { vertices: live, isolated, claimed, .. } = around;
     run.known.vertices = claimed.map(|claimed| Vertices { live, isolated, claimed });
     run.known.half_edges = Some(doubts);
-    run.known.lists = Some(Lists::of(&lists));
+    run.known.lists = Some(Lists::of(&lists, true));
     listed(run, extent, Turned { links, around }, &lists);
     true
 }
@@ -74,7 +75,16 @@ fn rotations<V: View + Sync + ?Sized>(view: &V, extent: Extent, links: &Links) -
     let found = nearest.par_chunks_mut(length).enumerate();
     let found = found.map(|(i, nearest)| rotations_of(view, extent, links, i * length, nearest));
     let found: Vec<Rotations> = found.collect::<Option<_>>()?;
-    let none = Rotations { vertices: 0, isolated: 0, claimed: Some(0), half_edges: 0, nearest, roots: 0, simple: true };
+    let none = Rotations {
+        vertices: 0,
+        isolated: 0,
+        claimed: Some(0),
+        half_edges: 0,
+        nearest,
+        roots: 0,
+        simple: true,
+        cycles: None,
+    };
     let all = found.into_iter().fold(none, |all, part| Rotations {
         vertices: all.vertices + part.vertices,
         isolated: all.isolated + part.isolated,
@@ -83,6 +93,7 @@ fn rotations<V: View + Sync + ?Sized>(view: &V, extent: Extent, links: &Links) -
         nearest: all.nearest,
         roots: all.roots + part.roots,
         simple: all.simple && part.simple,
+        cycles: None,
     });
     (all.half_edges == links.half_edges).then_some(all)
 }
@@ -103,6 +114,7 @@ fn rotations_of<V: View + ?Sized>(
         nearest: Vec::new(),
         roots: 0,
         simple: true,
+        cycles: None,
     };
     let mut seen_from = nils(extent.vertices)?;
     for (v, nearest_to) in (first..).zip(nearest).filter(|(v, _)| view.is_vertex(*v)) {
@@ -122,12 +134,19 @@ fn rotations_of<V: View + ?Sized>(
                     found.claimed = None;
                 }
                 let simple = &mut found.simple;
-                found.half_edges += around(view, extent, start, links.half_edges, |neighbour| {
-                    let seen = seen_from.get_mut(neighbour)?;
-                    *simple &= core::mem::replace(seen, v as u32) != v as u32;
-                    nearest = nearest.min(neighbour);
-                    Some(())
-                })?;
+                found.half_edges += around(
+                    view,
+                    extent,
+                    start,
+                    links.half_edges,
+                    |neighbour| {
+                        let seen = seen_from.get_mut(neighbour)?;
+                        *simple &= core::mem::replace(seen, v as u32) != v as u32;
+                        nearest = nearest.min(neighbour);
+                        Some(())
+                    },
+                    &mut Listed,
+                )?;
                 if found.half_edges > links.half_edges {
                     return None;
                 }

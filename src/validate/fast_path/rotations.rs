@@ -1,5 +1,6 @@
 //! The walks around the vertices: V1, V2 and the vertices' half of B2.
 
+use super::cycles::{Count, Cycles, Listed, Pass};
 use super::extent::{Extent, existing, nils};
 use super::links::Links;
 use crate::validate::expectation::Part;
@@ -21,11 +22,24 @@ pub(super) struct Rotations {
     pub(super) roots: usize,
     /// Whether there is neither a loop nor a pair of parallel edges.
     pub(super) simple: bool,
+    /// The cycles, where there are no faces to list them.
+    pub(super) cycles: Option<Cycles>,
 }
 
-/// Walks around every vertex, in order of their numbers.
-#[inline(never)]
+/// Walks around every vertex, in order of their numbers. Where there are no faces, counts the cycles on the way.
 pub(super) fn walk<V: View + ?Sized>(view: &V, extent: Extent, links: &Links) -> Option<Rotations> {
+    if extent.has(Part::Faces) {
+        return walk_and(view, extent, links, &mut Listed);
+    }
+    let mut cycles = Count::default();
+    let mut found = walk_and(view, extent, links, &mut cycles)?;
+    found.cycles = Some(cycles.all(view, extent, links.half_edges)?);
+    Some(found)
+}
+
+/// Walks around every vertex, and counts of the cycles what is asked for.
+#[inline(never)]
+fn walk_and<V: View + ?Sized, P: Pass>(view: &V, extent: Extent, links: &Links, cycles: &mut P) -> Option<Rotations> {
     let mut found = Rotations {
         vertices: 0,
         isolated: 0,
@@ -34,6 +48,7 @@ pub(super) fn walk<V: View + ?Sized>(view: &V, extent: Extent, links: &Links) ->
         nearest: nils(extent.vertices)?,
         roots: 0,
         simple: true,
+        cycles: None,
     };
     // The last vertex from which a vertex was seen as a neighbour: seen twice from one means parallel edges.
     let mut seen_from = nils(extent.vertices)?;
@@ -49,10 +64,7 @@ pub(super) fn walk<V: View + ?Sized>(view: &V, extent: Extent, links: &Links) ->
                 }
             }
             Some(start) => {
-                let leaves = start < extent.half_edges && view.is_half_edge(start) && view.origin(start) == Some(v);
-                if !leaves {
-                    return None;
-                }
+                leaves(view, extent, start, v).then_some(())?;
                 if names_boundary && view.isolated(v).is_some() {
                     found.claimed = None;
                 }
@@ -66,8 +78,8 @@ pub(super) fn walk<V: View + ?Sized>(view: &V, extent: Extent, links: &Links) ->
                     Some(())
                 };
                 found.half_edges += match links.into(v) {
-                    None => around(view, extent, start, limit, see)?,
-                    Some(before) => across(view, extent, before, limit, see)?,
+                    None => around(view, extent, start, limit, see, cycles)?,
+                    Some(before) => across(view, extent, before, limit, see, cycles)?,
                 };
             }
         }
@@ -75,6 +87,12 @@ pub(super) fn walk<V: View + ?Sized>(view: &V, extent: Extent, links: &Links) ->
         found.roots += usize::from(nearest == v);
     }
     (found.half_edges == links.half_edges).then_some(found)
+}
+
+/// Whether a half-edge that a vertex keeps is live and leaves it.
+#[inline]
+pub(super) fn leaves<V: View + ?Sized>(view: &V, extent: Extent, start: usize, v: usize) -> bool {
+    start < extent.half_edges && view.is_half_edge(start) && view.origin(start) == Some(v)
 }
 
 /// Walks around one vertex, from a half-edge that leaves it, and returns how many half-edges it visited; none if it visits
@@ -86,12 +104,14 @@ pub(super) fn around<V: View + ?Sized>(
     start: usize,
     limit: usize,
     mut see: impl FnMut(usize) -> Option<()>,
+    cycles: &mut impl Pass,
 ) -> Option<usize> {
     let mut h = start;
     for visited in 0..limit {
         let t = existing(view.twin(h), extent.half_edges)?;
         see(view.origin(t)?)?;
         h = existing(view.next(t), extent.half_edges)?;
+        cycles.pass(view, extent, [t, h])?;
         if h == start {
             return Some(visited + 1);
         }
@@ -107,9 +127,11 @@ fn across<V: View + ?Sized>(
     before: usize,
     limit: usize,
     mut see: impl FnMut(usize) -> Option<()>,
+    cycles: &mut impl Pass,
 ) -> Option<usize> {
     see(view.origin(before)?)?;
     let mut h = existing(view.next(before), extent.half_edges)?;
+    cycles.pass(view, extent, [before, h])?;
     for visited in 0..limit {
         let Some(t) = view.twin(h) else {
             let next = existing(view.next(h), extent.half_edges)?;
@@ -119,6 +141,7 @@ fn across<V: View + ?Sized>(
         let t = existing(Some(t), extent.half_edges)?;
         see(view.origin(t)?)?;
         h = existing(view.next(t), extent.half_edges)?;
+        cycles.pass(view, extent, [t, h])?;
     }
     None
 }

@@ -24,7 +24,7 @@ pub(in crate::validate) fn check<V: View + ?Sized>(run: &mut Run<'_, V>) -> Flow
         run.findings.not_checked(Rule::B1, Unchecked::Lacks(Part::Faces));
         return Ok(());
     }
-    if run.known.lists.is_some() {
+    if run.known.lists.is_some_and(|lists| lists.walked) {
         run.findings.checked(Rule::B1, run.counts.half_edges as u64);
         if run.expect.has(Part::BoundaryComponents) {
             not_walked(run);
@@ -33,8 +33,7 @@ pub(in crate::validate) fn check<V: View + ?Sized>(run: &mut Run<'_, V>) -> Flow
     }
     if run.expect.has(Part::BoundaryComponents) {
         constant_along_next(run)?;
-        let sizes = sizes(run)?;
-        components_have_one_cycle(run, &sizes)
+        components_have_one_cycle(run)
     } else {
         cycles_have_one_face(run)
     }
@@ -77,9 +76,22 @@ fn constant_along_next<V: View + ?Sized>(run: &mut Run<'_, V>) -> Flow {
     Ok(())
 }
 
-fn components_have_one_cycle<V: View + ?Sized>(run: &mut Run<'_, V>, sizes: &[u32]) -> Flow {
+fn components_have_one_cycle<V: View + ?Sized>(run: &mut Run<'_, V>) -> Flow {
     let constant_along_next = run.findings.holds(Rule::B1);
     let walkable = run.map_is_live && run.findings.holds(Rule::L2) && constant_along_next;
+    // Where each start is known to name its own, those that start at a vertex are left.
+    if walkable || run.known.lists.is_none_or(|lists| lists.at_vertex > 0) {
+        starts_and_sizes(run, walkable)?;
+    }
+    if constant_along_next {
+        not_walked(run);
+    }
+    Ok(())
+}
+
+/// Checks that each start names its own boundary component, and where `walkable`, that its cycle has all half-edges that do.
+fn starts_and_sizes<V: View + ?Sized>(run: &mut Run<'_, V>, walkable: bool) -> Flow {
+    let sizes = sizes(run)?;
     for b in 0..run.boundaries {
         if !run.live_boundary(b) {
             continue;
@@ -113,9 +125,6 @@ fn components_have_one_cycle<V: View + ?Sized>(run: &mut Run<'_, V>, sizes: &[u3
         if let Some(Start::Vertex(_)) = run.view.boundary_start(b as usize) {
             second_cycle(run, b, 0, half_edges)?;
         }
-    }
-    if constant_along_next {
-        not_walked(run);
     }
     Ok(())
 }
@@ -163,6 +172,10 @@ fn cycles_have_one_face<V: View + ?Sized>(run: &mut Run<'_, V>) -> Flow {
         }
     }
     run.findings.checked(Rule::B1, checked);
+    // What the faces list is known to name them.
+    if run.known.lists.is_some() {
+        return Ok(());
+    }
     for f in 0..run.faces as usize {
         if !run.view.is_face(f) {
             continue;

@@ -81,7 +81,8 @@ fn each_is_claimed<V: View + ?Sized>(run: &Run<'_, V>) -> bool {
     let Some(known) = run.known.vertices.filter(|_| run.expect.has(Part::BoundaryComponents)) else { return false };
     let starts_at_vertex =
         |b: &u32| run.live_boundary(*b) && matches!(run.view.boundary_start(*b as usize), Some(Start::Vertex(_)));
-    (0..run.boundaries).filter(starts_at_vertex).count() == known.claimed
+    let at_vertex = run.known.lists.map(|lists| lists.at_vertex);
+    at_vertex.unwrap_or_else(|| (0..run.boundaries).filter(starts_at_vertex).count()) == known.claimed
 }
 
 /// Notes that a boundary component starts at a vertex, or that a face lists it.
