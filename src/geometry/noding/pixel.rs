@@ -182,7 +182,7 @@ impl Pixels {
         let apart = |axis: usize| {
             s.a[axis].max(s.b[axis]) < t.a[axis].min(t.b[axis]) || t.a[axis].max(t.b[axis]) < s.a[axis].min(s.b[axis])
         };
-        if apart(0) || apart(1) {
+        if apart(0) || apart(1) || s.a == t.a || s.b == t.b || s.a == t.b || s.b == t.a {
             return None;
         }
         let (d, e) = (s.direction(), t.direction());
