@@ -64,8 +64,8 @@ const MANY: usize = limit(64, 4);
 pub(super) struct Found {
     /// Pairs of a segment and a vertex whose pixel it visits, but in which it does not end.
     pub(super) visits: Vec<[u32; 2]>,
-    /// Segments of which the way from centre to centre may visit a pixel that the segment does not visit. Those from
-    /// centre to centre are not among them.
+    /// Segments of which the way from centre to centre may visit a pixel that the segment does not visit, some of them more
+    /// than once. Those from centre to centre are not among them.
     pub(super) doubtful: Vec<u32>,
 }
 
@@ -108,6 +108,8 @@ struct Search<'a> {
     segment_pool: Vec<u32>,
     vertex_pool: Vec<u32>,
     filing: Filing,
+    /// The blocks around the segments of a leaf; its memory is kept, too.
+    boxes: Vec<Block>,
 }
 
 /// Adds a vertex for each pixel where two segments cross and that has none, and finds all visits.
@@ -139,6 +141,7 @@ pub(super) fn search(
         segment_pool: (0..segments.len() as u32).collect(),
         vertex_pool: (0..vertices.len() as u32).collect(),
         filing: Filing::default(),
+        boxes: Vec::new(),
         vertices: Vertices::new(vertices),
     };
     search.run()?;
@@ -194,7 +197,7 @@ impl Search<'_> {
             return Ok(());
         }
         let (tasks, segments_to, vertices_to) = (self.tasks.len(), self.segment_pool.len(), self.vertex_pool.len());
-        let most = self.part(&halves(block), segments, vertices, State::New);
+        let most = self.halve_block(block, segments, vertices, State::New);
         if most <= work - work / 4 || (work > SOME_PAIRS && look.state == State::Cut) {
             return Ok(());
         }
@@ -208,7 +211,7 @@ impl Search<'_> {
         }
         match instead {
             Some(Instead::Cut(pixel)) => {
-                self.part(&around(block, pixel), segments, vertices, State::Cut);
+                self.part(&around(block, pixel), segments, vertices);
                 vertices.retain(|&v| self.vertices[v as usize] == pixel);
                 self.look_at_pixel(pixel, segments, vertices)
             }
@@ -228,7 +231,7 @@ impl Search<'_> {
         if vertices.len() <= FEW || segments.len().saturating_mul(vertices.len()) <= FEW_PAIRS {
             self.try_visits(segments, vertices);
         } else {
-            self.part(&halves(block), segments, vertices, State::Crossed);
+            self.halve_block(block, segments, vertices, State::Crossed);
         }
     }
 
@@ -261,16 +264,41 @@ impl Search<'_> {
             return false;
         }
         for &id in vertices {
-            let pixel = Block::one(self.vertices[id as usize]);
-            self.filing.vertex(tiles.at(pixel.low), id, pixel);
+            self.filing.vertex(tiles.at(self.vertices[id as usize]), id);
         }
         self.put_off(|tile| tiles.block(tile), State::New);
         true
     }
 
-    /// Puts off parts of a block, those without anything to find excepted. Returns the number of pairs in the part
-    /// with most.
-    fn part(&mut self, parts: &[Block], segments: &[u32], vertices: &[u32], state: State) -> usize {
+    /// Puts off the halves of a block. Returns the number of pairs in the half with more.
+    fn halve_block(&mut self, block: &Block, segments: &[u32], vertices: &[u32], state: State) -> usize {
+        let (halves, axis) = halves(block);
+        let middle = halves[0].high[axis];
+        self.filing.clear(2);
+        for &id in segments {
+            let segment = &self.segments[id as usize];
+            let around = self.pixels.around(segment);
+            if around.high[axis] <= middle {
+                self.filing.segment(0, id, around);
+            } else if around.low[axis] > middle {
+                self.filing.segment(1, id, around);
+            } else {
+                for (number, half) in halves.iter().enumerate() {
+                    if self.pixels.line_nears(segment, half) {
+                        self.filing.segment(number, id, around);
+                    }
+                }
+            }
+        }
+        for &id in vertices {
+            let pixel = self.vertices[id as usize];
+            self.filing.vertex(usize::from(pixel[axis] > middle), id);
+        }
+        self.put_off(|number| halves[number], state)
+    }
+
+    /// Puts off the parts of a block out of which a pixel was cut.
+    fn part(&mut self, parts: &[Block], segments: &[u32], vertices: &[u32]) {
         self.filing.clear(parts.len());
         for &id in segments {
             let segment = &self.segments[id as usize];
@@ -284,20 +312,21 @@ impl Search<'_> {
         for &id in vertices {
             let pixel = self.vertices[id as usize];
             for (number, _) in parts.iter().enumerate().filter(|(_, part)| part.contains(pixel)) {
-                self.filing.vertex(number, id, Block::one(pixel));
+                self.filing.vertex(number, id);
             }
         }
-        self.put_off(|number| parts[number], state)
+        self.put_off(|number| parts[number], State::Cut);
     }
 
-    /// Puts off parts of a block, with what was filed under each.
+    /// Puts off parts of a block, with what was filed under each; those without anything to find excepted. Returns the number
+    /// of pairs in the part with most.
     fn put_off(&mut self, part: impl Fn(usize) -> Block, state: State) -> usize {
         let mut most = 0;
         // A visit takes a vertex, and a crossing that is not known two segments.
         let worth = |c: &Content| c.segments > 0 && (c.vertices > 0 || c.segments >= 2 && state != State::Crossed);
         self.filing.pour(&mut self.segment_pool, &mut self.vertex_pool, worth, |filed| {
             let Filed { content, segments_from, vertices_from, .. } = filed;
-            let block = part(filed.part).meet(&filed.around);
+            let block = part(filed.part).meet(&content.around);
             self.tasks.push(Task::Look(Look { block, segments_from, vertices_from, state }));
             most = most.max(pairs(content.segments, content.vertices));
         });
@@ -389,39 +418,47 @@ impl Search<'_> {
     }
 
     fn try_all(&mut self, block: &Block, segments: &[u32], vertices: &mut Vec<u32>) -> Result<(), NodingError> {
-        let boxes: Vec<Block> = segments.iter().map(|&id| self.pixels.around(&self.segments[id as usize])).collect();
+        self.surround(segments);
         let mut crossings = Vec::new();
         for (i, &id) in segments.iter().enumerate() {
-            for (&other, around) in segments[..i].iter().zip(&boxes) {
-                if around.overlaps(&boxes[i]) {
+            for (&other, around) in segments[..i].iter().zip(&self.boxes) {
+                if around.overlaps(&self.boxes[i]) {
                     let [s, t] = [id, other].map(|id| &self.segments[id as usize]);
                     crossings.extend(self.pixels.crossing(s, t).filter(|&pixel| block.contains(pixel)));
                 }
             }
         }
         self.add(crossings, vertices)?;
-        self.try_visits(segments, vertices);
+        self.try_boxes(segments, vertices);
         Ok(())
     }
 
+    fn surround(&mut self, segments: &[u32]) {
+        self.boxes.clear();
+        self.boxes.extend(segments.iter().map(|&id| self.pixels.around(&self.segments[id as usize])));
+    }
+
     fn try_visits(&mut self, segments: &[u32], vertices: &[u32]) {
-        let places: Vec<Pixel> = vertices.iter().map(|&v| self.vertices[v as usize]).collect();
-        for &id in segments {
-            let segment = &self.segments[id as usize];
-            let around = self.pixels.around(segment);
-            let mut doubtful = false;
-            for (&v, &pixel) in vertices.iter().zip(&places) {
-                if !around.contains(pixel) || segment.ends.contains(&v) {
+        self.surround(segments);
+        self.try_boxes(segments, vertices);
+    }
+
+    /// Tries all vertices on all segments, given the blocks around these.
+    fn try_boxes(&mut self, segments: &[u32], vertices: &[u32]) {
+        for &v in vertices {
+            let pixel = self.vertices[v as usize];
+            for (&id, _) in segments.iter().zip(&self.boxes).filter(|(_, around)| around.contains(pixel)) {
+                let segment = &self.segments[id as usize];
+                if segment.ends.contains(&v) {
                     continue;
                 }
                 if self.pixels.visits(segment, pixel) {
                     self.found.visits.push([id, v]);
-                } else if self.pixels.shift > 0 {
-                    doubtful |= Pixels::ONE_STEP.visits(&self.pixels.between_centres(segment), pixel);
+                } else if self.pixels.shift > 0
+                    && Pixels::ONE_STEP.visits(&self.pixels.between_centres(segment), pixel)
+                {
+                    self.found.doubtful.push(id);
                 }
-            }
-            if doubtful {
-                self.found.doubtful.push(id);
             }
         }
     }

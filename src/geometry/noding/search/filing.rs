@@ -5,19 +5,18 @@ use crate::geometry::noding::pixel::Block;
 /// A part without anything to look for.
 const NOWHERE: usize = usize::MAX;
 
-/// How much lies in a part of a block, and the smallest block around it.
-#[derive(Clone, Copy, Default)]
+/// How much lies in a part of a block.
+#[derive(Clone, Copy)]
 pub(super) struct Content {
     pub(super) segments: usize,
     pub(super) vertices: usize,
-    around: Option<Block>,
+    /// The smallest block around the segments. A vertex outside is visited by none of them.
+    pub(super) around: Block,
 }
 
-impl Content {
-    fn grow(&mut self, item: Block) {
-        self.around = Some(self.around.map_or(item, |all| all.join(&item)));
-    }
-}
+/// Nothing, and a block that is no larger than any other.
+const EMPTY: Content =
+    Content { segments: 0, vertices: 0, around: Block { low: [i64::MAX; 2], high: [i64::MIN; 2] } };
 
 /// What lies in which part. The memory is kept from block to block.
 #[derive(Default)]
@@ -32,7 +31,6 @@ pub(super) struct Filing {
 pub(super) struct Filed {
     pub(super) part: usize,
     pub(super) content: Content,
-    pub(super) around: Block,
     pub(super) segments_from: usize,
     pub(super) vertices_from: usize,
 }
@@ -41,7 +39,7 @@ impl Filing {
     /// Empties it, for so many parts.
     pub(super) fn clear(&mut self, parts: usize) {
         self.contents.clear();
-        self.contents.resize(parts, Content::default());
+        self.contents.resize(parts, EMPTY);
         self.segments.clear();
         self.vertices.clear();
     }
@@ -54,16 +52,16 @@ impl Filing {
     #[inline]
     pub(super) fn segment(&mut self, part: usize, id: u32, around: Block) {
         self.segments.push([part as u32, id]);
-        self.contents[part].segments += 1;
-        self.contents[part].grow(around);
+        let content = &mut self.contents[part];
+        content.segments += 1;
+        content.around = content.around.join(&around);
     }
 
-    /// Files a vertex, with the block of its pixel.
+    /// Files a vertex.
     #[inline]
-    pub(super) fn vertex(&mut self, part: usize, id: u32, pixel: Block) {
+    pub(super) fn vertex(&mut self, part: usize, id: u32) {
         self.vertices.push([part as u32, id]);
         self.contents[part].vertices += 1;
-        self.contents[part].grow(pixel);
     }
 
     /// Puts the contents of the parts that are worth a look at the top of the two pools, part after part.
@@ -76,11 +74,11 @@ impl Filing {
     ) {
         let (mut segments_to, mut vertices_to) = (segments.len(), vertices.len());
         for (part, content) in self.contents.iter_mut().enumerate() {
-            let Some(around) = content.around.filter(|_| worth(content)) else {
+            if !worth(content) {
                 (content.segments, content.vertices) = (NOWHERE, NOWHERE);
                 continue;
-            };
-            each(Filed { part, content: *content, around, segments_from: segments_to, vertices_from: vertices_to });
+            }
+            each(Filed { part, content: *content, segments_from: segments_to, vertices_from: vertices_to });
             // From here on, the places of the next ones.
             let places = (segments_to, vertices_to);
             segments_to += content.segments;

@@ -3,24 +3,24 @@
 use crate::geometry::noding::pixel::{Block, Pixel};
 
 /// A block is cut in at most 2^TILES tiles along each axis; in fewer in tests of this crate, which have small blocks.
-const TILES: u32 = if cfg!(test) { 1 } else { 3 };
+const TILES: u32 = if cfg!(test) { 1 } else { 6 };
 
 /// About so many segments are to be in a tile, as long as that takes no more tiles.
-const FULL: usize = 8;
+const FULL: usize = 4;
 
 /// The axis along which a block of more than one pixel is longer.
 fn longer(block: &Block) -> usize {
     usize::from(block.high[1] - block.low[1] > block.high[0] - block.low[0])
 }
 
-/// A block, parted across its longer side.
-pub(super) fn halves(block: &Block) -> [Block; 2] {
+/// A block, parted across its longer side, and the axis along which that is.
+pub(super) fn halves(block: &Block) -> ([Block; 2], usize) {
     let axis = longer(block);
     let mut halves = [*block; 2];
     let middle = block.low[axis] + (block.high[axis] - block.low[axis]) / 2;
     halves[0].high[axis] = middle;
     halves[1].low[axis] = middle + 1;
-    halves
+    (halves, axis)
 }
 
 /// A block, cut into tiles whose sides are powers of two, those at the upper and the right border excepted.
