@@ -63,8 +63,10 @@ impl Block {
         Self { low: pixel, high: pixel }
     }
 
+    // Where many blocks are tried, which of the four conditions fails is unforeseeable: so these have no branches.
+
     pub(super) fn contains(&self, [x, y]: Pixel) -> bool {
-        self.low[0] <= x && x <= self.high[0] && self.low[1] <= y && y <= self.high[1]
+        (self.low[0] <= x) & (x <= self.high[0]) & (self.low[1] <= y) & (y <= self.high[1])
     }
 
     pub(super) fn includes(&self, other: &Self) -> bool {
@@ -72,7 +74,8 @@ impl Block {
     }
 
     pub(super) fn overlaps(&self, other: &Self) -> bool {
-        (0..2).all(|axis| self.low[axis] <= other.high[axis] && other.low[axis] <= self.high[axis])
+        let along = |axis: usize| (self.low[axis] <= other.high[axis]) & (other.low[axis] <= self.high[axis]);
+        along(0) & along(1)
     }
 
     /// The smallest block that holds both.

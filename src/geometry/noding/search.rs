@@ -20,8 +20,8 @@
 //!   └───────┴─┴───────┘
 //! ```
 //!
-//! A block with very many segments is cut in many tiles at once, as long as most segments are so short that a tile or two
-//! hold them: that saves going through all of them for each halving.
+//! A block with many segments is cut in tiles at once, as many as it takes to have few in each, as long as most segments are so
+//! short that a tile or two hold them: that saves going through all of them for each halving.
 //!
 //! Blocks are made of whole pixels, so each hot pixel is met in one leaf, and each visit is found once.
 
@@ -454,8 +454,7 @@ impl Search<'_> {
                 }
                 if self.pixels.visits(segment, pixel) {
                     self.found.visits.push([id, v]);
-                } else if self.pixels.shift > 0
-                    && Pixels::ONE_STEP.visits(&self.pixels.between_centres(segment), pixel)
+                } else if self.pixels.shift > 0 && Pixels::ONE_STEP.visits(&self.pixels.between_centres(segment), pixel)
                 {
                     self.found.doubtful.push(id);
                 }

@@ -15,8 +15,7 @@ pub(super) struct Content {
 }
 
 /// Nothing, and a block that is no larger than any other.
-const EMPTY: Content =
-    Content { segments: 0, vertices: 0, around: Block { low: [i64::MAX; 2], high: [i64::MIN; 2] } };
+const EMPTY: Content = Content { segments: 0, vertices: 0, around: Block { low: [i64::MAX; 2], high: [i64::MIN; 2] } };
 
 /// What lies in which part. The memory is kept from block to block.
 #[derive(Default)]
