@@ -445,6 +445,7 @@ impl Search<'_> {
 
     /// Tries all vertices on all segments, given the blocks around these.
     fn try_boxes(&mut self, segments: &[u32], vertices: &[u32]) {
+        let before = self.found.doubtful.len();
         for &v in vertices {
             let pixel = self.vertices[v as usize];
             for (&id, _) in segments.iter().zip(&self.boxes).filter(|(_, around)| around.contains(pixel)) {
@@ -459,6 +460,12 @@ impl Search<'_> {
                     self.found.doubtful.push(id);
                 }
             }
+        }
+        if self.found.doubtful.len() > before {
+            let mut doubtful = self.found.doubtful.split_off(before);
+            doubtful.sort_unstable();
+            doubtful.dedup();
+            self.found.doubtful.append(&mut doubtful);
         }
     }
 

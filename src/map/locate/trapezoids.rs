@@ -21,11 +21,11 @@
 //! any fixed point, whatever the drawing. The order is that of a fixed pseudo-random sequence, so it is the same in every
 //! run; a drawing made up against this very sequence could be slow, and all others are as good as the average.
 //!
-//! In a large drawing it is memory that takes time, and a random order jumps through it. So segments come in rounds, each of
-//! as many as all before it. Which round a segment is in is random; within a round segments follow a curve that fills
-//! the plane, so that one is next to the one before. A round puts O(1) segments on average through a trapezoid of the rounds
-//! before, so it adds O(1) questions to a way, and all rounds add O(log n). And the points of a round are found together
-//! before it: neighbours share the way from the root.
+//! In a large drawing it is memory that takes time, and a random order jumps through it. So points and segments are numbered
+//! along a curve that fills the plane, and segments come in rounds, each of as many as all before it. Which round a segment is
+//! in is random; within a round segments follow the curve, so that one is next to the one before. A round puts O(1) segments on
+//! average through a trapezoid of the rounds before, so it adds O(1) questions to a way, and all rounds add O(log n). And the
+//! points of a round are found together before it: neighbours share the way from the root.
 //!
 //! Nothing is gained by building anew if the graph came out deep: in a random order, the chance that any point at all takes
 //! more than 3 λ ln (n + 1) questions is below 2 / (n + 1)^(0.22 λ − 3).
