@@ -63,8 +63,10 @@ impl Block {
         Self { low: pixel, high: pixel }
     }
 
-    // Where many blocks are tried, which of the four conditions fails is unforeseeable: so these have no branches.
-
+    #[expect(
+        clippy::needless_bitwise_bool,
+        reason = "which condition fails is unforeseeable, so there are no branches"
+    )]
     pub(super) fn contains(&self, [x, y]: Pixel) -> bool {
         (self.low[0] <= x) & (x <= self.high[0]) & (self.low[1] <= y) & (y <= self.high[1])
     }
@@ -73,6 +75,10 @@ impl Block {
         self.contains(other.low) && self.contains(other.high)
     }
 
+    #[expect(
+        clippy::needless_bitwise_bool,
+        reason = "which condition fails is unforeseeable, so there are no branches"
+    )]
     pub(super) fn overlaps(&self, other: &Self) -> bool {
         let along = |axis: usize| (self.low[axis] <= other.high[axis]) & (other.low[axis] <= self.high[axis]);
         along(0) & along(1)

@@ -66,7 +66,9 @@ impl Read {
         let mut vertex_of = vec![0; points.len()];
         let first_of = |equal: &[(Pixel, u32)]| equal[0].1;
         for equal in sorted.chunk_by(|(p, _), (q, _)| p == q) {
-            equal.iter().for_each(|(_, number)| vertex_of[*number as usize] = first_of(equal));
+            for (_, number) in equal {
+                vertex_of[*number as usize] = first_of(equal);
+            }
         }
         for number in 0..points.len() {
             let first = vertex_of[number] as usize;

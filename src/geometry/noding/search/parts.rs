@@ -55,7 +55,7 @@ impl Tiles {
     /// A tile, by its number: they are numbered row by row.
     pub(super) fn block(&self, tile: usize) -> Block {
         let Block { low, high } = self.block;
-        let at = [tile & ((1 << self.count) - 1), tile >> self.count].map(|place| place as i64);
+        let at = [tile & ((1 << self.count) - 1), tile >> self.count].map(usize::cast_signed).map(|place| place as i64);
         Block {
             low: [0, 1].map(|axis| low[axis] + (at[axis] << self.sides[axis])),
             high: [0, 1].map(|axis| high[axis].min(low[axis] + ((at[axis] + 1) << self.sides[axis]) - 1)),
