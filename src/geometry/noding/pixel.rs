@@ -63,16 +63,25 @@ impl Block {
         Self { low: pixel, high: pixel }
     }
 
+    #[expect(
+        clippy::needless_bitwise_bool,
+        reason = "which condition fails is unforeseeable, so there are no branches"
+    )]
     pub(super) fn contains(&self, [x, y]: Pixel) -> bool {
-        self.low[0] <= x && x <= self.high[0] && self.low[1] <= y && y <= self.high[1]
+        (self.low[0] <= x) & (x <= self.high[0]) & (self.low[1] <= y) & (y <= self.high[1])
     }
 
     pub(super) fn includes(&self, other: &Self) -> bool {
         self.contains(other.low) && self.contains(other.high)
     }
 
+    #[expect(
+        clippy::needless_bitwise_bool,
+        reason = "which condition fails is unforeseeable, so there are no branches"
+    )]
     pub(super) fn overlaps(&self, other: &Self) -> bool {
-        (0..2).all(|axis| self.low[axis] <= other.high[axis] && other.low[axis] <= self.high[axis])
+        let along = |axis: usize| (self.low[axis] <= other.high[axis]) & (other.low[axis] <= self.high[axis]);
+        along(0) & along(1)
     }
 
     /// The smallest block that holds both.
@@ -182,7 +191,7 @@ impl Pixels {
         let apart = |axis: usize| {
             s.a[axis].max(s.b[axis]) < t.a[axis].min(t.b[axis]) || t.a[axis].max(t.b[axis]) < s.a[axis].min(s.b[axis])
         };
-        if apart(0) || apart(1) {
+        if apart(0) || apart(1) || s.a == t.a || s.b == t.b || s.a == t.b || s.b == t.a {
             return None;
         }
         let (d, e) = (s.direction(), t.direction());

@@ -25,6 +25,8 @@ pub(super) struct Read {
     points: Vec<u32>,
     /// The pixels of all sites, distinct.
     pub(super) vertices: Vec<Pixel>,
+    /// The vertices in the order of their pixels, or none of them.
+    pub(super) order: Vec<u32>,
 }
 
 impl Read {
@@ -54,34 +56,51 @@ impl Read {
     /// The same for distinct points, each of which is a vertex, and segments between them by number.
     #[cfg(feature = "map")]
     pub(super) fn numbered(grid: &Grid, points: &[Point], segments: &[[u32; 2]]) -> Self {
-        let place = |(point, number): (&Point, u32)| (grid.pixels.at(grid.steps(*point)), number);
-        let mut sorted: Vec<(Pixel, u32)> = points.iter().zip(0..).map(place).collect();
-        threads::sort_unstable_by(&mut sorted, Ord::cmp);
+        let places: Vec<Steps> = threads::map(points, |point| grid.steps(*point));
+        let mut sorted: Vec<(Pixel, u32)> = places.iter().map(|at| grid.pixels.at(*at)).zip(0..).collect();
+        // One number for both coordinates is compared without a branch.
+        let key = |[x, y]: Pixel| i128::from(x) << 64 | i128::from(y.cast_unsigned() ^ 1 << 63);
+        threads::sort_unstable_by(&mut sorted, |(a, p), (b, q)| key(*a).cmp(&key(*b)).then(p.cmp(q)));
+        // The vertices keep the order of the points: neighbours in a drawing are mostly neighbours there.
         let mut vertices: Vec<Pixel> = Vec::with_capacity(points.len());
         let mut vertex_of = vec![0; points.len()];
-        for (pixel, number) in sorted {
-            if vertices.last() != Some(&pixel) {
-                vertices.push(pixel);
+        let first_of = |equal: &[(Pixel, u32)]| equal[0].1;
+        for equal in sorted.chunk_by(|(p, _), (q, _)| p == q) {
+            for (_, number) in equal {
+                vertex_of[*number as usize] = first_of(equal);
             }
-            vertex_of[number as usize] = vertices.len() as u32 - 1;
         }
-        let site = |(point, vertex): (&Point, u32)| Site { point: *point, at: grid.steps(*point), vertex };
+        for number in 0..points.len() {
+            let first = vertex_of[number] as usize;
+            if first == number {
+                vertex_of[number] = vertices.len() as u32;
+                vertices.push(grid.pixels.at(places[number]));
+            } else {
+                vertex_of[number] = vertex_of[first];
+            }
+        }
+        let order = sorted.chunk_by(|(p, _), (q, _)| p == q).map(|equal| vertex_of[first_of(equal) as usize]).collect();
+        let site = |((point, at), vertex): ((&Point, Steps), u32)| Site { point: *point, at, vertex };
         Self {
-            sites: points.iter().zip(vertex_of).map(site).collect(),
+            sites: points.iter().zip(places).zip(vertex_of).map(site).collect(),
             ends: segments.to_vec(),
             points: (0..points.len() as u32).collect(),
             vertices,
+            order,
         }
     }
 
     /// The segments that are more than a vertex.
     pub(super) fn segments(&self) -> Vec<Segment> {
         let longer = self.ends.iter().map(|ends| ends.map(|site| &self.sites[site as usize]));
-        longer
-            .filter(|[p, q]| p.vertex != q.vertex)
-            .map(|[p, q]| if p.at < q.at { [p, q] } else { [q, p] })
-            .map(|[p, q]| Segment { a: p.at, b: q.at, ends: [p.vertex, q.vertex] })
-            .collect()
+        let mut segments = Vec::with_capacity(self.ends.len());
+        segments.extend(
+            longer
+                .filter(|[p, q]| p.vertex != q.vertex)
+                .map(|[p, q]| if p.at < q.at { [p, q] } else { [q, p] })
+                .map(|[p, q]| Segment { a: p.at, b: q.at, ends: [p.vertex, q.vertex] }),
+        );
+        segments
     }
 
     /// The vertices where each segment starts and ends.

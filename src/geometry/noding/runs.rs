@@ -22,16 +22,24 @@ pub(super) struct Runs {
 /// Joins the overlapping segments of each line. Segments that only share an end stay apart.
 ///
 /// Cost: O(n) expected, and O(g log g) for g segments of one line.
-pub(super) fn join(segments: &[Segment]) -> Runs {
+pub(super) fn join(segments: Vec<Segment>) -> Runs {
     // Segments of one line in linked lists. Different lines can share a list (a rare thing), which the exact order
     // undoes.
     const NONE: u32 = u32::MAX;
     let lines: Vec<u64> = segments.iter().map(line).collect();
     let again = repeated(&lines);
     let mut last = FxHashMap::default();
-    let mut before = vec![NONE; segments.len()];
+    let mut before = Vec::new();
     for (id, line) in lines.iter().enumerate().filter(|(_, line)| again.contains(line)) {
-        before[id] = last.insert(*line, id as u32).unwrap_or(NONE);
+        if let Some(earlier) = last.insert(*line, id as u32) {
+            before.resize(segments.len(), NONE);
+            before[id] = earlier;
+        }
+    }
+    if before.is_empty() {
+        // No two share a line.
+        let of = (0..segments.len() as u32).collect();
+        return Runs { joined: segments, of, duplicates: 0 };
     }
     let mut runs = Runs { joined: Vec::with_capacity(segments.len()), of: vec![NONE; segments.len()], duplicates: 0 };
     let mut group = Vec::new();
@@ -46,7 +54,7 @@ pub(super) fn join(segments: &[Segment]) -> Runs {
             next = before[next as usize];
         }
         group.sort_unstable_by(|&i, &j| order(&segments[i as usize], &segments[j as usize]));
-        runs.sweep(segments, &group);
+        runs.sweep(&segments, &group);
     }
     runs
 }
@@ -165,7 +173,7 @@ mod tests {
     fn overlapping_segments_are_joined_and_touching_ones_are_not() {
         let on_a_line = |i: i64, j: i64| segment([3 * i, 5 * i], [3 * j, 5 * j]);
         let segments = [on_a_line(4, 6), on_a_line(0, 2), on_a_line(1, 3), on_a_line(3, 4), on_a_line(0, 2)];
-        let runs = join(&segments);
+        let runs = join(segments.to_vec());
         assert_eq!((runs.joined.len(), runs.duplicates), (3, 1));
         assert_eq!(runs.of[1], runs.of[2]);
         assert_eq!(runs.of[1], runs.of[4]);

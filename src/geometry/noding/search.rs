@@ -20,8 +20,8 @@
 //!   └───────┴─┴───────┘
 //! ```
 //!
-//! A block with very many segments is cut in many tiles at once, as long as most segments are so short that a tile or two
-//! hold them: that saves going through all of them for each halving.
+//! A block with many segments is cut in tiles at once, as many as it takes to have few in each, as long as most segments are so
+//! short that a tile or two hold them: that saves going through all of them for each halving.
 //!
 //! Blocks are made of whole pixels, so each hot pixel is met in one leaf, and each visit is found once.
 
@@ -30,10 +30,12 @@ use super::chords::{Chord, Chords, chords};
 use super::input::NodingError;
 use super::pixel::{Block, Pixel, Pixels, Segment, Steps};
 use core::sync::atomic::AtomicUsize;
+use filing::{Content, Filed, Filing};
 use limits::{Budget, limit};
 use parts::{Tiles, around, halves};
 use vertices::Vertices;
 
+mod filing;
 mod fork;
 mod limits;
 mod parts;
@@ -55,15 +57,15 @@ const FEW: usize = limit(16, 2);
 const DENSE: usize = limit(8, 1);
 
 /// From this many segments on, a block is cut in tiles.
-const MANY: usize = limit(1024, 4);
+const MANY: usize = limit(64, 4);
 
 /// The result of the search.
 #[derive(Default)]
 pub(super) struct Found {
     /// Pairs of a segment and a vertex whose pixel it visits, but in which it does not end.
     pub(super) visits: Vec<[u32; 2]>,
-    /// Segments of which the way from centre to centre may visit a pixel that the segment does not visit. Those from
-    /// centre to centre are not among them.
+    /// Segments of which the way from centre to centre may visit a pixel that the segment does not visit, some of them more
+    /// than once. Those from centre to centre are not among them.
     pub(super) doubtful: Vec<u32>,
 }
 
@@ -94,26 +96,6 @@ enum State {
     Crossed,
 }
 
-/// The contents of a part of a block, and the smallest block around them.
-#[derive(Default)]
-struct Content {
-    segments: Vec<u32>,
-    vertices: Vec<u32>,
-    all: Option<Block>,
-}
-
-impl Content {
-    fn clear(&mut self) {
-        self.segments.clear();
-        self.vertices.clear();
-        self.all = None;
-    }
-
-    fn grow(&mut self, item: Block) {
-        self.all = Some(self.all.map_or(item, |all| all.join(&item)));
-    }
-}
-
 struct Search<'a> {
     pixels: Pixels,
     segments: &'a [Segment],
@@ -125,8 +107,9 @@ struct Search<'a> {
     bundles: usize,
     segment_pool: Vec<u32>,
     vertex_pool: Vec<u32>,
-    /// Room for the parts of a block, kept.
-    contents: Vec<Content>,
+    filing: Filing,
+    /// The blocks around the segments of a leaf; its memory is kept, too.
+    boxes: Vec<Block>,
 }
 
 /// Adds a vertex for each pixel where two segments cross and that has none, and finds all visits.
@@ -157,7 +140,8 @@ pub(super) fn search(
         bundles: 0,
         segment_pool: (0..segments.len() as u32).collect(),
         vertex_pool: (0..vertices.len() as u32).collect(),
-        contents: Vec::new(),
+        filing: Filing::default(),
+        boxes: Vec::new(),
         vertices: Vertices::new(vertices),
     };
     search.run()?;
@@ -213,7 +197,7 @@ impl Search<'_> {
             return Ok(());
         }
         let (tasks, segments_to, vertices_to) = (self.tasks.len(), self.segment_pool.len(), self.vertex_pool.len());
-        let most = self.part(&halves(block), segments, vertices, State::New);
+        let most = self.halve_block(block, segments, vertices, State::New);
         if most <= work - work / 4 || (work > SOME_PAIRS && look.state == State::Cut) {
             return Ok(());
         }
@@ -227,7 +211,7 @@ impl Search<'_> {
         }
         match instead {
             Some(Instead::Cut(pixel)) => {
-                self.part(&around(block, pixel), segments, vertices, State::Cut);
+                self.part(&around(block, pixel), segments, vertices);
                 vertices.retain(|&v| self.vertices[v as usize] == pixel);
                 self.look_at_pixel(pixel, segments, vertices)
             }
@@ -247,101 +231,105 @@ impl Search<'_> {
         if vertices.len() <= FEW || segments.len().saturating_mul(vertices.len()) <= FEW_PAIRS {
             self.try_visits(segments, vertices);
         } else {
-            self.part(&halves(block), segments, vertices, State::Crossed);
+            self.halve_block(block, segments, vertices, State::Crossed);
         }
     }
 
     /// Puts off the tiles of a block, if most segments lie in few of them and no tile has most.
     fn tile(&mut self, block: &Block, segments: &[u32], vertices: &[u32]) -> bool {
-        let tiles = Tiles::new(block);
-        let parts = tiles.blocks();
-        let mut contents = self.empty_contents(parts.len());
+        let tiles = Tiles::new(block, segments.len());
+        self.filing.clear(tiles.len());
         // The tiles that are looked at, of all segments that are in more than one.
         let mut left = segments.len();
-        let mut few = true;
         for &id in segments {
             let segment = &self.segments[id as usize];
             let around = self.pixels.around(segment);
             let range = tiles.of(&around);
-            let count = range.clone().count();
-            if count > 1 {
-                let Some(rest) = left.checked_sub(count) else {
-                    few = false;
-                    break;
-                };
-                left = rest;
+            if let Some(tile) = range.only() {
+                self.filing.segment(tile, id, around);
+                continue;
             }
-            for tile in range {
-                if parts[tile].includes(&around) || self.pixels.line_nears(segment, &parts[tile]) {
-                    contents[tile].segments.push(id);
-                    contents[tile].grow(around);
+            let Some(rest) = left.checked_sub(range.len()) else {
+                return false;
+            };
+            left = rest;
+            for tile in range.tiles() {
+                if self.pixels.line_nears(segment, &tiles.block(tile)) {
+                    self.filing.segment(tile, id, around);
                 }
             }
         }
         let most = segments.len() - segments.len() / 4;
-        few &= contents.iter().all(|content| content.segments.len() <= most);
-        if few {
-            for &id in vertices {
-                let pixel = self.vertices[id as usize];
-                for tile in tiles.of(&Block::one(pixel)) {
-                    contents[tile].vertices.push(id);
-                    contents[tile].grow(Block::one(pixel));
-                }
-            }
-            self.put_off(&parts, &contents, State::New);
+        if self.filing.contents().iter().any(|content| content.segments > most) {
+            return false;
         }
-        self.contents = contents;
-        few
+        for &id in vertices {
+            self.filing.vertex(tiles.at(self.vertices[id as usize]), id);
+        }
+        self.put_off(|tile| tiles.block(tile), State::New);
+        true
     }
 
-    /// Room for so many parts.
-    fn empty_contents(&mut self, parts: usize) -> Vec<Content> {
-        let mut contents = core::mem::take(&mut self.contents);
-        contents.resize_with(parts.max(contents.len()), Content::default);
-        contents.iter_mut().for_each(Content::clear);
-        contents
-    }
-
-    /// Puts off parts of a block, those without anything to find excepted. Returns the number of pairs in the part
-    /// with most.
-    fn part(&mut self, parts: &[Block], segments: &[u32], vertices: &[u32], state: State) -> usize {
-        let mut contents = self.empty_contents(parts.len());
+    /// Puts off the halves of a block. Returns the number of pairs in the half with more.
+    fn halve_block(&mut self, block: &Block, segments: &[u32], vertices: &[u32], state: State) -> usize {
+        let (halves, axis) = halves(block);
+        let middle = halves[0].high[axis];
+        self.filing.clear(2);
         for &id in segments {
             let segment = &self.segments[id as usize];
             let around = self.pixels.around(segment);
-            for (part, content) in parts.iter().zip(&mut contents) {
-                if around.overlaps(part) && (part.includes(&around) || self.pixels.line_nears(segment, part)) {
-                    content.segments.push(id);
-                    content.grow(around);
+            if around.high[axis] <= middle {
+                self.filing.segment(0, id, around);
+            } else if around.low[axis] > middle {
+                self.filing.segment(1, id, around);
+            } else {
+                for (number, half) in halves.iter().enumerate() {
+                    if self.pixels.line_nears(segment, half) {
+                        self.filing.segment(number, id, around);
+                    }
                 }
             }
         }
         for &id in vertices {
             let pixel = self.vertices[id as usize];
-            for (part, content) in parts.iter().zip(&mut contents) {
-                if part.contains(pixel) {
-                    content.vertices.push(id);
-                    content.grow(Block::one(pixel));
+            self.filing.vertex(usize::from(pixel[axis] > middle), id);
+        }
+        self.put_off(|number| halves[number], state)
+    }
+
+    /// Puts off the parts of a block out of which a pixel was cut.
+    fn part(&mut self, parts: &[Block], segments: &[u32], vertices: &[u32]) {
+        self.filing.clear(parts.len());
+        for &id in segments {
+            let segment = &self.segments[id as usize];
+            let around = self.pixels.around(segment);
+            for (number, part) in parts.iter().enumerate() {
+                if around.overlaps(part) && (part.includes(&around) || self.pixels.line_nears(segment, part)) {
+                    self.filing.segment(number, id, around);
                 }
             }
         }
-        let most = self.put_off(parts, &contents, state);
-        self.contents = contents;
-        most
+        for &id in vertices {
+            let pixel = self.vertices[id as usize];
+            for (number, _) in parts.iter().enumerate().filter(|(_, part)| part.contains(pixel)) {
+                self.filing.vertex(number, id);
+            }
+        }
+        self.put_off(|number| parts[number], State::Cut);
     }
 
-    /// Puts off parts of a block with these contents.
-    fn put_off(&mut self, parts: &[Block], contents: &[Content], state: State) -> usize {
+    /// Puts off parts of a block, with what was filed under each; those without anything to find excepted. Returns the number
+    /// of pairs in the part with most.
+    fn put_off(&mut self, part: impl Fn(usize) -> Block, state: State) -> usize {
         let mut most = 0;
-        for (part, Content { segments, vertices, all }) in parts.iter().zip(contents) {
-            let (m, h) = (segments.len(), vertices.len());
-            // A visit takes a vertex, and a crossing that is not known two segments.
-            let Some(all) = all.filter(|_| m > 0 && (h > 0 || m >= 2 && state != State::Crossed)) else {
-                continue;
-            };
-            self.wait(part.meet(&all), segments, vertices, state);
-            most = most.max(pairs(m, h));
-        }
+        // A visit takes a vertex, and a crossing that is not known two segments.
+        let worth = |c: &Content| c.segments > 0 && (c.vertices > 0 || c.segments >= 2 && state != State::Crossed);
+        self.filing.pour(&mut self.segment_pool, &mut self.vertex_pool, worth, |filed| {
+            let Filed { content, segments_from, vertices_from, .. } = filed;
+            let block = part(filed.part).meet(&content.around);
+            self.tasks.push(Task::Look(Look { block, segments_from, vertices_from, state }));
+            most = most.max(pairs(content.segments, content.vertices));
+        });
         most
     }
 
@@ -430,30 +418,54 @@ impl Search<'_> {
     }
 
     fn try_all(&mut self, block: &Block, segments: &[u32], vertices: &mut Vec<u32>) -> Result<(), NodingError> {
+        self.surround(segments);
         let mut crossings = Vec::new();
         for (i, &id) in segments.iter().enumerate() {
-            crossings.extend(self.crossings_with(id, block, &segments[..i]));
+            for (&other, around) in segments[..i].iter().zip(&self.boxes) {
+                if around.overlaps(&self.boxes[i]) {
+                    let [s, t] = [id, other].map(|id| &self.segments[id as usize]);
+                    crossings.extend(self.pixels.crossing(s, t).filter(|&pixel| block.contains(pixel)));
+                }
+            }
         }
         self.add(crossings, vertices)?;
-        self.try_visits(segments, vertices);
+        self.try_boxes(segments, vertices);
         Ok(())
     }
 
+    fn surround(&mut self, segments: &[u32]) {
+        self.boxes.clear();
+        self.boxes.extend(segments.iter().map(|&id| self.pixels.around(&self.segments[id as usize])));
+    }
+
     fn try_visits(&mut self, segments: &[u32], vertices: &[u32]) {
-        for &id in segments {
-            let segment = &self.segments[id as usize];
-            let mut doubtful = false;
-            for &v in vertices.iter().filter(|v| !segment.ends.contains(v)) {
-                let pixel = self.vertices[v as usize];
+        self.surround(segments);
+        self.try_boxes(segments, vertices);
+    }
+
+    /// Tries all vertices on all segments, given the blocks around these.
+    fn try_boxes(&mut self, segments: &[u32], vertices: &[u32]) {
+        let before = self.found.doubtful.len();
+        for &v in vertices {
+            let pixel = self.vertices[v as usize];
+            for (&id, _) in segments.iter().zip(&self.boxes).filter(|(_, around)| around.contains(pixel)) {
+                let segment = &self.segments[id as usize];
+                if segment.ends.contains(&v) {
+                    continue;
+                }
                 if self.pixels.visits(segment, pixel) {
                     self.found.visits.push([id, v]);
-                } else if self.pixels.shift > 0 {
-                    doubtful |= Pixels::ONE_STEP.visits(&self.pixels.between_centres(segment), pixel);
+                } else if self.pixels.shift > 0 && Pixels::ONE_STEP.visits(&self.pixels.between_centres(segment), pixel)
+                {
+                    self.found.doubtful.push(id);
                 }
             }
-            if doubtful {
-                self.found.doubtful.push(id);
-            }
+        }
+        if self.found.doubtful.len() > before {
+            let mut doubtful = self.found.doubtful.split_off(before);
+            doubtful.sort_unstable();
+            doubtful.dedup();
+            self.found.doubtful.append(&mut doubtful);
         }
     }
 

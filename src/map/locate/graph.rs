@@ -120,7 +120,7 @@ impl Graph {
         MARK | face
     }
 
-    /// The points, in lexicographic order.
+    /// The points.
     pub(super) fn points(&self) -> &[Point] {
         &self.points
     }

@@ -2,6 +2,7 @@
 
 use super::bounds::Bounds;
 use super::cells::Cells;
+use super::curve::Curve;
 use super::graph::{Graph, GraphHit};
 use super::located::{LocateError, Located, check_range};
 use super::trapezoids::{Drawn, GraphError};
@@ -47,26 +48,32 @@ impl<'m> Locator<'m> {
             return Err(LocateError::NotPlane);
         }
         let dcel = map.dcel();
-        let mut vertices: Vec<u32> = dcel.vertices().map(|v| v.index() as u32).collect();
-        let point = |v: &u32| map.point(*v as usize);
-        vertices.sort_unstable_by(|a, b| compare_lexicographic(point(a), point(b)));
-        let slots = vertices.iter().max().map_or(0, |last| *last as usize + 1);
-        let mut places = vec![0_u32; slots];
-        for (place, vertex) in (0..).zip(&vertices) {
-            places[*vertex as usize] = place;
+        // Points and segments are numbered along a curve, so that neighbours are near each other in memory.
+        let bounds = Bounds::around(dcel.vertices().map(|v| map.point(v.index())));
+        let mut along: Vec<(u32, u32)> = Vec::with_capacity(dcel.vertex_count());
+        if let Some(curve) = bounds.map(Curve::through) {
+            along.extend(dcel.vertices().map(|v| (curve.place(map.point(v.index())), v.index() as u32)));
         }
-        let points = vertices.iter().map(point).collect();
-        let mut drawn = Drawn { points, segments: Vec::new(), ends: Vec::new() };
-        let mut rising = Vec::with_capacity(dcel.edge_count());
+        threads::sort_unstable_by(&mut along, Ord::cmp);
+        let vertices: Vec<u32> = along.into_iter().map(|(_, vertex)| vertex).collect();
+        let points: Vec<Point> = vertices.iter().map(|v| map.point(*v as usize)).collect();
+        let slots = vertices.iter().max().map_or(0, |last| *last as usize + 1);
+        let mut numbers = vec![0_u32; slots];
+        for (number, vertex) in (0..).zip(&vertices) {
+            numbers[*vertex as usize] = number;
+        }
+        let mut segments: Vec<([u32; 2], u32)> = Vec::with_capacity(dcel.edge_count());
         for h in dcel.half_edges() {
-            let ends = [h.origin(), h.target()].map(|v| places[v.index()]);
-            if ends[0] < ends[1] {
-                drawn.segments.push(ends);
-                drawn.ends.push(ends.map(|end| drawn.points[end as usize]));
-                rising.push(h.index() as u32);
+            let ends = [h.origin(), h.target()].map(|v| numbers[v.index()]);
+            let [from, to] = ends.map(|end| points[end as usize]);
+            if compare_lexicographic(from, to).is_lt() {
+                segments.push((ends, h.index() as u32));
             }
         }
-        let bounds = Bounds::around(drawn.points.iter().copied());
+        threads::sort_unstable_by(&mut segments, Ord::cmp);
+        let (segments, rising): (Vec<[u32; 2]>, Vec<u32>) = segments.into_iter().unzip();
+        let ends = segments.iter().map(|ends| ends.map(|end| points[end as usize])).collect();
+        let drawn = Drawn { points, segments, ends };
         let face_above = |segment: Option<u32>| {
             let edge = segment.and_then(|segment| dcel.half_edge_at(rising[segment as usize] as usize));
             edge.map_or(dcel.unbounded_face(), |h| h.face()).index() as u32

@@ -21,11 +21,11 @@
 //! any fixed point, whatever the drawing. The order is that of a fixed pseudo-random sequence, so it is the same in every
 //! run; a drawing made up against this very sequence could be slow, and all others are as good as the average.
 //!
-//! In a large drawing it is memory that takes time, and a random order jumps through it. So segments come in rounds, each of
-//! as many as all before it. Which round a segment is in is random; within a round segments follow a curve that fills
-//! the plane, so that one is next to the one before. A round puts O(1) segments on average through a trapezoid of the rounds
-//! before, so it adds O(1) questions to a way, and all rounds add O(log n). And the points of a round are found together
-//! before it: neighbours share the way from the root.
+//! In a large drawing it is memory that takes time, and a random order jumps through it. So points and segments are numbered
+//! along a curve that fills the plane, and segments come in rounds, each of as many as all before it. Which round a segment is
+//! in is random; within a round segments follow the curve, so that one is next to the one before. A round puts O(1) segments on
+//! average through a trapezoid of the rounds before, so it adds O(1) questions to a way, and all rounds add O(log n). And the
+//! points of a round are found together before it: neighbours share the way from the root.
 //!
 //! Nothing is gained by building anew if the graph came out deep: in a random order, the chance that any point at all takes
 //! more than 3 λ ln (n + 1) questions is below 2 / (n + 1)^(0.22 λ − 3).
@@ -35,17 +35,17 @@
 //! Computational Geometry 2003, 211-219.
 
 use super::bounds::Bounds;
-use super::curve::Curve;
 use crate::geometry::Point;
-use crate::geometry::predicates::{Orientation, count_step, orientation};
+use crate::geometry::predicates::{Orientation, compare_lexicographic, count_step, orientation};
 
 /// No segment, no vertex, no neighbour.
 const NIL: u32 = u32::MAX;
 
-/// A plane drawing: distinct points in lexicographic order, and segments that meet at shared endpoints only.
+/// A plane drawing: distinct points, and segments that meet at shared endpoints only. Both are numbered along a curve that fills
+/// the plane.
 pub(super) struct Drawn {
     pub(super) points: Vec<Point>,
-    /// The places of the lower and the higher end among the points.
+    /// The numbers of the lower and the higher end, in lexicographic order.
     pub(super) segments: Vec<[u32; 2]>,
     /// The lower and the higher end of each segment.
     pub(super) ends: Vec<[Point; 2]>,
@@ -121,23 +121,16 @@ pub(super) fn search_graph(drawn: &Drawn) -> Result<Vec<Node>, GraphError> {
     let (points, segments) = (drawn.points.len(), drawn.segments.len());
     let mut nodes = Vec::with_capacity(2 * points + 6 * segments + 1);
     nodes.push(Node::Trapezoid(everything));
-    let Some(bounds) = Bounds::around(drawn.points.iter().copied()) else { return Ok(nodes) };
-    let curve = Curve::through(bounds);
-    let places: Vec<u32> = drawn.points.iter().map(|p| curve.place(*p)).collect();
-    let place = |point: u32| places[point as usize];
     let mut map = TrapezoidalMap { drawn, nodes, starts: vec![NIL; points], walled: vec![false; points] };
-    for round in rounds(shuffled(segments)) {
-        let round =
-            sorted_along(round.iter().map(|segment| (place(drawn.segments[*segment as usize][LEFT]), *segment)));
-        map.find_all(round.iter().flat_map(|segment| drawn.segments[*segment as usize]), place);
+    for round in rounds(segments) {
+        map.find_all(round.iter().flat_map(|segment| drawn.segments[*segment as usize]));
         for segment in round {
             map.insert(segment)?;
         }
     }
     // Vertices without segments come last: their walls would be cut by segments later on.
-    for round in rounds(shuffled(points)) {
-        let round = sorted_along(round.iter().map(|point| (place(*point), *point)));
-        map.find_all(round.iter().copied(), place);
+    for round in rounds(points) {
+        map.find_all(round.iter().copied());
         for point in round {
             map.wall(point)?;
         }
@@ -151,30 +144,36 @@ impl TrapezoidalMap<'_> {
         let [low, high] = self.drawn.segments[segment as usize];
         self.wall(high)?;
         self.wall(low)?;
-        self.thread(segment, self.find(low, Some(high)))
+        let first = self.find(low, Some(high));
+        self.thread(segment, first)
     }
 
     /// Finds nodes from which to start for all of some points that are to get their walls in this round.
     ///
     /// They are found in groups of neighbours: as far as all of a box around a group goes one way, the group goes it
     /// together.
-    fn find_all(&mut self, points: impl Iterator<Item = u32>, place: impl Fn(u32) -> u32) {
+    fn find_all(&mut self, points: impl Iterator<Item = u32>) {
         let mut fresh = Vec::new();
         for point in points {
             let start = &mut self.starts[point as usize];
             if *start == NIL {
                 *start = 0;
-                fresh.push((place(point), point));
+                fresh.push(point);
             }
         }
-        let all = sorted_along(fresh);
-        let mut groups = vec![(&all[..], 0)];
+        fresh.sort_unstable();
+        let mut groups = vec![(&fresh[..], 0)];
         while let Some((group, from)) = groups.pop() {
+            if let [point] = *group {
+                self.starts[point as usize] = from;
+                self.find(point, None);
+                continue;
+            }
             let Some(bounds) = Bounds::around(group.iter().map(|point| self.drawn.points[*point as usize])) else {
                 continue;
             };
             let node = self.narrow(from, &bounds);
-            if group.len() == 1 || matches!(self.nodes[node as usize], Node::Trapezoid(_)) {
+            if matches!(self.nodes[node as usize], Node::Trapezoid(_)) {
                 for point in group {
                     self.starts[*point as usize] = node;
                 }
@@ -204,29 +203,33 @@ impl TrapezoidalMap<'_> {
     }
 
     /// The trapezoid in which a point lies that has no wall yet, or else that in which the way to another point, further
-    /// right, begins.
-    fn find(&self, from: u32, to: Option<u32>) -> u32 {
+    /// right, begins. The next search for the point starts where this one came to what depends on the way.
+    fn find(&mut self, from: u32, to: Option<u32>) -> u32 {
         let p = self.drawn.points[from as usize];
         let mut at = self.starts[from as usize];
+        // The first question of which the answer depends on the other point.
+        let mut start = None;
         loop {
             count_step();
             at = match self.nodes[at as usize] {
                 Node::Point { vertex, left, right } => {
-                    if from < vertex {
-                        left
-                    } else {
-                        right
-                    }
+                    if compare_lexicographic(p, self.drawn.points[vertex as usize]).is_lt() { left } else { right }
                 }
                 Node::Segment { segment, below, above } => {
                     let side = match (self.drawn.side(segment, p), to) {
                         // Both start here.
-                        (Orientation::Collinear, Some(to)) => self.drawn.side(segment, self.drawn.points[to as usize]),
+                        (Orientation::Collinear, Some(to)) => {
+                            start.get_or_insert(at);
+                            self.drawn.side(segment, self.drawn.points[to as usize])
+                        }
                         (side, _) => side,
                     };
                     if side == Orientation::CounterClockwise { above } else { below }
                 }
-                Node::Trapezoid(_) => return at,
+                Node::Trapezoid(_) => {
+                    self.starts[from as usize] = start.unwrap_or(at);
+                    return at;
+                }
             };
         }
     }
@@ -376,20 +379,13 @@ fn shuffled(n: usize) -> Vec<u32> {
     order
 }
 
-/// Parts numbers in rounds, each of as many as all before it.
-fn rounds(numbers: Vec<u32>) -> impl Iterator<Item = Vec<u32>> {
-    let mut done = 0;
-    core::iter::from_fn(move || {
-        let round = numbers.get(done..numbers.len().min((2 * done).max(1)))?;
-        done += round.len();
-        (!round.is_empty()).then(|| round.to_vec())
-    })
-}
-
-/// Numbers in the order of their places.
-fn sorted_along(numbers: impl IntoIterator<Item = (u32, u32)>) -> Vec<u32> {
-    let mut sorted: Vec<u64> =
-        numbers.into_iter().map(|(at, number)| u64::from(at) << 32 | u64::from(number)).collect();
-    sorted.sort_unstable();
-    sorted.into_iter().map(|number| number as u32).collect()
+/// Parts the numbers below n at random in rounds, each of as many as all before it, and in ascending order.
+fn rounds(n: usize) -> Vec<Vec<u32>> {
+    let count = n.checked_ilog2().map_or(0, |last| last + 2);
+    let mut rounds: Vec<Vec<u32>> = (0..count).map(|round| Vec::with_capacity(1 << round.saturating_sub(1))).collect();
+    for (number, drawn) in (0..).zip(shuffled(n)) {
+        // Round 0 has what was drawn first, and round r the draws from 2^(r - 1) to 2^r.
+        rounds[drawn.checked_ilog2().map_or(0, |last| last as usize + 1)].push(number);
+    }
+    rounds
 }

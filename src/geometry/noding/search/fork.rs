@@ -1,6 +1,7 @@
 //! The tasks of a search, one after the other, or, where there are many, in two halves at once: blocks share no pixel, so what is
 //! found in one does not change what is found in another. Only the numbers of new vertices depend on the order.
 
+use super::filing::Filing;
 use super::limits::{Budget, limit};
 use super::{Found, Look, Search, Task};
 use crate::geometry::noding::input::NodingError;
@@ -67,7 +68,8 @@ impl Search<'_> {
             bundles: 0,
             segment_pool: self.segment_pool.split_off(segments_from),
             vertex_pool: self.vertex_pool.split_off(vertices_from),
-            contents: Vec::new(),
+            filing: Filing::default(),
+            boxes: Vec::new(),
         })
     }
 

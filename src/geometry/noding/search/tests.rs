@@ -42,7 +42,7 @@ fn finds_all(kind: u8, raw: Vec<(i8, i8, i8, i8)>, shift: u8) -> bool {
         .map(|[a, b]| Segment { a, b, ends: [vertex(pixels.at(a)), vertex(pixels.at(b))] })
         .filter(|segment| segment.ends[0] != segment.ends[1])
         .collect();
-    let runs = join(&segments).joined;
+    let runs = join(segments).joined;
 
     let crossings = runs.iter().enumerate().flat_map(|(i, s)| runs[..i].iter().filter_map(|t| pixels.crossing(s, t)));
     let hot: BTreeSet<Pixel> = vertices.iter().copied().chain(crossings).collect();
@@ -93,14 +93,18 @@ fn the_parts_around_a_pixel_and_the_pixel_make_the_block() {
 fn the_tiles_of_a_block_make_the_block() {
     for high in [[4, 2], [0, 5], [1, 1], [7, 8], [0, 0]] {
         let block = Block { low: [-3, 2], high: [high[0] - 3, high[1] + 2] };
-        let tiles = Tiles::new(&block);
-        let parts = tiles.blocks();
-        for pixel in (-3..=high[0] - 3).flat_map(|x| (2..=high[1] + 2).map(move |y| [x, y])) {
-            let held: Vec<usize> = (0..parts.len()).filter(|tile| parts[*tile].contains(pixel)).collect();
-            assert_eq!(held, tiles.of(&Block::one(pixel)).collect::<Vec<_>>());
-            assert_eq!(held.len(), 1);
+        for segments in [0, 1, 100, 1_000_000] {
+            let tiles = Tiles::new(&block, segments);
+            let parts: Vec<Block> = (0..tiles.len()).map(|tile| tiles.block(tile)).collect();
+            for pixel in (-3..=high[0] - 3).flat_map(|x| (2..=high[1] + 2).map(move |y| [x, y])) {
+                let held: Vec<usize> = (0..parts.len()).filter(|tile| parts[*tile].contains(pixel)).collect();
+                assert_eq!(held, [tiles.at(pixel)]);
+                assert_eq!(tiles.of(&Block::one(pixel)).only(), Some(tiles.at(pixel)));
+            }
+            let range = tiles.of(&block);
+            let all: Vec<usize> = range.tiles().collect();
+            assert_eq!((all.len(), range.only()), (range.len(), Some(all[0]).filter(|_| all.len() == 1)));
+            assert!((0..parts.len()).all(|tile| all.contains(&tile) == block.overlaps(&parts[tile])));
         }
-        let all: Vec<usize> = tiles.of(&block).collect();
-        assert!((0..parts.len()).all(|tile| all.contains(&tile) == block.overlaps(&parts[tile])));
     }
 }
