@@ -198,7 +198,8 @@ fn vertices_and_half_edges_take_what_is_said() {
         }
     }
     let map = surface.without(Part::Faces).without(Part::Prev).without(Part::Leaving);
-    assert_close(peak(&Star { edges, centre_is_last: false }, map), 12 * edges);
+    // The one cycle is long: a bit for each half-edge of it, while the rotations are walked around.
+    assert_close(peak(&Star { edges, centre_is_last: false }, map), 12 * edges + 2 * edges / 8);
     assert_close(peak(&Star { edges, centre_is_last: true }, map), 16 * edges);
 }
 
