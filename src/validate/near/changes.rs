@@ -130,6 +130,7 @@ impl Changes {
     }
 
     /// The links of a half-edge now.
+    #[cfg(feature = "geometry")]
     #[inline]
     pub(super) fn half_edge(&self, was: &Mirror, h: usize) -> HalfEdge {
         self.half_edges.find(&was.half_edges, h).map_or_else(|| was.half_edge(h), |seen| seen.row)

@@ -35,10 +35,12 @@ impl<R: Row> Column<R> {
     }
 
     /// All rows, by index.
+    #[cfg(feature = "geometry")]
     pub(super) fn iter(&self) -> impl Iterator<Item = (usize, R)> + '_ {
         self.rows.iter().map(|row| row.0).enumerate()
     }
 
+    #[cfg(feature = "geometry")]
     pub(super) fn len(&self) -> usize {
         self.rows.len()
     }
@@ -91,6 +93,7 @@ impl<T> Seen<T> {
         }
     }
 
+    #[cfg(feature = "geometry")]
     #[inline]
     pub(super) fn find<R: Row>(&self, column: &Column<R>, index: usize) -> Option<&T> {
         self.rows.get(column.position(index)?).map(|row| &row.1)
