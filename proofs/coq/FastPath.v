@@ -24,7 +24,8 @@
       slots, not only as many as are left of the live half-edges, and the lists of the faces are read to their ends,
       though they may have more entries than there are boundary components. Neither changes what is accepted: the walks
       are the same ones, and their steps and the entries are counted in the end.
-    - That boundary components are marked as they are listed is said of the list of them: [uniq].
+    - That no boundary component is listed twice is said of the list of them: [uniq]. The Rust code marks them as they are
+      listed, but where they say their places, as here, it need not: what is listed at two places are two.
     - A set of vertices is kept as the number that all of its vertices have, and [join] gives those of one set the number
       of the other; sets are counted when it is asked how many there are. The Rust code keeps a forest of disjoint sets,
       and their number. Both have the same sets after the same joins, and nothing else is asked of them: which number

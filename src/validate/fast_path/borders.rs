@@ -11,7 +11,7 @@ use alloc::vec::Vec;
 pub(super) fn loops<V: View + ?Sized>(view: &V, extent: Extent, links: &mut Links) -> Option<Vec<u32>> {
     let mut into = core::mem::take(&mut links.into);
     let mut loops = Vec::new();
-    for v in 0..into.len().min(extent.vertices) {
+    for v in 0..into.len().min(extent.vertices.count()) {
         let mut h = core::mem::replace(&mut into[v], NIL);
         if h == NIL {
             continue;

@@ -1,14 +1,16 @@
 //! The lists of the faces, and the cycles: B1, F1, F2 and the faces' half of B2.
 
 use super::cycles::{Cycles, along};
-use super::extent::{Extent, existing};
+use super::extent::Extent;
 use super::links::Links;
 use super::marks::Marks;
 use crate::validate::expectation::Part;
 use crate::validate::view::{BoundaryPlace, Start, View};
 use alloc::vec::Vec;
+use core::ops::Range;
 
 /// What the faces list.
+#[derive(Default)]
 pub(super) struct Boundaries {
     pub(super) faces: usize,
     /// How many faces have an outer boundary component.
@@ -16,8 +18,8 @@ pub(super) struct Boundaries {
     pub(super) inner: Vec<Inner>,
     /// How many of the inner boundary components are isolated vertices.
     pub(super) at_vertex: usize,
-    /// Whether each of these is listed once, where there are no records for boundary components.
-    pub(super) vertices_hold: bool,
+    /// Whether one of these is connected, or listed twice. Known only where there are no records for boundary components.
+    pub(super) is_vertex_wrong: bool,
     pub(super) cycles: Cycles,
 }
 
@@ -29,13 +31,15 @@ pub(super) struct Inner {
 }
 
 /// The lists so far.
-struct Lists<'a, V: ?Sized, const WALKS: bool> {
+pub(super) struct Lists<'a, V: ?Sized, const WALKS: bool> {
     view: &'a V,
     extent: Extent,
     links: &'a Links,
+    /// How many boundary components were listed, where these have records.
+    pub(super) listed: usize,
     /// How many half-edges were visited.
-    visited: usize,
-    found: Boundaries,
+    pub(super) visited: usize,
+    pub(super) found: Boundaries,
 }
 
 /// Reads the lists of all faces, and walks along every cycle: from where it is listed, or if it names nothing, from its first half-edge.
@@ -46,37 +50,48 @@ pub(super) fn read<V: View + ?Sized>(view: &V, extent: Extent, links: &Links) ->
 }
 
 fn read_and<V: View + ?Sized, const WALKS: bool>(view: &V, extent: Extent, links: &Links) -> Option<Boundaries> {
-    let cycles = Cycles::default();
-    let found = Boundaries { faces: 0, outer: 0, inner: Vec::new(), at_vertex: 0, vertices_hold: true, cycles };
-    let mut lists = Lists::<V, WALKS> { view, extent, links, visited: 0, found };
+    let mut lists = Lists::<V, WALKS>::new(view, extent, links);
     if extent.has(Part::BoundaryComponents) {
-        lists.by_record()?;
+        let boundaries = extent.boundaries.all().filter(|b| view.is_boundary(*b)).count();
+        lists.by_record(extent.faces.all(), boundaries)?;
+        (lists.listed == boundaries).then_some(())?;
     } else {
         lists.by_label()?;
     }
     if WALKS && extent.expect.is_open() && lists.visited < links.half_edges {
         lists.unnamed()?;
     }
-    let unbounded = lists.found.faces - lists.found.outer;
     let all_visited = lists.visited == links.half_edges || !WALKS;
-    let complete = all_visited && unbounded == usize::from(extent.has(Part::UnboundedFace));
-    complete.then_some(lists.found)
+    (all_visited && lists.found.has_unbounded(extent)).then_some(lists.found)
 }
 
-impl<V: View + ?Sized, const WALKS: bool> Lists<'_, V, WALKS> {
-    /// With records: every boundary component is listed once, by the face it names, at the place it says.
+impl Boundaries {
+    /// Whether as many faces have no outer boundary component as should be.
+    pub(super) fn has_unbounded(&self, extent: Extent) -> bool {
+        self.faces - self.outer == usize::from(extent.has(Part::UnboundedFace))
+    }
+}
+
+impl<'a, V: View + ?Sized, const WALKS: bool> Lists<'a, V, WALKS> {
+    pub(super) fn new(view: &'a V, extent: Extent, links: &'a Links) -> Self {
+        Self { view, extent, links, listed: 0, visited: 0, found: Boundaries::default() }
+    }
+
+    /// With records: each boundary component that these faces list, of so many in all, is listed once, by the face it names, at the
+    /// place it says. Those that say places are not marked: what is listed at two places are two.
     #[inline(never)]
-    fn by_record(&mut self) -> Option<()> {
+    pub(super) fn by_record(&mut self, faces: Range<usize>, boundaries: usize) -> Option<()> {
         let (view, extent) = (self.view, self.extent);
-        let boundaries = (0..extent.boundaries).filter(|b| view.is_boundary(*b)).count();
-        let mut listed = Marks::new(extent.boundaries)?;
-        let mut entries = 0_usize;
-        for f in (0..extent.faces).filter(|f| view.is_face(*f)) {
+        let mut listed = Marks::default();
+        if !extent.has(Part::Places) {
+            listed.make_room(extent.boundaries)?;
+        }
+        for f in faces.filter(|f| view.is_face(*f)) {
             self.found.faces += 1;
             let outer = view.outer(f);
             let inner = if extent.has(Part::Holes) { view.inner_count(f) } else { 0 };
-            entries = entries.checked_add(inner)?.checked_add(usize::from(outer.is_some()))?;
-            if entries > boundaries {
+            self.listed = self.listed.checked_add(inner)?.checked_add(usize::from(outer.is_some()))?;
+            if self.listed > boundaries {
                 return None;
             }
             if let Some(b) = outer {
@@ -86,18 +101,18 @@ impl<V: View + ?Sized, const WALKS: bool> Lists<'_, V, WALKS> {
                 self.record(f, view.inner(f, i)?, BoundaryPlace::Inner(i), &mut listed)?;
             }
         }
-        (entries == boundaries).then_some(())
+        Some(())
     }
 
     /// Reads a boundary component that this face lists.
     #[inline]
     fn record(&mut self, f: usize, b: usize, place: BoundaryPlace, listed: &mut Marks) -> Option<()> {
         let (view, extent) = (self.view, self.extent);
-        let is_there = b < extent.boundaries && view.is_boundary(b) && view.boundary_face(b) == Some(f);
-        if !is_there || extent.has(Part::Places) && view.boundary_place(b) != Some(place) {
-            return None;
-        }
-        listed.mark(b)?;
+        let is_there = extent.boundaries.has(b) && view.is_boundary(b) && view.boundary_face(b) == Some(f);
+        is_there.then_some(())?;
+        let is_new =
+            if extent.has(Part::Places) { view.boundary_place(b) == Some(place) } else { listed.mark(b).is_some() };
+        is_new.then_some(())?;
         let start = view.boundary_start(b)?;
         self.enter(f, start, place)?;
         if let Start::HalfEdge(start) = start {
@@ -112,11 +127,11 @@ impl<V: View + ?Sized, const WALKS: bool> Lists<'_, V, WALKS> {
     fn by_label(&mut self) -> Option<()> {
         let (view, extent) = (self.view, self.extent);
         // Isolated vertices are listed, too.
-        let most = self.links.half_edges.checked_add(extent.vertices)?;
+        let most = self.links.half_edges.checked_add(extent.vertices.count())?;
         let mut entries = 0_usize;
         let mut passed = Marks::default();
         let mut listed = Marks::default();
-        for f in (0..extent.faces).filter(|f| view.is_face(*f)) {
+        for f in extent.faces.all().filter(|f| view.is_face(*f)) {
             self.found.faces += 1;
             let outer = view.outer_half_edge(f);
             let inner = if extent.has(Part::Holes) { view.inner_count(f) } else { 0 };
@@ -147,14 +162,14 @@ impl<V: View + ?Sized, const WALKS: bool> Lists<'_, V, WALKS> {
     fn unnamed(&mut self) -> Option<()> {
         let (view, extent) = (self.view, self.extent);
         let mut passed = Marks::new(extent.half_edges)?;
-        for start in (0..extent.half_edges).filter(|h| view.is_half_edge(*h)) {
+        for start in extent.half_edges.all().filter(|h| view.is_half_edge(*h)) {
             if extent.name(view, start).is_some() || passed.has(start) {
                 continue;
             }
             let is_border = |h| extent.name(view, h).is_none() && view.twin(h).is_some();
             let visit = |h| if is_border(h) { passed.mark(h) } else { None };
             self.visited += along(view, extent, start, self.links.half_edges - self.visited, visit)?;
-            self.found.cycles.note_unnamed(existing(view.origin(start), extent.vertices)?)?;
+            self.found.cycles.note_unnamed(extent.vertices.existing(view.origin(start))?)?;
         }
         Some(())
     }
@@ -174,7 +189,7 @@ impl<V: View + ?Sized, const WALKS: bool> Lists<'_, V, WALKS> {
     #[cold]
     fn isolated(&mut self, v: usize, listed: &mut Marks) -> Option<()> {
         listed.make_room(self.extent.vertices)?;
-        self.found.vertices_hold &= listed.mark(v).is_some() && self.links.leaving(self.view, v).is_none();
+        self.found.is_vertex_wrong |= listed.mark(v).is_none() || self.links.leaving(self.view, v).is_some();
         Some(())
     }
 
@@ -182,10 +197,10 @@ impl<V: View + ?Sized, const WALKS: bool> Lists<'_, V, WALKS> {
     #[inline]
     fn enter(&mut self, f: usize, start: Start, place: BoundaryPlace) -> Option<()> {
         let vertex = match start {
-            Start::HalfEdge(h) if h < self.extent.half_edges && self.view.is_half_edge(h) => self.view.origin(h),
+            Start::HalfEdge(h) if self.extent.half_edges.has(h) && self.view.is_half_edge(h) => self.view.origin(h),
             Start::HalfEdge(_) => None,
             Start::Vertex(_) if place == BoundaryPlace::Outer => None,
-            Start::Vertex(v) => Some(v).filter(|v| *v < self.extent.vertices && self.view.is_vertex(*v)),
+            Start::Vertex(v) => Some(v).filter(|v| self.extent.vertices.has(*v) && self.view.is_vertex(*v)),
         };
         if place == BoundaryPlace::Outer {
             vertex?;
@@ -194,7 +209,7 @@ impl<V: View + ?Sized, const WALKS: bool> Lists<'_, V, WALKS> {
         }
         self.found.at_vertex += usize::from(matches!(start, Start::Vertex(_)));
         self.found.inner.try_reserve(1).ok()?;
-        self.found.inner.push(Inner { vertex: existing(vertex, self.extent.vertices)? as u32, face: f as u32 });
+        self.found.inner.push(Inner { vertex: self.extent.vertices.existing(vertex)? as u32, face: f as u32 });
         Some(())
     }
 }

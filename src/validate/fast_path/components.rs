@@ -1,6 +1,6 @@
 //! The components, joined edge by edge.
 
-use super::extent::{Extent, existing, nils};
+use super::extent::{Extent, Slots};
 use super::rotations::Rotations;
 use crate::validate::columns::{NIL, column};
 use crate::validate::view::View;
@@ -20,7 +20,7 @@ pub(super) struct Joined {
 pub(super) fn join<V: View + ?Sized>(view: &V, extent: Extent, around: Rotations, fewest: usize) -> Option<Joined> {
     let mut of = around.nearest;
     let mut first = Vec::new();
-    first.try_reserve_exact(around.roots).ok()?;
+    first.try_reserve_exact(around.counted.roots).ok()?;
     for v in 0..of.len() {
         let nearest = of[v] as usize;
         if nearest == v {
@@ -31,8 +31,8 @@ pub(super) fn join<V: View + ?Sized>(view: &V, extent: Extent, around: Rotations
         }
     }
     if first.len() > fewest {
-        let mut sets = Sets::new(first.len())?;
-        for h in 0..extent.half_edges {
+        let mut sets = Sets::new(first.len() as u32)?;
+        for h in extent.half_edges.all() {
             if sets.count == fewest {
                 break;
             }
@@ -42,8 +42,8 @@ pub(super) fn join<V: View + ?Sized>(view: &V, extent: Extent, around: Rotations
             // Without twin the edge ends where the next one starts.
             let t = match view.twin(h) {
                 Some(t) if t < h => continue,
-                Some(t) => existing(Some(t), extent.half_edges)?,
-                None => existing(view.next(h), extent.half_edges)?,
+                Some(t) => extent.half_edges.existing(Some(t))?,
+                None => extent.half_edges.existing(view.next(h))?,
             };
             sets.join(*of.get(view.origin(h)?)?, *of.get(view.origin(t)?)?)?;
         }
@@ -61,12 +61,12 @@ struct Sets {
 
 impl Sets {
     /// Sets of one number each; none if there is no memory for them.
-    fn new(count: usize) -> Option<Self> {
-        let mut parent = nils(count)?;
+    fn new(count: u32) -> Option<Self> {
+        let mut parent = Slots(count).nils()?;
         for (i, parent) in parent.iter_mut().enumerate() {
             *parent = i as u32;
         }
-        Some(Self { parent, rank: column(count as u32, 0).ok()?, count })
+        Some(Self { parent, rank: column(count, 0).ok()?, count: count as usize })
     }
 
     /// The number that stands for the set of `i`. Every second step on the way is shortened.
@@ -98,7 +98,7 @@ impl Sets {
     /// returns the first vertex of each set.
     fn number(mut self, of: &mut [u32], first: &[u32]) -> Option<Vec<u32>> {
         self.rank = Vec::new();
-        let mut numbers = nils(first.len())?;
+        let mut numbers = Slots(first.len() as u32).nils()?;
         let mut firsts = Vec::new();
         firsts.try_reserve_exact(self.count).ok()?;
         for (i, first) in first.iter().enumerate() {

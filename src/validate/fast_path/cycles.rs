@@ -1,6 +1,6 @@
 //! The cycles of `next`, counted half-edge by half-edge.
 
-use super::extent::{Extent, existing};
+use super::extent::Extent;
 use super::links::Links;
 use super::marks::Marks;
 use crate::validate::expectation::Part;
@@ -27,8 +27,8 @@ impl Cycles {
 
 /// What is counted of the cycles while each half-edge is passed once, in any order.
 pub(super) trait Pass {
-    /// Takes a half-edge and its next.
-    fn pass<V: View + ?Sized>(&mut self, view: &V, extent: Extent, corner: [usize; 2]) -> Option<()>;
+    /// Takes a half-edge and its next. Returns how many cycles are counted by it.
+    fn pass<V: View + ?Sized>(&mut self, view: &V, extent: Extent, corner: [usize; 2]) -> Option<usize>;
 }
 
 /// Counts nothing, where the cycles are read from the lists of the faces.
@@ -37,29 +37,26 @@ pub(super) struct Listed;
 impl Pass for Listed {
     #[inline(always)]
     #[allow(clippy::inline_always, reason = "there is nothing to call")]
-    fn pass<V: View + ?Sized>(&mut self, _: &V, _: Extent, _: [usize; 2]) -> Option<()> {
-        Some(())
+    fn pass<V: View + ?Sized>(&mut self, _: &V, _: Extent, _: [usize; 2]) -> Option<usize> {
+        Some(0)
     }
 }
 
-/// Counts the cycles, where `next` is a permutation.
+/// Counts the short cycles, where `next` is a permutation, and marks the half-edges of the others.
 #[derive(Default)]
-pub(super) struct Count {
-    short: usize,
-    /// The half-edges of cycles that are not short.
+pub(super) struct Short {
     long: Marks,
 }
 
-impl Pass for Count {
+impl Pass for Short {
     #[inline(always)]
     #[allow(clippy::inline_always, reason = "a call for each half-edge costs more than what it asks")]
-    fn pass<V: View + ?Sized>(&mut self, view: &V, extent: Extent, corner: [usize; 2]) -> Option<()> {
-        self.short += usize::from(self.is_first_of_short(view, extent, corner)?);
-        Some(())
+    fn pass<V: View + ?Sized>(&mut self, view: &V, extent: Extent, corner: [usize; 2]) -> Option<usize> {
+        self.is_first_of_short(view, extent, corner).map(usize::from)
     }
 }
 
-impl Count {
+impl Short {
     /// Whether the half-edge has the smallest number on its cycle, if that is short; if not, marks the half-edge. It is given with its
     /// next.
     ///
@@ -72,13 +69,15 @@ impl Count {
         extent: Extent,
         [start, second]: [usize; 2],
     ) -> Option<bool> {
-        let third = existing(view.next(second), extent.half_edges)?;
-        let fourth = view.next(third);
-        if second == start || third == start || fourth == Some(start) {
+        let third = extent.half_edges.existing(view.next(second))?;
+        let fourth = extent.half_edges.existing(view.next(third))?;
+        if fourth == start {
             return Some(start <= second.min(third));
         }
-        self.is_first_of_four(view, extent, [start, second, third, existing(fourth, extent.half_edges)?])
+        self.is_first_of_four(view, extent, [start, second, third, fourth])
     }
+
+    /// The same where there are not one or three on its cycle: if there are two or four, the next of the fourth is the first one.
 
     #[inline(never)]
     fn is_first_of_four<V: View + ?Sized>(
@@ -113,9 +112,15 @@ impl Count {
         Some(())
     }
 
-    /// The cycles, where there are no faces to tell border loops from others.
-    pub(super) fn all<V: View + ?Sized>(mut self, view: &V, extent: Extent, limit: usize) -> Option<Cycles> {
-        let mut named = self.short;
+    /// The cycles, where there are no faces to tell border loops from others, and `short` ones were counted.
+    pub(super) fn all<V: View + ?Sized>(
+        mut self,
+        view: &V,
+        extent: Extent,
+        short: usize,
+        limit: usize,
+    ) -> Option<Cycles> {
+        let mut named = short;
         self.walk(view, extent, limit, |_| {
             named += 1;
             Some(())
@@ -129,18 +134,18 @@ impl Count {
 pub(super) fn count<V: View + ?Sized>(view: &V, extent: Extent, links: &Links) -> Option<Cycles> {
     let mut cycles = Cycles::default();
     let tells_borders = extent.expect.is_open() && extent.has(Part::Faces);
-    let mut counted = Count::default();
+    let mut counted = Short::default();
     let mut visit = |h: usize, is_first: bool| {
         if tells_borders && is_first && extent.name(view, h).is_none() {
-            cycles.note_unnamed(existing(view.origin(h), extent.vertices)?)?;
+            cycles.note_unnamed(extent.vertices.existing(view.origin(h))?)?;
         } else {
             cycles.named += usize::from(is_first);
         }
         Some(())
     };
-    for h in 0..extent.half_edges {
+    for h in extent.half_edges.all() {
         if view.is_half_edge(h) {
-            let next = existing(view.next(h), extent.half_edges)?;
+            let next = extent.half_edges.existing(view.next(h))?;
             visit(h, counted.is_first_of_short(view, extent, [h, next])?)?;
         }
     }
@@ -161,7 +166,7 @@ pub(super) fn along<V: View + ?Sized>(
     let mut h = start;
     for visited in 0..limit {
         visit(h)?;
-        h = existing(view.next(h), extent.half_edges)?;
+        h = extent.half_edges.existing(view.next(h))?;
         if h == start {
             return Some(visited + 1);
         }

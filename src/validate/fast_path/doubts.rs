@@ -1,6 +1,6 @@
 //! The half-edges that are in doubt, where something is wrong.
 
-use super::extent::{Extent, existing};
+use super::extent::Extent;
 use super::links::{Links, MOST_DOUBTS};
 use super::marks::Marks;
 use crate::validate::expectation::Part;
@@ -57,13 +57,13 @@ fn scan_again<V: View + ?Sized>(
     if !is_prev_settled {
         led_to.make_room(extent.half_edges)?;
     }
-    for h in (0..extent.half_edges).filter(|h| view.is_half_edge(*h)) {
+    for h in extent.half_edges.all().filter(|h| view.is_half_edge(*h)) {
         if wrong.next_if_eq(&&(h as u32)).is_some() {
             continue;
         }
         let mut is_named = true;
         if !(is_prev_settled && are_names_settled) {
-            let next = existing(view.next(h), extent.half_edges)?;
+            let next = extent.half_edges.existing(view.next(h))?;
             if !is_prev_settled {
                 led_to.mark(next)?;
             }
@@ -92,14 +92,14 @@ fn scan_again<V: View + ?Sized>(
 fn with_twin<V: View + ?Sized>(view: &V, extent: Extent, h: usize, half_edges: &mut Vec<u32>) -> Option<()> {
     half_edges.try_reserve(2).ok()?;
     half_edges.push(h as u32);
-    let twin = existing(view.twin(h), extent.half_edges).filter(|t| view.is_half_edge(*t));
+    let twin = extent.half_edges.existing(view.twin(h)).filter(|t| view.is_half_edge(*t));
     half_edges.extend(twin.map(|t| t as u32));
     Some(())
 }
 
 #[inline]
 fn has_origin<V: View + ?Sized>(view: &V, extent: Extent, h: usize) -> bool {
-    view.origin(h).is_some_and(|v| v < extent.vertices && view.is_vertex(v))
+    view.origin(h).is_some_and(|v| extent.vertices.has(v) && view.is_vertex(v))
 }
 
 /// Whether the half-edge names a live boundary component, or face, or may name none; and the next names the same.
@@ -108,8 +108,8 @@ fn is_named_as<V: View + ?Sized>(view: &V, extent: Extent, h: usize, next: usize
     let name = extent.name(view, h);
     let is_live = match name {
         None => extent.expect.is_open() && view.twin(h).is_some(),
-        Some(b) if extent.has(Part::BoundaryComponents) => b < extent.boundaries && view.is_boundary(b),
-        Some(f) => f < extent.faces && view.is_face(f),
+        Some(b) if extent.has(Part::BoundaryComponents) => extent.boundaries.has(b) && view.is_boundary(b),
+        Some(f) => extent.faces.has(f) && view.is_face(f),
     };
     is_live && extent.name(view, next) == name
 }

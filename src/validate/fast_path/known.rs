@@ -3,7 +3,7 @@
 use super::boundaries::Boundaries;
 use super::doubts::Doubts;
 use super::links::Links;
-use super::rotations::Rotations;
+use super::rotations::{Counted, Rotations};
 use crate::validate::columns::Components;
 
 /// What holds already, part by part. Nothing of what is none, or false, is known.
@@ -57,6 +57,14 @@ impl Lists {
     pub(super) fn of(lists: &Boundaries, walked: bool) -> Self {
         let Boundaries { faces, outer, at_vertex, .. } = *lists;
         Self { faces, outer, inner: lists.inner.len(), at_vertex, walked }
+    }
+}
+
+impl Vertices {
+    /// What the walks around the vertices have counted, if it is known what isolated ones name.
+    pub(super) fn of(counted: Counted) -> Option<Self> {
+        let Counted { vertices: live, isolated, claimed, .. } = counted;
+        claimed.map(|claimed| Self { live, isolated, claimed })
     }
 }
 

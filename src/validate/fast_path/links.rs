@@ -1,10 +1,11 @@
 //! The scan over the half-edges: L1 and L3, R1 of `twin` and `next`, and L2 where there is `prev`.
 
-use super::extent::{Extent, existing, nils};
+use super::extent::{Extent, Slots};
 use crate::validate::columns::NIL;
 use crate::validate::expectation::Part;
 use crate::validate::view::{Link, View};
 use alloc::vec::Vec;
+use core::ops::Range;
 
 /// With more half-edges in doubt than these, all are.
 pub(super) const MOST_DOUBTS: usize = 1024;
@@ -15,7 +16,8 @@ pub(super) struct Links {
     pub(super) half_edges: usize,
     /// How many of them have no twin.
     pub(super) unpaired: usize,
-    /// Per vertex a half-edge that leaves it, or nil, where vertices keep none.
+    /// Per vertex a half-edge that leaves it, or nil, where vertices keep none. If the links are right, one that is the next of some
+    /// half-edge.
     leaving: Option<Vec<u32>>,
     /// Per vertex a half-edge without twin that ends there, or nil; empty if all have one.
     pub(super) into: Vec<u32>,
@@ -42,6 +44,11 @@ impl Links {
         }
     }
 
+    /// Whether nothing is wrong, and at each vertex one border ends at most.
+    pub(super) const fn are_right(&self) -> bool {
+        self.next_holds && self.twin_holds && self.one_into_each
+    }
+
     /// A half-edge that leaves the vertex.
     #[inline]
     pub(super) fn leaving<V: View + ?Sized>(&self, view: &V, v: usize) -> Option<usize> {
@@ -63,9 +70,11 @@ impl Links {
         if self.leaving.is_some() {
             return None;
         }
-        let mut leaving = nils(extent.vertices)?;
-        for h in (0..extent.half_edges).filter(|h| view.is_half_edge(*h)) {
-            note(view, &mut leaving, h);
+        let mut leaving = extent.vertices.nils()?;
+        for h in extent.half_edges.all().filter(|h| view.is_half_edge(*h)) {
+            if let Some(v) = view.origin(h) {
+                note(&mut leaving, v, h);
+            }
         }
         self.leaving = Some(leaving);
         Some(())
@@ -90,7 +99,7 @@ impl Links {
             return Some(());
         }
         if self.into.is_empty() {
-            self.into = nils(extent.vertices)?;
+            self.into = extent.vertices.nils()?;
         }
         if let Some(into) = target.and_then(|v| self.into.get_mut(v)) {
             self.one_into_each &= *into == NIL;
@@ -105,85 +114,98 @@ pub(super) fn scan<V: View + ?Sized>(view: &V, extent: Extent) -> Option<Links> 
     let mut links = Links::right(0);
     let mut leaving = Vec::new();
     if !extent.has(Part::Leaving) {
-        leaving = nils(extent.vertices)?;
+        leaving = extent.vertices.nils()?;
     }
+    let note = |v, h| note(&mut leaving, v, h);
     // What is asked for is decided here, once, and not at each half-edge.
     match (extent.has(Part::Prev), extent.has(Part::Leaving)) {
-        (true, true) => scan_and::<V, true>(view, extent, &mut links, |_| {})?,
-        (false, true) => scan_and::<V, false>(view, extent, &mut links, |_| {})?,
-        (true, false) => scan_and::<V, true>(view, extent, &mut links, |h| note(view, &mut leaving, h))?,
-        (false, false) => scan_and::<V, false>(view, extent, &mut links, |h| note(view, &mut leaving, h))?,
+        (true, true) => scan_and::<V, true>(view, extent, &mut links, |_, _| {})?,
+        (false, true) => scan_and::<V, false>(view, extent, &mut links, |_, _| {})?,
+        (true, false) => scan_and::<V, true>(view, extent, &mut links, note)?,
+        (false, false) => scan_and::<V, false>(view, extent, &mut links, note)?,
     }
     if !extent.has(Part::Leaving) {
-        links.leaving = Some(leaving);
+        if links.are_right() {
+            links.leaving = Some(leaving);
+        } else {
+            links.note_leaving(view, extent)?;
+        }
     }
     Some(links)
 }
 
-/// Notes that the half-edge leaves its origin.
+/// Notes that the half-edge leaves the vertex.
 #[inline]
-fn note<V: View + ?Sized>(view: &V, leaving: &mut [u32], h: usize) {
-    if let Some(noted) = view.origin(h).and_then(|v| leaving.get_mut(v)) {
+fn note(leaving: &mut [u32], v: usize, h: usize) {
+    if let Some(noted) = leaving.get_mut(v) {
         *noted = h as u32;
     }
 }
 
-/// Scans, and tells `note` each half-edge.
+/// Scans, and tells `note` the next of each half-edge at which nothing is wrong, and its origin.
 fn scan_and<V: View + ?Sized, const WITH_PREV: bool>(
     view: &V,
     extent: Extent,
     links: &mut Links,
-    mut note: impl FnMut(usize),
+    mut note: impl FnMut(usize, usize),
 ) -> Option<()> {
     let mut h = 0;
-    while h < extent.half_edges {
-        let (end, live) = right_ones::<V, WITH_PREV>(view, extent.half_edges, h, &mut note);
+    while extent.half_edges.has(h) {
+        let rest = h..extent.half_edges.count();
+        let (end, live) = right_ones::<V, WITH_PREV>(view, extent.half_edges, rest, &mut note);
         h = end;
         links.half_edges += live;
-        if h < extent.half_edges {
+        if extent.half_edges.has(h) {
             links.half_edges += 1;
-            at_border_or_wrong(view, extent, h, links)?;
-            note(h);
+            if let Some((target, next)) = at_border_or_wrong(view, extent, h, links)? {
+                note(target, next);
+            }
             h += 1;
         }
     }
     Some(())
 }
 
-/// Scans from a half-edge to the next one that is at the border or wrong, or to the end. Returns that, and how many are live up to it.
+/// Scans these half-edges up to the first one that is at the border or wrong, or to their end. Returns that, and how many are live up to
+/// it.
 ///
 /// A loop of its own, as it takes most of the time: it calls nothing but the view, and everything that it compares is in registers.
 #[inline(never)]
 fn right_ones<V: View + ?Sized, const WITH_PREV: bool>(
     view: &V,
-    half_edges: usize,
-    from: usize,
-    note: &mut impl FnMut(usize),
+    half_edges: Slots,
+    range: Range<usize>,
+    note: &mut impl FnMut(usize, usize),
 ) -> (usize, usize) {
-    let mut live = 0;
-    for h in from..half_edges {
+    let (mut live, end) = (0, range.end);
+    for h in range {
         if view.is_half_edge(h) {
-            if !is_inside_and_holds::<V, WITH_PREV>(view, half_edges, h) {
+            let Some((target, next)) = inside_and_right::<V, WITH_PREV>(view, half_edges, h) else {
                 return (h, live);
-            }
+            };
             live += 1;
-            note(h);
+            note(target, next);
         }
     }
-    (half_edges, live)
+    (end, live)
 }
 
-/// Whether nothing is wrong with a half-edge that has a twin, as nearly all have.
+/// The target and the next of a half-edge that has a twin, as nearly all have, and with which nothing is wrong.
 #[inline(always)]
 #[allow(clippy::inline_always, reason = "a call for each half-edge costs more than what it asks")]
-fn is_inside_and_holds<V: View + ?Sized, const WITH_PREV: bool>(view: &V, half_edges: usize, h: usize) -> bool {
-    let Some(t) = existing(view.twin(h), half_edges) else { return false };
-    let Some(n) = existing(view.next(h), half_edges) else { return false };
+fn inside_and_right<V: View + ?Sized, const WITH_PREV: bool>(
+    view: &V,
+    half_edges: Slots,
+    h: usize,
+) -> Option<(usize, usize)> {
+    let t = half_edges.existing(view.twin(h))?;
+    let n = half_edges.existing(view.next(h))?;
     if !(is_mutual(view, h, t) && view.is_half_edge(n)) {
-        return false;
+        return None;
     }
-    let target = view.origin(t);
-    target.is_some() && view.origin(n) == target && (!WITH_PREV || view.prev(n) == Some(h))
+    let target = view.origin(t)?;
+    let holds = view.origin(n) == Some(target) && (!WITH_PREV || view.prev(n) == Some(h));
+    holds.then_some((target, n))
 }
 
 /// How many of these half-edges are live; none if something is wrong with one, or one has no twin.
@@ -192,51 +214,46 @@ pub(super) fn count_right<V: View + ?Sized>(
     view: &V,
     extent: Extent,
     with_prev: bool,
-    range: core::ops::Range<usize>,
+    range: Range<usize>,
 ) -> Option<usize> {
-    fn count<V: View + ?Sized, const WITH_PREV: bool>(
-        view: &V,
-        half_edges: usize,
-        range: core::ops::Range<usize>,
-    ) -> Option<usize> {
-        let mut live = 0;
-        for h in range {
-            if view.is_half_edge(h) {
-                if !is_inside_and_holds::<V, WITH_PREV>(view, half_edges, h) {
-                    return None;
-                }
-                live += 1;
-            }
-        }
-        Some(live)
-    }
-    let count = if with_prev { count::<V, true> } else { count::<V, false> };
-    count(view, extent.half_edges, range)
+    let (half_edges, all) = (extent.half_edges, range.clone());
+    let (end, live) = if with_prev {
+        right_ones::<V, true>(view, half_edges, range, &mut |_, _| {})
+    } else {
+        right_ones::<V, false>(view, half_edges, range, &mut |_, _| {})
+    };
+    (end == all.end).then_some(live)
 }
 
-/// Looks at what may be at the border, notes what is, and what is wrong.
+/// Looks at what may be at the border, notes what is, and what is wrong. Returns the target and the next of what is at the border.
 #[cold]
 #[inline(never)]
-fn at_border_or_wrong<V: View + ?Sized>(view: &V, extent: Extent, h: usize, links: &mut Links) -> Option<()> {
+fn at_border_or_wrong<V: View + ?Sized>(
+    view: &V,
+    extent: Extent,
+    h: usize,
+    links: &mut Links,
+) -> Option<Option<(usize, usize)>> {
     let twin = view.twin(h);
-    let next = existing(view.next(h), extent.half_edges).filter(|n| view.is_half_edge(*n));
+    let next = extent.half_edges.existing(view.next(h)).filter(|n| view.is_half_edge(*n));
     let next_holds = next.is_some_and(|n| !extent.has(Part::Prev) || view.prev(n) == Some(h));
     let twin_holds = twin_holds(view, extent, h, twin, next);
     if !(next_holds && twin_holds) {
         links.doubt(h, [next_holds, twin_holds])?;
     }
-    if twin.is_none() {
-        links.unpaired += 1;
-        let target = next.and_then(|n| existing(view.origin(n), extent.vertices));
-        links.ends(target, h, extent)?;
+    if twin.is_some() {
+        return Some(None);
     }
-    Some(())
+    links.unpaired += 1;
+    let target = next.and_then(|n| extent.vertices.existing(view.origin(n)));
+    links.ends(target, h, extent)?;
+    Some(target.zip(next))
 }
 
 /// L1 and L3.
 fn twin_holds<V: View + ?Sized>(view: &V, extent: Extent, h: usize, twin: Link, next: Option<usize>) -> bool {
     let Some(t) = twin else { return extent.expect.is_open() };
-    let is_pair = t < extent.half_edges && is_mutual(view, h, t);
+    let is_pair = extent.half_edges.has(t) && is_mutual(view, h, t);
     is_pair && view.origin(t).is_some() && next.is_none_or(|n| view.origin(n) == view.origin(t))
 }
 

@@ -1,5 +1,6 @@
 //! A set of slots.
 
+use super::extent::Slots;
 use alloc::vec::Vec;
 
 /// A set of slots, one bit each.
@@ -8,16 +9,16 @@ pub(super) struct Marks(Vec<u64>);
 
 impl Marks {
     /// The empty set, with room for so many slots; none if there is no memory for it.
-    pub(super) fn new(slots: usize) -> Option<Self> {
+    pub(super) fn new(slots: Slots) -> Option<Self> {
         let mut marks = Self::default();
         marks.make_room(slots)?;
         Some(marks)
     }
 
     /// Makes room for so many slots, if there was none; none if there is no memory for it.
-    pub(super) fn make_room(&mut self, slots: usize) -> Option<()> {
+    pub(super) fn make_room(&mut self, slots: Slots) -> Option<()> {
         if self.0.is_empty() {
-            let words = slots.div_ceil(64);
+            let words = slots.count().div_ceil(64);
             self.0.try_reserve_exact(words).ok()?;
             self.0.resize(words, 0);
         }
@@ -57,11 +58,11 @@ impl Marks {
     }
 
     /// The slots that are not in the set, of so many.
-    pub(super) fn rest(&self, slots: usize) -> impl Iterator<Item = usize> {
+    pub(super) fn rest(&self, slots: Slots) -> impl Iterator<Item = usize> {
         let words = self.0.iter().enumerate().filter(|(_, word)| **word != u64::MAX);
         words
             .flat_map(|(i, _)| i * 64..i * 64 + 64)
-            .take_while(move |slot| *slot < slots)
+            .take_while(move |slot| slots.has(*slot))
             .filter(|slot| !self.has(*slot))
     }
 }

@@ -27,7 +27,7 @@
 //!   is the `prev` of its next, so `next` is a permutation, and `prev` is live and `next` undoes it (L2).
 //! - By L3 the origin stays the same around a vertex, and `leaving(v)` leaves v, so the walks around different vertices do not meet,
 //!   and visit every half-edge once, and each with its origin: that is V1 and V2, and R1 of origins. Where vertices keep no half-edge,
-//!   the scan notes one of each.
+//!   the scan notes one of each that is the next of some half-edge; if there is none, too few half-edges are visited.
 //! - At an open boundary a rotation that is not closed is a chain, and begins after a half-edge without twin that ends at the vertex. The
 //!   scan notes one of these for each vertex; if it meets two, two fans share the vertex, and V2 is broken. A chain ends at the
 //!   first half-edge without twin, so as many leave the vertex as end there: one. They follow one another around the border loops.
@@ -94,10 +94,10 @@ use boundaries::Boundaries;
 use components::Joined;
 use cycles::Cycles;
 use doubts::Settled;
-use extent::Extent;
+use extent::{Extent, Slots};
 use known::{Known, Lists, Turned, Vertices, Whole};
 use links::Links;
-use rotations::Rotations;
+use rotations::{Counted, Rotations};
 
 /// Finds out what holds of R1 … T3, part by part.
 ///
@@ -129,13 +129,12 @@ pub(super) fn look<V: View + ?Sized>(run: &mut Run<'_, V>) {
 
 /// Walks around the vertices, where the links are right, and notes what holds of these.
 fn turn<V: View + ?Sized>(run: &mut Run<'_, V>, extent: Extent, links: &mut Links) -> Option<Rotations> {
-    if !(links.next_holds && links.twin_holds && links.one_into_each) {
+    if !links.are_right() {
         run.known.vertices = vertices::by_index(run.view, extent, links);
         return None;
     }
     if let Some(around) = rotations::walk(run.view, extent, links) {
-        let Rotations { vertices: live, isolated, claimed, .. } = around;
-        run.known.vertices = claimed.map(|claimed| Vertices { live, isolated, claimed });
+        run.known.vertices = Vertices::of(around.counted);
         return Some(around);
     }
     // What a vertex keeps may be all that is wrong.
@@ -145,10 +144,10 @@ fn turn<V: View + ?Sized>(run: &mut Run<'_, V>, extent: Extent, links: &mut Link
 
 const fn extent_of<V: ?Sized>(run: &Run<'_, V>) -> Extent {
     Extent {
-        vertices: run.vertices as usize,
-        half_edges: run.half_edges as usize,
-        boundaries: run.boundaries as usize,
-        faces: run.faces as usize,
+        vertices: Slots(run.vertices),
+        half_edges: Slots(run.half_edges),
+        boundaries: Slots(run.boundaries),
+        faces: Slots(run.faces),
         expect: run.expect,
     }
 }
@@ -167,9 +166,9 @@ fn listed<V: View + ?Sized>(run: &mut Run<'_, V>, extent: Extent, turned: Turned
 /// otherwise those listed are marked, so it suffices to count.
 fn agree(extent: Extent, around: &Rotations, lists: &Boundaries) -> bool {
     if extent.has(Part::BoundaryComponents) {
-        around.claimed == Some(lists.at_vertex)
+        around.counted.claimed == Some(lists.at_vertex)
     } else {
-        lists.vertices_hold && (around.isolated == lists.at_vertex || !extent.has(Part::UnboundedFace))
+        !lists.is_vertex_wrong && (around.counted.isolated == lists.at_vertex || !extent.has(Part::UnboundedFace))
     }
 }
 
@@ -185,15 +184,15 @@ pub(super) fn whole<V: View + ?Sized>(run: &mut Run<'_, V>) {
 /// The components and the genus; nothing if T3 is broken.
 fn join<V: View + ?Sized>(view: &V, extent: Extent, turned: Turned, cycles: &Cycles) -> Option<Whole> {
     let Turned { mut links, around } = turned;
+    let Counted { vertices, isolated, simple, .. } = around.counted;
     let loops = borders::loops(view, extent, &mut links)?;
     let (half_edges, unpaired) = (links.half_edges, links.unpaired);
     drop(links);
     let edges = (half_edges - unpaired) / 2 + unpaired;
     let borders = cycles.unnamed.len() + loops.len();
     // Euler's formula, where an isolated vertex has one cycle: V + cycles − E is twice the number of components, at genus 0.
-    let twice = (around.vertices + cycles.named + borders + around.isolated).checked_sub(edges)?;
+    let twice = (vertices + cycles.named + borders + isolated).checked_sub(edges)?;
     let least = twice / 2;
-    let simple = around.simple;
     let Joined { of, first } = components::join(view, extent, around, least.max(1))?;
     let genus = first.len().checked_sub(least)?;
     if twice % 2 != 0 || extent.expect.surface_kind() == Surface::Plane && genus > 0 {

@@ -1,7 +1,7 @@
 //! The walks around the vertices: V1, V2 and the vertices' half of B2.
 
-use super::cycles::{Count, Cycles, Listed, Pass};
-use super::extent::{Extent, existing, nils};
+use super::cycles::{Cycles, Listed, Pass, Short};
+use super::extent::Extent;
 use super::links::Links;
 use crate::validate::expectation::Part;
 use crate::validate::view::{Start, View};
@@ -9,6 +9,16 @@ use alloc::vec::Vec;
 
 /// What the walks around the vertices find.
 pub(super) struct Rotations {
+    pub(super) counted: Counted,
+    /// Per vertex the neighbour with the smallest number, or itself if that is smaller.
+    pub(super) nearest: Vec<u32>,
+    /// The cycles, where there are no faces to list them.
+    pub(super) cycles: Option<Cycles>,
+}
+
+/// What is counted at vertices.
+#[derive(Clone, Copy)]
+pub(super) struct Counted {
     pub(super) vertices: usize,
     pub(super) isolated: usize,
     /// How many of the isolated ones name a boundary component that starts at them; none if one names anything else, or a
@@ -16,44 +26,51 @@ pub(super) struct Rotations {
     pub(super) claimed: Option<usize>,
     /// How many half-edges were visited.
     pub(super) half_edges: usize,
-    /// Per vertex the neighbour with the smallest number, or itself if that is smaller.
-    pub(super) nearest: Vec<u32>,
-    /// How many vertices are their own.
+    /// How many cycles were counted on the way.
+    pub(super) cycles: usize,
+    /// How many vertices have a smaller number than each of their neighbours.
     pub(super) roots: usize,
     /// Whether there is neither a loop nor a pair of parallel edges.
     pub(super) simple: bool,
-    /// The cycles, where there are no faces to list them.
-    pub(super) cycles: Option<Cycles>,
+}
+
+impl Counted {
+    pub(super) const NOTHING: Self =
+        Self { vertices: 0, isolated: 0, claimed: Some(0), half_edges: 0, cycles: 0, roots: 0, simple: true };
 }
 
 /// Walks around every vertex, in order of their numbers. Where there are no faces, counts the cycles on the way.
 pub(super) fn walk<V: View + ?Sized>(view: &V, extent: Extent, links: &Links) -> Option<Rotations> {
-    if extent.has(Part::Faces) {
-        return walk_and(view, extent, links, &mut Listed);
-    }
-    let mut cycles = Count::default();
-    let mut found = walk_and(view, extent, links, &mut cycles)?;
-    found.cycles = Some(cycles.all(view, extent, links.half_edges)?);
-    Some(found)
+    let mut nearest = extent.vertices.nils()?;
+    let mut short = Short::default();
+    let are_listed = extent.has(Part::Faces);
+    let counted = if are_listed {
+        walk_from(view, extent, links, 0, &mut nearest, &mut Listed)?
+    } else {
+        walk_from(view, extent, links, 0, &mut nearest, &mut short)?
+    };
+    (counted.half_edges == links.half_edges).then_some(())?;
+    let cycles = if are_listed { None } else { Some(short.all(view, extent, counted.cycles, links.half_edges)?) };
+    Some(Rotations { counted, nearest, cycles })
 }
 
-/// Walks around every vertex, and counts of the cycles what is asked for.
+/// Walks around the vertices from `first` on, one for each entry of `nearest`, which it fills in, and counts of the cycles what is
+/// asked for.
 #[inline(never)]
-fn walk_and<V: View + ?Sized, P: Pass>(view: &V, extent: Extent, links: &Links, cycles: &mut P) -> Option<Rotations> {
-    let mut found = Rotations {
-        vertices: 0,
-        isolated: 0,
-        claimed: Some(0),
-        half_edges: 0,
-        nearest: nils(extent.vertices)?,
-        roots: 0,
-        simple: true,
-        cycles: None,
-    };
+pub(super) fn walk_from<V: View + ?Sized, P: Pass>(
+    view: &V,
+    extent: Extent,
+    links: &Links,
+    first: usize,
+    nearest: &mut [u32],
+    cycles: &mut P,
+) -> Option<Counted> {
+    let mut found = Counted::NOTHING;
+    let mut steps = Steps { left: links.half_edges, cycles: 0 };
     // The last vertex from which a vertex was seen as a neighbour: seen twice from one means parallel edges.
-    let mut seen_from = nils(extent.vertices)?;
+    let mut seen_from = extent.vertices.nils()?;
     let names_boundary = extent.has(Part::BoundaryComponents) && extent.has(Part::Holes);
-    for v in (0..extent.vertices).filter(|v| view.is_vertex(*v)) {
+    for (v, nearest_to) in (first..).zip(nearest).filter(|(v, _)| view.is_vertex(*v)) {
         found.vertices += 1;
         let mut nearest = v;
         match links.leaving(view, v) {
@@ -68,7 +85,6 @@ fn walk_and<V: View + ?Sized, P: Pass>(view: &V, extent: Extent, links: &Links, 
                 if names_boundary && view.isolated(v).is_some() {
                     found.claimed = None;
                 }
-                let limit = links.half_edges - found.half_edges;
                 // A loop leads to its own vertex twice.
                 let simple = &mut found.simple;
                 let see = |neighbour| {
@@ -77,46 +93,63 @@ fn walk_and<V: View + ?Sized, P: Pass>(view: &V, extent: Extent, links: &Links, 
                     nearest = nearest.min(neighbour);
                     Some(())
                 };
-                found.half_edges += match links.into(v) {
-                    None => around(view, extent, start, limit, see, cycles)?,
-                    Some(before) => across(view, extent, before, limit, see, cycles)?,
-                };
+                match links.into(v) {
+                    None => around(view, extent, start, &mut steps, see, cycles)?,
+                    Some(before) => across(view, extent, before, &mut steps, see, cycles)?,
+                }
             }
         }
-        found.nearest[v] = nearest as u32;
+        *nearest_to = nearest as u32;
         found.roots += usize::from(nearest == v);
     }
-    (found.half_edges == links.half_edges).then_some(found)
+    found.half_edges = links.half_edges - steps.left;
+    found.cycles = steps.cycles;
+    Some(found)
 }
 
 /// Whether a half-edge that a vertex keeps is live and leaves it.
 #[inline]
 pub(super) fn leaves<V: View + ?Sized>(view: &V, extent: Extent, start: usize, v: usize) -> bool {
-    start < extent.half_edges && view.is_half_edge(start) && view.origin(start) == Some(v)
+    extent.half_edges.has(start) && view.is_half_edge(start) && view.origin(start) == Some(v)
 }
 
-/// Walks around one vertex, from a half-edge that leaves it, and returns how many half-edges it visited; none if it visits
-/// more than `limit`.
+/// What the walks count step by step.
+struct Steps {
+    /// How many half-edges are left to visit.
+    left: usize,
+    cycles: usize,
+}
+
+impl Steps {
+    /// Visits one more; none if none is left.
+    #[inline]
+    fn visit(&mut self) -> Option<()> {
+        self.left = self.left.checked_sub(1)?;
+        Some(())
+    }
+}
+
+/// Walks around one vertex, from a half-edge that leaves it; none if no half-edge is left to visit before it returns.
 #[inline]
-pub(super) fn around<V: View + ?Sized>(
+fn around<V: View + ?Sized>(
     view: &V,
     extent: Extent,
     start: usize,
-    limit: usize,
+    steps: &mut Steps,
     mut see: impl FnMut(usize) -> Option<()>,
     cycles: &mut impl Pass,
-) -> Option<usize> {
+) -> Option<()> {
     let mut h = start;
-    for visited in 0..limit {
-        let t = existing(view.twin(h), extent.half_edges)?;
+    loop {
+        steps.visit()?;
+        let t = extent.half_edges.existing(view.twin(h))?;
         see(view.origin(t)?)?;
-        h = existing(view.next(t), extent.half_edges)?;
-        cycles.pass(view, extent, [t, h])?;
+        h = extent.half_edges.existing(view.next(t))?;
+        steps.cycles += cycles.pass(view, extent, [t, h])?;
         if h == start {
-            return Some(visited + 1);
+            return Some(());
         }
     }
-    None
 }
 
 /// Walks across one vertex at an open boundary, from the half-edge after the one without twin that ends there to the one
@@ -125,25 +158,25 @@ fn across<V: View + ?Sized>(
     view: &V,
     extent: Extent,
     before: usize,
-    limit: usize,
+    steps: &mut Steps,
     mut see: impl FnMut(usize) -> Option<()>,
     cycles: &mut impl Pass,
-) -> Option<usize> {
+) -> Option<()> {
     see(view.origin(before)?)?;
-    let mut h = existing(view.next(before), extent.half_edges)?;
-    cycles.pass(view, extent, [before, h])?;
-    for visited in 0..limit {
+    let mut h = extent.half_edges.existing(view.next(before))?;
+    steps.cycles += cycles.pass(view, extent, [before, h])?;
+    loop {
+        steps.visit()?;
         let Some(t) = view.twin(h) else {
-            let next = existing(view.next(h), extent.half_edges)?;
+            let next = extent.half_edges.existing(view.next(h))?;
             see(view.origin(next)?)?;
-            return Some(visited + 1);
+            return Some(());
         };
-        let t = existing(Some(t), extent.half_edges)?;
+        let t = extent.half_edges.existing(Some(t))?;
         see(view.origin(t)?)?;
-        h = existing(view.next(t), extent.half_edges)?;
-        cycles.pass(view, extent, [t, h])?;
+        h = extent.half_edges.existing(view.next(t))?;
+        steps.cycles += cycles.pass(view, extent, [t, h])?;
     }
-    None
 }
 
 /// Half of B2: whether the isolated vertex names a boundary component, which then starts at it. It need not if it may lie in
@@ -152,6 +185,7 @@ pub(super) fn is_claimed<V: View + ?Sized>(view: &V, extent: Extent, v: usize) -
     let Some(b) = view.isolated(v) else {
         return (!extent.has(Part::UnboundedFace)).then_some(false);
     };
-    let starts_here = b < extent.boundaries && view.is_boundary(b) && view.boundary_start(b) == Some(Start::Vertex(v));
+    let starts_here =
+        extent.boundaries.has(b) && view.is_boundary(b) && view.boundary_start(b) == Some(Start::Vertex(v));
     starts_here.then_some(true)
 }

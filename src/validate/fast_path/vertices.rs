@@ -1,6 +1,6 @@
 //! The vertices one by one, where a wrong link keeps the walks around them from settling V1.
 
-use super::extent::{Extent, existing};
+use super::extent::Extent;
 use super::known::Vertices;
 use super::links::Links;
 use super::rotations::{is_claimed, leaves};
@@ -11,7 +11,7 @@ use crate::validate::view::View;
 pub(super) fn by_index<V: View + ?Sized>(view: &V, extent: Extent, links: &Links) -> Option<Vertices> {
     let names_boundary = extent.has(Part::BoundaryComponents) && extent.has(Part::Holes);
     let mut found = Vertices { live: 0, isolated: 0, claimed: 0 };
-    for v in (0..extent.vertices).filter(|v| view.is_vertex(*v)) {
+    for v in extent.vertices.all().filter(|v| view.is_vertex(*v)) {
         found.live += 1;
         if let Some(start) = links.leaving(view, v) {
             let names_nothing = !names_boundary || view.isolated(v).is_none();
@@ -28,9 +28,9 @@ pub(super) fn by_index<V: View + ?Sized>(view: &V, extent: Extent, links: &Links
 
 /// Whether no half-edge leaves a vertex that keeps none.
 fn each_origin_keeps_one<V: View + ?Sized>(view: &V, extent: Extent) -> bool {
-    let mut half_edges = (0..extent.half_edges).filter(|h| view.is_half_edge(*h));
+    let mut half_edges = extent.half_edges.all().filter(|h| view.is_half_edge(*h));
     half_edges.all(|h| {
-        let origin = existing(view.origin(h), extent.vertices).filter(|v| view.is_vertex(*v));
+        let origin = extent.vertices.existing(view.origin(h)).filter(|v| view.is_vertex(*v));
         origin.is_none_or(|v| view.leaving(v).is_some())
     })
 }
