@@ -10,7 +10,7 @@ use twinedge::program::{Program, Runner};
 use twinedge::validate::enumerate::for_each_corruption;
 use twinedge::validate::forms::{expectations, projections};
 use twinedge::validate::reference::rule_by_rule;
-use twinedge::validate::{Collect, Expectation, HalfEdgeRow, Part, Start, Table, VertexRow, View};
+use twinedge::validate::{Collect, Expectation, HalfEdgeRow, Part, Rule, Start, Table, VertexRow, View};
 
 /// The report is that of the rules one by one, however many violations are collected, and neither asks for what a
 /// vacant slot holds.
@@ -52,6 +52,16 @@ fn every_corruption_of_small_maps_in_every_form() {
         }
     }
     assert!(corruptions > 100_000, "{corruptions}");
+}
+
+/// One edge. The wrong next is that of the half-edge which ends at vertex 1, so no next leaves this vertex, which names a boundary
+/// component, as only isolated ones may.
+#[test]
+fn a_vertex_that_no_next_leaves() {
+    let table: Table = "V 2 0 - 1 1 H 2 0 1 0 1 0 1 0 0 0 0 B 2 0 h0 i0 0 v1 i1 F 1 - 2 0 1".parse().unwrap();
+    let expectation = Expectation::plane().without(Part::Leaving);
+    assert!(validate(&table, &expectation, Collect::All).broken_rules().any(|rule| rule == Rule::B2));
+    assert_same(&table, &expectation, &table);
 }
 
 /// So many loops, each at a vertex of its own.
