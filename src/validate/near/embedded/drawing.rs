@@ -6,7 +6,7 @@ use crate::geometry::predicates::in_range;
 use crate::validate::columns::NIL;
 use crate::validate::embedding::Embedding;
 use crate::validate::near::changes::Changes;
-use crate::validate::near::mirror::{HalfEdge, Label, Mirror, Vertex};
+use crate::validate::near::mirror::{Face, HalfEdge, Label, Mirror, Vertex};
 use crate::validate::view::Start;
 
 /// Before the change, or after it.
@@ -105,21 +105,14 @@ impl<'a> Drawing<'a> {
         now.map_or_else(|| self.was.label(b), |seen| seen.row)
     }
 
-    /// The outer boundary component of a live face, or nil, and the number of inner ones.
-    pub(super) fn face(&self, time: Time, f: usize) -> Option<(u32, usize)> {
+    pub(super) fn face(&self, time: Time, f: usize) -> Face {
         let now = if time == Time::After { self.changes.faces.find(&self.was.faces, f) } else { None };
-        now.map_or_else(
-            || {
-                let was = self.was.face(f);
-                was.is_live().then(|| (was.outer, self.was.inner(f).len()))
-            },
-            |seen| seen.now,
-        )
+        now.map_or_else(|| self.was.face(f), |seen| seen.row)
     }
 
     /// Whether it is the unbounded face.
     pub(super) fn is_unbounded(&self, time: Time, f: usize) -> bool {
-        self.face(time, f).is_some_and(|(outer, _)| outer == NIL)
+        self.face(time, f).outer == NIL
     }
 
     pub(super) fn place(&self, time: Time, v: usize) -> Option<Point> {
