@@ -91,6 +91,58 @@ fn every_operator_with_every_wrong_link() {
     assert!(judged > 100_000 && wrong * 10 > judged * 9, "{judged} results, of which {wrong} are wrong");
 }
 
+/// The rows of one table, or those of another, as a coin says.
+fn mixed<R: Clone + PartialEq>(
+    before: &[Option<R>],
+    after: &[Option<R>],
+    mut coin: impl FnMut() -> bool,
+) -> Vec<Option<R>> {
+    let row = |rows: &[Option<R>], i: usize| rows.get(i).cloned().flatten();
+    let mut either = |i: usize| {
+        let [was, is] = [before, after].map(|rows| row(rows, i));
+        if was != is && coin() { was } else { is }
+    };
+    (0..before.len().max(after.len())).map(&mut either).collect()
+}
+
+/// All that an operator can do wrong by leaving some records as they were: a few ways of each.
+#[test]
+fn every_operator_that_forgets_some_records() {
+    let (mut judged, mut right, mut bits) = (0, 0, 1_u64);
+    let mut coin = || {
+        bits = bits.wrapping_mul(0x5851_F42D_4C95_7F2D).wrapping_add(0x1405_7B7E_F767_814F);
+        bits >> 62 == 0
+    };
+    for expectation in [
+        Expectation::plane(),
+        Expectation::plane().without(Part::Prev),
+        Expectation::plane().without(Part::Faces).without(Part::Prev),
+        Expectation::surface().without(Part::BoundaryComponents),
+    ] {
+        for map in Census::new(Scope::Subdivisions { edges: 3, vertices: 2 }) {
+            let before = projected(&Table::copy_of(map.runner.subject()).unwrap(), &expectation);
+            let baseline = Baseline::new(&before, &expectation).unwrap();
+            try_every_op(&map.runner, |_, outcome, changed| {
+                if outcome != StepOutcome::Applied {
+                    return;
+                }
+                let after = projected(&Table::copy_of(changed.subject()).unwrap(), &expectation);
+                for _ in 0..8 {
+                    let some = Table {
+                        vertices: mixed(&before.vertices, &after.vertices, &mut coin),
+                        half_edges: mixed(&before.half_edges, &after.half_edges, &mut coin),
+                        boundaries: mixed(&before.boundaries, &after.boundaries, &mut coin),
+                        faces: mixed(&before.faces, &after.faces, &mut coin),
+                    };
+                    judged += 1;
+                    right += usize::from(judge(&baseline, &some, &difference(&before, &some)));
+                }
+            });
+        }
+    }
+    assert!(judged > 20_000 && right > 1_000, "{judged} results, of which {right} are right");
+}
+
 /// One baseline follows each operator, and is then what a new one would be.
 #[test]
 fn a_baseline_follows_every_operator_on_every_small_map() {

@@ -128,11 +128,8 @@ fn turn(table: &mut Table, rotation: &[usize]) {
 fn assert_found(name: &str, [before, after]: [&Table; 2], expectation: &Expectation, rule: Rule) {
     let report = validate(after, expectation, Collect::All);
     assert_eq!(report.broken_rules().next(), Some(rule), "{name}: {report}");
-    let nothing = Table {
-        faces: before.faces.first().map(|_| Some(FaceRow::default())).into_iter().collect(),
-        ..Table::default()
-    };
-    let nothing = if expectation.has(Part::UnboundedFace) { nothing } else { Table::default() };
+    let unbounded = expectation.has(Part::UnboundedFace).then(|| Some(FaceRow::default()));
+    let nothing = Table { faces: unbounded.into_iter().collect(), ..Table::default() };
     let mut followed = Baseline::new(&nothing, expectation).unwrap();
     validate_near(&mut followed, before, &difference(&nothing, before)).unwrap();
     let mut changed = difference(before, after);
@@ -161,7 +158,7 @@ fn what_only_one_check_finds() {
     add_isolated(&mut isolated_in_face, 1);
     let mut one_vertex = rings(0);
     add_isolated(&mut one_vertex, 0);
-    let cases: [(&str, Table, Change, Rule); 10] = [
+    let cases: [(&str, Table, Change, Rule); 12] = [
         (
             "a half-edge is its own twin",
             one_vertex,
@@ -235,6 +232,30 @@ fn what_only_one_check_finds() {
                     table.boundaries[2 * ring].as_mut().unwrap().face = Some(1);
                 }
                 close(table, 3);
+            },
+            Rule::F2,
+        ),
+        (
+            "two faces have another cycle as their outer one, and those that were say that they still are",
+            rings(5),
+            |table| {
+                for (f, ring) in [(1, 1), (3, 3)] {
+                    table.faces[ring + 1] = None;
+                    list(table, f, 2 * ring, true);
+                }
+                close(table, 4);
+            },
+            Rule::F2,
+        ),
+        (
+            "two new faces say that their outer one is that of another face",
+            rings(2),
+            |table| {
+                for _ in 0..2 {
+                    let f = add_face(table);
+                    face(table, f).outer = Some(0);
+                }
+                turn_inside_out(table, 1);
             },
             Rule::F2,
         ),
