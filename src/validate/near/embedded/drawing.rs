@@ -57,15 +57,12 @@ impl<'a> Drawing<'a> {
         let mut half_edges: Vec<usize> = changes.touched().map(|(h, _)| h).collect();
         for (v, _) in changes.vertices.iter() {
             if drawing.place(Time::Before, v) != drawing.place(Time::After, v) {
-                for time in TIMES {
-                    drawing.rotation(time, v, &mut half_edges)?;
-                }
+                // Those that left it before, and do not now, may have other links.
+                drawing.rotation(v, &mut half_edges)?;
             }
         }
-        for time in TIMES {
-            let twins: Vec<usize> = half_edges.iter().filter_map(|h| drawing.twin(time, *h)).collect();
-            half_edges.extend(twins);
-        }
+        let twins: Vec<usize> = half_edges.iter().filter_map(|h| drawing.twin(Time::After, *h)).collect();
+        half_edges.extend(twins);
         let half_edges = sorted(half_edges);
         let straight = |h: &usize| {
             let twin = drawing.twin(Time::After, *h);
@@ -155,9 +152,9 @@ impl<'a> Drawing<'a> {
         label.is_live().then_some(label.face as usize)
     }
 
-    /// The half-edges that leave a vertex.
-    fn rotation(&self, time: Time, v: usize, into: &mut Vec<usize>) -> Option<()> {
-        let vertex = self.vertex(time, v);
+    /// The half-edges that leave a vertex now.
+    fn rotation(&self, v: usize, into: &mut Vec<usize>) -> Option<()> {
+        let vertex = self.vertex(Time::After, v);
         if !vertex.is_live() || vertex.leaving == NIL {
             return Some(());
         }
@@ -166,7 +163,7 @@ impl<'a> Drawing<'a> {
         // Only links that are not right lead around for ever.
         for _ in 0..=self.was.half_edges.len() + self.changes.half_edges.len() {
             into.push(h);
-            h = self.turned(time, h)?;
+            h = self.turned(Time::After, h)?;
             if h == first {
                 return Some(());
             }
