@@ -32,10 +32,10 @@ Examples:
   cargo run -p twinedge-proofs --example faults -- --minutes 30           go on for half an hour: what was run before is kept
   cargo run -p twinedge-proofs --example faults -- --only R1 --checks corrupt,tables")]
 struct Arguments {
-    /// The faults with these words in their names, or in the paths of their files
+    /// The faults with these words in their names, or in the paths of their files; may be given several times
     #[arg(long, value_name = "WORDS")]
-    only: Option<String>,
-    /// These checks alone, separated by commas: the program's commands, and test binaries
+    only: Vec<String>,
+    /// These checks alone, separated by commas: the program's commands, test binaries, and modules of these, as `validate near`
     #[arg(long, value_name = "NAMES", value_delimiter = ',')]
     checks: Option<Vec<String>>,
     /// Run no further check with a fault that as many have caught
@@ -99,16 +99,25 @@ const COMMANDS: [(&str, &[&str]); 6] = [
 fn main() -> Result<()> {
     let Arguments { only, checks: chosen, enough, minutes, threads } = Arguments::parse();
     let named = TESTS.iter().map(|(name, ..)| *name).chain(COMMANDS.iter().map(|(name, _)| *name)).collect::<Vec<_>>();
-    if let Some(other) = chosen.iter().flatten().find(|name| !named.contains(&name.as_str())) {
+    let binary = |name: &str| name.split(' ').next().unwrap_or_default().to_owned();
+    if let Some(other) = chosen.iter().flatten().find(|name| !named.contains(&binary(name).as_str())) {
         return Err(format!("there is no check {other}; the checks are {}", named.join(", ")).into());
     }
-    let is_chosen = |name: &str| chosen.as_ref().is_none_or(|names| names.iter().any(|other| other == name));
+    let is_built = |name: &str| chosen.as_ref().is_none_or(|names| names.iter().any(|other| binary(other) == name));
+    let is_chosen = |check: &Check| {
+        let is_named = |name: &String| *name == check.name || *name == binary(&check.name);
+        chosen.as_ref().is_none_or(|names| names.iter().any(is_named))
+    };
     let root = Path::new(env!("CARGO_MANIFEST_DIR")).join("..").canonicalize()?;
     let faults = read(&root.join("proofs/faults"))?;
     let build = root.join("target/faults");
     let copy = build.join("sources");
     let sources = copy_planted(&root, &copy, &faults)?;
-    let mut checks = built(&copy, &build, is_chosen)?;
+    let mut checks = built(&copy, &build, is_built)?;
+    checks.retain(is_chosen);
+    if checks.is_empty() {
+        return Err("no module of the tests has this name".into());
+    }
     let start = Instant::now();
     for check in &mut checks {
         let start = Instant::now();
@@ -120,7 +129,8 @@ fn main() -> Result<()> {
     }
     let wanted: Vec<usize> = (0..faults.len())
         .filter(|n| {
-            only.as_ref().is_none_or(|words| faults[*n].what.contains(words) || faults[*n].file.contains(words))
+            only.is_empty()
+                || only.iter().any(|words| faults[*n].what.contains(words) || faults[*n].file.contains(words))
         })
         .collect();
     let until = minutes.map(|minutes| start + Duration::from_secs(60 * minutes));
@@ -195,7 +205,7 @@ fn copy_planted(root: &Path, copy: &Path, faults: &[Fault]) -> Result<u64> {
 }
 
 /// Builds the copy, and gives the checks.
-fn built(copy: &Path, build: &Path, is_chosen: impl Fn(&str) -> bool) -> Result<Vec<Check>> {
+fn built(copy: &Path, build: &Path, is_built: impl Fn(&str) -> bool) -> Result<Vec<Check>> {
     let cargo = |arguments: &[&str]| -> Result<String> {
         let mut cargo = Command::new(std::env::var_os("CARGO").unwrap_or_else(|| "cargo".into()));
         cargo.args(arguments).current_dir(copy).env("CARGO_TARGET_DIR", build).env("CARGO_INCREMENTAL", "0");
@@ -209,7 +219,7 @@ fn built(copy: &Path, build: &Path, is_chosen: impl Fn(&str) -> bool) -> Result<
         if output.status.success() { Ok(said) } else { Err(format!("cargo {}: {said}", arguments.join(" ")).into()) }
     };
     let mut checks = Vec::new();
-    for (name, arguments, source) in TESTS.iter().filter(|(name, ..)| is_chosen(name)) {
+    for (name, arguments, source) in TESTS.iter().filter(|(name, ..)| is_built(name)) {
         let said = cargo(&[&["test", "--release", "--no-run"], *arguments].concat())?;
         let line = said.lines().find(|line| line.contains(source)).ok_or_else(|| format!("cargo made no {source}"))?;
         let program =
@@ -220,11 +230,11 @@ fn built(copy: &Path, build: &Path, is_chosen: impl Fn(&str) -> bool) -> Result<
             checks.push(Check { name: format!("{name} {module}"), program: program.clone(), arguments, takes: LIMIT });
         }
     }
-    if COMMANDS.iter().any(|(name, _)| is_chosen(name)) {
+    if COMMANDS.iter().any(|(name, _)| is_built(name)) {
         cargo(&["build", "--release", "-p", "twinedge-cli"])?;
     }
     let program = build.join("release/twinedge");
-    for (name, arguments) in COMMANDS.iter().filter(|(name, _)| is_chosen(name)) {
+    for (name, arguments) in COMMANDS.iter().filter(|(name, _)| is_built(name)) {
         let arguments = arguments.iter().map(|argument| (*argument).to_owned()).collect();
         checks.push(Check { name: (*name).to_owned(), program: program.clone(), arguments, takes: LIMIT });
     }

@@ -18,6 +18,7 @@ mod interchange;
 mod mesh_rules;
 mod names;
 mod near;
+mod near_checks;
 mod near_embedded;
 mod open_embeddings;
 mod parallel;

@@ -21,6 +21,8 @@ const PLANE: Expectation = Expectation::plane();
 struct Scene {
     table: Table,
     points: Vec<Point>,
+    /// The one bend that there is, with the smaller half-edge of its edge.
+    bend: Option<(usize, Point)>,
     asked: Cell<usize>,
 }
 
@@ -33,11 +35,19 @@ impl Embedding for Scene {
         self.asked.set(self.asked.get() + 1);
         self.points.get(vertex).copied().unwrap_or_default()
     }
+
+    fn bends(&self, half_edge: usize) -> usize {
+        usize::from(self.bend.is_some_and(|(h, _)| h == half_edge))
+    }
+
+    fn bend(&self, _: usize, _: usize) -> Point {
+        self.bend.unwrap().1
+    }
 }
 
 impl Scene {
     fn new(table: Table, points: Vec<Point>) -> Self {
-        Self { table, points, asked: Cell::new(0) }
+        Self { table, points, bend: None, asked: Cell::new(0) }
     }
 
     fn of(map: &PlanarMap) -> Self {
@@ -369,4 +379,75 @@ fn boundary_components_in_the_place_of_others() {
     }
     assert!(tally.judged > 4_000 && tally.right > 100, "{tally:?}");
     assert!(tally.broken[..2].iter().all(|count| *count > 10), "{tally:?}");
+}
+
+/// A map after each of some segments was inserted, and at the end.
+fn grown(segments: &[[[f64; 2]; 2]]) -> (Vec<Scene>, PlanarMap) {
+    let mut map = PlanarMap::new();
+    let mut scenes = vec![Scene::of(&map)];
+    for [a, b] in segments {
+        map.insert_segment(*a, *b).unwrap();
+        scenes.push(Scene::of(&map));
+    }
+    (scenes, map)
+}
+
+/// With an isolated vertex in the unbounded face, at some place.
+fn with_point(map: &PlanarMap, free: [f64; 2], place: [f64; 2]) -> Scene {
+    let mut map = map.clone();
+    let v = map.insert_point(free).unwrap().vertices[0];
+    let mut scene = Scene::of(&map);
+    scene.points[map.dcel().vertex(v).unwrap().index()] = place.into();
+    scene
+}
+
+/// After records were not named, and the structure was validated in full, it is followed from there.
+#[test]
+fn forgotten_records_are_caught_up_with() {
+    let mut tally = Tally::default();
+    let (scenes, map) = grown(&[[[0.0, 0.0], [4.0, 0.0]], [[0.0, 2.0], [4.0, 2.0]]]);
+    let mut baseline = scenes[1].baseline();
+    let vertices = scenes[2].since(&scenes[1]).vertices;
+    assert!(tally.judge(&mut baseline, &scenes[2], &Touched { vertices, ..Touched::default() }));
+    assert_eq!(tally.in_full, 1);
+    for (place, is_right) in [([2.0, 1.0], true), ([2.0, 2.0], false)] {
+        let after = with_point(&map, [2.0, 1.0], place);
+        assert_eq!(tally.judge(&mut baseline.clone(), &after, &after.since(&scenes[2])), is_right, "{place:?}");
+    }
+    assert_eq!(tally.in_full, 1);
+}
+
+/// An edge that has got a bend, above another one and across it.
+#[test]
+fn edges_with_bends_are_validated_in_full() {
+    let mut tally = Tally::default();
+    let (scenes, map) = grown(&[[[0.0, 0.0], [4.0, 0.0]], [[0.0, 2.0], [4.0, 2.0]]]);
+    let [before, after] = [1, 2].map(|i| &scenes[i].table);
+    let mut slots = 0..after.half_edge_slots();
+    let new = slots.find(|h| after.is_half_edge(*h) && !before.is_half_edge(*h)).unwrap();
+    for (place, is_right) in [([2.0, 1.0], true), ([2.0, -1.0], false)] {
+        let mut after = Scene::of(&map);
+        after.bend = Some((new, place.into()));
+        assert_eq!(tally.judge(&mut scenes[1].baseline(), &after, &after.since(&scenes[1])), is_right, "{place:?}");
+    }
+    assert_eq!(tally.in_full, 1);
+}
+
+/// After something wrong was found, the baseline is that of before.
+#[test]
+fn what_was_wrong_leaves_nothing_behind() {
+    let mut tally = Tally::default();
+    let (scenes, map) = grown(&[[[0.0, 0.0], [4.0, 0.0]], [[0.0, 2.0], [4.0, 2.0]]]);
+    let right = &scenes[2];
+    let mut baseline = right.baseline();
+    // Both edges across each other, and then an isolated vertex where they crossed, and where they are.
+    let mut wrong = Scene::of(&map);
+    wrong.points.swap(1, 3);
+    let touched = wrong.since(right);
+    assert!(!tally.judge(&mut baseline, &wrong, &touched), "{:?}", wrong.points);
+    for (place, is_right) in [([2.0, 1.0], true), ([2.0, 2.0], false), ([2.0, 0.0], false)] {
+        let after = with_point(&map, [2.0, 1.0], place);
+        assert_eq!(tally.judge(&mut baseline.clone(), &after, &after.since(right)), is_right, "{place:?}");
+    }
+    assert_eq!(tally.in_full, 0);
 }

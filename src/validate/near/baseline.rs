@@ -3,7 +3,7 @@
 use super::changes::{Changes, Counts};
 use super::check::find_changes;
 use super::column::Row;
-use super::mirror::{Face, Mirror, Now, Vertex};
+use super::mirror::{Mirror, Now, Vertex};
 use super::touched::Touched;
 use crate::validate::columns::NIL;
 use crate::validate::expectation::{Expectation, Part};
@@ -11,11 +11,10 @@ use crate::validate::report::{Collect, Report};
 use crate::validate::validator::validate;
 use crate::validate::view::View;
 use alloc::boxed::Box;
-use alloc::vec::Vec;
 
 /// The links of a structure that was found right, to compare it with after a change. See [`validate_near`].
 ///
-/// Takes 24 bytes per half-edge, 12 per vertex, 20 per boundary component, and 32 per face with 4 for each entry of its list. The memory
+/// Takes 24 bytes per half-edge, 12 per vertex, 20 per boundary component, and 12 per face. The memory
 /// that a check takes is kept for the next one: some 40 bytes for each record that was touched, where there were most of them.
 #[derive(Clone, Debug)]
 pub struct Baseline {
@@ -140,11 +139,10 @@ impl Baseline {
         }
         if now.has(Part::BoundaryComponents) {
             for f in 0..now.faces {
-                let (face, inner) = read_face(&now, f)?;
+                let face = now.face(f)?;
                 counts.unbounded += usize::from(face.outer == NIL);
-                counts.inner += inner.len();
+                counts.inner += face.inner as usize;
                 mirror.faces.push(face);
-                mirror.inner.push(inner);
             }
         }
         self.counts = counts;
@@ -174,32 +172,10 @@ impl Baseline {
             put(mirror.labels.row_mut(b), seen.row);
         }
         for (f, seen) in changes.faces.iter() {
-            let (Some(face), Some(list)) = (mirror.faces.row_mut(f), mirror.inner.get_mut(f)) else { continue };
-            if let Some((outer, inner)) = seen.now {
-                face.outer = outer;
-                list.resize(inner, NIL);
-            } else {
-                *face = Face::VACANT;
-                *list = Vec::new();
-            }
-        }
-        for (f, i, b) in &changes.entries {
-            if let Some(entry) = mirror.inner.get_mut(*f).and_then(|list| list.get_mut(*i)) {
-                *entry = *b;
-            }
+            put(mirror.faces.row_mut(f), seen.row);
         }
         self.counts = changes.counts;
     }
-}
-
-fn read_face<V: View + ?Sized>(now: &Now<'_, V>, f: usize) -> Option<(Face, Vec<u32>)> {
-    if !now.is_face(f) {
-        return Some((Face::VACANT, Vec::new()));
-    }
-    let outer = now.view.outer(f).map_or(NIL, |b| b as u32);
-    let listed = if now.has(Part::Holes) { now.view.inner_count(f) } else { 0 };
-    let inner: Option<Vec<u32>> = (0..listed).map(|i| now.view.inner(f, i).map(|b| b as u32)).collect();
-    Some((Face { outer }, inner?))
 }
 
 fn put<T>(place: Option<&mut T>, row: T) {

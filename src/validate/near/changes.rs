@@ -1,7 +1,7 @@
 //! What has changed since, and memory to find it out.
 
 use super::column::Seen;
-use super::mirror::{HalfEdge, Label, Mirror, Vertex};
+use super::mirror::{Face, HalfEdge, Label, Mirror, Vertex};
 use super::orbits::Walks;
 use alloc::vec::Vec;
 
@@ -30,13 +30,18 @@ pub(super) struct SeenGroup<R> {
     pub(super) first: usize,
 }
 
-/// A face as it is now, unless it is vacant: its outer boundary component, and how many inner ones there are.
-#[derive(Clone, Debug, Default)]
+/// A face as it is now, and how many boundary components say that they have come to its list, and gone from it.
+#[derive(Clone, Debug)]
 pub(super) struct SeenFace {
-    pub(super) now: Option<(u32, usize)>,
-    /// How many inner ones have come, and how many have gone.
+    pub(super) row: Face,
     pub(super) gained: usize,
     pub(super) lost: usize,
+}
+
+impl SeenFace {
+    pub(super) const fn new(row: Face) -> Self {
+        Self { row, gained: 0, lost: 0 }
+    }
 }
 
 /// Members of vertices and of labels, as lists threaded through one column. The position 0 ends a list.
@@ -77,8 +82,6 @@ pub(super) struct Changes {
     pub(super) vertices: Seen<SeenGroup<Vertex>>,
     pub(super) labels: Seen<SeenGroup<Label>>,
     pub(super) faces: Seen<SeenFace>,
-    /// Entries of lists: the face, the position, and the boundary component.
-    pub(super) entries: Vec<(usize, usize, u32)>,
     pub(super) counts: Counts,
     pub(super) members: Members,
     /// The members of one vertex or label, sorted.
@@ -94,7 +97,6 @@ impl Changes {
         self.vertices.clear(&mut was.vertices);
         self.labels.clear(&mut was.labels);
         self.faces.clear(&mut was.faces);
-        self.entries.clear();
         self.counts = counts;
         self.members.rows.clear();
     }
@@ -118,8 +120,7 @@ impl Changes {
         }
         was.faces.fit(mirror.faces.len());
         for (f, row) in mirror.faces.iter() {
-            let now = row.is_live().then_some((row.outer, mirror.inner(f).len()));
-            changes.faces.see(&mut was.faces, f, SeenFace { now, ..SeenFace::default() });
+            changes.faces.see(&mut was.faces, f, SeenFace::new(row));
         }
         (was, changes)
     }

@@ -2,7 +2,7 @@
 
 use super::changes::{Changes, Counts, SeenFace, SeenGroup, SeenHalfEdge};
 use super::column::Row;
-use super::mirror::{HalfEdge, Label, Mirror, Now, OUTER, Vertex};
+use super::mirror::{Face, HalfEdge, Label, Mirror, Now, OUTER, Vertex};
 use super::touched::Touched;
 use crate::validate::columns::NIL;
 use crate::validate::expectation::{Part, Surface};
@@ -34,7 +34,9 @@ pub(super) fn find_changes<V: View + ?Sized>(
     let mut check = Check { was, now, changes };
     check.half_edges(touched)?;
     check.neighbours()?;
-    check.led()?;
+    if !now.has(Part::Prev) {
+        check.led()?;
+    }
     if now.has(Part::Faces) {
         check.see_labels(touched);
         check.labels()?;
@@ -63,7 +65,7 @@ impl<V: View + ?Sized> Check<'_, V> {
     }
 
     fn see_face(&mut self, f: usize) -> Option<&mut SeenFace> {
-        let position = self.changes.faces.see(&mut self.was.faces, f, SeenFace::default())?;
+        let position = self.changes.faces.see(&mut self.was.faces, f, SeenFace::new(Face::VACANT))?;
         Some(self.changes.faces.at_mut(position))
     }
 
@@ -86,6 +88,9 @@ impl<V: View + ?Sized> Check<'_, V> {
     }
 
     /// R1 of half-edges, L1, L2, L3, and the labels along `next`: of each half-edge that may differ.
+    ///
+    /// Of L2 it is enough that `prev` of each one's `next` is that one: no two have the same `next` then, so each is the `next` of one,
+    /// and that is its `prev`.
     fn half_edges(&mut self, touched: &Touched) -> Option<()> {
         for h in &touched.half_edges {
             let vacant = SeenHalfEdge { row: HalfEdge::VACANT, is_led: false };
@@ -123,8 +128,7 @@ impl<V: View + ?Sized> Check<'_, V> {
         }
         let (twin, next) = (row.twin as usize, row.next as usize);
         let mutual = twin != h && now.view.twin(twin) == Some(h);
-        let joined =
-            !now.has(Part::Prev) || now.view.prev(next) == Some(h) && now.view.next(row.prev as usize) == Some(h);
+        let joined = !now.has(Part::Prev) || now.view.prev(next) == Some(h);
         let meets = now.view.origin(next)? == now.view.origin(twin)?;
         let labelled = !now.has(Part::Faces) || now.label_of(next)? == row.label as usize;
         if !(mutual && joined && meets && labelled) {
@@ -140,32 +144,28 @@ impl<V: View + ?Sized> Check<'_, V> {
         Some(())
     }
 
-    /// The same rules of the half-edges to which those that may differ were linked, and which do not differ themselves: what they
-    /// say of these must still be so. Origins, labels and `prev` that are wrong here are wrong at another half-edge, too.
+    /// The same rules of the half-edges that lead to those that may differ, as their twins or their `next`, and do not differ
+    /// themselves. A half-edge that is vacant now has no links, so what still leads to it is found.
     fn neighbours(&mut self) -> Option<()> {
-        let has_prev = self.now.has(Part::Prev);
         for position in 0..self.changes.touched {
             let h = self.changes.half_edges.slot(position);
             let (before, row) = (self.was.half_edge(h), self.changes.half_edges.at(position).row);
             if !before.is_live() {
                 continue;
             }
-            let [twin, next, prev] = [before.twin, before.next, before.prev].map(|h| h as usize);
+            let [twin, prev] = [before.twin, before.prev].map(|h| h as usize);
             if self.changed(twin).is_none() {
                 let meets = self.now_origin(self.was.half_edge(twin).next as usize) == row.origin;
-                if !(row.is_live() && row.twin as usize == twin && meets) {
+                if !(row.twin as usize == twin && meets) {
                     return None;
                 }
                 if before.next != row.next {
                     self.turned(self.was.half_edge(twin).origin, twin, true);
                 }
             }
-            if has_prev && self.changed(next).is_none() && !(row.is_live() && row.next as usize == next) {
-                return None;
-            }
             if self.changed(prev).is_none() {
                 let leads = self.was.half_edge(prev);
-                let joined = row.is_live() && row.prev as usize == prev;
+                let joined = row.prev as usize == prev;
                 let meets = self.now_origin(leads.twin as usize) == row.origin;
                 let labelled = leads.label == row.label;
                 if !(joined && meets && labelled) {
@@ -220,7 +220,7 @@ impl<V: View + ?Sized> Check<'_, V> {
     }
 
     /// Sees the labels that may be wrong: beside those that half-edges have come to or gone from, those that may differ, those of vertices
-    /// that may, and those that were, or are, where a face's list was written.
+    /// that may, and those that were the outer ones of faces that may.
     fn see_labels(&mut self, touched: &Touched) {
         if !self.now.has(Part::BoundaryComponents) {
             touched.faces.iter().for_each(|f| self.see_label(*f));
@@ -233,14 +233,9 @@ impl<V: View + ?Sized> Check<'_, V> {
                 self.see_label(b);
             }
         }
-        for f in touched.faces.iter().chain(touched.listed.iter().map(|(f, _)| f)) {
+        for f in &touched.faces {
             if let Some(b) = index(self.was.face(*f).outer) {
                 self.see_label(b);
-            }
-        }
-        for (f, position) in &touched.listed {
-            if let Some(b) = self.was.inner(*f).get(*position) {
-                self.see_label(*b as usize);
             }
         }
     }
@@ -324,7 +319,7 @@ impl<V: View + ?Sized> Check<'_, V> {
         walks.on_one(group, self.now.half_edges, step)
     }
 
-    /// R1, B1, and the labels' half of B2 and F2.
+    /// R1, B1, the labels' half of B2, and F2 of those that say that they are outer ones; of the others, see [`Self::faces`].
     fn labels(&mut self) -> Option<()> {
         for position in 0..self.changes.labels.len() {
             let b = self.changes.labels.slot(position);
@@ -356,15 +351,18 @@ impl<V: View + ?Sized> Check<'_, V> {
         let is_listed = !now.has(Part::BoundaryComponents)
             || match row.inner() {
                 None => now.view.outer(row.face as usize) == Some(b),
-                Some((f, i)) => now.has(Part::Holes) && i < now.view.inner_count(f) && now.view.inner(f, i) == Some(b),
+                Some(_) => now.has(Part::Holes),
             };
         (starts && is_listed).then_some(())?;
         self.one_orbit(members, remains.is_some(), |h| now.view.next(h))?;
         Some(row)
     }
 
-    /// R1 of faces, F1, and the faces' half of F2: of those that may differ, and of those of which a boundary component has come,
-    /// gone, or got another place.
+    /// R1 of faces, F1, and F2 of the lists: of those that may differ, and of those of which a boundary component has come, gone, or
+    /// got another place.
+    ///
+    /// Of a list it is enough that each entry is a boundary component that says so, and that the list is as long as there are some that
+    /// name the face and say that they are inner ones: then no entry is missing, and none is there twice.
     fn faces(&mut self, touched: &Touched) -> Option<()> {
         if !self.now.has(Part::BoundaryComponents) {
             // Each label is a face, with one cycle.
@@ -374,7 +372,7 @@ impl<V: View + ?Sized> Check<'_, V> {
             }
             return Some(());
         }
-        for f in touched.faces.iter().chain(touched.listed.iter().map(|(f, _)| f)) {
+        for f in &touched.faces {
             self.see_face(*f);
         }
         for position in 0..self.changes.labels.len() {
@@ -402,52 +400,34 @@ impl<V: View + ?Sized> Check<'_, V> {
     }
 
     /// The entry of a list, if it is that long.
-    fn entry(&mut self, f: usize, i: usize) -> Option<()> {
+    fn entry(&self, f: usize, i: usize) -> Option<()> {
         let now = self.now;
         if !now.is_face(f) || i >= now.view.inner_count(f) {
             return Some(());
         }
-        let b = now.view.inner(f, i)?;
-        let row = now.label(b)?;
-        if row.inner() != Some((f, i)) {
-            return None;
-        }
-        self.changes.entries.push((f, i, b as u32));
-        Some(())
+        let row = now.label(now.view.inner(f, i)?)?;
+        (row.inner() == Some((f, i))).then_some(())
     }
 
     fn face(&mut self, position: usize) -> Option<()> {
-        let (was, now) = (&*self.was, self.now);
+        let now = self.now;
         let Changes { counts, faces, .. } = &mut *self.changes;
         let f = faces.slot(position);
         let face = faces.at_mut(position);
-        let before = was.face(f);
-        let listed = was.inner(f);
+        let (before, row) = (self.was.face(f), now.face(f)?);
+        // What a face listed that is vacant now must be listed elsewhere, or be no more.
+        let named = (before.inner as usize + face.gained).checked_sub(face.lost)?;
+        let is_outer = |b: usize| now.label(b).is_some_and(|label| label.face as usize == f && label.place == OUTER);
+        if row.inner as usize != named || !index(row.outer).is_none_or(is_outer) {
+            return None;
+        }
+        counts.faces += usize::from(row.is_live());
         counts.faces -= usize::from(before.is_live());
+        counts.unbounded += usize::from(row.outer == NIL);
         counts.unbounded -= usize::from(before.outer == NIL);
-        counts.inner -= listed.len();
-        if !now.is_face(f) {
-            // Whatever it listed must have changed, and is looked at.
-            let is_seen = |b: u32| index(b).is_none_or(|b| was.labels.position(b).is_some());
-            return (is_seen(before.outer) && listed.iter().all(|b| is_seen(*b))).then_some(());
-        }
-        counts.faces += 1;
-        let outer = now.view.outer(f);
-        match outer {
-            None => counts.unbounded += 1,
-            Some(b) => {
-                let row = now.label(b)?;
-                let is_outer = row.is_live() && row.face as usize == f && row.place == OUTER;
-                is_outer.then_some(())?;
-            }
-        }
-        let mut inner = 0;
-        if now.has(Part::Holes) {
-            inner = (listed.len() + face.gained).checked_sub(face.lost)?;
-            (now.view.inner_count(f) == inner).then_some(())?;
-            counts.inner += inner;
-        }
-        face.now = Some((outer.map_or(NIL, |b| b as u32), inner));
+        counts.inner += row.inner as usize;
+        counts.inner -= before.inner as usize;
+        face.row = row;
         Some(())
     }
 

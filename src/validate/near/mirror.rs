@@ -4,7 +4,6 @@ use super::column::{Column, Row};
 use crate::validate::columns::NIL;
 use crate::validate::expectation::{Expectation, Part};
 use crate::validate::view::{BoundaryPlace, Start, View};
-use alloc::vec::Vec;
 
 /// What a vacant slot has in its first column.
 pub(super) const VACANT: u32 = NIL - 1;
@@ -89,14 +88,15 @@ impl Label {
     }
 }
 
-/// The outer boundary component of a face, or nil, where there are records for boundary components.
+/// A face, where there are records for boundary components: its outer one, or nil, and how many inner ones there are.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(super) struct Face {
     pub(super) outer: u32,
+    pub(super) inner: u32,
 }
 
 impl Row for Face {
-    const VACANT: Self = Self { outer: VACANT };
+    const VACANT: Self = Self { outer: VACANT, inner: 0 };
 }
 
 impl Face {
@@ -112,8 +112,6 @@ pub(super) struct Mirror {
     pub(super) vertices: Column<Vertex>,
     pub(super) labels: Column<Label>,
     pub(super) faces: Column<Face>,
-    /// By face its inner boundary components.
-    pub(super) inner: Vec<Vec<u32>>,
 }
 
 impl Mirror {
@@ -129,10 +127,6 @@ impl Mirror {
     pub(super) fn face(&self, f: usize) -> Face {
         self.faces.get(f)
     }
-    /// The inner boundary components of a face; none of a vacant one.
-    pub(super) fn inner(&self, f: usize) -> &[u32] {
-        self.inner.get(f).map_or(&[], Vec::as_slice)
-    }
     /// The half-edge that follows clockwise in the rotation.
     pub(super) fn turned(&self, h: usize) -> usize {
         self.half_edge(self.half_edge(h).twin as usize).next as usize
@@ -145,9 +139,6 @@ impl Mirror {
         self.labels.fit(now.labels);
         if now.has(Part::BoundaryComponents) {
             self.faces.fit(now.faces);
-            if self.inner.len() < now.faces {
-                self.inner.resize_with(now.faces, Vec::new);
-            }
         }
     }
 }
@@ -214,6 +205,19 @@ impl<'a, V: View + ?Sized> Now<'a, V> {
         } else {
             self.view.outer_half_edge(b).map(Start::HalfEdge)
         }
+    }
+
+    /// A face with the length of its list. Vacant if the slot is; nothing if its outer boundary component is.
+    pub(super) fn face(&self, f: usize) -> Option<Face> {
+        if !self.is_face(f) {
+            return Some(Face::VACANT);
+        }
+        let outer = match self.view.outer(f) {
+            Some(b) => self.is_label(b).then_some(b as u32)?,
+            None => NIL,
+        };
+        let inner = if self.has(Part::Holes) { u32::try_from(self.view.inner_count(f)).ok()? } else { 0 };
+        Some(Face { outer, inner })
     }
 
     /// A label with its links. Vacant if the slot is; nothing if a link does not lead to a live record.

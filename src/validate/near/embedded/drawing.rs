@@ -6,7 +6,7 @@ use crate::geometry::predicates::in_range;
 use crate::validate::columns::NIL;
 use crate::validate::embedding::Embedding;
 use crate::validate::near::changes::Changes;
-use crate::validate::near::mirror::{HalfEdge, Label, Mirror, Vertex};
+use crate::validate::near::mirror::{Face, HalfEdge, Label, Mirror, Vertex};
 use crate::validate::view::Start;
 
 /// Before the change, or after it.
@@ -57,15 +57,12 @@ impl<'a> Drawing<'a> {
         let mut half_edges: Vec<usize> = changes.touched().map(|(h, _)| h).collect();
         for (v, _) in changes.vertices.iter() {
             if drawing.place(Time::Before, v) != drawing.place(Time::After, v) {
-                for time in TIMES {
-                    drawing.rotation(time, v, &mut half_edges)?;
-                }
+                // Those that left it before, and do not now, may have other links.
+                drawing.rotation(v, &mut half_edges)?;
             }
         }
-        for time in TIMES {
-            let twins: Vec<usize> = half_edges.iter().filter_map(|h| drawing.twin(time, *h)).collect();
-            half_edges.extend(twins);
-        }
+        let twins: Vec<usize> = half_edges.iter().filter_map(|h| drawing.twin(Time::After, *h)).collect();
+        half_edges.extend(twins);
         let half_edges = sorted(half_edges);
         let straight = |h: &usize| {
             let twin = drawing.twin(Time::After, *h);
@@ -105,21 +102,14 @@ impl<'a> Drawing<'a> {
         now.map_or_else(|| self.was.label(b), |seen| seen.row)
     }
 
-    /// The outer boundary component of a live face, or nil, and the number of inner ones.
-    pub(super) fn face(&self, time: Time, f: usize) -> Option<(u32, usize)> {
+    pub(super) fn face(&self, time: Time, f: usize) -> Face {
         let now = if time == Time::After { self.changes.faces.find(&self.was.faces, f) } else { None };
-        now.map_or_else(
-            || {
-                let was = self.was.face(f);
-                was.is_live().then(|| (was.outer, self.was.inner(f).len()))
-            },
-            |seen| seen.now,
-        )
+        now.map_or_else(|| self.was.face(f), |seen| seen.row)
     }
 
     /// Whether it is the unbounded face.
     pub(super) fn is_unbounded(&self, time: Time, f: usize) -> bool {
-        self.face(time, f).is_some_and(|(outer, _)| outer == NIL)
+        self.face(time, f).outer == NIL
     }
 
     pub(super) fn place(&self, time: Time, v: usize) -> Option<Point> {
@@ -162,9 +152,9 @@ impl<'a> Drawing<'a> {
         label.is_live().then_some(label.face as usize)
     }
 
-    /// The half-edges that leave a vertex.
-    fn rotation(&self, time: Time, v: usize, into: &mut Vec<usize>) -> Option<()> {
-        let vertex = self.vertex(time, v);
+    /// The half-edges that leave a vertex now.
+    fn rotation(&self, v: usize, into: &mut Vec<usize>) -> Option<()> {
+        let vertex = self.vertex(Time::After, v);
         if !vertex.is_live() || vertex.leaving == NIL {
             return Some(());
         }
@@ -173,7 +163,7 @@ impl<'a> Drawing<'a> {
         // Only links that are not right lead around for ever.
         for _ in 0..=self.was.half_edges.len() + self.changes.half_edges.len() {
             into.push(h);
-            h = self.turned(time, h)?;
+            h = self.turned(Time::After, h)?;
             if h == first {
                 return Some(());
             }

@@ -74,7 +74,8 @@ impl Moves {
 
 /// How many boundary components a face had.
 fn count(drawing: &Drawing<'_>, f: usize) -> usize {
-    drawing.face(Time::Before, f).map_or(0, |(outer, inner)| inner + usize::from(outer != NIL))
+    let face = drawing.face(Time::Before, f);
+    face.inner as usize + usize::from(face.is_live() && face.outer != NIL)
 }
 
 /// What is known of an inner boundary component: a place beside it that is as it was, with the face in which that was, or its
@@ -113,8 +114,7 @@ pub(super) fn is_inside(drawing: &Drawing<'_>, trees: &DrawnTrees) -> Option<()>
         lies_there.then_some(())?;
     }
     for f in faces {
-        let Some((_, inner)) = drawing.face(Time::After, f) else { continue };
-        if inner > affected.get(&f).copied().unwrap_or(0) {
+        if drawing.face(Time::After, f).inner as usize > affected.get(&f).copied().unwrap_or(0) {
             check.others(f)?;
         }
     }
@@ -208,7 +208,7 @@ impl Check<'_> {
                 around -= i64::from(self.drawing.is_unbounded(Time::Before, *from));
                 continue;
             }
-            let (outer, _) = self.drawing.face(Time::Before, *from)?;
+            let outer = self.drawing.face(Time::Before, *from).outer;
             if outer != NIL {
                 let now = self.drawing.label(Time::After, outer as usize);
                 around += i64::from(!now.is_live() || now.face as usize == f);
