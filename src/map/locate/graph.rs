@@ -1,7 +1,9 @@
 //! The search graph, packed: questions of 12 bytes each, which lead to a face.
 
 use super::bounds::Bounds;
-use super::trapezoids::{Drawn, GraphError, Node, search_graph};
+use super::slabs::{Slab, Slabs};
+use super::trapezoids::{Drawn, GraphError, search_graph};
+use crate::geometry::threads;
 use crate::geometry::Point;
 use crate::geometry::predicates::{Orientation, compare_lexicographic, count_step, orientation};
 use core::cmp::Ordering;
@@ -41,31 +43,72 @@ pub(super) struct Graph {
 
 impl Graph {
     /// Builds the graph, with the face above each segment, and that above none. Expected time O(n log n), memory O(n).
-    pub(super) fn new(drawn: Drawn, face_above: impl Fn(Option<u32>) -> u32) -> Result<Self, GraphError> {
-        let nodes = search_graph(&drawn)?;
-        let mut questions = 0;
+    pub(super) fn new(drawn: Drawn, faces: &[u32], outside: u32) -> Result<Self, GraphError> {
+        let slabs = Slabs::new(&drawn);
+        let walls = slabs.walls.len();
+        let numbers: Vec<usize> = (0..slabs.len()).collect();
+        let parts = threads::map(&numbers, |slab| Self::pack(&slabs.slab(*slab, &drawn), faces, outside));
+        let mut questions = Vec::with_capacity(3 * drawn.segments.len());
+        questions.resize(walls, Question { of: 0, below: 0, above: 0 });
+        let mut roots = Vec::with_capacity(slabs.len());
+        for part in parts {
+            let (root, part) = part?;
+            let before = questions.len() as u32;
+            let moved = |stage: Stage| if stage & MARK == 0 { stage + before } else { stage };
+            roots.push(moved(root));
+            questions.extend(part.iter().map(|question| Question {
+                of: question.of,
+                below: moved(question.below),
+                above: moved(question.above),
+            }));
+        }
+        // The walls, as a balanced tree.
+        for at in 0..walls {
+            let depth = (at + 1).ilog2();
+            let width = slabs.len() >> depth;
+            let first = (at + 1 - (1 << depth)) * width;
+            let child = |child: usize| if child < walls { child as u32 } else { roots[child - walls] };
+            questions[at] = Question {
+                of: MARK | slabs.walls[first + width / 2 - 1],
+                below: child(2 * at + 1),
+                above: child(2 * at + 2),
+            };
+        }
+        let root = if walls == 0 { roots[0] } else { 0 };
+        Ok(Self { root, questions, points: drawn.points, segments: drawn.ends })
+    }
+
+    /// The search graph of one slab, packed: nodes of trapezoids are taken out.
+    fn pack(slab: &Slab, faces: &[u32], outside: u32) -> Result<(Stage, Vec<Question>), GraphError> {
+        let nodes = search_graph(&slab.drawn)?;
+        let names: Vec<u32> =
+            slab.segments.iter().copied().chain(slab.points.iter().map(|point| MARK | *point)).chain([0]).collect();
+        let faces: Vec<u32> =
+            slab.segments.iter().map(|segment| faces[*segment as usize]).chain([outside]).map(Self::stage).collect();
+        // Without branches: what comes next looks random.
+        let (trapezoid, none) = (names.len() as u32 - 1, slab.segments.len());
+        let mut next = 0;
         let stages: Vec<Stage> = nodes
             .iter()
             .map(|node| {
-                if let Node::Trapezoid(trapezoid) = node {
-                    return Self::stage(face_above(trapezoid.segment_below()));
-                }
-                questions += 1;
-                questions - 1
+                let face = faces[(node.above as usize).min(none)];
+                let stage = if node.of == trapezoid { face } else { next };
+                next += u32::from(node.of != trapezoid);
+                stage
             })
             .collect();
-        let stage = |node: u32| stages[node as usize];
-        let mut packed = Vec::with_capacity(questions as usize);
-        packed.extend(nodes.iter().filter_map(|node| match *node {
-            Node::Point { vertex, left, right } => {
-                Some(Question { of: MARK | vertex, below: stage(left), above: stage(right) })
-            }
-            Node::Segment { segment, below, above } => {
-                Some(Question { of: segment, below: stage(below), above: stage(above) })
-            }
-            Node::Trapezoid(_) => None,
-        }));
-        Ok(Self { root: stages[0], questions: packed, points: drawn.points, segments: drawn.ends })
+        let mut questions = vec![Question { of: 0, below: 0, above: 0 }; next as usize + 1];
+        let mut place = 0;
+        for node in &nodes {
+            questions[place] = Question {
+                of: names[node.of as usize],
+                below: stages[node.below as usize],
+                above: stages[node.above as usize],
+            };
+            place += usize::from(node.of != trapezoid);
+        }
+        questions.pop();
+        Ok((stages[0], questions))
     }
 
     /// Where every way begins.

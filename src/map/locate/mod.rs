@@ -51,8 +51,10 @@ mod curve;
 mod graph;
 pub(in crate::map) mod in_face;
 mod kept;
+mod lists;
 pub(in crate::map) mod located;
 pub(in crate::map) mod locator;
+mod slabs;
 mod trapezoids;
 
 pub use located::{LocateError, Located};
