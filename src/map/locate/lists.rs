@@ -1,8 +1,5 @@
 //! Lists of numbers, one behind the other in one vector.
 
-use alloc::vec;
-use alloc::vec::Vec;
-
 /// Some lists of numbers, each ascending.
 pub(super) struct Lists {
     /// Where each list starts, and where the last one ends.

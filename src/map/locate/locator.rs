@@ -37,7 +37,7 @@ impl<'m> Locator<'m> {
     /// Builds the index. Expected time O(n log n) and expected memory O(n), some 200 bytes for each edge. The
     /// expectation is over the orders in which edges may be inserted, not over the maps: fans, combs, long parallels
     /// and thousands of islands are no worse than others. The order is that of a fixed pseudo-random sequence, so equal
-    /// maps have equal indices.
+    /// maps have equal indices. With the feature `rayon`, slabs of the map are divided among the threads of its current pool.
     ///
     /// What only lines need is the index that the map keeps; it is built with the first [`zone`](Self::zone).
     ///
@@ -80,10 +80,11 @@ impl<'m> Locator<'m> {
         }
         let ends = segments.iter().map(|ends| ends.map(|end| points[end as usize])).collect();
         let drawn = Drawn { points, segments, ends };
-        let graph = Graph::new(drawn, &faces, dcel.unbounded_face().index() as u32).map_err(|failure| match failure {
-            GraphError::TooLarge => LocateError::TooLarge,
-            GraphError::Clash => LocateError::NotPlane,
-        })?;
+        let graph =
+            Graph::new(drawn, &faces, dcel.unbounded_face().index() as u32).map_err(|failure| match failure {
+                GraphError::TooLarge => LocateError::TooLarge,
+                GraphError::Clash => LocateError::NotPlane,
+            })?;
         let cells = bounds.map(|bounds| Cells::new(&graph, bounds));
         Ok(Self { map, graph, cells, vertices, rising })
     }

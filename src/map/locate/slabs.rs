@@ -1,30 +1,45 @@
 //! A plane drawing, cut in slabs by the walls of some of its vertices.
+//!
+//! ```text
+//!      0   :  1  :  2  :   3
+//!          :     b     :         A wall runs up and down from its vertex for ever. Slabs may be narrow or wide; each has about
+//!          :     :     :         as many vertices as any other. A segment is drawn, whole, in each slab of which it has a part.
+//!          a     :     :
+//!          :     :     c
+//! ```
+//!
+//! What is next above or below a point is found among the segments of its slab. So each slab can have a search graph of its own,
+//! so small that it stays in a cache while it is built, and several threads can build them.
+//!
+//! Few segments pass from one slab to the next: as long as they are too many, there are half as many slabs. Where most segments
+//! are long, as in fans and among long parallels, one slab is left. So all slabs together have O(n) segments.
 
 use super::lists::Lists;
 use super::trapezoids::Drawn;
 use crate::geometry::Point;
 use crate::geometry::predicates::compare_lexicographic;
 
-/// About how many points a slab has at least.
-const POINTS_PER_SLAB: usize = 512;
+/// About how many vertices a slab has at least.
+const LEAST: usize = 512;
 
-/// How many points of the sample are between neighbouring walls.
-const SAMPLES_PER_SLAB: usize = 8;
+/// How many vertices of the sample from which walls are chosen are between two neighbouring ones.
+const SAMPLED: usize = 8;
 
-/// Slabs of a drawing, 2^n of them. Slab i is what comes, in lexicographic order, after wall i - 1, that point included,
-/// and before wall i.
+/// Of so many segments one may pass through a wall, on average. It is drawn twice.
+const PASSING: usize = 8;
+
+/// The slabs of a drawing, a power of two of them. Slab i is what comes, in lexicographic order, after vertex i - 1 of the walls,
+/// that vertex included, and before vertex i.
 pub(super) struct Slabs {
-    /// The points at which the slabs meet, in lexicographic order.
+    /// The vertices whose walls part the slabs, in lexicographic order.
     pub(super) walls: Vec<u32>,
-    /// The points of each slab.
     points: Lists,
-    /// The segments of which a part is in each slab.
     segments: Lists,
     /// The place of each point in the list of its slab.
     places: Vec<u32>,
 }
 
-/// One drawing of those, and what its points and segments are called in the whole.
+/// A drawing of what has a part in a slab, and the numbers that its points and segments have in the whole drawing.
 pub(super) struct Slab {
     pub(super) drawn: Drawn,
     pub(super) points: Vec<u32>,
@@ -32,39 +47,28 @@ pub(super) struct Slab {
 }
 
 impl Slabs {
+    /// Cuts a drawing. O(n log n).
     pub(super) fn new(drawn: &Drawn) -> Self {
-        let levels = (drawn.points.len() / POINTS_PER_SLAB).checked_ilog2().unwrap_or(0);
-        let slabs = 1_usize << levels;
-        let at = |point: u32| drawn.points[point as usize];
-        let stride = (drawn.points.len() / (SAMPLES_PER_SLAB * slabs)).max(1);
-        let mut sample: Vec<u32> = (0..drawn.points.len() as u32).step_by(stride).collect();
-        sample.sort_unstable_by(|a, b| compare_lexicographic(at(*a), at(*b)));
-        let mut walls: Vec<u32> = (1..slabs).map(|wall| sample[wall * sample.len() / slabs]).collect();
-        let at_walls: Vec<Point> = walls.iter().map(|wall| at(*wall)).collect();
-        let mut slab_of: Vec<u32> = drawn
-            .points
-            .iter()
-            .map(|p| at_walls.partition_point(|wall| compare_lexicographic(*wall, *p).is_le()) as u32)
-            .collect();
-        // Fewer walls, until few segments pass through one.
-        let mut crossings = vec![0_usize; levels as usize];
-        for [low, high] in &drawn.segments {
-            let [low, high] = [low, high].map(|end| slab_of[*end as usize]);
-            if low != high {
-                for level in 0..levels {
-                    crossings[level as usize] += ((high >> level) - (low >> level)) as usize;
-                }
-            }
-        }
-        let limit = drawn.segments.len() / 8;
-        let removed = crossings.iter().position(|crossings| *crossings <= limit).unwrap_or(levels as usize);
-        let kept = slabs >> removed;
-        walls = (1..kept).map(|wall| walls[(wall << removed) - 1]).collect();
-        slab_of.iter_mut().for_each(|slab| *slab >>= removed);
-        let points = Lists::new(kept, slab_of.iter().map(|slab| [*slab; 2]));
-        let segments = Lists::new(kept, drawn.segments.iter().map(|ends| ends.map(|end| slab_of[end as usize])));
+        let halvings = (drawn.points.len() / LEAST).checked_ilog2().unwrap_or(0);
+        let mut walls = quantiles(&drawn.points, 1 << halvings);
+        let at_walls: Vec<Point> = walls.iter().map(|wall| drawn.points[*wall as usize]).collect();
+        let slab = |p: &Point| at_walls.partition_point(|wall| compare_lexicographic(*wall, *p).is_le()) as u32;
+        let mut slabs: Vec<u32> = drawn.points.iter().map(slab).collect();
+        // Of what is left after some halvings, how often do segments pass through a wall?
+        let passes = |halvings: u32| -> usize {
+            let slab = |end: u32| slabs[end as usize] >> halvings;
+            drawn.segments.iter().map(|[low, high]| (slab(*high) - slab(*low)) as usize).sum()
+        };
+        let most = drawn.segments.len() / PASSING;
+        let halved = (0..halvings).find(|halved| passes(*halved) <= most).unwrap_or(halvings);
+        walls = walls.into_iter().skip((1 << halved) - 1).step_by(1 << halved).collect();
+        slabs.iter_mut().for_each(|slab| *slab >>= halved);
+
+        let count = walls.len() + 1;
+        let points = Lists::new(count, slabs.iter().map(|slab| [*slab; 2]));
+        let segments = Lists::new(count, drawn.segments.iter().map(|ends| ends.map(|end| slabs[end as usize])));
         let mut places = vec![0; drawn.points.len()];
-        for slab in 0..kept {
+        for slab in 0..count {
             for (place, point) in (0..).zip(points.list(slab)) {
                 places[*point as usize] = place;
             }
@@ -72,30 +76,27 @@ impl Slabs {
         Self { walls, points, segments, places }
     }
 
+    /// How many there are.
     pub(super) fn len(&self) -> usize {
         self.walls.len() + 1
     }
 
+    /// What is in one of them: its points, then those outside at which segments end that pass through its walls.
     pub(super) fn slab(&self, slab: usize, drawn: &Drawn) -> Slab {
-        let mut points = self.points.list(slab).to_vec();
-        let own = points.len();
-        let segments = self.segments.list(slab).to_vec();
-        let is_own = |point: u32| points.get(self.places[point as usize] as usize) == Some(&point);
-        let all_ends = segments.iter().flat_map(|segment| drawn.segments[*segment as usize]);
-        let mut others: Vec<u32> = all_ends.filter(|end| !is_own(*end)).collect();
-        others.sort_unstable();
-        others.dedup();
-        let ends = |segment: u32| {
-            drawn.segments[segment as usize].map(|end| {
-                if is_own(end) {
-                    self.places[end as usize]
-                } else {
-                    (own + others.partition_point(|other| *other < end)) as u32
-                }
-            })
+        let own = self.points.list(slab);
+        let place = |point: u32| {
+            let place = self.places[point as usize];
+            (own.get(place as usize) == Some(&point)).then_some(place)
         };
-        let ends: Vec<[u32; 2]> = segments.iter().map(|segment| ends(*segment)).collect();
-        points.extend(others);
+        let segments = self.segments.list(slab).to_vec();
+        let ends = segments.iter().flat_map(|segment| drawn.segments[*segment as usize]);
+        let mut outside: Vec<u32> = ends.filter(|end| place(*end).is_none()).collect();
+        outside.sort_unstable();
+        outside.dedup();
+        let number =
+            |end: u32| place(end).unwrap_or_else(|| (own.len() + outside.partition_point(|other| *other < end)) as u32);
+        let ends = segments.iter().map(|segment| drawn.segments[*segment as usize].map(number)).collect();
+        let points = [own, &outside].concat();
         let drawn = Drawn {
             points: points.iter().map(|point| drawn.points[*point as usize]).collect(),
             ends: segments.iter().map(|segment| drawn.ends[*segment as usize]).collect(),
@@ -103,4 +104,12 @@ impl Slabs {
         };
         Slab { drawn, points, segments }
     }
+}
+
+/// Those of some points that part them, in lexicographic order, in so many parts of about the same size. O(n).
+fn quantiles(points: &[Point], parts: usize) -> Vec<u32> {
+    let step = (points.len() / (SAMPLED * parts)).max(1);
+    let mut sample: Vec<u32> = (0..points.len() as u32).step_by(step).collect();
+    sample.sort_unstable_by(|a, b| compare_lexicographic(points[*a as usize], points[*b as usize]));
+    (1..parts).map(|part| sample[part * sample.len() / parts]).collect()
 }

@@ -134,7 +134,8 @@ pub(super) fn search_graph(drawn: &Drawn) -> Result<Vec<Node>, GraphError> {
     }
     let isolated: Vec<u32> = (0..points as u32).filter(|point| first_rounds[*point as usize] == u32::MAX).collect();
     // An empty range for a point without segments.
-    let points = Lists::new(count, first_rounds.iter().map(|round| if *round == u32::MAX { [1, 0] } else { [*round; 2] }));
+    let points =
+        Lists::new(count, first_rounds.iter().map(|round| if *round == u32::MAX { [1, 0] } else { [*round; 2] }));
     let segments = Lists::new(count, rounds.iter().map(|round| [*round; 2]));
     for round in 0..count {
         map.find_all(points.list(round));
@@ -261,8 +262,12 @@ impl TrapezoidalMap<'_> {
         let bottom = self.nodes[old.node as usize].above;
         let right = self.trapezoids.len() as u32;
         let nodes = [self.push(left, bottom)?, self.push(right, bottom)?];
-        self.trapezoids[left as usize] =
-            Trapezoid { node: nodes[0], right: vertex, upper: [old.upper[LEFT], right], lower: [old.lower[LEFT], right] };
+        self.trapezoids[left as usize] = Trapezoid {
+            node: nodes[0],
+            right: vertex,
+            upper: [old.upper[LEFT], right],
+            lower: [old.lower[LEFT], right],
+        };
         self.trapezoids.push(Trapezoid {
             node: nodes[1],
             right: old.right,
