@@ -46,9 +46,10 @@ impl Bounds {
     }
 }
 
-/// Whether a point comes before another in lexicographic order. Without branches: which of two points comes first looks random
-/// to the searches that ask.
+/// Whether a point comes before another in lexicographic order.
 #[inline]
+#[expect(clippy::needless_bitwise_bool, reason = "without branches: to a search, which comes first looks random")]
+#[expect(clippy::float_cmp, reason = "the order is exact")]
 pub(super) fn is_before(p: Point, q: Point) -> bool {
     (p.x < q.x) | ((p.x == q.x) & (p.y < q.y))
 }

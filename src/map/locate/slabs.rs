@@ -62,7 +62,9 @@ impl Slabs {
         let most = drawn.segments.len() / PASSING;
         let halved = (0..halvings).find(|halved| passes(*halved) <= most).unwrap_or(halvings);
         walls = walls.into_iter().skip((1 << halved) - 1).step_by(1 << halved).collect();
-        slabs.iter_mut().for_each(|slab| *slab >>= halved);
+        for slab in &mut slabs {
+            *slab >>= halved;
+        }
 
         let count = walls.len() + 1;
         let points = Lists::new(count, slabs.iter().map(|slab| [*slab; 2]));
