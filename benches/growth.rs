@@ -6,8 +6,8 @@
 //! - `build`: a triangulation of random points from its segments, on one thread and on all, beside sorting these.
 //! - `node`: random segments of which each crosses about two others, on one thread and on all, beside `i_overlay`'s union of as
 //!   many triangles around them, which cuts, too.
-//! - `index`: a `Locator` of the triangulation, beside `spade`'s triangulation of the same points, with its hierarchy of hints:
-//!   easier, as no edge is asked for; `location` has the same with all edges as constraints.
+//! - `index`: a `Locator` of the triangulation, on one thread and on all, beside `spade`'s triangulation of the same points, with
+//!   its hierarchy of hints: easier, as no edge is asked for; `location` has the same with all edges as constraints.
 //! - `locate`: random points in it, beside `spade`, and beside `geo`'s polygons in an R-tree of `rstar`; per point.
 //! - `edit`: an edge of the grid split and joined again, with validation after each (`Audited`), beside none; per operator.
 //!
@@ -211,7 +211,9 @@ fn of_triangulations(criterion: &mut Criterion) {
         group.bench_function(BenchmarkId::new("spade, without constraints", size), |b| {
             b.iter(|| triangulated(black_box(&points)));
         });
-        group.bench_function(BenchmarkId::new("twinedge", size), |b| b.iter(|| Locator::new(black_box(&map))));
+        let index = || Locator::new(black_box(&map));
+        group.bench_function(BenchmarkId::new("twinedge", size), |b| b.iter(|| one.install(index)));
+        group.bench_function(BenchmarkId::new("twinedge, all threads", size), |b| b.iter(index));
         group.finish();
 
         locate(criterion, &map, &triangulation);

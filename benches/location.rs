@@ -7,13 +7,15 @@
 //! Lines: the index beside an R-tree of the edges' bounding boxes, asked for the box of the segment, and every edge in turn;
 //! both sort what they find by rounded distance. Target: 20 µs for a segment that meets 30 faces.
 //!
-//! The index: built beside a constrained Delaunay triangulation with a hierarchy of hints. Target: no slower.
+//! The index: built on one thread and on all, beside a constrained Delaunay triangulation with a hierarchy of hints. Target: no
+//! slower.
 //!
 //! Run with `cargo bench --bench location`.
 
 mod common;
 
 use criterion::{BatchSize, Criterion, Throughput, criterion_group, criterion_main};
+use rayon::ThreadPoolBuilder;
 use rstar::primitives::{GeomWithData, Line, Rectangle};
 use rstar::{AABB, RTree};
 use spade::{ConstrainedDelaunayTriangulation, HierarchyHintGenerator, Point2};
@@ -126,6 +128,7 @@ fn points(criterion: &mut Criterion) {
 
 /// Building the index, per half-edge, beside a triangulation with a hierarchy of hints, which also locates in O(log n).
 fn index(criterion: &mut Criterion) {
+    let one = ThreadPoolBuilder::new().num_threads(1).build().expect("a thread can be had");
     for (name, map) in [
         ("world-50m".to_string(), common::world_50m()),
         ("a grid of 20 × 20".to_string(), common::triangulated_grid(20)),
@@ -147,7 +150,9 @@ fn index(criterion: &mut Criterion) {
                 BatchSize::LargeInput,
             );
         });
-        group.bench_function("twinedge", |b| b.iter(|| Locator::new(black_box(&map))));
+        let index = || Locator::new(black_box(&map));
+        group.bench_function("twinedge", |b| b.iter(|| one.install(index)));
+        group.bench_function("twinedge, all threads", |b| b.iter(index));
         group.finish();
     }
 }

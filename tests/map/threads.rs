@@ -115,7 +115,7 @@ fn several_threads_find_in_a_coverage_what_one_finds() {
 }
 
 #[test]
-fn several_threads_locate_points_as_one_does_each() {
+fn several_threads_index_and_locate_as_one_does() {
     let map = build(&world(), Noding::None);
     let locator = Locator::new(&map).expect("it is plane");
     let mut random = random();
@@ -123,7 +123,7 @@ fn several_threads_locate_points_as_one_does_each() {
         (0..20_000).map(|_| Point::new(360.0 * random() - 180.0, 180.0 * random() - 90.0)).collect();
     points.extend(map.dcel().vertices().step_by(100).map(|v| map.position(v.key()).expect("of this map")));
     points.push(Point::new(1e300, 0.0));
-    let places = same(|| locator.locate_all(&points));
+    let places = same(|| Locator::new(&map).expect("it is plane").locate_all(&points));
     assert!(places.iter().copied().eq(points.iter().map(|p| locator.locate(*p))));
     assert!(places.last().is_some_and(Result::is_err));
 }

@@ -1,7 +1,6 @@
 //! Boxes, and on which side of a point or a segment all of a box lies.
 
 use crate::geometry::Point;
-use crate::geometry::predicates::compare_lexicographic;
 
 /// A box with sides along the axes, which belong to it.
 #[derive(Clone, Copy)]
@@ -23,13 +22,8 @@ impl Bounds {
     /// Whether all of it comes after a point in lexicographic order, or all before; none if neither.
     #[inline]
     pub(super) fn after(&self, p: Point) -> Option<bool> {
-        if compare_lexicographic(self.high, p).is_lt() {
-            Some(false)
-        } else if compare_lexicographic(self.low, p).is_gt() {
-            Some(true)
-        } else {
-            None
-        }
+        let (before, after) = (is_before(self.high, p), is_before(p, self.low));
+        (before | after).then_some(after)
     }
 
     /// Whether all of it lies to the left of the line through two points, the lower one first, or all to the right; none if
@@ -46,12 +40,18 @@ impl Bounds {
         };
         let (nearest, furthest) = if dy > 0.0 { (self.high.x, self.low.x) } else { (self.low.x, self.high.x) };
         let (least, slack_of_least) = side(nearest, self.low.y);
-        if least > slack_of_least {
-            return Some(true);
-        }
         let (most, slack_of_most) = side(furthest, self.high.y);
-        if most < -slack_of_most { Some(false) } else { None }
+        let (above, below) = (least > slack_of_least, most < -slack_of_most);
+        (above | below).then_some(above)
     }
+}
+
+/// Whether a point comes before another in lexicographic order.
+#[inline]
+#[expect(clippy::needless_bitwise_bool, reason = "without branches: to a search, which comes first looks random")]
+#[expect(clippy::float_cmp, reason = "the order is exact")]
+pub(super) fn is_before(p: Point, q: Point) -> bool {
+    (p.x < q.x) | ((p.x == q.x) & (p.y < q.y))
 }
 
 #[cfg(test)]

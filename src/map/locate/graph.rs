@@ -1,9 +1,12 @@
-//! The search graph, packed: questions of 12 bytes each, which lead to a face.
+//! The search graph, packed: questions of 12 bytes each, which lead to a face. First it is asked in which slab a point lies, and
+//! then the search graph of that slab.
 
 use super::bounds::Bounds;
-use super::trapezoids::{Drawn, GraphError, Node, search_graph};
+use super::slabs::{Slab, Slabs};
+use super::trapezoids::{Drawn, GraphError, search_graph};
 use crate::geometry::Point;
 use crate::geometry::predicates::{Orientation, compare_lexicographic, count_step, orientation};
+use crate::geometry::threads;
 use core::cmp::Ordering;
 
 /// Marks the number of a face among those of questions, and the number of a point among those of segments.
@@ -23,6 +26,11 @@ struct Question {
     above: Stage,
 }
 
+impl Question {
+    /// Stands where a question will be.
+    const NONE: Self = Self { of: 0, below: 0, above: 0 };
+}
+
 /// Where a point lies: in a face, or at a point or inside a segment of the drawing, by their places there.
 #[derive(Clone, Copy)]
 pub(super) enum GraphHit {
@@ -40,32 +48,77 @@ pub(super) struct Graph {
 }
 
 impl Graph {
-    /// Builds the graph, with the face above each segment, and that above none. Expected time O(n log n), memory O(n).
-    pub(super) fn new(drawn: Drawn, face_above: impl Fn(Option<u32>) -> u32) -> Result<Self, GraphError> {
-        let nodes = search_graph(&drawn)?;
-        let mut questions = 0;
-        let stages: Vec<Stage> = nodes
+    /// Builds the graph, with the face above each segment, and that above none. Expected time O(n log n), memory O(n). The slabs
+    /// are divided among threads.
+    pub(super) fn new(drawn: Drawn, faces: &[u32], outside: u32) -> Result<Self, GraphError> {
+        let slabs = Slabs::new(&drawn);
+        let numbers: Vec<usize> = (0..slabs.len()).collect();
+        let parts = threads::map(&numbers, |slab| Self::pack(&slabs.slab(*slab, &drawn), faces, outside));
+        let parts = parts.into_iter().collect::<Result<Vec<_>, _>>()?;
+        // The questions of the walls come first.
+        let walls = slabs.walls.len();
+        let count = walls + parts.iter().map(|(_, questions)| questions.len()).sum::<usize>();
+        if count >= MARK as usize {
+            return Err(GraphError::TooLarge);
+        }
+        let mut stages = vec![0; slabs.len() + walls];
+        let mut questions = Vec::with_capacity(count);
+        questions.resize(walls, Question::NONE);
+        for (slab, (root, part)) in parts.into_iter().enumerate() {
+            let before = questions.len() as u32;
+            let moved = |stage: Stage| if stage & MARK == 0 { stage + before } else { stage };
+            stages[walls + slab] = moved(root);
+            questions.extend(part.iter().map(|Question { of, below, above }| Question {
+                of: *of,
+                below: moved(*below),
+                above: moved(*above),
+            }));
+        }
+        // A balanced tree, numbered from the root and from left to right, its leaves the roots of the slabs.
+        for at in (0..walls).rev() {
+            let depth = (at + 1).ilog2();
+            let slabs_below = slabs.len() >> depth;
+            let wall = (at + 1 - (1 << depth)) * slabs_below + slabs_below / 2 - 1;
+            let [below, above] = [2 * at + 1, 2 * at + 2].map(|child| stages[child]);
+            questions[at] = Question { of: MARK | slabs.walls[wall], below, above };
+            stages[at] = at as u32;
+        }
+        Ok(Self { root: stages[0], questions, points: drawn.points, segments: drawn.ends })
+    }
+
+    /// The root and the questions of the search graph of one slab, without the nodes of trapezoids.
+    fn pack(slab: &Slab, faces: &[u32], outside: u32) -> Result<(Stage, Vec<Question>), GraphError> {
+        let nodes = search_graph(&slab.drawn)?;
+        let names: Vec<u32> =
+            slab.segments.iter().copied().chain(slab.points.iter().map(|point| MARK | *point)).chain([0]).collect();
+        let faces: Vec<u32> =
+            slab.segments.iter().map(|segment| faces[*segment as usize]).chain([outside]).map(Self::stage).collect();
+        // Without branches, as what a node is looks random.
+        let (trapezoid, none) = (names.len() as u32 - 1, slab.segments.len());
+        let mut next = 0;
+        let mut stages: Vec<Stage> = nodes
             .iter()
             .map(|node| {
-                if let Node::Trapezoid(trapezoid) = node {
-                    return Self::stage(face_above(trapezoid.segment_below()));
-                }
-                questions += 1;
-                questions - 1
+                let face = faces[(node.above as usize).min(none)];
+                let stage = if node.of == trapezoid { face } else { next };
+                next += u32::from(node.of != trapezoid);
+                stage
             })
             .collect();
-        let stage = |node: u32| stages[node as usize];
-        let mut packed = Vec::with_capacity(questions as usize);
-        packed.extend(nodes.iter().filter_map(|node| match *node {
-            Node::Point { vertex, left, right } => {
-                Some(Question { of: MARK | vertex, below: stage(left), above: stage(right) })
-            }
-            Node::Segment { segment, below, above } => {
-                Some(Question { of: segment, below: stage(below), above: stage(above) })
-            }
-            Node::Trapezoid(_) => None,
-        }));
-        Ok(Self { root: stages[0], questions: packed, points: drawn.points, segments: drawn.ends })
+        // Numbers of trapezoids, which are read here like those of nodes, go up to 1 even if there is one node.
+        stages.push(Self::stage(outside));
+        let mut questions = vec![Question::NONE; next as usize + 1];
+        let mut place = 0;
+        for node in &nodes {
+            questions[place] = Question {
+                of: names[node.of as usize],
+                below: stages[node.below as usize],
+                above: stages[node.above as usize],
+            };
+            place += usize::from(node.of != trapezoid);
+        }
+        questions.pop();
+        Ok((stages[0], questions))
     }
 
     /// Where every way begins.

@@ -6,6 +6,7 @@ use super::curve::Curve;
 use super::graph::{Graph, GraphHit};
 use super::located::{LocateError, Located, check_range};
 use super::trapezoids::{Drawn, GraphError};
+use crate::dcel::Vertex;
 use crate::geometry::Point;
 use crate::geometry::predicates::compare_lexicographic;
 use crate::geometry::threads;
@@ -36,7 +37,7 @@ impl<'m> Locator<'m> {
     /// Builds the index. Expected time O(n log n) and expected memory O(n), some 200 bytes for each edge. The
     /// expectation is over the orders in which edges may be inserted, not over the maps: fans, combs, long parallels
     /// and thousands of islands are no worse than others. The order is that of a fixed pseudo-random sequence, so equal
-    /// maps have equal indices.
+    /// maps have equal indices. With the feature `rayon`, slabs of the map are divided among the threads of its current pool.
     ///
     /// What only lines need is the index that the map keeps; it is built with the first [`zone`](Self::zone).
     ///
@@ -50,38 +51,40 @@ impl<'m> Locator<'m> {
         let dcel = map.dcel();
         // Points and segments are numbered along a curve, so that neighbours are near each other in memory.
         let bounds = Bounds::around(dcel.vertices().map(|v| map.point(v.index())));
-        let mut along: Vec<(u32, u32)> = Vec::with_capacity(dcel.vertex_count());
+        let mut along: Vec<u64> = Vec::with_capacity(dcel.vertex_count());
         if let Some(curve) = bounds.map(Curve::through) {
-            along.extend(dcel.vertices().map(|v| (curve.place(map.point(v.index())), v.index() as u32)));
+            let place = |v: Vertex<'_>| u64::from(curve.place(map.point(v.index())));
+            along.extend(dcel.vertices().map(|v| place(v) << 32 | v.index() as u64));
         }
         threads::sort_unstable_by(&mut along, Ord::cmp);
-        let vertices: Vec<u32> = along.into_iter().map(|(_, vertex)| vertex).collect();
+        let vertices: Vec<u32> = along.into_iter().map(|key| key as u32).collect();
         let points: Vec<Point> = vertices.iter().map(|v| map.point(*v as usize)).collect();
         let slots = vertices.iter().max().map_or(0, |last| *last as usize + 1);
         let mut numbers = vec![0_u32; slots];
         for (number, vertex) in (0..).zip(&vertices) {
             numbers[*vertex as usize] = number;
         }
-        let mut segments: Vec<([u32; 2], u32)> = Vec::with_capacity(dcel.edge_count());
-        for h in dcel.half_edges() {
-            let ends = [h.origin(), h.target()].map(|v| numbers[v.index()]);
-            let [from, to] = ends.map(|end| points[end as usize]);
-            if compare_lexicographic(from, to).is_lt() {
-                segments.push((ends, h.index() as u32));
+        let edges = dcel.edge_count();
+        let (mut segments, mut rising, mut faces) =
+            (Vec::with_capacity(edges), Vec::with_capacity(edges), Vec::with_capacity(edges));
+        for (low, from) in (0..).zip(&points) {
+            let around = dcel.vertex_at(vertices[low as usize] as usize).into_iter().flat_map(|v| v.rotation());
+            for h in around {
+                let high = numbers[h.target().index()];
+                if compare_lexicographic(*from, points[high as usize]).is_lt() {
+                    segments.push([low, high]);
+                    rising.push(h.index() as u32);
+                    faces.push(h.face().index() as u32);
+                }
             }
         }
-        threads::sort_unstable_by(&mut segments, Ord::cmp);
-        let (segments, rising): (Vec<[u32; 2]>, Vec<u32>) = segments.into_iter().unzip();
         let ends = segments.iter().map(|ends| ends.map(|end| points[end as usize])).collect();
         let drawn = Drawn { points, segments, ends };
-        let face_above = |segment: Option<u32>| {
-            let edge = segment.and_then(|segment| dcel.half_edge_at(rising[segment as usize] as usize));
-            edge.map_or(dcel.unbounded_face(), |h| h.face()).index() as u32
-        };
-        let graph = Graph::new(drawn, face_above).map_err(|failure| match failure {
-            GraphError::TooLarge => LocateError::TooLarge,
-            GraphError::Clash => LocateError::NotPlane,
-        })?;
+        let graph =
+            Graph::new(drawn, &faces, dcel.unbounded_face().index() as u32).map_err(|failure| match failure {
+                GraphError::TooLarge => LocateError::TooLarge,
+                GraphError::Clash => LocateError::NotPlane,
+            })?;
         let cells = bounds.map(|bounds| Cells::new(&graph, bounds));
         Ok(Self { map, graph, cells, vertices, rising })
     }

@@ -40,10 +40,11 @@
 //!
 //! # How
 //!
-//! The index is the search graph of a trapezoidal map (see `trapezoids.rs`): O(n) memory and O(log n) questions, whatever
-//! the map. In front of it is a grid of about one cell per edge. A cell that no edge meets stores its face, so most searches
-//! end in the grid; others store where in the graph the ways of its points part. The worst case is that of the graph: the
-//! grid has one number per cell and no lists.
+//! The map is cut in slabs, so that few edges pass from one to the next (see `slabs.rs`), and the index of a slab is the search
+//! graph of its trapezoidal map (see `trapezoids.rs`): O(n) memory and O(log n) questions, whatever the map. In front of all is
+//! a grid of about one cell per edge. A cell that no edge meets stores its face, so most searches end in the grid; others store
+//! where in the graph the ways of its points part. The worst case is that of the graph: the grid has one number per cell and
+//! no lists.
 
 mod bounds;
 mod cells;
@@ -51,8 +52,10 @@ mod curve;
 mod graph;
 pub(in crate::map) mod in_face;
 mod kept;
+mod lists;
 pub(in crate::map) mod located;
 pub(in crate::map) mod locator;
+mod slabs;
 mod trapezoids;
 
 pub use located::{LocateError, Located};

@@ -34,12 +34,14 @@
 //! (after K. Mulmuley, 1990, and R. Seidel, 1991); N. Amenta, S. Choi, G. Rote, "Incremental constructions con BRIO", Symposium on
 //! Computational Geometry 2003, 211-219.
 
-use super::bounds::Bounds;
+use super::bounds::{Bounds, is_before};
+use super::lists::Lists;
 use crate::geometry::Point;
-use crate::geometry::predicates::{Orientation, compare_lexicographic, count_step, orientation};
+use crate::geometry::predicates::{Orientation, count_step, orientation};
 
-/// No segment, no vertex, no neighbour.
-const NIL: u32 = u32::MAX;
+/// No vertex, or no trapezoid. Links of no trapezoid are written and mean nothing.
+const NO_VERTEX: u32 = u32::MAX;
+const NOTHING: u32 = 0;
 
 /// A plane drawing: distinct points, and segments that meet at shared endpoints only. Both are numbered along a curve that fills
 /// the plane.
@@ -61,34 +63,27 @@ impl Drawn {
 
 /// A node of the search graph. Its number is smaller than those of the nodes to which it leads, so every search ends.
 #[derive(Clone, Copy)]
-pub(super) enum Node {
-    /// Is it left or right of this vertex, in the lexicographic sense?
-    Point { vertex: u32, left: u32, right: u32 },
-    /// Is it below or above this segment?
-    Segment { segment: u32, below: u32, above: u32 },
-    /// The query lies in this trapezoid.
-    Trapezoid(Trapezoid),
+pub(super) struct Node {
+    /// The number of a segment: is it below or above? Or that of a vertex, plus the number of segments: is it left or right, in
+    /// the lexicographic sense? Or the sum of both numbers: it is in this trapezoid.
+    pub(super) of: u32,
+    /// Where to go below, or on the left. In a trapezoid: its number.
+    pub(super) below: u32,
+    /// Where to go above, or on the right. In a trapezoid: the segment below it, or the number of segments if there is none.
+    pub(super) above: u32,
 }
 
 /// A trapezoid. Its neighbours are those with which it shares a wall and the segment above (or below) it: so along each
 /// side of a segment there is a list, linked both ways.
 #[derive(Clone, Copy)]
-pub(super) struct Trapezoid {
-    /// The segment below.
-    bottom: u32,
+struct Trapezoid {
+    node: u32,
     /// The vertex whose wall is the right side.
     right: u32,
     /// To the left and to the right along the segment above.
     upper: [u32; 2],
     /// To the left and to the right along the segment below.
     lower: [u32; 2],
-}
-
-impl Trapezoid {
-    /// The segment below, if there is one.
-    pub(super) fn segment_below(&self) -> Option<u32> {
-        Some(self.bottom).filter(|bottom| *bottom != NIL)
-    }
 }
 
 const LEFT: usize = 0;
@@ -109,7 +104,9 @@ pub(super) enum GraphError {
 struct TrapezoidalMap<'a> {
     drawn: &'a Drawn,
     nodes: Vec<Node>,
-    /// A node whose region holds the point; if the point has its walls, what is to the right of it. NIL before its round.
+    /// From number 1 on: there are one more than points with walls and segments.
+    trapezoids: Vec<Trapezoid>,
+    /// A node whose region holds the point; if the point has its walls, what is to the right of it.
     starts: Vec<u32>,
     /// Which points have their walls.
     walled: Vec<bool>,
@@ -117,21 +114,43 @@ struct TrapezoidalMap<'a> {
 
 /// Builds the search graph; its root is the first node. Expected time O(n log n), memory O(n).
 pub(super) fn search_graph(drawn: &Drawn) -> Result<Vec<Node>, GraphError> {
-    let everything = Trapezoid { bottom: NIL, right: NIL, upper: [NIL; 2], lower: [NIL; 2] };
     let (points, segments) = (drawn.points.len(), drawn.segments.len());
-    let mut nodes = Vec::with_capacity(2 * points + 6 * segments + 1);
-    nodes.push(Node::Trapezoid(everything));
-    let mut map = TrapezoidalMap { drawn, nodes, starts: vec![NIL; points], walled: vec![false; points] };
-    for round in rounds(segments) {
-        map.find_all(round.iter().flat_map(|segment| drawn.segments[*segment as usize]));
-        for segment in round {
-            map.insert(segment)?;
+    let everything = Trapezoid { node: 0, right: NO_VERTEX, upper: [NOTHING; 2], lower: [NOTHING; 2] };
+    let mut nodes = Vec::with_capacity(2 * points + 5 * segments + 1);
+    nodes.push(Node { of: (segments + points) as u32, below: 1, above: segments as u32 });
+    let mut trapezoids = Vec::with_capacity(points + segments + 2);
+    trapezoids.extend([everything; 2]);
+    let mut map = TrapezoidalMap { drawn, nodes, trapezoids, starts: vec![0; points], walled: vec![false; points] };
+
+    let rounds = rounds(segments);
+    let count = rounds.iter().max().map_or(0, |last| *last as usize + 1);
+    // A point is put in with the first of its segments.
+    let mut first_rounds = vec![u32::MAX; points];
+    for (ends, round) in drawn.segments.iter().zip(&rounds) {
+        for end in ends {
+            let first = &mut first_rounds[*end as usize];
+            *first = *round.min(first);
+        }
+    }
+    let isolated: Vec<u32> = (0..points as u32).filter(|point| first_rounds[*point as usize] == u32::MAX).collect();
+    // An empty range for a point without segments.
+    let points =
+        Lists::new(count, first_rounds.iter().map(|round| if *round == u32::MAX { [1, 0] } else { [*round; 2] }));
+    let segments = Lists::new(count, rounds.iter().map(|round| [*round; 2]));
+    for round in 0..count {
+        map.find_all(points.list(round));
+        for segment in segments.list(round) {
+            map.insert(*segment)?;
         }
     }
     // Vertices without segments come last: their walls would be cut by segments later on.
-    for round in rounds(points) {
-        map.find_all(round.iter().copied());
-        for point in round {
+    let rounds = self::rounds(isolated.len());
+    let count = rounds.iter().max().map_or(0, |last| *last as usize + 1);
+    let lists = Lists::new(count, rounds.iter().map(|round| [*round; 2]));
+    for round in 0..count {
+        let points: Vec<u32> = lists.list(round).iter().map(|place| isolated[*place as usize]).collect();
+        map.find_all(&points);
+        for point in points {
             map.wall(point)?;
         }
     }
@@ -148,21 +167,12 @@ impl TrapezoidalMap<'_> {
         self.thread(segment, first)
     }
 
-    /// Finds nodes from which to start for all of some points that are to get their walls in this round.
+    /// Finds nodes from which to start for all of some points that are to get their walls in this round, in ascending order.
     ///
     /// They are found in groups of neighbours: as far as all of a box around a group goes one way, the group goes it
     /// together.
-    fn find_all(&mut self, points: impl Iterator<Item = u32>) {
-        let mut fresh = Vec::new();
-        for point in points {
-            let start = &mut self.starts[point as usize];
-            if *start == NIL {
-                *start = 0;
-                fresh.push(point);
-            }
-        }
-        fresh.sort_unstable();
-        let mut groups = vec![(&fresh[..], 0)];
+    fn find_all(&mut self, points: &[u32]) {
+        let mut groups = vec![(points, 0)];
         while let Some((group, from)) = groups.pop() {
             if let [point] = *group {
                 self.starts[point as usize] = from;
@@ -172,8 +182,8 @@ impl TrapezoidalMap<'_> {
             let Some(bounds) = Bounds::around(group.iter().map(|point| self.drawn.points[*point as usize])) else {
                 continue;
             };
-            let node = self.narrow(from, &bounds);
-            if matches!(self.nodes[node as usize], Node::Trapezoid(_)) {
+            let (node, ends) = self.narrow(from, &bounds);
+            if ends {
                 for point in group {
                     self.starts[*point as usize] = node;
                 }
@@ -183,23 +193,26 @@ impl TrapezoidalMap<'_> {
         }
     }
 
-    /// Goes from a node as far as all of a box goes one way.
-    fn narrow(&self, mut at: u32, bounds: &Bounds) -> u32 {
+    /// Goes from a node as far as all of a box goes one way, and says whether that is a trapezoid.
+    fn narrow(&self, mut at: u32, bounds: &Bounds) -> (u32, bool) {
         loop {
             count_step();
-            let next = match self.nodes[at as usize] {
-                Node::Point { vertex, left, right } => {
-                    let after = bounds.after(self.drawn.points[vertex as usize]);
-                    after.map(|after| if after { right } else { left })
-                }
-                Node::Segment { segment, below, above } => {
-                    bounds.above(self.drawn.ends[segment as usize]).map(|is_above| if is_above { above } else { below })
-                }
-                Node::Trapezoid(_) => None,
+            let node = self.nodes[at as usize];
+            let above = if let Some(ends) = self.drawn.ends.get(node.of as usize) {
+                bounds.above(*ends)
+            } else if let Some(p) = self.drawn.points.get(self.vertex(node)) {
+                bounds.after(*p)
+            } else {
+                return (at, true);
             };
-            let Some(next) = next else { return at };
-            at = next;
+            let Some(above) = above else { return (at, false) };
+            at = if above { node.above } else { node.below };
         }
+    }
+
+    /// The number of the vertex of a question, if it is one of a vertex, or else a number too large.
+    fn vertex(&self, node: Node) -> usize {
+        (node.of as usize).wrapping_sub(self.drawn.segments.len())
     }
 
     /// The trapezoid in which a point lies that has no wall yet, or else that in which the way to another point, further
@@ -211,26 +224,24 @@ impl TrapezoidalMap<'_> {
         let mut start = None;
         loop {
             count_step();
-            at = match self.nodes[at as usize] {
-                Node::Point { vertex, left, right } => {
-                    if compare_lexicographic(p, self.drawn.points[vertex as usize]).is_lt() { left } else { right }
-                }
-                Node::Segment { segment, below, above } => {
-                    let side = match (self.drawn.side(segment, p), to) {
-                        // Both start here.
-                        (Orientation::Collinear, Some(to)) => {
-                            start.get_or_insert(at);
-                            self.drawn.side(segment, self.drawn.points[to as usize])
-                        }
-                        (side, _) => side,
-                    };
-                    if side == Orientation::CounterClockwise { above } else { below }
-                }
-                Node::Trapezoid(_) => {
-                    self.starts[from as usize] = start.unwrap_or(at);
-                    return at;
-                }
+            let node = self.nodes[at as usize];
+            let above = if let Some([low, high]) = self.drawn.ends.get(node.of as usize) {
+                let side = match (orientation(*low, *high, p), to) {
+                    // Both start here.
+                    (Orientation::Collinear, Some(to)) => {
+                        start.get_or_insert(at);
+                        orientation(*low, *high, self.drawn.points[to as usize])
+                    }
+                    (side, _) => side,
+                };
+                side == Orientation::CounterClockwise
+            } else if let Some(vertex) = self.drawn.points.get(self.vertex(node)) {
+                !is_before(p, *vertex)
+            } else {
+                self.starts[from as usize] = start.unwrap_or(at);
+                return node.below;
             };
+            at = if above { node.above } else { node.below };
         }
     }
 
@@ -245,18 +256,28 @@ impl TrapezoidalMap<'_> {
         if core::mem::replace(&mut self.walled[vertex as usize], true) {
             return Ok(());
         }
-        let at = self.find(vertex, None);
-        let old = self.trapezoid(at)?;
-        let left = self.push(Trapezoid { right: vertex, ..old })?;
-        let right = self.push(old)?;
-        self.link_upper(old.upper[LEFT], left);
-        self.link_lower(old.lower[LEFT], left);
-        self.link_upper(left, right);
-        self.link_lower(left, right);
-        self.link_upper(right, old.upper[RIGHT]);
-        self.link_lower(right, old.lower[RIGHT]);
-        self.nodes[at as usize] = Node::Point { vertex, left, right };
-        self.starts[vertex as usize] = right;
+        // What is on the left keeps the number.
+        let left = self.find(vertex, None);
+        let old = self.trapezoids[left as usize];
+        let bottom = self.nodes[old.node as usize].above;
+        let right = self.trapezoids.len() as u32;
+        let nodes = [self.push(left, bottom)?, self.push(right, bottom)?];
+        self.trapezoids[left as usize] = Trapezoid {
+            node: nodes[0],
+            right: vertex,
+            upper: [old.upper[LEFT], right],
+            lower: [old.lower[LEFT], right],
+        };
+        self.trapezoids.push(Trapezoid {
+            node: nodes[1],
+            right: old.right,
+            upper: [left, old.upper[RIGHT]],
+            lower: [left, old.lower[RIGHT]],
+        });
+        self.trapezoids[old.upper[RIGHT] as usize].upper[LEFT] = right;
+        self.trapezoids[old.lower[RIGHT] as usize].lower[LEFT] = right;
+        self.ask(old.node, vertex + self.drawn.segments.len() as u32, nodes);
+        self.starts[vertex as usize] = nodes[1];
         Ok(())
     }
 
@@ -272,93 +293,70 @@ impl TrapezoidalMap<'_> {
     ///    ____r'________:______        ____r'____:__________
     /// ```
     ///
-    /// A wall stays on that side of the segment where its vertex is; on the other, the pieces next to it become one.
+    /// A wall stays on that side of the segment where its vertex is; on the other, the pieces next to it become one. What is
+    /// new keeps the number of what is cut.
     fn thread(&mut self, segment: u32, first: u32) -> Result<(), GraphError> {
         let end = self.drawn.segments[segment as usize][RIGHT];
-        let mut at = first;
-        // The pieces made last, and whether they go on.
-        let (mut above, mut below) = (NIL, NIL);
-        let (mut above_goes_on, mut below_goes_on) = (false, false);
+        let mut old = self.trapezoids[first as usize];
+        let bottom = self.nodes[old.node as usize].above;
+        // The pieces on the right of the lower end.
+        let (mut above, mut below) = (first, self.trapezoids.len() as u32);
+        let mut nodes = [self.push(below, bottom)?, self.push(above, segment)?];
+        self.trapezoids[above as usize] = Trapezoid { node: nodes[1], lower: [NOTHING; 2], ..old };
+        self.trapezoids.push(Trapezoid { node: nodes[0], upper: [NOTHING; 2], ..old });
+        self.trapezoids[old.lower[LEFT] as usize].lower[RIGHT] = below;
+        self.trapezoids[old.lower[RIGHT] as usize].lower[LEFT] = below;
         loop {
             count_step();
-            let old = self.trapezoid(at)?;
-            if above_goes_on {
-                self.extend(above, old.right);
-            } else {
-                let new = self.push(Trapezoid { bottom: segment, lower: [NIL; 2], ..old })?;
-                self.link_upper(old.upper[LEFT], new);
-                self.link_lower(above, new);
-                above = new;
-            }
-            self.link_upper(above, old.upper[RIGHT]);
-            if below_goes_on {
-                self.extend(below, old.right);
-            } else {
-                let new = self.push(Trapezoid { upper: [NIL; 2], ..old })?;
-                self.link_lower(old.lower[LEFT], new);
-                self.link_upper(below, new);
-                below = new;
-            }
-            self.link_lower(below, old.lower[RIGHT]);
-            self.nodes[at as usize] = Node::Segment { segment, below, above };
+            self.ask(old.node, segment, nodes);
             if old.right == end {
                 return Ok(());
             }
             let wall = *self.drawn.points.get(old.right as usize).ok_or(GraphError::Clash)?;
-            below_goes_on = self.drawn.side(segment, wall) == Orientation::CounterClockwise;
-            above_goes_on = !below_goes_on;
-            at = if below_goes_on { old.lower[RIGHT] } else { old.upper[RIGHT] };
+            if self.drawn.side(segment, wall) == Orientation::CounterClockwise {
+                let at = old.lower[RIGHT];
+                old = self.next(at)?;
+                // What is below goes on.
+                let piece = &mut self.trapezoids[below as usize];
+                (piece.right, piece.lower[RIGHT]) = (old.right, old.lower[RIGHT]);
+                self.trapezoids[old.lower[RIGHT] as usize].lower[LEFT] = below;
+                nodes[1] = self.push(at, segment)?;
+                self.trapezoids[above as usize].lower[RIGHT] = at;
+                self.trapezoids[at as usize] = Trapezoid { node: nodes[1], lower: [above, NOTHING], ..old };
+                above = at;
+            } else {
+                let at = old.upper[RIGHT];
+                old = self.next(at)?;
+                let piece = &mut self.trapezoids[above as usize];
+                (piece.right, piece.upper[RIGHT]) = (old.right, old.upper[RIGHT]);
+                self.trapezoids[old.upper[RIGHT] as usize].upper[LEFT] = above;
+                nodes[0] = self.push(at, self.nodes[old.node as usize].above)?;
+                self.trapezoids[below as usize].upper[RIGHT] = at;
+                self.trapezoids[at as usize] = Trapezoid { node: nodes[0], upper: [below, NOTHING], ..old };
+                below = at;
+            }
         }
     }
 
-    fn push(&mut self, trapezoid: Trapezoid) -> Result<u32, GraphError> {
+    /// The trapezoid behind a wall.
+    fn next(&self, at: u32) -> Result<Trapezoid, GraphError> {
+        if at == NOTHING { Err(GraphError::Clash) } else { Ok(self.trapezoids[at as usize]) }
+    }
+
+    /// Adds a node for a trapezoid, with the segment below it.
+    fn push(&mut self, trapezoid: u32, bottom: u32) -> Result<u32, GraphError> {
         let number = self.nodes.len();
         if number >= 1 << 31 {
             return Err(GraphError::TooLarge);
         }
-        self.nodes.push(Node::Trapezoid(trapezoid));
+        let of = (self.drawn.segments.len() + self.drawn.points.len()) as u32;
+        self.nodes.push(Node { of, below: trapezoid, above: bottom });
         Ok(number as u32)
     }
 
-    fn trapezoid(&self, at: u32) -> Result<Trapezoid, GraphError> {
-        match self.nodes.get(at as usize) {
-            Some(Node::Trapezoid(trapezoid)) => Ok(*trapezoid),
-            _ => Err(GraphError::Clash),
-        }
-    }
-
-    fn trapezoid_mut(&mut self, at: u32) -> Option<&mut Trapezoid> {
-        match self.nodes.get_mut(at as usize) {
-            Some(Node::Trapezoid(trapezoid)) => Some(trapezoid),
-            _ => None,
-        }
-    }
-
-    /// Makes a trapezoid go on to another wall.
-    fn extend(&mut self, at: u32, right: u32) {
-        if let Some(trapezoid) = self.trapezoid_mut(at) {
-            trapezoid.right = right;
-        }
-    }
-
-    /// Makes two trapezoids neighbours along the segment above both; one of them may be NIL.
-    fn link_upper(&mut self, left: u32, right: u32) {
-        if let Some(trapezoid) = self.trapezoid_mut(left) {
-            trapezoid.upper[RIGHT] = right;
-        }
-        if let Some(trapezoid) = self.trapezoid_mut(right) {
-            trapezoid.upper[LEFT] = left;
-        }
-    }
-
-    /// Makes two trapezoids neighbours along the segment below both; one of them may be NIL.
-    fn link_lower(&mut self, left: u32, right: u32) {
-        if let Some(trapezoid) = self.trapezoid_mut(left) {
-            trapezoid.lower[RIGHT] = right;
-        }
-        if let Some(trapezoid) = self.trapezoid_mut(right) {
-            trapezoid.lower[LEFT] = left;
-        }
+    /// Makes a trapezoid's node a question.
+    fn ask(&mut self, at: u32, of: u32, [below, above]: [u32; 2]) {
+        self.nodes[at as usize] = Node { of, below, above };
     }
 }
 
@@ -379,13 +377,8 @@ fn shuffled(n: usize) -> Vec<u32> {
     order
 }
 
-/// Parts the numbers below n at random in rounds, each of as many as all before it, and in ascending order.
-fn rounds(n: usize) -> Vec<Vec<u32>> {
-    let count = n.checked_ilog2().map_or(0, |last| last + 2);
-    let mut rounds: Vec<Vec<u32>> = (0..count).map(|round| Vec::with_capacity(1 << round.saturating_sub(1))).collect();
-    for (number, drawn) in (0..).zip(shuffled(n)) {
-        // Round 0 has what was drawn first, and round r the draws from 2^(r - 1) to 2^r.
-        rounds[drawn.checked_ilog2().map_or(0, |last| last as usize + 1)].push(number);
-    }
-    rounds
+/// Parts the numbers below n at random in rounds, each of as many as all before it, and says which each is in.
+fn rounds(n: usize) -> Vec<u32> {
+    // Round 0 has what was drawn first, and round r the draws from 2^(r - 1) to 2^r.
+    shuffled(n).into_iter().map(|drawn| drawn.checked_ilog2().map_or(0, |last| last + 1)).collect()
 }

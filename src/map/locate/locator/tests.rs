@@ -20,7 +20,9 @@ fn map(segments: &[[[f64; 2]; 2]], isolated: &[[f64; 2]]) -> PlanarMap {
 /// Builds the index, and asks for every vertex and what is beside it. Both must take O(n log n) in all, the index O(n)
 /// memory, and no single search much more than the average may.
 fn check(name: &str, map: &PlanarMap) {
-    let (locator, building) = steps_of(|| Locator::new(map).unwrap());
+    // Steps are counted for each thread, so one must do all.
+    let one = rayon::ThreadPoolBuilder::new().num_threads(1).build().unwrap();
+    let (locator, building) = one.install(|| steps_of(|| Locator::new(map).unwrap()));
     let n = (map.dcel().vertex_count() + map.dcel().edge_count()) as f64;
     let questions = locator.graph.questions() as f64;
     let mut most = 0;

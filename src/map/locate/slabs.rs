@@ -1,0 +1,117 @@
+//! A plane drawing, cut in slabs by the walls of some of its vertices.
+//!
+//! ```text
+//!      0   :  1  :  2  :   3
+//!          :     b     :         A wall runs up and down from its vertex for ever. Slabs may be narrow or wide; each has about
+//!          :     :     :         as many vertices as any other. A segment is drawn, whole, in each slab of which it has a part.
+//!          a     :     :
+//!          :     :     c
+//! ```
+//!
+//! What is next above or below a point is found among the segments of its slab. So each slab can have a search graph of its own,
+//! so small that it stays in a cache while it is built, and several threads can build them.
+//!
+//! Few segments pass from one slab to the next: as long as they are too many, there are half as many slabs. Where most segments
+//! are long, as in fans and among long parallels, one slab is left. So all slabs together have O(n) segments.
+
+use super::lists::Lists;
+use super::trapezoids::Drawn;
+use crate::geometry::Point;
+use crate::geometry::predicates::compare_lexicographic;
+
+/// About how many vertices a slab has at least.
+const LEAST: usize = 512;
+
+/// How many vertices of the sample from which walls are chosen are between two neighbouring ones.
+const SAMPLED: usize = 8;
+
+/// Of so many segments one may pass through a wall, on average. It is drawn twice.
+const PASSING: usize = 8;
+
+/// The slabs of a drawing, a power of two of them. Slab i is what comes, in lexicographic order, after vertex i - 1 of the walls,
+/// that vertex included, and before vertex i.
+pub(super) struct Slabs {
+    /// The vertices whose walls part the slabs, in lexicographic order.
+    pub(super) walls: Vec<u32>,
+    points: Lists,
+    segments: Lists,
+    /// The place of each point in the list of its slab.
+    places: Vec<u32>,
+}
+
+/// A drawing of what has a part in a slab, and the numbers that its points and segments have in the whole drawing.
+pub(super) struct Slab {
+    pub(super) drawn: Drawn,
+    pub(super) points: Vec<u32>,
+    pub(super) segments: Vec<u32>,
+}
+
+impl Slabs {
+    /// Cuts a drawing. O(n log n).
+    pub(super) fn new(drawn: &Drawn) -> Self {
+        let halvings = (drawn.points.len() / LEAST).checked_ilog2().unwrap_or(0);
+        let mut walls = quantiles(&drawn.points, 1 << halvings);
+        let at_walls: Vec<Point> = walls.iter().map(|wall| drawn.points[*wall as usize]).collect();
+        let slab = |p: &Point| at_walls.partition_point(|wall| compare_lexicographic(*wall, *p).is_le()) as u32;
+        let mut slabs: Vec<u32> = drawn.points.iter().map(slab).collect();
+        // Of what is left after some halvings, how often do segments pass through a wall?
+        let passes = |halvings: u32| -> usize {
+            let slab = |end: u32| slabs[end as usize] >> halvings;
+            drawn.segments.iter().map(|[low, high]| (slab(*high) - slab(*low)) as usize).sum()
+        };
+        let most = drawn.segments.len() / PASSING;
+        let halved = (0..halvings).find(|halved| passes(*halved) <= most).unwrap_or(halvings);
+        walls = walls.into_iter().skip((1 << halved) - 1).step_by(1 << halved).collect();
+        for slab in &mut slabs {
+            *slab >>= halved;
+        }
+
+        let count = walls.len() + 1;
+        let points = Lists::new(count, slabs.iter().map(|slab| [*slab; 2]));
+        let segments = Lists::new(count, drawn.segments.iter().map(|ends| ends.map(|end| slabs[end as usize])));
+        let mut places = vec![0; drawn.points.len()];
+        for slab in 0..count {
+            for (place, point) in (0..).zip(points.list(slab)) {
+                places[*point as usize] = place;
+            }
+        }
+        Self { walls, points, segments, places }
+    }
+
+    /// How many there are.
+    pub(super) fn len(&self) -> usize {
+        self.walls.len() + 1
+    }
+
+    /// What is in one of them: its points, then those outside at which segments end that pass through its walls.
+    pub(super) fn slab(&self, slab: usize, drawn: &Drawn) -> Slab {
+        let own = self.points.list(slab);
+        let place = |point: u32| {
+            let place = self.places[point as usize];
+            (own.get(place as usize) == Some(&point)).then_some(place)
+        };
+        let segments = self.segments.list(slab).to_vec();
+        let ends = segments.iter().flat_map(|segment| drawn.segments[*segment as usize]);
+        let mut outside: Vec<u32> = ends.filter(|end| place(*end).is_none()).collect();
+        outside.sort_unstable();
+        outside.dedup();
+        let number =
+            |end: u32| place(end).unwrap_or_else(|| (own.len() + outside.partition_point(|other| *other < end)) as u32);
+        let ends = segments.iter().map(|segment| drawn.segments[*segment as usize].map(number)).collect();
+        let points = [own, &outside].concat();
+        let drawn = Drawn {
+            points: points.iter().map(|point| drawn.points[*point as usize]).collect(),
+            ends: segments.iter().map(|segment| drawn.ends[*segment as usize]).collect(),
+            segments: ends,
+        };
+        Slab { drawn, points, segments }
+    }
+}
+
+/// Those of some points that part them, in lexicographic order, in so many parts of about the same size. O(n).
+fn quantiles(points: &[Point], parts: usize) -> Vec<u32> {
+    let step = (points.len() / (SAMPLED * parts)).max(1);
+    let mut sample: Vec<u32> = (0..points.len() as u32).step_by(step).collect();
+    sample.sort_unstable_by(|a, b| compare_lexicographic(points[*a as usize], points[*b as usize]));
+    (1..parts).map(|part| sample[part * sample.len() / parts]).collect()
+}
