@@ -78,7 +78,6 @@ impl Short {
     }
 
     /// The same where there are not one or three on its cycle: if there are two or four, the next of the fourth is the first one.
-
     #[inline(never)]
     fn is_first_of_four<V: View + ?Sized>(
         &mut self,

@@ -157,9 +157,7 @@ fn scan_and<V: View + ?Sized, const WITH_PREV: bool>(
         links.half_edges += live;
         if extent.half_edges.has(h) {
             links.half_edges += 1;
-            if let Some((target, next)) = at_border_or_wrong(view, extent, h, links)? {
-                note(target, next);
-            }
+            at_border_or_wrong(view, extent, h, links, &mut note)?;
             h += 1;
         }
     }
@@ -225,7 +223,7 @@ pub(super) fn count_right<V: View + ?Sized>(
     (end == all.end).then_some(live)
 }
 
-/// Looks at what may be at the border, notes what is, and what is wrong. Returns the target and the next of what is at the border.
+/// Looks at what may be at the border, notes what is, and what is wrong. Tells `note` the next of what is at the border.
 #[cold]
 #[inline(never)]
 fn at_border_or_wrong<V: View + ?Sized>(
@@ -233,7 +231,8 @@ fn at_border_or_wrong<V: View + ?Sized>(
     extent: Extent,
     h: usize,
     links: &mut Links,
-) -> Option<Option<(usize, usize)>> {
+    note: &mut dyn FnMut(usize, usize),
+) -> Option<()> {
     let twin = view.twin(h);
     let next = extent.half_edges.existing(view.next(h)).filter(|n| view.is_half_edge(*n));
     let next_holds = next.is_some_and(|n| !extent.has(Part::Prev) || view.prev(n) == Some(h));
@@ -241,13 +240,15 @@ fn at_border_or_wrong<V: View + ?Sized>(
     if !(next_holds && twin_holds) {
         links.doubt(h, [next_holds, twin_holds])?;
     }
-    if twin.is_some() {
-        return Some(None);
+    if twin.is_none() {
+        links.unpaired += 1;
+        let target = next.and_then(|n| extent.vertices.existing(view.origin(n)));
+        links.ends(target, h, extent)?;
+        if let (Some(target), Some(next)) = (target, next) {
+            note(target, next);
+        }
     }
-    links.unpaired += 1;
-    let target = next.and_then(|n| extent.vertices.existing(view.origin(n)));
-    links.ends(target, h, extent)?;
-    Some(target.zip(next))
+    Some(())
 }
 
 /// L1 and L3.
