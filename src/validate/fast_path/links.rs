@@ -45,7 +45,7 @@ impl Links {
     }
 
     /// Whether nothing is wrong, and at each vertex one border ends at most.
-    pub(super) const fn are_right(&self) -> bool {
+    pub(super) fn are_right(&self) -> bool {
         self.next_holds && self.twin_holds && self.one_into_each
     }
 
