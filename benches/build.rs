@@ -57,7 +57,7 @@ fn building(criterion: &mut Criterion) {
 
 /// The squares of a grid, with a corner for each pair of numbers.
 fn squares(side: u32, at: impl Fn(u32, u32) -> Point) -> Vec<Shape> {
-    let square = |x, y| Shape::Polygon(vec![vec![at(x, y), at(x + 1, y), at(x + 1, y + 1), at(x, y + 1)]]);
+    let square = |x, y| Shape::polygon(vec![at(x, y), at(x + 1, y), at(x + 1, y + 1), at(x, y + 1)]);
     (0..side * side).map(|i| square(i % side, i / side)).collect()
 }
 
@@ -86,10 +86,10 @@ fn gathering(criterion: &mut Criterion) {
 }
 
 /// Squares inside each other, the largest first.
-fn nested(squares: u32) -> impl Iterator<Item = Vec<Point>> {
+fn nested(squares: u32) -> impl Iterator<Item = [[f64; 2]; 5]> {
     (0..squares).map(move |i| {
         let (low, high) = (f64::from(i), f64::from(4 * squares - i));
-        [[low, low], [high, low], [high, high], [low, high], [low, low]].map(Point::from).to_vec()
+        [[low, low], [high, low], [high, high], [low, high], [low, low]]
     })
 }
 
@@ -108,8 +108,8 @@ fn nesting(criterion: &mut Criterion) {
                 });
             });
         };
-        build("lines", nested(squares).map(Shape::Line).collect());
-        build("polygons", nested(squares).map(|ring| Shape::Polygon(vec![ring])).collect());
+        build("lines", nested(squares).map(Shape::line).collect());
+        build("polygons", nested(squares).map(Shape::polygon).collect());
     }
     group.finish();
 }

@@ -10,7 +10,8 @@
 //! ```
 
 use std::process::ExitCode;
-use twinedge::validate::{Collect, Expectation, Link, Part, Start, View, Violation, validate};
+use twinedge::validate::{Collect, Expectation, Part, Parts, Start, View, Violation, validate};
+use twinedge::view_answers;
 
 // ---- somebody's DCEL ---------------------------------------------------------------------------------------------
 
@@ -78,59 +79,38 @@ impl Dcel {
 // ---- what the validator asks of it -------------------------------------------------------------------------------
 
 impl View for Dcel {
-    fn vertex_slots(&self) -> usize {
-        self.vertices.len()
-    }
-    fn half_edge_slots(&self) -> usize {
-        self.half_edges.len()
-    }
-    fn face_slots(&self) -> usize {
-        self.faces.len()
-    }
-    fn origin(&self, half_edge: usize) -> Link {
-        Some(self.half_edges[half_edge].origin)
-    }
-    fn twin(&self, half_edge: usize) -> Link {
-        Some(self.half_edges[half_edge].twin)
-    }
-    fn next(&self, half_edge: usize) -> Link {
-        Some(self.half_edges[half_edge].next)
-    }
-    fn prev(&self, half_edge: usize) -> Link {
-        Some(self.half_edges[half_edge].prev)
-    }
-    fn face(&self, half_edge: usize) -> Link {
-        Some(self.half_edges[half_edge].face)
-    }
-    fn leaving(&self, vertex: usize) -> Link {
-        Some(self.vertices[vertex].leaving)
-    }
-    fn outer_half_edge(&self, face: usize) -> Link {
-        (face != 0).then(|| self.faces[face].half_edge)
-    }
-    fn inner_count(&self, face: usize) -> usize {
-        usize::from(face == 0)
-    }
-    fn inner_start(&self, face: usize, _: usize) -> Option<Start> {
-        Some(Start::HalfEdge(self.faces[face].half_edge))
+    view_answers! { |map|
+        // Faces keep half-edges here, and there are no records for boundary components.
+        parts => Parts::ALL.without(Part::BoundaryComponents),
+        vertex_slots => map.vertices.len(),
+        half_edge_slots => map.half_edges.len(),
+        face_slots => map.faces.len(),
+        origin(half_edge) => Some(map.half_edges[half_edge].origin),
+        twin(half_edge) => Some(map.half_edges[half_edge].twin),
+        next(half_edge) => Some(map.half_edges[half_edge].next),
+        prev(half_edge) => Some(map.half_edges[half_edge].prev),
+        face(half_edge) => Some(map.half_edges[half_edge].face),
+        leaving(vertex) => Some(map.vertices[vertex].leaving),
+        outer_half_edge(face) => (face != 0).then(|| map.faces[face].half_edge),
+        inner_count(face) => usize::from(face == 0),
+        inner_start(face, _i) => Some(Start::HalfEdge(map.faces[face].half_edge)),
     }
 }
 
 // ---- the audit ---------------------------------------------------------------------------------------------------
 
 fn main() -> ExitCode {
-    // Faces keep half-edges here, and there are no records for boundary components.
-    let expectation = Expectation::plane().without(Part::BoundaryComponents);
+    let expectation = Expectation::plane();
 
     let mut right = Dcel::polygon(6);
     right.split_face(0, 6, false);
     let report = validate(&right, &expectation, Collect::All);
     println!("A hexagon split in two:\n\n{report}");
-    let Some(certificate) = report.certificate() else {
+    let Some(figures) = report.figures() else {
         println!("This should have been accepted.");
         return ExitCode::FAILURE;
     };
-    println!("{certificate:#?}\n");
+    println!("{figures:#?}\n");
 
     let mut wrong = Dcel::polygon(6);
     wrong.split_face(0, 6, true);
@@ -138,7 +118,7 @@ fn main() -> ExitCode {
     println!("The same, with the next of half-edge 10 forgotten:\n\n{report}");
     // It still leads to half-edge 0, which by now comes after the new half-edge 13.
     let bug = Violation::PrevOfNext { half_edge: 10, next: 0, found: 13 };
-    if report.violations().first() != Some(&bug) {
+    if report.first() != Some(&bug) {
         println!("This should have been the first violation: {bug}");
         return ExitCode::FAILURE;
     }

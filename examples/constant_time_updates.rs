@@ -20,7 +20,7 @@ use std::error::Error;
 use twinedge::dcel::{Dcel, Side, Split, VertexKey};
 use twinedge::geometry::Point;
 use twinedge::io::tables::Textbook;
-use twinedge::validate::{Collect, validate_embedding};
+use twinedge::validate::{Collect, Expectation, validate_embedding};
 
 /// A structure and coordinates beside it.
 #[derive(Default)]
@@ -40,7 +40,7 @@ impl Drawing {
     /// Prints the tables, and returns the names of the rows that are new, gone or different.
     fn show(&self, what: &str, before: &mut String) -> Result<Vec<String>, Box<dyn Error>> {
         let tables = self.tables();
-        let report = validate_embedding(&tables, &Textbook::EXPECTATION, Collect::All);
+        let report = validate_embedding(&tables, &Expectation::plane(), Collect::All);
         if !report.is_valid() {
             return Err(report.to_string().into());
         }
@@ -71,7 +71,7 @@ fn main() -> Result<(), Box<dyn Error>> {
     let from_v3 = dcel.connect(vertices[2], vertices[3], Split::default())?.half_edge;
     // From v3 to v1, beside e2. From v3 to v2, between them: that closes the triangle, which lies to the left.
     dcel.connect(from_v3, e1, Split::default())?;
-    let at_v2 = dcel.half_edge(e1)?.twin().key();
+    let at_v2 = dcel.at(e1).twin().key();
     dcel.connect(from_v3, at_v2, Split { new_face: Side::Left, inner: &[] })?;
     let mut before = String::new();
     drawing.show("the map", &mut before)?;
@@ -84,7 +84,7 @@ fn main() -> Result<(), Box<dyn Error>> {
     let mut all_changed = vec![changed];
 
     // An edge between two corners of f2, given by the half-edges that start there with f2 to their left.
-    let triangle = drawing.dcel.half_edge(e1)?.twin().face();
+    let triangle = drawing.dcel.at(e1).twin().face();
     let corner = |vertex: VertexKey| triangle.half_edges().find(|h| h.origin().key() == vertex).map(|h| h.key());
     let (from, to) = (corner(vertices[2]).ok_or("v3")?, corner(split.vertex).ok_or("v5")?);
     drawing.dcel.connect(from, to, Split::default())?;
@@ -92,8 +92,7 @@ fn main() -> Result<(), Box<dyn Error>> {
     println!("changed: {}\n", changed.join(", "));
     all_changed.push(changed);
 
-    let e2 = drawing.dcel.half_edge(from_v3)?.key();
-    drawing.dcel.remove_edge(e2)?;
+    drawing.dcel.remove_edge(from_v3)?;
     let changed = drawing.show("without e2", &mut before)?;
     println!("changed: {}", changed.join(", "));
     all_changed.push(changed);

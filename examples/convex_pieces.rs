@@ -35,8 +35,8 @@ fn main() -> Result<(), Box<dyn Error>> {
     // Each diagonal is looked at once: two links and one exact predicate at each end.
     let mut pieces = triangulation.triangles;
     for diagonal in triangulation.diagonals {
-        let h = map.dcel().half_edge(diagonal)?;
-        let [a, b] = [map.position(h.origin().key())?, map.position(h.target().key())?];
+        let h = map.dcel().at(diagonal);
+        let [a, b] = [map[h.origin().key()], map[h.target().key()]];
         let line = format!("({}, {})-({}, {})", a.x, a.y, b.x, b.y);
         if is_essential(&map, diagonal)? {
             println!("  {line} is essential");

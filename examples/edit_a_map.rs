@@ -46,7 +46,7 @@ fn main() -> Result<(), Box<dyn Error>> {
     let (_, land) = coast.faces_split[0];
     register.lots.push((land, "Westland".to_owned()));
     let border = map.insert_segment([6.0, 0.0], [6.0, 8.0])?;
-    let northwards = map.dcel().half_edge(border.way[0])?;
+    let northwards = map.dcel().at(border.way[0]);
     let (west, east) = (northwards.face().key(), northwards.twin().face().key());
     register.lots.retain(|(lot, _)| *lot != land);
     register.lots.extend([(west, "Westland".to_owned()), (east, "Eastland".to_owned())]);
@@ -83,10 +83,10 @@ fn main() -> Result<(), Box<dyn Error>> {
     assert_eq!((road.way.len(), road.edges_split.len()), (2, 1));
 
     // The border post where they meet moves a bit; it may not move into the lake.
-    let post = map.dcel().half_edge(road.way[0])?.target().key();
+    let post = map.dcel().at(road.way[0]).target().key();
     map.move_vertex(post, [6.5, 1.5])?;
     let into_the_lake = map.move_vertex(post, [9.0, 3.5]);
-    println!("the post moves to {:?}, and not into the lake", map.position(post)?);
+    println!("the post moves to {:?}, and not into the lake", map[post]);
     assert!(matches!(into_the_lake, Err(EditError::EdgeInTheWay(_) | EditError::VertexInTheWay(_))));
 
     // The border falls, edge by edge. What had one country on each side is covered by none of them all over.
@@ -98,7 +98,7 @@ fn main() -> Result<(), Box<dyn Error>> {
             println!("{} no longer covers all of one face", map.name(*feature).unwrap_or("?"));
         }
     }
-    let union = map.dcel().half_edge(road.way[0])?.face().key();
+    let union = map.dcel().at(road.way[0]).face().key();
     println!("the land is {}, covered by {:?}", register.name(union), covered(&map, union)?);
     assert!(covered(&map, union)?.is_empty());
     assert!(register.name(union).contains("with"));

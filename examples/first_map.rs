@@ -11,12 +11,12 @@ fn triangle(map: &mut Dcel, face: FaceKey) -> Result<(HalfEdgeKey, FaceKey), Ope
     ];
     // An edge to an isolated vertex is a bridge: it splits nothing.
     let ab = map.connect(a, b, Split::default())?.half_edge;
-    let ba = map.half_edge(ab)?.twin().key();
+    let ba = map.at(ab).twin().key();
     let bc = map.connect(ba, c, Split::default())?.half_edge;
-    let cb = map.half_edge(bc)?.twin().key();
+    let cb = map.at(bc).twin().key();
     // The third edge joins two corners of one cycle. It splits the face, and the new face is to its left.
     let ca = map.connect(cb, ab, Split { new_face: Side::Left, inner: &[] })?;
-    Ok((ca.half_edge, map.half_edge(ca.half_edge)?.face().key()))
+    Ok((ca.half_edge, map.at(ca.half_edge).face().key()))
 }
 
 fn main() -> Result<(), OperatorError> {
@@ -36,7 +36,7 @@ fn main() -> Result<(), OperatorError> {
         let outer = face.outer().map_or(0, |boundary| boundary.half_edges().count());
         println!("  {}: {outer} half-edges around it, {} hole(s) in it", names[face.key()], face.inner_count());
     }
-    let h = map.half_edge(shore)?;
+    let h = map.at(shore);
     println!("on this shore: {} to the left, {} to the right", names[h.face().key()], names[h.twin().face().key()]);
     assert_eq!((h.face().key(), h.twin().face().key()), (lake, land));
 

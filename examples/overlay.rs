@@ -3,23 +3,21 @@
 use twinedge::algorithm::area::{face_area, feature_area};
 use twinedge::algorithm::contour::of_faces;
 use twinedge::algorithm::overlay::{Operation, overlay};
-use twinedge::geometry::Point;
 use twinedge::geometry::noding::Snap;
 use twinedge::map::{Builder, Feature, Shape};
 
-fn polygon(name: &str, corners: &[[f64; 2]]) -> Feature {
-    let ring = corners.iter().copied().map(Point::from).collect();
-    Feature { name: Some(name.to_owned()), shapes: vec![Shape::Polygon(vec![ring])], ..Feature::default() }
+fn polygon(name: &str, corners: [[f64; 2]; 4]) -> Feature {
+    Feature { name: Some(name.to_owned()), shapes: vec![Shape::polygon(corners)], ..Feature::default() }
 }
 
 fn main() -> Result<(), Box<dyn std::error::Error>> {
     let mut parcels = Builder::new();
-    parcels.feature(&polygon("the Miller's", &[[0.0, 0.0], [40.0, 0.0], [40.0, 30.0], [0.0, 30.0]]))?;
-    parcels.feature(&polygon("the Potter's", &[[40.0, 0.0], [90.0, 0.0], [90.0, 30.0], [40.0, 30.0]]))?;
+    parcels.feature(&polygon("the Miller's", [[0.0, 0.0], [40.0, 0.0], [40.0, 30.0], [0.0, 30.0]]))?;
+    parcels.feature(&polygon("the Potter's", [[40.0, 0.0], [90.0, 0.0], [90.0, 30.0], [40.0, 30.0]]))?;
     let parcels = parcels.build()?;
 
     let mut flood = Builder::new();
-    let water = flood.feature(&polygon("water", &[[20.0, -9.0], [100.0, -9.0], [100.0, 7.0], [20.0, 15.0]]))?;
+    let water = flood.feature(&polygon("water", [[20.0, -9.0], [100.0, -9.0], [100.0, 7.0], [20.0, 15.0]]))?;
     let flood = flood.build()?;
 
     let both = overlay(&parcels, &flood, Snap::Auto)?;

@@ -37,12 +37,12 @@ fn border(map: &PlanarMap, located: Located) -> Result<String, Box<dyn Error>> {
     Ok(match located {
         Located::Face(face) => name(map, face)?,
         Located::Edge(half_edge) => {
-            let h = map.dcel().half_edge(half_edge)?;
+            let h = map.dcel().at(half_edge);
             let (left, right) = (h.face().key(), h.twin().face().key());
             format!("the border of {} and {}", name(map, left)?, name(map, right)?)
         }
         Located::Vertex(vertex) => {
-            let around = map.dcel().vertex(vertex)?.rotation().map(|h| h.face().key());
+            let around = map.dcel().at(vertex).rotation().map(|h| h.face().key());
             let names: Result<Vec<String>, _> = around.map(|face| name(map, face)).collect();
             format!("the corner of {}", names?.join(", "))
         }
@@ -69,7 +69,7 @@ fn main() -> Result<(), Box<dyn Error>> {
         countries.into_iter().all(around)
     });
     let corner = corner.ok_or("there is one")?;
-    let p = map.position(corner.key())?;
+    let p = map[corner.key()];
     println!("{}, {} is {}", p.x, p.y, border(&map, locator.locate(p)?)?);
     assert_eq!(locator.locate(p)?, Located::Vertex(corner.key()));
 

@@ -1,16 +1,13 @@
 //! A doubly connected edge list (DCEL, half-edge structure) for planar subdivisions, and a validator for anybody's.
 //!
 //! ```
-//! use twinedge::geometry::Point;
 //! use twinedge::map::{Builder, Shape};
 //! use twinedge::validate::{Collect, Expectation, Rule, Table, validate};
 //!
-//! // Build: a square with a square hole in it. The hole winds the other way, and each ring ends where it begins.
-//! let ring = |points: [[f64; 2]; 5]| points.map(Point::from).to_vec();
-//! let square = ring([[0.0, 0.0], [9.0, 0.0], [9.0, 9.0], [0.0, 9.0], [0.0, 0.0]]);
-//! let hole = ring([[3.0, 3.0], [3.0, 6.0], [6.0, 6.0], [6.0, 3.0], [3.0, 3.0]]);
+//! // Build: a square with a square hole in it.
+//! let square = Shape::polygon([[0.0, 0.0], [9.0, 0.0], [9.0, 9.0], [0.0, 9.0]]);
 //! let mut builder = Builder::new();
-//! builder.shape(&Shape::Polygon(vec![square, hole]))?;
+//! builder.shape(&square.hole([[3.0, 3.0], [3.0, 6.0], [6.0, 6.0], [6.0, 3.0]]))?;
 //! let map = builder.build()?;
 //!
 //! // Walk: around the face between the squares, and across its edges.
@@ -28,7 +25,7 @@
 //! let h = between.outer_half_edge().unwrap().index();
 //! table.half_edges[h].as_mut().unwrap().next = Some(h);
 //! let report = validate(&table, &Expectation::plane(), Collect::All);
-//! assert_eq!(report.violations()[0].rule(), Rule::L2);
+//! assert_eq!(report.first().unwrap().rule(), Rule::L2);
 //! # Ok::<(), twinedge::map::BuildError>(())
 //! ```
 //!
@@ -162,6 +159,9 @@
 #![cfg_attr(docsrs, feature(doc_cfg))]
 
 extern crate alloc;
+
+#[forbid(unsafe_code)]
+mod slots;
 
 #[forbid(unsafe_code)]
 pub mod validate;

@@ -268,8 +268,8 @@ twinedge_status twinedge_follow_inner(twinedge_structure *structure,
                                       twinedge_inner_of function,
                                       void *context);
 
-// What a library promises, instead of `PLANE`: `surface_mesh` and `arrangement_2` (CGAL), `openmesh`, `trimesh`, `compas`,
-// `networkx`. Errors: `NULL`, `UNKNOWN`.
+// Holds the structure to the promises of a library, instead of `PLANE`: `surface_mesh` and `arrangement_2` (CGAL), `openmesh`, `trimesh`,
+// `compas`, `networkx`. All columns that are given are looked at. Errors: `NULL`, `UNKNOWN`.
 twinedge_status twinedge_preset(twinedge_structure *structure,
                                 const char *name);
 

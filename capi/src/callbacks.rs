@@ -16,7 +16,7 @@ use crate::names::{Link, Record};
 use rustc_hash::FxHashMap;
 use std::ffi::c_void;
 use std::sync::atomic::AtomicI64;
-use twinedge::validate::interchange::Column;
+use twinedge_columns::Column;
 
 /// Where a link of a record leads: a record, or null for nil. It gets the context and a record, and is called once for each record. It
 /// must not throw: that ends the process.

@@ -16,7 +16,7 @@
 use crate::failure::{Failure, Status};
 use std::ffi::c_void;
 use std::sync::atomic::{AtomicI32, AtomicI64, AtomicU8, AtomicU32, AtomicU64, Ordering::Relaxed};
-use twinedge::validate::interchange::{Cell, Column};
+use twinedge_columns::{Cell, Column};
 
 /// The type of a column.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]

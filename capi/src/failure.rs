@@ -1,6 +1,6 @@
 //! What is wrong with a call.
 
-use twinedge::validate::interchange::ColumnsError;
+use twinedge_columns::ColumnsError;
 
 /// What a call returns: 0, or why it failed.
 #[repr(C)]

@@ -7,8 +7,8 @@ use crate::names::{Link, Record};
 use crate::plan::Plan;
 use crate::words::Words;
 use std::sync::atomic::{AtomicI32, AtomicI64, AtomicU32, AtomicU64};
-use twinedge::validate::interchange::{Boundaries, Cell, Column, Columns};
 use twinedge::validate::{Collect, Expectation, Report};
+use twinedge_columns::{Boundaries, Cell, Column, Columns};
 
 /// The columns of a structure, and how many records there are where the caller has said so.
 struct Given<'a, T> {

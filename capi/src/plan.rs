@@ -4,8 +4,8 @@ use crate::callbacks::{Callback, InnerOf, LinkOf};
 use crate::cells::{Cells, Width};
 use crate::failure::{Failure, Status};
 use crate::names::{Expect, Link, Record};
-use twinedge::validate::interchange::Preset;
 use twinedge::validate::{Collect, Expectation};
+use twinedge_columns::Preset;
 
 /// What is expected.
 #[derive(Clone, Debug, Default)]
@@ -25,11 +25,6 @@ pub(crate) struct Asked {
 }
 
 impl Asked {
-    /// Whether a preset was asked for.
-    pub(crate) const fn is_preset(&self) -> bool {
-        self.preset.is_some()
-    }
-
     pub(crate) const fn set(&mut self, what: Expect, number: usize) {
         let flag = number != 0;
         match what {

@@ -264,8 +264,8 @@ pub unsafe extern "C" fn twinedge_follow_inner(
     unsafe { set(structure, setting) }
 }
 
-/// What a library promises, instead of `PLANE`: `surface_mesh` and `arrangement_2` (CGAL), `openmesh`, `trimesh`, `compas`,
-/// `networkx`. Errors: `NULL`, `UNKNOWN`.
+/// Holds the structure to the promises of a library, instead of `PLANE`: `surface_mesh` and `arrangement_2` (CGAL), `openmesh`, `trimesh`,
+/// `compas`, `networkx`. All columns that are given are looked at. Errors: `NULL`, `UNKNOWN`.
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn twinedge_preset(structure: *mut Structure, name: *const c_char) -> Status {
     if name.is_null() {

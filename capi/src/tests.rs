@@ -126,7 +126,7 @@ fn all_kinds_speak_of_the_header() {
                 "::",
                 "Expectation",
                 "Part",
-                "without(",
+                "View",
                 "_slots",
                 "outer_half_edge",
                 "no_unused",

@@ -1,4 +1,4 @@
-//! Reports in the words of the header. The library speaks to programs in Rust: of expectations, of views and of their methods.
+//! Reports in the words of the header. The library speaks to programs in Rust: of expectations, of views and their parts.
 
 use crate::names::Link;
 use crate::plan::Plan;
@@ -17,7 +17,6 @@ const EXACT: u64 = (1 << 53) - 1;
 #[derive(Debug, Default)]
 pub(crate) struct Words {
     given: [bool; Link::KINDS],
-    preset: bool,
     pointers: bool,
     /// By the position of a violation in the list: the number that a column holds there, where the library has no index for it.
     numbers: Vec<(usize, i128)>,
@@ -99,11 +98,11 @@ const fn link_of(part: Part) -> Option<Link> {
 fn hint(line: &str) -> String {
     let mut line = Cow::Borrowed(line);
     for (before, after) in [
-        ("use `Expectation::without(Part::Prev)`", "do not give `TWINEDGE_LINK_PREV`"),
-        ("use `Expectation::without(Part::Leaving)`", "do not give `TWINEDGE_LINK_LEAVING`"),
-        ("use `Expectation::without(Part::Faces)`", "do not give `TWINEDGE_LINK_FACE`"),
+        ("leave `Part::Prev` out of `View::parts`", "do not give `TWINEDGE_LINK_PREV`"),
+        ("leave `Part::Leaving` out of `View::parts`", "do not give `TWINEDGE_LINK_LEAVING`"),
+        ("leave `Part::Faces` out of `View::parts`", "do not give `TWINEDGE_LINK_FACE`"),
         (
-            "use `Expectation::without(Part::BoundaryComponents)`",
+            "leave `Part::BoundaryComponents` out of `View::parts`",
             "give `TWINEDGE_LINK_FACE` instead of `TWINEDGE_LINK_BOUNDARY`",
         ),
         ("use `Expectation::open()`", "expect `TWINEDGE_EXPECTED_OPEN`"),
@@ -136,12 +135,8 @@ fn hold(value: &mut Value) {
 impl Words {
     /// `number` reads the integer that a column of the caller holds.
     pub(crate) fn new(plan: &Plan, report: &Report, number: impl Fn(Link, usize) -> Option<i128>) -> Self {
-        let mut words = Self {
-            given: Link::ALL.map(|link| plan.gives(link)),
-            preset: plan.asked.is_preset(),
-            pointers: plan.width.is_none(),
-            numbers: Vec::new(),
-        };
+        let mut words =
+            Self { given: Link::ALL.map(|link| plan.gives(link)), pointers: plan.width.is_none(), numbers: Vec::new() };
         for (position, violation) in report.violations().iter().enumerate() {
             let Violation::Dangling { record, field, value: usize::MAX } = *violation else { continue };
             let Some((link, at)) = words.place(record, field, &number) else { continue };
@@ -212,8 +207,8 @@ impl Words {
     fn lacks(&self, part: Part) -> String {
         match link_of(part) {
             Some(link) if !self.gives(link) => format!("{} was not given", link.constant()),
-            _ if self.preset => format!("the preset leaves out {}", part.name()),
-            _ => format!("{} are not read", part.name()),
+            // It is given, and the structure is no plane one.
+            _ => format!("{} are not looked at on surfaces", part.name()),
         }
     }
 

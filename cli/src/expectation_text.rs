@@ -1,18 +1,7 @@
-//! An expectation as one line of text: what the tables in a file are held to.
+//! An expectation as one line of text: the claims to which the tables in a file are held.
 
 use std::fmt;
-use twinedge::validate::{Expectation, Part, Rule, Surface};
-
-/// The parts by name.
-const PARTS: [(Part, &str); 7] = [
-    (Part::Prev, "prev"),
-    (Part::Leaving, "leaving"),
-    (Part::Faces, "faces"),
-    (Part::BoundaryComponents, "boundaries"),
-    (Part::Places, "places"),
-    (Part::Holes, "holes"),
-    (Part::UnboundedFace, "unbounded-face"),
-];
+use twinedge::validate::{Expectation, Rule, Surface};
 
 /// How a rule is asked for: by its word alone, or with a number.
 #[derive(Clone, Copy)]
@@ -33,7 +22,7 @@ const ASKED: [(Rule, &str, Ask); 8] = [
     (Rule::M8, "border-kept", Ask::Plain(Expectation::border_kept)),
 ];
 
-/// An expectation in words: `plane`, or `surface open without prev places asking closed genus 0`.
+/// An expectation in words: `plane`, or `surface open asking closed genus 0`.
 pub(crate) struct ExpectationText(pub(crate) Expectation);
 
 impl fmt::Display for ExpectationText {
@@ -43,11 +32,6 @@ impl fmt::Display for ExpectationText {
         if expectation.is_open() {
             f.write_str(" open")?;
         }
-        let mut lacks = PARTS.iter().filter(|(part, _)| !expectation.has(*part)).map(|(_, name)| *name).peekable();
-        if lacks.peek().is_some() {
-            f.write_str(" without")?;
-        }
-        lacks.try_for_each(|name| write!(f, " {name}"))?;
         let mut asked = ASKED.iter().filter(|(rule, ..)| expectation.asks_for(*rule)).peekable();
         if asked.peek().is_some() {
             f.write_str(" asking")?;
@@ -59,7 +43,7 @@ impl fmt::Display for ExpectationText {
     }
 }
 
-/// Reads an expectation in words. What is wrong otherwise.
+/// Reads an expectation in words. The error says what is wrong.
 pub(crate) fn parse(text: &str) -> Result<Expectation, String> {
     let mut words = text.split_whitespace().peekable();
     let mut expectation = match words.next() {
@@ -70,18 +54,10 @@ pub(crate) fn parse(text: &str) -> Result<Expectation, String> {
     if words.next_if_eq(&"open").is_some() {
         expectation = expectation.open();
     }
-    if words.next_if_eq(&"without").is_some() {
-        while let Some(word) = words.next_if(|word| *word != "asking") {
-            let (part, _) = PARTS.iter().find(|(_, name)| *name == word).ok_or_else(|| {
-                format!("there is no part `{word}`; the parts are {}", list(PARTS.map(|(_, name)| name)))
-            })?;
-            expectation = expectation.without(*part);
-        }
-    }
     match words.next() {
         None => return Ok(expectation),
         Some("asking") => {}
-        Some(word) => return Err(format!("expected `open`, `without` or `asking` in place of `{word}`")),
+        Some(word) => return Err(format!("expected `open` or `asking` in place of `{word}`")),
     }
     while let Some(word) = words.next() {
         let (.., ask) = ASKED
@@ -109,21 +85,15 @@ mod tests {
 
     #[test]
     fn every_expectation_is_read_as_it_was_written() {
-        for (part, _) in PARTS {
-            for expectation in [Expectation::plane(), Expectation::surface(), Expectation::surface().open()] {
-                for expectation in
-                    [expectation, expectation.without(part), expectation.without(part).without(Part::Prev)]
-                {
-                    assert_eq!(parse(&ExpectationText(expectation).to_string()), Ok(expectation));
-                }
-            }
+        for expectation in [Expectation::plane(), Expectation::surface(), Expectation::surface().open()] {
+            assert_eq!(parse(&ExpectationText(expectation).to_string()), Ok(expectation));
         }
         assert_eq!(ExpectationText(Expectation::plane()).to_string(), "plane");
     }
 
     #[test]
     fn what_is_asked_for_is_read_as_it_was_written() {
-        let mut all = Expectation::surface().open().without(Part::Prev);
+        let mut all = Expectation::surface().open();
         for (rule, word, ask) in ASKED {
             let [one, more] = [Expectation::plane(), all].map(|expectation| match ask {
                 Ask::Plain(ask) => ask(expectation),
@@ -138,7 +108,7 @@ mod tests {
         }
         assert_eq!(
             ExpectationText(all).to_string(),
-            "surface open without prev holes unbounded-face asking no-unused-vertices simple sides 7 closed components 7 \
+            "surface open asking no-unused-vertices simple sides 7 closed components 7 \
              borders 7 genus 7 border-kept"
         );
         assert_eq!(parse("plane open asking closed"), Ok(Expectation::plane().open().closed()));
@@ -150,7 +120,7 @@ mod tests {
             ("", "`plane` or `surface`"),
             ("sphere", "`plane` or `surface`"),
             ("plane closed", "`closed`"),
-            ("plane without handles", "no part `handles`; the parts are prev,"),
+            ("plane without faces", "`open` or `asking` in place of `without`"),
             ("plane asking handles", "`handles` cannot be asked for, but no-unused-vertices, simple,"),
             ("plane asking genus", "a number after `genus`"),
             ("plane asking sides three", "a number after `sides`"),

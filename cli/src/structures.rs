@@ -101,12 +101,12 @@ impl StructureName {
             }
             Self::RotationSystem => {
                 let source = TestSource {
-                    imports: &[PROGRAM],
+                    imports: &[PROGRAM, EXPECTATION],
                     make: "RotationSystem::new()",
-                    expectation: "RotationSystem::expectation()",
+                    expectation: "Expectation::plane()",
                     remark: "",
                 };
-                task.run(Structure::new(name, RotationSystem::new, RotationSystem::expectation()).source(source))
+                task.run(Structure::new(name, RotationSystem::new, Expectation::plane()).source(source))
             }
             Self::Planted => task.run(Structure::new(name, Planted::<false>::default, plane).source(PLANTED)),
             Self::Panicking => task.run(Structure::new(name, Planted::<true>::default, plane).source(PLANTED)),

@@ -38,7 +38,7 @@ pub fn programs(bytes: &[u8]) {
 pub fn in_step(bytes: &[u8]) {
     let program = program(bytes);
     conforms(&program, Dcel::new(), Expectation::plane());
-    conforms(&program, RotationSystem::new(), RotationSystem::expectation());
+    conforms(&program, RotationSystem::new(), Expectation::plane());
     conforms(&program, Dcel::<PointerStore>::default(), Expectation::plane());
     conforms(&program, Dcel::<FixedStore<255, 127, 255, 255>>::default(), Expectation::plane());
     conforms(&program, Dcel::<FixedStore<4, 5, 4, 3>>::default(), Expectation::plane());

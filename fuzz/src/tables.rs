@@ -5,10 +5,10 @@ use std::cell::RefCell;
 use twinedge::dcel::Dcel;
 use twinedge::program::choose::Choose;
 use twinedge::program::{Program, Runner};
-use twinedge::validate::forms::projections;
+use twinedge::validate::forms::{Form, projections};
 use twinedge::validate::reference::{broken_rules, disagreement};
 use twinedge::validate::{
-    BoundaryPlace, BoundaryRow, Collect, Expectation, FaceRow, HalfEdgeRow, Link, Part, Report, Start, Table,
+    BoundaryPlace, BoundaryRow, Collect, Expectation, FaceRow, HalfEdgeRow, Link, Part, Parts, Report, Start, Table,
     VertexRow, View, validate,
 };
 
@@ -55,6 +55,7 @@ impl Source<'_> {
         let [v, h, b, f] = [(); 4].map(|()| self.below(most));
         let longest = 4;
         Table {
+            parts: Parts::ALL,
             vertices: self.rows(v, |s| VertexRow { leaving: s.link(h), isolated: s.link(b) }),
             half_edges: self.rows(h, |s| HalfEdgeRow {
                 origin: s.link(v),
@@ -78,38 +79,30 @@ impl Source<'_> {
         }
     }
 
-    fn expectation(&mut self) -> Expectation {
+    fn form(&mut self) -> Form {
         let mut expectation = if self.one_in(4) { Expectation::surface() } else { Expectation::plane() };
         if self.one_in(4) {
             expectation = expectation.open();
         }
+        let mut parts = Parts::ALL;
         if self.one_in(2) {
-            let parts = [
-                Part::Prev,
-                Part::Leaving,
-                Part::Faces,
-                Part::BoundaryComponents,
-                Part::Places,
-                Part::Holes,
-                Part::UnboundedFace,
-            ];
-            for part in parts {
+            for part in Part::ALL {
                 if self.one_in(3) {
-                    expectation = expectation.without(part);
+                    parts = parts.without(part);
                 }
             }
         }
-        expectation
+        Form::new(expectation, parts)
     }
 
-    /// A map that is right under the expectation, with a few cells set to something else.
-    fn corrupt_map(&mut self, expectation: Expectation) -> Table {
+    /// A map that is right in this form, with a few cells set to something else.
+    fn corrupt_map(&mut self, form: Form) -> Table {
         let corruptions = self.below(4);
         let choices: Vec<(usize, usize)> =
             (0..corruptions).map(|_| (self.below(0x1_0000), self.below(0x1_0000))).collect();
-        let mut table = right_map(self.0.bytes(self.0.len()).unwrap_or_default(), &expectation);
+        let mut table = right_map(self.0.bytes(self.0.len()).unwrap_or_default(), &form);
         for (cell, value) in choices {
-            let cells = table.cells(&expectation);
+            let cells = table.cells(form.parts);
             let Some(cell) = cells.get(cell % cells.len().max(1)) else { continue };
             let values = table.values(*cell);
             table.set(*cell, values[value % values.len()]);
@@ -118,19 +111,19 @@ impl Source<'_> {
     }
 }
 
-/// The map that a program makes, as a structure with the parts of the expectation keeps it. If open boundaries are expected, the
+/// The map that a program makes, as a structure of this form keeps it. If open boundaries are expected, the
 /// bytes decide whether it has one, and where.
 ///
 /// # Panics
 /// Never: there is always a form that is right.
 #[must_use]
-pub fn right_map(program: &[u8], expectation: &Expectation) -> Table {
+pub fn right_map(program: &[u8], form: &Form) -> Table {
     let mut forms = {
         let mut program = Program::from_bytes(program);
         program.0.truncate(40);
         let mut runner = Runner::new(Dcel::new());
         runner.run(&program);
-        projections(&Table::copy_of(runner.subject()).unwrap_or_default(), expectation)
+        projections(&Table::copy_of(runner.subject()).unwrap_or_default(), form)
     };
     // No byte is taken for this, so that inputs keep their meaning.
     let chosen = program.iter().fold(0_usize, |sum, byte| sum + usize::from(*byte)) % forms.len();
@@ -139,6 +132,7 @@ pub fn right_map(program: &[u8], expectation: &Expectation) -> Table {
 
 /// A structure that says something else each time it is asked.
 struct Fickle<'a> {
+    parts: Parts,
     slots: [usize; 4],
     source: RefCell<Source<'a>>,
 }
@@ -150,6 +144,9 @@ impl Fickle<'_> {
 }
 
 impl View for Fickle<'_> {
+    fn parts(&self) -> Parts {
+        self.parts
+    }
     fn vertex_slots(&self) -> usize {
         self.slots[0]
     }
@@ -229,15 +226,16 @@ impl View for Fickle<'_> {
 pub fn validator_total(bytes: &[u8]) {
     let mut source = Source(Unstructured::new(bytes));
     let mode = source.below(4);
-    let expectation = source.expectation();
+    let form = source.form();
+    let Form { expectation, parts } = form;
     match mode {
-        0 => judged(&source.table(), expectation),
+        0 => judged(&Table { parts, ..source.table() }, expectation),
         3 => {
             let slots = [(); 4].map(|()| source.below(64));
-            let fickle = Fickle { slots, source: RefCell::new(source) };
+            let fickle = Fickle { parts, slots, source: RefCell::new(source) };
             coherent(&validate(&fickle, &expectation, Collect::AtMost(5)), 5);
         }
-        _ => judged(&source.corrupt_map(expectation), expectation),
+        _ => judged(&source.corrupt_map(form), expectation),
     }
 }
 
@@ -261,6 +259,6 @@ fn coherent(report: &Report, cap: usize) {
     let found = report.violation_count();
     assert_eq!(report.violations().len() as u64, found.min(cap as u64), "{report}");
     assert!(found == 0 || !report.is_valid(), "{report}");
-    assert_eq!(report.certificate().is_some(), report.is_valid(), "{report}");
+    assert_eq!(report.figures().is_some(), report.is_valid(), "{report}");
     assert!(!report.to_string().is_empty());
 }

@@ -1,23 +1,24 @@
-//! The maps that `validator_total` corrupts are right from the start, under every expectation.
+//! The maps that `validator_total` corrupts are right from the start, in every form.
 
 use std::fs;
 use std::path::Path;
-use twinedge::validate::forms::expectations;
+use twinedge::validate::forms::{Form, forms};
 use twinedge::validate::reference::first_broken_rule;
 use twinedge::validate::{Collect, validate};
 use twinedge_fuzz::right_map;
 
 #[test]
-fn the_maps_to_corrupt_are_right_under_every_expectation() {
+fn the_maps_to_corrupt_are_right_in_every_form() {
     let folder = Path::new(env!("CARGO_MANIFEST_DIR")).join("corpus");
     let (mut judged, mut open) = (0, 0);
     for target in ["programs", "validator_total"] {
         for file in fs::read_dir(folder.join(target)).unwrap() {
             let mut bytes = fs::read(file.unwrap().path()).unwrap();
-            for (expectation, form) in expectations().into_iter().flat_map(|one| [(one, 0), (one, 1), (one, 2)]) {
+            for (form, last) in forms().into_iter().flat_map(|one| [(one, 0), (one, 1), (one, 2)]) {
+                let Form { expectation, .. } = form;
                 // The last byte that is taken chooses another form.
-                bytes.push(form);
-                let table = right_map(&bytes, &expectation);
+                bytes.push(last);
+                let table = right_map(&bytes, &form);
                 bytes.pop();
                 let report = validate(&table, &expectation, Collect::First);
                 assert!(report.is_valid(), "{table}\n{expectation:?}\n{report}");

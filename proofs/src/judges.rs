@@ -2,8 +2,8 @@
 
 use twinedge::program::choose::Choose;
 use twinedge::validate::{
-    BoundaryPlace, BoundaryRow, Collect, Expectation, FaceRow, HalfEdgeRow, Link, Part, Rule, Start, Table, VertexRow,
-    reference, validate,
+    BoundaryPlace, BoundaryRow, Collect, Expectation, FaceRow, HalfEdgeRow, Link, Part, Parts, Rule, Start, Table,
+    VertexRow, reference, validate,
 };
 
 /// Whose opinion is asked.
@@ -84,7 +84,8 @@ fn choose_table(tables: Tables, source: &mut impl Choose) -> (Table, Expectation
                 let leaving = choose_link(half_edges, source);
                 table.vertices.push(Some(VertexRow { leaving, isolated: None }));
             }
-            (table, Expectation::plane().without(Part::Faces))
+            table.parts = Parts::ALL.without(Part::Faces);
+            (table, Expectation::plane())
         }
         Tables::Vertex => {
             let (leaving, isolated) = (choose_link(0, source), choose_link(1, source));

@@ -23,7 +23,7 @@ use numpy::{Element, PyArray1, PyArrayMethods, PyUntypedArrayMethods};
 use pyo3::exceptions::{PyTypeError, PyValueError};
 use pyo3::prelude::*;
 use std::sync::atomic::{AtomicI32, AtomicI64, AtomicU32, AtomicU64, Ordering::Relaxed};
-use twinedge::validate::interchange::{Cell, Column};
+use twinedge_columns::{Cell, Column};
 
 /// An integer of numpy, with the atomic integer as which it is read.
 pub(crate) trait Atomic: Element {

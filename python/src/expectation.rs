@@ -3,7 +3,7 @@
 use pyo3::exceptions::PyValueError;
 use pyo3::prelude::*;
 use twinedge::validate::Expectation;
-use twinedge::validate::interchange::Preset;
+use twinedge_columns::Preset;
 
 /// The rules that must be asked for, and how many violations are listed.
 #[derive(FromPyObject)]

@@ -16,7 +16,7 @@ fn _twinedge(module: &Bound<'_, PyModule>) -> PyResult<()> {
     module.add("__version__", env!("CARGO_PKG_VERSION"))?;
     module.add("REPORT_SCHEMA", twinedge::validate::REPORT_SCHEMA)?;
     module.add("DEFAULT_LIST", twinedge::validate::Collect::DEFAULT_CAP)?;
-    module.add("PRESETS", twinedge::validate::interchange::Preset::ALL.iter().map(|p| p.name()).collect::<Vec<_>>())?;
+    module.add("PRESETS", twinedge_columns::Preset::ALL.iter().map(|p| p.name()).collect::<Vec<_>>())?;
     module.add("KINDS", twinedge::validate::Violation::KINDS.to_vec())?;
     let of_meshes = twinedge_formats::mesh::Kind::ALL.iter().map(|kind| kind.name());
     let of_coverages = twinedge::algorithm::coverage::CoverageRule::ALL.iter().map(|rule| rule.name());

@@ -10,8 +10,8 @@ use pyo3::prelude::*;
 use pyo3::types::PyDict;
 use std::cell::{Cell, RefCell};
 use twinedge::delegate_view;
-use twinedge::validate::interchange::{Columns, OnView};
 use twinedge::validate::{self as rules, Collect, Expectation, Link, Report, View, Violation};
+use twinedge_columns::{Columns, OnView};
 
 /// How many half-edges are walked from one look at signals to the next.
 const BETWEEN_SIGNALS: u32 = 1 << 18;
@@ -125,13 +125,13 @@ fn judge<T: Atomic>(
     let column = |i: usize| cells[i].map(|cells| cells.column()).transpose();
     let [origin, target, twin, next, prev, face, leaving, face_half_edge] =
         [column(0)?, column(1)?, column(2)?, column(3)?, column(4)?, column(5)?, column(6)?, column(7)?];
-    let wrong = |error: twinedge::validate::interchange::ColumnsError| PyValueError::new_err(error.to_string());
+    let wrong = |error: twinedge_columns::ColumnsError| PyValueError::new_err(error.to_string());
     let next = next.ok_or_else(|| PyTypeError::new_err("next: missing"))?;
     let ((Some(ends), None) | (None, Some(ends))) = (origin, target) else {
         return Err(PyTypeError::new_err("give either origin or target"));
     };
     // A link beyond dangles, and must not make as many records.
-    let slots = |column: twinedge::validate::interchange::Column<'_, T::As>| column.slots().min(next.len());
+    let slots = |column: twinedge_columns::Column<'_, T::As>| column.slots().min(next.len());
     let vertices = vertices.or_else(|| leaving.map(|l| l.len())).unwrap_or_else(|| slots(ends));
     let mut columns = Columns::paired(vertices, ends, next).map_err(|error| {
         // The column has one of two names.
@@ -158,18 +158,18 @@ fn judge<T: Atomic>(
         columns = columns.with_outer_half_edge(kept).map_err(wrong)?;
     }
     let memory = || PyMemoryError::new_err("not enough memory, or more than 4,294,967,294 records of a kind");
-    columns.with_view(expectation, Run(collect)).ok_or_else(memory)?
+    columns.with_view(Run(expectation, collect)).ok_or_else(memory)?
 }
 
 /// Validates, until it is interrupted.
-struct Run(Collect);
+struct Run(Expectation, Collect);
 
 impl OnView for Run {
     type Output = PyResult<Report>;
 
-    fn on<V: View>(self, view: V, expectation: &Expectation) -> PyResult<Report> {
+    fn on<V: View>(self, view: V) -> PyResult<Report> {
         let view = Interruptible::new(view);
-        let report = rules::validate(&view, expectation, self.0);
+        let report = rules::validate(&view, &self.0, self.1);
         match view.raised.into_inner() {
             None => Ok(report),
             Some(error) => Err(error),

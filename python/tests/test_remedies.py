@@ -1,21 +1,37 @@
 """Remedies are in the arguments of this package."""
 
+import json
 import re
+from itertools import product
 from pathlib import Path
 
 import shapely
 
 import twinedge
+from twinedge import _twinedge
 from twinedge._remedies import REMEDIES
 
-LIBRARY = (Path(__file__).parents[2] / "src" / "validate" / "violation.rs").read_text()
-#: What somebody who writes Python cannot call.
-OF_RUST = re.compile(r"::|Expectation|Part\b|Builder|_slots|no_unused_vertices|outer_half_edge|`outer`|\bwithout\(")
+PAGE = (Path(__file__).parents[2] / "docs" / "report.md").read_text()
+#: Of these there is one for each field of a violation.
+VALUES = [0, {"face": 0}, "twin", [0, 0], "outer", None]
+#: Names that nobody who writes Python can call.
+OF_RUST = re.compile(r"::|Expectation|Part\b|Builder|_slots|no_unused_vertices|outer_half_edge|`outer`|\bView\b")
+
+
+def explained(kind, fields):
+    """Cause and remedy of the kind, of which a violation is made up."""
+    for values in product(VALUES, repeat=len(fields)):
+        entry = {"kind": kind} | ({"fields": dict(zip(fields, values, strict=True))} if fields else {})
+        try:
+            return _twinedge.explain(json.dumps(entry))
+        except ValueError:
+            pass
+    raise AssertionError(kind)
 
 
 def of_library():
-    entries = re.findall(r'"([a-z_]+)"\n\s+"(?:[^"\\]|\\.)*"\n\s+cause "([^"]*)"\n\s+remedy "([^"]*)"', LIBRARY)
-    return {kind: (cause, remedy) for kind, cause, remedy in entries}
+    rows = re.findall(r"^\| `([a-z_]+)` \| [A-Z]\d \| ([^|]*) \|", PAGE, re.M)
+    return {kind: explained(kind, re.findall(r"`(\w+)`", fields)) for kind, fields in rows}
 
 
 def test_no_kind_speaks_of_rust():

@@ -104,9 +104,9 @@ pub fn boundary_area(map: &PlanarMap, key: BoundaryKey) -> Result<f64, StaleKey>
 /// use twinedge::algorithm::area::face_area;
 /// use twinedge::map::{Builder, Shape};
 ///
-/// let square = |low: f64, high: f64| [[low, low], [high, low], [high, high], [low, high]].map(Into::into).to_vec();
+/// let square = |low: f64, high: f64| [[low, low], [high, low], [high, high], [low, high]];
 /// let mut builder = Builder::new();
-/// builder.shape(&Shape::Polygon(vec![square(0.0, 3.0), square(1.0, 2.0)]))?;
+/// builder.shape(&Shape::polygon(square(0.0, 3.0)).hole(square(1.0, 2.0)))?;
 /// let map = builder.build()?;
 /// let areas: Vec<f64> = map.dcel().faces().map(|f| face_area(&map, f.key()).unwrap()).collect();
 /// assert_eq!(areas, [f64::INFINITY, 8.0, 1.0]);
@@ -127,9 +127,9 @@ pub fn face_area(map: &PlanarMap, key: FaceKey) -> Result<f64, StaleKey> {
 /// use twinedge::algorithm::area::feature_area;
 /// use twinedge::map::{Builder, Feature, Shape};
 ///
-/// let square = |x: f64| [[x, 0.0], [x + 1.0, 0.0], [x + 1.0, 1.0], [x, 1.0]].map(Into::into).to_vec();
+/// let square = |x: f64| [[x, 0.0], [x + 1.0, 0.0], [x + 1.0, 1.0], [x, 1.0]];
 /// let mut builder = Builder::new();
-/// let shapes = [0.0, 1.0, 5.0].map(|x| Shape::Polygon(vec![square(x)])).to_vec();
+/// let shapes = [0.0, 1.0, 5.0].map(|x| Shape::polygon(square(x))).to_vec();
 /// let estate = builder.feature(&Feature { shapes, ..Feature::default() })?;
 /// assert_eq!(feature_area(&builder.build()?, estate), 3.0);
 /// # Ok::<(), twinedge::map::BuildError>(())

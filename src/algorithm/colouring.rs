@@ -19,10 +19,10 @@ use std::collections::BTreeSet;
 /// use twinedge::algorithm::colouring::feature_colours;
 /// use twinedge::map::{Builder, Shape};
 ///
-/// let square = |x: f64| [[x, 0.0], [x + 1.0, 0.0], [x + 1.0, 1.0], [x, 1.0]].map(Into::into).to_vec();
+/// let square = |x: f64| [[x, 0.0], [x + 1.0, 0.0], [x + 1.0, 1.0], [x, 1.0]];
 /// let mut builder = Builder::new();
 /// for x in [0.0, 1.0, 2.0] {
-///     builder.shape(&Shape::Polygon(vec![square(x)]))?;
+///     builder.shape(&Shape::polygon(square(x)))?;
 /// }
 /// let colours = feature_colours(&builder.build()?);
 /// assert!(colours[0] != colours[1] && colours[1] != colours[2]);

@@ -117,10 +117,10 @@ pub enum ContourError {
 /// use twinedge::map::{Builder, Shape};
 ///
 /// // Two squares side by side: the edge between them vanishes.
-/// let square = |x: f64| [[x, 0.0], [x + 1.0, 0.0], [x + 1.0, 1.0], [x, 1.0]].map(Into::into).to_vec();
+/// let square = |x: f64| [[x, 0.0], [x + 1.0, 0.0], [x + 1.0, 1.0], [x, 1.0]];
 /// let mut builder = Builder::new();
-/// builder.shape(&Shape::Polygon(vec![square(0.0)]))?;
-/// builder.shape(&Shape::Polygon(vec![square(1.0)]))?;
+/// builder.shape(&Shape::polygon(square(0.0)))?;
+/// builder.shape(&Shape::polygon(square(1.0)))?;
 /// let map = builder.build()?;
 /// let contour = of_faces(&map, map.dcel().faces().filter(|f| !f.is_unbounded()).map(Face::key))?;
 /// assert_eq!(contour.polygons.len(), 1);
@@ -172,9 +172,9 @@ pub fn of_faces(map: &PlanarMap, faces: impl IntoIterator<Item = FaceKey>) -> Re
 /// use twinedge::algorithm::contour::of_feature;
 /// use twinedge::map::{Builder, Feature, Shape};
 ///
-/// let square = |x: f64| [[x, 0.0], [x + 1.0, 0.0], [x + 1.0, 1.0], [x, 1.0]].map(Into::into).to_vec();
+/// let square = |x: f64| [[x, 0.0], [x + 1.0, 0.0], [x + 1.0, 1.0], [x, 1.0]];
 /// let mut builder = Builder::new();
-/// let shapes = [0.0, 1.0, 5.0].map(|x| Shape::Polygon(vec![square(x)])).to_vec();
+/// let shapes = [0.0, 1.0, 5.0].map(|x| Shape::polygon(square(x))).to_vec();
 /// let estate = builder.feature(&Feature { shapes, ..Feature::default() })?;
 /// let contour = of_feature(&builder.build()?, estate)?;
 /// let sizes: Vec<f64> = contour.polygons.iter().map(|polygon| polygon.area()).collect();
@@ -194,9 +194,9 @@ pub fn of_feature(map: &PlanarMap, feature: FeatureId) -> Result<Contour, Contou
 /// use twinedge::algorithm::contour::of_features;
 /// use twinedge::map::{Builder, Shape};
 ///
-/// let square = |x: f64| [[x, 0.0], [x + 1.0, 0.0], [x + 1.0, 1.0], [x, 1.0]].map(Into::into).to_vec();
+/// let square = |x: f64| [[x, 0.0], [x + 1.0, 0.0], [x + 1.0, 1.0], [x, 1.0]];
 /// let mut builder = Builder::new();
-/// builder.shape(&Shape::Polygon(vec![square(0.0)]))?;
+/// builder.shape(&Shape::polygon(square(0.0)))?;
 /// builder.segment([0.0, 0.0], [1.0, 1.0])?;
 /// let contours = of_features(&builder.build()?)?;
 /// // The segment cuts the square in two faces, which together are the square. It covers nothing itself.

@@ -253,10 +253,10 @@ view! {
 /// use twinedge::algorithm::dual::borders;
 /// use twinedge::map::{Builder, Shape};
 ///
-/// let square = |x: f64| [[x, 0.0], [x + 1.0, 0.0], [x + 1.0, 1.0], [x, 1.0]].map(Into::into).to_vec();
+/// let square = |x: f64| [[x, 0.0], [x + 1.0, 0.0], [x + 1.0, 1.0], [x, 1.0]];
 /// let mut builder = Builder::new();
 /// for x in [0.0, 1.0, 5.0] {
-///     builder.shape(&Shape::Polygon(vec![square(x)]))?;
+///     builder.shape(&Shape::polygon(square(x)))?;
 /// }
 /// let graph = borders(&builder.build()?);
 /// assert_eq!((graph.node_count(), graph.edge_count(), connected_components(&graph)), (3, 1, 2));
@@ -329,11 +329,11 @@ impl Add for Cost {
 /// use twinedge::algorithm::dual::{By, route};
 /// use twinedge::map::{Builder, Shape};
 ///
-/// let square = |x: f64| [[x, 0.0], [x + 1.0, 0.0], [x + 1.0, 1.0], [x, 1.0]].map(Into::into).to_vec();
+/// let square = |x: f64| [[x, 0.0], [x + 1.0, 0.0], [x + 1.0, 1.0], [x, 1.0]];
 /// let mut builder = Builder::new();
 /// let mut ids = Vec::new();
 /// for x in [0.0, 1.0, 2.0] {
-///     ids.push(builder.shape(&Shape::Polygon(vec![square(x)]))?);
+///     ids.push(builder.shape(&Shape::polygon(square(x)))?);
 /// }
 /// let map = builder.build()?;
 /// let way = route(&map, ids[0], ids[2], By::Borders).unwrap();

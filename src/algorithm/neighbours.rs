@@ -66,10 +66,10 @@ pub struct Pair {
 /// use twinedge::algorithm::neighbours::of_face;
 /// use twinedge::map::{Builder, Shape};
 ///
-/// let square = |x: f64| [[x, 0.0], [x + 1.0, 0.0], [x + 1.0, 1.0], [x, 1.0]].map(Into::into).to_vec();
+/// let square = |x: f64| [[x, 0.0], [x + 1.0, 0.0], [x + 1.0, 1.0], [x, 1.0]];
 /// let mut builder = Builder::new();
-/// builder.shape(&Shape::Polygon(vec![square(0.0)]))?;
-/// builder.shape(&Shape::Polygon(vec![square(1.0)]))?;
+/// builder.shape(&Shape::polygon(square(0.0)))?;
+/// builder.shape(&Shape::polygon(square(1.0)))?;
 /// let map = builder.build()?;
 /// let left = map.dcel().faces().nth(1).unwrap();
 /// let lengths: Vec<f64> = of_face(&map, left.key())?.iter().map(|n| n.length).collect();
@@ -101,9 +101,9 @@ pub fn of_face(map: &PlanarMap, key: FaceKey) -> Result<Vec<Neighbour<FaceKey>>,
 /// use twinedge::algorithm::neighbours::of_feature;
 /// use twinedge::map::{Builder, Shape};
 ///
-/// let square = |x: f64| [[x, 0.0], [x + 1.0, 0.0], [x + 1.0, 1.0], [x, 1.0]].map(Into::into).to_vec();
+/// let square = |x: f64| [[x, 0.0], [x + 1.0, 0.0], [x + 1.0, 1.0], [x, 1.0]];
 /// let mut builder = Builder::new();
-/// let [left, right] = [0.0, 1.0].map(|x| builder.shape(&Shape::Polygon(vec![square(x)])).unwrap());
+/// let [left, right] = [0.0, 1.0].map(|x| builder.shape(&Shape::polygon(square(x))).unwrap());
 /// let map = builder.build()?;
 /// let [border] = &of_feature(&map, left)[..] else { unreachable!("there is one neighbour") };
 /// assert_eq!((border.neighbour, border.length), (right, 1.0));
@@ -135,10 +135,10 @@ pub fn of_feature(map: &PlanarMap, feature: FeatureId) -> Vec<Neighbour<FeatureI
 /// use twinedge::map::{Builder, Noding, Shape};
 ///
 /// // The second square begins half a unit inside the first one.
-/// let square = |x: f64| [[x, 0.0], [x + 9.0, 0.0], [x + 9.0, 9.0], [x, 9.0]].map(Into::into).to_vec();
+/// let square = |x: f64| [[x, 0.0], [x + 9.0, 0.0], [x + 9.0, 9.0], [x, 9.0]];
 /// let mut builder = Builder::new();
-/// builder.shape(&Shape::Polygon(vec![square(0.0)]))?;
-/// builder.shape(&Shape::Polygon(vec![square(8.5)]))?;
+/// builder.shape(&Shape::polygon(square(0.0)))?;
+/// builder.shape(&Shape::polygon(square(8.5)))?;
 /// let map = builder.build_with(Noding::Exact)?;
 /// let [pair] = &pairs(&map)[..] else { unreachable!("there are two features") };
 /// assert_eq!((pair.border.length, pair.border.shared, pair.overlap), (9.0, 0.0, 4.5));
@@ -223,9 +223,9 @@ pub fn touching_face(map: &PlanarMap, key: FaceKey) -> Result<Vec<FaceKey>, Stal
 /// use twinedge::map::{Builder, Shape};
 ///
 /// // Fields of a chessboard that meet at a corner.
-/// let square = |low: f64| [[low, low], [low + 1.0, low], [low + 1.0, low + 1.0], [low, low + 1.0]].map(Into::into).to_vec();
+/// let square = |low: f64| [[low, low], [low + 1.0, low], [low + 1.0, low + 1.0], [low, low + 1.0]];
 /// let mut builder = Builder::new();
-/// let [a1, b2] = [0.0, 1.0].map(|low| builder.shape(&Shape::Polygon(vec![square(low)])).unwrap());
+/// let [a1, b2] = [0.0, 1.0].map(|low| builder.shape(&Shape::polygon(square(low))).unwrap());
 /// let map = builder.build()?;
 /// assert_eq!(touching_feature(&map, a1), [b2]);
 /// assert!(of_feature(&map, a1).is_empty());

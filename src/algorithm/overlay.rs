@@ -159,9 +159,9 @@ impl Overlay {
 /// use twinedge::map::{Builder, Shape};
 ///
 /// let square = |low: f64, high: f64| {
-///     let ring = [[low, low], [high, low], [high, high], [low, high]].map(Into::into).to_vec();
+///     let ring = [[low, low], [high, low], [high, high], [low, high]];
 ///     let mut builder = Builder::new();
-///     let feature = builder.shape(&Shape::Polygon(vec![ring]))?;
+///     let feature = builder.shape(&Shape::polygon(ring))?;
 ///     Ok::<_, twinedge::map::BuildError>((builder.build()?, feature))
 /// };
 /// let ((left, a), (right, b)) = (square(0.0, 3.0)?, square(2.0, 6.0)?);

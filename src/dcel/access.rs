@@ -5,7 +5,67 @@ use super::error::StaleKey;
 use super::structure::Dcel;
 use crate::store::{BoundaryKey, FaceKey, HalfEdgeKey, Store, VertexKey};
 
+mod sealed {
+    pub trait Sealed {}
+}
+
+/// A key of one of the four kinds of element: vertices, half-edges, boundary components and faces.
+pub trait ElementKey: Copy + sealed::Sealed {
+    /// The element that the key names.
+    type Element<'a, S: Store + 'a>;
+
+    /// The element with this key, or none. O(1).
+    fn find<S: Store>(self, dcel: &Dcel<S>) -> Result<Self::Element<'_, S>, StaleKey>;
+}
+
+macro_rules! element_keys {
+    ($($key:ident $element:ident $find:ident;)*) => {$(
+        impl sealed::Sealed for $key {}
+
+        impl ElementKey for $key {
+            type Element<'a, S: Store + 'a> = $element<'a, S>;
+
+            fn find<S: Store>(self, dcel: &Dcel<S>) -> Result<$element<'_, S>, StaleKey> {
+                dcel.$find(self)
+            }
+        }
+    )*};
+}
+
+element_keys! {
+    VertexKey Vertex vertex;
+    HalfEdgeKey HalfEdge half_edge;
+    BoundaryKey Boundary boundary;
+    FaceKey Face face;
+}
+
 impl<S: Store> Dcel<S> {
+    /// The element with this key, which must be live: for keys that were just made or are otherwise known to be. O(1).
+    ///
+    /// [`Index`](core::ops::Index) cannot do this: it returns references to what is stored, and elements are not stored.
+    ///
+    /// # Panics
+    /// Panics if the key is stale. [`vertex`](Self::vertex), [`half_edge`](Self::half_edge), [`boundary`](Self::boundary) and
+    /// [`face`](Self::face) return an error instead.
+    ///
+    /// ```
+    /// use twinedge::dcel::{Dcel, Split};
+    ///
+    /// let mut map = Dcel::new();
+    /// let v = map.add_isolated_vertex(map.unbounded_face().key())?.vertex;
+    /// let h = map.connect(v, v, Split::default())?.half_edge;
+    /// assert_eq!(map.at(h).origin(), map.at(v));
+    /// # Ok::<(), twinedge::dcel::OperatorError>(())
+    /// ```
+    #[must_use]
+    #[track_caller]
+    pub fn at<K: ElementKey>(&self, key: K) -> K::Element<'_, S> {
+        match key.find(self) {
+            Ok(element) => element,
+            Err(stale) => panic!("{stale}"),
+        }
+    }
+
     /// The vertex with this key. O(1).
     ///
     /// # Errors

@@ -8,7 +8,7 @@ use core::fmt;
 use core::hash::{Hash, Hasher};
 
 macro_rules! element {
-    ($(#[$doc:meta])* $name:ident, $slot:ident, $key:ident, $key_of:ident, $index_of:ident) => {
+    ($(#[$doc:meta])* $name:ident, $slot:ident, $key:ident, $key_of:ident, $index_of:ident, $slots:literal) => {
         $(#[$doc])*
         pub struct $name<'a, S: Store = SlotStore> {
             dcel: &'a Dcel<S>,
@@ -58,6 +58,8 @@ macro_rules! element {
             }
 
             /// The index. O(1). Reports name records by it, and while nothing is removed it can index a plain array.
+            ///
+            #[doc = concat!("It is less than [`Dcel::", $slots, "`](Dcel::", $slots, "). An index is used again once its record is removed.")]
             #[must_use]
             #[inline]
             pub fn index(self) -> usize {
@@ -86,7 +88,7 @@ element! {
     /// assert!(v.isolated().is_none());
     /// # Ok::<(), Box<dyn std::error::Error>>(())
     /// ```
-    Vertex, Vertex, VertexKey, vertex_key, vertex_index
+    Vertex, Vertex, VertexKey, vertex_key, vertex_index, "vertex_slots"
 }
 element! {
     /// A half-edge.
@@ -118,7 +120,7 @@ element! {
     /// assert!(!h.face().is_unbounded() && h.twin().face().is_unbounded());
     /// # Ok::<(), Box<dyn std::error::Error>>(())
     /// ```
-    HalfEdge, HalfEdge, HalfEdgeKey, half_edge_key, half_edge_index
+    HalfEdge, HalfEdge, HalfEdgeKey, half_edge_key, half_edge_index, "half_edge_slots"
 }
 element! {
     /// A boundary component: a cycle of half-edges, or one isolated vertex.
@@ -142,7 +144,7 @@ element! {
     /// assert!(other.face().is_unbounded());
     /// # Ok::<(), Box<dyn std::error::Error>>(())
     /// ```
-    Boundary, Boundary, BoundaryKey, boundary_key, boundary_index
+    Boundary, Boundary, BoundaryKey, boundary_key, boundary_index, "boundary_slots"
 }
 element! {
     /// A face.
@@ -165,7 +167,7 @@ element! {
     /// assert_eq!(map.unbounded_face().inner().count(), 1);
     /// # Ok::<(), Box<dyn std::error::Error>>(())
     /// ```
-    Face, Face, FaceKey, face_key, face_index
+    Face, Face, FaceKey, face_key, face_index, "face_slots"
 }
 
 impl<'a, S: Store> Vertex<'a, S> {

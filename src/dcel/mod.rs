@@ -80,12 +80,14 @@ mod audited;
 mod bulk;
 mod circulators;
 mod elements;
+mod equality;
 mod error;
 mod import;
 mod operators;
 mod structure;
 mod view;
 
+pub use access::ElementKey;
 #[allow(unused_imports, reason = "for the layers above, which a smaller selection of features leaves out")]
 pub(crate) use assemble::Assembly;
 pub use audited::Audited;

@@ -3,7 +3,7 @@
 use crate::store::links::Need;
 use crate::store::{SlotStore, Store, Watched};
 use crate::validate::near::Touched;
-use core::mem;
+use core::{fmt, mem};
 
 /// A doubly connected edge list of a planar subdivision.
 ///
@@ -21,9 +21,21 @@ use core::mem;
 ///   in a test came after 5,473 structures and 41,233 uses of one slot.
 /// - A [`SecondaryMap`](crate::dcel::SecondaryMap) does not know to which structure its keys belong. It compares slots and
 ///   generations only, so look up in it with keys of the structure that it was filled for.
-#[derive(Clone, Debug)]
+#[derive(Clone)]
 pub struct Dcel<S: Store = SlotStore> {
     pub(super) store: S,
+}
+
+/// How many records there are.
+impl<S: Store> fmt::Debug for Dcel<S> {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        f.debug_struct("Dcel")
+            .field("vertices", &self.vertex_count())
+            .field("edges", &self.edge_count())
+            .field("boundaries", &self.boundary_count())
+            .field("faces", &self.face_count())
+            .finish()
+    }
 }
 
 impl Dcel {
@@ -119,5 +131,39 @@ impl<S: Store> Dcel<S> {
     #[must_use]
     pub fn face_count(&self) -> usize {
         self.store.face_count()
+    }
+
+    /// The number of slots for vertices, vacant ones included: every [index](super::Vertex::index) of a vertex is below it. O(1).
+    ///
+    /// ```
+    /// use twinedge::dcel::Dcel;
+    ///
+    /// let mut map = Dcel::new();
+    /// let vertex = map.add_isolated_vertex(map.unbounded_face().key())?.vertex;
+    /// let mut names = vec![""; map.vertex_slots()];
+    /// names[map.vertex(vertex)?.index()] = "Rome";
+    /// # Ok::<(), Box<dyn std::error::Error>>(())
+    /// ```
+    #[must_use]
+    pub fn vertex_slots(&self) -> usize {
+        self.store.vertex_slots()
+    }
+
+    /// The number of slots for half-edges, vacant ones included. O(1).
+    #[must_use]
+    pub fn half_edge_slots(&self) -> usize {
+        self.store.half_edge_slots()
+    }
+
+    /// The number of slots for boundary components, vacant ones included. O(1).
+    #[must_use]
+    pub fn boundary_slots(&self) -> usize {
+        self.store.boundary_slots()
+    }
+
+    /// The number of slots for faces, vacant ones included. O(1).
+    #[must_use]
+    pub fn face_slots(&self) -> usize {
+        self.store.face_slots()
     }
 }

@@ -4,11 +4,14 @@ use super::structure::Dcel;
 use crate::store::Store;
 use crate::store::links::{BoundaryStart, VertexLink};
 use crate::store::place::OUTER;
-use crate::validate::{BoundaryPlace, Collect, Expectation, Link, Report, Start, View, validate};
+use crate::validate::{BoundaryPlace, Collect, Expectation, Link, Parts, Report, Start, View, validate};
 
 /// Indices are those of [`HalfEdge::index`](super::HalfEdge::index) and its kin. Answers for vacant
 /// slots are unspecified.
 impl<S: Store> View for Dcel<S> {
+    fn parts(&self) -> Parts {
+        Parts::ALL
+    }
     fn vertex_slots(&self) -> usize {
         self.store.vertex_slots()
     }

@@ -2,9 +2,7 @@
 
 use super::point::Point;
 use super::predicates::{Orientation, count_step, orientation};
-
-/// No node: nothing below, nothing above, no child.
-pub(super) const NIL: u32 = u32::MAX;
+use crate::slots::NIL;
 
 /// A segment under the sweep line, running from `low` to `high` in lexicographic order.
 #[derive(Clone, Copy)]

@@ -40,6 +40,7 @@
 //! Sources: M. I. Shamos and D. Hoey, "Geometric intersection problems", FOCS 1976, 208-215; M. de Berg, O. Cheong,
 //! M. van Kreveld, M. Overmars, "Computational Geometry", 3rd edition, 2008, chapter 2.
 
+use crate::slots::NIL;
 use alloc::vec;
 use alloc::vec::Vec;
 use core::cmp::Ordering;
@@ -48,7 +49,7 @@ use core::ops::Range;
 use super::crossing::{Clash, InvalidSegments, check, classify};
 use super::point::Point;
 use super::predicates::{Meeting, Orientation, compare_lexicographic, count_step, meeting, orientation};
-use super::status::{Gap, NIL, Status, Strand};
+use super::status::{Gap, Status, Strand};
 
 /// What [`sweep`] finds out.
 #[derive(Clone, Debug, PartialEq, Eq)]

@@ -16,8 +16,8 @@ use crate::map::{Feature, FeatureId, PlanarMap, Shape};
 /// use twinedge::map::{Builder, Shape};
 ///
 /// let mut builder = Builder::new();
-/// let square = [[0.0, 0.0], [1.0, 0.0], [1.0, 1.0], [0.0, 1.0]].map(Into::into).to_vec();
-/// builder.shape(&Shape::Polygon(vec![square]))?;
+/// let square = [[0.0, 0.0], [1.0, 0.0], [1.0, 1.0], [0.0, 1.0]];
+/// builder.shape(&Shape::polygon(square))?;
 /// builder.segment([0.0, 0.0], [1.0, 1.0])?;
 /// let map = builder.build()?;
 /// let features = io::features(&map)?;

@@ -32,9 +32,7 @@
 //! Source: M. de Berg et al., "Computational Geometry", 3rd edition, section 2.2.
 
 use crate::geometry::Point;
-use crate::validate::{
-    Embedding, Expectation, FaceRow, HalfEdgeRow, Link, Part, Record, Start, Table, VertexRow, View,
-};
+use crate::validate::{Embedding, FaceRow, HalfEdgeRow, Link, Part, Parts, Record, Start, Table, VertexRow, View};
 use core::fmt;
 use rustc_hash::FxHashMap;
 use std::str::FromStr;
@@ -94,7 +92,7 @@ pub enum TablesError {
 ///
 /// ```
 /// use twinedge::io::tables::Textbook;
-/// use twinedge::validate::{Collect, validate};
+/// use twinedge::validate::{Collect, Expectation, validate};
 ///
 /// let text = "
 ///     v1  e1,1
@@ -103,7 +101,7 @@ pub enum TablesError {
 ///     e1,1  v1  e1,2  f1  e1,2  e1,2
 ///     e1,2  v2  e1,1  f1  e1,1  e1,1";
 /// let tables: Textbook = text.parse()?;
-/// assert!(validate(&tables, &Textbook::EXPECTATION, Collect::All).is_valid());
+/// assert!(validate(&tables, &Expectation::plane(), Collect::All).is_valid());
 /// # Ok::<(), twinedge::io::tables::TablesError>(())
 /// ```
 #[derive(Clone, Debug, Default, PartialEq)]
@@ -116,9 +114,6 @@ pub struct Textbook {
 }
 
 impl Textbook {
-    /// What the tables of the textbooks have: a plane map without records for boundary components.
-    pub const EXPECTATION: Expectation = Expectation::plane().without(Part::BoundaryComponents);
-
     /// The tables of a structure that has faces, with `point` for the coordinates of a vertex, where there are any.
     ///
     /// Records are named by their indices, counted from 1: the first vertex is `v1`, the half-edges of the first edge are
@@ -165,8 +160,8 @@ impl Textbook {
         let table = Table {
             vertices: vertices.live.iter().map(|v| Some(vertex_row(v))).collect(),
             half_edges: half_edges.live.iter().map(|h| Some(half_edge_row(h))).collect(),
-            boundaries: Vec::new(),
             faces: faces.live.iter().map(|f| Some(face_row(f))).collect(),
+            ..Table::default()
         };
         let points = vertices.live.iter().map(|v| point(*v)).collect();
         Self { table, points, vertices: vertices.names, half_edges: half_edges.names, faces: faces.names }
@@ -473,6 +468,10 @@ macro_rules! delegate {
 
 /// Indices are the places of the records in their tables, counted from 0.
 impl View for Textbook {
+    fn parts(&self) -> Parts {
+        Parts::ALL.without(Part::BoundaryComponents)
+    }
+
     delegate! {
         vertex_slots() -> usize;
         half_edge_slots() -> usize;

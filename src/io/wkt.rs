@@ -225,8 +225,8 @@ impl LineShapes {
 /// use twinedge::map::{Feature, Shape};
 /// use twinedge::io::wkt;
 ///
-/// let corners = [[0.0, 0.0], [1.0, 0.0], [0.0, 0.5], [0.0, 0.0]].map(Into::into).to_vec();
-/// let parcel = Feature { shapes: vec![Shape::Polygon(vec![corners])], ..Feature::default() };
+/// let corners = [[0.0, 0.0], [1.0, 0.0], [0.0, 0.5], [0.0, 0.0]];
+/// let parcel = Feature { shapes: vec![Shape::polygon(corners)], ..Feature::default() };
 /// let mut text = Vec::new();
 /// wkt::write(&mut text, &[parcel])?;
 /// assert_eq!(text, b"POLYGON((0 0,1 0,0 0.5,0 0))\n");

@@ -19,6 +19,41 @@ pub enum Shape {
     Point(Point),
 }
 
+impl Shape {
+    /// The polygon with this outer ring, and no holes. Whether the last point repeats the first makes no difference.
+    ///
+    /// ```
+    /// use twinedge::map::Shape;
+    ///
+    /// let square = Shape::polygon([[0.0, 0.0], [9.0, 0.0], [9.0, 9.0], [0.0, 9.0]]);
+    /// let with_hole = square.hole([[3.0, 3.0], [3.0, 6.0], [6.0, 6.0], [6.0, 3.0]]);
+    /// assert!(matches!(with_hole, Shape::Polygon(rings) if rings.len() == 2));
+    /// ```
+    #[must_use]
+    pub fn polygon(outer: impl IntoIterator<Item = impl Into<Point>>) -> Self {
+        Self::Polygon(alloc::vec![points(outer)])
+    }
+
+    /// The same polygon with one more hole. Lines and points stay as they are.
+    #[must_use]
+    pub fn hole(mut self, ring: impl IntoIterator<Item = impl Into<Point>>) -> Self {
+        if let Self::Polygon(rings) = &mut self {
+            rings.push(points(ring));
+        }
+        self
+    }
+
+    /// The chain of segments through these points.
+    #[must_use]
+    pub fn line(along: impl IntoIterator<Item = impl Into<Point>>) -> Self {
+        Self::Line(points(along))
+    }
+}
+
+fn points(from: impl IntoIterator<Item = impl Into<Point>>) -> Vec<Point> {
+    from.into_iter().map(Into::into).collect()
+}
+
 /// Shapes that belong together, such as the parts of one country.
 #[derive(Clone, Debug, Default, PartialEq)]
 pub struct Feature {

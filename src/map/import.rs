@@ -55,7 +55,7 @@ impl PlanarMap {
     /// use twinedge::dcel::Outside;
     /// use twinedge::geometry::Point;
     /// use twinedge::map::PlanarMap;
-    /// use twinedge::validate::{Embedding, Expectation, Link, Part, View};
+    /// use twinedge::validate::{Embedding, Expectation, Link, Part, Parts, View};
     ///
     /// /// Two triangles that share an edge: half-edges `3f`, `3f + 1`, `3f + 2` around triangle `f`.
     /// ///
@@ -66,6 +66,7 @@ impl PlanarMap {
     /// struct Triangles;
     ///
     /// impl View for Triangles {
+    ///     fn parts(&self) -> Parts { Parts::NONE.with(Part::Faces) }
     ///     fn vertex_slots(&self) -> usize { 4 }
     ///     fn half_edge_slots(&self) -> usize { 6 }
     ///     fn face_slots(&self) -> usize { 2 }
@@ -82,7 +83,7 @@ impl PlanarMap {
     ///     }
     /// }
     ///
-    /// let mesh = Expectation::surface().open().without(Part::BoundaryComponents).without(Part::Prev).without(Part::Leaving);
+    /// let mesh = Expectation::surface().open();
     /// let (map, keys) = PlanarMap::from_view(&Triangles, &mesh, Outside::Border)?;
     /// assert_eq!((map.dcel().edge_count(), map.dcel().face_count()), (5, 3));
     /// assert_eq!(map.position(keys.vertex(2).unwrap())?, Point::new(1.0, 1.0));

@@ -7,10 +7,10 @@
 //! use twinedge::geometry::Point;
 //! use twinedge::map::{Builder, Located, Locator, Shape};
 //!
-//! let square = |x: f64| [[x, 0.0], [x + 2.0, 0.0], [x + 2.0, 2.0], [x, 2.0]].map(Point::from).to_vec();
+//! let square = |x: f64| [[x, 0.0], [x + 2.0, 0.0], [x + 2.0, 2.0], [x, 2.0]];
 //! let mut builder = Builder::new();
-//! let west = builder.shape(&Shape::Polygon(vec![square(0.0)]))?;
-//! let east = builder.shape(&Shape::Polygon(vec![square(2.0)]))?;
+//! let west = builder.shape(&Shape::polygon(square(0.0)))?;
+//! let east = builder.shape(&Shape::polygon(square(2.0)))?;
 //! let mut map = builder.build()?;
 //!
 //! let Located::Face(face) = Locator::new(&map)?.locate(Point::new(3.0, 1.0))? else { unreachable!("it is inside") };

@@ -10,6 +10,8 @@ use crate::delegate_view;
 use crate::geometry::Point;
 use crate::geometry::noding::NodingSummary;
 use crate::validate::{Collect, Embedding, Expectation, Report, View, validate_embedding};
+use std::fmt;
+use std::ops::Index;
 
 /// A planar subdivision with coordinates: a [`Dcel`] whose edges are straight segments, and the features that cover its
 /// faces.
@@ -30,13 +32,12 @@ use crate::validate::{Collect, Embedding, Expectation, Report, View, validate_em
 /// ```
 /// use twinedge::map::{Builder, Feature, Shape};
 ///
-/// let ring = |points: [[f64; 2]; 4]| points.map(Into::into).to_vec();
 /// let field = Feature {
 ///     name: Some("field".into()),
-///     shapes: vec![Shape::Polygon(vec![
-///         ring([[0.0, 0.0], [6.0, 0.0], [6.0, 6.0], [0.0, 6.0]]),
-///         ring([[2.0, 2.0], [2.0, 4.0], [4.0, 4.0], [4.0, 2.0]]),
-///     ])],
+///     shapes: vec![
+///         Shape::polygon([[0.0, 0.0], [6.0, 0.0], [6.0, 6.0], [0.0, 6.0]])
+///             .hole([[2.0, 2.0], [2.0, 4.0], [4.0, 4.0], [4.0, 2.0]]),
+///     ],
 ///     ..Feature::default()
 /// };
 /// let mut builder = Builder::new();
@@ -52,7 +53,7 @@ use crate::validate::{Collect, Embedding, Expectation, Report, View, validate_em
 /// assert!(map.position(first.origin().key())?.x <= 6.0);
 /// # Ok::<(), Box<dyn std::error::Error>>(())
 /// ```
-#[derive(Clone, Debug)]
+#[derive(Clone)]
 pub struct PlanarMap {
     pub(super) dcel: Dcel,
     /// By index of vertex.
@@ -66,6 +67,73 @@ pub struct PlanarMap {
     pub(super) plane: bool,
     pub(super) index: KeptIndex,
     pub(super) notes: Notes,
+}
+
+/// How many records and features there are, and whether the map is plane.
+impl fmt::Debug for PlanarMap {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        f.debug_struct("PlanarMap")
+            .field("vertices", &self.dcel.vertex_count())
+            .field("edges", &self.dcel.edge_count())
+            .field("faces", &self.dcel.face_count())
+            .field("features", &self.names.len())
+            .field("plane", &self.plane)
+            .finish()
+    }
+}
+
+/// Two maps are equal if their structures are, with the same keys, and their vertices lie at the same points and their faces and edges
+/// have the same features, with the same names. What was found while a map was built makes no difference. O(n), and the features.
+///
+/// ```
+/// use twinedge::map::PlanarMap;
+///
+/// let mut map = PlanarMap::new();
+/// map.insert_ring([[0.0, 0.0], [1.0, 0.0], [0.0, 1.0]])?;
+/// let before = map.clone();
+/// let made = map.insert_point([0.25, 0.25])?;
+/// assert_ne!(map, before);
+/// map.remove_vertex(made.vertices[0])?;
+/// assert_eq!(map, before);
+/// # Ok::<(), twinedge::map::edit::EditError>(())
+/// ```
+impl PartialEq for PlanarMap {
+    fn eq(&self, other: &Self) -> bool {
+        let points = |map: &Self| map.dcel.vertices().map(|v| map.point(v.index())).collect::<Vec<_>>();
+        let is_covered_alike =
+            |f: usize| self.features.set(self.features.of_face(f)).eq(other.features.set(other.features.of_face(f)));
+        let is_followed_alike =
+            |h: usize| self.features.set(self.features.along(h)).eq(other.features.set(other.features.along(h)));
+        self.plane == other.plane
+            && self.names == other.names
+            && self.dcel == other.dcel
+            && points(self) == points(other)
+            && self.dcel.faces().all(|f| is_covered_alike(f.index()))
+            && self.dcel.edges().all(|h| is_followed_alike(h.index()))
+    }
+}
+
+/// Where a vertex lies, as [`position`](PlanarMap::position) says.
+///
+/// # Panics
+/// Panics if the key is stale.
+///
+/// ```
+/// use twinedge::geometry::Point;
+/// use twinedge::map::PlanarMap;
+///
+/// let mut map = PlanarMap::new();
+/// let vertex = map.insert_point([2.0, 3.0])?.vertices[0];
+/// assert_eq!(map[vertex], Point::new(2.0, 3.0));
+/// # Ok::<(), twinedge::map::edit::EditError>(())
+/// ```
+impl Index<VertexKey> for PlanarMap {
+    type Output = Point;
+
+    #[track_caller]
+    fn index(&self, vertex: VertexKey) -> &Point {
+        &self.points[self.dcel.at(vertex).index()]
+    }
 }
 
 impl Default for PlanarMap {
@@ -131,10 +199,10 @@ impl PlanarMap {
     /// ```
     /// use twinedge::map::{Builder, Shape};
     ///
-    /// let square = |x: f64| [[x, 0.0], [x + 2.0, 0.0], [x + 2.0, 2.0], [x, 2.0]].map(Into::into).to_vec();
+    /// let square = |x: f64| [[x, 0.0], [x + 2.0, 0.0], [x + 2.0, 2.0], [x, 2.0]];
     /// let mut builder = Builder::new();
-    /// let left = builder.shape(&Shape::Polygon(vec![square(0.0)]))?;
-    /// let right = builder.shape(&Shape::Polygon(vec![square(2.0)]))?;
+    /// let left = builder.shape(&Shape::polygon(square(0.0)))?;
+    /// let right = builder.shape(&Shape::polygon(square(2.0)))?;
     /// let map = builder.build()?;
     /// let covers: Vec<Vec<_>> = map.dcel().faces().map(|f| map.features_of(f.key()).unwrap().collect()).collect();
     /// assert_eq!(covers, [vec![], vec![left], vec![right]]);
@@ -224,7 +292,7 @@ impl PlanarMap {
     /// builder.segment([0.0, 2.0], [2.0, 0.0])?;
     /// let map = builder.build_with(Noding::None)?;
     /// assert!(!map.is_plane());
-    /// assert_eq!(map.validate().violations()[0].rule(), Rule::G4);
+    /// assert_eq!(map.validate().first().unwrap().rule(), Rule::G4);
     /// # Ok::<(), twinedge::map::BuildError>(())
     /// ```
     #[must_use]

@@ -75,9 +75,9 @@ pub struct Irregularity {
 /// use twinedge::map::{Builder, IrregularityKind, Shape};
 ///
 /// // Clockwise, and not closed.
-/// let ring = [[0.0, 0.0], [0.0, 1.0], [1.0, 0.0]].map(Into::into).to_vec();
+/// let ring = [[0.0, 0.0], [0.0, 1.0], [1.0, 0.0]];
 /// let mut builder = Builder::new();
-/// builder.shape(&Shape::Polygon(vec![ring]))?;
+/// builder.shape(&Shape::polygon(ring))?;
 /// let map = builder.build()?;
 /// assert_eq!((map.summary().open_rings, map.summary().rings_wound_wrongly), (1, 1));
 /// assert_eq!(map.summary().irregularities[0].kind, IrregularityKind::OpenRing);

@@ -1,66 +1,50 @@
-//! The validator's own columns: what it remembers of a structure while the rules are run.
+//! Columns of 32-bit numbers: the memory of the validator while the rules are run.
 
 use super::findings::Halt;
-use super::record::Record;
+use crate::slots;
 use alloc::vec::Vec;
 
-/// Nil in a column.
-pub(super) const NIL: u32 = u32::MAX;
+pub(crate) use crate::slots::NIL;
 
 /// A column of `n` entries.
 ///
 /// # Errors
 /// [`Halt::OutOfMemory`] if there is no memory for it.
-pub(super) fn column<T: Clone>(n: u32, value: T) -> Result<Vec<T>, Halt> {
-    let mut column = Vec::new();
-    column.try_reserve_exact(n as usize).map_err(|_| Halt::OutOfMemory)?;
-    column.resize(n as usize, value);
-    Ok(column)
+pub(crate) fn column<T: Clone>(n: u32, value: T) -> Result<Vec<T>, Halt> {
+    slots::column(n as usize, value).ok_or(Halt::OutOfMemory)
 }
 
-/// The half-edges that leave one vertex: how many there are, and one of them.
+/// A connected component of vertices and edges.
 #[derive(Clone, Copy)]
-pub(super) struct Fan {
-    pub(super) degree: u32,
-    pub(super) leaving: u32,
-}
-
-/// What a component consists of.
-#[derive(Clone, Copy)]
-pub(super) struct Component {
+pub(crate) struct Component {
     /// Its first vertex, by which reports name it.
-    pub(super) vertex: u32,
-    pub(super) vertices: u32,
+    pub(crate) vertex: u32,
+    pub(crate) vertices: u32,
     /// Half-edges with and without a twin: the edges are half the former and all of the latter.
-    pub(super) paired: u32,
-    pub(super) unpaired: u32,
+    pub(crate) paired: u32,
+    pub(crate) unpaired: u32,
     /// Its cycles of `next`, one for an isolated vertex, and one for each open boundary.
-    pub(super) cycles: u32,
+    pub(crate) cycles: u32,
     /// Whether some half-edge lacks its twin or its face: its outside may be there.
-    pub(super) open: bool,
-    /// The face that lists its outside, once known.
-    pub(super) lies_in: u32,
-    /// Its inner boundary component, once known.
-    pub(super) outside: Option<Record>,
+    pub(crate) open: bool,
 }
 
 impl Component {
     /// The component of this vertex, of which nothing else is known yet.
-    pub(super) const fn at(vertex: u32) -> Self {
-        Self { vertex, vertices: 0, paired: 0, unpaired: 0, cycles: 0, open: false, lies_in: NIL, outside: None }
+    pub(crate) const fn at(vertex: u32) -> Self {
+        Self { vertex, vertices: 0, paired: 0, unpaired: 0, cycles: 0, open: false }
     }
 
-    pub(super) const fn edges(&self) -> usize {
+    pub(crate) const fn edges(&self) -> usize {
         self.paired as usize / 2 + self.unpaired as usize
     }
 }
 
-/// The components of the whole map.
-#[derive(Default)]
-pub(super) struct Components {
-    /// Per vertex the number of its component.
-    pub(super) of: Vec<u32>,
-    pub(super) all: Vec<Component>,
+/// The components, in order of their first vertices.
+pub(crate) struct Components {
+    /// For each vertex the number of its component; nil if it is not live.
+    pub(crate) of: Vec<u32>,
+    pub(crate) all: Vec<Component>,
     /// Whether there is neither a loop nor a pair of parallel edges.
-    pub(super) simple: bool,
+    pub(crate) simple: bool,
 }

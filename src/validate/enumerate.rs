@@ -3,9 +3,8 @@
 //! [`for_each_corruption`] sets one cell at a time to each of its other values: all that one wrong link can do.
 //! [`for_each_assignment`] sets many cells to all combinations of values: all tables of a size, valid or not.
 
-use super::expectation::{Expectation, Part};
+use super::structure::{BoundaryPlace, Link, Part, Parts, Start};
 use super::table::{HalfEdgeRow, Table, VertexRow};
-use super::view::{BoundaryPlace, Link, Start};
 use alloc::vec::Vec;
 
 /// One cell of a table: a field of the row with this index. Lists have a cell for each position.
@@ -50,8 +49,8 @@ enum Stored<'a> {
 impl Table {
     /// The cells that matter to a structure with these parts, row by row. O(n).
     #[must_use]
-    pub fn cells(&self, expectation: &Expectation) -> Vec<Cell> {
-        let has = |part| expectation.has(part);
+    pub fn cells(&self, parts: Parts) -> Vec<Cell> {
+        let has = |part| parts.has(part);
         let by_record = has(Part::BoundaryComponents);
         let mut cells = Vec::new();
         let mut with = |wanted: bool, cell: Cell| cells.extend(wanted.then_some(cell));
@@ -225,22 +224,22 @@ fn row<T>(rows: &mut [Option<T>], i: usize) -> Option<&mut T> {
 }
 
 /// Calls `visit` with the table as it is after each change of one cell to another of its [values](Table::values), and
-/// with that cell and value. The table is the same again in the end. O(n) changes for each of the O(n) cells.
+/// with that cell and value. Cells of parts that are not stored are left alone. The table is the same again in the end. O(n) changes for each of the O(n) cells.
 ///
 /// ```
 /// use twinedge::validate::enumerate::for_each_corruption;
-/// use twinedge::validate::{Collect, Expectation, Part, Table, VertexRow, validate};
+/// use twinedge::validate::{Collect, Expectation, Part, Parts, Table, VertexRow, validate};
 /// // An isolated vertex in a structure without faces: its leaving half-edge is the only cell.
-/// let mut table = Table { vertices: vec![Some(VertexRow::default())], ..Table::default() };
-/// let expectation = Expectation::plane().without(Part::Faces);
+/// let parts = Parts::ALL.without(Part::Faces);
+/// let mut table = Table { parts, vertices: vec![Some(VertexRow::default())], ..Table::default() };
 /// let mut caught = 0;
-/// for_each_corruption(&mut table, &expectation, |corrupt, _, _| {
-///     caught += usize::from(!validate(corrupt, &expectation, Collect::First).is_valid());
+/// for_each_corruption(&mut table, parts, |corrupt, _, _| {
+///     caught += usize::from(!validate(corrupt, &Expectation::plane(), Collect::First).is_valid());
 /// });
 /// assert_eq!(caught, 2);
 /// ```
-pub fn for_each_corruption(table: &mut Table, expectation: &Expectation, mut visit: impl FnMut(&Table, Cell, Value)) {
-    for cell in table.cells(expectation) {
+pub fn for_each_corruption(table: &mut Table, parts: Parts, mut visit: impl FnMut(&Table, Cell, Value)) {
+    for cell in table.cells(parts) {
         for value in table.values(cell) {
             let Some(before) = table.set(cell, value) else { continue };
             if value != before {

@@ -1,53 +1,11 @@
-//! What a structure is held to: the surface on which it lies, the parts that it has, and what is asked for beyond that.
+//! The claims to which a structure is held: the surface on which it lies, open boundaries, and the rules M1 … M8.
 
 use super::rule::Rule;
-
-/// A part that a structure may lack. Rules about a part that it lacks are not checked, and the report says so.
-#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash, PartialOrd, Ord)]
-#[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
-#[cfg_attr(feature = "serde", serde(rename_all = "snake_case"))]
-#[non_exhaustive]
-pub enum Part {
-    /// `prev` links.
-    Prev,
-    /// A half-edge kept by each vertex.
-    Leaving,
-    /// Faces. Without them the structure is a combinatorial map: B and F do not apply.
-    Faces,
-    /// Records for boundary components. Without them half-edges name their face and faces name half-edges.
-    BoundaryComponents,
-    /// The place of a boundary component in the list of its face, as stored in the boundary component.
-    Places,
-    /// Lists of inner boundary components. Without them each face has one cycle, as in a mesh, and containment (T1, T2)
-    /// is not represented. Nor is where an isolated vertex lies: `isolated` is not read, and B2 is not checked.
-    Holes,
-    /// The one face without outer boundary component. Without it, a component that lies outside all others lies in no
-    /// face: it has no inner boundary component, and if it is an isolated vertex, no boundary component starts there.
-    UnboundedFace,
-}
-
-impl Part {
-    const fn bit(self) -> u8 {
-        1 << self as u8
-    }
-
-    /// The name of the part, without article.
-    #[must_use]
-    pub const fn name(self) -> &'static str {
-        match self {
-            Self::Prev => "prev links",
-            Self::Leaving => "leaving half-edges",
-            Self::Faces => "faces",
-            Self::BoundaryComponents => "boundary component records",
-            Self::Places => "places in the list of the face",
-            Self::Holes => "lists of inner boundary components",
-            Self::UnboundedFace => "unbounded face",
-        }
-    }
-}
+use super::structure::{Part, Parts};
 
 /// The surface on which the structure is to lie.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
+#[non_exhaustive]
 pub enum Surface {
     /// The plane: every component has genus 0 and containment is a tree rooted at the unbounded face.
     Plane,
@@ -55,13 +13,12 @@ pub enum Surface {
     Any,
 }
 
-/// What a structure is held to.
+/// The claims to which a structure is held. What it *stores*, [`View::parts`](super::View::parts) says.
 ///
 /// ```
-/// use twinedge::validate::{Expectation, Part};
-/// // A triangle mesh: no holes in faces, no unbounded face, a border whose half-edges have no face or no twin.
-/// let mesh = Expectation::surface().without(Part::BoundaryComponents).without(Part::Prev).open();
-/// assert!(!mesh.has(Part::Prev));
+/// use twinedge::validate::Expectation;
+/// // A mesh with a border, whose half-edges have no face or no twin.
+/// let mesh = Expectation::surface().open();
 /// assert!(mesh.is_open());
 /// // The same, and a disc of triangles.
 /// let disc = mesh.triangles().components(1).borders(1).genus(0);
@@ -83,48 +40,30 @@ pub enum Surface {
 /// | M7 genus | [`genus`](Self::genus) |
 /// | M8 kept | [`border_kept`](Self::border_kept) |
 ///
-/// What most programs that work with triangle meshes take for granted is
-/// `surface().without(Part::BoundaryComponents).no_unused_vertices().simple().triangles()`, with `.open().borders(n)` for a mesh with
-/// `n` border loops. M8 is a promise of some libraries, and no more usual than its absence.
+/// Most programs that work with triangle meshes take `surface().no_unused_vertices().simple().triangles()` for granted, with
+/// `.open().borders(n)` for a mesh with `n` border loops. M8 is a promise of some libraries, and no more usual than its absence.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
 pub struct Expectation {
     surface: Surface,
     open: bool,
-    lacks: u8,
-    /// A bit for each of M1 … M8 that is asked for.
-    asked: u8,
+    /// A bit for each optional rule that is asked for.
+    asked: u32,
     /// The numbers of M3, M5, M6 and M7; 0 where they are not asked for.
     numbers: [usize; 4],
 }
 
 impl Expectation {
-    /// A planar subdivision with every part.
+    /// A planar subdivision.
     #[must_use]
     pub const fn plane() -> Self {
-        Self { surface: Surface::Plane, open: false, lacks: 0, asked: 0, numbers: [0; 4] }
+        Self { surface: Surface::Plane, open: false, asked: 0, numbers: [0; 4] }
     }
 
-    /// A subdivision of closed orientable surfaces: no unbounded face, no holes in faces.
+    /// A subdivision of closed orientable surfaces, in which each face has one cycle. An unbounded face and lists of holes, where they are
+    /// stored, are not looked at.
     #[must_use]
     pub const fn surface() -> Self {
-        let lacks = Part::Holes.bit() | Part::UnboundedFace.bit();
-        Self { surface: Surface::Any, open: false, lacks, asked: 0, numbers: [0; 4] }
-    }
-
-    /// The same, for a structure that lacks this part, and the parts that depend on it.
-    #[must_use]
-    pub const fn without(mut self, part: Part) -> Self {
-        self.lacks |= part.bit();
-        self.lacks |= match part {
-            Part::Faces => {
-                Part::BoundaryComponents.bit() | Part::Places.bit() | Part::Holes.bit() | Part::UnboundedFace.bit()
-            }
-            Part::BoundaryComponents => Part::Places.bit(),
-            // An unbounded face has inner boundary components only.
-            Part::Holes => Part::UnboundedFace.bit(),
-            _ => 0,
-        };
-        self
+        Self { surface: Surface::Any, open: false, asked: 0, numbers: [0; 4] }
     }
 
     /// The same, but open boundaries are legal. At an edge of an open boundary one side is missing, in one of two ways:
@@ -171,10 +110,10 @@ impl Expectation {
     /// without, R1 is broken, as links are missing.
     ///
     /// ```
-    /// use twinedge::validate::{Collect, Expectation, Part, Table, Violation, validate};
+    /// use twinedge::validate::{Collect, Expectation, Table, Violation, validate};
     /// // A triangle of three half-edges.
-    /// let table: Table = "V 3 0 - 1 - 2 - H 3 0 - 1 2 - 1 - 2 0 - 2 - 0 1 - B 0 F 1 - 0 HF 3 0 0 0 FH 1 0 0".parse()?;
-    /// let expectation = Expectation::surface().without(Part::BoundaryComponents).open().closed();
+    /// let table: Table = "P 3 prev leaving faces V 3 0 - 1 - 2 - H 3 0 - 1 2 - 1 - 2 0 - 2 - 0 1 - B 0 F 1 - 0 HF 3 0 0 0 FH 1 0 0".parse()?;
+    /// let expectation = Expectation::surface().open().closed();
     /// let report = validate(&table, &expectation, Collect::All);
     /// assert_eq!(report.violations().len(), 3);
     /// assert_eq!(
@@ -213,11 +152,11 @@ impl Expectation {
     /// on this.
     ///
     /// ```
-    /// use twinedge::validate::{Collect, Expectation, Part, Table, Violation, validate};
+    /// use twinedge::validate::{Collect, Expectation, Table, Violation, validate};
     /// // A triangle of which the twins 3, 4 and 5 have no face. Vertex 0 keeps half-edge 0, which has one.
-    /// let table: Table = "V 3 0 - 3 - 4 - H 6 0 3 1 2 - 1 4 2 0 - 2 5 0 1 - 1 0 5 4 - 2 1 3 5 - 0 2 4 3 - B 0 F 1 - 0 \
+    /// let table: Table = "P 3 prev leaving faces V 3 0 - 3 - 4 - H 6 0 3 1 2 - 1 4 2 0 - 2 5 0 1 - 1 0 5 4 - 2 1 3 5 - 0 2 4 3 - B 0 F 1 - 0 \
     ///     HF 6 0 0 0 - - - FH 1 0 0".parse()?;
-    /// let expectation = Expectation::surface().without(Part::BoundaryComponents).open();
+    /// let expectation = Expectation::surface().open();
     /// assert!(validate(&table, &expectation, Collect::All).is_valid());
     /// let report = validate(&table, &expectation.border_kept(), Collect::All);
     /// assert_eq!(report.violations(), [Violation::KeptInside { vertex: 0, half_edge: 0, border: 5 }]);
@@ -237,7 +176,7 @@ impl Expectation {
     }
 
     /// The bit of an optional rule.
-    const fn bit(rule: Rule) -> u8 {
+    const fn bit(rule: Rule) -> u32 {
         1 << (rule.index() - Rule::M1.index())
     }
 
@@ -286,9 +225,22 @@ impl Expectation {
         self.open
     }
 
-    /// Whether the structure has this part.
+    /// The parts that are looked at, of those that a structure stores: all in the plane; on surfaces no lists of holes, and no
+    /// unbounded face.
     #[must_use]
-    pub const fn has(&self, part: Part) -> bool {
-        self.lacks & part.bit() == 0
+    pub const fn looks_at(&self, stored: Parts) -> Parts {
+        match self.surface {
+            Surface::Plane => stored,
+            Surface::Any => stored.without(Part::Holes),
+        }
     }
 }
+
+/// Every optional rule has a bit of its own.
+const _: () = {
+    let mut i = 0;
+    while i < Rule::ALL.len() {
+        assert!(!Rule::ALL[i].is_optional() || Rule::ALL[i].index() - Rule::M1.index() < u32::BITS as usize);
+        i += 1;
+    }
+};

@@ -1,8 +1,7 @@
-//! The violations found so far, and an outcome per rule.
+//! The report under construction: violations, an outcome for each rule, counts.
 
-use super::report::{Collect, RuleOutcome, Unchecked};
+use super::report::{Bounds, Collect, Counts, Report, RuleOutcome, Unchecked, Violation, keep_some_of_each};
 use super::rule::Rule;
-use super::violation::Violation;
 use alloc::vec::Vec;
 
 /// Whether the run goes on.
@@ -17,15 +16,16 @@ pub(crate) enum Halt {
     OutOfMemory,
 }
 
-/// Collects violations and outcomes while the rules are run.
+/// The report under construction.
 #[derive(Debug)]
 pub(crate) struct Findings {
     outcomes: [RuleOutcome; Rule::ALL.len()],
+    /// Of each rule the first ones, up to the cap.
     violations: Vec<Violation>,
     collect: Collect,
-    /// Where only the first violation is wanted: one that is reported at the end of the pass, unless the pass finds one of
-    /// an earlier rule.
-    held_back: Option<Violation>,
+    /// What is counted so far.
+    pub(crate) counts: Counts,
+    pub(crate) bounds: Option<Bounds>,
 }
 
 impl Findings {
@@ -34,42 +34,25 @@ impl Findings {
             outcomes: [RuleOutcome { checked: 0, violations: 0, unchecked: None }; Rule::ALL.len()],
             violations: Vec::new(),
             collect,
-            held_back: None,
+            counts: Counts::NOTHING,
+            bounds: None,
         }
     }
 
     /// Notes a violation, and ends the run if the first one was asked for.
     #[cold]
     pub(crate) fn add(&mut self, violation: Violation) -> Flow {
-        self.outcomes[violation.rule().index()].violations += 1;
-        if self.violations.len() < self.collect.cap() && self.violations.try_reserve(1).is_ok() {
+        let found = &mut self.outcomes[violation.rule().index()].violations;
+        if *found < self.collect.cap() as u64 && self.violations.try_reserve(1).is_ok() {
             self.violations.push(violation);
         }
+        *found += 1;
         if self.collect == Collect::First { Err(Halt::Found) } else { Ok(()) }
     }
 
-    /// Notes a violation found by a pass that several rules share, of which `first` is the first. If only one violation is
-    /// wanted, it must be of the first broken rule, so the pass goes on until it ends or that rule is broken.
-    #[cold]
-    pub(crate) fn add_in_pass(&mut self, violation: Violation, first: Rule) -> Flow {
-        if self.collect != Collect::First || violation.rule() == first {
-            self.held_back = None;
-            return self.add(violation);
-        }
-        if self.held_back.is_none_or(|held_back| violation.rule() < held_back.rule()) {
-            self.held_back = Some(violation);
-        }
-        Ok(())
-    }
-
-    /// Ends a pass that several rules share.
-    pub(crate) fn end_pass(&mut self) -> Flow {
-        self.held_back.take().map_or(Ok(()), |violation| self.add(violation))
-    }
-
-    /// Whether the run ends with the first violation.
-    pub(crate) fn wants_first_only(&self) -> bool {
-        self.collect == Collect::First
+    /// Begins a pass that several rules share, of which this is the first.
+    pub(crate) const fn pass(&mut self, first: Rule) -> Pass<'_> {
+        Pass { findings: self, first, held_back: None }
     }
 
     pub(crate) const fn checked(&mut self, rule: Rule, count: u64) {
@@ -80,10 +63,10 @@ impl Findings {
         self.outcomes[rule.index()].unchecked = Some(why);
     }
 
-    /// How many more violations will be kept.
+    /// How many violations of a rule are kept.
     #[cfg(feature = "geometry")]
-    pub(crate) fn room(&self) -> usize {
-        self.collect.cap().saturating_sub(self.violations.len())
+    pub(crate) const fn cap(&self) -> usize {
+        self.collect.cap()
     }
 
     /// Counts violations that were found elsewhere and not kept.
@@ -116,9 +99,38 @@ impl Findings {
     }
 
     /// The outcomes of these rules and the violations found.
-    pub(crate) fn into_parts(self, rules: &[Rule]) -> (Vec<(Rule, RuleOutcome)>, Vec<Violation>) {
+    pub(crate) fn into_report(self, rules: &[Rule]) -> Report {
         let mut violations = self.violations;
         violations.sort_by_key(Violation::rule);
-        (rules.iter().map(|rule| (*rule, self.outcomes[rule.index()])).collect(), violations)
+        keep_some_of_each(&mut violations, self.collect.cap());
+        let outcomes = rules.iter().map(|rule| (*rule, self.outcomes[rule.index()])).collect();
+        Report { outcomes, violations, counts: self.counts, bounds: self.bounds }
+    }
+}
+
+/// The findings of a pass that several rules share. Where only the first violation is wanted, it must be of the first broken rule: one
+/// of a later rule is held back until the pass ends.
+pub(crate) struct Pass<'f> {
+    findings: &'f mut Findings,
+    first: Rule,
+    held_back: Option<Violation>,
+}
+
+impl Pass<'_> {
+    /// Notes a violation. The run ends here if only the first one is wanted and no earlier rule can be broken.
+    #[cold]
+    pub(crate) fn add(&mut self, violation: Violation) -> Flow {
+        if self.findings.collect != Collect::First || violation.rule() == self.first {
+            return self.findings.add(violation);
+        }
+        if self.held_back.is_none_or(|held_back| violation.rule() < held_back.rule()) {
+            self.held_back = Some(violation);
+        }
+        Ok(())
+    }
+
+    /// Ends the pass.
+    pub(crate) fn end(self) -> Flow {
+        self.held_back.map_or(Ok(()), |violation| self.findings.add(violation))
     }
 }

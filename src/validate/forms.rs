@@ -1,36 +1,62 @@
-//! Every form in which a structure can keep a map: all expectations, and a map brought into the form that one asks for.
+//! Every form in which a structure can keep a map, and a map brought into each.
 //!
-//! There are 112 distinct expectations: two surfaces, with or without open boundaries, and the parts that a structure may lack,
+//! There are 112 distinct forms: two surfaces, with or without open boundaries, and the parts that a structure stores,
 //! some of which depend on others. A map that is right in one form breaks rules in another, for example because it lists holes
 //! where faces have none. [`projections`] rewrites a planar subdivision with every part so that it is right in any of them.
 
-use super::expectation::{Expectation, Part};
+use super::expectation::{Expectation, Surface};
+use super::structure::{BoundaryPlace, Link, Part, Parts, Start, View};
 use super::table::{FaceRow, Table};
-use super::view::{BoundaryPlace, Link, Start, View};
 use alloc::vec::Vec;
 
-const PARTS: [Part; 7] =
-    [Part::Prev, Part::Leaving, Part::Faces, Part::BoundaryComponents, Part::Places, Part::Holes, Part::UnboundedFace];
+/// One form: what is claimed of a structure, and what it stores.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
+pub struct Form {
+    /// What is claimed.
+    pub expectation: Expectation,
+    /// What is stored: parts that are [looked at](Expectation::looks_at).
+    pub parts: Parts,
+}
 
-/// Every distinct expectation, each once: plane or surface, closed or open, with and without each part.
+impl Form {
+    /// The form of a structure that stores these parts and is held to this expectation.
+    #[must_use]
+    pub const fn new(expectation: Expectation, parts: Parts) -> Self {
+        Self { expectation, parts: expectation.looks_at(parts) }
+    }
+
+    const fn has(&self, part: Part) -> bool {
+        self.parts.has(part)
+    }
+
+    /// Whether containment (T1, T2) is checked.
+    #[must_use]
+    pub fn has_containment(&self) -> bool {
+        self.has(Part::Holes) && self.expectation.surface_kind() == Surface::Plane
+    }
+}
+
+/// Every distinct form, each once: plane or surface, closed or open, with and without each part.
 ///
 /// ```
-/// use twinedge::validate::Expectation;
-/// use twinedge::validate::forms::expectations;
-/// let all = expectations();
+/// use twinedge::validate::{Expectation, Parts};
+/// use twinedge::validate::forms::{Form, forms};
+/// let all = forms();
 /// assert_eq!(all.len(), 112);
-/// assert!(all.contains(&Expectation::plane()) && all.contains(&Expectation::surface().open()));
+/// assert!(all.contains(&Form::new(Expectation::plane(), Parts::ALL)));
+/// assert!(all.contains(&Form::new(Expectation::surface().open(), Parts::ALL)));
 /// ```
 #[must_use]
-pub fn expectations() -> Vec<Expectation> {
+pub fn forms() -> Vec<Form> {
     let mut all = Vec::new();
     for surface in [Expectation::plane(), Expectation::surface()] {
-        for whole in [surface, surface.open()] {
-            for lacks in 0..1_u32 << PARTS.len() {
-                let lacking = PARTS.iter().enumerate().filter(|(bit, _)| lacks >> bit & 1 == 1);
-                let expectation = lacking.fold(whole, |expectation, (_, part)| expectation.without(*part));
-                if !all.contains(&expectation) {
-                    all.push(expectation);
+        for expectation in [surface, surface.open()] {
+            for lacks in 0..1_u32 << Part::ALL.len() {
+                let lacking = Part::ALL.iter().enumerate().filter(|(bit, _)| lacks >> bit & 1 == 1);
+                let parts = lacking.fold(Parts::ALL, |parts, (_, part)| parts.without(*part));
+                let form = Form::new(expectation, parts);
+                if !all.contains(&form) {
+                    all.push(form);
                 }
             }
         }
@@ -38,9 +64,9 @@ pub fn expectations() -> Vec<Expectation> {
     all
 }
 
-/// The same planar subdivision as a structure with the parts of the expectation keeps it. O(n) for n rows and list entries.
+/// The same planar subdivision as a structure of this form keeps it. O(n) for n rows and list entries.
 ///
-/// The table has every part, and boundary components that name their faces. What the expectation leaves out is nil or vacant.
+/// The table given has every part, and boundary components that name their faces. What the form does not store is nil or vacant.
 ///
 /// - Without boundary components, half-edges name their face, and faces the half-edges and isolated vertices where their
 ///   boundary components start.
@@ -48,32 +74,34 @@ pub fn expectations() -> Vec<Expectation> {
 /// - Without unbounded face, so does each cycle that bounds the unbounded face, and isolated vertices there.
 ///
 /// ```
-/// use twinedge::validate::{Collect, Expectation, Part, Table, forms, validate};
+/// use twinedge::validate::forms::{Form, projected};
+/// use twinedge::validate::{Collect, Expectation, Parts, Table, validate};
 /// // An edge between two vertices.
 /// let edge: Table = "V 2 0 - 1 - H 2 0 1 1 1 0 1 0 0 0 0 B 1 0 h0 i0 F 1 - 1 0".parse()?;
 /// assert!(validate(&edge, &Expectation::plane(), Collect::All).is_valid());
 /// // On a sphere its one face has an outer boundary component like any other.
 /// let sphere = Expectation::surface();
 /// assert!(!validate(&edge, &sphere, Collect::All).is_valid());
-/// assert!(validate(&forms::projected(&edge, &sphere), &sphere, Collect::All).is_valid());
+/// let projected = projected(&edge, &Form::new(sphere, Parts::ALL));
+/// assert!(validate(&projected, &sphere, Collect::All).is_valid());
 /// # Ok::<(), twinedge::validate::ParseTableError>(())
 /// ```
 #[must_use]
-pub fn projected(table: &Table, expectation: &Expectation) -> Table {
-    let mut table = table.clone();
-    if expectation.has(Part::Faces) {
+pub fn projected(table: &Table, form: &Form) -> Table {
+    let mut table = Table { parts: form.parts, ..table.clone() };
+    if form.has(Part::Faces) {
         for f in 0..table.faces.len() {
             let is_unbounded = table.is_face(f) && table.outer(f).is_none();
-            if !expectation.has(Part::Holes) || is_unbounded && !expectation.has(Part::UnboundedFace) {
+            if !form.has(Part::Holes) || is_unbounded && !form.has(Part::UnboundedFace) {
                 unlist_inner(&mut table, f);
                 if is_unbounded {
                     table.faces[f] = None;
                 }
             }
         }
-        if !expectation.has(Part::BoundaryComponents) {
+        if !form.has(Part::BoundaryComponents) {
             drop_boundaries(&mut table);
-        } else if !expectation.has(Part::Places) {
+        } else if !form.has(Part::Places) {
             table.boundaries.iter_mut().flatten().for_each(|row| row.place = None);
         }
     } else {
@@ -82,30 +110,30 @@ pub fn projected(table: &Table, expectation: &Expectation) -> Table {
         table.half_edges.iter_mut().flatten().for_each(|row| (row.boundary, row.face) = (None, None));
         table.vertices.iter_mut().flatten().for_each(|row| row.isolated = None);
     }
-    if !expectation.has(Part::Prev) {
+    if !form.has(Part::Prev) {
         table.half_edges.iter_mut().flatten().for_each(|row| row.prev = None);
     }
-    if !expectation.has(Part::Leaving) {
+    if !form.has(Part::Leaving) {
         table.vertices.iter_mut().flatten().for_each(|row| row.leaving = None);
     }
     table
 }
 
-/// The map [`projected`], and, if the expectation allows open boundaries, each map that results if one of its faces, or the
+/// The map [`projected`], and, if open boundaries are legal, each map that results if one of its faces, or the
 /// half-edges of one of its cycles, is taken out first. O(n) tables, O(n²) in all.
 ///
 /// A face or cycle is taken out where the rest is right: a bounded face without isolated vertices in it, or the unbounded face
-/// if that is not expected; a cycle that passes no vertex twice, and is not the outer one of a face with holes.
+/// if that is not stored; a cycle that passes no vertex twice, and is not the outer one of a face with holes.
 #[must_use]
-pub fn projections(table: &Table, expectation: &Expectation) -> Vec<Table> {
-    let mut all = alloc::vec![projected(table, expectation)];
-    if expectation.is_open() {
-        if expectation.has(Part::Faces) {
-            let faces = (0..table.faces.len()).filter_map(|f| without_face(table, *expectation, f));
-            all.extend(faces.map(|open| projected(&open, expectation)));
+pub fn projections(table: &Table, form: &Form) -> Vec<Table> {
+    let mut all = alloc::vec![projected(table, form)];
+    if form.expectation.is_open() {
+        if form.has(Part::Faces) {
+            let faces = (0..table.faces.len()).filter_map(|f| without_face(table, form.parts, f));
+            all.extend(faces.map(|open| projected(&open, form)));
         }
         let cycles = (0..table.boundaries.len()).filter_map(|b| without_cycle(table, b));
-        all.extend(cycles.map(|open| projected(&open, expectation)));
+        all.extend(cycles.map(|open| projected(&open, form)));
     }
     all
 }
@@ -149,11 +177,11 @@ fn drop_boundaries(table: &mut Table) {
 }
 
 /// The table without a face: its half-edges bound none.
-fn without_face(table: &Table, expectation: Expectation, f: usize) -> Option<Table> {
+fn without_face(table: &Table, parts: Parts, f: usize) -> Option<Table> {
     let row = table.faces.get(f)?.as_ref()?;
     let listed = || row.outer.iter().chain(row.inner.iter().flatten());
     let is_vertex = |b: &usize| matches!(table.boundary_start(*b), Some(Start::Vertex(_)));
-    let is_needed = if row.outer.is_none() { expectation.has(Part::UnboundedFace) } else { listed().any(is_vertex) };
+    let is_needed = if row.outer.is_none() { parts.has(Part::UnboundedFace) } else { listed().any(is_vertex) };
     if is_needed {
         return None;
     }

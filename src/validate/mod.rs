@@ -6,7 +6,7 @@
 //! number of records, without panic, recursion or unbounded loop.
 //!
 //! ```
-//! use twinedge::validate::{Collect, Expectation, Link, Part, Rule, View, validate};
+//! use twinedge::validate::{Collect, Expectation, Link, Parts, Rule, View, validate};
 //!
 //! /// A triangle. Half-edges 0, 2 and 4 run around its inside, their twins 1, 3 and 5 around its outside.
 //! struct Triangle {
@@ -14,6 +14,8 @@
 //! }
 //!
 //! impl View for Triangle {
+//!     // Neither `prev`, nor half-edges kept by vertices, nor faces.
+//!     fn parts(&self) -> Parts { Parts::NONE }
 //!     fn vertex_slots(&self) -> usize { 3 }
 //!     fn half_edge_slots(&self) -> usize { 6 }
 //!     fn origin(&self, h: usize) -> Link { Some([0, 1, 1, 2, 2, 0][h]) }
@@ -21,15 +23,14 @@
 //!     fn next(&self, h: usize) -> Link { Some(self.next[h]) }
 //! }
 //!
-//! let expectation = Expectation::plane().without(Part::Faces).without(Part::Prev).without(Part::Leaving);
 //! let right = Triangle { next: [2, 5, 4, 1, 0, 3] };
-//! let report = validate(&right, &expectation, Collect::All);
+//! let report = validate(&right, &Expectation::plane(), Collect::All);
 //! assert!(report.is_valid());
-//! assert_eq!(report.certificate().unwrap().cycles, 2);
+//! assert_eq!(report.figures().unwrap().cycles, 2);
 //!
 //! let wrong = Triangle { next: [4, 5, 4, 1, 0, 3] };
-//! let report = validate(&wrong, &expectation, Collect::All);
-//! assert_eq!(report.violations()[0].rule(), Rule::L2);
+//! let report = validate(&wrong, &Expectation::plane(), Collect::All);
+//! assert_eq!(report.first().unwrap().rule(), Rule::L2);
 //! ```
 //!
 //! # The rules
@@ -55,7 +56,7 @@
 //!
 //! Each [`Rule`] has its statement, a picture and a pointer to its check in its documentation. A rule to the right makes
 //! sense only where those to its left hold. If they do not, it is reported as *not checked*, with the reason; so is a rule
-//! about parts that the expectation leaves out.
+//! about parts that the structure does not store.
 //!
 //! The rules are complete. R1, L and V make a combinatorial map; B and F give each of its cycles and each isolated vertex to
 //! exactly one face, exactly once; T1 and T2 make containment a tree; T3 makes every component plane. From the tree one
@@ -73,8 +74,8 @@
 //! keep nothing) is wrapped in an adapter. The table of [`adapt`] says what to do for which. [`adapt::Index`] gives keys the
 //! dense indices that a view needs, and [`Report::named`] prints a report with the keys.
 //!
-//! Structures of other languages are often columns of integers already, which [`interchange::Columns`] reads where they lie;
-//! [`interchange::Preset`] has the expectations for known libraries.
+//! Structures of other languages are often columns of integers already: `Columns` of the crate `twinedge-columns` reads them where they
+//! lie, and its `Preset` has the expectations for known libraries.
 //!
 //! # After a change
 //!
@@ -89,17 +90,13 @@
 //!
 //! # With serde
 //!
-//! With the feature `serde`, reports, violations, certificates and tables can be written and read. A [`Report`] is written in the form that
+//! With the feature `serde`, reports, violations, figures and tables can be written and read. A [`Report`] is written in the form that
 //! `docs/report.md` describes, in a format with named fields such as JSON, and is checked as it is read: what no validation could have reported is an error. Whether it is true of some structure, only a validation
 //! of that structure can tell.
 
 pub mod adapt;
-mod answers;
+mod catalogue;
 mod columns;
-mod counts;
-mod delegate;
-#[cfg(feature = "geometry")]
-mod embedding;
 pub mod enumerate;
 mod expectation;
 mod fast_path;
@@ -107,45 +104,30 @@ mod findings;
 pub mod forms;
 #[cfg(feature = "geometry")]
 mod geometric;
-mod hints;
-pub mod interchange;
-mod named;
-mod names;
 pub mod near;
 mod passes;
-mod record;
 pub mod reference;
 mod report;
-#[cfg(feature = "serde")]
-mod report_serde;
-mod report_text;
 mod rule;
 mod rules;
-mod run;
+mod structure;
+mod subject;
 mod table;
-mod table_text;
 mod validator;
-mod view;
-mod violation;
-mod violation_text;
-mod words;
 
-pub use counts::{Bounds, Counts};
-#[cfg(feature = "geometry")]
-pub use embedding::{Embedding, places};
-pub use expectation::{Expectation, Part, Surface};
+pub use expectation::{Expectation, Surface};
 #[cfg(feature = "geometry")]
 pub use geometric::validator::validate_embedding;
-pub use named::Named;
-pub use record::{Field, Record};
-pub use report::{Certificate, Collect, Report, RuleOutcome, Unchecked};
+#[cfg(feature = "geometry")]
+pub use report::places;
+pub use report::{Bounds, Collect, Counts, Field, Figures, Named, Record, Report, RuleOutcome, Unchecked, Violation};
 #[cfg(feature = "serde")]
-pub use report_serde::{Described, REPORT_SCHEMA};
+pub use report::{Described, REPORT_SCHEMA};
 pub use rule::Rule;
-pub use table::{BoundaryRow, FaceRow, HalfEdgeRow, Table, VertexRow};
-pub use table_text::ParseTableError;
+#[cfg(feature = "geometry")]
+pub use structure::Embedding;
+pub use structure::{BoundaryPlace, Link, Only, Part, Parts, Start, View};
+pub use table::{BoundaryRow, FaceRow, HalfEdgeRow, ParseTableError, Table, VertexRow};
 pub use validator::validate;
 #[cfg(feature = "rayon")]
 pub use validator::validate_parallel;
-pub use view::{BoundaryPlace, Link, Start, View};
-pub use violation::Violation;

@@ -2,17 +2,18 @@
 
 use super::columns::Components;
 use super::expectation::Expectation;
-use super::fast_path;
-use super::findings::{Flow, Halt};
+use super::fast_path::{self, Facts, Rotations, Whole};
+use super::findings::{Findings, Flow, Halt};
 use super::passes;
 use super::report::{Collect, Report, Unchecked};
 use super::rule::Rule;
+use super::rules::live::{self, Census};
 use super::rules::{
-    borders, bounds, closed, connected, cycle, euler, genus, isolated, kept, leaving, listed, live, nesting, outer,
-    outside, sides, simple, used,
+    borders, bounds, closed, connected, cycle, euler, genus, isolated, kept, leaving, listed, nesting, outer, outside,
+    sides, simple, used,
 };
-use super::run::Run;
-use super::view::View;
+use super::structure::View;
+use super::subject::{Extent, Subject};
 use alloc::vec::Vec;
 
 /// The rules of this validator: all but the geometric ones, and those that must be asked for.
@@ -54,14 +55,12 @@ const TOPOLOGICAL: &[Rule] = &[
 /// let table: Table = "V 2 0 - 0 - H 2 0 1 1 1 0 1 0 0 0 0 B 1 0 h0 i0 F 1 - 1 0".parse()?;
 /// let report = validate(&table, &Expectation::plane(), Collect::All);
 /// assert!(!report.is_valid());
-/// assert_eq!(report.violations()[0].rule(), Rule::V1);
+/// assert_eq!(report.first().unwrap().rule(), Rule::V1);
 /// # Ok::<(), twinedge::validate::ParseTableError>(())
 /// ```
 pub fn validate<V: View + ?Sized>(view: &V, expectation: &Expectation, collect: Collect) -> Report {
-    report(view, expectation, collect, |run| {
-        fast_path::look(run);
-        all_rules(run)
-    })
+    let first_only = collect == Collect::First;
+    judge(view, expectation, collect, |subject| fast_path::settle(subject, first_only))
 }
 
 /// The same report as that of [`validate`], by all threads of the current pool of `rayon`.
@@ -83,11 +82,9 @@ pub fn validate<V: View + ?Sized>(view: &V, expectation: &Expectation, collect: 
 /// ```
 #[cfg(feature = "rayon")]
 pub fn validate_parallel<V: View + Sync + ?Sized>(view: &V, expectation: &Expectation, collect: Collect) -> Report {
-    report(view, expectation, collect, |run| {
-        if !fast_path::parallel::look(run) {
-            fast_path::look(run);
-        }
-        all_rules(run)
+    let first_only = collect == Collect::First;
+    judge(view, expectation, collect, |subject| {
+        fast_path::settle_in_parts(subject).unwrap_or_else(|| fast_path::settle(subject, first_only))
     })
 }
 
@@ -105,82 +102,101 @@ pub fn validate_parallel<V: View + Sync + ?Sized>(view: &V, expectation: &Expect
 /// # Ok::<(), twinedge::validate::ParseTableError>(())
 /// ```
 pub fn rule_by_rule<V: View + ?Sized>(view: &V, expectation: &Expectation, collect: Collect) -> Report {
-    report(view, expectation, collect, all_rules)
+    judge(view, expectation, collect, |_| Facts::default())
 }
 
-fn report<'a, V: View + ?Sized>(
-    view: &'a V,
+/// Settles what `settle` can, and runs the rules on the rest. Only the former is compiled for each type of view.
+fn judge<V: View + ?Sized>(
+    view: &V,
     expectation: &Expectation,
     collect: Collect,
-    rules_of: impl FnOnce(&mut Run<'a, V>) -> Flow,
+    settle: impl FnOnce(Subject<'_, V>) -> Facts,
 ) -> Report {
-    let mut run = Run::new(view, *expectation, collect);
-    let rules: Vec<Rule> =
-        TOPOLOGICAL.iter().chain(Rule::ALL.iter().filter(|r| is_asked(&run, **r))).copied().collect();
-    let ended = run.measure().and_then(|()| {
-        rules_of(&mut run).map_err(|halt| match halt {
-            Halt::Found => Unchecked::Stopped,
-            Halt::OutOfMemory => Unchecked::OutOfMemory,
-        })
+    let extent = match Extent::of(view, *expectation) {
+        Ok(extent) => extent,
+        Err(why) => return report(expectation, Findings::new(collect), Err(why)),
+    };
+    let facts = settle(Subject { view, extent });
+    run(Subject { view: &view, extent }, facts, collect)
+}
+
+/// Runs the rules.
+fn run(subject: Subject<'_>, facts: Facts, collect: Collect) -> Report {
+    let mut findings = Findings::new(collect);
+    let ended = all_rules(subject, facts, &mut findings).map_err(|halt| match halt {
+        Halt::Found => Unchecked::Stopped,
+        Halt::OutOfMemory => Unchecked::OutOfMemory,
     });
+    report(&subject.extent.expect, findings, ended)
+}
+
+/// The report of these findings. What was not reached, if the run ended early, has the reason.
+fn report(expectation: &Expectation, mut findings: Findings, ended: Result<(), Unchecked>) -> Report {
+    let asked = Rule::ALL.iter().filter(|rule| rule.is_optional() && expectation.asks_for(**rule));
+    let rules: Vec<Rule> = TOPOLOGICAL.iter().chain(asked).copied().collect();
     if let Err(why) = ended {
         for rule in &rules {
-            run.findings.not_checked_yet(*rule, why);
+            findings.not_checked_yet(*rule, why);
         }
     }
-    let (outcomes, violations) = run.findings.into_parts(&rules);
-    Report { outcomes, violations, counts: run.counts, bounds: run.bounds }
+    findings.into_report(&rules)
 }
 
-/// Whether this is a rule that must be asked for, and was.
-fn is_asked<V: View + ?Sized>(run: &Run<'_, V>, rule: Rule) -> bool {
-    rule.is_optional() && run.expect.asks_for(rule)
-}
-
-fn all_rules<V: View + ?Sized>(run: &mut Run<'_, V>) -> Flow {
-    live::check(run)?;
-    passes::half_edges::check(run)?;
-    leaving::check(run)?;
-    passes::rotations::check(run)?;
-    cycle::check(run)?;
-    isolated::check(run)?;
-    outer::check(run)?;
-    listed::check(run)?;
-    let components = whole(run)?;
-    asked(run, components.as_ref())
-}
-
-/// T1 … T4, and the counts that they need. Returns the components, if they can be known.
-fn whole<V: View + ?Sized>(run: &mut Run<'_, V>) -> Result<Option<Components>, Halt> {
-    if let Some(rule) = run.rotations_broken() {
+fn all_rules(subject: Subject<'_>, facts: Facts, findings: &mut Findings) -> Flow {
+    let census = live::check(subject, &facts, findings)?;
+    let before = passes::half_edges::check(subject, &facts, &census, findings)?;
+    leaving::check(subject, &facts, findings)?;
+    let walked = passes::rotations::check(subject, &facts, &census, before.as_deref(), findings)?;
+    cycle::check(subject, &facts, &census, findings)?;
+    isolated::check(subject, &facts, &census, findings)?;
+    outer::check(subject, &facts, findings)?;
+    listed::check(subject, &facts, &census, findings)?;
+    let is_simple = if let Some(rule) = census.rotations_broken(findings) {
         for waiting in TOPOLOGICAL.iter().filter(|waiting| **waiting >= Rule::T1) {
-            run.findings.not_checked(*waiting, Unchecked::Broken(rule));
+            findings.not_checked(*waiting, Unchecked::Broken(rule));
         }
-        return Ok(None);
-    }
-    fast_path::whole(run);
-    if run.known.whole.is_none() && run.components.is_none() {
-        passes::rotations::find(run)?;
-    }
-    let known = run.known.whole.as_mut().map(|known| core::mem::take(&mut known.components));
-    let Some(mut components) = known.or_else(|| run.components.take()) else { return Ok(None) };
-    run.counts.components = Some(components.all.len());
-    passes::cycles::count(run, &mut components)?;
-    outside::check(run, &mut components)?;
-    nesting::check(run, &components)?;
-    euler::check(run, &components)?;
-    bounds::check(run, &components)?;
-    Ok(Some(components))
+        false
+    } else {
+        let whole = match (facts.rotations, walked) {
+            (Rotations::Whole(whole), _) => Ok(whole),
+            (_, Some(components)) => Err(components),
+            _ => Err(passes::rotations::find(subject, &census, before.as_deref(), findings)?),
+        };
+        drop(before);
+        whole_map(subject, whole, &census, findings)?
+    };
+    used::check(subject, &census, findings)?;
+    simple::check(subject, &census, is_simple, findings)?;
+    sides::check(subject, &census, findings)?;
+    closed::check(subject, &census, findings)?;
+    connected::check(subject, &census, findings)?;
+    borders::check(subject, &census, findings)?;
+    genus::check(subject, &census, findings)?;
+    kept::check(subject, &census, findings)
 }
 
-/// M1 … M8, each if it is asked for.
-fn asked<V: View + ?Sized>(run: &mut Run<'_, V>, components: Option<&Components>) -> Flow {
-    used::check(run)?;
-    simple::check(run, components)?;
-    sides::check(run)?;
-    closed::check(run)?;
-    connected::check(run)?;
-    borders::check(run)?;
-    genus::check(run)?;
-    kept::check(run)
+/// T1 … T4, and the counts that they need: from the whole as it is settled, or from the components. Returns whether there is neither a
+/// loop nor a pair of parallel edges.
+fn whole_map(
+    subject: Subject<'_>,
+    whole: Result<Whole, Components>,
+    census: &Census,
+    findings: &mut Findings,
+) -> Result<bool, Halt> {
+    let (components, lies_in, genus) = match whole {
+        Ok(Whole { components, lies_in, genus, cycles, borders }) => {
+            passes::cycles::enter(subject, [cycles, borders], findings);
+            (components, lies_in, Some(genus))
+        }
+        Err(mut components) => {
+            passes::cycles::count(subject, &mut components, findings)?;
+            (components, None, None)
+        }
+    };
+    findings.counts.components = Some(components.all.len());
+    let lies_in = outside::check(subject, &components, lies_in, census.list_budget, findings)?;
+    nesting::check(subject, &components, &lies_in, findings)?;
+    euler::check(subject, &components, genus, findings)?;
+    bounds::check(subject, components.simple, findings)?;
+    Ok(components.simple)
 }

@@ -16,7 +16,7 @@ fn ring(points: &[[f64; 2]]) -> Vec<Point> {
 }
 
 fn area([x0, y0]: [f64; 2], [x1, y1]: [f64; 2]) -> Shape {
-    Shape::Polygon(vec![ring(&[[x0, y0], [x1, y0], [x1, y1], [x0, y1]])])
+    Shape::polygon([[x0, y0], [x1, y0], [x1, y1], [x0, y1]])
 }
 
 fn map(shapes: &[Shape]) -> PlanarMap {
@@ -58,8 +58,8 @@ fn parcels() -> Vec<Shape> {
 fn parcels_side_by_side_break_nothing() {
     assert_eq!(found(&parcels(), &Limits::default()).findings, []);
     // Nothing is asked of lines, and of no features.
-    let line = Shape::Line(ring(&[[0.0, 0.0], [1.0, 0.0], [1.0, 1.0], [0.0, 0.0]]));
-    let other = Shape::Line(ring(&[[0.0, 0.0], [9.0, 9.0]]));
+    let line = Shape::line([[0.0, 0.0], [1.0, 0.0], [1.0, 1.0], [0.0, 0.0]]);
+    let other = Shape::line([[0.0, 0.0], [9.0, 9.0]]);
     assert_eq!(found(&[line, other], &Limits::default()).findings, []);
     assert_eq!(found(&[], &Limits::default()).findings, []);
 }
@@ -87,8 +87,8 @@ fn overlaps_of_different_features_are_different_findings() {
 #[test]
 fn an_overlap_of_slanted_borders_has_the_area_of_the_intersection() {
     // Polygon([(0, 0), (4, 0), (0, 3)]) and Polygon([(1, 1), (4, 1), (1, 4)]) have this intersection in shapely.
-    let one = Shape::Polygon(vec![ring(&[[0.0, 0.0], [4.0, 0.0], [0.0, 3.0]])]);
-    let other = Shape::Polygon(vec![ring(&[[1.0, 1.0], [4.0, 1.0], [1.0, 4.0]])]);
+    let one = Shape::polygon([[0.0, 0.0], [4.0, 0.0], [0.0, 3.0]]);
+    let other = Shape::polygon([[1.0, 1.0], [4.0, 1.0], [1.0, 4.0]]);
     let (finding, _) = only(&[one, other], &Limits::default());
     // The triangle (1, 1), (8/3, 1), (1, 9/4).
     assert!(near(finding.area, 25.0 / 24.0), "{}", finding.area);
@@ -97,15 +97,8 @@ fn an_overlap_of_slanted_borders_has_the_area_of_the_intersection() {
 #[test]
 fn a_gap_breaks_only_c2() {
     let mut shapes = parcels();
-    shapes[3] = Shape::Polygon(vec![ring(&[
-        [0.0, 10.0],
-        [9.0, 10.0],
-        [10.0, 10.5],
-        [11.0, 10.0],
-        [20.0, 10.0],
-        [20.0, 20.0],
-        [0.0, 20.0],
-    ])]);
+    shapes[3] =
+        Shape::polygon([[0.0, 10.0], [9.0, 10.0], [10.0, 10.5], [11.0, 10.0], [20.0, 10.0], [20.0, 20.0], [0.0, 20.0]]);
     let (finding, features) = only(&shapes, &Limits::default());
     assert_eq!((finding.rule, features), (CoverageRule::Gap, vec![0, 1, 3]));
     assert!(near(finding.area, 0.5) && near(finding.length, 2.0 + 2.0 * 1.25_f64.sqrt()));
@@ -125,7 +118,7 @@ fn the_tips_of_a_wide_gap_are_no_near_misses() {
         [[0.0, -20.0], [100.0, -20.0], [100.0, 0.0], [90.0, 0.0], [50.0, -5.0], [10.0, 0.0], [0.0, 0.0]],
         [[0.0, 0.0], [10.0, 0.0], [50.0, 5.0], [90.0, 0.0], [100.0, 0.0], [100.0, 20.0], [0.0, 20.0]],
     ];
-    let shapes = shapes.map(|points| Shape::Polygon(vec![ring(&points)]));
+    let shapes = shapes.map(Shape::polygon);
     let coverage = found(&shapes, &Limits { gap_width: Some(1.0), ..Limits::default() });
     assert_eq!(coverage.findings, []);
     assert_eq!(coverage.wider_gaps.len(), 1);
@@ -139,15 +132,12 @@ fn a_line_does_not_close_a_gap_and_does_not_cut_one() {
         area([0.0, 0.0], [30.0, 10.0]),
         area([0.0, 10.0], [10.0, 20.0]),
         area([20.0, 10.0], [30.0, 20.0]),
-        Shape::Line(ring(&[[10.0, 20.0], [20.0, 20.0]])),
+        Shape::line([[10.0, 20.0], [20.0, 20.0]]),
     ];
     assert_eq!(found(&bay, &Limits::default()).findings, []);
     // A lake with a line across it is one gap.
-    let lake = Shape::Polygon(vec![
-        ring(&[[0.0, 0.0], [30.0, 0.0], [30.0, 30.0], [0.0, 30.0]]),
-        ring(&[[10.0, 10.0], [10.0, 20.0], [20.0, 20.0], [20.0, 10.0]]),
-    ]);
-    let ferry = Shape::Line(ring(&[[10.0, 10.0], [20.0, 20.0]]));
+    let lake = area([0.0, 0.0], [30.0, 30.0]).hole([[10.0, 10.0], [10.0, 20.0], [20.0, 20.0], [20.0, 10.0]]);
+    let ferry = Shape::line([[10.0, 10.0], [20.0, 20.0]]);
     let (finding, _) = only(&[lake, ferry], &Limits::default());
     assert_eq!((finding.rule, finding.faces.len(), finding.area), (CoverageRule::Gap, 2, 100.0));
 }
@@ -177,7 +167,7 @@ fn a_strip_along_many_short_edges_is_one_near_miss() {
     west.extend(winding(0.0));
     let mut east = winding(0.01);
     east.extend([[20.0, 50.0], [20.0, 0.0]]);
-    let shapes = [west, east].map(|points| Shape::Polygon(vec![ring(&points)]));
+    let shapes = [west, east].map(Shape::polygon);
     let (finding, features) = only(&shapes, &Limits { gap_width: Some(0.02), ..Limits::default() });
     assert_eq!((finding.rule, features), (CoverageRule::NearMiss, vec![0, 1]));
     let border = 50.0 * 1.09_f64.sqrt();
@@ -192,7 +182,7 @@ fn slanted_borders_are_as_far_apart_as_they_are() {
         [[0.0, 0.0], [10.0, 10.0], [0.0, 10.0]],
         [[shift, -shift], [10.0 + shift, -shift], [10.0 + shift, 10.0 - shift]],
     ];
-    let shapes = shapes.map(|points| Shape::Polygon(vec![ring(&points)]));
+    let shapes = shapes.map(Shape::polygon);
     for (width, count) in [(0.149, 0), (0.151, 1)] {
         let limits = Limits { gap_width: Some(width), ..Limits::default() };
         assert_eq!(found(&shapes, &limits).of(CoverageRule::NearMiss).count(), count, "{width}");
@@ -230,7 +220,7 @@ fn borders_of_different_spaces_are_no_near_miss() {
         vec![[9.0, 4.3], [21.0, 4.3], [21.0, 4.6], [10.0, 4.6], [10.0, 12.0], [9.0, 12.0]],
         vec![[10.0, 4.9], [21.0, 4.9], [21.0, 12.0], [10.0, 12.0]],
     ];
-    let shapes = shapes.map(|points| Shape::Polygon(vec![ring(&points)]));
+    let shapes = shapes.map(Shape::polygon);
     let coverage = found(&shapes, &Limits { gap_width: Some(1.0), ..Limits::default() });
     let mut pairs: Vec<Vec<usize>> = coverage
         .of(CoverageRule::NearMiss)
@@ -247,7 +237,7 @@ fn borders_that_part_at_a_vertex_are_no_near_miss() {
     // At 45 degrees, and at 6 degrees.
     for (rise, count) in [(10.0, 0), (1.0, 1)] {
         let low = area([0.0, -10.0], [10.0, 0.0]);
-        let high = Shape::Polygon(vec![ring(&[[0.0, 0.0], [10.0, rise], [10.0, 20.0], [0.0, 20.0]])]);
+        let high = Shape::polygon([[0.0, 0.0], [10.0, rise], [10.0, 20.0], [0.0, 20.0]]);
         assert_eq!(found(&[low, high], &limits).findings.len(), count, "{rise}");
     }
     // Two parts of one feature are no neighbours.
@@ -358,19 +348,17 @@ fn polygons_are_invalid_for_the_reason_that_geos_gives() {
 #[test]
 fn a_ring_all_points_of_which_lie_on_another_is_located() {
     // A diamond with its points on the middles of the sides of a square, as a hole and as a second shell.
-    let square =
-        ring(&[[0.0, 0.0], [2.0, 0.0], [4.0, 0.0], [4.0, 2.0], [4.0, 4.0], [2.0, 4.0], [0.0, 4.0], [0.0, 2.0]]);
-    let diamond = ring(&[[2.0, 0.0], [4.0, 2.0], [2.0, 4.0], [0.0, 2.0]]);
+    let square = [[0.0, 0.0], [2.0, 0.0], [4.0, 0.0], [4.0, 2.0], [4.0, 4.0], [2.0, 4.0], [0.0, 4.0], [0.0, 2.0]];
+    let mut diamond = [[2.0, 0.0], [4.0, 2.0], [2.0, 4.0], [0.0, 2.0]];
     let kinds = |shapes: &[Shape]| defects(shapes).iter().map(|defect| defect.kind).collect::<Vec<_>>();
-    for turned in [false, true] {
-        let diamond: Vec<Point> = if turned { diamond.iter().rev().copied().collect() } else { diamond.clone() };
-        let hole = [Shape::Polygon(vec![square.clone(), diamond.clone()])];
-        assert_eq!(kinds(&hole), [DefectKind::DisconnectedInterior]);
-        let shells = [Shape::Polygon(vec![square.clone()]), Shape::Polygon(vec![diamond.clone()])];
-        assert_eq!(kinds(&shells), [DefectKind::NestedShells]);
+    for _ in 0..2 {
+        let (in_square, in_diamond) = (Shape::polygon(square), Shape::polygon(diamond));
+        assert_eq!(kinds(&[in_square.clone().hole(diamond)]), [DefectKind::DisconnectedInterior]);
         // A point of the hole on each side of a triangle around it: the hole lies outside.
-        let outside = [Shape::Polygon(vec![diamond, square.clone()])];
-        assert_eq!(kinds(&outside), [DefectKind::HoleOutsideShell]);
+        assert_eq!(kinds(&[in_diamond.clone().hole(square)]), [DefectKind::HoleOutsideShell]);
+        assert_eq!(kinds(&[in_square, in_diamond]), [DefectKind::NestedShells]);
+        // The same, turned the other way.
+        diamond.reverse();
     }
 }
 

@@ -38,10 +38,10 @@ fn graphs_say_what_the_map_says(shapes: planar::Scribble) -> bool {
     let map = noded(&shapes);
     let dcel = map.dcel();
     let (dual, skeleton) = (Dual::new(&map), Skeleton::new(&map));
-    let certificate = map.validate().certificate().unwrap().clone();
-    assert_eq!((dual.node_count(), dual.edge_references().count()), (certificate.faces, certificate.edges));
-    assert_eq!((skeleton.node_count(), skeleton.edge_references().count()), (certificate.vertices, certificate.edges));
-    assert_eq!(connected_components(&skeleton), certificate.components);
+    let figures = map.validate().figures().unwrap();
+    assert_eq!((dual.node_count(), dual.edge_references().count()), (figures.faces, figures.edges));
+    assert_eq!((skeleton.node_count(), skeleton.edge_references().count()), (figures.vertices, figures.edges));
+    assert_eq!(connected_components(&skeleton), figures.components);
     // Every edge has another face beside it, or lies in the face around it: faces hang together.
     assert_eq!(connected_components(&dual), 1);
 
@@ -55,7 +55,7 @@ fn graphs_say_what_the_map_says(shapes: planar::Scribble) -> bool {
         articulation_points(&skeleton).into_iter().map(|v| dcel.vertex(v).unwrap().index()).collect();
     let alone = |v: &Vertex<'_>| usize::from(v.degree() == 0);
     let cuts: BTreeSet<usize> = { dcel.vertices() }
-        .filter(|v| components_without(&map, Some(v.key())) + alone(v) > certificate.components)
+        .filter(|v| components_without(&map, Some(v.key())) + alone(v) > figures.components)
         .map(Vertex::index)
         .collect();
     assert_eq!(found, cuts);
@@ -77,7 +77,7 @@ fn graphs_say_what_the_map_says(shapes: planar::Scribble) -> bool {
     while walk.next(&dual).is_some() {
         visited += 1;
     }
-    visited == certificate.faces
+    visited == figures.faces
 }
 
 #[test]
@@ -188,10 +188,10 @@ fn routes_are_shortest_ways() {
 
 #[test]
 fn centroids_are_those_of_symmetric_shapes() {
-    let square = |low: f64, high: f64| [[low, low], [high, low], [high, high], [low, high]].map(Into::into).to_vec();
+    let square = |low: f64, high: f64| [[low, low], [high, low], [high, high], [low, high]];
     let mut builder = Builder::new();
     // A square with a hole off the middle: 16·(2, 2) − 1·(1.5, 1.5), by 15.
-    let id = builder.shape(&Shape::Polygon(vec![square(0.0, 4.0), square(1.0, 2.0)])).unwrap();
+    let id = builder.shape(&Shape::polygon(square(0.0, 4.0)).hole(square(1.0, 2.0))).unwrap();
     let empty = builder.shape(&Shape::Point(Point::new(9.0, 9.0))).unwrap();
     let map = builder.build().unwrap();
     let found = feature_centroid(&map, id).unwrap();

@@ -25,8 +25,7 @@ fn built(board: &Board) -> (PlanarMap, Vec<FeatureId>) {
             let mut shapes = Vec::new();
             for (x, column) in (0..).zip(board) {
                 for (y, _) in (0..).zip(column).filter(|(_, set)| **set & 1 << feature != 0) {
-                    shapes
-                        .push(Shape::Polygon(vec![[(x, y), (x + 1, y), (x + 1, y + 1), (x, y + 1)].map(at).to_vec()]));
+                    shapes.push(Shape::polygon([(x, y), (x + 1, y), (x + 1, y + 1), (x, y + 1)].map(at).to_vec()));
                 }
             }
             builder.feature(&Feature { shapes, ..Feature::default() }).expect("in range")
@@ -133,9 +132,8 @@ fn features_agree_with_the_slow_answer() {
 #[test]
 fn faces_have_the_neighbours_that_one_sees() {
     // Four quarters of a square, one of them empty, and a square in the first one.
-    let square = |[x, y]: [f64; 2], side: f64| {
-        Shape::Polygon(vec![[[x, y], [x + side, y], [x + side, y + side], [x, y + side]].map(Point::from).to_vec()])
-    };
+    let square =
+        |[x, y]: [f64; 2], side: f64| Shape::polygon([[x, y], [x + side, y], [x + side, y + side], [x, y + side]]);
     let mut builder = Builder::new();
     for shape in [square([0.0, 0.0], 4.0), square([4.0, 0.0], 4.0), square([0.0, 4.0], 4.0), square([1.0, 1.0], 2.0)] {
         builder.shape(&shape).expect("in range");

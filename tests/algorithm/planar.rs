@@ -16,14 +16,13 @@ impl Arbitrary for Scribble {
         let mut point = || Point::new(f64::from(u8::arbitrary(g) % 13), f64::from(u8::arbitrary(g) % 13));
         let mut shapes = Vec::new();
         // A frame, so that most of it is in a bounded face.
-        shapes
-            .push(Shape::Polygon(vec![[[0.0, 0.0], [12.0, 0.0], [12.0, 12.0], [0.0, 12.0]].map(Point::from).to_vec()]));
+        shapes.push(Shape::polygon([[0.0, 0.0], [12.0, 0.0], [12.0, 12.0], [0.0, 12.0]]));
         for kind in 0..=count {
             shapes.push(match kind % 4 {
-                0 => Shape::Polygon(vec![vec![point(), point(), point()]]),
+                0 => Shape::polygon(vec![point(), point(), point()]),
                 1 => Shape::Line(vec![point(), point()]),
                 2 => Shape::Point(point()),
-                _ => Shape::Polygon(vec![(0..5).map(|_| point()).collect()]),
+                _ => Shape::polygon((0..5).map(|_| point())),
             });
         }
         Self(shapes)

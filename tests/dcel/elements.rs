@@ -205,6 +205,10 @@ fn counts_and_indices<S: Store>(Drawn { dcel, vertices, half_edges, faces }: &Dr
     assert!(dcel.half_edges().all(|h| dcel.half_edge_at(h.index()) == Some(h)));
     assert!(dcel.boundaries().all(|b| dcel.boundary_at(b.index()) == Some(b)));
     assert!(dcel.faces().all(|f| dcel.face_at(f.index()) == Some(f)));
+    assert!(dcel.vertices().all(|v| dcel.at(v.key()) == v && v.index() < dcel.vertex_slots()));
+    assert!(dcel.half_edges().all(|h| dcel.at(h.key()) == h && h.index() < dcel.half_edge_slots()));
+    assert!(dcel.boundaries().all(|b| dcel.at(b.key()) == b && b.index() < dcel.boundary_slots()));
+    assert!(dcel.faces().all(|f| dcel.at(f.key()) == f && f.index() < dcel.face_slots()));
     assert_eq!(dcel.vertex_at(usize::MAX), None);
     assert_eq!(dcel.half_edge_at(usize::MAX), None);
     assert_eq!(dcel.boundary_at(usize::MAX), None);
@@ -214,6 +218,7 @@ fn counts_and_indices<S: Store>(Drawn { dcel, vertices, half_edges, faces }: &Dr
 
 fn of_one_structure<S: Store + Clone>(Drawn { dcel, vertices, .. }: &Drawn<S>) {
     let copy = dcel.clone();
+    assert!(copy == *dcel && Dcel::<S>::default() != copy);
     let (here, there) = (dcel.vertex(vertices[0]).unwrap(), copy.vertex(vertices[0]).unwrap());
     assert_eq!((here.key(), here.index()), (there.key(), there.index()));
     assert_ne!(here, there, "elements of two structures are not the same, whatever their keys");

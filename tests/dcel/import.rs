@@ -2,7 +2,7 @@
 
 use crate::support::erased::validate;
 use crate::support::inconsistent::Inconsistent;
-use crate::support::tables::{face, half_edge, map, textbook_map, textbook_mesh, vertex};
+use crate::support::tables::{TEXTBOOK, Without, face, half_edge, map, textbook_map, textbook_mesh, vertex};
 use quickcheck::{Gen, QuickCheck, Testable};
 use std::cell::Cell;
 use std::collections::BTreeSet;
@@ -12,7 +12,8 @@ use twinedge::delegate_view;
 use twinedge::program::canonical::isomorphic;
 use twinedge::program::{Program, Runner};
 use twinedge::validate::enumerate::for_each_corruption;
-use twinedge::validate::{Collect, Expectation, FaceRow, Part, Rule, Start, Table, View};
+use twinedge::validate::forms::{Form, projected};
+use twinedge::validate::{Collect, Expectation, FaceRow, Part, Parts, Rule, Start, Table, VertexRow, View};
 
 fn check(tests: u64, size: usize, law: impl Testable) {
     QuickCheck::new().rng(Gen::from_size_and_seed(size, 2026)).tests(tests).quickcheck(law);
@@ -24,36 +25,12 @@ fn built(program: &Program) -> Dcel {
     runner.into_subject()
 }
 
-/// A table with faces that keep half-edges, as the textbooks have it.
-const TEXTBOOK: Expectation = Expectation::plane().without(Part::BoundaryComponents);
+const PLANE: Expectation = Expectation::plane();
+const MESH: Expectation = Expectation::surface();
 
-/// A mesh whose faces keep half-edges.
-const MESH: Expectation = Expectation::surface().without(Part::BoundaryComponents);
-
-/// The table of a structure, with faces that keep half-edges in place of records of boundary components.
-fn textbook(view: &impl View) -> Table {
-    let mut table = Table::copy_of(view).unwrap();
-    for h in 0..table.half_edges.len() {
-        if let Some(row) = &mut table.half_edges[h] {
-            row.face = row.boundary.take().and_then(|b| view.boundary_face(b));
-        }
-    }
-    for row in table.vertices.iter_mut().flatten() {
-        row.isolated = None;
-    }
-    for f in 0..table.faces.len() {
-        if let Some(row) = &mut table.faces[f] {
-            let start = |b: usize| view.boundary_start(b);
-            let outer_half_edge = row.outer.and_then(start).map(|start| match start {
-                Start::HalfEdge(h) => h,
-                Start::Vertex(_) => unreachable!("an outer boundary component is a cycle"),
-            });
-            let inner_starts = row.inner.iter().map(|b| b.and_then(start)).collect();
-            *row = FaceRow { outer_half_edge, inner_starts, ..FaceRow::default() };
-        }
-    }
-    table.boundaries.clear();
-    table
+/// The table of a structure, with these parts.
+fn table(view: &impl View, parts: Parts) -> Table {
+    projected(&Table::copy_of(view).unwrap(), &Form::new(PLANE, parts))
 }
 
 /// Every record has the key of the record that has the same links.
@@ -120,14 +97,14 @@ fn assert_keys_fit<V: View>(view: &V, map: &Dcel, keys: &Keys) {
 fn what_a_program_makes_comes_in_again() {
     fn law(program: Program) {
         let made = built(&program);
-        let (map, keys) = Dcel::from_view(&made, &Expectation::plane(), Outside::Given).unwrap();
+        let (map, keys) = Dcel::from_view(&made, &PLANE, Outside::Given).unwrap();
         assert!(map.validate().is_valid());
         assert!(isomorphic(&map, &made));
         assert_eq!(keys.face(made.unbounded_face().index()), Some(map.unbounded_face().key()));
         assert_keys_fit(&made, &map, &keys);
 
-        let textbook = textbook(&made);
-        let (map, keys) = Dcel::from_view(&textbook, &TEXTBOOK, Outside::Given).unwrap();
+        let textbook = table(&made, TEXTBOOK);
+        let (map, keys) = Dcel::from_view(&textbook, &PLANE, Outside::Given).unwrap();
         assert!(isomorphic(&map, &made));
         assert_keys_fit(&textbook, &map, &keys);
     }
@@ -138,20 +115,9 @@ fn what_a_program_makes_comes_in_again() {
 fn parts_may_be_missing() {
     fn law(program: Program) {
         let made = built(&program);
-        for (mut table, expectation) in
-            [(Table::copy_of(&made).unwrap(), Expectation::plane()), (textbook(&made), TEXTBOOK)]
-        {
-            for row in table.half_edges.iter_mut().flatten() {
-                row.prev = None;
-            }
-            for row in table.vertices.iter_mut().flatten() {
-                row.leaving = None;
-            }
-            for row in table.boundaries.iter_mut().flatten() {
-                row.place = None;
-            }
-            let less = expectation.without(Part::Prev).without(Part::Leaving).without(Part::Places);
-            let (map, keys) = Dcel::from_view(&table, &less, Outside::Given).unwrap();
+        for parts in [Parts::ALL.without(Part::Places), TEXTBOOK] {
+            let table = table(&made, parts.without(Part::Prev).without(Part::Leaving));
+            let (map, keys) = Dcel::from_view(&table, &PLANE, Outside::Given).unwrap();
             assert!(isomorphic(&map, &made));
             assert_keys_fit(&table, &map, &keys);
         }
@@ -172,7 +138,7 @@ fn meshes_come_in_by_a_face_or_a_border() {
             return;
         }
         let outside = made.unbounded_face().index();
-        let mut closed = textbook(&made);
+        let mut closed = table(&made, TEXTBOOK);
         *face(&mut closed, outside) = FaceRow { outer_half_edge: Some(around.index()), ..FaceRow::default() };
         let (map, keys) = Dcel::from_view(&closed, &MESH, Outside::Face(outside)).unwrap();
         assert!(isomorphic(&map, &made));
@@ -206,8 +172,8 @@ fn meshes_come_in_by_a_face_or_a_border() {
                 v.leaving = Some(h.clockwise().index());
             }
         }
-        let open_mesh = MESH.without(Part::Prev).without(Part::Leaving).open();
-        let (map, keys) = Dcel::from_view(&open, &open_mesh, Outside::Border).unwrap();
+        let open = open.without(Part::Prev).without(Part::Leaving);
+        let (map, keys) = Dcel::from_view(&open, &OPEN, Outside::Border).unwrap();
         assert!(isomorphic(&map, &made));
         for h in (0..open.half_edge_slots()).filter(|h| open.is_half_edge(*h) && open.twin(*h).is_none()) {
             let twin = map.half_edge(keys.half_edge(h).unwrap()).unwrap().twin();
@@ -224,10 +190,11 @@ fn meshes_come_in_by_a_face_or_a_border() {
 #[test]
 fn a_corrupted_table_comes_in_only_if_it_is_valid_all_the_same() {
     let (mut refused, mut valid) = (0, 0);
-    let mut all = |mut table: Table, expectation: Expectation| {
-        for_each_corruption(&mut table, &expectation, |corrupted, _, _| {
-            let report = validate(corrupted, &expectation, Collect::All);
-            match Dcel::from_view(corrupted, &expectation, Outside::Given) {
+    let mut all = |mut table: Table| {
+        let parts = table.parts;
+        for_each_corruption(&mut table, parts, |corrupted, _, _| {
+            let report = validate(corrupted, &PLANE, Collect::All);
+            match Dcel::from_view(corrupted, &PLANE, Outside::Given) {
                 Ok((map, keys)) => {
                     assert!(report.is_valid());
                     assert!(map.validate().is_valid());
@@ -251,8 +218,8 @@ fn a_corrupted_table_comes_in_only_if_it_is_valid_all_the_same() {
         add_isolated_vertex unbounded
         split_vertex i0 i0";
     let made = built(&program.parse().unwrap());
-    all(Table::copy_of(&made).unwrap(), Expectation::plane());
-    all(textbook(&made), TEXTBOOK);
+    all(table(&made, Parts::ALL));
+    all(table(&made, TEXTBOOK));
     assert!(refused > 500 && valid > 5, "{refused} refused, {valid} valid");
 }
 
@@ -266,11 +233,11 @@ fn a_view_that_changes_its_answers_never_comes_in_wrong() {
         add_isolated_vertex unbounded";
     let made = built(&program.parse().unwrap());
     let mut outcomes = [0; 3];
-    for (table, expectation) in [(Table::copy_of(&made).unwrap(), Expectation::plane()), (textbook(&made), TEXTBOOK)] {
+    for table in [Parts::ALL, TEXTBOOK].map(|parts| table(&made, parts)) {
         for patience in 0..400 {
             for seed in 0..5 {
                 let view = Inconsistent::new(&table, patience, seed);
-                let outcome = match Dcel::from_view(&view, &expectation, Outside::Given) {
+                let outcome = match Dcel::from_view(&view, &PLANE, Outside::Given) {
                     Ok((map, _)) => {
                         assert!(map.validate().is_valid());
                         0
@@ -317,10 +284,10 @@ fn a_component_that_moves_into_itself_does_not_come_in() {
     let mut broken = BTreeSet::new();
     for patience in 0..300 {
         let view = Switched { tables: [&right, &inside_itself], left: Cell::new(patience) };
-        match Dcel::from_view(&view, &Expectation::plane(), Outside::Given) {
+        match Dcel::from_view(&view, &PLANE, Outside::Given) {
             Ok((map, _)) => assert!(map.validate().is_valid()),
             Err(ImportError::NotPlane(report)) => {
-                broken.insert(report.violations()[0].rule());
+                broken.insert(report.first().unwrap().rule());
             }
             Err(ImportError::Invalid(_) | ImportError::Inconsistent) => {}
             Err(other) => panic!("{other}"),
@@ -349,10 +316,10 @@ fn bordered(mut table: Table) -> Table {
     for v in 0..table.vertices.len() {
         vertex(&mut table, v).leaving = None;
     }
-    table
+    table.without(Part::Prev).without(Part::Leaving)
 }
 
-const OPEN: Expectation = MESH.without(Part::Prev).without(Part::Leaving).open();
+const OPEN: Expectation = MESH.open();
 
 const TETRAHEDRON: [[usize; 3]; 4] = [[0, 1, 2], [0, 3, 1], [1, 3, 2], [2, 3, 0]];
 
@@ -389,10 +356,10 @@ fn an_open_mesh_comes_in_by_its_border() {
     }
     more.vertices.truncate(4);
     face(&mut more, 1).inner_starts = vec![];
-    let holes = TEXTBOOK.without(Part::UnboundedFace).without(Part::Prev).without(Part::Leaving).open();
-    more.vertices.push(Some(twinedge::validate::VertexRow::default()));
+    more.parts = more.parts.without(Part::UnboundedFace);
+    more.vertices.push(Some(VertexRow::default()));
     face(&mut more, 1).inner_starts.push(Some(Start::Vertex(4)));
-    let (map, keys) = Dcel::from_view(&more, &holes, Outside::Border).unwrap();
+    let (map, keys) = Dcel::from_view(&more, &PLANE.open(), Outside::Border).unwrap();
     assert_eq!(map.unbounded_face().inner_count(), 1);
     assert_eq!(map.vertex(keys.vertex(4).unwrap()).unwrap().isolated().map(|b| b.face().key()), keys.face(1));
 }
@@ -412,7 +379,7 @@ fn what_is_not_valid_is_refused_with_the_report() {
 #[test]
 fn faces_are_needed() {
     let table = textbook_mesh(4, &TETRAHEDRON);
-    let error = refusal(&table, Expectation::surface().without(Part::Faces), Outside::Face(0));
+    let error = refusal(&table.without(Part::Faces), MESH, Outside::Face(0));
     assert_eq!(error, ImportError::Lacks(Part::Faces));
     assert_eq!(error.report(), None);
     assert_eq!(error.to_string(), "a planar subdivision needs faces, which the expectation leaves out");
@@ -433,8 +400,8 @@ fn the_outside_must_suit_the_structure() {
     assert_eq!(refusal(&vacant, MESH, Outside::Face(0)), ImportError::NoSuchFace(0));
     assert!(Dcel::from_view(&vacant, &MESH, Outside::Face(1)).is_ok());
     let plane = textbook_map(2, &[(0, 1), (1, 0)], &[(None, &[Start::HalfEdge(0)])]);
-    assert_eq!(refusal(&plane, TEXTBOOK, Outside::Face(0)), ImportError::SecondUnboundedFace);
-    assert_eq!(refusal(&plane, TEXTBOOK, Outside::Border), ImportError::SecondUnboundedFace);
+    assert_eq!(refusal(&plane, PLANE, Outside::Face(0)), ImportError::SecondUnboundedFace);
+    assert_eq!(refusal(&plane, PLANE, Outside::Border), ImportError::SecondUnboundedFace);
 }
 
 #[test]
@@ -450,10 +417,9 @@ fn two_closed_meshes_are_refused() {
     let table = textbook_mesh(8, &twice);
     assert_eq!(refusal(&table, MESH, Outside::Face(0)), ImportError::Disconnected(2));
     // With lists of what lies in the faces the validator tells which of them lies nowhere.
-    let with_lists = TEXTBOOK.without(Part::UnboundedFace);
-    let error = refusal(&table, with_lists, Outside::Face(0));
+    let error = refusal(&table.without(Part::UnboundedFace), PLANE, Outside::Face(0));
     assert!(matches!(error, ImportError::NotPlane(_) | ImportError::Invalid(_)), "{error}");
-    assert_eq!(error.report().unwrap().violations()[0].rule(), Rule::T1);
+    assert_eq!(error.report().unwrap().first().unwrap().rule(), Rule::T1);
 }
 
 #[test]
@@ -477,13 +443,13 @@ fn a_component_without_a_border_beside_one_with_two_is_refused() {
     let table = bordered(textbook_mesh(10, &all));
     let error = refusal(&table, OPEN, Outside::Border);
     assert!(matches!(error, ImportError::NotPlane(_)), "{error}");
-    assert_eq!(error.report().unwrap().violations()[0].rule(), Rule::T1);
+    assert_eq!(error.report().unwrap().first().unwrap().rule(), Rule::T1);
 }
 
 #[test]
 fn the_empty_map_comes_in() {
     let empty = map(0, &[], &[(None, &[])]);
-    let (map, keys) = Dcel::from_view(&empty, &Expectation::plane(), Outside::Given).unwrap();
+    let (map, keys) = Dcel::from_view(&empty, &PLANE, Outside::Given).unwrap();
     assert_eq!((map.vertex_count(), map.edge_count(), map.face_count()), (0, 0, 1));
     assert_eq!(keys.face(0), Some(map.unbounded_face().key()));
 }

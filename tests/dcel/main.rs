@@ -8,6 +8,7 @@ mod support;
 mod audited;
 mod bulk;
 mod elements;
+mod equality;
 mod import;
 mod operator_laws;
 mod operators;

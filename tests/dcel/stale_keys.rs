@@ -106,6 +106,25 @@ fn null_keys_are_refused_by_every_function() {
     refused_by_every_function(&mut t, &good, &bad);
 }
 
+/// A key of another structure.
+macro_rules! at_panics {
+    ($($name:ident $keys:ident $expected:literal;)*) => {$(
+        #[test]
+        #[should_panic(expected = $expected)]
+        fn $name() {
+            let stale = *Keys::of(&sample().map).$keys.first().unwrap();
+            let _ = sample().map.at(stale);
+        }
+    )*};
+}
+
+at_panics! {
+    at_panics_at_a_stale_vertex vertices "names no vertex of this structure (any more)";
+    at_panics_at_a_stale_half_edge half_edges "names no half-edge of this structure (any more)";
+    at_panics_at_a_stale_boundary_component boundaries "names no boundary component of this structure (any more)";
+    at_panics_at_a_stale_face faces "names no face of this structure (any more)";
+}
+
 #[test]
 fn errors_name_the_keys() {
     let mut map = Dcel::new();

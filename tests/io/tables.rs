@@ -6,7 +6,7 @@ use twinedge::geometry::Point;
 use twinedge::io::tables::{TablesError, Textbook};
 use twinedge::map::PlanarMap;
 use twinedge::program::{Program, Runner};
-use twinedge::validate::{Collect, Record, Rule, Table, View, validate, validate_embedding};
+use twinedge::validate::{Collect, Expectation, Record, Rule, Table, View, validate, validate_embedding};
 
 const DANGLING_EDGE: &str = include_str!("../../examples/tables/dangling_edge.txt");
 const FIVE_FACES: &str = include_str!("../../examples/tables/five_faces.txt");
@@ -24,8 +24,8 @@ fn without_comments(text: &str) -> String {
 fn the_golden_tables_are_read_and_written_as_they_are() {
     for (text, counts) in [(DANGLING_EDGE, (4, 4, 2)), (FIVE_FACES, (6, 9, 5))] {
         let tables = read(text);
-        let report = validate(&tables, &Textbook::EXPECTATION, Collect::All);
-        let found = report.certificate().unwrap();
+        let report = validate(&tables, &Expectation::plane(), Collect::All);
+        let found = report.figures().unwrap();
         assert_eq!((found.vertices, found.edges, found.faces), counts);
         assert_eq!(tables.to_string(), without_comments(text));
         assert_eq!(read(&tables.to_string()), tables);
@@ -66,19 +66,19 @@ fn tables_are_read_however_they_are_set() {
         v2 e1,2
         v3 NIL";
     assert_eq!(read(plain), read(set));
-    assert!(validate(&read(plain), &Textbook::EXPECTATION, Collect::All).is_valid());
+    assert!(validate(&read(plain), &Expectation::plane(), Collect::All).is_valid());
 }
 
 #[test]
 fn a_wrong_table_is_read_and_judged() {
     // The twin of e2,2 is said to be e3,1.
     let text = FIVE_FACES.replace("e2,2       V2      e2,1", "e2,2       V2      e3,1");
-    let report = validate(&read(&text), &Textbook::EXPECTATION, Collect::All);
-    assert_eq!(report.violations()[0].rule(), Rule::L1);
+    let report = validate(&read(&text), &Expectation::plane(), Collect::All);
+    assert_eq!(report.first().unwrap().rule(), Rule::L1);
     // A link to what is not there.
     let text = FIVE_FACES.replace("V1      e2,1", "V1      ?");
-    let report = validate(&read(&text), &Textbook::EXPECTATION, Collect::All);
-    assert_eq!(report.violations()[0].rule(), Rule::R1);
+    let report = validate(&read(&text), &Expectation::plane(), Collect::All);
+    assert_eq!(report.first().unwrap().rule(), Rule::R1);
     assert_eq!(read(&read(&text).to_string()), read(&text));
 }
 
@@ -93,15 +93,15 @@ fn coordinates_are_checked_with_the_links() {
     assert_eq!(tables.name(Record::Face(1)), Some("f2"));
     let back = read(&tables.to_string());
     assert_eq!(back, tables);
-    assert!(validate_embedding(&back, &Textbook::EXPECTATION, Collect::All).is_valid());
+    assert!(validate_embedding(&back, &Expectation::plane(), Collect::All).is_valid());
     // The other way round: the face turns clockwise.
     let turned = tables.to_string().replace("(4, 0.5)", "(-4, 0.5)");
-    let report = validate_embedding(&read(&turned), &Textbook::EXPECTATION, Collect::All);
+    let report = validate_embedding(&read(&turned), &Expectation::plane(), Collect::All);
     assert!(report.violations().iter().any(|violation| violation.rule() == Rule::G3));
     let unknown = tables.to_string().replace("(4, 0.5)", "?");
     assert!(!read(&unknown).has_coordinates());
-    let report = validate_embedding(&read(&unknown), &Textbook::EXPECTATION, Collect::All);
-    assert_eq!(report.violations()[0].rule(), Rule::G1);
+    let report = validate_embedding(&read(&unknown), &Expectation::plane(), Collect::All);
+    assert_eq!(report.first().unwrap().rule(), Rule::G1);
 }
 
 /// Whatever a program makes: its tables are valid, and are read as they are written.
@@ -111,7 +111,7 @@ fn maps_come_back(program: Program) -> bool {
     let dcel = runner.into_subject();
     let tables = Textbook::of(&dcel, |_| None);
     let places = Textbook::of(&dcel, |v| Some(Point::new(v as f64 / 3.0, -1e-7 * v as f64)));
-    validate(&tables, &Textbook::EXPECTATION, Collect::All).is_valid()
+    validate(&tables, &Expectation::plane(), Collect::All).is_valid()
         && read(&tables.to_string()) == tables
         && read(&places.to_string()) == places
         && tables.vertex_slots() == dcel.vertex_count()
@@ -143,7 +143,7 @@ fn half_edges_of_any_numbering_have_names() {
     let tables = Textbook::of(&table, |_| None);
     let names: Vec<&str> = (0..8).filter_map(|h| tables.name(Record::HalfEdge(h))).collect();
     assert_eq!(names, ["e1,1", "e2,1", "e1,2", "e2,2", "e3,1", "e3,2", "e4,1", "e4,2"]);
-    assert!(validate(&tables, &Textbook::EXPECTATION, Collect::All).is_valid());
+    assert!(validate(&tables, &Expectation::plane(), Collect::All).is_valid());
 }
 
 #[test]

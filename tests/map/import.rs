@@ -3,12 +3,12 @@
 use crate::support::tables::textbook_map;
 use quickcheck::{Gen, QuickCheck};
 use twinedge::dcel::{ImportError, Outside};
-use twinedge::delegate_view;
 use twinedge::geometry::Point;
 use twinedge::geometry::noding::Snap;
 use twinedge::map::{Builder, Feature, MapImportError, Noding, PlanarMap, Shape};
 use twinedge::program::canonical::isomorphic;
-use twinedge::validate::{Embedding, Expectation, Link, Part, Rule, Start, Table, View};
+use twinedge::validate::{Embedding, Expectation, Part, Parts, Rule, Start, Table, View};
+use twinedge::{delegate_view, view_answers};
 
 /// A structure, and the points of its vertices by index.
 struct Drawn<V> {
@@ -37,29 +37,16 @@ impl<V: View> Embedding for Drawn<V> {
 struct Triangles;
 
 impl View for Triangles {
-    fn vertex_slots(&self) -> usize {
-        4
-    }
-    fn half_edge_slots(&self) -> usize {
-        6
-    }
-    fn face_slots(&self) -> usize {
-        2
-    }
-    fn origin(&self, h: usize) -> Link {
-        Some([0, 1, 2, 0, 2, 3][h])
-    }
-    fn twin(&self, h: usize) -> Link {
-        [None, None, Some(3), Some(2), None, None][h]
-    }
-    fn next(&self, h: usize) -> Link {
-        Some(h - h % 3 + (h + 1) % 3)
-    }
-    fn face(&self, h: usize) -> Link {
-        Some(h / 3)
-    }
-    fn outer_half_edge(&self, f: usize) -> Link {
-        Some(3 * f)
+    view_answers! { |_mesh|
+        parts => Parts::NONE.with(Part::Faces),
+        vertex_slots => 4,
+        half_edge_slots => 6,
+        face_slots => 2,
+        origin(h) => Some([0, 1, 2, 0, 2, 3][h]),
+        twin(h) => [None, None, Some(3), Some(2), None, None][h],
+        next(h) => Some(h - h % 3 + (h + 1) % 3),
+        face(h) => Some(h / 3),
+        outer_half_edge(f) => Some(3 * f),
     }
 }
 
@@ -67,34 +54,20 @@ impl View for Triangles {
 struct Tetrahedron;
 
 impl View for Tetrahedron {
-    fn vertex_slots(&self) -> usize {
-        4
-    }
-    fn half_edge_slots(&self) -> usize {
-        12
-    }
-    fn face_slots(&self) -> usize {
-        4
-    }
-    fn origin(&self, h: usize) -> Link {
-        Some([0, 1, 2, 0, 3, 1, 1, 3, 2, 2, 3, 0][h])
-    }
-    fn twin(&self, h: usize) -> Link {
-        Some([5, 8, 11, 10, 6, 0, 4, 9, 1, 7, 3, 2][h])
-    }
-    fn next(&self, h: usize) -> Link {
-        Some(h - h % 3 + (h + 1) % 3)
-    }
-    fn face(&self, h: usize) -> Link {
-        Some(h / 3)
-    }
-    fn outer_half_edge(&self, f: usize) -> Link {
-        Some(3 * f)
+    view_answers! { |_mesh|
+        parts => Parts::NONE.with(Part::Faces),
+        vertex_slots => 4,
+        half_edge_slots => 12,
+        face_slots => 4,
+        origin(h) => Some([0, 1, 2, 0, 3, 1, 1, 3, 2, 2, 3, 0][h]),
+        twin(h) => Some([5, 8, 11, 10, 6, 0, 4, 9, 1, 7, 3, 2][h]),
+        next(h) => Some(h - h % 3 + (h + 1) % 3),
+        face(h) => Some(h / 3),
+        outer_half_edge(f) => Some(3 * f),
     }
 }
 
-const MESH: Expectation =
-    Expectation::surface().without(Part::BoundaryComponents).without(Part::Prev).without(Part::Leaving);
+const MESH: Expectation = Expectation::surface();
 
 fn points(all: &[[f64; 2]]) -> Vec<Point> {
     all.iter().copied().map(Point::from).collect()
@@ -179,7 +152,7 @@ fn a_closed_mesh_comes_in_by_the_face_around_it() {
     // Its rotations turn the wrong way.
     let error = refused.into_iter().next().unwrap().unwrap_err();
     assert!(matches!(error, MapImportError::NotDrawn(_)), "{error}");
-    assert_eq!(error.report().unwrap().violations()[0].rule(), Rule::G2);
+    assert_eq!(error.report().unwrap().first().unwrap().rule(), Rule::G2);
 }
 
 // ------------------------------------------------------------------------------------------------- what is refused
@@ -210,7 +183,7 @@ fn coordinates_that_do_not_draw_it() {
         let error = moved(from, to).unwrap_err();
         assert!(matches!(error, MapImportError::Invalid(_)), "{rule:?}: {error}");
         assert_eq!(format!("{error:?}"), error.to_string());
-        assert_eq!(error.report().unwrap().violations()[0].rule(), rule, "{error}");
+        assert_eq!(error.report().unwrap().first().unwrap().rule(), rule, "{error}");
     }
 }
 
@@ -222,7 +195,7 @@ fn broken_links() {
     let broken = Drawn { structure: table, points: (0..map.vertex_slots()).map(|v| map.point(v)).collect() };
     let error = PlanarMap::from_view(&broken, &Expectation::plane(), Outside::Given).unwrap_err();
     assert!(matches!(error, MapImportError::Invalid(_)), "{error}");
-    assert_eq!(error.report().unwrap().violations()[0].rule(), Rule::L1);
+    assert_eq!(error.report().unwrap().first().unwrap().rule(), Rule::L1);
 }
 
 #[test]
@@ -243,9 +216,8 @@ fn a_textbook_table_comes_in() {
         [(None, &[Start::HalfEdge(1)]), (Some(0), &[Start::HalfEdge(7)]), (Some(6), &[])];
     let table = textbook_map(6, &half_edges, &faces);
     let outer_and_inner = [[0.0, 0.0], [10.0, 0.0], [0.0, 10.0], [1.0, 1.0], [2.0, 1.0], [1.0, 2.0]];
-    let expectation = Expectation::plane().without(Part::BoundaryComponents);
     let drawn = Drawn { structure: table, points: points(&outer_and_inner) };
-    let (map, keys) = PlanarMap::from_view(&drawn, &expectation, Outside::Given).unwrap();
+    let (map, keys) = PlanarMap::from_view(&drawn, &Expectation::plane(), Outside::Given).unwrap();
     let inside = map.dcel().half_edge(keys.half_edge(7).unwrap()).unwrap();
     assert_eq!(keys.face(1), Some(inside.face().key()));
     assert!(map.validate().is_valid());

@@ -9,6 +9,7 @@ mod audited;
 mod edit;
 mod edit_programs;
 mod edited_maps;
+mod equality;
 mod import;
 mod location;
 mod noding;

@@ -7,10 +7,6 @@ use twinedge::geometry::Point;
 use twinedge::io::{ReadError, geojson};
 use twinedge::map::{BuildError, Builder, Feature, FeatureId, PlanarMap, Position, Shape};
 
-fn ring(points: &[[f64; 2]]) -> Vec<Point> {
-    points.iter().copied().map(Point::from).collect()
-}
-
 /// A rectangle with a vertex at every whole number, so that rectangles on whole numbers meet at vertices only.
 fn rectangle([x0, y0]: [i32; 2], [x1, y1]: [i32; 2]) -> Vec<Point> {
     let at = |x: i32, y: i32| Point::new(f64::from(x), f64::from(y));
@@ -48,8 +44,8 @@ fn covered_area(map: &PlanarMap, feature: FeatureId) -> f64 {
 #[test]
 fn repeated_points_and_segments_become_one() {
     let mut builder = Builder::new();
-    builder.shape(&Shape::Line(ring(&[[0.0, 0.0], [1.0, 0.0], [1.0, 0.0], [1.0, 1.0]]))).expect("in range");
-    builder.shape(&Shape::Line(ring(&[[1.0, 0.0], [-0.0, -0.0]]))).expect("in range");
+    builder.shape(&Shape::line([[0.0, 0.0], [1.0, 0.0], [1.0, 0.0], [1.0, 1.0]])).expect("in range");
+    builder.shape(&Shape::line([[1.0, 0.0], [-0.0, -0.0]])).expect("in range");
     builder.shape(&Shape::Point(Point::new(1.0, 1.0))).expect("in range");
     builder.shape(&Shape::Point(Point::new(5.0, 5.0))).expect("in range");
     let map = builder.build().expect("fits");
@@ -70,8 +66,8 @@ fn nothing_at_all_is_the_empty_map() {
 #[test]
 fn a_ring_left_open_is_closed_and_a_flat_one_encloses_nothing() {
     let mut builder = Builder::new();
-    builder.shape(&Shape::Polygon(vec![ring(&[[0.0, 0.0], [1.0, 0.0], [0.0, 1.0]])])).expect("in range");
-    let flat = builder.shape(&Shape::Polygon(vec![ring(&[[5.0, 0.0], [6.0, 0.0], [5.0, 0.0]])])).expect("in range");
+    builder.shape(&Shape::polygon([[0.0, 0.0], [1.0, 0.0], [0.0, 1.0]])).expect("in range");
+    let flat = builder.shape(&Shape::polygon([[5.0, 0.0], [6.0, 0.0], [5.0, 0.0]])).expect("in range");
     let map = builder.build().expect("fits");
     assert_eq!((map.summary().open_rings, map.summary().degenerate_rings), (1, 1));
     assert_eq!(map.dcel().face_count(), 2);
@@ -82,14 +78,10 @@ fn a_ring_left_open_is_closed_and_a_flat_one_encloses_nothing() {
 fn bad_coordinates_are_refused_with_their_position_and_nothing_is_taken() {
     let mut builder = Builder::new();
     builder.segment([0.0, 0.0], [1.0, 1.0]).expect("in range");
-    let good = ring(&[[0.0, 0.0], [1.0, 0.0], [0.0, 1.0]]);
+    let good = [[0.0, 0.0], [1.0, 0.0], [0.0, 1.0]];
     let bad = |x, y| {
-        let mut bad = good.clone();
-        bad[2] = Point::new(x, y);
-        Feature {
-            shapes: vec![Shape::Line(good.clone()), Shape::Polygon(vec![good.clone(), bad])],
-            ..Feature::default()
-        }
+        let bad = [good[0], good[1], [x, y]];
+        Feature { shapes: vec![Shape::line(good), Shape::polygon(good).hole(bad)], ..Feature::default() }
     };
     let position = Position { feature: 1, shape: 1, ring: 1, point: 2 };
     assert!(
@@ -114,7 +106,7 @@ fn bad_coordinates_are_refused_with_their_position_and_nothing_is_taken() {
 fn islands_lie_in_the_lake_that_lies_in_the_island() {
     let mut builder = Builder::new();
     for (low, high) in [(0, 20), (2, 18), (4, 16), (6, 14)] {
-        builder.shape(&Shape::Polygon(vec![rectangle([low, low], [high, high])])).expect("in range");
+        builder.shape(&Shape::polygon(rectangle([low, low], [high, high]))).expect("in range");
     }
     let map = builder.build().expect("fits");
     assert!(map.validate().is_valid());
@@ -140,10 +132,10 @@ fn islands_lie_in_the_lake_that_lies_in_the_island() {
 fn a_feature_of_many_polygons_covers_what_any_of_them_covers() {
     // Side by side, one inside the other, and one twice, which is as good as once.
     let parts = [([0, 0], [4, 4]), ([4, 0], [8, 4]), ([1, 1], [3, 3]), ([20, 0], [24, 4]), ([20, 0], [24, 4])];
-    let shapes = parts.map(|(low, high)| Shape::Polygon(vec![rectangle(low, high)]));
+    let shapes = parts.map(|(low, high)| Shape::polygon(rectangle(low, high)));
     let mut builder = Builder::new();
     let feature = builder.feature(&Feature { shapes: shapes.to_vec(), ..Feature::default() }).expect("in range");
-    let other = builder.shape(&Shape::Polygon(vec![rectangle([5, 1], [6, 2])])).expect("in range");
+    let other = builder.shape(&Shape::polygon(rectangle([5, 1], [6, 2]))).expect("in range");
     let map = builder.build().expect("fits");
     assert!((covered_area(&map, feature) - 48.0).abs() < 1e-12);
     assert!((covered_area(&map, other) - 1.0).abs() < 1e-12);
@@ -155,8 +147,7 @@ fn ten_thousand_polygons_inside_each_other_cover_each_other() {
     let mut builder = Builder::new();
     for i in 0..DEPTH {
         let (low, high) = (f64::from(i), f64::from(4 * DEPTH - i));
-        let square = ring(&[[low, low], [high, low], [high, high], [low, high]]);
-        builder.shape(&Shape::Polygon(vec![square])).expect("in range");
+        builder.shape(&Shape::polygon([[low, low], [high, low], [high, high], [low, high]])).expect("in range");
     }
     let map = builder.build().expect("fits");
     for face in map.dcel().faces().step_by(999) {
@@ -172,10 +163,10 @@ fn ten_thousand_polygons_inside_each_other_cover_each_other() {
 
 #[test]
 fn a_hole_that_touches_its_shell_at_a_vertex_is_no_hole_of_the_map() {
-    let shell = ring(&[[0.0, 0.0], [4.0, 0.0], [4.0, 4.0], [0.0, 4.0], [0.0, 0.0]]);
-    let hole = ring(&[[0.0, 0.0], [1.0, 2.0], [2.0, 1.0], [0.0, 0.0]]);
+    let shell = [[0.0, 0.0], [4.0, 0.0], [4.0, 4.0], [0.0, 4.0], [0.0, 0.0]];
+    let hole = [[0.0, 0.0], [1.0, 2.0], [2.0, 1.0], [0.0, 0.0]];
     let mut builder = Builder::new();
-    let feature = builder.shape(&Shape::Polygon(vec![shell, hole])).expect("in range");
+    let feature = builder.shape(&Shape::polygon(shell).hole(hole)).expect("in range");
     let map = builder.build().expect("fits");
     let report = map.validate();
     assert!(report.is_valid());
@@ -189,13 +180,13 @@ fn a_feature_covers_its_rectangles(rectangles: Vec<(u8, u8, u8, u8)>, hole: bool
     let mut expected = Vec::new();
     for (x, y, w, h) in rectangles.into_iter().take(6) {
         let (x, y, w, h) = (i32::from(x % 8), i32::from(y % 8), i32::from(w % 5) + 1, i32::from(h % 5) + 1);
-        let mut rings = vec![rectangle([x, y], [x + w, y + h])];
+        let mut shape = Shape::polygon(rectangle([x, y], [x + w, y + h]));
         let mut area = w * h;
         if hole && w > 2 && h > 2 {
-            rings.push(rectangle([x + 1, y + 1], [x + w - 1, y + h - 1]));
+            shape = shape.hole(rectangle([x + 1, y + 1], [x + w - 1, y + h - 1]));
             area -= (w - 2) * (h - 2);
         }
-        let feature = builder.shape(&Shape::Polygon(rings)).expect("in range");
+        let feature = builder.shape(&shape).expect("in range");
         expected.push((feature, area));
     }
     let map = builder.build().expect("fits");

@@ -105,8 +105,8 @@ fn several_threads_find_in_a_coverage_what_one_finds() {
     let parcel = |i: u32| {
         let (x, y) = (f64::from(i % 20) * 10.0, f64::from(i / 20) * 10.0);
         let wide = [10.5, 9.5, 10.0][i as usize % 3];
-        let ring = [[x, y], [x + wide, y], [x + wide, y + 10.0], [x, y + 10.0]].map(Point::from).to_vec();
-        Feature { shapes: vec![Shape::Polygon(vec![ring])], ..Feature::default() }
+        let ring = [[x, y], [x + wide, y], [x + wide, y + 10.0], [x, y + 10.0]];
+        Feature { shapes: vec![Shape::polygon(ring)], ..Feature::default() }
     };
     let features: Vec<Feature> = (0..400).map(|i| parcel(i - u32::from(i % 50 == 49))).collect();
     let map = build(&features, Noding::Snap(Snap::Auto));

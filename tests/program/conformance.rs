@@ -3,11 +3,12 @@
 use std::cell::Cell;
 use std::rc::Rc;
 use twinedge::dcel::Dcel;
+use twinedge::delegate_view;
 use twinedge::program::conformance::{
     Answer, Conformance, ConformanceSummary, Coverage, Difference, Failure, InStep, OperatorCounts, Question,
 };
 use twinedge::program::*;
-use twinedge::validate::{Expectation, Link, Part, Rule, Start, View};
+use twinedge::validate::{Expectation, Link, Part, Parts, Rule, View};
 
 /// Numbers without pattern, always the same.
 fn noise(seed: u64, count: usize) -> Vec<u8> {
@@ -24,7 +25,7 @@ fn the_models_and_the_structure_do_the_same() {
     let mut sum = ConformanceSummary::default();
     for seed in 0..50 {
         let program = Program::from_bytes(&noise(seed, 600));
-        let summary = conformance::run(&program, RotationSystem::new(), &RotationSystem::expectation())
+        let summary = conformance::run(&program, RotationSystem::new(), &Expectation::plane())
             .unwrap_or_else(|failure| panic!("seed {seed}: {failure}"));
         assert_eq!(conformance::run(&program, Dcel::new(), &Expectation::plane()), Ok(summary));
         assert_eq!(summary.total().all(), program.0.len());
@@ -68,6 +69,7 @@ enum Fault {
 struct Faulty {
     model: RotationSystem,
     fault: Fault,
+    parts: Parts,
     /// How many questions it was asked.
     asked: Rc<Cell<usize>>,
 }
@@ -78,7 +80,7 @@ impl Faulty {
         if fault == Fault::NotEmpty {
             model.add_isolated_vertex(0).unwrap();
         }
-        Self { model, fault, asked: Rc::default() }
+        Self { parts: model.parts(), model, fault, asked: Rc::default() }
     }
 
     fn has(&self, fault: Fault) -> bool {
@@ -95,28 +97,11 @@ impl Faulty {
     }
 }
 
-macro_rules! as_the_model_does {
-    ($($name:ident($($arg:ident),*) -> $answer:ty;)*) => {
-        $(fn $name(&self $(, $arg: usize)*) -> $answer { View::$name(&self.model $(, $arg)*) })*
-    };
-}
-
 impl View for Faulty {
-    as_the_model_does! {
-        vertex_slots() -> usize;
-        half_edge_slots() -> usize;
-        face_slots() -> usize;
-        is_vertex(v) -> bool;
-        is_half_edge(h) -> bool;
-        is_face(f) -> bool;
-        origin(h) -> Link;
-        twin(h) -> Link;
-        next(h) -> Link;
-        prev(h) -> Link;
-        face(h) -> Link;
-        outer_half_edge(f) -> Link;
-        inner_count(f) -> usize;
-        inner_start(f, position) -> Option<Start>;
+    delegate_view!(|this| &this.model; except parts, leaving);
+
+    fn parts(&self) -> Parts {
+        self.parts
     }
     fn leaving(&self, vertex: usize) -> Link {
         let leaving = self.model.leaving(vertex);
@@ -211,7 +196,7 @@ impl Subject for Faulty {
 
 fn judge(program: &Program, fault: Fault) -> Result<ConformanceSummary, Failure> {
     // Making a program small must not lead to one that applies nothing.
-    let asked = Conformance::of(&RotationSystem::expectation()).coverage(Coverage::Nothing);
+    let asked = Conformance::of(&Expectation::plane()).coverage(Coverage::Nothing);
     asked.run(program, Faulty::new(fault))
 }
 
@@ -293,7 +278,7 @@ fn a_broken_rule_is_found_and_named() {
     let (shrunk, failure) = shrunk(Fault::Leaving);
     assert!(shrunk.0.len() <= 3, "{shrunk}");
     let Difference::Invalid(report) = failure.difference else { panic!("{failure}") };
-    assert_eq!(report.violations()[0].rule(), Rule::V1);
+    assert_eq!(report.first().unwrap().rule(), Rule::V1);
 }
 
 #[test]
@@ -326,7 +311,7 @@ fn want_of_room_is_no_fault_unless_it_leaves_a_trace() {
 fn a_step_asks_every_corner_a_few_questions() {
     let subject = Faulty::new(Fault::None);
     let asked = subject.asked.clone();
-    let mut pair = InStep::new(subject, &RotationSystem::expectation()).unwrap();
+    let mut pair = InStep::new(subject, &Expectation::plane()).unwrap();
     let mut step = |line: &str| {
         let before = asked.get();
         pair.step(program(line).0[0]).unwrap();
@@ -343,30 +328,33 @@ fn a_step_asks_every_corner_a_few_questions() {
 }
 
 #[test]
-fn an_expectation_without_what_tells_maps_apart_is_refused_by_name() {
-    let plane = Expectation::plane();
-    for (expectation, part) in [
-        (plane.without(Part::Faces), Part::Faces),
-        (plane.without(Part::Holes), Part::Holes),
-        (plane.without(Part::UnboundedFace), Part::UnboundedFace),
-        (Expectation::surface(), Part::Holes),
+fn a_structure_without_what_tells_maps_apart_is_refused_by_name() {
+    let (plane, all) = (Expectation::plane(), RotationSystem::new().parts());
+    let run = |program: &Program, parts: Parts, expectation: &Expectation| {
+        conformance::run(program, Faulty { parts, ..Faulty::new(Fault::None) }, expectation)
+    };
+    for (parts, expectation, part) in [
+        (all.without(Part::Faces), plane, Part::Faces),
+        (all.without(Part::Holes), plane, Part::Holes),
+        (all.without(Part::UnboundedFace), plane, Part::UnboundedFace),
+        (all, Expectation::surface(), Part::Holes),
     ] {
-        let failure = conformance::run(&Program::default(), RotationSystem::new(), &expectation).unwrap_err();
+        let failure = run(&Program::default(), parts, &expectation).unwrap_err();
         assert_eq!(failure, Failure { before: 0, op: None, difference: Difference::Lacks(part) });
     }
     let failure = Failure { before: 0, op: None, difference: Difference::Lacks(Part::Faces) };
     assert_eq!(
         failure.to_string(),
-        "at the start: the structure is empty, and the expectation leaves out faces; begin with one that is not"
+        "at the start: the structure is empty, and stores no faces; begin with one that is not"
     );
-    let least = RotationSystem::expectation().without(Part::Prev).without(Part::Leaving);
-    assert!(conformance::run(&Program::from_bytes(&noise(1, 300)), RotationSystem::new(), &least).is_ok());
+    let least = all.without(Part::Prev).without(Part::Leaving);
+    assert!(run(&Program::from_bytes(&noise(1, 300)), least, &plane).is_ok());
 }
 
 #[test]
 fn a_run_can_be_stopped_and_looked_at_between_operators() {
     let program = program("add_isolated_vertex unbounded\nremove_edge h0\nconnect i0 ~0 left\ncontract_edge h0");
-    let mut pair = InStep::new(Faulty::new(Fault::WrongReason), &RotationSystem::expectation()).unwrap();
+    let mut pair = InStep::new(Faulty::new(Fault::WrongReason), &Expectation::plane()).unwrap();
     let outcomes = [0, 1, 2].map(|i| pair.step(program.0[i]).unwrap());
     assert_eq!(outcomes, [StepOutcome::Applied, StepOutcome::Skipped, StepOutcome::Applied]);
     assert_eq!(pair.summary().total(), OperatorCounts { applied: 2, skipped: 1, ..OperatorCounts::default() });

@@ -1,29 +1,23 @@
 //! Structures that do not have all operators, or all parts: meshes, surfaces, borders.
 
 use crate::support::erased::validate;
+use crate::support::tables::torus;
 use std::cell::Cell;
 use std::rc::Rc;
 use twinedge::program::conformance::{Conformance, Coverage, Difference, NotCompared, Question, check};
 use twinedge::program::*;
-use twinedge::validate::{Collect, Expectation, Link, Part, Table, View};
+use twinedge::validate::{Collect, Expectation, Link, Part, Parts, Table, View};
 use twinedge::{delegate_view, subject_by_index, view_answers};
 
 #[allow(dead_code, unreachable_pub, reason = "an example has a main function of its own")]
 #[path = "../../examples/mesh_conformance.rs"]
 mod mesh;
-use mesh::{KEPT, Mesh};
+use mesh::{MESH, Mesh};
+
+const SURFACE: Expectation = Expectation::surface();
 
 const OCTAHEDRON: [[usize; 3]; 8] =
     [[0, 1, 4], [1, 2, 4], [2, 3, 4], [3, 0, 4], [1, 0, 5], [2, 1, 5], [3, 2, 5], [0, 3, 5]];
-/// A torus with nine vertices, in rows of three.
-fn torus() -> Vec<[usize; 3]> {
-    let at = |row: usize, column: usize| 3 * (row % 3) + column % 3;
-    let square = |(row, column): (usize, usize)| {
-        let corners = [at(row, column), at(row, column + 1), at(row + 1, column + 1), at(row + 1, column)];
-        [[corners[0], corners[1], corners[2]], [corners[0], corners[2], corners[3]]]
-    };
-    (0..9).map(|k| (k / 3, k % 3)).flat_map(square).collect()
-}
 /// A ring of six triangles, with two borders.
 const RING: [[usize; 3]; 6] = [[0, 1, 4], [0, 4, 3], [1, 2, 5], [1, 5, 4], [2, 0, 3], [2, 3, 5]];
 
@@ -65,20 +59,13 @@ impl FlipOnly {
 }
 
 impl View for FlipOnly {
-    fn vertex_slots(&self) -> usize {
-        self.origin.iter().max().map_or(0, |v| v + 1)
-    }
-    fn half_edge_slots(&self) -> usize {
-        self.next.len()
-    }
-    fn origin(&self, h: usize) -> Link {
-        Some(self.origin[h])
-    }
-    fn twin(&self, h: usize) -> Link {
-        Some(h ^ 1)
-    }
-    fn next(&self, h: usize) -> Link {
-        Some(self.next[h])
+    view_answers! { |view|
+        parts => Parts::NONE,
+        vertex_slots => view.origin.iter().max().map_or(0, |v| v + 1),
+        half_edge_slots => view.next.len(),
+        origin(h) => Some(view.origin[h]),
+        twin(h) => Some(h ^ 1),
+        next(h) => Some(view.next[h]),
     }
 }
 
@@ -140,17 +127,13 @@ impl Subject for FlipOnly {
     }
 }
 
-fn without_faces() -> Expectation {
-    Expectation::surface().without(Part::Faces).without(Part::Prev).without(Part::Leaving)
-}
-
 #[test]
 fn the_wrong_flip_of_a_structure_that_has_nothing_else_is_called_and_caught() {
-    for (triangles, vertices) in [(OCTAHEDRON.to_vec(), 6), (torus(), 9)] {
+    for (triangles, vertices) in [(OCTAHEDRON.to_vec(), 6), (torus([3, 3]), 9)] {
         let called = Rc::new(Cell::new(0));
         for flip in [Flip::Reversed, Flip::Nothing, Flip::Breaks] {
             let make = || FlipOnly { called: called.clone(), ..FlipOnly::of(&triangles, vertices, flip) };
-            let found = check(make, &without_faces()).unwrap_err();
+            let found = check(make, &SURFACE).unwrap_err();
             // The smallest program is one flip.
             let names: Vec<_> = found.program.0.iter().map(|op| op.name()).collect();
             assert_eq!(names, ["flip_edge"], "{flip:?}: {found}");
@@ -162,7 +145,7 @@ fn the_wrong_flip_of_a_structure_that_has_nothing_else_is_called_and_caught() {
             assert!(is_caught, "{flip:?}: {found}");
         }
         assert!(called.get() > 0);
-        let summary = check(|| FlipOnly::of(&triangles, vertices, Flip::Right), &without_faces()).unwrap();
+        let summary = check(|| FlipOnly::of(&triangles, vertices, Flip::Right), &SURFACE).unwrap();
         let flips = summary.of("flip_edge").unwrap();
         assert!(flips.applied > 1000 && flips.refused > 0, "{summary}");
         let not_compared: Vec<_> = summary.not_compared().collect();
@@ -240,25 +223,27 @@ fn an_operator_that_is_never_applied_is_named() {
         runner.run(&"twinedge program 1\nadd_isolated_vertex unbounded\nsplit_vertex i0 i0".parse().unwrap());
         NeverFlips(runner.into_subject())
     };
-    let found = check(tree, &RotationSystem::expectation()).unwrap_err();
+    let found = check(tree, &Expectation::plane()).unwrap_err();
     assert_eq!(found.failure.difference, Difference::NeverApplied(vec!["flip_edge"]));
     assert_eq!(
         found.to_string(),
         format!("after {} operators: never applied, and so not tried: flip_edge", found.failure.before)
     );
-    let asked = Conformance::of(&RotationSystem::expectation()).coverage(Coverage::SomeOperator);
+    let asked = Conformance::of(&Expectation::plane()).coverage(Coverage::SomeOperator);
     assert!(asked.check(tree).unwrap().of("split_edge").unwrap().applied > 0);
 }
 
 #[test]
 fn meshes_on_every_surface_do_what_the_steps_do() {
     let ring_and_more: Vec<[usize; 3]> = RING.to_vec();
-    for (triangles, vertices) in [(OCTAHEDRON.to_vec(), 6), (torus(), 9), (ring_and_more, 6), (vec![[0, 1, 2]], 3)] {
-        let summary = check(|| Mesh::new(vertices, &triangles, false), &KEPT).unwrap();
+    for (triangles, vertices) in
+        [(OCTAHEDRON.to_vec(), 6), (torus([3, 3]), 9), (ring_and_more, 6), (vec![[0, 1, 2]], 3)]
+    {
+        let summary = check(|| Mesh::new(vertices, &triangles, false), &MESH).unwrap();
         for name in ["mesh_flip_edge", "mesh_split_edge", "mesh_collapse_edge"] {
             assert!(summary.of(name).unwrap().applied > 200, "{summary}");
         }
-        let found = check(|| Mesh::new(vertices, &triangles, true), &KEPT).unwrap_err();
+        let found = check(|| Mesh::new(vertices, &triangles, true), &MESH).unwrap_err();
         let (reference, subject) = (StepOutcome::Refused(Refusal::NotSimple), StepOutcome::Applied);
         assert_eq!(found.failure.difference, Difference::StepOutcome { reference, subject }, "{found}");
     }
@@ -266,7 +251,7 @@ fn meshes_on_every_surface_do_what_the_steps_do() {
 
 #[test]
 fn the_operators_of_meshes_on_the_models_and_the_structure_are_the_same() {
-    let summary = check(RotationSystem::new, &RotationSystem::expectation()).unwrap();
+    let summary = check(RotationSystem::new, &Expectation::plane()).unwrap();
     let same = check(twinedge::dcel::Dcel::new, &Expectation::plane()).unwrap();
     assert_eq!(summary, same);
     assert!(summary.by_operator().all(|(_, counts)| counts.applied > 0), "{summary}");
@@ -306,7 +291,7 @@ fn stale_handles_reach_the_operators_that_remove() {
     for name in ["remove_edge", "contract_edge", "join_edges"] {
         let program: Program = format!("{begin}{name} !h0").parse().unwrap();
         let careless = || Careless(RotationSystem::new());
-        let failure = conformance::run(&program, careless(), &RotationSystem::expectation()).unwrap_err();
+        let failure = conformance::run(&program, careless(), &Expectation::plane()).unwrap_err();
         assert_eq!(failure.before, 3, "{name}: {failure}");
     }
 }
@@ -363,12 +348,12 @@ fn a_map_that_exists_is_the_start_on_every_structure() {
 
 #[test]
 fn a_surface_keeps_its_genus_and_a_border_is_closed_in_the_reference() {
-    for (triangles, vertices, genus, faces) in [(torus(), 9, 1, 18), (RING.to_vec(), 6, 0, 8)] {
+    for (triangles, vertices, genus, faces) in [(torus([3, 3]), 9, 1, 18), (RING.to_vec(), 6, 0, 8)] {
         let mesh = Mesh::new(vertices, &triangles, false);
-        let start = PointerModel::from_view(&mesh, &KEPT).unwrap();
-        let report = validate(&start.model, &Expectation::surface(), Collect::All);
-        let certificate = report.certificate().expect("the model is a closed surface");
-        assert_eq!((certificate.genus, certificate.faces), (genus, faces));
+        let start = PointerModel::from_view(&mesh, &MESH).unwrap();
+        let report = validate(&start.model, &SURFACE, Collect::All);
+        let found = report.figures().expect("the model is a closed surface");
+        assert_eq!((found.genus, found.faces), (genus, faces));
     }
 }
 
@@ -377,8 +362,7 @@ fn a_start_that_will_not_do_is_named() {
     // A half-edge without twin.
     let mut table: Table = EDGE.parse().unwrap();
     table.half_edges[0].as_mut().unwrap().twin = None;
-    let open = Expectation::surface().open();
-    assert_eq!(PointerModel::from_view(&table, &open).unwrap_err(), StartError::NoTwin(0));
+    assert_eq!(PointerModel::from_view(&table, &MESH).unwrap_err(), StartError::NoTwin(0));
     let error = PointerModel::from_view(&table, &Expectation::plane().open()).unwrap_err();
     assert_eq!(error, StartError::OpenWithHoles);
     table.half_edges[0].as_mut().unwrap().twin = Some(0);
@@ -391,6 +375,7 @@ struct NoTwins;
 
 impl View for NoTwins {
     view_answers! { |_triangle|
+        parts => Parts::NONE.with(Part::Faces),
         vertex_slots => 3,
         half_edge_slots => 3,
         face_slots => 1,
@@ -408,8 +393,8 @@ impl Subject for NoTwins {
 
 #[test]
 fn a_structure_without_twins_is_refused_by_name() {
-    assert!(validate(&NoTwins, &KEPT, Collect::All).is_valid());
-    let found = check(|| NoTwins, &KEPT).unwrap_err();
+    assert!(validate(&NoTwins, &MESH, Collect::All).is_valid());
+    let found = check(|| NoTwins, &MESH).unwrap_err();
     assert_eq!(found.failure.difference, Difference::Start(StartError::NoTwin(0)));
     assert_eq!(
         found.to_string(),
@@ -450,12 +435,12 @@ impl Subject for Nameless {
 #[test]
 fn half_edges_too_many_too_few_and_without_handle_are_named() {
     let make = |flip| FlipOnly::of(&OCTAHEDRON, 6, flip);
-    let found = |flip| check(|| make(flip), &without_faces()).unwrap_err();
+    let found = |flip| check(|| make(flip), &SURFACE).unwrap_err();
     for (found, difference, message) in [
         (found(Flip::Adds), Difference::Unknown { half_edge: 24 }, "half-edge 24 of the view should not be there"),
         (found(Flip::Drops), Difference::Missing { corner: 22 }, "corner 22 is no half-edge of the view"),
         (
-            check(|| Nameless(make(Flip::Right)), &without_faces()).unwrap_err(),
+            check(|| Nameless(make(Flip::Right)), &SURFACE).unwrap_err(),
             Difference::NoHandle { half_edge: 5 },
             "half_edge_at gives no handle for half-edge 5",
         ),
@@ -468,7 +453,7 @@ fn half_edges_too_many_too_few_and_without_handle_are_named() {
 #[test]
 fn on_discs_and_borders_operators_are_refused_for_their_own_reasons() {
     let mesh = Mesh::new(5, &[[0, 1, 4], [1, 2, 4], [2, 3, 4], [3, 0, 4]], false);
-    let mut start = PointerModel::from_view(&mesh, &KEPT).unwrap();
+    let mut start = PointerModel::from_view(&mesh, &MESH).unwrap();
     let name = |index: usize| start.half_edges.iter().find(|(other, _)| *other == index).unwrap().1;
     let border = (0..mesh.half_edge_slots()).find(|h| View::face(&mesh, *h).is_none()).unwrap();
     let (border, spoke) = (name(border), name(2));
@@ -492,7 +477,7 @@ fn on_discs_and_borders_operators_are_refused_for_their_own_reasons() {
 
 #[test]
 fn structures_that_use_handles_again_are_not_asked_for_stale_ones() {
-    let asked = Conformance::of(&KEPT).without_stale_handles();
+    let asked = Conformance::of(&MESH).without_stale_handles();
     let summary = asked.check(|| Mesh::new(6, &OCTAHEDRON, false)).unwrap();
     assert!(summary.not_compared().any(|part| part == NotCompared::StaleHandles));
 }
@@ -504,8 +489,11 @@ struct Bare {
 }
 
 impl View for Bare {
-    delegate_view!(|this| &this.mesh; except next, face, face_slots);
+    delegate_view!(|this| &this.mesh; except parts, next, face, face_slots);
 
+    fn parts(&self) -> Parts {
+        if self.has_faces { self.mesh.parts() } else { Parts::NONE }
+    }
     fn next(&self, h: usize) -> Link {
         View::face(&self.mesh, h).and_then(|_| View::next(&self.mesh, h))
     }
@@ -527,19 +515,19 @@ impl Subject for Bare {
 
 #[test]
 fn half_edges_on_the_border_need_no_next() {
-    for (has_faces, kept) in [(true, KEPT), (false, without_faces().open())] {
+    for has_faces in [true, false] {
         for (triangles, vertices) in [(RING.to_vec(), 6), (vec![[0, 1, 2]], 3)] {
             let make = |has_bug| Bare { mesh: Mesh::new(vertices, &triangles, has_bug), has_faces };
-            let summary = check(|| make(false), &kept).unwrap();
+            let summary = check(|| make(false), &MESH).unwrap();
             for name in ["mesh_flip_edge", "mesh_split_edge", "mesh_collapse_edge"] {
                 let counts = summary.of(name).unwrap();
                 assert!(counts.applied > 200 && counts.refused > 0, "{summary}");
             }
             assert!(summary.not_compared().any(|part| part == NotCompared::BorderNext), "{summary}");
-            assert!(check(|| make(true), &kept).is_err());
+            assert!(check(|| make(true), &MESH).is_err());
         }
     }
     // Where it is kept, it is compared.
-    let summary = check(|| Mesh::new(6, &RING, false), &KEPT).unwrap();
+    let summary = check(|| Mesh::new(6, &RING, false), &MESH).unwrap();
     assert!(summary.not_compared().all(|part| part != NotCompared::BorderNext), "{summary}");
 }

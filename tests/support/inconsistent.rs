@@ -1,6 +1,7 @@
 //! A structure whose answers change.
 
 use std::cell::Cell;
+use twinedge::delegate_view;
 use twinedge::validate::{BoundaryPlace, Link, Start, Table, View};
 
 /// A table that gives so many consistent answers, and then pseudorandom ones, different each time. It panics where it is
@@ -83,18 +84,8 @@ impl<'a> Inconsistent<'a> {
 }
 
 impl View for Inconsistent<'_> {
-    fn vertex_slots(&self) -> usize {
-        self.table.vertices.len()
-    }
-    fn half_edge_slots(&self) -> usize {
-        self.table.half_edges.len()
-    }
-    fn boundary_slots(&self) -> usize {
-        self.table.boundaries.len()
-    }
-    fn face_slots(&self) -> usize {
-        self.table.faces.len()
-    }
+    delegate_view!(|this| this.table; only parts, vertex_slots, half_edge_slots, boundary_slots, face_slots);
+
     fn is_vertex(&self, v: usize) -> bool {
         self.is(self.table.is_vertex(self.vertex(v)))
     }

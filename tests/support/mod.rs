@@ -10,6 +10,7 @@ pub(crate) mod nested;
 pub(crate) mod only_live;
 pub(crate) mod opinions;
 pub(crate) mod oracle;
+pub(crate) mod saved;
 pub(crate) mod tables;
 pub(crate) mod tracked;
 pub(crate) mod triangles;

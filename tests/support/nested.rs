@@ -1,10 +1,9 @@
 //! Two triangles, one in the other, and an isolated vertex between them.
 
 use super::tables::{ShortFace, map, textbook_map};
-use twinedge::validate::{Expectation, Part, Start, Table};
+use twinedge::validate::{Expectation, Start, Table};
 
 pub(crate) const PLANE: Expectation = Expectation::plane();
-pub(crate) const TEXTBOOK: Expectation = Expectation::plane().without(Part::BoundaryComponents);
 
 /// ```text
 ///   face 0                 A: vertices 0 1 2, half-edges 0 2 4 inside and 1 3 5 outside

@@ -36,7 +36,7 @@ impl<V: View> OnlyLive<'_, V> {
 }
 
 impl<V: View> View for OnlyLive<'_, V> {
-    delegate_view!(|this| this.0; only vertex_slots, half_edge_slots, boundary_slots, face_slots);
+    delegate_view!(|this| this.0; only parts, vertex_slots, half_edge_slots, boundary_slots, face_slots);
 
     fn is_vertex(&self, vertex: usize) -> bool {
         assert!(vertex < self.vertex_slots(), "there is no slot {vertex} for a vertex");
@@ -56,9 +56,6 @@ impl<V: View> View for OnlyLive<'_, V> {
     }
     fn origin(&self, half_edge: usize) -> Link {
         self.half_edge(half_edge).origin(half_edge)
-    }
-    fn target(&self, half_edge: usize) -> Link {
-        self.half_edge(half_edge).target(half_edge)
     }
     fn twin(&self, half_edge: usize) -> Link {
         self.half_edge(half_edge).twin(half_edge)

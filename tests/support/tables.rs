@@ -1,6 +1,9 @@
 //! Tables, written down the short way.
 
-use twinedge::validate::{BoundaryPlace, BoundaryRow, FaceRow, HalfEdgeRow, Start, Table, VertexRow};
+use twinedge::validate::{BoundaryPlace, BoundaryRow, FaceRow, HalfEdgeRow, Part, Parts, Start, Table, VertexRow};
+
+/// The parts of the tables of the textbook.
+pub(crate) const TEXTBOOK: Parts = Parts::ALL.without(Part::BoundaryComponents);
 
 /// A face in the short way: a half-edge of its outer cycle, and where its inner boundary components start.
 pub(crate) type ShortFace<'a> = (Option<usize>, &'a [Start]);
@@ -14,6 +17,7 @@ pub(crate) fn map(vertices: usize, half_edges: &[(usize, usize)], faces: &[Short
 /// The same in the form of the textbook, without records for boundary components.
 pub(crate) fn textbook_map(vertices: usize, half_edges: &[(usize, usize)], faces: &[ShortFace<'_>]) -> Table {
     let mut table = Table {
+        parts: TEXTBOOK,
         vertices: (0..vertices)
             .map(|v| {
                 Some(VertexRow { leaving: half_edges.iter().position(|(origin, _)| *origin == v), isolated: None })
@@ -49,6 +53,22 @@ pub(crate) fn textbook_map(vertices: usize, half_edges: &[(usize, usize)], faces
     table
 }
 
+/// The triangles of a tetrahedron.
+pub(crate) const TETRAHEDRON: [[usize; 3]; 4] = [[0, 1, 2], [0, 3, 1], [1, 3, 2], [0, 2, 3]];
+
+/// The triangles of a torus: two for each square of a grid that is closed in both directions.
+pub(crate) fn torus([columns, rows]: [usize; 2]) -> Vec<[usize; 3]> {
+    let at = |x: usize, y: usize| x % columns + columns * (y % rows);
+    let squares = (0..columns).flat_map(|x| (0..rows).map(move |y| (x, y)));
+    let corners = squares.map(|(x, y)| [at(x, y), at(x + 1, y), at(x + 1, y + 1), at(x, y + 1)]);
+    corners.flat_map(|[a, b, c, d]| [[a, b, c], [a, c, d]]).collect()
+}
+
+/// Seven vertices, all joined: the torus of Möbius.
+pub(crate) fn k7() -> Table {
+    mesh(7, &[0, 1, 2, 3, 4, 5, 6].map(|i| [[i, (i + 1) % 7, (i + 3) % 7], [i, (i + 3) % 7, (i + 2) % 7]]).concat())
+}
+
 /// A mesh of these triangles, each a face with that outer boundary component, no two with a side in the same direction.
 pub(crate) fn mesh(vertices: usize, triangles: &[[usize; 3]]) -> Table {
     with_boundary_components(&textbook_mesh(vertices, triangles))
@@ -78,7 +98,7 @@ pub(crate) fn textbook_mesh(vertices: usize, triangles: &[[usize; 3]]) -> Table 
 
 /// A textbook table with records for its boundary components instead: one for each entry of the list of each face.
 pub(crate) fn with_boundary_components(textbook: &Table) -> Table {
-    let mut table = textbook.clone();
+    let mut table = Table { parts: Parts::ALL, ..textbook.clone() };
     for half_edge in table.half_edges.iter_mut().flatten() {
         half_edge.face = None;
     }
@@ -145,4 +165,16 @@ pub(crate) fn boundary(table: &mut Table, b: usize) -> &mut BoundaryRow {
 /// The row of a face, to change it.
 pub(crate) fn face(table: &mut Table, f: usize) -> &mut FaceRow {
     table.faces[f].as_mut().unwrap()
+}
+
+/// Tables that store less.
+pub(crate) trait Without {
+    /// The same table, of which the part is not stored.
+    fn without(&self, part: Part) -> Self;
+}
+
+impl Without for Table {
+    fn without(&self, part: Part) -> Self {
+        Self { parts: self.parts.without(part), ..self.clone() }
+    }
 }

@@ -2,7 +2,7 @@
 
 use std::collections::BTreeSet;
 use twinedge::program::Refusal;
-use twinedge::validate::View;
+use twinedge::validate::{Part, Parts, View};
 use twinedge::view_answers;
 
 /// What is wrong with the mesh.
@@ -179,6 +179,7 @@ impl Triangles {
 
 impl View for Triangles {
     view_answers! { |m|
+        parts => Parts::NONE.with(Part::Faces).with(Part::Leaving),
         vertex_slots => m.leaving.len(),
         half_edge_slots => m.target.len(),
         face_slots => m.target.len() / 3,

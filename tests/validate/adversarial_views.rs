@@ -3,27 +3,31 @@
 
 use crate::support::erased::validate;
 use crate::support::inconsistent::Inconsistent;
-use crate::support::nested::{nested, nested_textbook};
+use crate::support::nested::{PLANE, nested, nested_textbook};
 use crate::support::opinions::{agree, broken};
-use crate::support::tables::{map, mesh};
+use crate::support::tables::{Without, map, mesh, textbook_map, torus};
 use std::cell::Cell;
-use twinedge::delegate_view;
 use twinedge::validate::enumerate::for_each_corruption;
+use twinedge::validate::forms::Form;
 use twinedge::validate::{
-    BoundaryPlace, Collect, Expectation, Link, Part, Rule, Start, Table, Unchecked, View, Violation,
+    BoundaryPlace, Collect, Expectation, Link, Only, Part, Parts, Rule, Start, Table, Unchecked, View, Violation,
 };
+use twinedge::{delegate_view, view_answers};
 
-/// All the expectations that make a difference to which code runs.
-fn expectations() -> Vec<Expectation> {
+const SURFACE: Expectation = Expectation::surface();
+
+/// All the forms that make a difference to which code runs.
+fn forms() -> Vec<Form> {
     let mut all = vec![];
-    for base in [Expectation::plane(), Expectation::surface()] {
-        for parts in [&[][..], &[Part::BoundaryComponents], &[Part::Faces], &[Part::Holes], &[Part::UnboundedFace]] {
-            let without = |expectation: Expectation, part: &Part| expectation.without(*part);
-            let expectation = parts.iter().fold(base, without);
-            let without_prev = expectation.without(Part::Prev);
-            all.extend([expectation, expectation.open(), without_prev, without_prev.open()]);
-            let asked = expectation.no_unused_vertices().simple().sides(3).closed().components(1).borders(0).genus(0);
-            all.extend([asked, asked.open()]);
+    for claims in [PLANE, SURFACE] {
+        for lacks in
+            [None, Some(Part::BoundaryComponents), Some(Part::Faces), Some(Part::Holes), Some(Part::UnboundedFace)]
+        {
+            let parts = lacks.map_or(Parts::ALL, |part| Parts::ALL.without(part));
+            let asked = claims.no_unused_vertices().simple().sides(3).closed().components(1).borders(0).genus(0);
+            for (claims, parts) in [(claims, parts), (claims, parts.without(Part::Prev)), (asked, parts)] {
+                all.extend([claims, claims.open()].map(|claims| Form::new(claims, parts)));
+            }
         }
     }
     all
@@ -37,65 +41,28 @@ struct Claims {
 }
 
 impl View for Claims {
-    fn vertex_slots(&self) -> usize {
-        self.slots[0]
-    }
-    fn half_edge_slots(&self) -> usize {
-        self.slots[1]
-    }
-    fn boundary_slots(&self) -> usize {
-        self.slots[2]
-    }
-    fn face_slots(&self) -> usize {
-        self.slots[3]
-    }
-    fn origin(&self, _: usize) -> Link {
-        self.answer
-    }
-    fn twin(&self, _: usize) -> Link {
-        self.answer
-    }
-    fn next(&self, _: usize) -> Link {
-        self.answer
-    }
-    fn prev(&self, _: usize) -> Link {
-        self.answer
-    }
-    fn boundary(&self, _: usize) -> Link {
-        self.answer
-    }
-    fn face(&self, _: usize) -> Link {
-        self.answer
-    }
-    fn leaving(&self, _: usize) -> Link {
-        self.answer
-    }
-    fn isolated(&self, _: usize) -> Link {
-        self.answer
-    }
-    fn boundary_face(&self, _: usize) -> Link {
-        self.answer
-    }
-    fn boundary_start(&self, _: usize) -> Option<Start> {
-        self.answer.map(Start::HalfEdge)
-    }
-    fn boundary_place(&self, _: usize) -> Option<BoundaryPlace> {
-        self.answer.map(BoundaryPlace::Inner)
-    }
-    fn outer(&self, _: usize) -> Link {
-        self.answer
-    }
-    fn inner_count(&self, _: usize) -> usize {
-        self.listed
-    }
-    fn inner(&self, _: usize, _: usize) -> Link {
-        self.answer
-    }
-    fn outer_half_edge(&self, _: usize) -> Link {
-        self.answer
-    }
-    fn inner_start(&self, _: usize, position: usize) -> Option<Start> {
-        self.answer.map(if position % 2 == 0 { Start::HalfEdge } else { Start::Vertex })
+    view_answers! { |claims|
+        parts => Parts::ALL,
+        vertex_slots => claims.slots[0],
+        half_edge_slots => claims.slots[1],
+        boundary_slots => claims.slots[2],
+        face_slots => claims.slots[3],
+        origin(_h) => claims.answer,
+        twin(_h) => claims.answer,
+        next(_h) => claims.answer,
+        prev(_h) => claims.answer,
+        boundary(_h) => claims.answer,
+        face(_h) => claims.answer,
+        leaving(_h) => claims.answer,
+        isolated(_h) => claims.answer,
+        boundary_face(_h) => claims.answer,
+        boundary_start(_h) => claims.answer.map(Start::HalfEdge),
+        boundary_place(_h) => claims.answer.map(BoundaryPlace::Inner),
+        outer(_h) => claims.answer,
+        inner_count(_h) => claims.listed,
+        inner(_h, _i) => claims.answer,
+        outer_half_edge(_h) => claims.answer,
+        inner_start(_h, position) => claims.answer.map(if position % 2 == 0 { Start::HalfEdge } else { Start::Vertex }),
     }
 }
 
@@ -106,9 +73,9 @@ fn a_claim_of_too_many_records_is_refused_unread() {
             let mut slots = [1; 4];
             slots[kind] = claimed;
             let view = Claims { slots, answer: None, listed: 0 };
-            let report = validate(&view, &Expectation::plane(), Collect::All);
+            let report = validate(&view, &PLANE, Collect::All);
             assert!(!report.is_valid());
-            assert_eq!((report.violation_count(), report.certificate()), (0, None));
+            assert_eq!((report.violation_count(), report.figures()), (0, None));
             assert!(report.outcomes().all(|(_, outcome)| outcome.unchecked == Some(Unchecked::TooLarge)));
         }
         let mut slots = [1; 4];
@@ -120,11 +87,11 @@ fn a_claim_of_too_many_records_is_refused_unread() {
 
 #[test]
 fn every_link_leads_to_one_record() {
-    for expectation in expectations() {
+    for form in forms() {
         for answer in [None, Some(0), Some(1), Some(999), Some(1000), Some(usize::MAX)] {
             for listed in [0, 3, usize::MAX] {
                 let view = Claims { slots: [1000; 4], answer, listed };
-                let report = validate(&view, &expectation, Collect::AtMost(0));
+                let report = validate(&Only::new(view, form.parts), &form.expectation, Collect::AtMost(0));
                 assert!(!report.is_valid());
                 assert!(report.violation_count() > 0);
             }
@@ -137,8 +104,7 @@ fn loops() -> Table {
     let (outside, between) = ([Start::HalfEdge(1), Start::Vertex(2)], [Start::HalfEdge(3)]);
     let half_edges = [(0, 0), (0, 1), (1, 2), (1, 3)];
     let faces: [(Option<usize>, &[Start]); 3] = [(None, &outside), (Some(0), &between), (Some(2), &[])];
-    let (mut table, textbook) =
-        (map(3, &half_edges, &faces), crate::support::tables::textbook_map(3, &half_edges, &faces));
+    let (mut table, textbook) = (map(3, &half_edges, &faces), textbook_map(3, &half_edges, &faces));
     for (row, other) in table.half_edges.iter_mut().flatten().zip(textbook.half_edges.iter().flatten()) {
         row.face = other.face;
     }
@@ -153,16 +119,16 @@ fn loops() -> Table {
 #[test]
 fn answers_may_change_from_call_to_call() {
     let table = loops();
-    for expectation in expectations() {
+    for form in forms() {
         let questions = |consistent_answers, seed| {
             let view = Inconsistent::new(&table, consistent_answers, seed);
-            validate(&view, &expectation, Collect::All);
+            validate(&Only::new(&view, form.parts), &form.expectation, Collect::All);
             view.questions.get()
         };
         let consistent = questions(u64::MAX, 0);
         for consistent_answers in 0..=consistent {
             for seed in 0..8 {
-                assert!(questions(consistent_answers, seed) < 3 * consistent + 300, "{expectation:?}");
+                assert!(questions(consistent_answers, seed) < 3 * consistent + 300, "{form:?}");
             }
         }
     }
@@ -174,57 +140,37 @@ fn answers_may_change_from_call_to_call() {
 fn a_surface_that_does_not_exist() {
     struct Changing(Cell<usize>, [usize; 2]);
     impl View for Changing {
-        fn vertex_slots(&self) -> usize {
-            1
-        }
-        fn half_edge_slots(&self) -> usize {
-            2
-        }
-        fn origin(&self, _: usize) -> Link {
-            Some(0)
-        }
-        fn twin(&self, half_edge: usize) -> Link {
-            Some(half_edge ^ 1)
-        }
-        fn next(&self, half_edge: usize) -> Link {
-            self.0.set(self.0.get() + 1);
-            let [once, from] = self.1;
-            Some(if self.0.get() == once || self.0.get() >= from { half_edge ^ 1 } else { half_edge })
+        view_answers! { |view|
+            parts => Parts::NONE,
+            vertex_slots => 1,
+            half_edge_slots => 2,
+            origin(_h) => Some(0),
+            twin(h) => Some(h ^ 1),
+            next(h) => {
+                view.0.set(view.0.get() + 1);
+                let [once, from] = view.1;
+                Some(if view.0.get() == once || view.0.get() >= from { h ^ 1 } else { h })
+            },
         }
     }
-    let expectation = Expectation::surface().without(Part::Faces).without(Part::Prev).without(Part::Leaving);
     // One change makes the fast path give up, and the other one comes when the cycles are counted.
     let changes = (1..10).flat_map(|once| (once..40).map(move |from| [once, from]));
-    let reports = changes.map(|when| validate(&Changing(Cell::new(0), when), &expectation, Collect::All));
+    let reports = changes.map(|when| validate(&Changing(Cell::new(0), when), &SURFACE, Collect::All));
     let odd: Vec<_> = reports.filter(|report| broken(report) == [Rule::T3]).collect();
     let violation = Violation::NoSuchSurface { vertex: 0, vertices: 1, edges: 1, cycles: 1 };
     assert!(!odd.is_empty());
     assert!(odd.iter().all(|report| report.violations() == [violation]));
 }
 
-/// A torus of six triangles for each unit of length.
-fn torus(length: usize) -> Table {
-    let vertex = |i: usize, j: usize| 3 * (i % length) + j % 3;
-    let triangles: Vec<[usize; 3]> = (0..3 * length)
-        .map(|k| (k / 3, k % 3))
-        .flat_map(|(i, j)| {
-            let [a, b, c, d] = [vertex(i, j), vertex(i + 1, j), vertex(i + 1, j + 1), vertex(i, j + 1)];
-            [[a, b, c], [a, c, d]]
-        })
-        .collect();
-    mesh(3 * length, &triangles)
-}
-
 /// Twice and four times the records cost twice and four times the questions, whether the structure is valid or not.
 #[test]
 fn the_work_is_linear() {
-    let expectation = Expectation::surface();
-    assert_eq!(validate(&torus(10), &expectation, Collect::All).certificate().unwrap().genus, 1);
+    assert_eq!(validate(&mesh(30, &torus([3, 10])), &SURFACE, Collect::All).figures().unwrap().genus, 1);
     let questions = |length, corrupt: &dyn Fn(&mut Table)| {
-        let mut table = torus(length);
+        let mut table = mesh(3 * length, &torus([3, length]));
         corrupt(&mut table);
         let view = Inconsistent::new(&table, u64::MAX, 0);
-        validate(&view, &expectation, Collect::All);
+        validate(&view, &SURFACE, Collect::All);
         view.questions.get()
     };
     let corruptions: [&dyn Fn(&mut Table); 6] = [
@@ -244,26 +190,28 @@ fn the_work_is_linear() {
 
 #[test]
 fn a_consistent_table_is_valid() {
-    for expectation in [Expectation::plane(), Expectation::plane().without(Part::BoundaryComponents)] {
-        assert_eq!(agree(&loops(), expectation), None);
-    }
+    assert_eq!(agree(&loops(), PLANE), None);
+    assert_eq!(agree(&loops().without(Part::BoundaryComponents), PLANE), None);
+}
+
+/// The table whole, open, and without one part.
+fn forms_of(whole: Table) -> [(Table, Expectation); 4] {
+    let [without_prev, without_places] = [Part::Prev, Part::Places].map(|part| whole.without(part));
+    [(whole.clone(), PLANE.open()), (whole, PLANE), (without_prev, PLANE), (without_places, PLANE)]
 }
 
 /// Links may lead one past the end, or anywhere else: no question is asked about what is there.
 #[test]
 fn no_question_about_a_slot_that_is_not_there() {
-    let plane = Expectation::plane();
-    for (mut table, base) in [(nested(), plane), (nested_textbook(), plane.without(Part::BoundaryComponents))] {
-        for expectation in [base, base.open(), base.without(Part::Prev), base.without(Part::Places)] {
-            let mut changes = 0;
-            for_each_corruption(&mut table, &expectation, |changed, _, _| {
-                changes += 1;
-                // It panics where it is asked about something else.
-                let report = validate(&Inconsistent::new(changed, u64::MAX, 0), &expectation, Collect::All);
-                assert_eq!(report, validate(changed, &expectation, Collect::All));
-            });
-            assert!(changes > 500, "{changes}");
-        }
+    for (mut table, expectation) in [nested(), nested_textbook()].into_iter().flat_map(forms_of) {
+        let (mut changes, parts) = (0, table.parts);
+        for_each_corruption(&mut table, parts, |changed, _, _| {
+            changes += 1;
+            // It panics where it is asked about something else.
+            let report = validate(&Inconsistent::new(changed, u64::MAX, 0), &expectation, Collect::All);
+            assert_eq!(report, validate(changed, &expectation, Collect::All));
+        });
+        assert!(changes > 500, "{changes}");
     }
 }
 
@@ -291,7 +239,7 @@ impl StaleSlots {
 }
 
 impl View for StaleSlots {
-    delegate_view!(|this| &this.live; only vertex_slots, half_edge_slots, boundary_slots, face_slots);
+    delegate_view!(|this| &this.live; only parts, vertex_slots, half_edge_slots, boundary_slots, face_slots);
     delegate_view!(|this| &this.live; only is_vertex, is_half_edge, is_boundary, is_face);
     delegate_view!(|this| &this.rows; only origin, twin, next, prev, boundary, face, leaving, isolated);
     delegate_view!(|this| &this.rows; only boundary_face, boundary_start, boundary_place, outer, inner_count, inner);
@@ -300,17 +248,16 @@ impl View for StaleSlots {
 
 #[test]
 fn answers_for_vacant_slots_do_not_matter() {
-    let plane = Expectation::plane();
-    for (mut table, base) in [(nested(), plane), (nested_textbook(), plane.without(Part::BoundaryComponents))] {
+    for mut table in [nested(), nested_textbook()] {
         table.vertices.push(None);
         table.half_edges.push(None);
         table.boundaries.extend([None, None]);
         table.faces.push(None);
-        for expectation in [base, base.open(), base.without(Part::Prev), base.without(Part::Places)] {
+        for (table, expectation) in forms_of(table) {
             let judged = |table: &Table| validate(table, &expectation, Collect::All);
             assert!(judged(&table).is_valid());
             assert_eq!(validate(&StaleSlots::by(&table), &expectation, Collect::All), judged(&table));
-            for_each_corruption(&mut table.clone(), &expectation, |changed, _, _| {
+            for_each_corruption(&mut table.clone(), table.parts, |changed, _, _| {
                 assert_eq!(validate(&StaleSlots::by(changed), &expectation, Collect::All), judged(changed));
             });
         }

@@ -2,28 +2,31 @@
 
 use crate::support::erased::validate;
 use crate::support::opinions::agree;
-use crate::support::tables::{boundary, face, half_edge, map, mesh, textbook_map, textbook_mesh, vertex};
+use crate::support::tables::{
+    TETRAHEDRON, TEXTBOOK, Without, boundary, face, half_edge, k7, map, textbook_map, textbook_mesh, vertex,
+};
 use twinedge::validate::enumerate::for_each_corruption;
 use twinedge::validate::{
-    BoundaryPlace, Certificate, Collect, Expectation, FaceRow, Field, HalfEdgeRow, Link, Part, Record, Report, Rule,
+    BoundaryPlace, Collect, Expectation, FaceRow, Field, Figures, HalfEdgeRow, Part, Parts, Record, Report, Rule,
     Start, Table, Unchecked, VertexRow, View, Violation,
 };
+use twinedge::view_answers;
 
-const TETRAHEDRON: [[usize; 3]; 4] = [[0, 1, 2], [0, 3, 1], [1, 3, 2], [0, 2, 3]];
-const MESH: Expectation = Expectation::surface().without(Part::BoundaryComponents);
+const PLANE: Expectation = Expectation::plane();
+const MESH: Expectation = Expectation::surface();
 
-/// The certificate, after both validators agreed on the table and on every change of one field of it.
+/// The figures, after both validators agreed on the table and on every change of one field of it.
 #[track_caller]
-fn certificate(table: &Table, expectation: Expectation) -> Certificate {
+fn figures(table: &Table, expectation: Expectation) -> Figures {
     let report = validate(table, &expectation, Collect::All);
-    let certificate = report.certificate().unwrap_or_else(|| panic!("{report}"));
+    let figures = report.figures().unwrap_or_else(|| panic!("{report}"));
     assert_eq!(agree(table, expectation), None);
-    let Certificate { vertices, edges, components, cycles, borders, isolated_vertices, genus, .. } = certificate;
+    let Figures { vertices, edges, components, cycles, borders, isolated_vertices, genus, .. } = figures;
     assert_eq!(vertices + cycles + borders + isolated_vertices + 2 * genus, edges + 2 * components, "T3, added up");
-    for_each_corruption(&mut table.clone(), &expectation, |changed, _, _| {
+    for_each_corruption(&mut table.clone(), expectation.looks_at(table.parts), |changed, _, _| {
         agree(changed, expectation);
     });
-    certificate
+    figures
 }
 
 #[track_caller]
@@ -44,7 +47,7 @@ fn a_mesh_without_prev() {
     for h in 0..12 {
         half_edge(&mut table, h).prev = None;
     }
-    let found = certificate(&table, MESH.without(Part::Prev));
+    let found = figures(&table.without(Part::Prev), MESH);
     assert_eq!((found.vertices, found.edges, found.faces, found.cycles, found.genus), (4, 6, 4, 4, 0));
     // With the links demanded, each is missing.
     let nil = |h| Violation::Nil { record: Record::HalfEdge(h), field: Field::Prev };
@@ -60,7 +63,7 @@ fn a_mesh_with_a_border_of_half_edges_without_face() {
         half_edge(&mut table, *h).face = None;
     }
     table.faces[3] = None;
-    let found = certificate(&table, MESH.open());
+    let found = figures(&table, MESH.open());
     assert_eq!((found.vertices, found.edges, found.faces, found.cycles, found.borders), (4, 6, 3, 3, 1));
     let nil = |h: &usize| Violation::Nil { record: Record::HalfEdge(*h), field: Field::Face };
     assert_eq!(violations(&table, MESH), border.iter().map(nil).collect::<Vec<_>>());
@@ -83,7 +86,7 @@ fn a_mesh_with_a_border_of_half_edges_without_twin() {
         let origin = |h: &usize| table.half_edges[*h].is_some_and(|row| row.origin == Some(v));
         vertex(&mut table, v).leaving = (0..12).find(origin);
     }
-    let found = certificate(&table, MESH.open());
+    let found = figures(&table, MESH.open());
     assert_eq!((found.vertices, found.edges, found.faces, found.cycles, found.borders), (4, 6, 3, 3, 1));
     let nil = |h: usize| Violation::Nil { record: Record::HalfEdge(h), field: Field::Twin };
     let expected: Vec<_> = (0..12).filter(|h| missing.contains(&(h ^ 1))).map(nil).collect();
@@ -104,21 +107,22 @@ fn r1_at_a_border_twin_and_face_are_not_both_missing() {
         ..Default::default()
     };
     let vertices = (0..3).map(|v| Some(VertexRow { leaving: Some(v), isolated: None })).collect();
-    let mut table = Table { vertices, half_edges: (0..3).map(|h| Some(row(h))).collect(), ..Table::default() };
+    let half_edges = (0..3).map(|h| Some(row(h))).collect();
+    let mut table = Table { parts: TEXTBOOK, vertices, half_edges, ..Table::default() };
     let nil = |field| (0..3).map(|h| Violation::Nil { record: Record::HalfEdge(h), field }).collect::<Vec<_>>();
     assert_eq!(violations(&table, MESH.open()), nil(Field::Face));
-    assert_eq!(violations(&table, Expectation::surface().open()), nil(Field::Boundary));
-    for expectation in [MESH, Expectation::plane().without(Part::BoundaryComponents).without(Part::UnboundedFace)] {
-        assert_eq!(agree(&table, expectation.open()), Some(Rule::R1));
+    assert_eq!(violations(&Table { parts: Parts::ALL, ..table.clone() }, MESH.open()), nil(Field::Boundary));
+    for expectation in [MESH, PLANE] {
+        assert_eq!(agree(&table.without(Part::UnboundedFace), expectation.open()), Some(Rule::R1));
     }
     // Without faces there is no face to miss.
-    assert_eq!(certificate(&table, MESH.open().without(Part::Faces)).borders, 1);
+    assert_eq!(figures(&table.without(Part::Faces), MESH.open()).borders, 1);
     // With one of the two links it is a border of the one form, and with two such triangles back to back of the other.
     for h in 0..3 {
         half_edge(&mut table, h).face = Some(0);
     }
     table.faces = vec![Some(FaceRow { outer_half_edge: Some(0), ..FaceRow::default() })];
-    assert_eq!(certificate(&table, MESH.open()).borders, 1);
+    assert_eq!(figures(&table, MESH.open()).borders, 1);
     let twin_row = |h: usize| HalfEdgeRow {
         origin: Some((h + 1) % 3),
         twin: Some(h),
@@ -130,7 +134,7 @@ fn r1_at_a_border_twin_and_face_are_not_both_missing() {
         half_edge(&mut table, h).twin = Some(3 + h);
     }
     table.half_edges.extend((0..3).map(|h| Some(twin_row(h))));
-    let found = certificate(&table, MESH.open());
+    let found = figures(&table, MESH.open());
     assert_eq!((found.borders, found.cycles), (1, 1));
 }
 
@@ -140,8 +144,7 @@ fn a_mesh_with_a_slit_is_planar_but_not_simple() {
     let mut table = textbook_mesh(4, &TETRAHEDRON);
     half_edge(&mut table, 0).twin = None;
     half_edge(&mut table, 1).twin = None;
-    let expectation = Expectation::plane().without(Part::BoundaryComponents).without(Part::Holes).open();
-    let found = certificate(&table, expectation);
+    let found = figures(&table.without(Part::Holes), PLANE.open());
     assert_eq!((found.vertices, found.edges, found.cycles, found.genus, found.bounds), (4, 7, 4, 0, None));
     assert!(found.not_checked.contains(&(Rule::T4, Unchecked::NotSimple)));
 }
@@ -153,35 +156,29 @@ fn two_handles() -> Table {
 
 #[test]
 fn surfaces_of_genus_1_and_2() {
-    let torus = mesh(
-        7,
-        &[0, 1, 2, 3, 4, 5, 6].map(|i| [[i, (i + 1) % 7, (i + 3) % 7], [i, (i + 3) % 7, (i + 2) % 7]]).concat(),
-    );
-    let plane = Expectation::plane().without(Part::Holes);
-    let surface = Expectation::surface();
-    let found = validate(&torus, &surface, Collect::All).certificate().unwrap();
-    assert_eq!((agree(&torus, surface), found.genus, found.faces), (None, 1, 14));
-    assert_eq!(agree(&torus, plane), Some(Rule::T3));
+    let torus = k7();
+    let found = validate(&torus, &MESH, Collect::All).figures().unwrap();
+    assert_eq!((agree(&torus, MESH), found.genus, found.faces), (None, 1, 14));
+    assert_eq!(agree(&torus.without(Part::Holes), PLANE), Some(Rule::T3));
     let double = two_handles();
-    assert_eq!(certificate(&double, surface).genus, 2);
+    assert_eq!(figures(&double, MESH).genus, 2);
     let violation = Violation::Genus { vertex: 0, vertices: 1, edges: 4, cycles: 1, genus: 2 };
-    assert_eq!(violations(&double, plane), [violation]);
+    assert_eq!(violations(&double.without(Part::Holes), PLANE), [violation]);
 }
 
 #[test]
 fn a_combinatorial_map_alone() {
-    let mut table = two_handles();
+    let mut table = two_handles().without(Part::Faces);
     table.boundaries.clear();
     table.faces.clear();
-    let surface = Expectation::surface().without(Part::Faces);
-    let found = certificate(&table, surface);
+    let found = figures(&table, MESH);
     assert_eq!((found.edges, found.faces, found.cycles, found.genus), (4, 0, 1, 2));
     let lacks = Unchecked::Lacks(Part::Faces);
     let plane_only = [Rule::T1, Rule::T2, Rule::T4].map(|rule| (rule, Unchecked::PlaneOnly));
     let expected =
         [[Rule::B1, Rule::B2, Rule::F1, Rule::F2].map(|rule| (rule, lacks)).as_slice(), &plane_only].concat();
     assert_eq!(found.not_checked, expected);
-    assert_eq!(agree(&table, Expectation::plane().without(Part::Faces)), Some(Rule::T3));
+    assert_eq!(agree(&table, PLANE), Some(Rule::T3));
 }
 
 /// What is listed is more than the half-edges, of which there are none.
@@ -189,12 +186,9 @@ fn a_combinatorial_map_alone() {
 fn nothing_but_isolated_vertices_in_either_form() {
     let all: Vec<Start> = (0..9).map(Start::Vertex).collect();
     let faces: [(Option<usize>, &[Start]); 1] = [(None, &all)];
-    for (table, expectation) in [
-        (map(9, &[], &faces), Expectation::plane()),
-        (map(9, &[], &faces), Expectation::plane().without(Part::Places)),
-        (textbook_map(9, &[], &faces), Expectation::plane().without(Part::BoundaryComponents)),
-    ] {
-        let found = certificate(&table, expectation);
+    let by_record = map(9, &[], &faces);
+    for table in [by_record.without(Part::Places), by_record, textbook_map(9, &[], &faces)] {
+        let found = figures(&table, PLANE);
         assert_eq!((found.vertices, found.edges, found.faces, found.components), (9, 0, 1, 9));
     }
 }
@@ -206,16 +200,14 @@ const LOOP_IN_LOOP: [(usize, usize); 4] = [(0, 0), (0, 1), (1, 2), (1, 3)];
 #[test]
 fn an_open_outside_and_holes_inside() {
     let faces: [(Option<usize>, &[Start]); 2] = [(Some(0), &[Start::HalfEdge(3), Start::Vertex(2)]), (Some(2), &[])];
-    for expectation in [Expectation::plane(), Expectation::plane().without(Part::BoundaryComponents)] {
-        let by_record = expectation.has(Part::BoundaryComponents);
-        let mut table = if by_record { map(3, &LOOP_IN_LOOP, &faces) } else { textbook_map(3, &LOOP_IN_LOOP, &faces) };
-        let found = certificate(&table, expectation.without(Part::UnboundedFace).open());
+    for mut table in [map(3, &LOOP_IN_LOOP, &faces), textbook_map(3, &LOOP_IN_LOOP, &faces)] {
+        let found = figures(&table.without(Part::UnboundedFace), PLANE.open());
         assert_eq!((found.components, found.faces, found.cycles, found.borders), (3, 2, 3, 1));
         // Without any face for it, the outside needs no record of the unbounded face, but one may be there.
-        assert_eq!(agree(&table, expectation.open()), Some(Rule::F1));
+        assert_eq!(agree(&table, PLANE.open()), Some(Rule::F1));
         table.faces.push(Some(FaceRow::default()));
-        assert_eq!(certificate(&table, expectation.open()).faces, 3);
-        assert_eq!(agree(&table, expectation), Some(Rule::R1));
+        assert_eq!(figures(&table, PLANE.open()).faces, 3);
+        assert_eq!(agree(&table, PLANE), Some(Rule::R1));
     }
 }
 
@@ -237,32 +229,9 @@ fn an_outside_without_half_edges() {
         let origin = |h: &usize| table.half_edges[*h].is_some_and(|row| row.origin == Some(v));
         vertex(&mut table, v).leaving = (0..12).find(origin);
     }
-    let expectation = Expectation::plane().without(Part::BoundaryComponents).without(Part::UnboundedFace).open();
-    let found = certificate(&table, expectation);
+    let found = figures(&table.without(Part::UnboundedFace), PLANE.open());
     assert_eq!((found.vertices, found.edges, found.faces, found.components), (4, 5, 2, 1));
     assert!(found.bounds.is_some(), "no two edges are parallel");
-}
-
-#[test]
-fn what_cannot_be_had_without_a_part_is_lacking_too() {
-    use Part::{BoundaryComponents, Faces, Holes, Leaving, Places, Prev, UnboundedFace};
-    const ALL: [Part; 7] = [Prev, Leaving, Faces, BoundaryComponents, Places, Holes, UnboundedFace];
-    for (part, lacking) in [
-        (Prev, &[Prev][..]),
-        (Leaving, &[Leaving]),
-        (Faces, &[Faces, BoundaryComponents, Places, Holes, UnboundedFace]),
-        (BoundaryComponents, &[BoundaryComponents, Places]),
-        (Places, &[Places]),
-        (Holes, &[Holes, UnboundedFace]),
-        (UnboundedFace, &[UnboundedFace]),
-    ] {
-        let expectation = Expectation::plane().without(part);
-        // Saying it twice changes nothing.
-        for expectation in [expectation, expectation.without(part)] {
-            let found: Vec<Part> = ALL.into_iter().filter(|other| !expectation.has(*other)).collect();
-            assert_eq!(found, lacking);
-        }
-    }
 }
 
 /// As on a sphere: both sides of the outer loop are bounded, so its component has no inner boundary component.
@@ -270,22 +239,20 @@ fn what_cannot_be_had_without_a_part_is_lacking_too() {
 fn no_unbounded_face_but_holes() {
     let faces: [(Option<usize>, &[Start]); 3] = [(Some(1), &[]), (Some(0), &[Start::HalfEdge(3)]), (Some(2), &[])];
     let mut table = map(3, &LOOP_IN_LOOP, &faces);
-    let expectation = Expectation::plane().without(Part::UnboundedFace);
+    let unclaimed = Violation::IsolatedUnclaimed { vertex: 2 };
+    assert_eq!(violations(&table, PLANE), [unclaimed, Violation::NoUnboundedFace]);
     // Vertex 2 lies in no face, so no boundary component starts at it.
-    assert_eq!(certificate(&table, expectation).isolated_vertices, 1);
-    assert_eq!(
-        violations(&table, Expectation::plane()),
-        [Violation::IsolatedUnclaimed { vertex: 2 }, Violation::NoUnboundedFace,]
-    );
+    table.parts = table.parts.without(Part::UnboundedFace);
+    assert_eq!(figures(&table, PLANE).isolated_vertices, 1);
     // But it cannot name one.
     vertex(&mut table, 2).isolated = Some(0);
-    assert_eq!(violations(&table, expectation), [Violation::IsolatedUnclaimed { vertex: 2 }]);
+    assert_eq!(violations(&table, PLANE), [unclaimed]);
     // And nothing lies inside itself.
     vertex(&mut table, 2).isolated = None;
     face(&mut table, 1).inner.clear();
     face(&mut table, 2).inner.push(Some(2));
     boundary(&mut table, 2).face = Some(2);
-    assert_eq!(violations(&table, expectation), [Violation::NestedInItself { vertex: 1, face: 2 }]);
+    assert_eq!(violations(&table, PLANE), [Violation::NestedInItself { vertex: 1, face: 2 }]);
 }
 
 #[test]
@@ -295,28 +262,27 @@ fn what_a_structure_lacks_is_not_checked_and_said() {
         &LOOP_IN_LOOP,
         &[(None, &[Start::HalfEdge(1)]), (Some(0), &[Start::HalfEdge(3), Start::Vertex(2)]), (Some(2), &[])],
     );
-    let plane = Expectation::plane();
     let not_simple = (Rule::T4, Unchecked::NotSimple);
-    assert_eq!(not_checked(&table, plane), [not_simple]);
+    assert_eq!(not_checked(&table, PLANE), [not_simple]);
     // Each part, wrong in the table, is wrong only for those who have it.
     let mut wrong = table.clone();
     vertex(&mut wrong, 0).leaving = Some(2);
-    assert_eq!(agree(&wrong, plane), Some(Rule::V1));
-    assert_eq!(agree(&wrong, plane.without(Part::Leaving)), None);
+    assert_eq!(agree(&wrong, PLANE), Some(Rule::V1));
+    assert_eq!(agree(&wrong.without(Part::Leaving), PLANE), None);
     let lacks = |rule, part| (rule, Unchecked::Lacks(part));
-    assert_eq!(not_checked(&wrong, plane.without(Part::Leaving)), [lacks(Rule::V1, Part::Leaving), not_simple]);
+    assert_eq!(not_checked(&wrong.without(Part::Leaving), PLANE), [lacks(Rule::V1, Part::Leaving), not_simple]);
     let mut wrong = table.clone();
     boundary(&mut wrong, 3).place = None;
-    assert_eq!(agree(&wrong, plane), Some(Rule::F2));
-    assert_eq!(agree(&wrong, plane.without(Part::Places)), None);
+    assert_eq!(agree(&wrong, PLANE), Some(Rule::F2));
+    assert_eq!(agree(&wrong.without(Part::Places), PLANE), None);
     let mut wrong = table;
     half_edge(&mut wrong, 0).prev = Some(1);
-    assert_eq!(agree(&wrong, plane), Some(Rule::L2));
-    assert_eq!(agree(&wrong, plane.without(Part::Prev)), None);
+    assert_eq!(agree(&wrong, PLANE), Some(Rule::L2));
+    assert_eq!(agree(&wrong.without(Part::Prev), PLANE), None);
     let without_holes = map(1, &LOOP_IN_LOOP[..2], &[(Some(1), &[]), (Some(0), &[])]);
     let holes = [Rule::B2, Rule::T1, Rule::T2].map(|rule| lacks(rule, Part::Holes));
     let expected = [holes.as_slice(), &[not_simple]].concat();
-    assert_eq!(not_checked(&without_holes, plane.without(Part::Holes)), expected);
+    assert_eq!(not_checked(&without_holes.without(Part::Holes), PLANE), expected);
 }
 
 #[test]
@@ -328,10 +294,10 @@ fn what_relies_on_a_broken_rule_is_not_checked_and_said() {
     let after = |change: &dyn Fn(&mut Table)| {
         let mut table = right.clone();
         change(&mut table);
-        let report = validate(&table, &Expectation::plane(), Collect::All);
+        let report = validate(&table, &PLANE, Collect::All);
         assert!(!report.is_valid());
-        assert_eq!(report.certificate(), None);
-        not_checked(&table, Expectation::plane()).into_iter().filter(|(_, why)| !why.is_by_design()).collect::<Vec<_>>()
+        assert_eq!(report.figures(), None);
+        not_checked(&table, PLANE).into_iter().filter(|(_, why)| !why.is_by_design()).collect::<Vec<_>>()
     };
     let topology = [Rule::T1, Rule::T2, Rule::T3, Rule::T4];
     let all_but_live = [[Rule::L1, Rule::L2, Rule::L3, Rule::V2, Rule::B1].as_slice(), &topology].concat();
@@ -343,7 +309,7 @@ fn what_relies_on_a_broken_rule_is_not_checked_and_said() {
     assert_eq!(after(&|t| half_edge(t, 0).prev = Some(1)), because(Rule::L2, &all_but_links));
     assert_eq!(after(&|t| boundary(t, 0).start = Some(Start::HalfEdge(0))), because(Rule::B1, &[Rule::T1, Rule::T2]));
     let in_itself = |t: &mut Table| {
-        (face(t, 0).outer, boundary(t, 0).place) = (Some(0), Some(twinedge::validate::BoundaryPlace::Outer));
+        (face(t, 0).outer, boundary(t, 0).place) = (Some(0), Some(BoundaryPlace::Outer));
         face(t, 0).inner.clear();
         t.faces.push(Some(FaceRow::default()));
     };
@@ -374,8 +340,9 @@ fn as_many_violations_are_kept_as_asked_for_and_all_are_counted() {
 
 #[test]
 fn no_more_than_a_thousand_violations_are_kept_by_default() {
-    let table = Table { half_edges: vec![Some(twinedge::validate::HalfEdgeRow::default()); 1000], ..Table::default() };
-    let report = validate(&table, &Expectation::surface().without(Part::Faces), Collect::All);
+    let half_edges = vec![Some(HalfEdgeRow::default()); 1000];
+    let table = Table { parts: Parts::ALL.without(Part::Faces), half_edges, ..Table::default() };
+    let report = validate(&table, &MESH, Collect::All);
     assert_eq!((report.violations().len(), report.violation_count()), (Collect::DEFAULT_CAP, 4000));
     assert!(
         report.to_string().contains("… and 3000 more\nhint: the prev of the first 250 half-edges is nil"),
@@ -389,7 +356,7 @@ fn hints(report: &Report) -> Vec<String> {
 }
 
 #[test]
-fn a_link_that_is_nil_everywhere_is_said_to_be_left_out_by_the_expectation() {
+fn a_link_that_is_nil_everywhere_is_said_to_be_no_part_of_the_structure() {
     let mut table = textbook_mesh(4, &TETRAHEDRON);
     assert_eq!(hints(&validate(&table, &MESH, Collect::All)), [""; 0]);
     for h in 0..12 {
@@ -400,15 +367,16 @@ fn a_link_that_is_nil_everywhere_is_said_to_be_left_out_by_the_expectation() {
         vertex(&mut table, v).leaving = None;
     }
     let nil = |what: &str, lacks: &str, part: Part| {
-        format!("the {what} is nil; if the structure has no {lacks}, use `Expectation::without(Part::{part:?})`")
+        format!("the {what} is nil; if the structure stores no {lacks}, leave `Part::{part:?}` out of `View::parts`")
     };
     let prev = nil("prev of all 12 half-edges", "prev links", Part::Prev);
     let leaving = nil("leaving half-edge of all 4 vertices", "leaving half-edges", Part::Leaving);
     let face = nil("face of all 12 half-edges", "faces", Part::Faces);
     assert_eq!(hints(&validate(&table, &MESH, Collect::All)), [prev.clone(), face, leaving.clone()]);
     let lacks = "boundary component records";
+    let by_record = Table { parts: Parts::ALL, ..table.clone() };
     let boundary = nil("boundary component of all 12 half-edges", lacks, Part::BoundaryComponents);
-    assert_eq!(hints(&validate(&table, &Expectation::surface(), Collect::All)), [prev, boundary, leaving]);
+    assert_eq!(hints(&validate(&by_record, &MESH, Collect::All)), [prev, boundary, leaving]);
     // Those of the first half-edges alone are kept.
     let some = validate(&table, &MESH, Collect::AtMost(5));
     assert_eq!(hints(&some)[0], nil("prev of the first 3 half-edges", "prev links", Part::Prev));
@@ -430,17 +398,14 @@ fn half_edges_without_twin_are_said_to_be_legal_at_a_border() {
 
 /// A vertex that a face of the textbook lists, seen as if there were boundary components.
 #[test]
-fn lists_of_the_textbook_are_said_to_need_an_expectation() {
-    let textbook: Table = "V 1 - - H 0 B 0 F 1 - 1 - FH 1 - 1 v0".parse().unwrap();
-    let found = hints(&validate(&textbook, &Expectation::plane(), Collect::All));
+fn lists_of_the_textbook_are_said_to_be_no_boundary_components() {
+    let table: Table = "V 1 - - H 0 B 0 F 1 - 1 - FH 1 - 1 v0".parse().unwrap();
+    let found = hints(&validate(&table, &PLANE, Collect::All));
     assert!(
-        found.iter().any(|hint| hint.ends_with("use `Expectation::without(Part::BoundaryComponents)`")),
+        found.iter().any(|hint| hint.ends_with("leave `Part::BoundaryComponents` out of `View::parts`")),
         "{found:?}"
     );
-    assert_eq!(
-        hints(&validate(&textbook, &Expectation::plane().without(Part::BoundaryComponents), Collect::All)),
-        [""; 0]
-    );
+    assert_eq!(hints(&validate(&table.without(Part::BoundaryComponents), &PLANE, Collect::All)), [""; 0]);
 }
 
 #[test]
@@ -472,7 +437,7 @@ fn a_report_reads_as_sentences() {
     for line in [
         "R1 live      ok, 68 links",
         "L1 twin      ok, 12 half-edges",
-        "B2 isolated  not checked: the expectation leaves out lists of inner boundary components",
+        "B2 isolated  not checked: the structure stores no lists of inner boundary components",
         "T3 Euler     ok, 1 component",
         "T4 bounds    not checked: a rule of the plane only",
     ] {
@@ -509,30 +474,22 @@ fn a_report_reads_as_sentences() {
     }
 }
 
-/// A view of a combinatorial map need answer five questions only; of the rest it says that there is nothing.
+/// A view of a combinatorial map need answer six questions only; of the rest it says that there is nothing.
 #[test]
 fn what_a_view_does_not_answer_is_not_there() {
     struct Digon;
     impl View for Digon {
-        fn vertex_slots(&self) -> usize {
-            2
-        }
-        fn half_edge_slots(&self) -> usize {
-            4
-        }
-        fn origin(&self, half_edge: usize) -> Link {
-            Some(half_edge % 2)
-        }
-        fn twin(&self, half_edge: usize) -> Link {
-            Some(half_edge ^ 1)
-        }
-        fn next(&self, half_edge: usize) -> Link {
-            Some(3 - half_edge)
+        view_answers! { |_digon|
+            parts => Parts::NONE,
+            vertex_slots => 2,
+            half_edge_slots => 4,
+            origin(h) => Some(h % 2),
+            twin(h) => Some(h ^ 1),
+            next(h) => Some(3 - h),
         }
     }
-    let expectation = Expectation::plane().without(Part::Faces).without(Part::Prev).without(Part::Leaving);
-    let found = validate(&Digon, &expectation, Collect::All);
-    let found = found.certificate().unwrap_or_else(|| panic!("{found}"));
+    let found = validate(&Digon, &PLANE, Collect::All);
+    let found = found.figures().unwrap_or_else(|| panic!("{found}"));
     assert_eq!((found.vertices, found.edges, found.cycles, found.components), (2, 2, 2, 1));
 
     assert_eq!((Digon.boundary_slots(), Digon.face_slots()), (0, 0));
@@ -551,26 +508,15 @@ fn what_a_view_does_not_answer_is_not_there() {
 fn every_slot_of_a_view_is_live_unless_it_says_otherwise() {
     struct Slots;
     impl View for Slots {
-        fn vertex_slots(&self) -> usize {
-            1
-        }
-        fn half_edge_slots(&self) -> usize {
-            2
-        }
-        fn boundary_slots(&self) -> usize {
-            3
-        }
-        fn face_slots(&self) -> usize {
-            4
-        }
-        fn origin(&self, _: usize) -> Link {
-            None
-        }
-        fn twin(&self, _: usize) -> Link {
-            None
-        }
-        fn next(&self, _: usize) -> Link {
-            None
+        view_answers! { |_slots|
+            parts => Parts::ALL,
+            vertex_slots => 1,
+            half_edge_slots => 2,
+            boundary_slots => 3,
+            face_slots => 4,
+            origin(_h) => None,
+            twin(_h) => None,
+            next(_h) => None,
         }
     }
     let live = |is_live: &dyn Fn(usize) -> bool| (0..10).filter(|i| is_live(*i)).count();

@@ -2,12 +2,12 @@
 
 use crate::support::erased::{first_broken_rule, validate};
 use twinedge::program::census::{Census, Scope};
-use twinedge::validate::forms::{expectations, projections};
-use twinedge::validate::{Collect, Expectation, Part, Table};
+use twinedge::validate::forms::{forms, projections};
+use twinedge::validate::{Collect, Expectation, FaceRow, Part, Table};
 
 #[test]
-fn there_are_112_expectations() {
-    let all = expectations();
+fn there_are_112_forms() {
+    let all = forms();
     // The parts of the faces: none, or three ways to keep boundary components, times three to keep holes and the unbounded
     // face; surfaces have neither. Then prev and leaving, and open boundaries.
     let of_the_plane = 2 * 4 * (1 + 3 * 3);
@@ -17,7 +17,7 @@ fn there_are_112_expectations() {
     for (i, one) in all.iter().enumerate() {
         assert!(!all[..i].contains(one), "{one:?} is there twice");
     }
-    let surfaces = all.iter().filter(|one| one.surface_kind() == Expectation::surface().surface_kind());
+    let surfaces = all.iter().filter(|one| one.expectation.surface_kind() == Expectation::surface().surface_kind());
     assert_eq!(surfaces.count(), of_surfaces);
 }
 
@@ -27,14 +27,14 @@ fn every_projection_of_a_small_map_is_right() {
     let mut opened = [0; 2];
     for map in Census::new(Scope::Subdivisions { edges: 3, vertices: 3 }) {
         let table = Table::copy_of(map.runner.subject()).unwrap();
-        for expectation in expectations() {
-            let all = projections(&table, &expectation);
-            opened[usize::from(expectation.is_open())] += all.len() - 1;
+        for form in forms() {
+            let all = projections(&table, &form);
+            opened[usize::from(form.expectation.is_open())] += all.len() - 1;
             for projection in all {
-                let broken = first_broken_rule(&projection, &expectation);
-                assert_eq!(broken, None, "{table}\n{projection}\n{expectation:?}");
-                let report = validate(&projection, &expectation, Collect::First);
-                assert!(report.is_valid(), "{table}\n{projection}\n{expectation:?}\n{report}");
+                let broken = first_broken_rule(&projection, &form.expectation);
+                assert_eq!(broken, None, "{table}\n{projection}\n{form:?}");
+                let report = validate(&projection, &form.expectation, Collect::First);
+                assert!(report.is_valid(), "{table}\n{projection}\n{form:?}\n{report}");
             }
         }
     }
@@ -46,9 +46,10 @@ fn every_projection_of_a_small_map_is_right() {
 fn what_is_left_out_is_nil() {
     for map in Census::new(Scope::Subdivisions { edges: 2, vertices: 3 }) {
         let table = Table::copy_of(map.runner.subject()).unwrap();
-        for expectation in expectations() {
-            for projection in projections(&table, &expectation) {
-                let lacks = |part| !expectation.has(part);
+        for form in forms() {
+            for projection in projections(&table, &form) {
+                let lacks = |part| !form.parts.has(part);
+                assert_eq!(projection.parts, form.parts);
                 let half_edges = || projection.half_edges.iter().flatten();
                 let vertices = || projection.vertices.iter().flatten();
                 assert!(!lacks(Part::Prev) || half_edges().all(|row| row.prev.is_none()));
@@ -60,7 +61,7 @@ fn what_is_left_out_is_nil() {
                 let faces = || projection.faces.iter().flatten();
                 assert!(!lacks(Part::Faces) || faces().count() == 0);
                 assert!(!lacks(Part::Holes) || faces().all(|row| row.inner.is_empty() && row.inner_starts.is_empty()));
-                let bounded = |row: &twinedge::validate::FaceRow| row.outer.is_some() || row.outer_half_edge.is_some();
+                let bounded = |row: &FaceRow| row.outer.is_some() || row.outer_half_edge.is_some();
                 assert!(!lacks(Part::UnboundedFace) || faces().all(bounded));
             }
         }

@@ -1,12 +1,13 @@
 //! Reports with the owner's names, and indices of the owner's ids.
 
-use super::adapters::{TEXTBOOK, maps};
+use super::adapters::maps;
 use crate::support::erased::validate;
-use crate::support::nested::{nested, nested_textbook};
+use crate::support::nested::{PLANE, nested, nested_textbook};
+use crate::support::tables::Without;
 use std::collections::BTreeSet;
 use twinedge::validate::adapt::{Ids, Index};
 use twinedge::validate::enumerate::for_each_corruption;
-use twinedge::validate::{Collect, Expectation, Part, Record, Violation};
+use twinedge::validate::{Collect, Part, Parts, Record, Table, Violation};
 
 #[test]
 fn an_index_numbers_ids_in_their_order() {
@@ -39,12 +40,13 @@ fn an_index_that_is_extended_keeps_its_numbers() {
 #[test]
 fn every_record_in_a_report_is_named() {
     let mut seen = BTreeSet::new();
-    let tables = [(nested_textbook(), TEXTBOOK), (nested(), Expectation::plane())];
+    let tables = [(nested_textbook(), PLANE), (nested(), PLANE)];
     for (table, expectation) in tables.into_iter().chain(maps()) {
-        for expectation in
-            [expectation, expectation.without(Part::Prev), Expectation::plane().without(Part::UnboundedFace)]
-        {
-            for_each_corruption(&mut table.clone(), &expectation, |changed, _, _| {
+        let (without_prev, parts) = (table.without(Part::Prev), Parts::ALL.without(Part::UnboundedFace));
+        let by_record = Table { parts, ..table.clone() };
+        for (mut table, expectation) in [(table, expectation), (without_prev, expectation), (by_record, PLANE)] {
+            let parts = table.parts;
+            for_each_corruption(&mut table, parts, |changed, _, _| {
                 let report = validate(changed, &expectation, Collect::All);
                 assert_eq!(report.named(|record| record.index()).to_string(), report.to_string());
                 assert_eq!(format!("{:?}", report.named(|record| record.index())), report.to_string());

@@ -8,9 +8,12 @@ use twinedge::dcel::{Corner, Dcel, HalfEdge, Split};
 use twinedge::program::census::{Census, Scope};
 use twinedge::program::{StepOutcome, try_every_op};
 use twinedge::validate::enumerate::for_each_corruption;
-use twinedge::validate::forms::{expectations, projected};
+use twinedge::validate::forms::{Form, forms, projected};
 use twinedge::validate::near::{Baseline, BaselineError, Touched, validate_near};
-use twinedge::validate::{Collect, Expectation, Part, Rule, Table};
+use twinedge::validate::{Collect, Expectation, Part, Parts, Rule, Table};
+
+const PLANE: Expectation = Expectation::plane();
+const SURFACE: Expectation = Expectation::surface();
 
 /// Asserts that what is found right keeps R1 … F2.
 fn judge(baseline: &Baseline, table: &Table, touched: &Touched) -> bool {
@@ -31,10 +34,10 @@ fn every_corruption_of_every_small_map_in_every_form() {
     let (mut judged, mut right) = (0, 0);
     for map in Census::new(Scope::Subdivisions { edges: 2, vertices: 3 }) {
         let whole = Table::copy_of(map.runner.subject()).unwrap();
-        for expectation in expectations() {
-            let mut table = projected(&whole, &expectation);
-            let Ok(baseline) = Baseline::new(&table, &expectation) else { continue };
-            for_each_corruption(&mut table, &expectation, |corrupt, cell, _| {
+        for form in forms() {
+            let mut table = projected(&whole, &form);
+            let Ok(baseline) = Baseline::new(&table, &form.expectation) else { continue };
+            for_each_corruption(&mut table, form.parts, |corrupt, cell, _| {
                 let mut touched = Touched::default();
                 touch(&mut touched, cell);
                 judged += 1;
@@ -47,14 +50,13 @@ fn every_corruption_of_every_small_map_in_every_form() {
 
 #[test]
 fn every_pair_of_corruptions_of_every_smallest_map() {
-    let expectation = Expectation::plane();
     let (mut judged, mut right) = (0, 0);
     for map in Census::new(Scope::Subdivisions { edges: 1, vertices: 3 }) {
         let mut table = Table::copy_of(map.runner.subject()).unwrap();
-        let baseline = Baseline::new(&table, &expectation).unwrap();
-        for_each_corruption(&mut table, &expectation, |corrupt, first, _| {
+        let baseline = Baseline::new(&table, &PLANE).unwrap();
+        for_each_corruption(&mut table, Parts::ALL, |corrupt, first, _| {
             let mut twice = corrupt.clone();
-            for_each_corruption(&mut twice, &expectation, |corrupt, second, _| {
+            for_each_corruption(&mut twice, Parts::ALL, |corrupt, second, _| {
                 let mut touched = Touched::default();
                 touch(&mut touched, first);
                 touch(&mut touched, second);
@@ -69,18 +71,17 @@ fn every_pair_of_corruptions_of_every_smallest_map() {
 /// All that an operator can do wrong by one link, on every small map.
 #[test]
 fn every_operator_with_every_wrong_link() {
-    let expectation = Expectation::plane();
     let (mut judged, mut wrong) = (0, 0);
     for map in Census::new(Scope::Subdivisions { edges: 2, vertices: 2 }) {
         let before = Table::copy_of(map.runner.subject()).unwrap();
-        let baseline = Baseline::new(&before, &expectation).unwrap();
+        let baseline = Baseline::new(&before, &PLANE).unwrap();
         try_every_op(&map.runner, |_, outcome, changed| {
             if outcome != StepOutcome::Applied {
                 return;
             }
             let mut after = Table::copy_of(changed.subject()).unwrap();
             let written = difference(&before, &after);
-            for_each_corruption(&mut after, &expectation, |corrupt, cell, _| {
+            for_each_corruption(&mut after, Parts::ALL, |corrupt, cell, _| {
                 let mut touched = written.clone();
                 touch(&mut touched, cell);
                 judged += 1;
@@ -113,22 +114,24 @@ fn every_operator_that_forgets_some_records() {
         bits = bits.wrapping_mul(0x5851_F42D_4C95_7F2D).wrapping_add(0x1405_7B7E_F767_814F);
         bits >> 62 == 0
     };
-    for expectation in [
-        Expectation::plane(),
-        Expectation::plane().without(Part::Prev),
-        Expectation::plane().without(Part::Faces).without(Part::Prev),
-        Expectation::surface().without(Part::BoundaryComponents),
+    for (claims, parts) in [
+        (PLANE, Parts::ALL),
+        (PLANE, Parts::ALL.without(Part::Prev)),
+        (PLANE, Parts::NONE.with(Part::Leaving)),
+        (SURFACE, Parts::ALL.without(Part::BoundaryComponents)),
     ] {
+        let form = Form::new(claims, parts);
         for map in Census::new(Scope::Subdivisions { edges: 3, vertices: 2 }) {
-            let before = projected(&Table::copy_of(map.runner.subject()).unwrap(), &expectation);
-            let baseline = Baseline::new(&before, &expectation).unwrap();
+            let before = projected(&Table::copy_of(map.runner.subject()).unwrap(), &form);
+            let baseline = Baseline::new(&before, &claims).unwrap();
             try_every_op(&map.runner, |_, outcome, changed| {
                 if outcome != StepOutcome::Applied {
                     return;
                 }
-                let after = projected(&Table::copy_of(changed.subject()).unwrap(), &expectation);
+                let after = projected(&Table::copy_of(changed.subject()).unwrap(), &form);
                 for _ in 0..8 {
                     let some = Table {
+                        parts: form.parts,
                         vertices: mixed(&before.vertices, &after.vertices, &mut coin),
                         half_edges: mixed(&before.half_edges, &after.half_edges, &mut coin),
                         boundaries: mixed(&before.boundaries, &after.boundaries, &mut coin),
@@ -146,25 +149,26 @@ fn every_operator_that_forgets_some_records() {
 /// One baseline follows each operator, and is then what a new one would be.
 #[test]
 fn a_baseline_follows_every_operator_on_every_small_map() {
-    for expectation in [
-        Expectation::plane(),
-        Expectation::plane().without(Part::Prev).without(Part::Leaving),
-        Expectation::plane().without(Part::Faces),
-        Expectation::plane().without(Part::Faces).without(Part::Prev).without(Part::Leaving),
-        Expectation::surface(),
-        Expectation::surface().without(Part::BoundaryComponents),
+    for (claims, parts) in [
+        (PLANE, Parts::ALL),
+        (PLANE, Parts::ALL.without(Part::Prev).without(Part::Leaving)),
+        (PLANE, Parts::ALL.without(Part::Faces)),
+        (PLANE, Parts::NONE),
+        (SURFACE, Parts::ALL),
+        (SURFACE, Parts::ALL.without(Part::BoundaryComponents)),
     ] {
+        let form = Form::new(claims, parts);
         for map in Census::new(Scope::Subdivisions { edges: 3, vertices: 2 }) {
             let whole = Table::copy_of(map.runner.subject()).unwrap();
-            let before = projected(&whole, &expectation);
-            let baseline = Baseline::new(&before, &expectation).unwrap();
+            let before = projected(&whole, &form);
+            let baseline = Baseline::new(&before, &claims).unwrap();
             try_every_op(&map.runner, |op, _, changed| {
-                let after = projected(&Table::copy_of(changed.subject()).unwrap(), &expectation);
+                let after = projected(&Table::copy_of(changed.subject()).unwrap(), &form);
                 let mut followed = baseline.clone();
                 let touched = difference(&before, &after);
                 validate_near(&mut followed, &after, &touched).unwrap();
                 // Both lead to the same verdicts from here on, if they go back by the same way.
-                let fresh = Baseline::new(&after, &expectation).unwrap();
+                let fresh = Baseline::new(&after, &claims).unwrap();
                 for mut baseline in [followed, fresh] {
                     validate_near(&mut baseline, &before, &touched).unwrap();
                 }
@@ -227,7 +231,7 @@ fn what_is_read_depends_on_the_change_only() {
         let asked = [50, 5_000].map(|edges| {
             let mut dcel = ring(edges);
             let before = Table::copy_of(&dcel).unwrap();
-            let mut baseline = Baseline::new(&before, &Expectation::plane()).unwrap();
+            let mut baseline = Baseline::new(&before, &PLANE).unwrap();
             change(&mut dcel);
             let after = Table::copy_of(&dcel).unwrap();
             let watched = Watched::new(&after);
@@ -243,22 +247,22 @@ fn what_is_read_depends_on_the_change_only() {
 #[test]
 fn where_there_is_no_local_validation() {
     let table = Table::copy_of(&ring(3)).unwrap();
-    let of = |expectation: Expectation| Baseline::new(&projected(&table, &expectation), &expectation);
-    assert!(matches!(of(Expectation::plane().open()), Err(BaselineError::OpenBoundaries)));
+    let of = |claims, parts| Baseline::new(&projected(&table, &Form::new(claims, parts)), &claims);
+    assert!(matches!(of(PLANE.open(), Parts::ALL), Err(BaselineError::OpenBoundaries)));
     for part in [Part::BoundaryComponents, Part::Places, Part::UnboundedFace] {
-        assert!(matches!(of(Expectation::plane().without(part)), Err(BaselineError::Lacks(lacks)) if lacks == part));
+        assert!(matches!(of(PLANE, Parts::ALL.without(part)), Err(BaselineError::Lacks(lacks)) if lacks == part));
     }
     let mut broken = table;
     broken.half_edges.iter_mut().flatten().next().unwrap().next = Some(0);
-    let Err(BaselineError::Invalid(report)) = Baseline::new(&broken, &Expectation::plane()) else { panic!() };
-    assert_eq!(*report, validate(&broken, &Expectation::plane(), Collect::All));
+    let Err(BaselineError::Invalid(report)) = Baseline::new(&broken, &PLANE) else { panic!() };
+    assert_eq!(*report, validate(&broken, &PLANE, Collect::All));
 }
 
 /// A face that came and went within one change, like all of its records.
 #[test]
 fn what_came_and_went_is_vacant() {
     let mut dcel = ring(5_000);
-    let mut baseline = Baseline::new(&dcel, &Expectation::plane()).unwrap();
+    let mut baseline = Baseline::new(&dcel, &PLANE).unwrap();
     let before = Table::copy_of(&dcel).unwrap();
     let h = dcel.half_edges().next().unwrap();
     let (from, to) = (Corner::At(h.key()), Corner::At(h.next().next().key()));
@@ -281,20 +285,19 @@ fn what_came_and_went_is_vacant() {
 /// is found if it is named.
 #[test]
 fn a_baseline_that_missed_something_ends() {
-    let expectation = Expectation::plane();
     for map in Census::new(Scope::Subdivisions { edges: 2, vertices: 2 }) {
         let mut table = Table::copy_of(map.runner.subject()).unwrap();
-        let right = Baseline::new(&table, &expectation).unwrap();
+        let right = Baseline::new(&table, &PLANE).unwrap();
         let everything = difference(&Table::default(), &table);
         let before = table.clone();
-        for_each_corruption(&mut table, &expectation, |corrupt, cell, _| {
+        for_each_corruption(&mut table, Parts::ALL, |corrupt, cell, _| {
             let mut baseline = right.clone();
             let mut touched = everything.clone();
             touch(&mut touched, cell);
             // It believes that nothing has changed, and then hears of records that have not.
             assert!(validate_near(&mut baseline, corrupt, &Touched::default()).is_ok());
             let found = validate_near(&mut baseline, corrupt, &touched);
-            let report = validate(corrupt, &expectation, Collect::First);
+            let report = validate(corrupt, &PLANE, Collect::First);
             assert!(found.is_err() || report.broken_rules().all(|rule| rule > Rule::F2), "{corrupt}");
             assert!(validate_near(&mut baseline, &before, &touched).is_ok());
         });
@@ -305,7 +308,7 @@ fn a_baseline_that_missed_something_ends() {
 #[test]
 fn forgotten_records_are_caught_up_with() {
     let mut dcel = ring(5);
-    let mut baseline = Baseline::new(&dcel, &Expectation::plane()).unwrap();
+    let mut baseline = Baseline::new(&dcel, &PLANE).unwrap();
     let h = dcel.half_edges().next().unwrap().key();
     // Nothing is named, so nothing is read, and nothing can be said.
     dcel.split_edge(h).unwrap();
@@ -355,11 +358,11 @@ fn a_baseline_follows_a_sequence_without_reading_everything() {
         let v = first(dcel).face().inner().find_map(|b| b.isolated_vertex()).unwrap().key();
         dcel.remove_isolated_vertex(v).unwrap();
     };
-    for expectation in [Expectation::plane(), Expectation::plane().without(Part::Prev)] {
+    for parts in [Parts::ALL, Parts::ALL.without(Part::Prev)] {
         let mut dcel = ring(5_000);
-        let read = |dcel: &Dcel| projected(&Table::copy_of(dcel).unwrap(), &expectation);
+        let read = |dcel: &Dcel| projected(&Table::copy_of(dcel).unwrap(), &Form::new(PLANE, parts));
         let mut before = read(&dcel);
-        let mut baseline = Baseline::new(&before, &expectation).unwrap();
+        let mut baseline = Baseline::new(&before, &PLANE).unwrap();
         let first = [split, split, split_next, add, add, add, drop_first, bridge, drop_first];
         for change in first.into_iter().chain([join, split, split_next, bridge, add, join]) {
             change(&mut dcel);

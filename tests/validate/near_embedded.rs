@@ -13,7 +13,7 @@ use twinedge::map::PlanarMap;
 use twinedge::map::program::{EditOp, EditOutcome, EditProgram, EditRunner};
 use twinedge::validate::enumerate::for_each_corruption;
 use twinedge::validate::near::{EmbeddingBaseline, Touched, validate_embedding_near};
-use twinedge::validate::{BoundaryPlace, Collect, Embedding, Expectation, Rule, Table, View};
+use twinedge::validate::{BoundaryPlace, Collect, Embedding, Expectation, Parts, Rule, Table, View};
 
 const PLANE: Expectation = Expectation::plane();
 
@@ -221,7 +221,7 @@ fn every_edit_with_every_wrong_link() {
             let written = after.since(&before);
             let baseline = before.baseline();
             let points = after.points.clone();
-            for_each_corruption(&mut after.table, &PLANE, |corrupt, cell, _| {
+            for_each_corruption(&mut after.table, Parts::ALL, |corrupt, cell, _| {
                 let mut touched = written.clone();
                 touch(&mut touched, cell);
                 tally.judge(&mut baseline.clone(), &Scene::new(corrupt.clone(), points.clone()), &touched);

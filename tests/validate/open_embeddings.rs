@@ -1,12 +1,13 @@
 //! G1 … G5 where the structure has an open boundary or no unbounded face: what lies outside everything lies in no face.
 
 use crate::support::erased::validate_embedding;
-use crate::support::tables::{half_edge, map, textbook_map};
+use crate::support::tables::{TEXTBOOK, Without, half_edge, map, textbook_map};
 use twinedge::delegate_view;
 use twinedge::geometry::Point;
 use twinedge::validate::Embedding;
 use twinedge::validate::{
-    Collect, Expectation, FaceRow, HalfEdgeRow, Part, Record, Report, Rule, Start, Table, VertexRow, View, Violation,
+    Collect, Expectation, FaceRow, HalfEdgeRow, Part, Parts, Record, Report, Rule, Start, Table, VertexRow, View,
+    Violation,
 };
 
 /// A table and where its vertices lie.
@@ -26,14 +27,12 @@ impl Embedding for Drawn {
 }
 
 impl Drawn {
-    fn report(&self, expectation: Expectation) -> Report {
-        validate_embedding(self, &expectation, Collect::All)
+    fn report(&self) -> Report {
+        validate_embedding(self, &Expectation::plane().open(), Collect::All)
     }
 }
 
-const TEXTBOOK: Expectation =
-    Expectation::plane().without(Part::BoundaryComponents).without(Part::UnboundedFace).open();
-const BY_RECORD: Expectation = Expectation::plane().without(Part::UnboundedFace).open();
+const BOUNDED: Parts = TEXTBOOK.without(Part::UnboundedFace);
 
 /// Two triangles, A of vertices 0 1 2 and half-edges 0 to 5, B of 3 4 5 and 6 to 11, the even ones inside. A lies outside
 /// everything. B is listed by the face in A, or lies outside everything, too.
@@ -45,7 +44,7 @@ fn two_triangles(by_record: bool, listed: bool, b: [[f64; 2]; 3]) -> Drawn {
     let faces = [(Some(0), inner), (Some(6), &[])];
     let table = if by_record { map(6, &half_edges, &faces) } else { textbook_map(6, &half_edges, &faces) };
     let points = [[[0.0, 0.0], [10.0, 0.0], [0.0, 10.0]], b].concat();
-    Drawn { table, points }
+    Drawn { table: table.without(Part::UnboundedFace), points }
 }
 
 const IN_A: [[f64; 2]; 3] = [[1.0, 1.0], [2.0, 1.0], [1.0, 2.0]];
@@ -54,14 +53,14 @@ const ABOVE_A: [[f64; 2]; 3] = [[5.0, 100.0], [6.0, 100.0], [5.0, 101.0]];
 
 #[test]
 fn g5_a_hole_that_lies_outside_everything() {
-    for (by_record, expectation, boundary, name) in
-        [(false, TEXTBOOK, Record::HalfEdge(7), "at half-edge 7"), (true, BY_RECORD, Record::Boundary(1), "1")]
+    for (by_record, boundary, name) in
+        [(false, Record::HalfEdge(7), "at half-edge 7"), (true, Record::Boundary(1), "1")]
     {
-        let report = two_triangles(by_record, true, IN_A).report(expectation);
+        let report = two_triangles(by_record, true, IN_A).report();
         assert!(report.is_valid(), "{report}");
         assert_eq!(report.outcome(Rule::G5).map(|outcome| (outcome.checked, outcome.unchecked)), Some((1, None)));
         for outside in [FAR, ABOVE_A] {
-            let report = two_triangles(by_record, true, outside).report(expectation);
+            let report = two_triangles(by_record, true, outside).report();
             let violation = Violation::WrongFace { boundary, face: 0, found: None };
             assert_eq!(report.violations(), [violation], "{report}");
             let sentence = format!("the inner boundary component {name} is listed by face 0, but lies in no face");
@@ -72,12 +71,12 @@ fn g5_a_hole_that_lies_outside_everything() {
 
 #[test]
 fn g5_what_no_face_lists_lies_in_a_face() {
-    for (by_record, expectation) in [(false, TEXTBOOK), (true, BY_RECORD)] {
+    for by_record in [false, true] {
         for outside in [FAR, ABOVE_A] {
-            let report = two_triangles(by_record, false, outside).report(expectation);
+            let report = two_triangles(by_record, false, outside).report();
             assert!(report.is_valid(), "{report}");
         }
-        let report = two_triangles(by_record, false, IN_A).report(expectation);
+        let report = two_triangles(by_record, false, IN_A).report();
         let violation = Violation::Unlisted { vertex: 3, face: 0 };
         assert_eq!(report.violations(), [violation], "{report}");
         assert_eq!(
@@ -93,15 +92,15 @@ fn g5_what_no_face_lists_lies_in_a_face() {
 fn g5_an_open_outside_in_the_unbounded_face() {
     let mut drawn = two_triangles(false, false, FAR);
     drawn.table.faces.push(Some(FaceRow::default()));
-    let expectation = Expectation::plane().without(Part::BoundaryComponents).open();
-    assert!(drawn.report(expectation).is_valid(), "{}", drawn.report(expectation));
+    drawn.table.parts = TEXTBOOK;
+    assert!(drawn.report().is_valid(), "{}", drawn.report());
     drawn.points = two_triangles(false, false, IN_A).points;
-    assert_eq!(drawn.report(expectation).violations(), [Violation::Unlisted { vertex: 3, face: 0 }]);
+    assert_eq!(drawn.report().violations(), [Violation::Unlisted { vertex: 3, face: 0 }]);
 }
 
 /// Triangles of half-edges that have no twins: nothing tells what lies beyond them.
 fn without_twins(triangles: &[[[f64; 2]; 3]]) -> Drawn {
-    let mut drawn = Drawn { table: Table::default(), points: triangles.concat() };
+    let mut drawn = Drawn { table: Table { parts: BOUNDED, ..Table::default() }, points: triangles.concat() };
     for f in 0..triangles.len() {
         for i in 0..3 {
             let at = |i: usize| Some(3 * f + i % 3);
@@ -125,10 +124,10 @@ fn without_twins(triangles: &[[[f64; 2]; 3]]) -> Drawn {
 fn g5_no_face_above_an_open_boundary() {
     let below = [[0.0, 0.0], [10.0, 0.0], [5.0, 5.0]];
     let above = [[4.0, 6.0], [6.0, 6.0], [5.0, 8.0]];
-    let report = without_twins(&[below, above]).report(TEXTBOOK);
+    let report = without_twins(&[below, above]).report();
     assert!(report.is_valid(), "{report}");
     let inside = [[4.0, 1.0], [6.0, 1.0], [5.0, 3.0]];
-    let report = without_twins(&[below, inside]).report(TEXTBOOK);
+    let report = without_twins(&[below, inside]).report();
     assert_eq!(report.violations(), [Violation::Unlisted { vertex: 3, face: 0 }], "{report}");
 }
 
@@ -144,7 +143,7 @@ fn g5_no_face_above_an_open_boundary() {
 fn g2_around_a_vertex_at_an_open_boundary() {
     let points = [[0.0, 0.0], [2.0, 0.0], [1.0, 2.0], [-1.0, 2.0], [-2.0, 0.0]];
     for first in 0..3 {
-        let mut table = Table::default();
+        let mut table = Table { parts: BOUNDED, ..Table::default() };
         // Triangle i has half-edges 0 → i + 1, i + 1 → i + 2 and i + 2 → 0.
         let number = |triangle: usize, side: usize| 3 * ((triangle + first) % 3) + side;
         table.half_edges.resize(9, None);
@@ -174,9 +173,9 @@ fn g2_around_a_vertex_at_an_open_boundary() {
         // The last vertex keeps a half-edge only if one leaves it.
         assert_eq!(half_edge(&mut table, number(2, 2)).origin, Some(4));
         let drawn = Drawn { table, points: points.to_vec() };
-        assert!(drawn.report(TEXTBOOK).is_valid(), "{}", drawn.report(TEXTBOOK));
+        assert!(drawn.report().is_valid(), "{}", drawn.report());
         let mirrored = Drawn { points: points.map(|[x, y]| [-x, y]).to_vec(), ..drawn };
-        let report = mirrored.report(TEXTBOOK);
+        let report = mirrored.report();
         assert_eq!(report.outcome(Rule::G2).map(|outcome| outcome.violations), Some(1), "{report}");
     }
 }

@@ -2,15 +2,17 @@
 
 use crate::support::erased::validate;
 use crate::support::only_live::OnlyLive;
-use crate::support::tables::{half_edge, textbook_mesh, vertex};
+use crate::support::tables::{Without, half_edge, textbook_mesh, torus, vertex};
 use crate::support::watched::Watched;
 use twinedge::dcel::Dcel;
 use twinedge::program::census::{Census, Scope};
 use twinedge::program::{Program, Runner};
 use twinedge::validate::enumerate::for_each_corruption;
-use twinedge::validate::forms::{expectations, projections};
+use twinedge::validate::forms::{forms, projections};
 use twinedge::validate::reference::rule_by_rule;
-use twinedge::validate::{Collect, Expectation, HalfEdgeRow, Part, Rule, Start, Table, VertexRow, View};
+use twinedge::validate::{Collect, Expectation, HalfEdgeRow, Part, Parts, Rule, Start, Table, VertexRow, View};
+
+const PLANE: Expectation = Expectation::plane();
 
 /// The report is that of the rules one by one, however many violations are collected, and neither asks for what a
 /// vacant slot holds.
@@ -29,9 +31,9 @@ fn assert_same(view: &impl View, expectation: &Expectation, what: impl std::fmt:
 fn right_maps_in_every_form() {
     for map in Census::new(Scope::Subdivisions { edges: 3, vertices: 3 }) {
         let table = Table::copy_of(map.runner.subject()).unwrap();
-        for expectation in expectations() {
-            for projection in projections(&table, &expectation) {
-                assert_same(&projection, &expectation, &projection);
+        for form in forms() {
+            for projection in projections(&table, &form) {
+                assert_same(&projection, &form.expectation, &projection);
             }
         }
     }
@@ -42,11 +44,11 @@ fn every_corruption_of_small_maps_in_every_form() {
     let mut corruptions = 0;
     for map in Census::new(Scope::Subdivisions { edges: 2, vertices: 3 }) {
         let table = Table::copy_of(map.runner.subject()).unwrap();
-        for expectation in expectations() {
-            for mut projection in projections(&table, &expectation) {
-                for_each_corruption(&mut projection, &expectation, |corrupt, _, _| {
+        for form in forms() {
+            for mut projection in projections(&table, &form) {
+                for_each_corruption(&mut projection, form.parts, |corrupt, _, _| {
                     corruptions += 1;
-                    assert_same(corrupt, &expectation, corrupt);
+                    assert_same(corrupt, &form.expectation, corrupt);
                 });
             }
         }
@@ -59,9 +61,9 @@ fn every_corruption_of_small_maps_in_every_form() {
 #[test]
 fn a_vertex_that_no_next_leaves() {
     let table: Table = "V 2 0 - 1 1 H 2 0 1 0 1 0 1 0 0 0 0 B 2 0 h0 i0 0 v1 i1 F 1 - 2 0 1".parse().unwrap();
-    let expectation = Expectation::plane().without(Part::Leaving);
-    assert!(validate(&table, &expectation, Collect::All).broken_rules().any(|rule| rule == Rule::B2));
-    assert_same(&table, &expectation, &table);
+    let table = table.without(Part::Leaving);
+    assert!(validate(&table, &PLANE, Collect::All).broken_rules().any(|rule| rule == Rule::B2));
+    assert_same(&table, &PLANE, &table);
 }
 
 /// So many loops, each at a vertex of its own.
@@ -74,6 +76,7 @@ fn loops(count: usize) -> Table {
         ..HalfEdgeRow::default()
     };
     Table {
+        parts: Parts::ALL.without(Part::Faces),
         vertices: (0..count).map(|v| Some(VertexRow { leaving: Some(2 * v), ..VertexRow::default() })).collect(),
         half_edges: (0..2 * count).map(|h| Some(half_edge(h))).collect(),
         ..Table::default()
@@ -83,7 +86,6 @@ fn loops(count: usize) -> Table {
 /// Whether few half-edges are wrong, or too many to look at one by one.
 #[test]
 fn any_number_of_wrong_half_edges() {
-    let expectation = Expectation::plane().without(twinedge::validate::Part::Faces);
     for wrong in [0, 1, 2, 500, 1023, 1024, 1025, 3000] {
         let mut twins = loops(3000);
         let mut prevs = loops(3000);
@@ -92,7 +94,7 @@ fn any_number_of_wrong_half_edges() {
             prevs.half_edges[2 * v].as_mut().unwrap().prev = Some(2 * v + 1);
         }
         for table in [twins, prevs] {
-            assert_same(&table, &expectation, wrong);
+            assert_same(&table, &PLANE, wrong);
         }
     }
 }
@@ -101,11 +103,10 @@ fn any_number_of_wrong_half_edges() {
 /// once or twice more.
 #[test]
 fn one_wrong_link_is_not_searched_for_from_the_start() {
-    let expectation = Expectation::plane().without(twinedge::validate::Part::Faces);
     let count = 1000;
     let asked = |table: &Table| {
         let view = Watched::new(table);
-        let _ = validate(&view, &expectation, Collect::All);
+        let _ = validate(&view, &PLANE, Collect::All);
         [view.twin.get(), view.next.get(), view.prev.get()]
     };
     let right = asked(&loops(count));
@@ -182,6 +183,7 @@ fn renumbered(table: &Table, numbers: &mut Numbers) -> Table {
         row.inner_starts.iter_mut().for_each(|link| *link = link.map(start));
     }
     Table {
+        parts: table.parts,
         vertices: placed(&table.vertices, &v),
         half_edges: placed(&table.half_edges, &h),
         boundaries: placed(&table.boundaries, &b),
@@ -215,12 +217,12 @@ fn larger_maps_with_their_records_in_any_order() {
             runner.step(op);
         }
         let table = renumbered(&Table::copy_of(runner.subject()).unwrap(), &mut numbers);
-        for expectation in expectations() {
-            let all = projections(&table, &expectation);
+        for form in forms() {
+            let all = projections(&table, &form);
             for _ in 0..3 {
                 let projection = &all[numbers.below(all.len())];
-                assert!(validate(projection, &expectation, Collect::First).is_valid(), "{projection}");
-                assert_same_with_wrong_links(projection, &expectation, &mut numbers);
+                assert!(validate(projection, &form.expectation, Collect::First).is_valid(), "{projection}");
+                assert_same_with_wrong_links(projection, &form.expectation, &mut numbers);
             }
         }
     }
@@ -229,24 +231,14 @@ fn larger_maps_with_their_records_in_any_order() {
 /// Meshes with and without border, of any genus, with the half-edges of the border and without.
 #[test]
 fn larger_meshes_with_their_records_in_any_order() {
-    let torus = |columns: usize, rows: usize| {
-        let at = move |x: usize, y: usize| x % columns + columns * (y % rows);
-        let squares = (0..columns).flat_map(move |x| (0..rows).map(move |y| (x, y)));
-        squares
-            .flat_map(|(x, y)| {
-                let [a, b, c, d] = [at(x, y), at(x + 1, y), at(x + 1, y + 1), at(x, y + 1)];
-                [[a, b, c], [a, c, d]]
-            })
-            .collect::<Vec<_>>()
-    };
-    let mesh = Expectation::surface().without(Part::BoundaryComponents);
+    let mesh = Expectation::surface();
     for seed in 0..60 {
         let mut numbers = Numbers(seed);
         // Up to three of them side by side, and some triangles taken out.
         let mut triangles = Vec::new();
         let parts = 1 + numbers.below(3);
         for part in 0..parts {
-            triangles.extend(torus(3, 4).into_iter().map(|triangle| triangle.map(|v| v + 12 * part)));
+            triangles.extend(torus([3, 4]).into_iter().map(|triangle| triangle.map(|v| v + 12 * part)));
         }
         let vertices = triangles.len() / 2;
         let taken_out = numbers.below(4);
@@ -265,13 +257,13 @@ fn larger_meshes_with_their_records_in_any_order() {
             vertex(&mut bare, v).leaving = (0..bare.half_edges.len()).find(|h| bare.origin(*h) == Some(v));
         }
         for table in [paired, bare].map(|table| renumbered(&table, &mut numbers)) {
-            for expectation in [mesh, mesh.open()] {
-                for lacks in [None, Some(Part::Prev), Some(Part::Leaving), Some(Part::Faces)] {
-                    let expectation = lacks.map_or(expectation, |part| expectation.without(part));
-                    assert_same_with_wrong_links(&table, &expectation, &mut numbers);
+            let lacking = [Part::Prev, Part::Leaving, Part::Faces].map(|part| table.without(part));
+            for table in lacking.iter().chain([&table]) {
+                for expectation in [mesh, mesh.open()] {
+                    assert_same_with_wrong_links(table, &expectation, &mut numbers);
                     if taken_out == 0 {
-                        let certificate = validate(&table, &expectation, Collect::All).into_result().unwrap();
-                        assert_eq!((certificate.components, certificate.genus), (parts, parts));
+                        let figures = validate(table, &expectation, Collect::All).into_result().unwrap();
+                        assert_eq!((figures.components, figures.genus), (parts, parts));
                     }
                 }
             }

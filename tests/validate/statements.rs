@@ -1,6 +1,7 @@
 //! Each rule is stated once: the README, the files of the rules, the reference and the diagram repeat that statement, and what
 //! the documentation of a rule names is there.
 
+use std::collections::BTreeSet;
 use std::fs;
 use std::path::Path;
 use twinedge::validate::{Rule, Violation};
@@ -18,9 +19,16 @@ fn comment(text: &str, marker: &str, start: &str) -> Option<String> {
     (!words.is_empty()).then(|| words.join(" "))
 }
 
+/// The table of rules and violations, in order.
+fn catalogue() -> String {
+    ["links", "faces", "whole", "mesh", "drawing"]
+        .map(|file| read(&format!("src/validate/catalogue/{file}.rs")))
+        .concat()
+}
+
 /// For each rule its file, and the file and name of the test that breaks it, as its documentation says.
 fn documented() -> Vec<(Rule, String, String, String)> {
-    let source = read("src/validate/rule.rs");
+    let source = catalogue();
     let entries: Vec<_> = source.lines().filter_map(|line| line.trim().strip_prefix("in \"")).collect();
     assert_eq!(entries.len(), Rule::ALL.len());
     let quoted = |entry: &str, n: usize| entry.split('"').nth(n).unwrap().to_owned();
@@ -86,11 +94,11 @@ fn the_test_that_breaks_each_rule_is_there() {
 /// `TwinIsSelf` is `twin_is_self`.
 #[test]
 fn each_kind_of_violation_is_its_name_in_snake_case() {
-    let source = read("src/validate/violation.rs");
-    let list = source.split("\nviolations! {").nth(1).expect("the list follows the macro");
-    let list = list.split("\n}").next().unwrap();
-    let heads = list.lines().filter(|line| line.starts_with("    ") && !line.starts_with("     "));
-    let variants: Vec<&str> = heads.filter_map(|line| line.split_whitespace().nth(1)).collect();
+    let source = catalogue();
+    // The line before the sentence has the variant, its fields and its kind.
+    let lines: Vec<&str> = source.lines().map(str::trim).collect();
+    let heads = lines.windows(2).filter(|pair| pair[1].starts_with("says \""));
+    let variants: Vec<&str> = heads.filter_map(|pair| pair[0].split_whitespace().next()).collect();
     assert_eq!(variants.len(), Violation::KINDS.len());
     for (variant, kind) in variants.iter().zip(Violation::KINDS) {
         let camel: String = kind.split('_').map(|word| word[..1].to_uppercase() + &word[1..]).collect();
@@ -109,4 +117,18 @@ fn causes_and_remedies_are_parts_of_sentences() {
             assert!(text.starts_with(char::is_lowercase) && !text.ends_with('.'), "{text}");
         }
     }
+}
+
+/// The names are those of `docs/report.md`; none is there twice.
+#[test]
+fn every_kind_of_violation_is_documented_once() {
+    let kinds: BTreeSet<_> = Violation::KINDS.iter().collect();
+    assert_eq!(kinds.len(), Violation::KINDS.len());
+    let page = read("docs/report.md");
+    let rows: Vec<_> = page
+        .lines()
+        .filter_map(|line| line.strip_prefix("| `")?.split('`').next())
+        .filter(|name| kinds.contains(name))
+        .collect();
+    assert_eq!(rows, Violation::KINDS);
 }

@@ -3,7 +3,7 @@
 use crate::support::nested::{nested, nested_textbook};
 use quickcheck::{Arbitrary, Gen, quickcheck};
 use twinedge::validate::{
-    BoundaryPlace, BoundaryRow, FaceRow, HalfEdgeRow, Link, ParseTableError, Start, Table, VertexRow,
+    BoundaryPlace, BoundaryRow, FaceRow, HalfEdgeRow, Link, ParseTableError, Part, Parts, Start, Table, VertexRow,
 };
 
 /// Any table at all: vacant rows, links that lead nowhere, lists of any length.
@@ -31,6 +31,7 @@ impl Arbitrary for AnyTable {
     fn arbitrary(g: &mut Gen) -> Self {
         let with_faces_of_half_edges = bool::arbitrary(g);
         let mut table = Table {
+            parts: Part::ALL.into_iter().filter(|_| bool::arbitrary(g)).collect(),
             vertices: rows(g, |g| VertexRow { leaving: link(g), isolated: link(g) }),
             half_edges: rows(g, |g| HalfEdgeRow {
                 origin: link(g),
@@ -104,10 +105,23 @@ fn a_vacant_slot_is_x() {
         half_edges: vec![None, Some(HalfEdgeRow { face: Some(1), ..HalfEdgeRow::default() })],
         boundaries: vec![None],
         faces: vec![None, Some(FaceRow { outer_half_edge: Some(3), ..FaceRow::default() })],
+        ..Table::default()
     };
     let text = "V 2 x - - H 2 x - - - - - B 1 x F 2 x - 0 HF 2 x 1 FH 2 x 3 0";
     assert_eq!(table.to_string(), text);
     assert_eq!(text.parse(), Ok(table));
+}
+
+/// A part brings those on which it depends; with all of them, the section is left out.
+#[test]
+fn the_parts_that_are_stored_come_first() {
+    let parsed = |text: &str| text.parse::<Table>().unwrap();
+    let table = Table { parts: Parts::NONE.with(Part::Places), ..Table::default() };
+    let text = "P 3 faces boundary_components places V 0 H 0 B 0 F 0";
+    assert_eq!(table.to_string(), text);
+    assert_eq!([parsed(text), parsed("P 1 places V 0 H 0 B 0 F 0")], [table.clone(), table]);
+    assert_eq!(parsed("P 0 V 0 H 0 B 0 F 0"), Table { parts: Parts::NONE, ..Table::default() });
+    assert_eq!(parsed("P 5 prev leaving places places unbounded_face V 0 H 0 B 0 F 0"), Table::default());
 }
 
 #[test]
@@ -121,7 +135,9 @@ fn refused(text: &str) -> ParseTableError {
 
 #[test]
 fn a_text_that_ends_early_is_refused_at_its_end() {
-    for text in ["", "V", "V 1", "V 1 -", "V 0 H 0 B 0", "V 0 H 0 B 0 F 1 - 2 0", "V 0 H 0 B 0 F 0 HF"] {
+    for text in
+        ["", "P", "P 2 prev", "P 0", "V", "V 1", "V 1 -", "V 0 H 0 B 0", "V 0 H 0 B 0 F 1 - 2 0", "V 0 H 0 B 0 F 0 HF"]
+    {
         assert!(
             matches!(refused(text), ParseTableError::UnexpectedEnd { position, .. } if position == text.len()),
             "{text}"
@@ -133,6 +149,9 @@ fn a_text_that_ends_early_is_refused_at_its_end() {
 fn a_token_that_is_not_expected_is_refused_where_it_stands() {
     for (text, at) in [
         ("W 0", 0),
+        ("P V 0", 2),
+        ("P 1 next V 0", 4),
+        ("P 2 prev V 0", 9),
         ("V -", 2),
         ("V 1 ? -", 4),
         ("V 1 +1 -", 4),

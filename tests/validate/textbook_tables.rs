@@ -5,12 +5,13 @@
 //! its half-edge table only four rows are given (marked `*`), along with all of the vertex and the face table.
 
 use crate::support::erased::validate;
+use crate::support::nested::PLANE;
 use crate::support::opinions::agree;
-use crate::support::tables::{face, with_boundary_components};
+use crate::support::tables::{TEXTBOOK, face, with_boundary_components};
 use std::collections::BTreeSet;
 use twinedge::validate::enumerate::{Cell, Value, for_each_corruption};
 use twinedge::validate::{
-    Certificate, Collect, Expectation, FaceRow, HalfEdgeRow, Link, Part, Rule, Start, Table, Unchecked, VertexRow, View,
+    Collect, Expectation, FaceRow, Figures, HalfEdgeRow, Link, Part, Rule, Start, Table, Unchecked, VertexRow, View,
 };
 
 /// ```text
@@ -114,6 +115,7 @@ impl Textbook {
         };
         let half_edge = |name| find(&half_edges, name);
         Table {
+            parts: TEXTBOOK,
             vertices: vertices
                 .iter()
                 .map(|row| Some(VertexRow { leaving: half_edge(row[1]), ..VertexRow::default() }))
@@ -143,18 +145,15 @@ impl Textbook {
     }
 }
 
-const TEXTBOOK: Expectation = Expectation::plane().without(Part::BoundaryComponents);
-const RECORDS: Expectation = Expectation::plane();
-
-fn certificate(table: &Table, expectation: Expectation) -> Certificate {
+fn figures(table: &Table, expectation: Expectation) -> Figures {
     assert_eq!(agree(table, expectation), None);
-    validate(table, &expectation, Collect::All).certificate().unwrap()
+    validate(table, &expectation, Collect::All).figures().unwrap()
 }
 
 #[test]
 fn the_map_with_a_dangling_edge_is_accepted() {
-    for (table, expectation) in [(DANGLING.table(), TEXTBOOK), (with_boundary_components(&DANGLING.table()), RECORDS)] {
-        let found = certificate(&table, expectation);
+    for table in [DANGLING.table(), with_boundary_components(&DANGLING.table())] {
+        let found = figures(&table, PLANE);
         assert_eq!((found.vertices, found.edges, found.faces), (4, 4, 2));
         assert_eq!((found.components, found.cycles, found.isolated_vertices, found.genus), (1, 2, 0, 0));
         let bounds = found.bounds.unwrap();
@@ -165,10 +164,8 @@ fn the_map_with_a_dangling_edge_is_accepted() {
 
 #[test]
 fn the_map_of_five_faces_is_accepted() {
-    for (table, expectation) in
-        [(FIVE_FACES.table(), TEXTBOOK), (with_boundary_components(&FIVE_FACES.table()), RECORDS)]
-    {
-        let found = certificate(&table, expectation);
+    for table in [FIVE_FACES.table(), with_boundary_components(&FIVE_FACES.table())] {
+        let found = figures(&table, PLANE);
         assert_eq!((found.vertices, found.edges, found.faces), (6, 9, 5));
         assert_eq!((found.components, found.cycles, found.isolated_vertices, found.genus), (1, 5, 0, 0));
         let bounds = found.bounds.unwrap();
@@ -207,7 +204,7 @@ fn the_other_completion_is_accepted_too() {
         e9,1  V5  e9,2  f3  e5,2  e6,1
         e9,2  V3  e9,1  f5  e7,2  e1,2";
     let table = Textbook { half_edges, ..FIVE_FACES }.table();
-    assert_eq!(certificate(&table, TEXTBOOK).faces, 5);
+    assert_eq!(figures(&table, PLANE).faces, 5);
 }
 
 /// The changes of one field after which the table is another right table, each with the reason. There are two reasons
@@ -243,14 +240,14 @@ fn harmless(textbook: &Table, records: &Table, by_record: bool) -> BTreeSet<(Cel
 }
 
 /// Changes one field at a time; returns how many changes were made, and how many of them were harmless.
-fn change_every_field(textbook: &Table, expectation: Expectation) -> (usize, usize) {
+fn change_every_field(textbook: &Table, by_record: bool) -> (usize, usize) {
     let records = with_boundary_components(textbook);
-    let by_record = expectation.has(Part::BoundaryComponents);
     let mut table = if by_record { records.clone() } else { textbook.clone() };
     let (mut changes, mut accepted) = (0, BTreeSet::new());
-    for_each_corruption(&mut table, &expectation, |changed, cell, value| {
+    let parts = table.parts;
+    for_each_corruption(&mut table, parts, |changed, cell, value| {
         changes += 1;
-        if agree(changed, expectation).is_none() {
+        if agree(changed, PLANE).is_none() {
             accepted.insert((cell, value));
         }
     });
@@ -267,8 +264,8 @@ fn every_change_of_one_field_of_the_first_map_is_judged_right() {
     let table = DANGLING.table();
     let harmless = (8 - 4) + (8 - 2);
     let rows = 8 * (6 + 10 + 10 + 10 + 4) + 4 * 10;
-    assert_eq!(change_every_field(&table, TEXTBOOK), (rows + 2 * 10 + 16, harmless));
-    assert_eq!(change_every_field(&table, RECORDS), (rows + 4 * 4 + 2 * (4 + 16 + 4) + 2 * 4 + 4, harmless));
+    assert_eq!(change_every_field(&table, false), (rows + 2 * 10 + 16, harmless));
+    assert_eq!(change_every_field(&table, true), (rows + 4 * 4 + 2 * (4 + 16 + 4) + 2 * 4 + 4, harmless));
 }
 
 #[test]
@@ -276,8 +273,8 @@ fn every_change_of_one_field_of_the_second_map_is_judged_right() {
     let table = FIVE_FACES.table();
     let harmless = (18 - 6) + (18 - 5);
     let rows = 18 * (8 + 20 + 20 + 20 + 7) + 6 * 20;
-    assert_eq!(change_every_field(&table, TEXTBOOK), (rows + 5 * 20 + 28, harmless));
-    assert_eq!(change_every_field(&table, RECORDS), (rows + 6 * 7 + 5 * (7 + 28 + 4) + 5 * 7 + 7, harmless));
+    assert_eq!(change_every_field(&table, false), (rows + 5 * 20 + 28, harmless));
+    assert_eq!(change_every_field(&table, true), (rows + 6 * 7 + 5 * (7 + 28 + 4) + 5 * 7 + 7, harmless));
 }
 
 /// Lists one entry longer or shorter are never right, whatever the entry.
@@ -290,23 +287,23 @@ fn every_change_of_the_length_of_a_list_is_caught() {
             for h in 0..=table.half_edges.len() {
                 let mut longer = table.clone();
                 face(&mut longer, f).inner_starts.push(Some(Start::HalfEdge(h)));
-                assert!(agree(&longer, TEXTBOOK).is_some());
+                assert!(agree(&longer, PLANE).is_some());
             }
             for v in 0..=table.vertices.len() {
                 let mut longer = table.clone();
                 face(&mut longer, f).inner_starts.push(Some(Start::Vertex(v)));
-                assert!(agree(&longer, TEXTBOOK).is_some());
+                assert!(agree(&longer, PLANE).is_some());
             }
             for b in 0..=records.boundaries.len() {
                 let mut longer = records.clone();
                 face(&mut longer, f).inner.push(Some(b));
-                assert!(agree(&longer, RECORDS).is_some());
+                assert!(agree(&longer, PLANE).is_some());
             }
             let (mut shorter, mut shorter_records) = (table.clone(), records.clone());
             if face(&mut shorter, f).inner_starts.pop().is_some() {
                 face(&mut shorter_records, f).inner.pop();
-                assert_eq!(agree(&shorter, TEXTBOOK), Some(Rule::F2));
-                assert_eq!(agree(&shorter_records, RECORDS), Some(Rule::F2));
+                assert_eq!(agree(&shorter, PLANE), Some(Rule::F2));
+                assert_eq!(agree(&shorter_records, PLANE), Some(Rule::F2));
             }
         }
     }
@@ -316,11 +313,10 @@ fn every_change_of_the_length_of_a_list_is_caught() {
 /// others.
 #[test]
 fn the_maps_are_meshes_of_a_sphere_too() {
-    let mesh = Expectation::surface().without(Part::BoundaryComponents);
     for (textbook, unbounded, start) in [(DANGLING, 0, 0), (FIVE_FACES, 4, 17)] {
         let mut table = textbook.table();
         table.faces[unbounded] = Some(FaceRow { outer_half_edge: Some(start), ..FaceRow::default() });
-        let found = certificate(&table, mesh);
+        let found = figures(&table, Expectation::surface());
         assert_eq!(found.genus, 0);
         let reasons = [
             (Rule::B2, Unchecked::Lacks(Part::Holes)),

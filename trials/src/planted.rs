@@ -3,7 +3,7 @@
 use crate::replay::Indexed;
 use twinedge::dcel::{Dcel, FaceKey, HalfEdgeKey, Side, Turn, VertexKey};
 use twinedge::program::{CornerOf, Refusal, Subject};
-use twinedge::validate::{BoundaryPlace, Link, Start, View};
+use twinedge::validate::{BoundaryPlace, Link, Parts, Start, View};
 
 /// A [`Dcel`] with a bug. `Planted<false>` turns edges the wrong way and keeps every rule; `Planted<true>` panics when a boundary
 /// component is moved.
@@ -31,6 +31,7 @@ macro_rules! view_as_it_is {
 }
 
 view_as_it_is! {
+    parts() -> Parts;
     vertex_slots() -> usize;
     half_edge_slots() -> usize;
     boundary_slots() -> usize;

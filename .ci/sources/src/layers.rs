@@ -7,14 +7,15 @@ use crate::graph::{Import, Imports};
 
 /// Each layer, and those that it may import. Between files of one layer only loops are refused.
 pub const LAYERS: &[(&str, &[&str])] = &[
-    ("geometry", &[]),
-    ("validate", &[]),
-    ("store", &["validate"]),
-    ("dcel", &["validate", "store"]),
-    ("program", &["validate", "store", "dcel"]),
-    ("map", &["validate", "store", "dcel", "geometry"]),
-    ("algorithm", &["validate", "store", "dcel", "geometry", "map"]),
-    ("io", &["validate", "store", "dcel", "geometry", "map", "algorithm"]),
+    ("slots", &[]),
+    ("geometry", &["slots"]),
+    ("validate", &["slots"]),
+    ("store", &["slots", "validate"]),
+    ("dcel", &["slots", "validate", "store"]),
+    ("program", &["slots", "validate", "store", "dcel"]),
+    ("map", &["slots", "validate", "store", "dcel", "geometry"]),
+    ("algorithm", &["slots", "validate", "store", "dcel", "geometry", "map"]),
+    ("io", &["slots", "validate", "store", "dcel", "geometry", "map", "algorithm"]),
 ];
 
 /// What a layer may import besides, in the modules that a feature adds: a layer, the other, and the feature. The rules G1 … G5

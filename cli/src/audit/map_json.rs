@@ -138,7 +138,7 @@ impl<'a> Json<'a> {
             schema: REPORT_SCHEMA,
             valid: is_valid,
             counts: *report.counts(),
-            bounds: report.certificate().and_then(|certificate| certificate.bounds),
+            bounds: report.figures().and_then(|figures| figures.bounds),
             rules: report.outcomes().map(|(id, outcome)| JsonRule { id, outcome }).collect(),
             violation_count: report.violation_count(),
             violations: report

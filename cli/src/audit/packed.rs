@@ -426,9 +426,9 @@ mod tests {
 
     #[test]
     fn a_ring_is_one_chain_with_a_side_in_each_face() {
-        let square = [[0.0, 0.0], [1.0, 0.0], [1.0, 1.0], [0.0, 1.0]].map(Into::into).to_vec();
+        let square = [[0.0, 0.0], [1.0, 0.0], [1.0, 1.0], [0.0, 1.0]];
         let mut builder = Builder::new();
-        builder.shape(&Shape::Polygon(vec![square])).expect("in range");
+        builder.shape(&Shape::polygon(square)).expect("in range");
         let packed = pack(&builder.build().expect("small"));
         assert_eq!((packed.chains, packed.points, packed.faces, packed.edges), (1, 5, 2, [4, 4]));
         let numbers = numbers(&packed.stream);
@@ -459,8 +459,8 @@ mod tests {
     fn of_a_structure_that_is_too_large_the_windows_are_shown() {
         let mut builder = Builder::new();
         for x in [0.0, 100.0] {
-            let triangle = [[x, 0.0], [x + 1.0, 0.0], [x, 1.0]].map(Into::into).to_vec();
-            builder.shape(&Shape::Polygon(vec![triangle])).expect("in range");
+            let triangle = [[x, 0.0], [x + 1.0, 0.0], [x, 1.0]];
+            builder.shape(&Shape::polygon(triangle)).expect("in range");
         }
         let map = builder.build().expect("small");
         let window = Window::around(&[[99.0, 0.0], [100.0, 0.5]]).expect("there are points");

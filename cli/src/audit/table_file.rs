@@ -12,12 +12,12 @@ use std::io::BufRead;
 use std::time::Instant;
 use twinedge::validate::{Collect, Expectation, Rule, Table, validate};
 
-/// Whether a file that begins so has tables. Every table begins with `V`; comments may precede it.
+/// Whether a file that begins so has tables. Every table begins with `P` or `V`; comments may precede it.
 pub(super) fn is_table_file(beginning: &[u8]) -> bool {
     let text = String::from_utf8_lossy(beginning);
     let lines = text.lines().map(str::trim_start).filter(|line| !line.is_empty());
     let mut lines = lines.skip_while(|line| line.starts_with('#') && !line.starts_with(EXPECT));
-    lines.next().is_some_and(|line| line.starts_with(EXPECT) || line.starts_with("V "))
+    lines.next().is_some_and(|line| line.starts_with(EXPECT) || line.starts_with("P ") || line.starts_with("V "))
 }
 
 /// Begins a comment that says what the tables below it are held to.
@@ -182,7 +182,7 @@ mod tests {
 
     #[test]
     fn files_of_tables_are_told_by_their_beginning() {
-        for text in ["V 0 H 0 B 0 F 0", "\n# a comment\n\nV 1 - - H", "# expect: plane\n", "  V 0"] {
+        for text in ["V 0 H 0 B 0 F 0", "\n# a comment\n\nV 1 - - H", "# expect: plane\n", "  V 0", "P 0 V 0"] {
             assert!(is_table_file(text.as_bytes()), "{text}");
         }
         for text in ["", "{\"type\":", "# a comment\n{", "VERTEX 3", "\x1e{}", "POINT (1 2)"] {

@@ -12,7 +12,7 @@ use std::fmt::Write as _;
 use std::io::Read;
 use twinedge::io::tables::Textbook;
 use twinedge::validate::{
-    self, Collect, REPORT_SCHEMA, Record, Report, RuleOutcome, View, validate, validate_embedding,
+    self, Collect, Expectation, REPORT_SCHEMA, Record, Report, RuleOutcome, View, validate, validate_embedding,
 };
 
 /// Whether a file that begins so has the three tables of a textbook: the first word that is no comment is a heading, or the
@@ -77,7 +77,7 @@ pub(super) fn audit(
     let mut text = String::new();
     reader.read_to_string(&mut text).map_err(|error| Failure(format!("{name}: {error}")))?;
     let tables: Textbook = text.parse().map_err(|error| Failure(format!("{name}: {error}")))?;
-    let (expectation, collect) = (Textbook::EXPECTATION, Collect::AtMost(list));
+    let (expectation, collect) = (Expectation::plane(), Collect::AtMost(list));
     let report = if tables.has_coordinates() {
         validate_embedding(&tables, &expectation, collect)
     } else {

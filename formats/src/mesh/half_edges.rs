@@ -1,7 +1,7 @@
 //! The half-edges of an indexed mesh, as the validator sees them.
 
 use super::IndexedMesh;
-use twinedge::validate::{Expectation, Link, Part, View};
+use twinedge::validate::{Expectation, Link, Part, Parts, View};
 
 pub(super) const NIL: u32 = u32::MAX;
 
@@ -29,8 +29,7 @@ pub struct HalfEdgeMesh<'a> {
 }
 
 impl HalfEdgeMesh<'_> {
-    /// What the validator is to hold it to: surfaces of any genus, open borders allowed. What else it is to be can be asked for;
-    /// [`simple`](Expectation::simple) goes without saying, as an edge is what has the same two ends.
+    /// Surfaces of any genus, with or without border. Other claims are added to that; [`simple`](Expectation::simple) goes without saying, as an edge is what has the same two ends.
     ///
     /// ```
     /// use twinedge_formats::mesh::HalfEdgeMesh;
@@ -40,7 +39,7 @@ impl HalfEdgeMesh<'_> {
     /// ```
     #[must_use]
     pub const fn expectation() -> Expectation {
-        Expectation::surface().without(Part::BoundaryComponents).open()
+        Expectation::surface().open()
     }
 
     /// The mesh.
@@ -107,6 +106,10 @@ fn link(slot: u32) -> Link {
 
 /// Vacant slots answer nil, but for the origin of a half-edge. As always with a `View`, only slots that there are may be asked.
 impl View for HalfEdgeMesh<'_> {
+    fn parts(&self) -> Parts {
+        Parts::NONE.with(Part::Prev).with(Part::Leaving).with(Part::Faces)
+    }
+
     fn vertex_slots(&self) -> usize {
         self.leaving.len()
     }

@@ -10,7 +10,7 @@ use crate::topology_audit::{TopologyAudit, TopologyCounts, TopologyRule, Topolog
 use twinedge::delegate_view;
 use twinedge::geometry::Point;
 use twinedge::validate::adapt::FaceLabels;
-use twinedge::validate::{Collect, Embedding, Expectation, Part, Record, Report, Rule, Start, View};
+use twinedge::validate::{Collect, Embedding, Expectation, Part, Parts, Record, Report, Rule, Start, View};
 use twinedge::validate::{places, validate, validate_embedding};
 
 /// The topology with what its columns imply: the lists of the faces.
@@ -20,7 +20,12 @@ struct Listed<'a> {
 }
 
 impl View for Listed<'_> {
-    delegate_view!(|this| &this.labels; except inner_count, inner_start);
+    delegate_view!(|this| &this.labels; except parts, inner_count, inner_start);
+
+    /// Faces with holes, and face 0 as the unbounded one: F1 is broken where there is no row for it.
+    fn parts(&self) -> Parts {
+        Parts::NONE.with(Part::UnboundedFace)
+    }
 
     fn inner_count(&self, face: usize) -> usize {
         self.labels.inner_count(face) + self.topology.contained(face).len()
@@ -49,9 +54,6 @@ impl Embedding for Listed<'_> {
     }
 }
 
-/// What a topology has: twins, origins, `next` and the face of each half-edge.
-const EXPECTATION: Expectation =
-    Expectation::plane().without(Part::BoundaryComponents).without(Part::Prev).without(Part::Leaving);
 const GEOMETRIC: [Rule; 5] = [Rule::G1, Rule::G2, Rule::G3, Rule::G4, Rule::G5];
 
 /// Judges a topology. Up to `limit` violations are kept, those of the first rules before others; all are counted.
@@ -78,9 +80,9 @@ pub fn audit(topology: &Topology, limit: usize) -> Result<TopologyAudit, ReadErr
     let ends_meet = topology.findings.counts[1] == 0;
     let collect = Collect::AtMost(limit);
     let report = if ends_meet {
-        validate_embedding(&view, &EXPECTATION, collect)
+        validate_embedding(&view, &Expectation::plane(), collect)
     } else {
-        validate(&view, &EXPECTATION, collect)
+        validate(&view, &Expectation::plane(), collect)
     };
     let mut findings = topology.findings.clone();
     let broken = |rule: &Rule| report.outcome(*rule).is_some_and(|outcome| outcome.violations > 0);

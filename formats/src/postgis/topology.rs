@@ -4,7 +4,7 @@ use super::finding::Findings;
 use super::ids::Ids;
 use super::mbr::{Box2, Mbr};
 use twinedge::geometry::Point;
-use twinedge::validate::{Embedding, Link, Record, View};
+use twinedge::validate::{Embedding, Link, Parts, Record, View};
 
 /// A column that is null there.
 pub(super) const NULL: u32 = u32::MAX;
@@ -124,7 +124,12 @@ impl Topology {
     }
 }
 
+/// The topology as its columns say it: half-edges name their faces, and faces list nothing.
 impl View for Topology {
+    fn parts(&self) -> Parts {
+        Parts::NONE
+    }
+
     fn vertex_slots(&self) -> usize {
         self.nodes.len()
     }

@@ -17,6 +17,12 @@ fn broken(audit: &TopologyAudit) -> Vec<&'static str> {
     audit.rules().iter().filter(|rule| rule.violations > 0).map(|rule| rule.id).collect()
 }
 
+#[test]
+fn a_topology_without_a_row_for_face_0_has_no_unbounded_face() {
+    let audit = changed(|rows| rows.0.iter_mut().for_each(Vec::clear));
+    assert_eq!(broken(&audit), ["F1"], "{audit}");
+}
+
 /// A change, the rules that it breaks, and the sentence of one of the violations.
 type Case = (&'static str, fn(&mut Rows), &'static [&'static str], &'static str);
 

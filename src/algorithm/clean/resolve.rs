@@ -35,10 +35,10 @@ pub struct Cleaned {
 /// use twinedge::map::{Builder, Noding, Shape};
 ///
 /// // Two parcels; the right one begins half a unit inside the left one.
-/// let parcel = |x: f64, width: f64| [[x, 0.0], [x + width, 0.0], [x + width, 10.0], [x, 10.0]].map(Into::into).to_vec();
+/// let parcel = |x: f64, width: f64| [[x, 0.0], [x + width, 0.0], [x + width, 10.0], [x, 10.0]];
 /// let mut builder = Builder::new();
-/// let left = builder.shape(&Shape::Polygon(vec![parcel(0.0, 10.0)]))?;
-/// let right = builder.shape(&Shape::Polygon(vec![parcel(9.5, 8.0)]))?;
+/// let left = builder.shape(&Shape::polygon(parcel(0.0, 10.0)))?;
+/// let right = builder.shape(&Shape::polygon(parcel(9.5, 8.0)))?;
 /// let map = builder.build_with(Noding::Exact)?;
 /// let cleaned = clean(&map, &Options::default())?;
 /// let [change] = &cleaned.changes[..] else { unreachable!("nothing else is wrong") };
@@ -61,11 +61,11 @@ pub fn clean(map: &PlanarMap, options: &Options) -> Result<Cleaned, CoverageErro
 /// use twinedge::algorithm::clean::{Options, clean_with_fillers};
 /// use twinedge::map::{Builder, Noding, Shape};
 ///
-/// let box_of = |x0: f64, x1: f64| [[x0, 0.0], [x1, 0.0], [x1, 9.0], [x0, 9.0]].map(Into::into).to_vec();
+/// let box_of = |x0: f64, x1: f64| [[x0, 0.0], [x1, 0.0], [x1, 9.0], [x0, 9.0]];
 /// let mut builder = Builder::new();
-/// builder.shape(&Shape::Polygon(vec![box_of(0.0, 5.0)]))?;
-/// builder.shape(&Shape::Polygon(vec![box_of(5.1, 9.0)]))?;
-/// builder.shape(&Shape::Polygon(vec![box_of(5.0, 5.1)]))?;
+/// builder.shape(&Shape::polygon(box_of(0.0, 5.0)))?;
+/// builder.shape(&Shape::polygon(box_of(5.1, 9.0)))?;
+/// builder.shape(&Shape::polygon(box_of(5.0, 5.1)))?;
 /// let cleaned = clean_with_fillers(&builder.build_with(Noding::Exact)?, &Options::default(), 2)?;
 /// let sizes: Vec<usize> = cleaned.faces.iter().map(Vec::len).collect();
 /// assert_eq!(sizes, [2, 1, 0]);

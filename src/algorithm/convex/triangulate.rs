@@ -14,6 +14,7 @@ use crate::geometry::Point;
 use crate::geometry::predicates::{Orientation, compare_angle, orientation};
 use crate::map::PlanarMap;
 use crate::map::edit::EditError;
+use crate::slots::NIL;
 use crate::validate::Embedding;
 use rustc_hash::{FxHashMap, FxHashSet};
 use spade::handles::{DirectedEdgeHandle, FixedVertexHandle};
@@ -34,9 +35,6 @@ pub struct Triangulation {
     /// How many reflex corners the face had; an isolated vertex counts as one.
     pub reflex: usize,
 }
-
-/// None.
-const NIL: u32 = u32::MAX;
 
 type Cdt = ConstrainedDelaunayTriangulation<Point2<f64>>;
 type CdtEdge<'a> = DirectedEdgeHandle<'a, Point2<f64>, (), spade::CdtEdge<()>, ()>;

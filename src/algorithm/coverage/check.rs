@@ -51,10 +51,10 @@ pub enum CoverageError {
 /// use twinedge::map::{Builder, Noding, Shape};
 ///
 /// // Two parcels; the right one begins half a unit inside the left one.
-/// let parcel = |x: f64| [[x, 0.0], [x + 10.0, 0.0], [x + 10.0, 10.0], [x, 10.0]].map(Into::into).to_vec();
+/// let parcel = |x: f64| [[x, 0.0], [x + 10.0, 0.0], [x + 10.0, 10.0], [x, 10.0]];
 /// let mut builder = Builder::new();
-/// builder.shape(&Shape::Polygon(vec![parcel(0.0)]))?;
-/// builder.shape(&Shape::Polygon(vec![parcel(9.5)]))?;
+/// builder.shape(&Shape::polygon(parcel(0.0)))?;
+/// builder.shape(&Shape::polygon(parcel(9.5)))?;
 /// let map = builder.build_with(Noding::Exact)?;
 /// let coverage = check(&map, &Limits::default())?;
 /// let [overlap] = &coverage.findings[..] else { unreachable!("nothing else is wrong") };

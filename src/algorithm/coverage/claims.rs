@@ -17,8 +17,8 @@ pub(crate) fn features_of<'a>(map: &'a PlanarMap, face: Face<'a>) -> impl Iterat
 /// use twinedge::map::{Builder, Shape};
 ///
 /// let mut builder = Builder::new();
-/// let square = [[0.0, 0.0], [1.0, 0.0], [1.0, 1.0], [0.0, 1.0]].map(Into::into).to_vec();
-/// let field = builder.shape(&Shape::Polygon(vec![square]))?;
+/// let square = [[0.0, 0.0], [1.0, 0.0], [1.0, 1.0], [0.0, 1.0]];
+/// let field = builder.shape(&Shape::polygon(square))?;
 /// assert!(!leaks(&builder.build()?, field));
 /// # Ok::<(), twinedge::map::BuildError>(())
 /// ```
@@ -36,8 +36,8 @@ pub fn leaks(map: &PlanarMap, feature: FeatureId) -> bool {
 /// use twinedge::map::{Builder, Shape};
 ///
 /// let mut builder = Builder::new();
-/// let square = [[0.0, 0.0], [1.0, 0.0], [1.0, 1.0], [0.0, 1.0]].map(Into::into).to_vec();
-/// let field = builder.shape(&Shape::Polygon(vec![square]))?;
+/// let square = [[0.0, 0.0], [1.0, 0.0], [1.0, 1.0], [0.0, 1.0]];
+/// let field = builder.shape(&Shape::polygon(square))?;
 /// let path = builder.segment([0.0, 0.0], [1.0, 1.0])?;
 /// let map = builder.build()?;
 /// // The path cuts the field in two.
@@ -72,10 +72,10 @@ pub fn faces_by_feature(map: &PlanarMap) -> Vec<Vec<FaceKey>> {
 ///
 /// // The upper half of the square is claimed again, by the triangle.
 /// let mut builder = Builder::new();
-/// let square = [[0.0, 0.0], [2.0, 0.0], [2.0, 2.0], [0.0, 2.0]].map(Into::into).to_vec();
-/// let triangle = [[0.0, 0.0], [2.0, 2.0], [0.0, 2.0]].map(Into::into).to_vec();
-/// builder.shape(&Shape::Polygon(vec![square]))?;
-/// builder.shape(&Shape::Polygon(vec![triangle]))?;
+/// let square = [[0.0, 0.0], [2.0, 0.0], [2.0, 2.0], [0.0, 2.0]];
+/// let triangle = [[0.0, 0.0], [2.0, 2.0], [0.0, 2.0]];
+/// builder.shape(&Shape::polygon(square))?;
+/// builder.shape(&Shape::polygon(triangle))?;
 /// assert_eq!(overlaps(&builder.build()?).len(), 1);
 /// # Ok::<(), twinedge::map::BuildError>(())
 /// ```

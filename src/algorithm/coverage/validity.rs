@@ -82,11 +82,11 @@ pub struct Defect {
 /// use twinedge::algorithm::coverage::{DefectKind, defects};
 /// use twinedge::map::Shape;
 ///
-/// let square = |low: f64, high: f64| [[low, low], [high, low], [high, high], [low, high]].map(Into::into).to_vec();
-/// let found = defects(&[Shape::Polygon(vec![square(0.0, 4.0), square(5.0, 6.0)])]);
+/// let square = |low: f64, high: f64| [[low, low], [high, low], [high, high], [low, high]];
+/// let found = defects(&[Shape::polygon(square(0.0, 4.0)).hole(square(5.0, 6.0))]);
 /// assert_eq!((found[0].kind, found[0].ring), (DefectKind::HoleOutsideShell, 1));
 /// assert_eq!(found[0].kind.to_string(), "Hole lies outside shell");
-/// assert!(defects(&[Shape::Polygon(vec![square(0.0, 4.0), square(1.0, 2.0)])]).is_empty());
+/// assert!(defects(&[Shape::polygon(square(0.0, 4.0)).hole(square(1.0, 2.0))]).is_empty());
 /// ```
 #[must_use]
 pub fn defects(shapes: &[Shape]) -> Vec<Defect> {

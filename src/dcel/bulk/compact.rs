@@ -1,8 +1,8 @@
 //! Closing the gaps that removed records leave.
 
 use crate::dcel::assemble::Assembly;
-use crate::dcel::import::gather::NIL;
 use crate::dcel::structure::Dcel;
+use crate::slots::NIL;
 use crate::store::links::{BoundaryStart, Links, Need, VertexLink};
 use crate::store::slots::{InOrder, Numbered};
 use crate::store::{BoundaryKey, FaceKey, HalfEdgeKey, SlotStore, VertexKey};

@@ -3,7 +3,6 @@
 mod compact;
 mod nest;
 mod retain;
-mod sets;
 mod splice;
 
 pub use compact::Renamed;

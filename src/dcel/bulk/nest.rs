@@ -9,8 +9,7 @@
 //! cycle is outer if the component is the parent of the group, and inner if it is the other way round. The tree is taken apart from
 //! its leaves, each of which has one cycle left: that to its parent.
 
-use super::sets::Sets;
-use crate::dcel::import::gather::NIL;
+use crate::slots::{NIL, Sets};
 use crate::store::Store;
 use crate::store::links::BoundaryStart;
 use alloc::vec;

@@ -13,7 +13,7 @@ pub enum ImportError {
     /// It breaks a rule that it is held to.
     #[error("the structure is not valid:\n{0}")]
     Invalid(Box<Report>),
-    /// The expectation leaves out a part that a planar subdivision cannot do without.
+    /// The structure does not store a part that a planar subdivision cannot do without.
     #[error("a planar subdivision needs {}, which the expectation leaves out", .0.name())]
     Lacks(Part),
     /// It was to bring its own unbounded face, but the expectation leaves that out.

@@ -1,11 +1,12 @@
 //! From faces as lists of vertices to a [`Dcel`].
 
 use super::from_view::keys;
-use super::gather::{NIL, Numbers};
+use super::gather::Numbers;
 use super::keys::Keys;
 use super::pieces::Pieces;
 use crate::dcel::assemble::Assembly;
 use crate::dcel::structure::Dcel;
+use crate::slots::NIL;
 use crate::store::links::{BoundaryStart, RecordKind, VertexLink};
 use alloc::vec;
 use alloc::vec::Vec;

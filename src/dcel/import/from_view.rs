@@ -1,11 +1,12 @@
 //! From any valid structure to a [`Dcel`].
 
 use super::error::ImportError;
-use super::gather::{Columns, Gather, NIL, Numbers};
+use super::gather::{Columns, Gather, Numbers};
 use super::keys::Keys;
 use super::outside::Outside;
 use crate::dcel::structure::Dcel;
-use crate::validate::{Collect, Expectation, Part, Report, View, validate};
+use crate::slots::NIL;
+use crate::validate::{Collect, Expectation, Part, Parts, Report, View, validate};
 use alloc::boxed::Box;
 use alloc::vec::Vec;
 
@@ -13,17 +14,15 @@ impl Dcel {
     /// Builds the structure that a view describes, and tells which of its records became which.
     ///
     /// The view is validated first, and what comes of it once more, so nothing but a planar subdivision comes in, whatever
-    /// the view answers. What must the structure have?
+    /// the view answers.
     ///
-    /// | it has | expectation | outside |
+    /// | the structure stores | expectation | outside |
     /// | --- | --- | --- |
-    /// | records of boundary components (CCBs), an unbounded face | [`Expectation::plane`] | [`Outside::Given`] |
-    /// | faces that keep half-edges, an unbounded face | `Expectation::plane().without(Part::BoundaryComponents)` | [`Outside::Given`] |
+    /// | an unbounded face and lists of holes | [`Expectation::plane`] | [`Outside::Given`] |
     /// | one cycle for each face, closed, genus 0 | [`Expectation::surface`] | [`Outside::Face`] |
     /// | one cycle for each face, and one border | `Expectation::surface().open()` | [`Outside::Border`] |
     ///
-    /// `prev`, leaving half-edges and places may be left out in all of these, and [`Part::BoundaryComponents`] wherever the
-    /// faces keep half-edges.
+    /// Whether it stores boundary components, their places, `prev` and leaving half-edges makes no difference.
     ///
     /// The order of the records is kept, and that of the lists; of the two half-edges of an edge the one with the smaller
     /// index in the view has the smaller index here.
@@ -40,12 +39,13 @@ impl Dcel {
     ///
     /// ```
     /// use twinedge::dcel::{Dcel, Outside};
-    /// use twinedge::validate::{Expectation, Link, Part, View};
+    /// use twinedge::validate::{Expectation, Link, Part, Parts, View};
     ///
     /// /// A tetrahedron: half-edges `3f`, `3f + 1`, `3f + 2` around face `f`.
     /// struct Tetrahedron;
     ///
     /// impl View for Tetrahedron {
+    ///     fn parts(&self) -> Parts { Parts::NONE.with(Part::Faces) }
     ///     fn vertex_slots(&self) -> usize { 4 }
     ///     fn half_edge_slots(&self) -> usize { 12 }
     ///     fn face_slots(&self) -> usize { 4 }
@@ -56,8 +56,7 @@ impl Dcel {
     ///     fn outer_half_edge(&self, f: usize) -> Link { Some(3 * f) }
     /// }
     ///
-    /// let mesh = Expectation::surface().without(Part::BoundaryComponents).without(Part::Prev).without(Part::Leaving);
-    /// let (map, keys) = Dcel::from_view(&Tetrahedron, &mesh, Outside::Face(3))?;
+    /// let (map, keys) = Dcel::from_view(&Tetrahedron, &Expectation::surface(), Outside::Face(3))?;
     /// assert_eq!(keys.face(3), Some(map.unbounded_face().key()));
     /// let h = map.half_edge(keys.half_edge(0).unwrap())?;
     /// assert_eq!(Some(h.next().key()), keys.half_edge(1));
@@ -87,8 +86,9 @@ pub(super) fn import<V: View + ?Sized>(
     if !report.is_valid() {
         return Err(ImportError::Invalid(Box::new(report)));
     }
-    check_outside(view, expectation, outside)?;
-    check_surface(&report, expectation, outside)?;
+    let parts = expectation.looks_at(view.parts());
+    check_outside(view, parts, outside)?;
+    check_surface(&report, parts, outside)?;
     let (columns, numbers) = Gather::read(view, expectation, outside)?;
     if outside == Outside::Border {
         check_borders(&report, columns.outside_cycles())?;
@@ -99,11 +99,11 @@ pub(super) fn import<V: View + ?Sized>(
 }
 
 /// Whether there can be such an unbounded face.
-fn check_outside<V: View + ?Sized>(view: &V, expectation: Expectation, outside: Outside) -> Result<(), ImportError> {
-    if !expectation.has(Part::Faces) {
+fn check_outside<V: View + ?Sized>(view: &V, parts: Parts, outside: Outside) -> Result<(), ImportError> {
+    if !parts.has(Part::Faces) {
         return Err(ImportError::Lacks(Part::Faces));
     }
-    match (outside, expectation.has(Part::UnboundedFace)) {
+    match (outside, parts.has(Part::UnboundedFace)) {
         (Outside::Given, false) => Err(ImportError::NoUnboundedFace),
         (Outside::Face(_) | Outside::Border, true) => Err(ImportError::SecondUnboundedFace),
         (Outside::Face(f), false) if f >= view.face_slots() || !view.is_face(f) => Err(ImportError::NoSuchFace(f)),
@@ -112,13 +112,11 @@ fn check_outside<V: View + ?Sized>(view: &V, expectation: Expectation, outside: 
 }
 
 /// Whether it lies on a sphere, in one piece where nothing tells how pieces would lie.
-fn check_surface(report: &Report, expectation: Expectation, outside: Outside) -> Result<(), ImportError> {
+fn check_surface(report: &Report, parts: Parts, outside: Outside) -> Result<(), ImportError> {
     let counts = report.counts();
     match (counts.genus, counts.components) {
         (Some(genus), _) if genus > 0 => Err(ImportError::Genus(genus)),
-        (_, Some(components))
-            if components > 1 && matches!(outside, Outside::Face(_)) && !expectation.has(Part::Holes) =>
-        {
+        (_, Some(components)) if components > 1 && matches!(outside, Outside::Face(_)) && !parts.has(Part::Holes) => {
             Err(ImportError::Disconnected(components))
         }
         _ => Ok(()),

@@ -6,13 +6,11 @@
 use super::error::ImportError;
 use super::outside::Outside;
 use crate::dcel::assemble::Assembly;
+use crate::slots::NIL;
 use crate::store::links::{BoundaryStart, RecordKind, VertexLink};
-use crate::validate::{Expectation, Link, Part, Start, View};
+use crate::validate::{Expectation, Link, Part, Parts, Start, View};
 use alloc::vec;
 use alloc::vec::Vec;
-
-/// Not yet known, or no such record.
-pub(in crate::dcel) const NIL: u32 = u32::MAX;
 
 /// A vertex of which it is not yet known whether it is isolated.
 const UNKNOWN: VertexLink<u32, u32> = VertexLink::Isolated(NIL);
@@ -119,6 +117,8 @@ fn enumerate(
 pub(super) struct Gather<'a, V: ?Sized> {
     view: &'a V,
     expectation: Expectation,
+    /// The parts that are looked at.
+    parts: Parts,
     outside: Outside,
     numbers: Numbers,
     columns: Columns,
@@ -134,14 +134,15 @@ impl<'a, V: View + ?Sized> Gather<'a, V> {
         outside: Outside,
     ) -> Result<(Columns, Numbers), ImportError> {
         let (numbers, columns) = (Numbers::default(), Columns::default());
-        let mut gather = Self { view, expectation, outside, numbers, columns, unbounded: None };
+        let parts = expectation.looks_at(view.parts());
+        let mut gather = Self { view, expectation, parts, outside, numbers, columns, unbounded: None };
         gather.vertices()?;
         let unpaired = gather.half_edges()?;
         gather.links()?;
         gather.missing_twins(&unpaired)?;
         gather.leaving()?;
         gather.faces()?;
-        if expectation.has(Part::BoundaryComponents) {
+        if parts.has(Part::BoundaryComponents) {
             gather.boundary_records()?;
         } else {
             gather.listed_starts()?;
@@ -220,7 +221,7 @@ impl<'a, V: View + ?Sized> Gather<'a, V> {
         for (h, v) in self.columns.origin.iter().enumerate().rev() {
             self.columns.vertices[*v as usize] = VertexLink::Leaving(h as u32);
         }
-        if !self.expectation.has(Part::Leaving) {
+        if !self.parts.has(Part::Leaving) {
             return Ok(());
         }
         for (v, n) in self.numbers.vertices.iter().enumerate().filter(|(_, n)| **n != NIL) {
@@ -239,7 +240,7 @@ impl<'a, V: View + ?Sized> Gather<'a, V> {
         self.unbounded = match self.outside {
             Outside::Given => {
                 let outer = |f: &usize| {
-                    let by_record = self.expectation.has(Part::BoundaryComponents);
+                    let by_record = self.parts.has(Part::BoundaryComponents);
                     if by_record { self.view.outer(*f) } else { self.view.outer_half_edge(*f) }
                 };
                 (0..numbers.len()).find(|f| numbers[*f] != NIL && outer(f).is_none())
@@ -327,7 +328,7 @@ impl<'a, V: View + ?Sized> Gather<'a, V> {
     }
 
     fn inner_count(&self, f: usize) -> usize {
-        if self.expectation.has(Part::Holes) { self.view.inner_count(f) } else { 0 }
+        if self.parts.has(Part::Holes) { self.view.inner_count(f) } else { 0 }
     }
 
     /// Lists the outer boundary component of a face of the view. That of the new unbounded face becomes an inner one.

@@ -1,6 +1,6 @@
 //! The components of a structure in columns, found by walks around its vertices.
 
-use super::gather::NIL;
+use crate::slots::NIL;
 use crate::store::links::BoundaryStart;
 use alloc::vec;
 use alloc::vec::Vec;

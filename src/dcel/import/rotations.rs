@@ -1,12 +1,13 @@
 //! From a rotation system to a [`Dcel`].
 
 use super::from_view::keys;
-use super::gather::{NIL, Numbers};
+use super::gather::Numbers;
 use super::keys::Keys;
 use super::pieces::Pieces;
 use crate::dcel::assemble::Assembly;
 use crate::dcel::operators::Corner;
 use crate::dcel::structure::Dcel;
+use crate::slots::{NIL, cycles};
 use crate::store::links::{BoundaryStart, RecordKind, VertexLink};
 use alloc::vec;
 use alloc::vec::Vec;
@@ -132,7 +133,8 @@ impl Dcel {
         placements: &[Placement],
     ) -> Result<(Self, Keys), RotationsError> {
         let system = System::read(rotations)?;
-        let (boundary, starts) = system.cycles();
+        let (boundary, starts) = cycles(&system.next);
+        let starts: Vec<_> = starts.into_iter().map(BoundaryStart::HalfEdge).collect();
         let pieces = Pieces::find(&system.origin, &system.next, &system.leaving);
         let genera = pieces.genera(&system.origin, &starts);
         if let Some(piece) = genera.iter().position(|genus| *genus > 0) {
@@ -184,23 +186,6 @@ impl System {
         }
         system.next.truncate(darts);
         if darts % 2 == 1 { Err(RotationsError::Unpaired { dart: darts as u32 - 1 }) } else { Ok(system) }
-    }
-
-    /// By dart its cycle, and where the cycles start: at their darts with the smallest numbers.
-    fn cycles(&self) -> (Vec<u32>, Vec<BoundaryStart<u32, u32>>) {
-        let mut of = vec![NIL; self.origin.len()];
-        let mut starts = Vec::new();
-        for start in 0..of.len() {
-            let mut h = start;
-            if of[h] == NIL {
-                while of[h] == NIL {
-                    of[h] = starts.len() as u32;
-                    h = self.next[h] as usize;
-                }
-                starts.push(BoundaryStart::HalfEdge(start as u32));
-            }
-        }
-        (of, starts)
     }
 
     fn assemble(

@@ -2,12 +2,15 @@
 
 use super::error::ImportError;
 use super::from_view::import;
-use super::gather::{NIL, Numbers};
+use super::gather::Numbers;
 use super::outside::Outside;
 use crate::dcel::structure::Dcel;
+use crate::slots::NIL;
 use crate::store::SlotStore;
 use crate::store::slots::{Generations, Live};
-use crate::validate::{BoundaryPlace, BoundaryRow, Expectation, FaceRow, HalfEdgeRow, Part, Start, Table, VertexRow};
+use crate::validate::{
+    BoundaryPlace, BoundaryRow, Expectation, FaceRow, HalfEdgeRow, Part, Parts, Start, Table, VertexRow,
+};
 use alloc::vec;
 use alloc::vec::Vec;
 use serde::de::Error;
@@ -98,8 +101,7 @@ impl<'de> Deserialize<'de> for Dcel {
             let (store, slots) = SlotStore::restored(generations, &live(numbers)).ok_or(ImportError::Inconsistent)?;
             Ok(columns.assembly().link(store, &slots))
         };
-        let expectation = Expectation::plane().without(Part::Prev);
-        let (dcel, _) = import(&table, expectation, Outside::Given, restore).map_err(D::Error::custom)?;
+        let (dcel, _) = import(&table, Expectation::plane(), Outside::Given, restore).map_err(D::Error::custom)?;
         Ok(dcel)
     }
 }
@@ -144,6 +146,7 @@ impl Saved {
         }
         let columns = self.origin.iter().zip(&self.next).zip(&self.boundary);
         let mut table = Table {
+            parts: Parts::ALL.without(Part::Prev),
             vertices: rows(
                 vertices,
                 self.leaving.iter().map(|h| VertexRow { leaving: h.map(|h| h as usize), isolated: None }),

@@ -42,7 +42,7 @@ const DEFINITIONS: &str = "<defs>\
 /// use twinedge::io::svg::{self, Options};
 ///
 /// let mut builder = Builder::new();
-/// builder.shape(&Shape::Polygon(vec![[[0.0, 0.0], [4.0, 0.0], [0.0, 3.0]].map(Into::into).to_vec()]))?;
+/// builder.shape(&Shape::polygon([[0.0, 0.0], [4.0, 0.0], [0.0, 3.0]]))?;
 /// let map = builder.build()?;
 /// let picture = svg::draw(&map, &Options { detail: true, ..Options::default() });
 /// assert!(picture.starts_with("<svg ") && picture.contains(">h5</text>"));

@@ -16,11 +16,9 @@ use crate::geometry::crossing::Clash;
 use crate::geometry::predicates::{compare_angle, compare_lexicographic};
 use crate::geometry::sweep::{Sweep, sweep};
 use crate::geometry::threads;
+use crate::slots::{NIL, Sets, cycles};
 use crate::store::links::{BoundaryStart, VertexLink};
 use core::cmp::Ordering;
-
-/// Not yet known.
-const NIL: u32 = u32::MAX;
 
 /// Fewer darts are not divided among threads.
 const MANY: usize = 1 << 14;
@@ -140,19 +138,7 @@ impl Cycles {
                 clockwise = *dart;
             }
         }
-        let mut of = vec![NIL; count];
-        let mut starts = Vec::new();
-        for start in 0..count {
-            let mut dart = start;
-            if of[dart] != NIL {
-                continue;
-            }
-            while of[dart] == NIL {
-                of[dart] = starts.len() as u32;
-                dart = next[dart] as usize;
-            }
-            starts.push(start as u32);
-        }
+        let (of, starts) = cycles(&next);
         Self { next, of, starts }
     }
 }
@@ -174,25 +160,19 @@ impl Turned {
 
 /// Connected components, by their lexicographically smallest point each, smallest component first.
 fn lowest_points(points: &[Point], segments: &[[u32; 2]]) -> Vec<u32> {
-    // Each set is a tree that hangs from its lowest point.
-    let mut parent: Vec<u32> = (0..points.len() as u32).collect();
-    let root = |parent: &mut Vec<u32>, mut v: u32| {
-        while parent[v as usize] != v {
-            let above = parent[parent[v as usize] as usize];
-            parent[v as usize] = above;
-            v = above;
-        }
-        v
-    };
+    let is_less = |a: u32, b: u32| compare_lexicographic(points[a as usize], points[b as usize]) == Ordering::Less;
+    let mut sets = Sets::new(points.len());
     for [a, b] in segments {
-        let (a, b) = (root(&mut parent, *a), root(&mut parent, *b));
-        if a != b {
-            let less = compare_lexicographic(points[a as usize], points[b as usize]) == Ordering::Less;
-            let (low, high) = if less { (a, b) } else { (b, a) };
-            parent[high as usize] = low;
+        sets.join(*a, *b);
+    }
+    let mut lowest = vec![NIL; points.len()];
+    for v in 0..points.len() as u32 {
+        let low = &mut lowest[sets.find(v) as usize];
+        if *low == NIL || is_less(v, *low) {
+            *low = v;
         }
     }
-    let mut lowest: Vec<u32> = (0..points.len() as u32).filter(|v| parent[*v as usize] == *v).collect();
+    lowest.retain(|v| *v != NIL);
     lowest.sort_unstable_by(|a, b| compare_lexicographic(points[*a as usize], points[*b as usize]));
     lowest
 }

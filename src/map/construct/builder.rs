@@ -29,10 +29,10 @@ use rustc_hash::FxHashMap;
 /// ```
 /// use twinedge::map::{Builder, Shape};
 ///
-/// let square = [[0.0, 0.0], [4.0, 0.0], [4.0, 4.0], [0.0, 4.0], [0.0, 0.0]].map(Into::into).to_vec();
-/// let island = [[1.0, 1.0], [2.0, 1.0], [1.0, 2.0], [1.0, 1.0]].map(Into::into).to_vec();
+/// let square = [[0.0, 0.0], [4.0, 0.0], [4.0, 4.0], [0.0, 4.0], [0.0, 0.0]];
+/// let island = [[1.0, 1.0], [2.0, 1.0], [1.0, 2.0], [1.0, 1.0]];
 /// let mut builder = Builder::new();
-/// builder.shape(&Shape::Polygon(vec![square, island]))?;
+/// builder.shape(&Shape::polygon(square).hole(island))?;
 /// let map = builder.build()?;
 /// assert_eq!((map.dcel().vertex_count(), map.dcel().face_count()), (7, 3));
 /// assert!(map.validate().is_valid());

@@ -20,10 +20,10 @@
 //! use twinedge::geometry::Point;
 //! use twinedge::map::{Builder, Located, Locator, Shape};
 //!
-//! let square = [[0.0, 0.0], [4.0, 0.0], [4.0, 4.0], [0.0, 4.0]].map(Point::from).to_vec();
-//! let lake = [[1.0, 1.0], [2.0, 1.0], [1.0, 2.0]].map(Point::from).to_vec();
+//! let square = [[0.0, 0.0], [4.0, 0.0], [4.0, 4.0], [0.0, 4.0]];
+//! let lake = [[1.0, 1.0], [2.0, 1.0], [1.0, 2.0]];
 //! let mut builder = Builder::new();
-//! let land = builder.shape(&Shape::Polygon(vec![square, lake]))?;
+//! let land = builder.shape(&Shape::polygon(square).hole(lake))?;
 //! let map = builder.build()?;
 //!
 //! let locator = Locator::new(&map)?;

@@ -27,8 +27,8 @@ impl Locator<'_> {
     /// use twinedge::map::{Builder, Locator, ZoneElement, Shape, QueryLine};
     ///
     /// let mut builder = Builder::new();
-    /// let square = [[1.0, 0.0], [5.0, 0.0], [5.0, 4.0], [1.0, 4.0]].map(Point::from).to_vec();
-    /// builder.shape(&Shape::Polygon(vec![square]))?;
+    /// let square = [[1.0, 0.0], [5.0, 0.0], [5.0, 4.0], [1.0, 4.0]];
+    /// builder.shape(&Shape::polygon(square))?;
     /// builder.shape(&Shape::Point(Point::new(3.0, 2.0)))?;
     /// let map = builder.build()?;
     ///

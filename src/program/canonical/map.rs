@@ -1,10 +1,8 @@
 //! A view's half-edges, numbered without gaps, with their cycles and components.
 
+use crate::slots::NIL;
 use crate::validate::View;
 use alloc::vec::Vec;
-
-/// No record, or one not yet met.
-pub(super) const NIL: u32 = u32::MAX;
 
 /// Makes a column of so many equal values. None if there is no memory for it.
 pub(super) fn fill<T: Clone>(column: &mut Vec<T>, len: usize, value: T) -> Option<()> {

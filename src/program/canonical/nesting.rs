@@ -1,7 +1,8 @@
 //! The tree of containment: which components lie in which faces, and the code of it all.
 
-use super::map::{Map, NIL, fill};
+use super::map::{Map, fill};
 use super::rooted::Search;
+use crate::slots::NIL;
 use crate::validate::{Start, View};
 use alloc::vec::Vec;
 use core::ops::Range;

@@ -1,6 +1,7 @@
 //! The least code among roots of one connected map.
 
-use super::map::{Map, NIL};
+use super::map::Map;
+use crate::slots::NIL;
 use alloc::vec::Vec;
 
 /// A search for the root with the least code.

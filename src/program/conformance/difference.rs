@@ -40,8 +40,8 @@ pub enum Answer {
 #[derive(Clone, Debug, PartialEq, Eq, Error)]
 #[non_exhaustive]
 pub enum Difference {
-    /// The structure is empty, and the expectation leaves out a part without which nothing can be added to it.
-    #[error("the structure is empty, and the expectation leaves out {}; begin with one that is not", .0.name())]
+    /// The structure is empty, and does not store a part without which nothing can be added to it.
+    #[error("the structure is empty, and stores no {}; begin with one that is not", .0.name())]
     Lacks(Part),
     /// The structure is one with which programs cannot begin.
     #[error(transparent)]

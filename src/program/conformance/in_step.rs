@@ -12,7 +12,7 @@ use crate::program::pointer_model::PointerModel;
 use crate::program::runner::Runner;
 use crate::program::subject::{Refusal, Subject};
 use crate::validate::adapt::Borders;
-use crate::validate::{Collect, Expectation, Part, View, validate};
+use crate::validate::{Collect, Expectation, Part, Parts, View, validate};
 use alloc::boxed::Box;
 use alloc::vec::Vec;
 
@@ -25,6 +25,8 @@ pub struct InStep<K: Subject> {
     reference: Runner<PointerModel>,
     subject: Runner<K>,
     settings: Conformance,
+    /// The parts that are looked at.
+    parts: Parts,
     canonizer: Canonizer,
     summary: ConformanceSummary,
     steps: usize,
@@ -47,7 +49,8 @@ impl<K: Subject> InStep<K> {
 
     fn begin(subject: K, settings: Conformance) -> Result<Self, Difference> {
         let expectation = &settings.expectation;
-        let lacks = NEEDED.into_iter().find(|part| !expectation.has(*part));
+        let parts = expectation.looks_at(subject.parts());
+        let lacks = NEEDED.into_iter().find(|part| !parts.has(*part));
         let is_empty = !(0..subject.half_edge_slots()).any(|h| subject.is_half_edge(h))
             && !(0..subject.vertex_slots()).any(|v| subject.is_vertex(v));
         if let (true, Some(part)) = (is_empty, lacks) {
@@ -71,6 +74,7 @@ impl<K: Subject> InStep<K> {
             reference: Runner::starting_with(start.model, names, isolated_names),
             subject: Runner::starting_with(subject, handles, isolated),
             settings,
+            parts,
             canonizer: Canonizer::new(),
             summary: ConformanceSummary::default(),
             steps: 0,
@@ -124,13 +128,12 @@ impl<K: Subject> InStep<K> {
     }
 
     fn note_what_is_not_there(&mut self) {
-        let expectation = &self.settings.expectation;
-        let parts = [
+        let not_compared = [
             (Part::Faces, NotCompared::Faces),
             (Part::Holes, NotCompared::Holes),
             (Part::UnboundedFace, NotCompared::Outside),
         ];
-        for (_, not_compared) in parts.into_iter().filter(|(part, _)| !expectation.has(*part)) {
+        for (_, not_compared) in not_compared.into_iter().filter(|(part, _)| !self.parts.has(*part)) {
             self.summary.note(not_compared);
         }
         if !self.settings.stale_handles {
@@ -139,10 +142,9 @@ impl<K: Subject> InStep<K> {
     }
 
     fn compare(&mut self) -> Result<(), Difference> {
-        let expectation = &self.settings.expectation;
-        judge(self.subject.subject(), expectation)?;
-        let has_faces = expectation.has(Part::Faces);
-        if NEEDED.into_iter().all(|part| expectation.has(part)) {
+        judge(self.subject.subject(), &self.settings.expectation)?;
+        let has_faces = self.parts.has(Part::Faces);
+        if NEEDED.into_iter().all(|part| self.parts.has(part)) {
             let code = self.canonizer.subdivision(self.reference.subject());
             if self.canonizer.subdivision(self.subject.subject()) != code {
                 return Err(Difference::NotIsomorphic);

@@ -69,7 +69,7 @@
 //! use twinedge::validate::Expectation;
 //!
 //! let program = Program::from_bytes(b"some bytes that came from a fuzzer");
-//! conformance::run(&program, RotationSystem::new(), &RotationSystem::expectation())?;
+//! conformance::run(&program, RotationSystem::new(), &Expectation::plane())?;
 //!
 //! let summary = conformance::check(Dcel::new, &Expectation::plane())?;
 //! assert!(summary.of("flip_edge").unwrap().applied > 0);

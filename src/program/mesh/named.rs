@@ -51,7 +51,7 @@ const NOWHERE: Place = usize::MAX;
 /// use std::collections::BTreeSet;
 /// use twinedge::program::mesh::Named;
 /// use twinedge::program::{Refusal, conformance};
-/// use twinedge::validate::{Expectation, Part};
+/// use twinedge::validate::{Expectation, Part, Parts};
 /// use twinedge::view_answers;
 ///
 /// /// Triangles: half-edge `3t + i` leads from corner `i` of triangle `t` to the next.
@@ -76,6 +76,7 @@ const NOWHERE: Place = usize::MAX;
 ///
 /// impl twinedge::validate::View for Triangles {
 ///     view_answers! { |m|
+///         parts => Parts::NONE.with(Part::Faces),
 ///         vertex_slots => m.0.iter().flatten().max().map_or(0, |v| v + 1),
 ///         half_edge_slots => 3 * m.0.len(),
 ///         face_slots => m.0.len(),
@@ -89,7 +90,7 @@ const NOWHERE: Place = usize::MAX;
 ///
 /// // Two triangles side by side, and a third.
 /// let mesh = Triangles(vec![[0, 1, 3], [1, 2, 3], [2, 4, 3]]);
-/// let expectation = Expectation::surface().open().without(Part::BoundaryComponents).without(Part::Prev).without(Part::Leaving);
+/// let expectation = Expectation::surface().open();
 /// let make = || Named::new(mesh.clone()).flip_edge(Triangles::flip);
 /// let summary = conformance::check(make, &expectation.simple().triangles())?;
 /// assert!(summary.of("mesh_flip_edge").unwrap().applied > 0);
@@ -234,7 +235,7 @@ impl<M: View> Named<M> {
 }
 
 impl<M: View> View for Named<M> {
-    delegate_view!(|this| &this.mesh; only vertex_slots, is_vertex, isolated, face_slots, is_face, outer, inner_count, inner);
+    delegate_view!(|this| &this.mesh; only parts, vertex_slots, is_vertex, isolated, face_slots, is_face, outer, inner_count, inner);
     delegate_view!(|this| &this.mesh; only boundary_slots, is_boundary, boundary_face, boundary_place);
 
     fn half_edge_slots(&self) -> usize {

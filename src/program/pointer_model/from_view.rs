@@ -2,7 +2,7 @@
 
 use super::operators::{label, label_cycle};
 use super::{Owned, PointerModel, PointerModelHalfEdge, PointerModelVertex, same};
-use crate::validate::{Expectation, Link, Part, Start, View};
+use crate::validate::{Expectation, Link, Part, Parts, Start, View};
 use alloc::collections::BTreeMap;
 use alloc::rc::Rc;
 use alloc::vec::Vec;
@@ -73,11 +73,12 @@ impl PointerModel {
     /// let start = PointerModel::from_view(&table, &Expectation::surface())?;
     /// assert_eq!(start.half_edges.len(), 2);
     /// let report = validate(&start.model, &Expectation::surface(), Collect::All);
-    /// assert_eq!(report.certificate().unwrap().genus, 0);
+    /// assert_eq!(report.figures().unwrap().genus, 0);
     /// # Ok::<(), Box<dyn std::error::Error>>(())
     /// ```
     pub fn from_view<V: View + ?Sized>(view: &V, expectation: &Expectation) -> Result<PointerModelStart, StartError> {
-        let discs = !expectation.has(Part::Holes);
+        let parts = expectation.looks_at(view.parts());
+        let discs = !parts.has(Part::Holes);
         if !discs && expectation.is_open() {
             return Err(StartError::OpenWithHoles);
         }
@@ -88,9 +89,9 @@ impl PointerModel {
         };
         let records = start.join(view)?;
         if discs {
-            start.close(view, &records, expectation.has(Part::Faces));
+            start.close(view, &records, parts.has(Part::Faces));
         } else {
-            start.nest(view, &records, expectation)?;
+            start.nest(view, &records, parts)?;
         }
         start.model.rebuild();
         Ok(start)
@@ -150,14 +151,9 @@ impl PointerModelStart {
     }
 
     /// Makes the faces that the view has, with their boundary components and isolated vertices.
-    fn nest<V: View + ?Sized>(
-        &mut self,
-        view: &V,
-        records: &Records,
-        expectation: &Expectation,
-    ) -> Result<(), StartError> {
+    fn nest<V: View + ?Sized>(&mut self, view: &V, records: &Records, parts: Parts) -> Result<(), StartError> {
         let unbounded = self.model.faces[0].clone();
-        unbounded.borrow_mut().border = !expectation.has(Part::UnboundedFace);
+        unbounded.borrow_mut().border = !parts.has(Part::UnboundedFace);
         // What is in no face lies outside.
         for record in records.values() {
             label(record, &unbounded, false);

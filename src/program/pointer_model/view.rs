@@ -1,7 +1,7 @@
 //! The model as the validator sees it: the index of a record is its place in its list.
 
 use super::{Beginning, Owned, Pointer, PointerModel};
-use crate::validate::{BoundaryPlace, Link, Start, View};
+use crate::validate::{BoundaryPlace, Link, Parts, Start, View};
 use core::cell::Ref;
 
 /// What the record with this index says.
@@ -15,6 +15,9 @@ fn index<T>(link: &Pointer<T>, of: impl FnOnce(Ref<'_, T>) -> usize) -> Link {
 }
 
 impl View for PointerModel {
+    fn parts(&self) -> Parts {
+        Parts::ALL
+    }
     fn vertex_slots(&self) -> usize {
         self.vertices.len()
     }

@@ -4,7 +4,7 @@ mod operators;
 
 use super::subject::{Refusal, Subject};
 use crate::dcel::Corner;
-use crate::validate::{Expectation, Link, Part, Start, View};
+use crate::validate::{Link, Part, Parts, Start, View};
 use alloc::collections::{BTreeMap, BTreeSet};
 use alloc::vec;
 use alloc::vec::Vec;
@@ -65,12 +65,6 @@ impl RotationSystem {
             made_half_edges: 0,
             made_faces: 1,
         }
-    }
-
-    /// What the validator can hold it to.
-    #[must_use]
-    pub const fn expectation() -> Expectation {
-        Expectation::plane().without(Part::BoundaryComponents)
     }
 
     fn half_edge(&self, h: usize) -> Result<HalfEdge, Refusal> {
@@ -287,6 +281,9 @@ impl RotationSystem {
 }
 
 impl View for RotationSystem {
+    fn parts(&self) -> Parts {
+        Parts::ALL.without(Part::BoundaryComponents)
+    }
     fn vertex_slots(&self) -> usize {
         self.made_vertices
     }

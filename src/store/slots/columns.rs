@@ -14,8 +14,6 @@ pub(super) const MOST_EDGES: usize = MOST / 2;
 
 const _: () = assert!(MOST < place::MOST as usize);
 
-pub(super) const NIL: u32 = u32::MAX;
-
 /// Stands for the outer half-edge of a face that was removed.
 pub(super) const VACANT: u32 = u32::MAX - 1;
 

@@ -1,6 +1,7 @@
 //! The lists of the inner boundary components of faces.
 
-use super::columns::{BoundarySlot, NIL, OTHER, put};
+use super::columns::{BoundarySlot, OTHER, put};
+use crate::slots::NIL;
 use alloc::vec::Vec;
 
 /// What stands for no list.

@@ -1,7 +1,8 @@
 //! All records of a structure at once.
 
-use super::columns::{BoundarySlot, FaceSlot, HalfEdgeSlot, NIL, VertexSlot};
+use super::columns::{BoundarySlot, FaceSlot, HalfEdgeSlot, VertexSlot};
 use super::store::SlotStore;
+use crate::slots::NIL;
 use crate::store::links::{Links, Need, RecordKind};
 use crate::store::place::UNLISTED;
 #[cfg(feature = "serde")]

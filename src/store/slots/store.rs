@@ -1,10 +1,11 @@
 //! The store over columns.
 
 use super::columns::{
-    BoundarySlot, FaceSlot, HalfEdgeSlot, MOST, MOST_EDGES, NIL, OTHER, VACANT, VertexSlot, column, put, start_bits,
+    BoundarySlot, FaceSlot, HalfEdgeSlot, MOST, MOST_EDGES, OTHER, VACANT, VertexSlot, column, put, start_bits,
     vertex_link_bits,
 };
 use super::inner::InnerLists;
+use crate::slots::NIL;
 use crate::store::issuer::{Issuer, structure_offset};
 use crate::store::keys::{BoundaryKey, FaceKey, HalfEdgeKey, VertexKey, key, parts};
 use crate::store::links::{BoundaryStart, Links, Need, RecordKind, Store, VertexLink, room};

@@ -1,18 +1,18 @@
 //! Structures whose cycles are linked backwards.
 
 use super::inverse::{entry, inverse};
-use crate::validate::view::{Link, View};
+use crate::validate::structure::{Link, Part, Parts, View};
 use alloc::vec::Vec;
 
 /// A structure whose half-edges keep `prev` and not `next`, with the `next` that follows: the inverse of `prev`.
 ///
 /// Where two half-edges have the same `prev`, another one is no half-edge's `prev`, so it has no next, and R1 is broken.
-/// L2 is broken, too, at the second of the two. (For the reverse, `next` without `prev`, there is no adapter: leave out
-/// [`Part::Prev`](crate::validate::Part::Prev).)
+/// L2 is broken, too, at the second of the two. (The reverse, `next` without `prev`, needs no adapter:
+/// [`parts`](View::parts) leaves out [`Part::Prev`].)
 ///
 /// ```
 /// use twinedge::validate::adapt::Backward;
-/// use twinedge::validate::{Collect, Expectation, Link, Part, Rule, View, validate};
+/// use twinedge::validate::{Collect, Expectation, Link, Part, Parts, Rule, View, validate};
 ///
 /// /// A triangle, both of its sides.
 /// struct Triangle {
@@ -20,6 +20,7 @@ use alloc::vec::Vec;
 /// }
 ///
 /// impl View for Triangle {
+///     fn parts(&self) -> Parts { Parts::NONE.with(Part::Prev) }
 ///     fn vertex_slots(&self) -> usize { 3 }
 ///     fn half_edge_slots(&self) -> usize { 6 }
 ///     fn origin(&self, h: usize) -> Link { Some([0, 1, 1, 2, 2, 0][h]) }
@@ -28,7 +29,7 @@ use alloc::vec::Vec;
 ///     fn prev(&self, h: usize) -> Link { Some(self.prev[h]) }
 /// }
 ///
-/// let expectation = Expectation::plane().without(Part::Faces).without(Part::Leaving);
+/// let expectation = Expectation::plane();
 /// let right = Triangle { prev: [4, 3, 0, 5, 2, 1] };
 /// assert!(validate(&Backward::of(&right).unwrap(), &expectation, Collect::All).is_valid());
 /// let wrong = Triangle { prev: [4, 3, 0, 5, 0, 1] };
@@ -52,7 +53,11 @@ impl<V: View> Backward<V> {
 }
 
 impl<V: View> View for Backward<V> {
-    crate::delegate_view!(|this| &this.view; except next);
+    crate::delegate_view!(|this| &this.view; except parts, next);
+
+    fn parts(&self) -> Parts {
+        self.view.parts().with(Part::Prev)
+    }
 
     fn next(&self, half_edge: usize) -> Link {
         entry(&self.next, half_edge)

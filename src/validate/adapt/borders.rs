@@ -1,7 +1,7 @@
 //! Structures whose half-edges along a border have no `next`.
 
 use super::inverse::{entry, filled, inverse, live, nils};
-use crate::validate::view::{Link, View};
+use crate::validate::structure::{Link, View};
 use alloc::vec::Vec;
 
 /// A structure whose half-edges along a border are there, but have neither face nor `next`, with the `next` that follows.
@@ -23,12 +23,13 @@ use alloc::vec::Vec;
 ///
 /// ```
 /// use twinedge::validate::adapt::Borders;
-/// use twinedge::validate::{Collect, Expectation, Link, Part, View, validate};
+/// use twinedge::validate::{Collect, Expectation, Link, Part, Parts, View, validate};
 ///
 /// /// A triangle with one face: half-edges 0, 2 and 4. Their twins 1, 3 and 5 know their origin, and nothing else.
 /// struct Triangle;
 ///
 /// impl View for Triangle {
+///     fn parts(&self) -> Parts { Parts::NONE.with(Part::Faces) }
 ///     fn vertex_slots(&self) -> usize { 3 }
 ///     fn half_edge_slots(&self) -> usize { 6 }
 ///     fn face_slots(&self) -> usize { 1 }
@@ -39,7 +40,7 @@ use alloc::vec::Vec;
 ///     fn outer_half_edge(&self, _: usize) -> Link { Some(0) }
 /// }
 ///
-/// let mesh = Expectation::surface().without(Part::BoundaryComponents).without(Part::Prev).without(Part::Leaving).open();
+/// let mesh = Expectation::surface().open();
 /// assert!(!validate(&Triangle, &mesh, Collect::All).is_valid());
 /// let closed = Borders::of(&Triangle).unwrap();
 /// assert_eq!([1, 3, 5].map(|h| closed.next(h)), [Some(5), Some(1), Some(3)]);

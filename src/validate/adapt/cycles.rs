@@ -1,8 +1,8 @@
 //! The cycles of a structure, the face that each names, and the component that each belongs to.
 
 use super::inverse::{entry, filled, fits, live, nils};
-use crate::validate::columns::NIL;
-use crate::validate::view::View;
+use crate::slots::{NIL, Sets};
+use crate::validate::structure::View;
 use alloc::vec::Vec;
 
 /// The cycles of `next`, by face and by component.
@@ -11,7 +11,7 @@ pub(super) struct Cycles {
     pub(super) start: Vec<u32>,
     /// Per cycle the face that its first half-edge names, or nil.
     pub(super) face: Vec<u32>,
-    /// Per cycle its component, by the number of one of the cycles of that.
+    /// For each cycle its component. There are no more components than cycles.
     pub(super) component: Vec<u32>,
     /// Per cycle whether one of its half-edges has no twin.
     pub(super) unpaired: Vec<bool>,
@@ -40,21 +40,18 @@ impl Cycles {
             }
         }
         let mut unpaired = filled(start.len(), false)?;
-        let mut component = filled(start.len(), 0)?;
-        component.iter_mut().enumerate().for_each(|(c, parent)| *parent = c as u32);
+        let mut sets = Sets::try_new(start.len())?;
         for (h, cycle) in of.iter().enumerate().filter(|(_, cycle)| **cycle != NIL) {
             match view.twin(h) {
                 None => unpaired[*cycle as usize] = true,
                 Some(t) => {
                     if let Some(other) = entry(&of, t) {
-                        unite(&mut component, *cycle, other as u32);
+                        sets.join(*cycle, other as u32);
                     }
                 }
             }
         }
-        for c in 0..component.len() {
-            component[c] = root(&mut component, c as u32);
-        }
+        let component = sets.numbered()?;
         let by_face = Groups::of(&face, faces)?;
         Some(Self { start, face, component, unpaired, by_face })
     }
@@ -100,20 +97,4 @@ impl Groups {
     pub(super) fn group(&self, label: usize) -> &[u32] {
         &self.members[self.begin[label] as usize..self.begin[label + 1] as usize]
     }
-}
-
-/// The root of a set, halving the path to it.
-fn root(parent: &mut [u32], mut c: u32) -> u32 {
-    while parent[c as usize] != c {
-        let above = parent[parent[c as usize] as usize];
-        parent[c as usize] = above;
-        c = above;
-    }
-    c
-}
-
-/// Makes one set of two. The lower root stays, so the order of the half-edges alone decides.
-fn unite(parent: &mut [u32], a: u32, b: u32) {
-    let (a, b) = (root(parent, a), root(parent, b));
-    parent[a.max(b) as usize] = a.min(b);
 }

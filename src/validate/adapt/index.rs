@@ -1,7 +1,7 @@
 //! Dense indices for records that have names of their own.
 
-use crate::validate::record::Record;
-use crate::validate::view::Link;
+use crate::validate::report::Record;
+use crate::validate::structure::Link;
 use alloc::vec::Vec;
 
 /// Dense indices for the ids of one kind of record: keys, handles, pointers, names, whatever can be ordered.
@@ -14,7 +14,7 @@ use alloc::vec::Vec;
 ///
 /// ```
 /// use twinedge::validate::adapt::Index;
-/// use twinedge::validate::{Collect, Expectation, Link, Part, Record, View, validate};
+/// use twinedge::validate::{Collect, Expectation, Link, Parts, Record, View, validate};
 /// use std::collections::HashMap;
 ///
 /// /// Half-edges by name: each has an origin, a twin and a next.
@@ -25,6 +25,7 @@ use alloc::vec::Vec;
 /// }
 ///
 /// impl View for Named {
+///     fn parts(&self) -> Parts { Parts::NONE }
 ///     fn vertex_slots(&self) -> usize { self.vertices.len() }
 ///     fn half_edge_slots(&self) -> usize { self.half_edges.len() }
 ///     fn origin(&self, h: usize) -> Link { self.half_edges.follow(h, &self.vertices, |h| Some(self.links[h].0)) }
@@ -36,8 +37,7 @@ use alloc::vec::Vec;
 /// let links = HashMap::from([("ab", ('a', "ba", "ba")), ("ba", ('b', "ab", "ba"))]);
 /// let (vertices, half_edges) = (Index::of(['a', 'b']), Index::of(["ab", "ba"]));
 /// let edge = Named { links, vertices, half_edges };
-/// let expectation = Expectation::plane().without(Part::Faces).without(Part::Prev).without(Part::Leaving);
-/// let report = validate(&edge, &expectation, Collect::All);
+/// let report = validate(&edge, &Expectation::plane(), Collect::All);
 /// let names = |record| match record {
 ///     Record::Vertex(v) => edge.vertices.name(v),
 ///     Record::HalfEdge(h) => edge.half_edges.name(h),

@@ -1,7 +1,7 @@
 //! The inverse of a link between half-edges.
 
 use crate::validate::columns::{NIL, column};
-use crate::validate::view::{Link, View};
+use crate::validate::structure::{Link, View};
 use alloc::vec::Vec;
 
 /// Per half-edge the first one whose link leads to it, or [`NIL`]. None if there are too many half-edges for a column of

@@ -4,14 +4,14 @@ use super::cycles::Cycles;
 use super::inverse::{entry, filled, fits, live, nils};
 use super::nesting::outer_cycles;
 use crate::validate::columns::NIL;
-use crate::validate::view::{Link, Start, View};
+use crate::validate::structure::{Link, Part, Parts, Start, View};
 use alloc::vec::Vec;
 
 /// A structure whose half-edges name their [face](View::face) and whose faces keep nothing, with the lists of the faces that
 /// follow: [`outer_half_edge`](View::outer_half_edge) and [`inner_start`](View::inner_start).
 ///
 /// For a structure in which each face has one cycle, as in a mesh, it is [`one_cycle`](Self::one_cycle); for faces with
-/// holes, [`with_holes`](Self::with_holes).
+/// holes, [`with_holes`](Self::with_holes). [`parts`](View::parts) answers what follows, too: the structure need not say that it has faces.
 ///
 /// Since the lists follow from the labels, B1 and F2 cannot find a list that contradicts them. What the labels alone
 /// can break is found: a label that changes along a cycle (B1), a face that no half-edge names (F1), a face that two
@@ -19,7 +19,7 @@ use alloc::vec::Vec;
 ///
 /// ```
 /// use twinedge::validate::adapt::FaceLabels;
-/// use twinedge::validate::{Collect, Expectation, Link, Part, Rule, View, validate};
+/// use twinedge::validate::{Collect, Expectation, Link, Parts, Rule, View, validate};
 ///
 /// /// Two triangles back to back, a sphere. Faces are numbers that half-edges keep.
 /// struct Pillow {
@@ -27,6 +27,7 @@ use alloc::vec::Vec;
 /// }
 ///
 /// impl View for Pillow {
+///     fn parts(&self) -> Parts { Parts::NONE }
 ///     fn vertex_slots(&self) -> usize { 3 }
 ///     fn half_edge_slots(&self) -> usize { 6 }
 ///     fn face_slots(&self) -> usize { 2 }
@@ -36,7 +37,7 @@ use alloc::vec::Vec;
 ///     fn face(&self, h: usize) -> Link { Some(self.face[h]) }
 /// }
 ///
-/// let mesh = Expectation::surface().without(Part::BoundaryComponents).without(Part::Prev).without(Part::Leaving);
+/// let mesh = Expectation::surface();
 /// let right = Pillow { face: [0, 1, 0, 1, 0, 1] };
 /// assert!(validate(&FaceLabels::one_cycle(&right).unwrap(), &mesh, Collect::All).is_valid());
 /// let wrong = Pillow { face: [0, 1, 0, 1, 1, 1] };
@@ -46,6 +47,8 @@ use alloc::vec::Vec;
 #[derive(Clone, Debug)]
 pub struct FaceLabels<V> {
     view: V,
+    /// Those of the structure, and those that follow.
+    parts: Parts,
     /// Per face a half-edge of its outer cycle.
     outer: Vec<u32>,
     /// Half-edges of the inner cycles, face by face; where those of each face begin.
@@ -67,7 +70,8 @@ impl<V: View> FaceLabels<V> {
                 *entry = h as u32;
             }
         }
-        Some(Self { view, outer, inner: Vec::new(), begin: Vec::new() })
+        let parts = view.parts().without(Part::Faces).with(Part::Faces);
+        Some(Self { view, parts, outer, inner: Vec::new(), begin: Vec::new() })
     }
 
     /// Wraps a structure whose faces may have holes: which cycle of a face is its outer one, and which are holes, follows
@@ -86,16 +90,15 @@ impl<V: View> FaceLabels<V> {
     ///
     /// ```
     /// use twinedge::validate::adapt::FaceLabels;
-    /// use twinedge::validate::{Collect, Expectation, Part, Start, Table, View, validate};
+    /// use twinedge::validate::{Collect, Expectation, Start, Table, View, validate};
     /// // Two loops, of which the second (half-edges 2 and 3) lies inside the first, and its inside is face 2.
     /// // Section HF gives the face of each half-edge; the faces (FH) keep nothing.
-    /// let loops: Table = "V 2 - - - - H 4 0 1 0 0 - 0 0 1 1 - 1 3 2 2 - 1 2 3 3 - \
+    /// let loops: Table = "P 1 prev V 2 - - - - H 4 0 1 0 0 - 0 0 1 1 - 1 3 2 2 - 1 2 3 3 - \
     ///     B 0 F 3 - 0 - 0 - 0 HF 4 1 0 2 1 FH 3 - 0 - 0 - 0".parse()?;
     /// let view = FaceLabels::with_holes(&loops, Some(0)).unwrap();
     /// assert_eq!([0, 1, 2].map(|f| view.outer_half_edge(f)), [None, Some(0), Some(2)]);
     /// assert_eq!(view.inner_start(1, 0), Some(Start::HalfEdge(3)));
-    /// let textbook = Expectation::plane().without(Part::BoundaryComponents).without(Part::Leaving);
-    /// assert!(validate(&view, &textbook, Collect::All).is_valid());
+    /// assert!(validate(&view, &Expectation::plane(), Collect::All).is_valid());
     /// # Ok::<(), twinedge::validate::ParseTableError>(())
     /// ```
     #[must_use]
@@ -117,7 +120,9 @@ impl<V: View> FaceLabels<V> {
             }
             begin[f + 1] = inner.len() as u32;
         }
-        Some(Self { view, outer, inner, begin })
+        let last = if unbounded.is_some() { Part::UnboundedFace } else { Part::Holes };
+        let parts = view.parts().without(Part::Faces).with(last);
+        Some(Self { view, parts, outer, inner, begin })
     }
 
     /// The inner cycles of a face.
@@ -131,7 +136,11 @@ impl<V: View> FaceLabels<V> {
 }
 
 impl<V: View> View for FaceLabels<V> {
-    crate::delegate_view!(|this| &this.view; except outer_half_edge, inner_count, inner_start);
+    crate::delegate_view!(|this| &this.view; except parts, outer_half_edge, inner_count, inner_start);
+
+    fn parts(&self) -> Parts {
+        self.parts
+    }
 
     fn outer_half_edge(&self, face: usize) -> Link {
         entry(&self.outer, face)

@@ -7,18 +7,18 @@
 //! | --- | --- |
 //! | half-edges with origin, twin and next | nothing: implement [`View`](super::View) |
 //! | `prev` and not `next` | [`Backward`] |
-//! | `next` and not `prev` | leave out [`Part::Prev`](super::Part::Prev) |
+//! | `next` and not `prev` | nothing: [`parts`](super::View::parts) leaves out [`Part::Prev`](super::Part::Prev) |
 //! | half-edges along a border, without `next` and face | [`Borders`], and [`open`](super::Expectation::open) |
 //! | half-edges along a border, with `next`, without face | [`open`](super::Expectation::open) |
 //! | no half-edge on the far side of a border edge | answer `twin` with nil, and [`open`](super::Expectation::open) |
-//! | the target of each half-edge | implement [`target`](super::View::target), and [`Targets`] |
+//! | the target of each half-edge | [`Targets`] |
 //! | the same, in a structure that changes | answer `origin(h)` with `target(prev(h))`, if it has `prev` or its faces are triangles; if every half-edge has a twin, with `target(twin(h))` |
 //! | a half-edge that arrives at each vertex | answer `leaving` with its twin; if that is nil, with its next |
-//! | no half-edge at the vertices | leave out [`Part::Leaving`](super::Part::Leaving) |
+//! | no half-edge at the vertices | leave [`Part::Leaving`](super::Part::Leaving) out of the parts |
 //! | the face of each half-edge, nothing in the faces | [`FaceLabels`] |
-//! | one half-edge in each face | answer `outer_half_edge`, and leave out [`Part::BoundaryComponents`](super::Part::BoundaryComponents) and [`Part::Holes`](super::Part::Holes), which [`Expectation::surface`](super::Expectation::surface) lacks already |
-//! | outer half-edge and holes in each face | answer `outer_half_edge`, `inner_count`, `inner_start`, and leave out [`Part::BoundaryComponents`](super::Part::BoundaryComponents) |
-//! | no faces | leave out [`Part::Faces`](super::Part::Faces) |
+//! | one half-edge in each face | answer `outer_half_edge`; of the parts about faces, [`Part::Faces`](super::Part::Faces) alone |
+//! | outer half-edge and holes in each face | answer `outer_half_edge`, `inner_count`, `inner_start`; leave [`Part::BoundaryComponents`](super::Part::BoundaryComponents) out of the parts |
+//! | no faces | leave [`Part::Faces`](super::Part::Faces) out of the parts |
 //! | keys, handles or pointers instead of indices | [`Index`], one for each kind, or [`Ids`]; [`Report::named`](super::Report::named) prints reports with them |
 //! | half-edges that operators move to other indices | nothing to validate it; to test its operators, `program::mesh::Named` (feature `program`) |
 //! | vacant slots | answer `is_vertex`, `is_half_edge`, `is_face` |

@@ -6,7 +6,7 @@
 use super::cycles::{Cycles, Groups};
 use super::inverse::{filled, nils};
 use crate::validate::columns::NIL;
-use crate::validate::view::Link;
+use crate::validate::structure::Link;
 use alloc::vec::Vec;
 
 /// The search through faces and components.

@@ -1,10 +1,11 @@
 //! Structures whose half-edges keep their target.
 
 use super::inverse::{entry, filled, inverse, live, nils};
-use crate::validate::view::{Link, View};
+use crate::validate::structure::{Link, View};
 use alloc::vec::Vec;
+use core::fmt;
 
-/// A structure whose half-edges keep their [target](View::target), with the origins that follow.
+/// A structure whose half-edges keep their target, with the origins that follow.
 ///
 /// The origin of a half-edge is the target of its twin: `origin(h) = target(twin(h))`. Then L3, which compares
 /// `origin(next(h))` with `origin(twin(h))`, compares
@@ -27,7 +28,7 @@ use alloc::vec::Vec;
 ///
 /// ```
 /// use twinedge::validate::adapt::Targets;
-/// use twinedge::validate::{Collect, Expectation, Link, Part, Rule, View, validate};
+/// use twinedge::validate::{Collect, Expectation, Link, Parts, Rule, View, validate};
 ///
 /// /// A triangle, both of its sides. Half-edges `h` and `h ^ 1` are twins.
 /// struct Triangle {
@@ -35,33 +36,42 @@ use alloc::vec::Vec;
 /// }
 ///
 /// impl View for Triangle {
+///     fn parts(&self) -> Parts { Parts::NONE }
 ///     fn vertex_slots(&self) -> usize { 3 }
 ///     fn half_edge_slots(&self) -> usize { 6 }
 ///     fn origin(&self, _: usize) -> Link { None }
-///     fn target(&self, h: usize) -> Link { Some(self.target[h]) }
 ///     fn twin(&self, h: usize) -> Link { Some(h ^ 1) }
 ///     fn next(&self, h: usize) -> Link { Some([2, 5, 4, 1, 0, 3][h]) }
 /// }
 ///
-/// let expectation = Expectation::plane().without(Part::Faces).without(Part::Prev).without(Part::Leaving);
-/// let right = Triangle { target: [1, 0, 2, 1, 0, 2] };
-/// assert!(validate(&Targets::of(&right).unwrap(), &expectation, Collect::All).is_valid());
-/// let wrong = Triangle { target: [1, 0, 2, 2, 0, 2] };
-/// let report = validate(&Targets::of(&wrong).unwrap(), &expectation, Collect::All);
+/// let judge = |triangle: &Triangle| {
+///     let view = Targets::of(triangle, |h| Some(triangle.target[h])).unwrap();
+///     validate(&view, &Expectation::plane(), Collect::All)
+/// };
+/// assert!(judge(&Triangle { target: [1, 0, 2, 1, 0, 2] }).is_valid());
+/// let report = judge(&Triangle { target: [1, 0, 2, 2, 0, 2] });
 /// assert_eq!(report.broken_rules().collect::<Vec<_>>(), [Rule::L3]);
 /// ```
-#[derive(Clone, Debug)]
-pub struct Targets<V> {
+#[derive(Clone)]
+pub struct Targets<V, F> {
     view: V,
+    target: F,
     /// Per half-edge the one whose target is its origin.
     from: Vec<u32>,
 }
 
-impl<V: View> Targets<V> {
-    /// Wraps the structure. O(n) time; 4 bytes per half-edge, and 5 more meanwhile. `None` if there is no memory for that,
+/// Without the function that gives the targets.
+impl<V: fmt::Debug, F> fmt::Debug for Targets<V, F> {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        f.debug_struct("Targets").field("view", &self.view).field("from", &self.from).finish_non_exhaustive()
+    }
+}
+
+impl<V: View, F: Fn(usize) -> Link> Targets<V, F> {
+    /// Wraps the structure; `target` gives the target of a half-edge. `origin` of the structure is not asked. O(n) time; 4 bytes per half-edge, and 5 more meanwhile. `None` if there is no memory for that,
     /// or the structure claims more than `u32::MAX - 1` half-edges.
     #[must_use]
-    pub fn of(view: V) -> Option<Self> {
+    pub fn of(view: V, target: F) -> Option<Self> {
         let before = inverse(&view, V::next)?;
         let slots = before.len();
         let (mut from, mut passed) = (nils(slots)?, filled(slots, false)?);
@@ -72,7 +82,7 @@ impl<V: View> Targets<V> {
             };
             from[h] = found.map_or(before[h], |found| found as u32);
         }
-        Some(Self { view, from })
+        Some(Self { view, target, from })
     }
 
     /// The half-edge whose target is the origin of this one; `None` if there is none, or no such half-edge. O(1).
@@ -99,10 +109,10 @@ fn around<V: View>(view: &V, before: &[u32], start: usize, passed: &mut [bool]) 
     }
 }
 
-impl<V: View> View for Targets<V> {
+impl<V: View, F: Fn(usize) -> Link> View for Targets<V, F> {
     crate::delegate_view!(|this| &this.view; except origin);
 
     fn origin(&self, half_edge: usize) -> Link {
-        self.view.target(self.origin_from(half_edge)?)
+        (self.target)(self.origin_from(half_edge)?)
     }
 }

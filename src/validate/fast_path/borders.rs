@@ -1,9 +1,9 @@
 //! The border loops that missing twins would make.
 
-use super::extent::Extent;
 use super::links::Links;
 use crate::validate::columns::NIL;
-use crate::validate::view::View;
+use crate::validate::structure::View;
+use crate::validate::subject::Extent;
 use alloc::vec::Vec;
 
 /// A vertex of each border loop. Where the walks across the vertices have found one half-edge without twin that ends at a vertex

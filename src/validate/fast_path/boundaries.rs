@@ -1,11 +1,10 @@
 //! The lists of the faces, and the cycles: B1, F1, F2 and the faces' half of B2.
 
 use super::cycles::{Cycles, along};
-use super::extent::Extent;
 use super::links::Links;
 use super::marks::Marks;
-use crate::validate::expectation::Part;
-use crate::validate::view::{BoundaryPlace, Start, View};
+use crate::validate::structure::{BoundaryPlace, Part, Start, View};
+use crate::validate::subject::Extent;
 use alloc::vec::Vec;
 use core::ops::Range;
 

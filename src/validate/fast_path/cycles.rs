@@ -1,10 +1,9 @@
 //! The cycles of `next`, counted half-edge by half-edge.
 
-use super::extent::Extent;
 use super::links::Links;
 use super::marks::Marks;
-use crate::validate::expectation::Part;
-use crate::validate::view::View;
+use crate::validate::structure::{Part, View};
+use crate::validate::subject::Extent;
 use alloc::vec::Vec;
 
 /// The cycles of `next`.

@@ -1,19 +1,18 @@
 //! The half-edges that are in doubt, where something is wrong.
 
-use super::extent::Extent;
 use super::links::{Links, MOST_DOUBTS};
 use super::marks::Marks;
-use crate::validate::expectation::Part;
-use crate::validate::view::View;
+use crate::validate::structure::{Part, View};
+use crate::validate::subject::Extent;
 use alloc::vec::Vec;
 
 /// The half-edges that are in doubt: all others keep their rules.
-pub(in crate::validate) struct Doubts {
+pub(crate) struct Doubts {
     /// In order of their numbers. All of them are live.
-    pub(in crate::validate) half_edges: Vec<u32>,
+    pub(crate) half_edges: Vec<u32>,
     /// How many half-edges are live, and how many of these have no twin.
-    pub(in crate::validate) live: usize,
-    pub(in crate::validate) unpaired: usize,
+    pub(crate) live: usize,
+    pub(crate) unpaired: usize,
 }
 
 /// What has been settled of all half-edges.

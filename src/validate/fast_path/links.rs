@@ -1,9 +1,8 @@
 //! The scan over the half-edges: L1 and L3, R1 of `twin` and `next`, and L2 where there is `prev`.
 
-use super::extent::{Extent, Slots};
 use crate::validate::columns::NIL;
-use crate::validate::expectation::Part;
-use crate::validate::view::{Link, View};
+use crate::validate::structure::{Link, Part, View};
+use crate::validate::subject::{Extent, Slots};
 use alloc::vec::Vec;
 use core::ops::Range;
 

@@ -1,6 +1,6 @@
 //! A set of slots.
 
-use super::extent::Slots;
+use crate::validate::subject::Slots;
 use alloc::vec::Vec;
 
 /// A set of slots, one bit each.

@@ -1,7 +1,7 @@
 //! The common case first: a scan by index and walks around the vertices that settle R1 … T3 at once.
 //!
 //! Most structures that are validated are valid, and most of the others are wrong at few places. So the fast path reads every
-//! link once or twice, counts, and notes what it has settled ([`known`]). Then the rules are run in order, each by the file
+//! link once or twice, counts, and gives what it has settled as [`Facts`]. Then the rules are run in order, each by the file
 //! that is named after it: what is settled they enter, and look only at the rest. The report is the same as that of
 //! [`rule_by_rule`](super::reference::rule_by_rule). The fast path takes every expectation.
 //!
@@ -76,95 +76,71 @@ mod boundaries;
 mod components;
 mod cycles;
 mod doubts;
-mod extent;
-pub(super) mod known;
+mod facts;
 mod links;
 mod marks;
 #[cfg(feature = "rayon")]
-pub(super) mod parallel;
+mod parallel;
 mod rotations;
 mod vertices;
 
+pub(crate) use facts::{Facts, Rotations, Whole};
+#[cfg(feature = "rayon")]
+pub(crate) use parallel::settle_in_parts;
+
 use super::columns::{Component, Components, NIL};
-use super::expectation::{Part, Surface};
-use super::run::Run;
-use super::view::View;
+use super::structure::{Part, View};
+use super::subject::{Extent, Subject};
 use alloc::vec::Vec;
 use boundaries::Boundaries;
 use components::Joined;
 use cycles::Cycles;
 use doubts::Settled;
-use extent::{Extent, Slots};
-use known::{Known, Lists, Turned, Vertices, Whole};
+use facts::{ListFigures, VertexFigures};
 use links::Links;
-use rotations::{Counted, Rotations};
+use rotations::{Around, Counted};
 
-/// Finds out what holds of R1 … T3, part by part.
+/// Settles as much of R1 … T3 as can be.
 ///
-/// What is noted as known holds whatever else is broken.
-pub(super) fn look<V: View + ?Sized>(run: &mut Run<'_, V>) {
-    let (view, extent) = (run.view, extent_of(run));
-    let Some(mut links) = links::scan(view, extent) else { return };
-    let around = turn(run, extent, &mut links);
+/// Where only the first violation is wanted, nothing is looked at that comes after a broken rule.
+pub(crate) fn settle<V: View + ?Sized>(subject: Subject<'_, V>, first_only: bool) -> Facts {
+    let Subject { view, extent } = subject;
+    let Some(mut links) = links::scan(view, extent) else { return Facts::default() };
+    let (vertices, around) = turn(view, extent, &mut links);
     // Where the links or the rotations are wrong the lists stand on their own, but their rules come after one that is broken.
-    let is_wanted = around.is_some() || !run.findings.wants_first_only();
+    let is_wanted = around.is_some() || !first_only;
     let lists = if extent.has(Part::Faces) && is_wanted { boundaries::read(view, extent, &links) } else { None };
     let settled = Settled { origins: around.is_some(), names: lists.is_some() && links.next_holds };
-    let Some(doubts) = doubts::find(view, extent, &links, settled) else {
-        run.known = Known::default();
-        return;
+    let Some(doubts) = doubts::find(view, extent, &links, settled) else { return Facts::default() };
+    let isolated_hold = around.as_ref().zip(lists.as_ref()).is_some_and(|(around, lists)| agree(extent, around, lists));
+    let figures = lists.as_ref().map(|lists| ListFigures::of(lists, links.next_holds, isolated_hold));
+    let rotations = match around {
+        None => Rotations::Unknown,
+        Some(around) => {
+            let is_wanted = lists.is_some() || !extent.has(Part::Faces) || !first_only;
+            let whole = if is_wanted { whole(view, extent, links, around, lists) } else { None };
+            whole.map_or(Rotations::Hold, Rotations::Whole)
+        }
     };
-    run.known.half_edges = Some(doubts);
-    run.known.lists = lists.as_ref().map(|lists| Lists::of(lists, links.next_holds));
-    let Some(around) = around else { return };
-    let turned = Turned { links, around };
-    match lists {
-        Some(lists) => listed(run, extent, turned, &lists),
-        None => run.known.turned = Some(turned),
-    }
-    if !extent.has(Part::Faces) {
-        whole(run);
-    }
+    Facts { half_edges: Some(doubts), vertices, lists: figures, rotations }
 }
 
-/// Walks around the vertices, where the links are right, and notes what holds of these.
-fn turn<V: View + ?Sized>(run: &mut Run<'_, V>, extent: Extent, links: &mut Links) -> Option<Rotations> {
+/// Walks around the vertices, where the links are right, and gives what holds of these.
+fn turn<V: View + ?Sized>(view: &V, extent: Extent, links: &mut Links) -> (Option<VertexFigures>, Option<Around>) {
     if !links.are_right() {
-        run.known.vertices = vertices::by_index(run.view, extent, links);
-        return None;
+        return (vertices::by_index(view, extent, links), None);
     }
-    if let Some(around) = rotations::walk(run.view, extent, links) {
-        run.known.vertices = Vertices::of(around.counted);
-        return Some(around);
+    if let Some(around) = rotations::walk(view, extent, links) {
+        return (VertexFigures::of(around.counted), Some(around));
     }
     // What a vertex keeps may be all that is wrong.
-    links.note_leaving(run.view, extent)?;
-    rotations::walk(run.view, extent, links)
-}
-
-const fn extent_of<V: ?Sized>(run: &Run<'_, V>) -> Extent {
-    Extent {
-        vertices: Slots(run.vertices),
-        half_edges: Slots(run.half_edges),
-        boundaries: Slots(run.boundaries),
-        faces: Slots(run.faces),
-        expect: run.expect,
-    }
-}
-
-/// Where the lists are right, too: what follows of the whole.
-fn listed<V: View + ?Sized>(run: &mut Run<'_, V>, extent: Extent, turned: Turned, lists: &Boundaries) {
-    run.known.isolated = agree(extent, &turned.around, lists);
-    let Some(mut whole) = join(run.view, extent, turned, &lists.cycles) else { return };
-    if extent.expect.surface_kind() == Surface::Plane && extent.has(Part::Holes) {
-        run.known.outsides = outsides(&mut whole.components, lists, extent.has(Part::UnboundedFace)).is_some();
-    }
-    run.known.whole = Some(whole);
+    let around = links.note_leaving(view, extent).and_then(|()| rotations::walk(view, extent, links));
+    (None, around)
 }
 
 /// The rest of B2: as many isolated vertices name a boundary component as are listed. By record each names what starts at it;
 /// otherwise those listed are marked, so it suffices to count.
-fn agree(extent: Extent, around: &Rotations, lists: &Boundaries) -> bool {
+fn agree(extent: Extent, around: &Around, lists: &Boundaries) -> bool {
     if extent.has(Part::BoundaryComponents) {
         around.counted.claimed == Some(lists.at_vertex)
     } else {
@@ -172,18 +148,34 @@ fn agree(extent: Extent, around: &Rotations, lists: &Boundaries) -> bool {
     }
 }
 
-/// Where the rotations are right, and the lists may be wrong: finds the components and the genus from the cycles.
-pub(super) fn whole<V: View + ?Sized>(run: &mut Run<'_, V>) {
-    let Some(mut turned) = run.known.turned.take() else { return };
-    let extent = extent_of(run);
-    let cycles = turned.around.cycles.take().or_else(|| cycles::count(run.view, extent, &turned.links));
-    let Some(cycles) = cycles else { return };
-    run.known.whole = join(run.view, extent, turned, &cycles);
+/// What follows of the whole where the rotations are right: nothing if T3 is broken. The cycles are those of the lists, or where there are
+/// none, or they are wrong, those of `next`.
+fn whole<V: View + ?Sized>(
+    view: &V,
+    extent: Extent,
+    links: Links,
+    mut around: Around,
+    lists: Option<Boundaries>,
+) -> Option<Whole> {
+    let Some(lists) = lists else {
+        let cycles = around.cycles.take().or_else(|| cycles::count(view, extent, &links))?;
+        return join(view, extent, links, around, &cycles);
+    };
+    let mut whole = join(view, extent, links, around, &lists.cycles)?;
+    if extent.is_plane() && extent.has(Part::Holes) {
+        whole.lies_in = outsides(&whole.components, &lists, extent.has(Part::UnboundedFace));
+    }
+    Some(whole)
 }
 
 /// The components and the genus; nothing if T3 is broken.
-fn join<V: View + ?Sized>(view: &V, extent: Extent, turned: Turned, cycles: &Cycles) -> Option<Whole> {
-    let Turned { mut links, around } = turned;
+fn join<V: View + ?Sized>(
+    view: &V,
+    extent: Extent,
+    mut links: Links,
+    around: Around,
+    cycles: &Cycles,
+) -> Option<Whole> {
     let Counted { vertices, isolated, simple, .. } = around.counted;
     let loops = borders::loops(view, extent, &mut links)?;
     let (half_edges, unpaired) = (links.half_edges, links.unpaired);
@@ -195,7 +187,7 @@ fn join<V: View + ?Sized>(view: &V, extent: Extent, turned: Turned, cycles: &Cyc
     let least = twice / 2;
     let Joined { of, first } = components::join(view, extent, around, least.max(1))?;
     let genus = first.len().checked_sub(least)?;
-    if twice % 2 != 0 || extent.expect.surface_kind() == Surface::Plane && genus > 0 {
+    if twice % 2 != 0 || extent.is_plane() && genus > 0 {
         return None;
     }
     let mut all = Vec::new();
@@ -205,24 +197,21 @@ fn join<V: View + ?Sized>(view: &V, extent: Extent, turned: Turned, cycles: &Cyc
         all.get_mut(*of.get(*v as usize)? as usize)?.open = true;
     }
     let components = Components { of, all, simple };
-    Some(Whole { components, genus, cycles: cycles.named, borders })
+    Some(Whole { components, lies_in: None, genus, cycles: cycles.named, borders })
 }
 
-/// T1: notes in which face each component lies.
-fn outsides(components: &mut Components, lists: &Boundaries, every: bool) -> Option<()> {
+/// T1: for each component the face in which it lies. None if a component has two outsides, or `every` one needs one and some has none.
+fn outsides(components: &Components, lists: &Boundaries, every: bool) -> Option<Vec<u32>> {
     let Components { of, all, .. } = components;
-    let mut twice = false;
+    let mut lies_in = Vec::new();
+    lies_in.try_reserve_exact(all.len()).ok()?;
+    lies_in.resize(all.len(), NIL);
     for entry in &lists.inner {
-        let component = all.get_mut(*of.get(entry.vertex as usize)? as usize)?;
-        twice |= component.lies_in != NIL;
-        component.lies_in = entry.face;
-    }
-    let none = every && all.iter().any(|component| component.lies_in == NIL && !component.open);
-    if twice || none {
-        // T1 begins anew.
-        for component in all {
-            component.lies_in = NIL;
+        let face = lies_in.get_mut(*of.get(entry.vertex as usize)? as usize)?;
+        if core::mem::replace(face, entry.face) != NIL {
+            return None;
         }
     }
-    (!twice && !none).then_some(())
+    let lacks_one = |(component, face): (&Component, &u32)| *face == NIL && !component.open;
+    (!(every && all.iter().zip(&lies_in).any(lacks_one))).then_some(lies_in)
 }

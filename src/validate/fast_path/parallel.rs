@@ -1,7 +1,7 @@
 //! The fast path on several threads: the scan and the walks in parts, one for each thread.
 //!
-//! It settles everything or nothing: where all that it asks is right, it notes what [`look`](super::look) would note, and
-//! otherwise the caller looks again, on one thread. It takes closed structures with records of boundary components and their
+//! It settles everything or nothing: where all that it asks is right, it gives what [`settle`](super::settle) would give, and
+//! otherwise the caller settles on one thread. It takes closed structures with records of boundary components and their
 //! places, and vertices that keep a half-edge: then no part has to know what another one has visited.
 //!
 //! # Why the parts suffice
@@ -14,34 +14,30 @@
 use super::boundaries::{Boundaries, Lists};
 use super::cycles::Listed;
 use super::doubts::{self, Settled};
-use super::extent::{Extent, Slots};
-use super::known::{self, Turned, Vertices};
+use super::facts::{Facts, ListFigures, Rotations, VertexFigures};
 use super::links::{self, Links};
-use super::rotations::{Counted, Rotations, walk_from};
-use super::{extent_of, listed};
-use crate::validate::expectation::Part;
-use crate::validate::run::Run;
-use crate::validate::view::View;
+use super::rotations::{Around, Counted, walk_from};
+use super::{agree, whole};
+use crate::validate::structure::{Part, View};
+use crate::validate::subject::{Extent, Slots, Subject};
 use alloc::vec::Vec;
 use core::ops::Range;
 use rayon::prelude::*;
 
-/// Finds out that R1 … B1, F1 and F2 hold, and notes that and what follows of the whole. False if they do not, or if this
-/// cannot be found out in parts; then nothing is noted.
-pub(in crate::validate) fn look<V: View + Sync + ?Sized>(run: &mut Run<'_, V>) -> bool {
-    let extent = extent_of(run);
-    let Some((links, around, lists)) = all(run.view, extent) else { return false };
-    let settled = Settled { origins: true, names: true };
-    let Some(doubts) = doubts::find(run.view, extent, &links, settled) else { return false };
-    run.known.vertices = Vertices::of(around.counted);
-    run.known.half_edges = Some(doubts);
-    run.known.lists = Some(known::Lists::of(&lists, true));
-    listed(run, extent, Turned { links, around }, &lists);
-    true
+/// The facts, where R1 … B1, F1 and F2 hold. None if they do not, or if this cannot be found out in parts.
+pub(crate) fn settle_in_parts<V: View + Sync + ?Sized>(subject: Subject<'_, V>) -> Option<Facts> {
+    let Subject { view, extent } = subject;
+    let (links, around, lists) = all(view, extent)?;
+    let doubts = doubts::find(view, extent, &links, Settled { origins: true, names: true })?;
+    let figures = ListFigures::of(&lists, true, agree(extent, &around, &lists));
+    let vertices = VertexFigures::of(around.counted);
+    let whole = whole(view, extent, links, around, Some(lists));
+    let rotations = whole.map_or(Rotations::Hold, Rotations::Whole);
+    Some(Facts { half_edges: Some(doubts), vertices, lists: Some(figures), rotations })
 }
 
 /// What the scan and the walks find, where nothing is wrong.
-fn all<V: View + Sync + ?Sized>(view: &V, extent: Extent) -> Option<(Links, Rotations, Boundaries)> {
+fn all<V: View + Sync + ?Sized>(view: &V, extent: Extent) -> Option<(Links, Around, Boundaries)> {
     let needed = [Part::Leaving, Part::Faces, Part::BoundaryComponents, Part::Places, Part::Holes];
     if extent.expect.is_open() || !needed.into_iter().all(|part| extent.has(part)) {
         return None;
@@ -65,7 +61,7 @@ fn part_length(slots: Slots) -> usize {
 }
 
 /// Walks around all vertices.
-fn rotations<V: View + Sync + ?Sized>(view: &V, extent: Extent, links: &Links) -> Option<Rotations> {
+fn rotations<V: View + Sync + ?Sized>(view: &V, extent: Extent, links: &Links) -> Option<Around> {
     let mut nearest = extent.vertices.nils()?;
     let length = part_length(extent.vertices);
     let found = nearest.par_chunks_mut(length).enumerate();
@@ -80,7 +76,7 @@ fn rotations<V: View + Sync + ?Sized>(view: &V, extent: Extent, links: &Links) -
         roots: all.roots + part.roots,
         simple: all.simple && part.simple,
     });
-    (counted.half_edges == links.half_edges).then_some(Rotations { counted, nearest, cycles: None })
+    (counted.half_edges == links.half_edges).then_some(Around { counted, nearest, cycles: None })
 }
 
 /// Reads the lists of all faces, and walks along every cycle.
@@ -108,27 +104,23 @@ fn boundaries<V: View + Sync + ?Sized>(view: &V, extent: Extent, links: &Links) 
 
 #[cfg(test)]
 mod tests {
-    use super::look;
-    use crate::validate::run::Run;
-    use crate::validate::{Collect, Expectation, Part, Table};
+    use super::settle_in_parts;
+    use crate::validate::subject::{Extent, Subject};
+    use crate::validate::{Expectation, Part, Parts, Table};
 
     /// Whether a structure is settled in parts.
-    fn is_settled(table: &str, expectation: Expectation) -> bool {
-        let table: Table = table.parse().unwrap();
-        let mut run = Run::new(&table, expectation, Collect::All);
-        run.measure().unwrap();
-        let settled = look(&mut run);
-        assert_eq!(settled, run.known.half_edges.is_some());
-        settled
+    fn is_settled(table: &str, parts: Parts) -> bool {
+        let table = Table { parts, ..table.parse().unwrap() };
+        let extent = Extent::of(&table, Expectation::plane()).unwrap();
+        settle_in_parts(Subject { view: &table, extent }).is_some()
     }
 
     #[test]
-    fn what_is_right_is_settled_and_nothing_else() {
+    fn a_right_structure_is_settled_and_no_other() {
         const LOOP: &str = "V 1 0 - H 2 0 1 0 0 0 0 0 1 1 1 B 2 1 h0 o 0 h1 i0 F 2 - 1 1 0 0";
-        let plane = Expectation::plane();
-        assert!(is_settled(LOOP, plane));
-        assert!(is_settled(LOOP, plane.without(Part::Prev)));
-        assert!(!is_settled(LOOP, plane.without(Part::Places)));
-        assert!(!is_settled(&LOOP.replace("h1 i0", "h0 i0"), plane));
+        assert!(is_settled(LOOP, Parts::ALL));
+        assert!(is_settled(LOOP, Parts::ALL.without(Part::Prev)));
+        assert!(!is_settled(LOOP, Parts::ALL.without(Part::Places)));
+        assert!(!is_settled(&LOOP.replace("h1 i0", "h0 i0"), Parts::ALL));
     }
 }

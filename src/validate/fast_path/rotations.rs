@@ -1,14 +1,13 @@
 //! The walks around the vertices: V1, V2 and the vertices' half of B2.
 
 use super::cycles::{Cycles, Listed, Pass, Short};
-use super::extent::Extent;
 use super::links::Links;
-use crate::validate::expectation::Part;
-use crate::validate::view::{Start, View};
+use crate::validate::structure::{Part, Start, View};
+use crate::validate::subject::Extent;
 use alloc::vec::Vec;
 
 /// What the walks around the vertices find.
-pub(super) struct Rotations {
+pub(super) struct Around {
     pub(super) counted: Counted,
     /// Per vertex the neighbour with the smallest number, or itself if that is smaller.
     pub(super) nearest: Vec<u32>,
@@ -40,7 +39,7 @@ impl Counted {
 }
 
 /// Walks around every vertex, in order of their numbers. Where there are no faces, counts the cycles on the way.
-pub(super) fn walk<V: View + ?Sized>(view: &V, extent: Extent, links: &Links) -> Option<Rotations> {
+pub(super) fn walk<V: View + ?Sized>(view: &V, extent: Extent, links: &Links) -> Option<Around> {
     let mut nearest = extent.vertices.nils()?;
     let mut short = Short::default();
     let are_listed = extent.has(Part::Faces);
@@ -51,7 +50,7 @@ pub(super) fn walk<V: View + ?Sized>(view: &V, extent: Extent, links: &Links) ->
     };
     (counted.half_edges == links.half_edges).then_some(())?;
     let cycles = if are_listed { None } else { Some(short.all(view, extent, counted.cycles, links.half_edges)?) };
-    Some(Rotations { counted, nearest, cycles })
+    Some(Around { counted, nearest, cycles })
 }
 
 /// Walks around the vertices from `first` on, one for each entry of `nearest`, which it fills in, and counts of the cycles what is

@@ -1,16 +1,15 @@
 //! The vertices one by one, where a wrong link keeps the walks around them from settling V1.
 
-use super::extent::Extent;
-use super::known::Vertices;
+use super::facts::VertexFigures;
 use super::links::Links;
 use super::rotations::{is_claimed, leaves};
-use crate::validate::expectation::Part;
-use crate::validate::view::View;
+use crate::validate::structure::{Part, View};
+use crate::validate::subject::Extent;
 
 /// V1 and R1 of vertices. None if something is wrong with one, or one keeps no half-edge although some leave it.
-pub(super) fn by_index<V: View + ?Sized>(view: &V, extent: Extent, links: &Links) -> Option<Vertices> {
+pub(super) fn by_index<V: View + ?Sized>(view: &V, extent: Extent, links: &Links) -> Option<VertexFigures> {
     let names_boundary = extent.has(Part::BoundaryComponents) && extent.has(Part::Holes);
-    let mut found = Vertices { live: 0, isolated: 0, claimed: 0 };
+    let mut found = VertexFigures { live: 0, isolated: 0, claimed: 0 };
     for v in extent.vertices.all().filter(|v| view.is_vertex(*v)) {
         found.live += 1;
         if let Some(start) = links.leaving(view, v) {

@@ -3,8 +3,8 @@
 use super::reserved::reserved;
 use crate::geometry::Point;
 use crate::validate::columns::NIL;
-use crate::validate::embedding::Embedding;
 use crate::validate::report::Unchecked;
+use crate::validate::structure::Embedding;
 use core::ops::Range;
 
 /// The bends of the edges, in the direction of the half-edge with the smaller index.

@@ -8,9 +8,9 @@ use super::bends::{Bends, asked};
 use super::reserved::reserved;
 use crate::geometry::Point;
 use crate::validate::columns::NIL;
-use crate::validate::embedding::Embedding;
 use crate::validate::report::Unchecked;
 use crate::validate::rule::Rule;
+use crate::validate::structure::Embedding;
 use core::ops::Range;
 
 /// Links and points, by slots.

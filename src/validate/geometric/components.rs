@@ -2,7 +2,8 @@
 
 use super::columns::Columns;
 use crate::geometry::predicates::compare_lexicographic;
-use crate::validate::columns::NIL;
+use crate::slots::{NIL, Sets};
+use crate::validate::report::Unchecked;
 use core::cmp::Ordering;
 
 /// The components of an embedding.
@@ -17,24 +18,21 @@ pub(in crate::validate) struct Components {
 
 impl Components {
     /// O(n α(n)) for n half-edges and vertices.
-    pub(in crate::validate) fn of(columns: &Columns) -> Self {
-        // For each vertex another of its component, until that is itself.
-        let mut towards: Vec<u32> = (0..columns.points.len() as u32).collect();
+    pub(in crate::validate) fn of(columns: &Columns) -> Result<Self, Unchecked> {
+        let mut sets = Sets::try_new(columns.points.len()).ok_or(Unchecked::OutOfMemory)?;
         for h in columns.half_edges() {
-            let (a, b) = (find(&mut towards, columns.origin[h]), find(&mut towards, columns.target(h) as u32));
-            // The larger index gives way, so chains lead downwards.
-            towards[a.max(b) as usize] = a.min(b);
+            sets.join(columns.origin[h], columns.target(h) as u32);
         }
         let mut of = vec![NIL; columns.points.len()];
+        let mut numbers = of.clone();
         let mut lowest: Vec<u32> = Vec::new();
         for v in columns.vertices() {
-            let first = find(&mut towards, v as u32) as usize;
-            if first == v {
-                of[v] = lowest.len() as u32;
+            let number = &mut numbers[sets.find(v as u32) as usize];
+            if *number == NIL {
+                *number = lowest.len() as u32;
                 lowest.push(v as u32);
-                continue;
             }
-            of[v] = of[first];
+            of[v] = *number;
             let low = &mut lowest[of[v] as usize];
             if compare_lexicographic(columns.points[v], columns.points[*low as usize]) == Ordering::Less {
                 *low = v as u32;
@@ -54,15 +52,6 @@ impl Components {
                 }
             }
         }
-        Self { of, lowest, lowest_bend }
+        Ok(Self { of, lowest, lowest_bend })
     }
-}
-
-/// The vertex by which the component is known so far, halving the way there.
-fn find(towards: &mut [u32], mut v: u32) -> u32 {
-    while towards[v as usize] != v {
-        towards[v as usize] = towards[towards[v as usize] as usize];
-        v = towards[v as usize];
-    }
-    v
 }

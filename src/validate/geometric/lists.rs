@@ -2,10 +2,8 @@
 
 use super::columns::Columns;
 use crate::validate::columns::NIL;
-use crate::validate::embedding::Embedding;
-use crate::validate::expectation::{Expectation, Part};
-use crate::validate::record::Record;
-use crate::validate::view::Start;
+use crate::validate::report::Record;
+use crate::validate::structure::{Embedding, Part, Parts, Start};
 
 /// A boundary component, as its face lists it.
 pub(in crate::validate) struct Listed {
@@ -25,13 +23,9 @@ pub(in crate::validate) struct Lists {
 
 impl Lists {
     /// What the faces list: no more of it than there can be where F2 holds. O(n).
-    pub(in crate::validate) fn of<E: Embedding + ?Sized>(
-        embedding: &E,
-        expectation: Expectation,
-        columns: &Columns,
-    ) -> Self {
+    pub(in crate::validate) fn of<E: Embedding + ?Sized>(embedding: &E, parts: Parts, columns: &Columns) -> Self {
         let (vertices, half_edges) = (columns.points.len(), columns.origin.len());
-        let by_record = expectation.has(Part::BoundaryComponents);
+        let by_record = parts.has(Part::BoundaryComponents);
         let boundaries = embedding.boundary_slots();
         let most = if by_record { boundaries } else { vertices + half_edges };
         let live = |start: &Start| match *start {
@@ -53,7 +47,7 @@ impl Lists {
             if outer.is_none() && lists.unbounded.is_none() {
                 lists.unbounded = Some(face);
             }
-            let count = if expectation.has(Part::Holes) { embedding.inner_count(face) } else { 0 };
+            let count = if parts.has(Part::Holes) { embedding.inner_count(face) } else { 0 };
             let inner = (0..count.min(most.saturating_sub(lists.all.len()))).filter_map(|i| {
                 if by_record {
                     embedding.inner(face, i).and_then(named)

@@ -5,7 +5,7 @@ use crate::geometry::Point;
 use crate::geometry::crossing::Clash;
 use crate::geometry::predicates::compare_lexicographic;
 use crate::validate::columns::NIL;
-use crate::validate::violation::Violation;
+use crate::validate::report::Violation;
 use core::cmp::Ordering;
 
 /// The embedding in the form that the sweep takes: live vertices only, then the bends, and each edge once.

@@ -4,13 +4,13 @@ use super::columns::Columns;
 use super::components::Components;
 use super::lists::Lists;
 use super::segments::Segments;
-use crate::validate::embedding::Embedding;
-use crate::validate::expectation::{Expectation, Part};
+use crate::validate::expectation::Expectation;
 use crate::validate::findings::{Findings, Flow};
 use crate::validate::report::{Collect, Report, Unchecked};
 use crate::validate::rule::Rule;
 use crate::validate::rules::inside::Inside;
 use crate::validate::rules::{angles, disjoint, finite, winding};
+use crate::validate::structure::{Embedding, Part};
 use crate::validate::validator::validate;
 
 /// The rules of this validator.
@@ -38,12 +38,12 @@ const GEOMETRIC: &[Rule] = &[Rule::G1, Rule::G2, Rule::G3, Rule::G4, Rule::G5];
 /// builder.segment([0.0, 2.0], [2.0, 0.0])?;
 /// let map = builder.build()?;
 /// let report = validate_embedding(&map, &Expectation::plane(), Collect::All);
-/// assert_eq!(report.violations()[0].rule(), Rule::G4);
+/// assert_eq!(report.first().unwrap().rule(), Rule::G4);
 /// # Ok::<(), twinedge::map::BuildError>(())
 /// ```
 pub fn validate_embedding<E: Embedding + ?Sized>(embedding: &E, expectation: &Expectation, collect: Collect) -> Report {
     let mut report = validate(embedding, expectation, collect);
-    let mut findings = Findings::new(report.collect_left(collect));
+    let mut findings = Findings::new(collect);
     if report.violation_count() > 0 && collect == Collect::First {
         for rule in GEOMETRIC {
             findings.not_checked(*rule, Unchecked::Stopped);
@@ -53,8 +53,7 @@ pub fn validate_embedding<E: Embedding + ?Sized>(embedding: &E, expectation: &Ex
             findings.not_checked_yet(*rule, Unchecked::Stopped);
         }
     }
-    let (outcomes, violations) = findings.into_parts(GEOMETRIC);
-    report.append(outcomes, violations);
+    report.append(findings.into_report(GEOMETRIC), collect);
     report
 }
 
@@ -87,7 +86,15 @@ fn all_rules<E: Embedding + ?Sized>(
         None => angles::check(findings, &columns)?,
     }
     let segments = Segments::of(&columns);
-    let components = Components::of(&columns);
+    let components = match Components::of(&columns) {
+        Ok(components) => components,
+        Err(why) => {
+            for rule in &GEOMETRIC[3..] {
+                findings.not_checked_yet(*rule, why);
+            }
+            return Ok(());
+        }
+    };
     let below = disjoint::check(findings, &columns, &segments, &components)?;
     let faces =
         first_broken(topology, &[Rule::V2, Rule::B1, Rule::B2, Rule::F1, Rule::F2, Rule::T1, Rule::T2, Rule::T3]);
@@ -98,7 +105,8 @@ fn all_rules<E: Embedding + ?Sized>(
         findings.not_checked(Rule::G5, why);
         return Ok(());
     };
-    let lists = Lists::of(embedding, expectation, &columns);
+    let parts = expectation.looks_at(embedding.parts());
+    let lists = Lists::of(embedding, parts, &columns);
     winding::check(findings, &columns, &lists)?;
     if let Some(rule) = findings.broken(&[Rule::G2, Rule::G3]) {
         findings.not_checked(Rule::G5, Unchecked::Broken(rule));
@@ -106,7 +114,7 @@ fn all_rules<E: Embedding + ?Sized>(
     }
     let inside = Inside {
         embedding,
-        expectation,
+        parts,
         columns: &columns,
         components: &components,
         segments: &segments,

@@ -6,10 +6,10 @@ use super::column::Row;
 use super::mirror::{Mirror, Now, Vertex};
 use super::touched::Touched;
 use crate::validate::columns::NIL;
-use crate::validate::expectation::{Expectation, Part};
+use crate::validate::expectation::Expectation;
 use crate::validate::report::{Collect, Report};
+use crate::validate::structure::{Part, Parts, View};
 use crate::validate::validator::validate;
-use crate::validate::view::View;
 use alloc::boxed::Box;
 
 /// The links of a structure that was found right, to compare it with after a change. See [`validate_near`].
@@ -68,18 +68,18 @@ impl Baseline {
     /// The structure is not valid; or the expectation has open boundaries, or faces with holes and without boundary components,
     /// places or an unbounded face.
     pub fn new<V: View + ?Sized>(view: &V, expectation: &Expectation) -> Result<Self, BaselineError> {
-        Self::supports(expectation)?;
+        Self::supports(expectation, expectation.looks_at(view.parts()))?;
         validate(view, expectation, Collect::All).into_result().map_err(BaselineError::Invalid)?;
         Self::of_right(view, expectation)
     }
 
     /// Whether local validation is to be had.
-    pub(super) fn supports(expectation: &Expectation) -> Result<(), BaselineError> {
+    pub(super) fn supports(expectation: &Expectation, parts: Parts) -> Result<(), BaselineError> {
         if expectation.is_open() {
             return Err(BaselineError::OpenBoundaries);
         }
         let needed = [Part::BoundaryComponents, Part::Places, Part::UnboundedFace];
-        match needed.into_iter().find(|part| expectation.has(Part::Holes) && !expectation.has(*part)) {
+        match needed.into_iter().find(|part| parts.has(Part::Holes) && !parts.has(*part)) {
             Some(part) => Err(BaselineError::Lacks(part)),
             None => Ok(()),
         }

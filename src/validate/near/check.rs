@@ -5,8 +5,8 @@ use super::column::Row;
 use super::mirror::{Face, HalfEdge, Label, Mirror, Now, OUTER, Vertex};
 use super::touched::Touched;
 use crate::validate::columns::NIL;
-use crate::validate::expectation::{Part, Surface};
-use crate::validate::view::{Start, View};
+use crate::validate::expectation::Surface;
+use crate::validate::structure::{Part, Start, View};
 
 /// What is being checked: the structure as it was and is, and what differs.
 struct Check<'a, V: ?Sized> {

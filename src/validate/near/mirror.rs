@@ -2,8 +2,8 @@
 
 use super::column::{Column, Row};
 use crate::validate::columns::NIL;
-use crate::validate::expectation::{Expectation, Part};
-use crate::validate::view::{BoundaryPlace, Start, View};
+use crate::validate::expectation::Expectation;
+use crate::validate::structure::{BoundaryPlace, Part, Parts, Start, View};
 
 /// What a vacant slot has in its first column.
 pub(super) const VACANT: u32 = NIL - 1;
@@ -147,6 +147,7 @@ impl Mirror {
 pub(super) struct Now<'a, V: ?Sized> {
     pub(super) view: &'a V,
     pub(super) expect: Expectation,
+    parts: Parts,
     pub(super) vertices: usize,
     pub(super) half_edges: usize,
     pub(super) labels: usize,
@@ -157,14 +158,15 @@ impl<'a, V: View + ?Sized> Now<'a, V> {
     /// Nothing if there are more slots than can be numbered.
     pub(super) fn new(view: &'a V, expect: Expectation) -> Option<Self> {
         let (vertices, half_edges) = (view.vertex_slots(), view.half_edge_slots());
-        let faces = if expect.has(Part::Faces) { view.face_slots() } else { 0 };
-        let labels = if expect.has(Part::BoundaryComponents) { view.boundary_slots() } else { faces };
+        let parts = expect.looks_at(view.parts());
+        let faces = if parts.has(Part::Faces) { view.face_slots() } else { 0 };
+        let labels = if parts.has(Part::BoundaryComponents) { view.boundary_slots() } else { faces };
         let fits = [vertices, half_edges, labels, faces].iter().all(|slots| *slots < VACANT as usize);
-        fits.then_some(Self { view, expect, vertices, half_edges, labels, faces })
+        fits.then_some(Self { view, expect, parts, vertices, half_edges, labels, faces })
     }
 
     pub(super) const fn has(&self, part: Part) -> bool {
-        self.expect.has(part)
+        self.parts.has(part)
     }
     pub(super) fn is_vertex(&self, v: usize) -> bool {
         v < self.vertices && self.view.is_vertex(v)

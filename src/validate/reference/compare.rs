@@ -4,8 +4,8 @@ use super::rules::{broken_rules, first_broken_rule};
 use crate::validate::expectation::Expectation;
 use crate::validate::report::{Collect, Report, Unchecked};
 use crate::validate::rule::Rule;
+use crate::validate::structure::View;
 use crate::validate::validator::validate;
-use crate::validate::view::View;
 use core::fmt;
 
 /// How the fast validator and the reference differ on one structure.

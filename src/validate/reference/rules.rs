@@ -1,8 +1,8 @@
 //! Each rule as one function: its sentence in sets and quantifiers.
 
-use crate::validate::expectation::{Expectation, Part, Surface};
+use crate::validate::expectation::{Expectation, Surface};
 use crate::validate::rule::Rule;
-use crate::validate::view::{BoundaryPlace, Link, Start, View};
+use crate::validate::structure::{BoundaryPlace, Link, Part, Parts, Start, View};
 use alloc::collections::BTreeSet;
 use alloc::vec::Vec;
 
@@ -368,6 +368,8 @@ impl Entry {
 struct Structure<'a, V: ?Sized> {
     view: &'a V,
     expect: Expectation,
+    /// The parts that are looked at.
+    parts: Parts,
     open: bool,
     says: Says,
     vertices: Vec<Link>,
@@ -379,7 +381,8 @@ struct Structure<'a, V: ?Sized> {
 
 impl<'a, V: View + ?Sized> Structure<'a, V> {
     fn new(view: &'a V, expect: Expectation) -> Self {
-        let says = match (expect.has(Part::Faces), expect.has(Part::BoundaryComponents)) {
+        let parts = expect.looks_at(view.parts());
+        let says = match (parts.has(Part::Faces), parts.has(Part::BoundaryComponents)) {
             (false, _) => Says::Nothing,
             (true, true) => Says::Boundary,
             (true, false) => Says::Face,
@@ -389,6 +392,7 @@ impl<'a, V: View + ?Sized> Structure<'a, V> {
         let mut s = Self {
             view,
             expect,
+            parts,
             open: expect.is_open(),
             says,
             vertices: (0..view.vertex_slots()).filter(|v| view.is_vertex(*v)).map(Some).collect(),
@@ -423,7 +427,7 @@ impl<'a, V: View + ?Sized> Structure<'a, V> {
     }
 
     fn lacks(&self, part: Part) -> bool {
-        !self.expect.has(part)
+        !self.parts.has(part)
     }
 
     fn has_containment(&self) -> bool {

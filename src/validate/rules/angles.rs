@@ -1,13 +1,5 @@
 //! G2 angles: half-edges around a vertex are in angular order.
 //!
-//! ```text
-//!      b   c
-//!       \ /     a, b, c, d follow one another clockwise, by `next∘twin` and by their angles
-//!   a ── v
-//!         \
-//!          d
-//! ```
-//!
 //! Turning clockwise once around a vertex, the angle rises exactly once. The direction of an edge with bends is that to the nearest
 //! bend.
 
@@ -15,8 +7,8 @@ use crate::geometry::predicates::compare_angle;
 use crate::validate::columns::NIL;
 use crate::validate::findings::{Findings, Flow};
 use crate::validate::geometric::columns::Columns;
+use crate::validate::report::Violation;
 use crate::validate::rule::Rule;
-use crate::validate::violation::Violation;
 use core::cmp::Ordering;
 
 /// Runs G2.

@@ -1,29 +1,27 @@
 //! M5 connected: there are as many components with an edge as expected.
 //!
-//! ```text
-//!   ·───·     ·───·
-//!   │ ╱       │ ╱      two components
-//!   ·         ·
-//! ```
-//!
 //! Checked if asked for.
 
-use crate::validate::findings::Flow;
+use super::live::Census;
+use super::passes_over;
+use crate::validate::findings::{Findings, Flow};
+use crate::validate::report::Violation;
 use crate::validate::rule::Rule;
-use crate::validate::run::Run;
-use crate::validate::view::View;
-use crate::validate::violation::Violation;
+use crate::validate::subject::Subject;
 
 /// Runs M5. Isolated vertices do not count.
-pub(in crate::validate) fn check<V: View + ?Sized>(run: &mut Run<'_, V>) -> Flow {
-    if run.passes_over(Rule::M5, run.rotations_broken()) {
+pub(crate) fn check(subject: Subject<'_>, census: &Census, findings: &mut Findings) -> Flow {
+    let broken = census.rotations_broken(findings);
+    if passes_over(subject, Rule::M5, broken, findings) {
         return Ok(());
     }
     // An isolated vertex is a component without edges.
-    let found = run.counts.components.map_or(0, |all| all.saturating_sub(run.counts.isolated_vertices));
-    run.findings.checked(Rule::M5, found as u64);
-    match run.expect.expected_count(Rule::M5) {
-        Some(expected) if found != expected => run.findings.add(Violation::WrongComponents { found, expected }),
+    let found = findings.counts.components.map(|all| all.saturating_sub(census.isolated_vertices));
+    findings.checked(Rule::M5, found.unwrap_or(0) as u64);
+    match (found, subject.extent.expect.expected_count(Rule::M5)) {
+        (Some(found), Some(expected)) if found != expected => {
+            findings.add(Violation::WrongComponents { found, expected })
+        }
         _ => Ok(()),
     }
 }

@@ -1,12 +1,4 @@
 //! G4 disjoint: edges meet only at shared endpoints.
-//!
-//! ```text
-//!   \ /        |              ______
-//!    X         |         ====/======      o o
-//!   / \    ----+----        /
-//!
-//!  Cross     Touch        Overlap      SamePlace
-//! ```
 
 use crate::geometry::crossing::clashes;
 use crate::geometry::sweep::sweep;
@@ -40,7 +32,7 @@ pub(in crate::validate) fn check(
     };
     if swept.clash.is_some() {
         let (found, total) =
-            clashes(&segments.points, &segments.ends, findings.room()).unwrap_or_else(|_| (Vec::new(), 0));
+            clashes(&segments.points, &segments.ends, findings.cap()).unwrap_or_else(|_| (Vec::new(), 0));
         let kept = found.len() as u64;
         for clash in found {
             findings.add(segments.violation(columns, clash))?;

@@ -6,8 +6,8 @@
 use crate::geometry::predicates::in_range;
 use crate::validate::findings::{Findings, Flow};
 use crate::validate::geometric::columns::Columns;
+use crate::validate::report::Violation;
 use crate::validate::rule::Rule;
-use crate::validate::violation::Violation;
 
 /// Runs G1.
 pub(in crate::validate) fn check(findings: &mut Findings, columns: &Columns) -> Flow {

@@ -1,31 +1,24 @@
 //! M7 genus: the genera of the components add up to the genus expected.
 //!
-//! ```text
-//!      ______
-//!    ╱  ____  ╲
-//!   │  ╲____╱  │    a torus: genus 1
-//!    ╲ ______ ╱
-//! ```
-//!
 //! Checked if asked for.
 
-use crate::validate::findings::Flow;
+use super::live::Census;
+use super::passes_over;
+use crate::validate::findings::{Findings, Flow};
+use crate::validate::report::Violation;
 use crate::validate::rule::Rule;
-use crate::validate::run::Run;
-use crate::validate::view::View;
-use crate::validate::violation::Violation;
+use crate::validate::subject::Subject;
 
 /// Runs M7 on the sum that T3 has made.
-pub(in crate::validate) fn check<V: View + ?Sized>(run: &mut Run<'_, V>) -> Flow {
-    let broken = run.rotations_broken().or_else(|| run.findings.broken(&[Rule::T3]));
-    if run.passes_over(Rule::M7, broken) {
+pub(crate) fn check(subject: Subject<'_>, census: &Census, findings: &mut Findings) -> Flow {
+    let broken = census.rotations_broken(findings).or_else(|| findings.broken(&[Rule::T3]));
+    if passes_over(subject, Rule::M7, broken, findings) {
         return Ok(());
     }
-    run.findings.checked(Rule::M7, run.counts.components.unwrap_or(0) as u64);
-    match (run.counts.genus, run.expect.expected_count(Rule::M7)) {
-        (Some(found), Some(expected)) if found != expected => {
-            run.findings.add(Violation::WrongGenus { found, expected })
-        }
+    let found = findings.counts.genus;
+    findings.checked(Rule::M7, findings.counts.components.unwrap_or(0) as u64);
+    match (found, subject.extent.expect.expected_count(Rule::M7)) {
+        (Some(found), Some(expected)) if found != expected => findings.add(Violation::WrongGenus { found, expected }),
         _ => Ok(()),
     }
 }

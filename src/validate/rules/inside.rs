@@ -1,30 +1,20 @@
 //! G5 inside: each inner boundary component lies in the face that lists it, and what no face lists lies in none.
 //!
-//! ```text
-//!   ┌─────────┐
-//!   │    f    │    Going straight down from the lowest vertex v of a component, the first edge
-//!   │   v·    │    bounds the face in which the component lies.
-//!   │    :    │
-//!   └────┴────┘
-//! ```
-//!
 //! The lowest point may be a bend. A component that no face lists lies outside everything, where the unbounded face has no record.
 
-use crate::validate::embedding::Embedding;
-use crate::validate::expectation::{Expectation, Part};
 use crate::validate::findings::{Findings, Flow};
 use crate::validate::geometric::columns::Columns;
 use crate::validate::geometric::components::Components;
 use crate::validate::geometric::lists::{Listed, Lists};
 use crate::validate::geometric::segments::Segments;
+use crate::validate::report::Violation;
 use crate::validate::rule::Rule;
-use crate::validate::view::{Link, Start};
-use crate::validate::violation::Violation;
+use crate::validate::structure::{Embedding, Link, Part, Parts, Start};
 
 /// What G5 compares: the embedding, and what was found out about it.
 pub(in crate::validate) struct Inside<'a, E: ?Sized> {
     pub(in crate::validate) embedding: &'a E,
-    pub(in crate::validate) expectation: Expectation,
+    pub(in crate::validate) parts: Parts,
     pub(in crate::validate) columns: &'a Columns,
     pub(in crate::validate) components: &'a Components,
     pub(in crate::validate) segments: &'a Segments,
@@ -36,7 +26,7 @@ pub(in crate::validate) struct Inside<'a, E: ?Sized> {
 impl<E: Embedding + ?Sized> Inside<'_, E> {
     /// The face to the left of a half-edge.
     fn face_of(&self, h: usize) -> Link {
-        let face = if self.expectation.has(Part::BoundaryComponents) {
+        let face = if self.parts.has(Part::BoundaryComponents) {
             let b = self.embedding.boundary(h).filter(|b| *b < self.embedding.boundary_slots())?;
             self.embedding.boundary_face(b)
         } else {

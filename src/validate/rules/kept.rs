@@ -1,59 +1,44 @@
 //! M8 kept: a vertex that some half-edge without twin or face leaves keeps such a one.
 //!
-//! ```text
-//!     f  ╱
-//!      ╱      a half-edge from v without face or twin: v keeps such a one,
-//!   ──v───    not one of those that bound f
-//! ```
-//!
 //! Checked if asked for.
 
+use super::live::Census;
+use super::passes_over;
 use crate::validate::columns::{NIL, column};
-use crate::validate::expectation::Part;
-use crate::validate::findings::Flow;
-use crate::validate::report::Unchecked;
+use crate::validate::findings::{Findings, Flow};
+use crate::validate::report::{Unchecked, Violation};
 use crate::validate::rule::Rule;
-use crate::validate::run::Run;
-use crate::validate::view::View;
-use crate::validate::violation::Violation;
+use crate::validate::structure::Part;
+use crate::validate::subject::Subject;
 
-/// Runs M8, which needs live links, and vertices that keep half-edges of their own.
-pub(in crate::validate) fn check<V: View + ?Sized>(run: &mut Run<'_, V>) -> Flow {
-    let links = if run.map_is_live { None } else { Some(Rule::R1) };
-    let broken = links.or_else(|| run.findings.broken(&[Rule::V1]));
-    if run.passes_over(Rule::M8, broken) {
+/// Runs M8, which needs live links and V1.
+pub(crate) fn check(subject: Subject<'_>, census: &Census, findings: &mut Findings) -> Flow {
+    let broken = census.links_broken().or_else(|| findings.broken(&[Rule::V1]));
+    if passes_over(subject, Rule::M8, broken, findings) {
         return Ok(());
     }
-    if !run.expect.has(Part::Leaving) {
-        run.findings.not_checked(Rule::M8, Unchecked::Lacks(Part::Leaving));
+    if !subject.has(Part::Leaving) {
+        findings.not_checked(Rule::M8, Unchecked::Lacks(Part::Leaving));
         return Ok(());
     }
-    run.findings.checked(Rule::M8, run.counts.vertices as u64);
+    findings.checked(Rule::M8, census.vertices as u64);
     // R1 has shown that nothing is missing.
-    if !run.expect.is_open() {
+    if !subject.is_open() {
         return Ok(());
     }
-    // Per vertex a half-edge of the border that leaves it.
-    let mut border = column(run.vertices, NIL)?;
-    for h in (0..run.half_edges).filter(|h| run.live_half_edge(*h)) {
-        if on_border(run, h as usize) {
-            if let Some(border) = border.get_mut(run.origin(h) as usize) {
-                *border = h.min(*border);
-            }
+    let is_on_border = |h: usize| subject.view.twin(h).is_none() || subject.lacks_face(h);
+    // For each vertex the first half-edge of the border that leaves it.
+    let mut border = column(subject.extent.vertices.0, NIL)?;
+    for h in subject.half_edges().filter(|h| is_on_border(*h as usize)) {
+        if let Some(border) = border.get_mut(subject.origin(h) as usize) {
+            *border = h.min(*border);
         }
     }
-    for (vertex, border) in border.into_iter().enumerate() {
-        if border == NIL || !run.view.is_vertex(vertex) {
-            continue;
-        }
-        let Some(half_edge) = run.view.leaving(vertex).filter(|h| *h < run.half_edges as usize) else { continue };
-        if !on_border(run, half_edge) {
-            run.findings.add(Violation::KeptInside { vertex, half_edge, border: border as usize })?;
+    for vertex in subject.vertices().filter(|v| border[*v] != NIL) {
+        let Some(half_edge) = subject.extent.half_edges.existing(subject.view.leaving(vertex)) else { continue };
+        if !is_on_border(half_edge) {
+            findings.add(Violation::KeptInside { vertex, half_edge, border: border[vertex] as usize })?;
         }
     }
     Ok(())
-}
-
-fn on_border<V: View + ?Sized>(run: &Run<'_, V>, half_edge: usize) -> bool {
-    run.view.twin(half_edge).is_none() || run.lacks_face(half_edge)
 }

@@ -1,11 +1,5 @@
 //! R1 live: every link that a record needs is there, and every link leads to a live record.
 //!
-//! ```text
-//!   half-edge 3 ── next ──► 7     ok if slot 7 holds a half-edge
-//!                  next ──► nil   a cycle that ends
-//!                  next ──► 99    past the end, or a retired record
-//! ```
-//!
 //! At an open boundary the twin or the face of a half-edge may be nil, but not both: such a half-edge bounds nothing, and
 //! no other record is on its other side.
 //!
@@ -13,14 +7,80 @@
 //! entries as there are boundary components, and 16, are read; a list that goes on after that breaks R1, because its links
 //! cannot be said to be live. Without records for boundary components, vertices and half-edges are counted instead.
 
-use crate::validate::columns::{Fan, NIL, column};
-use crate::validate::expectation::Part;
-use crate::validate::findings::{Flow, Halt};
-use crate::validate::record::{Field, Record};
+use crate::validate::columns::{NIL, column};
+use crate::validate::fast_path::Facts;
+use crate::validate::findings::{Findings, Flow, Halt};
+use crate::validate::report::{Field, Record, Unchecked, Violation};
 use crate::validate::rule::Rule;
-use crate::validate::run::Run;
-use crate::validate::view::{Link, Start, View};
-use crate::validate::violation::Violation;
+use crate::validate::structure::{Link, Part, Start};
+use crate::validate::subject::Subject;
+use alloc::vec::Vec;
+use core::cell::OnceCell;
+
+/// The numbers of records that R1 counts, and the state of the links that the later rules follow.
+pub(crate) struct Census {
+    pub(crate) half_edges: usize,
+    pub(crate) edges: usize,
+    pub(crate) vertices: usize,
+    pub(crate) isolated_vertices: usize,
+    /// Whether the links among half-edges and vertices (all that makes the combinatorial map) are live.
+    pub(crate) map_is_live: bool,
+    /// The entries of lists that each rule reads. Lists with more are broken.
+    pub(crate) list_budget: usize,
+    pub(crate) fans: Fans,
+}
+
+impl Census {
+    /// The first broken rule among those that make the half-edges and vertices a combinatorial map.
+    pub(crate) fn map_broken(&self, findings: &Findings) -> Option<Rule> {
+        self.links_broken().or_else(|| findings.broken(&[Rule::L1, Rule::L2, Rule::L3]))
+    }
+
+    /// R1, if a link among half-edges and vertices breaks it.
+    pub(crate) fn links_broken(&self) -> Option<Rule> {
+        if self.map_is_live { None } else { Some(Rule::R1) }
+    }
+
+    /// The first broken rule among those that make the rotations of the vertices whole, so that components are known.
+    pub(crate) fn rotations_broken(&self, findings: &Findings) -> Option<Rule> {
+        self.map_broken(findings).or_else(|| findings.broken(&[Rule::V2]))
+    }
+}
+
+/// The half-edges that leave one vertex: their number, and one of them.
+#[derive(Clone, Copy)]
+pub(crate) struct Fan {
+    pub(crate) degree: u32,
+    pub(crate) leaving: u32,
+}
+
+/// The fan of each vertex, counted when it is asked for first.
+#[derive(Default)]
+pub(crate) struct Fans(OnceCell<Vec<Fan>>);
+
+impl Fans {
+    pub(crate) fn get(&self, subject: Subject<'_>) -> Result<&[Fan], Halt> {
+        if let Some(fans) = self.0.get() {
+            return Ok(fans);
+        }
+        let mut fans = no_fans(subject)?;
+        for h in subject.half_edges() {
+            note(&mut fans, subject.view.origin(h as usize), h);
+        }
+        Ok(self.0.get_or_init(|| fans))
+    }
+}
+
+fn no_fans(subject: Subject<'_>) -> Result<Vec<Fan>, Halt> {
+    column(subject.extent.vertices.0, Fan { degree: 0, leaving: NIL })
+}
+
+/// Counts a half-edge with this origin.
+fn note(fans: &mut [Fan], origin: Link, h: u32) {
+    if let Some(fan) = origin.and_then(|v| fans.get_mut(v)) {
+        *fan = Fan { degree: fan.degree + 1, leaving: h };
+    }
+}
 
 /// The kind of record that a link leads to.
 #[derive(Clone, Copy)]
@@ -32,201 +92,192 @@ enum RecordKind {
 }
 
 /// Runs R1, and counts the records on the way.
-pub(in crate::validate) fn check<V: View + ?Sized>(run: &mut Run<'_, V>) -> Result<(), Halt> {
-    half_edges(run)?;
-    run.map_is_live = run.findings.holds(Rule::R1);
-    vertices(run)?;
-    boundaries(run)?;
-    faces(run)
+pub(crate) fn check(subject: Subject<'_>, facts: &Facts, findings: &mut Findings) -> Result<Census, Halt> {
+    let fans = Fans::default();
+    let [half_edges, edges] = half_edges(subject, facts, &fans, findings)?;
+    let map_is_live = findings.holds(Rule::R1);
+    let [vertices, isolated_vertices] = vertices(subject, facts, &fans, findings)?;
+    let boundaries = boundaries(subject, facts, findings)?;
+    // Valid lists stay far below this, and corrupt ones are read far enough to find what they list twice.
+    let records = if subject.has(Part::BoundaryComponents) { boundaries } else { half_edges + vertices };
+    let list_budget = 2 * records + 16;
+    faces(subject, facts, list_budget, findings)?;
+    Ok(Census { half_edges, edges, vertices, isolated_vertices, map_is_live, list_budget, fans })
 }
 
 /// Whether the link leads to a live record of that kind.
 #[inline]
-fn leads<V: View + ?Sized>(run: &Run<'_, V>, link: usize, kind: RecordKind) -> bool {
+fn leads(subject: Subject<'_>, link: usize, kind: RecordKind) -> bool {
+    let Subject { view, extent } = subject;
     match kind {
-        RecordKind::Vertex => link < run.vertices as usize && run.view.is_vertex(link),
-        RecordKind::HalfEdge => link < run.half_edges as usize && run.view.is_half_edge(link),
-        RecordKind::Boundary => link < run.boundaries as usize && run.view.is_boundary(link),
-        RecordKind::Face => link < run.faces as usize && run.view.is_face(link),
+        RecordKind::Vertex => extent.vertices.has(link) && view.is_vertex(link),
+        RecordKind::HalfEdge => extent.half_edges.has(link) && view.is_half_edge(link),
+        RecordKind::Boundary => extent.boundaries.has(link) && view.is_boundary(link),
+        RecordKind::Face => extent.faces.has(link) && view.is_face(link),
     }
 }
 
-/// Checks one link; nil is a violation only where the record needs it.
-#[inline]
-fn check_link<V: View + ?Sized>(
-    run: &mut Run<'_, V>,
-    (record, field): (Record, Field),
-    link: Link,
-    kind: RecordKind,
-    needed: bool,
-) -> Flow {
-    match link {
-        Some(value) if leads(run, value, kind) => Ok(()),
-        Some(value) => run.findings.add(Violation::Dangling { record, field, value }),
-        None if needed => run.findings.add(Violation::Nil { record, field }),
-        None => Ok(()),
+/// The links of one record.
+struct Links<'a, 'f> {
+    subject: Subject<'a>,
+    record: Record,
+    findings: &'f mut Findings,
+}
+
+impl Links<'_, '_> {
+    /// Checks one link; nil is a violation only where the record needs it.
+    fn check(&mut self, field: Field, link: Link, kind: RecordKind, is_needed: bool) -> Flow {
+        let record = self.record;
+        match link {
+            Some(value) if leads(self.subject, value, kind) => Ok(()),
+            Some(value) => self.findings.add(Violation::Dangling { record, field, value }),
+            None if is_needed => self.findings.add(Violation::Nil { record, field }),
+            None => Ok(()),
+        }
+    }
+
+    fn check_start(&mut self, field: Field, start: Option<Start>) -> Flow {
+        let (link, kind) = match start {
+            Some(Start::Vertex(v)) => (Some(v), RecordKind::Vertex),
+            Some(Start::HalfEdge(h)) => (Some(h), RecordKind::HalfEdge),
+            None => (None, RecordKind::HalfEdge),
+        };
+        self.check(field, link, kind, true)
     }
 }
 
-fn check_start<V: View + ?Sized>(run: &mut Run<'_, V>, (record, field): (Record, Field), start: Option<Start>) -> Flow {
-    let (link, kind) = match start {
-        Some(Start::Vertex(v)) => (Some(v), RecordKind::Vertex),
-        Some(Start::HalfEdge(h)) => (Some(h), RecordKind::HalfEdge),
-        None => (None, RecordKind::HalfEdge),
+/// Returns the numbers of half-edges and of edges.
+fn half_edges(subject: Subject<'_>, facts: &Facts, fans: &Fans, findings: &mut Findings) -> Result<[usize; 2], Halt> {
+    let extent = subject.extent;
+    let (name_field, name_kind) = if extent.has(Part::BoundaryComponents) {
+        (Field::Boundary, RecordKind::Boundary)
+    } else {
+        (Field::Face, RecordKind::Face)
     };
-    check_link(run, (record, field), link, kind, true)
+    let is_closed = !subject.is_open();
+    let mut check = |h: usize| {
+        let mut links = Links { subject, record: Record::HalfEdge(h), findings: &mut *findings };
+        let origin = subject.view.origin(h);
+        links.check(Field::Origin, origin, RecordKind::Vertex, true)?;
+        let twin = subject.view.twin(h);
+        links.check(Field::Twin, twin, RecordKind::HalfEdge, is_closed)?;
+        links.check(Field::Next, subject.view.next(h), RecordKind::HalfEdge, true)?;
+        if extent.has(Part::Prev) {
+            links.check(Field::Prev, subject.view.prev(h), RecordKind::HalfEdge, true)?;
+        }
+        if extent.has(Part::Faces) {
+            // At an open boundary one of the two sides is missing, not both.
+            let is_needed = is_closed || twin.is_none();
+            links.check(name_field, extent.name(subject.view, h), name_kind, is_needed)?;
+        }
+        Ok((origin, twin))
+    };
+    let (mut live, mut unpaired) = (0, 0);
+    if let Some(doubts) = &facts.half_edges {
+        for h in doubts.half_edges.iter().filter(|h| subject.is_live_half_edge(**h)) {
+            check(*h as usize)?;
+        }
+        (live, unpaired) = (doubts.live, doubts.unpaired);
+    } else {
+        let mut counted = no_fans(subject)?;
+        for h in subject.half_edges() {
+            let (origin, twin) = check(h as usize)?;
+            live += 1;
+            unpaired += usize::from(twin.is_none());
+            note(&mut counted, origin, h);
+        }
+        let _ = fans.0.set(counted);
+    }
+    let edges = (live - unpaired) / 2 + unpaired;
+    (findings.counts.half_edges, findings.counts.edges) = (live, edges);
+    let links = 3 + u64::from(extent.has(Part::Prev)) + u64::from(extent.has(Part::Faces));
+    findings.checked(Rule::R1, live as u64 * links);
+    Ok([live, edges])
 }
 
-fn half_edges<V: View + ?Sized>(run: &mut Run<'_, V>) -> Flow {
-    use RecordKind::{Boundary, Face, HalfEdge, Vertex};
-    let with_prev = run.expect.has(Part::Prev);
-    let with_boundary = run.expect.has(Part::BoundaryComponents);
-    let with_face = run.expect.has(Part::Faces) && !with_boundary;
-    let closed = !run.expect.is_open();
-    let links = 3 + u64::from(with_prev) + u64::from(with_boundary || with_face);
-    if run.known.half_edges.is_none() {
-        run.fans = column(run.vertices, Fan { degree: 0, leaving: NIL })?;
-    }
-    let (mut live, mut without_twin) = (0, 0);
-    for i in 0..run.in_doubt() {
-        let Some(h) = run.doubtful(i).map(|h| h as usize) else { continue };
-        live += 1;
-        let record = Record::HalfEdge(h);
-        let origin = run.view.origin(h);
-        check_link(run, (record, Field::Origin), origin, Vertex, true)?;
-        if run.known.half_edges.is_none() {
-            if let Some(fan) = origin.and_then(|v| run.fans.get_mut(v)) {
-                *fan = Fan { degree: fan.degree + 1, leaving: h as u32 };
+/// Returns the numbers of vertices and of isolated ones.
+fn vertices(subject: Subject<'_>, facts: &Facts, fans: &Fans, findings: &mut Findings) -> Result<[usize; 2], Halt> {
+    let names_boundary = subject.has(Part::BoundaryComponents) && subject.has(Part::Holes);
+    let (live, isolated) = if let Some(known) = facts.vertices {
+        (known.live, known.isolated)
+    } else {
+        let fans = fans.get(subject)?;
+        let (mut live, mut isolated) = (0, 0);
+        for v in subject.vertices() {
+            live += 1;
+            let is_connected = fans[v].degree > 0;
+            isolated += usize::from(!is_connected);
+            let mut links = Links { subject, record: Record::Vertex(v), findings: &mut *findings };
+            if subject.has(Part::Leaving) {
+                links.check(Field::Leaving, subject.view.leaving(v), RecordKind::HalfEdge, is_connected)?;
+            }
+            if names_boundary {
+                // Whether a vertex without half-edges may lack it is decided by B2.
+                links.check(Field::Isolated, subject.view.isolated(v), RecordKind::Boundary, false)?;
             }
         }
-        let twin = run.view.twin(h);
-        without_twin += usize::from(twin.is_none());
-        check_link(run, (record, Field::Twin), twin, HalfEdge, closed)?;
-        check_link(run, (record, Field::Next), run.view.next(h), HalfEdge, true)?;
-        if with_prev {
-            check_link(run, (record, Field::Prev), run.view.prev(h), HalfEdge, true)?;
-        }
-        // At an open boundary one of the two sides is missing, not both.
-        let bounds = closed || twin.is_none();
-        if with_boundary {
-            check_link(run, (record, Field::Boundary), run.view.boundary(h), Boundary, bounds)?;
-        } else if with_face {
-            check_link(run, (record, Field::Face), run.view.face(h), Face, bounds)?;
-        }
-    }
-    if let Some(doubts) = &run.known.half_edges {
-        (live, without_twin) = (doubts.live, doubts.unpaired);
-    }
-    run.counts.half_edges = live;
-    run.counts.edges = (live - without_twin) / 2 + without_twin;
-    run.findings.checked(Rule::R1, live as u64 * links);
-    Ok(())
+        (live, isolated)
+    };
+    (findings.counts.vertices, findings.counts.isolated_vertices) = (live, isolated);
+    let links = u64::from(subject.has(Part::Leaving) || names_boundary);
+    findings.checked(Rule::R1, live as u64 * links);
+    Ok([live, isolated])
 }
 
-fn vertices<V: View + ?Sized>(run: &mut Run<'_, V>) -> Flow {
-    let with_leaving = run.expect.has(Part::Leaving);
-    let with_isolated = run.expect.has(Part::BoundaryComponents) && run.expect.has(Part::Holes);
-    let links = u64::from(with_leaving || with_isolated);
-    if let Some(known) = run.known.vertices {
-        run.counts.vertices = known.live;
-        run.counts.isolated_vertices = known.isolated;
-        run.findings.checked(Rule::R1, known.live as u64 * links);
-        return Ok(());
-    }
-    run.count_fans()?;
+/// Returns the number of boundary components.
+fn boundaries(subject: Subject<'_>, facts: &Facts, findings: &mut Findings) -> Result<usize, Halt> {
     let mut live = 0;
-    for v in 0..run.vertices as usize {
-        if !run.view.is_vertex(v) {
-            continue;
-        }
-        live += 1;
-        let connected = run.fans[v].degree > 0;
-        run.counts.isolated_vertices += usize::from(!connected);
-        let record = Record::Vertex(v);
-        if with_leaving {
-            check_link(run, (record, Field::Leaving), run.view.leaving(v), RecordKind::HalfEdge, connected)?;
-        }
-        if with_isolated {
-            // Whether a vertex without half-edges may lack it is decided by B2.
-            check_link(run, (record, Field::Isolated), run.view.isolated(v), RecordKind::Boundary, false)?;
-        }
-    }
-    run.counts.vertices = live;
-    run.findings.checked(Rule::R1, live as u64 * links);
-    Ok(())
-}
-
-fn boundaries<V: View + ?Sized>(run: &mut Run<'_, V>) -> Flow {
-    let by_record = run.expect.has(Part::BoundaryComponents);
-    let live = match run.known.lists {
-        Some(lists) => {
-            if by_record {
-                lists.outer + lists.inner
-            } else {
-                0
+    match facts.lists {
+        Some(lists) if subject.has(Part::BoundaryComponents) => live = lists.outer + lists.inner,
+        Some(_) => {}
+        None => {
+            for b in subject.boundaries() {
+                live += 1;
+                let mut links = Links { subject, record: Record::Boundary(b), findings: &mut *findings };
+                links.check(Field::Face, subject.view.boundary_face(b), RecordKind::Face, true)?;
+                links.check_start(Field::Start, subject.view.boundary_start(b))?;
             }
         }
-        None => each_boundary(run)?,
-    };
-    run.findings.checked(Rule::R1, live as u64 * 2);
-    // Valid lists stay far below this, and corrupt ones are read far enough to find what they list twice.
-    let records = if by_record { live } else { run.counts.half_edges + run.counts.vertices };
-    run.list_budget = 2 * records + 16;
-    Ok(())
-}
-
-fn each_boundary<V: View + ?Sized>(run: &mut Run<'_, V>) -> Result<usize, Halt> {
-    let mut live = 0;
-    for b in 0..run.boundaries as usize {
-        if !run.view.is_boundary(b) {
-            continue;
-        }
-        live += 1;
-        let record = Record::Boundary(b);
-        check_link(run, (record, Field::Face), run.view.boundary_face(b), RecordKind::Face, true)?;
-        check_start(run, (record, Field::Start), run.view.boundary_start(b))?;
     }
+    findings.checked(Rule::R1, live as u64 * 2);
     Ok(live)
 }
 
-fn faces<V: View + ?Sized>(run: &mut Run<'_, V>) -> Flow {
-    if let Some(lists) = run.known.lists {
-        run.counts.faces = lists.faces;
-        run.findings.checked(Rule::R1, (lists.faces + lists.inner) as u64);
+fn faces(subject: Subject<'_>, facts: &Facts, mut budget: usize, findings: &mut Findings) -> Flow {
+    if let Some(lists) = facts.lists {
+        findings.counts.faces = lists.faces;
+        findings.checked(Rule::R1, (lists.faces + lists.inner) as u64);
         return Ok(());
     }
-    let by_record = run.expect.has(Part::BoundaryComponents);
-    let with_inner = run.expect.has(Part::Holes);
-    let mut budget = run.list_budget;
-    let (mut live, mut links) = (0, 0);
-    for f in 0..run.faces as usize {
-        if !run.view.is_face(f) {
-            continue;
-        }
+    let by_record = subject.has(Part::BoundaryComponents);
+    let outer_kind = if by_record { RecordKind::Boundary } else { RecordKind::HalfEdge };
+    let (mut live, mut entries) = (0, 0);
+    for f in subject.faces() {
         live += 1;
-        let record = Record::Face(f);
-        if by_record {
-            check_link(run, (record, Field::Outer), run.view.outer(f), RecordKind::Boundary, false)?;
-        } else {
-            check_link(run, (record, Field::Outer), run.view.outer_half_edge(f), RecordKind::HalfEdge, false)?;
-        }
-        links += 1;
-        let claimed = if with_inner { run.view.inner_count(f) } else { 0 };
+        let claimed = if subject.has(Part::Holes) { subject.view.inner_count(f) } else { 0 };
         let listed = claimed.min(budget);
+        let mut links = Links { subject, record: Record::Face(f), findings: &mut *findings };
+        links.check(Field::Outer, subject.outer(f), outer_kind, false)?;
         for i in 0..listed {
             if by_record {
-                check_link(run, (record, Field::Inner(i)), run.view.inner(f, i), RecordKind::Boundary, true)?;
+                links.check(Field::Inner(i), subject.view.inner(f, i), RecordKind::Boundary, true)?;
             } else {
-                check_start(run, (record, Field::Inner(i)), run.view.inner_start(f, i))?;
+                links.check_start(Field::Inner(i), subject.view.inner_start(f, i))?;
             }
         }
         budget -= listed;
-        links += listed as u64;
-        if listed < claimed && run.findings.unchecked(Rule::R1).is_none() {
-            run.list_too_long(f, claimed)?;
+        entries += 1 + listed as u64;
+        if listed < claimed && findings.unchecked(Rule::R1).is_none() {
+            list_too_long(f, claimed, findings)?;
         }
     }
-    run.counts.faces = live;
-    run.findings.checked(Rule::R1, links);
+    findings.counts.faces = live;
+    findings.checked(Rule::R1, entries);
     Ok(())
+}
+
+/// Reports a list that is not read to its end: links that are not read cannot be said to be live.
+pub(crate) fn list_too_long(face: usize, claimed: usize, findings: &mut Findings) -> Flow {
+    findings.not_checked(Rule::R1, Unchecked::ListTooLong);
+    findings.add(Violation::ListTooLong { face, claimed })
 }

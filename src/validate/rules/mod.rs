@@ -44,3 +44,39 @@ pub(super) mod finite;
 pub(super) mod inside;
 #[cfg(feature = "geometry")]
 pub(super) mod winding;
+
+use super::findings::Findings;
+use super::report::Unchecked;
+use super::rule::Rule;
+use super::structure::Part;
+use super::subject::Subject;
+
+/// Whether an optional rule is passed over: it was not asked for, or the one that it needs is broken, which is then entered as
+/// the reason.
+fn passes_over(subject: Subject<'_>, rule: Rule, broken: Option<Rule>, findings: &mut Findings) -> bool {
+    if !subject.extent.expect.asks_for(rule) {
+        return true;
+    }
+    if let Some(broken) = broken {
+        findings.not_checked(rule, Unchecked::Broken(broken));
+    }
+    broken.is_some()
+}
+
+/// The rule without which a cycle does not either have a face or bound nothing, if it is broken: at an open boundary,
+/// border loops cannot be told from the others then.
+pub(super) fn borders_broken(subject: Subject<'_>, findings: &Findings) -> Option<Rule> {
+    if subject.is_open() { findings.broken(&[Rule::B1]) } else { None }
+}
+
+/// Why T1 and T2 cannot be checked, if so.
+fn containment_unchecked(subject: Subject<'_>, findings: &Findings) -> Option<Unchecked> {
+    if !subject.extent.is_plane() {
+        return Some(Unchecked::PlaneOnly);
+    }
+    if !subject.has(Part::Holes) {
+        return Some(Unchecked::Lacks(Part::Holes));
+    }
+    let below = [Rule::R1, Rule::V1, Rule::B1, Rule::B2, Rule::F1, Rule::F2];
+    findings.broken(&below).map(Unchecked::Broken)
+}

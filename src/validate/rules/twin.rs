@@ -1,36 +1,27 @@
 //! L1 twin: `twin(twin(h)) = h` and `twin(h) ≠ h`.
-//!
-//! ```text
-//!        h
-//!   ·────────►·
-//!   ·◄────────·
-//!     twin(h)
-//! ```
 
 use crate::validate::columns::NIL;
-use crate::validate::findings::Flow;
-use crate::validate::rule::Rule;
-use crate::validate::run::Run;
-use crate::validate::view::View;
-use crate::validate::violation::Violation;
+use crate::validate::findings::{Flow, Pass};
+use crate::validate::report::Violation;
+use crate::validate::subject::Subject;
 
 /// Checks one half-edge and its twin. Where not every link is live, what dangles is left to R1.
-#[inline]
-pub(in crate::validate) fn check<V: View + ?Sized>(run: &mut Run<'_, V>, h: u32, t: u32, all_live: bool) -> Flow {
+pub(crate) fn check(subject: Subject<'_>, [h, t]: [u32; 2], all_live: bool, pass: &mut Pass<'_>) -> Flow {
+    let (half_edge, twin) = (h as usize, t as usize);
     if t == h {
-        return run.findings.add_in_pass(Violation::TwinIsSelf { half_edge: h as usize }, Rule::L1);
+        return pass.add(Violation::TwinIsSelf { half_edge });
     }
-    let back = run.twin(t);
+    let back = subject.twin(t);
     let found = if back == NIL {
         // At an open boundary nil is a legal link, but not for a half-edge that is named as a twin.
-        if run.view.twin(t as usize).is_some() || !run.expect.is_open() {
+        if subject.view.twin(twin).is_some() || !subject.is_open() {
             return Ok(());
         }
         None
-    } else if back == h || !(all_live || run.live_half_edge(back)) {
+    } else if back == h || !(all_live || subject.is_live_half_edge(back)) {
         return Ok(());
     } else {
         Some(back as usize)
     };
-    run.findings.add_in_pass(Violation::TwinNotMutual { half_edge: h as usize, twin: t as usize, found }, Rule::L1)
+    pass.add(Violation::TwinNotMutual { half_edge, twin, found })
 }

@@ -1,21 +1,13 @@
 //! G3 winding: outer cycles turn counter-clockwise, inner ones clockwise.
-//!
-//! ```text
-//!   ┌───◄───┐
-//!   │ ┌─►─┐ │    the face is to the left of both cycles:
-//!   ▼ ▲   ▼ ▲    its outer one turns counter-clockwise, its inner one clockwise
-//!   │ └─◄─┘ │
-//!   └───►───┘
-//! ```
 
 use crate::geometry::Point;
 use crate::geometry::predicates::{Orientation, compare_lexicographic, orientation};
 use crate::validate::findings::{Findings, Flow};
 use crate::validate::geometric::columns::Columns;
 use crate::validate::geometric::lists::{Listed, Lists};
+use crate::validate::report::Violation;
 use crate::validate::rule::Rule;
-use crate::validate::view::Start;
-use crate::validate::violation::Violation;
+use crate::validate::structure::Start;
 use core::cmp::Ordering;
 
 /// Runs G3.

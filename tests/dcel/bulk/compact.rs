@@ -4,7 +4,6 @@ use super::{built, check};
 use twinedge::dcel::{Boundary, Dcel, Face, HalfEdge, Vertex};
 use twinedge::program::Program;
 use twinedge::program::canonical::isomorphic;
-use twinedge::validate::View;
 
 #[test]
 fn a_compacted_map_is_the_same_without_gaps() {

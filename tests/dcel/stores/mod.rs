@@ -202,7 +202,7 @@ impl<S: Store + Clone> Run<S> {
             inner: row.inner.iter().map(|link| link.map(|i| b[&i])).collect(),
             ..row.clone()
         });
-        Table { vertices, half_edges, boundaries, faces }
+        Table { vertices, half_edges, boundaries, faces, ..said }
     }
 }
 

@@ -1,8 +1,8 @@
 //! What a map looks like, whatever its keys are.
 
 use crate::support::exact::Grid;
-use std::collections::{BTreeMap, BTreeSet};
-use twinedge::dcel::{Face, FaceKey, HalfEdge, Vertex};
+use std::collections::BTreeSet;
+use twinedge::dcel::{Face, HalfEdge, Vertex};
 use twinedge::map::{Builder, PlanarMap, Shape};
 
 /// A closed walk, from its smallest half-edge on; a point alone for an isolated vertex.
@@ -67,17 +67,7 @@ pub(crate) fn built(vertices: &BTreeSet<Grid>, edges: &BTreeSet<[Grid; 2]>) -> P
     builder.build().expect("a small map fits")
 }
 
-/// A map to the last key: everything that an edit could change.
-#[derive(Debug, PartialEq)]
-pub(crate) struct Dump {
-    text: String,
-    faces: BTreeMap<FaceKey, Vec<usize>>,
-}
-
-pub(crate) fn dump(map: &PlanarMap) -> Dump {
-    let covers = |f: Face<'_>| {
-        let features = map.features_of(f.key()).expect("it is of this map");
-        (f.key(), features.map(|feature| feature.index()).collect())
-    };
-    Dump { text: format!("{map:?}"), faces: map.dcel().faces().map(covers).collect() }
+/// A map to the last key: itself, and what is saved of it, which tells the vacant slots. Only plane maps can be saved.
+pub(crate) fn dump(map: &PlanarMap) -> (PlanarMap, Option<serde_json::Value>) {
+    (map.clone(), serde_json::to_value(map).ok())
 }

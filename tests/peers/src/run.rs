@@ -79,7 +79,7 @@ pub fn run<P: Peer>(program: &Program, before: &mut dyn FnMut(&str)) -> Verdict 
 /// The first broken rule, and the first violation of it.
 #[must_use]
 pub fn first_broken(report: &Report) -> Option<(String, String)> {
-    let violation = report.violations().first()?;
+    let violation = report.first()?;
     Some((violation.rule().to_string().split(' ').next().unwrap_or_default().to_owned(), violation.to_string()))
 }
 

@@ -3,7 +3,7 @@
 use super::{MESH, fan, with_bare_border};
 use crate::support::erased::{first_broken_rule, validate};
 use crate::support::opinions::agree;
-use crate::support::tables::{half_edge, textbook_mesh};
+use crate::support::tables::{TETRAHEDRON, half_edge, textbook_mesh};
 use twinedge::validate::adapt::Borders;
 use twinedge::validate::{Collect, Rule, Table, View, Violation};
 
@@ -27,8 +27,8 @@ fn a_border_without_next_is_linked() {
 fn each_fan_has_a_border_of_its_own() {
     let table = with_bare_border(5, &[[0, 1, 2], [0, 3, 4]]);
     let report = validate(&Borders::of(&table).unwrap(), &MESH.open(), Collect::All);
-    let Violation::SplitRotation { vertex, reached, degree, .. } = report.violations()[0] else { panic!("{report}") };
-    assert_eq!((vertex, reached, degree, report.violations().len()), (0, 2, 4, 1));
+    let Some(Violation::SplitRotation { vertex, reached, degree, .. }) = report.first() else { panic!("{report}") };
+    assert_eq!((*vertex, *reached, *degree, report.violations().len()), (0, 2, 4, 1));
 }
 
 /// A border is without next all along or not at all, and what is no border gets no next.
@@ -52,7 +52,7 @@ fn a_border_with_one_next_is_refused() {
 /// Half-edges that name a face are at no border, even if the cycle lacks `next` all along.
 #[test]
 fn the_cycle_of_a_face_is_no_border() {
-    let whole = textbook_mesh(4, &[[0, 1, 2], [0, 3, 1], [1, 3, 2], [0, 2, 3]]);
+    let whole = textbook_mesh(4, &TETRAHEDRON);
     let mut without = whole.clone();
     for row in without.half_edges.iter_mut().flatten().filter(|row| row.face == Some(3)) {
         row.next = None;

@@ -1,15 +1,14 @@
 //! Structures that answer of what is not there, that change, or that claim too much.
 
-use super::{AsTargets, MESH, TEXTBOOK, fan, maps, mirrored};
+use super::{MESH, as_targets, fan, maps, mirrored};
 use crate::support::erased::validate;
 use crate::support::inconsistent::Inconsistent;
-use crate::support::nested::nested_textbook;
+use crate::support::nested::{PLANE, nested_textbook};
 use crate::support::only_live::OnlyLive;
-use twinedge::delegate_view;
-use twinedge::validate::adapt::{Backward, Borders, FaceLabels, Targets};
-use twinedge::validate::{Collect, Expectation, HalfEdgeRow, Link, Part, Table, View};
-
-const BARE: Expectation = Expectation::plane().without(Part::Faces).without(Part::Leaving);
+use crate::support::tables::{TEXTBOOK, Without};
+use twinedge::validate::adapt::{Backward, Borders, FaceLabels};
+use twinedge::validate::{Collect, Expectation, HalfEdgeRow, Link, Only, Part, Parts, Table, View};
+use twinedge::{delegate_view, view_answers};
 
 /// A table with a tombstone before each of its half-edges: a half-edge that is not live, and answers what the live one does.
 struct WithTombstones(Table);
@@ -53,22 +52,22 @@ fn adapters_do_not_read_tombstones() {
         assert!(report.is_valid(), "{report}");
     };
     for (table, expectation) in maps() {
-        judge(&Targets::of(AsTargets(WithTombstones(mirrored(&table)))).unwrap(), &expectation);
+        judge(&as_targets(&WithTombstones(mirrored(&table))).unwrap(), &expectation);
         judge(&Backward::of(WithTombstones(table.clone())).unwrap(), &expectation);
         judge(&FaceLabels::one_cycle(WithTombstones(table)).unwrap(), &expectation);
     }
-    judge(&Borders::of(WithTombstones(fan())).unwrap(), &MESH.without(Part::Leaving).open());
-    let mut nested = nested_textbook();
+    judge(&Borders::of(WithTombstones(fan().without(Part::Leaving))).unwrap(), &MESH.open());
+    let mut nested = nested_textbook().without(Part::Leaving);
     nested.vertices.pop();
     nested.faces[1].as_mut().unwrap().inner_starts.pop();
-    judge(&FaceLabels::with_holes(WithTombstones(nested), Some(0)).unwrap(), &TEXTBOOK.without(Part::Leaving));
+    judge(&FaceLabels::with_holes(WithTombstones(nested), Some(0)).unwrap(), &PLANE);
 }
 
 /// A link to a slot that is vacant is an answer like any other: the slot is not asked what it holds.
 #[test]
 fn adapters_ask_no_vacant_slot() {
     let links: [fn(&mut HalfEdgeRow) -> &mut Link; 3] = [|row| &mut row.twin, |row| &mut row.next, |row| &mut row.prev];
-    for (table, expectation) in maps().into_iter().chain([(nested_textbook(), TEXTBOOK), (fan(), MESH.open())]) {
+    for (table, expectation) in maps().into_iter().chain([(nested_textbook(), PLANE), (fan(), MESH.open())]) {
         for h in 0..table.half_edges.len() {
             for link in links {
                 let mut to_vacant = table.clone();
@@ -77,7 +76,7 @@ fn adapters_ask_no_vacant_slot() {
                 to_vacant.half_edges.push(None);
                 let view = OnlyLive(&to_vacant);
                 let judge = |view: &dyn View| assert!(!validate(view, &expectation, Collect::All).is_valid());
-                judge(&Targets::of(AsTargets(&view)).unwrap());
+                judge(&as_targets(&view).unwrap());
                 judge(&Borders::of(&view).unwrap());
                 judge(&FaceLabels::one_cycle(&view).unwrap());
                 judge(&FaceLabels::with_holes(&view, None).unwrap());
@@ -92,9 +91,9 @@ fn adapters_ask_no_vacant_slot() {
 #[test]
 fn adapters_are_total() {
     let all = |view: &dyn Fn() -> Box<dyn View>| {
-        let expectations = [MESH, MESH.open(), TEXTBOOK, TEXTBOOK.open(), BARE, BARE.open()];
+        let read = view();
         let mut adapted: Vec<Option<Box<dyn View>>> = vec![
-            Targets::of(AsTargets(view())).map(|view| Box::new(view) as _),
+            as_targets(&read).map(|view| Box::new(view) as _),
             Borders::of(view()).map(|view| Box::new(view) as _),
             Backward::of(view()).map(|view| Box::new(view) as _),
             FaceLabels::one_cycle(view()).map(|view| Box::new(view) as _),
@@ -104,12 +103,14 @@ fn adapters_are_total() {
                 .map(|unbounded| FaceLabels::with_holes(view(), unbounded).map(|view| Box::new(view) as _)),
         );
         for view in adapted.into_iter().flatten() {
-            for expectation in expectations {
-                validate(&view, &expectation, Collect::All);
+            for expectation in [MESH, MESH.open(), PLANE, PLANE.open()] {
+                for parts in [TEXTBOOK, Parts::NONE.with(Part::Prev)] {
+                    validate(&Only::new(&view, parts), &expectation, Collect::All);
+                }
             }
         }
     };
-    for (table, _) in maps().into_iter().chain([(nested_textbook(), TEXTBOOK), (fan(), MESH)]) {
+    for (table, _) in maps().into_iter().chain([(nested_textbook(), PLANE), (fan(), MESH)]) {
         let table: &'static Table = Box::leak(Box::new(table));
         for consistent in (0..200).chain([u64::MAX]) {
             all(&|| Box::new(Inconsistent::new(table, consistent, consistent)));
@@ -137,7 +138,7 @@ fn a_structure_that_shrinks_makes_no_adapter_panic() {
         for claimed in 1..40 {
             let view = || Shrinking(&table, std::cell::Cell::new(claimed.min(table.half_edges.len() + 1)));
             let judge = |view: &dyn View| drop(validate(&view, &expectation, Collect::All));
-            judge(&Targets::of(AsTargets(view())).unwrap());
+            judge(&as_targets(&view()).unwrap());
             judge(&Borders::of(view()).unwrap());
             judge(&Backward::of(view()).unwrap());
             judge(&FaceLabels::one_cycle(view()).unwrap());
@@ -151,27 +152,18 @@ fn a_structure_that_shrinks_makes_no_adapter_panic() {
 fn a_claim_of_too_many_records_makes_no_adapter() {
     struct Claims([usize; 3]);
     impl View for Claims {
-        fn vertex_slots(&self) -> usize {
-            self.0[0]
-        }
-        fn half_edge_slots(&self) -> usize {
-            self.0[1]
-        }
-        fn face_slots(&self) -> usize {
-            self.0[2]
-        }
-        fn origin(&self, _: usize) -> Link {
-            None
-        }
-        fn twin(&self, _: usize) -> Link {
-            None
-        }
-        fn next(&self, _: usize) -> Link {
-            None
+        view_answers! { |claims|
+            parts => Parts::NONE.with(Part::Faces),
+            vertex_slots => claims.0[0],
+            half_edge_slots => claims.0[1],
+            face_slots => claims.0[2],
+            origin(_h) => None,
+            twin(_h) => None,
+            next(_h) => None,
         }
     }
     for claimed in [usize::MAX, u32::MAX as usize] {
-        assert!(Targets::of(Claims([0, claimed, 0])).is_none());
+        assert!(as_targets(&Claims([0, claimed, 0])).is_none());
         assert!(Borders::of(Claims([0, claimed, 0])).is_none());
         assert!(Backward::of(Claims([0, claimed, 0])).is_none());
         for claims in [[0, claimed, 0], [0, 0, claimed]] {

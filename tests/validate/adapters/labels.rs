@@ -1,18 +1,18 @@
 //! Lists of faces that follow from the faces of half-edges.
 
-use super::{MESH, TEXTBOOK};
+use super::MESH;
 use crate::support::erased::{first_broken_rule, validate};
-use crate::support::nested::nested_textbook;
+use crate::support::nested::{PLANE, nested_textbook};
 use crate::support::opinions::agree;
-use crate::support::tables::{half_edge, textbook_map, textbook_mesh};
+use crate::support::tables::{TETRAHEDRON, Without, half_edge, textbook_map, textbook_mesh};
 use std::collections::BTreeSet;
 use twinedge::validate::adapt::FaceLabels;
-use twinedge::validate::{Collect, Expectation, Link, Part, Rule, Start, Table, View};
+use twinedge::validate::{Collect, Link, Part, Rule, Start, Table, View};
 
 /// A face that two cycles name, and one that nobody names.
 #[test]
 fn labels_alone_show_faces_that_are_not_one_cycle() {
-    let mut table = textbook_mesh(4, &[[0, 1, 2], [0, 3, 1], [1, 3, 2], [0, 2, 3]]);
+    let mut table = textbook_mesh(4, &TETRAHEDRON);
     let judge = |table: &Table| {
         let mut bare = table.clone();
         bare.faces.iter_mut().flatten().for_each(|row| row.outer_half_edge = None);
@@ -41,15 +41,15 @@ fn holes_follow_from_labels() {
     // The isolated vertex is in no list that can be derived.
     table.vertices.pop();
     table.faces[1].as_mut().unwrap().inner_starts.pop();
-    assert_eq!(agree(&table, TEXTBOOK), None);
+    assert_eq!(agree(&table, PLANE), None);
     let view = FaceLabels::with_holes(&table, Some(0)).unwrap();
     let listed =
         |f: usize| (view.outer_half_edge(f), (0..view.inner_count(f)).map(|i| view.inner_start(f, i)).collect());
     let hole = |h: usize| vec![Some(Start::HalfEdge(h))];
     assert_eq!([0, 1, 2].map(listed), [(None, hole(1)), (Some(0), hole(7)), (Some(6), vec![])]);
-    assert_eq!(first_broken_rule(&view, &TEXTBOOK), None);
+    assert_eq!(first_broken_rule(&view, &PLANE), None);
     let isolated = FaceLabels::with_holes(nested_textbook(), Some(0)).unwrap();
-    assert_eq!(first_broken_rule(&isolated, &TEXTBOOK), Some(Rule::B2));
+    assert_eq!(first_broken_rule(&isolated, &PLANE), Some(Rule::B2));
     assert_eq!((view.inner_count(3), view.inner_count(usize::MAX), view.inner_start(0, 9)), (0, 0, None));
 }
 
@@ -68,6 +68,7 @@ fn reached(edges: &[(usize, usize)]) -> usize {
 fn labels_that_cannot_nest_are_refused() {
     let half_edges: Vec<(usize, usize)> = (0..6).map(|h| (h / 2, h)).collect();
     let loops = textbook_map(3, &half_edges, &[(None, &[]), (None, &[]), (None, &[]), (None, &[])]);
+    let loops = loops.without(Part::Leaving);
     let mut accepted = [0, 0];
     for labels in 0..4_usize.pow(6) {
         let label = |h: usize| labels / 4_usize.pow(h as u32) % 4;
@@ -78,21 +79,20 @@ fn labels_that_cannot_nest_are_refused() {
         let edges: Vec<(usize, usize)> = (0..6).map(|h| (h / 2, 3 + label(h))).collect();
         // Components 0 … 2 and faces 3 … 6: a tree of 7 nodes has 6 edges, and is connected.
         let is_tree = reached(&edges) == 7;
-        let expectation = TEXTBOOK.without(Part::Leaving);
-        let judge = |unbounded: Link, expectation: Expectation| {
+        let judge = |unbounded: Link| {
             let view = FaceLabels::with_holes(&table, unbounded).unwrap();
             // All cycles of the unbounded face are inner.
             assert_eq!(unbounded.and_then(|f| view.outer_half_edge(f)), None);
-            let report = validate(&view, &expectation, Collect::AtMost(0));
-            assert_eq!(report.broken_rules().next(), first_broken_rule(&view, &expectation));
+            let report = validate(&view, &PLANE, Collect::AtMost(0));
+            assert_eq!(report.broken_rules().next(), first_broken_rule(&view, &PLANE));
             report.is_valid()
         };
         for f in 0..4 {
-            assert_eq!(judge(Some(f), expectation), is_tree, "{edges:?} {f}");
+            assert_eq!(judge(Some(f)), is_tree, "{edges:?} {f}");
         }
         accepted[0] += usize::from(is_tree);
         // Without a record of the unbounded face the tree hangs from a component.
-        assert_eq!(judge(None, expectation.without(Part::UnboundedFace)), is_tree);
+        assert_eq!(judge(None), is_tree);
         // Where one half-edge is outside everything, or is not there, the three other faces are bounded.
         table.faces.pop();
         for outside in [1, 3, 5] {
@@ -106,9 +106,8 @@ fn labels_that_cannot_nest_are_refused() {
             half_edge(&mut without, outside ^ 1).twin = None;
             for table in [table, without] {
                 let view = FaceLabels::with_holes(&table, None).unwrap();
-                let expectation = expectation.without(Part::UnboundedFace).open();
-                let report = validate(&view, &expectation, Collect::AtMost(0));
-                assert_eq!(report.broken_rules().next(), first_broken_rule(&view, &expectation));
+                let report = validate(&view, &PLANE.open(), Collect::AtMost(0));
+                assert_eq!(report.broken_rules().next(), first_broken_rule(&view, &PLANE.open()));
                 assert_eq!(report.is_valid(), is_tree, "{edges:?}\n{report}");
                 // The component at the border is the one that lies in no face.
                 let inside = outside ^ 1;

@@ -1,11 +1,11 @@
 //! Structures that keep targets, and structures that keep `prev` alone.
 
-use super::{AsTargets, maps, mirrored};
+use super::{as_targets, maps, mirrored};
 use crate::support::erased::{first_broken_rule, validate};
 use crate::support::opinions::agree;
 use crate::support::tables::half_edge;
 use std::collections::BTreeSet;
-use twinedge::validate::adapt::{Backward, Targets};
+use twinedge::validate::adapt::Backward;
 use twinedge::validate::enumerate::{Cell, for_each_corruption};
 use twinedge::validate::{Collect, Link, Record, Rule, Table, View};
 
@@ -18,16 +18,14 @@ fn targets_are_judged_as_their_mirror_image() {
         assert_eq!(agree(&mirrored(&table), expectation), None);
         let same = |changed: &Table| {
             let verdict = first_broken_rule(&mirrored(changed), &expectation).is_none();
-            let report = validate(&Targets::of(AsTargets(changed)).unwrap(), &expectation, Collect::All);
+            let view = as_targets(changed).unwrap();
+            let report = validate(&view, &expectation, Collect::All);
             assert_eq!(report.is_valid(), verdict, "{changed}\n{report}");
-            assert_eq!(
-                first_broken_rule(&Targets::of(AsTargets(changed)).unwrap(), &expectation),
-                report.broken_rules().next()
-            );
+            assert_eq!(first_broken_rule(&view, &expectation), report.broken_rules().next());
             verdict
         };
         let mut caught = 0;
-        for_each_corruption(&mut table.clone(), &expectation, |changed, _, _| caught += usize::from(!same(changed)));
+        for_each_corruption(&mut table.clone(), table.parts, |changed, _, _| caught += usize::from(!same(changed)));
         assert!(caught > 50);
         let n = table.half_edges.len();
         for (g, h) in (0..n).flat_map(|g| (0..g).map(move |h| (g, h))) {
@@ -48,11 +46,13 @@ fn targets_are_judged_as_their_mirror_image() {
 fn each_target_is_read_once() {
     for (table, _) in maps() {
         let live: Vec<usize> = (0..table.half_edges.len()).filter(|h| table.is_half_edge(*h)).collect();
-        let targets = Targets::of(AsTargets(mirrored(&table))).unwrap();
+        let mirrored = mirrored(&table);
+        let targets = as_targets(&mirrored).unwrap();
         let from: BTreeSet<Link> = live.iter().map(|h| targets.origin_from(*h)).collect();
         assert_eq!(from, live.iter().copied().map(Some).collect());
     }
-    let nothing = Targets::of(AsTargets(Table::default())).unwrap();
+    let nothing = Table::default();
+    let nothing = as_targets(&nothing).unwrap();
     assert_eq!((nothing.origin_from(0), nothing.origin_from(usize::MAX), nothing.origin(3)), (None, None, None));
 }
 
@@ -61,7 +61,7 @@ fn each_target_is_read_once() {
 fn backward_links_are_judged_as_forward_ones() {
     for (table, expectation) in maps() {
         let mut caught = 0;
-        for_each_corruption(&mut table.clone(), &expectation, |changed, cell, _| {
+        for_each_corruption(&mut table.clone(), table.parts, |changed, cell, _| {
             let mut backward = changed.clone();
             backward.half_edges.iter_mut().flatten().for_each(|row| row.next = None);
             let view = Backward::of(&backward).unwrap();

@@ -5,24 +5,23 @@ mod hostile;
 mod labels;
 mod links;
 
-use crate::support::tables::{half_edge, textbook_map, textbook_mesh, vertex};
+use crate::support::tables::{TETRAHEDRON, half_edge, textbook_map, textbook_mesh, vertex};
 use twinedge::delegate_view;
-use twinedge::validate::{Expectation, HalfEdgeRow, Link, Part, Table, View};
+use twinedge::validate::adapt::Targets;
+use twinedge::validate::{Expectation, HalfEdgeRow, Link, Part, Parts, Table, View};
 
-const MESH: Expectation = Expectation::surface().without(Part::BoundaryComponents);
-pub(super) const TEXTBOOK: Expectation = Expectation::plane().without(Part::BoundaryComponents);
+const MESH: Expectation = Expectation::surface();
 
-/// A view whose origins are read as targets.
-struct AsTargets<V>(V);
-
-impl<V: View> View for AsTargets<V> {
-    delegate_view!(|this| &this.0; except origin, target);
-    fn origin(&self, _: usize) -> Link {
-        None
+/// The view, whose origins are read as targets, and not as origins.
+fn as_targets<V: View>(view: &V) -> Option<Targets<impl View, impl Fn(usize) -> Link>> {
+    struct NoOrigins<'a, V>(&'a V);
+    impl<V: View> View for NoOrigins<'_, V> {
+        delegate_view!(|this| this.0; except origin);
+        fn origin(&self, h: usize) -> Link {
+            unreachable!("the origin of half-edge {h} is not read")
+        }
     }
-    fn target(&self, half_edge: usize) -> Link {
-        self.0.origin(half_edge)
-    }
+    Targets::of(NoOrigins(view), |h| view.origin(h))
 }
 
 /// The table seen from the other side: what was the origin is the target, and cycles run backwards.
@@ -36,7 +35,7 @@ fn mirrored(table: &Table) -> Table {
 
 /// A closed mesh, one with a border whose half-edges have no twins, and an edge with a loop at one end.
 pub(super) fn maps() -> [(Table, Expectation); 3] {
-    let closed = textbook_mesh(4, &[[0, 1, 2], [0, 3, 1], [1, 3, 2], [0, 2, 3]]);
+    let closed = textbook_mesh(4, &TETRAHEDRON);
     let mut open = with_bare_border(5, &[[0, 1, 2], [0, 2, 3], [0, 3, 4]]);
     let borders: Vec<usize> = (0..open.half_edges.len()).filter(|h| half_edge(&mut open, *h).face.is_none()).collect();
     for h in borders {
@@ -44,8 +43,8 @@ pub(super) fn maps() -> [(Table, Expectation); 3] {
         half_edge(&mut open, h ^ 1).twin = None;
     }
     let tadpole = textbook_map(2, &[(0, 2), (1, 0), (1, 1), (1, 3)], &[(Some(0), &[]), (Some(3), &[])]);
-    let surface = MESH.without(Part::Leaving);
-    [(closed, surface), (open, surface.open()), (tadpole, surface)]
+    let kept = |table| Table { parts: Parts::NONE.with(Part::Prev).with(Part::Faces), ..table };
+    [(kept(closed), MESH), (kept(open), MESH.open()), (kept(tadpole), MESH)]
 }
 
 /// A mesh of these triangles. Its border half-edges have twin and origin, and neither face nor next.

@@ -2,10 +2,11 @@
 //! component; a vertex keeps a half-edge that *arrives* at it, or the record of the isolated vertex that it is.
 
 use super::{Stored, each_change, holds, judged, mirrored};
-use crate::support::erased::validate;
-use crate::support::nested::nested;
+use crate::support::erased::validate_plane;
+use crate::support::nested::{PLANE, nested};
 use twinedge::validate::adapt::Targets;
-use twinedge::validate::{BoundaryRow, Collect, Expectation, FaceRow, Link, Part, Start, Table, VertexRow, View};
+use twinedge::validate::{BoundaryRow, FaceRow, Link, Part, Parts, Start, Table, VertexRow, View};
+use twinedge::view_answers;
 
 #[derive(Clone)]
 struct HalfEdge {
@@ -26,62 +27,36 @@ struct Arrangement {
     faces: Vec<(Link, Vec<Link>)>,
 }
 
-impl View for Arrangement {
-    fn vertex_slots(&self) -> usize {
-        self.vertices.len()
-    }
-    fn half_edge_slots(&self) -> usize {
-        self.half_edges.len()
-    }
-    fn boundary_slots(&self) -> usize {
-        self.ccbs.len()
-    }
-    fn face_slots(&self) -> usize {
-        self.faces.len()
-    }
-    fn origin(&self, _: usize) -> Link {
-        None
-    }
-    fn target(&self, h: usize) -> Link {
-        self.half_edges[h].target
-    }
-    fn twin(&self, h: usize) -> Link {
-        self.half_edges[h].opposite
-    }
-    fn next(&self, h: usize) -> Link {
-        self.half_edges[h].next
-    }
-    fn prev(&self, h: usize) -> Link {
-        self.half_edges[h].prev
-    }
-    fn boundary(&self, h: usize) -> Link {
-        self.half_edges[h].ccb
-    }
-    fn leaving(&self, v: usize) -> Link {
-        let arriving = self.vertices[v][0]?;
-        self.half_edges.get(arriving).map_or(Some(arriving), |h| h.opposite)
-    }
-    fn isolated(&self, v: usize) -> Link {
-        self.vertices[v][1]
-    }
-    fn boundary_face(&self, b: usize) -> Link {
-        self.ccbs[b].0
-    }
-    fn boundary_start(&self, b: usize) -> Option<Start> {
-        Some(self.ccbs[b].1)
-    }
-    fn outer(&self, f: usize) -> Link {
-        self.faces[f].0
-    }
-    fn inner_count(&self, f: usize) -> usize {
-        self.faces[f].1.len()
-    }
-    fn inner(&self, f: usize, i: usize) -> Link {
-        self.faces[f].1[i]
+impl Arrangement {
+    fn view(&self) -> impl View {
+        Targets::of(self, |h| self.half_edges[h].target).unwrap()
     }
 }
 
-const EXPECTATION: Expectation = Expectation::plane().without(Part::Places);
+impl View for Arrangement {
+    view_answers! { |map|
+        parts => Parts::ALL.without(Part::Places),
+        vertex_slots => map.vertices.len(),
+        half_edge_slots => map.half_edges.len(),
+        boundary_slots => map.ccbs.len(),
+        face_slots => map.faces.len(),
+        origin(_h) => None,
+        twin(h) => map.half_edges[h].opposite,
+        next(h) => map.half_edges[h].next,
+        prev(h) => map.half_edges[h].prev,
+        boundary(h) => map.half_edges[h].ccb,
+        leaving(v) => {
+            let arriving = map.vertices[v][0]?;
+            map.half_edges.get(arriving).map_or(Some(arriving), |h| h.opposite)
+        },
+        isolated(v) => map.vertices[v][1],
+        boundary_face(b) => map.ccbs[b].0,
+        boundary_start(b) => Some(map.ccbs[b].1),
+        outer(f) => map.faces[f].0,
+        inner_count(f) => map.faces[f].1.len(),
+        inner(f, i) => map.faces[f].1[i],
+    }
+}
 
 /// A triangle with a triangular hole, and an isolated vertex between.
 fn sound() -> Arrangement {
@@ -105,7 +80,7 @@ fn sound() -> Arrangement {
 #[test]
 fn validating_an_arrangement() {
     let arrangement = sound();
-    let report = validate(&Targets::of(&arrangement).unwrap(), &EXPECTATION, Collect::All);
+    let report = validate_plane(&arrangement.view());
     assert_eq!(report.into_result().unwrap().components, 3);
 }
 
@@ -141,6 +116,7 @@ fn table(map: &Arrangement) -> Table {
         Some(FaceRow { outer: *outer, inner: inner.clone(), ..FaceRow::default() })
     };
     Table {
+        parts: Parts::ALL.without(Part::Places),
         vertices: map.vertices.iter().map(vertex).collect(),
         half_edges: map.half_edges.iter().map(half_edge).collect(),
         boundaries: map.ccbs.iter().map(boundary).collect(),
@@ -150,8 +126,7 @@ fn table(map: &Arrangement) -> Table {
 
 #[test]
 fn no_fault_of_an_arrangement_is_hidden() {
-    let verdict = |map: &Arrangement| judged(&Targets::of(map).unwrap(), EXPECTATION);
-    let found = each_change(&sound(), links, verdict, |map| holds(&table(map), EXPECTATION));
+    let found = each_change(&sound(), links, |map| judged(&map.view(), PLANE), |map| holds(&table(map), PLANE));
     // Another half-edge that arrives at the same vertex (6 of degree 2) is as good.
     assert_eq!((found.all, found.accepted), (910, 6));
 }

@@ -3,8 +3,10 @@
 
 use super::{Stored, each_change, judged};
 use crate::support::erased::validate;
+use crate::support::tables::TETRAHEDRON;
 use std::collections::BTreeSet;
-use twinedge::validate::{Collect, Expectation, Link, Part, View};
+use twinedge::validate::{Collect, Expectation, Link, Part, Parts, View};
+use twinedge::view_answers;
 
 #[derive(Clone)]
 struct CornerTable {
@@ -19,34 +21,20 @@ fn next(c: usize) -> usize {
 
 /// Half-edge `c` is the side that faces corner `c`: from the next corner to the one after that.
 impl View for CornerTable {
-    fn vertex_slots(&self) -> usize {
-        self.vertices
-    }
-    fn half_edge_slots(&self) -> usize {
-        self.vertex.len()
-    }
-    fn face_slots(&self) -> usize {
-        self.vertex.len() / 3
-    }
-    fn origin(&self, c: usize) -> Link {
-        self.vertex[next(c)]
-    }
-    fn twin(&self, c: usize) -> Link {
-        self.opposite[c]
-    }
-    fn next(&self, c: usize) -> Link {
-        Some(next(c))
-    }
-    fn face(&self, c: usize) -> Link {
-        Some(c / 3)
-    }
-    fn outer_half_edge(&self, t: usize) -> Link {
-        Some(3 * t)
+    view_answers! { |table|
+        parts => Parts::NONE.with(Part::Faces),
+        vertex_slots => table.vertices,
+        half_edge_slots => table.vertex.len(),
+        face_slots => table.vertex.len() / 3,
+        origin(c) => table.vertex[next(c)],
+        twin(c) => table.opposite[c],
+        next(c) => Some(next(c)),
+        face(c) => Some(c / 3),
+        outer_half_edge(t) => Some(3 * t),
     }
 }
 
-const EXPECTATION: Expectation =
-    Expectation::surface().without(Part::BoundaryComponents).without(Part::Prev).without(Part::Leaving).open();
+const EXPECTATION: Expectation = Expectation::surface().open();
 
 /// Triangles, glued along the sides that they share.
 fn glued(vertices: usize, triangles: &[[usize; 3]]) -> CornerTable {
@@ -62,7 +50,7 @@ fn glued(vertices: usize, triangles: &[[usize; 3]]) -> CornerTable {
 
 #[test]
 fn validating_a_corner_table() {
-    let closed = glued(4, &[[0, 1, 2], [0, 3, 1], [1, 3, 2], [0, 2, 3]]);
+    let closed = glued(4, &TETRAHEDRON);
     assert!(validate(&closed, &EXPECTATION, Collect::All).is_valid());
     let fan = glued(4, &[[0, 1, 2], [0, 3, 1], [1, 3, 2]]);
     assert_eq!(validate(&fan, &EXPECTATION, Collect::All).into_result().unwrap().borders, 1);
@@ -105,7 +93,7 @@ fn is_sound(table: &CornerTable) -> bool {
 fn no_fault_of_a_corner_table_is_hidden() {
     // Vertex 5 is in no triangle.
     for (triangles, accepted) in [
-        (&[[0, 1, 2], [0, 3, 1], [1, 3, 2], [0, 2, 3]][..], 0),
+        (&TETRAHEDRON[..], 0),
         // A corner whose two sides are on the border can move to vertex 5.
         (&[[0, 1, 2], [0, 2, 3], [0, 3, 4]][..], 2),
         (&[[0, 1, 2]][..], 3 * 3),

@@ -5,7 +5,10 @@ use super::{Stored, each_change, holds, judged, open_tetrahedron};
 use crate::support::erased::validate;
 use std::collections::BTreeMap;
 use twinedge::validate::adapt::{Borders, Index, Targets};
-use twinedge::validate::{Collect, Expectation, FaceRow, HalfEdgeRow, Link, Part, Record, Table, VertexRow, View};
+use twinedge::validate::{
+    Collect, Expectation, FaceRow, HalfEdgeRow, Link, Part, Parts, Record, Table, VertexRow, View,
+};
+use twinedge::view_answers;
 
 #[derive(Clone)]
 struct HalfEdge {
@@ -36,42 +39,29 @@ impl<'a> MeshView<'a> {
         let half_edges = Index::of(mesh.half_edges.keys().copied());
         Self { mesh, vertices, half_edges, faces: Index::of(mesh.faces.keys().copied()) }
     }
+
+    fn view(&self) -> impl View {
+        let target = |h| self.half_edges.follow(h, &self.vertices, |h| self.mesh.half_edges[h].vertex);
+        Targets::of(Borders::of(self).unwrap(), target).unwrap()
+    }
 }
 
 impl View for MeshView<'_> {
-    fn vertex_slots(&self) -> usize {
-        self.vertices.len()
-    }
-    fn half_edge_slots(&self) -> usize {
-        self.half_edges.len()
-    }
-    fn face_slots(&self) -> usize {
-        self.faces.len()
-    }
-    fn origin(&self, _: usize) -> Link {
-        None
-    }
-    fn target(&self, h: usize) -> Link {
-        self.half_edges.follow(h, &self.vertices, |h| self.mesh.half_edges[h].vertex)
-    }
-    fn twin(&self, h: usize) -> Link {
-        self.half_edges.follow(h, &self.half_edges, |h| self.mesh.half_edges[h].twin)
-    }
-    fn next(&self, h: usize) -> Link {
-        self.half_edges.follow(h, &self.half_edges, |h| self.mesh.half_edges[h].next)
-    }
-    fn face(&self, h: usize) -> Link {
-        self.half_edges.follow(h, &self.faces, |h| self.mesh.half_edges[h].face)
-    }
-    fn leaving(&self, v: usize) -> Link {
-        self.vertices.follow(v, &self.half_edges, |v| self.mesh.vertices[v])
-    }
-    fn outer_half_edge(&self, f: usize) -> Link {
-        self.faces.follow(f, &self.half_edges, |f| self.mesh.faces[f])
+    view_answers! { |view|
+        parts => Parts::NONE.with(Part::Faces).with(Part::Leaving),
+        vertex_slots => view.vertices.len(),
+        half_edge_slots => view.half_edges.len(),
+        face_slots => view.faces.len(),
+        origin(_h) => None,
+        twin(h) => view.half_edges.follow(h, &view.half_edges, |h| view.mesh.half_edges[h].twin),
+        next(h) => view.half_edges.follow(h, &view.half_edges, |h| view.mesh.half_edges[h].next),
+        face(h) => view.half_edges.follow(h, &view.faces, |h| view.mesh.half_edges[h].face),
+        leaving(v) => view.vertices.follow(v, &view.half_edges, |v| view.mesh.vertices[v]),
+        outer_half_edge(f) => view.faces.follow(f, &view.half_edges, |f| view.mesh.faces[f]),
     }
 }
 
-const EXPECTATION: Expectation = Expectation::surface().without(Part::BoundaryComponents).without(Part::Prev).open();
+const EXPECTATION: Expectation = Expectation::surface().open();
 
 /// Keys of the records, far from their indices.
 const VERTEX: usize = 100;
@@ -102,18 +92,18 @@ fn validating_a_mesh_with_keys() {
     let mut mesh = keyed(&open_tetrahedron());
     let report = |mesh: &KeyedMesh| {
         let view = MeshView::of(mesh);
-        let report = validate(&Targets::of(Borders::of(&view).unwrap()).unwrap(), &EXPECTATION, Collect::All);
+        let report = validate(&view.view(), &EXPECTATION, Collect::All);
         let names = |record| match record {
             Record::Vertex(v) => format!("#{}", view.vertices.name(v)),
             Record::HalfEdge(h) => format!("#{}", view.half_edges.name(h)),
             record => format!("#{}", view.faces.name(record.index())),
         };
-        (report.certificate().map(|found| found.cycles), report.named(names).to_string())
+        (report.figures().map(|found| found.cycles), report.named(names).to_string())
     };
     assert_eq!(report(&mesh).0, Some(3));
     mesh.half_edges.get_mut(&HALF_EDGE).unwrap().vertex = Some(VERTEX + 3);
-    let (certificate, text) = report(&mesh);
-    assert_eq!(certificate, None);
+    let (figures, text) = report(&mesh);
+    assert_eq!(figures, None);
     let expected = "L3: half-edge #200 ends at vertex #103, but its next #202 starts at vertex #101: the cycle jumps";
     assert!(text.contains(expected), "{text}");
 }
@@ -198,24 +188,18 @@ fn is_sound(mesh: &KeyedMesh) -> bool {
     let faces_are_named =
         mesh.half_edges.values().all(|row| is_border(row) || row.next.is_some() && row.face.is_some());
     let table = Table {
+        parts: Parts::NONE.with(Part::Faces),
         vertices: mesh.vertices.values().map(|_| Some(VertexRow::default())).collect(),
         half_edges: mesh.half_edges.iter().map(row).collect(),
-        boundaries: vec![],
         faces: mesh.faces.values().map(|h| Some(FaceRow { outer_half_edge: *h, ..FaceRow::default() })).collect(),
+        ..Table::default()
     };
-    borders_are_right
-        && leaving_is_right
-        && targets_are_right
-        && faces_are_named
-        && holds(&table, EXPECTATION.without(Part::Leaving))
+    borders_are_right && leaving_is_right && targets_are_right && faces_are_named && holds(&table, EXPECTATION)
 }
 
 #[test]
 fn no_fault_of_a_mesh_with_keys_is_hidden() {
-    let verdict = |mesh: &KeyedMesh| {
-        let mesh = shifted(mesh);
-        judged(&Targets::of(Borders::of(MeshView::of(&mesh)).unwrap()).unwrap(), EXPECTATION)
-    };
+    let verdict = |mesh: &KeyedMesh| judged(&MeshView::of(&shifted(mesh)).view(), EXPECTATION);
     let found = each_change(&unshifted(&keyed(&open_tetrahedron())), links, verdict, is_sound);
     // Another half-edge of the same vertex (4 of degree 3) or face (3 triangles) is as good.
     assert_eq!((found.all, found.accepted), (566, 4 * 2 + 3 * 2));

@@ -11,7 +11,7 @@ mod textbook;
 mod winged_edge;
 
 use crate::support::erased::{broken_rules, first_broken_rule, validate};
-use crate::support::tables::textbook_mesh;
+use crate::support::tables::{TETRAHEDRON, textbook_mesh};
 
 use twinedge::validate::{Collect, Expectation, HalfEdgeRow, Link, Report, Table, View};
 
@@ -84,7 +84,7 @@ fn other_side(half_edge: Link, half_edges: usize) -> Link {
 /// A tetrahedron without one of its faces: its vertices, and for each half-edge origin, next and face. Twins have
 /// neighbouring numbers, and those along the border have no face.
 fn open_tetrahedron() -> Table {
-    let mut table = textbook_mesh(4, &[[0, 1, 2], [0, 3, 1], [1, 3, 2], [0, 2, 3]]);
+    let mut table = textbook_mesh(4, &TETRAHEDRON);
     for row in table.half_edges.iter_mut().flatten().filter(|row| row.face == Some(3)) {
         row.face = None;
     }

@@ -3,10 +3,11 @@
 
 use super::{Changes, Stored, each_change, judged};
 use crate::support::erased::validate;
-use crate::support::tables::textbook_mesh;
+use crate::support::tables::{TETRAHEDRON, textbook_mesh};
 use std::collections::BTreeSet;
 use twinedge::validate::adapt::FaceLabels;
-use twinedge::validate::{Collect, Expectation, Link, Part, Table, View};
+use twinedge::validate::{Collect, Expectation, Link, Part, Parts, Table, View};
+use twinedge::view_answers;
 
 #[derive(Clone)]
 struct QuadEdge {
@@ -27,33 +28,20 @@ fn half_edge(q: usize) -> usize {
 
 /// Half-edge `2e` is the quarter `4e`, and `2e + 1` is `4e + 2`.
 impl View for QuadEdge {
-    fn vertex_slots(&self) -> usize {
-        self.vertices
-    }
-    fn half_edge_slots(&self) -> usize {
-        self.onext.len() / 2
-    }
-    fn face_slots(&self) -> usize {
-        self.faces
-    }
-    fn origin(&self, h: usize) -> Link {
-        self.origin[2 * h]
-    }
-    fn twin(&self, h: usize) -> Link {
-        Some(h ^ 1)
-    }
-    fn next(&self, h: usize) -> Link {
-        self.onext[rot(2 * h, 3)].map(|q| half_edge(rot(q, 1)))
-    }
-    fn prev(&self, h: usize) -> Link {
-        self.onext[2 * h].map(|q| half_edge(rot(q, 2)))
-    }
-    fn face(&self, h: usize) -> Link {
-        self.origin[rot(2 * h, 3)]
+    view_answers! { |quads|
+        parts => Parts::NONE.with(Part::Prev),
+        vertex_slots => quads.vertices,
+        half_edge_slots => quads.onext.len() / 2,
+        face_slots => quads.faces,
+        origin(h) => quads.origin[2 * h],
+        twin(h) => Some(h ^ 1),
+        next(h) => quads.onext[rot(2 * h, 3)].map(|q| half_edge(rot(q, 1))),
+        prev(h) => quads.onext[2 * h].map(|q| half_edge(rot(q, 2))),
+        face(h) => quads.origin[rot(2 * h, 3)],
     }
 }
 
-const EXPECTATION: Expectation = Expectation::surface().without(Part::BoundaryComponents).without(Part::Leaving);
+const EXPECTATION: Expectation = Expectation::surface();
 
 fn of_mesh(table: &Table) -> QuadEdge {
     let rows: Vec<_> = table.half_edges.iter().flatten().collect();
@@ -71,7 +59,7 @@ fn of_mesh(table: &Table) -> QuadEdge {
 }
 
 fn tetrahedron() -> QuadEdge {
-    of_mesh(&textbook_mesh(4, &[[0, 1, 2], [0, 3, 1], [1, 3, 2], [0, 2, 3]]))
+    of_mesh(&textbook_mesh(4, &TETRAHEDRON))
 }
 
 #[test]

@@ -3,8 +3,10 @@
 
 use super::{Stored, each_change, holds, judged, mirrored, open_tetrahedron, other_side};
 use crate::support::erased::validate;
+use crate::support::tables::TEXTBOOK;
 use twinedge::validate::adapt::Targets;
-use twinedge::validate::{Collect, Expectation, FaceRow, Link, Part, Rule, Table, VertexRow, View};
+use twinedge::validate::{Collect, Expectation, FaceRow, Link, Part, Parts, Rule, Table, VertexRow, View};
+use twinedge::view_answers;
 
 #[derive(Clone)]
 struct Connectivity {
@@ -21,43 +23,29 @@ struct SurfaceMesh {
     faces: Vec<Link>,
 }
 
-impl View for SurfaceMesh {
-    fn vertex_slots(&self) -> usize {
-        self.arriving.len()
-    }
-    fn half_edge_slots(&self) -> usize {
-        self.half_edges.len()
-    }
-    fn face_slots(&self) -> usize {
-        self.faces.len()
-    }
-    fn origin(&self, _: usize) -> Link {
-        None
-    }
-    fn target(&self, h: usize) -> Link {
-        self.half_edges[h].target
-    }
-    fn twin(&self, h: usize) -> Link {
-        Some(h ^ 1)
-    }
-    fn next(&self, h: usize) -> Link {
-        self.half_edges[h].next
-    }
-    fn prev(&self, h: usize) -> Link {
-        self.half_edges[h].prev
-    }
-    fn face(&self, h: usize) -> Link {
-        self.half_edges[h].face
-    }
-    fn leaving(&self, v: usize) -> Link {
-        other_side(self.arriving[v], self.half_edges.len())
-    }
-    fn outer_half_edge(&self, f: usize) -> Link {
-        self.faces[f]
+impl SurfaceMesh {
+    fn view(&self) -> impl View {
+        Targets::of(self, |h| self.half_edges[h].target).unwrap()
     }
 }
 
-const EXPECTATION: Expectation = Expectation::surface().without(Part::BoundaryComponents).open();
+impl View for SurfaceMesh {
+    view_answers! { |mesh|
+        parts => Parts::NONE.with(Part::Prev).with(Part::Leaving).with(Part::Faces),
+        vertex_slots => mesh.arriving.len(),
+        half_edge_slots => mesh.half_edges.len(),
+        face_slots => mesh.faces.len(),
+        origin(_h) => None,
+        twin(h) => Some(h ^ 1),
+        next(h) => mesh.half_edges[h].next,
+        prev(h) => mesh.half_edges[h].prev,
+        face(h) => mesh.half_edges[h].face,
+        leaving(v) => other_side(mesh.arriving[v], mesh.half_edges.len()),
+        outer_half_edge(f) => mesh.faces[f],
+    }
+}
+
+const EXPECTATION: Expectation = Expectation::surface().open();
 
 fn sound() -> SurfaceMesh {
     let table = open_tetrahedron();
@@ -74,8 +62,7 @@ fn sound() -> SurfaceMesh {
 
 #[test]
 fn validating_a_mesh_like_those_of_cgal() {
-    let mesh = sound();
-    let report = validate(&Targets::of(&mesh).unwrap(), &EXPECTATION, Collect::All);
+    let report = validate(&sound().view(), &EXPECTATION, Collect::All);
     assert_eq!(report.into_result().unwrap().cycles, 3);
 }
 
@@ -97,17 +84,18 @@ fn table(mesh: &SurfaceMesh) -> Table {
     };
     let face = |h: &Link| Some(FaceRow { outer_half_edge: *h, ..FaceRow::default() });
     Table {
+        parts: TEXTBOOK,
         // What arrives at a vertex leaves it in the mirror.
         vertices: mesh.arriving.iter().map(|h| Some(VertexRow { leaving: *h, isolated: None })).collect(),
         half_edges: mesh.half_edges.iter().enumerate().map(row).collect(),
-        boundaries: vec![],
         faces: mesh.faces.iter().map(face).collect(),
+        ..Table::default()
     }
 }
 
 #[test]
 fn no_fault_of_such_a_mesh_is_hidden() {
-    let verdict = |mesh: &SurfaceMesh| judged(&Targets::of(mesh).unwrap(), EXPECTATION);
+    let verdict = |mesh: &SurfaceMesh| judged(&mesh.view(), EXPECTATION);
     let found = each_change(&sound(), links, verdict, |mesh| holds(&table(mesh), EXPECTATION));
     assert_eq!((found.all, found.accepted), (566, 4 * 2 + 3 * 2));
 }
@@ -116,8 +104,8 @@ fn no_fault_of_such_a_mesh_is_hidden() {
 #[test]
 fn l3_compares_two_stored_facts() {
     let broken = |mesh: &SurfaceMesh| {
-        let report = judged(&Targets::of(mesh).unwrap(), EXPECTATION);
-        let at = report.violations().first().and_then(|violation| violation.records().into_iter().flatten().next());
+        let report = judged(&mesh.view(), EXPECTATION);
+        let at = report.first().and_then(|violation| violation.records().into_iter().flatten().next());
         (report.broken_rules().next(), at.map(|record| record.index()))
     };
     let n = sound().half_edges.len();

@@ -3,8 +3,9 @@
 
 use super::{Stored, each_change, holds, judged};
 use crate::support::erased::validate;
-use crate::support::tables::textbook_mesh;
-use twinedge::validate::{Collect, Expectation, FaceRow, HalfEdgeRow, Link, Part, Table, VertexRow, View};
+use crate::support::tables::{TETRAHEDRON, TEXTBOOK, textbook_mesh};
+use twinedge::validate::{Collect, Expectation, FaceRow, HalfEdgeRow, Link, Part, Parts, Table, VertexRow, View};
+use twinedge::view_answers;
 
 /// Side 0 runs from `vertices[0]` to `vertices[1]` along `faces[0]`, side 1 back along `faces[1]`.
 #[derive(Clone)]
@@ -34,44 +35,31 @@ impl WingedEdges {
 /// Half-edge `2e + s` is side `s` of edge `e`. A wing is that side of the other edge which starts, or ends, where this one
 /// ends, or starts.
 impl View for WingedEdges {
-    fn vertex_slots(&self) -> usize {
-        self.vertices.len()
-    }
-    fn half_edge_slots(&self) -> usize {
-        2 * self.edges.len()
-    }
-    fn face_slots(&self) -> usize {
-        self.faces.len()
-    }
-    fn origin(&self, h: usize) -> Link {
-        self.edges[h / 2].vertices[h % 2]
-    }
-    fn twin(&self, h: usize) -> Link {
-        Some(h ^ 1)
-    }
-    fn next(&self, h: usize) -> Link {
-        let Edge { vertices, after, .. } = &self.edges[h / 2];
-        self.side(after[h % 2], |edge, side| edge.vertices[side] == vertices[1 - h % 2])
-    }
-    fn prev(&self, h: usize) -> Link {
-        let Edge { vertices, before, .. } = &self.edges[h / 2];
-        self.side(before[h % 2], |edge, side| edge.vertices[1 - side] == vertices[h % 2])
-    }
-    fn face(&self, h: usize) -> Link {
-        self.edges[h / 2].faces[h % 2]
-    }
-    fn leaving(&self, v: usize) -> Link {
-        self.side(self.vertices[v], |edge, side| edge.vertices[side] == Some(v))
-    }
-    fn outer_half_edge(&self, f: usize) -> Link {
-        self.side(self.faces[f], |edge, side| edge.faces[side] == Some(f))
+    view_answers! { |map|
+        parts => Parts::NONE.with(Part::Prev).with(Part::Leaving).with(Part::Faces),
+        vertex_slots => map.vertices.len(),
+        half_edge_slots => 2 * map.edges.len(),
+        face_slots => map.faces.len(),
+        origin(h) => map.edges[h / 2].vertices[h % 2],
+        twin(h) => Some(h ^ 1),
+        next(h) => {
+            let Edge { vertices, after, .. } = &map.edges[h / 2];
+            map.side(after[h % 2], |edge, side| edge.vertices[side] == vertices[1 - h % 2])
+        },
+        prev(h) => {
+            let Edge { vertices, before, .. } = &map.edges[h / 2];
+            map.side(before[h % 2], |edge, side| edge.vertices[1 - side] == vertices[h % 2])
+        },
+        face(h) => map.edges[h / 2].faces[h % 2],
+        leaving(v) => map.side(map.vertices[v], |edge, side| edge.vertices[side] == Some(v)),
+        outer_half_edge(f) => map.side(map.faces[f], |edge, side| edge.faces[side] == Some(f)),
     }
 }
 
-const EXPECTATION: Expectation = Expectation::surface().without(Part::BoundaryComponents);
+const EXPECTATION: Expectation = Expectation::surface();
 
 fn sound() -> WingedEdges {
-    let table = textbook_mesh(4, &[[0, 1, 2], [0, 3, 1], [1, 3, 2], [0, 2, 3]]);
+    let table = textbook_mesh(4, &TETRAHEDRON);
     let half_edges: Vec<_> = table.half_edges.iter().flatten().collect();
     let edge = |link: Link| link.map(|h| h / 2);
     let both = |e: usize, link: fn(&HalfEdgeRow) -> Link| [2 * e, 2 * e + 1].map(|h| link(half_edges[h]));
@@ -119,14 +107,15 @@ fn table(map: &WingedEdges) -> Table {
     };
     let rows = map.edges.iter().flat_map(|edge| [(edge, 0), (edge, 1)]).map(row).enumerate();
     Table {
+        parts: TEXTBOOK,
         vertices: (0..map.vertices.len())
             .map(|v| Some(VertexRow { leaving: map.leaving(v), isolated: None }))
             .collect(),
         half_edges: rows.map(|(h, row)| Some(HalfEdgeRow { twin: Some(h ^ 1), ..row })).collect(),
-        boundaries: vec![],
         faces: (0..map.faces.len())
             .map(|f| Some(FaceRow { outer_half_edge: map.outer_half_edge(f), ..FaceRow::default() }))
             .collect(),
+        ..Table::default()
     }
 }
 

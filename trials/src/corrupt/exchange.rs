@@ -6,7 +6,7 @@
 
 use std::mem::swap;
 use twinedge::validate::enumerate::Cell;
-use twinedge::validate::{BoundaryPlace, BoundaryRow, Expectation, FaceRow, Link, Part, Start, Table, View};
+use twinedge::validate::{BoundaryPlace, BoundaryRow, FaceRow, Link, Part, Parts, Start, Table, View};
 
 /// The kind of record of which two are exchanged.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -56,23 +56,23 @@ pub(super) enum Exchange {
 }
 
 impl Exchange {
-    /// All of them, of a right table in the form of this expectation.
-    pub(super) fn all(table: &Table, expectation: Expectation) -> Vec<Self> {
-        let mut all = cells(table, expectation);
-        all.extend(records(table, expectation));
-        all.extend(Self::structural(table, expectation));
+    /// All of them, of a right table of which these parts are looked at.
+    pub(super) fn all(table: &Table, parts: Parts) -> Vec<Self> {
+        let mut all = cells(table, parts);
+        all.extend(records(table, parts));
+        all.extend(Self::structural(table, parts));
         all
     }
 
     /// Those of cycles, lists, twins and nexts: links that follow one another are changed together.
-    pub(super) fn structural(table: &Table, expectation: Expectation) -> Vec<Self> {
+    pub(super) fn structural(table: &Table, parts: Parts) -> Vec<Self> {
         let mut all = Vec::new();
-        let entries = entries(table, expectation);
+        let entries = entries(table, parts);
         for [i, j] in pairs(entries.len()) {
             all.extend([true, false].map(|with_starts| Self::Cycles { entries: [i, j], with_starts }));
             all.extend([Self::Joined([i, j]), Self::Joined([j, i])]);
         }
-        for (entry, listed) in entries.iter().enumerate().filter(|_| expectation.has(Part::Holes)) {
+        for (entry, listed) in entries.iter().enumerate().filter(|_| parts.has(Part::Holes)) {
             if listed.place == BoundaryPlace::Outer {
                 let others = (0..table.faces.len()).filter(|f| table.is_face(*f) && *f != listed.face);
                 all.extend(others.map(|of| Self::MadeInner { entry, of }));
@@ -81,14 +81,14 @@ impl Exchange {
                 all.extend([true, false].map(|often| Self::Repeated { entry, often }));
             }
         }
-        if expectation.has(Part::Holes) && expectation.has(Part::Faces) {
+        if parts.has(Part::Holes) && parts.has(Part::Faces) {
             for faces in pairs(table.faces.len()).filter(|faces| faces.iter().all(|f| table.is_face(*f))) {
                 if faces.iter().any(|f| table.inner_count(*f) > 0) {
                     all.extend([true, false].map(|with_names| Self::Lists { faces, with_names }));
                 }
             }
         }
-        if expectation.has(Part::BoundaryComponents) && !expectation.has(Part::UnboundedFace) {
+        if parts.has(Part::BoundaryComponents) && !parts.has(Part::UnboundedFace) {
             let live = |v: &usize| table.is_vertex(*v);
             let is_connected = |v: &usize| table.half_edges.iter().flatten().any(|row| row.origin == Some(*v));
             let alone =
@@ -117,7 +117,7 @@ impl Exchange {
                         all.push(Self::TurnedTwins(half_edges));
                     }
                     all.push(Self::Turned { half_edges, with_labels: false });
-                    if expectation.has(Part::Faces) {
+                    if parts.has(Part::Faces) {
                         all.push(Self::Turned { half_edges, with_labels: true });
                     }
                 }
@@ -144,7 +144,7 @@ impl Exchange {
     }
 
     /// Makes it. Whether the table is another one now; if not, it means nothing.
-    pub(super) fn apply(self, table: &mut Table, expectation: Expectation) -> bool {
+    pub(super) fn apply(self, table: &mut Table, parts: Parts) -> bool {
         let before = table.clone();
         let done = match self {
             Self::Cells(one, other) => exchange_cells(table, one, other),
@@ -157,8 +157,8 @@ impl Exchange {
                 }
                 Some(())
             }
-            Self::Cycles { entries, with_starts } => exchange_cycles(table, expectation, entries, with_starts),
-            Self::Lists { faces, with_names } => exchange_lists(table, expectation, faces, with_names),
+            Self::Cycles { entries, with_starts } => exchange_cycles(table, parts, entries, with_starts),
+            Self::Lists { faces, with_names } => exchange_lists(table, parts, faces, with_names),
             Self::OwnTwins(h) => table.twin(h).map(|t| {
                 set_twin(table, h, h);
                 set_twin(table, t, t);
@@ -174,26 +174,24 @@ impl Exchange {
                     }
                 })
             }
-            Self::Halved(h) => halve(table, expectation, h),
-            Self::AddedFace(v) => add_face(table, expectation, v),
-            Self::Nexts(g, h) => turn(table, expectation, &[g, h]),
-            Self::Turned { half_edges, with_labels } => turn(table, expectation, &half_edges)
-                .and_then(|()| if with_labels { label_cycles(table, expectation) } else { Some(()) }),
+            Self::Halved(h) => halve(table, parts, h),
+            Self::AddedFace(v) => add_face(table, parts, v),
+            Self::Nexts(g, h) => turn(table, parts, &[g, h]),
+            Self::Turned { half_edges, with_labels } => turn(table, parts, &half_edges)
+                .and_then(|()| if with_labels { label_cycles(table, parts) } else { Some(()) }),
             Self::Joined([kept, gone]) => {
-                let all = entries(table, expectation);
+                let all = entries(table, parts);
                 all.get(kept).zip(all.get(gone)).and_then(|(kept, gone)| join(table, *kept, *gone))
             }
             Self::MadeInner { entry, of } => {
-                entries(table, expectation).get(entry).and_then(|entry| make_inner(table, *entry, of))
+                entries(table, parts).get(entry).and_then(|entry| make_inner(table, *entry, of))
             }
-            Self::MadeOuter { entry } => {
-                entries(table, expectation).get(entry).and_then(|entry| make_outer(table, *entry))
-            }
+            Self::MadeOuter { entry } => entries(table, parts).get(entry).and_then(|entry| make_outer(table, *entry)),
             Self::Repeated { entry, often } => {
-                entries(table, expectation).get(entry).and_then(|entry| repeat(table, *entry, often))
+                entries(table, parts).get(entry).and_then(|entry| repeat(table, *entry, often))
             }
             Self::MadeVertex { entry } => {
-                entries(table, expectation).get(entry).and_then(|entry| make_vertex(table, expectation, *entry))
+                entries(table, parts).get(entry).and_then(|entry| make_vertex(table, parts, *entry))
             }
         };
         done.is_some() && *table != before
@@ -205,16 +203,16 @@ fn pairs(n: usize) -> impl Iterator<Item = [usize; 2]> {
     (0..n).flat_map(move |i| (i + 1..n).map(move |j| [i, j]))
 }
 
-fn cells(table: &Table, expectation: Expectation) -> Vec<Exchange> {
-    let all = table.cells(&expectation);
+fn cells(table: &Table, parts: Parts) -> Vec<Exchange> {
+    let all = table.cells(parts);
     let alike = |i: usize, j: usize| std::mem::discriminant(&all[i]) == std::mem::discriminant(&all[j]);
     let alike = pairs(all.len()).filter(|[i, j]| alike(*i, *j));
     alike.map(|[i, j]| Exchange::Cells(all[i], all[j])).collect()
 }
 
-fn records(table: &Table, expectation: Expectation) -> Vec<Exchange> {
-    let with_faces = expectation.has(Part::Faces);
-    let with_boundaries = with_faces && expectation.has(Part::BoundaryComponents);
+fn records(table: &Table, parts: Parts) -> Vec<Exchange> {
+    let with_faces = parts.has(Part::Faces);
+    let with_boundaries = with_faces && parts.has(Part::BoundaryComponents);
     let mut all = Vec::new();
     let mut of = |rows: Rows, wanted: bool, live: Vec<bool>| {
         let pairs = pairs(live.len()).filter(|[i, j]| wanted && live[*i] && live[*j]);
@@ -245,19 +243,19 @@ struct Entry {
 }
 
 /// The entries of the lists of all faces, the outer ones included.
-fn entries(table: &Table, expectation: Expectation) -> Vec<Entry> {
+fn entries(table: &Table, parts: Parts) -> Vec<Entry> {
     let mut all = Vec::new();
-    if !expectation.has(Part::Faces) {
+    if !parts.has(Part::Faces) {
         return all;
     }
     for face in (0..table.faces.len()).filter(|f| table.is_face(*f)) {
-        let inner = if expectation.has(Part::Holes) { table.inner_count(face) } else { 0 };
+        let inner = if parts.has(Part::Holes) { table.inner_count(face) } else { 0 };
         for place in std::iter::once(BoundaryPlace::Outer).chain((0..inner).map(BoundaryPlace::Inner)) {
             let boundary = match place {
                 BoundaryPlace::Outer => table.outer(face),
                 BoundaryPlace::Inner(i) => table.inner(face, i),
             };
-            let start = match (expectation.has(Part::BoundaryComponents), place) {
+            let start = match (parts.has(Part::BoundaryComponents), place) {
                 (true, _) => boundary.and_then(|b| table.boundary_start(b)),
                 (false, BoundaryPlace::Outer) => table.outer_half_edge(face).map(Start::HalfEdge),
                 (false, BoundaryPlace::Inner(i)) => table.inner_start(face, i),
@@ -310,8 +308,8 @@ fn set_start(table: &mut Table, entry: Entry, start: Start) -> Option<()> {
     Some(())
 }
 
-fn exchange_cycles(table: &mut Table, expectation: Expectation, numbers: [usize; 2], with_starts: bool) -> Option<()> {
-    let all = entries(table, expectation);
+fn exchange_cycles(table: &mut Table, parts: Parts, numbers: [usize; 2], with_starts: bool) -> Option<()> {
+    let all = entries(table, parts);
     let [one, other] = numbers.map(|number| all.get(number).copied());
     let (one, other) = one.zip(other)?;
     let cycles = [one, other].map(|entry| cycle(table, entry.start));
@@ -324,7 +322,7 @@ fn exchange_cycles(table: &mut Table, expectation: Expectation, numbers: [usize;
     Some(())
 }
 
-fn exchange_lists(table: &mut Table, expectation: Expectation, [f, g]: [usize; 2], with_names: bool) -> Option<()> {
+fn exchange_lists(table: &mut Table, parts: Parts, [f, g]: [usize; 2], with_names: bool) -> Option<()> {
     let (before, after) = table.faces.split_at_mut(g);
     let (one, other) = (before.get_mut(f)?.as_mut()?, after.first_mut()?.as_mut()?);
     swap(&mut one.inner, &mut other.inner);
@@ -332,7 +330,7 @@ fn exchange_lists(table: &mut Table, expectation: Expectation, [f, g]: [usize; 2
     if !with_names {
         return Some(());
     }
-    for entry in entries(table, expectation) {
+    for entry in entries(table, parts) {
         if ![f, g].contains(&entry.face) || entry.place == BoundaryPlace::Outer {
             continue;
         }
@@ -352,27 +350,27 @@ fn pair(table: &mut Table, g: usize, h: usize) {
     set_twin(table, h, g);
 }
 
-fn add_face(table: &mut Table, expectation: Expectation, v: usize) -> Option<()> {
+fn add_face(table: &mut Table, parts: Parts, v: usize) -> Option<()> {
     let (b, face) = (table.boundaries.len(), table.faces.len());
-    let place = expectation.has(Part::Places).then_some(BoundaryPlace::Outer);
+    let place = parts.has(Part::Places).then_some(BoundaryPlace::Outer);
     table.boundaries.push(Some(BoundaryRow { face: Some(face), start: Some(Start::Vertex(v)), place }));
     table.faces.push(Some(FaceRow { outer: Some(b), ..FaceRow::default() }));
-    if expectation.has(Part::Holes) {
+    if parts.has(Part::Holes) {
         table.vertices.get_mut(v)?.as_mut()?.isolated = Some(b);
     }
     Some(())
 }
 
-fn halve(table: &mut Table, expectation: Expectation, h: usize) -> Option<()> {
+fn halve(table: &mut Table, parts: Parts, h: usize) -> Option<()> {
     let t = table.twin(h)?;
     let (v, after) = (table.origin(t)?, table.next(t)?);
     let live = (0..table.half_edges.len()).filter(|g| table.is_half_edge(*g)).collect::<Vec<_>>();
     let before = live.into_iter().find(|g| table.next(*g) == Some(t))?;
-    for entry in entries(table, expectation).into_iter().filter(|entry| entry.start == Start::HalfEdge(t)) {
+    for entry in entries(table, parts).into_iter().filter(|entry| entry.start == Start::HalfEdge(t)) {
         if after == t { unlist(table, entry, true)? } else { set_start(table, entry, Start::HalfEdge(after))? }
     }
     table.half_edges.get_mut(before)?.as_mut()?.next = Some(after);
-    if expectation.has(Part::Prev) {
+    if parts.has(Part::Prev) {
         table.half_edges.get_mut(after)?.as_mut()?.prev = Some(before);
     }
     let vertex = table.vertices.get_mut(v)?.as_mut()?;
@@ -383,12 +381,12 @@ fn halve(table: &mut Table, expectation: Expectation, h: usize) -> Option<()> {
 }
 
 /// What follows each half-edge follows the one before it in the list instead.
-fn turn(table: &mut Table, expectation: Expectation, half_edges: &[usize]) -> Option<()> {
+fn turn(table: &mut Table, parts: Parts, half_edges: &[usize]) -> Option<()> {
     let nexts: Vec<usize> = half_edges.iter().map(|h| table.next(*h)).collect::<Option<_>>()?;
     for (i, h) in half_edges.iter().enumerate() {
         let next = nexts[(i + 1) % nexts.len()];
         table.half_edges.get_mut(*h)?.as_mut()?.next = Some(next);
-        if expectation.has(Part::Prev) {
+        if parts.has(Part::Prev) {
             table.half_edges.get_mut(next)?.as_mut()?.prev = Some(*h);
         }
     }
@@ -397,8 +395,8 @@ fn turn(table: &mut Table, expectation: Expectation, half_edges: &[usize]) -> Op
 
 /// Gives every cycle one boundary component of those that start on it: an inner one if there is. The others are removed, with
 /// the faces of which they are the outer ones. None if a cycle has none, or a face with holes would go.
-fn label_cycles(table: &mut Table, expectation: Expectation) -> Option<()> {
-    let mut all = entries(table, expectation);
+fn label_cycles(table: &mut Table, parts: Parts) -> Option<()> {
+    let mut all = entries(table, parts);
     all.sort_by_key(|entry| entry.place == BoundaryPlace::Outer);
     let mut labelled = vec![false; table.half_edges.len()];
     let mut gone: Vec<Entry> = Vec::new();
@@ -476,7 +474,7 @@ fn make_outer(table: &mut Table, entry: Entry) -> Option<()> {
     Some(())
 }
 
-fn make_vertex(table: &mut Table, expectation: Expectation, entry: Entry) -> Option<()> {
+fn make_vertex(table: &mut Table, parts: Parts, entry: Entry) -> Option<()> {
     make_outer(table, entry)?;
     let Start::HalfEdge(h) = entry.start else { return None };
     let start = Some(Start::Vertex(table.origin(h)?));
@@ -486,7 +484,7 @@ fn make_vertex(table: &mut Table, expectation: Expectation, entry: Entry) -> Opt
         row.inner_starts.push(start);
         return Some(());
     }
-    let place = expectation.has(Part::Places).then_some(BoundaryPlace::Inner(row.inner.len()));
+    let place = parts.has(Part::Places).then_some(BoundaryPlace::Inner(row.inner.len()));
     row.inner.push(Some(b));
     table.boundaries.push(Some(BoundaryRow { face: Some(entry.face), start, place }));
     Some(())

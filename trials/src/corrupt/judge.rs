@@ -2,7 +2,7 @@
 
 use super::exchange::Exchange;
 use super::outcome::Tally;
-use super::specimen::{Corruption, Form, Specimen};
+use super::specimen::{Corruption, Family, Specimen};
 use super::watch::{HUNG, Watch, Watched, lock};
 use crate::panics::catch;
 use crate::random::Random;
@@ -22,7 +22,7 @@ pub(super) struct Judged {
     /// Maps of which all single corruptions were judged, in all forms.
     pub(super) maps: usize,
     /// All single corruptions.
-    pub(super) fields: BTreeMap<(Form, &'static str), Tally>,
+    pub(super) fields: BTreeMap<(Family, &'static str), Tally>,
     /// All pairs of corruptions of the smallest maps.
     pub(super) small_pairs: Tally,
     /// Pairs that were sampled.
@@ -102,16 +102,16 @@ impl<'a> Judge<'a> {
     /// exchanges of what is structural, the others if it is one of the smallest, and the table as it is.
     pub(super) fn corrupt(&self, map: &'a [Specimen]) {
         for specimen in map {
-            let in_every_form = specimen.form == Form::Every;
+            let in_every_form = specimen.form == Family::Every;
             if in_every_form && !self.is_stopped() {
                 let tally = self.compare(Corruption::new(specimen, &[]), &specimen.table);
                 lock(&self.judged).fields.entry((specimen.form, "nothing")).or_default().add(&tally);
             }
             if specimen.is_smallest || !in_every_form {
                 self.corrupt_once(specimen);
-                self.exchange(specimen, &Exchange::all(&specimen.table, specimen.expectation));
+                self.exchange(specimen, &Exchange::all(&specimen.table, specimen.parts()));
             } else {
-                self.exchange(specimen, &Exchange::structural(&specimen.table, specimen.expectation));
+                self.exchange(specimen, &Exchange::structural(&specimen.table, specimen.parts()));
             }
             if specimen.is_smallest && !in_every_form {
                 self.corrupt_twice(specimen);
@@ -123,12 +123,12 @@ impl<'a> Judge<'a> {
     }
 
     fn corrupt_once(&self, specimen: &'a Specimen) {
-        for_each_corruption(&mut specimen.table.clone(), &specimen.expectation, |table, cell, value| {
+        for_each_corruption(&mut specimen.table.clone(), specimen.parts(), |table, cell, value| {
             if self.is_stopped() {
                 return;
             }
             let tally = self.compare(Corruption::new(specimen, &[(cell, value)]), table);
-            let field = if specimen.form == Form::Every { "one field" } else { field(cell) };
+            let field = if specimen.form == Family::Every { "one field" } else { field(cell) };
             lock(&self.judged).fields.entry((specimen.form, field)).or_default().add(&tally);
         });
     }
@@ -139,7 +139,7 @@ impl<'a> Judge<'a> {
                 return;
             }
             let mut table = specimen.table.clone();
-            if exchange.apply(&mut table, specimen.expectation) {
+            if exchange.apply(&mut table, specimen.parts()) {
                 let tally = self.compare(Corruption::exchanged(specimen, *exchange), &table);
                 lock(&self.judged).fields.entry((specimen.form, exchange.kind())).or_default().add(&tally);
             }
@@ -149,9 +149,9 @@ impl<'a> Judge<'a> {
     /// Some faults of a validator show in no single corruption. For example, a half-edge that becomes its own twin is no longer
     /// that of its former twin, which breaks the same rule, unless the former twin becomes its own twin as well.
     fn corrupt_twice(&self, specimen: &'a Specimen) {
-        let expectation = specimen.expectation;
-        for_each_corruption(&mut specimen.table.clone(), &expectation, |once, first, value| {
-            for_each_corruption(&mut once.clone(), &expectation, |twice, second, other| {
+        let parts = specimen.parts();
+        for_each_corruption(&mut specimen.table.clone(), parts, |once, first, value| {
+            for_each_corruption(&mut once.clone(), parts, |twice, second, other| {
                 if first < second && !self.is_stopped() {
                     let corruption = Corruption::new(specimen, &[(first, value), (second, other)]);
                     let tally = self.compare(corruption, twice);
@@ -169,7 +169,7 @@ impl<'a> Judge<'a> {
                 return;
             };
             let mut table = specimen.table.clone();
-            let mut cells = table.cells(&specimen.expectation);
+            let mut cells = table.cells(specimen.parts());
             let mut changes = Vec::new();
             while changes.len() < 2 && !cells.is_empty() {
                 let cell = cells.swap_remove(random.below(cells.len()));

@@ -30,7 +30,7 @@ mod watch;
 mod work;
 
 pub use outcome::{CorruptOutcome, ExpectationRow, FieldRow, RuleRow, SampledPairs, Tally};
-pub use specimen::Form;
+pub use specimen::Family;
 pub use watch::HUNG;
 pub use work::CorruptWork;
 
@@ -43,7 +43,8 @@ use judge::{Court, Judge, Judged};
 use specimen::{Corruption, Specimen, held_to, in_words, independent_rules};
 use twinedge::program::Subject;
 use twinedge::program::census::{Census, Scope};
-use twinedge::validate::{Expectation, Rule};
+use twinedge::validate::Rule;
+use twinedge::validate::forms::Form;
 use watch::Watch;
 
 /// How many pairs are one piece of the work.
@@ -71,7 +72,7 @@ struct Specimens {
 /// use twinedge::program::RotationSystem;
 /// use twinedge_trials::corrupt::{CorruptWork, abort};
 /// use twinedge_trials::{Outcome, Run, Structure, Validator, corrupt};
-/// let mine = Structure::new("mine", RotationSystem::new, RotationSystem::expectation());
+/// let mine = Structure::new("mine", RotationSystem::new, Expectation::plane());
 /// let work = CorruptWork { edges: 1, pairs: 100, seed: 1 };
 /// let outcome = corrupt(&mine, work, &Validator, &Run::default(), &abort)?.into_result()?;
 /// assert!(outcome.fields.iter().all(|row| row.tally.caught == row.tally.wrong));
@@ -87,7 +88,8 @@ pub fn corrupt<K: Subject>(
     structure.can_be_told_apart()?;
     let specimens = collect(structure, work.edges, run);
     let maps: Vec<&[Specimen]> = run.part().numbers(specimens.maps.len()).map(|i| &*specimens.maps[i]).collect();
-    let all: Vec<&Specimen> = specimens.maps.iter().flatten().filter(|specimen| specimen.form != Form::Every).collect();
+    let all: Vec<&Specimen> =
+        specimens.maps.iter().flatten().filter(|specimen| specimen.form != Family::Every).collect();
     let pieces: Vec<usize> = run.part().numbers(work.pairs.div_ceil(PAIRS_OF_A_PIECE) as usize).collect();
     let watch = Watch::new();
     let court = Court::new(checker, run, &watch);
@@ -143,21 +145,21 @@ fn summarize<K: Subject>(
     let hangs = hanging.map(|corruption| format!("the validator does not return: {corruption}"));
     let rules = Rule::ALL.iter().filter(|rule| !rule.is_geometric() && !rule.is_optional());
     let rule_row = |rule: &Rule| RuleRow { rule: *rule, wrong: judged.first_broken.get(rule).copied().unwrap_or(0) };
-    let field_row = |((form, field), tally): (&(Form, &str), &Tally)| FieldRow {
+    let field_row = |((form, field), tally): (&(Family, &str), &Tally)| FieldRow {
         form: *form,
         field: (*field).to_owned(),
         tally: *tally,
     };
-    let has_every_part = on.expectation() == Expectation::plane();
-    let expectations = if has_every_part { held_to() } else { Vec::new() };
-    let expectation_row = |(number, expectation): (usize, &Expectation)| {
+    let has_every_part = specimens.maps.iter().flatten().any(|specimen| specimen.number.is_some());
+    let forms = if has_every_part { held_to() } else { Vec::new() };
+    let form_row = |(number, form): (usize, &Form)| {
         let of_it = judged.by_expectation.range((number, None)..(number + 1, None));
         let first = |rule: &Rule| judged.by_expectation.get(&(number, Some(*rule))).copied().unwrap_or(0);
         ExpectationRow {
             number,
-            expectation: in_words(*expectation),
+            expectation: in_words(*form),
             corruptions: of_it.map(|(_, count)| count).sum(),
-            first_broken: independent_rules(*expectation)
+            first_broken: independent_rules(*form)
                 .iter()
                 .map(|rule| RuleRow { rule: *rule, wrong: first(rule) })
                 .collect(),
@@ -171,7 +173,7 @@ fn summarize<K: Subject>(
         maps_found: specimens.maps.len(),
         unusable: unusable.len(),
         fields: judged.fields.iter().map(field_row).collect(),
-        expectations: expectations.iter().enumerate().map(expectation_row).collect(),
+        expectations: forms.iter().enumerate().map(form_row).collect(),
         small_pairs: judged.small_pairs,
         pairs: SampledPairs { seed: work.seed, tally: judged.pairs },
         first_broken: rules.map(rule_row).collect(),

@@ -1,6 +1,6 @@
 //! What `corrupt` found.
 
-use super::specimen::{EDGES_OF_EVERY_FORM, Form};
+use super::specimen::{EDGES_OF_EVERY_FORM, Family};
 use super::work::CorruptWork;
 use crate::rows::{INTERRUPTED, add_findings};
 use crate::shard::Shard;
@@ -86,7 +86,7 @@ pub struct ExpectationRow {
 #[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 pub struct FieldRow {
     /// The form of the table.
-    pub form: Form,
+    pub form: Family,
     /// The field.
     pub field: String,
     /// What became of its corruptions.

@@ -6,9 +6,9 @@ use crate::structure::Structure;
 use std::fmt;
 use twinedge::program::{Program, Runner, StepOutcome, Subject};
 use twinedge::validate::enumerate::{Cell, Value};
-use twinedge::validate::forms::{expectations, projected, projections};
+use twinedge::validate::forms::{Form, forms, projected, projections};
 use twinedge::validate::reference::first_broken_rule;
-use twinedge::validate::{Expectation, Part, Rule, Surface, Table};
+use twinedge::validate::{Expectation, Part, Parts, Rule, Surface, Table};
 
 /// Maps of at most this many edges, and two vertices, are brought into every form.
 pub(super) const EDGES_OF_EVERY_FORM: usize = 2;
@@ -16,16 +16,16 @@ pub(super) const EDGES_OF_EVERY_FORM: usize = 2;
 /// How the tables of a map keep its faces.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord, Hash)]
 #[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize), serde(rename_all = "lowercase"))]
-pub enum Form {
+pub enum Family {
     /// With records for boundary components.
     Records,
     /// Without, as in textbooks: half-edges name their face, and faces name half-edges.
     Textbook,
-    /// The forms of all expectations together, with closed and open boundaries, and of three that ask for M1 … M8.
+    /// All forms together, with closed and open boundaries, and of three that ask for M1 … M8.
     Every,
 }
 
-impl Form {
+impl Family {
     /// Its name.
     #[must_use]
     pub const fn name(self) -> &'static str {
@@ -40,13 +40,13 @@ impl Form {
 /// One map in one form.
 #[derive(Clone, Debug)]
 pub(super) struct Specimen {
-    pub(super) form: Form,
+    pub(super) form: Family,
     pub(super) expectation: Expectation,
     pub(super) table: Table,
     program: String,
     /// Whether it has at most one edge and two vertices.
     pub(super) is_smallest: bool,
-    /// The number of the expectation in [`held_to`], if the form is one of [`Form::Every`].
+    /// The number of the form in [`held_to`], if it is one of [`Family::Every`].
     pub(super) number: Option<usize>,
 }
 
@@ -58,21 +58,22 @@ impl Specimen {
         let table = catch(|| copy(structure, program)).unwrap_or_else(|panic| Err(format!("panicked: {panic}")));
         let table = table.map_err(|why| format!("{why}, by\n{program}"))?;
         let expectation = structure.expectation();
-        let textbook = expectation.without(Part::BoundaryComponents);
+        let stored = expectation.looks_at(table.parts);
         let mut all = Vec::new();
-        if expectation.has(Part::BoundaryComponents) {
-            let dropped = projected(&table, &textbook);
-            all.push(Self::new(Form::Records, expectation, table.clone(), program));
-            all.push(Self::new(Form::Textbook, textbook, dropped, program));
+        if stored.has(Part::BoundaryComponents) {
+            let textbook = Form::new(expectation, stored.without(Part::BoundaryComponents));
+            all.push(Self::new(Family::Records, expectation, table.clone(), program));
+            all.push(Self::new(Family::Textbook, expectation, projected(&table, &textbook), program));
         } else {
-            all.push(Self::new(Form::Textbook, textbook, table.clone(), program));
+            all.push(Self::new(Family::Textbook, expectation, table.clone(), program));
         }
         let (edges, vertices) =
             (table.half_edges.iter().flatten().count() / 2, table.vertices.iter().flatten().count());
-        if expectation == Expectation::plane() && edges <= EDGES_OF_EVERY_FORM && vertices <= 2 {
-            for (number, expectation) in held_to().into_iter().enumerate() {
-                for table in projections(&table, &expectation) {
-                    let specimen = Self::new(Form::Every, expectation, table, program);
+        let has_every_part = expectation == Expectation::plane() && stored == Parts::ALL;
+        if has_every_part && edges <= EDGES_OF_EVERY_FORM && vertices <= 2 {
+            for (number, form) in held_to().into_iter().enumerate() {
+                for table in projections(&table, &form) {
+                    let specimen = Self::new(Family::Every, form.expectation, table, program);
                     let is_smallest = edges <= 1;
                     all.push(Self { number: Some(number), is_smallest, ..specimen });
                 }
@@ -81,7 +82,12 @@ impl Specimen {
         Ok(all)
     }
 
-    fn new(form: Form, expectation: Expectation, mut table: Table, program: &Program) -> Self {
+    /// The parts that are looked at.
+    pub(super) fn parts(&self) -> Parts {
+        self.expectation.looks_at(self.table.parts)
+    }
+
+    fn new(form: Family, expectation: Expectation, mut table: Table, program: &Program) -> Self {
         let (half_edges, vertices) =
             (table.half_edges.iter().flatten().count(), table.vertices.iter().flatten().count());
         table.vertices.push(None);
@@ -146,26 +152,28 @@ impl fmt::Display for Corruption<'_> {
         }
         let Specimen { form, expectation, program, table, .. } = self.specimen;
         match form {
-            Form::Every => write!(f, ", in {table}\nheld to {expectation:?}, of\n{program}"),
-            Form::Records | Form::Textbook => write!(f, ", in the {} of\n{program}", form.name()),
+            Family::Every => write!(f, ", in {table}\nheld to {expectation:?}, of\n{program}"),
+            Family::Records | Family::Textbook => write!(f, ", in the {} of\n{program}", form.name()),
         }
     }
 }
 
-/// The expectations to which tables in every form are held: the distinct ones, and three that ask for more.
-pub(super) fn held_to() -> Vec<Expectation> {
+/// The forms in which tables are judged: the distinct ones, and three that ask for more.
+pub(super) fn held_to() -> Vec<Form> {
     let open = Expectation::surface().open();
     // Small maps break one of M1 … M4 first, if it is asked for.
     let sphere = open.components(1).borders(0).genus(0);
     let of_triangles = sphere.no_unused_vertices().simple().triangles().closed();
-    expectations().into_iter().chain([of_triangles, sphere, open.border_kept()]).collect()
+    let asking = [of_triangles, sphere, open.border_kept()].map(|expectation| Form::new(expectation, Parts::ALL));
+    forms().into_iter().chain(asking).collect()
 }
 
-/// The expectation in words.
-pub(super) fn in_words(expectation: Expectation) -> String {
+/// The form in words.
+pub(super) fn in_words(form: Form) -> String {
+    let Form { expectation, parts } = form;
     let surface = if expectation.surface_kind() == Surface::Plane { "plane" } else { "surface" };
     let open = if expectation.is_open() { ", open" } else { "" };
-    let lacks: Vec<&str> = PARTS.iter().filter(|part| !expectation.has(**part)).map(|part| part.name()).collect();
+    let lacks: Vec<&str> = Part::ALL.iter().filter(|part| !parts.has(**part)).map(|part| part.name()).collect();
     let without = if lacks.is_empty() { String::new() } else { format!(", without {}", lacks.join(", ")) };
     let asked: Vec<&str> = asked_for(expectation).map(Rule::id).collect();
     let asking = if asked.is_empty() { String::new() } else { format!(", asking for {}", asked.join(", ")) };
@@ -177,25 +185,23 @@ fn asked_for(expectation: Expectation) -> impl Iterator<Item = Rule> {
     Rule::ALL.iter().copied().filter(move |rule| rule.is_optional() && expectation.asks_for(*rule))
 }
 
-/// The rules that are checked under the expectation and do not follow from those before them. T4 always follows, and T3 does
+/// The rules that are checked in the form and do not follow from those before them. T4 always follows, and T3 does
 /// where any genus is right. Where M1 … M4 are asked for, M5 … M7 are first broken by larger maps only.
-pub(super) fn independent_rules(expectation: Expectation) -> Vec<Rule> {
-    let (faces, holes) = (expectation.has(Part::Faces), expectation.has(Part::Holes));
+pub(super) fn independent_rules(form: Form) -> Vec<Rule> {
+    let Form { expectation, parts } = form;
+    let (faces, holes) = (parts.has(Part::Faces), parts.has(Part::Holes));
     let plane = expectation.surface_kind() == Surface::Plane;
     let is_checked = |rule: &Rule| match *rule {
         Rule::R1 | Rule::L1 | Rule::L2 | Rule::L3 | Rule::V2 => true,
-        Rule::V1 => expectation.has(Part::Leaving),
+        Rule::V1 => parts.has(Part::Leaving),
         Rule::B1 | Rule::F1 | Rule::F2 => faces,
         Rule::B2 => faces && holes,
         Rule::T1 | Rule::T2 => faces && holes && plane,
         Rule::T3 => plane,
         Rule::M1 | Rule::M2 | Rule::M3 | Rule::M4 => expectation.asks_for(*rule),
         Rule::M5 | Rule::M6 | Rule::M7 => expectation.asks_for(*rule) && !expectation.asks_for(Rule::M4),
-        Rule::M8 => expectation.asks_for(*rule) && expectation.has(Part::Leaving),
+        Rule::M8 => expectation.asks_for(*rule) && parts.has(Part::Leaving),
         _ => false,
     };
     Rule::ALL.iter().copied().filter(is_checked).collect()
 }
-
-const PARTS: [Part; 7] =
-    [Part::Prev, Part::Leaving, Part::Faces, Part::BoundaryComponents, Part::Places, Part::Holes, Part::UnboundedFace];

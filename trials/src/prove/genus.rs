@@ -2,7 +2,7 @@
 
 use super::permutations::{RotationSystem, beginnings, for_each};
 use crate::run::Run;
-use twinedge::validate::{Collect, Expectation, Part, validate};
+use twinedge::validate::{Collect, Expectation, validate};
 
 /// The greatest number of edges for which all permutations are tried: 10! of them.
 pub(super) const MOST_EDGES: usize = 5;
@@ -52,7 +52,7 @@ pub(super) fn rooted(edges: usize, labelled: &[u64]) -> Vec<u64> {
 }
 
 fn judge(map: &RotationSystem, by_genus: &mut Vec<u64>, refused: &mut u64) {
-    let report = validate(map, &Expectation::surface().without(Part::Faces), Collect::First);
+    let report = validate(map, &Expectation::surface(), Collect::First);
     let counts = report.counts();
     match (report.is_valid(), counts.genus) {
         (true, Some(genus)) if counts.components == Some(1) => {

@@ -1,6 +1,6 @@
 //! All permutations of a few half-edges. Each is the `next` of a map on some surface.
 
-use twinedge::validate::{Link, View};
+use twinedge::validate::{Link, Part, Parts, View};
 
 /// The most half-edges of a map here.
 const MOST: usize = 10;
@@ -64,6 +64,9 @@ impl RotationSystem {
 }
 
 impl View for RotationSystem {
+    fn parts(&self) -> Parts {
+        Parts::ALL.without(Part::Faces)
+    }
     fn vertex_slots(&self) -> usize {
         self.vertices
     }

@@ -7,7 +7,7 @@ use super::subdivision::shuffle;
 use crate::random::Random;
 use std::mem::swap;
 use twinedge::validate::enumerate::Cell;
-use twinedge::validate::{BoundaryPlace, Expectation, Link, Start, Table, View};
+use twinedge::validate::{BoundaryPlace, Link, Parts, Start, Table, View};
 
 /// One kind of damage.
 type Damage = fn(&mut Table, &mut Random);
@@ -36,7 +36,7 @@ pub(super) fn damage(table: &mut Table, random: &mut Random) {
 }
 
 fn any_cell(table: &Table, random: &mut Random) -> Option<Cell> {
-    let cells = table.cells(&Expectation::plane());
+    let cells = table.cells(Parts::ALL);
     cells.get(random.below(cells.len())).copied()
 }
 
@@ -50,7 +50,7 @@ fn set_cell(table: &mut Table, random: &mut Random) {
 /// Another cell of the same kind.
 fn alike(table: &Table, cell: Cell, random: &mut Random) -> Cell {
     let kind = std::mem::discriminant(&cell);
-    let cells = table.cells(&Expectation::plane()).into_iter();
+    let cells = table.cells(Parts::ALL).into_iter();
     let cells: Vec<Cell> = cells.filter(|other| std::mem::discriminant(other) == kind).collect();
     cells[random.below(cells.len())]
 }

@@ -117,6 +117,7 @@ impl<'a> Plan<'a> {
             half_edges: vec![None; half_edges.count],
             boundaries: vec![None; boundaries.count],
             faces: vec![None; faces.count],
+            ..Table::default()
         };
         for f in &faces.of {
             table.faces[*f] = Some(FaceRow::default());

@@ -2,8 +2,9 @@
 
 use super::formulas;
 use twinedge::validate::enumerate::{Cell, Value};
+use twinedge::validate::forms::Form;
 use twinedge::validate::{
-    BoundaryPlace, BoundaryRow, Expectation, FaceRow, HalfEdgeRow, Part, Start, Table, VertexRow, View,
+    BoundaryPlace, BoundaryRow, Expectation, FaceRow, HalfEdgeRow, Part, Parts, Start, Table, VertexRow, View,
 };
 
 /// All assignments of values to some cells of a table. The others keep their values.
@@ -41,8 +42,9 @@ enum To {
 
 impl Assignments {
     /// All assignments of the wanted ones among the cells that matter.
-    fn new(table: Table, expectation: Expectation, wanted: impl Fn(Cell) -> Option<To>) -> Self {
-        let cells = table.cells(&expectation);
+    fn new(table: Table, form: Form, wanted: impl Fn(Cell) -> Option<To>) -> Self {
+        let table = Table { parts: form.parts, ..table };
+        let cells = table.cells(form.parts);
         let cells = cells.into_iter().filter_map(|cell| Some((cell, values(&table, cell, wanted(cell)?)))).collect();
         Self { table, cells }
     }
@@ -96,6 +98,7 @@ fn blank(vertices: usize, half_edges: usize, boundaries: usize, lists: &[usize])
         half_edges: vec![Some(HalfEdgeRow::default()); half_edges],
         boundaries: vec![Some(BoundaryRow::default()); boundaries],
         faces: lists.iter().map(|listed| Some(face(listed))).collect(),
+        ..Table::default()
     }
 }
 
@@ -148,12 +151,18 @@ pub(super) fn derive_origins(table: &mut Table) {
     table.vertices.resize(vertices.len(), Some(VertexRow::default()));
 }
 
-const MAP: Expectation = Expectation::surface().without(Part::Faces);
-const BARE: Expectation = MAP.without(Part::Prev).without(Part::Leaving);
-const PLANE: Expectation = Expectation::plane().without(Part::Faces).without(Part::Prev).without(Part::Leaving);
-const TEXTBOOK: Expectation = Expectation::plane().without(Part::BoundaryComponents).without(Part::Leaving);
+const MAP: Form = Form::new(Expectation::surface(), Parts::ALL.without(Part::Faces));
+const BARE: Form = Form::new(Expectation::surface(), Parts::NONE);
+const OPEN: Expectation = Expectation::surface().open();
+const PLANE: Form = Form::new(Expectation::plane(), Parts::NONE);
+const TEXTBOOK_LEAVING: Form = Form::new(Expectation::plane(), Parts::ALL.without(Part::BoundaryComponents));
+const TEXTBOOK: Form = without(TEXTBOOK_LEAVING, Part::Leaving);
+const RECORDS: Form = Form::new(Expectation::plane(), Parts::ALL);
 
-const TEXTBOOK_LEAVING: Expectation = Expectation::plane().without(Part::BoundaryComponents);
+/// The form of a structure that does not store this part either.
+const fn without(form: Form, part: Part) -> Form {
+    Form::new(form.expectation, form.parts.without(part))
+}
 
 const fn is_of_the_map(cell: Cell) -> bool {
     matches!(cell, Cell::Origin(_) | Cell::Twin(_) | Cell::Next(_) | Cell::Prev(_) | Cell::Leaving(_))
@@ -177,14 +186,8 @@ pub(super) fn jobs(half_edges: usize) -> Vec<Job> {
     jobs
 }
 
-fn job(
-    name: &'static str,
-    half_edges: usize,
-    expectation: Expectation,
-    assignments: Vec<Assignments>,
-    right: u128,
-) -> Job {
-    Job { name, half_edges, from: half_edges, expectation, derive_origins: false, assignments, right }
+fn job(name: &'static str, half_edges: usize, form: Form, assignments: Vec<Assignments>, right: u128) -> Job {
+    Job { name, half_edges, from: half_edges, expectation: form.expectation, derive_origins: false, assignments, right }
 }
 
 /// Every link between two half-edges and two vertices.
@@ -213,53 +216,53 @@ fn twins_of_four() -> Job {
 }
 
 /// Every `next` for every way to pair off the half-edges.
-fn paired(name: &'static str, edges: usize, expectation: Expectation, right: u128) -> Job {
+fn paired(name: &'static str, edges: usize, form: Form, right: u128) -> Job {
     let is_free = |cell| matches!(cell, Cell::Next(_)).then_some(To::Live);
-    let of_pairing = |twins: &Vec<usize>| Assignments::new(with_twins(twins), expectation, is_free);
+    let of_pairing = |twins: &Vec<usize>| Assignments::new(with_twins(twins), form, is_free);
     let assignments = all_pairings(2 * edges).iter().map(of_pairing).collect();
-    Job { derive_origins: true, ..job(name, 2 * edges, expectation, assignments, right) }
+    Job { derive_origins: true, ..job(name, 2 * edges, form, assignments, right) }
 }
 
 /// For each permutation there is one that undoes it.
 fn next_and_prev() -> Job {
-    let expectation = MAP.without(Part::Leaving);
+    let form = without(MAP, Part::Leaving);
     let is_free = |cell| matches!(cell, Cell::Next(_) | Cell::Prev(_)).then_some(To::Live);
-    let assignments =
-        all_pairings(4).iter().map(|twins| Assignments::new(with_twins(twins), expectation, is_free)).collect();
-    Job { derive_origins: true, ..job("next, prev, for all twins", 4, expectation, assignments, formulas::maps(2)) }
+    let assignments = all_pairings(4).iter().map(|twins| Assignments::new(with_twins(twins), form, is_free)).collect();
+    Job { derive_origins: true, ..job("next, prev, for all twins", 4, form, assignments, formulas::maps(2)) }
 }
 
 /// Every twin, or none: 0, 1 or 2 pairs of twins. Borders that are closed by one more cycle each always give a surface.
 fn open_borders() -> Job {
-    twins_or_nil("twin or nil, next; open borders", BARE.open(), (1 + 6 + 3) * 24)
+    twins_or_nil("twin or nil, next; open borders", OPEN, (1 + 6 + 3) * 24)
 }
 
 /// The same, asked to be a disc of one face with four sides: a square, whose half-edges can follow one another in 3! ways. If
 /// two of its sides that meet were one edge, the other two would join the same vertices.
 fn one_disc() -> Job {
-    let asked = BARE.open().no_unused_vertices().simple().sides(4).components(1).borders(1).genus(0);
+    let asked = OPEN.no_unused_vertices().simple().sides(4).components(1).borders(1).genus(0);
     twins_or_nil("twin or nil, next; asked for: a square", asked, 6)
 }
 
 /// The same, asked to be a torus without border: the one rooted map of genus 1 with two edges (OEIS A006300), on labels.
 fn one_torus() -> Job {
-    let asked = BARE.open().no_unused_vertices().sides(4).closed().components(1).borders(0).genus(1);
+    let asked = OPEN.no_unused_vertices().sides(4).closed().components(1).borders(0).genus(1);
     twins_or_nil("twin or nil, next; asked for: a torus", asked, 6)
 }
 
 fn twins_or_nil(name: &'static str, expectation: Expectation, right: u128) -> Job {
-    let all = Assignments::new(blank(0, 4, 0, &[]), expectation, |cell| match cell {
+    let form = Form::new(expectation, Parts::NONE);
+    let all = Assignments::new(blank(0, 4, 0, &[]), form, |cell| match cell {
         Cell::Twin(_) => Some(To::OrNil),
         Cell::Next(_) => Some(To::Live),
         _ => None,
     });
-    Job { derive_origins: true, ..job(name, 4, expectation, vec![all], right) }
+    Job { derive_origins: true, ..job(name, 4, form, vec![all], right) }
 }
 
 /// A loop with a face on one side and none on the other, which is a border: either half-edge can be inside.
 fn one_loop_without_face() -> Job {
-    let mesh = Expectation::surface().without(Part::BoundaryComponents).without(Part::Leaving).open();
-    let asked = mesh.no_unused_vertices().sides(1).components(1).borders(1).genus(0);
+    let asked = OPEN.no_unused_vertices().sides(1).components(1).borders(1).genus(0);
+    let asked = Form::new(asked, Parts::NONE.with(Part::Prev).with(Part::Faces));
     let all = Assignments::new(blank(1, 2, 0, &[0]), asked, |_| Some(To::OrNil));
     job("every field of a loop and a face; nil; asked for: a disc", 2, asked, vec![all], 2)
 }
@@ -276,9 +279,9 @@ const LISTS: [[usize; 2]; 4] = [[0, 0], [1, 0], [0, 1], [1, 1]];
 
 /// A loop and two faces: which half-edge is outside, and which face.
 fn textbook_loop() -> Job {
-    let expectation = TEXTBOOK.without(Part::Prev);
-    let assignments = LISTS.map(|lists| Assignments::new(blank(1, 2, 0, &lists), expectation, |_| Some(To::OrNil)));
-    Job { from: 4, ..job("a loop and two faces, as in textbooks; nil", 2, expectation, assignments.to_vec(), 2 * 2) }
+    let form = without(TEXTBOOK, Part::Prev);
+    let assignments = LISTS.map(|lists| Assignments::new(blank(1, 2, 0, &lists), form, |_| Some(To::OrNil)));
+    Job { from: 4, ..job("a loop and two faces, as in textbooks; nil", 2, form, assignments.to_vec(), 2 * 2) }
 }
 
 /// Links of the map lead to live records, and all other fields to these or nowhere.
@@ -305,17 +308,15 @@ fn every_field_of_a_loop() -> Job {
 
 /// Two vertices, one boundary component and one face: an edge, as above.
 fn every_field_with_records() -> Job {
-    let expectation = Expectation::plane();
-    let all = Assignments::new(blank(2, 2, 1, &[1]), expectation, |cell| match cell {
+    let all = Assignments::new(blank(2, 2, 1, &[1]), RECORDS, |cell| match cell {
         Cell::Isolated(_) | Cell::Outer(_) | Cell::Inner(..) => Some(To::OrNil),
         _ => Some(To::Live),
     });
-    Job { from: 4, ..job("every field of an edge, boundary component too", 2, expectation, vec![all], 2 * 2) }
+    Job { from: 4, ..job("every field of an edge, boundary component too", 2, RECORDS, vec![all], 2 * 2) }
 }
 
 /// A loop with two boundary components and two faces: which half-edge is outside, which face, and which component.
 fn loop_with_records() -> Job {
-    let expectation = Expectation::plane();
     let assignments = LISTS.map(|lists| {
         let mut table = blank(1, 2, 2, &lists);
         for h in 0..2 {
@@ -325,19 +326,18 @@ fn loop_with_records() -> Job {
             table.set(Cell::Prev(h), Value::Link(Some(h)));
         }
         table.set(Cell::Leaving(0), Value::Link(Some(0)));
-        Assignments::new(table, expectation, |cell| match cell {
+        Assignments::new(table, RECORDS, |cell| match cell {
             cell if is_of_the_map(cell) => None,
             Cell::Boundary(_) | Cell::BoundaryFace(_) | Cell::BoundaryStart(_) => Some(To::Live),
             _ => Some(To::OrNil),
         })
     });
-    Job { from: 4, ..job("boundary, face and vertex fields of a loop", 2, expectation, assignments.to_vec(), 4 + 4) }
+    Job { from: 4, ..job("boundary, face and vertex fields of a loop", 2, RECORDS, assignments.to_vec(), 4 + 4) }
 }
 
 /// Two isolated vertices in one face: which boundary component is which vertex, and in which order they are listed.
 fn isolated_vertices() -> Job {
-    let expectation = Expectation::plane().without(Part::Leaving);
-    let assignments =
-        [0, 1, 2].map(|listed| Assignments::new(blank(2, 0, 2, &[listed]), expectation, |_| Some(To::OrNil)));
-    job("boundary and face fields of two isolated vertices", 0, expectation, assignments.to_vec(), 2 * 2)
+    let form = without(RECORDS, Part::Leaving);
+    let assignments = [0, 1, 2].map(|listed| Assignments::new(blank(2, 0, 2, &[listed]), form, |_| Some(To::OrNil)));
+    job("boundary and face fields of two isolated vertices", 0, form, assignments.to_vec(), 2 * 2)
 }

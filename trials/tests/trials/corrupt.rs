@@ -1,11 +1,12 @@
 //! `corrupt` and `tables`, with validators that are right and with ones that are wrong.
 
+use super::incomplete::Partial;
 use std::sync::atomic::{AtomicU64, Ordering};
 use twinedge::dcel::Dcel;
 use twinedge::program::RotationSystem;
 use twinedge::store::FixedStore;
 use twinedge::validate::{Expectation, Part, Rule, Table};
-use twinedge_trials::corrupt::{CorruptOutcome, CorruptWork, ExpectationRow, Form, Tally, abort};
+use twinedge_trials::corrupt::{CorruptOutcome, CorruptWork, ExpectationRow, Family, Tally, abort};
 use twinedge_trials::tables::{TablesOutcome, TablesWork};
 use twinedge_trials::{Checker, Outcome, Run, Structure, StructureError, Validator, Verdict, corrupt, tables};
 
@@ -58,7 +59,7 @@ fn a_validator_that_is_blind_to_a_late_rule_is_noticed_in_every_form() {
     let work = CorruptWork { edges: 2, pairs: 0, seed: 0 };
     for blind in blind {
         let outcome = corrupt(&slots(), work, &Wrong(blind), &Run::default(), &abort).unwrap();
-        for form in [Form::Records, Form::Textbook, Form::Every] {
+        for form in [Family::Records, Family::Textbook, Family::Every] {
             let missed = outcome.fields.iter().filter(|row| row.form == form).map(|row| row.tally.missed).sum::<u64>();
             assert!(missed > 0, "{form:?}");
         }
@@ -183,10 +184,10 @@ fn each_table_is_shown_once_with_its_verdict() {
 
 #[test]
 fn a_structure_without_records_for_boundary_components_has_one_form() {
-    let model = Structure::new("model", RotationSystem::new, RotationSystem::expectation());
+    let model = Structure::new("model", RotationSystem::new, Expectation::plane());
     let outcome = corrupt(&model, WORK, &Validator, &Run::default(), &abort).unwrap();
     assert!(outcome.is_ok(), "{:?}", outcome.reasons());
-    assert!(outcome.fields.iter().all(|row| row.form == Form::Textbook));
+    assert!(outcome.fields.iter().all(|row| row.form == Family::Textbook));
     assert_eq!(outcome.maps, 7);
 }
 
@@ -207,7 +208,7 @@ fn maps_that_the_structure_does_not_make_are_reported() {
 
 #[test]
 fn a_structure_whose_maps_cannot_be_told_apart_is_an_error() {
-    let less = Structure::new("less", Dcel::new, Expectation::plane().without(Part::Faces));
+    let less = Structure::new("less", || Partial::without(Part::Faces), Expectation::plane());
     let error = corrupt(&less, WORK, &Validator, &Run::default(), &abort).unwrap_err();
     assert_eq!(error, StructureError::Lacks(Part::Faces));
 }

@@ -1,52 +1,41 @@
 //! A structure that lacks operators, and one that is held to what it is not.
 
 use twinedge::dcel::{Dcel, FaceKey, HalfEdgeKey, Side, Turn, VertexKey};
+use twinedge::delegate_view;
 use twinedge::program::{CornerOf, Refusal, Subject};
-use twinedge::validate::{BoundaryPlace, Expectation, Link, Rule, Start, View};
+use twinedge::validate::{Expectation, Part, Parts, Rule, View};
 use twinedge_trials::prove::ProveWork;
 use twinedge_trials::soak::SoakWork;
 use twinedge_trials::tables::TablesWork;
 use twinedge_trials::{Outcome, Run, Structure, StructureError, prove, soak};
 
-/// A [`Dcel`] without `split_vertex`. It may also hide its faces from the validator.
+/// A [`Dcel`] without `split_vertex`. It may also hide its faces from the validator, or say that it stores fewer parts.
 #[derive(Clone)]
-struct Partial {
+pub(crate) struct Partial {
     dcel: Dcel,
     hides_faces: bool,
+    stores: Parts,
 }
 
-macro_rules! view_as_it_is {
-    ($($name:ident($($arg:ident),*) -> $answer:ty;)*) => {
-        impl View for Partial {
-            $(fn $name(&self $(, $arg: usize)*) -> $answer { View::$name(&self.dcel $(, $arg)*) })*
-            fn is_face(&self, f: usize) -> bool {
-                !self.hides_faces && View::is_face(&self.dcel, f)
-            }
-        }
-    };
+impl Partial {
+    fn new(hides_faces: bool) -> Self {
+        Self { dcel: Dcel::new(), hides_faces, stores: Parts::ALL }
+    }
+
+    /// One that does not store this part.
+    pub(crate) fn without(part: Part) -> Self {
+        Self { stores: Parts::ALL.without(part), ..Self::new(false) }
+    }
 }
 
-view_as_it_is! {
-    vertex_slots() -> usize;
-    half_edge_slots() -> usize;
-    boundary_slots() -> usize;
-    face_slots() -> usize;
-    is_vertex(v) -> bool;
-    is_half_edge(h) -> bool;
-    is_boundary(b) -> bool;
-    origin(h) -> Link;
-    twin(h) -> Link;
-    next(h) -> Link;
-    prev(h) -> Link;
-    boundary(h) -> Link;
-    leaving(v) -> Link;
-    isolated(v) -> Link;
-    boundary_face(b) -> Link;
-    boundary_start(b) -> Option<Start>;
-    boundary_place(b) -> Option<BoundaryPlace>;
-    outer(f) -> Link;
-    inner_count(f) -> usize;
-    inner(f, position) -> Link;
+impl View for Partial {
+    delegate_view!(|this| &this.dcel; except parts, is_face);
+    fn parts(&self) -> Parts {
+        self.stores
+    }
+    fn is_face(&self, f: usize) -> bool {
+        !self.hides_faces && self.dcel.is_face(f)
+    }
 }
 
 macro_rules! operators_as_they_are {
@@ -95,7 +84,7 @@ impl Subject for Partial {
 }
 
 fn partial() -> Structure<Partial> {
-    Structure::new("partial", || Partial { dcel: Dcel::new(), hides_faces: false }, Expectation::plane())
+    Structure::new("partial", || Partial::new(false), Expectation::plane())
 }
 
 #[test]
@@ -115,7 +104,7 @@ fn counts_that_fall_short_for_want_of_an_operator_name_it() {
 
 #[test]
 fn a_structure_whose_empty_map_is_wrong_gets_one_message() {
-    let hides = || Partial { dcel: Dcel::new(), hides_faces: true };
+    let hides = || Partial::new(true);
     let error = prove(&Structure::new("hides", hides, Expectation::plane()), ProveWork { edges: 2 }, &Run::default());
     let error = error.unwrap_err();
     let StructureError::InvalidStart(violation) = error else { panic!("{error}") };

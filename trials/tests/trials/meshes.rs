@@ -10,7 +10,7 @@ use twinedge_trials::{Outcome, Run, Shard, Structure, meshes, sum};
 #[allow(dead_code, unreachable_pub, reason = "an example has a main function of its own")]
 #[path = "../../../examples/mesh_conformance.rs"]
 mod mesh;
-use mesh::{KEPT, Mesh};
+use mesh::{MESH, Mesh};
 
 fn of(outcome: &MeshesOutcome, name: &str) -> u64 {
     outcome.operators.iter().find(|row| row.operator == name).unwrap().applied
@@ -18,7 +18,7 @@ fn of(outcome: &MeshesOutcome, name: &str) -> u64 {
 
 #[test]
 fn a_mesh_does_what_the_steps_do_on_every_small_triangulation() {
-    let mine = MeshStructure::new("mine", |map| Mesh::new(map.vertices, &map.triangles, false), KEPT);
+    let mine = MeshStructure::new("mine", |map| Mesh::new(map.vertices, &map.triangles, false), MESH);
     let outcome = meshes(&mine, MeshesWork { vertices: 6 }, &Run::default()).into_result().unwrap();
     let spheres = outcome.rows.iter().filter(|row| matches!(row.shape, Shape::Sphere { .. }));
     // OEIS A000109 and A000260.
@@ -32,7 +32,7 @@ fn a_mesh_does_what_the_steps_do_on_every_small_triangulation() {
 
 #[test]
 fn a_wrong_flip_is_found_on_the_smallest_triangulation_that_shows_it() {
-    let wrong = MeshStructure::new("wrong", |map| Mesh::new(map.vertices, &map.triangles, true), KEPT);
+    let wrong = MeshStructure::new("wrong", |map| Mesh::new(map.vertices, &map.triangles, true), MESH);
     // Two triangles back to back: both have the same third vertex.
     let outcome = meshes(&wrong, MeshesWork { vertices: 3 }, &Run::default());
     let finding = &outcome.findings[0];
@@ -45,7 +45,7 @@ fn a_wrong_flip_is_found_on_the_smallest_triangulation_that_shows_it() {
 fn structures_of_planar_maps_do_the_same_on_discs() {
     let work = MeshesWork { vertices: 4 };
     let slots = MeshStructure::plane(Structure::new("map", Dcel::new, Expectation::plane()));
-    let model = MeshStructure::plane(Structure::new("map", RotationSystem::new, RotationSystem::expectation()));
+    let model = MeshStructure::plane(Structure::new("map", RotationSystem::new, Expectation::plane()));
     let outcome = meshes(&slots, work, &Run::default()).into_result().unwrap();
     assert_eq!(meshes(&model, work, &Run::default()), outcome);
     assert!(of(&outcome, "mesh_split_face") > 0);
@@ -53,7 +53,7 @@ fn structures_of_planar_maps_do_the_same_on_discs() {
     let part = |index| meshes(&slots, work, &Run::default().shard(Shard::new(index, 2).unwrap()));
     assert_eq!(sum(&[part(0), part(1)]), Ok(outcome));
     // So it is where operators are missing, and with more threads.
-    let mine = MeshStructure::new("mine", |map| Mesh::new(map.vertices, &map.triangles, false), KEPT);
+    let mine = MeshStructure::new("mine", |map| Mesh::new(map.vertices, &map.triangles, false), MESH);
     let part = |index| meshes(&mine, work, &Run::default().shard(Shard::new(index, 3).unwrap()));
     let whole = meshes(&mine, work, &Run::default().threads(1));
     assert!(whole.operators.iter().any(|row| row.not_supported > 0), "{whole:?}");

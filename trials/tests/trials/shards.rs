@@ -19,7 +19,7 @@ fn slots() -> Structure<Dcel> {
 }
 
 fn model() -> Structure<RotationSystem> {
-    Structure::new("model", RotationSystem::new, RotationSystem::expectation())
+    Structure::new("model", RotationSystem::new, Expectation::plane())
 }
 
 /// The outcomes of all parts, the last first.

@@ -1,5 +1,6 @@
 //! `soak` and `replay`.
 
+use super::incomplete::Partial;
 use std::sync::atomic::{AtomicUsize, Ordering};
 use twinedge::dcel::Dcel;
 use twinedge::program::{Call, Program, RotationSystem, StepOutcome};
@@ -21,7 +22,7 @@ fn panics() -> Structure<Planted<true>> {
 
 #[test]
 fn sound_structures_do_the_same() {
-    let model = Structure::new("model", RotationSystem::new, RotationSystem::expectation());
+    let model = Structure::new("model", RotationSystem::new, Expectation::plane());
     // An operator whose arguments cannot be chosen is skipped, so it takes some programs until many are refused.
     let work = SoakWork { programs: 50, ..WORK };
     let outcome = soak(&[&slots(), &model], work, &Run::default()).into_result().unwrap();
@@ -60,13 +61,10 @@ fn a_failure_is_told_with_its_program() {
 
 #[test]
 fn a_structure_that_cannot_be_compared_fails_at_the_start() {
-    let less = Structure::new("less", Dcel::new, Expectation::plane().without(Part::Faces));
+    let less = Structure::new("less", || Partial::without(Part::Faces), Expectation::plane());
     let comparison = less.compare(&WORK.program(0), &Silent);
     assert!(
-        comparison
-            .failure()
-            .unwrap()
-            .starts_with("at the start: the structure is empty, and the expectation leaves out faces"),
+        comparison.failure().unwrap().starts_with("at the start: the structure is empty, and stores no faces"),
         "{comparison:?}"
     );
 }

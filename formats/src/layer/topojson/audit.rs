@@ -3,15 +3,7 @@
 use super::finding::RULES;
 use super::topology::ArcTopology;
 use crate::topology_audit::{TopologyAudit, TopologyCounts, TopologyRule, TopologyViolation, not_checked};
-use twinedge::validate::{Collect, Expectation, Part, Unchecked, places, validate_embedding};
-
-/// What arcs have: what no polygon covers is open.
-const EXPECTATION: Expectation = Expectation::plane()
-    .without(Part::BoundaryComponents)
-    .without(Part::Prev)
-    .without(Part::Leaving)
-    .without(Part::UnboundedFace)
-    .open();
+use twinedge::validate::{Collect, Expectation, Only, Part, Parts, Unchecked, places, validate_embedding};
 
 /// Judges the arcs of a file, and the polygons that are made of them. Up to `limit` violations are kept, those of the first rules
 /// before others; all are counted. The rules about faces need A1: where it is broken, they are reported as not checked.
@@ -38,8 +30,9 @@ const EXPECTATION: Expectation = Expectation::plane()
 pub fn audit(topology: &ArcTopology, limit: usize) -> TopologyAudit {
     let findings = &topology.findings;
     let is_joined = findings.counts[1] == 0;
-    let expectation = if is_joined { EXPECTATION } else { EXPECTATION.without(Part::Faces) };
-    let report = validate_embedding(topology, &expectation, Collect::AtMost(limit));
+    let parts = if is_joined { Parts::ALL } else { Parts::ALL.without(Part::Faces) };
+    // The area that no polygon covers is open.
+    let report = validate_embedding(&Only::new(topology, parts), &Expectation::plane().open(), Collect::AtMost(limit));
     let arcs = topology.ends.len() as u64;
     let checked = [arcs, topology.indices, 2 * arcs, arcs];
     let mut rules: Vec<TopologyRule> = RULES

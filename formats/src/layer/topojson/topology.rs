@@ -3,7 +3,7 @@
 use super::finding::Findings;
 use twinedge::geometry::Point;
 use twinedge::geometry::predicates::compare_angle;
-use twinedge::validate::{Embedding, Link, Record, Start, View};
+use twinedge::validate::{Embedding, Link, Part, Parts, Record, Start, View};
 
 /// No half-edge, vertex or face.
 pub(super) const NIL: u32 = u32::MAX;
@@ -122,7 +122,12 @@ fn entry(column: &[u32], i: usize) -> Link {
     column.get(i).filter(|slot| **slot != NIL).map(|slot| *slot as usize)
 }
 
+/// Arcs with faces and their holes, as the polygons say. No polygon is the outside, so there is no unbounded face.
 impl View for ArcTopology {
+    fn parts(&self) -> Parts {
+        Parts::NONE.with(Part::Holes)
+    }
+
     fn vertex_slots(&self) -> usize {
         self.points.len()
     }

@@ -6,14 +6,14 @@ use super::drawn::Update;
 use super::inside::is_inside;
 use super::tree::DrawnTrees;
 use crate::geometry::Point;
-use crate::validate::embedding::Embedding;
-use crate::validate::expectation::{Expectation, Part, Surface};
+use crate::validate::expectation::{Expectation, Surface};
 use crate::validate::geometric::validator::validate_embedding;
 use crate::validate::near::baseline::{Baseline, BaselineError};
 use crate::validate::near::changes::Changes;
 use crate::validate::near::mirror::Now;
 use crate::validate::near::touched::Touched;
 use crate::validate::report::{Collect, Report};
+use crate::validate::structure::{Embedding, Part};
 
 /// The links and coordinates of a structure that was found right, to compare it with after a change. See
 /// [`validate_embedding_near`].
@@ -34,9 +34,10 @@ impl EmbeddingBaseline {
     /// The structure is not valid; or edges have bends; or the expectation is not that of a plane map with faces, boundary
     /// components, places, lists of inner ones, and an unbounded face.
     pub fn new<E: Embedding + ?Sized>(embedding: &E, expectation: &Expectation) -> Result<Self, BaselineError> {
-        Baseline::supports(expectation)?;
+        let parts = expectation.looks_at(embedding.parts());
+        Baseline::supports(expectation, parts)?;
         let needed = [Part::Faces, Part::BoundaryComponents, Part::Places, Part::Holes, Part::UnboundedFace];
-        if let Some(part) = needed.into_iter().find(|part| !expectation.has(*part)) {
+        if let Some(part) = needed.into_iter().find(|part| !parts.has(*part)) {
             return Err(BaselineError::Lacks(part));
         }
         if expectation.surface_kind() != Surface::Plane {

@@ -4,10 +4,9 @@ use super::drawn::{Drawn, Line, Start as DrawnStart, Update};
 use crate::geometry::Point;
 use crate::geometry::predicates::in_range;
 use crate::validate::columns::NIL;
-use crate::validate::embedding::Embedding;
 use crate::validate::near::changes::Changes;
 use crate::validate::near::mirror::{Face, HalfEdge, Label, Mirror, Vertex};
-use crate::validate::view::Start;
+use crate::validate::structure::{Embedding, Start};
 
 /// Before the change, or after it.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]

@@ -6,7 +6,7 @@ use super::tree::DrawnTrees;
 use crate::geometry::Point;
 use crate::geometry::predicates::compare_lexicographic;
 use crate::validate::columns::NIL;
-use crate::validate::view::Start;
+use crate::validate::structure::Start;
 use rustc_hash::FxHashMap;
 
 /// Where the boundary components of the faces went.

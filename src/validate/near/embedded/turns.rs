@@ -3,7 +3,7 @@
 use super::drawing::{Drawing, TIMES, Time, sorted};
 use crate::geometry::Point;
 use crate::geometry::predicates::{Orientation, compare_angle, orientation};
-use crate::validate::view::Start;
+use crate::validate::structure::Start;
 
 /// What has come to the sum of each group, by its number, sorted: the change of the sum.
 fn differences(mut terms: Vec<(usize, i64)>) -> Vec<(usize, i64)> {

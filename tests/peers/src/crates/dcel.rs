@@ -6,7 +6,8 @@
 use crate::peer::{self, Applied};
 use crate::program::Operator;
 use dcel::{EdgeId, FaceId, HalfEdgeId, StableDcel, VertexId};
-use twinedge::validate::{Collect, Expectation, Link, Part, Report, Start, View, validate};
+use twinedge::validate::{Collect, Expectation, Part, Parts, Report, Start, View, validate};
+use twinedge::view_answers;
 
 /// A structure whose vertices are numbered.
 pub type Dcel = StableDcel<u32>;
@@ -51,59 +52,34 @@ impl<'a> DcelView<'a> {
     /// What the rules say of it.
     #[must_use]
     pub fn report(&self) -> Report {
-        validate(self, &Expectation::plane().without(Part::BoundaryComponents), Collect::All)
+        validate(self, &Expectation::plane(), Collect::All)
     }
 }
 
 impl View for DcelView<'_> {
-    fn vertex_slots(&self) -> usize {
-        self.dcel.vertices().next_push_index()
-    }
-    fn half_edge_slots(&self) -> usize {
-        self.dcel.half_edges().next_push_index()
-    }
-    fn face_slots(&self) -> usize {
-        self.dcel.faces().next_push_index()
-    }
-    fn is_vertex(&self, v: usize) -> bool {
-        self.dcel.vertices().has_element_at(v)
-    }
-    fn is_half_edge(&self, h: usize) -> bool {
-        self.dcel.half_edges().has_element_at(h)
-    }
-    fn is_face(&self, f: usize) -> bool {
-        self.dcel.faces().has_element_at(f)
-    }
-    fn origin(&self, h: usize) -> Link {
-        Some(self.dcel.source(HalfEdgeId::new(h)).id())
-    }
-    fn twin(&self, h: usize) -> Link {
-        Some(self.dcel.twin(HalfEdgeId::new(h)).id())
-    }
-    fn next(&self, h: usize) -> Link {
-        Some(self.dcel.next(HalfEdgeId::new(h)).id())
-    }
-    fn prev(&self, h: usize) -> Link {
-        Some(self.dcel.prev(HalfEdgeId::new(h)).id())
-    }
-    fn face(&self, h: usize) -> Link {
-        Some(self.dcel.incident_face(HalfEdgeId::new(h)).id())
-    }
-    fn leaving(&self, v: usize) -> Link {
-        Some(self.dcel.vertex_representative(VertexId::new(v)).id())
-    }
-    fn outer_half_edge(&self, f: usize) -> Link {
-        if f == self.dcel.unbounded_face().id() {
-            None
-        } else {
-            Some(self.dcel.face_representative(FaceId::new(f))?.id())
-        }
-    }
-    fn inner_count(&self, f: usize) -> usize {
-        self.inner[f].len()
-    }
-    fn inner_start(&self, f: usize, position: usize) -> Option<Start> {
-        self.inner[f].get(position).copied().map(Start::HalfEdge)
+    view_answers! { |view|
+        parts => Parts::ALL.without(Part::BoundaryComponents),
+        vertex_slots => view.dcel.vertices().next_push_index(),
+        half_edge_slots => view.dcel.half_edges().next_push_index(),
+        face_slots => view.dcel.faces().next_push_index(),
+        is_vertex(v) => view.dcel.vertices().has_element_at(v),
+        is_half_edge(h) => view.dcel.half_edges().has_element_at(h),
+        is_face(f) => view.dcel.faces().has_element_at(f),
+        origin(h) => Some(view.dcel.source(HalfEdgeId::new(h)).id()),
+        twin(h) => Some(view.dcel.twin(HalfEdgeId::new(h)).id()),
+        next(h) => Some(view.dcel.next(HalfEdgeId::new(h)).id()),
+        prev(h) => Some(view.dcel.prev(HalfEdgeId::new(h)).id()),
+        face(h) => Some(view.dcel.incident_face(HalfEdgeId::new(h)).id()),
+        leaving(v) => Some(view.dcel.vertex_representative(VertexId::new(v)).id()),
+        outer_half_edge(f) => {
+            if f == view.dcel.unbounded_face().id() {
+                None
+            } else {
+                Some(view.dcel.face_representative(FaceId::new(f))?.id())
+            }
+        },
+        inner_count(f) => view.inner[f].len(),
+        inner_start(f, position) => view.inner[f].get(position).copied().map(Start::HalfEdge),
     }
 }
 

@@ -8,7 +8,7 @@ use crate::program::Operator;
 use halfedge::{FaceId, HalfEdgeId, MeshStorage, Vertex, VertexId};
 use std::collections::{HashMap, HashSet};
 use std::hash::Hash;
-use twinedge::validate::{Collect, Expectation, FaceRow, HalfEdgeRow, Part, Report, Table, VertexRow, validate};
+use twinedge::validate::{Collect, Expectation, FaceRow, HalfEdgeRow, Part, Parts, Report, Table, VertexRow, validate};
 
 /// The mesh as tables: records in the order of iteration. The origin of a half-edge is the target of its
 /// twin, or of its `prev` if it has no twin; a border
@@ -46,6 +46,7 @@ pub fn table(mesh: &MeshStorage) -> Table {
     let face =
         |f: FaceId| Some(FaceRow { outer_half_edge: mesh.get_face(f)?.halfedge.map(number), ..Default::default() });
     Table {
+        parts: Parts::ALL.without(Part::BoundaryComponents),
         vertices: mesh.vertex_ids().map(leaving).collect(),
         half_edges: mesh.halfedge_ids().map(half_edge).collect(),
         faces: mesh.face_ids().map(face).collect(),
@@ -60,8 +61,7 @@ fn numbers<I: Eq + Hash>(ids: impl Iterator<Item = I>) -> HashMap<I, usize> {
 /// What the rules say of the mesh.
 #[must_use]
 pub fn report(mesh: &MeshStorage) -> Report {
-    let expectation = Expectation::surface().without(Part::BoundaryComponents).open();
-    validate(&table(mesh), &expectation, Collect::All)
+    validate(&table(mesh), &Expectation::surface().open(), Collect::All)
 }
 
 /// Random programs on it.

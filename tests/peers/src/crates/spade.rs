@@ -8,8 +8,9 @@ use spade::handles::{
 use spade::{CdtEdge, ConstrainedDelaunayTriangulation, Point2, Triangulation};
 use twinedge::geometry::Point;
 use twinedge::validate::{
-    Collect, Embedding, Expectation, Link, Part, Report, Start, View, validate, validate_embedding,
+    Collect, Embedding, Expectation, Link, Part, Parts, Report, Start, View, validate, validate_embedding,
 };
+use twinedge::view_answers;
 
 /// A triangulation of points without data.
 pub type Cdt = ConstrainedDelaunayTriangulation<Point2<f64>>;
@@ -44,50 +45,31 @@ impl<'a> CdtView<'a> {
     /// What the rules say of it: first of the links, and then of the coordinates.
     #[must_use]
     pub fn report(&self) -> Report {
-        let expectation = Expectation::plane().without(Part::BoundaryComponents);
+        let expectation = Expectation::plane();
         let report = validate(self, &expectation, Collect::All);
         if report.is_valid() { validate_embedding(self, &expectation, Collect::All) } else { report }
     }
 }
 
 impl View for CdtView<'_> {
-    fn vertex_slots(&self) -> usize {
-        self.cdt.num_vertices()
-    }
-    fn half_edge_slots(&self) -> usize {
-        self.cdt.num_directed_edges()
-    }
-    fn face_slots(&self) -> usize {
-        self.cdt.num_all_faces()
-    }
-    fn origin(&self, h: usize) -> Link {
-        Some(self.edge(h).from().fix().index())
-    }
-    fn twin(&self, h: usize) -> Link {
-        Some(self.edge(h).rev().fix().index())
-    }
-    fn next(&self, h: usize) -> Link {
-        Some(self.edge(h).next().fix().index())
-    }
-    fn prev(&self, h: usize) -> Link {
-        Some(self.edge(h).prev().fix().index())
-    }
-    fn face(&self, h: usize) -> Link {
-        Some(self.edge(h).face().fix().index())
-    }
-    fn leaving(&self, v: usize) -> Link {
-        let vertex = self.cdt.vertex(FixedVertexHandle::from_index(v));
-        Some(vertex.out_edge()?.fix().index())
-    }
-    fn outer_half_edge(&self, f: usize) -> Link {
-        if f == 0 { None } else { self.face_edge(f) }
-    }
-    fn inner_count(&self, f: usize) -> usize {
-        usize::from(f == 0 && self.cdt.num_vertices() > 0)
-    }
-    /// The unbounded face has one inner boundary component: the convex hull, or the only vertex.
-    fn inner_start(&self, f: usize, _: usize) -> Option<Start> {
-        Some(self.face_edge(f).map_or(Start::Vertex(0), Start::HalfEdge))
+    view_answers! { |view|
+        parts => Parts::ALL.without(Part::BoundaryComponents),
+        vertex_slots => view.cdt.num_vertices(),
+        half_edge_slots => view.cdt.num_directed_edges(),
+        face_slots => view.cdt.num_all_faces(),
+        origin(h) => Some(view.edge(h).from().fix().index()),
+        twin(h) => Some(view.edge(h).rev().fix().index()),
+        next(h) => Some(view.edge(h).next().fix().index()),
+        prev(h) => Some(view.edge(h).prev().fix().index()),
+        face(h) => Some(view.edge(h).face().fix().index()),
+        leaving(v) => {
+            let vertex = view.cdt.vertex(FixedVertexHandle::from_index(v));
+            Some(vertex.out_edge()?.fix().index())
+        },
+        outer_half_edge(f) => if f == 0 { None } else { view.face_edge(f) },
+        inner_count(f) => usize::from(f == 0 && view.cdt.num_vertices() > 0),
+        // The unbounded face has one inner boundary component: the convex hull, or the only vertex.
+        inner_start(f, _i) => Some(view.face_edge(f).map_or(Start::Vertex(0), Start::HalfEdge)),
     }
 }
 

@@ -6,7 +6,8 @@ use crate::peer::{self, Applied};
 use crate::program::Operator;
 use std::collections::HashSet;
 use tri_mesh::{FaceID, HalfEdgeID, Mesh, VertexID, vec3};
-use twinedge::validate::{Collect, Expectation, Link, Part, Report, View, validate};
+use twinedge::validate::{Collect, Expectation, Part, Parts, Report, View, validate};
+use twinedge::view_answers;
 
 /// A mesh as the validator sees it: the origin of a half-edge is the target of its twin, and the `next` of a half-edge
 /// without face is found by turning around its target.
@@ -32,8 +33,7 @@ impl<'a> MeshView<'a> {
     /// What the rules say of it.
     #[must_use]
     pub fn report(&self) -> Report {
-        let expectation = Expectation::surface().without(Part::BoundaryComponents).without(Part::Prev).open();
-        validate(self, &expectation, Collect::All)
+        validate(self, &Expectation::surface().open(), Collect::All)
     }
 
     fn twin_of(&self, h: HalfEdgeID) -> Option<HalfEdgeID> {
@@ -53,50 +53,33 @@ fn slots<I: Copy>(ids: impl Iterator<Item = I>, number: impl Fn(&I) -> u32) -> V
 }
 
 impl View for MeshView<'_> {
-    fn vertex_slots(&self) -> usize {
-        self.vertices.len()
-    }
-    fn half_edge_slots(&self) -> usize {
-        self.half_edges.len()
-    }
-    fn face_slots(&self) -> usize {
-        self.faces.len()
-    }
-    fn is_vertex(&self, v: usize) -> bool {
-        self.vertices.get(v).is_some_and(Option::is_some)
-    }
-    fn is_half_edge(&self, h: usize) -> bool {
-        self.half_edges.get(h).is_some_and(Option::is_some)
-    }
-    fn is_face(&self, f: usize) -> bool {
-        self.faces.get(f).is_some_and(Option::is_some)
-    }
-    fn origin(&self, h: usize) -> Link {
-        let twin = self.twin_of(self.half_edges[h]?)?;
-        Some(*self.mesh.walker_from_halfedge(twin).vertex_id()? as usize)
-    }
-    fn twin(&self, h: usize) -> Link {
-        Some(*self.mesh.walker_from_halfedge(self.half_edges[h]?).twin_id()? as usize)
-    }
-    fn next(&self, h: usize) -> Link {
-        let id = self.half_edges[h]?;
-        let walker = self.mesh.walker_from_halfedge(id);
-        let next = walker.next_id().or_else(|| {
-            let previous = |h| self.mesh.walker_from_halfedge(h).previous_id();
-            let is_border = |h| self.mesh.walker_from_halfedge(h).face_id().is_none();
-            walker.face_id().is_none().then_some(())?;
-            next_on_border(id, self.half_edges.len(), |h| self.twin_of(h), previous, is_border)
-        });
-        Some(*next? as usize)
-    }
-    fn face(&self, h: usize) -> Link {
-        Some(*self.mesh.walker_from_halfedge(self.half_edges[h]?).face_id()? as usize)
-    }
-    fn leaving(&self, v: usize) -> Link {
-        Some(*self.mesh.walker_from_vertex(self.vertices[v]?).halfedge_id()? as usize)
-    }
-    fn outer_half_edge(&self, f: usize) -> Link {
-        Some(*self.mesh.walker_from_face(self.faces[f]?).halfedge_id()? as usize)
+    view_answers! { |view|
+        parts => Parts::NONE.with(Part::Faces).with(Part::Leaving),
+        vertex_slots => view.vertices.len(),
+        half_edge_slots => view.half_edges.len(),
+        face_slots => view.faces.len(),
+        is_vertex(v) => view.vertices.get(v).is_some_and(Option::is_some),
+        is_half_edge(h) => view.half_edges.get(h).is_some_and(Option::is_some),
+        is_face(f) => view.faces.get(f).is_some_and(Option::is_some),
+        origin(h) => {
+            let twin = view.twin_of(view.half_edges[h]?)?;
+            Some(*view.mesh.walker_from_halfedge(twin).vertex_id()? as usize)
+        },
+        twin(h) => Some(*view.mesh.walker_from_halfedge(view.half_edges[h]?).twin_id()? as usize),
+        next(h) => {
+            let id = view.half_edges[h]?;
+            let walker = view.mesh.walker_from_halfedge(id);
+            let next = walker.next_id().or_else(|| {
+                let previous = |h| view.mesh.walker_from_halfedge(h).previous_id();
+                let is_border = |h| view.mesh.walker_from_halfedge(h).face_id().is_none();
+                walker.face_id().is_none().then_some(())?;
+                next_on_border(id, view.half_edges.len(), |h| view.twin_of(h), previous, is_border)
+            });
+            Some(*next? as usize)
+        },
+        face(h) => Some(*view.mesh.walker_from_halfedge(view.half_edges[h]?).face_id()? as usize),
+        leaving(v) => Some(*view.mesh.walker_from_vertex(view.vertices[v]?).halfedge_id()? as usize),
+        outer_half_edge(f) => Some(*view.mesh.walker_from_face(view.faces[f]?).halfedge_id()? as usize),
     }
 }
 

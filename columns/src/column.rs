@@ -1,0 +1,158 @@
+//! One column of links: every so many cells of a slice.
+
+use crate::cell::Cell;
+use crate::error::ColumnsError;
+use twinedge::validate::Link;
+
+/// Links by position.
+pub(crate) trait Links: Copy {
+    fn len(&self) -> usize;
+    /// The link at this position, which is not past the end.
+    fn at(&self, position: usize) -> Link;
+}
+
+/// A column of links in a slice of integers.
+///
+/// ```
+/// use twinedge_columns::Column;
+/// // Two records of three fields each. The column is the second field.
+/// let records = [0_i32, 10, 0, 0, -1, 0];
+/// let column = Column::strided(&records, 1, 3, 2)?;
+/// assert_eq!((column.link(0), column.link(1), column.len()), (Some(10), None, 2));
+/// # Ok::<(), twinedge_columns::ColumnsError>(())
+/// ```
+#[derive(Debug)]
+pub struct Column<'a, T> {
+    /// From the first cell of the column in memory to its last.
+    cells: &'a [T],
+    first: usize,
+    /// A step of the stride, modulo the number of all positions: a negative one is added like a positive one.
+    step: usize,
+    len: usize,
+}
+
+impl<T> Clone for Column<'_, T> {
+    fn clone(&self) -> Self {
+        *self
+    }
+}
+
+impl<T> Copy for Column<'_, T> {}
+
+impl<'a, T: Cell> Column<'a, T> {
+    /// The column of all cells.
+    #[must_use]
+    pub const fn new(cells: &'a [T]) -> Self {
+        Self { cells, first: 0, step: 1, len: cells.len() }
+    }
+
+    /// The column of the `len` cells at `first`, `first + stride`, `first + 2 · stride` and so on. A stride may be negative.
+    ///
+    /// # Errors
+    /// [`ColumnsError::OutOfSlice`] if one of these is not in the slice.
+    pub const fn strided(cells: &'a [T], first: usize, stride: isize, len: usize) -> Result<Self, ColumnsError> {
+        let error = Err(ColumnsError::OutOfSlice { first, stride, len, cells: cells.len() });
+        let Some(steps) = len.checked_sub(1) else { return Ok(Self::new(&[])) };
+        let Some(span) = stride.unsigned_abs().checked_mul(steps) else { return error };
+        let last = if stride < 0 { first.checked_sub(span) } else { first.checked_add(span) };
+        let Some(last) = last else { return error };
+        if first >= cells.len() || last >= cells.len() {
+            return error;
+        }
+        let step = stride.unsigned_abs();
+        let (lowest, first, step) =
+            if stride < 0 { (last, span, 0_usize.wrapping_sub(step)) } else { (first, 0, step) };
+        let cells = cells.split_at(lowest).1.split_at(span + 1).0;
+        Ok(Self { cells, first, step, len })
+    }
+
+    /// The number of links.
+    #[must_use]
+    pub const fn len(&self) -> usize {
+        self.len
+    }
+
+    /// True if there is no link.
+    #[must_use]
+    pub const fn is_empty(&self) -> bool {
+        self.len == 0
+    }
+
+    /// The cells, if they lie one after the other.
+    pub(crate) const fn cells(&self) -> Option<&'a [T]> {
+        if self.step == 1 || self.len == 0 { Some(self.cells) } else { None }
+    }
+
+    /// The same column, if it goes forward in memory.
+    pub(crate) const fn forward(&self) -> Option<Forward<'a, T>> {
+        if self.first == 0 { Some(Forward { cells: self.cells, step: self.step, len: self.len }) } else { None }
+    }
+
+    /// Nothing, if the column of this name has the length that is expected.
+    pub(crate) const fn expect_len(&self, column: &'static str, expected: usize) -> Result<(), ColumnsError> {
+        if self.len == expected { Ok(()) } else { Err(ColumnsError::Length { column, found: self.len, expected }) }
+    }
+
+    /// The link at this position; nil past the end.
+    #[inline]
+    #[must_use]
+    pub fn link(&self, position: usize) -> Link {
+        if position < self.len { self.at(position) } else { None }
+    }
+
+    /// One more than the largest link, and 0 if there is none: how many records the links lead to, if none dangles. O(n).
+    #[must_use]
+    pub fn slots(&self) -> usize {
+        (0..self.len).filter_map(|i| self.link(i)).max().map_or(0, |largest| largest.saturating_add(1))
+    }
+}
+
+impl<T: Cell> Links for Column<'_, T> {
+    fn len(&self) -> usize {
+        self.len
+    }
+
+    #[inline]
+    fn at(&self, position: usize) -> Link {
+        // Within the column nothing wraps: `strided` has looked at both ends.
+        self.cells.get(self.first.wrapping_add(position.wrapping_mul(self.step)))?.link()
+    }
+}
+
+impl<T: Cell> Links for &[T] {
+    fn len(&self) -> usize {
+        <[T]>::len(self)
+    }
+
+    #[inline]
+    fn at(&self, position: usize) -> Link {
+        self.get(position)?.link()
+    }
+}
+
+/// A column that goes forward in memory: one addition less for each link.
+#[derive(Debug)]
+pub(crate) struct Forward<'a, T> {
+    cells: &'a [T],
+    step: usize,
+    len: usize,
+}
+
+impl<T> Clone for Forward<'_, T> {
+    fn clone(&self) -> Self {
+        *self
+    }
+}
+
+impl<T> Copy for Forward<'_, T> {}
+
+impl<T: Cell> Links for Forward<'_, T> {
+    fn len(&self) -> usize {
+        self.len
+    }
+
+    #[inline]
+    fn at(&self, position: usize) -> Link {
+        self.cells.get(position.wrapping_mul(self.step))?.link()
+    }
+}

@@ -1,0 +1,44 @@
+//! The reasons for which columns make no structure.
+
+use core::fmt;
+
+/// A reason for which columns make no structure.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+#[non_exhaustive]
+pub enum ColumnsError {
+    /// A column has another length than there are records.
+    Length {
+        /// The link that the column holds.
+        column: &'static str,
+        /// How many links it has.
+        found: usize,
+        /// How many records there are.
+        expected: usize,
+    },
+    /// A column that would leave its slice.
+    OutOfSlice {
+        /// The position of its first cell.
+        first: usize,
+        /// The number of cells from one link to the next.
+        stride: isize,
+        /// How many links it has.
+        len: usize,
+        /// The length of the slice.
+        cells: usize,
+    },
+}
+
+impl fmt::Display for ColumnsError {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        match self {
+            Self::Length { column, found, expected } => {
+                write!(f, "the column `{column}` has length {found}, where {expected} is expected")
+            }
+            Self::OutOfSlice { first, stride, len, cells } => {
+                write!(f, "{len} cells from {first} in steps of {stride} are not in a slice of {cells}")
+            }
+        }
+    }
+}
+
+impl core::error::Error for ColumnsError {}

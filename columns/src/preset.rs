@@ -1,0 +1,119 @@
+//! The promises of known libraries about their structures.
+
+use twinedge::validate::Expectation;
+
+macro_rules! presets {
+    ($($(#[doc = $doc:literal])* $variant:ident $name:literal from $source:literal $expectation:expr;)*) => {
+        /// The expectation for the structures of a library, as its documentation describes them. What a single structure is to be
+        /// beyond that (closed, of some genus) is asked for in addition.
+        ///
+        /// ```
+        /// use twinedge::validate::Rule;
+        /// use twinedge_columns::Preset;
+        /// assert_eq!(Preset::from_name("openmesh"), Some(Preset::OpenMesh));
+        /// assert!(Preset::OpenMesh.expectation().asks_for(Rule::M8));
+        /// let closed = Preset::OpenMesh.expectation().closed().genus(0);
+        /// ```
+        #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
+        #[non_exhaustive]
+        pub enum Preset {
+            $($(#[doc = $doc])* #[doc = concat!("\n\nSource: ", $source, ".")] $variant,)*
+        }
+
+        impl Preset {
+            /// All presets.
+            pub const ALL: &[Self] = &[$(Self::$variant),*];
+
+            /// The name, in snake case.
+            #[must_use]
+            pub const fn name(self) -> &'static str {
+                match self { $(Self::$variant => $name,)* }
+            }
+
+            /// The documentation that says so.
+            #[must_use]
+            pub const fn source(self) -> &'static str {
+                match self { $(Self::$variant => $source,)* }
+            }
+
+            /// The expectation.
+            #[must_use]
+            pub const fn expectation(self) -> Expectation {
+                match self { $(Self::$variant => $expectation,)* }
+            }
+        }
+    };
+}
+
+/// A surface with or without border.
+const MESH: Expectation = Expectation::surface().open();
+
+presets! {
+    /// `CGAL::Surface_mesh`. The manual: each edge is two half-edges; a half-edge keeps a face, a vertex, the next and the
+    /// previous one; a vertex and a face keep one; a half-edge without face is on the border. `next` and `prev` go along the
+    /// border there.
+    ///
+    /// A half-edge keeps its target, and a vertex one that *arrives*: answer `leaving` with its next, which is on the border if
+    /// it is. Whether that of a border vertex is on the border, the documentation says in two ways: `halfedge(v)` "will be a
+    /// border halfedge", and "the user is in charge" of that (section Borders). So [`border_kept`](Expectation::border_kept) must
+    /// be asked for in addition.
+    SurfaceMesh "surface_mesh"
+        from "CGAL, user manual of Surface_mesh, sections Connectivity and Borders, and CGAL/Surface_mesh/Surface_mesh.h, halfedge(Vertex_index)"
+        MESH;
+    /// `OpenMesh`, `PolyMesh` and `TriMesh`. The manual: a vertex keeps a half-edge that leaves it, a face one of those that
+    /// bound it, and a half-edge its target, face, next, opposite and, as an option, its previous one.
+    ///
+    /// "The outgoing halfedge" of a boundary vertex "must be a boundary halfedge" (M8): `is_boundary` of a vertex relies on it,
+    /// and `adjust_outgoing_halfedge` restores it. For a mesh of triangles, ask for [`triangles`](Expectation::triangles) in
+    /// addition.
+    OpenMesh "openmesh"
+        from "OpenMesh, The Halfedge Data Structure, and OpenMesh/Core/Mesh/PolyConnectivity.hh, is_boundary and adjust_outgoing_halfedge"
+        MESH.border_kept();
+    /// `CGAL::Arrangement_2` of bounded curves, in the plane. The manual: a half-edge has its face to its left; the half-edges
+    /// around a face form chains (CCBs); a face has at most one outer one, the one unbounded face none, and any number of inner
+    /// ones and isolated vertices.
+    ///
+    /// A half-edge keeps its target, and a vertex one that arrives: answer `leaving` with its twin. The records of CCBs and
+    /// isolated vertices keep an iterator into the list of their face, which is no position, so there are no
+    /// [`places`](twinedge::validate::Part::Places). Curves that are not bounded have several unbounded faces, and a fictitious one: they are not
+    /// meant here.
+    Arrangement2 "arrangement_2"
+        from "CGAL, user manual of 2D Arrangements, section Representation of Arrangements: The Dcel, and CGAL/Arr_dcel_base.h"
+        Expectation::plane();
+    /// `trimesh.Trimesh`. It promises that faces are triples of vertices, and keeps no half-edges: its corners are half-edges
+    /// here, and an edge that one triangle has is a border.
+    ///
+    /// The rest are questions: this preset asks what `is_winding_consistent` does ("each shared edge going in an opposite
+    /// direction from the other in the pair"), that no edge has three triangles, and that no two fans share a vertex;
+    /// [`closed`](Expectation::closed) asks what `is_watertight` does beyond that ("every edge is included in two faces").
+    Trimesh "trimesh"
+        from "trimesh, reference of Trimesh, faces, is_winding_consistent and is_watertight"
+        MESH.triangles();
+    /// `compas.datastructures.Mesh`, "open or closed surface meshes". A dictionary has the face of each pair of vertices, or
+    /// `None` along a border, so there are no parallel edges; `add_face` drops a vertex that follows itself, so there are no
+    /// loops.
+    ///
+    /// This is what `is_valid` asks (half-edges have their faces and vertices, faces their half-edges, no edge has none) and what
+    /// `is_manifold` asks ("the faces incident to a vertex form a closed or an open fan"), which is also false where a vertex has
+    /// no face: ask for [`no_unused_vertices`](Expectation::no_unused_vertices) in addition.
+    Compas "compas"
+        from "compas, reference of datastructures.Mesh, is_valid, is_manifold and add_face"
+        MESH.simple();
+    /// `networkx.PlanarEmbedding`: rotations in the plane, without faces. "Edges must go in both directions", and each "must have
+    /// a 'cw' and 'ccw' attribute which corresponds to a correct planar embedding". The graph is a `DiGraph`: it has no parallel
+    /// edges, and a loop would be its own twin.
+    ///
+    /// Answer `next` of `(u, v)` with `(v, w)`, where `w` is the `ccw` of `(v, u)`, and `prev` with `(w, u)`, where `w` is the
+    /// `cw` of `(u, v)`. The two attributes are then checked against each other.
+    Networkx "networkx"
+        from "networkx, reference of PlanarEmbedding, and check_structure"
+        Expectation::plane().simple();
+}
+
+impl Preset {
+    /// The preset of this name.
+    #[must_use]
+    pub fn from_name(name: &str) -> Option<Self> {
+        Self::ALL.iter().copied().find(|preset| preset.name() == name)
+    }
+}

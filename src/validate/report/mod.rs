@@ -1,0 +1,319 @@
+//! The result of a validation: an outcome per rule, the violations, the counts, and on success the figures of the structure.
+
+mod counts;
+mod hints;
+mod kept;
+mod named;
+mod names;
+#[cfg(feature = "geometry")]
+mod places;
+mod record;
+#[cfg(feature = "serde")]
+mod saved;
+mod text;
+mod violation;
+mod words;
+
+pub use counts::{Bounds, Counts};
+pub(super) use kept::keep_some_of_each;
+pub use named::Named;
+#[cfg(feature = "geometry")]
+pub use places::places;
+pub use record::{Field, Record};
+#[cfg(feature = "serde")]
+pub use saved::{Described, REPORT_SCHEMA};
+pub use violation::Violation;
+
+use super::rule::Rule;
+use super::structure::Part;
+use alloc::boxed::Box;
+use alloc::vec::Vec;
+use core::fmt;
+
+/// How many violations to collect. All violations of each rule are counted, except with `First`.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash, Default)]
+pub enum Collect {
+    /// Stop at the first violation of the first broken rule.
+    First,
+    /// Keep up to [`Collect::DEFAULT_CAP`] violations, some of each broken rule.
+    #[default]
+    All,
+    /// Keep up to this many violations, some of each broken rule, or if that is too few, one of each of the first broken rules.
+    /// With 0 they are only counted.
+    AtMost(usize),
+}
+
+impl Collect {
+    /// How many violations `All` keeps.
+    pub const DEFAULT_CAP: usize = 1000;
+
+    pub(crate) const fn cap(self) -> usize {
+        match self {
+            Self::First => 1,
+            Self::All => Self::DEFAULT_CAP,
+            Self::AtMost(n) => n,
+        }
+    }
+}
+
+/// Why a rule was not checked, or not on every record.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
+#[cfg_attr(feature = "serde", serde(rename_all = "snake_case"))]
+#[non_exhaustive]
+pub enum Unchecked {
+    /// It relies on this rule, which is broken.
+    Broken(Rule),
+    /// The structure does not store this part, or it is not looked at on surfaces.
+    Lacks(Part),
+    /// It is a rule of the plane.
+    PlaneOnly,
+    /// It is a rule of simple maps with at least three vertices: there are loops, parallel edges or fewer vertices.
+    NotSimple,
+    /// The run ended with the first violation, as asked.
+    Stopped,
+    /// The structure claims more than `u32::MAX - 1` records of one kind.
+    TooLarge,
+    /// There was not enough memory for the check.
+    OutOfMemory,
+    /// The faces list more than twice as many inner boundary components as there are, and 16: the rest of the lists was
+    /// not read.
+    ListTooLong,
+}
+
+impl Unchecked {
+    /// Whether a structure can be valid although the rule was not checked: because the structure does not store the part that the rule
+    /// is about, or because the rule does not apply to it.
+    #[must_use]
+    pub const fn is_by_design(self) -> bool {
+        matches!(self, Self::Lacks(_) | Self::PlaneOnly | Self::NotSimple)
+    }
+}
+
+impl fmt::Display for Unchecked {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        match self {
+            Self::Broken(rule) => write!(f, "needs {rule}, which is broken"),
+            Self::Lacks(part) => write!(f, "the structure stores no {}", part.name()),
+            Self::PlaneOnly => f.write_str("a rule of the plane only"),
+            Self::NotSimple => f.write_str("applies to simple maps with at least 3 vertices"),
+            Self::Stopped => f.write_str("stopped at the first violation"),
+            Self::TooLarge => f.write_str("more than 4,294,967,294 records of one kind"),
+            Self::OutOfMemory => f.write_str("not enough memory"),
+            Self::ListTooLong => f.write_str("the lists of the faces are too long to be read to the end"),
+        }
+    }
+}
+
+/// The outcome of one rule.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash, Default)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
+pub struct RuleOutcome {
+    /// The number of checks, in the [unit](Rule::unit) of the rule.
+    pub checked: u64,
+    /// The number of violations found, kept or not.
+    pub violations: u64,
+    /// Why the rule was not checked, or not on every record.
+    pub unchecked: Option<Unchecked>,
+}
+
+/// The numbers of a structure in which no violation was found and every rule that applies to it was checked.
+///
+/// By T3, added up over the components with one cycle for each isolated vertex,
+/// `vertices − edges + cycles + borders + isolated_vertices = 2 · components − 2 · genus`.
+///
+/// No number depends on the way in which a structure keeps its border: half-edges that have no face, or edges that have one
+/// half-edge only.
+///
+/// ```
+/// use twinedge::validate::{Collect, Expectation, Table, validate};
+/// // A triangle. Half-edges 0, 1 and 2 run around its face; then their twins are there, and have none.
+/// let one_half_edge: Table = "P 3 prev leaving faces V 3 0 - 1 - 2 - H 3 0 - 1 2 - 1 - 2 0 - 2 - 0 1 - B 0 F 1 - 0 HF 3 0 0 0 FH 1 0 0".parse()?;
+/// let no_face: Table = "P 3 prev leaving faces V 3 0 - 1 - 2 - H 6 0 3 1 2 - 1 4 2 0 - 2 5 0 1 - 1 0 5 4 - 2 1 3 5 - 0 2 4 3 - B 0 F 1 - 0 \
+///     HF 6 0 0 0 - - - FH 1 0 0".parse()?;
+/// let expectation = Expectation::surface().open().borders(1);
+/// for table in [one_half_edge, no_face] {
+///     let found = validate(&table, &expectation, Collect::All).into_result()?;
+///     assert_eq!((found.edges, found.faces, found.cycles, found.borders, found.euler_characteristic), (3, 1, 1, 1, 1));
+/// }
+/// # Ok::<(), Box<dyn std::error::Error>>(())
+/// ```
+#[derive(Clone, Debug, PartialEq, Eq)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
+pub struct Figures {
+    /// V.
+    pub vertices: usize,
+    /// E.
+    pub edges: usize,
+    /// F, the unbounded face included.
+    pub faces: usize,
+    /// C.
+    pub components: usize,
+    /// Cycles of `next` that are no border loops.
+    pub cycles: usize,
+    /// Border loops: cycles of half-edges that have no face, and cycles that missing twins would make.
+    pub borders: usize,
+    /// Vertices that no half-edge leaves.
+    pub isolated_vertices: usize,
+    /// The sum of the genera of the components: 0 in the plane.
+    pub genus: usize,
+    /// χ = V − E + F, as [`Counts::euler_characteristic`] says.
+    pub euler_characteristic: isize,
+    /// The bounds of T4, if the map is simple and has three vertices.
+    pub bounds: Option<Bounds>,
+    /// The rules that do not apply to this structure, with the reason.
+    pub not_checked: Vec<(Rule, Unchecked)>,
+}
+
+/// The result of a validation.
+///
+/// ```
+/// use twinedge::validate::{Collect, Expectation, Table, validate};
+/// // Two half-edges, each the twin of the other; both cycles have one half-edge. That is a loop at one vertex, not at two.
+/// let table: Table = "P 0 V 2 - - - - H 2 0 1 0 - - 1 0 1 - - B 0 F 0".parse()?;
+/// let report = validate(&table, &Expectation::plane(), Collect::All);
+/// assert!(!report.is_valid());
+/// assert!(report.to_string().starts_with(
+///     "R1 live      ok, 6 links\n\
+///      L1 twin      ok, 2 half-edges\n\
+///      L2 next/prev ok, 2 half-edges\n\
+///      L3 target    BROKEN, 2 violations in 2 half-edges\n\
+///      V1 leaving   not checked: the structure stores no leaving half-edges\n\
+///      V2 rotation  not checked: needs L3, which is broken\n"
+/// ));
+/// # Ok::<(), twinedge::validate::ParseTableError>(())
+/// ```
+#[derive(Clone, PartialEq, Eq)]
+pub struct Report {
+    pub(crate) outcomes: Vec<(Rule, RuleOutcome)>,
+    pub(crate) violations: Vec<Violation>,
+    pub(crate) counts: Counts,
+    pub(crate) bounds: Option<Bounds>,
+}
+
+impl Report {
+    /// The rules of this validation, in order, each with its outcome.
+    #[must_use]
+    pub fn outcomes(&self) -> impl ExactSizeIterator<Item = (Rule, RuleOutcome)> + '_ {
+        self.outcomes.iter().copied()
+    }
+
+    /// The outcome of this rule; `None` for a rule that is not part of this validation (G without coordinates, M where it was
+    /// not asked for).
+    #[must_use]
+    pub fn outcome(&self, rule: Rule) -> Option<RuleOutcome> {
+        self.outcomes.iter().find(|(r, _)| *r == rule).map(|(_, o)| *o)
+    }
+
+    /// The rules of which a violation was found, in order. All but the first may be consequences of it.
+    ///
+    /// ```
+    /// use twinedge::validate::{Collect, Expectation, Rule, Table, validate};
+    /// // A loop that is its own twin.
+    /// let table: Table = "V 1 0 - H 1 0 0 0 0 0 B 1 0 h0 i0 F 1 - 1 0".parse()?;
+    /// let report = validate(&table, &Expectation::plane(), Collect::All);
+    /// assert_eq!(report.broken_rules().next(), Some(Rule::L1));
+    /// # Ok::<(), twinedge::validate::ParseTableError>(())
+    /// ```
+    pub fn broken_rules(&self) -> impl Iterator<Item = Rule> + '_ {
+        self.outcomes.iter().filter(|(_, outcome)| outcome.violations > 0).map(|(rule, _)| *rule)
+    }
+
+    /// The violations that were kept, in the order of the rules: some of each broken rule.
+    #[must_use]
+    pub fn violations(&self) -> &[Violation] {
+        &self.violations
+    }
+
+    /// The first violation of the first broken rule: the one to look at first, as others may follow from it. `None` if the structure
+    /// is valid, or violations are only counted.
+    ///
+    /// ```
+    /// use twinedge::validate::{Collect, Expectation, Table, Violation, validate};
+    /// // A loop that is its own twin.
+    /// let table: Table = "V 1 0 - H 1 0 0 0 0 0 B 1 0 h0 i0 F 1 - 1 0".parse()?;
+    /// let report = validate(&table, &Expectation::plane(), Collect::All);
+    /// assert_eq!(report.first(), Some(&Violation::TwinIsSelf { half_edge: 0 }));
+    /// # Ok::<(), twinedge::validate::ParseTableError>(())
+    /// ```
+    #[must_use]
+    pub fn first(&self) -> Option<&Violation> {
+        self.violations.first()
+    }
+
+    /// Adds the outcomes and violations of rules that are checked after these.
+    #[cfg(feature = "geometry")]
+    pub(super) fn append(&mut self, later: Self, collect: Collect) {
+        self.outcomes.extend(later.outcomes);
+        self.violations.extend(later.violations);
+        keep_some_of_each(&mut self.violations, collect.cap());
+    }
+
+    /// The number of violations found, kept or not.
+    #[must_use]
+    pub fn violation_count(&self) -> u64 {
+        self.outcomes.iter().map(|(_, o)| o.violations).sum()
+    }
+
+    /// The numbers of records, components, cycles, borders and handles.
+    #[must_use]
+    pub const fn counts(&self) -> &Counts {
+        &self.counts
+    }
+
+    /// Whether no violation was found and every rule that applies was checked.
+    #[must_use]
+    pub fn is_valid(&self) -> bool {
+        self.outcomes.iter().all(|(_, o)| o.violations == 0 && o.unchecked.is_none_or(Unchecked::is_by_design))
+    }
+
+    /// The figures, or the report itself if the structure is not valid.
+    ///
+    /// # Errors
+    /// The report, if a violation was found or a rule that applies was not checked.
+    ///
+    /// ```
+    /// use twinedge::validate::{Collect, Expectation, Rule, Table, validate};
+    /// // An isolated vertex.
+    /// let mut table: Table = "V 1 - 0 H 0 B 1 0 v0 i0 F 1 - 1 0".parse()?;
+    /// let figures = validate(&table, &Expectation::plane(), Collect::All).into_result()?;
+    /// assert_eq!((figures.vertices, figures.components), (1, 1));
+    ///
+    /// table.faces.push(None);
+    /// table.vertices[0].as_mut().unwrap().isolated = None;
+    /// let report = validate(&table, &Expectation::plane(), Collect::All).into_result().unwrap_err();
+    /// assert_eq!(report.broken_rules().collect::<Vec<_>>(), [Rule::B2]);
+    /// # Ok::<(), Box<dyn std::error::Error>>(())
+    /// ```
+    pub fn into_result(self) -> Result<Figures, Box<Self>> {
+        match self.figures() {
+            Some(figures) => Ok(figures),
+            None => Err(Box::new(self)),
+        }
+    }
+
+    /// The figures, if the structure is valid.
+    #[must_use]
+    pub fn figures(&self) -> Option<Figures> {
+        let Counts { vertices, edges, faces, isolated_vertices, .. } = self.counts;
+        if !self.is_valid() {
+            return None;
+        }
+        Some(Figures {
+            vertices,
+            edges,
+            faces,
+            components: self.counts.components?,
+            cycles: self.counts.cycles?,
+            borders: self.counts.borders?,
+            isolated_vertices,
+            genus: self.counts.genus?,
+            euler_characteristic: self.counts.euler_characteristic()?,
+            bounds: self.bounds,
+            not_checked: self.outcomes.iter().filter_map(|(r, o)| Some((*r, o.unchecked?))).collect(),
+        })
+    }
+}
+
+/// So that [`Report::into_result`] can be followed by `?`.
+impl core::error::Error for Report {}

@@ -1,0 +1,74 @@
+//! Reports and violations in which records have the names that the owner of the structure gives them.
+
+use super::Report;
+use super::names::Names;
+use super::record::Record;
+use super::text;
+use super::violation::Violation;
+use core::fmt;
+
+/// A report or a violation that prints records by other names than their indices: see [`Report::named`] and
+/// [`Violation::named`].
+pub struct Named<'a, T: ?Sized, F> {
+    what: &'a T,
+    names: F,
+}
+
+impl Report {
+    /// The report with the records named by their owner: `names` gives the name of a record, without its kind.
+    ///
+    /// A value that leads to no live record has no name, and stays the number that the view answered.
+    ///
+    /// ```
+    /// use twinedge::validate::{Collect, Expectation, Record, Table, validate};
+    /// // A loop that is its own twin.
+    /// let table: Table = "V 1 0 - H 1 0 0 0 0 0 B 1 0 h0 i0 F 1 - 1 0".parse()?;
+    /// let report = validate(&table, &Expectation::plane(), Collect::All);
+    /// let named = report.named(|record| match record {
+    ///     Record::HalfEdge(_) => "the loop",
+    ///     _ => "the only one",
+    /// });
+    /// assert!(named.to_string().contains("L1: half-edge the loop is its own twin"));
+    /// # Ok::<(), twinedge::validate::ParseTableError>(())
+    /// ```
+    pub const fn named<N: fmt::Display, F: Fn(Record) -> N>(&self, names: F) -> Named<'_, Self, F> {
+        Named { what: self, names }
+    }
+}
+
+impl Violation {
+    /// The violation with the records named by their owner, as [`Report::named`] does it.
+    ///
+    /// ```
+    /// use twinedge::validate::Violation;
+    /// let violation = Violation::NextShared { first: 0, second: 1, next: 1 };
+    /// let named = violation.named(|record| ["ab", "ba"][record.index()]);
+    /// assert!(named.to_string().starts_with("half-edges ab and ba both have next ba"));
+    /// ```
+    pub const fn named<N: fmt::Display, F: Fn(Record) -> N>(&self, names: F) -> Named<'_, Self, F> {
+        Named { what: self, names }
+    }
+}
+
+impl<N: fmt::Display, F: Fn(Record) -> N> fmt::Display for Named<'_, Report, F> {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        let write_name = |record, f: &mut fmt::Formatter<'_>| write!(f, "{}", (self.names)(record));
+        text::write(self.what, Names(Some(&write_name)), f)
+    }
+}
+
+impl<N: fmt::Display, F: Fn(Record) -> N> fmt::Display for Named<'_, Violation, F> {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        let write_name = |record, f: &mut fmt::Formatter<'_>| write!(f, "{}", (self.names)(record));
+        self.what.write(Names(Some(&write_name)), f)
+    }
+}
+
+impl<T: ?Sized, F> fmt::Debug for Named<'_, T, F>
+where
+    Self: fmt::Display,
+{
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        fmt::Display::fmt(self, f)
+    }
+}

@@ -1,0 +1,112 @@
+//! How sentences name records: by their indices, or as the owner of the structure names them.
+
+use super::record::Record;
+use crate::validate::structure::{BoundaryPlace, Link};
+use core::fmt;
+
+/// Writes the name of a record, without its kind.
+pub(super) type WriteName<'a> = &'a dyn Fn(Record, &mut fmt::Formatter<'_>) -> fmt::Result;
+
+/// How sentences name records.
+#[derive(Clone, Copy)]
+pub(super) struct Names<'a>(pub(super) Option<WriteName<'a>>);
+
+/// The name of one record, after some words. A link may be nil.
+pub(super) struct Name<'a> {
+    names: Names<'a>,
+    record: Option<Record>,
+    before: Before,
+}
+
+/// The words before the name of a record.
+#[derive(Clone, Copy)]
+enum Before {
+    Nothing,
+    /// Its kind.
+    Kind,
+    /// Its kind, and of a half-edge its cycle.
+    CycleOf,
+    /// That it is this boundary component, or lies on it.
+    Component(&'static str),
+}
+
+/// The two ends of an edge.
+pub(super) struct Ends<'a>(pub(super) [Name<'a>; 2]);
+
+/// A place in the list of a face.
+pub(super) struct PlaceText(pub(super) Option<BoundaryPlace>);
+
+impl<'a> Names<'a> {
+    /// The index of each record is its name.
+    pub(super) const INDICES: Self = Self(None);
+
+    pub(super) fn vertex(self, index: usize) -> Name<'a> {
+        self.link(Record::Vertex, Some(index))
+    }
+
+    pub(super) fn half_edge(self, index: usize) -> Name<'a> {
+        self.link(Record::HalfEdge, Some(index))
+    }
+
+    pub(super) fn boundary(self, index: usize) -> Name<'a> {
+        self.link(Record::Boundary, Some(index))
+    }
+
+    pub(super) fn face(self, index: usize) -> Name<'a> {
+        self.link(Record::Face, Some(index))
+    }
+
+    /// A link to a record of this kind.
+    pub(super) fn link(self, kind: fn(usize) -> Record, link: Link) -> Name<'a> {
+        Name { names: self, record: link.map(kind), before: Before::Nothing }
+    }
+
+    /// A record, with its kind.
+    pub(super) const fn record(self, record: Record) -> Name<'a> {
+        Name { names: self, record: Some(record), before: Before::Kind }
+    }
+
+    /// A face, or the cycle of a half-edge.
+    pub(super) const fn cycle_of(self, record: Record) -> Name<'a> {
+        Name { names: self, record: Some(record), before: Before::CycleOf }
+    }
+
+    /// A boundary component, by its own record, or by the half-edge or vertex by which its face lists it.
+    pub(super) const fn component(self, which: &'static str, record: Record) -> Name<'a> {
+        Name { names: self, record: Some(record), before: Before::Component(which) }
+    }
+}
+
+impl fmt::Display for Name<'_> {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        let Some(record) = self.record else { return f.write_str("nil") };
+        match (self.before, record) {
+            (Before::Nothing, _) => {}
+            (Before::CycleOf, Record::HalfEdge(_)) => write!(f, "the cycle of {} ", record.kind())?,
+            (Before::Component(which), Record::Boundary(_)) => write!(f, "the {which} {} ", record.kind())?,
+            (Before::Component(which), _) => write!(f, "the {which} boundary component at {} ", record.kind())?,
+            (Before::Kind | Before::CycleOf, _) => write!(f, "{} ", record.kind())?,
+        }
+        match self.names.0 {
+            Some(write_name) => write_name(record, f),
+            None => write!(f, "{}", record.index()),
+        }
+    }
+}
+
+impl fmt::Display for Ends<'_> {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        let [one, other] = &self.0;
+        write!(f, "{one} and {other}")
+    }
+}
+
+impl fmt::Display for PlaceText {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        match self.0 {
+            Some(BoundaryPlace::Outer) => f.write_str("the outer one"),
+            Some(BoundaryPlace::Inner(i)) => write!(f, "inner position {i}"),
+            None => f.write_str("no place"),
+        }
+    }
+}

@@ -1,0 +1,52 @@
+//! Reports in words: a line for each rule, then a line for each violation that was kept.
+
+use super::Report;
+use super::hints;
+use super::names::Names;
+use super::words::Number;
+use core::fmt;
+
+/// A line for each rule, then a line for each violation that was kept. A hint follows where a link is nil in all records, as
+/// it is if the structure does not have it.
+impl fmt::Display for Report {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        write(self, Names::INDICES, f)
+    }
+}
+
+/// As `Display` does it, so that a failed `unwrap` or `main` prints lines to read.
+impl fmt::Debug for Report {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        fmt::Display::fmt(self, f)
+    }
+}
+
+/// Writes the report, with the records named so.
+pub(super) fn write(report: &Report, names: Names<'_>, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+    for (rule, outcome) in &report.outcomes {
+        let checked = outcome.checked;
+        write!(f, "{:2} {:9} ", rule.id(), rule.name())?;
+        match (outcome.violations, outcome.unchecked) {
+            (0, None) => write!(f, "ok, {checked} {}", rule.unit(checked))?,
+            (0, Some(why)) => write!(f, "not checked: {why}")?,
+            (n, why) => {
+                let violations = Number(n, "violation", "violations");
+                write!(f, "BROKEN, {violations} in {checked} {}", rule.unit(checked))?;
+                if let Some(why) = why {
+                    write!(f, "; the rest not checked: {why}")?;
+                }
+            }
+        }
+        writeln!(f)?;
+    }
+    for violation in &report.violations {
+        write!(f, "{}: ", violation.rule())?;
+        violation.write(names, f)?;
+        writeln!(f)?;
+    }
+    let more = report.violation_count().saturating_sub(report.violations.len() as u64);
+    if more > 0 {
+        writeln!(f, "… and {more} more")?;
+    }
+    hints::write(f, &report.violations, &report.counts, more == 0)
+}

@@ -1,0 +1,238 @@
+//! Every way of breaking a rule, with the records involved, what usually causes it and what mends it.
+
+use super::names::{Ends, Name, Names, PlaceText};
+use super::record::{Field, Record};
+use super::words::Number;
+use crate::validate::catalogue::catalogue;
+use crate::validate::rule::Rule;
+use crate::validate::structure::{BoundaryPlace, Link};
+use core::fmt;
+
+/// The type of a field of this kind.
+macro_rules! field_type {
+    (half_edge_link) => { Link };
+    (boundary_link) => { Link };
+    (face_link) => { Link };
+    (record) => { Record };
+    (sided) => { Record };
+    (outer) => { Record };
+    (inner) => { Record };
+    (field) => { Field };
+    (place) => { Option<BoundaryPlace> };
+    (list_place) => { BoundaryPlace };
+    (ends) => { [usize; 2] };
+    // The index of a record, or a number.
+    ($index:ident) => { usize };
+}
+
+/// A field of this kind as sentences say it.
+macro_rules! in_words {
+    (vertex $names:ident $value:ident) => {
+        $names.vertex($value)
+    };
+    (half_edge $names:ident $value:ident) => {
+        $names.half_edge($value)
+    };
+    (boundary $names:ident $value:ident) => {
+        $names.boundary($value)
+    };
+    (face $names:ident $value:ident) => {
+        $names.face($value)
+    };
+    (half_edge_link $names:ident $value:ident) => {
+        $names.link(Record::HalfEdge, $value)
+    };
+    (boundary_link $names:ident $value:ident) => {
+        $names.link(Record::Boundary, $value)
+    };
+    (face_link $names:ident $value:ident) => {
+        $names.link(Record::Face, $value)
+    };
+    (record $names:ident $value:ident) => {
+        $names.record($value)
+    };
+    (sided $names:ident $value:ident) => {
+        $names.cycle_of($value)
+    };
+    (outer $names:ident $value:ident) => {
+        $names.component("outer", $value)
+    };
+    (inner $names:ident $value:ident) => {
+        $names.component("inner", $value)
+    };
+    (place $names:ident $value:ident) => {
+        PlaceText($value)
+    };
+    (list_place $names:ident $value:ident) => {
+        PlaceText(Some($value))
+    };
+    (ends $names:ident $value:ident) => {
+        Ends($value.map(|v| $names.vertex(v)))
+    };
+    (dangling $names:ident $value:ident) => {
+        Dangling($value)
+    };
+    ($other:ident $names:ident $value:ident) => {
+        $value
+    };
+}
+
+/// The record that a field of this kind names, if it does.
+macro_rules! named_record {
+    (vertex $value:ident) => {
+        Some(Record::Vertex($value))
+    };
+    (half_edge $value:ident) => {
+        Some(Record::HalfEdge($value))
+    };
+    (boundary $value:ident) => {
+        Some(Record::Boundary($value))
+    };
+    (face $value:ident) => {
+        Some(Record::Face($value))
+    };
+    (record $value:ident) => {
+        Some($value)
+    };
+    (sided $value:ident) => {
+        Some($value)
+    };
+    (outer $value:ident) => {
+        Some($value)
+    };
+    (inner $value:ident) => {
+        Some($value)
+    };
+    ($other:ident $value:ident) => {
+        None
+    };
+}
+
+macro_rules! violations {
+    ($($(#[doc = $more:literal])* $rule:ident $name:literal counts $one:literal $many:literal
+        $statement:literal in $file:literal broken by $tests:literal $test:literal {
+        $($variant:ident $({ $($field:ident: $kind:ident),+ })? $word:literal
+            says $sentence:literal $(with |$names:ident| { $($extra:ident = $expression:expr),+ })?
+            cause $cause:literal remedy $remedy:literal;)*
+    })*) => {
+        /// One broken rule, with the records that break it. `Display` says in a sentence what is wrong and why it matters.
+        ///
+        /// Numbers are the indices of the [`View`](crate::validate::View).
+        ///
+        /// ```
+        /// use twinedge::validate::{Collect, Expectation, Table, Violation, validate};
+        /// // A loop that is its own twin.
+        /// let table: Table = "V 1 0 - H 1 0 0 0 0 0 B 1 0 h0 i0 F 1 - 1 0".parse()?;
+        /// let report = validate(&table, &Expectation::plane(), Collect::All);
+        /// let violation = report.first().unwrap();
+        /// assert_eq!(violation, &Violation::TwinIsSelf { half_edge: 0 });
+        /// assert_eq!(violation.kind(), "twin_is_self");
+        /// assert_eq!(violation.to_string(), "half-edge 0 is its own twin, so its edge has one side only");
+        /// assert!(violation.remedy().starts_with("create both half-edges of an edge together"));
+        /// # Ok::<(), twinedge::validate::ParseTableError>(())
+        /// ```
+        #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
+        #[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
+        #[cfg_attr(feature = "serde", serde(tag = "kind", content = "fields", rename_all = "snake_case"))]
+        #[non_exhaustive]
+        #[allow(missing_docs, reason = "the fields are named after the words of the design, and each variant has its sentence")]
+        pub enum Violation {
+            $($(
+                #[doc = concat!(stringify!($rule), ": ", $sentence, ".")]
+                #[doc = concat!("\n\n*Usual cause:* ", $cause, ".")]
+                #[doc = concat!("\n\n*Remedy:* ", $remedy, ".")]
+                $variant $({ $($field: field_type!($kind)),+ })?,
+            )*)*
+        }
+
+        impl Violation {
+            /// All names of violations, in the order of the rules: see [`kind`](Self::kind).
+            pub const KINDS: &[&str] = &[$($($word),*),*];
+
+            /// The name of the violation, in snake case. Names do not change between versions.
+            #[must_use]
+            pub const fn kind(&self) -> &'static str {
+                match self { $($(Self::$variant { .. } => $word,)*)* }
+            }
+
+            /// The rule that is broken.
+            #[must_use]
+            pub const fn rule(&self) -> Rule {
+                match self { $($(Self::$variant { .. } => Rule::$rule,)*)* }
+            }
+
+            /// The usual cause of such a violation, as part of a sentence.
+            #[must_use]
+            pub const fn cause(&self) -> &'static str {
+                match self { $($(Self::$variant { .. } => $cause,)*)* }
+            }
+
+            /// The change that mends it, as part of a sentence.
+            #[must_use]
+            pub const fn remedy(&self) -> &'static str {
+                match self { $($(Self::$variant { .. } => $remedy,)*)* }
+            }
+
+            /// The records that are involved, the one at fault first; two at the most, none where the whole structure is meant.
+            #[must_use]
+            #[allow(unused_variables, reason = "some fields name no record")]
+            pub fn records(&self) -> [Option<Record>; 2] {
+                let mut records: [Option<Record>; 4] = [None; 4];
+                match *self {
+                    $($(Self::$variant $({ $($field),+ })? => {
+                        $(for (to, record) in records.iter_mut().zip([$(named_record!($kind $field)),+]) { *to = record; })?
+                    })*)*
+                }
+                let mut named = records.into_iter().flatten();
+                [named.next(), named.next()]
+            }
+
+            /// Writes the sentence, with the records named so.
+            #[allow(unused_variables, reason = "some fields are said in other words")]
+            pub(super) fn write(&self, names: Names<'_>, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+                match *self {
+                    $($(Self::$variant $({ $($field),+ })? => {
+                        $(let $names = names; $(let $extra = $expression;)+)?
+                        $($(let $field = in_words!($kind names $field);)+)?
+                        write!(f, $sentence)
+                    })*)*
+                }
+            }
+        }
+    };
+}
+
+catalogue! { violations }
+
+impl fmt::Display for Violation {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        self.write(Names::INDICES, f)
+    }
+}
+
+/// An index that no live record has. That of an id that is nobody's is as large as can be.
+struct Dangling(usize);
+
+impl fmt::Display for Dangling {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        match self.0 {
+            usize::MAX => f.write_str("leads to no record at all"),
+            index => write!(f, "is {index}, which is no live record"),
+        }
+    }
+}
+
+/// The place where a component lies.
+enum Place<'a> {
+    In(Name<'a>),
+    Nowhere,
+}
+
+impl fmt::Display for Place<'_> {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        match self {
+            Self::In(face) => write!(f, "face {face}"),
+            Self::Nowhere => f.write_str("no face"),
+        }
+    }
+}

@@ -1,0 +1,40 @@
+//! Structures of which only some parts are looked at.
+
+use super::parts::Parts;
+use super::view::View;
+
+/// A structure of which only some parts are looked at.
+///
+/// [`parts`](View::parts) answers those that are in both sets; all other questions are handed on. It costs nothing.
+///
+/// ```
+/// use twinedge::validate::{Collect, Expectation, Only, Part, Parts, Rule, Table, validate};
+/// // An edge between two vertices. Half-edge 0 says that it precedes itself.
+/// let table: Table = "V 2 0 - 1 - H 2 0 1 1 0 0 1 0 0 0 0 B 1 0 h0 i0 F 1 - 1 0".parse()?;
+/// let report = validate(&table, &Expectation::plane(), Collect::All);
+/// assert_eq!(report.broken_rules().next(), Some(Rule::L2));
+/// let without_prev = Only::new(&table, Parts::ALL.without(Part::Prev));
+/// assert!(validate(&without_prev, &Expectation::plane(), Collect::All).is_valid());
+/// # Ok::<(), twinedge::validate::ParseTableError>(())
+/// ```
+#[derive(Clone, Copy, Debug)]
+pub struct Only<V> {
+    pub(super) view: V,
+    parts: Parts,
+}
+
+impl<V> Only<V> {
+    /// The structure, of which these parts are looked at.
+    #[must_use]
+    pub const fn new(view: V, parts: Parts) -> Self {
+        Self { view, parts }
+    }
+}
+
+impl<V: View> View for Only<V> {
+    crate::delegate_view!(|this| &this.view; except parts);
+
+    fn parts(&self) -> Parts {
+        self.view.parts().intersection(self.parts)
+    }
+}

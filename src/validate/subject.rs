@@ -1,0 +1,271 @@
+//! The structure that is judged, as the rules read it: links as slots in range, or nil.
+
+use super::columns::{Component, Components, NIL, column};
+use super::expectation::{Expectation, Surface};
+use super::findings::Flow;
+use super::report::Unchecked;
+use super::structure::{Link, Part, Parts, Start, View};
+use alloc::vec::Vec;
+use core::ops::Range;
+
+/// A structure under judgement: its view, the numbers of its slots, the claims to which it is held, and the parts that are looked at.
+pub(crate) struct Subject<'a, V: ?Sized = dyn View + 'a> {
+    pub(crate) view: &'a V,
+    pub(crate) extent: Extent,
+}
+
+impl<V: ?Sized> Clone for Subject<'_, V> {
+    fn clone(&self) -> Self {
+        *self
+    }
+}
+
+impl<V: ?Sized> Copy for Subject<'_, V> {}
+
+/// The numbers of slots, the parts that are looked at, and the claims. They are asked for once.
+#[derive(Clone, Copy)]
+pub(crate) struct Extent {
+    pub(crate) vertices: Slots,
+    pub(crate) half_edges: Slots,
+    pub(crate) boundaries: Slots,
+    pub(crate) faces: Slots,
+    pub(crate) expect: Expectation,
+    pub(crate) parts: Parts,
+}
+
+impl Extent {
+    /// That of a structure that is held to this expectation.
+    ///
+    /// # Errors
+    /// [`Unchecked::TooLarge`] if there are more slots of a kind than the columns can number.
+    pub(crate) fn of<V: View + ?Sized>(view: &V, expect: Expectation) -> Result<Self, Unchecked> {
+        let parts = expect.looks_at(view.parts());
+        let slots = |n: usize| match u32::try_from(n) {
+            Ok(n) if n < NIL => Ok(Slots(n)),
+            _ => Err(Unchecked::TooLarge),
+        };
+        Ok(Self {
+            vertices: slots(view.vertex_slots())?,
+            half_edges: slots(view.half_edge_slots())?,
+            boundaries: if parts.has(Part::BoundaryComponents) { slots(view.boundary_slots())? } else { Slots(0) },
+            faces: if parts.has(Part::Faces) { slots(view.face_slots())? } else { Slots(0) },
+            expect,
+            parts,
+        })
+    }
+
+    pub(crate) const fn has(&self, part: Part) -> bool {
+        self.parts.has(part)
+    }
+
+    pub(crate) const fn is_plane(&self) -> bool {
+        matches!(self.expect.surface_kind(), Surface::Plane)
+    }
+
+    /// The boundary component, or without records for these the face, that the half-edge names.
+    #[inline]
+    pub(crate) fn name<V: View + ?Sized>(&self, view: &V, h: usize) -> Link {
+        if self.has(Part::BoundaryComponents) { view.boundary(h) } else { view.face(h) }
+    }
+}
+
+/// The number of slots of one kind.
+///
+/// In 32 bits: where a structure keeps its links in 32 bits too, with all of them set for nil, one comparison tells that a link is not
+/// nil and that its slot exists.
+#[derive(Clone, Copy)]
+pub(crate) struct Slots(pub(crate) u32);
+
+impl Slots {
+    #[inline]
+    pub(crate) const fn count(self) -> usize {
+        self.0 as usize
+    }
+
+    #[inline]
+    pub(crate) const fn all(self) -> Range<usize> {
+        0..self.count()
+    }
+
+    #[inline]
+    pub(crate) const fn has(self, slot: usize) -> bool {
+        slot < self.count()
+    }
+
+    /// A link, if the slot that it leads to exists.
+    #[inline]
+    pub(crate) fn existing(self, link: Link) -> Link {
+        link.filter(|slot| self.has(*slot))
+    }
+
+    /// A link as a number in range, or [`NIL`].
+    #[inline]
+    fn number(self, link: Link) -> u32 {
+        self.existing(link).map_or(NIL, |slot| slot as u32)
+    }
+
+    /// A column with a nil for each slot, if there is memory for it.
+    pub(crate) fn nils(self) -> Option<Vec<u32>> {
+        column(self.0, NIL).ok()
+    }
+}
+
+impl<'a, V: View + ?Sized> Subject<'a, V> {
+    /// Every live vertex, in order.
+    pub(crate) fn vertices(self) -> impl Iterator<Item = usize> + 'a {
+        self.extent.vertices.all().filter(move |v| self.view.is_vertex(*v))
+    }
+
+    /// Every live half-edge, in order.
+    pub(crate) fn half_edges(self) -> impl Iterator<Item = u32> + 'a {
+        (0..self.extent.half_edges.0).filter(move |h| self.view.is_half_edge(*h as usize))
+    }
+
+    /// Every live boundary component, in order.
+    pub(crate) fn boundaries(self) -> impl Iterator<Item = usize> + 'a {
+        self.extent.boundaries.all().filter(move |b| self.view.is_boundary(*b))
+    }
+
+    /// Every live face, in order.
+    pub(crate) fn faces(self) -> impl Iterator<Item = usize> + 'a {
+        self.extent.faces.all().filter(move |f| self.view.is_face(*f))
+    }
+
+    pub(crate) fn has(&self, part: Part) -> bool {
+        self.extent.has(part)
+    }
+
+    pub(crate) const fn is_open(&self) -> bool {
+        self.extent.expect.is_open()
+    }
+
+    #[inline]
+    pub(crate) fn origin(&self, h: u32) -> u32 {
+        self.extent.vertices.number(self.view.origin(h as usize))
+    }
+
+    #[inline]
+    pub(crate) fn twin(&self, h: u32) -> u32 {
+        self.extent.half_edges.number(self.view.twin(h as usize))
+    }
+
+    #[inline]
+    pub(crate) fn next(&self, h: u32) -> u32 {
+        self.extent.half_edges.number(self.view.next(h as usize))
+    }
+
+    #[inline]
+    pub(crate) fn prev(&self, h: u32) -> u32 {
+        self.extent.half_edges.number(self.view.prev(h as usize))
+    }
+
+    #[inline]
+    pub(crate) fn boundary(&self, h: u32) -> u32 {
+        self.extent.boundaries.number(self.view.boundary(h as usize))
+    }
+
+    #[inline]
+    pub(crate) fn is_live_vertex(&self, v: u32) -> bool {
+        v != NIL && self.view.is_vertex(v as usize)
+    }
+
+    #[inline]
+    pub(crate) fn is_live_half_edge(&self, h: u32) -> bool {
+        h != NIL && self.view.is_half_edge(h as usize)
+    }
+
+    /// A link to a half-edge, if it is live.
+    pub(crate) fn live_half_edge(&self, link: Link) -> Option<usize> {
+        self.extent.half_edges.existing(link).filter(|h| self.view.is_half_edge(*h))
+    }
+
+    /// A link to a boundary component, if it is live.
+    pub(crate) fn live_boundary(&self, link: Link) -> Option<usize> {
+        self.extent.boundaries.existing(link).filter(|b| self.view.is_boundary(*b))
+    }
+
+    /// The target of a half-edge without twin.
+    pub(crate) fn target_by_next(&self, h: u32) -> u32 {
+        match self.next(h) {
+            NIL => NIL,
+            n => self.origin(n),
+        }
+    }
+
+    /// The vertex where a half-edge ends, with twin or without.
+    pub(crate) fn target(&self, h: u32) -> u32 {
+        match self.twin(h) {
+            NIL => self.target_by_next(h),
+            t => self.origin(t),
+        }
+    }
+
+    /// The vertices that the edge of a half-edge joins, the smaller one first.
+    pub(crate) fn ends(&self, h: u32) -> [u32; 2] {
+        let (origin, target) = (self.origin(h), self.target(h));
+        [origin.min(target), origin.max(target)]
+    }
+
+    /// Whether the face link of a half-edge is live, or legally nil.
+    pub(crate) fn is_sound_face_link(&self, link: Link) -> bool {
+        link.map_or(self.is_open(), |f| self.extent.faces.has(f) && self.view.is_face(f))
+    }
+
+    /// Whether the structure has faces and the half-edge has none, or no boundary component to have one: a cycle of such is a
+    /// border loop.
+    pub(crate) fn lacks_face(&self, h: usize) -> bool {
+        self.has(Part::Faces) && self.extent.name(self.view, h).is_none()
+    }
+
+    /// The outer boundary component, or half-edge, that the face names.
+    pub(crate) fn outer(&self, f: usize) -> Link {
+        if self.has(Part::BoundaryComponents) { self.view.outer(f) } else { self.view.outer_half_edge(f) }
+    }
+
+    /// Where the outer boundary component of a face starts.
+    pub(crate) fn outer_start(&self, f: usize) -> Option<Start> {
+        if self.has(Part::BoundaryComponents) {
+            self.view.boundary_start(self.extent.boundaries.existing(self.view.outer(f))?)
+        } else {
+            self.view.outer_half_edge(f).map(Start::HalfEdge)
+        }
+    }
+
+    /// Calls `visit` with each face, position and start of the inner lists, for structures without boundary components. So many
+    /// entries are read.
+    pub(crate) fn for_each_inner_start(
+        &self,
+        mut budget: usize,
+        mut visit: impl FnMut(usize, usize, Start) -> Flow,
+    ) -> Flow {
+        if !self.has(Part::Holes) {
+            return Ok(());
+        }
+        for f in self.faces() {
+            let listed = self.view.inner_count(f).min(budget);
+            budget -= listed;
+            for i in 0..listed {
+                if let Some(start) = self.view.inner_start(f, i) {
+                    visit(f, i, start)?;
+                }
+            }
+        }
+        Ok(())
+    }
+
+    /// The component of the vertex where a half-edge starts.
+    pub(crate) fn component_at<'c>(&self, components: &'c mut Components, h: u32) -> Option<&'c mut Component> {
+        let c = components.of.get(self.origin(h) as usize).copied()?;
+        components.all.get_mut(c as usize)
+    }
+
+    /// The number of the component in which a boundary component starts.
+    pub(crate) fn component_of_start(&self, components: &Components, start: Option<Start>) -> Option<usize> {
+        let vertex = match start? {
+            Start::HalfEdge(h) if self.extent.half_edges.has(h) => self.origin(h as u32) as usize,
+            Start::HalfEdge(_) => return None,
+            Start::Vertex(v) => v,
+        };
+        components.of.get(vertex).filter(|c| **c != NIL).map(|c| *c as usize)
+    }
+}
