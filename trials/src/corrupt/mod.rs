@@ -69,6 +69,7 @@ struct Specimens {
 ///
 /// # Examples
 /// ```
+/// use twinedge::validate::Expectation;
 /// use twinedge_trials::RotationSystem;
 /// use twinedge_trials::corrupt::{CorruptWork, abort};
 /// use twinedge_trials::{Outcome, Run, Structure, Validator, corrupt};
