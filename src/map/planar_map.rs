@@ -78,7 +78,7 @@ impl fmt::Debug for PlanarMap {
             .field("faces", &self.dcel.face_count())
             .field("features", &self.names.len())
             .field("plane", &self.plane)
-            .finish()
+            .finish_non_exhaustive()
     }
 }
 

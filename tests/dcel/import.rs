@@ -382,7 +382,7 @@ fn faces_are_needed() {
     let error = refusal(&table.without(Part::Faces), MESH, Outside::Face(0));
     assert_eq!(error, ImportError::Lacks(Part::Faces));
     assert_eq!(error.report(), None);
-    assert_eq!(error.to_string(), "a planar subdivision needs faces, which the expectation leaves out");
+    assert_eq!(error.to_string(), "a planar subdivision needs faces, which the structure does not store");
 }
 
 #[test]

@@ -208,7 +208,8 @@ fn outsides(components: &Components, lists: &Boundaries, every: bool) -> Option<
     lies_in.resize(all.len(), NIL);
     for entry in &lists.inner {
         let face = lies_in.get_mut(*of.get(entry.vertex as usize)? as usize)?;
-        if core::mem::replace(face, entry.face) != NIL {
+        let first = core::mem::replace(face, entry.face);
+        if first != NIL {
             return None;
         }
     }

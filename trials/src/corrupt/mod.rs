@@ -70,6 +70,7 @@ struct Specimens {
 /// # Examples
 /// ```
 /// use twinedge::program::RotationSystem;
+/// use twinedge::validate::Expectation;
 /// use twinedge_trials::corrupt::{CorruptWork, abort};
 /// use twinedge_trials::{Outcome, Run, Structure, Validator, corrupt};
 /// let mine = Structure::new("mine", RotationSystem::new, Expectation::plane());
