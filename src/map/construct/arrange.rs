@@ -26,13 +26,13 @@ const MANY: usize = 1 << 14;
 /// The number of the unbounded face.
 const UNBOUNDED: u32 = 0;
 
-/// What one sweep says about points and segments.
+/// The result of one sweep over points and segments.
 pub(super) struct Swept {
     /// The lexicographically smallest point of each component, from left to right.
     lowest: Vec<u32>,
     /// For each of these, the segment directly below.
     below: Vec<Option<u32>>,
-    /// Whether, and where first, the segments do not meet at shared endpoints only.
+    /// The first place where segments meet elsewhere than at shared endpoints; none if they do not.
     pub(super) clash: Option<Clash>,
 }
 

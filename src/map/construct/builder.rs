@@ -49,7 +49,7 @@ pub struct Builder {
     segment_numbers: FxHashMap<(u32, u32), u32>,
     pub(super) features: Vec<GatheredFeature>,
     summary: BuildSummary,
-    /// How often segments may be cut, if it was said.
+    /// The number of cuts allowed, if one was set.
     cuts: Option<usize>,
 }
 
@@ -113,7 +113,7 @@ impl Builder {
         self.shape(&Shape::Line(vec![from.into(), to.into()]))
     }
 
-    /// What has been found in the input so far.
+    /// Returns the counts and irregularities of the input so far.
     ///
     /// ```
     /// use twinedge::map::Builder;
@@ -318,7 +318,7 @@ impl Builder {
     pub fn build_with(self, noding: Noding) -> Result<PlanarMap, BuildError> {
         let Self { points, places, segments, segment_numbers, mut features, summary, cuts } = self;
         drop((places, segment_numbers));
-        // What is plane need not be cut.
+        // A plane drawing is not cut.
         let plane = if noding == Noding::Exact { Some(Swept::new(&points, &segments)?) } else { None };
         let plane = plane.filter(|swept| swept.clash.is_none());
         let (points, segments, noded) = match noding {

@@ -10,7 +10,7 @@ use rstar::primitives::GeomWithData;
 use rstar::{AABB, RTree};
 use rustc_hash::FxHashMap;
 
-/// How segments are treated that meet elsewhere than at shared endpoints.
+/// The treatment of segments that meet elsewhere than at shared endpoints.
 ///
 /// ```text
 ///            \ /               \ /              \ /
@@ -34,7 +34,7 @@ pub enum Noding {
     Snap(Snap),
 }
 
-/// What was gathered, cut.
+/// The gathered points and segments after noding.
 pub(super) struct Cut {
     pub(super) points: Vec<Point>,
     pub(super) segments: Vec<[u32; 2]>,
@@ -158,7 +158,7 @@ pub(super) fn exact(
     Ok(Cut { points, segments: out, summary })
 }
 
-/// How often segments may be cut unless it is said otherwise.
+/// Returns the number of cuts allowed by default.
 pub(super) const fn usual_cuts(segments: usize) -> usize {
     segments.saturating_mul(16).saturating_add(1 << 20)
 }

@@ -95,7 +95,8 @@ impl<'m> Locator<'m> {
         self.map
     }
 
-    /// Where a point lies. An edge is named by the half-edge that runs to the right, or straight up. O(log n) expected.
+    /// Returns the location of a point. An edge is named by the half-edge that runs to the right, or straight up. O(log n)
+    /// expected.
     ///
     /// ```
     /// use twinedge::geometry::Point;
@@ -131,8 +132,8 @@ impl<'m> Locator<'m> {
         Ok(located.unwrap_or(Located::Face(dcel.unbounded_face().key())))
     }
 
-    /// Where each of some points lies, in their order: what [`locate`](Self::locate) says of each. O(log n) expected for each; with
-    /// the feature `rayon`, the points are divided among the threads of its current pool.
+    /// Returns the location of each of some points, in their order, as [`locate`](Self::locate) does. O(log n) expected for each;
+    /// with the feature `rayon`, the points are divided among the threads of its current pool.
     ///
     /// ```
     /// use twinedge::map::{Located, Locator, PlanarMap};

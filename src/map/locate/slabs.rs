@@ -22,7 +22,7 @@ use crate::geometry::predicates::compare_lexicographic;
 /// About how many vertices a slab has at least.
 const LEAST: usize = 512;
 
-/// How many vertices of the sample from which walls are chosen are between two neighbouring ones.
+/// The number of vertices of the sample between two neighbouring walls.
 const SAMPLED: usize = 8;
 
 /// Of so many segments one may pass through a wall, on average. It is drawn twice.
@@ -78,12 +78,12 @@ impl Slabs {
         Self { walls, points, segments, places }
     }
 
-    /// How many there are.
+    /// Returns the number of slabs.
     pub(super) fn len(&self) -> usize {
         self.walls.len() + 1
     }
 
-    /// What is in one of them: its points, then those outside at which segments end that pass through its walls.
+    /// Returns the contents of a slab: its points, then the endpoints outside it of segments that pass through its walls.
     pub(super) fn slab(&self, slab: usize, drawn: &Drawn) -> Slab {
         let own = self.points.list(slab);
         let place = |point: u32| {

@@ -67,9 +67,9 @@ pub(super) struct Node {
     /// The number of a segment: is it below or above? Or that of a vertex, plus the number of segments: is it left or right, in
     /// the lexicographic sense? Or the sum of both numbers: it is in this trapezoid.
     pub(super) of: u32,
-    /// Where to go below, or on the left. In a trapezoid: its number.
+    /// The next node below, or on the left. In a trapezoid: its number.
     pub(super) below: u32,
-    /// Where to go above, or on the right. In a trapezoid: the segment below it, or the number of segments if there is none.
+    /// The next node above, or on the right. In a trapezoid: the segment below it, or the number of segments if there is none.
     pub(super) above: u32,
 }
 
@@ -92,7 +92,7 @@ const RIGHT: usize = 1;
 /// Into how many groups the points of a group are parted that are to be found together.
 const PARTS: usize = 4;
 
-/// Why there is no search graph.
+/// The reason why there is no search graph.
 pub(super) enum GraphError {
     /// There are too many nodes.
     TooLarge,
@@ -108,7 +108,7 @@ struct TrapezoidalMap<'a> {
     trapezoids: Vec<Trapezoid>,
     /// A node whose region holds the point; if the point has its walls, what is to the right of it.
     starts: Vec<u32>,
-    /// Which points have their walls.
+    /// A mark for each point that has its walls.
     walled: Vec<bool>,
 }
 
@@ -256,7 +256,7 @@ impl TrapezoidalMap<'_> {
         if core::mem::replace(&mut self.walled[vertex as usize], true) {
             return Ok(());
         }
-        // What is on the left keeps the number.
+        // The part on the left keeps the number.
         let left = self.find(vertex, None);
         let old = self.trapezoids[left as usize];
         let bottom = self.nodes[old.node as usize].above;
@@ -316,7 +316,7 @@ impl TrapezoidalMap<'_> {
             if self.drawn.side(segment, wall) == Orientation::CounterClockwise {
                 let at = old.lower[RIGHT];
                 old = self.next(at)?;
-                // What is below goes on.
+                // The trapezoid below goes on.
                 let piece = &mut self.trapezoids[below as usize];
                 (piece.right, piece.lower[RIGHT]) = (old.right, old.lower[RIGHT]);
                 self.trapezoids[old.lower[RIGHT] as usize].lower[LEFT] = below;
