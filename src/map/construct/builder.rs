@@ -1,8 +1,8 @@
 //! Gathering rings, lines and points, and building the map of them all at once.
 
-use super::arrange::{Swept, Turned, arrange, points_by_vertex};
+use super::arrange::{CombinatorialMap, Placement, arrange, points_by_vertex};
 use super::cover::cover;
-use super::cut::{self, Cut, Noding, usual_cuts};
+use super::cut::{self, CutSegments, Noding, usual_cuts};
 use super::error::BuildError;
 use super::gathered::{Dart, GatheredFeature};
 use super::rings::Ring;
@@ -319,25 +319,26 @@ impl Builder {
         let Self { points, places, segments, segment_numbers, mut features, summary, cuts } = self;
         drop((places, segment_numbers));
         // A plane drawing is not cut.
-        let plane = if noding == Noding::Exact { Some(Swept::new(&points, &segments)?) } else { None };
+        let plane = if noding == Noding::Exact { Some(Placement::new(&points, &segments)?) } else { None };
         let plane = plane.filter(|swept| swept.clash.is_none());
         let (points, segments, noded) = match noding {
             Noding::None => (points, segments, None),
             Noding::Exact if plane.is_some() => (points, segments, Some(NodingSummary::default())),
             Noding::Exact => {
-                let Cut { points, segments, summary } = cut::exact(points, &segments, &mut features)?;
+                let CutSegments { points, segments, summary } = cut::exact(points, &segments, &mut features)?;
                 (points, segments, Some(summary))
             }
             Noding::Snap(snap) => {
                 let cuts = cuts.unwrap_or(usual_cuts(segments.len()));
-                let Cut { points, segments, summary } = cut::snapped(&points, &segments, &mut features, snap, cuts)?;
+                let CutSegments { points, segments, summary } =
+                    cut::snapped(&points, &segments, &mut features, snap, cuts)?;
                 (points, segments, Some(summary))
             }
         };
         // Neither needs the other.
         let (swept, turned) = threads::join(
-            || plane.map_or_else(|| Swept::new(&points, &segments), Ok),
-            || Turned::new(&points, &segments),
+            || plane.map_or_else(|| Placement::new(&points, &segments), Ok),
+            || CombinatorialMap::new(&points, &segments),
         );
         let swept = swept?;
         match swept.clash {

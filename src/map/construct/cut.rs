@@ -35,7 +35,7 @@ pub enum Noding {
 }
 
 /// The gathered points and segments after noding.
-pub(super) struct Cut {
+pub(super) struct CutSegments {
     pub(super) points: Vec<Point>,
     pub(super) segments: Vec<[u32; 2]>,
     pub(super) summary: NodingSummary,
@@ -120,7 +120,7 @@ pub(super) fn exact(
     points: Vec<Point>,
     segments: &[[u32; 2]],
     features: &mut [GatheredFeature],
-) -> Result<Cut, BuildError> {
+) -> Result<CutSegments, BuildError> {
     let tree: RTree<GeomWithData<[f64; 2], u32>> =
         RTree::bulk_load(points.iter().zip(0..).map(|(p, v)| GeomWithData::new((*p).into(), v)).collect());
     let mut out = Vec::with_capacity(segments.len());
@@ -155,7 +155,7 @@ pub(super) fn exact(
     }
     summary.duplicates = pieces.darts.len() - out.len();
     pieces.follow(features);
-    Ok(Cut { points, segments: out, summary })
+    Ok(CutSegments { points, segments: out, summary })
 }
 
 /// Returns the number of cuts allowed by default.
@@ -170,7 +170,7 @@ pub(super) fn snapped(
     features: &mut [GatheredFeature],
     snap: Snap,
     cuts: usize,
-) -> Result<Cut, BuildError> {
+) -> Result<CutSegments, BuildError> {
     // The predicates must be exact on grid points, too.
     if matches!(snap, Snap::Size(size) if size < MIN_COORDINATE) {
         return Err(BuildError::CellSize);
@@ -199,5 +199,5 @@ pub(super) fn snapped(
         pieces.push(noded.chain(segment).into_iter().flatten(), |ends| number.of(ends));
     }
     pieces.follow(features);
-    Ok(Cut { points: noded.points, segments: noded.segments, summary: noded.summary })
+    Ok(CutSegments { points: noded.points, segments: noded.segments, summary: noded.summary })
 }

@@ -135,7 +135,7 @@ impl PlanarMap {
         if way.all.is_none() && !is_small(face) {
             way.all = Some(self.seen_ahead(at, to)?);
         }
-        let Seen { beyond, end } = match (&mut way.all, way.faces.entry(face.key())) {
+        let Obstacles { beyond, end } = match (&mut way.all, way.faces.entry(face.key())) {
             (Some(all), _) => all,
             (None, Entry::Occupied(entry)) => entry.into_mut(),
             (None, Entry::Vacant(entry)) => entry.insert(self.seen_in(face, at, to)?),
@@ -150,7 +150,7 @@ impl PlanarMap {
     }
 
     /// Returns the vertices of a face on the way; an error if the way crosses an edge there, the first one.
-    fn seen_in<'a>(&self, face: Face<'a>, at: Point, to: Point) -> Result<Seen<'a>, EditError> {
+    fn seen_in<'a>(&self, face: Face<'a>, at: Point, to: Point) -> Result<Obstacles<'a>, EditError> {
         let line = Line { from: at, through: to };
         let mut sight = Sight::new(at, to);
         for h in face.half_edges() {
@@ -173,7 +173,7 @@ impl PlanarMap {
     }
 
     /// All there is on the way; an error if that crosses an edge, the first one.
-    fn seen_ahead(&self, at: Point, to: Point) -> Result<Seen<'_>, EditError> {
+    fn seen_ahead(&self, at: Point, to: Point) -> Result<Obstacles<'_>, EditError> {
         let mut sight = Sight::new(at, to);
         let line = Line { from: at, through: to };
         let ends = [Some(at), Some(to)];
@@ -195,9 +195,9 @@ impl PlanarMap {
 /// The part of the way of a segment that has been scanned.
 #[derive(Default)]
 struct Way<'a> {
-    faces: FxHashMap<FaceKey, Seen<'a>>,
+    faces: FxHashMap<FaceKey, Obstacles<'a>>,
     /// All that lies ahead, where a face was too large to be scanned.
-    all: Option<Seen<'a>>,
+    all: Option<Obstacles<'a>>,
 }
 
 /// A scan of the way of a segment, in progress.
@@ -239,7 +239,7 @@ impl<'a> Sight<'a> {
         }
     }
 
-    fn seen(mut self) -> Result<Seen<'a>, EditError> {
+    fn seen(mut self) -> Result<Obstacles<'a>, EditError> {
         if let Some(LineEvent { record: EventRecord::Edge(across), .. }) = self.crossing {
             return Err(EditError::Crosses(across.twin().key()));
         }
@@ -247,12 +247,12 @@ impl<'a> Sight<'a> {
         if compare_lexicographic(self.to, self.at).is_lt() {
             self.beyond.reverse();
         }
-        Ok(Seen { beyond: self.beyond, end: self.end })
+        Ok(Obstacles { beyond: self.beyond, end: self.end })
     }
 }
 
 /// The result of a scan of the way of a segment.
-struct Seen<'a> {
+struct Obstacles<'a> {
     /// The vertices, the furthest first; some of them twice.
     beyond: Vec<(Vertex<'a>, Point)>,
     /// The edge inside which the segment ends, if it does.

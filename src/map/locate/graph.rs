@@ -3,7 +3,7 @@
 
 use super::bounds::Bounds;
 use super::slabs::{Slab, Slabs};
-use super::trapezoids::{Drawn, GraphError, search_graph};
+use super::trapezoids::{Drawing, GraphError, search_graph};
 use crate::geometry::Point;
 use crate::geometry::predicates::{Orientation, compare_lexicographic, count_step, orientation};
 use crate::geometry::threads;
@@ -50,7 +50,7 @@ pub(super) struct Graph {
 impl Graph {
     /// Builds the graph, with the face above each segment, and that above none. Expected time O(n log n), memory O(n). The slabs
     /// are divided among threads.
-    pub(super) fn new(drawn: Drawn, faces: &[u32], outside: u32) -> Result<Self, GraphError> {
+    pub(super) fn new(drawn: Drawing, faces: &[u32], outside: u32) -> Result<Self, GraphError> {
         let slabs = Slabs::new(&drawn);
         let numbers: Vec<usize> = (0..slabs.len()).collect();
         let parts = threads::map(&numbers, |slab| Self::pack(&slabs.slab(*slab, &drawn), faces, outside));

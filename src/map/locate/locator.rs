@@ -5,7 +5,7 @@ use super::cells::Cells;
 use super::curve::Curve;
 use super::graph::{Graph, GraphHit};
 use super::located::{LocateError, Located, check_range};
-use super::trapezoids::{Drawn, GraphError};
+use super::trapezoids::{Drawing, GraphError};
 use crate::dcel::Vertex;
 use crate::geometry::Point;
 use crate::geometry::predicates::compare_lexicographic;
@@ -79,7 +79,7 @@ impl<'m> Locator<'m> {
             }
         }
         let ends = segments.iter().map(|ends| ends.map(|end| points[end as usize])).collect();
-        let drawn = Drawn { points, segments, ends };
+        let drawn = Drawing { points, segments, ends };
         let graph =
             Graph::new(drawn, &faces, dcel.unbounded_face().index() as u32).map_err(|failure| match failure {
                 GraphError::TooLarge => LocateError::TooLarge,

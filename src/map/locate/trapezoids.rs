@@ -45,7 +45,7 @@ const NOTHING: u32 = 0;
 
 /// A plane drawing: distinct points, and segments that meet at shared endpoints only. Both are numbered along a curve that fills
 /// the plane.
-pub(super) struct Drawn {
+pub(super) struct Drawing {
     pub(super) points: Vec<Point>,
     /// The numbers of the lower and the higher end, in lexicographic order.
     pub(super) segments: Vec<[u32; 2]>,
@@ -53,7 +53,7 @@ pub(super) struct Drawn {
     pub(super) ends: Vec<[Point; 2]>,
 }
 
-impl Drawn {
+impl Drawing {
     /// On which side of a segment a point lies.
     fn side(&self, segment: u32, p: Point) -> Orientation {
         let [low, high] = self.ends[segment as usize];
@@ -102,7 +102,7 @@ pub(super) enum GraphError {
 
 /// The trapezoidal map of what has been put in so far.
 struct TrapezoidalMap<'a> {
-    drawn: &'a Drawn,
+    drawn: &'a Drawing,
     nodes: Vec<Node>,
     /// From number 1 on: there are one more than points with walls and segments.
     trapezoids: Vec<Trapezoid>,
@@ -113,7 +113,7 @@ struct TrapezoidalMap<'a> {
 }
 
 /// Builds the search graph; its root is the first node. Expected time O(n log n), memory O(n).
-pub(super) fn search_graph(drawn: &Drawn) -> Result<Vec<Node>, GraphError> {
+pub(super) fn search_graph(drawn: &Drawing) -> Result<Vec<Node>, GraphError> {
     let (points, segments) = (drawn.points.len(), drawn.segments.len());
     let everything = Trapezoid { node: 0, right: NO_VERTEX, upper: [NOTHING; 2], lower: [NOTHING; 2] };
     let mut nodes = Vec::with_capacity(2 * points + 5 * segments + 1);
