@@ -13,7 +13,7 @@ use twinedge::io::{Format, ReadError, read};
 use twinedge::map::{BuildError, Builder, FeatureId, Noding, PlanarMap};
 use twinedge::validate::{Collect, Expectation, Record, Violation, places, validate_embedding};
 
-/// Why a map cannot be read.
+/// The reason why a map cannot be read.
 struct Refused(String);
 
 impl From<ReadError> for Refused {
@@ -22,7 +22,7 @@ impl From<ReadError> for Refused {
     }
 }
 
-/// What is wrong beside the rules of the validator.
+/// A finding beside the rules of the validator.
 #[derive(Serialize)]
 struct Found {
     rule: &'static str,
@@ -38,7 +38,7 @@ struct Found {
     message: String,
 }
 
-/// How C1 … C6 are asked.
+/// The options of C1 … C6.
 #[derive(FromPyObject)]
 #[pyo3(from_item_all)]
 pub(crate) struct Asked {
@@ -92,7 +92,7 @@ fn audit(text: &[u8], format: Option<Format>, asked: &Asked) -> Result<Judged, R
         object["features"] = json!(features(&map, violation));
     }
     let limits = Limits { gap_width: asked.gap_width, sliver_area: asked.sliver_area, ..Limits::default() };
-    // What the features cover is known of a plane map only: borders that cross are cut first.
+    // The faces that features cover are known on a plane map only: borders that cross are cut first.
     let coverage = if map.is_plane() {
         check(&map, &limits).map_err(|error| Refused(error.to_string()))?
     } else {
@@ -131,7 +131,7 @@ fn features(map: &PlanarMap, violation: &Violation) -> BTreeSet<usize> {
     found
 }
 
-/// What breaks C1 … C6, in order.
+/// Returns the findings of C1 … C6, in order.
 fn findings(coverage: &Coverage, invalid: &[(usize, Vec<Defect>)]) -> Vec<Found> {
     let of_map = coverage.findings.iter().map(|finding| {
         let features: Vec<usize> = finding.features.iter().map(|feature| feature.index()).collect();
