@@ -10,7 +10,7 @@ use twinedge::validate::{
     BoundaryPlace, BoundaryRow, Collect, Expectation, FaceRow, HalfEdgeRow, Part, Parts, Rule, Start, Table, VertexRow,
 };
 
-/// What a cell is set to.
+/// The values to which a cell is set.
 #[derive(Clone, Copy, PartialEq, Eq, PartialOrd, Ord)]
 enum To {
     /// The records that there are.
