@@ -73,3 +73,19 @@ impl<S: Store> Audited<S> {
         Dcel { store: self.dcel.store.into_inner() }
     }
 }
+
+#[cfg(feature = "map")]
+impl Dcel {
+    /// Changes the structure, and notes what is written. O(1) beside the change.
+    pub(crate) fn watched<T>(
+        &mut self,
+        notes: &mut Touched,
+        change: impl FnOnce(&mut Dcel<Watched<SlotStore>>) -> T,
+    ) -> T {
+        let store = core::mem::replace(&mut self.store, SlotStore::hollow());
+        let mut watched = Dcel { store: Watched::with_notes(store, core::mem::take(notes)) };
+        let answer = change(&mut watched);
+        (self.store, *notes) = watched.store.into_parts();
+        answer
+    }
+}

@@ -3,6 +3,7 @@
 use super::feature::FeatureId;
 use super::feature_sets::FeatureSets;
 use super::index::{KeptIndex, RecordIndex};
+#[cfg(feature = "near")]
 use super::notes::Notes;
 use super::summary::BuildSummary;
 use crate::dcel::{Dcel, FaceKey, HalfEdgeKey, StaleKey, VertexKey};
@@ -66,6 +67,7 @@ pub struct PlanarMap {
     /// True if edges meet at shared endpoints only.
     pub(super) plane: bool,
     pub(super) index: KeptIndex,
+    #[cfg(feature = "near")]
     pub(super) notes: Notes,
 }
 
@@ -147,6 +149,7 @@ impl Default for PlanarMap {
             noding: None,
             plane: true,
             index: KeptIndex::default(),
+            #[cfg(feature = "near")]
             notes: Notes::default(),
         }
     }

@@ -42,6 +42,7 @@ mod pointers;
 #[forbid(unsafe_code)]
 pub(crate) mod slots;
 #[forbid(unsafe_code)]
+#[cfg(feature = "near")]
 mod watched;
 
 pub use fixed::FixedStore;
@@ -50,4 +51,5 @@ pub use links::Store;
 #[cfg(feature = "pointer-store")]
 pub use pointers::PointerStore;
 pub use slots::SlotStore;
+#[cfg(feature = "near")]
 pub use watched::Watched;

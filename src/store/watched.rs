@@ -19,7 +19,7 @@ impl<S: Links> Watched<S> {
     }
 
     /// One that goes on with notes.
-    #[allow(dead_code, reason = "for the layers above, which a smaller selection of features leaves out")]
+    #[cfg(feature = "map")]
     pub(crate) const fn with_notes(store: S, touched: Touched) -> Self {
         Self { store, touched }
     }
@@ -29,7 +29,7 @@ impl<S: Links> Watched<S> {
     }
 
     /// The store, and what was written.
-    #[allow(dead_code, reason = "for the layers above, which a smaller selection of features leaves out")]
+    #[cfg(feature = "map")]
     pub(crate) fn into_parts(self) -> (S, Touched) {
         (self.store, self.touched)
     }

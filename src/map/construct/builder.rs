@@ -14,6 +14,7 @@ use crate::geometry::predicates::in_range;
 use crate::geometry::threads;
 use crate::map::feature::{Feature, FeatureId, Shape};
 use crate::map::index::KeptIndex;
+#[cfg(feature = "near")]
 use crate::map::notes::Notes;
 use crate::map::planar_map::PlanarMap;
 use crate::map::summary::{BuildSummary, IrregularityKind, Position};
@@ -358,6 +359,7 @@ impl Builder {
             summary,
             noding: noded,
             index: KeptIndex::default(),
+            #[cfg(feature = "near")]
             notes: Notes::default(),
         })
     }
