@@ -332,7 +332,7 @@ fn m7<V: View + ?Sized>(s: &Structure<'_, V>) -> bool {
     s.expect.expected_count(Rule::M7).is_none_or(|expected| found == Some(expected))
 }
 
-/// M8 kept: a vertex that some half-edge without twin or face leaves keeps such a one.
+/// M8 kept: if a half-edge without twin or face leaves a vertex, the half-edge kept by that vertex lacks a twin or a face.
 fn m8<V: View + ?Sized>(s: &Structure<'_, V>) -> bool {
     let on_border = |h: Link| s.twin(h).is_none() || s.lacks_face(h);
     !s.expect.asks_for(Rule::M8)

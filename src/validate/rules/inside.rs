@@ -1,4 +1,4 @@
-//! G5 inside: each inner boundary component lies in the face that lists it, and what no face lists lies in none.
+//! G5 inside: each inner boundary component lies in the face that lists it, and a component that no face lists lies in no face.
 //!
 //! The lowest point may be a bend. A component that no face lists lies outside everything, where the unbounded face has no record.
 
