@@ -28,7 +28,7 @@ pub struct Fault {
     pub wrong: String,
 }
 
-/// The reason why a fault cannot be read or planted.
+/// An error in the list of faults, or in planting one.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub enum FaultError {
     /// A line that is none of a fault.

@@ -13,7 +13,7 @@ use twinedge::io::{Format, ReadError, read};
 use twinedge::map::{BuildError, Builder, FeatureId, Noding, PlanarMap};
 use twinedge::validate::{Collect, Expectation, Record, Violation, places, validate_embedding};
 
-/// The reason why a map cannot be read.
+/// An error: no map can be read or built.
 struct Refused(String);
 
 impl From<ReadError> for Refused {

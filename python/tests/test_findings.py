@@ -1,4 +1,4 @@
-"""Faults that other checkers pass, reduced. Each test states what a library does in the named version, and fails when that changes."""
+"""Faults that other checkers pass, reduced. Each test states the behaviour of a named version, and fails when that changes."""
 
 import json
 import signal

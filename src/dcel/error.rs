@@ -22,7 +22,7 @@ pub enum StaleKey {
     Face(FaceKey),
 }
 
-/// The reason why an operator refused. The structure is unchanged.
+/// The error of an operator. The structure is unchanged.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash, Error)]
 #[non_exhaustive]
 pub enum OperatorError {

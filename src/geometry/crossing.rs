@@ -60,7 +60,7 @@ pub enum Clash {
     },
 }
 
-/// The reason why arrays do not describe points and segments.
+/// An error in arrays that should describe points and segments.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, thiserror::Error)]
 #[non_exhaustive]
 pub enum InvalidSegments {

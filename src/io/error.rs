@@ -67,7 +67,7 @@ impl fmt::Display for FeatureLabel {
     }
 }
 
-/// The reason why a file could not be read: the place, and what is wrong there. All readers of [`io`](crate::io) return it.
+/// The error of all readers of [`io`](crate::io): the place in the file, and what is wrong there.
 ///
 /// For GeoJSON the place is the byte that `serde_json` had reached when the fault showed. For a value of the wrong type,
 /// this is its last byte, its opening bracket or the byte behind that. What shows only when an object is complete, such as

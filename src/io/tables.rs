@@ -38,7 +38,7 @@ use rustc_hash::FxHashMap;
 use std::str::FromStr;
 use thiserror::Error;
 
-/// The reason why a text is not the three tables. Lines are counted from 1.
+/// An error in a text of the three tables. Lines are counted from 1.
 #[derive(Clone, Debug, PartialEq, Eq, Hash, Error)]
 #[non_exhaustive]
 pub enum TablesError {

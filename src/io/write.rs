@@ -5,7 +5,7 @@ use crate::map::{Feature, Shape};
 use std::io;
 use thiserror::Error;
 
-/// The reason why a map could not be written.
+/// The error of the writers.
 #[derive(Debug, Error)]
 #[non_exhaustive]
 pub enum WriteError {

@@ -7,7 +7,7 @@ use alloc::vec::Vec;
 /// An error if the run ends early.
 pub(crate) type Flow = Result<(), Halt>;
 
-/// The reason why a run ends early.
+/// A reason to end a run early.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(crate) enum Halt {
     /// Only the first violation was wanted, and it is found.

@@ -12,8 +12,7 @@ use alloc::vec;
 use alloc::vec::Vec;
 use thiserror::Error;
 
-/// The reason why [`Dcel::from_faces`](crate::dcel::Dcel::from_faces) refused. Faces are counted from 0, in the order in which
-/// they came.
+/// The error of [`Dcel::from_faces`](crate::dcel::Dcel::from_faces). Faces are counted from 0, in the order in which they came.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash, Error)]
 #[non_exhaustive]
 pub enum FacesError {

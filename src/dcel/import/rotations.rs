@@ -24,7 +24,7 @@ pub struct Placement {
     pub within: Option<u32>,
 }
 
-/// The reason why [`Dcel::from_rotations`] refused.
+/// The error of [`Dcel::from_rotations`].
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash, Error)]
 #[non_exhaustive]
 pub enum RotationsError {

@@ -50,7 +50,7 @@ impl core::fmt::Display for Input {
     }
 }
 
-/// The reason why the input cannot be noded.
+/// The error of noding.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, thiserror::Error)]
 #[non_exhaustive]
 pub enum NodingError {

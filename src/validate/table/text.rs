@@ -47,7 +47,7 @@ use alloc::vec::Vec;
 use core::fmt;
 use core::str::FromStr;
 
-/// The reason why a text is not a [`Table`]. Positions are in bytes from the start of the text.
+/// An error in the text of a [`Table`]. Positions are in bytes from the start of the text.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
 #[non_exhaustive]
 pub enum ParseTableError {
