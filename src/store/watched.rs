@@ -34,7 +34,7 @@ impl<S: Links> Watched<S> {
         (self.store, self.touched)
     }
 
-    /// What was written since this was last cleared.
+    /// Returns the records written since this was last cleared.
     pub(crate) const fn touched(&self) -> &Touched {
         &self.touched
     }
@@ -73,7 +73,7 @@ impl<S: Links> Watched<S> {
 
 impl<S: Store> Store for Watched<S> {}
 
-/// What only reads is handed on.
+/// Delegates the methods that only read.
 macro_rules! read {
     ($($name:ident($($argument:ident: $type:ty),*) -> $answer:ty;)*) => {
         $(#[inline]
