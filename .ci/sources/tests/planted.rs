@@ -3,7 +3,8 @@
 use std::path::Path;
 
 use twinedge_sources::{
-    Crate, Imports, LAYERS, Openings, Unreadable, WITH_FEATURE, crates, crates_of, imports, let_chains, openings, upward,
+    Crate, Imports, LAYERS, Openings, Unreadable, WITH_FEATURE, crates, crates_of, imports, let_chains, openings,
+    upward,
 };
 
 /// The imports of one library, `src/lib.rs` and these files.

@@ -55,7 +55,9 @@ fn sources(folder: &Path) -> Vec<(PathBuf, String)> {
         if path.is_dir() {
             let entries = std::fs::read_dir(&path).expect("the folder can be read");
             let paths = entries.map(|entry| entry.expect("the folder can be read").path());
-            waiting.extend(paths.filter(|path| !["target", "node_modules", ".git"].iter().any(|name| path.ends_with(name))));
+            waiting.extend(
+                paths.filter(|path| !["target", "node_modules", ".git"].iter().any(|name| path.ends_with(name))),
+            );
         } else if path.extension().is_some_and(|extension| extension == "rs") {
             let text = std::fs::read_to_string(&path).expect("the file can be read");
             found.push((path, text));
@@ -79,7 +81,8 @@ fn the_library_and_its_columns_have_no_let_chains() {
 
 #[test]
 fn at_most_two_comments_in_a_hundred_begin_with_a_question_word() {
-    let folders = std::fs::read_dir(root()).expect("the folder can be read").map(|entry| entry.expect("an entry").path());
+    let folders =
+        std::fs::read_dir(root()).expect("the folder can be read").map(|entry| entry.expect("an entry").path());
     let mut found = String::new();
     for folder in folders.filter(|path| path.is_dir() && !["target", ".git"].iter().any(|name| path.ends_with(name))) {
         let (mut comments, mut questions) = (0, String::new());
