@@ -56,7 +56,7 @@ fn every_operator_is_among_all_that_can_be_tried() {
             .unwrap(),
     );
     let all = every_op(&runner).into_iter().chain(every_mesh_op(&runner));
-    let tried: BTreeSet<&str> = all.map(Op::name).collect();
+    let tried: BTreeSet<&str> = all.map(|op| op.name()).collect();
     assert_eq!(tried, Op::NAMES.iter().copied().collect());
     assert!(every_op(&runner).iter().all(|op| op.to_string().starts_with(op.name())));
 }
