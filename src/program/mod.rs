@@ -46,6 +46,7 @@
 
 pub mod canonical;
 pub mod conformance;
+mod instances;
 pub(crate) mod language;
 pub mod mesh;
 mod operators;

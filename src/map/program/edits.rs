@@ -14,6 +14,7 @@
 use super::arguments::{AtPick, FeaturesPick, GridPick, List, MapFacePick, MapHalfEdgePick, MapVertexPick, RingPick};
 use super::numbers::Spot;
 use crate::program::choose::Choose;
+use crate::program::language::instances::instances;
 use crate::program::language::table::language;
 use crate::program::{Generator, Language};
 
@@ -86,6 +87,8 @@ impl Language for EditProgram {
         EditOp::draw(kind, source, 0)
     }
 }
+
+instances!(EditProgram);
 
 #[cfg(feature = "arbitrary")]
 impl<'a> arbitrary::Arbitrary<'a> for EditOp {

@@ -5,6 +5,7 @@
 pub(crate) mod argument;
 pub mod choose;
 pub(crate) mod generator;
+pub(crate) mod instances;
 #[cfg(feature = "proptest")]
 pub(crate) mod proptest;
 pub(crate) mod script;

@@ -76,7 +76,7 @@ macro_rules! language {
             }
 
             /// Draws the arguments by the choices of a source.
-            fn draw(kind: $kind, source: &mut impl $crate::program::choose::Choose, upper: u8) -> Self {
+            pub(in $crate) fn draw(kind: $kind, source: &mut impl $crate::program::choose::Choose, upper: u8) -> Self {
                 use $crate::program::language::argument::Argument;
                 match kind {
                     $($kind::$variant => Self::$variant { $($arg: Argument::draw(source, upper)),* },)*
@@ -170,41 +170,6 @@ macro_rules! language {
 
             fn simpler(op: &$op) -> alloc::vec::Vec<$op> {
                 op.simpler()
-            }
-        }
-
-        #[cfg(feature = "arbitrary")]
-        impl<'a> arbitrary::Arbitrary<'a> for $program {
-            fn arbitrary(u: &mut arbitrary::Unstructured<'a>) -> arbitrary::Result<Self> {
-                u.arbitrary_iter()?.collect()
-            }
-
-            /// The bytes are read as by `from_bytes`, so a corpus is that of the bytes.
-            fn arbitrary_take_rest(u: arbitrary::Unstructured<'a>) -> arbitrary::Result<Self> {
-                Ok(Self::from_bytes(u.take_rest()))
-            }
-        }
-
-        #[cfg(feature = "quickcheck")]
-        impl quickcheck::Arbitrary for $program {
-            /// What programs begin with, if anything, and up to [`Gen::size`](quickcheck::Gen::size) operators.
-            fn arbitrary(g: &mut quickcheck::Gen) -> Self {
-                let least = usize::from(<Self as $crate::program::Language>::first().is_some());
-                $crate::program::Generator::default().length(least..=g.size().saturating_add(least)).generate(g)
-            }
-
-            fn shrink(&self) -> alloc::boxed::Box<dyn Iterator<Item = Self>> {
-                alloc::boxed::Box::new($crate::program::candidates(self))
-            }
-        }
-
-        #[cfg(feature = "proptest")]
-        impl proptest::arbitrary::Arbitrary for $program {
-            type Parameters = $crate::program::Generator<Self>;
-            type Strategy = $crate::program::Generator<Self>;
-
-            fn arbitrary_with(generator: $crate::program::Generator<Self>) -> $crate::program::Generator<Self> {
-                generator
             }
         }
     };

@@ -5,7 +5,6 @@ mod call;
 mod table;
 
 use super::language::choose::Choose;
-use super::language::generator::{Generator, Language};
 use super::language::table::language;
 use crate::dcel::{Side, Turn};
 use alloc::format;
@@ -160,55 +159,10 @@ impl Program {
         Self(core::iter::from_fn(|| Op::from_bytes(&mut bytes)).collect())
     }
 
-    /// A generator of programs, to be told which operators, how often, and how many.
-    #[must_use]
-    pub fn generator() -> Generator {
-        Generator::default()
-    }
-
     /// The program as a Rust expression, to be read where `twinedge::program::*` is in scope.
     #[must_use]
     pub fn to_rust(&self) -> String {
         let lines: String = self.0.iter().map(|op| format!("    {},\n", op.to_rust())).collect();
         format!("Program(vec![\n{lines}])")
-    }
-}
-
-impl Language for Program {
-    type Kind = OpKind;
-
-    const KINDS: &'static [(OpKind, u32)] = OpKind::SHARES;
-
-    fn op(kind: OpKind, source: &mut impl Choose) -> Op {
-        let upper = source.choose(8) as u8;
-        Op::draw(kind, source, upper)
-    }
-
-    fn first() -> Option<(OpKind, Op)> {
-        Some((OpKind::AddIsolatedVertex, Op::AddIsolatedVertex { face: FacePick::Unbounded }))
-    }
-}
-
-#[cfg(feature = "arbitrary")]
-impl<'a> arbitrary::Arbitrary<'a> for Op {
-    fn arbitrary(u: &mut arbitrary::Unstructured<'a>) -> arbitrary::Result<Self> {
-        let mut bytes = core::iter::from_fn(|| u.arbitrary().ok());
-        Self::from_bytes(&mut bytes).ok_or(arbitrary::Error::NotEnoughData)
-    }
-
-    fn size_hint(_depth: usize) -> (usize, Option<usize>) {
-        (2, Some(14))
-    }
-}
-
-#[cfg(feature = "quickcheck")]
-impl quickcheck::Arbitrary for Op {
-    fn arbitrary(g: &mut quickcheck::Gen) -> Self {
-        let mut bytes = core::iter::repeat_with(|| Choose::choose(g, 256) as u8);
-        Self::from_bytes(&mut bytes).unwrap_or(Self::AddIsolatedVertex { face: FacePick::Unbounded })
-    }
-
-    fn shrink(&self) -> alloc::boxed::Box<dyn Iterator<Item = Self>> {
-        alloc::boxed::Box::new(self.simpler().into_iter())
     }
 }

@@ -1,13 +1,12 @@
 //! An audited `Dcel` as a subject.
 
-use super::{CornerOf, Refusal, Subject};
-use crate::dcel::{Audited, Corner, Dcel, Side, Turn};
-use crate::delegate_view;
-use crate::store::{FaceKey, HalfEdgeKey, Store, VertexKey, Watched};
+use super::{Refusal, Subject};
+use crate::dcel::{Audited, Dcel};
+use crate::store::{Store, Watched};
 use crate::validate::View;
 
 impl<S: Store> View for Audited<S> {
-    delegate_view!(|this| this.dcel());
+    crate::delegate_view!(|this| this.dcel());
 }
 
 /// Runs an operator.
@@ -24,57 +23,8 @@ fn change<S: Store, T>(
     }
 }
 
-macro_rules! operators {
-    ($($name:ident($($argument:ident: $type:ty),*) -> $answer:ty;)*) => {
-        $(fn $name(&mut self, $($argument: $type),*) -> Result<$answer, Refusal> {
-            change(self, |dcel| Subject::$name(dcel, $($argument),*))
-        })*
-    };
-}
-
 /// # Panics
 /// The operators panic with the report if a rule is broken after them. See [`Audited::change`] for the report as an error.
 impl<S: Store> Subject for Audited<S> {
-    type Vertex = VertexKey;
-    type HalfEdge = HalfEdgeKey;
-    type Face = FaceKey;
-
-    fn unbounded_face(&self) -> Option<FaceKey> {
-        Subject::unbounded_face(self.dcel())
-    }
-    fn half_edge_at(&self, index: usize) -> Option<HalfEdgeKey> {
-        Subject::half_edge_at(self.dcel(), index)
-    }
-    fn vertex_at(&self, index: usize) -> Option<VertexKey> {
-        Subject::vertex_at(self.dcel(), index)
-    }
-    fn face_of(&self, corner: CornerOf<Self>) -> Result<FaceKey, Refusal> {
-        Subject::face_of(self.dcel(), corner)
-    }
-    fn origin_of(&self, half_edge: HalfEdgeKey) -> Result<VertexKey, Refusal> {
-        Subject::origin_of(self.dcel(), half_edge)
-    }
-    fn twin_of(&self, half_edge: HalfEdgeKey) -> Result<HalfEdgeKey, Refusal> {
-        Subject::twin_of(self.dcel(), half_edge)
-    }
-    fn next_of(&self, half_edge: HalfEdgeKey) -> Result<HalfEdgeKey, Refusal> {
-        Subject::next_of(self.dcel(), half_edge)
-    }
-
-    operators! {
-        add_isolated_vertex(face: FaceKey) -> VertexKey;
-        remove_isolated_vertex(vertex: VertexKey) -> ();
-        connect(from: Corner, to: Corner, new_face: Side, inner: &[Corner]) -> HalfEdgeKey;
-        remove_edge(half_edge: HalfEdgeKey) -> Option<FaceKey>;
-        split_edge(half_edge: HalfEdgeKey) -> HalfEdgeKey;
-        join_edges(half_edge: HalfEdgeKey) -> ();
-        split_vertex(from: Corner, to: Corner) -> HalfEdgeKey;
-        contract_edge(half_edge: HalfEdgeKey) -> VertexKey;
-        flip_edge(half_edge: HalfEdgeKey, turn: Turn) -> ();
-        move_inner(inner: Corner, face: FaceKey) -> ();
-        mesh_flip_edge(half_edge: HalfEdgeKey) -> ();
-        mesh_split_edge(half_edge: HalfEdgeKey) -> ();
-        mesh_split_face(half_edge: HalfEdgeKey) -> ();
-        mesh_collapse_edge(half_edge: HalfEdgeKey) -> ();
-    }
+    crate::delegate_subject!(Dcel<Watched<S>>, Self::dcel, change);
 }

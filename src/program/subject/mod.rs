@@ -4,6 +4,7 @@ mod audited;
 #[doc(hidden)]
 pub mod by_index;
 mod dcel;
+mod delegate;
 
 use crate::dcel::{Corner, Side, Turn};
 use crate::validate::View;
