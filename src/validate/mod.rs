@@ -79,7 +79,7 @@
 //!
 //! # After a change
 //!
-//! [`near`] validates a structure that was right before, in the time that the change took: after each operator of a test, or each
+//! `near`, with the feature of that name, validates a structure that was right before, in the time that the change took: after each operator of a test, or each
 //! edit of an editor, with coordinates or without.
 //!
 //! # Why believe it
@@ -102,6 +102,7 @@ mod fast_path;
 mod findings;
 #[cfg(feature = "geometry")]
 mod geometric;
+#[cfg(feature = "near")]
 pub mod near;
 mod passes;
 pub mod reference;

@@ -1,4 +1,4 @@
-//! Which records a change has touched.
+//! The records that a change has touched.
 
 use twinedge::validate::Table;
 use twinedge::validate::near::Touched;

@@ -18,13 +18,14 @@ const SURFACE: Expectation = Expectation::surface();
 /// Asserts that what is found right keeps R1 … F2.
 fn judge(baseline: &Baseline, table: &Table, touched: &Touched) -> bool {
     let found = validate_near(&mut baseline.clone(), &OnlyLive(table), touched);
-    let report = validate(table, baseline.expectation(), Collect::All);
+    let report = validate(table, baseline.expectation(), Collect::First);
     match found {
         Ok(()) => {
             let broken = report.broken_rules().find(|rule| *rule <= Rule::F2);
             assert_eq!(broken, None, "{table}\n{touched:?}\n{report}");
         }
-        Err(found) => assert_eq!(*found, report, "{table}\n{touched:?}"),
+        // Of two full validations, this one ends at the first broken rule.
+        Err(found) => assert_eq!(found.first(), report.first(), "{table}\n{touched:?}"),
     }
     report.is_valid()
 }
