@@ -75,15 +75,17 @@ macro_rules! define_language {
 
         const _: () = assert!(0 $(+ $share)* == 32, "the first byte of an operator chooses among 32");
 
-        impl Op {
-            /// What the operator may add to the counts of a map, if it is applied.
+        impl OpKind {
+            /// The changes that an operator of this kind may make to the counts of a map, if it is applied.
             #[must_use]
-            pub const fn changes(&self) -> &'static [CountChange] {
+            pub const fn changes(self) -> &'static [CountChange] {
                 match self {
-                    $(Self::$variant { .. } => const { &[$(CountChange::of($change)),+] },)*
+                    $(Self::$variant => const { &[$(CountChange::of($change)),+] },)*
                 }
             }
+        }
 
+        impl Op {
             /// The operator as a Rust expression, to be read where `twinedge::program::*` is in scope.
             #[must_use]
             pub fn to_rust(&self) -> String {
