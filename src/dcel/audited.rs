@@ -2,7 +2,7 @@
 
 use super::structure::Dcel;
 use crate::store::{SlotStore, Store, Watched};
-use crate::validate::near::{Baseline, BaselineError, Touched, validate_near};
+use crate::validate::near::{Baseline, BaselineError, WriteSet, validate_near};
 use crate::validate::{Expectation, Report};
 use alloc::boxed::Box;
 
@@ -63,7 +63,7 @@ impl<S: Store> Audited<S> {
 
     /// The records that the last change wrote, some of them several times. O(1).
     #[must_use]
-    pub const fn written(&self) -> &Touched {
+    pub const fn written(&self) -> &WriteSet {
         self.dcel.store.touched()
     }
 
@@ -79,7 +79,7 @@ impl Dcel {
     /// Changes the structure, and notes what is written. O(1) beside the change.
     pub(crate) fn watched<T>(
         &mut self,
-        notes: &mut Touched,
+        notes: &mut WriteSet,
         change: impl FnOnce(&mut Dcel<Watched<SlotStore>>) -> T,
     ) -> T {
         let store = core::mem::replace(&mut self.store, SlotStore::hollow());

@@ -2,7 +2,7 @@
 
 use super::keys::{BoundaryKey, FaceKey, HalfEdgeKey, VertexKey};
 use super::links::{BoundaryStart, Links, Need, RecordKind, Store, VertexLink};
-use crate::validate::near::Touched;
+use crate::validate::near::WriteSet;
 
 /// Another store, with a note of each record that was written since the notes were last taken.
 ///
@@ -10,17 +10,17 @@ use crate::validate::near::Touched;
 #[derive(Clone, Debug)]
 pub struct Watched<S> {
     store: S,
-    touched: Touched,
+    touched: WriteSet,
 }
 
 impl<S: Links> Watched<S> {
     pub(crate) fn new(store: S) -> Self {
-        Self { store, touched: Touched::default() }
+        Self { store, touched: WriteSet::default() }
     }
 
     /// One that goes on with notes.
     #[cfg(feature = "map")]
-    pub(crate) const fn with_notes(store: S, touched: Touched) -> Self {
+    pub(crate) const fn with_notes(store: S, touched: WriteSet) -> Self {
         Self { store, touched }
     }
 
@@ -30,17 +30,17 @@ impl<S: Links> Watched<S> {
 
     /// The store, and what was written.
     #[cfg(feature = "map")]
-    pub(crate) fn into_parts(self) -> (S, Touched) {
+    pub(crate) fn into_parts(self) -> (S, WriteSet) {
         (self.store, self.touched)
     }
 
     /// What was written since this was last cleared.
-    pub(crate) const fn touched(&self) -> &Touched {
+    pub(crate) const fn touched(&self) -> &WriteSet {
         &self.touched
     }
 
     /// The same, to be cleared.
-    pub(crate) const fn touched_mut(&mut self) -> &mut Touched {
+    pub(crate) const fn touched_mut(&mut self) -> &mut WriteSet {
         &mut self.touched
     }
 

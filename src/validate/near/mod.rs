@@ -1,7 +1,7 @@
 //! Validation after a small change, in time proportional to the change.
 //!
 //! A [`Baseline`] keeps the links of a structure that was found right. [`validate_near`] takes the structure as it is now,
-//! and the records that were [`Touched`] since. It looks at those and at what they can break, and moves the baseline on.
+//! and the [`WriteSet`] of what has changed since. It looks at those and at what they can break, and moves the baseline on.
 //!
 //! ```text
 //!        before             after: h, n and p have changed
@@ -86,16 +86,16 @@
 //! this.
 
 mod baseline;
-mod changes;
 mod check;
 mod column;
+mod diff;
 #[cfg(feature = "geometry")]
 mod embedded;
-mod mirror;
+mod links;
 mod orbits;
-mod touched;
+mod write_set;
 
 pub use baseline::{Baseline, BaselineError, validate_near};
 #[cfg(feature = "geometry")]
 pub use embedded::{EmbeddingBaseline, validate_embedding_near};
-pub use touched::Touched;
+pub use write_set::WriteSet;

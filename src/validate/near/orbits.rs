@@ -1,6 +1,38 @@
-//! Whether some elements lie on one orbit of a permutation.
+//! Whether some half-edges lie on one orbit: those that are new in a rotation or on a cycle, or are followed by another one there.
 
 use alloc::vec::Vec;
+
+/// A half-edge on an orbit.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]
+pub(super) struct Member {
+    /// The vertex or label of the orbit.
+    pub(super) of: u32,
+    pub(super) half_edge: u32,
+    /// Whether it belonged there before.
+    pub(super) is_old: bool,
+}
+
+/// Members of several orbits.
+#[derive(Clone, Debug, Default)]
+pub(super) struct Members(Vec<Member>);
+
+impl Members {
+    pub(super) fn clear(&mut self) {
+        self.0.clear();
+    }
+    pub(super) fn push(&mut self, member: Member) {
+        self.0.push(member);
+    }
+    pub(super) fn sort(&mut self) {
+        self.0.sort_unstable();
+    }
+    /// Those of one orbit, when all are sorted.
+    pub(super) fn of(&self, orbit: usize) -> &[Member] {
+        let from = self.0.partition_point(|member| (member.of as usize) < orbit);
+        let rest = &self.0[from..];
+        &rest[..rest.partition_point(|member| member.of as usize == orbit)]
+    }
+}
 
 /// Memory for the walks, which is kept.
 #[derive(Clone, Debug, Default)]
@@ -13,7 +45,8 @@ pub(super) struct Walks {
 }
 
 impl Walks {
-    /// Whether all members lie on one orbit of the permutation `step`. They are sorted, and differ from each other.
+    /// Finds all members on one orbit of the permutation `step`, and on it what `remains` of those of before. They are sorted, and
+    /// differ from each other.
     ///
     /// ```text
     ///    a ──► · ──► b ──► c ──► · ──► · ──► · ──► …        a meets b, b meets c: c leads back to a
@@ -24,16 +57,24 @@ impl Walks {
     /// there are at most as many steps as the orbit has elements, and no more than there are members times the second largest of the
     /// distances between them.
     ///
-    /// Nothing if they do not, if a step leads nowhere, or after more than `limit` steps, as can be where `step` is no permutation.
+    /// An orbit without member is one of before, all of it. So if any half-edge remains, a member must be an old one.
+    ///
+    /// Nothing if they do not lie on one, if a step leads nowhere, or after more than `limit` steps, as can be where `step` is no
+    /// permutation.
     pub(super) fn on_one(
         &mut self,
-        members: &[usize],
+        members: &[Member],
+        remains: bool,
         limit: usize,
         step: impl Fn(usize) -> Option<usize>,
     ) -> Option<()> {
+        let joins = !remains || members.iter().any(|member| member.is_old);
+        if members.is_empty() || !joins {
+            return members.is_empty().then_some(());
+        }
         let Self { under_way, meets, is_met } = self;
         under_way.clear();
-        under_way.extend(members.iter().copied().enumerate());
+        under_way.extend(members.iter().map(|member| member.half_edge as usize).enumerate());
         meets.clear();
         meets.resize(members.len(), None);
         is_met.clear();
@@ -44,7 +85,7 @@ impl Walks {
             let mut position = 0;
             while let Some((from, at)) = under_way.get_mut(position) {
                 *at = step(*at)?;
-                let Ok(met) = members.binary_search(at) else {
+                let Ok(met) = members.binary_search_by_key(at, |member| member.half_edge as usize) else {
                     position += 1;
                     continue;
                 };
@@ -64,10 +105,13 @@ impl Walks {
 
 #[cfg(test)]
 mod tests {
-    use super::Walks;
+    use super::{Member, Walks};
+    use alloc::vec::Vec;
 
-    fn is_one(members: &[usize], next: &[usize]) -> bool {
-        Walks::default().on_one(members, next.len(), |at| next.get(at).copied()).is_some()
+    fn is_one(members: &[u32], next: &[usize]) -> bool {
+        let member = |half_edge: &u32| Member { of: 0, half_edge: *half_edge, is_old: true };
+        let members: Vec<Member> = members.iter().map(member).collect();
+        Walks::default().on_one(&members, true, next.len(), |at| next.get(at).copied()).is_some()
     }
 
     #[test]

@@ -4,27 +4,14 @@ use super::drawn::{Drawn, Line, Start as DrawnStart, Update};
 use crate::geometry::Point;
 use crate::geometry::predicates::in_range;
 use crate::validate::columns::NIL;
-use crate::validate::near::changes::Changes;
-use crate::validate::near::mirror::{Face, HalfEdge, Label, Mirror, Vertex};
+use crate::validate::near::column::{TIMES, Time};
+use crate::validate::near::diff::Diff;
+use crate::validate::near::links::{Face, HalfEdge, Label, Vertex};
 use crate::validate::structure::{Embedding, Start};
 
-/// Before the change, or after it.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub(super) enum Time {
-    Before,
-    After,
-}
-
-/// Both, in order.
-pub(super) const TIMES: [Time; 2] = [Time::Before, Time::After];
-
-/// The links and places as they were, and what has changed since.
+/// Links and places before and after, and what may be drawn elsewhere.
 pub(super) struct Drawing<'a> {
-    was: &'a Mirror,
-    points: &'a [Point],
-    changes: &'a Changes,
-    /// The places of the vertices that may differ, in their order; of those that are vacant, none.
-    placed: Vec<Option<Point>>,
+    diff: &'a Diff,
     /// The half-edges that may have other links, or be drawn elsewhere, sorted.
     pub(super) half_edges: Vec<usize>,
     /// The labels that may differ, and those that these half-edges have or had, sorted.
@@ -38,24 +25,28 @@ pub(super) fn sorted<T: Ord>(mut list: Vec<T>) -> Vec<T> {
     list
 }
 
-impl<'a> Drawing<'a> {
-    /// Nothing if a coordinate is out of range or an edge has bends, or if the links before are not those of a structure that was
-    /// right.
-    pub(super) fn new<E: Embedding + ?Sized>(
-        embedding: &E,
-        was: &'a Mirror,
-        points: &'a [Point],
-        changes: &'a Changes,
-    ) -> Option<Self> {
-        let seen = changes.vertices.iter();
-        let placed: Vec<_> = seen.map(|(v, seen)| seen.row.is_live().then(|| embedding.point(v))).collect();
-        if !placed.iter().flatten().all(|p| in_range(*p)) {
-            return None;
+impl Diff {
+    /// Reads where the vertices that may differ lie. Nothing if a coordinate is out of range.
+    pub(super) fn place<E: Embedding + ?Sized>(&mut self, embedding: &E, slots: usize) -> Option<()> {
+        self.places.fit(slots);
+        for (v, _, now) in self.vertices.changes() {
+            let place = now.is_live().then(|| embedding.point(v));
+            if !place.is_none_or(in_range) {
+                return None;
+            }
+            *self.places.change(v)? = place;
         }
-        let mut drawing = Self { was, points, changes, placed, half_edges: Vec::new(), labels: Vec::new() };
-        let mut half_edges: Vec<usize> = changes.touched().map(|(h, _)| h).collect();
-        for (v, _) in changes.vertices.iter() {
-            if drawing.place(Time::Before, v) != drawing.place(Time::After, v) {
+        Some(())
+    }
+}
+
+impl<'a> Drawing<'a> {
+    /// Nothing if an edge has bends, or if the links before are not those of a structure that was right.
+    pub(super) fn new<E: Embedding + ?Sized>(embedding: &E, diff: &'a Diff) -> Option<Self> {
+        let mut drawing = Self { diff, half_edges: Vec::new(), labels: Vec::new() };
+        let mut half_edges: Vec<usize> = diff.half_edges.changes().map(|(h, ..)| h).collect();
+        for (v, before, after) in diff.places.changes() {
+            if before != after {
                 // Those that left it before, and do not now, may have other links.
                 drawing.rotation(v, &mut half_edges)?;
             }
@@ -70,7 +61,7 @@ impl<'a> Drawing<'a> {
         if !half_edges.iter().all(straight) {
             return None;
         }
-        let mut labels: Vec<usize> = changes.labels.iter().map(|(b, _)| b).collect();
+        let mut labels: Vec<usize> = drawing.changed_labels().collect();
         for time in TIMES {
             labels.extend(half_edges.iter().filter_map(|h| drawing.label_of(time, *h)));
         }
@@ -79,31 +70,24 @@ impl<'a> Drawing<'a> {
         Some(drawing)
     }
 
-    /// The places of the vertices that may differ, by index.
-    pub(super) fn placed(&self) -> impl Iterator<Item = (usize, Point)> + '_ {
-        self.changes.vertices.iter().zip(&self.placed).filter_map(|((v, _), place)| Some((v, (*place)?)))
-    }
-
     pub(super) fn row(&self, time: Time, h: usize) -> HalfEdge {
-        match time {
-            Time::Before => self.was.half_edge(h),
-            Time::After => self.changes.half_edge(self.was, h),
-        }
+        self.diff.half_edges.at(time, h)
     }
 
     pub(super) fn vertex(&self, time: Time, v: usize) -> Vertex {
-        let now = if time == Time::After { self.changes.vertices.find(&self.was.vertices, v) } else { None };
-        now.map_or_else(|| self.was.vertex(v), |seen| seen.row)
+        self.diff.vertices.at(time, v)
     }
 
     pub(super) fn label(&self, time: Time, b: usize) -> Label {
-        let now = if time == Time::After { self.changes.labels.find(&self.was.labels, b) } else { None };
-        now.map_or_else(|| self.was.label(b), |seen| seen.row)
+        self.diff.labels.at(time, b)
     }
 
     pub(super) fn face(&self, time: Time, f: usize) -> Face {
-        let now = if time == Time::After { self.changes.faces.find(&self.was.faces, f) } else { None };
-        now.map_or_else(|| self.was.face(f), |seen| seen.row)
+        self.diff.faces.at(time, f)
+    }
+
+    pub(super) fn place(&self, time: Time, v: usize) -> Option<Point> {
+        self.diff.places.at(time, v)
     }
 
     /// Whether it is the unbounded face.
@@ -111,20 +95,12 @@ impl<'a> Drawing<'a> {
         self.face(time, f).outer == NIL
     }
 
-    pub(super) fn place(&self, time: Time, v: usize) -> Option<Point> {
-        let seen = if time == Time::After { self.was.vertices.position(v) } else { None };
-        match seen {
-            Some(position) => self.placed.get(position).copied().flatten(),
-            None => self.points.get(v).copied().filter(|_| self.was.vertex(v).is_live()),
-        }
-    }
-
     pub(super) fn twin(&self, time: Time, h: usize) -> Option<usize> {
         Some(self.row(time, h)).filter(HalfEdge::is_live).map(|row| row.twin as usize)
     }
 
     /// The half-edge that follows clockwise in the rotation.
-    pub(super) fn turned(&self, time: Time, h: usize) -> Option<usize> {
+    pub(super) fn clockwise(&self, time: Time, h: usize) -> Option<usize> {
         self.twin(time, h).map(|twin| self.row(time, twin).next as usize)
     }
 
@@ -160,9 +136,9 @@ impl<'a> Drawing<'a> {
         let first = vertex.leaving as usize;
         let mut h = first;
         // Only links that are not right lead around for ever.
-        for _ in 0..=self.was.half_edges.len() + self.changes.half_edges.len() {
+        for _ in 0..=self.diff.half_edges.slots() {
             into.push(h);
-            h = self.turned(Time::After, h)?;
+            h = self.clockwise(Time::After, h)?;
             if h == first {
                 return Some(());
             }
@@ -210,7 +186,7 @@ impl<'a> Drawing<'a> {
         if update.come.iter().any(|edge| edge.ends[0] == edge.ends[1]) {
             return None;
         }
-        for (v, _) in self.changes.vertices.iter() {
+        for (v, ..) in self.diff.vertices.changes() {
             put(TIMES.map(|time| self.isolated(time, v)), &mut update.gone, &mut update.come);
         }
         for b in &self.labels {
@@ -221,6 +197,6 @@ impl<'a> Drawing<'a> {
 
     /// The boundary components whose records may differ.
     pub(super) fn changed_labels(&self) -> impl Iterator<Item = usize> + '_ {
-        self.changes.labels.iter().map(|(b, _)| b)
+        self.diff.labels.changes().map(|(b, ..)| b)
     }
 }

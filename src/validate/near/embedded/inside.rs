@@ -1,11 +1,12 @@
 //! G5: each inner boundary component lies in the face that lists it. See [why it need not be located](crate::validate::near#what-lies-where).
 
 use super::chain::{Beside, Chain, SummedChain};
-use super::drawing::{Drawing, TIMES, Time, sorted};
+use super::drawing::{Drawing, sorted};
 use super::tree::DrawnTrees;
 use crate::geometry::Point;
 use crate::geometry::predicates::compare_lexicographic;
 use crate::validate::columns::NIL;
+use crate::validate::near::column::{TIMES, Time};
 use crate::validate::structure::Start;
 use rustc_hash::FxHashMap;
 

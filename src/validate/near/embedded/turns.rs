@@ -1,8 +1,9 @@
 //! G2 and G3 as sums over corners, of which only those that have changed are added up.
 
-use super::drawing::{Drawing, TIMES, Time, sorted};
+use super::drawing::{Drawing, sorted};
 use crate::geometry::Point;
 use crate::geometry::predicates::{Orientation, compare_angle, orientation};
+use crate::validate::near::column::{TIMES, Time};
 use crate::validate::structure::Start;
 
 /// What has come to the sum of each group, by its number, sorted: the change of the sum.
@@ -44,14 +45,14 @@ impl Drawing<'_> {
         for h in self.with(|time, h| self.twin(time, self.prev(time, h)?)) {
             for time in TIMES {
                 let Some(line) = self.line(time, h) else { continue };
-                let after = self.line(time, self.turned(time, h)?)?;
+                let after = self.line(time, self.clockwise(time, h)?)?;
                 let rises = compare_angle(line.points[0], line.points[1], after.points[1]).is_lt();
                 terms.push((line.vertices[0] as usize, sign(time) * i64::from(rises)));
             }
         }
         let keeps = |(v, difference): &(usize, i64)| {
             let leaving = self.vertex(Time::Before, *v).leaving as usize;
-            let turns = self.turned(Time::Before, leaving).is_some_and(|next| next != leaving);
+            let turns = self.clockwise(Time::Before, leaving).is_some_and(|next| next != leaving);
             i64::from(turns) + difference <= 1
         };
         differences(terms).iter().all(keeps).then_some(())

@@ -1,6 +1,6 @@
-//! The links as they were when the structure was last found right, in columns of 32-bit numbers.
+//! The links of records, as rows of 32-bit numbers, and their reader.
 
-use super::column::{Column, Row};
+use super::column::Row;
 use crate::validate::columns::NIL;
 use crate::validate::expectation::Expectation;
 use crate::validate::structure::{BoundaryPlace, Part, Parts, Start, View};
@@ -9,6 +9,16 @@ use crate::validate::structure::{BoundaryPlace, Part, Parts, Start, View};
 pub(super) const VACANT: u32 = NIL - 1;
 /// The place of an outer boundary component.
 pub(super) const OUTER: u32 = NIL;
+
+/// The link in a column, unless it is nil.
+pub(super) fn index(link: u32) -> Option<usize> {
+    (link < VACANT).then_some(link as usize)
+}
+
+/// A link for a column.
+pub(super) fn link(index: Option<usize>) -> u32 {
+    index.map_or(NIL, |i| i as u32)
+}
 
 /// The links of a half-edge. Its *label* is its boundary component, or its face where there are no boundary components.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -105,46 +115,8 @@ impl Face {
     }
 }
 
-/// All links.
-#[derive(Clone, Debug, Default)]
-pub(super) struct Mirror {
-    pub(super) half_edges: Column<HalfEdge>,
-    pub(super) vertices: Column<Vertex>,
-    pub(super) labels: Column<Label>,
-    pub(super) faces: Column<Face>,
-}
-
-impl Mirror {
-    pub(super) fn half_edge(&self, h: usize) -> HalfEdge {
-        self.half_edges.get(h)
-    }
-    pub(super) fn vertex(&self, v: usize) -> Vertex {
-        self.vertices.get(v)
-    }
-    pub(super) fn label(&self, b: usize) -> Label {
-        self.labels.get(b)
-    }
-    pub(super) fn face(&self, f: usize) -> Face {
-        self.faces.get(f)
-    }
-    /// The half-edge that follows clockwise in the rotation.
-    pub(super) fn turned(&self, h: usize) -> usize {
-        self.half_edge(self.half_edge(h).twin as usize).next as usize
-    }
-
-    /// Makes all columns as long as there are slots.
-    pub(super) fn fit<V: View + ?Sized>(&mut self, now: &Now<'_, V>) {
-        self.half_edges.fit(now.half_edges);
-        self.vertices.fit(now.vertices);
-        self.labels.fit(now.labels);
-        if now.has(Part::BoundaryComponents) {
-            self.faces.fit(now.faces);
-        }
-    }
-}
-
-/// A structure as it is now: a view, its numbers of slots, and what it has.
-pub(super) struct Now<'a, V: ?Sized> {
+/// Reads the links of a structure as it is now: a view, its numbers of slots, and what it has.
+pub(super) struct LinkReader<'a, V: ?Sized> {
     pub(super) view: &'a V,
     pub(super) expect: Expectation,
     parts: Parts,
@@ -154,7 +126,7 @@ pub(super) struct Now<'a, V: ?Sized> {
     pub(super) faces: usize,
 }
 
-impl<'a, V: View + ?Sized> Now<'a, V> {
+impl<'a, V: View + ?Sized> LinkReader<'a, V> {
     /// Nothing if there are more slots than can be numbered.
     pub(super) fn new(view: &'a V, expect: Expectation) -> Option<Self> {
         let (vertices, half_edges) = (view.vertex_slots(), view.half_edge_slots());
@@ -198,6 +170,12 @@ impl<'a, V: View + ?Sized> Now<'a, V> {
     /// The label of a half-edge of which nothing else is asked.
     pub(super) fn label_of(&self, h: usize) -> Option<usize> {
         if self.has(Part::BoundaryComponents) { self.view.boundary(h) } else { self.view.face(h) }
+    }
+
+    /// The boundary component that an isolated vertex names. A vacant slot is not asked.
+    pub(super) fn isolated(&self, v: usize) -> Option<usize> {
+        let names = self.has(Part::BoundaryComponents) && self.has(Part::Holes) && self.is_vertex(v);
+        if names { self.view.isolated(v) } else { None }
     }
 
     /// Where a live label starts.
