@@ -45,12 +45,12 @@ const DANGLING: i64 = -2;
 const NIL: i64 = -1;
 
 /// The records of one kind, with their numbers.
-struct Numbered {
+struct Numbering {
     records: Vec<*const c_void>,
     numbers: FxHashMap<usize, i64>,
 }
 
-impl Numbered {
+impl Numbering {
     /// # Safety
     /// As [`Cells::pointer`], for every position.
     unsafe fn of(kind: Record, cells: Option<Cells>) -> Result<Self, Failure> {
@@ -100,7 +100,7 @@ impl Answers {
     ) -> Result<Self, Failure> {
         let kinds = [Record::Vertex, Record::HalfEdge, Record::Boundary, Record::Face];
         // SAFETY: as the caller promises.
-        let numbered = |kind: Record| unsafe { Numbered::of(kind, records[kind as usize]) };
+        let numbered = |kind: Record| unsafe { Numbering::of(kind, records[kind as usize]) };
         let all = [numbered(kinds[0])?, numbered(kinds[1])?, numbered(kinds[2])?, numbered(kinds[3])?];
         let mut answers = Self { counts: [0, 1, 2, 3].map(|kind| all[kind].records.len()), ..Self::default() };
         for link in Link::ALL {
@@ -133,7 +133,11 @@ impl Answers {
 
 /// # Safety
 /// The function may be called with its context and each of these records.
-unsafe fn ask(callback: Callback<LinkOf>, records: &[*const c_void], to: &Numbered) -> Result<Vec<AtomicI64>, Failure> {
+unsafe fn ask(
+    callback: Callback<LinkOf>,
+    records: &[*const c_void],
+    to: &Numbering,
+) -> Result<Vec<AtomicI64>, Failure> {
     let mut column = Vec::new();
     column.try_reserve_exact(records.len()).map_err(|_| Failure::memory())?;
     let Some(function) = callback.function else { return Ok(column) };
@@ -152,7 +156,7 @@ unsafe fn ask(callback: Callback<LinkOf>, records: &[*const c_void], to: &Number
 unsafe fn ask_lists(
     callback: Callback<InnerOf>,
     faces: &[*const c_void],
-    to: &Numbered,
+    to: &Numbering,
 ) -> Result<(Vec<AtomicI64>, Vec<AtomicI64>), Failure> {
     let (mut first, mut list) = (Vec::new(), Vec::new());
     first.try_reserve_exact(faces.len() + 1).map_err(|_| Failure::memory())?;

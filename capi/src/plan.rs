@@ -9,7 +9,7 @@ use twinedge_columns::Preset;
 
 /// What is expected.
 #[derive(Clone, Debug, Default)]
-pub(crate) struct Asked {
+pub(crate) struct Claims {
     preset: Option<Preset>,
     plane: bool,
     open: bool,
@@ -24,7 +24,7 @@ pub(crate) struct Asked {
     list: Option<usize>,
 }
 
-impl Asked {
+impl Claims {
     pub(crate) const fn set(&mut self, what: Expect, number: usize) {
         let flag = number != 0;
         match what {
@@ -101,7 +101,7 @@ pub(crate) struct Plan {
     pub(crate) records: [Option<Cells>; Record::KINDS],
     pub(crate) links: [Option<Callback<LinkOf>>; Link::KINDS],
     pub(crate) inner: Option<Callback<InnerOf>>,
-    pub(crate) asked: Asked,
+    pub(crate) asked: Claims,
 }
 
 impl Plan {

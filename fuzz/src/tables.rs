@@ -5,12 +5,13 @@ use std::cell::RefCell;
 use twinedge::dcel::Dcel;
 use twinedge::program::choose::Choose;
 use twinedge::program::{Program, Runner};
-use twinedge::validate::forms::{Form, projections};
 use twinedge::validate::reference::{broken_rules, disagreement};
 use twinedge::validate::{
     BoundaryPlace, BoundaryRow, Collect, Expectation, FaceRow, HalfEdgeRow, Link, Part, Parts, Report, Start, Table,
     VertexRow, View, validate,
 };
+use twinedge_trials::enumerate::TableCells;
+use twinedge_trials::forms::{Form, projections};
 
 /// The largest table that goes to the reference validator, which is cubic, in records of each kind.
 const SMALL: usize = 12;

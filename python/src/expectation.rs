@@ -8,7 +8,7 @@ use twinedge_columns::Preset;
 /// The rules that must be asked for, and how many violations are listed.
 #[derive(FromPyObject)]
 #[pyo3(from_item_all)]
-pub(crate) struct Asked {
+pub(crate) struct Claims {
     plane: bool,
     open: bool,
     preset: Option<String>,
@@ -23,7 +23,7 @@ pub(crate) struct Asked {
     list: usize,
 }
 
-impl Asked {
+impl Claims {
     /// How many violations are listed.
     pub(crate) const fn list(&self) -> usize {
         self.list

@@ -125,14 +125,14 @@ pub enum InvalidSegments {
 /// ```
 pub fn clashes(points: &[Point], segments: &[[u32; 2]], cap: usize) -> Result<(Vec<Clash>, u64), InvalidSegments> {
     check(points, segments)?;
-    let mut found = Found { first: Vec::new(), total: 0, cap };
+    let mut found = Clashes { first: Vec::new(), total: 0, cap };
     same_places(points, &mut found);
 
     let tree = boxes(points, segments);
     let mut here = Vec::new();
     for (id, &[u, v]) in (0u32..).zip(segments) {
         let (p, q) = (points[u as usize], points[v as usize]);
-        let visit = |other: &Boxed| {
+        let visit = |other: &Entry| {
             match other.what {
                 What::Segment(other) if other != id => {
                     match classify(points, segments, id, other) {
@@ -165,13 +165,13 @@ pub fn clashes(points: &[Point], segments: &[[u32; 2]], cap: usize) -> Result<(V
 }
 
 /// The first clashes, as many as wanted, and the number of all.
-struct Found {
+struct Clashes {
     first: Vec<Clash>,
     total: u64,
     cap: usize,
 }
 
-impl Found {
+impl Clashes {
     /// How many more are wanted.
     fn room(&self) -> usize {
         self.cap - self.first.len()
@@ -186,7 +186,7 @@ impl Found {
 }
 
 /// Finds the pairs of points with the same coordinates, sorted.
-fn same_places(points: &[Point], found: &mut Found) {
+fn same_places(points: &[Point], found: &mut Clashes) {
     let mut order: Vec<u32> = (0..points.len() as u32).collect();
     let compare = |&a: &u32, &b: &u32| compare_lexicographic(points[a as usize], points[b as usize]);
     order.sort_unstable_by(|a, b| compare(a, b).then(a.cmp(b)));
@@ -211,12 +211,12 @@ enum What {
     Point(u32),
 }
 
-struct Boxed {
+struct Entry {
     what: What,
     envelope: AABB<[f64; 2]>,
 }
 
-impl RTreeObject for Boxed {
+impl RTreeObject for Entry {
     type Envelope = AABB<[f64; 2]>;
 
     fn envelope(&self) -> Self::Envelope {
@@ -225,7 +225,7 @@ impl RTreeObject for Boxed {
 }
 
 /// The boxes of all segments and of all isolated points.
-fn boxes(points: &[Point], segments: &[[u32; 2]]) -> RTree<Boxed> {
+fn boxes(points: &[Point], segments: &[[u32; 2]]) -> RTree<Entry> {
     let mut isolated = alloc::vec![true; points.len()];
     let mut all = Vec::with_capacity(segments.len());
     for (id, ends) in (0..).zip(segments) {
@@ -233,11 +233,11 @@ fn boxes(points: &[Point], segments: &[[u32; 2]]) -> RTree<Boxed> {
             isolated[end as usize] = false;
             points[end as usize].into()
         });
-        all.push(Boxed { what: What::Segment(id), envelope: AABB::from_corners(p, q) });
+        all.push(Entry { what: What::Segment(id), envelope: AABB::from_corners(p, q) });
     }
     for (id, &p) in (0..).zip(points) {
         if isolated[id as usize] {
-            all.push(Boxed { what: What::Point(id), envelope: AABB::from_point(p.into()) });
+            all.push(Entry { what: What::Point(id), envelope: AABB::from_point(p.into()) });
         }
     }
     RTree::bulk_load(all)

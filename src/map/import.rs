@@ -7,7 +7,7 @@ use crate::validate::{Collect, Embedding, Expectation, Report, validate_embeddin
 use std::fmt;
 use thiserror::Error;
 
-/// Why [`PlanarMap::from_view`] refused a structure.
+/// The reason why [`PlanarMap::from_view`] refused a structure.
 #[derive(Clone, PartialEq, Eq, Error)]
 #[non_exhaustive]
 pub enum MapImportError {

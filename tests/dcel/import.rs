@@ -11,9 +11,9 @@ use twinedge::dcel::{Dcel, ImportError, Keys, Outside};
 use twinedge::delegate_view;
 use twinedge::program::canonical::isomorphic;
 use twinedge::program::{Program, Runner};
-use twinedge::validate::enumerate::for_each_corruption;
-use twinedge::validate::forms::{Form, projected};
 use twinedge::validate::{Collect, Expectation, FaceRow, Part, Parts, Rule, Start, Table, VertexRow, View};
+use twinedge_trials::enumerate::for_each_corruption;
+use twinedge_trials::forms::{Form, projected};
 
 fn check(tests: u64, size: usize, law: impl Testable) {
     QuickCheck::new().rng(Gen::from_size_and_seed(size, 2026)).tests(tests).quickcheck(law);

@@ -5,12 +5,12 @@ use crate::support::opinions::agree;
 use crate::support::tables::{
     TETRAHEDRON, TEXTBOOK, Without, boundary, face, half_edge, k7, map, textbook_map, textbook_mesh, vertex,
 };
-use twinedge::validate::enumerate::for_each_corruption;
 use twinedge::validate::{
     BoundaryPlace, Collect, Expectation, FaceRow, Field, Figures, HalfEdgeRow, Part, Parts, Record, Report, Rule,
     Start, Table, Unchecked, VertexRow, View, Violation,
 };
 use twinedge::view_answers;
+use twinedge_trials::enumerate::for_each_corruption;
 
 const PLANE: Expectation = Expectation::plane();
 const MESH: Expectation = Expectation::surface();

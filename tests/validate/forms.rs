@@ -1,9 +1,9 @@
 //! Small maps in every form: right where they should be.
 
 use crate::support::erased::{first_broken_rule, validate};
-use twinedge::program::census::{Census, Scope};
-use twinedge::validate::forms::{forms, projections};
 use twinedge::validate::{Collect, Expectation, FaceRow, Part, Table};
+use twinedge_trials::census::{Census, Scope};
+use twinedge_trials::forms::{forms, projections};
 
 #[test]
 fn there_are_112_forms() {

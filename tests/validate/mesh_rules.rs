@@ -7,11 +7,11 @@ use crate::support::tables::{
     TETRAHEDRON, TEXTBOOK, Without, face, half_edge, map, textbook_map, vertex, with_boundary_components,
 };
 use std::collections::HashMap;
-use twinedge::validate::enumerate::{Cell, for_each_assignment, for_each_corruption};
 use twinedge::validate::{
     Collect, Expectation, FaceRow, Field, Figures, HalfEdgeRow, Part, Parts, Record, Report, Rule, Start, Table,
     Unchecked, VertexRow, Violation,
 };
+use twinedge_trials::enumerate::{Cell, TableCells, Value, for_each_assignment, for_each_corruption};
 
 const MESH: Expectation = Expectation::surface().open();
 
@@ -513,7 +513,7 @@ fn both_validators_agree_on_all_small_open_maps() {
     blank.half_edges.resize(3, Some(HalfEdgeRow::default()));
     let cells = blank.cells(Parts::NONE).into_iter().map(|cell| {
         let values = blank.values(cell).into_iter().filter(|value| match value {
-            twinedge::validate::enumerate::Value::Link(Some(i)) => *i < 3,
+            Value::Link(Some(i)) => *i < 3,
             _ => matches!(cell, Cell::Twin(_)),
         });
         (cell, values.collect::<Vec<_>>())

@@ -5,12 +5,12 @@ use crate::support::erased::validate;
 use crate::support::only_live::OnlyLive;
 use crate::support::watched::Watched;
 use twinedge::dcel::{Corner, Dcel, HalfEdge, Split};
-use twinedge::program::census::{Census, Scope};
 use twinedge::program::{StepOutcome, try_every_op};
-use twinedge::validate::enumerate::for_each_corruption;
-use twinedge::validate::forms::{Form, forms, projected};
 use twinedge::validate::near::{Baseline, BaselineError, WriteSet, validate_near};
 use twinedge::validate::{Collect, Expectation, Part, Parts, Rule, Table};
+use twinedge_trials::census::{Census, Scope};
+use twinedge_trials::enumerate::for_each_corruption;
+use twinedge_trials::forms::{Form, forms, projected};
 
 const PLANE: Expectation = Expectation::plane();
 const SURFACE: Expectation = Expectation::surface();

@@ -11,9 +11,9 @@ use twinedge::delegate_view;
 use twinedge::geometry::Point;
 use twinedge::map::PlanarMap;
 use twinedge::map::program::{EditOp, EditOutcome, EditProgram, EditRunner};
-use twinedge::validate::enumerate::for_each_corruption;
 use twinedge::validate::near::{EmbeddingBaseline, WriteSet, validate_embedding_near};
 use twinedge::validate::{BoundaryPlace, Collect, Embedding, Expectation, Parts, Rule, Table, View};
+use twinedge_trials::enumerate::for_each_corruption;
 
 const PLANE: Expectation = Expectation::plane();
 

@@ -5,10 +5,10 @@ use crate::support::nested::{FACES, HALF_EDGES, PLANE, nested, nested_textbook};
 use crate::support::opinions::agree;
 use crate::support::tables::{Without, face, half_edge, map, textbook_mesh, torus, vertex};
 use std::collections::BTreeSet;
-use twinedge::validate::enumerate::for_each_corruption;
 use twinedge::validate::{
     Collect, Expectation, FaceRow, Field, Part, Record, Report, Rule, Start, Table, Unchecked, Violation,
 };
+use twinedge_trials::enumerate::for_each_corruption;
 
 #[test]
 fn every_rule_says_how_much_it_checked_whatever_else_is_broken() {

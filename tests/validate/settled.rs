@@ -5,12 +5,12 @@ use crate::support::only_live::OnlyLive;
 use crate::support::tables::{Without, half_edge, textbook_mesh, torus, vertex};
 use crate::support::watched::Watched;
 use twinedge::dcel::Dcel;
-use twinedge::program::census::{Census, Scope};
 use twinedge::program::{Program, Runner};
-use twinedge::validate::enumerate::for_each_corruption;
-use twinedge::validate::forms::{forms, projections};
 use twinedge::validate::reference::rule_by_rule;
 use twinedge::validate::{Collect, Expectation, HalfEdgeRow, Part, Parts, Rule, Start, Table, VertexRow, View};
+use twinedge_trials::census::{Census, Scope};
+use twinedge_trials::enumerate::for_each_corruption;
+use twinedge_trials::forms::{forms, projections};
 
 const PLANE: Expectation = Expectation::plane();
 

@@ -140,7 +140,7 @@ impl Dcel {
         if let Some(piece) = genera.iter().position(|genus| *genus > 0) {
             return Err(RotationsError::Genus { vertex: pieces.first[piece], genus: genera[piece] });
         }
-        let placed = Placed::new(&system, &pieces, placements)?;
+        let placed = Nesting::new(&system, &pieces, placements)?;
         system.assemble(&boundary, starts, &pieces, &placed)
     }
 }
@@ -193,7 +193,7 @@ impl System {
         boundary: &[u32],
         mut starts: Vec<BoundaryStart<u32, u32>>,
         pieces: &Pieces,
-        placed: &Placed,
+        placed: &Nesting,
     ) -> Result<(Dcel, Keys), RotationsError> {
         let mut is_outer = vec![true; starts.len()];
         for outside in placed.outside.iter().filter(|outside| **outside != NIL) {
@@ -244,7 +244,7 @@ impl System {
 }
 
 /// Where each component lies.
-struct Placed {
+struct Nesting {
     /// By component: a dart with its outside to the left; nil for an isolated vertex.
     outside: Vec<u32>,
     /// By component: a dart with the face to its left in which it lies; nil for the unbounded face.
@@ -253,7 +253,7 @@ struct Placed {
     order: Vec<u32>,
 }
 
-impl Placed {
+impl Nesting {
     fn new(system: &System, pieces: &Pieces, placements: &[Placement]) -> Result<Self, RotationsError> {
         let count = pieces.first.len();
         let mut outside = vec![NIL; count];

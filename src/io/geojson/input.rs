@@ -34,7 +34,7 @@ pub(super) fn open<'p, R: Read + 'p>(
     progress: &'p Cell<Progress>,
     is_sequence: bool,
 ) -> io::Result<impl BufRead + 'p> {
-    let mut input = Tracked { reader, progress, is_sequence };
+    let mut input = ProgressReader { reader, progress, is_sequence };
     let mut start = Vec::new();
     input.by_ref().take(3).read_to_end(&mut start)?;
     if start == b"\xEF\xBB\xBF" {
@@ -44,13 +44,13 @@ pub(super) fn open<'p, R: Read + 'p>(
     Ok(BufReader::new(io::Cursor::new(start).chain(input)))
 }
 
-struct Tracked<'p, R> {
+struct ProgressReader<'p, R> {
     reader: R,
     progress: &'p Cell<Progress>,
     is_sequence: bool,
 }
 
-impl<R: Read> Read for Tracked<'_, R> {
+impl<R: Read> Read for ProgressReader<'_, R> {
     fn read(&mut self, out: &mut [u8]) -> io::Result<usize> {
         let mut progress = self.progress.get();
         if out.is_empty() || progress.stopped {

@@ -31,9 +31,9 @@ pub(super) trait Pass {
 }
 
 /// Counts nothing, where the cycles are read from the lists of the faces.
-pub(super) struct Listed;
+pub(super) struct NoCount;
 
-impl Pass for Listed {
+impl Pass for NoCount {
     #[inline(always)]
     #[allow(clippy::inline_always, reason = "there is nothing to call")]
     fn pass<V: View + ?Sized>(&mut self, _: &V, _: Extent, _: [usize; 2]) -> Option<usize> {

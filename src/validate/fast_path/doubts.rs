@@ -17,7 +17,7 @@ pub(crate) struct Doubts {
 
 /// What has been settled of all half-edges.
 #[derive(Clone, Copy)]
-pub(super) struct Settled {
+pub(super) struct Assurances {
     /// Their origins are live.
     pub(super) origins: bool,
     /// What they name is live, and what the next names.
@@ -26,7 +26,7 @@ pub(super) struct Settled {
 
 /// The half-edges that may break a rule: those at which the scan has found something wrong, and, by a second scan, those at which
 /// something is wrong that nothing else has settled. None if they are too many.
-pub(super) fn find<V: View + ?Sized>(view: &V, extent: Extent, links: &Links, settled: Settled) -> Option<Doubts> {
+pub(super) fn find<V: View + ?Sized>(view: &V, extent: Extent, links: &Links, settled: Assurances) -> Option<Doubts> {
     let mut half_edges = Vec::new();
     for h in &links.wrong {
         with_twin(view, extent, *h as usize, &mut half_edges)?;
@@ -42,7 +42,7 @@ fn scan_again<V: View + ?Sized>(
     view: &V,
     extent: Extent,
     links: &Links,
-    settled: Settled,
+    settled: Assurances,
     half_edges: &mut Vec<u32>,
 ) -> Option<()> {
     let is_prev_settled = links.next_holds || !extent.has(Part::Prev);

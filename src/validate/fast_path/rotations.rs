@@ -1,14 +1,14 @@
 //! The walks around the vertices: V1, V2 and the vertices' half of B2.
 
-use super::cycles::{Cycles, Listed, Pass, Short};
+use super::cycles::{Cycles, NoCount, Pass, Short};
 use super::links::Links;
 use crate::validate::structure::{Part, Start, View};
 use crate::validate::subject::Extent;
 use alloc::vec::Vec;
 
 /// What the walks around the vertices find.
-pub(super) struct Around {
-    pub(super) counted: Counted,
+pub(super) struct RotationWalk {
+    pub(super) counted: VertexTally,
     /// Per vertex the neighbour with the smallest number, or itself if that is smaller.
     pub(super) nearest: Vec<u32>,
     /// The cycles, where there are no faces to list them.
@@ -17,7 +17,7 @@ pub(super) struct Around {
 
 /// What is counted at vertices.
 #[derive(Clone, Copy)]
-pub(super) struct Counted {
+pub(super) struct VertexTally {
     pub(super) vertices: usize,
     pub(super) isolated: usize,
     /// How many of the isolated ones name a boundary component that starts at them; none if one names anything else, or a
@@ -33,24 +33,24 @@ pub(super) struct Counted {
     pub(super) simple: bool,
 }
 
-impl Counted {
+impl VertexTally {
     pub(super) const NOTHING: Self =
         Self { vertices: 0, isolated: 0, claimed: Some(0), half_edges: 0, cycles: 0, roots: 0, simple: true };
 }
 
 /// Walks around every vertex, in order of their numbers. Where there are no faces, counts the cycles on the way.
-pub(super) fn walk<V: View + ?Sized>(view: &V, extent: Extent, links: &Links) -> Option<Around> {
+pub(super) fn walk<V: View + ?Sized>(view: &V, extent: Extent, links: &Links) -> Option<RotationWalk> {
     let mut nearest = extent.vertices.nils()?;
     let mut short = Short::default();
     let are_listed = extent.has(Part::Faces);
     let counted = if are_listed {
-        walk_from(view, extent, links, 0, &mut nearest, &mut Listed)?
+        walk_from(view, extent, links, 0, &mut nearest, &mut NoCount)?
     } else {
         walk_from(view, extent, links, 0, &mut nearest, &mut short)?
     };
     (counted.half_edges == links.half_edges).then_some(())?;
     let cycles = if are_listed { None } else { Some(short.all(view, extent, counted.cycles, links.half_edges)?) };
-    Some(Around { counted, nearest, cycles })
+    Some(RotationWalk { counted, nearest, cycles })
 }
 
 /// Walks around the vertices from `first` on, one for each entry of `nearest`, which it fills in, and counts of the cycles what is
@@ -63,8 +63,8 @@ pub(super) fn walk_from<V: View + ?Sized, P: Pass>(
     first: usize,
     nearest: &mut [u32],
     cycles: &mut P,
-) -> Option<Counted> {
-    let mut found = Counted::NOTHING;
+) -> Option<VertexTally> {
+    let mut found = VertexTally::NOTHING;
     let mut steps = Steps { left: links.half_edges, cycles: 0 };
     // The last vertex from which a vertex was seen as a neighbour: seen twice from one means parallel edges.
     let mut seen_from = extent.vertices.nils()?;

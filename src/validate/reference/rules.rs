@@ -40,9 +40,9 @@ pub fn first_broken_rule<V: View + ?Sized>(view: &V, expectation: &Expectation) 
 }
 
 /// A rule and the function that says whether it holds.
-type Judged<'a, V> = (Rule, fn(&Structure<'a, V>) -> bool);
+type Statement<'a, V> = (Rule, fn(&Structure<'a, V>) -> bool);
 
-fn rules<'a, V: View + ?Sized>() -> [Judged<'a, V>; 22] {
+fn rules<'a, V: View + ?Sized>() -> [Statement<'a, V>; 22] {
     [
         (Rule::R1, r1),
         (Rule::L1, l1),

@@ -27,7 +27,7 @@ pub(super) struct Filing {
 }
 
 /// What was filed under a part, at the top of the two pools.
-pub(super) struct Filed {
+pub(super) struct PartFiling {
     pub(super) part: usize,
     pub(super) content: Content,
     pub(super) segments_from: usize,
@@ -69,7 +69,7 @@ impl Filing {
         segments: &mut Vec<u32>,
         vertices: &mut Vec<u32>,
         worth: impl Fn(&Content) -> bool,
-        mut each: impl FnMut(Filed),
+        mut each: impl FnMut(PartFiling),
     ) {
         let (mut segments_to, mut vertices_to) = (segments.len(), vertices.len());
         for (part, content) in self.contents.iter_mut().enumerate() {
@@ -77,7 +77,7 @@ impl Filing {
                 (content.segments, content.vertices) = (NOWHERE, NOWHERE);
                 continue;
             }
-            each(Filed { part, content: *content, segments_from: segments_to, vertices_from: vertices_to });
+            each(PartFiling { part, content: *content, segments_from: segments_to, vertices_from: vertices_to });
             // From here on, the places of the next ones.
             let places = (segments_to, vertices_to);
             segments_to += content.segments;
