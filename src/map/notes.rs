@@ -1,4 +1,4 @@
-//! The records that edits write, noted for a map that is audited.
+//! What edits write, for a map that is audited.
 
 use crate::validate::near::WriteSet;
 
@@ -9,12 +9,5 @@ pub(super) struct Notes(pub(super) Option<Box<WriteSet>>);
 impl Clone for Notes {
     fn clone(&self) -> Self {
         Self::default()
-    }
-}
-
-/// Leaves out what is in it, so that a map looks the same with and without.
-impl core::fmt::Debug for Notes {
-    fn fmt(&self, f: &mut core::fmt::Formatter<'_>) -> core::fmt::Result {
-        f.write_str("Notes")
     }
 }

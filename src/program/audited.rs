@@ -3,7 +3,7 @@
 use super::subject::{CornerOf, Refusal, Subject};
 use crate::dcel::{Audited, Corner, Dcel, Side, Turn};
 use crate::delegate_view;
-use crate::store::{FaceKey, HalfEdgeKey, Store, VertexKey, Watched};
+use crate::store::{FaceKey, HalfEdgeKey, Store, VertexKey, WatchedStore};
 use crate::validate::View;
 
 impl<S: Store> View for Audited<S> {
@@ -16,7 +16,7 @@ impl<S: Store> View for Audited<S> {
 /// Panics with the report if a rule is broken after it.
 fn change<S: Store, T>(
     audited: &mut Audited<S>,
-    operator: impl FnOnce(&mut Dcel<Watched<S>>) -> Result<T, Refusal>,
+    operator: impl FnOnce(&mut Dcel<WatchedStore<S>>) -> Result<T, Refusal>,
 ) -> Result<T, Refusal> {
     match audited.change(operator) {
         Ok(answer) => answer,
@@ -32,6 +32,14 @@ macro_rules! operators {
     };
 }
 
+macro_rules! questions {
+    ($($name:ident($($argument:ident: $type:ty),*) -> $answer:ty;)*) => {
+        $(fn $name(&self, $($argument: $type),*) -> $answer {
+            Subject::$name(self.dcel(), $($argument),*)
+        })*
+    };
+}
+
 /// # Panics
 /// The operators panic with the report if a rule is broken after them. See [`Audited::change`] for the report as an error.
 impl<S: Store> Subject for Audited<S> {
@@ -39,26 +47,14 @@ impl<S: Store> Subject for Audited<S> {
     type HalfEdge = HalfEdgeKey;
     type Face = FaceKey;
 
-    fn unbounded_face(&self) -> Option<FaceKey> {
-        Subject::unbounded_face(self.dcel())
-    }
-    fn half_edge_at(&self, index: usize) -> Option<HalfEdgeKey> {
-        Subject::half_edge_at(self.dcel(), index)
-    }
-    fn vertex_at(&self, index: usize) -> Option<VertexKey> {
-        Subject::vertex_at(self.dcel(), index)
-    }
-    fn face_of(&self, corner: CornerOf<Self>) -> Result<FaceKey, Refusal> {
-        Subject::face_of(self.dcel(), corner)
-    }
-    fn origin_of(&self, half_edge: HalfEdgeKey) -> Result<VertexKey, Refusal> {
-        Subject::origin_of(self.dcel(), half_edge)
-    }
-    fn twin_of(&self, half_edge: HalfEdgeKey) -> Result<HalfEdgeKey, Refusal> {
-        Subject::twin_of(self.dcel(), half_edge)
-    }
-    fn next_of(&self, half_edge: HalfEdgeKey) -> Result<HalfEdgeKey, Refusal> {
-        Subject::next_of(self.dcel(), half_edge)
+    questions! {
+        unbounded_face() -> Option<FaceKey>;
+        half_edge_at(index: usize) -> Option<HalfEdgeKey>;
+        vertex_at(index: usize) -> Option<VertexKey>;
+        face_of(corner: CornerOf<Self>) -> Result<FaceKey, Refusal>;
+        origin_of(half_edge: HalfEdgeKey) -> Result<VertexKey, Refusal>;
+        twin_of(half_edge: HalfEdgeKey) -> Result<HalfEdgeKey, Refusal>;
+        next_of(half_edge: HalfEdgeKey) -> Result<HalfEdgeKey, Refusal>;
     }
 
     operators! {

@@ -69,7 +69,7 @@ impl Baseline {
         Self::supports(expectation, expectation.looks_at(view.parts()))?;
         validate(view, expectation, Collect::All).into_result().map_err(BaselineError::Invalid)?;
         let mut baseline = Self::of_right(view, expectation)?;
-        baseline.diff.commit_all();
+        baseline.diff.commit();
         Ok(baseline)
     }
 
@@ -156,7 +156,7 @@ pub fn validate_near<V: View + ?Sized>(
     validate(view, &baseline.expect, Collect::All).into_result()?;
     // The structure is right: some record that has changed was not named.
     if baseline.read(view).is_some() {
-        baseline.diff.commit_all();
+        baseline.diff.commit();
     }
     Ok(())
 }

@@ -3,9 +3,15 @@
 use alloc::vec::Vec;
 
 /// What a column has for each index.
-pub(super) trait Row: Copy {
+pub(super) trait Row: Copy + PartialEq {
     /// The row of a vacant slot.
     const VACANT: Self;
+
+    /// Returns false for a vacant slot.
+    #[inline]
+    fn is_live(&self) -> bool {
+        *self != Self::VACANT
+    }
 }
 
 /// Before a change, or after it.
@@ -122,15 +128,13 @@ impl<R: Row> Column<R> {
         }
     }
 
-    /// Lets the rows be what they are after the change.
+    /// Lets the rows be what they are after the change. After a change of most of them, the memory for it is given back.
     pub(super) fn commit(&mut self) {
         for (index, row) in self.after.drain(..) {
             self.before[index as usize] = (row, 0);
         }
-    }
-
-    /// Gives back the memory for rows that may differ. There are none.
-    pub(super) fn shrink(&mut self) {
-        self.after = Vec::new();
+        if self.after.capacity() > self.before.len() / 2 {
+            self.after = Vec::new();
+        }
     }
 }

@@ -1,6 +1,6 @@
 //! The links of a structure before a change and after it.
 
-use super::column::Column;
+use super::column::{Column, Row};
 use super::links::{Face, HalfEdge, Label, LinkReader, Vertex};
 use crate::validate::columns::NIL;
 use crate::validate::structure::{Part, View};
@@ -68,17 +68,6 @@ impl Diff {
         self.places.commit();
     }
 
-    /// The same, of all records. The memory for what has changed is given back.
-    pub(super) fn commit_all(&mut self) {
-        self.commit();
-        self.half_edges.shrink();
-        self.vertices.shrink();
-        self.labels.shrink();
-        self.faces.shrink();
-        #[cfg(feature = "geometry")]
-        self.places.shrink();
-    }
-
     /// The half-edge that followed clockwise in the rotation.
     pub(super) fn clockwise_before(&self, h: usize) -> usize {
         self.half_edges.before(self.half_edges.before(h).twin as usize).next as usize
@@ -100,6 +89,6 @@ impl Diff {
 }
 
 #[cfg(feature = "geometry")]
-impl super::column::Row for Option<crate::geometry::Point> {
+impl Row for Option<crate::geometry::Point> {
     const VACANT: Self = None;
 }

@@ -34,12 +34,6 @@ impl Row for HalfEdge {
     const VACANT: Self = Self { origin: VACANT, twin: NIL, next: NIL, prev: NIL, label: NIL };
 }
 
-impl HalfEdge {
-    pub(super) const fn is_live(&self) -> bool {
-        self.origin != VACANT
-    }
-}
-
 /// A vertex: a half-edge that leaves it, or nil.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(super) struct Vertex {
@@ -49,12 +43,6 @@ pub(super) struct Vertex {
 
 impl Row for Vertex {
     const VACANT: Self = Self { leaving: VACANT, isolated: NIL };
-}
-
-impl Vertex {
-    pub(super) const fn is_live(self) -> bool {
-        self.leaving != VACANT
-    }
 }
 
 /// What a label stands for: where it starts, and the face and the place where it is listed. Without records for boundary
@@ -74,15 +62,10 @@ impl Row for Label {
 
 impl Label {
     fn new(start: Start, face: u32, place: u32) -> Self {
-        let (starts_at, is_vertex) = match start {
-            Start::HalfEdge(h) => (h as u32, false),
-            Start::Vertex(v) => (v as u32, true),
-        };
-        Self { starts_at, is_vertex, face, place }
-    }
-
-    pub(super) const fn is_live(&self) -> bool {
-        self.face != VACANT
+        match start {
+            Start::HalfEdge(h) => Self { starts_at: h as u32, is_vertex: false, face, place },
+            Start::Vertex(v) => Self { starts_at: v as u32, is_vertex: true, face, place },
+        }
     }
     pub(super) const fn start(&self) -> Start {
         let at = self.starts_at as usize;
@@ -107,12 +90,6 @@ pub(super) struct Face {
 
 impl Row for Face {
     const VACANT: Self = Self { outer: VACANT, inner: 0 };
-}
-
-impl Face {
-    pub(super) const fn is_live(self) -> bool {
-        self.outer != VACANT
-    }
 }
 
 /// Reads the links of a structure as it is now: a view, its numbers of slots, and what it has.

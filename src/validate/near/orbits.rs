@@ -102,38 +102,3 @@ impl Walks {
         (chain.take(members.len()).count() == members.len()).then_some(())
     }
 }
-
-#[cfg(test)]
-mod tests {
-    use super::{Member, Walks};
-    use alloc::vec::Vec;
-
-    fn is_one(members: &[u32], next: &[usize]) -> bool {
-        let member = |half_edge: &u32| Member { of: 0, half_edge: *half_edge, is_old: true };
-        let members: Vec<Member> = members.iter().map(member).collect();
-        Walks::default().on_one(&members, true, next.len(), |at| next.get(at).copied()).is_some()
-    }
-
-    #[test]
-    fn members_of_one_orbit_are_found_on_it() {
-        let cycle = [1, 2, 3, 4, 5, 0];
-        for members in [&[][..], &[3], &[0, 1], &[0, 3], &[1, 2, 5], &[0, 1, 2, 3, 4, 5]] {
-            assert!(is_one(members, &cycle), "{members:?}");
-        }
-    }
-
-    #[test]
-    fn members_of_two_orbits_are_not() {
-        let two = [1, 0, 3, 4, 2, 6, 5];
-        for members in [&[0, 2][..], &[0, 1, 2], &[2, 3, 5], &[0, 1, 5, 6], &[0, 1, 2, 3, 4]] {
-            assert!(!is_one(members, &two), "{members:?}");
-        }
-    }
-
-    #[test]
-    fn what_is_no_permutation_ends() {
-        assert!(!is_one(&[0, 1], &[2, 2, 3, 2]), "the walks never come back");
-        assert!(!is_one(&[0, 1], &[2, 2, 9]), "the walks lead nowhere");
-        assert!(!is_one(&[0, 1, 2], &[1, 2, 1]), "two meet the same");
-    }
-}

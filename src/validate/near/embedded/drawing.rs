@@ -1,12 +1,12 @@
 //! A drawing before a change and after it, and what differs.
 
-use super::drawn::{Drawn, Line, Start as DrawnStart, Update};
+use super::drawn::{Drawn, InnerStart, Line, Update};
 use crate::geometry::Point;
 use crate::geometry::predicates::in_range;
 use crate::validate::columns::NIL;
-use crate::validate::near::column::{TIMES, Time};
+use crate::validate::near::column::{Row, TIMES, Time};
 use crate::validate::near::diff::Diff;
-use crate::validate::near::links::{Face, HalfEdge, Label, Vertex};
+use crate::validate::near::links::{Face, HalfEdge, Label, Vertex, index};
 use crate::validate::structure::{Embedding, Start};
 
 /// Links and places before and after, and what may be drawn elsewhere.
@@ -96,7 +96,7 @@ impl<'a> Drawing<'a> {
     }
 
     pub(super) fn twin(&self, time: Time, h: usize) -> Option<usize> {
-        Some(self.row(time, h)).filter(HalfEdge::is_live).map(|row| row.twin as usize)
+        Some(self.row(time, h)).filter(Row::is_live).map(|row| row.twin as usize)
     }
 
     /// The half-edge that follows clockwise in the rotation.
@@ -118,13 +118,12 @@ impl<'a> Drawing<'a> {
     }
 
     pub(super) fn label_of(&self, time: Time, h: usize) -> Option<usize> {
-        Some(self.row(time, h)).filter(HalfEdge::is_live).map(|row| row.label as usize)
+        Some(self.row(time, h)).filter(Row::is_live).map(|row| row.label as usize)
     }
 
     /// The face to the left of a half-edge.
     pub(super) fn face_of(&self, time: Time, h: usize) -> Option<usize> {
-        let label = self.label(time, self.label_of(time, h)?);
-        label.is_live().then_some(label.face as usize)
+        index(self.label(time, self.label_of(time, h)?).face)
     }
 
     /// The half-edges that leave a vertex now.
@@ -160,37 +159,30 @@ impl<'a> Drawing<'a> {
     }
 
     /// Where an inner boundary component starts.
-    fn start(&self, time: Time, b: usize) -> Option<DrawnStart> {
+    fn start(&self, time: Time, b: usize) -> Option<InnerStart> {
         let label = self.label(time, b);
         label.inner()?;
         let at = match label.start() {
             Start::HalfEdge(h) => self.line(time, h)?.points[0],
             Start::Vertex(v) => self.place(time, v)?,
         };
-        Some(DrawnStart { label: b as u32, at })
+        Some(InnerStart::new(at.into(), b as u32))
     }
 
     /// What an index has to take off and to add. Nothing if an edge has no length.
     pub(super) fn update(&self) -> Option<Update> {
-        fn put<T: PartialEq>(pair: [Option<T>; 2], gone: &mut Vec<T>, come: &mut Vec<T>) {
-            if pair[0] != pair[1] {
-                let [before, after] = pair;
-                gone.extend(before);
-                come.extend(after);
-            }
-        }
         let mut update = Update::default();
         for h in &self.half_edges {
-            put(TIMES.map(|time| self.edge(time, *h)), &mut update.gone, &mut update.come);
+            update.drawn.put(TIMES.map(|time| self.edge(time, *h)));
         }
-        if update.come.iter().any(|edge| edge.ends[0] == edge.ends[1]) {
+        if update.drawn.come.iter().any(|edge| edge.ends[0] == edge.ends[1]) {
             return None;
         }
         for (v, ..) in self.diff.vertices.changes() {
-            put(TIMES.map(|time| self.isolated(time, v)), &mut update.gone, &mut update.come);
+            update.drawn.put(TIMES.map(|time| self.isolated(time, v)));
         }
         for b in &self.labels {
-            put(TIMES.map(|time| self.start(time, *b)), &mut update.starts_gone, &mut update.starts_come);
+            update.starts.put(TIMES.map(|time| self.start(time, *b)));
         }
         Some(update)
     }
