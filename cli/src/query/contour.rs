@@ -1,7 +1,7 @@
 //! `twinedge query … contour`.
 
 use super::asked::Asked;
-use super::names::label;
+use crate::names::label;
 use super::which::Which;
 use crate::noted::Condition;
 use crate::output::{grouped, measure, print, print_json};

@@ -3,7 +3,7 @@
 use super::asked::Asked;
 use super::borders::{SortBy, print_all};
 use super::list::{Limit, TableFormat};
-use super::names::label;
+use crate::names::label;
 use super::which::Which;
 use crate::noted::Condition;
 use crate::output::style::{BAD, QUIET};
