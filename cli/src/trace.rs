@@ -14,8 +14,7 @@ pub(crate) fn of_finding(map: &PlanarMap, finding: &Finding) -> Trace {
     let contour = of_faces(map, finding.faces.iter().copied()).unwrap_or_default();
     let ring = |ring: &[Point]| ring.iter().copied().map(position).collect();
     let polygons: Vec<_> = contour.polygons.iter().map(|polygon| polygon.rings().map(ring).collect()).collect();
-    let points =
-        if polygons.is_empty() && finding.stretches.is_empty() { vec![position(finding.at)] } else { vec![] };
+    let points = if polygons.is_empty() && finding.stretches.is_empty() { vec![position(finding.at)] } else { vec![] };
     Trace { points, lines, polygons }
 }
 

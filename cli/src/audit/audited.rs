@@ -110,9 +110,8 @@ impl Audited {
     /// All that is listed; what follows from others comes last.
     pub(super) fn listed(&self) -> impl Iterator<Item = &Diagnosis> {
         let of_coverage = self.coverage.iter().flat_map(Coverage::findings);
-        let [first, last] = [false, true].map(|follows| {
-            self.violations.iter().filter(move |violation| violation.follows_from.is_some() == follows)
-        });
+        let [first, last] = [false, true]
+            .map(|follows| self.violations.iter().filter(move |violation| violation.follows_from.is_some() == follows));
         first.chain(&self.findings).chain(of_coverage).chain(last)
     }
 

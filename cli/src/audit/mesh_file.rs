@@ -87,7 +87,10 @@ pub(super) fn audit(run: &Run<'_>, Input { name, reader, .. }: Input, format: Me
         valid: audit.is_valid(),
         found: numbers.map(|(count, name)| counted(count, name)).join(", "),
         notes: notes(&file),
-        counts: audit.count_lines().map(|(what, count)| (what, count.map_or_else(|| "unknown".to_owned(), signed))).into(),
+        counts: audit
+            .count_lines()
+            .map(|(what, count)| (what, count.map_or_else(|| "unknown".to_owned(), signed)))
+            .into(),
         rules: RuleLine::of(report),
         violations: report.violations().iter().map(Diagnosis::from).collect(),
         violation_count: report.violation_count(),

@@ -29,8 +29,7 @@ pub(super) fn text(audited: &Audited) -> Result<String, std::fmt::Error> {
         coverage.write_rules(&mut out, is_rule)?;
     }
     out.push('\n');
-    for (listed, total) in
-        [(&audited.findings, audited.finding_count), (&audited.violations, audited.violation_count)]
+    for (listed, total) in [(&audited.findings, audited.finding_count), (&audited.violations, audited.violation_count)]
     {
         for one in listed.iter().filter(|one| one.follows_from.is_none()) {
             write(&mut out, one, decimals)?;

@@ -12,10 +12,8 @@ use crate::trace::placed;
 use serde_json::json;
 use std::io::Read;
 use twinedge::io::tables::Textbook;
-use twinedge::validate::{
-    Collect, Counts, Expectation, Record, View, Violation, validate, validate_embedding,
-};
-use twinedge_formats::diagnosis::{Diagnosis, RuleLine};
+use twinedge::validate::{Collect, Counts, Expectation, Record, View, Violation, validate, validate_embedding};
+use twinedge_formats::diagnosis::{Diagnosis, Records, RuleLine};
 
 /// Whether a file that begins so has the three tables of a textbook: the first word that is no comment is a heading, or the
 /// name of a vertex, a half-edge or a face.
@@ -43,7 +41,7 @@ pub(super) fn audit(run: &Run<'_>, Input { name, mut reader, .. }: Input) -> Res
     } else {
         validate(&tables, &expectation, collect)
     };
-    let no_places = "the tables have no coordinates: there is nothing to draw";
+    let no_places = "the tables have no coordinates, so there is nothing to draw and G1 to G5 are not checked";
     let notes = [Some("the three tables of a textbook"), (!tables.has_coordinates()).then_some(no_places)];
     let Counts { vertices, edges, half_edges, faces, components, .. } = *report.counts();
     let json = json!({
@@ -66,8 +64,11 @@ pub(super) fn audit(run: &Run<'_>, Input { name, mut reader, .. }: Input) -> Res
 /// A violation with the names of the tables.
 fn diagnosis(tables: &Textbook, violation: &Violation) -> Diagnosis {
     let places = tables.has_coordinates().then(|| placed(tables, violation));
+    let records: Vec<Record> = violation.records().into_iter().flatten().collect();
+    let name = |record: &Record| tables.name(*record).map_or_else(|| record.to_string(), str::to_owned);
     Diagnosis {
         message: with_names(&violation.to_string(), tables),
+        records: Records::Both { names: records.iter().map(name).collect(), records },
         ..places.unwrap_or_else(|| violation.into())
     }
 }

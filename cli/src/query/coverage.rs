@@ -80,8 +80,9 @@ impl CoverageOf {
         }
         let findings = coverage.findings_mut();
         findings.retain(|one| self.rule.is_empty() || self.rule.iter().any(|rule| Some(&**rule) == one.rule));
-        let greatest =
-            |measure: fn(Measures) -> Option<f64>| move |one: &Diagnosis| measure(one.measures).unwrap_or(f64::NEG_INFINITY);
+        let greatest = |measure: fn(Measures) -> Option<f64>| {
+            move |one: &Diagnosis| measure(one.measures).unwrap_or(f64::NEG_INFINITY)
+        };
         match self.sort {
             SortBy::Rule => {}
             SortBy::Area => greatest_first(findings, greatest(|size| size.area)),

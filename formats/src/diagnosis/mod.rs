@@ -114,6 +114,14 @@ pub enum Records {
         /// At most two.
         records: Vec<Record>,
     },
+    /// By their indices, which is how JSON has them, and by the names of a textbook's tables.
+    Both {
+        /// At most two.
+        records: Vec<Record>,
+        /// The name of each.
+        #[cfg_attr(feature = "serde", serde(skip))]
+        names: Vec<String>,
+    },
     /// By the names that a database or file has for them, as in `edge +17`.
     Names {
         /// The names.
@@ -142,7 +150,7 @@ impl Records {
     pub fn names(&self) -> Vec<String> {
         match self {
             Self::Indices { records } => records.iter().map(ToString::to_string).collect(),
-            Self::Names { records } => records.clone(),
+            Self::Names { records: names } | Self::Both { names, .. } => names.clone(),
             Self::OfMesh { .. } | Self::None {} => Vec::new(),
         }
     }
@@ -191,7 +199,8 @@ impl FeatureName {
     /// The name, without control characters, or else `feature` and the number.
     #[must_use]
     pub fn title(&self) -> String {
-        let plain = |name: &str| name.chars().map(|c| if c.is_control() { char::REPLACEMENT_CHARACTER } else { c }).collect();
+        let plain =
+            |name: &str| name.chars().map(|c| if c.is_control() { char::REPLACEMENT_CHARACTER } else { c }).collect();
         self.name.as_deref().map_or_else(|| format!("feature {}", self.number), plain)
     }
 

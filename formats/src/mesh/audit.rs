@@ -131,8 +131,9 @@ impl MeshAudit {
         let violations = |rule| self.report.outcome(rule).map_or(0, |outcome| outcome.violations);
         let of_m4 = (violations(Rule::M4) > self.counts.border_edges as u64)
             .then_some("M4 counts the half-edges that could not be joined because of the findings above, too");
-        let of_v2 = (self.not_joined() > 0 && violations(Rule::V2) > 0)
-            .then_some("V2 is broken because of the findings above: where faces are not joined, the fan of a vertex falls apart");
+        let of_v2 = (self.not_joined() > 0 && violations(Rule::V2) > 0).then_some(
+            "V2 is broken because of the findings above: where faces are not joined, the fan of a vertex falls apart",
+        );
         of_m4.into_iter().chain(of_v2).collect()
     }
 }

@@ -11,7 +11,9 @@ use crate::topology_audit::{TopologyAudit, TopologyCounts};
 use twinedge::delegate_view;
 use twinedge::geometry::Point;
 use twinedge::validate::adapt::FaceLabels;
-use twinedge::validate::{Collect, Embedding, Expectation, Part, Parts, Record, Report, Rule, RuleOutcome, Start, View};
+use twinedge::validate::{
+    Collect, Embedding, Expectation, Part, Parts, Record, Report, Rule, RuleOutcome, Start, View,
+};
 use twinedge::validate::{places, validate, validate_embedding};
 
 /// The topology with what its columns imply: the lists of the faces.

@@ -228,7 +228,9 @@ fn places_are_those_of_the_records_and_bends() {
 #[test]
 fn rules_that_need_a_broken_one_are_not_checked() {
     let audit = changed(|rows| rows.row(EDGE, 5)[GEOM] = None);
-    let unchecked = |id: &str| audit.rules().iter().find(|rule| rule.id == id).and_then(|rule| rule.unchecked).map(|why| why.to_string());
+    let unchecked = |id: &str| {
+        audit.rules().iter().find(|rule| rule.id == id).and_then(|rule| rule.unchecked).map(|why| why.to_string())
+    };
     for id in ["G1", "G2", "G3", "G4", "G5"] {
         assert_eq!(unchecked(id).as_deref(), Some("needs P1, which is broken"));
     }
