@@ -47,6 +47,7 @@
 //! | --- | --- | --- |
 //! | validate a half-edge structure of your own | [`validate::validate`], after implementing [`validate::View`] | none |
 //! | validate its coordinates, too | [`validate::validate_embedding`], after implementing [`validate::Embedding`] | `geometry` |
+//! | validate after each change, in the time that the change took | `validate::near`; `dcel::Audited`, `map::Audited` | `near` (default) |
 //! | write down a structure as tables, and corrupt them in tests | [`validate::Table`] | none |
 //! | convert a structure of your own into one of this crate | [`dcel::Dcel::from_view`] | `dcel` |
 //! | build and edit a subdivision without coordinates | [`dcel::Dcel`] | `dcel` |
@@ -71,10 +72,11 @@
 //! | `dcel` | [`store`], [`dcel`] | slotmap, thiserror |
 //! | `geometry` | [`geometry`], and rules G1 … G5 in [`mod@validate`]; needs `std` | robust, rstar, rustc-hash, thiserror |
 //! | `map` (default) | [`map`], [`algorithm`], [`io::svg`] | those of `dcel` and `geometry` |
+//! | `near` (default) | `validate::near`: validation of what has changed; with `dcel`, `dcel::Audited`; with `map`, `map::Audited` | none |
 //! | `geojson` | `io::geojson` | those of `map`; geojson, serde, `serde_json` |
 //! | `wkt` | `io::wkt` | those of `map`; wkt |
 //! | `geo-types` | `io::geo_types` | those of `map`; geo-types |
-//! | `program` | `program`; with `map`, `map::program` | those of `dcel` |
+//! | `program` | `program`; with `map`, `map::program` | `near`, and those of `dcel` |
 //! | `spade` | `algorithm::convex`, `algorithm::voronoi` | those of `map`; spade |
 //! | `petgraph` | `algorithm::dual`: a map as a graph for the crate of that name | those of `map`; petgraph |
 //! | `rayon` | several threads, same results: `validate::validate_parallel`; building, noding, coverages and batches of locations use the threads of the current pool; needs `std` | rayon |

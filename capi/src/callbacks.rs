@@ -18,8 +18,8 @@ use std::ffi::c_void;
 use std::sync::atomic::AtomicI64;
 use twinedge_columns::Column;
 
-/// Where a link of a record leads: a record, or null for nil. It gets the context and a record, and is called once for each record. It
-/// must not throw: that ends the process.
+/// A function that returns the target of a link of a record: a record, or null for nil. It gets the context and a record, and is
+/// called once for each record. It must not throw: that ends the process.
 pub type LinkOf = Option<unsafe extern "C-unwind" fn(context: *mut c_void, record: *const c_void) -> *const c_void>;
 
 /// The inner boundary component at this position of the list of a face, in `*inner`. False if the list has no such position. It gets
@@ -40,17 +40,17 @@ pub(crate) struct Callback<F> {
     pub(crate) context: *mut c_void,
 }
 
-/// What is no record.
+/// The number for a pointer to no record.
 const DANGLING: i64 = -2;
 const NIL: i64 = -1;
 
 /// The records of one kind, with their numbers.
-struct Numbered {
+struct Numbering {
     records: Vec<*const c_void>,
     numbers: FxHashMap<usize, i64>,
 }
 
-impl Numbered {
+impl Numbering {
     /// # Safety
     /// As [`Cells::pointer`], for every position.
     unsafe fn of(kind: Record, cells: Option<Cells>) -> Result<Self, Failure> {
@@ -81,7 +81,7 @@ impl Numbered {
     }
 }
 
-/// What the functions have answered, as columns.
+/// The answers of the functions, as columns.
 #[derive(Debug, Default)]
 pub(crate) struct Answers {
     columns: [Option<Vec<AtomicI64>>; Link::KINDS],
@@ -100,7 +100,7 @@ impl Answers {
     ) -> Result<Self, Failure> {
         let kinds = [Record::Vertex, Record::HalfEdge, Record::Boundary, Record::Face];
         // SAFETY: as the caller promises.
-        let numbered = |kind: Record| unsafe { Numbered::of(kind, records[kind as usize]) };
+        let numbered = |kind: Record| unsafe { Numbering::of(kind, records[kind as usize]) };
         let all = [numbered(kinds[0])?, numbered(kinds[1])?, numbered(kinds[2])?, numbered(kinds[3])?];
         let mut answers = Self { counts: [0, 1, 2, 3].map(|kind| all[kind].records.len()), ..Self::default() };
         for link in Link::ALL {
@@ -125,7 +125,7 @@ impl Answers {
         Link::ALL.map(|link| self.columns[link as usize].as_ref().map(|column| Column::new(column)))
     }
 
-    /// How many records of each kind there are.
+    /// Returns the number of records of each kind.
     pub(crate) const fn counts(&self) -> [usize; Record::KINDS] {
         self.counts
     }
@@ -133,7 +133,11 @@ impl Answers {
 
 /// # Safety
 /// The function may be called with its context and each of these records.
-unsafe fn ask(callback: Callback<LinkOf>, records: &[*const c_void], to: &Numbered) -> Result<Vec<AtomicI64>, Failure> {
+unsafe fn ask(
+    callback: Callback<LinkOf>,
+    records: &[*const c_void],
+    to: &Numbering,
+) -> Result<Vec<AtomicI64>, Failure> {
     let mut column = Vec::new();
     column.try_reserve_exact(records.len()).map_err(|_| Failure::memory())?;
     let Some(function) = callback.function else { return Ok(column) };
@@ -145,14 +149,14 @@ unsafe fn ask(callback: Callback<LinkOf>, records: &[*const c_void], to: &Number
     Ok(column)
 }
 
-/// Where the list of each face begins, and all lists.
+/// Asks for the list of each face. Returns the start of each list, and all lists.
 ///
 /// # Safety
 /// The function may be called with its context and each of these faces.
 unsafe fn ask_lists(
     callback: Callback<InnerOf>,
     faces: &[*const c_void],
-    to: &Numbered,
+    to: &Numbering,
 ) -> Result<(Vec<AtomicI64>, Vec<AtomicI64>), Failure> {
     let (mut first, mut list) = (Vec::new(), Vec::new());
     first.try_reserve_exact(faces.len() + 1).map_err(|_| Failure::memory())?;

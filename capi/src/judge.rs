@@ -11,7 +11,7 @@ use twinedge::validate::{Collect, Expectation, Report};
 use twinedge_columns::{Boundaries, Cell, Column, Columns};
 
 /// The columns of a structure, and how many records there are where the caller has said so.
-struct Given<'a, T> {
+struct Arguments<'a, T> {
     columns: [Option<Column<'a, T>>; Link::KINDS],
     counts: [Option<usize>; Record::KINDS],
     live: [Option<Vec<bool>>; Record::KINDS],
@@ -30,7 +30,7 @@ pub(crate) unsafe fn judge(plan: &Plan) -> Result<(Report, Words), Failure> {
         plan.pointers_are_complete()?;
         // SAFETY: as the caller promises.
         let answers = unsafe { Answers::of(plan.records, &plan.links, plan.inner) }?;
-        let given = Given { columns: answers.columns(), counts: answers.counts().map(Some), live };
+        let given = Arguments { columns: answers.columns(), counts: answers.counts().map(Some), live };
         let report = given.judge(expectation, collect)?;
         let words = Words::new(plan, &report, |_, _| None);
         return Ok((report, words));
@@ -74,14 +74,14 @@ unsafe fn of_type<T: Atomic>(
             *column = Some(unsafe { cells.column::<T>() }?);
         }
     }
-    let report = Given { columns, counts: plan.counts, live }.judge(expectation, collect)?;
+    let report = Arguments { columns, counts: plan.counts, live }.judge(expectation, collect)?;
     // SAFETY: as for the columns.
     let number = |link: Link, at| plan.columns[link as usize].and_then(|cells| unsafe { cells.number::<T>(at) });
     let words = Words::new(plan, &report, number);
     Ok((report, words))
 }
 
-impl<'a, T: Cell> Given<'a, T> {
+impl<'a, T: Cell> Arguments<'a, T> {
     fn column(&self, link: Link) -> Option<Column<'a, T>> {
         self.columns[link as usize]
     }
@@ -90,7 +90,8 @@ impl<'a, T: Cell> Given<'a, T> {
         self.column(link).ok_or_else(|| Failure::new(Status::Missing, format!("{}: missing", link.name())))
     }
 
-    /// How many records of a kind there are: as the caller says, or as many as one of these columns has, or as marks say which are live.
+    /// Returns the number of records of a kind: as the caller says, or the length of one of these columns, or of the marks of
+    /// live records.
     fn count(&self, kind: Record, links: &[Link]) -> Option<usize> {
         let marks = self.live[kind as usize].as_ref().map(Vec::len);
         let columns = || links.iter().find_map(|link| self.column(*link).map(|column| column.len()));

@@ -1,4 +1,4 @@
-//! What the caller has said of a structure.
+//! The plan of a validation: everything that the caller has said of a structure.
 
 use crate::callbacks::{Callback, InnerOf, LinkOf};
 use crate::cells::{Cells, Width};
@@ -7,9 +7,9 @@ use crate::names::{Expect, Link, Record};
 use twinedge::validate::{Collect, Expectation};
 use twinedge_columns::Preset;
 
-/// What is expected.
+/// The expectation of the caller.
 #[derive(Clone, Debug, Default)]
-pub(crate) struct Asked {
+pub(crate) struct Claims {
     preset: Option<Preset>,
     plane: bool,
     open: bool,
@@ -24,7 +24,7 @@ pub(crate) struct Asked {
     list: Option<usize>,
 }
 
-impl Asked {
+impl Claims {
     pub(crate) const fn set(&mut self, what: Expect, number: usize) {
         let flag = number != 0;
         match what {
@@ -52,7 +52,7 @@ impl Asked {
         Ok(())
     }
 
-    /// How many violations are listed.
+    /// Returns the number of violations to list.
     pub(crate) fn collect(&self) -> Collect {
         self.list.map_or(Collect::All, Collect::AtMost)
     }
@@ -101,7 +101,7 @@ pub(crate) struct Plan {
     pub(crate) records: [Option<Cells>; Record::KINDS],
     pub(crate) links: [Option<Callback<LinkOf>>; Link::KINDS],
     pub(crate) inner: Option<Callback<InnerOf>>,
-    pub(crate) asked: Asked,
+    pub(crate) asked: Claims,
 }
 
 impl Plan {
@@ -115,7 +115,7 @@ impl Plan {
         Ok(())
     }
 
-    /// Whether the structure is one of pointers.
+    /// Returns true if the structure is one of pointers.
     pub(crate) fn is_of_pointers(&self) -> Result<bool, Failure> {
         let pointers =
             self.records.iter().any(Option::is_some) || self.links.iter().any(Option::is_some) || self.inner.is_some();
@@ -125,13 +125,13 @@ impl Plan {
         Ok(pointers)
     }
 
-    /// Whether the caller gave the link: by a column, or by a function.
+    /// Returns true if the caller gave the link: by a column, or by a function.
     pub(crate) fn gives(&self, link: Link) -> bool {
         let by_list = matches!(link, Link::InnerFirst | Link::Inner) && self.inner.is_some();
         by_list || self.columns[link as usize].is_some() || self.links[link as usize].is_some()
     }
 
-    /// Whether a structure of pointers has the links that are needed, and the lists of all records that links join.
+    /// Checks that a structure of pointers has the links that are needed, and the lists of all records that links join.
     pub(crate) fn pointers_are_complete(&self) -> Result<(), Failure> {
         let listed = |link: Link, kind: Record| {
             if self.records[kind as usize].is_some() {

@@ -2,7 +2,6 @@
 
 use clap::ValueEnum;
 use twinedge::dcel::{Audited, Dcel};
-use twinedge::program::{Reported, RotationSystem};
 use twinedge::store::{FixedStore, PointerStore, SlotStore};
 use twinedge::validate::Expectation;
 use twinedge_trials::Structure;
@@ -10,6 +9,7 @@ use twinedge_trials::planted::Planted;
 use twinedge_trials::regression::TestSource;
 use twinedge_trials::replay::Indexed;
 use twinedge_trials::soak::Comparable;
+use twinedge_trials::{ReportAudit, RotationSystem};
 
 /// A structure that programs can be run on.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq, ValueEnum)]
@@ -41,6 +41,7 @@ pub(crate) trait Task {
 
 const DCEL: &str = "twinedge::dcel::Dcel";
 const PROGRAM: &str = "twinedge::program::*";
+const REPORT_AUDIT: &str = "twinedge_trials::ReportAudit";
 const EXPECTATION: &str = "twinedge::validate::Expectation";
 
 /// A store of the library, by the source that names it.
@@ -101,7 +102,7 @@ impl StructureName {
             }
             Self::RotationSystem => {
                 let source = TestSource {
-                    imports: &[PROGRAM, EXPECTATION],
+                    imports: &[PROGRAM, EXPECTATION, "twinedge_trials::RotationSystem"],
                     make: "RotationSystem::new()",
                     expectation: "Expectation::plane()",
                     remark: "",
@@ -126,18 +127,18 @@ impl StructureName {
         let (name, plane) = (self.name(), Expectation::plane());
         match self {
             Self::Slots => {
-                let source = dcel_source(&[DCEL, PROGRAM, EXPECTATION], "Reported::new(Dcel::new())");
-                Box::new(Structure::new(name, Reported::<SlotStore>::default, plane).source(source))
+                let source = dcel_source(&[DCEL, PROGRAM, EXPECTATION, REPORT_AUDIT], "ReportAudit::new(Dcel::new())");
+                Box::new(Structure::new(name, ReportAudit::<SlotStore>::default, plane).source(source))
             }
             Self::Pointers => {
-                let imports = &[PROGRAM, "twinedge::store::PointerStore", EXPECTATION];
-                let source = dcel_source(imports, "Reported::<PointerStore>::default()");
-                Box::new(Structure::new(name, Reported::<PointerStore>::default, plane).source(source))
+                let imports = &[PROGRAM, "twinedge::store::PointerStore", EXPECTATION, REPORT_AUDIT];
+                let source = dcel_source(imports, "ReportAudit::<PointerStore>::default()");
+                Box::new(Structure::new(name, ReportAudit::<PointerStore>::default, plane).source(source))
             }
             Self::Fixed => {
-                let imports = &[DCEL, PROGRAM, "twinedge::store::FixedStore", EXPECTATION];
-                let source = dcel_source(imports, "Reported::new(Dcel::<FixedStore<24, 40, 40, 24>>::default())");
-                let make = Reported::<FixedStore<24, 40, 40, 24>>::default;
+                let imports = &[DCEL, PROGRAM, "twinedge::store::FixedStore", EXPECTATION, REPORT_AUDIT];
+                let source = dcel_source(imports, "ReportAudit::new(Dcel::<FixedStore<24, 40, 40, 24>>::default())");
+                let make = ReportAudit::<FixedStore<24, 40, 40, 24>>::default;
                 Box::new(Structure::new(name, make, plane).source(source))
             }
             Self::Audited | Self::RotationSystem | Self::Planted | Self::Panicking => self.with(Boxed),

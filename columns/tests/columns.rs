@@ -5,9 +5,9 @@
 use std::collections::BTreeSet;
 use std::sync::atomic::{AtomicI32, AtomicI64, AtomicU32, AtomicU64};
 use twinedge::validate::adapt::{FaceLabels, Targets};
-use twinedge::validate::enumerate::for_each_corruption;
 use twinedge::validate::{Collect, Expectation, Report, Rule, Start, Table, View};
 use twinedge_columns::{Boundaries, Cell, Column, Columns, ColumnsError, OnView, Preset};
+use twinedge_trials::enumerate::for_each_corruption;
 
 const SURFACE: Expectation = Expectation::surface();
 

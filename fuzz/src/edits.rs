@@ -54,10 +54,10 @@ pub fn edits(bytes: &[u8]) {
     let mut last = Located::Face(runner.map().dcel().unbounded_face().key());
     for (i, op) in (1..).zip(&program.0) {
         let mut shadow = Shadow::of(runner.map());
-        let before = format!("{:?}", runner.map());
+        let before = runner.map().clone();
         let outcome = runner.step_checked(op).unwrap_or_else(|failure| panic!("{failure}\nof {program}"));
         if let EditOutcome::Refused(error) = &outcome {
-            assert_eq!(format!("{:?}", runner.map()), before, "edit {i} was refused ({error}) of {program}");
+            assert_eq!(*runner.map(), before, "edit {i} was refused ({error}) of {program}");
         }
         let report = runner.map().validate();
         assert!(report.is_valid(), "only found by full validation after edit {i} of {program}\n{report}");

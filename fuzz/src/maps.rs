@@ -4,9 +4,10 @@ use std::collections::BTreeSet;
 use std::fmt::Debug;
 use twinedge::dcel::{BoundaryKey, Corner, Dcel, FaceKey, HalfEdgeKey, OperatorError, Side, Split, Turn, VertexKey};
 use twinedge::program::conformance::{Conformance, Coverage};
-use twinedge::program::{Program, RotationSystem, Runner, Subject};
+use twinedge::program::{Program, Runner, Subject};
 use twinedge::store::{FixedStore, PointerStore};
 use twinedge::validate::{Expectation, Table};
+use twinedge_trials::RotationSystem;
 
 /// Longer programs are cut: the second model of `in_step` takes O(n²) per operator.
 const LONGEST: usize = 300;

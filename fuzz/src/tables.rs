@@ -5,12 +5,13 @@ use std::cell::RefCell;
 use twinedge::dcel::Dcel;
 use twinedge::program::choose::Choose;
 use twinedge::program::{Program, Runner};
-use twinedge::validate::forms::{Form, projections};
 use twinedge::validate::reference::{broken_rules, disagreement};
 use twinedge::validate::{
     BoundaryPlace, BoundaryRow, Collect, Expectation, FaceRow, HalfEdgeRow, Link, Part, Parts, Report, Start, Table,
     VertexRow, View, validate,
 };
+use twinedge_trials::enumerate::TableCells;
+use twinedge_trials::forms::{Form, projections};
 
 /// The largest table that goes to the reference validator, which is cubic, in records of each kind.
 const SMALL: usize = 12;
@@ -254,7 +255,7 @@ fn judged(table: &Table, expectation: Expectation) {
     }
 }
 
-/// What a report says about itself fits together.
+/// Checks that the statements of a report about itself fit together.
 fn coherent(report: &Report, cap: usize) {
     let found = report.violation_count();
     assert_eq!(report.violations().len() as u64, found.min(cap as u64), "{report}");

@@ -2,10 +2,10 @@
 
 use std::fs;
 use std::path::Path;
-use twinedge::validate::forms::{Form, forms};
 use twinedge::validate::reference::first_broken_rule;
 use twinedge::validate::{Collect, validate};
 use twinedge_fuzz::right_map;
+use twinedge_trials::forms::{Form, forms};
 
 #[test]
 fn the_maps_to_corrupt_are_right_in_every_form() {

@@ -1,4 +1,4 @@
-//! What a structure is held to, from keyword arguments.
+//! The expectation and the limits of a validation, from keyword arguments.
 
 use pyo3::exceptions::PyValueError;
 use pyo3::prelude::*;
@@ -8,7 +8,7 @@ use twinedge_columns::Preset;
 /// The rules that must be asked for, and how many violations are listed.
 #[derive(FromPyObject)]
 #[pyo3(from_item_all)]
-pub(crate) struct Asked {
+pub(crate) struct Claims {
     plane: bool,
     open: bool,
     preset: Option<String>,
@@ -23,8 +23,8 @@ pub(crate) struct Asked {
     list: usize,
 }
 
-impl Asked {
-    /// How many violations are listed.
+impl Claims {
+    /// Returns the number of violations to list.
     pub(crate) const fn list(&self) -> usize {
         self.list
     }

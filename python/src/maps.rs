@@ -13,18 +13,18 @@ use twinedge::io::{Format, ReadError, read};
 use twinedge::map::{BuildError, Builder, FeatureId, Noding, PlanarMap};
 use twinedge::validate::{Collect, Expectation, Record, Violation, places, validate_embedding};
 
-/// Why a map cannot be read.
-struct Refused(String);
+/// An error: no map can be read or built.
+struct Refusal(String);
 
-impl From<ReadError> for Refused {
+impl From<ReadError> for Refusal {
     fn from(error: ReadError) -> Self {
         Self(error.to_string())
     }
 }
 
-/// What is wrong beside the rules of the validator.
+/// A finding beside the rules of the validator.
 #[derive(Serialize)]
-struct Found {
+struct Finding {
     rule: &'static str,
     kind: &'static str,
     features: Vec<usize>,
@@ -38,10 +38,10 @@ struct Found {
     message: String,
 }
 
-/// How C1 … C6 are asked.
+/// The options of C1 … C6.
 #[derive(FromPyObject)]
 #[pyo3(from_item_all)]
-pub(crate) struct Asked {
+pub(crate) struct Options {
     coverage: bool,
     gap_width: Option<f64>,
     sliver_area: Option<f64>,
@@ -50,21 +50,26 @@ pub(crate) struct Asked {
 }
 
 /// The report as JSON, and the name of each feature.
-type Judged = (String, Vec<Option<String>>);
+type Verdict = (String, Vec<Option<String>>);
 
 /// Builds the planar map of a text and judges it. A `snap` of 0 chooses the grid.
 #[pyfunction]
-pub(crate) fn audit_map(py: Python<'_>, text: PyBackedBytes, format: Option<&str>, asked: Asked) -> PyResult<Judged> {
+pub(crate) fn audit_map(
+    py: Python<'_>,
+    text: PyBackedBytes,
+    format: Option<&str>,
+    asked: Options,
+) -> PyResult<Verdict> {
     let format = match format {
         None => None,
         Some("geojson") => Some(Format::GeoJson),
         Some("wkt") => Some(Format::Wkt),
         Some(other) => return Err(PyValueError::new_err(format!("format: there is none named {other:?}"))),
     };
-    py.detach(move || audit(&text, format, &asked)).map_err(|Refused(why)| PyValueError::new_err(why))
+    py.detach(move || audit(&text, format, &asked)).map_err(|Refusal(why)| PyValueError::new_err(why))
 }
 
-fn audit(text: &[u8], format: Option<Format>, asked: &Asked) -> Result<Judged, Refused> {
+fn audit(text: &[u8], format: Option<Format>, asked: &Options) -> Result<Verdict, Refusal> {
     let mut builder = Builder::new();
     let mut invalid: Vec<(usize, Vec<Defect>)> = Vec::new();
     let mut names = Vec::new();
@@ -74,7 +79,7 @@ fn audit(text: &[u8], format: Option<Format>, asked: &Asked) -> Result<Judged, R
             invalid.push((names.len(), found));
         }
         names.push(feature.name.clone().or_else(|| feature.id.clone()));
-        builder.feature(&feature).map(drop).map_err(|error: BuildError| Refused(error.to_string()))
+        builder.feature(&feature).map(drop).map_err(|error: BuildError| Refusal(error.to_string()))
     })?;
     let noding = match asked.snap {
         None => Noding::None,
@@ -82,9 +87,9 @@ fn audit(text: &[u8], format: Option<Format>, asked: &Asked) -> Result<Judged, R
         Some(_) => Noding::Snap(Snap::Auto),
     };
     let kept = builder.clone();
-    let map = builder.build_with(noding).map_err(|error| Refused(error.to_string()))?;
+    let map = builder.build_with(noding).map_err(|error| Refusal(error.to_string()))?;
     let report = validate_embedding(&map, &Expectation::plane(), Collect::AtMost(asked.list));
-    let mut document = serde_json::to_value(&report).map_err(|error| Refused(error.to_string()))?;
+    let mut document = serde_json::to_value(&report).map_err(|error| Refusal(error.to_string()))?;
     let listed = document["violations"].as_array_mut().into_iter().flatten();
     for (object, violation) in listed.zip(report.violations()) {
         let at: Vec<[f64; 2]> = places(&map, violation).into_iter().map(Into::into).collect();
@@ -92,12 +97,12 @@ fn audit(text: &[u8], format: Option<Format>, asked: &Asked) -> Result<Judged, R
         object["features"] = json!(features(&map, violation));
     }
     let limits = Limits { gap_width: asked.gap_width, sliver_area: asked.sliver_area, ..Limits::default() };
-    // What the features cover is known of a plane map only: borders that cross are cut first.
+    // The faces that features cover are known on a plane map only: borders that cross are cut first.
     let coverage = if map.is_plane() {
-        check(&map, &limits).map_err(|error| Refused(error.to_string()))?
+        check(&map, &limits).map_err(|error| Refusal(error.to_string()))?
     } else {
-        let snapped = kept.build_with(Noding::Snap(Snap::Auto)).map_err(|error| Refused(error.to_string()))?;
-        check(&snapped, &limits).map_err(|error| Refused(error.to_string()))?
+        let snapped = kept.build_with(Noding::Snap(Snap::Auto)).map_err(|error| Refusal(error.to_string()))?;
+        check(&snapped, &limits).map_err(|error| Refusal(error.to_string()))?
     };
     let found = findings(&coverage, &invalid);
     if asked.coverage && !found.is_empty() {
@@ -131,12 +136,12 @@ fn features(map: &PlanarMap, violation: &Violation) -> BTreeSet<usize> {
     found
 }
 
-/// What breaks C1 … C6, in order.
-fn findings(coverage: &Coverage, invalid: &[(usize, Vec<Defect>)]) -> Vec<Found> {
+/// Returns the findings of C1 … C6, in order.
+fn findings(coverage: &Coverage, invalid: &[(usize, Vec<Defect>)]) -> Vec<Finding> {
     let of_map = coverage.findings.iter().map(|finding| {
         let features: Vec<usize> = finding.features.iter().map(|feature| feature.index()).collect();
         let (name, area, width) = (finding.rule.name(), finding.area, finding.width);
-        Found {
+        Finding {
             rule: finding.rule.id(),
             kind: finding.rule.name(),
             message: format!("{name} of features {features:?}, area {area}, mean width {width}"),
@@ -148,7 +153,7 @@ fn findings(coverage: &Coverage, invalid: &[(usize, Vec<Defect>)]) -> Vec<Found>
         }
     });
     let of_shapes = invalid.iter().flat_map(|(feature, defects)| {
-        defects.iter().map(move |defect| Found {
+        defects.iter().map(move |defect| Finding {
             rule: CoverageRule::Validity.id(),
             kind: CoverageRule::Validity.name(),
             features: vec![*feature],

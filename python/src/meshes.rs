@@ -1,6 +1,6 @@
 //! Audits of meshes: lists of faces, and mesh files.
 
-use crate::expectation::Asked;
+use crate::expectation::Claims;
 use numpy::{IntoPyArray, PyArray1, PyReadonlyArray1, PyReadonlyArray2};
 use pyo3::exceptions::{PyOSError, PyRuntimeError, PyValueError};
 use pyo3::prelude::*;
@@ -8,7 +8,7 @@ use std::path::PathBuf;
 use twinedge::validate::Collect;
 use twinedge_formats::mesh::{self, HalfEdgeMesh, IndexedMesh, audit};
 
-fn report(mesh: &IndexedMesh, asked: &Asked) -> Result<String, PyErr> {
+fn report(mesh: &IndexedMesh, asked: &Claims) -> Result<String, PyErr> {
     let audit = audit(mesh, &asked.asking(HalfEdgeMesh::expectation()), Collect::AtMost(asked.list()));
     serde_json::to_string(&audit).map_err(|error| PyRuntimeError::new_err(error.to_string()))
 }
@@ -21,7 +21,7 @@ pub(crate) fn audit_faces(
     points: PyReadonlyArray2<'_, f64>,
     corners: PyReadonlyArray1<'_, u32>,
     offsets: PyReadonlyArray1<'_, u32>,
-    asked: Asked,
+    asked: Claims,
 ) -> PyResult<String> {
     let points: Vec<[f64; 3]> = points.as_array().rows().into_iter().map(|row| [row[0], row[1], row[2]]).collect();
     let (corners, offsets) = (corners.as_array().to_vec(), offsets.as_array().to_vec());
@@ -34,7 +34,7 @@ pub(crate) fn audit_faces(
 
 /// Reads a mesh file and judges it: the report as JSON, and where the corners of each face begin.
 #[pyfunction]
-pub(crate) fn audit_mesh(py: Python<'_>, path: PathBuf, asked: Asked) -> PyResult<(String, Bound<'_, PyArray1<u32>>)> {
+pub(crate) fn audit_mesh(py: Python<'_>, path: PathBuf, asked: Claims) -> PyResult<(String, Bound<'_, PyArray1<u32>>)> {
     let (text, offsets) = py.detach(move || {
         let file = mesh::read_path(&path).map_err(|error| {
             let text = format!("{}: {error}", path.display());

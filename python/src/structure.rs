@@ -1,7 +1,7 @@
 //! The validator over arrays.
 
 use crate::arrays::{Array, Atomic, Cells};
-use crate::expectation::Asked;
+use crate::expectation::Claims;
 use numpy::PyArrayDescrMethods as _;
 use numpy::PyUntypedArray;
 use numpy::PyUntypedArrayMethods as _;
@@ -13,7 +13,7 @@ use twinedge::delegate_view;
 use twinedge::validate::{self as rules, Collect, Expectation, Link, Report, View, Violation};
 use twinedge_columns::{Columns, OnView};
 
-/// How many half-edges are walked from one look at signals to the next.
+/// The number of half-edges walked from one look at signals to the next.
 const BETWEEN_SIGNALS: u32 = 1 << 18;
 
 /// A view that ends a validation when the interpreter has a signal that raises, as Ctrl-C has: from then on all cycles end.
@@ -69,7 +69,7 @@ pub(crate) fn validate(
     columns: &Bound<'_, PyDict>,
     vertices: Option<usize>,
     faces: Option<usize>,
-    asked: Asked,
+    asked: Claims,
 ) -> PyResult<String> {
     let next = columns.get_item("next")?.ok_or_else(|| PyTypeError::new_err("next: missing"))?;
     let next = next.cast::<PyUntypedArray>().map_err(|_| PyTypeError::new_err("next: expected an array"))?;
@@ -93,7 +93,7 @@ fn of_type<T: Atomic>(
     columns: &Bound<'_, PyDict>,
     vertices: Option<usize>,
     faces: Option<usize>,
-    asked: &Asked,
+    asked: &Claims,
 ) -> PyResult<Report> {
     let mut arrays = Vec::new();
     for name in NAMES {

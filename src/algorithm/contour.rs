@@ -50,7 +50,7 @@ impl Polygon {
         core::iter::once(&self.outer).chain(&self.holes).map(Vec::as_slice)
     }
 
-    /// What it encloses, without its holes. O(points).
+    /// Returns the enclosed area, without that of the holes. O(points).
     #[must_use]
     pub fn area(&self) -> f64 {
         let sum: Sum = self.rings().map(|ring| ring_area(ring.iter().copied())).collect();
@@ -74,7 +74,7 @@ pub struct Contour {
 }
 
 impl Contour {
-    /// What it encloses. O(points).
+    /// Returns the enclosed area. O(points).
     #[must_use]
     pub fn area(&self) -> f64 {
         let sum: Sum = self.polygons.iter().map(Polygon::area).collect();
@@ -88,7 +88,7 @@ impl From<Contour> for Feature {
     }
 }
 
-/// Why there is no contour.
+/// The error of contours.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash, Error)]
 #[non_exhaustive]
 pub enum ContourError {
@@ -268,12 +268,13 @@ impl Parts {
         self.of.contains_key(&face.index())
     }
 
-    /// Whether a half-edge of a face of the set is on the contour.
+    /// Returns true if a half-edge of a face of the set is on the contour.
     fn bounded_by(&self, h: HalfEdge<'_>) -> bool {
         !self.contains(h.twin().face())
     }
 
-    /// What follows a half-edge on the contour: clockwise around its target, across the faces of the set.
+    /// Returns the half-edge after a half-edge on the contour: the next one clockwise around its target, across the faces of the
+    /// set.
     fn after<'a>(&self, h: HalfEdge<'a>) -> HalfEdge<'a> {
         let mut next = h.next();
         // Before it comes round to the twin of `h`, there is an edge to a face outside the set.
@@ -288,7 +289,7 @@ impl Parts {
 fn rings<'a>(parts: &Parts, start: HalfEdge<'a>, visited: &mut FxHashSet<usize>) -> Vec<Vec<HalfEdge<'a>>> {
     let mut rings = Vec::new();
     let mut chain = Vec::new();
-    // Where in the chain each of its vertices is the origin.
+    // The place in the chain at which each of its vertices is the origin.
     let mut places = FxHashMap::default();
     let mut h = start;
     // Each half-edge of the contour follows one other, so the walk comes back to its start.
@@ -316,8 +317,8 @@ fn closed(map: &PlanarMap, ring: &[HalfEdge<'_>]) -> Vec<Point> {
     points
 }
 
-/// Whether a simple ring, closed and from its smallest point on, turns counter-clockwise: nothing of it lies to the left of
-/// that point, so it does if it turns left there.
+/// Returns true if a simple ring, closed and from its smallest point on, turns counter-clockwise. No point of it lies to the left
+/// of the smallest one, so the turn there decides.
 fn turns_left(points: &[Point]) -> bool {
     match points {
         [low, next, .., last, _] => orientation(*last, *low, *next) == Orientation::CounterClockwise,

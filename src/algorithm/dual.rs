@@ -286,7 +286,7 @@ pub fn borders(map: &PlanarMap) -> UnGraph<FeatureId, f64> {
     graph
 }
 
-/// What makes a way short.
+/// The measure by which a way is short.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Hash)]
 pub enum By {
     /// Few borders; of ways with as many, the one that is shortest from centroid to centroid.
@@ -350,7 +350,7 @@ pub fn route(map: &PlanarMap, from: FeatureId, to: FeatureId, by: By) -> Option<
         of_faces(map, &faces)
     };
     let centroids: Vec<Option<Point>> = faces_by_feature(map).into_iter().map(centroid).collect();
-    // What has a border covers a face, and has a centroid unless numbers overflow.
+    // A feature with a border covers a face, and has a centroid unless numbers overflow.
     let distance = |a: NodeIndex, b: NodeIndex| {
         let both = centroids[a.index()].zip(centroids[b.index()]);
         both.map_or(0.0, |(a, b)| (b.x - a.x).hypot(b.y - a.y))

@@ -45,7 +45,7 @@ use crate::map::PlanarMap;
 use crate::validate::Embedding;
 use thiserror::Error;
 
-/// Why lattice points were not counted.
+/// The error of [`of_face`] and [`of_map`].
 #[derive(Clone, Copy, Debug, PartialEq, Error)]
 #[non_exhaustive]
 pub enum LatticeError {
@@ -95,7 +95,7 @@ pub struct LatticeCount {
 }
 
 impl LatticeCount {
-    /// Whether A = I + B / 2 − 1 + h. It always does; that it does is a check of the three numbers.
+    /// Returns true if A = I + B / 2 − 1 + h. This is so for every face, and so checks the three numbers.
     #[must_use]
     pub const fn pick_holds(&self) -> bool {
         self.area_doubled == 2 * self.interior + self.boundary - 2 + 2 * self.holes
@@ -115,7 +115,7 @@ pub struct LatticeMap {
 }
 
 impl LatticeMap {
-    /// Whether the theorem holds for every face, and for the sums: Σ A = Σ I + Σ B / 2 − F + Σ h for F bounded faces, and
+    /// Returns true if the theorem holds for every face, and for the sums: Σ A = Σ I + Σ B / 2 − F + Σ h for F bounded faces, and
     /// the faces fill what the unbounded face leaves.
     #[must_use]
     pub fn pick_holds(&self) -> bool {
@@ -213,7 +213,7 @@ fn count(map: &PlanarMap, face: Face<'_>) -> Result<LatticeCount, LatticeError> 
     Ok(count)
 }
 
-/// What a half-edge contributes to the lattice points inside the face to its left.
+/// Returns the contribution of a half-edge to the number of lattice points inside the face to its left.
 ///
 /// Each row is looked at just above the lattice points on it, where it passes through no vertex: from the rows where an edge
 /// starts to the one before that where it ends. A point on the row is inside if it lies between an edge that runs
@@ -235,7 +235,7 @@ fn row_points(a: Whole, b: Whole) -> i128 {
     }
 }
 
-/// What a corner, between the half-edge and the one before it, corrects in the rule for rows.
+/// Returns the correction of the rule for rows at a corner, between the half-edge and the one before it.
 ///
 /// ```text
 ///     ╲  face  ╱          face
@@ -275,8 +275,8 @@ fn gcd(mut a: i128, mut b: i128) -> i128 {
 fn floor_sum(mut n: i128, mut m: i128, mut a: i128, mut b: i128) -> i128 {
     let mut sum: i128 = 0;
     loop {
-        // What is whole in the slope and in the height is a triangle and a rectangle; what remains is a triangle under a
-        // line with a slope and a height below one.
+        // The integer parts of slope and height give a triangle and a rectangle. The rest is a triangle under a line with a slope
+        // and a height below one.
         sum = sum.wrapping_add((n * (n - 1) / 2).wrapping_mul(a.div_euclid(m))).wrapping_add(n * b.div_euclid(m));
         (a, b) = (a.rem_euclid(m), b.rem_euclid(m));
         let top = a * n + b;

@@ -282,7 +282,7 @@ pub(crate) fn chains(map: &PlanarMap, border: &[HalfEdge<'_>]) -> Vec<Vec<Point>
         let first = arriving.partition_point(|w| *w < v);
         arriving[first..].iter().take(2).filter(|w| **w == v).count()
     };
-    // What goes on at a vertex, if one half-edge comes and one leaves.
+    // The one half-edge that leaves a vertex; none unless one comes and one leaves.
     let onward = |v: usize| {
         let mut here = starts_at(v);
         let next = here.next().map(|(_, i)| *i);
@@ -291,7 +291,7 @@ pub(crate) fn chains(map: &PlanarMap, border: &[HalfEdge<'_>]) -> Vec<Vec<Point>
     let mut taken = vec![false; border.len()];
     let mut found = Vec::new();
     let ends = (0..border.len()).filter(|i| onward(border[*i].origin().index()).is_none());
-    // What is left after all chains with ends are closed ones, which may start anywhere.
+    // After all chains with ends, those left are closed, and may start anywhere.
     for start in ends.chain(0..border.len()) {
         let mut chain = Vec::new();
         let mut at = Some(start);

@@ -40,7 +40,7 @@ impl std::fmt::Display for Operand {
     }
 }
 
-/// Why two maps were not laid over each other.
+/// The error of [`overlay`].
 #[derive(Clone, Copy, Debug, PartialEq, Error)]
 #[non_exhaustive]
 pub enum OverlayError {
@@ -52,7 +52,7 @@ pub enum OverlayError {
     Build(#[from] BuildError),
 }
 
-/// Which of the faces covered by one or the other of two features.
+/// The choice among the faces covered by one or the other of two features.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
 pub enum Operation {
     /// Covered by either.
@@ -127,7 +127,7 @@ impl Overlay {
         Ok(faces[operand as usize])
     }
 
-    /// What a feature of one of the maps is called in the overlay; none, if that map has no such feature. O(1).
+    /// Returns the feature of the overlay for a feature of one of the maps; none, if that map has no such feature. O(1).
     #[must_use]
     pub fn feature_of(&self, operand: Operand, feature: FeatureId) -> Option<FeatureId> {
         self.features[operand as usize].get(feature.index()).copied()
@@ -198,10 +198,10 @@ pub fn overlay(left: &PlanarMap, right: &PlanarMap, snap: Snap) -> Result<Overla
     Ok(both)
 }
 
-/// What a feature stands for that is handed to the builder.
+/// The meaning of a feature that is handed to the builder.
 #[derive(Clone, Debug)]
 enum Meaning {
-    /// What lies in a face of one of the maps.
+    /// The area of a face of one of the maps.
     Face(Operand, FaceKey),
     /// Edges along which certain features of one of the maps run.
     Along(Operand, Vec<FeatureId>),
@@ -249,7 +249,7 @@ fn gather(
     take(alone.map(|v| Shape::Point(at(v))).collect(), Meaning::Nothing)
 }
 
-/// Where each face and edge of the overlay comes from.
+/// The faces and edges of the two maps from which those of the overlay come.
 struct Labels {
     /// By index of face: its face in the left map and in the right.
     faces: Vec<[FaceKey; 2]>,

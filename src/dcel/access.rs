@@ -14,7 +14,10 @@ pub trait ElementKey: Copy + sealed::Sealed {
     /// The element that the key names.
     type Element<'a, S: Store + 'a>;
 
-    /// The element with this key, or none. O(1).
+    /// The element with this key. O(1).
+    ///
+    /// # Errors
+    /// [`StaleKey`], if there is none.
     fn find<S: Store>(self, dcel: &Dcel<S>) -> Result<Self::Element<'_, S>, StaleKey>;
 }
 

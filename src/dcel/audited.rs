@@ -25,7 +25,7 @@ use alloc::boxed::Box;
 pub struct Audited<S: Store = SlotStore> {
     dcel: Dcel<Watched<S>>,
     baseline: Baseline,
-    /// Whether the last change was found right, so that the baseline has followed it.
+    /// True if the last change passed validation; the baseline has then followed it.
     is_right: bool,
 }
 
@@ -71,5 +71,21 @@ impl<S: Store> Audited<S> {
     #[must_use]
     pub fn into_dcel(self) -> Dcel<S> {
         Dcel { store: self.dcel.store.into_inner() }
+    }
+}
+
+#[cfg(feature = "map")]
+impl Dcel {
+    /// Changes the structure, and notes what is written. O(1) beside the change.
+    pub(crate) fn watched<T>(
+        &mut self,
+        notes: &mut Touched,
+        change: impl FnOnce(&mut Dcel<Watched<SlotStore>>) -> T,
+    ) -> T {
+        let store = core::mem::replace(&mut self.store, SlotStore::hollow());
+        let mut watched = Dcel { store: Watched::with_notes(store, core::mem::take(notes)) };
+        let answer = change(&mut watched);
+        (self.store, *notes) = watched.store.into_parts();
+        answer
     }
 }

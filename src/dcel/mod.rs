@@ -76,6 +76,7 @@
 mod access;
 mod around;
 mod assemble;
+#[cfg(feature = "near")]
 mod audited;
 mod bulk;
 mod circulators;
@@ -90,6 +91,7 @@ mod view;
 pub use access::ElementKey;
 #[allow(unused_imports, reason = "for the layers above, which a smaller selection of features leaves out")]
 pub(crate) use assemble::Assembly;
+#[cfg(feature = "near")]
 pub use audited::Audited;
 pub use bulk::{MergedFace, Renamed, Retained};
 pub use circulators::{Cycle, Rotation};

@@ -1,9 +1,8 @@
 //! The structure itself: a store, and how many records there are.
 
 use crate::store::links::Need;
-use crate::store::{SlotStore, Store, Watched};
-use crate::validate::near::Touched;
-use core::{fmt, mem};
+use crate::store::{SlotStore, Store};
+use core::fmt;
 
 /// A doubly connected edge list of a planar subdivision.
 ///
@@ -26,7 +25,7 @@ pub struct Dcel<S: Store = SlotStore> {
     pub(super) store: S,
 }
 
-/// How many records there are.
+/// Prints the numbers of records.
 impl<S: Store> fmt::Debug for Dcel<S> {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         f.debug_struct("Dcel")
@@ -68,22 +67,6 @@ impl Dcel {
     pub fn with_capacity(vertices: usize, edges: usize) -> Self {
         let faces = edges.saturating_add(1).saturating_sub(vertices);
         Self::with_room(Need { vertices, edges, boundaries: faces.saturating_add(1), faces })
-    }
-}
-
-impl Dcel {
-    /// Changes the structure, and notes what is written. O(1) beside the change.
-    #[allow(dead_code, reason = "for the layers above, which a smaller selection of features leaves out")]
-    pub(crate) fn watched<T>(
-        &mut self,
-        notes: &mut Touched,
-        change: impl FnOnce(&mut Dcel<Watched<SlotStore>>) -> T,
-    ) -> T {
-        let store = mem::replace(&mut self.store, SlotStore::hollow());
-        let mut watched = Dcel { store: Watched::with_notes(store, mem::take(notes)) };
-        let answer = change(&mut watched);
-        (self.store, *notes) = watched.store.into_parts();
-        answer
     }
 }
 

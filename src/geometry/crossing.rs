@@ -60,7 +60,7 @@ pub enum Clash {
     },
 }
 
-/// Why arrays do not describe points and segments.
+/// An error in arrays that should describe points and segments.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, thiserror::Error)]
 #[non_exhaustive]
 pub enum InvalidSegments {
@@ -78,7 +78,7 @@ pub enum InvalidSegments {
     NoSuchPoint {
         /// The segment.
         segment: u32,
-        /// What it names.
+        /// The point that it names.
         point: u32,
     },
     /// The two endpoints of this segment have the same coordinates.
@@ -92,7 +92,7 @@ pub enum InvalidSegments {
     NoSuchQuery {
         /// Its place among the queries.
         query: u32,
-        /// What it names.
+        /// The point that it names.
         point: u32,
     },
 }
@@ -125,14 +125,14 @@ pub enum InvalidSegments {
 /// ```
 pub fn clashes(points: &[Point], segments: &[[u32; 2]], cap: usize) -> Result<(Vec<Clash>, u64), InvalidSegments> {
     check(points, segments)?;
-    let mut found = Found { first: Vec::new(), total: 0, cap };
+    let mut found = Clashes { first: Vec::new(), total: 0, cap };
     same_places(points, &mut found);
 
     let tree = boxes(points, segments);
     let mut here = Vec::new();
     for (id, &[u, v]) in (0u32..).zip(segments) {
         let (p, q) = (points[u as usize], points[v as usize]);
-        let visit = |other: &Boxed| {
+        let visit = |other: &Entry| {
             match other.what {
                 What::Segment(other) if other != id => {
                     match classify(points, segments, id, other) {
@@ -165,14 +165,14 @@ pub fn clashes(points: &[Point], segments: &[[u32; 2]], cap: usize) -> Result<(V
 }
 
 /// The first clashes, as many as wanted, and the number of all.
-struct Found {
+struct Clashes {
     first: Vec<Clash>,
     total: u64,
     cap: usize,
 }
 
-impl Found {
-    /// How many more are wanted.
+impl Clashes {
+    /// Returns the number of clashes that are still wanted.
     fn room(&self) -> usize {
         self.cap - self.first.len()
     }
@@ -186,7 +186,7 @@ impl Found {
 }
 
 /// Finds the pairs of points with the same coordinates, sorted.
-fn same_places(points: &[Point], found: &mut Found) {
+fn same_places(points: &[Point], found: &mut Clashes) {
     let mut order: Vec<u32> = (0..points.len() as u32).collect();
     let compare = |&a: &u32, &b: &u32| compare_lexicographic(points[a as usize], points[b as usize]);
     order.sort_unstable_by(|a, b| compare(a, b).then(a.cmp(b)));
@@ -205,18 +205,18 @@ fn same_places(points: &[Point], found: &mut Found) {
     found.first.extend(pairs.take(found.room()));
 }
 
-/// What the tree of boxes holds: the segments, and the points that no segment uses.
+/// An entry of the tree of boxes: a segment, or a point that no segment uses.
 enum What {
     Segment(u32),
     Point(u32),
 }
 
-struct Boxed {
+struct Entry {
     what: What,
     envelope: AABB<[f64; 2]>,
 }
 
-impl RTreeObject for Boxed {
+impl RTreeObject for Entry {
     type Envelope = AABB<[f64; 2]>;
 
     fn envelope(&self) -> Self::Envelope {
@@ -225,7 +225,7 @@ impl RTreeObject for Boxed {
 }
 
 /// The boxes of all segments and of all isolated points.
-fn boxes(points: &[Point], segments: &[[u32; 2]]) -> RTree<Boxed> {
+fn boxes(points: &[Point], segments: &[[u32; 2]]) -> RTree<Entry> {
     let mut isolated = alloc::vec![true; points.len()];
     let mut all = Vec::with_capacity(segments.len());
     for (id, ends) in (0..).zip(segments) {
@@ -233,11 +233,11 @@ fn boxes(points: &[Point], segments: &[[u32; 2]]) -> RTree<Boxed> {
             isolated[end as usize] = false;
             points[end as usize].into()
         });
-        all.push(Boxed { what: What::Segment(id), envelope: AABB::from_corners(p, q) });
+        all.push(Entry { what: What::Segment(id), envelope: AABB::from_corners(p, q) });
     }
     for (id, &p) in (0..).zip(points) {
         if isolated[id as usize] {
-            all.push(Boxed { what: What::Point(id), envelope: AABB::from_point(p.into()) });
+            all.push(Entry { what: What::Point(id), envelope: AABB::from_point(p.into()) });
         }
     }
     RTree::bulk_load(all)
@@ -247,7 +247,7 @@ fn at_end(p: Point, a: Point, b: Point) -> bool {
     p == a || p == b
 }
 
-/// How two segments of a checked drawing clash, if they do.
+/// Returns the clash of two segments of a checked drawing, if they clash.
 pub(super) fn classify(points: &[Point], segments: &[[u32; 2]], one: u32, other: u32) -> Option<Clash> {
     let (a, b) = (one.min(other), one.max(other));
     let ([first, second], [third, fourth]) = (segments[a as usize], segments[b as usize]);
@@ -265,7 +265,7 @@ pub(super) fn classify(points: &[Point], segments: &[[u32; 2]], one: u32, other:
     }
 }
 
-/// Whether the arrays describe a drawing: every coordinate in range, every endpoint there, no segment without length.
+/// Checks that the arrays describe a drawing: every coordinate in range, every endpoint there, no segment without length.
 /// O(n).
 pub(super) fn check(points: &[Point], segments: &[[u32; 2]]) -> Result<(), InvalidSegments> {
     if points.len().max(segments.len()) >= u32::MAX as usize {

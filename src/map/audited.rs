@@ -27,7 +27,7 @@ use core::ptr;
 pub struct Audited {
     map: PlanarMap,
     baseline: EmbeddingBaseline,
-    /// Whether the last change was found right, so that the baseline has followed it.
+    /// True if the last change passed validation; the baseline has then followed it.
     is_right: bool,
 }
 

@@ -1,4 +1,4 @@
-//! Which features cover each face, and which run along each edge.
+//! The features that cover each face, and those that run along each edge.
 //!
 //! Few sets of features occur on a map, and most of them on many faces or edges: a country on each of its faces, two
 //! countries along their border. So every set is kept once, for good, and a face or an edge holds its number. Giving a new
@@ -32,12 +32,12 @@ impl FeatureSets {
         self.sets.members(number)
     }
 
-    /// What covers the face with this index. O(1).
+    /// Returns the features that cover the face with this index. O(1).
     pub(super) fn of_face(&self, face: usize) -> SetId {
         self.faces.get(face).copied().unwrap_or_default()
     }
 
-    /// What runs along the edge of the half-edge with this index. O(1).
+    /// Returns the features along the edge of the half-edge with this index. O(1).
     pub(super) fn along(&self, half_edge: usize) -> SetId {
         self.edges.get(half_edge / 2).copied().unwrap_or_default()
     }

@@ -27,7 +27,7 @@ const DEPTH: usize = (u32::BITS - LEAF_BITS) as usize + 1;
 enum Node {
     Leaf {
         prefix: u32,
-        /// Which of the 64 are in the set; never 0 but in the empty set.
+        /// A bit for each of the 64 features that is in the set; 0 in the empty set only.
         bits: u64,
     },
     /// Neither side is empty.
@@ -46,7 +46,7 @@ impl Node {
         }
     }
 
-    /// How many of the lower bits differ between its features.
+    /// Returns the number of lower bits in which its features may differ.
     const fn width(self) -> u32 {
         match self {
             Self::Leaf { .. } => LEAF_BITS,
@@ -55,7 +55,7 @@ impl Node {
     }
 }
 
-/// What becomes of two sets.
+/// An operation on two sets.
 #[derive(Clone, Copy)]
 pub(super) enum SetOperation {
     Common,
@@ -147,7 +147,7 @@ impl FeatureTries {
         }
     }
 
-    /// What becomes of a branch and a set that lies on one side of it.
+    /// Applies the operation to a branch and a set that lies on one side of it.
     fn inside(
         &mut self,
         operation: SetOperation,
@@ -198,11 +198,11 @@ impl FeatureTries {
 #[derive(Clone)]
 pub(super) struct Members<'a> {
     nodes: &'a [Node],
-    /// What comes after the leaf in hand, the next one last.
+    /// The nodes after the current leaf, the next one last.
     rest: [SetId; DEPTH],
-    /// How many of these there are.
+    /// The number of entries of `rest` in use.
     left: usize,
-    /// What is left of the leaf in hand.
+    /// The upper bits of the features of the current leaf.
     prefix: u32,
     bits: u64,
 }

@@ -39,6 +39,7 @@ pub mod zone;
 
 #[cfg(feature = "spade")]
 mod assembled;
+#[cfg(feature = "near")]
 mod audited;
 mod construct;
 mod feature;
@@ -46,12 +47,14 @@ mod feature_sets;
 mod feature_tries;
 mod import;
 mod index;
+#[cfg(feature = "near")]
 mod notes;
 mod planar_map;
 #[cfg(feature = "serde")]
 mod saved;
 mod summary;
 
+#[cfg(feature = "near")]
 pub use audited::Audited;
 pub use construct::{BuildError, Builder, Noding};
 pub use feature::{Feature, FeatureId, Shape};

@@ -1,4 +1,4 @@
-//! What edits write, for a map that is audited.
+//! The records that edits write, noted for a map that is audited.
 
 use crate::validate::near::Touched;
 

@@ -3,6 +3,7 @@
 use super::feature::FeatureId;
 use super::feature_sets::FeatureSets;
 use super::index::{KeptIndex, RecordIndex};
+#[cfg(feature = "near")]
 use super::notes::Notes;
 use super::summary::BuildSummary;
 use crate::dcel::{Dcel, FaceKey, HalfEdgeKey, StaleKey, VertexKey};
@@ -63,13 +64,14 @@ pub struct PlanarMap {
     pub(super) features: FeatureSets,
     pub(super) summary: BuildSummary,
     pub(super) noding: Option<NodingSummary>,
-    /// Whether edges meet at shared endpoints only.
+    /// True if edges meet at shared endpoints only.
     pub(super) plane: bool,
     pub(super) index: KeptIndex,
+    #[cfg(feature = "near")]
     pub(super) notes: Notes,
 }
 
-/// How many records and features there are, and whether the map is plane.
+/// Prints the numbers of records and features, and `plane`.
 impl fmt::Debug for PlanarMap {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         f.debug_struct("PlanarMap")
@@ -78,7 +80,7 @@ impl fmt::Debug for PlanarMap {
             .field("faces", &self.dcel.face_count())
             .field("features", &self.names.len())
             .field("plane", &self.plane)
-            .finish()
+            .finish_non_exhaustive()
     }
 }
 
@@ -113,7 +115,7 @@ impl PartialEq for PlanarMap {
     }
 }
 
-/// Where a vertex lies, as [`position`](PlanarMap::position) says.
+/// The coordinates of a vertex, as [`position`](PlanarMap::position) returns them.
 ///
 /// # Panics
 /// Panics if the key is stale.
@@ -147,6 +149,7 @@ impl Default for PlanarMap {
             noding: None,
             plane: true,
             index: KeptIndex::default(),
+            #[cfg(feature = "near")]
             notes: Notes::default(),
         }
     }
@@ -174,7 +177,7 @@ impl PlanarMap {
         &self.dcel
     }
 
-    /// Where a vertex lies. O(1).
+    /// Returns the coordinates of a vertex. O(1).
     ///
     /// ```
     /// use twinedge::geometry::Point;
@@ -266,19 +269,19 @@ impl PlanarMap {
         self.names.get(feature.index())?.as_deref()
     }
 
-    /// What the builder found in its input. Edits do not change it.
+    /// Returns the counts and irregularities that the builder found in its input. Edits do not change them.
     #[must_use]
     pub const fn summary(&self) -> &BuildSummary {
         &self.summary
     }
 
-    /// What noding did to the segments; none if the map was built of them as they are.
+    /// Returns the changes that noding made to the segments; none if the map was built without noding.
     #[must_use]
     pub const fn noding(&self) -> Option<&NodingSummary> {
         self.noding.as_ref()
     }
 
-    /// Whether edges meet at shared endpoints only. O(1).
+    /// Returns true if edges meet at shared endpoints only. O(1).
     ///
     /// The builder finds out, and edits keep it so: they refuse a map that is not plane. On such a map the links are as they
     /// should be, but nothing is known of what lies where.

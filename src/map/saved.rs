@@ -16,7 +16,7 @@ use thiserror::Error;
 /// The number of the form that is written here.
 const FORM: u8 = 1;
 
-/// What is saved, of live records in order of their indices.
+/// The saved form of a map: its live records in order of their indices.
 #[derive(Serialize, Deserialize)]
 #[serde(deny_unknown_fields)]
 struct SavedMap<D> {
@@ -36,7 +36,7 @@ struct SavedMap<D> {
     noding: Option<NodingSummary>,
 }
 
-/// Why what was saved is no map.
+/// An error in the saved form of a map.
 #[derive(Debug, Error)]
 enum LoadError {
     #[error("form {0} of a map is not known")]

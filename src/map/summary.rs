@@ -1,9 +1,9 @@
-//! What the builder found in its input: counts, and the places of what is irregular.
+//! Findings of the builder in its input: counts, and the places of irregularities.
 
 use crate::geometry::Point;
 use core::fmt;
 
-/// Where in the input something is.
+/// A place in the input.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Hash)]
 #[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 pub struct Position {
@@ -23,7 +23,7 @@ impl fmt::Display for Position {
     }
 }
 
-/// What is irregular about a ring or a line.
+/// A kind of irregularity of a ring or a line.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord, Hash)]
 #[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 #[non_exhaustive]
@@ -59,15 +59,15 @@ impl fmt::Display for IrregularityKind {
 #[derive(Clone, Copy, Debug, PartialEq)]
 #[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 pub struct Irregularity {
-    /// What.
+    /// Its kind.
     pub kind: IrregularityKind,
-    /// Where in the input: the point that shows it; the first of the ring, if no single one does.
+    /// The place in the input: the point that shows it; the first of the ring, if no single one does.
     pub position: Position,
-    /// Where on the map.
+    /// The place on the map.
     pub at: Point,
 }
 
-/// What the builder found in its input.
+/// Counts and irregularities that the builder found in its input.
 ///
 /// All of this is legal and is built as given. The counts help to find unintended input.
 ///
@@ -110,7 +110,7 @@ pub struct BuildSummary {
 }
 
 impl BuildSummary {
-    /// How many irregularities of each kind are listed.
+    /// The greatest number of irregularities of each kind that are listed.
     pub const LISTED: usize = 20;
 
     /// Lists an irregularity, the `count`-th of its kind.

@@ -28,13 +28,13 @@
 //! | drive a structure of your own | the trait [`Subject`]; [`Dcel`](crate::dcel::Dcel) has it, over every store |
 //! | see whether it does what it should | [`conformance::check`]: it and [`PointerModel`] in step, compared after every operator of random programs |
 //! | try operators that are not in this language | [`choose`]: draw an operator and its arguments from a source, and call [`validate`](crate::validate::validate) after each |
-//! | check what the operators of `Dcel` report as well | [`Reported`] |
+//! | check what the operators of `Dcel` report as well | `ReportAudit` of the crate `twinedge-trials` |
 //! | get programs | [`Program::from_bytes`]; the features `arbitrary`, `quickcheck` and `proptest` for the crates of these names |
 //! | say which operators, how often and how many | [`Generator`], for all of these; of bytes, [`Generator::decode`] |
 //! | make a failing one small | [`shrink`]; `quickcheck` and `proptest` do it by themselves |
 //! | keep it | its text ([`Display`](core::fmt::Display), [`FromStr`](core::str::FromStr)), or [`Program::to_rust`] |
 //! | tell whether two maps are the same | [`canonical`] |
-//! | compare with another implementation | [`RotationSystem`], a rotation system, and [`PointerModel`], the pointers of the literature: both simple and slow |
+//! | compare with another implementation | [`PointerModel`], the pointers of the literature, simple and slow |
 //!
 //! # In step
 //!
@@ -51,7 +51,6 @@ mod audited;
 pub mod by_index;
 mod call;
 pub mod canonical;
-pub mod census;
 pub mod choose;
 pub mod conformance;
 mod dcel;
@@ -67,10 +66,8 @@ mod pointer_model;
 mod proptest;
 #[cfg(feature = "quickcheck")]
 mod quickcheck;
-mod reported;
 mod resolve;
 mod retarget;
-mod rotation_system;
 mod runner;
 mod rust;
 pub(crate) mod script;
@@ -92,8 +89,6 @@ pub use pointer_model::{
 };
 #[cfg(feature = "proptest")]
 pub use proptest::ProgramTree;
-pub use reported::Reported;
-pub use rotation_system::RotationSystem;
 pub use runner::Runner;
 pub use shrink::{candidates, shrink};
 pub use subject::{CornerOf, Refusal, Subject};

@@ -1,4 +1,4 @@
-//! Where the records live. A [`Dcel`](crate::dcel::Dcel) is written once, over any of these.
+//! Stores of records. A [`Dcel`](crate::dcel::Dcel) is written once, over any of these.
 //!
 //! | store | links are | grows | choose it |
 //! | --- | --- | --- | --- |
@@ -42,6 +42,7 @@ mod pointers;
 #[forbid(unsafe_code)]
 pub(crate) mod slots;
 #[forbid(unsafe_code)]
+#[cfg(feature = "near")]
 mod watched;
 
 pub use fixed::FixedStore;
@@ -50,4 +51,5 @@ pub use links::Store;
 #[cfg(feature = "pointer-store")]
 pub use pointers::PointerStore;
 pub use slots::SlotStore;
+#[cfg(feature = "near")]
 pub use watched::Watched;

@@ -19,7 +19,7 @@ impl<S: Links> Watched<S> {
     }
 
     /// One that goes on with notes.
-    #[allow(dead_code, reason = "for the layers above, which a smaller selection of features leaves out")]
+    #[cfg(feature = "map")]
     pub(crate) const fn with_notes(store: S, touched: Touched) -> Self {
         Self { store, touched }
     }
@@ -29,12 +29,12 @@ impl<S: Links> Watched<S> {
     }
 
     /// The store, and what was written.
-    #[allow(dead_code, reason = "for the layers above, which a smaller selection of features leaves out")]
+    #[cfg(feature = "map")]
     pub(crate) fn into_parts(self) -> (S, Touched) {
         (self.store, self.touched)
     }
 
-    /// What was written since this was last cleared.
+    /// Returns the records written since this was last cleared.
     pub(crate) const fn touched(&self) -> &Touched {
         &self.touched
     }
@@ -73,7 +73,7 @@ impl<S: Links> Watched<S> {
 
 impl<S: Store> Store for Watched<S> {}
 
-/// What only reads is handed on.
+/// Delegates the methods that only read.
 macro_rules! read {
     ($($name:ident($($argument:ident: $type:ty),*) -> $answer:ty;)*) => {
         $(#[inline]

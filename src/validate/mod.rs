@@ -79,14 +79,14 @@
 //!
 //! # After a change
 //!
-//! [`near`] validates a structure that was right before, in the time that the change took: after each operator of a test, or each
+//! `near`, with the feature of that name, validates a structure that was right before, in the time that the change took: after each operator of a test, or each
 //! edit of an editor, with coordinates or without.
 //!
 //! # Why believe it
 //!
-//! There is a second implementation: [`mod@reference`] states each rule once more in sets and quantifiers, and [`enumerate`]
-//! makes every small [`Table`], and every change of one cell of a larger one, for the two to agree on. [`forms`] brings a map
-//! into each form in which a structure can keep it.
+//! There is a second implementation: [`mod@reference`] states each rule once more in sets and quantifiers. The crate `twinedge-trials`
+//! makes every small [`Table`], every change of one cell of a larger one, and a map in each form in which a structure can keep it, for
+//! the two to agree on.
 //!
 //! # With serde
 //!
@@ -97,13 +97,12 @@
 pub mod adapt;
 mod catalogue;
 mod columns;
-pub mod enumerate;
 mod expectation;
 mod fast_path;
 mod findings;
-pub mod forms;
 #[cfg(feature = "geometry")]
 mod geometric;
+#[cfg(feature = "near")]
 pub mod near;
 mod passes;
 pub mod reference;

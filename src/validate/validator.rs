@@ -41,12 +41,12 @@ const TOPOLOGICAL: &[Rule] = &[
 ///
 /// | | per vertex | per component | per half-edge | per boundary component |
 /// | --- | --- | --- | --- | --- |
-/// | right | 16 | 68 | 1 | 1 |
-/// | elsewhere | 24 | 144 | 5 | 4 |
+/// | right | 16 | 40 | 1 | 1 |
+/// | elsewhere | 24 | 72 | 5 | 4 |
 ///
 /// A structure without border that is right takes 8 per vertex where neighbours have close numbers and vertices keep a
-/// half-edge. Where the table says 1, it is one bit. A border loop takes 12. Elsewhere a component takes 48 bytes in a list that doubles: 144 while the list is
-/// copied to twice its size, at most 100 after that. The components are counted only where they are found, by V2. M2 and M3
+/// half-edge. Where the table says 1, it is one bit. A border loop takes 12. Elsewhere a component takes 24 bytes in a list that doubles: 72 while the list is
+/// copied to twice its size, at most 50 after that. The components are counted only where they are found, by V2. M2 and M3
 /// take 4 more per half-edge, 8 per vertex and 4 per face for themselves.
 ///
 /// ```

@@ -1,10 +1,11 @@
 //! An audited structure: it notes whatever an operator writes, and does what the structure inside does.
 
 use twinedge::dcel::{Audited, Dcel};
-use twinedge::program::census::{Census, Scope};
-use twinedge::program::{Program, Reported, Runner, StepOutcome, conformance, every_op};
+use twinedge::program::{Program, Runner, StepOutcome, conformance, every_op};
 use twinedge::store::{FixedStore, PointerStore, SlotStore, Store};
 use twinedge::validate::{Expectation, Table};
+use twinedge_trials::ReportAudit;
+use twinedge_trials::census::{Census, Scope};
 
 /// Every record that an operator changes is among those that it is said to have written.
 fn what_changes_is_written<S: Store + Clone>() {
@@ -87,5 +88,5 @@ fn a_change_may_be_several_operators() {
     assert!(!audited.written().is_empty());
     let dcel = audited.into_dcel();
     assert!(dcel.vertex(v).is_ok() && dcel.validate().is_valid());
-    conformance::run(&Program::default(), Reported::new(dcel), &Expectation::plane()).unwrap();
+    conformance::run(&Program::default(), ReportAudit::new(dcel), &Expectation::plane()).unwrap();
 }

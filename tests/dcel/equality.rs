@@ -5,9 +5,9 @@ use crate::support::tracked::Keys;
 use serde_json::{from_value, to_value};
 use std::collections::BTreeSet;
 use twinedge::dcel::{Boundary, Dcel, Split};
-use twinedge::program::census::{Census, Scope};
 use twinedge::program::{Op, Runner, StepOutcome, try_every_op};
 use twinedge::validate::Table;
+use twinedge_trials::census::{Census, Scope};
 
 fn maps() -> impl Iterator<Item = Runner<Dcel>> {
     Census::new(Scope::Subdivisions { edges: 2, vertices: 3 }).map(|map| map.runner)

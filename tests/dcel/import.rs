@@ -11,9 +11,9 @@ use twinedge::dcel::{Dcel, ImportError, Keys, Outside};
 use twinedge::delegate_view;
 use twinedge::program::canonical::isomorphic;
 use twinedge::program::{Program, Runner};
-use twinedge::validate::enumerate::for_each_corruption;
-use twinedge::validate::forms::{Form, projected};
 use twinedge::validate::{Collect, Expectation, FaceRow, Part, Parts, Rule, Start, Table, VertexRow, View};
+use twinedge_trials::enumerate::for_each_corruption;
+use twinedge_trials::forms::{Form, projected};
 
 fn check(tests: u64, size: usize, law: impl Testable) {
     QuickCheck::new().rng(Gen::from_size_and_seed(size, 2026)).tests(tests).quickcheck(law);
@@ -125,7 +125,7 @@ fn parts_may_be_missing() {
     check(100, 100, law as fn(Program));
 }
 
-/// How many structures came in as meshes, closed and open.
+/// The number of structures that came in as meshes, closed and open.
 static MESHES: [AtomicUsize; 3] = [AtomicUsize::new(0), AtomicUsize::new(0), AtomicUsize::new(0)];
 
 #[test]
@@ -382,7 +382,7 @@ fn faces_are_needed() {
     let error = refusal(&table.without(Part::Faces), MESH, Outside::Face(0));
     assert_eq!(error, ImportError::Lacks(Part::Faces));
     assert_eq!(error.report(), None);
-    assert_eq!(error.to_string(), "a planar subdivision needs faces, which the expectation leaves out");
+    assert_eq!(error.to_string(), "a planar subdivision needs faces, which the structure does not store");
 }
 
 #[test]

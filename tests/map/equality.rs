@@ -86,6 +86,6 @@ fn a_stale_vertex_is_no_index() {
 
 #[test]
 fn the_debug_form_is_one_short_line() {
-    let expected = "PlanarMap { vertices: 10, edges: 10, faces: 4, features: 5, plane: true }";
+    let expected = "PlanarMap { vertices: 10, edges: 10, faces: 4, features: 5, plane: true, .. }";
     assert_eq!(format!("{:?}", sample()), expected);
 }

@@ -6,10 +6,10 @@ use std::collections::{BTreeMap, BTreeSet};
 use twinedge::dcel::{Dcel, HalfEdge, HalfEdgeKey, Side, Split};
 use twinedge::program::canonical::{Canonizer, Code, isomorphic};
 use twinedge::program::{FacePick, Op, Program, Runner};
-use twinedge::validate::forms::{Form, projected};
 use twinedge::validate::{
     BoundaryPlace, BoundaryRow, Expectation, FaceRow, HalfEdgeRow, Start, Table, VertexRow, View,
 };
+use twinedge_trials::forms::{Form, projected};
 
 /// All maps with one more edge, from one of each kind: a leaf in every corner, an edge between any two corners of a
 /// face.

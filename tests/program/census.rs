@@ -3,8 +3,8 @@
 use std::collections::{BTreeMap, BTreeSet, HashSet};
 use twinedge::dcel::Dcel;
 use twinedge::program::canonical::{self, Canonizer};
-use twinedge::program::census::{Census, Scope};
 use twinedge::program::{Op, Refusal, Runner, StepOutcome, every_op, try_every_op};
+use twinedge_trials::census::{Census, Scope};
 
 #[test]
 fn connected_maps_are_as_many_as_published() {

@@ -9,6 +9,7 @@ use twinedge::program::conformance::{
 };
 use twinedge::program::*;
 use twinedge::validate::{Expectation, Link, Part, Parts, Rule, View};
+use twinedge_trials::RotationSystem;
 
 /// Numbers without pattern, always the same.
 fn noise(seed: u64, count: usize) -> Vec<u8> {

@@ -8,6 +8,7 @@ use twinedge::program::conformance::{Conformance, Coverage, Difference, NotCompa
 use twinedge::program::*;
 use twinedge::validate::{Collect, Expectation, Link, Part, Parts, Table, View};
 use twinedge::{delegate_view, subject_by_index, view_answers};
+use twinedge_trials::RotationSystem;
 
 #[allow(dead_code, unreachable_pub, reason = "an example has a main function of its own")]
 #[path = "../../examples/mesh_conformance.rs"]

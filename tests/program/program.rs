@@ -5,6 +5,7 @@ use quickcheck::Gen;
 use twinedge::dcel::Dcel;
 use twinedge::program::*;
 use twinedge::validate::Table;
+use twinedge_trials::RotationSystem;
 
 /// Numbers without pattern, always the same.
 fn noise(seed: u64, count: usize) -> Vec<u8> {

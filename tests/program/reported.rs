@@ -1,11 +1,12 @@
 //! What the operators report, on every store.
 
 use twinedge::dcel::Dcel;
-use twinedge::program::{Program, Reported, conformance};
+use twinedge::program::{Program, conformance};
 use twinedge::store::{FixedStore, PointerStore, SlotStore, Store};
 use twinedge::validate::Expectation;
+use twinedge_trials::ReportAudit;
 
-fn holds<S: Store>(make: fn() -> Reported<S>) {
+fn holds<S: Store>(make: fn() -> ReportAudit<S>) {
     let mut applied = 0;
     for number in 0..60_u32 {
         // Any bytes do: a multiplicative generator.
@@ -24,7 +25,7 @@ fn holds<S: Store>(make: fn() -> Reported<S>) {
 
 #[test]
 fn reports_are_right_on_every_store() {
-    holds(Reported::<SlotStore>::default);
-    holds(Reported::<PointerStore>::default);
-    holds(|| Reported::new(Dcel::<FixedStore<24, 40, 40, 24>>::default()));
+    holds(ReportAudit::<SlotStore>::default);
+    holds(ReportAudit::<PointerStore>::default);
+    holds(|| ReportAudit::new(Dcel::<FixedStore<24, 40, 40, 24>>::default()));
 }

@@ -1,8 +1,8 @@
-//! Which records a change has touched.
+//! The records that a change has touched.
 
 use twinedge::validate::Table;
-use twinedge::validate::enumerate::Cell;
 use twinedge::validate::near::Touched;
+use twinedge_trials::enumerate::Cell;
 
 /// The record that has the cell.
 pub(crate) fn touch(touched: &mut Touched, cell: Cell) {

@@ -7,12 +7,12 @@ use crate::support::nested::{PLANE, nested, nested_textbook};
 use crate::support::opinions::{agree, broken};
 use crate::support::tables::{Without, map, mesh, textbook_map, torus};
 use std::cell::Cell;
-use twinedge::validate::enumerate::for_each_corruption;
-use twinedge::validate::forms::Form;
 use twinedge::validate::{
     BoundaryPlace, Collect, Expectation, Link, Only, Part, Parts, Rule, Start, Table, Unchecked, View, Violation,
 };
 use twinedge::{delegate_view, view_answers};
+use twinedge_trials::enumerate::for_each_corruption;
+use twinedge_trials::forms::Form;
 
 const SURFACE: Expectation = Expectation::surface();
 

@@ -1,9 +1,9 @@
 //! Small maps in every form: right where they should be.
 
 use crate::support::erased::{first_broken_rule, validate};
-use twinedge::program::census::{Census, Scope};
-use twinedge::validate::forms::{forms, projections};
 use twinedge::validate::{Collect, Expectation, FaceRow, Part, Table};
+use twinedge_trials::census::{Census, Scope};
+use twinedge_trials::forms::{forms, projections};
 
 #[test]
 fn there_are_112_forms() {
@@ -41,7 +41,7 @@ fn every_projection_of_a_small_map_is_right() {
     assert!(opened[0] == 0 && opened[1] > 10_000, "{opened:?}");
 }
 
-/// What a form does not have is nil, so that a validator that reads it would notice.
+/// A part that a form does not have is nil, so that a validator that reads it would notice.
 #[test]
 fn what_is_left_out_is_nil() {
     for map in Census::new(Scope::Subdivisions { edges: 2, vertices: 3 }) {

@@ -7,15 +7,15 @@ use crate::support::tables::{
     TETRAHEDRON, TEXTBOOK, Without, face, half_edge, map, textbook_map, vertex, with_boundary_components,
 };
 use std::collections::HashMap;
-use twinedge::validate::enumerate::{Cell, for_each_assignment, for_each_corruption};
 use twinedge::validate::{
     Collect, Expectation, FaceRow, Field, Figures, HalfEdgeRow, Part, Parts, Record, Report, Rule, Start, Table,
     Unchecked, VertexRow, Violation,
 };
+use twinedge_trials::enumerate::{Cell, TableCells, Value, for_each_assignment, for_each_corruption};
 
 const MESH: Expectation = Expectation::surface().open();
 
-/// How a border is kept.
+/// The representation of a border.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 enum Border {
     /// Its edges have one half-edge, without twin.
@@ -213,7 +213,7 @@ fn m1_a_vertex_is_unused() {
         table.vertices.extend([None, Some(VertexRow::default())]);
         only(Rule::M1, &table, DISC, &[Violation::UnusedVertex { vertex: 7 }]);
     }
-    // Where every part is there, too: the isolated vertex between the nested triangles.
+    // Also with every part stored: the isolated vertex between the nested triangles.
     let plane = PLANE.no_unused_vertices();
     only(Rule::M1, &nested(), plane, &[Violation::UnusedVertex { vertex: 6 }]);
 }
@@ -279,7 +279,7 @@ fn m4_a_mesh_has_a_border() {
     let bare = |border| triangle(border).without(Part::Faces);
     assert_eq!(agree(&bare(Border::NoFace), MESH.closed()), None);
     only(Rule::M4, &bare(Border::OneHalfEdge), MESH.closed(), &no_twin);
-    // Where borders are not legal, R1 has found them.
+    // If borders are not legal, R1 has found them.
     let closed = Expectation::surface().closed();
     let report = validate(&triangle(Border::OneHalfEdge), &closed, Collect::All);
     assert_eq!(broken(&report), [Rule::R1]);
@@ -354,7 +354,7 @@ fn m8_a_border_vertex_keeps_an_inner_half_edge() {
     assert!(report.is_valid());
     let pillow = faces(3, &[[0, 1, 2], [2, 1, 0]], Border::OneHalfEdge);
     assert_eq!(agree(&pillow, Expectation::surface().border_kept()), None);
-    // What V1 reports is not reported again.
+    // A violation of V1 is not reported again.
     vertex(&mut twins, 0).leaving = Some(1);
     let report = validate(&twins, &MESH.border_kept(), Collect::All);
     assert_eq!(report.outcome(Rule::M8).unwrap().unchecked, Some(Unchecked::Broken(Rule::V1)));
@@ -403,7 +403,7 @@ fn a_rule_is_in_the_report_if_and_only_if_it_is_asked_for() {
     assert_ne!(none.genus(0), none);
 }
 
-/// What is checked, and what is not and why, where one rule before M is broken.
+/// If one rule before M is broken, some rules are not checked, and the report says why.
 #[test]
 fn what_cannot_be_known_is_not_checked() {
     let expectation = everything(MESH);
@@ -513,7 +513,7 @@ fn both_validators_agree_on_all_small_open_maps() {
     blank.half_edges.resize(3, Some(HalfEdgeRow::default()));
     let cells = blank.cells(Parts::NONE).into_iter().map(|cell| {
         let values = blank.values(cell).into_iter().filter(|value| match value {
-            twinedge::validate::enumerate::Value::Link(Some(i)) => *i < 3,
+            Value::Link(Some(i)) => *i < 3,
             _ => matches!(cell, Cell::Twin(_)),
         });
         (cell, values.collect::<Vec<_>>())

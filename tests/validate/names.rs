@@ -6,8 +6,8 @@ use crate::support::nested::{PLANE, nested, nested_textbook};
 use crate::support::tables::Without;
 use std::collections::BTreeSet;
 use twinedge::validate::adapt::{Ids, Index};
-use twinedge::validate::enumerate::for_each_corruption;
 use twinedge::validate::{Collect, Part, Parts, Record, Table, Violation};
+use twinedge_trials::enumerate::for_each_corruption;
 
 #[test]
 fn an_index_numbers_ids_in_their_order() {

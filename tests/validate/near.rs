@@ -5,12 +5,12 @@ use crate::support::erased::validate;
 use crate::support::only_live::OnlyLive;
 use crate::support::watched::Watched;
 use twinedge::dcel::{Corner, Dcel, HalfEdge, Split};
-use twinedge::program::census::{Census, Scope};
 use twinedge::program::{StepOutcome, try_every_op};
-use twinedge::validate::enumerate::for_each_corruption;
-use twinedge::validate::forms::{Form, forms, projected};
 use twinedge::validate::near::{Baseline, BaselineError, Touched, validate_near};
 use twinedge::validate::{Collect, Expectation, Part, Parts, Rule, Table};
+use twinedge_trials::census::{Census, Scope};
+use twinedge_trials::enumerate::for_each_corruption;
+use twinedge_trials::forms::{Form, forms, projected};
 
 const PLANE: Expectation = Expectation::plane();
 const SURFACE: Expectation = Expectation::surface();
@@ -18,13 +18,14 @@ const SURFACE: Expectation = Expectation::surface();
 /// Asserts that what is found right keeps R1 … F2.
 fn judge(baseline: &Baseline, table: &Table, touched: &Touched) -> bool {
     let found = validate_near(&mut baseline.clone(), &OnlyLive(table), touched);
-    let report = validate(table, baseline.expectation(), Collect::All);
+    let report = validate(table, baseline.expectation(), Collect::First);
     match found {
         Ok(()) => {
             let broken = report.broken_rules().find(|rule| *rule <= Rule::F2);
             assert_eq!(broken, None, "{table}\n{touched:?}\n{report}");
         }
-        Err(found) => assert_eq!(*found, report, "{table}\n{touched:?}"),
+        // Of two full validations, this one ends at the first broken rule.
+        Err(found) => assert_eq!(found.first(), report.first(), "{table}\n{touched:?}"),
     }
     report.is_valid()
 }

@@ -4,11 +4,11 @@ use crate::support::erased::validate;
 use quickcheck::{Gen, QuickCheck};
 use rayon::{ThreadPool, ThreadPoolBuilder};
 use twinedge::dcel::Dcel;
-use twinedge::program::census::{Census, Scope};
 use twinedge::program::{Program, Runner};
-use twinedge::validate::enumerate::for_each_corruption;
-use twinedge::validate::forms::{forms, projections};
 use twinedge::validate::{Collect, Expectation, Part, Parts, Table, View, validate_parallel};
+use twinedge_trials::census::{Census, Scope};
+use twinedge_trials::enumerate::for_each_corruption;
+use twinedge_trials::forms::{forms, projections};
 
 fn pools() -> [ThreadPool; 3] {
     [1, 2, 5].map(|threads| ThreadPoolBuilder::new().num_threads(threads).build().unwrap())

@@ -2,9 +2,9 @@
 
 use crate::support::erased::validate;
 use std::collections::BTreeSet;
-use twinedge::program::census::{Census, Scope};
-use twinedge::validate::forms::{forms, projected};
 use twinedge::validate::{Collect, Only, Part, Parts, Table};
+use twinedge_trials::census::{Census, Scope};
+use twinedge_trials::forms::{forms, projected};
 
 /// The parts on which this one depends.
 fn needs(part: Part) -> &'static [Part] {

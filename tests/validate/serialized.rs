@@ -5,8 +5,8 @@ use crate::support::nested::{PLANE, nested, nested_textbook};
 use crate::support::tables::half_edge;
 use serde_json::{Value, from_value, json, to_value};
 use twinedge::map::PlanarMap;
-use twinedge::validate::enumerate::for_each_corruption;
 use twinedge::validate::{Collect, Expectation, Figures, Part, Parts, Report, Rule, Table, Violation};
+use twinedge_trials::enumerate::for_each_corruption;
 
 fn read_again(report: &Report) -> Report {
     from_value(to_value(report).unwrap()).unwrap()

@@ -5,12 +5,12 @@ use crate::support::only_live::OnlyLive;
 use crate::support::tables::{Without, half_edge, textbook_mesh, torus, vertex};
 use crate::support::watched::Watched;
 use twinedge::dcel::Dcel;
-use twinedge::program::census::{Census, Scope};
 use twinedge::program::{Program, Runner};
-use twinedge::validate::enumerate::for_each_corruption;
-use twinedge::validate::forms::{forms, projections};
 use twinedge::validate::reference::rule_by_rule;
 use twinedge::validate::{Collect, Expectation, HalfEdgeRow, Part, Parts, Rule, Start, Table, VertexRow, View};
+use twinedge_trials::census::{Census, Scope};
+use twinedge_trials::enumerate::for_each_corruption;
+use twinedge_trials::forms::{forms, projections};
 
 const PLANE: Expectation = Expectation::plane();
 
@@ -83,7 +83,7 @@ fn loops(count: usize) -> Table {
     }
 }
 
-/// Whether few half-edges are wrong, or too many to look at one by one.
+/// Both with few wrong half-edges, and with too many to look at one by one.
 #[test]
 fn any_number_of_wrong_half_edges() {
     for wrong in [0, 1, 2, 500, 1023, 1024, 1025, 3000] {

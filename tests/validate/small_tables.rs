@@ -5,12 +5,12 @@ use crate::support::erased::validate;
 use crate::support::nested::PLANE;
 use crate::support::opinions::{agree, agree_on_first};
 use crate::support::tables::{TEXTBOOK, Without, map, textbook_map};
-use twinedge::validate::enumerate::{Cell, Value, for_each_assignment};
 use twinedge::validate::{
     BoundaryPlace, BoundaryRow, Collect, Expectation, FaceRow, HalfEdgeRow, Part, Parts, Rule, Start, Table, VertexRow,
 };
+use twinedge_trials::enumerate::{Cell, TableCells, Value, for_each_assignment};
 
-/// What a cell is set to.
+/// The values to which a cell is set.
 #[derive(Clone, Copy, PartialEq, Eq, PartialOrd, Ord)]
 enum To {
     /// The records that there are.

@@ -9,10 +9,10 @@ use crate::support::nested::PLANE;
 use crate::support::opinions::agree;
 use crate::support::tables::{TEXTBOOK, face, with_boundary_components};
 use std::collections::BTreeSet;
-use twinedge::validate::enumerate::{Cell, Value, for_each_corruption};
 use twinedge::validate::{
     Collect, Expectation, FaceRow, Figures, HalfEdgeRow, Link, Part, Rule, Start, Table, Unchecked, VertexRow, View,
 };
+use twinedge_trials::enumerate::{Cell, Value, for_each_corruption};
 
 /// ```text
 ///   v1 ────e1──── v2        e1,1 runs from v1 to v2, with f1 on its left

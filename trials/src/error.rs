@@ -8,8 +8,8 @@ use twinedge::validate::{Part, Violation};
 #[derive(Clone, Copy, PartialEq, Eq, Error)]
 #[non_exhaustive]
 pub enum StructureError {
-    /// The expectation leaves out a part without which two maps cannot be told apart.
-    #[error("the expectation leaves out {}; without it two maps cannot be told apart", .0.name())]
+    /// The structure does not store a part without which two maps cannot be told apart.
+    #[error("the structure stores no {}; without it two maps cannot be told apart", .0.name())]
     Lacks(Part),
     /// The empty map breaks a rule, so every other map would.
     #[error(

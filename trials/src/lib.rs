@@ -32,6 +32,14 @@
 //! `prove`, `meshes` and `soak` test a structure. `corrupt`, `tables` and `sample` test a validator: [`Validator`], the one of the library, or any
 //! other [`Checker`].
 //!
+//! | input for tests of one's own | |
+//! | --- | --- |
+//! | [`census`] | every small map, each once, grown by the operators |
+//! | [`enumerate`] | every small table, and every change of one cell of a larger one |
+//! | [`forms`] | the 112 forms in which a structure can keep a map, and a map in each |
+//! | [`RotationSystem`] | a second model of the operators, simple and slow |
+//! | [`ReportAudit`] | a `Dcel` that checks what its operators report |
+//!
 //! # Long runs
 //!
 //! [`Run`] says how many threads work, which part of the work they do, and to whom progress is reported. A [`Progress`] can stop
@@ -55,6 +63,8 @@ mod panics;
 mod progress;
 mod published;
 mod random;
+mod report_audit;
+mod rotation_system;
 mod rows;
 mod run;
 mod shard;
@@ -62,7 +72,10 @@ mod structure;
 mod sum;
 mod verdict;
 
+pub mod census;
 pub mod corrupt;
+pub mod enumerate;
+pub mod forms;
 pub mod meshes;
 pub mod planted;
 pub mod prove;
@@ -78,6 +91,8 @@ pub use meshes::meshes;
 pub use progress::{Progress, Silent};
 pub use prove::prove;
 pub use replay::replay;
+pub use report_audit::ReportAudit;
+pub use rotation_system::RotationSystem;
 pub use run::{Estimate, Run};
 pub use sample::sample;
 pub use shard::{ParseShardError, Shard, ShardError};

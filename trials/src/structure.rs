@@ -11,7 +11,7 @@ use twinedge::validate::{Expectation, Part, Parts};
 /// A structure under test: its name, how an empty one is made, and what the validator can hold it to.
 ///
 /// ```
-/// use twinedge::program::RotationSystem;
+/// use twinedge_trials::RotationSystem;
 /// use twinedge::validate::Expectation;
 /// use twinedge_trials::Structure;
 /// let mine = Structure::new("mine", RotationSystem::new, Expectation::plane());

@@ -31,12 +31,17 @@
 //!
 //! [`let_chains`] finds what clippy's `incompatible_msrv` does not: it knows the functions of the standard library that are too
 //! new, and no syntax.
+//!
+//! # Prose
+//!
+//! [`openings`] counts the documentation comments that begin with a question word. At most two in a hundred of each crate may.
 
 mod graph;
 mod layers;
 mod let_chains;
 mod modules;
 mod names;
+mod prose;
 mod references;
 mod workspace;
 
@@ -46,6 +51,7 @@ pub use graph::{Import, Imports, Loop};
 pub use layers::{LAYERS, Upward, WITH_FEATURE, upward};
 pub use let_chains::let_chains;
 pub use modules::Unreadable;
+pub use prose::{Openings, QUESTIONS, openings};
 pub use workspace::{Crate, crates, crates_of};
 
 /// All imports between the files of these crates.

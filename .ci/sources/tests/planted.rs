@@ -3,7 +3,8 @@
 use std::path::Path;
 
 use twinedge_sources::{
-    Crate, Imports, LAYERS, Unreadable, WITH_FEATURE, crates, crates_of, imports, let_chains, upward,
+    Crate, Imports, LAYERS, Openings, Unreadable, WITH_FEATURE, crates, crates_of, imports, let_chains, openings,
+    upward,
 };
 
 /// The imports of one library, `src/lib.rs` and these files.
@@ -346,4 +347,11 @@ fn a_let_joined_to_something_else_is_found_and_nothing_else_is() {
     }";
     assert_eq!(let_chains(source).unwrap(), [3, 4, 5, 6, 8]);
     assert!(let_chains("fn f( {").is_err());
+}
+
+#[test]
+fn comments_that_begin_with_a_question_word_are_found() {
+    let source = "//! Whether it is.\n//! What else.\n\n/// Whatever it is.\nfn f() {\n    /// How many.\n    let x = 1;\n}\n\
+//// Where it is.\n// Which it is.\n";
+    assert_eq!(openings(source), Openings { comments: 3, questions: vec![1, 6] });
 }

@@ -3,7 +3,7 @@
 use std::fmt::Write as _;
 use std::path::{Path, PathBuf};
 
-use twinedge_sources::{Crate, Imports, crates, imports, let_chains, upward};
+use twinedge_sources::{Crate, Imports, Openings, crates, imports, let_chains, openings, upward};
 
 fn root() -> PathBuf {
     Path::new(env!("CARGO_MANIFEST_DIR")).ancestors().nth(2).expect("two folders up").to_path_buf()
@@ -47,23 +47,57 @@ fn no_import_runs_against_the_layers() {
     assert!(upward.is_empty(), "{} imports run against the layers:\n{report}", upward.len());
 }
 
-#[test]
-fn the_library_and_its_columns_have_no_let_chains() {
-    let mut waiting = vec![root().join("src"), root().join("columns/src")];
-    let mut files = 0;
-    let mut found = String::new();
+/// The sources below a folder, with their texts, but for what is built or fetched.
+fn sources(folder: &Path) -> Vec<(PathBuf, String)> {
+    let mut waiting = vec![folder.to_path_buf()];
+    let mut found = Vec::new();
     while let Some(path) = waiting.pop() {
         if path.is_dir() {
             let entries = std::fs::read_dir(&path).expect("the folder can be read");
-            waiting.extend(entries.map(|entry| entry.expect("the folder can be read").path()));
+            let paths = entries.map(|entry| entry.expect("the folder can be read").path());
+            waiting.extend(
+                paths.filter(|path| !["target", "node_modules", ".git"].iter().any(|name| path.ends_with(name))),
+            );
         } else if path.extension().is_some_and(|extension| extension == "rs") {
             let text = std::fs::read_to_string(&path).expect("the file can be read");
-            files += 1;
-            for line in let_chains(&text).expect("every source is Rust") {
-                let _ = writeln!(found, "{}:{line}", path.display());
-            }
+            found.push((path, text));
         }
     }
-    assert!(files > 100, "only {files} files were found");
+    found
+}
+
+#[test]
+fn the_library_and_its_columns_have_no_let_chains() {
+    let files = ["src", "columns/src"].map(|folder| sources(&root().join(folder))).concat();
+    assert!(files.len() > 100, "only {} files were found", files.len());
+    let mut found = String::new();
+    for (path, text) in files {
+        for line in let_chains(&text).expect("every source is Rust") {
+            let _ = writeln!(found, "{}:{line}", path.display());
+        }
+    }
     assert!(found.is_empty(), "Rust before 1.88 does not know these:\n{found}");
+}
+
+#[test]
+fn at_most_two_comments_in_a_hundred_begin_with_a_question_word() {
+    let folders =
+        std::fs::read_dir(root()).expect("the folder can be read").map(|entry| entry.expect("an entry").path());
+    let mut found = String::new();
+    for folder in folders.filter(|path| path.is_dir() && !["target", ".git"].iter().any(|name| path.ends_with(name))) {
+        let (mut comments, mut questions) = (0, String::new());
+        let mut count = 0;
+        for (path, text) in sources(&folder) {
+            let Openings { comments: more, questions: lines } = openings(&text);
+            comments += more;
+            count += lines.len();
+            for line in lines {
+                let _ = writeln!(questions, "  {}:{line}", path.display());
+            }
+        }
+        if count * 50 > comments {
+            let _ = writeln!(found, "{}: {count} of {comments}\n{questions}", folder.display());
+        }
+    }
+    assert!(found.is_empty(), "too many comments begin with What, Which, How, Where or Whether:\n{found}");
 }

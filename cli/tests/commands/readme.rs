@@ -7,23 +7,28 @@ fn root() -> PathBuf {
     Path::new(env!("CARGO_MANIFEST_DIR")).parent().expect("a folder up").to_path_buf()
 }
 
+/// The program, as a block calls it.
+const COMMANDS: [&str; 2] = ["$ twinedge ", "$ cargo run --release -- "];
+
 /// A command, and the lines below it.
 struct Sample {
     arguments: Vec<String>,
     output: Vec<String>,
 }
 
-/// The commands in the blocks of this text that begin with `console`.
+/// The commands `twinedge …` in the blocks of this text that begin with `console`, also as they are called from a clone.
 fn samples(text: &str) -> Vec<Sample> {
     let mut samples: Vec<Sample> = Vec::new();
     let mut inside = false;
     for line in text.lines() {
         if line.starts_with("```") {
             inside = line == "```console";
-        } else if let (true, Some(command)) = (inside, line.strip_prefix("$ twinedge ")) {
+        } else if !inside || line == "$ cargo test" {
+            continue;
+        } else if let Some(command) = COMMANDS.iter().find_map(|command| line.strip_prefix(command)) {
             let arguments = command.split_whitespace().map(str::to_owned).collect();
             samples.push(Sample { arguments, output: Vec::new() });
-        } else if inside {
+        } else {
             samples.last_mut().expect("a block begins with a command").output.push(line.to_owned());
         }
     }
@@ -43,12 +48,14 @@ fn normal(lines: impl IntoIterator<Item = String>) -> Vec<String> {
     lines
 }
 
-/// `...` stands for any lines at the beginning.
+/// `…` stands for any lines, and at the end of a line for any rest of it.
 fn matches(expected: &[String], found: &[String]) -> bool {
-    match expected.split_first() {
-        Some((first, rest)) if first == "..." => found.ends_with(rest),
-        _ => found == expected,
+    let Some((line, rest)) = expected.split_first() else { return found.is_empty() };
+    if line.trim() == "…" {
+        return (0..=found.len()).any(|skipped| matches(rest, &found[skipped..]));
     }
+    let is_same = |first: &String| line.strip_suffix('…').map_or(line == first, |start| first.starts_with(start));
+    found.split_first().is_some_and(|(first, others)| is_same(first) && matches(rest, others))
 }
 
 #[test]
@@ -80,9 +87,11 @@ fn the_commands_of_the_readmes_print_what_stands_there() {
 fn a_sample_that_is_not_current_is_found() {
     let lines = |text: &str| normal(text.lines().map(str::to_owned));
     assert!(matches(&lines("a (2 ms)\n\n"), &lines("a (31 ms)")));
-    assert!(matches(&lines("...\nc"), &lines("a\nb\nc")));
+    assert!(matches(&lines("…\nc"), &lines("a\nb\nc")));
+    assert!(matches(&lines("a\n  …\nc d …"), &lines("a\nb\nb\nc d e")));
     assert!(!matches(&lines("a"), &lines("a\nb")));
-    assert!(!matches(&lines("...\nb"), &lines("a\nb\nc")));
+    assert!(!matches(&lines("…\nb"), &lines("a\nb\nc")));
+    assert!(!matches(&lines("a b…"), &lines("a c")));
     assert!(!matches(&lines("a 2 ms"), &lines("a 3 ms")));
     let samples =
         samples("$ twinedge no\n```console\n$ twinedge a b\nc\n$ twinedge d\n```\n```text\n$ twinedge e\n```\n");

@@ -57,8 +57,16 @@ fn all_formats_of_all_audits_have_what_the_page_promises() {
     for (input, options, is_drawn) in [
         (data("world-110m-crossing.geojson"), &[][..], true),
         (file("signed.wkt", signed.as_bytes()), &[], true),
-        (file("open.off", b"OFF\n4 3 0\n0 0 0\n1 0 0\n0 1 0\n0 0 1\n3 0 2 1\n3 1 0 3\n3 1 2 3\n"), &["--closed"], false),
-        (file("tables.txt", tables.replace("e2,2       V2      e2,1", "e2,2       V2      e3,1").as_bytes()), &[], true),
+        (
+            file("open.off", b"OFF\n4 3 0\n0 0 0\n1 0 0\n0 1 0\n0 0 1\n3 0 2 1\n3 1 0 3\n3 1 2 3\n"),
+            &["--closed"],
+            false,
+        ),
+        (
+            file("tables.txt", tables.replace("e2,2       V2      e2,1", "e2,2       V2      e3,1").as_bytes()),
+            &[],
+            true,
+        ),
         (file("arcs.topojson", arcs.to_string().as_bytes()), &["--arcs"], true),
         (file("town.copy", &town), &[], true),
     ] {
@@ -79,7 +87,8 @@ fn all_formats_of_all_audits_have_what_the_page_promises() {
             messages
         };
         // That something follows from something else is in the layer and in the page only.
-        let message = |one: &Value| one["message"].as_str().unwrap().split(", which follows").next().unwrap().to_owned();
+        let message =
+            |one: &Value| one["message"].as_str().unwrap().split(", which follows").next().unwrap().to_owned();
         let messages = sorted(listed.iter().map(|one| message(one)).collect());
         let text = audit("text");
         assert!(messages.iter().all(|message| text.contains(message)), "{input}: {text}");

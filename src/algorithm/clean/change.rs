@@ -1,11 +1,11 @@
-//! What is asked for, and what was changed.
+//! The options of cleaning, and the changes that it reports.
 
 use crate::dcel::FaceKey;
 use crate::geometry::Point;
 use crate::map::FeatureId;
 use core::fmt;
 
-/// Which of the features that claim a face gets it.
+/// The choice among the features that claim a face.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Hash)]
 #[non_exhaustive]
 pub enum Winner {
@@ -20,10 +20,10 @@ pub enum Winner {
     Last,
 }
 
-/// How a coverage is made.
+/// The options of cleaning.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Options {
-    /// Which feature gets what several claim.
+    /// The choice of the feature that gets a face claimed by several.
     pub winner: Winner,
     /// The greatest mean width of a gap that is filled. By default only small gaps are.
     pub gap_width: Option<f64>,
@@ -40,7 +40,7 @@ impl Default for Options {
     }
 }
 
-/// Why faces changed hands.
+/// A cause for which faces change hands.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord, Hash)]
 #[non_exhaustive]
 pub enum ChangeKind {
@@ -74,7 +74,7 @@ impl fmt::Display for ChangeKind {
 #[derive(Clone, Debug, PartialEq)]
 #[non_exhaustive]
 pub struct Change {
-    /// Why.
+    /// The reason.
     pub kind: ChangeKind,
     /// The features that had them: those that claimed the overlap, the one of the sliver, none for a gap.
     pub from: Vec<FeatureId>,

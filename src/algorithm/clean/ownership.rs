@@ -1,4 +1,4 @@
-//! Which feature has which face, while faces change hands, and the regions of faces that one feature has.
+//! The feature that has each face, while faces change hands, and the regions of faces that one feature has.
 
 use crate::algorithm::area::{Sum, face_area};
 use crate::algorithm::coverage::region::{border, connected, length};
@@ -6,7 +6,7 @@ use crate::dcel::Face;
 use crate::map::{FeatureId, PlanarMap};
 use std::collections::BTreeMap;
 
-/// Which feature has which face, by index of face.
+/// The feature that has each face, by index of face.
 pub(super) struct Ownership<'m> {
     pub(super) map: &'m PlanarMap,
     owners: Vec<Option<FeatureId>>,
@@ -20,7 +20,7 @@ pub(super) struct Region<'m> {
     pub(super) area: f64,
     /// The length of the border.
     pub(super) length: f64,
-    /// Whether the unbounded face is among them.
+    /// True if the unbounded face is among them.
     pub(super) is_outside: bool,
 }
 

@@ -19,7 +19,7 @@ const OF_MEDIAN: f64 = 1_000.0;
 pub struct Cleaned {
     /// The faces of each feature, by [`FeatureId::index`], in order of their indices.
     pub faces: Vec<Vec<FaceKey>>,
-    /// What changed hands, in the order in which it did. Faces may do so several times.
+    /// The faces that changed hands, in the order in which they did. A face may do so several times.
     pub changes: Vec<Change>,
     /// The area of slivers that was asked for, or was chosen at last.
     pub sliver_area: f64,

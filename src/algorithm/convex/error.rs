@@ -1,10 +1,10 @@
-//! Why faces were not triangulated.
+//! The error of triangulations.
 
 use crate::dcel::StaleKey;
 use crate::map::edit::EditError;
 use thiserror::Error;
 
-/// Why faces were not triangulated. The map is as it was.
+/// The error of triangulations and decompositions. The map is unchanged.
 #[derive(Clone, Copy, Debug, PartialEq, Error)]
 #[non_exhaustive]
 pub enum ConvexError {

@@ -1,4 +1,4 @@
-//! Which diagonals are essential, and removing the others.
+//! Essential diagonals, and removal of the others.
 
 use crate::dcel::{HalfEdge, HalfEdgeKey, StaleKey};
 use crate::geometry::predicates::{Orientation, compare_angle, orientation};
@@ -6,8 +6,8 @@ use crate::map::PlanarMap;
 use crate::map::edit::EditError;
 use crate::validate::Embedding;
 
-/// Whether the corner between the half-edges before and after `h` at its origin, which appears where `h` is removed, is at
-/// most a straight angle.
+/// Returns true if the corner between the half-edges before and after `h` at its origin, which appears where `h` is removed, is
+/// at most a straight angle.
 fn stays_convex(map: &PlanarMap, h: HalfEdge<'_>) -> bool {
     let [v, a, b] = [h.origin(), h.clockwise().target(), h.counter_clockwise().target()].map(|v| map.point(v.index()));
     match orientation(v, a, b) {
@@ -18,8 +18,8 @@ fn stays_convex(map: &PlanarMap, h: HalfEdge<'_>) -> bool {
     }
 }
 
-/// Whether an edge between convex corners is essential: without it one of its ends would have a corner larger than a straight
-/// angle. An edge that separates no two faces is essential, too. O(1).
+/// Returns true if an edge between convex corners is essential: without it one of its ends would have a corner larger than a
+/// straight angle. An edge that separates no two faces is essential, too. O(1).
 ///
 /// # Errors
 /// [`StaleKey::HalfEdge`].

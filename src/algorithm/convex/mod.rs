@@ -76,26 +76,26 @@ pub use triangulate::{Triangulation, triangulate};
 use crate::dcel::{FaceKey, HalfEdge, HalfEdgeKey};
 use crate::map::PlanarMap;
 
-/// What became of a face.
+/// The decomposition of one face.
 #[derive(Clone, Debug, PartialEq, Eq)]
 #[non_exhaustive]
 pub struct Decomposition {
     /// The face, by the key that it had. It may be stale by now, or that of a piece.
     pub face: FaceKey,
-    /// How many triangles there were.
+    /// The number of triangles before diagonals were removed.
     pub triangles: usize,
-    /// How many diagonals made them.
+    /// The number of diagonals that made them.
     pub diagonals: usize,
     /// The diagonals that were essential, each by one of its half-edges: they are edges of the map.
     pub kept: Vec<HalfEdgeKey>,
-    /// How many reflex corners the face had; an isolated vertex counts as one.
+    /// The number of reflex corners of the face; an isolated vertex counts as one.
     pub reflex: usize,
     /// The convex pieces, faces of the map. Each is covered by the features that covered the face.
     pub pieces: Vec<FaceKey>,
 }
 
 impl Decomposition {
-    /// How many diagonals were removed.
+    /// Returns the number of diagonals removed.
     #[must_use]
     pub const fn removed(&self) -> usize {
         self.diagonals - self.kept.len()

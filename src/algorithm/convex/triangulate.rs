@@ -30,9 +30,9 @@ pub struct Triangulation {
     pub boundary: HalfEdgeKey,
     /// The diagonals, each by one of its half-edges, in the order in which they were drawn.
     pub diagonals: Vec<HalfEdgeKey>,
-    /// How many triangles there are.
+    /// The number of triangles.
     pub triangles: usize,
-    /// How many reflex corners the face had; an isolated vertex counts as one.
+    /// The number of reflex corners of the face; an isolated vertex counts as one.
     pub reflex: usize,
 }
 
@@ -103,7 +103,7 @@ impl Input {
     }
 }
 
-/// What is to be drawn in a face.
+/// The diagonals to draw in a face.
 struct FacePlan {
     face: FaceKey,
     boundary: HalfEdgeKey,
@@ -113,14 +113,14 @@ struct FacePlan {
     diagonals: Vec<u32>,
 }
 
-/// What is to be drawn. The columns are by number of a directed edge of the triangulation.
+/// The diagonals to draw. The columns are by number of a directed edge of the triangulation.
 struct Plan {
     faces: Vec<FacePlan>,
     /// Half-edges of the map, as far as there are any yet.
     drawn: Vec<Option<HalfEdgeKey>>,
-    /// What comes before a directed edge at its corner when it is drawn, clockwise; none at a vertex that is isolated then.
+    /// The directed edge before each one, clockwise, at its corner when it is drawn; none at a vertex that is isolated then.
     before: Vec<u32>,
-    /// What comes after, while all diagonals are there.
+    /// The directed edge after each one, while all diagonals are there.
     after: Vec<u32>,
     /// The vertex where a directed edge starts.
     from: Vec<VertexKey>,
@@ -312,7 +312,7 @@ impl Plan {
     }
 }
 
-/// Whether the corner between the half-edge and the one before it, inside their face, is larger than a straight angle.
+/// Returns true if the corner between the half-edge and the one before it, inside their face, is larger than a straight angle.
 fn is_reflex(map: &PlanarMap, h: HalfEdge<'_>) -> bool {
     let [a, v, b] = [h.prev().origin(), h.origin(), h.target()].map(|v| map.point(v.index()));
     match orientation(a, v, b) {

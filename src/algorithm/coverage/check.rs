@@ -11,7 +11,7 @@ use crate::geometry::threads;
 use crate::map::PlanarMap;
 use thiserror::Error;
 
-/// What C1 … C5 found on a map.
+/// The findings of C1 … C5 on a map.
 #[derive(Clone, Debug, PartialEq)]
 #[non_exhaustive]
 pub struct Coverage {
@@ -26,13 +26,13 @@ pub struct Coverage {
 }
 
 impl Coverage {
-    /// What one rule found. O(findings).
+    /// Returns the findings of one rule. O(findings).
     pub fn of(&self, rule: CoverageRule) -> impl Iterator<Item = &Finding> {
         self.findings.iter().filter(move |finding| finding.rule == rule)
     }
 }
 
-/// Why a map cannot be asked.
+/// The error of [`check`] and of cleaning.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash, Error)]
 #[non_exhaustive]
 pub enum CoverageError {

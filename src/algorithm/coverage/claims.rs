@@ -1,4 +1,4 @@
-//! Which faces a feature covers.
+//! The faces that a feature covers.
 
 use crate::dcel::{Face, FaceKey};
 use crate::map::{FeatureId, PlanarMap};
@@ -9,8 +9,8 @@ pub(crate) fn features_of<'a>(map: &'a PlanarMap, face: Face<'a>) -> impl Iterat
     map.features_of(face.key()).into_iter().flatten().filter(move |feature| plane || !leaks(map, *feature))
 }
 
-/// Whether a feature seems to cover the unbounded face, which none does on a plane map: then it is not known what it covers.
-/// O(log n + features that do).
+/// Returns true if a feature seems to cover the unbounded face, which none does on a plane map: then the faces that it covers are
+/// not known. O(log n + features that do).
 ///
 /// ```
 /// use twinedge::algorithm::coverage::leaks;

@@ -85,7 +85,7 @@ pub struct Finding {
     pub stretches: Vec<[Point; 2]>,
 }
 
-/// What counts as narrow and what as a sliver.
+/// The limits of width and thinness for gaps, near misses and slivers.
 ///
 /// ```
 /// use twinedge::algorithm::coverage::Limits;

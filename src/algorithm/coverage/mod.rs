@@ -1,4 +1,5 @@
-//! Which faces a feature covers, and whether the features of a map are a coverage: areas side by side, without overlaps and gaps.
+//! The faces that a feature covers, and a check that the features of a map are a coverage: areas side by side, without overlaps
+//! and gaps.
 //!
 //! ```text
 //!   ┌──────┬──┬─────┐    ┌──────┐┌─────┐    ┌──────┐┌─────┐    ┌──────┬┬─────┐

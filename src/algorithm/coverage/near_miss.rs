@@ -23,7 +23,7 @@ use rstar::{AABB, RTree};
 use rustc_hash::{FxHashMap, FxHashSet};
 use std::collections::BTreeMap;
 
-/// How many times as long as the given width a near miss is at least.
+/// The least length of a near miss, as a multiple of the given width.
 const LEAST: f64 = 4.0;
 
 /// The part of the median length of edges that is the width if none is given.
@@ -36,7 +36,7 @@ struct Side<'a> {
     features: Vec<FeatureId>,
 }
 
-/// What a side has near it: from where to where along it, and which other side.
+/// A part of a side that is near another side: its start and end along the side, and the other side.
 #[derive(Clone, Copy)]
 struct Stretch {
     from: f64,
@@ -98,7 +98,7 @@ fn sides<'a>(map: &'a PlanarMap, outside: &FxHashSet<usize>) -> Vec<Side<'a>> {
     sides
 }
 
-/// Whether two sorted lists have an element in common.
+/// Returns true if two sorted lists have an element in common.
 fn have_common(a: &[FeatureId], b: &[FeatureId]) -> bool {
     a.iter().any(|feature| b.binary_search(feature).is_ok())
 }
@@ -153,7 +153,7 @@ fn near_miss(
             let stretch = (to - from) * side_length;
             stretches.push([p, q]);
             total.add(stretch);
-            // How far away the other border is, at both ends and in the middle.
+            // The distance to the other border, at both ends and in the middle.
             let [first, (middle, opposite), last] =
                 [p, Point::new(f64::midpoint(p.x, q.x), f64::midpoint(p.y, q.y)), q].map(|p| {
                     let others = near[side].iter().map(|stretch| nearest(p, sides[stretch.other].ends));

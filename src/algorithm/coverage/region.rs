@@ -14,7 +14,7 @@ pub(in crate::algorithm) fn length(map: &PlanarMap, h: HalfEdge<'_>) -> f64 {
     (b.x - a.x).hypot(b.y - a.y)
 }
 
-/// Where a half-edge starts and ends.
+/// Returns the coordinates of the origin and the target of a half-edge.
 pub(super) fn ends(map: &PlanarMap, h: HalfEdge<'_>) -> [Point; 2] {
     [h.origin(), h.target()].map(|v| map.point(v.index()))
 }

@@ -39,7 +39,7 @@ impl Ring {
     }
 }
 
-/// How two rings, or two places of one ring, meet.
+/// The way in which two rings, or two places of one ring, meet.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
 pub(super) enum Contact {
     /// They cross, or run along each other.
@@ -106,7 +106,7 @@ impl Rings {
         found
     }
 
-    /// How two segments meet, and where.
+    /// Returns the contact of two segments, and its place.
     fn contact(&self, (r, i): (usize, usize), (q, j): (usize, usize)) -> Option<(Contact, Point)> {
         let (one, other) = (&self.all[r], &self.all[q]);
         let ([a, b], [c, d]) = (one.segment(i), other.segment(j));
@@ -145,7 +145,7 @@ impl Rings {
     }
 
     fn containers_of(&self, r: usize) -> Vec<usize> {
-        // Whether it lies inside, for each ring to its right; that it does not know of those on which all its points so far lie.
+        // For each ring to its right, true if this ring lies inside. A ring on which all points so far lie is still unknown.
         let mut inside: FxHashMap<usize, bool> = FxHashMap::default();
         let mut unknown: FxHashSet<usize> = FxHashSet::default();
         for (n, p) in self.all[r].points.iter().enumerate() {
@@ -188,7 +188,7 @@ impl Rings {
         (odd, on)
     }
 
-    /// Whether a ring, all points of which lie on another, goes inside that from its first point on.
+    /// Returns true if a ring, all points of which lie on another, goes inside that from its first point on.
     fn starts_inside(&self, r: usize, q: usize) -> bool {
         let [p, next] = self.all[r].segment(0);
         let other = &self.all[q];
@@ -203,7 +203,7 @@ impl Rings {
     }
 }
 
-/// Whether a direction lies strictly between two others, counter-clockwise from the first to the second.
+/// Returns true if a direction lies strictly between two others, counter-clockwise from the first to the second.
 fn is_between(center: Point, from: Point, to: Point, direction: Point) -> bool {
     let less = |a, b| compare_angle(center, a, b) == Ordering::Less;
     if less(from, to) {
@@ -213,15 +213,15 @@ fn is_between(center: Point, from: Point, to: Point, direction: Point) -> bool {
     }
 }
 
-/// Whether two chains through a point cross there: the ends of one lie on different sides of the other.
+/// Returns true if two chains through a point cross there: the ends of one lie on different sides of the other.
 fn crosses_at(at: Point, [before, after]: [Point; 2], [one, other]: [Point; 2]) -> bool {
     let same = |a, b| compare_angle(at, a, b) == Ordering::Equal;
     let along = [one, other].into_iter().any(|p| same(p, before) || same(p, after));
-    // Where they run along each other, their segments overlap, and that is found.
+    // Chains that run along each other have overlapping segments, which are found elsewhere.
     !along && is_between(at, before, after, one) != is_between(at, before, after, other)
 }
 
-/// Where two segments that cross do so, rounded.
+/// Returns the crossing point of two segments that cross, rounded.
 fn crossing(a: Point, b: Point, c: Point, d: Point) -> Point {
     let (ux, uy, vx, vy) = (b.x - a.x, b.y - a.y, d.x - c.x, d.y - c.y);
     let t = ((c.x - a.x) * vy - (c.y - a.y) * vx) / (ux * vy - uy * vx);

@@ -62,9 +62,9 @@ impl fmt::Display for DefectKind {
 #[derive(Clone, Copy, Debug, PartialEq)]
 #[non_exhaustive]
 pub struct Defect {
-    /// What.
+    /// Its kind.
     pub kind: DefectKind,
-    /// Where; rounded, where rings cross.
+    /// Its place; rounded, where rings cross.
     pub at: Point,
     /// The shape.
     pub shape: usize,
@@ -149,7 +149,7 @@ fn intersection(rings: &Rings, meet: &Meet) -> Defect {
     defect(rings, kind, meet.rings[0], meet.at)
 }
 
-/// What lies where it may not, of rings that do not cross.
+/// Finds the misplaced rings among rings that do not cross.
 fn nesting(rings: &Rings) -> Vec<Defect> {
     let mut found = Vec::new();
     let shells: FxHashSet<usize> = rings.all.iter().filter(|c| c.number == 0).map(|c| c.polygon).collect();

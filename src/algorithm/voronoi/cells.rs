@@ -55,7 +55,7 @@ struct Frame {
 }
 
 impl Frame {
-    /// Where a centre is drawn, with the side on which it lies, if any; none if it is outside.
+    /// Returns the point where a centre is drawn, with the side on which it lies, if any; none if it is outside.
     fn place(&self, centre: Point) -> Option<(Point, Option<usize>)> {
         let Self { low, high, shortest } = *self;
         let gaps = [centre.y - low.y, high.x - centre.x, high.y - centre.y, centre.x - low.x];
@@ -147,7 +147,7 @@ fn draw_box(drawing: &mut Drawing, sides: Sides, [low, high]: [Point; 2]) {
     }
 }
 
-/// Where a line meets a side of the box: the place on the line, the side, the coordinate on the side.
+/// The crossing of a line with a side of the box: the place on the line, the side, the coordinate on the side.
 type Crossing = (f64, usize, f64);
 
 /// The line halfway between two sites.
@@ -169,7 +169,7 @@ impl Line {
         ((p.x - self.middle.x) * x + (p.y - self.middle.y) * y) / (x * x + y * y)
     }
 
-    /// Where the line enters and leaves a box.
+    /// Returns the crossings at which the line enters and leaves a box.
     fn within(&self, low: Point, high: Point) -> Option<(Crossing, Crossing)> {
         let (m, d) = (self.middle, self.direction);
         let (mut entry, mut exit): (Crossing, Crossing) = ((f64::NEG_INFINITY, 0, 0.0), (f64::INFINITY, 0, 0.0));

@@ -94,7 +94,7 @@ fn rotations(points: &[Point], origin: &[u32]) -> Option<(Vec<u32>, Vec<u32>)> {
         if around.windows(2).any(|pair| compare_angle(*point, head(pair[0]), head(pair[1])).is_eq()) {
             return None;
         }
-        // What follows a half-edge that arrives is the next one clockwise from its twin.
+        // After a half-edge that arrives comes the next one clockwise from its twin.
         let mut clockwise = *around.last()?;
         for h in around.iter() {
             next[*h as usize ^ 1] = clockwise;
@@ -121,7 +121,7 @@ fn around<'a>(
     })
 }
 
-/// Whether no corner turns the other way or straight back, and there is one turn in all.
+/// Returns true if no corner turns the other way or straight back, and there is one turn in all.
 fn turns_once(corners: impl Iterator<Item = [Point; 3]>, way: Orientation) -> bool {
     let mut lowest = 0;
     for [a, b, c] in corners {
@@ -136,7 +136,7 @@ fn turns_once(corners: impl Iterator<Item = [Point; 3]>, way: Orientation) -> bo
     lowest == 1
 }
 
-/// Whether the cycle goes along a line and back.
+/// Returns true if the cycle goes along a line and back.
 fn is_chain(mut corners: impl Iterator<Item = [Point; 3]>, points: &[Point], origin: &[u32]) -> bool {
     origin.len() == 2 * (points.len() - 1) && corners.all(|[a, b, c]| orientation(a, b, c) == Orientation::Collinear)
 }

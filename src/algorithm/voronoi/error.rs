@@ -1,9 +1,9 @@
-//! Why there is no triangulation or diagram.
+//! Errors of triangulations and diagrams.
 
 use crate::dcel::RecordKind;
 use thiserror::Error;
 
-/// Why there is no triangulation or diagram. Sites are counted from 0.
+/// The error of triangulations and diagrams. Sites are counted from 0.
 #[derive(Clone, Copy, Debug, PartialEq, Error)]
 #[non_exhaustive]
 pub enum VoronoiError {

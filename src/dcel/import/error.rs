@@ -1,4 +1,4 @@
-//! Why a structure does not come in.
+//! Errors of imports.
 
 use crate::store::links::RecordKind;
 use crate::validate::{Part, Report};
@@ -6,7 +6,7 @@ use alloc::boxed::Box;
 use core::fmt;
 use thiserror::Error;
 
-/// Why [`Dcel::from_view`](crate::dcel::Dcel::from_view) refused a structure.
+/// The error of [`Dcel::from_view`](crate::dcel::Dcel::from_view), which refused a structure.
 #[derive(Clone, PartialEq, Eq, Error)]
 #[non_exhaustive]
 pub enum ImportError {
@@ -14,12 +14,12 @@ pub enum ImportError {
     #[error("the structure is not valid:\n{0}")]
     Invalid(Box<Report>),
     /// The structure does not store a part that a planar subdivision cannot do without.
-    #[error("a planar subdivision needs {}, which the expectation leaves out", .0.name())]
+    #[error("a planar subdivision needs {}, which the structure does not store", .0.name())]
     Lacks(Part),
-    /// It was to bring its own unbounded face, but the expectation leaves that out.
+    /// It was to bring its own unbounded face, but it has none.
     #[error("the structure has no unbounded face; name a face or its border")]
     NoUnboundedFace,
-    /// A face or a border was to become the unbounded face, but the expectation says that there is one.
+    /// A face or a border was to become the unbounded face, but the structure has one.
     #[error("the structure has an unbounded face already")]
     SecondUnboundedFace,
     /// There is no face with the index that was to become the unbounded face.

@@ -7,7 +7,7 @@ use crate::store::Store;
 use crate::store::links::{BoundaryStart, Need, VertexLink};
 use crate::store::{BoundaryKey, FaceKey, HalfEdgeKey};
 
-/// What [`Dcel::remove_edge`] did.
+/// The result of [`Dcel::remove_edge`].
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
 #[non_exhaustive]
 pub enum RemovedEdge {
@@ -32,7 +32,7 @@ pub enum RemovedEdge {
 }
 
 /// The half-edges around the one that is removed.
-struct Around<H> {
+struct Neighbourhood<H> {
     n: H,
     t: H,
     before_n: H,
@@ -84,7 +84,7 @@ impl<S: Store> Dcel<S> {
     pub fn remove_edge(&mut self, half_edge: HalfEdgeKey) -> Result<RemovedEdge, OperatorError> {
         let n = self.half_edge_slot(half_edge)?;
         let t = self.store.twin(n);
-        let around = Around {
+        let around = Neighbourhood {
             n,
             t,
             before_n: self.store.prev(n),
@@ -100,8 +100,8 @@ impl<S: Store> Dcel<S> {
     }
 
     /// Gives the ends of the edge another leaving half-edge, if they have one.
-    fn release_ends(&mut self, around: &Around<S::HalfEdge>) {
-        let Around { n, t, after_n, after_t, .. } = *around;
+    fn release_ends(&mut self, around: &Neighbourhood<S::HalfEdge>) {
+        let Neighbourhood { n, t, after_n, after_t, .. } = *around;
         let others = [after_t, after_n];
         for end in [self.store.origin(n), self.store.origin(t)] {
             if let Some(h) = others.into_iter().find(|h| *h != n && *h != t && self.store.origin(*h) == end) {
@@ -110,8 +110,8 @@ impl<S: Store> Dcel<S> {
         }
     }
 
-    fn merge(&mut self, around: &Around<S::HalfEdge>) -> RemovedEdge {
-        let Around { n, t, before_n, after_n, before_t, after_t } = *around;
+    fn merge(&mut self, around: &Neighbourhood<S::HalfEdge>) -> RemovedEdge {
+        let Neighbourhood { n, t, before_n, after_n, before_t, after_t } = *around;
         let (bn, bt) = (self.store.boundary(n), self.store.boundary(t));
         let (fn_, ft) = (self.store.face(bn), self.store.face(bt));
         // A face that surrounds the other has the cycle as an inner one. Of two side by side the left one is kept.
@@ -170,8 +170,8 @@ impl<S: Store> Dcel<S> {
         merged
     }
 
-    fn part(&mut self, around: &Around<S::HalfEdge>) -> RemovedEdge {
-        let Around { n, t, before_n, after_n, before_t, after_t } = *around;
+    fn part(&mut self, around: &Neighbourhood<S::HalfEdge>) -> RemovedEdge {
+        let Neighbourhood { n, t, before_n, after_n, before_t, after_t } = *around;
         let kept = self.store.boundary(n);
         let f = self.store.face(kept);
         let (origin, target) = (self.store.origin(n), self.store.origin(t));

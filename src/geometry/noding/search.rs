@@ -30,7 +30,7 @@ use super::chords::{Chord, Chords, chords};
 use super::input::NodingError;
 use super::pixel::{Block, Pixel, Pixels, Segment, Steps};
 use core::sync::atomic::AtomicUsize;
-use filing::{Content, Filed, Filing};
+use filing::{Content, Filing, PartFiling};
 use limits::{Budget, limit};
 use parts::{Tiles, around, halves};
 use vertices::Vertices;
@@ -61,7 +61,7 @@ const MANY: usize = limit(64, 4);
 
 /// The result of the search.
 #[derive(Default)]
-pub(super) struct Found {
+pub(super) struct PixelVisits {
     /// Pairs of a segment and a vertex whose pixel it visits, but in which it does not end.
     pub(super) visits: Vec<[u32; 2]>,
     /// Segments of which the way from centre to centre may visit a pixel that the segment does not visit, some of them more
@@ -86,7 +86,7 @@ struct Look {
     state: State,
 }
 
-/// What is known about the contents of a block.
+/// The state of knowledge about the contents of a block.
 #[derive(Clone, Copy, PartialEq)]
 enum State {
     New,
@@ -100,10 +100,10 @@ struct Search<'a> {
     pixels: Pixels,
     segments: &'a [Segment],
     vertices: Vertices<'a>,
-    found: Found,
+    found: PixelVisits,
     budget: Budget<'a>,
     tasks: Vec<Task<'a>>,
-    /// How many of the tasks are of bundles.
+    /// The number of tasks that are of bundles.
     bundles: usize,
     segment_pool: Vec<u32>,
     vertex_pool: Vec<u32>,
@@ -124,7 +124,7 @@ pub(super) fn search(
     segments: &[Segment],
     vertices: &mut Vec<Pixel>,
     most: usize,
-) -> Result<Found, NodingError> {
+) -> Result<PixelVisits, NodingError> {
     if segments.len() >= u32::MAX as usize {
         return Err(NodingError::TooMany);
     }
@@ -134,7 +134,7 @@ pub(super) fn search(
     let mut search = Search {
         pixels,
         segments,
-        found: Found::default(),
+        found: PixelVisits::default(),
         budget: Budget { most, visits: &visits, counted: 0 },
         tasks: all.map(task).into_iter().collect(),
         bundles: 0,
@@ -159,7 +159,7 @@ fn pairs(m: usize, h: usize) -> usize {
     m.saturating_mul(m + h)
 }
 
-/// What to do with a block that halving does not thin out.
+/// The treatment of a block that halving does not thin out.
 enum Instead {
     Cut(Pixel),
     SetAside(Vec<Chord>),
@@ -325,7 +325,7 @@ impl Search<'_> {
         // A visit takes a vertex, and a crossing that is not known two segments.
         let worth = |c: &Content| c.segments > 0 && (c.vertices > 0 || c.segments >= 2 && state != State::Crossed);
         self.filing.pour(&mut self.segment_pool, &mut self.vertex_pool, worth, |filed| {
-            let Filed { content, segments_from, vertices_from, .. } = filed;
+            let PartFiling { content, segments_from, vertices_from, .. } = filed;
             let block = part(filed.part).meet(&content.around);
             self.tasks.push(Task::Look(Look { block, segments_from, vertices_from, state }));
             most = most.max(pairs(content.segments, content.vertices));

@@ -5,14 +5,14 @@ use std::io::{self, BufRead, BufReader, ErrorKind, Read};
 
 use crate::io::error::TextPlace;
 
-/// How far a text has been read.
+/// The progress of a reader through a text.
 #[derive(Clone, Copy)]
 pub(super) struct Progress {
     /// The last byte read.
     pub(super) at: TextPlace,
-    /// Whether there was nothing but white space so far.
+    /// True if there was nothing but white space so far.
     pub(super) blank: bool,
-    /// Whether the text has ended or the reader has failed.
+    /// True if the text has ended or the reader has failed.
     pub(super) stopped: bool,
 }
 
@@ -34,7 +34,7 @@ pub(super) fn open<'p, R: Read + 'p>(
     progress: &'p Cell<Progress>,
     is_sequence: bool,
 ) -> io::Result<impl BufRead + 'p> {
-    let mut input = Tracked { reader, progress, is_sequence };
+    let mut input = ProgressReader { reader, progress, is_sequence };
     let mut start = Vec::new();
     input.by_ref().take(3).read_to_end(&mut start)?;
     if start == b"\xEF\xBB\xBF" {
@@ -44,13 +44,13 @@ pub(super) fn open<'p, R: Read + 'p>(
     Ok(BufReader::new(io::Cursor::new(start).chain(input)))
 }
 
-struct Tracked<'p, R> {
+struct ProgressReader<'p, R> {
     reader: R,
     progress: &'p Cell<Progress>,
     is_sequence: bool,
 }
 
-impl<R: Read> Read for Tracked<'_, R> {
+impl<R: Read> Read for ProgressReader<'_, R> {
     fn read(&mut self, out: &mut [u8]) -> io::Result<usize> {
         let mut progress = self.progress.get();
         if out.is_empty() || progress.stopped {

@@ -26,17 +26,17 @@ const MANY: usize = 1 << 14;
 /// The number of the unbounded face.
 const UNBOUNDED: u32 = 0;
 
-/// What one sweep says about points and segments.
-pub(super) struct Swept {
+/// The result of one sweep over points and segments.
+pub(super) struct Placement {
     /// The lexicographically smallest point of each component, from left to right.
     lowest: Vec<u32>,
     /// For each of these, the segment directly below.
     below: Vec<Option<u32>>,
-    /// Whether, and where first, the segments do not meet at shared endpoints only.
+    /// The first place where segments meet elsewhere than at shared endpoints; none if they do not.
     pub(super) clash: Option<Clash>,
 }
 
-impl Swept {
+impl Placement {
     /// Sweeps over points and segments, which are distinct and in range. O(n log n).
     pub(super) fn new(points: &[Point], segments: &[[u32; 2]]) -> Result<Self, BuildError> {
         let lowest = lowest_points(points, segments);
@@ -144,12 +144,12 @@ impl Cycles {
 }
 
 /// The rotations of points and segments, and their cycles.
-pub(super) struct Turned {
+pub(super) struct CombinatorialMap {
     rotations: Rotations,
     cycles: Cycles,
 }
 
-impl Turned {
+impl CombinatorialMap {
     /// O(n log n).
     pub(super) fn new(points: &[Point], segments: &[[u32; 2]]) -> Self {
         let rotations = Rotations::new(points, segments);
@@ -195,11 +195,11 @@ fn outside_dart(rotations: &Rotations, points: &[Point], segments: &[[u32; 2]], 
 pub(super) fn arrange(
     points: &[Point],
     segments: &[[u32; 2]],
-    swept: &Swept,
-    turned: &Turned,
+    swept: &Placement,
+    turned: &CombinatorialMap,
 ) -> Result<Dcel, BuildError> {
-    let Swept { lowest, below, .. } = swept;
-    let Turned { rotations, cycles } = turned;
+    let Placement { lowest, below, .. } = swept;
+    let CombinatorialMap { rotations, cycles } = turned;
 
     // The cycles that are the outside of their component, and for each the face where that lies.
     let mut outside = vec![false; cycles.starts.len()];

@@ -1,8 +1,8 @@
 //! Gathering rings, lines and points, and building the map of them all at once.
 
-use super::arrange::{Swept, Turned, arrange, points_by_vertex};
+use super::arrange::{CombinatorialMap, Placement, arrange, points_by_vertex};
 use super::cover::cover;
-use super::cut::{self, Cut, Noding, usual_cuts};
+use super::cut::{self, CutSegments, Noding, usual_cuts};
 use super::error::BuildError;
 use super::gathered::{Dart, GatheredFeature};
 use super::rings::Ring;
@@ -14,6 +14,7 @@ use crate::geometry::predicates::in_range;
 use crate::geometry::threads;
 use crate::map::feature::{Feature, FeatureId, Shape};
 use crate::map::index::KeptIndex;
+#[cfg(feature = "near")]
 use crate::map::notes::Notes;
 use crate::map::planar_map::PlanarMap;
 use crate::map::summary::{BuildSummary, IrregularityKind, Position};
@@ -48,7 +49,7 @@ pub struct Builder {
     segment_numbers: FxHashMap<(u32, u32), u32>,
     pub(super) features: Vec<GatheredFeature>,
     summary: BuildSummary,
-    /// How often segments may be cut, if it was said.
+    /// The number of cuts allowed, if one was set.
     cuts: Option<usize>,
 }
 
@@ -112,7 +113,7 @@ impl Builder {
         self.shape(&Shape::Line(vec![from.into(), to.into()]))
     }
 
-    /// What has been found in the input so far.
+    /// Returns the counts and irregularities of the input so far.
     ///
     /// ```
     /// use twinedge::map::Builder;
@@ -317,19 +318,20 @@ impl Builder {
     pub fn build_with(self, noding: Noding) -> Result<PlanarMap, BuildError> {
         let Self { points, places, segments, segment_numbers, mut features, summary, cuts } = self;
         drop((places, segment_numbers));
-        // What is plane need not be cut.
-        let plane = if noding == Noding::Exact { Some(Swept::new(&points, &segments)?) } else { None };
+        // A plane drawing is not cut.
+        let plane = if noding == Noding::Exact { Some(Placement::new(&points, &segments)?) } else { None };
         let plane = plane.filter(|swept| swept.clash.is_none());
         let (points, segments, noded) = match noding {
             Noding::None => (points, segments, None),
             Noding::Exact if plane.is_some() => (points, segments, Some(NodingSummary::default())),
             Noding::Exact => {
-                let Cut { points, segments, summary } = cut::exact(points, &segments, &mut features)?;
+                let CutSegments { points, segments, summary } = cut::exact(points, &segments, &mut features)?;
                 (points, segments, Some(summary))
             }
             Noding::Snap(snap) => {
                 let cuts = cuts.unwrap_or(usual_cuts(segments.len()));
-                let Cut { points, segments, summary } = cut::snapped(&points, &segments, &mut features, snap, cuts)?;
+                let CutSegments { points, segments, summary } =
+                    cut::snapped(&points, &segments, &mut features, snap, cuts)?;
                 (points, segments, Some(summary))
             }
         };
@@ -384,12 +386,14 @@ fn assembled(
     points: &[Point],
     segments: &[[u32; 2]],
     features: &mut [GatheredFeature],
-    swept: Option<Swept>,
+    swept: Option<Placement>,
     refuse: impl FnOnce(Clash) -> Result<(), BuildError>,
 ) -> Result<PlanarMap, BuildError> {
     // Neither needs the other.
-    let (swept, turned) =
-        threads::join(|| swept.map_or_else(|| Swept::new(points, segments), Ok), || Turned::new(points, segments));
+    let (swept, turned) = threads::join(
+        || swept.map_or_else(|| Placement::new(points, segments), Ok),
+        || CombinatorialMap::new(points, segments),
+    );
     let swept = swept?;
     swept.clash.map_or(Ok(()), refuse)?;
     let dcel = arrange(points, segments, &swept, &turned)?;
@@ -403,6 +407,7 @@ fn assembled(
         summary: BuildSummary::default(),
         noding: None,
         index: KeptIndex::default(),
+        #[cfg(feature = "near")]
         notes: Notes::default(),
     })
 }

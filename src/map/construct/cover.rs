@@ -1,4 +1,4 @@
-//! Which features cover each face, and which run along each edge?
+//! The features that cover each face, and those that run along each edge.
 //!
 //! A point belongs to a polygon if a ray from it crosses the rings an odd number of times. So from face to face, across an
 //! edge, the polygons that the point belongs to change by those that use the edge an odd number of times. One walk over all
@@ -49,7 +49,7 @@ enum Step {
     Leave(usize),
 }
 
-/// Where the walk is: in which polygons, and in how many of each feature.
+/// The position of the walk: the polygons that it is in, and their number for each feature.
 struct State {
     inside: Vec<bool>,
     polygons: Vec<u32>,

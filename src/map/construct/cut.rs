@@ -10,7 +10,7 @@ use rstar::primitives::GeomWithData;
 use rstar::{AABB, RTree};
 use rustc_hash::FxHashMap;
 
-/// How segments are treated that meet elsewhere than at shared endpoints.
+/// The treatment of segments that meet elsewhere than at shared endpoints.
 ///
 /// ```text
 ///            \ /               \ /              \ /
@@ -34,8 +34,8 @@ pub enum Noding {
     Snap(Snap),
 }
 
-/// What was gathered, cut.
-pub(super) struct Cut {
+/// The gathered points and segments after noding.
+pub(super) struct CutSegments {
     pub(super) points: Vec<Point>,
     pub(super) segments: Vec<[u32; 2]>,
     pub(super) summary: NodingSummary,
@@ -120,7 +120,7 @@ pub(super) fn exact(
     points: Vec<Point>,
     segments: &[[u32; 2]],
     features: &mut [GatheredFeature],
-) -> Result<Cut, BuildError> {
+) -> Result<CutSegments, BuildError> {
     let tree: RTree<GeomWithData<[f64; 2], u32>> =
         RTree::bulk_load(points.iter().zip(0..).map(|(p, v)| GeomWithData::new((*p).into(), v)).collect());
     let mut out = Vec::with_capacity(segments.len());
@@ -155,10 +155,10 @@ pub(super) fn exact(
     }
     summary.duplicates = pieces.darts.len() - out.len();
     pieces.follow(features);
-    Ok(Cut { points, segments: out, summary })
+    Ok(CutSegments { points, segments: out, summary })
 }
 
-/// How often segments may be cut unless it is said otherwise.
+/// Returns the number of cuts allowed by default.
 pub(super) const fn usual_cuts(segments: usize) -> usize {
     segments.saturating_mul(16).saturating_add(1 << 20)
 }
@@ -170,7 +170,7 @@ pub(super) fn snapped(
     features: &mut [GatheredFeature],
     snap: Snap,
     cuts: usize,
-) -> Result<Cut, BuildError> {
+) -> Result<CutSegments, BuildError> {
     // The predicates must be exact on grid points, too.
     if matches!(snap, Snap::Size(size) if size < MIN_COORDINATE) {
         return Err(BuildError::CellSize);
@@ -199,5 +199,5 @@ pub(super) fn snapped(
         pieces.push(noded.chain(segment).into_iter().flatten(), |ends| number.of(ends));
     }
     pieces.follow(features);
-    Ok(Cut { points: noded.points, segments: noded.segments, summary: noded.summary })
+    Ok(CutSegments { points: noded.points, segments: noded.segments, summary: noded.summary })
 }

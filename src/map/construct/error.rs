@@ -1,4 +1,4 @@
-//! Why a shape was not taken, or no map built.
+//! Errors of the builder: a shape was refused, or no map could be built.
 
 use crate::dcel::RecordKind;
 use crate::geometry::Point;
@@ -6,14 +6,14 @@ use crate::map::summary::Position;
 use core::fmt;
 use thiserror::Error;
 
-/// Why a shape was not taken, or no map built.
+/// The error of [`Builder`](crate::map::Builder): a shape was refused, or no map could be built.
 #[derive(Clone, Copy, Debug, PartialEq, Error)]
 #[non_exhaustive]
 pub enum BuildError {
     /// A coordinate is NaN or infinite.
     #[error("{position}: the coordinates ({x}, {y}) are not finite")]
     NotFinite {
-        /// Where.
+        /// The place in the input.
         position: Position,
         /// The first coordinate.
         x: f64,
@@ -25,7 +25,7 @@ pub enum BuildError {
         "{position}: the coordinates ({x:?}, {y:?}) are out of range: magnitudes must be zero or from 2^-400 to 2^500"
     )]
     OutOfRange {
-        /// Where.
+        /// The place in the input.
         position: Position,
         /// The first coordinate.
         x: f64,
@@ -43,13 +43,13 @@ pub enum BuildError {
         one: [Point; 2],
         /// The other.
         other: [Point; 2],
-        /// How many pairs cross.
+        /// The number of pairs that cross.
         count: u64,
     },
     /// Segments meet more often than is allowed ([`Builder::limit_cuts`](crate::map::Builder::limit_cuts)).
     #[error("segments are cut more than {allowed} times: allow more, or see whether they are the right ones")]
     TooManyCuts {
-        /// How often they may be cut.
+        /// The number of cuts allowed.
         allowed: usize,
     },
     /// The size of a cell is not a finite number of at least 2^-400 ([`Noding::Snap`](crate::map::Noding::Snap)).

@@ -1,9 +1,9 @@
-//! What the builder gathers before there is a map: darts over distinct segments, and features made of them.
+//! The input of the builder before there is a map: darts over distinct segments, and features made of them.
 
 /// A half-edge before there are any: twice the number of its segment, plus 1 if it runs against it.
 pub(super) type Dart = u32;
 
-/// What is kept of a feature until the map is built.
+/// The record of a feature until the map is built.
 #[derive(Clone, Debug, Default)]
 pub(super) struct GatheredFeature {
     pub(super) name: Option<String>,

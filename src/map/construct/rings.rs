@@ -63,7 +63,7 @@ impl Ring<'_> {
                 _ => trimmed.push((v, *start)),
             }
         }
-        // What is a spike only across the end of the list.
+        // Remove spikes that run across the end of the list.
         let mut rest = &mut trimmed[..];
         while let [first, second, .., last_but_one, last] = *rest {
             let count = rest.len();

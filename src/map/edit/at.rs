@@ -14,7 +14,7 @@ pub enum At {
     /// A point in the face of a half-edge or on its boundary, O(1) if that boundary is short; or elsewhere after all, or in a
     /// face with a long one, and found as without the hint.
     Near(Point, HalfEdgeKey),
-    /// Where this vertex is. O(1).
+    /// The place of this vertex. O(1).
     Vertex(VertexKey),
 }
 

@@ -14,15 +14,15 @@ use rustc_hash::FxHashMap;
 /// A chain of which is known that it crosses nothing.
 struct ChainPlan {
     points: Vec<Point>,
-    /// Where each of them lies.
+    /// The location of each point.
     places: Vec<Located>,
     /// For each segment the vertices of the map that it passes through.
     stops: Vec<Vec<VertexKey>>,
-    /// Whether segments of the chain meet at its points only.
+    /// True if segments of the chain meet at its points only.
     simple: bool,
 }
 
-/// What tells points apart, of which 0 has one kind only.
+/// Returns a key that is equal for equal points. Callers pass no −0.
 pub(super) fn bits(p: Point) -> [u64; 2] {
     [p.x.to_bits(), p.y.to_bits()]
 }
@@ -89,7 +89,7 @@ impl PlanarMap {
     }
 }
 
-/// Whether segments meet at shared ends only; an error if two of them cross. O(m log m) if they do, else O(m²).
+/// Returns true if segments meet at shared ends only; an error if two of them cross. O(m log m) if they do, else O(m²).
 fn is_simple(ways: &[[Point; 2]]) -> Result<bool, EditError> {
     if ways.len() < 2 {
         return Ok(true);

@@ -7,7 +7,7 @@ use crate::map::planar_map::PlanarMap;
 use crate::store::links::Need;
 
 impl PlanarMap {
-    /// Whether there is room for so many edges between vertices that are there.
+    /// Checks that there is room for so many edges between existing vertices.
     pub(crate) fn room_for_edges(&self, edges: usize) -> Result<(), EditError> {
         self.editable()?;
         Ok(self.dcel.room_for(Need { edges, boundaries: edges, faces: edges, vertices: 0 })?)

@@ -13,7 +13,7 @@ use crate::map::planar_map::PlanarMap;
 use crate::store::links::Need;
 
 impl PlanarMap {
-    /// Whether there is room to draw straight edges that go through so many vertices, made or there.
+    /// Checks that there is room to draw straight edges through so many vertices, new or existing.
     pub(super) fn room_for_drawing(&self, vertices: usize) -> Result<(), EditError> {
         // A plane drawing has fewer than 3 edges per vertex, and a vertex may split one edge.
         let edges = vertices.saturating_mul(4);

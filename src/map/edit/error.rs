@@ -1,4 +1,4 @@
-//! Why an edit was refused.
+//! Errors of edits.
 
 use crate::dcel::{HalfEdgeKey, OperatorError, RecordKind, StaleKey, VertexKey};
 use crate::geometry::Point;
@@ -6,7 +6,7 @@ use crate::geometry::noding::NodingError;
 use crate::map::feature::FeatureId;
 use thiserror::Error;
 
-/// Why an edit was refused. The map is as it was.
+/// The error of an edit. The map is unchanged.
 #[derive(Clone, Copy, Debug, PartialEq, Error)]
 #[non_exhaustive]
 pub enum EditError {
@@ -48,7 +48,7 @@ pub enum EditError {
     /// A ring of fewer than three points.
     #[error("a ring needs three points, this one has {points}")]
     NotARing {
-        /// How many there are, not counting a last one that repeats the first.
+        /// The number of points, not counting a last one that repeats the first.
         points: usize,
     },
     /// Two segments of a ring cross, at a point interior to both.
@@ -85,7 +85,7 @@ pub enum EditError {
 }
 
 impl EditError {
-    /// Why these could not be noded.
+    /// The error for points and segments that could not be noded.
     pub(super) fn of_noding(error: NodingError, segments: &[[Point; 2]], points: &[Point]) -> Self {
         match error {
             NodingError::Size => Self::CellSize,

@@ -52,7 +52,7 @@ impl PlanarMap {
             Some(b) => self.free_way(v, b.face(), to, &[])?,
             None => {
                 for h in v.rotation() {
-                    // What is met first is met from within a face at the vertex, by one of the two edges beside the corner.
+                    // The way may start in a face at the vertex, and there it meets first one of the two edges beside the corner.
                     self.free_way(v, h.face(), to, &[h, h.counter_clockwise()])?;
                 }
             }
@@ -110,7 +110,7 @@ impl PlanarMap {
     }
 }
 
-/// Whether a point lies in a closed triangle, which may be flat.
+/// Returns true if a point lies in a closed triangle, which may be flat.
 fn in_triangle(p: Point, [a, b, c]: [Point; 3]) -> bool {
     let turns = [orientation(a, b, p), orientation(b, c, p), orientation(c, a, p)];
     let turn = |t: Orientation| turns.contains(&t);

@@ -11,12 +11,16 @@ use crate::map::planar_map::PlanarMap;
 
 /// Runs an operator of topology, and notes what it writes if the map is to.
 macro_rules! operate {
-    ($map:ident.$operator:ident($($argument:expr),*)) => {
-        match &mut $map.notes.0 {
+    ($map:ident.$operator:ident($($argument:expr),*)) => {{
+        #[cfg(feature = "near")]
+        let outcome = match &mut $map.notes.0 {
             None => $map.dcel.$operator($($argument),*),
             Some(notes) => $map.dcel.watched(notes, |dcel| dcel.$operator($($argument),*)),
-        }
-    };
+        };
+        #[cfg(not(feature = "near"))]
+        let outcome = $map.dcel.$operator($($argument),*);
+        outcome
+    }};
 }
 
 impl PlanarMap {
@@ -85,6 +89,7 @@ impl PlanarMap {
     /// Moves a vertex with its edges. O(degree).
     pub(super) fn put_at(&mut self, vertex: VertexKey, to: Point) -> Result<(), EditError> {
         let v = self.dcel.vertex(vertex)?;
+        #[cfg(feature = "near")]
         if let Some(notes) = &mut self.notes.0 {
             notes.vertices.push(v.index());
         }

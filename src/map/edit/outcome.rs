@@ -1,9 +1,9 @@
-//! What an edit did.
+//! The result of an edit.
 
 use crate::dcel::{FaceKey, HalfEdgeKey, VertexKey};
 use crate::map::feature::FeatureId;
 
-/// What an edit did, so that data kept beside the map can follow.
+/// The changes that an edit made, so that data kept beside the map can follow.
 ///
 /// An edge is named by one of its half-edges. Keys of removed records are stale by now; they say which entries to drop. To
 /// follow, take the lists in the order of these fields, and the entries of each in their order. A face that was split off

@@ -1,4 +1,4 @@
-//! What is meant by where an edit is to be, and where that is.
+//! The point that the argument of an edit stands for, and its location on the map.
 
 use super::at::At;
 use super::error::EditError;
@@ -31,7 +31,7 @@ impl PlanarMap {
         }
     }
 
-    /// Where the point that is meant lies. For the cost see [`At`].
+    /// Returns the location of the point that the argument stands for. For the cost see [`At`].
     pub(super) fn place_of(&self, at: At) -> Result<Located, EditError> {
         match at {
             At::Point(_) => self.place(self.point_of(at)?, None),
@@ -44,17 +44,17 @@ impl PlanarMap {
         }
     }
 
-    /// Where a vertex of this map lies.
+    /// Returns the coordinates of a vertex of this map.
     pub(super) fn at(&self, vertex: Vertex<'_>) -> Point {
         self.points[vertex.index()]
     }
 
-    /// Where a half-edge of this map starts and ends.
+    /// Returns the coordinates of the origin and the target of a half-edge of this map.
     pub(super) fn ends(&self, h: HalfEdge<'_>) -> [Point; 2] {
         [self.at(h.origin()), self.at(h.target())]
     }
 
-    /// Where a point lies: in a face that is likely, if this is small, or wherever the index finds it.
+    /// Returns the location of a point. A likely face is scanned first if it is small; otherwise the index is asked.
     pub(super) fn place(&self, p: Point, likely: Option<FaceKey>) -> Result<Located, EditError> {
         if let Some(face) = likely {
             let face = self.dcel.face(face)?;

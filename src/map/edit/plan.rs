@@ -1,4 +1,4 @@
-//! What a snapped segment will change, before anything does.
+//! The changes that a snapped segment will make, planned before any is made.
 
 use super::error::EditError;
 use super::region::Region;
@@ -16,11 +16,11 @@ pub(super) struct EdgeChange {
     /// Its place in the region.
     pub(super) edge: usize,
     pub(super) chain: Chain,
-    /// Whether it keeps its neighbours: whether all vertices in between are new, and its own.
+    /// True if the edge keeps its neighbours: all vertices in between are new, and on no other edge.
     pub(super) bends: bool,
 }
 
-/// What is to be done.
+/// The planned changes.
 pub(super) struct SnapPlan {
     pub(super) region: Region,
     /// The vertices of the noded drawing.

@@ -18,9 +18,9 @@ pub(super) struct RegionEdge {
     pub(super) ends: [VertexKey; 2],
     /// The features along it.
     pub(super) along: SetId,
-    /// What covers the faces to its left and right.
+    /// The features that cover the faces to its left and right.
     pub(super) covers: [SetId; 2],
-    /// Whether these faces are in the region.
+    /// True for each of these faces that is in the region.
     pub(super) inside: [bool; 2],
 }
 
@@ -39,7 +39,7 @@ pub(super) struct Region {
     pub(super) near_isolated: Vec<VertexKey>,
 }
 
-/// What may change, and how near matters.
+/// The parts of the drawing that may change, and the distance within which an edge matters.
 struct Reach {
     way: [Point; 2],
     changed: RTree<Rectangle<[f64; 2]>>,
@@ -47,8 +47,8 @@ struct Reach {
 }
 
 impl Reach {
-    /// Whether something of a segment may be within the margin of the way, or of a box around an edge that changes. It says
-    /// so too often rather than not often enough: what rounding may do to the distances is added to the margin.
+    /// Returns true if some point of a segment may be within the margin of the way, or of a box around an edge that changes. It
+    /// errs on the side of true: the rounding errors of the distances are added to the margin.
     fn is_near(&self, [a, b]: [Point; 2]) -> bool {
         let [p, q] = self.way;
         let largest = [a, b, p, q].iter().fold(0.0, |largest: f64, p| largest.max(p.x.abs()).max(p.y.abs()));

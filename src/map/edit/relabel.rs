@@ -12,13 +12,13 @@ use rustc_hash::FxHashMap;
 /// An edge of the map after the edit.
 #[derive(Default)]
 struct Border {
-    /// What is covered on one side of it and not on the other.
+    /// The features that cover one side of it and not the other.
     turns: SetId,
-    /// How many edges of the region run here now.
+    /// The number of edges of the region that run here now.
     users: usize,
 }
 
-/// What covers each face, as far as it is known.
+/// The features that cover each face, as far as they are known.
 #[derive(Default)]
 struct KnownCovers {
     sets: FxHashMap<FaceKey, SetId>,

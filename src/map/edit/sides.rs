@@ -1,5 +1,5 @@
-//! What topology leaves open when a face is split: on which side the new face lies, and which inner boundary components go
-//! there.
+//! The choices that topology leaves open when a face is split: the side of the new face, and the inner boundary components that
+//! go there.
 //!
 //! ```text
 //!    outer cycle: either will do                inner cycle: the new face is the one inside
@@ -54,8 +54,8 @@ impl<'a> CyclePart<'a> {
 }
 
 impl PlanarMap {
-    /// How an edge from the corner of `from` to that of `to`, on the same cycle, splits its face: the side of the new face,
-    /// and the inner boundary components that go there.
+    /// Returns the way in which an edge from the corner of `from` to that of `to`, on the same cycle, splits its face: the side
+    /// of the new face, and the inner boundary components that go there.
     ///
     /// Of the two parts of an outer cycle the shorter becomes the boundary of the new face; on a tie the one on the left.
     /// Where the cycle is an inner one, geometry decides.
@@ -122,7 +122,7 @@ impl PlanarMap {
         let segments: Vec<[u32; 2]> = rises_on_the_left.keys().copied().collect();
         let queries: Vec<u32> = (0..candidates.len() as u32).collect();
         let swept = sweep(&points, &segments, &queries).map_err(|_| OperatorError::Full(RecordKind::Vertex))?;
-        // What lies above an edge lies to the left of the half-edge that rises along it.
+        // The face above an edge lies to the left of the half-edge that rises along it.
         let lies_inside =
             |below: &Option<u32>| below.is_some_and(|segment| rises_on_the_left[&segments[segment as usize]] != around);
         Ok(candidates.into_iter().zip(&swept.below).filter(|(_, below)| lies_inside(below)).map(|(b, _)| b).collect())
@@ -156,7 +156,7 @@ impl PlanarMap {
     }
 }
 
-/// Whether a closed chain of points, the cycle of a plane map, turns clockwise: whether at its lexicographically smallest
+/// Returns true if a closed chain of points, the cycle of a plane map, turns clockwise: at its lexicographically smallest
 /// point a corner to its left is open to the left. It may pass there more than once.
 fn turns_clockwise(places: &[Point]) -> bool {
     let mut low = places[0];

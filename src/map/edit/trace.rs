@@ -20,11 +20,11 @@ use std::collections::hash_map::Entry;
 pub(super) struct Trace {
     /// The vertices that it passes through, in order, without its ends.
     pub(super) stops: Vec<VertexKey>,
-    /// Where it ends.
+    /// The location of its end.
     pub(super) end: Located,
 }
 
-/// What leaves a vertex towards a point.
+/// The half-edge or corner of a vertex in the direction of a point.
 pub(in crate::map) enum Towards<'a> {
     /// This half-edge, in exactly that direction.
     Along(HalfEdge<'a>),
@@ -45,7 +45,8 @@ impl<'a> Towards<'a> {
 }
 
 impl PlanarMap {
-    /// What leaves a vertex towards a point elsewhere. O(log degree), with the index where the degree is high.
+    /// Returns the half-edge or corner of a vertex in the direction of another point. O(log degree), with the index where the
+    /// degree is high.
     pub(in crate::map) fn towards<'a>(&'a self, v: Vertex<'a>, p: Point) -> Towards<'a> {
         if is_hub(v) {
             let found = self.index().towards(v, p).and_then(|h| self.dcel.half_edge_at(h));
@@ -122,19 +123,19 @@ impl PlanarMap {
         }
     }
 
-    /// What lies ahead on the way along a half-edge.
+    /// Returns the next thing on the way along a half-edge.
     fn ahead_along<'a>(&self, h: HalfEdge<'a>, at: Point, to: Point) -> Ahead<'a> {
         let v = h.target();
         if on_the_way(self.at(v), at, to) { Ahead::Vertex(v) } else { Ahead::End(Located::Edge(h.key())) }
     }
 
-    /// What lies ahead on the way through a face. Each face is looked at once, however often the way comes to it; a face
-    /// that is not small with all that lies behind it.
+    /// Returns the next thing on the way through a face. Each face is scanned once, however often the way enters it. For a face
+    /// that is not small, everything ahead is collected at once.
     fn ahead_in<'a>(&'a self, face: Face<'a>, at: Point, to: Point, way: &mut Way<'a>) -> Result<Ahead<'a>, EditError> {
         if way.all.is_none() && !is_small(face) {
             way.all = Some(self.seen_ahead(at, to)?);
         }
-        let Seen { beyond, end } = match (&mut way.all, way.faces.entry(face.key())) {
+        let Obstacles { beyond, end } = match (&mut way.all, way.faces.entry(face.key())) {
             (Some(all), _) => all,
             (None, Entry::Occupied(entry)) => entry.into_mut(),
             (None, Entry::Vacant(entry)) => entry.insert(self.seen_in(face, at, to)?),
@@ -148,8 +149,8 @@ impl PlanarMap {
         Ok(Ahead::End(end.unwrap_or(Located::Face(face.key()))))
     }
 
-    /// What there is of a face on the way; an error if that crosses an edge there, the first one.
-    fn seen_in<'a>(&self, face: Face<'a>, at: Point, to: Point) -> Result<Seen<'a>, EditError> {
+    /// Returns the vertices of a face on the way; an error if the way crosses an edge there, the first one.
+    fn seen_in<'a>(&self, face: Face<'a>, at: Point, to: Point) -> Result<Obstacles<'a>, EditError> {
         let line = Line { from: at, through: to };
         let mut sight = Sight::new(at, to);
         for h in face.half_edges() {
@@ -172,7 +173,7 @@ impl PlanarMap {
     }
 
     /// All there is on the way; an error if that crosses an edge, the first one.
-    fn seen_ahead(&self, at: Point, to: Point) -> Result<Seen<'_>, EditError> {
+    fn seen_ahead(&self, at: Point, to: Point) -> Result<Obstacles<'_>, EditError> {
         let mut sight = Sight::new(at, to);
         let line = Line { from: at, through: to };
         let ends = [Some(at), Some(to)];
@@ -180,7 +181,7 @@ impl PlanarMap {
             EventRecord::Vertex(v) => sight.pass(v, self.at(v)),
             EventRecord::Edge(_) => sight.meet(event),
         });
-        // What leaves a hub at an end meets the way nowhere else, but where it runs along it. Ahead of a hub nothing does.
+        // An edge that leaves a hub at an end meets the way only there, unless it runs along the way. Only the hub is ahead.
         if let Some(hub) = self.index().hub_at(to).and_then(|v| self.dcel.vertex_at(v)) {
             sight.pass(hub, to);
             if let Towards::Along(h) = self.towards(hub, at) {
@@ -191,22 +192,22 @@ impl PlanarMap {
     }
 }
 
-/// What has been looked at on the way of a segment.
+/// The part of the way of a segment that has been scanned.
 #[derive(Default)]
 struct Way<'a> {
-    faces: FxHashMap<FaceKey, Seen<'a>>,
+    faces: FxHashMap<FaceKey, Obstacles<'a>>,
     /// All that lies ahead, where a face was too large to be scanned.
-    all: Option<Seen<'a>>,
+    all: Option<Obstacles<'a>>,
 }
 
-/// What is being seen on the way of a segment.
+/// A scan of the way of a segment, in progress.
 struct Sight<'a> {
     at: Point,
     to: Point,
     line: Line,
     beyond: Vec<(Vertex<'a>, Point)>,
     end: Option<Located>,
-    /// Where it crosses an edge first.
+    /// The first crossing with an edge.
     crossing: Option<LineEvent<'a>>,
 }
 
@@ -238,7 +239,7 @@ impl<'a> Sight<'a> {
         }
     }
 
-    fn seen(mut self) -> Result<Seen<'a>, EditError> {
+    fn seen(mut self) -> Result<Obstacles<'a>, EditError> {
         if let Some(LineEvent { record: EventRecord::Edge(across), .. }) = self.crossing {
             return Err(EditError::Crosses(across.twin().key()));
         }
@@ -246,19 +247,19 @@ impl<'a> Sight<'a> {
         if compare_lexicographic(self.to, self.at).is_lt() {
             self.beyond.reverse();
         }
-        Ok(Seen { beyond: self.beyond, end: self.end })
+        Ok(Obstacles { beyond: self.beyond, end: self.end })
     }
 }
 
-/// What there is on the way of a segment.
-struct Seen<'a> {
+/// The result of a scan of the way of a segment.
+struct Obstacles<'a> {
     /// The vertices, the furthest first; some of them twice.
     beyond: Vec<(Vertex<'a>, Point)>,
     /// The edge inside which the segment ends, if it does.
     end: Option<Located>,
 }
 
-/// What lies ahead on the way of a segment.
+/// The next vertex on the way of a segment, or its end.
 enum Ahead<'a> {
     /// This vertex, and nothing before it.
     Vertex(Vertex<'a>),
@@ -266,7 +267,7 @@ enum Ahead<'a> {
     End(Located),
 }
 
-/// Whether, going on straight from `c`, `b` comes after `w`, or is it.
+/// Returns true if, on the straight way from `c`, `b` comes after `w` or is `w`.
 fn on_the_way(w: Point, c: Point, b: Point) -> bool {
     w != c && on_segment(w, c, b)
 }

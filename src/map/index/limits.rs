@@ -1,4 +1,4 @@
-//! Where scanning ends and the index begins.
+//! Sizes up to which scanning is faster than the index.
 
 use crate::dcel::{Face, Vertex};
 
@@ -13,12 +13,12 @@ pub(super) const HUB: usize = limit(64, 4);
 /// Up to so many half-edges and boundary components, a face is scanned.
 const SMALL: usize = limit(64, 6);
 
-/// Whether so many half-edges leave a vertex that going around would take long. O(1).
+/// Returns true if so many half-edges leave a vertex that going around would take long. O(1).
 pub(in crate::map) fn is_hub(v: Vertex<'_>) -> bool {
     v.rotation().nth(HUB).is_some()
 }
 
-/// Whether a face is better scanned than asked for in the index. O(1).
+/// Returns true if a face is small enough to be scanned instead of using the index. O(1).
 pub(in crate::map) fn is_small(face: Face<'_>) -> bool {
     let mut left = SMALL;
     face.boundaries().all(|b| {

@@ -93,7 +93,7 @@ impl RecordIndex {
             if let Some(hub) = self.hubs.get_mut(&(v.index() as u32)) {
                 hub.add(h.index() as u32, points[h.target().index()]);
             } else if is_hub(v) {
-                // What is in the tree of another hub stays there.
+                // Edges in the tree of another hub stay there.
                 let edges = v.rotation().map(|h| BoxedRecord::edge(h, points)).filter(|edge| self.tree.remove(edge));
                 let edges = edges.collect();
                 self.hubs.insert(v.index() as u32, Hub::new(v, points, edges));

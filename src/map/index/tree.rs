@@ -91,7 +91,7 @@ impl RecordTree {
         self.tree.insert(record);
     }
 
-    /// Whether it was there. O(log n), and what an R-tree takes to find it.
+    /// Removes a record; false if it was not there. O(log n), plus the time to find it in an R-tree.
     pub(super) fn remove(&mut self, record: &BoxedRecord) -> bool {
         self.tree.remove(record).is_some()
     }

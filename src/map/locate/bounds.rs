@@ -19,15 +19,15 @@ impl Bounds {
         })
     }
 
-    /// Whether all of it comes after a point in lexicographic order, or all before; none if neither.
+    /// Returns true if all of it comes after a point in lexicographic order, false if all comes before; none if neither.
     #[inline]
     pub(super) fn after(&self, p: Point) -> Option<bool> {
         let (before, after) = (is_before(self.high, p), is_before(p, self.low));
         (before | after).then_some(after)
     }
 
-    /// Whether all of it lies to the left of the line through two points, the lower one first, or all to the right; none if
-    /// neither is clear.
+    /// Returns true if all of it lies to the left of the line through two points, the lower one first, false if all lies to the
+    /// right; none if neither is clear.
     ///
     /// Only the two corners furthest from the line count. Each difference and product is off by at most one part in 2^53,
     /// so a side of which the rounded value is so clear is the right one.
@@ -46,7 +46,7 @@ impl Bounds {
     }
 }
 
-/// Whether a point comes before another in lexicographic order.
+/// Returns true if a point comes before another in lexicographic order.
 #[inline]
 #[expect(clippy::needless_bitwise_bool, reason = "without branches: to a search, which comes first looks random")]
 #[expect(clippy::float_cmp, reason = "the order is exact")]

@@ -7,7 +7,7 @@ use crate::geometry::predicates::{Orientation, in_range, orientation};
 use alloc::vec;
 use alloc::vec::Vec;
 
-/// How many marks per cell are made at most, on average, before the grid is given up.
+/// The greatest average number of marks per cell; beyond it the grid is given up.
 const MAX_MARKS_PER_CELL: usize = 16;
 
 /// A grid of as many columns as rows, with about one cell for each segment. An empty cell stores its face; all others store
@@ -22,7 +22,7 @@ pub(super) struct Cells {
     stages: Vec<Stage>,
 }
 
-/// How a range of numbers is cut in pieces.
+/// A range of numbers, cut into equal pieces.
 struct Axis {
     first: f64,
     last: f64,
@@ -111,7 +111,7 @@ impl Cells {
         }
     }
 
-    /// Which cells are not empty; none if the segments pass through too many.
+    /// Returns a mark for each cell that is not empty; none if the segments pass through too many.
     fn marked(&self, graph: &Graph) -> Option<Vec<bool>> {
         let mut marked = vec![false; self.stages.len()];
         let mut marks_left = MAX_MARKS_PER_CELL * self.stages.len();
@@ -145,7 +145,7 @@ impl Cells {
         rows: core::ops::Range<usize>,
     ) -> core::ops::Range<usize> {
         let [left, right] = self.columns.bounds[column];
-        // Where in the column it is lowest, and highest.
+        // The lowest and the highest point of the segment in the column.
         let (lowest, highest) = if low.y <= high.y { (left, right) } else { (right, left) };
         let is = |side: Orientation, x: f64, y: f64| {
             let corner = Point::new(x, y);
@@ -176,7 +176,7 @@ impl Cells {
         self.rows.piece(p.y) * self.columns.pieces + self.columns.piece(p.x)
     }
 
-    /// Where to start the search for a point; none if it lies outside.
+    /// Returns the stage at which to start the search for a point; none if it lies outside.
     #[inline]
     pub(super) fn stage(&self, p: Point) -> Option<Stage> {
         let inside = (self.columns.first..=self.columns.last).contains(&p.x)

@@ -3,7 +3,7 @@
 
 use super::bounds::Bounds;
 use super::slabs::{Slab, Slabs};
-use super::trapezoids::{Drawn, GraphError, search_graph};
+use super::trapezoids::{Drawing, GraphError, search_graph};
 use crate::geometry::Point;
 use crate::geometry::predicates::{Orientation, compare_lexicographic, count_step, orientation};
 use crate::geometry::threads;
@@ -20,9 +20,9 @@ pub(super) type Stage = u32;
 struct Question {
     /// A segment, or a point, marked.
     of: u32,
-    /// Where to go on the right of the segment; on the left of the point.
+    /// The next stage on the right of the segment; on the left of the point.
     below: Stage,
-    /// Where to go on the left of the segment; on the right of the point.
+    /// The next stage on the left of the segment; on the right of the point.
     above: Stage,
 }
 
@@ -31,7 +31,7 @@ impl Question {
     const NONE: Self = Self { of: 0, below: 0, above: 0 };
 }
 
-/// Where a point lies: in a face, or at a point or inside a segment of the drawing, by their places there.
+/// The location of a point: in a face, or at a point or inside a segment of the drawing, by their places there.
 #[derive(Clone, Copy)]
 pub(super) enum GraphHit {
     Face(u32),
@@ -50,7 +50,7 @@ pub(super) struct Graph {
 impl Graph {
     /// Builds the graph, with the face above each segment, and that above none. Expected time O(n log n), memory O(n). The slabs
     /// are divided among threads.
-    pub(super) fn new(drawn: Drawn, faces: &[u32], outside: u32) -> Result<Self, GraphError> {
+    pub(super) fn new(drawn: Drawing, faces: &[u32], outside: u32) -> Result<Self, GraphError> {
         let slabs = Slabs::new(&drawn);
         let numbers: Vec<usize> = (0..slabs.len()).collect();
         let parts = threads::map(&numbers, |slab| Self::pack(&slabs.slab(*slab, &drawn), faces, outside));
@@ -121,12 +121,12 @@ impl Graph {
         Ok((stages[0], questions))
     }
 
-    /// Where every way begins.
+    /// Returns the stage at which every search begins.
     pub(super) const fn root(&self) -> Stage {
         self.root
     }
 
-    /// Where a point lies that comes through this stage. O(log n) expected from the root.
+    /// Returns the location of a point whose search has come to this stage. O(log n) expected from the root.
     #[inline]
     pub(super) fn find(&self, mut stage: Stage, p: Point) -> GraphHit {
         while stage & MARK == 0 {

@@ -1,4 +1,4 @@
-//! Whether a point lies in one face, or on its boundary, found by scanning that boundary.
+//! Location of a point in one face, or on its boundary, by scanning that boundary.
 
 use super::located::Located;
 use crate::dcel::{Face, HalfEdge, Vertex};
@@ -8,7 +8,7 @@ use crate::map::planar_map::PlanarMap;
 use crate::validate::Embedding;
 use core::cmp::Ordering;
 
-/// Where a point lies that lies in this face or on its boundary; none if it lies elsewhere. O(size of the boundary).
+/// Returns the location of a point in this face or on its boundary; none if it lies elsewhere. O(size of the boundary).
 pub(in crate::map) fn locate_in_face(map: &PlanarMap, face: Face<'_>, p: Point) -> Option<Located> {
     let mut scan = BoundaryScan { map, p, on: None, below: None };
     face.half_edges().for_each(|h| scan.at_edge(h));
@@ -18,7 +18,7 @@ pub(in crate::map) fn locate_in_face(map: &PlanarMap, face: Face<'_>, p: Point) 
     scan.on.or_else(|| is_inside().then(|| Located::Face(face.key())))
 }
 
-/// What is known of a point, after scanning some edges and isolated vertices.
+/// A scan of edges and isolated vertices around a point, in progress.
 struct BoundaryScan<'a> {
     map: &'a PlanarMap,
     p: Point,
@@ -59,7 +59,7 @@ impl<'a> BoundaryScan<'a> {
     }
 }
 
-/// Whether an edge lies above another, where both rise and have something to the left and to the right of one point.
+/// Returns true if an edge lies above another, where both rise and have something to the left and to the right of one point.
 fn is_above([low, high]: [Point; 2], [other_low, other_high]: [Point; 2]) -> bool {
     // The one that starts further right starts above or below the other.
     let turn = if low == other_low {

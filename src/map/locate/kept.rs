@@ -1,4 +1,4 @@
-//! Where a point lies, by the index that a map keeps.
+//! Location of a point by the index that a map keeps.
 //!
 //! The index knows something near. From the point straight there, and a little further, what is met first bounds the face: that
 //! is decided exactly, whatever is near.
@@ -16,8 +16,8 @@ use crate::map::zone::selection::each_event;
 use crate::validate::Embedding;
 
 impl PlanarMap {
-    /// Where a point lies, for a map that changes between questions. An edge is named by the half-edge that runs to the right,
-    /// or straight up.
+    /// Returns the location of a point, for a map that changes between questions. An edge is named by the half-edge that runs to
+    /// the right, or straight up.
     ///
     /// The first call builds an index, O(n log n), which the map keeps through all [edits](crate::map::edit). With it, a
     /// question takes what an R-tree takes to find what lies between the point and something near: O(log n) where boxes hardly overlap, as on most maps,
@@ -70,7 +70,8 @@ impl PlanarMap {
         ends.into_iter().flatten().find(|v| self.point(v.index()) == p).map(|v| v.key().into())
     }
 
-    /// Where a point lies, by what the segment from there to another point meets first; none if it meets nothing.
+    /// Returns the location of a point, found from the first record that the segment to another point meets; none if it meets
+    /// nothing.
     fn first_met(&self, p: Point, to: Point) -> Option<Located> {
         let line = Line { from: p, through: to };
         let mut first: Option<LineEvent<'_>> = None;

@@ -2,7 +2,7 @@
 
 /// Some lists of numbers, each ascending.
 pub(super) struct Lists {
-    /// Where each list starts, and where the last one ends.
+    /// The start of each list, and the end of the last one.
     starts: Vec<usize>,
     items: Vec<u32>,
 }

@@ -5,7 +5,7 @@ use crate::geometry::Point;
 use crate::geometry::predicates::in_range;
 use thiserror::Error;
 
-/// Where a point lies.
+/// The location of a point.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord, Hash)]
 pub enum Located {
     /// In this face, and not on its boundary.
@@ -34,7 +34,7 @@ impl From<VertexKey> for Located {
     }
 }
 
-/// Why there is no answer.
+/// The error of point location and of zones.
 #[derive(Clone, Copy, Debug, PartialEq, Error)]
 #[non_exhaustive]
 pub enum LocateError {

@@ -5,7 +5,7 @@ use super::cells::Cells;
 use super::curve::Curve;
 use super::graph::{Graph, GraphHit};
 use super::located::{LocateError, Located, check_range};
-use super::trapezoids::{Drawn, GraphError};
+use super::trapezoids::{Drawing, GraphError};
 use crate::dcel::Vertex;
 use crate::geometry::Point;
 use crate::geometry::predicates::compare_lexicographic;
@@ -79,7 +79,7 @@ impl<'m> Locator<'m> {
             }
         }
         let ends = segments.iter().map(|ends| ends.map(|end| points[end as usize])).collect();
-        let drawn = Drawn { points, segments, ends };
+        let drawn = Drawing { points, segments, ends };
         let graph =
             Graph::new(drawn, &faces, dcel.unbounded_face().index() as u32).map_err(|failure| match failure {
                 GraphError::TooLarge => LocateError::TooLarge,
@@ -95,7 +95,8 @@ impl<'m> Locator<'m> {
         self.map
     }
 
-    /// Where a point lies. An edge is named by the half-edge that runs to the right, or straight up. O(log n) expected.
+    /// Returns the location of a point. An edge is named by the half-edge that runs to the right, or straight up. O(log n)
+    /// expected.
     ///
     /// ```
     /// use twinedge::geometry::Point;
@@ -131,8 +132,8 @@ impl<'m> Locator<'m> {
         Ok(located.unwrap_or(Located::Face(dcel.unbounded_face().key())))
     }
 
-    /// Where each of some points lies, in their order: what [`locate`](Self::locate) says of each. O(log n) expected for each; with
-    /// the feature `rayon`, the points are divided among the threads of its current pool.
+    /// Returns the location of each of some points, in their order, as [`locate`](Self::locate) does. O(log n) expected for each;
+    /// with the feature `rayon`, the points are divided among the threads of its current pool.
     ///
     /// ```
     /// use twinedge::map::{Located, Locator, PlanarMap};

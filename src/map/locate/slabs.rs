@@ -15,14 +15,14 @@
 //! are long, as in fans and among long parallels, one slab is left. So all slabs together have O(n) segments.
 
 use super::lists::Lists;
-use super::trapezoids::Drawn;
+use super::trapezoids::Drawing;
 use crate::geometry::Point;
 use crate::geometry::predicates::compare_lexicographic;
 
 /// About how many vertices a slab has at least.
 const LEAST: usize = 512;
 
-/// How many vertices of the sample from which walls are chosen are between two neighbouring ones.
+/// The number of vertices of the sample between two neighbouring walls.
 const SAMPLED: usize = 8;
 
 /// Of so many segments one may pass through a wall, on average. It is drawn twice.
@@ -41,14 +41,14 @@ pub(super) struct Slabs {
 
 /// A drawing of what has a part in a slab, and the numbers that its points and segments have in the whole drawing.
 pub(super) struct Slab {
-    pub(super) drawn: Drawn,
+    pub(super) drawn: Drawing,
     pub(super) points: Vec<u32>,
     pub(super) segments: Vec<u32>,
 }
 
 impl Slabs {
     /// Cuts a drawing. O(n log n).
-    pub(super) fn new(drawn: &Drawn) -> Self {
+    pub(super) fn new(drawn: &Drawing) -> Self {
         let halvings = (drawn.points.len() / LEAST).checked_ilog2().unwrap_or(0);
         let mut walls = quantiles(&drawn.points, 1 << halvings);
         let at_walls: Vec<Point> = walls.iter().map(|wall| drawn.points[*wall as usize]).collect();
@@ -78,13 +78,13 @@ impl Slabs {
         Self { walls, points, segments, places }
     }
 
-    /// How many there are.
+    /// Returns the number of slabs.
     pub(super) fn len(&self) -> usize {
         self.walls.len() + 1
     }
 
-    /// What is in one of them: its points, then those outside at which segments end that pass through its walls.
-    pub(super) fn slab(&self, slab: usize, drawn: &Drawn) -> Slab {
+    /// Returns the contents of a slab: its points, then the endpoints outside it of segments that pass through its walls.
+    pub(super) fn slab(&self, slab: usize, drawn: &Drawing) -> Slab {
         let own = self.points.list(slab);
         let place = |point: u32| {
             let place = self.places[point as usize];
@@ -99,7 +99,7 @@ impl Slabs {
             |end: u32| place(end).unwrap_or_else(|| (own.len() + outside.partition_point(|other| *other < end)) as u32);
         let ends = segments.iter().map(|segment| drawn.segments[*segment as usize].map(number)).collect();
         let points = [own, &outside].concat();
-        let drawn = Drawn {
+        let drawn = Drawing {
             points: points.iter().map(|point| drawn.points[*point as usize]).collect(),
             ends: segments.iter().map(|segment| drawn.ends[*segment as usize]).collect(),
             segments: ends,

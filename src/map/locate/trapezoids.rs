@@ -45,7 +45,7 @@ const NOTHING: u32 = 0;
 
 /// A plane drawing: distinct points, and segments that meet at shared endpoints only. Both are numbered along a curve that fills
 /// the plane.
-pub(super) struct Drawn {
+pub(super) struct Drawing {
     pub(super) points: Vec<Point>,
     /// The numbers of the lower and the higher end, in lexicographic order.
     pub(super) segments: Vec<[u32; 2]>,
@@ -53,7 +53,7 @@ pub(super) struct Drawn {
     pub(super) ends: Vec<[Point; 2]>,
 }
 
-impl Drawn {
+impl Drawing {
     /// On which side of a segment a point lies.
     fn side(&self, segment: u32, p: Point) -> Orientation {
         let [low, high] = self.ends[segment as usize];
@@ -67,9 +67,9 @@ pub(super) struct Node {
     /// The number of a segment: is it below or above? Or that of a vertex, plus the number of segments: is it left or right, in
     /// the lexicographic sense? Or the sum of both numbers: it is in this trapezoid.
     pub(super) of: u32,
-    /// Where to go below, or on the left. In a trapezoid: its number.
+    /// The next node below, or on the left. In a trapezoid: its number.
     pub(super) below: u32,
-    /// Where to go above, or on the right. In a trapezoid: the segment below it, or the number of segments if there is none.
+    /// The next node above, or on the right. In a trapezoid: the segment below it, or the number of segments if there is none.
     pub(super) above: u32,
 }
 
@@ -92,7 +92,7 @@ const RIGHT: usize = 1;
 /// Into how many groups the points of a group are parted that are to be found together.
 const PARTS: usize = 4;
 
-/// Why there is no search graph.
+/// The error of [`search_graph`].
 pub(super) enum GraphError {
     /// There are too many nodes.
     TooLarge,
@@ -102,18 +102,18 @@ pub(super) enum GraphError {
 
 /// The trapezoidal map of what has been put in so far.
 struct TrapezoidalMap<'a> {
-    drawn: &'a Drawn,
+    drawn: &'a Drawing,
     nodes: Vec<Node>,
     /// From number 1 on: there are one more than points with walls and segments.
     trapezoids: Vec<Trapezoid>,
     /// A node whose region holds the point; if the point has its walls, what is to the right of it.
     starts: Vec<u32>,
-    /// Which points have their walls.
+    /// A mark for each point that has its walls.
     walled: Vec<bool>,
 }
 
 /// Builds the search graph; its root is the first node. Expected time O(n log n), memory O(n).
-pub(super) fn search_graph(drawn: &Drawn) -> Result<Vec<Node>, GraphError> {
+pub(super) fn search_graph(drawn: &Drawing) -> Result<Vec<Node>, GraphError> {
     let (points, segments) = (drawn.points.len(), drawn.segments.len());
     let everything = Trapezoid { node: 0, right: NO_VERTEX, upper: [NOTHING; 2], lower: [NOTHING; 2] };
     let mut nodes = Vec::with_capacity(2 * points + 5 * segments + 1);
@@ -256,7 +256,7 @@ impl TrapezoidalMap<'_> {
         if core::mem::replace(&mut self.walled[vertex as usize], true) {
             return Ok(());
         }
-        // What is on the left keeps the number.
+        // The part on the left keeps the number.
         let left = self.find(vertex, None);
         let old = self.trapezoids[left as usize];
         let bottom = self.nodes[old.node as usize].above;
@@ -316,7 +316,7 @@ impl TrapezoidalMap<'_> {
             if self.drawn.side(segment, wall) == Orientation::CounterClockwise {
                 let at = old.lower[RIGHT];
                 old = self.next(at)?;
-                // What is below goes on.
+                // The trapezoid below goes on.
                 let piece = &mut self.trapezoids[below as usize];
                 (piece.right, piece.lower[RIGHT]) = (old.right, old.lower[RIGHT]);
                 self.trapezoids[old.lower[RIGHT] as usize].lower[LEFT] = below;

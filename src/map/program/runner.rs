@@ -212,11 +212,11 @@ impl EditRunner {
     /// # Errors
     /// [`EditFailure`].
     pub fn step_checked(&mut self, op: &EditOp) -> Result<EditOutcome, EditFailure> {
-        let before = self.baseline.is_none().then(|| format!("{:?}", self.map));
+        let before = self.baseline.is_none().then(|| self.map.clone());
         let outcome = self.step(op);
         let (number, op) = (self.steps, op.clone());
         let is_unchanged = || match (&before, &self.map.notes.0) {
-            (Some(before), _) => format!("{:?}", self.map) == *before,
+            (Some(before), _) => self.map == *before,
             (None, notes) => notes.as_ref().is_none_or(|notes| notes.is_empty()),
         };
         match &outcome {

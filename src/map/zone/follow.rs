@@ -6,7 +6,7 @@ use crate::geometry::Point;
 use crate::map::locate::located::LocateError;
 use crate::map::planar_map::PlanarMap;
 
-/// How a zone begins: with an event, or inside a piece, at a place unless that is infinitely far.
+/// The beginning of a zone: an event, or the inside of a piece, with its place unless that is infinitely far.
 #[derive(Clone, Copy)]
 pub(super) enum ZoneStart<'m> {
     Event(LineEvent<'m>),

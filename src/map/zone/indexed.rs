@@ -111,7 +111,7 @@ fn zone(
     Ok(zone)
 }
 
-/// What there is where a line begins.
+/// Returns the event or piece in which a line begins.
 fn begin<'m>(map: &'m PlanarMap, line: &Line, located: Located) -> Result<ZoneStart<'m>, LocateError> {
     let dcel = map.dcel();
     let at = LinePlace::At(line.from);

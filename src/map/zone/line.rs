@@ -22,7 +22,7 @@ pub(in crate::map) struct Line {
 pub(in crate::map) enum LinePlace {
     /// This one, which lies on the line.
     At(Point),
-    /// Where the segment from the first point, on the left of the line, to the second, on the right, crosses it.
+    /// The point where the segment from the first point, on the left of the line, to the second, on the right, crosses it.
     ///
     /// ```text
     ///               first
@@ -101,7 +101,7 @@ impl Line {
         if compare_lexicographic(self.from, self.through).is_lt() { order } else { order.reverse() }
     }
 
-    /// Whether a point is behind (less) or ahead (greater) of a segment that crosses the line.
+    /// Compares a point with a segment that crosses the line: behind it (less) or ahead of it (greater).
     fn beside(left: Point, right: Point, p: Point) -> Ordering {
         match orientation(left, right, p) {
             Orientation::Clockwise => Ordering::Less,
@@ -126,8 +126,8 @@ impl Line {
         LineEvent { record: EventRecord::Vertex(vertex), place: LinePlace::At(map.point(vertex.index())) }
     }
 
-    /// How the line crosses an edge, if it passes between its ends: these are given as the ends of one of the half-edges, with
-    /// their sides.
+    /// Returns the crossing of the line with an edge, if it passes between the ends of the edge. These are given as the ends of
+    /// one of the half-edges, with their sides.
     #[inline]
     pub(in crate::map) fn crossing(
         h: HalfEdge<'_>,
@@ -145,7 +145,7 @@ impl Line {
         }
     }
 
-    /// What the line goes through after an event. O(degree).
+    /// Returns the piece that the line goes through after an event. O(degree).
     pub(in crate::map) fn after<'m>(&self, map: &'m PlanarMap, event: LineEvent<'m>) -> LinePiece<'m> {
         let vertex = match event.record {
             EventRecord::Edge(h) => return LinePiece::Face(h.face()),

@@ -1,4 +1,4 @@
-//! What a line meets: the faces, edges and vertices of its zone, in order.
+//! The zone of a line: the faces, edges and vertices that it meets, in order.
 //!
 //! ```text
 //!        ____________

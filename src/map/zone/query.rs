@@ -1,4 +1,4 @@
-//! What is asked about a line, and what the answer consists of.
+//! The arguments of a question about a line, and the parts of the answer.
 
 use crate::dcel::{FaceKey, HalfEdgeKey, VertexKey};
 use crate::geometry::Point;

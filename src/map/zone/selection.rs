@@ -1,4 +1,4 @@
-//! What an R-tree says that a line may meet.
+//! Selection, in an R-tree, of the records that a line may meet.
 
 use super::line::{Line, LineEvent};
 use super::query::QueryLine;
@@ -51,7 +51,7 @@ struct Selection {
     direction: [f64; 2],
     /// The box around the query, perhaps infinite.
     around: AABB<[f64; 2]>,
-    /// Whether the line rises to the right, or falls to the left.
+    /// True if the line rises to the right, or falls to the left.
     rises: bool,
 }
 
@@ -74,7 +74,7 @@ impl Selection {
         Self { from, direction, around, rises: (from.x <= through.x) == (from.y <= through.y) }
     }
 
-    /// Whether two points may be on different sides of the line, or on it.
+    /// Returns true if two points may be on different sides of the line, or on it.
     ///
     /// Each difference and product is off by at most one part in 2^53, so a side of which the rounded value is so clear is
     /// the right one; most boxes are far away, and need no exact arithmetic.

@@ -15,8 +15,8 @@ use rustc_hash::FxHashSet;
 use std::collections::BinaryHeap;
 
 impl PlanarMap {
-    /// Where a point lies, by walking there on a straight line from a face, edge or vertex: best from a near one, such as the
-    /// last answer. Needs no index, so the map may change between two calls.
+    /// Returns the location of a point, by walking there on a straight line from a face, edge or vertex: best from a near one,
+    /// such as the last answer. Needs no index, so the map may change between two calls.
     ///
     /// O(boundary of the face of the hint), if the point lies in it. Otherwise also the boundaries of the faces that the line
     /// meets, each counted once however often it is entered, and O(k log k) for k edges and vertices on the way. On a map

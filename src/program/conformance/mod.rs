@@ -23,7 +23,7 @@
 //!    order of their creation. So a subject that hands out the wrong handle is found at once, and not when it is used.
 //!
 //! What an operator returns is not compared beyond its handles: which boundary components and faces it says that it kept, made and
-//! dropped. For `Dcel`, [`Reported`](crate::program::Reported) compares that, too.
+//! dropped. For `Dcel`, `ReportAudit` of the crate `twinedge-trials` compares that, too.
 //!
 //! What a structure does not have is not compared, and the summary [says so](ConformanceSummary::not_compared). An operator that the
 //! subject does not have, or has no room for, is not run on the reference either, but the subject must be as it was. To get on beyond a
@@ -65,11 +65,11 @@
 //!
 //! ```
 //! use twinedge::dcel::Dcel;
-//! use twinedge::program::{RotationSystem, Program, conformance};
+//! use twinedge::program::{Program, conformance};
 //! use twinedge::validate::Expectation;
 //!
 //! let program = Program::from_bytes(b"some bytes that came from a fuzzer");
-//! conformance::run(&program, RotationSystem::new(), &Expectation::plane())?;
+//! conformance::run(&program, Dcel::new(), &Expectation::plane())?;
 //!
 //! let summary = conformance::check(Dcel::new, &Expectation::plane())?;
 //! assert!(summary.of("flip_edge").unwrap().applied > 0);

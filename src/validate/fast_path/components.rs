@@ -1,13 +1,13 @@
 //! The components, joined edge by edge.
 
-use super::rotations::Around;
+use super::rotations::RotationWalk;
 use crate::slots::{NIL, Sets};
 use crate::validate::structure::View;
 use crate::validate::subject::Extent;
 use alloc::vec::Vec;
 
 /// The number of the component of each vertex, and the first vertex of each component.
-pub(super) struct Joined {
+pub(super) struct ComponentNumbers {
     pub(super) of: Vec<u32>,
     pub(super) first: Vec<u32>,
 }
@@ -17,7 +17,12 @@ pub(super) struct Joined {
 /// First each vertex joins its neighbour with the smallest number. Numbers fall along these steps, so they end, and where
 /// neighbours have close numbers they end at one vertex of each component. What is left is joined edge by edge.
 #[inline(never)]
-pub(super) fn join<V: View + ?Sized>(view: &V, extent: Extent, around: Around, fewest: usize) -> Option<Joined> {
+pub(super) fn join<V: View + ?Sized>(
+    view: &V,
+    extent: Extent,
+    around: RotationWalk,
+    fewest: usize,
+) -> Option<ComponentNumbers> {
     let mut of = around.nearest;
     let mut first = Vec::new();
     first.try_reserve_exact(around.counted.roots).ok()?;
@@ -59,5 +64,5 @@ pub(super) fn join<V: View + ?Sized>(view: &V, extent: Extent, around: Around, f
             *of = *numbers.get(*of as usize)?;
         }
     }
-    Some(Joined { of, first })
+    Some(ComponentNumbers { of, first })
 }

@@ -2,7 +2,7 @@
 
 use super::boundaries::Boundaries;
 use super::doubts::Doubts;
-use super::rotations::Counted;
+use super::rotations::VertexTally;
 use crate::validate::columns::Components;
 use alloc::vec::Vec;
 
@@ -66,7 +66,7 @@ pub(crate) struct Whole {
 }
 
 impl Facts {
-    /// Whether V2 is settled.
+    /// True if V2 is settled.
     pub(crate) const fn rotations_hold(&self) -> bool {
         !matches!(self.rotations, Rotations::Unknown)
     }
@@ -81,8 +81,8 @@ impl ListFigures {
 
 impl VertexFigures {
     /// Those that the walks around the vertices have counted, if it is known what isolated ones name.
-    pub(super) fn of(counted: Counted) -> Option<Self> {
-        let Counted { vertices: live, isolated, claimed, .. } = counted;
+    pub(super) fn of(counted: VertexTally) -> Option<Self> {
+        let VertexTally { vertices: live, isolated, claimed, .. } = counted;
         claimed.map(|claimed| Self { live, isolated, claimed })
     }
 }

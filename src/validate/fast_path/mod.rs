@@ -93,12 +93,12 @@ use super::structure::{Part, View};
 use super::subject::{Extent, Subject};
 use alloc::vec::Vec;
 use boundaries::Boundaries;
-use components::Joined;
+use components::ComponentNumbers;
 use cycles::Cycles;
-use doubts::Settled;
+use doubts::Assurances;
 use facts::{ListFigures, VertexFigures};
 use links::Links;
-use rotations::{Around, Counted};
+use rotations::{RotationWalk, VertexTally};
 
 /// Settles as much of R1 … T3 as can be.
 ///
@@ -107,10 +107,10 @@ pub(crate) fn settle<V: View + ?Sized>(subject: Subject<'_, V>, first_only: bool
     let Subject { view, extent } = subject;
     let Some(mut links) = links::scan(view, extent) else { return Facts::default() };
     let (vertices, around) = turn(view, extent, &mut links);
-    // Where the links or the rotations are wrong the lists stand on their own, but their rules come after one that is broken.
+    // Lists can be read although the links or the rotations are wrong, but their rules come after one that is broken.
     let is_wanted = around.is_some() || !first_only;
     let lists = if extent.has(Part::Faces) && is_wanted { boundaries::read(view, extent, &links) } else { None };
-    let settled = Settled { origins: around.is_some(), names: lists.is_some() && links.next_holds };
+    let settled = Assurances { origins: around.is_some(), names: lists.is_some() && links.next_holds };
     let Some(doubts) = doubts::find(view, extent, &links, settled) else { return Facts::default() };
     let isolated_hold = around.as_ref().zip(lists.as_ref()).is_some_and(|(around, lists)| agree(extent, around, lists));
     let figures = lists.as_ref().map(|lists| ListFigures::of(lists, links.next_holds, isolated_hold));
@@ -126,21 +126,25 @@ pub(crate) fn settle<V: View + ?Sized>(subject: Subject<'_, V>, first_only: bool
 }
 
 /// Walks around the vertices, where the links are right, and gives what holds of these.
-fn turn<V: View + ?Sized>(view: &V, extent: Extent, links: &mut Links) -> (Option<VertexFigures>, Option<Around>) {
+fn turn<V: View + ?Sized>(
+    view: &V,
+    extent: Extent,
+    links: &mut Links,
+) -> (Option<VertexFigures>, Option<RotationWalk>) {
     if !links.are_right() {
         return (vertices::by_index(view, extent, links), None);
     }
     if let Some(around) = rotations::walk(view, extent, links) {
         return (VertexFigures::of(around.counted), Some(around));
     }
-    // What a vertex keeps may be all that is wrong.
+    // The half-edges that vertices keep may be all that is wrong.
     let around = links.note_leaving(view, extent).and_then(|()| rotations::walk(view, extent, links));
     (None, around)
 }
 
 /// The rest of B2: as many isolated vertices name a boundary component as are listed. By record each names what starts at it;
 /// otherwise those listed are marked, so it suffices to count.
-fn agree(extent: Extent, around: &Around, lists: &Boundaries) -> bool {
+fn agree(extent: Extent, around: &RotationWalk, lists: &Boundaries) -> bool {
     if extent.has(Part::BoundaryComponents) {
         around.counted.claimed == Some(lists.at_vertex)
     } else {
@@ -148,13 +152,13 @@ fn agree(extent: Extent, around: &Around, lists: &Boundaries) -> bool {
     }
 }
 
-/// What follows of the whole where the rotations are right: nothing if T3 is broken. The cycles are those of the lists, or where there are
-/// none, or they are wrong, those of `next`.
+/// Derives the facts about the whole where the rotations are right: none if T3 is broken. The cycles are those of the lists, or
+/// those of `next` where there are no lists or they are wrong.
 fn whole<V: View + ?Sized>(
     view: &V,
     extent: Extent,
     links: Links,
-    mut around: Around,
+    mut around: RotationWalk,
     lists: Option<Boundaries>,
 ) -> Option<Whole> {
     let Some(lists) = lists else {
@@ -173,10 +177,10 @@ fn join<V: View + ?Sized>(
     view: &V,
     extent: Extent,
     mut links: Links,
-    around: Around,
+    around: RotationWalk,
     cycles: &Cycles,
 ) -> Option<Whole> {
-    let Counted { vertices, isolated, simple, .. } = around.counted;
+    let VertexTally { vertices, isolated, simple, .. } = around.counted;
     let loops = borders::loops(view, extent, &mut links)?;
     let (half_edges, unpaired) = (links.half_edges, links.unpaired);
     drop(links);
@@ -185,7 +189,7 @@ fn join<V: View + ?Sized>(
     // Euler's formula, where an isolated vertex has one cycle: V + cycles − E is twice the number of components, at genus 0.
     let twice = (vertices + cycles.named + borders + isolated).checked_sub(edges)?;
     let least = twice / 2;
-    let Joined { of, first } = components::join(view, extent, around, least.max(1))?;
+    let ComponentNumbers { of, first } = components::join(view, extent, around, least.max(1))?;
     let genus = first.len().checked_sub(least)?;
     if twice % 2 != 0 || extent.is_plane() && genus > 0 {
         return None;
@@ -208,7 +212,8 @@ fn outsides(components: &Components, lists: &Boundaries, every: bool) -> Option<
     lies_in.resize(all.len(), NIL);
     for entry in &lists.inner {
         let face = lies_in.get_mut(*of.get(entry.vertex as usize)? as usize)?;
-        if core::mem::replace(face, entry.face) != NIL {
+        let first = core::mem::replace(face, entry.face);
+        if first != NIL {
             return None;
         }
     }

@@ -12,11 +12,11 @@
 //! - Which vertices were seen from a vertex: by a column for each part.
 
 use super::boundaries::{Boundaries, Lists};
-use super::cycles::Listed;
-use super::doubts::{self, Settled};
+use super::cycles::NoCount;
+use super::doubts::{self, Assurances};
 use super::facts::{Facts, ListFigures, Rotations, VertexFigures};
 use super::links::{self, Links};
-use super::rotations::{Around, Counted, walk_from};
+use super::rotations::{RotationWalk, VertexTally, walk_from};
 use super::{agree, whole};
 use crate::validate::structure::{Part, View};
 use crate::validate::subject::{Extent, Slots, Subject};
@@ -28,7 +28,7 @@ use rayon::prelude::*;
 pub(crate) fn settle_in_parts<V: View + Sync + ?Sized>(subject: Subject<'_, V>) -> Option<Facts> {
     let Subject { view, extent } = subject;
     let (links, around, lists) = all(view, extent)?;
-    let doubts = doubts::find(view, extent, &links, Settled { origins: true, names: true })?;
+    let doubts = doubts::find(view, extent, &links, Assurances { origins: true, names: true })?;
     let figures = ListFigures::of(&lists, true, agree(extent, &around, &lists));
     let vertices = VertexFigures::of(around.counted);
     let whole = whole(view, extent, links, around, Some(lists));
@@ -36,8 +36,8 @@ pub(crate) fn settle_in_parts<V: View + Sync + ?Sized>(subject: Subject<'_, V>) 
     Some(Facts { half_edges: Some(doubts), vertices, lists: Some(figures), rotations })
 }
 
-/// What the scan and the walks find, where nothing is wrong.
-fn all<V: View + Sync + ?Sized>(view: &V, extent: Extent) -> Option<(Links, Around, Boundaries)> {
+/// Returns the results of the scan and the walks, if nothing is wrong.
+fn all<V: View + Sync + ?Sized>(view: &V, extent: Extent) -> Option<(Links, RotationWalk, Boundaries)> {
     let needed = [Part::Leaving, Part::Faces, Part::BoundaryComponents, Part::Places, Part::Holes];
     if extent.expect.is_open() || !needed.into_iter().all(|part| extent.has(part)) {
         return None;
@@ -49,7 +49,7 @@ fn all<V: View + Sync + ?Sized>(view: &V, extent: Extent) -> Option<(Links, Arou
     Some((links, around?, lists?))
 }
 
-/// What each part of so many slots gives; none if one part gives none. Parts are as many as there are threads.
+/// Returns the result for each part of so many slots; none if one part gives none. There are as many parts as threads.
 fn parts<T: Send>(slots: Slots, part: impl Fn(Range<usize>) -> Option<T> + Sync) -> Option<Vec<T>> {
     let (length, end) = (part_length(slots), slots.count());
     let part_of = |start: usize| part(start..end.min(start + length));
@@ -61,13 +61,13 @@ fn part_length(slots: Slots) -> usize {
 }
 
 /// Walks around all vertices.
-fn rotations<V: View + Sync + ?Sized>(view: &V, extent: Extent, links: &Links) -> Option<Around> {
+fn rotations<V: View + Sync + ?Sized>(view: &V, extent: Extent, links: &Links) -> Option<RotationWalk> {
     let mut nearest = extent.vertices.nils()?;
     let length = part_length(extent.vertices);
     let found = nearest.par_chunks_mut(length).enumerate();
-    let found = found.map(|(i, nearest)| walk_from(view, extent, links, i * length, nearest, &mut Listed));
-    let found: Vec<Counted> = found.collect::<Option<_>>()?;
-    let counted = found.into_iter().fold(Counted::NOTHING, |all, part| Counted {
+    let found = found.map(|(i, nearest)| walk_from(view, extent, links, i * length, nearest, &mut NoCount));
+    let found: Vec<VertexTally> = found.collect::<Option<_>>()?;
+    let counted = found.into_iter().fold(VertexTally::NOTHING, |all, part| VertexTally {
         vertices: all.vertices + part.vertices,
         isolated: all.isolated + part.isolated,
         claimed: all.claimed.zip(part.claimed).map(|(all, part)| all + part),
@@ -76,7 +76,7 @@ fn rotations<V: View + Sync + ?Sized>(view: &V, extent: Extent, links: &Links) -
         roots: all.roots + part.roots,
         simple: all.simple && part.simple,
     });
-    (counted.half_edges == links.half_edges).then_some(Around { counted, nearest, cycles: None })
+    (counted.half_edges == links.half_edges).then_some(RotationWalk { counted, nearest, cycles: None })
 }
 
 /// Reads the lists of all faces, and walks along every cycle.
@@ -108,7 +108,7 @@ mod tests {
     use crate::validate::subject::{Extent, Subject};
     use crate::validate::{Expectation, Part, Parts, Table};
 
-    /// Whether a structure is settled in parts.
+    /// True if a structure is settled in parts.
     fn is_settled(table: &str, parts: Parts) -> bool {
         let table = Table { parts, ..table.parse().unwrap() };
         let extent = Extent::of(&table, Expectation::plane()).unwrap();

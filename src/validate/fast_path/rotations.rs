@@ -1,56 +1,56 @@
 //! The walks around the vertices: V1, V2 and the vertices' half of B2.
 
-use super::cycles::{Cycles, Listed, Pass, Short};
+use super::cycles::{Cycles, NoCount, Pass, Short};
 use super::links::Links;
 use crate::validate::structure::{Part, Start, View};
 use crate::validate::subject::Extent;
 use alloc::vec::Vec;
 
-/// What the walks around the vertices find.
-pub(super) struct Around {
-    pub(super) counted: Counted,
+/// The result of the walks around the vertices.
+pub(super) struct RotationWalk {
+    pub(super) counted: VertexTally,
     /// Per vertex the neighbour with the smallest number, or itself if that is smaller.
     pub(super) nearest: Vec<u32>,
     /// The cycles, where there are no faces to list them.
     pub(super) cycles: Option<Cycles>,
 }
 
-/// What is counted at vertices.
+/// The counts made at vertices.
 #[derive(Clone, Copy)]
-pub(super) struct Counted {
+pub(super) struct VertexTally {
     pub(super) vertices: usize,
     pub(super) isolated: usize,
-    /// How many of the isolated ones name a boundary component that starts at them; none if one names anything else, or a
+    /// The number of isolated vertices that name a boundary component that starts at them; none if one names anything else, or a
     /// connected one does.
     pub(super) claimed: Option<usize>,
-    /// How many half-edges were visited.
+    /// The number of half-edges visited.
     pub(super) half_edges: usize,
-    /// How many cycles were counted on the way.
+    /// The number of cycles counted on the way.
     pub(super) cycles: usize,
-    /// How many vertices have a smaller number than each of their neighbours.
+    /// The number of vertices whose number is smaller than that of each neighbour.
     pub(super) roots: usize,
-    /// Whether there is neither a loop nor a pair of parallel edges.
+    /// True if there is neither a loop nor a pair of parallel edges.
     pub(super) simple: bool,
 }
 
-impl Counted {
+impl VertexTally {
     pub(super) const NOTHING: Self =
         Self { vertices: 0, isolated: 0, claimed: Some(0), half_edges: 0, cycles: 0, roots: 0, simple: true };
 }
 
 /// Walks around every vertex, in order of their numbers. Where there are no faces, counts the cycles on the way.
-pub(super) fn walk<V: View + ?Sized>(view: &V, extent: Extent, links: &Links) -> Option<Around> {
+pub(super) fn walk<V: View + ?Sized>(view: &V, extent: Extent, links: &Links) -> Option<RotationWalk> {
     let mut nearest = extent.vertices.nils()?;
     let mut short = Short::default();
     let are_listed = extent.has(Part::Faces);
     let counted = if are_listed {
-        walk_from(view, extent, links, 0, &mut nearest, &mut Listed)?
+        walk_from(view, extent, links, 0, &mut nearest, &mut NoCount)?
     } else {
         walk_from(view, extent, links, 0, &mut nearest, &mut short)?
     };
     (counted.half_edges == links.half_edges).then_some(())?;
     let cycles = if are_listed { None } else { Some(short.all(view, extent, counted.cycles, links.half_edges)?) };
-    Some(Around { counted, nearest, cycles })
+    Some(RotationWalk { counted, nearest, cycles })
 }
 
 /// Walks around the vertices from `first` on, one for each entry of `nearest`, which it fills in, and counts of the cycles what is
@@ -63,8 +63,8 @@ pub(super) fn walk_from<V: View + ?Sized, P: Pass>(
     first: usize,
     nearest: &mut [u32],
     cycles: &mut P,
-) -> Option<Counted> {
-    let mut found = Counted::NOTHING;
+) -> Option<VertexTally> {
+    let mut found = VertexTally::NOTHING;
     let mut steps = Steps { left: links.half_edges, cycles: 0 };
     // The last vertex from which a vertex was seen as a neighbour: seen twice from one means parallel edges.
     let mut seen_from = extent.vertices.nils()?;
@@ -106,15 +106,15 @@ pub(super) fn walk_from<V: View + ?Sized, P: Pass>(
     Some(found)
 }
 
-/// Whether a half-edge that a vertex keeps is live and leaves it.
+/// True if a half-edge that a vertex keeps is live and leaves it.
 #[inline]
 pub(super) fn leaves<V: View + ?Sized>(view: &V, extent: Extent, start: usize, v: usize) -> bool {
     extent.half_edges.has(start) && view.is_half_edge(start) && view.origin(start) == Some(v)
 }
 
-/// What the walks count step by step.
+/// The counters of the walks.
 struct Steps {
-    /// How many half-edges are left to visit.
+    /// The number of half-edges left to visit.
     left: usize,
     cycles: usize,
 }

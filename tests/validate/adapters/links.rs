@@ -6,8 +6,8 @@ use crate::support::opinions::agree;
 use crate::support::tables::half_edge;
 use std::collections::BTreeSet;
 use twinedge::validate::adapt::Backward;
-use twinedge::validate::enumerate::{Cell, for_each_corruption};
 use twinedge::validate::{Collect, Link, Record, Rule, Table, View};
+use twinedge_trials::enumerate::{Cell, for_each_corruption};
 
 /// A structure with targets is sound if and only if its mirror image, in which nothing is derived, is: for each change of each
 /// link, and of two at once where origins are concerned.

@@ -4,8 +4,8 @@
 //! corruptions leave as many links of each kind, to as many records, as there were. The others, which join or move cycles, keep all
 //! that leads to what is changed in step with it.
 
+use crate::enumerate::{Cell, TableCells};
 use std::mem::swap;
-use twinedge::validate::enumerate::Cell;
 use twinedge::validate::{BoundaryPlace, BoundaryRow, FaceRow, Link, Part, Parts, Start, Table, View};
 
 /// The kind of record of which two are exchanged.

@@ -4,6 +4,7 @@ use super::exchange::Exchange;
 use super::outcome::Tally;
 use super::specimen::{Corruption, Family, Specimen};
 use super::watch::{HUNG, Watch, Watched, lock};
+use crate::enumerate::{Cell, TableCells, for_each_corruption};
 use crate::panics::catch;
 use crate::random::Random;
 use crate::rows::{MOST_FINDINGS, add_findings};
@@ -12,7 +13,6 @@ use crate::verdict::{Checker, Verdict, in_words};
 use std::collections::BTreeMap;
 use std::sync::{Arc, Mutex};
 use std::time::Duration;
-use twinedge::validate::enumerate::{Cell, for_each_corruption};
 use twinedge::validate::reference::first_broken_rule;
 use twinedge::validate::{Rule, Table};
 

@@ -12,7 +12,7 @@
 //! a loop becomes a single half-edge that is its own twin, and a face lists an entry again, or more often than R1 reads. Among
 //! these are tables that break T1, T2 and T3 and no rule before.
 //!
-//! Maps of up to two edges and two vertices are also judged in every form: as each of the 112 [expectations](twinedge::validate::forms) has them, closed
+//! Maps of up to two edges and two vertices are also judged in every form: as each of the 112 [expectations](crate::forms) has them, closed
 //! and, where that is expected, with a face or a cycle of half-edges taken out. There each rule that the expectation checks must be
 //! the first broken one for some table, except for those that follow from the rules before: T4, and T3 on surfaces of any genus.
 //! Three more expectations ask for M1 … M8: a sphere of triangles, for which M1 … M4 are first broken, a sphere, for which
@@ -34,7 +34,9 @@ pub use specimen::Family;
 pub use watch::HUNG;
 pub use work::CorruptWork;
 
+use crate::census::{Census, Scope};
 use crate::error::StructureError;
+use crate::forms::Form;
 use crate::rows::MOST_FINDINGS;
 use crate::run::Run;
 use crate::structure::Structure;
@@ -42,9 +44,7 @@ use crate::verdict::Checker;
 use judge::{Court, Judge, Judged};
 use specimen::{Corruption, Specimen, held_to, in_words, independent_rules};
 use twinedge::program::Subject;
-use twinedge::program::census::{Census, Scope};
 use twinedge::validate::Rule;
-use twinedge::validate::forms::Form;
 use watch::Watch;
 
 /// How many pairs are one piece of the work.
@@ -69,7 +69,8 @@ struct Specimens {
 ///
 /// # Examples
 /// ```
-/// use twinedge::program::RotationSystem;
+/// use twinedge::validate::Expectation;
+/// use twinedge_trials::RotationSystem;
 /// use twinedge_trials::corrupt::{CorruptWork, abort};
 /// use twinedge_trials::{Outcome, Run, Structure, Validator, corrupt};
 /// let mine = Structure::new("mine", RotationSystem::new, Expectation::plane());

@@ -70,7 +70,7 @@ pub struct Tally {
 #[derive(Clone, Debug, PartialEq, Eq)]
 #[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 pub struct ExpectationRow {
-    /// Its place in [`expectations`](twinedge::validate::forms::expectations), which three follow that ask for M1 … M8.
+    /// Its place in [`expectations`](crate::forms::expectations), which three follow that ask for M1 … M8.
     pub number: usize,
     /// The expectation in words.
     pub expectation: String,

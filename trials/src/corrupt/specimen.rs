@@ -1,12 +1,12 @@
 //! The tables of small maps, and how they are corrupted.
 
 use super::exchange::Exchange;
+use crate::enumerate::{Cell, Value};
+use crate::forms::{Form, forms, projected, projections};
 use crate::panics::catch;
 use crate::structure::Structure;
 use std::fmt;
 use twinedge::program::{Program, Runner, StepOutcome, Subject};
-use twinedge::validate::enumerate::{Cell, Value};
-use twinedge::validate::forms::{Form, forms, projected, projections};
 use twinedge::validate::reference::first_broken_rule;
 use twinedge::validate::{Expectation, Part, Parts, Rule, Surface, Table};
 

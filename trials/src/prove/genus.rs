@@ -1,6 +1,6 @@
 //! Accepted rotation systems by genus, from all permutations.
 
-use super::permutations::{RotationSystem, beginnings, for_each};
+use super::permutations::{CombinatorialMap, beginnings, for_each};
 use crate::run::Run;
 use twinedge::validate::{Collect, Expectation, validate};
 
@@ -51,7 +51,7 @@ pub(super) fn rooted(edges: usize, labelled: &[u64]) -> Vec<u64> {
     labelled.iter().map(|labelled| labelled.div_ceil(names)).collect()
 }
 
-fn judge(map: &RotationSystem, by_genus: &mut Vec<u64>, refused: &mut u64) {
+fn judge(map: &CombinatorialMap, by_genus: &mut Vec<u64>, refused: &mut u64) {
     let report = validate(map, &Expectation::surface(), Collect::First);
     let counts = report.counts();
     match (report.is_valid(), counts.genus) {

@@ -1,6 +1,7 @@
 //! Growing all maps of a scope, from the smallest one, by the operators that add something.
 
 use super::explored::{Explored, Size};
+use crate::census::Scope;
 use crate::panics::catch;
 use crate::run::Run;
 use crate::shard::Shard;
@@ -9,7 +10,6 @@ use std::collections::HashSet;
 use std::hash::{BuildHasher, RandomState};
 use std::sync::{Mutex, MutexGuard, PoisonError};
 use twinedge::program::canonical::{Canonizer, Code};
-use twinedge::program::census::Scope;
 use twinedge::program::{Op, Program, Runner, StepOutcome, Subject, every_op};
 
 /// Canonical forms, shared by all threads.

@@ -31,6 +31,7 @@ mod work;
 pub use outcome::{EdgesRow, Finding, GenusRow, NestedRow, ProveOutcome};
 pub use work::ProveWork;
 
+use crate::census::Scope;
 use crate::error::StructureError;
 use crate::published;
 use crate::rows::narrow;
@@ -40,7 +41,6 @@ use explore::explore;
 use explored::{Explored, Tally};
 use std::collections::BTreeSet;
 use twinedge::program::Subject;
-use twinedge::program::census::Scope;
 
 /// Grows every small map of a structure and tries every operator with every argument on each.
 ///

@@ -7,7 +7,7 @@ const MOST: usize = 10;
 
 /// A map without faces: twins are 0 and 1, 2 and 3, …; `next` is any permutation; vertices follow from these.
 #[derive(Clone, Copy, Debug)]
-pub(super) struct RotationSystem {
+pub(super) struct CombinatorialMap {
     len: usize,
     next: [u8; MOST],
     prev: [u8; MOST],
@@ -16,7 +16,7 @@ pub(super) struct RotationSystem {
     vertices: usize,
 }
 
-impl RotationSystem {
+impl CombinatorialMap {
     /// The map with this `next`. None if that is no permutation of at most 10 half-edges.
     fn new(next: &[u8]) -> Option<Self> {
         const NONE: u8 = u8::MAX;
@@ -63,7 +63,7 @@ impl RotationSystem {
     }
 }
 
-impl View for RotationSystem {
+impl View for CombinatorialMap {
     fn parts(&self) -> Parts {
         Parts::ALL.without(Part::Faces)
     }
@@ -97,12 +97,12 @@ pub(super) fn beginnings(half_edges: u8) -> Vec<Vec<u8>> {
 }
 
 /// Visits every map of this many half-edges whose `next` has this beginning, in lexicographic order.
-pub(super) fn for_each(half_edges: u8, beginning: &[u8], mut visit: impl FnMut(&RotationSystem)) {
+pub(super) fn for_each(half_edges: u8, beginning: &[u8], mut visit: impl FnMut(&CombinatorialMap)) {
     let mut next = beginning.to_vec();
     next.extend((0..half_edges).filter(|h| !beginning.contains(h)));
     let fixed = beginning.len();
     loop {
-        if let Some(map) = RotationSystem::new(&next) {
+        if let Some(map) = CombinatorialMap::new(&next) {
             visit(&map);
         }
         let rest = &mut next[fixed..];

@@ -16,7 +16,7 @@
 //! half-edge 0. The sum over all labellings, divided by their number 2ⁿ n!, is the sum over M (Burnside). Each component has a
 //! vertex, so fewer vertices are left for its contents, and repeated substitution ends.
 
-use super::permutations::{RotationSystem, for_each};
+use super::permutations::{CombinatorialMap, for_each};
 use std::collections::BTreeMap;
 
 /// Numbers by edges and vertices.
@@ -120,7 +120,7 @@ fn symmetries(edges: usize) -> Symmetries {
 }
 
 /// The cycles of `next`.
-fn faces(map: &RotationSystem) -> Vec<Vec<usize>> {
+fn faces(map: &CombinatorialMap) -> Vec<Vec<usize>> {
     let next = map.next_column();
     let mut faces: Vec<Vec<usize>> = Vec::new();
     for start in 0..map.len() {
@@ -137,7 +137,7 @@ fn faces(map: &RotationSystem) -> Vec<Vec<usize>> {
     faces
 }
 
-fn is_connected(map: &RotationSystem) -> bool {
+fn is_connected(map: &CombinatorialMap) -> bool {
     let mut reached = vec![0];
     let mut done = 0;
     while let Some(h) = reached.get(done).copied() {
@@ -152,7 +152,7 @@ fn is_connected(map: &RotationSystem) -> bool {
 }
 
 /// The automorphism of a connected map that takes half-edge 0 there, if there is one: by half-edge, its image.
-fn automorphism(map: &RotationSystem, image: usize) -> Option<Vec<usize>> {
+fn automorphism(map: &CombinatorialMap, image: usize) -> Option<Vec<usize>> {
     let next = |h: usize| usize::from(map.next_column()[h]);
     let mut images = vec![usize::MAX; map.len()];
     images[0] = image;

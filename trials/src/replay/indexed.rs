@@ -1,7 +1,8 @@
 //! Handles as the indices by which the validator knows their records.
 
+use crate::{ReportAudit, RotationSystem};
 use twinedge::dcel::{Audited, Dcel};
-use twinedge::program::{Reported, RotationSystem, Subject};
+use twinedge::program::Subject;
 use twinedge::store::Store;
 use twinedge::validate::View;
 
@@ -27,7 +28,7 @@ impl<S: Store> Indexed for Dcel<S> {
     }
 }
 
-impl<S: Store> Indexed for Reported<S> {
+impl<S: Store> Indexed for ReportAudit<S> {
     fn vertex_index(&self, vertex: Self::Vertex) -> Option<usize> {
         self.dcel().vertex_index(vertex)
     }

@@ -4,9 +4,9 @@
 //! cells, two records, two cycles or the lists of two faces are exchanged, and what leads there is corrected or not.
 
 use super::subdivision::shuffle;
+use crate::enumerate::{Cell, TableCells};
 use crate::random::Random;
 use std::mem::swap;
-use twinedge::validate::enumerate::Cell;
 use twinedge::validate::{BoundaryPlace, Link, Parts, Start, Table, View};
 
 /// One kind of damage.

@@ -5,7 +5,7 @@
 //! isomorphic, nesting included, and its handles must say the same. Programs use stale handles on purpose. The first program
 //! that fails, or panics, is made small.
 //!
-//! What operators report beside handles is a structure's own. [`Reported`](twinedge::program::Reported) checks it for `Dcel`.
+//! What operators report beside handles is a structure's own. [`ReportAudit`](crate::ReportAudit) checks it for `Dcel`.
 
 mod in_step;
 mod outcome;

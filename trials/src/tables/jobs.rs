@@ -1,10 +1,10 @@
 //! Which tables are judged: the free cells, their values, and how many of the tables are right.
 
 use super::formulas;
-use twinedge::validate::enumerate::{Cell, Value};
-use twinedge::validate::forms::Form;
+use crate::enumerate::{Cell, TableCells, Value, pairings};
+use crate::forms::Form;
 use twinedge::validate::{
-    BoundaryPlace, BoundaryRow, Expectation, FaceRow, HalfEdgeRow, Part, Parts, Start, Table, VertexRow, View,
+    BoundaryPlace, BoundaryRow, Expectation, FaceRow, HalfEdgeRow, Part, Parts, Start, Table, VertexRow,
 };
 
 /// All assignments of values to some cells of a table. The others keep their values.
@@ -111,46 +111,6 @@ fn with_twins(twins: &[usize]) -> Table {
     table
 }
 
-/// Every way to pair off this many half-edges.
-fn all_pairings(half_edges: usize) -> Vec<Vec<usize>> {
-    let mut done = vec![vec![usize::MAX; half_edges]];
-    for _ in 0..half_edges / 2 {
-        let pair = |twins: &Vec<usize>| {
-            let alone: Vec<usize> = (0..half_edges).filter(|h| twins[*h] == usize::MAX).collect();
-            let with = |other: &usize| {
-                let mut twins = twins.clone();
-                (twins[alone[0]], twins[*other]) = (*other, alone[0]);
-                twins
-            };
-            alone.iter().skip(1).map(with).collect::<Vec<_>>()
-        };
-        done = done.iter().flat_map(pair).collect();
-    }
-    done
-}
-
-/// Gives each half-edge the origin that it must have, that of the next of its twin, and each rotation a vertex of its own.
-pub(super) fn derive_origins(table: &mut Table) {
-    let half_edges = table.half_edges.len();
-    let mut origin: Vec<usize> = (0..half_edges).collect();
-    for _ in 0..half_edges {
-        for h in 0..half_edges {
-            if let Some(around) = table.twin(h).and_then(|t| table.next(t)) {
-                let least = origin[h].min(origin[around]);
-                (origin[h], origin[around]) = (least, least);
-            }
-        }
-    }
-    let mut vertices = origin.clone();
-    vertices.sort_unstable();
-    vertices.dedup();
-    for (h, origin) in origin.iter().enumerate() {
-        table.set(Cell::Origin(h), Value::Link(vertices.binary_search(origin).ok()));
-    }
-    table.vertices.clear();
-    table.vertices.resize(vertices.len(), Some(VertexRow::default()));
-}
-
 const MAP: Form = Form::new(Expectation::surface(), Parts::ALL.without(Part::Faces));
 const BARE: Form = Form::new(Expectation::surface(), Parts::NONE);
 const OPEN: Expectation = Expectation::surface().open();
@@ -219,7 +179,7 @@ fn twins_of_four() -> Job {
 fn paired(name: &'static str, edges: usize, form: Form, right: u128) -> Job {
     let is_free = |cell| matches!(cell, Cell::Next(_)).then_some(To::Live);
     let of_pairing = |twins: &Vec<usize>| Assignments::new(with_twins(twins), form, is_free);
-    let assignments = all_pairings(2 * edges).iter().map(of_pairing).collect();
+    let assignments = pairings(2 * edges).iter().map(of_pairing).collect();
     Job { derive_origins: true, ..job(name, 2 * edges, form, assignments, right) }
 }
 
@@ -227,7 +187,7 @@ fn paired(name: &'static str, edges: usize, form: Form, right: u128) -> Job {
 fn next_and_prev() -> Job {
     let form = without(MAP, Part::Leaving);
     let is_free = |cell| matches!(cell, Cell::Next(_) | Cell::Prev(_)).then_some(To::Live);
-    let assignments = all_pairings(4).iter().map(|twins| Assignments::new(with_twins(twins), form, is_free)).collect();
+    let assignments = pairings(4).iter().map(|twins| Assignments::new(with_twins(twins), form, is_free)).collect();
     Job { derive_origins: true, ..job("next, prev, for all twins", 4, form, assignments, formulas::maps(2)) }
 }
 

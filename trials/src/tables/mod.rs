@@ -23,11 +23,11 @@ mod work;
 pub use outcome::{TablesOutcome, TablesRow};
 pub use work::TablesWork;
 
+use crate::enumerate::{TableCells, for_each_assignment};
 use crate::rows::{add_findings, narrow};
 use crate::run::Run;
 use crate::verdict::{Checker, in_words};
-use jobs::{Assignments, Job, derive_origins, jobs};
-use twinedge::validate::enumerate::for_each_assignment;
+use jobs::{Assignments, Job, jobs};
 use twinedge::validate::reference::first_broken_rule;
 use twinedge::validate::{Expectation, Table};
 
@@ -86,7 +86,7 @@ fn judge(job: &Job, pieces: &[Assignments], checker: &dyn Checker, run: &Run<'_>
             }
             if job.derive_origins {
                 let mut table = table.clone();
-                derive_origins(&mut table);
+                table.derive_origins();
                 judged.compare(&table, job.expectation, checker);
             } else {
                 judged.compare(table, job.expectation, checker);

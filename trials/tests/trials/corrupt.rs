@@ -3,9 +3,9 @@
 use super::incomplete::Partial;
 use std::sync::atomic::{AtomicU64, Ordering};
 use twinedge::dcel::Dcel;
-use twinedge::program::RotationSystem;
 use twinedge::store::FixedStore;
 use twinedge::validate::{Expectation, Part, Rule, Table};
+use twinedge_trials::RotationSystem;
 use twinedge_trials::corrupt::{CorruptOutcome, CorruptWork, ExpectationRow, Family, Tally, abort};
 use twinedge_trials::tables::{TablesOutcome, TablesWork};
 use twinedge_trials::{Checker, Outcome, Run, Structure, StructureError, Validator, Verdict, corrupt, tables};

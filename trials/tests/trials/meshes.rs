@@ -1,8 +1,8 @@
 //! `meshes`.
 
 use twinedge::dcel::Dcel;
-use twinedge::program::RotationSystem;
 use twinedge::validate::Expectation;
+use twinedge_trials::RotationSystem;
 use twinedge_trials::meshes::{MeshStructure, MeshesOutcome, MeshesWork, Shape};
 use twinedge_trials::planted::Planted;
 use twinedge_trials::{Outcome, Run, Shard, Structure, meshes, sum};

@@ -2,9 +2,9 @@
 
 use super::incomplete::Partial;
 use twinedge::dcel::Dcel;
-use twinedge::program::RotationSystem;
 use twinedge::store::FixedStore;
 use twinedge::validate::{Expectation, Part};
+use twinedge_trials::RotationSystem;
 use twinedge_trials::planted::Planted;
 use twinedge_trials::prove::{ProveOutcome, ProveWork};
 use twinedge_trials::{Outcome, Progress, Run, Structure, StructureError, prove};

@@ -2,8 +2,8 @@
 
 use std::time::Duration;
 use twinedge::dcel::Dcel;
-use twinedge::program::RotationSystem;
 use twinedge::validate::Expectation;
+use twinedge_trials::RotationSystem;
 use twinedge_trials::corrupt::{CorruptOutcome, CorruptWork, abort};
 use twinedge_trials::planted::Planted;
 use twinedge_trials::prove::ProveWork;

@@ -3,8 +3,9 @@
 use super::incomplete::Partial;
 use std::sync::atomic::{AtomicUsize, Ordering};
 use twinedge::dcel::Dcel;
-use twinedge::program::{Call, Program, RotationSystem, StepOutcome};
+use twinedge::program::{Call, Program, StepOutcome};
 use twinedge::validate::{Expectation, Part};
+use twinedge_trials::RotationSystem;
 use twinedge_trials::planted::Planted;
 use twinedge_trials::regression::TestSource;
 use twinedge_trials::soak::{Comparable, End, SoakWork};

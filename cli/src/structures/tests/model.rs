@@ -1,5 +1,6 @@
 use twinedge::program::*;
 use twinedge::validate::Expectation;
+use twinedge_trials::RotationSystem;
 
 /// how it fails
 #[test]

@@ -1,6 +1,7 @@
 use twinedge::program::*;
 use twinedge::store::PointerStore;
 use twinedge::validate::Expectation;
+use twinedge_trials::ReportAudit;
 
 /// how it fails
 #[test]
@@ -10,6 +11,6 @@ fn regression() {
         Op::Connect { from: Corner::Isolated(VertexPick::Isolated(0)), to: SecondPick::Fitting(0), new_face: Side::Right, inner: InnerPick { mask: 1, also: Some(Corner::At(HalfEdgePick::Live(1))) } },
         Op::FlipEdge { half_edge: HalfEdgePick::Retired(0), turn: Turn::Clockwise },
     ]);
-    let result = conformance::run(&program, Reported::<PointerStore>::default(), &Expectation::plane());
+    let result = conformance::run(&program, ReportAudit::<PointerStore>::default(), &Expectation::plane());
     assert!(result.is_ok(), "{result:?}");
 }

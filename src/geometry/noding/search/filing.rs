@@ -5,7 +5,7 @@ use crate::geometry::noding::pixel::Block;
 /// A part without anything to look for.
 const NOWHERE: usize = usize::MAX;
 
-/// How much lies in a part of a block.
+/// The number of segments and vertices in a part of a block, and a box around the segments.
 #[derive(Clone, Copy)]
 pub(super) struct Content {
     pub(super) segments: usize,
@@ -17,7 +17,7 @@ pub(super) struct Content {
 /// Nothing, and a block that is no larger than any other.
 const EMPTY: Content = Content { segments: 0, vertices: 0, around: Block { low: [i64::MAX; 2], high: [i64::MIN; 2] } };
 
-/// What lies in which part. The memory is kept from block to block.
+/// The contents of each part. The memory is kept from block to block.
 #[derive(Default)]
 pub(super) struct Filing {
     contents: Vec<Content>,
@@ -26,8 +26,8 @@ pub(super) struct Filing {
     vertices: Vec<[u32; 2]>,
 }
 
-/// What was filed under a part, at the top of the two pools.
-pub(super) struct Filed {
+/// The contents filed under a part, at the top of the two pools.
+pub(super) struct PartFiling {
     pub(super) part: usize,
     pub(super) content: Content,
     pub(super) segments_from: usize,
@@ -69,7 +69,7 @@ impl Filing {
         segments: &mut Vec<u32>,
         vertices: &mut Vec<u32>,
         worth: impl Fn(&Content) -> bool,
-        mut each: impl FnMut(Filed),
+        mut each: impl FnMut(PartFiling),
     ) {
         let (mut segments_to, mut vertices_to) = (segments.len(), vertices.len());
         for (part, content) in self.contents.iter_mut().enumerate() {
@@ -77,7 +77,7 @@ impl Filing {
                 (content.segments, content.vertices) = (NOWHERE, NOWHERE);
                 continue;
             }
-            each(Filed { part, content: *content, segments_from: segments_to, vertices_from: vertices_to });
+            each(PartFiling { part, content: *content, segments_from: segments_to, vertices_from: vertices_to });
             // From here on, the places of the next ones.
             let places = (segments_to, vertices_to);
             segments_to += content.segments;

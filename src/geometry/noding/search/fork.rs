@@ -3,7 +3,7 @@
 
 use super::filing::Filing;
 use super::limits::{Budget, limit};
-use super::{Found, Look, Search, Task};
+use super::{Look, PixelVisits, Search, Task};
 use crate::geometry::noding::input::NodingError;
 use crate::geometry::threads;
 
@@ -62,7 +62,7 @@ impl Search<'_> {
             pixels: self.pixels,
             segments: self.segments,
             vertices: self.vertices.beside(),
-            found: Found::default(),
+            found: PixelVisits::default(),
             budget: Budget { counted: 0, ..self.budget },
             tasks,
             bundles: 0,

@@ -1,4 +1,4 @@
-//! How much work the index takes, in steps and not in seconds.
+//! The work of the search graph, counted in steps and not in seconds.
 
 use super::*;
 use crate::geometry::predicates::steps_of;

@@ -1,14 +1,11 @@
 //! A `Dcel` as a subject whose reports are checked.
 
-use super::dcel::boundary_of;
-use super::mesh;
-use super::subject::{CornerOf, Refusal, Subject};
-use crate::dcel::{Connection, Corner, Dcel, OperatorError, RemovedEdge, Side, Split, StaleKey, Turn};
-use crate::delegate_view;
-use crate::store::{BoundaryKey, FaceKey, HalfEdgeKey, SlotStore, Store, VertexKey};
-use crate::validate::View;
-use alloc::collections::{BTreeMap, BTreeSet};
-use alloc::vec::Vec;
+use std::collections::{BTreeMap, BTreeSet};
+use twinedge::dcel::{Boundary, Connection, Corner, Dcel, OperatorError, RemovedEdge, Side, Split, StaleKey, Turn};
+use twinedge::delegate_view;
+use twinedge::program::{CornerOf, Refusal, Subject, mesh};
+use twinedge::store::{BoundaryKey, FaceKey, HalfEdgeKey, SlotStore, Store, VertexKey};
+use twinedge::validate::View;
 
 /// A [`Dcel`] as a subject that checks what its operators report: which records they made, kept and dropped.
 ///
@@ -23,16 +20,25 @@ use alloc::vec::Vec;
 ///
 /// ```
 /// use twinedge::dcel::Dcel;
-/// use twinedge::program::{Program, Reported, conformance};
+/// use twinedge::program::{Program, conformance};
 /// use twinedge::validate::Expectation;
+/// use twinedge_trials::ReportAudit;
 /// let program = Program::from_bytes(b"some bytes that came from a fuzzer");
-/// conformance::run(&program, Reported::new(Dcel::new()), &Expectation::plane())?;
+/// conformance::run(&program, ReportAudit::new(Dcel::new()), &Expectation::plane())?;
 /// # Ok::<(), conformance::Failure>(())
 /// ```
 #[derive(Clone, Debug)]
-pub struct Reported<S: Store = SlotStore> {
+pub struct ReportAudit<S: Store = SlotStore> {
     dcel: Dcel<S>,
     dropped: Vec<BoundaryKey>,
+}
+
+/// The boundary component on which a corner lies.
+fn boundary_of<S: Store>(dcel: &Dcel<S>, corner: Corner) -> Result<Boundary<'_, S>, OperatorError> {
+    match corner {
+        Corner::At(h) => Ok(dcel.half_edge(h)?.boundary()),
+        Corner::Isolated(v) => dcel.vertex(v)?.isolated().ok_or(OperatorError::NotIsolated(v)),
+    }
 }
 
 /// All keys, and of each boundary component its face and how many half-edges it has.
@@ -105,17 +111,17 @@ impl Changed {
 
 /// Asserts that an operator reported what it did.
 #[track_caller]
-fn reports<T: Copy + PartialEq + core::fmt::Debug>(operator: &str, what: &str, reported: T, found: T) {
+fn reports<T: Copy + PartialEq + std::fmt::Debug>(operator: &str, what: &str, reported: T, found: T) {
     assert!(reported == found, "{operator} reports {what} {reported:?}, not {found:?}");
 }
 
-impl<S: Store> Default for Reported<S> {
+impl<S: Store> Default for ReportAudit<S> {
     fn default() -> Self {
         Self::new(Dcel::default())
     }
 }
 
-impl<S: Store> Reported<S> {
+impl<S: Store> ReportAudit<S> {
     /// The same map, whose reports are checked from here on.
     pub const fn new(dcel: Dcel<S>) -> Self {
         Self { dcel, dropped: Vec::new() }
@@ -159,11 +165,11 @@ impl<S: Store> Reported<S> {
     }
 }
 
-impl<S: Store> View for Reported<S> {
+impl<S: Store> View for ReportAudit<S> {
     delegate_view!(|this| &this.dcel);
 }
 
-impl<S: Store> Subject for Reported<S> {
+impl<S: Store> Subject for ReportAudit<S> {
     type Vertex = VertexKey;
     type HalfEdge = HalfEdgeKey;
     type Face = FaceKey;
@@ -239,6 +245,7 @@ impl<S: Store> Subject for Reported<S> {
                 let longer = if length(left) >= length(right) { left } else { right };
                 reports("connect", "as kept", Some(kept), longer);
             }
+            connection => panic!("connect reports what nothing checks: {connection:?}"),
         }
         Ok(h)
     }
@@ -269,6 +276,7 @@ impl<S: Store> Subject for Reported<S> {
                 Ok(None)
             }
             (removed, None) => panic!("remove_edge takes a stale key: {removed:?}"),
+            (removed, Some(_)) => panic!("remove_edge reports what nothing checks: {removed:?}"),
         }
     }
 

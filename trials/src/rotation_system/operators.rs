@@ -1,12 +1,8 @@
 //! What programs drive.
 
 use super::{HalfEdge, ModelCorner, RotationSystem, UNBOUNDED};
-use crate::dcel::Corner;
-use crate::dcel::{Side, Turn};
-use crate::program::mesh;
-use crate::program::subject::{Refusal, Subject};
-use alloc::vec;
-use alloc::vec::Vec;
+use twinedge::dcel::{Corner, Side, Turn};
+use twinedge::program::{Refusal, Subject, mesh};
 
 impl Subject for RotationSystem {
     type Vertex = usize;

@@ -2,12 +2,10 @@
 
 mod operators;
 
-use super::subject::{Refusal, Subject};
-use crate::dcel::Corner;
-use crate::validate::{Link, Part, Parts, Start, View};
-use alloc::collections::{BTreeMap, BTreeSet};
-use alloc::vec;
-use alloc::vec::Vec;
+use std::collections::{BTreeMap, BTreeSet};
+use twinedge::dcel::Corner;
+use twinedge::program::{Refusal, Subject};
+use twinedge::validate::{Link, Part, Parts, Start, View};
 
 /// A vertex.
 #[derive(Clone, Debug, PartialEq, Eq)]
@@ -28,7 +26,7 @@ struct HalfEdge {
 /// A planar subdivision as a rotation system: each vertex lists its half-edges counter-clockwise, each half-edge names
 /// its face, each bounded face a half-edge of its outer cycle. All else is searched for where it is needed.
 ///
-/// It has nothing in common with [`Dcel`](crate::dcel::Dcel) but the meaning of the operators: `next` is not stored, no
+/// It has nothing in common with [`Dcel`](twinedge::dcel::Dcel) but the meaning of the operators: `next` is not stored, no
 /// boundary component has a record, and handles are numbers that are never used again. Which of two vertices or faces is
 /// kept is not decided by cost. Every operator is O(n) or worse.
 #[derive(Clone, Debug)]

@@ -4,17 +4,14 @@
 //! some of which depend on others. A map that is right in one form breaks rules in another, for example because it lists holes
 //! where faces have none. [`projections`] rewrites a planar subdivision with every part so that it is right in any of them.
 
-use super::expectation::{Expectation, Surface};
-use super::structure::{BoundaryPlace, Link, Part, Parts, Start, View};
-use super::table::{FaceRow, Table};
-use alloc::vec::Vec;
+use twinedge::validate::{BoundaryPlace, Expectation, FaceRow, Link, Part, Parts, Start, Surface, Table, View};
 
 /// One form: what is claimed of a structure, and what it stores.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
 pub struct Form {
-    /// What is claimed.
+    /// The claims.
     pub expectation: Expectation,
-    /// What is stored: parts that are [looked at](Expectation::looks_at).
+    /// The parts stored: those that are [looked at](Expectation::looks_at).
     pub parts: Parts,
 }
 
@@ -29,7 +26,7 @@ impl Form {
         self.parts.has(part)
     }
 
-    /// Whether containment (T1, T2) is checked.
+    /// True if containment (T1, T2) is checked.
     #[must_use]
     pub fn has_containment(&self) -> bool {
         self.has(Part::Holes) && self.expectation.surface_kind() == Surface::Plane
@@ -40,7 +37,7 @@ impl Form {
 ///
 /// ```
 /// use twinedge::validate::{Expectation, Parts};
-/// use twinedge::validate::forms::{Form, forms};
+/// use twinedge_trials::forms::{Form, forms};
 /// let all = forms();
 /// assert_eq!(all.len(), 112);
 /// assert!(all.contains(&Form::new(Expectation::plane(), Parts::ALL)));
@@ -74,7 +71,7 @@ pub fn forms() -> Vec<Form> {
 /// - Without unbounded face, so does each cycle that bounds the unbounded face, and isolated vertices there.
 ///
 /// ```
-/// use twinedge::validate::forms::{Form, projected};
+/// use twinedge_trials::forms::{Form, projected};
 /// use twinedge::validate::{Collect, Expectation, Parts, Table, validate};
 /// // An edge between two vertices.
 /// let edge: Table = "V 2 0 - 1 - H 2 0 1 1 1 0 1 0 0 0 0 B 1 0 h0 i0 F 1 - 1 0".parse()?;
@@ -126,7 +123,7 @@ pub fn projected(table: &Table, form: &Form) -> Table {
 /// if that is not stored; a cycle that passes no vertex twice, and is not the outer one of a face with holes.
 #[must_use]
 pub fn projections(table: &Table, form: &Form) -> Vec<Table> {
-    let mut all = alloc::vec![projected(table, form)];
+    let mut all = vec![projected(table, form)];
     if form.expectation.is_open() {
         if form.has(Part::Faces) {
             let faces = (0..table.faces.len()).filter_map(|f| without_face(table, form.parts, f));
@@ -141,7 +138,7 @@ pub fn projections(table: &Table, form: &Form) -> Vec<Table> {
 /// The inner boundary components of a face bound a face of their own each, as outer ones. Isolated vertices bound none.
 fn unlist_inner(table: &mut Table, f: usize) {
     let Some(row) = table.faces.get_mut(f).and_then(Option::as_mut) else { return };
-    for b in core::mem::take(&mut row.inner).into_iter().flatten() {
+    for b in std::mem::take(&mut row.inner).into_iter().flatten() {
         let alone = table.faces.len();
         let Some(boundary) = table.boundaries.get_mut(b).and_then(Option::as_mut) else { continue };
         if let Some(Start::Vertex(v)) = boundary.start {
@@ -159,7 +156,7 @@ fn unlist_inner(table: &mut Table, f: usize) {
 /// Takes the records for boundary components away: half-edges name their face instead, and faces where their boundary
 /// components start.
 fn drop_boundaries(table: &mut Table) {
-    let boundaries = core::mem::take(&mut table.boundaries);
+    let boundaries = std::mem::take(&mut table.boundaries);
     let record = |b: Link| boundaries.get(b?).copied().flatten();
     for half_edge in table.half_edges.iter_mut().flatten() {
         half_edge.face = record(half_edge.boundary.take()).and_then(|b| b.face);
@@ -172,7 +169,7 @@ fn drop_boundaries(table: &mut Table) {
             Some(Start::HalfEdge(h)) => Some(h),
             _ => None,
         };
-        face.inner_starts = core::mem::take(&mut face.inner).into_iter().map(|b| record(b)?.start).collect();
+        face.inner_starts = std::mem::take(&mut face.inner).into_iter().map(|b| record(b)?.start).collect();
     }
 }
 
@@ -208,7 +205,7 @@ fn without_cycle(table: &Table, b: usize) -> Option<Table> {
     if cycle.is_empty() || vertices.len() < cycle.len() || is_outer && !face.inner.is_empty() {
         return None;
     }
-    // Where no vertex is passed twice, an edge with both sides on the cycle is the whole component, and nothing of it is left.
+    // On a cycle that passes no vertex twice, an edge with both sides on the cycle is the whole component.
     if cycle.iter().any(|h| table.twin(*h).is_some_and(of_it)) {
         return None;
     }

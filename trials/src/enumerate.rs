@@ -3,9 +3,7 @@
 //! [`for_each_corruption`] sets one cell at a time to each of its other values: all that one wrong link can do.
 //! [`for_each_assignment`] sets many cells to all combinations of values: all tables of a size, valid or not.
 
-use super::structure::{BoundaryPlace, Link, Part, Parts, Start};
-use super::table::{HalfEdgeRow, Table, VertexRow};
-use alloc::vec::Vec;
+use twinedge::validate::{BoundaryPlace, HalfEdgeRow, Link, Part, Parts, Start, Table, VertexRow};
 
 /// One cell of a table: a field of the row with this index. Lists have a cell for each position.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash, PartialOrd, Ord)]
@@ -46,10 +44,38 @@ enum Stored<'a> {
     BoundaryPlace(&'a mut Option<BoundaryPlace>),
 }
 
-impl Table {
+/// The cells of a [`Table`].
+pub trait TableCells {
     /// The cells that matter to a structure with these parts, row by row. O(n).
     #[must_use]
-    pub fn cells(&self, parts: Parts) -> Vec<Cell> {
+    fn cells(&self, parts: Parts) -> Vec<Cell>;
+
+    /// Every value that the cell can be set to: nil, the index of every slot of the kind that it leads to, the one past the
+    /// end, and `usize::MAX`. O(n).
+    #[must_use]
+    fn values(&self, cell: Cell) -> Vec<Value>;
+
+    /// Sets a cell and returns what it held. `None`, and nothing changes, if there is no such cell or it cannot hold a
+    /// value of this kind. O(1).
+    fn set(&mut self, cell: Cell, value: Value) -> Option<Value>;
+
+    /// Sets the origin of each half-edge to what its links imply, that of the next of its twin, and gives each rotation a
+    /// vertex of its own. The vertices are new: they keep no half-edge. O(n²).
+    ///
+    /// ```
+    /// use twinedge::validate::Table;
+    /// use twinedge_trials::enumerate::TableCells;
+    /// // Two half-edges, each the twin and the next of the other: an edge.
+    /// let mut table: Table = "V 0 H 2 - 1 1 - - - 0 0 - - B 0 F 0".parse()?;
+    /// table.derive_origins();
+    /// assert_eq!(table.to_string(), "V 2 - - - - H 2 0 1 1 - - 1 0 0 - - B 0 F 0");
+    /// # Ok::<(), twinedge::validate::ParseTableError>(())
+    /// ```
+    fn derive_origins(&mut self);
+}
+
+impl TableCells for Table {
+    fn cells(&self, parts: Parts) -> Vec<Cell> {
         let has = |part| parts.has(part);
         let by_record = has(Part::BoundaryComponents);
         let mut cells = Vec::new();
@@ -83,12 +109,9 @@ impl Table {
         cells
     }
 
-    /// Every value that the cell can be set to: nil, the index of every slot of the kind that it leads to, the one past the
-    /// end, and `usize::MAX`. O(n).
-    #[must_use]
-    pub fn values(&self, cell: Cell) -> Vec<Value> {
+    fn values(&self, cell: Cell) -> Vec<Value> {
         let indices = |slots: usize| (0..=slots).chain([usize::MAX]);
-        let links = |slots| core::iter::once(None).chain(indices(slots).map(Some)).map(Value::Link).collect();
+        let links = |slots| std::iter::once(None).chain(indices(slots).map(Some)).map(Value::Link).collect();
         match cell {
             Cell::Origin(_) => links(self.vertices.len()),
             Cell::Twin(_) | Cell::Next(_) | Cell::Prev(_) | Cell::Leaving(_) | Cell::OuterHalfEdge(_) => {
@@ -100,64 +123,29 @@ impl Table {
                 let half_edges = indices(self.half_edges.len()).map(Start::HalfEdge);
                 let vertices = indices(self.vertices.len()).map(Start::Vertex);
                 let starts = half_edges.chain(vertices).map(Some);
-                core::iter::once(None).chain(starts).map(Value::Start).collect()
+                std::iter::once(None).chain(starts).map(Value::Start).collect()
             }
             Cell::BoundaryPlace(_) => {
                 let longest = self.faces.iter().flatten().map(|row| row.inner.len()).max().unwrap_or(0);
                 let places =
-                    core::iter::once(BoundaryPlace::Outer).chain(indices(longest).map(BoundaryPlace::Inner)).map(Some);
-                core::iter::once(None).chain(places).map(Value::BoundaryPlace).collect()
+                    std::iter::once(BoundaryPlace::Outer).chain(indices(longest).map(BoundaryPlace::Inner)).map(Some);
+                std::iter::once(None).chain(places).map(Value::BoundaryPlace).collect()
             }
         }
     }
 
-    /// Sets a cell and returns what it held. `None`, and nothing changes, if there is no such cell or it cannot hold a
-    /// value of this kind. O(1).
-    pub fn set(&mut self, cell: Cell, value: Value) -> Option<Value> {
-        match (self.stored(cell)?, value) {
-            (Stored::Link(stored), Value::Link(link)) => Some(Value::Link(core::mem::replace(stored, link))),
-            (Stored::Start(stored), Value::Start(start)) => Some(Value::Start(core::mem::replace(stored, start))),
+    fn set(&mut self, cell: Cell, value: Value) -> Option<Value> {
+        match (stored(self, cell)?, value) {
+            (Stored::Link(stored), Value::Link(link)) => Some(Value::Link(std::mem::replace(stored, link))),
+            (Stored::Start(stored), Value::Start(start)) => Some(Value::Start(std::mem::replace(stored, start))),
             (Stored::BoundaryPlace(stored), Value::BoundaryPlace(place)) => {
-                Some(Value::BoundaryPlace(core::mem::replace(stored, place)))
+                Some(Value::BoundaryPlace(std::mem::replace(stored, place)))
             }
             _ => None,
         }
     }
 
-    fn stored(&mut self, cell: Cell) -> Option<Stored<'_>> {
-        Some(match cell {
-            Cell::Origin(h) => Stored::Link(&mut row(&mut self.half_edges, h)?.origin),
-            Cell::Twin(h) => Stored::Link(&mut row(&mut self.half_edges, h)?.twin),
-            Cell::Next(h) => Stored::Link(&mut row(&mut self.half_edges, h)?.next),
-            Cell::Prev(h) => Stored::Link(&mut row(&mut self.half_edges, h)?.prev),
-            Cell::Boundary(h) => Stored::Link(&mut row(&mut self.half_edges, h)?.boundary),
-            Cell::Face(h) => Stored::Link(&mut row(&mut self.half_edges, h)?.face),
-            Cell::Leaving(v) => Stored::Link(&mut row(&mut self.vertices, v)?.leaving),
-            Cell::Isolated(v) => Stored::Link(&mut row(&mut self.vertices, v)?.isolated),
-            Cell::BoundaryFace(b) => Stored::Link(&mut row(&mut self.boundaries, b)?.face),
-            Cell::BoundaryStart(b) => Stored::Start(&mut row(&mut self.boundaries, b)?.start),
-            Cell::BoundaryPlace(b) => Stored::BoundaryPlace(&mut row(&mut self.boundaries, b)?.place),
-            Cell::Outer(f) => Stored::Link(&mut row(&mut self.faces, f)?.outer),
-            Cell::Inner(f, i) => Stored::Link(row(&mut self.faces, f)?.inner.get_mut(i)?),
-            Cell::OuterHalfEdge(f) => Stored::Link(&mut row(&mut self.faces, f)?.outer_half_edge),
-            Cell::InnerStart(f, i) => Stored::Start(row(&mut self.faces, f)?.inner_starts.get_mut(i)?),
-        })
-    }
-}
-
-impl Table {
-    /// Sets the origin of each half-edge to what its links imply, that of the next of its twin, and gives each rotation a
-    /// vertex of its own. The vertices are new: they keep no half-edge. O(n²).
-    ///
-    /// ```
-    /// use twinedge::validate::Table;
-    /// // Two half-edges, each the twin and the next of the other: an edge.
-    /// let mut table: Table = "V 0 H 2 - 1 1 - - - 0 0 - - B 0 F 0".parse()?;
-    /// table.derive_origins();
-    /// assert_eq!(table.to_string(), "V 2 - - - - H 2 0 1 1 - - 1 0 0 - - B 0 F 0");
-    /// # Ok::<(), twinedge::validate::ParseTableError>(())
-    /// ```
-    pub fn derive_origins(&mut self) {
+    fn derive_origins(&mut self) {
         let half_edges = self.half_edges.len();
         let next_of_twin = |table: &Self, h: usize| {
             let link = |link: fn(&HalfEdgeRow) -> Link, h: usize| link(table.half_edges.get(h)?.as_ref()?);
@@ -185,12 +173,32 @@ impl Table {
     }
 }
 
+fn stored(table: &mut Table, cell: Cell) -> Option<Stored<'_>> {
+    Some(match cell {
+        Cell::Origin(h) => Stored::Link(&mut row(&mut table.half_edges, h)?.origin),
+        Cell::Twin(h) => Stored::Link(&mut row(&mut table.half_edges, h)?.twin),
+        Cell::Next(h) => Stored::Link(&mut row(&mut table.half_edges, h)?.next),
+        Cell::Prev(h) => Stored::Link(&mut row(&mut table.half_edges, h)?.prev),
+        Cell::Boundary(h) => Stored::Link(&mut row(&mut table.half_edges, h)?.boundary),
+        Cell::Face(h) => Stored::Link(&mut row(&mut table.half_edges, h)?.face),
+        Cell::Leaving(v) => Stored::Link(&mut row(&mut table.vertices, v)?.leaving),
+        Cell::Isolated(v) => Stored::Link(&mut row(&mut table.vertices, v)?.isolated),
+        Cell::BoundaryFace(b) => Stored::Link(&mut row(&mut table.boundaries, b)?.face),
+        Cell::BoundaryStart(b) => Stored::Start(&mut row(&mut table.boundaries, b)?.start),
+        Cell::BoundaryPlace(b) => Stored::BoundaryPlace(&mut row(&mut table.boundaries, b)?.place),
+        Cell::Outer(f) => Stored::Link(&mut row(&mut table.faces, f)?.outer),
+        Cell::Inner(f, i) => Stored::Link(row(&mut table.faces, f)?.inner.get_mut(i)?),
+        Cell::OuterHalfEdge(f) => Stored::Link(&mut row(&mut table.faces, f)?.outer_half_edge),
+        Cell::InnerStart(f, i) => Stored::Start(row(&mut table.faces, f)?.inner_starts.get_mut(i)?),
+    })
+}
+
 /// Every way to pair off so many half-edges as twins: for each way the twin of each half-edge. None if the number is odd.
 ///
 /// There are (n − 1)!! = 1 · 3 · 5 · … · (n − 1) of them.
 ///
 /// ```
-/// use twinedge::validate::enumerate::pairings;
+/// use twinedge_trials::enumerate::pairings;
 /// assert_eq!(pairings(4), [[1, 0, 3, 2], [2, 3, 0, 1], [3, 2, 1, 0]]);
 /// ```
 #[must_use]
@@ -198,7 +206,7 @@ pub fn pairings(half_edges: usize) -> Vec<Vec<usize>> {
     if half_edges & 1 == 1 {
         return Vec::new();
     }
-    let mut all = alloc::vec![alloc::vec![usize::MAX; half_edges]];
+    let mut all = vec![vec![usize::MAX; half_edges]];
     for _ in 0..half_edges / 2 {
         let with_one_pair_more = |twins: &Vec<usize>| {
             let alone: Vec<usize> = (0..half_edges).filter(|h| twins[*h] == usize::MAX).collect();
@@ -223,11 +231,11 @@ fn row<T>(rows: &mut [Option<T>], i: usize) -> Option<&mut T> {
     rows.get_mut(i)?.as_mut()
 }
 
-/// Calls `visit` with the table as it is after each change of one cell to another of its [values](Table::values), and
+/// Calls `visit` with the table as it is after each change of one cell to another of its [values](TableCells::values), and
 /// with that cell and value. Cells of parts that are not stored are left alone. The table is the same again in the end. O(n) changes for each of the O(n) cells.
 ///
 /// ```
-/// use twinedge::validate::enumerate::for_each_corruption;
+/// use twinedge_trials::enumerate::for_each_corruption;
 /// use twinedge::validate::{Collect, Expectation, Part, Parts, Table, VertexRow, validate};
 /// // An isolated vertex in a structure without faces: its leaving half-edge is the only cell.
 /// let parts = Parts::ALL.without(Part::Faces);
@@ -261,7 +269,7 @@ pub fn for_each_assignment(table: &mut Table, cells: &[(Cell, Vec<Value>)], mut 
     for (cell, values) in cells {
         table.set(*cell, values[0]);
     }
-    let mut positions = alloc::vec![0; cells.len()];
+    let mut positions = vec![0; cells.len()];
     let mut count = 0;
     loop {
         visit(table);

@@ -1,7 +1,7 @@
 //! A census of small maps: every one up to a bound, once, grown by the operators.
 //!
 //! ```
-//! use twinedge::program::census::{Census, Scope};
+//! use twinedge_trials::census::{Census, Scope};
 //! // Connected maps with a distinguished outside, by their number of edges: Liskovets and Walsh, OEIS A103937.
 //! let mut counts = [0; 4];
 //! for map in Census::new(Scope::Connected { edges: 3 }) {
@@ -13,22 +13,20 @@
 //! # How
 //!
 //! From the smallest map on, [every operator](every_op) that makes something is applied to every map found, and what comes of
-//! it is a new one if its [canonical form](super::canonical) has not been met. What is missing, if anything, can be counted:
+//! it is a new one if its [canonical form](twinedge::program::canonical) has not been met. What is missing, if anything, can be counted:
 //! the numbers of maps are published.
 //!
 //! All maps are reached. An edge of a connected map can be removed if it separates two faces, or contracted if it does not,
 //! so by [`split_vertex`](Op::SplitVertex) and [`connect`](Op::Connect), their inverses, each comes of one with an edge less;
 //! and any subdivision comes of isolated vertices by [`connect`](Op::Connect) alone.
 
-use super::canonical::{Canonizer, Code};
-use super::every::every_op;
-use super::op::{FacePick, HalfEdgePick, InnerPick, Op, Program, SecondPick, VertexPick};
-use super::outcome::StepOutcome;
-use super::runner::Runner;
-use crate::dcel::{Corner, Dcel, Side};
-use crate::store::Store;
-use alloc::collections::{BTreeSet, VecDeque};
-use alloc::vec;
+use std::collections::{BTreeSet, VecDeque};
+use twinedge::dcel::{Corner, Dcel, Side};
+use twinedge::program::canonical::{Canonizer, Code};
+use twinedge::program::{
+    FacePick, HalfEdgePick, InnerPick, Op, Program, Runner, SecondPick, StepOutcome, VertexPick, every_op,
+};
+use twinedge::store::Store;
 
 /// Which maps a census takes in.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
