@@ -50,8 +50,8 @@ pub(super) struct CoverageStyle {
 #[derive(Default)]
 pub(super) struct JsonForm {
     pub(super) counts: Value,
-    /// The bounds of T4, for audits that have the key.
-    pub(super) bounds: Option<Option<Bounds>>,
+    /// The bounds of T4.
+    pub(super) bounds: Option<Bounds>,
     /// Rules have their names.
     pub(super) is_named: bool,
     /// There is a list of findings.
@@ -163,13 +163,11 @@ impl Audited {
             elapsed_ms: f64,
         }
         let JsonForm { counts, bounds, is_named, has_findings, extra } = &self.json;
-        let mut document =
-            Document::new(self.valid, counts, &self.rules).violations(&self.violations, self.violation_count);
+        let mut document = Document::new(self.valid, counts, &self.rules)
+            .bounds(*bounds)
+            .violations(&self.violations, self.violation_count);
         if *is_named {
             document = document.named(&self.rules);
-        }
-        if let Some(bounds) = bounds {
-            document = document.bounds(*bounds);
         }
         if *has_findings {
             document = document.findings(&self.findings, self.finding_count);

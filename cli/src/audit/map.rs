@@ -42,7 +42,7 @@ pub(super) fn audit(run: &Run<'_>, input: Input) -> Result<Verdict, Failure> {
         found: counted(report.violation_count() as usize + of_coverage, "violation"),
         json: JsonForm {
             counts: to_value(report.counts())?,
-            bounds: Some(report.figures().and_then(|figures| figures.bounds)),
+            bounds: report.figures().and_then(|figures| figures.bounds),
             extra: extra(&imported, &warnings)?,
             ..JsonForm::default()
         },

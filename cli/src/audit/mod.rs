@@ -115,7 +115,7 @@ impl Audit {
         let mut input = self.map.open()?;
         let recognised = Recognised::of(self, &mut input)?;
         let run = &Run { asked: self, to: self.destination.destination(self.map.path()), start };
-        recognised.refuse_options(self, run.to.format, &input.name)?;
+        recognised.refuse_options(run, &input.name)?;
         match recognised {
             Recognised::Map => map::audit(run, input),
             Recognised::Mesh(format) => mesh_file::audit(run, input, format),

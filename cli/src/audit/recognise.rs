@@ -1,9 +1,9 @@
 //! The kinds of inputs, and the options that each takes.
 
-use super::Audit;
 use super::destination::ReportFormat;
 use super::table_file::is_table_file;
 use super::textbook::is_textbook;
+use super::{Audit, Run};
 use crate::input::Input;
 use crate::status::Failure;
 use twinedge_formats::mesh::Format as MeshFormat;
@@ -24,18 +24,42 @@ pub(super) enum Recognised {
     Arcs,
 }
 
-/// The options that a kind of input takes, beside those that all take.
-struct Options {
-    /// The kind, in words.
-    what: &'static str,
+/// Options that only some kinds of inputs take.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+enum Options {
     /// `--snap`.
-    snap: bool,
+    Snap,
     /// `--coverage`, `--gap-width`, `--sliver`.
-    coverage: bool,
-    /// The options under "Meshes".
-    mesh: bool,
+    Coverage,
+    /// Those under "Meshes".
+    Mesh,
     /// `--format geojson` and `html`.
-    drawn: bool,
+    Picture,
+}
+
+impl Options {
+    const ALL: [Self; 4] = [Self::Snap, Self::Coverage, Self::Mesh, Self::Picture];
+
+    fn are_given(self, run: &Run<'_>) -> bool {
+        match self {
+            Self::Snap => run.asked.map.is_snapped(),
+            Self::Coverage => run.asked.coverage.is_any(),
+            Self::Mesh => run.asked.mesh.is_any(),
+            Self::Picture => matches!(run.to.format, ReportFormat::Geojson | ReportFormat::Html),
+        }
+    }
+
+    /// Why they are refused for this kind of input.
+    fn refusal(self, what: &str) -> String {
+        match self {
+            Self::Snap => format!("--snap is for maps, and this is {what}"),
+            Self::Coverage => format!("--coverage, --gap-width and --sliver are for maps, and this is {what}"),
+            Self::Mesh => "is no mesh file (OBJ, OFF, PLY, STL), and the options say what a mesh must be".to_owned(),
+            Self::Picture => format!(
+                "the formats geojson and html are for maps, topologies of PostGIS and the tables of a textbook, and this is {what}"
+            ),
+        }
+    }
 }
 
 impl Recognised {
@@ -54,38 +78,22 @@ impl Recognised {
         })
     }
 
-    const fn options(self) -> Options {
-        let (what, [snap, coverage, mesh, drawn]) = match self {
-            Self::Map => ("a map", [true, true, false, true]),
-            Self::Mesh(_) => ("a mesh", [false, false, true, false]),
-            Self::Textbook => ("a textbook's tables", [false, false, false, true]),
-            Self::Tables => ("a file of tables", [false; 4]),
-            Self::Postgis => ("a topology of PostGIS", [false, false, false, true]),
-            Self::Arcs => ("audited arc by arc", [false, false, false, true]),
-        };
-        Options { what, snap, coverage, mesh, drawn }
+    /// The kind in words, and the options that it takes.
+    const fn options(self) -> (&'static str, &'static [Options]) {
+        match self {
+            Self::Map => ("a map", &[Options::Snap, Options::Coverage, Options::Picture]),
+            Self::Mesh(_) => ("a mesh", &[Options::Mesh]),
+            Self::Textbook => ("a textbook's tables", &[Options::Picture]),
+            Self::Tables => ("a file of tables", &[]),
+            Self::Postgis => ("a topology of PostGIS", &[Options::Picture]),
+            Self::Arcs => ("audited arc by arc", &[Options::Picture]),
+        }
     }
 
     /// Refuses options that were given and are for other kinds.
-    pub(super) fn refuse_options(self, asked: &Audit, format: ReportFormat, name: &str) -> Result<(), Failure> {
-        let Options { what, snap, coverage, mesh, drawn } = self.options();
-        let is_drawn = matches!(format, ReportFormat::Geojson | ReportFormat::Html);
-        let maps = format!("for maps, and this is {what}");
-        let refused = [
-            (!snap && asked.map.is_snapped(), format!("--snap is {maps}")),
-            (!coverage && asked.coverage.is_any(), format!("--coverage, --gap-width and --sliver are {maps}")),
-            (
-                !mesh && asked.mesh.is_any(),
-                "is no mesh file (OBJ, OFF, PLY, STL), and the options say what a mesh must be".to_owned(),
-            ),
-            (
-                !drawn && is_drawn,
-                format!(
-                    "the formats geojson and html are for maps, topologies of PostGIS and the tables of a textbook, and this is {what}"
-                ),
-            ),
-        ];
-        let first = refused.into_iter().find(|(is_refused, _)| *is_refused);
-        first.map_or(Ok(()), |(_, why)| Err(Failure(format!("{name}: {why}"))))
+    pub(super) fn refuse_options(self, run: &Run<'_>, name: &str) -> Result<(), Failure> {
+        let (what, taken) = self.options();
+        let refused = Options::ALL.into_iter().find(|options| !taken.contains(options) && options.are_given(run));
+        refused.map_or(Ok(()), |options| Err(Failure(format!("{name}: {}", options.refusal(what)))))
     }
 }

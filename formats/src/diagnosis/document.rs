@@ -21,8 +21,7 @@ pub struct Document<'a, C> {
     schema: &'static str,
     valid: bool,
     counts: C,
-    #[serde(skip_serializing_if = "Option::is_none")]
-    bounds: Option<Option<Bounds>>,
+    bounds: Option<Bounds>,
     #[serde(skip_serializing_if = "Option::is_none")]
     finding_count: Option<u64>,
     #[serde(skip_serializing_if = "Option::is_none")]
@@ -94,6 +93,6 @@ impl<'a, C> Document<'a, C> {
     /// The same with the bounds of rule T4, if they are known.
     #[must_use]
     pub fn bounds(self, bounds: Option<Bounds>) -> Self {
-        Self { bounds: Some(bounds), ..self }
+        Self { bounds, ..self }
     }
 }

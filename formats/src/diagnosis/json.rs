@@ -67,9 +67,9 @@ impl Serialize for Diagnosis {
             rule: self.rule,
             kind: self.kind,
             records: &self.records,
-            features: features.map(|all| match is_coverage {
-                true => Features::Numbered(all),
-                false => Features::Titles(all.iter().map(FeatureName::title).collect()),
+            features: features.map(|all| {
+                let titles = || all.iter().map(FeatureName::title).collect();
+                if is_coverage { Features::Numbered(all) } else { Features::Titles(titles()) }
             }),
             area: self.measures.area.map(unsigned_zero),
             width: self.measures.width.map(unsigned_zero),
