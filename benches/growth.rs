@@ -1,4 +1,4 @@
-//! How the time per half-edge grows with the map, from 10³ half-edges on, each workload beside a peer or a floor in the same run.
+//! Time per half-edge as the map grows, from 10³ half-edges on, each workload beside a peer or a floor in the same run.
 //!
 //! - `validate`: R1 … T4 of a triangulated grid, on one thread and on all, beside one plain pass over the same links.
 //! - `walk the faces`: all face loops of the same grid, beside plain arrays.

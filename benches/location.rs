@@ -1,4 +1,4 @@
-//! Where points lie and what lines meet, on `world-50m` (75,863 edges).
+//! Location of points and zones of lines, on `world-50m` (75,863 edges).
 //!
 //! Points: the index beside an R-tree of the polygons' bounding boxes with the even-odd rule for those around the point, which
 //! is what one writes without a subdivision; and the walk from a neighbouring point, without an index. Target: 250 ns for a

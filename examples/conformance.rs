@@ -12,7 +12,7 @@ use twinedge::view_answers;
 #[derive(Clone)]
 struct Vertex {
     leaving: Option<usize>,
-    /// Where it lies, if nothing leaves it.
+    /// The face in which it lies, if nothing leaves it.
     face: usize,
 }
 
@@ -129,7 +129,7 @@ impl Mine {
     }
 }
 
-/// What the validator asks.
+/// The questions of the validator.
 impl View for Mine {
     view_answers! { |map|
         parts => Parts::ALL.without(Part::BoundaryComponents),
@@ -151,7 +151,7 @@ impl View for Mine {
     }
 }
 
-/// What programs drive.
+/// The operators that programs call.
 impl Subject for Mine {
     type Vertex = usize;
     type HalfEdge = usize;

@@ -1,4 +1,4 @@
-//! What the lectures claim: adding a vertex, adding an edge and removing one changes a fixed number of rows in the three
+//! The claim of the lectures: adding a vertex, adding an edge and removing one changes a fixed number of rows in the three
 //! tables. The tables are printed before and after each step, with the rows that changed.
 //!
 //! ```text

@@ -10,7 +10,7 @@ use twinedge::program::{Refusal, Subject, conformance};
 use twinedge::validate::{Expectation, Part, Parts, View};
 use twinedge::{subject_by_index, view_answers};
 
-/// Why the mesh does nothing.
+/// A refusal: the mesh is unchanged.
 #[derive(Debug)]
 pub enum Refused {
     /// The edge was removed.

@@ -51,7 +51,7 @@ fn main() -> Result<(), Box<dyn Error>> {
     println!("Switzerland borders on {}.", names.join(", "));
     assert_eq!(names, ["Austria", "France", "Germany", "Italy"]);
 
-    // Which country a coordinate is in.
+    // Find the country at a coordinate.
     let locator = Locator::new(&map)?;
     for (x, y, expected) in [(7.45, 46.95, "Switzerland"), (28.25, -29.5, "Lesotho"), (116.4, 39.9, "China")] {
         let Located::Face(face) = locator.locate(Point::new(x, y))? else { return Err("it is on a border".into()) };

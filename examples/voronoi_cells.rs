@@ -1,4 +1,4 @@
-//! Which post office is nearest? The Voronoi diagram of a few places as a map, and its dual, the Delaunay triangulation.
+//! The nearest post office: the Voronoi diagram of a few places as a map, and its dual, the Delaunay triangulation.
 //!
 //! ```text
 //! cargo run --example voronoi_cells --features spade

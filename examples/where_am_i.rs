@@ -1,4 +1,4 @@
-//! Where am I, and what lies ahead? Points and lines on a map of the world.
+//! Location of points, and of the borders ahead: points and lines on a map of the world.
 //!
 //! Builds the map of all countries, then an index, and asks which country a point lies in and which borders a flight
 //! crosses. Every answer is exact, and asserted.

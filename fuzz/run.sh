@@ -40,7 +40,7 @@ else
   binaries=$build/release
 fi
 
-# What is found new goes to a folder of its own, so that the corpus stays small.
+# New inputs go to a folder of their own, so that the corpus stays small.
 found=$(mktemp -d)
 trap 'rm -rf "$found"' EXIT
 mkdir -p artifacts

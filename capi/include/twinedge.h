@@ -16,7 +16,7 @@
 #include <stddef.h>
 #include <stdint.h>
 
-// What a call returns: 0, or why it failed.
+// The result of a call: 0, or the reason why it failed.
 typedef enum {
   // All is well. Of `twinedge_validate`: there is a report, whether the structure is valid or not.
   TWINEDGE_STATUS_OK,
@@ -93,7 +93,7 @@ typedef enum {
   TWINEDGE_LINK_BOUNDARY_VERTEX,
 } twinedge_link;
 
-// What a structure is held to, beyond the rules that every structure keeps.
+// A claim about a structure, beyond the rules that every structure keeps.
 typedef enum {
   // Not 0: it lies in the plane: every component has genus 0 (T3). With `BOUNDARY`, faces and components nest (F1, T1, T2): then the
   // one unbounded face has `OUTER` nil. With `FACE`, no face is unbounded: each keeps a half-edge. Otherwise it is a surface of any genus.
@@ -120,7 +120,7 @@ typedef enum {
   TWINEDGE_EXPECTED_LIST,
 } twinedge_expected;
 
-// What a report counts.
+// A number that a report counts.
 typedef enum {
   // Vertices.
   TWINEDGE_COUNT_VERTICES,
@@ -159,8 +159,8 @@ typedef struct twinedge_structure twinedge_structure;
 // One violation of a report, to which it belongs.
 typedef struct twinedge_violation twinedge_violation;
 
-// Where a link of a record leads: a record, or null for nil. It gets the context and a record, and is called once for each record. It
-// must not throw: that ends the process.
+// A function that returns the target of a link of a record: a record, or null for nil. It gets the context and a record, and is
+// called once for each record. It must not throw: that ends the process.
 typedef const void *(*twinedge_link_of)(void *context, const void *record);
 
 // The inner boundary component at this position of the list of a face, in `*inner`. False if the list has no such position. It gets
@@ -220,7 +220,7 @@ twinedge_status twinedge_column_u64(twinedge_structure *structure,
                                     size_t count,
                                     ptrdiff_t stride);
 
-// How many records of a kind there are, for vertices, faces and boundary components that no column counts.
+// Sets the number of records of a kind, for vertices, faces and boundary components that no column counts.
 //
 // By default there are as many vertices as `LEAVING` or `ISOLATED` has, as many faces as `FACE_HALF_EDGE` or `OUTER` has; else as many
 // as `twinedge_live` has marks; else one more than the largest link, but at most as many as half-edges. Errors: `NULL`, `UNKNOWN`.
@@ -228,8 +228,8 @@ twinedge_status twinedge_records(twinedge_structure *structure,
                                  int kind,
                                  size_t count);
 
-// Which records of a kind are live: a byte for each, 0 for a slot that is vacant. By default all are. `stride` is the number of bytes
-// from one to the next; 0 means 1.
+// Marks the live records of a kind: a byte for each, 0 for a slot that is vacant. By default all are. `stride` is the number of
+// bytes from one to the next; 0 means 1.
 //
 // Errors: `NULL`, `UNKNOWN`, `LENGTH`.
 twinedge_status twinedge_live(twinedge_structure *structure,
@@ -288,7 +288,7 @@ twinedge_status twinedge_validate(twinedge_structure *structure,
 // Frees the report, with its violations and strings.
 void twinedge_report_free(twinedge_report *report);
 
-// Whether no violation was found and every rule that applies was checked.
+// Returns true if no violation was found and every rule that applies was checked.
 bool twinedge_report_valid(const twinedge_report *report);
 
 // A number of the report, one of `twinedge_count`; `UINT64_MAX` for what could not be counted because a rule is broken, and for a
@@ -302,7 +302,7 @@ const char *twinedge_report_text(const twinedge_report *report);
 // The report as JSON, in the form of docs/report.md. Numbers that a double does not hold are strings.
 const char *twinedge_report_json(const twinedge_report *report);
 
-// How many violations are listed.
+// Returns the number of violations that are listed.
 size_t twinedge_report_listed(const twinedge_report *report);
 
 // The violation at this position of the list, in the order of the rules; null past the end.
@@ -314,13 +314,13 @@ const char *twinedge_violation_rule(const twinedge_violation *violation);
 // The kind of violation, one of the names in docs/report.md, as `twin_not_mutual`.
 const char *twinedge_violation_kind(const twinedge_violation *violation);
 
-// What is wrong, as a sentence.
+// Returns a sentence that says what is wrong.
 const char *twinedge_violation_message(const twinedge_violation *violation);
 
-// What usually causes a violation of this kind.
+// Returns the usual cause of a violation of this kind.
 const char *twinedge_violation_cause(const twinedge_violation *violation);
 
-// What mends it, in the words of this header.
+// Returns the remedy, in the words of this header.
 const char *twinedge_violation_remedy(const twinedge_violation *violation);
 
 // The record at position 0, which is at fault, or at position 1. Its kind goes to `*kind`, its index to `*index`; either may be null.

@@ -8,13 +8,13 @@
 
 use std::panic::{AssertUnwindSafe, catch_unwind};
 
-/// What `run` returns, or `otherwise` if it panics.
+/// Returns the result of `run`, or `otherwise` if it panics.
 pub(crate) fn guarded<R>(otherwise: R, run: impl FnOnce() -> R) -> R {
-    // What a panic leaves half done is a structure or a report, which have no invariants between their fields.
+    // A panic leaves a structure or a report half done. These have no invariants between their fields.
     catch_unwind(AssertUnwindSafe(run)).unwrap_or(otherwise)
 }
 
-/// What `run` returns for the object of the handle, or `otherwise` if the handle is null or `run` panics.
+/// Returns the result of `run` for the object of the handle, or `otherwise` if the handle is null or `run` panics.
 ///
 /// # Safety
 /// The handle is null, or leads to an object that this library has made, and that no other call uses meanwhile.

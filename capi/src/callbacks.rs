@@ -18,8 +18,8 @@ use std::ffi::c_void;
 use std::sync::atomic::AtomicI64;
 use twinedge_columns::Column;
 
-/// Where a link of a record leads: a record, or null for nil. It gets the context and a record, and is called once for each record. It
-/// must not throw: that ends the process.
+/// A function that returns the target of a link of a record: a record, or null for nil. It gets the context and a record, and is
+/// called once for each record. It must not throw: that ends the process.
 pub type LinkOf = Option<unsafe extern "C-unwind" fn(context: *mut c_void, record: *const c_void) -> *const c_void>;
 
 /// The inner boundary component at this position of the list of a face, in `*inner`. False if the list has no such position. It gets
@@ -40,7 +40,7 @@ pub(crate) struct Callback<F> {
     pub(crate) context: *mut c_void,
 }
 
-/// What is no record.
+/// The number for a pointer to no record.
 const DANGLING: i64 = -2;
 const NIL: i64 = -1;
 
@@ -81,7 +81,7 @@ impl Numbering {
     }
 }
 
-/// What the functions have answered, as columns.
+/// The answers of the functions, as columns.
 #[derive(Debug, Default)]
 pub(crate) struct Answers {
     columns: [Option<Vec<AtomicI64>>; Link::KINDS],
@@ -125,7 +125,7 @@ impl Answers {
         Link::ALL.map(|link| self.columns[link as usize].as_ref().map(|column| Column::new(column)))
     }
 
-    /// How many records of each kind there are.
+    /// Returns the number of records of each kind.
     pub(crate) const fn counts(&self) -> [usize; Record::KINDS] {
         self.counts
     }
@@ -149,7 +149,7 @@ unsafe fn ask(
     Ok(column)
 }
 
-/// Where the list of each face begins, and all lists.
+/// Asks for the list of each face. Returns the start of each list, and all lists.
 ///
 /// # Safety
 /// The function may be called with its context and each of these faces.

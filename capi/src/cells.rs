@@ -125,7 +125,7 @@ impl Cells {
         span.get(at).map(Atomic::number)
     }
 
-    /// Which of the bytes are not 0.
+    /// Returns for each byte whether it is not 0.
     ///
     /// # Safety
     /// The memory is there, and the cells were made for bytes.

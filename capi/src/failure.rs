@@ -1,8 +1,8 @@
-//! What is wrong with a call.
+//! Errors of calls.
 
 use twinedge_columns::ColumnsError;
 
-/// What a call returns: 0, or why it failed.
+/// The result of a call: 0, or the reason why it failed.
 #[repr(C)]
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Status {

@@ -90,7 +90,8 @@ impl<'a, T: Cell> Arguments<'a, T> {
         self.column(link).ok_or_else(|| Failure::new(Status::Missing, format!("{}: missing", link.name())))
     }
 
-    /// How many records of a kind there are: as the caller says, or as many as one of these columns has, or as marks say which are live.
+    /// Returns the number of records of a kind: as the caller says, or the length of one of these columns, or of the marks of
+    /// live records.
     fn count(&self, kind: Record, links: &[Link]) -> Option<usize> {
         let marks = self.live[kind as usize].as_ref().map(Vec::len);
         let columns = || links.iter().find_map(|link| self.column(*link).map(|column| column.len()));

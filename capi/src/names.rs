@@ -59,7 +59,7 @@ pub enum Link {
     BoundaryVertex,
 }
 
-/// What a structure is held to, beyond the rules that every structure keeps.
+/// A claim about a structure, beyond the rules that every structure keeps.
 #[repr(C)]
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Expect {
@@ -88,7 +88,7 @@ pub enum Expect {
     List,
 }
 
-/// What a report counts.
+/// A number that a report counts.
 #[repr(C)]
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Count {
@@ -124,7 +124,7 @@ fn find<T: Copy>(all: &[T], what: &str, number: c_int) -> Result<T, Failure> {
 }
 
 impl Record {
-    /// How many kinds there are.
+    /// The number of kinds.
     pub(crate) const KINDS: usize = 4;
     const ALL: [Self; Self::KINDS] = [Self::Vertex, Self::HalfEdge, Self::Boundary, Self::Face];
 
@@ -153,7 +153,7 @@ impl Record {
 }
 
 impl Link {
-    /// How many links there are.
+    /// The number of links.
     pub(crate) const KINDS: usize = 16;
     /// All links, each at its number.
     pub(crate) const ALL: [Self; Self::KINDS] = [

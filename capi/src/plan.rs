@@ -1,4 +1,4 @@
-//! What the caller has said of a structure.
+//! The plan of a validation: everything that the caller has said of a structure.
 
 use crate::callbacks::{Callback, InnerOf, LinkOf};
 use crate::cells::{Cells, Width};
@@ -7,7 +7,7 @@ use crate::names::{Expect, Link, Record};
 use twinedge::validate::{Collect, Expectation};
 use twinedge_columns::Preset;
 
-/// What is expected.
+/// The expectation of the caller.
 #[derive(Clone, Debug, Default)]
 pub(crate) struct Claims {
     preset: Option<Preset>,
@@ -52,7 +52,7 @@ impl Claims {
         Ok(())
     }
 
-    /// How many violations are listed.
+    /// Returns the number of violations to list.
     pub(crate) fn collect(&self) -> Collect {
         self.list.map_or(Collect::All, Collect::AtMost)
     }
@@ -115,7 +115,7 @@ impl Plan {
         Ok(())
     }
 
-    /// Whether the structure is one of pointers.
+    /// Returns true if the structure is one of pointers.
     pub(crate) fn is_of_pointers(&self) -> Result<bool, Failure> {
         let pointers =
             self.records.iter().any(Option::is_some) || self.links.iter().any(Option::is_some) || self.inner.is_some();
@@ -125,13 +125,13 @@ impl Plan {
         Ok(pointers)
     }
 
-    /// Whether the caller gave the link: by a column, or by a function.
+    /// Returns true if the caller gave the link: by a column, or by a function.
     pub(crate) fn gives(&self, link: Link) -> bool {
         let by_list = matches!(link, Link::InnerFirst | Link::Inner) && self.inner.is_some();
         by_list || self.columns[link as usize].is_some() || self.links[link as usize].is_some()
     }
 
-    /// Whether a structure of pointers has the links that are needed, and the lists of all records that links join.
+    /// Checks that a structure of pointers has the links that are needed, and the lists of all records that links join.
     pub(crate) fn pointers_are_complete(&self) -> Result<(), Failure> {
         let listed = |link: Link, kind: Record| {
             if self.records[kind as usize].is_some() {

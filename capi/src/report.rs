@@ -78,7 +78,7 @@ pub unsafe extern "C" fn twinedge_report_free(report: *mut Report) {
     unsafe { free(report) }
 }
 
-/// Whether no violation was found and every rule that applies was checked.
+/// Returns true if no violation was found and every rule that applies was checked.
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn twinedge_report_valid(report: *const Report) -> bool {
     // SAFETY: as the caller promises.
@@ -111,7 +111,7 @@ pub unsafe extern "C" fn twinedge_report_json(report: *const Report) -> *const c
     unsafe { with(report, null(), |r| r.json.get_or_init(|| string(r.words.json(&r.found))).as_ptr()) }
 }
 
-/// How many violations are listed.
+/// Returns the number of violations that are listed.
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn twinedge_report_listed(report: *const Report) -> usize {
     // SAFETY: as the caller promises.
@@ -139,21 +139,21 @@ pub unsafe extern "C" fn twinedge_violation_kind(violation: *const Violation) ->
     unsafe { with(violation, null(), |violation| violation.kind.as_ptr()) }
 }
 
-/// What is wrong, as a sentence.
+/// Returns a sentence that says what is wrong.
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn twinedge_violation_message(violation: *const Violation) -> *const c_char {
     // SAFETY: as the caller promises.
     unsafe { with(violation, null(), |violation| violation.message.as_ptr()) }
 }
 
-/// What usually causes a violation of this kind.
+/// Returns the usual cause of a violation of this kind.
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn twinedge_violation_cause(violation: *const Violation) -> *const c_char {
     // SAFETY: as the caller promises.
     unsafe { with(violation, null(), |violation| violation.cause.as_ptr()) }
 }
 
-/// What mends it, in the words of this header.
+/// Returns the remedy, in the words of this header.
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn twinedge_violation_remedy(violation: *const Violation) -> *const c_char {
     // SAFETY: as the caller promises.

@@ -157,7 +157,7 @@ pub unsafe extern "C" fn twinedge_column_u64(
     unsafe { column(structure, link, Width::U64, cells.cast(), (count, stride, size_of::<u64>())) }
 }
 
-/// How many records of a kind there are, for vertices, faces and boundary components that no column counts.
+/// Sets the number of records of a kind, for vertices, faces and boundary components that no column counts.
 ///
 /// By default there are as many vertices as `LEAVING` or `ISOLATED` has, as many faces as `FACE_HALF_EDGE` or `OUTER` has; else as many
 /// as `twinedge_live` has marks; else one more than the largest link, but at most as many as half-edges. Errors: `NULL`, `UNKNOWN`.
@@ -171,8 +171,8 @@ pub unsafe extern "C" fn twinedge_records(structure: *mut Structure, kind: c_int
     unsafe { set(structure, setting) }
 }
 
-/// Which records of a kind are live: a byte for each, 0 for a slot that is vacant. By default all are. `stride` is the number of bytes
-/// from one to the next; 0 means 1.
+/// Marks the live records of a kind: a byte for each, 0 for a slot that is vacant. By default all are. `stride` is the number of
+/// bytes from one to the next; 0 means 1.
 ///
 /// Errors: `NULL`, `UNKNOWN`, `LENGTH`.
 #[unsafe(no_mangle)]

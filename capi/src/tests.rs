@@ -112,7 +112,7 @@ fn one_of_each_kind() -> Vec<Violation> {
     include_str!("../../docs/report.md").lines().filter_map(of).collect()
 }
 
-/// What is said to programs in C names nothing of Rust.
+/// Messages for programs in C name nothing of Rust.
 #[test]
 fn all_kinds_speak_of_the_header() {
     let all = one_of_each_kind();
@@ -135,7 +135,7 @@ fn all_kinds_speak_of_the_header() {
             ] {
                 assert!(!text.contains(rust), "{}: {text}", violation.kind());
             }
-            // What is in backquotes is in the header, or a link.
+            // A name in backquotes is in the header, or is a link.
             for name in text.split('`').skip(1).step_by(2) {
                 let is_link =
                     Link::ALL.iter().any(|link| name == link.name() || name.starts_with(&format!("{}(", link.name())));

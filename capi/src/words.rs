@@ -7,13 +7,13 @@ use std::borrow::Cow;
 use std::fmt::Write;
 use twinedge::validate::{Field, Part, Record, Report, Unchecked, Violation};
 
-/// What the library says of a link that no index can be.
+/// The words of the library for a link that no index can be.
 const NOWHERE: &str = "leads to no record at all";
 
 /// The largest integer up to which a double holds all.
 const EXACT: u64 = (1 << 53) - 1;
 
-/// What a report says that the library's does not: what the caller gave, and which number a link holds.
+/// The facts that a report needs and that of the library lacks: the links that the caller gave, and the numbers that they hold.
 #[derive(Debug, Default)]
 pub(crate) struct Words {
     given: [bool; Link::KINDS],
@@ -22,12 +22,12 @@ pub(crate) struct Words {
     numbers: Vec<(usize, i128)>,
 }
 
-/// What usually causes the violation.
+/// Returns the usual cause of the violation.
 pub(crate) const fn cause(violation: &Violation) -> &'static str {
     violation.cause()
 }
 
-/// What mends the violation, in the words of the header.
+/// Returns the remedy of the violation, in the words of the header.
 pub(crate) fn remedy(violation: &Violation) -> &'static str {
     match violation.kind() {
         "nil" => {
@@ -193,7 +193,7 @@ impl Words {
         Some(self.numbers[at].1)
     }
 
-    /// What is wrong, as a sentence.
+    /// Returns a sentence that says what is wrong.
     pub(crate) fn message(&self, position: usize, violation: &Violation) -> String {
         let message = sentence(violation);
         match self.number(position) {
@@ -203,7 +203,7 @@ impl Words {
         }
     }
 
-    /// Why a rule was not checked.
+    /// Returns the reason why a rule was not checked.
     fn lacks(&self, part: Part) -> String {
         match link_of(part) {
             Some(link) if !self.gives(link) => format!("{} was not given", link.constant()),

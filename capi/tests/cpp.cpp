@@ -61,7 +61,7 @@ static void exceptions(triangle &t) {
     calls = 100;
     require(structure.validate().valid(), "a later validation is a new one");
   }
-  // What is thrown from the list of a face.
+  // An exception from the list of a face.
   twinedge::structure s;
   const int face = 0, boundary = 0;
   s.pointers(TWINEDGE_RECORD_VERTEX, {&t.v[0]}).pointers(TWINEDGE_RECORD_HALF_EDGE, {&t.h[0]});

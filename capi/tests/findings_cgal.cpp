@@ -1,4 +1,4 @@
-// What CGAL 5.5.1 does where its documentation says otherwise. Each test fails when a later version mends it.
+// Differences of CGAL 5.5.1 from its documentation. Each test fails when a later version mends it.
 #include <CGAL/Arr_segment_traits_2.h>
 #include <CGAL/Simple_cartesian.h>
 #include <CGAL/boost/graph/Euler_operations.h>

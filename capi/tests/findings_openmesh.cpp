@@ -1,4 +1,4 @@
-// What OpenMesh 9.0 does where its documentation says otherwise. Each test fails when a later version mends it.
+// Differences of OpenMesh 9.0 from its documentation. Each test fails when a later version mends it.
 #include <OpenMesh/Core/Mesh/PolyMesh_ArrayKernelT.hh>
 #include <OpenMesh/Core/System/config.hh>
 #include <OpenMesh/Tools/Utils/MeshCheckerT.hh>

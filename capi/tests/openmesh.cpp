@@ -78,7 +78,7 @@ static std::vector<trial::row> corrupt(const Mesh &sound) {
 
 int main() {
   std::printf("\nOpenMesh %d.%d:\n", OM_GET_VER, OM_GET_MAJ);
-  // What is deleted is skipped; triangles are meshes, too.
+  // Deleted elements are skipped; triangles are meshes, too.
   auto holed = grid<OpenMesh::TriMesh_ArrayKernelT<>>(6);
   holed.request_vertex_status(), holed.request_edge_status(), holed.request_face_status();
   holed.delete_face(F(28)), holed.delete_face(F(29)), holed.delete_face(F(0)), holed.delete_face(F(1));

@@ -271,7 +271,7 @@ static void errors(void) {
   s = pillow();
   CHECK(twinedge_validate(s, NULL) == TWINEDGE_STATUS_NULL);
   fails(s, TWINEDGE_STATUS_NULL, "the place for the report is null");
-  // What failed is mended, and its sentence is gone. A column that is given again takes the place of the first.
+  // The failed call is mended, and its sentence is gone. A column that is given again takes the place of the first.
   s = pillow();
   CHECK(twinedge_column_i32(s, TWINEDGE_LINK_PREV, PREV, 5, 0) == TWINEDGE_STATUS_OK);
   twinedge_report *mended = NULL;
@@ -293,7 +293,7 @@ static void errors(void) {
   twinedge_report_free(NULL);
 }
 
-// What a report says, in words of the header.
+// Checks the text of a report, in words of the header.
 static void says(twinedge_structure *s, const char *text, const char *json) {
   twinedge_report *r = judge(s);
   const char *all = twinedge_report_text(r);

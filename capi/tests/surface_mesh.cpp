@@ -113,7 +113,7 @@ static void kept_half_edges() {
 
 int main() {
   std::printf("\nCGAL %s, `Surface_mesh`:\n", CGAL_VERSION_STR);
-  // What is removed is skipped.
+  // Removed elements are skipped.
   Mesh holed = grid(6);
   CGAL::Euler::remove_face(holed.halfedge(F(14)), holed);
   CGAL::Euler::remove_face(holed.halfedge(F(0)), holed);

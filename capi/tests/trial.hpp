@@ -1,4 +1,4 @@
-// What the tests of the adapters have in common: corruptions beside another checker, and times.
+// Code that the tests of the adapters share: corruptions beside another checker, and times.
 #pragma once
 #include <signal.h>
 #include <sys/time.h>
@@ -21,7 +21,7 @@ inline void require(bool holds, const std::string &what) {
 
 enum answer { accepts, refuses, hangs, crashes };
 
-// What a checker answers in a child process, with so many milliseconds of processor time. An exception or a failed assertion refuses.
+// Runs a checker in a child process, with so many milliseconds of processor time. An exception or a failed assertion refuses.
 template <class Check>
 answer in_child(Check check, int milliseconds = 20) {
   std::fflush(nullptr);

@@ -226,7 +226,7 @@ impl<'a, T: Cell> Columns<'a, T> {
         if live.len() != expected {
             return Err(ColumnsError::Length { column, found: live.len(), expected });
         }
-        // Where all are live there is nothing to ask.
+        // Keep no column if all are live.
         self.form.live[kind] = if live.iter().all(|live| *live) { None } else { Some(live) };
         Ok(self)
     }

@@ -10,9 +10,9 @@ pub enum ColumnsError {
     Length {
         /// The link that the column holds.
         column: &'static str,
-        /// How many links it has.
+        /// The number of links in it.
         found: usize,
-        /// How many records there are.
+        /// The number of records.
         expected: usize,
     },
     /// A column that would leave its slice.
@@ -21,7 +21,7 @@ pub enum ColumnsError {
         first: usize,
         /// The number of cells from one link to the next.
         stride: isize,
-        /// How many links it has.
+        /// The number of links in it.
         len: usize,
         /// The length of the slice.
         cells: usize,

@@ -174,7 +174,7 @@ fn built(builder: Builder, features: &[Feature]) {
     let broken = |rule| report.outcome(rule).is_some_and(|outcome| outcome.violations > 0);
     assert_eq!(report.is_valid(), map.is_plane(), "{features:?}\n{report}");
     assert_eq!(broken(Rule::G4), !map.is_plane(), "{features:?}\n{report}");
-    // What clashes can have handles, as rotations go, and then there is no telling what lies in what.
+    // Segments that clash can have handles, as rotations go, and then nesting is undefined.
     for rule in Rule::ALL.iter().copied().filter(|rule| *rule < Rule::T1 || *rule == Rule::G1) {
         assert!(!broken(rule), "{rule} of {features:?}\n{report}");
     }
@@ -216,7 +216,7 @@ fn counted(map: &PlanarMap, features: &[Feature]) {
     assert_eq!(map.dcel().edge_count(), segments.len(), "{features:?}");
 }
 
-/// Whether no two segments clash, pair by pair; none if there are too many for that.
+/// Returns true if no two segments clash, pair by pair; none if there are too many for that.
 fn is_plane(features: &[Feature]) -> Option<bool> {
     let (vertices, segments) = drawn(features);
     if segments.len() > FEW || vertices.len() > FEW {

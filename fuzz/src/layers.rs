@@ -9,7 +9,7 @@ fn written(layer: &Layer, format: Format) -> Vec<u8> {
     bytes
 }
 
-/// What is read is written and read again as it was.
+/// Writes the layer that was read, and reads it again as it was.
 fn comes_back(bytes: &[u8], format: Format) {
     // The beginning tells other formats, whatever is asked for.
     if format == Format::FlatGeobuf && !bytes.starts_with(b"fgb") {
@@ -25,7 +25,7 @@ fn comes_back(bytes: &[u8], format: Format) {
     assert!(once == written(&again, format));
 }
 
-/// What is read of well-known binary is written and read again as it was.
+/// Reads well-known binary, writes it, and reads it again as it was.
 ///
 /// # Panics
 /// If not.
@@ -33,7 +33,7 @@ pub fn layer(bytes: &[u8]) {
     comes_back(bytes, Format::Wkb);
 }
 
-/// What is read of `FlatGeobuf` is written and read again as it was.
+/// Reads `FlatGeobuf`, writes it, and reads it again as it was.
 ///
 /// # Panics
 /// If not.

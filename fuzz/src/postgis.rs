@@ -3,7 +3,7 @@
 use std::io::BufReader;
 use twinedge_formats::postgis::{ReadError, audit, read};
 
-/// How many violations are kept.
+/// The number of violations that are kept.
 const LIMIT: usize = 5;
 
 /// The reader returns the same in one piece and in small ones; errors lie inside the input; what was read is judged, and what is valid

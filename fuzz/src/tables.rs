@@ -255,7 +255,7 @@ fn judged(table: &Table, expectation: Expectation) {
     }
 }
 
-/// What a report says about itself fits together.
+/// Checks that the statements of a report about itself fit together.
 fn coherent(report: &Report, cap: usize) {
     let found = report.violation_count();
     assert_eq!(report.violations().len() as u64, found.min(cap as u64), "{report}");

@@ -37,14 +37,14 @@ fn template(folder: &Path, subject: &str) {
         .output()
         .expect("cargo runs");
     assert!(written.status.success(), "{}", said(&written));
-    // What is locked here is there, so nothing need be downloaded.
+    // The versions locked here are downloaded already.
     fs::copy(root.join("fuzz/Cargo.lock"), folder.join("fuzz/Cargo.lock")).expect("it is copied");
 }
 
 #[test]
 fn the_project_is_built_and_finds_a_planted_bug() {
     let own = Path::new(env!("CARGO_TARGET_TMPDIR"));
-    // What this package has built is not built again.
+    // Reuse the packages that are built already.
     let target = own.parent().expect("it is in the folder of what is built");
     let folder = own.join("mesh");
     // An edge that is flipped the wrong way keeps every rule, so only the comparison with the reference finds it.

@@ -4,7 +4,7 @@
 
 From mathcomp Require Import all_ssreflect all_fingroup.
 From twinedge Require Import View Rules Reference Drawing Euler Subdivision Verdict FastPath.
-From twinedge Require Import FastPathComponents FastPathProof AddVertex.
+From twinedge Require Import FastPathComponents FastPathProof Labels LabelsSound LabelsComplete AddVertex.
 From twinedge Require Import RemoveVertex MoveInner Renaming Connect ConnectIsolated ConnectBridge ConnectSplit.
 From twinedge Require Import ConnectLoop SplitEdge.
 Set Implicit Arguments.
@@ -64,6 +64,14 @@ Check all_edges_are_enough : forall t, holds_before t T1 -> forall number,
 Check fast_path_accepts : forall t, fast_path t <-> holds_before t T2 /\ t3_euler t.
 
 Check fast_path_leaves_t2 : forall t, rules t <-> fast_path t /\ t2_nesting t.
+
+(** What is accepted with some ranks keeps all rules, and whatever keeps all rules has ranks with which it is accepted. *)
+
+Check labels_sound : forall t rank, accepts t rank -> rules t.
+
+Check labels_complete : forall t, rules t -> exists rank, accepts t rank.
+
+Check labels_mean_subdivision : forall t, (exists rank, accepts t rank) <-> exists s, represents t s.
 
 (** Adding an isolated vertex to a face keeps all rules. *)
 

@@ -44,7 +44,7 @@ struct Arguments {
     /// Begin no check later than this. The next run goes on from there, unless a source has changed
     #[arg(long, value_name = "N")]
     minutes: Option<u64>,
-    /// How many checks run side by side
+    /// The number of checks that run side by side
     #[arg(long, value_name = "N", default_value_t = std::thread::available_parallelism().map_or(1, std::num::NonZero::get))]
     threads: usize,
 }
@@ -60,11 +60,11 @@ struct Check {
     name: String,
     program: PathBuf,
     arguments: Vec<String>,
-    /// How long it takes without a fault.
+    /// The time that it takes without a fault.
     takes: Duration,
 }
 
-/// What became of a check.
+/// The end of a check.
 #[derive(Clone, Copy, PartialEq, Eq)]
 enum End {
     NotRun,
@@ -249,7 +249,7 @@ fn modules(program: &Path) -> Result<BTreeSet<String>> {
 }
 
 impl Check {
-    /// Whether the check is about the part of the library that has this fault.
+    /// Returns true if the check is about the part of the library that has this fault.
     fn is_near(&self, fault: &Fault) -> bool {
         let near: &[&str] = match fault.file.as_str() {
             file if file.starts_with("src/validate/near") => &["validate", "dcel", "audited"],

@@ -16,7 +16,7 @@ use std::fmt::{self, Write as _};
 /// One fault.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub struct Fault {
-    /// What is wrong where it is planted, in words.
+    /// A description of the fault, in words.
     pub what: String,
     /// The file, from the root of the workspace.
     pub file: String,
@@ -28,7 +28,7 @@ pub struct Fault {
     pub wrong: String,
 }
 
-/// Why a fault cannot be read or planted.
+/// An error in the list of faults, or in planting one.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub enum FaultError {
     /// A line that is none of a fault.
@@ -39,7 +39,7 @@ pub enum FaultError {
     Stale {
         /// The fault.
         what: String,
-        /// How often the text occurs.
+        /// The number of times that the text occurs.
         found: usize,
     },
     /// Two faults replace texts that overlap, but are not the same.
@@ -88,7 +88,7 @@ fn fault(lines: &[String]) -> Result<Fault, FaultError> {
 }
 
 impl Fault {
-    /// Where the text is in its file.
+    /// Returns the place of the text in its file.
     ///
     /// # Errors
     /// [`FaultError::Stale`] unless it occurs exactly once.
@@ -133,8 +133,8 @@ pub fn plant(source: &str, faults: &[(usize, &Fault)]) -> Result<String, FaultEr
     Ok(planted)
 }
 
-/// What the root file of the library needs besides: the function that reads the switch, once, from the environment variable
-/// `PLANTED_FAULT`.
+/// The text that the root file of the library needs besides: the function that reads the switch, once, from the environment
+/// variable `PLANTED_FAULT`.
 pub const SWITCH: &str = r#"
 pub(crate) fn planted_fault(number: usize) -> bool {
     extern crate std;

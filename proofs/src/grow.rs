@@ -21,7 +21,7 @@ pub enum Operator {
     MoveInner,
 }
 
-/// Which maps are chosen from.
+/// The bounds of the maps to choose from.
 #[derive(Clone, Copy, Debug)]
 pub struct Bound {
     /// At most so many edges.
@@ -30,7 +30,7 @@ pub struct Bound {
     pub islands: usize,
 }
 
-/// Which arguments an operator gets.
+/// The arguments that an operator gets.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Arguments {
     /// All handles there are, of the right kind.

@@ -1,4 +1,4 @@
-//! What is to hold of the validator: it returns, whatever the table, and says what the reference validator says.
+//! Laws of the validator: it returns, whatever the table, and agrees with the reference validator.
 
 use twinedge::program::choose::Choose;
 use twinedge::validate::{
@@ -29,7 +29,7 @@ impl Judge {
     }
 }
 
-/// Which tables are chosen from.
+/// The tables to choose from.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Tables {
     /// `origin`, `twin`, `next` and `prev` of this many half-edges, and `leaving` of this many vertices.

@@ -1,4 +1,4 @@
-//! What is to hold of the operators of any subject.
+//! Laws of the operators of any subject.
 //!
 //! Each body starts from the empty map, and tells whether the case was one that it speaks about: an operator that
 //! refuses keeps the rules too, but says little.
@@ -290,7 +290,7 @@ impl<K: Subject> Map<K> {
     fn remove_and_connect(&mut self, n: K::HalfEdge) -> Option<bool> {
         let t = self.subject.twin_of(n).ok()?;
         let (from, to) = (self.corner_without(n)?, self.corner_without(t)?);
-        // What lies in the face to either side of the edge, on other boundary components.
+        // The isolated vertices and half-edges in the face to either side of the edge, on other boundary components.
         let sides = [n, t].map(|side| {
             let cycle = self.cycle(side);
             let face = self.subject.face_of(Corner::At(side)).ok();

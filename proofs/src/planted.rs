@@ -21,10 +21,10 @@ pub(crate) enum Field {
     Inner,
 }
 
-/// What is wrong with the subject.
+/// A fault of the subject.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(crate) enum Fault {
-    /// What the operator writes to this field of records that there were before is lost.
+    /// The values that the operator writes to this field of older records are lost.
     Loses(Operator, Field),
     /// The operator says that it is done, and nothing is, from this call on, counted from 0.
     Skips(Operator, u32),
@@ -38,10 +38,10 @@ pub(crate) enum Fault {
 #[derive(Clone, Debug)]
 pub(crate) struct Planted<S: Store> {
     dcel: Dcel<S>,
-    /// What it says of itself.
+    /// The table that it shows of itself.
     table: Table,
     fault: Fault,
-    /// How often the operator that is to be skipped was called.
+    /// The number of calls of the operator that is to be skipped.
     calls: Cell<u32>,
 }
 

@@ -30,7 +30,7 @@ fn every_fault_can_be_planted() {
     }
 }
 
-/// What is replaced is an expression, and so is what replaces it: else the planted sources do not compile.
+/// Both the text and its replacement are expressions: else the planted sources do not compile.
 #[test]
 fn faults_are_expressions() {
     for Fault { what, text, wrong, .. } in all() {
@@ -49,7 +49,7 @@ fn every_part_has_a_fault() {
         let files = fs::read_dir(root().join(folder)).unwrap().map(|entry| entry.unwrap().file_name());
         files.map(|name| format!("{folder}/{}", name.to_str().unwrap())).collect::<Vec<_>>()
     };
-    // What checks nothing itself.
+    // Files that check nothing themselves.
     let without = [
         "passes/mod.rs",
         "operators/mod.rs",

@@ -1,4 +1,4 @@
-//! What a structure is held to, from keyword arguments.
+//! The expectation and the limits of a validation, from keyword arguments.
 
 use pyo3::exceptions::PyValueError;
 use pyo3::prelude::*;
@@ -24,7 +24,7 @@ pub(crate) struct Claims {
 }
 
 impl Claims {
-    /// How many violations are listed.
+    /// Returns the number of violations to list.
     pub(crate) const fn list(&self) -> usize {
         self.list
     }

@@ -13,7 +13,7 @@ use twinedge::io::{Format, ReadError, read};
 use twinedge::map::{BuildError, Builder, FeatureId, Noding, PlanarMap};
 use twinedge::validate::{Collect, Expectation, Record, Violation, places, validate_embedding};
 
-/// Why a map cannot be read.
+/// An error: no map can be read or built.
 struct Refusal(String);
 
 impl From<ReadError> for Refusal {
@@ -22,7 +22,7 @@ impl From<ReadError> for Refusal {
     }
 }
 
-/// What is wrong beside the rules of the validator.
+/// A finding beside the rules of the validator.
 #[derive(Serialize)]
 struct Finding {
     rule: &'static str,
@@ -38,7 +38,7 @@ struct Finding {
     message: String,
 }
 
-/// How C1 … C6 are asked.
+/// The options of C1 … C6.
 #[derive(FromPyObject)]
 #[pyo3(from_item_all)]
 pub(crate) struct Options {
@@ -97,7 +97,7 @@ fn audit(text: &[u8], format: Option<Format>, asked: &Options) -> Result<Verdict
         object["features"] = json!(features(&map, violation));
     }
     let limits = Limits { gap_width: asked.gap_width, sliver_area: asked.sliver_area, ..Limits::default() };
-    // What the features cover is known of a plane map only: borders that cross are cut first.
+    // The faces that features cover are known on a plane map only: borders that cross are cut first.
     let coverage = if map.is_plane() {
         check(&map, &limits).map_err(|error| Refusal(error.to_string()))?
     } else {
@@ -136,7 +136,7 @@ fn features(map: &PlanarMap, violation: &Violation) -> BTreeSet<usize> {
     found
 }
 
-/// What breaks C1 … C6, in order.
+/// Returns the findings of C1 … C6, in order.
 fn findings(coverage: &Coverage, invalid: &[(usize, Vec<Defect>)]) -> Vec<Finding> {
     let of_map = coverage.findings.iter().map(|finding| {
         let features: Vec<usize> = finding.features.iter().map(|feature| feature.index()).collect();

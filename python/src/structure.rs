@@ -13,7 +13,7 @@ use twinedge::delegate_view;
 use twinedge::validate::{self as rules, Collect, Expectation, Link, Report, View, Violation};
 use twinedge_columns::{Columns, OnView};
 
-/// How many half-edges are walked from one look at signals to the next.
+/// The number of half-edges walked from one look at signals to the next.
 const BETWEEN_SIGNALS: u32 = 1 << 18;
 
 /// A view that ends a validation when the interpreter has a signal that raises, as Ctrl-C has: from then on all cycles end.

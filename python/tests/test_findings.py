@@ -1,4 +1,4 @@
-"""What other checkers pass, reduced. Each test states what a library does in the version that is named; it fails when that changes."""
+"""Faults that other checkers pass, reduced. Each test states the behaviour of a named version, and fails when that changes."""
 
 import json
 import signal

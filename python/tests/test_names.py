@@ -1,4 +1,4 @@
-"""What the records and features of a report are called."""
+"""Names of the records and features of a report."""
 
 import json
 import pickle
@@ -61,7 +61,7 @@ def test_nodes_are_named():
     # The next of (b, a) is what the ccw of (a, b) says.
     assert violation.names == (("b", "a"),) and "is ('b', 'a')" in str(violation)
     assert report.to_frame()["names"][0] == (("b", "a"),)
-    # What is no record has no name; neither have those of arrays.
+    # A record that does not exist has no name; neither have those of arrays.
     assert report.name(twinedge.Record("half_edge", 99)) == 99 and report.name(twinedge.Record("face", 0)) == 0
     again = pickle.loads(pickle.dumps(report))
     assert again == report and again.violations[0].names == violation.names

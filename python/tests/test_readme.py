@@ -19,7 +19,7 @@ def test_the_first_lines_run(capsys):
     exec(compile(code, "README.md", "exec"), {})
     out = capsys.readouterr().out
     assert out.startswith("L1: half-edge 0 has twin 2, ") and "cross" in out
-    # What the comments say is what is printed.
+    # The comments quote the printed text.
     assert "half-edges 2 and 17 cross" in out
 
 

@@ -18,7 +18,7 @@ from ._report import Report
 from ._validate import _MOST, _asked, _count, _number, _refuse_masked
 
 _MESHES = {".obj", ".off", ".ply", ".stl"}
-#: What may be asked of a mesh.
+#: The claims that may be made of a mesh.
 _OF_MESHES = ("sides", "simple", "closed", "used", "components", "borders", "genus")
 _MAPS = {".wkt": "wkt", ".geojson": "geojson", ".json": "geojson"}
 
@@ -160,7 +160,7 @@ def _listed(column: Any) -> Sequence[Any]:
 
 
 def _other(layer: Any) -> str | None:
-    """What to call instead, for what is no layer but known."""
+    """Advises on the function to call for a known type that is no layer."""
     if hasattr(layer, "check_structure") and hasattr(layer, "_adj"):
         return "for the rotations of a PlanarEmbedding call twinedge.adapters.networkx"
     if hasattr(layer, "nodes") and hasattr(layer, "adj"):

@@ -1,4 +1,4 @@
-"""What the records of a report are called in the structure that was judged."""
+"""Names of the records of a report in the structure that was judged."""
 
 from __future__ import annotations
 

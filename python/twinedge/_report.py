@@ -1,4 +1,4 @@
-"""What a validation found."""
+"""The findings of a validation."""
 
 from __future__ import annotations
 
@@ -15,7 +15,7 @@ from ._remedies import REMEDIES
 if TYPE_CHECKING:
     import pandas as pd
 
-#: How many violations ``repr`` shows.
+#: The number of violations that ``repr`` shows.
 _SHOWN = 5
 
 
@@ -40,9 +40,9 @@ class Rule:
     id: str
     #: On how many records it was checked.
     checked: int
-    #: How many violations were found, listed or not.
+    #: The number of violations, listed or not.
     violations: int
-    #: Why it was not checked on all records, as in the JSON form of reports; ``None`` if it was.
+    #: The reason why it was not checked on all records, as in the JSON form of reports; ``None`` if it was.
     unchecked: str | dict[str, str] | None
 
 
@@ -58,7 +58,7 @@ class Violation:
     records: tuple[Record, ...]
     #: A sentence.
     message: str
-    #: What the violation is about, by name, as ``{"half_edge": 3, "twin": 4, "found": None}``.
+    #: The values that the violation is about, by name, as ``{"half_edge": 3, "twin": 4, "found": None}``.
     fields: dict[str, Any]
     #: Points, for a map.
     at: tuple[tuple[float, float], ...] = ()
@@ -78,12 +78,12 @@ class Violation:
 
     @property
     def cause(self) -> str:
-        """What usually causes it."""
+        """The usual cause."""
         return self._explained()[0]
 
     @property
     def remedy(self) -> str:
-        """What mends it, in the arguments of this package."""
+        """The remedy, in the arguments of this package."""
         return REMEDIES.get(self.kind) or self._explained()[1]
 
     def __str__(self) -> str:
@@ -105,7 +105,7 @@ def _labelled(labels: tuple[Any, ...]) -> str:
 
 @dataclass(frozen=True)
 class Finding:
-    """What is wrong with a list of faces, or with the polygons of a map as a coverage (rules C1 to C6).
+    """A fault of a list of faces, or of the polygons of a map as a coverage (rules C1 to C6).
 
     Lengths and areas are in the units of the coordinates.
     """
@@ -171,7 +171,7 @@ def _row(one: Violation | Finding) -> dict[str, Any]:
 
 
 class InvalidStructure(ValueError):
-    """What :meth:`Report.raise_if_invalid` raises. Its report is the attribute ``report``."""
+    """The exception that :meth:`Report.raise_if_invalid` raises. Its report is the attribute ``report``."""
 
     def __init__(self, report: Report) -> None:
         super().__init__(str(report))
@@ -182,7 +182,7 @@ class InvalidStructure(ValueError):
 
 
 class Report:
-    """What a validation found. Reports compare equal if their JSON does.
+    """The findings of a validation. Reports compare equal if their JSON does.
 
     ``bool(report)`` is an error, as it would be read in two ways: ask for :attr:`valid`.
     """
@@ -201,7 +201,7 @@ class Report:
 
     @property
     def valid(self) -> bool:
-        """Whether no violation was found, every rule that applies was checked, and no finding is a fault.
+        """True if no violation was found, every rule that applies was checked, and no finding is a fault.
 
         Findings of a mesh are faults, but for ``unused_vertex``. Those of a coverage are if it was asked for, by
         ``coverage=True`` or by ``adapters.shapely`` and ``adapters.geopandas``: then ``violations`` may be empty where ``findings``
@@ -210,7 +210,7 @@ class Report:
         return bool(self._document["valid"])
 
     def name(self, record: Record) -> Any:
-        """What a record is called in the structure that was judged; its index, if it has no name.
+        """Returns the name of a record in the structure that was judged; its index, if it has no name.
 
         Of ``adapters.networkx`` a node, or for a half-edge a pair of nodes, origin and target; of ``adapters.compas`` the keys of
         the mesh likewise; of a list of faces a :class:`Side` for a half-edge, with ``face`` and ``corner``.
@@ -230,7 +230,7 @@ class Report:
 
     @property
     def counts(self) -> dict[str, Any]:
-        """How many there are: ``vertices``, ``edges``, ``faces``, ``components``, ``genus`` and others.
+        """The numbers of ``vertices``, ``edges``, ``faces``, ``components``, ``genus`` and others.
 
         ``None`` is what could not be counted because a rule that the counting relies on is broken.
         """
@@ -268,12 +268,12 @@ class Report:
 
     @property
     def violation_count(self) -> int:
-        """How many violations were found, listed or not."""
+        """The number of violations, listed or not."""
         return int(self._document["violation_count"])
 
     @property
     def findings(self) -> list[Finding]:
-        """What is wrong with a list of faces, or with a map as a coverage; empty for arrays."""
+        """The findings about a list of faces, or a map as a coverage; empty for arrays."""
         return [*map(self._finding, self._document.get("findings", ()))]
 
     def _finding(self, entry: dict[str, Any]) -> Finding:
@@ -295,7 +295,7 @@ class Report:
 
     @property
     def finding_count(self) -> int:
-        """How many findings there are, listed or not."""
+        """The number of findings, listed or not."""
         return int(self._document.get("finding_count", 0))
 
     def to_dict(self) -> dict[str, Any]:

@@ -13,7 +13,7 @@ import numpy.typing as npt
 from . import _twinedge
 from ._report import Report
 
-#: What is taken as a column of links.
+#: The types accepted as a column of links.
 Links = npt.NDArray[np.integer[Any]] | Sequence[int]
 
 #: The columns with an element for each half-edge.

@@ -47,7 +47,7 @@ _DANGLING = -2
 class Columns(NamedTuple):
     """A structure as arrays, with its names."""
 
-    #: What :func:`twinedge.validate` takes: ``origin``, ``twin``, ``next``, ``prev`` and, of a mesh, ``face`` and others.
+    #: The arguments of :func:`twinedge.validate`: ``origin``, ``twin``, ``next``, ``prev`` and, of a mesh, ``face`` and others.
     links: dict[str, Any]
     #: The name of each vertex: ``vertices[v]`` is that of vertex ``v`` of a report.
     vertices: list[Any]
@@ -76,7 +76,7 @@ class _HalfEdges:
     def __init__(self, vertices: int, origin: _Array, target: _Array) -> None:
         self.vertices, self.origin, self.target = vertices, origin, target
         self.keys = origin * vertices + target
-        # Where half-edges follow their origins, as in a dictionary of dictionaries, few are out of order.
+        # Half-edges in the order of their origins, as in a dictionary of dictionaries, are almost sorted.
         self.order = np.argsort(self.keys, kind="stable")
 
     def find(self, origin: _Array, target: _Array) -> _Array:

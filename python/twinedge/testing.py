@@ -149,7 +149,7 @@ def is_surface(
     faces: int | None = None,
     **_: Any,
 ) -> bool:
-    """Whether the lists are a closed surface: the rules in sets and quantifiers. Slow."""
+    """True if the lists are a closed surface: the rules in sets and quantifiers. Slow."""
     halves = range(len(next))
     vertices = max(origin, default=-1) + 1 if vertices is None else vertices
     links = [(origin, vertices), (twin, len(next)), (next, len(next)), (prev or [], len(next))]

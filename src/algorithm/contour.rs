@@ -88,7 +88,7 @@ impl From<Contour> for Feature {
     }
 }
 
-/// The reason why there is no contour.
+/// The error of contours.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash, Error)]
 #[non_exhaustive]
 pub enum ContourError {

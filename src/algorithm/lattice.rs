@@ -45,7 +45,7 @@ use crate::map::PlanarMap;
 use crate::validate::Embedding;
 use thiserror::Error;
 
-/// The reason why lattice points were not counted.
+/// The error of [`of_face`] and [`of_map`].
 #[derive(Clone, Copy, Debug, PartialEq, Error)]
 #[non_exhaustive]
 pub enum LatticeError {

@@ -40,7 +40,7 @@ impl std::fmt::Display for Operand {
     }
 }
 
-/// The reason why two maps were not laid over each other.
+/// The error of [`overlay`].
 #[derive(Clone, Copy, Debug, PartialEq, Error)]
 #[non_exhaustive]
 pub enum OverlayError {

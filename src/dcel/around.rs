@@ -51,7 +51,7 @@ impl<'a, S: Store> Vertex<'a, S> {
         self.rotation().map(HalfEdge::target)
     }
 
-    /// How many half-edges leave the vertex: a loop counts twice. O(degree).
+    /// Returns the number of half-edges that leave the vertex: a loop counts twice. O(degree).
     ///
     /// ```
     /// use twinedge::dcel::{Dcel, Split};

@@ -34,7 +34,7 @@ pub(crate) struct Assembly<'a> {
 }
 
 impl Assembly<'_> {
-    /// How many records of each kind there are, without the unbounded face.
+    /// Returns the number of records of each kind, without the unbounded face.
     fn need(&self) -> Need {
         Need {
             vertices: self.vertices.len(),

@@ -25,7 +25,7 @@ use alloc::boxed::Box;
 pub struct Audited<S: Store = SlotStore> {
     dcel: Dcel<WatchedStore<S>>,
     baseline: Baseline,
-    /// Whether the last change was found right, so that the baseline has followed it.
+    /// True if the last change passed validation; the baseline has then followed it.
     is_right: bool,
 }
 

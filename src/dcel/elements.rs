@@ -191,7 +191,7 @@ impl<'a, S: Store> Vertex<'a, S> {
 }
 
 impl<'a, S: Store> HalfEdge<'a, S> {
-    /// Whether both are the same half-edge. Both must be of the same structure.
+    /// True if both are the same half-edge. Both must be of the same structure.
     #[inline]
     pub(super) fn is(self, other: Self) -> bool {
         self.slot == other.slot
@@ -269,7 +269,7 @@ impl<'a, S: Store> Boundary<'a, S> {
         Face::new(self.dcel, self.dcel.store.face(self.slot))
     }
 
-    /// Whether it is the outer boundary component of its face. O(1).
+    /// True if it is the outer boundary component of its face. O(1).
     #[must_use]
     pub fn is_outer(self) -> bool {
         self.dcel.store.place(self.slot) == OUTER
@@ -296,7 +296,7 @@ impl<'a, S: Store> Boundary<'a, S> {
 }
 
 impl<'a, S: Store> Face<'a, S> {
-    /// Whether it is the unbounded face. O(1).
+    /// True if it is the unbounded face. O(1).
     #[must_use]
     pub fn is_unbounded(self) -> bool {
         self.slot == self.dcel.store.unbounded()
@@ -316,7 +316,7 @@ impl<'a, S: Store> Face<'a, S> {
         self.dcel.store.outer_half_edge(self.slot).map(|h| HalfEdge::new(self.dcel, h))
     }
 
-    /// How many inner boundary components it has. O(1).
+    /// Returns the number of inner boundary components. O(1).
     #[must_use]
     pub fn inner_count(self) -> usize {
         self.dcel.store.inner_count(self.slot)

@@ -1,4 +1,4 @@
-//! What can be wrong with a call.
+//! Errors of calls.
 
 use crate::store::links::RecordKind;
 use crate::store::{BoundaryKey, FaceKey, HalfEdgeKey, VertexKey};
@@ -22,7 +22,7 @@ pub enum StaleKey {
     Face(FaceKey),
 }
 
-/// Why an operator refused. The structure is as it was.
+/// The error of an operator. The structure is unchanged.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash, Error)]
 #[non_exhaustive]
 pub enum OperatorError {

@@ -25,7 +25,7 @@ pub struct Dcel<S: Store = SlotStore> {
     pub(super) store: S,
 }
 
-/// How many records there are.
+/// Prints the numbers of records.
 impl<S: Store> fmt::Debug for Dcel<S> {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         f.debug_struct("Dcel")

@@ -60,7 +60,7 @@ pub enum Clash {
     },
 }
 
-/// Why arrays do not describe points and segments.
+/// An error in arrays that should describe points and segments.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, thiserror::Error)]
 #[non_exhaustive]
 pub enum InvalidSegments {
@@ -78,7 +78,7 @@ pub enum InvalidSegments {
     NoSuchPoint {
         /// The segment.
         segment: u32,
-        /// What it names.
+        /// The point that it names.
         point: u32,
     },
     /// The two endpoints of this segment have the same coordinates.
@@ -92,7 +92,7 @@ pub enum InvalidSegments {
     NoSuchQuery {
         /// Its place among the queries.
         query: u32,
-        /// What it names.
+        /// The point that it names.
         point: u32,
     },
 }
@@ -172,7 +172,7 @@ struct Clashes {
 }
 
 impl Clashes {
-    /// How many more are wanted.
+    /// Returns the number of clashes that are still wanted.
     fn room(&self) -> usize {
         self.cap - self.first.len()
     }
@@ -205,7 +205,7 @@ fn same_places(points: &[Point], found: &mut Clashes) {
     found.first.extend(pairs.take(found.room()));
 }
 
-/// What the tree of boxes holds: the segments, and the points that no segment uses.
+/// An entry of the tree of boxes: a segment, or a point that no segment uses.
 enum What {
     Segment(u32),
     Point(u32),
@@ -247,7 +247,7 @@ fn at_end(p: Point, a: Point, b: Point) -> bool {
     p == a || p == b
 }
 
-/// How two segments of a checked drawing clash, if they do.
+/// Returns the clash of two segments of a checked drawing, if they clash.
 pub(super) fn classify(points: &[Point], segments: &[[u32; 2]], one: u32, other: u32) -> Option<Clash> {
     let (a, b) = (one.min(other), one.max(other));
     let ([first, second], [third, fourth]) = (segments[a as usize], segments[b as usize]);
@@ -265,7 +265,7 @@ pub(super) fn classify(points: &[Point], segments: &[[u32; 2]], one: u32, other:
     }
 }
 
-/// Whether the arrays describe a drawing: every coordinate in range, every endpoint there, no segment without length.
+/// Checks that the arrays describe a drawing: every coordinate in range, every endpoint there, no segment without length.
 /// O(n).
 pub(super) fn check(points: &[Point], segments: &[[u32; 2]]) -> Result<(), InvalidSegments> {
     if points.len().max(segments.len()) >= u32::MAX as usize {

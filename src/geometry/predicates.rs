@@ -36,7 +36,7 @@ pub const MAX_COORDINATE: f64 = f64::from_bits((1023 + 500) << 52);
 /// This bounds the coordinates, not their differences: two coordinates may differ in the last bit only.
 pub const MIN_COORDINATE: f64 = f64::from_bits((1023 - 400) << 52);
 
-/// Whether the predicates are exact for this point: each coordinate is zero or of magnitude from [`MIN_COORDINATE`] to
+/// Returns true if the predicates are exact for this point: each coordinate is zero or of magnitude from [`MIN_COORDINATE`] to
 /// [`MAX_COORDINATE`]. False for NaN and the infinities. O(1).
 #[must_use]
 pub fn in_range(p: Point) -> bool {
@@ -132,13 +132,13 @@ pub fn compare_angle(center: Point, a: Point, b: Point) -> Ordering {
     })
 }
 
-/// Whether `p` lies on the closed segment from `a` to `b`. O(1).
+/// Returns true if `p` lies on the closed segment from `a` to `b`. O(1).
 #[must_use]
 pub fn on_segment(p: Point, a: Point, b: Point) -> bool {
     boxes_meet(p, p, a, b) && orientation(a, b, p) == Orientation::Collinear
 }
 
-/// How two closed segments meet; see [`meeting`].
+/// A way in which two closed segments meet; see [`meeting`].
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
 pub enum Meeting {
     /// Not at all.
@@ -166,7 +166,7 @@ pub enum Endpoint {
     D,
 }
 
-/// How the closed segments `a b` and `c d` meet. O(1).
+/// Classifies the meeting of the closed segments `a b` and `c d`. O(1).
 ///
 /// A segment of length zero is the point that it is: it touches a segment in whose interior it lies, and shares an
 /// endpoint with one that starts or ends there.
@@ -248,7 +248,7 @@ fn meeting_on_a_line(a: Point, b: Point, c: Point, d: Point) -> Meeting {
     }
 }
 
-/// Whether the smallest closed boxes, with sides along the axes, around the segments `a b` and `c d` meet.
+/// Returns true if the smallest closed boxes, with sides along the axes, around the segments `a b` and `c d` meet.
 #[inline]
 fn boxes_meet(a: Point, b: Point, c: Point, d: Point) -> bool {
     a.y.min(b.y) <= c.y.max(d.y)

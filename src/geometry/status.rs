@@ -9,7 +9,7 @@ use crate::slots::NIL;
 pub(super) struct Strand {
     pub(super) low: Point,
     pub(super) high: Point,
-    /// Which segment this is.
+    /// The number of the segment.
     pub(super) segment: u32,
     /// At which event it ends.
     pub(super) end: u32,

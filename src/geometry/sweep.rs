@@ -51,7 +51,7 @@ use super::point::Point;
 use super::predicates::{Meeting, Orientation, compare_lexicographic, count_step, meeting, orientation};
 use super::status::{Gap, Status, Strand};
 
-/// What [`sweep`] finds out.
+/// The result of [`sweep`].
 #[derive(Clone, Debug, PartialEq, Eq)]
 #[non_exhaustive]
 pub struct Sweep {

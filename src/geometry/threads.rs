@@ -36,14 +36,14 @@ pub(crate) fn sort_unstable_by<T>(items: &mut [T], order: impl Fn(&T, &T) -> Ord
     items.sort_unstable_by(order);
 }
 
-/// What a function says of each item, in their order.
+/// Applies a function to each item, and returns the results in the order of the items.
 #[cfg(all(feature = "map", feature = "rayon"))]
 pub(crate) fn map<T: Sync, R: Send>(items: &[T], of: impl Fn(&T) -> R + Sync + Send) -> Vec<R> {
     use rayon::iter::{IntoParallelRefIterator, ParallelIterator};
     items.par_iter().map(of).collect()
 }
 
-/// What a function says of each item, in their order.
+/// Applies a function to each item, and returns the results in the order of the items.
 #[cfg(all(feature = "map", not(feature = "rayon")))]
 pub(crate) fn map<T, R>(items: &[T], of: impl Fn(&T) -> R) -> Vec<R> {
     items.iter().map(of).collect()

@@ -1,4 +1,4 @@
-//! Why a file could not be read: where, and what is wrong there.
+//! Errors of readers: the place in the file, and what is wrong there.
 
 use super::foreign::ForeignFormat;
 use super::format::Format;
@@ -6,8 +6,8 @@ use core::fmt;
 use std::io;
 use thiserror::Error;
 
-/// How many geometry collections a reader accepts around one geometry. RFC 7946 advises against nesting them at all;
-/// the bound keeps the stack small.
+/// The greatest number of geometry collections that a reader accepts around one geometry. RFC 7946 advises against nesting them
+/// at all; the bound keeps the stack small.
 pub const MAX_NESTED_COLLECTIONS: usize = 32;
 
 /// A place in a text.
@@ -67,7 +67,7 @@ impl fmt::Display for FeatureLabel {
     }
 }
 
-/// Why a file could not be read: the place, and what is wrong there. All readers of [`io`](crate::io) return it.
+/// The error of all readers of [`io`](crate::io): the place in the file, and what is wrong there.
 ///
 /// For GeoJSON the place is the byte that `serde_json` had reached when the fault showed. For a value of the wrong type,
 /// this is its last byte, its opening bracket or the byte behind that. What shows only when an object is complete, such as
@@ -84,11 +84,11 @@ impl fmt::Display for FeatureLabel {
 #[derive(Debug)]
 #[non_exhaustive]
 pub struct ReadError {
-    /// Where in the file.
+    /// The place in the file.
     pub place: TextPlace,
     /// The feature at fault, if the fault is inside one.
     pub feature: Option<FeatureLabel>,
-    /// What is wrong.
+    /// The error at that place.
     pub cause: ReadCause,
 }
 
@@ -129,7 +129,7 @@ impl std::error::Error for ReadError {
     }
 }
 
-/// What is wrong with a file.
+/// An error in a file.
 #[derive(Debug, Error)]
 #[non_exhaustive]
 pub enum ReadCause {
@@ -149,19 +149,19 @@ pub enum ReadCause {
     /// `serde_json` makes no difference.
     #[error("syntax error: {message}")]
     Syntax {
-        /// What was expected.
+        /// A description of the error, and of what was expected.
         message: String,
     },
     /// Something follows the end of the outermost object, or of the geometry of a line.
     #[error("text after the end of the {what}")]
     Trailing {
-        /// What has ended.
+        /// The text that has ended.
         what: &'static str,
     },
     /// This is JSON, but an object is not of the form that its type asks for.
     #[error("{message}")]
     Malformed {
-        /// What the `geojson` crate says, cut after 200 characters.
+        /// The message of the `geojson` crate, cut after 200 characters.
         message: String,
     },
     /// A number that is none, or infinite, or that no 64-bit float comes near to.
@@ -171,7 +171,7 @@ pub enum ReadCause {
     /// notices it.
     #[error("a position needs two numbers, this one has {numbers}")]
     ShortPosition {
-        /// How many numbers it has.
+        /// The number of numbers in it.
         numbers: usize,
     },
     /// A geometry inside more than [`MAX_NESTED_COLLECTIONS`] geometry collections; in JSON also arrays and objects inside

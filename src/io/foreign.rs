@@ -133,7 +133,7 @@ impl ForeignFormat {
         }
     }
 
-    /// What to do with such a file.
+    /// Returns advice on how to convert such a file.
     #[must_use]
     pub const fn advice(self) -> &'static str {
         match self {
@@ -146,7 +146,7 @@ impl ForeignFormat {
     }
 }
 
-/// Whether this is the start of a geometry in well-known binary, as bytes or in hexadecimal digits.
+/// Returns true if this is the start of a geometry in well-known binary, as bytes or in hexadecimal digits.
 fn is_wkb(head: &[u8]) -> bool {
     let digit = |byte: u8| char::from(byte).to_digit(16).map(|digit| digit as u8);
     let from_hex = |pair: &[u8]| Some(digit(pair[0])? << 4 | digit(pair[1])?);
@@ -154,8 +154,8 @@ fn is_wkb(head: &[u8]) -> bool {
     head.get(..5).is_some_and(is_wkb_header) || bytes.is_some_and(|bytes| is_wkb_header(&bytes))
 }
 
-/// Whether these are a byte order and a type of geometry: 1 to 7, with dimensions as thousands (ISO) or in the three highest
-/// bits (EWKB).
+/// Returns true if these are a byte order and a type of geometry: 1 to 7, with dimensions as thousands (ISO) or in the three
+/// highest bits (EWKB).
 fn is_wkb_header(bytes: &[u8]) -> bool {
     const DIMENSIONS: u32 = 0b111 << 29;
     let kind = match *bytes {

@@ -71,7 +71,7 @@ impl Format {
     }
 }
 
-/// Whether a text starts with the name of a type of geometry, as well-known text does, perhaps after an `SRID`.
+/// Returns true if a text starts with the name of a type of geometry, as well-known text does, perhaps after an `SRID`.
 fn starts_with_geometry(text: &[u8]) -> bool {
     const TYPES: [&str; 9] = [
         "POINT",

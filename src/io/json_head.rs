@@ -1,7 +1,7 @@
 //! The beginning of a JSON text, scanned without a parser: the members of its outermost object, and whether another object
 //! follows.
 
-/// What the beginning of a text says. The text may be cut anywhere.
+/// The beginning of a JSON text, parsed. The text may be cut anywhere.
 #[derive(Debug, Default)]
 pub(super) struct JsonHead<'t> {
     /// The members of the outermost object whose value is a string without escapes.
@@ -56,14 +56,14 @@ impl<'t> JsonHead<'t> {
         self.members.iter().find(|(key, _)| *key == name).map(|(_, value)| *value)
     }
 
-    /// Whether another object follows the outermost one.
+    /// Returns true if another object follows the outermost one.
     pub(super) fn goes_on(&self) -> bool {
         let next = |rest: &[u8]| rest.iter().copied().find(|byte| !byte.is_ascii_whitespace() && *byte != 0x1E);
         self.rest.and_then(next) == Some(b'{')
     }
 }
 
-/// Where a string ends, after its opening quote.
+/// Returns the end of a string, after its opening quote.
 fn end_of_string(text: &[u8]) -> Option<usize> {
     let mut escaped = false;
     text.iter().position(|byte| {

@@ -8,7 +8,7 @@ use super::summary::ReadSummary;
 use crate::map::Feature;
 use std::io::{Cursor, Read};
 
-/// How many bytes are looked at to tell the format.
+/// The number of bytes that are looked at to tell the format.
 const HEAD: u64 = 1 << 16;
 
 /// Reads a map, handing its features to `each` in the order of the file.

@@ -1,8 +1,8 @@
-//! What a reader has read, and what it dropped.
+//! A summary of a file that was read, and of what was dropped.
 
 use crate::map::{Feature, Shape};
 
-/// What a file held, and what of it was dropped, counted while it was read.
+/// The contents of a file, and the parts of it that were dropped, counted while it was read.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 #[non_exhaustive]
 pub struct ReadSummary {

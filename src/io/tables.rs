@@ -38,7 +38,7 @@ use rustc_hash::FxHashMap;
 use std::str::FromStr;
 use thiserror::Error;
 
-/// Why a text is not the three tables. Lines are counted from 1.
+/// An error in a text of the three tables. Lines are counted from 1.
 #[derive(Clone, Debug, PartialEq, Eq, Hash, Error)]
 #[non_exhaustive]
 pub enum TablesError {
@@ -55,9 +55,9 @@ pub enum TablesError {
     Columns {
         /// The line.
         line: usize,
-        /// What belongs there.
+        /// The columns that belong there.
         expected: &'static str,
-        /// How many there are.
+        /// The number of columns found.
         found: usize,
     },
     /// Two lines are of the same record.
@@ -73,7 +73,7 @@ pub enum TablesError {
     UnknownName {
         /// The line.
         line: usize,
-        /// What kind of record belongs there.
+        /// The kind of record that belongs there.
         kind: &'static str,
         /// The name.
         name: String,
@@ -83,7 +83,7 @@ pub enum TablesError {
     Coordinates {
         /// The line.
         line: usize,
-        /// What stands there.
+        /// The text found there.
         text: String,
     },
 }
@@ -191,7 +191,7 @@ impl Textbook {
         &self.table
     }
 
-    /// Whether every vertex has coordinates.
+    /// Returns true if every vertex has coordinates.
     #[must_use]
     pub fn has_coordinates(&self) -> bool {
         self.points.iter().all(Option::is_some)

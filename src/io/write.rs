@@ -1,11 +1,11 @@
-//! What the writers have in common.
+//! Code and errors that the writers share.
 
 use crate::geometry::Point;
 use crate::map::{Feature, Shape};
 use std::io;
 use thiserror::Error;
 
-/// Why a map could not be written.
+/// The error of the writers.
 #[derive(Debug, Error)]
 #[non_exhaustive]
 pub enum WriteError {

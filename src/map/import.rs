@@ -7,7 +7,7 @@ use crate::validate::{Collect, Embedding, Expectation, Report, validate_embeddin
 use std::fmt;
 use thiserror::Error;
 
-/// The reason why [`PlanarMap::from_view`] refused a structure.
+/// The error of [`PlanarMap::from_view`], which refused a structure.
 #[derive(Clone, PartialEq, Eq, Error)]
 #[non_exhaustive]
 pub enum MapImportError {

@@ -36,7 +36,7 @@ struct SavedMap<D> {
     noding: Option<NodingSummary>,
 }
 
-/// The reason why saved data are no map.
+/// An error in the saved form of a map.
 #[derive(Debug, Error)]
 enum LoadError {
     #[error("form {0} of a map is not known")]

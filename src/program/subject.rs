@@ -28,8 +28,8 @@ pub enum Refusal {
     /// The two corners are at different vertices.
     #[error("the corners are at different vertices")]
     VerticesDiffer,
-    /// What was to go to the new face is no other inner boundary component of the old one.
-    #[error("what is to go to the new face is no other inner boundary component of the old one")]
+    /// A boundary component chosen for the new face is not another inner one of the old face.
+    #[error("a boundary component chosen for the new face is not another inner one of the old face")]
     NotInner,
     /// The boundary component is an outer one.
     #[error("an outer boundary component cannot be moved")]

@@ -1,4 +1,4 @@
-//! What issues, checks and retires the keys of one kind of record.
+//! Issues, checks and retires the keys of one kind of record.
 
 use alloc::vec::Vec;
 use core::sync::atomic::{AtomicU32, Ordering};
@@ -63,7 +63,7 @@ impl Issuer {
         &self.generations
     }
 
-    /// What is added to the generations that slotmap would show.
+    /// The number added to the generations that slotmap would show.
     #[cfg(feature = "serde")]
     pub(super) const fn offset(&self) -> u32 {
         self.offset

@@ -1,4 +1,4 @@
-//! What a store does: issue and check keys, keep links, list the inner boundary components of a face.
+//! The traits of a store: issue and check keys, keep links, list the inner boundary components of a face.
 //!
 //! This trait is public in name only: nobody outside the crate can name it, hold a store, or get at a slot.
 
@@ -10,7 +10,7 @@ pub trait Slot: Copy + Eq + Debug {}
 
 impl<T: Copy + Eq + Debug> Slot for T {}
 
-/// What a vertex keeps.
+/// The link that a vertex keeps.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum VertexLink<H, B> {
     /// A half-edge that leaves it.
@@ -19,7 +19,7 @@ pub enum VertexLink<H, B> {
     Isolated(B),
 }
 
-/// Where a boundary component starts.
+/// The start of a boundary component.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum BoundaryStart<H, V> {
     /// A half-edge of its cycle.
@@ -28,7 +28,7 @@ pub enum BoundaryStart<H, V> {
     Vertex(V),
 }
 
-/// How many records of each kind an operator is about to add.
+/// The number of records of each kind that an operator is about to add.
 ///
 /// Code outside the crate that is generic over a store could call [`Links::with_room`] without naming it. It cannot, because
 /// it has no way to make a `Need`: there is deliberately no `Default`.
@@ -73,7 +73,7 @@ impl core::fmt::Display for RecordKind {
     }
 }
 
-/// Whether so many more records fit into a store with room for `most`; the first kind that does not is named.
+/// Checks that so many more records fit into a store with room for `most`; the first kind that does not is named.
 pub(super) fn room<S: Links>(store: &S, more: Need, most: Need) -> Result<(), RecordKind> {
     let checks = [
         (RecordKind::Vertex, store.vertex_count(), more.vertices, most.vertices),
@@ -99,7 +99,7 @@ pub trait Links: Sized {
     fn with_room(need: Need) -> Self;
     /// The unbounded face.
     fn unbounded(&self) -> Self::Face;
-    /// Whether so many more records fit; what does not is named.
+    /// Checks that so many more records fit; the kind that does not is named.
     fn room_for(&self, need: Need) -> Result<(), RecordKind>;
 
     fn find_vertex(&self, key: VertexKey) -> Option<Self::Vertex>;
@@ -181,7 +181,7 @@ pub trait Links: Sized {
     fn start(&self, b: Self::Boundary) -> BoundaryStart<Self::HalfEdge, Self::Vertex>;
     fn place(&self, b: Self::Boundary) -> u32;
     fn outer(&self, f: Self::Face) -> Option<Self::Boundary>;
-    /// Where the outer boundary component starts.
+    /// Returns the start of the outer boundary component.
     fn outer_half_edge(&self, f: Self::Face) -> Option<Self::HalfEdge> {
         match self.start(self.outer(f)?) {
             BoundaryStart::HalfEdge(h) => Some(h),

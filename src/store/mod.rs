@@ -1,4 +1,4 @@
-//! Where the records live. A [`Dcel`](crate::dcel::Dcel) is written once, over any of these.
+//! Stores of records. A [`Dcel`](crate::dcel::Dcel) is written once, over any of these.
 //!
 //! | store | links are | grows | choose it |
 //! | --- | --- | --- | --- |

@@ -25,7 +25,7 @@ pub(crate) struct Component {
     pub(crate) unpaired: u32,
     /// Its cycles of `next`, one for an isolated vertex, and one for each open boundary.
     pub(crate) cycles: u32,
-    /// Whether some half-edge lacks its twin or its face: its outside may be there.
+    /// True if some half-edge lacks its twin or its face. The outside of the component may then be there.
     pub(crate) open: bool,
 }
 
@@ -45,6 +45,6 @@ pub(crate) struct Components {
     /// For each vertex the number of its component; nil if it is not live.
     pub(crate) of: Vec<u32>,
     pub(crate) all: Vec<Component>,
-    /// Whether there is neither a loop nor a pair of parallel edges.
+    /// True if there is neither a loop nor a pair of parallel edges.
     pub(crate) simple: bool,
 }

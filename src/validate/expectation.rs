@@ -180,7 +180,7 @@ impl Expectation {
         1 << (rule.index() - Rule::M1.index())
     }
 
-    /// Where the number of a rule is, if it has one.
+    /// Returns the place of the number of a rule, if it has one.
     const fn place(rule: Rule) -> Option<usize> {
         match rule {
             Rule::M3 => Some(0),
@@ -191,7 +191,7 @@ impl Expectation {
         }
     }
 
-    /// Whether the rule is asked for. A rule that is not [optional](Rule::is_optional) always is.
+    /// True if the rule is asked for. A rule that is not [optional](Rule::is_optional) always is.
     ///
     /// ```
     /// use twinedge::validate::{Expectation, Rule};
@@ -219,7 +219,7 @@ impl Expectation {
         self.surface
     }
 
-    /// Whether open boundaries are legal.
+    /// True if open boundaries are legal.
     #[must_use]
     pub const fn is_open(&self) -> bool {
         self.open

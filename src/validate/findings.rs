@@ -4,10 +4,10 @@ use super::report::{Bounds, Collect, Counts, Report, RuleOutcome, Unchecked, Vio
 use super::rule::Rule;
 use alloc::vec::Vec;
 
-/// Whether the run goes on.
+/// An error if the run ends early.
 pub(crate) type Flow = Result<(), Halt>;
 
-/// Why a run ends early.
+/// A reason to end a run early.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(crate) enum Halt {
     /// Only the first violation was wanted, and it is found.
@@ -23,7 +23,7 @@ pub(crate) struct Findings {
     /// Of each rule the first ones, up to the cap.
     violations: Vec<Violation>,
     collect: Collect,
-    /// What is counted so far.
+    /// The counts so far.
     pub(crate) counts: Counts,
     pub(crate) bounds: Option<Bounds>,
 }
@@ -63,7 +63,7 @@ impl Findings {
         self.outcomes[rule.index()].unchecked = Some(why);
     }
 
-    /// How many violations of a rule are kept.
+    /// Returns the greatest number of violations of a rule that are kept.
     #[cfg(feature = "geometry")]
     pub(crate) const fn cap(&self) -> usize {
         self.collect.cap()
@@ -83,12 +83,12 @@ impl Findings {
         }
     }
 
-    /// Why the rule was not checked, or not on every record.
+    /// Returns the reason why the rule was not checked, or not on every record.
     pub(crate) const fn unchecked(&self, rule: Rule) -> Option<Unchecked> {
         self.outcomes[rule.index()].unchecked
     }
 
-    /// Whether no violation of this rule was found.
+    /// True if no violation of this rule was found.
     pub(crate) const fn holds(&self, rule: Rule) -> bool {
         self.outcomes[rule.index()].violations == 0
     }

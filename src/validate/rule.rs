@@ -67,13 +67,13 @@ macro_rules! rules {
 catalogue! { rules }
 
 impl Rule {
-    /// Whether the rule is about coordinates (G1 … G5).
+    /// True if the rule is about coordinates (G1 … G5).
     #[must_use]
     pub const fn is_geometric(self) -> bool {
         self.id().as_bytes()[0] == b'G'
     }
 
-    /// Whether the rule is checked only where the expectation asks for it (M1 … M8).
+    /// True if the rule is checked only where the expectation asks for it (M1 … M8).
     #[must_use]
     pub const fn is_optional(self) -> bool {
         self.id().as_bytes()[0] == b'M'

@@ -206,13 +206,13 @@ impl<'a, V: View + ?Sized> Subject<'a, V> {
         [origin.min(target), origin.max(target)]
     }
 
-    /// Whether the face link of a half-edge is live, or legally nil.
+    /// True if the face link of a half-edge is live, or legally nil.
     pub(crate) fn is_sound_face_link(&self, link: Link) -> bool {
         link.map_or(self.is_open(), |f| self.extent.faces.has(f) && self.view.is_face(f))
     }
 
-    /// Whether the structure has faces and the half-edge has none, or no boundary component to have one: a cycle of such is a
-    /// border loop.
+    /// True if the structure has faces and the half-edge has none, or no boundary component to have one. A cycle of such
+    /// half-edges is a border loop.
     pub(crate) fn lacks_face(&self, h: usize) -> bool {
         self.has(Part::Faces) && self.extent.name(self.view, h).is_none()
     }
@@ -222,7 +222,7 @@ impl<'a, V: View + ?Sized> Subject<'a, V> {
         if self.has(Part::BoundaryComponents) { self.view.outer(f) } else { self.view.outer_half_edge(f) }
     }
 
-    /// Where the outer boundary component of a face starts.
+    /// Returns the start of the outer boundary component of a face.
     pub(crate) fn outer_start(&self, f: usize) -> Option<Start> {
         if self.has(Part::BoundaryComponents) {
             self.view.boundary_start(self.extent.boundaries.existing(self.view.outer(f))?)

@@ -124,7 +124,7 @@ fn inside(ring: &[Point], p: Point) -> bool {
     crossed.count() % 2 == 1
 }
 
-/// How many connected sets the cells of a window of 10 × 10 for which `is` holds fall into, across edges.
+/// Returns the connected sets, across edges, of the cells of a window of 10 × 10 for which `is` holds.
 fn connected(is: impl Fn(Cell) -> bool) -> Vec<BTreeSet<Cell>> {
     let mut left: BTreeSet<Cell> = (-1..9).flat_map(|x| (-1..9).map(move |y| (x, y))).filter(|c| is(*c)).collect();
     let mut found = Vec::new();

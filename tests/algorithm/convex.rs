@@ -14,7 +14,7 @@ use twinedge::geometry::{MAX_COORDINATE, Point};
 use twinedge::map::edit::EditError;
 use twinedge::map::{Builder, PlanarMap, Shape};
 
-/// Whether a corner inside a face is at most a straight angle: exactly, and by other means than the library's.
+/// Returns true if a corner inside a face is at most a straight angle: exactly, and by other means than the library's.
 fn is_convex_at(map: &PlanarMap, h: HalfEdge<'_>) -> bool {
     let at = |h: HalfEdge<'_>| map.position(h.origin().key()).unwrap();
     let (before, here, after) = (at(h.prev()), at(h), at(h.next()));
@@ -31,7 +31,7 @@ fn bounded(map: &PlanarMap) -> Vec<FaceKey> {
     map.dcel().faces().filter(|face| !face.is_unbounded()).map(Face::key).collect()
 }
 
-/// What a face is like before.
+/// The properties of a face before the change.
 struct Before {
     area: f64,
     reflex: usize,
@@ -114,7 +114,7 @@ fn least(ring: &[Point]) -> usize {
     let n = ring.len();
     let next = |i: usize| (i + 1) % n;
     let turn = |a: Point, b: Point, c: Point| orientation(a, b, c);
-    // Whether the direction from a vertex to a point lies inside its corner, borders excluded.
+    // True if the direction from a vertex to a point lies inside its corner, borders excluded.
     let inside = |i: usize, p: Point| {
         let (before, v, after) = (ring[(i + n - 1) % n], ring[i], ring[next(i)]);
         let (left, right) =

@@ -268,7 +268,7 @@ fn the_same_polygon_twice_breaks_only_c5() {
     shapes.push(shapes[1].clone());
     let (finding, features) = only(&shapes, &Limits::default());
     assert_eq!((finding.rule, features, finding.area), (CoverageRule::Duplicate, vec![1, 4, 5], 100.0));
-    // What overlaps one of them overlaps them all, and is found once.
+    // An area that overlaps one of them overlaps them all, and is found once.
     shapes.push(area([19.0, 4.0], [20.0, 5.0]));
     let rules: Vec<CoverageRule> = found(&shapes, &Limits::default()).findings.iter().map(|f| f.rule).collect();
     assert_eq!(rules, [CoverageRule::Overlap, CoverageRule::Duplicate]);
@@ -286,7 +286,7 @@ fn a_map_that_is_not_plane_is_refused() {
 /// Rings of points.
 type Polygon = Vec<Vec<[f64; 2]>>;
 
-/// What shapely says of polygons, in the words of GEOS.
+/// The verdicts of shapely on polygons, in the words of GEOS.
 #[test]
 fn polygons_are_invalid_for_the_reason_that_geos_gives() {
     use DefectKind::{
@@ -362,7 +362,7 @@ fn a_ring_all_points_of_which_lie_on_another_is_located() {
     }
 }
 
-/// Which of three features claim each cell of a board of 4 by 4: overlaps and gaps have the areas of their cells.
+/// On a board of 4 by 4 cells, each claimed by some of three features, overlaps and gaps have the areas of their cells.
 fn areas_are_those_of_the_cells(cells: Vec<u8>) -> bool {
     let at = |x: usize, y: usize| -> u8 {
         cells.get(4 * x + y).map_or(1, |cell| [1, 2, 4, 1, 2, 4, 0, 3, 5, 7][usize::from(cell % 10)])

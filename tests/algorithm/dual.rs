@@ -14,7 +14,7 @@ use twinedge::dcel::{FaceKey, StaleKey, Vertex, VertexKey};
 use twinedge::geometry::Point;
 use twinedge::map::{Builder, FeatureId, PlanarMap, Shape};
 
-/// How many components the vertices make, without one of them: every edge is looked at until nothing changes.
+/// Returns the number of components of the vertices, without one of them: every edge is looked at until nothing changes.
 fn components_without(map: &PlanarMap, without: Option<VertexKey>) -> usize {
     let vertices = || map.dcel().vertices().filter(|v| Some(v.key()) != without);
     let mut label: BTreeMap<usize, usize> = vertices().map(|v| (v.index(), v.index())).collect();

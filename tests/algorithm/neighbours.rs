@@ -60,7 +60,7 @@ fn bits(p: Point) -> (u64, u64) {
     (p.x.to_bits(), p.y.to_bits())
 }
 
-/// What every answer keeps: chains that are as long as said, have all edges once, and cannot be made longer.
+/// Checks the laws of every answer: chains that are as long as said, have all edges once, and cannot be made longer.
 fn in_order<K>(neighbour: &Neighbour<K>) -> BTreeSet<[(u64, u64); 2]> {
     let steps: Vec<_> = neighbour.borders.iter().flat_map(|chain| chain.windows(2)).collect();
     let length: f64 = steps.iter().map(|s| (s[1].x - s[0].x).hypot(s[1].y - s[0].y)).sum();

@@ -201,7 +201,7 @@ fn a_map_over_itself_is_itself() {
     }
 }
 
-/// What the faces of an overlay of two polygons have in area, by the independent crate.
+/// Returns the area of the faces of an overlay of two polygons, by the independent crate.
 fn independent(left: &[Whole], right: &[Whole], rule: OverlayRule) -> f64 {
     let contour = |corners: &[Whole]| corners.iter().map(|(x, y)| [f64::from(*x), f64::from(*y)]).collect::<Vec<_>>();
     let shapes = contour(left).overlay(&contour(right), rule, FillRule::EvenOdd);

@@ -71,7 +71,7 @@ const options = (page) => page.$$eval("[role=option]", (all) => all.map((one) =>
 const chosen = (page) => page.$$eval("[aria-selected=true]", (all) => all.map((one) => one.innerText.split(/\s/)[0]));
 /** The part of the map that is seen. */
 const seen = (page) => page.evaluate(() => view.box());
-/** What a canvas has at a pixel: red, green, blue, opacity. It is copied, so that it stays as fast as it is. */
+/** Returns the colour of a canvas at a pixel: red, green, blue, opacity. It is copied, so that it stays as fast as it is. */
 const pixel = (page, id, px, py) =>
   page.evaluate(
     (id, px, py) => {
@@ -84,7 +84,7 @@ const pixel = (page, id, px, py) =>
     py,
   );
 const at = (page, x, y) => page.evaluate((x, y) => [view.px(x), view.py(y)], x, y);
-/** What the map and the overlay have at a place. */
+/** Returns the colours of the map and of the overlay at a place. */
 const baseAt = async (page, x, y) => pixel(page, "base", ...(await at(page, x, y)));
 const drawnAt = async (page, x, y) => pixel(page, "over", ...(await at(page, x, y)));
 const holds = ([x0, y0, x1, y1], [x, y]) => x0 < x && x < x1 && y0 < y && y < y1;

@@ -1,4 +1,4 @@
-//! What the elements of a structure say of their surroundings, against a drawing with all answers entered by hand.
+//! Accessors of elements, against a drawing with all answers entered by hand.
 
 use crate::support::erased::validate_plane;
 use std::fmt::Debug;
@@ -28,7 +28,7 @@ struct Drawn<S: Store> {
 fn draw<S: Store>() -> Drawn<S> {
     let mut dcel = Dcel::<S>::default();
     let outside = dcel.unbounded_face().key();
-    // What is gone leaves slots that are used again, or gaps.
+    // Removed records leave slots that are used again, or gaps.
     let gone = dcel.add_isolated_vertex(outside).unwrap().vertex;
     let a = dcel.add_isolated_vertex(outside).unwrap().vertex;
     dcel.remove_isolated_vertex(gone).unwrap();

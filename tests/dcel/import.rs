@@ -125,7 +125,7 @@ fn parts_may_be_missing() {
     check(100, 100, law as fn(Program));
 }
 
-/// How many structures came in as meshes, closed and open.
+/// The number of structures that came in as meshes, closed and open.
 static MESHES: [AtomicUsize; 3] = [AtomicUsize::new(0), AtomicUsize::new(0), AtomicUsize::new(0)];
 
 #[test]

@@ -1,5 +1,4 @@
-//! What holds for every program: rules are kept, what is done can be undone, an error changes nothing, and a key that
-//! is stale stays so.
+//! Laws for every program: rules are kept, operators can be undone, an error changes nothing, and a stale key stays stale.
 
 use crate::support::erased::validate;
 use crate::support::tracked::{Keys, Tracked};
@@ -66,7 +65,7 @@ struct Undo<'a> {
     canonizer: Canonizer,
 }
 
-/// How often something was done and undone.
+/// The number of operators done and undone.
 static UNDONE: AtomicUsize = AtomicUsize::new(0);
 
 impl Undo<'_> {
@@ -131,8 +130,8 @@ impl Undo<'_> {
         let map = self.map;
         for h in map.half_edges() {
             let (n, t) = (h, h.twin());
-            // Where the edge was attached, if something else is; a loop around nothing stands on the corner of its
-            // twin.
+            // The corner at which the edge was attached, if another edge has it; a loop around nothing stands on the corner of
+            // its twin.
             let corner = |h: HalfEdge<'_>, other: HalfEdge<'_>| -> Option<Corner> {
                 [other.next(), h.next()]
                     .into_iter()
@@ -238,7 +237,7 @@ impl Undo<'_> {
     }
 }
 
-/// What every half-edge and every isolated vertex says, by keys.
+/// Returns the links of every half-edge and every isolated vertex, by keys.
 fn links(map: &Dcel) -> impl PartialEq + std::fmt::Debug {
     let of_half_edge = |h: HalfEdge<'_>| {
         (h.key(), h.twin().key(), h.next().key(), h.origin().key(), h.boundary().key(), h.face().key())
@@ -314,7 +313,7 @@ impl Memory {
             && self.faces.look(&live.faces, |k| map.face(k).is_ok())
     }
 
-    /// How many keys are stale by now.
+    /// Returns the number of keys that are stale by now.
     fn stale(&self, map: &Dcel) -> usize {
         let live = Keys::of(map);
         self.half_edges.seen.len() + self.boundaries.seen.len() - live.half_edges.len() - live.boundaries.len()

@@ -39,7 +39,7 @@ fn refused_by_every_function(t: &mut Tracked, good: &Keys, bad: &Keys) {
     assert_eq!(t.refuses(|map| map.flip_edge(h, Turn::Clockwise)), stale_h.into());
     assert_eq!(t.refuses(|map| map.move_inner(b, good_f)), stale_b.into());
     assert_eq!(t.refuses(|map| map.move_inner(good_b, f)), stale_f.into());
-    // Where a face is split, and where the edge is a bridge, which needs nothing of the kind.
+    // Both for an edge that splits a face, and for a bridge, which needs no list.
     let split = Split { inner: &[good_b, b], ..LEFT };
     assert_eq!(t.refuses(|map| map.connect(good_h, good_h, split)), stale_b.into());
     let lone = *good.vertices.iter().find(|v| t.map.vertex(**v).unwrap().isolated().is_some()).unwrap();

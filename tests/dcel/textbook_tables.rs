@@ -107,7 +107,7 @@ impl Embedding {
         connected.new_face().expect("a face is closed")
     }
 
-    /// Whether every row says the same as that of the table, names for names.
+    /// Checks that every row equals that of the table, names for names.
     fn assert_same(&self, faces: &[FaceKey], golden: &Table) {
         let vertex = |v| self.vertices.iter().position(|other| *other == v);
         let half_edge = |h| self.half_edges.iter().position(|other| *other == h);

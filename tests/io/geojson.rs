@@ -1,4 +1,4 @@
-//! What `io::geojson` takes, what it refuses, and the place of each error.
+//! Input that `io::geojson` takes, input that it refuses, and the place of each error.
 
 use std::collections::BTreeSet;
 use std::error::Error;
@@ -294,7 +294,7 @@ impl Read for Failing<'_> {
 fn io_errors() {
     let text = b"{\"type\":\n\"Point\",\"coordinates\":[1,2]}";
     for (end, place) in [(0, at(1, 0)), (9, at(2, 0)), (20, at(2, 11)), (text.len(), at(2, text.len() - 9))] {
-        // Whether more could be read behind the failure makes no difference.
+        // Text that could be read behind the failure makes no difference.
         for after in [&b""[..], b"]}", b"}", &text[end..]] {
             let reader = Failing { before: &text[..end], failed: false, after };
             let error = geojson::read(reader, |_| Ok::<_, ReadError>(())).unwrap_err();
@@ -496,7 +496,7 @@ impl From<ReadError> for Mine {
 
 #[test]
 fn the_callback_can_stop_the_reading() {
-    // What follows the second feature is never looked at.
+    // The text after the second feature is never looked at.
     let text = r#"{"type":"FeatureCollection","features":[{"type":"Feature"},{"type":"Feature"},?"#;
     let stop_at = |limit: usize| {
         let mut count = 0;

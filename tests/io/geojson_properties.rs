@@ -239,7 +239,7 @@ impl Arbitrary for Damaged {
     }
 }
 
-/// What the `geojson` crate makes of a document that it reads as a whole.
+/// Returns the features of a document that the `geojson` crate reads as a whole.
 fn whole(text: &[u8]) -> Option<Vec<Feature>> {
     fn draw(value: &GeometryValue, shapes: &mut Vec<Shape>) {
         let point = |p: &geojson::Position| Point { x: p[0], y: p[1] };

@@ -23,7 +23,7 @@ fn built(rings: &[&[Grid]]) -> PlanarMap {
     builder.build().expect("fits")
 }
 
-/// What is listed: kind, ring, point and place.
+/// Returns the listed irregularities: kind, ring, point and place.
 fn listed(map: &PlanarMap) -> Vec<(IrregularityKind, usize, usize, Point)> {
     map.summary().irregularities.iter().map(|i| (i.kind, i.position.ring, i.position.point, i.at)).collect()
 }

@@ -80,7 +80,7 @@ fn each_format_is_read() {
             assert!(features.iter().all(|feature| feature.shapes == [point.clone()]), "{text}");
         }
     }
-    // What is given outweighs what the content looks like.
+    // A given format outweighs the look of the content.
     let error = all(&two, Some(Format::GeoJson)).unwrap_err();
     assert_eq!(error.to_string(), "line 2, column 1: text after the end of the GeoJSON object");
     assert!(matches!(all(POINT, Some(Format::Wkt)).unwrap_err().cause, ReadCause::Syntax { .. }));
@@ -193,7 +193,7 @@ fn other_formats_are_named() {
     assert_eq!(says, expected);
 }
 
-/// What a format writes inside is no sign of another one.
+/// Members of one format are no sign of another one.
 #[test]
 fn what_is_read_is_not_taken_for_another_format() {
     for text in [

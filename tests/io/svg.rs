@@ -27,12 +27,12 @@ fn estates() -> PlanarMap {
     built(&[polygon("A <b> & \"c\"", &west), polygon("East", &east), well])
 }
 
-/// Whether XML 1.0 allows a character in a document (section 2.2, production 2).
+/// Returns true if XML 1.0 allows a character in a document (section 2.2, production 2).
 fn is_xml_char(c: char) -> bool {
     matches!(c, '\t' | '\n' | '\r' | ' '..='\u{D7FF}' | '\u{E000}'..='\u{FFFD}' | '\u{10000}'..)
 }
 
-/// Whether tags nest, attributes are quoted, and all characters are allowed: enough of XML for what is written here.
+/// Returns true if tags nest, attributes are quoted, and all characters are allowed: enough of XML for what is written here.
 fn is_well_formed(text: &str) -> bool {
     if !text.chars().all(is_xml_char) {
         return false;
@@ -157,7 +157,7 @@ fn islands_far_away_are_drawn_in_insets() {
     assert!(!draw(&map, &Options { window, ..Options::default() }).contains("× the scale"));
 }
 
-/// What lies a little apart needs no inset, and of many far parts the rest is counted.
+/// A part a little apart needs no inset, and of many far parts the rest is counted.
 #[test]
 fn insets_are_few() {
     let square = |x: f64, y: f64| [[x, y], [x + 1.0, y], [x + 1.0, y + 1.0], [x, y + 1.0]];

@@ -1,4 +1,4 @@
-//! What the reader of well-known text takes, what it refuses, and the line of each error.
+//! Text that the reader of well-known text takes, text that it refuses, and the line of each error.
 
 use std::io::{self, Read};
 

@@ -174,7 +174,7 @@ fn islands(count: usize) -> PlanarMap {
     builder.build().unwrap()
 }
 
-/// What the structure is asked does not grow with the map, nor with the number of islands in the face that is changed.
+/// The number of questions to the structure does not grow with the map, nor with the number of islands in the changed face.
 #[test]
 fn what_is_asked_depends_on_the_edit_only() {
     type Edit = fn(&mut PlanarMap, f64);

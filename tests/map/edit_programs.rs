@@ -139,7 +139,7 @@ fn picks_count_in_order_of_creation_and_start_again() {
     assert_eq!(outcomes[4], EditOutcome::Skipped);
 }
 
-/// Why an edit was refused, or what else became of it.
+/// Returns the kind of an outcome: for a refusal, the kind of its error.
 fn kind(outcome: &EditOutcome) -> &'static str {
     match outcome {
         EditOutcome::Applied(_) => "applied",
@@ -280,7 +280,7 @@ fn generators_draw_what_they_are_told() {
     assert_eq!(EditProgram::generator().only(&[]).generate(&mut g).0, []);
 }
 
-/// Whether a program puts something into a bounded face.
+/// Returns true if a program puts something into a bounded face.
 fn makes_hole(program: &EditProgram) -> bool {
     let mut runner = EditRunner::new(PlanarMap::new());
     runner.run(program);

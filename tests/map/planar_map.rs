@@ -209,7 +209,7 @@ fn features_cover_their_area_and_no_more() {
         .quickcheck(a_feature_covers_its_rectangles as fn(Vec<(u8, u8, u8, u8)>, bool) -> TestResult);
 }
 
-/// Whether two segments on whole numbers meet otherwise than at shared endpoints.
+/// Returns true if two segments on whole numbers meet otherwise than at shared endpoints.
 fn clash(a: [[i64; 2]; 2], b: [[i64; 2]; 2]) -> bool {
     let turn = |p: [i64; 2], q: [i64; 2], r: [i64; 2]| {
         ((q[0] - p[0]) * (r[1] - p[1]) - (q[1] - p[1]) * (r[0] - p[0])).signum()
@@ -252,7 +252,7 @@ fn built_and_judged(segments: Vec<((u8, u8), (u8, u8))>, thin_out: bool) -> bool
     let vertices: BTreeSet<[i64; 2]> = kept.iter().flatten().copied().collect();
     let counted = map.dcel().vertex_count() == vertices.len() && map.dcel().edge_count() == kept.len();
     let whole_plane: f64 = map.dcel().faces().map(|f| area(&map, f)).sum();
-    // What is outside has minus the area of what is inside.
+    // The unbounded face has minus the area of the bounded ones.
     let tiled = clashes || whole_plane.abs() < 1e-9;
     counted && tiled && map.validate().is_valid() != clashes && map.is_plane() != clashes
 }

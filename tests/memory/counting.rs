@@ -5,7 +5,7 @@ use std::alloc::{GlobalAlloc, Layout, System};
 use std::cell::Cell;
 
 thread_local! {
-    /// How often memory was asked for, fresh or to grow.
+    /// The number of times that memory was asked for, fresh or to grow.
     pub(crate) static REQUESTS: Cell<usize> = const { Cell::new(0) };
     /// Allocations less deallocations.
     pub(crate) static LIVE: Cell<isize> = const { Cell::new(0) };

@@ -1,4 +1,4 @@
-//! How much memory `io::geojson` needs, counted by the allocator.
+//! Memory that `io::geojson` needs, counted by the allocator.
 
 use crate::counting::{LIVE_BYTES, PEAK_BYTES};
 use std::io::{self, Read};
@@ -8,7 +8,7 @@ use twinedge::io::{ReadError, ReadSummary, geojson};
 struct Repeated<'a> {
     head: &'a [u8],
     part: &'a [u8],
-    /// How often the part is still to come.
+    /// The number of times that the part is still to come.
     left: usize,
     tail: &'a [u8],
 }
@@ -79,7 +79,7 @@ fn one_large_feature_of_single_digits() {
     assert!(peak < 10 * size, "{peak} bytes at the peak for {size} bytes of text");
 }
 
-/// What is of no interest takes no memory at all, however large it is.
+/// Members that are of no interest take no memory at all, however large they are.
 #[test]
 fn large_foreign_members() {
     let (summary, size, peak) =

@@ -1,4 +1,4 @@
-//! How much memory is used, counted by the allocator.
+//! Memory use, counted by the allocator.
 #![allow(clippy::incompatible_msrv, reason = "the tests need the Rust version of their own dependencies")]
 #![allow(clippy::needless_pass_by_value, reason = "quickcheck hands its arguments over")]
 

@@ -5,7 +5,7 @@ use std::rc::Weak;
 use twinedge::program::{PointerModel, Program, Runner, Subject};
 use twinedge::validate::View;
 
-/// How many links lead from record to record, going by what the structure says of itself.
+/// Returns the number of links from record to record, as the structure itself reports them.
 fn links(pointers: &PointerModel) -> usize {
     let half_edges = pointers.half_edge_slots();
     let isolated = (0..pointers.vertex_slots()).filter(|v| pointers.isolated(*v).is_some()).count();
@@ -32,7 +32,7 @@ fn records_are_freed(program: Program) -> bool {
         if now.iter().map(Weak::weak_count).sum::<usize>() != watched + links(runner.subject()) {
             return false;
         }
-        // What was removed is gone: of the records of before there remain no more than there are now.
+        // Removed records are gone: of the records of before there remain no more than there are now.
         let remain = before.iter().filter(|old| old.strong_count() > 0);
         if !remain.clone().all(|old| now.iter().any(|new| old.ptr_eq(new))) {
             return false;

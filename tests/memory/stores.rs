@@ -1,5 +1,5 @@
-//! What the stores ask of the allocator: the pointer-style one gives back all when it is dropped, what is removed is used
-//! again, and where room was made nothing is asked for.
+//! Requests of the stores to the allocator: the pointer-style store gives back all memory when it is dropped, memory of removed
+//! records is used again, and where room was made nothing is requested.
 
 use crate::counting::{LIVE, LIVE_BYTES, REQUESTS};
 use twinedge::dcel::{Dcel, Split};

@@ -1,4 +1,4 @@
-//! What a validation asks of the allocator, per record: the figures in the documentation of `validate`.
+//! Memory that a validation requests, per record: the figures in the documentation of `validate`.
 
 use crate::counting::{LIVE_BYTES, PEAK_BYTES};
 use twinedge::validate::reference::rule_by_rule;
@@ -17,7 +17,7 @@ fn peak_of(is_valid: impl FnOnce() -> bool) -> usize {
     (PEAK_BYTES.get() - before).cast_unsigned()
 }
 
-/// What a report takes, whatever the structure.
+/// The size of a report, whatever the structure.
 const REPORT: usize = 2000;
 
 /// So many isolated vertices in the unbounded face.
@@ -189,8 +189,8 @@ impl<V: View> View for Wrong<'_, V> {
     }
 }
 
-/// What the fast path keeps of a structure with one fault, until the rules have used it, and what they take beside it are together no
-/// more than the rules take alone, and less than the documentation says.
+/// On a structure with one fault, the facts that the fast path keeps until the rules have used them, and the memory that the
+/// rules take beside them, are together no more than the rules take alone, and less than the documentation says.
 #[test]
 fn what_is_partly_settled_takes_no_more_than_elsewhere() {
     let edges = 100_000;

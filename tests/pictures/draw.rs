@@ -8,7 +8,7 @@ use twinedge::dcel::{Face, FaceKey, HalfEdge, HalfEdgeKey, VertexKey};
 
 use crate::scene::{Place, Scene};
 
-/// What an element is to the operator.
+/// The role of an element in the operator.
 #[derive(Clone, Copy)]
 pub(crate) enum Role {
     Given,
@@ -28,7 +28,7 @@ impl Role {
     }
 }
 
-/// What to point out in a scene.
+/// A mark in a scene.
 #[derive(Clone)]
 pub(crate) enum Mark {
     /// A half-edge as an arrow, with its name.

@@ -35,7 +35,7 @@ ALL = "1000000"
 class Comparison:
     def __init__(self, program, forgets=False):
         self.program = program
-        # Whether the first finding of each rule is dropped, to see that the comparison notices.
+        # True to drop the first finding of each rule, to see that the comparison notices.
         self.forgets = forgets
         self.compared = {}
         self.differing = []
@@ -211,7 +211,7 @@ def compare_validity(comparison, case, geometries, report):
         if not geometry.is_valid and i in ours:
             # GEOS takes rings with the same points as a kind of their own; here they run along each other.
             reason = {"Duplicate Rings": "Self-intersection"}.get(reason, reason)
-            # Where rings run along each other GEOS may stop at what that makes of the inside.
+            # If rings run along each other GEOS may stop at the disconnected inside.
             if reason == "Interior is disconnected" and set(ours[i]) == {"Self-intersection"}:
                 reason = "Self-intersection"
             comparison.same(f"reason {reason}", f"{case}, {geometry.wkt[:200]}: {ours[i]}", reason in ours[i], True)

@@ -1,4 +1,4 @@
-//! Which records a change has written.
+//! The records that a change has written.
 
 use twinedge::validate::Table;
 use twinedge::validate::near::WriteSet;

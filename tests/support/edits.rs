@@ -45,7 +45,7 @@ impl Arbitrary for EvenEdits {
                 }
                 _ => {}
             }
-            // What is snapped becomes even by that.
+            // Snapping makes coordinates even.
             let mask = if matches!(op, EditOp::InsertSegmentSnapped { .. }) { !0 } else { !1 };
             for spot in spots(op) {
                 let Place(x, y) = Place::arbitrary(g);

@@ -32,7 +32,7 @@ pub(crate) fn area(a: Grid, b: Grid, c: Grid) -> i128 {
     cross(minus(b, a), minus(c, a))
 }
 
-/// How two segments of positive length meet.
+/// The ways in which two segments of positive length meet.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(crate) enum Meets {
     No,
@@ -76,7 +76,7 @@ pub(crate) fn meets(a: Grid, b: Grid, c: Grid, d: Grid) -> Meets {
     }
 }
 
-/// Whether p lies on the closed segment.
+/// Returns true if p lies on the closed segment.
 pub(crate) fn lies_on(p: Grid, a: Grid, b: Grid) -> bool {
     area(a, b, p) == 0 && dot(minus(a, p), minus(b, p)) <= 0
 }

@@ -1,4 +1,4 @@
-//! What the tests of the validator share.
+//! Code that the tests of the validator share.
 #![allow(dead_code, unused_macros, unused_imports, reason = "each test file uses a part of it")]
 
 pub(crate) mod changes;

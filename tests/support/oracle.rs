@@ -67,7 +67,7 @@ impl Plain {
         }
     }
 
-    /// Where the point lies whose coordinates are these, divided by the scale. Of an edge, the half-edge that runs to the
+    /// Returns the location of the point with these coordinates, divided by the scale. Of an edge, the half-edge that runs to the
     /// right, or straight up.
     pub(crate) fn locate(&self, p: Whole, scale: i128) -> Located {
         if let Some((key, _)) = self.vertices.iter().find(|(_, at)| times(*at, scale) == p) {
@@ -91,7 +91,7 @@ impl Plain {
         Located::Face(face)
     }
 
-    /// What a stretch meets: cuts it wherever it meets something, and locates the cuts and the middles of the pieces.
+    /// Returns the zone of a stretch: cuts it wherever it meets something, and locates the cuts and the middles of the pieces.
     pub(crate) fn zone(&self, stretch: &QueryLine) -> Vec<ZoneElement> {
         let (QueryLine::Segment(from, to) | QueryLine::Ray(from, to) | QueryLine::Line(from, to)) = *stretch;
         let (from, to) = (whole(from), whole(to));

@@ -120,7 +120,7 @@ pub(crate) fn with_boundary_components(textbook: &Table) -> Table {
     table
 }
 
-/// What the faces of a textbook table list.
+/// Returns the entries of the lists of the faces of a textbook table.
 fn listed(table: &Table) -> Vec<(usize, BoundaryPlace, Start)> {
     let mut listed = vec![];
     for (f, face) in table.faces.iter().enumerate() {

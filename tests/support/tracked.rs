@@ -29,7 +29,7 @@ impl Keys {
         }
     }
 
-    /// Whether every one of these keys resolves.
+    /// Returns true if every one of these keys resolves.
     pub(crate) fn are_live(&self, map: &Dcel) -> bool {
         self.vertices.iter().all(|k| map.vertex(*k).is_ok())
             && self.half_edges.iter().all(|k| map.half_edge(*k).is_ok())
@@ -37,7 +37,7 @@ impl Keys {
             && self.faces.iter().all(|k| map.face(*k).is_ok())
     }
 
-    /// Whether none does.
+    /// Returns true if none does.
     pub(crate) fn are_stale(&self, map: &Dcel) -> bool {
         self.vertices.iter().all(|k| map.vertex(*k).is_err())
             && self.half_edges.iter().all(|k| map.half_edge(*k).is_err())

@@ -5,7 +5,7 @@ use twinedge::program::Refusal;
 use twinedge::validate::{Part, Parts, View};
 use twinedge::view_answers;
 
-/// What is wrong with the mesh.
+/// A bug of the mesh.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(crate) enum Bug {
     None,

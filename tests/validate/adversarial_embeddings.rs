@@ -8,7 +8,7 @@ use crate::support::tables::Without;
 use twinedge::geometry::Point;
 use twinedge::validate::{Collect, Embedding, Part, places};
 
-/// Where the vertices of the nested triangles lie, while answers are consistent.
+/// The coordinates of the vertices of the nested triangles, while answers are consistent.
 const POINTS: [[f64; 2]; 7] = [[0.0, 0.0], [10.0, 0.0], [5.0, 10.0], [4.0, 1.0], [6.0, 1.0], [5.0, 3.0], [7.0, 3.0]];
 
 impl Embedding for Inconsistent<'_> {

@@ -159,7 +159,7 @@ impl Twice {
     fn expect_same(&self, what: &str) {
         let (straight, bent) = (self.straight.report(), self.bent.report());
         let verdicts = |report: &Report| -> Vec<(Rule, bool, Option<Unchecked>)> {
-            // Whether a map is simple, and so T4, changes with its vertices.
+            // A map may become simple by its new vertices, which changes T4.
             let of_maps = report.outcomes().filter(|(rule, _)| *rule != Rule::T4);
             of_maps.map(|(rule, outcome)| (rule, outcome.violations > 0, outcome.unchecked)).collect()
         };

@@ -1,4 +1,4 @@
-//! What a structure is held to: each expectation accepts what it should, and what is not checked is said.
+//! Expectations: each accepts the structures that it should, and the report says what is not checked.
 
 use crate::support::erased::validate;
 use crate::support::opinions::agree;
@@ -181,7 +181,7 @@ fn a_combinatorial_map_alone() {
     assert_eq!(agree(&table, PLANE), Some(Rule::T3));
 }
 
-/// What is listed is more than the half-edges, of which there are none.
+/// The lists have more entries than half-edges, of which there are none.
 #[test]
 fn nothing_but_isolated_vertices_in_either_form() {
     let all: Vec<Start> = (0..9).map(Start::Vertex).collect();
@@ -503,7 +503,7 @@ fn what_a_view_does_not_answer_is_not_there() {
     assert_eq!((Digon.outer_half_edge(0), Digon.inner_start(0, 0)), (None, None));
 }
 
-/// Where nothing else is said, no slot is vacant.
+/// No slot is vacant unless the view says so.
 #[test]
 fn every_slot_of_a_view_is_live_unless_it_says_otherwise() {
     struct Slots;

@@ -41,7 +41,7 @@ fn every_projection_of_a_small_map_is_right() {
     assert!(opened[0] == 0 && opened[1] > 10_000, "{opened:?}");
 }
 
-/// What a form does not have is nil, so that a validator that reads it would notice.
+/// A part that a form does not have is nil, so that a validator that reads it would notice.
 #[test]
 fn what_is_left_out_is_nil() {
     for map in Census::new(Scope::Subdivisions { edges: 2, vertices: 3 }) {

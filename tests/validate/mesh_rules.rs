@@ -15,7 +15,7 @@ use twinedge_trials::enumerate::{Cell, TableCells, Value, for_each_assignment, f
 
 const MESH: Expectation = Expectation::surface().open();
 
-/// How a border is kept.
+/// The representation of a border.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 enum Border {
     /// Its edges have one half-edge, without twin.
@@ -213,7 +213,7 @@ fn m1_a_vertex_is_unused() {
         table.vertices.extend([None, Some(VertexRow::default())]);
         only(Rule::M1, &table, DISC, &[Violation::UnusedVertex { vertex: 7 }]);
     }
-    // Where every part is there, too: the isolated vertex between the nested triangles.
+    // Also with every part stored: the isolated vertex between the nested triangles.
     let plane = PLANE.no_unused_vertices();
     only(Rule::M1, &nested(), plane, &[Violation::UnusedVertex { vertex: 6 }]);
 }
@@ -279,7 +279,7 @@ fn m4_a_mesh_has_a_border() {
     let bare = |border| triangle(border).without(Part::Faces);
     assert_eq!(agree(&bare(Border::NoFace), MESH.closed()), None);
     only(Rule::M4, &bare(Border::OneHalfEdge), MESH.closed(), &no_twin);
-    // Where borders are not legal, R1 has found them.
+    // If borders are not legal, R1 has found them.
     let closed = Expectation::surface().closed();
     let report = validate(&triangle(Border::OneHalfEdge), &closed, Collect::All);
     assert_eq!(broken(&report), [Rule::R1]);
@@ -354,7 +354,7 @@ fn m8_a_border_vertex_keeps_an_inner_half_edge() {
     assert!(report.is_valid());
     let pillow = faces(3, &[[0, 1, 2], [2, 1, 0]], Border::OneHalfEdge);
     assert_eq!(agree(&pillow, Expectation::surface().border_kept()), None);
-    // What V1 reports is not reported again.
+    // A violation of V1 is not reported again.
     vertex(&mut twins, 0).leaving = Some(1);
     let report = validate(&twins, &MESH.border_kept(), Collect::All);
     assert_eq!(report.outcome(Rule::M8).unwrap().unchecked, Some(Unchecked::Broken(Rule::V1)));
@@ -403,7 +403,7 @@ fn a_rule_is_in_the_report_if_and_only_if_it_is_asked_for() {
     assert_ne!(none.genus(0), none);
 }
 
-/// What is checked, and what is not and why, where one rule before M is broken.
+/// If one rule before M is broken, some rules are not checked, and the report says why.
 #[test]
 fn what_cannot_be_known_is_not_checked() {
     let expectation = everything(MESH);

@@ -119,7 +119,7 @@ fn without_twins(triangles: &[[[f64; 2]; 3]]) -> Drawn {
     drawn
 }
 
-/// What lies above an edge is not what lies to the left of a half-edge that runs to the left.
+/// The face above an edge is not the one to the left of a half-edge that runs to the left.
 #[test]
 fn g5_no_face_above_an_open_boundary() {
     let below = [[0.0, 0.0], [10.0, 0.0], [5.0, 5.0]];

@@ -1,4 +1,4 @@
-//! What a report says beside the violation looked for: how much was checked, where it was cut short, what else is wrong.
+//! Contents of a report beside the violation looked for: how much was checked, where it was cut short, what else is wrong.
 
 use crate::support::erased::validate;
 use crate::support::nested::{FACES, HALF_EDGES, PLANE, nested, nested_textbook};
@@ -79,10 +79,10 @@ fn with_a_loop() -> Table {
     table
 }
 
-/// What is done to a table to break it.
+/// A change that breaks a table.
 type Change = fn(&mut Table);
 
-/// What is wrong with a link of half-edge 12 that does not lead to a live record: that, and what starts there.
+/// Returns the violations for a link of half-edge 12 that does not lead to a live record: that link, and the starts there.
 fn broken_link(field: Field, value: Option<usize>) -> Vec<Violation> {
     let record = Record::HalfEdge(12);
     let leads_nowhere = match value {

@@ -83,7 +83,7 @@ fn loops(count: usize) -> Table {
     }
 }
 
-/// Whether few half-edges are wrong, or too many to look at one by one.
+/// Both with few wrong half-edges, and with too many to look at one by one.
 #[test]
 fn any_number_of_wrong_half_edges() {
     for wrong in [0, 1, 2, 500, 1023, 1024, 1025, 3000] {

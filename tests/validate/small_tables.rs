@@ -10,7 +10,7 @@ use twinedge::validate::{
 };
 use twinedge_trials::enumerate::{Cell, TableCells, Value, for_each_assignment};
 
-/// What a cell is set to.
+/// The values to which a cell is set.
 #[derive(Clone, Copy, PartialEq, Eq, PartialOrd, Ord)]
 enum To {
     /// The records that there are.

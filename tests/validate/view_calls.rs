@@ -1,4 +1,4 @@
-//! How often the validator asks: on a valid structure with all parts, no question more than the fast path needs.
+//! The number of questions that the validator asks: on a valid structure with all parts, no more than the fast path needs.
 //!
 //! These are bounds on work that do not depend on any clock.
 
@@ -10,7 +10,7 @@ use crate::support::watched::Watched;
 use twinedge::validate::reference::rule_by_rule;
 use twinedge::validate::{Collect, Expectation, Link, Part, Rule, Start, Table, Violation};
 
-/// How often a valid table is asked for the twin, next and prev of its half-edges.
+/// Returns the numbers of questions to a valid table for the twin, next and prev of its half-edges.
 fn questions(table: &Table, expectation: Expectation) -> [usize; 3] {
     let view = Watched::new(table);
     let report = validate(&view, &expectation, Collect::All);

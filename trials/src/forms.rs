@@ -9,9 +9,9 @@ use twinedge::validate::{BoundaryPlace, Expectation, FaceRow, Link, Part, Parts,
 /// One form: what is claimed of a structure, and what it stores.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
 pub struct Form {
-    /// What is claimed.
+    /// The claims.
     pub expectation: Expectation,
-    /// What is stored: parts that are [looked at](Expectation::looks_at).
+    /// The parts stored: those that are [looked at](Expectation::looks_at).
     pub parts: Parts,
 }
 
@@ -26,7 +26,7 @@ impl Form {
         self.parts.has(part)
     }
 
-    /// Whether containment (T1, T2) is checked.
+    /// True if containment (T1, T2) is checked.
     #[must_use]
     pub fn has_containment(&self) -> bool {
         self.has(Part::Holes) && self.expectation.surface_kind() == Surface::Plane
@@ -205,7 +205,7 @@ fn without_cycle(table: &Table, b: usize) -> Option<Table> {
     if cycle.is_empty() || vertices.len() < cycle.len() || is_outer && !face.inner.is_empty() {
         return None;
     }
-    // Where no vertex is passed twice, an edge with both sides on the cycle is the whole component, and nothing of it is left.
+    // On a cycle that passes no vertex twice, an edge with both sides on the cycle is the whole component.
     if cycle.iter().any(|h| table.twin(*h).is_some_and(of_it)) {
         return None;
     }

@@ -18,7 +18,7 @@ pub const LAYERS: &[(&str, &[&str])] = &[
     ("io", &["slots", "validate", "store", "dcel", "geometry", "map", "algorithm"]),
 ];
 
-/// What a layer may import besides, in the modules that a feature adds: a layer, the other, and the feature. The rules G1 … G5
+/// The further imports of a layer, in the modules that a feature adds: a layer, the other, and the feature. The rules G1 … G5
 /// need points and exact predicates; programs of edits are generated, shrunk and read like those of operators.
 pub const WITH_FEATURE: &[(&str, &str, &str)] = &[("validate", "geometry", "geometry"), ("map", "program", "program")];
 
@@ -29,7 +29,7 @@ pub struct Upward {
     pub layer: &'static str,
     /// The layer that it imports, or the file, if that is in none.
     pub imported: String,
-    /// What it imports.
+    /// The import.
     pub import: Import,
 }
 

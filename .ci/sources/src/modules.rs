@@ -13,14 +13,14 @@ use crate::Crate;
 /// The place of a module in [`Forest::modules`].
 pub(crate) type ModuleId = usize;
 
-/// What a name in a module stands for.
+/// The meaning of a name in a module.
 #[derive(Clone, Debug)]
 pub(crate) enum Meaning {
     /// Something that this module defines.
     Defined(ModuleId),
     /// A module in it.
     Module(ModuleId),
-    /// What this path leads to.
+    /// The target of this path.
     Imported(Vec<String>),
 }
 
@@ -68,7 +68,7 @@ pub enum Unreadable {
     Syntax {
         /// The file.
         file: PathBuf,
-        /// What the parser says.
+        /// The error of the parser.
         error: syn::Error,
     },
 }

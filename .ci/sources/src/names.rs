@@ -1,11 +1,11 @@
-//! What a path leads to.
+//! Resolution of paths.
 
 use std::collections::BTreeSet;
 use std::path::Path;
 
 use crate::modules::{Forest, Meaning, ModuleId};
 
-/// What a path leads to.
+/// The target of a path.
 #[derive(Clone, Debug, Eq, Ord, PartialEq, PartialOrd)]
 pub(crate) enum Target {
     Module(ModuleId),
@@ -16,8 +16,8 @@ pub(crate) enum Target {
 type Visited = BTreeSet<(ModuleId, String)>;
 
 impl Forest {
-    /// What a path leads to that is written in this module. A name can stand for several things, as a type, a value, a macro
-    /// and a module have names of their own. What is defined outside the crates that were read leads nowhere.
+    /// Returns the targets of a path that is written in this module. A name can have several, as a type, a value, a macro and a
+    /// module have names of their own. Items outside the crates that were read are no targets.
     pub(crate) fn resolve(&self, module: ModuleId, path: &[String]) -> BTreeSet<Target> {
         self.follow(module, path, &mut Visited::new())
     }
@@ -59,7 +59,7 @@ impl Forest {
                     Target::Module(id) if name == "super" => next.extend(self.modules[id].parent.map(Target::Module)),
                     Target::Module(id) => {
                         let found = self.look_up(id, name, visited);
-                        // What a macro defines has no name here, but its path says where it is.
+                        // An item that a macro defines has no name here, but its path says where it is.
                         if found.is_empty() {
                             next.insert(Target::Item(id, name.clone()));
                         }

@@ -12,7 +12,7 @@ pub struct Crate {
     pub name: String,
     /// Its root file.
     pub root: PathBuf,
-    /// Whether other crates can import it.
+    /// True if other crates can import it.
     pub is_library: bool,
 }
 

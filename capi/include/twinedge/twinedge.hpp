@@ -17,7 +17,7 @@
 
 namespace twinedge {
 
-// Why validate() failed: what() is the sentence.
+// The reason why validate() failed: what() is the sentence.
 struct error : std::runtime_error {
   twinedge_status status;
   error(twinedge_status s, const char *what) : std::runtime_error(what), status(s) {}

@@ -1,4 +1,4 @@
-//! What the harnesses use of Kani's library, with its signatures, to run them where there is no Kani.
+//! The part of Kani's library that the harnesses use, with its signatures, to run them where there is no Kani.
 //!
 //! A model checker takes all values at once. Here [`check`] runs a harness over one value after the other: [`any`] counts up from
 //! 0, and the first value that [`assume`] leaves out is one too many. This is every value, as long as each is bounded from above by

@@ -40,7 +40,7 @@ impl Default for Options {
     }
 }
 
-/// The reason why faces changed hands.
+/// A cause for which faces change hands.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord, Hash)]
 #[non_exhaustive]
 pub enum ChangeKind {

@@ -4,7 +4,7 @@ use crate::dcel::StaleKey;
 use crate::map::edit::EditError;
 use thiserror::Error;
 
-/// The reason why faces were not triangulated. The map is unchanged.
+/// The error of triangulations and decompositions. The map is unchanged.
 #[derive(Clone, Copy, Debug, PartialEq, Error)]
 #[non_exhaustive]
 pub enum ConvexError {

@@ -32,7 +32,7 @@ impl Coverage {
     }
 }
 
-/// The reason why a map cannot be checked.
+/// The error of [`check`] and of cleaning.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash, Error)]
 #[non_exhaustive]
 pub enum CoverageError {

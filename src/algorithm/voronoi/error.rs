@@ -3,7 +3,7 @@
 use crate::dcel::RecordKind;
 use thiserror::Error;
 
-/// The reason why there is no triangulation or diagram. Sites are counted from 0.
+/// The error of triangulations and diagrams. Sites are counted from 0.
 #[derive(Clone, Copy, Debug, PartialEq, Error)]
 #[non_exhaustive]
 pub enum VoronoiError {

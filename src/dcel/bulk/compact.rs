@@ -10,7 +10,7 @@ use alloc::vec;
 use alloc::vec::Vec;
 use slotmap::{Key, SecondaryMap};
 
-/// What [`Dcel::compact`] made of every key: by old key, the new one.
+/// The new key for each old key, from [`Dcel::compact`].
 #[derive(Clone, Debug, Default)]
 #[non_exhaustive]
 pub struct Renamed {

@@ -1,4 +1,4 @@
-//! Which faces become one where edges go, and which boundary component of such a group of faces is its outer one.
+//! The groups of faces that become one when edges are removed, and the outer boundary component of each group.
 //!
 //! ```text
 //!   a group with one cycle: it is the outer one            ┐ and so on, of the cycles
@@ -23,8 +23,8 @@ pub(super) struct Groups {
 }
 
 impl Groups {
-    /// Where these edges go, of each of which there is one half-edge. O(slots α(slots)), where α is the inverse of Ackermann's
-    /// function.
+    /// Groups the faces that become one when these edges are removed. Each edge is given by one half-edge. O(slots α(slots)),
+    /// where α is the inverse of Ackermann's function.
     pub(super) fn without<S: Store>(store: &S, edges: &[S::HalfEdge]) -> Self {
         let index = |h: S::HalfEdge| store.face_index(store.face(store.boundary(h))) as u32;
         let mut sets = Sets::new(store.face_slots());

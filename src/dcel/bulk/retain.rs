@@ -9,7 +9,7 @@ use crate::store::{BoundaryKey, FaceKey, HalfEdgeKey, Store, VertexKey};
 use alloc::vec;
 use alloc::vec::Vec;
 
-/// What [`Dcel::retain`] dropped, and what it made.
+/// The records that [`Dcel::retain`] dropped, and those that it made.
 #[derive(Clone, Debug, Default, PartialEq, Eq)]
 #[non_exhaustive]
 pub struct Retained {
@@ -112,7 +112,7 @@ struct Cycle<S: Store> {
     face: S::Face,
 }
 
-/// What is being done, once it is known that there is room for it.
+/// The work in progress, once there is known to be room for it.
 struct Work {
     groups: Groups,
     /// By group, whether it loses an edge or a vertex. What belongs to the others stays as it is.

@@ -1,4 +1,4 @@
-//! Why a structure does not come in.
+//! Errors of imports.
 
 use crate::store::links::RecordKind;
 use crate::validate::{Part, Report};
@@ -6,7 +6,7 @@ use alloc::boxed::Box;
 use core::fmt;
 use thiserror::Error;
 
-/// Why [`Dcel::from_view`](crate::dcel::Dcel::from_view) refused a structure.
+/// The error of [`Dcel::from_view`](crate::dcel::Dcel::from_view), which refused a structure.
 #[derive(Clone, PartialEq, Eq, Error)]
 #[non_exhaustive]
 pub enum ImportError {

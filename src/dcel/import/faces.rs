@@ -12,7 +12,7 @@ use alloc::vec;
 use alloc::vec::Vec;
 use thiserror::Error;
 
-/// Why [`Dcel::from_faces`](crate::dcel::Dcel::from_faces) refused. Faces are counted from 0, in the order in which they came.
+/// The error of [`Dcel::from_faces`](crate::dcel::Dcel::from_faces). Faces are counted from 0, in the order in which they came.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash, Error)]
 #[non_exhaustive]
 pub enum FacesError {
@@ -21,9 +21,9 @@ pub enum FacesError {
     NoSuchVertex {
         /// The face.
         face: usize,
-        /// What it lists.
+        /// The vertex that it lists.
         vertex: u32,
-        /// How many vertices there are.
+        /// The number of vertices.
         vertices: usize,
     },
     /// A face lists fewer than three vertices.
@@ -150,7 +150,7 @@ struct Corners {
     vertex: Vec<u32>,
     /// By corner: the next one of the face.
     next: Vec<u32>,
-    /// Where the list of each face starts.
+    /// The start of the list of each face.
     starts: Vec<u32>,
 }
 
@@ -390,7 +390,7 @@ fn several_fans(origin: &[u32], next: &[u32], leaving: &[u32]) -> u32 {
     visited.iter().position(|visited| !visited).map_or(NIL, |h| origin[h])
 }
 
-/// Whether each component has one border and genus 0. Isolated vertices have no border.
+/// Checks that each component has one border and genus 0. Isolated vertices have no border.
 fn check_plane(
     pieces: &Pieces,
     origin: &[u32],

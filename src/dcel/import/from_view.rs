@@ -98,7 +98,7 @@ pub(super) fn import<V: View + ?Sized>(
     if report.is_valid() { Ok((dcel, numbers)) } else { Err(ImportError::NotPlane(Box::new(report))) }
 }
 
-/// Whether there can be such an unbounded face.
+/// Checks that there can be such an unbounded face.
 fn check_outside<V: View + ?Sized>(view: &V, parts: Parts, outside: Outside) -> Result<(), ImportError> {
     if !parts.has(Part::Faces) {
         return Err(ImportError::Lacks(Part::Faces));
@@ -111,7 +111,7 @@ fn check_outside<V: View + ?Sized>(view: &V, parts: Parts, outside: Outside) -> 
     }
 }
 
-/// Whether it lies on a sphere, in one piece where nothing tells how pieces would lie.
+/// Checks that it lies on a sphere, in one piece where nothing tells how pieces would lie.
 fn check_surface(report: &Report, parts: Parts, outside: Outside) -> Result<(), ImportError> {
     let counts = report.counts();
     match (counts.genus, counts.components) {
@@ -123,7 +123,7 @@ fn check_surface(report: &Report, parts: Parts, outside: Outside) -> Result<(), 
     }
 }
 
-/// Whether there is one border, or other outside cycle, for each component.
+/// Checks that there is one border, or other outside cycle, for each component.
 fn check_borders(report: &Report, borders: usize) -> Result<(), ImportError> {
     let counts = report.counts();
     let components = counts.components.unwrap_or(0).saturating_sub(counts.isolated_vertices);

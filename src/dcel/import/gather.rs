@@ -383,7 +383,7 @@ impl<'a, V: View + ?Sized> Gather<'a, V> {
 }
 
 impl Columns {
-    /// How many inner boundary components are cycles: one for each component that has an edge, if all is well.
+    /// Returns the number of inner boundary components that are cycles: one for each component with an edge, if all is well.
     pub(super) fn outside_cycles(&self) -> usize {
         let is_cycle = |b: u32| matches!(self.starts[b as usize], BoundaryStart::HalfEdge(_));
         self.inner.iter().filter(|(_, b)| is_cycle(*b)).count()

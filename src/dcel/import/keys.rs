@@ -3,7 +3,7 @@
 use crate::store::{BoundaryKey, FaceKey, HalfEdgeKey, VertexKey};
 use alloc::vec::Vec;
 
-/// Which record of a view became which record of the [`Dcel`](crate::dcel::Dcel): from indices to keys.
+/// The key in the [`Dcel`](crate::dcel::Dcel) for each record of a view, by index.
 ///
 /// Records that the view does not have, such as the missing twins along a border, are in none of these.
 #[derive(Clone, Debug, Default, PartialEq, Eq)]

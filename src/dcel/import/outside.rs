@@ -1,6 +1,6 @@
-//! What becomes the unbounded face.
+//! The choice of the unbounded face.
 
-/// What becomes the unbounded face of a structure that comes in by [`Dcel::from_view`](crate::dcel::Dcel::from_view).
+/// The choice of the unbounded face for a structure that comes in by [`Dcel::from_view`](crate::dcel::Dcel::from_view).
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash, Default)]
 #[non_exhaustive]
 pub enum Outside {
@@ -10,7 +10,7 @@ pub enum Outside {
     /// This face of a closed mesh, given by its index in the view. Its cycle becomes an inner boundary component, so the
     /// mesh is unrolled into the plane with that face around it.
     Face(usize),
-    /// What lies beyond the border of an open mesh: half-edges without twin, or with a twin but without a face. Several
+    /// The part beyond the border of an open mesh: half-edges without twin, or with a twin but without a face. Several
     /// components may lie side by side, each with one border.
     Border,
 }

@@ -11,7 +11,7 @@ pub(in crate::dcel) struct Pieces {
     pub(in crate::dcel) of: Vec<u32>,
     /// By component: its first vertex.
     pub(in crate::dcel) first: Vec<u32>,
-    /// How many half-edges the walks came to: fewer than there are if a vertex has several rotations.
+    /// The number of half-edges that the walks visited: fewer than there are if a vertex has several rotations.
     pub(super) visited: usize,
 }
 

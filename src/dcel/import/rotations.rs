@@ -13,7 +13,7 @@ use alloc::vec;
 use alloc::vec::Vec;
 use thiserror::Error;
 
-/// Where a component of a rotation system lies in the plane: what [`Dcel::from_rotations`] cannot know.
+/// The place of a component of a rotation system in the plane, which [`Dcel::from_rotations`] cannot know.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
 pub struct Placement {
     /// The corner that looks to the outside of the component: a dart with it to its left, or the isolated vertex that the
@@ -24,7 +24,7 @@ pub struct Placement {
     pub within: Option<u32>,
 }
 
-/// Why [`Dcel::from_rotations`] refused.
+/// The error of [`Dcel::from_rotations`].
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash, Error)]
 #[non_exhaustive]
 pub enum RotationsError {
@@ -33,9 +33,9 @@ pub enum RotationsError {
     NoSuchDart {
         /// The vertex.
         vertex: usize,
-        /// What it lists.
+        /// The dart that it lists.
         dart: u32,
-        /// How many darts all vertices list.
+        /// The number of darts that all vertices list.
         darts: usize,
     },
     /// A dart is listed twice.
@@ -65,7 +65,7 @@ pub enum RotationsError {
     NoSuchCorner {
         /// The placement, by its position.
         placement: usize,
-        /// What it names.
+        /// The corner that it names.
         corner: Corner<u32, u32>,
     },
     /// Two placements are of the same component.
@@ -243,7 +243,7 @@ impl System {
     }
 }
 
-/// Where each component lies.
+/// The place of each component.
 struct Nesting {
     /// By component: a dart with its outside to the left; nil for an isolated vertex.
     outside: Vec<u32>,

@@ -19,7 +19,8 @@ use serde::{Deserialize, Deserializer, Serialize, Serializer};
 /// The number of the form that is written here.
 const FORM: u8 = 1;
 
-/// What is saved: the generations of all slots, and the links of the live records in order of their slots, as slots.
+/// The saved form of a structure: the generations of all slots, and the links of the live records in order of their slots, as
+/// slots.
 #[derive(Serialize, Deserialize)]
 #[serde(deny_unknown_fields)]
 struct Saved {

@@ -1,4 +1,4 @@
-//! What operators share: from keys to slots, checks for room, and the lists of faces.
+//! Code shared by operators: from keys to slots, checks for room, and the lists of faces.
 
 use crate::dcel::error::{OperatorError, StaleKey};
 use crate::dcel::structure::Dcel;
@@ -23,7 +23,7 @@ impl<S: Store> Dcel<S> {
         self.store.room_for(need).map_err(OperatorError::Full)
     }
 
-    /// Whether `b` is the outer boundary component of its face.
+    /// True if `b` is the outer boundary component of its face.
     pub(super) fn is_outer(&self, b: S::Boundary) -> bool {
         self.store.place(b) == OUTER
     }

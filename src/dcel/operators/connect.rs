@@ -12,10 +12,10 @@ use crate::store::{BoundaryKey, FaceKey, HalfEdgeKey};
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash, Default)]
 #[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 pub enum Side {
-    /// Where its face is.
+    /// The side of its own face.
     #[default]
     Left,
-    /// Where the face of its twin is.
+    /// The side of its twin's face.
     Right,
 }
 
@@ -31,7 +31,7 @@ pub struct Split<'a> {
     pub inner: &'a [BoundaryKey],
 }
 
-/// What [`Dcel::connect`] made of the boundary components.
+/// The change that [`Dcel::connect`] made to the boundary components.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
 #[non_exhaustive]
 pub enum Connection {
@@ -54,12 +54,12 @@ pub enum Connection {
     },
 }
 
-/// What [`Dcel::connect`] did.
+/// The result of [`Dcel::connect`].
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
 pub struct Connected {
     /// The new half-edge, from the first corner to the second.
     pub half_edge: HalfEdgeKey,
-    /// What became of the boundary components.
+    /// The change to the boundary components.
     pub connection: Connection,
 }
 

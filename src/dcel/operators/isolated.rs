@@ -6,7 +6,7 @@ use crate::store::Store;
 use crate::store::links::{Need, VertexLink};
 use crate::store::{BoundaryKey, FaceKey, VertexKey};
 
-/// What [`Dcel::add_isolated_vertex`] made.
+/// The records that [`Dcel::add_isolated_vertex`] made.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
 pub struct AddedVertex {
     /// The vertex.
@@ -15,7 +15,7 @@ pub struct AddedVertex {
     pub boundary: BoundaryKey,
 }
 
-/// What [`Dcel::remove_isolated_vertex`] dropped, and from where.
+/// The records that [`Dcel::remove_isolated_vertex`] dropped, and the face that they were in.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
 pub struct RemovedVertex {
     /// The boundary component that the vertex was.

@@ -7,7 +7,7 @@ use crate::store::Store;
 use crate::store::links::{BoundaryStart, Need, VertexLink};
 use crate::store::{BoundaryKey, FaceKey, HalfEdgeKey};
 
-/// What [`Dcel::remove_edge`] did.
+/// The result of [`Dcel::remove_edge`].
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
 #[non_exhaustive]
 pub enum RemovedEdge {

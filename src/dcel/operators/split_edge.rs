@@ -6,7 +6,7 @@ use crate::store::Store;
 use crate::store::links::{BoundaryStart, Need, VertexLink};
 use crate::store::{HalfEdgeKey, VertexKey};
 
-/// What [`Dcel::split_edge`] made.
+/// The records that [`Dcel::split_edge`] made.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
 pub struct SplitEdge {
     /// The new vertex.
@@ -15,7 +15,7 @@ pub struct SplitEdge {
     pub half_edge: HalfEdgeKey,
 }
 
-/// What [`Dcel::join_edges`] dropped.
+/// The records that [`Dcel::join_edges`] dropped.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
 pub struct JoinedEdges {
     /// The vertex that was between the two edges.

@@ -8,7 +8,7 @@ use crate::store::Store;
 use crate::store::links::{BoundaryStart, Need, VertexLink};
 use crate::store::{HalfEdgeKey, VertexKey};
 
-/// What [`Dcel::split_vertex`] made.
+/// The records that [`Dcel::split_vertex`] made.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
 pub struct SplitVertex {
     /// The new vertex: the one that got fewer half-edges.
@@ -17,7 +17,7 @@ pub struct SplitVertex {
     pub half_edge: HalfEdgeKey,
 }
 
-/// What [`Dcel::contract_edge`] kept and dropped.
+/// The records that [`Dcel::contract_edge`] kept and dropped.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
 pub struct ContractedEdge {
     /// The vertex that has all half-edges now: the one that had more of them, or the origin if both had equally many.
@@ -109,7 +109,7 @@ impl<S: Store> Dcel<S> {
         Ok(SplitVertex { vertex: self.store.vertex_key(w), half_edge: self.store.half_edge_key(n) })
     }
 
-    /// Which of two rotations, of different vertices, is the smaller one, the second if both are equally large. O(smaller).
+    /// Returns the smaller of two rotations, of different vertices; the second if both are equally large. O(smaller).
     fn smaller_rotation(&self, first: S::HalfEdge, second: S::HalfEdge) -> OneOfTwo {
         let turn = |h: S::HalfEdge| self.store.next(self.store.twin(h));
         let (mut a, mut b) = (first, second);

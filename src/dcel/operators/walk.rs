@@ -75,7 +75,7 @@ struct Search<S: Store> {
     queue: Queue<S>,
 }
 
-/// What one step of a search came to.
+/// The result of one step of a search.
 enum Step {
     GoOn,
     FoundOutside,
@@ -167,7 +167,7 @@ impl<S: Store> Dcel<S> {
         which
     }
 
-    /// Whether face `f` belongs to the component of the inner boundary component `b`, or to one that lies inside it.
+    /// Returns true if face `f` belongs to the component of the inner boundary component `b`, or to one that lies inside it.
     ///
     /// O(size of that component and of all that lies inside it), without allocating.
     pub(super) fn encloses(&mut self, b: S::Boundary, f: S::Face) -> bool {

@@ -25,7 +25,7 @@ impl Bundle<'_> {
         &self.segments[chord.segment as usize]
     }
 
-    /// Where a position of the block is: negative if it is beyond a chord, on the side of the next one.
+    /// Returns the side of a chord on which a position of the block lies: negative if beyond it, on the side of the next one.
     fn side(&self, chord: Chord, position: Steps) -> i128 {
         let segment = self.segment(chord);
         let left = cross(segment.direction(), minus(position, segment.a)).signum();

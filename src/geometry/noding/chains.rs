@@ -9,7 +9,7 @@ use rustc_hash::{FxHashMap, FxHashSet};
 /// Chains of vertices, one for each run, from its `a` to its `b`.
 pub(super) struct Chains {
     pool: Vec<u32>,
-    /// Where each chain starts in the pool, and where the last one ends.
+    /// The start of each chain in the pool, and the end of the last one.
     starts: Vec<usize>,
 }
 
@@ -36,7 +36,7 @@ impl Chains {
         &self.pool
     }
 
-    /// Where in the pool a vertex is on the chain of a run that visits it.
+    /// Returns the place of a vertex in the pool, on the chain of a run that visits it.
     pub(super) fn place(&self, chain: usize, run: &Segment, vertices: &[Pixel], vertex: u32) -> usize {
         let along = |v: u32| run.progress(vertices[v as usize]);
         let vertices_of = self.get(chain);

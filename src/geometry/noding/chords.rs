@@ -18,7 +18,7 @@
 use super::pixel::{Block, Pixels, Segment, compare, cross, minus};
 use core::cmp::Ordering;
 
-/// Where a chord meets the border.
+/// A point where a chord meets the border.
 struct End {
     /// Counter-clockwise: lower, right, upper, left.
     side: u8,
@@ -30,7 +30,7 @@ struct End {
     rate: i64,
     /// The number of the chord.
     chord: u32,
-    /// Whether the segment leaves the block here.
+    /// True if the segment leaves the block here.
     leaves: bool,
 }
 
@@ -48,7 +48,7 @@ impl End {
     }
 }
 
-/// How the chords of a block lie.
+/// The arrangement of the chords of a block.
 pub(super) enum Chords {
     /// These pairs cross inside; those are all, or there are too many.
     Cross { pairs: Vec<[u32; 2]>, all: bool },
@@ -62,12 +62,12 @@ pub(super) enum Chords {
 #[derive(Clone, Copy)]
 pub(super) struct Chord {
     pub(super) segment: u32,
-    /// Whether those before it are to its left.
+    /// True if those before it are to its left.
     pub(super) first_is_left: bool,
 }
 
-/// What these segments do in the block. None may end inside, and no two may overlap. Only so many crossings are
-/// listed.
+/// Returns the arrangement of these segments in the block. None may end inside, and no two may overlap. Only so many crossings
+/// are listed.
 ///
 /// Cost: O(m log m) for m segments, and O(1) for each crossing.
 pub(super) fn chords(pixels: Pixels, block: &Block, segments: &[Segment], ids: &[u32], most: usize) -> Chords {

@@ -1,9 +1,9 @@
-//! How often segments will be cut, estimated before any is.
+//! An estimate of the number of cuts, made before any segment is cut.
 
 use super::pixel::{Pixel, Pixels, Segment};
 use rustc_hash::FxHashMap;
 
-/// How many pairs are tried.
+/// The number of pairs that are tried.
 const PAIRS: u64 = 4096;
 
 /// Estimates from fewer crossings than this are worth nothing.

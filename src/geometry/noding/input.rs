@@ -50,7 +50,7 @@ impl core::fmt::Display for Input {
     }
 }
 
-/// Why the input cannot be noded.
+/// The error of noding.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, thiserror::Error)]
 #[non_exhaustive]
 pub enum NodingError {
@@ -72,7 +72,7 @@ pub enum NodingError {
     /// Segments meet each other, or pass close to vertices, more often than was allowed.
     #[error("segments are cut more than {allowed} times")]
     TooManyCuts {
-        /// How often they may be cut.
+        /// The number of cuts allowed.
         allowed: usize,
     },
     /// There are more points than a `u32` can number.

@@ -110,7 +110,7 @@ use runs::Runs;
 
 pub use input::{Input, NodingError, Snap};
 
-/// What noding did.
+/// Counts and measures of one noding.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 #[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 #[non_exhaustive]
@@ -127,7 +127,7 @@ pub struct NodingSummary {
     pub collapsed: usize,
     /// By how many the distinct points of the input are more than the vertices they became.
     pub merged: usize,
-    /// How many times over a chain was bent, see [the module](self). If 0, no segment met or nearly met anything
+    /// The number of times that chains were bent, see [the module](self). If 0, no segment met or nearly met anything
     /// between its ends.
     pub rounds: usize,
     /// The largest move of a point of the input, in x and in y.
@@ -152,7 +152,7 @@ pub struct Noded {
     /// The edges, as pairs of indices of points: the smaller one first, distinct, in lexicographical order. They meet
     /// only at common ends.
     pub segments: Vec<[u32; 2]>,
-    /// How often something happened during the noding.
+    /// The counts and measures of the noding.
     pub summary: NodingSummary,
     pool: Vec<u32>,
     ranges: Vec<ChainRange>,

@@ -101,7 +101,7 @@ impl Block {
     }
 }
 
-/// How positions fall into pixels: pixel `c` holds the positions from `c − 1/2` to below `c + 1/2` pixels, in each
+/// The grid that assigns positions to pixels: pixel `c` holds the positions from `c − 1/2` to below `c + 1/2` pixels, in each
 /// direction. Every position is in one pixel.
 #[derive(Clone, Copy, Debug)]
 pub(super) struct Pixels {
@@ -127,7 +127,7 @@ impl Pixels {
         (position + (self.size() >> 1)) >> self.shift
     }
 
-    /// Whether a coordinate is on the border of two pixels of more than a step.
+    /// Returns true if a coordinate is on the border of two pixels of more than a step.
     pub(super) fn is_border(self, position: i64) -> bool {
         (position + (self.size() >> 1)) & (self.size() - 1) == 0
     }
@@ -150,7 +150,7 @@ impl Pixels {
         [(2 * low[0] - 1) * size, (2 * low[1] - 1) * size, (2 * high[0] + 1) * size, (2 * high[1] + 1) * size]
     }
 
-    /// Whether the line of a segment comes within half a pixel of the block, in each direction.
+    /// Returns true if the line of a segment comes within half a pixel of the block, in each direction.
     ///
     /// It does if it meets the block, or if the line from centre to centre of the pixels in which the segment ends
     /// meets it.
@@ -164,7 +164,7 @@ impl Pixels {
         offset.abs() <= i128::from(wide) * i128::from(dy.abs()) + i128::from(tall) * i128::from(dx.abs())
     }
 
-    /// Whether the segment visits the pixel.
+    /// Returns true if the segment visits the pixel.
     ///
     /// Given that the two overlap in each coordinate (with the half-open borders), it does if its line enters the
     /// inside of the pixel, that is, if the centre is nearer to the line than the farthest corner; or if it touches

@@ -113,7 +113,7 @@ impl Read {
         self.points.iter().map(|&site| self.sites[site as usize].vertex)
     }
 
-    /// How many distinct points there are.
+    /// Returns the number of distinct points.
     pub(super) fn distinct(&self) -> usize {
         self.sites.len()
     }

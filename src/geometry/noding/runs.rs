@@ -15,7 +15,7 @@ pub(super) struct Runs {
     pub(super) joined: Vec<Segment>,
     /// The run of each segment.
     pub(super) of: Vec<u32>,
-    /// How many segments equal another one that is counted already.
+    /// The number of segments that equal another one that is counted already.
     pub(super) duplicates: usize,
 }
 

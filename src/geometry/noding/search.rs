@@ -86,7 +86,7 @@ struct Look {
     state: State,
 }
 
-/// What is known about the contents of a block.
+/// The state of knowledge about the contents of a block.
 #[derive(Clone, Copy, PartialEq)]
 enum State {
     New,
@@ -103,7 +103,7 @@ struct Search<'a> {
     found: PixelVisits,
     budget: Budget<'a>,
     tasks: Vec<Task<'a>>,
-    /// How many of the tasks are of bundles.
+    /// The number of tasks that are of bundles.
     bundles: usize,
     segment_pool: Vec<u32>,
     vertex_pool: Vec<u32>,
@@ -159,7 +159,7 @@ fn pairs(m: usize, h: usize) -> usize {
     m.saturating_mul(m + h)
 }
 
-/// What to do with a block that halving does not thin out.
+/// The treatment of a block that halving does not thin out.
 enum Instead {
     Cut(Pixel),
     SetAside(Vec<Chord>),

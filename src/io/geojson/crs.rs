@@ -4,15 +4,15 @@ use ::geojson::JsonValue;
 use core::fmt;
 use serde::de::{DeserializeSeed, Deserializer, Error, IgnoredAny, MapAccess, SeqAccess, Visitor};
 
-/// How the names end under which files say what RFC 7946 makes the rule: longitudes and latitudes on WGS 84.
+/// The ends of the names under which files say what RFC 7946 makes the rule: longitudes and latitudes on WGS 84.
 const USUAL: [&str; 3] = ["CRS84", "EPSG::4326", "EPSG:4326"];
 
-/// Whether this name of a coordinate reference system means something else than longitudes and latitudes on WGS 84.
+/// Returns true if this name of a coordinate reference system means something else than longitudes and latitudes on WGS 84.
 pub(super) fn is_other(name: &str) -> bool {
     !USUAL.iter().any(|usual| name.ends_with(usual))
 }
 
-/// Whether the member `crs` of an object means something else than longitudes and latitudes on WGS 84. O(1).
+/// Returns true if the member `crs` of an object means something else than longitudes and latitudes on WGS 84. O(1).
 ///
 /// ```
 /// use twinedge::io::geojson::names_other_crs;

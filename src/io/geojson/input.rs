@@ -5,14 +5,14 @@ use std::io::{self, BufRead, BufReader, ErrorKind, Read};
 
 use crate::io::error::TextPlace;
 
-/// How far a text has been read.
+/// The progress of a reader through a text.
 #[derive(Clone, Copy)]
 pub(super) struct Progress {
     /// The last byte read.
     pub(super) at: TextPlace,
-    /// Whether there was nothing but white space so far.
+    /// True if there was nothing but white space so far.
     pub(super) blank: bool,
-    /// Whether the text has ended or the reader has failed.
+    /// True if the text has ended or the reader has failed.
     pub(super) stopped: bool,
 }
 

@@ -19,7 +19,7 @@ use crate::io::properties::Properties;
 use crate::io::summary::ReadSummary;
 use crate::map::{Feature, Shape};
 
-/// How many GeoJSON objects there are.
+/// The number of GeoJSON objects in a text.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
 pub enum Documents {
     /// One.
@@ -271,15 +271,15 @@ fn classify(error: serde_json::Error, progress: Progress) -> ReadError {
     }
 }
 
-/// Where features go.
+/// The receiver of features.
 struct Sink<'f> {
     /// Takes a part, and says whether to go on.
     take: &'f mut dyn FnMut(Part) -> Result<bool, Fault>,
-    /// Whether the members of the outermost object are handed over as well.
+    /// True if the members of the outermost object are handed over as well.
     keep_members: bool,
     features: usize,
     other_crs: usize,
-    /// Whether an element of `"features"` is being read.
+    /// True if an element of `"features"` is being read.
     in_features: bool,
     /// Serde only gets to know that there is a fault, and adds the place.
     fault: Option<Fault>,
@@ -451,7 +451,7 @@ impl<'de> Visitor<'de> for Walk<'_, '_> {
         Ok(())
     }
 
-    /// What fails in here gets the place of the closing brace, so features are converted in here too.
+    /// Errors raised in here get the place of the closing brace, so features are converted in here too.
     fn visit_map<A: MapAccess<'de>>(self, inner: A) -> Result<(), A::Error> {
         let Self { part, sink } = self;
         if let DocumentPart::Element = part {

@@ -10,7 +10,8 @@ use core::f64::consts::{PI, TAU};
 
 type Pixel = [f64; 2];
 
-/// How far an arrow lies from its edge, and how far from the ends it starts and stops: at most.
+/// The greatest distance of an arrow from its edge; `SHORT`, the greatest distance of its start and end from the ends of the
+/// edge.
 const ASIDE: f64 = 6.0;
 const SHORT: f64 = 15.0;
 
@@ -18,7 +19,7 @@ const SHORT: f64 = 15.0;
 struct Arrow {
     tail: Pixel,
     head: Pixel,
-    /// Where its name goes.
+    /// The place of its name.
     name: Pixel,
     aside: f64,
     short: f64,
@@ -37,7 +38,7 @@ fn arrow(map: &PlanarMap, frame: &Frame, h: HalfEdge<'_>) -> Arrow {
     Arrow { tail: from(a, short, aside), head: from(b, -short, aside), name, aside, short }
 }
 
-/// How far from a line the middle of a text lies that is beside it in this direction.
+/// Returns the distance from a line at which the middle of a text lies that is beside it in this direction.
 fn room(text: &str, direction: Pixel) -> f64 {
     const HALF_A_LETTER: f64 = 2.7;
     (direction[1] * 7.0).hypot(direction[0] * (HALF_A_LETTER * text.len() as f64 + 3.0))
@@ -78,8 +79,8 @@ pub(super) fn draw(out: &mut String, map: &PlanarMap, frame: &Frame) {
         let next = h.next();
         let to = arrow(map, frame, next).tail;
         let (width, direction) = corner(map, frame, next);
-        // How far from the vertex the chord between the two arrows passes, and how far the curve should: on the straight
-        // along the edges, inside a corner nearer to the vertex than the chord, around a vertex outside.
+        // The distance at which the chord between the two arrows passes the vertex, and the one at which the curve should: on the
+        // straight along the edges, inside a corner nearer to the vertex than the chord, around a vertex outside.
         let chord = short * (width / 2.0).cos() + aside * (width / 2.0).sin();
         let wanted = if chord > aside { aside + (chord - aside) * 0.6 } else { aside + (aside - chord) * 0.15 };
         let bend = towards(at(next), direction, 2.0 * wanted - chord);

@@ -1,4 +1,4 @@
-//! What faces are filled with.
+//! The colours and patterns of faces.
 
 use super::frame::{Bounds, Frame, path};
 use super::text::{escaped, put};

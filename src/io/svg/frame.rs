@@ -6,7 +6,7 @@ use crate::geometry::Point;
 use crate::map::PlanarMap;
 use crate::validate::Embedding;
 
-/// Where in a panel of the picture points are.
+/// The mapping from points to places in a panel of the picture.
 pub(super) struct Frame {
     bounds: Bounds,
     pub(super) scale: f64,
@@ -32,7 +32,7 @@ impl Frame {
         Self { bounds, scale, size, whole: false }
     }
 
-    /// Whether it shows everything.
+    /// Returns true if it shows everything.
     pub(super) const fn is_whole(&self) -> bool {
         self.whole
     }
@@ -44,12 +44,12 @@ impl Frame {
         [0, 1].map(|i| from[i] * self.scale + (self.size[i] - sides[i] * self.scale) / 2.0)
     }
 
-    /// Whether the box around these points meets the panel.
+    /// Returns true if the box around these points meets the panel.
     pub(super) fn shows(&self, points: impl IntoIterator<Item = Point>) -> bool {
         Bounds::around(points).meets(&self.bounds)
     }
 
-    /// Whether a place in pixels is in the panel.
+    /// Returns true if a place in pixels is in the panel.
     pub(super) fn holds(&self, at: [f64; 2]) -> bool {
         [0, 1].iter().all(|i| (0.0..=self.size[*i]).contains(&at[*i]))
     }
@@ -111,8 +111,8 @@ impl Bounds {
     }
 }
 
-/// How many half-edges a picture of this window shows, in whole or in part, judging by the boxes around them; all of them
-/// without a window. O(half-edges).
+/// Returns the number of half-edges that a picture of this window shows, in whole or in part, judging by the boxes around them;
+/// all of them without a window. O(half-edges).
 ///
 /// ```
 /// use twinedge::io::svg::half_edges_in;

@@ -1,4 +1,4 @@
-//! Where in a face there is room for a label.
+//! The place in a face with room for a label.
 
 use super::frame::{Frame, sides};
 use crate::dcel::Face;

@@ -1,4 +1,4 @@
-//! Which parts of a map go where in the picture.
+//! The layout of a picture: a panel for the main part of a map, and insets for the others.
 //!
 //! Islands far away would make everything else small. If it is so, the part with the most vertices is drawn large, and the
 //! others in insets below it.
@@ -22,9 +22,9 @@ use crate::validate::Embedding;
 const STRIP: f64 = 0.1;
 /// There are insets if without them everything would be drawn smaller by this.
 const GAIN: f64 = 1.5;
-/// How many insets there are at most.
+/// The greatest number of insets.
 const INSETS: usize = 6;
-/// How often parts are parted.
+/// The greatest depth to which parts are parted.
 const DEPTH: usize = 8;
 /// The width of an inset, and the height as a part of it.
 const WIDTH: f64 = 200.0;
@@ -36,7 +36,7 @@ pub(super) const SPACE: f64 = 12.0;
 pub(super) struct Layout {
     pub(super) main: Frame,
     pub(super) insets: Vec<Frame>,
-    /// How many far parts have no inset.
+    /// The number of far parts that have no inset.
     pub(super) left_out: usize,
 }
 

@@ -9,9 +9,9 @@ use crate::map::PlanarMap;
 use crate::validate::{Embedding, places};
 use crate::validate::{Record, Violation};
 
-/// How often a number is moved.
+/// The greatest number of times that a number is moved.
 const MOVES: usize = 12;
-/// How many rows the legend has at most, and how high each is.
+/// The greatest number of rows of the legend; `ROW` is the height of each.
 const ROWS: usize = 40;
 const ROW: f64 = 16.0;
 /// The width of a letter in the legend.
@@ -88,7 +88,7 @@ fn ends(map: &PlanarMap, h: HalfEdge<'_>) -> [Point; 2] {
     [h.origin(), h.target()].map(|v| map.point(v.index()))
 }
 
-/// Where to look: where two edges cross, or else the middle of the places of the violation.
+/// Returns the place to look at: where two edges cross, or else the middle of the places of the violation.
 fn place(map: &PlanarMap, violation: &Violation, edges: &[[Point; 2]]) -> Option<Point> {
     let crossing = match *edges {
         [[a, b], [c, d]] if meeting(a, b, c, d) == Meeting::Cross => crossing([a, b], [c, d]),

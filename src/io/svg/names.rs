@@ -13,7 +13,7 @@ const HEIGHT: f64 = 11.0;
 /// One name beside its feature to so many square pixels, and none if there is not room for one feature in so many.
 const ROOM: f64 = 20_000.0;
 const ONE_IN: f64 = 8.0;
-/// Where a name beside its feature may go.
+/// The distances from its feature at which a name may be placed.
 const DISTANCES: [f64; 5] = [16.0, 26.0, 38.0, 52.0, 70.0];
 const DIRECTIONS: u32 = 12;
 

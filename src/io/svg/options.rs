@@ -1,22 +1,22 @@
-//! What to draw.
+//! Options of pictures.
 
 use crate::geometry::Point;
 use crate::validate::Violation;
 
-/// What to draw, and how large.
+/// The contents of a picture, and its size.
 #[derive(Clone, Copy, Debug)]
 pub struct Options<'a> {
     /// The longer side of the picture in pixels; at least 100, at most 100,000.
     pub size: f64,
-    /// Whether to draw half-edges with their names and links, and the names of vertices and faces. It takes some 50 pixels to
-    /// an edge to be legible.
+    /// True to draw half-edges with their names and links, and the names of vertices and faces. It takes some 50 pixels to an
+    /// edge to be legible.
     pub detail: bool,
     /// Two opposite corners of the part to draw; none for everything, and so is a window without area.
     pub window: Option<[Point; 2]>,
-    /// Whether parts that lie far from all others are drawn in insets, where everything would be small else. With a window, and in
+    /// True to draw parts that lie far from all others in insets, where everything would be small else. With a window, and in
     /// detail, there are none.
     pub insets: bool,
-    /// What to mark, and to list below the map.
+    /// The violations to mark, and to list below the map.
     pub violations: &'a [Violation],
 }
 

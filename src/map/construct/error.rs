@@ -6,7 +6,7 @@ use crate::map::summary::Position;
 use core::fmt;
 use thiserror::Error;
 
-/// The reason why a shape was refused, or why no map could be built.
+/// The error of [`Builder`](crate::map::Builder): a shape was refused, or no map could be built.
 #[derive(Clone, Copy, Debug, PartialEq, Error)]
 #[non_exhaustive]
 pub enum BuildError {

@@ -6,7 +6,7 @@ use crate::geometry::noding::NodingError;
 use crate::map::feature::FeatureId;
 use thiserror::Error;
 
-/// The reason why an edit was refused. The map is unchanged.
+/// The error of an edit. The map is unchanged.
 #[derive(Clone, Copy, Debug, PartialEq, Error)]
 #[non_exhaustive]
 pub enum EditError {

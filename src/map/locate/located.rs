@@ -34,7 +34,7 @@ impl From<VertexKey> for Located {
     }
 }
 
-/// The reason why there is no answer.
+/// The error of point location and of zones.
 #[derive(Clone, Copy, Debug, PartialEq, Error)]
 #[non_exhaustive]
 pub enum LocateError {

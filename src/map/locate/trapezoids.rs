@@ -92,7 +92,7 @@ const RIGHT: usize = 1;
 /// Into how many groups the points of a group are parted that are to be found together.
 const PARTS: usize = 4;
 
-/// The reason why there is no search graph.
+/// The error of [`search_graph`].
 pub(super) enum GraphError {
     /// There are too many nodes.
     TooLarge,

@@ -30,7 +30,7 @@ use slotmap::Key;
 pub struct Ref<R>(NonNull<R>);
 
 impl<R> Ref<R> {
-    /// What a link holds until it is set. It is never followed: the caller of `issue` sets all links of the record.
+    /// The value of a link until it is set. It is never followed: the caller of `issue` sets all links of the record.
     pub(super) const UNSET: Self = Self(NonNull::dangling());
 }
 
@@ -92,7 +92,7 @@ pub struct FaceRecord {
     pub(super) inner: RefCell<Vec<BoundaryRef>>,
 }
 
-/// What the four kinds of record have in common.
+/// The interface that the four kinds of record have in common.
 pub(super) trait Record {
     type Key: Key;
 

@@ -4,7 +4,7 @@ use super::columns::{BoundarySlot, OTHER, put};
 use crate::slots::NIL;
 use alloc::vec::Vec;
 
-/// What stands for no list.
+/// Stands for no list.
 const NONE: BoundarySlot = BoundarySlot(NIL);
 
 /// The list of each face, by slot: most are empty and most others have one entry, so that only longer ones are lists on
@@ -24,7 +24,7 @@ impl InnerLists {
         Self { faces, lists: Vec::new(), free: Vec::new() }
     }
 
-    /// What stands for no list.
+    /// Returns the entry that stands for no list.
     pub(super) const fn unused() -> BoundarySlot {
         NONE
     }

@@ -11,7 +11,7 @@ use alloc::vec::Vec;
 #[derive(Clone, Debug, PartialEq, Eq, serde::Serialize, serde::Deserialize)]
 #[serde(deny_unknown_fields)]
 pub(crate) struct Generations {
-    /// What the structure adds to its generations. Even.
+    /// The number that the structure adds to its generations. Even.
     pub(crate) offset: u32,
     /// By slot of a vertex. Odd if live.
     pub(crate) vertices: Vec<u32>,

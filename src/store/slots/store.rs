@@ -38,8 +38,8 @@ pub struct SlotStore {
 }
 
 impl SlotStore {
-    /// What takes the place of another store for a moment: it has no unbounded face, and must not be asked for anything. It takes no
-    /// memory.
+    /// A stand-in that takes the place of another store for a moment: it has no unbounded face, and must not be asked for
+    /// anything. It takes no memory.
     #[allow(dead_code, reason = "for the layers above, which a smaller selection of features leaves out")]
     pub(crate) const fn hollow() -> Self {
         Self {

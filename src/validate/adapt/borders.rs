@@ -71,7 +71,7 @@ impl<V: View> Borders<V> {
     }
 }
 
-/// Whether the half-edge bounds no face and has no next.
+/// True if the half-edge bounds no face and has no next.
 fn is_border<V: View>(view: &V, h: usize) -> bool {
     view.is_half_edge(h) && view.next(h).is_none() && view.face(h).is_none() && view.boundary(h).is_none()
 }

@@ -99,13 +99,13 @@ impl<K: Ord> Index<K> {
         self.sorted.sort_by(|a, b| self.ids[*a].cmp(&self.ids[*b]));
     }
 
-    /// How many ids there are: the number of slots.
+    /// Returns the number of ids, which is the number of slots.
     #[must_use]
     pub fn len(&self) -> usize {
         self.ids.len()
     }
 
-    /// Whether there are none.
+    /// True if there are no ids.
     #[must_use]
     pub fn is_empty(&self) -> bool {
         self.ids.is_empty()

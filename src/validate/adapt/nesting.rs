@@ -1,4 +1,4 @@
-//! Which cycle of each face is its outer one, from the labels of the half-edges and the unbounded face.
+//! The outer cycle of each face, found from the labels of the half-edges and the unbounded face.
 //!
 //! Faces and components, joined by cycles, are a tree where the structure is a map. It hangs from the unbounded face, and the
 //! cycle that joins a face to the component above it is its outer one.

@@ -123,7 +123,7 @@ macro_rules! drawing_rules {
             /// └────┴────┘
             /// ```
             G5 "inside" counts "boundary component" "boundary components"
-                "each inner boundary component lies in the face that lists it, and what no face lists lies in none"
+                "each inner boundary component lies in the face that lists it, and a component that no face lists lies in no face"
                 in "inside" broken by "embeddings" "g5_an_island_listed_by_the_face_next_door"
             {
                 WrongFace { boundary: inner, face: face, found: face_link } "wrong_face"

@@ -141,11 +141,11 @@ macro_rules! mesh_rules {
             ///
             /// ```text
             ///   f  ╱
-            ///    ╱      a half-edge from v without face or twin: v keeps such a one,
-            /// ──v───    not one of those that bound f
+            ///    ╱      a half-edge without face or twin leaves v: v keeps such a half-edge,
+            /// ──v───    and none that bounds f
             /// ```
             M8 "kept" counts "vertex" "vertices"
-                "a vertex that some half-edge without twin or face leaves keeps such a one"
+                "if a half-edge without twin or face leaves a vertex, the half-edge kept by that vertex lacks a twin or a face"
                 in "kept" broken by "mesh_rules" "m8_a_border_vertex_keeps_an_inner_half_edge"
             {
                 KeptInside { vertex: vertex, half_edge: half_edge, border: half_edge } "kept_inside"

@@ -8,16 +8,16 @@ use crate::validate::subject::Extent;
 use alloc::vec::Vec;
 use core::ops::Range;
 
-/// What the faces list.
+/// The lists of the faces, read.
 #[derive(Default)]
 pub(super) struct Boundaries {
     pub(super) faces: usize,
-    /// How many faces have an outer boundary component.
+    /// The number of faces that have an outer boundary component.
     pub(super) outer: usize,
     pub(super) inner: Vec<Inner>,
-    /// How many of the inner boundary components are isolated vertices.
+    /// The number of inner boundary components that are isolated vertices.
     pub(super) at_vertex: usize,
-    /// Whether one of these is connected, or listed twice. Known only where there are no records for boundary components.
+    /// True if one of these is connected, or listed twice. Known only where there are no records for boundary components.
     pub(super) is_vertex_wrong: bool,
     pub(super) cycles: Cycles,
 }
@@ -34,9 +34,9 @@ pub(super) struct Lists<'a, V: ?Sized, const WALKS: bool> {
     view: &'a V,
     extent: Extent,
     links: &'a Links,
-    /// How many boundary components were listed, where these have records.
+    /// The number of boundary components listed so far, where these have records.
     pub(super) listed: usize,
-    /// How many half-edges were visited.
+    /// The number of half-edges visited so far.
     pub(super) visited: usize,
     pub(super) found: Boundaries,
 }
@@ -65,7 +65,7 @@ fn read_and<V: View + ?Sized, const WALKS: bool>(view: &V, extent: Extent, links
 }
 
 impl Boundaries {
-    /// Whether as many faces have no outer boundary component as should be.
+    /// True if the number of faces without outer boundary component is as it should be.
     pub(super) fn has_unbounded(&self, extent: Extent) -> bool {
         self.faces - self.outer == usize::from(extent.has(Part::UnboundedFace))
     }

@@ -9,7 +9,7 @@ use alloc::vec::Vec;
 /// The cycles of `next`.
 #[derive(Default)]
 pub(super) struct Cycles {
-    /// How many name a boundary component or a face; all where there are none.
+    /// The number of cycles that name a boundary component or a face; all where there are none.
     pub(super) named: usize,
     /// A vertex of each of the others, which are border loops.
     pub(super) unnamed: Vec<u32>,
@@ -24,7 +24,7 @@ impl Cycles {
     }
 }
 
-/// What is counted of the cycles while each half-edge is passed once, in any order.
+/// A count of the cycles, made while each half-edge is passed once, in any order.
 pub(super) trait Pass {
     /// Takes a half-edge and its next. Returns how many cycles are counted by it.
     fn pass<V: View + ?Sized>(&mut self, view: &V, extent: Extent, corner: [usize; 2]) -> Option<usize>;
@@ -56,8 +56,8 @@ impl Pass for Short {
 }
 
 impl Short {
-    /// Whether the half-edge has the smallest number on its cycle, if that is short; if not, marks the half-edge. It is given with its
-    /// next.
+    /// True if the half-edge has the smallest number on its cycle, and the cycle is short; if it is not short, marks the
+    /// half-edge. It is given with its next.
     ///
     /// Most cycles are short. So the next ones are read, without a branch for each and without marks.
     #[inline(always)]

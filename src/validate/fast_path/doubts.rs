@@ -10,17 +10,17 @@ use alloc::vec::Vec;
 pub(crate) struct Doubts {
     /// In order of their numbers. All of them are live.
     pub(crate) half_edges: Vec<u32>,
-    /// How many half-edges are live, and how many of these have no twin.
+    /// The number of live half-edges; `unpaired` of these have no twin.
     pub(crate) live: usize,
     pub(crate) unpaired: usize,
 }
 
-/// What has been settled of all half-edges.
+/// The rules that earlier steps have settled for all half-edges.
 #[derive(Clone, Copy)]
 pub(super) struct Assurances {
     /// Their origins are live.
     pub(super) origins: bool,
-    /// What they name is live, and what the next names.
+    /// The boundary components or faces that they name are live, and constant along `next`.
     pub(super) names: bool,
 }
 
@@ -101,7 +101,7 @@ fn has_origin<V: View + ?Sized>(view: &V, extent: Extent, h: usize) -> bool {
     view.origin(h).is_some_and(|v| extent.vertices.has(v) && view.is_vertex(v))
 }
 
-/// Whether the half-edge names a live boundary component, or face, or may name none; and the next names the same.
+/// True if the half-edge names a live boundary component, or face, or may name none; and its next names the same.
 #[inline]
 fn is_named_as<V: View + ?Sized>(view: &V, extent: Extent, h: usize, next: usize) -> bool {
     let name = extent.name(view, h);

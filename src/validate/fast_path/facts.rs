@@ -66,7 +66,7 @@ pub(crate) struct Whole {
 }
 
 impl Facts {
-    /// Whether V2 is settled.
+    /// True if V2 is settled.
     pub(crate) const fn rotations_hold(&self) -> bool {
         !matches!(self.rotations, Rotations::Unknown)
     }

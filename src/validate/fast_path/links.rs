@@ -9,18 +9,18 @@ use core::ops::Range;
 /// With more half-edges in doubt than these, all are.
 pub(super) const MOST_DOUBTS: usize = 1024;
 
-/// What the scan finds.
+/// The result of the scan.
 pub(super) struct Links {
-    /// How many half-edges are live.
+    /// The number of live half-edges.
     pub(super) half_edges: usize,
-    /// How many of them have no twin.
+    /// The number of live half-edges without twin.
     pub(super) unpaired: usize,
     /// Per vertex a half-edge that leaves it, or nil, where vertices keep none. If the links are right, one that is the next of some
     /// half-edge.
     leaving: Option<Vec<u32>>,
     /// Per vertex a half-edge without twin that ends there, or nil; empty if all have one.
     pub(super) into: Vec<u32>,
-    /// Whether no two half-edges without twin end at one vertex.
+    /// True if no two half-edges without twin end at one vertex.
     pub(super) one_into_each: bool,
     /// The half-edges at which something is wrong, in order.
     pub(super) wrong: Vec<u32>,
@@ -43,7 +43,7 @@ impl Links {
         }
     }
 
-    /// Whether nothing is wrong, and at each vertex one border ends at most.
+    /// True if nothing is wrong, and at each vertex one border ends at most.
     pub(super) fn are_right(&self) -> bool {
         self.next_holds && self.twin_holds && self.one_into_each
     }
@@ -116,7 +116,7 @@ pub(super) fn scan<V: View + ?Sized>(view: &V, extent: Extent) -> Option<Links> 
         leaving = extent.vertices.nils()?;
     }
     let note = |v, h| note(&mut leaving, v, h);
-    // What is asked for is decided here, once, and not at each half-edge.
+    // Choose the variant of the scan here, once, and not at each half-edge.
     match (extent.has(Part::Prev), extent.has(Part::Leaving)) {
         (true, true) => scan_and::<V, true>(view, extent, &mut links, |_, _| {})?,
         (false, true) => scan_and::<V, false>(view, extent, &mut links, |_, _| {})?,
@@ -205,7 +205,7 @@ fn inside_and_right<V: View + ?Sized, const WITH_PREV: bool>(
     holds.then_some((target, n))
 }
 
-/// How many of these half-edges are live; none if something is wrong with one, or one has no twin.
+/// Returns the number of live half-edges among these; none if something is wrong with one, or one has no twin.
 #[cfg(feature = "rayon")]
 pub(super) fn count_right<V: View + ?Sized>(
     view: &V,

@@ -107,7 +107,7 @@ pub(crate) fn settle<V: View + ?Sized>(subject: Subject<'_, V>, first_only: bool
     let Subject { view, extent } = subject;
     let Some(mut links) = links::scan(view, extent) else { return Facts::default() };
     let (vertices, around) = turn(view, extent, &mut links);
-    // Where the links or the rotations are wrong the lists stand on their own, but their rules come after one that is broken.
+    // Lists can be read although the links or the rotations are wrong, but their rules come after one that is broken.
     let is_wanted = around.is_some() || !first_only;
     let lists = if extent.has(Part::Faces) && is_wanted { boundaries::read(view, extent, &links) } else { None };
     let settled = Assurances { origins: around.is_some(), names: lists.is_some() && links.next_holds };
@@ -137,7 +137,7 @@ fn turn<V: View + ?Sized>(
     if let Some(around) = rotations::walk(view, extent, links) {
         return (VertexFigures::of(around.counted), Some(around));
     }
-    // What a vertex keeps may be all that is wrong.
+    // The half-edges that vertices keep may be all that is wrong.
     let around = links.note_leaving(view, extent).and_then(|()| rotations::walk(view, extent, links));
     (None, around)
 }
@@ -152,8 +152,8 @@ fn agree(extent: Extent, around: &RotationWalk, lists: &Boundaries) -> bool {
     }
 }
 
-/// What follows of the whole where the rotations are right: nothing if T3 is broken. The cycles are those of the lists, or where there are
-/// none, or they are wrong, those of `next`.
+/// Derives the facts about the whole where the rotations are right: none if T3 is broken. The cycles are those of the lists, or
+/// those of `next` where there are no lists or they are wrong.
 fn whole<V: View + ?Sized>(
     view: &V,
     extent: Extent,

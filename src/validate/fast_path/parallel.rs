@@ -36,7 +36,7 @@ pub(crate) fn settle_in_parts<V: View + Sync + ?Sized>(subject: Subject<'_, V>) 
     Some(Facts { half_edges: Some(doubts), vertices, lists: Some(figures), rotations })
 }
 
-/// What the scan and the walks find, where nothing is wrong.
+/// Returns the results of the scan and the walks, if nothing is wrong.
 fn all<V: View + Sync + ?Sized>(view: &V, extent: Extent) -> Option<(Links, RotationWalk, Boundaries)> {
     let needed = [Part::Leaving, Part::Faces, Part::BoundaryComponents, Part::Places, Part::Holes];
     if extent.expect.is_open() || !needed.into_iter().all(|part| extent.has(part)) {
@@ -49,7 +49,7 @@ fn all<V: View + Sync + ?Sized>(view: &V, extent: Extent) -> Option<(Links, Rota
     Some((links, around?, lists?))
 }
 
-/// What each part of so many slots gives; none if one part gives none. Parts are as many as there are threads.
+/// Returns the result for each part of so many slots; none if one part gives none. There are as many parts as threads.
 fn parts<T: Send>(slots: Slots, part: impl Fn(Range<usize>) -> Option<T> + Sync) -> Option<Vec<T>> {
     let (length, end) = (part_length(slots), slots.count());
     let part_of = |start: usize| part(start..end.min(start + length));
@@ -108,7 +108,7 @@ mod tests {
     use crate::validate::subject::{Extent, Subject};
     use crate::validate::{Expectation, Part, Parts, Table};
 
-    /// Whether a structure is settled in parts.
+    /// True if a structure is settled in parts.
     fn is_settled(table: &str, parts: Parts) -> bool {
         let table = Table { parts, ..table.parse().unwrap() };
         let extent = Extent::of(&table, Expectation::plane()).unwrap();

@@ -6,7 +6,7 @@ use crate::validate::structure::{Part, Start, View};
 use crate::validate::subject::Extent;
 use alloc::vec::Vec;
 
-/// What the walks around the vertices find.
+/// The result of the walks around the vertices.
 pub(super) struct RotationWalk {
     pub(super) counted: VertexTally,
     /// Per vertex the neighbour with the smallest number, or itself if that is smaller.
@@ -15,21 +15,21 @@ pub(super) struct RotationWalk {
     pub(super) cycles: Option<Cycles>,
 }
 
-/// What is counted at vertices.
+/// The counts made at vertices.
 #[derive(Clone, Copy)]
 pub(super) struct VertexTally {
     pub(super) vertices: usize,
     pub(super) isolated: usize,
-    /// How many of the isolated ones name a boundary component that starts at them; none if one names anything else, or a
+    /// The number of isolated vertices that name a boundary component that starts at them; none if one names anything else, or a
     /// connected one does.
     pub(super) claimed: Option<usize>,
-    /// How many half-edges were visited.
+    /// The number of half-edges visited.
     pub(super) half_edges: usize,
-    /// How many cycles were counted on the way.
+    /// The number of cycles counted on the way.
     pub(super) cycles: usize,
-    /// How many vertices have a smaller number than each of their neighbours.
+    /// The number of vertices whose number is smaller than that of each neighbour.
     pub(super) roots: usize,
-    /// Whether there is neither a loop nor a pair of parallel edges.
+    /// True if there is neither a loop nor a pair of parallel edges.
     pub(super) simple: bool,
 }
 
@@ -106,15 +106,15 @@ pub(super) fn walk_from<V: View + ?Sized, P: Pass>(
     Some(found)
 }
 
-/// Whether a half-edge that a vertex keeps is live and leaves it.
+/// True if a half-edge that a vertex keeps is live and leaves it.
 #[inline]
 pub(super) fn leaves<V: View + ?Sized>(view: &V, extent: Extent, start: usize, v: usize) -> bool {
     extent.half_edges.has(start) && view.is_half_edge(start) && view.origin(start) == Some(v)
 }
 
-/// What the walks count step by step.
+/// The counters of the walks.
 struct Steps {
-    /// How many half-edges are left to visit.
+    /// The number of half-edges left to visit.
     left: usize,
     cycles: usize,
 }

@@ -25,7 +25,7 @@ pub(super) fn by_index<V: View + ?Sized>(view: &V, extent: Extent, links: &Links
     (found.isolated == 0 || !extent.has(Part::Leaving) || each_origin_keeps_one(view, extent)).then_some(found)
 }
 
-/// Whether no half-edge leaves a vertex that keeps none.
+/// True if no half-edge leaves a vertex that keeps none.
 fn each_origin_keeps_one<V: View + ?Sized>(view: &V, extent: Extent) -> bool {
     let mut half_edges = extent.half_edges.all().filter(|h| view.is_half_edge(*h));
     half_edges.all(|h| {

@@ -21,11 +21,11 @@ pub(in crate::validate) struct Columns {
     pub(in crate::validate) twin: Vec<u32>,
     /// For each half-edge the next.
     pub(in crate::validate) next: Vec<u32>,
-    /// Which vertices are live.
+    /// True for each live vertex.
     pub(in crate::validate) is_vertex: Vec<bool>,
-    /// Where they lie.
+    /// The coordinates of the vertices.
     pub(in crate::validate) points: Vec<Point>,
-    /// Where the edges bend.
+    /// The bends of the edges.
     pub(in crate::validate) bends: Bends,
 }
 
@@ -116,17 +116,17 @@ impl Columns {
         self.origin(self.next(h))
     }
 
-    /// Where a half-edge starts.
+    /// Returns the coordinates of the origin of a half-edge.
     pub(in crate::validate) fn tail(&self, h: usize) -> Point {
         self.points[self.origin(h)]
     }
 
-    /// Where a half-edge ends.
+    /// Returns the coordinates of the target of a half-edge.
     pub(in crate::validate) fn head(&self, h: usize) -> Point {
         self.points[self.target(h)]
     }
 
-    /// Whether this half-edge of its edge is asked for the bends.
+    /// True if this half-edge of its edge is asked for the bends.
     pub(in crate::validate) fn is_asked(&self, h: usize) -> bool {
         asked(h, self.twin[h]) == h
     }

@@ -1,4 +1,4 @@
-//! What the faces list, as a column.
+//! The lists of the faces, as a column.
 
 use super::columns::Columns;
 use crate::validate::columns::NIL;
@@ -14,7 +14,7 @@ pub(in crate::validate) struct Listed {
     pub(in crate::validate) is_outer: bool,
 }
 
-/// What the faces list.
+/// The lists of the faces.
 pub(in crate::validate) struct Lists {
     pub(in crate::validate) all: Vec<Listed>,
     /// The face without outer boundary component.
@@ -22,7 +22,7 @@ pub(in crate::validate) struct Lists {
 }
 
 impl Lists {
-    /// What the faces list: no more of it than there can be where F2 holds. O(n).
+    /// Reads the lists of the faces, up to the greatest length that they can have where F2 holds. O(n).
     pub(in crate::validate) fn of<E: Embedding + ?Sized>(embedding: &E, parts: Parts, columns: &Columns) -> Self {
         let (vertices, half_edges) = (columns.points.len(), columns.origin.len());
         let by_record = parts.has(Part::BoundaryComponents);

@@ -19,9 +19,9 @@ pub(in crate::validate) struct Segments {
     /// For each segment the half-edge that runs from its lexicographically smaller end to the larger; at an open boundary
     /// the only one.
     half_edges: Vec<usize>,
-    /// Which segment of its edge each is, in the direction of the half-edge that has the bends; empty if there are none.
+    /// The number of each segment on its edge, in the direction of the half-edge that has the bends; empty if there are none.
     pieces: Vec<u32>,
-    /// How many edges there are.
+    /// The number of edges.
     pub(in crate::validate) edges: usize,
 }
 
@@ -162,14 +162,14 @@ impl Segments {
     }
 }
 
-/// What a point of the sweep is.
+/// The record at a point of the sweep.
 enum Spot {
     Vertex(usize),
     /// A half-edge, and the number of its bend.
     Bend(usize, usize),
 }
 
-/// Whether the way between two points leads to the lexicographically larger one.
+/// True if the way between two points leads to the lexicographically larger one.
 fn rises(from: Point, to: Point) -> bool {
     compare_lexicographic(from, to) == Ordering::Less
 }

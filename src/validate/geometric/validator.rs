@@ -124,7 +124,7 @@ fn all_rules<E: Embedding + ?Sized>(
     inside.check(findings)
 }
 
-/// Why a rule that needs these cannot be checked, if one of them is broken or was not checked.
+/// Returns the reason why a rule that needs these cannot be checked, if one of them is broken or was not checked.
 fn first_broken(topology: &Report, rules: &[Rule]) -> Option<Unchecked> {
     rules.iter().find_map(|rule| {
         let outcome = topology.outcome(*rule)?;

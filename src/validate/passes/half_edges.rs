@@ -45,7 +45,7 @@ pub(crate) fn check(
     if !has_prev && in_doubt(subject, facts).is_none() {
         before = column(subject.extent.half_edges.0, NIL)?;
     }
-    // Where R1 found every link live, a slot in range is live.
+    // If R1 found every link live, a slot in range is live.
     let all_live = census.map_is_live;
     let [mut twins, mut nexts, mut targets] = [checked(subject, facts); 3];
     if let (Some(doubts), Some(in_doubt)) = (&facts.half_edges, in_doubt(subject, facts)) {

@@ -1,4 +1,4 @@
-//! Whether the fast validator and the reference agree.
+//! Comparison of the fast validator with the reference.
 
 use super::rules::{broken_rules, first_broken_rule};
 use crate::validate::expectation::Expectation;
@@ -8,7 +8,7 @@ use crate::validate::structure::View;
 use crate::validate::validator::validate;
 use core::fmt;
 
-/// How the fast validator and the reference differ on one structure.
+/// A difference between the fast validator and the reference on one structure.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
 #[non_exhaustive]
 pub enum Disagreement {
@@ -23,13 +23,13 @@ pub enum Disagreement {
     LaterRule {
         /// The rule.
         rule: Rule,
-        /// Whether it is the fast validator that finds it broken.
+        /// True if the fast validator finds it broken, false if the reference does.
         fast: bool,
     },
     /// The report of the fast validator contradicts itself: it finds no broken rule, but calls the structure invalid, or
     /// the other way round.
     Incoherent {
-        /// Whether the report calls the structure valid.
+        /// True if the report calls the structure valid.
         valid: bool,
         /// The first broken rule by the same report.
         fast: Option<Rule>,
@@ -108,7 +108,7 @@ pub fn compare_first<V: View + ?Sized>(view: &V, expectation: &Expectation) -> R
     first(&report, reference).map_or(Ok(reference), Err)
 }
 
-/// How a report of the fast validator differs from the [`broken_rules`] of the reference; none if they agree.
+/// Returns the difference between a report of the fast validator and the [`broken_rules`] of the reference; none if they agree.
 #[must_use]
 pub fn disagreement(report: &Report, broken: &[Rule]) -> Option<Disagreement> {
     let reference = broken.first().copied();

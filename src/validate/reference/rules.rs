@@ -332,7 +332,7 @@ fn m7<V: View + ?Sized>(s: &Structure<'_, V>) -> bool {
     s.expect.expected_count(Rule::M7).is_none_or(|expected| found == Some(expected))
 }
 
-/// M8 kept: a vertex that some half-edge without twin or face leaves keeps such a one.
+/// M8 kept: if a half-edge without twin or face leaves a vertex, the half-edge kept by that vertex lacks a twin or a face.
 fn m8<V: View + ?Sized>(s: &Structure<'_, V>) -> bool {
     let on_border = |h: Link| s.twin(h).is_none() || s.lacks_face(h);
     !s.expect.asks_for(Rule::M8)
@@ -340,7 +340,7 @@ fn m8<V: View + ?Sized>(s: &Structure<'_, V>) -> bool {
         || s.vertices.iter().all(|&v| !s.all_leaving(v).into_iter().any(on_border) || on_border(s.leaving(v)))
 }
 
-/// What half-edges say about the faces that they bound.
+/// The kind of link by which half-edges name the faces that they bound.
 #[derive(Clone, Copy, PartialEq, Eq)]
 enum Says {
     Nothing,
@@ -354,7 +354,7 @@ struct Entry {
     place: BoundaryPlace,
     /// The boundary component that is listed, where there are records for them.
     boundary: Link,
-    /// Where what is listed starts.
+    /// The start of the listed boundary component.
     start: Option<Start>,
 }
 
@@ -482,7 +482,7 @@ impl<'a, V: View + ?Sized> Structure<'a, V> {
         self.view.boundary_place(live(&self.boundaries, b)?)
     }
 
-    /// Whether `h` legally has no twin.
+    /// True if `h` legally has no twin.
     fn on_border(&self, h: Link) -> bool {
         self.open && self.twin(h).is_none()
     }
@@ -542,7 +542,7 @@ impl<'a, V: View + ?Sized> Structure<'a, V> {
         self.edges(&self.vertices.iter().copied().collect())
     }
 
-    /// Whether there is neither a loop nor a pair of parallel edges.
+    /// True if there is neither a loop nor a pair of parallel edges.
     fn is_simple(&self) -> bool {
         let edges = self.all_edges();
         edges.iter().all(|e| self.ends(e).len() == 2)
@@ -558,7 +558,7 @@ impl<'a, V: View + ?Sized> Structure<'a, V> {
         }
     }
 
-    /// Whether there are faces, and the half-edge has none.
+    /// True if there are faces, and the half-edge has none.
     fn lacks_face(&self, h: Link) -> bool {
         match self.says {
             Says::Nothing => false,
@@ -572,7 +572,7 @@ impl<'a, V: View + ?Sized> Structure<'a, V> {
         edge.iter().flat_map(|&h| [self.origin(h), self.target(h)]).collect()
     }
 
-    /// How many cycles a component has: those of `next`, or one if it is an isolated vertex, and one for each border.
+    /// Returns the number of cycles of a component: those of `next`, or one if it is an isolated vertex, and one for each border.
     fn cycles(&self, component: &BTreeSet<Link>) -> usize {
         let of_component = |h: &&Link| component.contains(&self.origin(**h));
         let half_edges: Vec<&Link> = self.half_edges.iter().filter(of_component).collect();
@@ -588,7 +588,7 @@ impl<'a, V: View + ?Sized> Structure<'a, V> {
         orbit(h, |g| self.half_edges.iter().copied().find(|&h| follows(g, h)).flatten())
     }
 
-    /// Whether some half-edge of the component lacks its twin, or its face.
+    /// True if some half-edge of the component lacks its twin, or its face.
     fn is_open_somewhere(&self, component: &BTreeSet<Link>) -> bool {
         let of_component = |h: &&Link| component.contains(&self.origin(**h));
         self.half_edges.iter().filter(of_component).any(|&h| self.on_border(h) || self.lacks_face(h))

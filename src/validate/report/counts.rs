@@ -1,4 +1,4 @@
-//! What a validation counts.
+//! The counts of a validation.
 
 /// The numbers of records, and of components, cycles, borders and handles. `None` is what could not be counted because a
 /// rule that the counting relies on is broken.

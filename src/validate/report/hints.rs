@@ -1,5 +1,6 @@
-//! What a report advises where a whole column of links is nil or dangling, where half-edges have no twin, or what a face lists is nil:
-//! that comes of a wrong answer of `View::parts` or of a method of the view that is not implemented, more often than of broken records.
+//! Hints of a report where a whole column of links is nil or dangling, where half-edges have no twin, or where a list of a face
+//! has a nil. The cause is more often a wrong answer of `View::parts`, or a method of the view that is not implemented, than
+//! broken records.
 
 use super::counts::Counts;
 use super::record::{Field, Record};
@@ -44,7 +45,7 @@ pub(super) fn write(
             part.name()
         )?;
     }
-    // Where open boundaries are legal, a half-edge may lack its twin.
+    // Half-edges may lack their twins where open boundaries are legal.
     if violations.iter().any(|violation| nil_at(*violation, Field::Twin).is_some()) {
         writeln!(f, "hint: a twin is nil; if the structure has a border, use `Expectation::open()`")?;
     }

@@ -37,7 +37,7 @@ pub(crate) fn keep_some_of_each(violations: &mut Vec<Violation>, cap: usize) {
 mod tests {
     use super::*;
 
-    /// How many of so many violations of L1, L2 and L3 are kept.
+    /// Returns the number of violations of L1, L2 and L3 that are kept out of so many.
     fn kept(found: [usize; 3], cap: usize) -> [usize; 3] {
         let of = [
             Violation::TwinIsSelf { half_edge: 0 },

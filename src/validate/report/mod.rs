@@ -30,7 +30,7 @@ use alloc::boxed::Box;
 use alloc::vec::Vec;
 use core::fmt;
 
-/// How many violations to collect. All violations of each rule are counted, except with `First`.
+/// The number of violations to collect. All violations of each rule are counted, except with `First`.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash, Default)]
 pub enum Collect {
     /// Stop at the first violation of the first broken rule.
@@ -44,7 +44,7 @@ pub enum Collect {
 }
 
 impl Collect {
-    /// How many violations `All` keeps.
+    /// The number of violations that `All` keeps.
     pub const DEFAULT_CAP: usize = 1000;
 
     pub(crate) const fn cap(self) -> usize {
@@ -56,7 +56,7 @@ impl Collect {
     }
 }
 
-/// Why a rule was not checked, or not on every record.
+/// The reason why a rule was not checked, or not on every record.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
 #[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 #[cfg_attr(feature = "serde", serde(rename_all = "snake_case"))]
@@ -82,8 +82,8 @@ pub enum Unchecked {
 }
 
 impl Unchecked {
-    /// Whether a structure can be valid although the rule was not checked: because the structure does not store the part that the rule
-    /// is about, or because the rule does not apply to it.
+    /// True if a structure can be valid although the rule was not checked: it does not store the part that the rule is about, or
+    /// the rule does not apply to it.
     #[must_use]
     pub const fn is_by_design(self) -> bool {
         matches!(self, Self::Lacks(_) | Self::PlaneOnly | Self::NotSimple)
@@ -113,7 +113,7 @@ pub struct RuleOutcome {
     pub checked: u64,
     /// The number of violations found, kept or not.
     pub violations: u64,
-    /// Why the rule was not checked, or not on every record.
+    /// The reason why the rule was not checked, or not on every record.
     pub unchecked: Option<Unchecked>,
 }
 
@@ -261,7 +261,7 @@ impl Report {
         &self.counts
     }
 
-    /// Whether no violation was found and every rule that applies was checked.
+    /// True if no violation was found and every rule that applies was checked.
     #[must_use]
     pub fn is_valid(&self) -> bool {
         self.outcomes.iter().all(|(_, o)| o.violations == 0 && o.unchecked.is_none_or(Unchecked::is_by_design))

@@ -1,4 +1,4 @@
-//! How sentences name records: by their indices, or as the owner of the structure names them.
+//! Names of records in sentences: their indices, or the names that the owner of the structure gives them.
 
 use super::record::Record;
 use crate::validate::structure::{BoundaryPlace, Link};
@@ -7,7 +7,7 @@ use core::fmt;
 /// Writes the name of a record, without its kind.
 pub(super) type WriteName<'a> = &'a dyn Fn(Record, &mut fmt::Formatter<'_>) -> fmt::Result;
 
-/// How sentences name records.
+/// The names of records in sentences.
 #[derive(Clone, Copy)]
 pub(super) struct Names<'a>(pub(super) Option<WriteName<'a>>);
 

@@ -11,7 +11,7 @@ use core::fmt;
 use serde::de::Error as _;
 use serde::{Deserialize, Deserializer, Serialize, Serializer};
 
-/// Why a report that is read cannot come from a validation.
+/// An inconsistency in a report that is read: it cannot come from a validation.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 enum Inconsistency {
     /// It is in the form of another version.

@@ -59,7 +59,7 @@ fn constant_along_next(subject: Subject<'_>, facts: &Facts, findings: &mut Findi
         if boundary == found {
             continue;
         }
-        // What dangles is left to R1; nil meets something else only at an open boundary.
+        // A dangling link breaks R1, not this rule. Nil meets something else only at an open boundary.
         let dangles = |link: &Option<usize>| link.is_some_and(|b| !subject.extent.boundaries.has(b));
         let is_needed = !subject.is_open() && (boundary.is_none() || found.is_none());
         if ![boundary, found].iter().any(dangles) && !is_needed {
@@ -73,7 +73,7 @@ fn constant_along_next(subject: Subject<'_>, facts: &Facts, findings: &mut Findi
 fn components_have_one_cycle(subject: Subject<'_>, facts: &Facts, census: &Census, findings: &mut Findings) -> Flow {
     let constant_along_next = findings.holds(Rule::B1);
     let walkable = census.map_is_live && findings.holds(Rule::L2) && constant_along_next;
-    // Where each start is known to name its own, those that start at a vertex are left.
+    // The starts on half-edges may be settled already; then only those at vertices are checked.
     if walkable || facts.lists.is_none_or(|lists| lists.at_vertex > 0) {
         starts_and_sizes(subject, walkable, findings)?;
     }
@@ -149,7 +149,7 @@ fn cycles_have_one_face(subject: Subject<'_>, facts: &Facts, list_budget: usize,
         }
     }
     findings.checked(Rule::B1, checked);
-    // What the faces list is known to name them.
+    // The half-edges that the faces list may be known to name these faces.
     if facts.lists.is_some() {
         return Ok(());
     }

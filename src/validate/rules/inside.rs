@@ -1,4 +1,4 @@
-//! G5 inside: each inner boundary component lies in the face that lists it, and what no face lists lies in none.
+//! G5 inside: each inner boundary component lies in the face that lists it, and a component that no face lists lies in no face.
 //!
 //! The lowest point may be a bend. A component that no face lists lies outside everything, where the unbounded face has no record.
 
@@ -11,7 +11,7 @@ use crate::validate::report::Violation;
 use crate::validate::rule::Rule;
 use crate::validate::structure::{Embedding, Link, Part, Parts, Start};
 
-/// What G5 compares: the embedding, and what was found out about it.
+/// The input of G5: the embedding, and the results of earlier steps.
 pub(in crate::validate) struct Inside<'a, E: ?Sized> {
     pub(in crate::validate) embedding: &'a E,
     pub(in crate::validate) parts: Parts,
@@ -58,7 +58,7 @@ impl<E: Embedding + ?Sized> Inside<'_, E> {
                 Start::Vertex(v) => v,
                 Start::HalfEdge(h) => self.columns.origin(h),
             };
-            // Where T1 holds, this is the outside of its component.
+            // By T1, this is the outside of its component.
             let component = self.components.of[vertex] as usize;
             is_listed[component] = true;
             let found = lies_in[component];
@@ -67,7 +67,7 @@ impl<E: Embedding + ?Sized> Inside<'_, E> {
             }
         }
         findings.checked(Rule::G5, checked);
-        // What lies in no face has no inner boundary component. What lies in a face must be listed by it.
+        // A component that lies in no face has no inner boundary component. One that lies in a face must be listed by it.
         for (component, found) in lies_in.into_iter().enumerate() {
             let unlisted = !is_listed[component] && found != self.lists.unbounded;
             if let Some(face) = found.filter(|_| unlisted) {

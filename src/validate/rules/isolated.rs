@@ -52,7 +52,7 @@ pub(crate) fn check(subject: Subject<'_>, facts: &Facts, census: &Census, findin
                 findings.add(Violation::ConnectedNamesBoundary { vertex, boundary })?;
             }
         } else if start == NIL {
-            // Where the unbounded face is no record, nothing can start at a vertex that lies in it.
+            // Nothing can start at a vertex in the unbounded face if that has no record.
             if names.is_some() || subject.has(Part::UnboundedFace) {
                 findings.add(Violation::IsolatedUnclaimed { vertex })?;
             }
@@ -64,7 +64,7 @@ pub(crate) fn check(subject: Subject<'_>, facts: &Facts, census: &Census, findin
     Ok(())
 }
 
-/// Whether as many boundary components start at vertices as isolated vertices are known to name.
+/// True if the number of boundary components that start at vertices is that of isolated vertices known to name one.
 fn each_is_claimed(subject: Subject<'_>, facts: &Facts) -> bool {
     let Some(known) = facts.vertices.filter(|_| subject.has(Part::BoundaryComponents)) else { return false };
     let starts_at_vertex = |b: &usize| matches!(subject.view.boundary_start(*b), Some(Start::Vertex(_)));

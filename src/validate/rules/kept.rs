@@ -1,4 +1,4 @@
-//! M8 kept: a vertex that some half-edge without twin or face leaves keeps such a one.
+//! M8 kept: if a half-edge without twin or face leaves a vertex, the half-edge kept by that vertex lacks a twin or a face.
 //!
 //! Checked if asked for.
 

@@ -23,7 +23,7 @@ pub(crate) struct Census {
     pub(crate) edges: usize,
     pub(crate) vertices: usize,
     pub(crate) isolated_vertices: usize,
-    /// Whether the links among half-edges and vertices (all that makes the combinatorial map) are live.
+    /// True if the links among half-edges and vertices (the combinatorial map) are live.
     pub(crate) map_is_live: bool,
     /// The entries of lists that each rule reads. Lists with more are broken.
     pub(crate) list_budget: usize,
@@ -105,7 +105,7 @@ pub(crate) fn check(subject: Subject<'_>, facts: &Facts, findings: &mut Findings
     Ok(Census { half_edges, edges, vertices, isolated_vertices, map_is_live, list_budget, fans })
 }
 
-/// Whether the link leads to a live record of that kind.
+/// True if the link leads to a live record of that kind.
 #[inline]
 fn leads(subject: Subject<'_>, link: usize, kind: RecordKind) -> bool {
     let Subject { view, extent } = subject;
@@ -212,7 +212,7 @@ fn vertices(subject: Subject<'_>, facts: &Facts, fans: &Fans, findings: &mut Fin
                 links.check(Field::Leaving, subject.view.leaving(v), RecordKind::HalfEdge, is_connected)?;
             }
             if names_boundary {
-                // Whether a vertex without half-edges may lack it is decided by B2.
+                // B2 decides if a vertex without half-edges may lack it.
                 links.check(Field::Isolated, subject.view.isolated(v), RecordKind::Boundary, false)?;
             }
         }

@@ -51,7 +51,7 @@ use super::rule::Rule;
 use super::structure::Part;
 use super::subject::Subject;
 
-/// Whether an optional rule is passed over: it was not asked for, or the one that it needs is broken, which is then entered as
+/// True if an optional rule is passed over: it was not asked for, or the rule that it needs is broken, which is then entered as
 /// the reason.
 fn passes_over(subject: Subject<'_>, rule: Rule, broken: Option<Rule>, findings: &mut Findings) -> bool {
     if !subject.extent.expect.asks_for(rule) {
@@ -69,7 +69,7 @@ pub(super) fn borders_broken(subject: Subject<'_>, findings: &Findings) -> Optio
     if subject.is_open() { findings.broken(&[Rule::B1]) } else { None }
 }
 
-/// Why T1 and T2 cannot be checked, if so.
+/// Returns the reason why T1 and T2 cannot be checked, if there is one.
 fn containment_unchecked(subject: Subject<'_>, findings: &Findings) -> Option<Unchecked> {
     if !subject.extent.is_plane() {
         return Some(Unchecked::PlaneOnly);

@@ -44,7 +44,7 @@ pub(crate) fn check(
         }
     }
     findings.checked(Rule::T1, count as u64);
-    // What lies in no face, because the unbounded one has no record, has no inner boundary component either.
+    // A component in the unbounded face has no inner boundary component if that face has no record.
     if subject.has(Part::UnboundedFace) {
         for (component, outside) in components.all.iter().zip(&outside) {
             if outside.is_none() && !component.open {
@@ -55,7 +55,7 @@ pub(crate) fn check(
     Ok(lies_in)
 }
 
-/// Where the inner boundary component at this position starts, and the record by which a report names it.
+/// Returns the start of the inner boundary component at this position, and the record by which a report names it.
 fn inner(subject: Subject<'_>, f: usize, i: usize) -> (Option<Start>, Option<Record>) {
     if subject.has(Part::BoundaryComponents) {
         let b = subject.extent.boundaries.existing(subject.view.inner(f, i));

@@ -15,7 +15,7 @@ pub(in crate::validate) fn check(findings: &mut Findings, columns: &Columns, lis
     let mut checked = 0;
     let mut seen = vec![false; columns.origin.len()];
     for Listed { boundary, start, is_outer, .. } in &lists.all {
-        // Where B1 holds, no two start on one cycle.
+        // By B1, no two start on one cycle.
         let Start::HalfEdge(h) = *start else { continue };
         if seen[h] {
             continue;
@@ -31,8 +31,8 @@ pub(in crate::validate) fn check(findings: &mut Findings, columns: &Columns, lis
     Ok(())
 }
 
-/// Whether the face lies around the cycle, not inside it: whether at the lexicographically smallest point, a vertex or a bend, it lies
-/// to the left. A cycle may pass there more than once.
+/// True if the face lies around the cycle, not inside it: at the lexicographically smallest point, a vertex or a bend, it lies to
+/// the left. A cycle may pass there more than once.
 fn turns_clockwise(columns: &Columns, start: usize, seen: &mut [bool]) -> bool {
     let mut low = columns.tail(start);
     let mut around = false;
@@ -63,8 +63,8 @@ fn turns_clockwise(columns: &Columns, start: usize, seen: &mut [bool]) -> bool {
     }
 }
 
-/// Whether the corner to the left of the way `before`, `at`, `after` holds the direction straight to the left, `at`
-/// being the smallest of the three.
+/// True if the corner to the left of the way `before`, `at`, `after` holds the direction straight to the left, where `at` is the
+/// smallest of the three.
 fn corner_opens_left(before: Point, at: Point, after: Point) -> bool {
     before == after || orientation(at, before, after) == Orientation::CounterClockwise
 }

@@ -6,10 +6,10 @@ use crate::geometry::Point;
 
 /// A structure whose vertices have coordinates.
 pub trait Embedding: View {
-    /// Where the vertex lies. It is asked of live vertices only.
+    /// Returns the coordinates of the vertex. It is asked of live vertices only.
     fn point(&self, vertex: usize) -> Point;
 
-    /// How many bends the half-edge has: 0 for a straight edge.
+    /// Returns the number of bends of the half-edge: 0 for a straight edge.
     ///
     /// It is asked of one half-edge of each edge, the one with the smaller index. Those of its twin are the same in reverse. A bend is
     /// no vertex: no other edge ends there, and G4 is broken if one does.
@@ -18,7 +18,7 @@ pub trait Embedding: View {
         0
     }
 
-    /// Where the half-edge bends for the `bend`-th time on the way from its origin to its target, counted from 0. It is asked for
+    /// Returns the `bend`-th bend of the half-edge on the way from its origin to its target, counted from 0. It is asked for
     /// numbers below [`bends`](Self::bends) only.
     ///
     /// ```

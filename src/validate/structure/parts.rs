@@ -142,7 +142,7 @@ impl Parts {
         Self(self.0 & other.0)
     }
 
-    /// Whether the part is stored.
+    /// True if the part is stored.
     #[must_use]
     pub const fn has(self, part: Part) -> bool {
         self.0 & part.bit() != 0

@@ -8,7 +8,7 @@ use super::parts::Parts;
 /// nothing worse. A structure with generational keys answers `Some(usize::MAX)` for a stale key.
 pub type Link = Option<usize>;
 
-/// Where a boundary component starts: on a half-edge of its cycle, or at the isolated vertex that it is.
+/// The start of a boundary component: a half-edge of its cycle, or the isolated vertex that it is.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash, PartialOrd, Ord)]
 #[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 #[cfg_attr(feature = "serde", serde(rename_all = "snake_case"))]
@@ -91,19 +91,19 @@ pub trait View {
         0
     }
 
-    /// Whether the slot holds a vertex.
+    /// True if the slot holds a vertex.
     fn is_vertex(&self, vertex: usize) -> bool {
         vertex < self.vertex_slots()
     }
-    /// Whether the slot holds a half-edge.
+    /// True if the slot holds a half-edge.
     fn is_half_edge(&self, half_edge: usize) -> bool {
         half_edge < self.half_edge_slots()
     }
-    /// Whether the slot holds a boundary component.
+    /// True if the slot holds a boundary component.
     fn is_boundary(&self, boundary: usize) -> bool {
         boundary < self.boundary_slots()
     }
-    /// Whether the slot holds a face.
+    /// True if the slot holds a face.
     fn is_face(&self, face: usize) -> bool {
         face < self.face_slots()
     }
@@ -147,7 +147,7 @@ pub trait View {
         let _ = boundary;
         None
     }
-    /// Where the boundary component starts.
+    /// Returns the start of the boundary component.
     fn boundary_start(&self, boundary: usize) -> Option<Start> {
         let _ = boundary;
         None
@@ -163,7 +163,7 @@ pub trait View {
         let _ = face;
         None
     }
-    /// How many inner boundary components the face lists.
+    /// Returns the number of inner boundary components that the face lists.
     fn inner_count(&self, face: usize) -> usize {
         let _ = face;
         0
@@ -179,7 +179,7 @@ pub trait View {
         let _ = face;
         None
     }
-    /// Where the inner boundary component at this position of the face's list starts, for structures without boundary
+    /// Returns the start of the inner boundary component at this position of the face's list, for structures without boundary
     /// component records.
     fn inner_start(&self, face: usize, position: usize) -> Option<Start> {
         let _ = (face, position);

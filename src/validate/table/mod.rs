@@ -41,9 +41,9 @@ pub struct HalfEdgeRow {
 pub struct BoundaryRow {
     /// The face that it bounds.
     pub face: Link,
-    /// Where it starts.
+    /// Its start.
     pub start: Option<Start>,
-    /// Where its face lists it.
+    /// Its place in the list of its face.
     pub place: Option<BoundaryPlace>,
 }
 
@@ -57,7 +57,7 @@ pub struct FaceRow {
     pub inner: Vec<Link>,
     /// A half-edge of the outer cycle, in tables without boundary components.
     pub outer_half_edge: Link,
-    /// Where the inner boundary components start, in tables without boundary components.
+    /// The starts of the inner boundary components, in tables without boundary components.
     pub inner_starts: Vec<Option<Start>>,
 }
 

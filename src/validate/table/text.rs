@@ -47,7 +47,7 @@ use alloc::vec::Vec;
 use core::fmt;
 use core::str::FromStr;
 
-/// Why a text is not a [`Table`]. Positions are in bytes from the start of the text.
+/// An error in the text of a [`Table`]. Positions are in bytes from the start of the text.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
 #[non_exhaustive]
 pub enum ParseTableError {
@@ -55,24 +55,24 @@ pub enum ParseTableError {
     UnexpectedEnd {
         /// The length of the text.
         position: usize,
-        /// What is missing.
+        /// The missing token.
         expected: &'static str,
     },
     /// Something else stands where this is expected.
     UnexpectedToken {
-        /// Where it stands.
+        /// The position of the token.
         position: usize,
-        /// What is expected there.
+        /// The token expected there.
         expected: &'static str,
     },
     /// A number does not fit into a `usize`.
     NumberTooLarge {
-        /// Where it stands.
+        /// The position of the number.
         position: usize,
     },
     /// `HF` has another number of rows than `H`, or `FH` than `F`.
     RowCount {
-        /// Where the number stands.
+        /// The position of the number.
         position: usize,
         /// The number of rows of the section that it extends.
         expected: usize,
@@ -82,7 +82,7 @@ pub enum ParseTableError {
 }
 
 impl ParseTableError {
-    /// Where in the text, in bytes from its start.
+    /// Returns the position in the text, in bytes from its start.
     #[must_use]
     pub const fn position(&self) -> usize {
         match *self {

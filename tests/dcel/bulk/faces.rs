@@ -53,7 +53,7 @@ fn holes_and_handles_are_not_plane() {
     assert_eq!(Dcel::from_faces(10, &torus[1..]).unwrap_err(), FacesError::Genus { vertex: 1, genus: 1 });
 }
 
-/// Why these faces are no map, by sets and counts; the smallest offender first.
+/// Returns the reason why these faces are no map, by sets and counts; the smallest offender first.
 fn reason(vertices: usize, faces: &Lists) -> Option<&'static str> {
     let mut sides = BTreeMap::new();
     for (f, face) in faces.iter().enumerate() {
@@ -118,7 +118,7 @@ fn reason(vertices: usize, faces: &Lists) -> Option<&'static str> {
     None
 }
 
-/// How often each reason came up.
+/// The number of times that each reason came up.
 static OUTCOMES: [AtomicUsize; 6] = [const { AtomicUsize::new(0) }; 6];
 const REASONS: [&str; 5] = ["SameSide", "SeveralFans", "Closed", "SeveralBorders", "Genus"];
 

@@ -12,12 +12,12 @@ use twinedge::program::canonical::isomorphic;
 use twinedge::store::{FixedStore, PointerStore, SlotStore, Store};
 use twinedge::validate::Table;
 
-/// Whether a record with this index stays: a condition that is made of some bytes.
+/// Returns true if a record with this index stays: a condition that is made of some bytes.
 fn stays(chosen: &[u8], index: usize) -> bool {
     chosen.get(index.checked_rem(chosen.len()).unwrap_or(0)).is_none_or(|byte| byte % 3 > 0)
 }
 
-/// Which faces become one, as sets.
+/// Returns the groups of faces that become one, as sets.
 fn groups(faces: &[FaceKey], merged: impl IntoIterator<Item = (FaceKey, FaceKey)>) -> BTreeSet<BTreeSet<FaceKey>> {
     let mut group: BTreeMap<FaceKey, FaceKey> = faces.iter().map(|f| (*f, *f)).collect();
     for (dropped, kept) in merged {
@@ -31,7 +31,7 @@ fn groups(faces: &[FaceKey], merged: impl IntoIterator<Item = (FaceKey, FaceKey)
     sets.into_values().collect()
 }
 
-/// How many edges, vertices and faces went, how many boundary components were made, and how many times nothing changed.
+/// The numbers of edges, vertices and faces dropped, of boundary components made, and of runs in which nothing changed.
 static SEEN: [AtomicUsize; 5] = [const { AtomicUsize::new(0) }; 5];
 
 fn law<S: Store + Clone>(program: Program, of_vertices: Vec<u8>, of_edges: Vec<u8>, backwards: bool) {
@@ -40,7 +40,7 @@ fn law<S: Store + Clone>(program: Program, of_vertices: Vec<u8>, of_edges: Vec<u
     let retained = map.retain(|v| stays(&of_vertices, v.index()), |h| stays(&of_edges, h.index() / 2)).unwrap();
     assert!(validate_plane(&map).is_valid(), "{:?}", validate_plane(&map));
 
-    // What is dropped is what the conditions say, and nothing else.
+    // The conditions decide alone which records are dropped.
     let vertices: Vec<VertexKey> =
         old.vertices().filter(|v| !stays(&of_vertices, v.index())).map(|v| v.key()).collect();
     let edges: Vec<HalfEdgeKey> = old

@@ -117,7 +117,7 @@ fn placements_that_are_wrong_are_named() {
     assert!(matches!(error, RotationsError::InsideItself { placement: 1 | 2 }), "{error}");
 }
 
-/// How many systems were plane, and how many were not.
+/// The number of systems that were plane, and of those that were not.
 static PLANE: [AtomicUsize; 2] = [const { AtomicUsize::new(0) }; 2];
 
 /// The darts in any order, cut into rotations anywhere.

@@ -52,7 +52,7 @@ fn move_holes_and_isolated_vertices() {
         let from = t.map.boundary(b).unwrap().face().key();
         assert_eq!(t.move_inner(b, to), from);
         assert!(t.inner(to).contains(&b));
-        // What lies inside comes along.
+        // The component inside moves along.
         assert_eq!((t.face(hole[0]), t.map.boundary(v.boundary).unwrap().face().key()), (in_hole, in_hole));
     }
     assert_eq!(t.move_inner(v.boundary, right), in_hole);

@@ -1,4 +1,4 @@
-//! What does not fit into fixed arrays is refused without a trace, kind of record by kind.
+//! Fixed arrays refuse records that do not fit, without a trace, kind of record by kind.
 
 use super::an_edge;
 use crate::support::erased::validate_plane;

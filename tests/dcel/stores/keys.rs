@@ -137,7 +137,7 @@ fn secondary_maps_take_the_keys_of_every_store() {
     secondary_maps_take_the_keys::<Roomy>();
 }
 
-/// What is done to a copy does not show in the original, nor the other way round.
+/// A change of a copy does not show in the original, nor the other way round.
 fn copies_are_apart<S: Store + Clone>() {
     let mut dcel = Dcel::<S>::default();
     let h = an_edge(&mut dcel);

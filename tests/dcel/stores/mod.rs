@@ -64,7 +64,7 @@ enum Step {
     Clone,
 }
 
-/// What an operator said, by number, or which error it was.
+/// The answer of an operator, by number, or the kind of its error.
 type Answer = Result<Vec<usize>, (Discriminant<OperatorError>, Option<Discriminant<StaleKey>>, Option<RecordKind>)>;
 
 /// A structure and the names of all that was ever made in it.

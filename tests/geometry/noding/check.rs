@@ -1,4 +1,4 @@
-//! What holds for any input.
+//! Laws for any input.
 
 use crate::noding::oracle::{self, Whole};
 use twinedge::geometry::Point;

@@ -1,4 +1,4 @@
-//! What a map looks like, whatever its keys are.
+//! Descriptions of maps that do not depend on their keys.
 
 use crate::support::exact::Grid;
 use std::collections::BTreeSet;

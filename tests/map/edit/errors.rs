@@ -142,7 +142,7 @@ fn grids_that_do_not_fit() {
     refused(&mut map, EditError::NotOnGrid(corner), |map| {
         map.insert_segment_snapped([9.0, 9.0], [10.0, 10.0], Snap::Size(1.0))
     });
-    // What is far away is not looked at.
+    // The edges far away are not looked at.
     assert!(map.insert_segment_snapped([-20.0, 0.0], [-20.0, 5.0], Snap::Size(1.0)).is_ok());
     refused(&mut map, EditError::CellSize, |map| map.insert_segment_snapped([1.0, 1.0], [2.0, 2.0], Snap::Size(0.0)));
     let mut empty = PlanarMap::new();

@@ -1,4 +1,4 @@
-//! What holds for every program of edits.
+//! Laws for every program of edits.
 
 use crate::edit::describe::{Description, built, describe, dump, ends, grid};
 use crate::edit::follow::Shadow;
@@ -10,7 +10,7 @@ use twinedge::geometry::Point;
 use twinedge::map::edit::{EditError, Edited};
 use twinedge::map::{Builder, PlanarMap, Shape};
 
-/// How many places there are in each direction: few, so that much meets.
+/// The number of places in each direction: few, so that much meets.
 const SIDE: u8 = 7;
 
 /// Not `map::program`: the model knows points and no keys, so an edit must say where and not by the number of a record.
@@ -97,7 +97,7 @@ impl Run {
         assert_eq!(self.shadow, Shadow::of(&self.map), "{edit:?}");
     }
 
-    /// Whether an edit may be done, and how it must be refused if not. Changes the model if it may.
+    /// Returns the refusal that an edit must meet, if any. Changes the model if the edit may be done.
     fn expected(&mut self, edit: &Edit) -> Result<(), fn(&EditError) -> bool> {
         match edit {
             Edit::Point(p) => self.model.insert_point(*p),
@@ -149,7 +149,7 @@ impl Run {
         Ok(())
     }
 
-    /// What came of an edit; nothing if there was nothing to do it to.
+    /// Returns the result of an edit; nothing if there was nothing to do it to.
     fn apply(&mut self, edit: &Edit) -> Option<Result<Edited, EditError>> {
         let map = &mut self.map;
         Some(match edit {

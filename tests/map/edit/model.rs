@@ -44,7 +44,7 @@ impl Model {
         self.vertices.remove(&p);
     }
 
-    /// Whether a vertex can go straight to another point with nothing in the way of it and of its edges, which are looked
+    /// Returns true if a vertex can go straight to another point with nothing in the way of it and of its edges, which are looked
     /// for in the whole map.
     pub(crate) fn way_is_free(&self, from: Grid, to: Grid) -> bool {
         let stars: Vec<Grid> =
@@ -68,7 +68,7 @@ fn other_end([a, b]: &[Grid; 2], end: Grid) -> Grid {
     if *a == end { *b } else { *a }
 }
 
-/// Whether p lies in the closed triangle, which may be flat: whether it cuts it into three of no more area in all.
+/// Returns true if p lies in the closed triangle, which may be flat: it cuts it into three of no more area in all.
 fn in_triangle(p: Grid, a: Grid, b: Grid, c: Grid) -> bool {
     let whole = area(a, b, c).abs();
     let parts = area(a, b, p).abs() + area(b, c, p).abs() + area(c, a, p).abs();

@@ -101,7 +101,7 @@ fn law(rings: Vec<Vec<Quarter>>, points: Vec<Quarter>, segments: Vec<(Quarter, Q
     }
     drawing.points.extend(points.iter().take(6).map(|q| q.point(side)));
     drawing.node();
-    // What collapsed encloses nothing, and is no ring for the builder.
+    // A collapsed ring encloses nothing, and is no ring for the builder.
     drawing.rings.retain(|ring| ring.len() > 3);
     let rings = drawing.rings.len();
     let mut map = drawing.build();

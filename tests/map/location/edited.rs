@@ -14,7 +14,7 @@ fn ask(map: &PlanarMap, mut last: Located, from: Point, to: Point) -> Located {
     for p in [from, to] {
         let there = plain.locate(whole(p), 1);
         assert_eq!(locator.locate(p), Ok(there), "{p:?}");
-        // What was found before may be gone by now.
+        // The last place may have been removed by now.
         let found = match map.locate_from(p, last) {
             Err(LocateError::Stale(_)) => map.locate_from(p, map.dcel().unbounded_face().key()),
             found => found,

@@ -1,11 +1,11 @@
-//! What lines meet.
+//! Zones of lines.
 
 use crate::location::maps::{Drawing, Random, point, quickcheck, world, world_110m};
 use crate::support::oracle::Plain;
 use twinedge::geometry::Point;
 use twinedge::map::{Builder, LocateError, Locator, PlanarMap, QueryLine, Shape, ZoneElement};
 
-/// Where queries begin and end: on the grid of the vertices more often than not.
+/// Returns an end for a query: on the grid of the vertices more often than not.
 fn place(x: u8, y: u8) -> Point {
     let on_grid = |c: u8| {
         let c = i32::from(c) % (2 * Drawing::SIDE);
@@ -70,7 +70,7 @@ fn walks_through(drawing: Drawing, queries: Vec<(usize, u8, u8, u8, u8)>) -> boo
                 ZoneElement::Vertex(v) => ends.contains(v),
                 _ => false,
             });
-            // What begins or ends inside an edge and runs along it meets it in no point but by its ends.
+            // A segment that begins or ends inside an edge and runs along it meets it in no point but by its ends.
             let along = expected
                 .iter()
                 .any(|met| *met == ZoneElement::Along(h.key()) || *met == ZoneElement::Along(h.twin().key()));
@@ -87,7 +87,7 @@ fn the_walk_both_ways_agrees_with_the_oracle() {
     quickcheck(1500, walks_through as fn(Drawing, Vec<(usize, u8, u8, u8, u8)>) -> bool);
 }
 
-/// What is met the other way round.
+/// Returns the elements met, for the opposite direction.
 fn turned(map: &PlanarMap, met: &[ZoneElement]) -> Vec<ZoneElement> {
     let twin = |h| map.dcel().half_edge(h).unwrap().twin().key();
     let turn = |met: &ZoneElement| match *met {

@@ -1,4 +1,4 @@
-//! Where points lie and what lines meet: against an oracle that asks everything, on hostile families, and on real maps.
+//! Location of points and zones of lines: against an oracle that asks everything, on hostile families, and on real maps.
 
 mod edited;
 mod families;

@@ -1,4 +1,4 @@
-//! Where points lie.
+//! Location of points.
 
 use crate::location::maps::{Drawing, Random, point, quickcheck, world, world_110m};
 use crate::support::oracle::{Plain, whole};
@@ -42,7 +42,7 @@ fn walks(drawing: Drawing, queries: Vec<(u8, u8, usize)>) -> bool {
     })
 }
 
-/// Whether both are the same, but perhaps for which half-edge names an edge.
+/// Returns true if both are the same, except for the choice of the half-edge that names an edge.
 pub(crate) fn same_edge(map: &PlanarMap, a: Located, b: Located) -> bool {
     match (a, b) {
         (Located::Edge(h), Located::Edge(g)) => h == g || map.dcel().half_edge(h).unwrap().twin().key() == g,

@@ -9,9 +9,9 @@ use std::process::{Child, Command, Stdio};
 use std::sync::mpsc::{Receiver, RecvTimeoutError, channel};
 use std::time::Duration;
 
-/// How long a program may take. They take milliseconds.
+/// The time that a program may take. They take milliseconds.
 const PATIENCE: Duration = Duration::from_secs(5);
-/// How much memory the child may have, in KiB, where the shell can limit it.
+/// The memory that the child may have, in KiB, where the shell can limit it.
 const MEMORY: &str = "4000000";
 
 /// A child process that runs programs of one crate.
@@ -28,7 +28,7 @@ impl Judge {
         Self { entry, executable, child: None }
     }
 
-    /// What the program finds.
+    /// Runs a program in the child process, and returns its verdict.
     ///
     /// # Errors
     /// If no child can be started.

@@ -1,9 +1,9 @@
-//! What an audited crate supplies.
+//! The interface of an audited crate.
 
 use crate::program::Operator;
 use twinedge::validate::Report;
 
-/// What became of a call.
+/// The result of a call.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Applied {
     /// It was made, and it returned.
@@ -25,10 +25,10 @@ pub trait Peer {
     /// Calls the operator, unless its documented preconditions do not hold.
     fn apply(&mut self, operator: &str, arguments: &[u32]) -> Applied;
 
-    /// What the rules say of the structure.
+    /// Returns the report of the validator on the structure.
     fn report(&self) -> Report;
 
-    /// What the crate's own check says of the structure, if it has a public one.
+    /// Returns the verdict of the crate's own check on the structure, if it has a public one.
     fn own_check(&self) -> Option<bool> {
         None
     }

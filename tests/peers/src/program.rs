@@ -8,11 +8,11 @@ use std::fmt::Write;
 pub struct Operator {
     /// Its name in programs.
     pub name: &'static str,
-    /// How many numbers it takes.
+    /// The number of arguments, which are numbers.
     pub arguments: usize,
-    /// How often it is drawn, in proportion to the other weights.
+    /// The frequency with which it is drawn, in proportion to the other weights.
     pub weight: u32,
-    /// Whether the numbers are places in lists of records, which move down when the record before them is not made.
+    /// True if the numbers are places in lists of records, which move down when the record before them is not made.
     pub places: bool,
 }
 

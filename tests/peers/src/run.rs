@@ -7,16 +7,16 @@ use std::panic::{AssertUnwindSafe, catch_unwind};
 use std::sync::Once;
 use twinedge::validate::Report;
 
-/// What a program found.
+/// The result of a program.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub enum Verdict {
     /// Nothing: every step left a structure that keeps the rules.
     Sound {
-        /// How many calls were made and returned.
+        /// The number of calls that were made and returned.
         done: usize,
-        /// How many calls returned an error.
+        /// The number of calls that returned an error.
         refused: usize,
-        /// How many calls were not made.
+        /// The number of calls that were not made.
         skipped: usize,
     },
     /// Something.
@@ -28,7 +28,7 @@ pub enum Verdict {
 pub struct Finding {
     /// The operator that was called last.
     pub operator: String,
-    /// What it did, in words that are the same for the same cause: `breaks L3`, `panics at src/cdt.rs:120`.
+    /// The effect, in words that are the same for the same cause: `breaks L3`, `panics at src/cdt.rs:120`.
     pub what: String,
     /// The violation or the message.
     pub detail: String,
@@ -83,7 +83,7 @@ pub fn first_broken(report: &Report) -> Option<(String, String)> {
     Some((violation.rule().to_string().split(' ').next().unwrap_or_default().to_owned(), violation.to_string()))
 }
 
-/// What the closure returns, or the place and the message of its panic.
+/// Returns the result of the closure, or the place and the message of its panic.
 ///
 /// # Errors
 /// If the closure panics.

@@ -8,14 +8,14 @@ use crate::shrink::shrink;
 use std::collections::BTreeMap;
 use std::path::PathBuf;
 
-/// What to search.
+/// The options of a search.
 #[derive(Clone, Debug)]
 pub struct Search {
     /// The crate.
     pub entry: Entry,
-    /// How many programs.
+    /// The number of programs.
     pub programs: u64,
-    /// Which ones: the same seed gives the same programs.
+    /// The seed of the programs: the same seed gives the same programs.
     pub seed: u64,
     /// Programs have up to so many steps.
     pub steps: usize,
@@ -25,21 +25,21 @@ pub struct Search {
     pub executable: PathBuf,
 }
 
-/// What one cause did.
+/// The findings with one cause.
 #[derive(Clone, Debug)]
 pub struct Found {
     /// In how many programs it was the first thing found.
     pub programs: u64,
     /// The shortest program.
     pub shortest: Program,
-    /// What the shortest program finds.
+    /// The finding of the shortest program.
     pub finding: Finding,
 }
 
 /// The outcome of a search.
 #[derive(Clone, Debug, Default)]
 pub struct Outcome {
-    /// What was found, by [signature](Finding::signature).
+    /// The findings, by [signature](Finding::signature).
     pub found: BTreeMap<String, Found>,
     /// Calls made that returned, in the programs in which nothing was found.
     pub done: usize,

@@ -29,7 +29,7 @@ fn programs_are_read_as_they_are_written() {
     assert_eq!(Program::parse(" ", operators), Ok(Program::default()));
 }
 
-/// What is kept for: a call of `use` with the place of the third record. Two records and their calls are not needed.
+/// The shrunk program keeps a call of `use` with the place of the third record. Two records and their calls are not needed.
 #[test]
 fn programs_shrink_to_what_matters() {
     let operators = [Operator::with_values("make", 1, 1), Operator::on_records("use", 1, 1)];

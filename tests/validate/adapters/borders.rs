@@ -59,7 +59,7 @@ fn the_cycle_of_a_face_is_no_border() {
     }
     let report = validate(&Borders::of(&without).unwrap(), &MESH.open(), Collect::All);
     assert_eq!(report.broken_rules().next(), Some(Rule::R1), "{report}");
-    // Where they name none, they are.
+    // They are, if they name no face.
     without.half_edges.iter_mut().flatten().filter(|row| row.next.is_none()).for_each(|row| row.face = None);
     without.faces.pop();
     assert_eq!(first_broken_rule(&Borders::of(&without).unwrap(), &MESH.open()), None);

@@ -44,7 +44,7 @@ impl View for WithTombstones {
     }
 }
 
-/// What a structure still answers of half-edges that it has deleted does not count.
+/// The answers of a structure about half-edges that it has deleted do not count.
 #[test]
 fn adapters_do_not_read_tombstones() {
     let judge = |view: &dyn View, expectation: &Expectation| {

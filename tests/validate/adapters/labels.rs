@@ -53,7 +53,7 @@ fn holes_follow_from_labels() {
     assert_eq!((view.inner_count(3), view.inner_count(usize::MAX), view.inner_start(0, 9)), (0, 0, None));
 }
 
-/// How many nodes these edges connect with the first.
+/// Returns the number of nodes that these edges connect with the first.
 fn reached(edges: &[(usize, usize)]) -> usize {
     let mut reached = BTreeSet::from([0]);
     while let Some((a, b)) = edges.iter().find(|(a, b)| reached.contains(a) != reached.contains(b)) {
@@ -93,7 +93,7 @@ fn labels_that_cannot_nest_are_refused() {
         accepted[0] += usize::from(is_tree);
         // Without a record of the unbounded face the tree hangs from a component.
         assert_eq!(judge(None), is_tree);
-        // Where one half-edge is outside everything, or is not there, the three other faces are bounded.
+        // If one half-edge is outside everything, or is not there, the three other faces are bounded.
         table.faces.pop();
         for outside in [1, 3, 5] {
             let labels_live = (0..6).all(|h| h == outside || label(h) < 3);

@@ -18,7 +18,7 @@ use twinedge::validate::{Collect, Expectation, HalfEdgeRow, Link, Report, Table,
 /// A stored link, and the number of records of the kind that it leads to.
 type Stored<'a> = (&'a mut Link, usize);
 
-/// How many changes of one stored link there were, and how many of them both verdicts accept.
+/// The number of changes of one stored link, and the number of those that both verdicts accept.
 #[derive(Debug, PartialEq, Eq)]
 struct Changes {
     all: usize,

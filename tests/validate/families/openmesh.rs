@@ -83,7 +83,7 @@ fn table(mesh: &OpenMesh) -> Table {
         row.face = half_edge.face;
         Some(row)
     };
-    // What leaves a vertex arrives in the mirror.
+    // A half-edge that leaves a vertex arrives in the mirror.
     let leaving = |h: &Link| Some(VertexRow { leaving: other_side(*h, n), isolated: None });
     let face = |h: &Link| Some(FaceRow { outer_half_edge: *h, ..FaceRow::default() });
     Table {

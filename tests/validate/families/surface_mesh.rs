@@ -85,7 +85,7 @@ fn table(mesh: &SurfaceMesh) -> Table {
     let face = |h: &Link| Some(FaceRow { outer_half_edge: *h, ..FaceRow::default() });
     Table {
         parts: TEXTBOOK,
-        // What arrives at a vertex leaves it in the mirror.
+        // A half-edge that arrives at a vertex leaves it in the mirror.
         vertices: mesh.arriving.iter().map(|h| Some(VertexRow { leaving: *h, isolated: None })).collect(),
         half_edges: mesh.half_edges.iter().enumerate().map(row).collect(),
         faces: mesh.faces.iter().map(face).collect(),

@@ -5,7 +5,7 @@ use crate::geometry::noding::pixel::Block;
 /// A part without anything to look for.
 const NOWHERE: usize = usize::MAX;
 
-/// How much lies in a part of a block.
+/// The number of segments and vertices in a part of a block, and a box around the segments.
 #[derive(Clone, Copy)]
 pub(super) struct Content {
     pub(super) segments: usize,
@@ -17,7 +17,7 @@ pub(super) struct Content {
 /// Nothing, and a block that is no larger than any other.
 const EMPTY: Content = Content { segments: 0, vertices: 0, around: Block { low: [i64::MAX; 2], high: [i64::MIN; 2] } };
 
-/// What lies in which part. The memory is kept from block to block.
+/// The contents of each part. The memory is kept from block to block.
 #[derive(Default)]
 pub(super) struct Filing {
     contents: Vec<Content>,
@@ -26,7 +26,7 @@ pub(super) struct Filing {
     vertices: Vec<[u32; 2]>,
 }
 
-/// What was filed under a part, at the top of the two pools.
+/// The contents filed under a part, at the top of the two pools.
 pub(super) struct PartFiling {
     pub(super) part: usize,
     pub(super) content: Content,

@@ -1,4 +1,4 @@
-//! Where a search changes its way, and where it ends.
+//! Limits at which a search changes its method, or ends.
 
 use crate::geometry::noding::input::NodingError;
 use core::sync::atomic::{AtomicUsize, Ordering};
@@ -8,12 +8,12 @@ pub(super) const fn limit(usual: usize, in_tests: usize) -> usize {
     if cfg!(test) { in_tests } else { usual }
 }
 
-/// How many visits may be found, by all searches that run at once.
+/// The number of visits allowed, for all searches that run at once.
 pub(super) struct Budget<'a> {
     pub(super) most: usize,
     /// Those that were counted.
     pub(super) visits: &'a AtomicUsize,
-    /// How many of them are of this search.
+    /// The number of visits counted by this search.
     pub(super) counted: usize,
 }
 

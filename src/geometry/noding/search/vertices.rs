@@ -6,7 +6,7 @@ use core::ops::Index;
 pub(super) struct Vertices<'a> {
     given: &'a [Pixel],
     added: Vec<Pixel>,
-    /// How many there were when this search began.
+    /// The number of vertices when this search began.
     before: usize,
 }
 

@@ -49,7 +49,7 @@ impl<'a> DcelView<'a> {
         Self { dcel, inner }
     }
 
-    /// What the rules say of it.
+    /// Returns the report of the validator.
     #[must_use]
     pub fn report(&self) -> Report {
         validate(self, &Expectation::plane(), Collect::All)
@@ -133,17 +133,17 @@ impl Peer {
         (self.dcel.source(from) != self.dcel.source(to)).then_some((from, to))
     }
 
-    /// Whether an edge between the two would lie beside one of the same cycle.
+    /// Returns true if an edge between the two would lie beside one of the same cycle.
     fn beside(&self, from: HalfEdgeId, to: HalfEdgeId) -> bool {
         self.dcel.next(from) == to || self.dcel.next(to) == from
     }
 
-    /// How many half-edges leave the vertex.
+    /// Returns the number of half-edges that leave the vertex.
     fn degree(&self, v: VertexId) -> usize {
         self.dcel.half_edges().indices().filter(|h| self.dcel.source(HalfEdgeId::new(*h)) == v).count()
     }
 
-    /// Whether no half-edge that leaves the vertex bounds the unbounded face.
+    /// Returns true if no half-edge that leaves the vertex bounds the unbounded face.
     fn is_inner(&self, v: VertexId) -> bool {
         let mut spokes = self.dcel.half_edges().indices().map(HalfEdgeId::new).filter(|h| self.dcel.source(*h) == v);
         spokes.all(|h| self.dcel.incident_face(h) != self.dcel.unbounded_face())

@@ -58,7 +58,7 @@ fn numbers<I: Eq + Hash>(ids: impl Iterator<Item = I>) -> HashMap<I, usize> {
     ids.zip(0..).collect()
 }
 
-/// What the rules say of the mesh.
+/// Returns the report of the validator on the mesh.
 #[must_use]
 pub fn report(mesh: &MeshStorage) -> Report {
     validate(&table(mesh), &Expectation::surface().open(), Collect::All)
@@ -88,7 +88,7 @@ impl Peer {
         Some(faces[(i as usize).checked_rem(faces.len())?])
     }
 
-    /// Whether the face may be added to an oriented manifold with at most one fan at each vertex: its sides are new, or
+    /// Returns true if the face may be added to an oriented manifold with at most one fan at each vertex: its sides are new, or
     /// sides of a border; and at each corner that is in use at least one of its sides is.
     fn may_add(&self, face: [VertexId; 3]) -> bool {
         let (mut border, mut taken) = (HashSet::new(), HashSet::new());

@@ -62,7 +62,7 @@ fn numbers<I: Eq + Hash>(ids: impl Iterator<Item = I>) -> HashMap<I, usize> {
     ids.zip(0..).collect()
 }
 
-/// What the rules say of the graph.
+/// Returns the report of the validator on the graph.
 #[must_use]
 pub fn report(graph: &Graph) -> Report {
     validate(&table(graph), &Expectation::surface().open(), Collect::All)

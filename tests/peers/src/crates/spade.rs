@@ -42,7 +42,7 @@ impl<'a> CdtView<'a> {
         Some(edge.fix().index())
     }
 
-    /// What the rules say of it: first of the links, and then of the coordinates.
+    /// Returns the report of the validator: first on the links, and then on the coordinates.
     #[must_use]
     pub fn report(&self) -> Report {
         let expectation = Expectation::plane();

@@ -30,7 +30,7 @@ impl<'a> MeshView<'a> {
         }
     }
 
-    /// What the rules say of it.
+    /// Returns the report of the validator.
     #[must_use]
     pub fn report(&self) -> Report {
         validate(self, &Expectation::surface().open(), Collect::All)
@@ -107,7 +107,7 @@ impl Peer {
         Some(faces[(i as usize).checked_rem(faces.len())?])
     }
 
-    /// Whether the face may be added to an oriented manifold with at most one fan at each vertex: its sides are new, or
+    /// Returns true if the face may be added to an oriented manifold with at most one fan at each vertex: its sides are new, or
     /// sides of a border; and at each corner that is in use at least one of its sides is.
     fn may_add(&self, face: [VertexID; 3]) -> bool {
         let border = self.mesh.halfedge_iter().filter(|h| self.mesh.walker_from_halfedge(*h).face_id().is_none());

@@ -29,7 +29,7 @@ fn face(graph: &Graph, n: usize) -> FaceKey {
     graph.faces().nth(n).unwrap().key()
 }
 
-/// Whether `previous_arc` of `next_arc` leads elsewhere for some arc.
+/// Returns true if `previous_arc` of `next_arc` leads elsewhere for some arc.
 fn next_and_previous_disagree(graph: &Graph) -> bool {
     graph.arcs().any(|arc| arc.next_arc().previous_arc().key() != arc.key())
 }
