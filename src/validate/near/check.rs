@@ -242,7 +242,7 @@ impl<V: View + ?Sized> Check<'_, V> {
         self.written.listed.iter().try_for_each(|(f, i)| entry(now, *f, *i))?;
         for position in 0..diff.faces.len() {
             let f = diff.faces.index(position);
-            // What a face listed that is vacant now must be listed elsewhere, or be no more.
+            // Whatever a face listed that is vacant now must be listed elsewhere, or be no more.
             let (named, row) = (diff.faces.after(f).inner, now.face(f)?);
             let is_outer = |b: usize| now.label(b).is_some_and(|row| row.face as usize == f && row.place == OUTER);
             if row.inner != named || !index(row.outer).is_none_or(is_outer) {
