@@ -70,7 +70,7 @@ impl Records {
     }
 }
 
-/// Which records are there after an operator and were not before, or the other way round.
+/// The records that are there after an operator and were not before, or the other way round.
 #[derive(Debug, Default, PartialEq, Eq)]
 struct Changes {
     vertices: Vec<VertexKey>,
@@ -80,7 +80,7 @@ struct Changes {
 }
 
 impl Changes {
-    /// What the one has and the other has not.
+    /// The records that the one has and the other has not.
     fn between(one: &Records, other: &Records) -> Self {
         let has_not = |b: &&BoundaryKey| !other.boundaries.contains_key(*b);
         Self {
@@ -92,7 +92,7 @@ impl Changes {
     }
 }
 
-/// What an operator changed.
+/// The changes that an operator made.
 struct Changed {
     before: Records,
     after: Records,

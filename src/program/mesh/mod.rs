@@ -42,7 +42,7 @@ use crate::dcel::{Corner, Side, Turn};
 use alloc::vec;
 use alloc::vec::Vec;
 
-/// Whether what lies to the left of a half-edge is a face, and not outside. Where there are no faces, only what has no `next` is
+/// Tells whether what lies to the left of a half-edge is a face, and not outside. Where there are no faces, only what has no `next` is
 /// outside.
 pub(super) fn is_inside<K: Subject>(subject: &K, h: K::HalfEdge) -> Result<bool, Refusal> {
     match subject.face_of(Corner::At(h)) {
@@ -126,7 +126,7 @@ fn before_on_border<K: Subject>(subject: &K, h: K::HalfEdge) -> Result<K::Vertex
     }
 }
 
-/// Whether the links of the two ends have nothing in common but the vertices opposite.
+/// Tells whether the links of the two ends have nothing in common but the vertices opposite.
 fn link_condition<K: Subject>(subject: &K, h: K::HalfEdge, sides: &Sides<K::HalfEdge>) -> Result<bool, Refusal> {
     let twin = subject.twin_of(h)?;
     if subject.origin_of(h)? == subject.origin_of(twin)? {

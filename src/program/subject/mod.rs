@@ -1,4 +1,4 @@
-//! What a structure implements to be driven by programs: its handles, a few questions, and the operators.
+//! The trait of a structure that programs drive: its handles, a few questions, and the operators.
 
 mod audited;
 #[doc(hidden)]

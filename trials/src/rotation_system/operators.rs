@@ -1,4 +1,4 @@
-//! What programs drive.
+//! The operators of the model.
 
 use super::{HalfEdge, ModelCorner, RotationSystem, UNBOUNDED};
 use twinedge::dcel::{Corner, Side, Turn};
