@@ -37,6 +37,22 @@ mod named;
 
 pub use named::Named;
 
+/// Writes the operators of triangle meshes of a [`Subject`](crate::program::Subject) that has the basic ones: each by its steps. It
+/// stands inside `impl Subject for …`.
+#[macro_export]
+macro_rules! mesh_operators_by_steps {
+    () => {
+        $crate::mesh_operators_by_steps!(@write
+            mesh_flip_edge flip_edge, mesh_split_edge split_edge, mesh_split_face split_face, mesh_collapse_edge collapse_edge
+        );
+    };
+    (@write $($name:ident $steps:ident),*) => {
+        $(fn $name(&mut self, half_edge: Self::HalfEdge) -> Result<(), $crate::program::Refusal> {
+            $crate::program::mesh::$steps(self, half_edge)
+        })*
+    };
+}
+
 use super::subject::{Refusal, Subject};
 use crate::dcel::{Corner, Side, Turn};
 use alloc::vec;
