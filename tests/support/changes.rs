@@ -1,24 +1,24 @@
-//! The records that a change has touched.
+//! The records that a change has written.
 
 use twinedge::validate::Table;
-use twinedge::validate::near::Touched;
+use twinedge::validate::near::WriteSet;
 use twinedge_trials::enumerate::Cell;
 
 /// The record that has the cell.
-pub(crate) fn touch(touched: &mut Touched, cell: Cell) {
+pub(crate) fn note(written: &mut WriteSet, cell: Cell) {
     match cell {
         Cell::Origin(h) | Cell::Twin(h) | Cell::Next(h) | Cell::Prev(h) | Cell::Boundary(h) | Cell::Face(h) => {
-            touched.half_edges.push(h);
+            written.half_edges.push(h);
         }
-        Cell::Leaving(v) | Cell::Isolated(v) => touched.vertices.push(v),
-        Cell::BoundaryFace(b) | Cell::BoundaryStart(b) | Cell::BoundaryPlace(b) => touched.boundaries.push(b),
-        Cell::Outer(f) | Cell::OuterHalfEdge(f) | Cell::InnerStart(f, _) => touched.faces.push(f),
-        Cell::Inner(f, i) => touched.listed.push((f, i)),
+        Cell::Leaving(v) | Cell::Isolated(v) => written.vertices.push(v),
+        Cell::BoundaryFace(b) | Cell::BoundaryStart(b) | Cell::BoundaryPlace(b) => written.boundaries.push(b),
+        Cell::Outer(f) | Cell::OuterHalfEdge(f) | Cell::InnerStart(f, _) => written.faces.push(f),
+        Cell::Inner(f, i) => written.listed.push((f, i)),
     }
 }
 
 /// All records that differ.
-pub(crate) fn difference(before: &Table, after: &Table) -> Touched {
+pub(crate) fn difference(before: &Table, after: &Table) -> WriteSet {
     fn rows<R: PartialEq>(before: &[Option<R>], after: &[Option<R>]) -> Vec<usize> {
         let row = |rows: &[Option<R>], i: usize| -> Option<usize> { rows.get(i)?.as_ref().map(|_| i) };
         let differ = |i: &usize| {
@@ -37,7 +37,7 @@ pub(crate) fn difference(before: &Table, after: &Table) -> Touched {
         let (before, after) = (list(before, *f), list(after, *f));
         listed.extend((0..before.len().max(after.len())).filter(|i| before.get(*i) != after.get(*i)).map(|i| (*f, i)));
     }
-    Touched {
+    WriteSet {
         vertices: rows(&before.vertices, &after.vertices),
         half_edges: rows(&before.half_edges, &after.half_edges),
         boundaries: rows(&before.boundaries, &after.boundaries),

@@ -1,14 +1,24 @@
-//! The links as they were when the structure was last found right, in columns of 32-bit numbers.
+//! The links of records, as rows of 32-bit numbers, and their reader.
 
-use super::column::{Column, Row};
+use super::column::Row;
 use crate::validate::columns::NIL;
 use crate::validate::expectation::Expectation;
 use crate::validate::structure::{BoundaryPlace, Part, Parts, Start, View};
 
-/// What a vacant slot has in its first column.
+/// The first number of a vacant row.
 pub(super) const VACANT: u32 = NIL - 1;
 /// The place of an outer boundary component.
 pub(super) const OUTER: u32 = NIL;
+
+/// The link in a column, unless it is nil.
+pub(super) fn index(link: u32) -> Option<usize> {
+    (link < VACANT).then_some(link as usize)
+}
+
+/// A link for a column.
+pub(super) fn link(index: Option<usize>) -> u32 {
+    index.map_or(NIL, |i| i as u32)
+}
 
 /// The links of a half-edge. Its *label* is its boundary component, or its face where there are no boundary components.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -24,12 +34,6 @@ impl Row for HalfEdge {
     const VACANT: Self = Self { origin: VACANT, twin: NIL, next: NIL, prev: NIL, label: NIL };
 }
 
-impl HalfEdge {
-    pub(super) const fn is_live(&self) -> bool {
-        self.origin != VACANT
-    }
-}
-
 /// A vertex: a half-edge that leaves it, or nil.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(super) struct Vertex {
@@ -41,13 +45,7 @@ impl Row for Vertex {
     const VACANT: Self = Self { leaving: VACANT, isolated: NIL };
 }
 
-impl Vertex {
-    pub(super) const fn is_live(self) -> bool {
-        self.leaving != VACANT
-    }
-}
-
-/// What a label stands for: where it starts, and the face and the place where it is listed. Without records for boundary
+/// The boundary component or face of a label: where it starts, and the face and the place where it is listed. Without records for boundary
 /// components it is a face, and only the start counts.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(super) struct Label {
@@ -64,15 +62,10 @@ impl Row for Label {
 
 impl Label {
     fn new(start: Start, face: u32, place: u32) -> Self {
-        let (starts_at, is_vertex) = match start {
-            Start::HalfEdge(h) => (h as u32, false),
-            Start::Vertex(v) => (v as u32, true),
-        };
-        Self { starts_at, is_vertex, face, place }
-    }
-
-    pub(super) const fn is_live(&self) -> bool {
-        self.face != VACANT
+        match start {
+            Start::HalfEdge(h) => Self { starts_at: h as u32, is_vertex: false, face, place },
+            Start::Vertex(v) => Self { starts_at: v as u32, is_vertex: true, face, place },
+        }
     }
     pub(super) const fn start(&self) -> Start {
         let at = self.starts_at as usize;
@@ -99,52 +92,8 @@ impl Row for Face {
     const VACANT: Self = Self { outer: VACANT, inner: 0 };
 }
 
-impl Face {
-    pub(super) const fn is_live(self) -> bool {
-        self.outer != VACANT
-    }
-}
-
-/// All links.
-#[derive(Clone, Debug, Default)]
-pub(super) struct Mirror {
-    pub(super) half_edges: Column<HalfEdge>,
-    pub(super) vertices: Column<Vertex>,
-    pub(super) labels: Column<Label>,
-    pub(super) faces: Column<Face>,
-}
-
-impl Mirror {
-    pub(super) fn half_edge(&self, h: usize) -> HalfEdge {
-        self.half_edges.get(h)
-    }
-    pub(super) fn vertex(&self, v: usize) -> Vertex {
-        self.vertices.get(v)
-    }
-    pub(super) fn label(&self, b: usize) -> Label {
-        self.labels.get(b)
-    }
-    pub(super) fn face(&self, f: usize) -> Face {
-        self.faces.get(f)
-    }
-    /// The half-edge that follows clockwise in the rotation.
-    pub(super) fn turned(&self, h: usize) -> usize {
-        self.half_edge(self.half_edge(h).twin as usize).next as usize
-    }
-
-    /// Makes all columns as long as there are slots.
-    pub(super) fn fit<V: View + ?Sized>(&mut self, now: &Now<'_, V>) {
-        self.half_edges.fit(now.half_edges);
-        self.vertices.fit(now.vertices);
-        self.labels.fit(now.labels);
-        if now.has(Part::BoundaryComponents) {
-            self.faces.fit(now.faces);
-        }
-    }
-}
-
-/// A structure as it is now: a view, its numbers of slots, and what it has.
-pub(super) struct Now<'a, V: ?Sized> {
+/// Reads the links of a structure as it is now: a view, its numbers of slots, and what it has.
+pub(super) struct LinkReader<'a, V: ?Sized> {
     pub(super) view: &'a V,
     pub(super) expect: Expectation,
     parts: Parts,
@@ -154,7 +103,7 @@ pub(super) struct Now<'a, V: ?Sized> {
     pub(super) faces: usize,
 }
 
-impl<'a, V: View + ?Sized> Now<'a, V> {
+impl<'a, V: View + ?Sized> LinkReader<'a, V> {
     /// Nothing if there are more slots than can be numbered.
     pub(super) fn new(view: &'a V, expect: Expectation) -> Option<Self> {
         let (vertices, half_edges) = (view.vertex_slots(), view.half_edge_slots());
@@ -200,7 +149,13 @@ impl<'a, V: View + ?Sized> Now<'a, V> {
         if self.has(Part::BoundaryComponents) { self.view.boundary(h) } else { self.view.face(h) }
     }
 
-    /// Where a live label starts.
+    /// The boundary component that an isolated vertex names. A vacant slot is not asked.
+    pub(super) fn isolated(&self, v: usize) -> Option<usize> {
+        let names = self.has(Part::BoundaryComponents) && self.has(Part::Holes) && self.is_vertex(v);
+        if names { self.view.isolated(v) } else { None }
+    }
+
+    /// The start of a live label.
     pub(super) fn start(&self, b: usize) -> Option<Start> {
         if self.has(Part::BoundaryComponents) {
             self.view.boundary_start(b)

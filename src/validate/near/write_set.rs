@@ -1,14 +1,14 @@
-//! Which records have changed.
+//! The records that a change has written.
 
 use alloc::vec::Vec;
 
-/// The records that were added, removed, or had a link changed since the structure was last found right, by index. A vertex
-/// that lies elsewhere counts as changed, and so does a half-edge whose bends are others.
+/// The write set of a change, by index: all records that were added, removed, or had a link changed since the structure was last
+/// found right. A vertex that lies elsewhere is among them, and so is a half-edge whose bends are others.
 ///
 /// An index may occur several times. A record that is named without having changed costs time and does no harm. If one that has
 /// changed is missing, the answer of [`validate_near`](super::validate_near) means nothing.
 #[derive(Clone, Debug, Default, PartialEq, Eq)]
-pub struct Touched {
+pub struct WriteSet {
     /// Vertices.
     pub vertices: Vec<usize>,
     /// Half-edges.
@@ -21,7 +21,7 @@ pub struct Touched {
     pub listed: Vec<(usize, usize)>,
 }
 
-impl Touched {
+impl WriteSet {
     /// Forgets all of them. Keeps the memory.
     pub fn clear(&mut self) {
         self.vertices.clear();
@@ -31,7 +31,7 @@ impl Touched {
         self.listed.clear();
     }
 
-    /// Whether there are none.
+    /// Returns true if there are none.
     #[must_use]
     pub fn is_empty(&self) -> bool {
         let Self { vertices, half_edges, boundaries, faces, listed } = self;
