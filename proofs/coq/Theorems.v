@@ -2,11 +2,12 @@
 
     Each is stated here once more, word for word, and Coq checks that it was proved as stated. *)
 
+From Coq Require Import ZArith.
 From mathcomp Require Import all_ssreflect all_fingroup.
 From twinedge Require Import View Rules Reference Drawing Euler Subdivision Verdict FastPath.
 From twinedge Require Import FastPathComponents FastPathProof Labels LabelsSound LabelsComplete Columns Certified AddVertex.
 From twinedge Require Import RemoveVertex MoveInner Renaming Connect ConnectIsolated ConnectBridge ConnectSplit.
-From twinedge Require Import ConnectLoop SplitEdge.
+From twinedge Require Import ConnectLoop SplitEdge Orientation Triangulation Plane.
 Set Implicit Arguments.
 Unset Strict Implicit.
 Unset Printing Implicit Defensive.
@@ -146,3 +147,21 @@ Check loop_at_isolated_keeps_rules : forall t v h k f g kept made made_left new_
 Check split_edge_keeps_rules : forall t e v h k, half_edge t e ->
   ~~ vertex t v -> ~~ half_edge t h -> ~~ half_edge t k -> h != k ->
   rules t -> rules (split_edge t e v h k).
+
+(** Positive triangles inside a negative one are drawn without crossings: at every rational point p / k. *)
+
+Check triangulation_is_plane : forall (dart : finType) (twin next : dart -> dart) (inner : pred dart) (pt : dart -> point),
+  triangulation twin next inner pt -> forall k, (0 < k)%Z -> let at_scale d := scaled k (pt d) in
+  [/\ forall p d e, on_edge next at_scale p d -> on_edge next at_scale p e -> e = d \/ e = twin d,
+      forall x e, ~ on_edge next at_scale (at_scale x) e,
+      forall x y, at_scale x = at_scale y <-> fconnect (Plane.turn twin next) x y,
+      forall p d e, inner d -> inner e -> in_triangle next at_scale p d -> in_triangle next at_scale p e ->
+        e \in [:: d; next d; next (next d)]
+    & forall p o, ~~ inner o -> (in_outer next inner at_scale p -> exists2 d, inner d & in_closed_triangle next at_scale p d) /\
+        (forall d, inner d -> in_triangle next at_scale p d -> (orient (at_scale o) (at_scale (next o)) p <= 0)%Z)].
+
+(** And around each vertex the darts are in angular order. *)
+
+Check angular_order : forall (dart : finType) (twin next : dart -> dart) (inner : pred dart) (pt : dart -> point),
+  triangulation twin next inner pt -> forall x y, inner x -> pt x = pt y ->
+  ~ ((0 < cross (edge next pt x) (edge next pt y))%Z /\ (0 < cross (edge next pt y) (edge next pt (Plane.turn twin next x)))%Z).
