@@ -1,19 +1,22 @@
 //! The rules of a coverage, C1 … C6, in the report of `audit` and as the answer of `query coverage`.
 
 use crate::coverage_words::explanation;
+use crate::diagnosis_text::{size, write, write_explanations};
 use crate::input::Imported;
+use crate::names::named;
 use crate::output::style::{BAD, GOOD, QUIET};
-use crate::output::{counted, grouped, measure, place, plain};
+use crate::output::{counted, grouped, measure, plain};
 use crate::progress::busy;
-use crate::query::label;
 use crate::status::Failure;
-use crate::trace::Trace;
+use crate::trace::{of_finding, position};
 use crate::units::Units;
 use serde::Serialize;
 use std::fmt::Write as _;
 use twinedge::algorithm::coverage::{CoverageRule, Defect, Finding, Limits, check};
+use twinedge::geometry::Point;
 use twinedge::geometry::noding::Snap;
-use twinedge::map::{FeatureId, Noding, PlanarMap};
+use twinedge::map::{Noding, PlanarMap};
+use twinedge_formats::diagnosis::{Diagnosis, Flaw, Kind, Measures, Trace};
 
 /// How many findings of each rule the text shows unless asked.
 pub(crate) const SHOWN: usize = 3;
@@ -78,7 +81,7 @@ pub(crate) struct Coverage {
     /// Gaps that are wider than `gap_width`, where that was asked for. They are not among the findings.
     wider_gaps: usize,
     /// The first of each rule, the largest first.
-    findings: Vec<Entry>,
+    findings: Vec<Diagnosis>,
     #[serde(skip)]
     has_polygons: bool,
     /// The map of the input with its borders cut, where the findings are of that one.
@@ -86,59 +89,8 @@ pub(crate) struct Coverage {
     of_input: Option<PlanarMap>,
 }
 
-/// A finding.
-#[derive(Debug, Serialize)]
-pub(crate) struct Entry {
-    rule: &'static str,
-    kind: &'static str,
-    features: Vec<Named>,
-    #[serde(skip_serializing_if = "Option::is_none")]
-    pub(crate) area: Option<f64>,
-    #[serde(skip_serializing_if = "Option::is_none")]
-    pub(crate) width: Option<f64>,
-    #[serde(skip_serializing_if = "Option::is_none")]
-    pub(crate) length: Option<f64>,
-    at: [f64; 2],
-    /// What is wrong, in the words of the OGC, where.
-    #[serde(skip_serializing_if = "Vec::is_empty")]
-    defects: Vec<Flaw>,
-    /// `removed`: on the input only; `made`: on the snapped map only.
-    #[serde(skip_serializing_if = "Option::is_none")]
-    snapping: Option<&'static str>,
-    #[serde(skip_serializing_if = "Option::is_none")]
-    pub(crate) cause: Option<&'static str>,
-    #[serde(skip_serializing_if = "Option::is_none")]
-    pub(crate) remedy: Option<&'static str>,
-    #[serde(skip)]
-    place: Rank,
-    #[serde(skip)]
-    trace: Trace,
-}
-
 /// Rule, kind, features, area, width, length, and the coordinates of the place.
-type Row<'a> = (&'a str, &'a str, String, Option<f64>, Option<f64>, Option<f64>, f64, f64);
-
-/// The rule, and how many findings of it come before.
-type Rank = (CoverageRule, usize);
-
-/// A feature as it is named.
-#[derive(Clone, Debug, Serialize)]
-pub(crate) struct Named {
-    pub(crate) number: usize,
-    #[serde(skip_serializing_if = "Option::is_none")]
-    pub(crate) id: Option<String>,
-    pub(crate) name: Option<String>,
-    #[serde(skip)]
-    pub(crate) label: String,
-}
-
-#[derive(Debug, Serialize)]
-struct Flaw {
-    reason: String,
-    at: [f64; 2],
-    shape: usize,
-    ring: usize,
-}
+type Row<'a> = (&'a str, &'a str, String, Option<f64>, Option<f64>, Option<f64>, Option<f64>, Option<f64>);
 
 /// How many defects of each kind are listed of a feature.
 const DEFECTS: usize = 20;
@@ -171,29 +123,36 @@ impl Coverage {
                 for (finding, snapping) in &findings {
                     let count = found.count_of(finding.rule);
                     *count += 1;
-                    let place = (finding.rule, *count);
-                    if place.1 <= list {
+                    if *count <= list {
                         let map = of_input.as_ref().filter(|_| *snapping != Some("made")).unwrap_or(&imported.map);
-                        let trace = Trace::of_finding(map, finding);
-                        found.findings.push(Entry::new(imported, finding, *snapping, place, trace));
+                        let trace = of_finding(map, finding);
+                        let features = finding.features.iter().map(|feature| named(imported, *feature)).collect();
+                        let of_rule = of_rule(finding.rule, asked, finding.at);
+                        let (area, width, length) = (finding.area, finding.width, finding.length);
+                        let measures = Measures { area: Some(area), width: Some(width), length: Some(length) };
+                        found.findings.push(Diagnosis {
+                            message: size(measures).unwrap_or_default(),
+                            features: Some(features),
+                            trace,
+                            measures,
+                            snapping: *snapping,
+                            ..of_rule
+                        });
                     }
                 }
                 found.of_input = of_input;
             }
             Err(Failure(why)) => found.not_checked = Some(why),
         }
-        for (n, (feature, defects)) in imported.noted.defects.iter().take(list).enumerate() {
-            found.findings.push(Entry::invalid(imported, *feature, defects, n + 1));
+        for (feature, defects) in imported.noted.defects.iter().take(list) {
+            found.findings.push(invalid(imported, asked, *feature, defects));
         }
         found
     }
 
-    /// Says of each finding what usually causes it and what mends it.
-    pub(crate) fn explain(&mut self) {
-        for entry in &mut self.findings {
-            let (cause, remedy) = explanation(entry.place.0);
-            (entry.cause, entry.remedy) = (Some(cause), Some(remedy));
-        }
+    /// Drops causes and remedies.
+    pub(crate) fn unexplained(self) -> Self {
+        Self { findings: self.findings.into_iter().map(Diagnosis::unexplained).collect(), ..self }
     }
 
     fn count_of(&mut self, rule: CoverageRule) -> &mut usize {
@@ -224,6 +183,14 @@ impl Coverage {
         self.counts().iter().map(|(_, count, _)| count).sum()
     }
 
+    /// How many findings there are beside violations, in words.
+    pub(crate) fn beside(&self) -> String {
+        match self.total() {
+            0 => String::new(),
+            n => format!("; C1 to C6 have {}, which --coverage counts as violations", counted(n, "finding")),
+        }
+    }
+
     /// Whether there is anything that could be a coverage.
     pub(crate) const fn has_polygons(&self) -> bool {
         self.has_polygons
@@ -235,7 +202,7 @@ impl Coverage {
     }
 
     /// What is listed.
-    pub(crate) fn findings(&self) -> &[Entry] {
+    pub(crate) fn findings(&self) -> &[Diagnosis] {
         &self.findings
     }
 
@@ -250,12 +217,12 @@ impl Coverage {
     }
 
     /// What is listed, to be sorted and cut.
-    pub(crate) const fn findings_mut(&mut self) -> &mut Vec<Entry> {
+    pub(crate) const fn findings_mut(&mut self) -> &mut Vec<Diagnosis> {
         &mut self.findings
     }
 
     /// A line for each rule.
-    pub(crate) fn write_rules(&self, out: &mut String, asked: &Asked) -> std::fmt::Result {
+    pub(crate) fn write_rules(&self, out: &mut String, is_rule: bool) -> std::fmt::Result {
         for (rule, count, _) in self.counts() {
             write!(out, "  {:2}  {:12} ", rule.id(), rule.name())?;
             let limit = self.limit(rule).map_or_else(String::new, |limit| format!("  {QUIET}{limit}{QUIET:#}"));
@@ -265,7 +232,7 @@ impl Coverage {
                 }
                 (0, _) => writeln!(out, "{GOOD}ok{GOOD:#}{limit}")?,
                 _ => {
-                    let broken = if asked.is_rule() { format!("{BAD}BROKEN{BAD:#}  ") } else { String::new() };
+                    let broken = if is_rule { format!("{BAD}BROKEN{BAD:#}  ") } else { String::new() };
                     writeln!(out, "{broken}{}{limit}", self.found(rule))?;
                 }
             }
@@ -312,12 +279,10 @@ impl Coverage {
     /// The worst of each rule.
     pub(crate) fn write_worst(&self, out: &mut String, list: usize, decimals: usize) -> std::fmt::Result {
         for (rule, count, _) in self.counts() {
-            let of_rule = self.findings.iter().filter(|entry| entry.place.0 == rule);
-            let shown = of_rule.take(list).map(|entry| entry.write(out, decimals)).collect::<Result<Vec<_>, _>>()?;
-            let explained = self.findings.iter().find(|entry| entry.place.0 == rule).filter(|_| !shown.is_empty());
-            if let Some(Entry { cause: Some(cause), remedy: Some(remedy), .. }) = explained {
-                writeln!(out, "{}: usual cause: {cause}; remedy: {remedy}", rule.id())?;
-            }
+            let of_rule = self.findings.iter().filter(|one| one.rule == Some(rule.id()));
+            let shown: Vec<&Diagnosis> = of_rule.take(list).collect();
+            shown.iter().try_for_each(|one| write(out, one, decimals))?;
+            write_explanations(out, shown.iter().copied())?;
             let more = count - shown.len();
             if more > 0 && !shown.is_empty() {
                 writeln!(out, "   {QUIET}… and {} more of {}; see --list{QUIET:#}", grouped(more), rule.id())?;
@@ -379,130 +344,46 @@ fn judged(imported: &Imported, limits: &Limits, units: &Units) -> Result<Judged,
     Ok(Judged { findings, gap_width, sliver_area, wider_gaps, of_input: Some(of_input) })
 }
 
-impl Entry {
-    fn new(imported: &Imported, finding: &Finding, snapping: Option<&'static str>, place: Rank, trace: Trace) -> Self {
-        Self {
-            rule: finding.rule.id(),
-            kind: finding.rule.name(),
-            features: finding.features.iter().map(|feature| Named::new(imported, *feature)).collect(),
-            area: Some(finding.area),
-            width: Some(finding.width),
-            length: Some(finding.length),
-            at: finding.at.into(),
-            defects: Vec::new(),
-            snapping,
-            cause: None,
-            remedy: None,
-            place,
-            trace,
-        }
-    }
-
-    fn invalid(imported: &Imported, feature: usize, defects: &[Defect], number: usize) -> Self {
-        let rule = CoverageRule::Validity;
-        let flaw = |defect: &Defect| Flaw {
-            reason: defect.kind.to_string(),
-            at: defect.at.into(),
-            shape: defect.shape,
-            ring: defect.ring,
-        };
-        Self {
-            rule: rule.id(),
-            kind: rule.name(),
-            features: imported.map.feature(feature).map(|id| Named::new(imported, id)).into_iter().collect(),
-            area: None,
-            width: None,
-            length: None,
-            at: defects.first().map_or([0.0; 2], |defect| defect.at.into()),
-            // They are sorted by kind.
-            defects: defects
-                .chunk_by(|a, b| a.kind == b.kind)
-                .flat_map(|kind| kind.iter().take(DEFECTS))
-                .map(flaw)
-                .collect(),
-            snapping: None,
-            cause: None,
-            remedy: None,
-            place: (rule, number),
-            trace: Trace { points: defects.iter().map(|defect| defect.at.into()).collect(), ..Trace::default() },
-        }
-    }
-
-    /// The id of the rule.
-    pub(crate) const fn rule(&self) -> &'static str {
-        self.rule
-    }
-
-    /// The finding as a row of a table: the features by their ids, or else names, with semicolons between.
-    pub(crate) fn row(&self) -> Row<'_> {
-        let features = self.features.iter().map(|feature| feature.key()).collect::<Vec<_>>().join(";");
-        let kind = self.defects.first().map_or(self.kind, |flaw| &flaw.reason);
-        (self.rule, kind, features, self.area, self.width, self.length, self.at[0], self.at[1])
-    }
-
-    /// Writes the finding as a line.
-    pub(crate) fn write(&self, out: &mut String, decimals: usize) -> std::fmt::Result {
-        let labels: Vec<&str> = self.features.iter().map(|feature| feature.label.as_str()).collect();
-        write!(out, "{} {}", self.rule, self.kind)?;
-        if !labels.is_empty() {
-            let (few, more) = labels.split_at(labels.len().min(4));
-            let more = if more.is_empty() { String::new() } else { format!(" and {} more", more.len()) };
-            write!(out, ": {}{more}", few.join(", "))?;
-        }
-        let snapped = self.snapping.map_or_else(String::new, |what| format!(" ({what} by snapping)"));
-        writeln!(out, "; {}; at {}{snapped}", self.detail(), place(self.at, decimals))
-    }
-
-    /// The measures, or what is not valid, in words.
-    pub(crate) fn detail(&self) -> String {
-        if let (Some(area), Some(width), Some(length)) = (self.area, self.width, self.length) {
-            let [area, width, length] = [area, width, length].map(measure);
-            return format!("area {area}, width {width}, borders of {length}");
-        }
-        let mut reasons: Vec<&str> = self.defects.iter().map(|flaw| flaw.reason.as_str()).collect();
-        reasons.dedup();
-        reasons.join(", ")
-    }
-
-    pub(crate) const fn kind(&self) -> &'static str {
-        self.kind
-    }
-
-    pub(crate) fn features(&self) -> &[Named] {
-        &self.features
-    }
-
-    pub(crate) const fn at(&self) -> [f64; 2] {
-        self.at
-    }
-
-    /// Whether snapping removed or made it.
-    pub(crate) const fn snapping(&self) -> Option<&'static str> {
-        self.snapping
-    }
-
-    pub(crate) const fn trace(&self) -> &Trace {
-        &self.trace
+/// What all findings of a rule have in common.
+fn of_rule(rule: CoverageRule, asked: &Asked, at: Point) -> Diagnosis {
+    let (cause, remedy) = explanation(rule);
+    Diagnosis {
+        rule: Some(rule.id()),
+        kind: Kind::Named { kind: rule.name() },
+        cause: Some(cause),
+        remedy: Some(remedy),
+        look: Some(position(at)),
+        is_violation: asked.is_rule(),
+        ..Diagnosis::default()
     }
 }
 
-impl Named {
-    /// The id, the name or the number.
-    pub(crate) fn key(&self) -> String {
-        let key = self.id.clone().or_else(|| self.name.clone());
-        key.unwrap_or_else(|| format!("#{}", self.number))
+/// A feature that is not valid by the rules of the OGC.
+fn invalid(imported: &Imported, asked: &Asked, feature: usize, defects: &[Defect]) -> Diagnosis {
+    let flaw = |defect: &Defect| Flaw {
+        reason: defect.kind.to_string(),
+        at: position(defect.at),
+        shape: defect.shape,
+        ring: defect.ring,
+    };
+    // They are sorted by kind.
+    let defects_of_kind = || defects.chunk_by(|a, b| a.kind == b.kind);
+    let reasons: Vec<String> = defects_of_kind().map(|kind| kind[0].kind.to_string()).collect();
+    let points = defects.iter().map(|defect| position(defect.at)).collect();
+    let at = defects.first().map_or_else(|| Point::new(0.0, 0.0), |defect| defect.at);
+    Diagnosis {
+        message: reasons.join(", "),
+        features: Some(imported.map.feature(feature).map(|id| named(imported, id)).into_iter().collect()),
+        trace: Trace { points, ..Trace::default() },
+        defects: defects_of_kind().flat_map(|kind| kind.iter().take(DEFECTS)).map(flaw).collect(),
+        ..of_rule(CoverageRule::Validity, asked, at)
     }
+}
 
-    pub(crate) fn new(imported: &Imported, feature: FeatureId) -> Self {
-        let map: &PlanarMap = &imported.map;
-        let id = imported.noted.ids.get(feature.index()).cloned().flatten();
-        let label = match &id {
-            Some(id) if map.name(feature).is_some_and(|name| name != id) => {
-                format!("{} (id {})", label(map, feature), plain(id))
-            }
-            Some(id) if map.name(feature).is_none() => format!("id {}", plain(id)),
-            _ => label(map, feature),
-        };
-        Self { number: feature.index(), id, name: map.name(feature).map(str::to_owned), label }
-    }
+/// A finding as a row of a table: the features by their ids, or else names, with semicolons between.
+pub(crate) fn row(one: &Diagnosis) -> Row<'_> {
+    let features = one.features.iter().flatten().map(|feature| feature.key()).collect::<Vec<_>>().join(";");
+    let kind = one.defects.first().map_or(one.kind.name(), |flaw| &flaw.reason);
+    let (Measures { area, width, length }, [x, y]) = (one.measures, one.look.map_or([None; 2], |at| at.map(Some)));
+    (one.rule.unwrap_or_default(), kind, features, area, width, length, x, y)
 }

@@ -211,12 +211,9 @@ impl MapFile {
         self.build_from(input, keep)
     }
 
-    /// Refuses the option that only maps have, if it was given.
-    pub(crate) fn refuse_snap(&self, name: &str, what: &str) -> Result<(), Failure> {
-        match self.cutting.snap {
-            Some(_) => Err(Failure(format!("{name}: --snap is for maps, and this is {what}"))),
-            None => Ok(()),
-        }
+    /// Whether segments are to be cut.
+    pub(crate) const fn is_snapped(&self) -> bool {
+        self.cutting.snap.is_some()
     }
 
     /// Builds the map that was opened.
@@ -231,10 +228,17 @@ impl MapFile {
             gather(&mut reader, path.as_deref(), &options, noted, keep).map_err(failed)?;
         self.refuse_empty(&name, &read)?;
         noted.refuse_unknown_columns(&name, keep)?;
-        let noding = self.cutting.snap.map_or(Noding::None, Noding::Snap);
-        let kept = (keep.coverage && self.cutting.snap != Some(Snap::Auto)).then(|| builder.clone());
-        let map = busy("building the map", || builder.build_with(noding)).map_err(|error| failed(error.into()))?;
-        let builder = kept.filter(|_| !map.is_plane() || map.noding().is_some());
+        let built = busy("building the map", || match self.cutting.snap {
+            None if keep.coverage => builder.build_keeping(),
+            None => Ok((builder.build()?, None)),
+            // What a grid that was asked for removed or made is found by comparing.
+            Some(snap @ Snap::Size(_)) if keep.coverage => {
+                let map = builder.clone().build_with(Noding::Snap(snap))?;
+                Ok((map, Some(builder)))
+            }
+            Some(snap) => Ok((builder.build_with(Noding::Snap(snap))?, None)),
+        });
+        let (map, builder) = built.map_err(|error| failed(error.into()))?;
         Ok(Imported { name, read, map, noted, builder, crs, orients_rings })
     }
 

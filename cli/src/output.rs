@@ -1,6 +1,7 @@
 //! How the commands print numbers, text and JSON.
 
 use clap::ValueEnum;
+use serde_json::Value;
 use std::io::{self, Write};
 use twinedge_trials::Shard;
 
@@ -92,11 +93,36 @@ pub(crate) fn print(text: &str) -> Result<(), crate::status::Failure> {
     }
 }
 
-/// Prints one JSON object.
+/// A value as indented JSON, in which 0 has no sign.
+pub(crate) fn json(value: &impl serde::Serialize) -> serde_json::Result<Vec<u8>> {
+    let mut value = serde_json::to_value(value)?;
+    drop_signs_of_zero(&mut value);
+    let mut out = serde_json::to_vec_pretty(&value)?;
+    out.push(b'\n');
+    Ok(out)
+}
+
+fn drop_signs_of_zero(value: &mut Value) {
+    match value {
+        Value::Number(number) if number.as_f64() == Some(0.0) && number.is_f64() => *value = 0.0.into(),
+        Value::Array(items) => items.iter_mut().for_each(drop_signs_of_zero),
+        Value::Object(members) => members.values_mut().for_each(drop_signs_of_zero),
+        _ => {}
+    }
+}
+
+/// Prints one JSON object. That nobody reads on is no error.
 pub(crate) fn print_json(value: &impl serde::Serialize) -> Result<(), crate::status::Failure> {
-    let mut text = serde_json::to_string_pretty(value)?;
-    text.push('\n');
-    print(&text)
+    print_bytes(&json(value)?)
+}
+
+/// Prints bytes as they are. That nobody reads on is no error.
+pub(crate) fn print_bytes(bytes: &[u8]) -> Result<(), crate::status::Failure> {
+    let mut out = io::stdout().lock();
+    match out.write_all(bytes).and_then(|()| out.flush()) {
+        Err(error) if error.kind() != io::ErrorKind::BrokenPipe => Err(error.into()),
+        _ => Ok(()),
+    }
 }
 
 /// How results are coloured; off where the output is no terminal.
@@ -110,7 +136,15 @@ pub(crate) mod style {
 
 #[cfg(test)]
 mod tests {
-    use super::{counted, decimals, grouped, measure, place, plain};
+    use super::{counted, decimals, grouped, json, measure, place, plain};
+
+    #[test]
+    fn json_has_no_zero_with_a_sign() {
+        let value = serde_json::json!({ "at": [-0.0, [-1.5]], "none": {} });
+        let mut usual = serde_json::to_string_pretty(&value).unwrap().replace("-0.0", "0.0");
+        usual.push('\n');
+        assert_eq!(String::from_utf8(json(&value).unwrap()).unwrap(), usual);
+    }
 
     #[test]
     fn numbers_agree_with_their_nouns() {

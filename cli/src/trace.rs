@@ -1,110 +1,91 @@
-//! The shape of what was found: points, lines and polygons.
+//! Where on a map something was found: its places, and its shape of points, lines and polygons.
 
-use serde::Serialize;
 use std::collections::HashSet;
 use twinedge::algorithm::contour::of_faces;
 use twinedge::algorithm::coverage::Finding;
 use twinedge::geometry::{MAX_COORDINATE, Point};
 use twinedge::map::PlanarMap;
 use twinedge::validate::{Embedding, Record, Start, Violation, places};
+use twinedge_formats::diagnosis::{Diagnosis, Position, Trace, middle};
 
-pub(crate) type Position = [f64; 2];
-
-/// The shape of what was found.
-#[derive(Clone, Debug, Default, PartialEq, Serialize)]
-pub(crate) struct Trace {
-    pub(crate) points: Vec<Position>,
-    pub(crate) lines: Vec<Vec<Position>>,
-    /// The outer ring of each, counter-clockwise, and then its holes; all closed.
-    pub(crate) polygons: Vec<Vec<Vec<Position>>>,
+/// What a finding of a coverage covers: its faces, or the stretches of borders of a near miss.
+pub(crate) fn of_finding(map: &PlanarMap, finding: &Finding) -> Trace {
+    let lines = finding.stretches.iter().map(|stretch| stretch.map(position).to_vec()).collect();
+    let contour = of_faces(map, finding.faces.iter().copied()).unwrap_or_default();
+    let ring = |ring: &[Point]| ring.iter().copied().map(position).collect();
+    let polygons: Vec<_> = contour.polygons.iter().map(|polygon| polygon.rings().map(ring).collect()).collect();
+    let points = if polygons.is_empty() && finding.stretches.is_empty() { vec![position(finding.at)] } else { vec![] };
+    Trace { points, lines, polygons }
 }
 
-impl Trace {
-    /// What a finding of a coverage covers: its faces, or the stretches of borders of a near miss.
-    pub(crate) fn of_finding(map: &PlanarMap, finding: &Finding) -> Self {
-        let lines = finding.stretches.iter().map(|stretch| stretch.map(Into::into).to_vec()).collect();
-        let contour = of_faces(map, finding.faces.iter().copied()).unwrap_or_default();
-        let ring = |ring: &[Point]| ring.iter().map(|p| (*p).into()).collect();
-        let polygons: Vec<_> = contour.polygons.iter().map(|polygon| polygon.rings().map(ring).collect()).collect();
-        let points = if polygons.is_empty() && finding.stretches.is_empty() { vec![finding.at.into()] } else { vec![] };
-        Self { points, lines, polygons }
-    }
-
-    /// The records of a violation: half-edges and cycles as lines, faces as polygons if their outer cycles turn that way, vertices as points.
-    pub(crate) fn of_violation<E: Embedding + ?Sized>(embedding: &E, violation: &Violation) -> Self {
-        let mut trace = Self::default();
-        for record in violation.records().into_iter().flatten() {
-            match record {
-                Record::HalfEdge(h) => trace.line(half_edge(embedding, h)),
-                Record::Vertex(v) => trace.points.extend(vertex(embedding, Some(v))),
-                Record::Boundary(b) if b < embedding.boundary_slots() => match embedding.boundary_start(b) {
-                    Some(Start::HalfEdge(h)) => trace.line(cycle(embedding, h)),
-                    Some(Start::Vertex(v)) => trace.points.extend(vertex(embedding, Some(v))),
-                    None => {}
-                },
-                Record::Face(f) if f < embedding.face_slots() => {
-                    let outer = embedding.outer(f).filter(|b| *b < embedding.boundary_slots());
-                    let start = match outer.and_then(|b| embedding.boundary_start(b)) {
-                        Some(Start::HalfEdge(h)) => Some(h),
-                        _ => embedding.outer_half_edge(f),
-                    };
-                    let ring = start.map_or_else(Vec::new, |h| cycle(embedding, h));
-                    if is_outer_ring(&ring) { trace.polygons.push(vec![ring]) } else { trace.line(ring) }
-                }
-                _ => {}
+/// The records of a violation: half-edges and cycles as lines, faces as polygons if their outer cycles turn that way, vertices as points.
+fn of_violation<E: Embedding + ?Sized>(embedding: &E, violation: &Violation) -> Trace {
+    let mut trace = Trace::default();
+    for record in violation.records().into_iter().flatten() {
+        match record {
+            Record::HalfEdge(h) => add_line(&mut trace, half_edge(embedding, h)),
+            Record::Vertex(v) => trace.points.extend(vertex(embedding, Some(v))),
+            Record::Boundary(b) if b < embedding.boundary_slots() => match embedding.boundary_start(b) {
+                Some(Start::HalfEdge(h)) => add_line(&mut trace, cycle(embedding, h)),
+                Some(Start::Vertex(v)) => trace.points.extend(vertex(embedding, Some(v))),
+                None => {}
+            },
+            Record::Face(f) if f < embedding.face_slots() => {
+                let outer = embedding.outer(f).filter(|b| *b < embedding.boundary_slots());
+                let start = match outer.and_then(|b| embedding.boundary_start(b)) {
+                    Some(Start::HalfEdge(h)) => Some(h),
+                    _ => embedding.outer_half_edge(f),
+                };
+                let ring = start.map_or_else(Vec::new, |h| cycle(embedding, h));
+                if is_outer_ring(&ring) { trace.polygons.push(vec![ring]) } else { add_line(&mut trace, ring) }
             }
+            _ => {}
         }
-        if trace == Self::default() {
-            trace.points.extend(places(embedding, violation).into_iter().map(Position::from));
-        }
-        trace
     }
+    if trace == Trace::default() {
+        trace.points.extend(places(embedding, violation).into_iter().map(position));
+    }
+    trace
+}
 
-    /// A line; a point if it has no length.
-    fn line(&mut self, line: Vec<Position>) {
-        match line.first() {
-            Some(first) if line.iter().all(|p| Some(p) == line.first()) => self.points.push(*first),
-            Some(_) => self.lines.push(line),
-            None => {}
-        }
+/// Adds a line; a point if it has no length.
+fn add_line(trace: &mut Trace, line: Vec<Position>) {
+    match line.first() {
+        Some(first) if line.iter().all(|p| Some(p) == line.first()) => trace.points.push(*first),
+        Some(_) => trace.lines.push(line),
+        None => {}
     }
+}
+
+/// A violation with its places in an embedding.
+pub(crate) fn placed<E: Embedding + ?Sized>(embedding: &E, violation: &Violation) -> Diagnosis {
+    Diagnosis {
+        places: Some(places(embedding, violation).into_iter().map(position).collect()),
+        look: place(embedding, violation),
+        trace: of_violation(embedding, violation),
+        ..violation.into()
+    }
+}
+
+/// A point, with zeros that have no sign.
+pub(crate) fn position(point: Point) -> Position {
+    [point.x + 0.0, point.y + 0.0]
 }
 
 /// Where to look for a violation: at its vertex if that comes first, where two segments cross, or else in the middle of its places.
-pub(crate) fn place<E: Embedding + ?Sized>(embedding: &E, violation: &Violation) -> Option<Position> {
+fn place<E: Embedding + ?Sized>(embedding: &E, violation: &Violation) -> Option<Position> {
     if let [Some(Record::Vertex(v)), _] = violation.records()
         && let Some(at) = vertex(embedding, Some(v))
     {
         return Some(at);
     }
-    let all: Vec<Position> = places(embedding, violation).into_iter().map(Into::into).collect();
+    let all: Vec<Position> = places(embedding, violation).into_iter().map(position).collect();
     middle(&all)
-}
-
-/// Where two segments cross, if these are their ends, or else the middle of the points.
-pub(crate) fn middle(points: &[Position]) -> Option<Position> {
-    if let [a, b, c, d] = *points
-        && let Some(crossing) = crossing([a, b], [c, d])
-    {
-        return Some(crossing);
-    }
-    let count = points.len() as f64;
-    let sum = points.iter().fold([0.0; 2], |sum, p| [sum[0] + p[0] / count, sum[1] + p[1] / count]);
-    (!points.is_empty()).then_some(sum)
-}
-
-/// About where two segments cross.
-fn crossing([a, b]: [Position; 2], [c, d]: [Position; 2]) -> Option<Position> {
-    let [u, v, w] = [(a, b), (c, d), (a, c)].map(|(p, q)| [q[0] - p[0], q[1] - p[1]]);
-    let cross = |p: Position, q: Position| p[0] * q[1] - p[1] * q[0];
-    let (s, t) = (cross(w, u) / cross(u, v), cross(w, v) / cross(u, v));
-    let is_inside = |t: f64| (0.0..=1.0).contains(&t);
-    (is_inside(s) && is_inside(t)).then(|| [a[0] + t * u[0], a[1] + t * u[1]])
 }
 
 /// A position, unless it is no point of the plane.
 pub(crate) fn finite(point: Point) -> Option<Position> {
-    (point.x.abs() <= MAX_COORDINATE && point.y.abs() <= MAX_COORDINATE).then(|| point.into())
+    (point.x.abs() <= MAX_COORDINATE && point.y.abs() <= MAX_COORDINATE).then(|| position(point))
 }
 
 fn vertex<E: Embedding + ?Sized>(embedding: &E, vertex: Option<usize>) -> Option<Position> {
@@ -158,7 +139,7 @@ fn is_outer_ring(line: &[Position]) -> bool {
 
 #[cfg(test)]
 mod tests {
-    use super::{Trace, is_outer_ring, middle, place};
+    use super::{Trace, is_outer_ring, of_violation, place};
     use twinedge::io::tables::Textbook;
     use twinedge::validate::Violation;
 
@@ -166,15 +147,6 @@ mod tests {
     const TRIANGLE: &str = "v1 (0, 0) e1,1\nv2 (4, 0) e2,1\nv3 (0, 4) e3,1\nf1 nil e1,2\nf2 e1,1 nil
         e1,1 v1 e1,2 f2 e2,1 e3,1\ne1,2 v2 e1,1 f1 e3,2 e2,2\ne2,1 v2 e2,2 f2 e3,1 e1,1\ne2,2 v3 e2,1 f1 e1,2 e3,2
         e3,1 v3 e3,2 f2 nil e2,1\ne3,2 v1 e3,1 f1 e2,2 e1,2";
-
-    #[test]
-    fn two_segments_are_looked_at_where_they_cross() {
-        assert_eq!(middle(&[[0.0, 0.0], [4.0, 4.0], [0.0, 2.0], [4.0, 2.0]]), Some([2.0, 2.0]));
-        // Their lines cross, and they do not.
-        assert_eq!(middle(&[[0.0, 0.0], [1.0, 1.0], [0.0, 3.0], [3.0, 2.0]]), Some([1.0, 1.5]));
-        assert_eq!(middle(&[[2.0, 0.0], [4.0, 0.0]]), Some([3.0, 0.0]));
-        assert_eq!(middle(&[]), None);
-    }
 
     #[test]
     fn only_a_closed_ring_to_the_left_is_a_polygon() {
@@ -187,7 +159,7 @@ mod tests {
     #[test]
     fn links_that_lead_nowhere_have_a_trace_all_the_same() {
         let tables: Textbook = TRIANGLE.parse().expect("it is one");
-        let of = |violation| Trace::of_violation(&tables, &violation);
+        let of = |violation| of_violation(&tables, &violation);
         let side = of(Violation::TwinIsSelf { half_edge: 4 });
         assert_eq!(side.lines, [[[0.0, 4.0], [0.0, 0.0]]]);
         // The cycle of the face does not come back.

@@ -40,6 +40,7 @@
 //! | `serde` (default) | [`mesh::MeshAudit`], `postgis::TopologyAudit` and their parts are `Serialize` | serde |
 #![cfg_attr(docsrs, feature(doc_cfg))]
 
+pub mod diagnosis;
 #[cfg(feature = "layer")]
 pub mod layer;
 pub mod mesh;

@@ -1,79 +1,177 @@
-//! A map, audited.
+//! An input, audited: what all writers take.
 
+use super::packed::Window;
 use crate::coverage::Coverage;
-use crate::input::Imported;
-use crate::output::{counted, not_checked};
-use crate::query::label;
-use std::collections::BTreeSet;
-use twinedge::dcel::{Boundary, Face, Vertex};
-use twinedge::map::{FeatureId, PlanarMap};
-use twinedge::validate::{Record, Report, Rule, Unchecked, Violation};
+use crate::output::not_checked;
+use serde::Serialize;
+use serde_json::{Map, Value};
+use twinedge::validate::Bounds;
+use twinedge_formats::diagnosis::{Diagnosis, Document, RuleLine, Trace};
+use twinedge_formats::layer::Crs;
 
-/// A map, audited.
-pub(super) struct Audited<'a> {
-    pub(super) imported: &'a Imported,
-    pub(super) report: &'a Report,
-    pub(super) coverage: Coverage,
-    /// Whether findings of the coverage count as violations.
-    pub(super) is_coverage_rule: bool,
-    pub(super) is_valid: bool,
-    pub(super) elapsed: f64,
+/// An input, audited.
+pub(super) struct Audited {
+    pub(super) input: String,
+    pub(super) valid: bool,
+    /// What was found in numbers, if it is not valid.
+    pub(super) found: String,
+    pub(super) notes: Vec<Note>,
+    /// The counts in words.
+    pub(super) counts: Vec<(&'static str, String)>,
+    pub(super) rules: Vec<RuleLine>,
+    pub(super) violations: Vec<Diagnosis>,
+    /// How many there are, listed or not.
+    pub(super) violation_count: u64,
+    /// What is wrong with the faces of a mesh, and how many findings there are.
+    pub(super) findings: Vec<Diagnosis>,
+    pub(super) finding_count: u64,
+    /// What breaks C1 … C6, of a map with polygons or lines.
+    pub(super) coverage: Option<Coverage>,
+    pub(super) style: CoverageStyle,
+    /// Sentences about violations that follow from findings.
+    pub(super) remarks: Vec<&'static str>,
+    pub(super) crs: Option<Crs>,
+    pub(super) json: JsonForm,
+    pub(super) elapsed_ms: f64,
 }
 
-/// Stands after a violation that follows from others.
-pub(super) const FOLLOWS: &str = "which follows from the crossings (G4)";
+/// How findings of a coverage are shown as text.
+#[derive(Clone, Copy, Default)]
+pub(super) struct CoverageStyle {
+    /// They count as violations.
+    pub(super) is_rule: bool,
+    /// How many of each rule are shown.
+    pub(super) worst: usize,
+    /// Places have so many decimal places at most.
+    pub(super) decimals: usize,
+}
 
-impl Audited<'_> {
-    /// The violations, and those that follow from them: where borders cross, the map does not fit in the plane.
-    pub(super) fn violations(&self) -> (Vec<&Violation>, Vec<&Violation>) {
-        let crossings = self.report.outcome(Rule::G4).is_some_and(|outcome| outcome.violations > 0);
-        self.report.violations().iter().partition(|violation| !(crossings && violation.rule() == Rule::T3))
+/// What is in JSON only.
+#[derive(Default)]
+pub(super) struct JsonForm {
+    pub(super) counts: Value,
+    /// The bounds of T4.
+    pub(super) bounds: Option<Bounds>,
+    /// Rules have their names.
+    pub(super) is_named: bool,
+    /// There is a list of findings.
+    pub(super) has_findings: bool,
+    /// Keys beside those of all audits.
+    pub(super) extra: Map<String, Value>,
+}
+
+/// What a reader should know about the input, in a line.
+pub(super) enum Note {
+    Plain(String),
+    Warning(String),
+    /// A detail, which is in text only.
+    Detail(String),
+}
+
+impl Audited {
+    /// Nothing is known yet.
+    pub(super) fn new(input: &str) -> Self {
+        Self {
+            input: input.to_owned(),
+            valid: false,
+            found: String::new(),
+            notes: Vec::new(),
+            counts: Vec::new(),
+            rules: Vec::new(),
+            violations: Vec::new(),
+            violation_count: 0,
+            findings: Vec::new(),
+            finding_count: 0,
+            coverage: None,
+            style: CoverageStyle::default(),
+            remarks: Vec::new(),
+            crs: None,
+            json: JsonForm::default(),
+            elapsed_ms: 0.0,
+        }
     }
 
-    /// Whether the map is valid, in a sentence.
+    /// Drops causes and remedies.
+    pub(super) fn unexplained(self) -> Self {
+        let all = |all: Vec<Diagnosis>| all.into_iter().map(Diagnosis::unexplained).collect();
+        Self {
+            violations: all(self.violations),
+            findings: all(self.findings),
+            coverage: self.coverage.map(Coverage::unexplained),
+            ..self
+        }
+    }
+
+    /// How many things were found, listed or not.
+    pub(super) fn total(&self) -> u64 {
+        self.violation_count + self.finding_count + self.coverage.as_ref().map_or(0, |found| found.total() as u64)
+    }
+
+    /// All that is listed; what follows from others comes last.
+    pub(super) fn listed(&self) -> impl Iterator<Item = &Diagnosis> {
+        let of_coverage = self.coverage.iter().flat_map(Coverage::findings);
+        let [first, last] = [false, true]
+            .map(|follows| self.violations.iter().filter(move |violation| violation.follows_from.is_some() == follows));
+        first.chain(&self.findings).chain(of_coverage).chain(last)
+    }
+
+    /// Whether the input is valid, in a sentence.
     pub(super) fn verdict(&self) -> String {
-        let found = self.coverage.total();
-        if self.is_valid {
-            let beside = match found {
-                0 => String::new(),
-                n => format!("; C1 to C6 have {}, which --coverage counts as violations", counted(n, "finding")),
-            };
+        if self.valid {
+            let beside = self.coverage.as_ref().map(Coverage::beside).unwrap_or_default();
             return format!("valid: every rule that applies holds{beside}");
         }
-        let of_coverage = if self.is_coverage_rule { found } else { 0 };
-        let all = counted(self.report.violation_count() as usize + of_coverage, "violation");
-        let is_missing = |why: Unchecked| !why.is_by_design();
-        let of_structure =
-            self.report.outcomes().filter(|(_, outcome)| outcome.unchecked.is_some_and(is_missing)).count();
+        let open = self.rules.iter().filter(|rule| rule.is_open()).count();
         // C1 to C5.
-        let of_coverage = if self.is_coverage_rule && self.coverage.not_checked().is_some() { 5 } else { 0 };
-        format!("not valid: {all}{}", not_checked(of_structure + of_coverage))
+        let is_open = self.coverage.as_ref().is_some_and(|coverage| coverage.not_checked().is_some());
+        let of_coverage = if self.style.is_rule && is_open { 5 } else { 0 };
+        format!("not valid: {}{}", self.found, not_checked(open + of_coverage))
     }
-}
 
-/// The features that a violation touches, in order.
-pub(super) fn features(map: &PlanarMap, violation: &Violation) -> BTreeSet<FeatureId> {
-    let dcel = map.dcel();
-    let mut found = BTreeSet::new();
-    for record in violation.records().into_iter().flatten() {
-        let half_edges: Vec<_> = match record {
-            Record::HalfEdge(h) => dcel.half_edge_at(h).into_iter().collect(),
-            Record::Vertex(v) => dcel.vertex_at(v).into_iter().flat_map(Vertex::rotation).collect(),
-            Record::Boundary(b) => dcel.boundary_at(b).and_then(Boundary::start).into_iter().collect(),
-            Record::Face(f) => {
-                let face = dcel.face_at(f).map(Face::key);
-                found.extend(face.and_then(|f| map.features_of(f).ok()).into_iter().flatten());
-                Vec::new()
-            }
+    /// The name of the rule that a finding breaks.
+    pub(super) fn name_of_rule(&self, one: &Diagnosis) -> &'static str {
+        let rule = self.rules.iter().find(|rule| Some(rule.id) == one.rule);
+        rule.map_or(one.kind.name(), |rule| rule.name)
+    }
+
+    /// The unit of lengths, if there are any.
+    pub(super) fn unit(&self) -> Option<&'static str> {
+        self.coverage.as_ref().filter(|coverage| coverage.has_polygons()).map(Coverage::unit)
+    }
+
+    /// Around each finding.
+    pub(super) fn windows(&self) -> Vec<Window> {
+        let of = |one: &Diagnosis| {
+            let Trace { points, lines, polygons } = &one.trace;
+            let rings = polygons.iter().flatten().chain(lines).flatten();
+            Window::around(rings.chain(points).chain(&one.look))
         };
-        for h in half_edges {
-            found.extend(map.features_along(h.key()).into_iter().flatten());
-        }
+        self.listed().filter_map(of).collect()
     }
-    found
-}
 
-/// The names of the features that a violation touches; numbers, counted from 0, for those without name.
-pub(super) fn labels(map: &PlanarMap, violation: &Violation) -> Vec<String> {
-    features(map, violation).into_iter().map(|feature| label(map, feature)).collect()
+    /// The audit as one JSON object.
+    pub(super) fn json(&self) -> impl Serialize + '_ {
+        #[derive(Serialize)]
+        struct Json<'a> {
+            input: &'a str,
+            #[serde(flatten)]
+            document: Document<'a, &'a Value>,
+            #[serde(flatten)]
+            extra: &'a Map<String, Value>,
+            #[serde(skip_serializing_if = "Option::is_none")]
+            coverage: Option<&'a Coverage>,
+            elapsed_ms: f64,
+        }
+        let JsonForm { counts, bounds, is_named, has_findings, extra } = &self.json;
+        let mut document = Document::new(self.valid, counts, &self.rules)
+            .bounds(*bounds)
+            .violations(&self.violations, self.violation_count);
+        if *is_named {
+            document = document.named(&self.rules);
+        }
+        if *has_findings {
+            document = document.findings(&self.findings, self.finding_count);
+        }
+        Json { input: &self.input, document, extra, coverage: self.coverage.as_ref(), elapsed_ms: self.elapsed_ms }
+    }
 }

@@ -1,12 +1,11 @@
 //! The format of a report, and where it goes.
 
-use crate::output::{Format, print, print_json};
+use crate::output::{json, print, print_bytes};
 use crate::output_file::write_file;
 use crate::status::Failure;
 use anstream::adapter::strip_str;
 use clap::ValueEnum;
 use serde::Serialize;
-use std::io::{self, Write};
 use std::path::{Path, PathBuf};
 
 /// The format of a report.
@@ -66,18 +65,6 @@ pub(super) struct Destination<'a> {
 }
 
 impl Destination<'_> {
-    /// The format, for what has no place in the plane.
-    pub(super) fn without_map(&self, name: &str, what: &str) -> Result<Format, Failure> {
-        match self.format {
-            ReportFormat::Text => Ok(Format::Text),
-            ReportFormat::Json => Ok(Format::Json),
-            ReportFormat::Geojson | ReportFormat::Html => Err(Failure(format!(
-                "{name}: the formats geojson and html are for maps, topologies of PostGIS and the tables of a textbook, and this is \
-{what}"
-            ))),
-        }
-    }
-
     /// Writes text for people.
     pub(super) fn text(&self, text: &str) -> Result<(), Failure> {
         match self.path {
@@ -88,24 +75,15 @@ impl Destination<'_> {
 
     /// Writes one JSON object.
     pub(super) fn json(&self, value: &impl Serialize) -> Result<(), Failure> {
-        if self.path.is_none() {
-            return print_json(value);
-        }
-        let mut text = serde_json::to_string_pretty(value)?;
-        text.push('\n');
-        self.bytes(text.as_bytes())
+        self.bytes(&json(value)?)
     }
 
-    /// Writes bytes as they are. That nobody reads on (`… | head`) is no error.
+    /// Writes bytes as they are.
     pub(super) fn bytes(&self, bytes: &[u8]) -> Result<(), Failure> {
-        let Some(path) = self.path else {
-            let mut out = io::stdout().lock();
-            return match out.write_all(bytes).and_then(|()| out.flush()) {
-                Err(error) if error.kind() != io::ErrorKind::BrokenPipe => Err(error.into()),
-                _ => Ok(()),
-            };
-        };
-        write_file(path, self.input, bytes)
+        match self.path {
+            None => print_bytes(bytes),
+            Some(path) => write_file(path, self.input, bytes),
+        }
     }
 
     /// The file that is written, if it is one.

@@ -1,40 +1,35 @@
 //! What was found as a layer of GeoJSON.
 
-use super::document::{Document, Marked};
-use crate::coverage::Named;
+use super::audited::Audited;
+use crate::diagnosis_text::full_message;
 use crate::output::plain;
 use crate::output::style::BAD;
 use crate::status::Failure;
-use crate::trace::{Position as Place, Trace};
 use serde_json::json;
 use std::sync::Arc;
+use twinedge_formats::diagnosis::{Diagnosis, FeatureName, Measures, Position as Place, Trace};
 use twinedge_formats::layer::{
     Crs, Dimensions, Feature, Format, Geometry, Header, Id, Layer, Members, Position, Shape, Value, losses, write,
 };
 
 /// One feature for each finding, all with the same columns.
-pub(super) fn layer(document: &Document) -> Result<Vec<u8>, Failure> {
+pub(super) fn layer(audited: &Audited) -> Result<Vec<u8>, Failure> {
     let mut members = Members::new();
-    members.insert("valid".to_owned(), document.valid.into());
-    members.insert("verdict".to_owned(), document.verdict.as_str().into());
-    members.insert("found".to_owned(), document.total.into());
+    members.insert("valid".to_owned(), audited.valid.into());
+    members.insert("verdict".to_owned(), audited.verdict().into());
+    members.insert("found".to_owned(), audited.total().into());
     let columns = Columns::new();
     let layer = Layer {
         header: Header {
-            name: Some(format!("findings in {}", document.input)),
+            name: Some(format!("findings in {}", audited.input)),
             // Longitudes and latitudes need none.
-            crs: document.crs.clone().filter(Crs::is_other),
+            crs: audited.crs.clone().filter(Crs::is_other),
             members,
             ..Header::default()
         },
-        features: document
-            .findings
-            .iter()
-            .zip(1..)
-            .map(|(one, number)| columns.feature(document, one, number))
-            .collect(),
+        features: audited.listed().zip(1..).map(|(one, number)| columns.feature(audited, one, number)).collect(),
     };
-    if document.crs.is_none() && !layer.features.iter().all(looks_like_degrees) {
+    if audited.crs.is_none() && !layer.features.iter().all(looks_like_degrees) {
         anstream::eprintln!(
             "{BAD}warning{BAD:#}: no coordinate reference system is known, and the coordinates are no longitudes and latitudes, for \
 which a reader of GeoJSON will take them: set the reference system of the layer by hand"
@@ -86,26 +81,28 @@ impl Columns {
         )
     }
 
-    fn feature(&self, document: &Document, one: &Marked, number: u64) -> Feature {
+    fn feature(&self, audited: &Audited, one: &Diagnosis, number: u64) -> Feature {
         let text = |text: &str| Value::Text(text.to_owned());
         let number_of = |value: Option<f64>| value.filter(|x| x.is_finite()).map_or(Value::Null, Value::Real);
-        let list = |each: fn(&Named) -> String| Value::Json(one.features.iter().map(each).collect());
-        let has_measure = one.area.or(one.width).or(one.length).is_some();
-        let [x, y] = one.at.map_or([None; 2], |at| at.map(Some));
+        let features = one.features.as_deref().unwrap_or_default();
+        let list = |each: fn(&FeatureName) -> String| Value::Json(features.iter().map(each).collect());
+        let Measures { area, width, length } = one.measures;
+        let has_measure = area.or(width).or(length).is_some();
+        let [x, y] = one.look.map_or([None; 2], |at| at.map(Some));
         let values = [
-            text(one.rule),
-            text(one.name),
-            text(one.kind),
-            text(&one.message),
-            Value::Bool(one.violation),
-            Value::Json(json!(one.records)),
+            text(one.rule.unwrap_or_default()),
+            text(audited.name_of_rule(one)),
+            text(one.kind.name()),
+            text(&full_message(one)),
+            Value::Bool(one.is_violation),
+            Value::Json(json!(one.records.names())),
             list(|feature| feature.label.clone()),
-            list(Named::key),
+            list(FeatureName::key),
             list(|feature| feature.name.clone().unwrap_or_default()),
-            number_of(one.area),
-            number_of(one.width),
-            number_of(one.length),
-            document.unit.filter(|_| has_measure).map_or(Value::Null, text),
+            number_of(area),
+            number_of(width),
+            number_of(length),
+            audited.unit().filter(|_| has_measure).map_or(Value::Null, text),
             number_of(x),
             number_of(y),
             one.cause.map_or(Value::Null, text),
@@ -113,7 +110,7 @@ impl Columns {
         ];
         Feature {
             id: Some(Id::Number(number.into())),
-            geometry: shape(&one.trace, one.at).map(|shape| Geometry::new(Dimensions::default(), shape)),
+            geometry: shape(&one.trace, one.look).map(|shape| Geometry::new(Dimensions::default(), shape)),
             attributes: self.0.iter().cloned().zip(values).collect(),
             members: Members::new(),
         }

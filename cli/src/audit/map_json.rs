@@ -1,30 +1,20 @@
-//! The report of a map as JSON.
+//! What JSON has of the input of a map.
 
-use super::audited::{Audited, labels};
-use super::remedies::remedy;
-use crate::coverage::Coverage;
 use crate::input::Imported;
 use serde::Serialize;
+use serde_json::{Map, Value, to_value};
 use twinedge::geometry::noding::NodingSummary;
 use twinedge::map::{Irregularity, IrregularityKind, Position};
-use twinedge::validate::{Bounds, Counts, Described, REPORT_SCHEMA, Rule, RuleOutcome, places};
 
-#[derive(Debug, Serialize)]
-pub(super) struct Json<'a> {
-    input: &'a str,
-    import: JsonImport,
-    #[serde(skip_serializing_if = "Option::is_none")]
-    noding: Option<JsonNoding>,
-    schema: &'static str,
-    valid: bool,
-    counts: Counts,
-    bounds: Option<Bounds>,
-    rules: Vec<JsonRule>,
-    violation_count: u64,
-    violations: Vec<JsonViolation<'a>>,
-    coverage: Coverage,
-    warnings: Vec<String>,
-    elapsed_ms: f64,
+/// The keys beside those of all audits.
+pub(super) fn extra(imported: &Imported, warnings: &[String]) -> serde_json::Result<Map<String, Value>> {
+    let mut extra = Map::new();
+    extra.insert("import".to_owned(), to_value(JsonImport::new(imported))?);
+    if let Some(noding) = imported.map.noding() {
+        extra.insert("noding".to_owned(), to_value(JsonNoding::from(noding))?);
+    }
+    extra.insert("warnings".to_owned(), to_value(warnings)?);
+    Ok(extra)
 }
 
 #[derive(Debug, Serialize)]
@@ -104,57 +94,6 @@ impl From<&NodingSummary> for JsonNoding {
             segments_collapsed: summary.collapsed,
             segments_repeated: summary.duplicates,
             largest_move: summary.largest_move,
-        }
-    }
-}
-
-#[derive(Debug, Serialize)]
-struct JsonRule {
-    id: Rule,
-    #[serde(flatten)]
-    outcome: RuleOutcome,
-}
-
-#[derive(Debug, Serialize)]
-struct JsonViolation<'a> {
-    #[serde(flatten)]
-    described: Described<'a>,
-    #[serde(skip_serializing_if = "Option::is_none")]
-    cause: Option<&'static str>,
-    #[serde(skip_serializing_if = "Option::is_none")]
-    remedy: Option<&'static str>,
-    at: Vec<[f64; 2]>,
-    features: Vec<String>,
-}
-
-impl<'a> Json<'a> {
-    pub(super) fn new(audited: Audited<'a>, explain: bool) -> Self {
-        let Audited { imported, report, coverage, is_valid, elapsed, .. } = audited;
-        let Imported { name, read, map, noted, .. } = imported;
-        Self {
-            input: name,
-            import: JsonImport::new(imported),
-            noding: map.noding().map(JsonNoding::from),
-            schema: REPORT_SCHEMA,
-            valid: is_valid,
-            counts: *report.counts(),
-            bounds: report.figures().and_then(|figures| figures.bounds),
-            rules: report.outcomes().map(|(id, outcome)| JsonRule { id, outcome }).collect(),
-            violation_count: report.violation_count(),
-            violations: report
-                .violations()
-                .iter()
-                .map(|violation| JsonViolation {
-                    described: Described(violation),
-                    cause: explain.then(|| violation.cause()),
-                    remedy: explain.then(|| remedy(violation)),
-                    at: places(map, violation).into_iter().map(Into::into).collect(),
-                    features: labels(map, violation),
-                })
-                .collect(),
-            coverage,
-            warnings: noted.without_geometry().into_iter().chain(noted.warnings(read)).collect(),
-            elapsed_ms: elapsed,
         }
     }
 }

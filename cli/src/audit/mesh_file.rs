@@ -1,16 +1,15 @@
 //! Auditing a mesh file.
 
-use super::destination::Destination;
+use super::Run;
+use super::audited::{Audited, JsonForm, Note};
+use super::write::{Picture, write};
 use crate::input::Input;
-use crate::output::style::{BAD, GOOD, QUIET};
-use crate::output::{Format, counted};
+use crate::output::{counted, grouped};
 use crate::status::{Failure, Verdict};
-use serde::Serialize;
-use std::collections::BTreeSet;
-use std::fmt::Write as _;
-use std::time::Instant;
+use serde_json::{Map, to_value};
 use twinedge::validate::{Collect, Expectation};
-use twinedge_formats::mesh::{self, Finding, Format as MeshFormat, HalfEdgeMesh, Kind, MeshAudit, MeshFile};
+use twinedge_formats::diagnosis::{Diagnosis, RuleLine};
+use twinedge_formats::mesh::{self, Format as MeshFormat, HalfEdgeMesh, MeshFile};
 
 /// What a mesh must be.
 #[derive(Debug, clap::Args)]
@@ -75,92 +74,48 @@ impl Expected {
     }
 }
 
-#[derive(Debug, Serialize)]
-struct Json<'a> {
-    input: &'a str,
-    format: &'static str,
-    dropped: &'a [mesh::Dropped],
-    #[serde(flatten)]
-    audit: &'a MeshAudit,
-    elapsed_ms: f64,
-}
-
-/// Reads a mesh, joins its faces, and prints what was found. At most `list` findings of each kind are listed.
-pub(super) fn audit(
-    Input { name, reader, .. }: Input,
-    format: MeshFormat,
-    expectation: Expectation,
-    list: usize,
-    explain: bool,
-    to: Destination<'_>,
-) -> Result<Verdict, Failure> {
-    let start = Instant::now();
-    let output = to.without_map(&name, "a mesh")?;
+/// Reads a mesh, joins its faces, and prints what was found. At most `--list` findings of each kind are listed.
+pub(super) fn audit(run: &Run<'_>, Input { name, reader, .. }: Input, format: MeshFormat) -> Result<Verdict, Failure> {
     let file = mesh::read(reader, Some(format)).map_err(|error| Failure(format!("{name}: {error}")))?;
-    let audit = mesh::audit(&file.mesh, &expectation, Collect::AtMost(list));
-    let elapsed_ms = start.elapsed().as_secs_f64() * 1000.0;
-    match output {
-        Format::Text => to.text(&text(&name, &file, &audit, explain, elapsed_ms)?)?,
-        Format::Json => {
-            let json = Json { input: &name, format: format.name(), dropped: &file.dropped, audit: &audit, elapsed_ms };
-            if explain { to.json(&explained(&json)?)? } else { to.json(&json)? }
-        }
-    }
-    Ok(if audit.is_valid() { Verdict::Sound } else { Verdict::Wrong })
+    let audit = mesh::audit(&file.mesh, &run.asked.mesh.expectation(), Collect::AtMost(run.asked.most()));
+    let (findings, report) = (audit.findings(), audit.report());
+    let numbers = [(findings.total(), "finding"), (report.violation_count() as usize, "violation")];
+    let mut extra = Map::new();
+    extra.insert("format".to_owned(), format.name().into());
+    extra.insert("dropped".to_owned(), to_value(&file.dropped)?);
+    let audited = Audited {
+        valid: audit.is_valid(),
+        found: numbers.map(|(count, name)| counted(count, name)).join(", "),
+        notes: notes(&file),
+        counts: audit
+            .count_lines()
+            .map(|(what, count)| (what, count.map_or_else(|| "unknown".to_owned(), signed)))
+            .into(),
+        rules: RuleLine::of(report),
+        violations: report.violations().iter().map(Diagnosis::from).collect(),
+        violation_count: report.violation_count(),
+        findings: findings.list().iter().map(Diagnosis::from).collect(),
+        finding_count: findings.total() as u64,
+        remarks: audit.remarks(),
+        json: JsonForm { counts: to_value(audit.counts())?, has_findings: true, extra, ..JsonForm::default() },
+        ..Audited::new(&name)
+    };
+    write(audited, run, |_| Picture::default())
 }
 
-/// The same, with the usual cause and the remedy of each finding and each violation.
-fn explained(json: &Json<'_>) -> Result<serde_json::Value, Failure> {
-    let mut value = serde_json::to_value(json)?;
-    let listed = value["findings"].as_array_mut().into_iter().flatten();
-    for (object, finding) in listed.zip(json.audit.findings().list()) {
-        object["cause"] = finding.kind().cause().into();
-        object["remedy"] = finding.kind().remedy().into();
-    }
-    let listed = value["violations"].as_array_mut().into_iter().flatten();
-    for (object, violation) in listed.zip(json.audit.report().violations()) {
-        object["cause"] = violation.cause().into();
-        object["remedy"] = violation.remedy().into();
-    }
-    Ok(value)
+/// A number with its thousands set off, and its sign.
+fn signed(count: isize) -> String {
+    let sign = if count < 0 { "-" } else { "" };
+    format!("{sign}{}", grouped(count.unsigned_abs()))
 }
 
-fn text(
-    name: &str,
-    file: &MeshFile,
-    audit: &MeshAudit,
-    explain: bool,
-    elapsed_ms: f64,
-) -> Result<String, std::fmt::Error> {
-    let mut out = String::new();
-    writeln!(out, "{name}")?;
+fn notes(file: &MeshFile) -> Vec<Note> {
     let (points, faces) = (file.mesh.points().len(), file.mesh.face_count());
-    write!(out, "{QUIET}{}, {}, {}", file.format, counted(points, "point"), counted(faces, "face"))?;
-    for dropped in &file.dropped {
-        write!(out, "; not used: {} {}", dropped.count, dropped.what)?;
-    }
+    let dropped = file.dropped.iter().map(|dropped| format!("; not used: {} {}", dropped.count, dropped.what));
+    let dropped: String = dropped.collect();
     let from_one = if file.format.name() == "obj" { " (the file counts points from 1)" } else { "" };
-    writeln!(out, "\nvertices and faces are counted from 0 here{from_one}{QUIET:#}\n")?;
-    let body = audit.to_string();
-    let (body, _) = body.rsplit_once('\n').unwrap_or((&body, ""));
-    writeln!(out, "{body}\n")?;
-    if explain {
-        let kinds: BTreeSet<Kind> = audit.findings().list().iter().map(Finding::kind).collect();
-        for kind in kinds {
-            writeln!(out, "{kind}: usual cause: {}; remedy: {}", kind.cause(), kind.remedy())?;
-        }
-        let violations = audit.report().violations().iter();
-        let explained: BTreeSet<_> = violations.map(|v| (v.rule(), v.cause(), v.remedy())).collect();
-        for (rule, cause, remedy) in explained {
-            writeln!(out, "{rule}: usual cause: {cause}; remedy: {remedy}")?;
-        }
-    }
-    if audit.is_valid() {
-        writeln!(out, "{GOOD}valid{GOOD:#}: every rule that applies holds ({elapsed_ms:.0} ms)")?;
-    } else {
-        let (findings, violations) = (audit.findings().total(), audit.report().violation_count());
-        let (findings, violations) = (counted(findings, "finding"), counted(violations as usize, "violation"));
-        writeln!(out, "{BAD}not valid{BAD:#}: {findings}, {violations} ({elapsed_ms:.0} ms)")?;
-    }
-    Ok(out)
+    vec![
+        Note::Plain(format!("{}, {}, {}{dropped}", file.format, counted(points, "point"), counted(faces, "face"))),
+        Note::Plain(format!("vertices and faces are counted from 0 here{from_one}")),
+    ]
 }

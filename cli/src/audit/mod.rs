@@ -2,33 +2,27 @@
 
 mod audited;
 mod destination;
-mod document;
 mod findings_geojson;
-mod map_document;
+mod map;
 mod map_json;
-mod map_text;
+mod map_notes;
 mod mesh_file;
 mod packed;
 mod page;
-mod remedies;
+mod recognise;
 mod table_file;
+mod text;
 mod textbook;
 mod topology_file;
 mod write;
 
-use crate::coverage::{Asked, Coverage, SHOWN};
+use crate::coverage::Asked;
 use crate::input::MapFile;
-use crate::noted::Keep;
-use crate::progress::busy;
 use crate::status::{Failure, Verdict};
-use crate::units::Units;
-use audited::Audited;
-use destination::ReportFormat;
-use map_json::Json;
-use map_text::Shown;
+use destination::Destination;
+use recognise::Recognised;
 use std::time::Instant;
-use twinedge::validate::{Collect, Expectation, validate_embedding};
-use twinedge_formats::postgis::is_copy;
+use twinedge::validate::Collect;
 
 /// Check a map (GeoJSON, TopoJSON, WKT, WKB, Shapefile, GeoPackage, FlatGeobuf) or a mesh (OBJ, OFF, PLY, STL) for everything that can be wrong.
 ///
@@ -97,84 +91,38 @@ pub(crate) struct Audit {
     mesh: mesh_file::Expected,
 }
 
+/// A run of the command.
+struct Run<'a> {
+    asked: &'a Audit,
+    to: Destination<'a>,
+    start: Instant,
+}
+
+impl Run<'_> {
+    fn elapsed_ms(&self) -> f64 {
+        self.start.elapsed().as_secs_f64() * 1000.0
+    }
+}
+
 impl Audit {
+    /// Greatest number of violations to list.
+    fn most(&self) -> usize {
+        self.list.unwrap_or(Collect::DEFAULT_CAP)
+    }
+
     pub(crate) fn run(&self) -> Result<Verdict, Failure> {
         let start = Instant::now();
-        let list = self.list.unwrap_or(Collect::DEFAULT_CAP);
         let mut input = self.map.open()?;
-        let to = self.destination.destination(self.map.path());
-        if self.postgis || is_copy(input.beginning()?) {
-            self.map.refuse_snap(&input.name, "a topology of PostGIS")?;
-            self.refuse_mesh_options(&input.name)?;
-            return topology_file::audit_postgis(input, list, self.explain, to);
+        let recognised = Recognised::of(self, &mut input)?;
+        let run = &Run { asked: self, to: self.destination.destination(self.map.path()), start };
+        recognised.refuse_options(run, &input.name)?;
+        match recognised {
+            Recognised::Map => map::audit(run, input),
+            Recognised::Mesh(format) => mesh_file::audit(run, input, format),
+            Recognised::Textbook => textbook::audit(run, input),
+            Recognised::Tables => table_file::audit(run, input),
+            Recognised::Postgis => topology_file::audit_postgis(run, input),
+            Recognised::Arcs => topology_file::audit_arcs(run, input),
         }
-        if self.arcs {
-            self.map.refuse_snap(&input.name, "audited arc by arc")?;
-            self.refuse_coverage(&input.name, "audited arc by arc")?;
-            self.refuse_mesh_options(&input.name)?;
-            return topology_file::audit_arcs(input, self.map.layer(), list, self.explain, to);
-        }
-        if textbook::is_textbook(input.beginning()?) {
-            self.refuse_coverage(&input.name, "a textbook's tables")?;
-            return textbook::audit(&input.name, input.reader, list, self.explain, to);
-        }
-        if table_file::is_table_file(input.beginning()?) {
-            self.map.refuse_snap(&input.name, "a file of tables")?;
-            self.refuse_coverage(&input.name, "a file of tables")?;
-            self.refuse_mesh_options(&input.name)?;
-            return table_file::audit(&input.name, input.reader, list, self.explain, to);
-        }
-        if let Some(format) = input.mesh_format()? {
-            self.map.refuse_snap(&input.name, "a mesh")?;
-            self.refuse_coverage(&input.name, "a mesh")?;
-            return mesh_file::audit(input, format, self.mesh.expectation(), list, self.explain, to);
-        }
-        self.refuse_mesh_options(&input.name)?;
-        let imported = self.map.build_from(input, Keep { coverage: true, condition: None })?;
-        let map = &imported.map;
-        let report = busy("validating", || validate_embedding(map, &Expectation::plane(), Collect::AtMost(list)));
-        let units = Units::Plane { degrees: imported.noted.look_like_degrees(&imported.read) };
-        let mut coverage = Coverage::new(&imported, &self.coverage, &units, list);
-        if self.explain {
-            coverage.explain();
-        }
-        let elapsed = start.elapsed().as_secs_f64() * 1000.0;
-        let of_coverage = if self.coverage.is_rule() { coverage.total() } else { 0 };
-        // What cannot be checked is not known to hold.
-        let is_valid =
-            report.is_valid() && of_coverage == 0 && (!self.coverage.is_rule() || coverage.not_checked().is_none());
-        let is_coverage_rule = self.coverage.is_rule();
-        let audited = Audited { imported: &imported, report: &report, coverage, is_coverage_rule, is_valid, elapsed };
-        match to.format {
-            ReportFormat::Text => {
-                let worst = self.list.unwrap_or(SHOWN);
-                let shown = Shown { coverage: &self.coverage, worst, explain: self.explain };
-                to.text(&shown.text(&audited)?)?;
-            }
-            ReportFormat::Json => to.json(&Json::new(audited, self.explain))?,
-            ReportFormat::Geojson | ReportFormat::Html => {
-                let document = map_document::document(&audited, self.explain);
-                write::write(&document, &to, || map_document::packed(&audited, &document))?;
-            }
-        }
-        Ok(if is_valid { Verdict::Sound } else { Verdict::Wrong })
-    }
-
-    /// Refuses the options about coverages for what is no map.
-    fn refuse_coverage(&self, name: &str, what: &str) -> Result<(), Failure> {
-        if self.coverage.is_any() {
-            return Err(Failure(format!(
-                "{name}: --coverage, --gap-width and --sliver are for maps, and this is {what}"
-            )));
-        }
-        Ok(())
-    }
-
-    fn refuse_mesh_options(&self, name: &str) -> Result<(), Failure> {
-        if self.mesh.is_any() {
-            let why = "is no mesh file (OBJ, OFF, PLY, STL), and the options say what a mesh must be";
-            return Err(Failure(format!("{name}: {why}")));
-        }
-        Ok(())
     }
 }

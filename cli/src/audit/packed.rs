@@ -16,11 +16,12 @@
 //!
 //! Coordinates are rounded to a grid of 2^40 cells across the longer side of the map.
 
-use crate::trace::{Position, finite, target};
+use crate::trace::{finite, target};
 use base64::Engine as _;
 use base64::engine::general_purpose::STANDARD;
 use serde::{Serialize, Serializer};
 use twinedge::validate::Embedding;
+use twinedge_formats::diagnosis::Position;
 
 /// The cells of the grid across the map, as a power of two.
 const CELLS: i32 = 40;

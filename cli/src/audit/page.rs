@@ -3,12 +3,15 @@
 //! A policy in the page forbids it to load anything. What comes from the input is in a block of JSON without `<`, `>` and `&`, and
 //! the script sets it as text.
 
-use super::document::Document;
-use super::packed::Map;
-use crate::output::plain;
+use super::audited::{Audited, Note};
+use super::write::Picture;
+use crate::coverage_words::statement;
+use crate::diagnosis_text::full_message;
+use crate::output::{counted, grouped, plain};
 use crate::status::Failure;
 use serde::Serialize;
 use std::fmt::Write as _;
+use twinedge_formats::diagnosis::{Diagnosis, Measures, Position, RuleLine, Trace};
 
 const PAGE: &str = include_str!("html/page.html");
 const STYLE: &str = include_str!("html/style.css");
@@ -26,18 +29,121 @@ const SCRIPTS: [&str; 9] = [
     include_str!("html/main.js"),
 ];
 
+/// What the script reads.
 #[derive(Serialize)]
 struct Data<'a> {
+    input: &'a str,
+    valid: bool,
+    verdict: &'a str,
+    notes: Vec<String>,
+    counts: &'a [(&'static str, String)],
+    rules: Vec<Rule>,
+    unit: Option<&'static str>,
+    findings: Vec<Finding<'a>>,
+    total: u64,
     #[serde(flatten)]
-    document: &'a Document,
-    map: &'a Map,
+    picture: &'a Picture,
+}
+
+#[derive(Serialize)]
+struct Rule {
+    id: &'static str,
+    name: &'static str,
+    statement: &'static str,
+    outcome: String,
+    found: u64,
+}
+
+#[derive(Serialize)]
+struct Finding<'a> {
+    rule: &'static str,
+    name: &'static str,
+    kind: &'a str,
+    message: String,
+    violation: bool,
+    records: Vec<String>,
+    features: Vec<usize>,
+    area: Option<f64>,
+    width: Option<f64>,
+    length: Option<f64>,
+    cause: Option<&'static str>,
+    remedy: Option<&'static str>,
+    at: Option<Position>,
+    trace: &'a Trace,
+}
+
+impl<'a> Finding<'a> {
+    fn new(audited: &Audited, one: &'a Diagnosis) -> Self {
+        let Measures { area, width, length } = one.measures;
+        Self {
+            rule: one.rule.unwrap_or_default(),
+            name: audited.name_of_rule(one),
+            kind: one.kind.name(),
+            message: full_message(one),
+            violation: one.is_violation,
+            records: one.records.names(),
+            features: one.features.iter().flatten().map(|feature| feature.number).collect(),
+            area,
+            width,
+            length,
+            cause: one.cause,
+            remedy: one.remedy,
+            at: one.look,
+            trace: &one.trace,
+        }
+    }
+}
+
+/// The rules of the validator and the format, and C1 … C6 where there are polygons.
+fn rules(audited: &Audited) -> Vec<Rule> {
+    let own = audited.rules.iter().map(|rule| {
+        let checked = format!("{} {}", grouped(rule.checked), rule.unit);
+        let outcome = match (rule.violations, rule.unchecked) {
+            (0, None) => format!("holds for {checked}"),
+            (0, Some(why)) => format!("not checked: {why}"),
+            (n, _) => format!("{} in {checked}", counted(n as usize, "violation")),
+        };
+        let RuleLine { id, name, statement, violations: found, .. } = *rule;
+        Rule { id, name, statement, outcome, found }
+    });
+    let of_coverage = audited.coverage.iter().filter(|coverage| coverage.has_polygons()).flat_map(|coverage| {
+        coverage.counts().map(|(rule, count, _)| Rule {
+            id: rule.id(),
+            name: rule.name(),
+            statement: statement(rule),
+            outcome: coverage.outcome(rule),
+            found: count as u64,
+        })
+    });
+    own.chain(of_coverage).collect()
+}
+
+fn note(note: &Note) -> Option<String> {
+    match note {
+        Note::Plain(note) => Some(note.clone()),
+        Note::Warning(warning) => Some(format!("Warning: {warning}")),
+        Note::Detail(_) => None,
+    }
 }
 
 /// The page.
-pub(super) fn page(document: &Document, map: &Map) -> Result<String, Failure> {
-    let data = in_script(&serde_json::to_string(&Data { document, map })?);
-    let title = in_element(&plain(&document.input));
-    let verdict = in_element(&plain(&document.verdict));
+pub(super) fn page(audited: &Audited, picture: &Picture) -> Result<String, Failure> {
+    let verdict = audited.verdict();
+    let data = Data {
+        input: &audited.input,
+        valid: audited.valid,
+        verdict: &verdict,
+        notes: audited.notes.iter().filter_map(note).collect(),
+        counts: &audited.counts,
+        rules: rules(audited),
+        unit: audited.unit(),
+        findings: audited.listed().map(|one| Finding::new(audited, one)).collect(),
+        total: audited.total(),
+        picture,
+    };
+    let data = in_script(&serde_json::to_string(&data)?);
+    let title = in_element(&plain(&audited.input));
+    let verdict = in_element(&plain(&verdict));
     let script = SCRIPTS.concat();
     let mut page = String::with_capacity(data.len() + script.len() + 20_000);
     let mut rest = PAGE;
@@ -75,14 +181,14 @@ fn in_element(text: &str) -> String {
 
 #[cfg(test)]
 mod tests {
-    use super::{Document, Map, page};
+    use super::{Audited, Picture, page};
     use serde_json::Value;
 
     #[test]
     fn what_comes_from_the_input_ends_no_element() {
         let hostile = "</script><script>alert(1)</script><!--\u{2028}\"'&amp; {data} \u{1b}[31m";
-        let document = Document { input: hostile.to_owned(), verdict: hostile.to_owned(), ..Document::default() };
-        let page = page(&document, &Map::default()).expect("it can be written");
+        let audited = Audited { found: hostile.to_owned(), ..Audited::new(hostile) };
+        let page = page(&audited, &Picture::default()).expect("it can be written");
         assert_eq!(page.matches("</script>").count(), 2);
         assert!(!page.contains("alert(1)</script>") && !page.contains("{script}") && !page.contains('\u{1b}'));
         let (_, data) = page.split_once("type=\"application/json\">").expect("the data are there");

@@ -1,16 +1,19 @@
 //! Auditing a file of tables, one on each line.
 
-use super::destination::Destination;
+use super::Run;
+use super::destination::ReportFormat;
+use crate::diagnosis_text::{write, write_explanations, write_more};
 use crate::expectation_text::parse;
-use crate::output::style::{BAD, GOOD, QUIET};
-use crate::output::{Format, counted, grouped, plain};
+use crate::input::Input;
+use crate::output::style::{BAD, GOOD};
+use crate::output::{counted, grouped, plain};
 use crate::status::{Failure, Verdict};
 use serde::Serialize;
-use std::collections::{BTreeMap, BTreeSet};
+use std::collections::BTreeMap;
 use std::fmt::Write as _;
 use std::io::BufRead;
-use std::time::Instant;
 use twinedge::validate::{Collect, Expectation, Rule, Table, validate};
+use twinedge_formats::diagnosis::{Diagnosis, Kind, Records};
 
 /// Whether a file that begins so has tables. Every table begins with `P` or `V`; comments may precede it.
 pub(super) fn is_table_file(beginning: &[u8]) -> bool {
@@ -36,12 +39,10 @@ struct Audited<'a> {
     verdicts_differ: u64,
     /// How many tables break each rule; a table may break several.
     rules: Vec<RuleTables>,
-    violations: Vec<TableViolation>,
+    violations: Vec<Diagnosis>,
     elapsed_ms: f64,
     #[serde(skip)]
     violation_count: u64,
-    #[serde(skip)]
-    explain: bool,
 }
 
 #[derive(Debug, Serialize)]
@@ -50,28 +51,10 @@ struct RuleTables {
     tables: u64,
 }
 
-#[derive(Debug, Serialize)]
-struct TableViolation {
-    line: u64,
-    rule: &'static str,
-    message: String,
-    #[serde(skip_serializing_if = "Option::is_none")]
-    cause: Option<&'static str>,
-    #[serde(skip_serializing_if = "Option::is_none")]
-    remedy: Option<&'static str>,
-}
-
-/// Judges each line and prints what was found. At most `list` violations are listed.
-pub(super) fn audit(
-    name: &str,
-    mut input: impl BufRead,
-    list: usize,
-    explain: bool,
-    to: Destination<'_>,
-) -> Result<Verdict, Failure> {
-    let start = Instant::now();
-    let output = to.without_map(name, "a file of tables")?;
-    let mut audited = Audited { input: name, explain, ..Audited::default() };
+/// Judges each line and prints what was found.
+pub(super) fn audit(run: &Run<'_>, Input { name, reader: mut input, .. }: Input) -> Result<Verdict, Failure> {
+    let list = run.asked.most();
+    let mut audited = Audited { input: &name, ..Audited::default() };
     let mut broken = BTreeMap::new();
     let mut expectation = Expectation::plane();
     let mut line = String::new();
@@ -92,10 +75,13 @@ pub(super) fn audit(
     audited.rules =
         broken.into_iter().map(|(rule, tables): (Rule, u64)| RuleTables { id: rule.id(), tables }).collect();
     audited.valid = audited.valid_tables == audited.tables && audited.verdicts_differ == 0;
-    audited.elapsed_ms = start.elapsed().as_secs_f64() * 1000.0;
-    match output {
-        Format::Text => to.text(&audited.text()?)?,
-        Format::Json => to.json(&audited)?,
+    audited.elapsed_ms = run.elapsed_ms();
+    if !run.asked.explain {
+        audited.violations = audited.violations.into_iter().map(Diagnosis::unexplained).collect();
+    }
+    match run.to.format {
+        ReportFormat::Json => run.to.json(&audited)?,
+        _ => run.to.text(&audited.text()?)?,
     }
     Ok(if audited.valid { Verdict::Sound } else { Verdict::Wrong })
 }
@@ -125,18 +111,20 @@ impl Audited<'_> {
             *broken.entry(rule).or_default() += 1;
         }
         let room = list.saturating_sub(self.violations.len());
-        for violation in report.violations().iter().take(room) {
-            let (rule, message) = (violation.rule().id(), violation.to_string());
-            let cause = self.explain.then(|| violation.cause());
-            let remedy = self.explain.then(|| violation.remedy());
-            self.violations.push(TableViolation { line, rule, message, cause, remedy });
-        }
+        let listed = report.violations().iter().take(room);
+        self.violations.extend(listed.map(|violation| Diagnosis { line: Some(line), ..violation.into() }));
         let verdict = first.map_or("ok", Rule::id);
-        if stated.is_some_and(|stated| stated != verdict) {
+        if let Some(stated) = stated.filter(|stated| *stated != verdict) {
             self.verdicts_differ += 1;
             if room > 0 {
-                let message = format!("the file says {}", plain(stated.unwrap_or_default()));
-                self.violations.push(TableViolation { line, rule: verdict, message, cause: None, remedy: None });
+                self.violations.push(Diagnosis {
+                    line: Some(line),
+                    rule: Some(verdict),
+                    kind: Kind::Named { kind: "verdict_differs" },
+                    message: format!("the file says {}", plain(stated)),
+                    records: Records::Indices { records: Vec::new() },
+                    ..Diagnosis::default()
+                });
             }
         }
         Ok(())
@@ -145,18 +133,9 @@ impl Audited<'_> {
     fn text(&self) -> Result<String, std::fmt::Error> {
         let mut out = String::new();
         writeln!(out, "{}", self.input)?;
-        for TableViolation { line, rule, message, .. } in &self.violations {
-            writeln!(out, "{QUIET}line {line}{QUIET:#}  {BAD}{rule}{BAD:#} {message}")?;
-        }
-        let total = self.violation_count + self.verdicts_differ;
-        let more = total.saturating_sub(self.violations.len() as u64);
-        if more > 0 {
-            writeln!(out, "… and {} more; see --list", grouped(more))?;
-        }
-        let explained = self.violations.iter().filter_map(|one| Some((one.rule, one.cause?, one.remedy?)));
-        for (rule, cause, remedy) in explained.collect::<BTreeSet<_>>() {
-            writeln!(out, "{rule}: usual cause: {cause}; remedy: {remedy}")?;
-        }
+        self.violations.iter().try_for_each(|one| write(&mut out, one, 0))?;
+        write_more(&mut out, self.violation_count + self.verdicts_differ, self.violations.len())?;
+        write_explanations(&mut out, &self.violations)?;
         for RuleTables { id, tables } in &self.rules {
             writeln!(out, "  {id}  broken in {}", counted(*tables as usize, "table"))?;
         }

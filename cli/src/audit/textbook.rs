@@ -1,19 +1,19 @@
 //! `twinedge audit` of the three tables of a textbook.
 
-use super::destination::{Destination, ReportFormat};
-use super::document::{Document, Marked, counts, rule_lines};
+use super::Run;
+use super::audited::{Audited, JsonForm, Note};
+use super::map::counts;
 use super::packed::{Beside, Map, Names};
-use super::write::write;
-use crate::output::style::{BAD, GOOD, QUIET};
-use crate::output::{counted, grouped, plain};
+use super::write::{Picture, write};
+use crate::input::Input;
+use crate::output::counted;
 use crate::status::{Failure, Verdict};
-use serde::Serialize;
-use std::fmt::Write as _;
+use crate::trace::placed;
+use serde_json::json;
 use std::io::Read;
 use twinedge::io::tables::Textbook;
-use twinedge::validate::{
-    self, Collect, Expectation, REPORT_SCHEMA, Record, Report, RuleOutcome, View, validate, validate_embedding,
-};
+use twinedge::validate::{Collect, Counts, Expectation, Record, View, Violation, validate, validate_embedding};
+use twinedge_formats::diagnosis::{Diagnosis, Records, RuleLine};
 
 /// Whether a file that begins so has the three tables of a textbook: the first word that is no comment is a heading, or the
 /// name of a vertex, a half-edge or a face.
@@ -29,105 +29,51 @@ pub(super) fn is_textbook(beginning: &[u8]) -> bool {
     ["vertex", "face", "half-edge", "halfedge"].contains(&word.as_str()) || ['v', 'e', 'f'].into_iter().any(is_name)
 }
 
-#[derive(Debug, Serialize)]
-struct Audited<'a> {
-    input: &'a str,
-    schema: &'static str,
-    valid: bool,
-    counts: Counts,
-    rules: Vec<Rule>,
-    violation_count: u64,
-    violations: Vec<Violation>,
-}
-
-#[derive(Debug, Serialize)]
-struct Counts {
-    vertices: usize,
-    edges: usize,
-    half_edges: usize,
-    faces: usize,
-    components: Option<usize>,
-}
-
-#[derive(Debug, Serialize)]
-struct Rule {
-    id: validate::Rule,
-    name: &'static str,
-    #[serde(flatten)]
-    outcome: RuleOutcome,
-}
-
-#[derive(Debug, Serialize)]
-struct Violation {
-    rule: &'static str,
-    kind: &'static str,
-    records: Vec<Record>,
-    /// With the names of the tables.
-    message: String,
-}
-
 /// Reads the tables and validates them.
-pub(super) fn audit(
-    name: &str,
-    mut reader: impl Read,
-    list: usize,
-    explain: bool,
-    to: Destination<'_>,
-) -> Result<Verdict, Failure> {
+pub(super) fn audit(run: &Run<'_>, Input { name, mut reader, .. }: Input) -> Result<Verdict, Failure> {
+    let failed = |error: &dyn std::fmt::Display| Failure(format!("{name}: {error}"));
     let mut text = String::new();
-    reader.read_to_string(&mut text).map_err(|error| Failure(format!("{name}: {error}")))?;
-    let tables: Textbook = text.parse().map_err(|error| Failure(format!("{name}: {error}")))?;
-    let (expectation, collect) = (Expectation::plane(), Collect::AtMost(list));
+    reader.read_to_string(&mut text).map_err(|error| failed(&error))?;
+    let tables: Textbook = text.parse().map_err(|error| failed(&error))?;
+    let (expectation, collect) = (Expectation::plane(), Collect::AtMost(run.asked.most()));
     let report = if tables.has_coordinates() {
         validate_embedding(&tables, &expectation, collect)
     } else {
         validate(&tables, &expectation, collect)
     };
-    let audited = Audited::new(name, &tables, &report);
-    match to.format {
-        ReportFormat::Text => to.text(&audited.text(report.violation_count())?)?,
-        ReportFormat::Json => to.json(&audited)?,
-        ReportFormat::Geojson | ReportFormat::Html => {
-            let document = document(name, &tables, &report, explain);
-            write(&document, &to, || packed(&tables, &document))?;
-        }
-    }
-    Ok(if audited.valid { Verdict::Sound } else { Verdict::Wrong })
-}
-
-/// What was found, with the names of the tables.
-fn document(name: &str, tables: &Textbook, report: &Report, explain: bool) -> Document {
-    let marked = |violation: &validate::Violation| {
-        let named = |record: Record| tables.name(record).map_or_else(|| record.to_string(), str::to_owned);
-        Marked {
-            message: with_names(&violation.to_string(), tables),
-            records: violation.records().into_iter().flatten().map(named).collect(),
-            ..Marked::of_violation(tables, violation, explain)
-        }
-    };
-    let no_places = "The tables have no coordinates: there is nothing to draw.";
-    let count = report.violation_count();
-    Document {
-        input: name.to_owned(),
+    let no_places = "the tables have no coordinates, so there is nothing to draw and G1 to G5 are not checked";
+    let notes = [Some("the three tables of a textbook"), (!tables.has_coordinates()).then_some(no_places)];
+    let Counts { vertices, edges, half_edges, faces, components, .. } = *report.counts();
+    let json = json!({
+        "vertices": vertices, "edges": edges, "half_edges": half_edges, "faces": faces, "components": components,
+    });
+    let audited = Audited {
         valid: report.is_valid(),
-        verdict: match counted(count as usize, "violation") {
-            _ if report.is_valid() => "valid: every rule that applies holds".to_owned(),
-            violations => format!("not valid: {violations}"),
-        },
-        notes: ["The three tables of a textbook."]
-            .into_iter()
-            .chain((!tables.has_coordinates()).then_some(no_places))
-            .map(str::to_owned)
-            .collect(),
-        counts: counts(report),
-        rules: rule_lines(report),
-        findings: report.violations().iter().map(marked).collect(),
-        total: count,
-        ..Document::default()
+        found: counted(report.violation_count() as usize, "violation"),
+        notes: notes.into_iter().flatten().map(|note| Note::Plain(note.to_owned())).collect(),
+        counts: counts(report.counts()),
+        rules: RuleLine::of(&report),
+        violations: report.violations().iter().map(|violation| diagnosis(&tables, violation)).collect(),
+        violation_count: report.violation_count(),
+        json: JsonForm { counts: json, is_named: true, ..JsonForm::default() },
+        ..Audited::new(&name)
+    };
+    write(audited, run, |audited| picture(&tables, audited))
+}
+
+/// A violation with the names of the tables.
+fn diagnosis(tables: &Textbook, violation: &Violation) -> Diagnosis {
+    let places = tables.has_coordinates().then(|| placed(tables, violation));
+    let records: Vec<Record> = violation.records().into_iter().flatten().collect();
+    let name = |record: &Record| tables.name(*record).map_or_else(|| record.to_string(), str::to_owned);
+    Diagnosis {
+        message: with_names(&violation.to_string(), tables),
+        records: Records::Both { names: records.iter().map(name).collect(), records },
+        ..places.unwrap_or_else(|| violation.into())
     }
 }
 
-fn packed(tables: &Textbook, document: &Document) -> Map {
+fn picture(tables: &Textbook, audited: &Audited) -> Picture {
     let name = |record: Record| tables.name(record).unwrap_or_default().to_owned();
     let half_edges = 0..tables.half_edge_slots();
     let mutual = |h: &usize| tables.twin(*h).filter(|t| half_edges.contains(t) && tables.twin(*t) == Some(*h));
@@ -137,7 +83,8 @@ fn packed(tables: &Textbook, document: &Document) -> Map {
         faces: (0..tables.face_slots()).map(|f| name(Record::Face(f))).collect(),
         twins: half_edges.clone().map(|h| mutual(&h)).collect(),
     };
-    Map::pack(tables, Beside { features: &|_| Vec::new(), names, windows: &document.windows() })
+    let map = Map::pack(tables, Beside { features: &|_| Vec::new(), names, windows: &audited.windows() });
+    Picture { map, ..Picture::default() }
 }
 
 /// Makes a record of an index.
@@ -180,65 +127,6 @@ fn with_names(message: &str, tables: &Textbook) -> String {
         kind = record.filter(|_| named.is_some()).or(kind.filter(|_| word == "and"));
     }
     out
-}
-
-impl<'a> Audited<'a> {
-    fn new(input: &'a str, tables: &Textbook, report: &Report) -> Self {
-        let counts = report.counts();
-        let rules = report.outcomes().map(|(rule, outcome)| Rule { id: rule, name: rule.name(), outcome });
-        let violations = report.violations().iter().map(|violation| Violation {
-            rule: violation.rule().id(),
-            kind: violation.kind(),
-            records: violation.records().into_iter().flatten().collect(),
-            message: with_names(&violation.to_string(), tables),
-        });
-        Self {
-            input,
-            schema: REPORT_SCHEMA,
-            valid: report.is_valid(),
-            counts: Counts {
-                vertices: counts.vertices,
-                edges: counts.edges,
-                half_edges: counts.half_edges,
-                faces: counts.faces,
-                components: counts.components,
-            },
-            rules: rules.collect(),
-            violation_count: report.violation_count(),
-            violations: violations.collect(),
-        }
-    }
-
-    fn text(&self, count: u64) -> Result<String, std::fmt::Error> {
-        let mut out = String::new();
-        let Counts { vertices, half_edges, faces, .. } = self.counts;
-        writeln!(out, "{}", plain(self.input))?;
-        let [vertices, half_edges, faces] =
-            [(vertices, "vertex"), (half_edges, "half-edge"), (faces, "face")].map(|(n, name)| counted(n, name));
-        writeln!(out, "{QUIET}the three tables of a textbook: {vertices}, {half_edges}, {faces}{QUIET:#}\n")?;
-        for rule in &self.rules {
-            write!(out, "  {:2}  {:10} ", rule.id.id(), rule.name)?;
-            match (rule.outcome.violations, rule.outcome.unchecked) {
-                (0, None) => writeln!(out, "{GOOD}ok{GOOD:#}")?,
-                (0, Some(why)) => writeln!(out, "{QUIET}not checked: {why}{QUIET:#}")?,
-                (n, _) => writeln!(out, "{BAD}BROKEN{BAD:#}  {}", counted(n as usize, "violation"))?,
-            }
-        }
-        out.push('\n');
-        for violation in &self.violations {
-            writeln!(out, "{BAD}{}{BAD:#} {}", violation.rule, plain(&violation.message))?;
-        }
-        let more = count.saturating_sub(self.violations.len() as u64);
-        if more > 0 {
-            writeln!(out, "… and {} more; see --list", grouped(more))?;
-        }
-        if self.valid {
-            writeln!(out, "{GOOD}valid{GOOD:#}: every rule that applies holds")?;
-        } else {
-            writeln!(out, "{BAD}not valid{BAD:#}: {}", counted(count as usize, "violation"))?;
-        }
-        Ok(out)
-    }
 }
 
 #[cfg(test)]

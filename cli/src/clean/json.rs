@@ -1,6 +1,7 @@
 //! What `twinedge clean` did, as JSON.
 
 use serde::Serialize;
+use twinedge_formats::diagnosis::{Diagnosis, FeatureName};
 
 /// What was done.
 #[derive(Debug, Serialize)]
@@ -19,25 +20,16 @@ pub(super) struct Json<'a> {
     #[serde(skip_serializing_if = "Option::is_none")]
     pub(super) left: Option<JsonLeft>,
     /// Gaps that are wider than `--gap-width`.
-    pub(super) wider_gaps: Vec<JsonRemaining>,
+    pub(super) wider_gaps: Vec<Diagnosis>,
     pub(super) warnings: Vec<String>,
     pub(super) elapsed_ms: f64,
 }
 
 #[derive(Debug, Serialize)]
-pub(super) struct Named {
-    pub(super) number: usize,
-    #[serde(skip_serializing_if = "Option::is_none")]
-    pub(super) id: Option<String>,
-    #[serde(skip_serializing_if = "Option::is_none")]
-    pub(super) name: Option<String>,
-}
-
-#[derive(Debug, Serialize)]
 pub(super) struct JsonChange {
     pub(super) kind: &'static str,
-    pub(super) from: Vec<Named>,
-    pub(super) to: Option<Named>,
+    pub(super) from: Vec<FeatureName>,
+    pub(super) to: Option<FeatureName>,
     pub(super) area: f64,
     pub(super) width: f64,
     pub(super) at: [f64; 2],
@@ -46,7 +38,7 @@ pub(super) struct JsonChange {
 #[derive(Debug, Serialize)]
 pub(super) struct JsonFeature {
     #[serde(flatten)]
-    pub(super) feature: Named,
+    pub(super) feature: FeatureName,
     pub(super) area_before: f64,
     pub(super) area_after: f64,
     pub(super) points_before: usize,
@@ -62,15 +54,5 @@ pub(super) struct JsonLeft {
     pub(super) near_misses: usize,
     pub(super) slivers: usize,
     pub(super) ogc_invalid: usize,
-    pub(super) findings: Vec<JsonRemaining>,
-}
-
-#[derive(Debug, Serialize)]
-pub(super) struct JsonRemaining {
-    pub(super) rule: &'static str,
-    pub(super) kind: &'static str,
-    pub(super) features: Vec<Named>,
-    pub(super) area: f64,
-    pub(super) width: f64,
-    pub(super) at: [f64; 2],
+    pub(super) findings: Vec<Diagnosis>,
 }

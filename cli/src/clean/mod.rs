@@ -8,13 +8,14 @@ use crate::noding_text;
 use crate::output::style::{BAD, GOOD, QUIET};
 use crate::output::{Format, counted, decimals, grouped, measure, place, plain, print, print_json};
 use crate::status::{Failure, Verdict};
-use json::{Json, JsonChange, JsonFeature, JsonLeft, JsonRemaining, Named};
+use json::{Json, JsonChange, JsonFeature, JsonLeft};
 use std::collections::{BTreeMap, BTreeSet};
 use std::fmt::Write as _;
 use std::time::Instant;
 use twinedge::algorithm::clean::{ChangeKind, Options, Winner};
 use twinedge::algorithm::coverage::CoverageRule;
 use twinedge::geometry::noding::Snap;
+use twinedge_formats::diagnosis::{Diagnosis, FeatureName, Kind, Measures};
 use twinedge_formats::layer::clean::{CleanOptions, CleanReport, FeatureChange, LayerChange, Left, Remaining, clean};
 use twinedge_formats::layer::{Feature, Layer, Value};
 
@@ -393,18 +394,26 @@ impl Cleaned<'_> {
 
     fn json(&self) -> Json<'_> {
         let Self { name, names, report, layer, written, elapsed, .. } = self;
-        let named = |number: &usize| Named {
-            number: *number,
-            id: layer.features.get(*number).and_then(|feature| feature.id.as_ref()).map(ToString::to_string),
-            name: layer.features.get(*number).and_then(|feature| names.of(feature)),
+        let named = |number: &usize| {
+            let feature = layer.features.get(*number);
+            FeatureName {
+                number: *number,
+                id: feature.and_then(|feature| feature.id.as_ref()).map(ToString::to_string),
+                name: feature.and_then(|feature| names.of(feature)),
+                label: self.label(*number),
+            }
         };
-        let remaining = |one: &Remaining| JsonRemaining {
-            rule: one.rule.id(),
-            kind: one.rule.name(),
-            features: one.features.iter().map(named).collect(),
-            area: one.area,
-            width: one.width,
-            at: one.at.into(),
+        let remaining = |one: &Remaining| {
+            let measures = Measures { area: Some(one.area), width: Some(one.width), length: None };
+            Diagnosis {
+                rule: Some(one.rule.id()),
+                kind: Kind::Named { kind: one.rule.name() },
+                message: self.remaining(one, decimals_of(layer)),
+                features: Some(one.features.iter().map(named).collect()),
+                measures,
+                look: Some(one.at.into()),
+                ..Diagnosis::default()
+            }
         };
         Json {
             input: name,

@@ -3,10 +3,11 @@
 mod steps;
 
 use crate::input::{Imported, MapFile};
+use crate::names::label;
 use crate::output::style::QUIET;
 use crate::output::{grouped, plain, print};
 use crate::output_file::write_file;
-use crate::query::{Asked, find, label};
+use crate::query::{Asked, find};
 use crate::status::{Failure, Verdict};
 use clap::ValueEnum;
 use serde::Serialize;

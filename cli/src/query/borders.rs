@@ -2,7 +2,7 @@
 
 use super::asked::Asked;
 use super::list::{Limit, TableFormat, csv, greatest_first};
-use super::names::label;
+use crate::names::label;
 use crate::output::style::QUIET;
 use crate::output::{measure, print, print_json};
 use crate::status::Failure;

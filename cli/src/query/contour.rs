@@ -1,8 +1,8 @@
 //! `twinedge query … contour`.
 
 use super::asked::Asked;
-use super::names::label;
 use super::which::Which;
+use crate::names::label;
 use crate::noted::Condition;
 use crate::output::{grouped, measure, print, print_json};
 use crate::status::Failure;

@@ -1,7 +1,8 @@
 //! `twinedge query … coverage`.
 
 use super::list::{Limit, TableFormat, csv, greatest_first};
-use crate::coverage::{Asked, Coverage, Entry};
+use crate::coverage::{Asked, Coverage, row};
+use crate::diagnosis_text::write;
 use crate::input::Imported;
 use crate::output::style::QUIET;
 use crate::output::{print, print_json};
@@ -9,6 +10,7 @@ use crate::status::Failure;
 use crate::units::Measured;
 use clap::ValueEnum;
 use serde::Serialize;
+use twinedge_formats::diagnosis::{Diagnosis, Measures};
 
 /// Overlaps, gaps, near misses, slivers, duplicates and features that are not valid by the OGC: what breaks C1 … C6, as a table.
 ///
@@ -72,32 +74,33 @@ const HEADINGS: [&str; 8] = ["rule", "kind", "features", "area", "width", "lengt
 impl CoverageOf {
     pub(super) fn answer(&self, imported: &Imported) -> Result<(), Failure> {
         let units = self.measured.units(imported)?;
-        let mut coverage = Coverage::new(imported, &self.asked, &units, usize::MAX);
+        let mut coverage = Coverage::new(imported, &self.asked, &units, usize::MAX).unexplained();
         if let Some(why) = coverage.not_checked() {
             return Err(Failure(format!("{}: {why}", imported.name)));
         }
         let findings = coverage.findings_mut();
-        findings.retain(|entry| self.rule.is_empty() || self.rule.iter().any(|rule| rule == entry.rule()));
-        let greatest =
-            |measure: fn(&Entry) -> Option<f64>| move |entry: &Entry| measure(entry).unwrap_or(f64::NEG_INFINITY);
+        findings.retain(|one| self.rule.is_empty() || self.rule.iter().any(|rule| Some(&**rule) == one.rule));
+        let greatest = |measure: fn(Measures) -> Option<f64>| {
+            move |one: &Diagnosis| measure(one.measures).unwrap_or(f64::NEG_INFINITY)
+        };
         match self.sort {
             SortBy::Rule => {}
-            SortBy::Area => greatest_first(findings, greatest(|entry| entry.area)),
-            SortBy::Width => greatest_first(findings, greatest(|entry| entry.width)),
-            SortBy::Length => greatest_first(findings, greatest(|entry| entry.length)),
+            SortBy::Area => greatest_first(findings, greatest(|size| size.area)),
+            SortBy::Width => greatest_first(findings, greatest(|size| size.width)),
+            SortBy::Length => greatest_first(findings, greatest(|size| size.length)),
         }
         self.limit.cut(findings);
         match self.format {
             TableFormat::Text => {
                 let mut out = String::new();
-                coverage.write_rules(&mut out, &self.asked)?;
+                coverage.write_rules(&mut out, self.asked.is_rule())?;
                 out.push('\n');
-                for entry in coverage.findings_mut() {
-                    entry.write(&mut out, imported.noted.decimals())?;
+                for one in coverage.findings() {
+                    write(&mut out, one, imported.noted.decimals())?;
                 }
                 print(&format!("{out}{QUIET}{}{QUIET:#}\n", units.sentence()))
             }
-            TableFormat::Csv => print(&csv(coverage.findings_mut().iter().map(|entry| entry.row()), &HEADINGS)?),
+            TableFormat::Csv => print(&csv(coverage.findings().iter().map(row), &HEADINGS)?),
             TableFormat::Json => print_json(&Answer { input: &imported.name, unit: units.name(), coverage }),
         }
     }

@@ -2,7 +2,7 @@
 
 use super::asked::Asked;
 use super::list::{Limit, greatest_first};
-use super::names::label;
+use crate::names::label;
 use crate::output::style::BAD;
 use crate::output::{Format, grouped, measure, print, print_json};
 use crate::status::Failure;

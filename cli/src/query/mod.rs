@@ -16,7 +16,7 @@ mod route;
 mod which;
 
 pub(crate) use asked::Asked;
-pub(crate) use names::{find, label};
+pub(crate) use names::find;
 
 use crate::input::{Imported, MapFile};
 use crate::noted::Keep;

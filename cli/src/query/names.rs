@@ -1,14 +1,9 @@
 //! Features by name.
 
 use super::asked::Asked;
-use crate::output::{counted, plain};
+use crate::output::counted;
 use crate::status::Failure;
 use twinedge::map::{FeatureId, PlanarMap};
-
-/// The name of a feature, fit for a terminal, or its number, counted from 0.
-pub(crate) fn label(map: &PlanarMap, feature: FeatureId) -> String {
-    map.name(feature).map_or_else(|| format!("feature {}", feature.index()), plain)
-}
 
 /// How many names to suggest.
 const SUGGESTIONS: usize = 3;

@@ -3,8 +3,8 @@
 use super::asked::Asked;
 use super::borders::{SortBy, print_all};
 use super::list::{Limit, TableFormat};
-use super::names::label;
 use super::which::Which;
+use crate::names::label;
 use crate::noted::Condition;
 use crate::output::style::{BAD, QUIET};
 use crate::output::{measure, print, print_json};

@@ -1,6 +1,6 @@
 //! A face, an edge or a vertex in an answer, with the names of its features.
 
-use super::names::label;
+use crate::names::label;
 use serde::Serialize;
 use twinedge::dcel::{FaceKey, HalfEdgeKey, StaleKey, VertexKey};
 use twinedge::map::{FeatureId, PlanarMap};

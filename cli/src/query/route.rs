@@ -1,7 +1,8 @@
 //! `twinedge query … route`.
 
 use super::asked::Asked;
-use super::names::{find, label};
+use super::names::find;
+use crate::names::label;
 use crate::output::{Format, measure, print, print_json};
 use crate::status::Failure;
 use clap::ValueEnum;

@@ -24,7 +24,7 @@ fn samples(text: &str) -> Vec<Sample> {
         if line.starts_with("```") {
             inside = line == "```console";
         } else if !inside || line == "$ cargo test" {
-            continue;
+            // No command of the program.
         } else if let Some(command) = COMMANDS.iter().find_map(|command| line.strip_prefix(command)) {
             let arguments = command.split_whitespace().map(str::to_owned).collect();
             samples.push(Sample { arguments, output: Vec::new() });

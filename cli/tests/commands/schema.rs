@@ -1,6 +1,6 @@
 //! Reports of the library, and the JSON of `twinedge audit`, have the form of `docs/report.schema.json`.
 
-use crate::support::{data, json as run};
+use crate::support::{data, scratch_folder, twinedge};
 use boon::{Compiler, Schemas};
 use serde_json::{Value, json, to_value};
 use twinedge::validate::{Collect, Expectation, Table, validate};
@@ -31,20 +31,77 @@ fn reports_of_the_library_have_the_form() {
     assert!(valid > 0 && broken > 4, "{valid} {broken}");
 }
 
+/// All zeros with a sign in a text of JSON.
+fn negative_zeros(text: &str) -> usize {
+    text.split([' ', ',', '[', ']', '\n']).filter(|word| ["-0", "-0.0"].contains(word)).count()
+}
+
+/// Each kind of input in each format: the form of JSON, and that all formats tell the same findings.
 #[test]
-fn audits_of_maps_meshes_and_textbook_tables_have_the_form() {
-    let textbook = format!("{}/../examples/tables/five_faces.txt", env!("CARGO_MANIFEST_DIR"));
-    let mesh = format!("{}/schema-tetrahedron.off", env!("CARGO_TARGET_TMPDIR"));
-    std::fs::write(&mesh, "OFF\n4 3 0\n0 0 0\n1 0 0\n0 1 0\n0 0 1\n3 0 2 1\n3 0 1 3\n3 1 2 3\n").unwrap();
-    let crossing = data("world-110m-crossing.geojson");
-    for (arguments, valid) in [
-        (&["--list", "3"][..], true),
-        (&[crossing.as_str(), "--explain"], false),
-        (&[mesh.as_str(), "--closed"], false),
-        (&[textbook.as_str()], true),
+fn all_formats_of_all_audits_have_what_the_page_promises() {
+    let folder = scratch_folder("schema");
+    let file = |name: &str, content: &[u8]| {
+        std::fs::write(folder.join(name), content).unwrap();
+        folder.join(name).display().to_string()
+    };
+    let root = concat!(env!("CARGO_MANIFEST_DIR"), "/..");
+    let tables = std::fs::read_to_string(format!("{root}/examples/tables/five_faces.txt")).unwrap();
+    let topojson = std::fs::read_to_string(format!("{root}/formats/tests/layer/data/south-america.topojson")).unwrap();
+    let mut arcs: Value = serde_json::from_str(&topojson).unwrap();
+    arcs["objects"]["countries"]["geometries"][0]["arcs"][0][0][0] = json!(36);
+    let mut town = std::fs::read(format!("{root}/formats/tests/postgis/data/town.copy")).unwrap();
+    // The first `mbr`: a box with 93 bytes, of which one is of the last ordinate.
+    let at = town.windows(4).position(|bytes| bytes == [0, 0, 0, 93]).expect("a box");
+    town[at + 93] ^= 1;
+    let signed = "LINESTRING (-0.0 0, 2 2)\nLINESTRING (0 2, 2 -0.0)\nLINESTRING (-0.0 0, 0 0, -1 -1)\n";
+    for (input, options, is_drawn) in [
+        (data("world-110m-crossing.geojson"), &[][..], true),
+        (file("signed.wkt", signed.as_bytes()), &[], true),
+        (
+            file("open.off", b"OFF\n4 3 0\n0 0 0\n1 0 0\n0 1 0\n0 0 1\n3 0 2 1\n3 1 0 3\n3 1 2 3\n"),
+            &["--closed"],
+            false,
+        ),
+        (
+            file("tables.txt", tables.replace("e2,2       V2      e2,1", "e2,2       V2      e3,1").as_bytes()),
+            &[],
+            true,
+        ),
+        (file("arcs.topojson", arcs.to_string().as_bytes()), &["--arcs"], true),
+        (file("town.copy", &town), &[], true),
     ] {
-        let (_, document) = run(&[&["audit", "--format", "json"], arguments].concat());
-        assert_eq!((complaint(&document), &document["valid"]), (None, &json!(valid)), "{arguments:?}");
+        let audit = |format: &str| {
+            let output = twinedge(&[&["audit", &input, "--explain", "--format", format], options].concat());
+            assert_eq!(output.status.code(), Some(1), "{input}: {output:?}");
+            String::from_utf8(output.stdout).unwrap()
+        };
+        let json = audit("json");
+        let document: Value = serde_json::from_str(&json).unwrap();
+        assert_eq!((complaint(&document), negative_zeros(&json)), (None, 0), "{input}: {json}");
+        let lists = [&document["violations"], &document["findings"], &document["coverage"]["findings"]];
+        let listed: Vec<&Value> = lists.into_iter().filter_map(Value::as_array).flatten().collect();
+        let has_all = |one: &&Value| ["kind", "message", "cause", "remedy"].iter().all(|key| one[key].is_string());
+        assert!(!listed.is_empty() && listed.iter().all(has_all), "{input}: {json}");
+        let sorted = |mut messages: Vec<String>| {
+            messages.sort();
+            messages
+        };
+        // That something follows from something else is in the layer and in the page only.
+        let message =
+            |one: &Value| one["message"].as_str().unwrap().split(", which follows").next().unwrap().to_owned();
+        let messages = sorted(listed.iter().map(|one| message(one)).collect());
+        let text = audit("text");
+        assert!(messages.iter().all(|message| text.contains(message)), "{input}: {text}");
+        if is_drawn {
+            let layer: Value = serde_json::from_str(&audit("geojson")).unwrap();
+            let features = layer["features"].as_array().unwrap();
+            assert_eq!(sorted(features.iter().map(|one| message(&one["properties"])).collect()), messages, "{input}");
+            let page = audit("html");
+            let (_, page) = page.split_once("type=\"application/json\">").unwrap();
+            let page: Value = serde_json::from_str(page.split_once("</script>").unwrap().0).unwrap();
+            let findings = page["findings"].as_array().unwrap();
+            assert_eq!(sorted(findings.iter().map(message).collect()), messages, "{input}");
+        }
     }
 }
 
@@ -53,7 +110,8 @@ fn audits_of_maps_meshes_and_textbook_tables_have_the_form() {
 fn other_documents_do_not_have_the_form() {
     let table: Table = "V 1 0 - H 1 0 0 0 0 0 B 1 0 h0 i0 F 1 - 1 0".parse().unwrap();
     let right = to_value(validate(&table, &Expectation::plane(), Collect::All)).unwrap();
-    let changes: [fn(&mut Value); 6] = [
+    let changes: [fn(&mut Value); 7] = [
+        |d| d["coverage"] = json!({ "findings": [{ "rule": "C1", "kind": "overlap", "features": [], "at": [0, 0] }] }),
         |d| d["schema"] = json!("twinedge-report/2"),
         |d| d["counts"]["edges"] = json!(-1),
         |d| d["rules"][0]["id"] = json!(7),

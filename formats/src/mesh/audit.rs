@@ -1,6 +1,7 @@
 //! The audit of a mesh: findings, the validator's report, and counts.
 
 use super::{Findings, HalfEdgeMesh, IndexedMesh, Kind, MeshCounts};
+use crate::diagnosis::{Diagnosis, write_list};
 use std::fmt;
 use twinedge::validate::{Collect, Expectation, Report, Rule, validate};
 
@@ -104,50 +105,53 @@ impl MeshAudit {
         self.findings.count(Kind::NonManifoldEdge) + self.findings.count(Kind::FlippedFaces)
     }
 
-    fn write_counts(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+    /// The counts that text has, in words. `None` is what could not be counted.
+    #[must_use]
+    pub fn count_lines(&self) -> [(&'static str, Option<isize>); 8] {
         let MeshCounts { vertices, edges, faces, components, borders, euler_characteristic, genus, .. } = self.counts;
-        let or_unknown = |count: Option<usize>| count.map_or_else(|| "unknown".to_owned(), |count| count.to_string());
-        for (what, count) in [
-            ("vertices (V)", vertices.to_string()),
-            ("edges (E)", edges.to_string()),
-            ("edges not joined", self.edges_not_joined().to_string()),
-            ("faces (F)", faces.to_string()),
-            ("components of faces", components.to_string()),
-            ("border loops", or_unknown(borders)),
-            ("Euler characteristic", euler_characteristic.to_string()),
-            ("genus", or_unknown(genus)),
-        ] {
-            writeln!(f, "{what:20} {count:>12}")?;
-        }
-        Ok(())
+        [
+            ("vertices (V)", Some(vertices)),
+            ("edges (E)", Some(edges)),
+            ("edges not joined", Some(self.edges_not_joined())),
+            ("faces (F)", Some(faces)),
+            ("components of faces", Some(components)),
+            ("border loops", borders),
+            ("Euler characteristic", None),
+            ("genus", genus),
+        ]
+        .map(|(what, count)| match what {
+            "Euler characteristic" => (what, Some(euler_characteristic)),
+            _ => (what, count.map(usize::cast_signed)),
+        })
+    }
+
+    /// Sentences about violations that follow from the findings.
+    #[must_use]
+    pub fn remarks(&self) -> Vec<&'static str> {
+        let violations = |rule| self.report.outcome(rule).map_or(0, |outcome| outcome.violations);
+        let of_m4 = (violations(Rule::M4) > self.counts.border_edges as u64)
+            .then_some("M4 counts the half-edges that could not be joined because of the findings above, too");
+        let of_v2 = (self.not_joined() > 0 && violations(Rule::V2) > 0).then_some(
+            "V2 is broken because of the findings above: where faces are not joined, the fan of a vertex falls apart",
+        );
+        of_m4.into_iter().chain(of_v2).collect()
     }
 }
 
 /// Findings come first, then the counts, the rules of the validator, and the verdict.
 impl fmt::Display for MeshAudit {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        for finding in self.findings.list() {
-            writeln!(f, "{}: {finding}", finding.kind())?;
-        }
-        let more = self.findings.total() - self.findings.list().len();
-        if more > 0 {
-            writeln!(f, "… and {more} more")?;
-        }
+        let listed: Vec<Diagnosis> = self.findings.list().iter().map(Into::into).collect();
+        write_list(f, &listed, self.findings.total() as u64)?;
         if self.findings.total() > 0 {
             writeln!(f)?;
         }
-        self.write_counts(f)?;
+        for (what, count) in self.count_lines() {
+            let count = count.map_or_else(|| "unknown".to_owned(), |count| count.to_string());
+            writeln!(f, "{what:20} {count:>12}")?;
+        }
         write!(f, "{}", self.report)?;
-        let violations = |rule| self.report.outcome(rule).map_or(0, |outcome| outcome.violations);
-        if violations(Rule::M4) > self.counts.border_edges as u64 {
-            writeln!(f, "M4 counts the half-edges that could not be joined because of the findings above, too")?;
-        }
-        if self.not_joined() > 0 && violations(Rule::V2) > 0 {
-            writeln!(
-                f,
-                "V2 is broken because of the findings above: where faces are not joined, the fan of a vertex falls apart"
-            )?;
-        }
+        self.remarks().iter().try_for_each(|remark| writeln!(f, "{remark}"))?;
         f.write_str(if self.is_valid() { "valid" } else { "not valid" })
     }
 }

@@ -1,5 +1,6 @@
 //! What is wrong with a list of faces, in the terms of its author.
 
+use crate::diagnosis::{self, Diagnosis, Records};
 use std::fmt;
 use twinedge::validate::Collect;
 
@@ -227,6 +228,21 @@ impl fmt::Display for Finding {
                 Row(faces)
             ),
             Self::UnusedVertex { vertex } => write!(f, "no face uses vertex {vertex}"),
+        }
+    }
+}
+
+impl From<&Finding> for Diagnosis {
+    fn from(finding: &Finding) -> Self {
+        let kind = finding.kind();
+        Self {
+            kind: diagnosis::Kind::Named { kind: kind.name() },
+            message: finding.to_string(),
+            cause: Some(kind.cause()),
+            remedy: Some(kind.remedy()),
+            records: Records::OfMesh { faces: finding.faces(), vertices: finding.vertices() },
+            is_violation: kind.is_fault(),
+            ..Self::default()
         }
     }
 }

@@ -6,11 +6,14 @@ use super::finding::{Finding, Findings, RULES};
 use super::mbr::Mbr;
 use super::message::message;
 use super::topology::Topology;
-use crate::topology_audit::{TopologyAudit, TopologyCounts, TopologyRule, TopologyViolation, not_checked};
+use crate::diagnosis::{Diagnosis, Kind, Position, Reason, Records, RuleLine, Trace, middle};
+use crate::topology_audit::{TopologyAudit, TopologyCounts};
 use twinedge::delegate_view;
 use twinedge::geometry::Point;
 use twinedge::validate::adapt::FaceLabels;
-use twinedge::validate::{Collect, Embedding, Expectation, Part, Parts, Record, Report, Rule, Start, View};
+use twinedge::validate::{
+    Collect, Embedding, Expectation, Part, Parts, Record, Report, Rule, RuleOutcome, Start, View,
+};
 use twinedge::validate::{places, validate, validate_embedding};
 
 /// The topology with what its columns imply: the lists of the faces.
@@ -101,29 +104,22 @@ pub fn audit(topology: &Topology, limit: usize) -> Result<TopologyAudit, ReadErr
     };
     let unchecked = Unchecked { mbrs: mbrs_unchecked, nowhere };
     let rules = rules(topology, &findings, &report, &unchecked);
-    let own = findings.kept.iter().map(|finding| TopologyViolation {
-        rule: finding.rule(),
-        kind: finding.kind(),
-        message: finding.to_string(),
-        at: place(topology, finding),
-        records: finding.record().into_iter().collect(),
-        lines: finding.edge().and_then(|id| line(topology, topology.edges.slot(id)?)).into_iter().collect(),
-        cause: finding.cause(),
-        remedy: finding.remedy(),
+    let own = findings.kept.iter().map(|finding| {
+        let line = finding.edge().and_then(|id| line(topology, topology.edges.slot(id)?));
+        placed(finding.into(), place(topology, finding), line.into_iter().collect())
     });
-    let theirs = report.violations().iter().map(|violation| TopologyViolation {
-        rule: violation.rule().id(),
-        kind: violation.kind(),
-        message: message(topology, violation),
-        at: places(&view, violation).into_iter().map(Into::into).collect(),
-        records: violation.records().into_iter().flatten().filter_map(|record| named(topology, record)).collect(),
-        lines: violation.records().into_iter().flatten().filter_map(|record| drawn(topology, record)).collect(),
-        cause: violation.cause(),
-        remedy: violation.remedy(),
+    let theirs = report.violations().iter().map(|violation| {
+        let records = || violation.records().into_iter().flatten();
+        let diagnosis = Diagnosis {
+            // Its fields are slots, which nobody knows.
+            kind: Kind::Named { kind: violation.kind() },
+            message: message(topology, violation),
+            records: Records::Names { records: records().filter_map(|record| named(topology, record)).collect() },
+            ..violation.into()
+        };
+        let places = places(&view, violation).into_iter().map(Into::into).collect();
+        placed(diagnosis, places, records().filter_map(|record| drawn(topology, record)).collect())
     });
-    let mut violations: Vec<_> = own.chain(theirs).collect();
-    violations.sort_by_key(|one| rules.iter().position(|rule| rule.id == one.rule));
-    violations.truncate(limit);
     let counts = TopologyCounts {
         nodes: topology.nodes.len(),
         isolated_nodes: report.counts().isolated_vertices,
@@ -133,10 +129,14 @@ pub fn audit(topology: &Topology, limit: usize) -> Result<TopologyAudit, ReadErr
         bends: topology.bends.len(),
         repeated_points: topology.repeated_points,
     };
-    let valid = report.is_valid() && ends_meet && findings.counts.iter().all(|count| *count == 0);
-    let own_unchecked = rules.iter().filter(|rule| rule.id.starts_with('P') && rule.unchecked.is_some()).count();
-    let unchecked = own_unchecked + not_checked(&report) + rules.len() - RULES.len() - report.outcomes().count();
-    Ok(TopologyAudit { valid, counts, rules, violations, unchecked })
+    Ok(TopologyAudit::new(counts, rules, own.chain(theirs).collect(), limit))
+}
+
+/// The same with its places, and the lines of its edges, whole.
+fn placed(diagnosis: Diagnosis, places: Vec<Position>, lines: Vec<Vec<Position>>) -> Diagnosis {
+    let points = if lines.is_empty() { places.clone() } else { Vec::new() };
+    let trace = Trace { points, lines, ..Trace::default() };
+    Diagnosis { look: middle(&places), places: Some(places), trace, ..diagnosis }
 }
 
 /// What the database calls a record.
@@ -151,7 +151,7 @@ fn named(topology: &Topology, record: Record) -> Option<String> {
 }
 
 /// The line of an edge.
-fn drawn(topology: &Topology, record: Record) -> Option<Vec<[f64; 2]>> {
+fn drawn(topology: &Topology, record: Record) -> Option<Vec<Position>> {
     match record {
         Record::HalfEdge(h) => line(topology, u32::try_from(h / 2).ok()?),
         _ => None,
@@ -159,7 +159,7 @@ fn drawn(topology: &Topology, record: Record) -> Option<Vec<[f64; 2]>> {
 }
 
 /// The line of an edge with two points or more, if all of them are finite.
-fn line(topology: &Topology, edge: u32) -> Option<Vec<[f64; 2]>> {
+fn line(topology: &Topology, edge: u32) -> Option<Vec<Position>> {
     let edge = edge as usize;
     let line = topology.ends.get(edge).map(|_| points(topology, edge))?;
     (line.len() > 1 && line.iter().all(|p| p.x.is_finite() && p.y.is_finite()))
@@ -189,43 +189,32 @@ struct Unchecked {
     nowhere: u64,
 }
 
-fn rules(topology: &Topology, findings: &Findings, report: &Report, not: &Unchecked) -> Vec<TopologyRule> {
+fn rules(topology: &Topology, findings: &Findings, report: &Report, not: &Unchecked) -> Vec<RuleLine> {
     let [nodes, faces, edges] = [&topology.nodes, &topology.faces, &topology.edges].map(|ids| ids.len() as u64);
     let checked = [nodes + faces + edges, nodes + edges, nodes, faces, faces + 2 * edges];
-    let mut rules = Vec::new();
-    for (i, (id, name, unit)) in RULES.into_iter().enumerate() {
-        let unchecked = match (id, not.mbrs, not.nowhere) {
-            ("P4", Some(rule), _) => Some(format!("for mbr: needs {rule}, which is broken")),
-            ("P2", _, count) if count > 0 => {
-                let nodes = if count == 1 { "1 isolated node lies" } else { &format!("{count} isolated nodes lie") };
-                Some(format!("in which face {nodes}: needs G5, or P1 and lines around the faces that close"))
-            }
+    let own = RULES.into_iter().enumerate().map(|(i, [id, name, unit, statement])| {
+        let unchecked = match id {
+            "P4" => not.mbrs.map(Reason::BoxesNeed),
+            "P2" if not.nowhere > 0 => Some(Reason::NotLocated(not.nowhere)),
             _ => None,
         };
-        rules.push(TopologyRule { id, name, checked: checked[i], unit, violations: findings.counts[i], unchecked });
-    }
-    rules.extend(report.outcomes().map(|(rule, outcome)| TopologyRule::of(rule, &outcome)));
+        RuleLine { id, name, statement, checked: checked[i], unit, violations: findings.counts[i], unchecked }
+    });
     let missing = GEOMETRIC.into_iter().filter(|rule| report.outcome(*rule).is_none());
-    rules.extend(missing.map(|rule| TopologyRule {
-        id: rule.id(),
-        name: rule.name(),
-        checked: 0,
-        unit: rule.unit(0),
-        violations: 0,
-        unchecked: Some("needs P1, which is broken".to_owned()),
-    }));
-    rules
+    let missing = missing
+        .map(|rule| RuleLine { unchecked: Some(Reason::Broken("P1")), ..RuleLine::new(rule, RuleOutcome::default()) });
+    own.chain(RuleLine::of(report)).chain(missing).collect()
 }
 
 /// Where a finding is: the node, or the ends of the edge.
-fn place(topology: &Topology, finding: &Finding) -> Vec<[f64; 2]> {
+fn place(topology: &Topology, finding: &Finding) -> Vec<Position> {
     let node = |id: i64| topology.nodes.slot(id).map(|slot| topology.points[slot as usize].into());
     let edge = |id: i64| {
         let ends = topology.edges.slot(id).map(|slot| topology.ends[slot as usize]);
         let points = ends.into_iter().flatten().filter_map(|node| topology.points.get(node as usize));
         points.map(|p| (*p).into()).collect()
     };
-    let mut at: Vec<[f64; 2]> = match *finding {
+    let mut at: Vec<Position> = match *finding {
         Finding::StartsElsewhere { edge: id, .. }
         | Finding::EndsElsewhere { edge: id, .. }
         | Finding::EdgeWithoutCurve { edge: id }

@@ -2,6 +2,7 @@
 
 use super::error::TableName;
 use super::ewkb::kind_name;
+use crate::diagnosis::{Diagnosis, Kind, Records};
 use std::fmt;
 
 macro_rules! findings {
@@ -220,14 +221,39 @@ pub(super) struct Findings {
     cap: usize,
 }
 
-/// The rules, by their ids.
-pub(super) const RULES: [(&str, &str, &str); 5] = [
-    ("P0", "ids", "rows"),
-    ("P1", "ends", "nodes and edges"),
-    ("P2", "containing", "nodes"),
-    ("P3", "edges", "faces"),
-    ("P4", "cached", "values"),
+/// The rules: id, name, unit, statement.
+pub(super) const RULES: [[&str; 4]; 5] = [
+    ["P0", "ids", "rows", "ids are there and unique, and those of edges are positive"],
+    [
+        "P1",
+        "ends",
+        "nodes and edges",
+        "every edge is a line from its start node to its end node, all in one reference system",
+    ],
+    [
+        "P2",
+        "containing",
+        "nodes",
+        "nodes with edges have no `containing_face`; those of the others are faces in which they lie",
+    ],
+    ["P3", "edges", "faces", "every face but face 0 has edges"],
+    ["P4", "cached", "values", "`mbr` and the `abs_next_…` columns are what they are computed of"],
 ];
+
+impl From<&Finding> for Diagnosis {
+    fn from(finding: &Finding) -> Self {
+        Self {
+            rule: Some(finding.rule()),
+            kind: Kind::Named { kind: finding.kind() },
+            message: finding.to_string(),
+            cause: Some(finding.cause()),
+            remedy: Some(finding.remedy()),
+            records: Records::Names { records: finding.record().into_iter().collect() },
+            is_violation: true,
+            ..Self::default()
+        }
+    }
+}
 
 impl Findings {
     /// Keeps up to so many of each rule.
@@ -236,7 +262,7 @@ impl Findings {
     }
 
     pub(super) fn add(&mut self, finding: Finding) {
-        let rule = RULES.iter().position(|(id, _, _)| *id == finding.rule()).unwrap_or_default();
+        let rule = RULES.iter().position(|[id, ..]| *id == finding.rule()).unwrap_or_default();
         self.counts[rule] += 1;
         if self.counts[rule] <= self.cap as u64 {
             self.kept.push(finding);

@@ -40,7 +40,7 @@ mod read;
 mod sql;
 mod topology;
 
-pub use crate::topology_audit::{TopologyAudit, TopologyCounts, TopologyRule, TopologyViolation};
+pub use crate::topology_audit::{TopologyAudit, TopologyCounts};
 pub use audit::audit;
 pub use error::{Cause, Place, ReadError, TableName};
 pub use finding::{Finding, TopologyColumn};

@@ -335,33 +335,79 @@ impl Builder {
                 (points, segments, Some(summary))
             }
         };
-        // Neither needs the other.
-        let (swept, turned) = threads::join(
-            || plane.map_or_else(|| Placement::new(&points, &segments), Ok),
-            || CombinatorialMap::new(&points, &segments),
-        );
-        let swept = swept?;
-        match swept.clash {
-            Some(Clash::Cross { a, b }) if noding == Noding::Exact => {
+        assembled(&points, &segments, &mut features, plane, |clash| match clash {
+            Clash::Cross { a, b } if noding == Noding::Exact => {
                 let [one, other] = [a, b].map(|segment| segments[segment as usize].map(|v| points[v as usize]));
                 let count = clashes(&points, &segments, 0).map_or(1, |(_, count)| count);
-                return Err(BuildError::Crossing { one, other, count });
+                Err(BuildError::Crossing { one, other, count })
             }
-            _ => {}
-        }
-        let dcel = arrange(&points, &segments, &swept, &turned)?;
-        let features_of_map = cover(&dcel, segments.len(), &features);
-        Ok(PlanarMap {
-            points: points_by_vertex(&points),
-            plane: swept.clash.is_none(),
-            dcel,
-            names: features.into_iter().map(|feature| feature.name).collect(),
-            features: features_of_map,
-            summary,
-            noding: noded,
-            index: KeptIndex::default(),
-            #[cfg(feature = "near")]
-            notes: Notes::default(),
+            _ => Ok(()),
         })
+        .map(|map| PlanarMap { summary, noding: noded, ..map })
     }
+
+    /// Builds the map of the segments as they are. If it is not plane, the builder comes back, so that they can be cut without
+    /// being gathered again. Nothing is copied of a plane map. O(n log n).
+    ///
+    /// ```
+    /// use twinedge::map::{Builder, Noding};
+    ///
+    /// let mut builder = Builder::new();
+    /// builder.segment([0.0, 0.0], [2.0, 2.0])?;
+    /// builder.segment([0.0, 2.0], [2.0, 0.0])?;
+    /// let (map, kept) = builder.build_keeping()?;
+    /// assert!(!map.is_plane());
+    /// let cut = kept.unwrap().build_with(Noding::Snap(Default::default()))?;
+    /// assert_eq!(cut.dcel().vertex_count(), 5);
+    /// # Ok::<(), twinedge::map::BuildError>(())
+    /// ```
+    ///
+    /// # Errors
+    /// [`BuildError::Full`].
+    pub fn build_keeping(self) -> Result<(PlanarMap, Option<Self>), BuildError> {
+        let Self { points, places, segments, segment_numbers, mut features, summary, cuts } = self;
+        drop((places, segment_numbers));
+        let map = assembled(&points, &segments, &mut features, None, |_| Ok(()))?;
+        if map.is_plane() {
+            return Ok((PlanarMap { summary, ..map }, None));
+        }
+        for (feature, name) in features.iter_mut().zip(&map.names) {
+            feature.name.clone_from(name);
+        }
+        let places = (0..).zip(&points).map(|(number, point)| (point.hash_key(), number)).collect();
+        let segment_numbers = (0..).zip(&segments).map(|(number, ends)| ((ends[0], ends[1]), number)).collect();
+        let kept = Self { points, places, segments, segment_numbers, features, summary: summary.clone(), cuts };
+        Ok((PlanarMap { summary, ..map }, Some(kept)))
+    }
+}
+
+/// The map of segments. Takes the names of the features. `refuse` is asked about segments that meet elsewhere than at their ends.
+fn assembled(
+    points: &[Point],
+    segments: &[[u32; 2]],
+    features: &mut [GatheredFeature],
+    swept: Option<Placement>,
+    refuse: impl FnOnce(Clash) -> Result<(), BuildError>,
+) -> Result<PlanarMap, BuildError> {
+    // Neither needs the other.
+    let (swept, turned) = threads::join(
+        || swept.map_or_else(|| Placement::new(points, segments), Ok),
+        || CombinatorialMap::new(points, segments),
+    );
+    let swept = swept?;
+    swept.clash.map_or(Ok(()), refuse)?;
+    let dcel = arrange(points, segments, &swept, &turned)?;
+    let of_map = cover(&dcel, segments.len(), features);
+    Ok(PlanarMap {
+        points: points_by_vertex(points),
+        plane: swept.clash.is_none(),
+        dcel,
+        names: features.iter_mut().map(|feature| feature.name.take()).collect(),
+        features: of_map,
+        summary: BuildSummary::default(),
+        noding: None,
+        index: KeptIndex::default(),
+        #[cfg(feature = "near")]
+        notes: Notes::default(),
+    })
 }

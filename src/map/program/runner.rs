@@ -1,7 +1,7 @@
 //! The interpreter of edits: it chooses arguments as a program says, edits, and checks the outcome if asked to.
 
-use super::op::{EditOp, EditProgram};
-use super::pick::{AtPick, FeaturesPick, MapFacePick, MapHalfEdgePick, MapVertexPick};
+use super::arguments::{AtPick, FeaturesPick, MapFacePick, MapHalfEdgePick, MapVertexPick};
+use super::edits::{EditOp, EditProgram};
 use crate::dcel::{Face, FaceKey, HalfEdge, HalfEdgeKey, Vertex, VertexKey};
 use crate::map::edit::{At, EditError, Edited};
 use crate::map::{FeatureId, PlanarMap};

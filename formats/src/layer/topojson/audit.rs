@@ -1,8 +1,9 @@
 //! The audit of arcs: A0 … A3, and the validator's rules.
 
-use super::finding::RULES;
+use super::finding::{RULES, placed};
 use super::topology::ArcTopology;
-use crate::topology_audit::{TopologyAudit, TopologyCounts, TopologyRule, TopologyViolation, not_checked};
+use crate::diagnosis::{Diagnosis, Kind, Reason, RuleLine};
+use crate::topology_audit::{TopologyAudit, TopologyCounts};
 use twinedge::validate::{Collect, Expectation, Only, Part, Parts, Unchecked, places, validate_embedding};
 
 /// Judges the arcs of a file, and the polygons that are made of them. Up to `limit` violations are kept, those of the first rules
@@ -23,7 +24,7 @@ use twinedge::validate::{Collect, Expectation, Only, Part, Parts, Unchecked, pla
 ///
 /// // Both on the same side of the arc between them.
 /// let found = audit(&read(&mut text.replace("-1", "0").as_bytes(), None, 100)?, 100);
-/// assert_eq!(found.violations()[0].kind, "not_joined");
+/// assert_eq!(found.violations()[0].kind.name(), "not_joined");
 /// # Ok::<_, ReadError>(())
 /// ```
 #[must_use]
@@ -35,38 +36,27 @@ pub fn audit(topology: &ArcTopology, limit: usize) -> TopologyAudit {
     let report = validate_embedding(&Only::new(topology, parts), &Expectation::plane().open(), Collect::AtMost(limit));
     let arcs = topology.ends.len() as u64;
     let checked = [arcs, topology.indices, 2 * arcs, arcs];
-    let mut rules: Vec<TopologyRule> = RULES
-        .iter()
-        .enumerate()
-        .map(|(i, (id, name, unit))| TopologyRule {
-            id,
-            name,
-            checked: checked[i],
-            unit,
-            violations: findings.counts[i],
-            unchecked: None,
-        })
-        .collect();
-    rules.extend(report.outcomes().map(|(rule, outcome)| {
-        let mut found = TopologyRule::of(rule, &outcome);
-        if !is_joined && matches!(outcome.unchecked, Some(Unchecked::Lacks(_))) {
-            found.unchecked = Some("needs A1, which is broken".to_owned());
+    let own = RULES.into_iter().enumerate().map(|(i, [id, name, unit, statement])| {
+        let violations = findings.counts[i];
+        RuleLine { id, name, statement, checked: checked[i], unit, violations, unchecked: None }
+    });
+    let mut rules: Vec<RuleLine> = own.chain(RuleLine::of(&report)).collect();
+    for rule in rules.iter_mut().filter(|_| !is_joined) {
+        if matches!(rule.unchecked, Some(Reason::Validator(Unchecked::Lacks(_)))) {
+            rule.unchecked = Some(Reason::Broken("A1"));
         }
-        found
-    }));
-    let mut violations = findings.kept.clone();
-    violations.extend(report.violations().iter().map(|violation| TopologyViolation {
-        rule: violation.rule().id(),
-        kind: violation.kind(),
-        message: violation.named(|record| topology.name(record)).to_string(),
-        at: places(topology, violation).into_iter().map(Into::into).collect(),
-        records: violation.records().into_iter().flatten().map(|record| topology.name(record)).collect(),
-        lines: Vec::new(),
-        cause: violation.cause(),
-        remedy: violation.remedy(),
-    }));
-    violations.sort_by_key(|one| rules.iter().position(|rule| rule.id == one.rule));
-    violations.truncate(limit);
+    }
+    let theirs = report.violations().iter().map(|violation| {
+        let records = violation.records().into_iter().flatten().map(|record| topology.name(record));
+        let diagnosis = Diagnosis {
+            // Its fields are the numbers of half-edges.
+            kind: Kind::Named { kind: violation.kind() },
+            message: violation.named(|record| topology.name(record)).to_string(),
+            ..violation.into()
+        };
+        placed(diagnosis, records.collect(), places(topology, violation).into_iter().map(Into::into).collect())
+    });
+    let violations = findings.kept.iter().cloned().chain(theirs).collect();
     let counts = TopologyCounts {
         nodes: topology.points.len(),
         isolated_nodes: 0,
@@ -76,11 +66,5 @@ pub fn audit(topology: &ArcTopology, limit: usize) -> TopologyAudit {
         bends: topology.bends.len(),
         repeated_points: topology.repeated_points,
     };
-    // Without joined arcs, rules of faces are left out that apply.
-    let unchecked = if is_joined {
-        not_checked(&report)
-    } else {
-        report.outcomes().filter(|(_, one)| one.unchecked.is_some()).count()
-    };
-    TopologyAudit { valid: report.is_valid() && findings.counts == [0; 4], counts, rules, violations, unchecked }
+    TopologyAudit::new(counts, rules, violations, limit)
 }

@@ -1,10 +1,19 @@
 //! What only a file of TopoJSON can have wrong.
 
-use crate::topology_audit::TopologyViolation;
+use crate::diagnosis::{self, Diagnosis, Position, Records, Trace, middle};
 
-/// The rules, by their ids.
-pub(super) const RULES: [(&str, &str, &str); 4] =
-    [("A0", "size", "arcs"), ("A1", "ends", "indices"), ("A2", "sides", "sides of arcs"), ("A3", "used", "arcs")];
+/// The rules: id, name, unit, statement.
+pub(super) const RULES: [[&str; 4]; 4] = [
+    ["A0", "size", "arcs", "every arc has two different positions, and every ring encloses something"],
+    ["A1", "ends", "indices", "every index is that of an arc, arcs join end to end, rings close"],
+    [
+        "A2",
+        "sides",
+        "sides of arcs",
+        "each side of an arc has one polygon at most, and not the same one as the other side",
+    ],
+    ["A3", "used", "arcs", "some object uses the arc"],
+];
 
 /// A way to break a rule: the rule, its name, what usually causes it, what mends it.
 #[derive(Clone, Copy, Debug)]
@@ -61,7 +70,7 @@ impl Kind {
 /// The findings, of which some are kept, and how many there are of each rule.
 #[derive(Clone, Debug, Default)]
 pub(super) struct Findings {
-    pub(super) kept: Vec<TopologyViolation>,
+    pub(super) kept: Vec<Diagnosis>,
     pub(super) counts: [u64; 4],
     cap: usize,
 }
@@ -72,20 +81,31 @@ impl Findings {
         Self { cap, ..Self::default() }
     }
 
-    pub(super) fn add(&mut self, kind: Kind, message: impl FnOnce() -> String, at: &[[f64; 2]]) {
+    pub(super) fn add(&mut self, kind: Kind, message: impl FnOnce() -> String, at: &[Position]) {
         let count = &mut self.counts[kind.rule];
         *count += 1;
         if *count <= self.cap as u64 {
-            self.kept.push(TopologyViolation {
-                rule: RULES[kind.rule].0,
-                kind: kind.name,
+            let found = Diagnosis {
+                rule: Some(RULES[kind.rule][0]),
+                kind: diagnosis::Kind::Named { kind: kind.name },
                 message: message(),
-                at: at.to_vec(),
-                records: Vec::new(),
-                lines: Vec::new(),
-                cause: kind.cause,
-                remedy: kind.remedy,
-            });
+                cause: Some(kind.cause),
+                remedy: Some(kind.remedy),
+                is_violation: true,
+                ..Diagnosis::default()
+            };
+            self.kept.push(placed(found, Vec::new(), at.to_vec()));
         }
+    }
+}
+
+/// The same with the names of its records and its places.
+pub(super) fn placed(diagnosis: Diagnosis, records: Vec<String>, places: Vec<Position>) -> Diagnosis {
+    Diagnosis {
+        records: Records::Names { records },
+        look: middle(&places),
+        trace: Trace { points: places.clone(), ..Trace::default() },
+        places: Some(places),
+        ..diagnosis
     }
 }

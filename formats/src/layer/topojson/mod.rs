@@ -22,7 +22,7 @@ mod finding;
 mod rings;
 mod topology;
 
-pub use crate::topology_audit::{TopologyAudit, TopologyCounts, TopologyRule, TopologyViolation};
+pub use crate::topology_audit::{TopologyAudit, TopologyCounts};
 pub use audit::audit;
 pub(super) use features::read as read_features;
 pub use rings::read;

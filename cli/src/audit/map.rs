@@ -1,0 +1,148 @@
+//! The audit of a map.
+
+use super::Run;
+use super::audited::{Audited, CoverageStyle, JsonForm};
+use super::map_json::extra;
+use super::map_notes::notes;
+use super::packed::{Beside, Map, Names};
+use super::write::{Picture, write};
+use crate::coverage::{Coverage, SHOWN};
+use crate::input::{Imported, Input};
+use crate::names::named;
+use crate::noted::Keep;
+use crate::output::{counted, grouped};
+use crate::progress::busy;
+use crate::status::{Failure, Verdict};
+use crate::trace::placed;
+use crate::units::Units;
+use serde_json::to_value;
+use std::collections::BTreeSet;
+use twinedge::algorithm::colouring::feature_colours;
+use twinedge::dcel::{Boundary, Face, Vertex};
+use twinedge::map::{FeatureId, PlanarMap};
+use twinedge::validate::{Collect, Counts, Expectation, Record, Report, Rule, Violation, validate_embedding};
+use twinedge_formats::diagnosis::{Diagnosis, FeatureName, RuleLine};
+
+/// Builds the map, validates it, and prints what was found.
+pub(super) fn audit(run: &Run<'_>, input: Input) -> Result<Verdict, Failure> {
+    let asked = run.asked;
+    let imported = asked.map.build_from(input, Keep { coverage: true, condition: None })?;
+    let Imported { name, map, noted, crs, .. } = &imported;
+    let list = asked.most();
+    let report = busy("validating", || validate_embedding(map, &Expectation::plane(), Collect::AtMost(list)));
+    let units = Units::Plane { degrees: noted.look_like_degrees(&imported.read) };
+    let coverage = Coverage::new(&imported, &asked.coverage, &units, list);
+    let is_rule = asked.coverage.is_rule();
+    let of_coverage = if is_rule { coverage.total() } else { 0 };
+    // What cannot be checked is not known to hold.
+    let is_coverage = of_coverage == 0 && (!is_rule || coverage.not_checked().is_none());
+    let warnings: Vec<String> = noted.without_geometry().into_iter().chain(noted.warnings(&imported.read)).collect();
+    let audited = Audited {
+        valid: report.is_valid() && is_coverage,
+        found: counted(report.violation_count() as usize + of_coverage, "violation"),
+        json: JsonForm {
+            counts: to_value(report.counts())?,
+            bounds: report.figures().and_then(|figures| figures.bounds),
+            extra: extra(&imported, &warnings)?,
+            ..JsonForm::default()
+        },
+        notes: notes(&imported, warnings),
+        counts: counts(report.counts()),
+        rules: RuleLine::of(&report),
+        violations: violations(&imported, &report),
+        violation_count: report.violation_count(),
+        style: CoverageStyle { is_rule, worst: asked.list.unwrap_or(SHOWN), decimals: noted.decimals() },
+        crs: crs.clone(),
+        coverage: Some(coverage),
+        ..Audited::new(name)
+    };
+    write(audited, run, |audited| picture(&imported, audited))
+}
+
+/// How many records there are.
+pub(super) fn counts(counts: &Counts) -> Vec<(&'static str, String)> {
+    let or_unknown = |n: Option<usize>| n.map_or_else(|| "unknown".to_owned(), grouped);
+    vec![
+        ("vertices (V)", grouped(counts.vertices)),
+        ("edges (E)", grouped(counts.edges)),
+        ("half-edges", grouped(counts.half_edges)),
+        ("faces (F), the unbounded one included", grouped(counts.faces)),
+        ("components (C)", or_unknown(counts.components)),
+        ("outer boundary components", grouped(counts.outer_boundaries)),
+        ("inner boundary components", grouped(counts.inner_boundaries)),
+        ("isolated vertices", grouped(counts.isolated_vertices)),
+        ("genus", or_unknown(counts.genus)),
+    ]
+}
+
+/// The violations, with their places and the features around, and what mends them by the commands of this program.
+fn violations(imported: &Imported, report: &Report) -> Vec<Diagnosis> {
+    let map = &imported.map;
+    let has_crossings = report.outcome(Rule::G4).is_some_and(|outcome| outcome.violations > 0);
+    let diagnosis = |violation: &Violation| {
+        let diagnosis = placed(map, violation);
+        Diagnosis {
+            features: Some(features(map, violation).into_iter().map(|feature| named(imported, feature)).collect()),
+            remedy: match violation.rule() {
+                // The remedies of the library are its own functions where the map is not plane.
+                Rule::T3 => Some("mend the crossings (G4), from which it follows"),
+                Rule::G4 => Some(
+                    "`twinedge clean` repairs a layer of polygons; `--snap auto` cuts borders where they meet, and the rest is \
+audited as if they were cut",
+                ),
+                _ => diagnosis.remedy,
+            },
+            // Where borders cross, the map does not fit in the plane.
+            follows_from: (has_crossings && violation.rule() == Rule::T3).then_some("the crossings (G4)"),
+            ..diagnosis
+        }
+    };
+    report.violations().iter().map(diagnosis).collect()
+}
+
+/// The features that a violation touches, in order.
+fn features(map: &PlanarMap, violation: &Violation) -> BTreeSet<FeatureId> {
+    let dcel = map.dcel();
+    let mut found = BTreeSet::new();
+    for record in violation.records().into_iter().flatten() {
+        let half_edges: Vec<_> = match record {
+            Record::HalfEdge(h) => dcel.half_edge_at(h).into_iter().collect(),
+            Record::Vertex(v) => dcel.vertex_at(v).into_iter().flat_map(Vertex::rotation).collect(),
+            Record::Boundary(b) => dcel.boundary_at(b).and_then(Boundary::start).into_iter().collect(),
+            Record::Face(f) => {
+                let face = dcel.face_at(f).map(Face::key);
+                found.extend(face.and_then(|f| map.features_of(f).ok()).into_iter().flatten());
+                Vec::new()
+            }
+        };
+        for h in half_edges {
+            found.extend(map.features_along(h.key()).into_iter().flatten());
+        }
+    }
+    found
+}
+
+/// The map for a page. Where it is not plane, the faces that are filled are those of the input with its borders cut.
+fn picture(imported: &Imported, audited: &Audited) -> Picture {
+    let map = &imported.map;
+    let windows = audited.windows();
+    let pack = |map: &PlanarMap| {
+        let features = |face: usize| match map.dcel().face_at(face) {
+            Some(face) if map.is_plane() => {
+                map.features_of(face.key()).into_iter().flatten().map(|f| f.index()).collect()
+            }
+            _ => Vec::new(),
+        };
+        Map::pack(map, Beside { features: &features, names: Names::Indices, windows: &windows })
+    };
+    let mut packed = pack(map);
+    let of_input = audited.coverage.as_ref().and_then(Coverage::of_input).filter(|_| !map.is_plane());
+    packed.areas = of_input.map(|of_input| Box::new(pack(of_input)));
+    // Where the map is not plane, it is not known on it which features are neighbours.
+    let colours = feature_colours(of_input.unwrap_or(map));
+    let feature = |(id, colour)| {
+        let FeatureName { id, name, .. } = named(imported, id);
+        (name, id, colour)
+    };
+    Picture { map: packed, features: map.features().zip(colours).map(feature).collect() }
+}

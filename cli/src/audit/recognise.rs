@@ -1,0 +1,99 @@
+//! The kinds of inputs, and the options that each takes.
+
+use super::destination::ReportFormat;
+use super::table_file::is_table_file;
+use super::textbook::is_textbook;
+use super::{Audit, Run};
+use crate::input::Input;
+use crate::status::Failure;
+use twinedge_formats::mesh::Format as MeshFormat;
+use twinedge_formats::postgis::is_copy;
+
+/// The kind of an input.
+#[derive(Clone, Copy, Debug)]
+pub(super) enum Recognised {
+    Map,
+    Mesh(MeshFormat),
+    /// The three tables of a textbook.
+    Textbook,
+    /// A table on each line.
+    Tables,
+    /// A topology of PostGIS.
+    Postgis,
+    /// The arcs of TopoJSON.
+    Arcs,
+}
+
+/// Options that only some kinds of inputs take.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+enum Options {
+    /// `--snap`.
+    Snap,
+    /// `--coverage`, `--gap-width`, `--sliver`.
+    Coverage,
+    /// Those under "Meshes".
+    Mesh,
+    /// `--format geojson` and `html`.
+    Picture,
+}
+
+impl Options {
+    const ALL: [Self; 4] = [Self::Snap, Self::Coverage, Self::Mesh, Self::Picture];
+
+    fn are_given(self, run: &Run<'_>) -> bool {
+        match self {
+            Self::Snap => run.asked.map.is_snapped(),
+            Self::Coverage => run.asked.coverage.is_any(),
+            Self::Mesh => run.asked.mesh.is_any(),
+            Self::Picture => matches!(run.to.format, ReportFormat::Geojson | ReportFormat::Html),
+        }
+    }
+
+    /// Why they are refused for this kind of input.
+    fn refusal(self, what: &str) -> String {
+        match self {
+            Self::Snap => format!("--snap is for maps, and this is {what}"),
+            Self::Coverage => format!("--coverage, --gap-width and --sliver are for maps, and this is {what}"),
+            Self::Mesh => "is no mesh file (OBJ, OFF, PLY, STL), and the options say what a mesh must be".to_owned(),
+            Self::Picture => format!(
+                "the formats geojson and html are for maps, topologies of PostGIS and the tables of a textbook, and this is {what}"
+            ),
+        }
+    }
+}
+
+impl Recognised {
+    /// By what was asked for, or else by how the input begins.
+    pub(super) fn of(asked: &Audit, input: &mut Input) -> Result<Self, Failure> {
+        Ok(if asked.postgis || is_copy(input.beginning()?) {
+            Self::Postgis
+        } else if asked.arcs {
+            Self::Arcs
+        } else if is_textbook(input.beginning()?) {
+            Self::Textbook
+        } else if is_table_file(input.beginning()?) {
+            Self::Tables
+        } else {
+            input.mesh_format()?.map_or(Self::Map, Self::Mesh)
+        })
+    }
+
+    /// The kind in words, and the options that it takes.
+    const fn options(self) -> (&'static str, &'static [Options]) {
+        match self {
+            Self::Map => ("a map", &[Options::Snap, Options::Coverage, Options::Picture]),
+            Self::Mesh(_) => ("a mesh", &[Options::Mesh]),
+            Self::Textbook => ("a textbook's tables", &[Options::Picture]),
+            Self::Tables => ("a file of tables", &[]),
+            Self::Postgis => ("a topology of PostGIS", &[Options::Picture]),
+            Self::Arcs => ("audited arc by arc", &[Options::Picture]),
+        }
+    }
+
+    /// Refuses options that were given and are for other kinds.
+    pub(super) fn refuse_options(self, run: &Run<'_>, name: &str) -> Result<(), Failure> {
+        let (what, taken) = self.options();
+        let refused = Options::ALL.into_iter().find(|options| !taken.contains(options) && options.are_given(run));
+        refused.map_or(Ok(()), |options| Err(Failure(format!("{name}: {}", options.refusal(what)))))
+    }
+}

@@ -1,0 +1,53 @@
+//! An audit as text.
+
+use super::audited::{Audited, CoverageStyle, Note};
+use crate::diagnosis_text::{write, write_explanations, write_more, write_rule};
+use crate::output::plain;
+use crate::output::style::{BAD, GOOD, QUIET};
+use std::fmt::Write as _;
+
+/// The audit for people.
+pub(super) fn text(audited: &Audited) -> Result<String, std::fmt::Error> {
+    let CoverageStyle { is_rule, worst, decimals } = audited.style;
+    let mut out = String::new();
+    writeln!(out, "{}", plain(&audited.input))?;
+    for note in &audited.notes {
+        match note {
+            Note::Plain(note) | Note::Detail(note) => writeln!(out, "{QUIET}{note}{QUIET:#}")?,
+            Note::Warning(warning) => writeln!(out, "{BAD}warning{BAD:#}: {warning}")?,
+        }
+    }
+    out.push('\n');
+    for (what, count) in &audited.counts {
+        writeln!(out, "  {what:38} {count:>12}")?;
+    }
+    out.push('\n');
+    audited.rules.iter().try_for_each(|rule| write_rule(&mut out, rule))?;
+    let coverage = audited.coverage.as_ref().filter(|coverage| coverage.has_polygons());
+    if let Some(coverage) = coverage {
+        out.push('\n');
+        coverage.write_rules(&mut out, is_rule)?;
+    }
+    out.push('\n');
+    for (listed, total) in [(&audited.findings, audited.finding_count), (&audited.violations, audited.violation_count)]
+    {
+        for one in listed.iter().filter(|one| one.follows_from.is_none()) {
+            write(&mut out, one, decimals)?;
+        }
+        write_more(&mut out, total, listed.len())?;
+        write_explanations(&mut out, listed)?;
+    }
+    if let Some(coverage) = coverage {
+        coverage.write_worst(&mut out, worst, decimals)?;
+    }
+    for one in audited.violations.iter().filter(|one| one.follows_from.is_some()) {
+        write(&mut out, one, decimals)?;
+    }
+    audited.remarks.iter().try_for_each(|remark| writeln!(out, "{remark}"))?;
+    // The first word is coloured.
+    let verdict = audited.verdict();
+    let (word, rest) = verdict.split_once(':').unwrap_or((&verdict, ""));
+    let style = if audited.valid { GOOD } else { BAD };
+    writeln!(out, "{style}{word}{style:#}:{rest} ({:.0} ms)", audited.elapsed_ms)?;
+    Ok(out)
+}

@@ -1,0 +1,103 @@
+//! A diagnosis as JSON. `docs/report.md` describes the keys.
+
+use super::{Diagnosis, FeatureName, Flaw, Kind, Position, Reason, Records};
+use serde::{Serialize, Serializer};
+
+/// The entry of a list of violations or findings.
+#[derive(Serialize)]
+struct Entry<'a> {
+    #[serde(skip_serializing_if = "Option::is_none")]
+    line: Option<u64>,
+    #[serde(skip_serializing_if = "Option::is_none")]
+    rule: Option<&'static str>,
+    #[serde(flatten)]
+    kind: Kind,
+    #[serde(flatten)]
+    records: &'a Records,
+    #[serde(skip_serializing_if = "Option::is_none")]
+    features: Option<Features<'a>>,
+    #[serde(skip_serializing_if = "Option::is_none")]
+    area: Option<f64>,
+    #[serde(skip_serializing_if = "Option::is_none")]
+    width: Option<f64>,
+    #[serde(skip_serializing_if = "Option::is_none")]
+    length: Option<f64>,
+    #[serde(skip_serializing_if = "Option::is_none")]
+    at: Option<Places>,
+    #[serde(skip_serializing_if = "<[_]>::is_empty")]
+    defects: &'a [Flaw],
+    #[serde(skip_serializing_if = "Option::is_none")]
+    snapping: Option<&'static str>,
+    message: &'a str,
+    #[serde(skip_serializing_if = "Option::is_none")]
+    cause: Option<&'static str>,
+    #[serde(skip_serializing_if = "Option::is_none")]
+    remedy: Option<&'static str>,
+}
+
+/// A violation has the names of the features, a finding of a coverage has their numbers and ids, too.
+#[derive(Serialize)]
+#[serde(untagged)]
+enum Features<'a> {
+    Titles(Vec<String>),
+    Numbered(&'a [FeatureName]),
+}
+
+/// A violation has all places of its records, a finding of a coverage has the one to look at.
+#[derive(Serialize)]
+#[serde(untagged)]
+enum Places {
+    All(Vec<Position>),
+    One(Position),
+}
+
+/// The same number, and 0 without a sign.
+fn unsigned_zero(x: f64) -> f64 {
+    x + 0.0
+}
+
+impl Serialize for Diagnosis {
+    fn serialize<S: Serializer>(&self, serializer: S) -> Result<S::Ok, S::Error> {
+        let is_coverage = matches!(self.records, Records::None {});
+        let features = self.features.as_ref();
+        let one = self.look.filter(|_| is_coverage).map(|at| Places::One(at.map(unsigned_zero)));
+        let all = || self.places.as_ref().map(|all| all.iter().map(|at| at.map(unsigned_zero)).collect());
+        Entry {
+            line: self.line,
+            rule: self.rule,
+            kind: self.kind,
+            records: &self.records,
+            features: features.map(|all| {
+                let titles = || all.iter().map(FeatureName::title).collect();
+                if is_coverage { Features::Numbered(all) } else { Features::Titles(titles()) }
+            }),
+            area: self.measures.area.map(unsigned_zero),
+            width: self.measures.width.map(unsigned_zero),
+            length: self.measures.length.map(unsigned_zero),
+            at: one.or_else(|| all().map(Places::All)),
+            defects: &self.defects,
+            snapping: self.snapping,
+            message: &self.message,
+            cause: self.cause,
+            remedy: self.remedy,
+        }
+        .serialize(serializer)
+    }
+}
+
+impl Serialize for Reason {
+    fn serialize<S: Serializer>(&self, serializer: S) -> Result<S::Ok, S::Error> {
+        #[derive(Serialize)]
+        #[serde(rename_all = "snake_case")]
+        enum Form {
+            Broken(&'static str),
+            NotLocated,
+        }
+        match self {
+            Self::Validator(why) => why.serialize(serializer),
+            Self::Broken(rule) => Form::Broken(rule).serialize(serializer),
+            Self::BoxesNeed(rule) => Form::Broken(rule.id()).serialize(serializer),
+            Self::NotLocated(_) => Form::NotLocated.serialize(serializer),
+        }
+    }
+}

@@ -1,0 +1,102 @@
+//! The outcome of a rule, of the validator or of a format.
+
+use std::fmt;
+use twinedge::validate::{Report, Rule, RuleOutcome, Unchecked};
+
+/// The outcome of a rule. `Display` prints it in a line.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub struct RuleLine {
+    /// The id: `R1` and so on; `P0` … `P4` of PostGIS, `A0` … `A3` of TopoJSON.
+    pub id: &'static str,
+    /// Its name.
+    pub name: &'static str,
+    /// The rule in one sentence.
+    pub statement: &'static str,
+    /// How many of its unit were checked.
+    pub checked: u64,
+    /// The unit: links, vertices and so on.
+    pub unit: &'static str,
+    /// How many violations there are, kept or not.
+    pub violations: u64,
+    /// Why it was not checked, or not on everything.
+    pub unchecked: Option<Reason>,
+}
+
+/// Why a rule was not checked, or not on everything. `Display` says it.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+#[non_exhaustive]
+pub enum Reason {
+    /// The reason of the validator.
+    Validator(Unchecked),
+    /// It relies on a rule of the format, which is broken.
+    Broken(&'static str),
+    /// The boxes around faces rely on this rule, which is broken.
+    BoxesNeed(Rule),
+    /// It is not known in which faces so many isolated nodes lie.
+    NotLocated(u64),
+}
+
+impl Reason {
+    /// Whether the input can be valid although the rule was not checked.
+    #[must_use]
+    pub const fn is_by_design(self) -> bool {
+        matches!(self, Self::Validator(why) if why.is_by_design())
+    }
+}
+
+impl fmt::Display for Reason {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        match self {
+            Self::Validator(why) => why.fmt(f),
+            Self::Broken(rule) => write!(f, "needs {rule}, which is broken"),
+            Self::BoxesNeed(rule) => write!(f, "for mbr: needs {rule}, which is broken"),
+            Self::NotLocated(count) => {
+                let nodes = if *count == 1 { "1 isolated node lies" } else { &format!("{count} isolated nodes lie") };
+                write!(f, "in which face {nodes}: needs G5, or P1 and lines around the faces that close")
+            }
+        }
+    }
+}
+
+impl RuleLine {
+    /// A rule of the validator.
+    #[must_use]
+    pub fn new(rule: Rule, outcome: RuleOutcome) -> Self {
+        Self {
+            id: rule.id(),
+            name: rule.name(),
+            statement: rule.statement(),
+            checked: outcome.checked,
+            unit: rule.unit(outcome.checked),
+            violations: outcome.violations,
+            unchecked: outcome.unchecked.map(Reason::Validator),
+        }
+    }
+
+    /// The rules of a report.
+    #[must_use]
+    pub fn of(report: &Report) -> Vec<Self> {
+        report.outcomes().map(|(rule, outcome)| Self::new(rule, outcome)).collect()
+    }
+
+    /// Whether it applies and was not checked, or not on everything.
+    #[must_use]
+    pub fn is_open(&self) -> bool {
+        self.unchecked.is_some_and(|why| !why.is_by_design())
+    }
+}
+
+impl fmt::Display for RuleLine {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        let Self { id, name, checked, unit, violations, unchecked, .. } = self;
+        write!(f, "{id} {name:10} ")?;
+        match (violations, unchecked) {
+            (0, None) => write!(f, "ok, {checked} {unit}"),
+            (0, Some(why)) => write!(f, "not checked: {why}"),
+            (n, why) => {
+                write!(f, "BROKEN, {n} violation{} in {checked} {unit}", if *n == 1 { "" } else { "s" })?;
+                why.map_or(Ok(()), |why| write!(f, "; the rest not checked: {why}"))
+            }
+        }
+    }
+}
