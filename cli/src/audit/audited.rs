@@ -2,10 +2,10 @@
 
 use super::packed::Window;
 use crate::coverage::Coverage;
-use crate::output::not_checked;
+use crate::output::{grouped, not_checked};
 use serde::Serialize;
 use serde_json::{Map, Value};
-use twinedge::validate::Bounds;
+use twinedge::validate::{Bounds, Counts};
 use twinedge_formats::diagnosis::{Diagnosis, Document, RuleLine, Trace};
 use twinedge_formats::layer::Crs;
 
@@ -174,4 +174,20 @@ impl Audited {
         }
         Json { input: &self.input, document, extra, coverage: self.coverage.as_ref(), elapsed_ms: self.elapsed_ms }
     }
+}
+
+/// The numbers of records, in words.
+pub(super) fn counts(counts: &Counts) -> Vec<(&'static str, String)> {
+    let or_unknown = |n: Option<usize>| n.map_or_else(|| "unknown".to_owned(), grouped);
+    vec![
+        ("vertices (V)", grouped(counts.vertices)),
+        ("edges (E)", grouped(counts.edges)),
+        ("half-edges", grouped(counts.half_edges)),
+        ("faces (F), the unbounded one included", grouped(counts.faces)),
+        ("components (C)", or_unknown(counts.components)),
+        ("outer boundary components", grouped(counts.outer_boundaries)),
+        ("inner boundary components", grouped(counts.inner_boundaries)),
+        ("isolated vertices", grouped(counts.isolated_vertices)),
+        ("genus", or_unknown(counts.genus)),
+    ]
 }

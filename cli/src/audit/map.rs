@@ -1,16 +1,16 @@
 //! The audit of a map.
 
-use super::Run;
-use super::audited::{Audited, CoverageStyle, JsonForm};
+use super::arguments::Run;
+use super::audited::{Audited, CoverageStyle, JsonForm, counts};
 use super::map_json::extra;
 use super::map_notes::notes;
-use super::packed::{Beside, Map, Names};
-use super::write::{Picture, write};
+use super::packed::{Beside, Map, Names, Picture};
+use super::write::write;
 use crate::coverage::{Coverage, SHOWN};
 use crate::input::{Imported, Input};
 use crate::names::named;
 use crate::noted::Keep;
-use crate::output::{counted, grouped};
+use crate::output::counted;
 use crate::progress::busy;
 use crate::status::{Failure, Verdict};
 use crate::trace::placed;
@@ -20,7 +20,7 @@ use std::collections::BTreeSet;
 use twinedge::algorithm::colouring::feature_colours;
 use twinedge::dcel::{Boundary, Face, Vertex};
 use twinedge::map::{FeatureId, PlanarMap};
-use twinedge::validate::{Collect, Counts, Expectation, Record, Report, Rule, Violation, validate_embedding};
+use twinedge::validate::{Collect, Expectation, Record, Report, Rule, Violation, validate_embedding};
 use twinedge_formats::diagnosis::{Diagnosis, FeatureName, RuleLine};
 
 /// Builds the map, validates it, and prints what was found.
@@ -57,22 +57,6 @@ pub(super) fn audit(run: &Run<'_>, input: Input) -> Result<Verdict, Failure> {
         ..Audited::new(name)
     };
     write(audited, run, |audited| picture(&imported, audited))
-}
-
-/// How many records there are.
-pub(super) fn counts(counts: &Counts) -> Vec<(&'static str, String)> {
-    let or_unknown = |n: Option<usize>| n.map_or_else(|| "unknown".to_owned(), grouped);
-    vec![
-        ("vertices (V)", grouped(counts.vertices)),
-        ("edges (E)", grouped(counts.edges)),
-        ("half-edges", grouped(counts.half_edges)),
-        ("faces (F), the unbounded one included", grouped(counts.faces)),
-        ("components (C)", or_unknown(counts.components)),
-        ("outer boundary components", grouped(counts.outer_boundaries)),
-        ("inner boundary components", grouped(counts.inner_boundaries)),
-        ("isolated vertices", grouped(counts.isolated_vertices)),
-        ("genus", or_unknown(counts.genus)),
-    ]
 }
 
 /// The violations, with their places and the features around, and what mends them by the commands of this program.

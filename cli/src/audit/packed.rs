@@ -55,7 +55,15 @@ fn text<S: Serializer>(bytes: &[u8], to: S) -> Result<S::Ok, S::Error> {
     to.serialize_str(&STANDARD.encode(bytes))
 }
 
-/// What records are called.
+/// The map of a page.
+#[derive(Debug, Default, Serialize)]
+pub(super) struct Picture {
+    pub(super) map: Map,
+    /// The features of the map: name, id, and a colour that neighbours have not.
+    pub(super) features: Vec<(Option<String>, Option<String>, usize)>,
+}
+
+/// The names of records.
 #[derive(Debug, Default, Serialize)]
 #[serde(rename_all = "snake_case")]
 pub(super) enum Names {

@@ -4,7 +4,7 @@
 //! the script sets it as text.
 
 use super::audited::{Audited, Note};
-use super::write::Picture;
+use super::packed::Picture;
 use crate::coverage_words::statement;
 use crate::diagnosis_text::full_message;
 use crate::output::{counted, grouped, plain};

@@ -1,9 +1,9 @@
 //! The kinds of inputs, and the options that each takes.
 
+use super::arguments::{Audit, Run};
 use super::destination::ReportFormat;
 use super::table_file::is_table_file;
 use super::textbook::is_textbook;
-use super::{Audit, Run};
 use crate::input::Input;
 use crate::status::Failure;
 use twinedge_formats::mesh::Format as MeshFormat;

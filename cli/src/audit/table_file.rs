@@ -1,6 +1,6 @@
 //! Auditing a file of tables, one on each line.
 
-use super::Run;
+use super::arguments::Run;
 use super::destination::ReportFormat;
 use crate::diagnosis_text::{write, write_explanations, write_more};
 use crate::expectation_text::parse;

@@ -1,10 +1,9 @@
 //! `twinedge audit` of the three tables of a textbook.
 
-use super::Run;
-use super::audited::{Audited, JsonForm, Note};
-use super::map::counts;
-use super::packed::{Beside, Map, Names};
-use super::write::{Picture, write};
+use super::arguments::Run;
+use super::audited::{Audited, JsonForm, Note, counts};
+use super::packed::{Beside, Map, Names, Picture};
+use super::write::write;
 use crate::input::Input;
 use crate::output::counted;
 use crate::status::{Failure, Verdict};

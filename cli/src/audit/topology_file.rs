@@ -1,9 +1,9 @@
 //! Auditing a topology of PostGIS, as `psql` wrote it, or the arcs of TopoJSON.
 
-use super::Run;
+use super::arguments::Run;
 use super::audited::{Audited, JsonForm, Note};
-use super::packed::{Beside, Map, Names};
-use super::write::{Picture, write};
+use super::packed::{Beside, Map, Names, Picture};
+use super::write::write;
 use crate::input::Input;
 use crate::output::{counted, grouped};
 use crate::status::{Failure, Verdict};

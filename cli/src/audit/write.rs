@@ -1,21 +1,13 @@
 //! Writing an audit in the format that was asked for.
 
+use super::arguments::Run;
 use super::audited::Audited;
 use super::destination::ReportFormat;
-use super::packed::Map;
+use super::packed::Picture;
 use super::text::text;
-use super::{Run, findings_geojson, page};
+use super::{findings_geojson, page};
 use crate::output::{counted, plain, print};
 use crate::status::{Failure, Verdict};
-use serde::Serialize;
-
-/// What a page shows beside the findings.
-#[derive(Debug, Default, Serialize)]
-pub(super) struct Picture {
-    pub(super) map: Map,
-    /// The features of the map: name, id, and a colour that neighbours have not.
-    pub(super) features: Vec<(Option<String>, Option<String>, usize)>,
-}
 
 /// Writes an audit. `picture` makes what a page shows. Where a layer or a page goes to a file, a line for people says so.
 pub(super) fn write(

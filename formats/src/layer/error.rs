@@ -1,9 +1,9 @@
 //! Why a layer could not be read or written.
 
-use super::format::Format;
 use super::loss::Loss;
 use std::fmt;
 use std::io;
+use twinedge::io::Format;
 use twinedge::io::{ForeignFormat, TextPlace};
 
 /// Why a layer could not be read.

@@ -1,9 +1,9 @@
 //! Finding what a format cannot hold of a layer.
 
-use super::format::Format;
 use super::loss::{Loss, absent};
 use super::model::{Dimensions, FieldKind, Geometry, Layer, Shape, Value};
 use std::collections::BTreeSet;
+use twinedge::io::Format;
 
 /// What would be lost if the layer were written in this format. O(size of the layer).
 ///

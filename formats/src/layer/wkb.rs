@@ -7,9 +7,9 @@
 
 use super::each::Each;
 use super::error::{Cause, Place, ReadError, WriteError};
-use super::format::Format;
 use super::model::{Crs, Dimensions, Feature, Geometry, Header, Layer, Line, Position, Shape, hex};
 use std::io::{BufRead, BufReader, Read, Write};
+use twinedge::io::Format;
 
 /// How many collections may lie around a geometry.
 const NESTED: usize = 32;

@@ -1,7 +1,7 @@
 //! How many there are of everything.
 
-use super::sets::Sets;
 use super::{Findings, HalfEdgeMesh, Kind};
+use petgraph::unionfind::UnionFind;
 use twinedge::validate::Report;
 
 /// The counts of a mesh. Edges and all that follows leave out the faces that are left out, and unused vertices.
@@ -46,13 +46,13 @@ impl MeshCounts {
         let unused_vertices = findings.count(Kind::UnusedVertex);
         let kept = || mesh.faces().enumerate().filter(|(f, _)| !half_edges.is_left_out(*f)).map(|(_, face)| face);
         let (mut kept_faces, mut triangles) = (0, 0);
-        let mut connected = Sets::new(vertices);
+        let mut connected = UnionFind::new(vertices);
         let mut components = vertices - unused_vertices;
         for face in kept() {
             kept_faces += 1;
             triangles += usize::from(face.len() == 3);
             for pair in face.windows(2) {
-                components -= usize::from(connected.join(pair[0], pair[1]));
+                components -= usize::from(connected.union(pair[0], pair[1]));
             }
         }
         let border_edges = half_edges.border_edge_count();

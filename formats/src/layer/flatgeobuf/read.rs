@@ -2,7 +2,6 @@
 
 use super::super::each::Each;
 use super::super::error::{Cause, Place, ReadError};
-use super::super::format::Format;
 use super::super::model::{Crs, Dimensions, Feature, Field, Geometry, Header, Id, Line, Members, Position, Shape};
 use super::TEXTS;
 use super::properties::{attributes, kind};
@@ -13,6 +12,7 @@ use ::flatgeobuf::{
 use flatbuffers::{InvalidFlatbuffer, Vector, VerifierOptions};
 use std::io::{self, Read};
 use std::sync::Arc;
+use twinedge::io::Format;
 
 /// How many collections may lie around a geometry.
 const NESTED: usize = 32;

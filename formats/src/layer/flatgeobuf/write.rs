@@ -1,7 +1,6 @@
 //! Writing `FlatGeobuf`, in the order of the features and so without an index.
 
 use super::super::error::WriteError;
-use super::super::format::Format;
 use super::super::loss::{Loss, absent};
 use super::super::model::{Feature, Field, FieldKind, Geometry, Layer, Line, Position, Shape, Value};
 use super::properties::{append, column};
@@ -12,6 +11,7 @@ use ::flatgeobuf::{
 };
 use flatbuffers::{FlatBufferBuilder, WIPOffset};
 use std::io::Write;
+use twinedge::io::Format;
 
 /// The version that is written.
 const MAGIC: &[u8; 8] = b"fgb\x03fgb\x00";

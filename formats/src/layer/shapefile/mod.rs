@@ -14,7 +14,6 @@ mod rings;
 
 use super::each::Each;
 use super::error::{Cause, Place, ReadError, WriteError};
-use super::format::Format;
 use super::model::{Crs, Feature, Field, Geometry, Header, Layer};
 use columns::{ShapeKind, shape_kind};
 use dbf::Table;
@@ -22,6 +21,7 @@ use failed::{content, truncated};
 use std::fs::{self, File};
 use std::io::{self, BufReader, BufWriter, Read, Seek, SeekFrom, Write};
 use std::path::{Path, PathBuf};
+use twinedge::io::Format;
 
 pub(super) use columns::losses;
 
