@@ -18,10 +18,10 @@ use twinedge::geometry::noding::Snap;
 use twinedge::map::{Noding, PlanarMap};
 use twinedge_formats::diagnosis::{Diagnosis, Flaw, Kind, Measures, Trace};
 
-/// How many findings of each rule the text shows unless asked.
+/// The number of findings of each rule that the text shows unless asked.
 pub(crate) const SHOWN: usize = 3;
 
-/// How a coverage is judged.
+/// The options by which a coverage is judged.
 #[derive(Debug, clap::Args)]
 #[command(next_help_heading = "Coverage (maps)")]
 pub(crate) struct Asked {
@@ -53,13 +53,13 @@ impl Asked {
         self.coverage || self.gap_width.is_some() || self.sliver.is_some()
     }
 
-    /// Whether findings make a map invalid.
+    /// Returns true if findings make a map invalid.
     pub(crate) const fn is_rule(&self) -> bool {
         self.coverage
     }
 }
 
-/// What was found, as JSON has it.
+/// All that was found, as JSON has it.
 #[derive(Debug, Serialize)]
 pub(crate) struct Coverage {
     overlaps: usize,
@@ -92,7 +92,7 @@ pub(crate) struct Coverage {
 /// Rule, kind, features, area, width, length, and the coordinates of the place.
 type Row<'a> = (&'a str, &'a str, String, Option<f64>, Option<f64>, Option<f64>, Option<f64>, Option<f64>);
 
-/// How many defects of each kind are listed of a feature.
+/// The number of defects of each kind that are listed of a feature.
 const DEFECTS: usize = 20;
 
 impl Coverage {
@@ -166,7 +166,7 @@ impl Coverage {
         }
     }
 
-    /// How many findings there are of each rule, in order.
+    /// The number of findings of each rule, in order.
     pub(crate) fn counts(&self) -> [(CoverageRule, usize, &'static str); 6] {
         [
             (CoverageRule::Overlap, self.overlaps, "overlap"),
@@ -178,12 +178,12 @@ impl Coverage {
         ]
     }
 
-    /// How many findings there are.
+    /// The number of findings.
     pub(crate) fn total(&self) -> usize {
         self.counts().iter().map(|(_, count, _)| count).sum()
     }
 
-    /// How many findings there are beside violations, in words.
+    /// The number of findings beside violations, in words.
     pub(crate) fn beside(&self) -> String {
         match self.total() {
             0 => String::new(),
@@ -191,7 +191,7 @@ impl Coverage {
         }
     }
 
-    /// Whether there is anything that could be a coverage.
+    /// Returns true if there is anything that could be a coverage.
     pub(crate) const fn has_polygons(&self) -> bool {
         self.has_polygons
     }
@@ -201,7 +201,7 @@ impl Coverage {
         self.not_checked.as_deref()
     }
 
-    /// What is listed.
+    /// All that is listed.
     pub(crate) fn findings(&self) -> &[Diagnosis] {
         &self.findings
     }
@@ -216,7 +216,7 @@ impl Coverage {
         self.of_input.as_ref()
     }
 
-    /// What is listed, to be sorted and cut.
+    /// All that is listed, to be sorted and cut.
     pub(crate) const fn findings_mut(&mut self) -> &mut Vec<Diagnosis> {
         &mut self.findings
     }
@@ -240,7 +240,7 @@ impl Coverage {
         Ok(())
     }
 
-    /// How many findings of a rule there are, with what they are called.
+    /// The number of findings of a rule, with what they are called.
     fn found(&self, rule: CoverageRule) -> String {
         let of_rule = self.counts().into_iter().find(|(other, ..)| *other == rule);
         let (_, count, what) = of_rule.unwrap_or((rule, 0, "finding"));
@@ -252,7 +252,7 @@ impl Coverage {
         }
     }
 
-    /// What came of a rule, in words.
+    /// The outcome of a rule, in words.
     pub(crate) fn outcome(&self, rule: CoverageRule) -> String {
         match &self.not_checked {
             Some(why) if rule != CoverageRule::Validity => format!("not checked: {why}"),
@@ -292,7 +292,7 @@ impl Coverage {
     }
 }
 
-/// What C1 … C5 found.
+/// The findings of C1 … C5.
 struct Judged {
     findings: Vec<(Finding, Option<&'static str>)>,
     gap_width: f64,
@@ -344,7 +344,7 @@ fn judged(imported: &Imported, limits: &Limits, units: &Units) -> Result<Judged,
     Ok(Judged { findings, gap_width, sliver_area, wider_gaps, of_input: Some(of_input) })
 }
 
-/// What all findings of a rule have in common.
+/// The parts that all findings of a rule have in common.
 fn of_rule(rule: CoverageRule, asked: &Asked, at: Point) -> Diagnosis {
     let (cause, remedy) = explanation(rule);
     Diagnosis {

@@ -1,4 +1,4 @@
-//! What was found as a layer of GeoJSON.
+//! The findings as a layer of GeoJSON.
 
 use super::audited::Audited;
 use crate::diagnosis_text::full_message;
@@ -43,7 +43,7 @@ which a reader of GeoJSON will take them: set the reference system of the layer 
     Ok(bytes)
 }
 
-/// Whether all positions of a feature can be longitudes and latitudes in degrees.
+/// Returns true if all positions of a feature can be longitudes and latitudes in degrees.
 fn looks_like_degrees(feature: &Feature) -> bool {
     let mut all = true;
     if let Some(geometry) = &feature.geometry {

@@ -1,4 +1,4 @@
-//! What JSON has of the input of a map.
+//! The keys of JSON on the input of a map.
 
 use crate::input::Imported;
 use serde::Serialize;

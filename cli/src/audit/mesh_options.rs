@@ -37,7 +37,7 @@ pub(super) struct Expected {
 }
 
 impl Expected {
-    /// Whether anything is expected.
+    /// Returns true if anything is expected.
     pub(super) fn is_any(&self) -> bool {
         self.expectation() != HalfEdgeMesh::expectation()
     }

@@ -29,7 +29,7 @@ const SCRIPTS: [&str; 9] = [
     include_str!("html/main.js"),
 ];
 
-/// What the script reads.
+/// All that the script reads.
 #[derive(Serialize)]
 struct Data<'a> {
     input: &'a str,

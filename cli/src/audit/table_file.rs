@@ -15,7 +15,7 @@ use std::io::BufRead;
 use twinedge::validate::{Collect, Expectation, Rule, Table, validate};
 use twinedge_formats::diagnosis::{Diagnosis, Kind, Records};
 
-/// Whether a file that begins so has tables. Every table begins with `P` or `V`; comments may precede it.
+/// Returns true if a file that begins so has tables. Every table begins with `P` or `V`; comments may precede it.
 pub(super) fn is_table_file(beginning: &[u8]) -> bool {
     let text = String::from_utf8_lossy(beginning);
     let lines = text.lines().map(str::trim_start).filter(|line| !line.is_empty());
@@ -37,7 +37,7 @@ struct Audited<'a> {
     valid_tables: u64,
     /// Tables for which the file has another verdict.
     verdicts_differ: u64,
-    /// How many tables break each rule; a table may break several.
+    /// The number of tables that break each rule; a table may break several.
     rules: Vec<RuleTables>,
     violations: Vec<Diagnosis>,
     elapsed_ms: f64,

@@ -14,7 +14,7 @@ use twinedge::io::tables::Textbook;
 use twinedge::validate::{Collect, Counts, Expectation, Record, View, Violation, validate, validate_embedding};
 use twinedge_formats::diagnosis::{Diagnosis, Records, RuleLine};
 
-/// Whether a file that begins so has the three tables of a textbook: the first word that is no comment is a heading, or the
+/// Returns true if a file that begins so has the three tables of a textbook: the first word that is no comment is a heading, or the
 /// name of a vertex, a half-edge or a face.
 pub(super) fn is_textbook(beginning: &[u8]) -> bool {
     let text = String::from_utf8_lossy(beginning);

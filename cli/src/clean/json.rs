@@ -1,9 +1,9 @@
-//! What `twinedge clean` did, as JSON.
+//! The report of `twinedge clean` as JSON.
 
 use serde::Serialize;
 use twinedge_formats::diagnosis::{Diagnosis, FeatureName};
 
-/// What was done.
+/// The report.
 #[derive(Debug, Serialize)]
 pub(super) struct Json<'a> {
     pub(super) input: &'a str,

@@ -85,7 +85,7 @@ pub(crate) struct Clean {
     list: usize,
 }
 
-/// Which feature gets what several claim.
+/// The feature that gets what several claim.
 #[derive(Clone, Copy, Debug, Default, clap::ValueEnum)]
 enum Claim {
     /// The one with the largest area, the first of those.
@@ -160,7 +160,7 @@ impl Clean {
     }
 }
 
-/// How many columns an error lists.
+/// The number of columns that an error lists.
 const COLUMNS: usize = 20;
 
 /// A layer, cleaned.
@@ -176,7 +176,7 @@ struct Cleaned<'a> {
     elapsed: f64,
 }
 
-/// Where the names of features come from.
+/// The source of the names of features.
 #[derive(Clone, Copy)]
 struct Names<'a> {
     /// The column that was asked for.
@@ -207,7 +207,7 @@ impl Names<'_> {
     }
 }
 
-/// What to call a feature.
+/// The name for a feature.
 fn label(names: Names<'_>, layer: &Layer, number: usize) -> String {
     let feature = layer.features.get(number);
     let name = feature.and_then(|feature| names.of(feature));
@@ -372,7 +372,7 @@ impl Cleaned<'_> {
         }
     }
 
-    /// How many gaps were left because they are wider than asked for.
+    /// The number of gaps that were left because they are wider than asked for.
     fn wider(&self) -> String {
         match (self.report.wider_gaps.len(), self.gap_width) {
             (0, _) | (_, None) => String::new(),
@@ -479,7 +479,7 @@ fn rounded_up(x: f64) -> f64 {
     text.parse().ok().filter(|y| *y >= x).unwrap_or(x)
 }
 
-/// What is left, and what removes it.
+/// The remains, and what removes them.
 fn left_text(left: &Left) -> String {
     if !left.is_plane {
         return "borders still cross; --snap SIZE rounds them to a coarser grid".to_owned();

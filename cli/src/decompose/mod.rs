@@ -40,7 +40,7 @@ pub(crate) struct Decompose {
     #[arg(long, value_name = "NAME")]
     feature: Option<String>,
 
-    /// What to print.
+    /// The output.
     #[arg(long, value_enum, default_value_t)]
     format: Format,
 
@@ -71,7 +71,7 @@ struct Answer {
     ok: bool,
 }
 
-/// What became of the faces of a feature.
+/// The pieces of the faces of a feature.
 #[derive(Debug, Serialize)]
 struct Row {
     feature: usize,

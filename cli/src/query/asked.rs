@@ -12,7 +12,7 @@ pub(crate) struct Asked {
 }
 
 impl Asked {
-    /// How a feature can be asked for by its number, with its id, if it has one.
+    /// The words by which a feature can be asked for by its number, with its id, if it has one.
     pub(super) fn hint(&self, number: usize) -> String {
         match self.noted.ids.get(number).and_then(Option::as_deref) {
             Some(id) => format!("'#{number}' (id {})", plain(id)),

@@ -8,7 +8,7 @@ use serde::Serialize;
 use twinedge::geometry::Point;
 use twinedge::map::{Located, Locator};
 
-/// What lies at a point: a face, an edge or a vertex. The answer is exact.
+/// Tell what lies at a point: a face, an edge or a vertex. The answer is exact.
 #[derive(Debug, clap::Args)]
 #[command(after_help = "Examples:
   twinedge query at 28.25 -29.5

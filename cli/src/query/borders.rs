@@ -14,7 +14,7 @@ use twinedge::algorithm::neighbours::pairs;
 use twinedge::dcel::Face;
 use twinedge::map::FeatureId;
 
-/// What a table of neighbours is sorted by.
+/// The order of a table of neighbours.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq, ValueEnum)]
 pub(super) enum SortBy {
     /// The numbers of the features.

@@ -24,7 +24,7 @@ pub(super) struct Contour {
     #[command(flatten)]
     which: Which,
 
-    /// What to print.
+    /// The output.
     #[arg(long, value_enum, default_value_t)]
     format: Format,
 }

@@ -36,7 +36,7 @@ pub(super) struct CoverageOf {
     #[arg(long, value_name = "RULE", value_parser = ["C1", "C2", "C3", "C4", "C5", "C6"])]
     rule: Vec<String>,
 
-    /// What to sort by. Within each rule, the largest area comes first anyway.
+    /// The column to sort by. Within each rule, the largest area comes first anyway.
     #[arg(long, value_enum, default_value_t)]
     sort: SortBy,
 
@@ -48,7 +48,7 @@ pub(super) struct CoverageOf {
     format: TableFormat,
 }
 
-/// What findings are sorted by.
+/// The order of findings.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq, ValueEnum)]
 enum SortBy {
     /// The rule.

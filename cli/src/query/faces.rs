@@ -21,7 +21,7 @@ use twinedge::dcel::Face;
 
 Exit status: 0 there is an answer; 2 the input could not be read.")]
 pub(super) struct Faces {
-    /// What to sort by.
+    /// The column to sort by.
     #[arg(long, value_enum, default_value_t)]
     sort: SortBy,
 
@@ -33,7 +33,7 @@ pub(super) struct Faces {
     format: Format,
 }
 
-/// What faces are sorted by.
+/// The order of faces.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq, ValueEnum)]
 enum SortBy {
     /// Their numbers.

@@ -33,7 +33,7 @@ pub(super) struct Line {
     #[arg(allow_negative_numbers = true)]
     y2: f64,
 
-    /// How far the line extends.
+    /// The extent of the line.
     #[arg(long, value_enum, default_value_t)]
     extent: Extent,
 
@@ -42,7 +42,7 @@ pub(super) struct Line {
     format: Format,
 }
 
-/// How far the line extends.
+/// The extent of the line.
 #[derive(Clone, Copy, Debug, Default, ValueEnum)]
 enum Extent {
     /// From the first point to the second.
@@ -62,12 +62,12 @@ struct Answer<'a> {
     met: Vec<Step>,
 }
 
-/// What the line meets next.
+/// The part of the map that the line meets next.
 #[derive(Debug, Serialize)]
 struct Step {
     #[serde(flatten)]
     record: Record,
-    /// Whether the line runs along it, as opposed to across; only edges can be run along.
+    /// True if the line runs along it, as opposed to across; only edges can be run along.
     along: bool,
 }
 

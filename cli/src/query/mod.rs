@@ -64,7 +64,7 @@ enum Question {
 }
 
 impl Question {
-    /// What must be kept of the input for the answer.
+    /// All that must be kept of the input for the answer.
     const fn keep(&self) -> Keep<'_> {
         let condition = match self {
             Self::Neighbours(question) => question.condition(),

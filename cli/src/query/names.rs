@@ -5,9 +5,9 @@ use crate::output::counted;
 use crate::status::Failure;
 use twinedge::map::{FeatureId, PlanarMap};
 
-/// How many names to suggest.
+/// The number of names that are suggested.
 const SUGGESTIONS: usize = 3;
-/// How similar a name must be to be suggested, from 0 to 1.
+/// The similarity of a name that is suggested, from 0 to 1, at least.
 const SIMILAR: f64 = 0.75;
 
 /// The feature with this name, or with the number after a `#`.

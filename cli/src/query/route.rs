@@ -18,13 +18,13 @@ use twinedge::algorithm::dual::{self, By};
 
 Exit status: 0 there is an answer, if only that there is no way; 2 the input could not be read, or has no feature of that name.")]
 pub(super) struct Route {
-    /// Where the way starts.
+    /// The place where the way starts.
     from: String,
 
-    /// Where it ends.
+    /// The place where it ends.
     to: String,
 
-    /// What makes a way short.
+    /// The measure of a way.
     #[arg(long, value_enum, default_value_t)]
     by: Measure,
 

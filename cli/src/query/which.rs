@@ -1,4 +1,4 @@
-//! Which feature a question is about.
+//! The feature that a question is about.
 
 use super::asked::Asked;
 use super::names::find;
@@ -24,12 +24,12 @@ pub(super) struct Which {
 }
 
 impl Which {
-    /// What must be noted while the map is read.
+    /// All that must be noted while the map is read.
     pub(super) const fn condition(&self) -> Option<&Condition> {
         self.condition.as_ref()
     }
 
-    /// Whether a feature is asked for.
+    /// Returns true if a feature is asked for.
     pub(super) const fn is_given(&self) -> bool {
         self.name.is_some() || self.id.is_some() || self.condition.is_some()
     }

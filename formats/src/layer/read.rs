@@ -8,10 +8,10 @@ use std::io::{BufReader, Cursor, Read};
 use std::path::Path;
 use twinedge::io::{ForeignFormat, Format};
 
-/// How many bytes are looked at to tell the format.
+/// The number of bytes that are looked at to tell the format.
 const HEAD: u64 = 1 << 16;
 
-/// How to read a layer.
+/// The way to read a layer.
 #[derive(Clone, Debug, Default)]
 pub struct ReadOptions {
     /// The format. Without one, the content tells, and then the extension of the file.

@@ -1,4 +1,4 @@
-//! How many there are of everything.
+//! The numbers of everything.
 
 use super::{Findings, HalfEdgeMesh, Kind};
 use petgraph::unionfind::UnionFind;
@@ -6,7 +6,7 @@ use twinedge::validate::Report;
 
 /// The counts of a mesh. Edges and all that follows leave out the faces that are left out, and unused vertices.
 ///
-/// Where all of them are known, `euler_characteristic = 2 · components − 2 · genus − borders`.
+/// If all of them are known, `euler_characteristic = 2 · components − 2 · genus − borders`.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 #[cfg_attr(feature = "serde", derive(serde::Serialize))]
 pub struct MeshCounts {
@@ -34,7 +34,7 @@ pub struct MeshCounts {
     /// The sum of the genera of the components: how many handles they have. Not known where the faces could not be joined to
     /// surfaces.
     pub genus: Option<usize>,
-    /// Whether the faces could be turned so that all run the same way round. A Möbius strip is not orientable.
+    /// True if the faces could be turned so that all run the same way round. A Möbius strip is not orientable.
     pub orientable: bool,
 }
 

@@ -193,7 +193,7 @@ impl<'a> HalfEdgeMesh<'a> {
         self.check_fans(&suspects, findings);
     }
 
-    /// How many half-edges the rotation around the origin of `start` reaches through twins, one way and then the other.
+    /// The number of half-edges that the rotation around the origin of `start` reaches through twins, one way and then the other.
     fn reached(&self, start: u32) -> u32 {
         let mut reached = 1;
         let mut h = start;
@@ -268,7 +268,7 @@ impl<'a> HalfEdgeMesh<'a> {
         }
     }
 
-    /// Whether the faces can be flipped so that the twins that there are stay, and these pairs become twins as well.
+    /// Returns true if the faces can be flipped so that the twins that there are stay, and these pairs become twins as well.
     fn can_be_oriented(&self, flipped: &[[u32; 2]]) -> bool {
         // Each face twice: as it is, and flipped.
         let faces = self.left_out.len() as u32;

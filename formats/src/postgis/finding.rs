@@ -1,4 +1,4 @@
-//! What only a topology of PostGIS can have wrong.
+//! The faults that only a topology of PostGIS can have.
 
 use super::error::TableName;
 use super::ewkb::kind_name;
@@ -29,13 +29,13 @@ macro_rules! findings {
                 match self { $(Self::$variant { .. } => $kind,)* }
             }
 
-            /// What usually causes it.
+            /// The usual cause.
             #[must_use]
             pub const fn cause(&self) -> &'static str {
                 match self { $(Self::$variant { .. } => $cause,)* }
             }
 
-            /// What mends it.
+            /// The remedy.
             #[must_use]
             pub const fn remedy(&self) -> &'static str {
                 match self { $(Self::$variant { .. } => $remedy,)* }

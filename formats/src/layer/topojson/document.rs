@@ -21,7 +21,7 @@ pub(super) struct Document {
     pub(super) members: Members,
 }
 
-/// What makes coordinates of the numbers of a quantised file.
+/// The transformation of the numbers of a quantised file to coordinates.
 #[derive(Clone, Copy, Debug, serde::Deserialize)]
 pub(super) struct Transform {
     scale: [f64; 2],
