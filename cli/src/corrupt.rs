@@ -3,7 +3,8 @@
 use crate::document::{Document, Nothing, Printed};
 use crate::effort::{Effort, seed_of_the_moment};
 use crate::output::style::{BAD, GOOD, QUIET};
-use crate::output::{Format, counted, grouped, part_line, zero};
+use crate::output::{Format, counted, grouped, zero};
+use crate::print_rows;
 use crate::print_tables::Printer;
 use crate::status::{Failure, Verdict};
 use crate::structures::{StructureName, Task};
@@ -126,30 +127,12 @@ impl Printed for CorruptOutcome {
     }
 }
 
-fn write_row(f: &mut fmt::Formatter<'_>, form: &str, field: &str, row: &Tally) -> fmt::Result {
-    writeln!(
-        f,
-        "{form:9} {field:26} {:>13} {:>13} {:>13} {:>7} {:>7} {:>10} {:>9.0} µs",
-        grouped(row.corruptions),
-        grouped(row.wrong),
-        grouped(row.caught),
-        zero(row.missed),
-        zero(row.false_alarms),
-        zero(row.other_rule),
-        row.slowest.as_secs_f64() * 1e6
-    )
-}
-
 /// The outcome for people.
 struct Text<'a>(&'a CorruptOutcome, f64);
 
 impl fmt::Display for Text<'_> {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         let Self(outcome, seconds) = self;
-        if outcome.interrupted {
-            writeln!(f, "{BAD}interrupted{BAD:#}: this is what was covered\n")?;
-        }
-        f.write_str(&part_line(outcome.shard))?;
         writeln!(
             f,
             "{} of {} judged, made by {}; wrong by the reference, caught by the validator",
@@ -157,16 +140,13 @@ impl fmt::Display for Text<'_> {
             counted(outcome.maps_found, "map"),
             outcome.on
         )?;
-        writeln!(
-            f,
-            "{QUIET}{:9} {:26} {:>13} {:>13} {:>13} {:>7} {:>7} {:>10} {:>12}{QUIET:#}",
-            "form", "field or exchange", "corruptions", "wrong", "caught", "missed", "false", "other rule", "slowest"
-        )?;
-        for row in &outcome.fields {
-            write_row(f, row.form.name(), &row.field, &row.tally)?;
+        write!(f, "{QUIET}{:9} {:26}{QUIET:#} {}", "form", "field or exchange", print_rows::head::<Tally>())?;
+        let sampled = format!("pairs, seed {}", outcome.pairs.seed);
+        let fields = outcome.fields.iter().map(|row| (row.form.name(), row.field.as_str(), &row.tally));
+        let pairs = [("all pairs, smallest maps", &outcome.small_pairs), (&sampled, &outcome.pairs.tally)];
+        for (form, field, tally) in fields.chain(pairs.map(|(field, tally)| ("all", field, tally))) {
+            write!(f, "{form:9} {field:26} {}", print_rows::line(tally, outcome.shard.is_whole()))?;
         }
-        write_row(f, "all", "all pairs, smallest maps", &outcome.small_pairs)?;
-        write_row(f, "all", &format!("pairs, seed {}", outcome.pairs.seed), &outcome.pairs.tally)?;
         write!(f, "\nfirst broken rule, by the reference:")?;
         for RuleRow { rule, wrong } in &outcome.first_broken {
             write!(f, " {rule} {}", grouped(*wrong))?;

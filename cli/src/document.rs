@@ -1,6 +1,7 @@
 //! The JSON that the long commands print and `twinedge sum` reads.
 
-use crate::output::{Format, print, print_json};
+use crate::output::style::BAD;
+use crate::output::{Format, part_line, print, print_json};
 use crate::status::{Failure, Verdict};
 use serde::de::DeserializeOwned;
 use serde::{Deserialize, Serialize};
@@ -59,7 +60,13 @@ impl<O: Printed> Document<O> {
     }
 
     pub(crate) fn text(&self) -> String {
-        self.outcome.text(&self.extra, self.elapsed_ms / 1000.0)
+        let interrupted = if self.outcome.is_interrupted() {
+            format!("{BAD}interrupted{BAD:#}: this is what was covered\n\n")
+        } else {
+            String::new()
+        };
+        let text = self.outcome.text(&self.extra, self.elapsed_ms / 1000.0);
+        interrupted + &part_line(self.outcome.shard()) + &text
     }
 
     /// Prints it to standard output.

@@ -23,6 +23,7 @@ mod outline;
 mod output;
 mod output_file;
 mod postgis;
+mod print_rows;
 mod print_tables;
 mod progress;
 mod prove;

@@ -2,8 +2,9 @@
 
 use crate::document::{Document, Nothing, Printed};
 use crate::effort::Effort;
-use crate::output::style::{BAD, GOOD, QUIET};
-use crate::output::{Format, grouped, part_line, zero};
+use crate::output::style::{BAD, GOOD};
+use crate::output::{Format, grouped};
+use crate::print_rows::table;
 use crate::prove_meshes;
 use crate::status::{Failure, Verdict};
 use crate::structures::{StructureName, Task};
@@ -121,53 +122,17 @@ impl Text<'_> {
 impl fmt::Display for Text<'_> {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         let Self(outcome, seconds) = self;
-        if outcome.interrupted {
-            writeln!(f, "{BAD}interrupted{BAD:#}: this is what was covered\n")?;
-        }
-        f.write_str(&part_line(outcome.shard))?;
         writeln!(f, "Structure: {}\n", outcome.on)?;
+        let is_whole = outcome.shard.is_whole();
         writeln!(f, "Connected maps, grown from one vertex. A wrong count stands beside the published one.")?;
-        let head = ["edges", "rooted", "without root", "with an outside", "applied", "refused", "violations"];
-        writeln!(
-            f,
-            "{QUIET}{:>5} {:>12} {:>14} {:>16} {:>15} {:>15} {:>10}{QUIET:#}",
-            head[0], head[1], head[2], head[3], head[4], head[5], head[6]
-        )?;
-        for row in &outcome.edges {
-            writeln!(
-                f,
-                "{:>5} {:>12} {:>14} {:>16} {:>15} {:>15} {:>10}",
-                row.n,
-                self.beside(row.rooted, row.rooted_published),
-                self.beside(row.sensed, row.sensed_published),
-                self.beside(row.plane, row.plane_published),
-                grouped(row.applications),
-                grouped(row.refused),
-                zero(row.violations),
-            )?;
-        }
+        f.write_str(&table(&outcome.edges, is_whole))?;
         writeln!(f, "\nAll subdivisions, nested ones included. A wrong count stands beside the recount.")?;
-        writeln!(
-            f,
-            "{QUIET}{:>5} {:>8} {:>12} {:>15} {:>15} {:>10}{QUIET:#}",
-            "edges", "vertices", "maps", "applied", "refused", "violations"
-        )?;
-        for row in outcome.nested.iter().filter(|row| row.recounted + row.maps > 0) {
-            writeln!(
-                f,
-                "{:>5} {:>8} {:>12} {:>15} {:>15} {:>10}",
-                row.edges,
-                row.vertices,
-                self.beside(row.maps, row.recounted),
-                grouped(row.applications),
-                grouped(row.refused),
-                zero(row.violations),
-            )?;
-        }
+        let nested = outcome.nested.iter().filter(|row| row.recounted + row.maps > 0);
+        f.write_str(&table(nested, is_whole))?;
         writeln!(f, "\nRooted maps by genus, from all permutations. A wrong count stands beside the published one.")?;
         for row in &outcome.genus {
             let mut line = format!("{:>5}", row.n);
-            if outcome.shard.is_whole() {
+            if is_whole {
                 for genus in 0..row.by_genus.len().max(row.published.len()) {
                     let count = |all: &[u64]| all.get(genus).copied().unwrap_or(0);
                     write!(line, "   genus {genus}: {}", self.beside(count(&row.by_genus), count(&row.published)))?;
@@ -188,7 +153,7 @@ impl fmt::Display for Text<'_> {
         if outcome.interrupted {
             return writeln!(f, "{BAD}not finished{BAD:#} ({seconds:.1} s)");
         }
-        match (outcome.is_ok(), outcome.shard.is_whole()) {
+        match (outcome.is_ok(), is_whole) {
             (true, true) => {
                 writeln!(f, "{GOOD}proved{GOOD:#}: all counts agree, and no operator broke a rule ({seconds:.1} s)")?;
                 writeln!(f, "`twinedge soak` checks whether operators do what they promise beyond rules and counts.")

@@ -2,8 +2,9 @@
 
 use crate::document::{Document, Nothing, Printed};
 use crate::effort::Effort;
-use crate::output::style::{BAD, GOOD, QUIET};
-use crate::output::{Format, grouped, part_line, zero};
+use crate::output::Format;
+use crate::output::style::{BAD, GOOD};
+use crate::print_rows::table;
 use crate::status::{Failure, Verdict};
 use crate::structures::{StructureName, Task};
 use std::fmt;
@@ -48,47 +49,15 @@ struct Text<'a>(&'a MeshesOutcome, f64);
 impl fmt::Display for Text<'_> {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         let Self(outcome, seconds) = self;
-        if outcome.interrupted {
-            writeln!(f, "{BAD}interrupted{BAD:#}: this is what was covered\n")?;
-        }
-        f.write_str(&part_line(outcome.shard))?;
         writeln!(f, "Structure: {}\n", outcome.on)?;
         writeln!(
             f,
             "Triangulated discs, by vertices on the border + inside. A wrong count stands beside the published one."
         )?;
-        writeln!(
-            f,
-            "{QUIET}{:>9} {:>8} {:>8} {:>12} {:>12} {:>12}{QUIET:#}",
-            "", "maps", "rooted", "applied", "refused", "differences"
-        )?;
-        for row in &outcome.rows {
-            let rooted = match row.rooted_published {
-                Some(published) if published != row.rooted => {
-                    format!("{BAD}{}≠{}{BAD:#}", grouped(row.rooted), grouped(published))
-                }
-                _ => grouped(row.rooted),
-            };
-            writeln!(
-                f,
-                "{:>9} {:>8} {:>8} {:>12} {:>12} {:>12}",
-                row.shape.to_string(),
-                grouped(row.maps),
-                rooted,
-                grouped(row.applied),
-                grouped(row.refused),
-                zero(row.differences),
-            )?;
-        }
-        writeln!(
-            f,
-            "\n{QUIET}{:<22} {:>12} {:>12} {:>13}{QUIET:#}",
-            "operator", "applied", "refused", "not supported"
-        )?;
-        for row in &outcome.operators {
-            let [applied, refused, not_supported] = [row.applied, row.refused, row.not_supported].map(grouped);
-            writeln!(f, "{:<22} {applied:>12} {refused:>12} {not_supported:>13}", row.operator)?;
-        }
+        // All parts count all triangulations.
+        f.write_str(&table(&outcome.rows, true))?;
+        writeln!(f)?;
+        f.write_str(&table(&outcome.operators, true))?;
         writeln!(f)?;
         for finding in &outcome.findings {
             writeln!(f, "{BAD}{finding}{BAD:#}")?;

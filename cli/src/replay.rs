@@ -9,7 +9,7 @@ use serde::Serialize;
 use std::fmt::{self, Write as _};
 use std::io::Read as _;
 use std::path::PathBuf;
-use twinedge::program::{Call, Corner, Program};
+use twinedge::program::{Call, Program};
 use twinedge::validate::{BoundaryPlace, Link, Report, Start, Table, View};
 use twinedge_trials::replay::Indexed;
 use twinedge_trials::soak::Comparable;
@@ -132,7 +132,7 @@ impl From<twinedge_trials::replay::Step> for Step {
             Ok(after) => (after.outcome.to_string(), Some(After::of(&after.report, after.table.as_ref()))),
             Err(panic) => (format!("panicked: {panic}"), None),
         };
-        Self { op: step.op.to_string(), chosen: step.call.as_ref().map(in_words), outcome, after }
+        Self { op: step.op.to_string(), chosen: step.call.map(in_words), outcome, after }
     }
 }
 
@@ -152,32 +152,9 @@ impl After {
 }
 
 /// The arguments of an operator by their names in the tables.
-fn in_words(call: &Call<Link, Link, Link>) -> String {
-    let named = |letter: char, index: &Link| index.map_or_else(|| "stale".to_owned(), |i| format!("{letter}{i}"));
-    let corner = |corner: &Corner<Link, Link>| match corner {
-        Corner::At(h) => named('h', h),
-        Corner::Isolated(v) => named('v', v),
-    };
-    match call {
-        Call::AddIsolatedVertex { face } => format!("in {}", named('f', face)),
-        Call::RemoveIsolatedVertex { vertex } => named('v', vertex),
-        Call::Connect { from, to, inner, .. } => {
-            let inner: Vec<String> = inner.iter().map(corner).collect();
-            let inner = if inner.is_empty() { String::new() } else { format!(", inner {}", inner.join(" ")) };
-            format!("{} to {}{inner}", corner(from), corner(to))
-        }
-        Call::SplitVertex { from, to } => format!("{} to {}", corner(from), corner(to)),
-        Call::RemoveEdge { half_edge }
-        | Call::SplitEdge { half_edge }
-        | Call::JoinEdges { half_edge }
-        | Call::ContractEdge { half_edge }
-        | Call::FlipEdge { half_edge, .. }
-        | Call::MeshFlipEdge { half_edge }
-        | Call::MeshSplitEdge { half_edge }
-        | Call::MeshSplitFace { half_edge }
-        | Call::MeshCollapseEdge { half_edge } => named('h', half_edge),
-        Call::MoveInner { inner, face } => format!("{} to {}", corner(inner), named('f', face)),
-    }
+fn in_words(call: Call<Link, Link, Link>) -> String {
+    let named = |letter: char| move |index: Link| index.map_or_else(|| "stale".to_owned(), |i| format!("{letter}{i}"));
+    call.map(named('v'), named('h'), named('f')).to_string()
 }
 
 /// A structure as tables, a line for each record.

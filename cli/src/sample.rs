@@ -3,7 +3,7 @@
 use crate::document::{Document, Nothing, Printed};
 use crate::effort::{Effort, seed_of_the_moment};
 use crate::output::style::{BAD, GOOD};
-use crate::output::{Format, counted, grouped, part_line};
+use crate::output::{Format, counted, grouped};
 use crate::print_tables::Printer;
 use crate::status::{Failure, Verdict};
 use std::fmt;
@@ -87,10 +87,6 @@ struct Text<'a>(&'a SampleOutcome, f64);
 impl fmt::Display for Text<'_> {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         let Self(outcome, seconds) = self;
-        if outcome.interrupted {
-            writeln!(f, "{BAD}interrupted{BAD:#}: this is what was covered\n")?;
-        }
-        f.write_str(&part_line(outcome.shard))?;
         let judged = counted(outcome.judged as usize, "table");
         writeln!(f, "{judged} judged, seed {}; {} right", outcome.work.seed, grouped(outcome.right))?;
         write!(f, "first broken rule, by the reference:")?;

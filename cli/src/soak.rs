@@ -2,13 +2,14 @@
 
 use crate::document::{Document, Printed};
 use crate::effort::{Effort, seed_of_the_moment};
-use crate::output::style::{BAD, GOOD, QUIET};
-use crate::output::{Format, counted, grouped, part_line};
+use crate::output::style::{BAD, GOOD};
+use crate::output::{Format, counted};
+use crate::print_rows::table;
 use crate::status::{Failure, Verdict};
 use crate::structures::StructureName;
 use serde::{Deserialize, Serialize};
 use std::ffi::OsString;
-use std::fmt::{self, Write as _};
+use std::fmt;
 use std::fs::File;
 use std::io::{self, Write as _};
 use std::path::{Path, PathBuf};
@@ -163,23 +164,8 @@ struct Text<'a>(&'a SoakOutcome, &'a Saved, f64);
 impl fmt::Display for Text<'_> {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         let Self(outcome, Saved { saved }, seconds) = self;
-        if outcome.interrupted {
-            writeln!(f, "{BAD}interrupted{BAD:#}: this is what was covered\n")?;
-        }
-        f.write_str(&part_line(outcome.shard))?;
         writeln!(f, "seed {}; operators in step with the reference", outcome.seed)?;
-        let mut head = String::new();
-        for what in ["programs", "applied", "refused", "skipped", "no room"] {
-            write!(head, " {what:>13}")?;
-        }
-        writeln!(f, "{QUIET}{:10}{head}{QUIET:#}", "on")?;
-        for row in &outcome.structures {
-            write!(f, "{:10}", row.on)?;
-            for count in [row.programs, row.applied, row.refused, row.skipped, row.no_room] {
-                write!(f, " {:>13}", grouped(count))?;
-            }
-            writeln!(f)?;
-        }
+        f.write_str(&table(&outcome.structures, outcome.shard.is_whole()))?;
         let cut_short: u64 = outcome.structures.iter().map(|row| row.cut_short).sum();
         if cut_short > 0 {
             let cut_short = counted(cut_short as usize, "program");

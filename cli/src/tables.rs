@@ -2,13 +2,14 @@
 
 use crate::document::{Document, Nothing, Printed};
 use crate::effort::Effort;
-use crate::output::style::{BAD, GOOD, QUIET};
-use crate::output::{Format, counted, grouped, part_line};
+use crate::output::style::{BAD, GOOD};
+use crate::output::{Format, counted};
+use crate::print_rows::table;
 use crate::print_tables::Printer;
 use crate::status::{Failure, Verdict};
 use std::fmt;
 use std::time::Instant;
-use twinedge_trials::tables::{TablesOutcome, TablesRow, TablesWork};
+use twinedge_trials::tables::{TablesOutcome, TablesWork};
 use twinedge_trials::{Outcome, Validator, tables};
 
 /// Judge tables of up to N half-edges, right or wrong, by the validator and by the reference.
@@ -90,20 +91,8 @@ struct Text<'a>(&'a TablesOutcome, f64);
 impl fmt::Display for Text<'_> {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         let Self(outcome, seconds) = self;
-        if outcome.interrupted {
-            writeln!(f, "{BAD}interrupted{BAD:#}: this is what was covered\n")?;
-        }
-        f.write_str(&part_line(outcome.shard))?;
-        writeln!(
-            f,
-            "{QUIET}{:>10}  {:52} {:>13} {:>9} {:>10} {:>13}{QUIET:#}",
-            "half-edges", "free", "tables", "right", "formula", "disagreements"
-        )?;
         let is_whole = outcome.shard.is_whole();
-        for row in &outcome.tables {
-            let is_bad = if is_whole { !row.is_ok() } else { row.disagreements > 0 };
-            write_row(f, row, if is_bad { BAD } else { anstyle::Style::new() })?;
-        }
+        f.write_str(&table(&outcome.tables, is_whole))?;
         for finding in &outcome.findings {
             writeln!(f, "\n{BAD}disagreement{BAD:#}: {finding}")?;
         }
@@ -124,11 +113,4 @@ impl fmt::Display for Text<'_> {
             (false, _) => writeln!(f, "\n{BAD}not agreed{BAD:#} ({seconds:.1} s)"),
         }
     }
-}
-
-fn write_row(f: &mut fmt::Formatter<'_>, row: &TablesRow, style: anstyle::Style) -> fmt::Result {
-    let TablesRow { half_edges, free, .. } = row;
-    let [judged, right, formula, disagreements] =
-        [row.judged, row.right, row.right_by_formula, row.disagreements].map(grouped);
-    writeln!(f, "{half_edges:>10}  {free:52} {judged:>13} {style}{right:>9} {formula:>10} {disagreements:>13}{style:#}")
 }

@@ -187,10 +187,10 @@ Qed.
 Lemma complete_half_edge (x : dart t) : half_edge_ok t rank (num x).
 Proof.
 have [z E _] := kept_org low x; have [g S _] := start_bnd low x.
-rewrite /half_edge_ok complete_rank /links_ok /twin_ok /next_ok /target_ok /origin_ok /cycle_ok.
+rewrite /half_edge_ok complete_rank /twin_ok /next_ok /target_ok /origin_ok /cycle_ok.
 rewrite (originE map) (twinE map) (nextE map) (prevE map) (boundaryE map) /= !(originE map) (twinE map) (prevE map) (nextE map).
-rewrite (boundaryE map) (twK map) (nxK map) (pvK map) (org_nx map) (bnd_nx low) E /cycle_start S /= !eqxx !dart_live.
-by rewrite org_live // bnd_live // (inj_eq (@num_inj _ _)) (tw_neq map).
+rewrite (boundaryE map) (twK map) (nxK map) (pvK map) (org_nx map) (bnd_nx low) E /cycle_start S /= !eqxx.
+by rewrite (inj_eq (@num_inj _ _)) (tw_neq map).
 Qed.
 
 Lemma complete_vertex v : vertex t v -> vertex_ok t v.

@@ -108,11 +108,19 @@ Proof. by case/and5P: ok => _ _ _ /each_faceP H _ /H. Qed.
 
 Lemma sound_map : is_map t.
 Proof.
-split=> h /sound_half_edge /and5P[/and5P[o w n p b] tw nx ta _].
-- by split; apply/leadsP.
-- by case/andP: tw => /same_linkP-> /same_linkP.
-- by case/andP: nx => /same_linkP-> /same_linkP->.
-exact/same_linkP.
+have live (on : pred nat) T (asked : nat -> option T) l x : (forall i x, asked i = Some x -> on i) ->
+    l >>= asked = Some x -> leads_to on l.
+  by move=> H; case: l => [i|] //= E; exists i => //; apply: H E.
+have nonnil l : ~~ is_nil l -> exists x, l = Some x by case: l => [x|] // _; exists x.
+have heardL T (on : pred nat) (says : nat -> option T) i x : heard on says i = Some x -> on i by apply: heard_live.
+split=> h /sound_half_edge /and5P[/andP[/same_linkP tt /same_linkP nt] /andP[/same_linkP pn /same_linkP np] /same_linkP ta o /andP[/andP[_ c] _]] //.
+have [x ox] := nonnil _ o; have [y cy] := nonnil _ c; split.
+- exact: live (@heardL _ _ _) ox.
+- exact: live (@heardL _ _ _) tt.
+- exact: live (@heardL _ _ _) pn.
+- exact: live (@heardL _ _ _) np.
+apply: live cy => i z; rewrite /cycle_start; case S: (boundary_start t i) => [s|] // _.
+exact: heard_live S.
 Qed.
 
 Let map := sound_map.
@@ -125,7 +133,7 @@ Qed.
 
 Lemma sound_origin (x : dart t) : exists h, leaving t (org x) = Some h.
 Proof.
-have /and5P[_ _ _ _ /and3P[+ _ _]] := sound_half_edge (dart_live x).
+have /and5P[_ _ _ + _] := sound_half_edge (dart_live x).
 by rewrite /origin_ok (originE map) /=; case: (leaving t (org x)) => [h|] // _; exists h.
 Qed.
 
@@ -152,7 +160,7 @@ Qed.
 
 Lemma sound_cycle (x : dart t) : bnd (nx x) = bnd x /\ exists h, boundary_start t (bnd x) = Some (AtHalfEdge h).
 Proof.
-have /and5P[_ _ _ _ /and3P[_ /andP[+ +] _]] := sound_half_edge (dart_live x).
+have /and5P[_ _ _ _ /andP[/andP[+ +] _]] := sound_half_edge (dart_live x).
 rewrite (nextE map) /= !(boundaryE map) => /same_linkP[-> /=]; split=> //.
 by move: b; rewrite /cycle_start; case: (boundary_start t (bnd x)) => [[h|v]|] // _; exists h.
 Qed.
@@ -386,7 +394,7 @@ Qed.
 Lemma descends (x : dart t) : exists2 h, is_root t rank h & rank h <= rank (num x) /\ reached (near t) (num x) h.
 Proof.
 move: {2}(rank _).+1 (ltnSn (rank (num x))) => n; elim: n x => // n IH x lt.
-have /and5P[_ _ _ _ /and3P[_ _]] := sound_half_edge ok (dart_live x).
+have /and5P[_ _ _ _ /andP[_]] := sound_half_edge ok (dart_live x).
 have step (y : dart t) : num y \in near t (num x) -> rank (num y) < rank (num x) ->
     exists2 h, is_root t rank h & rank h <= rank (num x) /\ reached (near t) (num x) h.
   move=> near_y lower; have [|h rh [le r]] := IH y; first exact: leq_trans lower lt.

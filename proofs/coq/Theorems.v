@@ -4,7 +4,7 @@
 
 From mathcomp Require Import all_ssreflect all_fingroup.
 From twinedge Require Import View Rules Reference Drawing Euler Subdivision Verdict FastPath.
-From twinedge Require Import FastPathComponents FastPathProof Labels LabelsSound LabelsComplete AddVertex.
+From twinedge Require Import FastPathComponents FastPathProof Labels LabelsSound LabelsComplete Columns Certified AddVertex.
 From twinedge Require Import RemoveVertex MoveInner Renaming Connect ConnectIsolated ConnectBridge ConnectSplit.
 From twinedge Require Import ConnectLoop SplitEdge.
 Set Implicit Arguments.
@@ -72,6 +72,10 @@ Check labels_sound : forall t rank, accepts t rank -> rules t.
 Check labels_complete : forall t, rules t -> exists rank, accepts t rank.
 
 Check labels_mean_subdivision : forall t, (exists rank, accepts t rank) <-> exists s, represents t s.
+
+(** What is in a folder with the verdict "valid" keeps all rules, and represents a planar subdivision. *)
+
+Check valid_is_plane : forall o, judge o = Valid -> rules (view_in o) /\ exists s, represents (view_in o) s.
 
 (** Adding an isolated vertex to a face keeps all rules. *)
 

@@ -58,7 +58,7 @@ fn every_part_has_a_fault() {
         "checked.rs",
         "corner.rs",
         "near/mod.rs",
-        "near/touched.rs",
+        "near/write_set.rs",
         "near/embedded",
         "embedded/mod.rs",
         "coverage/mod.rs",

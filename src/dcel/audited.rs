@@ -1,8 +1,8 @@
 //! A structure that is validated after each change.
 
 use super::structure::Dcel;
-use crate::store::{SlotStore, Store, Watched};
-use crate::validate::near::{Baseline, BaselineError, Touched, validate_near};
+use crate::store::{SlotStore, Store, WatchedStore};
+use crate::validate::near::{Baseline, BaselineError, WriteSet, validate_near};
 use crate::validate::{Expectation, Report};
 use alloc::boxed::Box;
 
@@ -23,7 +23,7 @@ use alloc::boxed::Box;
 /// ```
 #[derive(Clone, Debug)]
 pub struct Audited<S: Store = SlotStore> {
-    dcel: Dcel<Watched<S>>,
+    dcel: Dcel<WatchedStore<S>>,
     baseline: Baseline,
     /// True if the last change passed validation; the baseline has then followed it.
     is_right: bool,
@@ -36,12 +36,16 @@ impl<S: Store> Audited<S> {
     /// The structure is not valid.
     pub fn new(dcel: Dcel<S>) -> Result<Self, BaselineError> {
         let baseline = Baseline::new(&dcel, &Expectation::plane())?;
-        Ok(Self { dcel: Dcel { store: Watched::new(dcel.store) }, baseline, is_right: true })
+        Ok(Self {
+            dcel: Dcel { store: WatchedStore { store: dcel.store, written: WriteSet::default() } },
+            baseline,
+            is_right: true,
+        })
     }
 
     /// The structure. O(1).
     #[must_use]
-    pub const fn dcel(&self) -> &Dcel<Watched<S>> {
+    pub const fn dcel(&self) -> &Dcel<WatchedStore<S>> {
         &self.dcel
     }
 
@@ -50,27 +54,27 @@ impl<S: Store> Audited<S> {
     ///
     /// # Errors
     /// The report of a full validation, if a rule is broken. The structure stays as it is then.
-    pub fn change<T>(&mut self, change: impl FnOnce(&mut Dcel<Watched<S>>) -> T) -> Result<T, Box<Report>> {
+    pub fn change<T>(&mut self, change: impl FnOnce(&mut Dcel<WatchedStore<S>>) -> T) -> Result<T, Box<Report>> {
         if self.is_right {
-            self.dcel.store.touched_mut().clear();
+            self.dcel.store.written.clear();
         }
         let answer = change(&mut self.dcel);
         self.is_right = false;
-        validate_near(&mut self.baseline, &self.dcel, self.dcel.store.touched())?;
+        validate_near(&mut self.baseline, &self.dcel, &self.dcel.store.written)?;
         self.is_right = true;
         Ok(answer)
     }
 
     /// The records that the last change wrote, some of them several times. O(1).
     #[must_use]
-    pub const fn written(&self) -> &Touched {
-        self.dcel.store.touched()
+    pub const fn written(&self) -> &WriteSet {
+        &self.dcel.store.written
     }
 
     /// The structure, in the store that it came in. O(1).
     #[must_use]
     pub fn into_dcel(self) -> Dcel<S> {
-        Dcel { store: self.dcel.store.into_inner() }
+        Dcel { store: self.dcel.store.store }
     }
 }
 
@@ -79,13 +83,13 @@ impl Dcel {
     /// Changes the structure, and notes what is written. O(1) beside the change.
     pub(crate) fn watched<T>(
         &mut self,
-        notes: &mut Touched,
-        change: impl FnOnce(&mut Dcel<Watched<SlotStore>>) -> T,
+        written: &mut WriteSet,
+        change: impl FnOnce(&mut Dcel<WatchedStore<SlotStore>>) -> T,
     ) -> T {
         let store = core::mem::replace(&mut self.store, SlotStore::hollow());
-        let mut watched = Dcel { store: Watched::with_notes(store, core::mem::take(notes)) };
+        let mut watched = Dcel { store: WatchedStore { store, written: core::mem::take(written) } };
         let answer = change(&mut watched);
-        (self.store, *notes) = watched.store.into_parts();
+        (self.store, *written) = (watched.store.store, watched.store.written);
         answer
     }
 }

@@ -1,7 +1,7 @@
 //! A map that is validated after each edit.
 
 use super::planar_map::PlanarMap;
-use crate::validate::near::{BaselineError, EmbeddingBaseline, Touched, validate_embedding_near};
+use crate::validate::near::{BaselineError, EmbeddingBaseline, WriteSet, validate_embedding_near};
 use crate::validate::{Expectation, Report};
 use core::ptr;
 
@@ -61,7 +61,7 @@ impl Audited {
             if self.is_right {
                 notes.clear();
             }
-            ptr::from_ref::<Touched>(notes)
+            ptr::from_ref::<WriteSet>(notes)
         });
         let answer = change(&mut self.map);
         self.is_right = false;
@@ -83,7 +83,7 @@ impl Audited {
 
     /// The records that the last change wrote, some of them several times; none if it put another map in place that is not right. O(1).
     #[must_use]
-    pub fn written(&self) -> Option<&Touched> {
+    pub fn written(&self) -> Option<&WriteSet> {
         self.map.notes.0.as_deref()
     }
 

@@ -44,52 +44,33 @@
 
 #![cfg_attr(feature = "proptest", doc = include_str!("proptest.md"))]
 
-#[cfg(feature = "arbitrary")]
-mod arbitrary;
-mod audited;
-#[doc(hidden)]
-pub mod by_index;
-mod call;
 pub mod canonical;
-pub mod choose;
 pub mod conformance;
-mod dcel;
-mod every;
-mod generator;
-mod interpret;
-mod interpret_mesh;
+mod instances;
+pub(crate) mod language;
 pub mod mesh;
-mod op;
-mod outcome;
+mod operators;
 mod pointer_model;
-#[cfg(feature = "proptest")]
-mod proptest;
-#[cfg(feature = "quickcheck")]
-mod quickcheck;
-mod resolve;
-mod retarget;
-mod runner;
-mod rust;
-pub(crate) mod script;
-mod shrink;
-pub(crate) mod simpler;
+mod run;
 mod subject;
-mod table;
-mod text;
-pub(crate) mod words;
 
 pub use crate::dcel::{Corner, Side, Turn};
-pub use call::{Call, CallOf};
-pub use every::{every_mesh_op, every_op, try_every_op};
-pub use generator::{Generator, Language};
-pub use op::{CornerPick, CountChange, FacePick, HalfEdgePick, InnerPick, Op, OpKind, Program, SecondPick, VertexPick};
-pub use outcome::StepOutcome;
+pub use language::choose;
+pub use language::generator::{Generator, Language};
+#[cfg(feature = "proptest")]
+pub use language::proptest::ProgramTree;
+pub use language::shrink::{candidates, shrink};
+pub use language::words::{Expected, ParseError};
+pub use operators::{
+    Call, CallOf, CornerPick, CountChange, FacePick, HalfEdgePick, InnerPick, Op, OpKind, Program, SecondPick,
+    VertexPick,
+};
 pub use pointer_model::{
     PointerModel, PointerModelFace, PointerModelHalfEdge, PointerModelStart, PointerModelVertex, StartError,
 };
-#[cfg(feature = "proptest")]
-pub use proptest::ProgramTree;
-pub use runner::Runner;
-pub use shrink::{candidates, shrink};
+pub use run::every::{every_mesh_op, every_op, try_every_op};
+pub use run::outcome::StepOutcome;
+pub use run::runner::Runner;
+#[doc(hidden)]
+pub use subject::by_index;
 pub use subject::{CornerOf, Refusal, Subject};
-pub use words::{Expected, ParseError};

@@ -3,12 +3,12 @@
 use std::cell::Cell;
 use std::rc::Rc;
 use twinedge::dcel::Dcel;
-use twinedge::delegate_view;
 use twinedge::program::conformance::{
     Answer, Conformance, ConformanceSummary, Coverage, Difference, Failure, InStep, OperatorCounts, Question,
 };
 use twinedge::program::*;
 use twinedge::validate::{Expectation, Link, Part, Parts, Rule, View};
+use twinedge::{delegate_subject, delegate_view};
 use twinedge_trials::RotationSystem;
 
 /// Numbers without pattern, always the same.
@@ -92,6 +92,10 @@ impl Faulty {
         self.asked.set(self.asked.get() + 1);
     }
 
+    fn run<T>(&mut self, operator: impl FnOnce(&mut RotationSystem) -> T) -> T {
+        operator(&mut self.model)
+    }
+
     fn is_full(&self) -> bool {
         let live = (0..self.model.half_edge_slots()).filter(|h| self.model.is_half_edge(*h)).count();
         live >= 4 && (self.has(Fault::Small) || self.has(Fault::SmallAndDirty))
@@ -134,12 +138,9 @@ impl Subject for Faulty {
         self.count();
         self.model.next_of(h)
     }
-    fn add_isolated_vertex(&mut self, face: usize) -> Result<usize, Refusal> {
-        self.model.add_isolated_vertex(face)
-    }
-    fn remove_isolated_vertex(&mut self, v: usize) -> Result<(), Refusal> {
-        self.model.remove_isolated_vertex(v)
-    }
+
+    delegate_subject!(operators Self::run; except connect, remove_edge, split_edge, split_vertex, contract_edge, flip_edge);
+
     fn connect(
         &mut self,
         from: Corner<usize, usize>,
@@ -154,6 +155,7 @@ impl Subject for Faulty {
         let h = self.model.connect(from, to, new_face, inner)?;
         Ok(if self.has(Fault::Twin) { h ^ 1 } else { h })
     }
+
     fn remove_edge(&mut self, h: usize) -> Result<Option<usize>, Refusal> {
         let face = self.model.face_of(Corner::At(h))?;
         let other = self.model.face_of(Corner::At(h ^ 1))?;
@@ -161,12 +163,11 @@ impl Subject for Faulty {
         let wrong = if dropped == Some(face) { other } else { face };
         Ok(dropped.map(|right| if self.has(Fault::WrongFaceGone) { wrong } else { right }))
     }
+
     fn split_edge(&mut self, h: usize) -> Result<usize, Refusal> {
         if self.is_full() { Err(Refusal::Full) } else { self.model.split_edge(h) }
     }
-    fn join_edges(&mut self, h: usize) -> Result<(), Refusal> {
-        self.model.join_edges(h)
-    }
+
     fn split_vertex(&mut self, from: Corner<usize, usize>, to: Corner<usize, usize>) -> Result<usize, Refusal> {
         if self.is_full() {
             if self.has(Fault::SmallAndDirty) {
@@ -176,6 +177,7 @@ impl Subject for Faulty {
         }
         self.model.split_vertex(from, to)
     }
+
     fn contract_edge(&mut self, h: usize) -> Result<usize, Refusal> {
         match self.model.contract_edge(h) {
             Err(Refusal::Loop) if self.has(Fault::WrongReason) => Err(Refusal::Stale),
@@ -187,11 +189,9 @@ impl Subject for Faulty {
             other => other,
         }
     }
+
     fn flip_edge(&mut self, h: usize, turn: Turn) -> Result<(), Refusal> {
         self.model.flip_edge(h, if self.has(Fault::Turn) { turn.reversed() } else { turn })
-    }
-    fn move_inner(&mut self, inner: Corner<usize, usize>, face: usize) -> Result<(), Refusal> {
-        self.model.move_inner(inner, face)
     }
 }
 

@@ -1,11 +1,11 @@
 //! The records that a change has touched.
 
 use twinedge::validate::Table;
-use twinedge::validate::near::Touched;
+use twinedge::validate::near::WriteSet;
 use twinedge_trials::enumerate::Cell;
 
 /// The record that has the cell.
-pub(crate) fn touch(touched: &mut Touched, cell: Cell) {
+pub(crate) fn touch(touched: &mut WriteSet, cell: Cell) {
     match cell {
         Cell::Origin(h) | Cell::Twin(h) | Cell::Next(h) | Cell::Prev(h) | Cell::Boundary(h) | Cell::Face(h) => {
             touched.half_edges.push(h);
@@ -18,7 +18,7 @@ pub(crate) fn touch(touched: &mut Touched, cell: Cell) {
 }
 
 /// All records that differ.
-pub(crate) fn difference(before: &Table, after: &Table) -> Touched {
+pub(crate) fn difference(before: &Table, after: &Table) -> WriteSet {
     fn rows<R: PartialEq>(before: &[Option<R>], after: &[Option<R>]) -> Vec<usize> {
         let row = |rows: &[Option<R>], i: usize| -> Option<usize> { rows.get(i)?.as_ref().map(|_| i) };
         let differ = |i: &usize| {
@@ -37,7 +37,7 @@ pub(crate) fn difference(before: &Table, after: &Table) -> Touched {
         let (before, after) = (list(before, *f), list(after, *f));
         listed.extend((0..before.len().max(after.len())).filter(|i| before.get(*i) != after.get(*i)).map(|i| (*f, i)));
     }
-    Touched {
+    WriteSet {
         vertices: rows(&before.vertices, &after.vertices),
         half_edges: rows(&before.half_edges, &after.half_edges),
         boundaries: rows(&before.boundaries, &after.boundaries),

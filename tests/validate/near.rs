@@ -6,7 +6,7 @@ use crate::support::only_live::OnlyLive;
 use crate::support::watched::Watched;
 use twinedge::dcel::{Corner, Dcel, HalfEdge, Split};
 use twinedge::program::{StepOutcome, try_every_op};
-use twinedge::validate::near::{Baseline, BaselineError, Touched, validate_near};
+use twinedge::validate::near::{Baseline, BaselineError, WriteSet, validate_near};
 use twinedge::validate::{Collect, Expectation, Part, Parts, Rule, Table};
 use twinedge_trials::census::{Census, Scope};
 use twinedge_trials::enumerate::for_each_corruption;
@@ -16,7 +16,7 @@ const PLANE: Expectation = Expectation::plane();
 const SURFACE: Expectation = Expectation::surface();
 
 /// Asserts that what is found right keeps R1 … F2.
-fn judge(baseline: &Baseline, table: &Table, touched: &Touched) -> bool {
+fn judge(baseline: &Baseline, table: &Table, touched: &WriteSet) -> bool {
     let found = validate_near(&mut baseline.clone(), &OnlyLive(table), touched);
     let report = validate(table, baseline.expectation(), Collect::First);
     match found {
@@ -39,7 +39,7 @@ fn every_corruption_of_every_small_map_in_every_form() {
             let mut table = projected(&whole, &form);
             let Ok(baseline) = Baseline::new(&table, &form.expectation) else { continue };
             for_each_corruption(&mut table, form.parts, |corrupt, cell, _| {
-                let mut touched = Touched::default();
+                let mut touched = WriteSet::default();
                 touch(&mut touched, cell);
                 judged += 1;
                 right += usize::from(judge(&baseline, corrupt, &touched));
@@ -58,7 +58,7 @@ fn every_pair_of_corruptions_of_every_smallest_map() {
         for_each_corruption(&mut table, Parts::ALL, |corrupt, first, _| {
             let mut twice = corrupt.clone();
             for_each_corruption(&mut twice, Parts::ALL, |corrupt, second, _| {
-                let mut touched = Touched::default();
+                let mut touched = WriteSet::default();
                 touch(&mut touched, first);
                 touch(&mut touched, second);
                 judged += 1;
@@ -296,7 +296,7 @@ fn a_baseline_that_missed_something_ends() {
             let mut touched = everything.clone();
             touch(&mut touched, cell);
             // It believes that nothing has changed, and then hears of records that have not.
-            assert!(validate_near(&mut baseline, corrupt, &Touched::default()).is_ok());
+            assert!(validate_near(&mut baseline, corrupt, &WriteSet::default()).is_ok());
             let found = validate_near(&mut baseline, corrupt, &touched);
             let report = validate(corrupt, &PLANE, Collect::First);
             assert!(found.is_err() || report.broken_rules().all(|rule| rule > Rule::F2), "{corrupt}");
@@ -313,11 +313,11 @@ fn forgotten_records_are_caught_up_with() {
     let h = dcel.half_edges().next().unwrap().key();
     // Nothing is named, so nothing is read, and nothing can be said.
     dcel.split_edge(h).unwrap();
-    validate_near(&mut baseline, &dcel, &Touched::default()).unwrap();
+    validate_near(&mut baseline, &dcel, &WriteSet::default()).unwrap();
     let before = Table::copy_of(&dcel).unwrap();
     dcel.split_edge(h).unwrap();
     let some =
-        Touched { vertices: difference(&before, &Table::copy_of(&dcel).unwrap()).vertices, ..Touched::default() };
+        WriteSet { vertices: difference(&before, &Table::copy_of(&dcel).unwrap()).vertices, ..WriteSet::default() };
     validate_near(&mut baseline, &dcel, &some).unwrap();
     let before = Table::copy_of(&dcel).unwrap();
     dcel.split_edge(h).unwrap();

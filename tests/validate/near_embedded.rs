@@ -11,7 +11,7 @@ use twinedge::delegate_view;
 use twinedge::geometry::Point;
 use twinedge::map::PlanarMap;
 use twinedge::map::program::{EditOp, EditOutcome, EditProgram, EditRunner};
-use twinedge::validate::near::{EmbeddingBaseline, Touched, validate_embedding_near};
+use twinedge::validate::near::{EmbeddingBaseline, WriteSet, validate_embedding_near};
 use twinedge::validate::{BoundaryPlace, Collect, Embedding, Expectation, Parts, Rule, Table, View};
 use twinedge_trials::enumerate::for_each_corruption;
 
@@ -60,7 +60,7 @@ impl Scene {
     }
 
     /// All records that differ from an earlier scene, and the vertices that lie elsewhere.
-    fn since(&self, before: &Self) -> Touched {
+    fn since(&self, before: &Self) -> WriteSet {
         let mut touched = difference(&before.table, &self.table);
         let moved = |v: &usize| {
             let [was, is] = [before, self].map(|scene| scene.points.get(*v).copied());
@@ -86,7 +86,7 @@ const COUNTED: [Rule; 9] = [Rule::T1, Rule::T2, Rule::T3, Rule::T4, Rule::G1, Ru
 
 impl Tally {
     /// Asserts that the verdict is that of the full validation. The baseline moves on if it is right.
-    fn judge(&mut self, baseline: &mut EmbeddingBaseline, scene: &Scene, touched: &Touched) -> bool {
+    fn judge(&mut self, baseline: &mut EmbeddingBaseline, scene: &Scene, touched: &WriteSet) -> bool {
         scene.asked.set(0);
         let found = validate_embedding_near(baseline, scene, touched);
         let asked = scene.asked.get();
@@ -419,7 +419,7 @@ fn forgotten_records_are_caught_up_with() {
     let (scenes, map) = grown(&[[[0.0, 0.0], [4.0, 0.0]], [[0.0, 2.0], [4.0, 2.0]]]);
     let mut baseline = scenes[1].baseline();
     let vertices = scenes[2].since(&scenes[1]).vertices;
-    assert!(tally.judge(&mut baseline, &scenes[2], &Touched { vertices, ..Touched::default() }));
+    assert!(tally.judge(&mut baseline, &scenes[2], &WriteSet { vertices, ..WriteSet::default() }));
     assert_eq!(tally.in_full, 1);
     for (place, is_right) in [([2.0, 1.0], true), ([2.0, 2.0], false)] {
         let after = with_point(&map, [2.0, 1.0], place);

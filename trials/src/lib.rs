@@ -93,6 +93,7 @@ pub use prove::prove;
 pub use replay::replay;
 pub use report_audit::ReportAudit;
 pub use rotation_system::RotationSystem;
+pub use rows::{Cell, Column, Row};
 pub use run::{Estimate, Run};
 pub use sample::sample;
 pub use shard::{ParseShardError, Shard, ShardError};

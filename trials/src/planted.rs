@@ -1,9 +1,10 @@
 //! Structures with a planted bug, to see that the engines find it.
 
 use crate::replay::Indexed;
-use twinedge::dcel::{Dcel, FaceKey, HalfEdgeKey, Side, Turn, VertexKey};
+use twinedge::dcel::{Dcel, FaceKey, HalfEdgeKey, Turn, VertexKey};
 use twinedge::program::{CornerOf, Refusal, Subject};
-use twinedge::validate::{BoundaryPlace, Link, Parts, Start, View};
+use twinedge::validate::View;
+use twinedge::{delegate_subject, delegate_view};
 
 /// A [`Dcel`] with a bug. `Planted<false>` turns edges the wrong way and keeps every rule; `Planted<true>` panics when a boundary
 /// component is moved.
@@ -22,82 +23,23 @@ use twinedge::validate::{BoundaryPlace, Link, Parts, Start, View};
 #[derive(Clone, Debug, Default)]
 pub struct Planted<const PANICS: bool>(Dcel);
 
-macro_rules! view_as_it_is {
-    ($($name:ident($($arg:ident),*) -> $answer:ty;)*) => {
-        impl<const PANICS: bool> View for Planted<PANICS> {
-            $(fn $name(&self $(, $arg: usize)*) -> $answer { View::$name(&self.0 $(, $arg)*) })*
-        }
-    };
+impl<const PANICS: bool> Planted<PANICS> {
+    const fn dcel(&self) -> &Dcel {
+        &self.0
+    }
+
+    fn run<T>(&mut self, operator: impl FnOnce(&mut Dcel) -> T) -> T {
+        operator(&mut self.0)
+    }
 }
 
-view_as_it_is! {
-    parts() -> Parts;
-    vertex_slots() -> usize;
-    half_edge_slots() -> usize;
-    boundary_slots() -> usize;
-    face_slots() -> usize;
-    is_vertex(v) -> bool;
-    is_half_edge(h) -> bool;
-    is_boundary(b) -> bool;
-    is_face(f) -> bool;
-    origin(h) -> Link;
-    twin(h) -> Link;
-    next(h) -> Link;
-    prev(h) -> Link;
-    boundary(h) -> Link;
-    leaving(v) -> Link;
-    isolated(v) -> Link;
-    boundary_face(b) -> Link;
-    boundary_start(b) -> Option<Start>;
-    boundary_place(b) -> Option<BoundaryPlace>;
-    outer(f) -> Link;
-    inner_count(f) -> usize;
-    inner(f, position) -> Link;
-}
-
-macro_rules! operators_as_they_are {
-    ($($name:ident($($arg:ident: $argument:ty),*) -> $answer:ty;)*) => {
-        $(fn $name(&mut self $(, $arg: $argument)*) -> Result<$answer, Refusal> {
-            Subject::$name(&mut self.0 $(, $arg)*)
-        })*
-    };
+impl<const PANICS: bool> View for Planted<PANICS> {
+    delegate_view!(|this| &this.0);
 }
 
 impl<const PANICS: bool> Subject for Planted<PANICS> {
-    type Vertex = VertexKey;
-    type HalfEdge = HalfEdgeKey;
-    type Face = FaceKey;
-    fn unbounded_face(&self) -> Option<FaceKey> {
-        Subject::unbounded_face(&self.0)
-    }
-    fn half_edge_at(&self, index: usize) -> Option<HalfEdgeKey> {
-        Subject::half_edge_at(&self.0, index)
-    }
-    fn vertex_at(&self, index: usize) -> Option<VertexKey> {
-        Subject::vertex_at(&self.0, index)
-    }
-    fn face_of(&self, corner: CornerOf<Self>) -> Result<FaceKey, Refusal> {
-        Subject::face_of(&self.0, corner)
-    }
-    fn origin_of(&self, half_edge: HalfEdgeKey) -> Result<VertexKey, Refusal> {
-        Subject::origin_of(&self.0, half_edge)
-    }
-    fn twin_of(&self, half_edge: HalfEdgeKey) -> Result<HalfEdgeKey, Refusal> {
-        Subject::twin_of(&self.0, half_edge)
-    }
-    fn next_of(&self, half_edge: HalfEdgeKey) -> Result<HalfEdgeKey, Refusal> {
-        Subject::next_of(&self.0, half_edge)
-    }
-    operators_as_they_are! {
-        add_isolated_vertex(face: FaceKey) -> VertexKey;
-        remove_isolated_vertex(vertex: VertexKey) -> ();
-        connect(from: CornerOf<Self>, to: CornerOf<Self>, side: Side, inner: &[CornerOf<Self>]) -> HalfEdgeKey;
-        remove_edge(half_edge: HalfEdgeKey) -> Option<FaceKey>;
-        split_edge(half_edge: HalfEdgeKey) -> HalfEdgeKey;
-        join_edges(half_edge: HalfEdgeKey) -> ();
-        split_vertex(from: CornerOf<Self>, to: CornerOf<Self>) -> HalfEdgeKey;
-        contract_edge(half_edge: HalfEdgeKey) -> VertexKey;
-    }
+    delegate_subject!(Dcel, Self::dcel, Self::run; except flip_edge, move_inner);
+
     fn flip_edge(&mut self, half_edge: HalfEdgeKey, turn: Turn) -> Result<(), Refusal> {
         Subject::flip_edge(&mut self.0, half_edge, if PANICS { turn } else { turn.reversed() })
     }

@@ -2,10 +2,10 @@
 
 use std::collections::{BTreeMap, BTreeSet};
 use twinedge::dcel::{Boundary, Connection, Corner, Dcel, OperatorError, RemovedEdge, Side, Split, StaleKey, Turn};
-use twinedge::delegate_view;
-use twinedge::program::{CornerOf, Refusal, Subject, mesh};
+use twinedge::program::{Refusal, Subject, mesh};
 use twinedge::store::{BoundaryKey, FaceKey, HalfEdgeKey, SlotStore, Store, VertexKey};
 use twinedge::validate::View;
+use twinedge::{delegate_subject, delegate_view};
 
 /// A [`Dcel`] as a subject that checks what its operators report: which records they made, kept and dropped.
 ///
@@ -170,31 +170,7 @@ impl<S: Store> View for ReportAudit<S> {
 }
 
 impl<S: Store> Subject for ReportAudit<S> {
-    type Vertex = VertexKey;
-    type HalfEdge = HalfEdgeKey;
-    type Face = FaceKey;
-
-    fn unbounded_face(&self) -> Option<FaceKey> {
-        Subject::unbounded_face(&self.dcel)
-    }
-    fn half_edge_at(&self, index: usize) -> Option<HalfEdgeKey> {
-        Subject::half_edge_at(&self.dcel, index)
-    }
-    fn vertex_at(&self, index: usize) -> Option<VertexKey> {
-        Subject::vertex_at(&self.dcel, index)
-    }
-    fn face_of(&self, corner: CornerOf<Self>) -> Result<FaceKey, Refusal> {
-        Subject::face_of(&self.dcel, corner)
-    }
-    fn origin_of(&self, half_edge: HalfEdgeKey) -> Result<VertexKey, Refusal> {
-        Subject::origin_of(&self.dcel, half_edge)
-    }
-    fn twin_of(&self, half_edge: HalfEdgeKey) -> Result<HalfEdgeKey, Refusal> {
-        Subject::twin_of(&self.dcel, half_edge)
-    }
-    fn next_of(&self, half_edge: HalfEdgeKey) -> Result<HalfEdgeKey, Refusal> {
-        Subject::next_of(&self.dcel, half_edge)
-    }
+    delegate_subject!(Dcel<S>, Self::dcel);
 
     fn add_isolated_vertex(&mut self, face: FaceKey) -> Result<VertexKey, Refusal> {
         let (added, changed) = self.run(|dcel| dcel.add_isolated_vertex(face))?;

@@ -37,6 +37,7 @@
 //! [`openings`] counts the documentation comments that begin with a question word. At most two in a hundred of each crate may.
 
 mod graph;
+mod guide;
 mod layers;
 mod let_chains;
 mod modules;
@@ -48,6 +49,7 @@ mod workspace;
 use std::path::Path;
 
 pub use graph::{Import, Imports, Loop};
+pub use guide::{Missing, missing_paths};
 pub use layers::{LAYERS, Upward, WITH_FEATURE, upward};
 pub use let_chains::let_chains;
 pub use modules::Unreadable;

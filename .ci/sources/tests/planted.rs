@@ -3,8 +3,8 @@
 use std::path::Path;
 
 use twinedge_sources::{
-    Crate, Imports, LAYERS, Openings, Unreadable, WITH_FEATURE, crates, crates_of, imports, let_chains, openings,
-    upward,
+    Crate, Imports, LAYERS, Openings, Unreadable, WITH_FEATURE, crates, crates_of, imports, let_chains, missing_paths,
+    openings, upward,
 };
 
 /// The imports of one library, `src/lib.rs` and these files.
@@ -354,4 +354,15 @@ fn comments_that_begin_with_a_question_word_are_found() {
     let source = "//! Whether it is.\n//! What else.\n\n/// Whatever it is.\nfn f() {\n    /// How many.\n    let x = 1;\n}\n\
 //// Where it is.\n// Which it is.\n";
     assert_eq!(openings(source), Openings { comments: 3, questions: vec![1, 6] });
+}
+
+#[test]
+fn paths_that_are_not_there_are_found_in_each_line_by_themselves() {
+    let there = ["src/a/one.rs", "src/a", "src/a/mod.rs", "src", "src/b/", "src/b", "src/b/two.rs", "README.md"];
+    let page = "| `src/a/one.rs`, `mod.rs`, `three.rs` | `Names`, `cargo run`, `any(…)` |
+        | `src/b/`, `two.rs`; `src/a/NAME.rs`, `mod.rs` | `README.md`, `src/c/NAME.rs` |
+        | `mod.rs` | a `.` and a `/nowhere` |";
+    let missing = missing_paths(page, |path| there.contains(&path.to_str().unwrap()));
+    let found: Vec<(usize, &str)> = missing.iter().map(|missing| (missing.line, missing.path.as_str())).collect();
+    assert_eq!(found, [(1, "three.rs"), (2, "src/c/NAME.rs"), (3, "mod.rs"), (3, "/nowhere")]);
 }

@@ -3,7 +3,7 @@
 use std::fmt::Write as _;
 use std::path::{Path, PathBuf};
 
-use twinedge_sources::{Crate, Imports, Openings, crates, imports, let_chains, openings, upward};
+use twinedge_sources::{Crate, Imports, Openings, crates, imports, let_chains, missing_paths, openings, upward};
 
 fn root() -> PathBuf {
     Path::new(env!("CARGO_MANIFEST_DIR")).ancestors().nth(2).expect("two folders up").to_path_buf()
@@ -64,6 +64,14 @@ fn sources(folder: &Path) -> Vec<(PathBuf, String)> {
         }
     }
     found
+}
+
+#[test]
+fn every_path_of_the_guide_for_contributors_exists() {
+    let root = root();
+    let page = std::fs::read_to_string(root.join("CONTRIBUTING.md")).expect("the file can be read");
+    let missing = missing_paths(&page, |path| root.join(path).exists());
+    assert!(missing.is_empty(), "paths of CONTRIBUTING.md that are not there: {missing:#?}");
 }
 
 #[test]

@@ -1,7 +1,8 @@
 //! Every edit with every argument: what can be done to one map with these points.
 
-use super::op::EditOp;
-use super::pick::{AtPick, FeaturesPick, GridPick, MapFacePick, MapHalfEdgePick, MapVertexPick, Number, Spot};
+use super::arguments::{AtPick, FeaturesPick, GridPick, MapFacePick, MapHalfEdgePick, MapVertexPick};
+use super::edits::EditOp;
+use super::numbers::{Number, Spot};
 use super::runner::EditRunner;
 
 /// Every edit with every argument, right or wrong, on what the runner has now. The arguments are:

@@ -42,18 +42,17 @@
 //!
 //! There is no instance for a model checker: exact predicates on symbolic doubles are out of its reach.
 
-mod draw;
+mod arguments;
+mod edits;
 mod every;
-mod instances;
-mod op;
-mod pick;
-mod retarget;
+mod named;
+mod numbers;
+#[cfg(feature = "proptest")]
+mod proptest;
 mod runner;
-mod simpler;
-mod table;
-mod text;
 
+pub use arguments::{AtPick, FeaturesPick, GridPick, MapFacePick, MapHalfEdgePick, MapVertexPick, RingPick};
+pub use edits::{EditKind, EditOp, EditProgram};
 pub use every::every_edit;
-pub use op::{EditKind, EditOp, EditProgram};
-pub use pick::{AtPick, FeaturesPick, GridPick, MapFacePick, MapHalfEdgePick, MapVertexPick, Number, RingPick, Spot};
+pub use numbers::{Number, Spot};
 pub use runner::{EditFailure, EditOutcome, EditRunner};

@@ -1,11 +1,11 @@
 //! The interpreter of edits: it chooses arguments as a program says, edits, and checks the outcome if asked to.
 
-use super::op::{EditOp, EditProgram};
-use super::pick::{AtPick, FeaturesPick, MapFacePick, MapHalfEdgePick, MapVertexPick};
+use super::arguments::{AtPick, FeaturesPick, MapFacePick, MapHalfEdgePick, MapVertexPick};
+use super::edits::{EditOp, EditProgram};
 use crate::dcel::{Face, FaceKey, HalfEdge, HalfEdgeKey, Vertex, VertexKey};
 use crate::map::edit::{At, EditError, Edited};
 use crate::map::{FeatureId, PlanarMap};
-use crate::validate::near::{BaselineError, EmbeddingBaseline, Touched, validate_embedding_near};
+use crate::validate::near::{BaselineError, EmbeddingBaseline, WriteSet, validate_embedding_near};
 use crate::validate::{Expectation, Report};
 use std::collections::BTreeSet;
 use thiserror::Error;
@@ -238,7 +238,7 @@ impl EditRunner {
             return self.map.validate().into_result().map(|_| ());
         };
         validate_embedding_near(baseline, &self.map, notes)?;
-        self.map.notes.0.as_deref_mut().into_iter().for_each(Touched::clear);
+        self.map.notes.0.as_deref_mut().into_iter().for_each(WriteSet::clear);
         Ok(())
     }
 

@@ -6,7 +6,7 @@
 use super::difference::{Answer, Difference, Question};
 use crate::dcel::Corner;
 use crate::program::pointer_model::PointerModel;
-use crate::program::runner::Runner;
+use crate::program::run::runner::Runner;
 use crate::program::subject::{CornerOf, Subject};
 use alloc::collections::BTreeMap;
 use core::iter::repeat;

@@ -1,8 +1,8 @@
 //! How a subject differs from the reference.
 
-use crate::program::op::{Op, Program};
-use crate::program::outcome::StepOutcome;
+use crate::program::operators::{Op, Program};
 use crate::program::pointer_model::StartError;
+use crate::program::run::outcome::StepOutcome;
 use crate::validate::{Part, Report};
 use alloc::boxed::Box;
 use alloc::string::ToString;

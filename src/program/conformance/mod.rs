@@ -89,7 +89,7 @@ pub use in_step::InStep;
 pub use settings::{Conformance, Coverage};
 pub use summary::{ConformanceSummary, NotCompared, OperatorCounts};
 
-use crate::program::op::Program;
+use crate::program::operators::Program;
 use crate::program::subject::Subject;
 use crate::validate::Expectation;
 

@@ -1,7 +1,7 @@
 //! What a comparison covered: how often each operator was applied, and what could not be compared.
 
-use crate::program::op::Op;
-use crate::program::outcome::StepOutcome;
+use crate::program::operators::Op;
+use crate::program::run::outcome::StepOutcome;
 use crate::program::subject::Refusal;
 use alloc::vec::Vec;
 use core::fmt;

@@ -7,7 +7,7 @@ use super::answers::Pairs;
 use super::difference::{Difference, Question};
 use crate::dcel::Corner;
 use crate::program::pointer_model::{PointerModel, view_face_of};
-use crate::program::runner::Runner;
+use crate::program::run::runner::Runner;
 use crate::program::subject::Subject;
 use alloc::collections::BTreeMap;
 use alloc::vec;

@@ -32,6 +32,7 @@
 //! A kernel that moves half-edges to other indices, as it must where `next` is arithmetic on the index, or that does not store
 //! the half-edges on its border, is put to the test through [`Named`].
 
+mod interpret;
 mod named;
 
 pub use named::Named;

@@ -1,125 +1,140 @@
-//! Rows by index, each of which can be marked, and lists of those that are.
+//! Rows by index, before a change and after it.
 
 use alloc::vec::Vec;
 
 /// What a column has for each index.
-pub(super) trait Row: Copy {
-    /// What a vacant slot has.
+pub(super) trait Row: Copy + PartialEq {
+    /// The row of a vacant slot.
     const VACANT: Self;
+
+    /// Returns false for a vacant slot.
+    #[inline]
+    fn is_live(&self) -> bool {
+        *self != Self::VACANT
+    }
 }
 
-/// Rows by index, vacant beyond the end. Each has the place that it takes in a list of [`Seen`] ones, from 1 on, or 0.
+/// Before a change, or after it.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+#[cfg(feature = "geometry")]
+pub(super) enum Time {
+    Before,
+    After,
+}
+
+/// Both, in order.
+#[cfg(feature = "geometry")]
+pub(super) const TIMES: [Time; 2] = [Time::Before, Time::After];
+
+/// Rows by index, vacant beyond the end, and what has become of some. To find a row takes O(1) at both times.
 #[derive(Clone, Debug)]
 pub(super) struct Column<R> {
-    rows: Vec<(R, u32)>,
+    /// Each with the position that it has in `after`, from 1 on, or 0.
+    before: Vec<(R, u32)>,
+    /// Rows that may differ, each once, with their indices.
+    after: Vec<(u32, R)>,
 }
 
 impl<R> Default for Column<R> {
     fn default() -> Self {
-        Self { rows: Vec::new() }
+        Self { before: Vec::new(), after: Vec::new() }
     }
 }
 
 impl<R: Row> Column<R> {
-    #[inline]
-    pub(super) fn get(&self, index: usize) -> R {
-        self.rows.get(index).map_or(R::VACANT, |row| row.0)
-    }
-
-    pub(super) fn row_mut(&mut self, index: usize) -> Option<&mut R> {
-        self.rows.get_mut(index).map(|row| &mut row.0)
-    }
-
-    pub(super) fn push(&mut self, row: R) {
-        self.rows.push((row, 0));
-    }
-
-    /// All rows, by index.
-    #[cfg(feature = "geometry")]
-    pub(super) fn iter(&self) -> impl Iterator<Item = (usize, R)> + '_ {
-        self.rows.iter().map(|row| row.0).enumerate()
-    }
-
-    #[cfg(feature = "geometry")]
-    pub(super) fn len(&self) -> usize {
-        self.rows.len()
-    }
-
     /// Makes it as long as there are slots, if it is shorter.
     pub(super) fn fit(&mut self, slots: usize) {
-        if self.rows.len() < slots {
-            self.rows.resize(slots, (R::VACANT, 0));
+        if self.before.len() < slots {
+            self.before.resize(slots, (R::VACANT, 0));
         }
     }
 
-    /// Where a slot is in the list of seen ones.
+    #[cfg(feature = "geometry")]
+    pub(super) fn slots(&self) -> usize {
+        self.before.len()
+    }
+
     #[inline]
-    pub(super) fn position(&self, index: usize) -> Option<usize> {
-        self.rows.get(index).and_then(|row| (row.1 as usize).checked_sub(1))
+    pub(super) fn before(&self, index: usize) -> R {
+        self.before.get(index).map_or(R::VACANT, |row| row.0)
     }
-}
 
-/// Some slots of a column, each once, in the order in which they were seen, with what is known of them. Finding one is O(1), as
-/// the column has its position.
-#[derive(Clone, Debug)]
-pub(super) struct Seen<T> {
-    rows: Vec<(u32, T)>,
-}
-
-impl<T> Default for Seen<T> {
-    fn default() -> Self {
-        Self { rows: Vec::new() }
-    }
-}
-
-impl<T> Seen<T> {
-    /// The position of a slot, with `what` if it is a new one. Nothing if the column has no such row: it is, and was, vacant.
     #[inline]
-    pub(super) fn see<R: Row>(&mut self, column: &mut Column<R>, index: usize, what: T) -> Option<usize> {
-        let (_, mark) = column.rows.get_mut(index)?;
-        if *mark == 0 {
-            self.rows.push((index as u32, what));
-            *mark = self.rows.len() as u32;
-        }
-        Some(*mark as usize - 1)
-    }
-
-    /// Forgets all of them. Keeps the memory. O(their number).
-    pub(super) fn clear<R: Row>(&mut self, column: &mut Column<R>) {
-        for (index, _) in self.rows.drain(..) {
-            if let Some(row) = column.rows.get_mut(index as usize) {
-                row.1 = 0;
-            }
+    pub(super) fn after(&self, index: usize) -> R {
+        match self.before.get(index) {
+            Some((row, 0)) => *row,
+            Some((_, position)) => self.after[*position as usize - 1].1,
+            None => R::VACANT,
         }
     }
 
     #[cfg(feature = "geometry")]
     #[inline]
-    pub(super) fn find<R: Row>(&self, column: &Column<R>, index: usize) -> Option<&T> {
-        self.rows.get(column.position(index)?).map(|row| &row.1)
+    pub(super) fn at(&self, time: Time, index: usize) -> R {
+        match time {
+            Time::Before => self.before(index),
+            Time::After => self.after(index),
+        }
     }
 
+    /// Returns true for a row that may differ.
+    #[inline]
+    pub(super) fn may_differ(&self, index: usize) -> bool {
+        self.before.get(index).is_some_and(|row| row.1 != 0)
+    }
+
+    /// The row after the change, which may differ from now on. Nothing if the column has no such row: it is, and was, vacant.
+    #[inline]
+    pub(super) fn change(&mut self, index: usize) -> Option<&mut R> {
+        let (row, position) = self.before.get_mut(index)?;
+        if *position == 0 {
+            self.after.push((index as u32, *row));
+            *position = self.after.len() as u32;
+        }
+        self.after.get_mut(*position as usize - 1).map(|row| &mut row.1)
+    }
+
+    /// The number of rows that may differ.
     pub(super) fn len(&self) -> usize {
-        self.rows.len()
+        self.after.len()
     }
 
-    /// The slot at a position below the length.
+    /// The index of one of these.
     #[inline]
-    pub(super) fn slot(&self, position: usize) -> usize {
-        self.rows[position].0 as usize
+    pub(super) fn index(&self, position: usize) -> usize {
+        self.after[position].0 as usize
     }
 
+    /// What one of these is after the change.
     #[inline]
-    pub(super) fn at(&self, position: usize) -> &T {
-        &self.rows[position].1
+    pub(super) fn put(&mut self, position: usize, row: R) {
+        self.after[position].1 = row;
     }
 
-    #[inline]
-    pub(super) fn at_mut(&mut self, position: usize) -> &mut T {
-        &mut self.rows[position].1
+    /// All of these: index, before, after.
+    pub(super) fn changes(&self) -> impl Iterator<Item = (usize, R, R)> + '_ {
+        self.after.iter().map(|(index, row)| (*index as usize, self.before(*index as usize), *row))
     }
 
-    pub(super) fn iter(&self) -> impl Iterator<Item = (usize, &T)> + '_ {
-        self.rows.iter().map(|(index, what)| (*index as usize, what))
+    /// What a sum over all rows grows by.
+    pub(super) fn growth(&self, term: impl Fn(R) -> i64) -> i64 {
+        self.changes().map(|(_, before, after)| term(after) - term(before)).sum()
+    }
+
+    /// Forgets what has changed. Keeps the memory.
+    pub(super) fn clear(&mut self) {
+        for (index, _) in self.after.drain(..) {
+            self.before[index as usize].1 = 0;
+        }
+    }
+
+    /// Lets the rows be what they are after the change. After a change of most of them, the memory for it is given back.
+    pub(super) fn commit(&mut self) {
+        for (index, row) in self.after.drain(..) {
+            self.before[index as usize] = (row, 0);
+        }
+        if self.after.capacity() > self.before.len() / 2 {
+            self.after = Vec::new();
+        }
     }
 }

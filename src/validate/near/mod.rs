@@ -1,7 +1,7 @@
 //! Validation after a small change, in time proportional to the change.
 //!
 //! A [`Baseline`] keeps the links of a structure that was found right. [`validate_near`] takes the structure as it is now,
-//! and the records that were [`Touched`] since. It looks at those and at what they can break, and moves the baseline on.
+//! and the [`WriteSet`] of what has changed since. It looks at those and at what they can break, and moves the baseline on.
 //!
 //! ```text
 //!        before             after: h, n and p have changed
@@ -35,8 +35,8 @@
 //! | rules | how |
 //! | --- | --- |
 //! | R1 … F2 | as above |
-//! | G1 | the vertices that were touched, and their edges |
-//! | G2 | per vertex, the number of times that the angle rises in its rotation: what has changed of a sum |
+//! | G1 | the vertices that were written, and their edges |
+//! | G2 | it follows: see [below](#sums-of-turns) |
 //! | G3 | per boundary component, the number of turns that it makes: what has changed of a sum |
 //! | G4 | each edge or isolated vertex that is drawn elsewhere, against all whose boxes meet its own, from an R-tree |
 //! | G5 | what has changed of a winding number, and for what is new a ray downwards |
@@ -47,12 +47,13 @@
 //!
 //! # Sums of turns
 //!
-//! In a rotation that is in order the angle rises once, where it passes the direction of the x axis. So the number of rises is a sum
-//! over pairs of half-edges that follow each other, and only the pairs that have changed are counted, before and after. That no
-//! corner of a rotation is out of order with its neighbours would not be enough: a rotation may go around twice.
-//!
 //! A walk around a face turns by 360° in all, to the left along an outer cycle, to the right along an inner one. The number of
-//! times that its direction passes that of the x axis is 1 or −1, and a sum over corners, too.
+//! times that its direction passes that of the x axis is 1 or −1, and a sum over corners: only those that have changed are counted,
+//! before and after.
+//!
+//! A corner by which a walk turns by t is 180° − t wide. So the turns of all cycles are E, less the number of times that each rotation
+//! goes around its vertex, which is one at least. G3 and the sum of T3 say that they are E less the number of vertices with edges. So
+//! each rotation goes around once: G2.
 //!
 //! Where G2 and G4 hold, the cycles of a component are the walks around the faces of a plane drawing. So its genus is 0 (T3), and one
 //! of its cycles turns clockwise; where G3 holds, that is the one inner boundary component (T1). Where G5 holds, a component that
@@ -68,7 +69,7 @@
 //! ```text
 //!    ┌─────────┬──────┐    A new edge splits f. What f has lost is the walk around the part to the right:
 //!    │ f   ▫   │   ▫  │    it goes around the island there, which must be listed elsewhere now,
-//!    │         │ new  │    and not around the other one, which nobody has touched.
+//!    │         │ new  │    and not around the other one, which is as it was.
 //!    └─────────┴──────┘
 //! ```
 //!
@@ -86,16 +87,16 @@
 //! this.
 
 mod baseline;
-mod changes;
 mod check;
 mod column;
+mod diff;
 #[cfg(feature = "geometry")]
 mod embedded;
-mod mirror;
+mod links;
 mod orbits;
-mod touched;
+mod write_set;
 
 pub use baseline::{Baseline, BaselineError, validate_near};
 #[cfg(feature = "geometry")]
 pub use embedded::{EmbeddingBaseline, validate_embedding_near};
-pub use touched::Touched;
+pub use write_set::WriteSet;

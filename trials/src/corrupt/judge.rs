@@ -7,7 +7,7 @@ use super::watch::{HUNG, Watch, Watched, lock};
 use crate::enumerate::{Cell, TableCells, for_each_corruption};
 use crate::panics::catch;
 use crate::random::Random;
-use crate::rows::{MOST_FINDINGS, add_findings};
+use crate::rows::{MOST_FINDINGS, Row, add_findings};
 use crate::run::Run;
 use crate::verdict::{Checker, Verdict, in_words};
 use std::collections::BTreeMap;

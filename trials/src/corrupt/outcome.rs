@@ -2,7 +2,7 @@
 
 use super::specimen::{EDGES_OF_EVERY_FORM, Family};
 use super::work::CorruptWork;
-use crate::rows::{INTERRUPTED, add_findings};
+use crate::rows::{INTERRUPTED, Row, add_findings, add_rows, rows};
 use crate::shard::Shard;
 use crate::sum::Outcome;
 use std::time::Duration;
@@ -45,25 +45,26 @@ pub struct CorruptOutcome {
     pub interrupted: bool,
 }
 
-/// What became of some corruptions.
-#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
-#[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
-pub struct Tally {
-    /// How many there were.
-    pub corruptions: u64,
-    /// Wrong by the reference.
-    pub wrong: u64,
-    /// Wrong, and the validator says so.
-    pub caught: u64,
-    /// Wrong, and the validator does not say so.
-    pub missed: u64,
-    /// Right, and the validator says that they are wrong.
-    pub false_alarms: u64,
-    /// Caught, but the validator names another rule as the first broken one.
-    pub other_rule: u64,
-    /// The longest time of a validation.
-    #[cfg_attr(feature = "serde", serde(rename = "slowest_us", with = "micros"))]
-    pub slowest: Duration,
+rows! {
+    /// What became of some corruptions.
+    #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+    pub struct Tally {
+        /// How many there were.
+        count corruptions: u64 = "corruptions" 13;
+        /// Wrong by the reference.
+        count wrong: u64 = "wrong" 13;
+        /// Wrong, and the validator says so.
+        count caught: u64 = "caught" 13;
+        /// Wrong, and the validator does not say so.
+        zero missed: u64 = "missed" 7;
+        /// Right, and the validator says that they are wrong.
+        zero false_alarms: u64 = "false" 7;
+        /// Caught, but the validator names another rule as the first broken one.
+        zero other_rule: u64 = "other rule" 10;
+        /// The longest time of a validation.
+        #[cfg_attr(feature = "serde", serde(rename = "slowest_us", with = "micros"))]
+        slowest slowest: Duration = "slowest" 12;
+    }
 }
 
 /// An expectation, and how often each rule was the first broken one under it.
@@ -105,28 +106,19 @@ pub struct SampledPairs {
     pub tally: Tally,
 }
 
-/// How often a rule was the first broken one.
-#[derive(Clone, Debug, PartialEq, Eq)]
-#[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
-pub struct RuleRow {
-    /// The rule.
-    #[cfg_attr(feature = "serde", serde(with = "rule_id"))]
-    pub rule: Rule,
-    /// How many wrong tables.
-    pub wrong: u64,
+rows! {
+    /// How often a rule was the first broken one.
+    #[derive(Clone, Debug, PartialEq, Eq)]
+    pub struct RuleRow {
+        /// The rule.
+        #[cfg_attr(feature = "serde", serde(with = "rule_id"))]
+        label rule: Rule;
+        /// How many wrong tables.
+        count wrong: u64;
+    }
 }
 
 impl Tally {
-    pub(super) fn add(&mut self, other: &Self) {
-        self.corruptions += other.corruptions;
-        self.wrong += other.wrong;
-        self.caught += other.caught;
-        self.missed += other.missed;
-        self.false_alarms += other.false_alarms;
-        self.other_rule += other.other_rule;
-        self.slowest = self.slowest.max(other.slowest);
-    }
-
     /// How often the validator and the reference differ.
     #[must_use]
     pub const fn disagreements(&self) -> u64 {
@@ -201,11 +193,11 @@ impl Outcome for CorruptOutcome {
         }
         for (row, other) in self.expectations.iter_mut().zip(&other.expectations) {
             row.corruptions += other.corruptions;
-            row.first_broken.iter_mut().zip(&other.first_broken).for_each(|(rule, other)| rule.wrong += other.wrong);
+            add_rows(&mut row.first_broken, &other.first_broken);
         }
         self.small_pairs.add(&other.small_pairs);
         self.pairs.tally.add(&other.pairs.tally);
-        self.first_broken.iter_mut().zip(&other.first_broken).for_each(|(row, other)| row.wrong += other.wrong);
+        add_rows(&mut self.first_broken, &other.first_broken);
         self.hung += other.hung;
         self.panics += other.panics;
         add_findings(&mut self.findings, &other.findings);

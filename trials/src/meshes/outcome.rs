@@ -1,6 +1,6 @@
 //! What is tried on meshes, and what was found.
 
-use crate::rows::{INTERRUPTED, add_findings};
+use crate::rows::{INTERRUPTED, Row, add_findings, add_rows, rows};
 use crate::run::Estimate;
 use crate::shard::Shard;
 use crate::sum::Outcome;
@@ -66,54 +66,55 @@ impl MeshesWork {
     }
 }
 
-/// All triangulations of one kind.
-#[derive(Clone, Debug, PartialEq, Eq)]
-#[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
-pub struct MeshesRow {
-    /// Which.
-    pub shape: Shape,
-    /// How many there are, mirror images told apart. Operators are tried on each of these.
-    pub maps: u64,
-    /// How many there are with a root: any half-edge of a sphere, one at the border of a disc.
-    pub rooted: u64,
-    /// The published number of these, as far as it is known here (OEIS A000260; Brown 1964).
-    pub rooted_published: Option<u64>,
-    /// How many there are without root, mirror images taken together.
-    pub unrooted: u64,
-    /// The published number of these, for spheres (OEIS A000109).
-    pub unrooted_published: Option<u64>,
-    /// Operators that were applied, with the result of the definition by steps.
-    pub applied: u64,
-    /// Operators that were refused, for the same reason.
-    pub refused: u64,
-    /// Operators, or structures as they were made, that differ.
-    pub differences: u64,
+rows! {
+    /// All triangulations of one kind.
+    #[derive(Clone, Debug, PartialEq, Eq)]
+    pub struct MeshesRow {
+        /// Which.
+        key shape: Shape = "" 9;
+        /// How many there are, mirror images told apart. Operators are tried on each of these.
+        given maps: u64 = "maps" 8;
+        /// How many there are with a root: any half-edge of a sphere, one at the border of a disc.
+        given rooted: u64 = "rooted" 8 is rooted_published;
+        /// The published number of these, as far as it is known here (OEIS A000260; Brown 1964).
+        given rooted_published: Option<u64>;
+        /// How many there are without root, mirror images taken together.
+        given unrooted: u64 = "unrooted" 0 is unrooted_published;
+        /// The published number of these, for spheres (OEIS A000109).
+        given unrooted_published: Option<u64>;
+        /// Operators that were applied, with the result of the definition by steps.
+        count applied: u64 = "applied" 12;
+        /// Operators that were refused, for the same reason.
+        count refused: u64 = "refused" 12;
+        /// Operators, or structures as they were made, that differ.
+        zero differences: u64 = "differences" 12;
+    }
 }
 
 impl MeshesRow {
     /// Whether there are as many as published.
     #[must_use]
     pub fn is_as_published(&self) -> bool {
-        self.rooted_published.is_none_or(|published| published == self.rooted)
-            && self.unrooted_published.is_none_or(|published| published == self.unrooted)
+        Row::differences(self).next().is_none()
     }
 }
 
-/// What one operator came to, on all triangulations.
-#[derive(Clone, Debug, PartialEq, Eq)]
-#[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
-pub struct OperatorRow {
-    /// Its name.
-    pub operator: String,
-    /// How often it was applied.
-    pub applied: u64,
-    /// How often it was refused.
-    pub refused: u64,
-    /// How often the structure was not called, as there was nothing to choose from.
-    pub skipped: u64,
-    /// How often the structure said that it does not have it, or has no room. After eight times in a row it is not tried on the
-    /// same map any more.
-    pub not_supported: u64,
+rows! {
+    /// What one operator came to, on all triangulations.
+    #[derive(Clone, Debug, PartialEq, Eq)]
+    pub struct OperatorRow {
+        /// Its name.
+        label operator: String = "operator" 22;
+        /// How often it was applied.
+        count applied: u64 = "applied" 12;
+        /// How often it was refused.
+        count refused: u64 = "refused" 12;
+        /// How often the structure was not called, as there was nothing to choose from.
+        count skipped: u64;
+        /// How often the structure said that it does not have it, or has no room. After eight times in a row it is not tried on the
+        /// same map any more.
+        count not_supported: u64 = "not supported" 13;
+    }
 }
 
 /// A triangulation on which something went wrong.
@@ -182,14 +183,6 @@ impl MeshesOutcome {
     }
 }
 
-fn add_rows(sum: &mut [MeshesRow], rows: &[MeshesRow]) {
-    for (sum, row) in sum.iter_mut().zip(rows) {
-        sum.applied += row.applied;
-        sum.refused += row.refused;
-        sum.differences += row.differences;
-    }
-}
-
 impl Outcome for MeshesOutcome {
     type Work = (String, MeshesWork);
 
@@ -225,12 +218,7 @@ impl Outcome for MeshesOutcome {
 
     fn absorb(&mut self, other: &Self) {
         add_rows(&mut self.rows, &other.rows);
-        for (row, other) in self.operators.iter_mut().zip(&other.operators) {
-            row.applied += other.applied;
-            row.refused += other.refused;
-            row.skipped += other.skipped;
-            row.not_supported += other.not_supported;
-        }
+        add_rows(&mut self.operators, &other.operators);
         add_findings(&mut self.findings, &other.findings);
     }
 

@@ -160,7 +160,7 @@ fn as_promised(op: Op, before: &Counts, after: &Counts) -> bool {
         change(before.faces, after.faces),
         components,
     );
-    op.changes().iter().any(|promised| {
+    op.kind().changes().iter().any(|promised| {
         let of = |count: i8| isize::from(count);
         now == (of(promised.vertices), of(promised.edges), of(promised.faces), of(promised.components))
     })

@@ -2,7 +2,7 @@
 
 use super::genus;
 use super::work::ProveWork;
-use crate::rows::{INTERRUPTED, add_findings};
+use crate::rows::{INTERRUPTED, Row, add_findings, add_rows, rows};
 use crate::shard::Shard;
 use crate::sum::Outcome;
 
@@ -52,30 +52,31 @@ impl std::fmt::Display for Finding {
     }
 }
 
-/// Connected maps with one number of edges.
-#[derive(Clone, Debug, PartialEq, Eq)]
-#[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
-pub struct EdgesRow {
-    /// The number of edges.
-    pub n: usize,
-    /// Rooted maps.
-    pub rooted: u64,
-    /// The published number (OEIS A000168).
-    pub rooted_published: u64,
-    /// Maps without root, mirror images told apart.
-    pub sensed: u64,
-    /// The published number (A006384).
-    pub sensed_published: u64,
-    /// Maps with one face distinguished as the outside.
-    pub plane: u64,
-    /// The published number (A103937).
-    pub plane_published: u64,
-    /// Operators that were applied.
-    pub applications: u64,
-    /// Operators that were refused.
-    pub refused: u64,
-    /// How often something went wrong.
-    pub violations: u64,
+rows! {
+    /// Connected maps with one number of edges.
+    #[derive(Clone, Debug, PartialEq, Eq)]
+    pub struct EdgesRow {
+        /// The number of edges.
+        key n: usize = "edges" 5;
+        /// Rooted maps.
+        count rooted: u64 = "rooted" 12 is rooted_published;
+        /// The published number (OEIS A000168).
+        given rooted_published: u64;
+        /// Maps without root, mirror images told apart.
+        count sensed: u64 = "without root" 14 is sensed_published;
+        /// The published number (A006384).
+        given sensed_published: u64;
+        /// Maps with one face distinguished as the outside.
+        count plane: u64 = "with an outside" 16 is plane_published;
+        /// The published number (A103937).
+        given plane_published: u64;
+        /// Operators that were applied.
+        count applications: u64 = "applied" 15;
+        /// Operators that were refused.
+        count refused: u64 = "refused" 15;
+        /// How often something went wrong.
+        zero violations: u64 = "violations" 10;
+    }
 }
 
 /// Rooted maps with one number of edges, by genus.
@@ -94,43 +95,37 @@ pub struct GenusRow {
     pub labelled: Vec<u64>,
 }
 
-/// Subdivisions with one number of edges and vertices.
-#[derive(Clone, Debug, PartialEq, Eq)]
-#[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
-pub struct NestedRow {
-    /// The number of edges.
-    pub edges: usize,
-    /// The number of vertices.
-    pub vertices: usize,
-    /// Subdivisions that were grown.
-    pub maps: u64,
-    /// Their number by a count that makes no map.
-    pub recounted: u64,
-    /// Operators that were applied.
-    pub applications: u64,
-    /// Operators that were refused.
-    pub refused: u64,
-    /// How often something went wrong.
-    pub violations: u64,
+rows! {
+    /// Subdivisions with one number of edges and vertices.
+    #[derive(Clone, Debug, PartialEq, Eq)]
+    pub struct NestedRow {
+        /// The number of edges.
+        key edges: usize = "edges" 5;
+        /// The number of vertices.
+        key vertices: usize = "vertices" 8;
+        /// Subdivisions that were grown.
+        count maps: u64 = "maps" 12 is recounted;
+        /// Their number by a count that makes no map.
+        given recounted: u64;
+        /// Operators that were applied.
+        count applications: u64 = "applied" 15;
+        /// Operators that were refused.
+        count refused: u64 = "refused" 15;
+        /// How often something went wrong.
+        zero violations: u64 = "violations" 10;
+    }
 }
 
 impl EdgesRow {
     /// Whether all counts are the published ones.
     #[must_use]
-    pub const fn is_as_published(&self) -> bool {
-        self.rooted == self.rooted_published
-            && self.sensed == self.sensed_published
-            && self.plane == self.plane_published
+    pub fn is_as_published(&self) -> bool {
+        self.differences().next().is_none()
     }
 
-    /// Which counts differ from the published ones, in a sentence.
+    /// The counts that differ from the published ones, in a sentence.
     fn difference(&self) -> Option<String> {
-        let counts = [
-            ("rooted", self.rooted, self.rooted_published),
-            ("without root", self.sensed, self.sensed_published),
-            ("with an outside", self.plane, self.plane_published),
-        ];
-        let differ = counts.into_iter().filter(|(_, grown, published)| grown != published);
+        let differ = self.differences();
         let differ: Vec<String> =
             differ.map(|(what, grown, published)| format!("{what}: grown {grown}, published {published}")).collect();
         (!differ.is_empty()).then(|| format!("connected maps of {} edges, {}", self.n, differ.join("; ")))
@@ -199,23 +194,11 @@ impl Outcome for ProveOutcome {
     }
 
     fn absorb(&mut self, other: &Self) {
-        for (row, other) in self.edges.iter_mut().zip(&other.edges) {
-            row.rooted += other.rooted;
-            row.sensed += other.sensed;
-            row.plane += other.plane;
-            row.applications += other.applications;
-            row.refused += other.refused;
-            row.violations += other.violations;
-        }
+        add_rows(&mut self.edges, &other.edges);
+        add_rows(&mut self.nested, &other.nested);
         for (row, other) in self.genus.iter_mut().zip(&other.genus) {
             genus::add(&mut row.labelled, &other.labelled);
             row.refused += other.refused;
-        }
-        for (row, other) in self.nested.iter_mut().zip(&other.nested) {
-            row.maps += other.maps;
-            row.applications += other.applications;
-            row.refused += other.refused;
-            row.violations += other.violations;
         }
         self.unsupported.extend_from_slice(&other.unsupported);
         self.unsupported.sort();

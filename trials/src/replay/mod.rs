@@ -6,7 +6,7 @@ pub use indexed::Indexed;
 
 use crate::panics::catch;
 use crate::structure::Structure;
-use twinedge::program::{Call, CallOf, Corner, CornerOf, Op, Program, Runner, StepOutcome};
+use twinedge::program::{Call, CallOf, Op, Program, Runner, StepOutcome};
 use twinedge::validate::{Collect, Link, Report, Table, validate};
 
 /// One operator of a program that was run.
@@ -59,7 +59,7 @@ pub fn replay<K: Indexed>(structure: &Structure<K>, program: &Program) -> Vec<St
         }
     };
     for op in program.0.iter().copied() {
-        let call = catch(|| runner.resolve(op).ok().map(|call| by_index(runner.subject(), &call)));
+        let call = catch(|| runner.resolve(op).ok().map(|call| by_index(runner.subject(), call)));
         let outcome = catch(|| {
             let outcome = runner.step(op);
             let report = validate(runner.subject(), &structure.expectation(), Collect::All);
@@ -74,30 +74,6 @@ pub fn replay<K: Indexed>(structure: &Structure<K>, program: &Program) -> Vec<St
     steps
 }
 
-fn by_index<K: Indexed>(subject: &K, call: &CallOf<K>) -> Call<Link, Link, Link> {
-    let corner = |corner: CornerOf<K>| match corner {
-        Corner::At(h) => Corner::At(subject.half_edge_index(h)),
-        Corner::Isolated(v) => Corner::Isolated(subject.vertex_index(v)),
-    };
-    let half_edge = |h: K::HalfEdge| subject.half_edge_index(h);
-    let face = |f: K::Face| subject.face_index(f);
-    match call {
-        Call::AddIsolatedVertex { face: f } => Call::AddIsolatedVertex { face: face(*f) },
-        Call::RemoveIsolatedVertex { vertex } => Call::RemoveIsolatedVertex { vertex: subject.vertex_index(*vertex) },
-        Call::Connect { from, to, new_face, inner } => {
-            let inner = inner.iter().copied().map(corner).collect();
-            Call::Connect { from: corner(*from), to: corner(*to), new_face: *new_face, inner }
-        }
-        Call::RemoveEdge { half_edge: h } => Call::RemoveEdge { half_edge: half_edge(*h) },
-        Call::SplitEdge { half_edge: h } => Call::SplitEdge { half_edge: half_edge(*h) },
-        Call::JoinEdges { half_edge: h } => Call::JoinEdges { half_edge: half_edge(*h) },
-        Call::SplitVertex { from, to } => Call::SplitVertex { from: corner(*from), to: corner(*to) },
-        Call::ContractEdge { half_edge: h } => Call::ContractEdge { half_edge: half_edge(*h) },
-        Call::FlipEdge { half_edge: h, turn } => Call::FlipEdge { half_edge: half_edge(*h), turn: *turn },
-        Call::MeshFlipEdge { half_edge: h } => Call::MeshFlipEdge { half_edge: half_edge(*h) },
-        Call::MeshSplitEdge { half_edge: h } => Call::MeshSplitEdge { half_edge: half_edge(*h) },
-        Call::MeshSplitFace { half_edge: h } => Call::MeshSplitFace { half_edge: half_edge(*h) },
-        Call::MeshCollapseEdge { half_edge: h } => Call::MeshCollapseEdge { half_edge: half_edge(*h) },
-        Call::MoveInner { inner, face: f } => Call::MoveInner { inner: corner(*inner), face: face(*f) },
-    }
+fn by_index<K: Indexed>(subject: &K, call: CallOf<K>) -> Call<Link, Link, Link> {
+    call.map(|v| subject.vertex_index(v), |h| subject.half_edge_index(h), |f| subject.face_index(f))
 }

@@ -2,7 +2,7 @@
 
 use super::work::SampleWork;
 use crate::corrupt::RuleRow;
-use crate::rows::{INTERRUPTED, add_findings};
+use crate::rows::{INTERRUPTED, add_findings, add_rows};
 use crate::shard::Shard;
 use crate::sum::Outcome;
 
@@ -59,7 +59,7 @@ impl Outcome for SampleOutcome {
     fn absorb(&mut self, other: &Self) {
         self.judged += other.judged;
         self.right += other.right;
-        self.first_broken.iter_mut().zip(&other.first_broken).for_each(|(row, other)| row.wrong += other.wrong);
+        add_rows(&mut self.first_broken, &other.first_broken);
         self.disagreements += other.disagreements;
         add_findings(&mut self.findings, &other.findings);
     }

@@ -15,6 +15,7 @@ pub use in_step::{Comparable, Comparison, End};
 pub use outcome::{SoakFailure, SoakOutcome, SoakRow};
 pub use work::SoakWork;
 
+use crate::rows::add_rows;
 use crate::run::Run;
 use std::sync::atomic::{AtomicU64, Ordering};
 use twinedge::program::{Program, candidates};
@@ -58,7 +59,7 @@ pub fn soak(structures: &[&dyn Comparable], work: SoakWork, run: &Run<'_>) -> So
     });
     let mut structures = rows();
     for worker in &workers {
-        structures.iter_mut().zip(&worker.rows).for_each(|(sum, row)| sum.add(row));
+        add_rows(&mut structures, &worker.rows);
     }
     let failed = workers.into_iter().filter_map(|worker| worker.failed).min_by_key(|failed| failed.number);
     SoakOutcome {

@@ -1,7 +1,7 @@
 //! What `soak` found.
 
 use super::work::SoakWork;
-use crate::rows::INTERRUPTED;
+use crate::rows::{INTERRUPTED, add_rows, rows};
 use crate::shard::Shard;
 use crate::sum::Outcome;
 use twinedge::program::conformance::ConformanceSummary;
@@ -25,24 +25,25 @@ pub struct SoakOutcome {
     pub interrupted: bool,
 }
 
-/// What the programs did on one structure.
-#[derive(Clone, Debug, PartialEq, Eq)]
-#[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
-pub struct SoakRow {
-    /// The structure.
-    pub on: String,
-    /// Programs that ran to their end.
-    pub programs: u64,
-    /// Programs that were interrupted. Their operators up to there are counted.
-    pub cut_short: u64,
-    /// Operators that were applied.
-    pub applied: u64,
-    /// Operators that were refused, for the same reason as the reference.
-    pub refused: u64,
-    /// Operators that found nothing to choose from.
-    pub skipped: u64,
-    /// Operators for which the structure had no room, or which it does not have.
-    pub no_room: u64,
+rows! {
+    /// What the programs did on one structure.
+    #[derive(Clone, Debug, PartialEq, Eq)]
+    pub struct SoakRow {
+        /// The structure.
+        label on: String = "on" 10;
+        /// Programs that ran to their end.
+        count programs: u64 = "programs" 13;
+        /// Programs that were interrupted. Their operators up to there are counted.
+        count cut_short: u64;
+        /// Operators that were applied.
+        count applied: u64 = "applied" 13;
+        /// Operators that were refused, for the same reason as the reference.
+        count refused: u64 = "refused" 13;
+        /// Operators that found nothing to choose from.
+        count skipped: u64 = "skipped" 13;
+        /// Operators for which the structure had no room, or which it does not have.
+        count no_room: u64 = "no room" 13;
+    }
 }
 
 /// A program on which a structure fails, as small as it could be made.
@@ -72,15 +73,6 @@ impl SoakRow {
         self.refused += total.refused as u64;
         self.skipped += total.skipped as u64;
         self.no_room += (total.no_room + total.unsupported) as u64;
-    }
-
-    pub(super) const fn add(&mut self, other: &Self) {
-        self.programs += other.programs;
-        self.cut_short += other.cut_short;
-        self.applied += other.applied;
-        self.refused += other.refused;
-        self.skipped += other.skipped;
-        self.no_room += other.no_room;
     }
 }
 
@@ -114,7 +106,7 @@ impl Outcome for SoakOutcome {
     }
 
     fn absorb(&mut self, other: &Self) {
-        self.structures.iter_mut().zip(&other.structures).for_each(|(sum, row)| sum.add(row));
+        add_rows(&mut self.structures, &other.structures);
         let failures = [self.failure.take(), other.failure.clone()];
         self.failure = failures.into_iter().flatten().min_by_key(|failure| failure.number);
     }

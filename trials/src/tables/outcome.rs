@@ -1,7 +1,7 @@
 //! What `tables` found.
 
 use super::work::TablesWork;
-use crate::rows::{INTERRUPTED, add_findings};
+use crate::rows::{INTERRUPTED, add_findings, add_rows, rows};
 use crate::shard::Shard;
 use crate::sum::Outcome;
 
@@ -22,26 +22,27 @@ pub struct TablesOutcome {
     pub interrupted: bool,
 }
 
-/// Tables in which the same fields are free.
-#[derive(Clone, Debug, PartialEq, Eq)]
-#[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
-pub struct TablesRow {
-    /// How many half-edges they have.
-    pub half_edges: usize,
-    /// Which fields are free.
-    pub free: String,
-    /// How many there are.
-    pub all: u64,
-    /// How many of them were judged.
-    pub judged: u64,
-    /// How many of these are right, by the validator.
-    pub right: u64,
-    /// How many of all are right, by a formula.
-    pub right_by_formula: u64,
-    /// How often the validator and the reference differ.
-    pub disagreements: u64,
-    /// Whether all tables were judged.
-    pub done: bool,
+rows! {
+    /// Tables in which the same fields are free.
+    #[derive(Clone, Debug, PartialEq, Eq)]
+    pub struct TablesRow {
+        /// How many half-edges they have.
+        key half_edges: usize = "half-edges" 10;
+        /// Which fields are free.
+        label free: String = "free" 52;
+        /// How many there are.
+        given all: u64;
+        /// How many of them were judged.
+        count judged: u64 = "tables" 13;
+        /// How many of these are right, by the validator.
+        count right: u64 = "right" 9 is right_by_formula;
+        /// How many of all are right, by a formula.
+        given right_by_formula: u64 = "formula" 10;
+        /// How often the validator and the reference differ.
+        zero disagreements: u64 = "disagreements" 13;
+        /// Whether all tables were judged.
+        given done: bool;
+    }
 }
 
 impl TablesRow {
@@ -90,11 +91,7 @@ impl Outcome for TablesOutcome {
     }
 
     fn absorb(&mut self, other: &Self) {
-        for (row, other) in self.tables.iter_mut().zip(&other.tables) {
-            row.judged += other.judged;
-            row.right += other.right;
-            row.disagreements += other.disagreements;
-        }
+        add_rows(&mut self.tables, &other.tables);
         add_findings(&mut self.findings, &other.findings);
     }
 

@@ -5,24 +5,23 @@ use super::drawing::Drawing;
 use super::drawn::Update;
 use super::inside::is_inside;
 use super::tree::DrawnTrees;
-use crate::geometry::Point;
 use crate::validate::expectation::{Expectation, Surface};
 use crate::validate::geometric::validator::validate_embedding;
 use crate::validate::near::baseline::{Baseline, BaselineError};
-use crate::validate::near::changes::Changes;
-use crate::validate::near::mirror::Now;
-use crate::validate::near::touched::Touched;
+use crate::validate::near::column::Row;
+use crate::validate::near::diff::Diff;
+use crate::validate::near::links::HalfEdge;
+use crate::validate::near::write_set::WriteSet;
 use crate::validate::report::{Collect, Report};
 use crate::validate::structure::{Embedding, Part};
 
 /// The links and coordinates of a structure that was found right, to compare it with after a change. See
 /// [`validate_embedding_near`].
 ///
-/// Takes, beside a [`Baseline`], 16 bytes per vertex, and about 70 per edge and 40 per inner boundary component for R-trees of them.
+/// Takes, beside a [`Baseline`], 32 bytes per vertex, and about 70 per edge and 40 per inner boundary component for R-trees of them.
 #[derive(Clone, Debug)]
 pub struct EmbeddingBaseline {
     links: Baseline,
-    points: Vec<Point>,
     /// None if the drawing was not read since the links were.
     trees: Option<DrawnTrees>,
 }
@@ -45,13 +44,13 @@ impl EmbeddingBaseline {
         }
         validate_embedding(embedding, expectation, Collect::All).into_result().map_err(BaselineError::Invalid)?;
         let links = Baseline::of_right(embedding, expectation)?;
-        for (h, row) in links.mirror.half_edges.iter() {
-            if row.is_live() && h < row.twin as usize && embedding.bends(h) > 0 {
-                return Err(BaselineError::Bends);
-            }
+        let bends =
+            |(h, _, row): (usize, HalfEdge, HalfEdge)| row.is_live() && h < row.twin as usize && embedding.bends(h) > 0;
+        if links.diff.half_edges.changes().any(bends) {
+            return Err(BaselineError::Bends);
         }
-        let mut baseline = Self { links, points: Vec::new(), trees: None };
-        baseline.read_drawing(embedding).ok_or(BaselineError::Changing)?;
+        let mut baseline = Self { links, trees: None };
+        baseline.draw_all(embedding).ok_or(BaselineError::Changing)?;
         Ok(baseline)
     }
 
@@ -61,36 +60,21 @@ impl EmbeddingBaseline {
         self.links.expectation()
     }
 
-    /// Reads where everything lies: all of it has come since there was nothing.
-    fn read_drawing<E: Embedding + ?Sized>(&mut self, embedding: &E) -> Option<()> {
-        self.trees = None;
-        let (nothing, all) = Changes::all_of(&self.links.mirror, self.links.counts);
-        let drawing = Drawing::new(embedding, &nothing, &[], &all)?;
-        let update = drawing.update()?;
-        self.points.clear();
-        put(&mut self.points, self.links.mirror.vertices.len(), drawing.placed());
+    /// Reads where everything lies, when the links have been read: all of it has come since there was nothing.
+    fn draw_all<E: Embedding + ?Sized>(&mut self, embedding: &E) -> Option<()> {
+        self.links.diff.place(embedding, embedding.vertex_slots())?;
+        let update = Drawing::new(embedding, &self.links.diff)?.update()?;
         self.trees = Some(DrawnTrees::new(update));
+        self.links.diff.commit();
         Some(())
-    }
-}
-
-/// Points by index of vertex.
-fn put(points: &mut Vec<Point>, slots: usize, placed: impl Iterator<Item = (usize, Point)>) {
-    if points.len() < slots {
-        points.resize(slots, Point::default());
-    }
-    for (v, p) in placed {
-        if let Some(place) = points.get_mut(v) {
-            *place = p;
-        }
     }
 }
 
 /// Validates a structure with coordinates after a change, in time proportional to the change, all rules from R1 to T4 and from G1 to
 /// G5: [what is checked](crate::validate::near#with-coordinates).
 ///
-/// `touched` names every record that has changed since the baseline was made or last moved on, and each vertex that lies elsewhere. If
-/// all is right, the baseline moves on. Costs O(k log n) for k records that were touched, or are edges of vertices that lie elsewhere,
+/// `written` names every record that has changed since the baseline was made or last moved on, and each vertex that lies elsewhere. If
+/// all is right, the baseline moves on. Costs O(k log n) for k records that were written, or are edges of vertices that lie elsewhere,
 /// in a structure of n; and besides
 ///
 /// - for each edge that is drawn elsewhere, what an R-tree takes to find the edges whose boxes meet its own, and those edges;
@@ -102,15 +86,15 @@ fn put(points: &mut Vec<Point>, slots: usize, placed: impl Iterator<Item = (usiz
 ///
 /// ```
 /// use twinedge::map::PlanarMap;
-/// use twinedge::validate::near::{EmbeddingBaseline, Touched, validate_embedding_near};
+/// use twinedge::validate::near::{EmbeddingBaseline, WriteSet, validate_embedding_near};
 /// use twinedge::validate::{Expectation, View};
 ///
 /// let mut map = PlanarMap::new();
 /// let corner = map.insert_ring([[0.0, 0.0], [4.0, 0.0], [0.0, 4.0]])?.vertices[0];
 /// let mut baseline = EmbeddingBaseline::new(&map, &Expectation::plane())?;
 /// map.move_vertex(corner, [-1.0, -1.0])?;
-/// let touched = Touched { vertices: vec![map.dcel().vertex(corner)?.index()], ..Touched::default() };
-/// validate_embedding_near(&mut baseline, &map, &touched)?;
+/// let written = WriteSet { vertices: vec![map.dcel().vertex(corner)?.index()], ..WriteSet::default() };
+/// validate_embedding_near(&mut baseline, &map, &written)?;
 /// # Ok::<(), Box<dyn std::error::Error>>(())
 /// ```
 ///
@@ -119,46 +103,40 @@ fn put(points: &mut Vec<Point>, slots: usize, placed: impl Iterator<Item = (usiz
 pub fn validate_embedding_near<E: Embedding + ?Sized>(
     baseline: &mut EmbeddingBaseline,
     embedding: &E,
-    touched: &Touched,
+    written: &WriteSet,
 ) -> Result<(), Box<Report>> {
-    let EmbeddingBaseline { links, points, trees } = baseline;
-    if let (Some(now), Some(trees)) = (Now::new(embedding, links.expect), trees) {
-        let found = links.find_changes(&now, touched).and_then(|()| move_on(links, points, trees, embedding));
+    let EmbeddingBaseline { links, trees } = baseline;
+    if let Some(trees) = trees {
+        let found = links.check(embedding, written).and_then(|()| check(&mut links.diff, trees, embedding));
         if found.is_some() {
-            links.follow();
+            links.diff.commit();
             return Ok(());
         }
     }
     validate_embedding(embedding, &links.expect, Collect::All).into_result()?;
     // The structure is right: some record that has changed was not named, or what has changed does not tell what lies where.
+    *trees = None;
     if links.read(embedding).is_some() {
-        let _ = baseline.read_drawing(embedding);
+        let _ = baseline.draw_all(embedding);
     }
     Ok(())
 }
 
-/// Checks G1 … G5. The trees and the places have moved on then, and not otherwise.
-fn move_on<E: Embedding + ?Sized>(
-    links: &Baseline,
-    points: &mut Vec<Point>,
-    trees: &mut DrawnTrees,
-    embedding: &E,
-) -> Option<()> {
-    let drawing = Drawing::new(embedding, &links.mirror, points, &links.changes)?;
+/// Checks G1 … G5, of which G2 follows from the others. The trees have moved on then, and not otherwise.
+fn check<E: Embedding + ?Sized>(diff: &mut Diff, trees: &mut DrawnTrees, embedding: &E) -> Option<()> {
+    diff.place(embedding, embedding.vertex_slots())?;
+    let drawing = Drawing::new(embedding, diff)?;
     let update = drawing.update()?;
     trees.apply(&update);
-    if keeps_rules(&drawing, &update, trees).is_none() {
+    let keeps = keeps_rules(&drawing, &update, trees);
+    if keeps.is_none() {
         trees.undo(&update);
-        return None;
     }
-    let placed: Vec<(usize, Point)> = drawing.placed().collect();
-    put(points, links.mirror.vertices.len(), placed.into_iter());
-    Some(())
+    keeps
 }
 
 fn keeps_rules(drawing: &Drawing<'_>, update: &Update, trees: &DrawnTrees) -> Option<()> {
-    drawing.angles()?;
-    is_disjoint(&update.come, trees).then_some(())?;
+    is_disjoint(&update.drawn.come, trees).then_some(())?;
     drawing.winding()?;
     is_inside(drawing, trees)
 }

@@ -64,14 +64,6 @@ pub(super) struct Chain {
     segments: Vec<Weighted>,
 }
 
-/// The segments at a point of a chain.
-#[derive(Default)]
-struct Joint {
-    count: usize,
-    ends_here: Option<usize>,
-    begins_here: Option<usize>,
-}
-
 impl Chain {
     /// Adds a segment, as often as `weight` says.
     pub(super) fn add(&mut self, [from, to]: [Point; 2], weight: i64) {
@@ -86,15 +78,7 @@ impl Chain {
         self.cancel();
         self.straighten();
         self.cancel();
-        let infinite = Point::new(f64::INFINITY, f64::INFINITY);
-        let mut corners = [infinite, Point::new(-infinite.x, -infinite.y)];
-        for Weighted { low, high, .. } in &self.segments {
-            let [from, to] = &mut corners;
-            *from = Point::new(from.x.min(low.x), from.y.min(low.y).min(high.y));
-            *to = Point::new(to.x.max(high.x), to.y.max(low.y).max(high.y));
-        }
-        let corners = (!self.segments.is_empty()).then_some(corners);
-        SummedChain { corners, tree: RTree::bulk_load(self.segments) }
+        SummedChain(RTree::bulk_load(self.segments))
     }
 
     /// Each segment once.
@@ -113,43 +97,30 @@ impl Chain {
 
     /// Joins segments that go on straight, as where an edge was split.
     fn straighten(&mut self) {
-        let mut joints: FxHashMap<(u64, u64), Joint> = FxHashMap::default();
-        for (i, Weighted { low, high, .. }) in self.segments.iter().enumerate() {
-            let joint = joints.entry(low.hash_key()).or_default();
-            joint.count += 1;
-            joint.begins_here = Some(i);
-            let joint = joints.entry(high.hash_key()).or_default();
-            joint.count += 1;
-            joint.ends_here = Some(i);
-        }
+        let ends = self.segments.iter().enumerate().map(|(i, segment)| (segment.high.hash_key(), i));
+        let ends: FxHashMap<(u64, u64), usize> = ends.collect();
         // From left to right, so that what is behind a segment is joined to it already.
         for i in 0..self.segments.len() {
             let after = self.segments[i];
-            let Some(&Joint { count: 2, ends_here: Some(j), begins_here: Some(_) }) = joints.get(&after.low.hash_key())
-            else {
-                continue;
-            };
-            let before = self.segments[j];
+            let Some(j) = ends.get(&after.low.hash_key()) else { continue };
+            let before = self.segments[*j];
             let straight = orientation(before.low, after.low, after.high) == Orientation::Collinear;
             if straight && before.weight == after.weight {
                 self.segments[i].low = before.low;
-                self.segments[j].weight = 0;
+                self.segments[*j].weight = 0;
             }
         }
     }
 }
 
 /// A sum of closed walks, to be asked.
-#[derive(Debug, Default)]
-pub(super) struct SummedChain {
-    corners: Option<[Point; 2]>,
-    tree: RTree<Weighted>,
-}
+#[derive(Debug)]
+pub(super) struct SummedChain(RTree<Weighted>);
 
 impl SummedChain {
-    /// The corners of the box around it, unless nothing is left of it.
-    pub(super) const fn corners(&self) -> Option<[Point; 2]> {
-        self.corners
+    /// The box around it, unless nothing is left of it.
+    pub(super) fn envelope(&self) -> Option<AABB<[f64; 2]>> {
+        (self.0.size() > 0).then(|| self.0.root().envelope())
     }
 
     /// How often it goes around a point counter-clockwise. O(log k), and what an R-tree takes to find what is below the point.
@@ -159,7 +130,7 @@ impl SummedChain {
             count_step();
             !p.is_left_of(segment.low) && p.is_left_of(segment.high) && p.is_above(segment.low, segment.high)
         };
-        self.tree.locate_in_envelope_intersecting(below).filter(passes).map(|segment| segment.weight).sum()
+        self.0.locate_in_envelope_intersecting(below).filter(passes).map(|segment| segment.weight).sum()
     }
 }
 
@@ -195,7 +166,7 @@ mod tests {
     #[test]
     fn what_cancels_out_is_left_out() {
         let back: Vec<[f64; 2]> = SQUARE.iter().rev().copied().collect();
-        assert!(chain(&[SQUARE, &back]).corners().is_none());
+        assert!(chain(&[SQUARE, &back]).envelope().is_none());
         // With each side in several pieces.
         let split = |ring: &[[f64; 2]]| -> Vec<[f64; 2]> {
             let pieces = |i: usize| {
@@ -204,8 +175,8 @@ mod tests {
             };
             (0..ring.len()).flat_map(pieces).collect()
         };
-        assert!(chain(&[SQUARE, &split(&back)]).corners().is_none());
-        assert!(chain(&[&split(SQUARE), &back]).corners().is_none());
+        assert!(chain(&[SQUARE, &split(&back)]).envelope().is_none());
+        assert!(chain(&[&split(SQUARE), &back]).envelope().is_none());
         assert_eq!(chain(&[SQUARE, SQUARE]).around(Beside::isolated([1.0, 1.0].into())), 2);
     }
 }

@@ -1,30 +1,17 @@
 //! A drawing before a change and after it, and what differs.
 
-use super::drawn::{Drawn, Line, Start as DrawnStart, Update};
+use super::drawn::{Drawn, InnerStart, Line, Update};
 use crate::geometry::Point;
 use crate::geometry::predicates::in_range;
 use crate::validate::columns::NIL;
-use crate::validate::near::changes::Changes;
-use crate::validate::near::mirror::{Face, HalfEdge, Label, Mirror, Vertex};
+use crate::validate::near::column::{Row, TIMES, Time};
+use crate::validate::near::diff::Diff;
+use crate::validate::near::links::{Face, HalfEdge, Label, Vertex, index};
 use crate::validate::structure::{Embedding, Start};
 
-/// Before the change, or after it.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub(super) enum Time {
-    Before,
-    After,
-}
-
-/// Both, in order.
-pub(super) const TIMES: [Time; 2] = [Time::Before, Time::After];
-
-/// The links and places as they were, and what has changed since.
+/// Links and places before and after, and what may be drawn elsewhere.
 pub(super) struct Drawing<'a> {
-    was: &'a Mirror,
-    points: &'a [Point],
-    changes: &'a Changes,
-    /// The places of the vertices that may differ, in their order; of those that are vacant, none.
-    placed: Vec<Option<Point>>,
+    diff: &'a Diff,
     /// The half-edges that may have other links, or be drawn elsewhere, sorted.
     pub(super) half_edges: Vec<usize>,
     /// The labels that may differ, and those that these half-edges have or had, sorted.
@@ -38,24 +25,28 @@ pub(super) fn sorted<T: Ord>(mut list: Vec<T>) -> Vec<T> {
     list
 }
 
-impl<'a> Drawing<'a> {
-    /// Nothing if a coordinate is out of range or an edge has bends, or if the links before are not those of a structure that was
-    /// right.
-    pub(super) fn new<E: Embedding + ?Sized>(
-        embedding: &E,
-        was: &'a Mirror,
-        points: &'a [Point],
-        changes: &'a Changes,
-    ) -> Option<Self> {
-        let seen = changes.vertices.iter();
-        let placed: Vec<_> = seen.map(|(v, seen)| seen.row.is_live().then(|| embedding.point(v))).collect();
-        if !placed.iter().flatten().all(|p| in_range(*p)) {
-            return None;
+impl Diff {
+    /// Reads where the vertices that may differ lie. Nothing if a coordinate is out of range.
+    pub(super) fn place<E: Embedding + ?Sized>(&mut self, embedding: &E, slots: usize) -> Option<()> {
+        self.places.fit(slots);
+        for (v, _, now) in self.vertices.changes() {
+            let place = now.is_live().then(|| embedding.point(v));
+            if !place.is_none_or(in_range) {
+                return None;
+            }
+            *self.places.change(v)? = place;
         }
-        let mut drawing = Self { was, points, changes, placed, half_edges: Vec::new(), labels: Vec::new() };
-        let mut half_edges: Vec<usize> = changes.touched().map(|(h, _)| h).collect();
-        for (v, _) in changes.vertices.iter() {
-            if drawing.place(Time::Before, v) != drawing.place(Time::After, v) {
+        Some(())
+    }
+}
+
+impl<'a> Drawing<'a> {
+    /// Nothing if an edge has bends, or if the links before are not those of a structure that was right.
+    pub(super) fn new<E: Embedding + ?Sized>(embedding: &E, diff: &'a Diff) -> Option<Self> {
+        let mut drawing = Self { diff, half_edges: Vec::new(), labels: Vec::new() };
+        let mut half_edges: Vec<usize> = diff.half_edges.changes().map(|(h, ..)| h).collect();
+        for (v, before, after) in diff.places.changes() {
+            if before != after {
                 // Those that left it before, and do not now, may have other links.
                 drawing.rotation(v, &mut half_edges)?;
             }
@@ -70,7 +61,7 @@ impl<'a> Drawing<'a> {
         if !half_edges.iter().all(straight) {
             return None;
         }
-        let mut labels: Vec<usize> = changes.labels.iter().map(|(b, _)| b).collect();
+        let mut labels: Vec<usize> = drawing.changed_labels().collect();
         for time in TIMES {
             labels.extend(half_edges.iter().filter_map(|h| drawing.label_of(time, *h)));
         }
@@ -79,31 +70,24 @@ impl<'a> Drawing<'a> {
         Some(drawing)
     }
 
-    /// The places of the vertices that may differ, by index.
-    pub(super) fn placed(&self) -> impl Iterator<Item = (usize, Point)> + '_ {
-        self.changes.vertices.iter().zip(&self.placed).filter_map(|((v, _), place)| Some((v, (*place)?)))
-    }
-
     pub(super) fn row(&self, time: Time, h: usize) -> HalfEdge {
-        match time {
-            Time::Before => self.was.half_edge(h),
-            Time::After => self.changes.half_edge(self.was, h),
-        }
+        self.diff.half_edges.at(time, h)
     }
 
     pub(super) fn vertex(&self, time: Time, v: usize) -> Vertex {
-        let now = if time == Time::After { self.changes.vertices.find(&self.was.vertices, v) } else { None };
-        now.map_or_else(|| self.was.vertex(v), |seen| seen.row)
+        self.diff.vertices.at(time, v)
     }
 
     pub(super) fn label(&self, time: Time, b: usize) -> Label {
-        let now = if time == Time::After { self.changes.labels.find(&self.was.labels, b) } else { None };
-        now.map_or_else(|| self.was.label(b), |seen| seen.row)
+        self.diff.labels.at(time, b)
     }
 
     pub(super) fn face(&self, time: Time, f: usize) -> Face {
-        let now = if time == Time::After { self.changes.faces.find(&self.was.faces, f) } else { None };
-        now.map_or_else(|| self.was.face(f), |seen| seen.row)
+        self.diff.faces.at(time, f)
+    }
+
+    pub(super) fn place(&self, time: Time, v: usize) -> Option<Point> {
+        self.diff.places.at(time, v)
     }
 
     /// Whether it is the unbounded face.
@@ -111,20 +95,12 @@ impl<'a> Drawing<'a> {
         self.face(time, f).outer == NIL
     }
 
-    pub(super) fn place(&self, time: Time, v: usize) -> Option<Point> {
-        let seen = if time == Time::After { self.was.vertices.position(v) } else { None };
-        match seen {
-            Some(position) => self.placed.get(position).copied().flatten(),
-            None => self.points.get(v).copied().filter(|_| self.was.vertex(v).is_live()),
-        }
-    }
-
     pub(super) fn twin(&self, time: Time, h: usize) -> Option<usize> {
-        Some(self.row(time, h)).filter(HalfEdge::is_live).map(|row| row.twin as usize)
+        Some(self.row(time, h)).filter(Row::is_live).map(|row| row.twin as usize)
     }
 
     /// The half-edge that follows clockwise in the rotation.
-    pub(super) fn turned(&self, time: Time, h: usize) -> Option<usize> {
+    pub(super) fn clockwise(&self, time: Time, h: usize) -> Option<usize> {
         self.twin(time, h).map(|twin| self.row(time, twin).next as usize)
     }
 
@@ -142,13 +118,12 @@ impl<'a> Drawing<'a> {
     }
 
     pub(super) fn label_of(&self, time: Time, h: usize) -> Option<usize> {
-        Some(self.row(time, h)).filter(HalfEdge::is_live).map(|row| row.label as usize)
+        Some(self.row(time, h)).filter(Row::is_live).map(|row| row.label as usize)
     }
 
     /// The face to the left of a half-edge.
     pub(super) fn face_of(&self, time: Time, h: usize) -> Option<usize> {
-        let label = self.label(time, self.label_of(time, h)?);
-        label.is_live().then_some(label.face as usize)
+        index(self.label(time, self.label_of(time, h)?).face)
     }
 
     /// The half-edges that leave a vertex now.
@@ -160,9 +135,9 @@ impl<'a> Drawing<'a> {
         let first = vertex.leaving as usize;
         let mut h = first;
         // Only links that are not right lead around for ever.
-        for _ in 0..=self.was.half_edges.len() + self.changes.half_edges.len() {
+        for _ in 0..=self.diff.half_edges.slots() {
             into.push(h);
-            h = self.turned(Time::After, h)?;
+            h = self.clockwise(Time::After, h)?;
             if h == first {
                 return Some(());
             }
@@ -184,43 +159,36 @@ impl<'a> Drawing<'a> {
     }
 
     /// Where an inner boundary component starts.
-    fn start(&self, time: Time, b: usize) -> Option<DrawnStart> {
+    fn start(&self, time: Time, b: usize) -> Option<InnerStart> {
         let label = self.label(time, b);
         label.inner()?;
         let at = match label.start() {
             Start::HalfEdge(h) => self.line(time, h)?.points[0],
             Start::Vertex(v) => self.place(time, v)?,
         };
-        Some(DrawnStart { label: b as u32, at })
+        Some(InnerStart::new(at.into(), b as u32))
     }
 
     /// What an index has to take off and to add. Nothing if an edge has no length.
     pub(super) fn update(&self) -> Option<Update> {
-        fn put<T: PartialEq>(pair: [Option<T>; 2], gone: &mut Vec<T>, come: &mut Vec<T>) {
-            if pair[0] != pair[1] {
-                let [before, after] = pair;
-                gone.extend(before);
-                come.extend(after);
-            }
-        }
         let mut update = Update::default();
         for h in &self.half_edges {
-            put(TIMES.map(|time| self.edge(time, *h)), &mut update.gone, &mut update.come);
+            update.drawn.put(TIMES.map(|time| self.edge(time, *h)));
         }
-        if update.come.iter().any(|edge| edge.ends[0] == edge.ends[1]) {
+        if update.drawn.come.iter().any(|edge| edge.ends[0] == edge.ends[1]) {
             return None;
         }
-        for (v, _) in self.changes.vertices.iter() {
-            put(TIMES.map(|time| self.isolated(time, v)), &mut update.gone, &mut update.come);
+        for (v, ..) in self.diff.vertices.changes() {
+            update.drawn.put(TIMES.map(|time| self.isolated(time, v)));
         }
         for b in &self.labels {
-            put(TIMES.map(|time| self.start(time, *b)), &mut update.starts_gone, &mut update.starts_come);
+            update.starts.put(TIMES.map(|time| self.start(time, *b)));
         }
         Some(update)
     }
 
     /// The boundary components whose records may differ.
     pub(super) fn changed_labels(&self) -> impl Iterator<Item = usize> + '_ {
-        self.changes.labels.iter().map(|(b, _)| b)
+        self.diff.labels.changes().map(|(b, ..)| b)
     }
 }

@@ -3,6 +3,7 @@
 use crate::geometry::Point;
 use crate::geometry::predicates::{Orientation, compare_lexicographic, orientation};
 use core::cmp::Ordering;
+use rstar::primitives::GeomWithData;
 use rstar::{AABB, RTreeObject};
 
 /// A half-edge as it is drawn: the vertices at its ends, and where they lie.
@@ -70,25 +71,33 @@ impl RTreeObject for Drawn {
 }
 
 /// An inner boundary component, by the place where it starts.
-#[derive(Clone, Copy, Debug, PartialEq)]
-pub(super) struct Start {
-    pub(super) label: u32,
-    pub(super) at: Point,
+pub(super) type InnerStart = GeomWithData<[f64; 2], u32>;
+
+/// What an index has to take off and to add.
+pub(super) struct Exchange<T> {
+    pub(super) gone: Vec<T>,
+    pub(super) come: Vec<T>,
 }
 
-impl RTreeObject for Start {
-    type Envelope = AABB<[f64; 2]>;
-
-    fn envelope(&self) -> Self::Envelope {
-        AABB::from_point(self.at.into())
+impl<T> Default for Exchange<T> {
+    fn default() -> Self {
+        Self { gone: Vec::new(), come: Vec::new() }
     }
 }
 
-/// What an index has to take off and to add.
+impl<T: PartialEq> Exchange<T> {
+    /// Something before and after, unless it is the same.
+    pub(super) fn put(&mut self, [before, after]: [Option<T>; 2]) {
+        if before != after {
+            self.gone.extend(before);
+            self.come.extend(after);
+        }
+    }
+}
+
+/// The same for edges and isolated vertices, and for the inner boundary components.
 #[derive(Default)]
 pub(super) struct Update {
-    pub(super) gone: Vec<Drawn>,
-    pub(super) come: Vec<Drawn>,
-    pub(super) starts_gone: Vec<Start>,
-    pub(super) starts_come: Vec<Start>,
+    pub(super) drawn: Exchange<Drawn>,
+    pub(super) starts: Exchange<InnerStart>,
 }

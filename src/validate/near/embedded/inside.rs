@@ -1,74 +1,51 @@
 //! G5: each inner boundary component lies in the face that lists it. See [why it need not be located](crate::validate::near#what-lies-where).
 
 use super::chain::{Beside, Chain, SummedChain};
-use super::drawing::{Drawing, TIMES, Time, sorted};
+use super::drawing::{Drawing, sorted};
 use super::tree::DrawnTrees;
 use crate::geometry::Point;
 use crate::geometry::predicates::compare_lexicographic;
 use crate::validate::columns::NIL;
+use crate::validate::near::column::{Row, TIMES, Time};
+use crate::validate::near::links::index;
 use crate::validate::structure::Start;
 use rustc_hash::FxHashMap;
 
-/// Where the boundary components of the faces went.
-#[derive(Default)]
+/// Where the boundary components of the faces went, sorted.
 struct Moves {
-    /// How many went from one face to another, by both.
-    moved: FxHashMap<(usize, usize), usize>,
-    /// How many went from a face to others, and how many are no more.
-    left: FxHashMap<usize, usize>,
-    dead: FxHashMap<usize, usize>,
-    /// For each face those from which it has some, itself included, sorted; and the other way round.
-    sources: FxHashMap<usize, Vec<usize>>,
-    targets: FxHashMap<usize, Vec<usize>>,
+    /// For each that a face has no more, that face, and its face now, or none where it is no more.
+    went: Vec<(usize, Option<usize>)>,
+    /// For each face those that have some of what it had, itself included; and the other way round.
+    targets: Vec<(usize, usize)>,
+    sources: Vec<(usize, usize)>,
+}
+
+/// The pairs that begin with a face.
+fn of<T>(pairs: &[(usize, T)], f: usize) -> &[(usize, T)] {
+    let rest = &pairs[pairs.partition_point(|(face, _)| *face < f)..];
+    &rest[..rest.partition_point(|(face, _)| *face == f)]
 }
 
 impl Moves {
-    fn of(drawing: &Drawing<'_>, faces: &[usize]) -> Option<Self> {
-        let mut moves = Self::default();
-        for b in drawing.changed_labels() {
-            let [before, after] = TIMES.map(|time| Some(drawing.label(time, b)).filter(|label| label.is_live()));
-            let Some(before) = before.map(|label| label.face as usize) else { continue };
-            match after.map(|label| label.face as usize) {
-                None => *moves.dead.entry(before).or_default() += 1,
-                Some(after) if after != before => {
-                    *moves.left.entry(before).or_default() += 1;
-                    *moves.moved.entry((before, after)).or_default() += 1;
-                }
-                Some(_) => {}
-            }
-        }
-        let mut ways: Vec<(usize, usize)> = moves.moved.keys().copied().collect();
-        for f in faces {
-            if count(drawing, *f) > moves.left(*f).checked_add(moves.dead(*f))? {
-                ways.push((*f, *f));
-            }
-        }
-        for (from, to) in sorted(ways) {
-            moves.sources.entry(to).or_default().push(from);
-            moves.targets.entry(from).or_default().push(to);
-        }
-        Some(moves)
-    }
-
-    fn left(&self, f: usize) -> usize {
-        self.left.get(&f).copied().unwrap_or(0)
-    }
-
-    fn dead(&self, f: usize) -> usize {
-        self.dead.get(&f).copied().unwrap_or(0)
-    }
-
-    fn sources(&self, f: usize) -> &[usize] {
-        self.sources.get(&f).map_or(&[], Vec::as_slice)
+    fn new(drawing: &Drawing<'_>, faces: &[usize]) -> Self {
+        let face = |time: Time, b| index(drawing.label(time, b).face);
+        let pairs = drawing.changed_labels().filter_map(|b| Some((face(Time::Before, b)?, face(Time::After, b))));
+        let mut went: Vec<_> = pairs.filter(|(from, to)| *to != Some(*from)).collect();
+        went.sort_unstable();
+        let stays = faces.iter().filter(|f| count(drawing, **f) > of(&went, **f).len()).map(|f| (*f, *f));
+        let targets = sorted(went.iter().filter_map(|(from, to)| Some((*from, (*to)?))).chain(stays).collect());
+        let sources = sorted(targets.iter().map(|(from, to)| (*to, *from)).collect());
+        Self { went, targets, sources }
     }
 
     /// Whether all boundary components of a face that are left are now of another one, or still its own.
     fn is_whole(&self, drawing: &Drawing<'_>, from: usize, to: usize) -> bool {
-        if from == to {
-            return self.left(from) == 0;
-        }
-        let moved = self.moved.get(&(from, to)).copied().unwrap_or(0);
-        moved + self.dead(from) == count(drawing, from)
+        let went = of(&self.went, from);
+        let number = |to: Option<usize>| {
+            let rest = &went[went.partition_point(|(_, now)| *now < to)..];
+            rest.partition_point(|(_, now)| *now == to)
+        };
+        number(None) + number(Some(to)) == went.len() && (from == to || went.len() == count(drawing, from))
     }
 }
 
@@ -87,12 +64,9 @@ enum Known {
 
 /// G5. Nothing also where this cannot be told from what has changed.
 pub(super) fn is_inside(drawing: &Drawing<'_>, trees: &DrawnTrees) -> Option<()> {
-    let faces = |b: &usize| {
-        let face = |time: Time| Some(drawing.label(time, *b)).filter(|label| label.is_live()).map(|label| label.face);
-        TIMES.map(|time| face(time).map(|f| f as usize))
-    };
+    let faces = |b: &usize| TIMES.map(|time| index(drawing.label(time, *b).face));
     let faces: Vec<usize> = sorted(drawing.labels.iter().flat_map(faces).flatten().collect());
-    let moves = Moves::of(drawing, &faces)?;
+    let moves = Moves::new(drawing, &faces);
     let chains = chains(drawing, &moves);
     let check = Check { drawing, trees, moves: &moves, chains: &chains };
     let mut affected: FxHashMap<usize, usize> = FxHashMap::default();
@@ -126,21 +100,12 @@ pub(super) fn is_inside(drawing: &Drawing<'_>, trees: &DrawnTrees) -> Option<()>
 fn chains(drawing: &Drawing<'_>, moves: &Moves) -> FxHashMap<usize, SummedChain> {
     let mut chains: FxHashMap<usize, Chain> = FxHashMap::default();
     for h in &drawing.half_edges {
-        let [before, after] = TIMES.map(|time| {
-            let label = drawing.label_of(time, *h)?;
-            drawing.line(time, *h).map(|line| (label, line.points))
-        });
-        if let Some((b, points)) = after {
-            let f = drawing.label(Time::After, b).face as usize;
-            chains.entry(f).or_default().add(points, 1);
-        }
-        if let Some((b, points)) = before {
-            let now = drawing.label(Time::After, b);
-            let was = drawing.label(Time::Before, b).face as usize;
-            let kept_by = now.is_live().then_some(now.face as usize);
-            let lost_by = if now.is_live() { None } else { moves.targets.get(&was) };
-            for f in kept_by.iter().chain(lost_by.into_iter().flatten()) {
-                chains.entry(*f).or_default().add(points, -1);
+        for (time, weight) in [(Time::Before, -1), (Time::After, 1)] {
+            let (Some(b), Some(line)) = (drawing.label_of(time, *h), drawing.line(time, *h)) else { continue };
+            let [was, now] = TIMES.map(|time| index(drawing.label(time, b).face));
+            let lost_by = was.filter(|_| now.is_none()).map_or(&[][..], |f| of(&moves.targets, f));
+            for f in now.into_iter().chain(lost_by.iter().map(|(_, to)| *to)) {
+                chains.entry(f).or_default().add(line.points, weight);
             }
         }
     }
@@ -202,13 +167,13 @@ impl Check<'_> {
     /// that cannot be told.
     fn around_before(&self, f: usize, was_in: usize) -> Option<i64> {
         let mut around = 0;
-        for from in self.moves.sources(f) {
-            if *from != was_in {
-                self.moves.is_whole(self.drawing, *from, f).then_some(())?;
-                around -= i64::from(self.drawing.is_unbounded(Time::Before, *from));
+        for &(_, from) in of(&self.moves.sources, f) {
+            if from != was_in {
+                self.moves.is_whole(self.drawing, from, f).then_some(())?;
+                around -= i64::from(self.drawing.is_unbounded(Time::Before, from));
                 continue;
             }
-            let outer = self.drawing.face(Time::Before, *from).outer;
+            let outer = self.drawing.face(Time::Before, from).outer;
             if outer != NIL {
                 let now = self.drawing.label(Time::After, outer as usize);
                 around += i64::from(!now.is_live() || now.face as usize == f);
@@ -232,10 +197,10 @@ impl Check<'_> {
     fn others(&self, f: usize) -> Option<()> {
         let drawing = self.drawing;
         (self.around_before(f, f)? == self.required(f)).then_some(())?;
-        let Some((chain, corners)) = self.chains.get(&f).and_then(|chain| Some((chain, chain.corners()?))) else {
+        let Some((chain, envelope)) = self.chains.get(&f).and_then(|chain| Some((chain, chain.envelope()?))) else {
             return Some(());
         };
-        for b in self.trees.starts_in(corners) {
+        for b in self.trees.starts_in(envelope) {
             let label = drawing.label(Time::After, b);
             let is_other =
                 label.inner().is_some_and(|(face, _)| face == f) && drawing.labels.binary_search(&b).is_err();

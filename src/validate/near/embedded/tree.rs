@@ -1,6 +1,6 @@
 //! What is drawn, in R-trees of its own: no index that the structure keeps has a part in its validation.
 
-use super::drawn::{Drawn, Start, Thing, Update};
+use super::drawn::{Drawn, InnerStart, Thing, Update};
 use crate::geometry::Point;
 use crate::geometry::predicates::{compare_lexicographic, count_step};
 use rstar::{AABB, ParentNode, RTree, RTreeNode, RTreeObject};
@@ -18,25 +18,25 @@ fn exchange<T: RTreeObject<Envelope = AABB<[f64; 2]>> + PartialEq + Copy>(tree: 
 #[derive(Clone, Debug, Default)]
 pub(super) struct DrawnTrees {
     drawn: RTree<Drawn>,
-    starts: RTree<Start>,
+    starts: RTree<InnerStart>,
 }
 
 impl DrawnTrees {
     /// Of all that an update brings. O(n log n).
-    pub(super) fn new(update: Update) -> Self {
-        Self { drawn: RTree::bulk_load(update.come), starts: RTree::bulk_load(update.starts_come) }
+    pub(super) fn new(Update { drawn, starts }: Update) -> Self {
+        Self { drawn: RTree::bulk_load(drawn.come), starts: RTree::bulk_load(starts.come) }
     }
 
     /// O(k log n), and what an R-tree takes to find what goes.
-    pub(super) fn apply(&mut self, update: &Update) {
-        exchange(&mut self.drawn, &update.gone, &update.come);
-        exchange(&mut self.starts, &update.starts_gone, &update.starts_come);
+    pub(super) fn apply(&mut self, Update { drawn, starts }: &Update) {
+        exchange(&mut self.drawn, &drawn.gone, &drawn.come);
+        exchange(&mut self.starts, &starts.gone, &starts.come);
     }
 
     /// Takes an update back.
-    pub(super) fn undo(&mut self, update: &Update) {
-        exchange(&mut self.drawn, &update.come, &update.gone);
-        exchange(&mut self.starts, &update.starts_come, &update.starts_gone);
+    pub(super) fn undo(&mut self, Update { drawn, starts }: &Update) {
+        exchange(&mut self.drawn, &drawn.come, &drawn.gone);
+        exchange(&mut self.starts, &starts.come, &starts.gone);
     }
 
     /// What has a box that meets the box of another.
@@ -45,9 +45,9 @@ impl DrawnTrees {
     }
 
     /// The inner boundary components that start in a closed box.
-    pub(super) fn starts_in(&self, [low, high]: [Point; 2]) -> impl Iterator<Item = usize> {
-        let all = self.starts.locate_in_envelope(AABB::from_corners(low.into(), high.into()));
-        all.inspect(|_| count_step()).map(|start| start.label as usize)
+    pub(super) fn starts_in(&self, envelope: AABB<[f64; 2]>) -> impl Iterator<Item = usize> {
+        let all = self.starts.locate_in_envelope(envelope);
+        all.inspect(|_| count_step()).map(|start| start.data as usize)
     }
 
     /// Of the edges straight below a point that is lexicographically smaller than all that it is joined to, the highest, and whether

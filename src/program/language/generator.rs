@@ -1,0 +1,142 @@
+//! Random programs: which operators, how often, how many.
+
+use super::choose::{Bytes, Choose};
+use super::script::Scripted;
+use alloc::vec::Vec;
+use core::ops::RangeInclusive;
+
+/// A language of programs: [`Program`](crate::program::Program), for the topology, and with the feature `map` also
+#[cfg_attr(feature = "map", doc = "[`EditProgram`](crate::map::program::EditProgram),")]
+#[cfg_attr(not(feature = "map"), doc = "`map::program::EditProgram`,")]
+/// for the edits of a planar map. No other type can have this trait.
+///
+/// Each can be [generated](Generator), [shrunk](crate::program::shrink()), written down and read.
+pub trait Language: Scripted {
+    /// The kinds of its operators.
+    type Kind: Copy + PartialEq + core::fmt::Debug + 'static;
+
+    /// Every kind, and how often it is chosen unless a [`Generator`] says otherwise.
+    const KINDS: &'static [(Self::Kind, u32)];
+
+    /// An operator of this kind, with arguments that the source chooses.
+    fn op(kind: Self::Kind, source: &mut impl Choose) -> Self::Op;
+
+    /// What a generated program begins with if this kind is generated at all: without it there is nothing to be done.
+    #[must_use]
+    fn first() -> Option<(Self::Kind, Self::Op)> {
+        None
+    }
+}
+
+/// Which operators random programs have, how often each, and how many: one description for every engine.
+///
+/// | engine | how |
+/// | --- | --- |
+/// | quickcheck | `generator.generate(g)` in an `Arbitrary` of your own, with [`candidates`](crate::program::candidates) to shrink; `any` program: `Program` |
+/// | proptest | the generator is a `Strategy`, which shrinks |
+/// | cargo-fuzz | `generator.decode(bytes)` |
+/// | arbitrary | `generator.generate(u)` for an `Unstructured` |
+/// | others | an implementation of [`Choose`] |
+///
+/// ```
+/// use twinedge::program::choose::Bytes;
+/// use twinedge::program::{Op, OpKind, Program};
+///
+/// // A mesh that only flips and splits: nine flips to a split, exactly 20 operators.
+/// let generator = Program::generator()
+///     .only(&[OpKind::FlipEdge, OpKind::SplitEdge])
+///     .weight(OpKind::FlipEdge, 9)
+///     .weight(OpKind::SplitEdge, 1)
+///     .length(20..=20);
+/// let noise: Vec<u8> = (0..400_u32).map(|i| (i.wrapping_mul(2_654_435_769) >> 24) as u8).collect();
+/// let program = generator.generate(&mut Bytes::new(&noise));
+/// assert_eq!(program.0.len(), 20);
+/// let flips = program.0.iter().filter(|op| matches!(op, Op::FlipEdge { .. })).count();
+/// assert!((14..20).contains(&flips));
+/// ```
+#[derive(Clone, Debug)]
+pub struct Generator<P: Language = crate::program::Program> {
+    weights: Vec<(P::Kind, u32)>,
+    length: RangeInclusive<usize>,
+}
+
+impl<P: Language> Default for Generator<P> {
+    /// All operators, as often as they are in [`Language::KINDS`]; up to 50 of them.
+    fn default() -> Self {
+        Self { weights: P::KINDS.to_vec(), length: 0..=50 }
+    }
+}
+
+impl<P: Language> Generator<P> {
+    /// No operators but these. Their weights stay as they are; those that were never drawn so far, as the operators of meshes
+    /// are not unless asked for, get the weight 1.
+    #[must_use]
+    pub fn only(mut self, kinds: &[P::Kind]) -> Self {
+        for (kind, weight) in &mut self.weights {
+            *weight = if kinds.contains(kind) { (*weight).max(1) } else { 0 };
+        }
+        self
+    }
+
+    /// How often an operator is chosen, in proportion to the weights of the others. 0: never.
+    #[must_use]
+    pub fn weight(mut self, kind: P::Kind, weight: u32) -> Self {
+        for (_, of_kind) in self.weights.iter_mut().filter(|(other, _)| *other == kind) {
+            *of_kind = weight;
+        }
+        self
+    }
+
+    /// How many operators a program has; if the range is empty, as many as it begins with.
+    #[must_use]
+    pub const fn length(mut self, length: RangeInclusive<usize>) -> Self {
+        self.length = length;
+        self
+    }
+
+    /// One operator, by the choices of a source. None if all weights are 0. O(kinds).
+    pub fn op(&self, source: &mut impl Choose) -> Option<P::Op> {
+        let total: usize = self.weights.iter().map(|(_, weight)| *weight as usize).fold(0, usize::saturating_add);
+        let mut chosen = source.choose(total);
+        let of_kind = |(_, weight): &&(P::Kind, u32)| {
+            let is_it = chosen < *weight as usize;
+            chosen = chosen.saturating_sub(*weight as usize);
+            is_it
+        };
+        let (kind, _) = self.weights.iter().find(of_kind)?;
+        Some(P::op(*kind, source))
+    }
+
+    /// A program, by the choices of a source. Empty if all weights are 0. O(operators).
+    ///
+    /// Operators of topology begin with a vertex, without which there is nothing to be done, unless vertices are never added.
+    pub fn generate(&self, source: &mut impl Choose) -> P {
+        let more = self.length.end().saturating_sub(*self.length.start());
+        let count = self.length.start() + source.choose(more.saturating_add(1));
+        let drawn = core::iter::from_fn(|| self.op(source));
+        P::from_ops(self.first().into_iter().chain(drawn).take(count).collect())
+    }
+
+    /// The program that these bytes encode: as many operators as there are bytes for, whatever [`length`](Self::length) says.
+    /// Every choice takes as few bytes as it needs. It begins as with [`generate`](Self::generate). O(bytes).
+    ///
+    /// ```
+    /// use twinedge::program::{OpKind, Program};
+    ///
+    /// let flips = Program::generator().only(&[OpKind::MeshFlipEdge]);
+    /// assert_eq!(flips.decode(&[0, 0, 7, 0, 0, 2]).to_string(), "twinedge program 1\nmesh_flip_edge h7\nmesh_flip_edge h2\n");
+    /// ```
+    #[must_use]
+    pub fn decode(&self, bytes: &[u8]) -> P {
+        let mut source = Bytes::new(bytes);
+        let drawn = core::iter::from_fn(|| if source.rest().is_empty() { None } else { self.op(&mut source) });
+        // An operator takes no byte if it is the only kind and has no arguments.
+        P::from_ops(self.first().into_iter().chain(drawn.take(bytes.len())).collect())
+    }
+
+    /// What a program begins with.
+    fn first(&self) -> Option<P::Op> {
+        let is_drawn = |kind| self.weights.iter().any(|(other, weight)| *other == kind && *weight > 0);
+        P::first().and_then(|(kind, op)| is_drawn(kind).then_some(op))
+    }
+}

@@ -1,0 +1,121 @@
+//! Changing a program without changing what the rest of it chooses, in any language.
+//!
+//! An operator chooses by numbers, and these count in lists that hold something else once an earlier operator is gone.
+//! Here everything on such a list has a name, that of the operator that put it there, and the numbers follow the names.
+
+use alloc::vec::Vec;
+use core::fmt::Debug;
+use core::ops::Range;
+
+/// The operator that put something on a list, by its place in the program, and which of its things.
+pub(crate) type Name = (usize, usize);
+
+/// A sequence of operators.
+pub trait Sequence: Clone + PartialEq + Debug + 'static {
+    /// Its operators.
+    type Op: Clone + PartialEq + Debug + 'static;
+
+    /// The operators of a program.
+    fn ops(&self) -> &[Self::Op];
+
+    /// The program of these operators.
+    fn from_ops(ops: Vec<Self::Op>) -> Self;
+
+    /// An operator with one argument simplified, in every way there is.
+    fn simpler(op: &Self::Op) -> Vec<Self::Op>;
+}
+
+/// A language that runs: what shrinking needs of it.
+pub trait Scripted: Sequence {
+    /// What its operators run on.
+    type Stage: Stage<Op = Self::Op>;
+}
+
+/// A run of a program, with the names of what is on each list.
+pub trait Stage {
+    /// The operators that it runs.
+    type Op;
+
+    /// The run before the first operator.
+    fn new() -> Self;
+
+    /// The operator with other numbers. `number` is given the names in the list in which each number counts.
+    fn rewrite(&self, op: &Self::Op, number: &mut impl FnMut(&[Name], u16) -> u16) -> Self::Op;
+
+    /// Runs an operator.
+    fn step(&mut self, op: &Self::Op, place: usize);
+}
+
+/// An operator with the names of what it chose, in order of its arguments.
+#[derive(Clone, Debug)]
+struct Line<O> {
+    place: usize,
+    op: O,
+    chosen: Vec<Option<Name>>,
+}
+
+/// A program that remembers what each of its operators chose when it was run, and how each run begins.
+pub(super) struct Script<P: Scripted, F> {
+    lines: Vec<Line<P::Op>>,
+    begin: F,
+}
+
+impl<P: Scripted, S: Stage<Op = P::Op>, F: Fn() -> S> Script<P, F> {
+    /// Runs a program to see what it chooses.
+    pub(super) fn of(program: &P, begin: F) -> Self {
+        let mut stage = begin();
+        let line = |(place, op): (usize, &P::Op)| {
+            let mut chosen = Vec::new();
+            stage.rewrite(op, &mut |names, k| {
+                chosen.push(usize::from(k).checked_rem(names.len()).map(|position| names[position]));
+                k
+            });
+            stage.step(op, place);
+            Line { place, op: op.clone(), chosen }
+        };
+        Self { lines: program.ops().iter().enumerate().map(line).collect(), begin }
+    }
+
+    /// The program without some operators.
+    pub(super) fn without(&self, places: &Range<usize>) -> P {
+        self.play(self.lines.iter().filter(|line| !places.contains(&line.place)).cloned())
+    }
+
+    /// The program with another operator in one place.
+    pub(super) fn with(&self, place: usize, op: &P::Op) -> P {
+        let other = |line: &Line<P::Op>| {
+            if line.place == place { Line { place, op: op.clone(), chosen: Vec::new() } } else { line.clone() }
+        };
+        self.play(self.lines.iter().map(other))
+    }
+
+    /// Writes down a program that chooses what the lines did, as far as it is still there.
+    fn play(&self, lines: impl Iterator<Item = Line<P::Op>>) -> P {
+        let mut stage = (self.begin)();
+        let rewrite = |line: Line<P::Op>| {
+            let mut chosen = line.chosen.into_iter();
+            let op = stage.rewrite(&line.op, &mut |names, k| {
+                let name = chosen.next().flatten();
+                let position = name.and_then(|name| names.iter().position(|other| *other == name));
+                position.and_then(|position| u16::try_from(position).ok()).unwrap_or(k)
+            });
+            stage.step(&op, line.place);
+            op
+        };
+        P::from_ops(lines.map(rewrite).collect())
+    }
+}
+
+/// Keeps the names of what stayed on a list, in order, and names what came to its end.
+pub(crate) fn follow<T: PartialEq>(names: &mut Vec<Name>, before: &[T], after: &[T], place: usize) {
+    let mut stayed = after.iter().peekable();
+    let mut left = before.iter();
+    names.retain(|_| left.next().is_some_and(|old| stayed.next_if_eq(&old).is_some()));
+    extend(names, after.len(), place);
+}
+
+/// Names what came to the end of a list.
+pub(crate) fn extend(names: &mut Vec<Name>, len: usize, place: usize) {
+    let more = len.saturating_sub(names.len());
+    names.extend((0..more).map(|which| (place, which)));
+}

@@ -1,0 +1,372 @@
+//! What operators choose by: numbers of half-edges, vertices and faces in order of creation.
+
+use crate::dcel::{Corner, Side, Turn};
+use crate::program::language::argument::{Argument, numbered, one_word, smaller, smaller_masks, write_mask};
+use crate::program::language::choose::Choose;
+use crate::program::language::words::{Expected, ParseError, Words, mask, number};
+use alloc::format;
+use alloc::string::String;
+use alloc::vec;
+use alloc::vec::Vec;
+use core::fmt;
+
+/// The lists in which numbers count.
+#[derive(Clone, Copy, Debug)]
+pub(crate) enum List {
+    HalfEdges,
+    Isolated,
+    RetiredHalfEdges,
+    RetiredVertices,
+    RetiredFaces,
+    /// The corners that fit a first one.
+    Fitting(CornerPick, Fit),
+}
+
+/// What two corners must have in common.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub(crate) enum Fit {
+    Face,
+    Vertex,
+}
+
+numbered! { List;
+    /// Chooses a half-edge by its position in order of creation, modulo their number.
+    #[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
+    HalfEdgePick HalfEdge |source| match byte(source) & 15 {
+        0..=14 => Self::Live(count(source)),
+        _ => Self::Retired(count(source)),
+    };
+    /// Of those there are. The two of an edge stand side by side.
+    Live "h" HalfEdges,
+    /// Of those that were removed: a stale handle, on purpose.
+    Retired "!h" RetiredHalfEdges;
+
+    /// Chooses a vertex that is to be an isolated one.
+    #[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
+    VertexPick Vertex |source| match byte(source) & 15 {
+        0..=12 => Self::Isolated(count(source)),
+        13 => Self::OriginOf(count(source)),
+        _ => Self::Retired(count(source)),
+    };
+    /// Of the isolated vertices.
+    Isolated "i" Isolated,
+    /// The origin of this half-edge, of those there are: not isolated, on purpose.
+    OriginOf "o" HalfEdges,
+    /// Of the vertices that were removed: a stale handle, on purpose.
+    Retired "!v" RetiredVertices;
+}
+
+/// Chooses a corner, or what lies on it: a boundary component, or a face.
+pub type CornerPick = Corner<HalfEdgePick, VertexPick>;
+
+/// Chooses the second of two corners.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
+pub enum SecondPick {
+    /// Of the corners that fit the first one, itself among them: those in the same face, or those at the same vertex.
+    Fitting(u16),
+    /// Any.
+    Any(CornerPick),
+}
+
+/// Chooses a face.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
+pub enum FacePick {
+    /// The unbounded one.
+    Unbounded,
+    /// The one in which this corner lies.
+    Of(CornerPick),
+    /// Of those that were removed: a stale handle, on purpose.
+    Retired(u16),
+}
+
+/// Chooses the boundary components that go to the new face when a face is split.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash, Default)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
+pub struct InnerPick {
+    /// The boundary components of the face, without the one that is split, are counted in order of their first corners. The
+    /// `i`-th one goes if bit `i % 16` is set.
+    pub mask: u16,
+    /// One more, whether it may go there or not.
+    pub also: Option<CornerPick>,
+}
+
+fn byte(source: &mut impl Choose) -> u8 {
+    source.choose(256) as u8
+}
+
+/// Draws a number: one byte for those below 240, two for those below 4,096.
+fn count(source: &mut impl Choose) -> u16 {
+    match byte(source) {
+        low @ 0..=0xEF => low.into(),
+        high => u16::from(high & 0x0F) << 8 | u16::from(byte(source)),
+    }
+}
+
+impl Argument for CornerPick {
+    type List = List;
+    type Context = ();
+
+    one_word!(Corner, corner);
+
+    fn draw(source: &mut impl Choose, _: u8) -> Self {
+        match byte(source) & 31 {
+            0..=23 => Self::At(HalfEdgePick::Live(count(source))),
+            24..=28 => Self::Isolated(VertexPick::Isolated(count(source))),
+            29 => Self::Isolated(VertexPick::OriginOf(count(source))),
+            30 => Self::Isolated(VertexPick::Retired(count(source))),
+            _ => Self::At(HalfEdgePick::Retired(count(source))),
+        }
+    }
+
+    fn simpler(&self) -> Vec<Self> {
+        match self {
+            Self::At(pick) => pick.simpler().into_iter().map(Self::At).collect(),
+            Self::Isolated(pick) => pick.simpler().into_iter().map(Self::Isolated).collect(),
+        }
+    }
+
+    fn renumber(&self, (): (), number: &mut impl FnMut(List, u16) -> u16) -> Self {
+        match self {
+            Self::At(pick) => Self::At(pick.renumber((), number)),
+            Self::Isolated(pick) => Self::Isolated(pick.renumber((), number)),
+        }
+    }
+}
+
+impl fmt::Display for CornerPick {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        match self {
+            Self::At(pick) => pick.fmt(f),
+            Self::Isolated(pick) => pick.fmt(f),
+        }
+    }
+}
+
+fn corner(word: &str) -> Option<CornerPick> {
+    HalfEdgePick::of_word(word).map(Corner::At).or_else(|| VertexPick::of_word(word).map(Corner::Isolated))
+}
+
+impl Argument for SecondPick {
+    type List = List;
+    type Context = (CornerPick, Fit);
+
+    one_word!(SecondCorner, |word| { number(word, "~").map(Self::Fitting).or_else(|| corner(word).map(Self::Any)) });
+
+    fn draw(source: &mut impl Choose, upper: u8) -> Self {
+        match byte(source) & 7 {
+            0..=6 => Self::Fitting(count(source)),
+            _ => Self::Any(Argument::draw(source, upper)),
+        }
+    }
+
+    fn simpler(&self) -> Vec<Self> {
+        match self {
+            Self::Fitting(k) => smaller(*k).map(Self::Fitting).collect(),
+            Self::Any(pick) => {
+                let fitting = [Self::Fitting(0), Self::Fitting(1)];
+                fitting.into_iter().chain(pick.simpler().into_iter().map(Self::Any)).collect()
+            }
+        }
+    }
+
+    fn renumber(&self, (from, fit): (CornerPick, Fit), number: &mut impl FnMut(List, u16) -> u16) -> Self {
+        match self {
+            Self::Any(pick) => Self::Any(pick.renumber((), number)),
+            Self::Fitting(k) => Self::Fitting(number(List::Fitting(from, fit), *k)),
+        }
+    }
+}
+
+impl fmt::Display for SecondPick {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        match self {
+            Self::Fitting(k) => write!(f, "~{k}"),
+            Self::Any(pick) => pick.fmt(f),
+        }
+    }
+}
+
+impl Argument for FacePick {
+    type List = List;
+    type Context = ();
+
+    one_word!(Face, |word| match number(word, "!f") {
+        Some(k) => Some(Self::Retired(k)),
+        None if word == "unbounded" => Some(Self::Unbounded),
+        None => corner(word).map(Self::Of),
+    });
+
+    fn draw(source: &mut impl Choose, upper: u8) -> Self {
+        match byte(source) & 15 {
+            0..=7 => Self::Unbounded,
+            8..=14 => Self::Of(Argument::draw(source, upper)),
+            _ => Self::Retired(count(source)),
+        }
+    }
+
+    fn simpler(&self) -> Vec<Self> {
+        let unbounded = core::iter::once(Self::Unbounded);
+        match self {
+            Self::Unbounded => Vec::new(),
+            Self::Of(pick) => unbounded.chain(pick.simpler().into_iter().map(Self::Of)).collect(),
+            Self::Retired(k) => unbounded.chain(smaller(*k).map(Self::Retired)).collect(),
+        }
+    }
+
+    fn renumber(&self, (): (), number: &mut impl FnMut(List, u16) -> u16) -> Self {
+        match self {
+            Self::Unbounded => Self::Unbounded,
+            Self::Of(pick) => Self::Of(pick.renumber((), number)),
+            Self::Retired(k) => Self::Retired(number(List::RetiredFaces, *k)),
+        }
+    }
+}
+
+impl fmt::Display for FacePick {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        match self {
+            Self::Unbounded => f.write_str("unbounded"),
+            Self::Of(pick) => pick.fmt(f),
+            Self::Retired(k) => write!(f, "!f{k}"),
+        }
+    }
+}
+
+impl Argument for InnerPick {
+    type List = List;
+    type Context = CornerPick;
+
+    /// Nothing where nothing is chosen.
+    fn write(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        if self.mask != 0 {
+            f.write_str(" inner ")?;
+            write_mask(f, self.mask)?;
+        }
+        self.also.map_or(Ok(()), |pick| write!(f, " also {pick}"))
+    }
+
+    fn read(words: &mut Words<'_>) -> Result<Self, ParseError> {
+        let mut inner = Self::default();
+        if words.peek() == "inner" {
+            words.take(Expected::Inner, Some)?;
+            inner.mask = words.take(Expected::Inner, mask)?;
+        }
+        if words.peek() == "also" {
+            words.take(Expected::Corner, Some)?;
+            inner.also = Some(Argument::read(words)?);
+        }
+        Ok(inner)
+    }
+
+    fn draw(source: &mut impl Choose, upper: u8) -> Self {
+        if upper & 6 != 0 {
+            return Self::default();
+        }
+        let mask = u16::from_le_bytes([byte(source), byte(source)]);
+        Self { mask, also: (byte(source) & 7 == 0).then(|| Argument::draw(source, upper)) }
+    }
+
+    fn simpler(&self) -> Vec<Self> {
+        let Self { mask, also } = *self;
+        let mut all = Vec::new();
+        if also.is_some() && mask != 0 {
+            all.push(Self::default());
+        }
+        if let Some(pick) = also {
+            all.push(Self { mask, also: None });
+            all.extend(pick.simpler().into_iter().map(|pick| Self { mask, also: Some(pick) }));
+        }
+        all.extend(smaller_masks(mask).map(|mask| Self { mask, also }));
+        all
+    }
+
+    fn renumber(&self, _: CornerPick, number: &mut impl FnMut(List, u16) -> u16) -> Self {
+        Self { also: self.also.map(|pick| pick.renumber((), number)), ..*self }
+    }
+}
+
+/// Defines arguments of two values, of which the first is the simpler one, by their words.
+macro_rules! one_of_two {
+    ($($name:ident: $first:ident $first_word:literal, $second:ident $second_word:literal;)*) => {$(
+        impl Argument for $name {
+            type List = List;
+            type Context = ();
+
+            fn write(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+                f.write_str(if *self == Self::$first { concat!(" ", $first_word) } else { concat!(" ", $second_word) })
+            }
+
+            fn read(words: &mut Words<'_>) -> Result<Self, ParseError> {
+                words.take(Expected::$name, |word| match word {
+                    $first_word => Some(Self::$first),
+                    $second_word => Some(Self::$second),
+                    _ => None,
+                })
+            }
+
+            fn draw(_: &mut impl Choose, upper: u8) -> Self {
+                if upper & 1 == 0 { Self::$first } else { Self::$second }
+            }
+
+            fn simpler(&self) -> Vec<Self> {
+                if *self == Self::$first { Vec::new() } else { vec![Self::$first] }
+            }
+        }
+    )*};
+}
+one_of_two! {
+    Side: Left "left", Right "right";
+    Turn: CounterClockwise "ccw", Clockwise "cw";
+}
+
+/// An argument as a Rust expression.
+pub(super) trait ToRust {
+    fn to_rust(&self) -> String;
+}
+
+macro_rules! to_rust_as_debugged {
+    ($($name:ident)*) => {$(
+        impl ToRust for $name {
+            fn to_rust(&self) -> String {
+                format!(concat!(stringify!($name), "::{:?}"), self)
+            }
+        }
+    )*};
+}
+to_rust_as_debugged! { HalfEdgePick VertexPick Side Turn }
+
+impl ToRust for CornerPick {
+    fn to_rust(&self) -> String {
+        match self {
+            Self::At(pick) => format!("Corner::At({})", pick.to_rust()),
+            Self::Isolated(pick) => format!("Corner::Isolated({})", pick.to_rust()),
+        }
+    }
+}
+
+impl ToRust for SecondPick {
+    fn to_rust(&self) -> String {
+        match self {
+            Self::Any(pick) => format!("SecondPick::Any({})", pick.to_rust()),
+            fitting @ Self::Fitting(_) => format!("SecondPick::{fitting:?}"),
+        }
+    }
+}
+
+impl ToRust for FacePick {
+    fn to_rust(&self) -> String {
+        match self {
+            Self::Of(pick) => format!("FacePick::Of({})", pick.to_rust()),
+            other => format!("FacePick::{other:?}"),
+        }
+    }
+}
+
+impl ToRust for InnerPick {
+    fn to_rust(&self) -> String {
+        let also = self.also.map_or_else(|| String::from("None"), |pick| format!("Some({})", pick.to_rust()));
+        format!("InnerPick {{ mask: {}, also: {also} }}", self.mask)
+    }
+}

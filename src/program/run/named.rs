@@ -1,0 +1,77 @@
+//! What the numbers of an operator count, so that they can follow the names of what they chose.
+
+use super::resolve::Resolve;
+use super::runner::Runner;
+use crate::dcel::Dcel;
+use crate::program::language::script::{Name, Scripted, Stage, extend, follow};
+use crate::program::operators::{List, Op, Program};
+use crate::program::subject::Subject;
+use alloc::vec::Vec;
+
+impl Scripted for Program {
+    type Stage = NamedRunner<Dcel>;
+}
+
+/// A runner, and beside each of its lists the names of what is on it.
+pub struct NamedRunner<K: Subject> {
+    runner: Runner<K>,
+    half_edges: Vec<Name>,
+    isolated: Vec<Name>,
+    retired_half_edges: Vec<Name>,
+    retired_vertices: Vec<Name>,
+    retired_faces: Vec<Name>,
+}
+
+impl<K: Subject> NamedRunner<K> {
+    /// Begins with what a runner has; no operator made it.
+    pub(in crate::program) fn beginning(runner: Runner<K>) -> Self {
+        let (mut half_edges, mut isolated) = (Vec::new(), Vec::new());
+        extend(&mut half_edges, runner.half_edges().len(), usize::MAX);
+        extend(&mut isolated, runner.isolated().len(), usize::MAX);
+        Self {
+            runner,
+            half_edges,
+            isolated,
+            retired_half_edges: Vec::new(),
+            retired_vertices: Vec::new(),
+            retired_faces: Vec::new(),
+        }
+    }
+}
+
+impl<K: Subject + Default> Stage for NamedRunner<K> {
+    type Op = Op;
+
+    fn new() -> Self {
+        Self::beginning(Runner::new(K::default()))
+    }
+
+    fn rewrite(&self, op: &Op, number: &mut impl FnMut(&[Name], u16) -> u16) -> Op {
+        op.renumber(&mut |list, k| match list {
+            List::HalfEdges => number(&self.half_edges, k),
+            List::Isolated => number(&self.isolated, k),
+            List::RetiredHalfEdges => number(&self.retired_half_edges, k),
+            List::RetiredVertices => number(&self.retired_vertices, k),
+            List::RetiredFaces => number(&self.retired_faces, k),
+            List::Fitting(from, fit) => {
+                let from = from.resolve(&self.runner, ());
+                let places = from.and_then(|from| self.runner.fitting(from, fit)).unwrap_or_default();
+                let names = self.half_edges.iter().chain(&self.isolated).enumerate();
+                let fits = |place: &usize| places.binary_search(place).is_ok();
+                let names: Vec<Name> = names.filter(|(place, _)| fits(place)).map(|(_, name)| *name).collect();
+                number(&names, k)
+            }
+        })
+    }
+
+    fn step(&mut self, op: &Op, place: usize) {
+        let half_edges = self.runner.half_edges().to_vec();
+        let isolated = self.runner.isolated().to_vec();
+        self.runner.step(*op);
+        follow(&mut self.half_edges, &half_edges, self.runner.half_edges(), place);
+        follow(&mut self.isolated, &isolated, self.runner.isolated(), place);
+        extend(&mut self.retired_half_edges, self.runner.retired_half_edges().len(), place);
+        extend(&mut self.retired_vertices, self.runner.retired_vertices().len(), place);
+        extend(&mut self.retired_faces, self.runner.retired_faces().len(), place);
+    }
+}

@@ -1,0 +1,94 @@
+//! The links of a structure before a change and after it.
+
+use super::column::{Column, Row};
+use super::links::{Face, HalfEdge, Label, LinkReader, Vertex};
+use crate::validate::columns::NIL;
+use crate::validate::structure::{Part, View};
+
+/// Sums over a whole structure.
+#[derive(Clone, Copy, Debug, Default)]
+pub(super) struct Sums {
+    /// Unbounded faces.
+    pub(super) unbounded: i64,
+    /// 2V − 2E + 2F less two for each inner boundary component.
+    pub(super) euler: i64,
+}
+
+/// The links of a structure that was right, and of each record that may differ, its links now. With coordinates, the places of
+/// vertices, too. Whatever is checked near a change is told by this.
+#[derive(Clone, Debug, Default)]
+pub(super) struct Diff {
+    pub(super) half_edges: Column<HalfEdge>,
+    pub(super) vertices: Column<Vertex>,
+    pub(super) labels: Column<Label>,
+    pub(super) faces: Column<Face>,
+    #[cfg(feature = "geometry")]
+    pub(super) places: Column<Option<crate::geometry::Point>>,
+    before: Sums,
+}
+
+impl Diff {
+    /// Nothing has changed, and there is room for the records that there are now.
+    pub(super) fn clear<V: View + ?Sized>(&mut self, now: &LinkReader<'_, V>) {
+        self.half_edges.clear();
+        self.vertices.clear();
+        self.labels.clear();
+        self.faces.clear();
+        self.half_edges.fit(now.half_edges);
+        self.vertices.fit(now.vertices);
+        self.labels.fit(now.labels);
+        if now.has(Part::BoundaryComponents) {
+            self.faces.fit(now.faces);
+        }
+        #[cfg(feature = "geometry")]
+        self.places.clear();
+    }
+
+    /// The sums after the change.
+    pub(super) fn sums(&self) -> Sums {
+        let half_edges = self.half_edges.growth(|row| i64::from(row.is_live()));
+        let vertices = self.vertices.growth(|row| i64::from(row.is_live()));
+        let faces = self.faces.growth(|row| i64::from(row.is_live()));
+        let inner = self.faces.growth(|row| i64::from(row.inner));
+        let unbounded = self.faces.growth(|row| i64::from(row.outer == NIL));
+        Sums {
+            unbounded: self.before.unbounded + unbounded,
+            euler: self.before.euler + 2 * (vertices + faces - inner) - half_edges,
+        }
+    }
+
+    /// Lets all be as it is after the change.
+    pub(super) fn commit(&mut self) {
+        self.before = self.sums();
+        self.half_edges.commit();
+        self.vertices.commit();
+        self.labels.commit();
+        self.faces.commit();
+        #[cfg(feature = "geometry")]
+        self.places.commit();
+    }
+
+    /// The half-edge that followed clockwise in the rotation.
+    pub(super) fn clockwise_before(&self, h: usize) -> usize {
+        self.half_edges.before(self.half_edges.before(h).twin as usize).next as usize
+    }
+
+    /// One of the half-edges on an orbit of before that still `stay` there. It costs a step for each that does not, and these may all
+    /// differ.
+    pub(super) fn remaining(
+        &self,
+        first: Option<usize>,
+        step: impl Fn(usize) -> usize,
+        stays: impl Fn(HalfEdge) -> bool,
+    ) -> Option<usize> {
+        let orbit = core::iter::successors(first, |h| Some(step(*h)).filter(|next| Some(*next) != first));
+        // No longer than there are some that may differ, in case the structure before was not right because something was not named.
+        let stays = |h: &usize| !self.half_edges.may_differ(*h) || stays(self.half_edges.after(*h));
+        orbit.take(self.half_edges.len() + 1).find(stays)
+    }
+}
+
+#[cfg(feature = "geometry")]
+impl Row for Option<crate::geometry::Point> {
+    const VACANT: Self = None;
+}
