@@ -43,7 +43,7 @@ pub(super) fn audit(run: &Run<'_>, input: Input) -> Result<Verdict, Failure> {
         json: JsonForm {
             counts: to_value(report.counts())?,
             bounds: report.figures().and_then(|figures| figures.bounds),
-            extra: extra(&imported, &warnings)?,
+            extra: extra(&imported, &warnings),
             ..JsonForm::default()
         },
         notes: notes(&imported, warnings),
