@@ -134,7 +134,7 @@ impl Clean {
                 changes.entry(feature).or_default().push(change);
             }
         }
-        let cleaned = Cleaned {
+        let cleaned = Cleaning {
             name: &name,
             names,
             layer: &layer,
@@ -162,7 +162,7 @@ impl Clean {
 const COLUMNS: usize = 20;
 
 /// A layer, cleaned.
-struct Cleaned<'a> {
+struct Cleaning<'a> {
     name: &'a str,
     names: Names<'a>,
     layer: &'a Layer,
@@ -218,7 +218,7 @@ fn label(names: Names<'_>, layer: &Layer, number: usize) -> String {
     })
 }
 
-impl Cleaned<'_> {
+impl Cleaning<'_> {
     fn label(&self, number: usize) -> String {
         label(self.names, self.layer, number)
     }

@@ -24,7 +24,7 @@ pub(crate) const SHOWN: usize = 3;
 /// The options by which a coverage is judged.
 #[derive(Debug, clap::Args)]
 #[command(next_help_heading = "Coverage (maps)")]
-pub(crate) struct Asked {
+pub(crate) struct CoverageOptions {
     /// Count what breaks C1 … C6 as violations: overlaps, gaps, near misses, slivers, duplicates, polygons that are not valid by
     /// the OGC. Otherwise they are counted and shown, and the map is valid with them; in GeoJSON their `violation` is then false.
     #[arg(long)]
@@ -48,7 +48,7 @@ pub(crate) fn positive(text: &str) -> Result<f64, String> {
     text.parse().ok().filter(|x| *x > 0.0 && f64::is_finite(*x)).ok_or_else(|| "not a positive number".to_owned())
 }
 
-impl Asked {
+impl CoverageOptions {
     pub(crate) const fn is_any(&self) -> bool {
         self.coverage || self.gap_width.is_some() || self.sliver.is_some()
     }
@@ -98,7 +98,7 @@ const DEFECTS: usize = 20;
 impl Coverage {
     /// Asks all rules. Overlaps and gaps are those of the input: where borders cross they are cut on the finest grid, and where a
     /// grid was asked for, what it removed or made is found by comparing.
-    pub(crate) fn new(imported: &Imported, asked: &Asked, units: &Units, list: usize) -> Self {
+    pub(crate) fn new(imported: &Imported, asked: &CoverageOptions, units: &Units, list: usize) -> Self {
         let limits = Limits { gap_width: asked.gap_width, sliver_area: asked.sliver, ..Limits::default() };
         let mut found = Self {
             overlaps: 0,
@@ -117,7 +117,7 @@ impl Coverage {
             of_input: None,
         };
         match judged(imported, &limits, units) {
-            Ok(Judged { findings, gap_width, sliver_area, wider_gaps, of_input }) => {
+            Ok(Judgement { findings, gap_width, sliver_area, wider_gaps, of_input }) => {
                 found.wider_gaps = wider_gaps;
                 (found.gap_width, found.sliver_area) = (Some(gap_width), Some(sliver_area));
                 for (finding, snapping) in &findings {
@@ -293,7 +293,7 @@ impl Coverage {
 }
 
 /// The findings of C1 … C5.
-struct Judged {
+struct Judgement {
     findings: Vec<(Finding, Option<&'static str>)>,
     gap_width: f64,
     sliver_area: f64,
@@ -301,7 +301,7 @@ struct Judged {
     of_input: Option<PlanarMap>,
 }
 
-fn judged(imported: &Imported, limits: &Limits, units: &Units) -> Result<Judged, Failure> {
+fn judged(imported: &Imported, limits: &Limits, units: &Units) -> Result<Judgement, Failure> {
     let map = &imported.map;
     let Some(builder) = imported.builder.clone() else {
         let found = busy("checking the coverage", || check(map, limits))?;
@@ -311,7 +311,7 @@ fn judged(imported: &Imported, limits: &Limits, units: &Units) -> Result<Judged,
         };
         let (gap_width, sliver_area, wider_gaps) = (found.gap_width, found.sliver_area, found.wider_gaps.len());
         let findings = found.findings.into_iter().map(converted).collect();
-        return Ok(Judged { findings, gap_width, sliver_area, wider_gaps, of_input: None });
+        return Ok(Judgement { findings, gap_width, sliver_area, wider_gaps, of_input: None });
     };
     let of_input = builder.build_with(Noding::Snap(Snap::Auto))?;
     let found = check(&of_input, limits)?;
@@ -341,11 +341,11 @@ fn judged(imported: &Imported, limits: &Limits, units: &Units) -> Result<Judged,
     let mut findings: Vec<_> = on_input.chain(made).collect();
     findings.sort_by_key(|(finding, _)| finding.rule);
     let (gap_width, sliver_area) = (found.gap_width, found.sliver_area);
-    Ok(Judged { findings, gap_width, sliver_area, wider_gaps, of_input: Some(of_input) })
+    Ok(Judgement { findings, gap_width, sliver_area, wider_gaps, of_input: Some(of_input) })
 }
 
 /// The parts that all findings of a rule have in common.
-fn of_rule(rule: CoverageRule, asked: &Asked, at: Point) -> Diagnosis {
+fn of_rule(rule: CoverageRule, asked: &CoverageOptions, at: Point) -> Diagnosis {
     let (cause, remedy) = explanation(rule);
     Diagnosis {
         rule: Some(rule.id()),
@@ -359,7 +359,7 @@ fn of_rule(rule: CoverageRule, asked: &Asked, at: Point) -> Diagnosis {
 }
 
 /// A feature that is not valid by the rules of the OGC.
-fn invalid(imported: &Imported, asked: &Asked, feature: usize, defects: &[Defect]) -> Diagnosis {
+fn invalid(imported: &Imported, asked: &CoverageOptions, feature: usize, defects: &[Defect]) -> Diagnosis {
     let flaw = |defect: &Defect| Flaw {
         reason: defect.kind.to_string(),
         at: position(defect.at),

@@ -1,8 +1,8 @@
 //! The arguments of `twinedge audit`.
 
 use super::destination::{self, Destination};
-use super::mesh_options::Expected;
-use crate::coverage::Asked;
+use super::mesh_options::MeshOptions;
+use crate::coverage::CoverageOptions;
 use crate::input::MapFile;
 use std::time::Instant;
 use twinedge::validate::Collect;
@@ -68,10 +68,10 @@ pub(crate) struct Audit {
     pub(super) arcs: bool,
 
     #[command(flatten)]
-    pub(super) coverage: Asked,
+    pub(super) coverage: CoverageOptions,
 
     #[command(flatten)]
-    pub(super) mesh: Expected,
+    pub(super) mesh: MeshOptions,
 }
 
 impl Audit {

@@ -1,6 +1,6 @@
 //! Notes on the input of a map.
 
-use super::audited::Note;
+use super::report::Note;
 use crate::input::Imported;
 use crate::noding_text;
 use crate::output::{counted, grouped, plain};

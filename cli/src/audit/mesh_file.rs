@@ -1,8 +1,8 @@
 //! Auditing a mesh file.
 
 use super::arguments::Run;
-use super::audited::{Audited, JsonForm, Note};
 use super::packed::Picture;
+use super::report::{AuditReport, JsonForm, Note};
 use super::write::write;
 use crate::input::Input;
 use crate::output::{counted, grouped};
@@ -21,7 +21,7 @@ pub(super) fn audit(run: &Run<'_>, Input { name, reader, .. }: Input, format: Me
     let mut extra = Map::new();
     extra.insert("format".to_owned(), format.name().into());
     extra.insert("dropped".to_owned(), to_value(&file.dropped)?);
-    let audited = Audited {
+    let report = AuditReport {
         valid: audit.is_valid(),
         found: numbers.map(|(count, name)| counted(count, name)).join(", "),
         notes: notes(&file),
@@ -36,9 +36,9 @@ pub(super) fn audit(run: &Run<'_>, Input { name, reader, .. }: Input, format: Me
         finding_count: findings.total() as u64,
         remarks: audit.remarks(),
         json: JsonForm { counts: to_value(audit.counts())?, has_findings: true, extra, ..JsonForm::default() },
-        ..Audited::new(&name)
+        ..AuditReport::new(&name)
     };
-    write(audited, run, |_| Picture::default())
+    write(report, run, |_| Picture::default())
 }
 
 /// A number with its thousands set off, and its sign.

@@ -6,7 +6,7 @@ use twinedge_formats::mesh::HalfEdgeMesh;
 /// The properties that a mesh must have.
 #[derive(Debug, clap::Args)]
 #[command(next_help_heading = "Meshes")]
-pub(super) struct Expected {
+pub(super) struct MeshOptions {
     /// The mesh has no border.
     #[arg(long, conflicts_with = "borders")]
     closed: bool,
@@ -36,7 +36,7 @@ pub(super) struct Expected {
     no_unused_vertices: bool,
 }
 
-impl Expected {
+impl MeshOptions {
     /// Returns true if anything is expected.
     pub(super) fn is_any(&self) -> bool {
         self.expectation() != HalfEdgeMesh::expectation()

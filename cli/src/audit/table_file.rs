@@ -30,7 +30,7 @@ const EXPECT: &str = "# expect:";
 const LONGEST_LINE: u64 = 1 << 30;
 
 #[derive(Debug, Default, Serialize)]
-struct Audited<'a> {
+struct TablesReport<'a> {
     input: &'a str,
     valid: bool,
     tables: u64,
@@ -54,7 +54,7 @@ struct RuleTables {
 /// Judges each line and prints what was found.
 pub(super) fn audit(run: &Run<'_>, Input { name, reader: mut input, .. }: Input) -> Result<Verdict, Failure> {
     let list = run.asked.most();
-    let mut audited = Audited { input: &name, ..Audited::default() };
+    let mut audited = TablesReport { input: &name, ..TablesReport::default() };
     let mut broken = BTreeMap::new();
     let mut expectation = Expectation::plane();
     let mut line = String::new();
@@ -86,7 +86,7 @@ pub(super) fn audit(run: &Run<'_>, Input { name, reader: mut input, .. }: Input)
     Ok(if audited.valid { Verdict::Sound } else { Verdict::Wrong })
 }
 
-impl Audited<'_> {
+impl TablesReport<'_> {
     /// Judges one table, and compares the verdict with the one behind `=`, if there is one.
     fn judge(
         &mut self,

@@ -1,7 +1,7 @@
 //! `twinedge query … coverage`.
 
 use super::list::{Limit, TableFormat, csv, greatest_first};
-use crate::coverage::{Asked, Coverage, row};
+use crate::coverage::{Coverage, CoverageOptions, row};
 use crate::diagnosis_text::write;
 use crate::input::Imported;
 use crate::output::style::QUIET;
@@ -27,7 +27,7 @@ Exit status: 0 there is an answer, if only that there is nothing; 2 the input co
 )]
 pub(super) struct CoverageOf {
     #[command(flatten)]
-    asked: Asked,
+    asked: CoverageOptions,
 
     #[command(flatten)]
     measured: Measured,

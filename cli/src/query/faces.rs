@@ -1,7 +1,7 @@
 //! `twinedge query … faces`.
 
-use super::asked::Asked;
 use super::list::{Limit, greatest_first};
+use super::source::Source;
 use crate::names::label;
 use crate::output::style::BAD;
 use crate::output::{Format, grouped, measure, print, print_json};
@@ -66,8 +66,8 @@ struct Row {
 }
 
 impl Faces {
-    pub(super) fn answer(&self, asked: &Asked) -> Result<(), Failure> {
-        let Asked { input, map, .. } = asked;
+    pub(super) fn answer(&self, asked: &Source) -> Result<(), Failure> {
+        let Source { input, map, .. } = asked;
         let mut faces = Vec::with_capacity(map.dcel().face_count());
         for face in map.dcel().faces() {
             let features: Vec<String> = map.features_of(face.key())?.map(|f| label(map, f)).collect();

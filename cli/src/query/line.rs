@@ -1,7 +1,7 @@
 //! `twinedge query … line`.
 
-use super::asked::Asked;
 use super::record::Record;
+use super::source::Source;
 use crate::output::{Format, print, print_json};
 use crate::status::Failure;
 use clap::ValueEnum;
@@ -72,8 +72,8 @@ struct Step {
 }
 
 impl Line {
-    pub(super) fn answer(&self, asked: &Asked) -> Result<(), Failure> {
-        let Asked { input, map, .. } = asked;
+    pub(super) fn answer(&self, asked: &Source) -> Result<(), Failure> {
+        let Source { input, map, .. } = asked;
         let (from, to) = (Point::new(self.x1, self.y1), Point::new(self.x2, self.y2));
         let stretch = match self.extent {
             Extent::Segment => QueryLine::Segment(from, to),

@@ -1,7 +1,7 @@
 //! `twinedge query … route`.
 
-use super::asked::Asked;
 use super::names::find;
+use super::source::Source;
 use crate::names::label;
 use crate::output::{Format, measure, print, print_json};
 use crate::status::Failure;
@@ -51,8 +51,8 @@ struct Answer<'a> {
 }
 
 impl Route {
-    pub(super) fn answer(&self, asked: &Asked) -> Result<(), Failure> {
-        let Asked { input, map, .. } = asked;
+    pub(super) fn answer(&self, asked: &Source) -> Result<(), Failure> {
+        let Source { input, map, .. } = asked;
         let (from, to) = (find(asked, &self.from)?, find(asked, &self.to)?);
         let by = match self.by {
             Measure::Borders => By::Borders,

@@ -109,20 +109,17 @@ impl MeshAudit {
     #[must_use]
     pub fn count_lines(&self) -> [(&'static str, Option<isize>); 8] {
         let MeshCounts { vertices, edges, faces, components, borders, euler_characteristic, genus, .. } = self.counts;
+        let known = |count: usize| Some(count.cast_signed());
         [
-            ("vertices (V)", Some(vertices)),
-            ("edges (E)", Some(edges)),
-            ("edges not joined", Some(self.edges_not_joined())),
-            ("faces (F)", Some(faces)),
-            ("components of faces", Some(components)),
-            ("border loops", borders),
-            ("Euler characteristic", None),
-            ("genus", genus),
+            ("vertices (V)", known(vertices)),
+            ("edges (E)", known(edges)),
+            ("edges not joined", known(self.edges_not_joined())),
+            ("faces (F)", known(faces)),
+            ("components of faces", known(components)),
+            ("border loops", borders.and_then(known)),
+            ("Euler characteristic", Some(euler_characteristic)),
+            ("genus", genus.and_then(known)),
         ]
-        .map(|(what, count)| match what {
-            "Euler characteristic" => (what, Some(euler_characteristic)),
-            _ => (what, count.map(usize::cast_signed)),
-        })
     }
 
     /// Sentences about violations that follow from the findings.

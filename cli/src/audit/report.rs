@@ -1,4 +1,4 @@
-//! An input, audited: what all writers take.
+//! The report of an audit, which all writers take.
 
 use super::packed::Window;
 use crate::coverage::Coverage;
@@ -9,8 +9,8 @@ use twinedge::validate::{Bounds, Counts};
 use twinedge_formats::diagnosis::{Diagnosis, Document, RuleLine, Trace};
 use twinedge_formats::layer::Crs;
 
-/// An input, audited.
-pub(super) struct Audited {
+/// The report of an audit.
+pub(super) struct AuditReport {
     pub(super) input: String,
     pub(super) valid: bool,
     /// The numbers of findings, if it is not valid.
@@ -68,7 +68,7 @@ pub(super) enum Note {
     Detail(String),
 }
 
-impl Audited {
+impl AuditReport {
     /// Nothing is known yet.
     pub(super) fn new(input: &str) -> Self {
         Self {
