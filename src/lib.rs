@@ -112,6 +112,8 @@
 //! | feature | a named input (polygons, lines, points) and the faces and edges that it covers | |
 //! | key, index | a key names one record for ever; an index is the number of its slot, which is used again | handle, id |
 //! | view | a structure as the validator sees it: slots and links | |
+//! | write set | the records that a change has written | dirty set |
+//! | baseline | the links of a structure when it was last found right, to compare a later state with | |
 //!
 //! # The layers
 //!

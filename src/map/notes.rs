@@ -1,4 +1,4 @@
-//! What edits write, for a map that is audited.
+//! Notes of the records that edits write, for a map that is audited.
 
 use crate::validate::near::WriteSet;
 

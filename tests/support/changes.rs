@@ -1,19 +1,19 @@
-//! The records that a change has touched.
+//! The records that a change has written.
 
 use twinedge::validate::Table;
 use twinedge::validate::near::WriteSet;
 use twinedge_trials::enumerate::Cell;
 
 /// The record that has the cell.
-pub(crate) fn touch(touched: &mut WriteSet, cell: Cell) {
+pub(crate) fn note(written: &mut WriteSet, cell: Cell) {
     match cell {
         Cell::Origin(h) | Cell::Twin(h) | Cell::Next(h) | Cell::Prev(h) | Cell::Boundary(h) | Cell::Face(h) => {
-            touched.half_edges.push(h);
+            written.half_edges.push(h);
         }
-        Cell::Leaving(v) | Cell::Isolated(v) => touched.vertices.push(v),
-        Cell::BoundaryFace(b) | Cell::BoundaryStart(b) | Cell::BoundaryPlace(b) => touched.boundaries.push(b),
-        Cell::Outer(f) | Cell::OuterHalfEdge(f) | Cell::InnerStart(f, _) => touched.faces.push(f),
-        Cell::Inner(f, i) => touched.listed.push((f, i)),
+        Cell::Leaving(v) | Cell::Isolated(v) => written.vertices.push(v),
+        Cell::BoundaryFace(b) | Cell::BoundaryStart(b) | Cell::BoundaryPlace(b) => written.boundaries.push(b),
+        Cell::Outer(f) | Cell::OuterHalfEdge(f) | Cell::InnerStart(f, _) => written.faces.push(f),
+        Cell::Inner(f, i) => written.listed.push((f, i)),
     }
 }
 

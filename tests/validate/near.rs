@@ -1,6 +1,6 @@
 //! Local validation: it accepts nothing that a full validation refuses, follows what is right, and reads only what has changed.
 
-use crate::support::changes::{difference, touch};
+use crate::support::changes::{difference, note};
 use crate::support::erased::validate;
 use crate::support::only_live::OnlyLive;
 use crate::support::watched::Watched;
@@ -16,16 +16,16 @@ const PLANE: Expectation = Expectation::plane();
 const SURFACE: Expectation = Expectation::surface();
 
 /// Asserts that what is found right keeps R1 … F2.
-fn judge(baseline: &Baseline, table: &Table, touched: &WriteSet) -> bool {
-    let found = validate_near(&mut baseline.clone(), &OnlyLive(table), touched);
+fn judge(baseline: &Baseline, table: &Table, written: &WriteSet) -> bool {
+    let found = validate_near(&mut baseline.clone(), &OnlyLive(table), written);
     let report = validate(table, baseline.expectation(), Collect::First);
     match found {
         Ok(()) => {
             let broken = report.broken_rules().find(|rule| *rule <= Rule::F2);
-            assert_eq!(broken, None, "{table}\n{touched:?}\n{report}");
+            assert_eq!(broken, None, "{table}\n{written:?}\n{report}");
         }
         // Of two full validations, this one ends at the first broken rule.
-        Err(found) => assert_eq!(found.first(), report.first(), "{table}\n{touched:?}"),
+        Err(found) => assert_eq!(found.first(), report.first(), "{table}\n{written:?}"),
     }
     report.is_valid()
 }
@@ -39,10 +39,10 @@ fn every_corruption_of_every_small_map_in_every_form() {
             let mut table = projected(&whole, &form);
             let Ok(baseline) = Baseline::new(&table, &form.expectation) else { continue };
             for_each_corruption(&mut table, form.parts, |corrupt, cell, _| {
-                let mut touched = WriteSet::default();
-                touch(&mut touched, cell);
+                let mut written = WriteSet::default();
+                note(&mut written, cell);
                 judged += 1;
-                right += usize::from(judge(&baseline, corrupt, &touched));
+                right += usize::from(judge(&baseline, corrupt, &written));
             });
         }
     }
@@ -58,11 +58,11 @@ fn every_pair_of_corruptions_of_every_smallest_map() {
         for_each_corruption(&mut table, Parts::ALL, |corrupt, first, _| {
             let mut twice = corrupt.clone();
             for_each_corruption(&mut twice, Parts::ALL, |corrupt, second, _| {
-                let mut touched = WriteSet::default();
-                touch(&mut touched, first);
-                touch(&mut touched, second);
+                let mut written = WriteSet::default();
+                note(&mut written, first);
+                note(&mut written, second);
                 judged += 1;
-                right += usize::from(judge(&baseline, corrupt, &touched));
+                right += usize::from(judge(&baseline, corrupt, &written));
             });
         });
     }
@@ -81,12 +81,12 @@ fn every_operator_with_every_wrong_link() {
                 return;
             }
             let mut after = Table::copy_of(changed.subject()).unwrap();
-            let written = difference(&before, &after);
+            let by_operator = difference(&before, &after);
             for_each_corruption(&mut after, Parts::ALL, |corrupt, cell, _| {
-                let mut touched = written.clone();
-                touch(&mut touched, cell);
+                let mut written = by_operator.clone();
+                note(&mut written, cell);
                 judged += 1;
-                wrong += usize::from(!judge(&baseline, corrupt, &touched));
+                wrong += usize::from(!judge(&baseline, corrupt, &written));
             });
         });
     }
@@ -166,14 +166,14 @@ fn a_baseline_follows_every_operator_on_every_small_map() {
             try_every_op(&map.runner, |op, _, changed| {
                 let after = projected(&Table::copy_of(changed.subject()).unwrap(), &form);
                 let mut followed = baseline.clone();
-                let touched = difference(&before, &after);
-                validate_near(&mut followed, &after, &touched).unwrap();
+                let written = difference(&before, &after);
+                validate_near(&mut followed, &after, &written).unwrap();
                 // Both lead to the same verdicts from here on, if they go back by the same way.
                 let fresh = Baseline::new(&after, &claims).unwrap();
                 for mut baseline in [followed, fresh] {
-                    validate_near(&mut baseline, &before, &touched).unwrap();
+                    validate_near(&mut baseline, &before, &written).unwrap();
                 }
-                assert!(!touched.is_empty() || before == after, "{op:?}");
+                assert!(!written.is_empty() || before == after, "{op:?}");
             });
         }
     }
@@ -271,14 +271,14 @@ fn what_came_and_went_is_vacant() {
     let between = Table::copy_of(&dcel).unwrap();
     dcel.remove_edge(connected).unwrap();
     let after = Table::copy_of(&dcel).unwrap();
-    let (mut touched, back) = (difference(&before, &between), difference(&between, &after));
-    touched.half_edges.extend(back.half_edges);
-    touched.vertices.extend(back.vertices);
-    touched.boundaries.extend(back.boundaries);
-    touched.faces.extend(back.faces);
-    touched.listed.extend(back.listed);
+    let (mut written, back) = (difference(&before, &between), difference(&between, &after));
+    written.half_edges.extend(back.half_edges);
+    written.vertices.extend(back.vertices);
+    written.boundaries.extend(back.boundaries);
+    written.faces.extend(back.faces);
+    written.listed.extend(back.listed);
     let watched = Watched::new(&after);
-    validate_near(&mut baseline, &watched, &touched).unwrap();
+    validate_near(&mut baseline, &watched, &written).unwrap();
     assert!(watched.twin.get() < 100, "{}", watched.twin.get());
 }
 
@@ -293,14 +293,14 @@ fn a_baseline_that_missed_something_ends() {
         let before = table.clone();
         for_each_corruption(&mut table, Parts::ALL, |corrupt, cell, _| {
             let mut baseline = right.clone();
-            let mut touched = everything.clone();
-            touch(&mut touched, cell);
+            let mut written = everything.clone();
+            note(&mut written, cell);
             // It believes that nothing has changed, and then hears of records that have not.
             assert!(validate_near(&mut baseline, corrupt, &WriteSet::default()).is_ok());
-            let found = validate_near(&mut baseline, corrupt, &touched);
+            let found = validate_near(&mut baseline, corrupt, &written);
             let report = validate(corrupt, &PLANE, Collect::First);
             assert!(found.is_err() || report.broken_rules().all(|rule| rule > Rule::F2), "{corrupt}");
-            assert!(validate_near(&mut baseline, &before, &touched).is_ok());
+            assert!(validate_near(&mut baseline, &before, &written).is_ok());
         });
     }
 }

@@ -137,8 +137,8 @@ fn assert_found(name: &str, [before, after]: [&Table; 2], expectation: &Expectat
     everything.boundaries.extend(&changed.boundaries);
     everything.faces.extend(&changed.faces);
     for baseline in [Baseline::new(before, expectation).unwrap(), followed] {
-        for touched in [&changed, &everything] {
-            let found = validate_near(&mut baseline.clone(), after, touched);
+        for written in [&changed, &everything] {
+            let found = validate_near(&mut baseline.clone(), after, written);
             assert_eq!(found, Err(Box::new(report.clone())), "{name}");
         }
     }

@@ -1,7 +1,7 @@
 //! Local validation of a drawing: the verdict is that of a full validation, after every edit, after every operator with every
 //! argument, and after every corruption of one link or one place; and only what has changed is read.
 
-use crate::support::changes::{difference, touch};
+use crate::support::changes::{difference, note};
 use crate::support::edits::EvenEdits;
 use crate::support::erased::validate_embedding;
 use quickcheck::{Arbitrary, Gen};
@@ -61,13 +61,13 @@ impl Scene {
 
     /// All records that differ from an earlier scene, and the vertices that lie elsewhere.
     fn since(&self, before: &Self) -> WriteSet {
-        let mut touched = difference(&before.table, &self.table);
+        let mut written = difference(&before.table, &self.table);
         let moved = |v: &usize| {
             let [was, is] = [before, self].map(|scene| scene.points.get(*v).copied());
             self.table.is_vertex(*v) && was != is
         };
-        touched.vertices.extend((0..self.table.vertex_slots()).filter(moved));
-        touched
+        written.vertices.extend((0..self.table.vertex_slots()).filter(moved));
+        written
     }
 }
 
@@ -86,15 +86,15 @@ const COUNTED: [Rule; 9] = [Rule::T1, Rule::T2, Rule::T3, Rule::T4, Rule::G1, Ru
 
 impl Tally {
     /// Asserts that the verdict is that of the full validation. The baseline moves on if it is right.
-    fn judge(&mut self, baseline: &mut EmbeddingBaseline, scene: &Scene, touched: &WriteSet) -> bool {
+    fn judge(&mut self, baseline: &mut EmbeddingBaseline, scene: &Scene, written: &WriteSet) -> bool {
         scene.asked.set(0);
-        let found = validate_embedding_near(baseline, scene, touched);
+        let found = validate_embedding_near(baseline, scene, written);
         let asked = scene.asked.get();
         let full = || validate_embedding(scene, &PLANE, Collect::All);
         self.judged += 1;
         let Err(found) = found else {
             let report = full();
-            assert!(report.is_valid(), "{}\n{:?}\n{touched:?}\n{report}", scene.table, scene.points);
+            assert!(report.is_valid(), "{}\n{:?}\n{written:?}\n{report}", scene.table, scene.points);
             self.right += 1;
             // A full validation asks for all points, and once more to read them.
             self.in_full += usize::from(asked > scene.table.vertices.iter().flatten().count());
@@ -105,7 +105,7 @@ impl Tally {
         }
         // It is the report of a full validation, which is seldom run a second time.
         let is_same = self.judged % 16 != 0 || *found == full();
-        assert!(!found.is_valid() && is_same, "{}\n{:?}\n{touched:?}", scene.table, scene.points);
+        assert!(!found.is_valid() && is_same, "{}\n{:?}\n{written:?}", scene.table, scene.points);
         false
     }
 }
@@ -192,15 +192,15 @@ fn every_edit_with_every_vertex_elsewhere() {
     for program in programs().take(20) {
         each_edit(&program, |before, after| {
             let (before, mut after) = (Scene::of(before), Scene::of(after));
-            let written = after.since(&before);
+            let by_operator = after.since(&before);
             let baseline = before.baseline();
             for v in (0..after.points.len()).filter(|v| after.table.is_vertex(*v)).collect::<Vec<_>>() {
                 let was = after.points[v];
                 for place in places(&after) {
                     after.points[v] = place;
-                    let mut touched = written.clone();
-                    touched.vertices.push(v);
-                    tally.judge(&mut baseline.clone(), &after, &touched);
+                    let mut written = by_operator.clone();
+                    written.vertices.push(v);
+                    tally.judge(&mut baseline.clone(), &after, &written);
                 }
                 after.points[v] = was;
             }
@@ -220,13 +220,13 @@ fn every_edit_with_every_wrong_link() {
                 return;
             }
             let (before, mut after) = (Scene::of(before), Scene::of(after));
-            let written = after.since(&before);
+            let by_operator = after.since(&before);
             let baseline = before.baseline();
             let points = after.points.clone();
             for_each_corruption(&mut after.table, Parts::ALL, |corrupt, cell, _| {
-                let mut touched = written.clone();
-                touch(&mut touched, cell);
-                tally.judge(&mut baseline.clone(), &Scene::new(corrupt.clone(), points.clone()), &touched);
+                let mut written = by_operator.clone();
+                note(&mut written, cell);
+                tally.judge(&mut baseline.clone(), &Scene::new(corrupt.clone(), points.clone()), &written);
             });
         });
     }
@@ -308,8 +308,8 @@ fn every_operator_with_every_argument() {
             let baseline = before.baseline();
             each_operator(map.dcel(), |dcel| {
                 drawn(dcel, &before, |after| {
-                    let touched = after.since(&before);
-                    tally.judge(&mut baseline.clone(), after, &touched);
+                    let written = after.since(&before);
+                    tally.judge(&mut baseline.clone(), after, &written);
                 });
             });
         }
@@ -342,8 +342,8 @@ fn pairs_of_operators() {
             some_operators(map.dcel(), &mut is_first, |first| {
                 some_operators(first, &mut is_second, |second| {
                     drawn(second, &before, |after| {
-                        let touched = after.since(&before);
-                        tally.judge(&mut baseline.clone(), after, &touched);
+                        let written = after.since(&before);
+                        tally.judge(&mut baseline.clone(), after, &written);
                     });
                 });
             });
@@ -454,8 +454,8 @@ fn what_was_wrong_leaves_nothing_behind() {
     // Both edges across each other, and then an isolated vertex where they crossed, and where they are.
     let mut wrong = Scene::of(&map);
     wrong.points.swap(1, 3);
-    let touched = wrong.since(right);
-    assert!(!tally.judge(&mut baseline, &wrong, &touched), "{:?}", wrong.points);
+    let written = wrong.since(right);
+    assert!(!tally.judge(&mut baseline, &wrong, &written), "{:?}", wrong.points);
     for (place, is_right) in [([2.0, 1.0], true), ([2.0, 2.0], false), ([2.0, 0.0], false)] {
         let after = with_point(&map, [2.0, 1.0], place);
         assert_eq!(tally.judge(&mut baseline.clone(), &after, &after.since(right)), is_right, "{place:?}");

@@ -265,7 +265,7 @@ impl Argument for InnerPick {
             return Self::default();
         }
         let mask = u16::from_le_bytes([byte(source), byte(source)]);
-        Self { mask, also: (byte(source) & 7 == 0).then(|| Argument::draw(source, upper)) }
+        Self { mask, also: (byte(source) % 8 == 0).then(|| Argument::draw(source, upper)) }
     }
 
     fn simpler(&self) -> Vec<Self> {

@@ -164,7 +164,7 @@ impl Program {
     /// The program as a Rust expression, to be read where `twinedge::program::*` is in scope.
     #[must_use]
     pub fn to_rust(&self) -> String {
-        let lines: String = self.0.iter().map(|op| format!("    {},\n", op.to_rust())).collect();
-        format!("Program(vec![\n{lines}])")
+        let lines: Vec<String> = self.0.iter().map(|op| format!("    {},\n", op.to_rust())).collect();
+        format!("Program(vec![\n{}])", lines.concat())
     }
 }

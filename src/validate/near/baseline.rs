@@ -23,7 +23,7 @@ pub struct Baseline {
     scratch: Scratch,
 }
 
-/// Why there is no [`Baseline`] of a structure.
+/// The reason for which there is no [`Baseline`] of a structure.
 #[derive(Clone, Debug)]
 #[non_exhaustive]
 pub enum BaselineError {
@@ -73,7 +73,7 @@ impl Baseline {
         Ok(baseline)
     }
 
-    /// Whether local validation is to be had.
+    /// Refuses structures that are not validated locally.
     pub(super) fn supports(expectation: &Expectation, parts: Parts) -> Result<(), BaselineError> {
         if expectation.is_open() {
             return Err(BaselineError::OpenBoundaries);
@@ -92,7 +92,7 @@ impl Baseline {
         Ok(baseline)
     }
 
-    /// What the structure is held to.
+    /// The expectation that the structure is held to.
     #[must_use]
     pub const fn expectation(&self) -> &Expectation {
         &self.expect
@@ -109,7 +109,7 @@ impl Baseline {
             listed: Vec::new(),
         };
         self.diff = Diff::default();
-        // What this takes is not kept.
+        // The memory for this is not kept.
         check(&mut self.diff, &now, &written, &mut Scratch::default())
     }
 

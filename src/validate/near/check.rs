@@ -171,15 +171,15 @@ impl<V: View + ?Sized> Check<'_, V> {
     fn labels(&mut self) -> Option<()> {
         let (diff, now, written) = (&mut *self.diff, self.now, self.written);
         if now.has(Part::BoundaryComponents) {
-            written.boundaries.iter().for_each(|b| drop(diff.labels.change(*b)));
+            written.boundaries.iter().for_each(|b| diff.labels.note(*b));
             for v in &written.vertices {
                 let named = [index(diff.vertices.before(*v).isolated), now.isolated(*v).filter(|b| now.is_label(*b))];
-                named.into_iter().flatten().for_each(|b| drop(diff.labels.change(b)));
+                named.into_iter().flatten().for_each(|b| diff.labels.note(b));
             }
             let outer = |f: &usize| index(diff.faces.before(*f).outer);
-            written.faces.iter().filter_map(outer).for_each(|b| drop(diff.labels.change(b)));
+            written.faces.iter().filter_map(outer).for_each(|b| diff.labels.note(b));
         } else {
-            written.faces.iter().for_each(|f| drop(diff.labels.change(*f)));
+            written.faces.iter().for_each(|f| diff.labels.note(*f));
         }
         self.scratch.cycles.sort();
         for position in 0..self.diff.labels.len() {
@@ -242,7 +242,7 @@ impl<V: View + ?Sized> Check<'_, V> {
         self.written.listed.iter().try_for_each(|(f, i)| entry(now, *f, *i))?;
         for position in 0..diff.faces.len() {
             let f = diff.faces.index(position);
-            // What a face listed that is vacant now must be listed elsewhere, or be no more.
+            // Whatever a face listed that is vacant now must be listed elsewhere, or be no more.
             let (named, row) = (diff.faces.after(f).inner, now.face(f)?);
             let is_outer = |b: usize| now.label(b).is_some_and(|row| row.face as usize == f && row.place == OUTER);
             if row.inner != named || !index(row.outer).is_none_or(is_outer) {
@@ -257,10 +257,10 @@ impl<V: View + ?Sized> Check<'_, V> {
     /// those that the labels are or were.
     fn vertices(&mut self) -> Option<()> {
         let diff = &mut *self.diff;
-        self.written.vertices.iter().for_each(|v| drop(diff.vertices.change(*v)));
+        self.written.vertices.iter().for_each(|v| diff.vertices.note(*v));
         for (_, before, after) in diff.labels.changes() {
             let isolated = [before, after].into_iter().filter_map(|label| label.vertex());
-            isolated.for_each(|v| drop(diff.vertices.change(v)));
+            isolated.for_each(|v| diff.vertices.note(v));
         }
         self.scratch.rotations.sort();
         for position in 0..self.diff.vertices.len() {

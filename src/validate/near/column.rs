@@ -2,7 +2,7 @@
 
 use alloc::vec::Vec;
 
-/// What a column has for each index.
+/// An entry of a column.
 pub(super) trait Row: Copy + PartialEq {
     /// The row of a vacant slot.
     const VACANT: Self;
@@ -94,6 +94,12 @@ impl<R: Row> Column<R> {
         self.after.get_mut(*position as usize - 1).map(|row| &mut row.1)
     }
 
+    /// Notes that the row may differ.
+    #[inline]
+    pub(super) fn note(&mut self, index: usize) {
+        let _ = self.change(index);
+    }
+
     /// The number of rows that may differ.
     pub(super) fn len(&self) -> usize {
         self.after.len()
@@ -105,7 +111,7 @@ impl<R: Row> Column<R> {
         self.after[position].0 as usize
     }
 
-    /// What one of these is after the change.
+    /// Sets one of these, as it is after the change.
     #[inline]
     pub(super) fn put(&mut self, position: usize, row: R) {
         self.after[position].1 = row;
@@ -116,7 +122,7 @@ impl<R: Row> Column<R> {
         self.after.iter().map(|(index, row)| (*index as usize, self.before(*index as usize), *row))
     }
 
-    /// What a sum over all rows grows by.
+    /// The growth of a sum over all rows.
     pub(super) fn growth(&self, term: impl Fn(R) -> i64) -> i64 {
         self.changes().map(|(_, before, after)| term(after) - term(before)).sum()
     }

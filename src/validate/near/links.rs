@@ -5,7 +5,7 @@ use crate::validate::columns::NIL;
 use crate::validate::expectation::Expectation;
 use crate::validate::structure::{BoundaryPlace, Part, Parts, Start, View};
 
-/// What a vacant slot has in its first column.
+/// The first number of a vacant row.
 pub(super) const VACANT: u32 = NIL - 1;
 /// The place of an outer boundary component.
 pub(super) const OUTER: u32 = NIL;
@@ -45,7 +45,7 @@ impl Row for Vertex {
     const VACANT: Self = Self { leaving: VACANT, isolated: NIL };
 }
 
-/// What a label stands for: where it starts, and the face and the place where it is listed. Without records for boundary
+/// The boundary component or face of a label: where it starts, and the face and the place where it is listed. Without records for boundary
 /// components it is a face, and only the start counts.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(super) struct Label {
@@ -155,7 +155,7 @@ impl<'a, V: View + ?Sized> LinkReader<'a, V> {
         if names { self.view.isolated(v) } else { None }
     }
 
-    /// Where a live label starts.
+    /// The start of a live label.
     pub(super) fn start(&self, b: usize) -> Option<Start> {
         if self.has(Part::BoundaryComponents) {
             self.view.boundary_start(b)

@@ -1,4 +1,4 @@
-//! Whether some half-edges lie on one orbit: those that are new in a rotation or on a cycle, or are followed by another one there.
+//! A test for half-edges on one orbit: those that are new in a rotation or on a cycle, or are followed by another one there.
 
 use alloc::vec::Vec;
 
@@ -8,7 +8,7 @@ pub(super) struct Member {
     /// The vertex or label of the orbit.
     pub(super) of: u32,
     pub(super) half_edge: u32,
-    /// Whether it belonged there before.
+    /// True if it belonged there before.
     pub(super) is_old: bool,
 }
 

@@ -54,7 +54,7 @@ impl EmbeddingBaseline {
         Ok(baseline)
     }
 
-    /// What the structure is held to.
+    /// The expectation that the structure is held to.
     #[must_use]
     pub const fn expectation(&self) -> &Expectation {
         self.links.expectation()

@@ -1,4 +1,4 @@
-//! How often closed walks go around a point that is as close to a half-edge as can be.
+//! The number of times that closed walks go around a point that is as close to a half-edge as can be.
 
 use crate::geometry::Point;
 use crate::geometry::predicates::{Orientation, compare_lexicographic, count_step, orientation};
@@ -10,7 +10,7 @@ use rustc_hash::FxHashMap;
 #[derive(Clone, Copy, Debug)]
 pub(super) struct Beside {
     pub(super) at: Point,
-    /// Where the half-edge leads, which is elsewhere.
+    /// The other end of the half-edge, which is elsewhere.
     pub(super) towards: Point,
 }
 
@@ -20,7 +20,7 @@ impl Beside {
         Self { at, towards: Point::new(if at.x == 0.0 { 1.0 } else { 0.0 }, at.y) }
     }
 
-    /// Whether it is to the left of another point; it is never straight above or below.
+    /// Returns true if it is to the left of another point; it is never straight above or below.
     fn is_left_of(&self, p: Point) -> bool {
         let Self { at, towards } = self;
         let by_x = |a: f64, b: f64| a.partial_cmp(&b).unwrap_or(Ordering::Equal);
@@ -28,7 +28,7 @@ impl Beside {
         by_x(at.x, p.x).then(by_x(towards.x, at.x)).then(by_x(at.y, towards.y)).is_lt()
     }
 
-    /// Whether it is above a segment from left to right that passes above or below it.
+    /// Returns true if it is above a segment from left to right that passes above or below it.
     fn is_above(&self, low: Point, high: Point) -> bool {
         let above = match orientation(low, high, self.at) {
             Orientation::Collinear => orientation(low, high, self.towards),
@@ -123,7 +123,7 @@ impl SummedChain {
         (self.0.size() > 0).then(|| self.0.root().envelope())
     }
 
-    /// How often it goes around a point counter-clockwise. O(log k), and what an R-tree takes to find what is below the point.
+    /// The number of times that it goes around a point counter-clockwise. O(log k), and what an R-tree takes to find what is below the point.
     pub(super) fn around(&self, p: Beside) -> i64 {
         let below = AABB::from_corners([p.at.x, f64::MIN], p.at.into());
         let passes = |segment: &&Weighted| {

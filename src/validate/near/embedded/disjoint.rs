@@ -4,7 +4,7 @@ use super::drawn::{Drawn, Thing};
 use super::tree::DrawnTrees;
 use crate::geometry::predicates::{Meeting, meeting, on_segment};
 
-/// Whether what has come, which is in the trees already, meets the rest at shared vertices only.
+/// Returns true if all that has come, which is in the trees already, meets the rest at shared vertices only.
 pub(super) fn is_disjoint(come: &[Drawn], trees: &DrawnTrees) -> bool {
     let free = |drawn: &Drawn| trees.beside(drawn).all(|other| other.thing == drawn.thing || !clash(drawn, other));
     come.iter().all(free)

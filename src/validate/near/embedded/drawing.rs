@@ -90,7 +90,7 @@ impl<'a> Drawing<'a> {
         self.diff.places.at(time, v)
     }
 
-    /// Whether it is the unbounded face.
+    /// Returns true for the unbounded face.
     pub(super) fn is_unbounded(&self, time: Time, f: usize) -> bool {
         self.face(time, f).outer == NIL
     }
@@ -111,7 +111,7 @@ impl<'a> Drawing<'a> {
         Some(Line { vertices, points })
     }
 
-    /// Where a half-edge is drawn, if that is the same before and after.
+    /// The ends of a half-edge, if that is the same before and after.
     pub(super) fn kept(&self, h: usize) -> Option<[Point; 2]> {
         let [before, after] = TIMES.map(|time| self.line(time, h).map(|line| line.points));
         before.filter(|_| before == after)
@@ -158,7 +158,7 @@ impl<'a> Drawing<'a> {
         Some(Drawn::vertex(v, place))
     }
 
-    /// Where an inner boundary component starts.
+    /// The place where an inner boundary component starts.
     fn start(&self, time: Time, b: usize) -> Option<InnerStart> {
         let label = self.label(time, b);
         label.inner()?;
@@ -169,7 +169,7 @@ impl<'a> Drawing<'a> {
         Some(InnerStart::new(at.into(), b as u32))
     }
 
-    /// What an index has to take off and to add. Nothing if an edge has no length.
+    /// The entries that the trees have to take off and to add. Nothing if an edge has no length.
     pub(super) fn update(&self) -> Option<Update> {
         let mut update = Update::default();
         for h in &self.half_edges {

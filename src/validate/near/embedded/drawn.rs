@@ -43,7 +43,7 @@ impl Drawn {
         if compare_lexicographic(a, b).is_gt() { [b, a] } else { [a, b] }
     }
 
-    /// Whether it passes below a point, where the sweep line through that point has it between its ends.
+    /// Returns true if it passes below a point, where the sweep line through that point has it between its ends.
     pub(super) fn passes_below(&self, p: Point) -> bool {
         let [low, high] = self.rising();
         let spans = compare_lexicographic(low, p).is_lt() && compare_lexicographic(p, high).is_lt();
@@ -73,7 +73,7 @@ impl RTreeObject for Drawn {
 /// An inner boundary component, by the place where it starts.
 pub(super) type InnerStart = GeomWithData<[f64; 2], u32>;
 
-/// What an index has to take off and to add.
+/// Entries that an index has to take off and to add.
 pub(super) struct Exchange<T> {
     pub(super) gone: Vec<T>,
     pub(super) come: Vec<T>,

@@ -11,7 +11,7 @@ use crate::validate::near::links::index;
 use crate::validate::structure::Start;
 use rustc_hash::FxHashMap;
 
-/// Where the boundary components of the faces went, sorted.
+/// The ways that the boundary components of the faces went, sorted.
 struct Moves {
     /// For each that a face has no more, that face, and its face now, or none where it is no more.
     went: Vec<(usize, Option<usize>)>,
@@ -38,7 +38,7 @@ impl Moves {
         Self { went, targets, sources }
     }
 
-    /// Whether all boundary components of a face that are left are now of another one, or still its own.
+    /// Returns true if all boundary components of a face that are left are now of another one, or still its own.
     fn is_whole(&self, drawing: &Drawing<'_>, from: usize, to: usize) -> bool {
         let went = of(&self.went, from);
         let number = |to: Option<usize>| {
@@ -49,13 +49,13 @@ impl Moves {
     }
 }
 
-/// How many boundary components a face had.
+/// The number of boundary components that a face had.
 fn count(drawing: &Drawing<'_>, f: usize) -> usize {
     let face = drawing.face(Time::Before, f);
     face.inner as usize + usize::from(face.is_live() && face.outer != NIL)
 }
 
-/// What is known of an inner boundary component: a place beside it that is as it was, with the face in which that was, or its
+/// A place that tells where an inner boundary component lies: a place beside it that is as it was, with the face in which that was, or its
 /// smallest point.
 enum Known {
     Kept(Beside, usize),
@@ -120,7 +120,7 @@ struct Check<'a> {
 }
 
 impl Check<'_> {
-    /// What is known of the boundary component that starts here.
+    /// That place of the boundary component that starts here.
     fn known(&self, start: Start) -> Option<Known> {
         let drawing = self.drawing;
         let first = match start {
@@ -163,7 +163,7 @@ impl Check<'_> {
         Some(Known::Kept(Beside { at, towards }, drawing.face_of(Time::Before, h)?))
     }
 
-    /// How often what bounds a face now went around a place in another face, or the same, without what has changed. Nothing if
+    /// The number of times that the boundary of a face went around a place in another face, or the same, without what has changed. Nothing if
     /// that cannot be told.
     fn around_before(&self, f: usize, was_in: usize) -> Option<i64> {
         let mut around = 0;
@@ -182,12 +182,12 @@ impl Check<'_> {
         Some(around)
     }
 
-    /// How often the boundary of a face goes around a place inside it.
+    /// The number of times that the boundary of a face goes around a place inside it.
     fn required(&self, f: usize) -> i64 {
         i64::from(!self.drawing.is_unbounded(Time::After, f))
     }
 
-    /// Whether a place that was in a face is now in another, or still in it.
+    /// Returns true if a place that was in a face is now in another, or still in it.
     fn lies_in(&self, f: usize, beside: Beside, was_in: usize) -> Option<bool> {
         let changed = self.chains.get(&f).map_or(0, |chain| chain.around(beside));
         Some(self.around_before(f, was_in)? + changed == self.required(f))

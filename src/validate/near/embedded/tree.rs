@@ -1,4 +1,4 @@
-//! What is drawn, in R-trees of its own: no index that the structure keeps has a part in its validation.
+//! Edges, isolated vertices and starts, in R-trees of their own: no index that the structure keeps has a part in its validation.
 
 use super::drawn::{Drawn, InnerStart, Thing, Update};
 use crate::geometry::Point;
@@ -39,7 +39,7 @@ impl DrawnTrees {
         exchange(&mut self.starts, &starts.come, &starts.gone);
     }
 
-    /// What has a box that meets the box of another.
+    /// All whose boxes meet the box of another.
     pub(super) fn beside(&self, drawn: &Drawn) -> impl Iterator<Item = &Drawn> {
         self.drawn.locate_in_envelope_intersecting(drawn.envelope()).inspect(|_| count_step())
     }

@@ -41,7 +41,7 @@ impl Drawing<'_> {
     }
 }
 
-/// How often the direction of a walk passes that of the x axis where it comes along a segment and goes on to a point, turning
+/// The number of times that the direction of a walk passes that of the x axis where it comes along a segment and goes on to a point, turning
 /// by less than half a turn, or clockwise by half a turn: 1 if it does so counter-clockwise, −1 clockwise.
 fn turn([from, at]: [Point; 2], to: Point) -> i64 {
     let is_upper = |from: Point, to: Point| (to.y, to.x) > (from.y, from.x);
