@@ -70,7 +70,11 @@ where
         return refuse(ReadCause::Foreign(foreign));
     }
     let is_blank = head.strip_prefix(b"\xEF\xBB\xBF").unwrap_or(&head).trim_ascii().is_empty();
-    let Some(format) = format.or_else(|| Format::of_content(&head)) else {
+    let of_content = Format::of_content(&head);
+    if let Some(certain) = of_content.filter(|format| format.is_certain()) {
+        return refuse(ReadCause::Elsewhere(certain));
+    }
+    let Some(format) = format.or(of_content) else {
         return refuse(if is_blank { ReadCause::Empty } else { ReadCause::Unrecognised });
     };
     let all = Cursor::new(head).chain(reader);
@@ -82,9 +86,10 @@ where
         #[cfg(feature = "wkt")]
         Format::Wkt => super::wkt::read(all, |feature| each(feature, &Properties::default())),
         #[cfg(not(all(feature = "geojson", feature = "wkt")))]
-        off => {
+        off @ (Format::GeoJson | Format::GeoJsonSeq | Format::Wkt) => {
             drop((all, &mut each));
             refuse(ReadCause::FeatureOff(off))
         }
+        elsewhere => refuse(ReadCause::Elsewhere(elsewhere)),
     }
 }
