@@ -23,7 +23,7 @@ pub(super) struct Diff {
     pub(super) labels: Column<Label>,
     pub(super) faces: Column<Face>,
     #[cfg(feature = "geometry")]
-    pub(super) places: Column<Option<crate::geometry::Point>>,
+    pub(super) places: Column<Option<[f64; 2]>>,
     before: Sums,
     after: Sums,
 }
@@ -90,6 +90,6 @@ impl Diff {
 }
 
 #[cfg(feature = "geometry")]
-impl Row for Option<crate::geometry::Point> {
+impl Row for Option<[f64; 2]> {
     const VACANT: Self = None;
 }
