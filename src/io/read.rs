@@ -55,7 +55,7 @@ where
 pub fn read_with_properties<R, E>(
     mut reader: R,
     format: Option<Format>,
-    mut each: impl FnMut(Feature, &Properties) -> Result<(), E>,
+    each: impl FnMut(Feature, &Properties) -> Result<(), E>,
 ) -> Result<ReadSummary, E>
 where
     R: Read,
@@ -84,12 +84,14 @@ where
         #[cfg(feature = "geojson")]
         Format::GeoJsonSeq => super::geojson::read_sequence_with_properties(all, each),
         #[cfg(feature = "wkt")]
-        Format::Wkt => super::wkt::read(all, |feature| each(feature, &Properties::default())),
-        #[cfg(not(all(feature = "geojson", feature = "wkt")))]
-        off @ (Format::GeoJson | Format::GeoJsonSeq | Format::Wkt) => {
-            drop((all, &mut each));
-            refuse(ReadCause::FeatureOff(off))
+        Format::Wkt => {
+            let mut each = each;
+            super::wkt::read(all, |feature| each(feature, &Properties::default()))
         }
+        #[cfg(not(feature = "geojson"))]
+        Format::GeoJson | Format::GeoJsonSeq => refuse(ReadCause::FeatureOff(format)),
+        #[cfg(not(feature = "wkt"))]
+        Format::Wkt => refuse(ReadCause::FeatureOff(format)),
         elsewhere => refuse(ReadCause::Elsewhere(elsewhere)),
     }
 }
