@@ -71,7 +71,7 @@ rows! {
 #[derive(Clone, Debug, PartialEq, Eq)]
 #[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 pub struct ExpectationRow {
-    /// Its place in [`expectations`](crate::forms::expectations), which three follow that ask for M1 … M8.
+    /// Its place in [`forms`](crate::forms::forms()), which three follow that ask for M1 … M8.
     pub number: usize,
     /// The expectation in words.
     pub expectation: String,
