@@ -29,7 +29,7 @@ pub(crate) struct Convert {
     output: LayerOutput,
 }
 
-/// Where a layer is written, and how.
+/// The file of a layer that is written, and its format.
 #[derive(Debug, clap::Args)]
 pub(crate) struct LayerOutput {
     /// File to write; its extension says in which format: .geojson, .geojsonl, .wkt, .wkb, .shp, .gpkg, .fgb. `-` is standard output.
@@ -72,12 +72,12 @@ impl From<Target> for Format {
 }
 
 impl LayerOutput {
-    /// Whether something is to be written.
+    /// Returns true if something is to be written.
     pub(crate) const fn is_given(&self) -> bool {
         self.output.is_some()
     }
 
-    /// Whether the layer goes to standard output, which then has room for nothing else.
+    /// Returns true if the layer goes to standard output, which then has room for nothing else.
     pub(crate) fn is_stdout(&self) -> bool {
         self.output.as_deref() == Some(Path::new("-"))
     }
@@ -118,7 +118,7 @@ impl LayerOutput {
     }
 }
 
-/// What was written.
+/// The file that was written.
 pub(crate) struct Written {
     pub(crate) name: String,
     pub(crate) format: Format,

@@ -18,13 +18,13 @@ use twinedge::geometry::noding::Snap;
 use twinedge::map::{Noding, PlanarMap};
 use twinedge_formats::diagnosis::{Diagnosis, Flaw, Kind, Measures, Trace};
 
-/// How many findings of each rule the text shows unless asked.
+/// The number of findings of each rule that the text shows unless asked.
 pub(crate) const SHOWN: usize = 3;
 
-/// How a coverage is judged.
+/// The options by which a coverage is judged.
 #[derive(Debug, clap::Args)]
 #[command(next_help_heading = "Coverage (maps)")]
-pub(crate) struct Asked {
+pub(crate) struct CoverageOptions {
     /// Count what breaks C1 … C6 as violations: overlaps, gaps, near misses, slivers, duplicates, polygons that are not valid by
     /// the OGC. Otherwise they are counted and shown, and the map is valid with them; in GeoJSON their `violation` is then false.
     #[arg(long)]
@@ -48,18 +48,18 @@ pub(crate) fn positive(text: &str) -> Result<f64, String> {
     text.parse().ok().filter(|x| *x > 0.0 && f64::is_finite(*x)).ok_or_else(|| "not a positive number".to_owned())
 }
 
-impl Asked {
+impl CoverageOptions {
     pub(crate) const fn is_any(&self) -> bool {
         self.coverage || self.gap_width.is_some() || self.sliver.is_some()
     }
 
-    /// Whether findings make a map invalid.
+    /// Returns true if findings make a map invalid.
     pub(crate) const fn is_rule(&self) -> bool {
         self.coverage
     }
 }
 
-/// What was found, as JSON has it.
+/// All that was found, as JSON has it.
 #[derive(Debug, Serialize)]
 pub(crate) struct Coverage {
     overlaps: usize,
@@ -92,13 +92,13 @@ pub(crate) struct Coverage {
 /// Rule, kind, features, area, width, length, and the coordinates of the place.
 type Row<'a> = (&'a str, &'a str, String, Option<f64>, Option<f64>, Option<f64>, Option<f64>, Option<f64>);
 
-/// How many defects of each kind are listed of a feature.
+/// The number of defects of each kind that are listed of a feature.
 const DEFECTS: usize = 20;
 
 impl Coverage {
     /// Asks all rules. Overlaps and gaps are those of the input: where borders cross they are cut on the finest grid, and where a
     /// grid was asked for, what it removed or made is found by comparing.
-    pub(crate) fn new(imported: &Imported, asked: &Asked, units: &Units, list: usize) -> Self {
+    pub(crate) fn new(imported: &Imported, asked: &CoverageOptions, units: &Units, list: usize) -> Self {
         let limits = Limits { gap_width: asked.gap_width, sliver_area: asked.sliver, ..Limits::default() };
         let mut found = Self {
             overlaps: 0,
@@ -117,7 +117,7 @@ impl Coverage {
             of_input: None,
         };
         match judged(imported, &limits, units) {
-            Ok(Judged { findings, gap_width, sliver_area, wider_gaps, of_input }) => {
+            Ok(Judgement { findings, gap_width, sliver_area, wider_gaps, of_input }) => {
                 found.wider_gaps = wider_gaps;
                 (found.gap_width, found.sliver_area) = (Some(gap_width), Some(sliver_area));
                 for (finding, snapping) in &findings {
@@ -166,7 +166,7 @@ impl Coverage {
         }
     }
 
-    /// How many findings there are of each rule, in order.
+    /// The number of findings of each rule, in order.
     pub(crate) fn counts(&self) -> [(CoverageRule, usize, &'static str); 6] {
         [
             (CoverageRule::Overlap, self.overlaps, "overlap"),
@@ -178,12 +178,12 @@ impl Coverage {
         ]
     }
 
-    /// How many findings there are.
+    /// The number of findings.
     pub(crate) fn total(&self) -> usize {
         self.counts().iter().map(|(_, count, _)| count).sum()
     }
 
-    /// How many findings there are beside violations, in words.
+    /// The number of findings beside violations, in words.
     pub(crate) fn beside(&self) -> String {
         match self.total() {
             0 => String::new(),
@@ -191,7 +191,7 @@ impl Coverage {
         }
     }
 
-    /// Whether there is anything that could be a coverage.
+    /// Returns true if there is anything that could be a coverage.
     pub(crate) const fn has_polygons(&self) -> bool {
         self.has_polygons
     }
@@ -201,7 +201,7 @@ impl Coverage {
         self.not_checked.as_deref()
     }
 
-    /// What is listed.
+    /// All that is listed.
     pub(crate) fn findings(&self) -> &[Diagnosis] {
         &self.findings
     }
@@ -216,7 +216,7 @@ impl Coverage {
         self.of_input.as_ref()
     }
 
-    /// What is listed, to be sorted and cut.
+    /// All that is listed, to be sorted and cut.
     pub(crate) const fn findings_mut(&mut self) -> &mut Vec<Diagnosis> {
         &mut self.findings
     }
@@ -240,7 +240,7 @@ impl Coverage {
         Ok(())
     }
 
-    /// How many findings of a rule there are, with what they are called.
+    /// The number of findings of a rule, with what they are called.
     fn found(&self, rule: CoverageRule) -> String {
         let of_rule = self.counts().into_iter().find(|(other, ..)| *other == rule);
         let (_, count, what) = of_rule.unwrap_or((rule, 0, "finding"));
@@ -252,7 +252,7 @@ impl Coverage {
         }
     }
 
-    /// What came of a rule, in words.
+    /// The outcome of a rule, in words.
     pub(crate) fn outcome(&self, rule: CoverageRule) -> String {
         match &self.not_checked {
             Some(why) if rule != CoverageRule::Validity => format!("not checked: {why}"),
@@ -292,8 +292,8 @@ impl Coverage {
     }
 }
 
-/// What C1 … C5 found.
-struct Judged {
+/// The findings of C1 … C5.
+struct Judgement {
     findings: Vec<(Finding, Option<&'static str>)>,
     gap_width: f64,
     sliver_area: f64,
@@ -301,7 +301,7 @@ struct Judged {
     of_input: Option<PlanarMap>,
 }
 
-fn judged(imported: &Imported, limits: &Limits, units: &Units) -> Result<Judged, Failure> {
+fn judged(imported: &Imported, limits: &Limits, units: &Units) -> Result<Judgement, Failure> {
     let map = &imported.map;
     let Some(builder) = imported.builder.clone() else {
         let found = busy("checking the coverage", || check(map, limits))?;
@@ -311,7 +311,7 @@ fn judged(imported: &Imported, limits: &Limits, units: &Units) -> Result<Judged,
         };
         let (gap_width, sliver_area, wider_gaps) = (found.gap_width, found.sliver_area, found.wider_gaps.len());
         let findings = found.findings.into_iter().map(converted).collect();
-        return Ok(Judged { findings, gap_width, sliver_area, wider_gaps, of_input: None });
+        return Ok(Judgement { findings, gap_width, sliver_area, wider_gaps, of_input: None });
     };
     let of_input = builder.build_with(Noding::Snap(Snap::Auto))?;
     let found = check(&of_input, limits)?;
@@ -341,11 +341,11 @@ fn judged(imported: &Imported, limits: &Limits, units: &Units) -> Result<Judged,
     let mut findings: Vec<_> = on_input.chain(made).collect();
     findings.sort_by_key(|(finding, _)| finding.rule);
     let (gap_width, sliver_area) = (found.gap_width, found.sliver_area);
-    Ok(Judged { findings, gap_width, sliver_area, wider_gaps, of_input: Some(of_input) })
+    Ok(Judgement { findings, gap_width, sliver_area, wider_gaps, of_input: Some(of_input) })
 }
 
-/// What all findings of a rule have in common.
-fn of_rule(rule: CoverageRule, asked: &Asked, at: Point) -> Diagnosis {
+/// The parts that all findings of a rule have in common.
+fn of_rule(rule: CoverageRule, asked: &CoverageOptions, at: Point) -> Diagnosis {
     let (cause, remedy) = explanation(rule);
     Diagnosis {
         rule: Some(rule.id()),
@@ -359,7 +359,7 @@ fn of_rule(rule: CoverageRule, asked: &Asked, at: Point) -> Diagnosis {
 }
 
 /// A feature that is not valid by the rules of the OGC.
-fn invalid(imported: &Imported, asked: &Asked, feature: usize, defects: &[Defect]) -> Diagnosis {
+fn invalid(imported: &Imported, asked: &CoverageOptions, feature: usize, defects: &[Defect]) -> Diagnosis {
     let flaw = |defect: &Defect| Flaw {
         reason: defect.kind.to_string(),
         at: position(defect.at),

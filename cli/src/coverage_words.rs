@@ -1,8 +1,8 @@
-//! What the rules of a coverage say, what usually causes a finding, and what mends it.
+//! The statements of the rules of a coverage, the usual causes of findings, and their remedies.
 
 use twinedge::algorithm::coverage::CoverageRule;
 
-/// What a rule says.
+/// The statement of a rule.
 pub(crate) const fn statement(rule: CoverageRule) -> &'static str {
     match rule {
         CoverageRule::Overlap => "no face is claimed by two features",
@@ -14,7 +14,7 @@ pub(crate) const fn statement(rule: CoverageRule) -> &'static str {
     }
 }
 
-/// What usually causes a finding, and what mends it.
+/// The usual cause of a finding, and its remedy.
 pub(crate) const fn explanation(rule: CoverageRule) -> (&'static str, &'static str) {
     match rule {
         CoverageRule::Overlap => (

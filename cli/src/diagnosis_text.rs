@@ -38,7 +38,7 @@ pub(crate) fn write(out: &mut String, one: &Diagnosis, decimals: usize) -> Resul
     one.follows_from.map_or(Ok(()), |follows| writeln!(out, "   {QUIET}which follows from {follows}{QUIET:#}"))
 }
 
-/// Whether snapping removed or made a finding.
+/// The words for a finding that snapping removed or made.
 pub(crate) fn by_snapping(one: &Diagnosis) -> String {
     one.snapping.map_or_else(String::new, |what| format!(" ({what} by snapping)"))
 }

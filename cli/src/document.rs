@@ -8,18 +8,18 @@ use serde::{Deserialize, Serialize};
 use std::time::Instant;
 use twinedge_trials::Outcome;
 
-/// What a long command prints.
+/// All that a long command prints.
 pub(crate) trait Printed: Outcome + Serialize + DeserializeOwned {
     /// The name of the command.
     const COMMAND: &'static str;
 
-    /// What the command knows besides.
+    /// All that the command knows besides.
     type Extra: Default + Serialize + DeserializeOwned;
 
     /// The outcome for people.
     fn text(&self, extra: &Self::Extra, seconds: f64) -> String;
 
-    /// Whether something is wrong, even if the run was interrupted.
+    /// Returns true if something is wrong, even if the run was interrupted.
     fn is_wrong(&self) -> bool {
         !self.is_interrupted() && !self.is_ok()
     }

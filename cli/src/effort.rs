@@ -5,7 +5,7 @@ use crate::progress;
 use crate::status::Failure;
 use twinedge_trials::{Estimate, Run, Shard};
 
-/// What the long commands have in common.
+/// All that the long commands have in common.
 #[derive(Debug, clap::Args)]
 pub(crate) struct Effort {
     /// Run even if the estimate exceeds 30 minutes. Without it such a run is refused, with exit status 2; if the output format is
@@ -33,7 +33,7 @@ impl Effort {
     /// The longest time without `--force`.
     const MOST_SECONDS: u128 = 30 * 60;
 
-    /// How the engines are to run, with progress bars and until Ctrl-C.
+    /// The options of the engines, with progress bars and until Ctrl-C.
     pub(crate) fn start(&self) -> Result<Run<'static>, Failure> {
         progress::stop_on_interrupt()?;
         Ok(Run::default().threads(self.threads()).shard(self.shard).progress(&progress::BARS))
@@ -74,7 +74,7 @@ impl Effort {
     }
 }
 
-/// How many threads the machine runs at once.
+/// The number of threads that the machine runs at once.
 fn cores() -> usize {
     std::thread::available_parallelism().map_or(1, Into::into)
 }

@@ -3,7 +3,7 @@
 use std::fmt;
 use twinedge::validate::{Expectation, Rule, Surface};
 
-/// How a rule is asked for: by its word alone, or with a number.
+/// The way in which a rule is asked for: by its word alone, or with a number.
 #[derive(Clone, Copy)]
 enum Ask {
     Plain(fn(Expectation) -> Expectation),

@@ -31,7 +31,7 @@ enum InputError {
 pub(crate) struct Input {
     pub(crate) name: String,
     pub(crate) reader: Box<dyn BufRead>,
-    /// Where it is, if it is a file.
+    /// The path, if it is a file.
     path: Option<PathBuf>,
     /// The format that the name tells.
     format: Option<Format>,
@@ -43,16 +43,16 @@ pub(crate) struct Input {
 pub(crate) struct Imported {
     /// The name of the input.
     pub(crate) name: String,
-    /// What was read and what was dropped.
+    /// The numbers of what was read and dropped.
     pub(crate) read: ReadSummary,
     pub(crate) map: PlanarMap,
-    /// What was noted of the features.
+    /// The notes on the features.
     pub(crate) noted: Noted,
-    /// What the map was built of, if it was kept and the map is not plane or was snapped to a grid that was asked for.
+    /// The builder of the map, if it was kept and the map is not plane or was snapped to a grid that was asked for.
     pub(crate) builder: Option<Builder>,
     /// The coordinate reference system, if the file names one.
     pub(crate) crs: Option<Crs>,
-    /// Whether the format says which way rings turn.
+    /// True if the format says which way rings turn.
     pub(crate) orients_rings: bool,
 }
 
@@ -154,7 +154,7 @@ pub(crate) struct LayerFile {
 }
 
 impl LayerFile {
-    /// Where the input is, if it is a file.
+    /// The path of the input, if it is a file.
     pub(crate) fn path(&self) -> Option<&Path> {
         Some(self.file.as_path()).filter(|path| *path != Path::new("-"))
     }
@@ -169,7 +169,7 @@ impl LayerFile {
     }
 }
 
-/// How segments that cross, touch or overlap are treated.
+/// The treatment of segments that cross, touch or overlap.
 #[derive(Debug, clap::Args)]
 pub(crate) struct Cutting {
     /// Cut segments wherever they cross, touch or overlap, and round all points to a grid. `auto` chooses the finest grid that
@@ -179,7 +179,7 @@ pub(crate) struct Cutting {
 }
 
 impl MapFile {
-    /// Where the input is, if it is a file.
+    /// The path of the input, if it is a file.
     pub(crate) fn path(&self) -> Option<&Path> {
         self.file.as_deref().filter(|path| *path != Path::new("-"))
     }
@@ -211,7 +211,7 @@ impl MapFile {
         self.build_from(input, keep)
     }
 
-    /// Whether segments are to be cut.
+    /// Returns true if segments are to be cut.
     pub(crate) const fn is_snapped(&self) -> bool {
         self.cutting.snap.is_some()
     }

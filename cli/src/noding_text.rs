@@ -1,10 +1,10 @@
-//! What noding did, in a line.
+//! The summary of noding, in a line.
 
 use crate::output::counted;
 use std::fmt::Write as _;
 use twinedge::geometry::noding::NodingSummary;
 
-/// What noding did, in a line.
+/// The summary of noding, in a line.
 pub(crate) fn line(noding: &NodingSummary) -> String {
     let cut = counted(noding.split, "segment");
     let mut line = format!("snapped to a grid of 2^{}: {cut} cut", noding.cell.log2());

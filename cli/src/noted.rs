@@ -1,4 +1,4 @@
-//! What is noted of features while they are read, since a map does not keep it: ids, conditions met, defects, places.
+//! All that is noted of features while they are read, since a map does not keep it: ids, conditions met, defects, places.
 
 use crate::output::{counted, decimals, plain};
 use crate::status::Failure;
@@ -10,10 +10,10 @@ use twinedge::io::ReadSummary;
 use twinedge::map::{Feature, Shape};
 use twinedge_formats::layer::{Feature as LayerFeature, Value};
 
-/// How many columns an error lists.
+/// The number of columns that an error lists.
 const COLUMNS: usize = 20;
 
-/// How many features without geometry a warning names.
+/// The number of features without geometry that a warning names.
 const NULL: usize = 5;
 
 /// The greatest longitude, either way: some maps go on beyond the antimeridian.
@@ -41,16 +41,16 @@ impl FromStr for Condition {
     }
 }
 
-/// What is kept of the input beside the map.
+/// All that is kept of the input beside the map.
 #[derive(Clone, Copy, Default)]
 pub(crate) struct Keep<'a> {
-    /// What the coverage is judged by.
+    /// The parts by which the coverage is judged.
     pub(crate) coverage: bool,
-    /// Which features meet a condition.
+    /// The features that meet a condition.
     pub(crate) condition: Option<&'a Condition>,
 }
 
-/// What was noted of the features.
+/// The notes on the features.
 #[derive(Debug)]
 pub(crate) struct Noted {
     name_from: Option<String>,
@@ -60,7 +60,7 @@ pub(crate) struct Noted {
     pub(crate) matching: Vec<usize>,
     /// Features that are not valid by the rules of the OGC, by number.
     pub(crate) defects: Vec<(usize, Vec<Defect>)>,
-    /// How many features have a line or ring that goes from one side of the antimeridian to the other.
+    /// The number of features that have a line or ring that goes from one side of the antimeridian to the other.
     across_antimeridian: usize,
     /// The first features without geometry, and how many there are.
     null: (Vec<String>, usize),
@@ -160,7 +160,7 @@ impl Noted {
         });
     }
 
-    /// What would name the features, if none has a name.
+    /// The columns that could name the features, if none has a name.
     pub(crate) fn hint(&self) -> Option<String> {
         let columns = self.unique.as_ref().filter(|_| self.ids.len() > 1)?;
         let mut names = columns.iter().map(|(column, _)| plain(column));
@@ -189,7 +189,7 @@ impl Noted {
         Err(Failure(format!("{name}: no feature has a value in the column {column}; {known}")))
     }
 
-    /// Whether the coordinates can be longitudes and latitudes, and no other reference system is named.
+    /// Returns true if the coordinates can be longitudes and latitudes, and no other reference system is named.
     pub(crate) fn look_like_degrees(&self, read: &ReadSummary) -> bool {
         read.other_crs == 0
             && self.low.x >= -LONGITUDE
@@ -198,14 +198,14 @@ impl Noted {
             && self.high.y <= LATITUDE
     }
 
-    /// How many features have no geometry, and which.
+    /// The features without geometry, and their number.
     pub(crate) fn without_geometry(&self) -> Option<String> {
         let (names, count) = &self.null;
         let more = if *count > names.len() { ", …" } else { "" };
         (*count > 0).then(|| format!("{} without geometry: {}{more}", counted(*count, "feature"), names.join(", ")))
     }
 
-    /// What a reader of the results should know about the coordinates.
+    /// Warnings about the coordinates.
     pub(crate) fn warnings(&self, read: &ReadSummary) -> Vec<String> {
         let mut warnings = Vec::new();
         if read.other_crs > 0 {
@@ -229,7 +229,7 @@ around the whole map here; cut them at 180 degrees"
     }
 }
 
-/// Whether an edge spans more than half of the longitudes, except along a pole, as that of Antarctica does.
+/// Returns true if an edge spans more than half of the longitudes, except along a pole, as that of Antarctica does.
 fn goes_around(a: Point, b: Point) -> bool {
     (b.x - a.x).abs() > 180.0 && a.y.abs().min(b.y.abs()) < POLE
 }

@@ -1,4 +1,4 @@
-//! How the commands print numbers, text and JSON.
+//! Numbers, text and JSON as the commands print them.
 
 use clap::ValueEnum;
 use serde_json::Value;
@@ -38,7 +38,7 @@ pub(crate) fn counted(n: usize, name: &str) -> String {
     format!("{} {plural}", grouped(n))
 }
 
-/// How many rules were not checked, to be added to a verdict; nothing if all were.
+/// The number of rules that were not checked, to be added to a verdict; nothing if all were.
 pub(crate) fn not_checked(rules: usize) -> String {
     if rules == 0 { String::new() } else { format!("; {} not checked", counted(rules, "rule")) }
 }
@@ -62,7 +62,7 @@ pub(crate) fn measure(x: f64) -> String {
     if x != 0.0 && !(1e-3..1e12).contains(&x.abs()) { format!("{x:.3e}") } else { format!("{x:.4}") }
 }
 
-/// How many decimal places a place on a map is shown with in text: to a ten-millionth of the greatest coordinate.
+/// The number of decimal places of a place on a map in text: to a ten-millionth of the greatest coordinate.
 pub(crate) fn decimals(greatest: f64) -> usize {
     let before = if greatest > 0.0 && greatest.is_finite() { greatest.log10().ceil() } else { 0.0 };
     (0_u8..15).take_while(|places| f64::from(*places) < 7.0 - before).count()
@@ -125,7 +125,7 @@ pub(crate) fn print_bytes(bytes: &[u8]) -> Result<(), crate::status::Failure> {
     }
 }
 
-/// How results are coloured; off where the output is no terminal.
+/// The colours of results; off where the output is no terminal.
 pub(crate) mod style {
     use anstyle::{AnsiColor, Style};
 

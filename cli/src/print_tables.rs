@@ -13,7 +13,7 @@ pub(crate) struct Printer(Mutex<Lines>);
 
 struct Lines {
     out: BufWriter<Stdout>,
-    /// What the last table was held to.
+    /// The expectation of the last table.
     expectation: Option<Expectation>,
     error: Option<io::Error>,
 }

@@ -46,7 +46,7 @@ const LONGEST: u64 = 16 << 20;
 struct Outcome {
     on: &'static str,
     steps: Vec<Step>,
-    /// How the structure differs from the reference.
+    /// The difference of the structure from the reference.
     difference: Option<String>,
     ok: bool,
 }

@@ -65,7 +65,7 @@ pub(crate) struct Soak {
     format: Format,
 }
 
-/// Where the failing program was saved.
+/// The file of the failing program.
 #[derive(Debug, Default, Serialize, Deserialize)]
 pub(crate) struct Saved {
     saved: Option<PathBuf>,

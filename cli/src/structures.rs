@@ -151,7 +151,7 @@ mod tests {
     use super::StructureName;
     use twinedge::program::Program;
 
-    /// What is printed is compiled as it stands, and run: it is these modules.
+    /// The text that is printed is compiled as it stands, and run: it is these modules.
     macro_rules! printed {
         ($($name:ident: $on:ident;)*) => {
             $(#[rustfmt::skip] mod $name;)*

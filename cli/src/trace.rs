@@ -1,4 +1,4 @@
-//! Where on a map something was found: its places, and its shape of points, lines and polygons.
+//! The places on a map where something was found, and its shape of points, lines and polygons.
 
 use std::collections::HashSet;
 use twinedge::algorithm::contour::of_faces;
@@ -8,7 +8,7 @@ use twinedge::map::PlanarMap;
 use twinedge::validate::{Embedding, Record, Start, Violation, places};
 use twinedge_formats::diagnosis::{Diagnosis, Position, Trace, middle};
 
-/// What a finding of a coverage covers: its faces, or the stretches of borders of a near miss.
+/// The places that a finding of a coverage covers: its faces, or the stretches of borders of a near miss.
 pub(crate) fn of_finding(map: &PlanarMap, finding: &Finding) -> Trace {
     let lines = finding.stretches.iter().map(|stretch| stretch.map(position).to_vec()).collect();
     let contour = of_faces(map, finding.faces.iter().copied()).unwrap_or_default();
@@ -72,7 +72,7 @@ pub(crate) fn position(point: Point) -> Position {
     [point.x + 0.0, point.y + 0.0]
 }
 
-/// Where to look for a violation: at its vertex if that comes first, where two segments cross, or else in the middle of its places.
+/// The place to look at for a violation: its vertex if that comes first, where two segments cross, or else the middle of its places.
 fn place<E: Embedding + ?Sized>(embedding: &E, violation: &Violation) -> Option<Position> {
     if let [Some(Record::Vertex(v)), _] = violation.records()
         && let Some(at) = vertex(embedding, Some(v))
@@ -127,7 +127,7 @@ fn cycle<E: Embedding + ?Sized>(embedding: &E, start: usize) -> Vec<Position> {
     line
 }
 
-/// Whether a line is closed, has at least three sides, and turns counter-clockwise.
+/// Returns true if a line is closed, has at least three sides, and turns counter-clockwise.
 fn is_outer_ring(line: &[Position]) -> bool {
     let Some(first) = line.first() else { return false };
     let twice = |pair: &[Position]| {

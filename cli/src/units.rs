@@ -10,7 +10,7 @@ use twinedge::geometry::Point;
 use twinedge::map::PlanarMap;
 use twinedge::validate::Embedding;
 
-/// How lengths and areas are measured.
+/// The measure of lengths and areas.
 #[derive(Debug, clap::Args)]
 pub(crate) struct Measured {
     /// Lengths in metres along geodesics and areas in square metres, on the ellipsoid WGS 84. Only for coordinates that are
@@ -40,7 +40,7 @@ another coordinate reference system",
 pub(crate) enum Units {
     /// Those of the coordinates.
     Plane {
-        /// Whether these look like degrees.
+        /// True if these look like degrees.
         degrees: bool,
     },
     /// Metres.

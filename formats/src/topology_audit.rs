@@ -1,9 +1,9 @@
-//! What the audit of a topology found whose edges are kept as lines with bends: of PostGIS, or of TopoJSON.
+//! Findings of the audit of a topology whose edges are kept as lines with bends: of PostGIS, or of TopoJSON.
 
 use crate::diagnosis::{Diagnosis, RuleLine, write_list};
 use std::fmt;
 
-/// What an audit found. `Display` prints all of it as text; with the feature `serde` it is serialized in the form of
+/// The findings of an audit. `Display` prints all of it as text; with the feature `serde` it is serialized in the form of
 /// `docs/report.md`:
 ///
 /// ```text
@@ -25,7 +25,7 @@ pub struct TopologyAudit {
     pub(crate) violations: Vec<Diagnosis>,
 }
 
-/// How many there are of everything.
+/// The numbers of everything.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 #[cfg_attr(feature = "serde", derive(serde::Serialize))]
 pub struct TopologyCounts {
@@ -58,13 +58,13 @@ impl TopologyAudit {
         Self { counts, rules, violations }
     }
 
-    /// Whether no rule is broken, and every rule that applies was checked.
+    /// Returns true if no rule is broken, and every rule that applies was checked.
     #[must_use]
     pub fn is_valid(&self) -> bool {
         self.violation_count() == 0 && self.unchecked_count() == 0
     }
 
-    /// How many there are of everything.
+    /// The numbers of everything.
     #[must_use]
     pub const fn counts(&self) -> &TopologyCounts {
         &self.counts
@@ -82,13 +82,13 @@ impl TopologyAudit {
         &self.violations
     }
 
-    /// How many rules that apply were not checked, or not on everything.
+    /// The number of rules that apply and were not checked, or not on everything.
     #[must_use]
     pub fn unchecked_count(&self) -> usize {
         self.rules.iter().filter(|rule| rule.is_open()).count()
     }
 
-    /// How many violations there are, kept or not.
+    /// The number of violations, kept or not.
     #[must_use]
     pub fn violation_count(&self) -> u64 {
         self.rules.iter().map(|rule| rule.violations).sum()

@@ -1,4 +1,4 @@
-//! What a header claims costs no memory, and what a file holds costs little.
+//! The claims of a header cost no memory, and the content of a file costs little.
 
 use std::alloc::{GlobalAlloc, Layout, System};
 use std::sync::Mutex;

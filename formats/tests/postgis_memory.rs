@@ -1,4 +1,4 @@
-//! What a stream claims costs no memory.
+//! The claims of a stream cost no memory.
 
 use std::alloc::{GlobalAlloc, Layout, System};
 use std::sync::atomic::{AtomicUsize, Ordering::Relaxed};

@@ -181,6 +181,12 @@ pub enum ReadCause {
     /// The content is of a format that is known by its first bytes, but not read here.
     #[error("this looks like {0}, which is not read here: {advice}", advice = .0.advice())]
     Foreign(ForeignFormat),
+    /// The content, or the format that was given, is one that `twinedge-formats` reads.
+    #[error(
+        "this looks like {0}, which is read by twinedge-formats and the program; \
+             or convert it with `ogr2ogr -f GeoJSONSeq map.geojsonl FILE`"
+    )]
+    Elsewhere(Format),
     /// The content is of no known format.
     #[error(
         "the format is not recognised: GeoJSON and well-known text are read; \

@@ -1,30 +1,20 @@
-//! Formats that are recognised, but not read: to say what a file looks like, and what to do with it.
+//! Formats that are recognised, but read nowhere here: to say what a file looks like, and what to do with it.
 
 use super::json_head::JsonHead;
 use core::fmt;
 
-/// A format that is recognised by its first bytes, but not read here.
+/// A format that is recognised by its first bytes, and is none of [`Format`](super::Format).
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
 #[non_exhaustive]
 pub enum ForeignFormat {
-    /// The main file or the index of an Esri Shapefile.
-    Shapefile,
-    /// An OGC `GeoPackage`.
-    GeoPackage,
     /// A database of `SQLite`, perhaps with `SpatiaLite`.
     Sqlite,
-    /// `FlatGeobuf`.
-    FlatGeobuf,
     /// Apache Parquet, perhaps `GeoParquet`.
     Parquet,
     /// Apache Arrow or Feather.
     Arrow,
     /// `OpenStreetMap` data as protocol buffers.
     OsmPbf,
-    /// Well-known binary, as bytes or in hexadecimal digits.
-    Wkb,
-    /// `TopoJSON`.
-    TopoJson,
     /// Esri JSON.
     EsriJson,
     /// Keyhole Markup Language.
@@ -60,15 +50,13 @@ impl ForeignFormat {
     /// ```
     /// use twinedge::io::ForeignFormat;
     ///
-    /// assert_eq!(ForeignFormat::of_content(b"\x00\x00\x27\x0A"), Some(ForeignFormat::Shapefile));
-    /// assert_eq!(ForeignFormat::of_content(br#"{"type": "Topology"}"#), Some(ForeignFormat::TopoJson));
+    /// assert_eq!(ForeignFormat::of_content(b"PAR1"), Some(ForeignFormat::Parquet));
     /// assert_eq!(ForeignFormat::of_content(br#"{"type": "Feature"}"#), None);
     /// ```
     #[must_use]
     pub fn of_content(head: &[u8]) -> Option<Self> {
         const SQLITE: &[u8] = b"SQLite format 3\0";
-        const MAGIC: [(&[u8], ForeignFormat); 11] = [
-            (b"\x00\x00\x27\x0A", ForeignFormat::Shapefile),
+        const MAGIC: [(&[u8], ForeignFormat); 10] = [
             (b"PAR1", ForeignFormat::Parquet),
             (b"ARROW1", ForeignFormat::Arrow),
             (b"PK\x03\x04", ForeignFormat::Zip),
@@ -80,23 +68,16 @@ impl ForeignFormat {
             (b"\xFF\xFE", ForeignFormat::Utf16),
             (b"\xFE\xFF", ForeignFormat::Utf16),
         ];
-        if head.starts_with(SQLITE) {
-            // The id of the application that made the database.
-            return Some(if head.get(68..72) == Some(b"GPKG") { Self::GeoPackage } else { Self::Sqlite });
+        // The id of the application tells a GeoPackage.
+        if head.starts_with(SQLITE) && head.get(68..72) != Some(b"GPKG") {
+            return Some(Self::Sqlite);
         }
         if let Some((_, format)) = MAGIC.iter().find(|(magic, _)| head.starts_with(magic)) {
             return Some(*format);
         }
-        // "fgb", a version, "fgb", a patch level.
-        if head.starts_with(b"fgb") && head.get(4..7) == Some(b"fgb") {
-            return Some(Self::FlatGeobuf);
-        }
         // A length, then a blob header with its type as field 1.
         if head.get(4..15) == Some(b"\x0A\x09OSMHeader") {
             return Some(Self::OsmPbf);
-        }
-        if is_wkb(head) {
-            return Some(Self::Wkb);
         }
         let text = head.strip_prefix(b"\xEF\xBB\xBF").unwrap_or(head).trim_ascii_start();
         match text.first() {
@@ -123,14 +104,8 @@ impl ForeignFormat {
     }
 
     fn of_json(text: &[u8]) -> Option<Self> {
-        let head = JsonHead::scan(text);
-        if head.member("type") == Some("Topology") {
-            Some(Self::TopoJson)
-        } else if head.member("geometryType").is_some_and(|kind| kind.starts_with("esriGeometry")) {
-            Some(Self::EsriJson)
-        } else {
-            None
-        }
+        let is_esri = |kind: &str| kind.starts_with("esriGeometry");
+        JsonHead::scan(text).member("geometryType").is_some_and(is_esri).then_some(Self::EsriJson)
     }
 
     /// Returns advice on how to convert such a file.
@@ -140,45 +115,18 @@ impl ForeignFormat {
             Self::Zip | Self::Gzip | Self::Bzip2 | Self::Xz | Self::Zstd => "unpack it first",
             Self::Html => "download the data file that the page links to",
             Self::Utf16 => "convert it with `iconv -f UTF-16 -t UTF-8 FILE`",
-            Self::Wkb => "convert it to well-known text, with `ST_AsText` in PostGIS",
             _ => "convert it with `ogr2ogr -f GeoJSONSeq map.geojsonl FILE`",
         }
     }
 }
 
-/// Returns true if this is the start of a geometry in well-known binary, as bytes or in hexadecimal digits.
-fn is_wkb(head: &[u8]) -> bool {
-    let digit = |byte: u8| char::from(byte).to_digit(16).map(|digit| digit as u8);
-    let from_hex = |pair: &[u8]| Some(digit(pair[0])? << 4 | digit(pair[1])?);
-    let bytes = head.get(..10).and_then(|digits| digits.chunks_exact(2).map(from_hex).collect::<Option<Vec<u8>>>());
-    head.get(..5).is_some_and(is_wkb_header) || bytes.is_some_and(|bytes| is_wkb_header(&bytes))
-}
-
-/// Returns true if these are a byte order and a type of geometry: 1 to 7, with dimensions as thousands (ISO) or in the three
-/// highest bits (EWKB).
-fn is_wkb_header(bytes: &[u8]) -> bool {
-    const DIMENSIONS: u32 = 0b111 << 29;
-    let kind = match *bytes {
-        [0, a, b, c, d] => u32::from_be_bytes([a, b, c, d]),
-        [1, a, b, c, d] => u32::from_le_bytes([a, b, c, d]),
-        _ => return false,
-    };
-    let kind = kind & !DIMENSIONS;
-    kind < 4000 && (1..=7).contains(&(kind % 1000))
-}
-
 impl fmt::Display for ForeignFormat {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         f.write_str(match self {
-            Self::Shapefile => "a Shapefile",
-            Self::GeoPackage => "a GeoPackage",
             Self::Sqlite => "a SQLite database",
-            Self::FlatGeobuf => "FlatGeobuf",
             Self::Parquet => "Parquet",
             Self::Arrow => "Arrow",
             Self::OsmPbf => "OpenStreetMap data (PBF)",
-            Self::Wkb => "well-known binary",
-            Self::TopoJson => "TopoJSON",
             Self::EsriJson => "Esri JSON",
             Self::Kml => "KML",
             Self::Gml => "GML",

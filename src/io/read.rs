@@ -55,7 +55,7 @@ where
 pub fn read_with_properties<R, E>(
     mut reader: R,
     format: Option<Format>,
-    mut each: impl FnMut(Feature, &Properties) -> Result<(), E>,
+    each: impl FnMut(Feature, &Properties) -> Result<(), E>,
 ) -> Result<ReadSummary, E>
 where
     R: Read,
@@ -70,7 +70,11 @@ where
         return refuse(ReadCause::Foreign(foreign));
     }
     let is_blank = head.strip_prefix(b"\xEF\xBB\xBF").unwrap_or(&head).trim_ascii().is_empty();
-    let Some(format) = format.or_else(|| Format::of_content(&head)) else {
+    let of_content = Format::of_content(&head);
+    if let Some(certain) = of_content.filter(|format| format.is_certain()) {
+        return refuse(ReadCause::Elsewhere(certain));
+    }
+    let Some(format) = format.or(of_content) else {
         return refuse(if is_blank { ReadCause::Empty } else { ReadCause::Unrecognised });
     };
     let all = Cursor::new(head).chain(reader);
@@ -80,11 +84,14 @@ where
         #[cfg(feature = "geojson")]
         Format::GeoJsonSeq => super::geojson::read_sequence_with_properties(all, each),
         #[cfg(feature = "wkt")]
-        Format::Wkt => super::wkt::read(all, |feature| each(feature, &Properties::default())),
-        #[cfg(not(all(feature = "geojson", feature = "wkt")))]
-        off => {
-            drop((all, &mut each));
-            refuse(ReadCause::FeatureOff(off))
+        Format::Wkt => {
+            let mut each = each;
+            super::wkt::read(all, |feature| each(feature, &Properties::default()))
         }
+        #[cfg(not(feature = "geojson"))]
+        Format::GeoJson | Format::GeoJsonSeq => refuse(ReadCause::FeatureOff(format)),
+        #[cfg(not(feature = "wkt"))]
+        Format::Wkt => refuse(ReadCause::FeatureOff(format)),
+        elsewhere => refuse(ReadCause::Elsewhere(elsewhere)),
     }
 }

@@ -37,6 +37,13 @@ fn the_extension_tells_the_format() {
     ] {
         assert_eq!(Format::of_path(name), format, "{name}");
     }
+    // The registry has its rows in the order of the variants.
+    for (format, extension) in
+        Format::ALL.into_iter().zip(["geojson", "geojsonl", "wkt", "wkb", "shp", "gpkg", "topojson", "fgb"])
+    {
+        assert_eq!(Format::of_path(format!("a.{extension}")), Some(format));
+        assert!(!format.to_string().is_empty() && !format.feature().is_empty());
+    }
 }
 
 #[test]
@@ -152,17 +159,10 @@ fn other_formats_are_named() {
     let gml = br#"<?xml version="1.0"?><wfs:FeatureCollection xmlns:gml="http://www.opengis.net/gml/3.2">"#;
     let kml = br#"<?xml version="1.0"?><kml xmlns="http://www.opengis.net/kml/2.2"><Document>"#;
     let samples: Vec<(Vec<u8>, ForeignFormat)> = vec![
-        (b"\x00\x00\x27\x0A\x00\x00\x00\x00".to_vec(), ForeignFormat::Shapefile),
-        (sqlite(b"GPKG"), ForeignFormat::GeoPackage),
         (sqlite(b"\0\0\0\0"), ForeignFormat::Sqlite),
-        (b"fgb\x03fgb\x00".to_vec(), ForeignFormat::FlatGeobuf),
         (b"PAR1\x15\x04".to_vec(), ForeignFormat::Parquet),
         (b"ARROW1\x00\x00".to_vec(), ForeignFormat::Arrow),
         (osm.to_vec(), ForeignFormat::OsmPbf),
-        (b"\x01\x03\x00\x00\x00\x01".to_vec(), ForeignFormat::Wkb),
-        (b"\x00\x00\x00\x03\xEB\x00".to_vec(), ForeignFormat::Wkb),
-        (b"0103000020E6100000".to_vec(), ForeignFormat::Wkb),
-        (br#"{"objects":{"type":"x"},"type":"Topology","arcs":[]}"#.to_vec(), ForeignFormat::TopoJson),
         (esri.to_vec(), ForeignFormat::EsriJson),
         (kml.to_vec(), ForeignFormat::Kml),
         (gml.to_vec(), ForeignFormat::Gml),
@@ -187,6 +187,22 @@ fn other_formats_are_named() {
         let parts = [format!("this looks like {expected}, "), expected.advice().to_owned()];
         assert!(says.starts_with(&parts[0]) && says.ends_with(&parts[1]), "{says}");
     }
+    let topology: &[u8] = br#"{"objects":{"type":"x"},"type":"Topology","arcs":[]}"#;
+    for (head, expected) in [
+        (b"\x00\x00\x27\x0A\x00\x00\x00\x00", Format::Shapefile),
+        (&sqlite(b"GPKG"), Format::GeoPackage),
+        (b"fgb\x03fgb\x00", Format::FlatGeobuf),
+        (b"\x01\x03\x00\x00\x00\x01", Format::Wkb),
+        (b"\x00\x00\x00\x03\xEB\x00", Format::Wkb),
+        (b"0103000020E6100000", Format::Wkb),
+        (topology, Format::TopoJson),
+    ] as [(&[u8], Format); 7]
+    {
+        for format in [None, Some(Format::GeoJson), Some(Format::Wkt), Some(expected)] {
+            let error = all(head, format).unwrap_err();
+            assert!(matches!(error.cause, ReadCause::Elsewhere(found) if found == expected), "{error:?}");
+        }
+    }
     let says = all(b"PAR1", None).unwrap_err().to_string();
     let expected = "this looks like Parquet, which is not read here: \
         convert it with `ogr2ogr -f GeoJSONSeq map.geojsonl FILE`";
@@ -205,9 +221,10 @@ fn what_is_read_is_not_taken_for_another_format() {
         "",
     ] {
         assert_eq!(ForeignFormat::of_content(text.as_bytes()), None, "{text}");
+        assert!(!Format::of_content(text.as_bytes()).is_some_and(Format::is_certain), "{text}");
     }
-    assert_eq!(ForeignFormat::of_content(&[0, 0, 0, 0, 8]), None);
-    assert_eq!(ForeignFormat::of_content(&[2, 1, 0, 0, 0]), None);
+    assert_eq!(Format::of_content(&[0, 0, 0, 0, 8]), None);
+    assert_eq!(Format::of_content(&[2, 1, 0, 0, 0]), None);
 }
 
 #[test]

@@ -28,19 +28,19 @@ use twinedge::program::{
 };
 use twinedge::store::Store;
 
-/// Which maps a census takes in.
+/// The maps that a census takes in.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
 pub enum Scope {
     /// Connected maps, from one vertex on.
     Connected {
-        /// How many edges they have at most.
+        /// The number of edges they have at most.
         edges: usize,
     },
     /// All planar subdivisions: of several components or none, nested or side by side, and with isolated vertices.
     Subdivisions {
-        /// How many edges they have at most.
+        /// The number of edges they have at most.
         edges: usize,
-        /// How many vertices they have at most.
+        /// The number of vertices they have at most.
         vertices: usize,
     },
 }
@@ -69,7 +69,7 @@ impl Scope {
         Program(ops)
     }
 
-    /// Whether the census takes in this map. O(1).
+    /// Tells whether the census takes in this map. O(1).
     #[must_use]
     pub fn takes_in<S: Store>(&self, map: &Dcel<S>) -> bool {
         match *self {

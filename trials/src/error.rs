@@ -1,4 +1,4 @@
-//! What an engine can fail with.
+//! Errors of the engines.
 
 use std::fmt;
 use thiserror::Error;
@@ -30,7 +30,7 @@ impl fmt::Debug for StructureError {
 /// A run found something wrong, or was not finished.
 #[derive(Clone, PartialEq, Eq, Error)]
 pub struct Failed {
-    /// What is wrong, one reason each.
+    /// The reasons, one each.
     pub reasons: Vec<String>,
 }
 

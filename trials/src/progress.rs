@@ -1,4 +1,4 @@
-//! How a run reports its progress, and how it is stopped.
+//! Progress of a run, and the way to stop it.
 
 /// Receives the progress of a run, and can stop it.
 ///
@@ -26,7 +26,7 @@ pub trait Progress: Sync {
     /// The present stage is over.
     fn end(&self) {}
 
-    /// Whether the run is to stop. Asked often, by all threads, so it should be fast.
+    /// Tells whether the run is to stop. Asked often, by all threads, so it should be fast.
     fn is_stopped(&self) -> bool {
         false
     }

@@ -2,7 +2,7 @@
 
 use twinedge::program::Program;
 
-/// How Rust source names a structure: what a regression test of it says.
+/// The name of a structure in Rust source, for a regression test of it.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub struct TestSource {
     /// The paths to import, in order. `twinedge::program::*` must be among them.

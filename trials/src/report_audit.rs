@@ -2,7 +2,8 @@
 
 use std::collections::{BTreeMap, BTreeSet};
 use twinedge::dcel::{Boundary, Connection, Corner, Dcel, OperatorError, RemovedEdge, Side, Split, StaleKey, Turn};
-use twinedge::program::{Refusal, Subject, mesh};
+use twinedge::mesh_operators_by_steps;
+use twinedge::program::{Refusal, Subject};
 use twinedge::store::{BoundaryKey, FaceKey, HalfEdgeKey, SlotStore, Store, VertexKey};
 use twinedge::validate::View;
 use twinedge::{delegate_subject, delegate_view};
@@ -70,7 +71,7 @@ impl Records {
     }
 }
 
-/// Which records are there after an operator and were not before, or the other way round.
+/// The records that are there after an operator and were not before, or the other way round.
 #[derive(Debug, Default, PartialEq, Eq)]
 struct Changes {
     vertices: Vec<VertexKey>,
@@ -80,7 +81,7 @@ struct Changes {
 }
 
 impl Changes {
-    /// What the one has and the other has not.
+    /// The records that the one has and the other has not.
     fn between(one: &Records, other: &Records) -> Self {
         let has_not = |b: &&BoundaryKey| !other.boundaries.contains_key(*b);
         Self {
@@ -92,7 +93,7 @@ impl Changes {
     }
 }
 
-/// What an operator changed.
+/// The changes that an operator made.
 struct Changed {
     before: Records,
     after: Records,
@@ -311,19 +312,5 @@ impl<S: Store> Subject for ReportAudit<S> {
         Ok(())
     }
 
-    fn mesh_flip_edge(&mut self, half_edge: HalfEdgeKey) -> Result<(), Refusal> {
-        mesh::flip_edge(self, half_edge)
-    }
-
-    fn mesh_split_edge(&mut self, half_edge: HalfEdgeKey) -> Result<(), Refusal> {
-        mesh::split_edge(self, half_edge)
-    }
-
-    fn mesh_split_face(&mut self, half_edge: HalfEdgeKey) -> Result<(), Refusal> {
-        mesh::split_face(self, half_edge)
-    }
-
-    fn mesh_collapse_edge(&mut self, half_edge: HalfEdgeKey) -> Result<(), Refusal> {
-        mesh::collapse_edge(self, half_edge)
-    }
+    mesh_operators_by_steps!();
 }

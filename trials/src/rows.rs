@@ -34,7 +34,7 @@ pub struct Column {
     pub name: &'static str,
     /// The width in characters. 0: it is compared, and not printed.
     pub width: usize,
-    /// Whether it names the row, and is aligned to the left.
+    /// True if it names the row, and is aligned to the left.
     pub is_label: bool,
 }
 

@@ -1,11 +1,11 @@
-//! How a run is carried out: threads, the part of the work, progress.
+//! Settings of a run: threads, the part of the work, progress.
 
 use crate::progress::{Progress, Silent};
 use crate::shard::Shard;
 use std::fmt;
 use std::sync::atomic::{AtomicUsize, Ordering};
 
-/// How a run is carried out. By default: on all cores, the whole work, silently.
+/// The settings of a run. By default: on all cores, the whole work, silently.
 ///
 /// ```
 /// use twinedge_trials::{Run, Shard};
@@ -106,7 +106,7 @@ impl<'a> Run<'a> {
     }
 }
 
-/// How many threads the machine runs at once.
+/// The number of threads the machine runs at once.
 fn cores() -> usize {
     std::thread::available_parallelism().map_or(1, Into::into)
 }
@@ -114,11 +114,11 @@ fn cores() -> usize {
 /// About how much work there is.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub struct Estimate {
-    /// How many units.
+    /// The number of units.
     pub amount: u128,
-    /// What is counted, in the plural.
+    /// The unit, in the plural.
     pub unit: &'static str,
-    /// How many of them one thread does in a second, on a machine of 2024.
+    /// The number of of them one thread does in a second, on a machine of 2024.
     pub per_second: u64,
 }
 

@@ -39,7 +39,7 @@ pub enum ShardError {
     OutOfRange {
         /// The part.
         index: u32,
-        /// How many there are.
+        /// The number of all.
         count: u32,
     },
 }
@@ -72,30 +72,30 @@ impl Shard {
         }
     }
 
-    /// Which part, from 0.
+    /// The part, from 0.
     #[must_use]
     pub const fn index(self) -> u32 {
         self.index
     }
 
-    /// How many parts there are.
+    /// The number of parts.
     #[must_use]
     pub const fn count(self) -> u32 {
         self.count
     }
 
-    /// Whether it is all of the work.
+    /// Tells whether it is all of the work.
     #[must_use]
     pub const fn is_whole(self) -> bool {
         self.count == 1
     }
 
-    /// Whether the piece with this number is in this part.
+    /// Tells whether the piece with this number is in this part.
     pub(crate) const fn has(self, number: u64) -> bool {
         number % self.count as u64 == self.index as u64
     }
 
-    /// Whether the piece that these bytes name is in this part. Always the same for the same bytes (FNV-1a).
+    /// Tells whether the piece that these bytes name is in this part. Always the same for the same bytes (FNV-1a).
     pub(crate) fn has_name(self, name: &[u8]) -> bool {
         let hash = name.iter().fold(0xCBF2_9CE4_8422_2325_u64, |hash, byte| {
             (hash ^ u64::from(*byte)).wrapping_mul(0x0000_0100_0000_01B3)

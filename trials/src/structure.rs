@@ -58,7 +58,7 @@ impl<K: Subject> Structure<K> {
         self.name
     }
 
-    /// What it is held to.
+    /// The expectation to which it is held.
     #[must_use]
     pub const fn expectation(&self) -> Expectation {
         self.expectation

@@ -4,21 +4,21 @@ use crate::error::Failed;
 use crate::shard::Shard;
 use thiserror::Error;
 
-/// What an engine found in the part of the work that it did.
+/// The findings of an engine in the part of the work that it did.
 pub trait Outcome: Clone {
-    /// What identifies the work: the outcomes of other work cannot be added.
+    /// The identity of the work: the outcomes of other work cannot be added.
     type Work: PartialEq + std::fmt::Debug;
 
     /// The work of which this is a part.
     fn work(&self) -> Self::Work;
 
-    /// Which part.
+    /// The part.
     fn shard(&self) -> Shard;
 
-    /// Whether the part was not finished.
+    /// Tells whether the part was not finished.
     fn is_interrupted(&self) -> bool;
 
-    /// What is wrong, one reason each; none if all is well. Counts are compared with the published ones only if this is the
+    /// The reasons for which something is wrong; none if all is well. Counts are compared with the published ones only if this is the
     /// whole work.
     fn reasons(&self) -> Vec<String>;
 
@@ -30,7 +30,7 @@ pub trait Outcome: Clone {
     #[doc(hidden)]
     fn complete(&mut self);
 
-    /// Whether nothing is wrong and the part was finished.
+    /// Tells whether nothing is wrong and the part was finished.
     fn is_ok(&self) -> bool {
         self.reasons().is_empty()
     }
@@ -54,7 +54,7 @@ pub enum SumError {
     /// One is of other work.
     #[error("this is a part of other work: {other}, and not {first}")]
     OtherWork {
-        /// Which outcome.
+        /// The outcome.
         position: usize,
         /// The work of the first outcome.
         first: String,
@@ -64,7 +64,7 @@ pub enum SumError {
     /// One is of another number of parts.
     #[error("this is part {other}, but the first is part {first}")]
     OtherCount {
-        /// Which outcome.
+        /// The outcome.
         position: usize,
         /// The part of the first outcome.
         first: Shard,
@@ -74,7 +74,7 @@ pub enum SumError {
     /// One was not finished.
     #[error("part {shard} was interrupted")]
     Interrupted {
-        /// Which outcome.
+        /// The outcome.
         position: usize,
         /// Its part.
         shard: Shard,
@@ -90,7 +90,7 @@ pub enum SumError {
     /// Some are not there.
     #[error("{} missing: {}", missing_words(*.count), list(.first))]
     Missing {
-        /// How many.
+        /// The number.
         count: u32,
         /// The first of them.
         first: Vec<Shard>,
@@ -119,7 +119,7 @@ impl SumError {
     }
 }
 
-/// How many missing parts are named.
+/// The number of missing parts that are named.
 const NAMED: usize = 10;
 
 /// The outcome of the whole work from those of all its parts, in any order. All counts are those of one run that does the

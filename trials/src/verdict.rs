@@ -1,24 +1,24 @@
-//! What a validator says of a table, in the form in which the reference answers.
+//! The verdict of a validator on a table, in the form in which the reference answers.
 
 use twinedge::validate::{Collect, Expectation, Report, Rule, Table, View, validate};
 
-/// What a validator says of a table.
+/// The verdict of a validator on a table.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
 pub struct Verdict {
-    /// Whether it takes the table for valid.
+    /// True if it takes the table for valid.
     pub valid: bool,
     /// The first rule that it finds broken.
     pub broken: Option<Rule>,
 }
 
 impl Verdict {
-    /// Whether it says the same as a reference that finds this rule broken first, or none.
+    /// Tells whether it says the same as a reference that finds this rule broken first, or none.
     #[must_use]
     pub fn agrees(self, reference: Option<Rule>) -> bool {
         self.valid == reference.is_none() && self.broken == reference
     }
 
-    /// Whether it says that something is wrong.
+    /// Tells whether it says that something is wrong.
     pub(crate) const fn is_alarm(self) -> bool {
         !self.valid || self.broken.is_some()
     }
@@ -52,7 +52,7 @@ impl std::fmt::Display for Verdict {
 /// assert!(!tables(TablesWork { half_edges: 0 }, &Blind, &Run::default()).is_ok());
 /// ```
 pub trait Checker: Sync {
-    /// What it says of a table that is held to this expectation.
+    /// Judges a table that is held to this expectation.
     fn check(&self, table: &Table, expectation: &Expectation) -> Verdict;
 
     /// Called after each table, with what [`Checker::check`] said. The time that this takes is not counted.
@@ -74,7 +74,7 @@ impl Checker for Validator {
     }
 }
 
-/// What the library's validator reports on a structure. Through a pointer: it is compiled once then, and not for every structure.
+/// The report of the library's validator on a structure. Through a pointer: it is compiled once then, and not for every structure.
 pub(crate) fn judge(structure: &dyn View, expectation: &Expectation) -> Report {
     validate(structure, expectation, Collect::First)
 }

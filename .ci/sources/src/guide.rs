@@ -27,7 +27,7 @@ pub fn missing_paths(page: &str, exists: impl Fn(&Path) -> bool) -> Vec<Missing>
             match found {
                 Some(found) if known.len() < path.len() => folders.push(found),
                 Some(found) => {
-                    folders.extend(if path.ends_with('/') { Some(found) } else { found.parent().map(Path::to_owned) });
+                    folders.push(if path.ends_with('/') { found } else { found.parent().unwrap_or(&found).to_owned() });
                 }
                 None => missing.push(Missing { line, path: path.to_owned() }),
             }

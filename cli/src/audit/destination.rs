@@ -15,7 +15,7 @@ pub(super) enum ReportFormat {
     Text,
     /// One JSON object.
     Json,
-    /// What was found as a layer of points, lines and polygons (RFC 7946).
+    /// The findings as a layer of points, lines and polygons (RFC 7946).
     Geojson,
     /// The map and what was found side by side, in one file that a browser shows without network.
     Html,
@@ -48,7 +48,7 @@ pub(super) struct Arguments {
 }
 
 impl Arguments {
-    /// Where the report of an input goes.
+    /// The destination of a report.
     pub(super) fn destination<'a>(&'a self, input: Option<&'a Path>) -> Destination<'a> {
         let path = self.output.as_deref().filter(|path| *path != Path::new("-"));
         let format = self.format.or_else(|| path.and_then(ReportFormat::of_path)).unwrap_or(ReportFormat::Text);
@@ -56,7 +56,7 @@ impl Arguments {
     }
 }
 
-/// Where the report of an input goes.
+/// The destination of a report.
 #[derive(Clone, Copy)]
 pub(super) struct Destination<'a> {
     pub(super) format: ReportFormat,

@@ -1,6 +1,6 @@
-//! What was found as a layer of GeoJSON.
+//! The findings as a layer of GeoJSON.
 
-use super::audited::Audited;
+use super::report::AuditReport;
 use crate::diagnosis_text::full_message;
 use crate::output::plain;
 use crate::output::style::BAD;
@@ -13,23 +13,23 @@ use twinedge_formats::layer::{
 };
 
 /// One feature for each finding, all with the same columns.
-pub(super) fn layer(audited: &Audited) -> Result<Vec<u8>, Failure> {
+pub(super) fn layer(report: &AuditReport) -> Result<Vec<u8>, Failure> {
     let mut members = Members::new();
-    members.insert("valid".to_owned(), audited.valid.into());
-    members.insert("verdict".to_owned(), audited.verdict().into());
-    members.insert("found".to_owned(), audited.total().into());
+    members.insert("valid".to_owned(), report.valid.into());
+    members.insert("verdict".to_owned(), report.verdict().into());
+    members.insert("found".to_owned(), report.total().into());
     let columns = Columns::new();
     let layer = Layer {
         header: Header {
-            name: Some(format!("findings in {}", audited.input)),
+            name: Some(format!("findings in {}", report.input)),
             // Longitudes and latitudes need none.
-            crs: audited.crs.clone().filter(Crs::is_other),
+            crs: report.crs.clone().filter(Crs::is_other),
             members,
             ..Header::default()
         },
-        features: audited.listed().zip(1..).map(|(one, number)| columns.feature(audited, one, number)).collect(),
+        features: report.listed().zip(1..).map(|(one, number)| columns.feature(report, one, number)).collect(),
     };
-    if audited.crs.is_none() && !layer.features.iter().all(looks_like_degrees) {
+    if report.crs.is_none() && !layer.features.iter().all(looks_like_degrees) {
         anstream::eprintln!(
             "{BAD}warning{BAD:#}: no coordinate reference system is known, and the coordinates are no longitudes and latitudes, for \
 which a reader of GeoJSON will take them: set the reference system of the layer by hand"
@@ -43,7 +43,7 @@ which a reader of GeoJSON will take them: set the reference system of the layer 
     Ok(bytes)
 }
 
-/// Whether all positions of a feature can be longitudes and latitudes in degrees.
+/// Returns true if all positions of a feature can be longitudes and latitudes in degrees.
 fn looks_like_degrees(feature: &Feature) -> bool {
     let mut all = true;
     if let Some(geometry) = &feature.geometry {
@@ -81,7 +81,7 @@ impl Columns {
         )
     }
 
-    fn feature(&self, audited: &Audited, one: &Diagnosis, number: u64) -> Feature {
+    fn feature(&self, report: &AuditReport, one: &Diagnosis, number: u64) -> Feature {
         let text = |text: &str| Value::Text(text.to_owned());
         let number_of = |value: Option<f64>| value.filter(|x| x.is_finite()).map_or(Value::Null, Value::Real);
         let features = one.features.as_deref().unwrap_or_default();
@@ -91,7 +91,7 @@ impl Columns {
         let [x, y] = one.look.map_or([None; 2], |at| at.map(Some));
         let values = [
             text(one.rule.unwrap_or_default()),
-            text(audited.name_of_rule(one)),
+            text(report.name_of_rule(one)),
             text(one.kind.name()),
             text(&full_message(one)),
             Value::Bool(one.is_violation),
@@ -102,7 +102,7 @@ impl Columns {
             number_of(area),
             number_of(width),
             number_of(length),
-            audited.unit().filter(|_| has_measure).map_or(Value::Null, text),
+            report.unit().filter(|_| has_measure).map_or(Value::Null, text),
             number_of(x),
             number_of(y),
             one.cause.map_or(Value::Null, text),

@@ -1,16 +1,16 @@
 //! The audit of a map.
 
-use super::Run;
-use super::audited::{Audited, CoverageStyle, JsonForm};
+use super::arguments::Run;
 use super::map_json::extra;
 use super::map_notes::notes;
-use super::packed::{Beside, Map, Names};
-use super::write::{Picture, write};
+use super::packed::{Beside, Map, Names, Picture};
+use super::report::{AuditReport, CoverageStyle, JsonForm, counts};
+use super::write::write;
 use crate::coverage::{Coverage, SHOWN};
 use crate::input::{Imported, Input};
 use crate::names::named;
 use crate::noted::Keep;
-use crate::output::{counted, grouped};
+use crate::output::counted;
 use crate::progress::busy;
 use crate::status::{Failure, Verdict};
 use crate::trace::placed;
@@ -20,7 +20,7 @@ use std::collections::BTreeSet;
 use twinedge::algorithm::colouring::feature_colours;
 use twinedge::dcel::{Boundary, Face, Vertex};
 use twinedge::map::{FeatureId, PlanarMap};
-use twinedge::validate::{Collect, Counts, Expectation, Record, Report, Rule, Violation, validate_embedding};
+use twinedge::validate::{Collect, Expectation, Record, Report, Rule, Violation, validate_embedding};
 use twinedge_formats::diagnosis::{Diagnosis, FeatureName, RuleLine};
 
 /// Builds the map, validates it, and prints what was found.
@@ -37,13 +37,13 @@ pub(super) fn audit(run: &Run<'_>, input: Input) -> Result<Verdict, Failure> {
     // What cannot be checked is not known to hold.
     let is_coverage = of_coverage == 0 && (!is_rule || coverage.not_checked().is_none());
     let warnings: Vec<String> = noted.without_geometry().into_iter().chain(noted.warnings(&imported.read)).collect();
-    let audited = Audited {
+    let report = AuditReport {
         valid: report.is_valid() && is_coverage,
         found: counted(report.violation_count() as usize + of_coverage, "violation"),
         json: JsonForm {
             counts: to_value(report.counts())?,
             bounds: report.figures().and_then(|figures| figures.bounds),
-            extra: extra(&imported, &warnings)?,
+            extra: extra(&imported, &warnings),
             ..JsonForm::default()
         },
         notes: notes(&imported, warnings),
@@ -54,25 +54,9 @@ pub(super) fn audit(run: &Run<'_>, input: Input) -> Result<Verdict, Failure> {
         style: CoverageStyle { is_rule, worst: asked.list.unwrap_or(SHOWN), decimals: noted.decimals() },
         crs: crs.clone(),
         coverage: Some(coverage),
-        ..Audited::new(name)
+        ..AuditReport::new(name)
     };
-    write(audited, run, |audited| picture(&imported, audited))
-}
-
-/// How many records there are.
-pub(super) fn counts(counts: &Counts) -> Vec<(&'static str, String)> {
-    let or_unknown = |n: Option<usize>| n.map_or_else(|| "unknown".to_owned(), grouped);
-    vec![
-        ("vertices (V)", grouped(counts.vertices)),
-        ("edges (E)", grouped(counts.edges)),
-        ("half-edges", grouped(counts.half_edges)),
-        ("faces (F), the unbounded one included", grouped(counts.faces)),
-        ("components (C)", or_unknown(counts.components)),
-        ("outer boundary components", grouped(counts.outer_boundaries)),
-        ("inner boundary components", grouped(counts.inner_boundaries)),
-        ("isolated vertices", grouped(counts.isolated_vertices)),
-        ("genus", or_unknown(counts.genus)),
-    ]
+    write(report, run, |report| picture(&imported, report))
 }
 
 /// The violations, with their places and the features around, and what mends them by the commands of this program.
@@ -123,9 +107,9 @@ fn features(map: &PlanarMap, violation: &Violation) -> BTreeSet<FeatureId> {
 }
 
 /// The map for a page. Where it is not plane, the faces that are filled are those of the input with its borders cut.
-fn picture(imported: &Imported, audited: &Audited) -> Picture {
+fn picture(imported: &Imported, report: &AuditReport) -> Picture {
     let map = &imported.map;
-    let windows = audited.windows();
+    let windows = report.windows();
     let pack = |map: &PlanarMap| {
         let features = |face: usize| match map.dcel().face_at(face) {
             Some(face) if map.is_plane() => {
@@ -136,7 +120,7 @@ fn picture(imported: &Imported, audited: &Audited) -> Picture {
         Map::pack(map, Beside { features: &features, names: Names::Indices, windows: &windows })
     };
     let mut packed = pack(map);
-    let of_input = audited.coverage.as_ref().and_then(Coverage::of_input).filter(|_| !map.is_plane());
+    let of_input = report.coverage.as_ref().and_then(Coverage::of_input).filter(|_| !map.is_plane());
     packed.areas = of_input.map(|of_input| Box::new(pack(of_input)));
     // Where the map is not plane, it is not known on it which features are neighbours.
     let colours = feature_colours(of_input.unwrap_or(map));

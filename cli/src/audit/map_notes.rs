@@ -1,6 +1,6 @@
-//! What a reader should know about the input of a map.
+//! Notes on the input of a map.
 
-use super::audited::Note;
+use super::report::Note;
 use crate::input::Imported;
 use crate::noding_text;
 use crate::output::{counted, grouped, plain};
@@ -21,7 +21,7 @@ pub(super) fn notes(imported: &Imported, warnings: Vec<String>) -> Vec<Note> {
     notes
 }
 
-/// What the reader dropped, except for properties, which every file has.
+/// The parts that the reader dropped, except for properties, which every file has.
 fn dropped_line(read: &ReadSummary) -> Option<String> {
     let mut dropped = Vec::new();
     if read.with_extra_dimensions > 0 {
@@ -65,7 +65,7 @@ fn input_line(summary: &BuildSummary, orients_rings: bool) -> String {
     line
 }
 
-/// How many irregularities of each kind the text shows. Rings wound the wrong way are not shown: usually all or none are.
+/// The number of irregularities of each kind that the text shows. Rings wound the wrong way are not shown: usually all or none are.
 const SHOWN: usize = 3;
 
 fn irregularities(map: &PlanarMap) -> Vec<String> {

@@ -1,78 +1,16 @@
 //! Auditing a mesh file.
 
-use super::Run;
-use super::audited::{Audited, JsonForm, Note};
-use super::write::{Picture, write};
+use super::arguments::Run;
+use super::packed::Picture;
+use super::report::{AuditReport, JsonForm, Note};
+use super::write::write;
 use crate::input::Input;
 use crate::output::{counted, grouped};
 use crate::status::{Failure, Verdict};
 use serde_json::{Map, to_value};
-use twinedge::validate::{Collect, Expectation};
+use twinedge::validate::Collect;
 use twinedge_formats::diagnosis::{Diagnosis, RuleLine};
-use twinedge_formats::mesh::{self, Format as MeshFormat, HalfEdgeMesh, MeshFile};
-
-/// What a mesh must be.
-#[derive(Debug, clap::Args)]
-#[command(next_help_heading = "Meshes")]
-pub(super) struct Expected {
-    /// The mesh has no border.
-    #[arg(long, conflicts_with = "borders")]
-    closed: bool,
-
-    /// The mesh has exactly N border loops.
-    #[arg(long, value_name = "N")]
-    borders: Option<usize>,
-
-    /// The genus of the whole mesh is N: 0 for spheres and discs, 1 for a torus.
-    #[arg(long, value_name = "N")]
-    genus: Option<usize>,
-
-    /// The mesh has exactly N components.
-    #[arg(long, value_name = "N")]
-    components: Option<usize>,
-
-    /// Every face has three sides.
-    #[arg(long, conflicts_with = "sides")]
-    triangles: bool,
-
-    /// Every face has N sides.
-    #[arg(long, value_name = "N")]
-    sides: Option<usize>,
-
-    /// Every vertex is a corner of a face.
-    #[arg(long)]
-    no_unused_vertices: bool,
-}
-
-impl Expected {
-    /// Whether anything is expected.
-    pub(super) fn is_any(&self) -> bool {
-        self.expectation() != HalfEdgeMesh::expectation()
-    }
-
-    pub(super) fn expectation(&self) -> Expectation {
-        let mut expectation = HalfEdgeMesh::expectation();
-        if self.closed {
-            expectation = expectation.closed();
-        }
-        if let Some(borders) = self.borders {
-            expectation = expectation.borders(borders);
-        }
-        if let Some(genus) = self.genus {
-            expectation = expectation.genus(genus);
-        }
-        if let Some(components) = self.components {
-            expectation = expectation.components(components);
-        }
-        if let Some(sides) = self.sides.or(self.triangles.then_some(3)) {
-            expectation = expectation.sides(sides);
-        }
-        if self.no_unused_vertices {
-            expectation = expectation.no_unused_vertices();
-        }
-        expectation
-    }
-}
+use twinedge_formats::mesh::{self, Format as MeshFormat, MeshFile};
 
 /// Reads a mesh, joins its faces, and prints what was found. At most `--list` findings of each kind are listed.
 pub(super) fn audit(run: &Run<'_>, Input { name, reader, .. }: Input, format: MeshFormat) -> Result<Verdict, Failure> {
@@ -83,7 +21,7 @@ pub(super) fn audit(run: &Run<'_>, Input { name, reader, .. }: Input, format: Me
     let mut extra = Map::new();
     extra.insert("format".to_owned(), format.name().into());
     extra.insert("dropped".to_owned(), to_value(&file.dropped)?);
-    let audited = Audited {
+    let report = AuditReport {
         valid: audit.is_valid(),
         found: numbers.map(|(count, name)| counted(count, name)).join(", "),
         notes: notes(&file),
@@ -98,9 +36,9 @@ pub(super) fn audit(run: &Run<'_>, Input { name, reader, .. }: Input, format: Me
         finding_count: findings.total() as u64,
         remarks: audit.remarks(),
         json: JsonForm { counts: to_value(audit.counts())?, has_findings: true, extra, ..JsonForm::default() },
-        ..Audited::new(&name)
+        ..AuditReport::new(&name)
     };
-    write(audited, run, |_| Picture::default())
+    write(report, run, |_| Picture::default())
 }
 
 /// A number with its thousands set off, and its sign.

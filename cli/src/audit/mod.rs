@@ -1,128 +1,44 @@
 //! `twinedge audit`: builds a map and validates it, or validates a mesh, a file of tables or a topology of PostGIS.
 
-mod audited;
+mod arguments;
 mod destination;
 mod findings_geojson;
+mod input_kind;
 mod map;
 mod map_json;
 mod map_notes;
 mod mesh_file;
+mod mesh_options;
 mod packed;
 mod page;
-mod recognise;
+mod report;
 mod table_file;
 mod text;
 mod textbook;
 mod topology_file;
 mod write;
 
-use crate::coverage::Asked;
-use crate::input::MapFile;
+pub(crate) use arguments::Audit;
+
 use crate::status::{Failure, Verdict};
-use destination::Destination;
-use recognise::Recognised;
+use arguments::Run;
+use input_kind::InputKind;
 use std::time::Instant;
-use twinedge::validate::Collect;
-
-/// Check a map (GeoJSON, TopoJSON, WKT, WKB, Shapefile, GeoPackage, FlatGeobuf) or a mesh (OBJ, OFF, PLY, STL) for everything that can be wrong.
-///
-/// Of a map the planar subdivision is built, and every rule is checked on it.
-///
-/// The three tables of a textbook, of vertices, faces and half-edges, are read as the book prints them and audited by their names.
-///
-/// A mesh file (OBJ, OFF, PLY, STL) is joined to half-edges along shared edges. What cannot be joined is reported by its faces
-/// and vertices, and the options under "Meshes" say what else must hold.
-///
-/// A topology of PostGIS is judged by the links that the database keeps, and named by its ids. `twinedge postgis` prints what `psql`
-/// needs to write it.
-///
-/// The arcs of TopoJSON are edges that polygons share. `--arcs` judges them as they are, and names them by their numbers.
-///
-/// A file of tables is judged line by line instead. `twinedge tables --print` and `twinedge corrupt --print` write such files.
-/// Each line is one structure as plain tables, in the text form of `twinedge::validate::Table`; a verdict may follow, `= ok` or
-/// the first broken rule, as in `= R1`, and is compared with that of the validator. The line `# expect: plane without prev`, or
-/// `# expect: surface open asking closed genus 0 sides 3`, says what the tables below it are held to; other lines that begin with `#` are comments.
-#[derive(Debug, clap::Args)]
-#[command(after_help = "Examples:
-  twinedge audit                          the built-in map of the world
-  twinedge audit parcels.geojson
-  twinedge audit --snap auto drawn-by-hand.geojson
-  twinedge audit --format json - < parcels.geojson | jq .valid
-  twinedge audit parcels.geojson -o findings.geojson     what was found as a layer, for QGIS
-  twinedge audit counties.shp -o report.html             the map and what was found, for a browser
-  twinedge audit bunny.obj --closed --genus 0 --triangles
-  twinedge audit --arcs counties.topojson --layer counties
-  twinedge postgis --sql city_data | psql -X mydatabase | twinedge audit --postgis -
-  twinedge tables --half-edges 2 --print | twinedge audit -
-  twinedge audit examples/tables/five_faces.txt
-
-Exit status: 0 the map or mesh is valid, or all tables are valid and all verdicts agree; 1 something is invalid (a file of tables that are wrong on purpose, even if its verdicts agree), or a verdict differs; 2 the input could not be read.")]
-pub(crate) struct Audit {
-    #[command(flatten)]
-    map: MapFile,
-
-    #[command(flatten)]
-    destination: destination::Arguments,
-
-    /// Greatest number of violations to list, and of findings of each rule C1 … C6; all are counted. Default: 1000, and in the text 3
-    /// findings of each of C1 … C6.
-    #[arg(long, value_name = "N")]
-    list: Option<usize>,
-
-    /// Say of each kind of violation or finding what usually causes it and what mends it. In JSON these are the keys `cause` and
-    /// `remedy`.
-    #[arg(long)]
-    explain: bool,
-
-    /// The input is a topology of PostGIS, as `psql` writes it after `twinedge postgis --sql NAME`. (It is recognised without this, too;
-    /// with it nothing else is accepted.)
-    #[arg(long)]
-    postgis: bool,
-
-    /// Judge the arcs of TopoJSON as they are shared, instead of the map that the features draw: that they join, that each side of an
-    /// arc has one polygon at most, that they meet at their ends only, and that polygons lie where their arcs lead around.
-    #[arg(long, conflicts_with = "postgis")]
-    arcs: bool,
-
-    #[command(flatten)]
-    coverage: Asked,
-
-    #[command(flatten)]
-    mesh: mesh_file::Expected,
-}
-
-/// A run of the command.
-struct Run<'a> {
-    asked: &'a Audit,
-    to: Destination<'a>,
-    start: Instant,
-}
-
-impl Run<'_> {
-    fn elapsed_ms(&self) -> f64 {
-        self.start.elapsed().as_secs_f64() * 1000.0
-    }
-}
 
 impl Audit {
-    /// Greatest number of violations to list.
-    fn most(&self) -> usize {
-        self.list.unwrap_or(Collect::DEFAULT_CAP)
-    }
-
     pub(crate) fn run(&self) -> Result<Verdict, Failure> {
         let start = Instant::now();
         let mut input = self.map.open()?;
-        let recognised = Recognised::of(self, &mut input)?;
+        let kind = InputKind::of(self, &mut input)?;
         let run = &Run { asked: self, to: self.destination.destination(self.map.path()), start };
-        recognised.refuse_options(run, &input.name)?;
-        match recognised {
-            Recognised::Map => map::audit(run, input),
-            Recognised::Mesh(format) => mesh_file::audit(run, input, format),
-            Recognised::Textbook => textbook::audit(run, input),
-            Recognised::Tables => table_file::audit(run, input),
-            Recognised::Postgis => topology_file::audit_postgis(run, input),
-            Recognised::Arcs => topology_file::audit_arcs(run, input),
+        kind.refuse_options(run, &input.name)?;
+        match kind {
+            InputKind::Map => map::audit(run, input),
+            InputKind::Mesh(format) => mesh_file::audit(run, input, format),
+            InputKind::Textbook => textbook::audit(run, input),
+            InputKind::Tables => table_file::audit(run, input),
+            InputKind::Postgis => topology_file::audit_postgis(run, input),
+            InputKind::Arcs => topology_file::audit_arcs(run, input),
         }
     }
 }

@@ -40,7 +40,7 @@ pub(super) struct Map {
     vertex_slots: usize,
     faces: usize,
     isolated: usize,
-    /// How many edges are shown, and how many there are.
+    /// The number of edges that are shown, and the number of all.
     pub(super) edges: [usize; 2],
     /// Half-edges and vertices without a place in the plane.
     placeless: usize,
@@ -55,7 +55,15 @@ fn text<S: Serializer>(bytes: &[u8], to: S) -> Result<S::Ok, S::Error> {
     to.serialize_str(&STANDARD.encode(bytes))
 }
 
-/// What records are called.
+/// The map of a page.
+#[derive(Debug, Default, Serialize)]
+pub(super) struct Picture {
+    pub(super) map: Map,
+    /// The features of the map: name, id, and a colour that neighbours have not.
+    pub(super) features: Vec<(Option<String>, Option<String>, usize)>,
+}
+
+/// The names of records.
 #[derive(Debug, Default, Serialize)]
 #[serde(rename_all = "snake_case")]
 pub(super) enum Names {
@@ -96,12 +104,12 @@ impl Window {
     }
 }
 
-/// What is packed beside the structure.
+/// All that is packed beside the structure.
 pub(super) struct Beside<'a> {
     /// The features that cover a face.
     pub(super) features: &'a dyn Fn(usize) -> Vec<usize>,
     pub(super) names: Names,
-    /// What is shown where the structure is too large to be shown as a whole.
+    /// All that is shown where the structure is too large to be shown as a whole.
     pub(super) windows: &'a [Window],
 }
 
@@ -130,7 +138,7 @@ struct Links {
     mate: Vec<u32>,
     /// The half-edge that continues a chain.
     follow: Vec<u32>,
-    /// Whether a half-edge continues a chain.
+    /// True if a half-edge continues a chain.
     is_continued: Vec<bool>,
 }
 

@@ -3,8 +3,8 @@
 //! A policy in the page forbids it to load anything. What comes from the input is in a block of JSON without `<`, `>` and `&`, and
 //! the script sets it as text.
 
-use super::audited::{Audited, Note};
-use super::write::Picture;
+use super::packed::Picture;
+use super::report::{AuditReport, Note};
 use crate::coverage_words::statement;
 use crate::diagnosis_text::full_message;
 use crate::output::{counted, grouped, plain};
@@ -29,7 +29,7 @@ const SCRIPTS: [&str; 9] = [
     include_str!("html/main.js"),
 ];
 
-/// What the script reads.
+/// All that the script reads.
 #[derive(Serialize)]
 struct Data<'a> {
     input: &'a str,
@@ -73,11 +73,11 @@ struct Finding<'a> {
 }
 
 impl<'a> Finding<'a> {
-    fn new(audited: &Audited, one: &'a Diagnosis) -> Self {
+    fn new(report: &AuditReport, one: &'a Diagnosis) -> Self {
         let Measures { area, width, length } = one.measures;
         Self {
             rule: one.rule.unwrap_or_default(),
-            name: audited.name_of_rule(one),
+            name: report.name_of_rule(one),
             kind: one.kind.name(),
             message: full_message(one),
             violation: one.is_violation,
@@ -95,8 +95,8 @@ impl<'a> Finding<'a> {
 }
 
 /// The rules of the validator and the format, and C1 … C6 where there are polygons.
-fn rules(audited: &Audited) -> Vec<Rule> {
-    let own = audited.rules.iter().map(|rule| {
+fn rules(report: &AuditReport) -> Vec<Rule> {
+    let own = report.rules.iter().map(|rule| {
         let checked = format!("{} {}", grouped(rule.checked), rule.unit);
         let outcome = match (rule.violations, rule.unchecked) {
             (0, None) => format!("holds for {checked}"),
@@ -106,7 +106,7 @@ fn rules(audited: &Audited) -> Vec<Rule> {
         let RuleLine { id, name, statement, violations: found, .. } = *rule;
         Rule { id, name, statement, outcome, found }
     });
-    let of_coverage = audited.coverage.iter().filter(|coverage| coverage.has_polygons()).flat_map(|coverage| {
+    let of_coverage = report.coverage.iter().filter(|coverage| coverage.has_polygons()).flat_map(|coverage| {
         coverage.counts().map(|(rule, count, _)| Rule {
             id: rule.id(),
             name: rule.name(),
@@ -127,22 +127,22 @@ fn note(note: &Note) -> Option<String> {
 }
 
 /// The page.
-pub(super) fn page(audited: &Audited, picture: &Picture) -> Result<String, Failure> {
-    let verdict = audited.verdict();
+pub(super) fn page(report: &AuditReport, picture: &Picture) -> Result<String, Failure> {
+    let verdict = report.verdict();
     let data = Data {
-        input: &audited.input,
-        valid: audited.valid,
+        input: &report.input,
+        valid: report.valid,
         verdict: &verdict,
-        notes: audited.notes.iter().filter_map(note).collect(),
-        counts: &audited.counts,
-        rules: rules(audited),
-        unit: audited.unit(),
-        findings: audited.listed().map(|one| Finding::new(audited, one)).collect(),
-        total: audited.total(),
+        notes: report.notes.iter().filter_map(note).collect(),
+        counts: &report.counts,
+        rules: rules(report),
+        unit: report.unit(),
+        findings: report.listed().map(|one| Finding::new(report, one)).collect(),
+        total: report.total(),
         picture,
     };
     let data = in_script(&serde_json::to_string(&data)?);
-    let title = in_element(&plain(&audited.input));
+    let title = in_element(&plain(&report.input));
     let verdict = in_element(&plain(&verdict));
     let script = SCRIPTS.concat();
     let mut page = String::with_capacity(data.len() + script.len() + 20_000);
@@ -181,14 +181,14 @@ fn in_element(text: &str) -> String {
 
 #[cfg(test)]
 mod tests {
-    use super::{Audited, Picture, page};
+    use super::{AuditReport, Picture, page};
     use serde_json::Value;
 
     #[test]
     fn what_comes_from_the_input_ends_no_element() {
         let hostile = "</script><script>alert(1)</script><!--\u{2028}\"'&amp; {data} \u{1b}[31m";
-        let audited = Audited { found: hostile.to_owned(), ..Audited::new(hostile) };
-        let page = page(&audited, &Picture::default()).expect("it can be written");
+        let report = AuditReport { found: hostile.to_owned(), ..AuditReport::new(hostile) };
+        let page = page(&report, &Picture::default()).expect("it can be written");
         assert_eq!(page.matches("</script>").count(), 2);
         assert!(!page.contains("alert(1)</script>") && !page.contains("{script}") && !page.contains('\u{1b}'));
         let (_, data) = page.split_once("type=\"application/json\">").expect("the data are there");

@@ -1,6 +1,6 @@
 //! Auditing a file of tables, one on each line.
 
-use super::Run;
+use super::arguments::Run;
 use super::destination::ReportFormat;
 use crate::diagnosis_text::{write, write_explanations, write_more};
 use crate::expectation_text::parse;
@@ -15,7 +15,7 @@ use std::io::BufRead;
 use twinedge::validate::{Collect, Expectation, Rule, Table, validate};
 use twinedge_formats::diagnosis::{Diagnosis, Kind, Records};
 
-/// Whether a file that begins so has tables. Every table begins with `P` or `V`; comments may precede it.
+/// Returns true if a file that begins so has tables. Every table begins with `P` or `V`; comments may precede it.
 pub(super) fn is_table_file(beginning: &[u8]) -> bool {
     let text = String::from_utf8_lossy(beginning);
     let lines = text.lines().map(str::trim_start).filter(|line| !line.is_empty());
@@ -30,14 +30,14 @@ const EXPECT: &str = "# expect:";
 const LONGEST_LINE: u64 = 1 << 30;
 
 #[derive(Debug, Default, Serialize)]
-struct Audited<'a> {
+struct TablesReport<'a> {
     input: &'a str,
     valid: bool,
     tables: u64,
     valid_tables: u64,
     /// Tables for which the file has another verdict.
     verdicts_differ: u64,
-    /// How many tables break each rule; a table may break several.
+    /// The number of tables that break each rule; a table may break several.
     rules: Vec<RuleTables>,
     violations: Vec<Diagnosis>,
     elapsed_ms: f64,
@@ -54,7 +54,7 @@ struct RuleTables {
 /// Judges each line and prints what was found.
 pub(super) fn audit(run: &Run<'_>, Input { name, reader: mut input, .. }: Input) -> Result<Verdict, Failure> {
     let list = run.asked.most();
-    let mut audited = Audited { input: &name, ..Audited::default() };
+    let mut audited = TablesReport { input: &name, ..TablesReport::default() };
     let mut broken = BTreeMap::new();
     let mut expectation = Expectation::plane();
     let mut line = String::new();
@@ -86,7 +86,7 @@ pub(super) fn audit(run: &Run<'_>, Input { name, reader: mut input, .. }: Input)
     Ok(if audited.valid { Verdict::Sound } else { Verdict::Wrong })
 }
 
-impl Audited<'_> {
+impl TablesReport<'_> {
     /// Judges one table, and compares the verdict with the one behind `=`, if there is one.
     fn judge(
         &mut self,

@@ -1,36 +1,35 @@
 //! An audit as text.
 
-use super::audited::{Audited, CoverageStyle, Note};
+use super::report::{AuditReport, CoverageStyle, Note};
 use crate::diagnosis_text::{write, write_explanations, write_more, write_rule};
 use crate::output::plain;
 use crate::output::style::{BAD, GOOD, QUIET};
 use std::fmt::Write as _;
 
 /// The audit for people.
-pub(super) fn text(audited: &Audited) -> Result<String, std::fmt::Error> {
-    let CoverageStyle { is_rule, worst, decimals } = audited.style;
+pub(super) fn text(report: &AuditReport) -> Result<String, std::fmt::Error> {
+    let CoverageStyle { is_rule, worst, decimals } = report.style;
     let mut out = String::new();
-    writeln!(out, "{}", plain(&audited.input))?;
-    for note in &audited.notes {
+    writeln!(out, "{}", plain(&report.input))?;
+    for note in &report.notes {
         match note {
             Note::Plain(note) | Note::Detail(note) => writeln!(out, "{QUIET}{note}{QUIET:#}")?,
             Note::Warning(warning) => writeln!(out, "{BAD}warning{BAD:#}: {warning}")?,
         }
     }
     out.push('\n');
-    for (what, count) in &audited.counts {
+    for (what, count) in &report.counts {
         writeln!(out, "  {what:38} {count:>12}")?;
     }
     out.push('\n');
-    audited.rules.iter().try_for_each(|rule| write_rule(&mut out, rule))?;
-    let coverage = audited.coverage.as_ref().filter(|coverage| coverage.has_polygons());
+    report.rules.iter().try_for_each(|rule| write_rule(&mut out, rule))?;
+    let coverage = report.coverage.as_ref().filter(|coverage| coverage.has_polygons());
     if let Some(coverage) = coverage {
         out.push('\n');
         coverage.write_rules(&mut out, is_rule)?;
     }
     out.push('\n');
-    for (listed, total) in [(&audited.findings, audited.finding_count), (&audited.violations, audited.violation_count)]
-    {
+    for (listed, total) in [(&report.findings, report.finding_count), (&report.violations, report.violation_count)] {
         for one in listed.iter().filter(|one| one.follows_from.is_none()) {
             write(&mut out, one, decimals)?;
         }
@@ -40,14 +39,14 @@ pub(super) fn text(audited: &Audited) -> Result<String, std::fmt::Error> {
     if let Some(coverage) = coverage {
         coverage.write_worst(&mut out, worst, decimals)?;
     }
-    for one in audited.violations.iter().filter(|one| one.follows_from.is_some()) {
+    for one in report.violations.iter().filter(|one| one.follows_from.is_some()) {
         write(&mut out, one, decimals)?;
     }
-    audited.remarks.iter().try_for_each(|remark| writeln!(out, "{remark}"))?;
+    report.remarks.iter().try_for_each(|remark| writeln!(out, "{remark}"))?;
     // The first word is coloured.
-    let verdict = audited.verdict();
+    let verdict = report.verdict();
     let (word, rest) = verdict.split_once(':').unwrap_or((&verdict, ""));
-    let style = if audited.valid { GOOD } else { BAD };
-    writeln!(out, "{style}{word}{style:#}:{rest} ({:.0} ms)", audited.elapsed_ms)?;
+    let style = if report.valid { GOOD } else { BAD };
+    writeln!(out, "{style}{word}{style:#}:{rest} ({:.0} ms)", report.elapsed_ms)?;
     Ok(out)
 }

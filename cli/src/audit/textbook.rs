@@ -1,10 +1,9 @@
 //! `twinedge audit` of the three tables of a textbook.
 
-use super::Run;
-use super::audited::{Audited, JsonForm, Note};
-use super::map::counts;
-use super::packed::{Beside, Map, Names};
-use super::write::{Picture, write};
+use super::arguments::Run;
+use super::packed::{Beside, Map, Names, Picture};
+use super::report::{AuditReport, JsonForm, Note, counts};
+use super::write::write;
 use crate::input::Input;
 use crate::output::counted;
 use crate::status::{Failure, Verdict};
@@ -15,7 +14,7 @@ use twinedge::io::tables::Textbook;
 use twinedge::validate::{Collect, Counts, Expectation, Record, View, Violation, validate, validate_embedding};
 use twinedge_formats::diagnosis::{Diagnosis, Records, RuleLine};
 
-/// Whether a file that begins so has the three tables of a textbook: the first word that is no comment is a heading, or the
+/// Returns true if a file that begins so has the three tables of a textbook: the first word that is no comment is a heading, or the
 /// name of a vertex, a half-edge or a face.
 pub(super) fn is_textbook(beginning: &[u8]) -> bool {
     let text = String::from_utf8_lossy(beginning);
@@ -47,7 +46,7 @@ pub(super) fn audit(run: &Run<'_>, Input { name, mut reader, .. }: Input) -> Res
     let json = json!({
         "vertices": vertices, "edges": edges, "half_edges": half_edges, "faces": faces, "components": components,
     });
-    let audited = Audited {
+    let report = AuditReport {
         valid: report.is_valid(),
         found: counted(report.violation_count() as usize, "violation"),
         notes: notes.into_iter().flatten().map(|note| Note::Plain(note.to_owned())).collect(),
@@ -56,9 +55,9 @@ pub(super) fn audit(run: &Run<'_>, Input { name, mut reader, .. }: Input) -> Res
         violations: report.violations().iter().map(|violation| diagnosis(&tables, violation)).collect(),
         violation_count: report.violation_count(),
         json: JsonForm { counts: json, is_named: true, ..JsonForm::default() },
-        ..Audited::new(&name)
+        ..AuditReport::new(&name)
     };
-    write(audited, run, |audited| picture(&tables, audited))
+    write(report, run, |report| picture(&tables, report))
 }
 
 /// A violation with the names of the tables.
@@ -73,7 +72,7 @@ fn diagnosis(tables: &Textbook, violation: &Violation) -> Diagnosis {
     }
 }
 
-fn picture(tables: &Textbook, audited: &Audited) -> Picture {
+fn picture(tables: &Textbook, report: &AuditReport) -> Picture {
     let name = |record: Record| tables.name(record).unwrap_or_default().to_owned();
     let half_edges = 0..tables.half_edge_slots();
     let mutual = |h: &usize| tables.twin(*h).filter(|t| half_edges.contains(t) && tables.twin(*t) == Some(*h));
@@ -83,7 +82,7 @@ fn picture(tables: &Textbook, audited: &Audited) -> Picture {
         faces: (0..tables.face_slots()).map(|f| name(Record::Face(f))).collect(),
         twins: half_edges.clone().map(|h| mutual(&h)).collect(),
     };
-    let map = Map::pack(tables, Beside { features: &|_| Vec::new(), names, windows: &audited.windows() });
+    let map = Map::pack(tables, Beside { features: &|_| Vec::new(), names, windows: &report.windows() });
     Picture { map, ..Picture::default() }
 }
 

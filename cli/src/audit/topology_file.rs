@@ -1,9 +1,9 @@
 //! Auditing a topology of PostGIS, as `psql` wrote it, or the arcs of TopoJSON.
 
-use super::Run;
-use super::audited::{Audited, JsonForm, Note};
-use super::packed::{Beside, Map, Names};
-use super::write::{Picture, write};
+use super::arguments::Run;
+use super::packed::{Beside, Map, Names, Picture};
+use super::report::{AuditReport, JsonForm, Note};
+use super::write::write;
 use crate::input::Input;
 use crate::output::{counted, grouped};
 use crate::status::{Failure, Verdict};
@@ -17,8 +17,8 @@ pub(super) fn audit_postgis(run: &Run<'_>, Input { name, reader, .. }: Input) ->
     let failed = |error| Failure(format!("{name}: {error}"));
     let topology = postgis::read(reader, run.asked.most()).map_err(failed)?;
     let audit = postgis::audit(&topology, run.asked.most()).map_err(failed)?;
-    let audited = audited(&name, &audit, &POSTGIS)?;
-    write(audited, run, |audited| picture(&topology, |record| topology.name(record), audited))
+    let report = report(&name, &audit, &POSTGIS)?;
+    write(report, run, |report| picture(&topology, |record| topology.name(record), report))
 }
 
 /// Reads the arcs of an object of TopoJSON and prints what was found.
@@ -26,8 +26,8 @@ pub(super) fn audit_arcs(run: &Run<'_>, Input { name, mut reader, .. }: Input) -
     let list = run.asked.most();
     let topology = topojson::read(&mut reader, run.asked.map.layer(), list)
         .map_err(|error| Failure(format!("{name}: {error}")))?;
-    let audited = audited(&name, &topojson::audit(&topology, list), &ARCS)?;
-    write(audited, run, |audited| picture(&topology, |record| topology.name(record), audited))
+    let report = report(&name, &topojson::audit(&topology, list), &ARCS)?;
+    write(report, run, |report| picture(&topology, |record| topology.name(record), report))
 }
 
 /// A kind of topology, in words.
@@ -55,10 +55,10 @@ const ARCS: Words = Words {
     repeated: "repeated points",
 };
 
-fn audited(name: &str, audit: &TopologyAudit, words: &Words) -> Result<Audited, Failure> {
+fn report(name: &str, audit: &TopologyAudit, words: &Words) -> Result<AuditReport, Failure> {
     let counts = audit.counts();
     let json = to_value(audit)?;
-    Ok(Audited {
+    Ok(AuditReport {
         valid: audit.is_valid(),
         found: counted(audit.violation_count() as usize, "violation"),
         notes: vec![Note::Plain(words.note.to_owned())],
@@ -75,11 +75,11 @@ fn audited(name: &str, audit: &TopologyAudit, words: &Words) -> Result<Audited, 
         violations: audit.violations().to_vec(),
         violation_count: audit.violation_count(),
         json: JsonForm { counts: json["counts"].clone(), is_named: true, ..JsonForm::default() },
-        ..Audited::new(name)
+        ..AuditReport::new(name)
     })
 }
 
-fn picture(topology: &impl Embedding, name: impl Fn(Record) -> String, audited: &Audited) -> Picture {
+fn picture(topology: &impl Embedding, name: impl Fn(Record) -> String, report: &AuditReport) -> Picture {
     let names = Names::Ids {
         vertices: (0..topology.vertex_slots()).map(|v| name(Record::Vertex(v))).collect(),
         edges: (0..topology.half_edge_slots() / 2)
@@ -87,6 +87,6 @@ fn picture(topology: &impl Embedding, name: impl Fn(Record) -> String, audited: 
             .collect(),
         faces: (0..topology.face_slots()).map(|f| name(Record::Face(f))).collect(),
     };
-    let map = Map::pack(topology, Beside { features: &|_| Vec::new(), names, windows: &audited.windows() });
+    let map = Map::pack(topology, Beside { features: &|_| Vec::new(), names, windows: &report.windows() });
     Picture { map, ..Picture::default() }
 }

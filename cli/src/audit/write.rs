@@ -1,45 +1,37 @@
 //! Writing an audit in the format that was asked for.
 
-use super::audited::Audited;
+use super::arguments::Run;
 use super::destination::ReportFormat;
-use super::packed::Map;
+use super::packed::Picture;
+use super::report::AuditReport;
 use super::text::text;
-use super::{Run, findings_geojson, page};
+use super::{findings_geojson, page};
 use crate::output::{counted, plain, print};
 use crate::status::{Failure, Verdict};
-use serde::Serialize;
-
-/// What a page shows beside the findings.
-#[derive(Debug, Default, Serialize)]
-pub(super) struct Picture {
-    pub(super) map: Map,
-    /// The features of the map: name, id, and a colour that neighbours have not.
-    pub(super) features: Vec<(Option<String>, Option<String>, usize)>,
-}
 
 /// Writes an audit. `picture` makes what a page shows. Where a layer or a page goes to a file, a line for people says so.
 pub(super) fn write(
-    mut audited: Audited,
+    mut report: AuditReport,
     run: &Run<'_>,
-    picture: impl FnOnce(&Audited) -> Picture,
+    picture: impl FnOnce(&AuditReport) -> Picture,
 ) -> Result<Verdict, Failure> {
     let Run { asked, to, .. } = run;
-    audited.elapsed_ms = run.elapsed_ms();
-    let audited = if asked.explain { audited } else { audited.unexplained() };
+    report.elapsed_ms = run.elapsed_ms();
+    let report = if asked.explain { report } else { report.unexplained() };
     match to.format {
-        ReportFormat::Text => to.text(&text(&audited)?)?,
-        ReportFormat::Json => to.json(&audited.json())?,
-        ReportFormat::Geojson => to.bytes(&findings_geojson::layer(&audited)?)?,
-        ReportFormat::Html => to.bytes(page::page(&audited, &picture(&audited))?.as_bytes())?,
+        ReportFormat::Text => to.text(&text(&report)?)?,
+        ReportFormat::Json => to.json(&report.json())?,
+        ReportFormat::Geojson => to.bytes(&findings_geojson::layer(&report)?)?,
+        ReportFormat::Html => to.bytes(page::page(&report, &picture(&report))?.as_bytes())?,
     }
     if let (ReportFormat::Geojson | ReportFormat::Html, Some(file)) = (to.format, to.file()) {
-        let listed = match (audited.listed().count(), audited.total()) {
+        let listed = match (report.listed().count(), report.total()) {
             (listed, total) if listed as u64 == total => counted(listed, "finding"),
             (listed, total) => format!("{listed} of {}", counted(total as usize, "finding")),
         };
         let [input, verdict, file] =
-            [&audited.input, &audited.verdict(), &file.display().to_string()].map(|text| plain(text));
+            [&report.input, &report.verdict(), &file.display().to_string()].map(|text| plain(text));
         print(&format!("{input}: {verdict}; {listed} written to {file}\n"))?;
     }
-    Ok(if audited.valid { Verdict::Sound } else { Verdict::Wrong })
+    Ok(if report.valid { Verdict::Sound } else { Verdict::Wrong })
 }

@@ -7,7 +7,7 @@ use crate::names::label;
 use crate::output::style::QUIET;
 use crate::output::{grouped, plain, print};
 use crate::output_file::write_file;
-use crate::query::{Asked, find};
+use crate::query::{Source, find};
 use crate::status::{Failure, Verdict};
 use clap::ValueEnum;
 use serde::Serialize;
@@ -40,7 +40,7 @@ pub(crate) struct Decompose {
     #[arg(long, value_name = "NAME")]
     feature: Option<String>,
 
-    /// What to print.
+    /// The output.
     #[arg(long, value_enum, default_value_t)]
     format: Format,
 
@@ -71,7 +71,7 @@ struct Answer {
     ok: bool,
 }
 
-/// What became of the faces of a feature.
+/// The pieces of the faces of a feature.
 #[derive(Debug, Serialize)]
 struct Row {
     feature: usize,
@@ -90,12 +90,12 @@ impl Decompose {
             let why = "edges cross, touch or overlap, so faces are not well defined";
             return Err(Failure(format!("{input}: {why}; --snap auto cuts them, audit says where they are")));
         }
-        let asked = Asked { input, map, noted };
+        let asked = Source { input, map, noted };
         let features = match &self.feature {
             Some(name) => vec![find(&asked, name)?],
             None => asked.map.features().collect(),
         };
-        let Asked { input, mut map, .. } = asked;
+        let Source { input, mut map, .. } = asked;
         let by_feature = faces_by_feature(&map);
         let faces: Vec<FaceKey> = features.iter().flat_map(|f| by_feature[f.index()].iter().copied()).collect();
         if let Some(file) = &self.steps {

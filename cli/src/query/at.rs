@@ -1,14 +1,14 @@
 //! `twinedge query … at`.
 
-use super::asked::Asked;
 use super::record::Record;
+use super::source::Source;
 use crate::output::{Format, print, print_json};
 use crate::status::Failure;
 use serde::Serialize;
 use twinedge::geometry::Point;
 use twinedge::map::{Located, Locator};
 
-/// What lies at a point: a face, an edge or a vertex. The answer is exact.
+/// Tell what lies at a point: a face, an edge or a vertex. The answer is exact.
 #[derive(Debug, clap::Args)]
 #[command(after_help = "Examples:
   twinedge query at 28.25 -29.5
@@ -37,8 +37,8 @@ struct Answer<'a> {
 }
 
 impl At {
-    pub(super) fn answer(&self, asked: &Asked) -> Result<(), Failure> {
-        let Asked { input, map, .. } = asked;
+    pub(super) fn answer(&self, asked: &Source) -> Result<(), Failure> {
+        let Source { input, map, .. } = asked;
         let found = match Locator::new(map)?.locate(Point::new(self.x, self.y))? {
             Located::Face(key) => Record::face(map, key),
             Located::Edge(key) => Record::edge(map, key),

@@ -1,7 +1,7 @@
 //! `twinedge query … neighbours --all`: all pairs of neighbours, as a table.
 
-use super::asked::Asked;
 use super::list::{Limit, TableFormat, csv, greatest_first};
+use super::source::Source;
 use crate::names::label;
 use crate::output::style::QUIET;
 use crate::output::{measure, print, print_json};
@@ -14,7 +14,7 @@ use twinedge::algorithm::neighbours::pairs;
 use twinedge::dcel::Face;
 use twinedge::map::FeatureId;
 
-/// What a table of neighbours is sorted by.
+/// The order of a table of neighbours.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq, ValueEnum)]
 pub(super) enum SortBy {
     /// The numbers of the features.
@@ -58,13 +58,13 @@ const HEADINGS: [&str; 10] =
 
 /// Prints all pairs of features with a border or an overlap.
 pub(super) fn print_all(
-    asked: &Asked,
+    asked: &Source,
     units: &Units,
     sort: SortBy,
     limit: &Limit,
     format: TableFormat,
 ) -> Result<(), Failure> {
-    let Asked { input, map, noted } = asked;
+    let Source { input, map, noted } = asked;
     let id = |feature: FeatureId| noted.ids.get(feature.index()).cloned().flatten();
     let mut rows: Vec<Row> = Vec::new();
     for pair in pairs(map) {

@@ -1,6 +1,6 @@
 //! `twinedge query … contour`.
 
-use super::asked::Asked;
+use super::source::Source;
 use super::which::Which;
 use crate::names::label;
 use crate::noted::Condition;
@@ -24,7 +24,7 @@ pub(super) struct Contour {
     #[command(flatten)]
     which: Which,
 
-    /// What to print.
+    /// The output.
     #[arg(long, value_enum, default_value_t)]
     format: Format,
 }
@@ -62,8 +62,8 @@ impl Contour {
         self.which.condition()
     }
 
-    pub(super) fn answer(&self, asked: &Asked) -> Result<(), Failure> {
-        let Asked { input, map, .. } = asked;
+    pub(super) fn answer(&self, asked: &Source) -> Result<(), Failure> {
+        let Source { input, map, .. } = asked;
         let id = self.which.find(asked)?;
         let contour = of_feature(map, id).map_err(|error| Failure(format!("{input}: {error}")))?;
         let name = label(map, id);

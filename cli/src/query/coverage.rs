@@ -1,7 +1,7 @@
 //! `twinedge query … coverage`.
 
 use super::list::{Limit, TableFormat, csv, greatest_first};
-use crate::coverage::{Asked, Coverage, row};
+use crate::coverage::{Coverage, CoverageOptions, row};
 use crate::diagnosis_text::write;
 use crate::input::Imported;
 use crate::output::style::QUIET;
@@ -27,7 +27,7 @@ Exit status: 0 there is an answer, if only that there is nothing; 2 the input co
 )]
 pub(super) struct CoverageOf {
     #[command(flatten)]
-    asked: Asked,
+    asked: CoverageOptions,
 
     #[command(flatten)]
     measured: Measured,
@@ -36,7 +36,7 @@ pub(super) struct CoverageOf {
     #[arg(long, value_name = "RULE", value_parser = ["C1", "C2", "C3", "C4", "C5", "C6"])]
     rule: Vec<String>,
 
-    /// What to sort by. Within each rule, the largest area comes first anyway.
+    /// The column to sort by. Within each rule, the largest area comes first anyway.
     #[arg(long, value_enum, default_value_t)]
     sort: SortBy,
 
@@ -48,7 +48,7 @@ pub(super) struct CoverageOf {
     format: TableFormat,
 }
 
-/// What findings are sorted by.
+/// The order of findings.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq, ValueEnum)]
 enum SortBy {
     /// The rule.

@@ -1,7 +1,7 @@
 //! `twinedge query … faces`.
 
-use super::asked::Asked;
 use super::list::{Limit, greatest_first};
+use super::source::Source;
 use crate::names::label;
 use crate::output::style::BAD;
 use crate::output::{Format, grouped, measure, print, print_json};
@@ -21,7 +21,7 @@ use twinedge::dcel::Face;
 
 Exit status: 0 there is an answer; 2 the input could not be read.")]
 pub(super) struct Faces {
-    /// What to sort by.
+    /// The column to sort by.
     #[arg(long, value_enum, default_value_t)]
     sort: SortBy,
 
@@ -33,7 +33,7 @@ pub(super) struct Faces {
     format: Format,
 }
 
-/// What faces are sorted by.
+/// The order of faces.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq, ValueEnum)]
 enum SortBy {
     /// Their numbers.
@@ -66,8 +66,8 @@ struct Row {
 }
 
 impl Faces {
-    pub(super) fn answer(&self, asked: &Asked) -> Result<(), Failure> {
-        let Asked { input, map, .. } = asked;
+    pub(super) fn answer(&self, asked: &Source) -> Result<(), Failure> {
+        let Source { input, map, .. } = asked;
         let mut faces = Vec::with_capacity(map.dcel().face_count());
         for face in map.dcel().faces() {
             let features: Vec<String> = map.features_of(face.key())?.map(|f| label(map, f)).collect();

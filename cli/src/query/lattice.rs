@@ -1,6 +1,6 @@
 //! `twinedge query … lattice`.
 
-use super::asked::Asked;
+use super::source::Source;
 use crate::output::style::{BAD, GOOD};
 use crate::output::{Format, grouped, print, print_json};
 use crate::status::Failure;
@@ -39,8 +39,8 @@ struct Row {
 }
 
 impl Lattice {
-    pub(super) fn answer(&self, asked: &Asked) -> Result<(), Failure> {
-        let Asked { input, map, .. } = asked;
+    pub(super) fn answer(&self, asked: &Source) -> Result<(), Failure> {
+        let Source { input, map, .. } = asked;
         let found = of_map(map).map_err(|error| Failure(format!("{input}: {error}")))?;
         let mut faces = Vec::with_capacity(found.faces.len());
         for (face, count) in &found.faces {

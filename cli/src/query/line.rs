@@ -1,7 +1,7 @@
 //! `twinedge query … line`.
 
-use super::asked::Asked;
 use super::record::Record;
+use super::source::Source;
 use crate::output::{Format, print, print_json};
 use crate::status::Failure;
 use clap::ValueEnum;
@@ -33,7 +33,7 @@ pub(super) struct Line {
     #[arg(allow_negative_numbers = true)]
     y2: f64,
 
-    /// How far the line extends.
+    /// The extent of the line.
     #[arg(long, value_enum, default_value_t)]
     extent: Extent,
 
@@ -42,7 +42,7 @@ pub(super) struct Line {
     format: Format,
 }
 
-/// How far the line extends.
+/// The extent of the line.
 #[derive(Clone, Copy, Debug, Default, ValueEnum)]
 enum Extent {
     /// From the first point to the second.
@@ -62,18 +62,18 @@ struct Answer<'a> {
     met: Vec<Step>,
 }
 
-/// What the line meets next.
+/// The part of the map that the line meets next.
 #[derive(Debug, Serialize)]
 struct Step {
     #[serde(flatten)]
     record: Record,
-    /// Whether the line runs along it, as opposed to across; only edges can be run along.
+    /// True if the line runs along it, as opposed to across; only edges can be run along.
     along: bool,
 }
 
 impl Line {
-    pub(super) fn answer(&self, asked: &Asked) -> Result<(), Failure> {
-        let Asked { input, map, .. } = asked;
+    pub(super) fn answer(&self, asked: &Source) -> Result<(), Failure> {
+        let Source { input, map, .. } = asked;
         let (from, to) = (Point::new(self.x1, self.y1), Point::new(self.x2, self.y2));
         let stretch = match self.extent {
             Extent::Segment => QueryLine::Segment(from, to),

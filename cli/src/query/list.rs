@@ -16,7 +16,7 @@ pub(super) enum TableFormat {
     Json,
 }
 
-/// How many rows are wanted.
+/// The number of rows that are wanted.
 #[derive(Debug, clap::Args)]
 pub(super) struct Limit {
     /// Greatest number of rows; all by default.

@@ -1,6 +1,5 @@
 //! `twinedge query`: answers one question about a map.
 
-mod asked;
 mod at;
 mod borders;
 mod contour;
@@ -13,10 +12,11 @@ mod names;
 mod neighbours;
 mod record;
 mod route;
+mod source;
 mod which;
 
-pub(crate) use asked::Asked;
 pub(crate) use names::find;
+pub(crate) use source::Source;
 
 use crate::input::{Imported, MapFile};
 use crate::noted::Keep;
@@ -64,7 +64,7 @@ enum Question {
 }
 
 impl Question {
-    /// What must be kept of the input for the answer.
+    /// All that must be kept of the input for the answer.
     const fn keep(&self) -> Keep<'_> {
         let condition = match self {
             Self::Neighbours(question) => question.condition(),
@@ -95,7 +95,7 @@ impl Query {
             _ => Units::Plane { degrees: false },
         };
         let Imported { name: input, map, noted, .. } = imported;
-        let asked = Asked { input, map, noted };
+        let asked = Source { input, map, noted };
         match &self.question {
             Question::Neighbours(question) => question.answer(&asked, &units),
             Question::At(question) => question.answer(&asked),

@@ -1,18 +1,18 @@
 //! Features by name.
 
-use super::asked::Asked;
+use super::source::Source;
 use crate::output::counted;
 use crate::status::Failure;
 use twinedge::map::{FeatureId, PlanarMap};
 
-/// How many names to suggest.
+/// The number of names that are suggested.
 const SUGGESTIONS: usize = 3;
-/// How similar a name must be to be suggested, from 0 to 1.
+/// The similarity of a name that is suggested, from 0 to 1, at least.
 const SIMILAR: f64 = 0.75;
 
 /// The feature with this name, or with the number after a `#`.
-pub(crate) fn find(asked: &Asked, name: &str) -> Result<FeatureId, Failure> {
-    let Asked { input, map, .. } = asked;
+pub(crate) fn find(asked: &Source, name: &str) -> Result<FeatureId, Failure> {
+    let Source { input, map, .. } = asked;
     let named: Vec<FeatureId> = map.features().filter(|f| map.name(*f) == Some(name)).collect();
     let numbered = name.strip_prefix('#').and_then(|number| number.parse().ok());
     match (&named[..], numbered.and_then(|number: usize| map.features().nth(number))) {

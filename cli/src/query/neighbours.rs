@@ -1,8 +1,8 @@
 //! `twinedge query … neighbours`.
 
-use super::asked::Asked;
 use super::borders::{SortBy, print_all};
 use super::list::{Limit, TableFormat};
+use super::source::Source;
 use super::which::Which;
 use crate::names::label;
 use crate::noted::Condition;
@@ -93,7 +93,7 @@ impl Neighbours {
         &self.measured
     }
 
-    pub(super) fn answer(&self, asked: &Asked, units: &Units) -> Result<(), Failure> {
+    pub(super) fn answer(&self, asked: &Source, units: &Units) -> Result<(), Failure> {
         match (self.all, self.which.is_given()) {
             (true, false) => return print_all(asked, units, self.sort, &self.limit, self.format),
             (true, true) => return Err(Failure("--all is about all features: ask for none".to_owned())),
@@ -110,7 +110,7 @@ impl Neighbours {
 }
 
 impl<'a> Answer<'a> {
-    fn new(Asked { input, map, .. }: &'a Asked, units: &Units, feature: FeatureId) -> Self {
+    fn new(Source { input, map, .. }: &'a Source, units: &Units, feature: FeatureId) -> Self {
         let named = |feature| Named { name: label(map, feature), id: feature.index() };
         let mut shared: BTreeMap<FeatureId, (usize, f64)> = BTreeMap::new();
         for face in faces_of(map, feature) {

@@ -1,7 +1,7 @@
 //! `twinedge query … route`.
 
-use super::asked::Asked;
 use super::names::find;
+use super::source::Source;
 use crate::names::label;
 use crate::output::{Format, measure, print, print_json};
 use crate::status::Failure;
@@ -18,13 +18,13 @@ use twinedge::algorithm::dual::{self, By};
 
 Exit status: 0 there is an answer, if only that there is no way; 2 the input could not be read, or has no feature of that name.")]
 pub(super) struct Route {
-    /// Where the way starts.
+    /// The place where the way starts.
     from: String,
 
-    /// Where it ends.
+    /// The place where it ends.
     to: String,
 
-    /// What makes a way short.
+    /// The measure of a way.
     #[arg(long, value_enum, default_value_t)]
     by: Measure,
 
@@ -51,8 +51,8 @@ struct Answer<'a> {
 }
 
 impl Route {
-    pub(super) fn answer(&self, asked: &Asked) -> Result<(), Failure> {
-        let Asked { input, map, .. } = asked;
+    pub(super) fn answer(&self, asked: &Source) -> Result<(), Failure> {
+        let Source { input, map, .. } = asked;
         let (from, to) = (find(asked, &self.from)?, find(asked, &self.to)?);
         let by = match self.by {
             Measure::Borders => By::Borders,

@@ -1,7 +1,7 @@
-//! Which feature a question is about.
+//! The feature that a question is about.
 
-use super::asked::Asked;
 use super::names::find;
+use super::source::Source;
 use crate::noted::Condition;
 use crate::output::plain;
 use crate::status::Failure;
@@ -24,18 +24,18 @@ pub(super) struct Which {
 }
 
 impl Which {
-    /// What must be noted while the map is read.
+    /// All that must be noted while the map is read.
     pub(super) const fn condition(&self) -> Option<&Condition> {
         self.condition.as_ref()
     }
 
-    /// Whether a feature is asked for.
+    /// Returns true if a feature is asked for.
     pub(super) const fn is_given(&self) -> bool {
         self.name.is_some() || self.id.is_some() || self.condition.is_some()
     }
 
     /// The only feature that it can be.
-    pub(super) fn find(&self, asked: &Asked) -> Result<FeatureId, Failure> {
+    pub(super) fn find(&self, asked: &Source) -> Result<FeatureId, Failure> {
         match self {
             Self { name: Some(name), .. } => find(asked, name),
             Self { id: Some(id), .. } => {
@@ -53,8 +53,8 @@ impl Which {
 }
 
 /// The only one of the features with these numbers.
-fn only(asked: &Asked, found: &[usize], what: &str) -> Result<FeatureId, Failure> {
-    let Asked { input, map, .. } = asked;
+fn only(asked: &Source, found: &[usize], what: &str) -> Result<FeatureId, Failure> {
+    let Source { input, map, .. } = asked;
     match *found {
         [number] => map.feature(number).ok_or_else(|| Failure(format!("{input}: no feature has {what}"))),
         [] => Err(Failure(format!("{input}: no feature has {what}"))),

@@ -7,7 +7,7 @@ fn counts(found: &Value) -> [u64; 4] {
     ["vertices", "edges", "components", "faces"].map(|what| found["counts"][what].as_u64().unwrap())
 }
 
-/// How many violations of each broken rule.
+/// The number of violations of each broken rule.
 fn broken(found: &Value) -> Vec<(&str, u64)> {
     let rules = found["rules"].as_array().unwrap().iter();
     let rules = rules.map(|rule| (rule["id"].as_str().unwrap(), rule["violations"].as_u64().unwrap()));

@@ -32,7 +32,7 @@ fn check_polygon(rings: &Value) {
     }
 }
 
-/// What RFC 7946 asks of a collection, and the columns that all features have.
+/// The demands of RFC 7946 on a collection, and the columns that all features have.
 fn check_layer(layer: &Value) {
     assert_eq!(layer["type"], "FeatureCollection");
     let mut columns: Option<Vec<String>> = None;

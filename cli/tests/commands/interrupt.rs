@@ -2,14 +2,14 @@
 
 use std::process::{Child, Command, Stdio};
 
-/// Whether the process handles SIGINT by itself.
+/// Returns true if the process handles SIGINT by itself.
 fn is_ready(child: &Child) -> bool {
     let status = std::fs::read_to_string(format!("/proc/{}/status", child.id())).unwrap();
     let caught = status.lines().find_map(|line| line.strip_prefix("SigCgt:")).unwrap();
     u64::from_str_radix(caught.trim(), 16).unwrap() & 1 << 1 != 0
 }
 
-/// What the program prints when it is interrupted as soon as it can be.
+/// The output of the program when it is interrupted as soon as it can be.
 fn interrupted(arguments: &[&str]) -> String {
     let mut child = Command::new(env!("CARGO_BIN_EXE_twinedge"))
         .args(arguments)

@@ -1,4 +1,4 @@
-//! What the commands print and return, and how they end.
+//! The output of the commands, their exit status, and how they end.
 
 mod support;
 

@@ -139,10 +139,17 @@ fn commands_about_maps_say_that_a_mesh_is_one() {
 #[test]
 fn options_that_do_not_apply_are_not_passed_over() {
     let (mesh, table) = (file("snapped.obj", CUBE), file("snapped.txt", "V 0 H 0 B 0 F 0\n"));
+    let root = concat!(env!("CARGO_MANIFEST_DIR"), "/..");
+    let book = format!("{root}/examples/tables/five_faces.txt");
+    let town = format!("{root}/formats/tests/postgis/data/town.copy");
     for (path, option, told) in [
         (&mesh, &["--snap", "auto"][..], "--snap is for maps, and this is a mesh"),
         (&table, &["--snap", "auto"], "--snap is for maps, and this is a file of tables"),
         (&table, &["--closed"], "is no mesh file"),
+        (&table, &["--sliver", "1"], "--sliver are for maps, and this is a file of tables"),
+        (&book, &["--snap", "auto"], "--snap is for maps, and this is a textbook's tables"),
+        (&book, &["--genus", "0"], "is no mesh file"),
+        (&town, &["--coverage"], "--sliver are for maps, and this is a topology of PostGIS"),
     ] {
         let output = twinedge(&[&["audit", path][..], option].concat());
         assert_eq!(output.status.code(), Some(2), "{option:?}");

@@ -5,7 +5,7 @@ use boon::{Compiler, Schemas};
 use serde_json::{Value, json, to_value};
 use twinedge::validate::{Collect, Expectation, Table, validate};
 
-/// What is wrong with the form of a document.
+/// The fault in the form of a document.
 fn complaint(document: &Value) -> Option<String> {
     let (mut schemas, mut compiler) = (Schemas::new(), Compiler::new());
     let path = format!("{}/../docs/report.schema.json", env!("CARGO_MANIFEST_DIR"));

@@ -1,4 +1,4 @@
-//! What audits find, in the one form that all writers take.
+//! The findings of audits, in the one form that all writers take.
 //!
 //! ```text
 //!   Violation ───────────┐
@@ -218,7 +218,7 @@ impl FeatureName {
 pub struct Flaw {
     /// The defect.
     pub reason: String,
-    /// Where it is.
+    /// The place.
     pub at: Position,
     /// The number of the shape in the feature.
     pub shape: usize,

@@ -2,7 +2,7 @@
 
 use super::Position;
 
-/// Where two segments cross, if these are their four ends, or else the middle of the points.
+/// The place where two segments cross, if these are their four ends, or else the middle of the points.
 #[must_use]
 pub fn middle(points: &[Position]) -> Option<Position> {
     if let [a, b, c, d] = *points

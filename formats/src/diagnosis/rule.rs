@@ -12,11 +12,11 @@ pub struct RuleLine {
     pub name: &'static str,
     /// The rule in one sentence.
     pub statement: &'static str,
-    /// How many of its unit were checked.
+    /// The number of its unit that were checked.
     pub checked: u64,
     /// The unit: links, vertices and so on.
     pub unit: &'static str,
-    /// How many violations there are, kept or not.
+    /// The number of violations, kept or not.
     pub violations: u64,
     /// Why it was not checked, or not on everything.
     pub unchecked: Option<Reason>,
@@ -37,7 +37,7 @@ pub enum Reason {
 }
 
 impl Reason {
-    /// Whether the input can be valid although the rule was not checked.
+    /// Returns true if the input can be valid although the rule was not checked.
     #[must_use]
     pub const fn is_by_design(self) -> bool {
         matches!(self, Self::Validator(why) if why.is_by_design())
@@ -79,7 +79,7 @@ impl RuleLine {
         report.outcomes().map(|(rule, outcome)| Self::new(rule, outcome)).collect()
     }
 
-    /// Whether it applies and was not checked, or not on everything.
+    /// Returns true if it applies and was not checked, or not on everything.
     #[must_use]
     pub fn is_open(&self) -> bool {
         self.unchecked.is_some_and(|why| !why.is_by_design())

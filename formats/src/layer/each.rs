@@ -1,4 +1,4 @@
-//! What takes the features that a reader hands over.
+//! The taker of the features that a reader hands over.
 
 use super::error::ReadError;
 use super::model::Feature;

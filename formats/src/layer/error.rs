@@ -1,9 +1,9 @@
 //! Why a layer could not be read or written.
 
-use super::format::Format;
 use super::loss::Loss;
 use std::fmt;
 use std::io;
+use twinedge::io::Format;
 use twinedge::io::{ForeignFormat, TextPlace};
 
 /// Why a layer could not be read.
@@ -21,15 +21,15 @@ pub enum ReadError {
     Content {
         /// The format.
         format: Format,
-        /// Where.
+        /// The place.
         place: Place,
-        /// What is wrong.
+        /// The error.
         cause: Cause,
     },
     /// `SQLite` refuses the file.
     #[error("GeoPackage: {message}")]
     Database {
-        /// What it says.
+        /// The message.
         message: String,
     },
     /// The file has several layers, and none was asked for; or none of the name that was asked for.
@@ -110,7 +110,7 @@ impl fmt::Display for Place {
     }
 }
 
-/// What is wrong in a file that is not text.
+/// An error in a file that is not text.
 #[derive(Clone, Debug, PartialEq, Eq, thiserror::Error)]
 #[non_exhaustive]
 pub enum Cause {
@@ -123,9 +123,9 @@ pub enum Cause {
     /// A count that the data cannot hold.
     #[error("{count} {what} are more than the data can hold")]
     TooMany {
-        /// What is counted.
+        /// The things that are counted.
         what: &'static str,
-        /// How many there should be.
+        /// The number that there should be.
         count: u64,
     },
     /// Bytes follow the end of a geometry.
@@ -139,7 +139,7 @@ pub enum Cause {
     NoSuchArc {
         /// The index: for a negative one, its complement is the number of the arc.
         index: i64,
-        /// How many arcs there are.
+        /// The number of arcs.
         arcs: usize,
     },
     /// Arcs of TopoJSON are repeated so often that features would have more positions than this.
@@ -166,7 +166,7 @@ pub enum WriteError {
     /// `SQLite` could not write it.
     #[error("GeoPackage: {message}")]
     Database {
-        /// What it says.
+        /// The message.
         message: String,
     },
     /// The format cannot hold all of the layer, and losses are not allowed.
@@ -174,7 +174,7 @@ pub enum WriteError {
     Loss {
         /// The format.
         format: Format,
-        /// What would be lost.
+        /// All that would be lost.
         losses: Vec<Loss>,
     },
     /// The format cannot hold this at all.
@@ -182,7 +182,7 @@ pub enum WriteError {
     Impossible {
         /// The format.
         format: Format,
-        /// What.
+        /// A description.
         what: String,
     },
     /// The crate was built without the feature that writes this format.

@@ -1,4 +1,4 @@
-//! What GeoJSON and TopoJSON have in common.
+//! All that GeoJSON and TopoJSON have in common.
 
 use super::model::{Crs, Dimensions, Geometry, Members, Position, Shape};
 
@@ -12,7 +12,7 @@ pub(super) fn geometry(shape: Shape, members: Members) -> Geometry {
     Geometry { dimensions: Dimensions::with(height, false), shape, members }
 }
 
-/// Whether all coordinates so far can be longitudes and latitudes.
+/// True if all coordinates so far can be longitudes and latitudes.
 #[derive(Debug, Default)]
 pub(super) struct InDegrees(Option<bool>);
 

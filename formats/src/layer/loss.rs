@@ -1,4 +1,4 @@
-//! What a format cannot hold of a layer.
+//! All that a format cannot hold of a layer.
 
 use super::model::{FieldKind, Layer};
 use std::fmt;
@@ -31,16 +31,16 @@ pub enum Loss {
     Type {
         /// The column.
         column: String,
-        /// What its values are.
+        /// The type of its values.
         from: FieldKind,
-        /// What they become.
+        /// The type that they become.
         to: FieldKind,
     },
     /// Texts of a column that are cut.
     Cut {
         /// The column.
         column: String,
-        /// How many values.
+        /// The number of values.
         count: usize,
         /// To how many bytes.
         bytes: usize,
@@ -49,7 +49,7 @@ pub enum Loss {
     Numbers {
         /// The column.
         column: String,
-        /// How many values.
+        /// The number of values.
         count: usize,
     },
     /// Attributes that some features do not have at all, which come back as null.
@@ -57,7 +57,7 @@ pub enum Loss {
 }
 
 impl Loss {
-    /// Whether it is only of form: a value that comes back as another type, an absent one as null, the name of the layer.
+    /// Returns true if it is only of form: a value that comes back as another type, an absent one as null, the name of the layer.
     #[must_use]
     pub const fn is_minor(&self) -> bool {
         matches!(
@@ -116,7 +116,7 @@ fn some(names: &[String]) -> String {
     }
 }
 
-/// How many attributes features lack of so many columns.
+/// The number of attributes that features lack of so many columns.
 pub(super) fn absent(layer: &Layer, columns: usize) -> usize {
     layer.features.iter().map(|feature| columns.saturating_sub(feature.attributes.len())).sum()
 }

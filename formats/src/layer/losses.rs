@@ -1,13 +1,13 @@
 //! Finding what a format cannot hold of a layer.
 
-use super::format::Format;
 use super::loss::{Loss, absent};
 use super::model::{Dimensions, FieldKind, Geometry, Layer, Shape, Value};
 use std::collections::BTreeSet;
+use twinedge::io::Format;
 
-/// What would be lost if the layer were written in this format. O(size of the layer).
+/// All that would be lost if the layer were written in this format. O(size of the layer).
 ///
-/// What a format holds in another form is no loss: the order of the rings of a Shapefile, a multi-polygon of one polygon that
+/// It is no loss if a format holds something in another form: the order of the rings of a Shapefile, a multi-polygon of one polygon that
 /// becomes a polygon there, or how many digits a number is written with.
 ///
 /// ```
@@ -131,7 +131,7 @@ fn of_geometry<'a>(geometry: &'a Geometry, is_json: bool, names: &mut BTreeSet<&
     }
 }
 
-/// Whether a member of a geometry means something in GeoJSON, or is forbidden there (RFC 7946, section 7.1).
+/// Returns true if a member of a geometry means something in GeoJSON, or is forbidden there (RFC 7946, section 7.1).
 pub(super) fn is_reserved_in_json(name: &str) -> bool {
     matches!(name, "type" | "coordinates" | "geometries" | "geometry" | "properties" | "features")
 }
@@ -162,7 +162,7 @@ fn geometries(layer: &Layer, format: Format, found: &mut Vec<Loss>) {
     }
 }
 
-/// Whether positions have another number of dimensions than the geometry says.
+/// Returns true if positions have another number of dimensions than the geometry says.
 fn is_mixed(geometry: &Geometry) -> bool {
     if let Shape::Collection(parts) = &geometry.shape {
         return parts.iter().any(|part| part.dimensions != geometry.dimensions || is_mixed(part));

@@ -27,7 +27,6 @@ mod each;
 mod error;
 #[cfg(feature = "flatgeobuf")]
 mod flatgeobuf;
-mod format;
 #[cfg(feature = "geojson")]
 mod geojson;
 #[cfg(feature = "geopackage")]
@@ -53,7 +52,6 @@ mod write;
 
 pub use each::Each;
 pub use error::{Cause, Place, ReadError, WriteError};
-pub use format::Format;
 pub use loss::Loss;
 pub use losses::losses;
 pub use model::{
@@ -61,4 +59,5 @@ pub use model::{
 };
 pub use read::{ReadOptions, format_of, read, read_layer, read_path};
 pub use to_map::to_map;
+pub use twinedge::io::Format;
 pub use write::{files, refuse_losses, write, write_path};

@@ -21,7 +21,7 @@ impl Position {
     }
 }
 
-/// What the numbers of the positions of a geometry mean.
+/// The meaning of the numbers of the positions of a geometry.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Hash)]
 #[non_exhaustive]
 pub enum Dimensions {
@@ -37,7 +37,7 @@ pub enum Dimensions {
 }
 
 impl Dimensions {
-    /// How many numbers follow x and y, and in [`Xy`](Self::Xy) may.
+    /// The number of coordinates that follow x and y, and in [`Xy`](Self::Xy) may.
     #[must_use]
     pub const fn more(self) -> usize {
         match self {
@@ -62,7 +62,7 @@ impl Dimensions {
 /// A geometry.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Geometry {
-    /// What the numbers of the positions mean.
+    /// The meaning of the numbers of the positions.
     pub dimensions: Dimensions,
     /// The positions.
     pub shape: Shape,
@@ -117,7 +117,7 @@ impl Shape {
         }
     }
 
-    /// Whether there is no position in it.
+    /// Returns true if there is no position in it.
     #[must_use]
     pub fn is_empty(&self) -> bool {
         let mut any = false;
@@ -249,7 +249,7 @@ pub type Members = serde_json::Map<String, serde_json::Value>;
 pub struct Feature {
     /// Its id.
     pub id: Option<Id>,
-    /// Where it is.
+    /// The place.
     pub geometry: Option<Geometry>,
     /// Its attributes by name of column, in order.
     pub attributes: Vec<(Arc<str>, Value)>,
@@ -326,7 +326,7 @@ pub struct Crs {
 const ESRI_WGS_84: &str = "GCS_WGS_1984";
 
 impl Crs {
-    /// Whether it means something else than longitudes and latitudes on WGS 84.
+    /// Returns true if it means something else than longitudes and latitudes on WGS 84.
     #[must_use]
     pub fn is_other(&self) -> bool {
         if let Some(member) = &self.member {
@@ -342,7 +342,7 @@ impl Crs {
         }
     }
 
-    /// What to call it in a message.
+    /// The name of it in a message.
     #[must_use]
     pub fn name(&self) -> String {
         if let Some((authority, code)) = &self.code {
@@ -354,7 +354,7 @@ impl Crs {
     }
 }
 
-/// What a file says of a layer beside its features.
+/// All that a file says of a layer beside its features.
 #[derive(Clone, Debug, Default, PartialEq)]
 pub struct Header {
     /// The name of the layer.
@@ -372,7 +372,7 @@ pub struct Header {
 /// Features, and what a file says beside them.
 #[derive(Clone, Debug, Default, PartialEq)]
 pub struct Layer {
-    /// What the file says beside the features.
+    /// All that the file says beside the features.
     pub header: Header,
     /// The features in order.
     pub features: Vec<Feature>,

@@ -2,16 +2,16 @@
 
 use super::each::Each;
 use super::error::ReadError;
-use super::format::Format;
 use super::model::{Header, Layer};
 use std::fs::File;
 use std::io::{BufReader, Cursor, Read};
 use std::path::Path;
+use twinedge::io::{ForeignFormat, Format};
 
-/// How many bytes are looked at to tell the format.
+/// The number of bytes that are looked at to tell the format.
 const HEAD: u64 = 1 << 16;
 
-/// How to read a layer.
+/// The way to read a layer.
 #[derive(Clone, Debug, Default)]
 pub struct ReadOptions {
     /// The format. Without one, the content tells, and then the extension of the file.
@@ -92,21 +92,14 @@ pub fn read(
 /// # Ok::<_, twinedge_formats::layer::ReadError>(())
 /// ```
 pub fn format_of(head: &[u8], path: Option<&Path>, options: &ReadOptions) -> Result<Format, ReadError> {
-    let of_content = Format::of_content(head).map_err(ReadError::Foreign)?;
+    if let Some(foreign) = ForeignFormat::of_content(head) {
+        return Err(ReadError::Foreign(foreign));
+    }
+    let of_content = Format::of_content(head);
     let by_name = options.format.or_else(|| path.and_then(Format::of_path));
     // The beginning of some formats tells what the content is, whatever the name.
-    match (of_content, by_name) {
-        (
-            Some(
-                known @ (Format::Shapefile | Format::GeoPackage | Format::Wkb | Format::TopoJson | Format::FlatGeobuf),
-            ),
-            _,
-        ) => Ok(known),
-        (_, Some(by_name)) => Ok(by_name),
-        (Some(text), None) => Ok(text),
-        (None, None) if is_blank(head) => Err(ReadError::Empty),
-        (None, None) => Err(ReadError::Unrecognised),
-    }
+    let nothing = if is_blank(head) { ReadError::Empty } else { ReadError::Unrecognised };
+    of_content.filter(|format| format.is_certain()).or(by_name).or(of_content).ok_or(nothing)
 }
 
 fn is_blank(head: &[u8]) -> bool {

@@ -7,11 +7,11 @@
 
 use super::each::Each;
 use super::error::{Cause, Place, ReadError, WriteError};
-use super::format::Format;
 use super::model::{Crs, Dimensions, Feature, Geometry, Header, Layer, Line, Position, Shape, hex};
 use std::io::{BufRead, BufReader, Read, Write};
+use twinedge::io::Format;
 
-/// How many collections may lie around a geometry.
+/// The number of collections that may lie around a geometry.
 const NESTED: usize = 32;
 
 /// The bits of the extended form: height, measure, reference system.
@@ -79,12 +79,12 @@ pub(super) fn parse(bytes: &[u8]) -> Result<(Geometry, Option<i64>), Cause> {
     }
 }
 
-/// What has not been read yet.
+/// The part that has not been read yet.
 struct Bytes<'a> {
     rest: &'a [u8],
 }
 
-/// How the numbers of a geometry are written.
+/// The way in which the numbers of a geometry are written.
 #[derive(Clone, Copy)]
 struct Form {
     is_little: bool,

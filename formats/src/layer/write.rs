@@ -1,12 +1,12 @@
 //! Writing a layer in any of the formats.
 
 use super::error::WriteError;
-use super::format::Format;
 use super::losses::losses;
 use super::model::Layer;
 use std::fs::File;
 use std::io::{BufWriter, Write};
 use std::path::{Path, PathBuf};
+use twinedge::io::Format;
 
 /// Refuses a format that cannot hold all of a layer. What a layer is likely to do without is let pass
 /// ([`Loss::is_minor`](super::Loss::is_minor)).

@@ -5,7 +5,7 @@ use crate::diagnosis::{Diagnosis, write_list};
 use std::fmt;
 use twinedge::validate::{Collect, Expectation, Report, Rule, validate};
 
-/// What an audit found. `Display` prints all of it as text; with the feature `serde` it is serialized as
+/// The findings of an audit. `Display` prints all of it as text; with the feature `serde` it is serialized as
 ///
 /// ```text
 /// {
@@ -32,7 +32,7 @@ pub struct MeshAudit {
 
 /// Joins the faces of a mesh, has the validator judge the result, and counts.
 ///
-/// What is expected is [`HalfEdgeMesh::expectation`], surfaces of any genus and with any borders, or that and what else is asked
+/// The expectation is [`HalfEdgeMesh::expectation`], surfaces of any genus and with any borders, or that and what else is asked
 /// for: rules M1 … M8. Where faces could not be joined, some of these cannot be checked, and the report says so.
 ///
 /// `collect` says how many findings of each kind, and how many violations, are kept. All findings are counted; violations as
@@ -69,25 +69,25 @@ pub fn audit(mesh: &IndexedMesh, expectation: &Expectation, collect: Collect) ->
 }
 
 impl MeshAudit {
-    /// Whether the mesh is made of surfaces and is as expected: no finding is a fault, and the validator found no violation.
+    /// Returns true if the mesh is made of surfaces and is as expected: no finding is a fault, and the validator found no violation.
     #[must_use]
     pub fn is_valid(&self) -> bool {
         self.findings.is_faultless() && self.report.is_valid()
     }
 
-    /// How many there are of everything.
+    /// The numbers of everything.
     #[must_use]
     pub const fn counts(&self) -> &MeshCounts {
         &self.counts
     }
 
-    /// What is wrong with the list of faces.
+    /// The faults of the list of faces.
     #[must_use]
     pub const fn findings(&self) -> &Findings {
         &self.findings
     }
 
-    /// What the validator says about the half-edges. Each has the number of its corner.
+    /// The report of the validator on the half-edges. Each has the number of its corner.
     #[must_use]
     pub const fn report(&self) -> &Report {
         &self.report
@@ -95,12 +95,12 @@ impl MeshAudit {
 }
 
 impl MeshAudit {
-    /// How many edges and vertices keep faces apart that meet there.
+    /// The number of edges and vertices that keep faces apart.
     fn not_joined(&self) -> usize {
         self.edges_not_joined() + self.findings.count(Kind::NonManifoldVertex)
     }
 
-    /// How many edges have several faces that are not joined there.
+    /// The number of edges with several faces that are not joined there.
     fn edges_not_joined(&self) -> usize {
         self.findings.count(Kind::NonManifoldEdge) + self.findings.count(Kind::FlippedFaces)
     }
@@ -109,20 +109,17 @@ impl MeshAudit {
     #[must_use]
     pub fn count_lines(&self) -> [(&'static str, Option<isize>); 8] {
         let MeshCounts { vertices, edges, faces, components, borders, euler_characteristic, genus, .. } = self.counts;
+        let known = |count: usize| Some(count.cast_signed());
         [
-            ("vertices (V)", Some(vertices)),
-            ("edges (E)", Some(edges)),
-            ("edges not joined", Some(self.edges_not_joined())),
-            ("faces (F)", Some(faces)),
-            ("components of faces", Some(components)),
-            ("border loops", borders),
-            ("Euler characteristic", None),
-            ("genus", genus),
+            ("vertices (V)", known(vertices)),
+            ("edges (E)", known(edges)),
+            ("edges not joined", known(self.edges_not_joined())),
+            ("faces (F)", known(faces)),
+            ("components of faces", known(components)),
+            ("border loops", borders.and_then(known)),
+            ("Euler characteristic", Some(euler_characteristic)),
+            ("genus", genus.and_then(known)),
         ]
-        .map(|(what, count)| match what {
-            "Euler characteristic" => (what, Some(euler_characteristic)),
-            _ => (what, count.map(usize::cast_signed)),
-        })
     }
 
     /// Sentences about violations that follow from the findings.

@@ -1,12 +1,12 @@
-//! How many there are of everything.
+//! The numbers of everything.
 
-use super::sets::Sets;
 use super::{Findings, HalfEdgeMesh, Kind};
+use petgraph::unionfind::UnionFind;
 use twinedge::validate::Report;
 
 /// The counts of a mesh. Edges and all that follows leave out the faces that are left out, and unused vertices.
 ///
-/// Where all of them are known, `euler_characteristic = 2 · components − 2 · genus − borders`.
+/// If all of them are known, `euler_characteristic = 2 · components − 2 · genus − borders`.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 #[cfg_attr(feature = "serde", derive(serde::Serialize))]
 pub struct MeshCounts {
@@ -34,7 +34,7 @@ pub struct MeshCounts {
     /// The sum of the genera of the components: how many handles they have. Not known where the faces could not be joined to
     /// surfaces.
     pub genus: Option<usize>,
-    /// Whether the faces could be turned so that all run the same way round. A Möbius strip is not orientable.
+    /// True if the faces could be turned so that all run the same way round. A Möbius strip is not orientable.
     pub orientable: bool,
 }
 
@@ -46,13 +46,13 @@ impl MeshCounts {
         let unused_vertices = findings.count(Kind::UnusedVertex);
         let kept = || mesh.faces().enumerate().filter(|(f, _)| !half_edges.is_left_out(*f)).map(|(_, face)| face);
         let (mut kept_faces, mut triangles) = (0, 0);
-        let mut connected = Sets::new(vertices);
+        let mut connected = UnionFind::new(vertices);
         let mut components = vertices - unused_vertices;
         for face in kept() {
             kept_faces += 1;
             triangles += usize::from(face.len() == 3);
             for pair in face.windows(2) {
-                components -= usize::from(connected.join(pair[0], pair[1]));
+                components -= usize::from(connected.union(pair[0], pair[1]));
             }
         }
         let border_edges = half_edges.border_edge_count();

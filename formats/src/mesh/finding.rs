@@ -1,4 +1,4 @@
-//! What is wrong with a list of faces, in the terms of its author.
+//! The faults of a list of faces, in the terms of its author.
 
 use crate::diagnosis::{self, Diagnosis, Records};
 use std::fmt;
@@ -29,13 +29,13 @@ macro_rules! kinds {
                 match self { $(Self::$variant => $statement,)* }
             }
 
-            /// What usually causes it.
+            /// The usual cause.
             #[must_use]
             pub const fn cause(self) -> &'static str {
                 match self { $(Self::$variant => $cause,)* }
             }
 
-            /// What mends it.
+            /// The remedy.
             ///
             /// ```
             /// use twinedge_formats::mesh::Kind;
@@ -74,7 +74,7 @@ kinds! {
 }
 
 impl Kind {
-    /// Whether it is a fault in any mesh. Unused vertices are one only where they are expected not to be.
+    /// Returns true if it is a fault in any mesh. Unused vertices are one only where they are expected not to be.
     #[must_use]
     pub const fn is_fault(self) -> bool {
         !matches!(self, Self::UnusedVertex)
@@ -111,7 +111,7 @@ pub enum Finding {
         face: usize,
         /// The first face with these vertices.
         first: usize,
-        /// Whether it lists them in the opposite order, so that the two are back to back.
+        /// True if it lists them in the opposite order, so that the two are back to back.
         reversed: bool,
         /// The vertices, as the face lists them.
         vertices: Vec<usize>,
@@ -284,19 +284,19 @@ impl Findings {
         &self.kept
     }
 
-    /// How many there are of this kind, kept or not.
+    /// The number of findings of this kind, kept or not.
     #[must_use]
     pub const fn count(&self, kind: Kind) -> usize {
         self.counts[kind as usize]
     }
 
-    /// How many there are, kept or not.
+    /// The number of findings, kept or not.
     #[must_use]
     pub fn total(&self) -> usize {
         self.counts.iter().sum()
     }
 
-    /// Whether nothing was found that is a fault in any mesh.
+    /// Returns true if nothing was found that is a fault in any mesh.
     #[must_use]
     pub fn is_faultless(&self) -> bool {
         Kind::ALL.iter().all(|kind| !kind.is_fault() || self.count(*kind) == 0)

@@ -48,26 +48,26 @@ impl HalfEdgeMesh<'_> {
         self.mesh
     }
 
-    /// How many edges there are, each counted once however many faces it has. Faces that are left out have none.
+    /// The number of edges, each counted once however many faces it has. Faces that are left out have none.
     #[must_use]
     pub const fn edge_count(&self) -> usize {
         self.edges
     }
 
-    /// How many edges have one face only.
+    /// The number of edges with one face only.
     #[must_use]
     pub const fn border_edge_count(&self) -> usize {
         self.border_edges
     }
 
-    /// Whether flipping some faces, or none, would make any two faces run in opposite directions along their common edge.
+    /// Returns true if flipping some faces, or none, would make any two faces run in opposite directions along their common edge.
     /// A Möbius strip is not orientable. Edges with three or more faces do not count.
     #[must_use]
     pub const fn is_orientable(&self) -> bool {
         self.orientable
     }
 
-    /// Whether the face is degenerate or repeats another.
+    /// Returns true if the face is degenerate or repeats another.
     ///
     /// # Panics
     ///

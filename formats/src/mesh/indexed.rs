@@ -30,9 +30,9 @@ pub enum IndexedMeshError {
     IndexOutOfRange {
         /// The face.
         face: usize,
-        /// What it lists.
+        /// The index that it lists.
         index: u32,
-        /// How many points there are.
+        /// The number of points.
         points: usize,
     },
     /// The offsets do not start at 0, fall, or do not end at the number of corners.
@@ -108,13 +108,13 @@ impl IndexedMesh {
         &self.corners
     }
 
-    /// Where the list of each face starts in [`corners`](Self::corners), and at the end how many corners there are.
+    /// The place where the list of each face starts in [`corners`](Self::corners), and at the end the number of corners.
     #[must_use]
     pub fn offsets(&self) -> &[u32] {
         &self.offsets
     }
 
-    /// How many faces there are.
+    /// The number of faces.
     #[must_use]
     pub fn face_count(&self) -> usize {
         self.offsets.len() - 1

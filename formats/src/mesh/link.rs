@@ -16,8 +16,8 @@
 //! Sorting is by counting, with one array over the vertices, so that everything is linear.
 
 use super::half_edges::NIL;
-use super::sets::Sets;
 use super::{Finding, Findings, HalfEdgeMesh, IndexedMesh, Kind, repeated};
+use petgraph::unionfind::UnionFind;
 use twinedge::validate::Collect;
 
 /// One side of an edge: a half-edge, and the larger vertex of the edge.
@@ -193,7 +193,7 @@ impl<'a> HalfEdgeMesh<'a> {
         self.check_fans(&suspects, findings);
     }
 
-    /// How many half-edges the rotation around the origin of `start` reaches through twins, one way and then the other.
+    /// The number of half-edges that the rotation around the origin of `start` reaches through twins, one way and then the other.
     fn reached(&self, start: u32) -> u32 {
         let mut reached = 1;
         let mut h = start;
@@ -239,7 +239,7 @@ impl<'a> HalfEdgeMesh<'a> {
         let mut first_to = rank;
         first_to.fill(NIL);
         for (v, corners) in suspects.iter().zip(corners) {
-            let mut fans = Sets::new(corners.len());
+            let mut fans = UnionFind::new(corners.len());
             let neighbours = |h: u32| [self.vertex_of(self.next_of(h)), self.vertex_of(self.prev_of(h))];
             for (i, h) in corners.iter().enumerate() {
                 for to in neighbours(*h) {
@@ -247,7 +247,7 @@ impl<'a> HalfEdgeMesh<'a> {
                     if *first == NIL {
                         *first = i as u32;
                     } else {
-                        fans.join(i as u32, *first);
+                        fans.union(i as u32, *first);
                     }
                 }
             }
@@ -257,7 +257,7 @@ impl<'a> HalfEdgeMesh<'a> {
                 }
             }
             let mut seen = vec![false; corners.len()];
-            let is_first = |i: &usize| !std::mem::replace(&mut seen[fans.of(*i as u32) as usize], true);
+            let is_first = |i: &usize| !std::mem::replace(&mut seen[fans.find_mut(*i as u32) as usize], true);
             let firsts: Vec<_> = (0..corners.len()).filter(is_first).collect();
             if firsts.len() > 1 {
                 findings.add(Kind::NonManifoldVertex, || {
@@ -268,21 +268,21 @@ impl<'a> HalfEdgeMesh<'a> {
         }
     }
 
-    /// Whether the faces can be flipped so that the twins that there are stay, and these pairs become twins as well.
+    /// Returns true if the faces can be flipped so that the twins that there are stay, and these pairs become twins as well.
     fn can_be_oriented(&self, flipped: &[[u32; 2]]) -> bool {
         // Each face twice: as it is, and flipped.
         let faces = self.left_out.len() as u32;
-        let mut sets = Sets::new(2 * self.left_out.len());
+        let mut sets = UnionFind::new(2 * self.left_out.len());
         for (h, twin) in self.twins.iter().enumerate().filter(|(_, twin)| **twin != NIL) {
             let (a, b) = (self.face_of[h], self.face_of[*twin as usize]);
-            sets.join(a, b);
-            sets.join(a + faces, b + faces);
+            sets.union(a, b);
+            sets.union(a + faces, b + faces);
         }
         for [a, b] in flipped {
-            sets.join(*a, b + faces);
-            sets.join(a + faces, *b);
+            sets.union(*a, b + faces);
+            sets.union(a + faces, *b);
         }
-        flipped.iter().all(|[a, _]| sets.of(*a) != sets.of(a + faces))
+        flipped.iter().all(|[a, _]| !sets.equiv(*a, a + faces))
     }
 }
 

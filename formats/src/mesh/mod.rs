@@ -25,7 +25,6 @@ mod read;
 mod repeated;
 #[cfg(feature = "serde")]
 mod serialize;
-mod sets;
 
 pub use audit::{MeshAudit, audit};
 pub use counts::MeshCounts;

@@ -139,7 +139,7 @@ fn placed(diagnosis: Diagnosis, places: Vec<Position>, lines: Vec<Vec<Position>>
     Diagnosis { look: middle(&places), places: Some(places), trace, ..diagnosis }
 }
 
-/// What the database calls a record.
+/// The name of a record in the database.
 fn named(topology: &Topology, record: Record) -> Option<String> {
     let table = match record {
         Record::Vertex(_) => "node",
@@ -181,11 +181,11 @@ fn boxes(topology: &Topology, findings: &mut Findings) {
     }
 }
 
-/// What could not be asked.
+/// The questions that could not be asked.
 struct Unchecked {
     /// The rule without which `mbr` cannot be judged.
     mbrs: Option<Rule>,
-    /// How many isolated nodes may lie anywhere.
+    /// The number of isolated nodes that may lie anywhere.
     nowhere: u64,
 }
 
@@ -206,7 +206,7 @@ fn rules(topology: &Topology, findings: &Findings, report: &Report, not: &Unchec
     own.chain(RuleLine::of(report)).chain(missing).collect()
 }
 
-/// Where a finding is: the node, or the ends of the edge.
+/// The place of a finding: the node, or the ends of the edge.
 fn place(topology: &Topology, finding: &Finding) -> Vec<Position> {
     let node = |id: i64| topology.nodes.slot(id).map(|slot| topology.points[slot as usize].into());
     let edge = |id: i64| {

@@ -3,11 +3,11 @@
 use super::error::{Cause, Place, ReadError, TableName};
 use std::io::{BufRead, Read};
 
-/// How every binary COPY stream begins.
+/// The beginning of every binary COPY stream.
 pub(super) const SIGNATURE: &[u8; 11] = b"PGCOPY\n\xff\r\n\0";
 /// These flags change the format; the others may be ignored.
 const CRITICAL: u32 = 0xffff_0000;
-/// How many bytes of something else are shown.
+/// The number of bytes of something else that are shown.
 const SHOWN: usize = 24;
 
 /// The streams, and where in them reading has come to.

@@ -12,11 +12,11 @@ pub enum ReadError {
     /// The content is not what the format demands.
     #[error("byte {byte}, {place}: {cause}")]
     Content {
-        /// Where reading ended, counted from 0 over all streams.
+        /// The place where reading ended, counted from 0 over all streams.
         byte: u64,
         /// The table, row and column.
         place: Place,
-        /// What is wrong.
+        /// The error.
         cause: Cause,
     },
     /// There is no memory for the topology.
@@ -67,7 +67,7 @@ impl fmt::Display for TableName {
     }
 }
 
-/// What is wrong in a stream.
+/// An error in a stream.
 #[derive(Clone, Debug, PartialEq, Eq, thiserror::Error)]
 #[non_exhaustive]
 pub enum Cause {
@@ -77,7 +77,7 @@ pub enum Cause {
     /// The stream does not begin as a binary COPY stream does.
     #[error("no binary COPY stream begins here, but `{found}`")]
     Signature {
-        /// How it begins instead.
+        /// The beginning that it has instead.
         found: Box<str>,
     },
     /// The stream ends early: perhaps `psql` was stopped by an error.
@@ -89,9 +89,9 @@ pub enum Cause {
     /// A row has another number of columns.
     #[error("a row of {found} columns, where {expected} are expected")]
     Columns {
-        /// How many it has.
+        /// The number that it has.
         found: i16,
-        /// How many the table has.
+        /// The number that the table has.
         expected: u16,
     },
     /// A value has a negative length.

@@ -41,7 +41,7 @@ impl<'a> Points<'a> {
     }
 }
 
-/// What of a value is still to be read.
+/// The rest of a value.
 struct Rest<'a> {
     bytes: &'a [u8],
     big_endian: bool,
@@ -113,7 +113,7 @@ pub(super) fn parse(bytes: &[u8]) -> Result<(Geometry<'_>, u32), Cause> {
     }
 }
 
-/// What a geometry is, in words.
+/// The type of a geometry, in words.
 pub(super) fn kind_name(number: u32) -> &'static str {
     match number % 1000 {
         1 => "a point",

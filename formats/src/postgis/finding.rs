@@ -1,4 +1,4 @@
-//! What only a topology of PostGIS can have wrong.
+//! The faults that only a topology of PostGIS can have.
 
 use super::error::TableName;
 use super::ewkb::kind_name;
@@ -6,7 +6,8 @@ use crate::diagnosis::{Diagnosis, Kind, Records};
 use std::fmt;
 
 macro_rules! findings {
-    ($($rule:literal $variant:ident { $($field:ident: $type:ty),+ } $kind:literal $what:literal
+    ($($rule:literal $variant:ident { $($field:ident: $type:ty),+ } $kind:literal
+        says ($($says:tt)+) $what:literal
         cause $cause:literal remedy $remedy:literal;)*) => {
         /// One broken rule P0 … P4, with the ids of the database. `Display` says in a sentence what is wrong.
         #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
@@ -29,16 +30,22 @@ macro_rules! findings {
                 match self { $(Self::$variant { .. } => $kind,)* }
             }
 
-            /// What usually causes it.
+            /// The usual cause.
             #[must_use]
             pub const fn cause(&self) -> &'static str {
                 match self { $(Self::$variant { .. } => $cause,)* }
             }
 
-            /// What mends it.
+            /// The remedy.
             #[must_use]
             pub const fn remedy(&self) -> &'static str {
                 match self { $(Self::$variant { .. } => $remedy,)* }
+            }
+        }
+
+        impl fmt::Display for Finding {
+            fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+                match *self { $(Self::$variant { $($field),+ } => write!(f, $($says)+),)* }
             }
         }
     };
@@ -46,60 +53,79 @@ macro_rules! findings {
 
 findings! {
     "P0" IdMissing { table: TableName, row: u64 } "id_missing"
+        says ("row {row} of table {table} has no id")
         "a row has no id. It is left out. Rows are counted from 1 in the order of the stream."
         cause "the primary key was dropped" remedy "delete the row, or give it an id, and restore the primary key";
     "P0" IdRepeated { table: TableName, id: i64 } "id_repeated"
+        says ("two rows of table {table} have the id {id}")
         "two rows have the same id. The second is left out."
         cause "the primary key was dropped, or its index is corrupt" remedy "delete one of the rows, and restore the primary key";
     "P0" EdgeIdNotPositive { edge: i64 } "edge_id_not_positive"
+        says ("edge {edge} has an id that is not positive")
         "the id of an edge is 0 or negative, so a sign cannot say which side is meant. The edge is left out."
         cause "ids were assigned by hand, or the sequence was reset" remedy "give the edge a new id, and change what refers to it";
     "P1" NodeWithoutPoint { node: i64 } "node_without_point"
+        says ("node {node} has no point")
         "the geometry of a node is null, or a point without coordinates."
         cause "the column was updated by an expression that is null" remedy "set it to the end of an edge of the node";
     "P1" NodeNotPoint { node: i64, geometry: u32 } "node_not_point"
+        says ("the geometry of node {node} is {}, no point", kind_name(geometry))
         "the geometry of a node is of another type."
         cause "the type of the column was changed" remedy "set it to the end of an edge of the node";
     "P1" EdgeWithoutCurve { edge: i64 } "edge_without_curve"
+        says ("edge {edge} has no line of two points or more")
         "the geometry of an edge is null, or has fewer than two points."
         cause "the column was updated by an expression that is null" remedy "restore the line, or remove the edge by `ST_RemEdgeModFace`";
     "P1" EdgeNotCurve { edge: i64, geometry: u32 } "edge_not_curve"
+        says ("the geometry of edge {edge} is {}, no line", kind_name(geometry))
         "the geometry of an edge is no line."
         cause "the type of the column was changed" remedy "restore the line";
     "P1" StartsElsewhere { edge: i64, node: i64 } "starts_elsewhere"
+        says ("the line of edge {edge} starts elsewhere than at its start node {node}")
         "the line of an edge does not start at its start node."
         cause "a line or a node was moved by a plain UPDATE, or the line was reversed" remedy "use `ST_ChangeEdgeGeom` and `ST_MoveIsoNode`";
     "P1" EndsElsewhere { edge: i64, node: i64 } "ends_elsewhere"
+        says ("the line of edge {edge} ends elsewhere than at its end node {node}")
         "the line of an edge does not end at its end node."
         cause "a line or a node was moved by a plain UPDATE, or the line was reversed" remedy "use `ST_ChangeEdgeGeom` and `ST_MoveIsoNode`";
     "P1" OtherReferenceSystem { table: TableName, id: i64, srid: u32, first: u32 } "other_reference_system"
+        says ("{} of {table} {id} has the reference system {srid}, where the first geometry has {first}", geometry_column(table))
         "a geometry has another reference system than the first one of the topology."
         cause "a geometry was written without `ST_Transform`" remedy "transform it, or set the number by `ST_SetSRID` if only that is wrong";
     "P2" ConnectedHasContainingFace { node: i64, face: i64 } "connected_has_containing_face"
+        says ("node {node} has edges, but its containing_face is {face} instead of null")
         "a node with edges has a `containing_face`."
         cause "an edge was inserted by hand at an isolated node" remedy "set `containing_face` to null";
     "P2" NoSuchContainingFace { node: i64, face: i64 } "no_such_containing_face"
+        says ("the containing_face of node {node} is {face}, and there is no such face with edges")
         "the `containing_face` of a node is no face."
         cause "the face was deleted, with its foreign key switched off" remedy "set it to the result of `GetFaceContainingPoint`";
     "P2" LiesElsewhere { node: i64, face: i64, lies_in: Option<i64> } "lies_elsewhere"
+        says ("node {node} {} by the lines around it, and its containing_face is {face}", lies(face, lies_in))
         "a node does not lie in its `containing_face`, by the lines and the faces that these name. It is reported where links are broken; otherwise G5 says so."
         cause "`containing_face` was set by hand, or not updated with the edges around it" remedy "set it to the result of `GetFaceContainingPoint`";
     "P3" FaceWithoutEdges { face: i64 } "face_without_edges"
+        says ("no edge names face {face} as its left or right face")
         "no edge names the face."
         cause "a face was inserted by hand, or its edges were relabelled" remedy "delete the row, or restore `left_face` and `right_face` of its edges";
     "P4" MbrMissing { face: i64 } "mbr_missing"
+        says ("the mbr of face {face} is null")
         "the `mbr` of a face is null."
         cause "the row was inserted by hand" remedy "set it to `ST_Envelope(ST_GetFaceGeometry(topology, face))`";
     "P4" MbrNotBox { face: i64 } "mbr_not_box"
+        says ("the mbr of face {face} is no rectangle along the axes")
         "the `mbr` of a face is no rectangle along the axes."
         cause "the column was updated by hand" remedy "set it to `ST_Envelope(ST_GetFaceGeometry(topology, face))`";
     "P4" MbrWrong { face: i64 } "mbr_wrong"
+        says ("the mbr of face {face} is not the box around its edges")
         "the `mbr` of a face is not the box around the edges that name it."
         cause "an edge was moved, and the column was not updated" remedy "set it to `ST_Envelope(ST_GetFaceGeometry(topology, face))`";
     "P4" UniverseHasMbr { face: i64 } "universe_has_mbr"
+        says ("the mbr of face {face}, which has no outside, is not null")
         "the `mbr` of face 0 is not null."
         cause "the column of all faces was updated" remedy "set it to null";
     "P4" AbsNextDiffers { edge: i64, column: TopologyColumn, found: Option<i64> } "abs_next_differs"
+        says ("{column} of edge {edge} is {}, not the absolute value of the link beside it", or_null(found))
         "an `abs_next_…` column is not the absolute value of the column that it belongs to."
         cause "a link was updated, and the column beside it was not" remedy "set it to `abs(next_left_edge)` or `abs(next_right_edge)`";
 }
@@ -121,61 +147,16 @@ impl fmt::Display for TopologyColumn {
     }
 }
 
-impl fmt::Display for Finding {
-    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        match *self {
-            Self::IdMissing { table, row } => write!(f, "row {row} of table {table} has no id"),
-            Self::IdRepeated { table, id } => write!(f, "two rows of table {table} have the id {id}"),
-            Self::EdgeIdNotPositive { edge } => write!(f, "edge {edge} has an id that is not positive"),
-            Self::NodeWithoutPoint { node } => write!(f, "node {node} has no point"),
-            Self::NodeNotPoint { node, geometry } => {
-                write!(f, "the geometry of node {node} is {}, no point", kind_name(geometry))
-            }
-            Self::EdgeWithoutCurve { edge } => write!(f, "edge {edge} has no line of two points or more"),
-            Self::EdgeNotCurve { edge, geometry } => {
-                write!(f, "the geometry of edge {edge} is {}, no line", kind_name(geometry))
-            }
-            Self::StartsElsewhere { edge, node } => {
-                write!(f, "the line of edge {edge} starts elsewhere than at its start node {node}")
-            }
-            Self::EndsElsewhere { edge, node } => {
-                write!(f, "the line of edge {edge} ends elsewhere than at its end node {node}")
-            }
-            Self::OtherReferenceSystem { table, id, srid, first } => {
-                let column = if table == TableName::Face { "mbr" } else { "geom" };
-                write!(
-                    f,
-                    "{column} of {table} {id} has the reference system {srid}, where the first geometry has {first}"
-                )
-            }
-            Self::ConnectedHasContainingFace { node, face } => {
-                write!(f, "node {node} has edges, but its containing_face is {face} instead of null")
-            }
-            Self::NoSuchContainingFace { node, face } => {
-                write!(f, "the containing_face of node {node} is {face}, and there is no such face with edges")
-            }
-            Self::LiesElsewhere { node, face, lies_in } => {
-                match lies_in {
-                    Some(other) => write!(f, "node {node} lies in face {other}")?,
-                    None => write!(f, "node {node} does not lie in face {face}")?,
-                }
-                write!(f, " by the lines around it, and its containing_face is {face}")
-            }
-            Self::FaceWithoutEdges { face } => write!(f, "no edge names face {face} as its left or right face"),
-            Self::MbrMissing { face } => write!(f, "the mbr of face {face} is null"),
-            Self::MbrNotBox { face } => write!(f, "the mbr of face {face} is no rectangle along the axes"),
-            Self::MbrWrong { face } => write!(f, "the mbr of face {face} is not the box around its edges"),
-            Self::UniverseHasMbr { face } => write!(f, "the mbr of face {face}, which has no outside, is not null"),
-            Self::AbsNextDiffers { edge, column, found } => {
-                write!(f, "{column} of edge {edge} is ")?;
-                match found {
-                    Some(found) => write!(f, "{found}")?,
-                    None => f.write_str("null")?,
-                }
-                f.write_str(", not the absolute value of the link beside it")
-            }
-        }
-    }
+fn geometry_column(table: TableName) -> &'static str {
+    if table == TableName::Face { "mbr" } else { "geom" }
+}
+
+fn lies(face: i64, lies_in: Option<i64>) -> String {
+    lies_in.map_or_else(|| format!("does not lie in face {face}"), |other| format!("lies in face {other}"))
+}
+
+fn or_null(value: Option<i64>) -> String {
+    value.map_or_else(|| "null".to_owned(), |value| value.to_string())
 }
 
 impl Finding {

@@ -86,7 +86,7 @@ impl Ids {
         }
     }
 
-    /// Whether the row in this slot has its id for itself, or is the first that has it.
+    /// Returns true if the row in this slot has its id for itself, or is the first that has it.
     pub(super) fn is_first(&self, slot: usize) -> bool {
         slot < self.all.len() && (self.repeated.is_empty() || !self.repeated.contains(&(slot as u32)))
     }

@@ -29,7 +29,7 @@ impl Box2 {
     }
 }
 
-/// What the column `mbr` of a face holds.
+/// The value of the column `mbr` of a face.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub(super) enum Mbr {
     Null,

@@ -13,7 +13,7 @@ use twinedge::geometry::Point;
 /// No table has more rows: half-edges are numbered by 32 bits.
 const MOST_ROWS: usize = (u32::MAX / 2) as usize - 1;
 
-/// Whether a stream that begins so is one that [`read`] takes.
+/// Returns true if a stream that begins so is one that [`read`] takes.
 #[must_use]
 pub fn is_copy(beginning: &[u8]) -> bool {
     beginning.starts_with(SIGNATURE)
@@ -40,7 +40,7 @@ pub fn read(input: impl BufRead, limit: usize) -> Result<Topology, ReadError> {
     Ok(read.finish())
 }
 
-/// What has been read.
+/// All that has been read.
 struct Reading {
     topology: Topology,
     /// Nodes with their containing face, where that is not null.
@@ -256,7 +256,7 @@ impl Reading {
         topology.contained.sort_unstable();
     }
 
-    /// What can be said about rows when all are there.
+    /// Judges rows when all are there.
     fn finish(self) -> Topology {
         let mut topology = self.topology;
         let tables = [

@@ -1,4 +1,4 @@
-//! What `psql` needs to write a topology.
+//! The commands that `psql` needs to write a topology.
 
 /// Commands for `psql` that write the nodes, faces and edges of a topology to its standard output, as three binary COPY streams.
 ///

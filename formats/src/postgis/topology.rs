@@ -42,7 +42,7 @@ pub struct Topology {
     pub(super) bends: Vec<Point>,
     /// Faces with the isolated nodes that they contain, sorted.
     pub(super) contained: Vec<(u32, u32)>,
-    /// What columns of edges name where there is no such record, sorted.
+    /// The ids that columns of edges name where there is no such record, sorted.
     pub(super) unknown: Vec<(u32, Column, i64)>,
     pub(super) repeated_points: u64,
     pub(super) findings: Findings,
@@ -104,13 +104,13 @@ impl Topology {
         self.faces.slot(0).map(|slot| slot as usize)
     }
 
-    /// How many points of lines repeat the point before them. They are legal, and no bends.
+    /// The number of points of lines that repeat the point before them. They are legal, and no bends.
     #[must_use]
     pub const fn repeated_points(&self) -> u64 {
         self.repeated_points
     }
 
-    /// What a column names, where there is no such record.
+    /// The id that a column names, where there is no such record.
     pub(super) fn unknown(&self, edge: usize, column: Column) -> Option<i64> {
         let key = |entry: &(u32, Column, i64)| (entry.0 as usize, entry.1);
         let at = self.unknown.binary_search_by_key(&(edge, column), key).ok()?;

@@ -1,4 +1,4 @@
-//! Which format a file has.
+//! The format that a file has.
 
 use crate::support::{from_bytes, from_text, scratch};
 use twinedge_formats::layer::{Format, ReadError, ReadOptions, Shape, read, read_path};

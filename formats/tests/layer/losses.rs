@@ -1,4 +1,4 @@
-//! What a format cannot hold is said, and then refused or lost as said.
+//! Losses of a format are said, and then refused or suffered as said.
 
 use crate::support::{from_text, through};
 use twinedge_formats::layer::{Format, Layer, Loss, WriteError, losses, refuse_losses, write_path};

@@ -1,4 +1,4 @@
-//! What is written is read again as it was.
+//! A layer that is written is read again as it was.
 
 use crate::support::{from_text, through, to_geojson, world};
 use std::sync::Arc;

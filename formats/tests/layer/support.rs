@@ -29,7 +29,7 @@ pub(crate) fn scratch(name: &str) -> (TempDir, PathBuf) {
     (folder, path)
 }
 
-/// What comes back of a layer that is written in a format.
+/// The layer that comes back of one that is written in a format.
 pub(crate) fn through(layer: &Layer, format: Format) -> Layer {
     let name = match format {
         Format::GeoJson => "layer.geojson",
@@ -39,7 +39,7 @@ pub(crate) fn through(layer: &Layer, format: Format) -> Layer {
         Format::Shapefile => "layer.shp",
         Format::GeoPackage => "layer.gpkg",
         Format::FlatGeobuf => "layer.fgb",
-        other => unreachable!("{other} is not tested"),
+        other @ Format::TopoJson => unreachable!("{other} is not written"),
     };
     let (_folder, path) = scratch(name);
     write_path(layer, &path, format).unwrap();

@@ -1,4 +1,4 @@
-//! What each format may hold: read, or dropped and told.
+//! The content of each format is read, or dropped and told.
 
 use crate::support::shapes::{CUBE, TETRAHEDRON, mesh};
 use crate::support::write::{Kind as Written, write};

@@ -1,4 +1,4 @@
-//! What PostGIS wrote: it is read as it is, and valid.
+//! Topologies that PostGIS wrote are read as they are, and valid.
 
 use crate::support::{DECIMAL, EDGE, GEOM, LARGE_IDS, NODE, OLD_TOWN, Rows, TOWN, line};
 use twinedge::validate::{Embedding, Record, View};

@@ -1,4 +1,4 @@
-//! What edits choose by: numbers of records, points, grids, features.
+//! Arguments of edits: numbers of records, points, grids, features.
 
 use super::numbers::{Number, Spot};
 use crate::geometry::noding::Snap;
@@ -53,7 +53,7 @@ pub enum AtPick {
     Point(Spot),
     /// A point, and a half-edge to search from.
     Near(Spot, MapHalfEdgePick),
-    /// Where this vertex is.
+    /// The place of this vertex.
     Vertex(MapVertexPick),
 }
 

@@ -1,4 +1,4 @@
-//! What the numbers of an edit count, so that they can follow the names of what they chose.
+//! Names for the keys that edits count, so that numbers can follow what they chose.
 
 use super::arguments::List;
 use super::edits::{EditOp, EditProgram};

@@ -7,7 +7,7 @@ use crate::program::Generator;
 use proptest::arbitrary::Arbitrary;
 use proptest::strategy::{BoxedStrategy, Strategy};
 
-/// What a program makes of the empty map. Shrinks as the program does.
+/// The map that a program makes of the empty one. Shrinks as the program does.
 impl Arbitrary for PlanarMap {
     type Parameters = Generator<EditProgram>;
     type Strategy = BoxedStrategy<Self>;

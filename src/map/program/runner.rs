@@ -10,7 +10,7 @@ use crate::validate::{Expectation, Report};
 use std::collections::BTreeSet;
 use thiserror::Error;
 
-/// What became of one edit of a program.
+/// The outcome of one edit of a program.
 #[derive(Clone, Debug, PartialEq)]
 #[allow(clippy::large_enum_variant, reason = "most edits of a program are applied")]
 pub enum EditOutcome {
@@ -22,7 +22,7 @@ pub enum EditOutcome {
     Skipped,
 }
 
-/// What a check after an edit found.
+/// A fault that a check after an edit found.
 #[derive(Clone, Debug, PartialEq, Error)]
 #[non_exhaustive]
 pub enum EditFailure {
@@ -104,7 +104,7 @@ pub struct EditRunner {
     pub(super) half_edges: Keys<HalfEdgeKey>,
     pub(super) faces: Keys<FaceKey>,
     steps: usize,
-    /// What the map is compared with, if it is audited.
+    /// The baseline with which the map is compared, if it is audited.
     baseline: Option<EmbeddingBaseline>,
 }
 
@@ -242,7 +242,7 @@ impl EditRunner {
         Ok(())
     }
 
-    /// What comes of an edit; none if there is nothing to choose from.
+    /// Edits; none if there is nothing to choose from.
     fn edit(&mut self, op: &EditOp) -> Option<Result<Edited, EditError>> {
         let done = |()| Edited::default();
         Some(match op {

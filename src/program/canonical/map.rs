@@ -88,7 +88,7 @@ impl Map {
         (!core::mem::replace(self.busy.get_mut(vertex)?, true)).then_some(())
     }
 
-    /// Whether all vertices are marked.
+    /// Tells whether all vertices are marked.
     pub(super) fn all_busy<V: View + ?Sized>(&self, view: &V) -> bool {
         self.busy.iter().enumerate().all(|(v, busy)| *busy || !view.is_vertex(v))
     }

@@ -89,7 +89,7 @@ pub fn code<V: View + ?Sized>(view: &V) -> Option<Code> {
     Canonizer::new().subdivision(view)
 }
 
-/// Whether two structures are the same planar subdivision but for names. Ones that are not valid are isomorphic to
+/// Tells whether two structures are the same planar subdivision but for names. Ones that are not valid are isomorphic to
 /// nothing.
 pub fn isomorphic<V: View + ?Sized, W: View + ?Sized>(one: &V, other: &W) -> bool {
     let mut canonizer = Canonizer::new();

@@ -7,7 +7,7 @@ use crate::validate::{Start, View};
 use alloc::vec::Vec;
 use core::ops::Range;
 
-/// What lies in the faces of a view, and what came of it.
+/// The contents of the faces of a view, and the codes found so far.
 #[derive(Debug, Default)]
 pub(super) struct Nesting {
     /// By cycle: the face that it bounds from outside; NIL if it is the outside of its component.
@@ -212,7 +212,7 @@ impl Nesting {
     }
 }
 
-/// Where the outer boundary component of a face starts, whichever way the view says it.
+/// The start of the outer boundary component of a face, whichever way the view says it.
 fn outer_start<V: View + ?Sized>(view: &V, face: usize) -> Option<Start> {
     match view.outer(face) {
         Some(b) => view.boundary_start(b),
@@ -220,7 +220,7 @@ fn outer_start<V: View + ?Sized>(view: &V, face: usize) -> Option<Start> {
     }
 }
 
-/// Where an inner boundary component of a face starts, whichever way the view says it.
+/// The start of an inner boundary component of a face, whichever way the view says it.
 fn inner_start<V: View + ?Sized>(view: &V, face: usize, position: usize) -> Option<Start> {
     match view.inner(face, position) {
         Some(b) => view.boundary_start(b),

@@ -30,7 +30,7 @@ impl Search {
         &self.least
     }
 
-    /// How many roots have that code. They differ by an automorphism, and no automorphism but one keeps any half-edge.
+    /// The number of roots that have that code. They differ by an automorphism, and no automorphism but one keeps any half-edge.
     pub(super) const fn ties(&self) -> usize {
         self.ties
     }
@@ -53,7 +53,7 @@ impl Search {
         }
     }
 
-    /// Whether the code is smaller than the least so far, or equal. None, as soon as that is certain, if it is greater.
+    /// Tells whether the code is smaller than the least so far, or equal. None, as soon as that is certain, if it is greater.
     fn write<'a>(&mut self, map: &Map, root: u32, note: impl Fn(u32) -> &'a [u32]) -> Option<bool> {
         // The first root has nothing to be compared with.
         let mut smaller = self.least.is_empty();

@@ -11,7 +11,7 @@ use crate::program::subject::{CornerOf, Subject};
 use alloc::collections::BTreeMap;
 use core::iter::repeat;
 
-/// What a subject says of a corner.
+/// The answers of a subject about a corner.
 struct Said<K: Subject> {
     twin: Option<K::HalfEdge>,
     next: Option<K::HalfEdge>,
@@ -44,7 +44,7 @@ impl<A, B> Default for Pairs<A, B> {
 }
 
 impl<A: Copy + Ord, B: Copy + Eq> Pairs<A, B> {
-    /// Whether these two belong together: they are paired already, or neither is and now they are. Two that are not there
+    /// Tells whether these two belong together: they are paired already, or neither is and now they are. Two that are not there
     /// say the same.
     pub(super) fn agree(&mut self, reference: Option<A>, subject: Option<B>) -> bool {
         let (Some(a), Some(b)) = (reference, subject) else { return reference.is_none() && subject.is_none() };
@@ -99,7 +99,7 @@ pub(super) fn compare<K: Subject>(
     Ok(lacks_next)
 }
 
-/// What a subject answers, in places.
+/// The answer of a subject, in places.
 fn answer<K: Subject>(runner: &Runner<K>, corner: usize, question: Question) -> Answer {
     let subject = runner.subject();
     let said = Said::of(subject, runner.corners().nth(corner));

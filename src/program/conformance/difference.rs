@@ -1,4 +1,4 @@
-//! How a subject differs from the reference.
+//! Differences between a subject and the reference.
 
 use crate::program::operators::{Op, Program};
 use crate::program::pointer_model::StartError;
@@ -10,7 +10,7 @@ use alloc::vec::Vec;
 use core::fmt;
 use thiserror::Error;
 
-/// What is asked of a corner.
+/// A question about a corner.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
 #[non_exhaustive]
 pub enum Question {
@@ -24,7 +24,7 @@ pub enum Question {
     Face,
 }
 
-/// What a subject answers, in terms that do not depend on its handles.
+/// An answer of a subject, in terms that do not depend on its handles.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
 #[non_exhaustive]
 pub enum Answer {
@@ -36,7 +36,7 @@ pub enum Answer {
     Nothing,
 }
 
-/// How the structure under test differs from the reference.
+/// A difference between the structure under test and the reference.
 #[derive(Clone, Debug, PartialEq, Eq, Error)]
 #[non_exhaustive]
 pub enum Difference {
@@ -80,7 +80,7 @@ pub enum Difference {
         half_edge: usize,
         /// The place of its corner in [`Runner::corners`](crate::program::Runner::corners).
         corner: usize,
-        /// What was asked.
+        /// The question.
         question: Question,
     },
     /// No operator was applied, so nothing was tried.
@@ -92,9 +92,9 @@ pub enum Difference {
     /// The operator came to something else.
     #[error("the outcome should be `{reference}` and is `{subject}`")]
     StepOutcome {
-        /// What became of it in the reference.
+        /// The outcome in the reference.
         reference: StepOutcome,
-        /// What became of it in the subject.
+        /// The outcome in the subject.
         subject: StepOutcome,
     },
     /// The subject breaks a rule.
@@ -108,11 +108,11 @@ pub enum Difference {
     Answers {
         /// The place of the corner in [`Runner::corners`](crate::program::Runner::corners).
         corner: usize,
-        /// What was asked.
+        /// The question.
         question: Question,
-        /// What the reference says.
+        /// The answer of the reference.
         reference: Answer,
-        /// What the subject says.
+        /// The answer of the subject.
         subject: Answer,
     },
 }
@@ -130,14 +130,14 @@ impl fmt::Display for FirstViolation<'_> {
     }
 }
 
-/// Where a subject first differs from the reference.
+/// The first difference between a subject and the reference.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub struct Failure {
-    /// How many operators were run before.
+    /// The number of operators that were run before.
     pub before: usize,
     /// The operator that did it; none if it is the start, or that too little was tried.
     pub op: Option<Op>,
-    /// How it differs.
+    /// The difference.
     pub difference: Difference,
 }
 
@@ -164,7 +164,7 @@ impl fmt::Display for Failure {
 pub struct Counterexample {
     /// The program. Empty if it is the start, or that too little was tried.
     pub program: Program,
-    /// How the subject differs.
+    /// The difference.
     pub failure: Failure,
 }
 

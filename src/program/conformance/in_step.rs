@@ -100,7 +100,7 @@ impl<K: Subject> InStep<K> {
         Ok(outcome)
     }
 
-    /// What the operators so far came to.
+    /// The summary of the operators so far.
     #[must_use]
     pub const fn summary(&self) -> ConformanceSummary {
         self.summary

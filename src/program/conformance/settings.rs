@@ -1,8 +1,8 @@
-//! What is asked of a comparison: of one program, or of many random ones.
+//! Settings of a comparison: of one program, or of many random ones.
 
 use crate::validate::Expectation;
 
-/// What a run must have covered to count.
+/// The operators that a run must have covered to count.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
 #[non_exhaustive]
 pub enum Coverage {
@@ -15,7 +15,7 @@ pub enum Coverage {
     Nothing,
 }
 
-/// What is asked of a comparison.
+/// The settings of a comparison.
 ///
 /// ```
 /// use twinedge::dcel::Dcel;

@@ -1,4 +1,4 @@
-//! What a comparison covered: how often each operator was applied, and what could not be compared.
+//! The coverage of a comparison: how often each operator was applied, and what could not be compared.
 
 use crate::program::operators::Op;
 use crate::program::run::outcome::StepOutcome;
@@ -6,7 +6,7 @@ use crate::program::subject::Refusal;
 use alloc::vec::Vec;
 use core::fmt;
 
-/// What became of one operator, each time that it was run.
+/// The outcomes of one operator, counted.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Hash)]
 pub struct OperatorCounts {
     /// Applied by both.
@@ -22,13 +22,13 @@ pub struct OperatorCounts {
 }
 
 impl OperatorCounts {
-    /// How often it was run.
+    /// The number of times that it was run.
     #[must_use]
     pub const fn all(&self) -> usize {
         self.applied + self.refused + self.skipped + self.no_room + self.unsupported
     }
 
-    /// Whether the subject has it, as far as was seen.
+    /// Tells whether the subject has it, as far as was seen.
     #[must_use]
     pub const fn is_supported(&self) -> bool {
         self.applied + self.refused + self.no_room > 0
@@ -43,7 +43,7 @@ impl OperatorCounts {
     }
 }
 
-/// What a structure does not have, so that it was not compared.
+/// A part that a structure does not have, so that it was not compared.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash, PartialOrd, Ord)]
 #[non_exhaustive]
 pub enum NotCompared {
@@ -51,11 +51,11 @@ pub enum NotCompared {
     Faces,
     /// Inner boundary components, isolated vertices among them: the structure does not list them.
     Holes,
-    /// What lies outside: the structure has no unbounded face.
+    /// The outside: the structure has no unbounded face.
     Outside,
     /// `next` of half-edges on the border: the structure keeps none.
     BorderNext,
-    /// Whether stale handles are refused: see
+    /// The refusal of stale handles: see
     /// [`without_stale_handles`](super::Conformance::without_stale_handles).
     StaleHandles,
 }
@@ -76,7 +76,7 @@ impl NotCompared {
     }
 }
 
-/// How many operators of a program, or of several, came to what, and what was not compared.
+/// The outcomes of the operators of a program, or of several, counted, and what was not compared.
 ///
 /// [`Display`](fmt::Display) gives a table with a row for each operator that was run, and lists those that the subject does not have.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Hash)]
@@ -91,13 +91,13 @@ impl ConformanceSummary {
         Op::NAMES.iter().copied().zip(self.counts)
     }
 
-    /// What became of the operator of this name. None if there is no such operator.
+    /// The outcomes of the operator of this name. None if there is no such operator.
     #[must_use]
     pub fn of(&self, name: &str) -> Option<OperatorCounts> {
         self.by_operator().find_map(|(other, counts)| (other == name).then_some(counts))
     }
 
-    /// What became of all operators together.
+    /// The outcomes of all operators together.
     #[must_use]
     pub fn total(&self) -> OperatorCounts {
         let mut sum = OperatorCounts::default();
@@ -105,7 +105,7 @@ impl ConformanceSummary {
         sum
     }
 
-    /// What the structure does not have, so that it was not compared.
+    /// The parts that the structure does not have, so that they were not compared.
     pub fn not_compared(&self) -> impl Iterator<Item = NotCompared> + '_ {
         NotCompared::ALL.into_iter().filter(|part| self.not_compared[*part as usize])
     }

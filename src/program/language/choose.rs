@@ -49,7 +49,7 @@ impl<'a> Bytes<'a> {
         Self { rest: bytes }
     }
 
-    /// What no choice has taken yet.
+    /// The bytes that no choice has taken yet.
     #[must_use]
     pub const fn rest(&self) -> &'a [u8] {
         self.rest
@@ -138,13 +138,13 @@ impl Choose for proptest::test_runner::TestRunner {
 /// The answers of one run of a body, to be turned to those of the next run. See [`for_each_choice`].
 #[derive(Clone, Debug, Default)]
 pub struct Odometer {
-    /// What was answered, and of how many.
+    /// The answers, and of how many each was.
     wheels: Vec<(usize, usize)>,
     asked: usize,
 }
 
 impl Odometer {
-    /// What was answered so far in this run where there was a choice. As bytes they make [`Bytes`] answer the same,
+    /// The answers so far in this run where there was a choice. As bytes they make [`Bytes`] answer the same,
     /// as long as none was of more than 256.
     #[must_use]
     pub fn answers(&self) -> impl ExactSizeIterator<Item = usize> + '_ {

@@ -21,14 +21,14 @@ pub trait Language: Scripted {
     /// An operator of this kind, with arguments that the source chooses.
     fn op(kind: Self::Kind, source: &mut impl Choose) -> Self::Op;
 
-    /// What a generated program begins with if this kind is generated at all: without it there is nothing to be done.
+    /// The first operator of a generated program if this kind is generated at all: without it there is nothing to be done.
     #[must_use]
     fn first() -> Option<(Self::Kind, Self::Op)> {
         None
     }
 }
 
-/// Which operators random programs have, how often each, and how many: one description for every engine.
+/// The operators that random programs have, how often each, and how many: one description for every engine.
 ///
 /// | engine | how |
 /// | --- | --- |
@@ -78,7 +78,7 @@ impl<P: Language> Generator<P> {
         self
     }
 
-    /// How often an operator is chosen, in proportion to the weights of the others. 0: never.
+    /// Sets the weight of an operator, in proportion to the weights of the others. 0: never.
     #[must_use]
     pub fn weight(mut self, kind: P::Kind, weight: u32) -> Self {
         for (_, of_kind) in self.weights.iter_mut().filter(|(other, _)| *other == kind) {
@@ -87,7 +87,7 @@ impl<P: Language> Generator<P> {
         self
     }
 
-    /// How many operators a program has; if the range is empty, as many as it begins with.
+    /// Sets the number of operators of a program; if the range is empty, it is the one with which the range begins.
     #[must_use]
     pub const fn length(mut self, length: RangeInclusive<usize>) -> Self {
         self.length = length;
@@ -134,7 +134,7 @@ impl<P: Language> Generator<P> {
         P::from_ops(self.first().into_iter().chain(drawn.take(bytes.len())).collect())
     }
 
-    /// What a program begins with.
+    /// The first operator of a program.
     fn first(&self) -> Option<P::Op> {
         let is_drawn = |kind| self.weights.iter().any(|(other, weight)| *other == kind && *weight > 0);
         P::first().and_then(|(kind, op)| is_drawn(kind).then_some(op))

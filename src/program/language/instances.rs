@@ -17,7 +17,7 @@ macro_rules! instances {
 
         #[cfg(feature = "quickcheck")]
         impl quickcheck::Arbitrary for $program {
-            /// What programs begin with, if anything, and up to [`Gen::size`](quickcheck::Gen::size) operators.
+            /// The first operator of programs, if there is one, and up to [`Gen::size`](quickcheck::Gen::size) operators.
             fn arbitrary(g: &mut quickcheck::Gen) -> Self {
                 let least = usize::from(<Self as $crate::program::Language>::first().is_some());
                 $crate::program::Generator::default().length(least..=g.size().saturating_add(least)).generate(g)

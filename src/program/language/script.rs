@@ -27,7 +27,7 @@ pub trait Sequence: Clone + PartialEq + Debug + 'static {
 
 /// A language that runs: what shrinking needs of it.
 pub trait Scripted: Sequence {
-    /// What its operators run on.
+    /// The run of its operators.
     type Stage: Stage<Op = Self::Op>;
 }
 

@@ -3,7 +3,7 @@
 use alloc::vec::Vec;
 use thiserror::Error;
 
-/// What a word of a program's text should have been.
+/// The word that a program's text should have had.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash, Error)]
 #[non_exhaustive]
 pub enum Expected {
@@ -71,11 +71,11 @@ pub struct ParseError {
     pub line: usize,
     /// The column in characters, counted from 1.
     pub column: usize,
-    /// What should stand there.
+    /// The word that should stand there.
     pub expected: Expected,
 }
 
-/// What is left of one line.
+/// The rest of one line.
 pub(crate) struct Words<'a> {
     text: &'a str,
     rest: &'a str,
@@ -89,7 +89,7 @@ impl<'a> Words<'a> {
         Self { text, rest: text.trim(), line }
     }
 
-    /// Whether all words were taken.
+    /// Tells whether all words were taken.
     pub(crate) fn end(&self) -> Result<(), ParseError> {
         if self.rest.is_empty() { Ok(()) } else { Err(self.error(Expected::End)) }
     }

@@ -109,7 +109,7 @@ impl<K: Subject> Runner<K> {
         Ok(Some([self.after(h, 1)?, self.after(h, 2)?]))
     }
 
-    /// What becomes of the triangle to the left of `h` in a collapse, if one is there.
+    /// The edges of the triangle to the left of `h` that become one in a collapse, if a triangle is there.
     fn merging(&self, h: K::HalfEdge) -> Result<Option<Merging<K::HalfEdge>>, Refusal> {
         let Some([dropped, kept]) = self.following(h)? else { return Ok(None) };
         // Beyond `kept`, from the origin of `h` to the vertex opposite, there is a triangle, or else beyond `dropped`.

@@ -37,12 +37,28 @@ mod named;
 
 pub use named::Named;
 
+/// Writes the operators of triangle meshes of a [`Subject`](crate::program::Subject) that has the basic ones: each by its steps. It
+/// stands inside `impl Subject for …`.
+#[macro_export]
+macro_rules! mesh_operators_by_steps {
+    () => {
+        $crate::mesh_operators_by_steps!(@write
+            mesh_flip_edge flip_edge, mesh_split_edge split_edge, mesh_split_face split_face, mesh_collapse_edge collapse_edge
+        );
+    };
+    (@write $($name:ident $steps:ident),*) => {
+        $(fn $name(&mut self, half_edge: Self::HalfEdge) -> Result<(), $crate::program::Refusal> {
+            $crate::program::mesh::$steps(self, half_edge)
+        })*
+    };
+}
+
 use super::subject::{Refusal, Subject};
 use crate::dcel::{Corner, Side, Turn};
 use alloc::vec;
 use alloc::vec::Vec;
 
-/// Whether what lies to the left of a half-edge is a face, and not outside. Where there are no faces, only what has no `next` is
+/// Tells whether what lies to the left of a half-edge is a face, and not outside. Where there are no faces, only what has no `next` is
 /// outside.
 pub(super) fn is_inside<K: Subject>(subject: &K, h: K::HalfEdge) -> Result<bool, Refusal> {
     match subject.face_of(Corner::At(h)) {
@@ -126,7 +142,7 @@ fn before_on_border<K: Subject>(subject: &K, h: K::HalfEdge) -> Result<K::Vertex
     }
 }
 
-/// Whether the links of the two ends have nothing in common but the vertices opposite.
+/// Tells whether the links of the two ends have nothing in common but the vertices opposite.
 fn link_condition<K: Subject>(subject: &K, h: K::HalfEdge, sides: &Sides<K::HalfEdge>) -> Result<bool, Refusal> {
     let twin = subject.twin_of(h)?;
     if subject.origin_of(h)? == subject.origin_of(twin)? {

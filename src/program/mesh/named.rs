@@ -11,7 +11,7 @@ use core::fmt;
 /// An operator of a mesh, which takes the index of a half-edge.
 type Operator<M> = Box<dyn FnMut(&mut M, usize) -> Result<(), Refusal>>;
 
-/// Where a half-edge is: twice its index in the mesh, or one more for the side outside of a half-edge without twin.
+/// The place of a half-edge: twice its index in the mesh, or one more for the side outside of a half-edge without twin.
 type Place = usize;
 const NOWHERE: Place = usize::MAX;
 
@@ -219,7 +219,7 @@ impl<M: View> Named<M> {
         }
     }
 
-    /// What the half-edge with a number keeps, if it is stored.
+    /// A link of the half-edge with a number, if it is stored.
     fn kept(&self, n: usize, link: impl Fn(&M, usize) -> Link) -> Link {
         self.place(n).filter(|place| place % 2 == 0).and_then(|place| link(&self.mesh, place / 2))
     }

@@ -1,4 +1,4 @@
-//! What operators choose by: numbers of half-edges, vertices and faces in order of creation.
+//! Arguments of operators: numbers of half-edges, vertices and faces in order of creation.
 
 use crate::dcel::{Corner, Side, Turn};
 use crate::program::language::argument::{Argument, numbered, one_word, smaller, smaller_masks, write_mask};
@@ -22,7 +22,7 @@ pub(crate) enum List {
     Fitting(CornerPick, Fit),
 }
 
-/// What two corners must have in common.
+/// The kind of record that two corners must have in common.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(crate) enum Fit {
     Face,

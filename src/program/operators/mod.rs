@@ -101,7 +101,7 @@ macro_rules! define_language {
 }
 operators!(define_language);
 
-/// How the counts of a map change.
+/// A change of the counts of a map.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
 pub struct CountChange {
     /// V.
@@ -164,7 +164,7 @@ impl Program {
     /// The program as a Rust expression, to be read where `twinedge::program::*` is in scope.
     #[must_use]
     pub fn to_rust(&self) -> String {
-        let lines: Vec<String> = self.0.iter().map(|op| format!("    {},\n", op.to_rust())).collect();
-        format!("Program(vec![\n{}])", lines.concat())
+        let lines = self.0.iter().fold(String::new(), |lines, op| lines + "    " + &op.to_rust() + ",\n");
+        format!("Program(vec![\n{lines}])")
     }
 }

@@ -197,7 +197,7 @@ pub(in crate::program) fn face_of<V: View + ?Sized>(view: &V, h: usize) -> Link 
     view.boundary(h).map_or_else(|| view.face(h), |boundary| view.boundary_face(boundary))
 }
 
-/// What follows each half-edge. Where the view does not say, on the border, it is the half-edge before which there is a gap
+/// The half-edge after each half-edge. Where the view does not say, on the border, it is the half-edge before which there is a gap
 /// at the target.
 fn successors<V: View + ?Sized>(view: &V, records: &Records) -> Result<BTreeMap<usize, usize>, StartError> {
     let mut next: BTreeMap<usize, usize> = BTreeMap::new();

@@ -79,7 +79,7 @@ struct HalfEdge {
     prev: Pointer<HalfEdge>,
     /// The face to its left.
     face: Pointer<Face>,
-    /// Whether it is on the outer cycle of that face.
+    /// True if it is on the outer cycle of that face.
     outer: bool,
 
     // Built anew after each operator:
@@ -87,7 +87,7 @@ struct HalfEdge {
     index: usize,
 }
 
-/// Where a boundary component starts.
+/// The start of a boundary component.
 #[derive(Debug)]
 enum Beginning {
     HalfEdge(Pointer<HalfEdge>),
@@ -105,7 +105,7 @@ struct Boundary {
 #[derive(Debug)]
 struct Face {
     name: PointerModelFace,
-    /// Whether it stands for what lies outside: the structure that the model was made from has no face there.
+    /// True if it stands for what lies outside: the structure that the model was made from has no face there.
     border: bool,
 
     // Built anew after each operator:
@@ -186,9 +186,9 @@ pub struct PointerModel {
     boundaries: Vec<Owned<Boundary>>,
     /// The unbounded face comes first, unless all faces are discs.
     faces: Vec<Owned<Face>>,
-    /// Whether all faces are discs: they have one boundary component, which is a cycle.
+    /// True if all faces are discs: they have one boundary component, which is a cycle.
     discs: bool,
-    /// How many names were given.
+    /// The number of names that were given.
     names: u64,
 }
 

@@ -14,10 +14,8 @@
 
 use super::{Face, HalfEdge, Owned, PointerModel, PointerModelFace, PointerModelHalfEdge, PointerModelVertex, Vertex};
 use super::{contains, cycle, face, is_outer, next, origin, prev, same, to, twin};
-use crate::dcel::Corner;
-use crate::dcel::{Side, Turn};
-use crate::program::mesh;
-use crate::program::subject::{Refusal, Subject};
+use crate::dcel::{Corner, Side, Turn};
+use crate::program::subject::{CornerOf, Refusal, Subject};
 use alloc::rc::Rc;
 use alloc::vec;
 use alloc::vec::Vec;
@@ -135,7 +133,7 @@ impl PointerModel {
         find(&self.faces, &name, |f| f.name)
     }
 
-    fn find_corner(&self, corner: Corner<PointerModelHalfEdge, PointerModelVertex>) -> Result<Spot, Refusal> {
+    fn find_corner(&self, corner: CornerOf<Self>) -> Result<Spot, Refusal> {
         let spot = match corner {
             Corner::At(h) => Corner::At(self.find_half_edge(h)?),
             Corner::Isolated(v) => Corner::Isolated(self.find_vertex(v)?),
@@ -215,7 +213,7 @@ impl Subject for PointerModel {
         Some(self.vertices.get(index)?.borrow().name)
     }
 
-    fn face_of(&self, corner: Corner<PointerModelHalfEdge, PointerModelVertex>) -> Result<PointerModelFace, Refusal> {
+    fn face_of(&self, corner: CornerOf<Self>) -> Result<PointerModelFace, Refusal> {
         let (f, _) = spot_side(&self.find_corner(corner)?)?;
         no_border([&f])?;
         Ok(f.borrow().name)
@@ -256,10 +254,10 @@ impl Subject for PointerModel {
 
     fn connect(
         &mut self,
-        from: Corner<PointerModelHalfEdge, PointerModelVertex>,
-        to: Corner<PointerModelHalfEdge, PointerModelVertex>,
+        from: CornerOf<Self>,
+        to: CornerOf<Self>,
         new_face: Side,
-        inner: &[Corner<PointerModelHalfEdge, PointerModelVertex>],
+        inner: &[CornerOf<Self>],
     ) -> Result<PointerModelHalfEdge, Refusal> {
         let (from, to) = (self.find_corner(from)?, self.find_corner(to)?);
         let inner: Vec<Spot> = inner.iter().map(|corner| self.find_corner(*corner)).collect::<Result<_, _>>()?;
@@ -380,11 +378,7 @@ impl Subject for PointerModel {
         Ok(())
     }
 
-    fn split_vertex(
-        &mut self,
-        from: Corner<PointerModelHalfEdge, PointerModelVertex>,
-        to: Corner<PointerModelHalfEdge, PointerModelVertex>,
-    ) -> Result<PointerModelHalfEdge, Refusal> {
+    fn split_vertex(&mut self, from: CornerOf<Self>, to: CornerOf<Self>) -> Result<PointerModelHalfEdge, Refusal> {
         let (from, to) = (self.find_corner(from)?, self.find_corner(to)?);
         let v = spot_vertex(&from);
         if !same(&v, &spot_vertex(&to)) {
@@ -488,11 +482,7 @@ impl Subject for PointerModel {
         Ok(())
     }
 
-    fn move_inner(
-        &mut self,
-        inner: Corner<PointerModelHalfEdge, PointerModelVertex>,
-        face: PointerModelFace,
-    ) -> Result<(), Refusal> {
+    fn move_inner(&mut self, inner: CornerOf<Self>, face: PointerModelFace) -> Result<(), Refusal> {
         let spot = self.find_corner(inner)?;
         let f = self.find_face(face)?;
         let (old, outer) = spot_side(&spot)?;
@@ -512,19 +502,5 @@ impl Subject for PointerModel {
         Ok(())
     }
 
-    fn mesh_flip_edge(&mut self, half_edge: PointerModelHalfEdge) -> Result<(), Refusal> {
-        mesh::flip_edge(self, half_edge)
-    }
-
-    fn mesh_split_edge(&mut self, half_edge: PointerModelHalfEdge) -> Result<(), Refusal> {
-        mesh::split_edge(self, half_edge)
-    }
-
-    fn mesh_split_face(&mut self, half_edge: PointerModelHalfEdge) -> Result<(), Refusal> {
-        mesh::split_face(self, half_edge)
-    }
-
-    fn mesh_collapse_edge(&mut self, half_edge: PointerModelHalfEdge) -> Result<(), Refusal> {
-        mesh::collapse_edge(self, half_edge)
-    }
+    crate::mesh_operators_by_steps!();
 }

@@ -4,7 +4,7 @@ use super::{Beginning, Owned, Pointer, PointerModel};
 use crate::validate::{BoundaryPlace, Link, Parts, Start, View};
 use core::cell::Ref;
 
-/// What the record with this index says.
+/// The record with this index, read.
 fn read<T, U>(list: &[Owned<T>], index: usize, answer: impl FnOnce(Ref<'_, T>) -> Option<U>) -> Option<U> {
     answer(list.get(index)?.borrow())
 }

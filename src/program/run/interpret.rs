@@ -14,7 +14,7 @@ macro_rules! define_call {
         $($arg:ident: $pick:ty => $handle:ty, $depends:tt;)*
     })*) => {
         impl<K: Subject> Runner<K> {
-            /// What an operator would choose now. Costs as much as [`Runner::step`].
+            /// Resolves the choices of an operator as they are now. Costs as much as [`Runner::step`].
             ///
             /// # Errors
             /// What becomes of the operator if it cannot choose: [`StepOutcome::Skipped`] where there is nothing to choose

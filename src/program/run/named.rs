@@ -1,4 +1,4 @@
-//! What the numbers of an operator count, so that they can follow the names of what they chose.
+//! Names for the handles that operators count, so that numbers can follow what they chose.
 
 use super::resolve::Resolve;
 use super::runner::Runner;

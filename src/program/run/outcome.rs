@@ -1,8 +1,8 @@
-//! What becomes of one operator of a program.
+//! The outcome of one operator of a program.
 
 use crate::program::subject::Refusal;
 
-/// What became of one operator of a program.
+/// The outcome of one operator of a program.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash, PartialOrd, Ord)]
 pub enum StepOutcome {
     /// The subject did it.

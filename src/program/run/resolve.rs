@@ -9,9 +9,9 @@ use alloc::vec::Vec;
 
 /// An argument of an operator, chosen by numbers.
 pub(in crate::program) trait Resolve: Copy {
-    /// What it depends on, if a first corner is such a `C`.
+    /// The arguments on which it depends, if a first corner is such a `C`.
     type Context<C>;
-    /// What it is in a call.
+    /// The type that it has in a call.
     type Handle<K: Subject>;
 
     fn resolve<K: Subject>(

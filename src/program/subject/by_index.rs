@@ -76,12 +76,12 @@ use crate::dcel::Corner;
 use crate::program::pointer_model::view_face_of;
 use crate::validate::{Link, Start, View};
 
-/// Whether the slot holds a half-edge.
+/// Tells whether the slot holds a half-edge.
 fn is_live<V: View>(view: &V, half_edge: usize) -> bool {
     half_edge < view.half_edge_slots() && view.is_half_edge(half_edge)
 }
 
-/// What a half-edge keeps.
+/// A link of a half-edge.
 #[doc(hidden)]
 pub fn link<V: View>(view: &V, half_edge: usize, kept: fn(&V, usize) -> Link) -> Result<usize, Refusal> {
     if !is_live(view, half_edge) {

@@ -4,7 +4,6 @@ use super::{Refusal, Subject};
 use crate::dcel::{
     Boundary, BoundaryKey, Corner, Dcel, FaceKey, HalfEdgeKey, OperatorError, RemovedEdge, Side, Split, Turn, VertexKey,
 };
-use crate::program::mesh;
 use crate::store::Store;
 use alloc::vec::Vec;
 
@@ -119,19 +118,5 @@ impl<S: Store> Subject for Dcel<S> {
         Ok(())
     }
 
-    fn mesh_flip_edge(&mut self, half_edge: HalfEdgeKey) -> Result<(), Refusal> {
-        mesh::flip_edge(self, half_edge)
-    }
-
-    fn mesh_split_edge(&mut self, half_edge: HalfEdgeKey) -> Result<(), Refusal> {
-        mesh::split_edge(self, half_edge)
-    }
-
-    fn mesh_split_face(&mut self, half_edge: HalfEdgeKey) -> Result<(), Refusal> {
-        mesh::split_face(self, half_edge)
-    }
-
-    fn mesh_collapse_edge(&mut self, half_edge: HalfEdgeKey) -> Result<(), Refusal> {
-        mesh::collapse_edge(self, half_edge)
-    }
+    crate::mesh_operators_by_steps!();
 }

@@ -1,4 +1,4 @@
-//! What a structure implements to be driven by programs: its handles, a few questions, and the operators.
+//! The trait of a structure that programs drive: its handles, a few questions, and the operators.
 
 mod audited;
 #[doc(hidden)]
@@ -108,6 +108,7 @@ pub enum Refusal {
 /// a structure that is not empty. A structure with keys keeps an [`Index`](crate::validate::adapt::Index) of all keys seen so far,
 /// [extends](crate::validate::adapt::Index::extend) it after each operator, and answers `is_vertex`, `is_half_edge` and `is_face` by
 /// asking whether the key is live.
+#[allow(unused_variables, reason = "the default bodies need no arguments, whose names are documentation")]
 pub trait Subject: View {
     /// Names a vertex. Like all handles it must never name another one once its vertex is gone.
     type Vertex: Copy + Eq + Debug;
@@ -124,13 +125,11 @@ pub trait Subject: View {
     /// The handle of the half-edge with this index in the view. By default there is none: programs then begin with the empty
     /// map.
     fn half_edge_at(&self, index: usize) -> Option<Self::HalfEdge> {
-        let _ = index;
         None
     }
 
     /// The handle of the vertex with this index in the view. Only isolated vertices are asked for.
     fn vertex_at(&self, index: usize) -> Option<Self::Vertex> {
-        let _ = index;
         None
     }
 
@@ -163,7 +162,6 @@ pub trait Subject: View {
     /// # Errors
     /// [`Stale`](Refusal::Stale); [`Full`](Refusal::Full).
     fn add_isolated_vertex(&mut self, face: Self::Face) -> Result<Self::Vertex, Refusal> {
-        let _ = face;
         Err(Refusal::Unsupported)
     }
 
@@ -172,7 +170,6 @@ pub trait Subject: View {
     /// # Errors
     /// [`Stale`](Refusal::Stale); [`NotIsolated`](Refusal::NotIsolated).
     fn remove_isolated_vertex(&mut self, vertex: Self::Vertex) -> Result<(), Refusal> {
-        let _ = vertex;
         Err(Refusal::Unsupported)
     }
 
@@ -192,7 +189,6 @@ pub trait Subject: View {
         new_face: Side,
         inner: &[CornerOf<Self>],
     ) -> Result<Self::HalfEdge, Refusal> {
-        let _ = (from, to, new_face, inner);
         Err(Refusal::Unsupported)
     }
 
@@ -202,7 +198,6 @@ pub trait Subject: View {
     /// # Errors
     /// [`Stale`](Refusal::Stale); [`Full`](Refusal::Full).
     fn remove_edge(&mut self, half_edge: Self::HalfEdge) -> Result<Option<Self::Face>, Refusal> {
-        let _ = half_edge;
         Err(Refusal::Unsupported)
     }
 
@@ -211,7 +206,6 @@ pub trait Subject: View {
     /// # Errors
     /// [`Stale`](Refusal::Stale); [`Full`](Refusal::Full).
     fn split_edge(&mut self, half_edge: Self::HalfEdge) -> Result<Self::HalfEdge, Refusal> {
-        let _ = half_edge;
         Err(Refusal::Unsupported)
     }
 
@@ -221,7 +215,6 @@ pub trait Subject: View {
     /// # Errors
     /// [`Stale`](Refusal::Stale); then [`DegreeNotTwo`](Refusal::DegreeNotTwo); then [`Loop`](Refusal::Loop).
     fn join_edges(&mut self, half_edge: Self::HalfEdge) -> Result<(), Refusal> {
-        let _ = half_edge;
         Err(Refusal::Unsupported)
     }
 
@@ -233,7 +226,6 @@ pub trait Subject: View {
     /// For `from` and `to`: [`Stale`](Refusal::Stale), [`NotIsolated`](Refusal::NotIsolated). Then
     /// [`VerticesDiffer`](Refusal::VerticesDiffer).
     fn split_vertex(&mut self, from: CornerOf<Self>, to: CornerOf<Self>) -> Result<Self::HalfEdge, Refusal> {
-        let _ = (from, to);
         Err(Refusal::Unsupported)
     }
 
@@ -243,7 +235,6 @@ pub trait Subject: View {
     /// # Errors
     /// [`Stale`](Refusal::Stale); then [`Loop`](Refusal::Loop).
     fn contract_edge(&mut self, half_edge: Self::HalfEdge) -> Result<Self::Vertex, Refusal> {
-        let _ = half_edge;
         Err(Refusal::Unsupported)
     }
 
@@ -252,7 +243,6 @@ pub trait Subject: View {
     /// # Errors
     /// [`Stale`](Refusal::Stale); then [`NotSeparating`](Refusal::NotSeparating).
     fn flip_edge(&mut self, half_edge: Self::HalfEdge, turn: Turn) -> Result<(), Refusal> {
-        let _ = (half_edge, turn);
         Err(Refusal::Unsupported)
     }
 
@@ -263,7 +253,6 @@ pub trait Subject: View {
     /// For `inner`: [`Stale`](Refusal::Stale), [`NotIsolated`](Refusal::NotIsolated); for `face`:
     /// [`Stale`](Refusal::Stale). Then [`IsOuter`](Refusal::IsOuter); then [`InsideItself`](Refusal::InsideItself).
     fn move_inner(&mut self, inner: CornerOf<Self>, face: Self::Face) -> Result<(), Refusal> {
-        let _ = (inner, face);
         Err(Refusal::Unsupported)
     }
 
@@ -273,7 +262,6 @@ pub trait Subject: View {
     /// [`Stale`](Refusal::Stale); [`Border`](Refusal::Border); [`NotTriangle`](Refusal::NotTriangle);
     /// [`NotSimple`](Refusal::NotSimple).
     fn mesh_flip_edge(&mut self, half_edge: Self::HalfEdge) -> Result<(), Refusal> {
-        let _ = half_edge;
         Err(Refusal::Unsupported)
     }
 
@@ -284,7 +272,6 @@ pub trait Subject: View {
     /// [`Stale`](Refusal::Stale); [`Border`](Refusal::Border); [`NotTriangle`](Refusal::NotTriangle);
     /// [`Full`](Refusal::Full).
     fn mesh_split_edge(&mut self, half_edge: Self::HalfEdge) -> Result<(), Refusal> {
-        let _ = half_edge;
         Err(Refusal::Unsupported)
     }
 
@@ -294,7 +281,6 @@ pub trait Subject: View {
     /// [`Stale`](Refusal::Stale); [`Border`](Refusal::Border); [`NotTriangle`](Refusal::NotTriangle);
     /// [`NotSimple`](Refusal::NotSimple).
     fn mesh_collapse_edge(&mut self, half_edge: Self::HalfEdge) -> Result<(), Refusal> {
-        let _ = half_edge;
         Err(Refusal::Unsupported)
     }
 
@@ -305,7 +291,6 @@ pub trait Subject: View {
     /// [`Stale`](Refusal::Stale); [`Border`](Refusal::Border); [`NotTriangle`](Refusal::NotTriangle);
     /// [`Full`](Refusal::Full).
     fn mesh_split_face(&mut self, half_edge: Self::HalfEdge) -> Result<(), Refusal> {
-        let _ = half_edge;
         Err(Refusal::Unsupported)
     }
 }

@@ -301,12 +301,12 @@ impl<V: View + ?Sized> Check<'_, V> {
 
     /// F1's one unbounded face, and Euler's formula for the whole: where every component has one inner boundary component and
     /// genus 0, `V − E + F = 1 + inner`.
-    fn euler(&self) -> Option<()> {
+    fn euler(&mut self) -> Option<()> {
         let now = self.now;
         if !now.has(Part::BoundaryComponents) {
             return Some(());
         }
-        let sums = self.diff.sums();
+        let sums = self.diff.add_up();
         let is_plane = now.expect.surface_kind() == Surface::Plane && now.has(Part::UnboundedFace);
         let one_unbounded = sums.unbounded == i64::from(now.has(Part::UnboundedFace));
         (one_unbounded && (!is_plane || sums.euler == 2)).then_some(())

@@ -23,8 +23,9 @@ pub(super) struct Diff {
     pub(super) labels: Column<Label>,
     pub(super) faces: Column<Face>,
     #[cfg(feature = "geometry")]
-    pub(super) places: Column<Option<crate::geometry::Point>>,
+    pub(super) places: Column<Option<[f64; 2]>>,
     before: Sums,
+    after: Sums,
 }
 
 impl Diff {
@@ -44,22 +45,22 @@ impl Diff {
         self.places.clear();
     }
 
-    /// The sums after the change.
-    pub(super) fn sums(&self) -> Sums {
+    /// Adds up the sums after the change.
+    pub(super) fn add_up(&mut self) -> Sums {
         let half_edges = self.half_edges.growth(|row| i64::from(row.is_live()));
         let vertices = self.vertices.growth(|row| i64::from(row.is_live()));
-        let faces = self.faces.growth(|row| i64::from(row.is_live()));
-        let inner = self.faces.growth(|row| i64::from(row.inner));
+        let faces = self.faces.growth(|row| i64::from(row.is_live()) - i64::from(row.inner));
         let unbounded = self.faces.growth(|row| i64::from(row.outer == NIL));
-        Sums {
+        self.after = Sums {
             unbounded: self.before.unbounded + unbounded,
-            euler: self.before.euler + 2 * (vertices + faces - inner) - half_edges,
-        }
+            euler: self.before.euler + 2 * (vertices + faces) - half_edges,
+        };
+        self.after
     }
 
     /// Lets all be as it is after the change.
     pub(super) fn commit(&mut self) {
-        self.before = self.sums();
+        self.before = self.after;
         self.half_edges.commit();
         self.vertices.commit();
         self.labels.commit();
@@ -89,6 +90,6 @@ impl Diff {
 }
 
 #[cfg(feature = "geometry")]
-impl Row for Option<crate::geometry::Point> {
+impl Row for Option<[f64; 2]> {
     const VACANT: Self = None;
 }

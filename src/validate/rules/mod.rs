@@ -1,15 +1,4 @@
 //! The fast check of each rule, in a file under the name of the rule.
-//!
-//! | rules | files |
-//! | --- | --- |
-//! | R1 | `live` |
-//! | L1, L2, L3 | `twin`, `next_prev`, `target` |
-//! | V1, V2 | `leaving`, `rotation` |
-//! | B1, B2 | `cycle`, `isolated` |
-//! | F1, F2 | `outer`, `listed` |
-//! | T1 … T4 | `outside`, `nesting`, `euler`, `bounds` |
-//! | M1 … M8 | `used`, `simple`, `sides`, `closed`, `connected`, `borders`, `genus`, `kept` |
-//! | G1 … G5 | `finite`, `angles`, `winding`, `disjoint`, `inside` |
 
 pub(super) mod borders;
 pub(super) mod bounds;

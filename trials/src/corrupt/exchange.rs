@@ -17,10 +17,10 @@ pub(super) enum Rows {
     Faces,
 }
 
-/// What is exchanged.
+/// A pair of things to exchange.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(super) enum Exchange {
-    /// What two cells of a kind hold.
+    /// The contents of two cells of a kind.
     Cells(Cell, Cell),
     /// Two whole records.
     Records(Rows, usize, usize),
@@ -126,7 +126,7 @@ impl Exchange {
         all
     }
 
-    /// What kind it is, in words.
+    /// The kind, in words.
     pub(super) const fn kind(self) -> &'static str {
         match self {
             Self::Cells(..) => "exchanged: two cells",
@@ -380,7 +380,7 @@ fn halve(table: &mut Table, parts: Parts, h: usize) -> Option<()> {
     Some(())
 }
 
-/// What follows each half-edge follows the one before it in the list instead.
+/// The half-edge after each half-edge follows the one before it in the list instead.
 fn turn(table: &mut Table, parts: Parts, half_edges: &[usize]) -> Option<()> {
     let nexts: Vec<usize> = half_edges.iter().map(|h| table.next(*h)).collect::<Option<_>>()?;
     for (i, h) in half_edges.iter().enumerate() {
@@ -503,7 +503,7 @@ fn repeat(table: &mut Table, entry: Entry, often: bool) -> Option<()> {
     Some(())
 }
 
-/// What is listed names the face that lists it, and the place.
+/// Each entry names the face that lists it, and the place.
 fn name(table: &mut Table, entry: Entry) {
     if let Some(row) = entry.boundary.and_then(|b| table.boundaries.get_mut(b)).and_then(Option::as_mut) {
         row.face = Some(entry.face);

@@ -16,7 +16,7 @@ use std::time::Duration;
 use twinedge::validate::reference::first_broken_rule;
 use twinedge::validate::{Rule, Table};
 
-/// What was found.
+/// The findings.
 #[derive(Clone, Debug, Default)]
 pub(super) struct Judged {
     /// Maps of which all single corruptions were judged, in all forms.
@@ -27,7 +27,7 @@ pub(super) struct Judged {
     pub(super) small_pairs: Tally,
     /// Pairs that were sampled.
     pub(super) pairs: Tally,
-    /// How often each rule was the first broken one, by the reference.
+    /// The number of times that each rule was the first broken one, by the reference.
     pub(super) first_broken: BTreeMap<Rule, u64>,
     /// The same by the number of the expectation, for the tables in every form. `None` counts those that are right.
     pub(super) by_expectation: BTreeMap<(usize, Option<Rule>), u64>,
@@ -59,7 +59,7 @@ impl Judged {
     }
 }
 
-/// What all threads share.
+/// The state that all threads share.
 pub(super) struct Court<'a> {
     checker: &'a dyn Checker,
     run: &'a Run<'a>,
@@ -72,7 +72,7 @@ impl<'a> Court<'a> {
         Self { checker, run, watch, judged: Mutex::new(Vec::new()) }
     }
 
-    /// What all threads found so far. Threads may be at work.
+    /// The findings of all threads so far. Threads may be at work.
     pub(super) fn judged(&self) -> Judged {
         let mut all = Judged::default();
         lock(&self.judged).iter().for_each(|judged| all.add(&lock(judged)));
@@ -215,7 +215,7 @@ impl<'a> Judge<'a> {
     }
 }
 
-/// What became of one corruption: `answer` is what the validator says, or the message if it panics; `broken` is the first broken
+/// Counts one corruption: `answer` is what the validator says, or the message if it panics; `broken` is the first broken
 /// rule by the reference.
 fn tally(answer: &Result<Verdict, String>, broken: Option<Rule>, time: Duration) -> Tally {
     let (alarm, named) = match *answer {

@@ -47,7 +47,7 @@ use twinedge::program::Subject;
 use twinedge::validate::Rule;
 use watch::Watch;
 
-/// How many pairs are one piece of the work.
+/// The number of pairs in one piece of the work.
 const PAIRS_OF_A_PIECE: u32 = 1000;
 
 /// Maps, each in all its forms, and why some of them were not made.

@@ -1,4 +1,4 @@
-//! What `corrupt` found.
+//! The outcome of `corrupt`.
 
 use super::specimen::{EDGES_OF_EVERY_FORM, Family};
 use super::work::CorruptWork;
@@ -8,7 +8,7 @@ use crate::sum::Outcome;
 use std::time::Duration;
 use twinedge::validate::Rule;
 
-/// What [`corrupt()`](crate::corrupt()) found.
+/// The outcome of [`corrupt()`](crate::corrupt()).
 #[derive(Clone, Debug, PartialEq, Eq)]
 #[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 #[non_exhaustive]
@@ -17,7 +17,7 @@ pub struct CorruptOutcome {
     pub work: CorruptWork,
     /// The structure whose tables were corrupted.
     pub on: String,
-    /// Which part of the work.
+    /// The part of the work.
     pub shard: Shard,
     /// Maps of which all single corruptions were judged, in all forms.
     pub maps: usize,
@@ -33,7 +33,7 @@ pub struct CorruptOutcome {
     pub small_pairs: Tally,
     /// Pairs that were sampled.
     pub pairs: SampledPairs,
-    /// How often each rule was the first broken one, by the reference.
+    /// The number of times that each rule was the first broken one, by the reference.
     pub first_broken: Vec<RuleRow>,
     /// Validations that took longer than a second, or did not return.
     pub hung: u64,
@@ -41,15 +41,15 @@ pub struct CorruptOutcome {
     pub panics: u64,
     /// The first disagreements. All are counted.
     pub findings: Vec<String>,
-    /// Whether the run was stopped before its end.
+    /// True if the run was stopped before its end.
     pub interrupted: bool,
 }
 
 rows! {
-    /// What became of some corruptions.
+    /// The outcomes of some corruptions, counted.
     #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
     pub struct Tally {
-        /// How many there were.
+        /// The number of corruptions.
         count corruptions: u64 = "corruptions" 13;
         /// Wrong by the reference.
         count wrong: u64 = "wrong" 13;
@@ -71,13 +71,13 @@ rows! {
 #[derive(Clone, Debug, PartialEq, Eq)]
 #[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 pub struct ExpectationRow {
-    /// Its place in [`expectations`](crate::forms::expectations), which three follow that ask for M1 … M8.
+    /// Its place in [`forms`](crate::forms::forms()), which three follow that ask for M1 … M8.
     pub number: usize,
     /// The expectation in words.
     pub expectation: String,
-    /// How many corrupted tables were held to it.
+    /// The number of corrupted tables were held to it.
     pub corruptions: u64,
-    /// How often each rule was the first broken one, by the reference. Rules that the expectation does not check, and those that
+    /// The number of times that each rule was the first broken one, by the reference. Rules that the expectation does not check, and those that
     /// follow from the rules before them, are not there.
     pub first_broken: Vec<RuleRow>,
 }
@@ -90,7 +90,7 @@ pub struct FieldRow {
     pub form: Family,
     /// The field.
     pub field: String,
-    /// What became of its corruptions.
+    /// The outcomes of its corruptions.
     #[cfg_attr(feature = "serde", serde(flatten))]
     pub tally: Tally,
 }
@@ -101,25 +101,25 @@ pub struct FieldRow {
 pub struct SampledPairs {
     /// The seed of the sample.
     pub seed: u64,
-    /// What became of them.
+    /// Their outcomes.
     #[cfg_attr(feature = "serde", serde(flatten))]
     pub tally: Tally,
 }
 
 rows! {
-    /// How often a rule was the first broken one.
+    /// The number of times that a rule was the first broken one.
     #[derive(Clone, Debug, PartialEq, Eq)]
     pub struct RuleRow {
         /// The rule.
         #[cfg_attr(feature = "serde", serde(with = "rule_id"))]
         label rule: Rule;
-        /// How many wrong tables.
+        /// The number of wrong tables.
         count wrong: u64;
     }
 }
 
 impl Tally {
-    /// How often the validator and the reference differ.
+    /// The number of times that the validator and the reference differ.
     #[must_use]
     pub const fn disagreements(&self) -> u64 {
         self.missed + self.false_alarms + self.other_rule

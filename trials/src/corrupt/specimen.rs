@@ -13,7 +13,7 @@ use twinedge::validate::{Expectation, Part, Parts, Rule, Surface, Table};
 /// Maps of at most this many edges, and two vertices, are brought into every form.
 pub(super) const EDGES_OF_EVERY_FORM: usize = 2;
 
-/// How the tables of a map keep its faces.
+/// The way in which the tables of a map keep its faces.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord, Hash)]
 #[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize), serde(rename_all = "lowercase"))]
 pub enum Family {
@@ -44,7 +44,7 @@ pub(super) struct Specimen {
     pub(super) expectation: Expectation,
     pub(super) table: Table,
     program: String,
-    /// Whether it has at most one edge and two vertices.
+    /// True if it has at most one edge and two vertices.
     pub(super) is_smallest: bool,
     /// The number of the form in [`held_to`], if it is one of [`Family::Every`].
     pub(super) number: Option<usize>,
@@ -115,7 +115,7 @@ fn copy<K: Subject>(structure: &Structure<K>, program: &Program) -> Result<Table
     }
 }
 
-/// What is changed.
+/// The change.
 #[derive(Clone, Copy, Debug)]
 enum Change {
     Cells([Option<(Cell, Value)>; 2]),

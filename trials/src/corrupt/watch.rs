@@ -7,7 +7,7 @@ use std::time::{Duration, Instant};
 /// A validation that takes longer counts as hung.
 pub const HUNG: Duration = Duration::from_secs(1);
 
-/// How often a validation is timed before it counts as hung: the machine may be busy, or the program may have been stopped for a
+/// The number of times that a validation is timed before it counts as hung: the machine may be busy, or the program may have been stopped for a
 /// while.
 const TRIES: usize = 3;
 
@@ -20,12 +20,12 @@ pub(super) fn lock<T>(mutex: &Mutex<T>) -> MutexGuard<'_, T> {
     mutex.lock().unwrap_or_else(PoisonError::into_inner)
 }
 
-/// What one thread is doing.
+/// The work of one thread.
 #[derive(Debug)]
 pub(super) struct Watched<A> {
-    /// How many validations began and ended: odd while one runs.
+    /// The number of validations that began or ended: odd while one runs.
     steps: AtomicU64,
-    /// What the present one is about.
+    /// The subject of the present one.
     about: Mutex<Option<A>>,
 }
 

@@ -1,14 +1,14 @@
-//! What to corrupt.
+//! The work of `corrupt`.
 
 use crate::run::Estimate;
 
-/// What to corrupt.
+/// The work of `corrupt`.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
 #[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 pub struct CorruptWork {
     /// The greatest number of edges of a map.
     pub edges: usize,
-    /// How many pairs of corruptions to sample.
+    /// The number of pairs of corruptions to sample.
     pub pairs: u32,
     /// The seed of the sample.
     pub seed: u64,

@@ -86,7 +86,7 @@ pub fn meshes<K: Subject>(structure: &MeshStructure<K>, work: MeshesWork, run: &
     outcome
 }
 
-/// What each thread has for itself.
+/// The state of one thread.
 struct Worker<'a, K> {
     structure: &'a MeshStructure<K>,
     rows: Vec<MeshesRow>,

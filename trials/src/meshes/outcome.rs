@@ -1,4 +1,4 @@
-//! What is tried on meshes, and what was found.
+//! The work of `meshes`, and its outcome.
 
 use crate::rows::{INTERRUPTED, Row, add_findings, add_rows, rows};
 use crate::run::Estimate;
@@ -7,7 +7,7 @@ use crate::sum::Outcome;
 use std::fmt;
 use twinedge::program::conformance::ConformanceSummary;
 
-/// What to try.
+/// The work of `meshes`.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
 #[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 pub struct MeshesWork {
@@ -70,15 +70,15 @@ rows! {
     /// All triangulations of one kind.
     #[derive(Clone, Debug, PartialEq, Eq)]
     pub struct MeshesRow {
-        /// Which.
+        /// The kind.
         key shape: Shape = "" 9;
-        /// How many there are, mirror images told apart. Operators are tried on each of these.
+        /// The number of triangulations, mirror images told apart. Operators are tried on each of these.
         given maps: u64 = "maps" 8;
-        /// How many there are with a root: any half-edge of a sphere, one at the border of a disc.
+        /// The number of those with a root: any half-edge of a sphere, one at the border of a disc.
         given rooted: u64 = "rooted" 8 is rooted_published;
         /// The published number of these, as far as it is known here (OEIS A000260; Brown 1964).
         given rooted_published: Option<u64>;
-        /// How many there are without root, mirror images taken together.
+        /// The number of those without root, mirror images taken together.
         given unrooted: u64 = "unrooted" 0 is unrooted_published;
         /// The published number of these, for spheres (OEIS A000109).
         given unrooted_published: Option<u64>;
@@ -92,7 +92,7 @@ rows! {
 }
 
 impl MeshesRow {
-    /// Whether there are as many as published.
+    /// Tells whether there are as many as published.
     #[must_use]
     pub fn is_as_published(&self) -> bool {
         Row::differences(self).next().is_none()
@@ -100,18 +100,18 @@ impl MeshesRow {
 }
 
 rows! {
-    /// What one operator came to, on all triangulations.
+    /// The outcomes of one operator on all triangulations, counted.
     #[derive(Clone, Debug, PartialEq, Eq)]
     pub struct OperatorRow {
         /// Its name.
         label operator: String = "operator" 22;
-        /// How often it was applied.
+        /// The number of times that it was applied.
         count applied: u64 = "applied" 12;
-        /// How often it was refused.
+        /// The number of times that it was refused.
         count refused: u64 = "refused" 12;
-        /// How often the structure was not called, as there was nothing to choose from.
+        /// The number of times that the structure was not called, as there was nothing to choose from.
         count skipped: u64;
-        /// How often the structure said that it does not have it, or has no room. After eight times in a row it is not tried on the
+        /// The number of times that the structure said that it does not have it, or has no room. After eight times in a row it is not tried on the
         /// same map any more.
         count not_supported: u64 = "not supported" 13;
     }
@@ -125,7 +125,7 @@ pub struct MeshFinding {
     pub triangles: Vec<[usize; 3]>,
     /// The operator that went wrong, if it is not the triangulation itself.
     pub operator: Option<String>,
-    /// What went wrong.
+    /// The fault, in words.
     pub message: String,
 }
 
@@ -136,7 +136,7 @@ impl fmt::Display for MeshFinding {
     }
 }
 
-/// What [`meshes()`](crate::meshes()) found.
+/// The outcome of [`meshes()`](crate::meshes()).
 #[derive(Clone, Debug, PartialEq, Eq)]
 #[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 #[non_exhaustive]
@@ -145,15 +145,15 @@ pub struct MeshesOutcome {
     pub work: MeshesWork,
     /// The structure on which it was done.
     pub on: String,
-    /// Which part of it.
+    /// The part of it.
     pub shard: Shard,
     /// The triangulations, by their kind. All parts count all of them.
     pub rows: Vec<MeshesRow>,
-    /// What the operators came to.
+    /// The outcomes of the operators.
     pub operators: Vec<OperatorRow>,
-    /// What went wrong: the first findings. All are counted in the rows.
+    /// The first findings. All are counted in the rows.
     pub findings: Vec<MeshFinding>,
-    /// Whether the run was stopped before its end.
+    /// True if the run was stopped before its end.
     pub interrupted: bool,
 }
 

@@ -8,7 +8,7 @@ use twinedge::program::conformance::Conformance;
 use twinedge::program::{Refusal, Subject};
 use twinedge::validate::Expectation;
 
-/// How a triangulation is made.
+/// A maker of triangulations.
 enum Make<K> {
     Triangles(fn(&Triangulation) -> K),
     Operators(Structure<K>),

@@ -87,9 +87,9 @@ impl Triangulation {
 pub(super) struct All {
     /// One of each class of isomorphic ones; mirror images are different.
     pub(super) maps: Vec<Triangulation>,
-    /// How many there are with a root.
+    /// The number of those with a root.
     pub(super) rooted: u64,
-    /// How many there are without root, mirror images taken together.
+    /// The number of those without root, mirror images taken together.
     pub(super) unrooted: u64,
 }
 

@@ -32,7 +32,7 @@ pub(super) fn explore<K: Subject + Clone>(
     explored
 }
 
-/// What each thread has for itself.
+/// The state of one thread.
 struct Worker<'a, K> {
     structure: &'a Structure<K>,
     scope: Scope,
@@ -41,7 +41,7 @@ struct Worker<'a, K> {
     explored: Explored,
 }
 
-/// What became of an operator.
+/// The outcome of an operator.
 enum Tried {
     /// Applied, with the report on the map after it.
     Applied(Report),
@@ -97,7 +97,7 @@ impl<K: Subject + Clone> Worker<'_, K> {
         }
     }
 
-    /// What is wrong after an operator was applied.
+    /// The fault after an operator was applied.
     fn after(&mut self, op: Op, before: &Counts, report: &Report, result: &Runner<K>) -> Option<String> {
         if let Some(violation) = report.violations().first() {
             return Some(format!("breaks {}: {violation}", violation.rule()));
@@ -118,7 +118,7 @@ impl<K: Subject + Clone> Worker<'_, K> {
     }
 }
 
-/// Whether a valid map with these counts is in the scope.
+/// Tells whether a valid map with these counts is in the scope.
 fn is_in_scope(scope: Scope, counts: &Counts) -> bool {
     match scope {
         Scope::Connected { edges } => counts.edges <= edges && counts.components == Some(1),
@@ -150,7 +150,7 @@ fn try_every_op<K: Subject + Clone, T>(
     }
 }
 
-/// Whether the counts changed as the operator says.
+/// Tells whether the counts changed as the operator says.
 fn as_promised(op: Op, before: &Counts, after: &Counts) -> bool {
     let change = |before: usize, after: usize| after.cast_signed() - before.cast_signed();
     let components = change(before.components.unwrap_or(0), after.components.unwrap_or(0));
@@ -166,7 +166,7 @@ fn as_promised(op: Op, before: &Counts, after: &Counts) -> bool {
     })
 }
 
-/// Whether two structures say the same of every slot.
+/// Tells whether two structures say the same of every slot.
 fn same<V: View>(one: &V, other: &V) -> bool {
     let slots = |map: &V| (map.vertex_slots(), map.half_edge_slots(), map.boundary_slots(), map.face_slots());
     let (vertices, half_edges, boundaries, faces) = slots(one);

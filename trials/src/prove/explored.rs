@@ -1,4 +1,4 @@
-//! What is counted while maps are explored.
+//! Counts that are kept while maps are explored.
 
 use super::outcome::Finding;
 use crate::rows::{MOST_FINDINGS, add_findings};
@@ -8,7 +8,7 @@ use twinedge::program::{Op, Program};
 /// The numbers of edges and vertices of a map.
 pub(super) type Size = (usize, usize);
 
-/// What was found of maps of one size.
+/// The counts of maps of one size.
 #[derive(Clone, Debug, Default)]
 pub(super) struct Tally {
     /// Different maps, by their canonical form.
@@ -21,7 +21,7 @@ pub(super) struct Tally {
     pub(super) sensed: u64,
     /// Their rootings.
     pub(super) rooted: u64,
-    /// How often something went wrong.
+    /// The number of times that something went wrong.
     pub(super) violations: u64,
 }
 
@@ -36,7 +36,7 @@ impl Tally {
     }
 }
 
-/// What was found, by size.
+/// The counts, by size.
 #[derive(Debug, Default)]
 pub(super) struct Explored {
     pub(super) tallies: BTreeMap<Size, Tally>,

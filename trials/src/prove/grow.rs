@@ -25,7 +25,7 @@ impl Codes {
         set.lock().unwrap_or_else(PoisonError::into_inner)
     }
 
-    /// Whether the code is new.
+    /// Tells whether the code is new.
     fn insert(&self, code: Code) -> bool {
         self.set(&code).insert(code)
     }
@@ -50,11 +50,11 @@ pub(super) struct Grown {
 struct Found {
     program: Program,
     size: Size,
-    /// Whether it belongs to this part of the work.
+    /// True if it belongs to this part of the work.
     is_ours: bool,
 }
 
-/// What each thread has for itself.
+/// The state of one thread.
 #[derive(Default)]
 struct Worker {
     canonizer: Canonizer,
@@ -62,7 +62,7 @@ struct Worker {
     fresh: Vec<Found>,
 }
 
-/// What all threads share.
+/// The state that all threads share.
 struct Shared<'a> {
     scope: Scope,
     shard: Shard,

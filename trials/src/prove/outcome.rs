@@ -1,4 +1,4 @@
-//! What `prove` found.
+//! The outcome of `prove`.
 
 use super::genus;
 use super::work::ProveWork;
@@ -6,7 +6,7 @@ use crate::rows::{INTERRUPTED, Row, add_findings, add_rows, rows};
 use crate::shard::Shard;
 use crate::sum::Outcome;
 
-/// What [`prove()`](crate::prove()) found.
+/// The outcome of [`prove()`](crate::prove()).
 #[derive(Clone, Debug, PartialEq, Eq)]
 #[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 #[non_exhaustive]
@@ -15,7 +15,7 @@ pub struct ProveOutcome {
     pub work: ProveWork,
     /// The structure on which it was done.
     pub on: String,
-    /// Which part of it.
+    /// The part of it.
     pub shard: Shard,
     /// Connected maps, by their number of edges.
     pub edges: Vec<EdgesRow>,
@@ -26,9 +26,9 @@ pub struct ProveOutcome {
     /// The operators that the structure refused as [unsupported](twinedge::program::Refusal::Unsupported), by name.
     #[cfg_attr(feature = "serde", serde(default))]
     pub unsupported: Vec<String>,
-    /// What went wrong: the first findings. All are counted in the rows.
+    /// The first findings. All are counted in the rows.
     pub findings: Vec<Finding>,
-    /// Whether the run was stopped before its end.
+    /// True if the run was stopped before its end.
     pub interrupted: bool,
 }
 
@@ -40,7 +40,7 @@ pub struct Finding {
     pub program: String,
     /// Its last operator, if that is what goes wrong, and not the map itself.
     pub operator: Option<String>,
-    /// What went wrong.
+    /// The fault, in words.
     pub message: String,
 }
 
@@ -74,7 +74,7 @@ rows! {
         count applications: u64 = "applied" 15;
         /// Operators that were refused.
         count refused: u64 = "refused" 15;
-        /// How often something went wrong.
+        /// The number of times that something went wrong.
         zero violations: u64 = "violations" 10;
     }
 }
@@ -111,13 +111,13 @@ rows! {
         count applications: u64 = "applied" 15;
         /// Operators that were refused.
         count refused: u64 = "refused" 15;
-        /// How often something went wrong.
+        /// The number of times that something went wrong.
         zero violations: u64 = "violations" 10;
     }
 }
 
 impl EdgesRow {
-    /// Whether all counts are the published ones.
+    /// Tells whether all counts are the published ones.
     #[must_use]
     pub fn is_as_published(&self) -> bool {
         self.differences().next().is_none()

@@ -1,9 +1,9 @@
-//! What to prove.
+//! The work of `prove`.
 
 use crate::published;
 use crate::run::Estimate;
 
-/// What to prove.
+/// The work of `prove`.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
 #[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 pub struct ProveWork {

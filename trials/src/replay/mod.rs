@@ -17,16 +17,16 @@ pub struct Step {
     /// The arguments that it chose, by the indices that they had before the step; a stale handle is `None`. `None` as a whole
     /// if there was nothing to choose from.
     pub call: Option<Call<Link, Link, Link>>,
-    /// What became of it; the message if it panicked. No step follows a panic.
+    /// Its outcome; the message if it panicked. No step follows a panic.
     pub outcome: Result<After, String>,
 }
 
 /// The structure after a step.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub struct After {
-    /// Whether the operator was applied.
+    /// True if the operator was applied.
     pub outcome: StepOutcome,
-    /// What the validator says.
+    /// The report of the validator.
     pub report: Report,
     /// All records; `None` if there is no memory for them.
     pub table: Option<Table>,

@@ -114,7 +114,7 @@ impl RotationSystem {
         component
     }
 
-    /// Whether the cycle of `h` is the outer one of its face.
+    /// Tells whether the cycle of `h` is the outer one of its face.
     fn is_outer(&self, h: usize) -> bool {
         self.faces[&self.half_edges[&h].face].is_some_and(|outer| self.cycle(h).contains(&outer))
     }
@@ -135,7 +135,7 @@ impl RotationSystem {
         }
     }
 
-    /// Where the inner boundary components of a face start.
+    /// The starts of the inner boundary components of a face.
     fn inner_starts(&self, face: usize) -> Vec<Start> {
         let mut starts = Vec::new();
         let mut seen: BTreeSet<usize> = self.faces[&face].into_iter().flat_map(|outer| self.cycle(outer)).collect();
@@ -232,7 +232,7 @@ impl RotationSystem {
         dropped
     }
 
-    /// Which half-edge the face names if the bridge `n`, on its outer cycle, is removed: one of the part that the
+    /// The half-edge that the face names if the bridge `n`, on its outer cycle, is removed: one of the part that the
     /// outside of the component belongs to.
     fn outer_after_parting(&self, n: usize, without: &Self) -> Option<usize> {
         let of_part = |h: usize| -> Option<usize> {
@@ -243,7 +243,7 @@ impl RotationSystem {
         ends.into_iter().filter(|h| h >> 1 != n >> 1).find_map(of_part)
     }
 
-    /// Whether a face is of the component of `h` or inside it.
+    /// Tells whether a face is of the component of `h` or inside it.
     fn lies_inside(&self, face: usize, h: usize) -> bool {
         let component = self.component(h);
         let mut at = face;

@@ -1,8 +1,9 @@
-//! What programs drive.
+//! The operators of the model.
 
 use super::{HalfEdge, ModelCorner, RotationSystem, UNBOUNDED};
 use twinedge::dcel::{Corner, Side, Turn};
-use twinedge::program::{Refusal, Subject, mesh};
+use twinedge::mesh_operators_by_steps;
+use twinedge::program::{Refusal, Subject};
 
 impl Subject for RotationSystem {
     type Vertex = usize;
@@ -250,19 +251,5 @@ impl Subject for RotationSystem {
         Ok(())
     }
 
-    fn mesh_flip_edge(&mut self, half_edge: usize) -> Result<(), Refusal> {
-        mesh::flip_edge(self, half_edge)
-    }
-
-    fn mesh_split_edge(&mut self, half_edge: usize) -> Result<(), Refusal> {
-        mesh::split_edge(self, half_edge)
-    }
-
-    fn mesh_split_face(&mut self, half_edge: usize) -> Result<(), Refusal> {
-        mesh::split_face(self, half_edge)
-    }
-
-    fn mesh_collapse_edge(&mut self, half_edge: usize) -> Result<(), Refusal> {
-        mesh::collapse_edge(self, half_edge)
-    }
+    mesh_operators_by_steps!();
 }

@@ -118,7 +118,7 @@ fn live_half_edges(table: &Table) -> Vec<usize> {
     (0..table.half_edges.len()).filter(|h| table.is_half_edge(*h)).collect()
 }
 
-/// What follows two or three half-edges follows the others of them instead; it is preceded by them. Mostly they end at the same
+/// The half-edges after two or three half-edges follow the others of them instead; each is preceded by them. Mostly they end at the same
 /// vertex, so that L3 holds.
 fn rotate_next(table: &mut Table, random: &mut Random) {
     let mut around = live_half_edges(table);

@@ -67,7 +67,7 @@ pub fn sample(work: SampleWork, checker: &dyn Checker, run: &Run<'_>) -> SampleO
     }
 }
 
-/// What one thread found.
+/// The findings of one thread.
 #[derive(Default)]
 struct Judged {
     tables: u64,

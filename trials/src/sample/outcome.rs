@@ -1,4 +1,4 @@
-//! What `sample` found.
+//! The outcome of `sample`.
 
 use super::work::SampleWork;
 use crate::corrupt::RuleRow;
@@ -6,26 +6,26 @@ use crate::rows::{INTERRUPTED, add_findings, add_rows};
 use crate::shard::Shard;
 use crate::sum::Outcome;
 
-/// What [`sample()`](crate::sample()) found.
+/// The outcome of [`sample()`](crate::sample()).
 #[derive(Clone, Debug, PartialEq, Eq)]
 #[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 #[non_exhaustive]
 pub struct SampleOutcome {
     /// The work.
     pub work: SampleWork,
-    /// Which part of it.
+    /// The part of it.
     pub shard: Shard,
-    /// How many tables were judged.
+    /// The number of tables that were judged.
     pub judged: u64,
-    /// How many of these are right, by the reference.
+    /// The number of these that are right, by the reference.
     pub right: u64,
-    /// How often each rule was the first broken one, by the reference.
+    /// The number of times that each rule was the first broken one, by the reference.
     pub first_broken: Vec<RuleRow>,
-    /// How often the validator and the reference differ.
+    /// The number of times that the validator and the reference differ.
     pub disagreements: u64,
     /// The first disagreements. All are counted.
     pub findings: Vec<String>,
-    /// Whether the run was stopped before its end.
+    /// True if the run was stopped before its end.
     pub interrupted: bool,
 }
 

@@ -171,7 +171,7 @@ impl<'a> Plan<'a> {
     }
 }
 
-/// Which slot each record is given, and how many slots there are.
+/// The slot that each record is given, and the number of slots.
 struct Slots {
     of: Vec<usize>,
     count: usize,

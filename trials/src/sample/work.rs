@@ -1,4 +1,4 @@
-//! Which tables to judge.
+//! The work of `sample`.
 
 use super::damage::damage;
 use super::subdivision::subdivision;
@@ -8,14 +8,14 @@ use twinedge::dcel::Dcel;
 use twinedge::program::{Op, Program, Runner};
 use twinedge::validate::Table;
 
-/// How many tables are one piece of the work.
+/// The number of tables in one piece of the work.
 pub(super) const TABLES_OF_A_PIECE: u64 = 1000;
 
-/// Which random tables to judge.
+/// The work of `sample`.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
 #[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 pub struct SampleWork {
-    /// How many tables.
+    /// The number of tables.
     pub tables: u64,
     /// Their seed.
     pub seed: u64,
@@ -28,7 +28,7 @@ impl SampleWork {
         Estimate { amount: self.tables.into(), unit: "tables", per_second: 50_000 }
     }
 
-    /// How many pieces there are.
+    /// The number of pieces.
     pub(super) const fn pieces(&self) -> u64 {
         self.tables.div_ceil(TABLES_OF_A_PIECE)
     }

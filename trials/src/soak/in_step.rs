@@ -6,16 +6,16 @@ use crate::structure::Structure;
 use twinedge::program::conformance::{ConformanceSummary, InStep};
 use twinedge::program::{Program, Subject};
 
-/// What became of a program that was run in step with the reference.
+/// The outcome of a program that was run in step with the reference.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub struct Comparison {
-    /// How many operators were applied, refused and so on, up to the end.
+    /// The numbers of operators that were applied, refused and so on, up to the end.
     pub summary: ConformanceSummary,
-    /// How it ended.
+    /// The end.
     pub end: End,
 }
 
-/// How a program ended.
+/// The end of a program.
 #[derive(Clone, Debug, PartialEq, Eq)]
 #[non_exhaustive]
 pub enum End {
@@ -25,15 +25,15 @@ pub enum End {
     Interrupted,
     /// The structure differs from the reference, or panicked.
     Failed {
-        /// How many operators were run before the one that did it.
+        /// The number of operators that were run before the one that did it.
         before: usize,
-        /// What happened, in one line.
+        /// The event, in one line.
         message: String,
     },
 }
 
 impl Comparison {
-    /// What happened, if the structure failed.
+    /// The event, if the structure failed.
     #[must_use]
     pub fn failure(&self) -> Option<&str> {
         match &self.end {

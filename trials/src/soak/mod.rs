@@ -72,7 +72,7 @@ pub fn soak(structures: &[&dyn Comparable], work: SoakWork, run: &Run<'_>) -> So
     }
 }
 
-/// What each thread has for itself.
+/// The state of one thread.
 struct Worker<'a> {
     structures: &'a [&'a dyn Comparable],
     run: &'a Run<'a>,
@@ -84,7 +84,7 @@ struct Worker<'a> {
 struct FailedProgram<'a> {
     on: &'a dyn Comparable,
     number: u32,
-    /// How many operators it ran before the one that failed.
+    /// The number of operators it ran before the one that failed.
     before: usize,
     message: String,
 }

@@ -1,4 +1,4 @@
-//! What `soak` found.
+//! The outcome of `soak`.
 
 use super::work::SoakWork;
 use crate::rows::{INTERRUPTED, add_rows, rows};
@@ -6,27 +6,27 @@ use crate::shard::Shard;
 use crate::sum::Outcome;
 use twinedge::program::conformance::ConformanceSummary;
 
-/// What [`soak()`](crate::soak()) found.
+/// The outcome of [`soak()`](crate::soak()).
 #[derive(Clone, Debug, PartialEq, Eq)]
 #[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 #[non_exhaustive]
 pub struct SoakOutcome {
     /// The work.
     pub work: SoakWork,
-    /// Which part of it.
+    /// The part of it.
     pub shard: Shard,
     /// The seed of the programs.
     pub seed: u64,
-    /// What the programs did, by structure.
+    /// The counts of the programs, by structure.
     pub structures: Vec<SoakRow>,
     /// The first program that failed, made small. Programs after it were not run, as far as it was known in time.
     pub failure: Option<SoakFailure>,
-    /// Whether the run was stopped before its end.
+    /// True if the run was stopped before its end.
     pub interrupted: bool,
 }
 
 rows! {
-    /// What the programs did on one structure.
+    /// The counts of the programs on one structure.
     #[derive(Clone, Debug, PartialEq, Eq)]
     pub struct SoakRow {
         /// The structure.
@@ -54,7 +54,7 @@ pub struct SoakFailure {
     pub on: String,
     /// The number of the program among those of the seed.
     pub number: u32,
-    /// What happens, in one line.
+    /// The failure, in one line.
     pub message: String,
     /// The text of the program: [`Program`](twinedge::program::Program) reads it.
     pub program: String,

@@ -1,15 +1,15 @@
-//! Which programs to run.
+//! The work of `soak`.
 
 use crate::random::Random;
 use twinedge::program::{FacePick, Op, Program};
 
-/// Which programs to run.
+/// The work of `soak`.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
 #[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 pub struct SoakWork {
-    /// How many programs.
+    /// The number of programs.
     pub programs: u32,
-    /// How many operators each has.
+    /// The number of operators each has.
     pub steps: u32,
     /// Their seed.
     pub seed: u64,

@@ -1,4 +1,4 @@
-//! Which tables are judged: the free cells, their values, and how many of the tables are right.
+//! The tables that are judged: the free cells, their values, and how many of the tables are right.
 
 use super::formulas;
 use crate::enumerate::{Cell, TableCells, Value, pairings};
@@ -22,14 +22,14 @@ pub(super) struct Job {
     /// The least bound with which it is done: above its number of half-edges where there are very many tables.
     pub(super) from: usize,
     pub(super) expectation: Expectation,
-    /// Whether origins are not set but follow from twin and next.
+    /// True if origins are not set but follow from twin and next.
     pub(super) derive_origins: bool,
     pub(super) assignments: Vec<Assignments>,
-    /// How many are right.
+    /// The number of right ones.
     pub(super) right: u128,
 }
 
-/// What a cell is set to.
+/// The values of a cell.
 #[derive(Clone, Copy, PartialEq, Eq, PartialOrd, Ord)]
 enum To {
     /// The records that there are.
@@ -49,7 +49,7 @@ impl Assignments {
         Self { table, cells }
     }
 
-    /// How many tables.
+    /// The number of tables.
     pub(super) fn len(&self) -> u128 {
         self.cells.iter().map(|(_, values)| values.len() as u128).product()
     }
@@ -234,7 +234,7 @@ fn textbook_edge() -> Job {
     job("an edge in one face, as in textbooks; nil", 2, TEXTBOOK, assignments.to_vec(), 2 * 2)
 }
 
-/// How the lists of two faces can be long, in all one or two entries or none.
+/// The lengths that the lists of two faces can have, in all one or two entries or none.
 const LISTS: [[usize; 2]; 4] = [[0, 0], [1, 0], [0, 1], [1, 1]];
 
 /// A loop and two faces: which half-edge is outside, and which face.

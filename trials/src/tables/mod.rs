@@ -67,7 +67,7 @@ pub fn tables(work: TablesWork, checker: &dyn Checker, run: &Run<'_>) -> TablesO
     TablesOutcome { work, shard: run.part(), tables: rows, findings, interrupted: run.is_stopped() }
 }
 
-/// What one thread found.
+/// The findings of one thread.
 #[derive(Default)]
 struct Judged {
     tables: u64,

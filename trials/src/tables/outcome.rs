@@ -1,24 +1,24 @@
-//! What `tables` found.
+//! The outcome of `tables`.
 
 use super::work::TablesWork;
 use crate::rows::{INTERRUPTED, add_findings, add_rows, rows};
 use crate::shard::Shard;
 use crate::sum::Outcome;
 
-/// What [`tables()`](crate::tables()) found.
+/// The outcome of [`tables()`](crate::tables()).
 #[derive(Clone, Debug, PartialEq, Eq)]
 #[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 #[non_exhaustive]
 pub struct TablesOutcome {
     /// The work.
     pub work: TablesWork,
-    /// Which part of it.
+    /// The part of it.
     pub shard: Shard,
     /// The tables, by their size and by the fields that are free.
     pub tables: Vec<TablesRow>,
     /// The first disagreements. All are counted in the rows.
     pub findings: Vec<String>,
-    /// Whether the run was stopped before its end.
+    /// True if the run was stopped before its end.
     pub interrupted: bool,
 }
 
@@ -26,27 +26,27 @@ rows! {
     /// Tables in which the same fields are free.
     #[derive(Clone, Debug, PartialEq, Eq)]
     pub struct TablesRow {
-        /// How many half-edges they have.
+        /// The number of half-edges they have.
         key half_edges: usize = "half-edges" 10;
-        /// Which fields are free.
+        /// The fields that are free.
         label free: String = "free" 52;
-        /// How many there are.
+        /// The number of all.
         given all: u64;
-        /// How many of them were judged.
+        /// The number of them that were judged.
         count judged: u64 = "tables" 13;
-        /// How many of these are right, by the validator.
+        /// The number of these that are right, by the validator.
         count right: u64 = "right" 9 is right_by_formula;
-        /// How many of all are right, by a formula.
+        /// The number of all that are right, by a formula.
         given right_by_formula: u64 = "formula" 10;
-        /// How often the validator and the reference differ.
+        /// The number of times that the validator and the reference differ.
         zero disagreements: u64 = "disagreements" 13;
-        /// Whether all tables were judged.
+        /// True if all tables were judged.
         given done: bool;
     }
 }
 
 impl TablesRow {
-    /// Whether all tables were judged, the count is that of the formula, and there was no disagreement.
+    /// Tells whether all tables were judged, the count is that of the formula, and there was no disagreement.
     #[must_use]
     pub const fn is_ok(&self) -> bool {
         self.done && self.right == self.right_by_formula && self.disagreements == 0

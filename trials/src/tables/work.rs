@@ -1,9 +1,9 @@
-//! Which tables to judge.
+//! The work of `tables`.
 
 use super::formulas;
 use crate::run::Estimate;
 
-/// Which tables to judge.
+/// The work of `tables`.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
 #[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 pub struct TablesWork {

@@ -14,7 +14,7 @@ pub(super) struct Further {
     cell: Option<f64>,
     of_all: Known,
     of_feature: Known,
-    /// How many numbers a point of the feature in hand has beyond x and y, if all have as many.
+    /// The number of coordinates that a point of the feature in hand has beyond x and y, if all have as many.
     count: Option<usize>,
 }
 

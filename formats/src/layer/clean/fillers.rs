@@ -1,4 +1,4 @@
-//! What closes narrow spaces between two borders: quadrangles between the stretches that face each other.
+//! Quadrangles that close narrow spaces between two borders, between the stretches that face each other.
 //!
 //! ```text
 //!   ───────p0─────────p1──────   a stretch of one border, with the space to its left

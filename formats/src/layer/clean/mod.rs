@@ -36,13 +36,13 @@ use twinedge::map::{self, BuildError, Builder, Noding, PlanarMap};
 
 pub use report::{CleanReport, FeatureChange, LayerChange, Left, Remaining};
 
-/// How a layer is cleaned.
+/// The way in which a layer is cleaned.
 #[derive(Clone, Copy, Debug, Default)]
 pub struct CleanOptions {
     /// The grid to which points are rounded. Without one nothing moves, unless borders cross where there is no point: then all
     /// points are rounded to the finest grid that the coordinates allow.
     pub snap: Option<Snap>,
-    /// Which feature gets what.
+    /// The feature that gets what.
     pub assign: Options,
 }
 
@@ -130,7 +130,7 @@ pub fn clean(layer: &mut Layer, options: &CleanOptions) -> Result<CleanReport, C
     Ok(report)
 }
 
-/// What one round of cleaning made.
+/// All that one round of cleaning made.
 struct Pass {
     features: Vec<Feature>,
     changes: Vec<LayerChange>,
@@ -235,7 +235,7 @@ fn shapes(feature: &Feature) -> Vec<map::Shape> {
     shapes
 }
 
-/// What a layer breaks.
+/// All that a layer breaks.
 #[derive(Default)]
 struct Judged {
     left: Option<Left>,
@@ -246,7 +246,7 @@ struct Judged {
     wider_gaps: Vec<Finding>,
 }
 
-/// What breaks C1 … C6 afterwards, judged by the polygons that are written.
+/// All that breaks C1 … C6 afterwards, judged by the polygons that are written.
 fn judged(features: &[Feature], options: &CleanOptions) -> Result<Judged, CleanError> {
     let mut builder = Builder::new();
     let mut left = Left::default();

@@ -26,7 +26,7 @@ pub(super) fn polygons_of(geometry: &Geometry) -> Vec<Rings> {
     found
 }
 
-/// Whether polygons are the same, whatever the order of polygons and holes, and where rings start and which way they turn.
+/// Returns true if polygons are the same, whatever the order of polygons and holes, and where rings start and which way they turn.
 /// O(n log n).
 pub(super) fn is_same(before: &[Rings], after: &[Polygon]) -> bool {
     let after = after.iter().map(|polygon| polygon.rings().map(<[Point]>::to_vec).collect());

@@ -1,4 +1,4 @@
-//! What cleaning did.
+//! All that cleaning did.
 
 use twinedge::algorithm::area::{face_area, ring_area};
 use twinedge::algorithm::clean::{Change, ChangeKind};
@@ -7,21 +7,21 @@ use twinedge::geometry::Point;
 use twinedge::geometry::noding::{NodingSummary, Snap};
 use twinedge::map::{self, Builder, FeatureId, Noding, Shape};
 
-/// What cleaning did. Areas and widths are in the units of the coordinates.
+/// All that cleaning did. Areas and widths are in the units of the coordinates.
 #[derive(Clone, Debug, PartialEq)]
 #[non_exhaustive]
 pub struct CleanReport {
-    /// How many features have polygons.
+    /// The number of features that have polygons.
     pub polygons: usize,
-    /// What noding did.
+    /// The summary of noding.
     pub noding: Option<NodingSummary>,
     /// The area below which gaps were filled and slivers given away.
     pub sliver_area: f64,
-    /// What changed hands, in the order in which it did.
+    /// The changes of hands, in order.
     pub changes: Vec<LayerChange>,
     /// The features that have another geometry than before, in order.
     pub features: Vec<FeatureChange>,
-    /// What still breaks C1 … C6; none if nothing does.
+    /// All that still breaks C1 … C6; none if nothing does.
     pub left: Option<Left>,
     /// Each thing that does, in order of the rules, the largest of a rule first.
     pub remaining: Vec<Remaining>,
@@ -53,11 +53,11 @@ pub struct LayerChange {
 pub struct FeatureChange {
     /// Its number, counted from 0.
     pub feature: usize,
-    /// What was not valid by the OGC before, each kind once.
+    /// The defects by the OGC before, each kind once.
     pub defects: Vec<DefectKind>,
-    /// What its rings enclosed; of one that was not valid, what it covered by even-odd count.
+    /// The area that its rings enclosed; of one that was not valid, the area that it covered by even-odd count.
     pub area_before: f64,
-    /// What they enclose now; 0 if nothing is left of it, and then it has no geometry.
+    /// The area that they enclose now; 0 if nothing is left of it, and then it has no geometry.
     pub area_after: f64,
     /// The points of its rings, the repeated end of each included.
     pub points_before: usize,
@@ -100,11 +100,11 @@ impl From<&Finding> for Remaining {
     }
 }
 
-/// How many findings of C1 … C6 are left.
+/// The number of findings of C1 … C6 that are left.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 #[non_exhaustive]
 pub struct Left {
-    /// Whether borders meet at common vertices only; otherwise C1 … C4 are not known.
+    /// True if borders meet at common vertices only; otherwise C1 … C4 are not known.
     pub is_plane: bool,
     /// C1.
     pub overlaps: usize,
@@ -154,7 +154,7 @@ impl FeatureChange {
     }
 }
 
-/// What polygons cover whose rings may cross: the area of the faces inside an odd number of rings, on the finest grid.
+/// The area that polygons cover whose rings may cross: that of the faces inside an odd number of rings, on the finest grid.
 fn covered(shapes: &[Shape]) -> Option<f64> {
     let mut builder = Builder::new();
     let feature = builder.feature(&map::Feature { shapes: shapes.to_vec(), ..map::Feature::default() }).ok()?;

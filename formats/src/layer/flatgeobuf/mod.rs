@@ -18,7 +18,7 @@ pub(super) use write::{losses, write};
 /// Members of the header that are texts.
 const TEXTS: [&str; 3] = ["title", "description", "metadata"];
 
-/// Whether the ids are those that reading gives: the numbers of the features, counted from 0.
+/// Returns true if the ids are those that reading gives: the numbers of the features, counted from 0.
 pub(super) fn holds_ids(layer: &Layer) -> bool {
     let mut all = layer.features.iter().zip(0_u64..);
     all.all(|(feature, row)| feature.id.as_ref().is_none_or(|id| *id == Id::Number(row.into())))

@@ -50,7 +50,7 @@ pub(super) fn attributes(
     Ok(all)
 }
 
-/// What has not been read yet.
+/// The part that has not been read yet.
 struct Bytes<'a>(&'a [u8]);
 
 impl<'a> Bytes<'a> {

@@ -2,7 +2,6 @@
 
 use super::super::each::Each;
 use super::super::error::{Cause, Place, ReadError};
-use super::super::format::Format;
 use super::super::model::{Crs, Dimensions, Feature, Field, Geometry, Header, Id, Line, Members, Position, Shape};
 use super::TEXTS;
 use super::properties::{attributes, kind};
@@ -13,8 +12,9 @@ use ::flatgeobuf::{
 use flatbuffers::{InvalidFlatbuffer, Vector, VerifierOptions};
 use std::io::{self, Read};
 use std::sync::Arc;
+use twinedge::io::Format;
 
-/// How many collections may lie around a geometry.
+/// The number of collections that may lie around a geometry.
 const NESTED: usize = 32;
 
 /// The largest header that the crate reads, too.
@@ -94,7 +94,7 @@ fn refused(error: &InvalidFlatbuffer) -> Cause {
     invalid(error.to_string().lines().next().unwrap_or_default())
 }
 
-/// What tables may expand to: they can share vectors, so that a few bytes stand for many.
+/// The size to which tables may expand: they can share vectors, so that a few bytes stand for many.
 fn options(bytes: &[u8]) -> VerifierOptions {
     VerifierOptions {
         max_depth: 2 * NESTED,

@@ -1,7 +1,6 @@
 //! Writing `FlatGeobuf`, in the order of the features and so without an index.
 
 use super::super::error::WriteError;
-use super::super::format::Format;
 use super::super::loss::{Loss, absent};
 use super::super::model::{Feature, Field, FieldKind, Geometry, Layer, Line, Position, Shape, Value};
 use super::properties::{append, column};
@@ -12,11 +11,12 @@ use ::flatgeobuf::{
 };
 use flatbuffers::{FlatBufferBuilder, WIPOffset};
 use std::io::Write;
+use twinedge::io::Format;
 
 /// The version that is written.
 const MAGIC: &[u8; 8] = b"fgb\x03fgb\x00";
 
-/// What a table holds at most; the crate `flatbuffers` panics beyond 2 gigabytes.
+/// The size of a table at most; the crate `flatbuffers` panics beyond 2 gigabytes.
 const LARGEST: usize = 1 << 30;
 
 /// The columns as they are written: one with values of another type than its own becomes text.
@@ -33,7 +33,7 @@ fn columns(layer: &Layer) -> Vec<(Field, FieldKind)> {
     layer.fields().into_iter().map(of_field).collect()
 }
 
-/// What is lost beside geometries and the reference system.
+/// All that is lost beside geometries and the reference system.
 pub(in crate::layer) fn losses(layer: &Layer, found: &mut Vec<Loss>) {
     if !holds_ids(layer) {
         found.push(Loss::Ids(layer.features.iter().filter(|feature| feature.id.is_some()).count()));
@@ -164,7 +164,7 @@ fn look(geometry: &Geometry, has_z: &mut bool, has_m: &mut bool, bounds: &mut Op
     });
 }
 
-/// Which of the further numbers are heights and measures.
+/// The places of heights and measures among the further numbers.
 const fn numbers(geometry: &Geometry) -> (Option<usize>, Option<usize>) {
     use super::super::model::Dimensions;
     match geometry.dimensions {

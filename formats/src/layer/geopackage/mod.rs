@@ -8,7 +8,7 @@ mod write;
 pub(super) use read::read;
 pub(super) use write::{holds_ids, write};
 
-/// What the header of a geometry begins with, and its version.
+/// The beginning of the header of a geometry, and its version.
 const MAGIC: [u8; 3] = *b"GP\0";
 
 /// A name as SQL has it.

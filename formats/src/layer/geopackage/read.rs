@@ -2,7 +2,6 @@
 
 use super::super::each::Each;
 use super::super::error::{Cause, Place, ReadError};
-use super::super::format::Format;
 use super::super::model::{Crs, Feature, Field, FieldKind, Geometry, Header, Id, Value};
 use super::super::wkb;
 use super::{MAGIC, quoted};
@@ -10,6 +9,7 @@ use rusqlite::config::DbConfig;
 use rusqlite::types::ValueRef;
 use rusqlite::{Connection, OpenFlags, OptionalExtension};
 use std::path::Path;
+use twinedge::io::Format;
 
 impl From<rusqlite::Error> for ReadError {
     fn from(error: rusqlite::Error) -> Self {

@@ -47,7 +47,7 @@ UNIT[\"degree\",0.0174532925199433,AUTHORITY[\"EPSG\",\"9122\"]],AUTHORITY[\"EPS
 /// The number under which a reference system without one is kept.
 const OWN: i64 = 100_000;
 
-/// Whether the ids of all features can be primary keys: distinct whole numbers.
+/// Returns true if the ids of all features can be primary keys: distinct whole numbers.
 pub(in crate::layer) fn holds_ids(layer: &Layer) -> bool {
     let mut seen = HashSet::new();
     layer.features.iter().all(|feature| feature.id.is_none() || key(feature).is_some_and(|key| seen.insert(key)))

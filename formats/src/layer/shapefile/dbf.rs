@@ -33,7 +33,7 @@ struct ReadColumn {
     decimals: usize,
 }
 
-/// How texts are decoded.
+/// The character set of texts.
 #[derive(Clone, Copy)]
 enum Charset {
     /// It is named.
@@ -88,7 +88,7 @@ pub(super) struct Table<R> {
     reader: R,
     columns: Vec<ReadColumn>,
     charset: Charset,
-    /// How many records there are.
+    /// The number of records.
     pub(super) count: usize,
     record: Vec<u8>,
 }
@@ -159,7 +159,7 @@ impl<R: BufRead> Table<R> {
         self.columns.iter().map(field).collect()
     }
 
-    /// Whether the next record is deleted, and its values; none after the last.
+    /// The mark of deletion of the next record, and its values; none after the last.
     #[allow(clippy::type_complexity, reason = "a name for it would say no more")]
     pub(super) fn next(&mut self, number: usize) -> Result<Option<(bool, Vec<(Arc<str>, Value)>)>, ReadError> {
         if number >= self.count {
@@ -223,7 +223,7 @@ impl ReadColumn {
     }
 }
 
-/// Whether the columns have room in a table; otherwise, what it cannot hold.
+/// Refuses columns that have no room in a table.
 pub(super) fn check_size(columns: &[Column]) -> Result<(), String> {
     let record: usize = columns.iter().map(|column| usize::from(column.width)).sum();
     match (columns.len() + 1) * PART + 1 {

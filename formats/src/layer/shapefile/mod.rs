@@ -14,7 +14,6 @@ mod rings;
 
 use super::each::Each;
 use super::error::{Cause, Place, ReadError, WriteError};
-use super::format::Format;
 use super::model::{Crs, Feature, Field, Geometry, Header, Layer};
 use columns::{ShapeKind, shape_kind};
 use dbf::Table;
@@ -22,18 +21,19 @@ use failed::{content, truncated};
 use std::fs::{self, File};
 use std::io::{self, BufReader, BufWriter, Read, Seek, SeekFrom, Write};
 use std::path::{Path, PathBuf};
+use twinedge::io::Format;
 
 pub(super) use columns::losses;
 
 /// The bytes of the header of `.shp` and `.shx`.
 const HEADER: usize = 100;
 
-/// What the header begins with.
+/// The beginning of the header.
 const FILE_CODE: [u8; 4] = 9_994_i32.to_be_bytes();
 
 const VERSION: i32 = 1_000;
 
-/// What Esri writes for longitude and latitude on WGS 84.
+/// The text that Esri writes for longitude and latitude on WGS 84.
 const WGS_84: &str = "GEOGCS[\"GCS_WGS_1984\",DATUM[\"D_WGS_1984\",SPHEROID[\"WGS_1984\",6378137.0,298.257223563]],\
 PRIMEM[\"Greenwich\",0.0],UNIT[\"Degree\",0.0174532925199433]]";
 
@@ -109,9 +109,9 @@ struct Record {
 struct Shapes {
     file: BufReader<File>,
     length: u64,
-    /// Where the next record begins.
+    /// The place where the next record begins.
     at: u64,
-    /// Where records begin, from `.shx`.
+    /// The places where records begin, from `.shx`.
     index: Option<Vec<u64>>,
     buffer: Vec<u8>,
 }

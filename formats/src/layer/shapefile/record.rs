@@ -12,7 +12,7 @@ use super::rings::{polygons, written_rings};
 /// Measures below it are none, says the specification.
 const NO_DATA: f64 = -1e38;
 
-/// What is not read yet.
+/// The part that is not read yet.
 struct Bytes<'a> {
     rest: &'a [u8],
 }

@@ -85,12 +85,12 @@ fn grouped(rings: Vec<Line>) -> Vec<Vec<Line>> {
     polygons
 }
 
-/// Whether the first point of a ring that is not on the other one is inside it; yes, if all are on it.
+/// Returns true if the first point of a ring that is not on the other one is inside it, or if all are on it.
 fn lies_in(ring: &[Position], other: &[Position]) -> bool {
     ring.iter().find_map(|p| is_inside(point(p), other)).unwrap_or(true)
 }
 
-/// Whether a point is inside a ring; none if it is on it.
+/// The side of a ring on which a point lies, true for the inside; none if it is on it.
 fn is_inside(p: Point, ring: &[Position]) -> Option<bool> {
     let mut inside = false;
     for pair in ring.windows(2) {

@@ -1,13 +1,13 @@
 //! A file of TopoJSON: the arcs with their coordinates, and the objects as they are.
 
 use super::super::error::{Cause, Place, ReadError};
-use super::super::format::Format;
 use super::super::model::{Line, Members, Position};
 use serde::de::{self, Deserialize, Deserializer, MapAccess, SeqAccess, Visitor};
 use serde_json::Value as Json;
 use serde_json::error::Category;
 use std::fmt;
 use std::io::Read;
+use twinedge::io::Format;
 use twinedge::io::TextPlace;
 
 /// A file, whose numbers are coordinates already.
@@ -21,7 +21,7 @@ pub(super) struct Document {
     pub(super) members: Members,
 }
 
-/// What makes coordinates of the numbers of a quantised file.
+/// The transformation of the numbers of a quantised file to coordinates.
 #[derive(Clone, Copy, Debug, serde::Deserialize)]
 pub(super) struct Transform {
     scale: [f64; 2],

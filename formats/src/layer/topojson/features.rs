@@ -10,7 +10,7 @@ use serde_json::Value as Json;
 use std::io::Read;
 use twinedge::io::MAX_NESTED_COLLECTIONS;
 
-/// How many positions features may have together: so many times those of all arcs, and so many more. Arcs are shared by a few
+/// The number of positions that features may have together: so many times those of all arcs, and so many more. Arcs are shared by a few
 /// features each, but a small file may name a long arc any number of times.
 const TIMES: u64 = 16;
 const MORE: u64 = 1 << 20;
@@ -74,7 +74,7 @@ fn is_collection(object: &Members) -> bool {
 /// Puts features together.
 struct Reading<'a> {
     document: &'a Document,
-    /// How many positions more there may be.
+    /// The number of positions that may still be added.
     left: u64,
     limit: u64,
 }

@@ -1,4 +1,4 @@
-//! What only a file of TopoJSON can have wrong.
+//! The faults that only a file of TopoJSON can have.
 
 use crate::diagnosis::{self, Diagnosis, Position, Records, Trace, middle};
 

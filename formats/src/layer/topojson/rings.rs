@@ -72,9 +72,9 @@ impl Whose<'_> {
     }
 }
 
-/// What rings need to know of an arc.
+/// All that rings need to know of an arc.
 struct ArcShape {
-    /// Where it begins and ends; none if it has no positions.
+    /// The place where it begins and ends; none if it has no positions.
     ends: Option<[Point; 2]>,
     has_length: bool,
     /// Twice the area between it and the straight way back from its end.
@@ -98,7 +98,7 @@ impl ArcShape {
 
 struct Reading {
     shape: Vec<ArcShape>,
-    /// Whether an object uses the arc.
+    /// True if an object uses the arc.
     used: Vec<bool>,
     topology: ArcTopology,
 }
@@ -106,7 +106,7 @@ struct Reading {
 /// A chain of arcs that are there and join.
 struct Chain {
     half_edges: Vec<u32>,
-    /// Where it begins and ends; none if there are no arcs.
+    /// The place where it begins and ends; none if there are no arcs.
     ends: Option<[Point; 2]>,
     /// Twice the area between it and the straight way back from its end.
     area: f64,
@@ -249,7 +249,7 @@ impl Reading {
         topology.findings.add(Kind::SAME_SIDE, message, &ends.collect::<Vec<_>>());
     }
 
-    /// What can be said of arcs when all objects are read.
+    /// Judges arcs when all objects are read.
     fn finish(self, arcs: &[Line]) -> ArcTopology {
         let Self { shape, used, mut topology } = self;
         let mut vertices: FxHashMap<[u64; 2], u32> = FxHashMap::default();

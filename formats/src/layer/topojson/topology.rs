@@ -35,16 +35,16 @@ pub struct ArcTopology {
     pub(super) outer: Vec<u32>,
     /// Faces with a half-edge of each inner cycle, sorted.
     pub(super) inner: Vec<(u32, u32)>,
-    /// What the faces are called.
+    /// The names of the faces.
     pub(super) names: Vec<String>,
-    /// How many indices there are in all objects.
+    /// The number of indices in all objects.
     pub(super) indices: u64,
     pub(super) repeated_points: u64,
     pub(super) findings: Findings,
 }
 
 impl ArcTopology {
-    /// What a record is called: the index of an arc, `~` before it where it is backwards; the polygon; the coordinates of an end.
+    /// The name of a record: the index of an arc, `~` before it where it is backwards; the polygon; the coordinates of an end.
     ///
     /// For [`Report::named`](twinedge::validate::Report::named). A record that is not there is named by its number.
     #[must_use]
@@ -58,7 +58,7 @@ impl ArcTopology {
         found.unwrap_or_else(|| record.index().to_string())
     }
 
-    /// Where a half-edge goes first.
+    /// The point to which a half-edge goes first.
     fn towards(&self, half_edge: usize) -> Point {
         if self.bends(half_edge) > 0 {
             return self.bend(half_edge, 0);

@@ -11,7 +11,7 @@ pub(super) struct Builder {
     offsets: Vec<u32>,
     /// The largest index that a face lists, and where.
     largest: Option<(u32, Position)>,
-    /// What the format calls the first point.
+    /// The number of the first point in the format.
     first: i64,
 }
 

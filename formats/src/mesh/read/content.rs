@@ -1,4 +1,4 @@
-//! Which format a content has.
+//! The format that a content has.
 
 use super::format::Format;
 

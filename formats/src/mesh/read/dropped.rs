@@ -1,4 +1,4 @@
-//! What a file holds and the mesh does not.
+//! The parts of a file that the mesh does not hold.
 
 use std::borrow::Cow;
 
@@ -6,9 +6,9 @@ use std::borrow::Cow;
 #[derive(Clone, Debug, PartialEq, Eq)]
 #[cfg_attr(feature = "serde", derive(serde::Serialize))]
 pub struct Dropped {
-    /// What it is: "normals", "property nx of element vertex".
+    /// A name: "normals", "property nx of element vertex".
     pub what: Cow<'static, str>,
-    /// How many of them.
+    /// Their number.
     pub count: usize,
 }
 

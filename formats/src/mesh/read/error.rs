@@ -18,9 +18,9 @@ pub enum ReadError {
     Content {
         /// The format that was expected.
         format: Format,
-        /// Where reading ended.
+        /// The place where reading ended.
         position: Position,
-        /// What is wrong.
+        /// The error.
         cause: Cause,
     },
 }
@@ -43,22 +43,22 @@ impl fmt::Display for Position {
     }
 }
 
-/// What is wrong in a file.
+/// An error in a file.
 #[derive(Clone, Debug, PartialEq, thiserror::Error)]
 #[non_exhaustive]
 pub enum Cause {
     /// Something else stands where this should.
     #[error("expected {what}, found `{found}`")]
     Expected {
-        /// What should stand there.
+        /// The text that should stand there.
         what: &'static str,
-        /// What does, shortened.
+        /// The text that does, shortened.
         found: Box<str>,
     },
     /// The line or the file ends where this should follow.
     #[error("expected {what}, but there is nothing more")]
     Truncated {
-        /// What should follow.
+        /// The part that should follow.
         what: &'static str,
     },
     /// A coordinate is not a finite number.
@@ -71,9 +71,9 @@ pub enum Cause {
     /// [`IndexZero`](Self::IndexZero)), or backwards from −1.
     #[error("a face lists point {index}, but there {}", number_of_points(*points))]
     IndexOutOfRange {
-        /// What the face lists.
+        /// The index that the face lists.
         index: i64,
-        /// How many points there are; in OBJ, for a negative index, how many there are so far.
+        /// The number of points; in OBJ, for a negative index, the number so far.
         points: usize,
     },
     /// A face of an OBJ file lists point 0.

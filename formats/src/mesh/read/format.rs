@@ -1,4 +1,4 @@
-//! Which format a file has.
+//! The format that a file has.
 
 use std::fmt;
 use std::path::Path;
@@ -64,7 +64,7 @@ impl Format {
         Self::ALL.iter().copied().find(|format| extension.eq_ignore_ascii_case(format.name()))
     }
 
-    /// Whether the content says the format for certain. That of an OBJ file may start with anything.
+    /// Returns true if the content says the format for certain. That of an OBJ file may start with anything.
     pub(super) fn is_certain(self) -> bool {
         self.name() != "obj"
     }

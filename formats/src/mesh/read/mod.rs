@@ -29,14 +29,14 @@ use error::Failed;
 use std::io::Read;
 use std::path::Path;
 
-/// What a file holds.
+/// The content of a file.
 #[derive(Clone, Debug, PartialEq)]
 pub struct MeshFile {
     /// Its format.
     pub format: Format,
     /// The points and faces.
     pub mesh: IndexedMesh,
-    /// What else it holds, in the order of its first occurrence.
+    /// All else that it holds, in the order of its first occurrence.
     pub dropped: Vec<Dropped>,
 }
 

@@ -64,7 +64,7 @@ pub(super) fn read(bytes: &[u8]) -> Result<(IndexedMesh, Vec<Dropped>), Failed> 
     Ok((mesh.finish()?, drops.into_list()))
 }
 
-/// Whether the word is `OFF`, with any of the prefixes `ST`, `C`, `N`, `4` and `n`, in this order.
+/// Returns true if the word is `OFF`, with any of the prefixes `ST`, `C`, `N`, `4` and `n`, in this order.
 pub(super) fn is_keyword(word: &[u8]) -> bool {
     let mut rest = word;
     for prefix in [&b"ST"[..], b"C", b"N", b"4", b"n"] {

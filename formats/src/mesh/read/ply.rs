@@ -151,7 +151,7 @@ fn skip(records: &mut Records<'_>, element: &ElementDef) -> Result<(), Failed> {
     Ok(())
 }
 
-/// What follows the header.
+/// All that follows the header.
 enum Records<'a> {
     Text(Text<'a>),
     Binary { bytes: &'a [u8], at: usize, big_endian: bool },
@@ -247,7 +247,7 @@ impl Records<'_> {
         }
     }
 
-    /// How many words, or bytes, are left.
+    /// The number of words, or bytes, that are left.
     fn after(&mut self) -> usize {
         match self {
             Self::Text(text) => std::iter::from_fn(|| text.any_word()).count(),

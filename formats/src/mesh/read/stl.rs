@@ -22,13 +22,13 @@ pub(super) fn read(bytes: &[u8]) -> Result<(IndexedMesh, Vec<Dropped>), Failed> 
     if is_text(bytes) { read_text(bytes) } else { read_binary(bytes) }
 }
 
-/// Whether it is a text. The first word does not say: the header of a binary file is free, and may start with `solid`. So a
+/// Returns true if it is a text. The first word does not tell: the header of a binary file is free, and may start with `solid`. So a
 /// file that is as long as a binary file must be is one.
 pub(super) fn is_text(bytes: &[u8]) -> bool {
     is_named_solid(bytes) && expected_length(bytes) != Some(bytes.len() as u64)
 }
 
-/// Whether the first word is `solid`.
+/// Returns true if the first word is `solid`.
 pub(super) fn is_named_solid(bytes: &[u8]) -> bool {
     Text::new(bytes).any_word().is_some_and(|word| word.eq_ignore_ascii_case(b"solid"))
 }

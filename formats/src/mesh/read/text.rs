@@ -37,7 +37,7 @@ impl<'a> Text<'a> {
         Position::Line(self.line)
     }
 
-    /// How many bytes are left.
+    /// The number of bytes that are left.
     pub(super) fn left(&self) -> usize {
         self.bytes.len() - self.at
     }
@@ -92,7 +92,7 @@ impl<'a> Text<'a> {
         self.step_over_line_end()
     }
 
-    /// How many more words there are on this line.
+    /// The number of words that are left on this line.
     pub(super) fn skip_words(&mut self) -> usize {
         std::iter::from_fn(|| self.word()).count()
     }
@@ -112,7 +112,7 @@ impl<'a> Text<'a> {
         true
     }
 
-    /// Whether the line ends right after the backslash here.
+    /// Returns true if the line ends right after the backslash here.
     fn continues(&self) -> bool {
         matches!(self.bytes.get(self.at + 1), Some(b'\n' | b'\r'))
     }

@@ -34,7 +34,7 @@ impl Diff {
             if !place.is_none_or(in_range) {
                 return None;
             }
-            *self.places.change(v)? = place;
+            *self.places.change(v)? = place.map(<[f64; 2]>::from);
         }
         Some(())
     }
@@ -87,7 +87,7 @@ impl<'a> Drawing<'a> {
     }
 
     pub(super) fn place(&self, time: Time, v: usize) -> Option<Point> {
-        self.diff.places.at(time, v)
+        self.diff.places.at(time, v).map(Point::from)
     }
 
     /// Returns true for the unbounded face.

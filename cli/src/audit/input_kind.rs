@@ -1,9 +1,9 @@
 //! The kinds of inputs, and the options that each takes.
 
+use super::arguments::{Audit, Run};
 use super::destination::ReportFormat;
 use super::table_file::is_table_file;
 use super::textbook::is_textbook;
-use super::{Audit, Run};
 use crate::input::Input;
 use crate::status::Failure;
 use twinedge_formats::mesh::Format as MeshFormat;
@@ -11,7 +11,7 @@ use twinedge_formats::postgis::is_copy;
 
 /// The kind of an input.
 #[derive(Clone, Copy, Debug)]
-pub(super) enum Recognised {
+pub(super) enum InputKind {
     Map,
     Mesh(MeshFormat),
     /// The three tables of a textbook.
@@ -49,7 +49,7 @@ impl Options {
         }
     }
 
-    /// Why they are refused for this kind of input.
+    /// The words by which they are refused for a kind of input.
     fn refusal(self, what: &str) -> String {
         match self {
             Self::Snap => format!("--snap is for maps, and this is {what}"),
@@ -62,7 +62,7 @@ impl Options {
     }
 }
 
-impl Recognised {
+impl InputKind {
     /// By what was asked for, or else by how the input begins.
     pub(super) fn of(asked: &Audit, input: &mut Input) -> Result<Self, Failure> {
         Ok(if asked.postgis || is_copy(input.beginning()?) {

@@ -1,14 +1,12 @@
 //! `twinedge clean`: a layer of polygons without overlaps, narrow gaps and slivers.
 
-mod json;
-
 use crate::convert::{LayerOutput, Written};
 use crate::input::LayerFile;
 use crate::noding_text;
 use crate::output::style::{BAD, GOOD, QUIET};
 use crate::output::{Format, counted, decimals, grouped, measure, place, plain, print, print_json};
 use crate::status::{Failure, Verdict};
-use json::{Json, JsonChange, JsonFeature, JsonLeft};
+use serde_json::json;
 use std::collections::{BTreeMap, BTreeSet};
 use std::fmt::Write as _;
 use std::time::Instant;
@@ -85,7 +83,7 @@ pub(crate) struct Clean {
     list: usize,
 }
 
-/// Which feature gets what several claim.
+/// The feature that gets what several claim.
 #[derive(Clone, Copy, Debug, Default, clap::ValueEnum)]
 enum Claim {
     /// The one with the largest area, the first of those.
@@ -136,7 +134,7 @@ impl Clean {
                 changes.entry(feature).or_default().push(change);
             }
         }
-        let cleaned = Cleaned {
+        let cleaned = Cleaning {
             name: &name,
             names,
             layer: &layer,
@@ -160,11 +158,11 @@ impl Clean {
     }
 }
 
-/// How many columns an error lists.
+/// The number of columns that an error lists.
 const COLUMNS: usize = 20;
 
 /// A layer, cleaned.
-struct Cleaned<'a> {
+struct Cleaning<'a> {
     name: &'a str,
     names: Names<'a>,
     layer: &'a Layer,
@@ -176,7 +174,7 @@ struct Cleaned<'a> {
     elapsed: f64,
 }
 
-/// Where the names of features come from.
+/// The source of the names of features.
 #[derive(Clone, Copy)]
 struct Names<'a> {
     /// The column that was asked for.
@@ -207,7 +205,7 @@ impl Names<'_> {
     }
 }
 
-/// What to call a feature.
+/// The name for a feature.
 fn label(names: Names<'_>, layer: &Layer, number: usize) -> String {
     let feature = layer.features.get(number);
     let name = feature.and_then(|feature| names.of(feature));
@@ -220,7 +218,7 @@ fn label(names: Names<'_>, layer: &Layer, number: usize) -> String {
     })
 }
 
-impl Cleaned<'_> {
+impl Cleaning<'_> {
     fn label(&self, number: usize) -> String {
         label(self.names, self.layer, number)
     }
@@ -372,7 +370,7 @@ impl Cleaned<'_> {
         }
     }
 
-    /// How many gaps were left because they are wider than asked for.
+    /// The number of gaps that were left because they are wider than asked for.
     fn wider(&self) -> String {
         match (self.report.wider_gaps.len(), self.gap_width) {
             (0, _) | (_, None) => String::new(),
@@ -392,7 +390,7 @@ impl Cleaned<'_> {
         writeln!(out, "{}{from} to {to}: area {area}, width {width}, at {at}", change.kind)
     }
 
-    fn json(&self) -> Json<'_> {
+    fn json(&self) -> serde_json::Value {
         let Self { name, names, report, layer, written, elapsed, .. } = self;
         let named = |number: &usize| {
             let feature = layer.features.get(*number);
@@ -415,52 +413,64 @@ impl Cleaned<'_> {
                 ..Diagnosis::default()
             }
         };
-        Json {
-            input: name,
-            output: written.map(|written| &*written.name),
-            clean: report.left.is_none(),
-            features: layer.features.len(),
-            with_polygons: report.polygons,
-            cell: report.noding.map(|noding| noding.cell).filter(|cell| *cell > 0.0),
-            sliver_area: report.sliver_area,
-            changes: report
-                .changes
-                .iter()
-                .map(|change| JsonChange {
-                    kind: change.kind.name(),
-                    from: change.from.iter().map(named).collect(),
-                    to: change.to.as_ref().map(named),
-                    area: change.area,
-                    width: change.width,
-                    at: change.at.into(),
-                })
-                .collect(),
-            changed: report
-                .features
-                .iter()
-                .map(|feature| JsonFeature {
-                    feature: named(&feature.feature),
-                    area_before: feature.area_before,
-                    area_after: feature.area_after,
-                    points_before: feature.points_before,
-                    points_after: feature.points_after,
-                    reasons: self.reasons(feature),
-                })
-                .collect(),
-            left: report.left.map(|left| JsonLeft {
-                plane: left.is_plane,
-                overlaps: left.overlaps,
-                gaps: left.gaps,
-                near_misses: left.near_misses,
-                slivers: left.slivers,
-                ogc_invalid: left.invalid,
-                findings: report.remaining.iter().map(remaining).collect(),
-            }),
-            wider_gaps: report.wider_gaps.iter().map(remaining).collect(),
-            warnings: self.warnings(),
-            elapsed_ms: *elapsed,
-        }
+        let all = |remaining_ones: &[Remaining]| remaining_ones.iter().map(remaining).collect::<Vec<_>>();
+        let change = |change: &LayerChange| {
+            json!({
+                "kind": change.kind.name(),
+                "from": change.from.iter().map(named).collect::<Vec<_>>(),
+                "to": change.to.as_ref().map(named),
+                "area": change.area,
+                "width": change.width,
+                "at": [change.at.x, change.at.y],
+            })
+        };
+        let changed = |feature: &FeatureChange| {
+            let FeatureName { number, id, name, .. } = named(&feature.feature);
+            without_null(json!({
+                "number": number,
+                "id": id,
+                "name": name,
+                "area_before": feature.area_before,
+                "area_after": feature.area_after,
+                "points_before": feature.points_before,
+                "points_after": feature.points_after,
+                "reasons": self.reasons(feature),
+            }))
+        };
+        let left = report.left.map(|left| {
+            json!({
+                "plane": left.is_plane,
+                "overlaps": left.overlaps,
+                "gaps": left.gaps,
+                "near_misses": left.near_misses,
+                "slivers": left.slivers,
+                "ogc_invalid": left.invalid,
+                "findings": all(&report.remaining),
+            })
+        });
+        without_null(json!({
+            "input": name,
+            "output": written.map(|written| &*written.name),
+            "clean": report.left.is_none(),
+            "features": layer.features.len(),
+            "with_polygons": report.polygons,
+            "cell": report.noding.map(|noding| noding.cell).filter(|cell| *cell > 0.0),
+            "sliver_area": report.sliver_area,
+            "changes": report.changes.iter().map(change).collect::<Vec<_>>(),
+            "changed": report.features.iter().map(changed).collect::<Vec<_>>(),
+            "left": left,
+            // Gaps that are wider than `--gap-width`.
+            "wider_gaps": all(&report.wider_gaps),
+            "warnings": self.warnings(),
+            "elapsed_ms": elapsed,
+        }))
     }
+}
+
+/// An object without the members that are null.
+fn without_null(mut object: serde_json::Value) -> serde_json::Value {
+    object.as_object_mut().into_iter().for_each(|members| members.retain(|_, value| !value.is_null()));
+    object
 }
 
 /// With how many decimal places a place is shown.
@@ -479,7 +489,7 @@ fn rounded_up(x: f64) -> f64 {
     text.parse().ok().filter(|y| *y >= x).unwrap_or(x)
 }
 
-/// What is left, and what removes it.
+/// The remains, and what removes them.
 fn left_text(left: &Left) -> String {
     if !left.is_plane {
         return "borders still cross; --snap SIZE rounds them to a coarser grid".to_owned();

@@ -5,14 +5,14 @@ use crate::output::plain;
 use twinedge::map::PlanarMap;
 
 /// A map, the name of its input, and what was noted of its features.
-pub(crate) struct Asked {
+pub(crate) struct Source {
     pub(crate) input: String,
     pub(crate) map: PlanarMap,
     pub(crate) noted: Noted,
 }
 
-impl Asked {
-    /// How a feature can be asked for by its number, with its id, if it has one.
+impl Source {
+    /// The words by which a feature can be asked for by its number, with its id, if it has one.
     pub(super) fn hint(&self, number: usize) -> String {
         match self.noted.ids.get(number).and_then(Option::as_deref) {
             Some(id) => format!("'#{number}' (id {})", plain(id)),

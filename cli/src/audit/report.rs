@@ -1,31 +1,31 @@
-//! An input, audited: what all writers take.
+//! The report of an audit, which all writers take.
 
 use super::packed::Window;
 use crate::coverage::Coverage;
-use crate::output::not_checked;
+use crate::output::{grouped, not_checked};
 use serde::Serialize;
 use serde_json::{Map, Value};
-use twinedge::validate::Bounds;
+use twinedge::validate::{Bounds, Counts};
 use twinedge_formats::diagnosis::{Diagnosis, Document, RuleLine, Trace};
 use twinedge_formats::layer::Crs;
 
-/// An input, audited.
-pub(super) struct Audited {
+/// The report of an audit.
+pub(super) struct AuditReport {
     pub(super) input: String,
     pub(super) valid: bool,
-    /// What was found in numbers, if it is not valid.
+    /// The numbers of findings, if it is not valid.
     pub(super) found: String,
     pub(super) notes: Vec<Note>,
     /// The counts in words.
     pub(super) counts: Vec<(&'static str, String)>,
     pub(super) rules: Vec<RuleLine>,
     pub(super) violations: Vec<Diagnosis>,
-    /// How many there are, listed or not.
+    /// The number of violations, listed or not.
     pub(super) violation_count: u64,
-    /// What is wrong with the faces of a mesh, and how many findings there are.
+    /// The faults of the faces of a mesh, and the number of findings.
     pub(super) findings: Vec<Diagnosis>,
     pub(super) finding_count: u64,
-    /// What breaks C1 … C6, of a map with polygons or lines.
+    /// All that breaks C1 … C6, of a map with polygons or lines.
     pub(super) coverage: Option<Coverage>,
     pub(super) style: CoverageStyle,
     /// Sentences about violations that follow from findings.
@@ -35,18 +35,18 @@ pub(super) struct Audited {
     pub(super) elapsed_ms: f64,
 }
 
-/// How findings of a coverage are shown as text.
+/// The form of findings of a coverage in text.
 #[derive(Clone, Copy, Default)]
 pub(super) struct CoverageStyle {
     /// They count as violations.
     pub(super) is_rule: bool,
-    /// How many of each rule are shown.
+    /// The number of findings of each rule that are shown.
     pub(super) worst: usize,
     /// Places have so many decimal places at most.
     pub(super) decimals: usize,
 }
 
-/// What is in JSON only.
+/// All that is in JSON only.
 #[derive(Default)]
 pub(super) struct JsonForm {
     pub(super) counts: Value,
@@ -60,7 +60,7 @@ pub(super) struct JsonForm {
     pub(super) extra: Map<String, Value>,
 }
 
-/// What a reader should know about the input, in a line.
+/// A note on the input, in a line.
 pub(super) enum Note {
     Plain(String),
     Warning(String),
@@ -68,7 +68,7 @@ pub(super) enum Note {
     Detail(String),
 }
 
-impl Audited {
+impl AuditReport {
     /// Nothing is known yet.
     pub(super) fn new(input: &str) -> Self {
         Self {
@@ -102,7 +102,7 @@ impl Audited {
         }
     }
 
-    /// How many things were found, listed or not.
+    /// The number of things that were found, listed or not.
     pub(super) fn total(&self) -> u64 {
         self.violation_count + self.finding_count + self.coverage.as_ref().map_or(0, |found| found.total() as u64)
     }
@@ -115,7 +115,7 @@ impl Audited {
         first.chain(&self.findings).chain(of_coverage).chain(last)
     }
 
-    /// Whether the input is valid, in a sentence.
+    /// The verdict, in a sentence.
     pub(super) fn verdict(&self) -> String {
         if self.valid {
             let beside = self.coverage.as_ref().map(Coverage::beside).unwrap_or_default();
@@ -174,4 +174,20 @@ impl Audited {
         }
         Json { input: &self.input, document, extra, coverage: self.coverage.as_ref(), elapsed_ms: self.elapsed_ms }
     }
+}
+
+/// The numbers of records, in words.
+pub(super) fn counts(counts: &Counts) -> Vec<(&'static str, String)> {
+    let or_unknown = |n: Option<usize>| n.map_or_else(|| "unknown".to_owned(), grouped);
+    vec![
+        ("vertices (V)", grouped(counts.vertices)),
+        ("edges (E)", grouped(counts.edges)),
+        ("half-edges", grouped(counts.half_edges)),
+        ("faces (F), the unbounded one included", grouped(counts.faces)),
+        ("components (C)", or_unknown(counts.components)),
+        ("outer boundary components", grouped(counts.outer_boundaries)),
+        ("inner boundary components", grouped(counts.inner_boundaries)),
+        ("isolated vertices", grouped(counts.isolated_vertices)),
+        ("genus", or_unknown(counts.genus)),
+    ]
 }

@@ -1,0 +1,95 @@
+//! The arguments of `twinedge audit`.
+
+use super::destination::{self, Destination};
+use super::mesh_options::MeshOptions;
+use crate::coverage::CoverageOptions;
+use crate::input::MapFile;
+use std::time::Instant;
+use twinedge::validate::Collect;
+
+/// Check a map (GeoJSON, TopoJSON, WKT, WKB, Shapefile, GeoPackage, FlatGeobuf) or a mesh (OBJ, OFF, PLY, STL) for everything that can be wrong.
+///
+/// Of a map the planar subdivision is built, and every rule is checked on it.
+///
+/// The three tables of a textbook, of vertices, faces and half-edges, are read as the book prints them and audited by their names.
+///
+/// A mesh file (OBJ, OFF, PLY, STL) is joined to half-edges along shared edges. What cannot be joined is reported by its faces
+/// and vertices, and the options under "Meshes" say what else must hold.
+///
+/// A topology of PostGIS is judged by the links that the database keeps, and named by its ids. `twinedge postgis` prints what `psql`
+/// needs to write it.
+///
+/// The arcs of TopoJSON are edges that polygons share. `--arcs` judges them as they are, and names them by their numbers.
+///
+/// A file of tables is judged line by line instead. `twinedge tables --print` and `twinedge corrupt --print` write such files.
+/// Each line is one structure as plain tables, in the text form of `twinedge::validate::Table`; a verdict may follow, `= ok` or
+/// the first broken rule, as in `= R1`, and is compared with that of the validator. The line `# expect: plane without prev`, or
+/// `# expect: surface open asking closed genus 0 sides 3`, says what the tables below it are held to; other lines that begin with `#` are comments.
+#[derive(Debug, clap::Args)]
+#[command(after_help = "Examples:
+  twinedge audit                          the built-in map of the world
+  twinedge audit parcels.geojson
+  twinedge audit --snap auto drawn-by-hand.geojson
+  twinedge audit --format json - < parcels.geojson | jq .valid
+  twinedge audit parcels.geojson -o findings.geojson     what was found as a layer, for QGIS
+  twinedge audit counties.shp -o report.html             the map and what was found, for a browser
+  twinedge audit bunny.obj --closed --genus 0 --triangles
+  twinedge audit --arcs counties.topojson --layer counties
+  twinedge postgis --sql city_data | psql -X mydatabase | twinedge audit --postgis -
+  twinedge tables --half-edges 2 --print | twinedge audit -
+  twinedge audit examples/tables/five_faces.txt
+
+Exit status: 0 the map or mesh is valid, or all tables are valid and all verdicts agree; 1 something is invalid (a file of tables that are wrong on purpose, even if its verdicts agree), or a verdict differs; 2 the input could not be read.")]
+pub(crate) struct Audit {
+    #[command(flatten)]
+    pub(super) map: MapFile,
+
+    #[command(flatten)]
+    pub(super) destination: destination::Arguments,
+
+    /// Greatest number of violations to list, and of findings of each rule C1 … C6; all are counted. Default: 1000, and in the text 3
+    /// findings of each of C1 … C6.
+    #[arg(long, value_name = "N")]
+    pub(super) list: Option<usize>,
+
+    /// Say of each kind of violation or finding what usually causes it and what mends it. In JSON these are the keys `cause` and
+    /// `remedy`.
+    #[arg(long)]
+    pub(super) explain: bool,
+
+    /// The input is a topology of PostGIS, as `psql` writes it after `twinedge postgis --sql NAME`. (It is recognised without this, too;
+    /// with it nothing else is accepted.)
+    #[arg(long)]
+    pub(super) postgis: bool,
+
+    /// Judge the arcs of TopoJSON as they are shared, instead of the map that the features draw: that they join, that each side of an
+    /// arc has one polygon at most, that they meet at their ends only, and that polygons lie where their arcs lead around.
+    #[arg(long, conflicts_with = "postgis")]
+    pub(super) arcs: bool,
+
+    #[command(flatten)]
+    pub(super) coverage: CoverageOptions,
+
+    #[command(flatten)]
+    pub(super) mesh: MeshOptions,
+}
+
+impl Audit {
+    /// Greatest number of violations to list.
+    pub(super) fn most(&self) -> usize {
+        self.list.unwrap_or(Collect::DEFAULT_CAP)
+    }
+}
+
+/// A run of the command.
+pub(super) struct Run<'a> {
+    pub(super) asked: &'a Audit,
+    pub(super) to: Destination<'a>,
+    pub(super) start: Instant,
+}
+
+impl Run<'_> {
+    pub(super) fn elapsed_ms(&self) -> f64 {
+        self.start.elapsed().as_secs_f64() * 1000.0
+    }
+}

@@ -1,0 +1,67 @@
+//! The options of meshes.
+
+use twinedge::validate::Expectation;
+use twinedge_formats::mesh::HalfEdgeMesh;
+
+/// The properties that a mesh must have.
+#[derive(Debug, clap::Args)]
+#[command(next_help_heading = "Meshes")]
+pub(super) struct MeshOptions {
+    /// The mesh has no border.
+    #[arg(long, conflicts_with = "borders")]
+    closed: bool,
+
+    /// The mesh has exactly N border loops.
+    #[arg(long, value_name = "N")]
+    borders: Option<usize>,
+
+    /// The genus of the whole mesh is N: 0 for spheres and discs, 1 for a torus.
+    #[arg(long, value_name = "N")]
+    genus: Option<usize>,
+
+    /// The mesh has exactly N components.
+    #[arg(long, value_name = "N")]
+    components: Option<usize>,
+
+    /// Every face has three sides.
+    #[arg(long, conflicts_with = "sides")]
+    triangles: bool,
+
+    /// Every face has N sides.
+    #[arg(long, value_name = "N")]
+    sides: Option<usize>,
+
+    /// Every vertex is a corner of a face.
+    #[arg(long)]
+    no_unused_vertices: bool,
+}
+
+impl MeshOptions {
+    /// Returns true if anything is expected.
+    pub(super) fn is_any(&self) -> bool {
+        self.expectation() != HalfEdgeMesh::expectation()
+    }
+
+    pub(super) fn expectation(&self) -> Expectation {
+        let mut expectation = HalfEdgeMesh::expectation();
+        if self.closed {
+            expectation = expectation.closed();
+        }
+        if let Some(borders) = self.borders {
+            expectation = expectation.borders(borders);
+        }
+        if let Some(genus) = self.genus {
+            expectation = expectation.genus(genus);
+        }
+        if let Some(components) = self.components {
+            expectation = expectation.components(components);
+        }
+        if let Some(sides) = self.sides.or(self.triangles.then_some(3)) {
+            expectation = expectation.sides(sides);
+        }
+        if self.no_unused_vertices {
+            expectation = expectation.no_unused_vertices();
+        }
+        expectation
+    }
+}
