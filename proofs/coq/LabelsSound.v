@@ -87,6 +87,34 @@ End OneOfEach.
 
 (** ** What the tests say of single records *)
 
+(** Five tests of the half-edges say that the links between them are permutations. *)
+Lemma map_tests t : (forall h, half_edge t h -> [&& twin_ok t h, next_ok t h, target_ok t h, origin_ok t h & cycle_ok t h]) ->
+  is_map t.
+Proof.
+move=> tests.
+have live (on : pred nat) T (asked : nat -> option T) l x : (forall i x, asked i = Some x -> on i) ->
+    l >>= asked = Some x -> leads_to on l.
+  by move=> H; case: l => [i|] //= E; exists i => //; apply: H E.
+have nonnil l : ~~ is_nil l -> exists x, l = Some x by case: l => [x|] // _; exists x.
+have heardL T (on : pred nat) (says : nat -> option T) i x : heard on says i = Some x -> on i by apply: heard_live.
+split=> h /tests /and5P[/andP[/same_linkP tt /same_linkP nt] /andP[/same_linkP pn /same_linkP np] /same_linkP ta o /andP[_ c]] //.
+have [x ox] := nonnil _ o; have [y cy] := nonnil _ c; split.
+- exact: live (@heardL _ _ _) ox.
+- exact: live (@heardL _ _ _) tt.
+- exact: live (@heardL _ _ _) pn.
+- exact: live (@heardL _ _ _) np.
+apply: live cy => i z; rewrite /cycle_start; case S: (boundary_start t i) => [s|] // _.
+exact: heard_live S.
+Qed.
+
+(** What the rotations, the cycles and their counts rest on. *)
+Record basics t : Prop := Basics {
+  basic_map : is_map t;
+  basic_leaving : forall v h, leaving t v = Some h -> half_edge t h /\ origin t h = Some v;
+  basic_start : forall b h, boundary_start t b = Some (AtHalfEdge h) -> half_edge t h /\ boundary_of t h = Some b;
+  basic_cycle : forall x : dart t, bnd (nx x) = bnd x
+}.
+
 Lemma is_nilP l : reflect (l = None) (is_nil l).
 Proof. by case: l => [i|]; constructor. Qed.
 
@@ -108,19 +136,7 @@ Proof. by case/and5P: ok => _ _ _ /each_faceP H _ /H. Qed.
 
 Lemma sound_map : is_map t.
 Proof.
-have live (on : pred nat) T (asked : nat -> option T) l x : (forall i x, asked i = Some x -> on i) ->
-    l >>= asked = Some x -> leads_to on l.
-  by move=> H; case: l => [i|] //= E; exists i => //; apply: H E.
-have nonnil l : ~~ is_nil l -> exists x, l = Some x by case: l => [x|] // _; exists x.
-have heardL T (on : pred nat) (says : nat -> option T) i x : heard on says i = Some x -> on i by apply: heard_live.
-split=> h /sound_half_edge /and5P[/andP[/same_linkP tt /same_linkP nt] /andP[/same_linkP pn /same_linkP np] /same_linkP ta o /andP[/andP[_ c] _]] //.
-have [x ox] := nonnil _ o; have [y cy] := nonnil _ c; split.
-- exact: live (@heardL _ _ _) ox.
-- exact: live (@heardL _ _ _) tt.
-- exact: live (@heardL _ _ _) pn.
-- exact: live (@heardL _ _ _) np.
-apply: live cy => i z; rewrite /cycle_start; case S: (boundary_start t i) => [s|] // _.
-exact: heard_live S.
+by apply: map_tests => h /sound_half_edge /and5P[-> -> -> -> /andP[-> _]].
 Qed.
 
 Let map := sound_map.
@@ -234,6 +250,12 @@ have [_ _ Ep] := @sound_entry f Outer b E; have [_ _ _ [i]] := sound_isolated S.
 by rewrite Ep.
 Qed.
 
+Lemma sound_basics : basics t.
+Proof.
+split; [exact: sound_map| |exact: sound_start|by move=> x; case: (sound_cycle x)].
+by move=> v h /sound_leaving[].
+Qed.
+
 End Sound.
 
 (** ** The four numbers *)
@@ -241,10 +263,10 @@ End Sound.
 Definition roots_of t := [seq start_of t b | b <- iota 0 (boundary_slots t) & ~~ is_nil (cycle_start t b) && listed_inner t b].
 
 Section Counts.
-Variables (t : view) (rank : nat -> nat).
-Hypothesis ok : accepts t rank.
+Variable t : view.
+Hypothesis basic : basics t.
 
-Let map := sound_map ok.
+Let map := basic_map basic.
 
 Lemma orbits_exist (f : dart t -> dart t) says : injective f ->
   (forall x y : dart t, on_orbit says (num x) (num y) <-> fconnect f x y) ->
@@ -314,13 +336,13 @@ Proof. by rewrite size_map size_filter /root_count numberE. Qed.
 Lemma kept_dart v : v \in with_edges t -> exists2 x : dart t, kept t v = num x & org x = v.
 Proof.
 rewrite mem_filter => /andP[+ _]; rewrite /kept; case E: (leaving t v) => [h|] // _.
-by have [lh /(originP map)[x <- <-] _] := sound_leaving ok E; exists x.
+by have [lh /(originP map)[x <- <-]] := basic_leaving basic E; exists x.
 Qed.
 
 Lemma start_dart b : ~~ is_nil (cycle_start t b) -> exists2 x : dart t, start_of t b = num x & bnd x = b.
 Proof.
 rewrite /cycle_start /start_of; case E: (boundary_start t b) => [[h|]|] // _.
-have [/dartP[x xh] bh] := sound_start ok E; exists x; first by rewrite xh.
+have [/dartP[x xh] bh] := basic_start basic E; exists x; first by rewrite xh.
 by move: bh; rewrite -xh (boundaryE map) => -[].
 Qed.
 
@@ -331,7 +353,7 @@ Lemma org_orbit (x y : dart t) : fconnect (@tn t) x y -> org x = org y.
 Proof. by move/iter_findex <-; elim: (findex _ _ _) => //= k ->; rewrite org_tn. Qed.
 
 Lemma bnd_orbit (x y : dart t) : fconnect (@nx t) x y -> bnd x = bnd y.
-Proof. by move/iter_findex <-; elim: (findex _ _ _) => //= k ->; have [-> _] := sound_cycle ok (iter k (@nx t) x). Qed.
+Proof. by move/iter_findex <-; elim: (findex _ _ _) => //= k ->; rewrite (basic_cycle basic). Qed.
 
 Lemma rotations_differ g h : g \in rotations t -> h \in rotations t -> on_orbit (turn t) g h -> g = h.
 Proof.
@@ -371,6 +393,46 @@ Proof. by case/andP. Qed.
 Lemma cyclic_start b : cyclic t b -> ~~ is_nil (cycle_start t b).
 Proof. by rewrite cyclicE. Qed.
 
+(** *** Euler's formula
+
+    Different vertices are on different rotations, different boundary components have different cycles. *)
+
+Lemma starts_half_edge h : h \in cycles t -> half_edge t h.
+Proof. exact: starts_live cyclic_start. Qed.
+
+Lemma rotations_half_edge h : h \in rotations t -> half_edge t h.
+Proof. by move=> /mapP[v /kept_dart[x -> _] ->]; apply: dart_live. Qed.
+
+Lemma orbit_decided says (f : dart t -> dart t) : (forall x y : dart t, on_orbit says (num x) (num y) <-> fconnect f x y) ->
+  forall g h, half_edge t g -> half_edge t h -> on_orbit says g h \/ ~ on_orbit says g h.
+Proof.
+move=> onE _ _ /dartP[x <-] /dartP[y <-]; rewrite onE.
+by case: (fconnect f x y); [left|right].
+Qed.
+
+Lemma orbit_formula : exists vs cs es g, [/\ lists_one_of_each vs (on_orbit (turn t)) (half_edge t),
+  lists_one_of_each cs (on_cycle t) (half_edge t), lists_one_of_each es (same_edge t) (half_edge t),
+  half_edge_count t = (size es).*2 & size vs + size cs + g.*2 = size es + (size (pieces t)).*2].
+Proof.
+have [vs Hv] := orbits_exist (tn_inj map) (on_rotationE map); have [cs Hc] := orbits_exist (nx_inj map) (on_cycleE map).
+have [es [He E]] := edge_list; have Hp := piece_list.
+have [g formula] : exists g, size vs + size cs + g.*2 = size es + (size (pieces t)).*2.
+  by apply: (@part_euler t (half_edge t) map) Hv Hc He Hp => // x _; split; apply: dart_live.
+by exists vs, cs, es, g.
+Qed.
+
+Lemma reached_back g h : half_edge t g -> half_edge t h -> reached (near t) g h -> reached (near t) h g.
+Proof. by move=> lg _; apply: (reached_sym (near_live map) (near_sym map) lg). Qed.
+
+End Counts.
+
+Section Ranks.
+Variables (t : view) (rank : nat -> nat).
+Hypothesis ok : accepts t rank.
+
+Let basic := sound_basics ok.
+Let map := basic_map basic.
+
 (** *** The ranks lead down to a root *)
 
 (** A root is the start of an inner boundary component, which lies in the unbounded face or in one whose outer cycle
@@ -408,15 +470,12 @@ by exists (num x) => //; split=> //; apply: reached_self.
 Qed.
 
 Lemma roots_live h : h \in roots_of t -> half_edge t h.
-Proof. exact: starts_live inner_cyclic. Qed.
-
-Lemma reached_sym' g h : half_edge t g -> half_edge t h -> reached (near t) g h -> reached (near t) h g.
-Proof. by move=> lg _; apply: (reached_sym (near_live map) (near_sym map) lg). Qed.
+Proof. exact: starts_live basic _ _ (@inner_cyclic t). Qed.
 
 Lemma roots_cover h : half_edge t h -> exists2 g, g \in roots_of t & reached (near t) g h.
 Proof.
 case/dartP=> x <-; have [g /is_rootP[b [_ _ gs _]] [_ r]] := descends x; exists g => //.
-by exact: reached_sym' (dart_live x) (roots_live gs) r.
+by have := reached_back basic (dart_live x) (roots_live gs) r.
 Qed.
 
 (** *** All are equal *)
@@ -426,50 +485,43 @@ Lemma sound_counts : [/\ lists_one_of_each (rotations t) (on_orbit (turn t)) (ha
   & exists2 es, lists_one_of_each es (same_edge t) (half_edge t) &
       size (rotations t) + size (cycles t) = size es + (size (pieces t)).*2].
 Proof.
-have [vs Hv] := orbits_exist (tn_inj map) (on_rotationE map); have [cs Hc] := orbits_exist (nx_inj map) (on_cycleE map).
-have [es [He E]] := edge_list; have Hp := piece_list.
-have [g formula] : exists g, size vs + size cs + g.*2 = size es + (size (pieces t)).*2.
-  by apply: (@part_euler t (half_edge t) map) Hv Hc He Hp => // x _; split; apply: dart_live.
-have dec says (f : dart t -> dart t) : (forall x y : dart t, on_orbit says (num x) (num y) <-> fconnect f x y) ->
-    forall g h, half_edge t g -> half_edge t h -> on_orbit says g h \/ ~ on_orbit says g h.
-  move=> onE _ _ /dartP[x <-] /dartP[y <-]; rewrite onE.
-  by case: (fconnect f x y); [left|right].
-have rl h : h \in rotations t -> half_edge t h by move=> /mapP[v /kept_dart[x -> _] ->]; apply: dart_live.
-have cl h : h \in cycles t -> half_edge t h by apply: starts_live cyclic_start.
-have le1 : size (rotations t) <= size vs.
-  by have := different_le (turn_sym map) (@orbit_trans (turn t)) Hv rotations_uniq rl rotations_differ.
-have le2 : size (cycles t) <= size cs.
-  by have := different_le (cycle_sym map) (@orbit_trans (next t)) Hc (starts_uniq cyclic_start) cl cycles_differ.
+have [vs [cs [es [g [Hv Hc He E formula]]]]] := orbit_formula basic; have Hp := piece_list basic.
+have rl := rotations_half_edge basic; have cl := starts_half_edge basic.
+have ru := rotations_uniq basic; have cu := starts_uniq basic (@cyclic_start t); have ou := starts_uniq basic (@inner_cyclic t).
+have rd := rotations_differ basic; have cd := cycles_differ basic; have back := reached_back basic.
+have le1 : size (rotations t) <= size vs by have := different_le (turn_sym map) (@orbit_trans (turn t)) Hv ru rl rd.
+have le2 : size (cycles t) <= size cs by have := different_le (cycle_sym map) (@orbit_trans (next t)) Hc cu cl cd.
 have tr : forall g h k, reached (near t) g h -> reached (near t) h k -> reached (near t) g k by move=> *; apply: reached_trans; eauto.
-have le3 : size (pieces t) <= size (roots_of t).
-  by have := cover_le reached_sym' tr Hp roots_live roots_cover.
+have le3 : size (pieces t) <= size (roots_of t) by have := cover_le back tr Hp roots_live roots_cover.
 have /and5P[_ _ _ _ /andP[_ /eqP]] := ok; rewrite rotations_count cycles_count roots_count E => sums.
 have e1 : size vs <= size (rotations t) by arith.
 have e2 : size cs <= size (cycles t) by arith.
 have e3 : size (roots_of t) <= size (pieces t) by arith.
 split; last by exists es => //; arith.
-- by have := different_all (turn_sym map) (@orbit_trans (turn t)) Hv (dec _ _ (on_rotationE map)) rotations_uniq rl rotations_differ e1.
-- by have := different_all (cycle_sym map) (@orbit_trans (next t)) Hc (dec _ _ (on_cycleE map)) (starts_uniq cyclic_start) cl cycles_differ e2.
-by have := cover_all reached_sym' tr Hp (starts_uniq inner_cyclic) roots_live roots_cover e3.
+- by have := different_all (turn_sym map) (@orbit_trans (turn t)) Hv (orbit_decided (on_rotationE map)) ru rl rd e1.
+- by have := different_all (cycle_sym map) (@orbit_trans (next t)) Hc (orbit_decided (on_cycleE map)) cu cl cd e2.
+by have := cover_all back tr Hp ou roots_live roots_cover e3.
 Qed.
 
-End Counts.
+End Ranks.
+
 (** ** The rules *)
 
 Section Rules.
 Variables (t : view) (rank : nat -> nat).
 Hypothesis ok : accepts t rank.
 
-Let map := sound_map ok.
+Let basic := sound_basics ok.
+Let map := basic_map basic.
 
 Lemma sound_v2 : v2_rotation t.
 Proof.
 have [[_ _ _ all] _ _ _] := sound_counts ok => g h /dartP[x <-] /dartP[y <-].
-rewrite (on_rotationE map) !(originE map); split=> [/(org_orbit ok)-> //|[xy]].
-have [g' /mapP[v /(kept_dart ok)[x' Ex xv] ->]] := all _ (dart_live x).
-have [h' /mapP[w /(kept_dart ok)[y' Ey yw] ->]] := all _ (dart_live y).
+rewrite (on_rotationE map) !(originE map); split=> [/(org_orbit basic)-> //|[xy]].
+have [g' /mapP[v /(kept_dart basic)[x' Ex xv] ->]] := all _ (dart_live x).
+have [h' /mapP[w /(kept_dart basic)[y' Ey yw] ->]] := all _ (dart_live y).
 rewrite Ex Ey !(on_rotationE map) => yy xx.
-have E : num x' = num y' by rewrite -Ex -Ey -xv -yw (org_orbit ok xx) (org_orbit ok yy) xy.
+have E : num x' = num y' by rewrite -Ex -Ey -xv -yw (org_orbit basic xx) (org_orbit basic yy) xy.
 by apply: connect_trans yy; rewrite -(num_inj E) fconnect_sym //; apply: tn_inj.
 Qed.
 
@@ -478,11 +530,11 @@ Proof.
 have [_ [_ _ _ all] _ _] := sound_counts ok; split=> [h /dartP[x <-]|b h lb /dartP[x <-]].
   by rewrite (nextE map) /= !(boundaryE map); have [-> _] := sound_cycle ok x.
 rewrite (boundaryE map); split=> [[xb]|[g S]]; last first.
-  have [/dartP[y yg]] := sound_start ok S; rewrite -yg (boundaryE map) => -[yb] /(on_cycleE map)/(bnd_orbit ok) yx.
+  have [/dartP[y yg]] := sound_start ok S; rewrite -yg (boundaryE map) => -[yb] /(on_cycleE map)/(bnd_orbit basic) yx.
   by rewrite -yx yb.
 have [g /mapP[c + ->]] := all _ (dart_live x); rewrite mem_filter cyclicE => /andP[cyc _].
-have [y Ey yc] := start_dart ok cyc; rewrite Ey => yx; exists (num y) => //.
-have E : c = b by rewrite -yc -xb; apply: (bnd_orbit ok); apply/(on_cycleE map).
+have [y Ey yc] := start_dart basic cyc; rewrite Ey => yx; exists (num y) => //.
+have E : c = b by rewrite -yc -xb; apply: (bnd_orbit basic); apply/(on_cycleE map).
 rewrite -E; move: cyc Ey; rewrite /cycle_start /start_of.
 by case: (boundary_start t c) => [[k|]|] // _ ->.
 Qed.
@@ -508,7 +560,7 @@ split=> [[[i P] [y S xy]]|[h [/mapP[c + hc] hx S]]].
   exists (num y); split=> //; last exact: joined_sym xy.
   apply/mapP; exists b; last by rewrite /start_of S.
   by rewrite mem_filter /cycle_start S /listed_inner P mem_iota add0n /= boundary_below //; apply: heard_live S.
-rewrite mem_filter => /andP[/andP[cyc I] _]; have [y Ey yc] := start_dart ok cyc.
+rewrite mem_filter => /andP[/andP[cyc I] _]; have [y Ey yc] := start_dart basic cyc.
 have bc : b = c.
   have [lh] := sound_start ok S; rewrite hc Ey (boundaryE map) => -[<-].
   by rewrite yc.
@@ -526,7 +578,7 @@ have [b S] : exists b, boundary_start t b = Some (AtHalfEdge h).
   by rewrite /cycle_start /start_of; case: (boundary_start t b) => [[k|]|] // _ ->.
 exists b; split=> [|c /(outside_dart low)/root_outside[g [gs gx Sg]]].
   by apply/(outside_dart low)/root_outside; exists h.
-have E : h = g by apply: one => //; exact: reached_trans hx (reached_sym' ok (roots_live ok gs) (dart_live x) gx).
+have E : h = g by apply: one => //; exact: reached_trans hx (reached_back basic (roots_live ok gs) (dart_live x) gx).
 have [_ B] := sound_start ok S; have [_] := sound_start ok Sg.
 by rewrite -E B => -[].
 Qed.
@@ -539,7 +591,7 @@ have [c [S I hs [g Eg O]]] := is_rootP rh.
 have bc : b = c.
   have [d [_ one]] := sound_t1 (org_live map x); rewrite -(one b Ob); apply: one.
   apply/(outside_dart low)/root_outside; exists h; split=> //.
-  by have := reached_sym' ok (dart_live x) (roots_live ok hs) hx.
+  by have := reached_back basic (dart_live x) (roots_live ok hs) hx.
 move: Ef; rewrite bc Eg => -[<-]; have lf : face t g by have [f' [p [lf' + _ _]]] := sound_place ok (heard_live S); rewrite Eg => -[->].
 case: O => [E|[e [k [Oe Se lower]]]]; first exact: rooted_here.
 have [/dartP[y yk] _] := sound_start ok Se; rewrite -yk in Se lower.

@@ -5,7 +5,7 @@
 From Coq Require Import ZArith.
 From mathcomp Require Import all_ssreflect all_fingroup.
 From twinedge Require Import View Rules Reference Drawing Euler Subdivision Verdict FastPath.
-From twinedge Require Import FastPathComponents FastPathProof Labels LabelsSound LabelsComplete Columns Certified AddVertex.
+From twinedge Require Import FastPathComponents FastPathProof Labels LabelsSound LabelsComplete Columns Certified Surface AddVertex.
 From twinedge Require Import RemoveVertex MoveInner Renaming Connect ConnectIsolated ConnectBridge ConnectSplit.
 From twinedge Require Import ConnectLoop SplitEdge Orientation Triangulation Plane Coordinates CoordinatesSound.
 Set Implicit Arguments.
@@ -73,6 +73,14 @@ Check labels_sound : forall t rank, accepts t rank -> rules t.
 Check labels_complete : forall t, rules t -> exists rank, accepts t rank.
 
 Check labels_mean_subdivision : forall t, (exists rank, accepts t rank) <-> exists s, represents t s.
+
+(** Closed surfaces, whose genera add up to [genus]. *)
+
+Check surface_sound : forall t position step component rank genus, surface_accepts t position step component rank genus ->
+  [/\ Map.is_map t, v1_leaving t, v2_rotation t, b1_cycle t
+    & exists vs cs es ps, [/\ lists_one_of_each vs (on_orbit (View.turn t)) (half_edge t), lists_one_of_each cs (on_cycle t) (half_edge t),
+        lists_one_of_each es (same_edge t) (half_edge t), lists_one_of_each ps (LoopsProof.reached (near t)) (half_edge t)
+        & size vs + size cs + genus.*2 = size es + (size ps).*2]].
 
 (** What is in a folder with the verdict "valid" keeps all rules, and represents a planar subdivision. *)
 

@@ -1,0 +1,226 @@
+(** * Surface: certificates of closed surfaces of any genus, by positions
+
+    Where the genus is not 0, Euler's formula does not say that each vertex has one rotation and each boundary component one
+    cycle, and positions say it: from every half-edge they grow around the vertex, until the half-edge that the vertex keeps,
+    and along the cycle, until the start. A label that names the component is the same along the links, and ranks lead down to
+    the half-edge whose number it is, so that there are exactly as many components as these.
+
+<<
+         \   2                    each half-edge is followed by one with a greater position,
+      1 ── v ── 3                 or by the one that the vertex keeps
+         /   0 (kept)
+>>
+*)
+
+From mathcomp Require Import all_ssreflect all_fingroup.
+From twinedge Require Import Arith View Rules Loops LoopsProof Reference Map Counting ReferenceProof TopologyProof.
+From twinedge Require Import Drawing Euler Numbered Genus Labels LabelsSound.
+Set Implicit Arguments.
+Unset Strict Implicit.
+Unset Printing Implicit Defensive.
+
+Section Checker.
+Variables (t : view) (position step component rank : nat -> nat) (genus : nat).
+
+Definition turn_ok h :=
+  if turn t h is Some g then same_link (origin t h >>= leaving t) (Some g) || (position h < position g) else false.
+
+Definition step_ok h :=
+  if next t h is Some g then same_link (boundary_of t h >>= cycle_start t) (Some g) || (step h < step g) else false.
+
+Definition same_component h (l : link) := if l is Some g then component g == component h else false.
+
+Definition component_ok h :=
+  [&& same_component h (next t h), same_component h (twin t h)
+    & [|| component h == h, lower_than rank h (next t h), lower_than rank h (prev t h) | lower_than rank h (twin t h)]].
+
+Definition surface_half_edge_ok h :=
+  [&& twin_ok t h, next_ok t h, target_ok t h, origin_ok t h & [&& cycle_ok t h, turn_ok h, step_ok h & component_ok h]].
+
+Definition surface_vertex_ok v :=
+  if leaving t v is Some h then half_edge t h && same_link (origin t h) (Some v) else false.
+
+Definition surface_boundary_ok b :=
+  if boundary_start t b is Some (AtHalfEdge h) then half_edge t h && same_link (boundary_of t h) (Some b) else false.
+
+Definition component_count := number (half_edge_slots t) (fun h => half_edge t h && (component h == h)).
+
+Definition surface_accepts :=
+  [&& each_half_edge t surface_half_edge_ok, each_vertex t surface_vertex_ok, each_boundary t surface_boundary_ok
+    & 2 * (rotation_count t + cycle_count t) + 4 * genus == half_edge_count t + 4 * component_count].
+
+(** ** Why it is right *)
+
+Hypothesis ok : surface_accepts.
+
+Let half_edges h : half_edge t h -> surface_half_edge_ok h.
+Proof. by case/and4P: ok => /each_half_edgeP H _ _ _ /H. Qed.
+
+Lemma surface_map : is_map t.
+Proof. by apply: map_tests => h /half_edges /and5P[-> -> -> -> /andP[->]]. Qed.
+
+Let map := surface_map.
+
+Lemma surface_leaving v h : leaving t v = Some h -> half_edge t h /\ origin t h = Some v.
+Proof.
+move=> E; case/and4P: ok => _ /each_vertexP /(_ v (heard_live E)) + _ _.
+by rewrite /surface_vertex_ok E => /andP[lh /same_linkP].
+Qed.
+
+Lemma surface_start b h : boundary_start t b = Some (AtHalfEdge h) -> half_edge t h /\ boundary_of t h = Some b.
+Proof.
+move=> E; case/and4P: ok => _ _ /each_boundaryP /(_ b (heard_live E)) + _.
+by rewrite /surface_boundary_ok E => /andP[lh /same_linkP].
+Qed.
+
+Lemma surface_cycle (x : dart t) : bnd (nx x) = bnd x.
+Proof.
+have /and5P[_ _ _ _ /and4P[/andP[+ _] _ _ _]] := half_edges (dart_live x).
+by rewrite (nextE map) /= !(boundaryE map) => /same_linkP[].
+Qed.
+
+Lemma surface_basics : basics t.
+Proof. by split; [exact: map|exact: surface_leaving|exact: surface_start|exact: surface_cycle]. Qed.
+
+Let basic := surface_basics.
+
+(** Positions that grow until [y] lead to [y]. *)
+Lemma positions_lead (f : dart t -> dart t) (p : nat -> nat) x y : injective f ->
+  (forall k, let z := iter k f x in f z = y \/ p (num z) < p (num (f z))) -> fconnect f x y.
+Proof.
+move=> inj H; have grow k : fconnect f x y \/ p (num x) + k <= p (num (iter k f x)).
+  elim: k => [|k [|le]]; [by right; rewrite addn0|by left|].
+  case: (H k) => [<-|lt]; first by left; apply: (fconnect_iter f k.+1).
+  by right; rewrite addnS; apply: leq_ltn_trans le lt.
+case: (grow (fingraph.order f x)) => //; rewrite iter_order // => le.
+by have := fingraph.order_gt0 f x; move: le; rewrite -{2}[p (num x)]addn0 leq_add2l leqn0 => /eqP->.
+Qed.
+
+Lemma surface_kept (x : dart t) : exists2 y : dart t, leaving t (org x) = Some (num y) & fconnect (@tn t) x y.
+Proof.
+have /and5P[_ _ _ + _] := half_edges (dart_live x); rewrite /origin_ok (originE map) /=.
+case E: (leaving t (org x)) => [h|] // _; have [/dartP[y yh] _] := surface_leaving E; exists y; first by rewrite yh.
+apply: (positions_lead (p := position) (tn_inj map)) => k /=; set z := iter k _ x.
+have oz : org z = org x by rewrite /z; elim: (k) => //= j IH; rewrite org_tn.
+have /and5P[_ _ _ _ /and4P[_ + _ _]] := half_edges (dart_live z).
+rewrite /turn_ok (turnE map) (originE map) /= oz E => /orP[/same_linkP[]|lt]; last by right.
+by rewrite -yh => /num_inj->; left.
+Qed.
+
+Lemma surface_started (x : dart t) : exists2 y : dart t, boundary_start t (bnd x) = Some (AtHalfEdge (num y)) & fconnect (@nx t) x y.
+Proof.
+have /and5P[_ _ _ _ /and4P[/andP[_ +] _ _ _]] := half_edges (dart_live x); rewrite (boundaryE map) /= /cycle_start.
+case E: (boundary_start t (bnd x)) => [[h|]|] // _; have [/dartP[y yh] _] := surface_start E; exists y; first by rewrite yh.
+apply: (positions_lead (p := step) (nx_inj map)) => k /=; set z := iter k _ x.
+have bz : bnd z = bnd x by rewrite /z; elim: (k) => //= j IH; rewrite surface_cycle.
+have /and5P[_ _ _ _ /and4P[_ _ + _]] := half_edges (dart_live z).
+rewrite /step_ok (nextE map) (boundaryE map) /= bz /cycle_start E => /orP[/same_linkP[]|lt]; last by right.
+by rewrite -yh => /num_inj->; left.
+Qed.
+
+Lemma surface_v1 : v1_leaving t.
+Proof. by move=> v h _ /surface_leaving[]. Qed.
+
+Lemma surface_v2 : v2_rotation t.
+Proof.
+move=> g h /dartP[x <-] /dartP[y <-]; rewrite (on_rotationE map) !(originE map); split=> [/(org_orbit basic)-> //|[xy]].
+have [k kx xk] := surface_kept x; have [l ly yl] := surface_kept y; move: kx; rewrite xy ly => -[/num_inj kl].
+by apply: connect_trans xk _; rewrite -kl fconnect_sym //; apply: tn_inj.
+Qed.
+
+Lemma surface_b1 : b1_cycle t.
+Proof.
+split=> [h /dartP[x <-]|b h lb /dartP[x <-]]; first by rewrite (nextE map) /= !(boundaryE map) surface_cycle.
+rewrite (boundaryE map); split=> [[xb]|[g S]].
+  have [y S xy] := surface_started x; exists (num y); first by rewrite -xb.
+  by apply/(on_cycleE map); rewrite fconnect_sym //; apply: nx_inj.
+have [/dartP[y yg]] := surface_start S; rewrite -yg (boundaryE map) => -[yb] /(on_cycleE map)/(bnd_orbit basic) yx.
+by rewrite -yx yb.
+Qed.
+
+(** *** Components *)
+
+Definition component_roots := [seq h <- iota 0 (half_edge_slots t) | half_edge t h && (component h == h)].
+
+Lemma component_same (x y : dart t) : joined x y -> component (num y) = component (num x).
+Proof.
+have next_same (z : dart t) : component (num (nx z)) = component (num z).
+  have /and5P[_ _ _ _ /and4P[_ _ _ /and3P[+ _ _]]] := half_edges (dart_live z).
+  by rewrite (nextE map) => /eqP.
+move=> xy; apply: (@joined_ind t map (fun y => component (num y) = component (num x)) x y _ xy) => // z E; split.
+- by rewrite next_same.
+- by rewrite -E -[in RHS](pvK map z) next_same.
+have /and5P[_ _ _ _ /and4P[_ _ _ /and3P[_ + _]]] := half_edges (dart_live z).
+by rewrite (twinE map) => /eqP->.
+Qed.
+
+Lemma component_descends (x : dart t) : exists2 y : dart t, component (num y) = num y & joined x y.
+Proof.
+move: {2}(rank _).+1 (ltnSn (rank (num x))) => n; elim: n x => // n IH x lt.
+have down y : joined x y -> rank (num y) < rank (num x) -> exists2 z : dart t, component (num z) = num z & joined x z.
+  move=> xy low; have [|z zz yz] := IH y; first exact: leq_trans low lt.
+  by exists z => //; apply: joined_trans xy yz.
+have /and5P[_ _ _ _ /and4P[_ _ _ /and3P[_ _]]] := half_edges (dart_live x).
+rewrite (nextE map) (prevE map) (twinE map) => /or4P[/eqP E|low|low|low].
+- by exists x => //; apply: joined_refl.
+- by apply: down low; apply: joined_nx.
+- by apply: down low; apply: (joined_sym map); have := joined_nx map (pv x); rewrite (pvK map).
+by apply: down low; apply: joined_tw.
+Qed.
+
+Lemma roots_each : lists_one_of_each component_roots (reached (near t)) (half_edge t).
+Proof.
+have mem h : h \in component_roots -> half_edge t h /\ component h = h by rewrite mem_filter => /andP[/andP[lh /eqP]].
+split; first exact: filter_uniq (iota_uniq _ _).
+- by move=> h /mem[].
+- move=> g h /mem[/dartP[x <-] Ex] /mem[/dartP[y <-] Ey] xy.
+  by rewrite -Ex -Ey; apply/esym/component_same.
+move=> h /dartP[x <-]; have [y Ey xy] := component_descends x; exists (num y); last exact: (joined_sym map xy).
+by rewrite mem_filter dart_live Ey eqxx mem_iota add0n half_edge_below ?dart_live.
+Qed.
+
+Lemma surface_rotations : lists_one_of_each (rotations t) (on_orbit (turn t)) (half_edge t).
+Proof.
+split; [exact: rotations_uniq basic|exact: rotations_half_edge basic|exact: rotations_differ basic|].
+move=> h /dartP[x <-]; have [y E xy] := surface_kept x; exists (num y).
+  apply/mapP; exists (org x); last by rewrite /kept E.
+  by rewrite mem_filter E mem_iota add0n vertex_below ?org_live.
+by apply/(on_rotationE map); rewrite fconnect_sym //; apply: tn_inj.
+Qed.
+
+Lemma surface_cycles : lists_one_of_each (cycles t) (on_cycle t) (half_edge t).
+Proof.
+split; [exact: starts_uniq basic _ (@cyclic_start t)|exact: starts_half_edge basic|exact: cycles_differ basic|].
+move=> h /dartP[x <-]; have [y E xy] := surface_started x; exists (num y).
+  apply/mapP; exists (bnd x); last by rewrite /start_of E.
+  by rewrite mem_filter /cyclic E mem_iota add0n boundary_below ?bnd_live.
+by apply/(on_cycleE map); rewrite fconnect_sym //; apply: nx_inj.
+Qed.
+
+Lemma surface_formula : exists es, lists_one_of_each es (same_edge t) (half_edge t) /\
+  size (rotations t) + size (cycles t) + genus.*2 = size es + (size component_roots).*2.
+Proof.
+have [vs [cs [es [g [_ _ He E _]]]]] := orbit_formula basic; exists es; split=> //.
+case/and4P: ok => _ _ _ /eqP; rewrite rotations_count cycles_count E /component_count numberE -size_filter -/component_roots.
+by arith.
+Qed.
+
+End Checker.
+
+(** ** What is accepted is a closed surface
+
+    R1 for half-edges, L1, L2, L3, V1, V2 and B1 hold; and the genera of its components add up to the genus that is claimed:
+    counting one of each rotation, cycle, edge and component, V + cycles + 2 · genus = E + 2 · components. *)
+
+Theorem surface_sound t position step component rank genus : surface_accepts t position step component rank genus ->
+  [/\ is_map t, v1_leaving t, v2_rotation t, b1_cycle t
+    & exists vs cs es ps, [/\ lists_one_of_each vs (on_orbit (turn t)) (half_edge t), lists_one_of_each cs (on_cycle t) (half_edge t),
+        lists_one_of_each es (same_edge t) (half_edge t), lists_one_of_each ps (reached (near t)) (half_edge t)
+        & size vs + size cs + genus.*2 = size es + (size ps).*2]].
+Proof.
+move=> ok; split; [exact: surface_map ok|exact: surface_v1 ok|exact: surface_v2 ok|exact: surface_b1 ok|].
+have [es [He eq]] := surface_formula ok; exists (rotations t), (cycles t), es, (component_roots t component); split=> //.
+- exact: surface_rotations ok.
+- exact: surface_cycles ok.
+exact: roots_each ok.
+Qed.
