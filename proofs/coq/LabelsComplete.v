@@ -2,7 +2,7 @@
 
 From mathcomp Require Import all_ssreflect all_fingroup.
 From twinedge Require Import Arith View Rules Loops LoopsProof Reference Map Counting Lists ReferenceProof TopologyProof.
-From twinedge Require Import Drawing Subdivision Euler Numbered Genus WholeEuler Verdict Labels LabelsSound.
+From twinedge Require Import Drawing Subdivision Euler Numbered Genus WholeEuler Verdict Labels Orbits LabelsSound.
 Set Implicit Arguments.
 Unset Strict Implicit.
 Unset Printing Implicit Defensive.

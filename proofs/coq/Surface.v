@@ -14,7 +14,7 @@
 
 From mathcomp Require Import all_ssreflect all_fingroup.
 From twinedge Require Import Arith View Rules Loops LoopsProof Reference Map Counting ReferenceProof TopologyProof.
-From twinedge Require Import Drawing Euler Numbered Genus Labels LabelsSound.
+From twinedge Require Import Drawing Euler Numbered Genus Labels OneOfEach Orbits.
 Set Implicit Arguments.
 Unset Strict Implicit.
 Unset Printing Implicit Defensive.
