@@ -8,8 +8,9 @@
 >>
 *)
 
+From Coq Require Import ZArith.
 From mathcomp Require Import all_ssreflect.
-From twinedge Require Import View.
+From twinedge Require Import View Loops Coordinates.
 Set Implicit Arguments.
 Unset Strict Implicit.
 Unset Printing Implicit Defensive.
@@ -65,18 +66,19 @@ Record folder := Folder {
   face_inner : file
 }.
 
-(** "twinedge certificate 1" and "plane", each with the end of its line. *)
+(** "twinedge certificate 1", "plane" and "drawing", each with the end of its line. *)
 Definition first_line : seq nat :=
   [:: 116; 119; 105; 110; 101; 100; 103; 101; 32; 99; 101; 114; 116; 105; 102; 105; 99; 97; 116; 101; 32; 49; 10].
 Definition plane_line : seq nat := [:: 112; 108; 97; 110; 101; 10].
+Definition drawing_line : seq nat := [:: 100; 114; 97; 119; 105; 110; 103; 10].
 
 Fixpoint begins_with (f : file) i (s : seq nat) : bool :=
   if s is a :: r then if byte f i == a then begins_with f i.+1 r else false else true.
 
 Definition fits n (f : file) : bool := bytes_in f == four * n.
 
-Definition readable (o : folder) : bool :=
-  [&& begins_with (claim o) 0 (first_line ++ plane_line),
+Definition readable (line : seq nat) (o : folder) : bool :=
+  [&& begins_with (claim o) 0 (first_line ++ line),
       [&& fits (half_edge_rows o) (half_edge_origin o), fits (half_edge_rows o) (half_edge_twin o),
           fits (half_edge_rows o) (half_edge_next o), fits (half_edge_rows o) (half_edge_prev o),
           fits (half_edge_rows o) (half_edge_boundary o) & fits (half_edge_rows o) (half_edge_rank o)],
@@ -126,3 +128,66 @@ Definition view_in (o : folder) : view := {|
 |}.
 
 Definition ranks_in (o : folder) : nat -> nat := number_at (half_edge_rank o).
+
+(** ** The drawing *)
+
+Definition eight := 8.
+
+(** The signed number at position [i]: eight bytes, the lowest first, of two's complement, of which the last one repeats the
+    sign. Only numbers from −2^53 to 2^53 are [in_range], so that seven bytes are enough. *)
+
+Definition wrap : Z := (2 ^ 56)%Z.
+
+Definition integer_at (f : file) i : Z :=
+  let k := eight * i in
+  (Z.of_nat (byte f k + base * (byte f (k + 1) + base * (byte f (k + 2) + base * (byte f (k + 3)
+    + base * (byte f (k + 4) + base * (byte f (k + 5) + base * byte f (k + 6)))))))
+   - if byte f (k + 7) == highest then wrap else 0)%Z.
+
+Definition in_range (f : file) i : bool :=
+  let k := eight * i in
+  (byte f (k + 7) == 0) && (byte f (k + 6) < 32) || (byte f (k + 7) == highest) && (223 < byte f (k + 6)).
+
+Record drawing := Drawing {
+  topology : folder;
+  triangle_rows : nat;
+  point_rows : nat;
+  dart_twin_column : file;
+  dart_point_column : file;
+  dart_half_edge_column : file;
+  dart_ahead_column : file;
+  dart_face_column : file;
+  dart_rank_column : file;
+  point_x : file;
+  point_y : file;
+  half_edge_dart_column : file;
+  vertex_dart_column : file;
+  face_dart_column : file
+}.
+
+Definition readable_drawing (o : drawing) : bool :=
+  let darts := 3 * triangle_rows o in
+  [&& readable drawing_line (topology o),
+      [&& fits darts (dart_twin_column o), fits darts (dart_point_column o), fits darts (dart_half_edge_column o),
+          fits darts (dart_ahead_column o), fits darts (dart_face_column o) & fits darts (dart_rank_column o)],
+      [&& fits (half_edge_rows (topology o)) (half_edge_dart_column o), fits (vertex_rows (topology o)) (vertex_dart_column o)
+        & fits (face_rows (topology o)) (face_dart_column o)],
+      [&& bytes_in (point_x o) == eight * point_rows o, bytes_in (point_y o) == eight * point_rows o
+        & vertex_rows (topology o) <= point_rows o]
+    & all_below (point_rows o) (fun i => in_range (point_x o) i && in_range (point_y o) i)].
+
+Definition point_in (o : drawing) i : Z * Z := (integer_at (point_x o) i, integer_at (point_y o) i).
+
+Definition refinement_in (o : drawing) : refinement := {|
+  triangle_count := triangle_rows o;
+  dart_twin := number_at (dart_twin_column o);
+  dart_point := number_at (dart_point_column o);
+  dart_half_edge := link_at (dart_half_edge_column o);
+  dart_ahead := number_at (dart_ahead_column o);
+  dart_face := number_at (dart_face_column o);
+  dart_rank := number_at (dart_rank_column o);
+  point_at := point_in o;
+  half_edge_dart := number_at (half_edge_dart_column o);
+  vertex_dart := number_at (vertex_dart_column o);
+  face_dart := number_at (face_dart_column o)
+|}.

@@ -7,7 +7,7 @@ From mathcomp Require Import all_ssreflect all_fingroup.
 From twinedge Require Import View Rules Reference Drawing Euler Subdivision Verdict FastPath.
 From twinedge Require Import FastPathComponents FastPathProof Labels LabelsSound LabelsComplete Columns Certified AddVertex.
 From twinedge Require Import RemoveVertex MoveInner Renaming Connect ConnectIsolated ConnectBridge ConnectSplit.
-From twinedge Require Import ConnectLoop SplitEdge Orientation Triangulation Plane.
+From twinedge Require Import ConnectLoop SplitEdge Orientation Triangulation Plane Coordinates CoordinatesSound.
 Set Implicit Arguments.
 Unset Strict Implicit.
 Unset Printing Implicit Defensive.
@@ -165,3 +165,29 @@ Check triangulation_is_plane : forall (dart : finType) (twin next : dart -> dart
 Check angular_order : forall (dart : finType) (twin next : dart -> dart) (inner : pred dart) (pt : dart -> point),
   triangulation twin next inner pt -> forall x y, inner x -> pt x = pt y ->
   ~ ((0 < cross (edge next pt x) (edge next pt y))%Z /\ (0 < cross (edge next pt y) (edge next pt (Plane.turn twin next x)))%Z).
+
+(** What is in a folder with the claim "drawing" and the verdict "valid" keeps all rules, and is drawn without crossings: at
+    each rational point p / k there is at most one edge, and no vertex if there is an edge. *)
+
+Check valid_is_drawn : forall o, judge_drawing o = Valid -> let t := view_in (topology o) in let at_ := point_in o in
+  let on k p h := exists u w, [/\ origin t h = Some u, target t h = Some w & strictly_between (scaled k (at_ u)) (scaled k (at_ w)) p] in
+  [/\ rules t,
+      forall k p g h, (0 < k)%Z -> half_edge t g -> half_edge t h -> on k p g -> on k p h -> h = g \/ twin t g = Some h,
+      forall k v h, (0 < k)%Z -> vertex t v -> half_edge t h -> ~ on k (scaled k (at_ v)) h,
+      forall u v, vertex t u -> vertex t v -> at_ u = at_ v -> u = v
+    & forall h u w, half_edge t h -> origin t h = Some u -> target t h = Some w -> at_ u <> at_ w].
+
+(** Its half-edges are in the order of the darts around each vertex, and its faces are the regions between the edges. *)
+
+Check drawn_rotation : forall t r, drawn t r -> forall h g, half_edge t h -> prev t h >>= twin t = Some g ->
+  exists (x : dart_type r) n, [/\ val x = half_edge_dart r h,
+      val (iter n.+1 (Plane.turn (@tw_dart r) (@nx_dart r)) x) = half_edge_dart r g
+    & forall m, m < n -> dart_half_edge r (iter m.+1 (Plane.turn (@tw_dart r) (@nx_dart r)) x) = None].
+
+Check drawn_faces : forall t r, drawn t r -> forall x y : dart_type r, same_region x y <-> dart_face r x = dart_face r y.
+
+Check drawn_half_edge_face : forall t r, drawn t r -> forall h, half_edge t h -> exists2 x : dart_type r,
+  val x = half_edge_dart r h & boundary_of t h >>= boundary_face t = Some (dart_face r x).
+
+Check drawn_isolated_face : forall t r, drawn t r -> forall v b, vertex t v -> isolated t v = Some b ->
+  exists2 x : dart_type r, dart_point r x = v & boundary_face t b = Some (dart_face r x).

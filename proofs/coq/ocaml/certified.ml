@@ -49,8 +49,28 @@ let read folder =
     face_inner;
   }
 
+let read_drawing folder topology =
+  let column name = content folder (name ^ ".u32") in
+  let dart_twin_column = column "dart_twin" and point_x = content folder "point_x.i64" in
+  {
+    topology;
+    triangle_rows = String.length dart_twin_column / 12;
+    point_rows = String.length point_x / 8;
+    dart_twin_column;
+    dart_point_column = column "dart_point";
+    dart_half_edge_column = column "dart_half_edge";
+    dart_ahead_column = column "dart_ahead";
+    dart_face_column = column "dart_face";
+    dart_rank_column = column "dart_rank";
+    point_x;
+    point_y = content folder "point_y.i64";
+    half_edge_dart_column = column "half_edge_dart";
+    vertex_dart_column = column "vertex_dart";
+    face_dart_column = column "face_dart";
+  }
+
 (* The tests that fail, for a reader of the verdict "invalid": nothing depends on this. *)
-let explain folder =
+let explain folder drawing =
   let view = view_in folder and rank = ranks_in folder in
   let each kind slots live tests =
     List.iter
@@ -69,20 +89,39 @@ let explain folder =
   each "boundary components" folder.boundary_rows boundary [ ("start_ok", start_ok view); ("place_ok", place_ok view) ];
   each "faces" folder.face_rows face [ ("face_ok", face_ok view) ];
   if not (one_unbounded view) then print_endline "one_unbounded";
-  if not (euler_ok view) then print_endline "euler_ok"
+  if not (euler_ok view) then print_endline "euler_ok";
+  match drawing with
+  | None -> ()
+  | Some drawing ->
+      let r = refinement_in drawing in
+      let always _ _ = true in
+      each "darts" (dart_count r) always
+        [ ("dart_twin_ok", dart_twin_ok r); ("dart_point_ok", dart_point_ok r);
+          ("dart_half_edge_ok", dart_half_edge_ok view r); ("dart_ahead_ok", dart_ahead_ok r);
+          ("dart_face_ok", dart_face_ok view r); ("dart_rank_ok", dart_rank_ok r) ];
+      each "triangles" r.triangle_count always [ ("triangle_ok", triangle_ok r) ];
+      each "half-edges" folder.half_edge_rows half_edge
+        [ ("half_edge_dart_ok", half_edge_dart_ok view r); ("rotation_ok", rotation_ok view r) ];
+      each "vertices" folder.vertex_rows vertex [ ("vertex_dart_ok", vertex_dart_ok view r) ]
+
+let claims_drawing folder =
+  let start = "twinedge certificate 1\ndrawing\n" in
+  String.length folder.claim >= String.length start && String.sub folder.claim 0 (String.length start) = start
 
 let () =
   match Sys.argv with
   | [| _; name |] -> (
       let folder = read name in
-      match judge folder with
-      | Valid -> print_endline "valid: a plane subdivision"
+      (* Which claim is to be judged; whether it is this one is for [judge] and [judge_drawing] to say. *)
+      let drawing = if claims_drawing folder then Some (read_drawing name folder) else None in
+      match match drawing with Some drawing -> judge_drawing drawing | None -> judge folder with
+      | Valid -> print_endline (if drawing = None then "valid: a plane subdivision" else "valid: a plane subdivision, drawn without crossings")
       | Invalid ->
           print_endline "not valid";
-          explain folder;
+          explain folder drawing;
           exit 1
       | Unreadable ->
-          prerr_endline "unreadable: the claim, or the length of a column";
+          prerr_endline "unreadable: the claim, the length of a column, or a coordinate out of range";
           exit 2)
   | _ ->
       prerr_endline "usage: certified FOLDER";

@@ -15,10 +15,13 @@ type drawing = {
   mutable edges : (int * int * int * int) list; (* from, to, direction, the half-edge in whose face the component lies, or -1 *)
   mutable edge_count : int;
   mutable isolated : (int * int) list; (* a vertex, the half-edge in whose face it lies *)
+  mutable places : (int * int) list; (* of each vertex, the last one first *)
+  mutable triangles : (int * int * int) list; (* counter-clockwise; the outer corners are -1, -2 and -3 *)
 }
 
-let add_vertex d =
+let add_vertex d place =
   let directions = Array.make 4 (-1) in
+  d.places <- place :: d.places;
   d.vertices <- directions :: d.vertices;
   d.vertex_count <- d.vertex_count + 1;
   (d.vertex_count - 1, directions)
@@ -31,9 +34,11 @@ let add_edge d (u, u_directions) (v, v_directions) direction within =
   d.edge_count <- d.edge_count + 1;
   h
 
-(* Returns, of each cell, the half-edge along its southern side. *)
-let add_grid d width height within =
-  let at = Array.init (height + 1) (fun _ -> Array.init (width + 1) (fun _ -> add_vertex d)) in
+let add_triangles d list = d.triangles <- list @ d.triangles
+
+(* Returns the vertices, and of each cell the half-edge along its southern side. *)
+let add_grid d (left, bottom) cell width height within =
+  let at = Array.init (height + 1) (fun y -> Array.init (width + 1) (fun x -> add_vertex d (left + (cell * x), bottom + (cell * y)))) in
   let south = Array.make_matrix height width (-1) in
   for y = 0 to height do
     for x = 0 to width - 1 do
@@ -44,21 +49,38 @@ let add_grid d width height within =
   for y = 0 to height - 1 do
     for x = 0 to width do ignore (add_edge d at.(y).(x) at.(y + 1).(x) 1 within) done
   done;
-  south
+  (Array.map (Array.map fst) at, south)
+
+(* A cell with an island, a vertex on the island, and a vertex south of it. *)
+let add_island d (left, bottom) h (sw, se, ne, nw) =
+  let at, south = add_grid d (left + 4, bottom + 4) 4 1 1 h in
+  let inside = fst (add_vertex d (left + 6, bottom + 6)) and below = fst (add_vertex d (left + 6, bottom + 2)) in
+  d.isolated <- (below, h) :: (inside, south.(0).(0)) :: d.isolated;
+  let sw' = at.(0).(0) and se' = at.(0).(1) and ne' = at.(1).(1) and nw' = at.(1).(0) in
+  add_triangles d
+    [ (sw', se', inside); (se', ne', inside); (ne', nw', inside); (nw', sw', inside);
+      (sw, se, below); (se, se', below); (se', sw', below); (sw', sw, below);
+      (se, ne, ne'); (se, ne', se'); (ne, nw, nw'); (ne, nw', ne'); (nw, sw, sw'); (nw, sw', nw') ]
 
 let draw width height =
-  let d = { vertices = []; vertex_count = 0; edges = []; edge_count = 0; isolated = [] } in
-  let south = add_grid d width height (-1) in
+  let d = { vertices = []; vertex_count = 0; edges = []; edge_count = 0; isolated = []; places = []; triangles = [] } in
+  let at, south = add_grid d (0, 0) 12 width height (-1) in
   Array.iteri
     (fun y row ->
       Array.iteri
         (fun x h ->
-          if (x + y) mod 2 = 0 then begin
-            let island = add_grid d 1 1 h in
-            d.isolated <- (fst (add_vertex d), h) :: (fst (add_vertex d), island.(0).(0)) :: d.isolated
-          end)
+          let sw = at.(y).(x) and se = at.(y).(x + 1) and ne = at.(y + 1).(x + 1) and nw = at.(y + 1).(x) in
+          if (x + y) mod 2 = 0 then add_island d (12 * x, 12 * y) h (sw, se, ne, nw)
+          else add_triangles d [ (sw, se, ne); (sw, ne, nw) ])
         row)
     south;
+  for x = 0 to width - 1 do
+    add_triangles d [ (at.(0).(x + 1), at.(0).(x), -1); (at.(height).(x), at.(height).(x + 1), -3) ]
+  done;
+  for y = 0 to height - 1 do
+    add_triangles d [ (at.(y + 1).(width), at.(y).(width), -2); (at.(y).(0), at.(y + 1).(0), -1) ]
+  done;
+  add_triangles d [ (at.(0).(width), -1, -2); (at.(height).(width), -2, -3); (at.(height).(0), -3, -1) ];
   d
 
 let write_file folder name bytes =
@@ -70,6 +92,64 @@ let write folder name column =
   let bytes = Bytes.create (4 * Array.length column) in
   Array.iteri (fun i n -> Bytes.set_int32_le bytes (4 * i) (Int32.of_int n)) column;
   write_file folder (name ^ ".u32") bytes
+
+let write_long folder name column =
+  let bytes = Bytes.create (8 * Array.length column) in
+  Array.iteri (fun i n -> Bytes.set_int64_le bytes (8 * i) (Int64.of_int n)) column;
+  write_file folder (name ^ ".i64") bytes
+
+(* The triangulation, for a map whose half-edges have these links and faces; points are far apart, to have large numbers. *)
+let certify_drawing d folder origin twin prev face_of_half_edge face_of_isolated faces =
+  let corner p = if p < 0 then d.vertex_count - p else p in
+  let triangles = Array.of_list ((-1, -3, -2) :: d.triangles) in
+  let darts = 3 * Array.length triangles in
+  let point = Array.make darts 0 in
+  Array.iteri (fun i (p, q, r) -> List.iteri (fun j p -> point.((3 * i) + j) <- corner p) [ p; q; r ]) triangles;
+  let next e = if e mod 3 = 2 then e - 2 else e + 1 in
+  let at = Hashtbl.create darts in
+  Array.iteri (fun e p -> Hashtbl.replace at (p, point.(next e)) e) point;
+  let dart_twin = Array.init darts (fun e -> Hashtbl.find at (point.(next e), point.(e))) in
+  let half_edge_dart = Array.mapi (fun h u -> Hashtbl.find at (u, origin.(twin.(h)))) origin in
+  let dart_half_edge = Array.make darts nil in
+  Array.iteri (fun h e -> dart_half_edge.(e) <- h) half_edge_dart;
+  (* Backwards around the origin of each half-edge, until the half-edge before it. *)
+  let ahead = Array.make darts 0 in
+  Array.iteri
+    (fun h e ->
+      let rec back e = ahead.(e) <- h; let before = next dart_twin.(e) in if dart_half_edge.(before) = nil then back before in
+      back e)
+    half_edge_dart;
+  (* The faces: from the darts of half-edges and isolated vertices over added edges. *)
+  let vertex_dart = Array.make d.vertex_count 0 in
+  Array.iteri (fun e p -> if p < d.vertex_count then vertex_dart.(p) <- e) point;
+  let dart_face = Array.make darts nil and rank = Array.make darts 0 and face_dart = Array.make faces nil in
+  let fill face first =
+    if face_dart.(face) = nil then begin
+      face_dart.(face) <- first;
+      let queue = Queue.create () and taken = ref 0 in
+      let put e = if dart_face.(e) = nil then begin dart_face.(e) <- face; Queue.add e queue end in
+      put first;
+      while not (Queue.is_empty queue) do
+        let e = Queue.pop queue in
+        rank.(e) <- !taken;
+        incr taken;
+        put (next (next e));
+        if dart_half_edge.(e) = nil then put dart_twin.(e)
+      done
+    end
+  in
+  Array.iteri (fun h e -> fill (face_of_half_edge h) e) half_edge_dart;
+  List.iter (fun (v, face) -> fill face vertex_dart.(v)) face_of_isolated;
+  let longest = 4 * List.fold_left (fun m (x, y) -> max m (max x y)) 0 d.places in
+  let places = Array.of_list (List.rev_append d.places [ (0, 0); (-longest, -longest); (2 * longest, -longest); (longest / 2, 3 * longest) ]) in
+  let unit = 1 lsl 34 in
+  List.iter
+    (fun (name, column) -> write folder name column)
+    [ ("dart_twin", dart_twin); ("dart_point", point); ("dart_half_edge", dart_half_edge); ("dart_ahead", ahead);
+      ("dart_face", dart_face); ("dart_rank", rank); ("half_edge_dart", Array.append half_edge_dart [| 0 |]);
+      ("vertex_dart", Array.append vertex_dart [| 0 |]); ("face_dart", Array.append face_dart [| 0 |]) ];
+  write_long folder "point_x" (Array.map (fun (x, _) -> unit * x) places);
+  write_long folder "point_y" (Array.map (fun (_, y) -> unit * y) places)
 
 let certify d folder =
   let around = Array.of_list (List.rev d.vertices) and edges = Array.of_list (List.rev d.edges) in
@@ -148,7 +228,7 @@ let certify d folder =
     if start.(b) = h && place.(b) = nil then put_inner face_of.(b)
   done;
   if not (Sys.file_exists folder) then Sys.mkdir folder 0o755;
-  write_file folder "claim.txt" (Bytes.of_string "twinedge certificate 1\nplane\n");
+  write_file folder "claim.txt" (Bytes.of_string "twinedge certificate 1\ndrawing\n");
   (* With a vacant slot at the end of each kind. *)
   let first column = Array.append column [| vacant |] and other column = Array.append column [| 0 |] in
   List.iter
@@ -157,14 +237,18 @@ let certify d folder =
       ("half_edge_boundary", other boundary); ("half_edge_rank", other rank); ("vertex_leaving", first leaving); ("vertex_isolated", other isolated_in);
       ("boundary_face", first face_of); ("boundary_start", other start); ("boundary_vertex", other at_vertex); ("boundary_place", other place);
       ("face_outer", first face_outer); ("face_end", Array.append face_end [| !total |]);
-      ("face_inner", Array.of_list (List.concat (Array.to_list lists))) ]
+      ("face_inner", Array.of_list (List.concat (Array.to_list lists))) ];
+  certify_drawing d folder origin twin prev (fun h -> face_of.(boundary.(h)))
+    (Array.to_list (Array.map (fun (v, h) -> (v, inside h)) isolated)) !faces
 
 let set folder column row value =
-  let name = column ^ ".u32" in
+  let long = Sys.file_exists (Filename.concat folder (column ^ ".i64")) in
+  let name = column ^ if long then ".i64" else ".u32" in
   let channel = open_in_bin (Filename.concat folder name) in
   let bytes = Bytes.of_string (really_input_string channel (in_channel_length channel)) in
   close_in channel;
-  Bytes.set_int32_le bytes (4 * row) (Int32.of_int value);
+  if long then Bytes.set_int64_le bytes (8 * row) (Int64.of_int value)
+  else Bytes.set_int32_le bytes (4 * row) (Int32.of_int value);
   write_file folder name bytes
 
 let () =
