@@ -94,14 +94,14 @@ impl Changes {
 }
 
 /// The changes that an operator made.
-struct Changed {
+struct Change {
     before: Records,
     after: Records,
     made: Changes,
     gone: Changes,
 }
 
-impl Changed {
+impl Change {
     /// Compares the numbers of records that were made and dropped: vertices, half-edges, boundary components, faces.
     fn counts(&self, operator: &str, made: [usize; 4], gone: [usize; 4]) {
         let count = |c: &Changes| [c.vertices.len(), c.half_edges.len(), c.boundaries.len(), c.faces.len()];
@@ -137,7 +137,7 @@ impl<S: Store> ReportAudit<S> {
     fn run<T>(
         &mut self,
         operator: impl FnOnce(&mut Dcel<S>) -> Result<T, OperatorError>,
-    ) -> Result<(T, Changed), OperatorError> {
+    ) -> Result<(T, Change), OperatorError> {
         let before = Records::of(&self.dcel);
         let result = operator(&mut self.dcel);
         let after = Records::of(&self.dcel);
@@ -156,7 +156,7 @@ impl<S: Store> ReportAudit<S> {
             let stale = OperatorError::Stale(StaleKey::Boundary(*key));
             assert!(refused == Some(stale), "a dropped boundary component can be moved: {key:?}");
         }
-        Ok((result?, Changed { before, after, made, gone }))
+        Ok((result?, Change { before, after, made, gone }))
     }
 
     /// The boundary component to the left of a half-edge, and whether it is an outer one.

@@ -65,7 +65,7 @@ enum Format {
 }
 
 #[derive(Debug, Serialize)]
-struct Answer {
+struct DecompositionAnswer {
     input: String,
     features: Vec<Row>,
     ok: bool,
@@ -118,7 +118,7 @@ impl Decompose {
             }
         });
         let rows = rows.collect();
-        let answer = Answer { input, features: rows, ok: map.validate().is_valid() };
+        let answer = DecompositionAnswer { input, features: rows, ok: map.validate().is_valid() };
         let text = match self.format {
             Format::Text => text(&map, &answer)?,
             Format::Json => serde_json::to_string_pretty(&answer)? + "\n",
@@ -137,7 +137,7 @@ impl Decompose {
     }
 }
 
-fn text(map: &PlanarMap, answer: &Answer) -> Result<String, std::fmt::Error> {
+fn text(map: &PlanarMap, answer: &DecompositionAnswer) -> Result<String, std::fmt::Error> {
     let mut out = String::new();
     writeln!(out, "{QUIET}{}{QUIET:#}\n", plain(&answer.input))?;
     let names: Vec<String> = { map.features() }.map(|feature| label(map, feature)).collect();

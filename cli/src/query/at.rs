@@ -30,7 +30,7 @@ pub(super) struct At {
 }
 
 #[derive(Debug, Serialize)]
-struct Answer<'a> {
+struct PlaceAnswer<'a> {
     input: &'a str,
     point: [f64; 2],
     found: Record,
@@ -46,7 +46,7 @@ impl At {
         }?;
         match self.format {
             Format::Text => print(&format!("{found}\n")),
-            Format::Json => print_json(&Answer { input, point: [self.x, self.y], found }),
+            Format::Json => print_json(&PlaceAnswer { input, point: [self.x, self.y], found }),
         }
     }
 }

@@ -29,7 +29,7 @@ pub(super) enum SortBy {
 }
 
 #[derive(Debug, Serialize)]
-struct Answer<'a> {
+struct BorderAnswer<'a> {
     input: &'a str,
     unit: &'static str,
     pairs: Vec<Row>,
@@ -105,7 +105,7 @@ pub(super) fn print_all(
     match format {
         TableFormat::Text => print(&text(&rows, units)?),
         TableFormat::Csv => print(&csv(&rows, &HEADINGS)?),
-        TableFormat::Json => print_json(&Answer { input, unit: units.name(), pairs: rows }),
+        TableFormat::Json => print_json(&BorderAnswer { input, unit: units.name(), pairs: rows }),
     }
 }
 

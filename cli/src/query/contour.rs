@@ -43,7 +43,7 @@ enum Format {
 }
 
 #[derive(Debug, Serialize)]
-struct Answer<'a> {
+struct ContourAnswer<'a> {
     input: &'a str,
     feature: String,
     id: usize,
@@ -86,7 +86,7 @@ impl Contour {
                 };
                 let area = contour.area();
                 let polygons = contour.polygons.into_iter().map(polygon).collect();
-                return print_json(&Answer { input, feature: name, id: id.index(), area, polygons });
+                return print_json(&ContourAnswer { input, feature: name, id: id.index(), area, polygons });
             }
         }
         print(&String::from_utf8_lossy(&text))

@@ -63,7 +63,7 @@ enum SortBy {
 }
 
 #[derive(Debug, Serialize)]
-struct Answer<'a> {
+struct CoverageAnswer<'a> {
     input: &'a str,
     unit: &'static str,
     coverage: Coverage,
@@ -101,7 +101,7 @@ impl CoverageOf {
                 print(&format!("{out}{QUIET}{}{QUIET:#}\n", units.sentence()))
             }
             TableFormat::Csv => print(&csv(coverage.findings().iter().map(row), &HEADINGS)?),
-            TableFormat::Json => print_json(&Answer { input: &imported.name, unit: units.name(), coverage }),
+            TableFormat::Json => print_json(&CoverageAnswer { input: &imported.name, unit: units.name(), coverage }),
         }
     }
 }

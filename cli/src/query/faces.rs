@@ -46,7 +46,7 @@ enum SortBy {
 }
 
 #[derive(Debug, Serialize)]
-struct Answer<'a> {
+struct FacesAnswer<'a> {
     input: &'a str,
     faces: Vec<Row>,
 }
@@ -93,7 +93,7 @@ impl Faces {
         self.limit.cut(&mut faces);
         match self.format {
             Format::Text => print(&text(&faces)?),
-            Format::Json => print_json(&Answer { input, faces }),
+            Format::Json => print_json(&FacesAnswer { input, faces }),
         }
     }
 }

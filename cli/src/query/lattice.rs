@@ -22,7 +22,7 @@ pub(super) struct Lattice {
 }
 
 #[derive(Debug, Serialize)]
-struct Answer<'a> {
+struct LatticeAnswer<'a> {
     input: &'a str,
     faces: Vec<Row>,
     ok: bool,
@@ -53,7 +53,7 @@ impl Lattice {
                 pick_holds: count.pick_holds(),
             });
         }
-        let answer = Answer { input, faces, ok: found.pick_holds() };
+        let answer = LatticeAnswer { input, faces, ok: found.pick_holds() };
         match self.format {
             Format::Json => print_json(&answer),
             Format::Text => print(&answer.text()?),
@@ -61,7 +61,7 @@ impl Lattice {
     }
 }
 
-impl Answer<'_> {
+impl LatticeAnswer<'_> {
     fn text(&self) -> Result<String, std::fmt::Error> {
         let mut out = String::new();
         writeln!(out, "  {:>6}  {:>14}  {:>14}  {:>14}  {:>6}", "face", "2A", "I", "B", "h")?;

@@ -55,7 +55,7 @@ enum Extent {
 }
 
 #[derive(Debug, Serialize)]
-struct Answer<'a> {
+struct LineAnswer<'a> {
     input: &'a str,
     from: [f64; 2],
     to: [f64; 2],
@@ -95,7 +95,7 @@ impl Line {
                 let line = |Step { record, along }: &Step| format!("{}{record}\n", if *along { "along " } else { "" });
                 print(&met.iter().map(line).collect::<String>())
             }
-            Format::Json => print_json(&Answer { input, from: from.into(), to: to.into(), met }),
+            Format::Json => print_json(&LineAnswer { input, from: from.into(), to: to.into(), met }),
         }
     }
 }

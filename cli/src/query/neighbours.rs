@@ -52,7 +52,7 @@ pub(super) struct Neighbours {
 }
 
 #[derive(Debug, Serialize)]
-struct Answer<'a> {
+struct NeighboursAnswer<'a> {
     input: &'a str,
     unit: &'static str,
     feature: String,
@@ -99,7 +99,7 @@ impl Neighbours {
             (true, true) => return Err(Failure("--all is about all features: ask for none".to_owned())),
             (false, _) => {}
         }
-        let mut answer = Answer::new(asked, units, self.which.find(asked)?);
+        let mut answer = NeighboursAnswer::new(asked, units, self.which.find(asked)?);
         self.limit.cut(&mut answer.neighbours);
         match self.format {
             TableFormat::Text => print(&answer.text(units)?),
@@ -109,7 +109,7 @@ impl Neighbours {
     }
 }
 
-impl<'a> Answer<'a> {
+impl<'a> NeighboursAnswer<'a> {
     fn new(Source { input, map, .. }: &'a Source, units: &Units, feature: FeatureId) -> Self {
         let named = |feature| Named { name: label(map, feature), id: feature.index() };
         let mut shared: BTreeMap<FeatureId, (usize, f64)> = BTreeMap::new();

@@ -44,7 +44,7 @@ enum Measure {
 
 /// Null where there is no way.
 #[derive(Debug, Serialize)]
-struct Answer<'a> {
+struct RouteAnswer<'a> {
     input: &'a str,
     route: Option<Vec<String>>,
     length: Option<f64>,
@@ -63,7 +63,7 @@ impl Route {
         let names = |route: dual::Route| route.features.into_iter().map(|feature| label(map, feature)).collect();
         let route: Option<Vec<String>> = found.map(names);
         match (self.format, route) {
-            (Format::Json, route) => print_json(&Answer { input, route, length }),
+            (Format::Json, route) => print_json(&RouteAnswer { input, route, length }),
             (Format::Text, None) => {
                 print(&format!("no way from {} to {} across borders\n", label(map, from), label(map, to)))
             }

@@ -3,7 +3,7 @@
 use super::exchange::Exchange;
 use super::outcome::Tally;
 use super::specimen::{Corruption, Family, Specimen};
-use super::watch::{HUNG, Watch, Watched, lock};
+use super::watch::{HUNG, Watch, Watchpoint, lock};
 use crate::enumerate::{Cell, TableCells, for_each_corruption};
 use crate::panics::catch;
 use crate::random::Random;
@@ -18,7 +18,7 @@ use twinedge::validate::{Rule, Table};
 
 /// The findings.
 #[derive(Clone, Debug, Default)]
-pub(super) struct Judged {
+pub(super) struct Judgement {
     /// Maps of which all single corruptions were judged, in all forms.
     pub(super) maps: usize,
     /// All single corruptions.
@@ -39,7 +39,7 @@ pub(super) struct Judged {
     pub(super) findings: Vec<String>,
 }
 
-impl Judged {
+impl Judgement {
     fn add(&mut self, other: &Self) {
         self.maps += other.maps;
         for (field, tally) in &other.fields {
@@ -64,7 +64,7 @@ pub(super) struct Court<'a> {
     checker: &'a dyn Checker,
     run: &'a Run<'a>,
     watch: &'a Watch<Corruption<'a>>,
-    judged: Mutex<Vec<Arc<Mutex<Judged>>>>,
+    judged: Mutex<Vec<Arc<Mutex<Judgement>>>>,
 }
 
 impl<'a> Court<'a> {
@@ -73,8 +73,8 @@ impl<'a> Court<'a> {
     }
 
     /// The findings of all threads so far. Threads may be at work.
-    pub(super) fn judged(&self) -> Judged {
-        let mut all = Judged::default();
+    pub(super) fn judged(&self) -> Judgement {
+        let mut all = Judgement::default();
         lock(&self.judged).iter().for_each(|judged| all.add(&lock(judged)));
         all
     }
@@ -83,13 +83,13 @@ impl<'a> Court<'a> {
 /// One thread that asks the validator and the reference.
 pub(super) struct Judge<'a> {
     court: &'a Court<'a>,
-    watched: Arc<Watched<Corruption<'a>>>,
-    judged: Arc<Mutex<Judged>>,
+    watched: Arc<Watchpoint<Corruption<'a>>>,
+    judged: Arc<Mutex<Judgement>>,
 }
 
 impl<'a> Judge<'a> {
     pub(super) fn new(court: &'a Court<'a>) -> Self {
-        let judged = Arc::new(Mutex::new(Judged::default()));
+        let judged = Arc::new(Mutex::new(Judgement::default()));
         lock(&court.judged).push(judged.clone());
         Self { court, watched: court.watch.thread(), judged }
     }

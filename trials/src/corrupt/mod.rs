@@ -41,7 +41,7 @@ use crate::rows::MOST_FINDINGS;
 use crate::run::Run;
 use crate::structure::Structure;
 use crate::verdict::Checker;
-use judge::{Court, Judge, Judged};
+use judge::{Court, Judge, Judgement};
 use specimen::{Corruption, Specimen, held_to, in_words, independent_rules};
 use twinedge::program::Subject;
 use twinedge::validate::Rule;
@@ -138,7 +138,7 @@ fn summarize<K: Subject>(
     work: CorruptWork,
     run: &Run<'_>,
     specimens: &Specimens,
-    judged: Judged,
+    judged: Judgement,
     hanging: Option<Corruption<'_>>,
 ) -> CorruptOutcome {
     let unusable = specimens.findings.iter().filter(|(number, _)| run.part().has(*number as u64));

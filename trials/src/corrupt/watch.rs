@@ -22,14 +22,14 @@ pub(super) fn lock<T>(mutex: &Mutex<T>) -> MutexGuard<'_, T> {
 
 /// The work of one thread.
 #[derive(Debug)]
-pub(super) struct Watched<A> {
+pub(super) struct Watchpoint<A> {
     /// The number of validations that began or ended: odd while one runs.
     steps: AtomicU64,
     /// The subject of the present one.
     about: Mutex<Option<A>>,
 }
 
-impl<A> Watched<A> {
+impl<A> Watchpoint<A> {
     /// Runs a validation and measures its time; again if it takes suspiciously long, and then the least time counts.
     pub(super) fn time<T>(&self, about: A, validation: impl Fn() -> T) -> (T, Duration) {
         *lock(&self.about) = Some(about);
@@ -56,7 +56,7 @@ impl<A> Watched<A> {
 /// Watches the validations of all threads. `A` says what a validation is about.
 #[derive(Debug)]
 pub(super) struct Watch<A> {
-    threads: Mutex<Vec<Arc<Watched<A>>>>,
+    threads: Mutex<Vec<Arc<Watchpoint<A>>>>,
     over: AtomicBool,
 }
 
@@ -76,8 +76,8 @@ impl<A: Copy + Send> Watch<A> {
     }
 
     /// One more thread to be watched.
-    pub(super) fn thread(&self) -> Arc<Watched<A>> {
-        let watched = Arc::new(Watched { steps: AtomicU64::new(0), about: Mutex::new(None) });
+    pub(super) fn thread(&self) -> Arc<Watchpoint<A>> {
+        let watched = Arc::new(Watchpoint { steps: AtomicU64::new(0), about: Mutex::new(None) });
         lock(&self.threads).push(watched.clone());
         watched
     }

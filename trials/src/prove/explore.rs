@@ -1,6 +1,6 @@
 //! Trying every operator with every argument on every map of a scope.
 
-use super::explored::{Explored, Size};
+use super::explored::{Exploration, Size};
 use super::grow::{Codes, grow, play};
 use crate::census::Scope;
 use crate::panics::catch;
@@ -18,13 +18,18 @@ pub(super) fn explore<K: Subject + Clone>(
     scope: Scope,
     run: &Run<'_>,
     maps: &str,
-) -> Explored {
+) -> Exploration {
     let grown = grow(structure, scope, run, maps);
     let stage = format!("operators on {maps}");
-    let worker =
-        || Worker { structure, scope, codes: &grown.codes, canonizer: Canonizer::new(), explored: Explored::default() };
+    let worker = || Worker {
+        structure,
+        scope,
+        codes: &grown.codes,
+        canonizer: Canonizer::new(),
+        explored: Exploration::default(),
+    };
     let workers = run.each(&stage, grown.maps.len(), worker, |worker, number| worker.visit(&grown.maps[number]));
-    let found: Vec<Explored> = workers.into_iter().map(|worker| worker.explored).collect();
+    let found: Vec<Exploration> = workers.into_iter().map(|worker| worker.explored).collect();
     let mut explored = grown.explored;
     for found in found {
         explored.add(found);
@@ -38,11 +43,11 @@ struct Worker<'a, K> {
     scope: Scope,
     codes: &'a Codes,
     canonizer: Canonizer,
-    explored: Explored,
+    explored: Exploration,
 }
 
 /// The outcome of an operator.
-enum Tried {
+enum Trial {
     /// Applied, with the report on the map after it.
     Applied(Report),
     /// Refused or skipped, and whether the map is as it was.
@@ -69,22 +74,22 @@ impl<K: Subject + Clone> Worker<'_, K> {
         try_every_op(
             &map,
             |outcome, result| match outcome {
-                StepOutcome::Applied => Tried::Applied(judge(result.subject(), &expectation)),
-                outcome => Tried::Refused(outcome, same(map.subject(), result.subject())),
+                StepOutcome::Applied => Trial::Applied(judge(result.subject(), &expectation)),
+                outcome => Trial::Refused(outcome, same(map.subject(), result.subject())),
             },
             |op, tried, result| self.judge(program, op, &before, tried, result),
         );
     }
 
-    fn judge(&mut self, program: &Program, op: Op, before: &Counts, tried: Result<Tried, String>, result: &Runner<K>) {
+    fn judge(&mut self, program: &Program, op: Op, before: &Counts, tried: Result<Trial, String>, result: &Runner<K>) {
         let size: Size = (before.edges, before.vertices);
         let wrong = match tried {
             Err(panic) => Some(format!("panicked: {panic}")),
-            Ok(Tried::Applied(report)) => {
+            Ok(Trial::Applied(report)) => {
                 self.explored.tally(size).applied += 1;
                 self.after(op, before, &report, result)
             }
-            Ok(Tried::Refused(outcome, is_same)) => {
+            Ok(Trial::Refused(outcome, is_same)) => {
                 self.explored.tally(size).refused += 1;
                 if outcome == StepOutcome::Refused(Refusal::Unsupported) {
                     self.explored.unsupported.insert(op.name());

@@ -38,7 +38,7 @@ impl Tally {
 
 /// The counts, by size.
 #[derive(Debug, Default)]
-pub(super) struct Explored {
+pub(super) struct Exploration {
     pub(super) tallies: BTreeMap<Size, Tally>,
     /// The operators that were refused as unsupported.
     pub(super) unsupported: BTreeSet<&'static str>,
@@ -46,7 +46,7 @@ pub(super) struct Explored {
     pub(super) findings: Vec<Finding>,
 }
 
-impl Explored {
+impl Exploration {
     pub(super) fn tally(&mut self, size: Size) -> &mut Tally {
         self.tallies.entry(size).or_default()
     }

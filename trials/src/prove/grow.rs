@@ -1,6 +1,6 @@
 //! Growing all maps of a scope, from the smallest one, by the operators that add something.
 
-use super::explored::{Explored, Size};
+use super::explored::{Exploration, Size};
 use crate::census::Scope;
 use crate::panics::catch;
 use crate::run::Run;
@@ -37,13 +37,13 @@ impl Codes {
 
 /// All maps of a scope.
 #[derive(Default)]
-pub(super) struct Grown {
+pub(super) struct Growth {
     /// The canonical forms of all maps.
     pub(super) codes: Codes,
     /// The maps of this part of the work.
     pub(super) maps: Vec<Program>,
     /// The maps without root of this part of the work, and what went wrong.
-    pub(super) explored: Explored,
+    pub(super) explored: Exploration,
 }
 
 /// A map that was met first here.
@@ -58,12 +58,12 @@ struct Found {
 #[derive(Default)]
 struct Worker {
     canonizer: Canonizer,
-    explored: Explored,
+    explored: Exploration,
     fresh: Vec<Found>,
 }
 
 /// The state that all threads share.
-struct Shared<'a> {
+struct SharedState<'a> {
     scope: Scope,
     shard: Shard,
     codes: &'a Codes,
@@ -96,9 +96,9 @@ fn grown_by(scope: Scope, op: Op, (edges, vertices): Size) -> Option<Size> {
 
 /// Grows all maps of a scope. All parts of the work grow all of them, which takes about a tenth of the time that trying every
 /// operator on them does: the maps with the greatest number of edges are nine tenths, and are not grown further.
-pub(super) fn grow<K: Subject + Clone>(structure: &Structure<K>, scope: Scope, run: &Run<'_>, maps: &str) -> Grown {
-    let mut grown = Grown::default();
-    let shared = Shared { scope, shard: run.part(), codes: &grown.codes, unrooted: Codes::default() };
+pub(super) fn grow<K: Subject + Clone>(structure: &Structure<K>, scope: Scope, run: &Run<'_>, maps: &str) -> Growth {
+    let mut grown = Growth::default();
+    let shared = SharedState { scope, shard: run.part(), codes: &grown.codes, unrooted: Codes::default() };
     let mut first = Worker::default();
     let (start, size) = (scope.start(), start_size(scope));
     match play(structure, &start) {
@@ -109,7 +109,7 @@ pub(super) fn grow<K: Subject + Clone>(structure: &Structure<K>, scope: Scope, r
         Err(panic) => first.explored.note(size, &start, None, format!("panicked: {panic}")),
     }
     let mut workers = vec![first];
-    let (mut ours, mut explored) = (Vec::new(), Explored::default());
+    let (mut ours, mut explored) = (Vec::new(), Exploration::default());
     for step in 0.. {
         let mut generation = Vec::new();
         for worker in workers {
@@ -153,7 +153,7 @@ impl Worker {
     fn grow<K: Subject + Clone>(
         &mut self,
         structure: &Structure<K>,
-        shared: &Shared<'_>,
+        shared: &SharedState<'_>,
         program: &Program,
         size: Size,
     ) {
@@ -168,14 +168,14 @@ impl Worker {
         }
     }
 
-    fn meet<K: Subject>(&mut self, shared: &Shared<'_>, map: &Runner<K>, program: &Program, size: Size) -> bool {
+    fn meet<K: Subject>(&mut self, shared: &SharedState<'_>, map: &Runner<K>, program: &Program, size: Size) -> bool {
         self.meet_as(shared, map, || program.clone(), size)
     }
 
     /// Keeps a map if it is new. Returns whether it has a canonical form.
     fn meet_as<K: Subject>(
         &mut self,
-        shared: &Shared<'_>,
+        shared: &SharedState<'_>,
         map: &Runner<K>,
         program: impl FnOnce() -> Program,
         size: Size,
@@ -197,7 +197,7 @@ impl Worker {
     /// in the outside only may lie in different parts.
     fn count_unrooted<K: Subject>(
         &mut self,
-        shared: &Shared<'_>,
+        shared: &SharedState<'_>,
         map: &Runner<K>,
         program: &Program,
         size: Size,

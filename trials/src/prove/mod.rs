@@ -38,7 +38,7 @@ use crate::rows::narrow;
 use crate::run::Run;
 use crate::structure::Structure;
 use explore::explore;
-use explored::{Explored, Tally};
+use explored::{Exploration, Tally};
 use std::collections::BTreeSet;
 use twinedge::program::Subject;
 
@@ -95,13 +95,13 @@ pub fn prove<K: Subject + Clone>(
 }
 
 /// The names of the operators that were refused as unsupported, each once, in alphabetical order.
-fn unsupported(explored: &[&Explored]) -> Vec<String> {
+fn unsupported(explored: &[&Exploration]) -> Vec<String> {
     let names: BTreeSet<&str> = explored.iter().flat_map(|explored| explored.unsupported.iter().copied()).collect();
     names.into_iter().map(str::to_owned).collect()
 }
 
 /// All connected maps with this number of edges.
-fn edges_row(n: usize, explored: &Explored) -> EdgesRow {
+fn edges_row(n: usize, explored: &Exploration) -> EdgesRow {
     let mut sum = Tally::default();
     explored.tallies.iter().filter(|((edges, _), _)| *edges == n).for_each(|(_, tally)| sum.add(tally));
     EdgesRow {
@@ -131,7 +131,7 @@ fn genus_rows(n: usize, run: &Run<'_>) -> Vec<GenusRow> {
     rows
 }
 
-fn nested_rows(edges: usize, vertices: usize, explored: &Explored) -> Vec<NestedRow> {
+fn nested_rows(edges: usize, vertices: usize, explored: &Exploration) -> Vec<NestedRow> {
     let none = Tally::default();
     let recounted = recount::subdivisions(edges, vertices);
     let row = |((edges, vertices), recounted)| {

@@ -42,7 +42,7 @@ use twinedge::validate::{Expectation, Rule, Table};
 /// ```
 pub fn sample(work: SampleWork, checker: &dyn Checker, run: &Run<'_>) -> SampleOutcome {
     let pieces: Vec<usize> = run.part().numbers(work.pieces() as usize).collect();
-    let found = run.each("tables", pieces.len(), Judged::default, |judged, position| {
+    let found = run.each("tables", pieces.len(), Judgement::default, |judged, position| {
         for table in work.piece(pieces[position] as u64) {
             if run.is_stopped() {
                 return;
@@ -50,7 +50,7 @@ pub fn sample(work: SampleWork, checker: &dyn Checker, run: &Run<'_>) -> SampleO
             judged.compare(&table, checker);
         }
     });
-    let mut all = Judged::default();
+    let mut all = Judgement::default();
     for judged in &found {
         all.add(judged);
     }
@@ -69,7 +69,7 @@ pub fn sample(work: SampleWork, checker: &dyn Checker, run: &Run<'_>) -> SampleO
 
 /// The findings of one thread.
 #[derive(Default)]
-struct Judged {
+struct Judgement {
     tables: u64,
     right: u64,
     first_broken: BTreeMap<Rule, u64>,
@@ -77,7 +77,7 @@ struct Judged {
     findings: Vec<String>,
 }
 
-impl Judged {
+impl Judgement {
     fn compare(&mut self, table: &Table, checker: &dyn Checker) {
         let expectation = Expectation::plane();
         let verdict = checker.check(table, &expectation);

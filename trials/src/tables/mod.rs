@@ -69,7 +69,7 @@ pub fn tables(work: TablesWork, checker: &dyn Checker, run: &Run<'_>) -> TablesO
 
 /// The findings of one thread.
 #[derive(Default)]
-struct Judged {
+struct Judgement {
     tables: u64,
     right: u64,
     disagreements: u64,
@@ -78,7 +78,7 @@ struct Judged {
 
 fn judge(job: &Job, pieces: &[Assignments], checker: &dyn Checker, run: &Run<'_>) -> (TablesRow, Option<String>) {
     let stage = format!("{} half-edges: {}", job.half_edges, job.name);
-    let found = run.each(&stage, pieces.len(), Judged::default, |judged, number| {
+    let found = run.each(&stage, pieces.len(), Judgement::default, |judged, number| {
         let piece = &pieces[number];
         for_each_assignment(&mut piece.table.clone(), &piece.cells, |table| {
             if run.is_stopped() {
@@ -93,7 +93,7 @@ fn judge(job: &Job, pieces: &[Assignments], checker: &dyn Checker, run: &Run<'_>
             }
         });
     });
-    let sum = |count: fn(&Judged) -> u64| found.iter().map(count).sum::<u64>();
+    let sum = |count: fn(&Judgement) -> u64| found.iter().map(count).sum::<u64>();
     let (all, judged) = (narrow(job.assignments.iter().map(Assignments::len).sum()), sum(|judged| judged.tables));
     let row = TablesRow {
         half_edges: job.half_edges,
@@ -108,7 +108,7 @@ fn judge(job: &Job, pieces: &[Assignments], checker: &dyn Checker, run: &Run<'_>
     (row, found.into_iter().find_map(|judged| judged.finding))
 }
 
-impl Judged {
+impl Judgement {
     fn compare(&mut self, table: &Table, expectation: Expectation, checker: &dyn Checker) {
         let verdict = checker.check(table, &expectation);
         let reference = first_broken_rule(table, &expectation);

@@ -26,7 +26,7 @@ use super::model::{Feature, Layer};
 use dimensions::Further;
 use fillers::fillers;
 use rebuild::{is_same, polygons_of, replace};
-use restored::Restored;
+use restored::Restoration;
 use twinedge::algorithm::clean::{Cleaned, Options, clean_with_fillers};
 use twinedge::algorithm::contour::{self, ContourError};
 use twinedge::algorithm::coverage::{CoverageError, CoverageRule, Finding, Limits, check, defects};
@@ -136,7 +136,7 @@ struct Pass {
     changes: Vec<LayerChange>,
     noding: Option<NodingSummary>,
     sliver_area: f64,
-    judged: Judged,
+    judged: Judgement,
 }
 
 impl Pass {
@@ -157,7 +157,7 @@ fn pass(features: &[Feature], fillers: &[map::Shape], options: &CleanOptions) ->
     let cell = map.noding().map(|noding| noding.cell).filter(|cell| *cell > 0.0);
     // A grid that nobody asked for is a means only: points go back to where they were, if nothing crosses then.
     let restored = match (options.snap, cell) {
-        (None, Some(cell)) => Some(Restored::new(features, cell)),
+        (None, Some(cell)) => Some(Restoration::new(features, cell)),
         _ => None,
     };
     let mut made = outlined(features, &map, &cleaned, restored.as_ref())?;
@@ -180,7 +180,7 @@ fn outlined(
     features: &[Feature],
     map: &PlanarMap,
     cleaned: &Cleaned,
-    restored: Option<&Restored>,
+    restored: Option<&Restoration>,
 ) -> Result<Vec<Feature>, CleanError> {
     let cell = map.noding().map(|noding| noding.cell).filter(|cell| *cell > 0.0);
     let mut further = Further::new(features, cell);
@@ -237,7 +237,7 @@ fn shapes(feature: &Feature) -> Vec<map::Shape> {
 
 /// All that a layer breaks.
 #[derive(Default)]
-struct Judged {
+struct Judgement {
     left: Option<Left>,
     /// C1 … C4.
     remaining: Vec<Finding>,
@@ -247,10 +247,10 @@ struct Judged {
 }
 
 /// All that breaks C1 … C6 afterwards, judged by the polygons that are written.
-fn judged(features: &[Feature], options: &CleanOptions) -> Result<Judged, CleanError> {
+fn judged(features: &[Feature], options: &CleanOptions) -> Result<Judgement, CleanError> {
     let mut builder = Builder::new();
     let mut left = Left::default();
-    let mut judged = Judged::default();
+    let mut judged = Judgement::default();
     for (number, feature) in features.iter().enumerate() {
         let shapes = shapes(feature);
         if let Some(defect) = defects(&shapes).first() {

@@ -22,9 +22,9 @@ pub(super) fn rounded(position: &Position, cell: f64) -> Point {
 }
 
 /// By the middle of a cell, the first position of the input in it.
-pub(super) struct Restored(FxHashMap<(u64, u64), Point>);
+pub(super) struct Restoration(FxHashMap<(u64, u64), Point>);
 
-impl Restored {
+impl Restoration {
     /// Notes all positions. O(positions), expected.
     pub(super) fn new(features: &[Feature], cell: f64) -> Self {
         let mut first = FxHashMap::default();

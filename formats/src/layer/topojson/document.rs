@@ -154,24 +154,24 @@ impl<'de> Deserialize<'de> for Raw {
 struct Arcs(#[serde(deserialize_with = "lines")] Vec<Line>);
 
 fn lines<'de, D: Deserializer<'de>>(deserializer: D) -> Result<Vec<Line>, D::Error> {
-    let arcs = Vec::<Vec<Written>>::deserialize(deserializer)?;
-    Ok(arcs.into_iter().map(|arc| arc.into_iter().map(|Written(position)| position).collect()).collect())
+    let arcs = Vec::<Vec<PositionText>>::deserialize(deserializer)?;
+    Ok(arcs.into_iter().map(|arc| arc.into_iter().map(|PositionText(position)| position).collect()).collect())
 }
 
 /// A position, as it is written.
-struct Written(Position);
+struct PositionText(Position);
 
-impl<'de> Deserialize<'de> for Written {
+impl<'de> Deserialize<'de> for PositionText {
     fn deserialize<D: Deserializer<'de>>(deserializer: D) -> Result<Self, D::Error> {
         struct Numbers;
         impl<'de> Visitor<'de> for Numbers {
-            type Value = Written;
+            type Value = PositionText;
 
             fn expecting(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
                 f.write_str("a position of two numbers or more")
             }
 
-            fn visit_seq<A: SeqAccess<'de>>(self, mut seq: A) -> Result<Written, A::Error> {
+            fn visit_seq<A: SeqAccess<'de>>(self, mut seq: A) -> Result<PositionText, A::Error> {
                 let short = |n| move || de::Error::invalid_length(n, &"a position of two numbers or more");
                 let x = seq.next_element()?.ok_or_else(short(0))?;
                 let y = seq.next_element()?.ok_or_else(short(1))?;
@@ -179,7 +179,7 @@ impl<'de> Deserialize<'de> for Written {
                 while let Some(number) = seq.next_element()? {
                     more.push(number);
                 }
-                Ok(Written(Position { x, y, more: more.into() }))
+                Ok(PositionText(Position { x, y, more: more.into() }))
             }
         }
         deserializer.deserialize_seq(Numbers)

@@ -1,6 +1,6 @@
 //! An indexed mesh in the making, as the readers fill it.
 
-use super::error::{Cause, Failed, Position};
+use super::error::{Cause, Failure, Position};
 use crate::mesh::IndexedMesh;
 
 /// Points and faces so far. Faces may list points that come later, so indices are checked at the end.
@@ -34,9 +34,9 @@ impl Builder {
     }
 
     #[inline]
-    pub(super) fn point(&mut self, point: [f64; 3], at: Position) -> Result<(), Failed> {
+    pub(super) fn point(&mut self, point: [f64; 3], at: Position) -> Result<(), Failure> {
         if self.points.len() == IndexedMesh::MOST {
-            return Err(Failed::new(at, Cause::TooLarge));
+            return Err(Failure::new(at, Cause::TooLarge));
         }
         self.points.push(point);
         Ok(())
@@ -44,13 +44,13 @@ impl Builder {
 
     /// Adds a corner to the face that is being read; points are counted from 0 here.
     #[inline]
-    pub(super) fn corner(&mut self, point: i64, at: Position) -> Result<(), Failed> {
+    pub(super) fn corner(&mut self, point: i64, at: Position) -> Result<(), Failure> {
         let Ok(index) = u32::try_from(point) else {
             let index = point.saturating_add(self.first);
-            return Err(Failed::new(at, Cause::IndexOutOfRange { index, points: self.points.len() }));
+            return Err(Failure::new(at, Cause::IndexOutOfRange { index, points: self.points.len() }));
         };
         if self.corners.len() == IndexedMesh::MOST {
-            return Err(Failed::new(at, Cause::TooLarge));
+            return Err(Failure::new(at, Cause::TooLarge));
         }
         if self.largest.is_none_or(|(largest, _)| index > largest) {
             self.largest = Some((index, at));
@@ -61,18 +61,18 @@ impl Builder {
 
     /// The face is complete.
     #[inline]
-    pub(super) fn face(&mut self, at: Position) -> Result<(), Failed> {
+    pub(super) fn face(&mut self, at: Position) -> Result<(), Failure> {
         if self.offsets.len() > IndexedMesh::MOST {
-            return Err(Failed::new(at, Cause::TooLarge));
+            return Err(Failure::new(at, Cause::TooLarge));
         }
         self.offsets.push(self.corners.len() as u32);
         Ok(())
     }
 
-    pub(super) fn finish(self) -> Result<IndexedMesh, Failed> {
+    pub(super) fn finish(self) -> Result<IndexedMesh, Failure> {
         if let Some((index, at)) = self.largest.filter(|(index, _)| *index as usize >= self.points.len()) {
             let index = i64::from(index) + self.first;
-            return Err(Failed::new(at, Cause::IndexOutOfRange { index, points: self.points.len() }));
+            return Err(Failure::new(at, Cause::IndexOutOfRange { index, points: self.points.len() }));
         }
         Ok(IndexedMesh::new(self.points, self.corners, self.offsets).expect("indices and sizes were checked"))
     }

@@ -98,12 +98,12 @@ pub enum Cause {
 
 /// An error of a reader, which does not know for itself which format it reads.
 #[derive(Debug)]
-pub(super) struct Failed {
+pub(super) struct Failure {
     pub(super) position: Position,
     pub(super) cause: Cause,
 }
 
-impl Failed {
+impl Failure {
     pub(super) fn new(position: Position, cause: Cause) -> Self {
         Self { position, cause }
     }

@@ -25,7 +25,7 @@ pub use error::{Cause, Position, ReadError};
 pub use format::Format;
 
 use crate::mesh::IndexedMesh;
-use error::Failed;
+use error::Failure;
 use std::io::Read;
 use std::path::Path;
 
@@ -112,6 +112,6 @@ pub fn read_bytes(bytes: &[u8], format: Option<Format>) -> Result<MeshFile, Read
     };
     match result {
         Ok((mesh, dropped)) => Ok(MeshFile { format, mesh, dropped }),
-        Err(Failed { position, cause }) => Err(ReadError::Content { format, position, cause }),
+        Err(Failure { position, cause }) => Err(ReadError::Content { format, position, cause }),
     }
 }

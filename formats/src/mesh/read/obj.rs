@@ -6,11 +6,11 @@
 
 use super::builder::Builder;
 use super::dropped::{Dropped, Drops};
-use super::error::{Cause, Failed};
+use super::error::{Cause, Failure};
 use super::text::Text;
 use crate::mesh::IndexedMesh;
 
-pub(super) fn read(bytes: &[u8]) -> Result<(IndexedMesh, Vec<Dropped>), Failed> {
+pub(super) fn read(bytes: &[u8]) -> Result<(IndexedMesh, Vec<Dropped>), Failure> {
     let mut text = Text::new(bytes).with_comments(b'#').with_continued_lines();
     let mut mesh = Builder::new(1);
     let mut drops = Drops::default();
@@ -47,7 +47,7 @@ fn what_is(statement: &[u8]) -> &'static str {
     }
 }
 
-fn point(text: &mut Text<'_>, mesh: &mut Builder, drops: &mut Drops) -> Result<(), Failed> {
+fn point(text: &mut Text<'_>, mesh: &mut Builder, drops: &mut Drops) -> Result<(), Failure> {
     let mut point = [0.0; 3];
     for coordinate in &mut point {
         let word = text.word();
@@ -61,7 +61,7 @@ fn point(text: &mut Text<'_>, mesh: &mut Builder, drops: &mut Drops) -> Result<(
     mesh.point(point, text.position())
 }
 
-fn face(text: &mut Text<'_>, mesh: &mut Builder, drops: &mut Drops) -> Result<(), Failed> {
+fn face(text: &mut Text<'_>, mesh: &mut Builder, drops: &mut Drops) -> Result<(), Failure> {
     let at = text.position();
     let mut with_more = false;
     while let Some(word) = text.word() {

@@ -5,11 +5,11 @@
 
 use super::builder::Builder;
 use super::dropped::{Dropped, Drops};
-use super::error::{Cause, Failed};
+use super::error::{Cause, Failure};
 use super::text::Text;
 use crate::mesh::IndexedMesh;
 
-pub(super) fn read(bytes: &[u8]) -> Result<(IndexedMesh, Vec<Dropped>), Failed> {
+pub(super) fn read(bytes: &[u8]) -> Result<(IndexedMesh, Vec<Dropped>), Failure> {
     let mut text = Text::new(bytes).with_comments(b'#');
     let mut mesh = Builder::new(0);
     let mut drops = Drops::default();

@@ -5,20 +5,20 @@
 
 use super::builder::Builder;
 use super::dropped::{Dropped, Drops};
-use super::error::{Cause, Failed, Position, excerpt};
+use super::error::{Cause, Failure, Position, excerpt};
 use super::text::Text;
 use crate::mesh::IndexedMesh;
 use ply_rs_bw::parser::{Parser, Reader};
 use ply_rs_bw::ply::{DefaultElement, ElementDef, Encoding, Header, PropertyType, ScalarType};
 
-pub(super) fn read(bytes: &[u8]) -> Result<(IndexedMesh, Vec<Dropped>), Failed> {
+pub(super) fn read(bytes: &[u8]) -> Result<(IndexedMesh, Vec<Dropped>), Failure> {
     let (header, body, line) = header(bytes)?;
     let mut records = match header.encoding {
         Encoding::Ascii => Records::Text(Text::new(bytes).starting_at(body, line)),
         Encoding::BinaryLittleEndian => Records::Binary { bytes, at: body, big_endian: false },
         Encoding::BinaryBigEndian => Records::Binary { bytes, at: body, big_endian: true },
     };
-    let missing = |what| Failed::new(Position::Line(line), Cause::Missing(what));
+    let missing = |what| Failure::new(Position::Line(line), Cause::Missing(what));
     let vertex = header.elements.get("vertex").ok_or_else(|| missing("element vertex"))?;
     for axis in ["x", "y", "z"] {
         let property = vertex.properties.get(axis).map(|property| &property.data_type);
@@ -53,7 +53,7 @@ pub(super) fn read(bytes: &[u8]) -> Result<(IndexedMesh, Vec<Dropped>), Failed> 
 }
 
 /// The header, and on which byte and line what follows it starts.
-fn header(bytes: &[u8]) -> Result<(Header, usize, u64), Failed> {
+fn header(bytes: &[u8]) -> Result<(Header, usize, u64), Failure> {
     let mut reader = Reader::new(bytes);
     let header = Parser::<DefaultElement>::new().read_header(&mut reader).map_err(|error| {
         // The first line says it; the others repeat the input.
@@ -62,7 +62,7 @@ fn header(bytes: &[u8]) -> Result<(Header, usize, u64), Failed> {
         let first =
             first.split_once(": ").filter(|(place, _)| place.starts_with("Line ")).map_or(first, |(_, say)| say);
         let line = error.line().unwrap_or(reader.line()).max(1) as u64;
-        Failed::new(Position::Line(line), Cause::Header(first.into()))
+        Failure::new(Position::Line(line), Cause::Header(first.into()))
     })?;
     let body = bytes.len() - reader.get_ref().len();
     let text = &bytes[..body];
@@ -74,7 +74,7 @@ fn header(bytes: &[u8]) -> Result<(Header, usize, u64), Failed> {
     }
     let kept: usize = header.elements.values().map(|element| 1 + element.properties.len()).sum();
     if defined > kept {
-        return Err(Failed::new(Position::Line(line), Cause::DefinedTwice));
+        return Err(Failure::new(Position::Line(line), Cause::DefinedTwice));
     }
     Ok((header, body, line + 1))
 }
@@ -84,7 +84,7 @@ fn points(
     element: &ElementDef,
     mesh: &mut Builder,
     drops: &mut Drops,
-) -> Result<(), Failed> {
+) -> Result<(), Failure> {
     let kinds: Vec<_> = element.properties.values().map(|property| &property.data_type).collect();
     let axes: Vec<_> =
         element.properties.keys().map(|name| ["x", "y", "z"].iter().position(|axis| axis == name)).collect();
@@ -108,7 +108,7 @@ fn read_faces(
     list: usize,
     mesh: &mut Builder,
     drops: &mut Drops,
-) -> Result<(), Failed> {
+) -> Result<(), Failure> {
     let kinds: Vec<_> = element.properties.values().map(|property| &property.data_type).collect();
     for _ in 0..element.count {
         let mut at = records.position();
@@ -138,7 +138,7 @@ fn drop_properties(element: &ElementDef, drops: &mut Drops, keep: impl Fn(&str) 
     }
 }
 
-fn skip(records: &mut Records<'_>, element: &ElementDef) -> Result<(), Failed> {
+fn skip(records: &mut Records<'_>, element: &ElementDef) -> Result<(), Failure> {
     // An element without properties takes no room, however many there are said to be.
     if element.properties.is_empty() {
         return Ok(());
@@ -167,7 +167,7 @@ impl Records<'_> {
 
     /// A number of this type; every one of them is exact as `f64`.
     #[inline]
-    fn number(&mut self, kind: &ScalarType, what: &'static str) -> Result<f64, Failed> {
+    fn number(&mut self, kind: &ScalarType, what: &'static str) -> Result<f64, Failure> {
         match self {
             Self::Text(text) => {
                 let word = text.any_word();
@@ -181,7 +181,7 @@ impl Records<'_> {
                     ScalarType::Double => 8,
                 };
                 let Some(found) = bytes.get(*at..*at + size) else {
-                    return Err(Failed::new(Position::Byte(*at as u64), Cause::Truncated { what }));
+                    return Err(Failure::new(Position::Byte(*at as u64), Cause::Truncated { what }));
                 };
                 // As little-endian bytes, with nothing above them.
                 let mut all = [0; 8];
@@ -206,36 +206,36 @@ impl Records<'_> {
         }
     }
 
-    fn coordinate(&mut self, kind: &ScalarType) -> Result<f64, Failed> {
+    fn coordinate(&mut self, kind: &ScalarType) -> Result<f64, Failure> {
         let at = self.position();
         let found = self.number(kind, "a coordinate")?;
         // Text knows its line only once it is there.
         let at = if let Self::Text(text) = self { text.position() } else { at };
-        if found.is_finite() { Ok(found) } else { Err(Failed::new(at, Cause::NotFinite { found })) }
+        if found.is_finite() { Ok(found) } else { Err(Failure::new(at, Cause::NotFinite { found })) }
     }
 
     /// The index of a point, which may be negative by mistake.
-    fn index(&mut self, kind: &ScalarType) -> Result<i64, Failed> {
+    fn index(&mut self, kind: &ScalarType) -> Result<i64, Failure> {
         self.whole(kind, "the index of a point", i64::MIN)
     }
 
     /// The length of a list.
-    fn length(&mut self, kind: &ScalarType, what: &'static str) -> Result<i64, Failed> {
+    fn length(&mut self, kind: &ScalarType, what: &'static str) -> Result<i64, Failure> {
         self.whole(kind, what, 0)
     }
 
-    fn whole(&mut self, kind: &ScalarType, what: &'static str, least: i64) -> Result<i64, Failed> {
+    fn whole(&mut self, kind: &ScalarType, what: &'static str, least: i64) -> Result<i64, Failure> {
         let number = self.number(kind, what)?;
         let whole = number as i64;
         if number.fract() == 0.0 && whole >= least {
             Ok(whole)
         } else {
             let found = excerpt(number.to_string().as_bytes());
-            Err(Failed::new(self.position(), Cause::Expected { what, found }))
+            Err(Failure::new(self.position(), Cause::Expected { what, found }))
         }
     }
 
-    fn skip(&mut self, kind: &PropertyType) -> Result<(), Failed> {
+    fn skip(&mut self, kind: &PropertyType) -> Result<(), Failure> {
         match kind {
             PropertyType::Scalar(kind) => self.number(kind, "the value of a property").map(drop),
             PropertyType::List(count, kind) => {

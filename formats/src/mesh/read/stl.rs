@@ -8,7 +8,7 @@
 
 use super::builder::Builder;
 use super::dropped::{Dropped, Drops};
-use super::error::{Cause, Failed, Position};
+use super::error::{Cause, Failure, Position};
 use super::text::Text;
 use crate::mesh::IndexedMesh;
 use std::collections::HashMap;
@@ -18,7 +18,7 @@ const HEADER: usize = 84;
 /// A triangle: its normal, three points, two bytes for whatever.
 const TRIANGLE: usize = 50;
 
-pub(super) fn read(bytes: &[u8]) -> Result<(IndexedMesh, Vec<Dropped>), Failed> {
+pub(super) fn read(bytes: &[u8]) -> Result<(IndexedMesh, Vec<Dropped>), Failure> {
     if is_text(bytes) { read_text(bytes) } else { read_binary(bytes) }
 }
 
@@ -46,7 +46,7 @@ struct Weld {
 }
 
 impl Weld {
-    fn corner(&mut self, mesh: &mut Builder, point: [f64; 3], at: Position) -> Result<(), Failed> {
+    fn corner(&mut self, mesh: &mut Builder, point: [f64; 3], at: Position) -> Result<(), Failure> {
         // Adding 0 makes −0 of 0, which is the same place.
         let place = point.map(|coordinate| (coordinate + 0.0).to_bits());
         let next = mesh.points().len() as u32;
@@ -58,8 +58,8 @@ impl Weld {
     }
 }
 
-fn read_binary(bytes: &[u8]) -> Result<(IndexedMesh, Vec<Dropped>), Failed> {
-    let truncated = |at, what| Failed::new(Position::Byte(at), Cause::Truncated { what });
+fn read_binary(bytes: &[u8]) -> Result<(IndexedMesh, Vec<Dropped>), Failure> {
+    let truncated = |at, what| Failure::new(Position::Byte(at), Cause::Truncated { what });
     let length = expected_length(bytes)
         .ok_or_else(|| truncated(bytes.len() as u64, "80 bytes of header and the number of triangles"))?;
     let mut mesh = Builder::new(0);
@@ -78,7 +78,7 @@ fn read_binary(bytes: &[u8]) -> Result<(IndexedMesh, Vec<Dropped>), Failed> {
                 *coordinate = f64::from(f32::from_le_bytes([a, b, c, d]));
                 if !coordinate.is_finite() {
                     let at = Position::Byte((start + offset) as u64);
-                    return Err(Failed::new(at, Cause::NotFinite { found: *coordinate }));
+                    return Err(Failure::new(at, Cause::NotFinite { found: *coordinate }));
                 }
             }
             weld.corner(&mut mesh, point, Position::Byte((start + 12 * corner) as u64))?;
@@ -94,7 +94,7 @@ fn read_binary(bytes: &[u8]) -> Result<(IndexedMesh, Vec<Dropped>), Failed> {
     Ok((mesh.finish()?, drops.into_list()))
 }
 
-fn read_text(bytes: &[u8]) -> Result<(IndexedMesh, Vec<Dropped>), Failed> {
+fn read_text(bytes: &[u8]) -> Result<(IndexedMesh, Vec<Dropped>), Failure> {
     let mut text = Text::new(bytes);
     let mut mesh = Builder::new(0);
     let mut drops = Drops::default();
@@ -117,7 +117,7 @@ fn read_text(bytes: &[u8]) -> Result<(IndexedMesh, Vec<Dropped>), Failed> {
     Ok((mesh.finish()?, drops.into_list()))
 }
 
-fn facet(text: &mut Text<'_>, mesh: &mut Builder, weld: &mut Weld) -> Result<(), Failed> {
+fn facet(text: &mut Text<'_>, mesh: &mut Builder, weld: &mut Weld) -> Result<(), Failure> {
     let at = text.position();
     expect_next(text, "normal")?;
     for _ in 0..3 {
@@ -141,12 +141,12 @@ fn facet(text: &mut Text<'_>, mesh: &mut Builder, weld: &mut Weld) -> Result<(),
     mesh.face(at)
 }
 
-fn expect_next(text: &mut Text<'_>, keyword: &'static str) -> Result<(), Failed> {
+fn expect_next(text: &mut Text<'_>, keyword: &'static str) -> Result<(), Failure> {
     let word = text.any_word();
     expect(text, word, keyword)
 }
 
-fn expect(text: &Text<'_>, word: Option<&[u8]>, keyword: &'static str) -> Result<(), Failed> {
+fn expect(text: &Text<'_>, word: Option<&[u8]>, keyword: &'static str) -> Result<(), Failure> {
     match word {
         Some(word) if word.eq_ignore_ascii_case(keyword.as_bytes()) => Ok(()),
         _ => Err(text.expected(keyword, word)),

@@ -1,6 +1,6 @@
 //! Words and lines of a text file.
 
-use super::error::{Cause, Failed, Position, excerpt};
+use super::error::{Cause, Failure, Position, excerpt};
 
 /// Walks over the words of a text, and knows on which line it is. Whatever the bytes are, they are words or blanks.
 #[derive(Debug)]
@@ -117,12 +117,12 @@ impl<'a> Text<'a> {
         matches!(self.bytes.get(self.at + 1), Some(b'\n' | b'\r'))
     }
 
-    pub(super) fn failed(&self, cause: Cause) -> Failed {
-        Failed::new(self.position(), cause)
+    pub(super) fn failed(&self, cause: Cause) -> Failure {
+        Failure::new(self.position(), cause)
     }
 
     /// An error about this word, or about its absence.
-    pub(super) fn expected(&self, what: &'static str, found: Option<&[u8]>) -> Failed {
+    pub(super) fn expected(&self, what: &'static str, found: Option<&[u8]>) -> Failure {
         self.failed(match found {
             Some(word) => Cause::Expected { what, found: excerpt(word) },
             None => Cause::Truncated { what },
@@ -131,21 +131,21 @@ impl<'a> Text<'a> {
 
     /// The word as a coordinate.
     #[inline]
-    pub(super) fn coordinate(&self, word: Option<&[u8]>) -> Result<f64, Failed> {
+    pub(super) fn coordinate(&self, word: Option<&[u8]>) -> Result<f64, Failure> {
         let number = self.number(word, "a coordinate")?;
         if number.is_finite() { Ok(number) } else { Err(self.failed(Cause::NotFinite { found: number })) }
     }
 
     /// The word as a number.
     #[inline]
-    pub(super) fn number(&self, word: Option<&[u8]>, what: &'static str) -> Result<f64, Failed> {
+    pub(super) fn number(&self, word: Option<&[u8]>, what: &'static str) -> Result<f64, Failure> {
         let parsed = word.and_then(|word| std::str::from_utf8(word).ok()).and_then(|word| word.parse().ok());
         parsed.ok_or_else(|| self.expected(what, word))
     }
 
     /// The word as a whole number.
     #[inline]
-    pub(super) fn integer<T: std::str::FromStr>(&self, word: Option<&[u8]>, what: &'static str) -> Result<T, Failed> {
+    pub(super) fn integer<T: std::str::FromStr>(&self, word: Option<&[u8]>, what: &'static str) -> Result<T, Failure> {
         let parsed = word.and_then(|word| std::str::from_utf8(word).ok()).and_then(|word| word.parse().ok());
         parsed.ok_or_else(|| self.expected(what, word))
     }

@@ -44,13 +44,13 @@ impl Beside {
 
 /// A segment with its ends in order, and how often walks take it from left to right, less how often from right to left.
 #[derive(Clone, Copy, Debug)]
-struct Weighted {
+struct WeightedSegment {
     low: Point,
     high: Point,
     weight: i64,
 }
 
-impl RTreeObject for Weighted {
+impl RTreeObject for WeightedSegment {
     type Envelope = AABB<[f64; 2]>;
 
     fn envelope(&self) -> Self::Envelope {
@@ -61,7 +61,7 @@ impl RTreeObject for Weighted {
 /// A sum of closed walks. What cancels out is left out.
 #[derive(Debug, Default)]
 pub(super) struct Chain {
-    segments: Vec<Weighted>,
+    segments: Vec<WeightedSegment>,
 }
 
 impl Chain {
@@ -70,7 +70,7 @@ impl Chain {
         let [from, to] = [from, to].map(|p| Point::new(p.x + 0.0, p.y + 0.0));
         let rises = compare_lexicographic(from, to).is_lt();
         let (low, high, weight) = if rises { (from, to, weight) } else { (to, from, -weight) };
-        self.segments.push(Weighted { low, high, weight });
+        self.segments.push(WeightedSegment { low, high, weight });
     }
 
     /// The sum of what was added. O(k log k).
@@ -115,7 +115,7 @@ impl Chain {
 
 /// A sum of closed walks, to be asked.
 #[derive(Debug)]
-pub(super) struct SummedChain(RTree<Weighted>);
+pub(super) struct SummedChain(RTree<WeightedSegment>);
 
 impl SummedChain {
     /// The box around it, unless nothing is left of it.
@@ -126,7 +126,7 @@ impl SummedChain {
     /// The number of times that it goes around a point counter-clockwise. O(log k), and what an R-tree takes to find what is below the point.
     pub(super) fn around(&self, p: Beside) -> i64 {
         let below = AABB::from_corners([p.at.x, f64::MIN], p.at.into());
-        let passes = |segment: &&Weighted| {
+        let passes = |segment: &&WeightedSegment| {
             count_step();
             !p.is_left_of(segment.low) && p.is_left_of(segment.high) && p.is_above(segment.low, segment.high)
         };

@@ -57,7 +57,7 @@ fn count(drawing: &Drawing<'_>, f: usize) -> usize {
 
 /// A place that tells where an inner boundary component lies: a place beside it that is as it was, with the face in which that was, or its
 /// smallest point.
-enum Known {
+enum Knowledge {
     Kept(Beside, usize),
     New(Point),
 }
@@ -75,8 +75,8 @@ pub(super) fn is_inside(drawing: &Drawing<'_>, trees: &DrawnTrees) -> Option<()>
         let Some((f, _)) = label.inner() else { continue };
         *affected.entry(f).or_default() += 1;
         let lies_there = match check.known(label.start())? {
-            Known::Kept(beside, was_in) => check.lies_in(f, beside, was_in)?,
-            Known::New(lowest) => match trees.below(lowest) {
+            Knowledge::Kept(beside, was_in) => check.lies_in(f, beside, was_in)?,
+            Knowledge::New(lowest) => match trees.below(lowest) {
                 // The region above an edge is to the left of the half-edge that leads to the right.
                 Some((h, rises)) => {
                     let h = if rises { h } else { drawing.twin(Time::After, h)? };
@@ -121,7 +121,7 @@ struct Check<'a> {
 
 impl Check<'_> {
     /// That place of the boundary component that starts here.
-    fn known(&self, start: Start) -> Option<Known> {
+    fn known(&self, start: Start) -> Option<Knowledge> {
         let drawing = self.drawing;
         let first = match start {
             Start::HalfEdge(h) => h,
@@ -132,7 +132,7 @@ impl Check<'_> {
         // Those that are not as they were are among those that may differ.
         for _ in 0..=drawing.half_edges.len() {
             if let Some([at, towards]) = drawing.kept(h) {
-                return Some(Known::Kept(Beside { at, towards }, drawing.face_of(Time::Before, h)?));
+                return Some(Knowledge::Kept(Beside { at, towards }, drawing.face_of(Time::Before, h)?));
             }
             let at = drawing.line(Time::After, h)?.points[0];
             if compare_lexicographic(at, lowest).is_lt() {
@@ -140,27 +140,27 @@ impl Check<'_> {
             }
             h = drawing.row(Time::After, h).next as usize;
             if h == first {
-                return Some(Known::New(lowest));
+                return Some(Knowledge::New(lowest));
             }
         }
         None
     }
 
     /// The same of an isolated vertex.
-    fn known_vertex(&self, v: usize) -> Option<Known> {
+    fn known_vertex(&self, v: usize) -> Option<Knowledge> {
         let drawing = self.drawing;
         let at = drawing.place(Time::After, v)?;
         if drawing.place(Time::Before, v) != Some(at) {
-            return Some(Known::New(at));
+            return Some(Knowledge::New(at));
         }
         let was = drawing.vertex(Time::Before, v);
         if was.isolated != NIL {
             let label = drawing.label(Time::Before, was.isolated as usize);
-            return Some(Known::Kept(Beside::isolated(at), label.face as usize));
+            return Some(Knowledge::Kept(Beside::isolated(at), label.face as usize));
         }
         let h = was.leaving as usize;
         let towards = drawing.line(Time::Before, h)?.points[1];
-        Some(Known::Kept(Beside { at, towards }, drawing.face_of(Time::Before, h)?))
+        Some(Knowledge::Kept(Beside { at, towards }, drawing.face_of(Time::Before, h)?))
     }
 
     /// The number of times that the boundary of a face went around a place in another face, or the same, without what has changed. Nothing if
