@@ -18,7 +18,7 @@
 //! ```
 //!
 //! [`Textbook::of`] makes them from any structure, `Display` writes them, and `FromStr` reads them, so that a table can be
-//! copied out of a book and checked: a [`Textbook`] is a [`View`], to be validated as [`Textbook::EXPECTATION`] says. If
+//! copied out of a book and checked: a [`Textbook`] is a [`View`], to be validated with [`Expectation::plane`](crate::validate::Expectation::plane). If
 //! every vertex has coordinates, [`validate_embedding`](crate::validate::validate_embedding) checks these, too.
 //!
 //! # What is read

@@ -2,7 +2,7 @@
 
 use core::fmt;
 
-/// A record, by its kind and its index in the [`View`](super::View).
+/// A record, by its kind and its index in the [`View`](crate::validate::View).
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash, PartialOrd, Ord)]
 #[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 #[cfg_attr(feature = "serde", serde(rename_all = "snake_case"))]
