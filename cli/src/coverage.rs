@@ -59,7 +59,7 @@ impl CoverageOptions {
     }
 }
 
-/// All that was found, as JSON has it.
+/// The findings as JSON.
 #[derive(Debug, Serialize)]
 pub(crate) struct Coverage {
     overlaps: usize,
@@ -201,7 +201,7 @@ impl Coverage {
         self.not_checked.as_deref()
     }
 
-    /// All that is listed.
+    /// The listed findings.
     pub(crate) fn findings(&self) -> &[Diagnosis] {
         &self.findings
     }
@@ -216,7 +216,7 @@ impl Coverage {
         self.of_input.as_ref()
     }
 
-    /// All that is listed, to be sorted and cut.
+    /// The listed findings, to be sorted and cut.
     pub(crate) const fn findings_mut(&mut self) -> &mut Vec<Diagnosis> {
         &mut self.findings
     }

@@ -8,12 +8,12 @@ use serde::{Deserialize, Serialize};
 use std::time::Instant;
 use twinedge_trials::Outcome;
 
-/// All that a long command prints.
+/// The document that a long command prints.
 pub(crate) trait Printed: Outcome + Serialize + DeserializeOwned {
     /// The name of the command.
     const COMMAND: &'static str;
 
-    /// All that the command knows besides.
+    /// The entries that only this command has.
     type Extra: Default + Serialize + DeserializeOwned;
 
     /// The outcome for people.

@@ -5,7 +5,7 @@ use crate::progress;
 use crate::status::Failure;
 use twinedge_trials::{Estimate, Run, Shard};
 
-/// All that the long commands have in common.
+/// The options that the long commands share.
 #[derive(Debug, clap::Args)]
 pub(crate) struct Effort {
     /// Run even if the estimate exceeds 30 minutes. Without it such a run is refused, with exit status 2; if the output format is

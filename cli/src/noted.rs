@@ -1,4 +1,4 @@
-//! All that is noted of features while they are read, since a map does not keep it: ids, conditions met, defects, places.
+//! Notes on features, taken while they are read, since a map does not keep them: ids, conditions met, defects, places.
 
 use crate::output::{counted, decimals, plain};
 use crate::status::Failure;
@@ -41,7 +41,7 @@ impl FromStr for Condition {
     }
 }
 
-/// All that is kept of the input beside the map.
+/// The notes on the input that are kept beside the map.
 #[derive(Clone, Copy, Default)]
 pub(crate) struct Keep<'a> {
     /// The parts by which the coverage is judged.

@@ -58,7 +58,7 @@ type Bits = (u64, u64);
 /// A half-edge: where it starts and ends, and the features to its left.
 type Side = (Bits, Bits, Vec<usize>);
 
-/// All that a map draws: the half-edges by their ends, each with the features to its left, and the numbers of faces and
+/// The drawing of a map: the half-edges by their ends, each with the features to its left, and the numbers of faces and
 /// components; isolated vertices apart.
 fn drawn(map: &PlanarMap) -> (BTreeSet<Side>, usize, usize) {
     let bits = |p: Point| (p.x.to_bits(), p.y.to_bits());

@@ -60,7 +60,7 @@ fn tangle() -> Vec<[Point; 2]> {
     segments
 }
 
-/// All that noding tells.
+/// The answers of noding.
 fn told(noded: &Noded, segments: usize) -> String {
     let chains: Vec<Vec<u32>> = (0..segments).map(|s| noded.chain(s).into_iter().flatten().collect()).collect();
     format!("{:?} {:?} {:?} {chains:?}", noded.points, noded.segments, noded.summary)

@@ -96,7 +96,7 @@ fn figures(table: &Table, expectation: Expectation) -> Figures {
     validate(table, &expectation, Collect::All).into_result().unwrap_or_else(|report| panic!("{report}"))
 }
 
-/// All that both ways of keeping a border have in common.
+/// The counts that both ways of keeping a border share.
 fn numbers(found: &Figures) -> [usize; 8] {
     let Figures { vertices, edges, faces, components, cycles, borders, isolated_vertices, genus, .. } = *found;
     [vertices, edges, faces, components, cycles, borders, isolated_vertices, genus]
@@ -195,7 +195,7 @@ fn disc(border: Border) -> Table {
     faces(vertices, &squares, border)
 }
 
-/// All that two squares side by side are.
+/// The claims that two squares side by side meet.
 const DISC: Expectation = MESH.no_unused_vertices().simple().sides(4).components(1).borders(1).genus(0);
 
 #[test]

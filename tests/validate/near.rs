@@ -69,7 +69,7 @@ fn every_pair_of_corruptions_of_every_smallest_map() {
     assert!(judged > 100_000 && right > 100, "{judged} pairs, of which {right} are right");
 }
 
-/// All that an operator can do wrong by one link, on every small map.
+/// Every mistake of an operator in one link, on every small map.
 #[test]
 fn every_operator_with_every_wrong_link() {
     let (mut judged, mut wrong) = (0, 0);
@@ -107,7 +107,7 @@ fn mixed<R: Clone + PartialEq>(
     (0..before.len().max(after.len())).map(&mut either).collect()
 }
 
-/// All that an operator can do wrong by leaving some records as they were: a few ways of each.
+/// Mistakes of operators that leave some records as they were: a few ways of each.
 #[test]
 fn every_operator_that_forgets_some_records() {
     let (mut judged, mut right, mut bits) = (0, 0, 1_u64);

@@ -233,7 +233,7 @@ fn every_edit_with_every_wrong_link() {
     assert!(tally.judged > 40_000 && tally.right * 20 < tally.judged, "{tally:?}");
 }
 
-/// All that operators of topology make of a structure, with every argument: most of it is not what is drawn.
+/// The results of operators of topology, with every argument: most of them are not what is drawn.
 fn each_operator(dcel: &Dcel, visit: impl FnMut(&Dcel)) {
     some_operators(dcel, &mut || true, visit);
 }

@@ -104,12 +104,12 @@ impl Window {
     }
 }
 
-/// All that is packed beside the structure.
+/// The features, names and windows beside the packed structure.
 pub(super) struct Beside<'a> {
     /// The features that cover a face.
     pub(super) features: &'a dyn Fn(usize) -> Vec<usize>,
     pub(super) names: Names,
-    /// All that is shown where the structure is too large to be shown as a whole.
+    /// The part that is shown of a structure too large for a page.
     pub(super) windows: &'a [Window],
 }
 

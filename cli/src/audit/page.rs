@@ -29,7 +29,7 @@ const SCRIPTS: [&str; 9] = [
     include_str!("html/main.js"),
 ];
 
-/// All that the script reads.
+/// The data of the script.
 #[derive(Serialize)]
 struct Data<'a> {
     input: &'a str,

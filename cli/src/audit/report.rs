@@ -25,7 +25,7 @@ pub(super) struct AuditReport {
     /// The faults of the faces of a mesh, and the number of findings.
     pub(super) findings: Vec<Diagnosis>,
     pub(super) finding_count: u64,
-    /// All that breaks C1 … C6, of a map with polygons or lines.
+    /// The findings of C1 … C6, for a map with polygons or lines.
     pub(super) coverage: Option<Coverage>,
     pub(super) style: CoverageStyle,
     /// Sentences about violations that follow from findings.
@@ -46,7 +46,7 @@ pub(super) struct CoverageStyle {
     pub(super) decimals: usize,
 }
 
-/// All that is in JSON only.
+/// The entries that only JSON has.
 #[derive(Default)]
 pub(super) struct JsonForm {
     pub(super) counts: Value,
@@ -107,7 +107,7 @@ impl AuditReport {
         self.violation_count + self.finding_count + self.coverage.as_ref().map_or(0, |found| found.total() as u64)
     }
 
-    /// All that is listed; what follows from others comes last.
+    /// The listed diagnoses. Those that follow from others come last.
     pub(super) fn listed(&self) -> impl Iterator<Item = &Diagnosis> {
         let of_coverage = self.coverage.iter().flat_map(Coverage::findings);
         let [first, last] = [false, true]

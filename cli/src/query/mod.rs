@@ -64,7 +64,7 @@ enum Question {
 }
 
 impl Question {
-    /// All that must be kept of the input for the answer.
+    /// The notes on the input that the answer needs.
     const fn keep(&self) -> Keep<'_> {
         let condition = match self {
             Self::Neighbours(question) => question.condition(),

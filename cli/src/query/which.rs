@@ -24,7 +24,7 @@ pub(super) struct Which {
 }
 
 impl Which {
-    /// All that must be noted while the map is read.
+    /// The notes to take while the map is read.
     pub(super) const fn condition(&self) -> Option<&Condition> {
         self.condition.as_ref()
     }

@@ -156,7 +156,7 @@ fn features_without_names_are_asked_for_by_number() {
     assert_eq!(twinedge_reading(&["query", "-", "neighbours", "#0"], nameless).status.code(), Some(0));
 }
 
-/// All that is found at a point of the built-in map.
+/// The answer at a point of the built-in map.
 fn at(x: &str, y: &str) -> Value {
     let (status, answer) = run(&["query", "at", x, y, "--format", "json"]);
     assert_eq!(status, Some(0));

@@ -123,7 +123,7 @@ pub enum Cause {
     /// A count that the data cannot hold.
     #[error("{count} {what} are more than the data can hold")]
     TooMany {
-        /// The things that are counted.
+        /// The noun for them.
         what: &'static str,
         /// The number that there should be.
         count: u64,
@@ -174,7 +174,7 @@ pub enum WriteError {
     Loss {
         /// The format.
         format: Format,
-        /// All that would be lost.
+        /// The losses.
         losses: Vec<Loss>,
     },
     /// The format cannot hold this at all.

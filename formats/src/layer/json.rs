@@ -1,4 +1,4 @@
-//! All that GeoJSON and TopoJSON have in common.
+//! The parts that GeoJSON and TopoJSON share.
 
 use super::model::{Crs, Dimensions, Geometry, Members, Position, Shape};
 

@@ -1,4 +1,4 @@
-//! All that a format cannot hold of a layer.
+//! The parts of a layer that a format cannot hold.
 
 use super::model::{FieldKind, Layer};
 use std::fmt;

@@ -5,7 +5,7 @@ use super::model::{Dimensions, FieldKind, Geometry, Layer, Shape, Value};
 use std::collections::BTreeSet;
 use twinedge::io::Format;
 
-/// All that would be lost if the layer were written in this format. O(size of the layer).
+/// Returns the losses if the layer were written in this format. O(size of the layer).
 ///
 /// It is no loss if a format holds something in another form: the order of the rings of a Shapefile, a multi-polygon of one polygon that
 /// becomes a polygon there, or how many digits a number is written with.

@@ -354,7 +354,7 @@ impl Crs {
     }
 }
 
-/// All that a file says of a layer beside its features.
+/// The members of a file beside the features of a layer.
 #[derive(Clone, Debug, Default, PartialEq)]
 pub struct Header {
     /// The name of the layer.
@@ -372,7 +372,7 @@ pub struct Header {
 /// Features, and what a file says beside them.
 #[derive(Clone, Debug, Default, PartialEq)]
 pub struct Layer {
-    /// All that the file says beside the features.
+    /// The members beside the features.
     pub header: Header,
     /// The features in order.
     pub features: Vec<Feature>,

@@ -247,7 +247,7 @@ impl From<&Finding> for Diagnosis {
     }
 }
 
-/// All that was found in a list of faces: how many of each kind, and the first of each kind.
+/// The findings in a list of faces: the number of each kind, and the first of each kind.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub struct Findings {
     kept: Vec<Finding>,

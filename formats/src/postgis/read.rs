@@ -40,7 +40,7 @@ pub fn read(input: impl BufRead, limit: usize) -> Result<Topology, ReadError> {
     Ok(read.finish())
 }
 
-/// All that has been read.
+/// The tables read so far.
 struct Reading {
     topology: Topology,
     /// Nodes with their containing face, where that is not null.

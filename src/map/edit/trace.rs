@@ -196,7 +196,7 @@ impl PlanarMap {
 #[derive(Default)]
 struct Way<'a> {
     faces: FxHashMap<FaceKey, Obstacles<'a>>,
-    /// All that lies ahead, where a face was too large to be scanned.
+    /// The obstacles ahead, if a face was too large to be scanned.
     all: Option<Obstacles<'a>>,
 }
 

@@ -63,7 +63,7 @@ pub enum NotCompared {
 impl NotCompared {
     const ALL: [Self; 5] = [Self::Faces, Self::Holes, Self::Outside, Self::BorderNext, Self::StaleHandles];
 
-    /// The thing, without article.
+    /// The noun for it, without article.
     #[must_use]
     pub const fn name(self) -> &'static str {
         match self {

@@ -116,7 +116,7 @@ struct Face {
 
 /// The record to which a link leads.
 ///
-/// All that are followed lead to records in the lists of the model: what an operator removes it has unlinked before.
+/// Every link that is followed leads to a record in the lists of the model: what an operator removes it has unlinked before.
 fn to<T>(link: &Pointer<T>) -> Owned<T> {
     link.upgrade().expect("a link leads to a record of the model")
 }

@@ -170,7 +170,7 @@ impl<S: Store + Clone> Run<S> {
         })
     }
 
-    /// Everything that the structure says, the live records numbered in the order in which they were made.
+    /// The answers of the structure, the live records numbered in the order in which they were made.
     fn table(&self) -> Table {
         let said = Table::copy_of(&self.dcel).expect("a small map fits");
         let v = self.vertices.ranks(|key| self.dcel.vertex(key).ok().map(twinedge::dcel::Vertex::index));

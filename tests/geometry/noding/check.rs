@@ -43,7 +43,7 @@ pub(crate) fn cells(noded: &Noded) -> Vec<Whole> {
     noded.points.iter().map(|p| [whole(p.x), whole(p.y)]).collect()
 }
 
-/// Everything that holds for any input.
+/// Checks the laws that hold for any input.
 pub(crate) fn check(segments: &[Segment], points: &[Point], snap: Snap) -> Noded {
     let noded = node(segments, points, snap).expect("finite input within reach");
     let cells = cells(&noded);

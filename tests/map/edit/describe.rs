@@ -38,7 +38,7 @@ pub(crate) fn walls(map: &PlanarMap, face: Face<'_>) -> Walls {
     (face.outer_half_edge().map(|start| walk(map, start)), inner.collect())
 }
 
-/// All that a map draws: vertices, edges, and faces by their walls.
+/// The drawing of a map: vertices, edges, and faces by their walls.
 #[derive(Debug, PartialEq, Eq)]
 pub(crate) struct Description {
     pub(crate) vertices: BTreeSet<Grid>,

@@ -93,7 +93,7 @@ pub(super) struct All {
     pub(super) unrooted: u64,
 }
 
-/// All that come of one by exchanging diagonals.
+/// The triangulations that come of one by exchanging diagonals.
 fn all(first: Triangulation) -> All {
     let mut rooted = BTreeSet::new();
     let mut classes = BTreeSet::new();

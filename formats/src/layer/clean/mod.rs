@@ -130,7 +130,7 @@ pub fn clean(layer: &mut Layer, options: &CleanOptions) -> Result<CleanReport, C
     Ok(report)
 }
 
-/// All that one round of cleaning made.
+/// The result of one round of cleaning.
 struct Pass {
     features: Vec<Feature>,
     changes: Vec<LayerChange>,
@@ -235,7 +235,7 @@ fn shapes(feature: &Feature) -> Vec<map::Shape> {
     shapes
 }
 
-/// All that a layer breaks.
+/// The findings of a layer.
 #[derive(Default)]
 struct Judgement {
     left: Option<Left>,
@@ -246,7 +246,7 @@ struct Judgement {
     wider_gaps: Vec<Finding>,
 }
 
-/// All that breaks C1 … C6 afterwards, judged by the polygons that are written.
+/// The findings of C1 … C6 afterwards, judged by the polygons that are written.
 fn judged(features: &[Feature], options: &CleanOptions) -> Result<Judgement, CleanError> {
     let mut builder = Builder::new();
     let mut left = Left::default();

@@ -1,4 +1,4 @@
-//! All that cleaning did.
+//! The report of cleaning.
 
 use twinedge::algorithm::area::{face_area, ring_area};
 use twinedge::algorithm::clean::{Change, ChangeKind};
@@ -7,7 +7,7 @@ use twinedge::geometry::Point;
 use twinedge::geometry::noding::{NodingSummary, Snap};
 use twinedge::map::{self, Builder, FeatureId, Noding, Shape};
 
-/// All that cleaning did. Areas and widths are in the units of the coordinates.
+/// The report of cleaning. Areas and widths are in the units of the coordinates.
 #[derive(Clone, Debug, PartialEq)]
 #[non_exhaustive]
 pub struct CleanReport {
@@ -21,7 +21,7 @@ pub struct CleanReport {
     pub changes: Vec<LayerChange>,
     /// The features that have another geometry than before, in order.
     pub features: Vec<FeatureChange>,
-    /// All that still breaks C1 … C6; none if nothing does.
+    /// The findings of C1 … C6 that are left, if there are any.
     pub left: Option<Left>,
     /// Each thing that does, in order of the rules, the largest of a rule first.
     pub remaining: Vec<Remaining>,

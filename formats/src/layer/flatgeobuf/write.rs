@@ -33,7 +33,7 @@ fn columns(layer: &Layer) -> Vec<(Field, FieldKind)> {
     layer.fields().into_iter().map(of_field).collect()
 }
 
-/// All that is lost beside geometries and the reference system.
+/// The losses beside geometries and the reference system.
 pub(in crate::layer) fn losses(layer: &Layer, found: &mut Vec<Loss>) {
     if !holds_ids(layer) {
         found.push(Loss::Ids(layer.features.iter().filter(|feature| feature.id.is_some()).count()));

@@ -1,4 +1,4 @@
-//! All that a Shapefile can hold: one kind of geometries, and columns of fixed width with names of ten bytes.
+//! The limits of a Shapefile: one kind of geometries, and columns of fixed width with names of ten bytes.
 
 use super::super::loss::{Loss, absent};
 use super::super::model::{Dimensions, Field, FieldKind, Layer, Shape, Value, kind_of};
@@ -224,7 +224,7 @@ pub(super) fn text(column: &Column, value: &Value) -> String {
     }
 }
 
-/// All that a Shapefile cannot hold of the columns and geometries.
+/// The columns and geometries that a Shapefile cannot hold.
 pub(in crate::layer) fn losses(layer: &Layer, fields: &[Field], found: &mut Vec<Loss>) {
     found.extend(plan(layer, fields).1);
     let absent = absent(layer, fields.len());

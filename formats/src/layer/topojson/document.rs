@@ -28,7 +28,7 @@ pub(super) struct Transform {
     translate: [f64; 2],
 }
 
-/// That which changes nothing.
+/// The transform that changes nothing.
 impl Default for Transform {
     fn default() -> Self {
         Self { scale: [1.0; 2], translate: [0.0; 2] }

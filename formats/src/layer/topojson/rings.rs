@@ -72,7 +72,7 @@ impl Whose<'_> {
     }
 }
 
-/// All that rings need to know of an arc.
+/// The properties of an arc that rings need.
 struct ArcShape {
     /// The place where it begins and ends; none if it has no positions.
     ends: Option<[Point; 2]>,

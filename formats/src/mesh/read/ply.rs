@@ -151,7 +151,7 @@ fn skip(records: &mut Records<'_>, element: &ElementDef) -> Result<(), Failure> 
     Ok(())
 }
 
-/// All that follows the header.
+/// The part after the header.
 enum Records<'a> {
     Text(Text<'a>),
     Binary { bytes: &'a [u8], at: usize, big_endian: bool },
