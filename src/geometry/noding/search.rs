@@ -226,9 +226,10 @@ impl Search<'_> {
         }
     }
 
-    /// A block whose crossings are among its vertices.
+    /// A block whose crossings are among its vertices. Vertices beyond the block may be among them, so one pixel may have many.
     fn look_for_visits(&mut self, block: &Block, segments: &[u32], vertices: &[u32]) {
-        if vertices.len() <= FEW || segments.len().saturating_mul(vertices.len()) <= FEW_PAIRS {
+        let are_few = vertices.len() <= FEW || segments.len().saturating_mul(vertices.len()) <= FEW_PAIRS;
+        if are_few || block.low == block.high {
             self.try_visits(segments, vertices);
         } else {
             self.halve_block(block, segments, vertices, State::Crossed);

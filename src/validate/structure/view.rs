@@ -174,7 +174,7 @@ pub trait View {
         None
     }
 
-    /// A half-edge of the face's outer cycle, for structures without boundary component records.
+    /// A half-edge of the face's outer cycle, nil for the unbounded face, for structures without boundary component records.
     fn outer_half_edge(&self, face: usize) -> Link {
         let _ = face;
         None

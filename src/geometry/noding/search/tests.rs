@@ -1,9 +1,12 @@
 //! The search on small input, compared with trying all pairs.
 
-use super::{Block, Pixel, Pixels, Segment, Tiles, around, search};
+use super::{
+    Block, Budget, Filing, Look, Pixel, PixelVisits, Pixels, Search, Segment, State, Tiles, Vertices, around, search,
+};
 use crate::geometry::noding::runs::join;
 use quickcheck::{Gen, QuickCheck};
 use std::collections::{BTreeMap, BTreeSet};
+use std::sync::atomic::AtomicUsize;
 
 /// Segments of one of some families, made from arbitrary numbers.
 fn family(kind: u8, raw: &[(i8, i8, i8, i8)]) -> Vec<[[i64; 2]; 2]> {
@@ -107,4 +110,30 @@ fn the_tiles_of_a_block_make_the_block() {
             assert!((0..parts.len()).all(|tile| all.contains(&tile) == block.overlaps(&parts[tile])));
         }
     }
+}
+
+#[test]
+fn a_block_of_one_pixel_is_not_halved_for_ever() {
+    let segments: Vec<Segment> =
+        (-5..=5).map(|i| Segment { a: [-40, -i], b: [40, i], ends: [u32::MAX - 1, u32::MAX] }).collect();
+    // None of them lies in the block.
+    let given: Vec<Pixel> = (0..20).map(|i| [-20 - i, -20]).collect();
+    let visits = AtomicUsize::new(0);
+    let mut search = Search {
+        pixels: Pixels { shift: 0 },
+        segments: &segments,
+        vertices: Vertices::new(&given),
+        found: PixelVisits::default(),
+        budget: Budget { most: usize::MAX, visits: &visits, counted: 0 },
+        tasks: Vec::new(),
+        bundles: 0,
+        segment_pool: Vec::new(),
+        vertex_pool: Vec::new(),
+        filing: Filing::default(),
+        boxes: Vec::new(),
+    };
+    let look = Look { block: Block::one([0, 0]), segments_from: 0, vertices_from: 0, state: State::Crossed };
+    let numbers: Vec<u32> = (0..11).collect();
+    search.look(&look, &numbers, &mut (0..20).collect()).unwrap();
+    assert!(search.tasks.is_empty());
 }
