@@ -49,21 +49,24 @@ pub struct Expectation {
     /// A bit for each optional rule that is asked for.
     asked: u32,
     /// The numbers of M3, M5, M6 and M7; 0 where they are not asked for.
-    numbers: [usize; 4],
+    numbers: [usize; NUMBERS],
 }
+
+/// The number of rules that are asked for with a number.
+const NUMBERS: usize = 4;
 
 impl Expectation {
     /// A planar subdivision.
     #[must_use]
     pub const fn plane() -> Self {
-        Self { surface: Surface::Plane, open: false, asked: 0, numbers: [0; 4] }
+        Self { surface: Surface::Plane, open: false, asked: 0, numbers: [0; NUMBERS] }
     }
 
     /// A subdivision of closed orientable surfaces, in which each face has one cycle. An unbounded face and lists of holes, where they are
     /// stored, are not looked at.
     #[must_use]
     pub const fn surface() -> Self {
-        Self { surface: Surface::Any, open: false, asked: 0, numbers: [0; 4] }
+        Self { surface: Surface::Any, open: false, asked: 0, numbers: [0; NUMBERS] }
     }
 
     /// The same, but open boundaries are legal. At an edge of an open boundary one side is missing, in one of two ways:
@@ -236,10 +239,11 @@ impl Expectation {
     }
 }
 
-/// Every optional rule has a bit of its own.
+/// Every optional rule has a bit, and the numbers of rules have places.
 const _: () = {
     let mut i = 0;
     while i < Rule::ALL.len() {
+        assert!(matches!(Expectation::place(Rule::ALL[i]), None | Some(0..NUMBERS)));
         assert!(!Rule::ALL[i].is_optional() || Rule::ALL[i].index() - Rule::M1.index() < u32::BITS as usize);
         i += 1;
     }
