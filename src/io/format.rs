@@ -90,8 +90,8 @@ impl Format {
         ROWS.iter().find(|row| row.extensions.contains(&&*extension)).map(|row| row.format)
     }
 
-    /// The format of data that begins with these bytes. A sequence of objects is told from a single one if the first object
-    /// ends among these bytes. O(bytes).
+    /// The format of data that begins with these bytes. They must include the end of the first object to
+    /// tell a sequence of objects from a single one. O(bytes).
     ///
     /// ```
     /// use twinedge::io::Format;

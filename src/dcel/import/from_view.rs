@@ -22,7 +22,7 @@ impl Dcel {
     /// | one cycle for each face, closed, genus 0 | [`Expectation::surface`] | [`Outside::Face`] |
     /// | one cycle for each face, and one border | `Expectation::surface().open()` | [`Outside::Border`] |
     ///
-    /// Whether it stores boundary components, their places, `prev` and leaving half-edges makes no difference.
+    /// Boundary components, their places, `prev` and leaving half-edges may be stored or not.
     ///
     /// The order of the records is kept, and that of the lists; of the two half-edges of an edge the one with the smaller
     /// index in the view has the smaller index here.

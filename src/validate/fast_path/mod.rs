@@ -102,7 +102,7 @@ use rotations::{RotationWalk, VertexTally};
 
 /// Settles as much of R1 … T3 as can be.
 ///
-/// Where only the first violation is wanted, nothing is looked at that comes after a broken rule.
+/// With `first_only`, the fast path stops after the first broken rule.
 pub(crate) fn settle<V: View + ?Sized>(subject: Subject<'_, V>, first_only: bool) -> Facts {
     let Subject { view, extent } = subject;
     let Some(mut links) = links::scan(view, extent) else { return Facts::default() };

@@ -58,7 +58,7 @@ impl<V: View + ?Sized> Check<'_, V> {
     /// and that is its `prev`.
     fn half_edges(&mut self) -> Option<()> {
         for h in &self.written.half_edges {
-            self.diff.half_edges.change(*h);
+            self.diff.half_edges.note(*h);
         }
         (0..self.diff.half_edges.len()).try_for_each(|position| self.half_edge(position))
     }
@@ -75,10 +75,10 @@ impl<V: View + ?Sized> Check<'_, V> {
         let moves = before.origin != row.origin;
         if before.is_live() {
             if moves {
-                self.diff.vertices.change(before.origin as usize);
+                self.diff.vertices.note(before.origin as usize);
             }
             if before.label != row.label {
-                self.diff.labels.change(before.label as usize);
+                self.diff.labels.note(before.label as usize);
             }
         }
         if !row.is_live() {
@@ -97,7 +97,7 @@ impl<V: View + ?Sized> Check<'_, V> {
         }
         let is_old = before.is_live() && before.label == row.label;
         if now.has(Part::Faces) && (!is_old || before.next != row.next) {
-            self.diff.labels.change(row.label as usize);
+            self.diff.labels.note(row.label as usize);
             self.scratch.cycles.push(Member { of: row.label, half_edge: h as u32, is_old });
         }
         Some(())
@@ -105,7 +105,7 @@ impl<V: View + ?Sized> Check<'_, V> {
 
     /// Another half-edge follows this one in a rotation.
     fn turns(&mut self, v: u32, h: usize, is_old: bool) {
-        self.diff.vertices.change(v as usize);
+        self.diff.vertices.note(v as usize);
         self.scratch.rotations.push(Member { of: v, half_edge: h as u32, is_old });
     }
 
@@ -228,7 +228,7 @@ impl<V: View + ?Sized> Check<'_, V> {
     fn faces(&mut self) -> Option<()> {
         let (diff, now) = (&mut *self.diff, self.now);
         for f in &self.written.faces {
-            diff.faces.change(*f);
+            diff.faces.note(*f);
         }
         for (_, before, after) in diff.labels.changes().filter(|(_, a, b)| (a.face, a.place) != (b.face, b.place)) {
             for (label, gain) in [(before, u32::MAX), (after, 1)] {

@@ -15,7 +15,7 @@ pub(super) struct Sums {
 }
 
 /// The links of a structure that was right, and of each record that may differ, its links now. With coordinates, the places of
-/// vertices, too. Whatever is checked near a change is told by this.
+/// vertices, too. Every check near a change reads only this.
 #[derive(Clone, Debug, Default)]
 pub(super) struct Diff {
     pub(super) half_edges: Column<HalfEdge>,
