@@ -24,7 +24,6 @@ impl InDegrees {
 
     /// The reference system of a file that names none: WGS 84, if there are coordinates and they can be in it.
     pub(super) fn crs(&self) -> Option<Crs> {
-        let wgs_84 = || Crs { code: Some(("EPSG".to_owned(), 4326)), ..Crs::default() };
-        (self.0 == Some(true)).then(wgs_84)
+        (self.0 == Some(true)).then(|| Crs::epsg(4326))
     }
 }

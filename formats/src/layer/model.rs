@@ -326,6 +326,12 @@ pub struct Crs {
 const ESRI_WGS_84: &str = "GCS_WGS_1984";
 
 impl Crs {
+    /// The system that the EPSG numbers so.
+    #[must_use]
+    pub fn epsg(code: i64) -> Self {
+        Self { code: Some(("EPSG".to_owned(), code)), ..Self::default() }
+    }
+
     /// Returns true if it means something else than longitudes and latitudes on WGS 84.
     #[must_use]
     pub fn is_other(&self) -> bool {

@@ -23,7 +23,7 @@ pub(super) fn read(reader: &mut dyn Read, each: &mut Each<'_>) -> Result<Header,
     let mut header = Header::default();
     let mut take = |geometry, srid: Option<i64>| {
         if let Some(srid) = srid.filter(|_| header.crs.is_none()) {
-            header.crs = Some(Crs { code: Some(("EPSG".to_owned(), srid)), ..Crs::default() });
+            header.crs = Some(Crs::epsg(srid));
         }
         each(Feature { geometry: Some(geometry), ..Feature::default() })
     };
