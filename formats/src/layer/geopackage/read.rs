@@ -114,7 +114,7 @@ fn value(kind: FieldKind, value: ValueRef<'_>) -> Result<Value, Cause> {
         ValueRef::Integer(number) => Value::Integer(number),
         ValueRef::Real(number) => Value::Real(number),
         ValueRef::Text(bytes) => {
-            let text = std::str::from_utf8(bytes).map_err(|_| Cause::Charset("UTF-8"))?.to_owned();
+            let text = std::str::from_utf8(bytes).map_err(|_| Cause::Charset("UTF-8".to_owned()))?.to_owned();
             match kind {
                 FieldKind::Date => Value::Date(text),
                 FieldKind::DateTime => Value::DateTime(text),

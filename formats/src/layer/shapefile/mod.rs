@@ -6,6 +6,7 @@
 //!
 //! Sources: "ESRI Shapefile Technical Description" (1998); the description of dBASE III files by the Library of Congress (fdd000326).
 
+mod charset;
 mod columns;
 mod dbf;
 mod failed;
