@@ -1,6 +1,7 @@
 //! The parts that GeoJSON and TopoJSON share.
 
-use super::model::{Crs, Dimensions, Geometry, Members, Position, Shape};
+use super::crs::Crs;
+use super::model::{Dimensions, Geometry, Members, Position, Shape};
 
 /// A geometry whose positions say themselves how many numbers they have. A third number is a height; where positions differ in
 /// how many they have, there is no such name for them.

@@ -44,7 +44,7 @@ pub fn losses(layer: &Layer, format: Format) -> Vec<Loss> {
         let is_held = match format {
             Format::GeoJson | Format::TopoJson => crs.member.is_some() || crs.code.is_some() || !crs.is_other(),
             Format::GeoJsonSeq | Format::Wkt | Format::Wkb => !crs.is_other(),
-            Format::Shapefile => crs.wkt.is_some() || !crs.is_other(),
+            Format::Shapefile => crs.wkt1().is_some(),
             // Its numbers have 32 bits, and 0 stands for none.
             Format::FlatGeobuf => {
                 let has_code = crs.code.as_ref().is_some_and(|(_, code)| (1..=i32::MAX.into()).contains(code));

@@ -1,5 +1,6 @@
 //! Layers: features with geometries and attributes, and what a file says beside them.
 
+use super::crs::Crs;
 use std::sync::Arc;
 
 /// A position: x, y, and the further dimensions that the file has.
@@ -309,55 +310,6 @@ pub struct Field {
     pub width: Option<usize>,
     /// The number of digits after the point, if the file gives one.
     pub decimals: Option<usize>,
-}
-
-/// A coordinate reference system, as far as the file names it.
-#[derive(Clone, Debug, Default, PartialEq)]
-pub struct Crs {
-    /// Who numbers it, usually `EPSG`, and its number.
-    pub code: Option<(String, i64)>,
-    /// Its definition in well-known text.
-    pub wkt: Option<String>,
-    /// The member `crs` of a GeoJSON object.
-    pub member: Option<serde_json::Value>,
-}
-
-/// The name under which Esri writes longitude and latitude on WGS 84.
-const ESRI_WGS_84: &str = "GCS_WGS_1984";
-
-impl Crs {
-    /// The system that the EPSG numbers so.
-    #[must_use]
-    pub fn epsg(code: i64) -> Self {
-        Self { code: Some(("EPSG".to_owned(), code)), ..Self::default() }
-    }
-
-    /// Returns true if it means something else than longitudes and latitudes on WGS 84.
-    #[must_use]
-    pub fn is_other(&self) -> bool {
-        if let Some(member) = &self.member {
-            return twinedge::io::geojson::names_other_crs(member);
-        }
-        match (&self.code, &self.wkt) {
-            (Some((authority, code)), _) => !(authority.eq_ignore_ascii_case("EPSG") && *code == 4326),
-            (None, Some(wkt)) => {
-                let is_named = wkt.contains(ESRI_WGS_84) || wkt.contains("\"WGS 84\"");
-                !(wkt.trim_start().starts_with("GEOG") && is_named)
-            }
-            (None, None) => false,
-        }
-    }
-
-    /// The name of it in a message.
-    #[must_use]
-    pub fn name(&self) -> String {
-        if let Some((authority, code)) = &self.code {
-            return format!("{authority}:{code}");
-        }
-        let of_wkt = self.wkt.as_deref().and_then(|wkt| wkt.split('"').nth(1));
-        let of_member = self.member.as_ref().and_then(|m| m.pointer("/properties/name")).and_then(|name| name.as_str());
-        of_member.or(of_wkt).unwrap_or("without name").to_owned()
-    }
 }
 
 /// The members of a file beside the features of a layer.

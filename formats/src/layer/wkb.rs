@@ -5,9 +5,10 @@
 //! Sources: "Simple feature access, part 1: common architecture" (OGC 06-103r4), section 8; the documentation of PostGIS for the
 //! extended form.
 
+use super::crs::Crs;
 use super::each::Each;
 use super::error::{Cause, Place, ReadError, WriteError};
-use super::model::{Crs, Dimensions, Feature, Geometry, Header, Layer, Line, Position, Shape, hex};
+use super::model::{Dimensions, Feature, Geometry, Header, Layer, Line, Position, Shape, hex};
 use std::io::{BufRead, BufReader, Read, Write};
 use twinedge::io::Format;
 

@@ -1,9 +1,10 @@
 //! Well-known text, a geometry per line. The crate `wkt` reads the geometries. They are written here, as it has no text for a
 //! multi-polygon with an empty part, and panics.
 
+use super::crs::Crs;
 use super::each::Each;
 use super::error::{ReadError, WriteError};
-use super::model::{Crs, Dimensions, Feature, Geometry, Header, Layer, Line, Position, Shape};
+use super::model::{Dimensions, Feature, Geometry, Header, Layer, Line, Position, Shape};
 use ::wkt::Wkt;
 use ::wkt::types::{Coord, Dimension, LineString, Polygon};
 use std::io::{self, Read, Write};

@@ -1,8 +1,9 @@
 //! Reading a layer of a `GeoPackage`. The file is opened for reading only, and its schema is not trusted.
 
+use super::super::crs::Crs;
 use super::super::each::Each;
 use super::super::error::{Cause, Place, ReadError};
-use super::super::model::{Crs, Feature, Field, FieldKind, Geometry, Header, Id, Value};
+use super::super::model::{Feature, Field, FieldKind, Geometry, Header, Id, Value};
 use super::super::wkb;
 use super::{MAGIC, quoted};
 use rusqlite::config::DbConfig;

@@ -1,7 +1,8 @@
 //! Writing a layer as a `GeoPackage` of its own.
 
 use super::super::error::WriteError;
-use super::super::model::{Crs, Dimensions, Feature, Field, FieldKind, Geometry, Id, Layer, Value};
+use super::super::crs::Crs;
+use super::super::model::{Dimensions, Feature, Field, FieldKind, Geometry, Id, Layer, Value};
 use super::super::wkb;
 use super::{MAGIC, quoted};
 use rusqlite::types::Value as Sql;
@@ -135,7 +136,8 @@ fn write_crs(database: &Connection, crs: Option<&Crs>) -> Result<i64, WriteError
     if !crs.is_other() {
         return Ok(wgs_84);
     }
-    let definition = crs.wkt.as_deref().unwrap_or("undefined");
+    let wkt1 = crs.wkt1();
+    let definition = wkt1.as_deref().or(crs.wkt.as_deref()).unwrap_or("undefined");
     let (id, organization, code) = match &crs.code {
         Some((authority, code)) if *code > 0 => (*code, authority.as_str(), *code),
         _ if crs.wkt.is_some() => (OWN, "NONE", OWN),
