@@ -8,7 +8,7 @@ use twinedge::io::Format;
 /// Returns the losses if the layer were written in this format. O(size of the layer).
 ///
 /// It is no loss if a format holds something in another form: the order of the rings of a Shapefile, a multi-polygon of one polygon that
-/// becomes a polygon there, or how many digits a number is written with.
+/// becomes a polygon there, a polygon with heights among multi-polygons that becomes one of these in `FlatGeobuf`, or how many digits a number is written with.
 ///
 /// ```
 /// use twinedge_formats::layer::{Feature, Format, Id, Layer, Loss, losses};

@@ -58,7 +58,8 @@ pub use error::{Cause, Place, ReadError, WriteError};
 pub use loss::Loss;
 pub use losses::losses;
 pub use model::{
-    Dimensions, Feature, Field, FieldKind, Geometry, Header, Id, Layer, Line, Members, Position, Shape, Value,
+    ColumnTaken, Dimensions, Feature, Field, FieldKind, Geometry, Header, Id, Layer, Line, Members, Position, Shape,
+    Value,
 };
 pub use read::{ReadOptions, format_of, read, read_layer, read_path};
 pub use to_map::to_map;

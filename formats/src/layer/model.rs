@@ -336,7 +336,44 @@ pub struct Layer {
     pub features: Vec<Feature>,
 }
 
+/// A layer has a column of this name already.
+#[derive(Clone, Debug, PartialEq, Eq, thiserror::Error)]
+#[error("there is a column {0} already")]
+pub struct ColumnTaken(pub String);
+
 impl Layer {
+    /// Moves the ids of features to a column of this name, the first of each feature that has an id. O(attributes).
+    ///
+    /// ```
+    /// use twinedge_formats::layer::{Feature, Format, Id, Layer, Value, losses};
+    ///
+    /// let feature = Feature { id: Some(Id::Text("A-1".into())), ..Feature::default() };
+    /// let mut layer = Layer { features: vec![feature], ..Layer::default() };
+    /// layer.move_ids("parcel")?;
+    /// assert_eq!(layer.features[0].get("parcel"), Some(&Value::Text("A-1".into())));
+    /// assert!(losses(&layer, Format::Shapefile).is_empty());
+    /// # Ok::<_, twinedge_formats::layer::ColumnTaken>(())
+    /// ```
+    ///
+    /// # Errors
+    /// [`ColumnTaken`], if there is such a column.
+    pub fn move_ids(&mut self, column: &str) -> Result<(), ColumnTaken> {
+        if self.fields().iter().any(|field| *field.name == *column) {
+            return Err(ColumnTaken(column.to_owned()));
+        }
+        let name: Arc<str> = column.into();
+        for feature in &mut self.features {
+            if let Some(id) = feature.id.take() {
+                let value = match id {
+                    Id::Text(text) => Value::Text(text),
+                    Id::Number(number) => Value::of_json(number.into()),
+                };
+                feature.attributes.insert(0, (name.clone(), value));
+            }
+        }
+        Ok(())
+    }
+
     /// The columns: those of the header, and then those that features have besides, in order. Of a column that is not in the header
     /// the type is that of its values, and text if they differ; whole and other numbers together are numbers. O(attributes),
     /// expected.

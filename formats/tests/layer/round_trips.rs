@@ -3,7 +3,8 @@
 use crate::support::{from_text, through, to_geojson, world};
 use std::sync::Arc;
 use twinedge_formats::layer::{
-    Crs, Dimensions, Feature, Field, FieldKind, Format, Geometry, Id, Layer, Position, ReadError, Shape, Value, losses, write,
+    Crs, Dimensions, Feature, Field, FieldKind, Format, Geometry, Id, Layer, Position, ReadError, Shape, Value, losses,
+    write,
 };
 use twinedge_formats::layer::{ReadOptions, read_path, write_path};
 

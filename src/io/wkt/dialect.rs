@@ -93,7 +93,10 @@ fn first_position(body: &str) -> Option<&str> {
 fn is_multi_point(head: &str) -> bool {
     const NAME: &str = "MULTIPOINT";
     let name = head.trim_end_matches(['Z', 'z', 'M', 'm']).trim_ascii_end();
-    name.len().checked_sub(NAME.len()).and_then(|start| name.get(start..)).is_some_and(|end| end.eq_ignore_ascii_case(NAME))
+    name.len()
+        .checked_sub(NAME.len())
+        .and_then(|start| name.get(start..))
+        .is_some_and(|end| end.eq_ignore_ascii_case(NAME))
 }
 
 /// The points of a multi-point that are not empty, in brackets, and where its body ends; none if no point is empty.
