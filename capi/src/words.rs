@@ -80,7 +80,7 @@ pub(crate) fn remedy(violation: &Violation) -> &'static str {
 /// The sentence of the library, in the words of the header.
 fn sentence(violation: &Violation) -> String {
     let before = "`outer` (or, without boundary component records, `outer_half_edge`) is nil";
-    violation.to_string().replace(before, "`TWINEDGE_LINK_FACE_HALF_EDGE` (or `TWINEDGE_LINK_OUTER`) is nil")
+    violation.message().replace(before, "`TWINEDGE_LINK_FACE_HALF_EDGE` (or `TWINEDGE_LINK_OUTER`) is nil")
 }
 
 /// The link that stands for a part, of which one is enough.
