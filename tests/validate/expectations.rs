@@ -6,8 +6,8 @@ use crate::support::tables::{
     TETRAHEDRON, TEXTBOOK, Without, boundary, face, half_edge, k7, map, textbook_map, textbook_mesh, vertex,
 };
 use twinedge::validate::{
-    BoundaryPlace, Collect, Expectation, FaceRow, Field, Figures, HalfEdgeRow, Part, Parts, Record, Rule,
-    Start, Table, Unchecked, VertexRow, View, Violation,
+    BoundaryPlace, Collect, Expectation, FaceRow, Field, Figures, HalfEdgeRow, Part, Parts, Record, Rule, Start, Table,
+    Unchecked, VertexRow, View, Violation,
 };
 use twinedge::view_answers;
 use twinedge_trials::enumerate::for_each_corruption;
@@ -344,10 +344,7 @@ fn no_more_than_a_thousand_violations_are_kept_by_default() {
     let table = Table { parts: Parts::ALL.without(Part::Faces), half_edges, ..Table::default() };
     let report = validate(&table, &MESH, Collect::All);
     assert_eq!((report.violations().len(), report.violation_count()), (Collect::DEFAULT_CAP, 4000));
-    assert!(
-        report.to_string().contains("hint: the prev of the first 250 half-edges is nil"),
-        "{report}"
-    );
+    assert!(report.to_string().contains("hint: the prev of the first 250 half-edges is nil"), "{report}");
 }
 
 #[test]
@@ -366,11 +363,7 @@ fn the_debug_form_of_a_report_is_the_one_to_read() {
 fn a_report_reads_as_sentences() {
     let mut table = textbook_mesh(4, &TETRAHEDRON);
     let right = validate(&table, &MESH, Collect::All).to_string();
-    for line in [
-        "R1 live      ok, 68 links",
-        "L1 twin      ok, 12 half-edges",
-        "T3 Euler     ok, 1 component",
-    ] {
+    for line in ["R1 live      ok, 68 links", "L1 twin      ok, 12 half-edges", "T3 Euler     ok, 1 component"] {
         assert!(right.lines().any(|found| found == line), "{right}");
     }
     half_edge(&mut table, 3).next = Some(99);

@@ -2,9 +2,7 @@
 
 use crate::support::erased::validate;
 use crate::support::tables::{TETRAHEDRON, Without, half_edge, textbook_map, textbook_mesh, vertex};
-use twinedge::validate::{
-    Collect, Expectation, Part, Parts, Report, Rule, Start, Table, Unchecked, View, Violation,
-};
+use twinedge::validate::{Collect, Expectation, Part, Parts, Report, Rule, Start, Table, Unchecked, View, Violation};
 use twinedge::view_answers;
 
 const PLANE: Expectation = Expectation::plane();

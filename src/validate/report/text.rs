@@ -24,7 +24,8 @@ impl fmt::Debug for Report {
 
 /// Writes the report, with the records named so.
 pub(super) fn write(report: &Report, names: Names<'_>, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-    for (rule, outcome) in report.outcomes.iter().filter(|(_, outcome)| outcome.unchecked != Some(Unchecked::PlaneOnly)) {
+    for (rule, outcome) in report.outcomes.iter().filter(|(_, outcome)| outcome.unchecked != Some(Unchecked::PlaneOnly))
+    {
         let checked = outcome.checked;
         write!(f, "{:2} {:9} ", rule.id(), rule.name())?;
         match (outcome.violations, outcome.unchecked) {
