@@ -79,6 +79,12 @@ impl RuleLine {
         report.outcomes().map(|(rule, outcome)| Self::new(rule, outcome)).collect()
     }
 
+    /// Returns false if it is a rule of the plane, and the structure is held to a surface: text leaves it out.
+    #[must_use]
+    pub fn applies(&self) -> bool {
+        self.unchecked != Some(Reason::Validator(Unchecked::PlaneOnly))
+    }
+
     /// Returns true if it applies and was not checked, or not on everything.
     #[must_use]
     pub fn is_open(&self) -> bool {

@@ -44,5 +44,5 @@ pub(super) fn message(topology: &Topology, violation: &Violation) -> String {
         }
         _ => {}
     }
-    violation.named(|record| topology.name(record)).to_string()
+    violation.named(|record| topology.name(record)).message()
 }
