@@ -168,6 +168,34 @@ fn rings_turn_as_a_shapefile_wants_it() {
     assert_eq!((x, y), (0.0, 9.0));
 }
 
+/// Areas of which are beyond the largest number, or none for the rounding of sums.
+#[test]
+fn rings_of_any_size_keep_their_direction() {
+    for text in [
+        "POLYGON((0 0,1e265 0,1e265 1e224,0 1e224,0 0))",
+        "POLYGON((0 0,0 1e224,1e265 1e224,1e265 0,0 0))",
+        "POLYGON((-1e308 -1e308,1e308 -1e308,1e308 1e308,-1e308 1e308,-1e308 -1e308))",
+        "POLYGON((1e265 1,1e265 -1e224,0 1e224,3e265 7,1e265 1))",
+        "POLYGON((0.1 0.1,0.2 0.2,0.3 0.3,0.7 0.7,0.1 0.1))",
+        "POLYGON((0 0,1e265 1e224,0 0))",
+    ] {
+        let once = through(&from_text(text), Format::Shapefile);
+        let twice = through(&once, Format::Shapefile);
+        assert_eq!(once.features, twice.features, "{text}");
+    }
+    let square = "POLYGON((0 0,1e265 0,1e265 1e224,0 1e224,0 0))";
+    let (square, again) = (from_text(square), through(&from_text(square), Format::Shapefile));
+    assert_eq!(again.features[0].geometry, square.features[0].geometry);
+}
+
+#[test]
+fn a_ring_whose_first_point_has_no_measure_is_closed_once() {
+    let layer = from_text("POLYGON M((0 0 -nan,1 0 1,1 1 1,0 0 -nan))");
+    let again = through(&layer, Format::Shapefile);
+    let Shape::Polygon(rings) = &again.features[0].geometry.as_ref().unwrap().shape else { panic!("a polygon") };
+    assert_eq!(rings[0].len(), 4);
+}
+
 #[test]
 fn heights_and_measures_come_back() {
     for text in [

@@ -5,6 +5,9 @@ use encoding_rs::{Encoding, WINDOWS_1252};
 use oem_cp::code_table::DECODING_TABLE_CP_MAP;
 use oem_cp::code_table_type::TableType;
 
+/// The words before the number of a code page.
+const PREFIXES: [&str; 7] = ["CP", "OEM", "ANSI", "WINDOWS", "IBM", "ISO", "MS"];
+
 /// The character set of texts.
 #[derive(Clone, Debug)]
 pub(super) enum Charset {
@@ -35,7 +38,6 @@ impl Charset {
             return Some(Self::Encoding(encoding));
         }
         // `CP932`, `OEM 850`, `ANSI 1252`, `ISO 8859-2`: the number tells.
-        const PREFIXES: [&str; 7] = ["CP", "OEM", "ANSI", "WINDOWS", "IBM", "ISO", "MS"];
         let separators = [' ', '-', '_'];
         let upper = label.to_ascii_uppercase();
         let prefix = PREFIXES.iter().find_map(|prefix| upper.strip_prefix(prefix));
