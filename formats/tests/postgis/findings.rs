@@ -158,13 +158,13 @@ const CASES: &[Case] = &[
             rows.row(EDGE, 1)[ABS_NEXT_LEFT] = int(2);
         },
         &["L2", "B1"],
-        "edges +1 and -3 both have next +2, so one of their cycles never closes",
+        "next_left_edge of edge 1 and next_right_edge of edge 3 are both 2, so one of their rings never closes",
     ),
     (
         "face_changes",
         |rows| rows.row(EDGE, 1)[LEFT_FACE] = int(3),
         &["B1"],
-        "edge +6 bounds face 2, its next +1 bounds 3",
+        "left_face of edge 6 is 2, but left_face of edge 1, which follows it, is 3: the face changes along a ring",
     ),
     (
         "segments_cross",
