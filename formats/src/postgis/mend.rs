@@ -190,7 +190,7 @@ impl<'a> Mender<'a> {
         let names_it = |h: usize| topology.unknown(h / 2, column(h)) == Some(face);
         let of_face = topology.unknown.iter().filter(|entry| SIDE.contains(&entry.1) && entry.2 == face);
         let mut half_edges = of_face.map(|entry| 2 * entry.0 as usize + usize::from(entry.1 == Column::RightFace));
-        half_edges.all(|h| topology.next(h).is_some_and(|next| names_it(next))).then(|| {
+        half_edges.all(|h| topology.next(h).is_some_and(names_it)).then(|| {
             let mbr = if face == 0 { "NULL" } else { "ST_Envelope(ST_Collect(geom))" };
             let is_new = format!("NOT EXISTS (SELECT FROM face WHERE face_id = {face})");
             let rows = format!("FROM edge_data WHERE {face} IN (left_face, right_face) HAVING {is_new}");

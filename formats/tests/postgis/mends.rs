@@ -1,6 +1,6 @@
 //! The SQL of findings: the rows that it shows, and the one way to mend them.
 
-use crate::support::{EDGE, FACE, GEOM, LEFT_FACE, NEXT_LEFT, NODE, Rows, START, TOWN, int, line, polygon};
+use crate::support::{Change, EDGE, FACE, GEOM, LEFT_FACE, NEXT_LEFT, NODE, Rows, START, TOWN, int, line, polygon};
 use twinedge_formats::diagnosis::Sql;
 
 /// The statements for the violations of a kind after a change of the town.
@@ -116,7 +116,7 @@ fn a_row_that_all_its_edges_ask_for_is_restored() {
 /// Where a row or its neighbour may be the wrong one, nothing is proposed.
 #[test]
 fn what_takes_a_choice_has_no_mend() {
-    let cases: &[(&str, fn(&mut Rows))] = &[
+    let cases: &[Change] = &[
         // The line or the node was moved.
         ("starts_elsewhere", |rows| rows.row(EDGE, 5)[GEOM] = line(&[[41.0, 60.0], [40.0, 100.0]])),
         // The edge may be restored, or the faces on its two sides may be one.
