@@ -35,6 +35,10 @@ pub(crate) fn write(out: &mut String, one: &Diagnosis, decimals: usize) -> Resul
     if !features.is_empty() {
         writeln!(out, "   on the border of {}", features.join(", "))?;
     }
+    if let Some(sql) = &one.sql {
+        writeln!(out, "   {QUIET}rows: {QUIET:#}{}", sql.show)?;
+        sql.mend.iter().try_for_each(|mend| writeln!(out, "   {QUIET}mend: {QUIET:#}{mend}"))?;
+    }
     one.follows_from.map_or(Ok(()), |follows| writeln!(out, "   {QUIET}which follows from {follows}{QUIET:#}"))
 }
 

@@ -1,10 +1,12 @@
 //! The audit of a topology: the validator's rules, and P0 … P4.
 
+use super::advice::advice;
 use super::containing::containing;
 use super::error::ReadError;
 use super::finding::{Finding, Findings, RULES};
 use super::lines::{Drawing, Lines};
 use super::mbr::Mbr;
+use super::mend::Mender;
 use super::message::{message, unit};
 use super::topology::Topology;
 use crate::diagnosis::{Diagnosis, Kind, Position, Reason, Records, RuleLine, Trace, middle};
@@ -90,8 +92,8 @@ pub fn audit(topology: &Topology, limit: usize) -> Result<TopologyAudit, ReadErr
     };
     let mut findings = topology.findings.clone();
     let name = |record| topology.name(record);
-    let mut theirs: Vec<Diagnosis> =
-        report.violations().iter().map(|one| diagnosis(topology, &view, name, one)).collect();
+    let mut theirs: Vec<(Fault, Diagnosis)> =
+        report.violations().iter().map(|one| (Fault::Of(*one), diagnosis(topology, &view, name, one))).collect();
     let mut left_out = LeftOut::default();
     let mut drawing = None;
     // G5 asks where isolated nodes lie, and that the lines around each face close, where the links allow it.
@@ -104,7 +106,8 @@ pub fn audit(topology: &Topology, limit: usize) -> Result<TopologyAudit, ReadErr
         if !is_checked(&report, Rule::G4) {
             let mut judged = lines.judge(collect);
             judged.violations.retain(|one| !is_checked(&report, one.rule()));
-            theirs.extend(judged.violations.iter().map(|one| diagnosis(topology, &lines, |r| lines.name(r), one)));
+            let of_lines = |one: &Violation| (Fault::Of(*one), diagnosis(topology, &lines, |r| lines.name(r), one));
+            theirs.extend(judged.violations.iter().map(of_lines));
             disjoint = judged.disjoint.outcome.violations == 0;
             drawing = Some(judged);
         }
@@ -115,10 +118,9 @@ pub fn audit(topology: &Topology, limit: usize) -> Result<TopologyAudit, ReadErr
         };
     }
     let rules = rules(topology, &findings, &report, drawing.as_ref(), &left_out);
-    let own = findings.kept.iter().map(|finding| {
-        let line = finding.edge().and_then(|id| line(topology, topology.edges.slot(id)?));
-        placed(finding.into(), place(topology, finding), line.into_iter().collect())
-    });
+    let found = findings.kept.iter().map(|finding| (Fault::Own(*finding), own(topology, finding)));
+    let found: Vec<_> = found.chain(theirs).collect();
+    let violations = if found.is_empty() { Vec::new() } else { with_sql(topology, &rules, found) };
     let counts = TopologyCounts {
         nodes: topology.nodes.len(),
         isolated_nodes: report.counts().isolated_vertices,
@@ -128,7 +130,7 @@ pub fn audit(topology: &Topology, limit: usize) -> Result<TopologyAudit, ReadErr
         bends: topology.bends.len(),
         repeated_points: topology.repeated_points,
     };
-    Ok(TopologyAudit::new(counts, rules, own.chain(theirs).collect(), limit))
+    Ok(TopologyAudit::new(counts, rules, violations, limit))
 }
 
 /// Returns true if the rule was checked on everything.
@@ -141,6 +143,29 @@ fn holds(report: &Report, rule: Rule) -> bool {
     report.outcome(rule).is_none_or(|outcome| outcome.violations == 0)
 }
 
+/// A finding of this format, or a violation of the validator.
+enum Fault {
+    Own(Finding),
+    Of(Violation),
+}
+
+/// A finding with its place.
+fn own(topology: &Topology, finding: &Finding) -> Diagnosis {
+    let line = finding.edge().and_then(|id| line(topology, topology.edges.slot(id)?));
+    placed(finding.into(), place(topology, finding), line.into_iter().collect())
+}
+
+/// The same with statements for the database.
+fn with_sql(topology: &Topology, rules: &[RuleLine], found: Vec<(Fault, Diagnosis)>) -> Vec<Diagnosis> {
+    let lines = Lines::of(topology);
+    let mender = Mender::of(topology, &lines, rules);
+    let sql = |fault: &Fault, diagnosis: &Diagnosis| match fault {
+        Fault::Own(finding) => mender.of_finding(finding),
+        Fault::Of(violation) => mender.of_violation(violation, &diagnosis.records.names()),
+    };
+    found.into_iter().map(|(fault, one)| Diagnosis { sql: Some(sql(&fault, &one)), ..one }).collect()
+}
+
 /// A violation with the names of the database, its places, and the lines of its edges.
 fn diagnosis<E: Embedding>(
     topology: &Topology,
@@ -149,7 +174,10 @@ fn diagnosis<E: Embedding>(
     violation: &Violation,
 ) -> Diagnosis {
     let records = || violation.records().into_iter().flatten();
+    let [cause, remedy] = advice(violation.rule()).map(Some);
     let diagnosis = Diagnosis {
+        cause,
+        remedy,
         // Its fields are slots, which nobody knows.
         kind: Kind::Named { kind: violation.kind() },
         message: message(topology, name, violation),

@@ -132,24 +132,31 @@ impl<'a> Lines<'a> {
 
     /// The faces around which the lines that are judged do not close.
     pub(super) fn open_faces(&self) -> BTreeSet<u32> {
+        let edges = (0..self.is_line.len()).filter(|edge| !self.is_line[*edge]);
+        let without_line = edges.flat_map(|edge| self.topology.sides[edge]);
+        without_line.chain(self.odd_ends().into_keys()).collect()
+    }
+
+    /// The vertices at which an odd number of lines ends that have a face on one side only, for each face that has such.
+    pub(super) fn odd_ends(&self) -> BTreeMap<u32, BTreeSet<u32>> {
         let mut odd: BTreeMap<u32, BTreeSet<u32>> = BTreeMap::new();
-        let mut open = BTreeSet::new();
         for (edge, [left, right]) in self.topology.sides.iter().enumerate() {
-            if !self.is_line[edge] {
-                open.extend([left, right]);
-            } else if left != right {
+            if self.is_line[edge] && left != right {
                 for face in [left, right] {
                     let vertices = odd.entry(*face).or_default();
-                    for vertex in self.ends[edge] {
-                        if !vertices.remove(&vertex) {
-                            vertices.insert(vertex);
-                        }
-                    }
+                    self.ends[edge].into_iter().for_each(|vertex| toggle(vertices, vertex));
                 }
             }
         }
-        open.extend(odd.into_iter().filter(|(_, vertices)| !vertices.is_empty()).map(|(face, _)| face));
-        open
+        odd.retain(|_, vertices| !vertices.is_empty());
+        odd
+    }
+}
+
+/// Adds what is not in the set, and takes out what is.
+fn toggle(vertices: &mut BTreeSet<u32>, vertex: u32) {
+    if !vertices.remove(&vertex) {
+        vertices.insert(vertex);
     }
 }
 

@@ -28,6 +28,7 @@
 //! Sources: the documentation of PostGIS 3.3, chapter 9; ISO 13249-3 (SQL/MM), topology-geometry; for COPY and its binary format
 //! the documentation of `PostgreSQL` 15.
 
+mod advice;
 mod audit;
 mod containing;
 mod copy;
@@ -35,10 +36,13 @@ mod error;
 mod ewkb;
 mod finding;
 mod ids;
+mod labels;
 mod lines;
 mod mbr;
+mod mend;
 mod message;
 mod read;
+mod rotation;
 mod sql;
 mod topology;
 

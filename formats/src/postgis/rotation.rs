@@ -52,12 +52,6 @@ impl<'a> Rotations<'a> {
         let clockwise = around.iter().skip(1).chain(around.first());
         Some(clockwise.zip(&around).map(|((from, _), (next, _))| [from ^ 1, *next]).collect())
     }
-
-    /// The half-edge that follows this one by the lines.
-    pub(super) fn next(&self, half_edge: usize) -> Option<usize> {
-        let links = self.links(self.lines.origin(half_edge ^ 1)?)?;
-        links.into_iter().find(|[from, _]| *from == half_edge).map(|[_, next]| next)
-    }
 }
 
 impl Lines<'_> {

@@ -1,6 +1,6 @@
 //! Every finding, made from the map that PostGIS wrote, with its sentence.
 
-use crate::support::{ABS_NEXT_LEFT, EDGE, FACE, GEOM, LEFT_FACE, NEXT_LEFT, NODE, Rows, START, TOWN};
+use crate::support::{ABS_NEXT_LEFT, Change, EDGE, FACE, GEOM, LEFT_FACE, NEXT_LEFT, NODE, Rows, START, TOWN};
 use crate::support::{int, line, point, polygon};
 use std::collections::BTreeSet;
 use twinedge_formats::postgis::TopologyAudit;
@@ -158,13 +158,13 @@ const CASES: &[Case] = &[
             rows.row(EDGE, 1)[ABS_NEXT_LEFT] = int(2);
         },
         &["L2", "B1"],
-        "edges +1 and -3 both have next +2, so one of their cycles never closes",
+        "next_left_edge of edge 1 and next_right_edge of edge 3 are both 2, so one of their rings never closes",
     ),
     (
         "face_changes",
         |rows| rows.row(EDGE, 1)[LEFT_FACE] = int(3),
         &["B1"],
-        "edge +6 bounds face 2, its next +1 bounds 3",
+        "left_face of edge 6 is 2, but left_face of edge 1, which follows it, is 3: the face changes along a ring",
     ),
     (
         "segments_cross",
@@ -241,7 +241,7 @@ fn rules_that_need_a_broken_one_are_not_checked() {
 }
 
 /// Changes to links and lines, after which the validator leaves most rules out.
-const BROKEN: [(&str, fn(&mut Rows)); 5] = [
+const BROKEN: [Change; 5] = [
     ("node 12 deleted", |rows| rows.0[NODE].retain(|row| row[0] != int(12))),
     ("next_left_edge of edge 14 with the other sign", |rows| {
         let next = &mut rows.row(EDGE, 14)[NEXT_LEFT];
@@ -253,7 +253,7 @@ const BROKEN: [(&str, fn(&mut Rows)); 5] = [
 ];
 
 /// Faults in records whose links are right.
-const APART: &[(&str, fn(&mut Rows))] = &[
+const APART: &[Change] = &[
     ("mbr_missing", |rows| rows.row(FACE, 3)[1] = None),
     ("mbr_wrong", |rows| {
         rows.row(FACE, 2)[1] = polygon(&[[0.0, 0.0], [0.0, 50.0], [40.0, 50.0], [40.0, 0.0], [0.0, 0.0]]);
