@@ -1,6 +1,6 @@
 //! Runs one program, or many random ones, as the settings ask.
 
-use super::difference::{Counterexample, Difference, Failure};
+use super::difference::{Counterexample, Difference, Failure, Words};
 use super::in_step::InStep;
 use super::settings::{Conformance, Coverage};
 use super::summary::{ConformanceSummary, OperatorCounts};
@@ -15,6 +15,7 @@ use crate::program::run::every::{every_mesh_op, every_op};
 use crate::program::run::named::Start;
 use crate::program::run::runner::Runner;
 use crate::program::subject::Subject;
+use alloc::boxed::Box;
 use alloc::vec;
 use alloc::vec::Vec;
 
@@ -120,7 +121,7 @@ impl Conformance {
             pair.step(*op).err()
         })?;
         let places = words::places(pair.subject(), &failure.difference);
-        Some(Counterexample { program, failure, places, calls })
+        Some(Counterexample { program, failure, words: Box::new(Words { places, calls }) })
     }
 
     /// Every argument of the operators that the subject has and that were not applied so far.

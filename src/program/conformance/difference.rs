@@ -187,15 +187,21 @@ pub struct Counterexample {
     pub program: Program,
     /// The difference.
     pub failure: Failure,
-    /// The half-edges of which the difference speaks, each with the vertices that it joins.
+    pub(super) words: Box<Words>,
+}
+
+/// The half-edges of a counterexample, each with the vertices that it joins.
+#[derive(Clone, Default, PartialEq, Eq)]
+pub(super) struct Words {
+    /// Those of which the difference speaks.
     pub(super) places: Vec<String>,
-    /// The handles that each operator chose, a half-edge with the vertices that it joins.
+    /// Those that each operator chose, with other handles.
     pub(super) calls: Vec<String>,
 }
 
 impl Counterexample {
-    pub(super) const fn of(program: Program, failure: Failure) -> Self {
-        Self { program, failure, places: Vec::new(), calls: Vec::new() }
+    pub(super) fn of(program: Program, failure: Failure) -> Self {
+        Self { program, failure, words: Box::default() }
     }
 }
 
@@ -204,13 +210,13 @@ impl core::error::Error for Counterexample {}
 impl fmt::Display for Counterexample {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         write!(f, "{}", self.failure)?;
-        self.places.iter().try_for_each(|place| write!(f, "\n{place}"))?;
+        self.words.places.iter().try_for_each(|place| write!(f, "\n{place}"))?;
         if self.program.0.is_empty() {
             return Ok(());
         }
         f.write_str("\nwith this program, and the handles that its operators choose:\n")?;
         let text = self.program.to_string();
-        let calls = self.calls.iter().map(Some).chain(core::iter::repeat(None));
+        let calls = self.words.calls.iter().map(Some).chain(core::iter::repeat(None));
         for (line, call) in text.lines().zip(core::iter::once(None).chain(calls)) {
             match call {
                 Some(call) => writeln!(f, "{line} # {call}")?,
