@@ -102,7 +102,7 @@ fn moved_vertices_are_judged_as_by_the_rules() {
             }
         }
     }
-    assert!(valid > 1_000 && broken > 5_000, "{valid} {broken}");
+    assert!(valid > 4_000 && broken > 4_000, "{valid} {broken}");
 }
 
 /// The faults that break a rule of coordinates and none of topology: a mirror image, an isolated vertex in another face, a component in
@@ -117,8 +117,8 @@ fn other_topologies_on_the_same_points_are_judged_as_by_the_rules() {
         let mut judge = |other: &Drawn| {
             let is_valid = other.is_valid();
             assert_eq!(other.is_certified(), is_valid, "{}", other.table);
-            assert!(!other.passes(&drawing) || is_valid, "{}", other.table);
             *if is_valid { &mut valid } else { &mut broken } += 1;
+            is_valid
         };
         let mut mirrored = map.clone();
         mirrored.points.iter_mut().for_each(|point| point.x = -point.x);
@@ -126,12 +126,13 @@ fn other_topologies_on_the_same_points_are_judged_as_by_the_rules() {
         for b in 0..map.table.boundaries.len() {
             for f in 0..map.table.faces.len() {
                 if let Some(moved) = moved_inner(&map.table, b, f) {
-                    judge(&Drawn { table: moved, points: map.points.clone() });
+                    let moved = Drawn { table: moved, points: map.points.clone() };
+                    assert_eq!(moved.passes(&drawing), judge(&moved), "{}", moved.table);
                 }
             }
         }
     }
-    assert!(valid > 50 && broken > 500, "{valid} {broken}");
+    assert!(valid > 300 && broken > 150, "{valid} {broken}");
 }
 
 /// The table with an inner boundary component in another face.
@@ -181,9 +182,9 @@ fn a_changed_entry_is_found_or_as_good() {
         }
         found.push((column.name(), caught, as_good));
     }
-    // Ranks are any numbers that grow. A dart of a vertex may be any that starts there, and that of the root of a face has any rank.
+    // Ranks are any numbers that grow. A dart of a vertex may be any that starts there, and what vacant slots hold is not looked at.
     let as_good: Vec<_> = found.iter().filter(|(_, _, as_good)| *as_good > 0).map(|(name, ..)| *name).collect();
-    assert_eq!(as_good, ["dart_ahead", "dart_rank", "vertex_dart"], "{found:?}");
+    assert_eq!(as_good, ["dart_rank", "half_edge_dart", "vertex_dart", "face_dart"], "{found:?}");
     assert!(found.iter().all(|(_, caught, _)| *caught > 0), "{found:?}");
 }
 
@@ -192,17 +193,19 @@ fn coordinates_are_integers_on_the_finest_grid_that_they_need() {
     let mut map = PlanarMap::new();
     map.insert_segment([0.25, -3.0], [1e6, 0.0]).unwrap();
     let drawing = draw(&map).unwrap();
-    assert_eq!((drawing.exponent, &drawing.points[..2]), (-2, &[[1, -12], [4_000_000, 0]][..]));
-    assert_eq!(drawing.points.len(), 5);
-    assert!(draw(&PlanarMap::new()).is_ok_and(|drawing| drawing.points.len() == 3));
+    // Slot 0 is vacant, and three corners are added.
+    assert_eq!((drawing.exponent, &drawing.points[1..3]), (-2, &[[1, -12], [4_000_000, 0]][..]));
+    assert_eq!(drawing.points.len(), 6);
+    assert!(draw(&PlanarMap::new()).is_ok_and(|drawing| drawing.columns.column(Column::DartTwin).len() == 6));
 }
 
 #[test]
 fn what_has_no_certificate_is_an_error() {
+    let mut map = PlanarMap::new();
+    map.insert_segment([0.0, 0.0], [1.0, 1.0]).unwrap();
+    let edge = Drawn::new(&map);
     let drawn = |from: [f64; 2], to: [f64; 2]| {
-        let mut map = PlanarMap::new();
-        map.insert_segment(from, to).unwrap();
-        draw(&map).map(drop)
+        draw(&Drawn { points: vec![Point::default(), from.into(), to.into()], ..edge.clone() }).map(drop)
     };
     assert_eq!(drawn([0.1, 0.0], [1e-9, 1.0]), Err(DrawingError::NoGrid));
     assert_eq!(drawn([1e300, 0.0], [1.0, 1.0]), Err(DrawingError::NoGrid));
@@ -212,7 +215,7 @@ fn what_has_no_certificate_is_an_error() {
     let mut map = Drawn::new(&random_map(&mut Numbers(3), 4, 3));
     map.points.iter_mut().for_each(|point| *point = Point::new(1.0, 1.0));
     assert_eq!(draw(&map), Err(DrawingError::NotPlane));
-    map.points[0].x = f64::NAN;
+    map.points[1].x = f64::NAN;
     assert_eq!(draw(&map), Err(DrawingError::NoGrid));
     // Links that lead nowhere.
     map.points.iter_mut().for_each(|point| *point = Point::default());

@@ -2,6 +2,7 @@
 
 use super::check::{certified, lines};
 use super::folder::Folder;
+use super::sql_folder::{self, Engine};
 use crate::input::MapFile;
 use crate::output::{counted, print};
 use crate::progress::busy;
@@ -21,6 +22,7 @@ use twinedge::validate::{Table, View};
   twinedge certify parcels.geojson -o parcels.cert
   twinedge certify world.geojson --snap auto -o world.cert        coordinates in decimals lie on a grid once they are snapped
   twinedge certify parcels.geojson --topology-only -o parcels.cert
+  twinedge certify parcels.geojson --sql duckdb -o parcels.cert
   twinedge certify --table map.txt -o map.cert                    a table as `twinedge audit` reads it: the first one
 
 Exit status: 0 the certificate is written; 1 the input is not valid, and the tests that would fail are printed; 2 it could not be \
@@ -36,6 +38,10 @@ pub(crate) struct Certify {
     /// Leave the coordinates out: the certificate says that the structure is that of a planar subdivision.
     #[arg(long)]
     topology_only: bool,
+
+    /// Write tables in CSV, too, and `check.sql`, which has each test as a query in this dialect.
+    #[arg(long, value_name = "ENGINE", value_enum)]
+    sql: Option<Engine>,
 
     /// The input is a table, and has no coordinates.
     #[arg(long)]
@@ -80,7 +86,11 @@ impl Certify {
         let grid = drawing.as_ref().map_or_else(String::new, |drawing| format!("unit 2^{}\n", drawing.exponent));
         let notes = format!("of {}\n{counts}\n{grid}by twinedge {}\n", name.escape_debug(), env!("CARGO_PKG_VERSION"));
         let claim = certified(drawing.is_some());
-        Folder { certificate, drawing }.write(&self.output, &notes)?;
+        let folder = Folder { certificate, drawing };
+        folder.write(&self.output, &notes)?;
+        if let Some(engine) = self.sql {
+            sql_folder::write(&self.output, &folder, engine)?;
+        }
         print(&format!("{}: certificate that {name} is {claim}: {counts}\n", self.output.display()))?;
         Ok(Verdict::Sound)
     }

@@ -32,7 +32,7 @@ impl<'a, V: View + ?Sized> Answers<'a, V> {
     }
 
     /// True if the structure has records for boundary components.
-    fn by_record(&self) -> bool {
+    pub(super) fn by_record(&self) -> bool {
         self.parts.has(Part::BoundaryComponents)
     }
 

@@ -74,20 +74,26 @@ impl<V: View + ?Sized> Answers<'_, V> {
         self.labels.column(Column::HalfEdgeRank).len() == self.half_edges && slots.iter().all(|n| *n <= MOST_SLOTS)
     }
 
-    fn half_edge(&self, h: usize, failures: &mut Failures) {
-        let (twin, next, prev, boundary) = (self.twin(h), self.next(h), self.prev(h), self.boundary(h));
+    /// What half-edges say of each other and of their origins.
+    pub(super) fn links_ok(&self, h: usize, failures: &mut Failures) {
+        let (twin, next, prev) = (self.twin(h), self.next(h), self.prev(h));
         let twin_ok = twin.and_then(|t| self.twin(t)) == Some(h) && twin != Some(h);
         let next_ok = next.and_then(|n| self.prev(n)) == Some(h) && prev.and_then(|p| self.next(p)) == Some(h);
         let target_ok = next.and_then(|n| self.origin(n)) == twin.and_then(|t| self.origin(t));
         let origin_ok = self.origin(h).and_then(|v| self.leaving(v)).is_some();
-        let cycle_ok =
-            next.and_then(|n| self.boundary(n)) == boundary && boundary.and_then(|b| self.cycle_start(b)).is_some();
-        let lower = |link: Link| self.is_lower(link, h);
-        let rank_ok = lower(next) || lower(prev) || lower(twin) || boundary.is_some_and(|b| self.is_root(h, b));
         failures.note(Test::TwinOk, h, twin_ok);
         failures.note(Test::NextOk, h, next_ok);
         failures.note(Test::TargetOk, h, target_ok);
         failures.note(Test::OriginOk, h, origin_ok);
+    }
+
+    fn half_edge(&self, h: usize, failures: &mut Failures) {
+        self.links_ok(h, failures);
+        let (twin, next, prev, boundary) = (self.twin(h), self.next(h), self.prev(h), self.boundary(h));
+        let cycle_ok =
+            next.and_then(|n| self.boundary(n)) == boundary && boundary.and_then(|b| self.cycle_start(b)).is_some();
+        let lower = |link: Link| self.is_lower(link, h);
+        let rank_ok = lower(next) || lower(prev) || lower(twin) || boundary.is_some_and(|b| self.is_root(h, b));
         failures.note(Test::CycleOk, h, cycle_ok);
         failures.note(Test::RankOk, h, rank_ok);
         let face_name_ok = !self.by_name() || self.view.face(h) == boundary.and_then(|b| self.boundary_face(b));
@@ -95,7 +101,7 @@ impl<V: View + ?Sized> Answers<'_, V> {
     }
 
     /// The half-edge with which the boundary component starts, if it is a cycle.
-    fn cycle_start(&self, b: usize) -> Link {
+    pub(super) fn cycle_start(&self, b: usize) -> Link {
         match self.start(b) {
             Some(Start::HalfEdge(h)) => Some(h),
             _ => None,
@@ -107,7 +113,7 @@ impl<V: View + ?Sized> Answers<'_, V> {
     }
 
     /// The link leads to a half-edge with a lower rank than that of `h`.
-    fn is_lower(&self, link: Link, h: usize) -> bool {
+    pub(super) fn is_lower(&self, link: Link, h: usize) -> bool {
         let rank = self.labels.column(Column::HalfEdgeRank);
         link.and_then(|l| rank.get(l)).zip(rank.get(h)).is_some_and(|(l, h)| l < h)
     }

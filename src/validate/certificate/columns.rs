@@ -84,22 +84,25 @@ columns! {
     VertexDart "vertex_dart",
     /// Of a drawing: the dart of the face to which its ranks lead.
     FaceDart "face_dart",
+    /// On surfaces: the position of the half-edge in its rotation.
+    HalfEdgeTurn "half_edge_turn",
+    /// On surfaces: the position of the half-edge on its cycle.
+    HalfEdgeStep "half_edge_step",
+    /// On surfaces: the half-edge that is the root of the component.
+    HalfEdgeComponent "half_edge_component",
 }
 
 impl Column {
-    /// The first columns are those of every certificate. The others belong to drawings.
-    const OF_DRAWING: usize = Self::DartTwin as usize;
-
-    /// The columns of every certificate.
+    /// The columns of a certificate of a plane subdivision.
     #[must_use]
     pub fn of_subdivision() -> &'static [Self] {
-        &Self::ALL[..Self::OF_DRAWING]
+        &Self::ALL[..Self::DartTwin as usize]
     }
 
     /// The columns that a [`Drawing`](super::Drawing) has.
     #[must_use]
     pub fn of_drawing() -> &'static [Self] {
-        &Self::ALL[Self::OF_DRAWING..]
+        &Self::ALL[Self::DartTwin as usize..Self::HalfEdgeTurn as usize]
     }
 }
 

@@ -46,17 +46,7 @@ impl Labels {
         if parts.has(Part::Faces) && !parts.has(Part::UnboundedFace) {
             return Err(LabelsError::NoContainment);
         }
-        let slots = [view.vertex_slots(), view.half_edge_slots(), view.boundary_slots(), view.face_slots()];
-        if slots.iter().any(|n| *n > MOST_SLOTS) {
-            return Err(LabelsError::TooLarge);
-        }
-        let mut labels = Self::default();
-        if !parts.has(Part::Prev) {
-            labels.set(Column::HalfEdgePrev, prevs(view)?);
-        }
-        if !parts.has(Part::Leaving) {
-            labels.set(Column::VertexLeaving, kept(view)?);
-        }
+        let mut labels = Self::of_links(view)?;
         if parts.has(Part::BoundaryComponents) {
             if !parts.has(Part::Places) {
                 labels.set(Column::BoundaryPlace, places(view)?);
@@ -74,7 +64,23 @@ impl Labels {
         Ok(labels)
     }
 
-    fn set(&mut self, column: Column, numbers: Vec<u32>) {
+    /// The links of half-edges and vertices that the structure does not store.
+    pub(super) fn of_links<V: View + ?Sized>(view: &V) -> Result<Self, LabelsError> {
+        let slots = [view.vertex_slots(), view.half_edge_slots(), view.boundary_slots(), view.face_slots()];
+        if slots.iter().any(|n| *n > MOST_SLOTS) {
+            return Err(LabelsError::TooLarge);
+        }
+        let mut labels = Self::default();
+        if !view.parts().has(Part::Prev) {
+            labels.set(Column::HalfEdgePrev, prevs(view)?);
+        }
+        if !view.parts().has(Part::Leaving) {
+            labels.set(Column::VertexLeaving, kept(view)?);
+        }
+        Ok(labels)
+    }
+
+    pub(super) fn set(&mut self, column: Column, numbers: Vec<u32>) {
         *self.column_mut(column) = numbers;
     }
 
@@ -98,7 +104,7 @@ impl Labels {
     }
 
     /// A boundary component for each cycle of `next`.
-    fn find_cycles<V: View + ?Sized>(&mut self, view: &V) -> Result<(), LabelsError> {
+    pub(super) fn find_cycles<V: View + ?Sized>(&mut self, view: &V) -> Result<(), LabelsError> {
         let mut boundary = nils(view.half_edge_slots())?;
         for start in (0..boundary.len()).filter(|h| view.is_half_edge(*h)) {
             if boundary[start] != NIL {
@@ -197,7 +203,7 @@ impl Labels {
     }
 }
 
-fn nils(n: usize) -> Result<Vec<u32>, LabelsError> {
+pub(super) fn nils(n: usize) -> Result<Vec<u32>, LabelsError> {
     column(n, NIL).ok_or(LabelsError::OutOfMemory)
 }
 
@@ -241,9 +247,9 @@ fn places<V: View + ?Sized>(view: &V) -> Result<Vec<u32>, LabelsError> {
 }
 
 /// The half-edges in an order in which each comes after a neighbour, but for those that it is begun with.
-struct Queue {
+pub(super) struct Queue {
     /// For each half-edge its position; nil if it is not in the queue.
-    rank: Vec<u32>,
+    pub(super) rank: Vec<u32>,
     half_edges: Vec<u32>,
     taken: usize,
     /// The number of list entries that may still be read: a boundary component is listed once.
@@ -251,22 +257,22 @@ struct Queue {
 }
 
 impl Queue {
-    fn new<V: View + ?Sized>(s: &Answers<'_, V>) -> Result<Self, LabelsError> {
+    pub(super) fn new<V: View + ?Sized>(s: &Answers<'_, V>) -> Result<Self, LabelsError> {
         let mut half_edges = Vec::new();
         half_edges.try_reserve_exact(s.half_edges).map_err(|_| LabelsError::OutOfMemory)?;
         Ok(Self { rank: nils(s.half_edges)?, half_edges, taken: 0, entries: s.boundaries })
     }
 
-    /// Adds a half-edge that was never added.
-    fn add(&mut self, h: usize) {
-        if let Some(rank) = self.rank.get_mut(h).filter(|rank| **rank == NIL) {
-            *rank = self.half_edges.len() as u32;
-            self.half_edges.push(h as u32);
-        }
+    /// Adds a half-edge, and says whether it never was in the queue.
+    pub(super) fn add(&mut self, h: usize) -> bool {
+        let Some(rank) = self.rank.get_mut(h).filter(|rank| **rank == NIL) else { return false };
+        *rank = self.half_edges.len() as u32;
+        self.half_edges.push(h as u32);
+        true
     }
 
     /// The next half-edge, of which the neighbours are added.
-    fn take<V: View + ?Sized>(&mut self, s: &Answers<'_, V>) -> Option<usize> {
+    pub(super) fn take<V: View + ?Sized>(&mut self, s: &Answers<'_, V>) -> Option<usize> {
         let h = *self.half_edges.get(self.taken)? as usize;
         self.taken += 1;
         for neighbour in [s.next(h), s.prev(h), s.twin(h)].into_iter().flatten() {

@@ -36,6 +36,11 @@
 //! A structure with faces must store [holes](super::Part::Holes) and the [unbounded face](super::Part::UnboundedFace): without them it does
 //! not say how its components lie in the plane.
 //!
+//! # Surfaces
+//!
+//! [`Labels::of_surface`] and [`check_surface`] do the same for structures on closed surfaces, meshes above all, with the sum of the genera. Where the
+//! genus is not 0, Euler's formula does not say that a vertex has one rotation and a face one cycle; positions do.
+//!
 //! # Drawings
 //!
 //! A [`Drawing`] is the certificate of coordinates: a triangulation that has the edges of the structure among its own.
@@ -52,10 +57,13 @@ mod columns;
 mod drawing;
 mod labels;
 mod saved;
+mod surface;
+mod surface_labels;
 mod test;
 
 pub use check::check;
 pub use columns::{Column, Labels, LabelsError};
 pub use drawing::{Drawing, check_drawing};
 pub use saved::Certificate;
+pub use surface::check_surface;
 pub use test::{Failure, Test};

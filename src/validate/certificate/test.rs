@@ -81,6 +81,20 @@ tests! {
     RotationOk "rotation_ok" of "half-edges",
     /// The dart starts at the vertex; if it is isolated, the dart is in its face.
     VertexDartOk "vertex_dart_ok" of "vertices",
+    /// On surfaces: the next half-edge around the origin has a greater turn, or is the one that the vertex keeps.
+    TurnOk "turn_ok" of "half-edges",
+    /// On surfaces: the next half-edge has a greater step, or is the start of the boundary component.
+    StepOk "step_ok" of "half-edges",
+    /// On surfaces: neighbours have the same component, and one of them a lower rank, but for the root.
+    ComponentOk "component_ok" of "half-edges",
+    /// On surfaces: what a vertex keeps leaves it.
+    SurfaceVertexOk "surface_vertex_ok" of "vertices",
+    /// On surfaces: the boundary component starts with one of its half-edges, and is the outer one of its face.
+    SurfaceBoundaryOk "surface_boundary_ok" of "boundary components",
+    /// On surfaces: the outer boundary component of the face names it.
+    SurfaceFaceOk "surface_face_ok" of "faces",
+    /// On surfaces: vertices, boundary components, half-edges and roots are in Euler's proportion for the genus.
+    GenusOk "genus_ok" of "",
 }
 
 /// A test that failed.
