@@ -81,11 +81,12 @@ pub(crate) fn write_explanations<'a>(out: &mut String, all: impl IntoIterator<It
 pub(crate) fn write_rule(out: &mut String, rule: &RuleLine) -> Result {
     write!(out, "  {:2}  {:10} ", rule.id, rule.name)?;
     let checked = format!("{} {}", grouped(rule.checked), rule.unit);
-    match (rule.violations, rule.unchecked) {
+    match (rule.violations, rule.not_checked()) {
         (0, None) => writeln!(out, "{GOOD}ok{GOOD:#}      {checked}"),
-        (0, Some(why)) => writeln!(out, "{QUIET}not checked: {why}{QUIET:#}"),
+        (0, Some(why)) if rule.is_in_part() => writeln!(out, "{GOOD}ok{GOOD:#}      {checked}; {why}"),
+        (0, Some(why)) => writeln!(out, "{QUIET}{why}{QUIET:#}"),
         (n, why) => {
-            let why = why.map_or_else(String::new, |why| format!("; the rest not checked: {why}"));
+            let why = why.map_or_else(String::new, |why| format!("; {why}"));
             writeln!(out, "{BAD}BROKEN{BAD:#}  {} in {checked}{why}", counted(n as usize, "violation"))
         }
     }

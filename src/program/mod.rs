@@ -50,6 +50,8 @@ mod instances;
 pub(crate) mod language;
 pub mod mesh;
 mod operators;
+#[doc(hidden)]
+pub mod panics;
 mod pointer_model;
 mod run;
 mod subject;

@@ -439,7 +439,11 @@ fn half_edges_too_many_too_few_and_without_handle_are_named() {
     let make = |flip| FlipOnly::of(&OCTAHEDRON, 6, flip);
     let found = |flip| check(|| make(flip), &SURFACE).unwrap_err();
     for (found, difference, message) in [
-        (found(Flip::Adds), Difference::Unknown { half_edge: 24 }, "half-edge 24 of the view should not be there"),
+        (
+            found(Flip::Adds),
+            Difference::Unknown { half_edge: 24, is_named: false },
+            "half-edge 24 of the view should not be there",
+        ),
         (found(Flip::Drops), Difference::Missing { corner: 22 }, "corner 22 is no half-edge of the view"),
         (
             check(|| Nameless(make(Flip::Right)), &SURFACE).unwrap_err(),

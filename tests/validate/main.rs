@@ -9,6 +9,7 @@ mod adapters;
 mod adversarial_embeddings;
 mod adversarial_views;
 mod bends;
+mod certificate;
 mod comparison;
 mod embeddings;
 mod expectations;

@@ -115,9 +115,10 @@ fn findings(report: &AuditReport) -> Vec<Finding<'_>> {
 fn rules(report: &AuditReport) -> Vec<Rule> {
     let own = report.rules.iter().map(|rule| {
         let checked = format!("{} {}", grouped(rule.checked), rule.unit);
-        let outcome = match (rule.violations, rule.unchecked) {
+        let outcome = match (rule.violations, rule.not_checked()) {
             (0, None) => format!("holds for {checked}"),
-            (0, Some(why)) => format!("not checked: {why}"),
+            (0, Some(why)) if rule.is_in_part() => format!("holds for {checked}; {why}"),
+            (0, Some(why)) => why,
             (n, _) => format!("{} in {checked}", counted(n as usize, "violation")),
         };
         let RuleLine { id, name, statement, violations: found, .. } = *rule;

@@ -91,13 +91,14 @@ impl Serialize for Reason {
         #[serde(rename_all = "snake_case")]
         enum Form {
             Broken(&'static str),
+            NotClosed,
             NotLocated,
         }
         match self {
             Self::Validator(why) => why.serialize(serializer),
             Self::Broken(rule) => Form::Broken(rule).serialize(serializer),
-            Self::BoxesNeed(rule) => Form::Broken(rule.id()).serialize(serializer),
-            Self::NotLocated(_) => Form::NotLocated.serialize(serializer),
+            Self::NotClosed => Form::NotClosed.serialize(serializer),
+            Self::NotLocated => Form::NotLocated.serialize(serializer),
         }
     }
 }

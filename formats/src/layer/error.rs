@@ -150,7 +150,10 @@ pub enum Cause {
     },
     /// A text is not of the character set of the file.
     #[error("a text is not {0}")]
-    Charset(&'static str),
+    Charset(String),
+    /// A text has letters beyond ASCII, and the character set that the file names is not known here.
+    #[error("the character set {0:?} is not known here: name another in the file .cpg, such as UTF-8 or 1252")]
+    UnknownCharset(String),
     /// A file that belongs to it is not there.
     #[error("the file {0} is missing")]
     Missing(String),

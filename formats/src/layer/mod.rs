@@ -23,7 +23,9 @@
 //! and counts that exceed the data, are errors ([`ReadError`]).
 
 pub mod clean;
+mod crs;
 mod each;
+mod epsg;
 mod error;
 #[cfg(feature = "flatgeobuf")]
 mod flatgeobuf;
@@ -50,12 +52,14 @@ mod wkb;
 mod wkt;
 mod write;
 
+pub use crs::Crs;
 pub use each::Each;
 pub use error::{Cause, Place, ReadError, WriteError};
 pub use loss::Loss;
 pub use losses::losses;
 pub use model::{
-    Crs, Dimensions, Feature, Field, FieldKind, Geometry, Header, Id, Layer, Line, Members, Position, Shape, Value,
+    ColumnTaken, Dimensions, Feature, Field, FieldKind, Geometry, Header, Id, Layer, Line, Members, Position, Shape,
+    Value,
 };
 pub use read::{ReadOptions, format_of, read, read_layer, read_path};
 pub use to_map::to_map;

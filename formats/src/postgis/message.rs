@@ -17,7 +17,7 @@ const fn column(half_edge: usize, field: Field) -> Option<Column> {
 }
 
 /// A violation in a sentence that names database ids, and columns where that is plainer.
-pub(super) fn message(topology: &Topology, violation: &Violation) -> String {
+pub(super) fn message(topology: &Topology, name: impl Fn(Record) -> String, violation: &Violation) -> String {
     let edge = |h: usize| topology.edges.id(h / 2).unwrap_or_default();
     match *violation {
         Violation::Nil { record: Record::HalfEdge(h), field } => {
@@ -44,5 +44,18 @@ pub(super) fn message(topology: &Topology, violation: &Violation) -> String {
         }
         _ => {}
     }
-    violation.named(|record| topology.name(record)).message()
+    // Names are ids, so no word of a name is replaced.
+    let words = [["half-edge", "edge"], ["vertices", "nodes"], ["vertex", "node"]];
+    words.into_iter().fold(violation.named(name).message(), |text, [word, own]| text.replace(word, own))
+}
+
+/// The unit of a rule. A half-edge is what PostGIS calls a signed edge.
+pub(super) fn unit(unit: &'static str) -> &'static str {
+    match unit {
+        "vertex" => "node",
+        "vertices" => "nodes",
+        "half-edge" => "signed edge",
+        "half-edges" => "signed edges",
+        other => other,
+    }
 }

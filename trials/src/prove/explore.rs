@@ -3,11 +3,11 @@
 use super::explored::{Exploration, Size};
 use super::grow::{Codes, grow, play};
 use crate::census::Scope;
-use crate::panics::catch;
 use crate::run::Run;
 use crate::structure::Structure;
 use crate::verdict::judge;
 use twinedge::program::canonical::Canonizer;
+use twinedge::program::panics::catch;
 use twinedge::program::{Op, Program, Refusal, Runner, StepOutcome, Subject, every_op};
 use twinedge::validate::{Counts, Report, View};
 

@@ -1,0 +1,8 @@
+//! Certificates: `twinedge certify` writes them, `twinedge check` checks them.
+
+mod certify;
+mod check;
+mod folder;
+
+pub(crate) use certify::Certify;
+pub(crate) use check::Check;
