@@ -6,9 +6,7 @@ use twinedge::geometry::noding::Snap;
 use twinedge::map::certificate::{DrawingError, draw};
 use twinedge::map::{Builder, Noding, PlanarMap};
 use twinedge::validate::certificate::{Column, Drawing, Labels, Test, check_drawing};
-use twinedge::validate::{
-    BoundaryPlace, Collect, Embedding, Expectation, HalfEdgeRow, Link, Parts, Table, View,
-};
+use twinedge::validate::{BoundaryPlace, Collect, Embedding, Expectation, HalfEdgeRow, Link, Parts, Table, View};
 
 const PLANE: Expectation = Expectation::plane();
 
@@ -146,8 +144,11 @@ fn moved_inner(table: &Table, b: usize, to: usize) -> Option<Table> {
     for f in [from, to] {
         for i in 0..table.inner_count(f) {
             let listed = table.inner(f, i)?;
-            *table.boundaries[listed].as_mut()? =
-                twinedge::validate::BoundaryRow { face: Some(f), place: Some(BoundaryPlace::Inner(i)), ..table.boundaries[listed]? };
+            *table.boundaries[listed].as_mut()? = twinedge::validate::BoundaryRow {
+                face: Some(f),
+                place: Some(BoundaryPlace::Inner(i)),
+                ..table.boundaries[listed]?
+            };
         }
     }
     Some(table)

@@ -190,7 +190,8 @@ fn ranks_find_a_component_inside_itself() {
 /// One vertex with two rotations, and a torus: only the sums are wrong.
 #[test]
 fn sums_find_what_no_record_shows() {
-    let two_loops = "V 1 0 - H 4 0 1 0 0 0 0 0 1 1 1 0 3 2 2 2 0 2 3 3 3 B 4 1 h0 o 0 h1 i0 2 h2 o 0 h3 i1 F 3 - 2 1 3 0 0 2 0";
+    let two_loops =
+        "V 1 0 - H 4 0 1 0 0 0 0 0 1 1 1 0 3 2 2 2 0 2 3 3 3 B 4 1 h0 o 0 h1 i0 2 h2 o 0 h3 i1 F 3 - 2 1 3 0 0 2 0";
     let table: Table = two_loops.parse().unwrap();
     assert_eq!(first_broken_rule(&table, &PLANE), Some(Rule::V2));
     let failures = check(&table, &Labels::new(&table).unwrap()).unwrap_err();

@@ -80,8 +80,8 @@ impl<V: View + ?Sized> Answers<'_, V> {
         let next_ok = next.and_then(|n| self.prev(n)) == Some(h) && prev.and_then(|p| self.next(p)) == Some(h);
         let target_ok = next.and_then(|n| self.origin(n)) == twin.and_then(|t| self.origin(t));
         let origin_ok = self.origin(h).and_then(|v| self.leaving(v)).is_some();
-        let cycle_ok = next.and_then(|n| self.boundary(n)) == boundary
-            && boundary.and_then(|b| self.cycle_start(b)).is_some();
+        let cycle_ok =
+            next.and_then(|n| self.boundary(n)) == boundary && boundary.and_then(|b| self.cycle_start(b)).is_some();
         let lower = |link: Link| self.is_lower(link, h);
         let rank_ok = lower(next) || lower(prev) || lower(twin) || boundary.is_some_and(|b| self.is_root(h, b));
         failures.note(Test::TwinOk, h, twin_ok);
@@ -176,6 +176,7 @@ impl<V: View + ?Sized> Answers<'_, V> {
         };
         outer
             && self.view.inner_count(f) == self.inner_count(f)
-            && (0..self.inner_count(f)).all(|i| self.inner(f, i).is_some_and(|b| starts(self.view.inner_start(f, i), b)))
+            && (0..self.inner_count(f))
+                .all(|i| self.inner(f, i).is_some_and(|b| starts(self.view.inner_start(f, i), b)))
     }
 }

@@ -158,7 +158,9 @@ pub enum LabelsError {
 impl fmt::Display for LabelsError {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         f.write_str(match self {
-            Self::NoContainment => "the structure has faces, but no lists of inner boundary components or no unbounded face",
+            Self::NoContainment => {
+                "the structure has faces, but no lists of inner boundary components or no unbounded face"
+            }
             Self::TooLarge => "the structure has more records than 32 bits can number",
             Self::OutOfMemory => "there is no memory for the labels",
         })

@@ -156,7 +156,8 @@ impl<V: View + ?Sized> Darts<'_, V> {
     }
 
     fn triangle_ok(&self, triangle: usize) -> bool {
-        let corner = |i| self.drawing.points.get(self.point(3 * triangle + i)).copied().unwrap_or([0, 0]).map(i128::from);
+        let corner =
+            |i| self.drawing.points.get(self.point(3 * triangle + i)).copied().unwrap_or([0, 0]).map(i128::from);
         let ([ax, ay], [bx, by], [cx, cy]) = (corner(0), corner(1), corner(2));
         let turn = (ax - cx) * (by - cy) - (bx - cx) * (ay - cy);
         if triangle == 0 { turn < 0 } else { turn > 0 }

@@ -307,7 +307,9 @@ fn outsides<V: View + ?Sized>(s: &Answers<'_, V>) -> Result<Vec<bool>, LabelsErr
     let mut outside = column(s.boundaries, false).ok_or(LabelsError::OutOfMemory)?;
     let mut queue = Queue::new(s)?;
     for b in 0..s.boundaries {
-        if let Some(Start::HalfEdge(h)) = s.start(b).filter(|start| matches!(start, Start::HalfEdge(h) if queue.rank[*h] == NIL)) {
+        if let Some(Start::HalfEdge(h)) =
+            s.start(b).filter(|start| matches!(start, Start::HalfEdge(h) if queue.rank[*h] == NIL))
+        {
             outside[b] = true;
             queue.add(h);
             while queue.take(s).is_some() {}

@@ -1,7 +1,7 @@
 //! A certificate that stands for itself: the structure and its labels as columns.
 
-use super::columns::{Column, DEAD, Labels, LabelsError, VACANT};
 use super::answers::Answers;
+use super::columns::{Column, DEAD, Labels, LabelsError, VACANT};
 use super::test::Failure;
 use crate::slots::NIL;
 use crate::validate::structure::{BoundaryPlace, Link, Parts, Start, View};
@@ -72,7 +72,8 @@ impl Certificate {
         fill(Column::FaceOuter, s.faces, &|f| or_vacant(s.is_face(f), s.outer(f)))?;
         for f in 0..s.faces {
             let listed = columns.column(Column::FaceInner).len();
-            let end = listed.checked_add(s.inner_count(f)).filter(|end| *end < DEAD as usize).ok_or(LabelsError::TooLarge)?;
+            let end =
+                listed.checked_add(s.inner_count(f)).filter(|end| *end < DEAD as usize).ok_or(LabelsError::TooLarge)?;
             let inner = columns.column_mut(Column::FaceInner);
             inner.try_reserve(end - listed).map_err(|_| LabelsError::OutOfMemory)?;
             inner.extend((0..end - listed).map(|i| number(s.inner(f, i))));
