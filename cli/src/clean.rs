@@ -124,6 +124,7 @@ impl Clean {
         let (name, mut layer) = self.input.read()?;
         let names = Names { from: self.name_from.as_deref() };
         names.refuse_unknown(&name, &layer)?;
+        self.output.refuse(&layer)?;
         let assign = Options {
             winner: self.overlap.into(),
             gap_width: self.gap_width,
