@@ -177,10 +177,8 @@ fn a_strip_along_many_short_edges_is_one_near_miss() {
     assert!(near(finding.area, opposite / 2.0 * shift / edge), "{finding:?}");
 }
 
-/// Four features around a lake, and a crack between two of them that begins at the outside and ends at the lake. GEOS 3.14:
-/// `coverage_invalid_edges` has edges of both from a `gap_width` of 0.02 on.
-#[test]
-fn a_crack_that_opens_into_a_lake_is_a_near_miss() {
+/// Five features around a lake of 10 by 10, two of them with a crack between.
+fn around_a_lake() -> [Shape; 5] {
     let shapes = [
         vec![[0.0, 0.0], [30.0, 0.0], [30.0, 10.0], [20.0, 10.0], [10.0, 10.0], [0.0, 10.0]],
         vec![[0.0, 20.0], [10.0, 20.0], [20.0, 20.0], [30.0, 20.0], [30.0, 30.0], [0.0, 30.0]],
@@ -188,7 +186,14 @@ fn a_crack_that_opens_into_a_lake_is_a_near_miss() {
         vec![[0.0, 15.0], [10.0, 15.01], [10.0, 20.0], [0.0, 20.0]],
         vec![[20.0, 10.0], [30.0, 10.0], [30.0, 20.0], [20.0, 20.0]],
     ];
-    let shapes = shapes.map(Shape::polygon);
+    shapes.map(Shape::polygon)
+}
+
+/// Features around a lake, and a crack between two of them that begins at the outside and ends at the lake. GEOS 3.14:
+/// `coverage_invalid_edges` has edges of both from a `gap_width` of 0.02 on.
+#[test]
+fn a_crack_that_opens_into_a_lake_is_a_near_miss() {
+    let shapes = around_a_lake();
     for (width, count) in [(0.019, 0), (0.1, 1), (1.0, 1)] {
         let coverage = found(&shapes, &Limits { gap_width: Some(width), ..Limits::default() });
         assert_eq!((coverage.findings.len(), coverage.wider_gaps.len()), (count, 1), "{width}");
@@ -196,6 +201,30 @@ fn a_crack_that_opens_into_a_lake_is_a_near_miss() {
     let (finding, features) = only(&shapes, &Limits { gap_width: Some(0.1), ..Limits::default() });
     assert_eq!((finding.rule, features), (CoverageRule::NearMiss, vec![2, 3]));
     assert!((finding.area - 0.1).abs() < 1e-6 && (finding.width - 0.01).abs() < 1e-6, "{finding:?}");
+}
+
+#[test]
+fn gaps_are_accepted_by_place_and_by_width() {
+    let shapes = around_a_lake();
+    let counts = |limits: &Limits| {
+        let coverage = found(&shapes, limits);
+        let count = |rule| coverage.of(rule).count();
+        let kept = [coverage.wider_gaps.len(), coverage.accepted_gaps.len()];
+        ([count(CoverageRule::Gap), count(CoverageRule::NearMiss)], kept)
+    };
+    let limits = |gap_width, lake_width, accepted: &[[f64; 2]]| {
+        let accepted_gaps = accepted.iter().copied().map(Point::from).collect();
+        Limits { gap_width, lake_width, accepted_gaps, ..Limits::default() }
+    };
+    assert_eq!(counts(&limits(None, None, &[])), ([1, 0], [0, 0]));
+    // Near misses are looked for in what is accepted, and what is wider than these.
+    assert_eq!(counts(&limits(None, Some(3.0), &[])), ([0, 1], [1, 0]));
+    assert_eq!(counts(&limits(Some(0.1), Some(6.0), &[])), ([1, 1], [0, 0]));
+    assert_eq!(counts(&limits(None, None, &[[15.0, 15.0]])), ([0, 1], [0, 1]));
+    assert_eq!(counts(&limits(Some(6.0), None, &[[15.0, 15.0], [12.0, 12.0]])), ([0, 0], [0, 1]));
+    // Outside, on an edge and in a feature there is no gap.
+    let none = [[-1.0, 0.0], [10.0, 10.0], [15.0, 10.0], [5.0, 5.0], [f64::NAN, 0.0]];
+    assert_eq!(counts(&limits(None, None, &none)), ([1, 0], [0, 0]));
 }
 
 /// A notch between two features, 50 long and 8 wide at its mouth. GEOS 3.14 finds nothing in it at widths from 1e-6 to 7.8, and both sides

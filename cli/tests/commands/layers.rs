@@ -293,6 +293,26 @@ fn a_gap_that_is_too_wide_is_left_whole_and_said_so() {
 }
 
 #[test]
+fn cleaning_leaves_accepted_gaps_and_exits_with_success() {
+    let folder = scratch_folder("accepted");
+    let input = in_folder(&folder, "spindle.wkt");
+    fs::write(&input, SPINDLE).unwrap();
+    let done = |options: &[&str]| run_json(&[&["clean", &input, "--dry-run", "--format", "json"], options].concat());
+    assert_eq!(done(&[]).0, Some(1));
+    for width in [&[][..], &["--gap-width", "100"]] {
+        let (status, report) = done(&[&["--accept-gap", "50,0"], width].concat());
+        assert_eq!(
+            (status, &report["changes"], &report["accepted_gaps"][0]["area"]),
+            (Some(0), &json!([]), &json!(400.0))
+        );
+    }
+    assert_eq!(done(&["--lake-width", "1"]).0, Some(0));
+    assert_eq!(done(&["--lake-width", "10", "--gap-width", "1"]).0, Some(1));
+    let text = String::from_utf8(twinedge(&["clean", &input, "--dry-run", "--accept-gap", "50,0"]).stdout).unwrap();
+    assert!(text.contains("accepted: gap of feature 0, feature 1, area 400.0000, width "), "{text}");
+}
+
+#[test]
 fn cleaning_names_features_by_a_column_and_says_why() {
     let folder = scratch_folder("reasons");
     let input = in_folder(&folder, "copied.geojson");

@@ -76,6 +76,21 @@ fn an_overlap_goes_to_whom_is_asked() {
     assert_eq!(areas(Winner::Last), [95.0, 155.0]);
 }
 
+/// A feature inside another one keeps its place, also where it sticks out a little; one that does not lie inside loses to the larger.
+#[test]
+fn a_nested_feature_is_not_emptied() {
+    let within = "POLYGON((0 0,30 0,30 30,0 30,0 0))\nPOLYGON((10 10,20 10,20 20,10 20,10 10))\nPOLYGON((12 12,14 12,14 14,12 14,12 12))\n\
+POLYGON((29.05 0,29.05 10,39.05 10,39.05 0,29.05 0))\nPOLYGON((20.5 20,30.5 20,30.5 30,20.5 30,20.5 20))\n";
+    let areas = |winner| {
+        let assign = Options { winner, ..Options::default() };
+        let (layer, report) = cleaned(&from_text(within), &CleanOptions { assign, ..CleanOptions::default() });
+        assert!(report.left.is_none(), "{:?}", report.left);
+        layer.features.iter().map(|feature| (area(feature) * 100.0).round() / 100.0).collect::<Vec<_>>()
+    };
+    assert_eq!(areas(Options::default().winner), [705.0, 96.0, 4.0, 90.5, 100.0]);
+    assert_eq!(areas(Winner::Larger), [900.0, 0.0, 0.0, 90.5, 5.0]);
+}
+
 #[test]
 fn of_two_features_at_the_same_place_the_first_stays() {
     let (layer, report) = cleaned(&from_text(&squares(&[0.0, 0.0])), &CleanOptions::default());
@@ -372,9 +387,9 @@ quickcheck! {
         let Some(layer) = quadrangles(&corners, 1.0) else { return TestResult::discard() };
         // A limit below which there is nothing: only overlaps are resolved.
         let assign = Options { sliver_area: Some(1e-12), ..Options::default() };
-        let winners = [Winner::Larger, Winner::Smaller, Winner::First, Winner::Last];
+        let winners = [Winner::Inner, Winner::Larger, Winner::Smaller, Winner::First, Winner::Last];
         let covered = winners.map(|winner| {
-            let assign = Options { winner, ..assign };
+            let assign = Options { winner, ..assign.clone() };
             let mut layer = layer.clone();
             clean(&mut layer, &CleanOptions { assign, ..CleanOptions::default() }).unwrap();
             layer.features.iter().map(area).sum::<f64>()

@@ -29,7 +29,7 @@ mod check;
 mod claims;
 mod duplicate;
 mod finding;
-mod gap;
+pub(super) mod gap;
 mod near_miss;
 mod overlap;
 pub(super) mod region;

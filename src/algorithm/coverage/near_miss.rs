@@ -13,7 +13,7 @@
 //! its borders do not [part](parts) steadily.
 
 use super::claims::features_of;
-use super::finding::{CoverageRule, Finding, Limits};
+use super::finding::{CoverageRule, Finding};
 use super::region::{ends, length, mean_width};
 use super::sliver::median;
 use crate::algorithm::area::Sum;
@@ -50,12 +50,15 @@ struct Stretch {
     other: usize,
 }
 
-/// The near misses, and the width up to which they are such. `spaces` has the space that each unclaimed face is part of, where near misses are looked for, both by
+/// The greatest width of near misses if none is given. O(n), expected.
+pub(super) fn chosen_width(map: &PlanarMap) -> f64 {
+    median(map.dcel().edges().map(|h| length(map, h)).collect()) / OF_MEDIAN
+}
+
+/// The near misses up to a width. `spaces` has the space that each unclaimed face is part of, where near misses are looked for, both by
 /// index. O(n log n + c log c) for c pairs of edges whose boxes come as near as the width.
-pub(super) fn near_misses(map: &PlanarMap, spaces: &FxHashMap<usize, usize>, limits: &Limits) -> (Vec<Finding>, f64) {
+pub(super) fn near_misses(map: &PlanarMap, spaces: &FxHashMap<usize, usize>, width: f64) -> Vec<Finding> {
     let sides = sides(map, spaces);
-    let width =
-        limits.gap_width.unwrap_or_else(|| median(map.dcel().edges().map(|h| length(map, h)).collect()) / OF_MEDIAN);
     // By the two features, then by side.
     let mut pairs: BTreeMap<[FeatureId; 2], BTreeMap<usize, Vec<Stretch>>> = BTreeMap::new();
     let boxed = |(i, side): (usize, &Side<'_>)| {
@@ -89,7 +92,7 @@ pub(super) fn near_misses(map: &PlanarMap, spaces: &FxHashMap<usize, usize>, lim
             findings.extend(near_miss(*pair, &cluster, near, &sides, width));
         }
     }
-    (findings, width)
+    findings
 }
 
 /// The half-edges with one of the spaces to their left and claimed faces to their right.
