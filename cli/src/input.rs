@@ -5,6 +5,7 @@ use crate::output::counted;
 use crate::progress::busy;
 use crate::status::Failure;
 use indicatif::{ProgressBar, ProgressStyle};
+use std::ffi::OsStr;
 use std::fs::File;
 use std::io::{self, BufRead, BufReader, Read};
 use std::path::{Path, PathBuf};
@@ -163,6 +164,10 @@ impl LayerFile {
     pub(crate) fn read(&self) -> Result<(String, Layer), Failure> {
         let Input { name, mut reader, path, .. } = Input::open(Some(&self.file))?;
         let options = ReadOptions { layer: self.layer.clone(), ..ReadOptions::default() };
+        let head = reader.fill_buf().map_err(|error| Failure(format!("{name}: {error}")))?;
+        if let Ok(format) = format_of(head, path.as_deref(), &options) {
+            refuse_layer(&name, path.as_deref(), format, self.layer.as_deref())?;
+        }
         let layer =
             read_layer(&mut reader, path.as_deref(), &options).map_err(|error| Failure(format!("{name}: {error}")))?;
         Ok((name, layer))
@@ -223,7 +228,11 @@ impl MapFile {
         let noted = Noted::new(self.name_from.clone());
         let options = ReadOptions { layer: self.layer.clone(), ..ReadOptions::default() };
         let head = reader.fill_buf().map_err(|error| Failure(format!("{name}: {error}")))?;
-        let orients_rings = format_of(head, path.as_deref(), &options).is_ok_and(Format::orients_rings);
+        let format = format_of(head, path.as_deref(), &options);
+        if let Ok(format) = format {
+            refuse_layer(&name, path.as_deref(), format, self.layer.as_deref())?;
+        }
+        let orients_rings = format.is_ok_and(Format::orients_rings);
         let (builder, read, noted, crs) =
             gather(&mut reader, path.as_deref(), &options, noted, keep).map_err(failed)?;
         self.refuse_empty(&name, &read)?;
@@ -256,6 +265,17 @@ impl MapFile {
         Err(Failure(format!(
             "{name}: a map is made of lines and polygons, and this file has {found}; --allow-empty accepts it"
         )))
+    }
+}
+
+/// Refuses a layer that is asked of a format whose files have one, unless that has the name of the file.
+fn refuse_layer(name: &str, path: Option<&Path>, format: Format, layer: Option<&str>) -> Result<(), Failure> {
+    let has_layers = matches!(format, Format::GeoPackage | Format::TopoJson);
+    match layer.filter(|layer| !has_layers && path.and_then(Path::file_stem) != Some(OsStr::new(layer))) {
+        None => Ok(()),
+        Some(layer) => Err(Failure(format!(
+            "{name}: there is no layer {layer:?}: this is {format}, and --layer is for files with several layers, GeoPackage and TopoJSON"
+        ))),
     }
 }
 
