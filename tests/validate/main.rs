@@ -15,6 +15,7 @@ mod embeddings;
 mod expectations;
 mod families;
 mod forms;
+mod hints;
 mod mesh_rules;
 mod names;
 mod near;

@@ -4,6 +4,7 @@ use super::destination::{self, Destination};
 use super::mesh_options::MeshOptions;
 use crate::coverage::CoverageOptions;
 use crate::input::MapFile;
+use crate::units::Measured;
 use std::time::Instant;
 use twinedge::validate::Collect;
 
@@ -53,7 +54,7 @@ pub(crate) struct Audit {
     pub(super) list: Option<usize>,
 
     /// Say of each kind of violation or finding what usually causes it and what mends it. In JSON these are the keys `cause` and
-    /// `remedy`.
+    /// `remedy`. Of a topology of PostGIS: the SQL that shows the rows, and the SQL that mends what can be mended in one way only (key `sql`).
     #[arg(long)]
     pub(super) explain: bool,
 
@@ -69,6 +70,9 @@ pub(crate) struct Audit {
 
     #[command(flatten)]
     pub(super) coverage: CoverageOptions,
+
+    #[command(flatten)]
+    pub(super) measured: Measured,
 
     #[command(flatten)]
     pub(super) mesh: MeshOptions,

@@ -11,6 +11,7 @@ mod mesh_file;
 mod mesh_options;
 mod packed;
 mod page;
+mod reader_words;
 mod report;
 mod table_file;
 mod text;
@@ -30,7 +31,7 @@ impl Audit {
         let start = Instant::now();
         let mut input = self.map.open()?;
         let kind = InputKind::of(self, &mut input)?;
-        let run = &Run { asked: self, to: self.destination.destination(self.map.path()), start };
+        let run = &Run { asked: self, to: self.destination.destination(self.map.path())?, start };
         kind.refuse_options(run, &input.name)?;
         match kind {
             InputKind::Map => map::audit(run, input),

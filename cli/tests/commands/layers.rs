@@ -87,6 +87,34 @@ fn what_a_format_cannot_hold_is_refused_and_said() {
 }
 
 #[test]
+fn ids_are_kept_in_a_column_where_there_is_no_room_for_them() {
+    let folder = scratch_folder("id_column");
+    let input = in_folder(&folder, "lakes.geojson");
+    fs::write(&input, PARCELS.replace("\"source\":\"survey\",\n", "")).unwrap();
+    for name in ["lakes.shp", "lakes.gpkg", "lakes.fgb"] {
+        let output = in_folder(&folder, name);
+        let refused = complaint(&twinedge(&["convert", &input, "-o", &output]));
+        assert!(refused.contains("the ids of 3 features") && refused.contains("--id-column"), "{refused}");
+        assert_eq!(status(&["convert", &input, "-o", &output, "--id-column", "parcel"]), Some(0), "{name}");
+        let (_, layer) = run_json(&["convert", &output, "-o", "-"]);
+        assert_eq!(layer["features"][1]["properties"]["parcel"], json!("A-2"), "{name}");
+        let taken = complaint(&twinedge(&["convert", &input, "-o", &output, "--id-column", "owner"]));
+        assert!(taken.contains("there is a column owner already"), "{taken}");
+    }
+}
+
+#[test]
+fn cleaning_refuses_what_cannot_be_written_before_it_works() {
+    let folder = scratch_folder("refused_early");
+    let input = in_folder(&folder, "far.geojson");
+    // Coordinates out of range would be found by cleaning.
+    fs::write(&input, PARCELS.replace("[20,20]", "[1e300,20]")).unwrap();
+    assert!(complaint(&twinedge(&["clean", &input, "--dry-run"])).contains("1e300"));
+    let refused = complaint(&twinedge(&["clean", &input, "-o", &in_folder(&folder, "far.shp")]));
+    assert!(refused.contains("the ids of 3 features"), "{refused}");
+}
+
+#[test]
 fn the_input_is_not_overwritten_by_any_path() {
     let folder = scratch_folder("overwritten");
     let input = parcels(&folder);
@@ -104,7 +132,9 @@ fn the_input_is_not_overwritten_by_any_path() {
             let arguments = [command, &[&input, "-o", output]].concat();
             let said = twinedge(&arguments);
             assert_eq!(said.status.code(), Some(2), "{arguments:?}");
-            assert!(String::from_utf8_lossy(&said.stderr).contains("this is the input"), "{arguments:?}");
+            let why =
+                if command == ["draw"] { "this command writes .svg, and no .geojson" } else { "this is the input" };
+            assert!(String::from_utf8_lossy(&said.stderr).contains(why), "{arguments:?}");
         }
     }
     assert_eq!(fs::read_to_string(&input).unwrap(), PARCELS);
@@ -112,7 +142,9 @@ fn the_input_is_not_overwritten_by_any_path() {
     let shp = in_folder(&folder, "a.shp");
     assert_eq!(status(&["convert", &input, "-o", &shp, "--lossy"]), Some(0));
     for part in ["a.shp", "a.dbf", "a.cpg"] {
-        assert!(complaint(&twinedge(&["draw", &shp, "-o", &in_folder(&folder, part)])).contains("this is the input"));
+        let output = in_folder(&folder, part);
+        let said = complaint(&twinedge(&["audit", &shp, "--format", "json", "-o", &output]));
+        assert!(said.contains("this is the input"), "{said}");
     }
 }
 
@@ -265,6 +297,26 @@ fn a_gap_that_is_too_wide_is_left_whole_and_said_so() {
 }
 
 #[test]
+fn cleaning_leaves_accepted_gaps_and_exits_with_success() {
+    let folder = scratch_folder("accepted");
+    let input = in_folder(&folder, "spindle.wkt");
+    fs::write(&input, SPINDLE).unwrap();
+    let done = |options: &[&str]| run_json(&[&["clean", &input, "--dry-run", "--format", "json"], options].concat());
+    assert_eq!(done(&[]).0, Some(1));
+    for width in [&[][..], &["--gap-width", "100"]] {
+        let (status, report) = done(&[&["--accept-gap", "50,0"], width].concat());
+        assert_eq!(
+            (status, &report["changes"], &report["accepted_gaps"][0]["area"]),
+            (Some(0), &json!([]), &json!(400.0))
+        );
+    }
+    assert_eq!(done(&["--lake-width", "1"]).0, Some(0));
+    assert_eq!(done(&["--lake-width", "10", "--gap-width", "1"]).0, Some(1));
+    let text = String::from_utf8(twinedge(&["clean", &input, "--dry-run", "--accept-gap", "50,0"]).stdout).unwrap();
+    assert!(text.contains("accepted: gap of feature 0, feature 1, area 400.0000, width "), "{text}");
+}
+
+#[test]
 fn cleaning_names_features_by_a_column_and_says_why() {
     let folder = scratch_folder("reasons");
     let input = in_folder(&folder, "copied.geojson");
@@ -305,4 +357,40 @@ fn rings_are_judged_by_the_rule_of_their_format() {
         assert_eq!(status(&["convert", &input, "-o", &output, "--lossy"]), Some(0));
         assert_eq!(wrong(&output), (json!(0), 0), "{name}");
     }
+}
+
+#[test]
+fn an_extension_that_the_command_does_not_write_is_refused() {
+    let folder = scratch_folder("extensions");
+    let input = parcels(&folder);
+    for command in [&["audit"][..], &["draw"], &["decompose"], &["voronoi"]] {
+        for name in ["out.gpkg", "out.xyz"] {
+            let output = in_folder(&folder, name);
+            let said = complaint(&twinedge(&[command, &[&input, "-o", &output]].concat()));
+            assert!(said.contains("this command writes ."), "{command:?} {said}");
+            assert!(!Path::new(&output).exists());
+        }
+    }
+    // The extension says the format, and a file has no colours.
+    let output = in_folder(&folder, "pieces.json");
+    assert_eq!(status(&["decompose", "--snap", "auto", &input, "-o", &output]), Some(0));
+    assert!(serde_json::from_str::<serde_json::Value>(&fs::read_to_string(&output).unwrap()).is_ok());
+    let output = in_folder(&folder, "pieces.txt");
+    assert_eq!(status(&["decompose", "--snap", "auto", &input, "-o", &output]), Some(0));
+    let text = fs::read_to_string(&output).unwrap();
+    assert!(text.contains("diagonals") && !text.contains('\u{1b}'), "{text:?}");
+}
+
+#[test]
+fn a_layer_that_is_not_there_is_refused() {
+    let folder = scratch_folder("no_such_layer");
+    let input = parcels(&folder);
+    for command in
+        [&["audit"][..], &["draw"], &["clean", "-o", "-"], &["convert", "-o", "-", "--to", "wkt"], &["voronoi"]]
+    {
+        let said = complaint(&twinedge(&[command, &[&input, "--layer", "roads"]].concat()));
+        assert!(said.contains("there is no layer \"roads\""), "{command:?} {said}");
+    }
+    // The one layer has the name of the file.
+    assert_ne!(status(&["audit", &input, "--layer", "parcels"]), Some(2));
 }
