@@ -65,7 +65,7 @@ pub(crate) struct Clean {
     overlap: Claim,
 
     /// Greatest mean width of a gap that is filled, in the units of the coordinates, and greatest distance between two borders that
-    /// face each other where the space between them is open to the outside: it is filled as well. Default: only gaps smaller than --sliver are.
+    /// face each other where the space between them is open to the outside or to a wider gap: it is filled as well. Default: only gaps smaller than --sliver are.
     #[arg(long, value_name = "W", value_parser = crate::coverage::positive)]
     gap_width: Option<f64>,
 
@@ -117,6 +117,7 @@ impl Clean {
         let (name, mut layer) = self.input.read()?;
         let names = Names { from: self.name_from.as_deref() };
         names.refuse_unknown(&name, &layer)?;
+        self.output.refuse(&layer)?;
         let assign = Options {
             winner: self.overlap.into(),
             gap_width: self.gap_width,

@@ -35,6 +35,10 @@ pub(crate) fn write(out: &mut String, one: &Diagnosis, decimals: usize) -> Resul
     if !features.is_empty() {
         writeln!(out, "   on the border of {}", features.join(", "))?;
     }
+    if let Some(sql) = &one.sql {
+        writeln!(out, "   {QUIET}rows: {QUIET:#}{}", sql.show)?;
+        sql.mend.iter().try_for_each(|mend| writeln!(out, "   {QUIET}mend: {QUIET:#}{mend}"))?;
+    }
     one.follows_from.map_or(Ok(()), |follows| writeln!(out, "   {QUIET}which follows from {follows}{QUIET:#}"))
 }
 
@@ -81,11 +85,12 @@ pub(crate) fn write_explanations<'a>(out: &mut String, all: impl IntoIterator<It
 pub(crate) fn write_rule(out: &mut String, rule: &RuleLine) -> Result {
     write!(out, "  {:2}  {:10} ", rule.id, rule.name)?;
     let checked = format!("{} {}", grouped(rule.checked), rule.unit);
-    match (rule.violations, rule.unchecked) {
+    match (rule.violations, rule.not_checked()) {
         (0, None) => writeln!(out, "{GOOD}ok{GOOD:#}      {checked}"),
-        (0, Some(why)) => writeln!(out, "{QUIET}not checked: {why}{QUIET:#}"),
+        (0, Some(why)) if rule.is_in_part() => writeln!(out, "{GOOD}ok{GOOD:#}      {checked}; {why}"),
+        (0, Some(why)) => writeln!(out, "{QUIET}{why}{QUIET:#}"),
         (n, why) => {
-            let why = why.map_or_else(String::new, |why| format!("; the rest not checked: {why}"));
+            let why = why.map_or_else(String::new, |why| format!("; {why}"));
             writeln!(out, "{BAD}BROKEN{BAD:#}  {} in {checked}{why}", counted(n as usize, "violation"))
         }
     }

@@ -53,7 +53,7 @@ pub(crate) struct Audit {
     pub(super) list: Option<usize>,
 
     /// Say of each kind of violation or finding what usually causes it and what mends it. In JSON these are the keys `cause` and
-    /// `remedy`.
+    /// `remedy`. Of a topology of PostGIS: the SQL that shows the rows, and the SQL that mends what can be mended in one way only (key `sql`).
     #[arg(long)]
     pub(super) explain: bool,
 

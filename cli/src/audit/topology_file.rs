@@ -17,18 +17,24 @@ pub(super) fn audit_postgis(run: &Run<'_>, Input { name, reader, .. }: Input) ->
     let failed = |error| Failure(format!("{name}: {error}"));
     let topology = postgis::read(reader, run.asked.most()).map_err(failed)?;
     let audit = postgis::audit(&topology, run.asked.most()).map_err(failed)?;
-    let report = report(&name, &audit, &POSTGIS)?;
+    let mut report = report(&name, &audit, &POSTGIS)?;
+    if run.asked.explain && !audit.is_valid() {
+        report.remarks.push(SQL);
+    }
     write(report, run, |report| picture(&topology, |record| topology.name(record), report))
 }
 
 /// Reads the arcs of an object of TopoJSON and prints what was found.
-pub(super) fn audit_arcs(run: &Run<'_>, Input { name, mut reader, .. }: Input) -> Result<Verdict, Failure> {
+pub(super) fn audit_arcs(run: &Run<'_>, Input { name, mut reader, layer, .. }: Input) -> Result<Verdict, Failure> {
     let list = run.asked.most();
-    let topology = topojson::read(&mut reader, run.asked.map.layer(), list)
-        .map_err(|error| Failure(format!("{name}: {error}")))?;
+    let topology =
+        topojson::read(&mut reader, layer.as_deref(), list).map_err(|error| Failure(format!("{name}: {error}")))?;
     let report = report(&name, &topojson::audit(&topology, list), &ARCS)?;
     write(report, run, |report| picture(&topology, |record| topology.name(record), report))
 }
+
+const SQL: &str = "The SQL is for psql, after `SET search_path TO \"NAME\", public, topology;`. A fault with \"mend\" can be mended in this way only. Audit \
+    again afterwards: more may be known then.";
 
 /// A kind of topology, in words.
 struct Words {

@@ -52,8 +52,11 @@ fn what_is_broken_is_named_by_ids_in_text_and_json() {
     let output = twinedge_reading(&["audit", "--postgis", "-", "--explain"], &broken());
     let text = String::from_utf8(output.stdout).unwrap();
     assert_eq!(output.status.code(), Some(1), "{text}");
-    assert!(text.contains(&format!("R1 {sentence}\n   at (0, 0) (40, 0)\nR1: usual cause: ")), "{text}");
-    assert!(text.contains("not valid: 1 violation; 15 rules not checked ("), "{text}");
+    let rows = "   rows: SELECT * FROM edge_data WHERE edge_id IN (1);";
+    let mend = "   mend: UPDATE edge_data SET next_left_edge = 3, abs_next_left_edge = 3 WHERE edge_id = 1;";
+    let first = format!("R1 {sentence}\n   at (0, 0) (40, 0)\n{rows}\n{mend}\nR1: usual cause: ");
+    assert!(text.contains(&first) && text.contains("`SET search_path TO"), "{text}");
+    assert!(text.contains("not valid: 1 violation; 11 rules not checked ("), "{text}");
 
     let path = format!("{}/broken.copy", env!("CARGO_TARGET_TMPDIR"));
     std::fs::write(&path, broken()).unwrap();
@@ -63,6 +66,8 @@ fn what_is_broken_is_named_by_ids_in_text_and_json() {
     assert_eq!((&violation["rule"], &violation["message"]), (&"R1".into(), &sentence.into()));
     assert_eq!(violation["records"], serde_json::json!(["edge +1"]));
     assert!(violation["remedy"].as_str().is_some_and(|remedy| !remedy.is_empty()));
+    assert_eq!(violation["sql"]["mend"].as_array().map(Vec::len), Some(1));
+    assert!(json(&["audit", &path, "--format", "json"]).1["violations"][0].get("sql").is_none());
     assert_eq!(found["rules"].as_array().unwrap().len(), 5 + 19);
 }
 

@@ -42,19 +42,22 @@ struct Line {
     unit: Option<&'static str>,
     violations: u64,
     unchecked: Option<Reason>,
+    #[serde(skip_serializing_if = "Option::is_none")]
+    left_out: Option<u64>,
 }
 
 impl<'a, C> Document<'a, C> {
     /// An audit that found nothing.
     #[must_use]
     pub fn new(valid: bool, counts: C, rules: &[RuleLine]) -> Self {
-        let line = |&RuleLine { id, checked, violations, unchecked, .. }: &RuleLine| Line {
+        let line = |&RuleLine { id, checked, violations, unchecked, left_out, .. }: &RuleLine| Line {
             id,
             name: None,
             checked,
             unit: None,
             violations,
             unchecked,
+            left_out,
         };
         Self {
             schema: REPORT_SCHEMA,

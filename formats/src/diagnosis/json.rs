@@ -1,6 +1,6 @@
 //! A diagnosis as JSON. `docs/report.md` describes the keys.
 
-use super::{Diagnosis, FeatureName, Flaw, Kind, Position, Reason, Records};
+use super::{Diagnosis, FeatureName, Flaw, Kind, Position, Reason, Records, Sql};
 use serde::{Serialize, Serializer};
 
 /// The entry of a list of violations or findings.
@@ -33,6 +33,8 @@ struct Entry<'a> {
     cause: Option<&'static str>,
     #[serde(skip_serializing_if = "Option::is_none")]
     remedy: Option<&'static str>,
+    #[serde(skip_serializing_if = "Option::is_none")]
+    sql: Option<&'a Sql>,
 }
 
 /// A violation has the names of the features, a finding of a coverage has their numbers and ids, too.
@@ -80,6 +82,7 @@ impl Serialize for Diagnosis {
             message: &self.message,
             cause: self.cause,
             remedy: self.remedy,
+            sql: self.sql.as_ref(),
         }
         .serialize(serializer)
     }
@@ -91,13 +94,14 @@ impl Serialize for Reason {
         #[serde(rename_all = "snake_case")]
         enum Form {
             Broken(&'static str),
+            NotClosed,
             NotLocated,
         }
         match self {
             Self::Validator(why) => why.serialize(serializer),
             Self::Broken(rule) => Form::Broken(rule).serialize(serializer),
-            Self::BoxesNeed(rule) => Form::Broken(rule.id()).serialize(serializer),
-            Self::NotLocated(_) => Form::NotLocated.serialize(serializer),
+            Self::NotClosed => Form::NotClosed.serialize(serializer),
+            Self::NotLocated => Form::NotLocated.serialize(serializer),
         }
     }
 }

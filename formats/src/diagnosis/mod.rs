@@ -53,6 +53,8 @@ pub struct Diagnosis {
     pub cause: Option<&'static str>,
     /// The remedy.
     pub remedy: Option<&'static str>,
+    /// The statements for the database that has the records.
+    pub sql: Option<Sql>,
     /// The records involved.
     pub records: Records,
     /// The features involved, where there are features.
@@ -156,6 +158,16 @@ impl Records {
     }
 }
 
+/// Statements for the database in which something was found.
+#[derive(Clone, Debug, Default, PartialEq, Eq)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize))]
+pub struct Sql {
+    /// Queries of the rows that are involved.
+    pub show: String,
+    /// The statements that mend it; none where that takes a choice.
+    pub mend: Vec<String>,
+}
+
 /// The shape of what was found.
 #[derive(Clone, Debug, Default, PartialEq)]
 #[cfg_attr(feature = "serde", derive(serde::Serialize))]
@@ -227,10 +239,10 @@ pub struct Flaw {
 }
 
 impl Diagnosis {
-    /// Drops cause and remedy.
+    /// Drops cause, remedy and statements.
     #[must_use]
     pub fn unexplained(self) -> Self {
-        Self { cause: None, remedy: None, ..self }
+        Self { cause: None, remedy: None, sql: None, ..self }
     }
 }
 
@@ -240,7 +252,7 @@ impl From<&Violation> for Diagnosis {
         Self {
             rule: Some(violation.rule().id()),
             kind: Kind::Of(*violation),
-            message: violation.to_string(),
+            message: violation.message(),
             cause: Some(violation.cause()),
             remedy: Some(violation.remedy()),
             records: Records::Indices { records: violation.records().into_iter().flatten().collect() },

@@ -20,6 +20,8 @@ pub struct RuleLine {
     pub violations: u64,
     /// Why it was not checked, or not on everything.
     pub unchecked: Option<Reason>,
+    /// The number of its unit on which it was not checked, where that is known.
+    pub left_out: Option<u64>,
 }
 
 /// Why a rule was not checked, or not on everything. `Display` says it.
@@ -30,10 +32,10 @@ pub enum Reason {
     Validator(Unchecked),
     /// It relies on a rule of the format, which is broken.
     Broken(&'static str),
-    /// The boxes around faces rely on this rule, which is broken.
-    BoxesNeed(Rule),
-    /// It is not known in which faces so many isolated nodes lie.
-    NotLocated(u64),
+    /// The boxes around some faces cannot be judged: the lines that name these do not close.
+    NotClosed,
+    /// It is not known in which faces some isolated nodes lie.
+    NotLocated,
 }
 
 impl Reason {
@@ -49,10 +51,9 @@ impl fmt::Display for Reason {
         match self {
             Self::Validator(why) => why.fmt(f),
             Self::Broken(rule) => write!(f, "needs {rule}, which is broken"),
-            Self::BoxesNeed(rule) => write!(f, "for mbr: needs {rule}, which is broken"),
-            Self::NotLocated(count) => {
-                let nodes = if *count == 1 { "1 isolated node lies" } else { &format!("{count} isolated nodes lie") };
-                write!(f, "in which face {nodes}: needs G5, or P1 and lines around the faces that close")
+            Self::NotClosed => f.write_str("for mbr: the lines around these faces do not close"),
+            Self::NotLocated => {
+                f.write_str("in which face isolated nodes lie: needs G5, or G4 and lines around the faces that close")
             }
         }
     }
@@ -70,6 +71,7 @@ impl RuleLine {
             unit: rule.unit(outcome.checked),
             violations: outcome.violations,
             unchecked: outcome.unchecked.map(Reason::Validator),
+            left_out: None,
         }
     }
 
@@ -77,6 +79,29 @@ impl RuleLine {
     #[must_use]
     pub fn of(report: &Report) -> Vec<Self> {
         report.outcomes().map(|(rule, outcome)| Self::new(rule, outcome)).collect()
+    }
+
+    /// Returns false if it is a rule of the plane, and the structure is held to a surface: text leaves it out.
+    #[must_use]
+    pub fn applies(&self) -> bool {
+        self.unchecked != Some(Reason::Validator(Unchecked::PlaneOnly))
+    }
+
+    /// Returns true if it was checked on some records, and it is known on how many it was not.
+    #[must_use]
+    pub fn is_in_part(&self) -> bool {
+        self.checked > 0 && self.left_out.is_some()
+    }
+
+    /// A clause that says on how many records it was not checked, and why.
+    #[must_use]
+    pub fn not_checked(&self) -> Option<String> {
+        let why = self.unchecked?;
+        Some(match self.left_out {
+            Some(count) => format!("not checked on {count} of {} {}: {why}", self.checked + count, self.unit),
+            None if self.violations > 0 => format!("the rest not checked: {why}"),
+            None => format!("not checked: {why}"),
+        })
     }
 
     /// Returns true if it applies and was not checked, or not on everything.
@@ -88,14 +113,15 @@ impl RuleLine {
 
 impl fmt::Display for RuleLine {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        let Self { id, name, checked, unit, violations, unchecked, .. } = self;
+        let Self { id, name, checked, unit, violations, .. } = self;
         write!(f, "{id} {name:10} ")?;
-        match (violations, unchecked) {
+        match (violations, self.not_checked()) {
             (0, None) => write!(f, "ok, {checked} {unit}"),
-            (0, Some(why)) => write!(f, "not checked: {why}"),
+            (0, Some(why)) if self.is_in_part() => write!(f, "ok, {checked} {unit}; {why}"),
+            (0, Some(why)) => f.write_str(&why),
             (n, why) => {
                 write!(f, "BROKEN, {n} violation{} in {checked} {unit}", if *n == 1 { "" } else { "s" })?;
-                why.map_or(Ok(()), |why| write!(f, "; the rest not checked: {why}"))
+                why.map_or(Ok(()), |why| write!(f, "; {why}"))
             }
         }
     }

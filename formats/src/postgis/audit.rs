@@ -1,18 +1,22 @@
 //! The audit of a topology: the validator's rules, and P0 … P4.
 
-use super::containing::{containing, points};
+use super::advice::advice;
+use super::containing::containing;
 use super::error::ReadError;
 use super::finding::{Finding, Findings, RULES};
+use super::lines::{Drawing, Lines};
 use super::mbr::Mbr;
-use super::message::message;
+use super::mend::Mender;
+use super::message::{message, unit};
 use super::topology::Topology;
 use crate::diagnosis::{Diagnosis, Kind, Position, Reason, Records, RuleLine, Trace, middle};
 use crate::topology_audit::{TopologyAudit, TopologyCounts};
+use std::collections::BTreeSet;
 use twinedge::delegate_view;
 use twinedge::geometry::Point;
 use twinedge::validate::adapt::FaceLabels;
 use twinedge::validate::{
-    Collect, Embedding, Expectation, Part, Parts, Record, Report, Rule, RuleOutcome, Start, View,
+    Collect, Embedding, Expectation, Part, Parts, Record, Report, Rule, RuleOutcome, Start, View, Violation,
 };
 use twinedge::validate::{places, validate, validate_embedding};
 
@@ -80,46 +84,43 @@ const GEOMETRIC: [Rule; 5] = [Rule::G1, Rule::G2, Rule::G3, Rule::G4, Rule::G5];
 pub fn audit(topology: &Topology, limit: usize) -> Result<TopologyAudit, ReadError> {
     let labels = FaceLabels::with_holes(topology, topology.universe()).ok_or(ReadError::OutOfMemory)?;
     let view = Listed { labels, topology };
-    let ends_meet = topology.findings.counts[1] == 0;
     let collect = Collect::AtMost(limit);
-    let report = if ends_meet {
+    let report = if topology.findings.counts[1] == 0 {
         validate_embedding(&view, &Expectation::plane(), collect)
     } else {
         validate(&view, &Expectation::plane(), collect)
     };
     let mut findings = topology.findings.clone();
-    let broken = |rule: &Rule| report.outcome(*rule).is_some_and(|outcome| outcome.violations > 0);
-    let mbrs_unchecked = [Rule::R1, Rule::L3, Rule::B1].into_iter().find(broken);
-    if mbrs_unchecked.is_none() {
-        boxes(topology, &mut findings);
-    }
-    // G5 asks the same, where the links allow it.
-    let is_checked = report.outcome(Rule::G5).is_some_and(|outcome| outcome.unchecked.is_none());
-    let nowhere = if is_checked {
-        0
-    } else if ends_meet && !broken(&Rule::G4) {
-        containing(topology, &mut findings)
+    let name = |record| topology.name(record);
+    let mut theirs: Vec<(Fault, Diagnosis)> =
+        report.violations().iter().map(|one| (Fault::Of(*one), diagnosis(topology, &view, name, one))).collect();
+    let mut left_out = LeftOut::default();
+    let mut drawing = None;
+    // G5 asks where isolated nodes lie, and that the lines around each face close, where the links allow it.
+    if is_checked(&report, Rule::G5) {
+        boxes(topology, &BTreeSet::new(), &mut findings);
     } else {
-        topology.contained.len() as u64
-    };
-    let unchecked = Unchecked { mbrs: mbrs_unchecked, nowhere };
-    let rules = rules(topology, &findings, &report, &unchecked);
-    let own = findings.kept.iter().map(|finding| {
-        let line = finding.edge().and_then(|id| line(topology, topology.edges.slot(id)?));
-        placed(finding.into(), place(topology, finding), line.into_iter().collect())
-    });
-    let theirs = report.violations().iter().map(|violation| {
-        let records = || violation.records().into_iter().flatten();
-        let diagnosis = Diagnosis {
-            // Its fields are slots, which nobody knows.
-            kind: Kind::Named { kind: violation.kind() },
-            message: message(topology, violation),
-            records: Records::Names { records: records().filter_map(|record| named(topology, record)).collect() },
-            ..violation.into()
+        let mut lines = Lines::of(topology);
+        left_out.boxes = boxes(topology, &lines.open_faces(), &mut findings);
+        let mut disjoint = holds(&report, Rule::G4);
+        if !is_checked(&report, Rule::G4) {
+            let mut judged = lines.judge(collect);
+            judged.violations.retain(|one| !is_checked(&report, one.rule()));
+            let of_lines = |one: &Violation| (Fault::Of(*one), diagnosis(topology, &lines, |r| lines.name(r), one));
+            theirs.extend(judged.violations.iter().map(of_lines));
+            disjoint = judged.disjoint.outcome.violations == 0;
+            drawing = Some(judged);
+        }
+        left_out.nodes = if disjoint {
+            containing(topology, &lines.open_faces(), &mut findings)
+        } else {
+            topology.contained.len() as u64
         };
-        let places = places(&view, violation).into_iter().map(Into::into).collect();
-        placed(diagnosis, places, records().filter_map(|record| drawn(topology, record)).collect())
-    });
+    }
+    let rules = rules(topology, &findings, &report, drawing.as_ref(), &left_out);
+    let found = findings.kept.iter().map(|finding| (Fault::Own(*finding), own(topology, finding)));
+    let found: Vec<_> = found.chain(theirs).collect();
+    let violations = if found.is_empty() { Vec::new() } else { with_sql(topology, &rules, found) };
     let counts = TopologyCounts {
         nodes: topology.nodes.len(),
         isolated_nodes: report.counts().isolated_vertices,
@@ -129,7 +130,62 @@ pub fn audit(topology: &Topology, limit: usize) -> Result<TopologyAudit, ReadErr
         bends: topology.bends.len(),
         repeated_points: topology.repeated_points,
     };
-    Ok(TopologyAudit::new(counts, rules, own.chain(theirs).collect(), limit))
+    Ok(TopologyAudit::new(counts, rules, violations, limit))
+}
+
+/// Returns true if the rule was checked on everything.
+fn is_checked(report: &Report, rule: Rule) -> bool {
+    report.outcome(rule).is_some_and(|outcome| outcome.unchecked.is_none())
+}
+
+/// Returns true if no violation of the rule was found.
+fn holds(report: &Report, rule: Rule) -> bool {
+    report.outcome(rule).is_none_or(|outcome| outcome.violations == 0)
+}
+
+/// A finding of this format, or a violation of the validator.
+enum Fault {
+    Own(Finding),
+    Of(Violation),
+}
+
+/// A finding with its place.
+fn own(topology: &Topology, finding: &Finding) -> Diagnosis {
+    let line = finding.edge().and_then(|id| line(topology, topology.edges.slot(id)?));
+    placed(finding.into(), place(topology, finding), line.into_iter().collect())
+}
+
+/// The same with statements for the database.
+fn with_sql(topology: &Topology, rules: &[RuleLine], found: Vec<(Fault, Diagnosis)>) -> Vec<Diagnosis> {
+    let lines = Lines::of(topology);
+    let mender = Mender::of(topology, &lines, rules);
+    let sql = |fault: &Fault, diagnosis: &Diagnosis| match fault {
+        Fault::Own(finding) => mender.of_finding(finding),
+        Fault::Of(violation) => mender.of_violation(violation, &diagnosis.records.names()),
+    };
+    found.into_iter().map(|(fault, one)| Diagnosis { sql: Some(sql(&fault, &one)), ..one }).collect()
+}
+
+/// A violation with the names of the database, its places, and the lines of its edges.
+fn diagnosis<E: Embedding>(
+    topology: &Topology,
+    view: &E,
+    name: impl Fn(Record) -> String,
+    violation: &Violation,
+) -> Diagnosis {
+    let records = || violation.records().into_iter().flatten();
+    let [cause, remedy] = advice(violation.rule()).map(Some);
+    let diagnosis = Diagnosis {
+        cause,
+        remedy,
+        // Its fields are slots, which nobody knows.
+        kind: Kind::Named { kind: violation.kind() },
+        message: message(topology, name, violation),
+        records: Records::Names { records: records().filter_map(|record| named(topology, record)).collect() },
+        ..violation.into()
+    };
+    let places = places(view, violation).into_iter().map(Into::into).collect();
+    placed(diagnosis, places, records().filter_map(|record| drawn(topology, record)).collect())
 }
 
 /// The same with its places, and the lines of its edges, whole.
@@ -142,10 +198,11 @@ fn placed(diagnosis: Diagnosis, places: Vec<Position>, lines: Vec<Vec<Position>>
 /// The name of a record in the database.
 fn named(topology: &Topology, record: Record) -> Option<String> {
     let table = match record {
-        Record::Vertex(_) => "node",
+        Record::Vertex(vertex) if vertex < topology.nodes.len() => "node",
         Record::HalfEdge(_) => "edge",
         Record::Face(_) => "face",
-        Record::Boundary(_) => return None,
+        // A boundary component, or the end of a line without node.
+        _ => return None,
     };
     Some(format!("{table} {}", topology.name(record)))
 }
@@ -160,14 +217,14 @@ fn drawn(topology: &Topology, record: Record) -> Option<Vec<Position>> {
 
 /// The line of an edge with two points or more, if all of them are finite.
 fn line(topology: &Topology, edge: u32) -> Option<Vec<Position>> {
-    let edge = edge as usize;
-    let line = topology.ends.get(edge).map(|_| points(topology, edge))?;
+    let line = topology.line_points(edge as usize);
     (line.len() > 1 && line.iter().all(|p| p.x.is_finite() && p.y.is_finite()))
         .then(|| line.into_iter().map(Into::into).collect())
 }
 
-/// P4, for `mbr`.
-fn boxes(topology: &Topology, findings: &mut Findings) {
+/// P4, for `mbr`. Returns how many boxes cannot be judged, because the lines around their faces do not close.
+fn boxes(topology: &Topology, open: &BTreeSet<u32>, findings: &mut Findings) -> u64 {
+    let mut left_out = 0;
     for (slot, mbr) in topology.mbrs.iter().enumerate().filter(|(slot, _)| topology.is_face(*slot)) {
         let face = topology.faces.id(slot).unwrap_or_default();
         match mbr {
@@ -175,35 +232,89 @@ fn boxes(topology: &Topology, findings: &mut Findings) {
             _ if face == 0 => findings.add(Finding::UniverseHasMbr { face }),
             Mbr::Null => findings.add(Finding::MbrMissing { face }),
             Mbr::NoBox => findings.add(Finding::MbrNotBox { face }),
+            Mbr::Is(_) if open.contains(&(slot as u32)) => left_out += 1,
             Mbr::Is(found) if *found != topology.boxes[slot] => findings.add(Finding::MbrWrong { face }),
             Mbr::Is(_) => {}
         }
     }
+    left_out
 }
 
-/// The questions that could not be asked.
-struct Unchecked {
-    /// The rule without which `mbr` cannot be judged.
-    mbrs: Option<Rule>,
-    /// The number of isolated nodes that may lie anywhere.
-    nowhere: u64,
+/// The records of which P2 and P4 are not known, because the lines around their faces do not close.
+#[derive(Default)]
+struct LeftOut {
+    boxes: u64,
+    nodes: u64,
 }
 
-fn rules(topology: &Topology, findings: &Findings, report: &Report, not: &Unchecked) -> Vec<RuleLine> {
+fn rules(
+    topology: &Topology,
+    findings: &Findings,
+    report: &Report,
+    drawing: Option<&Drawing>,
+    left_out: &LeftOut,
+) -> Vec<RuleLine> {
     let [nodes, faces, edges] = [&topology.nodes, &topology.faces, &topology.edges].map(|ids| ids.len() as u64);
     let checked = [nodes + faces + edges, nodes + edges, nodes, faces, faces + 2 * edges];
     let own = RULES.into_iter().enumerate().map(|(i, [id, name, unit, statement])| {
-        let unchecked = match id {
-            "P4" => not.mbrs.map(Reason::BoxesNeed),
-            "P2" if not.nowhere > 0 => Some(Reason::NotLocated(not.nowhere)),
-            _ => None,
+        let (out, why) = match id {
+            "P2" => (left_out.nodes, Reason::NotLocated),
+            "P4" => (left_out.boxes, Reason::NotClosed),
+            _ => (0, Reason::NotClosed),
         };
-        RuleLine { id, name, statement, checked: checked[i], unit, violations: findings.counts[i], unchecked }
+        let left_out = Some(out).filter(|out| *out > 0);
+        let unchecked = left_out.map(|_| why);
+        RuleLine {
+            id,
+            name,
+            statement,
+            checked: checked[i] - out,
+            unit,
+            violations: findings.counts[i],
+            unchecked,
+            left_out,
+        }
     });
-    let missing = GEOMETRIC.into_iter().filter(|rule| report.outcome(*rule).is_none());
-    let missing = missing
-        .map(|rule| RuleLine { unchecked: Some(Reason::Broken("P1")), ..RuleLine::new(rule, RuleOutcome::default()) });
-    own.chain(RuleLine::of(report)).chain(missing).collect()
+    own.chain(report.outcomes().map(|(rule, outcome)| of_validator(report, rule, outcome)))
+        .chain(GEOMETRIC.into_iter().filter(|rule| report.outcome(*rule).is_none()).map(|rule| RuleLine {
+            unchecked: Some(Reason::Broken("P1")),
+            ..RuleLine::new(rule, RuleOutcome::default())
+        }))
+        .map(|line| drawing.and_then(|drawing| of_lines(drawing, &line)).unwrap_or(line))
+        .map(|line| RuleLine { unit: unit(line.unit), ..line })
+        .collect()
+}
+
+/// A rule of the validator, with the number of records that were left out.
+fn of_validator(report: &Report, rule: Rule, outcome: RuleOutcome) -> RuleLine {
+    let counts = report.counts();
+    let all = match rule {
+        Rule::L1 | Rule::L2 | Rule::L3 | Rule::B1 => Some(counts.half_edges),
+        Rule::V1 | Rule::V2 | Rule::B2 | Rule::G2 => Some(counts.vertices),
+        Rule::F1 | Rule::F2 => Some(counts.faces),
+        _ => None,
+    };
+    let line = RuleLine::new(rule, outcome);
+    let left_out = all.filter(|_| line.is_open()).map(|all| (all as u64).saturating_sub(outcome.checked));
+    if left_out == Some(0) && matches!(rule, Rule::L1 | Rule::L2 | Rule::L3) {
+        // The links that dangle are others.
+        return RuleLine { unchecked: None, ..line };
+    }
+    RuleLine { left_out, ..line }
+}
+
+/// The line of G1 or G4 as the lines alone are judged, if it was not checked otherwise.
+fn of_lines(drawing: &Drawing, line: &RuleLine) -> Option<RuleLine> {
+    line.unchecked?;
+    let (rule, judged, needs) = match line.id {
+        "G1" => (Rule::G1, &drawing.finite, "P1"),
+        "G4" if drawing.finite.outcome.violations > 0 => (Rule::G4, &drawing.disjoint, "G1"),
+        "G4" => (Rule::G4, &drawing.disjoint, "P1"),
+        _ => return None,
+    };
+    let line = RuleLine::new(rule, judged.outcome);
+    let left_out = Some(judged.left_out).filter(|out| *out > 0);
+    Some(RuleLine { unchecked: line.unchecked.or(left_out.map(|_| Reason::Broken(needs))), left_out, ..line })
 }
 
 /// The place of a finding: the node, or the ends of the edge.

@@ -1,19 +1,19 @@
 //! P2 where the links are wrong: in which face an isolated node lies, by the lines and the faces that they name alone.
 //!
 //! A ray from the node to the right crosses lines. It is inside a face if it crosses an odd number of those that have the face on one
-//! side only. Those lines must close, an even number of them at every node; otherwise nothing is known of the face.
+//! side only. Those lines must close, an even number of them at every end; otherwise nothing is known of the face.
 
 use super::finding::{Finding, Findings};
 use super::topology::Topology;
-use std::collections::{BTreeMap, BTreeSet};
+use std::collections::BTreeSet;
 use twinedge::geometry::Point;
 use twinedge::geometry::predicates::{Orientation, on_segment, orientation};
-use twinedge::validate::Embedding;
 
-/// Reports isolated nodes that lie in another face than `containing_face` says, and returns of how many it is not known.
+/// Reports isolated nodes that lie in another face than `containing_face` says, and returns of how many it is not known. The lines around
+/// the faces that are open do not close.
 ///
 /// O(n log k + c log k) for n points of lines, k isolated nodes, and c pairs of a node and a segment at its height.
-pub(super) fn containing(topology: &Topology, findings: &mut Findings) -> u64 {
+pub(super) fn containing(topology: &Topology, open: &BTreeSet<u32>, findings: &mut Findings) -> u64 {
     let mut nodes: Vec<(Point, u32, u32)> =
         topology.contained.iter().map(|(face, node)| (topology.points[*node as usize], *face, *node)).collect();
     nodes.retain(|(point, ..)| point.x.is_finite() && point.y.is_finite());
@@ -23,7 +23,7 @@ pub(super) fn containing(topology: &Topology, findings: &mut Findings) -> u64 {
     let mut inside: Vec<Option<BTreeSet<u32>>> = vec![Some(BTreeSet::new()); nodes.len()];
     for edge in 0..topology.edges.len() {
         let [left, right] = topology.sides[edge];
-        for pair in points(topology, edge).windows(2) {
+        for pair in topology.line_points(edge).windows(2) {
             let [a, b] = [pair[0], pair[1]];
             let (low, high) = if a.y <= b.y { (a, b) } else { (b, a) };
             let from = nodes.partition_point(|(p, ..)| p.y < low.y);
@@ -45,7 +45,6 @@ pub(super) fn containing(topology: &Topology, findings: &mut Findings) -> u64 {
             }
         }
     }
-    let open = open_faces(topology);
     let universe = topology.universe().map(|slot| slot as u32);
     let name = |face: u32| topology.faces.id(face as usize);
     for ((_, face, node), faces) in nodes.iter().zip(&inside) {
@@ -79,34 +78,4 @@ pub(super) fn containing(topology: &Topology, findings: &mut Findings) -> u64 {
         }
     }
     unknown
-}
-
-/// The points of the line of an edge; the first and the last are those of its nodes, as far as it has them.
-pub(super) fn points(topology: &Topology, edge: usize) -> Vec<Point> {
-    let [start, end] = topology.ends[edge].map(|node| topology.points.get(node as usize).copied());
-    let bends = (0..topology.bends(2 * edge)).map(|bend| topology.bend(2 * edge, bend));
-    start.into_iter().chain(bends).chain(end).collect()
-}
-
-/// The faces whose lines do not close.
-fn open_faces(topology: &Topology) -> BTreeSet<u32> {
-    let mut odd: BTreeMap<u32, BTreeSet<u32>> = BTreeMap::new();
-    let mut open = BTreeSet::new();
-    for (edge, [left, right]) in topology.sides.iter().enumerate() {
-        if left == right {
-            continue;
-        }
-        for face in [left, right] {
-            let nodes = odd.entry(*face).or_default();
-            for node in topology.ends[edge] {
-                if topology.points.get(node as usize).is_none() {
-                    open.insert(*face);
-                } else if !nodes.remove(&node) {
-                    nodes.insert(node);
-                }
-            }
-        }
-    }
-    open.extend(odd.into_iter().filter(|(_, nodes)| !nodes.is_empty()).map(|(face, _)| face));
-    open
 }

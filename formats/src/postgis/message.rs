@@ -16,8 +16,19 @@ const fn column(half_edge: usize, field: Field) -> Option<Column> {
     })
 }
 
+/// The column that is a field of a half-edge, with the edge.
+fn named(topology: &Topology, half_edge: usize, field: Field) -> String {
+    let edge = topology.edges.id(half_edge / 2).unwrap_or_default();
+    format!("{} of edge {edge}", column(half_edge, field).map_or("side", Column::name))
+}
+
+/// A half-edge as columns name it.
+fn signed(topology: &Topology, half_edge: usize) -> String {
+    topology.name(Record::HalfEdge(half_edge)).trim_start_matches('+').to_owned()
+}
+
 /// A violation in a sentence that names database ids, and columns where that is plainer.
-pub(super) fn message(topology: &Topology, violation: &Violation) -> String {
+pub(super) fn message(topology: &Topology, name: impl Fn(Record) -> String, violation: &Violation) -> String {
     let edge = |h: usize| topology.edges.id(h / 2).unwrap_or_default();
     match *violation {
         Violation::Nil { record: Record::HalfEdge(h), field } => {
@@ -38,11 +49,42 @@ pub(super) fn message(topology: &Topology, violation: &Violation) -> String {
                 }
             }
         }
+        Violation::NextShared { first, second, next } => {
+            let [first, second] = [first, second].map(|h| named(topology, h, Field::Next));
+            let next = signed(topology, next);
+            return format!("{first} and {second} are both {next}, so one of their rings never closes");
+        }
+        Violation::Target { half_edge, next, target, found } => {
+            let (column, next, edge) =
+                (named(topology, half_edge, Field::Next), signed(topology, next), signed(topology, half_edge));
+            let [target, found] = [target, found].map(|node| name(Record::Vertex(node)));
+            return format!("{column} is {next}, which starts at node {found}, but edge {edge} ends at node {target}");
+        }
+        Violation::FaceChanges { half_edge, next, face: Some(face), found: Some(found) } => {
+            let [one, other] = [half_edge, next].map(|h| named(topology, h, Field::Face));
+            let [face, found] = [face, found].map(|face| name(Record::Face(face)));
+            return format!(
+                "{one} is {face}, but {other}, which follows it, is {found}: the face changes along a ring"
+            );
+        }
         Violation::IsolatedUnclaimed { vertex } => {
             let node = topology.name(Record::Vertex(vertex));
             return format!("node {node} has no edges, and no face contains it");
         }
         _ => {}
     }
-    violation.named(|record| topology.name(record)).to_string()
+    // Names are ids, so no word of a name is replaced.
+    let words = [["half-edge", "edge"], ["vertices", "nodes"], ["vertex", "node"]];
+    words.into_iter().fold(violation.named(name).message(), |text, [word, own]| text.replace(word, own))
+}
+
+/// The unit of a rule. A half-edge is what PostGIS calls a signed edge.
+pub(super) fn unit(unit: &'static str) -> &'static str {
+    match unit {
+        "vertex" => "node",
+        "vertices" => "nodes",
+        "half-edge" => "signed edge",
+        "half-edges" => "signed edges",
+        other => other,
+    }
 }

@@ -21,12 +21,14 @@
 //! | P3 edges | every face but face 0 is named by an edge |
 //! | P4 cached | `mbr` is the box around the edges of its face, and null for face 0; `abs_next_left_edge` and `abs_next_right_edge` are the values without sign |
 //!
-//! G1 … G5 are not checked where P1 is broken, and `mbr` where R1, L3 or B1 is. Points that are repeated within a line are legal, and are
+//! One broken link hides no fault elsewhere. Where it keeps the validator from rules, G1 and G4 are asked of the lines alone, which end at the
+//! nodes that lie there, and `mbr` is judged of all faces around which the lines close. [`audit`] counts the records on which a rule was not checked. Points that are repeated within a line are legal, and are
 //! counted. Layers and the table `relation` are not read.
 //!
 //! Sources: the documentation of PostGIS 3.3, chapter 9; ISO 13249-3 (SQL/MM), topology-geometry; for COPY and its binary format
 //! the documentation of `PostgreSQL` 15.
 
+mod advice;
 mod audit;
 mod containing;
 mod copy;
@@ -34,9 +36,13 @@ mod error;
 mod ewkb;
 mod finding;
 mod ids;
+mod labels;
+mod lines;
 mod mbr;
+mod mend;
 mod message;
 mod read;
+mod rotation;
 mod sql;
 mod topology;
 

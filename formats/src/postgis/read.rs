@@ -209,10 +209,15 @@ impl Reading {
         match line {
             Some(Geometry::Line(points)) if points.iter().len() > 1 => {
                 around = Box2::of(points.iter());
-                topology.line(id, ends, *points);
+                topology.line(row, id, ends, *points);
             }
-            Some(Geometry::Line(_)) | None => topology.findings.add(Finding::EdgeWithoutCurve { edge: id }),
-            Some(other) => topology.findings.add(Finding::EdgeNotCurve { edge: id, geometry: number(other) }),
+            other => {
+                topology.loose.push((row, None));
+                topology.findings.add(match other {
+                    Some(Geometry::Line(_)) | None => Finding::EdgeWithoutCurve { edge: id },
+                    Some(other) => Finding::EdgeNotCurve { edge: id, geometry: number(other) },
+                });
+            }
         }
         for face in sides.map(|face| face as usize) {
             if let Some(entry) = topology.boxes.get_mut(face) {
@@ -281,21 +286,25 @@ impl Reading {
 
 impl Topology {
     /// Enters the bends of a line of two points or more, and compares its ends with the nodes.
-    fn line(&mut self, id: i64, ends: [u32; 2], points: Points<'_>) {
+    fn line(&mut self, row: u32, id: i64, ends: [u32; 2], points: Points<'_>) {
         let mut points = points.iter();
         let (Some(first), Some(last)) = (points.next(), points.next_back()) else { return };
-        let lies_at = |node: u32, end: Point| {
+        let nodes = ends.map(|node| self.points.get(node as usize).copied());
+        let lies_at = |node: Option<Point>, end: Point| {
             // What is no number is the matter of G1, and a node without point has been reported.
             #[expect(clippy::float_cmp, reason = "PostGIS, too, wants the very point of the node")]
             let same = |a: f64, b: f64| a == b || a.is_nan();
-            self.points.get(node as usize).is_none_or(|at| same(at.x, end.x) && same(at.y, end.y))
+            node.is_none_or(|at| same(at.x, end.x) && same(at.y, end.y))
         };
         let name = |node: u32| self.nodes.id(node as usize).unwrap_or_default();
-        if !lies_at(ends[0], first) {
+        if !lies_at(nodes[0], first) {
             self.findings.add(Finding::StartsElsewhere { edge: id, node: name(ends[0]) });
         }
-        if !lies_at(ends[1], last) {
+        if !lies_at(nodes[1], last) {
             self.findings.add(Finding::EndsElsewhere { edge: id, node: name(ends[1]) });
+        }
+        if nodes != [Some(first), Some(last)] {
+            self.loose.push((row, Some([first, last])));
         }
         let begin = self.bends.len();
         let mut before = first;

@@ -40,6 +40,8 @@ pub struct Topology {
     /// Per edge the place of its first bend, and then their number.
     pub(super) first_bend: Vec<u32>,
     pub(super) bends: Vec<Point>,
+    /// The edges whose line does not end at their nodes, in order, with the ends of the line; none for an edge without line.
+    pub(super) loose: Vec<(u32, Option<[Point; 2]>)>,
     /// Faces with the isolated nodes that they contain, sorted.
     pub(super) contained: Vec<(u32, u32)>,
     /// The ids that columns of edges name where there is no such record, sorted.
@@ -115,6 +117,22 @@ impl Topology {
         let key = |entry: &(u32, Column, i64)| (entry.0 as usize, entry.1);
         let at = self.unknown.binary_search_by_key(&(edge, column), key).ok()?;
         Some(self.unknown[at].2)
+    }
+
+    /// Where the line of an edge starts and ends; none for an edge without line.
+    pub(super) fn line_ends(&self, edge: usize) -> Option<[Point; 2]> {
+        if let Ok(at) = self.loose.binary_search_by_key(&edge, |(loose, _)| *loose as usize) {
+            return self.loose[at].1;
+        }
+        let [start, end] = self.ends[edge].map(|node| self.points.get(node as usize).copied());
+        Some([start?, end?])
+    }
+
+    /// The points of the line of an edge, in its direction; none for an edge without line.
+    pub(super) fn line_points(&self, edge: usize) -> Vec<Point> {
+        let Some([start, end]) = self.line_ends(edge) else { return Vec::new() };
+        let bends = (0..self.bends(2 * edge)).map(|bend| self.bend(2 * edge, bend));
+        [start].into_iter().chain(bends).chain([end]).collect()
     }
 
     /// The isolated nodes that a face contains.

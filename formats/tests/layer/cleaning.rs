@@ -132,6 +132,23 @@ fn a_gap_that_is_open_to_the_outside_is_closed_up_to_a_width() {
     assert_eq!(to_geojson(&again), to_geojson(&layer));
 }
 
+/// A crack that begins at the outside and ends at a lake between five features.
+#[test]
+fn a_crack_that_opens_into_a_lake_is_filled_and_the_lake_stays() {
+    let text = "POLYGON((0 0,30 0,30 10,20 10,10 10,0 10,0 0))\nPOLYGON((0 20,10 20,20 20,30 20,30 30,0 30,0 20))\n\
+POLYGON((0 10,10 10,10 14.99,0 15,0 10))\nPOLYGON((0 15,10 15.01,10 20,0 20,0 15))\nPOLYGON((20 10,30 10,30 20,20 20,20 10))\n";
+    let (_, report) = with_width_of(&from_text(text), 0.1);
+    let [filled] = &report.changes[..] else { panic!("{:?}", report.changes) };
+    assert_eq!((filled.kind, report.left), (ChangeKind::Gap, None));
+    assert!((filled.area - 0.1).abs() < 1e-6, "{filled:?}");
+    let [lake] = &report.wider_gaps[..] else { panic!("{:?}", report.wider_gaps) };
+    assert!((lake.area - 100.0).abs() < 1e-6, "{lake:?}");
+    // A notch is no crack.
+    let notch = "POLYGON((0 0,50 0,50 50,46 100,0 100,0 0))\nPOLYGON((50 0,100 0,100 100,54 100,50 50,50 0))\n";
+    let (after, report) = with_width_of(&from_text(notch), 1.0);
+    assert_eq!((to_geojson(&after), report.left), (to_geojson(&from_text(notch)), None));
+}
+
 /// A spindle of a gap, 10 wide in the middle, comes to a point at both ends.
 #[test]
 fn a_gap_that_is_too_wide_is_left_whole_and_counted() {

@@ -4,4 +4,5 @@
 mod findings;
 mod golden;
 mod hostile;
+mod mends;
 mod support;

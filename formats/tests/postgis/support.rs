@@ -13,6 +13,9 @@ pub(crate) const OLD_TOWN: &[u8] = include_bytes!("data/old_town.copy");
 /// A row: the bytes of each value, or null.
 pub(crate) type Row = Vec<Option<Vec<u8>>>;
 
+/// A change of the rows, with a name.
+pub(crate) type Change = (&'static str, fn(&mut Rows));
+
 /// The rows of the three tables.
 #[derive(Clone)]
 pub(crate) struct Rows(pub(crate) [Vec<Row>; 3]);

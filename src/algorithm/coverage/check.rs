@@ -72,9 +72,9 @@ pub fn check(map: &PlanarMap, limits: &Limits) -> Result<Coverage, CoverageError
     let faces = faces_by_feature(map);
     let first_like = first_like(map, &faces);
     let unclaimed = || {
-        let Gaps { findings, outside, mut wider } = gaps(map, limits);
+        let Gaps { findings, spaces, mut wider } = gaps(map, limits);
         wider.sort_by(|a, b| b.area.total_cmp(&a.area));
-        (near_misses(map, &outside, limits), findings, wider)
+        (near_misses(map, &spaces, limits), findings, wider)
     };
     let claimed = || {
         let (slivers, sliver_area) = slivers(map, &faces, limits);

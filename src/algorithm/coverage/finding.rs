@@ -70,7 +70,8 @@ pub struct Finding {
     /// The features involved, in order: those that claim the overlap or the duplicate, those around the gap, the two of a
     /// near miss, the one of the sliver.
     pub features: Vec<FeatureId>,
-    /// The area: of the overlap, the gap, the sliver, one of the duplicates, or the space between the borders of a near miss.
+    /// The area: of the overlap, the gap, the sliver, one of the duplicates, or the space between the borders of a near miss,
+    /// without ends where these move apart.
     pub area: f64,
     /// The mean width: twice the area by the length of the borders. For a strip it is the width; for a disk or a square it is
     /// half of it.
@@ -95,9 +96,9 @@ pub struct Finding {
 /// ```
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Limits {
-    /// The greatest width of a near miss, and of a gap if it is to be found; a wider gap counts as
-    /// intended: it is counted, and not searched for near misses. By default every
-    /// gap is found whatever its width, and a near miss is at most a hundredth of the median length of the edges wide.
+    /// The greatest width of a near miss, and of a gap if it is to be found; a wider gap counts as intended: it is counted, and
+    /// searched for near misses. By default every gap is found whatever its width, and a near miss is at most a hundredth of the
+    /// median length of the edges wide.
     pub gap_width: Option<f64>,
     /// The area below which a thin part of a feature is a sliver. Default: a thousandth of the median area of all parts.
     pub sliver_area: Option<f64>,

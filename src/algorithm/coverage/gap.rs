@@ -8,7 +8,7 @@ use super::finding::{CoverageRule, Finding, Limits};
 use super::region::{border, connected, finding};
 use crate::dcel::Face;
 use crate::map::{FeatureId, PlanarMap};
-use rustc_hash::FxHashSet;
+use rustc_hash::FxHashMap;
 
 /// The gaps, and the unclaimed faces that are none.
 #[derive(Default)]
@@ -16,8 +16,8 @@ pub(super) struct Gaps {
     pub(super) findings: Vec<Finding>,
     /// The gaps that are wider than asked for.
     pub(super) wider: Vec<Finding>,
-    /// The unclaimed faces that hang together with the unbounded one, by index.
-    pub(super) outside: FxHashSet<usize>,
+    /// The outside and the wider gaps: for each of their faces, by index, the index of one that it hangs together with.
+    pub(super) spaces: FxHashMap<usize, usize>,
 }
 
 /// Finds the gaps. O(n log n).
@@ -25,16 +25,16 @@ pub(super) fn gaps(map: &PlanarMap, limits: &Limits) -> Gaps {
     let unclaimed = |face: Face<'_>| features_of(map, face).next().is_none().then_some(());
     let mut found = Gaps::default();
     for space in connected(map.dcel().faces(), unclaimed) {
-        if space.iter().any(|face| face.is_unbounded()) {
-            found.outside.extend(space.iter().map(|face| face.index()));
-            continue;
-        }
-        let gap = finding(map, CoverageRule::Gap, around(map, &space), &space);
-        if limits.gap_width.is_none_or(|width| gap.width <= width) {
-            found.findings.push(gap);
-        } else {
+        let is_outside = space.iter().any(|face| face.is_unbounded());
+        if !is_outside {
+            let gap = finding(map, CoverageRule::Gap, around(map, &space), &space);
+            if limits.gap_width.is_none_or(|width| gap.width <= width) {
+                found.findings.push(gap);
+                continue;
+            }
             found.wider.push(gap);
         }
+        found.spaces.extend(space.iter().map(|face| (face.index(), space[0].index())));
     }
     found
 }

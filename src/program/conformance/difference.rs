@@ -141,7 +141,7 @@ struct FirstViolation<'a>(&'a Report);
 impl fmt::Display for FirstViolation<'_> {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         match self.0.violations().first() {
-            Some(violation) => write!(f, "{} is broken: {violation}", violation.rule())?,
+            Some(violation) => write!(f, "{} is broken: {}", violation.rule(), violation.message())?,
             None => f.write_str("a rule could not be checked")?,
         }
         self.0.to_string().lines().filter(|line| line.starts_with("hint: ")).try_for_each(|line| write!(f, "\n{line}"))

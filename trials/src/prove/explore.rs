@@ -105,7 +105,7 @@ impl<K: Subject + Clone> Worker<'_, K> {
     /// The fault after an operator was applied.
     fn after(&mut self, op: Op, before: &Counts, report: &Report, result: &Runner<K>) -> Option<String> {
         if let Some(violation) = report.violations().first() {
-            return Some(format!("breaks {}: {violation}", violation.rule()));
+            return Some(format!("breaks {violation}"));
         }
         let counts = report.counts();
         if !report.is_valid() || !as_promised(op, before, counts) {

@@ -38,7 +38,7 @@ pub fn audit(topology: &ArcTopology, limit: usize) -> TopologyAudit {
     let checked = [arcs, topology.indices, 2 * arcs, arcs];
     let own = RULES.into_iter().enumerate().map(|(i, [id, name, unit, statement])| {
         let violations = findings.counts[i];
-        RuleLine { id, name, statement, checked: checked[i], unit, violations, unchecked: None }
+        RuleLine { id, name, statement, checked: checked[i], unit, violations, unchecked: None, left_out: None }
     });
     let mut rules: Vec<RuleLine> = own.chain(RuleLine::of(&report)).collect();
     for rule in rules.iter_mut().filter(|_| !is_joined) {
@@ -51,7 +51,7 @@ pub fn audit(topology: &ArcTopology, limit: usize) -> TopologyAudit {
         let diagnosis = Diagnosis {
             // Its fields are the numbers of half-edges.
             kind: Kind::Named { kind: violation.kind() },
-            message: violation.named(|record| topology.name(record)).to_string(),
+            message: violation.named(|record| topology.name(record)).message(),
             ..violation.into()
         };
         placed(diagnosis, records.collect(), places(topology, violation).into_iter().map(Into::into).collect())
