@@ -70,7 +70,8 @@
 //! | --- | --- | --- |
 //! | (none) | [`mod@validate`]: rules R1 … T4, and M1 … M8 if asked for; `no_std` with `alloc` | none |
 //! | `dcel` | [`store`], [`dcel`] | slotmap, thiserror |
-//! | `geometry` | [`geometry`], and rules G1 … G5 in [`mod@validate`]; needs `std` | robust, rstar, rustc-hash, thiserror |
+//! | `std` (default) | with `program`, panics of a structure under test are caught | none |
+//! | `geometry` | [`geometry`], and rules G1 … G5 in [`mod@validate`] | `std`; robust, rstar, rustc-hash, thiserror |
 //! | `map` (default) | [`map`], [`algorithm`], [`io::svg`] | those of `dcel` and `geometry` |
 //! | `near` (default) | `validate::near`: validation of what has changed; with `dcel`, `dcel::Audited`; with `map`, `map::Audited` | none |
 //! | `geojson` | `io::geojson` | those of `map`; geojson, serde, `serde_json` |
@@ -159,7 +160,7 @@
 //! versions that the dependencies state; in this crate's own code clippy's `incompatible_msrv` finds no function of the standard
 //! library that is newer, and no condition joins a `let` by `&&`. It is built and tested with Rust 1.95; no older compiler was
 //! tried.
-#![cfg_attr(not(feature = "geometry"), no_std)]
+#![cfg_attr(not(feature = "std"), no_std)]
 #![cfg_attr(docsrs, feature(doc_cfg))]
 
 extern crate alloc;

@@ -80,7 +80,7 @@ pub(crate) fn remedy(violation: &Violation) -> &'static str {
 /// The sentence of the library, in the words of the header.
 fn sentence(violation: &Violation) -> String {
     let before = "`outer` (or, without boundary component records, `outer_half_edge`) is nil";
-    violation.to_string().replace(before, "`TWINEDGE_LINK_FACE_HALF_EDGE` (or `TWINEDGE_LINK_OUTER`) is nil")
+    violation.message().replace(before, "`TWINEDGE_LINK_FACE_HALF_EDGE` (or `TWINEDGE_LINK_OUTER`) is nil")
 }
 
 /// The link that stands for a part, of which one is enough.
@@ -106,6 +106,8 @@ fn hint(line: &str) -> String {
             "give `TWINEDGE_LINK_FACE` instead of `TWINEDGE_LINK_BOUNDARY`",
         ),
         ("use `Expectation::open()`", "expect `TWINEDGE_EXPECTED_OPEN`"),
+        ("use `Expectation::surface()` for a mesh", "do not expect `TWINEDGE_EXPECTED_PLANE` for a mesh"),
+        ("add `Part::UnboundedFace` to `View::parts`", "give `TWINEDGE_LINK_BOUNDARY` and `TWINEDGE_LINK_OUTER`"),
         ("does the view implement `face_slots`?", "give their number by `twinedge_records`"),
     ] {
         if line.contains(before) {
@@ -203,38 +205,38 @@ impl Words {
         }
     }
 
-    /// Returns the reason why a rule was not checked.
-    fn lacks(&self, part: Part) -> String {
-        match link_of(part) {
-            Some(link) if !self.gives(link) => format!("{} was not given", link.constant()),
-            // It is given, and the structure is no plane one.
-            _ => format!("{} are not looked at on surfaces", part.name()),
-        }
-    }
-
-    /// A line for each rule, a line for each violation that is listed, and hints.
+    /// A line for each rule that applies, hints, and a line for each violation that is listed.
     pub(crate) fn text(&self, report: &Report) -> String {
         let library = report.to_string();
-        let mut lines = library.lines();
+        let mut lines = library.lines().peekable();
         let mut text = String::with_capacity(library.len());
         // Writing to a string does not fail.
-        for ((rule, outcome), line) in report.outcomes().zip(&mut lines) {
-            let _ = match outcome.unchecked {
-                Some(why @ Unchecked::Lacks(part)) => {
-                    write!(text, "{}", line.replacen(&why.to_string(), &self.lacks(part), 1))
+        let applying = report.outcomes().filter(|(_, outcome)| outcome.unchecked != Some(Unchecked::PlaneOnly));
+        for ((rule, outcome), line) in applying.zip(&mut lines) {
+            let link = match outcome.unchecked {
+                Some(Unchecked::Lacks(part)) => link_of(part).filter(|link| !self.gives(*link)),
+                _ => None,
+            };
+            let _ = match outcome.unchecked.zip(link) {
+                Some((why, link)) => {
+                    let why_here = format!("{} was not given", link.constant());
+                    write!(text, "{}", line.replacen(&why.to_string(), &why_here, 1))
                 }
-                _ => write!(text, "{line}"),
+                None => write!(text, "{line}"),
             };
             if rule.id() == "L1" && !self.gives(Link::Twin) {
                 let _ = write!(text, " (twin: h ^ 1, as {} was not given)", Link::Twin.constant());
             }
             text.push('\n');
         }
+        while let Some(line) = lines.next_if(|line| line.starts_with("hint: ")) {
+            let _ = writeln!(text, "{}", hint(line));
+        }
         for ((position, violation), _) in report.violations().iter().enumerate().zip(&mut lines) {
             let _ = writeln!(text, "{}: {}", violation.rule(), self.message(position, violation));
         }
         for line in lines {
-            let _ = writeln!(text, "{}", hint(line));
+            let _ = writeln!(text, "{line}");
         }
         text
     }

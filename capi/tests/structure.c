@@ -321,8 +321,7 @@ static void words(void) {
   s = pillow();
   twinedge_preset(s, "trimesh");
   says(s, "V1 leaving   ok, 3 vertices", "");
-  says(of_boundaries(INNER), "not checked: lists of inner boundary components are not looked at on surfaces", 
-       "\"unchecked\":{\"lacks\":\"holes\"}");
+  says(of_boundaries(INNER), "B1 cycle     ok", "{\"id\":\"B2\",\"checked\":0,\"violations\":0,\"unchecked\":\"plane_only\"}");
   // Hints.
   s = pillow();
   twinedge_column_i32(s, TWINEDGE_LINK_PREV, nils, 6, 0);

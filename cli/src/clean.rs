@@ -1,6 +1,7 @@
 //! `twinedge clean`: a layer of polygons without overlaps, narrow gaps and slivers.
 
 use crate::convert::{LayerOutput, Written};
+use crate::coverage::AcceptedGaps;
 use crate::input::LayerFile;
 use crate::noding_text;
 use crate::output::style::{BAD, GOOD, QUIET};
@@ -65,9 +66,12 @@ pub(crate) struct Clean {
     overlap: Claim,
 
     /// Greatest mean width of a gap that is filled, in the units of the coordinates, and greatest distance between two borders that
-    /// face each other where the space between them is open to the outside: it is filled as well. Default: only gaps smaller than --sliver are.
+    /// face each other where the space between them is open to the outside or to a wider gap: it is filled as well. Default: only gaps smaller than --sliver are.
     #[arg(long, value_name = "W", value_parser = crate::coverage::positive)]
     gap_width: Option<f64>,
+
+    #[command(flatten)]
+    accepted: AcceptedGaps,
 
     /// Area below which gaps are filled and thin parts of features given away. A part is thin if 4π · area / perimeter² is below 0.2: a
     /// rectangle 14 times as long as wide. Default: a thousandth of the median area of all parts, measured after overlaps are resolved.
@@ -86,8 +90,10 @@ pub(crate) struct Clean {
 /// The feature that gets what several claim.
 #[derive(Clone, Copy, Debug, Default, clap::ValueEnum)]
 enum Claim {
-    /// The one with the largest area, the first of those.
+    /// One that lies inside another, but for a tenth of its area; if there is none, the one with the largest area.
     #[default]
+    Inner,
+    /// The one with the largest area, the first of those.
     Larger,
     /// The one with the smallest area, the first of those.
     Smaller,
@@ -100,6 +106,7 @@ enum Claim {
 impl From<Claim> for Winner {
     fn from(claim: Claim) -> Self {
         match claim {
+            Claim::Inner => Self::Inner,
             Claim::Larger => Self::Larger,
             Claim::Smaller => Self::Smaller,
             Claim::First => Self::First,
@@ -117,9 +124,12 @@ impl Clean {
         let (name, mut layer) = self.input.read()?;
         let names = Names { from: self.name_from.as_deref() };
         names.refuse_unknown(&name, &layer)?;
+        self.output.refuse(&layer)?;
         let assign = Options {
             winner: self.overlap.into(),
             gap_width: self.gap_width,
+            lake_width: self.accepted.lake_width,
+            accepted_gaps: self.accepted.accept_gap.clone(),
             sliver_area: self.sliver,
             ..Options::default()
         };
@@ -140,7 +150,7 @@ impl Clean {
             layer: &layer,
             report: &report,
             written: written.as_ref(),
-            gap_width: self.gap_width,
+            greatest_gap: self.accepted.lake_width.or(self.gap_width),
             changes,
             elapsed,
         };
@@ -168,7 +178,8 @@ struct Cleaning<'a> {
     layer: &'a Layer,
     report: &'a CleanReport,
     written: Option<&'a Written>,
-    gap_width: Option<f64>,
+    /// The width from which on gaps are accepted.
+    greatest_gap: Option<f64>,
     /// The changes that each feature has a part in.
     changes: BTreeMap<usize, Vec<&'a LayerChange>>,
     elapsed: f64,
@@ -293,6 +304,9 @@ impl Cleaning<'_> {
         for one in report.wider_gaps.iter().take(list) {
             writeln!(out, "left as it is: {}", self.remaining(one, decimals))?;
         }
+        for one in report.accepted_gaps.iter().take(list) {
+            writeln!(out, "accepted: {}", self.described(one, decimals))?;
+        }
         if let Some(Written { name, format }) = self.written {
             writeln!(out, "written to {} ({format})", plain(name))?;
         }
@@ -353,26 +367,31 @@ impl Cleaning<'_> {
 
     /// Something that was left, and what would take it.
     fn remaining(&self, one: &Remaining, decimals: usize) -> String {
+        let hint = match one.rule {
+            CoverageRule::Gap => format!("; --gap-width {} would fill it", rounded_up(one.width)),
+            CoverageRule::NearMiss => "; --gap-width would fill it, from its greatest width on".to_owned(),
+            _ => String::new(),
+        };
+        format!("{}{hint}", self.described(one, decimals))
+    }
+
+    /// Something that was left.
+    fn described(&self, one: &Remaining, decimals: usize) -> String {
         let Remaining { rule, features, area, width, at, .. } = one;
         let what = match features.len() {
             0 => rule.name().to_owned(),
             _ => format!("{} of {}", rule.name(), self.labels(features)),
         };
         let at = place([at.x, at.y], decimals);
-        let hint = match rule {
-            CoverageRule::Gap => format!("; --gap-width {} would fill it", rounded_up(*width)),
-            CoverageRule::NearMiss => "; --gap-width would fill it, from its greatest width on".to_owned(),
-            _ => String::new(),
-        };
         match rule {
             CoverageRule::Validity => format!("{what}, at {at}"),
-            _ => format!("{what}, area {}, width {}, at {at}{hint}", measure(*area), measure(*width)),
+            _ => format!("{what}, area {}, width {}, at {at}", measure(*area), measure(*width)),
         }
     }
 
     /// The number of gaps that were left because they are wider than asked for.
     fn wider(&self) -> String {
-        match (self.report.wider_gaps.len(), self.gap_width) {
+        match (self.report.wider_gaps.len(), self.greatest_gap) {
             (0, _) | (_, None) => String::new(),
             (1, Some(width)) => format!("; 1 gap wider than {width} is left"),
             (n, Some(width)) => format!("; {} gaps wider than {width} are left", grouped(n)),
@@ -459,8 +478,9 @@ impl Cleaning<'_> {
             "changes": report.changes.iter().map(change).collect::<Vec<_>>(),
             "changed": report.features.iter().map(changed).collect::<Vec<_>>(),
             "left": left,
-            // Gaps that are wider than `--gap-width`.
+            // Gaps that are wider than `--lake-width`, or `--gap-width`.
             "wider_gaps": all(&report.wider_gaps),
+            "accepted_gaps": all(&report.accepted_gaps),
             "warnings": self.warnings(),
             "elapsed_ms": elapsed,
         }))

@@ -5,9 +5,10 @@ use crate::output::style::BAD;
 use crate::output::{counted, plain, print};
 use crate::output_file::write_files;
 use crate::status::{Failure, Verdict};
+use std::borrow::Cow;
 use std::io::{BufWriter, Write};
 use std::path::{Path, PathBuf};
-use twinedge_formats::layer::{Format, Layer, WriteError, files, losses, refuse_losses, write, write_path};
+use twinedge_formats::layer::{Format, Layer, Loss, WriteError, files, losses, refuse_losses, write, write_path};
 
 /// Write a layer in another format, with nothing lost.
 ///
@@ -17,7 +18,7 @@ use twinedge_formats::layer::{Format, Layer, WriteError, files, losses, refuse_l
 #[derive(Debug, clap::Args)]
 #[command(after_help = "Examples:
   twinedge convert counties.shp -o counties.geojson
-  twinedge convert cadastre.gpkg --layer parcels -o parcels.shp --lossy
+  twinedge convert cadastre.gpkg --layer parcels -o parcels.shp --id-column parcel
   twinedge convert parcels.geojson -o - --to wkt | head
 
 Exit status: 0 it is written; 2 it could not be read, or cannot be written without loss.")]
@@ -39,6 +40,10 @@ pub(crate) struct LayerOutput {
     /// The format, whatever the extension.
     #[arg(long, value_name = "FORMAT", value_enum)]
     to: Option<Target>,
+
+    /// Write the ids of features as values of this column, where the format cannot hold them.
+    #[arg(long, value_name = "NAME")]
+    id_column: Option<String>,
 
     /// Write even what the format cannot hold, and warn.
     #[arg(long)]
@@ -82,24 +87,47 @@ impl LayerOutput {
         self.output.as_deref() == Some(Path::new("-"))
     }
 
-    /// Writes a layer, and warns of what is lost. None if no file was asked for.
-    pub(crate) fn write(&self, layer: &Layer, input: Option<&Path>) -> Result<Option<Written>, Failure> {
-        let Some(path) = self.output.as_deref() else { return Ok(None) };
-        let name = path.display().to_string();
+    /// Refuses a layer that cannot be written as it was asked for, before any work is done.
+    pub(crate) fn refuse(&self, layer: &Layer) -> Result<(), Failure> {
+        self.output.as_deref().map_or(Ok(()), |path| self.prepared(layer, path).map(drop))
+    }
+
+    /// The layer as it is written to this path, and the format.
+    fn prepared<'a>(&self, layer: &'a Layer, path: &Path) -> Result<(Cow<'a, Layer>, Format), Failure> {
+        let name = path.display();
         let format = self.to.map(Format::from).or_else(|| Format::of_path(path));
         let format = format
             .or_else(|| self.is_stdout().then_some(Format::GeoJson))
             .ok_or_else(|| Failure(format!("{name}: the extension does not say which format to write; --to does")))?;
-        let failed = |error: WriteError| Failure(format!("{name}: {error}"));
+        let mut layer = Cow::Borrowed(layer);
+        let loses_ids = |layer: &Layer| losses(layer, format).iter().any(|loss| matches!(loss, Loss::Ids(_)));
+        if let Some(column) = self.id_column.as_deref().filter(|_| loses_ids(&layer)) {
+            layer.to_mut().move_ids(column).map_err(|error| Failure(format!("{name}: --id-column: {error}")))?;
+        }
         if !self.lossy {
-            refuse_losses(layer, format).map_err(|error| match error {
-                WriteError::Loss { .. } => Failure(format!("{name}: {error}; --lossy writes the rest")),
-                other => failed(other),
+            refuse_losses(&layer, format).map_err(|error| {
+                let advice = match error {
+                    WriteError::Loss { .. } if loses_ids(&layer) => {
+                        "; --id-column NAME keeps ids, --lossy writes the rest"
+                    }
+                    WriteError::Loss { .. } => "; --lossy writes the rest",
+                    _ => "",
+                };
+                Failure(format!("{name}: {error}{advice}"))
             })?;
         }
+        Ok((layer, format))
+    }
+
+    /// Writes a layer, and warns of what is lost. None if no file was asked for.
+    pub(crate) fn write(&self, layer: &Layer, input: Option<&Path>) -> Result<Option<Written>, Failure> {
+        let Some(path) = self.output.as_deref() else { return Ok(None) };
+        let (layer, format) = self.prepared(layer, path)?;
+        let name = path.display().to_string();
+        let failed = |error: WriteError| Failure(format!("{name}: {error}"));
         if self.is_stdout() {
             let mut out = BufWriter::new(std::io::stdout().lock());
-            let written = write(layer, &mut out, format).map_err(failed);
+            let written = write(&layer, &mut out, format).map_err(failed);
             match written.and_then(|()| Ok(out.flush()?)) {
                 // That nobody reads on is no error.
                 Err(Failure(message)) if message.contains("Broken pipe") => {}
@@ -109,9 +137,9 @@ impl LayerOutput {
             // The path names the main file of several.
             let path = if format == Format::Shapefile { path.with_extension("shp") } else { path.to_owned() };
             let all = files(&path, format);
-            write_files(&path, &all, input, |path| write_path(layer, path, format).map_err(failed))?;
+            write_files(&path, &all, input, |path| write_path(&layer, path, format).map_err(failed))?;
         }
-        for loss in losses(layer, format) {
+        for loss in losses(&layer, format) {
             anstream::eprintln!("{BAD}warning{BAD:#}: {format} does not hold {}", plain(&loss.to_string()));
         }
         Ok(Some(Written { name, format }))

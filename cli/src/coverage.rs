@@ -30,17 +30,39 @@ pub(crate) struct CoverageOptions {
     #[arg(long)]
     coverage: bool,
 
-    /// Greatest width of a near miss, and of a gap that is reported, in the units of the coordinates. The width is the mean one: twice
+    /// Greatest width of a near miss, and of a gap that is reported, in the units of the coordinates, with --geodesic too. The width is the mean one: twice
     /// the area by the length of the border. Wider gaps are counted. Default: gaps of any width, and near misses up to a hundredth of
     /// the median length of the edges.
     #[arg(long, value_name = "W", value_parser = positive)]
     gap_width: Option<f64>,
+
+    #[command(flatten)]
+    accepted: AcceptedGaps,
 
     /// Area below which a thin part of a feature is a sliver. A part is thin if 4π · area / perimeter² is below 0.2: a rectangle 14 times
     /// as long as wide. Default: a thousandth of the median area of all parts of features; `clean` measures them after overlaps are
     /// resolved, so its limit is a little different.
     #[arg(long, value_name = "A", value_parser = positive)]
     sliver: Option<f64>,
+}
+
+/// The gaps that are meant.
+#[derive(Clone, Debug, clap::Args)]
+pub(crate) struct AcceptedGaps {
+    /// Greatest mean width of a gap that is reported, where it is not --gap-width: wider ones are accepted, as lakes.
+    #[arg(long, value_name = "W", value_parser = positive)]
+    pub(crate) lake_width: Option<f64>,
+
+    /// Accept the gap around this point, whatever its width. Can be given several times.
+    #[arg(long, value_name = "X,Y", value_parser = place, allow_hyphen_values = true)]
+    pub(crate) accept_gap: Vec<Point>,
+}
+
+/// A point on the command line.
+fn place(text: &str) -> Result<Point, String> {
+    let number = |text: &str| text.trim().parse().ok().filter(|x| f64::is_finite(*x));
+    let point = text.split_once(',').and_then(|(x, y)| Some(Point::new(number(x)?, number(y)?)));
+    point.ok_or_else(|| "not a point: two numbers with a comma between".to_owned())
 }
 
 /// A positive number on the command line.
@@ -50,7 +72,9 @@ pub(crate) fn positive(text: &str) -> Result<f64, String> {
 
 impl CoverageOptions {
     pub(crate) const fn is_any(&self) -> bool {
-        self.coverage || self.gap_width.is_some() || self.sliver.is_some()
+        let AcceptedGaps { lake_width, accept_gap } = &self.accepted;
+        let is_limited = self.gap_width.is_some() || lake_width.is_some() || self.sliver.is_some();
+        self.coverage || is_limited || !accept_gap.is_empty()
     }
 
     /// Returns true if findings make a map invalid.
@@ -78,8 +102,13 @@ pub(crate) struct Coverage {
     gap_width: Option<f64>,
     #[serde(skip_serializing_if = "Option::is_none")]
     sliver_area: Option<f64>,
-    /// Gaps that are wider than `gap_width`, where that was asked for. They are not among the findings.
+    /// Gaps that are wider than `lake_width`, or `gap_width`, where one of these was asked for. They are not among the findings.
     wider_gaps: usize,
+    /// The width from which on gaps are wider.
+    #[serde(skip)]
+    greatest_gap: Option<f64>,
+    /// Gaps that were accepted by their place. They are not among the findings either.
+    accepted_gaps: usize,
     /// The first of each rule, the largest first.
     findings: Vec<Diagnosis>,
     #[serde(skip)]
@@ -99,7 +128,13 @@ impl Coverage {
     /// Asks all rules. Overlaps and gaps are those of the input: where borders cross they are cut on the finest grid, and where a
     /// grid was asked for, what it removed or made is found by comparing.
     pub(crate) fn new(imported: &Imported, asked: &CoverageOptions, units: &Units, list: usize) -> Self {
-        let limits = Limits { gap_width: asked.gap_width, sliver_area: asked.sliver, ..Limits::default() };
+        let limits = Limits {
+            gap_width: asked.gap_width,
+            lake_width: asked.accepted.lake_width,
+            accepted_gaps: asked.accepted.accept_gap.clone(),
+            sliver_area: asked.sliver,
+            ..Limits::default()
+        };
         let mut found = Self {
             overlaps: 0,
             gaps: 0,
@@ -112,13 +147,15 @@ impl Coverage {
             gap_width: None,
             sliver_area: None,
             wider_gaps: 0,
+            greatest_gap: asked.accepted.lake_width.or(asked.gap_width),
+            accepted_gaps: 0,
             findings: Vec::new(),
             has_polygons: imported.read.polygons > 0,
             of_input: None,
         };
         match judged(imported, &limits, units) {
-            Ok(Judgement { findings, gap_width, sliver_area, wider_gaps, of_input }) => {
-                found.wider_gaps = wider_gaps;
+            Ok(Judgement { findings, gap_width, sliver_area, wider_gaps, accepted_gaps, of_input }) => {
+                (found.wider_gaps, found.accepted_gaps) = (wider_gaps, accepted_gaps);
                 (found.gap_width, found.sliver_area) = (Some(gap_width), Some(sliver_area));
                 for (finding, snapping) in &findings {
                     let count = found.count_of(finding.rule);
@@ -265,15 +302,30 @@ impl Coverage {
 
     /// The limit of a rule, for its line.
     fn limit(&self, rule: CoverageRule) -> Option<String> {
+        // Limits are in the units of the coordinates.
+        let degrees = if self.unit == Units::METRES { " degrees" } else { "" };
         match (rule, self.gap_width, self.sliver_area) {
-            (CoverageRule::Gap, Some(width), _) if self.wider_gaps > 0 => {
-                let [are, gaps] = if self.wider_gaps == 1 { ["is", "gap"] } else { ["are", "gaps"] };
-                Some(format!("{} {gaps} wider than {} {are} not listed", grouped(self.wider_gaps), measure(width)))
+            (CoverageRule::Gap, ..) => self.gaps_not_listed(degrees),
+            (CoverageRule::NearMiss, Some(width), _) => Some(format!("up to a width of {}{degrees}", measure(width))),
+            (CoverageRule::Sliver, _, Some(area)) => {
+                let square = if degrees.is_empty() { "" } else { " square" };
+                Some(format!("below an area of {}{square}{degrees}", measure(area)))
             }
-            (CoverageRule::NearMiss, Some(width), _) => Some(format!("up to a width of {}", measure(width))),
-            (CoverageRule::Sliver, _, Some(area)) => Some(format!("below an area of {}", measure(area))),
             _ => None,
         }
+    }
+
+    /// The number of gaps that are no findings, if there are any.
+    fn gaps_not_listed(&self, degrees: &str) -> Option<String> {
+        let all = [
+            (self.wider_gaps, self.greatest_gap.map(|width| format!("wider than {}{degrees} ", measure(width)))),
+            (self.accepted_gaps, Some("accepted by place ".to_owned())),
+        ];
+        let sentence = |(count, which): (usize, Option<String>)| {
+            let [are, gaps] = if count == 1 { ["is", "gap"] } else { ["are", "gaps"] };
+            which.filter(|_| count > 0).map(|which| format!("{} {gaps} {which}{are} not listed", grouped(count)))
+        };
+        Some(all.into_iter().filter_map(sentence).collect::<Vec<_>>().join(", ")).filter(|all| !all.is_empty())
     }
 
     /// The worst of each rule.
@@ -298,6 +350,7 @@ struct Judgement {
     gap_width: f64,
     sliver_area: f64,
     wider_gaps: usize,
+    accepted_gaps: usize,
     of_input: Option<PlanarMap>,
 }
 
@@ -309,14 +362,15 @@ fn judged(imported: &Imported, limits: &Limits, units: &Units) -> Result<Judgeme
             units.convert(map, &mut finding);
             (finding, None)
         };
-        let (gap_width, sliver_area, wider_gaps) = (found.gap_width, found.sliver_area, found.wider_gaps.len());
+        let (wider_gaps, accepted_gaps) = (found.wider_gaps.len(), found.accepted_gaps.len());
+        let (gap_width, sliver_area) = (found.gap_width, found.sliver_area);
         let findings = found.findings.into_iter().map(converted).collect();
-        return Ok(Judgement { findings, gap_width, sliver_area, wider_gaps, of_input: None });
+        return Ok(Judgement { findings, gap_width, sliver_area, wider_gaps, accepted_gaps, of_input: None });
     };
     let of_input = builder.build_with(Noding::Snap(Snap::Auto))?;
     let found = check(&of_input, limits)?;
     // The same limits for both.
-    let limits = Limits { gap_width: limits.gap_width, sliver_area: Some(found.sliver_area), ..*limits };
+    let limits = Limits { sliver_area: Some(found.sliver_area), ..limits.clone() };
     let snapped = match map.noding() {
         Some(_) => check(map, &limits)?.findings,
         None => Vec::new(),
@@ -333,7 +387,7 @@ fn judged(imported: &Imported, limits: &Limits, units: &Units) -> Result<Judgeme
     let made: Vec<(Finding, Option<&'static str>)> =
         made.map(|finding| (converted(map, finding), Some("made"))).collect();
     let removed = |finding: &Finding| map.noding().is_some() && !is_among(finding, &snapped);
-    let wider_gaps = found.wider_gaps.len();
+    let (wider_gaps, accepted_gaps) = (found.wider_gaps.len(), found.accepted_gaps.len());
     let on_input = found.findings.into_iter().map(|finding| {
         let snapping = removed(&finding).then_some("removed");
         (converted(&of_input, &finding), snapping)
@@ -341,7 +395,7 @@ fn judged(imported: &Imported, limits: &Limits, units: &Units) -> Result<Judgeme
     let mut findings: Vec<_> = on_input.chain(made).collect();
     findings.sort_by_key(|(finding, _)| finding.rule);
     let (gap_width, sliver_area) = (found.gap_width, found.sliver_area);
-    Ok(Judgement { findings, gap_width, sliver_area, wider_gaps, of_input: Some(of_input) })
+    Ok(Judgement { findings, gap_width, sliver_area, wider_gaps, accepted_gaps, of_input: Some(of_input) })
 }
 
 /// The parts that all findings of a rule have in common.

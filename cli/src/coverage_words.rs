@@ -23,7 +23,7 @@ pub(crate) const fn explanation(rule: CoverageRule) -> (&'static str, &'static s
         ),
         CoverageRule::Gap => (
             "borders were drawn one by one and do not meet, or the gap is meant: a lake, a road",
-            "`twinedge clean --gap-width W` fills gaps up to that mean width; `twinedge audit --gap-width W` lists no wider ones",
+            "`twinedge clean --gap-width W` fills gaps up to that mean width; `--lake-width W` accepts wider ones, `--accept-gap X,Y` the one at a place",
         ),
         CoverageRule::NearMiss => (
             "borders were drawn one by one and do not meet",

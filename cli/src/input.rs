@@ -12,12 +12,17 @@ use std::path::{Path, PathBuf};
 use twinedge::geometry::noding::Snap;
 use twinedge::io::ReadSummary;
 use twinedge::map::{BuildError, Builder, Noding, PlanarMap};
-use twinedge_formats::layer::{Crs, Format, Layer, ReadError, ReadOptions, format_of, read, read_layer, to_map};
+use twinedge_formats::layer::{
+    Crs, Format, Layer, ReadError, ReadOptions, Unpacked, format_of, read, read_layer, to_map, unpack,
+};
 use twinedge_formats::mesh::Format as MeshFormat;
 
 /// The built-in map of the world; see `data/README.md`.
 const EMBEDDED: &[u8] = include_bytes!("../data/world-110m.geojson");
 const EMBEDDED_NAME: &str = "world-110m.geojson (built in)";
+
+/// The bytes that tell an archive.
+const MAGIC: usize = 4;
 
 /// Why a map could not be read or built.
 #[derive(Debug, thiserror::Error)]
@@ -38,6 +43,10 @@ pub(crate) struct Input {
     format: Option<Format>,
     /// The format of meshes that the name tells.
     mesh_format: Option<MeshFormat>,
+    /// The layer that was asked for, if the file may have several.
+    pub(crate) layer: Option<String>,
+    /// The file that was in an archive; it goes when this is dropped.
+    unpacked: Option<Unpacked>,
 }
 
 /// A map that was read and built.
@@ -58,8 +67,21 @@ pub(crate) struct Imported {
 }
 
 impl Input {
-    /// Opens a file, standard input where the path is `-`, or the built-in map where there is none.
-    fn open(path: Option<&Path>) -> Result<Self, Failure> {
+    /// Opens a file, standard input where the path is `-`, or the built-in map where there is none. Of an archive, what is in it is
+    /// opened.
+    fn open(path: Option<&Path>, layer: Option<&str>) -> Result<Self, Failure> {
+        let mut input = Self::open_as_it_is(path, layer)?;
+        let head: Vec<u8> = input.beginning()?.iter().copied().take(MAGIC).collect();
+        let path = input.path.as_deref();
+        let unpacked = unpack(&head, &mut input.reader, path, layer);
+        let Some(unpacked) = unpacked.map_err(|error| Failure(format!("{}: {error}", input.name)))? else {
+            return Ok(input);
+        };
+        let inner = Self::open_as_it_is(Some(&unpacked.path), unpacked.layer.as_deref())?;
+        Ok(Self { name: input.name, unpacked: Some(unpacked), ..inner })
+    }
+
+    fn open_as_it_is(path: Option<&Path>, layer: Option<&str>) -> Result<Self, Failure> {
         let (name, reader): (_, Box<dyn BufRead>) = match path {
             None => (EMBEDDED_NAME.to_owned(), Box::new(EMBEDDED)),
             Some(path) if path == Path::new("-") => {
@@ -74,12 +96,34 @@ impl Input {
         };
         let (format, mesh_format) = (path.and_then(Format::of_path), path.and_then(MeshFormat::of_name));
         let path = path.filter(|path| *path != Path::new("-")).map(Path::to_owned);
-        Ok(Self { name, reader, path, format, mesh_format })
+        Ok(Self { name, reader, path, format, mesh_format, layer: layer.map(str::to_owned), unpacked: None })
+    }
+
+    /// The way to read its layer.
+    fn options(&self) -> ReadOptions {
+        ReadOptions { layer: self.layer.clone(), ..ReadOptions::default() }
     }
 
     /// Its first bytes, without reading them.
     pub(crate) fn beginning(&mut self) -> Result<&[u8], Failure> {
         self.reader.fill_buf().map_err(|error| Failure(format!("{}: {error}", self.name)))
+    }
+
+    /// The format if it is a map. A layer that is asked of a format whose files have one is refused, unless it has the name of the file.
+    fn map_format(&mut self) -> Result<Option<Format>, Failure> {
+        let options = self.options();
+        let head = self.reader.fill_buf().map_err(|error| Failure(format!("{}: {error}", self.name)))?;
+        let Ok(format) = format_of(head, self.path.as_deref(), &options) else { return Ok(None) };
+        let has_layers = matches!(format, Format::GeoPackage | Format::TopoJson);
+        let of_file = self.path.as_deref().and_then(Path::file_stem);
+        match self.layer.as_deref().filter(|layer| !has_layers && of_file != Some(OsStr::new(layer))) {
+            None => Ok(Some(format)),
+            Some(layer) => Err(Failure(format!(
+                "{}: there is no layer {layer:?}: this is {format}, and --layer is for files with several layers: GeoPackage, TopoJSON, and \
+                 zip archives",
+                self.name
+            ))),
+        }
     }
 
     /// The format if it is a mesh: by its name, or else by how it begins.
@@ -122,10 +166,11 @@ fn progress(bytes: u64) -> ProgressBar {
 #[derive(Debug, clap::Args)]
 pub(crate) struct MapFile {
     /// A file of GeoJSON, newline-delimited GeoJSON, TopoJSON, well-known text or binary, a Shapefile, a GeoPackage or FlatGeobuf,
-    /// or `-` for standard input. `audit` takes meshes as well: OBJ, OFF, PLY, STL. Default: the built-in map of the world.
+    /// or `-` for standard input; also in a zip archive or as gzip data. `audit` takes meshes as well: OBJ, OFF, PLY, STL. Default: the
+    /// built-in map of the world.
     file: Option<PathBuf>,
 
-    /// The layer to read of a file with several: the table of a GeoPackage, the object of a TopoJSON.
+    /// The layer to read of a file with several: the table of a GeoPackage, the object of a TopoJSON, the file of a zip archive.
     #[arg(long, value_name = "NAME")]
     layer: Option<String>,
 
@@ -146,10 +191,10 @@ pub(crate) struct MapFile {
 #[derive(Debug, clap::Args)]
 pub(crate) struct LayerFile {
     /// The file to read, or `-` for standard input: GeoJSON, newline-delimited GeoJSON, TopoJSON, well-known text or binary, a
-    /// Shapefile, a GeoPackage or FlatGeobuf.
+    /// Shapefile, a GeoPackage or FlatGeobuf; also in a zip archive or as gzip data.
     file: PathBuf,
 
-    /// The layer to read of a file with several: the table of a GeoPackage, the object of a TopoJSON.
+    /// The layer to read of a file with several: the table of a GeoPackage, the object of a TopoJSON, the file of a zip archive.
     #[arg(long, value_name = "NAME")]
     layer: Option<String>,
 }
@@ -162,15 +207,12 @@ impl LayerFile {
 
     /// Reads all of it: the name of the input, and the layer.
     pub(crate) fn read(&self) -> Result<(String, Layer), Failure> {
-        let Input { name, mut reader, path, .. } = Input::open(Some(&self.file))?;
-        let options = ReadOptions { layer: self.layer.clone(), ..ReadOptions::default() };
-        let head = reader.fill_buf().map_err(|error| Failure(format!("{name}: {error}")))?;
-        if let Ok(format) = format_of(head, path.as_deref(), &options) {
-            refuse_layer(&name, path.as_deref(), format, self.layer.as_deref())?;
-        }
-        let layer =
-            read_layer(&mut reader, path.as_deref(), &options).map_err(|error| Failure(format!("{name}: {error}")))?;
-        Ok((name, layer))
+        let mut input = Input::open(Some(&self.file), self.layer.as_deref())?;
+        input.map_format()?;
+        let options = input.options();
+        let layer = read_layer(&mut input.reader, input.path.as_deref(), &options)
+            .map_err(|error| Failure(format!("{}: {error}", input.name)))?;
+        Ok((input.name, layer))
     }
 }
 
@@ -196,7 +238,7 @@ impl MapFile {
 
     /// Opens the input.
     pub(crate) fn open(&self) -> Result<Input, Failure> {
-        Input::open(self.file.as_deref())
+        Input::open(self.file.as_deref(), self.layer())
     }
 
     /// Reads the map and builds it. A mesh is refused.
@@ -222,17 +264,12 @@ impl MapFile {
     }
 
     /// Builds the map that was opened.
-    pub(crate) fn build_from(&self, input: Input, keep: Keep<'_>) -> Result<Imported, Failure> {
-        let Input { name, mut reader, path, .. } = input;
+    pub(crate) fn build_from(&self, mut input: Input, keep: Keep<'_>) -> Result<Imported, Failure> {
+        let orients_rings = input.map_format()?.is_some_and(Format::orients_rings);
+        let options = input.options();
+        let Input { name, mut reader, path, unpacked: _folder, .. } = input;
         let failed = |error: InputError| Failure(format!("{name}: {error}"));
         let noted = Noted::new(self.name_from.clone());
-        let options = ReadOptions { layer: self.layer.clone(), ..ReadOptions::default() };
-        let head = reader.fill_buf().map_err(|error| Failure(format!("{name}: {error}")))?;
-        let format = format_of(head, path.as_deref(), &options);
-        if let Ok(format) = format {
-            refuse_layer(&name, path.as_deref(), format, self.layer.as_deref())?;
-        }
-        let orients_rings = format.is_ok_and(Format::orients_rings);
         let (builder, read, noted, crs) =
             gather(&mut reader, path.as_deref(), &options, noted, keep).map_err(failed)?;
         self.refuse_empty(&name, &read)?;
@@ -265,17 +302,6 @@ impl MapFile {
         Err(Failure(format!(
             "{name}: a map is made of lines and polygons, and this file has {found}; --allow-empty accepts it"
         )))
-    }
-}
-
-/// Refuses a layer that is asked of a format whose files have one, unless that has the name of the file.
-fn refuse_layer(name: &str, path: Option<&Path>, format: Format, layer: Option<&str>) -> Result<(), Failure> {
-    let has_layers = matches!(format, Format::GeoPackage | Format::TopoJson);
-    match layer.filter(|layer| !has_layers && path.and_then(Path::file_stem) != Some(OsStr::new(layer))) {
-        None => Ok(()),
-        Some(layer) => Err(Failure(format!(
-            "{name}: there is no layer {layer:?}: this is {format}, and --layer is for files with several layers, GeoPackage and TopoJSON"
-        ))),
     }
 }
 

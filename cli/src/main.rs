@@ -3,6 +3,7 @@
 //! Arguments, text, JSON, progress bars and Ctrl-C are here. The tests themselves are in the crate `twinedge-trials`.
 
 mod audit;
+mod certificate;
 mod clean;
 mod convert;
 mod corrupt;
@@ -68,6 +69,8 @@ struct Arguments {
 enum Command {
     Audit(audit::Audit),
     Clean(clean::Clean),
+    Certify(certificate::Certify),
+    Check(certificate::Check),
     Convert(convert::Convert),
     Postgis(postgis::Postgis),
     Query(query::Query),
@@ -88,6 +91,8 @@ fn main() -> ExitCode {
     let verdict = match Arguments::parse().command {
         Command::Audit(audit) => audit.run(),
         Command::Clean(clean) => clean.run(),
+        Command::Certify(certify) => certify.run(),
+        Command::Check(check) => check.run(),
         Command::Convert(convert) => convert.run(),
         Command::Postgis(postgis) => postgis.run(),
         Command::Query(query) => query.run(),

@@ -145,7 +145,7 @@ impl After {
             edges: counts.edges,
             faces: counts.faces,
             components: counts.components,
-            violations: report.violations().iter().map(|v| format!("{}: {v}", v.rule())).collect(),
+            violations: report.violations().iter().map(ToString::to_string).collect(),
             structure: table.map(|table| Tables(table).to_string()).unwrap_or_default(),
         }
     }

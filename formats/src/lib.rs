@@ -34,8 +34,9 @@
 //! | --- | --- | --- |
 //! | `obj`, `off`, `stl` (default) | a reader each | none |
 //! | `ply` (default) | the reader for PLY | ply-rs-bw |
-//! | `flatgeobuf`, `geojson`, `geopackage`, `shapefile`, `wkb`, `wkt` (default) | the module `layer`, with a reader and a writer each | flatgeobuf, geojson, rusqlite, `encoding_rs`, none, wkt |
+//! | `flatgeobuf`, `geojson`, `geopackage`, `shapefile`, `wkb`, `wkt` (default) | the module `layer`, with a reader and a writer each | flatgeobuf, geojson, rusqlite, codepage with `encoding_rs` and `oem_cp`, none, wkt |
 //! | `topojson` (default) | a reader | serde |
+//! | `archive` (default) | layers in zip archives and in gzip data | zip, tempfile |
 //! | `postgis` (default) | the module `postgis` | robust, rstar, rustc-hash |
 //! | `serde` (default) | [`mesh::MeshAudit`], `postgis::TopologyAudit` and their parts are `Serialize` | serde |
 #![cfg_attr(docsrs, feature(doc_cfg))]

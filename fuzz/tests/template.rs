@@ -42,7 +42,7 @@ fn template(folder: &Path, subject: &str) {
 }
 
 #[test]
-fn the_project_is_built_and_finds_a_planted_bug() {
+fn the_project_is_built_and_finds_planted_bugs_and_panics() {
     let own = Path::new(env!("CARGO_TARGET_TMPDIR"));
     // Reuse the packages that are built already.
     let target = own.parent().expect("it is in the folder of what is built");
@@ -50,30 +50,39 @@ fn the_project_is_built_and_finds_a_planted_bug() {
     // An edge that is flipped the wrong way keeps every rule, so only the comparison with the reference finds it.
     template(&folder, "mesh::Planted::<false>::default()");
     let fuzz = folder.join("fuzz");
-    let built = cargo(&fuzz, target).args(["build", "--release", "--offline"]).output().expect("cargo runs");
-    assert!(built.status.success(), "{}", said(&built));
-
     let run = |corpus: &Path| {
+        let built = cargo(&fuzz, target).args(["build", "--release", "--offline"]).output().expect("cargo runs");
+        assert!(built.status.success(), "{}", said(&built));
         let mut binary = Command::new(target.join("release/conforms"));
         let options = ["-runs=5000", "-seed=1", "-len_control=0", "-max_len=400", "-artifact_prefix=artifact-"];
         binary.current_dir(&fuzz).args(options).arg(corpus).output().expect("it runs")
     };
-    let found = run(&fuzz.join("corpus/conforms"));
-    let text = said(&found);
-    assert!(!found.status.success(), "{text}");
-    let (_, program) =
-        text.split_once("twinedge program 1\n").unwrap_or_else(|| panic!("no program is printed\n{text}"));
-    let ops: Vec<&str> = program.lines().take_while(|line| line.contains(' ') && !line.contains("  ")).collect();
-    let flip = ops.iter().position(|op| op.starts_with("flip_edge"));
-    assert!(flip.is_some_and(|place| place < 8), "{text}");
+    // The operators of the program that is shown.
+    let shown = || {
+        let found = run(&fuzz.join("corpus/conforms"));
+        let text = said(&found);
+        assert!(!found.status.success(), "{text}");
+        let (_, program) =
+            text.split_once("twinedge program 1\n").unwrap_or_else(|| panic!("no program is printed\n{text}"));
+        let ops = program.lines().take_while(|line| line.contains(" # "));
+        (ops.map(|line| line.split(' ').next().unwrap_or_default().to_owned()).collect::<Vec<_>>(), text)
+    };
+    let (ops, text) = shown();
+    assert!(ops.last().is_some_and(|last| last == "flip_edge") && ops.len() <= 8, "{text}");
 
-    // The structure without the bug passes.
+    // libFuzzer ends the program at a panic, before it is caught, unless a hook is there first.
     let conforms = fuzz.join("fuzz_targets/conforms.rs");
-    let right = fs::read_to_string(&conforms).expect("it was written");
-    let right = right.replace("mesh::Planted::<false>::default()", "twinedge::dcel::Dcel::new()");
-    fs::write(&conforms, right).expect("it is written");
-    let built = cargo(&fuzz, target).args(["build", "--release", "--offline"]).output().expect("cargo runs");
-    assert!(built.status.success(), "{}", said(&built));
+    let replace = |from: &str, to: &str| {
+        let target = fs::read_to_string(&conforms).expect("it was written");
+        fs::write(&conforms, target.replace(from, to)).expect("it is written");
+    };
+    replace("Planted::<false>", "Planted::<true>");
+    let (ops, text) = shown();
+    assert!(ops.last().is_some_and(|last| last == "move_inner") && ops.len() <= 3, "{text}");
+    assert!(text.contains("panicked: a planted panic ("), "{text}");
+
+    // The structure without a bug passes.
+    replace("mesh::Planted::<true>::default()", "twinedge::dcel::Dcel::new()");
     let nothing = run(&fuzz.join("corpus/conforms"));
     assert!(nothing.status.success(), "{}", said(&nothing));
 }

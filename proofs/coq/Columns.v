@@ -173,7 +173,8 @@ Definition readable_drawing (o : drawing) : bool :=
       [&& fits (half_edge_rows (topology o)) (half_edge_dart_column o), fits (vertex_rows (topology o)) (vertex_dart_column o)
         & fits (face_rows (topology o)) (face_dart_column o)],
       [&& bytes_in (point_x o) == eight * point_rows o, bytes_in (point_y o) == eight * point_rows o
-        & vertex_rows (topology o) <= point_rows o]
+        & vertex_rows (topology o) <= point_rows o],
+      all_below darts (fun d => number_at (dart_point_column o) d < point_rows o)
     & all_below (point_rows o) (fun i => in_range (point_x o) i && in_range (point_y o) i)].
 
 Definition point_in (o : drawing) i : Z * Z := (integer_at (point_x o) i, integer_at (point_y o) i).

@@ -38,7 +38,7 @@ Definition surface_half_edge_ok h :=
   [&& twin_ok t h, next_ok t h, target_ok t h, origin_ok t h & [&& cycle_ok t h, turn_ok h, step_ok h & component_ok h]].
 
 Definition surface_vertex_ok v :=
-  if leaving t v is Some h then half_edge t h && same_link (origin t h) (Some v) else false.
+  if leaving t v is Some h then half_edge t h && same_link (origin t h) (Some v) else true.
 
 Definition surface_boundary_ok b :=
   if boundary_start t b is Some (AtHalfEdge h) then half_edge t h && same_link (boundary_of t h) (Some b) else false.

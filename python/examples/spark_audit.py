@@ -1,6 +1,9 @@
 """Audits a layer that is partitioned over the workers of Spark: one report for each partition, as a row.
 
-    python examples/spark_audit.py
+    pip install ./python pyspark "pandas>=2.2" pyarrow shapely
+    python python/examples/spark_audit.py
+
+It also needs a Java runtime. Spark asks for pandas and pyarrow when the frame is made, and does not install them.
 
 A partition goes to its worker as Arrow batches of WKB (``DataFrame.mapInArrow``), is audited there, and one row comes back: the number of
 the partition, how many features it has, whether it is valid, and the report as JSON. In real use the frame is read from Parquet, and

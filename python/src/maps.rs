@@ -12,6 +12,10 @@ use twinedge::geometry::noding::Snap;
 use twinedge::io::{Format, ReadError, read};
 use twinedge::map::{BuildError, Builder, FeatureId, Noding, PlanarMap};
 use twinedge::validate::{Collect, Expectation, Record, Violation, places, validate_embedding};
+use twinedge_formats::diagnosis::Flaw;
+
+/// The number of defects of each kind that are listed of a feature.
+const DEFECTS: usize = 100;
 
 /// An error: no map can be read or built.
 struct Refusal(String);
@@ -28,13 +32,17 @@ struct Finding {
     rule: &'static str,
     kind: &'static str,
     features: Vec<usize>,
-    at: [f64; 2],
+    #[serde(skip_serializing_if = "Option::is_none")]
+    at: Option<[f64; 2]>,
     #[serde(skip_serializing_if = "Option::is_none")]
     area: Option<f64>,
     #[serde(skip_serializing_if = "Option::is_none")]
     width: Option<f64>,
     #[serde(skip_serializing_if = "Option::is_none")]
     length: Option<f64>,
+    /// The defects of a feature that is not valid by the rules of the OGC.
+    #[serde(skip_serializing_if = "Vec::is_empty")]
+    defects: Vec<Flaw>,
     message: String,
 }
 
@@ -47,6 +55,8 @@ pub(crate) struct Options {
     sliver_area: Option<f64>,
     snap: Option<f64>,
     list: usize,
+    /// The features that are left out, in order, as a coordinate is not finite.
+    not_finite: Vec<usize>,
 }
 
 /// The report as JSON, and the name of each feature.
@@ -72,11 +82,14 @@ pub(crate) fn audit_map(
 fn audit(text: &[u8], format: Option<Format>, asked: &Options) -> Result<Verdict, Refusal> {
     let mut builder = Builder::new();
     let mut invalid: Vec<(usize, Vec<Defect>)> = Vec::new();
-    let mut names = Vec::new();
+    let (mut names, mut without_geometry) = (Vec::new(), Vec::new());
     read(text, format, |feature| {
-        let found = defects(&feature.shapes);
-        if !found.is_empty() {
-            invalid.push((names.len(), found));
+        let (number, found) = (names.len(), defects(&feature.shapes));
+        let is_finite = asked.not_finite.binary_search(&number).is_err();
+        if !found.is_empty() || !is_finite {
+            invalid.push((number, found));
+        } else if feature.shapes.is_empty() {
+            without_geometry.push(number);
         }
         names.push(feature.name.clone().or_else(|| feature.id.clone()));
         builder.feature(&feature).map(drop).map_err(|error: BuildError| Refusal(error.to_string()))
@@ -105,12 +118,13 @@ fn audit(text: &[u8], format: Option<Format>, asked: &Options) -> Result<Verdict
         check(&snapped, &limits).map_err(|error| Refusal(error.to_string()))?
     };
     let found = findings(&coverage, &invalid);
-    if asked.coverage && !found.is_empty() {
+    if asked.coverage && !found.is_empty() || !asked.not_finite.is_empty() {
         document["valid"] = json!(false);
     }
     document["finding_count"] = json!(found.len());
     document["findings"] = json!(found.into_iter().take(asked.list).collect::<Vec<_>>());
     document["features"] = json!(names.len());
+    document["without_geometry"] = json!(without_geometry);
     Ok((document.to_string(), names))
 }
 
@@ -146,23 +160,36 @@ fn findings(coverage: &Coverage, invalid: &[(usize, Vec<Defect>)]) -> Vec<Findin
             kind: finding.rule.name(),
             message: format!("{name} of features {features:?}, area {area}, mean width {width}"),
             features,
-            at: finding.at.into(),
+            at: Some(finding.at.into()),
             area: Some(area),
             width: Some(width),
             length: Some(finding.length),
+            defects: Vec::new(),
         }
     });
-    let of_shapes = invalid.iter().flat_map(|(feature, defects)| {
-        defects.iter().map(move |defect| Finding {
-            rule: CoverageRule::Validity.id(),
-            kind: CoverageRule::Validity.name(),
-            features: vec![*feature],
-            at: defect.at.into(),
-            area: None,
-            width: None,
-            length: None,
-            message: format!("feature {feature} is not valid: {}", defect.kind),
-        })
-    });
-    of_map.chain(of_shapes).collect()
+    of_map.chain(invalid.iter().map(|(feature, defects)| not_valid(*feature, defects))).collect()
+}
+
+/// A feature that is not valid by the rules of the OGC. Without defects, a coordinate is not finite.
+fn not_valid(feature: usize, defects: &[Defect]) -> Finding {
+    // They are sorted by kind.
+    let defects_of_kind = || defects.chunk_by(|a, b| a.kind == b.kind);
+    let reasons: Vec<String> = defects_of_kind().map(|kind| kind[0].kind.to_string()).collect();
+    let why = if reasons.is_empty() {
+        "a coordinate is NaN or infinite; it is left out".to_owned()
+    } else {
+        reasons.join(", ")
+    };
+    let flaw = |one: &Defect| Flaw { reason: one.kind.to_string(), at: one.at.into(), shape: one.shape, ring: one.ring };
+    Finding {
+        rule: CoverageRule::Validity.id(),
+        kind: CoverageRule::Validity.name(),
+        features: vec![feature],
+        at: defects.first().map(|defect| defect.at.into()),
+        area: None,
+        width: None,
+        length: None,
+        defects: defects_of_kind().flat_map(|kind| kind.iter().take(DEFECTS)).map(flaw).collect(),
+        message: format!("feature {feature} is not valid: {why}"),
+    }
 }

@@ -1,6 +1,8 @@
 """Audits of geometries, frames, meshes and files."""
 
 import json
+import subprocess
+import sys
 from pathlib import Path
 
 import geopandas
@@ -70,7 +72,7 @@ def test_meshes_are_judged_by_their_faces():
     assert twinedge.audit_faces(box.faces.tolist(), closed=True, sides=3).valid
     three = twinedge.audit_faces([[0, 1, 2], [0, 1, 3], [0, 1, 4]])
     assert "non_manifold_edge" in {f.kind for f in three.findings}
-    assert twinedge.audit_faces(np.empty((0, 3), int)).valid
+    assert {f.kind for f in twinedge.audit_faces(np.empty((0, 3), int)).findings} == {"no_faces"}
     assert twinedge.audit_faces([[0, 1, 2]], 4, used=True).broken_rules == ["M1"]
 
 
@@ -112,5 +114,38 @@ def test_empty_and_missing_geometries_keep_their_places():
     for each in [layer, list(layer)]:
         report = twinedge.audit(each)
         assert report.violations[-1].features == (2, 3)
-    with pytest.raises(ValueError, match="feature 0"):
-        twinedge.audit([shapely.Point(np.nan, 1)])
+
+
+def test_a_missing_geometry_is_not_valid_in_silence():
+    report = twinedge.audit([None, *squares(0), shapely.Polygon()])
+    assert report.valid and report.without_geometry == [0, 2]
+    assert str(report) == "valid; 2 features have no geometry"
+
+
+def test_a_coordinate_that_is_not_finite_is_a_finding_and_the_rest_is_judged():
+    line = {"type": "LineString", "coordinates": [[0, 0], [np.inf, 1]]}
+    layers = [
+        [shapely.Polygon([(5, 5), (6, np.nan), (6, 6)]), *squares(0, 0.5)],
+        [line, *squares(0, 0.5)],
+        [shapely.Point(np.nan, 1), *squares(0, 0.5)],
+    ]
+    for layer in layers:
+        report = twinedge.audit(layer)
+        assert report.violations[-1].features == (1, 2)
+        [finding] = [f for f in report.findings if f.rule == "C6"]
+        assert (finding.features, finding.at) == ((0,), None) and "NaN or infinite" in finding.message
+        assert not report.without_geometry
+    alone = twinedge.audit([*squares(0), shapely.Point(0, np.inf)])
+    assert not alone.valid and len(alone.to_frame()) == alone.finding_count == 1
+
+
+def test_c6_counts_features_and_not_their_defects():
+    bow_ties = shapely.Polygon([(0, 0), (4, 2), (4, 0), (0, 2), (4, 4), (4, 3)])
+    [finding] = [f for f in twinedge.audit([bow_ties]).findings if f.rule == "C6"]
+    assert len(finding.fields["defects"]) > 1 and finding.fields["defects"][0]["reason"] == "Self-intersection"
+
+
+def test_the_folder_of_the_sources_does_not_hide_the_package():
+    folder = Path(__file__).parents[1]
+    done = subprocess.run([sys.executable, "-c", "import twinedge"], cwd=folder, capture_output=True, text=True, check=False)
+    assert done.returncode == 0, done.stderr

@@ -131,6 +131,26 @@ impl Format {
         }
     }
 
+    /// The format of a file, by its content and its name. Content of several objects of GeoJSON is newline-delimited, even if the name
+    /// says `.geojson`.
+    ///
+    /// ```
+    /// use twinedge::io::Format;
+    ///
+    /// let (one, many) = (Some(Format::GeoJson), Some(Format::GeoJsonSeq));
+    /// assert_eq!(Format::of_file(many, one), many);
+    /// assert_eq!(Format::of_file(one, many), many);
+    /// assert_eq!(Format::of_file(Some(Format::FlatGeobuf), one), Some(Format::FlatGeobuf));
+    /// ```
+    #[must_use]
+    pub fn of_file(by_content: Option<Self>, by_name: Option<Self>) -> Option<Self> {
+        match (by_content, by_name) {
+            (Some(Self::GeoJsonSeq), Some(Self::GeoJson)) => by_content,
+            (Some(certain), _) if certain.is_certain() => by_content,
+            _ => by_name.or(by_content),
+        }
+    }
+
     /// Returns true if the content tells the format for certain, whatever the name of the file.
     #[must_use]
     pub const fn is_certain(self) -> bool {

@@ -74,7 +74,7 @@ where
     if let Some(certain) = of_content.filter(|format| format.is_certain()) {
         return refuse(ReadCause::Elsewhere(certain));
     }
-    let Some(format) = format.or(of_content) else {
+    let Some(format) = Format::of_file(of_content, format) else {
         return refuse(if is_blank { ReadCause::Empty } else { ReadCause::Unrecognised });
     };
     let all = Cursor::new(head).chain(reader);

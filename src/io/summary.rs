@@ -24,8 +24,8 @@ pub struct ReadSummary {
     pub dropped_properties: usize,
     /// Empty points, lines and polygons, which were dropped.
     pub dropped_empty: usize,
-    /// Objects that name a coordinate reference system (`crs`) other than longitude and latitude on WGS 84. It was ignored, as
-    /// RFC 7946 asks for.
+    /// Objects that name a coordinate reference system (`crs`, or `SRID` before a geometry) other than longitude and latitude on
+    /// WGS 84. It was ignored, as RFC 7946 asks for.
     pub other_crs: usize,
 }
 

@@ -26,11 +26,14 @@
 //!
 //! | module | purpose |
 //! | --- | --- |
+//! | `certificate` (feature `spade`) | a triangulation by which anyone can check that a map is drawn in the plane |
 //! | [`edit`] | drawing and erasing points, segments and rings on a map, one after the other |
 //! | [`locate`] | where a point lies, by an index or by walking there |
 //! | [`zone`] | what a line meets, in order |
 //! | `program` (feature `program`) | sequences of edits as data |
 
+#[cfg(feature = "spade")]
+pub mod certificate;
 pub mod edit;
 pub mod locate;
 #[cfg(feature = "program")]

@@ -4,12 +4,30 @@ use super::language::choose::Choose;
 use super::language::generator::{Generator, Language};
 use super::language::instances::instances;
 use super::operators::{FacePick, Op, OpKind, Program};
+use super::pointer_model::StartError;
+use super::run::named::Start;
+use crate::validate::{Expectation, View};
 
 impl Program {
     /// A generator of programs, to be told which operators, how often, and how many.
     #[must_use]
     pub fn generator() -> Generator {
         Generator::default()
+    }
+}
+
+impl Generator {
+    /// The same for programs that begin with this structure: so failing ones are made as small as those of the empty map. O(n²).
+    ///
+    /// # Errors
+    /// [`StartError`]: programs cannot begin with it.
+    pub fn beginning_with<V: View + ?Sized>(
+        mut self,
+        structure: &V,
+        expectation: &Expectation,
+    ) -> Result<Self, StartError> {
+        self.start = Start::of(structure, expectation)?;
+        Ok(self)
     }
 }
 

@@ -32,6 +32,7 @@
 //! | get programs | [`Program::from_bytes`]; the features `arbitrary`, `quickcheck` and `proptest` for the crates of these names |
 //! | say which operators, how often and how many | [`Generator`], for all of these; of bytes, [`Generator::decode`] |
 //! | make a failing one small | [`shrink`]; `quickcheck` and `proptest` do it by themselves |
+//! | make one small that begins with a mesh, or another structure that is not empty | [`Generator::beginning_with`], for `proptest`, and for `quickcheck` by [`Generator::candidates`]; [`run_and_shrink`](conformance::Conformance::run_and_shrink) for fuzz targets |
 //! | keep it | its text ([`Display`](core::fmt::Display), [`FromStr`](core::str::FromStr)), or [`Program::to_rust`] |
 //! | tell whether two maps are the same | [`canonical`] |
 //! | compare with another implementation | [`PointerModel`], the pointers of the literature, simple and slow |
@@ -50,6 +51,8 @@ mod instances;
 pub(crate) mod language;
 pub mod mesh;
 mod operators;
+#[doc(hidden)]
+pub mod panics;
 mod pointer_model;
 mod run;
 mod subject;

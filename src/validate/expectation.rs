@@ -56,7 +56,8 @@ pub struct Expectation {
 const NUMBERS: usize = 4;
 
 impl Expectation {
-    /// A planar subdivision.
+    /// A planar subdivision. Where no unbounded face is stored ([`Part::UnboundedFace`]), a sphere is one, too: any of its faces can be
+    /// the unbounded one.
     #[must_use]
     pub const fn plane() -> Self {
         Self { surface: Surface::Plane, open: false, asked: 0, numbers: [0; NUMBERS] }
@@ -121,7 +122,7 @@ impl Expectation {
     /// assert_eq!(report.violations().len(), 3);
     /// assert_eq!(
     ///     report.violations()[0].to_string(),
-    ///     "half-edge 0, from vertex 0 to vertex 1, has no twin: the surface has a border there"
+    ///     "M4: half-edge 0, from vertex 0 to vertex 1, has no twin: the surface has a border there"
     /// );
     /// # Ok::<(), twinedge::validate::ParseTableError>(())
     /// ```

@@ -88,6 +88,11 @@
 //! makes every small [`Table`], every change of one cell of a larger one, and a map in each form in which a structure can keep it, for
 //! the two to agree on.
 //!
+//! # A verdict that anyone can check
+//!
+//! [`certificate`] has labels for a structure by which a scan without walks, sets and order decides that it is valid. That scan is
+//! proved in Coq.
+//!
 //! # With serde
 //!
 //! With the feature `serde`, reports, violations, figures and tables can be written and read. A [`Report`] is written in the form that
@@ -96,6 +101,7 @@
 
 pub mod adapt;
 mod catalogue;
+pub mod certificate;
 mod columns;
 mod expectation;
 mod fast_path;

@@ -78,6 +78,12 @@ impl Rule {
         self.id().as_bytes()[0] == b'M'
     }
 
+    /// True if the rule is checked only in the plane: B2, T1, T2 and T4.
+    #[must_use]
+    pub const fn is_planar(self) -> bool {
+        matches!(self, Self::B2 | Self::T1 | Self::T2 | Self::T4)
+    }
+
     /// The position in [`Rule::ALL`].
     #[must_use]
     pub const fn index(self) -> usize {

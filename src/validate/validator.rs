@@ -1,7 +1,7 @@
 //! The rules R1 … T4 in order, and M1 … M8 where they are asked for.
 
 use super::columns::Components;
-use super::expectation::Expectation;
+use super::expectation::{Expectation, Surface};
 use super::fast_path::{self, Facts, Rotations, Whole};
 use super::findings::{Findings, Flow, Halt};
 use super::passes;
@@ -114,15 +114,24 @@ fn judge<V: View + ?Sized>(
 ) -> Report {
     let extent = match Extent::of(view, *expectation) {
         Ok(extent) => extent,
-        Err(why) => return report(expectation, Findings::new(collect), Err(why)),
+        Err(why) => return report(expectation, findings_of(expectation, collect), Err(why)),
     };
     let facts = settle(Subject { view, extent });
     run(Subject { view: &view, extent }, facts, collect)
 }
 
+/// No findings yet. On surfaces the rules of the plane have their reason, before any other.
+fn findings_of(expectation: &Expectation, collect: Collect) -> Findings {
+    let mut findings = Findings::new(collect);
+    for rule in TOPOLOGICAL.iter().filter(|rule| rule.is_planar() && expectation.surface_kind() != Surface::Plane) {
+        findings.not_checked(*rule, Unchecked::PlaneOnly);
+    }
+    findings
+}
+
 /// Runs the rules.
 fn run(subject: Subject<'_>, facts: Facts, collect: Collect) -> Report {
-    let mut findings = Findings::new(collect);
+    let mut findings = findings_of(&subject.extent.expect, collect);
     let ended = all_rules(subject, facts, &mut findings).map_err(|halt| match halt {
         Halt::Found => Unchecked::Stopped,
         Halt::OutOfMemory => Unchecked::OutOfMemory,
@@ -148,12 +157,14 @@ fn all_rules(subject: Subject<'_>, facts: Facts, findings: &mut Findings) -> Flo
     leaving::check(subject, &facts, findings)?;
     let walked = passes::rotations::check(subject, &facts, &census, before.as_deref(), findings)?;
     cycle::check(subject, &facts, &census, findings)?;
-    isolated::check(subject, &facts, &census, findings)?;
+    if subject.extent.is_plane() {
+        isolated::check(subject, &facts, &census, findings)?;
+    }
     outer::check(subject, &facts, findings)?;
     listed::check(subject, &facts, &census, findings)?;
     let is_simple = if let Some(rule) = census.rotations_broken(findings) {
         for waiting in TOPOLOGICAL.iter().filter(|waiting| **waiting >= Rule::T1) {
-            findings.not_checked(*waiting, Unchecked::Broken(rule));
+            findings.not_checked_yet(*waiting, Unchecked::Broken(rule));
         }
         false
     } else {
@@ -194,9 +205,13 @@ fn whole_map(
         }
     };
     findings.counts.components = Some(components.all.len());
-    let lies_in = outside::check(subject, &components, lies_in, census.list_budget, findings)?;
-    nesting::check(subject, &components, &lies_in, findings)?;
+    if subject.extent.is_plane() {
+        let lies_in = outside::check(subject, &components, lies_in, census.list_budget, findings)?;
+        nesting::check(subject, &components, &lies_in, findings)?;
+    }
     euler::check(subject, &components, genus, findings)?;
-    bounds::check(subject, components.simple, findings)?;
+    if subject.extent.is_plane() {
+        bounds::check(components.simple, findings)?;
+    }
     Ok(components.simple)
 }

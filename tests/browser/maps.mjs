@@ -1,5 +1,7 @@
 // Maps with faults at places that are known.
 
+import { readFileSync } from "node:fs";
+
 const ring = (...points) => [...points, points[0]];
 const square = (x, y, w, h) => ring([x, y], [x + w, y], [x + w, y + h], [x, y + h]);
 const feature = (id, name, ...rings) => ({
@@ -67,4 +69,13 @@ export const many = collection(
     const [x, y] = [i % 100, Math.floor(i / 100)];
     return feature(i, `Parcel ${i}`, square(x, y, i === 5050 ? 0.99 : 1, 1));
   }),
+);
+
+/** Two parcels that overlap by half a unit, as in the README of the program. */
+export const overlapping = readFileSync(new URL("../../docs/overlapping.geojson", import.meta.url), "utf8");
+
+/** Squares side by side, and one far away. */
+export const farApart = collection(
+  ...Array.from({ length: 25 }, (_, i) => feature(i, `near ${i}`, square(2 * (i % 5), 2 * Math.floor(i / 5), 2, 2))),
+  feature("f", "far", square(500, 0, 1, 1)),
 );

@@ -5,7 +5,7 @@ import { readFileSync, writeFileSync } from "node:fs";
 import { createRequire } from "node:module";
 import { join } from "node:path";
 import { fileURLToPath, pathToFileURL } from "node:url";
-import { hostile, hostileNames, many, parcels, tables } from "./maps.mjs";
+import { farApart, hostile, hostileNames, many, overlapping, parcels, tables } from "./maps.mjs";
 
 const folder = process.argv[2];
 const puppeteer = createRequire(join(process.env.MODULES, "index.js"))("puppeteer-core");
@@ -91,7 +91,9 @@ const holds = ([x0, y0, x1, y1], [x, y]) => x0 < x && x < x1 && y0 < y && y < y1
 
 async function parcelsByMouse(browser, url) {
   const { page, complaints } = await open(browser, url);
-  same("title", await page.title(), join(folder, "parcels.geojson"));
+  same("title", await page.title(), "parcels.geojson");
+  same("heading", await text(page, "h1"), "parcels.geojson");
+  same("half-edges are off", await page.$eval("#links-on", (box) => box.checked), false);
   check("verdict", (await text(page, "#verdict")).startsWith("not valid:"), await text(page, "#verdict"));
   const all = await options(page);
   for (const [rule, features] of [
@@ -266,7 +268,66 @@ async function brokenLink(browser, url) {
   await page.focus("#over");
   await press(page, "0", ..."--------");
   same("from far away they are not", await page.$eval("#stage", (stage) => stage.dataset.drawn), "map");
-  check("no input for features", !(await page.$eval("#feature", (input) => input.checkVisibility())));
+  await page.type("#feature", "e1,1");
+  await page.keyboard.press("Enter");
+  await drawn(page);
+  check("the findings of an edge are found", (await options(page)).every((one) => one.includes("e1,1")), await options(page));
+  same("no complaint", complaints, []);
+  await page.close();
+}
+
+/** Clashes come after the findings that say the same, in words about features; an edge is found by its number. */
+async function crossings(browser, url) {
+  const { page, complaints } = await open(browser, url);
+  const all = await options(page);
+  const [first, clash] = [all.findIndex((one) => one.startsWith("C1")), all.findIndex((one) => one.startsWith("G4"))];
+  check("findings come first", 0 <= first && first < clash, all);
+  check("a clash names features", all.some((one) => one.includes("the borders of Meier and Mueller overlap from (9.5, 0) to (10, 0)")), all);
+  check("and no half-edge", !all.some((one) => one.startsWith("G4") && one.includes("half-edge")), all);
+  const half = await page.evaluate(() => Number(data.findings.find((one) => one.rule === "G4").records[0].split(" ")[1]));
+  await page.type("#feature", `h${half}`);
+  const found = await options(page);
+  check("the clashes of an edge", found.length > 0 && found.every((one) => one.startsWith("G4")), found);
+  const wide = await seen(page);
+  await press(page, "Enter");
+  const near = await seen(page);
+  check("Enter goes to the edge", near[2] - near[0] < wide[2] - wide[0], [wide, near]);
+  await picture(page, "crossings");
+  same("no complaint", complaints, []);
+  await page.close();
+}
+
+/** The first view shows the part with most features, and the others are in insets. */
+async function farAway(browser, url) {
+  const { page, complaints } = await open(browser, url);
+  const box = await seen(page);
+  check("most features are in sight", holds(box, [5, 5]) && !holds(box, [500, 1]), box);
+  await picture(page, "far-away");
+  same("an inset has a name", await page.$$eval("#insets button", (all) => all.map((one) => one.title)), ["far (id f)"]);
+  same("the scale", await page.evaluate(() => scaleBar(view, null)[1]), "2");
+  await click(page, "#insets button");
+  check("the inset leads there", holds(await seen(page), [500.5, 0.5]), await seen(page));
+  await click(page, "#whole");
+  const whole = await seen(page);
+  check("the whole map", holds(whole, [5, 5]) && holds(whole, [500, 1]), whole);
+  same("no complaint", complaints, []);
+  await page.close();
+}
+
+/** A dense map that is small in the window is not black. */
+async function denseBorders(browser, url) {
+  const { page, complaints } = await open(browser, url);
+  await page.focus("#over");
+  await press(page, "0", "-", "-", "-", "-");
+  const middle = await page.evaluate(() => {
+    const [x, y] = [view.width / 2, view.height / 2];
+    const copy = new OffscreenCanvas(20, 20).getContext("2d", { willReadFrequently: true });
+    copy.drawImage(base, -Math.round((x - 10) * ratio), -Math.round((y - 10) * ratio));
+    const { data } = copy.getImageData(0, 0, 20, 20);
+    return [0, 1, 2].map((i) => data.filter((_, at) => at % 4 === i).reduce((sum, one) => sum + one, 0) / 400);
+  });
+  check("faces can be seen between the borders", Math.max(...middle) > 150, middle);
+  await picture(page, "dense");
   same("no complaint", complaints, []);
   await page.close();
 }
@@ -284,7 +345,7 @@ async function cutMap(browser, url) {
 
 async function hostileTexts(browser, url) {
   const { page, complaints } = await open(browser, url);
-  same("title", await page.title(), join(folder, "hostile.geojson"));
+  same("title", await page.title(), "hostile.geojson");
   same("names", await page.evaluate(() => data.features.map(([name]) => name)), hostileNames);
   await page.focus("#list");
   for (let i = 0; i < (await options(page)).length; i++) await press(page, "ArrowDown");
@@ -294,7 +355,7 @@ async function hostileTexts(browser, url) {
   check("and found", (await options(page)).length > 0);
   await click(page, "#whole");
   await picture(page, "hostile");
-  same("title still", await page.title(), join(folder, "hostile.geojson"));
+  same("title still", await page.title(), "hostile.geojson");
   same("no complaint", complaints, []);
   await page.close();
 }
@@ -341,6 +402,9 @@ try {
   await cutMap(browser, ofTables);
   await hostileTexts(browser, report("hostile.geojson", hostile, 1));
   await manyParcels(browser, report("many.geojson", many, 1));
+  await crossings(browser, report("overlapping.geojson", overlapping, 1));
+  await farAway(browser, report("far-away.geojson", farApart, 0));
+  await denseBorders(browser, report("dense.geojson", many, 1));
   await narrowWindow(browser, ofParcels);
 } finally {
   await browser.close();

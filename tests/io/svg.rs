@@ -233,6 +233,39 @@ fn features_of_a_map_that_is_not_plane_are_filled() {
     assert_eq!(lows, [12.0, 337.33], "{text}");
 }
 
+#[test]
+fn a_spike_leaves_no_feature_white_and_nameless() {
+    // The spike of the first runs into the second; the hole of the third is drawn as one ring with a slit.
+    let spiked = [[0.0, 0.0], [4.0, 0.0], [4.0, 2.0], [7.0, 3.0], [4.0, 2.0], [4.0, 4.0], [0.0, 4.0]];
+    let square = [[5.0, 0.0], [9.0, 0.0], [9.0, 4.0], [5.0, 4.0]];
+    let slit = [
+        [0.0, 5.0],
+        [9.0, 5.0],
+        [9.0, 9.0],
+        [0.0, 9.0],
+        [0.0, 5.0],
+        [1.0, 6.0],
+        [1.0, 8.0],
+        [2.0, 8.0],
+        [2.0, 6.0],
+        [1.0, 6.0],
+    ];
+    let mut builder = Builder::new();
+    for (name, ring) in [("spiked", &spiked[..]), ("square", &square), ("slit", &slit)] {
+        builder.feature(&polygon(name, ring)).expect("in range");
+    }
+    let map = builder.build_with(Noding::None).expect("fits");
+    assert!(!map.is_plane());
+    let text = draw(&map, &Options::default());
+    let points = |fill: &str| filled(&text, fill).concat().len() / 2;
+    let fills = ["#8ecae6", "#f4b88a", "#a8d5a2", "#f2a9bb"];
+    // The corners of the squares, and those of both rings.
+    assert_eq!(fills.map(points).iter().sum::<usize>(), 5 + 4 + 8, "{text}");
+    for name in ["spiked", "square", "slit"] {
+        assert!(text.contains(&format!(">{name}</text>")), "{text}");
+    }
+}
+
 /// The numbers in the outlines with this fill.
 fn filled(text: &str, fill: &str) -> Vec<Vec<f64>> {
     let lines = text.replace(&format!("<path fill=\"{fill}\""), "<path class=\"filled\"");

@@ -84,6 +84,47 @@ fn extra_dimensions_are_dropped_and_counted() {
     }
 }
 
+#[test]
+fn dimensions_without_a_letter_are_those_of_the_first_position() {
+    let written = |text: &str| {
+        let mut written = Vec::new();
+        wkt::read_geometries(text.as_bytes(), |line| {
+            written.push(line.geometry.to_string());
+            Ok::<_, ReadError>(())
+        })?;
+        Ok::<_, ReadError>(written.concat())
+    };
+    for (text, expected) in [
+        ("POINT(1 2 3)", "POINT Z(1 2 3)"),
+        ("POINT (1 2 3 4)", "POINT ZM(1 2 3 4)"),
+        ("POINTM(1 2 3)", "POINT M(1 2 3)"),
+        ("MULTIPOINT(1 2 3,4 5 6)", "MULTIPOINT Z((1 2 3),(4 5 6))"),
+        ("POLYGON(( 0 0 1,1 0 1,1 1 1,0 0 1))", "POLYGON Z((0 0 1,1 0 1,1 1 1,0 0 1))"),
+        ("GEOMETRYCOLLECTION(POINT EMPTY,POINT(1 2 3))", "GEOMETRYCOLLECTION Z(POINT EMPTY,POINT Z(1 2 3))"),
+        ("GEOMETRYCOLLECTION(POINT(1 2),POINT(1 2 3))", "GEOMETRYCOLLECTION(POINT(1 2),POINT Z(1 2 3))"),
+        ("GEOMETRYCOLLECTION(POINT M(1 2 3))", "GEOMETRYCOLLECTION(POINT M(1 2 3))"),
+    ] {
+        assert_eq!(written(text).unwrap(), expected, "{text}");
+    }
+}
+
+#[test]
+fn empty_points_of_a_multi_point_are_left_out() {
+    let p = |x, y| Shape::Point(Point { x, y });
+    assert_eq!(shapes("MULTIPOINT((1 1),EMPTY)"), [p(1.0, 1.0)]);
+    assert_eq!(shapes("multipoint z (empty , (1 1 5), EMPTY,2 2 5)"), [p(1.0, 1.0), p(2.0, 2.0)]);
+    assert_eq!(shapes("GEOMETRYCOLLECTION(MULTIPOINT(EMPTY),POINT(3 3))"), [p(3.0, 3.0)]);
+    assert_eq!(shapes("MULTIPOINT(EMPTY,EMPTY)"), []);
+}
+
+#[test]
+fn a_reference_system_before_a_geometry_is_read() {
+    let (features, summary) = read("SRID=4326;POINT(1 2)\nsrid=2056; POINT(3 4)\nPOINT(5 6)\n").unwrap();
+    assert_eq!(features.len(), 3);
+    // That of the second line is another than usual.
+    assert_eq!(summary.other_crs, 1);
+}
+
 /// Every fault is reported with the third line, on which it stands, after the geometry before it was handed over.
 fn fault_of(text: impl AsRef<[u8]>) -> ReadCause {
     let mut count = 0;
@@ -107,7 +148,8 @@ fn syntax() {
         "POINT(1)",
         "POINT(1 2",
         "POINT((1 2))",
-        "POINT(1 2 3)",
+        "POINT(1 2 3 4 5)",
+        "LINESTRING(1 2 3,4 5)",
         "POINT(1 2, 3 4)",
         "POINT(1 x)",
         "POINT(NaN 1)",
@@ -117,7 +159,11 @@ fn syntax() {
         "LINESTRING()",
         "CIRCLE(1 2)",
         "GEOMETRYCOLLECTION(1 2)",
-        "SRID=4326;POINT(1 2)",
+        "SRID=;POINT(1 2)",
+        "SRID=4326",
+        "SRID=4326;",
+        "SRID=x;POINT(1 2)",
+        "SRID=-1;POINT(1 2)",
         "(1 2)",
         "EMPTY",
         "POINT EMPTY,",
@@ -143,6 +189,7 @@ fn trailing() {
         "POINT(1 2)\0",
         "POINT EMPTY EMPTY",
         "POINT EMPTY(1 2)",
+        "POINT(1 2);SRID=4326",
         "POINT EMPTY POINT(1 2)",
     ] {
         let error = fault_of(text);

@@ -6,6 +6,7 @@
 mod support;
 
 mod audited;
+mod certificate;
 mod edit;
 mod edit_programs;
 mod edited_maps;

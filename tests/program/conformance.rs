@@ -47,7 +47,7 @@ enum Fault {
     Side,
     /// `contract_edge` says of loops that they are stale.
     WrongReason,
-    /// `contract_edge` panics at loops, and the panic is caught.
+    /// `contract_edge` panics at loops.
     Panics,
     /// `flip_edge` turns the wrong way.
     Turn,
@@ -73,6 +73,8 @@ struct Faulty {
     parts: Parts,
     /// How many questions it was asked.
     asked: Rc<Cell<usize>>,
+    /// A question after so many panics.
+    panics_after: Option<usize>,
 }
 
 impl Faulty {
@@ -81,7 +83,7 @@ impl Faulty {
         if fault == Fault::NotEmpty {
             model.add_isolated_vertex(0).unwrap();
         }
-        Self { parts: model.parts(), model, fault, asked: Rc::default() }
+        Self { parts: model.parts(), model, fault, asked: Rc::default(), panics_after: None }
     }
 
     fn has(&self, fault: Fault) -> bool {
@@ -89,6 +91,7 @@ impl Faulty {
     }
 
     fn count(&self) {
+        assert!(self.panics_after.is_none_or(|most| self.asked.get() < most), "a question");
         self.asked.set(self.asked.get() + 1);
     }
 
@@ -181,11 +184,7 @@ impl Subject for Faulty {
     fn contract_edge(&mut self, h: usize) -> Result<usize, Refusal> {
         match self.model.contract_edge(h) {
             Err(Refusal::Loop) if self.has(Fault::WrongReason) => Err(Refusal::Stale),
-            Err(Refusal::Loop) if self.has(Fault::Panics) => {
-                // Without the hook, which would print it.
-                let result = std::panic::catch_unwind(|| std::panic::resume_unwind(Box::new("a loop")));
-                result.unwrap_or(Err(Refusal::Panicked))
-            }
+            Err(Refusal::Loop) if self.has(Fault::Panics) => panic!("a loop"),
             other => other,
         }
     }
@@ -262,16 +261,34 @@ fn a_wrong_reason_is_found() {
     );
 }
 
-/// The summary of a check once showed caught panics as want of room, which passes.
+/// A panic once ended the run, and the program that led to it was lost.
 #[test]
-fn a_caught_panic_is_found_and_shrinks() {
-    let (shrunk, failure) = shrunk(Fault::Panics);
-    assert_eq!(shrunk, program("add_isolated_vertex unbounded\nconnect i0 ~0 left\ncontract_edge h0"));
-    let subject = StepOutcome::Refused(Refusal::Panicked);
+fn a_panic_is_caught_shrunk_and_shown_with_its_place() {
+    let settings = Conformance::of(&Expectation::plane());
+    let found = settings.check(|| Faulty::new(Fault::Panics)).unwrap_err();
+    assert_eq!(found.program, program("add_isolated_vertex unbounded\nconnect i0 ~0 left\ncontract_edge h0"));
+    let text = found.to_string();
+    assert!(text.starts_with("in operator 3, `contract_edge h0`: panicked: a loop ("), "{text}");
+    assert!(text.contains("conformance.rs:"), "{text}");
+    // A question that panics is no other thing; and at the start, no operator is named.
+    let panicking = Faulty { panics_after: Some(10), ..Faulty::new(Fault::None) };
+    let failure = settings.run(&found.program, panicking).unwrap_err();
     assert!(
-        matches!(failure.difference, Difference::StepOutcome { subject: found, .. } if found == subject),
+        matches!(&failure.difference, Difference::Panicked(message) if message.starts_with("a question (")),
         "{failure}"
     );
+    let failure = settings.run(&found.program, Faulty { panics_after: Some(0), ..Faulty::new(Fault::NotEmpty) });
+    assert!(failure.unwrap_err().to_string().starts_with("at the start: "));
+}
+
+/// No program, or programs without operators, once passed.
+#[test]
+fn a_check_without_programs_or_operators_has_tried_nothing() {
+    for (programs, operators) in [(0, 40), (200, 0)] {
+        let settings = Conformance::of(&Expectation::plane()).programs(programs, operators);
+        assert_eq!(settings.check(Dcel::new).unwrap_err().failure.difference, Difference::NothingApplied);
+        assert!(settings.coverage(Coverage::Nothing).check(Dcel::new).is_ok());
+    }
 }
 
 #[test]

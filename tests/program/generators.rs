@@ -128,7 +128,7 @@ fn the_tree_of_a_program_shrinks_as_shrink_does() {
     let (mut runner, generator) = (runner(), Program::generator());
     let mut programs = std::iter::repeat_with(|| generator.generate(&mut runner)).take(100);
     let program = programs.find(|program| fails(program)).expect("some program makes three faces");
-    let mut tree = ProgramTree::new(program.clone());
+    let mut tree = ProgramTree::new(program.clone(), &generator);
     assert_eq!(tree.current(), program);
     let mut smallest = program.clone();
     let mut more = tree.simplify();

@@ -13,6 +13,7 @@ mod counts;
 mod generators;
 mod in_step;
 mod named_mesh;
+mod panics;
 mod partial;
 mod program;
 mod reported;

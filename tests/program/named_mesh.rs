@@ -2,9 +2,11 @@
 
 use crate::support::erased::validate;
 use crate::support::triangles::{Bug, Triangles};
-use twinedge::program::conformance::{self, Conformance, Counterexample};
+use proptest::strategy::ValueTree;
+use twinedge::program::choose::Random;
+use twinedge::program::conformance::{self, Conformance, Counterexample, Coverage, Difference, End};
 use twinedge::program::mesh::Named;
-use twinedge::program::{Corner, Refusal, Subject};
+use twinedge::program::*;
 use twinedge::validate::{Collect, Expectation, Part, Parts, View};
 
 const MESH: Expectation = Expectation::surface().open().simple().triangles();
@@ -42,21 +44,130 @@ fn operators(found: &Counterexample) -> Vec<&str> {
 /// are, and nothing is left that the bug does not need.
 #[test]
 fn bugs_are_found_and_their_programs_are_small() {
-    for (bug, most) in [(Bug::StaleLeaving, 1), (Bug::ForgetsFan, 4), (Bug::Pinches, 4)] {
+    for (bug, most) in [(Bug::StaleLeaving, 1), (Bug::ForgetsFan, 4), (Bug::Pinches, 4), (Bug::Panics, 3)] {
         for seed in 0..4 {
             let settings = Conformance::of(&MESH).seed(seed);
             let found = settings.check(|| named(5, &PYRAMID, bug)).unwrap_err();
             let operators = operators(&found);
             assert!(operators.len() <= most, "{bug:?} {found}");
-            assert_eq!(operators.last(), Some(&"mesh_collapse_edge"), "{bug:?} {found}");
-            let numbers = found.program.to_string();
-            let numbers = numbers.split(" h").skip(1).map(|rest| {
-                rest.split_whitespace().next().and_then(|number| number.parse::<usize>().ok()).expect("is a number")
-            });
+            let last = if bug == Bug::Panics { "mesh_split_edge" } else { "mesh_collapse_edge" };
+            assert_eq!(operators.last(), Some(&last), "{bug:?} {found}");
             // A split adds at most six half-edges.
-            assert!(numbers.into_iter().all(|number| number < 16 + 6 * most), "{bug:?} {found}");
+            assert!(numbers(&found.program).into_iter().all(|number| number < 16 + 6 * most), "{bug:?} {found}");
         }
     }
+}
+
+/// The advice to use `Named` once answered a flip that did nothing under `Named`.
+#[test]
+fn a_flip_that_does_nothing_is_not_told_of_names() {
+    let found = conformance::check(|| named(5, &PYRAMID, Bug::FlipsNothing), &MESH).unwrap_err();
+    assert_eq!(operators(&found), ["mesh_flip_edge"]);
+    let text = found.to_string();
+    assert!(text.contains("in the view, Next of half-edge") && !text.contains("Named"), "{text}");
+}
+
+/// A kernel that loses the data of vertices once passed: which vertex survives a collapse was not compared.
+#[test]
+fn the_vertex_that_survives_a_collapse_is_compared() {
+    let settings = Conformance::of(&MESH);
+    let right = |end| settings.collapse_keeps(end).check(|| named(5, &PYRAMID, Bug::None));
+    right(End::Origin).unwrap();
+    let found = right(End::Target).unwrap_err();
+    assert_eq!(operators(&found), ["mesh_collapse_edge"]);
+    assert!(matches!(&found.failure.difference, Difference::Vertex { expected, .. } if expected.len() == 1), "{found}");
+    // Either end will do if nothing is asked for, but not a vertex that is new.
+    settings.check(|| named(5, &PYRAMID, Bug::KeepsEither)).unwrap();
+    for end in [End::Origin, End::Target] {
+        assert!(settings.collapse_keeps(end).check(|| named(5, &PYRAMID, Bug::KeepsEither)).is_err());
+    }
+    let found = settings.check(|| named(5, &PYRAMID, Bug::MakesVertex)).unwrap_err();
+    assert_eq!(operators(&found), ["mesh_collapse_edge"]);
+    assert!(found.to_string().contains(" and is 5, so what is kept by its handle is lost"), "{found}");
+}
+
+/// The numbers of the half-edges in a program.
+fn numbers(program: &Program) -> Vec<usize> {
+    let text = program.to_string();
+    let words = text.split_whitespace().filter_map(|word| word.strip_prefix('h'));
+    words.map(|number| number.parse().expect("is a number")).collect()
+}
+
+/// Engines that did not know the start left more operators, and numbers such as `h208` on a mesh of 16 half-edges.
+#[test]
+fn every_engine_shrinks_by_the_start() {
+    let make = || named(5, &PYRAMID, Bug::ForgetsFan);
+    let settings = Conformance::of(&MESH).coverage(Coverage::Nothing);
+    let mesh = [OpKind::MeshFlipEdge, OpKind::MeshSplitEdge, OpKind::MeshCollapseEdge];
+    let generator = Program::generator().only(&mesh).length(20..=40).beginning_with(&make(), &MESH).unwrap();
+    let fails = |program: &Program| settings.run(program, make()).is_err();
+    let mut noise = Random::seeded(1);
+    let programs = core::iter::repeat_with(|| generator.generate(&mut noise)).filter(|program| fails(program));
+    let most = 4;
+    for program in programs.take(10) {
+        let small = [
+            // Fuzz targets, quickcheck's `shrink`, which repeats the candidates, and proptest's tree.
+            settings.run_and_shrink(&program, make).unwrap_err().program,
+            generator.shrink(&program, fails),
+            shrunk_by_tree(&program, &generator, fails),
+        ];
+        for small in small {
+            assert!(small.0.len() <= most && fails(&small), "{small}");
+            assert!(numbers(&small).into_iter().all(|number| number < 16 + 6 * most), "{small}");
+        }
+    }
+}
+
+fn shrunk_by_tree(program: &Program, generator: &Generator, fails: impl Fn(&Program) -> bool) -> Program {
+    let mut tree = ProgramTree::new(program.clone(), generator);
+    let mut more = tree.simplify();
+    while more {
+        more = if fails(&tree.current()) { tree.simplify() } else { tree.complicate() };
+    }
+    tree.current()
+}
+
+#[test]
+fn a_counterexample_says_which_vertices_a_half_edge_joins() {
+    let found = Conformance::of(&MESH).check(|| named(5, &PYRAMID, Bug::StaleLeaving)).unwrap_err();
+    let text = found.to_string();
+    let [Op::MeshCollapseEdge { half_edge: HalfEdgePick::Live(k) }] = found.program.0[..] else { panic!("{text}") };
+    let mesh = named(5, &PYRAMID, Bug::None);
+    let start = PointerModel::from_view(&mesh, &MESH).unwrap();
+    let (h, _) = start.half_edges[usize::from(k)];
+    let [origin, target] = [h, mesh.twin(h).unwrap()].map(|h| mesh.origin(h).unwrap());
+    assert!(text.contains(&format!("\nmesh_collapse_edge h{k} # {h} ({origin} to {target})\n")), "{text}");
+    // What is shown is a program, and one that can be read again.
+    let (_, shown) = text.split_once("choose:\n").unwrap();
+    assert_eq!(shown.parse(), Ok(found.program));
+}
+
+/// A kernel may turn an edge either way: in two triangles, both give the same.
+#[test]
+fn a_flip_may_turn_either_way() {
+    struct Clockwise(PointerModel);
+    impl View for Clockwise {
+        twinedge::delegate_view!(|this| &this.0);
+    }
+    impl Clockwise {
+        fn run<T>(&mut self, operator: impl FnOnce(&mut PointerModel) -> T) -> T {
+            operator(&mut self.0)
+        }
+        fn model(&self) -> &PointerModel {
+            &self.0
+        }
+    }
+    impl Subject for Clockwise {
+        twinedge::delegate_subject!(PointerModel, Self::model, Self::run; except mesh_flip_edge);
+
+        fn mesh_flip_edge(&mut self, h: Self::HalfEdge) -> Result<(), Refusal> {
+            // Twice there and once back is once clockwise, with the refusals of the first.
+            self.0.mesh_flip_edge(h)?;
+            (0..2).try_for_each(|_| Subject::flip_edge(&mut self.0, h, Turn::Clockwise))
+        }
+    }
+    let summary = conformance::check(|| Clockwise(PointerModel::new()), &Expectation::plane()).unwrap();
+    assert!(summary.of("mesh_flip_edge").unwrap().applied > 0);
 }
 
 /// The same by indices: the first flip is a difference, though the mesh is right, and the message says what to do.

@@ -439,7 +439,11 @@ fn half_edges_too_many_too_few_and_without_handle_are_named() {
     let make = |flip| FlipOnly::of(&OCTAHEDRON, 6, flip);
     let found = |flip| check(|| make(flip), &SURFACE).unwrap_err();
     for (found, difference, message) in [
-        (found(Flip::Adds), Difference::Unknown { half_edge: 24 }, "half-edge 24 of the view should not be there"),
+        (
+            found(Flip::Adds),
+            Difference::Unknown { half_edge: 24, is_named: false },
+            "half-edge 24 of the view should not be there",
+        ),
         (found(Flip::Drops), Difference::Missing { corner: 22 }, "corner 22 is no half-edge of the view"),
         (
             check(|| Nameless(make(Flip::Right)), &SURFACE).unwrap_err(),
@@ -532,4 +536,24 @@ fn half_edges_on_the_border_need_no_next() {
     // Where it is kept, it is compared.
     let summary = check(|| Mesh::new(6, &RING, false), &MESH).unwrap();
     assert!(summary.not_compared().all(|part| part != NotCompared::BorderNext), "{summary}");
+}
+
+/// A triangle with a loop was half collapsed, and then refused.
+#[test]
+fn a_collapse_that_is_refused_changes_nothing() {
+    let build = "twinedge program 1
+        add_isolated_vertex unbounded
+        split_vertex i0 i0
+        connect h1 h0 left
+        connect h0 h0 left
+        mesh_split_face h0";
+    let mut runner = Runner::new(Dcel::new());
+    assert!(runner.run(&build.parse().unwrap()).iter().all(|outcome| *outcome == StepOutcome::Applied));
+    for op in every_mesh_op(&runner) {
+        let mut attempt = runner.clone();
+        let before = Table::copy_of(attempt.subject());
+        if attempt.step(op) != StepOutcome::Applied {
+            assert_eq!(Table::copy_of(attempt.subject()), before, "{op}");
+        }
+    }
 }

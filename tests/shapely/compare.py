@@ -7,7 +7,8 @@ PROGRAM is the program `twinedge`. What is compared:
 * no overlap, no duplicate and no edges that meet elsewhere than at shared ends, if and only if `coverage_is_valid`;
 * features with `coverage_invalid_edges` are in an overlap, and each overlap has a feature with such edges;
 * the area of all overlaps, and that of all gaps, with those of intersections and unions;
-* the features with near misses, with the `coverage_invalid_edges` that a `gap_width` adds, for strips of constant width;
+* the features with near misses, with the `coverage_invalid_edges` that a `gap_width` adds, for strips of constant width that
+  are open to the outside or to a lake, and for notches;
 * validity by the OGC: `is_valid` of every feature, and that the reason that GEOS stops at is among those found.
 
 Exit status: 0 all agree (with --self-test: dropped findings are noticed); 1 otherwise.
@@ -164,6 +165,9 @@ def compare_strips(comparison, case, rng):
             x += width
         columns.append(shapely.box(x, 0, x + 10, 30))
         x += 10
+    if rng.random() < 0.5:
+        # The strips open into a lake, and not to the outside.
+        columns.append(shapely.box(-10, -10, x + 10, 40) - shapely.box(-5, -5, x + 5, 35))
     angle = rng.uniform(0, 360)
     columns = [affinity.rotate(column, angle, origin=(0, 0)) for column in columns]
     # Columns without a strip between them may have become uneven by a rounding; these are no near misses of any width.
@@ -175,6 +179,19 @@ def compare_strips(comparison, case, rng):
     theirs = {i for i, found in enumerate(with_gaps) if not found.is_empty}
     comparison.same("gap_width, as planted", case, ours, narrow)
     comparison.same("gap_width, as shapely sees it", case, ours | touching, theirs | (narrow & touching))
+
+
+def compare_notches(comparison, case, rng):
+    """Two polygons that part at a vertex: a near miss from about the width of the mouth on."""
+    mouth, deep = rng.uniform(0.5, 20), rng.uniform(40, 60)
+    west = Polygon([(0, 0), (50, 0), (50, 100 - deep), (50 - mouth / 2, 100), (0, 100)])
+    east = Polygon([(50, 0), (100, 0), (100, 100), (50 + mouth / 2, 100), (50, 100 - deep)])
+    angle = rng.uniform(0, 360)
+    notch = [affinity.rotate(polygon, angle, origin=(0, 0)) for polygon in (west, east)]
+    for width in [10 ** rng.uniform(-6, 0) * mouth, rng.uniform(1.01, 1.5) * mouth]:
+        ours = numbers(findings(comparison.audit(notch, "--gap-width", str(width)), "C3"))
+        theirs = {i for i, found in enumerate(shapely.coverage_invalid_edges(notch, gap_width=width)) if not found.is_empty}
+        comparison.same("gap_width, notches", f"{case}, {width} of {mouth}", ours, theirs)
 
 
 def random_polygon(rng):
@@ -245,6 +262,7 @@ def main():
             compare_coverage(comparison, f"{kind} {n}", coverage)
     for n in range(arguments.cases):
         compare_strips(comparison, f"strips {n}", rng)
+        compare_notches(comparison, f"notch {n}", rng)
     for n, make in itertools.product(range(arguments.cases), [random_polygon, touching_polygon]):
         geometries = [make(rng) for _ in range(100)]
         compare_validity(comparison, f"polygons {n}", geometries, comparison.audit(geometries))

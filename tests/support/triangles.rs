@@ -15,6 +15,14 @@ pub(crate) enum Bug {
     ForgetsFan,
     /// An inner edge between two vertices of the border collapses.
     Pinches,
+    /// A flip says that it did, and does nothing.
+    FlipsNothing,
+    /// A collapse keeps the target where the edge is inside, and the origin on the border.
+    KeepsEither,
+    /// A collapse makes a vertex that is new.
+    MakesVertex,
+    /// A split panics at vertices of degree 6 or more.
+    Panics,
 }
 
 /// Half-edge `h` belongs to triangle `h / 3`, and `next` leads around that.
@@ -92,6 +100,9 @@ impl Triangles {
         if w == x || self.neighbours(w).contains(&x) {
             return Err(Refusal::NotSimple);
         }
+        if self.bug == Bug::FlipsNothing {
+            return Ok(());
+        }
         let (beyond_a, beyond_b) = (self.twin[after_b], self.twin[after_a]);
         (self.target[a], self.target[b]) = (x, w);
         self.pair(a, beyond_a);
@@ -103,6 +114,7 @@ impl Triangles {
 
     pub(crate) fn split(&mut self, a: usize) -> Result<(), Refusal> {
         self.check(a)?;
+        assert!(self.bug != Bug::Panics || self.neighbours(self.target[a]).len() < 6, "a vertex of degree 6");
         let (b, middle) = (self.twin[a], self.leaving.len());
         self.leaving.push(None);
         let new_a = self.split_side(a, middle);
@@ -173,7 +185,20 @@ impl Triangles {
             self.leaving[u] = at_u;
         }
         self.leaving[v] = None;
+        match self.bug {
+            Bug::KeepsEither if is_inner => self.rename(u, v),
+            Bug::MakesVertex => {
+                self.leaving.push(None);
+                self.rename(u, self.leaving.len() - 1);
+            }
+            _ => {}
+        }
         Ok(())
+    }
+
+    fn rename(&mut self, v: usize, now: usize) {
+        self.target.iter_mut().filter(|target| **target == v).for_each(|target| *target = now);
+        self.leaving.swap(v, now);
     }
 }
 

@@ -342,7 +342,7 @@ fn g1_names_the_bend() {
     let (violation, at) = only(&two_edges(ENDS, [&[[5.0, f64::INFINITY]], &[]]));
     assert_eq!(violation, Violation::BendNotFinite { half_edge: first, bend: 0 });
     let sentence = format!("bend 0 of half-edge {first} has a coordinate that is not finite, or out of range");
-    assert_eq!(violation.to_string(), sentence);
+    assert_eq!(violation.message(), sentence);
     assert_eq!(at, [[5.0, f64::INFINITY]]);
     let (violation, at) = only(&two_edges(ENDS, [&[], &[[3.0, 9.0], [3.0, 9.0]]]));
     assert_eq!(violation, Violation::SegmentZeroLength { half_edge: second, segment: 1 });

@@ -64,7 +64,7 @@ fn every_record_in_a_report_is_named() {
     }
     assert!(seen.len() > 25, "{seen:?}");
     // Those of coordinates, and what no single corruption shows.
-    let named = |violation: Violation| violation.named(|record| format!("<{record}>")).to_string();
+    let named = |violation: Violation| violation.named(|record| format!("<{record}>")).message();
     assert!(
         named(Violation::Cross { first: 1, second: 2 }).starts_with("half-edges <half-edge 1> and <half-edge 2> cross")
     );

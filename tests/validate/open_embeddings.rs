@@ -64,7 +64,7 @@ fn g5_a_hole_that_lies_outside_everything() {
             let violation = Violation::WrongFace { boundary, face: 0, found: None };
             assert_eq!(report.violations(), [violation], "{report}");
             let sentence = format!("the inner boundary component {name} is listed by face 0, but lies in no face");
-            assert_eq!(violation.to_string(), sentence);
+            assert_eq!(violation.message(), sentence);
         }
     }
 }
@@ -83,7 +83,7 @@ fn g5_what_no_face_lists_lies_in_a_face() {
             (violation.rule(), violation.records()),
             (Rule::G5, [Some(Record::Vertex(3)), Some(Record::Face(0))])
         );
-        assert_eq!(violation.to_string(), "the component of vertex 3 lies in face 0, which does not list it");
+        assert_eq!(violation.message(), "the component of vertex 3 lies in face 0, which does not list it");
     }
 }
 

@@ -59,7 +59,6 @@
 struct Readme;
 
 mod error;
-mod panics;
 mod progress;
 mod published;
 mod random;

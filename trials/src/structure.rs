@@ -1,11 +1,11 @@
 //! The structure under test.
 
 use crate::error::StructureError;
-use crate::panics::catch;
 use crate::regression::TestSource;
 use crate::verdict::judge;
 use std::fmt;
 use twinedge::program::Subject;
+use twinedge::program::panics::catch;
 use twinedge::validate::{Expectation, Part, Parts};
 
 /// A structure under test: its name, how an empty one is made, and what the validator can hold it to.

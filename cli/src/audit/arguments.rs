@@ -4,6 +4,7 @@ use super::destination::{self, Destination};
 use super::mesh_options::MeshOptions;
 use crate::coverage::CoverageOptions;
 use crate::input::MapFile;
+use crate::units::Measured;
 use std::time::Instant;
 use twinedge::validate::Collect;
 
@@ -69,6 +70,9 @@ pub(crate) struct Audit {
 
     #[command(flatten)]
     pub(super) coverage: CoverageOptions,
+
+    #[command(flatten)]
+    pub(super) measured: Measured,
 
     #[command(flatten)]
     pub(super) mesh: MeshOptions,

@@ -29,7 +29,7 @@ pub(super) enum InputKind {
 enum Options {
     /// `--snap`.
     Snap,
-    /// `--coverage`, `--gap-width`, `--sliver`.
+    /// Those under "Coverage", and `--geodesic`.
     Coverage,
     /// Those under "Meshes".
     Mesh,
@@ -43,7 +43,7 @@ impl Options {
     fn are_given(self, run: &Run<'_>) -> bool {
         match self {
             Self::Snap => run.asked.map.is_snapped(),
-            Self::Coverage => run.asked.coverage.is_any(),
+            Self::Coverage => run.asked.coverage.is_any() || run.asked.measured.is_geodesic(),
             Self::Mesh => run.asked.mesh.is_any(),
             Self::Picture => matches!(run.to.format, ReportFormat::Geojson | ReportFormat::Html),
         }
@@ -53,7 +53,7 @@ impl Options {
     fn refusal(self, what: &str) -> String {
         match self {
             Self::Snap => format!("--snap is for maps, and this is {what}"),
-            Self::Coverage => format!("--coverage, --gap-width and --sliver are for maps, and this is {what}"),
+            Self::Coverage => format!("--coverage, its limits and --geodesic are for maps, and this is {what}"),
             Self::Mesh => "is no mesh file (OBJ, OFF, PLY, STL), and the options say what a mesh must be".to_owned(),
             Self::Picture => format!(
                 "the formats geojson and html are for maps, topologies of PostGIS and the tables of a textbook, and this is {what}"

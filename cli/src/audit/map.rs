@@ -14,7 +14,6 @@ use crate::output::counted;
 use crate::progress::busy;
 use crate::status::{Failure, Verdict};
 use crate::trace::placed;
-use crate::units::Units;
 use serde_json::to_value;
 use std::collections::BTreeSet;
 use twinedge::algorithm::colouring::feature_colours;
@@ -30,7 +29,7 @@ pub(super) fn audit(run: &Run<'_>, input: Input) -> Result<Verdict, Failure> {
     let Imported { name, map, noted, crs, .. } = &imported;
     let list = asked.most();
     let report = busy("validating", || validate_embedding(map, &Expectation::plane(), Collect::AtMost(list)));
-    let units = Units::Plane { degrees: noted.look_like_degrees(&imported.read) };
+    let units = asked.measured.units(&imported)?;
     let coverage = Coverage::new(&imported, &asked.coverage, &units, list);
     let is_rule = asked.coverage.is_rule();
     let of_coverage = if is_rule { coverage.total() } else { 0 };

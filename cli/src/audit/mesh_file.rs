@@ -8,19 +8,20 @@ use crate::input::Input;
 use crate::output::{counted, grouped};
 use crate::status::{Failure, Verdict};
 use serde_json::{Map, to_value};
-use twinedge::validate::Collect;
+use twinedge::validate::{Collect, Violation};
 use twinedge_formats::diagnosis::{Diagnosis, RuleLine};
-use twinedge_formats::mesh::{self, Format as MeshFormat, MeshFile};
+use twinedge_formats::mesh::{self, Finding, Format as MeshFormat, MeshFile};
 
 /// Reads a mesh, joins its faces, and prints what was found. At most `--list` findings of each kind are listed.
 pub(super) fn audit(run: &Run<'_>, Input { name, reader, .. }: Input, format: MeshFormat) -> Result<Verdict, Failure> {
     let file = mesh::read(reader, Some(format)).map_err(|error| Failure(format!("{name}: {error}")))?;
     let audit = mesh::audit(&file.mesh, &run.asked.mesh.expectation(), Collect::AtMost(run.asked.most()));
-    let (findings, report) = (audit.findings(), audit.report());
+    let (findings, report, first) = (audit.findings(), audit.report(), format.first_number());
     let numbers = [(findings.total(), "finding"), (report.violation_count() as usize, "violation")];
     let mut extra = Map::new();
     extra.insert("format".to_owned(), format.name().into());
     extra.insert("dropped".to_owned(), to_value(&file.dropped)?);
+    extra.insert("messages_count_from".to_owned(), first.into());
     let report = AuditReport {
         valid: audit.is_valid(),
         found: numbers.map(|(count, name)| counted(count, name)).join(", "),
@@ -30,15 +31,25 @@ pub(super) fn audit(run: &Run<'_>, Input { name, reader, .. }: Input, format: Me
             .map(|(what, count)| (what, count.map_or_else(|| "unknown".to_owned(), signed)))
             .into(),
         rules: RuleLine::of(report),
-        violations: report.violations().iter().map(Diagnosis::from).collect(),
+        violations: report.violations().iter().map(|one| violation(one, first)).collect(),
         violation_count: report.violation_count(),
-        findings: findings.list().iter().map(Diagnosis::from).collect(),
+        findings: findings.list().iter().map(|one| finding(one, first)).collect(),
         finding_count: findings.total() as u64,
         remarks: audit.remarks(),
         json: JsonForm { counts: to_value(audit.counts())?, has_findings: true, extra, ..JsonForm::default() },
         ..AuditReport::new(&name)
     };
     write(report, run, |_| Picture::default())
+}
+
+/// A violation with the numbers of the file in its message.
+fn violation(violation: &Violation, first: usize) -> Diagnosis {
+    Diagnosis { message: violation.named(|record| record.index() + first).message(), ..violation.into() }
+}
+
+/// A finding with the numbers of the file in its message.
+fn finding(finding: &Finding, first: usize) -> Diagnosis {
+    Diagnosis { message: finding.counted_from(first).to_string(), ..finding.into() }
 }
 
 /// A number with its thousands set off, and its sign.
@@ -51,9 +62,12 @@ fn notes(file: &MeshFile) -> Vec<Note> {
     let (points, faces) = (file.mesh.points().len(), file.mesh.face_count());
     let dropped = file.dropped.iter().map(|dropped| format!("; not used: {} {}", dropped.count, dropped.what));
     let dropped: String = dropped.collect();
-    let from_one = if file.format.name() == "obj" { " (the file counts points from 1)" } else { "" };
+    let as_the_file = if file.format.first_number() == 1 { ", as the file counts points" } else { "" };
     vec![
         Note::Plain(format!("{}, {}, {}{dropped}", file.format, counted(points, "point"), counted(faces, "face"))),
-        Note::Plain(format!("vertices and faces are counted from 0 here{from_one}")),
+        Note::Plain(format!(
+            "vertices, faces and corners (half-edges) are counted from {}{as_the_file}",
+            file.format.first_number()
+        )),
     ]
 }

@@ -11,6 +11,7 @@ mod mesh_file;
 mod mesh_options;
 mod packed;
 mod page;
+mod reader_words;
 mod report;
 mod table_file;
 mod text;

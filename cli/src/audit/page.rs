@@ -4,20 +4,23 @@
 //! the script sets it as text.
 
 use super::packed::Picture;
+use super::reader_words;
 use super::report::{AuditReport, Note};
 use crate::coverage_words::statement;
 use crate::diagnosis_text::full_message;
 use crate::output::{counted, grouped, plain};
 use crate::status::Failure;
 use serde::Serialize;
+use std::ffi::OsStr;
 use std::fmt::Write as _;
+use std::path::Path;
 use twinedge_formats::diagnosis::{Diagnosis, Measures, Position, RuleLine, Trace};
 
 const PAGE: &str = include_str!("html/page.html");
 const STYLE: &str = include_str!("html/style.css");
 
 /// In the order in which they are run.
-const SCRIPTS: [&str; 9] = [
+const SCRIPTS: [&str; 12] = [
     include_str!("html/unpack.js"),
     include_str!("html/colours.js"),
     include_str!("html/view.js"),
@@ -25,6 +28,9 @@ const SCRIPTS: [&str; 9] = [
     include_str!("html/half_edges.js"),
     include_str!("html/names.js"),
     include_str!("html/findings.js"),
+    include_str!("html/edges.js"),
+    include_str!("html/scale_bar.js"),
+    include_str!("html/insets.js"),
     include_str!("html/list.js"),
     include_str!("html/main.js"),
 ];
@@ -33,6 +39,7 @@ const SCRIPTS: [&str; 9] = [
 #[derive(Serialize)]
 struct Data<'a> {
     input: &'a str,
+    name: &'a str,
     valid: bool,
     verdict: &'a str,
     notes: Vec<String>,
@@ -60,6 +67,8 @@ struct Finding<'a> {
     name: &'static str,
     kind: &'a str,
     message: String,
+    /// The same in words about features.
+    sentence: Option<String>,
     violation: bool,
     records: Vec<String>,
     features: Vec<usize>,
@@ -80,6 +89,7 @@ impl<'a> Finding<'a> {
             name: report.name_of_rule(one),
             kind: one.kind.name(),
             message: full_message(one),
+            sentence: reader_words::sentence(one, report.style.decimals),
             violation: one.is_violation,
             records: one.records.names(),
             features: one.features.iter().flatten().map(|feature| feature.number).collect(),
@@ -92,6 +102,13 @@ impl<'a> Finding<'a> {
             trace: &one.trace,
         }
     }
+}
+
+/// The listed diagnoses. Findings of a coverage come first: they say what the clashes of borders mean.
+fn findings(report: &AuditReport) -> Vec<Finding<'_>> {
+    let mut listed: Vec<&Diagnosis> = report.listed().collect();
+    listed.sort_by_key(|one| !one.rule.is_some_and(|rule| rule.starts_with('C')));
+    listed.into_iter().map(|one| Finding::new(report, one)).collect()
 }
 
 /// The rules of the validator and the format, and C1 … C6 where there are polygons.
@@ -130,20 +147,22 @@ fn note(note: &Note) -> Option<String> {
 /// The page.
 pub(super) fn page(report: &AuditReport, picture: &Picture) -> Result<String, Failure> {
     let verdict = report.verdict();
+    let name = Path::new(&report.input).file_name().and_then(OsStr::to_str).unwrap_or(&report.input);
     let data = Data {
         input: &report.input,
+        name,
         valid: report.valid,
         verdict: &verdict,
         notes: report.notes.iter().filter_map(note).collect(),
         counts: &report.counts,
         rules: rules(report),
         unit: report.unit(),
-        findings: report.listed().map(|one| Finding::new(report, one)).collect(),
+        findings: findings(report),
         total: report.total(),
         picture,
     };
     let data = in_script(&serde_json::to_string(&data)?);
-    let title = in_element(&plain(&report.input));
+    let title = in_element(&plain(name));
     let verdict = in_element(&plain(&verdict));
     let script = SCRIPTS.concat();
     let mut page = String::with_capacity(data.len() + script.len() + 20_000);

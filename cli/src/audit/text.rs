@@ -22,7 +22,7 @@ pub(super) fn text(report: &AuditReport) -> Result<String, std::fmt::Error> {
         writeln!(out, "  {what:38} {count:>12}")?;
     }
     out.push('\n');
-    report.rules.iter().try_for_each(|rule| write_rule(&mut out, rule))?;
+    report.rules.iter().filter(|rule| rule.applies()).try_for_each(|rule| write_rule(&mut out, rule))?;
     let coverage = report.coverage.as_ref().filter(|coverage| coverage.has_polygons());
     if let Some(coverage) = coverage {
         out.push('\n');

@@ -66,7 +66,7 @@ fn diagnosis(tables: &Textbook, violation: &Violation) -> Diagnosis {
     let records: Vec<Record> = violation.records().into_iter().flatten().collect();
     let name = |record: &Record| tables.name(*record).map_or_else(|| record.to_string(), str::to_owned);
     Diagnosis {
-        message: with_names(&violation.to_string(), tables),
+        message: with_names(&violation.message(), tables),
         records: Records::Both { names: records.iter().map(name).collect(), records },
         ..places.unwrap_or_else(|| violation.into())
     }

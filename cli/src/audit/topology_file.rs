@@ -25,10 +25,10 @@ pub(super) fn audit_postgis(run: &Run<'_>, Input { name, reader, .. }: Input) ->
 }
 
 /// Reads the arcs of an object of TopoJSON and prints what was found.
-pub(super) fn audit_arcs(run: &Run<'_>, Input { name, mut reader, .. }: Input) -> Result<Verdict, Failure> {
+pub(super) fn audit_arcs(run: &Run<'_>, Input { name, mut reader, layer, .. }: Input) -> Result<Verdict, Failure> {
     let list = run.asked.most();
-    let topology = topojson::read(&mut reader, run.asked.map.layer(), list)
-        .map_err(|error| Failure(format!("{name}: {error}")))?;
+    let topology =
+        topojson::read(&mut reader, layer.as_deref(), list).map_err(|error| Failure(format!("{name}: {error}")))?;
     let report = report(&name, &topojson::audit(&topology, list), &ARCS)?;
     write(report, run, |report| picture(&topology, |record| topology.name(record), report))
 }

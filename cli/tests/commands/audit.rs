@@ -60,7 +60,8 @@ fn machines_get_these_keys() {
             "warnings"
         ]
     );
-    let counted = ["duplicates", "findings", "gap_width", "gaps", "near_misses", "ogc_invalid", "overlaps"];
+    let counted =
+        ["accepted_gaps", "duplicates", "findings", "gap_width", "gaps", "near_misses", "ogc_invalid", "overlaps"];
     assert_eq!(keys(&found["coverage"]), [&counted[..], &["sliver_area", "slivers", "unit", "wider_gaps"]].concat());
     assert_eq!(
         keys(&found["counts"]),
@@ -314,6 +315,37 @@ fn overlaps_and_near_misses_are_reported_on_a_map_that_is_not_plane() {
     assert!(text.contains("\n  C1  overlap      1 overlap\n"), "{text}");
     let worst = "C1 overlap: Meadow (id A-1), id A-2; area 0.5000, width 0.0498, borders of 20.1000; at (9.97";
     assert!(text.contains(worst), "{text}");
+}
+
+/// Two lakes in one parcel, of a mean width of 2 and 10, and a strip of 0.25 between two parcels.
+const LAKES: &str =
+    "POLYGON((0 0,100 0,100 40,0 40,0 0),(10 10,14 10,14 14,10 14,10 10),(50 10,70 10,70 30,50 30,50 10))
+POLYGON((100.25 0,120 0,120 40,100.25 40,100.25 0))
+";
+
+#[test]
+fn a_map_with_accepted_lakes_is_valid() {
+    let judged = |options: &[&str]| {
+        let (status, found) = audited(&[options, &["--coverage"]].concat(), LAKES);
+        let count = |key: &str| found["coverage"][key].as_u64().unwrap();
+        (status, count("gaps"), count("near_misses"), count("wider_gaps"), count("accepted_gaps"))
+    };
+    assert_eq!(judged(&[]), (Some(1), 2, 0, 0, 0));
+    // By width, apart from that of near misses.
+    assert_eq!(judged(&["--lake-width", "5"]), (Some(1), 1, 0, 1, 0));
+    assert_eq!(judged(&["--lake-width", "1", "--gap-width", "0.1"]), (Some(0), 0, 0, 2, 0));
+    assert_eq!(judged(&["--lake-width", "1", "--gap-width", "0.3"]), (Some(1), 0, 1, 2, 0));
+    // By place.
+    assert_eq!(judged(&["--accept-gap", "12,12", "--gap-width=0.1"]), (Some(0), 0, 0, 1, 1));
+    let both = ["--accept-gap", "12,12", "--accept-gap", "60, 20"];
+    assert_eq!(judged(&both), (Some(0), 0, 0, 0, 2));
+    assert_eq!(judged(&["--accept-gap", "-12,12"]), (Some(1), 2, 0, 0, 0));
+    let text = twinedge_reading(&[&["audit", "-"][..], &both].concat(), LAKES.as_bytes());
+    let text = String::from_utf8(text.stdout).unwrap();
+    assert!(text.contains("C2  gap          ok  2 gaps accepted by place are not listed\n"), "{text}");
+    for wrong in ["12", "12,", "a,b", "1,2,3"] {
+        assert_eq!(twinedge(&["audit", "--accept-gap", wrong]).status.code(), Some(2), "{wrong}");
+    }
 }
 
 #[test]

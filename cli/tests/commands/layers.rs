@@ -87,6 +87,34 @@ fn what_a_format_cannot_hold_is_refused_and_said() {
 }
 
 #[test]
+fn ids_are_kept_in_a_column_where_there_is_no_room_for_them() {
+    let folder = scratch_folder("id_column");
+    let input = in_folder(&folder, "lakes.geojson");
+    fs::write(&input, PARCELS.replace("\"source\":\"survey\",\n", "")).unwrap();
+    for name in ["lakes.shp", "lakes.gpkg", "lakes.fgb"] {
+        let output = in_folder(&folder, name);
+        let refused = complaint(&twinedge(&["convert", &input, "-o", &output]));
+        assert!(refused.contains("the ids of 3 features") && refused.contains("--id-column"), "{refused}");
+        assert_eq!(status(&["convert", &input, "-o", &output, "--id-column", "parcel"]), Some(0), "{name}");
+        let (_, layer) = run_json(&["convert", &output, "-o", "-"]);
+        assert_eq!(layer["features"][1]["properties"]["parcel"], json!("A-2"), "{name}");
+        let taken = complaint(&twinedge(&["convert", &input, "-o", &output, "--id-column", "owner"]));
+        assert!(taken.contains("there is a column owner already"), "{taken}");
+    }
+}
+
+#[test]
+fn cleaning_refuses_what_cannot_be_written_before_it_works() {
+    let folder = scratch_folder("refused_early");
+    let input = in_folder(&folder, "far.geojson");
+    // Coordinates out of range would be found by cleaning.
+    fs::write(&input, PARCELS.replace("[20,20]", "[1e300,20]")).unwrap();
+    assert!(complaint(&twinedge(&["clean", &input, "--dry-run"])).contains("1e300"));
+    let refused = complaint(&twinedge(&["clean", &input, "-o", &in_folder(&folder, "far.shp")]));
+    assert!(refused.contains("the ids of 3 features"), "{refused}");
+}
+
+#[test]
 fn the_input_is_not_overwritten_by_any_path() {
     let folder = scratch_folder("overwritten");
     let input = parcels(&folder);
@@ -266,6 +294,26 @@ fn a_gap_that_is_too_wide_is_left_whole_and_said_so() {
     let width = left.split("--gap-width ").nth(1).and_then(|rest| rest.split(' ').next()).expect("a width").to_owned();
     assert!(left.contains("left: gap of feature 0, feature 1, area 400.0000"), "{left}");
     assert_eq!(status(&["clean", &input, "--dry-run", "--gap-width", &width]), Some(0));
+}
+
+#[test]
+fn cleaning_leaves_accepted_gaps_and_exits_with_success() {
+    let folder = scratch_folder("accepted");
+    let input = in_folder(&folder, "spindle.wkt");
+    fs::write(&input, SPINDLE).unwrap();
+    let done = |options: &[&str]| run_json(&[&["clean", &input, "--dry-run", "--format", "json"], options].concat());
+    assert_eq!(done(&[]).0, Some(1));
+    for width in [&[][..], &["--gap-width", "100"]] {
+        let (status, report) = done(&[&["--accept-gap", "50,0"], width].concat());
+        assert_eq!(
+            (status, &report["changes"], &report["accepted_gaps"][0]["area"]),
+            (Some(0), &json!([]), &json!(400.0))
+        );
+    }
+    assert_eq!(done(&["--lake-width", "1"]).0, Some(0));
+    assert_eq!(done(&["--lake-width", "10", "--gap-width", "1"]).0, Some(1));
+    let text = String::from_utf8(twinedge(&["clean", &input, "--dry-run", "--accept-gap", "50,0"]).stdout).unwrap();
+    assert!(text.contains("accepted: gap of feature 0, feature 1, area 400.0000, width "), "{text}");
 }
 
 #[test]

@@ -3,6 +3,7 @@
 mod support;
 
 mod audit;
+mod certificate;
 mod corrupt;
 mod draw;
 mod findings;

@@ -40,7 +40,7 @@ fn what_is_expected_and_not_found_is_named() {
         broken.map(|rule| (rule["id"].as_str().unwrap(), rule["violations"].as_u64().unwrap())).collect();
     assert_eq!(broken, [("M3", 5), ("M4", 4)]);
     let first = &found["violations"][0];
-    assert_eq!((&first["rule"], &first["message"]), (&"M3".into(), &"face 0 has 4 sides, where 3 are expected".into()));
+    assert_eq!((&first["rule"], &first["message"]), (&"M3".into(), &"face 1 has 4 sides, where 3 are expected".into()));
     // Every option asks for the rule of its name.
     let options = ["--borders", "2", "--genus", "1", "--components", "2", "--sides", "5", "--no-unused-vertices"];
     let arguments = [&["audit", path.as_str(), "--format", "json", "--explain"][..], &options].concat();
@@ -109,12 +109,46 @@ fn explanations_are_given_of_meshes() {
 }
 
 #[test]
-fn the_text_says_from_which_number_vertices_are_counted() {
-    let text = String::from_utf8(twinedge(&["audit", &flipped("numbers.obj")]).stdout).unwrap();
-    let told = "vertices and faces are counted from 0 here (the file counts points from 1)";
-    assert!(text.lines().any(|line| line == told), "{text}");
+fn messages_about_obj_count_from_1_as_the_file_does() {
+    let path = flipped("numbers.obj");
+    let text = String::from_utf8(twinedge(&["audit", "--triangles", &path]).stdout).unwrap();
+    for told in [
+        "vertices, faces and corners (half-edges) are counted from 1, as the file counts points",
+        // The second line of faces is now 8 7 6 5, the third 1 2 6 5.
+        "flipped_faces faces 2 and 3 both run from vertex 6 to vertex 5: one of them is flipped",
+        "M3 face 1 has 4 sides, where 3 are expected",
+    ] {
+        assert!(text.lines().any(|line| line == told), "{text}");
+    }
+    // Numbers beside the messages count from 0.
+    let (_, found) = json(&["audit", "--format", "json", &path]);
+    let first = &found["findings"][0];
+    assert_eq!((&found["messages_count_from"], &first["faces"][0]), (&1.into(), &1.into()));
+    assert!(first["message"].as_str().unwrap().starts_with("faces 2 and "), "{first}");
+    let off = twinedge_reading(&["audit", "-"], b"OFF 4 1 0\n0 0 0\n1 0 0\n0 1 0\n1 1 0\n3 0 1 2\n");
+    let text = String::from_utf8(off.stdout).unwrap();
+    assert!(text.contains("(half-edges) are counted from 0\n") && text.contains("no face uses vertex 3"), "{text}");
     let words = complaint(&twinedge(&["audit", &file("zero.obj", &CUBE.replace("f 5 6 7 8", "f 5 6 7 0"))]));
     assert!(words.contains("a face lists point 0, but OBJ counts points from 1"), "{words}");
+}
+
+#[test]
+fn a_mesh_without_faces_is_not_valid() {
+    let output = twinedge(&["audit", "--closed", &file("points.obj", "v 0 0 0\nv 1 0 0\nv 0 1 0\n")]);
+    let text = String::from_utf8(output.stdout).unwrap();
+    assert_eq!(output.status.code(), Some(1), "{text}");
+    assert!(text.contains("no_faces there are no faces, so there is no surface"), "{text}");
+}
+
+#[test]
+fn rules_of_the_plane_are_not_named_to_who_asks_about_a_mesh() {
+    for content in [CUBE.to_owned(), CUBE.replace("f 5 6 7 8", "f 8 7 6 5")] {
+        let text = String::from_utf8(twinedge(&["audit", &file("surface.obj", &content)]).stdout).unwrap();
+        for rule in ["B2  isolated", "T1  outside", "T2  nesting", "T4  bounds"] {
+            assert!(!text.contains(rule), "{text}");
+        }
+        assert!(text.contains("T3  Euler"), "{text}");
+    }
 }
 
 #[test]

@@ -356,6 +356,26 @@ fn the_coverage_is_a_table() {
 }
 
 #[test]
+fn thin_strips_have_no_negative_area_along_the_earth() {
+    let text = b"POLYGON((0 59,10 59,10 60,0 60,0 59))\nPOLYGON((0 60,5 60.01,10 60,10 61,0 61,0 60))\n";
+    let expected = 310_809_178.0;
+    for command in [&["query", "-", "coverage", "--geodesic"][..], &["audit", "-", "--geodesic", "--gap-width", "0.1"]]
+    {
+        let output = twinedge_reading(&[command, &["--format", "json"]].concat(), text);
+        let found: Value = serde_json::from_slice(&output.stdout).unwrap();
+        let coverage = &found["coverage"];
+        let area = coverage["findings"][0]["area"].as_f64().unwrap();
+        assert!((area / expected - 1.0).abs() < 1e-6, "{area}");
+        assert_eq!((&coverage["gaps"], &coverage["unit"]), (&Value::from(1), &Value::from("metres")));
+    }
+    let text =
+        String::from_utf8(twinedge_reading(&["audit", "-", "--geodesic", "--gap-width", "0.1"], text).stdout).unwrap();
+    assert!(text.contains("C3  near miss    ok  up to a width of 0.1000 degrees"), "{text}");
+    let mesh = twinedge_reading(&["audit", "-", "--geodesic"], b"v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 3\n");
+    assert!(complaint(&mesh).contains("--geodesic are for maps, and this is a mesh"), "{mesh:?}");
+}
+
+#[test]
 fn lengths_along_the_earth_are_in_metres() {
     // A degree of longitude on the equator is 111319.491 m long (GeographicLib).
     let degrees = b"POLYGON ((0 0, 1 0, 1 1, 0 1, 0 0))\nPOLYGON ((0 0, 0 -1, 1 -1, 1 0, 0 0))\n";

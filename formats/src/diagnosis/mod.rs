@@ -252,7 +252,7 @@ impl From<&Violation> for Diagnosis {
         Self {
             rule: Some(violation.rule().id()),
             kind: Kind::Of(*violation),
-            message: violation.to_string(),
+            message: violation.message(),
             cause: Some(violation.cause()),
             remedy: Some(violation.remedy()),
             records: Records::Indices { records: violation.records().into_iter().flatten().collect() },

@@ -81,6 +81,12 @@ impl RuleLine {
         report.outcomes().map(|(rule, outcome)| Self::new(rule, outcome)).collect()
     }
 
+    /// Returns false if it is a rule of the plane, and the structure is held to a surface: text leaves it out.
+    #[must_use]
+    pub fn applies(&self) -> bool {
+        self.unchecked != Some(Reason::Validator(Unchecked::PlaneOnly))
+    }
+
     /// Returns true if it was checked on some records, and it is known on how many it was not.
     #[must_use]
     pub fn is_in_part(&self) -> bool {

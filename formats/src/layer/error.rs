@@ -58,6 +58,9 @@ pub enum ReadError {
     /// The crate was built without the feature that reads this format.
     #[error("{0} is read with the feature `{feature}` of twinedge-formats, which is off", feature = .0.feature())]
     FeatureOff(Format),
+    /// The layer is in an archive that could not be unpacked.
+    #[error(transparent)]
+    Archive(#[from] ArchiveError),
     /// Whoever takes the features refused one.
     #[error("{0}")]
     Refused(Box<dyn std::error::Error + Send + Sync>),
@@ -68,6 +71,24 @@ impl ReadError {
     pub fn refused(error: impl std::error::Error + Send + Sync + 'static) -> Self {
         Self::Refused(Box::new(error))
     }
+}
+
+/// Why an archive could not be unpacked.
+#[derive(Clone, Debug, PartialEq, Eq, thiserror::Error)]
+#[non_exhaustive]
+pub enum ArchiveError {
+    /// The archive is truncated, changed or encrypted, or packed by a method that is not known here.
+    #[error("the archive cannot be unpacked: {0}")]
+    Damaged(String),
+    /// It would fill the disk.
+    #[error("the archive expands to more than {times} times its size: unpack it first")]
+    Expands {
+        /// The factor that is allowed.
+        times: u64,
+    },
+    /// It has no file whose name says that it is a layer.
+    #[error("the archive has no layer of a format that is read here")]
+    NoLayer,
 }
 
 fn choose_layer(wanted: Option<&str>, layers: &[String]) -> String {
@@ -150,7 +171,10 @@ pub enum Cause {
     },
     /// A text is not of the character set of the file.
     #[error("a text is not {0}")]
-    Charset(&'static str),
+    Charset(String),
+    /// A text has letters beyond ASCII, and the character set that the file names is not known here.
+    #[error("the character set {0:?} is not known here: name another in the file .cpg, such as UTF-8 or 1252")]
+    UnknownCharset(String),
     /// A file that belongs to it is not there.
     #[error("the file {0} is missing")]
     Missing(String),

@@ -1,10 +1,11 @@
 //! GeoJSON (RFC 7946) and newline-delimited GeoJSON. The library's reader does the reading, and drops nothing here.
 
+use super::crs::Crs;
 use super::each::Each;
 use super::error::{ReadError, WriteError};
 use super::json::{self, InDegrees};
 use super::losses::is_reserved_in_json;
-use super::model::{Crs, Feature, Geometry, Header, Id, Layer, Members, Position, Shape, Value, json_number};
+use super::model::{Feature, Geometry, Header, Id, Layer, Members, Position, Shape, Value, json_number};
 use super::names::Names;
 use ::geojson::{Feature as Parsed, Geometry as ParsedGeometry, GeometryValue, feature};
 use serde_json::Value as Json;
@@ -26,7 +27,7 @@ pub(super) fn read(reader: &mut dyn Read, documents: Documents, each: &mut Each<
                 each(feature)?;
             }
             Part::Member(name, member) if name == "crs" => {
-                header.crs = Some(Crs { member: Some(member), ..Crs::default() });
+                header.crs = Some(Crs::of_member(member));
             }
             Part::Member(name, Json::String(text)) if name == "name" => header.name = Some(text),
             Part::Member(name, member) => drop(header.members.insert(name, member)),

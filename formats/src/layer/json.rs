@@ -1,6 +1,7 @@
 //! The parts that GeoJSON and TopoJSON share.
 
-use super::model::{Crs, Dimensions, Geometry, Members, Position, Shape};
+use super::crs::Crs;
+use super::model::{Dimensions, Geometry, Members, Position, Shape};
 
 /// A geometry whose positions say themselves how many numbers they have. A third number is a height; where positions differ in
 /// how many they have, there is no such name for them.
@@ -24,7 +25,6 @@ impl InDegrees {
 
     /// The reference system of a file that names none: WGS 84, if there are coordinates and they can be in it.
     pub(super) fn crs(&self) -> Option<Crs> {
-        let wgs_84 = || Crs { code: Some(("EPSG".to_owned(), 4326)), ..Crs::default() };
-        (self.0 == Some(true)).then(wgs_84)
+        (self.0 == Some(true)).then(|| Crs::epsg(4326))
     }
 }

@@ -8,7 +8,7 @@ use twinedge::io::Format;
 /// Returns the losses if the layer were written in this format. O(size of the layer).
 ///
 /// It is no loss if a format holds something in another form: the order of the rings of a Shapefile, a multi-polygon of one polygon that
-/// becomes a polygon there, or how many digits a number is written with.
+/// becomes a polygon there, a polygon with heights among multi-polygons that becomes one of these in `FlatGeobuf`, or how many digits a number is written with.
 ///
 /// ```
 /// use twinedge_formats::layer::{Feature, Format, Id, Layer, Loss, losses};
@@ -44,7 +44,7 @@ pub fn losses(layer: &Layer, format: Format) -> Vec<Loss> {
         let is_held = match format {
             Format::GeoJson | Format::TopoJson => crs.member.is_some() || crs.code.is_some() || !crs.is_other(),
             Format::GeoJsonSeq | Format::Wkt | Format::Wkb => !crs.is_other(),
-            Format::Shapefile => crs.wkt.is_some() || !crs.is_other(),
+            Format::Shapefile => crs.wkt1().is_some(),
             // Its numbers have 32 bits, and 0 stands for none.
             Format::FlatGeobuf => {
                 let has_code = crs.code.as_ref().is_some_and(|(_, code)| (1..=i32::MAX.into()).contains(code));

@@ -19,11 +19,17 @@
 //! [`losses`] says what a format cannot hold of a layer. Numbers are those of 64 bits. A GeoJSON file without `crs` whose coordinates can be longitudes and latitudes is
 //! in these, on WGS 84, as RFC 7946 has it.
 //!
+//! A zip archive or gzip data with one layer is read as that layer, with the feature `archive`.
+//!
 //! [`read`] tells the format by its content and by the extension of the file. Files that are truncated or contradict themselves,
 //! and counts that exceed the data, are errors ([`ReadError`]).
 
+#[cfg(feature = "archive")]
+mod archive;
 pub mod clean;
+mod crs;
 mod each;
+mod epsg;
 mod error;
 #[cfg(feature = "flatgeobuf")]
 mod flatgeobuf;
@@ -50,12 +56,16 @@ mod wkb;
 mod wkt;
 mod write;
 
+#[cfg(feature = "archive")]
+pub use archive::{Unpacked, unpack};
+pub use crs::Crs;
 pub use each::Each;
-pub use error::{Cause, Place, ReadError, WriteError};
+pub use error::{ArchiveError, Cause, Place, ReadError, WriteError};
 pub use loss::Loss;
 pub use losses::losses;
 pub use model::{
-    Crs, Dimensions, Feature, Field, FieldKind, Geometry, Header, Id, Layer, Line, Members, Position, Shape, Value,
+    ColumnTaken, Dimensions, Feature, Field, FieldKind, Geometry, Header, Id, Layer, Line, Members, Position, Shape,
+    Value,
 };
 pub use read::{ReadOptions, format_of, read, read_layer, read_path};
 pub use to_map::to_map;

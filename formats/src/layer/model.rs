@@ -1,5 +1,6 @@
 //! Layers: features with geometries and attributes, and what a file says beside them.
 
+use super::crs::Crs;
 use std::sync::Arc;
 
 /// A position: x, y, and the further dimensions that the file has.
@@ -311,49 +312,6 @@ pub struct Field {
     pub decimals: Option<usize>,
 }
 
-/// A coordinate reference system, as far as the file names it.
-#[derive(Clone, Debug, Default, PartialEq)]
-pub struct Crs {
-    /// Who numbers it, usually `EPSG`, and its number.
-    pub code: Option<(String, i64)>,
-    /// Its definition in well-known text.
-    pub wkt: Option<String>,
-    /// The member `crs` of a GeoJSON object.
-    pub member: Option<serde_json::Value>,
-}
-
-/// The name under which Esri writes longitude and latitude on WGS 84.
-const ESRI_WGS_84: &str = "GCS_WGS_1984";
-
-impl Crs {
-    /// Returns true if it means something else than longitudes and latitudes on WGS 84.
-    #[must_use]
-    pub fn is_other(&self) -> bool {
-        if let Some(member) = &self.member {
-            return twinedge::io::geojson::names_other_crs(member);
-        }
-        match (&self.code, &self.wkt) {
-            (Some((authority, code)), _) => !(authority.eq_ignore_ascii_case("EPSG") && *code == 4326),
-            (None, Some(wkt)) => {
-                let is_named = wkt.contains(ESRI_WGS_84) || wkt.contains("\"WGS 84\"");
-                !(wkt.trim_start().starts_with("GEOG") && is_named)
-            }
-            (None, None) => false,
-        }
-    }
-
-    /// The name of it in a message.
-    #[must_use]
-    pub fn name(&self) -> String {
-        if let Some((authority, code)) = &self.code {
-            return format!("{authority}:{code}");
-        }
-        let of_wkt = self.wkt.as_deref().and_then(|wkt| wkt.split('"').nth(1));
-        let of_member = self.member.as_ref().and_then(|m| m.pointer("/properties/name")).and_then(|name| name.as_str());
-        of_member.or(of_wkt).unwrap_or("without name").to_owned()
-    }
-}
-
 /// The members of a file beside the features of a layer.
 #[derive(Clone, Debug, Default, PartialEq)]
 pub struct Header {
@@ -378,7 +336,44 @@ pub struct Layer {
     pub features: Vec<Feature>,
 }
 
+/// A layer has a column of this name already.
+#[derive(Clone, Debug, PartialEq, Eq, thiserror::Error)]
+#[error("there is a column {0} already")]
+pub struct ColumnTaken(pub String);
+
 impl Layer {
+    /// Moves the ids of features to a column of this name, the first of each feature that has an id. O(attributes).
+    ///
+    /// ```
+    /// use twinedge_formats::layer::{Feature, Format, Id, Layer, Value, losses};
+    ///
+    /// let feature = Feature { id: Some(Id::Text("A-1".into())), ..Feature::default() };
+    /// let mut layer = Layer { features: vec![feature], ..Layer::default() };
+    /// layer.move_ids("parcel")?;
+    /// assert_eq!(layer.features[0].get("parcel"), Some(&Value::Text("A-1".into())));
+    /// assert!(losses(&layer, Format::Shapefile).is_empty());
+    /// # Ok::<_, twinedge_formats::layer::ColumnTaken>(())
+    /// ```
+    ///
+    /// # Errors
+    /// [`ColumnTaken`], if there is such a column.
+    pub fn move_ids(&mut self, column: &str) -> Result<(), ColumnTaken> {
+        if self.fields().iter().any(|field| *field.name == *column) {
+            return Err(ColumnTaken(column.to_owned()));
+        }
+        let name: Arc<str> = column.into();
+        for feature in &mut self.features {
+            if let Some(id) = feature.id.take() {
+                let value = match id {
+                    Id::Text(text) => Value::Text(text),
+                    Id::Number(number) => Value::of_json(number.into()),
+                };
+                feature.attributes.insert(0, (name.clone(), value));
+            }
+        }
+        Ok(())
+    }
+
     /// The columns: those of the header, and then those that features have besides, in order. Of a column that is not in the header
     /// the type is that of its values, and text if they differ; whole and other numbers together are numbers. O(attributes),
     /// expected.

@@ -49,6 +49,13 @@ pub fn read(
 ) -> Result<Header, ReadError> {
     let mut head = Vec::new();
     reader.take(HEAD).read_to_end(&mut head)?;
+    #[cfg(feature = "archive")]
+    if let Some(unpacked) =
+        super::archive::unpack(&head, &mut head.as_slice().chain(&mut *reader), path, options.layer.as_deref())?
+    {
+        let options = ReadOptions { layer: unpacked.layer.clone(), ..options.clone() };
+        return read_unpacked(&unpacked.path, &options, each);
+    }
     let format = format_of(&head, path, options)?;
     let mut all = Cursor::new(head).chain(reader);
     match format {
@@ -79,6 +86,16 @@ pub fn read(
     }
 }
 
+/// Reads a file that was in an archive. An archive in it is not unpacked.
+#[cfg(feature = "archive")]
+fn read_unpacked(path: &Path, options: &ReadOptions, each: &mut Each<'_>) -> Result<Header, ReadError> {
+    let mut file = BufReader::new(File::open(path)?);
+    let mut head = Vec::new();
+    file.by_ref().take(HEAD).read_to_end(&mut head)?;
+    format_of(&head, Some(path), options)?;
+    read(&mut head.as_slice().chain(file), Some(path), options, each)
+}
+
 /// The format as which [`read`] reads what begins with these bytes. O(bytes).
 ///
 /// # Errors
@@ -97,9 +114,8 @@ pub fn format_of(head: &[u8], path: Option<&Path>, options: &ReadOptions) -> Res
     }
     let of_content = Format::of_content(head);
     let by_name = options.format.or_else(|| path.and_then(Format::of_path));
-    // The beginning of some formats tells what the content is, whatever the name.
     let nothing = if is_blank(head) { ReadError::Empty } else { ReadError::Unrecognised };
-    of_content.filter(|format| format.is_certain()).or(by_name).or(of_content).ok_or(nothing)
+    Format::of_file(of_content, by_name).ok_or(nothing)
 }
 
 fn is_blank(head: &[u8]) -> bool {

@@ -5,9 +5,10 @@
 //! Sources: "Simple feature access, part 1: common architecture" (OGC 06-103r4), section 8; the documentation of PostGIS for the
 //! extended form.
 
+use super::crs::Crs;
 use super::each::Each;
 use super::error::{Cause, Place, ReadError, WriteError};
-use super::model::{Crs, Dimensions, Feature, Geometry, Header, Layer, Line, Position, Shape, hex};
+use super::model::{Dimensions, Feature, Geometry, Header, Layer, Line, Position, Shape, hex};
 use std::io::{BufRead, BufReader, Read, Write};
 use twinedge::io::Format;
 
@@ -23,7 +24,7 @@ pub(super) fn read(reader: &mut dyn Read, each: &mut Each<'_>) -> Result<Header,
     let mut header = Header::default();
     let mut take = |geometry, srid: Option<i64>| {
         if let Some(srid) = srid.filter(|_| header.crs.is_none()) {
-            header.crs = Some(Crs { code: Some(("EPSG".to_owned(), srid)), ..Crs::default() });
+            header.crs = Some(Crs::epsg(srid));
         }
         each(Feature { geometry: Some(geometry), ..Feature::default() })
     };

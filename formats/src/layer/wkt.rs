@@ -1,28 +1,30 @@
-//! Well-known text, a geometry per line. The crate `wkt` reads and writes the geometries.
+//! Well-known text, a geometry per line. The crate `wkt` reads the geometries. They are written here, as it has no text for a
+//! multi-polygon with an empty part, and panics.
 
+use super::crs::Crs;
 use super::each::Each;
 use super::error::{ReadError, WriteError};
 use super::model::{Dimensions, Feature, Geometry, Header, Layer, Line, Position, Shape};
 use ::wkt::Wkt;
-use ::wkt::types::{
-    Coord, Dimension, GeometryCollection, LineString, MultiLineString, MultiPoint, MultiPolygon, Point, Polygon,
-};
-use std::io::{Read, Write};
+use ::wkt::types::{Coord, Dimension, LineString, Polygon};
+use std::io::{self, Read, Write};
 use twinedge::io::wkt::read_geometries;
 use twinedge::io::{ReadCause, ReadError as TextError, TextPlace};
 
 /// Reads a feature per line.
 pub(super) fn read(reader: &mut dyn Read, each: &mut Each<'_>) -> Result<Header, ReadError> {
-    read_geometries(reader, |line, geometry| {
-        let geometry = converted(geometry);
+    let mut header = Header::default();
+    read_geometries(reader, |line| {
+        let geometry = converted(line.geometry);
         let mut is_finite = true;
         geometry.shape.visit(&mut |p| is_finite &= p.x.is_finite() && p.y.is_finite());
         if !is_finite {
-            return Err(ReadError::Text(TextError::new(TextPlace::line(line), ReadCause::OutOfRange)));
+            return Err(ReadError::Text(TextError::new(TextPlace::line(line.number), ReadCause::OutOfRange)));
         }
+        header.crs = header.crs.take().or_else(|| line.srid.map(Crs::epsg));
         each(Feature { geometry: Some(geometry), ..Feature::default() })
     })?;
-    Ok(Header::default())
+    Ok(header)
 }
 
 /// The recursion is as deep as collections are nested, which the reader bounds.
@@ -66,43 +68,59 @@ fn converted(geometry: Wkt<f64>) -> Geometry {
 
 /// Writes a geometry per line; a feature without one is an empty collection.
 pub(super) fn write(layer: &Layer, out: &mut dyn Write) -> Result<(), WriteError> {
+    let empty = Geometry::new(Dimensions::Xy, Shape::Collection(Vec::new()));
     for feature in &layer.features {
-        let empty = || GeometryCollection::new(Vec::new(), Dimension::XY).into();
-        let geometry = feature.geometry.as_ref().map_or_else(empty, written);
-        writeln!(out, "{geometry}")?;
+        write_geometry(feature.geometry.as_ref().unwrap_or(&empty), out)?;
+        out.write_all(b"\n")?;
     }
     Ok(())
 }
 
-fn written(geometry: &Geometry) -> Wkt<f64> {
-    let dimension = match geometry.dimensions {
-        Dimensions::Xy => Dimension::XY,
-        Dimensions::Xyz => Dimension::XYZ,
-        Dimensions::Xym => Dimension::XYM,
-        Dimensions::Xyzm => Dimension::XYZM,
+/// The recursion is as deep as collections are nested.
+fn write_geometry(geometry: &Geometry, out: &mut dyn Write) -> io::Result<()> {
+    let dimensions = match geometry.dimensions {
+        Dimensions::Xy => "",
+        Dimensions::Xyz => " Z",
+        Dimensions::Xym => " M",
+        Dimensions::Xyzm => " ZM",
     };
-    let coord = |position: &Position| {
-        let number = |i: usize| Some(position.more.get(i).copied().unwrap_or_default());
-        let (z, m) = match dimension {
-            Dimension::XY => (None, None),
-            Dimension::XYZ => (number(0), None),
-            Dimension::XYM => (None, number(0)),
-            Dimension::XYZM => (number(0), number(1)),
-        };
-        Coord { x: position.x, y: position.y, z, m }
-    };
-    let line = |line: &Line| LineString::new(line.iter().map(coord).collect(), dimension);
-    let polygon = |rings: &Vec<Line>| Polygon::new(rings.iter().map(line).collect(), dimension);
-    let point = |position: &Position| Point::new(Some(coord(position)), dimension);
+    write!(out, "{}{dimensions}", geometry.shape.name().to_ascii_uppercase())?;
+    let more = geometry.dimensions.more();
+    let position = |position: &Position, out: &mut dyn Write| write_position(position, more, out);
+    let point = |point: &Position, out: &mut dyn Write| list("", std::slice::from_ref(point), out, position);
+    let line = |line: &Line, out: &mut dyn Write| list("", line, out, position);
+    let polygon = |rings: &Vec<Line>, out: &mut dyn Write| list("", rings, out, line);
     match &geometry.shape {
-        Shape::Point(position) => Point::new(position.as_ref().map(coord), dimension).into(),
-        Shape::MultiPoint(points) => MultiPoint::new(points.iter().map(point).collect(), dimension).into(),
-        Shape::Line(all) => line(all).into(),
-        Shape::MultiLine(lines) => MultiLineString::new(lines.iter().map(line).collect(), dimension).into(),
-        Shape::Polygon(rings) => polygon(rings).into(),
-        Shape::MultiPolygon(polygons) => MultiPolygon::new(polygons.iter().map(polygon).collect(), dimension).into(),
-        Shape::Collection(geometries) => {
-            GeometryCollection::new(geometries.iter().map(written).collect(), dimension).into()
-        }
+        Shape::Point(point) => list(" ", point.as_slice(), out, position),
+        Shape::MultiPoint(points) => list(" ", points, out, point),
+        Shape::Line(positions) => list(" ", positions, out, position),
+        Shape::MultiLine(lines) | Shape::Polygon(lines) => list(" ", lines, out, line),
+        Shape::MultiPolygon(polygons) => list(" ", polygons, out, polygon),
+        Shape::Collection(geometries) => list(" ", geometries, out, write_geometry),
     }
+}
+
+/// Writes the parts of a geometry in brackets, or a space and that there is none.
+fn list<T>(
+    space: &str,
+    parts: &[T],
+    out: &mut dyn Write,
+    mut each: impl FnMut(&T, &mut dyn Write) -> io::Result<()>,
+) -> io::Result<()> {
+    if parts.is_empty() {
+        return write!(out, "{space}EMPTY");
+    }
+    for (number, part) in parts.iter().enumerate() {
+        out.write_all(if number == 0 { b"(" } else { b"," })?;
+        each(part, out)?;
+    }
+    out.write_all(b")")
+}
+
+fn write_position(position: &Position, more: usize, out: &mut dyn Write) -> io::Result<()> {
+    write!(out, "{} {}", position.x, position.y)?;
+    for i in 0..more {
+        write!(out, " {}", position.more.get(i).copied().unwrap_or_default())?;
+    }
+    Ok(())
 }

@@ -50,6 +50,9 @@ macro_rules! kinds {
 }
 
 kinds! {
+    NoFaces "no_faces" "there are no faces"
+        cause "the file holds points or lines only, or the faces were not exported"
+        remedy "export the faces, too; points alone are no mesh";
     DegenerateFace "degenerate_face" "a face has fewer than three different vertices"
         cause "vertices were merged, and the faces that shrank to an edge or a point were kept"
         remedy "delete the face";
@@ -91,6 +94,8 @@ impl fmt::Display for Kind {
 #[derive(Clone, Debug, PartialEq, Eq, Hash)]
 #[non_exhaustive]
 pub enum Finding {
+    /// There are no faces.
+    NoFaces,
     /// A face has fewer than three different vertices. It is left out.
     DegenerateFace {
         /// The face.
@@ -149,6 +154,7 @@ impl Finding {
     #[must_use]
     pub const fn kind(&self) -> Kind {
         match self {
+            Self::NoFaces => Kind::NoFaces,
             Self::DegenerateFace { .. } => Kind::DegenerateFace,
             Self::RepeatedVertex { .. } => Kind::RepeatedVertex,
             Self::RepeatedFace { .. } => Kind::RepeatedFace,
@@ -167,7 +173,7 @@ impl Finding {
             Self::RepeatedFace { face, first, .. } => vec![*face, *first],
             Self::NonManifoldEdge { faces, .. } | Self::NonManifoldVertex { faces, .. } => faces.clone(),
             Self::FlippedFaces { faces, .. } => faces.to_vec(),
-            Self::UnusedVertex { .. } => Vec::new(),
+            Self::NoFaces | Self::UnusedVertex { .. } => Vec::new(),
         }
     }
 
@@ -180,18 +186,38 @@ impl Finding {
             | Self::NonManifoldVertex { vertex, .. }
             | Self::UnusedVertex { vertex } => vec![*vertex],
             Self::NonManifoldEdge { vertices, .. } | Self::FlippedFaces { vertices, .. } => vertices.to_vec(),
+            Self::NoFaces => Vec::new(),
         }
+    }
+
+    /// The sentence with faces and vertices counted from this number: see [`Format::first_number`](super::Format::first_number).
+    ///
+    /// ```
+    /// use twinedge_formats::mesh::Finding;
+    /// let finding = Finding::UnusedVertex { vertex: 6 };
+    /// assert_eq!(finding.to_string(), "no face uses vertex 6");
+    /// assert_eq!(finding.counted_from(1).to_string(), "no face uses vertex 7");
+    /// ```
+    #[must_use]
+    pub const fn counted_from(&self, first: usize) -> impl fmt::Display + '_ {
+        Counted { finding: self, first }
     }
 }
 
-/// Numbers in a row, the first few of them.
-struct Row<'a>(&'a [usize]);
+/// A finding with its faces and vertices counted from a number.
+struct Counted<'a> {
+    finding: &'a Finding,
+    first: usize,
+}
+
+/// Numbers in a row, the first few of them, each so much larger.
+struct Row<'a>(&'a [usize], usize);
 
 impl fmt::Display for Row<'_> {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         const SHOWN: usize = 8;
         for (i, number) in self.0.iter().take(SHOWN).enumerate() {
-            write!(f, "{}{number}", if i == 0 { "" } else { ", " })?;
+            write!(f, "{}{}", if i == 0 { "" } else { ", " }, number + self.1)?;
         }
         match self.0.len().saturating_sub(SHOWN) {
             0 => Ok(()),
@@ -202,32 +228,45 @@ impl fmt::Display for Row<'_> {
 
 impl fmt::Display for Finding {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        match self {
-            Self::DegenerateFace { face, vertices } => match vertices[..] {
-                [] => write!(f, "face {face} has no vertices: it is left out"),
-                [_] => write!(f, "face {face} has one vertex only, {}: it is left out", Row(vertices)),
-                _ => write!(f, "face {face} has two different vertices only, {}: it is left out", Row(vertices)),
+        self.counted_from(0).fmt(f)
+    }
+}
+
+impl fmt::Display for Counted<'_> {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        let n = |number: &usize| number + self.first;
+        let row = |numbers| Row(numbers, self.first);
+        match self.finding {
+            Finding::NoFaces => f.write_str("there are no faces, so there is no surface"),
+            Finding::DegenerateFace { face, vertices } => match vertices[..] {
+                [] => write!(f, "face {} has no vertices: it is left out", n(face)),
+                [_] => write!(f, "face {} has one vertex only, {}: it is left out", n(face), row(vertices)),
+                _ => write!(f, "face {} has two different vertices only, {}: it is left out", n(face), row(vertices)),
             },
-            Self::RepeatedVertex { face, vertex } => {
-                write!(f, "face {face} passes vertex {vertex} more than once: it is left out")
+            Finding::RepeatedVertex { face, vertex } => {
+                write!(f, "face {} passes vertex {} more than once: it is left out", n(face), n(vertex))
             }
-            Self::RepeatedFace { face, first, reversed, vertices } => {
+            Finding::RepeatedFace { face, first, reversed, vertices } => {
                 let how = if *reversed { "in the opposite order" } else { "in the same order" };
-                write!(f, "face {face} has the vertices of face {first}, {how} ({}): it is left out", Row(vertices))
+                let (face, first, vertices) = (n(face), n(first), row(vertices));
+                write!(f, "face {face} has the vertices of face {first}, {how} ({vertices}): it is left out")
             }
-            Self::NonManifoldEdge { vertices: [a, b], faces } => {
-                write!(f, "the edge between vertices {a} and {b} has {} faces: {}", faces.len(), Row(faces))
+            Finding::NonManifoldEdge { vertices: [a, b], faces } => {
+                let (a, b, count) = (n(a), n(b), faces.len());
+                write!(f, "the edge between vertices {a} and {b} has {count} faces: {}", row(faces))
             }
-            Self::FlippedFaces { vertices: [a, b], faces: [first, second] } => {
+            Finding::FlippedFaces { vertices, faces } => {
+                let ([a, b], [first, second]) = (vertices.each_ref().map(n), faces.each_ref().map(n));
                 write!(f, "faces {first} and {second} both run from vertex {a} to vertex {b}: one of them is flipped")
             }
-            Self::NonManifoldVertex { vertex, faces } => write!(
+            Finding::NonManifoldVertex { vertex, faces } => write!(
                 f,
-                "{} fans of faces meet at vertex {vertex} and share no edge there; one face of each: {}",
+                "{} fans of faces meet at vertex {} and share no edge there; one face of each: {}",
                 faces.len(),
-                Row(faces)
+                n(vertex),
+                row(faces)
             ),
-            Self::UnusedVertex { vertex } => write!(f, "no face uses vertex {vertex}"),
+            Finding::UnusedVertex { vertex } => write!(f, "no face uses vertex {}", n(vertex)),
         }
     }
 }

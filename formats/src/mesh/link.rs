@@ -57,6 +57,9 @@ impl<'a> HalfEdgeMesh<'a> {
     #[must_use]
     pub fn link(mesh: &'a IndexedMesh, collect: Collect) -> (Self, Findings) {
         let mut findings = Findings::new(collect);
+        if mesh.face_count() == 0 {
+            findings.add(Kind::NoFaces, || Finding::NoFaces);
+        }
         let mut left_out = vec![false; mesh.face_count()];
         leave_out_degenerate(mesh, &mut left_out, &mut findings);
         repeated::leave_out(mesh, &mut left_out, &mut findings);

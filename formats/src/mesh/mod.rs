@@ -11,8 +11,8 @@
 //! cannot be joined. [`audit`] does that, runs the validator on what was joined, and counts. What the mesh is to be beyond a
 //! surface, the validator is asked for, too: [`HalfEdgeMesh::expectation`] with `closed`, `genus` and so on.
 //!
-//! Faces and vertices are counted from 0, in the order of the file, in everything that this module says. (OBJ counts
-//! vertices from 1 in its files.)
+//! Faces and vertices are counted from 0, in the order of the file, in everything that this module says. OBJ counts
+//! vertices from 1 in its files: [`Format::first_number`] and [`Finding::counted_from`] are for messages about these.
 
 mod audit;
 mod counts;

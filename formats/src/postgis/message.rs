@@ -75,7 +75,7 @@ pub(super) fn message(topology: &Topology, name: impl Fn(Record) -> String, viol
     }
     // Names are ids, so no word of a name is replaced.
     let words = [["half-edge", "edge"], ["vertices", "nodes"], ["vertex", "node"]];
-    words.into_iter().fold(violation.named(name).to_string(), |text, [word, own]| text.replace(word, own))
+    words.into_iter().fold(violation.named(name).message(), |text, [word, own]| text.replace(word, own))
 }
 
 /// The unit of a rule. A half-edge is what PostGIS calls a signed edge.

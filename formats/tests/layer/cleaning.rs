@@ -76,6 +76,21 @@ fn an_overlap_goes_to_whom_is_asked() {
     assert_eq!(areas(Winner::Last), [95.0, 155.0]);
 }
 
+/// A feature inside another one keeps its place, also where it sticks out a little; one that does not lie inside loses to the larger.
+#[test]
+fn a_nested_feature_is_not_emptied() {
+    let within = "POLYGON((0 0,30 0,30 30,0 30,0 0))\nPOLYGON((10 10,20 10,20 20,10 20,10 10))\nPOLYGON((12 12,14 12,14 14,12 14,12 12))\n\
+POLYGON((29.05 0,29.05 10,39.05 10,39.05 0,29.05 0))\nPOLYGON((20.5 20,30.5 20,30.5 30,20.5 30,20.5 20))\n";
+    let areas = |winner| {
+        let assign = Options { winner, ..Options::default() };
+        let (layer, report) = cleaned(&from_text(within), &CleanOptions { assign, ..CleanOptions::default() });
+        assert!(report.left.is_none(), "{:?}", report.left);
+        layer.features.iter().map(|feature| (area(feature) * 100.0).round() / 100.0).collect::<Vec<_>>()
+    };
+    assert_eq!(areas(Options::default().winner), [705.0, 96.0, 4.0, 90.5, 100.0]);
+    assert_eq!(areas(Winner::Larger), [900.0, 0.0, 0.0, 90.5, 5.0]);
+}
+
 #[test]
 fn of_two_features_at_the_same_place_the_first_stays() {
     let (layer, report) = cleaned(&from_text(&squares(&[0.0, 0.0])), &CleanOptions::default());
@@ -130,6 +145,23 @@ fn a_gap_that_is_open_to_the_outside_is_closed_up_to_a_width() {
     let (again, report) = with_width_of(&layer, 0.1);
     assert!(report.features.is_empty());
     assert_eq!(to_geojson(&again), to_geojson(&layer));
+}
+
+/// A crack that begins at the outside and ends at a lake between five features.
+#[test]
+fn a_crack_that_opens_into_a_lake_is_filled_and_the_lake_stays() {
+    let text = "POLYGON((0 0,30 0,30 10,20 10,10 10,0 10,0 0))\nPOLYGON((0 20,10 20,20 20,30 20,30 30,0 30,0 20))\n\
+POLYGON((0 10,10 10,10 14.99,0 15,0 10))\nPOLYGON((0 15,10 15.01,10 20,0 20,0 15))\nPOLYGON((20 10,30 10,30 20,20 20,20 10))\n";
+    let (_, report) = with_width_of(&from_text(text), 0.1);
+    let [filled] = &report.changes[..] else { panic!("{:?}", report.changes) };
+    assert_eq!((filled.kind, report.left), (ChangeKind::Gap, None));
+    assert!((filled.area - 0.1).abs() < 1e-6, "{filled:?}");
+    let [lake] = &report.wider_gaps[..] else { panic!("{:?}", report.wider_gaps) };
+    assert!((lake.area - 100.0).abs() < 1e-6, "{lake:?}");
+    // A notch is no crack.
+    let notch = "POLYGON((0 0,50 0,50 50,46 100,0 100,0 0))\nPOLYGON((50 0,100 0,100 100,54 100,50 50,50 0))\n";
+    let (after, report) = with_width_of(&from_text(notch), 1.0);
+    assert_eq!((to_geojson(&after), report.left), (to_geojson(&from_text(notch)), None));
 }
 
 /// A spindle of a gap, 10 wide in the middle, comes to a point at both ends.
@@ -355,9 +387,9 @@ quickcheck! {
         let Some(layer) = quadrangles(&corners, 1.0) else { return TestResult::discard() };
         // A limit below which there is nothing: only overlaps are resolved.
         let assign = Options { sliver_area: Some(1e-12), ..Options::default() };
-        let winners = [Winner::Larger, Winner::Smaller, Winner::First, Winner::Last];
+        let winners = [Winner::Inner, Winner::Larger, Winner::Smaller, Winner::First, Winner::Last];
         let covered = winners.map(|winner| {
-            let assign = Options { winner, ..assign };
+            let assign = Options { winner, ..assign.clone() };
             let mut layer = layer.clone();
             clean(&mut layer, &CleanOptions { assign, ..CleanOptions::default() }).unwrap();
             layer.features.iter().map(area).sum::<f64>()

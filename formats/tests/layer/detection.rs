@@ -19,6 +19,14 @@ fn content_tells_the_format_of_a_stream() {
 }
 
 #[test]
+fn newline_delimited_geojson_may_be_named_as_one_object() {
+    let (_folder, path) = scratch("points.geojson");
+    let point = "{\"type\":\"Feature\",\"properties\":{},\"geometry\":{\"type\":\"Point\",\"coordinates\":[1,2]}}\n";
+    std::fs::write(&path, point.repeat(3)).unwrap();
+    assert_eq!(read_path(&path, &ReadOptions::default()).unwrap().features.len(), 3);
+}
+
+#[test]
 fn binary_content_is_what_it_is_whatever_the_name() {
     let (_folder, path) = scratch("parcels.geojson");
     std::fs::write(&path, b"\0\0\x27\x0A").unwrap();

@@ -4,6 +4,7 @@ use crate::support::{from_bytes, from_text, read, scratch, through, world};
 use std::path::Path;
 use twinedge_formats::layer::{
     Cause, Crs, Dimensions, FieldKind, Format, Id, Layer, Loss, Place, ReadError, Shape, Value, losses, write,
+    write_path,
 };
 
 /// `pyogrio` 0.13 with GDAL 3.12.4 wrote it, with an index: two polygons with heights, in EPSG:2056.
@@ -110,6 +111,30 @@ fn every_value_comes_back_and_what_does_not_is_reported() {
     }
     // Numbers and texts in a column are texts.
     assert_eq!(again.features[0].get("f"), Some(&Value::Text("7".into())));
+}
+
+/// Polygons and multi-polygons with heights have a common type, which is what users of GDAL can open.
+#[test]
+fn differing_kinds_with_heights_are_declared_as_gdal_declares_them() {
+    let polygon = "POLYGON Z((0 0 1,4 0 1,4 4 1,0 0 1))";
+    let polygons = "MULTIPOLYGON Z(((5 5 1,6 5 1,6 6 1,5 5 1)))";
+    let layer = from_text(&format!("{polygon}\n{polygons}\nPOLYGON Z EMPTY\n"));
+    let as_several = "MULTIPOLYGON Z(((0 0 1,4 0 1,4 4 1,0 0 1)))";
+    let expected = from_text(&format!("{as_several}\n{polygons}\nMULTIPOLYGON Z(EMPTY)\n"));
+    let geometries = |layer: &Layer| layer.features.iter().map(|f| f.geometry.clone()).collect::<Vec<_>>();
+    assert_eq!(geometries(&through(&layer, Format::FlatGeobuf)), geometries(&expected));
+    // Without heights, each keeps its kind.
+    let flat = from_text("POLYGON((0 0,4 0,4 4,0 0))\nMULTIPOLYGON(((5 5,6 5,6 6,5 5)))\n");
+    assert_eq!(geometries(&through(&flat, Format::FlatGeobuf)), geometries(&flat));
+    // A GeoPackage says that heights are allowed (2), and not that all must have them (1).
+    let (_folder, path) = scratch("map.gpkg");
+    write_path(&layer, &path, Format::GeoPackage).unwrap();
+    let database = rusqlite::Connection::open(&path).unwrap();
+    let declared: (String, i64) = database
+        .query_row("SELECT geometry_type_name, z FROM gpkg_geometry_columns", [], |row| Ok((row.get(0)?, row.get(1)?)))
+        .unwrap();
+    assert_eq!(declared, ("GEOMETRY".to_owned(), 2));
+    assert_eq!(geometries(&read(&path).unwrap()), geometries(&layer));
 }
 
 #[test]

@@ -1,7 +1,7 @@
 //! Losses of a format are said, and then refused or suffered as said.
 
 use crate::support::{from_text, through};
-use twinedge_formats::layer::{Format, Layer, Loss, WriteError, losses, refuse_losses, write_path};
+use twinedge_formats::layer::{Crs, Format, Layer, Loss, WriteError, losses, refuse_losses, write_path};
 
 /// A layer of one point with these properties.
 fn with_properties(properties: &str) -> Layer {
@@ -49,10 +49,50 @@ fn ids_members_and_reference_systems_are_not_lost_silently() {
     let [ids, members, crs] = [Loss::Ids(1), Loss::Members(vec!["source".into()]), Loss::Crs("EPSG:2056".into())];
     assert!(losses(&layer, Format::GeoJson).is_empty());
     assert_eq!(losses(&layer, Format::GeoJsonSeq), [members.clone(), crs.clone()]);
-    assert_eq!(losses(&layer, Format::Shapefile), [ids.clone(), members.clone(), crs.clone()]);
-    assert_eq!(losses(&layer, Format::GeoPackage), [ids.clone(), members.clone(), crs.clone()]);
+    // Esri's definition of the system is known.
+    assert_eq!(losses(&layer, Format::Shapefile), [ids.clone(), members.clone()]);
+    assert_eq!(losses(&layer, Format::GeoPackage), [ids.clone(), members.clone()]);
+    let unknown = from_text(&text.replace("2056", "99999"));
+    assert_eq!(losses(&unknown, Format::Shapefile)[2], Loss::Crs("EPSG:99999".into()));
     let attributes = Loss::Attributes(vec!["b".into()]);
     assert_eq!(losses(&layer, Format::Wkt), [ids, members, crs, attributes]);
+}
+
+#[test]
+fn a_definition_that_esri_does_not_read_is_not_written_silently() {
+    let wkt2 = r#"PROJCRS["somewhere",BASEGEOGCRS["CH1903+"]]"#;
+    let mut layer = from_text("POINT(1 2)\n");
+    layer.header.crs = Some(Crs { wkt: Some(wkt2.into()), ..Crs::default() });
+    assert_eq!(losses(&layer, Format::Shapefile), [Loss::Crs("somewhere".into())]);
+    let (_folder, path) = crate::support::scratch("point.shp");
+    write_path(&layer, &path, Format::Shapefile).unwrap();
+    assert!(!path.with_extension("prj").exists());
+    // The number tells more than the text.
+    layer.header.crs = Some(Crs { wkt: Some(wkt2.into()), ..Crs::epsg(2056) });
+    assert!(losses(&layer, Format::Shapefile).is_empty());
+    write_path(&layer, &path, Format::Shapefile).unwrap();
+    let esri = std::fs::read_to_string(path.with_extension("prj")).unwrap();
+    assert!(esri.starts_with("PROJCS[\"CH1903+_LV95\",GEOGCS[\"GCS_CH1903+\""), "{esri}");
+    assert_eq!(through(&layer, Format::Shapefile).header.crs.unwrap().code, Some(("EPSG".into(), 2056)));
+}
+
+#[test]
+fn names_of_reference_systems_in_geojson_become_numbers() {
+    for (name, code) in [
+        ("urn:ogc:def:crs:OGC:1.3:CRS84", 4326),
+        ("EPSG:4326", 4326),
+        ("urn:ogc:def:crs:EPSG::2056", 2056),
+        ("http://www.opengis.net/def/crs/EPSG/0/3857", 3857),
+    ] {
+        let text = format!(
+            r#"{{"type":"FeatureCollection","crs":{{"type":"name","properties":{{"name":"{name}"}}}},"features":[
+            {{"type":"Feature","properties":{{}},"geometry":{{"type":"Point","coordinates":[1,2]}}}}]}}"#
+        );
+        for format in [Format::FlatGeobuf, Format::GeoPackage, Format::Shapefile] {
+            let crs = through(&from_text(&text), format).header.crs.unwrap();
+            assert_eq!(crs.code, Some(("EPSG".into(), code)), "{name} in {format}");
+        }
+    }
 }
 
 #[test]

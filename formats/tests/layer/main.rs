@@ -1,6 +1,7 @@
 //! Layers: what is read, what is written, what is refused, and cleaning.
 #![allow(clippy::needless_pass_by_value, reason = "quickcheck hands properties their input by value")]
 
+mod archives;
 mod arcs;
 mod cleaning;
 mod detection;

@@ -4,6 +4,7 @@ use crate::support::{from_text, through, to_geojson, world};
 use std::sync::Arc;
 use twinedge_formats::layer::{
     Crs, Dimensions, Feature, Field, FieldKind, Format, Geometry, Id, Layer, Position, ReadError, Shape, Value, losses,
+    write,
 };
 use twinedge_formats::layer::{ReadOptions, read_path, write_path};
 
@@ -65,6 +66,27 @@ fn text_binary_and_geopackage_keep_every_geometry() {
         let geometries = |layer: &Layer| layer.features.iter().map(|f| f.geometry.clone()).collect::<Vec<_>>();
         assert_eq!(geometries(&again), geometries(&layer), "{format}");
     }
+}
+
+#[test]
+fn text_of_empty_parts_is_written_and_read_again() {
+    // MULTIPOLYGON (EMPTY), as GDAL writes it in binary.
+    let digits = "010600000001000000010300000000000000\n";
+    let text = "MULTIPOLYGON(EMPTY)\nMULTIPOLYGON(EMPTY,((0 0,1 0,1 1,0 0)))\nPOLYGON((0 0,1 0,1 1,0 0),EMPTY)\n\
+MULTILINESTRING(EMPTY,(0 0,1 1))\nPOLYGON Z EMPTY\nGEOMETRYCOLLECTION Z(MULTIPOLYGON Z(EMPTY,((0 0 1,1 0 1,1 1 1,0 0 1))))\n";
+    let layer = from_text(text);
+    assert_eq!(layer.features[0].geometry, from_text(digits).features[0].geometry);
+    let mut written = Vec::new();
+    write(&layer, &mut written, Format::Wkt).unwrap();
+    assert_eq!(String::from_utf8(written).unwrap(), text);
+    assert_eq!(through(&layer, Format::Wkb).features, layer.features);
+}
+
+#[test]
+fn a_reference_system_before_the_text_is_that_of_the_layer() {
+    let layer = from_text("SRID=2056;POINT(1 2)\nPOINT(3 4 5)\n");
+    assert_eq!(layer.header.crs, Some(Crs::epsg(2056)));
+    assert_eq!(layer.features[1].geometry.as_ref().unwrap().dimensions, Dimensions::Xyz);
 }
 
 #[test]

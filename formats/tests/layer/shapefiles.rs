@@ -3,7 +3,7 @@
 use crate::support::{from_text, read, scratch, through};
 use std::fs;
 use std::path::Path;
-use twinedge_formats::layer::{Format, Line, ReadError, Shape, Value, write_path};
+use twinedge_formats::layer::{Cause, Format, Layer, Line, ReadError, Shape, Value, write_path};
 
 /// A table of the column `name`, 8 bytes wide, and these records, each with its mark.
 fn table(records: &[&[u8; 9]], charset_mark: u8) -> Vec<u8> {
@@ -48,6 +48,67 @@ fn character_sets_are_those_that_are_named() {
     let shp = folder.join("points.shp");
     fs::write(shp.with_extension("dbf"), bytes).unwrap();
     assert_eq!(read(&shp).unwrap().features[0].get("name").and_then(Value::text), some("Москва"));
+}
+
+/// A record of 8 bytes, without mark of deletion.
+fn record(bytes: &[u8]) -> [u8; 9] {
+    let mut record = [b' '; 9];
+    record[1..=bytes.len()].copy_from_slice(bytes);
+    record
+}
+
+#[test]
+fn character_sets_have_many_names() {
+    // The bytes are those of Python's codecs.
+    for (labels, bytes, text) in [
+        (&["CP932", "932", "MS932", "Shift_JIS"][..], &b"\x93\x8C\x8B\x9E\x93\x73"[..], "東京都"),
+        (&["CP936", "936", "GBK", "ANSI 936"][..], &b"\xB1\xB1\xBE\xA9\xCA\xD0"[..], "北京市"),
+        (&["950", "CP950", "Big5"][..], &b"\xBB\x4F\xA5\x5F\xA5\xAB"[..], "臺北市"),
+        (&["CP949", "949"][..], &b"\xBC\xAD\xBF\xEF\xBD\xC3"[..], "서울시"),
+        (&["CP437", "437", "OEM 437"][..], &b"\x5A\x81\x72\x69\x63\x68\xAB"[..], "Zürich½"),
+        (&["CP850", "850", "OEM 850"][..], &b"\x92\x72\x9B\x73\x6B\x9B\x62"[..], "Ærøskøb"),
+        (&["OEM 866", "CP866", "866"][..], &b"\x8C\xAE\xE1\xAA\xA2\xA0"[..], "Москва"),
+        (&["ISO 8859-2", "8859-2", "ISO-8859-2", "ISO88592", "88592"][..], &b"\xA3\xF3\x64\xBC"[..], "Łódź"),
+        (&["ANSI 1252", "1252", "ISO 88591"][..], &b"\x5A\xFC\x72\x69\x63\x68"[..], "Zürich"),
+        (&["UTF-8", "UTF8", "65001"][..], &b"\x5A\xC3\xBC\x72\x69\x63\x68"[..], "Zürich"),
+    ] {
+        for label in labels {
+            let (folder, cpg) = scratch("points.cpg");
+            points(folder.path(), &table(&[&record(bytes), &record(b"")], 0)).unwrap();
+            std::fs::write(&cpg, label).unwrap();
+            let layer = read(&cpg.with_extension("shp")).unwrap_or_else(|error| panic!("{label}: {error}"));
+            assert_eq!(layer.features[0].get("name").and_then(Value::text).as_deref(), Some(text), "{label}");
+        }
+    }
+}
+
+#[test]
+fn marks_of_tables_name_code_pages() {
+    let (folder, _) = scratch("");
+    for (mark, bytes, text) in
+        [(0x01, &b"Z\x81rich"[..], "Zürich"), (0x4F, b"\xBB\x4F\xA5\x5F", "臺北"), (0x64, b"\x9D\xA2d\xAB", "Łódź")]
+    {
+        let found = points(folder.path(), &table(&[&record(bytes), &record(b"")], mark)).unwrap();
+        assert_eq!(found[0].as_deref(), Some(text), "{mark}");
+    }
+}
+
+#[test]
+fn an_unknown_character_set_is_no_guess() {
+    let (folder, cpg) = scratch("points.cpg");
+    let with = |label: &str, bytes: &[u8], mark: u8| {
+        points(folder.path(), &table(&[&record(bytes), &record(b"")], mark)).unwrap_or_default();
+        fs::write(&cpg, label).unwrap();
+        read(&cpg.with_extension("shp"))
+    };
+    let unknown = |outcome: Result<Layer, ReadError>, name: &str| match outcome {
+        Err(ReadError::Content { cause: Cause::UnknownCharset(found), .. }) => assert_eq!(found, name),
+        other => panic!("{other:?}"),
+    };
+    unknown(with("KLINGON", b"Z\xFCrich", 0), "KLINGON");
+    unknown(with("", b"Z\xFCrich", 0x68), "language driver 0x68");
+    // All known sets agree on ASCII.
+    assert!(with("KLINGON", b"Bern", 0).is_ok());
 }
 
 #[test]
@@ -105,6 +166,34 @@ fn rings_turn_as_a_shapefile_wants_it() {
     let second = 100 + 8 + 4 + 32 + 8 + 4 + 16;
     let [x, y] = [0, 8].map(|at| f64::from_le_bytes(bytes[second + at..][..8].try_into().unwrap()));
     assert_eq!((x, y), (0.0, 9.0));
+}
+
+/// Areas of which are beyond the largest number, or none for the rounding of sums.
+#[test]
+fn rings_of_any_size_keep_their_direction() {
+    for text in [
+        "POLYGON((0 0,1e265 0,1e265 1e224,0 1e224,0 0))",
+        "POLYGON((0 0,0 1e224,1e265 1e224,1e265 0,0 0))",
+        "POLYGON((-1e308 -1e308,1e308 -1e308,1e308 1e308,-1e308 1e308,-1e308 -1e308))",
+        "POLYGON((1e265 1,1e265 -1e224,0 1e224,3e265 7,1e265 1))",
+        "POLYGON((0.1 0.1,0.2 0.2,0.3 0.3,0.7 0.7,0.1 0.1))",
+        "POLYGON((0 0,1e265 1e224,0 0))",
+    ] {
+        let once = through(&from_text(text), Format::Shapefile);
+        let twice = through(&once, Format::Shapefile);
+        assert_eq!(once.features, twice.features, "{text}");
+    }
+    let square = "POLYGON((0 0,1e265 0,1e265 1e224,0 1e224,0 0))";
+    let (square, again) = (from_text(square), through(&from_text(square), Format::Shapefile));
+    assert_eq!(again.features[0].geometry, square.features[0].geometry);
+}
+
+#[test]
+fn a_ring_whose_first_point_has_no_measure_is_closed_once() {
+    let layer = from_text("POLYGON M((0 0 -nan,1 0 1,1 1 1,0 0 -nan))");
+    let again = through(&layer, Format::Shapefile);
+    let Shape::Polygon(rings) = &again.features[0].geometry.as_ref().unwrap().shape else { panic!("a polygon") };
+    assert_eq!(rings[0].len(), 4);
 }
 
 #[test]

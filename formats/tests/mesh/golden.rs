@@ -171,10 +171,13 @@ fn unused_vertices_are_told_and_are_no_fault_unless_expected() {
 }
 
 #[test]
-fn nothing_is_valid() {
-    let found = audited(0, [] as [[u32; 3]; 0]);
-    assert!(found.is_valid());
-    assert_eq!(numbers(&found), (0, 0, 0, 0, Some(0), 0, Some(0)));
+fn points_without_faces_are_no_mesh() {
+    for points in [0, 3] {
+        let found = audited(points, [] as [[u32; 3]; 0]);
+        assert!(!found.is_valid(), "{found}");
+        assert_eq!(found.findings().list()[0], Finding::NoFaces);
+        assert_eq!(numbers(&found), (points, 0, 0, 0, Some(0), 0, Some(0)));
+    }
 }
 
 #[test]

@@ -141,6 +141,7 @@ fn kinds_have_stable_names() {
     assert_eq!(
         names,
         [
+            "no_faces",
             "degenerate_face",
             "repeated_vertex",
             "repeated_face",

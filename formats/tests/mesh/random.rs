@@ -69,7 +69,7 @@ fn what_has_no_fault_is_valid_and_obeys_euler() {
         let mesh = soup.mesh();
         let found = audited(&mesh);
         let findings = found.findings();
-        if findings.is_faultless() {
+        if findings.is_faultless() || mesh.face_count() == 0 {
             assert!(found.report().is_valid(), "{found}");
         }
         let counts = found.counts();

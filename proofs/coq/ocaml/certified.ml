@@ -121,7 +121,7 @@ let () =
           explain folder drawing;
           exit 1
       | Unreadable ->
-          prerr_endline "unreadable: the claim, the length of a column, or a coordinate out of range";
+          prerr_endline "unreadable: the claim, the length of a column, a point that is not there, or a coordinate out of range";
           exit 2)
   | _ ->
       prerr_endline "usage: certified FOLDER";

@@ -9,8 +9,11 @@ use core::fmt;
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Hash)]
 #[non_exhaustive]
 pub enum Winner {
-    /// The one that claims the largest area on the map; the first of those.
+    /// One that lies within another one, but for a tenth of its area at most; the smallest of those. If none does, the one that claims
+    /// the largest area.
     #[default]
+    Inner,
+    /// The one that claims the largest area on the map; the first of those.
     Larger,
     /// The one that claims the smallest area; the first of those.
     Smaller,
@@ -21,12 +24,16 @@ pub enum Winner {
 }
 
 /// The options of cleaning.
-#[derive(Clone, Copy, Debug, PartialEq)]
+#[derive(Clone, Debug, PartialEq)]
 pub struct Options {
     /// The choice of the feature that gets a face claimed by several.
     pub winner: Winner,
     /// The greatest mean width of a gap that is filled. By default only small gaps are.
     pub gap_width: Option<f64>,
+    /// The greatest mean width of a gap that is to be said of those left, as for [coverages](crate::algorithm::coverage::Limits).
+    pub lake_width: Option<f64>,
+    /// A point inside each gap that is left as it is, whatever its width and area.
+    pub accepted_gaps: Vec<Point>,
     /// The area below which gaps are filled, and thin parts of features given away. Default: a thousandth of the median area of all
     /// parts.
     pub sliver_area: Option<f64>,
@@ -36,7 +43,14 @@ pub struct Options {
 
 impl Default for Options {
     fn default() -> Self {
-        Self { winner: Winner::Larger, gap_width: None, sliver_area: None, thinness: 0.2 }
+        Self {
+            winner: Winner::Inner,
+            gap_width: None,
+            lake_width: None,
+            accepted_gaps: Vec::new(),
+            sliver_area: None,
+            thinness: 0.2,
+        }
     }
 }
 

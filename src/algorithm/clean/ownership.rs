@@ -24,6 +24,13 @@ pub(super) struct Region<'m> {
     pub(super) is_outside: bool,
 }
 
+impl Region<'_> {
+    /// Returns true if it belongs to nobody and is bounded.
+    pub(super) fn is_gap(&self) -> bool {
+        self.owner.is_none() && !self.is_outside
+    }
+}
+
 impl<'m> Ownership<'m> {
     /// Nobody has anything. O(half-edges).
     pub(super) fn new(map: &'m PlanarMap) -> Self {

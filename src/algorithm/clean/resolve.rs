@@ -2,16 +2,20 @@
 
 use super::change::{Change, ChangeKind, Options, Winner};
 use super::ownership::{Ownership, Region};
+use crate::algorithm::coverage::gap::accepted_faces;
 use crate::algorithm::coverage::region::{connected, mean_width, point_inside};
 use crate::algorithm::coverage::sliver::median;
 use crate::algorithm::coverage::{CoverageError, features_of};
 use crate::dcel::{Face, FaceKey};
 use crate::map::{FeatureId, PlanarMap};
 use core::f64::consts::PI;
-use rustc_hash::FxHashSet;
+use rustc_hash::{FxHashMap, FxHashSet};
 
 /// The part of the median area of all parts below which a thin part is a sliver.
 const OF_MEDIAN: f64 = 1_000.0;
+
+/// The part of its area with which a feature lies within another one.
+const WITHIN: f64 = 0.9;
 
 /// A coverage, made of the features of a map.
 #[derive(Clone, Debug, PartialEq)]
@@ -79,6 +83,7 @@ pub fn clean_with_fillers(map: &PlanarMap, options: &Options, fillers: usize) ->
     let mut ownership = Ownership::new(map);
     let mut changes = overlaps(map, &mut ownership, options.winner, fillers);
     fill(map, &mut ownership, fillers, &mut changes);
+    let accepted = accepted_faces(map, &options.accepted_gaps);
     let sliver_area = loop {
         let regions = ownership.regions();
         let limit = options.sliver_area.unwrap_or_else(|| {
@@ -86,7 +91,9 @@ pub fn clean_with_fillers(map: &PlanarMap, options: &Options, fillers: usize) ->
             median(parts.map(|region| region.area).collect()) / OF_MEDIAN
         });
         let before = changes.len();
-        fill_gaps(&mut ownership, &regions, limit, options.gap_width, &mut changes);
+        let is_accepted = |face: &Face<'_>| accepted.contains(&face.index());
+        let gaps = regions.iter().filter(|region| region.is_gap() && !region.faces.iter().any(is_accepted));
+        fill_gaps(&mut ownership, gaps, limit, options.gap_width, &mut changes);
         // Gaps that were filled have changed what is beside them.
         if changes.len() == before {
             give_slivers(&mut ownership, &regions, limit, options.thinness, &mut changes);
@@ -112,6 +119,7 @@ fn overlaps(map: &PlanarMap, ownership: &mut Ownership<'_>, winner: Winner, fill
             sizes[feature.index()] += ownership.area(&[face]);
         }
     }
+    let nested = if winner == Winner::Inner { nested(ownership, &sizes) } else { FxHashSet::default() };
     let claims = |face: Face<'_>| {
         let claimed = features_of(map, face).filter(|feature| feature.index() < fillers);
         Some(claimed.collect::<Vec<_>>()).filter(|all| !all.is_empty())
@@ -120,9 +128,17 @@ fn overlaps(map: &PlanarMap, ownership: &mut Ownership<'_>, winner: Winner, fill
     for faces in connected(map.dcel().faces(), claims) {
         let from: Vec<FeatureId> = faces.first().copied().and_then(claims).unwrap_or_default();
         let size = |feature: &FeatureId| sizes[feature.index()];
+        let by_area = |a: FeatureId, b: FeatureId, is_better: fn(&f64, &f64) -> bool| {
+            if is_better(&size(&b), &size(&a)) { b } else { a }
+        };
+        let larger = || from.iter().copied().reduce(|a, b| by_area(a, b, f64::gt));
         let to = match winner {
-            Winner::Larger => from.iter().copied().reduce(|a, b| if size(&b) > size(&a) { b } else { a }),
-            Winner::Smaller => from.iter().copied().reduce(|a, b| if size(&b) < size(&a) { b } else { a }),
+            Winner::Inner => {
+                let is_inner = |a: &FeatureId| from.iter().any(|b| nested.contains(&(*a, *b)));
+                from.iter().copied().filter(is_inner).reduce(|a, b| by_area(a, b, f64::lt)).or_else(larger)
+            }
+            Winner::Larger => larger(),
+            Winner::Smaller => from.iter().copied().reduce(|a, b| by_area(a, b, f64::lt)),
             Winner::First => from.first().copied(),
             Winner::Last => from.last().copied(),
         };
@@ -136,6 +152,23 @@ fn overlaps(map: &PlanarMap, ownership: &mut Ownership<'_>, winner: Winner, fill
         change(map, ChangeKind::Overlap, from, to, &region)
     });
     regions.collect()
+}
+
+/// The pairs of features the first of which lies within the second, which is larger. O(faces · log + pairs of features that claim the same
+/// face, for each face), expected.
+fn nested(ownership: &Ownership<'_>, sizes: &[f64]) -> FxHashSet<(FeatureId, FeatureId)> {
+    let mut common: FxHashMap<(FeatureId, FeatureId), f64> = FxHashMap::default();
+    for face in ownership.map.dcel().faces() {
+        let claiming: Vec<FeatureId> = features_of(ownership.map, face).collect();
+        for (a, b) in claiming.iter().flat_map(|a| claiming.iter().map(move |b| (*a, *b))) {
+            *common.entry((a, b)).or_default() += ownership.area(&[face]);
+        }
+    }
+    let is_nested = |((a, b), area): &((FeatureId, FeatureId), f64)| {
+        let (size, around) = (sizes[a.index()], sizes[b.index()]);
+        size < around && *area >= WITHIN * size
+    };
+    common.into_iter().filter(is_nested).map(|(pair, _)| pair).collect()
 }
 
 /// Gives what only fillers claim to neighbours.
@@ -176,14 +209,14 @@ fn change(
 }
 
 /// Gives gaps to their neighbours. Two gaps are never neighbours, so the regions stay right meanwhile.
-fn fill_gaps(
+fn fill_gaps<'r, 'm: 'r>(
     ownership: &mut Ownership<'_>,
-    regions: &[Region<'_>],
+    gaps: impl Iterator<Item = &'r Region<'m>>,
     limit: f64,
     width: Option<f64>,
     changes: &mut Vec<Change>,
 ) {
-    for region in regions.iter().filter(|region| region.owner.is_none() && !region.is_outside) {
+    for region in gaps {
         let is_narrow = width.is_some_and(|width| mean_width(region.area, region.length) <= width);
         if !(region.area < limit || is_narrow) {
             continue;

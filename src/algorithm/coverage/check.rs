@@ -3,8 +3,8 @@
 use super::claims::faces_by_feature;
 use super::duplicate::{duplicates, first_like};
 use super::finding::{CoverageRule, Finding, Limits};
-use super::gap::{Gaps, gaps};
-use super::near_miss::near_misses;
+use super::gap::gaps;
+use super::near_miss::{chosen_width, near_misses};
 use super::overlap::overlaps;
 use super::sliver::slivers;
 use crate::geometry::threads;
@@ -19,6 +19,8 @@ pub struct Coverage {
     pub findings: Vec<Finding>,
     /// The gaps that are wider than the limit, if there is one, by falling area. They are not among the findings.
     pub wider_gaps: Vec<Finding>,
+    /// The gaps that were accepted by a point inside, by falling area. They are not among the findings either.
+    pub accepted_gaps: Vec<Finding>,
     /// The greatest width of a near miss that was asked for or chosen.
     pub gap_width: f64,
     /// The area of slivers that was asked for or chosen.
@@ -70,20 +72,23 @@ pub fn check(map: &PlanarMap, limits: &Limits) -> Result<Coverage, CoverageError
     let faces = faces_by_feature(map);
     let first_like = first_like(map, &faces);
     let unclaimed = || {
-        let Gaps { findings, outside, mut wider } = gaps(map, limits);
-        wider.sort_by(|a, b| b.area.total_cmp(&a.area));
-        (near_misses(map, &outside, limits), findings, wider)
+        let gap_width = limits.gap_width.unwrap_or_else(|| chosen_width(map));
+        let mut gaps = gaps(map, limits, gap_width);
+        for kept in [&mut gaps.wider, &mut gaps.accepted] {
+            kept.sort_by(|a, b| b.area.total_cmp(&a.area));
+        }
+        (near_misses(map, &gaps.spaces, gap_width), gaps, gap_width)
     };
     let claimed = || {
         let (slivers, sliver_area) = slivers(map, &faces, limits);
         (overlaps(map, &first_like), slivers, sliver_area, duplicates(map, &faces, &first_like))
     };
-    let (((near_misses, gap_width), gaps, wider_gaps), (overlaps, slivers, sliver_area, duplicates)) =
+    let ((near_misses, gaps, gap_width), (overlaps, slivers, sliver_area, duplicates)) =
         threads::join(unclaimed, claimed);
     let mut findings = Vec::new();
-    for mut found in [overlaps, gaps, near_misses, slivers, duplicates] {
+    for mut found in [overlaps, gaps.findings, near_misses, slivers, duplicates] {
         found.sort_by(|a, b| b.area.total_cmp(&a.area));
         findings.append(&mut found);
     }
-    Ok(Coverage { findings, wider_gaps, gap_width, sliver_area })
+    Ok(Coverage { findings, wider_gaps: gaps.wider, accepted_gaps: gaps.accepted, gap_width, sliver_area })
 }

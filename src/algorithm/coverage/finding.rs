@@ -70,7 +70,8 @@ pub struct Finding {
     /// The features involved, in order: those that claim the overlap or the duplicate, those around the gap, the two of a
     /// near miss, the one of the sliver.
     pub features: Vec<FeatureId>,
-    /// The area: of the overlap, the gap, the sliver, one of the duplicates, or the space between the borders of a near miss.
+    /// The area: of the overlap, the gap, the sliver, one of the duplicates, or the space between the borders of a near miss,
+    /// without ends where these move apart.
     pub area: f64,
     /// The mean width: twice the area by the length of the borders. For a strip it is the width; for a disk or a square it is
     /// half of it.
@@ -90,15 +91,19 @@ pub struct Finding {
 /// ```
 /// use twinedge::algorithm::coverage::Limits;
 ///
-/// let limits = Limits { gap_width: Some(0.5), ..Limits::default() };
+/// let limits = Limits { gap_width: Some(0.5), lake_width: Some(100.0), ..Limits::default() };
 /// assert_eq!(limits.thinness, 0.2);
 /// ```
-#[derive(Clone, Copy, Debug, PartialEq)]
+#[derive(Clone, Debug, PartialEq)]
 pub struct Limits {
-    /// The greatest width of a near miss, and of a gap if it is to be found; a wider gap counts as
-    /// intended: it is counted, and not searched for near misses. By default every
-    /// gap is found whatever its width, and a near miss is at most a hundredth of the median length of the edges wide.
+    /// The greatest width of a near miss, and of a gap if it is to be found and there is no `lake_width`. By default every gap is
+    /// found whatever its width, and a near miss is at most a hundredth of the median length of the edges wide.
     pub gap_width: Option<f64>,
+    /// The greatest width of a gap that is found; a wider one is accepted as a lake: it is counted, and searched for near misses.
+    /// Default: `gap_width`.
+    pub lake_width: Option<f64>,
+    /// A point inside each gap that is accepted whatever its width.
+    pub accepted_gaps: Vec<Point>,
     /// The area below which a thin part of a feature is a sliver. Default: a thousandth of the median area of all parts.
     pub sliver_area: Option<f64>,
     /// The thinness below which a small part of a feature is a sliver: 4πA/P² for area A and perimeter P, which is 1 for a
@@ -108,6 +113,6 @@ pub struct Limits {
 
 impl Default for Limits {
     fn default() -> Self {
-        Self { gap_width: None, sliver_area: None, thinness: 0.2 }
+        Self { gap_width: None, lake_width: None, accepted_gaps: Vec::new(), sliver_area: None, thinness: 0.2 }
     }
 }

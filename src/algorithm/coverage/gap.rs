@@ -7,8 +7,9 @@ use super::claims::features_of;
 use super::finding::{CoverageRule, Finding, Limits};
 use super::region::{border, connected, finding};
 use crate::dcel::Face;
-use crate::map::{FeatureId, PlanarMap};
-use rustc_hash::FxHashSet;
+use crate::geometry::Point;
+use crate::map::{FeatureId, Located, PlanarMap};
+use rustc_hash::{FxHashMap, FxHashSet};
 
 /// The gaps, and the unclaimed faces that are none.
 #[derive(Default)]
@@ -16,27 +17,47 @@ pub(super) struct Gaps {
     pub(super) findings: Vec<Finding>,
     /// The gaps that are wider than asked for.
     pub(super) wider: Vec<Finding>,
-    /// The unclaimed faces that hang together with the unbounded one, by index.
-    pub(super) outside: FxHashSet<usize>,
+    /// The gaps that were accepted by a point inside.
+    pub(super) accepted: Vec<Finding>,
+    /// The outside, and the gaps in which near misses are looked for: for each of their faces, by index, the index of one that it hangs together with.
+    pub(super) spaces: FxHashMap<usize, usize>,
 }
 
-/// Finds the gaps. O(n log n).
-pub(super) fn gaps(map: &PlanarMap, limits: &Limits) -> Gaps {
+/// Finds the gaps. Near misses are looked for in those that are wider than these are, unless all gaps are findings. O(n log n).
+pub(super) fn gaps(map: &PlanarMap, limits: &Limits, near_miss_width: f64) -> Gaps {
+    let accepted = accepted_faces(map, &limits.accepted_gaps);
+    let greatest = limits.lake_width.or(limits.gap_width);
     let unclaimed = |face: Face<'_>| features_of(map, face).next().is_none().then_some(());
     let mut found = Gaps::default();
     for space in connected(map.dcel().faces(), unclaimed) {
-        if space.iter().any(|face| face.is_unbounded()) {
-            found.outside.extend(space.iter().map(|face| face.index()));
-            continue;
+        let is_outside = space.iter().any(|face| face.is_unbounded());
+        if !is_outside {
+            let gap = finding(map, CoverageRule::Gap, around(map, &space), &space);
+            let is_wide = gap.width > near_miss_width;
+            let is_accepted = space.iter().any(|face| accepted.contains(&face.index()));
+            let is_narrow = greatest.is_none_or(|width| gap.width <= width);
+            let kept = match (is_accepted, is_narrow) {
+                (true, _) => &mut found.accepted,
+                (false, true) => &mut found.findings,
+                (false, false) => &mut found.wider,
+            };
+            kept.push(gap);
+            if !is_wide || (limits.gap_width.is_none() && is_narrow && !is_accepted) {
+                continue;
+            }
         }
-        let gap = finding(map, CoverageRule::Gap, around(map, &space), &space);
-        if limits.gap_width.is_none_or(|width| gap.width <= width) {
-            found.findings.push(gap);
-        } else {
-            found.wider.push(gap);
-        }
+        found.spaces.extend(space.iter().map(|face| (face.index(), space[0].index())));
     }
     found
+}
+
+/// The faces in which these points lie, by index. O(n log n) if there are points.
+pub(in crate::algorithm) fn accepted_faces(map: &PlanarMap, points: &[Point]) -> FxHashSet<usize> {
+    let face = |p: &Point| match map.locate(*p) {
+        Ok(Located::Face(face)) => map.dcel().face(face).ok().map(Face::index),
+        _ => None,
+    };
+    points.iter().filter_map(face).collect()
 }
 
 /// The features around a set of faces.

@@ -13,7 +13,7 @@
 //! | --- | --- | --- |
 //! | C1 overlap | faces that two features claim | `overlap.rs` |
 //! | C2 gap | faces that no feature claims, with claimed faces all around them | `gap.rs` |
-//! | C3 near miss | borders of two features that face each other across a narrow space that is open to the outside | `near_miss.rs` |
+//! | C3 near miss | borders of two features that face each other across a narrow space that is open to the outside or to a wider gap | `near_miss.rs` |
 //! | C4 sliver | small and thin parts of a feature | `sliver.rs` |
 //! | C5 duplicate | features that claim the same faces | `duplicate.rs` |
 //! | C6 OGC validity | polygons that are not valid by the rules of the OGC, in its words | `validity.rs` |
@@ -29,7 +29,7 @@ mod check;
 mod claims;
 mod duplicate;
 mod finding;
-mod gap;
+pub(super) mod gap;
 mod near_miss;
 mod overlap;
 pub(super) mod region;

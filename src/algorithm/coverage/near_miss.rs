@@ -7,11 +7,13 @@
 //!   └────────┘g└────────┘
 //! ```
 //!
-//! Two borders that part at a vertex are near each other there. So a near miss counts from a length of [`LEAST`] times the
-//! width on: borders that part at more than 14 degrees are none.
+//! Only the stretches of two edges that lie opposite each other count, and only if they are within the width at both ends: edges
+//! that part at a vertex, and are farther apart than the width where one of them ends, are none. A near miss has a stretch that is longer than
+//! the width on both sides (the condition of GEOS and JTS), or it is [`LEAST`] times as long as the width, over any number of edges, and
+//! its borders do not [part](parts) steadily.
 
 use super::claims::features_of;
-use super::finding::{CoverageRule, Finding, Limits};
+use super::finding::{CoverageRule, Finding};
 use super::region::{ends, length, mean_width};
 use super::sliver::median;
 use crate::algorithm::area::Sum;
@@ -23,33 +25,40 @@ use rstar::{AABB, RTree};
 use rustc_hash::{FxHashMap, FxHashSet};
 use std::collections::BTreeMap;
 
-/// The least length of a near miss, as a multiple of the given width.
+/// The least length of a near miss of short stretches, as a multiple of the given width.
 const LEAST: f64 = 4.0;
 
 /// The part of the median length of edges that is the width if none is given.
 const OF_MEDIAN: f64 = 100.0;
 
-/// A half-edge of a feature's border with the outside to its left.
+/// A half-edge of a feature's border with unclaimed space to its left.
 struct Side<'a> {
     half_edge: HalfEdge<'a>,
     ends: [Point; 2],
+    space: usize,
     features: Vec<FeatureId>,
 }
 
-/// A part of a side that is near another side: its start and end along the side, and the other side.
+/// A part of a side that lies opposite another side: its start and end along the side, and how far the other one is there.
 #[derive(Clone, Copy)]
 struct Stretch {
     from: f64,
     to: f64,
+    widths: [f64; 2],
+    /// True if it is longer than the greatest width of a near miss, on both sides.
+    is_long: bool,
     other: usize,
 }
 
-/// The near misses, and the width up to which they are such. `outside` has the faces that hang
-/// together with the unbounded one, by index. O(n log n + c log c) for c pairs of edges whose boxes come as near as the width.
-pub(super) fn near_misses(map: &PlanarMap, outside: &FxHashSet<usize>, limits: &Limits) -> (Vec<Finding>, f64) {
-    let sides = sides(map, outside);
-    let width =
-        limits.gap_width.unwrap_or_else(|| median(map.dcel().edges().map(|h| length(map, h)).collect()) / OF_MEDIAN);
+/// The greatest width of near misses if none is given. O(n), expected.
+pub(super) fn chosen_width(map: &PlanarMap) -> f64 {
+    median(map.dcel().edges().map(|h| length(map, h)).collect()) / OF_MEDIAN
+}
+
+/// The near misses up to a width. `spaces` has the space that each unclaimed face is part of, where near misses are looked for, both by
+/// index. O(n log n + c log c) for c pairs of edges whose boxes come as near as the width.
+pub(super) fn near_misses(map: &PlanarMap, spaces: &FxHashMap<usize, usize>, width: f64) -> Vec<Finding> {
+    let sides = sides(map, spaces);
     // By the two features, then by side.
     let mut pairs: BTreeMap<[FeatureId; 2], BTreeMap<usize, Vec<Stretch>>> = BTreeMap::new();
     let boxed = |(i, side): (usize, &Side<'_>)| {
@@ -63,15 +72,15 @@ pub(super) fn near_misses(map: &PlanarMap, outside: &FxHashSet<usize>, limits: &
         let high = [a.x.max(b.x) + width, a.y.max(b.y) + width];
         for near in tree.locate_in_envelope_intersecting(AABB::from_corners(low, high)) {
             let other = &sides[near.data];
-            if near.data == i || have_common(&side.features, &other.features) {
+            if near.data == i || side.space != other.space || have_common(&side.features, &other.features) {
                 continue;
             }
-            let Some((from, to)) = facing(side.ends, other.ends, width) else { continue };
+            let Some(stretch) = facing(side.ends, other.ends, width) else { continue };
             for one in &side.features {
                 for another in &other.features {
                     let pair = [*one.min(another), *one.max(another)];
                     let stretches = pairs.entry(pair).or_default().entry(i).or_default();
-                    stretches.push(Stretch { from, to, other: near.data });
+                    stretches.push(Stretch { other: near.data, ..stretch });
                 }
             }
         }
@@ -83,16 +92,17 @@ pub(super) fn near_misses(map: &PlanarMap, outside: &FxHashSet<usize>, limits: &
             findings.extend(near_miss(*pair, &cluster, near, &sides, width));
         }
     }
-    (findings, width)
+    findings
 }
 
-/// The half-edges with the outside to their left and claimed faces to their right.
-fn sides<'a>(map: &'a PlanarMap, outside: &FxHashSet<usize>) -> Vec<Side<'a>> {
+/// The half-edges with one of the spaces to their left and claimed faces to their right.
+fn sides<'a>(map: &'a PlanarMap, spaces: &FxHashMap<usize, usize>) -> Vec<Side<'a>> {
     let mut sides = Vec::new();
-    for half_edge in map.dcel().half_edges().filter(|h| outside.contains(&h.face().index())) {
+    for half_edge in map.dcel().half_edges() {
+        let Some(space) = spaces.get(&half_edge.face().index()).copied() else { continue };
         let features: Vec<FeatureId> = features_of(map, half_edge.twin().face()).collect();
         if !features.is_empty() {
-            sides.push(Side { half_edge, ends: ends(map, half_edge), features });
+            sides.push(Side { half_edge, ends: ends(map, half_edge), space, features });
         }
     }
     sides
@@ -134,7 +144,7 @@ fn clusters(
     clusters
 }
 
-/// The near miss that some sides of two features are, if it is long enough.
+/// The near miss that some sides of two features are, if it is one.
 fn near_miss(
     pair: [FeatureId; 2],
     cluster: &[usize],
@@ -142,102 +152,120 @@ fn near_miss(
     sides: &[Side<'_>],
     width: f64,
 ) -> Option<Finding> {
-    let (mut total, mut area) = (Sum::default(), Sum::default());
-    let mut stretches: Vec<[Point; 2]> = Vec::new();
-    let mut longest = (0.0, Point::default());
-    for side in cluster {
-        let [a, b] = sides[*side].ends;
-        let side_length = distance(a, b);
-        for (from, to) in merged(&near[side]) {
-            let [p, q] = [along(a, b, from), along(a, b, to)];
-            let stretch = (to - from) * side_length;
-            stretches.push([p, q]);
-            total.add(stretch);
-            // The distance to the other border, at both ends and in the middle.
-            let [first, (middle, opposite), last] =
-                [p, Point::new(f64::midpoint(p.x, q.x), f64::midpoint(p.y, q.y)), q].map(|p| {
-                    let others = near[side].iter().map(|stretch| nearest(p, sides[stretch.other].ends));
-                    let nearest = others.min_by(|a, b| distance(p, *a).total_cmp(&distance(p, *b))).unwrap_or(p);
-                    (distance(p, nearest), Point::new(f64::midpoint(p.x, nearest.x), f64::midpoint(p.y, nearest.y)))
-                });
-            area.add(stretch * (first.0 + 2.0 * middle + last.0) / 4.0);
-            if stretch > longest.0 {
-                longest = (stretch, opposite);
-            }
-        }
+    let mut pieces: Vec<Piece> = cluster.iter().flat_map(|side| pieces(&near[side], *side, sides)).collect();
+    let total: Sum = pieces.iter().map(|piece| piece.length).collect();
+    let is_long = cluster.iter().flat_map(|side| &near[side]).any(|stretch| stretch.is_long);
+    // Each border is counted by itself.
+    if !is_long && (total.value() < 2.0 * LEAST * width || parts(&pieces, width)) {
+        return None;
     }
+    let stretches = pieces.iter().map(|piece| piece.ends).collect();
+    narrow(&mut pieces);
+    let (length, area): (Sum, Sum) =
+        (pieces.iter().map(|piece| piece.length).collect(), pieces.iter().map(Piece::area).collect());
     // Each border was measured by itself, and so was the space, once from each of them.
-    let (length, area) = (total.value(), area.value() / 2.0);
-    (length >= 2.0 * LEAST * width).then(|| Finding {
+    let (length, area) = (length.value(), area.value() / 2.0);
+    let longest = pieces.iter().max_by(|a, b| a.length.total_cmp(&b.length))?;
+    Some(Finding {
         rule: CoverageRule::NearMiss,
         features: pair.to_vec(),
         area,
         width: mean_width(area, length),
         length,
-        at: longest.1,
+        at: longest.middle(sides),
         faces: Vec::new(),
         stretches,
     })
 }
 
-/// The union of stretches of one side, in order.
-fn merged(stretches: &[Stretch]) -> Vec<(f64, f64)> {
-    let mut sorted: Vec<(f64, f64)> = stretches.iter().map(|stretch| (stretch.from, stretch.to)).collect();
-    sorted.sort_unstable_by(|a, b| a.0.total_cmp(&b.0));
-    let mut merged: Vec<(f64, f64)> = Vec::new();
-    for (from, to) in sorted {
-        match merged.last_mut() {
-            Some(last) if from <= last.1 => last.1 = last.1.max(to),
-            _ => merged.push((from, to)),
+/// A part of a side, and how far the other side is at both of its ends.
+struct Piece {
+    ends: [Point; 2],
+    length: f64,
+    widths: [f64; 2],
+    other: usize,
+}
+
+impl Piece {
+    fn greatest(&self) -> f64 {
+        self.widths[0].max(self.widths[1])
+    }
+
+    fn area(&self) -> f64 {
+        self.length * f64::midpoint(self.widths[0], self.widths[1])
+    }
+
+    /// The point in the middle between both sides.
+    fn middle(&self, sides: &[Side<'_>]) -> Point {
+        let p = middle(self.ends);
+        middle([p, nearest(p, sides[self.other].ends)])
+    }
+}
+
+/// The union of the stretches of a side, in order, each place once.
+fn pieces(stretches: &[Stretch], side: usize, sides: &[Side<'_>]) -> Vec<Piece> {
+    let mut sorted = stretches.to_vec();
+    sorted.sort_unstable_by(|a, b| a.from.total_cmp(&b.from).then(a.widths[0].total_cmp(&b.widths[0])));
+    let [a, b] = sides[side].ends;
+    let mut end = 0.0_f64;
+    let mut pieces = Vec::new();
+    for Stretch { from, to, widths: [first, last], other, .. } in sorted {
+        let start = from.max(end);
+        if start < to {
+            let at_start = first + (last - first) * ((start - from) / (to - from));
+            let ends = [along(a, b, start), along(a, b, to)];
+            let length = (to - start) * distance(a, b);
+            pieces.push(Piece { ends, length, widths: [at_start, last], other });
+            end = to;
         }
     }
-    merged
+    pieces
 }
 
-/// From where to where, as parts of its length, a segment lies within a width of another that faces it: both run in opposite
-/// directions, and each has the other to its left there. O(1).
-fn facing([a, b]: [Point; 2], [c, d]: [Point; 2], width: f64) -> Option<(f64, f64)> {
+/// Returns true if borders move apart steadily: they are about as long within half the width as beyond it, as those of a wedge are.
+fn parts(pieces: &[Piece], width: f64) -> bool {
+    let length = |pieces: &mut dyn Iterator<Item = &Piece>| pieces.map(|piece| piece.length).collect::<Sum>().value();
+    let near =
+        length(&mut pieces.iter().filter(|piece| f64::midpoint(piece.widths[0], piece.widths[1]) <= width / 2.0));
+    (0.25..0.75).contains(&(near / length(&mut pieces.iter())))
+}
+
+/// Keeps the narrow pieces: up to the greatest width at which they make up a strip at least half as slender as the most slender one. So the
+/// measures are not those of the ends, where borders that coincide but for a rounding move apart.
+fn narrow(pieces: &mut Vec<Piece>) {
+    pieces.sort_by(|a, b| a.greatest().total_cmp(&b.greatest()));
+    let mut length = 0.0;
+    let lengths = pieces.iter().map(|piece| {
+        length += piece.length;
+        length / piece.greatest().max(f64::MIN_POSITIVE)
+    });
+    let slenderness: Vec<f64> = lengths.collect();
+    let most = slenderness.iter().copied().fold(0.0, f64::max);
+    let last = slenderness.iter().rposition(|slender| *slender >= most / 2.0).unwrap_or_default();
+    pieces.truncate(last + 1);
+}
+
+/// The stretch of a segment opposite another one that faces it: both run in opposite directions, and each has the other to its left there, at most
+/// a width away at both ends. O(1).
+fn facing([a, b]: [Point; 2], [c, d]: [Point; 2], width: f64) -> Option<Stretch> {
     let (u, v) = (minus(b, a), minus(d, c));
-    if dot(u, v) >= 0.0 {
-        return None;
-    }
-    let (from, to) = within([a, b], [c, d], width)?;
-    let middle = along(a, b, f64::midpoint(from, to));
-    let across = minus(nearest(middle, [c, d]), middle);
-    (from < to && cross(u, across) > 0.0 && cross(v, across) < 0.0).then_some((from, to))
+    let (from, to) = opposite([a, b], [d, c])?;
+    let (back, forth) = opposite([d, c], [a, b])?;
+    let (near, far) = ([along(a, b, from), along(a, b, to)], [along(d, c, back), along(d, c, forth)]);
+    let widths = [distance(near[0], far[0]), distance(near[1], far[1])];
+    let across = minus(middle(far), middle(near));
+    let is_between = cross(u, across) > 0.0 && cross(v, across) < 0.0;
+    let is_long = distance(near[0], near[1]) > width && distance(far[0], far[1]) > width;
+    (is_between && widths[0] <= width && widths[1] <= width).then_some(Stretch { from, to, widths, is_long, other: 0 })
 }
 
-/// From where to where, as parts of its length, a segment lies within a width of another: inside a box around that one, or
-/// one of the disks at its ends. These make up a convex set, so the answer is the hull of three intervals.
-fn within([a, b]: [Point; 2], [c, d]: [Point; 2], width: f64) -> Option<(f64, f64)> {
-    let (u, v) = (minus(b, a), minus(d, c));
-    let start = minus(a, c);
-    let reach = dot(v, v).sqrt();
-    // Along the other segment from 0 to its length, and across it from -width to width.
-    let in_box = slab(dot(start, v) / reach, dot(u, v) / reach, 0.0, reach)
-        .zip(slab(cross(v, start) / reach, cross(v, u) / reach, -width, width))
-        .map(|(along, across)| (along.0.max(across.0), along.1.min(across.1)));
-    let disks = [c, d].map(|center| disk(minus(a, center), u, width));
-    let parts = [in_box, disks[0], disks[1]].into_iter().flatten().filter(|(from, to)| from <= to);
-    let hull = parts.reduce(|one, other| (one.0.min(other.0), one.1.max(other.1)))?;
-    let (from, to) = (hull.0.max(0.0), hull.1.min(1.0));
-    (from <= to).then_some((from, to))
-}
-
-/// The t for which `start + t · step` is between two bounds.
-fn slab(start: f64, step: f64, low: f64, high: f64) -> Option<(f64, f64)> {
-    if step == 0.0 {
-        return (low <= start && start <= high).then_some((f64::NEG_INFINITY, f64::INFINITY));
-    }
-    let (one, other) = ((low - start) / step, (high - start) / step);
-    Some((one.min(other), one.max(other)))
-}
-
-/// The t for which `start + t · step` is at most this far from the origin.
-fn disk(start: Point, step: Point, radius: f64) -> Option<(f64, f64)> {
-    let (a, b) = (dot(step, step), dot(start, step));
-    let root = b * b - a * (dot(start, start) - radius * radius);
-    (root >= 0.0).then(|| ((-b - root.sqrt()) / a, (-b + root.sqrt()) / a))
+/// From where to where, as parts of its length, a segment has another one at right angles beside it; none if they run in opposite
+/// directions.
+fn opposite([a, b]: [Point; 2], [c, d]: [Point; 2]) -> Option<(f64, f64)> {
+    let u = minus(b, a);
+    let part = |p: Point| dot(minus(p, a), u) / dot(u, u);
+    let (from, to) = (part(c).max(0.0), part(d).min(1.0));
+    (from < to).then_some((from, to))
 }
 
 /// The point of a segment that is nearest to a point.
@@ -248,6 +276,10 @@ fn nearest(p: Point, [a, b]: [Point; 2]) -> Point {
 
 fn along(a: Point, b: Point, t: f64) -> Point {
     Point::new(a.x + (b.x - a.x) * t, a.y + (b.y - a.y) * t)
+}
+
+fn middle([a, b]: [Point; 2]) -> Point {
+    Point::new(f64::midpoint(a.x, b.x), f64::midpoint(a.y, b.y))
 }
 
 fn minus(a: Point, b: Point) -> Point {

@@ -104,7 +104,7 @@ fn panel(out: &mut String, map: &PlanarMap, frame: &Frame, [x, y]: [f64; 2], fil
     if options.detail {
         detail::draw(out, map, frame);
     } else {
-        names::draw(out, map, frame);
+        names::draw(out, map, frame, &fills.outlines);
     }
     marks::draw(out, map, frame, options.violations);
     out.push_str("</svg>\n");

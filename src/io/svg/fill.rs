@@ -1,14 +1,14 @@
 //! The colours and patterns of faces.
 
 use super::frame::{Bounds, Frame, path};
+use super::outline::outlines;
 use super::text::{escaped, put};
 use crate::algorithm::colouring::feature_colours;
 use crate::algorithm::coverage::features_of;
-use crate::dcel::{Boundary, HalfEdge};
+use crate::dcel::Boundary;
 use crate::geometry::Point;
 use crate::map::{FeatureId, PlanarMap};
 use crate::validate::Embedding;
-use std::collections::BTreeMap;
 
 /// Fills for features; more colours than these repeat.
 const FILLS: [&str; 8] = ["#8ecae6", "#f4b88a", "#a8d5a2", "#f2a9bb", "#c9b8e4", "#ffe08a", "#9adbc9", "#d8c4a8"];
@@ -20,13 +20,16 @@ const TINY: f64 = 8.0;
 pub(super) struct Fills {
     colours: Vec<usize>,
     has_areas: bool,
+    /// The rings of each feature, if the map is not plane.
+    pub(super) outlines: Vec<Vec<Vec<Point>>>,
 }
 
 impl Fills {
     /// O(n log n).
     pub(super) fn of(map: &PlanarMap) -> Self {
         let has_areas = map.dcel().faces().any(|face| features_of(map, face).next().is_some());
-        Self { colours: feature_colours(map), has_areas }
+        let outlines = if map.is_plane() { Vec::new() } else { outlines(map) };
+        Self { colours: feature_colours(map), has_areas, outlines }
     }
 
     fn of_feature(&self, feature: FeatureId) -> &'static str {
@@ -35,10 +38,8 @@ impl Fills {
 
     /// Fills the faces of a map. Of a map that is not plane it fills the features: it is not known which faces they cover.
     pub(super) fn draw(&self, out: &mut String, map: &PlanarMap, frame: &Frame) {
-        if !map.is_plane() {
-            for (feature, rings) in map.features().zip(rings(map)) {
-                self.rings(out, map, frame, feature, &rings);
-            }
+        for (feature, rings) in map.features().zip(&self.outlines) {
+            self.rings(out, map, frame, feature, rings);
         }
         let mut tiny = String::new();
         for face in map.dcel().faces().filter(|f| !f.is_unbounded()) {
@@ -91,51 +92,6 @@ impl Fills {
             format_args!("<path fill=\"{fill}\" fill-rule=\"evenodd\" d=\"{outline}\"><title>{title}</title></path>\n"),
         );
     }
-}
-
-/// The rings that the edges of each feature form, by its index; none where they do not. O(n log n).
-fn rings(map: &PlanarMap) -> Vec<Vec<Vec<Point>>> {
-    let mut edges: Vec<Vec<HalfEdge<'_>>> = vec![Vec::new(); map.features().count()];
-    for edge in map.dcel().edges() {
-        for feature in map.features_along(edge.key()).into_iter().flatten() {
-            edges[feature.index()].push(edge);
-        }
-    }
-    edges.into_iter().map(|edges| closed(map, &edges)).collect()
-}
-
-/// Closed walks that pass each of these edges once; none if at some vertex an odd number of them meet.
-fn closed(map: &PlanarMap, edges: &[HalfEdge<'_>]) -> Vec<Vec<Point>> {
-    let mut at: BTreeMap<usize, Vec<(usize, usize)>> = BTreeMap::new();
-    for (i, edge) in edges.iter().enumerate() {
-        let [from, to] = [edge.origin().index(), edge.target().index()];
-        at.entry(from).or_default().push((i, to));
-        at.entry(to).or_default().push((i, from));
-    }
-    if at.values().any(|here| here.len() % 2 == 1) {
-        return Vec::new();
-    }
-    let mut passed = vec![false; edges.len()];
-    let mut walks = Vec::new();
-    for (first, edge) in edges.iter().enumerate() {
-        if passed[first] {
-            continue;
-        }
-        let mut walk = Vec::new();
-        let mut v = edge.origin().index();
-        while let Some((next, to)) = at.get_mut(&v).and_then(|here| {
-            while here.last().is_some_and(|(i, _)| passed[*i]) {
-                here.pop();
-            }
-            here.pop()
-        }) {
-            passed[next] = true;
-            walk.push(map.point(v));
-            v = to;
-        }
-        walks.push(walk);
-    }
-    walks
 }
 
 pub(super) fn positions<'a>(map: &'a PlanarMap, boundary: Boundary<'a>) -> impl Iterator<Item = Point> + 'a {

@@ -2,6 +2,7 @@
 
 use super::frame::{Frame, sides};
 use crate::dcel::Face;
+use crate::geometry::Point;
 use crate::map::PlanarMap;
 
 /// A horizontal stretch inside a face.
@@ -16,11 +17,35 @@ const HEIGHTS: [f64; 7] = [0.5, 0.4, 0.6, 0.3, 0.7, 0.2, 0.8];
 /// The widest stretch at one of a few heights; none for the unbounded face. O(half-edges · log).
 pub(super) fn widest(map: &PlanarMap, frame: &Frame, face: Face<'_>) -> Option<LabelSpot> {
     face.outer()?;
-    let ends = sides(map, frame, face).flatten();
-    let (low, high) = ends.fold((f64::INFINITY, f64::NEG_INFINITY), |(low, high), [_, y]| (low.min(y), high.max(y)));
+    let sides: Vec<Side> = sides(map, frame, face).collect();
+    widest_between(heights(&sides), &sides)
+}
+
+/// The widest stretch inside these rings, by the even-odd rule, at one of a few heights of the largest of them. O(points · log).
+pub(super) fn widest_within(frame: &Frame, rings: &[Vec<Point>]) -> Option<LabelSpot> {
+    let sides_of = |ring: &Vec<Point>| -> Vec<Side> {
+        let at = |p: &Point| frame.at(*p);
+        ring.iter().zip(ring.iter().cycle().skip(1)).map(|(a, b)| [at(a), at(b)]).collect()
+    };
+    let rings: Vec<Vec<Side>> = rings.iter().map(sides_of).collect();
+    let height = |[low, high]: [f64; 2]| high - low;
+    let largest = rings.iter().map(|ring| heights(ring)).max_by(|a, b| height(*a).total_cmp(&height(*b)))?;
+    widest_between(largest, &rings.concat())
+}
+
+/// A side of an outline, in pixels.
+type Side = [[f64; 2]; 2];
+
+/// The least and the greatest height.
+fn heights(sides: &[Side]) -> [f64; 2] {
+    sides.iter().flatten().fold([f64::INFINITY, f64::NEG_INFINITY], |[low, high], [_, y]| [low.min(*y), high.max(*y)])
+}
+
+fn widest_between([low, high]: [f64; 2], sides: &[Side]) -> Option<LabelSpot> {
     let stretches = HEIGHTS.into_iter().filter_map(|part| {
         let y = low + part * (high - low);
-        let mut crossed: Vec<f64> = sides(map, frame, face)
+        let mut crossed: Vec<f64> = sides
+            .iter()
             .filter(|[a, b]| (a[1] <= y) != (b[1] <= y))
             .map(|[a, b]| a[0] + (y - a[1]) / (b[1] - a[1]) * (b[0] - a[0]))
             .collect();

@@ -31,7 +31,7 @@ pub(super) fn draw(out: &mut String, map: &PlanarMap, frame: &Frame, violations:
         }
         let Some(place) = place(map, violation, &edges).filter(|place| frame.shows([*place])) else { continue };
         let [x, y] = frame.at(place);
-        let title = escaped(&violation.to_string());
+        let title = escaped(&violation.message());
         put(
             out,
             format_args!("<circle class=\"bad\" cx=\"{x:.2}\" cy=\"{y:.2}\" r=\"9\"><title>{title}</title></circle>\n"),
@@ -65,7 +65,7 @@ pub(super) fn legend(out: &mut String, violations: &[Violation], [left, top]: [f
     let mut row = top;
     for (violation, number) in violations.iter().zip(1..).take(ROWS) {
         row += ROW;
-        let whole = format!("{number}  {} {violation}", violation.rule().id());
+        let whole = format!("{number}  {} {}", violation.rule().id(), violation.message());
         let shown = whole.chars().zip(1..).take_while(|(_, n)| f64::from(*n) * LETTER < room);
         let mut line: String = shown.map(|(letter, _)| letter).collect();
         if line.len() < whole.len() {

@@ -25,6 +25,7 @@ mod lines;
 mod marks;
 mod names;
 mod options;
+mod outline;
 mod text;
 
 pub use draw::draw;

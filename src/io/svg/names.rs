@@ -1,9 +1,10 @@
 //! The names of features.
 
 use super::frame::Frame;
-use super::label_spot::{LabelSpot, widest};
+use super::label_spot::{LabelSpot, widest, widest_within};
 use super::text::{put, text};
 use crate::algorithm::coverage::faces_by_feature;
+use crate::geometry::Point;
 use crate::map::PlanarMap;
 use core::f64::consts::TAU;
 
@@ -19,12 +20,17 @@ const DIRECTIONS: u32 = 12;
 
 /// Writes the name of each feature into the widest of its faces, or beside it with a line that leads there. The wider the feature,
 /// the earlier its turn; names for which there is no room are left out. O(n log n + m²) for m names.
-pub(super) fn draw(out: &mut String, map: &PlanarMap, frame: &Frame) {
+///
+/// On a map that is not plane, features have these outlines instead of faces.
+pub(super) fn draw(out: &mut String, map: &PlanarMap, frame: &Frame, outlines: &[Vec<Vec<Point>>]) {
     let mut named: Vec<(LabelSpot, &str)> = Vec::new();
     for (feature, faces) in map.features().zip(faces_by_feature(map)) {
         let Some(name) = map.name(feature).filter(|name| !name.is_empty()) else { continue };
-        let spots = faces.into_iter().filter_map(|f| widest(map, frame, map.dcel().face(f).ok()?));
-        let shown = spots.filter(|spot| frame.holds(spot.middle));
+        let in_faces = faces.into_iter().filter_map(|f| widest(map, frame, map.dcel().face(f).ok()?));
+        let in_outline = outlines.get(feature.index()).and_then(|rings| widest_within(frame, rings));
+        let spots: Vec<LabelSpot> =
+            if outlines.is_empty() { in_faces.collect() } else { in_outline.into_iter().collect() };
+        let shown = spots.into_iter().filter(|spot| frame.holds(spot.middle));
         named.extend(shown.max_by(|a, b| a.width.total_cmp(&b.width)).map(|spot| (spot, name)));
     }
     named.sort_by(|a, b| b.0.width.total_cmp(&a.0.width));

@@ -7,6 +7,7 @@ use crate::map::PlanarMap;
 use crate::program::language::script::{Name, Scripted, Stage, extend, follow};
 
 impl Scripted for EditProgram {
+    type Start = ();
     type Stage = NamedEditRunner;
 }
 
@@ -33,8 +34,9 @@ impl Names {
 
 impl Stage for NamedEditRunner {
     type Op = EditOp;
+    type Start = ();
 
-    fn new() -> Self {
+    fn new((): &()) -> Self {
         let runner = EditRunner::new(PlanarMap::new());
         let mut faces = Names::default();
         // The unbounded face, which no edit made.

@@ -5,10 +5,11 @@
 
 use super::difference::{Answer, Difference, Question};
 use crate::dcel::Corner;
-use crate::program::pointer_model::PointerModel;
+use crate::program::pointer_model::{PointerModel, PointerModelVertex};
 use crate::program::run::runner::Runner;
 use crate::program::subject::{CornerOf, Subject};
 use alloc::collections::BTreeMap;
+use core::fmt;
 use core::iter::repeat;
 
 /// The answers of a subject about a corner.
@@ -43,13 +44,27 @@ impl<A, B> Default for Pairs<A, B> {
     }
 }
 
+impl<A: fmt::Debug, B: fmt::Debug> fmt::Debug for Pairs<A, B> {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        self.0.fmt(f)
+    }
+}
+
 impl<A: Copy + Ord, B: Copy + Eq> Pairs<A, B> {
+    pub(super) fn iter(&self) -> impl Iterator<Item = (A, B)> + '_ {
+        self.0.iter().map(|(a, b)| (*a, *b))
+    }
+
+    pub(super) fn get(&self, reference: A) -> Option<B> {
+        self.0.get(&reference).copied()
+    }
+
     /// Tells whether these two belong together: they are paired already, or neither is and now they are. Two that are not there
     /// say the same.
     pub(super) fn agree(&mut self, reference: Option<A>, subject: Option<B>) -> bool {
         let (Some(a), Some(b)) = (reference, subject) else { return reference.is_none() && subject.is_none() };
-        if let Some(known) = self.0.get(&a) {
-            return *known == b;
+        if let Some(known) = self.get(a) {
+            return known == b;
         }
         let is_new = self.0.values().all(|other| *other != b);
         self.0.insert(a, b);
@@ -57,17 +72,25 @@ impl<A: Copy + Ord, B: Copy + Eq> Pairs<A, B> {
     }
 }
 
+/// The vertices of the reference, each with the handle of the subject.
+pub(super) type Vertices<K> = Pairs<PointerModelVertex, <K as Subject>::Vertex>;
+
+/// The comparison of all corners, if nothing differs.
+pub(super) struct Agreement<K: Subject> {
+    pub(super) vertices: Vertices<K>,
+    /// True if there is a half-edge on the border of which the subject has no `next`. Without faces it is not asked for any.
+    pub(super) lacks_next: bool,
+}
+
 /// Finds the first corner of which the subject says something else.
 ///
 /// O(n log n) questions and steps, and O(n²) comparisons of handles, of which nothing more is known than whether two are
 /// equal.
-///
-/// Tells whether there is a half-edge on the border of which the subject has no `next`. Without faces it is not asked for any.
 pub(super) fn compare<K: Subject>(
     reference: &Runner<PointerModel>,
     subject: &Runner<K>,
     has_faces: bool,
-) -> Result<bool, Difference> {
+) -> Result<Agreement<K>, Difference> {
     let both = reference.half_edges().iter().copied().zip(subject.half_edges().iter().copied());
     let half_edges: BTreeMap<_, _> = both.collect();
     let same = |a: Option<_>, b: Option<K::HalfEdge>| match a {
@@ -96,7 +119,7 @@ pub(super) fn compare<K: Subject>(
             return Err(Difference::Answers { corner: place, question, reference, subject });
         }
     }
-    Ok(lacks_next)
+    Ok(Agreement { vertices, lacks_next })
 }
 
 /// The answer of a subject, in places.

@@ -1,20 +1,21 @@
 //! Runs one program, or many random ones, as the settings ask.
 
-use super::difference::{Counterexample, Difference, Failure};
+use super::difference::{Counterexample, Difference, Failure, Words};
 use super::in_step::InStep;
 use super::settings::{Conformance, Coverage};
 use super::summary::{ConformanceSummary, OperatorCounts};
+use super::words;
 use crate::dcel::{Corner, Side};
 use crate::program::language::choose::Random;
 use crate::program::language::generator::Generator;
 use crate::program::language::shrink::shrink_from;
 use crate::program::operators::{FacePick, HalfEdgePick, InnerPick, Op, OpKind, Program, SecondPick, VertexPick};
-use crate::program::pointer_model::PointerModel;
+use crate::program::panics::catch;
 use crate::program::run::every::{every_mesh_op, every_op};
-use crate::program::run::named::NamedRunner;
+use crate::program::run::named::Start;
 use crate::program::run::runner::Runner;
 use crate::program::subject::Subject;
-use crate::validate::Table;
+use alloc::boxed::Box;
 use alloc::vec;
 use alloc::vec::Vec;
 
@@ -33,12 +34,27 @@ impl Conformance {
     /// Those of [`run`](super::run).
     pub fn run<K: Subject>(self, program: &Program, subject: K) -> Result<ConformanceSummary, Failure> {
         let summary = self.compare(program, subject)?;
-        Self::judge(self.coverage.unwrap_or(Coverage::SomeOperator), &summary).map_err(|difference| Failure {
-            before: program.0.len(),
-            op: None,
-            difference,
-        })?;
+        if !program.0.is_empty() {
+            Self::judge(self.coverage.unwrap_or(Coverage::SomeOperator), &summary).map_err(|difference| Failure {
+                before: program.0.len(),
+                op: None,
+                difference,
+            })?;
+        }
         Ok(summary)
+    }
+
+    /// Runs a program, as [`run`](super::run) does, and makes it small if it fails: what a fuzz target is made of. `make` gives the
+    /// structure with which it begins, each time the same.
+    ///
+    /// # Errors
+    /// The smallest program found that shows a difference, with the difference.
+    pub fn run_and_shrink<K: Subject>(
+        self,
+        program: &Program,
+        mut make: impl FnMut() -> K,
+    ) -> Result<ConformanceSummary, Counterexample> {
+        self.run(program, make()).map_err(|failure| self.smallest(program.clone(), failure, &mut make))
     }
 
     /// Runs random programs, each on a new subject, as [`check`](super::check) does.
@@ -51,19 +67,10 @@ impl Conformance {
         let mut generator = generator_for(&sum);
         for _ in 0..self.programs {
             let mut program = Program::default();
-            let failed = |program, failure| Counterexample { program, failure };
-            let mut pair = self.begin(make()).map_err(|failure| failed(Program::default(), failure))?;
-            let start = Table::copy_of(pair.subject().subject());
+            let mut pair = self.begin(make()).map_err(|failure| Counterexample::of(Program::default(), failure))?;
             let mut step = |op: Op, pair: &mut InStep<K>| {
                 program.0.push(op);
-                let Err(failure) = pair.step(op) else { return Ok(()) };
-                let begin = || NamedRunner::beginning(self.reference_of(start.as_ref()));
-                let small = shrink_from(&program, begin, |program| self.compare(program, make()).is_err());
-                // A subject that does something else each time fails as it did the first time.
-                Err(match self.compare(&small, make()) {
-                    Err(failure) => failed(small, failure),
-                    Ok(_) => failed(program.clone(), failure),
-                })
+                pair.step(op).map_err(|failure| self.smallest(program.clone(), failure, &mut make))
             };
             for _ in 0..self.operators {
                 let Some(op) = generator.op(&mut noise) else { break };
@@ -83,24 +90,38 @@ impl Conformance {
             generator = generator_for(&sum);
         }
         let coverage = self.coverage.unwrap_or(Coverage::EveryOperator);
-        Self::judge(coverage, &sum).map_err(|difference| Counterexample {
-            program: Program::default(),
-            failure: Failure { before: sum.total().all(), op: None, difference },
+        Self::judge(coverage, &sum).map_err(|difference| {
+            let failure = Failure { before: sum.total().all(), op: None, difference };
+            Counterexample::of(Program::default(), failure)
         })?;
         Ok(sum)
     }
 
-    /// The reference as it is at the start. Empty if the start cannot be read, which costs no more than larger counterexamples.
-    fn reference_of(&self, start: Option<&Table>) -> Runner<PointerModel> {
-        let start = start.and_then(|start| PointerModel::from_view(start, &self.expectation).ok());
-        start.map_or_else(
-            || Runner::new(PointerModel::new()),
-            |start| {
-                let half_edges = start.half_edges.into_iter().map(|(_, half_edge)| half_edge).collect();
-                let isolated = start.isolated.into_iter().map(|(_, vertex)| vertex).collect();
-                Runner::starting_with(start.model, half_edges, isolated)
-            },
-        )
+    /// Makes a program small that fails, and says what it does.
+    fn smallest<K: Subject>(self, program: Program, failure: Failure, make: &mut impl FnMut() -> K) -> Counterexample {
+        if failure.is_coverage() {
+            return Counterexample::of(program, failure);
+        }
+        // A start that cannot be read costs no more than larger counterexamples.
+        let start = catch(|| Start::of(&make(), &self.expectation)).ok().and_then(Result::ok).unwrap_or_default();
+        let small = shrink_from(&program, &start, |program| self.compare(program, make()).is_err());
+        // A subject that does something else each time fails as it did the first time.
+        self.explain(small, make()).unwrap_or_else(|| Counterexample::of(program, failure))
+    }
+
+    /// Runs a program that fails, and notes what its operators choose.
+    fn explain<K: Subject>(self, program: Program, subject: K) -> Option<Counterexample> {
+        let mut pair = match self.begin(subject) {
+            Err(failure) => return Some(Counterexample::of(program, failure)),
+            Ok(pair) => pair,
+        };
+        let mut calls = Vec::new();
+        let failure = program.0.iter().find_map(|op| {
+            calls.push(words::call(pair.subject(), *op));
+            pair.step(*op).err()
+        })?;
+        let places = words::places(pair.subject(), &failure.difference);
+        Some(Counterexample { program, failure, words: Box::new(Words { places, calls }) })
     }
 
     /// Every argument of the operators that the subject has and that were not applied so far.
@@ -125,7 +146,7 @@ impl Conformance {
 
     fn judge(coverage: Coverage, summary: &ConformanceSummary) -> Result<(), Difference> {
         let total = summary.total();
-        if coverage != Coverage::Nothing && total.applied == 0 && total.all() > 0 {
+        if coverage != Coverage::Nothing && total.applied == 0 {
             return Err(Difference::NothingApplied);
         }
         let never =

@@ -5,7 +5,7 @@ use crate::program::pointer_model::StartError;
 use crate::program::run::outcome::StepOutcome;
 use crate::validate::{Part, Report};
 use alloc::boxed::Box;
-use alloc::string::ToString;
+use alloc::string::{String, ToString};
 use alloc::vec::Vec;
 use core::fmt;
 use thiserror::Error;
@@ -60,12 +60,14 @@ pub enum Difference {
     },
     /// The view has a half-edge whose handle is that of another one, or of none that should be there.
     #[error(
-        "half-edge {half_edge} of the view should not be there, or its handle is that of another one. If operators move half-edges \
-         to other indices, the mesh needs program::mesh::Named"
+        "half-edge {half_edge} of the view should not be there, or its handle is that of another one{}",
+        if *is_named { "" } else { NAMES }
     )]
     Unknown {
         /// Its index in the view.
         half_edge: usize,
+        /// True if handles are those of [`mesh::Named`](crate::program::mesh::Named).
+        is_named: bool,
     },
     /// The view lacks a half-edge.
     #[error("corner {corner} is no half-edge of the view")]
@@ -103,6 +105,19 @@ pub enum Difference {
     /// The subject keeps every rule that it is held to, but is another map.
     #[error("the map is valid, but another one than it should be")]
     NotIsomorphic,
+    /// The subject is the same map, but a vertex that was there before has another handle now, so that the data kept by its handle is
+    /// lost. Of two vertices that become one, either may be kept, unless
+    /// [one is to be](super::Conformance::collapse_keeps).
+    #[error("a vertex that was there before should be {} and is {found}, so what is kept by its handle is lost", .expected.join(" or "))]
+    Vertex {
+        /// The handles that it may have.
+        expected: Vec<String>,
+        /// The one that it has.
+        found: String,
+    },
+    /// The subject panicked. Caught if the feature `std` is on.
+    #[error("panicked: {0}")]
+    Panicked(String),
     /// The subject is the same map, but a handle says something else.
     #[error("of corner {corner}, {question:?} should be {reference:?} and is {subject:?}")]
     Answers {
@@ -117,13 +132,16 @@ pub enum Difference {
     },
 }
 
+/// The advice for a half-edge that has the handle of another.
+const NAMES: &str = ". If operators move half-edges to other indices, the mesh needs program::mesh::Named";
+
 /// The first violation of a report, in words, and what the report advises.
 struct FirstViolation<'a>(&'a Report);
 
 impl fmt::Display for FirstViolation<'_> {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         match self.0.violations().first() {
-            Some(violation) => write!(f, "{} is broken: {violation}", violation.rule())?,
+            Some(violation) => write!(f, "{} is broken: {}", violation.rule(), violation.message())?,
             None => f.write_str("a rule could not be checked")?,
         }
         self.0.to_string().lines().filter(|line| line.starts_with("hint: ")).try_for_each(|line| write!(f, "\n{line}"))
@@ -142,7 +160,7 @@ pub struct Failure {
 }
 
 impl Failure {
-    const fn is_coverage(&self) -> bool {
+    pub(super) const fn is_coverage(&self) -> bool {
         matches!(self.difference, Difference::NothingApplied | Difference::NeverApplied(_))
     }
 }
@@ -152,7 +170,10 @@ impl core::error::Error for Failure {}
 impl fmt::Display for Failure {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         match self.op {
-            Some(op) => write!(f, "after operator {}, `{op}`: {}", self.before + 1, self.difference),
+            Some(op) => {
+                let when = if matches!(self.difference, Difference::Panicked(_)) { "in" } else { "after" };
+                write!(f, "{when} operator {}, `{op}`: {}", self.before + 1, self.difference)
+            }
             None if self.is_coverage() => write!(f, "after {} operators: {}", self.before, self.difference),
             None => write!(f, "at the start: {}", self.difference),
         }
@@ -166,6 +187,22 @@ pub struct Counterexample {
     pub program: Program,
     /// The difference.
     pub failure: Failure,
+    pub(super) words: Box<Words>,
+}
+
+/// The half-edges of a counterexample, each with the vertices that it joins.
+#[derive(Clone, Default, PartialEq, Eq)]
+pub(super) struct Words {
+    /// Those of which the difference speaks.
+    pub(super) places: Vec<String>,
+    /// Those that each operator chose, with other handles.
+    pub(super) calls: Vec<String>,
+}
+
+impl Counterexample {
+    pub(super) fn of(program: Program, failure: Failure) -> Self {
+        Self { program, failure, words: Box::default() }
+    }
 }
 
 impl core::error::Error for Counterexample {}
@@ -173,7 +210,20 @@ impl core::error::Error for Counterexample {}
 impl fmt::Display for Counterexample {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         write!(f, "{}", self.failure)?;
-        if self.program.0.is_empty() { Ok(()) } else { write!(f, "\nwith this program:\n{}", self.program) }
+        self.words.places.iter().try_for_each(|place| write!(f, "\n{place}"))?;
+        if self.program.0.is_empty() {
+            return Ok(());
+        }
+        f.write_str("\nwith this program, and the handles that its operators choose:\n")?;
+        let text = self.program.to_string();
+        let calls = self.words.calls.iter().map(Some).chain(core::iter::repeat(None));
+        for (line, call) in text.lines().zip(core::iter::once(None).chain(calls)) {
+            match call {
+                Some(call) => writeln!(f, "{line} # {call}")?,
+                None => writeln!(f, "{line}")?,
+            }
+        }
+        Ok(())
     }
 }
 

@@ -1,12 +1,14 @@
 //! A subject and the reference, operator by operator.
 
-use super::answers;
+use super::answers::{self, Vertices};
 use super::difference::{Difference, Failure};
 use super::settings::Conformance;
 use super::summary::{ConformanceSummary, NotCompared};
+use super::survivors::Exchange;
 use super::view;
 use crate::program::canonical::Canonizer;
 use crate::program::operators::Op;
+use crate::program::panics::catch;
 use crate::program::pointer_model::PointerModel;
 use crate::program::run::outcome::StepOutcome;
 use crate::program::run::runner::Runner;
@@ -27,6 +29,8 @@ pub struct InStep<K: Subject> {
     settings: Conformance,
     /// The parts that are looked at.
     parts: Parts,
+    /// The vertices as they were after the last operator.
+    vertices: Vertices<K>,
     canonizer: Canonizer,
     summary: ConformanceSummary,
     steps: usize,
@@ -44,7 +48,7 @@ impl<K: Subject> InStep<K> {
     }
 
     pub(super) fn with(subject: K, settings: Conformance) -> Result<Self, Failure> {
-        Self::begin(subject, settings).map_err(|difference| Failure { before: 0, op: None, difference })
+        caught(|| Self::begin(subject, settings)).map_err(|difference| Failure { before: 0, op: None, difference })
     }
 
     fn begin(subject: K, settings: Conformance) -> Result<Self, Difference> {
@@ -75,27 +79,36 @@ impl<K: Subject> InStep<K> {
             subject: Runner::starting_with(subject, handles, isolated),
             settings,
             parts,
+            vertices: Vertices::<K>::default(),
             canonizer: Canonizer::new(),
             summary: ConformanceSummary::default(),
             steps: 0,
         };
         pair.note_what_is_not_there();
-        pair.compare()?;
+        pair.vertices = pair.compare()?;
         Ok(pair)
     }
 
     /// Runs one operator on both, and compares them. Costs as much as a step of [`run`](super::run).
     ///
     /// # Errors
-    /// The first difference. After one, or after a panic of the subject, the two are no longer in step, and what further
-    /// operators do means nothing.
+    /// The first difference, a panic of the subject among them. After one the two are no longer in step, and what further operators do
+    /// means nothing.
     pub fn step(&mut self, op: Op) -> Result<StepOutcome, Failure> {
         let before = self.steps;
+        let outcome = caught(|| self.run(op)).map_err(|difference| Failure { before, op: Some(op), difference })?;
+        self.steps += 1;
+        Ok(outcome)
+    }
+
+    fn run(&mut self, op: Op) -> Result<StepOutcome, Difference> {
+        let exchange = Exchange::of(op, &self.reference, &self.subject, self.settings.survivor);
         let chosen = self.subject.resolve(op);
         let is_called = chosen.is_ok();
         let outcome = chosen.and_then(|call| self.subject.call(call)).err().unwrap_or(StepOutcome::Applied);
-        self.follow(op, outcome).map_err(|difference| Failure { before, op: Some(op), difference })?;
-        self.steps += 1;
+        // An operator that is not applied exchanges nothing.
+        let exchange = if outcome == StepOutcome::Applied { exchange } else { Exchange::Nothing };
+        self.follow(op, outcome, &exchange)?;
         self.summary.count(op, if is_called { outcome } else { StepOutcome::Skipped });
         Ok(outcome)
     }
@@ -113,7 +126,7 @@ impl<K: Subject> InStep<K> {
     }
 
     /// Runs an operator on the reference, after the subject did this, and compares.
-    fn follow(&mut self, op: Op, subject: StepOutcome) -> Result<(), Difference> {
+    fn follow(&mut self, op: Op, subject: StepOutcome, exchange: &Exchange) -> Result<(), Difference> {
         if !matches!(subject, StepOutcome::Refused(Refusal::Full | Refusal::Unsupported)) {
             let reference = self.reference.step(op);
             if subject != reference {
@@ -124,7 +137,10 @@ impl<K: Subject> InStep<K> {
             self.reference.forget_retired();
             self.subject.forget_retired();
         }
-        self.compare()
+        let vertices = self.compare()?;
+        exchange.compare::<K>(&self.vertices, &vertices)?;
+        self.vertices = vertices;
+        Ok(())
     }
 
     fn note_what_is_not_there(&mut self) {
@@ -141,7 +157,8 @@ impl<K: Subject> InStep<K> {
         }
     }
 
-    fn compare(&mut self) -> Result<(), Difference> {
+    /// Compares all, and pairs the vertices.
+    fn compare(&mut self) -> Result<Vertices<K>, Difference> {
         judge(self.subject.subject(), &self.settings.expectation)?;
         let has_faces = self.parts.has(Part::Faces);
         if NEEDED.into_iter().all(|part| self.parts.has(part)) {
@@ -152,11 +169,17 @@ impl<K: Subject> InStep<K> {
         } else {
             view::compare(&self.reference, &self.subject, has_faces)?;
         }
-        if answers::compare(&self.reference, &self.subject, has_faces)? {
+        let agreement = answers::compare(&self.reference, &self.subject, has_faces)?;
+        if agreement.lacks_next {
             self.summary.note(NotCompared::BorderNext);
         }
-        Ok(())
+        Ok(agreement.vertices)
     }
+}
+
+/// Does what asks the subject. A panic of it is a difference.
+fn caught<T>(work: impl FnOnce() -> Result<T, Difference>) -> Result<T, Difference> {
+    catch(work).unwrap_or_else(|panic| Err(Difference::Panicked(panic)))
 }
 
 /// Holds a subject to the rules. Where half-edges on the border have no `next`, it is the one that follows from the rest.

@@ -7,7 +7,8 @@
 //! | to | take |
 //! | --- | --- |
 //! | try random programs, and get the smallest one that fails | [`check`] |
-//! | run one program, of a fuzzer for example | [`run`] |
+//! | run one program | [`run`] |
+//! | run one of a fuzzer, and make it small if it fails | [`Conformance::run_and_shrink`] |
 //! | look at the structure between operators | [`InStep`] |
 //! | ask for more or less | [`Conformance`] |
 //!
@@ -20,7 +21,9 @@
 //! 3. whether the view is the right map: by canonical forms, nesting and unbounded face included, if it has faces, their inner boundary
 //!    components and the unbounded face, and else half-edge by half-edge;
 //! 4. whether the handles say the same: `twin`, `next`, origins and faces of every half-edge and isolated vertex, in
-//!    order of their creation. So a subject that hands out the wrong handle is found at once, and not when it is used.
+//!    order of their creation. So a subject that hands out the wrong handle is found at once, and not when it is used;
+//! 5. whether each vertex has the handle that it had before. Where two become one, either may be kept, unless
+//!    [`Conformance::collapse_keeps`] says which.
 //!
 //! What an operator returns is not compared beyond its handles: which boundary components and faces it says that it kept, made and
 //! dropped. For `Dcel`, `ReportAudit` of the crate `twinedge-trials` compares that, too.
@@ -82,11 +85,13 @@ mod difference;
 mod in_step;
 mod settings;
 mod summary;
+mod survivors;
 mod view;
+mod words;
 
 pub use difference::{Answer, Counterexample, Difference, Failure, Question};
 pub use in_step::InStep;
-pub use settings::{Conformance, Coverage};
+pub use settings::{Conformance, Coverage, End};
 pub use summary::{ConformanceSummary, NotCompared, OperatorCounts};
 
 use crate::program::operators::Program;
@@ -99,8 +104,8 @@ use crate::validate::Expectation;
 /// only comparing handles takes more than O(n log n), beside a few operators of the reference and maps with many
 /// symmetries.
 ///
-/// A panic of the subject is not caught here. A subject that catches it itself, with `std::panic::catch_unwind`, answers
-/// [`Refusal::Panicked`](crate::program::Refusal::Panicked): that is reported like any other difference, and shrinks.
+/// With the feature `std`, a panic of the subject is a difference like any other. The first comparison installs a hook that keeps such a
+/// panic from being printed. A stack that overflows, and `panic = "abort"`, end the program all the same.
 ///
 /// # Errors
 /// The first difference, and the operator that made it. Before the first operator: what is wrong with the structure as a start.

@@ -15,6 +15,15 @@ pub enum Coverage {
     Nothing,
 }
 
+/// An end of a half-edge.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
+pub enum End {
+    /// The vertex where it starts.
+    Origin,
+    /// The vertex where it ends.
+    Target,
+}
+
 /// The settings of a comparison.
 ///
 /// ```
@@ -32,6 +41,7 @@ pub enum Coverage {
 pub struct Conformance {
     pub(super) expectation: Expectation,
     pub(super) stale_handles: bool,
+    pub(super) survivor: Option<End>,
     pub(super) coverage: Option<Coverage>,
     pub(super) programs: usize,
     pub(super) operators: usize,
@@ -43,7 +53,15 @@ impl Conformance {
     /// are made up.
     #[must_use]
     pub const fn of(expectation: &Expectation) -> Self {
-        Self { expectation: *expectation, stale_handles: true, coverage: None, programs: 200, operators: 40, seed: 0 }
+        Self {
+            expectation: *expectation,
+            stale_handles: true,
+            survivor: None,
+            coverage: None,
+            programs: 200,
+            operators: 40,
+            seed: 0,
+        }
     }
 
     /// The same, but something else must be covered. The default is [`Coverage::SomeOperator`] for one program, and
@@ -59,6 +77,14 @@ impl Conformance {
     #[must_use]
     pub const fn without_stale_handles(mut self) -> Self {
         self.stale_handles = false;
+        self
+    }
+
+    /// The same, but of the two ends of an edge that is contracted or collapsed this one is to be kept. By default either may be, and
+    /// another vertex may not. Of a half-edge on the border that the structure does not store, either may be kept in any case.
+    #[must_use]
+    pub const fn collapse_keeps(mut self, end: End) -> Self {
+        self.survivor = Some(end);
         self
     }
 

@@ -2,6 +2,7 @@
 
 use super::choose::{Bytes, Choose};
 use super::script::Scripted;
+use super::shrink::{candidates_from, shrink_from};
 use alloc::vec::Vec;
 use core::ops::RangeInclusive;
 
@@ -28,11 +29,11 @@ pub trait Language: Scripted {
     }
 }
 
-/// The operators that random programs have, how often each, and how many: one description for every engine.
+/// The operators that random programs have, how often each, how many, and what they begin with: one description for every engine.
 ///
 /// | engine | how |
 /// | --- | --- |
-/// | quickcheck | `generator.generate(g)` in an `Arbitrary` of your own, with [`candidates`](crate::program::candidates) to shrink; `any` program: `Program` |
+/// | quickcheck | `generator.generate(g)` in an `Arbitrary` of your own, with [`candidates`](Self::candidates) to shrink; `any` program: `Program` |
 /// | proptest | the generator is a `Strategy`, which shrinks |
 /// | cargo-fuzz | `generator.decode(bytes)` |
 /// | arbitrary | `generator.generate(u)` for an `Unstructured` |
@@ -58,12 +59,13 @@ pub trait Language: Scripted {
 pub struct Generator<P: Language = crate::program::Program> {
     weights: Vec<(P::Kind, u32)>,
     length: RangeInclusive<usize>,
+    pub(in crate::program) start: P::Start,
 }
 
 impl<P: Language> Default for Generator<P> {
     /// All operators, as often as they are in [`Language::KINDS`]; up to 50 of them.
     fn default() -> Self {
-        Self { weights: P::KINDS.to_vec(), length: 0..=50 }
+        Self { weights: P::KINDS.to_vec(), length: 0..=50, start: P::Start::default() }
     }
 }
 
@@ -132,6 +134,17 @@ impl<P: Language> Generator<P> {
         let drawn = core::iter::from_fn(|| if source.rest().is_empty() { None } else { self.op(&mut source) });
         // An operator takes no byte if it is the only kind and has no arguments.
         P::from_ops(self.first().into_iter().chain(drawn.take(bytes.len())).collect())
+    }
+
+    /// Makes a failing program small, as [`shrink`](crate::program::shrink()) does, where programs begin as they do here.
+    pub fn shrink(&self, program: &P, fails: impl FnMut(&P) -> bool) -> P {
+        shrink_from(program, &self.start, fails)
+    }
+
+    /// Programs that are a little smaller than this one, as of [`candidates`](crate::program::candidates), where programs begin as
+    /// they do here.
+    pub fn candidates(&self, program: &P) -> impl Iterator<Item = P> + use<P> {
+        candidates_from(program, &self.start)
     }
 
     /// The first operator of a program.

@@ -1,15 +1,16 @@
 //! Programs for the crate `proptest`, which shrink operator by operator.
 
 use super::generator::{Generator, Language};
-use super::shrink::candidates;
+use super::shrink::candidates_from;
 use alloc::boxed::Box;
 use core::fmt;
 use proptest::strategy::{NewTree, Strategy, ValueTree};
 use proptest::test_runner::TestRunner;
 
-/// A program, and the smaller ones that are tried when it fails: those of [`candidates`], by which [`shrink`](crate::program::shrink())
+/// A program, and the smaller ones that are tried when it fails: those of [`Generator::candidates`], by which [`Generator::shrink`]
 /// goes, too. Operators are dropped and simplified, and the others go on choosing what they chose.
 pub struct ProgramTree<P: Language> {
+    start: P::Start,
     current: P,
     /// The smallest that is known to fail.
     failing: P,
@@ -24,9 +25,9 @@ impl<P: Language> fmt::Debug for ProgramTree<P> {
 }
 
 impl<P: Language> ProgramTree<P> {
-    /// The tree of a program that exists already.
-    pub fn new(program: P) -> Self {
-        Self { current: program.clone(), failing: program, smaller: None }
+    /// The tree of a program that exists already, and begins as those of the generator do.
+    pub fn new(program: P, generator: &Generator<P>) -> Self {
+        Self { start: generator.start.clone(), current: program.clone(), failing: program, smaller: None }
     }
 
     /// On to the next smaller program; back to the smallest that fails if there is none.
@@ -47,7 +48,7 @@ impl<P: Language> ValueTree for ProgramTree<P> {
 
     fn simplify(&mut self) -> bool {
         self.failing = self.current.clone();
-        self.smaller = Some(Box::new(candidates(&self.failing)));
+        self.smaller = Some(Box::new(candidates_from(&self.failing, &self.start)));
         self.advance()
     }
 
@@ -61,6 +62,6 @@ impl<P: Language> Strategy for Generator<P> {
     type Value = P;
 
     fn new_tree(&self, runner: &mut TestRunner) -> NewTree<Self> {
-        Ok(ProgramTree::new(self.generate(runner)))
+        Ok(ProgramTree::new(self.generate(runner), self))
     }
 }

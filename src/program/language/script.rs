@@ -27,17 +27,22 @@ pub trait Sequence: Clone + PartialEq + Debug + 'static {
 
 /// A language that runs: what shrinking needs of it.
 pub trait Scripted: Sequence {
+    /// The structure with which programs begin; by default the empty one.
+    type Start: Clone + Debug + Default + 'static;
+
     /// The run of its operators.
-    type Stage: Stage<Op = Self::Op>;
+    type Stage: Stage<Op = Self::Op, Start = Self::Start>;
 }
 
 /// A run of a program, with the names of what is on each list.
 pub trait Stage {
     /// The operators that it runs.
     type Op;
+    /// The structure with which it begins.
+    type Start;
 
     /// The run before the first operator.
-    fn new() -> Self;
+    fn new(start: &Self::Start) -> Self;
 
     /// The operator with other numbers. `number` is given the names in the list in which each number counts.
     fn rewrite(&self, op: &Self::Op, number: &mut impl FnMut(&[Name], u16) -> u16) -> Self::Op;
@@ -55,15 +60,15 @@ struct Line<O> {
 }
 
 /// A program that remembers what each of its operators chose when it was run, and how each run begins.
-pub(super) struct Script<P: Scripted, F> {
+pub(super) struct Script<P: Scripted> {
     lines: Vec<Line<P::Op>>,
-    begin: F,
+    start: P::Start,
 }
 
-impl<P: Scripted, S: Stage<Op = P::Op>, F: Fn() -> S> Script<P, F> {
+impl<P: Scripted> Script<P> {
     /// Runs a program to see what it chooses.
-    pub(super) fn of(program: &P, begin: F) -> Self {
-        let mut stage = begin();
+    pub(super) fn of(program: &P, start: &P::Start) -> Self {
+        let mut stage = P::Stage::new(start);
         let line = |(place, op): (usize, &P::Op)| {
             let mut chosen = Vec::new();
             stage.rewrite(op, &mut |names, k| {
@@ -73,7 +78,7 @@ impl<P: Scripted, S: Stage<Op = P::Op>, F: Fn() -> S> Script<P, F> {
             stage.step(op, place);
             Line { place, op: op.clone(), chosen }
         };
-        Self { lines: program.ops().iter().enumerate().map(line).collect(), begin }
+        Self { lines: program.ops().iter().enumerate().map(line).collect(), start: start.clone() }
     }
 
     /// The program without some operators.
@@ -91,12 +96,14 @@ impl<P: Scripted, S: Stage<Op = P::Op>, F: Fn() -> S> Script<P, F> {
 
     /// Writes down a program that chooses what the lines did, as far as it is still there.
     fn play(&self, lines: impl Iterator<Item = Line<P::Op>>) -> P {
-        let mut stage = (self.begin)();
+        let mut stage = P::Stage::new(&self.start);
         let rewrite = |line: Line<P::Op>| {
             let mut chosen = line.chosen.into_iter();
             let op = stage.rewrite(&line.op, &mut |names, k| {
                 let name = chosen.next().flatten();
                 let position = name.and_then(|name| names.iter().position(|other| *other == name));
+                // What is gone has no number. Any will do, but one that there is.
+                let position = position.or_else(|| usize::from(k).checked_rem(names.len()));
                 position.and_then(|position| u16::try_from(position).ok()).unwrap_or(k)
             });
             stage.step(&op, line.place);

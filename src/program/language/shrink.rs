@@ -1,7 +1,7 @@
 //! Making a failing program small.
 
-use super::generator::Language;
-use super::script::{Script, Stage};
+use super::generator::{Generator, Language};
+use super::script::Script;
 use alloc::vec::Vec;
 use core::ops::Range;
 
@@ -12,20 +12,20 @@ use core::ops::Range;
 /// addition: what remains goes on choosing the same half-edges and vertices, although the lists in which they are
 /// counted have changed. Every step makes the program smaller, so it ends.
 ///
-/// A program for a structure that is not empty at the start, such as a mesh, is made small by
-/// [`conformance::check`](crate::program::conformance::check), which knows the start.
+/// A program for a structure that is not empty at the start, such as a mesh, is made small by [`Generator::shrink`], and by
+/// [`Conformance::run_and_shrink`](crate::program::conformance::Conformance::run_and_shrink).
 pub fn shrink<P: Language>(program: &P, fails: impl FnMut(&P) -> bool) -> P {
-    shrink_from(program, P::Stage::new, fails)
+    Generator::default().shrink(program, fails)
 }
 
-/// The same for programs whose runs begin so.
-pub(in crate::program) fn shrink_from<P: Language, S: Stage<Op = P::Op>>(
+/// The same for programs that begin with this structure.
+pub(in crate::program) fn shrink_from<P: Language>(
     program: &P,
-    begin: impl Fn() -> S + Clone,
+    start: &P::Start,
     mut fails: impl FnMut(&P) -> bool,
 ) -> P {
     let mut smallest = program.clone();
-    while let Some(smaller) = candidates_from(&smallest, begin.clone()).find(&mut fails) {
+    while let Some(smaller) = candidates_from(&smallest, start).find(&mut fails) {
         smallest = smaller;
     }
     smallest
@@ -34,16 +34,14 @@ pub(in crate::program) fn shrink_from<P: Language, S: Stage<Op = P::Op>>(
 /// Programs that are a little smaller than this one, the smallest first.
 ///
 /// This is what `quickcheck` and `proptest` are given to shrink with; [`shrink`] repeats it as often as it helps. Each takes a run
-/// of the program to find, on a [`Dcel`](crate::dcel::Dcel) or, for edits, a planar map.
+/// of the program to find, on a [`PointerModel`](crate::program::PointerModel) or, for edits, a planar map.
 pub fn candidates<P: Language>(program: &P) -> impl Iterator<Item = P> + use<P> {
-    candidates_from(program, P::Stage::new)
+    Generator::default().candidates(program)
 }
 
-fn candidates_from<P: Language, S: Stage<Op = P::Op>, F: Fn() -> S>(
-    program: &P,
-    begin: F,
-) -> impl Iterator<Item = P> + use<P, S, F> {
-    let script = Script::of(program, begin);
+/// The same for programs that begin with this structure.
+pub(super) fn candidates_from<P: Language>(program: &P, start: &P::Start) -> impl Iterator<Item = P> + use<P> {
+    let script: Script<P> = Script::of(program, start);
     let ops = program.ops().to_vec();
     let count = ops.len();
     let lengths = core::iter::successors(Some(count), |length| (*length > 1).then(|| length.div_ceil(2)));

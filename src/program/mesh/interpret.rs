@@ -122,10 +122,14 @@ impl<K: Subject> Runner<K> {
         }))
     }
 
-    /// Puts another handle in the place of `h`, and its twin in the place of the other half-edge of the edge.
+    /// Puts another handle in the place of `h`, and its twin in the place of the other half-edge of the edge. If that is the handle of
+    /// another edge, the operator has not done what it should, and the lists stay as they are.
     fn rename_edge(&mut self, h: K::HalfEdge, now: K::HalfEdge) -> Result<(), StepOutcome> {
         let twin = self.subject.twin_of(now).map_err(StepOutcome::Refused)?;
-        if let Some(place) = self.half_edges.iter().position(|other| *other == h) {
+        let place = |h: K::HalfEdge| self.half_edges.iter().position(|other| *other == h);
+        let [before, known] = [place(h), place(now)];
+        let free = before.filter(|before| known.is_none_or(|known| known / 2 == before / 2));
+        if let Some(place) = free {
             self.half_edges[place] = now;
             self.half_edges[place ^ 1] = twin;
         }

@@ -7,7 +7,7 @@
 //!
 //! | operator | steps | refused unless |
 //! | --- | --- | --- |
-//! | [`flip_edge`] | `flip_edge`, counter-clockwise | there is a triangle on both sides, and their two other vertices are not adjacent |
+//! | [`flip_edge`] | `flip_edge`, either way: in two triangles both give the same edge | there is a triangle on both sides, and their two other vertices are not adjacent |
 //! | [`split_edge`] | `split_edge`; on each side, `connect` the new vertex with the opposite one | each side is a triangle or outside, not both outside |
 //! | [`split_face`] | `split_vertex`: a new vertex at a new edge; `connect` it with the two other corners | the face is a triangle |
 //! | [`collapse_edge`] | `contract_edge`; on each side, `remove_edge` one of the two edges that are parallel now | each side is a triangle or outside, not both outside, and the link condition holds |
@@ -27,7 +27,9 @@
 //!
 //! What happens to the handles is left to the kernel, except that the half-edges of the surrounding boundary keep theirs: the other
 //! edges of the triangles at the edge, or, where a triangle collapses, the other edges of the triangles beyond. The new half-edges are found from
-//! these by `next` and `twin`. So a kernel may turn an edge either way, and keep either of two edges that become one.
+//! these by `next` and `twin`. So a kernel may turn an edge either way, and keep either of two edges that become one. Vertices keep
+//! their handles; of the two ends of an edge that collapses the kernel keeps one, and
+//! [`collapse_keeps`](crate::program::conformance::Conformance::collapse_keeps) says which it is to be.
 //!
 //! A kernel that moves half-edges to other indices, as it must where `next` is arithmetic on the index, or that does not store
 //! the half-edges on its border, is put to the test through [`Named`].
@@ -145,12 +147,14 @@ fn before_on_border<K: Subject>(subject: &K, h: K::HalfEdge) -> Result<K::Vertex
 /// Tells whether the links of the two ends have nothing in common but the vertices opposite.
 fn link_condition<K: Subject>(subject: &K, h: K::HalfEdge, sides: &Sides<K::HalfEdge>) -> Result<bool, Refusal> {
     let twin = subject.twin_of(h)?;
-    if subject.origin_of(h)? == subject.origin_of(twin)? {
-        return Ok(false);
-    }
+    let [origin, target] = [subject.origin_of(h)?, subject.origin_of(twin)?];
     let mut opposite = Vec::new();
     for side in sides {
         opposite.push(side.map(|[_, _, third]| subject.origin_of(third)).transpose()?);
+    }
+    // A loop, or a triangle with one.
+    if origin == target || opposite.contains(&Some(origin)) || opposite.contains(&Some(target)) {
+        return Ok(false);
     }
     let (a, b) = (link(subject, h)?, link(subject, twin)?);
     let common = |v: &Option<K::Vertex>| b.vertices.contains(v);
@@ -160,8 +164,9 @@ fn link_condition<K: Subject>(subject: &K, h: K::HalfEdge, sides: &Sides<K::Half
         && !a.edges.iter().any(|edge| b.edges.iter().any(|other| same(*edge, *other))))
 }
 
-/// Turns an edge inside the two triangles that it separates: it joins the two other vertices then. The half-edge is turned
-/// counter-clockwise, from the vertex that was opposite to its right to the one that was opposite to its left.
+/// Turns an edge inside the two triangles that it separates: it joins the two other vertices then. Here the half-edge is turned
+/// counter-clockwise, from the vertex that was opposite to its right to the one that was opposite to its left; a kernel that turns it
+/// clockwise is right, too.
 ///
 /// O(degree²) questions beside `flip_edge`.
 ///

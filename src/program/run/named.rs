@@ -2,19 +2,46 @@
 
 use super::resolve::Resolve;
 use super::runner::Runner;
-use crate::dcel::Dcel;
 use crate::program::language::script::{Name, Scripted, Stage, extend, follow};
 use crate::program::operators::{List, Op, Program};
-use crate::program::subject::Subject;
+use crate::program::pointer_model::{PointerModel, PointerModelStart, StartError};
+use crate::validate::{Expectation, Table, View};
 use alloc::vec::Vec;
 
-impl Scripted for Program {
-    type Stage = NamedRunner<Dcel>;
+/// A structure with which programs begin. The default is the empty map.
+#[derive(Clone, Debug, Default)]
+pub struct Start(Option<(Table, Expectation)>);
+
+impl Start {
+    pub(in crate::program) fn of<V: View + ?Sized>(view: &V, expectation: &Expectation) -> Result<Self, StartError> {
+        PointerModel::from_view(view, expectation)?;
+        Ok(Self(Table::copy_of(view).map(|table| (table, *expectation))))
+    }
+
+    /// The reference with this structure.
+    fn runner(&self) -> Runner<PointerModel> {
+        let Some((table, expectation)) = &self.0 else { return Runner::new(PointerModel::new()) };
+        PointerModel::from_view(table, expectation).map_or_else(|_| Runner::new(PointerModel::new()), Runner::of_start)
+    }
 }
 
-/// A runner, and beside each of its lists the names of what is on it.
-pub struct NamedRunner<K: Subject> {
-    runner: Runner<K>,
+impl Runner<PointerModel> {
+    /// The model of a structure, with the handles of its elements.
+    fn of_start(start: PointerModelStart) -> Self {
+        let half_edges = start.half_edges.into_iter().map(|(_, half_edge)| half_edge).collect();
+        let isolated = start.isolated.into_iter().map(|(_, vertex)| vertex).collect();
+        Self::starting_with(start.model, half_edges, isolated)
+    }
+}
+
+impl Scripted for Program {
+    type Start = Start;
+    type Stage = NamedRunner;
+}
+
+/// A runner of the reference, and beside each of its lists the names of what is on it.
+pub struct NamedRunner {
+    runner: Runner<PointerModel>,
     half_edges: Vec<Name>,
     isolated: Vec<Name>,
     retired_half_edges: Vec<Name>,
@@ -22,9 +49,13 @@ pub struct NamedRunner<K: Subject> {
     retired_faces: Vec<Name>,
 }
 
-impl<K: Subject> NamedRunner<K> {
-    /// Begins with what a runner has; no operator made it.
-    pub(in crate::program) fn beginning(runner: Runner<K>) -> Self {
+impl Stage for NamedRunner {
+    type Op = Op;
+    type Start = Start;
+
+    /// No operator made what it begins with.
+    fn new(start: &Start) -> Self {
+        let runner = start.runner();
         let (mut half_edges, mut isolated) = (Vec::new(), Vec::new());
         extend(&mut half_edges, runner.half_edges().len(), usize::MAX);
         extend(&mut isolated, runner.isolated().len(), usize::MAX);
@@ -36,14 +67,6 @@ impl<K: Subject> NamedRunner<K> {
             retired_vertices: Vec::new(),
             retired_faces: Vec::new(),
         }
-    }
-}
-
-impl<K: Subject + Default> Stage for NamedRunner<K> {
-    type Op = Op;
-
-    fn new() -> Self {
-        Self::beginning(Runner::new(K::default()))
     }
 
     fn rewrite(&self, op: &Op, number: &mut impl FnMut(&[Name], u16) -> u16) -> Op {

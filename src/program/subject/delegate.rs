@@ -66,6 +66,7 @@ macro_rules! delegate_subject {
         type Vertex = <$subject as $crate::program::Subject>::Vertex;
         type HalfEdge = <$subject as $crate::program::Subject>::HalfEdge;
         type Face = <$subject as $crate::program::Subject>::Face;
+        const NAMED: bool = <$subject as $crate::program::Subject>::NAMED;
 
         fn unbounded_face(&self) -> Option<Self::Face> {
             $crate::program::Subject::unbounded_face($get(self))

@@ -67,10 +67,6 @@ pub enum Refusal {
     /// The subject has no room for more records.
     #[error("there is no room")]
     Full,
-    /// The operator of the subject panicked, and the panic was caught. No reference refuses for this reason, so it is always a
-    /// difference, and programs that lead to it shrink.
-    #[error("the operator panicked")]
-    Panicked,
     /// The subject does not have this operator.
     #[error("the operator is not supported")]
     Unsupported,
@@ -116,6 +112,11 @@ pub trait Subject: View {
     type HalfEdge: Copy + Eq + Debug;
     /// Names a face.
     type Face: Copy + Eq + Debug;
+
+    /// True if half-edges are found again after each operator, as [`mesh::Named`](crate::program::mesh::Named) does. Only the advice in
+    /// messages depends on it.
+    #[doc(hidden)]
+    const NAMED: bool = false;
 
     /// The unbounded face; none, as by default, if the structure has no such face.
     fn unbounded_face(&self) -> Option<Self::Face> {

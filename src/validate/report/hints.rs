@@ -1,10 +1,12 @@
-//! Hints of a report where a whole column of links is nil or dangling, where half-edges have no twin, or where a list of a face
-//! has a nil. The cause is more often a wrong answer of `View::parts`, or a method of the view that is not implemented, than
-//! broken records.
+//! Hints of a report where a whole column of links is nil or dangling, where half-edges have no twin, where a list of a face
+//! has a nil, or where no face of a plane is unbounded. The cause is more often a wrong answer of `View::parts`, or a method of the
+//! view that is not implemented, than broken records.
 
 use super::counts::Counts;
 use super::record::{Field, Record};
 use super::violation::Violation;
+use super::{Report, Unchecked};
+use crate::validate::rule::Rule;
 use crate::validate::structure::Part;
 use core::fmt;
 
@@ -16,20 +18,60 @@ const COLUMNS: [(Field, Part); 4] = [
     (Field::Leaving, Part::Leaving),
 ];
 
-/// Writes a line for each column that is nil throughout, and one if half-edges name faces and there are none.
-pub(super) fn write(
-    f: &mut fmt::Formatter<'_>,
-    violations: &[Violation],
-    counts: &Counts,
-    all_kept: bool,
-) -> fmt::Result {
+/// Writes the hints, a line each.
+pub(super) fn write(f: &mut fmt::Formatter<'_>, report: &Report) -> fmt::Result {
+    nil_columns(f, report)?;
+    let any = |is_meant: fn(&Violation) -> bool| report.violations.iter().any(is_meant);
+    // Half-edges may lack their twins where open boundaries are legal.
+    if any(|violation| nil_at(*violation, Field::Twin).is_some()) {
+        writeln!(f, "hint: a twin is nil; if the structure has a border, use `Expectation::open()`")?;
+    }
+    if any(|violation| matches!(violation, Violation::Nil { record: Record::Face(_), field: Field::Inner(_) })) {
+        writeln!(
+            f,
+            "hint: what a face lists is nil; if the structure stores no records for boundary components, leave \
+             `Part::BoundaryComponents` out of `View::parts`"
+        )?;
+    }
+    let names_face = any(|violation| {
+        matches!(violation, Violation::Dangling { record: Record::HalfEdge(_), field: Field::Face, .. })
+    });
+    if report.counts.faces == 0 && names_face {
+        writeln!(f, "hint: half-edges name faces, but there are none; does the view implement `face_slots`?")?;
+    }
+    let is_plane = report.outcome(Rule::T1).is_some_and(|outcome| outcome.unchecked != Some(Unchecked::PlaneOnly));
+    if is_plane && any(|violation| matches!(violation, Violation::NoOuter { .. })) {
+        writeln!(
+            f,
+            "hint: a face has no outer boundary component; if it is the unbounded face, add `Part::UnboundedFace` to `View::parts`"
+        )?;
+    }
+    if is_plane && is_sphere(report) {
+        writeln!(
+            f,
+            "hint: all faces are bounded, as those of a sphere are; use `Expectation::surface()` for a mesh, and in the plane add \
+             `Part::UnboundedFace` to `View::parts`"
+        )?;
+    }
+    Ok(())
+}
+
+/// True if the structure is valid, and every face has an outer boundary component and there is no border: it has no outside.
+fn is_sphere(report: &Report) -> bool {
+    let Counts { faces, outer_boundaries, borders, .. } = report.counts;
+    faces > 0 && outer_boundaries == faces && borders == Some(0) && report.is_valid()
+}
+
+/// Writes a line for each column that is nil throughout.
+fn nil_columns(f: &mut fmt::Formatter<'_>, report: &Report) -> fmt::Result {
+    let all_kept = report.violations_left_out() == 0;
     for (field, part) in COLUMNS {
         let (records, kind) = match part {
-            Part::Leaving => (counts.vertices.saturating_sub(counts.isolated_vertices), "vertices"),
-            _ => (counts.half_edges, "half-edges"),
+            Part::Leaving => (report.counts.vertices.saturating_sub(report.counts.isolated_vertices), "vertices"),
+            _ => (report.counts.half_edges, "half-edges"),
         };
         let (mut nil, mut last) = (0, 0);
-        for index in violations.iter().filter_map(|violation| nil_at(*violation, field)) {
+        for index in report.violations.iter().filter_map(|violation| nil_at(*violation, field)) {
             (nil, last) = (nil + 1, index);
         }
         let which = match nil {
@@ -44,25 +86,6 @@ pub(super) fn write(
             "hint: the {field} of {which} {nil} {kind} is nil; if the structure stores no {}, leave `Part::{part:?}` out of `View::parts`",
             part.name()
         )?;
-    }
-    // Half-edges may lack their twins where open boundaries are legal.
-    if violations.iter().any(|violation| nil_at(*violation, Field::Twin).is_some()) {
-        writeln!(f, "hint: a twin is nil; if the structure has a border, use `Expectation::open()`")?;
-    }
-    let lists_nothing =
-        |violation: &Violation| matches!(violation, Violation::Nil { record: Record::Face(_), field: Field::Inner(_) });
-    if violations.iter().any(lists_nothing) {
-        writeln!(
-            f,
-            "hint: what a face lists is nil; if the structure stores no records for boundary components, leave \
-             `Part::BoundaryComponents` out of `View::parts`"
-        )?;
-    }
-    let names_face = |violation: &Violation| {
-        matches!(violation, Violation::Dangling { record: Record::HalfEdge(_), field: Field::Face, .. })
-    };
-    if counts.faces == 0 && violations.iter().any(names_face) {
-        writeln!(f, "hint: half-edges name faces, but there are none; does the view implement `face_slots`?")?;
     }
     Ok(())
 }

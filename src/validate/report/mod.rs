@@ -64,9 +64,9 @@ impl Collect {
 pub enum Unchecked {
     /// It relies on this rule, which is broken.
     Broken(Rule),
-    /// The structure does not store this part, or it is not looked at on surfaces.
+    /// The structure does not store this part.
     Lacks(Part),
-    /// It is a rule of the plane.
+    /// It is a [rule of the plane](Rule::is_planar), and the structure is held to a surface. Reports in text leave the rule out.
     PlaneOnly,
     /// It is a rule of simple maps with at least three vertices: there are loops, parallel edges or fewer vertices.
     NotSimple,
@@ -253,6 +253,11 @@ impl Report {
     #[must_use]
     pub fn violation_count(&self) -> u64 {
         self.outcomes.iter().map(|(_, o)| o.violations).sum()
+    }
+
+    /// The number of violations found and not kept.
+    fn violations_left_out(&self) -> u64 {
+        self.violation_count().saturating_sub(self.violations.len() as u64)
     }
 
     /// The numbers of records, components, cycles, borders and handles.

@@ -4,7 +4,8 @@ use super::Report;
 use super::names::Names;
 use super::record::Record;
 use super::text;
-use super::violation::Violation;
+use super::violation::{Sentence, Violation};
+use alloc::string::{String, ToString};
 use core::fmt;
 
 /// A report or a violation that prints records by other names than their indices: see [`Report::named`] and
@@ -43,7 +44,7 @@ impl Violation {
     /// use twinedge::validate::Violation;
     /// let violation = Violation::NextShared { first: 0, second: 1, next: 1 };
     /// let named = violation.named(|record| ["ab", "ba"][record.index()]);
-    /// assert!(named.to_string().starts_with("half-edges ab and ba both have next ba"));
+    /// assert!(named.to_string().starts_with("L2: half-edges ab and ba both have next ba"));
     /// ```
     pub const fn named<N: fmt::Display, F: Fn(Record) -> N>(&self, names: F) -> Named<'_, Self, F> {
         Named { what: self, names }
@@ -59,8 +60,16 @@ impl<N: fmt::Display, F: Fn(Record) -> N> fmt::Display for Named<'_, Report, F> 
 
 impl<N: fmt::Display, F: Fn(Record) -> N> fmt::Display for Named<'_, Violation, F> {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        write!(f, "{}: {}", self.what.rule(), self.message())
+    }
+}
+
+impl<N: fmt::Display, F: Fn(Record) -> N> Named<'_, Violation, F> {
+    /// The sentence alone, without the id of the rule.
+    #[must_use]
+    pub fn message(&self) -> String {
         let write_name = |record, f: &mut fmt::Formatter<'_>| write!(f, "{}", (self.names)(record));
-        self.what.write(Names(Some(&write_name)), f)
+        Sentence(self.what, Names(Some(&write_name))).to_string()
     }
 }
 

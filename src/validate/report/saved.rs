@@ -5,7 +5,7 @@ use super::record::Record;
 use super::violation::Violation;
 use super::{Report, RuleOutcome, Unchecked};
 use crate::validate::rule::Rule;
-use alloc::string::{String, ToString};
+use alloc::string::String;
 use alloc::vec::Vec;
 use core::fmt;
 use serde::de::Error as _;
@@ -96,7 +96,7 @@ impl Serialize for Described<'_> {
         }
         let Self(violation) = *self;
         let records = violation.records().into_iter().flatten().collect();
-        Entry { rule: violation.rule(), violation, records, message: violation.to_string() }.serialize(serializer)
+        Entry { rule: violation.rule(), violation, records, message: violation.message() }.serialize(serializer)
     }
 }
 

@@ -1,13 +1,14 @@
-//! Reports in words: a line for each rule, then a line for each violation that was kept.
+//! Reports in words: a line for each rule, then hints, then a line for each violation that was kept.
 
-use super::Report;
 use super::hints;
 use super::names::Names;
+use super::violation::Sentence;
 use super::words::Number;
+use super::{Report, Unchecked};
 use core::fmt;
 
-/// A line for each rule, then a line for each violation that was kept. A hint follows where a link is nil in all records, as
-/// it is if the structure does not have it.
+/// A line for each rule but those of the plane on surfaces, then hints, then a line for each violation that was kept. There is a hint
+/// where a link is nil in all records, as it is if the structure does not have it.
 impl fmt::Display for Report {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         write(self, Names::INDICES, f)
@@ -23,7 +24,8 @@ impl fmt::Debug for Report {
 
 /// Writes the report, with the records named so.
 pub(super) fn write(report: &Report, names: Names<'_>, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-    for (rule, outcome) in &report.outcomes {
+    for (rule, outcome) in report.outcomes.iter().filter(|(_, outcome)| outcome.unchecked != Some(Unchecked::PlaneOnly))
+    {
         let checked = outcome.checked;
         write!(f, "{:2} {:9} ", rule.id(), rule.name())?;
         match (outcome.violations, outcome.unchecked) {
@@ -39,14 +41,12 @@ pub(super) fn write(report: &Report, names: Names<'_>, f: &mut fmt::Formatter<'_
         }
         writeln!(f)?;
     }
+    hints::write(f, report)?;
     for violation in &report.violations {
-        write!(f, "{}: ", violation.rule())?;
-        violation.write(names, f)?;
-        writeln!(f)?;
+        writeln!(f, "{}: {}", violation.rule(), Sentence(violation, names))?;
     }
-    let more = report.violation_count().saturating_sub(report.violations.len() as u64);
-    if more > 0 {
-        writeln!(f, "… and {more} more")?;
+    match report.violations_left_out() {
+        0 => Ok(()),
+        more => writeln!(f, "… and {more} more"),
     }
-    hints::write(f, &report.violations, &report.counts, more == 0)
 }

@@ -6,6 +6,7 @@ use super::words::Number;
 use crate::validate::catalogue::catalogue;
 use crate::validate::rule::Rule;
 use crate::validate::structure::{BoundaryPlace, Link};
+use alloc::string::{String, ToString};
 use core::fmt;
 
 /// The type of a field of this kind.
@@ -115,7 +116,8 @@ macro_rules! violations {
             says $sentence:literal $(with |$names:ident| { $($extra:ident = $expression:expr),+ })?
             cause $cause:literal remedy $remedy:literal;)*
     })*) => {
-        /// One broken rule, with the records that break it. `Display` says in a sentence what is wrong and why it matters.
+        /// One broken rule, with the records that break it. `Display` prints the id of the rule, and in a sentence what is wrong and
+        /// why it matters.
         ///
         /// Numbers are the indices of the [`View`](crate::validate::View).
         ///
@@ -127,7 +129,8 @@ macro_rules! violations {
         /// let violation = report.first().unwrap();
         /// assert_eq!(violation, &Violation::TwinIsSelf { half_edge: 0 });
         /// assert_eq!(violation.kind(), "twin_is_self");
-        /// assert_eq!(violation.to_string(), "half-edge 0 is its own twin, so its edge has one side only");
+        /// assert_eq!(violation.to_string(), "L1: half-edge 0 is its own twin, so its edge has one side only");
+        /// assert_eq!(violation.message(), "half-edge 0 is its own twin, so its edge has one side only");
         /// assert!(violation.remedy().starts_with("create both half-edges of an edge together"));
         /// # Ok::<(), twinedge::validate::ParseTableError>(())
         /// ```
@@ -187,9 +190,15 @@ macro_rules! violations {
                 [named.next(), named.next()]
             }
 
+            /// The sentence alone, without the id of the rule.
+            #[must_use]
+            pub fn message(&self) -> String {
+                Sentence(self, Names::INDICES).to_string()
+            }
+
             /// Writes the sentence, with the records named so.
             #[allow(unused_variables, reason = "some fields are said in other words")]
-            pub(super) fn write(&self, names: Names<'_>, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+            fn write(&self, names: Names<'_>, f: &mut fmt::Formatter<'_>) -> fmt::Result {
                 match *self {
                     $($(Self::$variant $({ $($field),+ })? => {
                         $(let $names = names; $(let $extra = $expression;)+)?
@@ -206,7 +215,16 @@ catalogue! { violations }
 
 impl fmt::Display for Violation {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        self.write(Names::INDICES, f)
+        write!(f, "{}: {}", self.rule(), Sentence(self, Names::INDICES))
+    }
+}
+
+/// The sentence of a violation, with its records named so.
+pub(super) struct Sentence<'a>(pub(super) &'a Violation, pub(super) Names<'a>);
+
+impl fmt::Display for Sentence<'_> {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        self.0.write(self.1, f)
     }
 }
 

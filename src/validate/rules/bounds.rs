@@ -5,18 +5,12 @@
 use crate::validate::findings::{Findings, Flow};
 use crate::validate::report::{Bounds, Unchecked, Violation};
 use crate::validate::rule::Rule;
-use crate::validate::subject::Subject;
 
 /// Runs T4.
-pub(crate) fn check(subject: Subject<'_>, is_simple: bool, findings: &mut Findings) -> Flow {
+pub(crate) fn check(is_simple: bool, findings: &mut Findings) -> Flow {
     let (vertices, edges, faces) = (findings.counts.vertices, findings.counts.edges, findings.counts.faces);
-    let why = if subject.extent.is_plane() {
-        (!is_simple || vertices < 3).then_some(Unchecked::NotSimple)
-    } else {
-        Some(Unchecked::PlaneOnly)
-    };
-    if let Some(why) = why {
-        findings.not_checked(Rule::T4, why);
+    if !is_simple || vertices < 3 {
+        findings.not_checked(Rule::T4, Unchecked::NotSimple);
         return Ok(());
     }
     let most = Bounds { most_edges: 3 * vertices - 6, most_faces: 2 * vertices - 4 };

@@ -60,9 +60,6 @@ pub(super) fn borders_broken(subject: Subject<'_>, findings: &Findings) -> Optio
 
 /// Returns the reason why T1 and T2 cannot be checked, if there is one.
 fn containment_unchecked(subject: Subject<'_>, findings: &Findings) -> Option<Unchecked> {
-    if !subject.extent.is_plane() {
-        return Some(Unchecked::PlaneOnly);
-    }
     if !subject.has(Part::Holes) {
         return Some(Unchecked::Lacks(Part::Holes));
     }

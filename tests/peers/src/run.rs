@@ -80,7 +80,7 @@ pub fn run<P: Peer>(program: &Program, before: &mut dyn FnMut(&str)) -> Verdict 
 #[must_use]
 pub fn first_broken(report: &Report) -> Option<(String, String)> {
     let violation = report.first()?;
-    Some((violation.rule().to_string().split(' ').next().unwrap_or_default().to_owned(), violation.to_string()))
+    Some((violation.rule().to_string().split(' ').next().unwrap_or_default().to_owned(), violation.message()))
 }
 
 /// Returns the result of the closure, or the place and the message of its panic.

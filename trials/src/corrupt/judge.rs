@@ -5,7 +5,6 @@ use super::outcome::Tally;
 use super::specimen::{Corruption, Family, Specimen};
 use super::watch::{HUNG, Watch, Watchpoint, lock};
 use crate::enumerate::{Cell, TableCells, for_each_corruption};
-use crate::panics::catch;
 use crate::random::Random;
 use crate::rows::{MOST_FINDINGS, Row, add_findings};
 use crate::run::Run;
@@ -13,6 +12,7 @@ use crate::verdict::{Checker, Verdict, in_words};
 use std::collections::BTreeMap;
 use std::sync::{Arc, Mutex};
 use std::time::Duration;
+use twinedge::program::panics::catch;
 use twinedge::validate::reference::first_broken_rule;
 use twinedge::validate::{Rule, Table};
 

@@ -3,9 +3,9 @@
 use super::exchange::Exchange;
 use crate::enumerate::{Cell, Value};
 use crate::forms::{Form, forms, projected, projections};
-use crate::panics::catch;
 use crate::structure::Structure;
 use std::fmt;
+use twinedge::program::panics::catch;
 use twinedge::program::{Program, Runner, StepOutcome, Subject};
 use twinedge::validate::reference::first_broken_rule;
 use twinedge::validate::{Expectation, Part, Parts, Rule, Surface, Table};

@@ -152,6 +152,6 @@ mod tests {
     fn a_panic_of_the_work_ends_the_watch() {
         let watch = Watch::<()>::new();
         let work = || watch.during(|| panic!("the work"), |()| {});
-        assert!(crate::panics::catch(work).is_err());
+        assert!(twinedge::program::panics::catch(work).is_err());
     }
 }

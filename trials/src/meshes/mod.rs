@@ -15,11 +15,11 @@ pub use outcome::{MeshFinding, MeshesOutcome, MeshesRow, MeshesWork, OperatorRow
 pub use structure::MeshStructure;
 pub use triangulations::Triangulation;
 
-use crate::panics::catch;
 use crate::published;
 use crate::run::Run;
 use std::collections::BTreeMap;
 use twinedge::program::conformance::{ConformanceSummary, InStep};
+use twinedge::program::panics::catch;
 use twinedge::program::{Op, Subject, every_mesh_op, every_op};
 
 /// So often in a row an operator is tried on a map when the structure says that it does not have it.
@@ -114,9 +114,8 @@ impl<K: Subject> Worker<'_, K> {
             }
             let Some(mut trial) = pair.take().or_else(|| self.begin(row, map)) else { return };
             let before = trial.summary();
-            let stepped = catch(|| trial.step(op).map(|_| ()).map_err(|failure| failure.difference.to_string()));
-            if let Err(message) = stepped.unwrap_or_else(|panic| Err(format!("panicked: {panic}"))) {
-                self.note(row, map, Some(op), message);
+            if let Err(failure) = trial.step(op) {
+                self.note(row, map, Some(op), failure.difference.to_string());
                 continue;
             }
             let (before, after) = (before.total(), trial.summary().total());
@@ -137,11 +136,9 @@ impl<K: Subject> Worker<'_, K> {
 
     /// The structure and the reference, both with this triangulation.
     fn begin(&mut self, row: usize, map: &Triangulation) -> Option<InStep<K>> {
-        let begun = catch(|| {
-            let subject = self.structure.make(map).map_err(|refusal| format!("it cannot be made: {refusal}"))?;
-            self.structure.asked().begin(subject).map_err(|failure| failure.to_string())
-        });
-        match begun.unwrap_or_else(|panic| Err(format!("panicked: {panic}"))) {
+        let made = catch(|| self.structure.make(map)).map_err(|panic| format!("panicked: {panic}"));
+        let made = made.and_then(|made| made.map_err(|refusal| format!("it cannot be made: {refusal}")));
+        match made.and_then(|subject| self.structure.asked().begin(subject).map_err(|failure| failure.to_string())) {
             Ok(pair) => Some(pair),
             Err(message) => {
                 self.note(row, map, None, message);

@@ -3,11 +3,11 @@
 use super::explored::{Exploration, Size};
 use super::grow::{Codes, grow, play};
 use crate::census::Scope;
-use crate::panics::catch;
 use crate::run::Run;
 use crate::structure::Structure;
 use crate::verdict::judge;
 use twinedge::program::canonical::Canonizer;
+use twinedge::program::panics::catch;
 use twinedge::program::{Op, Program, Refusal, Runner, StepOutcome, Subject, every_op};
 use twinedge::validate::{Counts, Report, View};
 
@@ -105,7 +105,7 @@ impl<K: Subject + Clone> Worker<'_, K> {
     /// The fault after an operator was applied.
     fn after(&mut self, op: Op, before: &Counts, report: &Report, result: &Runner<K>) -> Option<String> {
         if let Some(violation) = report.violations().first() {
-            return Some(format!("breaks {}: {violation}", violation.rule()));
+            return Some(format!("breaks {violation}"));
         }
         let counts = report.counts();
         if !report.is_valid() || !as_promised(op, before, counts) {

@@ -2,7 +2,6 @@
 
 use super::explored::{Exploration, Size};
 use crate::census::Scope;
-use crate::panics::catch;
 use crate::run::Run;
 use crate::shard::Shard;
 use crate::structure::Structure;
@@ -10,6 +9,7 @@ use std::collections::HashSet;
 use std::hash::{BuildHasher, RandomState};
 use std::sync::{Mutex, MutexGuard, PoisonError};
 use twinedge::program::canonical::{Canonizer, Code};
+use twinedge::program::panics::catch;
 use twinedge::program::{Op, Program, Runner, StepOutcome, Subject, every_op};
 
 /// Canonical forms, shared by all threads.

@@ -4,8 +4,8 @@ mod indexed;
 
 pub use indexed::Indexed;
 
-use crate::panics::catch;
 use crate::structure::Structure;
+use twinedge::program::panics::catch;
 use twinedge::program::{Call, CallOf, Op, Program, Runner, StepOutcome};
 use twinedge::validate::{Collect, Link, Report, Table, validate};
 

@@ -1,9 +1,9 @@
 //! A program run on a structure in step with the reference.
 
-use crate::panics::catch;
 use crate::progress::Progress;
 use crate::structure::Structure;
 use twinedge::program::conformance::{ConformanceSummary, InStep};
+use twinedge::program::panics::catch;
 use twinedge::program::{Program, Subject};
 
 /// The outcome of a program that was run in step with the reference.
@@ -65,21 +65,20 @@ impl<K: Subject> Comparable for Structure<K> {
 
     fn compare(&self, program: &Program, progress: &dyn Progress) -> Comparison {
         let failed = |summary, before, message| Comparison { summary, end: End::Failed { before, message } };
-        let mut pair = match catch(|| InStep::new(self.make(), &self.expectation())) {
-            Ok(Ok(pair)) => pair,
-            Ok(Err(failure)) => return failed(ConformanceSummary::default(), 0, failure.to_string()),
-            Err(panic) => return failed(ConformanceSummary::default(), 0, format!("at the start: panicked: {panic}")),
+        let begun = catch(|| self.make()).map_err(|panic| format!("at the start: panicked: {panic}"));
+        let begun =
+            begun.and_then(|subject| InStep::new(subject, &self.expectation()).map_err(|failure| failure.to_string()));
+        let mut pair = match begun {
+            Ok(pair) => pair,
+            Err(message) => return failed(ConformanceSummary::default(), 0, message),
         };
         for (before, op) in program.0.iter().enumerate() {
             if progress.is_stopped() {
                 return Comparison { summary: pair.summary(), end: End::Interrupted };
             }
-            let message = match catch(|| pair.step(*op)) {
-                Ok(Ok(_)) => continue,
-                Ok(Err(failure)) => failure.to_string(),
-                Err(panic) => format!("in operator {}, `{op}`: panicked: {panic}", before + 1),
-            };
-            return failed(pair.summary(), before, message);
+            if let Err(failure) = pair.step(*op) {
+                return failed(pair.summary(), before, failure.to_string());
+            }
         }
         Comparison { summary: pair.summary(), end: End::Finished }
     }

@@ -3,8 +3,9 @@
 /** How many points are drawn between two looks at the clock. */
 const PORTION = 20000;
 
-/** Lines are thinner where they would cover more than this part of the picture. */
+/** Lines are thinner where they would cover more than this part of the cells, of so many pixels, through which they run. */
 const COVERED = 0.08;
+const CELL = 16;
 
 /** Lines that would be thinner than this, in pixels, are fainter instead. */
 const THINNEST = 0.3;
@@ -64,6 +65,21 @@ function* drawEdges(context, view, s) {
   const seen = view.box();
   const paths = [];
   const taken = new Uint8Array(Math.ceil(view.width) * Math.ceil(view.height));
+  const [wide, high] = [view.width, view.height].map((size) => Math.ceil(size / CELL));
+  const cells = new Uint8Array(wide * high);
+  /** Marks the cells through which a line runs; how long it is inside the picture. */
+  const cross = (ax, ay, bx, by) => {
+    const whole = Math.hypot(bx - ax, by - ay);
+    const steps = Math.min(Math.ceil((2 * whole) / CELL), 4 * (wide + high)) + 1;
+    let inside = 0;
+    for (let i = 0; i < steps; i++) {
+      const [x, y] = [(ax + ((bx - ax) * (i + 0.5)) / steps) / CELL, (ay + ((by - ay) * (i + 0.5)) / steps) / CELL];
+      if (x < 0 || y < 0 || x >= wide || y >= high) continue;
+      cells[Math.floor(y) * wide + Math.floor(x)] = 1;
+      inside += 1;
+    }
+    return (whole * inside) / steps;
+  };
   let path = new Path2D();
   let [points, length] = [0, 0];
   for (let c = 0; c < s.chains; c++) {
@@ -79,7 +95,7 @@ function* drawEdges(context, view, s) {
       path.moveTo(px, py + 0.5);
       path.lineTo(px + 1, py + 0.5);
       points += 1;
-      length += 1;
+      length += cross(px, py, px + 1, py);
     } else {
       let [lastX, lastY] = [NaN, NaN];
       const last = s.start[c + 1] - 1;
@@ -89,7 +105,7 @@ function* drawEdges(context, view, s) {
         if (Number.isNaN(lastX)) path.moveTo(px, py);
         else {
           path.lineTo(px, py);
-          length += Math.min(Math.hypot(px - lastX, py - lastY), view.width);
+          length += cross(lastX, lastY, px, py);
         }
         [lastX, lastY] = [px, py];
         points += 1;
@@ -105,7 +121,8 @@ function* drawEdges(context, view, s) {
   paths.push(path);
   context.strokeStyle = colours.edge;
   context.lineJoin = context.lineCap = "round";
-  const width = Math.min(1, (COVERED * view.width * view.height) / Math.max(length, 1));
+  const covered = cells.reduce((sum, cell) => sum + cell, 0) * CELL * CELL;
+  const width = Math.min(1, (COVERED * covered) / Math.max(length, 1));
   context.lineWidth = Math.max(width, THINNEST);
   const strength = Math.min(1, width / THINNEST);
   for (const one of paths) {

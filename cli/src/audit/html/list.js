@@ -17,9 +17,12 @@ function labelOf(features, number) {
 }
 
 class FindingList {
-  /** `onChoose` is called with the finding that is chosen, or null; `onFilter` with those that are left. */
-  constructor(data, onChoose, onFilter) {
-    Object.assign(this, { data, onChoose, onFilter, chosen: null, rendered: 0 });
+  /**
+   * `onChoose` is called with the finding that is chosen, or null; `onFilter` with those that are left, and with the features and
+   * the half-edge that the filter names.
+   */
+  constructor(data, structure, onChoose, onFilter) {
+    Object.assign(this, { data, structure, onChoose, onFilter, chosen: null, rendered: 0 });
     this.list = document.getElementById("list");
     this.all = data.findings.map((finding, number) => Object.assign(finding, { number: number + 1 }));
     this.left = this.all;
@@ -51,7 +54,7 @@ class FindingList {
     rules.closest("fieldset").hidden = counts.size === 0;
     const input = document.getElementById("feature");
     const { features } = this.data;
-    input.hidden = document.querySelector("label[for=feature]").hidden = features.length === 0;
+    input.hidden = document.querySelector("label[for=feature]").hidden = this.structure.chains === 0;
     const names = new Set(features.slice(0, MOST_NAMES).map(([name, id]) => name ?? id ?? ""));
     document.getElementById("names").append(...[...names].map((value) => element("option", { value })));
     input.addEventListener("input", () => this.filter());
@@ -66,10 +69,11 @@ class FindingList {
       return (name ?? "").toLowerCase().includes(text) || id?.toLowerCase() === text || "#" + number === text;
     };
     const matching = new Set(text === "" ? [] : [...features.keys()].filter(matches));
-    this.matching = matching;
-    this.left = this.all.filter(
-      (one) => !this.rulesOff.has(one.rule) && (text === "" || one.features.some((number) => matching.has(number))),
-    );
+    const half = text === "" ? -1 : halfEdgeCalled(this.structure, text);
+    const isNamed = (one) =>
+      one.features.some((number) => matching.has(number)) ||
+      (half >= 0 && one.records.some((record) => isSameEdge(this.structure, half, halfEdgeCalled(this.structure, record))));
+    this.left = this.all.filter((one) => !this.rulesOff.has(one.rule) && (text === "" || isNamed(one)));
     const listed = this.all.length < total ? ` (${total.toLocaleString("en")} were found; --list N lists more)` : "";
     document.getElementById("shown").textContent =
       this.all.length === 0 ? "Nothing was found." : `${this.left.length} of ${this.all.length} findings shown${listed}`;
@@ -78,7 +82,7 @@ class FindingList {
     this.render();
     if (this.chosen && !this.left.includes(this.chosen)) this.choose(null);
     this.mark();
-    this.onFilter(this.left, matching);
+    this.onFilter(this.left, matching, half);
   }
 
   /** Adds the next findings to the list, up to one of them. */
@@ -95,7 +99,7 @@ class FindingList {
   }
 
   option(finding, place) {
-    const { rule, name, message, features, violation } = finding;
+    const { rule, name, message, sentence, features, violation } = finding;
     const option = element(
       "li",
       { id: "finding-" + finding.number, className: violation ? "violation" : "finding" },
@@ -112,7 +116,7 @@ class FindingList {
       if (features.length > 4) who.append(` and ${features.length - 4} more`);
       option.append(who);
     }
-    option.append(element("span", { className: "what", textContent: message }));
+    option.append(element("span", { className: "what", textContent: sentence ?? message }));
     return option;
   }
 
@@ -162,7 +166,7 @@ class FindingList {
     const panel = document.getElementById("detail");
     panel.replaceChildren();
     if (!this.chosen) return;
-    const { rule, name, message, features, records, at, violation, cause, remedy, number } = this.chosen;
+    const { rule, name, message, sentence, features, records, at, violation, cause, remedy, number } = this.chosen;
     const facts = element("dl");
     const fact = (what, text) => {
       if (!text) return;
@@ -181,7 +185,8 @@ class FindingList {
     fact("Remedy", remedy);
     const counted = violation ? "a violation" : "a finding that does not make the map invalid";
     const statement = this.data.rules.find((one) => one.id === rule)?.statement?.replaceAll("`", "");
-    panel.append(element("h2", { textContent: `${rule} ${name}` }), element("p", { textContent: message }));
+    panel.append(element("h2", { textContent: `${rule} ${name}` }), element("p", { textContent: sentence ?? message }));
+    if (sentence) panel.append(element("p", { textContent: `In the structure: ${message}.` }));
     if (statement) panel.append(element("p", { textContent: `Rule: ${statement}.` }));
     panel.append(facts, element("p", { textContent: `Number ${number} of ${this.all.length}: ${counted}.` }));
   }

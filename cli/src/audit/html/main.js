@@ -11,7 +11,7 @@ const [baseContext, overContext] = [base, over].map((canvas) => canvas.getContex
 const back = document.createElement("canvas").getContext("2d");
 let [painter, finished] = [null, null];
 const view = new View();
-let [left, matching] = [data.findings, new Set()];
+let [left, matching, edge] = [data.findings, new Set(), null];
 let ratio = 1;
 
 /** How long a part of the drawing may take, in milliseconds. */
@@ -26,6 +26,7 @@ function* paint() {
   yield* drawFaces(back, now, areas, data.features);
   yield* drawMatching(now);
   yield* drawEdges(back, now, structure);
+  drawEdge(now);
   const hasNames = byId("names-on").checked;
   const chains = byId("links-on").checked ? legibleChains(now, structure) : [];
   const taken = chains.length ? drawHalfEdges(back, now, structure, chains, hasNames) : [];
@@ -48,6 +49,16 @@ function* drawMatching(now) {
     back.stroke(path);
     yield;
   }
+}
+
+/** The edge that the filter names. */
+function drawEdge(now) {
+  if (!edge) return;
+  back.strokeStyle = colours.accent;
+  back.lineWidth = 4;
+  back.beginPath();
+  edge.forEach(([x, y], i) => back[i ? "lineTo" : "moveTo"](now.px(x), now.py(y)));
+  back.stroke();
 }
 
 /** Draws on for a while; until it is done, the last picture stands in its place. */
@@ -82,6 +93,7 @@ function show() {
   overContext.clearRect(0, 0, over.width, over.height);
   overContext.setTransform(ratio, 0, 0, ratio, 0, 0);
   drawFindings(overContext, view, left, list?.chosen ?? null);
+  if (structure.bounds) drawScaleBar(overContext, view, data.unit);
 }
 
 /** Draws everything again. */
@@ -102,13 +114,18 @@ function resize() {
     canvas.height = Math.round(height * ratio);
   }
   readColours(back);
-  if (isFirst) wholeMap();
+  drawInsets(ratio);
+  if (isFirst) view.fit(first.box, 1);
+  redraw();
+}
+
+function goTo(box) {
+  view.fit(box, 1);
   redraw();
 }
 
 function wholeMap() {
-  view.fit(view.bounds, 1);
-  redraw();
+  goTo(view.bounds);
 }
 
 /** Shows a finding, all of it or closer. */
@@ -125,8 +142,8 @@ function chose(finding, isClose = false) {
 }
 
 let list = null;
-list = new FindingList(data, chose, (found, features) => {
-  [left, matching] = [found, features];
+list = new FindingList(data, structure, chose, (found, features, half) => {
+  [left, matching, edge] = [found, features, lineOf(structure, half)];
   redraw();
 });
 
@@ -230,11 +247,16 @@ function addKeys() {
     });
   }
   for (const id of ["names-on", "links-on"]) byId(id).addEventListener("change", redraw);
+  // Enter in the filter goes to the edge that it names.
+  byId("feature").addEventListener("change", () => edge && goTo(edge.reduce((box, [x, y]) => (extend(box, x, y), box), emptyBox())));
 }
 
 /** What does not change. */
 function addTexts() {
-  byId("input").textContent = data.input;
+  byId("input").textContent = data.name;
+  byId("input").title = data.input;
+  // Who asks about features asks about half-edges later, if at all.
+  byId("links-on").checked = data.features.length === 0;
   byId("verdict").classList.toggle("bad", !data.valid);
   for (const [what, count] of data.counts) {
     byId("counts").append(element("div", {}, element("dt", { textContent: what }), element("dd", { textContent: count })));
@@ -271,6 +293,8 @@ function addTexts() {
 const bounds = emptyBox();
 for (const one of [structure.bounds, ...data.findings.map(boxOf)]) if (one) join(bounds, one, 0);
 if (bounds[0] <= bounds[2]) view.bounds = bounds;
+const first = firstView(areas, view.bounds);
+const drawInsets = makeInsets(first.others, areas, data.features, goTo);
 addTexts();
 addMouse();
 addKeys();
@@ -278,5 +302,6 @@ resize();
 new ResizeObserver(resize).observe(stage);
 matchMedia("(prefers-color-scheme: dark)").addEventListener("change", () => {
   readColours(back);
+  drawInsets(ratio);
   redraw();
 });

@@ -32,11 +32,11 @@ class View {
   }
 
   /** Shows a box, which takes up so much of the width or the height, with room for names around it. */
-  fit(box, part) {
+  fit(box, part, margin = MARGIN) {
     const [w, h] = [box[2] - box[0], box[3] - box[1]];
     this.x = (box[0] + box[2]) / 2;
     this.y = (box[1] + box[3]) / 2;
-    const scale = Math.min((part * (this.width - MARGIN)) / w, (part * (this.height - MARGIN)) / h);
+    const scale = Math.min((part * (this.width - margin)) / w, (part * (this.height - margin)) / h);
     this.scale = this.clamp(Number.isFinite(scale) ? scale : this.scale);
   }
 

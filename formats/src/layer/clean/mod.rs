@@ -11,7 +11,7 @@
 //! the rules of the OGC. Vertices that were there before keep their further dimensions; for the others these are interpolated
 //! along the ring.
 //!
-//! Narrow spaces between two features that are open to the outside (C3) are filled if a width of gaps is given: quadrangles are drawn
+//! Narrow spaces between two features that are open to the outside or to a wider gap (C3) are filled if a width of gaps is given: quadrangles are drawn
 //! between the borders that face each other, and what they fill goes to a neighbour.
 //!
 //! Lines and points are neither cut nor moved.
@@ -37,7 +37,7 @@ use twinedge::map::{self, BuildError, Builder, Noding, PlanarMap};
 pub use report::{CleanReport, FeatureChange, LayerChange, Left, Remaining};
 
 /// The way in which a layer is cleaned.
-#[derive(Clone, Copy, Debug, Default)]
+#[derive(Clone, Debug, Default)]
 pub struct CleanOptions {
     /// The grid to which points are rounded. Without one nothing moves, unless borders cross where there is no point: then all
     /// points are rounded to the finest grid that the coordinates allow.
@@ -112,6 +112,7 @@ pub fn clean(layer: &mut Layer, options: &CleanOptions) -> Result<CleanReport, C
         left: done.judged.left,
         remaining: done.judged.remaining.iter().map(Remaining::from).collect(),
         wider_gaps: done.judged.wider_gaps.iter().map(Remaining::from).collect(),
+        accepted_gaps: done.judged.accepted_gaps.iter().map(Remaining::from).collect(),
     };
     report.remaining.extend(done.judged.invalid);
     for (number, (before, after)) in layer.features.iter().zip(&mut done.features).enumerate() {
@@ -244,6 +245,7 @@ struct Judgement {
     /// C6.
     invalid: Vec<Remaining>,
     wider_gaps: Vec<Finding>,
+    accepted_gaps: Vec<Finding>,
 }
 
 /// The findings of C1 … C6 afterwards, judged by the polygons that are written.
@@ -262,14 +264,15 @@ fn judged(features: &[Feature], options: &CleanOptions) -> Result<Judgement, Cle
     let map = builder.build()?;
     left.is_plane = map.is_plane();
     if map.is_plane() {
-        let Options { gap_width, sliver_area, thinness, .. } = options.assign;
-        let found = check(&map, &Limits { gap_width, sliver_area, thinness })?;
+        let Options { gap_width, lake_width, accepted_gaps, sliver_area, thinness, .. } = options.assign.clone();
+        let found = check(&map, &Limits { gap_width, lake_width, accepted_gaps, sliver_area, thinness })?;
         let count = |rule| found.of(rule).count();
         left.overlaps = count(CoverageRule::Overlap);
         left.gaps = count(CoverageRule::Gap);
         left.near_misses = count(CoverageRule::NearMiss);
         left.slivers = count(CoverageRule::Sliver);
         judged.wider_gaps = found.wider_gaps;
+        judged.accepted_gaps = found.accepted_gaps;
         judged.remaining = found.findings;
         judged.remaining.retain(|finding| finding.rule != CoverageRule::Duplicate);
     }

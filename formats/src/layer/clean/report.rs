@@ -27,6 +27,8 @@ pub struct CleanReport {
     pub remaining: Vec<Remaining>,
     /// The gaps that are wider than the width that was asked for. They are left as they are, and break nothing.
     pub wider_gaps: Vec<Remaining>,
+    /// The gaps that were accepted by a point inside. They are left as they are, and break nothing.
+    pub accepted_gaps: Vec<Remaining>,
 }
 
 /// An area that changed hands. Features are named by their numbers, counted from 0.
@@ -110,7 +112,7 @@ pub struct Left {
     pub overlaps: usize,
     /// C2: gaps that are larger and wider than those that are filled.
     pub gaps: usize,
-    /// C3: borders that nearly meet, beside a space that is open to the outside.
+    /// C3: borders that nearly meet, beside a space that is open to the outside or to a wider gap.
     pub near_misses: usize,
     /// C4: slivers that are all that there is of their feature.
     pub slivers: usize,

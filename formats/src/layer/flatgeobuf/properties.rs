@@ -71,7 +71,7 @@ impl<'a> Bytes<'a> {
 
     fn text(&mut self) -> Result<String, Cause> {
         let bytes = self.counted()?;
-        std::str::from_utf8(bytes).map(str::to_owned).map_err(|_| Cause::Charset("UTF-8"))
+        std::str::from_utf8(bytes).map(str::to_owned).map_err(|_| Cause::Charset("UTF-8".to_owned()))
     }
 
     fn value(&mut self, column: Type) -> Result<Value, Cause> {

@@ -1,8 +1,9 @@
 //! Reading `FlatGeobuf` from a stream. Lengths and counts are believed only as far as there is data.
 
+use super::super::crs::Crs;
 use super::super::each::Each;
 use super::super::error::{Cause, Place, ReadError};
-use super::super::model::{Crs, Dimensions, Feature, Field, Geometry, Header, Id, Line, Members, Position, Shape};
+use super::super::model::{Dimensions, Feature, Field, Geometry, Header, Id, Line, Members, Position, Shape};
 use super::TEXTS;
 use super::properties::{attributes, kind};
 use ::flatgeobuf::{

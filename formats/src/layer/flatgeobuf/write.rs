@@ -10,6 +10,7 @@ use ::flatgeobuf::{
     GeometryArgs, GeometryType as Kind, Header as HeaderTable, HeaderArgs,
 };
 use flatbuffers::{FlatBufferBuilder, WIPOffset};
+use std::borrow::Cow;
 use std::io::Write;
 use twinedge::io::Format;
 
@@ -77,16 +78,43 @@ pub(in crate::layer) fn write(layer: &Layer, out: &mut dyn Write) -> Result<(), 
         if properties.len() + 32 * positions > LARGEST {
             return Err(impossible("a feature of more than a gigabyte"));
         }
-        out.write_all(&body(feature, &properties))?;
+        out.write_all(&body(feature, &properties, kind))?;
     }
     Ok(())
 }
 
-/// The kind of all geometries; unknown if they differ, and then each has its own.
+/// The kind of all geometries; unknown if they differ, and then each has its own. With heights or measures, geometries of one and of
+/// several parts have the kind of the latter, as GDAL writes them: its users know no type for differing kinds with heights.
 fn common_kind(layer: &Layer) -> Kind {
-    let mut kinds = layer.features.iter().filter_map(|feature| feature.geometry.as_ref()).map(|g| kind_of(&g.shape));
-    let first = kinds.next().unwrap_or(Kind::Unknown);
-    if kinds.all(|kind| kind == first) { first } else { Kind::Unknown }
+    let all = || layer.features.iter().filter_map(|feature| feature.geometry.as_ref());
+    let is_flat = all().all(|geometry| numbers(geometry) == (None, None));
+    let common = |kind: fn(&Shape) -> Kind| {
+        let mut kinds = all().map(|geometry| kind(&geometry.shape));
+        let first = kinds.next()?;
+        kinds.all(|kind| kind == first).then_some(first)
+    };
+    common(kind_of).or_else(|| common(kind_of_several).filter(|_| !is_flat)).unwrap_or(Kind::Unknown)
+}
+
+/// The kind of several such geometries in one.
+const fn kind_of_several(shape: &Shape) -> Kind {
+    match shape {
+        Shape::Point(_) | Shape::MultiPoint(_) => Kind::MultiPoint,
+        Shape::Line(_) | Shape::MultiLine(_) => Kind::MultiLineString,
+        Shape::Polygon(_) | Shape::MultiPolygon(_) => Kind::MultiPolygon,
+        Shape::Collection(_) => Kind::GeometryCollection,
+    }
+}
+
+/// The geometry as one of several parts, if that is the kind of the file.
+fn of_kind(geometry: &Geometry, kind: Kind) -> Cow<'_, Geometry> {
+    let shape = match (&geometry.shape, kind) {
+        (Shape::Point(point), Kind::MultiPoint) => Shape::MultiPoint(point.iter().cloned().collect()),
+        (Shape::Line(line), Kind::MultiLineString) => Shape::MultiLine(vec![line.clone()]),
+        (Shape::Polygon(rings), Kind::MultiPolygon) => Shape::MultiPolygon(vec![rings.clone()]),
+        _ => return Cow::Borrowed(geometry),
+    };
+    Cow::Owned(Geometry::new(geometry.dimensions, shape))
 }
 
 const fn kind_of(shape: &Shape) -> Kind {
@@ -175,9 +203,9 @@ const fn numbers(geometry: &Geometry) -> (Option<usize>, Option<usize>) {
     }
 }
 
-fn body(feature: &Feature, properties: &[u8]) -> Vec<u8> {
+fn body(feature: &Feature, properties: &[u8], kind: Kind) -> Vec<u8> {
     let mut builder = FlatBufferBuilder::new();
-    let geometry = feature.geometry.as_ref().map(|geometry| table(&mut builder, geometry));
+    let geometry = feature.geometry.as_ref().map(|geometry| table(&mut builder, &of_kind(geometry, kind)));
     let properties = (!properties.is_empty()).then(|| builder.create_vector(properties));
     let table = FeatureTable::create(&mut builder, &FeatureArgs { geometry, properties, columns: None });
     builder.finish_size_prefixed(table, None);

@@ -1,8 +1,9 @@
 //! Reading a layer of a `GeoPackage`. The file is opened for reading only, and its schema is not trusted.
 
+use super::super::crs::Crs;
 use super::super::each::Each;
 use super::super::error::{Cause, Place, ReadError};
-use super::super::model::{Crs, Feature, Field, FieldKind, Geometry, Header, Id, Value};
+use super::super::model::{Feature, Field, FieldKind, Geometry, Header, Id, Value};
 use super::super::wkb;
 use super::{MAGIC, quoted};
 use rusqlite::config::DbConfig;
@@ -114,7 +115,7 @@ fn value(kind: FieldKind, value: ValueRef<'_>) -> Result<Value, Cause> {
         ValueRef::Integer(number) => Value::Integer(number),
         ValueRef::Real(number) => Value::Real(number),
         ValueRef::Text(bytes) => {
-            let text = std::str::from_utf8(bytes).map_err(|_| Cause::Charset("UTF-8"))?.to_owned();
+            let text = std::str::from_utf8(bytes).map_err(|_| Cause::Charset("UTF-8".to_owned()))?.to_owned();
             match kind {
                 FieldKind::Date => Value::Date(text),
                 FieldKind::DateTime => Value::DateTime(text),

@@ -1,7 +1,8 @@
 //! Writing a layer as a `GeoPackage` of its own.
 
+use super::super::crs::Crs;
 use super::super::error::WriteError;
-use super::super::model::{Crs, Dimensions, Feature, Field, FieldKind, Geometry, Id, Layer, Value};
+use super::super::model::{Dimensions, Feature, Field, FieldKind, Geometry, Id, Layer, Value};
 use super::super::wkb;
 use super::{MAGIC, quoted};
 use rusqlite::types::Value as Sql;
@@ -89,7 +90,7 @@ pub(in crate::layer) fn write(layer: &Layer, path: &Path) -> Result<(), WriteErr
          VALUES (?1, 'features', ?1, ?2, ?3, ?4, ?5, ?6)",
         params![table, x0, y0, x1, y1, srs],
     )?;
-    let [z, m] = dimension_flags(layer);
+    let [z, m] = dimension_flags(layer, kind == ANY);
     transaction.execute(
         "INSERT INTO gpkg_geometry_columns VALUES (?1, ?2, ?3, ?4, ?5, ?6)",
         params![table, geometry_column, kind, srs, z, m],
@@ -135,7 +136,8 @@ fn write_crs(database: &Connection, crs: Option<&Crs>) -> Result<i64, WriteError
     if !crs.is_other() {
         return Ok(wgs_84);
     }
-    let definition = crs.wkt.as_deref().unwrap_or("undefined");
+    let wkt1 = crs.wkt1();
+    let definition = wkt1.as_deref().or(crs.wkt.as_deref()).unwrap_or("undefined");
     let (id, organization, code) = match &crs.code {
         Some((authority, code)) if *code > 0 => (*code, authority.as_str(), *code),
         _ if crs.wkt.is_some() => (OWN, "NONE", OWN),
@@ -173,22 +175,26 @@ fn geometries(layer: &Layer) -> impl Iterator<Item = &Geometry> {
     layer.features.iter().filter_map(|feature| feature.geometry.as_ref())
 }
 
+/// The kind of geometries of any kind.
+const ANY: &str = "GEOMETRY";
+
 /// The one kind of the geometries, or that of any.
 fn geometry_kind(layer: &Layer) -> String {
     let mut kinds = geometries(layer).map(|geometry| geometry.shape.name());
     let first = kinds.next();
-    first.filter(|first| kinds.all(|kind| kind == *first)).unwrap_or("Geometry").to_uppercase()
+    first.filter(|first| kinds.all(|kind| kind == *first)).unwrap_or(ANY).to_uppercase()
 }
 
-/// For heights and measures: 0 if none has them, 1 if all have, 2 if some have.
-fn dimension_flags(layer: &Layer) -> [i64; 2] {
+/// For heights and measures: 0 if none has them, 1 if all have, 2 if some have. Kinds that differ never must have them, as GDAL has
+/// it: its users know no type for that.
+fn dimension_flags(layer: &Layer, is_mixed: bool) -> [i64; 2] {
     let has_z = |d: Dimensions| matches!(d, Dimensions::Xyz | Dimensions::Xyzm);
     let has_m = |d: Dimensions| matches!(d, Dimensions::Xym | Dimensions::Xyzm);
     let flag = |has: &dyn Fn(Dimensions) -> bool| {
         let count = geometries(layer).filter(|geometry| has(geometry.dimensions)).count();
         if count == 0 {
             0
-        } else if count == geometries(layer).count() {
+        } else if count == geometries(layer).count() && !is_mixed {
             1
         } else {
             2

@@ -2,9 +2,9 @@
 
 use super::super::error::{Cause, Place, ReadError};
 use super::super::model::{Field, FieldKind, Layer, Value};
+use super::charset::Charset;
 use super::columns::{Column, text};
 use super::failed::{content, truncated};
-use encoding_rs::{Encoding, UTF_8, WINDOWS_1252};
 use std::io::{self, BufRead, Write};
 use std::sync::Arc;
 
@@ -31,56 +31,6 @@ struct ReadColumn {
     kind: u8,
     width: usize,
     decimals: usize,
-}
-
-/// The character set of texts.
-#[derive(Clone, Copy)]
-enum Charset {
-    /// It is named.
-    Named(&'static Encoding),
-    /// It is not: UTF-8 if a text is that, and otherwise Windows-1252.
-    Unknown,
-}
-
-impl Charset {
-    /// By the content of `.cpg`, or else the mark in the table.
-    fn of(name: Option<&str>, mark: u8) -> Self {
-        let by_name = name.and_then(|name| {
-            let name = name.trim();
-            let digits = name.trim_start_matches(|c: char| !c.is_ascii_digit());
-            Encoding::for_label(name.as_bytes()).or_else(|| match digits {
-                "65001" => Some(UTF_8),
-                "88591" => Some(WINDOWS_1252),
-                digits if digits.starts_with("125") => Encoding::for_label(format!("windows-{digits}").as_bytes()),
-                _ => None,
-            })
-        });
-        let by_mark = || match mark {
-            0x03 | 0x57 | 0x58 | 0x59 => Some(WINDOWS_1252),
-            0xC8 => Some(encoding_rs::WINDOWS_1250),
-            0xC9 => Some(encoding_rs::WINDOWS_1251),
-            0xCA => Some(encoding_rs::WINDOWS_1254),
-            0xCB => Some(encoding_rs::WINDOWS_1253),
-            0x26 | 0x65 => Some(encoding_rs::IBM866),
-            0x4D | 0x7A => Some(encoding_rs::GBK),
-            0x13 | 0x7B => Some(encoding_rs::SHIFT_JIS),
-            _ => None,
-        };
-        by_name.or_else(by_mark).map_or(Self::Unknown, Self::Named)
-    }
-
-    fn decode(self, bytes: &[u8]) -> Result<String, Cause> {
-        match self {
-            Self::Named(encoding) => {
-                let (text, is_wrong) = encoding.decode_without_bom_handling(bytes);
-                if is_wrong { Err(Cause::Charset(encoding.name())) } else { Ok(text.into_owned()) }
-            }
-            Self::Unknown => Ok(match std::str::from_utf8(bytes) {
-                Ok(text) => text.to_owned(),
-                Err(_) => WINDOWS_1252.decode_without_bom_handling(bytes).0.into_owned(),
-            }),
-        }
-    }
 }
 
 /// A table that is being read.
@@ -172,14 +122,14 @@ impl<R: BufRead> Table<R> {
         for column in &self.columns {
             let (bytes, others) = rest.split_at(column.width);
             rest = others;
-            values.push((column.name.clone(), column.value(bytes, self.charset).map_err(failed)?));
+            values.push((column.name.clone(), column.value(bytes, &self.charset).map_err(failed)?));
         }
         Ok(Some((*mark == DELETED, values)))
     }
 }
 
 impl ReadColumn {
-    fn value(&self, bytes: &[u8], charset: Charset) -> Result<Value, Cause> {
+    fn value(&self, bytes: &[u8], charset: &Charset) -> Result<Value, Cause> {
         let blank = |byte: &u8| matches!(byte, b' ' | 0);
         let trimmed = bytes.trim_ascii();
         let end = bytes.iter().rposition(|byte| !blank(byte)).map_or(0, |last| last + 1);

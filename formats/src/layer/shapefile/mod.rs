@@ -6,15 +6,17 @@
 //!
 //! Sources: "ESRI Shapefile Technical Description" (1998); the description of dBASE III files by the Library of Congress (fdd000326).
 
+mod charset;
 mod columns;
 mod dbf;
 mod failed;
 mod record;
 mod rings;
 
+use super::crs::Crs;
 use super::each::Each;
 use super::error::{Cause, Place, ReadError, WriteError};
-use super::model::{Crs, Feature, Field, Geometry, Header, Layer};
+use super::model::{Feature, Field, Geometry, Header, Layer};
 use columns::{ShapeKind, shape_kind};
 use dbf::Table;
 use failed::{content, truncated};
@@ -32,10 +34,6 @@ const HEADER: usize = 100;
 const FILE_CODE: [u8; 4] = 9_994_i32.to_be_bytes();
 
 const VERSION: i32 = 1_000;
-
-/// The text that Esri writes for longitude and latitude on WGS 84.
-const WGS_84: &str = "GEOGCS[\"GCS_WGS_1984\",DATUM[\"D_WGS_1984\",SPHEROID[\"WGS_1984\",6378137.0,298.257223563]],\
-PRIMEM[\"Greenwich\",0.0],UNIT[\"Degree\",0.0174532925199433]]";
 
 /// The file of the same name with another extension, in small letters or capitals, if there is one.
 fn beside(path: &Path, extension: &str) -> Option<PathBuf> {
@@ -92,7 +90,7 @@ pub(super) fn read(path: &Path, each: &mut Each<'_>) -> Result<Header, ReadError
     }
     Ok(Header {
         name: shp.file_stem().map(|stem| stem.to_string_lossy().into_owned()),
-        crs: wkt.map(|wkt| Crs { wkt: Some(wkt), ..Crs::default() }),
+        crs: wkt.map(Crs::of_wkt),
         fields: table.map(|table| table.fields()).unwrap_or_default(),
         charset,
         ..Header::default()
@@ -190,11 +188,8 @@ pub(super) fn write(layer: &Layer, path: &Path) -> Result<(), WriteError> {
     dbf::write(layer, &columns, &mut table)?;
     table.flush()?;
     fs::write(path.with_extension("cpg"), "UTF-8\n")?;
-    if let Some(crs) = &layer.header.crs {
-        let wkt = crs.wkt.as_deref().or((!crs.is_other()).then_some(WGS_84));
-        if let Some(wkt) = wkt {
-            fs::write(path.with_extension("prj"), wkt)?;
-        }
+    if let Some(wkt) = layer.header.crs.as_ref().and_then(Crs::wkt1) {
+        fs::write(path.with_extension("prj"), wkt)?;
     }
     Ok(())
 }

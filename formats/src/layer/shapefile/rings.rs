@@ -1,6 +1,8 @@
 //! Polygons of a Shapefile: a list of rings, outer ones clockwise and holes counter-clockwise, in any order.
 
 use super::super::model::{Line, Position};
+use std::cmp::Ordering;
+use std::iter;
 use twinedge::algorithm::area::ring_area;
 use twinedge::geometry::Point;
 use twinedge::geometry::predicates::{Orientation, on_segment, orientation};
@@ -11,6 +13,35 @@ fn point(position: &Position) -> Point {
 
 fn area(ring: &[Position]) -> f64 {
     ring_area(ring.iter().map(point))
+}
+
+/// The factor by which coordinates up to this one are multiplied, exactly, so that products of two do not overflow.
+fn scale(greatest: f64) -> f64 {
+    const LARGE: f64 = 1e150;
+    const SHRINK: f64 = 1.0 / (1_u128 << 100) as f64;
+    if greatest > LARGE { SHRINK.powi(6) } else { 1.0 }
+}
+
+/// The direction in which a ring turns: `Greater` for counter-clockwise, `Equal` if it encloses nothing. That of the ring the other way
+/// around is the opposite, whatever is rounded: of the two ways from the first point, the same one is always taken.
+fn direction(ring: &[Position]) -> Ordering {
+    let [first, rest @ ..] = ring else { return Ordering::Equal };
+    let rest = match rest {
+        [rest @ .., last] if point(last) == point(first) => rest,
+        _ => rest,
+    };
+    let greatest = |number: fn(&Position) -> f64| ring.iter().map(number).fold(0.0, |most: f64, x| most.max(x.abs()));
+    let (x, y) = (scale(greatest(|p| p.x)), scale(greatest(|p| p.y)));
+    let scaled = |p: &Position| Point::new(p.x * x, p.y * y);
+    let sign = |area: f64| area.partial_cmp(&0.0).unwrap_or(Ordering::Equal);
+    let start = || iter::once(scaled(first));
+    let coordinates = |p: &Position| (p.x, p.y);
+    match rest.iter().map(coordinates).partial_cmp(rest.iter().rev().map(coordinates)) {
+        Some(Ordering::Less) => sign(ring_area(start().chain(rest.iter().map(scaled)))),
+        Some(Ordering::Greater) => sign(ring_area(start().chain(rest.iter().rev().map(scaled)))).reverse(),
+        // The same forth and back.
+        _ => Ordering::Equal,
+    }
 }
 
 /// Least and greatest coordinates.
@@ -45,7 +76,7 @@ pub(super) fn polygons(rings: Vec<Line>) -> Vec<Vec<Line>> {
     let mut polygons = grouped(rings);
     for ring in polygons.iter_mut().flatten() {
         // Rings without area have no direction, and are written as they are read.
-        if area(ring) != 0.0 {
+        if direction(ring) != Ordering::Equal {
             ring.reverse();
         }
     }
@@ -56,7 +87,8 @@ pub(super) fn polygons(rings: Vec<Line>) -> Vec<Vec<Line>> {
 /// that lies in none is a polygon of its own, and so is every ring if none is an outer one. O(rings² · points) at worst, where
 /// boxes lie inside each other.
 fn grouped(rings: Vec<Line>) -> Vec<Vec<Line>> {
-    let (outer, inner): (Vec<Line>, Vec<Line>) = rings.into_iter().partition(|ring| area(ring) <= 0.0);
+    let (outer, inner): (Vec<Line>, Vec<Line>) =
+        rings.into_iter().partition(|ring| direction(ring) != Ordering::Greater);
     let mut polygons: Vec<Vec<Line>> = outer.into_iter().map(|ring| vec![ring]).collect();
     match &mut polygons[..] {
         [] => return inner.into_iter().map(|ring| vec![ring]).collect(),
@@ -110,10 +142,10 @@ pub(super) fn written_rings<'a>(polygons: impl IntoIterator<Item = &'a [Line]>) 
     for rings in polygons {
         for (number, ring) in rings.iter().enumerate().filter(|(_, ring)| !ring.is_empty()) {
             let mut ring = ring.clone();
-            if let Some(first) = ring.first().filter(|first| ring.last() != Some(*first)) {
+            if let Some(first) = ring.first().filter(|first| ring.last().map(point) != Some(point(first))) {
                 ring.push(first.clone());
             }
-            let is_counter_clockwise = area(&ring) > 0.0;
+            let is_counter_clockwise = direction(&ring) == Ordering::Greater;
             if is_counter_clockwise == (number == 0) {
                 ring.reverse();
             }

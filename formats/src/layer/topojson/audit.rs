@@ -51,7 +51,7 @@ pub fn audit(topology: &ArcTopology, limit: usize) -> TopologyAudit {
         let diagnosis = Diagnosis {
             // Its fields are the numbers of half-edges.
             kind: Kind::Named { kind: violation.kind() },
-            message: violation.named(|record| topology.name(record)).to_string(),
+            message: violation.named(|record| topology.name(record)).message(),
             ..violation.into()
         };
         placed(diagnosis, records.collect(), places(topology, violation).into_iter().map(Into::into).collect())

@@ -1,9 +1,10 @@
 //! An object of a file as features, their lines and rings put together from arcs.
 
+use super::super::crs::Crs;
 use super::super::each::Each;
 use super::super::error::{Cause, Place, ReadError};
 use super::super::json::{InDegrees, geometry};
-use super::super::model::{Crs, Feature, Header, Id, Line, Members, Position, Shape, Value};
+use super::super::model::{Feature, Header, Id, Line, Members, Position, Shape, Value};
 use super::super::names::Names;
 use super::document::{Document, check_finite, content};
 use serde_json::Value as Json;
@@ -25,7 +26,7 @@ pub(in crate::layer) fn read(
     let name = chosen(&document.objects, layer)?;
     let object = document.objects.remove(&name).unwrap_or_default();
     let mut header = Header { name: Some(name), members: std::mem::take(&mut document.members), ..Header::default() };
-    header.crs = header.members.shift_remove("crs").map(|member| Crs { member: Some(member), ..Crs::default() });
+    header.crs = header.members.shift_remove("crs").map(Crs::of_member);
     let mut reading = Reading::new(&document);
     let mut names = Names::default();
     let mut in_degrees = InDegrees::default();

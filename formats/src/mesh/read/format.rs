@@ -64,6 +64,12 @@ impl Format {
         Self::ALL.iter().copied().find(|format| extension.eq_ignore_ascii_case(format.name()))
     }
 
+    /// The number of the first point in files of the format, from which a message about a file counts: 1 in OBJ, else 0.
+    #[must_use]
+    pub fn first_number(self) -> usize {
+        usize::from(self.name() == "obj")
+    }
+
     /// Returns true if the content says the format for certain. That of an OBJ file may start with anything.
     pub(super) fn is_certain(self) -> bool {
         self.name() != "obj"

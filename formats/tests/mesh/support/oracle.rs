@@ -36,6 +36,9 @@ pub(crate) fn merged(mut sets: Vec<Set>) -> Vec<Set> {
 pub(crate) fn opinion(mesh: &IndexedMesh) -> Opinion {
     let faces: Vec<Vec<usize>> = mesh.faces().map(|face| face.iter().map(|v| *v as usize).collect()).collect();
     let mut findings = Vec::new();
+    if faces.is_empty() {
+        findings.push(Finding::NoFaces);
+    }
 
     // Degenerate faces.
     let mut sound = Vec::new();

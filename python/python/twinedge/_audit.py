@@ -110,10 +110,28 @@ def audit_faces(
     return Report(_twinedge.audit_faces(points, corners, offsets, asked), {"half_edge": Sides(offsets)})
 
 
-def _collection(layer: Any) -> str:
-    """The geometries of anything that holds some, as a text in the form of GeoJSON: a feature for each, in order."""
-    geometries = ",".join(f'{{"type":"Feature","properties":null,"geometry":{text}}}' for text in _geometries(layer))
-    return f'{{"type":"FeatureCollection","features":[{geometries}]}}'
+#: The text of a geometry with a coordinate that is NaN or infinite, of which JSON has none.
+_NOT_FINITE = "NaN"
+
+
+def _collection(layer: Any) -> tuple[str, list[int]]:
+    """The geometries of anything that holds some, as a text in the form of GeoJSON: a feature for each, in order. Those that are not
+    finite are left out, and their positions are returned."""
+    texts = _geometries(layer)
+    not_finite = [at for at, text in enumerate(texts) if text == _NOT_FINITE]
+    for at in not_finite:
+        texts[at] = "null"
+    geometries = ",".join(f'{{"type":"Feature","properties":null,"geometry":{text}}}' for text in texts)
+    return f'{{"type":"FeatureCollection","features":[{geometries}]}}', not_finite
+
+
+def _text(geometry: Any) -> str:
+    try:
+        return json.dumps(geometry, allow_nan=False)
+    except ValueError:
+        # What is wrong otherwise is said here.
+        json.dumps(geometry)
+        return _NOT_FINITE
 
 
 def _by_shapely(geometries: npt.NDArray[Any]) -> list[str] | None:
@@ -123,7 +141,14 @@ def _by_shapely(geometries: npt.NDArray[Any]) -> list[str] | None:
         return None
     # GEOS writes an empty ring as no JSON reader expects it.
     geometries[shapely.is_empty(geometries)] = None
-    return ["null" if text is None else text for text in shapely.to_geojson(geometries)]
+    geometries = shapely.force_2d(geometries)
+    coordinates, owners = shapely.get_coordinates(geometries, return_index=True)
+    not_finite = np.unique(owners[~np.isfinite(coordinates).all(axis=1)])
+    geometries[not_finite] = None
+    texts = ["null" if text is None else text for text in shapely.to_geojson(geometries)]
+    for at in not_finite:
+        texts[at] = _NOT_FINITE
+    return texts
 
 
 def _labels(layer: Any, name: str | None) -> Names | None:
@@ -200,8 +225,8 @@ def _geometries(layer: Any) -> list[str]:
         found = layer if isinstance(layer, dict) else layer.__geo_interface__
         kind = found.get("type")
         if kind == "FeatureCollection":
-            return [json.dumps(feature["geometry"]) for feature in found["features"]]
-        return [json.dumps(found["geometry"] if kind == "Feature" else found)]
+            return [_text(feature["geometry"]) for feature in found["features"]]
+        return [_text(found["geometry"] if kind == "Feature" else found)]
     if isinstance(layer, (str, bytes)):
         raise _refused(layer, "give a path as pathlib.Path, or the name of a file that exists")
     try:
@@ -228,6 +253,9 @@ def audit(
     Of lines and polygons the planar map is built and every rule is checked on it, those about coordinates too: that edges meet
     at their ends only, that holes lie in the face that lists them. Overlaps, gaps, near misses, slivers and duplicates of the
     polygons, and polygons that are not valid by the OGC (rules C1 to C6), are :attr:`Report.findings`. ``Report.to_frame`` has both.
+
+    A geometry with a coordinate that is NaN or infinite is left out: it is a finding of C6, and the report is not valid. One that
+    is missing or empty is in :attr:`Report.without_geometry`.
 
     Parameters
     ----------
@@ -283,6 +311,7 @@ def audit(
         "format": format, "coverage": coverage, "gap_width": gap_width, "sliver_area": sliver_area, "snap": snap, "name": name
     }
     labels: Names | None = None
+    not_finite: Sequence[int] = ()
     if isinstance(layer, (str, os.PathLike)) and not hasattr(layer, "__geo_interface__"):
         path = Path(layer)
         if isinstance(layer, str) and not path.exists():
@@ -298,7 +327,8 @@ def audit(
         _refuse("this", **for_maps)
         return audit_faces(np.asarray(layer.faces), len(layer.vertices), list=list, **expected)
     else:
-        text, format = _collection(layer).encode(), "geojson"
+        collection, not_finite = _collection(layer)
+        text, format = collection.encode(), "geojson"
         labels = _labels(layer, name)
     if expected:
         raise TypeError(f"{next(iter(expected))}: this is for meshes, and the layer is a map")
@@ -308,6 +338,7 @@ def audit(
         "sliver_area": _number("sliver_area", sliver_area),
         "snap": _cell(snap),
         "list": _twinedge.DEFAULT_LIST if list is None else _count("list", list),
+        "not_finite": not_finite,
     }
     document, found = _twinedge.audit_map(text, format, asked)
     # The text that is made of a layer has no names.

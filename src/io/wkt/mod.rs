@@ -1,7 +1,8 @@
 //! Reading and writing well-known text, one geometry per line.
 //!
 //! The grammar is that of the `wkt` crate: `POINT`, `LINESTRING`, `LINEARRING`, `POLYGON`, their `MULTI` forms and
-//! `GEOMETRYCOLLECTION`, each with an optional `Z`, `M` or `ZM`, in capitals or not.
+//! `GEOMETRYCOLLECTION`, each with an optional `Z`, `M` or `ZM`, in capitals or not. Three numbers of a position without one of these
+//! are x, y and z, and four x, y, z and m. `SRID=2056;` may stand before a geometry, as PostGIS writes it.
 //!
 //! ```
 //! use twinedge::io::{ReadError, wkt};
@@ -15,6 +16,8 @@
 //! # Ok::<_, ReadError>(())
 //! ```
 
+mod dialect;
+
 use core::str;
 use std::io::{BufRead, BufReader, Read, Write};
 
@@ -23,6 +26,7 @@ use ::wkt::types::{
     Coord, Dimension, GeometryCollection, LineString, MultiLineString, MultiPoint, MultiPolygon, Polygon,
 };
 
+use self::dialect::{plain, split_srid};
 use super::error::{MAX_NESTED_COLLECTIONS, ReadCause, ReadError, TextPlace};
 use super::summary::ReadSummary;
 use super::write::{self, GeometryPiece, WriteError};
@@ -45,18 +49,34 @@ where
     E: From<ReadError>,
 {
     let mut summary = ReadSummary::default();
-    read_geometries(reader, |line, geometry| {
-        let mut shapes = LineShapes { line, shapes: Vec::new(), with_extra_dimensions: 0, empty: 0 };
+    read_geometries(reader, |GeometryLine { number, srid, geometry }| {
+        let mut shapes = LineShapes { line: number, shapes: Vec::new(), with_extra_dimensions: 0, empty: 0 };
         shapes.add(geometry, 0)?;
         let feature = Feature { shapes: shapes.shapes, ..Feature::default() };
         summary.add(&feature, shapes.with_extra_dimensions, shapes.empty);
+        summary.other_crs += usize::from(srid.is_some_and(|srid| srid != WGS_84));
         each(feature)
     })?;
     Ok(summary)
 }
 
-/// Reads a file without dropping anything: the number of each line, counted from 1, and its geometry as the crate `wkt` has it.
-/// Otherwise as [`read`]; what numbers there are is not checked.
+/// The number of the reference system of longitudes and latitudes on WGS 84.
+const WGS_84: i64 = 4326;
+
+/// A line with a geometry.
+#[derive(Clone, Debug, PartialEq)]
+#[non_exhaustive]
+pub struct GeometryLine {
+    /// Its number, counted from 1.
+    pub number: usize,
+    /// The number of the reference system, if the line says one.
+    pub srid: Option<i64>,
+    /// The geometry as the crate `wkt` has it, without the empty points of multi-points.
+    pub geometry: Wkt<f64>,
+}
+
+/// Reads a file without dropping anything but empty points in multi-points. Otherwise as [`read`]; what numbers there are is not
+/// checked.
 ///
 /// # Errors
 /// As for [`read`].
@@ -64,33 +84,35 @@ where
 /// ```
 /// use twinedge::io::{ReadError, wkt};
 ///
-/// wkt::read_geometries("POINT Z (1 2 3)".as_bytes(), |line, geometry| {
-///     assert_eq!((line, geometry.to_string().as_str()), (1, "POINT Z(1 2 3)"));
+/// wkt::read_geometries("SRID=2056;POINT(1 2 3)".as_bytes(), |line| {
+///     assert_eq!((line.srid, line.geometry.to_string().as_str()), (Some(2056), "POINT Z(1 2 3)"));
 ///     Ok::<_, ReadError>(())
 /// })?;
 /// # Ok::<_, ReadError>(())
 /// ```
-pub fn read_geometries<R, E>(reader: R, mut each: impl FnMut(usize, Wkt<f64>) -> Result<(), E>) -> Result<(), E>
+pub fn read_geometries<R, E>(reader: R, mut each: impl FnMut(GeometryLine) -> Result<(), E>) -> Result<(), E>
 where
     R: Read,
     E: From<ReadError>,
 {
     let mut input = BufReader::new(reader);
     let mut bytes = Vec::new();
-    for line in 1.. {
+    for number in 1.. {
         bytes.clear();
-        if input.read_until(b'\n', &mut bytes).map_err(|error| error_in(line, ReadCause::Io(error)))? == 0 {
+        if input.read_until(b'\n', &mut bytes).map_err(|error| error_in(number, ReadCause::Io(error)))? == 0 {
             break;
         }
-        let text = str::from_utf8(&bytes).map_err(|_| error_in(line, ReadCause::NotUtf8))?;
-        let text = if line == 1 { text.strip_prefix('\u{FEFF}').unwrap_or(text) } else { text };
+        let text = str::from_utf8(&bytes).map_err(|_| error_in(number, ReadCause::NotUtf8))?;
+        let text = if number == 1 { text.strip_prefix('\u{FEFF}').unwrap_or(text) } else { text };
         let text = text.trim();
         if text.is_empty() || text.starts_with('#') {
             continue;
         }
-        check_frame(text, line)?;
-        let geometry = text.parse().map_err(|message| error_in(line, syntax(message)))?;
-        each(line, geometry)?;
+        let after_srid = || error_in(number, syntax("expected SRID=, a number and a semicolon"));
+        let (srid, text) = split_srid(text).ok_or_else(after_srid)?;
+        check_frame(text, number)?;
+        let geometry = plain(text).parse().map_err(|message| error_in(number, syntax(message)))?;
+        each(GeometryLine { number, srid, geometry })?;
     }
     Ok(())
 }

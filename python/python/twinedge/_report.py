@@ -298,6 +298,11 @@ class Report:
         """The number of findings, listed or not."""
         return int(self._document.get("finding_count", 0))
 
+    @property
+    def without_geometry(self) -> list[int]:
+        """The positions of the features of a map whose geometry is missing or empty: nothing of them is judged."""
+        return [*self._document.get("without_geometry", ())]
+
     def to_dict(self) -> dict[str, Any]:
         """The JSON form, as objects."""
         found: dict[str, Any] = json.loads(self.to_json())
@@ -331,14 +336,16 @@ class Report:
         return self
 
     def _verdict(self) -> str:
+        missing = len(self.without_geometry)
+        aside = f"; {missing:,} feature{'s have' if missing != 1 else ' has'} no geometry" if missing else ""
         if self.valid:
-            return "valid"
+            return f"valid{aside}"
         counted = [
             f"{n:,} {name}{'s' if n != 1 else ''}"
             for n, name in [(self.violation_count, "violation"), (self.finding_count, "finding")]
             if n
         ]
-        return "not valid: " + (", ".join(counted) or "a rule could not be checked")
+        return "not valid: " + (", ".join(counted) or "a rule could not be checked") + aside
 
     def _counted(self) -> str:
         names = ["vertices", "edges", "faces", "components", "genus"]

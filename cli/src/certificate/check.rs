@@ -1,0 +1,60 @@
+//! `twinedge check`: a certificate is checked.
+
+use super::folder::Folder;
+use crate::output::print;
+use crate::status::{Failure, Verdict};
+use std::path::PathBuf;
+use twinedge::validate::certificate::{Failure as FailedTest, Test, check_drawing};
+
+/// Check a certificate: whether what is in a folder is a planar subdivision.
+///
+/// The check is a scan that looks at each record once. It shares no code with `twinedge audit`, and prints the same lines as the checker
+/// that is proved in Coq (`proofs/coq/certified`).
+#[derive(Debug, clap::Args)]
+#[command(after_help = "Examples:
+  twinedge certify parcels.geojson -o parcels.cert
+  twinedge check parcels.cert
+
+Exit status: 0 it is certified; 1 it is not, and the tests that fail are printed, each with the first record that fails it; 2 the \
+folder could not be read.")]
+pub(crate) struct Check {
+    /// The folder of the certificate.
+    #[arg(value_name = "FOLDER")]
+    folder: PathBuf,
+}
+
+impl Check {
+    pub(crate) fn run(&self) -> Result<Verdict, Failure> {
+        let Folder { certificate, drawing } = Folder::read(&self.folder)?;
+        let checked = match &drawing {
+            Some(drawing) => check_drawing(&certificate, certificate.columns(), drawing),
+            None => certificate.check(),
+        };
+        match checked {
+            Ok(()) => {
+                print(&format!("valid: {}\n", certified(drawing.is_some())))?;
+                Ok(Verdict::Sound)
+            }
+            Err(failures) if failures.iter().any(|failure| failure.test() == Test::Readable) => {
+                let name = self.folder.display();
+                Err(Failure(format!(
+                    "{name}: the length of a column is wrong, a point is not there, or a coordinate is out of range"
+                )))
+            }
+            Err(failures) => {
+                print(&format!("not valid\n{}", lines(&failures)))?;
+                Ok(Verdict::Wrong)
+            }
+        }
+    }
+}
+
+/// The claim, in words.
+pub(super) const fn certified(is_drawing: bool) -> &'static str {
+    if is_drawing { "a plane subdivision, drawn without crossings" } else { "a plane subdivision" }
+}
+
+/// A line for each test that failed.
+pub(super) fn lines(failures: &[FailedTest]) -> String {
+    failures.iter().map(|failure| format!("{failure}\n")).collect()
+}

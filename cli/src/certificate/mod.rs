@@ -1,0 +1,9 @@
+//! Certificates: `twinedge certify` writes them, `twinedge check` checks them.
+
+mod certify;
+mod check;
+mod folder;
+mod sql_folder;
+
+pub(crate) use certify::Certify;
+pub(crate) use check::Check;

@@ -1,0 +1,171 @@
+//! `twinedge certify` and `twinedge check`, beside the checker that is proved in Coq where that is built.
+
+use crate::support::{complaint, scratch_folder, twinedge, twinedge_reading};
+use std::collections::BTreeSet;
+use std::fs;
+use std::path::{Path, PathBuf};
+use std::process::Command;
+
+fn parcels() -> String {
+    format!("{}/../docs/parcels.geojson", env!("CARGO_MANIFEST_DIR"))
+}
+
+/// A certificate of the parcels, with their drawing or without.
+fn certified(name: &str, more: &[&str]) -> PathBuf {
+    let folder = scratch_folder(name);
+    let output = twinedge(&[&["certify", &parcels(), "--snap", "auto", "-o", folder.to_str().unwrap()], more].concat());
+    assert_eq!(output.status.code(), Some(0), "{}", String::from_utf8_lossy(&output.stderr));
+    folder
+}
+
+/// The exit status of `check` and what it prints.
+fn check(folder: &Path) -> (Option<i32>, String) {
+    let output = twinedge(&["check", folder.to_str().unwrap()]);
+    (output.status.code(), String::from_utf8(output.stdout).unwrap())
+}
+
+/// The same of Coq's checker; `None` if it is not built.
+fn proved(folder: &Path) -> Option<(Option<i32>, String)> {
+    let checker = Path::new(concat!(env!("CARGO_MANIFEST_DIR"), "/../proofs/coq/certified"));
+    let output = Command::new(checker).arg(folder).output().ok()?;
+    (output.status.code() != Some(3)).then(|| (output.status.code(), String::from_utf8(output.stdout).unwrap()))
+}
+
+/// The tests that a line begins with.
+fn failed_tests(printed: &str) -> BTreeSet<&str> {
+    printed.lines().skip(1).map(|line| line.split(':').next().unwrap()).collect()
+}
+
+/// Both checkers say the same. Returns the exit status.
+fn agreed(folder: &Path, what: &str) -> Option<i32> {
+    let (status, printed) = check(folder);
+    if let Some((proved_status, proved_printed)) = proved(folder) {
+        assert_eq!(status, proved_status, "{what}\n{printed}\n{proved_printed}");
+        // A rank that is not there is nil for the one, and 0 for the other, which other tests find as well.
+        let (ours, theirs) = (failed_tests(&printed), failed_tests(&proved_printed));
+        assert!(theirs.is_subset(&ours), "{what}\n{printed}\n{proved_printed}");
+        if status == Some(0) {
+            assert_eq!(printed, proved_printed);
+        }
+    }
+    status
+}
+
+#[test]
+fn a_map_is_certified_and_checked() {
+    let folder = certified("certified", &[]);
+    assert_eq!(check(&folder), (Some(0), "valid: a plane subdivision, drawn without crossings\n".to_owned()));
+    assert_eq!(agreed(&folder, "right"), Some(0));
+    let claim = fs::read_to_string(folder.join("claim.txt")).unwrap();
+    assert!(claim.starts_with("twinedge certificate 1\ndrawing\n"), "{claim}");
+    assert_eq!(fs::read_dir(&folder).unwrap().count(), 1 + 15 + 9 + 2);
+    // The same folder once more, without coordinates.
+    let name = folder.to_str().unwrap();
+    let output = twinedge(&["certify", &parcels(), "--topology-only", "-o", name]);
+    assert_eq!(output.status.code(), Some(0));
+    assert_eq!(check(&folder), (Some(0), "valid: a plane subdivision\n".to_owned()));
+    assert_eq!(agreed(&folder, "right, without coordinates"), Some(0));
+}
+
+/// Each number of a few in each column is set to others.
+#[test]
+fn corruptions_are_judged_as_by_the_proved_checker() {
+    let folder = certified("corrupted", &[]);
+    let mut files: Vec<PathBuf> = fs::read_dir(&folder).unwrap().map(|entry| entry.unwrap().path()).collect();
+    files.sort();
+    let mut statuses = [0, 0, 0];
+    for file in files.iter().filter(|file| file.extension().is_some_and(|extension| extension != "txt")) {
+        let right = fs::read(file).unwrap();
+        let width = if file.extension().unwrap() == "i64" { 8 } else { 4 };
+        let rows = right.len() / width;
+        for row in [0, rows / 2, rows - 1] {
+            for value in [0, 1, 5, (row + 1) as u64, u64::MAX - 1, u64::MAX, 1 << 53] {
+                let mut wrong = right.clone();
+                wrong[row * width..][..width].copy_from_slice(&value.to_le_bytes()[..width]);
+                fs::write(file, &wrong).unwrap();
+                let status = agreed(&folder, &format!("{}, row {row}: {value}", file.display()));
+                statuses[status.unwrap() as usize] += 1;
+            }
+        }
+        fs::write(file, &right).unwrap();
+    }
+    let [valid, invalid, unreadable] = statuses;
+    assert!(valid > 20 && invalid > 300 && unreadable > 5, "{statuses:?}");
+}
+
+#[test]
+fn the_test_and_the_record_are_named() {
+    let folder = certified("named", &["--topology-only"]);
+    let next = folder.join("half_edge_next.u32");
+    let mut wrong = fs::read(&next).unwrap();
+    wrong[12..16].copy_from_slice(&3_u32.to_le_bytes());
+    fs::write(&next, wrong).unwrap();
+    let (status, printed) = check(&folder);
+    assert_eq!(status, Some(1));
+    assert!(printed.starts_with("not valid\nnext_ok: 2 of the half-edges, the first is 3\n"), "{printed}");
+}
+
+#[test]
+fn what_is_unreadable_is_said_in_one_line() {
+    let unreadable = |change: &dyn Fn(&Path)| {
+        let folder = certified("unreadable", &[]);
+        change(&folder);
+        let output = twinedge(&["check", folder.to_str().unwrap()]);
+        assert_eq!(output.status.code(), Some(2));
+        assert!(agreed(&folder, "unreadable") == Some(2));
+        complaint(&output)
+    };
+    let append = |name: &'static str, bytes: &'static [u8]| {
+        move |folder: &Path| {
+            let content = fs::read(folder.join(name)).unwrap();
+            fs::write(folder.join(name), [&content, bytes].concat()).unwrap();
+        }
+    };
+    assert!(unreadable(&|folder| fs::remove_file(folder.join("face_end.u32")).unwrap()).contains("face_end.u32"));
+    assert!(unreadable(&append("face_end.u32", b"x")).contains("in the middle of a number"));
+    assert!(unreadable(&append("face_end.u32", b"four")).contains("different lengths"));
+    assert!(unreadable(&append("point_y.i64", b"12345678")).contains("different lengths"));
+    assert!(unreadable(&append("dart_rank.u32", b"four")).contains("length of a column"));
+    let sphere = |folder: &Path| fs::write(folder.join("claim.txt"), "twinedge certificate 1\nsphere\n").unwrap();
+    assert!(unreadable(&sphere).contains("no claim that is known"));
+    assert_eq!(twinedge(&["check", "/no/such/folder"]).status.code(), Some(2));
+}
+
+#[test]
+fn what_is_not_valid_is_not_certified() {
+    let folder = scratch_folder("not-certified");
+    let name = folder.to_str().unwrap();
+    // Coordinates in decimals are on no grid.
+    let output = twinedge(&["certify", &parcels(), "-o", name]);
+    assert_eq!(output.status.code(), Some(2));
+    assert!(complaint(&output).contains("--snap auto"));
+    let crossing = format!("{}/../tests/data/world-110m-crossing.geojson", env!("CARGO_MANIFEST_DIR"));
+    assert_eq!(twinedge(&["certify", &crossing, "--topology-only", "-o", name]).status.code(), Some(0));
+    let folder = scratch_folder("not-certified");
+    // A vertex that is said to have another half-edge.
+    let table = b"V 2 0 - 0 - H 2 0 1 1 1 0 1 0 0 0 0 B 1 0 h0 i0 F 1 - 1 0 = V1";
+    let output = twinedge_reading(&["certify", "--table", "-", "-o", name], table);
+    assert_eq!(output.status.code(), Some(1));
+    assert!(String::from_utf8(output.stdout).unwrap().contains("vertex_ok: 1 of the vertices, the first is 1"));
+    assert_eq!(fs::read_dir(&folder).unwrap().count(), 0);
+}
+
+#[test]
+fn a_table_is_certified() {
+    let folder = scratch_folder("certified-table");
+    let table = b"# expect: plane\nV 2 0 - 1 - H 2 0 1 1 1 0 1 0 0 0 0 B 1 0 h0 i0 F 1 - 1 0 = ok\n";
+    let output = twinedge_reading(&["certify", "--table", "-", "-o", folder.to_str().unwrap()], table);
+    assert_eq!(output.status.code(), Some(0));
+    assert_eq!(agreed(&folder, "table"), Some(0));
+    assert_eq!(fs::read(folder.join("half_edge_next.u32")).unwrap(), [1, 0, 0, 0, 0, 0, 0, 0]);
+}
+
+#[test]
+fn a_folder_with_other_files_is_not_written_to() {
+    let folder = scratch_folder("other-files");
+    fs::write(folder.join("letter.txt"), "dear").unwrap();
+    let output = twinedge(&["certify", "--topology-only", "-o", folder.to_str().unwrap()]);
+    assert_eq!(output.status.code(), Some(2));
+    assert!(complaint(&output).contains("other files"));
+    assert_eq!(fs::read_dir(&folder).unwrap().count(), 1);
+}

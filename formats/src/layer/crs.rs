@@ -1,0 +1,105 @@
+//! Coordinate reference systems, as far as files name them.
+
+use super::epsg;
+use serde_json::Value as Json;
+
+/// A coordinate reference system, as far as the file names it.
+#[derive(Clone, Debug, Default, PartialEq)]
+pub struct Crs {
+    /// Who numbers it, usually `EPSG`, and its number.
+    pub code: Option<(String, i64)>,
+    /// Its definition in well-known text.
+    pub wkt: Option<String>,
+    /// The member `crs` of a GeoJSON object.
+    pub member: Option<Json>,
+}
+
+/// The name under which Esri writes longitude and latitude on WGS 84.
+const ESRI_WGS_84: &str = "GCS_WGS_1984";
+
+/// The number of longitude and latitude on WGS 84.
+const WGS_84: i64 = 4326;
+
+/// The first words of the older form of well-known text (OGC 01-009), in which Esri and `GeoPackage` have definitions.
+const WKT1: [&str; 7] = ["GEOGCS", "PROJCS", "COMPD_CS", "GEOCCS", "VERT_CS", "LOCAL_CS", "FITTED_CS"];
+
+impl Crs {
+    /// The system that the EPSG numbers so.
+    #[must_use]
+    pub fn epsg(code: i64) -> Self {
+        Self { code: Some(("EPSG".to_owned(), code)), ..Self::default() }
+    }
+
+    /// The system of the member `crs` of a GeoJSON object, with its number if the name has one of the EPSG.
+    ///
+    /// ```
+    /// use twinedge_formats::layer::Crs;
+    ///
+    /// let crs = |name: &str| Crs::of_member(serde_json::json!({"type": "name", "properties": {"name": name}}));
+    /// assert_eq!(crs("urn:ogc:def:crs:EPSG::2056").code, Some(("EPSG".into(), 2056)));
+    /// assert_eq!(crs("urn:ogc:def:crs:OGC:1.3:CRS84").code, Some(("EPSG".into(), 4326)));
+    /// assert_eq!(crs("Bern").code, None);
+    /// ```
+    #[must_use]
+    pub fn of_member(member: Json) -> Self {
+        let name = member.pointer("/properties/name").and_then(Json::as_str);
+        let code = name.and_then(|name| {
+            if !twinedge::io::geojson::names_other_crs(&member) {
+                return Some(WGS_84);
+            }
+            let mut parts = name.split([':', '/']);
+            let is_of_epsg = parts.any(|part| part.eq_ignore_ascii_case("EPSG"));
+            parts.next_back().filter(|_| is_of_epsg)?.parse().ok()
+        });
+        Self { member: Some(member), ..code.map_or_else(Self::default, Self::epsg) }
+    }
+
+    /// The system of a definition in well-known text, with its number if the text is that which Esri has for one of the EPSG.
+    #[must_use]
+    pub fn of_wkt(wkt: String) -> Self {
+        let code = epsg::code(&wkt);
+        Self { wkt: Some(wkt), ..code.map_or_else(Self::default, Self::epsg) }
+    }
+
+    /// Returns true if it means something else than longitudes and latitudes on WGS 84.
+    #[must_use]
+    pub fn is_other(&self) -> bool {
+        if let Some(member) = &self.member {
+            return twinedge::io::geojson::names_other_crs(member);
+        }
+        match (&self.code, &self.wkt) {
+            (Some((authority, code)), _) => !(authority.eq_ignore_ascii_case("EPSG") && *code == WGS_84),
+            (None, Some(wkt)) => {
+                let is_named = wkt.contains(ESRI_WGS_84) || wkt.contains("\"WGS 84\"");
+                !(wkt.trim_start().starts_with("GEOG") && is_named)
+            }
+            (None, None) => false,
+        }
+    }
+
+    /// Its definition in the older form of well-known text: its own, or that of Esri for its number.
+    #[must_use]
+    pub fn wkt1(&self) -> Option<String> {
+        let is_wkt1 = |wkt: &&String| {
+            let text = wkt.trim_start();
+            WKT1.iter().any(|word| text.starts_with(word))
+        };
+        if let Some(wkt) = self.wkt.as_ref().filter(is_wkt1) {
+            return Some(wkt.clone());
+        }
+        let is_of_epsg = |(authority, _): &&(String, i64)| authority.eq_ignore_ascii_case("EPSG");
+        let code = self.code.as_ref().filter(is_of_epsg).map(|(_, code)| *code);
+        epsg::wkt(code.or((!self.is_other()).then_some(WGS_84))?)
+    }
+
+    /// The name of it in a message.
+    #[must_use]
+    pub fn name(&self) -> String {
+        if let Some((authority, code)) = &self.code {
+            return format!("{authority}:{code}");
+        }
+        let of_wkt = self.wkt.as_deref().and_then(|wkt| wkt.split('"').nth(1));
+        let of_member = self.member.as_ref().and_then(|m| m.pointer("/properties/name")).and_then(|name| name.as_str());
+        of_member.or(of_wkt).unwrap_or("without name").to_owned()
+    }
+}

@@ -1,0 +1,122 @@
+//! Usual forms of well-known text that the crate `wkt` does not take, brought into forms that it does.
+
+use std::borrow::Cow;
+
+/// Splits a reference system from the geometry behind it, as PostGIS writes it: `SRID=2056;POINT(1 2)`. None, if something else
+/// than a number follows `SRID=`.
+pub(super) fn split_srid(text: &str) -> Option<(Option<i64>, &str)> {
+    const MARK: &str = "SRID=";
+    let Some((_, rest)) = text.split_at_checked(MARK.len()).filter(|(mark, _)| mark.eq_ignore_ascii_case(MARK)) else {
+        return Some((None, text));
+    };
+    let (number, geometry) = rest.split_once(';')?;
+    let srid: u32 = number.trim().parse().ok()?;
+    Some((Some(srid.into()), geometry.trim_start()))
+}
+
+/// Says the dimensions of geometries that leave them to the numbers, as in `POINT(1 2 3)`, and drops the empty points of
+/// multi-points. O(bytes · depth of collections).
+pub(super) fn plain(text: &str) -> Cow<'_, str> {
+    let mut out = String::new();
+    let mut copied = 0;
+    for (at, _) in text.match_indices('(').filter(|(at, _)| *at > 0) {
+        let head = text[..at].trim_ascii_end();
+        if at < copied || !head.ends_with(|c: char| c.is_ascii_alphabetic()) {
+            continue;
+        }
+        let dimensions = dimensions(head, &text[at + 1..]);
+        let points = is_multi_point(head).then(|| points(&text[at + 1..])).flatten();
+        if dimensions.is_empty() && points.is_none() {
+            continue;
+        }
+        out.push_str(&text[copied..at]);
+        out.push_str(dimensions);
+        copied = at;
+        if let Some((kept, end)) = points {
+            out.push_str(&kept);
+            copied = at + 1 + end;
+        }
+    }
+    if copied == 0 {
+        return Cow::Borrowed(text);
+    }
+    out.push_str(&text[copied..]);
+    Cow::Owned(out)
+}
+
+/// The dimensions that a geometry leaves to the numbers of its first position.
+fn dimensions(head: &str, body: &str) -> &'static str {
+    if says_dimensions(last_word(head)) {
+        return "";
+    }
+    match first_position(body).map(|position| position.split_ascii_whitespace().count()) {
+        Some(3) => " Z",
+        Some(4) => " ZM",
+        _ => "",
+    }
+}
+
+fn last_word(text: &str) -> &str {
+    let start = text.bytes().rposition(|byte| !byte.is_ascii_alphabetic()).map_or(0, |before| before + 1);
+    &text[start..]
+}
+
+/// Returns true for `Z`, `M`, `ZM` and types that end so: those of plain geometries end in other letters.
+fn says_dimensions(word: &str) -> bool {
+    word.ends_with(['Z', 'z', 'M', 'm'])
+}
+
+/// The numbers of the first position of a body; none if it has no position, or if an inner geometry says its dimensions.
+fn first_position(body: &str) -> Option<&str> {
+    let mut depth = 1_usize;
+    let mut rest = body;
+    loop {
+        rest = rest.trim_start_matches(|c: char| c == ',' || c.is_ascii_whitespace());
+        match rest.chars().next()? {
+            '(' => depth += 1,
+            ')' if depth == 1 => return None,
+            ')' => depth -= 1,
+            c if c.is_ascii_alphabetic() => {
+                let end = rest.find(|c: char| !c.is_ascii_alphabetic())?;
+                if says_dimensions(&rest[..end]) {
+                    return None;
+                }
+                rest = &rest[end..];
+                continue;
+            }
+            _ => return rest.find([',', ')']).map(|end| &rest[..end]),
+        }
+        rest = &rest[1..];
+    }
+}
+
+fn is_multi_point(head: &str) -> bool {
+    const NAME: &str = "MULTIPOINT";
+    let name = head.trim_end_matches(['Z', 'z', 'M', 'm']).trim_ascii_end();
+    name.len()
+        .checked_sub(NAME.len())
+        .and_then(|start| name.get(start..))
+        .is_some_and(|end| end.eq_ignore_ascii_case(NAME))
+}
+
+/// The points of a multi-point that are not empty, in brackets, and where its body ends; none if no point is empty.
+fn points(body: &str) -> Option<(String, usize)> {
+    let is_empty = |point: &&str| point.trim_ascii().eq_ignore_ascii_case("EMPTY");
+    let mut depth = 1_usize;
+    let end = body.bytes().position(|byte| {
+        match byte {
+            b'(' => depth += 1,
+            b')' => depth -= 1,
+            _ => {}
+        }
+        depth == 0
+    })?;
+    // Commas stand between points only.
+    let all = || body[..end].split(',');
+    if !all().any(|point| is_empty(&point)) {
+        return None;
+    }
+    let kept: Vec<&str> = all().filter(|point| !is_empty(point)).collect();
+    let text = if kept.is_empty() { " EMPTY".to_owned() } else { format!("({})", kept.join(",")) };
+    Some((text, end + 1))
+}

@@ -1,0 +1,188 @@
+//! The checker: a scan that looks at each record once, with the records that its links name.
+//!
+//! Each function is a row of the tables in `proofs/coq/CERTIFICATE.md`, and a definition in `proofs/coq/Labels.v`, under the same name. There
+//! is no walk, no set, no order, and nothing of the rules.
+
+use super::answers::Answers;
+use super::columns::{Column, Labels, MOST_SLOTS};
+use super::test::{Failure, Failures, Test};
+use crate::validate::structure::{BoundaryPlace, Link, Start, View};
+use alloc::vec::Vec;
+
+/// Checks the labels of a structure. If all tests pass, it keeps R1 … T4 of [`Expectation::plane`](crate::validate::Expectation::plane).
+///
+/// The labels need not be right, and not even of the right length; the structure may be anything, as for
+/// [`validate`](crate::validate::validate). What is not a certificate is not always broken: the labels may be those of another structure.
+///
+/// Cost: O(n) for n slots and list entries. No memory is allocated, but for failures.
+///
+/// # Errors
+/// The tests that fail, with how many records fail each, and the first of them.
+///
+/// ```
+/// use twinedge::validate::Table;
+/// use twinedge::validate::certificate::{Labels, Test, check};
+/// // A loop that lies in its own inside keeps every rule that looks at single records.
+/// let table: Table = "V 1 0 - H 2 0 1 0 0 0 0 0 1 1 1 B 2 1 h0 o 1 h1 i0 F 2 - 0 0 1 1".parse()?;
+/// let failures = check(&table, &Labels::new(&table)?).unwrap_err();
+/// assert_eq!(failures[0].test(), Test::RankOk);
+/// # Ok::<(), Box<dyn std::error::Error>>(())
+/// ```
+pub fn check<V: View + ?Sized>(view: &V, labels: &Labels) -> Result<(), Vec<Failure>> {
+    let s = Answers::new(view, labels);
+    let mut failures = Failures::new();
+    failures.note(Test::Readable, 0, s.readable());
+    if s.readable() {
+        scan(&s, &mut failures);
+    }
+    failures.into_result()
+}
+
+/// Runs every test of what is readable.
+pub(super) fn scan<V: View + ?Sized>(s: &Answers<'_, V>, failures: &mut Failures) {
+    let (mut half_edges, mut rotations, mut cycles, mut roots, mut unbounded) = (0, 0, 0, 0, 0);
+    for h in (0..s.half_edges).filter(|h| s.is_half_edge(*h)) {
+        half_edges += 1;
+        s.half_edge(h, failures);
+    }
+    for v in (0..s.vertices).filter(|v| s.is_vertex(*v)) {
+        rotations += usize::from(s.leaving(v).is_some());
+        failures.note(Test::VertexOk, v, s.vertex_ok(v));
+    }
+    for b in (0..s.boundaries).filter(|b| s.is_boundary(*b)) {
+        let is_cycle = s.cycle_start(b).is_some();
+        cycles += usize::from(is_cycle);
+        roots += usize::from(is_cycle && s.is_inner(b));
+        failures.note(Test::StartOk, b, s.start_ok(b));
+        failures.note(Test::PlaceOk, b, s.place_ok(b));
+    }
+    // A boundary component is at one place. More entries can only be right if answers change.
+    let mut entries = s.boundaries;
+    for f in (0..s.faces).filter(|f| s.is_face(*f)) {
+        unbounded += usize::from(s.outer(f).is_none());
+        failures.note(Test::FaceOk, f, s.face_ok(f, &mut entries));
+        failures.note(Test::FaceStartsOk, f, !s.by_name() || s.face_starts_ok(f));
+    }
+    failures.note(Test::OneUnbounded, 0, unbounded == 1);
+    failures.note(Test::EulerOk, 0, 2 * (rotations + cycles) == half_edges + 4 * roots);
+}
+
+impl<V: View + ?Sized> Answers<'_, V> {
+    /// Each half-edge has a rank, and numbers fit into columns.
+    pub(super) fn readable(&self) -> bool {
+        let slots = [self.vertices, self.half_edges, self.boundaries, self.faces];
+        self.labels.column(Column::HalfEdgeRank).len() == self.half_edges && slots.iter().all(|n| *n <= MOST_SLOTS)
+    }
+
+    /// What half-edges say of each other and of their origins.
+    pub(super) fn links_ok(&self, h: usize, failures: &mut Failures) {
+        let (twin, next, prev) = (self.twin(h), self.next(h), self.prev(h));
+        let twin_ok = twin.and_then(|t| self.twin(t)) == Some(h) && twin != Some(h);
+        let next_ok = next.and_then(|n| self.prev(n)) == Some(h) && prev.and_then(|p| self.next(p)) == Some(h);
+        let target_ok = next.and_then(|n| self.origin(n)) == twin.and_then(|t| self.origin(t));
+        let origin_ok = self.origin(h).and_then(|v| self.leaving(v)).is_some();
+        failures.note(Test::TwinOk, h, twin_ok);
+        failures.note(Test::NextOk, h, next_ok);
+        failures.note(Test::TargetOk, h, target_ok);
+        failures.note(Test::OriginOk, h, origin_ok);
+    }
+
+    fn half_edge(&self, h: usize, failures: &mut Failures) {
+        self.links_ok(h, failures);
+        let (twin, next, prev, boundary) = (self.twin(h), self.next(h), self.prev(h), self.boundary(h));
+        let cycle_ok =
+            next.and_then(|n| self.boundary(n)) == boundary && boundary.and_then(|b| self.cycle_start(b)).is_some();
+        let lower = |link: Link| self.is_lower(link, h);
+        let rank_ok = lower(next) || lower(prev) || lower(twin) || boundary.is_some_and(|b| self.is_root(h, b));
+        failures.note(Test::CycleOk, h, cycle_ok);
+        failures.note(Test::RankOk, h, rank_ok);
+        let face_name_ok = !self.by_name() || self.view.face(h) == boundary.and_then(|b| self.boundary_face(b));
+        failures.note(Test::FaceNameOk, h, face_name_ok);
+    }
+
+    /// The half-edge with which the boundary component starts, if it is a cycle.
+    pub(super) fn cycle_start(&self, b: usize) -> Link {
+        match self.start(b) {
+            Some(Start::HalfEdge(h)) => Some(h),
+            _ => None,
+        }
+    }
+
+    fn is_inner(&self, b: usize) -> bool {
+        matches!(self.place(b), Some(BoundaryPlace::Inner(_)))
+    }
+
+    /// The link leads to a half-edge with a lower rank than that of `h`.
+    pub(super) fn is_lower(&self, link: Link, h: usize) -> bool {
+        let rank = self.labels.column(Column::HalfEdgeRank);
+        link.and_then(|l| rank.get(l)).zip(rank.get(h)).is_some_and(|(l, h)| l < h)
+    }
+
+    /// `h` is the start of an inner boundary component of the unbounded face, or of one whose outer cycle starts with a lower rank.
+    fn is_root(&self, h: usize, b: usize) -> bool {
+        let lies_lower = |f: usize| match self.outer(f) {
+            None => true,
+            Some(outer) => self.is_lower(self.cycle_start(outer), h),
+        };
+        self.cycle_start(b) == Some(h) && self.is_inner(b) && self.boundary_face(b).is_some_and(lies_lower)
+    }
+
+    /// It keeps a half-edge that leaves it, or names the boundary component that it is.
+    fn vertex_ok(&self, v: usize) -> bool {
+        let isolated = self.isolated(v);
+        let names = match self.leaving(v) {
+            Some(h) => self.origin(h) == Some(v) && isolated.is_none(),
+            None => isolated.is_some_and(|b| self.start(b) == Some(Start::Vertex(v))),
+        };
+        // Without boundary components the structure can name none.
+        names && (!self.by_name() || self.view.isolated(v).is_none())
+    }
+
+    /// It starts with one of its half-edges, or is an isolated vertex, and then an inner one.
+    fn start_ok(&self, b: usize) -> bool {
+        match self.start(b) {
+            Some(Start::HalfEdge(h)) => self.boundary(h) == Some(b),
+            Some(Start::Vertex(v)) => {
+                self.is_vertex(v) && self.leaving(v).is_none() && self.isolated(v) == Some(b) && self.is_inner(b)
+            }
+            None => false,
+        }
+    }
+
+    /// Its face lists it at its place.
+    fn place_ok(&self, b: usize) -> bool {
+        match (self.boundary_face(b), self.place(b)) {
+            (Some(f), Some(BoundaryPlace::Outer)) => self.outer(f) == Some(b),
+            (Some(f), Some(BoundaryPlace::Inner(i))) => self.inner(f, i) == Some(b),
+            _ => false,
+        }
+    }
+
+    /// What it lists names it, and the place. `entries` is the number of entries that may still be right.
+    fn face_ok(&self, f: usize, entries: &mut usize) -> bool {
+        let named = |b: usize, place| self.boundary_face(b) == Some(f) && self.place(b) == Some(place);
+        self.outer(f).is_none_or(|b| named(b, BoundaryPlace::Outer))
+            && (0..self.inner_count(f)).all(|i| {
+                let may_be = *entries > 0;
+                *entries = entries.saturating_sub(1);
+                may_be && self.inner(f, i).is_some_and(|b| named(b, BoundaryPlace::Inner(i)))
+            })
+    }
+
+    /// The half-edges and vertices that the face names are on its boundary components, in their order.
+    fn face_starts_ok(&self, f: usize) -> bool {
+        let starts = |start: Option<Start>, b: usize| match start {
+            Some(Start::HalfEdge(named)) => self.boundary(named) == Some(b),
+            Some(Start::Vertex(named)) => self.isolated(named) == Some(b),
+            None => false,
+        };
+        let outer = match (self.view.outer_half_edge(f), self.outer(f)) {
+            (None, outer) => outer.is_none(),
+            (Some(h), outer) => outer.is_some_and(|b| starts(Some(Start::HalfEdge(h)), b)),
+        };
+        outer
+            && self.view.inner_count(f) == self.inner_count(f)
+            && (0..self.inner_count(f))
+                .all(|i| self.inner(f, i).is_some_and(|b| starts(self.view.inner_start(f, i), b)))
+    }
+}

@@ -1,0 +1,173 @@
+//! The columns of a certificate.
+
+use crate::slots::NIL;
+use alloc::vec::Vec;
+use core::fmt;
+
+/// In the first column of a kind of record: the slot is vacant.
+pub(super) const VACANT: u32 = u32::MAX - 1;
+/// A link that leads nowhere, of a structure whose own number for it does not fit into 32 bits.
+pub(super) const DEAD: u32 = u32::MAX - 2;
+/// More slots cannot be numbered.
+pub(super) const MOST_SLOTS: usize = DEAD as usize;
+
+macro_rules! columns {
+    ($($(#[$doc:meta])* $column:ident $name:literal,)*) => {
+        /// A column of a certificate: a number for each record of one kind. `proofs/coq/CERTIFICATE.md` says what each holds.
+        #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash, PartialOrd, Ord)]
+        #[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
+        #[cfg_attr(feature = "serde", serde(rename_all = "snake_case"))]
+        #[non_exhaustive]
+        pub enum Column {
+            $($(#[$doc])* $column,)*
+        }
+
+        impl Column {
+            /// All columns.
+            pub const ALL: [Self; [$($name),*].len()] = [$(Self::$column),*];
+
+            /// The name of the column, which is that of its file without `.u32`.
+            #[must_use]
+            pub const fn name(self) -> &'static str {
+                match self { $(Self::$column => $name,)* }
+            }
+        }
+    };
+}
+
+columns! {
+    /// The vertex that the half-edge leaves.
+    HalfEdgeOrigin "half_edge_origin",
+    /// The other half-edge of the edge.
+    HalfEdgeTwin "half_edge_twin",
+    /// The next half-edge on the cycle.
+    HalfEdgeNext "half_edge_next",
+    /// The half-edge before on the cycle.
+    HalfEdgePrev "half_edge_prev",
+    /// The boundary component of the half-edge.
+    HalfEdgeBoundary "half_edge_boundary",
+    /// The rank of the half-edge: always a label.
+    HalfEdgeRank "half_edge_rank",
+    /// A half-edge that leaves the vertex, or nil if it is isolated.
+    VertexLeaving "vertex_leaving",
+    /// The boundary component that the vertex is, if it is isolated, or nil.
+    VertexIsolated "vertex_isolated",
+    /// The face of the boundary component.
+    BoundaryFace "boundary_face",
+    /// A half-edge of the boundary component, or nil.
+    BoundaryStart "boundary_start",
+    /// The isolated vertex that the boundary component is, or nil.
+    BoundaryVertex "boundary_vertex",
+    /// The position among the inner boundary components of the face, or nil if it is the outer one.
+    BoundaryPlace "boundary_place",
+    /// The outer boundary component of the face, or nil for the unbounded face.
+    FaceOuter "face_outer",
+    /// The end of the list of the face in the next column; it begins where that of the face before ends.
+    FaceEnd "face_end",
+    /// The inner boundary components of the faces, face after face.
+    FaceInner "face_inner",
+    /// Of a drawing: the other dart of the edge.
+    DartTwin "dart_twin",
+    /// Of a drawing: the point at which the dart starts.
+    DartPoint "dart_point",
+    /// Of a drawing: the half-edge that lies on the dart, or nil if its edge is added.
+    DartHalfEdge "dart_half_edge",
+    /// Of a drawing: the half-edge that lies on the first dart, from this one on counter-clockwise, on which one lies.
+    DartAhead "dart_ahead",
+    /// Of a drawing: the face in which the triangle of the dart is.
+    DartFace "dart_face",
+    /// Of a drawing: the rank of the dart.
+    DartRank "dart_rank",
+    /// Of a drawing: the dart on which the half-edge lies.
+    HalfEdgeDart "half_edge_dart",
+    /// Of a drawing: a dart that starts at the vertex.
+    VertexDart "vertex_dart",
+    /// Of a drawing: the dart of the face to which its ranks lead.
+    FaceDart "face_dart",
+    /// On surfaces: the position of the half-edge in its rotation.
+    HalfEdgeTurn "half_edge_turn",
+    /// On surfaces: the position of the half-edge on its cycle.
+    HalfEdgeStep "half_edge_step",
+    /// On surfaces: the half-edge that is the root of the component.
+    HalfEdgeComponent "half_edge_component",
+}
+
+impl Column {
+    /// The columns of a certificate of a plane subdivision.
+    #[must_use]
+    pub fn of_subdivision() -> &'static [Self] {
+        &Self::ALL[..Self::DartTwin as usize]
+    }
+
+    /// The columns that a [`Drawing`](super::Drawing) has.
+    #[must_use]
+    pub fn of_drawing() -> &'static [Self] {
+        &Self::ALL[Self::DartTwin as usize..Self::HalfEdgeTurn as usize]
+    }
+}
+
+/// What a certificate adds to a structure: the rank of each half-edge, and a column for each link that the structure does not store.
+///
+/// Nothing is assumed of the numbers: [`check`](super::check()) decides, whatever they are. Columns that are not needed are empty. In a
+/// column `u32::MAX` is nil.
+#[derive(Clone, Debug, Default, PartialEq, Eq)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
+pub struct Labels {
+    columns: [Vec<u32>; Column::ALL.len()],
+}
+
+impl Labels {
+    /// The column; empty if the structure stores it.
+    #[must_use]
+    pub fn column(&self, column: Column) -> &[u32] {
+        &self.columns[column as usize]
+    }
+
+    /// The column, to be set to anything.
+    pub fn column_mut(&mut self, column: Column) -> &mut Vec<u32> {
+        &mut self.columns[column as usize]
+    }
+
+    /// The entry as it is stored, nil beyond the end.
+    pub(super) fn number(&self, column: Column, i: usize) -> u32 {
+        self.column(column).get(i).copied().unwrap_or(NIL)
+    }
+
+    /// The entry as a link.
+    pub(super) fn link(&self, column: Column, i: usize) -> Option<usize> {
+        let number = self.number(column, i);
+        (number != NIL).then_some(number as usize)
+    }
+
+    /// The places in the column of inner boundary components where the list of the face begins and ends.
+    pub(super) fn list(&self, face: usize) -> (usize, usize) {
+        let before = face.checked_sub(1).map_or(0, |before| self.number(Column::FaceEnd, before));
+        (before as usize, self.number(Column::FaceEnd, face) as usize)
+    }
+}
+
+/// Why there are no labels for a structure.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
+#[non_exhaustive]
+pub enum LabelsError {
+    /// It stores faces, but not lists of inner boundary components, or no unbounded face: it does not say how its components lie in the plane.
+    NoContainment,
+    /// It has more records than 32 bits can number.
+    TooLarge,
+    /// There is no memory for the labels.
+    OutOfMemory,
+}
+
+impl fmt::Display for LabelsError {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        f.write_str(match self {
+            Self::NoContainment => {
+                "the structure has faces, but no lists of inner boundary components or no unbounded face"
+            }
+            Self::TooLarge => "the structure has more records than 32 bits can number",
+            Self::OutOfMemory => "there is no memory for the labels",
+        })
+    }
+}
+
+impl core::error::Error for LabelsError {}

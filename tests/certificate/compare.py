@@ -1,0 +1,151 @@
+"""Holds `check.sql` beside `twinedge check`: certificates that are right, and each with one number changed.
+
+    compare.py TWINEDGE ENGINE CHANGES FOLDER [PSQL ARGUMENTS...]
+"""
+
+import csv
+import os
+import random
+import struct
+import subprocess
+import sys
+import time
+
+NIL = 0xFFFFFFFF
+
+# Table and column, and the file that has the same; None if no file can say what a change of it says, as the key of a row.
+FILES = {
+    "half_edges": ["-", "half_edge_origin", "half_edge_twin", "half_edge_next", "half_edge_prev", "half_edge_boundary", "half_edge_rank", "half_edge_dart"],
+    "vertices": ["-", "vertex_leaving", "vertex_isolated", "vertex_dart"],
+    "boundaries": ["-", "boundary_face", "boundary_start", "boundary_vertex", "boundary_place"],
+    "faces": ["-", "face_outer", "face_dart"],
+    "entries": ["-", "-", "face_inner"],
+    "sides": ["-", "-", "dart_twin", "dart_point", "dart_half_edge", "dart_ahead", "dart_face", "dart_rank"],
+    "points": ["-", "point_x", "point_y"],
+}
+# Columns that are numbers and no links: NULL is not nil there.
+NUMBERS = {"half_edge_rank", "dart_ahead", "dart_face", "dart_rank", "point_x", "point_y", "half_edge_dart", "vertex_dart", "face_dart", "dart_twin", "dart_point"}
+
+
+def in_duckdb(folder):
+    import duckdb
+
+    connection = duckdb.connect()
+    statements = open(os.path.join(folder, "check.sql")).read()
+    before = os.getcwd()
+    os.chdir(folder)
+    try:
+        return connection.execute(statements).fetchall()
+    finally:
+        os.chdir(before)
+        connection.close()
+
+
+def in_psql(command):
+    def run(folder):
+        arguments = [*command, "-q", "-A", "-t", "-v", "ON_ERROR_STOP=1", "-f", "check.sql"]
+        printed = subprocess.run(arguments, cwd=folder, capture_output=True, text=True, check=True).stdout
+        return [(line.split("|")[0], int(line.split("|")[1])) for line in printed.splitlines() if "|" in line]
+
+    return run
+
+
+def certified(twinedge, engine, folder, arguments):
+    subprocess.run([twinedge, "certify", *arguments, "--sql", engine, "-o", folder], check=True, stdout=subprocess.DEVNULL)
+
+
+def check(twinedge, folder):
+    return subprocess.run([twinedge, "check", folder], capture_output=True).returncode
+
+
+class Changes:
+    """Changes of one number of a certificate, in its tables and in its columns."""
+
+    def __init__(self, folder, seed):
+        self.folder = folder
+        self.random = random.Random(seed)
+        self.tables = {}
+        for table in FILES:
+            path = os.path.join(folder, table + ".csv")
+            if os.path.exists(path):
+                with open(path) as file:
+                    self.tables[table] = list(csv.reader(file))
+
+    def path(self, column):
+        return os.path.join(self.folder, column + (".i64" if column.startswith("point_") else ".u32"))
+
+    def write_table(self, table, rows):
+        with open(os.path.join(self.folder, table + ".csv"), "w") as file:
+            csv.writer(file, lineterminator="\n").writerows(rows)
+
+    def one(self, judge):
+        """Makes a change, calls judge(what, expressible), and takes it back."""
+        table = self.random.choice([table for table, rows in self.tables.items() if len(rows) > 1])
+        rows = self.tables[table]
+        at, column = self.random.randrange(1, len(rows)), self.random.randrange(len(rows[0]))
+        before = rows[at][column]
+        near = int(before) if before else 0
+        value = self.random.choice([None, 0, near + 1, max(near - 1, 0), self.random.randrange(len(rows)), 10**9])
+        if (value is None and before == "") or str(value) == before:
+            return False
+        file = FILES[table][column]
+        expressible = file != "-" and not (value is None and file in NUMBERS)
+        changed = [list(row) for row in rows]
+        changed[at][column] = "" if value is None else str(value)
+        self.write_table(table, changed)
+        right = None
+        if expressible:
+            right = open(self.path(file), "rb").read()
+            # Entries and sides are in the order of their rows; all else has its number.
+            row = at - 1 if table in ("entries", "sides") else int(rows[at][0])
+            form, width = ("<q", 8) if file.startswith("point_") else ("<I", 4)
+            number = struct.pack(form, NIL if value is None else value)
+            with open(self.path(file), "wb") as out:
+                out.write(right[: width * row] + number + right[width * (row + 1) :])
+        judge(f"{table}.{rows[0][column]}, row {at}: {before} to {value}", expressible)
+        self.write_table(table, rows)
+        if right is not None:
+            with open(self.path(file), "wb") as out:
+                out.write(right)
+        return True
+
+
+def main():
+    twinedge, engine, count, scratch, *psql = sys.argv[1:]
+    run = in_duckdb if engine == "duckdb" else in_psql(psql)
+    judged = refused = differences = 0
+    for name, arguments in {
+        "drawing": ["docs/parcels.geojson", "--snap", "auto"],
+        "plane": ["docs/parcels.geojson", "--topology-only"],
+    }.items():
+        folder = os.path.join(scratch, f"{engine}-{name}")
+        certified(twinedge, engine, folder, arguments)
+        failing = [row for row in run(folder) if row[1]]
+        assert not failing, f"a certificate that is right fails in {engine}: {failing}"
+        changes = Changes(folder, 1)
+
+        def judge(what, expressible):
+            nonlocal judged, refused, differences
+            failing = [row for row in run(folder) if row[1]]
+            # What no file can say, a key that is another or a number that is NULL, is never right.
+            accepted = check(twinedge, folder) == 0 if expressible else False
+            judged += 1
+            refused += bool(failing)
+            if bool(failing) == accepted:
+                differences += 1
+                print(f"{engine}: {what}: twinedge check {'accepts' if accepted else 'refuses'}, check.sql finds {failing}")
+
+        made = 0
+        while made < int(count) // 2:
+            made += changes.one(judge)
+    print(f"{engine}: {judged} changes, {refused} refused, {differences} differences")
+    folder = os.path.join(scratch, f"{engine}-world")
+    certified(twinedge, engine, folder, ["tests/data/world-50m.geojson", "--snap", "auto"])
+    start, processor = time.time(), time.process_time()
+    failing = [row for row in run(folder) if row[1]]
+    assert not failing, failing
+    print(f"{engine}: world-50m with its drawing, {time.time() - start:.1f} s, {time.process_time() - processor:.1f} s of this process")
+    sys.exit(differences > 0 or refused == 0 or refused == judged)
+
+
+main()

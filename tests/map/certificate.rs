@@ -1,0 +1,279 @@
+//! Certificates of drawings: what is drawn without crossings has one that passes, and nothing else has.
+
+use crate::support::erased::validate_embedding;
+use twinedge::geometry::Point;
+use twinedge::geometry::noding::Snap;
+use twinedge::map::certificate::{DrawingError, draw};
+use twinedge::map::{Builder, Noding, PlanarMap};
+use twinedge::validate::certificate::{Column, Drawing, Labels, Test, check_drawing};
+use twinedge::validate::{BoundaryPlace, Collect, Embedding, Expectation, HalfEdgeRow, Link, Parts, Table, View};
+
+const PLANE: Expectation = Expectation::plane();
+
+/// A table with coordinates.
+#[derive(Clone)]
+struct Drawn {
+    table: Table,
+    points: Vec<Point>,
+}
+
+impl View for Drawn {
+    twinedge::delegate_view!(|this| &this.table);
+}
+
+impl Embedding for Drawn {
+    fn point(&self, vertex: usize) -> Point {
+        self.points.get(vertex).copied().unwrap_or_default()
+    }
+}
+
+impl Drawn {
+    fn new(map: &PlanarMap) -> Self {
+        let points = (0..map.vertex_slots()).map(|v| Embedding::point(map, v)).collect();
+        Self { table: Table::copy_of(map).unwrap(), points }
+    }
+
+    fn is_valid(&self) -> bool {
+        validate_embedding(self, &PLANE, Collect::First).is_valid()
+    }
+
+    /// True if it has a certificate, made for it.
+    fn is_certified(&self) -> bool {
+        draw(self).is_ok_and(|drawing| self.passes(&drawing))
+    }
+
+    fn passes(&self, drawing: &Drawing) -> bool {
+        check_drawing(&self.table, &Labels::new(&self.table).unwrap(), drawing).is_ok()
+    }
+}
+
+/// Numbers that look random.
+struct Numbers(u64);
+
+impl Numbers {
+    fn below(&mut self, end: usize) -> usize {
+        self.0 = self.0.wrapping_mul(6_364_136_223_846_793_005).wrapping_add(1_442_695_040_888_963_407);
+        (self.0 >> 33) as usize % end.max(1)
+    }
+
+    fn point(&mut self, side: usize) -> [f64; 2] {
+        [self.below(side) as f64, self.below(side) as f64]
+    }
+}
+
+/// A plane map of segments, rings and points on a grid of so many lines.
+fn random_map(numbers: &mut Numbers, side: usize, segments: usize) -> PlanarMap {
+    let mut builder = Builder::new();
+    for _ in 0..segments {
+        let (from, to) = (numbers.point(side), numbers.point(side));
+        if from != to {
+            builder.segment(from, to).unwrap();
+        }
+    }
+    let mut map = builder.build_with(Noding::Snap(Snap::Size(1.0))).unwrap();
+    for _ in 0..numbers.below(3) {
+        let _ = map.insert_point(numbers.point(side));
+    }
+    map
+}
+
+#[test]
+fn moved_vertices_are_judged_as_by_the_rules() {
+    let (mut valid, mut broken) = (0, 0);
+    let mut numbers = Numbers(1);
+    for _ in 0..150 {
+        let segments = numbers.below(5);
+        let map = Drawn::new(&random_map(&mut numbers, 4, segments));
+        assert!(map.is_valid());
+        let drawing = draw(&map).unwrap();
+        assert!(map.passes(&drawing), "{}", map.table);
+        for v in (0..map.points.len()).filter(|v| map.is_vertex(*v)) {
+            for (x, y) in (0..16).map(|i| (i % 4, i / 4)) {
+                let mut moved = map.clone();
+                moved.points[v] = Point::new(f64::from(x), f64::from(y));
+                let is_valid = moved.is_valid();
+                assert_eq!(moved.is_certified(), is_valid, "vertex {v} to {x} {y}: {}", map.table);
+                // The drawing as it was, with the point moved: what passes is right.
+                let mut old = drawing.clone();
+                let unit = 1_i64 << (-old.exponent).max(0);
+                old.points[v] = [i64::from(x) * unit, i64::from(y) * unit];
+                assert!(!(old.exponent <= 0 && moved.passes(&old)) || is_valid, "vertex {v} to {x} {y}: {}", map.table);
+                *if is_valid { &mut valid } else { &mut broken } += 1;
+            }
+        }
+    }
+    assert!(valid > 4_000 && broken > 4_000, "{valid} {broken}");
+}
+
+/// The faults that break a rule of coordinates and none of topology: a mirror image, an isolated vertex in another face, a component in
+/// another face.
+#[test]
+fn other_topologies_on_the_same_points_are_judged_as_by_the_rules() {
+    let (mut valid, mut broken) = (0, 0);
+    let mut numbers = Numbers(2);
+    for _ in 0..150 {
+        let map = Drawn::new(&random_map(&mut numbers, 5, 4));
+        let drawing = draw(&map).unwrap();
+        let mut judge = |other: &Drawn| {
+            let is_valid = other.is_valid();
+            assert_eq!(other.is_certified(), is_valid, "{}", other.table);
+            *if is_valid { &mut valid } else { &mut broken } += 1;
+            is_valid
+        };
+        let mut mirrored = map.clone();
+        mirrored.points.iter_mut().for_each(|point| point.x = -point.x);
+        judge(&mirrored);
+        for b in 0..map.table.boundaries.len() {
+            for f in 0..map.table.faces.len() {
+                if let Some(moved) = moved_inner(&map.table, b, f) {
+                    let moved = Drawn { table: moved, points: map.points.clone() };
+                    assert_eq!(moved.passes(&drawing), judge(&moved), "{}", moved.table);
+                }
+            }
+        }
+    }
+    assert!(valid > 300 && broken > 150, "{valid} {broken}");
+}
+
+/// The table with an inner boundary component in another face.
+fn moved_inner(table: &Table, b: usize, to: usize) -> Option<Table> {
+    let mut table = table.clone();
+    let Some(BoundaryPlace::Inner(_)) = table.boundary_place(b) else { return None };
+    let from = table.boundary_face(b)?;
+    table.faces[from].as_mut()?.inner.retain(|listed| *listed != Some(b));
+    table.faces[to].as_mut()?.inner.push(Some(b));
+    for f in [from, to] {
+        for i in 0..table.inner_count(f) {
+            let listed = table.inner(f, i)?;
+            *table.boundaries[listed].as_mut()? = twinedge::validate::BoundaryRow {
+                face: Some(f),
+                place: Some(BoundaryPlace::Inner(i)),
+                ..table.boundaries[listed]?
+            };
+        }
+    }
+    Some(table)
+}
+
+/// Every entry of a drawing set to every other value: found, or as good. No point of a vertex is changed, so nothing wrong can be certified;
+/// what the tests do find is the number of values that say something else.
+#[test]
+fn a_changed_entry_is_found_or_as_good() {
+    let mut builder = Builder::new();
+    for corners in [[[0.0, 0.0], [6.0, 0.0], [0.0, 6.0]], [[1.0, 1.0], [2.0, 1.0], [1.0, 2.0]]] {
+        builder.shape(&twinedge::map::Shape::polygon(corners)).unwrap();
+    }
+    let mut map = builder.build().unwrap();
+    map.insert_point([7.0, 7.0]).unwrap();
+    let labels = Labels::new(&map).unwrap();
+    let drawing = draw(&map).unwrap();
+    let mut found = Vec::new();
+    for column in Column::of_drawing() {
+        let (mut caught, mut as_good) = (0, 0);
+        for i in 0..drawing.columns.column(*column).len() {
+            for value in (0..40).chain([u32::MAX - 1, u32::MAX]) {
+                let mut changed = drawing.clone();
+                let entry = &mut changed.columns.column_mut(*column)[i];
+                if *entry != value {
+                    *entry = value;
+                    *if check_drawing(&map, &labels, &changed).is_ok() { &mut as_good } else { &mut caught } += 1;
+                }
+            }
+        }
+        found.push((column.name(), caught, as_good));
+    }
+    // Ranks are any numbers that grow. A dart of a vertex may be any that starts there, and what vacant slots hold is not looked at.
+    let as_good: Vec<_> = found.iter().filter(|(_, _, as_good)| *as_good > 0).map(|(name, ..)| *name).collect();
+    assert_eq!(as_good, ["dart_rank", "half_edge_dart", "vertex_dart", "face_dart"], "{found:?}");
+    assert!(found.iter().all(|(_, caught, _)| *caught > 0), "{found:?}");
+}
+
+#[test]
+fn coordinates_are_integers_on_the_finest_grid_that_they_need() {
+    let mut map = PlanarMap::new();
+    map.insert_segment([0.25, -3.0], [1e6, 0.0]).unwrap();
+    let drawing = draw(&map).unwrap();
+    // Slot 0 is vacant, and three corners are added.
+    assert_eq!((drawing.exponent, &drawing.points[1..3]), (-2, &[[1, -12], [4_000_000, 0]][..]));
+    assert_eq!(drawing.points.len(), 6);
+    assert!(draw(&PlanarMap::new()).is_ok_and(|drawing| drawing.columns.column(Column::DartTwin).len() == 6));
+}
+
+#[test]
+fn what_has_no_certificate_is_an_error() {
+    let mut map = PlanarMap::new();
+    map.insert_segment([0.0, 0.0], [1.0, 1.0]).unwrap();
+    let edge = Drawn::new(&map);
+    let drawn = |from: [f64; 2], to: [f64; 2]| {
+        draw(&Drawn { points: vec![Point::default(), from.into(), to.into()], ..edge.clone() }).map(drop)
+    };
+    assert_eq!(drawn([0.1, 0.0], [1e-9, 1.0]), Err(DrawingError::NoGrid));
+    assert_eq!(drawn([1e300, 0.0], [1.0, 1.0]), Err(DrawingError::NoGrid));
+    let largest = (1_u64 << 51) as f64;
+    assert_eq!(drawn([-largest, largest], [largest, 1.0]), Ok(()));
+    assert_eq!(drawn([-largest - 1.0, 0.0], [largest, 1.0]), Err(DrawingError::NoGrid));
+    let mut map = Drawn::new(&random_map(&mut Numbers(3), 4, 3));
+    map.points.iter_mut().for_each(|point| *point = Point::new(1.0, 1.0));
+    assert_eq!(draw(&map), Err(DrawingError::NotPlane));
+    map.points[1].x = f64::NAN;
+    assert_eq!(draw(&map), Err(DrawingError::NoGrid));
+    // Links that lead nowhere.
+    map.points.iter_mut().for_each(|point| *point = Point::default());
+    map.table.half_edges.iter_mut().flatten().for_each(|row| *row = HalfEdgeRow::default());
+    assert_eq!(draw(&map), Err(DrawingError::NotPlane));
+    struct Bent;
+    impl View for Bent {
+        fn parts(&self) -> Parts {
+            Parts::NONE
+        }
+        fn vertex_slots(&self) -> usize {
+            2
+        }
+        fn half_edge_slots(&self) -> usize {
+            2
+        }
+        fn origin(&self, h: usize) -> Link {
+            Some(h)
+        }
+        fn twin(&self, h: usize) -> Link {
+            Some(1 - h)
+        }
+        fn next(&self, h: usize) -> Link {
+            Some(1 - h)
+        }
+    }
+    impl Embedding for Bent {
+        fn point(&self, v: usize) -> Point {
+            Point::new(v as f64, 0.0)
+        }
+        fn bends(&self, _: usize) -> usize {
+            1
+        }
+    }
+    assert_eq!(draw(&Bent), Err(DrawingError::Bends { half_edge: 0 }));
+}
+
+/// Columns of other lengths, points that are not there, and coordinates out of range are unreadable.
+#[test]
+fn what_is_unreadable_is_not_tested() {
+    let map = random_map(&mut Numbers(4), 5, 4);
+    let labels = Labels::new(&map).unwrap();
+    let drawing = draw(&map).unwrap();
+    let is_unreadable = |changed: &Drawing| {
+        let failures = check_drawing(&map, &labels, changed).unwrap_err();
+        failures.len() == 1 && failures[0].test() == Test::Readable
+    };
+    for column in Column::of_drawing() {
+        let mut changed = drawing.clone();
+        changed.columns.column_mut(*column).pop();
+        assert!(is_unreadable(&changed), "{}", column.name());
+    }
+    let mut changed = drawing.clone();
+    changed.columns.column_mut(Column::DartPoint)[0] = drawing.points.len() as u32;
+    assert!(is_unreadable(&changed));
+    for x in [-(1 << 53) - 1, 1 << 53] {
+        let mut changed = drawing.clone();
+        changed.points[0][1] = x;
+        assert!(is_unreadable(&changed));
+    }
+}

@@ -1,0 +1,356 @@
+//! Certificates: what is right has labels that pass, and nothing else has.
+
+use crate::support::tables::{Without, half_edge, textbook_mesh, torus, vertex};
+use std::cell::Cell as Counter;
+use std::collections::BTreeSet;
+use twinedge::validate::certificate::{Certificate, Column, Labels, LabelsError, Test, check, check_surface};
+use twinedge::validate::reference::first_broken_rule;
+use twinedge::validate::{Expectation, Part, Parts, Rule, Surface, Table, View};
+use twinedge_trials::census::{Census, Scope};
+use twinedge_trials::corrupt::{CorruptWork, abort};
+use twinedge_trials::enumerate::for_each_corruption;
+use twinedge_trials::forms::{Form, forms, projected};
+use twinedge_trials::sample::SampleWork;
+use twinedge_trials::tables::TablesWork;
+use twinedge_trials::{Checker, Outcome, RotationSystem, Run, Structure, Validator, Verdict, corrupt, sample, tables};
+
+const PLANE: Expectation = Expectation::plane();
+
+fn small_maps() -> impl Iterator<Item = Table> {
+    Census::new(Scope::Subdivisions { edges: 3, vertices: 4 }).map(|map| Table::copy_of(map.runner.subject()).unwrap())
+}
+
+/// The forms of a closed planar subdivision of which there are labels.
+fn certified_forms() -> Vec<Form> {
+    let has_labels = |form: &Form| {
+        form.expectation == PLANE && (!form.parts.has(Part::Faces) || form.parts.has(Part::UnboundedFace))
+    };
+    forms().into_iter().filter(has_labels).collect()
+}
+
+#[test]
+fn every_small_map_in_every_form_has_labels() {
+    let (mut maps, mut certificates) = (0, 0);
+    for table in small_maps() {
+        maps += 1;
+        for form in certified_forms() {
+            let projection = projected(&table, &form);
+            let labels = Labels::new(&projection).unwrap();
+            assert_eq!(check(&projection, &labels), Ok(()), "{projection}");
+            let certificate = Certificate::new(&projection, &labels).unwrap();
+            assert_eq!(certificate.check(), Ok(()), "{projection}");
+            assert_eq!(first_broken_rule(&certificate, &PLANE), None, "{projection}");
+            certificates += 1;
+        }
+    }
+    assert_eq!((maps, certificates), (537, 8592));
+}
+
+/// With the labels of the map as it was, what passes is right; and what is right is a map of its own, with labels of its own.
+#[test]
+fn a_corruption_passes_only_if_the_rules_hold() {
+    let (mut wrong, mut right, mut other_maps) = (0, 0, 0);
+    for table in small_maps().filter(|table| table.half_edges.len() <= 4) {
+        for form in certified_forms() {
+            let mut projection = projected(&table, &form);
+            let labels = Labels::new(&projection).unwrap();
+            for_each_corruption(&mut projection, form.parts, |corrupt, cell, value| {
+                let passes = check(corrupt, &labels).is_ok();
+                let broken = first_broken_rule(corrupt, &PLANE);
+                let own = Labels::new(corrupt).unwrap();
+                assert_eq!(check(corrupt, &own).is_ok(), broken.is_none(), "{cell:?} = {value:?}: {corrupt}");
+                assert!(!passes || broken.is_none(), "{cell:?} = {value:?}: {corrupt}");
+                wrong += usize::from(broken.is_some());
+                right += usize::from(passes);
+                other_maps += usize::from(broken.is_none() && !passes);
+            });
+        }
+    }
+    assert_eq!((wrong, right, other_maps), (31_364, 92, 36));
+}
+
+/// A changed label is found, or is as good as the one before: all the checker says of the structure stays true.
+#[test]
+fn a_changed_label_is_found_or_certifies_as_well() {
+    let (mut found, mut as_good) = (0, 0);
+    for table in small_maps().filter(|table| table.half_edges.len() <= 4) {
+        for form in certified_forms() {
+            let projection = projected(&table, &form);
+            let mut labels = Labels::new(&projection).unwrap();
+            for column in Column::ALL {
+                for i in 0..labels.column(column).len() {
+                    let before = labels.column(column)[i];
+                    let most = labels.column(Column::HalfEdgeRank).len().max(labels.column(column).len()) as u32;
+                    for value in (0..=most).chain([u32::MAX - 1, u32::MAX]).filter(|value| *value != before) {
+                        labels.column_mut(column)[i] = value;
+                        let passes = check(&projection, &labels).is_ok();
+                        if passes {
+                            let certificate = Certificate::new(&projection, &labels).unwrap();
+                            assert_eq!(first_broken_rule(&certificate, &PLANE), None, "{projection}");
+                        }
+                        *if passes { &mut as_good } else { &mut found } += 1;
+                    }
+                    labels.column_mut(column)[i] = before;
+                }
+            }
+        }
+    }
+    assert_eq!((found, as_good), (27_064, 13_448));
+}
+
+/// Numbers that look random.
+struct Numbers(Counter<u64>);
+
+impl Numbers {
+    fn below(&self, end: usize) -> usize {
+        self.0.set(self.0.get().wrapping_mul(6_364_136_223_846_793_005).wrapping_add(1_442_695_040_888_963_407));
+        (self.0.get() >> 33) as usize % end.max(1)
+    }
+}
+
+/// A validator that knows certificates only: a table is right if its own labels pass, or labels in which something was changed at random, or
+/// random ranks. It finds the first broken rule that there is, so that it differs from the reference if and only if one of both finds none.
+struct ByCertificate;
+
+impl Checker for ByCertificate {
+    fn check(&self, table: &Table, expectation: &Expectation) -> Verdict {
+        let asks = Rule::ALL.iter().any(|rule| rule.is_optional() && expectation.asks_for(*rule));
+        let made = match expectation.surface_kind() {
+            _ if asks || expectation.is_open() => None,
+            Surface::Plane => Labels::new(table).ok().map(|labels| (labels, None)),
+            _ => Labels::of_surface(table).ok().map(|(labels, genus)| (labels, Some(genus))),
+        };
+        let Some((labels, genus)) = made else { return Validator.check(table, expectation) };
+        let passes = |labels: &Labels| match genus {
+            None => check(table, labels).is_ok(),
+            Some(genus) => (0..=genus + 1).any(|genus| check_surface(table, labels, genus).is_ok()),
+        };
+        let seed = table.to_string().bytes().fold(1_u64, |sum, byte| sum.wrapping_mul(31).wrapping_add(byte.into()));
+        let numbers = Numbers(Counter::new(seed));
+        let mut random = labels.clone();
+        let count = random.column(Column::HalfEdgeRank).len();
+        random.column_mut(Column::HalfEdgeRank).iter_mut().for_each(|rank| *rank = numbers.below(count) as u32);
+        let mut changed = labels.clone();
+        for _ in 0..2 {
+            let column = changed.column_mut(Column::ALL[numbers.below(Column::ALL.len())]);
+            let at = numbers.below(column.len());
+            let value = numbers.below(column.len() + 1) as u32;
+            column.get_mut(at).into_iter().for_each(|entry| *entry = value);
+        }
+        let valid = [labels, random, changed].iter().any(passes);
+        let broken = if valid { None } else { first_broken_rule(table, expectation).or(Some(Rule::R1)) };
+        Verdict { valid, broken }
+    }
+}
+
+#[test]
+fn every_corruption_of_small_maps_in_every_form_is_judged_as_by_the_reference() {
+    let structure = Structure::new("second model", RotationSystem::new, PLANE);
+    let work = CorruptWork { edges: 2, pairs: 2000, seed: 1 };
+    corrupt(&structure, work, &ByCertificate, &Run::default(), &abort).unwrap().into_result().unwrap();
+}
+
+#[test]
+fn every_small_table_is_judged_as_by_the_reference() {
+    tables(TablesWork { half_edges: 2 }, &ByCertificate, &Run::default()).into_result().unwrap();
+}
+
+#[test]
+fn random_tables_are_judged_as_by_the_reference() {
+    let outcome = sample(SampleWork { tables: 20_000, seed: 1 }, &ByCertificate, &Run::default());
+    let outcome = outcome.into_result().unwrap();
+    assert!(outcome.right > 1000, "{}", outcome.right);
+}
+
+/// No test is idle: each fails for some corruption.
+#[test]
+fn each_test_finds_something() {
+    let mut seen = BTreeSet::new();
+    for table in small_maps().filter(|table| table.half_edges.len() <= 4) {
+        for form in certified_forms() {
+            let mut projection = projected(&table, &form);
+            let labels = Labels::new(&projection).unwrap();
+            for_each_corruption(&mut projection, form.parts, |corrupt, _, _| {
+                let failures = check(corrupt, &labels).err().unwrap_or_default();
+                seen.extend(failures.iter().map(|failure| failure.test()));
+            });
+        }
+    }
+    // The others belong to drawings and surfaces.
+    let unseen: Vec<Test> = Test::ALL.into_iter().filter(|test| !seen.contains(test)).collect();
+    let others = Test::ALL.into_iter().filter(|test| *test == Test::Readable || *test >= Test::DartTwinOk);
+    assert!(unseen.iter().copied().eq(others), "{unseen:?}");
+}
+
+/// Meshes side by side, of which each is a torus: their genus is found, and no other one passes.
+#[test]
+fn surfaces_are_certified_with_their_genus() {
+    for parts in 0..4 {
+        let triangles: Vec<_> = (0..parts)
+            .flat_map(|part| torus([3, 4]).into_iter().map(move |triangle| triangle.map(|v| v + 12 * part)))
+            .collect();
+        // One vertex more than there are corners.
+        let mesh = textbook_mesh(12 * parts + 1, &triangles);
+        for table in [Part::Prev, Part::Leaving, Part::Faces].map(|part| mesh.without(part)).iter().chain([&mesh]) {
+            let (labels, genus) = Labels::of_surface(table).unwrap();
+            assert_eq!((check_surface(table, &labels, genus), genus), (Ok(()), parts), "{table}");
+            for wrong in (0..5).filter(|wrong| *wrong != genus) {
+                let failures = check_surface(table, &labels, wrong).unwrap_err();
+                assert_eq!(failures.iter().map(|failure| failure.test()).collect::<Vec<_>>(), [Test::GenusOk]);
+            }
+        }
+    }
+}
+
+/// Every entry of the labels of two tori that share no vertex, and then of one that is glued to itself at a vertex: two rotations of one
+/// vertex, and two cycles of one face, have no positions.
+#[test]
+fn positions_find_a_vertex_with_two_rotations_and_a_face_with_two_cycles() {
+    let triangles: Vec<_> =
+        (0..2).flat_map(|part| torus([3, 3]).into_iter().map(move |triangle| triangle.map(|v| v + 9 * part))).collect();
+    let right = textbook_mesh(18, &triangles);
+    let (labels, genus) = Labels::of_surface(&right).unwrap();
+    assert_eq!(check_surface(&right, &labels, genus), Ok(()));
+    let tests = |table: &Table| {
+        let (own, own_genus) = Labels::of_surface(table).unwrap();
+        let failing = |labels: &Labels, genus| match check_surface(table, labels, genus) {
+            Ok(()) => panic!("certified: {table}"),
+            Err(failures) => failures.iter().map(|failure| failure.test()).collect::<BTreeSet<_>>(),
+        };
+        // The genus is one that would make the sums right.
+        [failing(&labels, genus), failing(&own, own_genus), failing(&own, own_genus + 1)]
+    };
+    let mut pinched = right.clone();
+    for row in pinched.half_edges.iter_mut().flatten().filter(|row| row.origin == Some(9)) {
+        row.origin = Some(0);
+    }
+    pinched.vertices[9].as_mut().unwrap().leaving = None;
+    assert!(tests(&pinched).iter().all(|failing| failing.contains(&Test::TurnOk)));
+    let mut joined = right.clone();
+    for row in joined.half_edges.iter_mut().flatten().filter(|row| row.face == Some(1)) {
+        row.face = Some(0);
+    }
+    joined.faces[1] = None;
+    assert!(tests(&joined).iter().all(|failing| failing.contains(&Test::StepOk)));
+}
+
+/// A loop that lies in its own inside keeps all that single records say.
+#[test]
+fn ranks_find_a_component_inside_itself() {
+    let table: Table = "V 1 0 - H 2 0 1 0 0 0 0 0 1 1 1 B 2 1 h0 o 1 h1 i0 F 2 - 0 0 1 1".parse().unwrap();
+    assert_eq!(first_broken_rule(&table, &PLANE), Some(Rule::T2));
+    for ranks in (0..9).map(|ranks| vec![ranks / 3, ranks % 3]) {
+        let mut labels = Labels::default();
+        *labels.column_mut(Column::HalfEdgeRank) = ranks;
+        let failures = check(&table, &labels).unwrap_err();
+        assert_eq!(failures.iter().map(|failure| failure.test()).collect::<Vec<_>>(), [Test::RankOk]);
+    }
+}
+
+/// One vertex with two rotations, and a torus: only the sums are wrong.
+#[test]
+fn sums_find_what_no_record_shows() {
+    let two_loops =
+        "V 1 0 - H 4 0 1 0 0 0 0 0 1 1 1 0 3 2 2 2 0 2 3 3 3 B 4 1 h0 o 0 h1 i0 2 h2 o 0 h3 i1 F 3 - 2 1 3 0 0 2 0";
+    let table: Table = two_loops.parse().unwrap();
+    assert_eq!(first_broken_rule(&table, &PLANE), Some(Rule::V2));
+    let failures = check(&table, &Labels::new(&table).unwrap()).unwrap_err();
+    assert_eq!(failures.iter().map(|failure| failure.test()).collect::<Vec<_>>(), [Test::EulerOk]);
+    assert_eq!(failures[0].to_string(), "euler_ok");
+    assert_eq!((failures[0].first(), failures[0].count()), (None, 1));
+}
+
+/// Two faces without outer boundary component: nothing else says that one is too many.
+#[test]
+fn a_second_unbounded_face_is_found() {
+    let table: Table = "V 0 H 0 B 0 F 2 - 0 - 0".parse().unwrap();
+    let failures = check(&table, &Labels::new(&table).unwrap()).unwrap_err();
+    assert_eq!(failures.iter().map(|failure| failure.test()).collect::<Vec<_>>(), [Test::OneUnbounded]);
+}
+
+#[test]
+fn labels_of_another_length_are_refused() {
+    for table in small_maps() {
+        let mut labels = Labels::new(&table).unwrap();
+        labels.column_mut(Column::HalfEdgeRank).push(0);
+        assert_eq!(check(&table, &labels).unwrap_err()[0].test(), Test::Readable);
+        labels.column_mut(Column::HalfEdgeRank).pop();
+        if labels.column_mut(Column::HalfEdgeRank).pop().is_some() {
+            assert_eq!(check(&table, &labels).unwrap_err()[0].test(), Test::Readable);
+        }
+    }
+}
+
+/// All other columns may be missing: then what they hold is nil.
+#[test]
+fn labels_that_are_missing_are_nil() {
+    let bare: Table = "V 2 0 - 1 - H 2 0 1 1 1 0 1 0 0 0 0 B 1 0 h0 i0 F 1 - 1 0".parse().unwrap();
+    let bare = bare.without(Part::Prev).without(Part::Leaving).without(Part::Faces);
+    let labels = Labels::new(&bare).unwrap();
+    assert_eq!(check(&bare, &labels), Ok(()));
+    for column in Column::ALL.into_iter().filter(|column| !labels.column(*column).is_empty()) {
+        let mut missing = labels.clone();
+        missing.column_mut(column).clear();
+        // That nothing is isolated, an outer one, or listed is what these say anyway.
+        let says_nil = matches!(column, Column::VertexIsolated | Column::BoundaryVertex);
+        assert_eq!(check(&bare, &missing).is_ok(), says_nil, "{}", column.name());
+    }
+}
+
+#[test]
+fn structures_without_containment_have_no_labels() {
+    let table: Table = "V 0 H 0 B 0 F 1 - 0".parse().unwrap();
+    for part in [Part::UnboundedFace, Part::Holes] {
+        assert_eq!(Labels::new(&table.without(part)), Err(LabelsError::NoContainment));
+    }
+    struct Large;
+    impl View for Large {
+        fn parts(&self) -> Parts {
+            Parts::NONE
+        }
+        fn vertex_slots(&self) -> usize {
+            usize::MAX
+        }
+        fn half_edge_slots(&self) -> usize {
+            0
+        }
+        fn origin(&self, _: usize) -> Option<usize> {
+            None
+        }
+        fn twin(&self, _: usize) -> Option<usize> {
+            None
+        }
+        fn next(&self, _: usize) -> Option<usize> {
+            None
+        }
+    }
+    assert_eq!(Labels::new(&Large), Err(LabelsError::TooLarge));
+    assert_eq!(check(&Large, &Labels::default()).unwrap_err()[0].test(), Test::Readable);
+}
+
+/// Records keep their numbers: vacant slots stay vacant, and links that fit into no column lead nowhere.
+#[test]
+fn a_certificate_keeps_the_numbers_of_records() {
+    let mut table: Table = "V 2 x 0 - H 3 1 1 0 0 0 1 0 1 1 1 x B 2 1 h0 o 0 h1 i0 F 2 - 1 1 0 0".parse().unwrap();
+    let labels = Labels::new(&table).unwrap();
+    let certificate = Certificate::new(&table, &labels).unwrap();
+    assert_eq!(certificate.check(), Ok(()));
+    assert_eq!(certificate.columns().column(Column::VertexLeaving), [u32::MAX - 1, 0]);
+    assert_eq!(certificate.columns().column(Column::HalfEdgeOrigin), [1, 1, u32::MAX - 1]);
+    half_edge(&mut table, 0).origin = Some(usize::MAX);
+    vertex(&mut table, 1).isolated = Some(usize::MAX);
+    let certificate = Certificate::new(&table, &labels).unwrap();
+    assert_eq!(certificate.check(), check(&table, &labels));
+    assert!(certificate.is_half_edge(0) && certificate.check().is_err());
+}
+
+#[test]
+fn labels_are_written_and_read() {
+    let table: Table = "V 2 0 - 1 - H 2 0 1 1 1 0 1 0 0 0 0 B 1 0 h0 i0 F 1 - 1 0".parse().unwrap();
+    let labels = Labels::new(&table).unwrap();
+    let text = serde_json::to_string(&labels).unwrap();
+    assert_eq!(serde_json::from_str::<Labels>(&text).unwrap(), labels);
+    let certificate = Certificate::new(&table, &labels).unwrap();
+    let text = serde_json::to_string(&certificate).unwrap();
+    assert_eq!(serde_json::from_str::<Certificate>(&text).unwrap(), certificate);
+}
