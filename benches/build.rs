@@ -4,7 +4,7 @@
 //! of these and beside `from_view` of the same faces with their links; from its rotations; and removing edges by `retain`, beside one by one.
 //!
 //! Targets: 400 ns per segment, and 1,500 ns where they are noded first; noded exactly, 1.3 times as long as not noded, as
-//! there is nothing to cut; gathering few digits, 1.5 times as long as all digits; and 60 ns per half-edge from faces. Run with `cargo bench --bench build`.
+//! there is nothing to cut; gathering few digits, 1.5 times as long as all digits; and 60 ns per half-edge from faces. Run with `cargo bench -p twinedge-benches --bench build`.
 
 mod common;
 

@@ -1,7 +1,7 @@
 //! Cutting every country of `world-50m` into convex pieces, beside the constrained Delaunay triangulation of `spade` alone, of the
 //! same vertices and edges.
 //!
-//! Target: at most 1.5 times the triangulation. Run with `cargo bench --bench convex`.
+//! Target: at most 1.5 times the triangulation. Run with `cargo bench -p twinedge-benches --bench convex`.
 
 mod common;
 

@@ -8,7 +8,7 @@
 //! - `a point in and out`, `a bridge in and out`: between 1,000 and 100,000 islands, at a hub with that many edges, in a ring of
 //!   half as many; beside a square in an otherwise empty map. The index is there.
 //!
-//! Targets: points and bridges, 5 µs wherever, growing with the logarithm; an isolated vertex, twice as long as splitting an edge. Run with `cargo bench --bench edit`.
+//! Targets: points and bridges, 5 µs wherever, growing with the logarithm; an isolated vertex, twice as long as splitting an edge. Run with `cargo bench -p twinedge-benches --bench edit`.
 
 mod common;
 

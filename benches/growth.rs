@@ -12,7 +12,7 @@
 //! - `edit`: an edge of the grid split and joined again, with validation after each (`Audited`), beside none; per operator.
 //!
 //! Those that take long at 10⁷ half-edges end at 10⁶. `benches/README.md` has the results; `benches/growth.py` makes them of what this
-//! leaves in `target/criterion`. Run with `cargo bench --bench growth`.
+//! leaves in `target/criterion`. Run with `cargo bench -p twinedge-benches --bench growth`.
 
 mod common;
 

@@ -10,7 +10,7 @@
 //! The index: built on one thread and on all, beside a constrained Delaunay triangulation with a hierarchy of hints. Target: no
 //! slower.
 //!
-//! Run with `cargo bench --bench location`.
+//! Run with `cargo bench -p twinedge-benches --bench location`.
 
 mod common;
 

@@ -1,6 +1,6 @@
 //! Bytes per half-edge: of the structure, and of a validation beyond it, at its peak.
 //!
-//! Targets: 36 and 24. Run with `cargo bench --bench memory`.
+//! Targets: 36 and 24. Run with `cargo bench -p twinedge-benches --bench memory`.
 
 #![allow(unsafe_code, reason = "a counting allocator")]
 

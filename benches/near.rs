@@ -2,7 +2,7 @@
 //! a `Dcel`, on an `Audited` one, and with a full validation after each operator (on the smallest only). And after each edit: an edge
 //! erased and drawn again on a `PlanarMap`, the same ways.
 //!
-//! Run with `cargo bench --bench near`.
+//! Run with `cargo bench -p twinedge-benches --bench near`.
 
 mod common;
 

@@ -2,7 +2,7 @@
 //! links, of the same links as a structure of somebody else's with and without parts, border and fault, each beside a scan by index
 //! that reads the same parts, and R1 … G5 of `world-50m`.
 //!
-//! Targets: 15 ns per half-edge for R1 … T4; 150 ns with G1 … G5. Run with `cargo bench --bench validation`.
+//! Targets: 15 ns per half-edge for R1 … T4; 150 ns with G1 … G5. Run with `cargo bench -p twinedge-benches --bench validation`.
 
 mod common;
 

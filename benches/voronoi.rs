@@ -1,6 +1,6 @@
 //! The Delaunay triangulation and the Voronoi diagram of 10^5 random points as maps, beside the triangulation of `spade` alone.
 //!
-//! Target: at most 3 times the triangulation. Run with `cargo bench --bench voronoi`.
+//! Target: at most 3 times the triangulation. Run with `cargo bench -p twinedge-benches --bench voronoi`.
 
 use criterion::{BatchSize, Criterion, criterion_group, criterion_main};
 use spade::{DelaunayTriangulation, Point2, Triangulation as _};

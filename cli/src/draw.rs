@@ -1,5 +1,6 @@
 //! `twinedge draw`: a picture of a map.
 
+use crate::extension::format_of;
 use crate::input::{Imported, MapFile};
 use crate::output::{grouped, print};
 use crate::output_file::write_file;
@@ -97,6 +98,8 @@ impl Draw {
             }
             Some(_) => return Err(Failure("--window needs two corners of a rectangle with an area".to_owned())),
         };
+        let file = self.output.as_deref().filter(|path| *path != Path::new("-"));
+        format_of(file, &[(if self.tables { "txt" } else { "svg" }, ())])?;
         let Imported { name, map, .. } = self.map.build()?;
         if let (Some(window), Some(extent)) = (window, extent(&map)?) {
             refuse_outside(&name, window, extent)?;
@@ -118,11 +121,9 @@ impl Draw {
             violations: report.violations(),
         };
         let picture = if self.tables { Textbook::of_embedding(&map).to_string() } else { svg::draw(&map, &options) };
-        match self.output.as_deref().filter(|path| *path != Path::new("-")) {
+        match file {
             None => print(&picture)?,
-            Some(path) => {
-                write_file(path, self.map.path(), picture.as_bytes())?;
-            }
+            Some(path) => write_file(path, self.map.path(), picture.as_bytes())?,
         }
         Ok(if report.is_valid() { Verdict::Sound } else { Verdict::Wrong })
     }

@@ -5,6 +5,7 @@ use crate::output::counted;
 use crate::progress::busy;
 use crate::status::Failure;
 use indicatif::{ProgressBar, ProgressStyle};
+use std::ffi::OsStr;
 use std::fs::File;
 use std::io::{self, BufRead, BufReader, Read};
 use std::path::{Path, PathBuf};
@@ -108,6 +109,23 @@ impl Input {
         self.reader.fill_buf().map_err(|error| Failure(format!("{}: {error}", self.name)))
     }
 
+    /// The format if it is a map. A layer that is asked of a format whose files have one is refused, unless it has the name of the file.
+    fn map_format(&mut self) -> Result<Option<Format>, Failure> {
+        let options = self.options();
+        let head = self.reader.fill_buf().map_err(|error| Failure(format!("{}: {error}", self.name)))?;
+        let Ok(format) = format_of(head, self.path.as_deref(), &options) else { return Ok(None) };
+        let has_layers = matches!(format, Format::GeoPackage | Format::TopoJson);
+        let of_file = self.path.as_deref().and_then(Path::file_stem);
+        match self.layer.as_deref().filter(|layer| !has_layers && of_file != Some(OsStr::new(layer))) {
+            None => Ok(Some(format)),
+            Some(layer) => Err(Failure(format!(
+                "{}: there is no layer {layer:?}: this is {format}, and --layer is for files with several layers: GeoPackage, TopoJSON, and \
+                 zip archives",
+                self.name
+            ))),
+        }
+    }
+
     /// The format if it is a mesh: by its name, or else by how it begins.
     pub(crate) fn mesh_format(&mut self) -> Result<Option<MeshFormat>, Failure> {
         match (self.mesh_format, self.format) {
@@ -190,6 +208,7 @@ impl LayerFile {
     /// Reads all of it: the name of the input, and the layer.
     pub(crate) fn read(&self) -> Result<(String, Layer), Failure> {
         let mut input = Input::open(Some(&self.file), self.layer.as_deref())?;
+        input.map_format()?;
         let options = input.options();
         let layer = read_layer(&mut input.reader, input.path.as_deref(), &options)
             .map_err(|error| Failure(format!("{}: {error}", input.name)))?;
@@ -245,13 +264,12 @@ impl MapFile {
     }
 
     /// Builds the map that was opened.
-    pub(crate) fn build_from(&self, input: Input, keep: Keep<'_>) -> Result<Imported, Failure> {
+    pub(crate) fn build_from(&self, mut input: Input, keep: Keep<'_>) -> Result<Imported, Failure> {
+        let orients_rings = input.map_format()?.is_some_and(Format::orients_rings);
         let options = input.options();
         let Input { name, mut reader, path, unpacked: _folder, .. } = input;
         let failed = |error: InputError| Failure(format!("{name}: {error}"));
         let noted = Noted::new(self.name_from.clone());
-        let head = reader.fill_buf().map_err(|error| Failure(format!("{name}: {error}")))?;
-        let orients_rings = format_of(head, path.as_deref(), &options).is_ok_and(Format::orients_rings);
         let (builder, read, noted, crs) =
             gather(&mut reader, path.as_deref(), &options, noted, keep).map_err(failed)?;
         self.refuse_empty(&name, &read)?;

@@ -15,6 +15,7 @@ mod document;
 mod draw;
 mod effort;
 mod expectation_text;
+mod extension;
 mod fuzz_template;
 mod input;
 mod names;

@@ -1,5 +1,6 @@
 //! `twinedge voronoi`: the cells of the points of a file.
 
+use crate::extension::format_of;
 use crate::input::LayerFile;
 use crate::outline::ring;
 use crate::output::{counted, plain, print};
@@ -56,6 +57,8 @@ struct Sites {
 
 impl MakeVoronoi {
     pub(crate) fn run(&self) -> Result<Verdict, Failure> {
+        let file = self.output.as_deref().filter(|path| *path != Path::new("-"));
+        let is_svg = format_of(file, &[("geojson", false), ("json", false), ("svg", true)])?.unwrap_or(false);
         let (name, sites) = self.read()?;
         let failed = |error: twinedge::algorithm::voronoi::VoronoiError| Failure(format!("{name}: {error}"));
         let (map, collection, what) = if self.delaunay {
@@ -71,11 +74,10 @@ impl MakeVoronoi {
             let (collection, what) = cells(&found, &sites)?;
             (coloured(found)?, collection, what)
         };
-        let Some(path) = self.output.as_deref().filter(|path| *path != Path::new("-")) else {
+        let Some(path) = file else {
             print(&collection)?;
             return Ok(Verdict::Sound);
         };
-        let is_svg = path.extension().is_some_and(|extension| extension.eq_ignore_ascii_case("svg"));
         let text = if is_svg { svg::draw(&map, &Options::default()) } else { collection };
         write_file(path, self.points.path(), text.as_bytes())?;
         print(&format!("{}: {what}\n", plain(&name)))?;

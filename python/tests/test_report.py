@@ -119,7 +119,7 @@ def test_every_kind_of_finding_is_documented():
 
     for name in _twinedge.FINDING_KINDS:
         assert f"| `{name}` |" in page.split("## Findings")[1], name
-    assert len({*twinedge.FINDING_KINDS}) == 13
+    assert len({*twinedge.FINDING_KINDS}) == 14
 
 
 def test_a_width_hides_wider_gaps_and_mean_widths_are_those_of_the_page():

@@ -384,7 +384,7 @@ fn a_map_that_is_not_plane_is_refused() {
     builder.shape(&area([0.0, 0.0], [4.0, 4.0])).expect("in range");
     builder.shape(&area([2.0, 2.0], [6.0, 6.0])).expect("in range");
     let crossing = builder.build().expect("small");
-    assert_eq!(check(&crossing, &Limits::default()), Err(CoverageError::NotPlane));
+    assert_eq!(check(&crossing, &Limits::default()), Err(CoverageError::NotPlane(crossing.not_plane().unwrap())));
 }
 
 /// Rings of points.

@@ -1,5 +1,6 @@
 //! The format of a report, and where it goes.
 
+use crate::extension::format_of;
 use crate::output::{json, print, print_bytes};
 use crate::output_file::write_file;
 use crate::status::Failure;
@@ -21,23 +22,19 @@ pub(super) enum ReportFormat {
     Html,
 }
 
-impl ReportFormat {
-    /// The format that the extension of a file says.
-    fn of_path(path: &Path) -> Option<Self> {
-        let extension = path.extension()?.to_str()?.to_ascii_lowercase();
-        match extension.as_str() {
-            "json" => Some(Self::Json),
-            "geojson" => Some(Self::Geojson),
-            "html" | "htm" => Some(Self::Html),
-            _ => None,
-        }
-    }
-}
+/// The extensions that say a format.
+const EXTENSIONS: [(&str, ReportFormat); 5] = [
+    ("txt", ReportFormat::Text),
+    ("json", ReportFormat::Json),
+    ("geojson", ReportFormat::Geojson),
+    ("html", ReportFormat::Html),
+    ("htm", ReportFormat::Html),
+];
 
 /// The arguments.
 #[derive(Debug, clap::Args)]
 pub(super) struct Arguments {
-    /// Output format. Default: what the extension of the output says (.json, .geojson, .html), else text. geojson and html are for
+    /// Output format. Default: what the extension of the output says (.txt, .json, .geojson, .html), else text. geojson and html are for
     /// maps, topologies of PostGIS and the tables of a textbook.
     #[arg(long, value_enum)]
     format: Option<ReportFormat>,
@@ -49,10 +46,16 @@ pub(super) struct Arguments {
 
 impl Arguments {
     /// The destination of a report.
-    pub(super) fn destination<'a>(&'a self, input: Option<&'a Path>) -> Destination<'a> {
+    ///
+    /// # Errors
+    /// [`Failure`], if the extension of the output says no format, and none is named.
+    pub(super) fn destination<'a>(&'a self, input: Option<&'a Path>) -> Result<Destination<'a>, Failure> {
         let path = self.output.as_deref().filter(|path| *path != Path::new("-"));
-        let format = self.format.or_else(|| path.and_then(ReportFormat::of_path)).unwrap_or(ReportFormat::Text);
-        Destination { format, path, input }
+        let format = match self.format {
+            Some(format) => format,
+            None => format_of(path, &EXTENSIONS)?.unwrap_or(ReportFormat::Text),
+        };
+        Ok(Destination { format, path, input })
     }
 }
 

@@ -31,7 +31,7 @@ impl Audit {
         let start = Instant::now();
         let mut input = self.map.open()?;
         let kind = InputKind::of(self, &mut input)?;
-        let run = &Run { asked: self, to: self.destination.destination(self.map.path()), start };
+        let run = &Run { asked: self, to: self.destination.destination(self.map.path())?, start };
         kind.refuse_options(run, &input.name)?;
         match kind {
             InputKind::Map => map::audit(run, input),

@@ -2,6 +2,7 @@
 
 mod steps;
 
+use crate::extension::format_of;
 use crate::input::{Imported, MapFile};
 use crate::names::label;
 use crate::output::style::QUIET;
@@ -9,6 +10,7 @@ use crate::output::{grouped, plain, print};
 use crate::output_file::write_file;
 use crate::query::{Source, find};
 use crate::status::{Failure, Verdict};
+use anstream::adapter::strip_str;
 use clap::ValueEnum;
 use serde::Serialize;
 use std::collections::BTreeMap;
@@ -40,9 +42,9 @@ pub(crate) struct Decompose {
     #[arg(long, value_name = "NAME")]
     feature: Option<String>,
 
-    /// The output.
-    #[arg(long, value_enum, default_value_t)]
-    format: Format,
+    /// Output format. Default: what the extension of the output says (.txt, .json, .geojson), else text.
+    #[arg(long, value_enum)]
+    format: Option<Format>,
 
     /// File to write; `-` is standard output, and the default.
     #[arg(short, long, value_name = "FILE")]
@@ -53,10 +55,9 @@ pub(crate) struct Decompose {
     steps: Option<PathBuf>,
 }
 
-#[derive(Clone, Copy, Debug, Default, ValueEnum)]
+#[derive(Clone, Copy, Debug, ValueEnum)]
 enum Format {
     /// Text: a line for each feature.
-    #[default]
     Text,
     /// One JSON object.
     Json,
@@ -85,6 +86,13 @@ struct Row {
 
 impl Decompose {
     pub(crate) fn run(&self) -> Result<Verdict, Failure> {
+        let file = self.output.as_deref().filter(|path| *path != Path::new("-"));
+        let extensions = [("txt", Format::Text), ("json", Format::Json), ("geojson", Format::Geojson)];
+        let format = match self.format {
+            Some(format) => format,
+            None => format_of(file, &extensions)?.unwrap_or(Format::Text),
+        };
+        format_of(self.steps.as_deref(), &[("svg", ())])?;
         let Imported { name: input, map, noted, .. } = self.map.build()?;
         if !map.is_plane() {
             let why = "edges cross, touch or overlap, so faces are not well defined";
@@ -119,7 +127,7 @@ impl Decompose {
         });
         let rows = rows.collect();
         let answer = DecompositionAnswer { input, features: rows, ok: map.validate().is_valid() };
-        let text = match self.format {
+        let text = match format {
             Format::Text => text(&map, &answer)?,
             Format::Json => serde_json::to_string_pretty(&answer)? + "\n",
             Format::Geojson => {
@@ -127,11 +135,9 @@ impl Decompose {
                 geojson(&map, pieces)?
             }
         };
-        match self.output.as_deref().filter(|path| *path != Path::new("-")) {
+        match file {
             None => print(&text)?,
-            Some(path) => {
-                write_file(path, self.map.path(), text.as_bytes())?;
-            }
+            Some(path) => write_file(path, self.map.path(), strip_str(&text).to_string().as_bytes())?,
         }
         Ok(if answer.ok { Verdict::Sound } else { Verdict::Wrong })
     }

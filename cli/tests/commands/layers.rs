@@ -132,7 +132,9 @@ fn the_input_is_not_overwritten_by_any_path() {
             let arguments = [command, &[&input, "-o", output]].concat();
             let said = twinedge(&arguments);
             assert_eq!(said.status.code(), Some(2), "{arguments:?}");
-            assert!(String::from_utf8_lossy(&said.stderr).contains("this is the input"), "{arguments:?}");
+            let why =
+                if command == ["draw"] { "this command writes .svg, and no .geojson" } else { "this is the input" };
+            assert!(String::from_utf8_lossy(&said.stderr).contains(why), "{arguments:?}");
         }
     }
     assert_eq!(fs::read_to_string(&input).unwrap(), PARCELS);
@@ -140,7 +142,9 @@ fn the_input_is_not_overwritten_by_any_path() {
     let shp = in_folder(&folder, "a.shp");
     assert_eq!(status(&["convert", &input, "-o", &shp, "--lossy"]), Some(0));
     for part in ["a.shp", "a.dbf", "a.cpg"] {
-        assert!(complaint(&twinedge(&["draw", &shp, "-o", &in_folder(&folder, part)])).contains("this is the input"));
+        let output = in_folder(&folder, part);
+        let said = complaint(&twinedge(&["audit", &shp, "--format", "json", "-o", &output]));
+        assert!(said.contains("this is the input"), "{said}");
     }
 }
 
@@ -353,4 +357,40 @@ fn rings_are_judged_by_the_rule_of_their_format() {
         assert_eq!(status(&["convert", &input, "-o", &output, "--lossy"]), Some(0));
         assert_eq!(wrong(&output), (json!(0), 0), "{name}");
     }
+}
+
+#[test]
+fn an_extension_that_the_command_does_not_write_is_refused() {
+    let folder = scratch_folder("extensions");
+    let input = parcels(&folder);
+    for command in [&["audit"][..], &["draw"], &["decompose"], &["voronoi"]] {
+        for name in ["out.gpkg", "out.xyz"] {
+            let output = in_folder(&folder, name);
+            let said = complaint(&twinedge(&[command, &[&input, "-o", &output]].concat()));
+            assert!(said.contains("this command writes ."), "{command:?} {said}");
+            assert!(!Path::new(&output).exists());
+        }
+    }
+    // The extension says the format, and a file has no colours.
+    let output = in_folder(&folder, "pieces.json");
+    assert_eq!(status(&["decompose", "--snap", "auto", &input, "-o", &output]), Some(0));
+    assert!(serde_json::from_str::<serde_json::Value>(&fs::read_to_string(&output).unwrap()).is_ok());
+    let output = in_folder(&folder, "pieces.txt");
+    assert_eq!(status(&["decompose", "--snap", "auto", &input, "-o", &output]), Some(0));
+    let text = fs::read_to_string(&output).unwrap();
+    assert!(text.contains("diagonals") && !text.contains('\u{1b}'), "{text:?}");
+}
+
+#[test]
+fn a_layer_that_is_not_there_is_refused() {
+    let folder = scratch_folder("no_such_layer");
+    let input = parcels(&folder);
+    for command in
+        [&["audit"][..], &["draw"], &["clean", "-o", "-"], &["convert", "-o", "-", "--to", "wkt"], &["voronoi"]]
+    {
+        let said = complaint(&twinedge(&[command, &[&input, "--layer", "roads"]].concat()));
+        assert!(said.contains("there is no layer \"roads\""), "{command:?} {said}");
+    }
+    // The one layer has the name of the file.
+    assert_ne!(status(&["audit", &input, "--layer", "parcels"]), Some(2));
 }

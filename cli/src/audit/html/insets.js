@@ -7,6 +7,8 @@ const STRIP = 0.1;
 const GAIN = 1.5;
 const MOST_INSETS = 6;
 const DEPTH = 8;
+/** The room that is left below the main part for the insets, as a part of its height. */
+const ROW = 0.15;
 
 function longer(box) {
   return Math.max(box[2] - box[0], box[3] - box[1]);
@@ -46,7 +48,8 @@ function divide(faces, depth, found) {
 function firstView(s, bounds) {
   const [main, ...others] = partsOf(s);
   if (!main || longer(bounds) < GAIN * longer(main.box)) return { box: bounds, others: [] };
-  return { box: main.box, others: others.slice(0, MOST_INSETS) };
+  const [x0, y0, x1, y1] = main.box;
+  return { box: [x0, y0 - ROW * (y1 - y0), x1, y1], others: others.slice(0, MOST_INSETS) };
 }
 
 /** Makes a button for each part, which `go` shows; returns a function that draws them. */

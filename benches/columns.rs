@@ -1,7 +1,7 @@
 //! Columns of a torus of 1,000,000 half-edges beside the same links in a view of Rust's own vectors: whole slices, fields of an array of
 //! structs, a vacant slot, records of boundary components; and the forms that are slower.
 //!
-//! Target: 1.2 times the view. Run with `cargo bench -p twinedge-columns`.
+//! Target: 1.2 times the view. Run with `cargo bench -p twinedge-benches --bench columns`.
 
 use criterion::{Criterion, Throughput, criterion_group, criterion_main};
 use std::hint::black_box;

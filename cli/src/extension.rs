@@ -1,0 +1,15 @@
+//! The format that the extension of an output file says.
+
+use crate::status::Failure;
+use std::path::Path;
+
+/// The format of a file by its extension, of those that the command writes; none without extension. Another extension is refused.
+pub(crate) fn format_of<F: Copy>(path: Option<&Path>, known: &[(&str, F)]) -> Result<Option<F>, Failure> {
+    let Some((path, extension)) = path.and_then(|path| Some((path, path.extension()?))) else { return Ok(None) };
+    if let Some((_, format)) = known.iter().find(|(name, _)| extension.eq_ignore_ascii_case(name)) {
+        return Ok(Some(*format));
+    }
+    let names: Vec<String> = known.iter().map(|(name, _)| format!(".{name}")).collect();
+    let extension = extension.to_string_lossy();
+    Err(Failure(format!("{}: this command writes {}, and no .{extension}", path.display(), names.join(", "))))
+}
