@@ -102,13 +102,13 @@ impl Binary {
             return Err(DrawingError::NoGrid);
         }
         let (bits, biased) = (x.to_bits() & ((1 << 52) - 1), (x.to_bits() >> 52 & 0x7ff) as i32);
-        let mantissa = if biased == 0 { bits } else { bits | 1 << 52 } as i64;
+        let mantissa = if biased == 0 { bits } else { bits | 1 << 52 }.cast_signed();
         if mantissa == 0 {
             return Ok(Self::default());
         }
         let zeros = mantissa.trailing_zeros();
         let odd = (mantissa >> zeros) * if x < 0.0 { -1 } else { 1 };
-        Ok(Self { odd, exponent: biased.max(1) - 1075 + zeros as i32 })
+        Ok(Self { odd, exponent: biased.max(1) - 1075 + zeros.cast_signed() })
     }
 
     /// The number in steps of two to this exponent, which is not greater than its own.
@@ -254,11 +254,10 @@ impl Darts {
 
     /// From each half-edge clockwise over added edges to the half-edge before.
     fn look_ahead(&mut self) {
-        for dart in 0..self.twin.len() {
-            let h = self.half_edge[dart];
+        for dart in (0..self.twin.len()).filter(|d| self.half_edge[*d] != NIL).collect::<Vec<_>>() {
             let mut d = dart;
-            while h != NIL {
-                self.ahead[d] = h;
+            loop {
+                self.ahead[d] = self.half_edge[dart];
                 d = next(self.twin[d] as usize);
                 if self.half_edge[d] != NIL {
                     break;

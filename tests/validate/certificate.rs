@@ -297,32 +297,34 @@ fn labels_that_are_missing_are_nil() {
     }
 }
 
+/// More vertices than can be numbered.
+struct Large;
+impl View for Large {
+    fn parts(&self) -> Parts {
+        Parts::NONE
+    }
+    fn vertex_slots(&self) -> usize {
+        usize::MAX
+    }
+    fn half_edge_slots(&self) -> usize {
+        0
+    }
+    fn origin(&self, _: usize) -> Option<usize> {
+        None
+    }
+    fn twin(&self, _: usize) -> Option<usize> {
+        None
+    }
+    fn next(&self, _: usize) -> Option<usize> {
+        None
+    }
+}
+
 #[test]
 fn structures_without_containment_have_no_labels() {
     let table: Table = "V 0 H 0 B 0 F 1 - 0".parse().unwrap();
     for part in [Part::UnboundedFace, Part::Holes] {
         assert_eq!(Labels::new(&table.without(part)), Err(LabelsError::NoContainment));
-    }
-    struct Large;
-    impl View for Large {
-        fn parts(&self) -> Parts {
-            Parts::NONE
-        }
-        fn vertex_slots(&self) -> usize {
-            usize::MAX
-        }
-        fn half_edge_slots(&self) -> usize {
-            0
-        }
-        fn origin(&self, _: usize) -> Option<usize> {
-            None
-        }
-        fn twin(&self, _: usize) -> Option<usize> {
-            None
-        }
-        fn next(&self, _: usize) -> Option<usize> {
-            None
-        }
     }
     assert_eq!(Labels::new(&Large), Err(LabelsError::TooLarge));
     assert_eq!(check(&Large, &Labels::default()).unwrap_err()[0].test(), Test::Readable);

@@ -56,5 +56,5 @@ pub(super) const fn certified(is_drawing: bool) -> &'static str {
 
 /// A line for each test that failed.
 pub(super) fn lines(failures: &[FailedTest]) -> String {
-    failures.iter().map(|failure| format!("{failure}\n")).collect()
+    failures.iter().fold(String::new(), |lines, failure| lines + &failure.to_string() + "\n")
 }

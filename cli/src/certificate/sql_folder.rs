@@ -1,6 +1,6 @@
 //! A certificate for SQL: its records as tables in CSV, and `check.sql`, which has each test as a view of the records that fail it.
 //!
-//! CSV and not Parquet: DuckDB, PostgreSQL and Spark read it without extensions, and writing it needs no dependency.
+//! CSV and not Parquet: `DuckDB`, `PostgreSQL` and Spark read it without extensions, and writing it needs no dependency.
 
 use super::folder::Folder;
 use crate::status::Failure;
@@ -23,7 +23,7 @@ pub(super) enum Engine {
 struct Table<'a> {
     name: &'static str,
     columns: Vec<&'static str>,
-    rows: Box<dyn Iterator<Item = Vec<Option<i64>>> + 'a>,
+    rows: Box<dyn Iterator<Item = Vec<Option<i128>>> + 'a>,
 }
 
 /// The views that have the records that fail, in order.
@@ -110,7 +110,7 @@ fn write_table(folder: &Path, table: Table<'_>) -> Result<(), Failure> {
 }
 
 /// The tables of a certificate. Vacant slots have no rows, and nil is empty.
-fn tables<'a>(folder: &'a Folder) -> Vec<Table<'a>> {
+fn tables(folder: &Folder) -> Vec<Table<'_>> {
     let (certificate, columns) = (&folder.certificate, folder.certificate.columns());
     let drawing = folder.drawing.as_ref();
     let of = |column: Column, i: usize| link(columns, column, i);
@@ -118,8 +118,8 @@ fn tables<'a>(folder: &'a Folder) -> Vec<Table<'a>> {
     let with_dart = |names: &[&'static str]| -> Vec<&'static str> {
         names.iter().copied().chain(drawing.map(|_| "dart")).collect()
     };
-    let row = |i: usize, links: Vec<Option<i64>>, dart: Option<i64>| -> Vec<Option<i64>> {
-        [Some(i as i64)].into_iter().chain(links).chain(dart.map(Some)).collect()
+    let row = |i: usize, links: Vec<Option<i128>>, dart: Option<i128>| -> Vec<Option<i128>> {
+        [Some(i as i128)].into_iter().chain(links).chain(dart.map(Some)).collect()
     };
     let mut tables = vec![
         Table {
@@ -176,7 +176,7 @@ fn tables<'a>(folder: &'a Folder) -> Vec<Table<'a>> {
             columns: vec!["face", "place", "boundary"],
             rows: Box::new((0..certificate.face_slots()).filter(|f| certificate.is_face(*f)).flat_map(move |f| {
                 let entry =
-                    move |i: usize| vec![Some(f as i64), Some(i as i64), certificate.inner(f, i).map(|b| b as i64)];
+                    move |i: usize| vec![Some(f as i128), Some(i as i128), certificate.inner(f, i).map(|b| b as i128)];
                 (0..certificate.inner_count(f)).map(entry)
             })),
         },
@@ -191,8 +191,8 @@ fn drawing_tables(drawing: &Drawing) -> [Table<'_>; 2] {
     let side = |d: usize| {
         let of = |column| Some(number(&drawing.columns, column, d));
         vec![
-            Some(d as i64 / 3),
-            Some(d as i64 % 3),
+            Some(d as i128 / 3),
+            Some(d as i128 % 3),
             of(Column::DartTwin),
             of(Column::DartPoint),
             link(&drawing.columns, Column::DartHalfEdge, d),
@@ -201,7 +201,7 @@ fn drawing_tables(drawing: &Drawing) -> [Table<'_>; 2] {
             of(Column::DartRank),
         ]
     };
-    let point = |(i, [x, y]): (usize, &[i64; 2])| vec![Some(i as i64), Some(*x), Some(*y)];
+    let point = |(i, [x, y]): (usize, &[i64; 2])| vec![Some(i as i128), Some(i128::from(*x)), Some(i128::from(*y))];
     [
         Table {
             name: "sides",
@@ -216,11 +216,11 @@ fn drawing_tables(drawing: &Drawing) -> [Table<'_>; 2] {
     ]
 }
 
-fn number(columns: &Labels, column: Column, i: usize) -> i64 {
+fn number(columns: &Labels, column: Column, i: usize) -> i128 {
     columns.column(column)[i].into()
 }
 
 /// The same, without nil.
-fn link(columns: &Labels, column: Column, i: usize) -> Option<i64> {
-    Some(number(columns, column, i)).filter(|number| *number != i64::from(u32::MAX))
+fn link(columns: &Labels, column: Column, i: usize) -> Option<i128> {
+    Some(number(columns, column, i)).filter(|number| *number != i128::from(u32::MAX))
 }

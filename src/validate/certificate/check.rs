@@ -74,7 +74,7 @@ impl<V: View + ?Sized> Answers<'_, V> {
         self.labels.column(Column::HalfEdgeRank).len() == self.half_edges && slots.iter().all(|n| *n <= MOST_SLOTS)
     }
 
-    /// What half-edges say of each other and of their origins.
+    /// The links of a half-edge, its neighbours and its origin fit together.
     pub(super) fn links_ok(&self, h: usize, failures: &mut Failures) {
         let (twin, next, prev) = (self.twin(h), self.next(h), self.prev(h));
         let twin_ok = twin.and_then(|t| self.twin(t)) == Some(h) && twin != Some(h);
@@ -158,7 +158,7 @@ impl<V: View + ?Sized> Answers<'_, V> {
         }
     }
 
-    /// What it lists names it, and the place. `entries` is the number of entries that may still be right.
+    /// The entries of its list name it, and their places. `entries` is the number of entries that may still be right.
     fn face_ok(&self, f: usize, entries: &mut usize) -> bool {
         let named = |b: usize, place| self.boundary_face(b) == Some(f) && self.place(b) == Some(place);
         self.outer(f).is_none_or(|b| named(b, BoundaryPlace::Outer))

@@ -106,7 +106,7 @@ impl Column {
     }
 }
 
-/// What a certificate adds to a structure: the rank of each half-edge, and a column for each link that the structure does not store.
+/// The additions of a certificate to a structure: the rank of each half-edge, and a column for each link that the structure does not store.
 ///
 /// Nothing is assumed of the numbers: [`check`](super::check()) decides, whatever they are. Columns that are not needed are empty. In a
 /// column `u32::MAX` is nil.

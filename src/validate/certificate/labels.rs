@@ -139,11 +139,11 @@ impl Labels {
         let mut outer = nils(view.face_slots())?;
         // A list that is longer than all that there is names something twice.
         let most = self.column(Column::BoundaryFace).len() + view.vertex_slots();
-        for f in 0..view.face_slots() {
+        for (f, named) in outer.iter_mut().enumerate() {
             if view.is_face(f) {
                 if let Some(h) = view.outer_half_edge(f) {
                     let b = self.boundary_at(Start::HalfEdge(h));
-                    outer[f] = b as u32;
+                    *named = b as u32;
                     self.put(Column::BoundaryFace, b, f);
                 }
                 for i in 0..view.inner_count(f).min(most) {
@@ -172,11 +172,10 @@ impl Labels {
     /// of their own.
     fn invent_faces<V: View + ?Sized>(&mut self, view: &V) -> Result<(), LabelsError> {
         let outside = outsides(&Answers::new(view, self))?;
-        let cycles = self.column(Column::BoundaryFace).len();
         self.column_mut(Column::FaceOuter).push(NIL);
         let mut inner = 0;
-        for b in 0..cycles {
-            if outside[b] {
+        for (b, is_outside) in outside.into_iter().enumerate() {
+            if is_outside {
                 self.list_inner(0, inner, b);
                 inner += 1;
             } else {
@@ -232,7 +231,7 @@ fn kept<V: View + ?Sized>(view: &V) -> Result<Vec<u32>, LabelsError> {
 /// For each boundary component its position in the list of its face.
 fn places<V: View + ?Sized>(view: &V) -> Result<Vec<u32>, LabelsError> {
     let mut place = nils(view.boundary_slots())?;
-    // What lists hold in all, if each boundary component is listed once.
+    // The entries that may still be read: each boundary component is listed once.
     let mut listed = place.len();
     for f in (0..view.face_slots()).filter(|f| view.is_face(*f)) {
         let count = view.inner_count(f).min(listed);
@@ -312,12 +311,9 @@ fn ranks<V: View + ?Sized>(s: &Answers<'_, V>) -> Result<Vec<u32>, LabelsError> 
 fn outsides<V: View + ?Sized>(s: &Answers<'_, V>) -> Result<Vec<bool>, LabelsError> {
     let mut outside = column(s.boundaries, false).ok_or(LabelsError::OutOfMemory)?;
     let mut queue = Queue::new(s)?;
-    for b in 0..s.boundaries {
-        if let Some(Start::HalfEdge(h)) =
-            s.start(b).filter(|start| matches!(start, Start::HalfEdge(h) if queue.rank[*h] == NIL))
-        {
-            outside[b] = true;
-            queue.add(h);
+    for (b, outside) in outside.iter_mut().enumerate() {
+        if let Some(Start::HalfEdge(h)) = s.start(b) {
+            *outside = queue.add(h);
             while queue.take(s).is_some() {}
         }
     }

@@ -29,7 +29,7 @@
 //!
 //! # Parts that are not stored
 //!
-//! Where a structure does not store a [`Part`](super::Part), the [`Labels`] have it: `prev`, the half-edge that a vertex keeps, places, boundary components,
+//! If a structure does not store a [`Part`](super::Part), the [`Labels`] have it: `prev`, the half-edge that a vertex keeps, places, boundary components,
 //! faces. They mean no more than the tests say of them, as ranks do. Where half-edges name their face and faces half-edges, two
 //! more tests, [`Test::FaceNameOk`] and [`Test::FaceStartsOk`], compare these names with the boundary components of the labels.
 //!

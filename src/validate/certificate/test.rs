@@ -51,7 +51,7 @@ tests! {
     StartOk "start_ok" of "boundary components",
     /// The face lists the boundary component at its place.
     PlaceOk "place_ok" of "boundary components",
-    /// What the face lists names the face and the place.
+    /// The entries of the list of the face name it, and their places.
     FaceOk "face_ok" of "faces",
     /// There is one unbounded face.
     OneUnbounded "one_unbounded" of "",
@@ -87,7 +87,7 @@ tests! {
     StepOk "step_ok" of "half-edges",
     /// On surfaces: neighbours have the same component, and one of them a lower rank, but for the root.
     ComponentOk "component_ok" of "half-edges",
-    /// On surfaces: what a vertex keeps leaves it.
+    /// On surfaces: the half-edge that a vertex keeps leaves it.
     SurfaceVertexOk "surface_vertex_ok" of "vertices",
     /// On surfaces: the boundary component starts with one of its half-edges, and is the outer one of its face.
     SurfaceBoundaryOk "surface_boundary_ok" of "boundary components",

@@ -65,8 +65,8 @@ WHERE NOT (coalesce(n.dart_rank < d.dart_rank, FALSE)
 -- Differences have at most 17 digits, so products and their difference fit into 38.
 CREATE TEMPORARY VIEW turning AS
 SELECT a.triangle,
-    CAST(pa.x - pc.x AS DECIMAL(18, 0)) * CAST(pb.y - pc.y AS DECIMAL(18, 0)) AS plus,
-    CAST(pb.x - pc.x AS DECIMAL(18, 0)) * CAST(pa.y - pc.y AS DECIMAL(18, 0)) AS minus
+    CAST(pa.x - pc.x AS DECIMAL(38, 0)) * CAST(pb.y - pc.y AS DECIMAL(38, 0)) AS plus,
+    CAST(pb.x - pc.x AS DECIMAL(38, 0)) * CAST(pa.y - pc.y AS DECIMAL(38, 0)) AS minus
 FROM darts a
 LEFT JOIN darts b ON b.dart = a.next_dart
 LEFT JOIN darts c ON c.dart = a.prev_dart
