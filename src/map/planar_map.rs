@@ -55,7 +55,7 @@ use std::ops::Index;
 /// assert!(map.position(first.origin().key())?.x <= 6.0);
 /// # Ok::<(), Box<dyn std::error::Error>>(())
 /// ```
-#[derive(Clone)]
+#[derive(Clone, Default)]
 pub struct PlanarMap {
     pub(super) dcel: Dcel,
     /// By index of vertex.
@@ -136,23 +136,6 @@ impl Index<VertexKey> for PlanarMap {
     #[track_caller]
     fn index(&self, vertex: VertexKey) -> &Point {
         &self.points[self.dcel.at(vertex).index()]
-    }
-}
-
-impl Default for PlanarMap {
-    fn default() -> Self {
-        Self {
-            dcel: Dcel::default(),
-            points: Vec::new(),
-            names: Vec::new(),
-            features: FeatureSets::default(),
-            summary: BuildSummary::default(),
-            noding: None,
-            not_plane: None,
-            index: KeptIndex::default(),
-            #[cfg(feature = "near")]
-            notes: Notes::default(),
-        }
     }
 }
 
