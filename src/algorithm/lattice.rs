@@ -41,7 +41,7 @@
 //! ```
 
 use crate::dcel::{Face, FaceKey, HalfEdge, StaleKey, Vertex, VertexKey};
-use crate::map::PlanarMap;
+use crate::map::{NotPlane, PlanarMap};
 use crate::validate::Embedding;
 use thiserror::Error;
 
@@ -56,8 +56,8 @@ pub enum LatticeError {
     #[error("the unbounded face has no area")]
     Unbounded,
     /// The map is not plane, so it is not known what lies inside a face.
-    #[error("the map is not plane")]
-    NotPlane,
+    #[error(transparent)]
+    NotPlane(#[from] NotPlane),
     /// The coordinates of a vertex are not both integers.
     #[error("the vertex at ({x}, {y}) is not a lattice point: both coordinates must be integers")]
     NotInteger {
@@ -132,9 +132,7 @@ impl LatticeMap {
 /// [`LatticeError`].
 pub fn of_face(map: &PlanarMap, face: FaceKey) -> Result<LatticeCount, LatticeError> {
     let face = map.dcel().face(face)?;
-    if !map.is_plane() {
-        return Err(LatticeError::NotPlane);
-    }
+    map.plane()?;
     if face.is_unbounded() {
         return Err(LatticeError::Unbounded);
     }
@@ -160,9 +158,7 @@ pub fn of_face(map: &PlanarMap, face: FaceKey) -> Result<LatticeCount, LatticeEr
 /// # Ok::<(), Box<dyn std::error::Error>>(())
 /// ```
 pub fn of_map(map: &PlanarMap) -> Result<LatticeMap, LatticeError> {
-    if !map.is_plane() {
-        return Err(LatticeError::NotPlane);
-    }
+    map.plane()?;
     let mut total = LatticeCount { area_doubled: 0, interior: 0, boundary: 0, holes: 0 };
     let mut faces = Vec::with_capacity(map.dcel().face_count());
     for face in map.dcel().faces().filter(|face| !face.is_unbounded()) {

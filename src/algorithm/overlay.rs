@@ -18,7 +18,7 @@
 use crate::dcel::{Boundary, Face, FaceKey, HalfEdgeKey, StaleKey, Vertex};
 use crate::geometry::Point;
 use crate::geometry::noding::Snap;
-use crate::map::{BuildError, Builder, Feature, FeatureId, Noding, PlanarMap, Shape};
+use crate::map::{BuildError, Builder, Feature, FeatureId, Noding, NotPlane, PlanarMap, Shape};
 use std::collections::HashMap;
 use thiserror::Error;
 
@@ -45,8 +45,8 @@ impl std::fmt::Display for Operand {
 #[non_exhaustive]
 pub enum OverlayError {
     /// The edges of one of the maps do not meet at shared endpoints only, so its faces are not known.
-    #[error("the {0} map is not plane")]
-    NotPlane(Operand),
+    #[error("the {0} one: {1}")]
+    NotPlane(Operand, NotPlane),
     /// The edges cannot be noded on this grid, or there is no room.
     #[error(transparent)]
     Build(#[from] BuildError),
@@ -177,8 +177,8 @@ impl Overlay {
 /// [`OverlayError`].
 pub fn overlay(left: &PlanarMap, right: &PlanarMap, snap: Snap) -> Result<Overlay, OverlayError> {
     let operands = [(Operand::Left, left), (Operand::Right, right)];
-    if let Some((operand, _)) = operands.iter().find(|(_, map)| !map.is_plane()) {
-        return Err(OverlayError::NotPlane(*operand));
+    for (operand, map) in operands {
+        map.plane().map_err(|why| OverlayError::NotPlane(operand, why))?;
     }
     let mut builder = Builder::new();
     let mut meanings = Vec::new();

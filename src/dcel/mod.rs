@@ -33,14 +33,18 @@
 //! The operators are Euler operators. Each keeps every rule from R1 to T4. Each is atomic: an error leaves everything as it
 //! was. And each says what it made, kept and dropped, so that data kept beside the structure can follow.
 //!
-//! | operator | inverse |
-//! | --- | --- |
-//! | [`add_isolated_vertex`](Dcel::add_isolated_vertex) | [`remove_isolated_vertex`](Dcel::remove_isolated_vertex) |
-//! | [`connect`](Dcel::connect) | [`remove_edge`](Dcel::remove_edge) |
-//! | [`split_edge`](Dcel::split_edge) | [`join_edges`](Dcel::join_edges) |
-//! | [`split_vertex`](Dcel::split_vertex) | [`contract_edge`](Dcel::contract_edge) |
-//! | [`flip_edge`](Dcel::flip_edge) | [`flip_edge`](Dcel::flip_edge), turned the other way |
-//! | [`move_inner`](Dcel::move_inner) | [`move_inner`](Dcel::move_inner), back |
+//! | operator | inverse | in solid modelling |
+//! | --- | --- | --- |
+//! | [`add_isolated_vertex`](Dcel::add_isolated_vertex) | [`remove_isolated_vertex`](Dcel::remove_isolated_vertex) | MVFS, KVFS, in a face that exists already |
+//! | [`connect`](Dcel::connect) | [`remove_edge`](Dcel::remove_edge) | MEF, KEF if it splits the face; MEKR, KEMR if it bridges two boundary components (R: ring) |
+//! | [`split_edge`](Dcel::split_edge) | [`join_edges`](Dcel::join_edges) | MEV, KEV, with one edge to one side |
+//! | [`split_vertex`](Dcel::split_vertex) | [`contract_edge`](Dcel::contract_edge) | MEV, KEV |
+//! | [`flip_edge`](Dcel::flip_edge) | [`flip_edge`](Dcel::flip_edge), turned the other way | KEF, then MEF |
+//! | [`move_inner`](Dcel::move_inner) | [`move_inner`](Dcel::move_inner), back | RINGMV |
+//!
+//! The names in the last column, and in the search of this documentation, are those of Mäntylä, *An Introduction to Solid Modeling*,
+//! 1988: make or kill (M, K) a vertex, edge, face, solid or ring. His operators of genus and of several shells (KFMRH, MFKRH) have no
+//! counterpart in the plane.
 //!
 //! Two methods change a whole structure in linear time: [`retain`](Dcel::retain) removes what a condition does not hold for, as the
 //! operators would one by one, and [`compact`](Dcel::compact) closes the gaps that removed records leave.

@@ -50,6 +50,7 @@ mod feature_sets;
 mod feature_tries;
 mod import;
 mod index;
+mod not_plane;
 #[cfg(feature = "near")]
 mod notes;
 mod planar_map;
@@ -63,6 +64,7 @@ pub use construct::{BuildError, Builder, Noding};
 pub use feature::{Feature, FeatureId, Shape};
 pub use import::MapImportError;
 pub use locate::{LocateError, Located, Locator};
+pub use not_plane::NotPlane;
 pub use planar_map::PlanarMap;
 pub use summary::{BuildSummary, Irregularity, IrregularityKind, Position};
 pub use zone::{QueryLine, ZoneElement};

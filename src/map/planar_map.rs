@@ -3,6 +3,7 @@
 use super::feature::FeatureId;
 use super::feature_sets::FeatureSets;
 use super::index::{KeptIndex, RecordIndex};
+use super::not_plane::NotPlane;
 #[cfg(feature = "near")]
 use super::notes::Notes;
 use super::summary::BuildSummary;
@@ -54,7 +55,7 @@ use std::ops::Index;
 /// assert!(map.position(first.origin().key())?.x <= 6.0);
 /// # Ok::<(), Box<dyn std::error::Error>>(())
 /// ```
-#[derive(Clone)]
+#[derive(Clone, Default)]
 pub struct PlanarMap {
     pub(super) dcel: Dcel,
     /// By index of vertex.
@@ -64,8 +65,8 @@ pub struct PlanarMap {
     pub(super) features: FeatureSets,
     pub(super) summary: BuildSummary,
     pub(super) noding: Option<NodingSummary>,
-    /// True if edges meet at shared endpoints only.
-    pub(super) plane: bool,
+    /// Where edges meet elsewhere than at shared endpoints, if they do.
+    pub(super) not_plane: Option<NotPlane>,
     pub(super) index: KeptIndex,
     #[cfg(feature = "near")]
     pub(super) notes: Notes,
@@ -79,7 +80,7 @@ impl fmt::Debug for PlanarMap {
             .field("edges", &self.dcel.edge_count())
             .field("faces", &self.dcel.face_count())
             .field("features", &self.names.len())
-            .field("plane", &self.plane)
+            .field("plane", &self.is_plane())
             .finish_non_exhaustive()
     }
 }
@@ -106,7 +107,7 @@ impl PartialEq for PlanarMap {
             |f: usize| self.features.set(self.features.of_face(f)).eq(other.features.set(other.features.of_face(f)));
         let is_followed_alike =
             |h: usize| self.features.set(self.features.along(h)).eq(other.features.set(other.features.along(h)));
-        self.plane == other.plane
+        self.is_plane() == other.is_plane()
             && self.names == other.names
             && self.dcel == other.dcel
             && points(self) == points(other)
@@ -135,23 +136,6 @@ impl Index<VertexKey> for PlanarMap {
     #[track_caller]
     fn index(&self, vertex: VertexKey) -> &Point {
         &self.points[self.dcel.at(vertex).index()]
-    }
-}
-
-impl Default for PlanarMap {
-    fn default() -> Self {
-        Self {
-            dcel: Dcel::default(),
-            points: Vec::new(),
-            names: Vec::new(),
-            features: FeatureSets::default(),
-            summary: BuildSummary::default(),
-            noding: None,
-            plane: true,
-            index: KeptIndex::default(),
-            #[cfg(feature = "near")]
-            notes: Notes::default(),
-        }
     }
 }
 
@@ -300,7 +284,31 @@ impl PlanarMap {
     /// ```
     #[must_use]
     pub const fn is_plane(&self) -> bool {
-        self.plane
+        self.not_plane.is_none()
+    }
+
+    /// Returns where the map is not [plane](Self::is_plane), if it is not. O(1).
+    ///
+    /// ```
+    /// use twinedge::map::{Builder, Locator};
+    ///
+    /// let mut builder = Builder::new();
+    /// builder.segment([0.0, 0.0], [2.0, 2.0])?;
+    /// builder.segment([0.0, 2.0], [2.0, 0.0])?;
+    /// let map = builder.build()?;
+    /// let why = Locator::new(&map).unwrap_err().to_string();
+    /// assert!(why.starts_with("the map is not plane: edges meet where no vertex is, as at (1, 1); `Builder::build_with("));
+    /// assert_eq!(map.not_plane().unwrap().to_string(), why);
+    /// # Ok::<(), twinedge::map::BuildError>(())
+    /// ```
+    #[must_use]
+    pub const fn not_plane(&self) -> Option<NotPlane> {
+        self.not_plane
+    }
+
+    /// Refuses a map that is not plane.
+    pub(crate) fn plane(&self) -> Result<(), NotPlane> {
+        self.not_plane.map_or(Ok(()), Err)
     }
 
     /// Checks every rule, R1 … T4 and G1 … G5. O(n log n) for a plane map; with the number of pairs of edges whose boxes meet

@@ -1,8 +1,9 @@
 //! Random programs of operators.
 
 use super::language::choose::Choose;
-use super::language::generator::{Generator, Language};
+use super::language::generator::Generator;
 use super::language::instances::instances;
+use super::language::script::Language;
 use super::operators::{FacePick, Op, OpKind, Program};
 use super::pointer_model::StartError;
 use super::run::named::Start;

@@ -59,9 +59,10 @@ mod subject;
 
 pub use crate::dcel::{Corner, Side, Turn};
 pub use language::choose;
-pub use language::generator::{Generator, Language};
+pub use language::generator::Generator;
 #[cfg(feature = "proptest")]
 pub use language::proptest::ProgramTree;
+pub use language::script::Language;
 pub use language::shrink::{candidates, shrink};
 pub use language::words::{Expected, ParseError};
 pub use operators::{

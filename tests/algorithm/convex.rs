@@ -448,7 +448,8 @@ fn what_cannot_be_decomposed_is_refused_and_nothing_changes() {
     }
     let mut crossing = builder.build().unwrap();
     let faces: Vec<FaceKey> = crossing.dcel().faces().map(Face::key).collect();
-    assert_eq!(decompose(&mut crossing, faces), Err(EditError::NotPlane.into()));
+    let why = EditError::NotPlane(crossing.not_plane().unwrap());
+    assert_eq!(decompose(&mut crossing, faces), Err(why.into()));
 
     let far = MAX_COORDINATE;
     let mut large = of_rings(&[&[[0.0, 0.0], [far, 0.0], [far, far], [0.0, far]]]);

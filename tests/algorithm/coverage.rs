@@ -371,8 +371,11 @@ fn the_same_polygon_twice_breaks_only_c5() {
     assert_eq!((finding.rule, features, finding.area), (CoverageRule::Duplicate, vec![1, 4, 5], 100.0));
     // An area that overlaps one of them overlaps them all, and is found once.
     shapes.push(area([19.0, 4.0], [20.0, 5.0]));
-    let rules: Vec<CoverageRule> = found(&shapes, &Limits::default()).findings.iter().map(|f| f.rule).collect();
+    let findings = found(&shapes, &Limits::default()).findings;
+    let rules: Vec<CoverageRule> = findings.iter().map(|f| f.rule).collect();
     assert_eq!(rules, [CoverageRule::Overlap, CoverageRule::Duplicate]);
+    // And named with all of them.
+    assert_eq!(findings[0].features.iter().map(|f| f.index()).collect::<Vec<_>>(), [1, 4, 5, 6]);
 }
 
 #[test]
@@ -381,7 +384,7 @@ fn a_map_that_is_not_plane_is_refused() {
     builder.shape(&area([0.0, 0.0], [4.0, 4.0])).expect("in range");
     builder.shape(&area([2.0, 2.0], [6.0, 6.0])).expect("in range");
     let crossing = builder.build().expect("small");
-    assert_eq!(check(&crossing, &Limits::default()), Err(CoverageError::NotPlane));
+    assert_eq!(check(&crossing, &Limits::default()), Err(CoverageError::NotPlane(crossing.not_plane().unwrap())));
 }
 
 /// Rings of points.

@@ -151,5 +151,6 @@ fn what_has_no_lattice_points_is_refused() {
     for (from, to) in [([0.0, 0.0], [2.0, 2.0]), ([0.0, 2.0], [2.0, 0.0])] {
         builder.segment(from, to).unwrap();
     }
-    assert_eq!(of_map(&builder.build().unwrap()), Err(LatticeError::NotPlane));
+    let map = builder.build().unwrap();
+    assert_eq!(of_map(&map), Err(map.not_plane().unwrap().into()));
 }

@@ -129,8 +129,8 @@ fn maps_that_are_not_plane_are_refused() {
     }
     let (bad, good) = (builder.build().expect("fits"), built(&[]));
     let outcome = |left, right| overlay(left, right, Snap::Auto).map(|_| ());
-    assert_eq!(outcome(&bad, &good), Err(OverlayError::NotPlane(Operand::Left)));
-    assert_eq!(outcome(&good, &bad), Err(OverlayError::NotPlane(Operand::Right)));
+    assert_eq!(outcome(&bad, &good), Err(OverlayError::NotPlane(Operand::Left, bad.not_plane().unwrap())));
+    assert_eq!(outcome(&good, &bad), Err(OverlayError::NotPlane(Operand::Right, bad.not_plane().unwrap())));
     assert_eq!(overlay(&good, &good, Snap::Size(0.0)).map(|_| ()), Err(OverlayError::Build(BuildError::CellSize)));
 }
 

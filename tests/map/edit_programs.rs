@@ -188,9 +188,10 @@ fn a_map_that_is_not_valid_is_found_after_the_first_edit() {
     builder.segment([0.0, 0.0], [2.0, 2.0]).expect("in range");
     builder.segment([0.0, 2.0], [2.0, 0.0]).expect("in range");
     let crossing = builder.build_with(Noding::None).expect("a small map fits");
+    let why = crossing.not_plane().expect("the segments cross");
     let mut runner = EditRunner::new(crossing);
     let outcomes = runner.run_checked(&program("insert_point 5,5")).expect("a refusal changes nothing");
-    assert_eq!(outcomes, [EditOutcome::Refused(EditError::NotPlane)]);
+    assert_eq!(outcomes, [EditOutcome::Refused(why.into())]);
     let failure = runner.run_checked(&program("add_feature")).expect_err("the map breaks G4");
     let EditFailure::Invalid { number: 2, op: EditOp::AddFeature {}, report } = &failure else { panic!("{failure}") };
     assert_eq!(report.first().unwrap().rule(), Rule::G4);

@@ -14,6 +14,7 @@ mod equality;
 mod import;
 mod location;
 mod noding;
+mod not_plane;
 mod planar_map;
 mod saved;
 mod threads;

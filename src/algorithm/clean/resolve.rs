@@ -79,9 +79,7 @@ pub fn clean(map: &PlanarMap, options: &Options) -> Result<Cleaned, CoverageErro
 /// # Errors
 /// As for [`clean`].
 pub fn clean_with_fillers(map: &PlanarMap, options: &Options, fillers: usize) -> Result<Cleaned, CoverageError> {
-    if !map.is_plane() {
-        return Err(CoverageError::NotPlane);
-    }
+    map.plane()?;
     let mut ownership = Ownership::new(map);
     let mut changes = overlaps(map, &mut ownership, options.winner, fillers);
     fill(map, &mut ownership, fillers, &mut changes);

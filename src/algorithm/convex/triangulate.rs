@@ -12,8 +12,8 @@ use super::error::ConvexError;
 use crate::dcel::{Boundary, Corner, Face, FaceKey, HalfEdge, HalfEdgeKey, VertexKey};
 use crate::geometry::Point;
 use crate::geometry::predicates::{Orientation, compare_angle, orientation};
-use crate::map::PlanarMap;
 use crate::map::edit::EditError;
+use crate::map::{NotPlane, PlanarMap};
 use crate::slots::NIL;
 use crate::validate::Embedding;
 use rustc_hash::{FxHashMap, FxHashSet};
@@ -134,18 +134,17 @@ impl Plan {
     fn new(map: &PlanarMap, keys: &[FaceKey]) -> Result<Self, ConvexError> {
         let dcel = map.dcel();
         let faces = keys.iter().map(|key| dcel.face(*key)).collect::<Result<Vec<_>, _>>()?;
-        if !map.is_plane() {
-            return Err(EditError::NotPlane.into());
-        }
+        map.plane().map_err(EditError::from)?;
         if faces.iter().any(|face| face.is_unbounded()) {
             return Err(ConvexError::Unbounded);
         }
         let Input { numbers, vertices, points, edges } = Input::new(map, &faces)?;
         let count = points.len();
         let mut conflicts = false;
-        let cdt = Cdt::try_bulk_load_cdt(points, edges, |_| conflicts = true).map_err(|_| EditError::NotPlane)?;
+        let cdt = Cdt::try_bulk_load_cdt(points, edges, |_| conflicts = true)
+            .map_err(|_| EditError::NotPlane(NotPlane::default()))?;
         if conflicts || cdt.num_vertices() != count {
-            return Err(EditError::NotPlane.into());
+            return Err(EditError::NotPlane(NotPlane::default()).into());
         }
         let number = |e: CdtEdge<'_>| e.fix().index() as u32;
         let mut by_ends: FxHashMap<[u32; 2], CdtEdge<'_>> = FxHashMap::default();
@@ -155,7 +154,7 @@ impl Plan {
         }
         let constraint = |h: HalfEdge<'_>| {
             let ends = [h.origin(), h.target()].map(|v| numbers[&v.index()]);
-            by_ends.get(&ends).copied().ok_or(EditError::NotPlane)
+            by_ends.get(&ends).copied().ok_or(EditError::NotPlane(NotPlane::default()))
         };
 
         let directed = cdt.num_directed_edges();
@@ -179,7 +178,7 @@ impl Plan {
                 if let Some(vertex) = boundary.isolated_vertex() {
                     to_draw.reflex += 1;
                     let vertex = cdt.vertex(FixedVertexHandle::from_index(numbers[&vertex.index()] as usize));
-                    let first = vertex.out_edge().ok_or(EditError::NotPlane)?;
+                    let first = vertex.out_edge().ok_or(EditError::NotPlane(NotPlane::default()))?;
                     let last = plan.corner(first, first, component, &mut to_draw)?;
                     // All around the vertex, the first one included.
                     plan.list(number(last), number(first), component, &mut to_draw);
@@ -217,7 +216,7 @@ impl Plan {
             }
             // The corner is inside the face, where no constraint is.
             if e == first || e.is_constraint_edge() {
-                return Err(EditError::NotPlane);
+                return Err(EditError::NotPlane(NotPlane::default()));
             }
             self.list(last.fix().index() as u32, e.fix().index() as u32, component, face);
             last = e;
@@ -273,7 +272,7 @@ impl Plan {
             for e in [*e, self.reverse[*e as usize]] {
                 let (before, after) = (self.before[e as usize], self.after[e as usize]);
                 if before == NIL {
-                    return Err(EditError::NotPlane);
+                    return Err(EditError::NotPlane(NotPlane::default()));
                 }
                 if before == e {
                     self.before[e as usize] = NIL;

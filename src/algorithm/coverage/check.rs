@@ -8,7 +8,7 @@ use super::near_miss::{chosen_width, near_misses};
 use super::overlap::overlaps;
 use super::sliver::slivers;
 use crate::geometry::threads;
-use crate::map::PlanarMap;
+use crate::map::{NotPlane, PlanarMap};
 use thiserror::Error;
 
 /// The findings of C1 … C5 on a map.
@@ -35,12 +35,12 @@ impl Coverage {
 }
 
 /// The error of [`check`] and of cleaning.
-#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash, Error)]
+#[derive(Clone, Copy, Debug, PartialEq, Error)]
 #[non_exhaustive]
 pub enum CoverageError {
     /// The map is not plane, so it is not known what the features cover.
-    #[error("the map is not plane, so it is not known what the features cover")]
-    NotPlane,
+    #[error("it is not known what the features cover: {0}")]
+    NotPlane(#[from] NotPlane),
 }
 
 /// Finds what breaks C1 … C5. C6 is asked of shapes: [`defects`](super::defects).
@@ -68,9 +68,7 @@ pub enum CoverageError {
 /// # Errors
 /// [`CoverageError::NotPlane`]; build such a map [with snapping](crate::map::Noding::Snap).
 pub fn check(map: &PlanarMap, limits: &Limits) -> Result<Coverage, CoverageError> {
-    if !map.is_plane() {
-        return Err(CoverageError::NotPlane);
-    }
+    map.plane()?;
     let faces = faces_by_feature(map);
     let first_like = first_like(map, &faces);
     let unclaimed = || {

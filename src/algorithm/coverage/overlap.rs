@@ -1,7 +1,7 @@
 //! C1 overlap: no face is claimed by two features.
 //!
 //! Faces that hang together and are claimed by the same features are one overlap. Features that claim the same faces count as
-//! one here: they are duplicates (C5).
+//! one here, and all are named: they are duplicates (C5).
 
 use super::claims::features_of;
 use super::finding::{CoverageRule, Finding};
@@ -26,6 +26,7 @@ pub(super) fn overlaps(map: &PlanarMap, first_like: &[FeatureId]) -> Vec<Finding
         }
     }
     let regions = connected(claimed, |face: Face<'_>| claims.get(&face.index()));
-    let features = |region: &[Face<'_>]| claims.get(&region[0].index()).cloned().unwrap_or_default();
+    // With those like the first ones: they claim the same faces.
+    let features = |region: &[Face<'_>]| features_of(map, region[0]).collect();
     regions.iter().map(|region| finding(map, CoverageRule::Overlap, features(region), region)).collect()
 }

@@ -111,6 +111,8 @@ impl<S: Store> Dcel<S> {
     /// assert_eq!(ca.new_face(), Some(map.half_edge(ab)?.face().key()));
     /// # Ok::<(), Box<dyn std::error::Error>>(())
     /// ```
+    #[doc(alias = "MEF")]
+    #[doc(alias = "MEKR")]
     pub fn connect(
         &mut self,
         from: impl Into<Corner>,

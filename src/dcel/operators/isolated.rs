@@ -44,6 +44,7 @@ impl<S: Store> Dcel<S> {
     /// assert_eq!(map.unbounded_face().inner_count(), 1);
     /// # Ok::<(), Box<dyn std::error::Error>>(())
     /// ```
+    #[doc(alias = "MVFS")]
     pub fn add_isolated_vertex(&mut self, face: FaceKey) -> Result<AddedVertex, OperatorError> {
         let f = self.face_slot(face)?;
         self.room_for(Need { vertices: 1, boundaries: 1, ..Need::NONE })?;
@@ -71,6 +72,7 @@ impl<S: Store> Dcel<S> {
     /// assert!(map.vertex(added.vertex).is_err());
     /// # Ok::<(), Box<dyn std::error::Error>>(())
     /// ```
+    #[doc(alias = "KVFS")]
     pub fn remove_isolated_vertex(&mut self, vertex: VertexKey) -> Result<RemovedVertex, OperatorError> {
         let v = self.vertex_slot(vertex)?;
         let VertexLink::Isolated(b) = self.store.vertex_link(v) else { return Err(OperatorError::NotIsolated(vertex)) };

@@ -38,6 +38,7 @@ impl<S: Store> Dcel<S> {
     /// assert_eq!(map.move_inner(around, triangle), Err(OperatorError::InsideItself(around, triangle)));
     /// # Ok::<(), Box<dyn std::error::Error>>(())
     /// ```
+    #[doc(alias = "RINGMV")]
     pub fn move_inner(&mut self, boundary: BoundaryKey, face: FaceKey) -> Result<FaceKey, OperatorError> {
         let b = self.store.find_boundary(boundary).ok_or(StaleKey::Boundary(boundary))?;
         let f = self.face_slot(face)?;

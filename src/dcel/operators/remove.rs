@@ -81,6 +81,8 @@ impl<S: Store> Dcel<S> {
     /// assert_eq!((map.edge_count(), map.boundary_count()), (1, 2));
     /// # Ok::<(), Box<dyn std::error::Error>>(())
     /// ```
+    #[doc(alias = "KEF")]
+    #[doc(alias = "KEMR")]
     pub fn remove_edge(&mut self, half_edge: HalfEdgeKey) -> Result<RemovedEdge, OperatorError> {
         let n = self.half_edge_slot(half_edge)?;
         let t = self.store.twin(n);

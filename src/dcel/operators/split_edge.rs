@@ -50,6 +50,7 @@ impl<S: Store> Dcel<S> {
     /// assert_eq!(map.half_edge(h)?.boundary_cycle().count(), 4);
     /// # Ok::<(), Box<dyn std::error::Error>>(())
     /// ```
+    #[doc(alias = "MEV")]
     pub fn split_edge(&mut self, half_edge: HalfEdgeKey) -> Result<SplitEdge, OperatorError> {
         let h = self.half_edge_slot(half_edge)?;
         self.room_for(Need { vertices: 1, edges: 1, ..Need::NONE })?;
@@ -101,6 +102,7 @@ impl<S: Store> Dcel<S> {
     /// assert_eq!(map.half_edge(h)?.boundary_cycle().count(), 3);
     /// # Ok::<(), Box<dyn std::error::Error>>(())
     /// ```
+    #[doc(alias = "KEV")]
     pub fn join_edges(&mut self, half_edge: HalfEdgeKey) -> Result<JoinedEdges, OperatorError> {
         let h = self.half_edge_slot(half_edge)?;
         let t = self.store.twin(h);

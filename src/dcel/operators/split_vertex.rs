@@ -65,6 +65,7 @@ impl<S: Store> Dcel<S> {
     /// assert_eq!(map.half_edge(h)?.boundary_cycle().count(), 6);
     /// # Ok::<(), Box<dyn std::error::Error>>(())
     /// ```
+    #[doc(alias = "MEV")]
     pub fn split_vertex(
         &mut self,
         from: impl Into<Corner>,
@@ -166,6 +167,7 @@ impl<S: Store> Dcel<S> {
     /// assert_eq!(map.edge_count(), 2);
     /// # Ok::<(), Box<dyn std::error::Error>>(())
     /// ```
+    #[doc(alias = "KEV")]
     pub fn contract_edge(&mut self, half_edge: HalfEdgeKey) -> Result<ContractedEdge, OperatorError> {
         let n = self.half_edge_slot(half_edge)?;
         let t = self.store.twin(n);

@@ -14,6 +14,7 @@ use crate::geometry::predicates::in_range;
 use crate::geometry::threads;
 use crate::map::feature::{Feature, FeatureId, Shape};
 use crate::map::index::KeptIndex;
+use crate::map::not_plane::NotPlane;
 #[cfg(feature = "near")]
 use crate::map::notes::Notes;
 use crate::map::planar_map::PlanarMap;
@@ -25,7 +26,7 @@ use rustc_hash::FxHashMap;
 /// Vertices with the same coordinates become one (−0 is 0), segments that repeat another are merged, those without length
 /// are dropped; all of it is counted ([`BuildSummary`]). Segments should meet at shared endpoints only. Where they do not,
 /// [`build_with`](Self::build_with) can cut them. [`build`](Self::build) leaves them as they are, and
-/// [`PlanarMap::validate`] says where the map is not plane.
+/// [`PlanarMap::not_plane`] says where. Queries and edits refuse such a map.
 ///
 /// ```
 /// use twinedge::map::{Builder, Shape};
@@ -400,7 +401,7 @@ fn assembled(
     let of_map = cover(&dcel, segments.len(), features);
     Ok(PlanarMap {
         points: points_by_vertex(points),
-        plane: swept.clash.is_none(),
+        not_plane: swept.clash.map(|clash| NotPlane::at(clash, points, segments)),
         dcel,
         names: features.iter_mut().map(|feature| feature.name.take()).collect(),
         features: of_map,

@@ -9,6 +9,7 @@ use crate::geometry::Point;
 use crate::geometry::predicates::on_segment;
 use crate::map::feature_tries::SetId;
 use crate::map::locate::located::Located;
+use crate::map::not_plane::NotPlane;
 use crate::map::planar_map::PlanarMap;
 use crate::store::links::Need;
 
@@ -32,7 +33,7 @@ impl PlanarMap {
                 let cycle = self.dcel.half_edge(h)?.boundary_cycle();
                 let both_ways = cycle.clone().zip(cycle.rev()).flat_map(|(ahead, behind)| [ahead, behind]);
                 // A plane map has one.
-                let part = { both_ways }.find(on).ok_or(EditError::NotPlane)?;
+                let part = { both_ways }.find(on).ok_or(NotPlane::default())?;
                 if let Some(end) = [part.origin(), part.target()].into_iter().find(|v| self.at(*v) == p) {
                     return Ok(end.key());
                 }

@@ -4,6 +4,7 @@ use crate::dcel::{HalfEdgeKey, OperatorError, RecordKind, StaleKey, VertexKey};
 use crate::geometry::Point;
 use crate::geometry::noding::NodingError;
 use crate::map::feature::FeatureId;
+use crate::map::not_plane::NotPlane;
 use thiserror::Error;
 
 /// The error of an edit. The map is unchanged.
@@ -15,8 +16,8 @@ pub enum EditError {
     Operator(#[from] OperatorError),
     /// The map is not plane ([`PlanarMap::is_plane`](crate::map::PlanarMap::is_plane)), so it is not known what lies
     /// where.
-    #[error("the map is not plane")]
-    NotPlane,
+    #[error(transparent)]
+    NotPlane(#[from] NotPlane),
     /// A coordinate is NaN or infinite.
     #[error("the coordinates ({x}, {y}) are not finite")]
     NotFinite {

@@ -8,12 +8,13 @@ use crate::geometry::predicates::in_range;
 use crate::map::index::is_small;
 use crate::map::locate::in_face::locate_in_face;
 use crate::map::locate::located::Located;
+use crate::map::not_plane::NotPlane;
 use crate::map::planar_map::PlanarMap;
 
 impl PlanarMap {
     /// Refuses a map that is not plane.
     pub(super) fn editable(&self) -> Result<(), EditError> {
-        if self.is_plane() { Ok(()) } else { Err(EditError::NotPlane) }
+        Ok(self.plane()?)
     }
 
     /// The point that is meant, in range, with no −0.
@@ -62,6 +63,6 @@ impl PlanarMap {
                 return Ok(located);
             }
         }
-        self.locate(p).map_err(|_| EditError::NotPlane)
+        self.locate(p).map_err(|_| NotPlane::default().into())
     }
 }

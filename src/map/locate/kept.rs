@@ -9,6 +9,7 @@ use crate::geometry::Point;
 use crate::geometry::predicates::{compare_lexicographic, in_range};
 use crate::map::edit::trace::Towards;
 use crate::map::index::{BoxedRecord, TreeRecord};
+use crate::map::not_plane::NotPlane;
 use crate::map::planar_map::PlanarMap;
 use crate::map::zone::QueryLine;
 use crate::map::zone::line::{EventRecord, Line, LineEvent, LinePlace};
@@ -41,9 +42,7 @@ impl PlanarMap {
     /// [`LocateError::OutOfRange`]; [`LocateError::NotPlane`].
     pub fn locate(&self, p: Point) -> Result<Located, LocateError> {
         check_range(p)?;
-        if !self.is_plane() {
-            return Err(LocateError::NotPlane);
-        }
+        self.plane()?;
         let Some(near) = self.index().near(p) else {
             return Ok(Located::Face(self.dcel().unbounded_face().key()));
         };
@@ -55,7 +54,7 @@ impl PlanarMap {
             let across = near.across(p).filter(|q| in_range(*q) && *q != p);
             across.and_then(|q| self.first_met(p, q)).or_else(|| self.first_met(p, end))
         };
-        found.ok_or(LocateError::NotPlane)
+        found.ok_or_else(|| NotPlane::default().into())
     }
 
     /// The end of a record that is at a point.

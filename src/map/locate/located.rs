@@ -3,6 +3,7 @@
 use crate::dcel::{FaceKey, HalfEdgeKey, StaleKey, VertexKey};
 use crate::geometry::Point;
 use crate::geometry::predicates::in_range;
+use crate::map::not_plane::NotPlane;
 use thiserror::Error;
 
 /// The location of a point.
@@ -49,8 +50,8 @@ pub enum LocateError {
     #[error("the line does not meet the edge of {0:?}")]
     NotMet(HalfEdgeKey),
     /// The map is not plane.
-    #[error("the map is not plane")]
-    NotPlane,
+    #[error(transparent)]
+    NotPlane(#[from] NotPlane),
     /// There are more edges than the index can number.
     #[error("the map is too large for an index")]
     TooLarge,

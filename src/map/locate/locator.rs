@@ -10,6 +10,7 @@ use crate::dcel::Vertex;
 use crate::geometry::Point;
 use crate::geometry::predicates::compare_lexicographic;
 use crate::geometry::threads;
+use crate::map::not_plane::NotPlane;
 use crate::map::planar_map::PlanarMap;
 use crate::validate::Embedding;
 
@@ -45,9 +46,7 @@ impl<'m> Locator<'m> {
     /// [`LocateError::NotPlane`], if [`PlanarMap::is_plane`] says no. [`LocateError::TooLarge`] beyond some hundred
     /// million edges.
     pub fn new(map: &'m PlanarMap) -> Result<Self, LocateError> {
-        if !map.is_plane() {
-            return Err(LocateError::NotPlane);
-        }
+        map.plane()?;
         let dcel = map.dcel();
         // Points and segments are numbered along a curve, so that neighbours are near each other in memory.
         let bounds = Bounds::around(dcel.vertices().map(|v| map.point(v.index())));
@@ -83,7 +82,7 @@ impl<'m> Locator<'m> {
         let graph =
             Graph::new(drawn, &faces, dcel.unbounded_face().index() as u32).map_err(|failure| match failure {
                 GraphError::TooLarge => LocateError::TooLarge,
-                GraphError::Clash => LocateError::NotPlane,
+                GraphError::Clash => NotPlane::default().into(),
             })?;
         let cells = bounds.map(|bounds| Cells::new(&graph, bounds));
         Ok(Self { map, graph, cells, vertices, rising })

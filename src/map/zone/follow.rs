@@ -37,7 +37,7 @@ pub(super) fn follow<'m>(
             if to.is_some_and(|to| line.order(event.place, LinePlace::At(to)).is_ge()) {
                 return Ok(());
             }
-            left = left.checked_sub(1).ok_or(LocateError::NotPlane)?;
+            left = left.checked_sub(1).ok_or(map.not_plane().unwrap_or_default())?;
             at = Some(event.place);
             piece = Some(line.after(map, event));
         }
@@ -54,7 +54,7 @@ pub(super) fn follow<'m>(
             (LinePiece::Along(_), Some(EventRecord::Edge(_))) => false,
         };
         if !fits {
-            return Err(LocateError::NotPlane);
+            return Err(map.not_plane().unwrap_or_default().into());
         }
         if event.is_none() {
             return Ok(());

@@ -65,9 +65,7 @@ impl PlanarMap {
     /// # Errors
     /// As for [`Locator::zone`], and [`LocateError::NotPlane`].
     pub fn zone(&self, query: &QueryLine) -> Result<Vec<ZoneElement>, LocateError> {
-        if !self.is_plane() {
-            return Err(LocateError::NotPlane);
-        }
+        self.plane()?;
         zone(self, query, |p| self.locate(p))
     }
 }

@@ -1,33 +1,10 @@
 //! Random programs: which operators, how often, how many.
 
 use super::choose::{Bytes, Choose};
-use super::script::Scripted;
+use super::script::Language;
 use super::shrink::{candidates_from, shrink_from};
 use alloc::vec::Vec;
 use core::ops::RangeInclusive;
-
-/// A language of programs: [`Program`](crate::program::Program), for the topology, and with the feature `map` also
-#[cfg_attr(feature = "map", doc = "[`EditProgram`](crate::map::program::EditProgram),")]
-#[cfg_attr(not(feature = "map"), doc = "`map::program::EditProgram`,")]
-/// for the edits of a planar map. No other type can have this trait.
-///
-/// Each can be [generated](Generator), [shrunk](crate::program::shrink()), written down and read.
-pub trait Language: Scripted {
-    /// The kinds of its operators.
-    type Kind: Copy + PartialEq + core::fmt::Debug + 'static;
-
-    /// Every kind, and how often it is chosen unless a [`Generator`] says otherwise.
-    const KINDS: &'static [(Self::Kind, u32)];
-
-    /// An operator of this kind, with arguments that the source chooses.
-    fn op(kind: Self::Kind, source: &mut impl Choose) -> Self::Op;
-
-    /// The first operator of a generated program if this kind is generated at all: without it there is nothing to be done.
-    #[must_use]
-    fn first() -> Option<(Self::Kind, Self::Op)> {
-        None
-    }
-}
 
 /// The operators that random programs have, how often each, how many, and what they begin with: one description for every engine.
 ///

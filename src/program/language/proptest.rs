@@ -1,6 +1,7 @@
 //! Programs for the crate `proptest`, which shrink operator by operator.
 
-use super::generator::{Generator, Language};
+use super::generator::Generator;
+use super::script::Language;
 use super::shrink::candidates_from;
 use alloc::boxed::Box;
 use core::fmt;

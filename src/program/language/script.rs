@@ -3,6 +3,7 @@
 //! An operator chooses by numbers, and these count in lists that hold something else once an earlier operator is gone.
 //! Here everything on such a list has a name, that of the operator that put it there, and the numbers follow the names.
 
+use super::choose::Choose;
 use alloc::vec::Vec;
 use core::fmt::Debug;
 use core::ops::Range;
@@ -32,6 +33,29 @@ pub trait Scripted: Sequence {
 
     /// The run of its operators.
     type Stage: Stage<Op = Self::Op, Start = Self::Start>;
+}
+
+/// A language of programs: [`Program`](crate::program::Program), for the topology, and with the feature `map` also
+#[cfg_attr(feature = "map", doc = "[`EditProgram`](crate::map::program::EditProgram),")]
+#[cfg_attr(not(feature = "map"), doc = "`map::program::EditProgram`,")]
+/// for the edits of a planar map. No other type can have this trait.
+///
+/// Each can be [generated](Generator), [shrunk](crate::program::shrink()), written down and read.
+pub trait Language: Scripted {
+    /// The kinds of its operators.
+    type Kind: Copy + PartialEq + core::fmt::Debug + 'static;
+
+    /// Every kind, and how often it is chosen unless a [`Generator`] says otherwise.
+    const KINDS: &'static [(Self::Kind, u32)];
+
+    /// An operator of this kind, with arguments that the source chooses.
+    fn op(kind: Self::Kind, source: &mut impl Choose) -> Self::Op;
+
+    /// The first operator of a generated program if this kind is generated at all: without it there is nothing to be done.
+    #[must_use]
+    fn first() -> Option<(Self::Kind, Self::Op)> {
+        None
+    }
 }
 
 /// A run of a program, with the names of what is on each list.

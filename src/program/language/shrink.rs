@@ -1,7 +1,6 @@
 //! Making a failing program small.
 
-use super::generator::{Generator, Language};
-use super::script::Script;
+use super::script::{Language, Script};
 use alloc::vec::Vec;
 use core::ops::Range;
 
@@ -12,10 +11,10 @@ use core::ops::Range;
 /// addition: what remains goes on choosing the same half-edges and vertices, although the lists in which they are
 /// counted have changed. Every step makes the program smaller, so it ends.
 ///
-/// A program for a structure that is not empty at the start, such as a mesh, is made small by [`Generator::shrink`], and by
+/// A program for a structure that is not empty at the start, such as a mesh, is made small by [`Generator::shrink`](crate::program::Generator::shrink), and by
 /// [`Conformance::run_and_shrink`](crate::program::conformance::Conformance::run_and_shrink).
 pub fn shrink<P: Language>(program: &P, fails: impl FnMut(&P) -> bool) -> P {
-    Generator::default().shrink(program, fails)
+    shrink_from(program, &P::Start::default(), fails)
 }
 
 /// The same for programs that begin with this structure.
@@ -36,7 +35,7 @@ pub(in crate::program) fn shrink_from<P: Language>(
 /// This is what `quickcheck` and `proptest` are given to shrink with; [`shrink`] repeats it as often as it helps. Each takes a run
 /// of the program to find, on a [`PointerModel`](crate::program::PointerModel) or, for edits, a planar map.
 pub fn candidates<P: Language>(program: &P) -> impl Iterator<Item = P> + use<P> {
-    Generator::default().candidates(program)
+    candidates_from(program, &P::Start::default())
 }
 
 /// The same for programs that begin with this structure.

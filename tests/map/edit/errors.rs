@@ -54,13 +54,14 @@ fn a_map_that_is_not_plane() {
     let mut map = builder.build().expect("it fits");
     let vertex = map.dcel().vertices().next().expect("it has vertices").key();
     let edge = map.dcel().half_edges().next().expect("it has edges").key();
-    refused(&mut map, EditError::NotPlane, |map| map.insert_point([5.0, 5.0]));
-    refused(&mut map, EditError::NotPlane, |map| map.insert_segment([5.0, 5.0], [6.0, 6.0]));
-    refused(&mut map, EditError::NotPlane, |map| map.insert_segment_snapped([5.0, 5.0], [6.0, 6.0], Snap::Auto));
-    refused(&mut map, EditError::NotPlane, |map| map.insert_ring([[5.0, 5.0], [6.0, 5.0], [5.0, 6.0]]));
-    refused(&mut map, EditError::NotPlane, |map| map.remove_edge(edge));
-    refused(&mut map, EditError::NotPlane, |map| map.remove_vertex(vertex));
-    refused(&mut map, EditError::NotPlane, |map| map.move_vertex(vertex, [5.0, 5.0]));
+    let why = EditError::NotPlane(map.not_plane().unwrap());
+    refused(&mut map, why, |map| map.insert_point([5.0, 5.0]));
+    refused(&mut map, why, |map| map.insert_segment([5.0, 5.0], [6.0, 6.0]));
+    refused(&mut map, why, |map| map.insert_segment_snapped([5.0, 5.0], [6.0, 6.0], Snap::Auto));
+    refused(&mut map, why, |map| map.insert_ring([[5.0, 5.0], [6.0, 5.0], [5.0, 6.0]]));
+    refused(&mut map, why, |map| map.remove_edge(edge));
+    refused(&mut map, why, |map| map.remove_vertex(vertex));
+    refused(&mut map, why, |map| map.move_vertex(vertex, [5.0, 5.0]));
 }
 
 #[test]

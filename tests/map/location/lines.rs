@@ -214,7 +214,7 @@ fn what_cannot_be_asked_is_an_error() {
     }
     let map = builder.build().unwrap();
     let at_origin = map.dcel().vertices().find(|v| map.position(v.key()) == Ok(point(0, 0))).unwrap().key();
-    assert_eq!(map.zone_from(at_origin, point(7, 6)), Err(LocateError::NotPlane));
+    assert_eq!(map.zone_from(at_origin, point(7, 6)), Err(map.not_plane().unwrap().into()));
 }
 
 #[test]
