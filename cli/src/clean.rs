@@ -5,7 +5,7 @@ use crate::coverage::AcceptedGaps;
 use crate::input::LayerFile;
 use crate::noding_text;
 use crate::output::style::{BAD, GOOD, QUIET};
-use crate::output::{Format, counted, decimals, grouped, measure, place, plain, print, print_json};
+use crate::output::{Format, counted, decimals, grouped, json, measure, place, plain, print, print_json};
 use crate::status::{Failure, Verdict};
 use serde_json::json;
 use std::collections::{BTreeMap, BTreeSet};
@@ -58,7 +58,7 @@ pub(crate) struct Clean {
 
     /// Round all points to a grid first: points within the same cell become one. SIZE is the greatest width of the cells: the width
     /// is the largest power of two up to it.
-    #[arg(long, value_name = "auto|SIZE", value_parser = crate::input::snap)]
+    #[arg(long, value_name = "auto|SIZE", value_parser = crate::input::snap, allow_negative_numbers = true)]
     snap: Option<Snap>,
 
     /// The feature that gets what several claim.
@@ -83,7 +83,7 @@ pub(crate) struct Clean {
     format: Format,
 
     /// Greatest number of changes to list in the text; all are counted.
-    #[arg(long, value_name = "N", default_value_t = 20)]
+    #[arg(long, value_name = "N", default_value_t = 20, value_parser = crate::input::whole, allow_negative_numbers = true)]
     list: usize,
 }
 
@@ -156,11 +156,8 @@ impl Clean {
         };
         match self.format {
             // Standard output has the layer.
-            _ if self.output.is_stdout() => {
-                for warning in cleaned.warnings() {
-                    anstream::eprintln!("{BAD}warning{BAD:#}: {warning}");
-                }
-            }
+            Format::Text if self.output.is_stdout() => anstream::eprint!("{}", cleaned.text(self.list)?),
+            Format::Json if self.output.is_stdout() => eprint!("{}", String::from_utf8_lossy(&json(&cleaned.json())?)),
             Format::Text => print(&cleaned.text(self.list)?)?,
             Format::Json => print_json(&cleaned.json())?,
         }

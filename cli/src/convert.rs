@@ -159,9 +159,13 @@ impl Convert {
         }
         let (name, layer) = self.input.read()?;
         let written = self.output.write(&layer, self.input.path())?;
-        if let Some(Written { name: to, format }) = written.filter(|_| !self.output.is_stdout()) {
+        if let Some(Written { name: to, format }) = written {
             let count = counted(layer.features.len(), "feature");
-            print(&format!("{}: {count} written to {} ({format})\n", plain(&name), plain(&to)))?;
+            if self.output.is_stdout() {
+                anstream::eprintln!("{}: {count} written to standard output ({format})", plain(&name));
+            } else {
+                print(&format!("{}: {count} written to {} ({format})\n", plain(&name), plain(&to)))?;
+            }
         }
         Ok(Verdict::Sound)
     }

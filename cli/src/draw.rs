@@ -2,7 +2,8 @@
 
 use crate::extension::format_of;
 use crate::input::{Imported, MapFile};
-use crate::output::{grouped, print};
+use crate::output::style::BAD;
+use crate::output::{grouped, print_answer};
 use crate::output_file::write_file;
 use crate::status::{Failure, Verdict};
 use std::path::{Path, PathBuf};
@@ -62,7 +63,7 @@ pub(crate) struct Draw {
     size: u32,
 
     /// Greatest number of violations to mark.
-    #[arg(long, value_name = "N", default_value_t = Collect::DEFAULT_CAP)]
+    #[arg(long, value_name = "N", default_value_t = Collect::DEFAULT_CAP, value_parser = crate::input::whole, allow_negative_numbers = true)]
     list: usize,
 }
 
@@ -122,9 +123,14 @@ impl Draw {
         };
         let picture = if self.tables { Textbook::of_embedding(&map).to_string() } else { svg::draw(&map, &options) };
         match file {
-            None => print(&picture)?,
+            None => print_answer(&picture)?,
             Some(path) => write_file(path, self.map.path(), picture.as_bytes())?,
         }
-        Ok(if report.is_valid() { Verdict::Sound } else { Verdict::Wrong })
+        if report.is_valid() {
+            return Ok(Verdict::Sound);
+        }
+        let first = report.first().map(ToString::to_string).unwrap_or_default();
+        anstream::eprintln!("{BAD}not valid{BAD:#}: {name}: {first}; `twinedge audit` says all");
+        Ok(Verdict::Wrong)
     }
 }

@@ -221,7 +221,7 @@ impl LayerFile {
 pub(crate) struct Cutting {
     /// Cut segments wherever they cross, touch or overlap, and round all points to a grid. `auto` chooses the finest grid that
     /// the coordinates allow. SIZE is the greatest width of its cells: the width is the largest power of two up to it.
-    #[arg(long, value_name = "auto|SIZE", value_parser = snap)]
+    #[arg(long, value_name = "auto|SIZE", value_parser = snap, allow_negative_numbers = true)]
     snap: Option<Snap>,
 }
 
@@ -303,6 +303,11 @@ impl MapFile {
             "{name}: a map is made of lines and polygons, and this file has {found}; --allow-empty accepts it"
         )))
     }
+}
+
+/// The argument of `--list` and the like.
+pub(crate) fn whole(text: &str) -> Result<usize, String> {
+    text.parse().map_err(|_| "not a whole number".to_owned())
 }
 
 /// The argument of `--snap`.

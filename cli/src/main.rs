@@ -42,8 +42,9 @@ mod trace;
 mod units;
 mod voronoi;
 
-use clap::{Parser, Subcommand};
-use status::{FAILED, Failure};
+use clap::{ColorChoice, CommandFactory as _, Parser, Subcommand};
+use clap_complete::Shell;
+use status::{FAILED, Failure, Verdict};
 use std::process::ExitCode;
 
 /// Audits planar maps and meshes, and tests the structures that keep them.
@@ -63,6 +64,14 @@ misused; 130 interrupted (Ctrl-C).")]
 struct Arguments {
     #[command(subcommand)]
     command: Command,
+
+    /// Colour the text.
+    #[arg(long, global = true, value_name = "WHEN", value_enum, default_value_t)]
+    color: ColorChoice,
+
+    /// Print no report: the exit status says it all. Answers, JSON and files are as ever.
+    #[arg(short, long, global = true)]
+    quiet: bool,
 }
 
 #[derive(Debug, Subcommand)]
@@ -85,10 +94,32 @@ enum Command {
     Replay(replay::Replay),
     FuzzTemplate(fuzz_template::FuzzTemplate),
     Sum(sum::Sum),
+    /// Print the completions for a shell.
+    #[command(after_help = "Examples:
+  source <(twinedge completions bash)
+
+Exit status: 0 they are printed; 2 misuse.")]
+    Completions {
+        /// The shell.
+        shell: Shell,
+    },
 }
 
 fn main() -> ExitCode {
-    let verdict = match Arguments::parse().command {
+    let Arguments { command, color, quiet } = Arguments::parse();
+    output::set_color(color);
+    output::set_quiet(quiet);
+    match run(command) {
+        Ok(verdict) => verdict.into(),
+        Err(Failure(message)) => {
+            eprintln!("twinedge: {}", output::plain(&message));
+            ExitCode::from(FAILED)
+        }
+    }
+}
+
+fn run(command: Command) -> Result<Verdict, Failure> {
+    match command {
         Command::Audit(audit) => audit.run(),
         Command::Clean(clean) => clean.run(),
         Command::Certify(certify) => certify.run(),
@@ -107,12 +138,11 @@ fn main() -> ExitCode {
         Command::Replay(replay) => replay.run(),
         Command::FuzzTemplate(template) => template.run(),
         Command::Sum(sum) => sum.run(),
-    };
-    match verdict {
-        Ok(verdict) => verdict.into(),
-        Err(Failure(message)) => {
-            eprintln!("twinedge: {}", output::plain(&message));
-            ExitCode::from(FAILED)
+        Command::Completions { shell } => {
+            let mut script = Vec::new();
+            clap_complete::generate(shell, &mut Arguments::command(), "twinedge", &mut script);
+            output::print_bytes(&script)?;
+            Ok(Verdict::Sound)
         }
     }
 }

@@ -1,8 +1,9 @@
 //! Numbers, text and JSON as the commands print them.
 
-use clap::ValueEnum;
+use clap::{ColorChoice, ValueEnum};
 use serde_json::Value;
 use std::io::{self, Write};
+use std::sync::atomic::{AtomicBool, Ordering};
 use twinedge_trials::Shard;
 
 /// The output format.
@@ -13,6 +14,24 @@ pub(crate) enum Format {
     Text,
     /// One JSON object.
     Json,
+}
+
+/// True if no report is to be printed.
+static IS_QUIET: AtomicBool = AtomicBool::new(false);
+
+/// Turns reports off, or on.
+pub(crate) fn set_quiet(quiet: bool) {
+    IS_QUIET.store(quiet, Ordering::Relaxed);
+}
+
+/// Turns colours on or off.
+pub(crate) fn set_color(choice: ColorChoice) {
+    match choice {
+        ColorChoice::Auto => anstream::ColorChoice::Auto,
+        ColorChoice::Always => anstream::ColorChoice::Always,
+        ColorChoice::Never => anstream::ColorChoice::Never,
+    }
+    .write_global();
 }
 
 /// A number with its thousands set off.
@@ -85,12 +104,17 @@ pub(crate) fn plain(text: &str) -> String {
 }
 
 /// Prints to standard output. That nobody reads on (`… | head`) is no error.
-pub(crate) fn print(text: &str) -> Result<(), crate::status::Failure> {
+pub(crate) fn print_answer(text: &str) -> Result<(), crate::status::Failure> {
     let mut out = anstream::stdout().lock();
     match out.write_all(text.as_bytes()).and_then(|()| out.flush()) {
         Err(error) if error.kind() != io::ErrorKind::BrokenPipe => Err(error.into()),
         _ => Ok(()),
     }
+}
+
+/// Prints a report, unless none is wanted.
+pub(crate) fn print(text: &str) -> Result<(), crate::status::Failure> {
+    if IS_QUIET.load(Ordering::Relaxed) { Ok(()) } else { print_answer(text) }
 }
 
 /// A value as indented JSON, in which 0 has no sign.

@@ -1,9 +1,11 @@
 //! Files that are written: whole or not at all, and never over the input.
 
+use crate::progress::remove_on_interrupt;
 use crate::status::Failure;
 use same_file::is_same_file;
+use std::error::Error as _;
 use std::fs;
-use std::path::{Path, PathBuf};
+use std::path::{MAIN_SEPARATOR, Path, PathBuf};
 use twinedge_formats::layer::{Format, files};
 
 /// Writes a file, and refuses to overwrite the input, by whatever path.
@@ -20,7 +22,11 @@ pub(crate) fn write_files(
     input: Option<&Path>,
     write: impl FnOnce(&Path) -> Result<(), Failure>,
 ) -> Result<(), Failure> {
-    let failed = |error: std::io::Error| Failure(format!("{}: {error}", path.display()));
+    // The source of an error says what is wrong without the name of a folder that is gone.
+    let failed = |error: std::io::Error| {
+        let cause = error.source().map_or_else(|| error.to_string(), ToString::to_string);
+        Failure(format!("{}: {cause}", path.display()))
+    };
     if let Some(input) = input {
         // Each file of a Shapefile is a part of the input.
         let format = Format::of_path(input).unwrap_or(Format::GeoJson);
@@ -39,22 +45,37 @@ pub(crate) fn write_files(
     let folder = real.parent().filter(|folder| !folder.as_os_str().is_empty()).unwrap_or(Path::new("."));
     let name = real.file_name().ok_or_else(|| Failure(format!("{}: this is no file", path.display())))?;
     let scratch = tempfile::Builder::new().prefix(".twinedge-").tempdir_in(folder).map_err(failed)?;
+    remove_on_interrupt(Some(scratch.path()))?;
     let written = scratch.path().join(name);
-    write(&written)?;
+    let result = write(&written).and_then(|()| replace(&written, &real, all, failed));
+    remove_on_interrupt(None)?;
+    // Messages name the file that was asked for.
+    let unfinished = format!("{}{MAIN_SEPARATOR}", scratch.path().display());
+    let prefix = path.parent().map(|folder| folder.join("").display().to_string()).unwrap_or_default();
+    result.map_err(|Failure(message)| Failure(message.replace(&unfinished, &prefix)))
+}
+
+/// Puts the files that were written in the place of what was there before.
+fn replace(
+    written: &Path,
+    real: &Path,
+    all: &[PathBuf],
+    failed: impl Fn(std::io::Error) -> Failure,
+) -> Result<(), Failure> {
     for file in all {
         let (from, to) = match file.extension() {
-            _ if all.len() == 1 => (written.clone(), real.clone()),
+            _ if all.len() == 1 => (written.to_owned(), real.to_owned()),
             Some(extension) => (written.with_extension(extension), real.with_extension(extension)),
             None => continue,
         };
         if from.exists() {
             if let Ok(metadata) = fs::metadata(&to) {
-                fs::set_permissions(&from, metadata.permissions()).map_err(failed)?;
+                fs::set_permissions(&from, metadata.permissions()).map_err(&failed)?;
             }
-            fs::rename(from, to).map_err(failed)?;
+            fs::rename(from, to).map_err(&failed)?;
         } else if to.exists() {
             // It would belong to what was there before.
-            fs::remove_file(to).map_err(failed)?;
+            fs::remove_file(to).map_err(&failed)?;
         }
     }
     Ok(())

@@ -1,6 +1,6 @@
 //! `twinedge postgis`: what `psql` needs to write a topology.
 
-use crate::output::print;
+use crate::output::print_answer;
 use crate::status::{Failure, Verdict};
 use twinedge_formats::postgis::sql;
 
@@ -23,7 +23,7 @@ pub(crate) struct Postgis {
 
 impl Postgis {
     pub(crate) fn run(&self) -> Result<Verdict, Failure> {
-        print(&sql(&self.sql))?;
+        print_answer(&sql(&self.sql))?;
         Ok(Verdict::Sound)
     }
 }

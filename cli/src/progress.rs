@@ -2,22 +2,57 @@
 
 use crate::status::Failure;
 use indicatif::{ProgressBar, ProgressStyle};
+use std::path::{Path, PathBuf};
 use std::sync::atomic::{AtomicBool, Ordering};
 use std::sync::mpsc::RecvTimeoutError;
 use std::sync::{Mutex, MutexGuard, PoisonError};
 use std::time::Duration;
 use twinedge_trials::Progress;
 
+/// True if the work is to end early.
 static STOP: AtomicBool = AtomicBool::new(false);
+
+/// True if the work looks at `STOP`.
+static CAN_STOP: AtomicBool = AtomicBool::new(false);
+
+/// The folder with unfinished files, if there is one.
+static SCRATCH: Mutex<Option<PathBuf>> = Mutex::new(None);
+
+/// The exit status of a program that is interrupted.
+const INTERRUPTED: i32 = 130;
 
 /// Makes Ctrl-C end the work early, so that what was covered can be printed. The second one ends the program.
 pub(crate) fn stop_on_interrupt() -> Result<(), Failure> {
+    CAN_STOP.store(true, Ordering::Relaxed);
+    handle_interrupts()
+}
+
+/// Makes Ctrl-C remove this folder, which has unfinished files, and end the program; or nothing, once there is none.
+pub(crate) fn remove_on_interrupt(folder: Option<&Path>) -> Result<(), Failure> {
+    *locked(&SCRATCH) = folder.map(Path::to_owned);
+    handle_interrupts()
+}
+
+fn handle_interrupts() -> Result<(), Failure> {
+    static IS_SET: AtomicBool = AtomicBool::new(false);
+    if IS_SET.swap(true, Ordering::Relaxed) {
+        return Ok(());
+    }
     ctrlc::set_handler(|| {
-        if STOP.swap(true, Ordering::Relaxed) {
-            std::process::exit(130);
+        if CAN_STOP.load(Ordering::Relaxed) && !STOP.swap(true, Ordering::Relaxed) {
+            return;
         }
+        if let Some(folder) = &*locked(&SCRATCH) {
+            // The program ends either way.
+            let _ = std::fs::remove_dir_all(folder);
+        }
+        std::process::exit(INTERRUPTED);
     })?;
     Ok(())
+}
+
+fn locked<T>(mutex: &Mutex<T>) -> MutexGuard<'_, T> {
+    mutex.lock().unwrap_or_else(PoisonError::into_inner)
 }
 
 /// Ends the work early, as Ctrl-C does.
@@ -54,7 +89,7 @@ pub(crate) fn busy<T>(doing: &'static str, work: impl FnOnce() -> T) -> T {
 
 impl Bars {
     fn bar(&self) -> MutexGuard<'_, Option<ProgressBar>> {
-        self.0.lock().unwrap_or_else(PoisonError::into_inner)
+        locked(&self.0)
     }
 }
 

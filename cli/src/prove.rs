@@ -109,9 +109,14 @@ impl Printed for ProveOutcome {
 struct Text<'a>(&'a ProveOutcome, f64);
 
 impl Text<'_> {
-    /// A number beside the one that it should be. A part of the work has no such number.
+    /// Returns true if all was counted. Numbers of a part of the work, or of work that was interrupted, are not the published ones.
+    const fn is_comparable(&self) -> bool {
+        self.0.shard.is_whole() && !self.0.interrupted
+    }
+
+    /// A number beside the one that it should be, if all was counted.
     fn beside(&self, found: u64, published: u64) -> String {
-        if found == published || !self.0.shard.is_whole() {
+        if found == published || !self.is_comparable() {
             grouped(found)
         } else {
             format!("{BAD}{}≠{}{BAD:#}", grouped(found), grouped(published))
@@ -125,10 +130,10 @@ impl fmt::Display for Text<'_> {
         writeln!(f, "Structure: {}\n", outcome.on)?;
         let is_whole = outcome.shard.is_whole();
         writeln!(f, "Connected maps, grown from one vertex. A wrong count stands beside the published one.")?;
-        f.write_str(&table(&outcome.edges, is_whole))?;
+        f.write_str(&table(&outcome.edges, self.is_comparable()))?;
         writeln!(f, "\nAll subdivisions, nested ones included. A wrong count stands beside the recount.")?;
         let nested = outcome.nested.iter().filter(|row| row.recounted + row.maps > 0);
-        f.write_str(&table(nested, is_whole))?;
+        f.write_str(&table(nested, self.is_comparable()))?;
         writeln!(f, "\nRooted maps by genus, from all permutations. A wrong count stands beside the published one.")?;
         for row in &outcome.genus {
             let mut line = format!("{:>5}", row.n);
@@ -155,7 +160,10 @@ impl fmt::Display for Text<'_> {
         }
         match (outcome.is_ok(), is_whole) {
             (true, true) => {
-                writeln!(f, "{GOOD}proved{GOOD:#}: all counts agree, and no operator broke a rule ({seconds:.1} s)")?;
+                writeln!(
+                    f,
+                    "{GOOD}rules and counts proved{GOOD:#}: all counts agree, and no operator broke a rule ({seconds:.1} s)"
+                )?;
                 writeln!(f, "`twinedge soak` checks whether operators do what they promise beyond rules and counts.")
             }
             (true, false) => {

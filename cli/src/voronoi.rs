@@ -3,7 +3,7 @@
 use crate::extension::format_of;
 use crate::input::LayerFile;
 use crate::outline::ring;
-use crate::output::{counted, plain, print};
+use crate::output::{counted, plain, print, print_answer};
 use crate::output_file::write_file;
 use crate::status::{Failure, Verdict};
 use serde_json::{Map, Value, json};
@@ -75,7 +75,7 @@ impl MakeVoronoi {
             (coloured(found)?, collection, what)
         };
         let Some(path) = file else {
-            print(&collection)?;
+            print_answer(&collection)?;
             return Ok(Verdict::Sound);
         };
         let text = if is_svg { svg::draw(&map, &Options::default()) } else { collection };

@@ -50,7 +50,7 @@ pub(crate) struct Audit {
 
     /// Greatest number of violations to list, and of findings of each rule C1 … C6; all are counted. Default: 1000, and in the text 3
     /// findings of each of C1 … C6.
-    #[arg(long, value_name = "N")]
+    #[arg(long, value_name = "N", value_parser = crate::input::whole, allow_negative_numbers = true)]
     pub(super) list: Option<usize>,
 
     /// Say of each kind of violation or finding what usually causes it and what mends it. In JSON these are the keys `cause` and

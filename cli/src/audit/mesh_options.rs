@@ -12,15 +12,15 @@ pub(super) struct MeshOptions {
     closed: bool,
 
     /// The mesh has exactly N border loops.
-    #[arg(long, value_name = "N")]
+    #[arg(long, value_name = "N", value_parser = crate::input::whole, allow_negative_numbers = true)]
     borders: Option<usize>,
 
     /// The genus of the whole mesh is N: 0 for spheres and discs, 1 for a torus.
-    #[arg(long, value_name = "N")]
+    #[arg(long, value_name = "N", value_parser = crate::input::whole, allow_negative_numbers = true)]
     genus: Option<usize>,
 
     /// The mesh has exactly N components.
-    #[arg(long, value_name = "N")]
+    #[arg(long, value_name = "N", value_parser = crate::input::whole, allow_negative_numbers = true)]
     components: Option<usize>,
 
     /// Every face has three sides.
@@ -28,7 +28,7 @@ pub(super) struct MeshOptions {
     triangles: bool,
 
     /// Every face has N sides.
-    #[arg(long, value_name = "N")]
+    #[arg(long, value_name = "N", value_parser = crate::input::whole, allow_negative_numbers = true)]
     sides: Option<usize>,
 
     /// Every vertex is a corner of a face.

@@ -6,7 +6,7 @@ use crate::extension::format_of;
 use crate::input::{Imported, MapFile};
 use crate::names::label;
 use crate::output::style::QUIET;
-use crate::output::{grouped, plain, print};
+use crate::output::{grouped, plain, print_answer};
 use crate::output_file::write_file;
 use crate::query::{Source, find};
 use crate::status::{Failure, Verdict};
@@ -136,7 +136,7 @@ impl Decompose {
             }
         };
         match file {
-            None => print(&text)?,
+            None => print_answer(&text)?,
             Some(path) => write_file(path, self.map.path(), strip_str(&text).to_string().as_bytes())?,
         }
         Ok(if answer.ok { Verdict::Sound } else { Verdict::Wrong })

@@ -2,7 +2,7 @@
 
 use super::record::Record;
 use super::source::Source;
-use crate::output::{Format, print, print_json};
+use crate::output::{Format, print_answer, print_json};
 use crate::status::Failure;
 use serde::Serialize;
 use twinedge::geometry::Point;
@@ -45,7 +45,7 @@ impl At {
             Located::Vertex(key) => Record::vertex(map, key),
         }?;
         match self.format {
-            Format::Text => print(&format!("{found}\n")),
+            Format::Text => print_answer(&format!("{found}\n")),
             Format::Json => print_json(&PlaceAnswer { input, point: [self.x, self.y], found }),
         }
     }

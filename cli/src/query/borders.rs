@@ -4,7 +4,7 @@ use super::list::{Limit, TableFormat, csv, greatest_first};
 use super::source::Source;
 use crate::names::label;
 use crate::output::style::QUIET;
-use crate::output::{measure, print, print_json};
+use crate::output::{measure, print_answer, print_json};
 use crate::status::Failure;
 use crate::units::Units;
 use clap::ValueEnum;
@@ -103,8 +103,8 @@ pub(super) fn print_all(
     }
     limit.cut(&mut rows);
     match format {
-        TableFormat::Text => print(&text(&rows, units)?),
-        TableFormat::Csv => print(&csv(&rows, &HEADINGS)?),
+        TableFormat::Text => print_answer(&text(&rows, units)?),
+        TableFormat::Csv => print_answer(&csv(&rows, &HEADINGS)?),
         TableFormat::Json => print_json(&BorderAnswer { input, unit: units.name(), pairs: rows }),
     }
 }

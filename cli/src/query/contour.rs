@@ -4,7 +4,7 @@ use super::source::Source;
 use super::which::Which;
 use crate::names::label;
 use crate::noted::Condition;
-use crate::output::{grouped, measure, print, print_json};
+use crate::output::{grouped, measure, print_answer, print_json};
 use crate::status::Failure;
 use clap::ValueEnum;
 use serde::Serialize;
@@ -75,7 +75,7 @@ impl Contour {
         };
         let mut text = Vec::new();
         match self.format {
-            Format::Text => return print(&summary(&name, input, &contour)),
+            Format::Text => return print_answer(&summary(&name, input, &contour)),
             Format::Wkt => wkt::write(&mut text, &written(contour))?,
             Format::Geojson => geojson::write(&mut text, &written(contour))?,
             Format::Json => {
@@ -89,7 +89,7 @@ impl Contour {
                 return print_json(&ContourAnswer { input, feature: name, id: id.index(), area, polygons });
             }
         }
-        print(&String::from_utf8_lossy(&text))
+        print_answer(&String::from_utf8_lossy(&text))
     }
 }
 

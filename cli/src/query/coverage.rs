@@ -5,7 +5,7 @@ use crate::coverage::{Coverage, CoverageOptions, row};
 use crate::diagnosis_text::write;
 use crate::input::Imported;
 use crate::output::style::QUIET;
-use crate::output::{print, print_json};
+use crate::output::{print_answer, print_json};
 use crate::status::Failure;
 use crate::units::Measured;
 use clap::ValueEnum;
@@ -98,9 +98,9 @@ impl CoverageOf {
                 for one in coverage.findings() {
                     write(&mut out, one, imported.noted.decimals())?;
                 }
-                print(&format!("{out}{QUIET}{}{QUIET:#}\n", units.sentence()))
+                print_answer(&format!("{out}{QUIET}{}{QUIET:#}\n", units.sentence()))
             }
-            TableFormat::Csv => print(&csv(coverage.findings().iter().map(row), &HEADINGS)?),
+            TableFormat::Csv => print_answer(&csv(coverage.findings().iter().map(row), &HEADINGS)?),
             TableFormat::Json => print_json(&CoverageAnswer { input: &imported.name, unit: units.name(), coverage }),
         }
     }

@@ -4,7 +4,7 @@ use super::list::{Limit, greatest_first};
 use super::source::Source;
 use crate::names::label;
 use crate::output::style::BAD;
-use crate::output::{Format, grouped, measure, print, print_json};
+use crate::output::{Format, grouped, measure, print_answer, print_json};
 use crate::status::Failure;
 use clap::ValueEnum;
 use serde::Serialize;
@@ -92,7 +92,7 @@ impl Faces {
         }
         self.limit.cut(&mut faces);
         match self.format {
-            Format::Text => print(&text(&faces)?),
+            Format::Text => print_answer(&text(&faces)?),
             Format::Json => print_json(&FacesAnswer { input, faces }),
         }
     }

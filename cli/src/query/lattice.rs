@@ -2,7 +2,7 @@
 
 use super::source::Source;
 use crate::output::style::{BAD, GOOD};
-use crate::output::{Format, grouped, print, print_json};
+use crate::output::{Format, grouped, print_answer, print_json};
 use crate::status::Failure;
 use serde::Serialize;
 use std::fmt::Write as _;
@@ -56,7 +56,7 @@ impl Lattice {
         let answer = LatticeAnswer { input, faces, ok: found.pick_holds() };
         match self.format {
             Format::Json => print_json(&answer),
-            Format::Text => print(&answer.text()?),
+            Format::Text => print_answer(&answer.text()?),
         }
     }
 }

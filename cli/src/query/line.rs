@@ -2,7 +2,7 @@
 
 use super::record::Record;
 use super::source::Source;
-use crate::output::{Format, print, print_json};
+use crate::output::{Format, print_answer, print_json};
 use crate::status::Failure;
 use clap::ValueEnum;
 use serde::Serialize;
@@ -93,7 +93,7 @@ impl Line {
         match self.format {
             Format::Text => {
                 let line = |Step { record, along }: &Step| format!("{}{record}\n", if *along { "along " } else { "" });
-                print(&met.iter().map(line).collect::<String>())
+                print_answer(&met.iter().map(line).collect::<String>())
             }
             Format::Json => print_json(&LineAnswer { input, from: from.into(), to: to.into(), met }),
         }

@@ -7,7 +7,7 @@ use super::which::Which;
 use crate::names::label;
 use crate::noted::Condition;
 use crate::output::style::{BAD, QUIET};
-use crate::output::{measure, print, print_json};
+use crate::output::{measure, print_answer, print_json};
 use crate::status::Failure;
 use crate::units::{Measured, Units};
 use serde::Serialize;
@@ -102,7 +102,7 @@ impl Neighbours {
         let mut answer = NeighboursAnswer::new(asked, units, self.which.find(asked)?);
         self.limit.cut(&mut answer.neighbours);
         match self.format {
-            TableFormat::Text => print(&answer.text(units)?),
+            TableFormat::Text => print_answer(&answer.text(units)?),
             TableFormat::Csv => Err(Failure("--format csv is for the table of --all".to_owned())),
             TableFormat::Json => print_json(&answer),
         }

@@ -3,7 +3,7 @@
 use super::names::find;
 use super::source::Source;
 use crate::names::label;
-use crate::output::{Format, measure, print, print_json};
+use crate::output::{Format, measure, print_answer, print_json};
 use crate::status::Failure;
 use clap::ValueEnum;
 use serde::Serialize;
@@ -65,13 +65,13 @@ impl Route {
         match (self.format, route) {
             (Format::Json, route) => print_json(&RouteAnswer { input, route, length }),
             (Format::Text, None) => {
-                print(&format!("no way from {} to {} across borders\n", label(map, from), label(map, to)))
+                print_answer(&format!("no way from {} to {} across borders\n", label(map, from), label(map, to)))
             }
             (Format::Text, Some(route)) => {
                 let borders = route.len() - 1;
                 let borders = crate::output::counted(borders, "border");
                 let length = measure(length.unwrap_or_default());
-                print(&format!("{}\n\n{borders}, {length} from centroid to centroid\n", route.join("\n")))
+                print_answer(&format!("{}\n\n{borders}, {length} from centroid to centroid\n", route.join("\n")))
             }
         }
     }

@@ -1,5 +1,6 @@
 //! Ctrl-C.
 
+use crate::support::{data, scratch_folder};
 use std::process::{Child, Command, Stdio};
 
 /// Returns true if the process handles SIGINT by itself.
@@ -54,4 +55,38 @@ fn maps_that_were_only_found_do_not_count_as_covered() {
     let text = interrupted(&["corrupt", "--edges", "8", "--force", "--format", "json"]);
     let found: serde_json::Value = serde_json::from_str(&text).unwrap();
     assert_eq!((&found["maps"], &found["ok"]), (&0.into(), &false.into()));
+}
+
+#[test]
+fn an_unfinished_proof_has_no_wrong_counts() {
+    let text = interrupted(&["prove", "--edges", "10", "--force"]);
+    assert!(!text.contains('≠'), "{text}");
+}
+
+#[test]
+fn no_unfinished_files_are_left_behind() {
+    let folder = scratch_folder("unfinished");
+    let output = folder.join("world.gpkg");
+    let has_unfinished = || {
+        std::fs::read_dir(&folder)
+            .unwrap()
+            .any(|entry| entry.unwrap().file_name().to_string_lossy().starts_with(".twinedge-"))
+    };
+    // A program that was done before the signal came tells nothing.
+    let was_interrupted = (0..50).any(|_| {
+        let mut child = Command::new(env!("CARGO_BIN_EXE_twinedge"))
+            .args(["convert", &data("world-50m.geojson"), "--lossy", "-o"])
+            .arg(&output)
+            .stdout(Stdio::null())
+            .stderr(Stdio::null())
+            .spawn()
+            .unwrap();
+        while child.try_wait().unwrap().is_none() && !has_unfinished() {
+            std::thread::yield_now();
+        }
+        let _ = Command::new("kill").args(["-INT", &child.id().to_string()]).stderr(Stdio::null()).status().unwrap();
+        child.wait().unwrap().code() == Some(130)
+    });
+    assert!(was_interrupted);
+    assert!(!has_unfinished());
 }

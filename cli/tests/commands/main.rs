@@ -4,6 +4,7 @@ mod support;
 
 mod audit;
 mod certificate;
+mod conveniences;
 mod corrupt;
 mod draw;
 mod findings;

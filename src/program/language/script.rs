@@ -40,12 +40,12 @@ pub trait Scripted: Sequence {
 #[cfg_attr(not(feature = "map"), doc = "`map::program::EditProgram`,")]
 /// for the edits of a planar map. No other type can have this trait.
 ///
-/// Each can be [generated](Generator), [shrunk](crate::program::shrink()), written down and read.
+/// Each can be [generated](crate::program::Generator), [shrunk](crate::program::shrink()), written down and read.
 pub trait Language: Scripted {
     /// The kinds of its operators.
     type Kind: Copy + PartialEq + core::fmt::Debug + 'static;
 
-    /// Every kind, and how often it is chosen unless a [`Generator`] says otherwise.
+    /// Every kind, and how often it is chosen unless a [`Generator`](crate::program::Generator) says otherwise.
     const KINDS: &'static [(Self::Kind, u32)];
 
     /// An operator of this kind, with arguments that the source chooses.
