@@ -57,7 +57,8 @@ const REACH: i64 = 1 << 51;
 /// assert_eq!(check_drawing(&map, &labels, &drawing), Ok(()));
 ///
 /// // The point inside is moved to a side of the square.
-/// drawing.points[4] = [0, 2];
+/// let inside = drawing.points.iter().position(|point| *point == [1, 2]).expect("it is a vertex");
+/// drawing.points[inside] = [0, 2];
 /// let failures = check_drawing(&map, &labels, &drawing).unwrap_err();
 /// assert_eq!(failures[0].test(), Test::TriangleOk);
 /// # Ok::<(), Box<dyn std::error::Error>>(())

@@ -36,7 +36,7 @@ fn the_target_is_written_for_the_package_around_it() {
     assert!(manifest.contains("name = \"my-mesh-fuzz\"\n") && manifest.contains("my-mesh = { path = \"..\" }\n"));
     assert!(manifest.contains(&format!("twinedge = {{ version = \"{}\"", env!("CARGO_PKG_VERSION"))), "{manifest}");
     let target = fs::read_to_string(fuzz.join("fuzz_targets/conforms.rs")).unwrap();
-    assert!(target.contains("asked.run(program, todo!(\"your structure\"));"), "{target}");
+    assert!(target.contains("asked.run_and_shrink(&program, || todo!(\"your structure\"))"), "{target}");
     assert!(
         ![&manifest, &target].iter().any(|text| ["{package}", "{path}", "{twinedge}", "{crate}", "{subject}"]
             .iter()
@@ -58,7 +58,7 @@ fn a_subject_leaves_nothing_to_be_replaced() {
     let output = twinedge(&["fuzz-template", fuzz.to_str().unwrap(), "--subject", "mesh::Dcel::empty()"]);
     assert!(!said(&output.stdout).contains("in the place of"));
     let target = fs::read_to_string(fuzz.join("fuzz_targets/conforms.rs")).unwrap();
-    assert!(target.contains("asked.run(program, mesh::Dcel::empty());"), "{target}");
+    assert!(target.contains("asked.run_and_shrink(&program, || mesh::Dcel::empty())"), "{target}");
 }
 
 #[test]

@@ -180,10 +180,10 @@ fn options_that_do_not_apply_are_not_passed_over() {
         (&mesh, &["--snap", "auto"][..], "--snap is for maps, and this is a mesh"),
         (&table, &["--snap", "auto"], "--snap is for maps, and this is a file of tables"),
         (&table, &["--closed"], "is no mesh file"),
-        (&table, &["--sliver", "1"], "--sliver are for maps, and this is a file of tables"),
+        (&table, &["--sliver", "1"], "--geodesic are for maps, and this is a file of tables"),
         (&book, &["--snap", "auto"], "--snap is for maps, and this is a textbook's tables"),
         (&book, &["--genus", "0"], "is no mesh file"),
-        (&town, &["--coverage"], "--sliver are for maps, and this is a topology of PostGIS"),
+        (&town, &["--coverage"], "--geodesic are for maps, and this is a topology of PostGIS"),
     ] {
         let output = twinedge(&[&["audit", path][..], option].concat());
         assert_eq!(output.status.code(), Some(2), "{option:?}");

@@ -21,7 +21,7 @@ use alloc::vec::Vec;
 /// use twinedge::validate::Table;
 /// use twinedge::validate::certificate::{Labels, Test, check_surface};
 /// // One vertex with two loops that cross: a torus with one face.
-/// let torus: Table = "P 3 prev leaving faces V 1 0 - H 4 0 2 1 3 - 0 0 3 2 0 - 0 0 0 3 1 - 0 0 1 0 2 - 0 B 0 F 1 - 0 HF 4 0 0 0 0 FH 1 0 0".parse()?;
+/// let torus: Table = "P 3 prev leaving faces V 1 0 - H 4 0 2 1 3 - 0 3 2 0 - 0 0 3 1 - 0 1 0 2 - B 0 F 1 - 0 HF 4 0 0 0 0 FH 1 0 0".parse()?;
 /// let (labels, genus) = Labels::of_surface(&torus)?;
 /// assert_eq!((check_surface(&torus, &labels, genus), genus), (Ok(()), 1));
 /// let failures = check_surface(&torus, &labels, 0).unwrap_err();
