@@ -180,7 +180,8 @@ fn not_valid(feature: usize, defects: &[Defect]) -> Finding {
     } else {
         reasons.join(", ")
     };
-    let flaw = |one: &Defect| Flaw { reason: one.kind.to_string(), at: one.at.into(), shape: one.shape, ring: one.ring };
+    let flaw =
+        |one: &Defect| Flaw { reason: one.kind.to_string(), at: one.at.into(), shape: one.shape, ring: one.ring };
     Finding {
         rule: CoverageRule::Validity.id(),
         kind: CoverageRule::Validity.name(),
