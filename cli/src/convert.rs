@@ -159,13 +159,9 @@ impl Convert {
         }
         let (name, layer) = self.input.read()?;
         let written = self.output.write(&layer, self.input.path())?;
-        if let Some(Written { name: to, format }) = written {
+        if let Some(Written { name: to, format }) = written.filter(|_| !self.output.is_stdout()) {
             let count = counted(layer.features.len(), "feature");
-            if self.output.is_stdout() {
-                anstream::eprintln!("{}: {count} written to standard output ({format})", plain(&name));
-            } else {
-                print(&format!("{}: {count} written to {} ({format})\n", plain(&name), plain(&to)))?;
-            }
+            print(&format!("{}: {count} written to {} ({format})\n", plain(&name), plain(&to)))?;
         }
         Ok(Verdict::Sound)
     }

@@ -3,7 +3,6 @@
 use crate::progress::remove_on_interrupt;
 use crate::status::Failure;
 use same_file::is_same_file;
-use std::error::Error as _;
 use std::fs;
 use std::path::{MAIN_SEPARATOR, Path, PathBuf};
 use twinedge_formats::layer::{Format, files};
@@ -22,9 +21,10 @@ pub(crate) fn write_files(
     input: Option<&Path>,
     write: impl FnOnce(&Path) -> Result<(), Failure>,
 ) -> Result<(), Failure> {
-    // The source of an error says what is wrong without the name of a folder that is gone.
     let failed = |error: std::io::Error| {
-        let cause = error.source().map_or_else(|| error.to_string(), ToString::to_string);
+        let text = error.to_string();
+        // A folder that could not be made is named at the end.
+        let cause = text.split_once(" at path ").map_or(text.as_str(), |(cause, _)| cause);
         Failure(format!("{}: {cause}", path.display()))
     };
     if let Some(input) = input {

@@ -1,9 +1,14 @@
 //! What people expect of every program: colours, silence, completions, and messages that name what they typed.
 
-use crate::support::{complaint, data, scratch_folder, twinedge};
+use crate::support::{complaint, scratch_folder, twinedge};
 
 fn text(bytes: &[u8]) -> String {
     String::from_utf8(bytes.to_vec()).unwrap()
+}
+
+/// The map that is built in.
+fn built_in() -> String {
+    format!("{}/data/world-110m.geojson", env!("CARGO_MANIFEST_DIR"))
 }
 
 /// Two squares that overlap.
@@ -15,7 +20,7 @@ fn crossing(folder: &str) -> String {
 
 #[test]
 fn quiet_prints_nothing_and_keeps_the_exit_status() {
-    for (arguments, status) in [(["audit", &data("world-110m.geojson")], 0), (["audit", &crossing("quiet")], 1)] {
+    for (arguments, status) in [(["audit", &built_in()], 0), (["audit", &crossing("quiet")], 1)] {
         let output = twinedge(&[&arguments[..], &["-q"]].concat());
         assert_eq!((output.status.code(), text(&output.stdout)), (Some(status), String::new()));
     }
@@ -59,13 +64,7 @@ fn numbers_that_are_none_are_named_in_plain_words() {
 #[test]
 fn errors_name_the_file_that_was_asked_for() {
     let folder = scratch_folder("asked-for").join("missing");
-    let output = twinedge(&[
-        "convert",
-        &data("world-110m.geojson"),
-        "--lossy",
-        "-o",
-        &folder.join("a.gpkg").display().to_string(),
-    ]);
+    let output = twinedge(&["convert", &built_in(), "--lossy", "-o", &folder.join("a.gpkg").display().to_string()]);
     let complaint = complaint(&output);
     assert!(output.status.code() == Some(2) && complaint.contains("missing/a.gpkg: No such file"), "{complaint}");
     assert!(!complaint.contains(".twinedge-"), "{complaint}");
@@ -73,13 +72,14 @@ fn errors_name_the_file_that_was_asked_for() {
 
 #[test]
 fn a_report_goes_to_standard_error_beside_a_layer_on_standard_output() {
-    let input = data("world-110m.geojson");
-    let converted = twinedge(&["convert", &input, "-o", "-"]);
-    assert!(text(&converted.stdout).starts_with("{\"type\":\"FeatureCollection\""));
-    assert!(complaint(&converted).contains("written to standard output (GeoJSON)"));
+    let input = crossing("beside");
+    let text_of_report = text(&twinedge(&["clean", &input, "--dry-run"]).stdout);
     let cleaned = twinedge(&["clean", &input, "-o", "-"]);
-    assert!(text(&cleaned.stdout).starts_with("{\"type\":\"FeatureCollection\""));
-    assert!(text(&cleaned.stderr).contains("features"), "{}", text(&cleaned.stderr));
+    assert!(text(&cleaned.stdout).starts_with('{') && !text(&cleaned.stdout).contains("overlap"));
+    let overlap = text_of_report.lines().find(|line| line.contains("overlap of")).unwrap();
+    assert!(text(&cleaned.stderr).contains(overlap), "{}", text(&cleaned.stderr));
+    let cleaned = twinedge(&["clean", &input, "-o", "-", "--format", "json"]);
+    assert!(serde_json::from_slice::<serde_json::Value>(&cleaned.stderr).is_ok_and(|report| report.is_object()));
 }
 
 #[test]
