@@ -19,6 +19,8 @@ components, cycles and Euler's formula can be summed. Reports have no such part 
 from __future__ import annotations
 
 import json
+import os
+import sys
 from collections.abc import Iterator
 
 import pyarrow as pa
@@ -61,6 +63,8 @@ def parcels() -> list[tuple[int, bytearray]]:
 
 
 def main() -> list[dict[str, object]]:
+    # The workers import what this program imports.
+    os.environ.setdefault("PYSPARK_PYTHON", sys.executable)
     spark = (
         SparkSession.builder.master("local[2]")
         .appName("audit")

@@ -17,7 +17,7 @@ def test_one_partition_of_four_is_not_valid():
     pytest.importorskip("pyspark")
     pytest.importorskip("pyarrow")
     code = "import json, runpy, sys; print(json.dumps(runpy.run_path(sys.argv[1])['main']()))"
-    environment = os.environ | {"PYSPARK_PYTHON": sys.executable, "SPARK_LOCAL_IP": "127.0.0.1"}
+    environment = os.environ | {"SPARK_LOCAL_IP": "127.0.0.1"}
     done = subprocess.run(
         [sys.executable, "-P", "-c", code, str(EXAMPLE)], capture_output=True, text=True, env=environment, check=False, timeout=300
     )

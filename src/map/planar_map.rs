@@ -65,7 +65,7 @@ pub struct PlanarMap {
     pub(super) features: FeatureSets,
     pub(super) summary: BuildSummary,
     pub(super) noding: Option<NodingSummary>,
-    /// Where edges meet elsewhere than at shared endpoints, if they do.
+    /// A place where edges meet and no vertex is, if there is one.
     pub(super) not_plane: Option<NotPlane>,
     pub(super) index: KeptIndex,
     #[cfg(feature = "near")]

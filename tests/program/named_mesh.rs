@@ -137,7 +137,7 @@ fn a_counterexample_says_which_vertices_a_half_edge_joins() {
     let (h, _) = start.half_edges[usize::from(k)];
     let [origin, target] = [h, mesh.twin(h).unwrap()].map(|h| mesh.origin(h).unwrap());
     assert!(text.contains(&format!("\nmesh_collapse_edge h{k} # {h} ({origin} to {target})\n")), "{text}");
-    // What is shown is a program, and one that can be read again.
+    // A program is shown that can be read again.
     let (_, shown) = text.split_once("choose:\n").unwrap();
     assert_eq!(shown.parse(), Ok(found.program));
 }

@@ -1,4 +1,4 @@
-//! What people expect of every program: colours, silence, completions, and messages that name what they typed.
+//! Colours, silence, completions, and messages that name the words of the command line.
 
 use crate::support::{complaint, scratch_folder, twinedge};
 

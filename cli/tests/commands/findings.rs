@@ -223,7 +223,7 @@ fn a_page_has_the_map_and_what_was_found() {
     // The map is not plane: the faces are those of the map with its borders cut, which has two crossings more.
     assert_eq!(found["map"]["areas"]["edges"], json!([7655, 7655]));
     assert_eq!(found["features"].as_array().unwrap().len(), 177);
-    // What the crossings mean comes before them.
+    // Overlaps of features come before the crossings of their borders.
     let rules: Vec<&str> =
         found["findings"].as_array().unwrap().iter().map(|one| one["rule"].as_str().unwrap()).collect();
     assert_eq!(rules, ["C1", "C1", "C2", "C4", "C4", "C6", "C6", "G4", "G4", "T3"]);

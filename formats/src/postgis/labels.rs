@@ -1,4 +1,4 @@
-//! What the lines say of the faces that half-edges name.
+//! Faces that half-edges name, held against the lines: a label fits if the lines around its face close.
 
 use super::lines::Lines;
 use super::topology::Topology;

@@ -17,7 +17,7 @@ pub(super) struct Lines<'a> {
     topology: &'a Topology,
     /// The ends without node, which are vertices after the nodes, each with a half-edge that starts there.
     without_node: Vec<(Point, usize)>,
-    /// Where each line starts and ends.
+    /// The vertices at both ends of each line.
     ends: Vec<[u32; 2]>,
     /// The vertices and the edges that are judged.
     is_vertex: Vec<bool>,

@@ -55,7 +55,7 @@ impl<'a> Rotations<'a> {
 }
 
 impl Lines<'_> {
-    /// Where the line of a half-edge starts, and its next point; none if there is no such line, or nothing is known of its direction.
+    /// The first two points of the line of a half-edge; none if there is no such line, or they give no direction.
     fn first_segment(&self, half_edge: usize) -> Option<[Point; 2]> {
         if !self.is_half_edge(half_edge) {
             return None;

@@ -119,7 +119,7 @@ impl Topology {
         Some(self.unknown[at].2)
     }
 
-    /// Where the line of an edge starts and ends; none for an edge without line.
+    /// Both ends of the line of an edge; none for an edge without line.
     pub(super) fn line_ends(&self, edge: usize) -> Option<[Point; 2]> {
         if let Ok(at) = self.loose.binary_search_by_key(&edge, |(loose, _)| *loose as usize) {
             return self.loose[at].1;

@@ -101,7 +101,7 @@ fn archive_error(bytes: &[u8]) -> ArchiveError {
 fn archives_that_expand_without_end_are_refused() {
     let zeros = vec![0; 1 << 20];
     assert_eq!(archive_error(&gzipped(&zeros).repeat(100)), ArchiveError::Expands { times: 200 });
-    // What a zip archive says of its size is not believed: the parts of a layer count together.
+    // The sizes that a zip archive names are not believed: the parts of a layer count together.
     let parts = ["shp", "shx", "dbf", "prj", "cpg"].map(|extension| format!("a.{extension}"));
     let zeros = vec![0; 20 << 20];
     let files: Vec<(&str, &[u8])> = parts.iter().map(|name| (name.as_str(), zeros.as_slice())).collect();

@@ -282,7 +282,7 @@ fn one_broken_link_hides_no_fault_elsewhere() {
                 change(rows);
                 break_link(rows);
             });
-            // Where only a line is missing, the validator has said it of the links already.
+            // If only a line is missing, the validator has said it of the links already.
             let is_said =
                 *kind == "lies_elsewhere" && both.violations().iter().any(|one| one.kind.name() == "wrong_face");
             assert!(kinds(&both) > kinds(&alone) || is_said, "{kind} beside {name}\n{both}");

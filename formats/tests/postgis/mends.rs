@@ -113,7 +113,7 @@ fn a_row_that_all_its_edges_ask_for_is_restored() {
     }
 }
 
-/// Where a row or its neighbour may be the wrong one, nothing is proposed.
+/// Nothing is proposed if the row may be the wrong one, or its neighbour.
 #[test]
 fn what_takes_a_choice_has_no_mend() {
     let cases: &[Change] = &[

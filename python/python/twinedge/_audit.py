@@ -129,7 +129,7 @@ def _text(geometry: Any) -> str:
     try:
         return json.dumps(geometry, allow_nan=False)
     except ValueError:
-        # What is wrong otherwise is said here.
+        # All other faults are raised here.
         json.dumps(geometry)
         return _NOT_FINITE
 

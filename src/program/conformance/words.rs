@@ -1,4 +1,4 @@
-//! What operators choose and differences name, in the handles of the subject: a half-edge with the vertices that it joins.
+//! Half-edges in words, with the vertices that they join: those that operators choose, and those that differences name.
 
 use super::difference::Difference;
 use crate::dcel::Corner;

@@ -126,7 +126,7 @@ impl<P: Scripted> Script<P> {
             let op = stage.rewrite(&line.op, &mut |names, k| {
                 let name = chosen.next().flatten();
                 let position = name.and_then(|name| names.iter().position(|other| *other == name));
-                // What is gone has no number. Any will do, but one that there is.
+                // A record that is gone has no number: any number that there is will do.
                 let position = position.or_else(|| usize::from(k).checked_rem(names.len()));
                 position.and_then(|position| u16::try_from(position).ok()).unwrap_or(k)
             });

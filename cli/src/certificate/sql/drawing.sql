@@ -18,6 +18,8 @@ UNION ALL SELECT triangle FROM sides GROUP BY triangle, side HAVING count(*) > 1
 UNION ALL SELECT triangle FROM sides
 WHERE side IS NULL OR NOT side IN (0, 1, 2) OR ahead IS NULL OR face IS NULL OR dart_rank IS NULL
 UNION ALL SELECT point FROM points GROUP BY point HAVING count(*) > 1 OR point IS NULL
+-- Points are numbered from 0 on, with no gap.
+UNION ALL SELECT point FROM points WHERE point < 0 OR point >= (SELECT count(*) FROM points)
 UNION ALL SELECT point FROM points WHERE x IS NULL OR y IS NULL
     OR x < -9007199254740992 OR x > 9007199254740991 OR y < -9007199254740992 OR y > 9007199254740991
 UNION ALL SELECT d.point FROM sides d LEFT JOIN points p ON p.point = d.point WHERE p.point IS NULL;
