@@ -2,7 +2,8 @@
 
 From Coq Require Import ZArith.
 From mathcomp Require Import all_ssreflect.
-From twinedge Require Import View Rules Subdivision Map Verdict Labels LabelsSound Orientation Coordinates CoordinatesSound Columns.
+From twinedge Require Import View Rules Subdivision Loops LoopsProof Reference Map Counting Drawing Euler Verdict Labels LabelsSound OneOfEach.
+From twinedge Require Import Surface Orientation Coordinates CoordinatesSound Columns.
 Set Implicit Arguments.
 Unset Strict Implicit.
 Unset Printing Implicit Defensive.
@@ -17,6 +18,21 @@ Definition judge (o : folder) : verdict :=
 Definition judge_drawing (o : drawing) : verdict :=
   if readable_drawing o then
     if accepts (view_in (topology o)) (ranks_in (topology o)) && drawn (view_in (topology o)) (refinement_in o)
+    then Valid else Invalid
+  else Unreadable.
+
+(** The claim "surface": one of the genus that its counts have, with as many components as roots, and holes. *)
+Definition surface_genus (o : surface) : nat :=
+  let t := surface_view_in o in
+  (half_edge_count t + 4 * component_count t (components_in o) - 2 * (rotation_count t + cycle_count t)) %/ 4.
+
+Definition surface_components (o : surface) : nat := component_count (surface_view_in o) (components_in o).
+
+Definition surface_holes (o : surface) : nat := hole_count (surface_view_in o).
+
+Definition judge_surface (o : surface) : verdict :=
+  if readable_surface o then
+    if surface_accepts (surface_view_in o) (turns_in o) (steps_in o) (components_in o) (surface_ranks_in o) (borders_in o) (surface_genus o)
     then Valid else Invalid
   else Unreadable.
 
@@ -45,4 +61,27 @@ split=> //.
 - by move=> k v h; apply: (drawn_vertices_off D).
 - exact: (drawn_vertices D).
 exact: (drawn_length map D).
+Qed.
+
+(** What is in a folder with the claim "surface" and the verdict "valid" keeps the rules of half-edges, V1, V2 and B1. It has as
+    many components as are counted, and their genera add up to the genus that is computed: V + cycles + 2 · genus = E + 2 · components. *)
+Theorem valid_is_surface o : judge_surface o = Valid -> let t := surface_view_in o in
+  [/\ is_map t, v1_leaving t, v2_rotation t, b1_cycle t
+    & exists vs cs es ps, [/\ lists_one_of_each vs (on_orbit (turn t)) (half_edge t), lists_one_of_each cs (on_cycle t) (half_edge t),
+        lists_one_of_each es (same_edge t) (half_edge t), lists_one_of_each ps (reached (near t)) (half_edge t)
+        & size ps = surface_components o /\ size vs + size cs + (surface_genus o).*2 = size es + (surface_components o).*2]].
+Proof.
+by rewrite /judge_surface; case: (readable_surface o) => //; case A: (surface_accepts _ _ _ _ _ _ _) => // _; apply: surface_sound A.
+Qed.
+
+(** Each face has one boundary component, and each boundary component a face of its own, or it is a hole. No two holes meet at a
+    vertex, and none meets itself there; beside each edge of a hole is a face. *)
+Theorem valid_has_border o : judge_surface o = Valid -> let t := surface_view_in o in
+  [/\ forall f, face t f -> exists2 b, outer t f = Some b & boundary_face t b = Some f,
+      forall b f, boundary_face t b = Some f -> outer t f = Some b,
+      forall g h, half_edge t g -> half_edge t h -> in_hole t g -> in_hole t h -> origin t g = origin t h -> g = h
+    & forall h g, in_hole t h -> twin t h = Some g -> ~~ in_hole t g].
+Proof.
+rewrite /judge_surface; case: (readable_surface o) => //; case A: (surface_accepts _ _ _ _ _ _ _) => // _.
+exact: surface_border_sound A.
 Qed.

@@ -66,11 +66,12 @@ Record folder := Folder {
   face_inner : file
 }.
 
-(** "twinedge certificate 1", "plane" and "drawing", each with the end of its line. *)
+(** "twinedge certificate 1", "plane", "drawing" and "surface", each with the end of its line. *)
 Definition first_line : seq nat :=
   [:: 116; 119; 105; 110; 101; 100; 103; 101; 32; 99; 101; 114; 116; 105; 102; 105; 99; 97; 116; 101; 32; 49; 10].
 Definition plane_line : seq nat := [:: 112; 108; 97; 110; 101; 10].
 Definition drawing_line : seq nat := [:: 100; 114; 97; 119; 105; 110; 103; 10].
+Definition surface_line : seq nat := [:: 115; 117; 114; 102; 97; 99; 101; 10].
 
 Fixpoint begins_with (f : file) i (s : seq nat) : bool :=
   if s is a :: r then if byte f i == a then begins_with f i.+1 r else false else true.
@@ -128,6 +129,61 @@ Definition view_in (o : folder) : view := {|
 |}.
 
 Definition ranks_in (o : folder) : nat -> nat := number_at (half_edge_rank o).
+
+(** ** The surface *)
+
+(** The columns of [topology] that a surface does not have are not looked at. *)
+Record surface := Surface {
+  surface_topology : folder;
+  half_edge_turn : file;
+  half_edge_step : file;
+  half_edge_component : file;
+  vertex_border : file
+}.
+
+Definition readable_surface (s : surface) : bool :=
+  let o := surface_topology s in
+  [&& begins_with (claim o) 0 (first_line ++ surface_line),
+      [&& fits (half_edge_rows o) (half_edge_origin o), fits (half_edge_rows o) (half_edge_twin o),
+          fits (half_edge_rows o) (half_edge_next o), fits (half_edge_rows o) (half_edge_prev o)
+        & fits (half_edge_rows o) (half_edge_boundary o)],
+      [&& fits (half_edge_rows o) (half_edge_turn s), fits (half_edge_rows o) (half_edge_step s),
+          fits (half_edge_rows o) (half_edge_component s) & fits (half_edge_rows o) (half_edge_rank o)],
+      fits (vertex_rows o) (vertex_leaving o) && fits (vertex_rows o) (vertex_border s)
+    & [&& fits (boundary_rows o) (boundary_face_column o), fits (boundary_rows o) (boundary_start_column o)
+        & fits (face_rows o) (face_outer o)]].
+
+(** Boundary components are cycles, and each is the outer one of its face. *)
+Definition surface_view_in (s : surface) : view :=
+  let o := surface_topology s in {|
+  vertex_slots := vertex_rows o;
+  half_edge_slots := half_edge_rows o;
+  boundary_slots := boundary_rows o;
+  face_slots := face_rows o;
+  is_vertex := is_vertex (view_in o);
+  is_half_edge := is_half_edge (view_in o);
+  is_boundary := is_boundary (view_in o);
+  is_face := is_face (view_in o);
+  says_origin := says_origin (view_in o);
+  says_twin := says_twin (view_in o);
+  says_next := says_next (view_in o);
+  says_prev := says_prev (view_in o);
+  says_boundary := says_boundary (view_in o);
+  says_leaving := says_leaving (view_in o);
+  says_isolated := fun _ => None;
+  says_boundary_face := says_boundary_face (view_in o);
+  says_boundary_start := fun b => if link_at (boundary_start_column o) b is Some h then Some (AtHalfEdge h) else None;
+  says_boundary_place := fun _ => Some Outer;
+  says_outer := says_outer (view_in o);
+  says_inner_count := fun _ => 0;
+  says_inner := fun _ _ => None
+|}.
+
+Definition turns_in (s : surface) : nat -> nat := number_at (half_edge_turn s).
+Definition steps_in (s : surface) : nat -> nat := number_at (half_edge_step s).
+Definition components_in (s : surface) : nat -> nat := number_at (half_edge_component s).
+Definition surface_ranks_in (s : surface) : nat -> nat := ranks_in (surface_topology s).
+Definition borders_in (s : surface) : nat -> link := link_at (vertex_border s).
 
 (** ** The drawing *)
 

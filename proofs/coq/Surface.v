@@ -1,9 +1,12 @@
-(** * Surface: certificates of closed surfaces of any genus, by positions
+(** * Surface: certificates of surfaces of any genus, by positions
 
     Where the genus is not 0, Euler's formula does not say that each vertex has one rotation and each boundary component one
     cycle, and positions say it: from every half-edge they grow around the vertex, until the half-edge that the vertex keeps,
     and along the cycle, until the start. A label that names the component is the same along the links, and ranks lead down to
     the half-edge whose number it is, so that there are exactly as many components as these.
+
+    A surface with a border is a closed one on which some boundary components are *holes*: they have no face. Along a border
+    no vertex is passed twice, and no edge has a hole on both sides.
 
 <<
          \   2                    each half-edge is followed by one with a greater position,
@@ -20,7 +23,7 @@ Unset Strict Implicit.
 Unset Printing Implicit Defensive.
 
 Section Checker.
-Variables (t : view) (position step component rank : nat -> nat) (genus : nat).
+Variables (t : view) (position step component rank : nat -> nat) (border : nat -> link) (genus : nat).
 
 Definition turn_ok h :=
   if turn t h is Some g then same_link (origin t h >>= leaving t) (Some g) || (position h < position g) else false.
@@ -34,19 +37,33 @@ Definition component_ok h :=
   [&& same_component h (next t h), same_component h (twin t h)
     & [|| component h == h, lower_than rank h (next t h), lower_than rank h (prev t h) | lower_than rank h (twin t h)]].
 
+(** It bounds no face. *)
+Definition in_hole h := if boundary_of t h is Some b then is_nil (boundary_face t b) else false.
+
+(** One half-edge of a hole leaves a vertex at most, the one that [border] names; on its other side is a face. *)
+Definition border_ok h :=
+  if in_hole h then
+    same_link (origin t h >>= border) (Some h) && if twin t h is Some g then ~~ in_hole g else false
+  else true.
+
 Definition surface_half_edge_ok h :=
-  [&& twin_ok t h, next_ok t h, target_ok t h, origin_ok t h & [&& cycle_ok t h, turn_ok h, step_ok h & component_ok h]].
+  [&& twin_ok t h, next_ok t h, target_ok t h, origin_ok t h
+    & [&& cycle_ok t h, turn_ok h, step_ok h, component_ok h & border_ok h]].
 
 Definition surface_vertex_ok v :=
   if leaving t v is Some h then half_edge t h && same_link (origin t h) (Some v) else true.
 
 Definition surface_boundary_ok b :=
-  if boundary_start t b is Some (AtHalfEdge h) then half_edge t h && same_link (boundary_of t h) (Some b) else false.
+  (if boundary_start t b is Some (AtHalfEdge h) then half_edge t h && same_link (boundary_of t h) (Some b) else false)
+  && if boundary_face t b is Some f then same_link (outer t f) (Some b) else true.
+
+Definition surface_face_ok f := if outer t f is Some b then same_link (boundary_face t b) (Some f) else false.
 
 Definition component_count := number (half_edge_slots t) (fun h => half_edge t h && (component h == h)).
 
 Definition surface_accepts :=
-  [&& each_half_edge t surface_half_edge_ok, each_vertex t surface_vertex_ok, each_boundary t surface_boundary_ok
+  [&& each_half_edge t surface_half_edge_ok, each_vertex t surface_vertex_ok, each_boundary t surface_boundary_ok,
+      each_face t surface_face_ok
     & 2 * (rotation_count t + cycle_count t) + 4 * genus == half_edge_count t + 4 * component_count].
 
 (** ** Why it is right *)
@@ -54,7 +71,7 @@ Definition surface_accepts :=
 Hypothesis ok : surface_accepts.
 
 Let half_edges h : half_edge t h -> surface_half_edge_ok h.
-Proof. by case/and4P: ok => /each_half_edgeP H _ _ _ /H. Qed.
+Proof. by case/and5P: ok => /each_half_edgeP H _ _ _ _ /H. Qed.
 
 Lemma surface_map : is_map t.
 Proof. by apply: map_tests => h /half_edges /and5P[-> -> -> -> /andP[->]]. Qed.
@@ -63,19 +80,19 @@ Let map := surface_map.
 
 Lemma surface_leaving v h : leaving t v = Some h -> half_edge t h /\ origin t h = Some v.
 Proof.
-move=> E; case/and4P: ok => _ /each_vertexP /(_ v (heard_live E)) + _ _.
+move=> E; case/and5P: ok => _ /each_vertexP /(_ v (heard_live E)) + _ _ _.
 by rewrite /surface_vertex_ok E => /andP[lh /same_linkP].
 Qed.
 
 Lemma surface_start b h : boundary_start t b = Some (AtHalfEdge h) -> half_edge t h /\ boundary_of t h = Some b.
 Proof.
-move=> E; case/and4P: ok => _ _ /each_boundaryP /(_ b (heard_live E)) + _.
-by rewrite /surface_boundary_ok E => /andP[lh /same_linkP].
+move=> E; case/and5P: ok => _ _ /each_boundaryP /(_ b (heard_live E)) + _ _.
+by rewrite /surface_boundary_ok E => /andP[/andP[lh /same_linkP]].
 Qed.
 
 Lemma surface_cycle (x : dart t) : bnd (nx x) = bnd x.
 Proof.
-have /and5P[_ _ _ _ /and4P[/andP[+ _] _ _ _]] := half_edges (dart_live x).
+have /and5P[_ _ _ _ /and5P[/andP[+ _] _ _ _ _]] := half_edges (dart_live x).
 by rewrite (nextE map) /= !(boundaryE map) => /same_linkP[].
 Qed.
 
@@ -102,18 +119,18 @@ have /and5P[_ _ _ + _] := half_edges (dart_live x); rewrite /origin_ok (originE 
 case E: (leaving t (org x)) => [h|] // _; have [/dartP[y yh] _] := surface_leaving E; exists y; first by rewrite yh.
 apply: (positions_lead (p := position) (tn_inj map)) => k /=; set z := iter k _ x.
 have oz : org z = org x by rewrite /z; elim: (k) => //= j IH; rewrite org_tn.
-have /and5P[_ _ _ _ /and4P[_ + _ _]] := half_edges (dart_live z).
+have /and5P[_ _ _ _ /and5P[_ + _ _ _]] := half_edges (dart_live z).
 rewrite /turn_ok (turnE map) (originE map) /= oz E => /orP[/same_linkP[]|lt]; last by right.
 by rewrite -yh => /num_inj->; left.
 Qed.
 
 Lemma surface_started (x : dart t) : exists2 y : dart t, boundary_start t (bnd x) = Some (AtHalfEdge (num y)) & fconnect (@nx t) x y.
 Proof.
-have /and5P[_ _ _ _ /and4P[/andP[_ +] _ _ _]] := half_edges (dart_live x); rewrite (boundaryE map) /= /cycle_start.
+have /and5P[_ _ _ _ /and5P[/andP[_ +] _ _ _ _]] := half_edges (dart_live x); rewrite (boundaryE map) /= /cycle_start.
 case E: (boundary_start t (bnd x)) => [[h|]|] // _; have [/dartP[y yh] _] := surface_start E; exists y; first by rewrite yh.
 apply: (positions_lead (p := step) (nx_inj map)) => k /=; set z := iter k _ x.
 have bz : bnd z = bnd x by rewrite /z; elim: (k) => //= j IH; rewrite surface_cycle.
-have /and5P[_ _ _ _ /and4P[_ _ + _]] := half_edges (dart_live z).
+have /and5P[_ _ _ _ /and5P[_ _ + _ _]] := half_edges (dart_live z).
 rewrite /step_ok (nextE map) (boundaryE map) /= bz /cycle_start E => /orP[/same_linkP[]|lt]; last by right.
 by rewrite -yh => /num_inj->; left.
 Qed.
@@ -145,12 +162,12 @@ Definition component_roots := [seq h <- iota 0 (half_edge_slots t) | half_edge t
 Lemma component_same (x y : dart t) : joined x y -> component (num y) = component (num x).
 Proof.
 have next_same (z : dart t) : component (num (nx z)) = component (num z).
-  have /and5P[_ _ _ _ /and4P[_ _ _ /and3P[+ _ _]]] := half_edges (dart_live z).
+  have /and5P[_ _ _ _ /and5P[_ _ _ /and3P[+ _ _] _]] := half_edges (dart_live z).
   by rewrite (nextE map) => /eqP.
 move=> xy; apply: (@joined_ind t map (fun y => component (num y) = component (num x)) x y _ xy) => // z E; split.
 - by rewrite next_same.
 - by rewrite -E -[in RHS](pvK map z) next_same.
-have /and5P[_ _ _ _ /and4P[_ _ _ /and3P[_ + _]]] := half_edges (dart_live z).
+have /and5P[_ _ _ _ /and5P[_ _ _ /and3P[_ + _] _]] := half_edges (dart_live z).
 by rewrite (twinE map) => /eqP->.
 Qed.
 
@@ -160,7 +177,7 @@ move: {2}(rank _).+1 (ltnSn (rank (num x))) => n; elim: n x => // n IH x lt.
 have down y : joined x y -> rank (num y) < rank (num x) -> exists2 z : dart t, component (num z) = num z & joined x z.
   move=> xy low; have [|z zz yz] := IH y; first exact: leq_trans low lt.
   by exists z => //; apply: joined_trans xy yz.
-have /and5P[_ _ _ _ /and4P[_ _ _ /and3P[_ _]]] := half_edges (dart_live x).
+have /and5P[_ _ _ _ /and5P[_ _ _ /and3P[_ _ +] _]] := half_edges (dart_live x).
 rewrite (nextE map) (prevE map) (twinE map) => /or4P[/eqP E|low|low|low].
 - by exists x => //; apply: joined_refl.
 - by apply: down low; apply: joined_nx.
@@ -198,29 +215,72 @@ by apply/(on_cycleE map); rewrite fconnect_sym //; apply: nx_inj.
 Qed.
 
 Lemma surface_formula : exists es, lists_one_of_each es (same_edge t) (half_edge t) /\
-  size (rotations t) + size (cycles t) + genus.*2 = size es + (size component_roots).*2.
+  size component_roots = component_count /\ size (rotations t) + size (cycles t) + genus.*2 = size es + component_count.*2.
 Proof.
 have [vs [cs [es [g [_ _ He E _]]]]] := orbit_formula basic; exists es; split=> //.
-case/and4P: ok => _ _ _ /eqP; rewrite rotations_count cycles_count E /component_count numberE -size_filter -/component_roots.
-by arith.
+split; first by rewrite /component_count numberE -size_filter.
+case/and5P: ok => _ _ _ _ /eqP; rewrite rotations_count cycles_count E; arith.
+Qed.
+
+(** *** Faces and holes *)
+
+Lemma surface_face f : face t f -> exists2 b, outer t f = Some b & boundary_face t b = Some f.
+Proof.
+case/and5P: ok => _ _ _ /each_faceP H _ /H; rewrite /surface_face_ok.
+by case: (outer t f) => [b|] // /same_linkP[]; exists b.
+Qed.
+
+Lemma surface_outer b f : boundary_face t b = Some f -> outer t f = Some b.
+Proof.
+move=> E; case/and5P: ok => _ _ /each_boundaryP /(_ b (heard_live E)) + _ _.
+by rewrite /surface_boundary_ok E => /andP[_ /same_linkP].
+Qed.
+
+Lemma surface_border g h : half_edge t g -> half_edge t h -> in_hole g -> in_hole h -> origin t g = origin t h -> g = h.
+Proof.
+move=> lg lh ig ih E; have named k : half_edge t k -> in_hole k -> origin t k >>= border = Some k.
+  by move=> /half_edges /and5P[_ _ _ _ /and5P[_ _ _ _ B]] ik; move: B; rewrite /border_ok ik => /andP[/same_linkP].
+by move: (named g lg ig); rewrite E named // => -[].
+Qed.
+
+Lemma surface_hole_twin h g : in_hole h -> twin t h = Some g -> ~~ in_hole g.
+Proof.
+move=> ih E; have /half_edges /and5P[_ _ _ _ /and5P[_ _ _ _]] := heard_live E.
+by rewrite /border_ok ih E => /andP[].
 Qed.
 
 End Checker.
 
-(** ** What is accepted is a closed surface
+Definition hole_count t := number (boundary_slots t) (fun b => boundary t b && is_nil (boundary_face t b)).
 
-    R1 for half-edges, L1, L2, L3, V1, V2 and B1 hold; and the genera of its components add up to the genus that is claimed:
-    counting one of each rotation, cycle, edge and component, V + cycles + 2 · genus = E + 2 · components. *)
+(** ** What is accepted is a surface
 
-Theorem surface_sound t position step component rank genus : surface_accepts t position step component rank genus ->
+    R1 for half-edges, L1, L2, L3, V1, V2 and B1 hold; there are as many components as are counted, and their genera add up to
+    the genus that is claimed: counting one of each rotation, cycle, edge and component, V + cycles + 2 · genus = E + 2 · components. *)
+
+Theorem surface_sound t position step component rank border genus :
+  surface_accepts t position step component rank border genus ->
   [/\ is_map t, v1_leaving t, v2_rotation t, b1_cycle t
     & exists vs cs es ps, [/\ lists_one_of_each vs (on_orbit (turn t)) (half_edge t), lists_one_of_each cs (on_cycle t) (half_edge t),
         lists_one_of_each es (same_edge t) (half_edge t), lists_one_of_each ps (reached (near t)) (half_edge t)
-        & size vs + size cs + genus.*2 = size es + (size ps).*2]].
+        & size ps = component_count t component /\ size vs + size cs + genus.*2 = size es + (component_count t component).*2]].
 Proof.
 move=> ok; split; [exact: surface_map ok|exact: surface_v1 ok|exact: surface_v2 ok|exact: surface_b1 ok|].
 have [es [He eq]] := surface_formula ok; exists (rotations t), (cycles t), es, (component_roots t component); split=> //.
 - exact: surface_rotations ok.
 - exact: surface_cycles ok.
 exact: roots_each ok.
+Qed.
+
+(** Each face has one boundary component, and each boundary component has a face of its own, or is a hole. At a vertex one
+    half-edge of a hole starts at most, and on its other side is a face: the faces are a surface of which the holes are the border. *)
+
+Theorem surface_border_sound t position step component rank border genus :
+  surface_accepts t position step component rank border genus ->
+  [/\ forall f, face t f -> exists2 b, outer t f = Some b & boundary_face t b = Some f,
+      forall b f, boundary_face t b = Some f -> outer t f = Some b,
+      forall g h, half_edge t g -> half_edge t h -> in_hole t g -> in_hole t h -> origin t g = origin t h -> g = h
+    & forall h g, in_hole t h -> twin t h = Some g -> ~~ in_hole t g].
+Proof.
+move=> ok; split; [exact: surface_face ok|exact: surface_outer ok|exact: surface_border ok|exact: surface_hole_twin ok].
 Qed.

@@ -74,13 +74,35 @@ Check labels_complete : forall t, rules t -> exists rank, accepts t rank.
 
 Check labels_mean_subdivision : forall t, (exists rank, accepts t rank) <-> exists s, represents t s.
 
-(** Closed surfaces, whose genera add up to [genus]. *)
+(** Surfaces, whose genera add up to [genus]; some of their faces may be holes, which are their border. *)
 
-Check surface_sound : forall t position step component rank genus, surface_accepts t position step component rank genus ->
+Check surface_sound : forall t position step component rank border genus,
+  surface_accepts t position step component rank border genus ->
   [/\ Map.is_map t, v1_leaving t, v2_rotation t, b1_cycle t
     & exists vs cs es ps, [/\ lists_one_of_each vs (on_orbit (View.turn t)) (half_edge t), lists_one_of_each cs (on_cycle t) (half_edge t),
         lists_one_of_each es (same_edge t) (half_edge t), lists_one_of_each ps (LoopsProof.reached (near t)) (half_edge t)
-        & size vs + size cs + genus.*2 = size es + (size ps).*2]].
+        & size ps = component_count t component /\ size vs + size cs + genus.*2 = size es + (component_count t component).*2]].
+
+Check surface_border_sound : forall t position step component rank border genus,
+  surface_accepts t position step component rank border genus ->
+  [/\ forall f, face t f -> exists2 b, outer t f = Some b & boundary_face t b = Some f,
+      forall b f, boundary_face t b = Some f -> outer t f = Some b,
+      forall g h, half_edge t g -> half_edge t h -> in_hole t g -> in_hole t h -> origin t g = origin t h -> g = h
+    & forall h g, in_hole t h -> twin t h = Some g -> ~~ in_hole t g].
+
+(** The same of what is in a folder with the verdict "valid", and the genus, components and holes that are printed. *)
+
+Check valid_is_surface : forall o, judge_surface o = Valid -> let t := surface_view_in o in
+  [/\ Map.is_map t, v1_leaving t, v2_rotation t, b1_cycle t
+    & exists vs cs es ps, [/\ lists_one_of_each vs (on_orbit (View.turn t)) (half_edge t), lists_one_of_each cs (on_cycle t) (half_edge t),
+        lists_one_of_each es (same_edge t) (half_edge t), lists_one_of_each ps (LoopsProof.reached (near t)) (half_edge t)
+        & size ps = surface_components o /\ size vs + size cs + (surface_genus o).*2 = size es + (surface_components o).*2]].
+
+Check valid_has_border : forall o, judge_surface o = Valid -> let t := surface_view_in o in
+  [/\ forall f, face t f -> exists2 b, outer t f = Some b & boundary_face t b = Some f,
+      forall b f, boundary_face t b = Some f -> outer t f = Some b,
+      forall g h, half_edge t g -> half_edge t h -> in_hole t g -> in_hole t h -> origin t g = origin t h -> g = h
+    & forall h g, in_hole t h -> twin t h = Some g -> ~~ in_hole t g].
 
 (** What is in a folder with the verdict "valid" keeps all rules, and represents a planar subdivision. *)
 

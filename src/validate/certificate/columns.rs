@@ -90,6 +90,8 @@ columns! {
     HalfEdgeStep "half_edge_step",
     /// On surfaces: the half-edge that is the root of the component.
     HalfEdgeComponent "half_edge_component",
+    /// On surfaces: the half-edge of a hole that leaves the vertex, or nil.
+    VertexBorder "vertex_border",
 }
 
 impl Column {
@@ -97,6 +99,27 @@ impl Column {
     #[must_use]
     pub fn of_subdivision() -> &'static [Self] {
         &Self::ALL[..Self::DartTwin as usize]
+    }
+
+    /// The columns of a certificate of surfaces.
+    #[must_use]
+    pub fn of_surface() -> &'static [Self] {
+        &[
+            Self::HalfEdgeOrigin,
+            Self::HalfEdgeTwin,
+            Self::HalfEdgeNext,
+            Self::HalfEdgePrev,
+            Self::HalfEdgeBoundary,
+            Self::HalfEdgeRank,
+            Self::VertexLeaving,
+            Self::BoundaryFace,
+            Self::BoundaryStart,
+            Self::FaceOuter,
+            Self::HalfEdgeTurn,
+            Self::HalfEdgeStep,
+            Self::HalfEdgeComponent,
+            Self::VertexBorder,
+        ]
     }
 
     /// The columns that a [`Drawing`](super::Drawing) has.

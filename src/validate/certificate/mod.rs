@@ -25,7 +25,7 @@
 //! The tests are those of `proofs/coq/CERTIFICATE.md`, which has the reason why they are enough. It is proved in Coq, for every
 //! size: what passes keeps all rules (`labels_sound`), and whatever keeps all rules has labels with which it passes
 //! (`labels_complete`). The proved checker, extracted from the proof, reads the same certificates from files, which the program
-//! `twinedge certify` writes: a [`Certificate`] has these files as columns.
+//! `twinedge certify` writes: a [`Certificate`] or [`SurfaceCertificate`] has these files as columns.
 //!
 //! # Parts that are not stored
 //!
@@ -40,6 +40,7 @@
 //!
 //! [`Labels::of_surface`] and [`check_surface`] do the same for structures on closed surfaces, meshes above all, with the sum of the genera. Where the
 //! genus is not 0, Euler's formula does not say that a vertex has one rotation and a face one cycle; positions do.
+//! A [`SurfaceCertificate`] has the structure and its labels as columns, and may be open: cycles along the border are marked as holes.
 //!
 //! # Drawings
 //!
@@ -53,17 +54,20 @@
 
 mod answers;
 mod check;
+mod closed;
 mod columns;
 mod drawing;
 mod labels;
 mod saved;
 mod surface;
 mod surface_labels;
+mod surface_saved;
 mod test;
 
 pub use check::check;
 pub use columns::{Column, Labels, LabelsError};
 pub use drawing::{Drawing, check_drawing};
 pub use saved::Certificate;
-pub use surface::check_surface;
+pub use surface::{SurfaceCounts, check_surface};
+pub use surface_saved::SurfaceCertificate;
 pub use test::{Failure, Test};

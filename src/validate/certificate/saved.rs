@@ -24,7 +24,7 @@ use alloc::vec::Vec;
 #[derive(Clone, Debug, Default, PartialEq, Eq)]
 #[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 pub struct Certificate {
-    columns: Labels,
+    pub(super) columns: Labels,
 }
 
 impl Certificate {
@@ -106,8 +106,7 @@ impl Certificate {
             &[Column::BoundaryFace, Column::BoundaryStart, Column::BoundaryVertex, Column::BoundaryPlace],
             &[Column::FaceOuter, Column::FaceEnd],
         ];
-        let length = |column: &Column| columns.column(*column).len();
-        let fits = kinds.iter().all(|kind| kind.windows(2).all(|pair| length(&pair[0]) == length(&pair[1])));
+        let fits = kinds.iter().all(|kind| have_one_length(&columns, kind));
         fits.then_some(Self { columns })
     }
 
@@ -131,8 +130,12 @@ impl Certificate {
     }
 }
 
+pub(super) fn have_one_length(columns: &Labels, kind: &[Column]) -> bool {
+    kind.windows(2).all(|pair| columns.column(pair[0]).len() == columns.column(pair[1]).len())
+}
+
 /// A link as a number.
-fn number(link: Link) -> u32 {
+pub(super) fn number(link: Link) -> u32 {
     match link {
         None => NIL,
         Some(to) => u32::try_from(to).unwrap_or(DEAD).min(DEAD),

@@ -87,9 +87,11 @@ tests! {
     StepOk "step_ok" of "half-edges",
     /// On surfaces: neighbours have the same component, and one of them a lower rank, but for the root.
     ComponentOk "component_ok" of "half-edges",
+    /// On open surfaces: a half-edge of a hole is the only one that leaves its origin, and its twin bounds a face.
+    BorderOk "border_ok" of "half-edges",
     /// On surfaces: the half-edge that a vertex keeps leaves it.
     SurfaceVertexOk "surface_vertex_ok" of "vertices",
-    /// On surfaces: the boundary component starts with one of its half-edges, and is the outer one of its face.
+    /// On surfaces: the boundary component starts with one of its half-edges, and is the outer one of its face; or it is a hole.
     SurfaceBoundaryOk "surface_boundary_ok" of "boundary components",
     /// On surfaces: the outer boundary component of the face names it.
     SurfaceFaceOk "surface_face_ok" of "faces",
