@@ -3,6 +3,9 @@
 use std::fmt;
 use twinedge::validate::{Expectation, Rule, Surface};
 
+/// Begins a comment that says what the tables below it are held to.
+pub(crate) const EXPECT: &str = "# expect:";
+
 /// The way in which a rule is asked for: by its word alone, or with a number.
 #[derive(Clone, Copy)]
 enum Ask {

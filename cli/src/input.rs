@@ -166,7 +166,7 @@ fn progress(bytes: u64) -> ProgressBar {
 #[derive(Debug, clap::Args)]
 pub(crate) struct MapFile {
     /// A file of GeoJSON, newline-delimited GeoJSON, TopoJSON, well-known text or binary, a Shapefile, a GeoPackage or FlatGeobuf,
-    /// or `-` for standard input; also in a zip archive or as gzip data. `audit` takes meshes as well: OBJ, OFF, PLY, STL. Default: the
+    /// or `-` for standard input; also in a zip archive or as gzip data. `audit` and `certify` take meshes as well: OBJ, OFF, PLY, STL. Default: the
     /// built-in map of the world.
     file: Option<PathBuf>,
 
@@ -251,7 +251,7 @@ impl MapFile {
         let mut input = self.open()?;
         if let Some(format) = input.mesh_format()? {
             return Err(Failure(format!(
-                "{}: this is a mesh ({format}); only `twinedge audit` takes meshes",
+                "{}: this is a mesh ({format}); only `twinedge audit` and `twinedge certify` take meshes",
                 input.name
             )));
         }

@@ -1,6 +1,6 @@
 //! The kinds of inputs, and the options that each takes.
 
-use super::arguments::{Audit, Run};
+use super::arguments::Run;
 use super::destination::ReportFormat;
 use super::table_file::is_table_file;
 use super::textbook::is_textbook;
@@ -11,7 +11,7 @@ use twinedge_formats::postgis::is_copy;
 
 /// The kind of an input.
 #[derive(Clone, Copy, Debug)]
-pub(super) enum InputKind {
+pub(crate) enum InputKind {
     Map,
     Mesh(MeshFormat),
     /// The three tables of a textbook.
@@ -63,11 +63,11 @@ impl Options {
 }
 
 impl InputKind {
-    /// By what was asked for, or else by how the input begins.
-    pub(super) fn of(asked: &Audit, input: &mut Input) -> Result<Self, Failure> {
-        Ok(if asked.postgis || is_copy(input.beginning()?) {
+    /// By what was asked for, `--postgis` or `--arcs`, or else by how the input begins.
+    pub(crate) fn of(postgis: bool, arcs: bool, input: &mut Input) -> Result<Self, Failure> {
+        Ok(if postgis || is_copy(input.beginning()?) {
             Self::Postgis
-        } else if asked.arcs {
+        } else if arcs {
             Self::Arcs
         } else if is_textbook(input.beginning()?) {
             Self::Textbook
@@ -76,6 +76,11 @@ impl InputKind {
         } else {
             input.mesh_format()?.map_or(Self::Map, Self::Mesh)
         })
+    }
+
+    /// The kind in words.
+    pub(crate) const fn words(self) -> &'static str {
+        self.options().0
     }
 
     /// The kind in words, and the options that it takes.

@@ -20,17 +20,17 @@ mod topology_file;
 mod write;
 
 pub(crate) use arguments::Audit;
+pub(crate) use input_kind::InputKind;
 
 use crate::status::{Failure, Verdict};
 use arguments::Run;
-use input_kind::InputKind;
 use std::time::Instant;
 
 impl Audit {
     pub(crate) fn run(&self) -> Result<Verdict, Failure> {
         let start = Instant::now();
         let mut input = self.map.open()?;
-        let kind = InputKind::of(self, &mut input)?;
+        let kind = InputKind::of(self.postgis, self.arcs, &mut input)?;
         let run = &Run { asked: self, to: self.destination.destination(self.map.path())?, start };
         kind.refuse_options(run, &input.name)?;
         match kind {

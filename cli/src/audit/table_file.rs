@@ -3,7 +3,7 @@
 use super::arguments::Run;
 use super::destination::ReportFormat;
 use crate::diagnosis_text::{write, write_explanations, write_more};
-use crate::expectation_text::parse;
+use crate::expectation_text::{EXPECT, parse};
 use crate::input::Input;
 use crate::output::style::{BAD, GOOD};
 use crate::output::{counted, grouped, plain};
@@ -22,9 +22,6 @@ pub(super) fn is_table_file(beginning: &[u8]) -> bool {
     let mut lines = lines.skip_while(|line| line.starts_with('#') && !line.starts_with(EXPECT));
     lines.next().is_some_and(|line| line.starts_with(EXPECT) || line.starts_with("P ") || line.starts_with("V "))
 }
-
-/// Begins a comment that says what the tables below it are held to.
-const EXPECT: &str = "# expect:";
 
 /// No line may be longer, in bytes.
 const LONGEST_LINE: u64 = 1 << 30;

@@ -1,28 +1,33 @@
 //! `twinedge certify`: a certificate is written.
 
-use super::check::{certified, lines};
-use super::folder::Folder;
+use super::check::lines;
+use super::folder::{Claim, Folder};
+use super::source::{self, Source};
 use super::sql_folder::{self, Engine};
-use crate::input::MapFile;
+use crate::audit::InputKind;
+use crate::input::{Input, MapFile};
+use crate::noted::Keep;
 use crate::output::{counted, print};
 use crate::progress::busy;
 use crate::status::{Failure, Verdict};
-use std::io::BufRead;
 use std::path::PathBuf;
 use twinedge::map::certificate;
-use twinedge::validate::certificate::{Certificate, Drawing, Labels, check_drawing};
-use twinedge::validate::{Table, View};
+use twinedge::validate::View;
+use twinedge::validate::certificate::{Certificate, Drawing, Labels, LabelsError, SurfaceCertificate};
 
-/// Write a certificate: labels by which anyone can check that a map is a planar subdivision, and drawn without crossings.
+/// Write a certificate: labels by which anyone can check that a map is a planar subdivision, and drawn without crossings; or that a mesh is a
+/// surface.
 ///
-/// `twinedge check` checks it, and so does a program that is proved in Coq: `proofs/coq/certified`. Neither has to trust what wrote
-/// it.
+/// It takes what `twinedge audit` takes, but the arcs of TopoJSON: maps, meshes, topologies of PostGIS, and tables. `twinedge check`
+/// checks it, and so does a program that is proved in Coq: `proofs/coq/certified`. Neither has to trust what wrote it.
 #[derive(Debug, clap::Args)]
 #[command(after_help = "Examples:
   twinedge certify parcels.geojson -o parcels.cert
   twinedge certify world.geojson --snap auto -o world.cert        coordinates in decimals lie on a grid once they are snapped
   twinedge certify parcels.geojson --topology-only -o parcels.cert
   twinedge certify parcels.geojson --sql duckdb -o parcels.cert
+  twinedge certify bunny.obj -o bunny.cert                        a mesh: its genus, components and holes
+  twinedge postgis --sql city_data | psql -X mydatabase | twinedge certify --postgis - -o city.cert
   twinedge certify --table map.txt -o map.cert                    a table as `twinedge audit` reads it: the first one
 
 Exit status: 0 the certificate is written; 1 the input is not valid, and the tests that would fail are printed; 2 it could not be \
@@ -35,48 +40,58 @@ pub(crate) struct Certify {
     #[arg(short, long, value_name = "FOLDER")]
     output: PathBuf,
 
-    /// Leave the coordinates out: the certificate says that the structure is that of a planar subdivision.
+    /// Leave the coordinates out: the certificate says that the structure is that of a planar subdivision. Only maps have them in their
+    /// certificates.
     #[arg(long)]
     topology_only: bool,
 
-    /// Write tables in CSV, too, and `check.sql`, which has each test as a query in this dialect.
+    /// Write tables in CSV, too, and `check.sql`, which has each test as a query in this dialect. Not of surfaces.
     #[arg(long, value_name = "ENGINE", value_enum)]
     sql: Option<Engine>,
 
-    /// The input is a table, and has no coordinates.
+    /// The input is a topology of PostGIS, as `psql` writes it after `twinedge postgis --sql NAME`. (It is recognised without this, too;
+    /// with it nothing else is accepted.)
+    #[arg(long, conflicts_with = "table")]
+    postgis: bool,
+
+    /// The input is a table, and has no coordinates. (It is recognised without this, too.)
     #[arg(long)]
     table: bool,
 }
 
 impl Certify {
     pub(crate) fn run(&self) -> Result<Verdict, Failure> {
-        if self.table {
-            let (name, table) = self.read_table()?;
-            return self.certify(&name, &table, None);
+        let mut input = self.map.open()?;
+        let kind = if self.table { InputKind::Tables } else { InputKind::of(self.postgis, false, &mut input)? };
+        let name = input.name.clone();
+        if matches!(kind, InputKind::Map) {
+            return self.certify_map(input);
         }
-        let imported = self.map.build()?;
+        if self.map.is_snapped() {
+            return Err(Failure(format!("{name}: --snap is for maps, and this is {}", kind.words())));
+        }
+        source::read(input, kind, &|source| match source {
+            Source::Plane(view) => self.certify_plane(&name, view, None),
+            Source::Surface(view) => self.certify_surface(&name, view),
+            Source::Wrong(lines) => refuse(&name, &lines),
+        })
+    }
+
+    fn certify_map(&self, input: Input) -> Result<Verdict, Failure> {
+        let imported = self.map.build_from(input, Keep::default())?;
         let (name, map) = (imported.name, imported.map);
         if self.topology_only {
-            return self.certify(&name, &map, None);
+            return self.certify_plane(&name, &map, None);
         }
         let remedy = "`twinedge audit` says what is wrong, --snap auto puts the map on a grid, --topology-only leaves coordinates out";
         let drawing = busy("triangulating the map", || certificate::draw(&map));
         let drawing = drawing.map_err(|error| Failure(format!("{name}: {error}; {remedy}")))?;
-        self.certify(&name, &map, Some(drawing))
+        self.certify_plane(&name, &map, Some(drawing))
     }
 
-    /// Makes the labels, checks the certificate, and writes it.
-    fn certify(&self, name: &str, view: &dyn View, drawing: Option<Drawing>) -> Result<Verdict, Failure> {
-        let labels = Labels::new(view).map_err(|error| Failure(format!("{name}: {error}")))?;
-        let certificate = Certificate::new(view, &labels).map_err(|error| Failure(format!("{name}: {error}")))?;
-        let checked = match &drawing {
-            Some(drawing) => check_drawing(&certificate, certificate.columns(), drawing),
-            None => certificate.check(),
-        };
-        if let Err(failures) = checked {
-            print(&format!("{name}: not valid, nothing is written\n{}", lines(&failures)))?;
-            return Ok(Verdict::Wrong);
-        }
+    fn certify_plane(&self, name: &str, view: &dyn View, drawing: Option<Drawing>) -> Result<Verdict, Failure> {
+        let labels = Labels::new(view).map_err(|error| no_labels(name, error))?;
+        let certificate = Certificate::new(view, &labels).map_err(|error| no_labels(name, error))?;
         let counts = [
             counted((0..view.vertex_slots()).filter(|v| view.is_vertex(*v)).count(), "vertex"),
             counted((0..view.half_edge_slots()).filter(|h| view.is_half_edge(*h)).count(), "half-edge"),
@@ -84,30 +99,46 @@ impl Certify {
         ]
         .join(", ");
         let grid = drawing.as_ref().map_or_else(String::new, |drawing| format!("unit 2^{}\n", drawing.exponent));
-        let notes = format!("of {}\n{counts}\n{grid}by twinedge {}\n", name.escape_debug(), env!("CARGO_PKG_VERSION"));
-        let claim = certified(drawing.is_some());
-        let folder = Folder { certificate, drawing };
-        folder.write(&self.output, &notes)?;
-        if let Some(engine) = self.sql {
-            sql_folder::write(&self.output, &folder, engine)?;
-        }
-        print(&format!("{}: certificate that {name} is {claim}: {counts}\n", self.output.display()))?;
-        Ok(Verdict::Sound)
+        self.write(name, &Claim::Plane(Folder { certificate, drawing }), &counts, &grid)
     }
 
-    /// The first table of a file.
-    fn read_table(&self) -> Result<(String, Table), Failure> {
-        let input = self.map.open()?;
-        for line in input.reader.lines() {
-            let line = line.map_err(|error| Failure(format!("{}: {error}", input.name)))?;
-            let text = line.trim();
-            if !text.is_empty() && !text.starts_with('#') {
-                // A verdict may follow the table.
-                let text = text.split_once('=').map_or(text, |(table, _)| table);
-                let table = text.trim().parse().map_err(|error| Failure(format!("{}: {error}", input.name)))?;
-                return Ok((input.name, table));
-            }
+    fn certify_surface(&self, name: &str, view: &dyn View) -> Result<Verdict, Failure> {
+        if self.sql.is_some() {
+            return Err(Failure(format!("{name}: --sql is for maps of the plane, and this is a surface")));
         }
-        Err(Failure(format!("{}: no table", input.name)))
+        let certificate = SurfaceCertificate::new(view).map_err(|error| no_labels(name, error))?;
+        let counts = certificate.check().map_or_else(
+            |_| String::new(),
+            |counts| {
+                let numbers = [(counts.vertices, "vertex"), (counts.edges, "edge"), (counts.faces, "face")];
+                numbers.map(|(count, name)| counted(count, name)).join(", ")
+            },
+        );
+        self.write(name, &Claim::Surface(certificate), &counts, "")
     }
+
+    /// Checks the certificate, and writes it if it is right.
+    fn write(&self, name: &str, claim: &Claim, counts: &str, notes: &str) -> Result<Verdict, Failure> {
+        let words = match claim.check() {
+            Ok(words) => words,
+            Err(failures) => return refuse(name, &lines(&failures)),
+        };
+        let notes = format!("of {}\n{counts}\n{notes}by twinedge {}\n", name.escape_debug(), env!("CARGO_PKG_VERSION"));
+        claim.write(&self.output, &notes)?;
+        if let (Some(engine), Claim::Plane(folder)) = (self.sql, claim) {
+            sql_folder::write(&self.output, folder, engine)?;
+        }
+        print(&format!("{}: certificate that {name} is {words}: {counts}\n", self.output.display()))?;
+        Ok(Verdict::Sound)
+    }
+}
+
+fn no_labels(name: &str, error: LabelsError) -> Failure {
+    Failure(format!("{name}: {error}"))
+}
+
+/// Says of an input, line by line, what is wrong.
+fn refuse(name: &str, lines: &str) -> Result<Verdict, Failure> {
+    print(&format!("{name}: not valid, nothing is written\n{lines}"))?;
+    Ok(Verdict::Wrong)
 }

@@ -1,12 +1,12 @@
 //! `twinedge check`: a certificate is checked.
 
-use super::folder::Folder;
+use super::folder::Claim;
 use crate::output::print;
 use crate::status::{Failure, Verdict};
 use std::path::PathBuf;
-use twinedge::validate::certificate::{Failure as FailedTest, Test, check_drawing};
+use twinedge::validate::certificate::{Failure as FailedTest, Test};
 
-/// Check a certificate: whether what is in a folder is a planar subdivision.
+/// Check a certificate: whether what is in a folder is a planar subdivision, or a surface.
 ///
 /// The check is a scan that looks at each record once. It shares no code with `twinedge audit`, and prints the same lines as the checker
 /// that is proved in Coq (`proofs/coq/certified`).
@@ -25,14 +25,9 @@ pub(crate) struct Check {
 
 impl Check {
     pub(crate) fn run(&self) -> Result<Verdict, Failure> {
-        let Folder { certificate, drawing } = Folder::read(&self.folder)?;
-        let checked = match &drawing {
-            Some(drawing) => check_drawing(&certificate, certificate.columns(), drawing),
-            None => certificate.check(),
-        };
-        match checked {
-            Ok(()) => {
-                print(&format!("valid: {}\n", certified(drawing.is_some())))?;
+        match Claim::read(&self.folder)?.check() {
+            Ok(claim) => {
+                print(&format!("valid: {claim}\n"))?;
                 Ok(Verdict::Sound)
             }
             Err(failures) if failures.iter().any(|failure| failure.test() == Test::Readable) => {
@@ -47,11 +42,6 @@ impl Check {
             }
         }
     }
-}
-
-/// The claim, in words.
-pub(super) const fn certified(is_drawing: bool) -> &'static str {
-    if is_drawing { "a plane subdivision, drawn without crossings" } else { "a plane subdivision" }
 }
 
 /// A line for each test that failed.

@@ -3,22 +3,55 @@
 use crate::status::Failure;
 use std::fs;
 use std::path::Path;
-use twinedge::validate::certificate::{Certificate, Column, Drawing, Labels};
+use twinedge::validate::certificate::{
+    Certificate, Column, Drawing, Failure as FailedTest, Labels, SurfaceCertificate, check_drawing,
+};
 
 /// The first line of `claim.txt`; the second one is the claim.
 const FIRST_LINE: &str = "twinedge certificate 1\n";
 const PLANE: &str = "plane\n";
 const DRAWING: &str = "drawing\n";
+const SURFACE: &str = "surface\n";
 const CLAIM_FILE: &str = "claim.txt";
 
-/// A certificate as it is in a folder.
+/// A certificate by its claim.
+pub(super) enum Claim {
+    /// The claims `plane` and `drawing`.
+    Plane(Folder),
+    /// The claim `surface`.
+    Surface(SurfaceCertificate),
+}
+
+/// A certificate of a plane subdivision as it is in a folder.
 pub(super) struct Folder {
     pub(super) certificate: Certificate,
     /// With the claim `drawing`.
     pub(super) drawing: Option<Drawing>,
 }
 
-impl Folder {
+impl Claim {
+    /// Checks the certificate, and gives the claim in words, or the tests that fail.
+    pub(super) fn check(&self) -> Result<String, Vec<FailedTest>> {
+        let plane = "a plane subdivision";
+        match self {
+            Self::Plane(Folder { certificate, drawing: None }) => certificate.check().map(|()| plane.to_owned()),
+            Self::Plane(Folder { certificate, drawing: Some(drawing) }) => {
+                let checked = check_drawing(certificate, certificate.columns(), drawing);
+                checked.map(|()| format!("{plane}, drawn without crossings"))
+            }
+            Self::Surface(certificate) => certificate.check().map(|counts| counts.to_string()),
+        }
+    }
+
+    /// The second line of its claim.
+    const fn line(&self) -> &'static str {
+        match self {
+            Self::Plane(Folder { drawing: None, .. }) => PLANE,
+            Self::Plane(Folder { drawing: Some(_), .. }) => DRAWING,
+            Self::Surface(_) => SURFACE,
+        }
+    }
+
     /// Writes all columns, and then the claim with these notes below it. What was there of another certificate is overwritten.
     pub(super) fn write(&self, folder: &Path, notes: &str) -> Result<(), Failure> {
         fs::create_dir_all(folder).map_err(|error| Failure(format!("{}: {error}", folder.display())))?;
@@ -32,41 +65,46 @@ impl Folder {
         if has_other_files {
             fs::remove_file(&claim)?;
         }
-        let columns = self.certificate.columns();
-        for column in Column::of_subdivision() {
-            write_column(folder, *column, columns.column(*column))?;
+        match self {
+            Self::Plane(plane) => plane.write(folder)?,
+            Self::Surface(surface) => write_columns(folder, Column::of_surface(), surface.columns())?,
         }
+        write_file(&claim, format!("{FIRST_LINE}{}{notes}", self.line()).as_bytes())
+    }
+
+    /// Reads a folder. What is not readable, as the specification says, is a failure.
+    pub(super) fn read(folder: &Path) -> Result<Self, Failure> {
+        let file = folder.join(CLAIM_FILE);
+        let claim = read_file(&file)?;
+        let claimed = claim.strip_prefix(FIRST_LINE.as_bytes()).unwrap_or_default();
+        let claims = |line: &str| claimed.starts_with(line.as_bytes());
+        let lengths = || Failure(format!("{}: columns of one kind of record have different lengths", folder.display()));
+        if claims(SURFACE) {
+            let columns = read_columns(folder, Column::of_surface())?;
+            return SurfaceCertificate::from_columns(columns).map(Self::Surface).ok_or_else(lengths);
+        }
+        if !claims(PLANE) && !claims(DRAWING) {
+            return Err(Failure(format!("{}: no claim that is known", file.display())));
+        }
+        let columns = read_columns(folder, Column::of_subdivision())?;
+        let certificate = Certificate::from_columns(columns).ok_or_else(lengths)?;
+        let drawing = if claims(DRAWING) { Some(read_drawing(folder)?) } else { None };
+        Ok(Self::Plane(Folder { certificate, drawing }))
+    }
+}
+
+impl Folder {
+    /// Writes all columns.
+    fn write(&self, folder: &Path) -> Result<(), Failure> {
+        write_columns(folder, Column::of_subdivision(), self.certificate.columns())?;
         if let Some(drawing) = &self.drawing {
-            for column in Column::of_drawing() {
-                write_column(folder, *column, drawing.columns.column(*column))?;
-            }
+            write_columns(folder, Column::of_drawing(), &drawing.columns)?;
             for (axis, name) in ["point_x.i64", "point_y.i64"].into_iter().enumerate() {
                 let bytes: Vec<u8> = drawing.points.iter().flat_map(|point| point[axis].to_le_bytes()).collect();
                 write_file(&folder.join(name), &bytes)?;
             }
         }
-        let claimed = if self.drawing.is_some() { DRAWING } else { PLANE };
-        write_file(&claim, format!("{FIRST_LINE}{claimed}{notes}").as_bytes())
-    }
-
-    /// Reads a folder. What is not readable, as the specification says, is a failure.
-    pub(super) fn read(folder: &Path) -> Result<Self, Failure> {
-        let claim = read_file(&folder.join(CLAIM_FILE))?;
-        let claimed = claim.strip_prefix(FIRST_LINE.as_bytes());
-        let is_drawing = match claimed {
-            Some(line) if line.starts_with(DRAWING.as_bytes()) => true,
-            Some(line) if line.starts_with(PLANE.as_bytes()) => false,
-            _ => {
-                let file = folder.join(CLAIM_FILE);
-                return Err(Failure(format!("{}: no claim that is known", file.display())));
-            }
-        };
-        let columns = read_columns(folder, Column::of_subdivision())?;
-        let certificate = Certificate::from_columns(columns).ok_or_else(|| {
-            Failure(format!("{}: columns of one kind of record have different lengths", folder.display()))
-        })?;
-        let drawing = if is_drawing { Some(read_drawing(folder)?) } else { None };
-        Ok(Self { certificate, drawing })
+        Ok(())
     }
 }
 
@@ -97,9 +135,12 @@ fn read_columns(folder: &Path, wanted: &[Column]) -> Result<Labels, Failure> {
     Ok(columns)
 }
 
-fn write_column(folder: &Path, column: Column, numbers: &[u32]) -> Result<(), Failure> {
-    let bytes: Vec<u8> = numbers.iter().flat_map(|number| number.to_le_bytes()).collect();
-    write_file(&folder.join(file_name(column)), &bytes)
+fn write_columns(folder: &Path, wanted: &[Column], columns: &Labels) -> Result<(), Failure> {
+    for column in wanted {
+        let bytes: Vec<u8> = columns.column(*column).iter().flat_map(|number| number.to_le_bytes()).collect();
+        write_file(&folder.join(file_name(*column)), &bytes)?;
+    }
+    Ok(())
 }
 
 fn file_name(column: Column) -> String {

@@ -3,6 +3,7 @@
 mod certify;
 mod check;
 mod folder;
+mod source;
 mod sql_folder;
 
 pub(crate) use certify::Certify;

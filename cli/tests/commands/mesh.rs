@@ -166,7 +166,10 @@ fn commands_about_maps_say_that_a_mesh_is_one() {
         let output = twinedge(arguments);
         assert_eq!(output.status.code(), Some(2), "{arguments:?}");
         let words = complaint(&output);
-        assert!(words.contains("this is a mesh (OBJ); only `twinedge audit` takes meshes"), "{words}");
+        assert!(
+            words.contains("this is a mesh (OBJ); only `twinedge audit` and `twinedge certify` take meshes"),
+            "{words}"
+        );
     }
 }
 

@@ -5,6 +5,7 @@ use super::containing::containing;
 use super::error::ReadError;
 use super::finding::{Finding, Findings, RULES};
 use super::lines::{Drawing, Lines};
+use super::listed::Listed;
 use super::mbr::Mbr;
 use super::mend::Mender;
 use super::message::{message, unit};
@@ -12,54 +13,8 @@ use super::topology::Topology;
 use crate::diagnosis::{Diagnosis, Kind, Position, Reason, Records, RuleLine, Trace, middle};
 use crate::topology_audit::{TopologyAudit, TopologyCounts};
 use std::collections::BTreeSet;
-use twinedge::delegate_view;
-use twinedge::geometry::Point;
-use twinedge::validate::adapt::FaceLabels;
-use twinedge::validate::{
-    Collect, Embedding, Expectation, Part, Parts, Record, Report, Rule, RuleOutcome, Start, View, Violation,
-};
+use twinedge::validate::{Collect, Embedding, Expectation, Record, Report, Rule, RuleOutcome, View, Violation};
 use twinedge::validate::{places, validate, validate_embedding};
-
-/// The topology with what its columns imply: the lists of the faces.
-struct Listed<'a> {
-    labels: FaceLabels<&'a Topology>,
-    topology: &'a Topology,
-}
-
-impl View for Listed<'_> {
-    delegate_view!(|this| &this.labels; except parts, inner_count, inner_start);
-
-    /// Faces with holes, and face 0 as the unbounded one: F1 is broken where there is no row for it.
-    fn parts(&self) -> Parts {
-        Parts::NONE.with(Part::UnboundedFace)
-    }
-
-    fn inner_count(&self, face: usize) -> usize {
-        self.labels.inner_count(face) + self.topology.contained(face).len()
-    }
-
-    fn inner_start(&self, face: usize, position: usize) -> Option<Start> {
-        let holes = self.labels.inner_count(face);
-        match position.checked_sub(holes) {
-            None => self.labels.inner_start(face, position),
-            Some(i) => self.topology.contained(face).get(i).map(|(_, node)| Start::Vertex(*node as usize)),
-        }
-    }
-}
-
-impl Embedding for Listed<'_> {
-    fn point(&self, vertex: usize) -> Point {
-        self.topology.point(vertex)
-    }
-
-    fn bends(&self, half_edge: usize) -> usize {
-        self.topology.bends(half_edge)
-    }
-
-    fn bend(&self, half_edge: usize, bend: usize) -> Point {
-        self.topology.bend(half_edge, bend)
-    }
-}
 
 const GEOMETRIC: [Rule; 5] = [Rule::G1, Rule::G2, Rule::G3, Rule::G4, Rule::G5];
 
@@ -82,8 +37,7 @@ const GEOMETRIC: [Rule; 5] = [Rule::G1, Rule::G2, Rule::G3, Rule::G4, Rule::G5];
 /// # Ok::<(), twinedge_formats::postgis::ReadError>(())
 /// ```
 pub fn audit(topology: &Topology, limit: usize) -> Result<TopologyAudit, ReadError> {
-    let labels = FaceLabels::with_holes(topology, topology.universe()).ok_or(ReadError::OutOfMemory)?;
-    let view = Listed { labels, topology };
+    let view = Listed::of(topology)?;
     let collect = Collect::AtMost(limit);
     let report = if topology.findings.counts[1] == 0 {
         validate_embedding(&view, &Expectation::plane(), collect)

@@ -54,12 +54,18 @@ pub struct SurfaceCounts {
     pub components: usize,
     /// The number of holes, which is that of border loops.
     pub holes: usize,
+    /// The number of vertices with edges.
+    pub vertices: usize,
+    /// The number of edges.
+    pub edges: usize,
+    /// The number of faces.
+    pub faces: usize,
 }
 
 /// In the words of Coq's checker.
 impl fmt::Display for SurfaceCounts {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        let Self { genus, components, holes } = self;
+        let Self { genus, components, holes, .. } = self;
         let plural = |count: usize| if count == 1 { "" } else { "s" };
         write!(f, "a surface of genus {genus} with {components} component{}, ", plural(*components))?;
         match holes {
@@ -83,7 +89,14 @@ impl Sums {
     /// The genus is the one that fits, if there is one.
     pub(super) const fn counts(&self) -> SurfaceCounts {
         let genus = (self.half_edges + 4 * self.roots).saturating_sub(2 * (self.rotations + self.cycles)) / 4;
-        SurfaceCounts { genus: genus as usize, components: self.roots as usize, holes: self.holes as usize }
+        SurfaceCounts {
+            genus: genus as usize,
+            components: self.roots as usize,
+            holes: self.holes as usize,
+            vertices: self.rotations as usize,
+            edges: (self.half_edges / 2) as usize,
+            faces: self.cycles.saturating_sub(self.holes) as usize,
+        }
     }
 
     pub(super) const fn fit(&self, genus: usize) -> bool {

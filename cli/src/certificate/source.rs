@@ -1,0 +1,98 @@
+//! Structures that are certified as they are: meshes, topologies of PostGIS, and tables.
+
+use crate::audit::InputKind;
+use crate::expectation_text::{EXPECT, parse};
+use crate::input::Input;
+use crate::status::{Failure, Verdict};
+use std::fmt::Display;
+use std::io::{BufRead, Read};
+use twinedge::io::tables::Textbook;
+use twinedge::validate::{Collect, Expectation, Surface, Table, View, validate};
+use twinedge_formats::mesh::{self, Format, HalfEdgeMesh};
+use twinedge_formats::postgis::{self, Listed};
+
+/// A structure by what it is to be, or, line by line, what is wrong with it.
+pub(super) enum Source<'a> {
+    Plane(&'a dyn View),
+    Surface(&'a dyn View),
+    Wrong(String),
+}
+
+/// Greatest number of findings that are printed of what is wrong.
+const LIST: usize = 10;
+
+/// Does something with the structure in an input that is no map.
+pub(super) type Use<'a> = &'a dyn Fn(Source<'_>) -> Result<Verdict, Failure>;
+
+/// Reads an input that is no map.
+pub(super) fn read(input: Input, kind: InputKind, certify: Use<'_>) -> Result<Verdict, Failure> {
+    match kind {
+        InputKind::Mesh(format) => read_mesh(input, format, certify),
+        InputKind::Postgis => read_topology(input, certify),
+        InputKind::Textbook => read_textbook(input, certify),
+        InputKind::Tables => read_table(input, certify),
+        InputKind::Map | InputKind::Arcs => {
+            Err(Failure(format!("{}: this is {}, and is not certified as it is", input.name, kind.words())))
+        }
+    }
+}
+
+fn read_mesh(Input { name, reader, .. }: Input, format: Format, certify: Use<'_>) -> Result<Verdict, Failure> {
+    let file = mesh::read(reader, Some(format)).map_err(|error| Failure(format!("{name}: {error}")))?;
+    let (half_edges, findings) = HalfEdgeMesh::link(&file.mesh, Collect::AtMost(LIST));
+    if !findings.is_faultless() {
+        let faults = findings.list().iter().filter(|finding| finding.kind().is_fault());
+        return certify(wrong(faults.map(|finding| finding.counted_from(format.first_number()))));
+    }
+    certify(Source::Surface(&half_edges))
+}
+
+fn read_topology(Input { name, reader, .. }: Input, certify: Use<'_>) -> Result<Verdict, Failure> {
+    let failed = |error| Failure(format!("{name}: {error}"));
+    let topology = postgis::read(reader, LIST).map_err(failed)?;
+    let audit = postgis::audit(&topology, LIST).map_err(failed)?;
+    if !audit.is_valid() {
+        return certify(wrong(audit.violations().iter().map(|violation| &violation.message)));
+    }
+    certify(Source::Plane(&Listed::of(&topology).map_err(failed)?))
+}
+
+fn read_textbook(Input { name, mut reader, .. }: Input, certify: Use<'_>) -> Result<Verdict, Failure> {
+    let mut text = String::new();
+    reader.read_to_string(&mut text).map_err(|error| Failure(format!("{name}: {error}")))?;
+    let tables: Textbook = text.parse().map_err(|error| Failure(format!("{name}: {error}")))?;
+    certify(Source::Plane(&tables))
+}
+
+/// The first table of a file, and what it is held to.
+fn read_table(Input { name, reader, .. }: Input, certify: Use<'_>) -> Result<Verdict, Failure> {
+    let failed = |error: &dyn Display| Failure(format!("{name}: {error}"));
+    let mut expectation = Expectation::plane();
+    for line in reader.lines() {
+        let line = line.map_err(|error| failed(&error))?;
+        let text = line.trim();
+        if let Some(expect) = text.strip_prefix(EXPECT) {
+            expectation = parse(expect).map_err(|error| failed(&error))?;
+        } else if !text.is_empty() && !text.starts_with('#') {
+            // A verdict may follow the table.
+            let text = text.split_once('=').map_or(text, |(table, _)| table);
+            let table: Table = text.trim().parse().map_err(|error| failed(&error))?;
+            let is_plane = expectation.surface_kind() == Surface::Plane;
+            if is_plane && expectation.is_open() {
+                return Err(failed(&"planar subdivisions with an open boundary have no certificates"));
+            }
+            let report = validate(&table, &expectation, Collect::AtMost(LIST));
+            // Of a subdivision the tests say what is wrong.
+            return certify(match report.is_valid() {
+                false if expectation != Expectation::plane() => wrong(report.violations()),
+                _ if is_plane => Source::Plane(&table),
+                _ => Source::Surface(&table),
+            });
+        }
+    }
+    Err(failed(&"no table"))
+}
+
+fn wrong(lines: impl IntoIterator<Item = impl Display>) -> Source<'static> {
+    Source::Wrong(lines.into_iter().fold(String::new(), |lines, line| format!("{lines}{line}\n")))
+}
