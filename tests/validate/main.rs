@@ -29,6 +29,7 @@ mod serialized;
 mod settled;
 mod small_tables;
 mod statements;
+mod surface_certificate;
 mod table_text;
 mod textbook_tables;
 mod view_calls;

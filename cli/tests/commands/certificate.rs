@@ -1,5 +1,6 @@
 //! `twinedge certify` and `twinedge check`, beside the checker that is proved in Coq where that is built.
 
+use crate::postgis::{TOWN, broken as broken_town};
 use crate::support::{complaint, scratch_folder, twinedge, twinedge_reading};
 use std::collections::BTreeSet;
 use std::fs;
@@ -67,11 +68,9 @@ fn a_map_is_certified_and_checked() {
     assert_eq!(agreed(&folder, "right, without coordinates"), Some(0));
 }
 
-/// Each number of a few in each column is set to others.
-#[test]
-fn corruptions_are_judged_as_by_the_proved_checker() {
-    let folder = certified("corrupted", &[]);
-    let mut files: Vec<PathBuf> = fs::read_dir(&folder).unwrap().map(|entry| entry.unwrap().path()).collect();
+/// Each number of a few in each column is set to others. Returns how often both checkers said 0, 1 and 2.
+fn corrupted(folder: &Path) -> [usize; 3] {
+    let mut files: Vec<PathBuf> = fs::read_dir(folder).unwrap().map(|entry| entry.unwrap().path()).collect();
     files.sort();
     let mut statuses = [0, 0, 0];
     for file in files.iter().filter(|file| file.extension().is_some_and(|extension| extension != "txt")) {
@@ -83,14 +82,125 @@ fn corruptions_are_judged_as_by_the_proved_checker() {
                 let mut wrong = right.clone();
                 wrong[row * width..][..width].copy_from_slice(&value.to_le_bytes()[..width]);
                 fs::write(file, &wrong).unwrap();
-                let status = agreed(&folder, &format!("{}, row {row}: {value}", file.display()));
+                let status = agreed(folder, &format!("{}, row {row}: {value}", file.display()));
                 statuses[usize::try_from(status.unwrap()).unwrap()] += 1;
             }
         }
         fs::write(file, &right).unwrap();
     }
+    statuses
+}
+
+#[test]
+fn corruptions_are_judged_as_by_the_proved_checker() {
+    let statuses = corrupted(&certified("corrupted", &[]));
     let [valid, invalid, unreadable] = statuses;
     assert!(valid > 20 && invalid > 300 && unreadable > 5, "{statuses:?}");
+}
+
+/// A torus of nine vertices, of which some triangles are left out, and a tetrahedron beside it.
+fn torus_and_tetrahedron(left_out: &[usize]) -> String {
+    let at = |x: usize, y: usize| x % 3 + 3 * (y % 3);
+    let corners = (0..9).map(|i| (i / 3, i % 3)).map(|(x, y)| [at(x, y), at(x + 1, y), at(x + 1, y + 1), at(x, y + 1)]);
+    let triangles = corners.flat_map(|[a, b, c, d]| [[a, b, c], [a, c, d]]).enumerate();
+    let torus = triangles.filter(|(i, _)| !left_out.contains(i)).map(|(_, triangle)| triangle);
+    let all = torus.chain([[9, 10, 11], [9, 12, 10], [10, 12, 11], [9, 11, 12]]);
+    let points = (0..13).map(|i| format!("v {i} {} 0\n", i * i));
+    points.chain(all.map(|[a, b, c]| format!("f {} {} {}\n", a + 1, b + 1, c + 1))).collect()
+}
+
+/// A certificate of this mesh in OBJ.
+fn certified_mesh(name: &str, mesh: &str) -> PathBuf {
+    let folder = scratch_folder(name);
+    let output = twinedge_reading(&["certify", "-", "-o", folder.to_str().unwrap()], mesh.as_bytes());
+    assert_eq!(output.status.code(), Some(0), "{}", String::from_utf8_lossy(&output.stderr));
+    folder
+}
+
+#[test]
+fn meshes_are_certified_with_genus_components_and_holes() {
+    for (left_out, border, faces) in [
+        (&[][..], "closed", 22),
+        (&[0], "open at 1 hole", 21),
+        (&[4, 5, 11], "open at 1 hole", 19),
+        (&[0, 9], "open at 2 holes", 20),
+    ] {
+        let folder = certified_mesh("certified-mesh", &torus_and_tetrahedron(left_out));
+        let valid = format!("valid: a surface of genus 1 with 2 components, {border}\n");
+        assert_eq!(check(&folder), (Some(0), valid));
+        assert_eq!(agreed(&folder, "mesh"), Some(0));
+        let claim = fs::read_to_string(folder.join("claim.txt")).unwrap();
+        assert!(claim.starts_with("twinedge certificate 1\nsurface\nof standard input\n13 vertices, "), "{claim}");
+        assert!(claim.contains(&format!("edges, {faces} faces\n")), "{claim}");
+        assert_eq!(fs::read_dir(&folder).unwrap().count(), 1 + 14);
+    }
+}
+
+#[test]
+fn corruptions_of_surfaces_are_judged_as_by_the_proved_checker() {
+    for (left_out, name) in [(&[][..], "corrupted-surface"), (&[4, 5, 11], "corrupted-open-surface")] {
+        let statuses = corrupted(&certified_mesh(name, &torus_and_tetrahedron(left_out)));
+        let [valid, invalid, unreadable] = statuses;
+        assert!(valid > 5 && invalid > 200 && unreadable == 0, "{statuses:?}");
+    }
+}
+
+/// A border that meets itself at a vertex, and a face that is flipped: no certificate, and the fault is named.
+#[test]
+fn what_is_no_surface_is_not_certified() {
+    let folder = scratch_folder("no-surface");
+    let refused = |more: &[&str], input: &str| {
+        let arguments = [&["certify", "-", "-o", folder.to_str().unwrap()], more].concat();
+        let output = twinedge_reading(&arguments, input.as_bytes());
+        assert_eq!(fs::read_dir(&folder).unwrap().count(), 0, "{input}");
+        (output.status.code(), String::from_utf8([output.stdout, output.stderr].concat()).unwrap())
+    };
+    let nothing = "standard input: not valid, nothing is written\n";
+    let points = "v 0 0 0\nv 1 0 0\nv 0 1 0\nv 2 0 0\nv 0 2 0\n";
+    let (status, printed) = refused(&[], &format!("{points}f 1 2 3\nf 1 4 5\n"));
+    let expected = "2 fans of faces meet at vertex 1 and share no edge there; one face of each: 1, 2\n";
+    assert_eq!((status, printed), (Some(1), format!("{nothing}{expected}")));
+    let (status, printed) = refused(&[], &format!("{points}f 1 2 3\nf 1 2 4\n"));
+    assert!(status == Some(1) && printed.starts_with(nothing) && printed.contains("same direction"), "{printed}");
+    let triangle =
+        "P 3 prev leaving faces V 3 0 - 1 - 2 - H 3 0 - 1 2 - 1 - 2 0 - 2 - 0 1 - B 0 F 1 - 0 HF 3 0 0 0 FH 1 0 0";
+    for (expect, rule) in
+        [("surface", "R1"), ("surface open asking closed", "M4"), ("surface open asking sides 4", "M3")]
+    {
+        let (status, printed) = refused(&[], &format!("# expect: {expect}\n{triangle}\n"));
+        assert!(status == Some(1) && printed.starts_with(&format!("{nothing}{rule}: ")), "{printed}");
+    }
+    let (status, printed) = refused(&[], &format!("# expect: plane open\n{triangle}\n"));
+    assert!(status == Some(2) && printed.contains("open boundary have no certificates"), "{printed}");
+    let mesh = torus_and_tetrahedron(&[]);
+    let (status, printed) = refused(&["--sql", "duckdb"], &mesh);
+    assert!(status == Some(2) && printed.contains("--sql is for maps of the plane"), "{printed}");
+    let (status, printed) = refused(&["--snap", "auto"], &mesh);
+    assert!(status == Some(2) && printed.contains("--snap is for maps, and this is a mesh"), "{printed}");
+}
+
+#[test]
+fn a_table_of_an_open_surface_is_certified() {
+    let triangle = "V 3 0 - 1 - 2 - H 3 0 - 1 2 - 1 - 2 0 - 2 - 0 1 - B 0 F 1 - 0 HF 3 0 0 0 FH 1 0 0";
+    let table = format!("# expect: surface open asking borders 1 genus 0\nP 3 prev leaving faces {triangle}\n");
+    let folder = certified_mesh("certified-open-table", &table);
+    assert_eq!(check(&folder), (Some(0), "valid: a surface of genus 0 with 1 component, open at 1 hole\n".to_owned()));
+    assert_eq!(agreed(&folder, "open table"), Some(0));
+}
+
+#[test]
+fn a_topology_of_postgis_is_certified() {
+    let folder = scratch_folder("certified-topology");
+    let arguments = ["certify", "--postgis", "-", "-o", folder.to_str().unwrap()];
+    let output = twinedge_reading(&arguments, TOWN);
+    let printed = String::from_utf8(output.stdout).unwrap();
+    assert!(printed.ends_with(" is a plane subdivision: 16 vertices, 28 half-edges, 8 faces\n"), "{printed}");
+    assert_eq!(check(&folder), (Some(0), "valid: a plane subdivision\n".to_owned()));
+    assert_eq!(agreed(&folder, "topology"), Some(0));
+    let output = twinedge_reading(&arguments, &broken_town());
+    assert_eq!(output.status.code(), Some(1));
+    let printed = String::from_utf8(output.stdout).unwrap();
+    assert!(printed.contains("next_left_edge of edge 1 is 99, and there is no such edge\n"), "{printed}");
 }
 
 #[test]

@@ -2,10 +2,10 @@
 
 use crate::support::{complaint, json, scratch_folder, twinedge, twinedge_reading};
 
-const TOWN: &[u8] = include_bytes!("../../../formats/tests/postgis/data/town.copy");
+pub(crate) const TOWN: &[u8] = include_bytes!("../../../formats/tests/postgis/data/town.copy");
 
 /// The town of which edge 1 has another `next_left_edge`.
-fn broken() -> Vec<u8> {
+pub(crate) fn broken() -> Vec<u8> {
     let mut bytes = TOWN.to_vec();
     // The ids of edge 1: itself, its nodes, and its next edges 3 and −6.
     let row: Vec<u8> =

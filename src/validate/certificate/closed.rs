@@ -28,18 +28,19 @@ pub(super) fn closed<V: View + ?Sized>(view: &V) -> Result<Labels, LabelsError> 
     let mut columns = half_edges(&s)?;
     faces(&s, &mut columns)?;
     add_holes(&mut columns, s.0.vertices)?;
-    let leaving = filled(s.0.vertices, |v| if s.0.is_vertex(v) { number(s.0.leaving(v)) } else { VACANT })?;
+    let leaving =
+        filled(s.0.vertices, |v| if s.0.is_vertex(v) { within(s.0.half_edges, s.0.leaving(v)) } else { VACANT })?;
     columns.set(Column::VertexLeaving, leaving);
     Ok(columns)
 }
 
 /// The half-edges, and after them a twin for each that has none.
 fn half_edges<V: View + ?Sized>(s: &Surface<'_, V>) -> Result<Labels, LabelsError> {
-    let of = |link: &dyn Fn(usize) -> Link| filled(s.0.half_edges, |h| number(link(h)));
+    let of = |link: &dyn Fn(usize) -> Link, slots| filled(s.0.half_edges, |h| within(slots, link(h)));
     let mut origin = filled(s.0.half_edges, |h| if s.0.is_half_edge(h) { number(s.0.origin(h)) } else { VACANT })?;
-    let mut twin = of(&|h| s.0.twin(h))?;
-    let (mut next, mut prev) = (of(&|h| s.0.next(h))?, of(&|h| s.0.prev(h))?);
-    let mut boundary = of(&|h| s.boundary(h))?;
+    let mut twin = of(&|h| s.0.twin(h), s.0.half_edges)?;
+    let (mut next, mut prev) = (of(&|h| s.0.next(h), s.0.half_edges)?, of(&|h| s.0.prev(h), s.0.half_edges)?);
+    let mut boundary = of(&|h| s.boundary(h), s.boundaries())?;
     // For each vertex the half-edge without twin that leaves it, and the one that arrives there.
     let (mut leaving, mut arriving) = (nils(s.0.vertices)?, nils(s.0.vertices)?);
     let ends = |h: usize| [s.0.origin(h), s.0.next(h).and_then(|n| s.0.origin(n))];
@@ -85,10 +86,13 @@ fn faces<V: View + ?Sized>(s: &Surface<'_, V>, columns: &mut Labels) -> Result<(
         true if s.0.place(b) == Some(BoundaryPlace::Outer) => s.0.boundary_face(b).or(Some(usize::MAX)),
         true => Some(usize::MAX),
     };
-    let live = |is_live: bool, link: Link| if is_live { number(link) } else { VACANT };
-    columns.set(Column::FaceOuter, filled(faces, |f| live(is_face(f), outer(f)))?);
-    columns.set(Column::BoundaryFace, filled(s.boundaries(), |b| live(s.is_boundary(b), face(b)))?);
-    columns.set(Column::BoundaryStart, filled(s.boundaries(), |b| number(s.start(b)))?);
+    columns
+        .set(Column::FaceOuter, filled(faces, |f| if is_face(f) { within(s.boundaries(), outer(f)) } else { VACANT })?);
+    columns.set(
+        Column::BoundaryFace,
+        filled(s.boundaries(), |b| if s.is_boundary(b) { number(face(b)) } else { VACANT })?,
+    );
+    columns.set(Column::BoundaryStart, filled(s.boundaries(), |b| within(s.0.half_edges, s.start(b)))?);
     Ok(())
 }
 
@@ -119,6 +123,11 @@ fn add_holes(columns: &mut Labels, vertices: usize) -> Result<(), LabelsError> {
     }
     columns.set(Column::VertexBorder, border);
     Ok(())
+}
+
+/// A link as a number. One that leads to none of these slots does not lead to what is added after them.
+fn within(slots: usize, link: Link) -> u32 {
+    number(link.map(|to| if to < slots { to } else { usize::MAX }))
 }
 
 fn filled(slots: usize, entry: impl Fn(usize) -> u32) -> Result<Vec<u32>, LabelsError> {
