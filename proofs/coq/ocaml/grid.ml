@@ -1,6 +1,7 @@
 (* Writes certificates to try the checker with: grids whose cells hold islands and isolated vertices.
 
      grid WIDTH HEIGHT FOLDER             a grid; every other cell holds an island with a vertex inside, and a vertex
+     grid --torus SIZE FOLDER             a torus of squares with a hole
      grid --set COLUMN ROW VALUE FOLDER   changes one number of a certificate
 
    None of this is trusted: what it writes is what the checker judges. *)
@@ -241,6 +242,44 @@ let certify d folder =
   certify_drawing d folder origin twin prev (fun h -> face_of.(boundary.(h)))
     (Array.to_list (Array.map (fun (v, h) -> (v, inside h)) isolated)) !faces
 
+(* A torus of squares, of which number 0 is a hole, with a vertex that has no edges. Half-edge 4 f + i is side i of square f, counter-clockwise
+   from its south. *)
+let certify_torus n folder =
+  let square x y = ((x + n) mod n) + (n * ((y + n) mod n)) in
+  let squares = n * n in
+  let of_side column = Array.init (4 * squares) (fun h -> column (h / 4 mod n) (h / 4 / n) (h mod 4)) in
+  let origin = of_side (fun x y i -> square (x + [| 0; 1; 1; 0 |].(i)) (y + [| 0; 0; 1; 1 |].(i))) in
+  let twin =
+    of_side (fun x y i -> (4 * [| square x (y - 1); square (x + 1) y; square x (y + 1); square (x - 1) y |].(i)) + ((i + 2) mod 4)) in
+  let next = Array.init (4 * squares) (fun h -> (h land lnot 3) + ((h + 1) land 3)) in
+  let prev = Array.init (4 * squares) (fun h -> (h land lnot 3) + ((h + 3) land 3)) in
+  let turn = Array.make (4 * squares) 0 in
+  for v = 0 to squares - 1 do
+    let rec walk h i = if h <> 4 * v || i = 0 then begin turn.(h) <- i; walk next.(twin.(h)) (i + 1) end in
+    walk (4 * v) 0
+  done;
+  let rank = Array.make (4 * squares) nil and queue = Queue.create () and taken = ref 0 in
+  let put h = if rank.(h) = nil then begin rank.(h) <- !taken; incr taken; Queue.add h queue end in
+  put 0;
+  while not (Queue.is_empty queue) do
+    let h = Queue.pop queue in
+    put next.(h); put prev.(h); put twin.(h)
+  done;
+  let border = Array.make (squares + 1) nil in
+  for h = 0 to 3 do border.(origin.(h)) <- h done;
+  if not (Sys.file_exists folder) then Sys.mkdir folder 0o755;
+  write_file folder "claim.txt" (Bytes.of_string "twinedge certificate 1\nsurface\n");
+  (* With a vacant slot at the end of each kind but vertices. *)
+  let last number column = Array.append column [| number |] in
+  List.iter
+    (fun (name, column) -> write folder name column)
+    [ ("half_edge_origin", last vacant origin); ("half_edge_twin", last 0 twin); ("half_edge_next", last 0 next); ("half_edge_prev", last 0 prev);
+      ("half_edge_boundary", last 0 (of_side (fun x y _ -> square x y))); ("half_edge_turn", last 0 turn);
+      ("half_edge_step", last 0 (of_side (fun _ _ i -> i))); ("half_edge_component", last 0 (Array.make (4 * squares) 0));
+      ("half_edge_rank", last 0 rank); ("vertex_leaving", last nil (Array.init squares (fun v -> 4 * v))); ("vertex_border", border);
+      ("boundary_face", last vacant (Array.init squares (fun b -> if b = 0 then nil else b - 1)));
+      ("boundary_start", last 0 (Array.init squares (fun b -> 4 * b))); ("face_outer", last vacant (Array.init (squares - 1) succ)) ]
+
 let set folder column row value =
   let long = Sys.file_exists (Filename.concat folder (column ^ ".i64")) in
   let name = column ^ if long then ".i64" else ".u32" in
@@ -254,7 +293,8 @@ let set folder column row value =
 let () =
   match Sys.argv with
   | [| _; "--set"; column; row; value; folder |] -> set folder column (int_of_string row) (int_of_string value)
+  | [| _; "--torus"; size; folder |] -> certify_torus (int_of_string size) folder
   | [| _; width; height; folder |] -> certify (draw (int_of_string width) (int_of_string height)) folder
   | _ ->
-      prerr_endline "usage: grid WIDTH HEIGHT FOLDER | grid --set COLUMN ROW VALUE FOLDER";
+      prerr_endline "usage: grid WIDTH HEIGHT FOLDER | grid --torus SIZE FOLDER | grid --set COLUMN ROW VALUE FOLDER";
       exit 2
