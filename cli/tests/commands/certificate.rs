@@ -161,7 +161,10 @@ fn what_is_no_surface_is_not_certified() {
     let expected = "2 fans of faces meet at vertex 1 and share no edge there; one face of each: 1, 2\n";
     assert_eq!((status, printed), (Some(1), format!("{nothing}{expected}")));
     let (status, printed) = refused(&[], &format!("{points}f 1 2 3\nf 1 2 4\n"));
-    assert!(status == Some(1) && printed.starts_with(nothing) && printed.contains("one of them is flipped"), "{printed}");
+    assert!(
+        status == Some(1) && printed.starts_with(nothing) && printed.contains("one of them is flipped"),
+        "{printed}"
+    );
     let triangle =
         "P 3 prev leaving faces V 3 0 - 1 - 2 - H 3 0 - 1 2 - 1 - 2 0 - 2 - 0 1 - B 0 F 1 - 0 HF 3 0 0 0 FH 1 0 0";
     for (expect, rule) in

@@ -28,16 +28,15 @@ pub(super) fn closed<V: View + ?Sized>(view: &V) -> Result<Labels, LabelsError> 
     let mut columns = half_edges(&s)?;
     faces(&s, &mut columns)?;
     add_holes(&mut columns, s.0.vertices)?;
-    let leaving =
-        filled(s.0.vertices, |v| if s.0.is_vertex(v) { within(s.0.half_edges, s.0.leaving(v)) } else { VACANT })?;
-    columns.set(Column::VertexLeaving, leaving);
+    let leaving = |v| live(s.0.is_vertex(v), within(s.0.half_edges, s.0.leaving(v)));
+    columns.set(Column::VertexLeaving, filled(s.0.vertices, leaving)?);
     Ok(columns)
 }
 
 /// The half-edges, and after them a twin for each that has none.
 fn half_edges<V: View + ?Sized>(s: &Surface<'_, V>) -> Result<Labels, LabelsError> {
     let of = |link: &dyn Fn(usize) -> Link, slots| filled(s.0.half_edges, |h| within(slots, link(h)));
-    let mut origin = filled(s.0.half_edges, |h| if s.0.is_half_edge(h) { number(s.0.origin(h)) } else { VACANT })?;
+    let mut origin = filled(s.0.half_edges, |h| live(s.0.is_half_edge(h), number(s.0.origin(h))))?;
     let mut twin = of(&|h| s.0.twin(h), s.0.half_edges)?;
     let (mut next, mut prev) = (of(&|h| s.0.next(h), s.0.half_edges)?, of(&|h| s.0.prev(h), s.0.half_edges)?);
     let mut boundary = of(&|h| s.boundary(h), s.boundaries())?;
@@ -52,9 +51,8 @@ fn half_edges<V: View + ?Sized>(s: &Surface<'_, V>) -> Result<Labels, LabelsErro
         }
         let [from, to] = ends(h);
         twin[h] = added as u32;
-        for (at, half_edge) in [(from.and_then(|v| leaving.get_mut(v)), h), (to.and_then(|v| arriving.get_mut(v)), h)] {
-            at.into_iter().for_each(|at| *at = half_edge as u32);
-        }
+        put(&mut leaving, from, h);
+        put(&mut arriving, to, h);
         twin.push(h as u32);
         origin.push(number(to));
         boundary.push(NIL);
@@ -86,12 +84,8 @@ fn faces<V: View + ?Sized>(s: &Surface<'_, V>, columns: &mut Labels) -> Result<(
         true if s.0.place(b) == Some(BoundaryPlace::Outer) => s.0.boundary_face(b).or(Some(usize::MAX)),
         true => Some(usize::MAX),
     };
-    columns
-        .set(Column::FaceOuter, filled(faces, |f| if is_face(f) { within(s.boundaries(), outer(f)) } else { VACANT })?);
-    columns.set(
-        Column::BoundaryFace,
-        filled(s.boundaries(), |b| if s.is_boundary(b) { number(face(b)) } else { VACANT })?,
-    );
+    columns.set(Column::FaceOuter, filled(faces, |f| live(is_face(f), within(s.boundaries(), outer(f))))?);
+    columns.set(Column::BoundaryFace, filled(s.boundaries(), |b| live(s.is_boundary(b), number(face(b))))?);
     columns.set(Column::BoundaryStart, filled(s.boundaries(), |b| within(s.0.half_edges, s.start(b)))?);
     Ok(())
 }
@@ -117,12 +111,24 @@ fn add_holes(columns: &mut Labels, vertices: usize) -> Result<(), LabelsError> {
         while is_free(columns, at) {
             columns.column_mut(Column::HalfEdgeBoundary)[at] = hole as u32;
             let origin = columns.number(Column::HalfEdgeOrigin, at) as usize;
-            border.get_mut(origin).into_iter().for_each(|border| *border = at as u32);
+            put(&mut border, Some(origin), at);
             at = columns.number(Column::HalfEdgeNext, at) as usize;
         }
     }
     columns.set(Column::VertexBorder, border);
     Ok(())
+}
+
+/// Sets the entry of this slot, if there is one.
+fn put(column: &mut [u32], slot: Link, number: usize) {
+    if let Some(entry) = slot.and_then(|slot| column.get_mut(slot)) {
+        *entry = number as u32;
+    }
+}
+
+/// The number in the first column of a kind of record.
+const fn live(is_live: bool, number: u32) -> u32 {
+    if is_live { number } else { VACANT }
 }
 
 /// A link as a number. One that leads to none of these slots does not lead to what is added after them.
