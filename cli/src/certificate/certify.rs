@@ -2,8 +2,9 @@
 
 use super::check::lines;
 use super::folder::{Claim, Folder};
+use super::notes::Notes;
 use super::source::{self, Source};
-use super::sql_folder::{self, Engine};
+use super::sql::{self, Engine};
 use crate::audit::InputKind;
 use crate::input::{Input, MapFile};
 use crate::noted::Keep;
@@ -45,17 +46,18 @@ pub(crate) struct Certify {
     #[arg(long)]
     topology_only: bool,
 
-    /// Write tables in CSV, too, and `check.sql`, which has each test as a query in this dialect. Not of surfaces.
+    /// Write tables, too, and `check.sql`, which has each test as a query in this dialect. Tables are in Parquet, or in CSV
+    /// for `PostgreSQL`. Not of surfaces.
     #[arg(long, value_name = "ENGINE", value_enum)]
     sql: Option<Engine>,
 
     /// The input is a topology of PostGIS, as `psql` writes it after `twinedge postgis --sql NAME`. (It is recognised without this, too;
     /// with it nothing else is accepted.)
-    #[arg(long, conflicts_with = "table")]
+    #[arg(long, conflicts_with_all = ["layer", "snap", "table"])]
     postgis: bool,
 
     /// The input is a table, and has no coordinates. (It is recognised without this, too.)
-    #[arg(long)]
+    #[arg(long, conflicts_with_all = ["layer", "snap"])]
     table: bool,
 }
 
@@ -98,8 +100,8 @@ impl Certify {
             counted((0..certificate.face_slots()).filter(|f| certificate.is_face(*f)).count(), "face"),
         ]
         .join(", ");
-        let grid = drawing.as_ref().map_or_else(String::new, |drawing| format!("unit 2^{}\n", drawing.exponent));
-        self.write(name, &Claim::Plane(Folder { certificate, drawing }), &counts, &grid)
+        let exponent = drawing.as_ref().map(|drawing| drawing.exponent);
+        self.write(name, &Claim::Plane(Box::new(Folder { certificate, drawing })), &counts, exponent)
     }
 
     fn certify_surface(&self, name: &str, view: &dyn View) -> Result<Verdict, Failure> {
@@ -114,19 +116,19 @@ impl Certify {
                 numbers.map(|(count, name)| counted(count, name)).join(", ")
             },
         );
-        self.write(name, &Claim::Surface(certificate), &counts, "")
+        self.write(name, &Claim::Surface(certificate), &counts, None)
     }
 
     /// Checks the certificate, and writes it if it is right.
-    fn write(&self, name: &str, claim: &Claim, counts: &str, notes: &str) -> Result<Verdict, Failure> {
+    fn write(&self, name: &str, claim: &Claim, counts: &str, exponent: Option<i32>) -> Result<Verdict, Failure> {
         let words = match claim.check() {
             Ok(words) => words,
             Err(failures) => return refuse(name, &lines(&failures)),
         };
-        let notes = format!("of {}\n{counts}\n{notes}by twinedge {}\n", name.escape_debug(), env!("CARGO_PKG_VERSION"));
+        let notes = Notes::new(name, self.map.sha256()?, counts, exponent);
         claim.write(&self.output, &notes)?;
         if let (Some(engine), Claim::Plane(folder)) = (self.sql, claim) {
-            sql_folder::write(&self.output, folder, engine)?;
+            sql::write(&self.output, folder, &notes, engine)?;
         }
         print(&format!("{}: certificate that {name} is {words}: {counts}\n", self.output.display()))?;
         Ok(Verdict::Sound)

@@ -1,5 +1,6 @@
 //! The folder of a certificate, as `proofs/coq/CERTIFICATE.md` specifies it.
 
+use super::notes::Notes;
 use crate::status::Failure;
 use std::fs;
 use std::path::Path;
@@ -17,7 +18,7 @@ const CLAIM_FILE: &str = "claim.txt";
 /// A certificate by its claim.
 pub(super) enum Claim {
     /// The claims `plane` and `drawing`.
-    Plane(Folder),
+    Plane(Box<Folder>),
     /// The claim `surface`.
     Surface(SurfaceCertificate),
 }
@@ -34,11 +35,13 @@ impl Claim {
     pub(super) fn check(&self) -> Result<String, Vec<FailedTest>> {
         let plane = "a plane subdivision";
         match self {
-            Self::Plane(Folder { certificate, drawing: None }) => certificate.check().map(|()| plane.to_owned()),
-            Self::Plane(Folder { certificate, drawing: Some(drawing) }) => {
-                let checked = check_drawing(certificate, certificate.columns(), drawing);
-                checked.map(|()| format!("{plane}, drawn without crossings"))
-            }
+            Self::Plane(folder) => match &**folder {
+                Folder { certificate, drawing: None } => certificate.check().map(|()| plane.to_owned()),
+                Folder { certificate, drawing: Some(drawing) } => {
+                    let checked = check_drawing(certificate, certificate.columns(), drawing);
+                    checked.map(|()| format!("{plane}, drawn without crossings"))
+                }
+            },
             Self::Surface(certificate) => certificate.check().map(|counts| counts.to_string()),
         }
     }
@@ -46,14 +49,13 @@ impl Claim {
     /// The second line of its claim.
     const fn line(&self) -> &'static str {
         match self {
-            Self::Plane(Folder { drawing: None, .. }) => PLANE,
-            Self::Plane(Folder { drawing: Some(_), .. }) => DRAWING,
+            Self::Plane(folder) => folder.claim(),
             Self::Surface(_) => SURFACE,
         }
     }
 
     /// Writes all columns, and then the claim with these notes below it. What was there of another certificate is overwritten.
-    pub(super) fn write(&self, folder: &Path, notes: &str) -> Result<(), Failure> {
+    pub(super) fn write(&self, folder: &Path, notes: &Notes) -> Result<(), Failure> {
         fs::create_dir_all(folder).map_err(|error| Failure(format!("{}: {error}", folder.display())))?;
         let claim = folder.join(CLAIM_FILE);
         let has_other_files = fs::read_dir(folder)?.next().is_some();
@@ -69,10 +71,12 @@ impl Claim {
             Self::Plane(plane) => plane.write(folder)?,
             Self::Surface(surface) => write_columns(folder, Column::of_surface(), surface.columns())?,
         }
-        write_file(&claim, format!("{FIRST_LINE}{}{notes}", self.line()).as_bytes())
+        write_file(&claim, format!("{FIRST_LINE}{}{}", self.line(), notes.lines()).as_bytes())
     }
 
     /// Reads a folder. What is not readable, as the specification says, is a failure.
+    ///
+    /// All columns are in memory at once: links lead anywhere, and memory maps would be unsafe code.
     pub(super) fn read(folder: &Path) -> Result<Self, Failure> {
         let file = folder.join(CLAIM_FILE);
         let claim = read_file(&file)?;
@@ -89,7 +93,7 @@ impl Claim {
         let columns = read_columns(folder, Column::of_subdivision())?;
         let certificate = Certificate::from_columns(columns).ok_or_else(lengths)?;
         let drawing = if claims(DRAWING) { Some(read_drawing(folder)?) } else { None };
-        Ok(Self::Plane(Folder { certificate, drawing }))
+        Ok(Self::Plane(Box::new(Folder { certificate, drawing })))
     }
 }
 
@@ -105,6 +109,11 @@ impl Folder {
             }
         }
         Ok(())
+    }
+
+    /// The line of the claim.
+    pub(super) const fn claim(&self) -> &'static str {
+        if self.drawing.is_some() { DRAWING } else { PLANE }
     }
 }
 

@@ -3,8 +3,9 @@
 mod certify;
 mod check;
 mod folder;
+mod notes;
 mod source;
-mod sql_folder;
+mod sql;
 
 pub(crate) use certify::Certify;
 pub(crate) use check::Check;
