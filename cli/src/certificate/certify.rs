@@ -116,7 +116,7 @@ impl Certify {
                 numbers.map(|(count, name)| counted(count, name)).join(", ")
             },
         );
-        self.write(name, &Claim::Surface(certificate), &counts, None)
+        self.write(name, &Claim::Surface(Box::new(certificate)), &counts, None)
     }
 
     /// Checks the certificate, and writes it if it is right.

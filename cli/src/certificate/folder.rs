@@ -20,7 +20,7 @@ pub(super) enum Claim {
     /// The claims `plane` and `drawing`.
     Plane(Box<Folder>),
     /// The claim `surface`.
-    Surface(SurfaceCertificate),
+    Surface(Box<SurfaceCertificate>),
 }
 
 /// A certificate of a plane subdivision as it is in a folder.
@@ -85,7 +85,8 @@ impl Claim {
         let lengths = || Failure(format!("{}: columns of one kind of record have different lengths", folder.display()));
         if claims(SURFACE) {
             let columns = read_columns(folder, Column::of_surface())?;
-            return SurfaceCertificate::from_columns(columns).map(Self::Surface).ok_or_else(lengths);
+            let certificate = SurfaceCertificate::from_columns(columns).ok_or_else(lengths)?;
+            return Ok(Self::Surface(Box::new(certificate)));
         }
         if !claims(PLANE) && !claims(DRAWING) {
             return Err(Failure(format!("{}: no claim that is known", file.display())));

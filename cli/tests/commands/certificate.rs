@@ -133,7 +133,10 @@ fn meshes_are_certified_with_genus_components_and_holes() {
         assert_eq!(check(&folder), (Some(0), valid));
         assert_eq!(agreed(&folder, "mesh"), Some(0));
         let claim = fs::read_to_string(folder.join("claim.txt")).unwrap();
-        assert!(claim.starts_with("twinedge certificate 1\nsurface\nof standard input\ncounts 13 vertices, "), "{claim}");
+        assert!(
+            claim.starts_with("twinedge certificate 1\nsurface\nof standard input\ncounts 13 vertices, "),
+            "{claim}"
+        );
         assert!(claim.contains(&format!("edges, {faces} faces\n")), "{claim}");
         assert_eq!(fs::read_dir(&folder).unwrap().count(), 1 + 14);
     }
