@@ -7,6 +7,7 @@ use crate::status::Failure;
 use indicatif::{ProgressBar, ProgressStyle};
 use sha2::{Digest as _, Sha256};
 use std::ffi::OsStr;
+use std::fmt::Display;
 use std::fs::File;
 use std::io::{self, BufRead, BufReader, Read};
 use std::path::{Path, PathBuf};
@@ -110,17 +111,24 @@ impl Input {
         self.reader.fill_buf().map_err(|error| Failure(format!("{}: {error}", self.name)))
     }
 
-    /// The format if it is a map. A layer that is asked of a format whose files have one is refused, unless it has the name of the file.
+    /// The format if it is a map. A layer that is asked of a format whose files have one is refused.
     fn map_format(&mut self) -> Result<Option<Format>, Failure> {
         let options = self.options();
         let head = self.reader.fill_buf().map_err(|error| Failure(format!("{}: {error}", self.name)))?;
         let Ok(format) = format_of(head, self.path.as_deref(), &options) else { return Ok(None) };
-        let has_layers = matches!(format, Format::GeoPackage | Format::TopoJson);
+        if !matches!(format, Format::GeoPackage | Format::TopoJson) {
+            self.refuse_layer(format)?;
+        }
+        Ok(Some(format))
+    }
+
+    /// Refuses a layer that was asked for, unless it has the name of the file.
+    pub(crate) fn refuse_layer(&self, what: impl Display) -> Result<(), Failure> {
         let of_file = self.path.as_deref().and_then(Path::file_stem);
-        match self.layer.as_deref().filter(|layer| !has_layers && of_file != Some(OsStr::new(layer))) {
-            None => Ok(Some(format)),
+        match self.layer.as_deref().filter(|layer| of_file != Some(OsStr::new(layer))) {
+            None => Ok(()),
             Some(layer) => Err(Failure(format!(
-                "{}: there is no layer {layer:?}: this is {format}, and --layer is for files with several layers: GeoPackage, TopoJSON, and \
+                "{}: there is no layer {layer:?}: this is {what}, and --layer is for files with several layers: GeoPackage, TopoJSON, and \
                  zip archives",
                 self.name
             ))),

@@ -46,7 +46,7 @@ pub(crate) struct Certify {
     sql: Option<Engine>,
 
     /// The input is a table, and has no coordinates.
-    #[arg(long)]
+    #[arg(long, conflicts_with_all = ["layer", "snap"])]
     table: bool,
 }
 
