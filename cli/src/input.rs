@@ -5,6 +5,7 @@ use crate::output::counted;
 use crate::progress::busy;
 use crate::status::Failure;
 use indicatif::{ProgressBar, ProgressStyle};
+use sha2::{Digest as _, Sha256};
 use std::ffi::OsStr;
 use std::fmt::Display;
 use std::fs::File;
@@ -161,6 +162,20 @@ fn gather(
     Ok((builder, summary, noted, header.crs))
 }
 
+/// The SHA-256 in hexadecimal digits.
+fn sha256(mut reader: impl BufRead) -> Result<String, Failure> {
+    let mut digest = Sha256::new();
+    loop {
+        let bytes = reader.fill_buf()?;
+        if bytes.is_empty() {
+            return Ok(digest.finalize().iter().fold(String::new(), |digits, byte| format!("{digits}{byte:02x}")));
+        }
+        digest.update(bytes);
+        let length = bytes.len();
+        reader.consume(length);
+    }
+}
+
 /// A bar on standard error, if that is a terminal.
 fn progress(bytes: u64) -> ProgressBar {
     let bar = ProgressBar::new(bytes);
@@ -237,6 +252,17 @@ impl MapFile {
     /// The path of the input, if it is a file.
     pub(crate) fn path(&self) -> Option<&Path> {
         self.file.as_deref().filter(|path| *path != Path::new("-"))
+    }
+
+    /// The SHA-256 of the file as it is, or of the built-in map, in hexadecimal digits; none of what can be read but once.
+    pub(crate) fn sha256(&self) -> Result<Option<String>, Failure> {
+        match &self.file {
+            None => sha256(EMBEDDED).map(Some),
+            Some(_) => match self.path().filter(|path| path.is_file()) {
+                Some(path) => sha256(BufReader::new(File::open(path)?)).map(Some),
+                None => Ok(None),
+            },
+        }
     }
 
     /// The layer that was asked for.
